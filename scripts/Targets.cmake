@@ -1,0 +1,56 @@
+# Flags and the functions by which every folder becomes one target.
+
+add_library(hunav_flags INTERFACE)
+target_include_directories(hunav_flags INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(hunav_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual
+  -ffp-contract=off  # the same bits on every x86-64
+  $<$<BOOL:${HUNAV_WERROR}>:-Werror>)
+if(HUNAV_SANITIZE)
+  target_compile_options(hunav_flags INTERFACE -fsanitize=${HUNAV_SANITIZE} -fno-sanitize-recover=all
+                         -fno-omit-frame-pointer -O1)
+  target_link_options(hunav_flags INTERFACE -fsanitize=${HUNAV_SANITIZE})
+endif()
+
+add_library(hunav_qt_flags INTERFACE)
+target_compile_definitions(hunav_qt_flags INTERFACE
+  QT_NO_CAST_FROM_ASCII QT_NO_CAST_TO_ASCII QT_NO_KEYWORDS QT_NO_FOREACH
+  QT_DISABLE_DEPRECATED_BEFORE=0x050F00 $<$<CONFIG:RelWithDebInfo>:QT_FORCE_ASSERTS>)
+
+# hunav_library(<target> [PUBLIC libs…] [PRIVATE libs…]): all .cpp of this folder and, with
+# RECURSE, of its subfolders that are not folders of their own.
+function(hunav_library target)
+  cmake_parse_arguments(ARG "RECURSE" "" "PUBLIC;PRIVATE" ${ARGN})
+  if(ARG_RECURSE)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp *.h)
+  else()
+    file(GLOB sources CONFIGURE_DEPENDS *.cpp *.h)
+  endif()
+  add_library(${target} STATIC ${sources})
+  set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX)
+  target_link_libraries(${target} PUBLIC hunav_flags ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+endfunction()
+
+# hunav_collect(<target> <namespace> <argument type> <header of that type> <files…>): each file
+# Foo.cpp defines void <namespace>::addFoo(<argument type>&); writes the function addAll<Suffix>
+# that calls them all, in order of the file names. So one new file is all that a new entry needs.
+function(hunav_collect target namespace function type header)
+  set(declarations "")
+  set(calls "")
+  foreach(file IN LISTS ARGN)
+    get_filename_component(name ${file} NAME_WE)
+    string(APPEND declarations "void add${name}(${type}& to);\n")
+    string(APPEND calls "  add${name}(to);\n")
+  endforeach()
+  set(output ${CMAKE_CURRENT_BINARY_DIR}/${target}_${function}.cpp)
+  file(CONFIGURE OUTPUT ${output} @ONLY CONTENT
+"// Written by CMake (scripts/Targets.cmake).
+#include \"${header}\"
+namespace ${namespace} {
+${declarations}void ${function}(${type}& to);
+void ${function}(${type}& to) {
+${calls}}
+}  // namespace ${namespace}
+")
+  target_sources(${target} PRIVATE ${output})
+endfunction()

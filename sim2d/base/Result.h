@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cassert>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim2d/base/Types.h"
+
+/// Bad input is a value: readers gather every problem and hand it to whoever shows it.
+namespace base {
+
+enum class Severity { Info, Warning, Error };
+
+struct Diagnostic {
+  Severity severity = Severity::Error;
+  std::string file;     // as the user named it; empty = unknown
+  int line = 0;         // from 1; 0 = unknown
+  int column = 0;       // from 1; 0 = unknown
+  std::string message;  // one sentence, hint in brackets at the end
+  EntityId entity;      // what it is about, if anything
+
+  /// "cafe.yaml:12:7: warning: unknown key 'max_vell' (did you mean 'max_vel'?)"
+  std::string text() const;
+};
+using Diagnostics = std::vector<Diagnostic>;
+
+const char* severityName(Severity severity);  // "info", "warning", "error"
+bool hasErrors(const Diagnostics& diagnostics);
+void append(Diagnostics& to, const Diagnostics& more);
+Diagnostic makeError(std::string message, std::string file = {}, int line = 0, int column = 0);
+Diagnostic makeWarning(std::string message, std::string file = {}, int line = 0, int column = 0);
+
+/// A value with warnings, or no value with at least one error.
+template <class T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value, Diagnostics warnings = {})  // NOLINT: meant to convert
+      : value_(std::move(value)), diagnostics_(std::move(warnings)) {}
+  Result(Diagnostics errors) : diagnostics_(std::move(errors)) {  // NOLINT
+    assert(hasErrors(diagnostics_));
+  }
+  Result(Diagnostic error) : diagnostics_{std::move(error)} {}  // NOLINT
+
+  explicit operator bool() const { return value_.has_value(); }
+  T& operator*() & { return *value_; }
+  const T& operator*() const& { return *value_; }
+  T&& operator*() && { return *std::move(value_); }
+  T* operator->() { return &*value_; }
+  const T* operator->() const { return &*value_; }
+  const Diagnostics& diagnostics() const { return diagnostics_; }
+
+ private:
+  std::optional<T> value_;
+  Diagnostics diagnostics_;
+};
+
+}  // namespace base

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim2d/base/Result.h"
+
+/// Numbers and files without a locale.
+namespace base {
+
+/// The whole token as a number ("1.5", "-2e3", ".5", "+1"); nothing else around it. NaN and
+/// infinities are accepted only as "nan", "inf", "-inf" (YAML's ".nan", ".inf" as well).
+std::optional<double> parseDouble(std::string_view token);
+std::optional<long long> parseInt(std::string_view token);  // decimal, optional sign
+
+/// Shortest text that reads back equal: "0.1", "1e-07", "3".
+std::string formatDouble(double value);
+/// The same without exponent and with at least `decimals` digits after the point: 1.5 -> "1.500".
+std::string formatDecimals(double value, int decimals);
+
+/// The candidate closest to `word` by edit distance (case ignored), if it is close enough to be
+/// meant.
+std::optional<std::string> nearestName(std::string_view word,
+                                       const std::vector<std::string>& candidates);
+
+Result<std::string> readTextFile(const std::string& path);  // a directory or missing file is an error
+/// Writes beside the file, then renames. Folders are made. Empty = written.
+Diagnostics writeFileAtomically(const std::string& path, std::string_view content);
+
+std::string trimmed(std::string_view text);
+std::vector<std::string> split(std::string_view text, char separator);
+std::string lowered(std::string_view text);  // ASCII
+
+}  // namespace base
