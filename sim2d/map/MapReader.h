@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sim2d/base/Result.h"
+#include "sim2d/map/OccupancyGrid.h"
+
+namespace sim2d {
+
+/// Pixels of an image file, first row on top; shade and alpha in 0..1 steps of 1/maximum.
+struct MapImage {
+  int width = 0, height = 0;
+  bool hasAlpha = false;
+  int maximum = 255;                    // 255 or 65535
+  std::vector<std::uint16_t> rgba;      // 4 values per pixel
+};
+/// Reads what the reader itself does not (all but PGM): PNG, BMP …
+using ImageLoader = std::function<base::Result<MapImage>(const std::string& path)>;
+
+enum class MapMode { Trinary, Scale, Raw };
+enum class MapRule { Humble, Main };  // which nav2 decides (differences: thresholds, alpha)
+
+/// The keys of a map_server YAML.
+struct MapDescription {
+  std::string image;  // as written
+  double resolution = 0.05;
+  Pose2 origin;
+  bool negate = false;
+  double occupiedThreshold = 0.65;
+  double freeThreshold = 0.196;
+  MapMode mode = MapMode::Trinary;
+};
+
+struct MapFile {
+  std::string path;       // of the YAML
+  std::string imagePath;  // resolved
+  MapDescription description;
+  OccupancyGrid grid;
+};
+
+/// Reads YAML and image. Images over 100 million cells are refused with a message. PGM (P2, P5, 8
+/// and 16 bit, comments) is read here, other formats by `loader` (none given: an error).
+base::Result<MapFile> readMap(const std::string& yamlPath, const ImageLoader& loader,
+                              MapRule rule = MapRule::Humble);
+base::Result<MapDescription> parseMapDescription(const std::string& text, const std::string& file);
+OccupancyGrid gridFromImage(const MapImage& image, const MapDescription& description, MapRule rule);
+base::Result<MapImage> readPgm(const std::string& path);
+
+/// Writes `<path>.yaml`-style text, and the image as PGM (P5: 254 free, 0 occupied, 205 unknown;
+/// thresholds 0.65 and 0.196, trinary). Empty = written.
+base::Diagnostics writeMap(const OccupancyGrid& grid, const std::string& yamlPath);
+
+}  // namespace sim2d

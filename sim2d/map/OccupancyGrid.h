@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim2d/base/Types.h"
+
+namespace sim2d {
+
+using base::Pose2;
+using base::Vec2;
+
+/// Column and row of a cell, from the lower left of the map.
+struct Cell {
+  int column = 0;
+  int row = 0;
+  friend bool operator==(Cell a, Cell b) { return a.column == b.column && a.row == b.row; }
+  friend bool operator!=(Cell a, Cell b) { return !(a == b); }
+};
+
+/// A nav2 occupancy grid. Values: 100 occupied, 0 free, -1 unknown, 1..99 probability. Row-major
+/// from the lower left. A grid without cells is the open plane: free everywhere. Outside the cells
+/// nothing stands. Immutable after reading; safe to share between threads.
+class OccupancyGrid {
+ public:
+  OccupancyGrid() = default;  // open plane
+  /// `cells` holds width * height values; resolution [m] > 0; `origin` = pose of the lower left
+  /// corner of the lower left cell.
+  OccupancyGrid(int width, int height, double resolution, Pose2 origin,
+                std::vector<std::int8_t> cells);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  double resolution() const { return resolution_; }
+  const Pose2& origin() const { return origin_; }
+  bool isEmpty() const { return cells_.empty(); }
+  const std::vector<std::int8_t>& cells() const { return cells_; }
+
+  bool contains(Cell cell) const;
+  std::int8_t valueAt(Cell cell) const;  // outside: 0
+  bool isWall(Cell cell) const { return valueAt(cell) > 50; }
+  bool isUnknown(Cell cell) const { return valueAt(cell) < 0; }
+
+  Cell worldToCell(const Vec2& point) const;  // floor; may lie outside
+  Vec2 cellToWorld(Cell cell) const;          // centre
+  Vec2 cornerToWorld(double column, double row) const;  // cell coordinates -> world
+
+  friend bool operator==(const OccupancyGrid& a, const OccupancyGrid& b);
+
+ private:
+  int width_ = 0;
+  int height_ = 0;
+  double resolution_ = 0.05;  // [m]
+  Pose2 origin_;
+  std::vector<std::int8_t> cells_;
+};
+
+}  // namespace sim2d
