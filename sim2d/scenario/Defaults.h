@@ -1,0 +1,58 @@
+#pragma once
+
+#include "sim2d/scenario/Scenario.h"
+
+namespace sim2d {
+
+/// What counts for a person when keys are absent, presets and kinds applied, nothing sampled yet.
+struct ResolvedHuman {
+  int id = -1;
+  std::string name;
+  int groupId = -1;
+  double desiredSpeed = 1.0;  // v0 [m/s]
+  double radius = 0.35;       // r [m]
+  double mass = 80.0;         // [kg]
+  double goalRadius = 0.3;    // rho [m]
+  bool cyclicGoals = true;
+  Pose2 start;
+  BehaviorType behavior = BehaviorType::Regular;
+  Configuration configuration = Configuration::Default;
+  // reaction to the robot
+  double noticeDistance = 5.0;     // [m]
+  double reactionDuration = 40.0;  // [s]
+  bool reactionOnce = false;
+  double reactionSpeed = 1.0;      // [m/s]; `vel`, else max_vel
+  double safeDistance = 5.0, stopDistance = 1.5, frontDistance = 1.5;  // [m]
+  // force factors
+  double goalFactor = 2.0, obstacleFactor = 10.0, socialFactor = 5.0, otherFactor = 20.0;
+  // ours
+  double startTime = 0.0;  // [s]
+  PersonKind kind = PersonKind::Adult;
+  std::string model = "sfm";
+  Route route = Route::Planned;
+  AtEnd atEnd = AtEnd::Stop;
+  std::vector<double> wait;
+};
+
+struct ResolvedRobot {
+  int id = -1;
+  std::string name, type = "generic", planner = "pursuit";
+  std::vector<std::pair<std::string, double>> plannerParameters;
+  Pose2 start;
+  std::vector<Vec2> goals;  // points in order; empty: it stands
+  std::vector<int> goalIds;  // beside them; 0 = a plain point
+  double goalRadius = 0.2, startTime = 0.0;
+  double radius = 0.35, mass = 50.0;
+  double maxVel = 1.0, maxAcc = 1.0, maxOmega = 1.5, maxAlpha = 3.0;
+  std::vector<Vec2> footprint;  // robot frame, CCW; empty = disc
+};
+
+/// The configuration modes and draws of social-force factors and reactions, by (seed, agent,
+/// parameter): the same on every machine.
+ResolvedHuman resolveHuman(const Scenario& scenario, const Human& human, long long seed);
+ResolvedRobot resolveRobot(const Scenario& scenario, const Robot& robot, int id);
+
+double massOf(PersonKind kind);          // [kg]
+const char* personKindName(PersonKind kind);
+
+}  // namespace sim2d

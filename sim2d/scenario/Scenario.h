@@ -1,0 +1,213 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim2d/base/Types.h"
+
+/// The scenario as written in a file: plain values, compared by content (EntityIds are identity
+/// within one document, not content, and are left out of comparisons). What a file leaves out is
+/// nullopt here and stays out when written; Defaults.h gives the values that count then.
+/// World frame, SI, radians.
+namespace sim2d {
+
+using base::EntityId;
+using base::Pose2;
+using base::Vec2;
+
+/// A key that we do not know, kept as YAML text (block style, not indented), in the order found.
+struct UnknownKey {
+  std::string key;
+  std::string yaml;
+};
+using UnknownKeys = std::vector<UnknownKey>;
+
+enum class Dialect { A, B, C };  // 2022-2023, 2024 to mid 2025, HuNavSim 2.0
+enum class BehaviorType { Regular = 1, Impassive, Surprised, Scared, Curious, Threatening };
+enum class Configuration { Default = 0, Custom = 1, Normal = 2, Uniform = 3 };
+
+const char* behaviorName(BehaviorType type);  // "Regular" …
+std::optional<BehaviorType> behaviorFromName(const std::string& word);  // any case
+
+struct GlobalGoal {
+  EntityId key;
+  int id = 0;  // >= 1
+  Vec2 position = Vec2::Zero();  // [m]
+  UnknownKeys unknown;
+};
+
+/// The `behavior` map of an agent. Distances [m], duration [s], vel [m/s].
+struct Behavior {
+  std::optional<BehaviorType> type;
+  std::string foreignType;  // the text found when it is none of the six; written back
+  std::optional<Configuration> configuration;
+  std::optional<double> dist;          // the robot is noticed within
+  std::optional<double> duration;
+  std::optional<bool> once;
+  std::optional<double> vel;           // while reacting
+  std::optional<double> safeDistance;  // scared
+  std::optional<double> stopDist;      // curious
+  std::optional<double> frontDist;     // threatening
+  std::optional<double> goalForceFactor, obstacleForceFactor, socialForceFactor, otherForceFactor;
+  UnknownKeys unknown;
+};
+
+enum class PersonKind { Adult, Child, Elderly, Wheelchair, Luggage };
+enum class Route { Planned, Direct };
+enum class AtEnd { Stop, Leave, Restart };
+
+/// Our keys of one person (block `hunavsim_desktop`).
+struct PersonExtension {
+  std::optional<double> startTime;  // [s]
+  std::optional<PersonKind> kind;
+  std::optional<double> mass;       // [kg]
+  std::optional<std::string> model;
+  std::optional<Route> route;
+  std::optional<AtEnd> atEnd;
+  std::vector<double> wait;         // [s], one per goal, or empty
+  std::optional<std::string> tree;  // relative to the scenario
+  UnknownKeys unknown;
+};
+
+struct Human {
+  EntityId key;
+  std::string name;  // unique
+  int id = -1;       // >= 0, unique
+  bool listed = true;  // false: block present but switched off
+  std::optional<int> groupId;  // -1 = alone
+  std::optional<int> skin;
+  std::optional<double> maxVel;      // v0 [m/s]
+  std::optional<double> radius;      // r [m]
+  std::optional<double> goalRadius;  // rho [m]
+  std::optional<bool> cyclicGoals;
+  Pose2 initPose;
+  bool hasInitPose = true;
+  std::optional<double> initZ;  // [m], no meaning in the plane
+  Behavior behavior;
+  std::vector<int> goals;  // ids of global goals, visiting order
+  UnknownKeys unknown;
+  PersonExtension ours;
+};
+
+struct RobotGoal {                  // at most one of the two
+  std::optional<Vec2> point;
+  std::vector<int> goals;           // ids of global goals, in order
+};
+
+struct Robot {
+  EntityId key;
+  std::string name;
+  bool listed = true;
+  std::optional<std::string> type, planner;
+  std::vector<std::pair<std::string, std::string>> plannerParameters;  // YAML scalars as text
+  Pose2 start;
+  RobotGoal goal;
+  std::optional<double> goalRadius, startTime, radius, mass, maxVel, maxAcc, maxOmega, maxAlpha;
+  std::vector<double> footprintX, footprintY;  // robot frame, counter-clockwise
+  UnknownKeys unknown;
+};
+
+enum class ObstacleKind { Box, Circle, Polygon, Wall };
+struct Obstacle {
+  EntityId key;
+  std::string name;
+  bool listed = true;
+  ObstacleKind kind = ObstacleKind::Box;
+  Pose2 pose;                          // box: centre and heading; circle: centre
+  double length = 1.0, width = 1.0;    // box
+  double radius = 0.5;                 // circle
+  std::vector<Vec2> points;            // polygon, wall
+  std::optional<double> thickness;     // wall, 0.1
+  UnknownKeys unknown;
+};
+
+struct Door {
+  EntityId key;
+  std::string name;
+  bool listed = true;
+  Vec2 from = Vec2::Zero(), to = Vec2::Zero();
+  std::optional<double> thickness;  // 0.05
+  std::optional<bool> open;         // true
+  std::vector<double> toggles;      // [s]
+  UnknownKeys unknown;
+};
+
+enum class AreaKind { Source, Sink, Wait, Exit };
+struct Area {
+  EntityId key;
+  std::string name;
+  bool listed = true;
+  AreaKind kind = AreaKind::Wait;
+  std::vector<Vec2> points;
+  std::optional<std::string> like;  // source: name of a person
+  std::optional<double> rate;       // [1/s]
+  std::optional<double> from, until;
+  std::optional<int> count;
+  UnknownKeys unknown;
+};
+
+/// Key `metrics` of the block. `from`, `until` as written ("goal", "time 5.0", "event contact").
+struct MetricsSettings {
+  std::optional<std::string> from, until;
+  std::optional<double> frequency;
+  std::optional<std::string> tag;
+  std::optional<int> runId;
+  std::optional<std::string> file;
+  std::vector<std::pair<std::string, double>> parameters;
+  UnknownKeys unknown;
+};
+
+enum class ObstaclePoints { Boundary, Rays };
+
+/// The rest of the block `hunavsim_desktop`.
+struct DesktopSettings {
+  std::optional<std::string> mapFile;
+  std::optional<std::string> mapRule;  // "humble", "main"
+  std::optional<long long> seed;
+  std::optional<double> duration, dt;
+  std::optional<int> recordEvery;
+  std::optional<std::string> model;
+  std::optional<Route> route;
+  std::optional<ObstaclePoints> obstaclePoints;
+  std::optional<bool> loopTrees;
+  std::vector<double> wrapX;  // empty or 2
+  std::vector<std::pair<int, std::string>> groups;  // names of groups
+  MetricsSettings metrics;
+  UnknownKeys unknown;
+};
+
+struct Scenario {
+  std::optional<std::string> yamlBaseName, simulator, map;
+  std::optional<bool> publishPeople;
+  std::vector<GlobalGoal> goals;    // in file order
+  std::vector<Human> humans;        // listed ones first in list order, then the others
+  std::vector<Robot> robots;        // idem; ids -1, -2 … over the listed ones
+  std::vector<Obstacle> obstacles;  // idem
+  std::vector<Door> doors;
+  std::vector<Area> areas;
+  DesktopSettings desktop;
+  UnknownKeys unknown;         // beside the known global keys of hunav_loader
+  UnknownKeys otherNodes;      // further nodes of the file
+
+  const GlobalGoal* goal(int id) const;
+  const Human* human(const std::string& name) const;
+  const Human* humanById(int id) const;
+  /// A key that no entity of this scenario has used.
+  int nextKey() const;
+};
+
+// Comparison by content.
+bool operator==(const Behavior& a, const Behavior& b);
+bool operator==(const GlobalGoal& a, const GlobalGoal& b);
+bool operator==(const Human& a, const Human& b);
+bool operator==(const Robot& a, const Robot& b);
+bool operator==(const Obstacle& a, const Obstacle& b);
+bool operator==(const Door& a, const Door& b);
+bool operator==(const Area& a, const Area& b);
+bool operator==(const Scenario& a, const Scenario& b);
+inline bool operator!=(const Scenario& a, const Scenario& b) { return !(a == b); }
+
+}  // namespace sim2d

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim2d/base/Result.h"
+#include "sim2d/map/MapReader.h"
+#include "sim2d/map/Obstacles.h"
+#include "sim2d/scenario/Scenario.h"
+
+namespace sim2d {
+
+/// Where the files of a scenario lie (command line over block over search).
+struct FilePlaces {
+  std::string scenarioPath;   // empty: not saved yet
+  std::string mapOption;      // --map; "none" = open plane
+  std::string treesOption;    // --trees
+  std::string shippedMaps;    // folder of the program's own maps
+};
+
+/// The map that belongs to the scenario, or the places tried. An empty path = open plane.
+base::Result<std::string> findMap(const Scenario& scenario, const FilePlaces& places);
+/// Tree file of a person; an empty path = none found: the generated tree is used (with a warning
+/// when the person could have had one).
+std::string findTree(const Scenario& scenario, const Human& human, const FilePlaces& places);
+
+/// All that stands in the way, as switchable parts: part 0 = map, then listed obstacles in order,
+/// then listed doors in order (closed ones enabled).
+struct Surroundings {
+  OccupancyGrid grid;
+  Obstacles obstacles;
+  int firstObstaclePart = 1;
+  int firstDoorPart = 1;
+};
+Surroundings makeSurroundings(const Scenario& scenario, OccupancyGrid grid);
+
+/// Meaning: starts and goals in walls, unreachable goals, ids and names twice, models, planners and
+/// references that do not exist, settings without effect. `file` names the scenario in messages.
+base::Diagnostics checkScenario(const Scenario& scenario, const Surroundings& surroundings,
+                                const std::string& file);
+
+}  // namespace sim2d
