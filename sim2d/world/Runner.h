@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "sim2d/trace/Recorder.h"
+#include "sim2d/world/World.h"
+
+namespace sim2d {
+
+enum class RunStatus { Finished, Failed, Interrupted };
+
+struct RunResult {
+  RunStatus status = RunStatus::Finished;
+  std::string reason;  // "duration", "arrived", "interrupted", or what failed
+  std::int64_t steps = 0;
+  double steppingSeconds = 0.0;  // wall time of World::step alone
+};
+
+/// Number of steps of a run, or until the robots have arrived plus 1 s.
+struct StopRule {
+  std::int64_t maximumSteps = 2400;
+  bool stopOnArrival = true;
+};
+/// The rule of a scenario: its duration is run to its end; else arrival + 1 s, at most 120 s; 60 s
+/// without a robot that moves.
+StopRule stopRuleOf(const Scenario& scenario);
+
+/// Steps until the rule holds, `wantsStop` says so, or the world fails. The recorder gets every
+/// frame from step 0 on; the last one carries the event `stop`.
+RunResult run(World& world, const StopRule& rule, Recorder& recorder,
+              const std::function<bool(const Frame&)>& wantsStop = {});
+
+}  // namespace sim2d

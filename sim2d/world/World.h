@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim2d/base/Result.h"
+#include "sim2d/scenario/Scenario.h"
+#include "sim2d/scenario/ScenarioCheck.h"
+#include "sim2d/trace/Frame.h"
+#include "sim2d/trace/Trace.h"
+#include "sim2d/world/Compatibility.h"
+#include "sim2d/world/HumanBehavior.h"
+
+namespace sim2d {
+
+/// All that a run depends on. Options of the command line that have a key in the scenario (seed,
+/// dt, model …) are written into `scenario` before.
+struct WorldSetup {
+  std::shared_ptr<const Scenario> scenario;
+  OccupancyGrid map;
+  Compatibility compatibility;
+  int threads = 1;
+  bool exact = false;
+  std::unique_ptr<HumanBehavior> behavior;
+};
+
+/// The running world. One step (fixed dt):
+///  1 queued inputs (doors that toggle, people who start, sources)
+///  2 neighbour grid from the frozen state
+///  3 HumanBehavior::decide in id order -> intents
+///  4 robots: observation -> controller -> Twist2
+///  5 forces: read the frozen state, write the own column only
+///  6 desired velocities
+///  7 Box2D step, read poses back
+///  8 way points, goals, events
+///  9 ++stepIndex; time = stepIndex * dt
+/// No global state; two worlds may live in one process, each used by one thread at a time.
+class World {
+ public:
+  /// Errors: what makes a run impossible (place for a start, model, planner …); warnings otherwise
+  /// (moved starts, keys without effect).
+  static base::Result<std::unique_ptr<World>> create(WorldSetup setup);
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  /// False when the run has failed (diverged): `failure` says who and why; the last good state stays.
+  bool step();
+  const std::string& failure() const;
+
+  const Frame& frame() const;  // after the last step; valid until the next
+  std::int64_t stepIndex() const;
+  double time() const;
+  double dt() const;
+  /// All robots have arrived (false without a moving robot), and since when [s].
+  std::optional<double> arrivedAt() const;
+  TraceHeader header() const;  // as of now
+  const WorldView& view() const;
+  HumanBehavior& behavior();
+
+ private:
+  struct State;
+  explicit World(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+/// Names for `list` and checks.
+std::vector<std::string> modelNames();
+std::vector<std::string> plannerNames();
+std::vector<std::string> robotTypeNames();
+
+}  // namespace sim2d
