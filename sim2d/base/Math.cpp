@@ -1,0 +1,267 @@
+#include "sim2d/base/Math.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "sim2d/base/Types.h"
+
+// Arguments are reduced with constants split into parts whose products with the number of periods
+// are exact (Cody and Waite 1980); the rest is the Taylor series of the reduced argument. Only
+// operations that IEEE 754 rounds correctly are used: + - * / sqrt fmod ldexp frexp nearbyint.
+namespace base {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+constexpr double kLn2High = 0x1.62e42fefp-1;  // 33 bits
+constexpr double kLn2Low = 0x1.473de6af278edp-34;
+constexpr double kInvLn2 = 0x1.71547652b82fep+0;
+
+constexpr double kHalfPiA = 0x1.921fb544p+0;  // A, B, C: 33 bits each, D: the rest
+constexpr double kHalfPiB = 0x1.0b4611a6p-34;
+constexpr double kHalfPiC = 0x1.3198a2ep-69;
+constexpr double kHalfPiD = 0x1.b839a252049c1p-104;
+constexpr double kHalfPi = 0x1.921fb54442d18p+0;
+constexpr double kHalfPiLow = 0x1.1a62633145c07p-54;
+
+constexpr double kLargestAngle = 1e5;  // below it the products with A, B and C are exact
+
+/// Sum of c[i] * x^i.
+template <std::size_t N>
+double polynomial(const std::array<double, N>& c, double x) {
+  double sum = c[N - 1];
+  for (std::size_t i = N - 1; i > 0; --i) {
+    sum = sum * x + c[i - 1];
+  }
+  return sum;
+}
+
+/// 1/first!, sign/(first + stride)!, 1/(first + 2 stride)! …
+template <std::size_t N>
+constexpr std::array<double, N> inverseFactorials(int first, int stride, double sign) {
+  std::array<double, N> c{};
+  double factorial = 1.0;  // exact up to 18!
+  double alternating = 1.0;
+  int n = 1;
+  for (std::size_t i = 0; i < N; ++i) {
+    for (; n <= first + stride * static_cast<int>(i); ++n) {
+      factorial *= n;
+    }
+    c[i] = alternating / factorial;
+    alternating *= sign;
+  }
+  return c;
+}
+
+constexpr auto kExp = inverseFactorials<12>(2, 1, 1.0);  // e^r = 1 + r + r^2 (…)
+constexpr auto kSin = inverseFactorials<8>(3, 2, -1.0);  // sin r = r - r^3 (…)
+constexpr auto kCos = inverseFactorials<7>(4, 2, -1.0);  // cos r = 1 - r^2/2 + r^4 (…)
+
+/// An angle as quarter turns and a rest of at most an eighth turn, given as high + low.
+struct ReducedAngle {
+  int quadrant = 0;
+  double high = 0.0;
+  double low = 0.0;
+};
+
+/// a + b without loss (Knuth's TwoSum).
+void addExactly(double a, double b, double& sum, double& error) {
+  sum = a + b;
+  const double part = sum - a;
+  error = (a - (sum - part)) + (b - part);
+}
+
+ReducedAngle reduceAngle(double x) {
+  if (!(std::abs(x) <= kLargestAngle)) {
+    x = std::fmod(x, 2.0 * kPi);
+  }
+  const double turns = std::nearbyint(x / kHalfPi);
+  double sumB = 0.0;
+  double errorB = 0.0;
+  double sumC = 0.0;
+  double errorC = 0.0;
+  addExactly(x - turns * kHalfPiA, -turns * kHalfPiB, sumB, errorB);
+  addExactly(sumB, -turns * kHalfPiC, sumC, errorC);
+  const double rest = errorB + errorC - turns * kHalfPiD;
+  ReducedAngle angle;
+  angle.quadrant = static_cast<int>(turns) & 3;
+  addExactly(sumC, rest, angle.high, angle.low);
+  return angle;
+}
+
+double sinOfReduced(const ReducedAngle& a) {
+  const double z = a.high * a.high;
+  return a.high + (a.low * (1.0 - 0.5 * z) - a.high * z * polynomial(kSin, z));
+}
+
+double cosOfReduced(const ReducedAngle& a) {
+  const double z = a.high * a.high;
+  const double half = 0.5 * z;
+  const double head = 1.0 - half;
+  const double lost = (1.0 - head) - half;
+  return head + (lost + (z * z * polynomial(kCos, z) - a.high * a.low));
+}
+
+/// sin(x + quarters * pi / 2)
+double sinShifted(double x, int quarters) {
+  if (!std::isfinite(x)) {
+    return kNaN;
+  }
+  const ReducedAngle a = reduceAngle(x);
+  switch ((a.quadrant + quarters) & 3) {
+    case 0:
+      return sinOfReduced(a);
+    case 1:
+      return cosOfReduced(a);
+    case 2:
+      return -sinOfReduced(a);
+    default:
+      return -cosOfReduced(a);
+  }
+}
+
+/// atan(i / 8) in two parts.
+struct TwoParts {
+  double high;
+  double low;
+};
+constexpr std::array<TwoParts, 9> kAtanOfEighths = {{
+    {0.0, 0.0},
+    {0x1.fd5ba9aac2f6ep-4, -0x1.cd37686760c17p-59},
+    {0x1.f5b75f92c80ddp-3, 0x1.8ab6e3cf7afbdp-57},
+    {0x1.6f61941e4def1p-2, -0x1.c63aae6f6e918p-56},
+    {0x1.dac670561bb4fp-2, 0x1.a2b7f222f65e2p-56},
+    {0x1.1e00babdefeb4p-1, -0x1.928df287a668fp-58},
+    {0x1.4978fa3269ee1p-1, 0x1.2419a87f2a458p-56},
+    {0x1.700a7c5784634p-1, -0x1.8c34d25aadef6p-56},
+    {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55},
+}};
+
+/// atan of t in [0, 1]: the nearest eighth from the table, the series for what remains.
+double atanOfUnit(double t) {
+  static constexpr std::array<double, 7> kSeries = {1.0 / 3,  -1.0 / 5,  1.0 / 7, -1.0 / 9,
+                                                    1.0 / 11, -1.0 / 13, 1.0 / 15};
+  const double eighths = std::nearbyint(t * 8.0);
+  const double centre = eighths / 8.0;
+  const TwoParts& known = kAtanOfEighths[static_cast<std::size_t>(eighths)];
+  const double u = (t - centre) / (1.0 + t * centre);
+  const double z = u * u;
+  return known.high + (u - (u * z * polynomial(kSeries, z) - known.low));
+}
+
+/// Infinite components become +-1 and finite ones beside them 0, so that the ratio exists.
+double limited(double component, bool anyInfinite) {
+  if (!anyInfinite) {
+    return component;
+  }
+  return std::isinf(component) ? std::copysign(1.0, component) : 0.0;
+}
+
+}  // namespace
+
+double exp(double x) {
+  if (std::isnan(x)) {
+    return x;
+  }
+  if (x > 709.79) {
+    return kInfinity;
+  }
+  if (x < -745.14) {
+    return 0.0;
+  }
+  const double k = std::nearbyint(x * kInvLn2);
+  const double high = x - k * kLn2High;
+  const double r = high - k * kLn2Low;
+  const double lost = (high - r) - k * kLn2Low;
+  const double value = 1.0 + (r + (lost + r * r * polynomial(kExp, r)));
+  return std::ldexp(value, static_cast<int>(k));
+}
+
+double log(double x) {
+  if (std::isnan(x) || x < 0.0) {
+    return kNaN;
+  }
+  if (x == 0.0) {
+    return -kInfinity;
+  }
+  if (std::isinf(x)) {
+    return x;
+  }
+  // 2/3, 2/5 … of log((1 + s) / (1 - s)) = 2 s + s (2/3 s^2 + 2/5 s^4 + …)
+  static constexpr std::array<double, 10> kSeries = {2.0 / 3,  2.0 / 5,  2.0 / 7,  2.0 / 9,
+                                                     2.0 / 11, 2.0 / 13, 2.0 / 15, 2.0 / 17,
+                                                     2.0 / 19, 2.0 / 21};
+  int exponent = 0;
+  double mantissa = std::frexp(x, &exponent);  // [0.5, 1)
+  if (mantissa < 0x1.6a09e667f3bcdp-1) {       // sqrt(1/2)
+    mantissa *= 2.0;
+    --exponent;
+  }
+  const double f = mantissa - 1.0;
+  const double s = f / (2.0 + f);
+  const double z = s * s;
+  const double half = 0.5 * f * f;
+  const double series = z * polynomial(kSeries, z);
+  const double k = exponent;
+  return k * kLn2High + (f - (half - (s * (half + series) + k * kLn2Low)));
+}
+
+double sin(double x) {
+  return sinShifted(x, 0);
+}
+
+double cos(double x) {
+  return sinShifted(x, 1);
+}
+
+double atan2(double y, double x) {
+  if (std::isnan(x) || std::isnan(y)) {
+    return kNaN;
+  }
+  const bool anyInfinite = std::isinf(x) || std::isinf(y);
+  const double a = std::abs(limited(x, anyInfinite));
+  const double b = std::abs(limited(y, anyInfinite));
+  if (a == 0.0 && b == 0.0) {
+    return 0.0;
+  }
+  double angle = 0.0;  // of (|x|, |y|)
+  if (b <= a) {
+    angle = atanOfUnit(b / a);
+  } else {
+    angle = kHalfPi - (atanOfUnit(a / b) - kHalfPiLow);
+  }
+  if (x < 0.0) {
+    angle = kPi - (angle - 2.0 * kHalfPiLow);
+  }
+  return y < 0.0 && angle < kPi ? -angle : angle;
+}
+
+double acos(double x) {
+  if (std::isnan(x)) {
+    return x;
+  }
+  const double c = std::min(std::abs(x), 1.0);
+  const double angle = 2.0 * atanOfUnit(std::sqrt((1.0 - c) / (1.0 + c)));
+  return x < 0.0 ? kPi - (angle - 2.0 * kHalfPiLow) : angle;
+}
+
+double tanh(double x) {
+  if (std::isnan(x)) {
+    return x;
+  }
+  const double size = std::abs(x);
+  if (size < 0.55) {
+    // Lambert's continued fraction cut after the ninth level, written as x - x * (…) / (…).
+    static constexpr std::array<double, 4> kRest = {11486475, 810810, 12870, 44};
+    static constexpr std::array<double, 5> kBelow = {34459425, 16216200, 945945, 13860, 45};
+    const double z = x * x;
+    return x - x * (z * polynomial(kRest, z) / polynomial(kBelow, z));
+  }
+  const double value = size > 20.0 ? 1.0 : 1.0 - 2.0 / (exp(2.0 * size) + 1.0);
+  return std::copysign(value, x);
+}
+
+}  // namespace base

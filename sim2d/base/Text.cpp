@@ -1,0 +1,166 @@
+#include "sim2d/base/Text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace base {
+namespace {
+
+constexpr std::size_t kLongestFixed = 1100;  // sign, "0.", 323 zeros and 17 digits; or 309 digits
+
+char loweredChar(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+bool isSpace(char c) {
+  return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+/// std::from_chars knows no '+'.
+std::string_view withoutPlus(std::string_view token) {
+  const bool plus = token.size() > 1 && token[0] == '+' && token[1] != '-';
+  return plus ? token.substr(1) : token;
+}
+
+std::optional<double> parseNotFinite(std::string_view token) {
+  if (token == "nan" || token == ".nan" || token == ".NaN" || token == ".NAN") {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const bool negative = !token.empty() && token[0] == '-';
+  const bool sign = negative || (!token.empty() && token[0] == '+');
+  const std::string_view size = token.substr(sign ? 1 : 0);
+  if (size == "inf" || size == ".inf" || size == ".Inf" || size == ".INF") {
+    const double infinity = std::numeric_limits<double>::infinity();
+    return negative ? -infinity : infinity;
+  }
+  return std::nullopt;
+}
+
+std::string notFiniteText(double value) {
+  if (std::isnan(value)) {
+    return "nan";
+  }
+  return value > 0.0 ? "inf" : "-inf";
+}
+
+/// Insertions, deletions, replacements and swaps of neighbours (optimal string alignment).
+std::size_t editDistance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> before(b.size() + 1);
+  std::vector<std::size_t> above(b.size() + 1);
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(above.begin(), above.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = above[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      row[j] = std::min({above[j] + 1, row[j - 1] + 1, replaced});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        row[j] = std::min(row[j], before[j - 2] + 1);
+      }
+    }
+    before.swap(above);
+    above.swap(row);
+  }
+  return above[b.size()];
+}
+
+}  // namespace
+
+std::optional<double> parseDouble(std::string_view token) {
+  const std::string_view number = withoutPlus(token);
+  const char* const end = number.data() + number.size();
+  double value = 0.0;
+  const std::from_chars_result result = std::from_chars(number.data(), end, value);
+  if (result.ec == std::errc() && result.ptr == end && std::isfinite(value)) {
+    return value;
+  }
+  return parseNotFinite(token);
+}
+
+std::optional<long long> parseInt(std::string_view token) {
+  const std::string_view number = withoutPlus(token);
+  const char* const end = number.data() + number.size();
+  long long value = 0;
+  const std::from_chars_result result = std::from_chars(number.data(), end, value);
+  if (result.ec != std::errc() || result.ptr != end) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+std::string formatDouble(double value) {
+  if (!std::isfinite(value)) {
+    return notFiniteText(value);
+  }
+  std::array<char, 32> buffer{};
+  char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  return {buffer.data(), end};
+}
+
+std::string formatDecimals(double value, int decimals) {
+  if (!std::isfinite(value)) {
+    return notFiniteText(value);
+  }
+  std::array<char, kLongestFixed> buffer{};
+  char* const end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed)
+          .ptr;
+  std::string text(buffer.data(), end);
+  const std::size_t wanted = decimals > 0 ? static_cast<std::size_t>(decimals) : 0;
+  const std::size_t point = text.find('.');
+  const std::size_t present = point == std::string::npos ? 0 : text.size() - point - 1;
+  if (present < wanted) {
+    text += point == std::string::npos ? "." : "";
+    text.append(wanted - present, '0');
+  }
+  return text;
+}
+
+std::optional<std::string> nearestName(std::string_view word,
+                                       const std::vector<std::string>& candidates) {
+  const std::string wanted = lowered(word);
+  std::size_t smallest = std::max<std::size_t>(1, wanted.size() / 3) + 1;
+  std::optional<std::string> nearest;
+  for (const std::string& candidate : candidates) {
+    const std::size_t distance = editDistance(wanted, lowered(candidate));
+    if (distance < smallest && distance < wanted.size()) {
+      smallest = distance;
+      nearest = candidate;
+    }
+  }
+  return nearest;
+}
+
+std::string trimmed(std::string_view text) {
+  while (!text.empty() && isSpace(text.front())) {
+    text.remove_prefix(1);
+  }
+  while (!text.empty() && isSpace(text.back())) {
+    text.remove_suffix(1);
+  }
+  return std::string(text);
+}
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  std::size_t start = 0;
+  for (std::size_t i = 0; i <= text.size(); ++i) {
+    if (i == text.size() || text[i] == separator) {
+      parts.emplace_back(text.substr(start, i - start));
+      start = i + 1;
+    }
+  }
+  return parts;
+}
+
+std::string lowered(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(), loweredChar);
+  return result;
+}
+
+}  // namespace base

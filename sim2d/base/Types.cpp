@@ -1,0 +1,57 @@
+#include "sim2d/base/Types.h"
+
+#include <cmath>
+
+#include "sim2d/base/Math.h"
+
+namespace base {
+
+double wrapToPi(double angle) {
+  if (angle > -kPi && angle <= kPi) {
+    return angle;
+  }
+  const double wrapped = std::remainder(angle, 2.0 * kPi);  // exact; NaN for infinities
+  return wrapped <= -kPi ? kPi : wrapped;
+}
+
+double angleDiff(double to, double from) {
+  return wrapToPi(to - from);
+}
+
+Vec2 directionOf(double heading) {
+  return {cos(heading), sin(heading)};
+}
+
+double headingOf(const Vec2& direction) {
+  return atan2(direction.y(), direction.x());
+}
+
+Vec2 Pose2::toWorld(const Vec2& pointInPose) const {
+  const Vec2 d = direction();
+  return position + Vec2(d.x() * pointInPose.x() - d.y() * pointInPose.y(),
+                         d.y() * pointInPose.x() + d.x() * pointInPose.y());
+}
+
+Vec2 Pose2::toLocal(const Vec2& pointInWorld) const {
+  const Vec2 d = direction();
+  const Vec2 offset = pointInWorld - position;
+  return {d.dot(offset), cross(d, offset)};
+}
+
+const char* nodeStatusName(NodeStatus status) {
+  switch (status) {
+    case NodeStatus::Idle:
+      return "IDLE";
+    case NodeStatus::Running:
+      return "RUNNING";
+    case NodeStatus::Success:
+      return "SUCCESS";
+    case NodeStatus::Failure:
+      return "FAILURE";
+    case NodeStatus::Skipped:
+      return "SKIPPED";
+  }
+  return "IDLE";
+}
+
+}  // namespace base
