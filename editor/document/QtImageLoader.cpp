@@ -1,0 +1,54 @@
+#include "editor/document/QtImageLoader.h"
+
+#include <QImage>
+#include <QImageReader>
+
+namespace editor {
+
+namespace {
+
+constexpr qint64 kMaximumPixels = 100'000'000;
+
+sim2d::MapImage toMapImage(const QImage& image) {
+  sim2d::MapImage result;
+  result.width = image.width();
+  result.height = image.height();
+  result.hasAlpha = image.hasAlphaChannel();
+  const bool deep = image.depth() > 32 || image.format() == QImage::Format_Grayscale16;
+  result.maximum = deep ? 65535 : 255;
+  const int shift = deep ? 0 : 8;
+  const QImage wide = image.convertToFormat(QImage::Format_RGBA64);
+  result.rgba.reserve(static_cast<std::size_t>(wide.width()) *
+                      static_cast<std::size_t>(wide.height()) * 4);
+  for (int row = 0; row < wide.height(); ++row) {
+    const auto* pixels = reinterpret_cast<const QRgba64*>(wide.constScanLine(row));
+    for (int column = 0; column < wide.width(); ++column) {
+      const QRgba64 pixel = pixels[column];
+      for (const quint16 channel : {pixel.red(), pixel.green(), pixel.blue(), pixel.alpha()}) {
+        result.rgba.push_back(static_cast<std::uint16_t>(channel >> shift));
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+base::Result<sim2d::MapImage> loadMapImage(const std::string& path) {
+  QImageReader reader(QString::fromStdString(path));
+  reader.setDecideFormatFromContent(true);
+  const QSize size = reader.size();
+  if (size.isValid() && qint64{size.width()} * size.height() > kMaximumPixels) {
+    return base::makeError("the image has " + std::to_string(size.width()) + " x " +
+                               std::to_string(size.height()) +
+                               " pixels, more than 100 million (scale it down)",
+                           path);
+  }
+  const QImage image = reader.read();
+  if (image.isNull()) {
+    return base::makeError("cannot read the image: " + reader.errorString().toStdString(), path);
+  }
+  return toMapImage(image);
+}
+
+}  // namespace editor
