@@ -1,0 +1,120 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bt/engine/LeafContext.h"
+#include "bt/tree/NodeCatalogue.h"
+
+/// The nodes that a tree may be built of: those of BehaviorTree.CPP, which the engine runs itself,
+/// and the leaves and decorators that a host adds as plain functions.
+///
+///   void addIsRobotClose(NodeLibrary& to) {           // bt/human/nodes/IsRobotClose.cpp
+///     NodeManifest m;
+///     m.id = "IsRobotClose";
+///     m.ports = {{"agent_id", PortType::Int, PortDirection::Input, std::nullopt, true},
+///                {"threshold", PortType::Double, PortDirection::Input, "1.0", false, "m"}};
+///     to.addCondition(m, [](LeafContext& leaf) {
+///       const int agent = leaf.require<int>(0);
+///       const double threshold = leaf.require<double>(1);
+///       return leaf.host<Person>().robotDistance(agent) < threshold ? base::NodeStatus::Success
+///                                                                   : base::NodeStatus::Failure;
+///     });
+///   }
+///
+///   struct WaitMemory { std::int64_t startStep; };
+///   to.addStateful<WaitMemory>(m, {
+///     [](LeafContext& leaf) {                          // onStart: status was IDLE
+///       leaf.memory<WaitMemory>().startStep = leaf.step();
+///       return base::NodeStatus::Running;
+///     },
+///     [](LeafContext& leaf) {                          // onRunning
+///       return leaf.hasElapsed(leaf.memory<WaitMemory>().startStep, leaf.require<double>(1))
+///                  ? base::NodeStatus::Success : base::NodeStatus::Running;
+///     },
+///     [](LeafContext& leaf) { leaf.host<Person>().resume(); }});  // onHalted; may be left out
+///
+/// Leaves must be pure functions of context and host: no static variables, no clocks.
+namespace bt {
+
+using LeafFunction = base::NodeStatus (*)(LeafContext&);
+using HaltFunction = void (*)(LeafContext&);
+using DecoratorFunction = base::NodeStatus (*)(DecoratorContext&);
+using DecoratorHaltFunction = void (*)(DecoratorContext&);
+
+struct StatefulFunctions {
+  LeafFunction onStart = nullptr;
+  LeafFunction onRunning = nullptr;
+  HaltFunction onHalted = nullptr;  // halted while RUNNING
+};
+
+/// `tick` runs the child through the context; a child that is done is reset afterwards by the
+/// engine. On a halt while RUNNING the child is halted first, then `onHalted` is called.
+struct DecoratorFunctions {
+  DecoratorFunction tick = nullptr;
+  DecoratorHaltFunction onHalted = nullptr;
+};
+
+/// How one added node is run.
+struct NodeFunctions {
+  enum class Kind : unsigned char { Synchronous, Stateful, Decorator };
+  Kind kind = Kind::Synchronous;
+  LeafFunction tick = nullptr;  // Synchronous: must return SUCCESS or FAILURE
+  StatefulFunctions stateful;
+  DecoratorFunctions decorator;
+  int memoryBytes = 0;  // per node and agent
+};
+
+class NodeLibrary {
+ public:
+  NodeLibrary();  // the nodes of BehaviorTree.CPP are in it
+
+  /// Kind, and the number of children of a decorator, are set here; everything else is taken from
+  /// the manifest. A node of the same id is replaced.
+  void addCondition(NodeManifest manifest, LeafFunction tick, int memoryBytes = 0);
+  void addAction(NodeManifest manifest, LeafFunction tick, int memoryBytes = 0);
+  /// A stateful action, or a stateful condition when manifest.kind says so.
+  void addStateful(NodeManifest manifest, StatefulFunctions functions, int memoryBytes = 0);
+  void addDecorator(NodeManifest manifest, DecoratorFunctions functions, int memoryBytes = 0);
+
+  template <class Memory>
+  void addCondition(NodeManifest manifest, LeafFunction tick) {
+    addCondition(std::move(manifest), tick, sizeOf<Memory>());
+  }
+  template <class Memory>
+  void addAction(NodeManifest manifest, LeafFunction tick) {
+    addAction(std::move(manifest), tick, sizeOf<Memory>());
+  }
+  template <class Memory>
+  void addStateful(NodeManifest manifest, StatefulFunctions functions) {
+    addStateful(std::move(manifest), functions, sizeOf<Memory>());
+  }
+  template <class Memory>
+  void addDecorator(NodeManifest manifest, DecoratorFunctions functions) {
+    addDecorator(std::move(manifest), functions, sizeOf<Memory>());
+  }
+
+  const NodeCatalogue& catalogue() const { return catalogue_; }
+  /// nullptr = unknown, or run by the engine itself.
+  const NodeFunctions* functions(std::string_view id) const;
+
+  /// The same nodes and ports, but every leaf that was added is run by `leaf` (which may return
+  /// any status but IDLE and SKIPPED): for playing a tree against a script.
+  NodeLibrary withLeaves(StatefulFunctions leaf) const;
+
+ private:
+  template <class Memory>
+  static constexpr int sizeOf() {
+    static_assert(std::is_trivially_copyable_v<Memory> && alignof(Memory) <= 8);
+    return static_cast<int>(sizeof(Memory));
+  }
+  void add(NodeManifest manifest, NodeFunctions functions);
+
+  NodeCatalogue catalogue_;
+  std::map<std::string, NodeFunctions, std::less<>> functions_;
+};
+
+}  // namespace bt

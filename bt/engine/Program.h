@@ -1,0 +1,165 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bt/engine/NodeLibrary.h"
+#include "bt/engine/Script.h"
+#include "bt/engine/Value.h"
+#include "bt/tree/TreeSpec.h"
+#include "sim2d/base/Result.h"
+
+/// A tree compiled once and shared by all agents that run it: flat, parents before children,
+/// SubTrees put in place, ports bound to constants and slots. Immutable, so any number of threads
+/// may read it.
+namespace bt {
+
+constexpr int kMaxProgramNodes = 1000000;  // after all SubTrees are put in place
+constexpr int kMaxProgramDepth = 2000;     // idem
+
+/// How a node is run.
+enum class NodeCode : std::uint8_t {
+  Sequence,
+  Fallback,
+  AsyncSequence,
+  AsyncFallback,
+  SequenceWithMemory,
+  ReactiveSequence,
+  ReactiveFallback,
+  Parallel,
+  ParallelAll,
+  IfThenElse,
+  WhileDoElse,
+  Switch,
+  TryCatch,
+  Inverter,
+  ForceSuccess,
+  ForceFailure,
+  Repeat,
+  RetryUntilSuccessful,
+  KeepRunningUntilFailure,
+  Delay,
+  Timeout,
+  RunOnce,
+  Precondition,
+  Loop,
+  SkipUnlessUpdated,
+  WaitValueUpdate,
+  SubTree,
+  AlwaysSuccess,
+  AlwaysFailure,
+  SetBlackboard,
+  UnsetBlackboard,
+  Script,
+  ScriptCondition,
+  Sleep,
+  WasEntryUpdated,
+  Synchronous,
+  Stateful,
+  Decorator  // functions of the library
+};
+
+/// An entry that the host writes, known before the tree is loaded.
+struct HostEntry {
+  std::string key;
+  PortType type = PortType::Any;
+};
+
+struct CompileOptions {
+  std::string mainTree;  // empty = as the file says
+  std::vector<HostEntry> hostEntries = {{"id", PortType::Int}, {"dt", PortType::Double}};
+};
+
+class Program {
+ public:
+  struct Node {
+    NodeCode code = NodeCode::AlwaysSuccess;
+    std::int32_t end = 0;  // first node behind the children; the first child is self + 1
+    std::int32_t parent = -1;
+    std::int32_t children = 0;
+    std::int32_t firstPort = 0;    // in bindings()
+    std::int32_t memory = 0;       // offset of its bytes in the agent's memory
+    std::int32_t conditions = -1;  // in conditions(); -1 = none
+    std::int32_t detail = -1;      // code dependent: functions, script, slot
+  };
+  /// Scripts of the pre- and post-conditions, -1 = none.
+  struct Conditions {
+    int failureIf = -1, successIf = -1, skipIf = -1, whileTrue = -1;
+    int onSuccess = -1, onFailure = -1, post = -1, onHalted = -1;
+  };
+  /// An entry of the blackboard, for lists.
+  struct Entry {
+    std::string key;  // "id"; in a SubTree with its path in front: "RegNav/RegularNavTree/x"
+    int slot = -1;
+  };
+
+  int nodeCount() const { return static_cast<int>(nodes_.size()); }
+  const Node& node(int index) const { return nodes_[static_cast<std::size_t>(index)]; }
+  /// Names from the root, "MainFallback/SetGoals/RunOnce[2]/SetGoal"; one per node. Shared, so a
+  /// recorder can keep them without the program.
+  const std::shared_ptr<const std::vector<std::string>>& paths() const { return paths_; }
+  const std::string& path(int node) const { return (*paths_)[static_cast<std::size_t>(node)]; }
+  const std::string& label(int node) const;  // instance name, else ID
+  const NodeManifest& manifest(int node) const;
+  /// Where the node stands in the file, for an editor: tree, place in it, line.
+  const std::string& treeOf(int node) const;
+  int lineOf(int node) const;
+  int uidOf(int node) const;
+
+  /// Slot of an entry of the root blackboard; -1 = no node uses it.
+  int findSlot(std::string_view key) const;
+  /// Slot of CompileOptions::hostEntries[index]; always there.
+  int hostSlot(int index) const { return hostSlots_[static_cast<std::size_t>(index)]; }
+  const std::vector<Entry>& entries() const { return entries_; }  // all scopes, root first
+
+  // For the engine.
+  const std::vector<Node>& nodes() const { return nodes_; }
+  const std::vector<PortBinding>& bindings() const { return bindings_; }
+  const std::vector<Value>& constants() const { return constants_; }
+  const std::vector<Slot>& initialSlots() const { return initialSlots_; }
+  const std::vector<Conditions>& conditions() const { return conditions_; }
+  const std::vector<Script>& scripts() const { return scripts_; }
+  const NodeFunctions& functions(int detail) const {
+    return functions_[static_cast<std::size_t>(detail)];
+  }
+  int memoryBytes() const { return memoryBytes_; }
+
+ private:
+  friend class Compiler;
+  struct Origin {
+    std::string label;
+    std::string tree;
+    int line = 0;
+    int uid = 0;
+    int manifest = 0;
+  };
+
+  std::vector<Node> nodes_;
+  std::vector<PortBinding> bindings_;
+  std::vector<Value> constants_;
+  std::vector<Slot> initialSlots_;
+  std::vector<Conditions> conditions_;
+  std::vector<Script> scripts_;
+  std::vector<NodeFunctions> functions_;
+  std::vector<NodeManifest> manifests_;
+  std::vector<Origin> origins_;
+  std::vector<Entry> entries_;
+  std::vector<int> hostSlots_;
+  std::shared_ptr<const std::vector<std::string>> paths_;
+  int memoryBytes_ = 0;
+};
+
+/// Checks and compiles. Warnings (unknown ports, references that nothing writes …) come with the
+/// program; errors name file and line.
+base::Result<std::shared_ptr<const Program>> compile(const TreeTable& table,
+                                                     const NodeLibrary& library,
+                                                     const CompileOptions& options = {});
+/// The same for a file as edited; its includes are read.
+base::Result<std::shared_ptr<const Program>> compile(const TreeFile& file,
+                                                     const NodeLibrary& library,
+                                                     const CompileOptions& options = {});
+
+}  // namespace bt

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What is known about every kind of node: for the palette, the checks and the compiler.
+/// Sources: BehaviorTree.CPP 4.10 (controls, decorators, its leaves), HuNavSim 2.0 (nodes for
+/// people, added by bt/human).
+namespace bt {
+
+enum class NodeKind { Condition, Action, Control, Decorator, SubTree };
+enum class PortDirection { Input, Output, InOut };
+/// Unsigned is a non-negative whole number; Queue is text with ';' between the elements; Any takes
+/// whatever it is given.
+enum class PortType { Int, Unsigned, Double, Bool, String, Status, Queue, Any };
+enum class NodeOrigin { BehaviorTreeCpp, HuNavSim, Ours };
+
+const char* nodeKindName(NodeKind kind);                // "Condition", … as the XML tag
+const char* portDirectionTag(PortDirection direction);  // "input_port", "output_port", "inout_port"
+const char* portTypeName(PortType type);  // "int", "double", "std::string" …; Any: ""
+const char* nodeOriginName(NodeOrigin origin);
+
+struct PortSpec {
+  std::string name;
+  PortType type = PortType::Any;
+  PortDirection direction = PortDirection::Input;
+  std::optional<std::string> defaultText;  // taken when the attribute is absent
+  bool required = false;                   // absent and no default: an error as soon as it is read
+  std::string unit;                        // "m", "s", "rad", "m/s"; empty = none
+  std::optional<double> min, max;          // sensible range of numbers, both ends included
+  std::string suggested;                   // text that an editor writes into a new node
+  std::string description;                 // one sentence for people
+};
+
+struct NodeManifest {
+  std::string id;  // the name in XML
+  NodeKind kind = NodeKind::Action;
+  std::vector<PortSpec> ports;  // the index here is the port number that leaves use
+  std::string category;         // heading in the palette
+  std::string description;
+  NodeOrigin origin = NodeOrigin::Ours;
+  int minChildren = 0;
+  int maxChildren = 0;  // -1 = any number
+
+  int portIndex(std::string_view name) const;  // -1 = no such port
+  const PortSpec* port(std::string_view name) const;
+};
+
+class NodeCatalogue {
+ public:
+  /// Replaces a manifest of the same id.
+  void add(NodeManifest manifest);
+  const NodeManifest* find(std::string_view id) const;                 // nullptr = unknown
+  const std::vector<NodeManifest>& all() const { return manifests_; }  // in order of adding
+  std::optional<std::string> nearest(std::string_view id) const;
+
+ private:
+  std::vector<NodeManifest> manifests_;
+  std::map<std::string, std::size_t, std::less<>> indexOf_;
+};
+
+/// All controls, decorators and leaves of BehaviorTree.CPP that we run, "SubTree" included.
+NodeCatalogue builtinNodes();
+
+}  // namespace bt

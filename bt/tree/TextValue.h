@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "bt/tree/NodeCatalogue.h"
+#include "sim2d/base/Types.h"
+
+/// Text of a port as a value, by the rules of BehaviorTree.CPP: numbers end at the first character
+/// that does not belong to them ("5abc" is 5), no blank and no '+' in front, C locale.
+namespace bt {
+
+std::optional<int> intFromText(std::string_view text);
+std::optional<std::int64_t> unsignedFromText(std::string_view text);  // 0 … 4294967295
+std::optional<double> doubleFromText(std::string_view text);
+std::optional<bool> boolFromText(std::string_view text);  // 0 1 true TRUE True false FALSE False
+std::optional<base::NodeStatus> statusFromText(std::string_view text);
+
+/// Whether a constant can be given to a port of this type.
+bool isConvertible(std::string_view text, PortType type);
+
+}  // namespace bt

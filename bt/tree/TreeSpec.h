@@ -1,0 +1,153 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bt/tree/NodeCatalogue.h"
+#include "sim2d/base/Result.h"
+
+/// Behaviour trees as values that can be edited, compared and written. No thread of their own;
+/// distinct values may be used from distinct threads.
+namespace bt {
+
+struct Attribute {
+  std::string name;
+  std::string text;
+  friend bool operator==(const Attribute& a, const Attribute& b) {
+    return a.name == b.name && a.text == b.text;
+  }
+};
+using Attributes = std::vector<Attribute>;  // in the order of the file
+const std::string* findText(const Attributes& attributes, std::string_view name);
+void setText(Attributes& attributes, std::string_view name, std::string text);
+void removeText(Attributes& attributes, std::string_view name);
+
+struct NodeSpec {
+  std::string id;          // "Sequence", "GoTo", "SubTree"; empty = no node
+  std::string subTree;     // only of "SubTree": ID of the tree that it runs
+  std::string name;        // instance name; empty = shown as label()
+  Attributes ports;        // values as written: constants or "{key}"
+  Attributes conditions;   // _skipIf, _successIf, _failureIf, _while, _onSuccess, _post …
+  bool autoRemap = false;  // only of "SubTree": _autoremap
+  Attributes others;       // kept without meaning (_uid, _fullpath of Groot …)
+  std::vector<NodeSpec> children;
+
+  int line = 0;                   // in its file, 0 = unknown; not compared
+  bool explicitNotation = false;  // <Action ID="GoTo"/> instead of <GoTo/>; not compared
+  int uid = 0;  // identity while edited, see assignUids(); not compared, not written
+
+  bool isSubTree() const { return id == "SubTree"; }
+  /// The name, else the ID (of the tree that it runs, for a SubTree).
+  const std::string& label() const;
+};
+bool operator==(const NodeSpec& a, const NodeSpec& b);
+inline bool operator!=(const NodeSpec& a, const NodeSpec& b) {
+  return !(a == b);
+}
+
+struct TreeSpec {
+  std::string id;
+  NodeSpec root;  // root.id empty: the tree has no node yet
+  Attributes others;
+  int line = 0;  // not compared
+};
+bool operator==(const TreeSpec& a, const TreeSpec& b);
+
+struct Include {
+  std::string path;  // as written, relative to the including file
+  std::string rosPackage;
+  int line = 0;  // not compared
+};
+bool operator==(const Include& a, const Include& b);
+
+/// A part of a file that is kept as it is: the model block, foreign elements.
+struct XmlBlock {
+  std::string tag;
+  Attributes attributes;
+  std::string text;
+  std::vector<XmlBlock> children;
+};
+bool operator==(const XmlBlock& a, const XmlBlock& b);
+
+enum class FilePart { Model, Include, Tree, Other };
+
+/// One tree file. `order` says how the parts follow each other; parts that are more than it names
+/// are written after it.
+struct TreeFile {
+  int format = 4;        // BTCPP_format of the file that was read (3 or 4); always written as 4
+  std::string mainTree;  // main_tree_to_execute; empty = not given
+  std::vector<Include> includes;
+  std::vector<TreeSpec> trees;
+  std::optional<XmlBlock> model;  // TreeNodesModel
+  std::vector<XmlBlock> blocks;   // other elements below the root
+  std::vector<FilePart> order;
+
+  std::string path;      // where it was read, for relative includes and messages; not compared
+  int templateLine = 0;  // line of a left-over {GOAL_SEQUENCE}, 0 = none; not compared
+
+  const TreeSpec* find(std::string_view treeId) const;
+  TreeSpec* find(std::string_view treeId);
+};
+bool operator==(const TreeFile& a, const TreeFile& b);
+inline bool operator!=(const TreeFile& a, const TreeFile& b) {
+  return !(a == b);
+}
+
+/// A tree file with everything that it includes: the trees that can be run, one per ID.
+struct TreeTable {
+  struct Entry {
+    TreeSpec tree;
+    std::string file;  // where it is defined
+  };
+  std::string file;      // the file that was opened
+  std::string mainTree;  // ID of the tree to run; empty = not decided (several trees, none named)
+  std::vector<Entry> entries;
+  std::vector<XmlBlock> subTreeModels;  // <SubTree ID=…> of the model blocks
+
+  const Entry* find(std::string_view treeId) const;
+};
+
+/// Child numbers from the root down; empty = the root itself.
+using NodePath = std::vector<int>;
+
+const NodeSpec* nodeAt(const TreeSpec& tree, const NodePath& path);  // nullptr = no such node
+NodeSpec* nodeAt(TreeSpec& tree, const NodePath& path);
+/// Puts `node` at `index` (clamped) among the children of `parent`; in a tree without nodes it
+/// becomes the root. False = no such parent, nothing done.
+bool insertNode(TreeSpec& tree, const NodePath& parent, int index, NodeSpec node);
+/// Takes the node and all below it out of the tree.
+std::optional<NodeSpec> removeNode(TreeSpec& tree, const NodePath& path);
+/// `parent` and `index` as they are before the move. False = not possible (into itself, unknown).
+bool moveNode(TreeSpec& tree, const NodePath& from, const NodePath& parent, int index);
+/// Numbers the nodes that have no uid yet, above the largest one in use.
+void assignUids(TreeFile& file);
+std::optional<NodePath> findUid(const TreeSpec& tree, int uid);
+
+/// "{key}" -> "key", "{=}" or "=" -> `portName`; nothing for constants.
+std::optional<std::string> referencedKey(std::string_view text, std::string_view portName);
+
+/// A problem and the node it belongs to.
+struct TreeIssue {
+  base::Diagnostic diagnostic;  // file:line, message, hint how to repair it in brackets
+  std::string treeId;
+  NodePath node;
+};
+using TreeIssues = std::vector<TreeIssue>;
+base::Diagnostics diagnosticsOf(const TreeIssues& issues);
+
+/// Nodes, children, ports and constants of one tree against the catalogue. `treeIds` = the trees
+/// that a SubTree may name.
+TreeIssues checkTree(const TreeSpec& tree, const NodeCatalogue& catalogue,
+                     const std::vector<std::string>& treeIds, const std::string& fileName = {});
+/// What an importer looks at in a file whose includes have been followed: all its trees, the tree
+/// to run, recursion, left-over template text, placeholders of HuNavSim 1.5, references that
+/// nothing writes (`hostKeys` are written by the program that runs the tree).
+TreeIssues checkFile(const TreeFile& file, const TreeTable& table, const NodeCatalogue& catalogue,
+                     const std::vector<std::string>& hostKeys = {"id", "dt"});
+/// The placeholders of HuNavSim 1.5 ({dist}, {duration}, {once}, {maxvel}, {forcefactor},
+/// {stopdist}, {frontdist}, {safe_distance}) that the trees read; names without braces.
+std::vector<std::string> placeholdersIn(const TreeTable& table);
+
+}  // namespace bt
