@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include <QIcon>
+#include <QPainter>
+
+#include "editor/look/Theme.h"
+#include "sim2d/scenario/Scenario.h"
+
+namespace editor {
+
+/// How a person is drawn from above.
+struct PersonFigure {
+  Look look = Look::Regular;
+  sim2d::PersonKind kind = sim2d::PersonKind::Adult;
+  double radiusPx = 18.0;   // of the body
+  double headingDeg = 0.0;  // counter-clockwise from right
+  double stride = 0.0;      // -1 … 1 while walking: feet; 0 = standing
+};
+
+struct RobotFigure {
+  double radiusPx = 18.0;
+  double headingDeg = 0.0;
+  std::vector<QPointF> footprintPx;  // robot frame, y up; empty = disc
+};
+
+/// Draws figures the same way wherever they appear: canvas, lists, thumbnails, reports. Centred at
+/// the painter's origin; one unit = one pixel, y down.
+class FigurePainter {
+ public:
+  explicit FigurePainter(const Theme& theme) : theme_(theme) {}
+
+  void person(QPainter& painter, const PersonFigure& figure) const;
+  void robot(QPainter& painter, const RobotFigure& figure) const;
+  void mark(QPainter& painter, Look look, const QPointF& centre, double sizePx) const;
+  /// Pin whose tip is at the origin, 18 x 26 px at scale 1.
+  void pin(QPainter& painter, const QString& text, bool selected, double scale = 1.0) const;
+  /// Small chevron on a route, pointing along `headingDeg`.
+  void arrowHead(QPainter& painter, const QPointF& tip, double headingDeg, double sizePx) const;
+
+  /// For lists and legends, sharp on every screen.
+  QIcon markIcon(Look look, int sizePx = 16) const;
+  QIcon personIcon(Look look, int sizePx = 24) const;
+  QIcon goalIcon(const QString& text, int sizePx = 24) const;
+  QIcon robotIcon(int sizePx = 24) const;
+
+ private:
+  void feet(QPainter& painter, const PersonFigure& figure) const;
+  void chair(QPainter& painter, const PersonFigure& figure) const;
+  void suitcase(QPainter& painter, const PersonFigure& figure) const;
+  const Theme& theme_;
+};
+
+}  // namespace editor

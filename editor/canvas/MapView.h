@@ -1,0 +1,64 @@
+#pragma once
+
+#include <QGraphicsView>
+#include <QVariantAnimation>
+
+#include "editor/canvas/MapScene.h"
+
+namespace editor {
+
+/// The line on top of the canvas: green while running, amber when paused, blue in the past.
+enum class CanvasState { Editing, Running, Paused, Past };
+
+/// The window on the map: wheel zooms at the cursor, middle button or Space and drag pan, fit is
+/// animated. Rulers, scale bar and state line are drawn over the scene.
+class MapView : public QGraphicsView {
+  Q_OBJECT
+ public:
+  explicit MapView(MapScene& scene, QWidget* parent = nullptr);
+
+  void fitAll(bool animated = true);
+  void fitRect(const QRectF& sceneRect, bool animated = true);
+  void centerOnEntity(EntityId id);
+  void zoomBy(double factor, const QPointF& viewportPoint);
+  void zoomIn();
+  void zoomOut();
+  void setPixelsPerMetre(double value);
+  double pixelsPerMetre() const { return transform().m11(); }
+  Vec2 worldAt(const QPoint& viewportPoint) const;
+  QPoint viewportFrom(const Vec2& world) const;
+  void setCanvasState(CanvasState state);
+  MapScene& mapScene() const { return scene_; }
+
+ Q_SIGNALS:
+  void cursorMoved(const base::Vec2& world);  // [m]
+  void zoomChanged(double pixelsPerMetre);
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void drawBackground(QPainter* painter, const QRectF& rect) override;
+  void drawForeground(QPainter* painter, const QRectF& rect) override;
+  void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void applyView(const QPointF& centre, double pixelsPerMetre);
+  void updateSceneRect();
+  void updateCursor();
+  bool startsPan(const QMouseEvent& event) const;
+
+  MapScene& scene_;
+  QVariantAnimation fitAnimation_;
+  CanvasState state_ = CanvasState::Editing;
+  QPoint panFrom_;
+  bool panning_ = false;
+  bool spaceHeld_ = false;
+  bool fitted_ = false;  // follows the size of the window until the user zooms or pans
+};
+
+}  // namespace editor

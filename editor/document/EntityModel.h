@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <QAbstractItemModel>
+#include <QSortFilterProxyModel>
+
+#include "editor/document/ScenarioDocument.h"
+#include "editor/look/Theme.h"
+
+namespace editor {
+
+/// The scenario as a tree: People, Goals, Robots, Obstacles (with doors), Areas. Columns: name,
+/// kind, behaviour or place. Names are editable (one undoable command).
+class EntityModel : public QAbstractItemModel {
+  Q_OBJECT
+ public:
+  enum Column { NameColumn, KindColumn, BehaviorColumn, ColumnCount };
+  enum DataRole { IdKindRole = Qt::UserRole + 1, IdKeyRole, LookRole, CountRole };
+
+  EntityModel(ScenarioDocument& document, const Theme& theme, QObject* parent = nullptr);
+  void setTheme(const Theme& theme);
+
+  EntityId idOf(const QModelIndex& index) const;  // none for group rows
+  QModelIndex indexOf(EntityId id) const;
+  bool isGroup(const QModelIndex& index) const;
+
+  QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
+  QModelIndex parent(const QModelIndex& child) const override;
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  static constexpr int kGroupCount = 5;
+  std::vector<EntityId> idsOfGroup(int group) const;
+  QVariant groupData(int group, int column, int role) const;
+  QVariant entityData(EntityId id, int column, int role) const;
+  void apply(const Change& change);
+  void rebuild();
+
+  ScenarioDocument& document_;
+  Theme theme_;
+  std::array<std::vector<EntityId>, kGroupCount> rows_;
+};
+
+/// Keeps groups with a match; matches name and behaviour, any case.
+class EntityFilter : public QSortFilterProxyModel {
+  Q_OBJECT
+ public:
+  explicit EntityFilter(EntityModel& model, QObject* parent = nullptr);
+  EntityId idOf(const QModelIndex& index) const;
+  QModelIndex indexOf(EntityId id) const;
+
+ private:
+  EntityModel& model_;
+};
+
+}  // namespace editor

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QCursor>
+#include <QKeyEvent>
+#include <QObject>
+
+#include "editor/document/ScenarioDocument.h"
+
+namespace editor {
+
+class MapScene;
+
+/// A mouse event on the canvas, world frame.
+struct CanvasMouse {
+  Vec2 world = Vec2::Zero();  // [m]
+  Qt::MouseButton button = Qt::NoButton;
+  Qt::MouseButtons buttons = Qt::NoButton;
+  Qt::KeyboardModifiers modifiers = Qt::NoModifier;
+  double pixelsPerMetre = 50.0;
+};
+
+/// What the mouse does on the canvas. One is active at a time; it shows previews through the scene
+/// and writes to the document only by commands, one per gesture.
+class Tool : public QObject {
+  Q_OBJECT
+ public:
+  Tool(ScenarioDocument& document, MapScene& scene, QObject* parent);
+
+  virtual QString name() const = 0;      // "Person"
+  virtual QString iconName() const = 0;  // "tool-person", of resources/icons
+  virtual QKeySequence shortcut() const = 0;
+  virtual QString statusText() const = 0;  // what the mouse does now, one line
+  virtual QCursor cursor() const { return Qt::CrossCursor; }
+
+  virtual void activate() {}
+  virtual void deactivate() { cancel(); }
+  virtual void press(const CanvasMouse& mouse) = 0;
+  virtual void move(const CanvasMouse& mouse) = 0;  // also without a button
+  virtual void release(const CanvasMouse& mouse) = 0;
+  virtual void doubleClick(const CanvasMouse&) {}
+  virtual void cancel() = 0;  // leaves the document as it was before the gesture
+  virtual bool keyPress(const QKeyEvent&) { return false; }  // true = used
+
+ Q_SIGNALS:
+  void statusTextChanged();
+  void cursorChanged();
+
+ protected:
+  ScenarioDocument& document() const { return document_; }
+  MapScene& scene() const { return scene_; }
+
+ private:
+  ScenarioDocument& document_;
+  MapScene& scene_;
+};
+
+}  // namespace editor
