@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim2d/base/Result.h"
 #include "sim2d/scenario/Defaults.h"
 #include "sim2d/scenario/Scenario.h"
 #include "sim2d/trace/Frame.h"
@@ -86,6 +87,7 @@ struct Intent {
   double turnRate = base::kPi;      // limit while turning [rad/s]
   RobotTreatment robot = RobotTreatment::Pedestrian;
   bool active = false;              // a reaction or social action runs (column `state`)
+  Vec2 extraForce = Vec2::Zero();   // Walk: added to the forces of the model [m/s²]
 };
 
 /// Where behaviours write. One intent per person; `control` may be read and written at any time
@@ -111,7 +113,9 @@ class Intents {
 
 /// Decides what people want, once per step, in the order of their ids. The world owns goals that
 /// are reached by walking: it removes (or rotates) the front goal when a step of Motion::Walk with
-/// `targetIsGoal` ends inside its radius.
+/// `targetIsGoal` ends inside its radius. A behaviour that takes a reached goal off the list itself
+/// emits `goal`, and `arrived` when it was the last of a one-way list; to the world (wait, at_end)
+/// these mean the same as its own.
 class HumanBehavior {
  public:
   virtual ~HumanBehavior() = default;
@@ -120,6 +124,8 @@ class HumanBehavior {
   virtual void decide(const WorldView& view, Intents& intents) = 0;
   /// Changes of tree nodes in the last step, by id, then node.
   virtual void takeTreeChanges(std::vector<TreeChange>& changes) { changes.clear(); }
+  /// What went wrong since the last call (a faulty tree, an id that nobody has), once per cause.
+  virtual void takeDiagnostics(base::Diagnostics& found) { found.clear(); }
   /// Tree and blackboard of a person for display: "key = value" lines; may be empty.
   virtual std::vector<std::pair<std::string, std::string>> blackboard(int human) const {
     static_cast<void>(human);
