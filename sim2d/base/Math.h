@@ -5,12 +5,12 @@
 /// over the ranges below; NaN in, NaN out.
 namespace base {
 
-double exp(double x);               // 0 below -745, infinity above 709.78
-double log(double x);               // x > 0; -infinity at 0, NaN below
-double sin(double x);               // |x| <= 1e5; beyond it the argument is reduced by whole turns first
-double cos(double x);               // idem
-double atan2(double y, double x);   // (-pi, pi]; 0 at the origin
-double acos(double x);              // the argument is clamped to [-1, 1]
+double exp(double x);  // 0 below -745, infinity above 709.78
+double log(double x);  // x > 0; -infinity at 0, NaN below
+double sin(double x);  // |x| <= 1e5; beyond it the argument is reduced by whole turns first
+double cos(double x);  // idem
+double atan2(double y, double x);  // (-pi, pi]; 0 at the origin
+double acos(double x);             // the argument is clamped to [-1, 1]
 double tanh(double x);
 
 }  // namespace base

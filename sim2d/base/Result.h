@@ -21,7 +21,8 @@ struct Diagnostic {
   std::string message;  // one sentence, hint in brackets at the end
   EntityId entity;      // what it is about, if anything
 
-  /// "cafe.yaml:12:7: warning: unknown key 'max_vell' (did you mean 'max_vel'?)"
+  /// "cafe.yaml:12:7: warning: unknown key 'max_vell' (did you mean 'max_vel'?)"; what is unknown
+  /// is left out.
   std::string text() const;
 };
 using Diagnostics = std::vector<Diagnostic>;

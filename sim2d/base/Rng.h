@@ -12,10 +12,10 @@ std::array<std::uint32_t, 4> philox4x32(const std::array<std::uint32_t, 4>& coun
 
 /// What a draw is for; part of the counter, so the numbers may not change once published.
 enum class Draw : std::uint32_t {
-  Parameter = 1,     // index = number of the parameter
-  NodeChance = 2,    // index = node of the tree
-  Source = 3,        // arrivals of an area
-  Placement = 4,     // area fill, brush
+  Parameter = 1,   // index = number of the parameter
+  NodeChance = 2,  // index = node of the tree
+  Source = 3,      // arrivals of an area
+  Placement = 4,   // area fill, brush
   GoalChoice = 5,
   Sensor = 6,
   Test = 7,
@@ -28,7 +28,8 @@ class AgentRng {
 
   std::uint32_t bits(Draw purpose, std::uint32_t index = 0) const;
   double uniform01(Draw purpose, std::uint32_t index = 0) const;  // [0, 1), 53 bits
-  double uniform(double low, double high, Draw purpose, std::uint32_t index = 0) const;  // [low, high)
+  double uniform(double low, double high, Draw purpose,
+                 std::uint32_t index = 0) const;  // [low, high)
   double normal(double mean, double deviation, Draw purpose, std::uint32_t index = 0) const;
 
  private:

@@ -11,7 +11,8 @@
 namespace base {
 
 /// The whole token as a number ("1.5", "-2e3", ".5", "+1"); nothing else around it. NaN and
-/// infinities are accepted only as "nan", "inf", "-inf" (YAML's ".nan", ".inf" as well).
+/// infinities are accepted only as "nan", "inf", "-inf" (YAML's ".nan", ".inf" as well). What no
+/// double can hold ("1e400", "1e-400") is no number.
 std::optional<double> parseDouble(std::string_view token);
 std::optional<long long> parseInt(std::string_view token);  // decimal, optional sign
 
@@ -21,12 +22,14 @@ std::string formatDouble(double value);
 std::string formatDecimals(double value, int decimals);
 
 /// The candidate closest to `word` by edit distance (case ignored), if it is close enough to be
-/// meant.
+/// meant: at most one edit in three letters.
 std::optional<std::string> nearestName(std::string_view word,
                                        const std::vector<std::string>& candidates);
 
-Result<std::string> readTextFile(const std::string& path);  // a directory or missing file is an error
-/// Writes beside the file, then renames. Folders are made. Empty = written.
+Result<std::string> readTextFile(
+    const std::string& path);  // a directory or missing file is an error
+/// Writes beside the file, then renames, so a reader sees the old or the new content, never half.
+/// Folders are made, the permissions of a replaced file and symbolic links stay. Empty = written.
 Diagnostics writeFileAtomically(const std::string& path, std::string_view content);
 
 std::string trimmed(std::string_view text);

@@ -21,7 +21,9 @@ Vec2 directionOf(double heading);
 double headingOf(const Vec2& direction);
 
 /// z component of the cross product: positive when `b` lies to the left of `a`.
-inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+inline double cross(const Vec2& a, const Vec2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 struct Pose2 {
   Vec2 position = Vec2::Zero();  // [m]

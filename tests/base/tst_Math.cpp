@@ -1,0 +1,217 @@
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <QtTest>
+
+#include "sim2d/base/Math.h"
+#include "sim2d/base/Types.h"
+
+namespace {
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr int kDraws = 40000;
+constexpr double kAllowedUlps = 4.0;
+
+/// Distance of a result from the C library's value in extended precision, in units of its last
+/// place.
+double ulps(double got, long double wanted) {
+  const double rounded = std::abs(static_cast<double>(wanted));
+  const double unit = std::nextafter(rounded, kInf) - rounded;
+  return static_cast<double>(std::abs(got - wanted) / unit);
+}
+
+enum class Spread { Even, Logarithmic, NearQuarterTurns };
+
+/// The generator's own bits: std:: distributions differ between libraries.
+double draw(std::mt19937_64& generator, Spread spread, double low, double high) {
+  const double unit = static_cast<double>(generator() >> 11U) * 0x1p-53;
+  if (spread == Spread::Logarithmic) {
+    return std::exp(std::log(low) + unit * (std::log(high) - std::log(low)));
+  }
+  const double value = low + unit * (high - low);
+  if (spread == Spread::Even) {
+    return value;
+  }
+  const long double quarter = 1.57079632679489661923132169163975144L;
+  return static_cast<double>(std::round(static_cast<long double>(value) / quarter) * quarter);
+}
+
+using Ours = double (*)(double);
+using Theirs = long double (*)(long double);
+
+double worst(Ours ours, Theirs theirs, Spread spread, double low, double high) {
+  std::mt19937_64 generator(20240317);
+  double error = 0.0;
+  for (int i = 0; i < kDraws; ++i) {
+    const double x = draw(generator, spread, low, high);
+    const double at = ulps(ours(x), theirs(x));
+    error = std::isnan(at) ? kInf : std::max(error, at);
+  }
+  return error;
+}
+
+}  // namespace
+
+class MathTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void function_overItsRange_staysWithinFourUlps_data();
+  void function_overItsRange_staysWithinFourUlps();
+  void atan2_allQuadrants_staysWithinFourUlps();
+  void atan2_axesAndLimits_areExact_data();
+  void atan2_axesAndLimits_areExact();
+  void exp_atItsLimits_overflowsAndUnderflows();
+  void log_outsideItsRange_isInfiniteOrNan();
+  void sinCos_hugeArguments_areBoundedAndPeriodic();
+  void sin_signedZero_keepsItsSign();
+  void acos_outsideItsRange_isClamped();
+  void tanh_farOut_isOne();
+  void everyFunction_nan_staysNan();
+};
+
+void MathTest::function_overItsRange_staysWithinFourUlps_data() {
+  QTest::addColumn<quintptr>("ours");
+  QTest::addColumn<quintptr>("theirs");
+  QTest::addColumn<int>("spread");
+  QTest::addColumn<double>("low");
+  QTest::addColumn<double>("high");
+  const auto row = [](const char* name, Ours ours, Theirs theirs, Spread spread, double low,
+                      double high) {
+    QTest::newRow(name) << reinterpret_cast<quintptr>(ours) << reinterpret_cast<quintptr>(theirs)
+                        << static_cast<int>(spread) << low << high;
+  };
+  row("exp", base::exp, expl, Spread::Even, -708.0, 709.7);
+  row("exp near 0", base::exp, expl, Spread::Even, -1.0, 1.0);
+  row("exp subnormal", base::exp, expl, Spread::Even, -745.0, -708.0);
+  row("log", base::log, logl, Spread::Logarithmic, 1e-320, 1e308);
+  row("log near 1", base::log, logl, Spread::Even, 0.9, 1.1);
+  row("sin", base::sin, sinl, Spread::Even, -7.0, 7.0);
+  row("sin wide", base::sin, sinl, Spread::Even, -1e5, 1e5);
+  row("sin near its zeros", base::sin, sinl, Spread::NearQuarterTurns, -99990.0, 99990.0);
+  row("sin tiny", base::sin, sinl, Spread::Logarithmic, 1e-300, 1e-3);
+  row("cos", base::cos, cosl, Spread::Even, -7.0, 7.0);
+  row("cos wide", base::cos, cosl, Spread::Even, -1e5, 1e5);
+  row("cos near its zeros", base::cos, cosl, Spread::NearQuarterTurns, -99990.0, 99990.0);
+  row("acos", base::acos, acosl, Spread::Even, -1.0, 1.0);
+  row("acos near 1", base::acos, acosl, Spread::Even, 0.999999, 1.0);
+  row("acos near -1", base::acos, acosl, Spread::Even, -1.0, -0.999999);
+  row("tanh", base::tanh, tanhl, Spread::Even, -22.0, 22.0);
+  row("tanh near 0", base::tanh, tanhl, Spread::Even, -1.0, 1.0);
+  row("tanh tiny", base::tanh, tanhl, Spread::Logarithmic, 1e-300, 1e-2);
+}
+
+void MathTest::function_overItsRange_staysWithinFourUlps() {
+  QFETCH(quintptr, ours);
+  QFETCH(quintptr, theirs);
+  QFETCH(int, spread);
+  QFETCH(double, low);
+  QFETCH(double, high);
+  const double error = worst(reinterpret_cast<Ours>(ours), reinterpret_cast<Theirs>(theirs),
+                             static_cast<Spread>(spread), low, high);
+  QVERIFY2(error <= kAllowedUlps, QByteArray::number(error).constData());
+}
+
+void MathTest::atan2_allQuadrants_staysWithinFourUlps() {
+  std::mt19937_64 generator(7);
+  for (int i = 0; i < kDraws; ++i) {
+    const double y = draw(generator, Spread::Even, -1.0, 1.0);
+    const double size = draw(generator, Spread::Logarithmic, 1e-12, 1e12);
+    const double x = draw(generator, Spread::Even, -size, size);
+    const long double wanted = atan2l(y, x);
+    if (static_cast<double>(wanted) == -base::kPi) {
+      continue;  // rounds to the cut, where ours is +pi: see the table below
+    }
+    const double error = ulps(base::atan2(y, x), wanted);
+    QVERIFY2(error <= kAllowedUlps, QByteArray::number(error).constData());
+  }
+}
+
+void MathTest::atan2_axesAndLimits_areExact_data() {
+  QTest::addColumn<double>("y");
+  QTest::addColumn<double>("x");
+  QTest::addColumn<double>("angle");
+  QTest::newRow("origin") << 0.0 << 0.0 << 0.0;
+  QTest::newRow("negative zeros") << -0.0 << -0.0 << 0.0;
+  QTest::newRow("right") << 0.0 << 2.0 << 0.0;
+  QTest::newRow("up") << 3.0 << 0.0 << base::kPi / 2;
+  QTest::newRow("down") << -3.0 << 0.0 << -base::kPi / 2;
+  QTest::newRow("left") << 0.0 << -1.0 << base::kPi;
+  QTest::newRow("left, zero from below") << -0.0 << -1.0 << base::kPi;
+  QTest::newRow("left, rounded to the cut") << -1e-300 << -1.0 << base::kPi;
+  QTest::newRow("diagonal") << 1.0 << 1.0 << base::kPi / 4;
+  QTest::newRow("infinite up") << kInf << 1.0 << base::kPi / 2;
+  QTest::newRow("infinite left") << 1.0 << -kInf << base::kPi;
+  QTest::newRow("both infinite") << -kInf << kInf << -base::kPi / 4;
+  QTest::newRow("smallest numbers") << 5e-324 << 5e-324 << base::kPi / 4;
+}
+
+void MathTest::atan2_axesAndLimits_areExact() {
+  QFETCH(double, y);
+  QFETCH(double, x);
+  QFETCH(double, angle);
+  QVERIFY(base::atan2(y, x) == angle);
+}
+
+void MathTest::exp_atItsLimits_overflowsAndUnderflows() {
+  QVERIFY(base::exp(0.0) == 1.0);
+  QVERIFY(std::isfinite(base::exp(709.78)));
+  QVERIFY(base::exp(709.79) == kInf);
+  QVERIFY(base::exp(kInf) == kInf);
+  QVERIFY(base::exp(-745.0) > 0.0);
+  QVERIFY(base::exp(-746.0) == 0.0);
+  QVERIFY(base::exp(-kInf) == 0.0);
+}
+
+void MathTest::log_outsideItsRange_isInfiniteOrNan() {
+  QVERIFY(base::log(1.0) == 0.0);
+  QVERIFY(base::log(0.0) == -kInf);
+  QVERIFY(base::log(-0.0) == -kInf);
+  QVERIFY(base::log(kInf) == kInf);
+  QVERIFY(std::isnan(base::log(-1e-300)));
+  QVERIFY(std::isnan(base::log(-kInf)));
+}
+
+void MathTest::sinCos_hugeArguments_areBoundedAndPeriodic() {
+  for (const double x : {1e6, -3e8, 1e15, 1e300}) {
+    const double s = base::sin(x);
+    const double c = base::cos(x);
+    QVERIFY(std::abs(s * s + c * c - 1.0) < 1e-15);
+    QVERIFY(base::sin(std::fmod(x, 2.0 * base::kPi)) == s);
+  }
+  QVERIFY(std::isnan(base::sin(kInf)));
+  QVERIFY(std::isnan(base::cos(-kInf)));
+}
+
+void MathTest::sin_signedZero_keepsItsSign() {
+  QVERIFY(base::sin(0.0) == 0.0 && !std::signbit(base::sin(0.0)));
+  QVERIFY(base::cos(0.0) == 1.0);
+  QVERIFY(base::sin(5e-324) == 5e-324);
+}
+
+void MathTest::acos_outsideItsRange_isClamped() {
+  QVERIFY(base::acos(1.0) == 0.0);
+  QVERIFY(base::acos(1.0000001) == 0.0);
+  QVERIFY(base::acos(-1.0) == base::kPi);
+  QVERIFY(base::acos(-2.0) == base::kPi);
+  QVERIFY(base::acos(0.0) == base::kPi / 2);
+}
+
+void MathTest::tanh_farOut_isOne() {
+  QVERIFY(base::tanh(0.0) == 0.0);
+  QVERIFY(base::tanh(800.0) == 1.0);
+  QVERIFY(base::tanh(-kInf) == -1.0);
+}
+
+void MathTest::everyFunction_nan_staysNan() {
+  for (const Ours function : {base::exp, base::log, base::sin, base::cos, base::acos, base::tanh}) {
+    QVERIFY(std::isnan(function(kNan)));
+  }
+  QVERIFY(std::isnan(base::atan2(kNan, 1.0)));
+  QVERIFY(std::isnan(base::atan2(kInf, kNan)));
+}
+
+QTEST_APPLESS_MAIN(MathTest)
+#include "tst_Math.moc"

@@ -1,0 +1,136 @@
+#include <memory>
+#include <string>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <QtTest>
+
+#include "sim2d/base/Text.h"
+
+class TextFilesTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init();
+  void write_newFolders_areMade();
+  void write_anyBytes_readBackEqual();
+  void write_existingFile_isReplacedAndKeepsItsMode();
+  void write_symlink_replacesWhatItPointsAt();
+  void write_directory_isAnError();
+  void write_parentIsAFile_isAnError();
+  void write_emptyPath_isAnError();
+  void write_noPermission_isAnErrorAndKeepsTheOldFile();
+  void write_relativePath_goesToTheCurrentFolder();
+  void read_missingOrDirectory_isAnErrorNamingTheFile();
+
+ private:
+  std::string at(const char* name) const {
+    return folder_->filePath(QLatin1String(name)).toStdString();
+  }
+  int fileCount() const;
+
+  std::unique_ptr<QTemporaryDir> folder_;
+};
+
+void TextFilesTest::init() {
+  folder_ = std::make_unique<QTemporaryDir>();
+  QVERIFY(folder_->isValid());
+}
+
+/// Of all files in the folder, hidden and temporary ones too.
+int TextFilesTest::fileCount() const {
+  return QDir(folder_->path())
+      .entryList(QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot)
+      .size();
+}
+
+void TextFilesTest::write_newFolders_areMade() {
+  QVERIFY(base::writeFileAtomically(at("a/b/c.txt"), "x").empty());
+  QVERIFY(*base::readTextFile(at("a/b/c.txt")) == "x");
+}
+
+void TextFilesTest::write_anyBytes_readBackEqual() {
+  std::string content(300000, '\0');
+  for (std::size_t i = 0; i < content.size(); ++i) {
+    content[i] = static_cast<char>(i * 7 % 256);
+  }
+  QVERIFY(base::writeFileAtomically(at("bytes"), content).empty());
+  QVERIFY(*base::readTextFile(at("bytes")) == content);
+  QVERIFY(base::writeFileAtomically(at("bytes"), "").empty());
+  QVERIFY(base::readTextFile(at("bytes"))->empty());
+  QCOMPARE(fileCount(), 1);
+}
+
+void TextFilesTest::write_existingFile_isReplacedAndKeepsItsMode() {
+  QVERIFY(base::writeFileAtomically(at("f"), "old").empty());
+  QCOMPARE(::chmod(at("f").c_str(), 0640), 0);
+  QVERIFY(base::writeFileAtomically(at("f"), "new").empty());
+  struct stat status = {};
+  QCOMPARE(::stat(at("f").c_str(), &status), 0);
+  QCOMPARE(status.st_mode & 07777U, mode_t{0640});
+  QVERIFY(*base::readTextFile(at("f")) == "new");
+}
+
+void TextFilesTest::write_symlink_replacesWhatItPointsAt() {
+  QVERIFY(base::writeFileAtomically(at("real"), "old").empty());
+  QCOMPARE(::symlink("real", at("link").c_str()), 0);
+  QVERIFY(base::writeFileAtomically(at("link"), "new").empty());
+  QVERIFY(*base::readTextFile(at("real")) == "new");
+  QVERIFY(QFileInfo(folder_->filePath(QStringLiteral("link"))).isSymLink());
+}
+
+void TextFilesTest::write_directory_isAnError() {
+  const base::Diagnostics errors = base::writeFileAtomically(folder_->path().toStdString(), "x");
+  QCOMPARE(errors.size(), std::size_t{1});
+  QVERIFY(base::hasErrors(errors));
+  QVERIFY(errors[0].file == folder_->path().toStdString());
+}
+
+void TextFilesTest::write_parentIsAFile_isAnError() {
+  QVERIFY(base::writeFileAtomically(at("f"), "x").empty());
+  QVERIFY(base::hasErrors(base::writeFileAtomically(at("f/g"), "y")));
+  QVERIFY(*base::readTextFile(at("f")) == "x");
+  QCOMPARE(fileCount(), 1);
+}
+
+void TextFilesTest::write_emptyPath_isAnError() {
+  QVERIFY(base::hasErrors(base::writeFileAtomically("", "x")));
+}
+
+void TextFilesTest::write_noPermission_isAnErrorAndKeepsTheOldFile() {
+  QVERIFY(base::hasErrors(base::writeFileAtomically("/proc/hunavsim-test", "x")));
+  if (::geteuid() == 0) {
+    return;  // permissions of folders do not bind root
+  }
+  QVERIFY(base::writeFileAtomically(at("f"), "old").empty());
+  QCOMPARE(::chmod(folder_->path().toLocal8Bit().constData(), 0500), 0);
+  const bool refused = base::hasErrors(base::writeFileAtomically(at("f"), "new"));
+  QCOMPARE(::chmod(folder_->path().toLocal8Bit().constData(), 0700), 0);
+  QVERIFY(refused);
+  QVERIFY(*base::readTextFile(at("f")) == "old");
+  QCOMPARE(fileCount(), 1);
+}
+
+void TextFilesTest::write_relativePath_goesToTheCurrentFolder() {
+  const QString before = QDir::currentPath();
+  QVERIFY(QDir::setCurrent(folder_->path()));
+  const base::Diagnostics errors = base::writeFileAtomically("here.txt", "x");
+  QVERIFY(QDir::setCurrent(before));
+  QVERIFY(errors.empty());
+  QVERIFY(*base::readTextFile(at("here.txt")) == "x");
+}
+
+void TextFilesTest::read_missingOrDirectory_isAnErrorNamingTheFile() {
+  const base::Result<std::string> missing = base::readTextFile(at("nothing"));
+  QVERIFY(!missing);
+  QCOMPARE(QByteArray::fromStdString(missing.diagnostics()[0].text()),
+           QByteArray::fromStdString(at("nothing") +
+                                     ": error: cannot read the file: No such file or directory"));
+  const base::Result<std::string> directory = base::readTextFile(folder_->path().toStdString());
+  QVERIFY(!directory);
+  QVERIFY(directory.diagnostics()[0].message.find("Is a directory") != std::string::npos);
+  QVERIFY(!base::readTextFile(""));
+}
+
+QTEST_GUILESS_MAIN(TextFilesTest)
+#include "tst_TextFiles.moc"
