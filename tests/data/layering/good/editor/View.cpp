@@ -1,0 +1,4 @@
+#include <QGraphicsView>
+
+#include "bt/tree/TreeSpec.h"
+#include "metrics/Report.h"

@@ -1,0 +1,3 @@
+#pragma once
+
+#include "sim2d/world/World.h"
