@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct TraceGoal {
   int id = 0;  // of the global goal, 0 = a plain point
   Vec2 position = Vec2::Zero();
   double radius = 0.3;  // [m]
+  friend bool operator==(const TraceGoal& a, const TraceGoal& b) {
+    return std::tie(a.id, a.position, a.radius) == std::tie(b.id, b.position, b.radius);
+  }
 };
 
 struct TraceHuman {
@@ -27,6 +31,12 @@ struct TraceHuman {
   bool cyclicGoals = true;
   std::vector<TraceGoal> goals;
   std::vector<std::pair<std::string, double>> parameters;  // all resolved numbers, by their keys
+  friend bool operator==(const TraceHuman& a, const TraceHuman& b) {
+    return std::tie(a.id, a.name, a.kind, a.model, a.radius, a.mass, a.desiredSpeed, a.group,
+                    a.behavior, a.configuration, a.cyclicGoals, a.goals, a.parameters) ==
+           std::tie(b.id, b.name, b.kind, b.model, b.radius, b.mass, b.desiredSpeed, b.group,
+                    b.behavior, b.configuration, b.cyclicGoals, b.goals, b.parameters);
+  }
 };
 
 struct TraceRobot {
@@ -37,6 +47,12 @@ struct TraceRobot {
   double startTime = 0.0;
   std::vector<TraceGoal> goals;
   std::vector<Vec2> footprint;  // robot frame; empty = disc
+  friend bool operator==(const TraceRobot& a, const TraceRobot& b) {
+    return std::tie(a.id, a.name, a.type, a.planner, a.radius, a.mass, a.maxVel, a.maxAcc,
+                    a.maxOmega, a.maxAlpha, a.startTime, a.goals, a.footprint) ==
+           std::tie(b.id, b.name, b.type, b.planner, b.radius, b.mass, b.maxVel, b.maxAcc,
+                    b.maxOmega, b.maxAlpha, b.startTime, b.goals, b.footprint);
+  }
 };
 
 struct TraceObstacle {
@@ -45,6 +61,10 @@ struct TraceObstacle {
   bool open = false;              // door at the start
   std::vector<double> toggles;    // [s]
   std::vector<Outline> outlines;  // solid on the left
+  friend bool operator==(const TraceObstacle& a, const TraceObstacle& b) {
+    return std::tie(a.name, a.isDoor, a.open, a.toggles, a.outlines) ==
+           std::tie(b.name, b.isDoor, b.open, b.toggles, b.outlines);
+  }
 };
 
 /// What metrics need beside the trajectory.
@@ -59,12 +79,18 @@ struct TraceHeader {
   std::vector<TraceObstacle> obstacles;
   std::string obstaclePoints = "boundary";
   OccupancyGrid map;
+  friend bool operator==(const TraceHeader& a, const TraceHeader& b) {
+    return std::tie(a.format, a.scenario, a.dt, a.recordEvery, a.seed, a.humans, a.robots,
+                    a.obstacles, a.obstaclePoints,
+                    a.map) == std::tie(b.format, b.scenario, b.dt, b.recordEvery, b.seed, b.humans,
+                                       b.robots, b.obstacles, b.obstaclePoints, b.map);
+  }
 };
 
 /// A recorded run.
 struct Trace {
   TraceHeader header;
-  std::vector<Frame> frames;  // every recordEvery-th step from step 0
+  std::vector<Frame> frames;                           // every recordEvery-th step from step 0
   std::vector<std::pair<std::int64_t, Event>> events;  // all, also of steps not recorded
 };
 

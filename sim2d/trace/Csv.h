@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sim2d {
+
+/// Appends a field as RFC 4180 wants it: in quotes when it holds a comma, a quote or a line end.
+void appendCsvField(std::string& to, std::string_view field);
+
+struct CsvField {
+  std::string text;
+  int line = 1;    // of its first character
+  int column = 1;  // idem, from 1, in bytes
+};
+using CsvRow = std::vector<CsvField>;
+
+/// Reads rows of RFC 4180 text one after the other; line ends are \n or \r\n. The text must outlive
+/// the reader.
+class CsvReader {
+ public:
+  explicit CsvReader(std::string_view text) : text_(text) {}
+  /// False at the end of the text. `row` is reused; empty lines are rows with one empty field.
+  bool next(CsvRow& row);
+  /// The last row was cut: no line end after it, or an open quote.
+  bool isTruncated() const { return truncated_; }
+
+ private:
+  void readQuoted(std::string& field);
+  bool readField(CsvField& field);  // false: it was the last of its row
+  void advance();
+
+  std::string_view text_;
+  std::size_t position_ = 0;
+  int line_ = 1;
+  std::size_t lineStart_ = 0;
+  bool truncated_ = false;
+};
+
+}  // namespace sim2d

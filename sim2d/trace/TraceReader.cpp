@@ -1,0 +1,329 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/trace/Csv.h"
+#include "sim2d/trace/Trace.h"
+#include "sim2d/trace/TraceColumns.h"
+#include "sim2d/trace/TraceJson.h"
+
+namespace sim2d {
+
+namespace {
+
+constexpr std::int64_t kLongestGap = 10000000;  // instants without anybody
+
+/// One CSV file of a run: rows, typed fields, problems with their place.
+class Table {
+ public:
+  Table(const std::string& text, std::string file, base::Diagnostics& problems)
+      : reader_(text), file_(std::move(file)), problems_(problems) {}
+
+  void error(const CsvField& field, const std::string& message) {
+    problems_.push_back(base::makeError(message, file_, field.line, field.column));
+  }
+
+  /// False when the first line is not the one of this file.
+  bool readColumns(const std::string& columns) {
+    CsvRow names;
+    std::string found;
+    if (reader_.next(names)) {
+      for (const CsvField& name : names) {
+        found += (found.empty() ? "" : ",") + name.text;
+      }
+    }
+    if (found != columns) {
+      problems_.push_back(base::makeError("the first line must be " + columns, file_, 1, 1));
+      return false;
+    }
+    width_ = names.size();
+    return true;
+  }
+
+  /// The next row with the right number of fields; rows with another number are noted and left out.
+  bool next(CsvRow& row) {
+    while (reader_.next(row)) {
+      if (reader_.isTruncated()) {
+        error(row.back(), "the file ends inside this line (cut?)");
+      } else if (row.size() != width_) {
+        error(row.back(), "the line has " + std::to_string(row.size()) + " fields instead of " +
+                              std::to_string(width_));
+      } else {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  template <class Integer>
+  bool readInt(const CsvField& field, const char* name, Integer& value) {
+    const std::optional<long long> parsed = base::parseInt(field.text);
+    if (!parsed || *parsed < std::numeric_limits<Integer>::min() ||
+        *parsed > std::numeric_limits<Integer>::max()) {
+      error(field, std::string(name) + " is not a whole number: '" + field.text + "'");
+      return false;
+    }
+    value = static_cast<Integer>(*parsed);
+    return true;
+  }
+
+  bool readFinite(const CsvField& field, const char* name, double& value) {
+    const std::optional<double> parsed = base::parseDouble(field.text);
+    if (!parsed || !std::isfinite(*parsed)) {
+      error(field, std::string(name) + " is not a finite number: '" + field.text + "'");
+      return false;
+    }
+    value = *parsed;
+    return true;
+  }
+
+  const std::string& file() const { return file_; }
+
+ private:
+  CsvReader reader_;
+  std::string file_;
+  base::Diagnostics& problems_;
+  std::size_t width_ = 0;
+};
+
+struct Row {
+  std::int64_t step = 0;
+  double time = 0.0;
+  int id = 0;
+  bool isRobot = false;
+  std::array<double, 6> motion{};  // x, y, heading, vx, vy, omega
+  int group = -1;
+  std::uint8_t state = 0;
+  int goal = kNoGoal;
+};
+
+class TrajectoryReader {
+ public:
+  TrajectoryReader(Table& table, Trace& trace) : table_(table), trace_(trace) {
+    for (const TraceHuman& human : trace.header.humans) {
+      humanIds_.insert(human.id);
+    }
+    for (const TraceRobot& robot : trace.header.robots) {
+      robotIds_.insert(robot.id);
+    }
+  }
+
+  void read() {
+    if (!table_.readColumns(kTrajectoryColumns)) {
+      return;
+    }
+    CsvRow fields;
+    Row row;
+    while (table_.next(fields)) {
+      if (parse(fields, row) && isPlaced(fields, row)) {
+        append(row);
+      }
+      last_ = fields.front();
+    }
+    checkRobots(last_);
+  }
+
+ private:
+  bool parse(const CsvRow& fields, Row& row) {
+    static constexpr std::array<const char*, 6> kNames = {"x", "y", "heading", "vx", "vy", "omega"};
+    bool good = table_.readInt(fields[0], "step", row.step);
+    good = table_.readFinite(fields[1], "time", row.time) && good;
+    good = table_.readInt(fields[2], "id", row.id) && good;
+    row.isRobot = fields[3].text == "robot";
+    if (!row.isRobot && fields[3].text != "human") {
+      table_.error(fields[3], "kind must be human or robot, not '" + fields[3].text + "'");
+      good = false;
+    }
+    for (std::size_t k = 0; k < kNames.size(); ++k) {
+      good = table_.readFinite(fields[4 + k], kNames[k], row.motion[k]) && good;
+    }
+    good = table_.readInt(fields[10], "group", row.group) && good;
+    good = table_.readInt(fields[11], "state", row.state) && good;
+    row.goal = kNoGoal;
+    return (fields[12].text.empty() || table_.readInt(fields[12], "goal", row.goal)) && good;
+  }
+
+  /// Checks the row against the rows before and the header.
+  bool isPlaced(const CsvRow& fields, const Row& row) {
+    const TraceHeader& header = trace_.header;
+    const std::int64_t before = trace_.frames.empty() ? -1 : trace_.frames.back().step;
+    const double time = static_cast<double>(row.step) * header.dt;
+    if (row.step < std::max<std::int64_t>(before, 0)) {
+      table_.error(fields[0], "step and time run backwards");
+    } else if (row.step % header.recordEvery != 0) {
+      table_.error(fields[0], "step is not a multiple of record_every");
+    } else if (std::fabs(row.time - time) > 1e-9 * std::max(1.0, time)) {
+      table_.error(fields[1], "time is not step * dt");
+    } else if (const auto& ids = row.isRobot ? robotIds_ : humanIds_; ids.count(row.id) == 0) {
+      table_.error(fields[2], "id " + std::to_string(row.id) + " is not in trace.json");
+    } else if (row.step == before && !isInOrder(row)) {
+      table_.error(fields[2], "rows of a step must go by the people's id, then robots -1, -2 ...");
+    } else {
+      return fillGap(fields, row.step, before);
+    }
+    return false;
+  }
+
+  bool isInOrder(const Row& row) const {
+    const Frame& frame = trace_.frames.back();
+    if (row.isRobot) {
+      return frame.robots.id.empty() || row.id < frame.robots.id.back();
+    }
+    return frame.robots.id.empty() && (frame.humans.id.empty() || row.id > frame.humans.id.back());
+  }
+
+  /// An instant without anybody has no row; with a robot in the record there is none.
+  bool fillGap(const CsvRow& fields, std::int64_t step, std::int64_t before) {
+    const std::int64_t expected = before < 0 ? 0 : before + trace_.header.recordEvery;
+    if (step == before) {
+      return true;
+    }
+    checkRobots(last_);
+    if (step > expected && !robotIds_.empty()) {
+      table_.error(fields[0], "rows of step " + std::to_string(expected) + " are missing");
+    } else if ((step - expected) / trace_.header.recordEvery > kLongestGap) {
+      table_.error(fields[0], "step is too far from the one before");
+      return false;
+    }
+    for (std::int64_t k = robotIds_.empty() ? expected : step; k <= step;
+         k += trace_.header.recordEvery) {
+      trace_.frames.emplace_back();
+      trace_.frames.back().step = k;
+      trace_.frames.back().time = static_cast<double>(k) * trace_.header.dt;
+    }
+    return true;
+  }
+
+  void checkRobots(const CsvField& place) {
+    if (!trace_.frames.empty() && trace_.frames.back().robots.size() < robotIds_.size()) {
+      table_.error(place, "step " + std::to_string(trace_.frames.back().step) +
+                              " lacks a robot (cut file?)");
+    }
+  }
+
+  template <class Columns>
+  static void appendMotion(Columns& columns, const Row& row) {
+    columns.id.push_back(row.id);
+    columns.x.push_back(row.motion[0]);
+    columns.y.push_back(row.motion[1]);
+    columns.heading.push_back(row.motion[2]);
+    columns.vx.push_back(row.motion[3]);
+    columns.vy.push_back(row.motion[4]);
+    columns.omega.push_back(row.motion[5]);
+    columns.goal.push_back(row.goal);
+  }
+
+  void append(const Row& row) {
+    Frame& frame = trace_.frames.back();
+    frame.time = row.time;
+    if (row.isRobot) {
+      appendMotion(frame.robots, row);
+      return;
+    }
+    appendMotion(frame.humans, row);
+    frame.humans.group.push_back(row.group);
+    frame.humans.state.push_back(row.state);
+  }
+
+  Table& table_;
+  Trace& trace_;
+  std::set<int> humanIds_, robotIds_;
+  CsvField last_;
+};
+
+void readEvents(Table& table, Trace& trace) {
+  if (!table.readColumns(kEventColumns)) {
+    return;
+  }
+  CsvRow fields;
+  while (table.next(fields)) {
+    std::int64_t step = 0;
+    double time = 0.0;
+    Event event;
+    bool good = table.readInt(fields[0], "step", step);
+    good = table.readFinite(fields[1], "time", time) && good;
+    const std::optional<EventKind> kind = eventKindOf(fields[2].text);
+    if (!kind) {
+      table.error(fields[2], "unknown kind of event '" + fields[2].text + "'");
+      continue;
+    }
+    event.kind = *kind;
+    event.hasId = !fields[3].text.empty();
+    good = (!event.hasId || table.readInt(fields[3], "id", event.id)) && good;
+    event.hasOther = !fields[4].text.empty();
+    good = (!event.hasOther || table.readInt(fields[4], "other", event.other)) && good;
+    event.text = fields[5].text;
+    if (good && step < (trace.events.empty() ? 0 : trace.events.back().first)) {
+      table.error(fields[0], "step and time run backwards");
+    } else if (good) {
+      trace.events.emplace_back(step, std::move(event));
+    }
+  }
+}
+
+/// Compares the end of the trajectory with the event `stop` of the run; instants without anybody
+/// are put back.
+void checkEnd(Trace& trace, const std::string& file, base::Diagnostics& problems) {
+  if (trace.events.empty() || trace.events.back().second.kind != EventKind::Stop) {
+    return;
+  }
+  const std::int64_t every = trace.header.recordEvery;
+  const std::int64_t end = trace.events.back().first / every * every;
+  std::int64_t step = trace.frames.empty() ? 0 : trace.frames.back().step + every;
+  if (step <= end && (!trace.header.robots.empty() || (end - step) / every > kLongestGap)) {
+    problems.push_back(base::makeError(
+        "ends before step " + std::to_string(end) + ", where the run stopped (cut file?)", file));
+    return;
+  }
+  for (; step <= end; step += every) {
+    trace.frames.emplace_back();
+    trace.frames.back().step = step;
+    trace.frames.back().time = static_cast<double>(step) * trace.header.dt;
+  }
+}
+
+/// Text of a file of the run; problems are added.
+std::string textOf(const std::string& file, base::Diagnostics& problems) {
+  base::Result<std::string> text = base::readTextFile(file);
+  base::append(problems, text.diagnostics());
+  return text ? *std::move(text) : std::string();
+}
+
+}  // namespace
+
+base::Result<Trace> readTrace(const std::string& directory) {
+  base::Diagnostics problems;
+  const std::string folder = directory + (directory.empty() || directory.back() == '/' ? "" : "/");
+  const std::string trajectoryFile = folder + "trajectory.csv";
+  const std::string eventsFile = folder + "events.csv";
+  const std::string headerFile = folder + "trace.json";
+  const std::string trajectory = textOf(trajectoryFile, problems);
+  const std::string events = textOf(eventsFile, problems);
+  const std::string headerText = textOf(headerFile, problems);
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  Trace trace;
+  base::Result<TraceHeader> header = parseTraceJson(headerText, headerFile);
+  base::append(problems, header.diagnostics());
+  if (!header) {
+    return problems;  // the rows mean nothing without it
+  }
+  trace.header = *std::move(header);
+  Table rows(trajectory, trajectoryFile, problems);
+  TrajectoryReader(rows, trace).read();
+  Table eventRows(events, eventsFile, problems);
+  readEvents(eventRows, trace);
+  if (!base::hasErrors(problems)) {
+    checkEnd(trace, trajectoryFile, problems);
+  }
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  return {std::move(trace), std::move(problems)};
+}
+
+}  // namespace sim2d

@@ -1,0 +1,107 @@
+#include <algorithm>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/trace/Csv.h"
+#include "sim2d/trace/Trace.h"
+#include "sim2d/trace/TraceColumns.h"
+
+namespace sim2d {
+
+namespace {
+
+void appendInt(std::string& to, long long value) {
+  to += std::to_string(value);
+}
+
+void appendNumbers(std::string& to, std::initializer_list<double> values) {
+  for (const double value : values) {
+    to += base::formatDouble(value);
+    to += ',';
+  }
+}
+
+void appendGoal(std::string& to, int goal) {
+  if (goal != kNoGoal) {
+    appendInt(to, goal);
+  }
+}
+
+void appendHumans(std::string& to, const std::string& stamp, const HumanColumns& humans) {
+  for (std::size_t k = 0; k < humans.size(); ++k) {
+    to += stamp;
+    appendInt(to, humans.id[k]);
+    to += ",human,";
+    appendNumbers(to, {humans.x[k], humans.y[k], humans.heading[k], humans.vx[k], humans.vy[k],
+                       humans.omega[k]});
+    appendInt(to, humans.group[k]);
+    to += ',';
+    appendInt(to, humans.state[k]);
+    to += ',';
+    appendGoal(to, humans.goal[k]);
+    to += '\n';
+  }
+}
+
+void appendRobots(std::string& to, const std::string& stamp, const RobotColumns& robots) {
+  for (std::size_t k = 0; k < robots.size(); ++k) {
+    to += stamp;
+    appendInt(to, robots.id[k]);
+    to += ",robot,";
+    appendNumbers(to, {robots.x[k], robots.y[k], robots.heading[k], robots.vx[k], robots.vy[k],
+                       robots.omega[k]});
+    to += "-1,0,";
+    appendGoal(to, robots.goal[k]);
+    to += '\n';
+  }
+}
+
+std::uint64_t fnv1a(const std::string& bytes, std::uint64_t hash) {
+  for (const char byte : bytes) {
+    hash ^= static_cast<unsigned char>(byte);
+    hash *= 0x100000001b3ULL;
+  }
+  return hash;
+}
+
+}  // namespace
+
+std::string trajectoryCsv(const Trace& trace) {
+  std::string text = std::string(kTrajectoryColumns) + '\n';
+  for (const Frame& frame : trace.frames) {
+    const std::string stamp =
+        std::to_string(frame.step) + ',' + base::formatDouble(frame.time) + ',';
+    appendHumans(text, stamp, frame.humans);
+    appendRobots(text, stamp, frame.robots);
+  }
+  return text;
+}
+
+std::string eventsCsv(const Trace& trace) {
+  std::string text = std::string(kEventColumns) + '\n';
+  for (const auto& [step, event] : trace.events) {
+    appendInt(text, step);
+    text += ',';
+    text += base::formatDouble(static_cast<double>(step) * trace.header.dt);
+    text += ',';
+    text += eventKindName(event.kind);
+    text += ',';
+    if (event.hasId) {
+      appendInt(text, event.id);
+    }
+    text += ',';
+    if (event.hasOther) {
+      appendInt(text, event.other);
+    }
+    text += ',';
+    appendCsvField(text, event.text);
+    text += '\n';
+  }
+  return text;
+}
+
+std::uint64_t hashOf(const Trace& trace) {
+  constexpr std::uint64_t kOffset = 0xcbf29ce484222325ULL;
+  return fnv1a(eventsCsv(trace), fnv1a(trajectoryCsv(trace), kOffset));
+}
+
+}  // namespace sim2d
