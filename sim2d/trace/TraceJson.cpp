@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include <nlohmann/json.hpp>
+#include "sim2d/trace/JsonFields.h"
 
 namespace sim2d {
 
