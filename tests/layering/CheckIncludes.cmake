@@ -1,5 +1,5 @@
 # Fails on any include of ours that is not in the table of layers (CONTRIBUTING.md).
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22)
 set(allowed_sim2d_base "")
 set(allowed_sim2d_map "sim2d/base")
 set(allowed_sim2d_scenario "sim2d/base;sim2d/map")

@@ -1,5 +1,5 @@
 # Fails when a folder with tests is missing in tests/CMakeLists.txt (REGISTERED, comma separated).
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22)
 string(REPLACE "," ";" registered "${REGISTERED}")
 file(GLOB_RECURSE sources RELATIVE ${TESTS} ${TESTS}/*/tst_*.cpp)
 list(LENGTH sources count)

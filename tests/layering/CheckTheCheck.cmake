@@ -1,6 +1,6 @@
 # Runs CheckIncludes.cmake on small trees: tests/data/layering/<case>/expected.txt holds "accepted",
 # or a line that the complaint must contain.
-cmake_minimum_required(VERSION 3.25)
+cmake_minimum_required(VERSION 3.22)
 file(GLOB cases ${CASES}/*/expected.txt)
 list(LENGTH cases count)
 if(count LESS 2)
