@@ -1,0 +1,136 @@
+# shellcheck shell=bash disable=SC2034
+# Shared by run.sh and test.sh (sourced): where things are, packages, one build.
+# Everything that is written lies below build/ of the clone.
+
+unset CDPATH
+root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd -P)
+build=$root/build
+logs=$build/logs
+jobs=$(nproc 2>/dev/null || echo 2)
+export CCACHE_DIR=${CCACHE_DIR:-$build/ccache}
+export CCACHE_TEMPDIR=${CCACHE_TEMPDIR:-$build/ccache/tmp}
+
+packages_to_run=(
+  g++ cmake ninja-build ccache pkg-config
+  qtbase5-dev libqt5svg5-dev libqwt-qt5-dev
+  libbox2d-dev libeigen3-dev libyaml-cpp-dev libtinyxml2-dev libcli11-dev nlohmann-json3-dev
+  libsqlite3-dev librandom123-dev libgif-dev
+  fonts-dejavu-core
+)
+packages_to_test=(clang-format-14 xvfb xauth xdotool imagemagick locales)
+packages_to_fuzz=(clang-14 libclang-rt-14-dev)
+packages_to_tidy=(clang-14 clang-tidy-14)
+
+say() {
+  printf '%s\n' "$*" >&2
+}
+
+fail() {
+  say "${0##*/}: $*"
+  exit 1
+}
+
+# Prints those of the given packages that are not installed.
+missing_packages() {
+  local installed package
+  installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null || true)
+  for package in "$@"; do
+    if ! grep -qxF "installed $package" <<<"$installed"; then
+      printf '%s\n' "$package"
+    fi
+  done
+}
+
+# Runs apt-get (for `missing` of the caller), through sudo unless we are root; output goes to the log.
+run_apt() {
+  local become=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || fail "not root and no sudo here. As root: apt-get install ${missing[*]}"
+    become=(sudo)
+  fi
+  "${become[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q "$@" >>"$logs/apt.log" 2>&1
+}
+
+# Installs what is missing of the given packages; needs no network when nothing is.
+need_packages() {
+  if [ -n "${HUNAV_NO_PACKAGES:-}" ]; then
+    return 0
+  fi
+  if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    say "This is no Debian or Ubuntu with apt. Please install (names of the Debian packages):"
+    say "  $*"
+    fail "then set HUNAV_NO_PACKAGES=1 and start again"
+  fi
+  local missing
+  mapfile -t missing < <(missing_packages "$@")
+  if [ "${#missing[@]}" -eq 0 ]; then
+    return 0
+  fi
+  say "installing ${missing[*]}"
+  run_apt update || say "apt-get update failed (see $logs/apt.log), trying with the lists as they are"
+  if ! run_apt install -y --no-install-recommends "${missing[@]}"; then
+    tail -n 5 "$logs/apt.log" >&2
+    fail "could not install: ${missing[*]} (log: $logs/apt.log)"
+  fi
+}
+
+# Runs a command with its output in a log; shows the end of it when the command fails.
+logged() {
+  local log=$1
+  shift
+  if ! "$@" >"$log" 2>&1; then
+    tail -n 60 "$log" >&2
+    fail "failed: $* (log: $log)"
+  fi
+}
+
+# build_preset PRESET [TARGET…]: configures when needed and builds into build/PRESET.
+build_preset() {
+  local preset=$1
+  shift
+  local folder=$build/$preset
+  local cache=$folder/CMakeCache.txt
+  if [ -f "$cache" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache"; then
+    rm -rf "$folder"  # the clone was moved or copied
+  fi
+  if [ ! -f "$folder/build.ninja" ] || [ "$root/CMakePresets.json" -nt "$folder/build.ninja" ]; then
+    say "configuring $preset"
+    # Presets are looked up in the current folder.
+    logged "$logs/configure-$preset.log" env -C "$root" cmake --preset "$preset"
+  fi
+  local command=(cmake --build "$folder" --parallel "$jobs")
+  if [ $# -gt 0 ]; then
+    command+=(--target "$@")
+  fi
+  if [ -t 2 ]; then
+    "${command[@]}" >&2 || fail "the build failed"
+  else
+    say "building $preset"
+    logged "$logs/build-$preset.log" "${command[@]}"
+  fi
+}
+
+# Two scripts at once would build into the same folders: the second waits.
+lock_build() {
+  mkdir -p "$logs" "$CCACHE_DIR" "$CCACHE_TEMPDIR"
+  exec 9>"$build/.lock"
+  if command -v flock >/dev/null && ! flock -n 9; then
+    say "waiting for another build in $build"
+    flock 9
+  fi
+}
+
+unlock_build() {
+  exec 9>&-
+}
+
+# Settings and caches of the program stay in build/ too, unless the user has a place for them.
+keep_home_clean() {
+  local home=$build/home
+  mkdir -p "$home/config" "$home/cache" "$home/data" "$home/runtime"
+  chmod 700 "$home/runtime"
+  export XDG_CONFIG_HOME=${XDG_CONFIG_HOME:-$home/config}
+  export XDG_CACHE_HOME=${XDG_CACHE_HOME:-$home/cache}
+  export XDG_DATA_HOME=${XDG_DATA_HOME:-$home/data}
+  export XDG_RUNTIME_DIR=${XDG_RUNTIME_DIR:-$home/runtime}
+}

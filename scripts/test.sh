@@ -1,0 +1,105 @@
+#!/usr/bin/env bash
+# Checks the format, builds (dev) and runs every test. Usage: scripts/test.sh [--all]
+# --all adds the sanitizers, clang-tidy and the benchmarks.
+set -euo pipefail
+# shellcheck source=scripts/common.sh
+source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/common.sh"
+
+fuzz_seconds=60
+
+usage() {
+  say "usage: scripts/test.sh [--all]"
+  exit 64
+}
+
+check_format() {
+  say "checking the format"
+  (
+    cd "$root"
+    find app editor sim2d bt metrics tests \( -name '*.h' -o -name '*.cpp' \) -print0 |
+      xargs -0 -r -n 20 -P "$jobs" clang-format-14 --dry-run --Werror
+  ) || fail "format differs; mend it with clang-format-14 -i FILE"
+}
+
+# run_tests PRESET [CTEST OPTIONS…]
+run_tests() {
+  local preset=$1
+  shift
+  say "testing $preset"
+  (cd "$root" && "${launcher[@]}" ctest --preset "$preset" --parallel "$jobs" --no-tests=error "$@")
+}
+
+# Every program of tests/fuzz, together for fuzz_seconds, from its corpus when there is one.
+fuzz() {
+  local programs=() program corpus
+  need_packages "${packages_to_fuzz[@]}"
+  build_preset fuzz fuzzers
+  mapfile -t programs < <(find "$build/fuzz/fuzzers" -maxdepth 1 -type f -name 'fuzz_*' -executable)
+  [ "${#programs[@]}" -gt 0 ] || fail "tests/fuzz holds no fuzz_*.cpp"
+  for program in "${programs[@]}"; do
+    corpus=$build/fuzz/corpus/${program##*/}
+    mkdir -p "$corpus"
+    local seeds=$root/tests/fuzz/corpus/${program##*/}
+    local folders=("$corpus")
+    if [ -d "$seeds" ]; then
+      folders+=("$seeds")
+    fi
+    say "fuzzing with ${program##*/}"
+    logged "$logs/${program##*/}.log" "$program" -rss_limit_mb=4096 -timeout=10 \
+      -max_total_time=$((fuzz_seconds / ${#programs[@]} + 1)) \
+      -artifact_prefix="$build/fuzz/" "${folders[@]}"
+  done
+}
+
+# ThreadSanitizer of gcc 12 fails under the address randomisation of newer kernels.
+without_randomisation() {
+  if setarch "$(uname -m)" -R true 2>/dev/null; then
+    launcher=(setarch "$(uname -m)" -R)
+  fi
+}
+
+check_everything_else() {
+  need_packages "${packages_to_tidy[@]}"
+  build_preset asan
+  run_tests asan
+  build_preset tsan core_tests
+  without_randomisation
+  run_tests tsan -L '^core$'
+  launcher=()
+  build_preset tidy
+  build_preset bench benchmarks
+  if [ -d "$root/tests/bench" ]; then
+    run_tests bench -L '^bench$' --parallel 1
+    say "results of the benchmarks: $build/bench/bench/*.csv"
+  fi
+}
+
+all=no
+for argument in "$@"; do
+  case $argument in
+    --all) all=yes ;;
+    *) usage ;;
+  esac
+done
+
+launcher=()
+lock_build
+need_packages "${packages_to_run[@]}" "${packages_to_test[@]}"
+check_format
+build_preset dev
+keep_home_clean
+run_tests dev | tee "$logs/tests-dev.log"
+
+more=no
+if [ -d "$root/tests/fuzz" ]; then
+  more=yes
+  fuzz
+fi
+if [ "$all" = yes ]; then
+  more=yes
+  check_everything_else
+fi
+if [ "$more" = yes ]; then
+  # The last word is that of the tests.
+  sed -n '/tests passed,/,$p' "$logs/tests-dev.log"
+fi
