@@ -1,3 +1,3 @@
 #pragma once
 
-#include <yaml-cpp/yaml.h>
+#include "sim2d/scenario/Node.h"

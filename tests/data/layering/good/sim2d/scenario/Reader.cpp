@@ -1,0 +1,1 @@
+#include "sim2d/scenario/Node.h"
