@@ -56,7 +56,7 @@ function(hunav_collect target namespace function type header)
 #include \"${header}\"
 namespace ${namespace} {
 ${declarations}void ${function}(${type}& to);
-void ${function}(${type}& to) {
+void ${function}([[maybe_unused]] ${type}& to) {
 ${calls}}
 }  // namespace ${namespace}
 ")
