@@ -1,0 +1,81 @@
+#include "metrics/MetricParameters.h"
+
+namespace metrics {
+
+const char* profileName(Profile profile) {
+  return profile == Profile::Corrected ? "corrected" : "hunav2";
+}
+
+std::optional<Profile> profileOf(std::string_view name) {
+  for (const Profile profile : {Profile::Corrected, Profile::Hunav2}) {
+    if (name == profileName(profile)) {
+      return profile;
+    }
+  }
+  return std::nullopt;
+}
+
+const std::vector<ParameterInfo>& parameterInfos() {
+  using P = MetricParameters;
+  static const std::vector<ParameterInfo> kInfos = {
+      {"goal_tolerance", &P::goalTolerance, "m", "added to the radius of the goal"},
+      {"time_limit", &P::timeLimit, "s", "a run of this length is a timeout"},
+      {"contact_distance", &P::contactDistance, "m", "gap below which robot and person touch"},
+      {"stop_linear_speed", &P::stopLinearSpeed, "m/s", "slower counts as standing"},
+      {"stop_angular_speed", &P::stopAngularSpeed, "rad/s", "slower counts as not turning"},
+      {"intimate_distance", &P::intimateDistance, "m", "outer edge of the intimate space"},
+      {"personal_distance", &P::personalDistance, "m", "outer edge of the personal space"},
+      {"social_distance", &P::socialDistance, "m", "outer edge of the social space"},
+      {"group_interaction_distance", &P::groupInteractionDistance, "m",
+       "from a member to the centre of the group, along the heading"},
+      {"group_minimum_members", &P::groupMinimumMembers, "", "smaller groups are none"},
+      {"social_factor", &P::socialFactor, "m/s²", "strength of the social force"},
+      {"social_lambda", &P::socialLambda, "", "weight of the relative velocity"},
+      {"social_gamma", &P::socialGamma, "m", "reach of the social force"},
+      {"social_n", &P::socialN, "", "width of the sideways term"},
+      {"social_n_prime", &P::socialNPrime, "", "width of the slowing term"},
+      {"obstacle_factor", &P::obstacleFactor, "m/s²", "strength of the obstacle force"},
+      {"obstacle_sigma", &P::obstacleSigma, "m", "reach of the obstacle force"},
+      {"person_force_parameters", &P::personForceParameters, "",
+       "1: the force of the robot on a person uses the person's own factor"},
+      {"fear_cap", &P::fearCap, "1/s", "largest fear of one pair"},
+      {"panic_epsilon", &P::panicEpsilon, "m²/s", "near misses closer than this give no panic"},
+      {"field_of_view", &P::fieldOfView, "rad", "full angle a person sees"},
+      {"recognition_time", &P::recognitionTime, "s", "a shock lasts as long"},
+      {"reaction_time", &P::reactionTime, "s", "a reaction lasts as long"},
+      {"surprise_distance", &P::surpriseDistance, "m", "proxemic distance of the surprise costs"},
+      {"surprise_minimum_distance", &P::surpriseMinimumDistance, "m",
+       "smaller gaps count as this one"},
+      {"surprise_requires_motion", &P::surpriseRequiresMotion, "",
+       "1: a standing robot surprises nobody"},
+      {"surprise_visibility_only_unrecognised", &P::surpriseVisibilityOnlyUnrecognised, "",
+       "1: no visibility cost after the reaction"},
+      {"compliance_distance", &P::complianceDistance, "m", "gap that space_compliance asks for"},
+      {"progress_tolerance", &P::progressTolerance, "m",
+       "smaller steps away from the goal are none"},
+      {"stall_speed", &P::stallSpeed, "m/s", "slower counts as stalled"},
+      {"personal_radius", &P::personalRadius, "m", "centre distance of time_in_personal_space"},
+      {"facing_half_angle", &P::facingHalfAngle, "rad", "half cone of facing and seeing"},
+      {"gaussian_threshold", &P::gaussianThreshold, "",
+       "personal space value that counts as intruded"},
+      {"discomfort_distance", &P::discomfortDistance, "m", "smaller gaps are uncomfortable"},
+      {"oscillation_speed", &P::oscillationSpeed, "m/s", "slower counts as oscillating"},
+      {"oscillation_angular_speed", &P::oscillationAngularSpeed, "rad/s", "and turning slower"},
+      {"backward_speed", &P::backwardSpeed, "m/s", "faster backwards counts"},
+      {"inplace_speed", &P::inplaceSpeed, "m/s", "slower counts as in place"},
+      {"inplace_angular_speed", &P::inplaceAngularSpeed, "rad/s", "and turning at least this fast"},
+      {"safety_distance", &P::safetyDistance, "m", "clearance that obstacle_safety asks for"},
+  };
+  return kInfos;
+}
+
+const ParameterInfo* findParameter(std::string_view name) {
+  for (const ParameterInfo& info : parameterInfos()) {
+    if (info.name == name) {
+      return &info;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace metrics

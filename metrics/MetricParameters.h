@@ -1,0 +1,75 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace metrics {
+
+/// Corrected: the formulas as published, without the known defects of HuNavSim's evaluator.
+/// Hunav2: the numbers that evaluator prints, for comparison with published tables.
+enum class Profile { Corrected, Hunav2 };
+const char* profileName(Profile profile);  // "corrected", "hunav2"
+std::optional<Profile> profileOf(std::string_view name);
+
+/// Every threshold of every metric. SI units, radians; switches are 0 or 1. Names in files and
+/// meaning: parameterInfos().
+struct MetricParameters {
+  Profile profile = Profile::Corrected;
+
+  double goalTolerance = 0.3;
+  double timeLimit = 180.0;
+  double contactDistance = 0.02;
+  double stopLinearSpeed = 0.01;
+  double stopAngularSpeed = 0.02;
+  double intimateDistance = 0.45;
+  double personalDistance = 1.2;
+  double socialDistance = 3.6;
+  double groupInteractionDistance = 1.5;
+  double groupMinimumMembers = 2;
+
+  double socialFactor = 2.1;
+  double socialLambda = 2.0;
+  double socialGamma = 0.35;
+  double socialN = 2.0;
+  double socialNPrime = 3.0;
+  double obstacleFactor = 10.0;
+  double obstacleSigma = 0.2;
+  double personForceParameters = 1;
+
+  double fearCap = 10.0;
+  double panicEpsilon = 0.01;
+  double fieldOfView = 2.0943951023931953;
+  double recognitionTime = 0.15;
+  double reactionTime = 0.6;
+  double surpriseDistance = 0.45;
+  double surpriseMinimumDistance = 0.1;
+  double surpriseRequiresMotion = 0;
+  double surpriseVisibilityOnlyUnrecognised = 0;
+
+  double complianceDistance = 0.5;
+  double progressTolerance = 1e-6;
+  double stallSpeed = 0.01;
+  double personalRadius = 1.0;
+  double facingHalfAngle = 0.08726646259971647;
+  double gaussianThreshold = 0.5;
+  double discomfortDistance = 0.2;
+  double oscillationSpeed = 0.05;
+  double oscillationAngularSpeed = 0.15;
+  double backwardSpeed = 0.05;
+  double inplaceSpeed = 0.005;
+  double inplaceAngularSpeed = 0.15;
+  double safetyDistance = 0.3;
+};
+
+struct ParameterInfo {
+  std::string name;  // "goal_tolerance"
+  double MetricParameters::*member;
+  std::string unit;  // "" for switches and numbers
+  std::string text;
+};
+const std::vector<ParameterInfo>& parameterInfos();
+const ParameterInfo* findParameter(std::string_view name);
+
+}  // namespace metrics

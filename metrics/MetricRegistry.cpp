@@ -1,0 +1,192 @@
+#include "metrics/MetricRegistry.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+namespace metrics {
+
+const char* categoryName(Category category) {
+  static constexpr std::array<const char*, kCategories> kNames = {
+      "Navigation Performance", "Social Behavior", "Motion Analysis",
+      "Safety & Collisions",    "Social Forces",   "Danger & Surprise Metrics"};
+  return kNames[static_cast<std::size_t>(category)];
+}
+
+const char* betterName(Better better) {
+  static constexpr std::array<const char*, 3> kNames = {"lower", "higher", "neutral"};
+  return kNames[static_cast<std::size_t>(better)];
+}
+
+const char* kindName(Kind kind) {
+  static constexpr std::array<const char*, 3> kNames = {"number", "boolean", "count"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::string needsText(const Needs& needs) {
+  std::string text;
+  const auto append = [&text](bool needed, const char* name) {
+    if (needed) {
+      text += (text.empty() ? "" : ", ") + std::string(name);
+    }
+  };
+  append(needs.robot, "robot");
+  append(needs.people, "people");
+  append(needs.groups, "groups");
+  append(needs.obstacles, "obstacles");
+  append(needs.goal, "goal");
+  append(needs.map, "map");
+  return text.empty() ? "nothing" : text;
+}
+
+MetricValue numberValue(double value) {
+  if (std::isnan(value)) {
+    return undefinedValue("not a number");
+  }
+  if (std::isinf(value)) {
+    return infiniteValue("grows without limit");
+  }
+  return {value, "", Kind::Number, std::nullopt};
+}
+
+MetricValue countValue(double value) {
+  return {value, "", Kind::Count, std::nullopt};
+}
+
+MetricValue booleanValue(bool value) {
+  return {value ? 1.0 : 0.0, "", Kind::Boolean, std::nullopt};
+}
+
+MetricValue undefinedValue(std::string why) {
+  return {std::nullopt, std::move(why), Kind::Number, std::nullopt};
+}
+
+MetricValue infiniteValue(std::string why) {
+  return {HUGE_VAL, std::move(why), Kind::Number, std::nullopt};
+}
+
+MetricValue withSeries(MetricValue value, std::vector<double> series, Kind kind) {
+  value.series = Series{std::move(series), kind};
+  return value;
+}
+
+double sumOf(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) {
+    sum += value;
+  }
+  return sum;
+}
+
+namespace {
+
+MetricValue fold(const AccumulatorFactory& make, const Recording& recording,
+                 const MetricParameters& parameters) {
+  const std::unique_ptr<Accumulator> accumulator = make(parameters);
+  for (std::size_t i = 0; i < recording.size(); ++i) {
+    accumulator->add(recording, i);
+  }
+  return accumulator->value(recording);
+}
+
+MetricValue meanOver(MetricValue sum, std::size_t samples) {
+  sum.series.reset();
+  sum.kind = Kind::Number;
+  if (sum.value) {
+    *sum.value /= static_cast<double>(samples);
+  }
+  return sum;
+}
+
+/// Divides what another accumulator gives.
+class MeanAccumulator : public Accumulator {
+ public:
+  explicit MeanAccumulator(std::unique_ptr<Accumulator> sum) : sum_(std::move(sum)) {}
+  void add(const Recording& recording, std::size_t sample) override {
+    sum_->add(recording, sample);
+  }
+  MetricValue value(const Recording& recording) const override {
+    return meanOver(sum_->value(recording), recording.size());
+  }
+
+ private:
+  std::unique_ptr<Accumulator> sum_;
+};
+
+}  // namespace
+
+void MetricRegistry::add(MetricInfo info, MetricFunction compute) {
+  assert(find(info.key) == nullptr);
+  entries_.push_back({std::move(info), std::move(compute), {}});
+}
+
+void MetricRegistry::addAccumulated(MetricInfo info, AccumulatorFactory accumulate) {
+  assert(find(info.key) == nullptr);
+  MetricFunction compute = [accumulate](const Recording& recording,
+                                        const MetricParameters& parameters) {
+    return fold(accumulate, recording, parameters);
+  };
+  entries_.push_back({std::move(info), std::move(compute), std::move(accumulate)});
+}
+
+void MetricRegistry::addMeanOf(const std::string& key) {
+  const MetricEntry* sum = find(key);
+  assert(sum != nullptr);
+  const MetricEntry entry = *sum;
+  MetricInfo info = entry.info;
+  info.key = key + "_mean";
+  info.name += ", mean per sample";
+  info.formula = key + " / N";
+  info.source = "ours";
+  info.kind = Kind::Number;
+  info.hunav = 0;
+  info.partOf = key;
+  if (entry.accumulate) {
+    addAccumulated(info, [make = entry.accumulate](const MetricParameters& parameters) {
+      return std::make_unique<MeanAccumulator>(make(parameters));
+    });
+    return;
+  }
+  add(info,
+      [compute = entry.compute](const Recording& recording, const MetricParameters& parameters) {
+        return meanOver(compute(recording, parameters), recording.size());
+      });
+}
+
+void MetricRegistry::sort() {
+  const auto rank = [](const MetricEntry& entry) {
+    return entry.info.hunav > 0 ? entry.info.hunav : 1000;
+  };
+  std::stable_sort(entries_.begin(), entries_.end(),
+                   [&](const MetricEntry& a, const MetricEntry& b) { return rank(a) < rank(b); });
+}
+
+const MetricEntry* MetricRegistry::find(std::string_view key) const {
+  for (const MetricEntry& entry : entries_) {
+    if (entry.info.key == key) {
+      return &entry;
+    }
+  }
+  return nullptr;
+}
+
+std::vector<std::string> MetricRegistry::keys() const {
+  std::vector<std::string> keys;
+  for (const MetricEntry& entry : entries_) {
+    keys.push_back(entry.info.key);
+  }
+  return keys;
+}
+
+const MetricRegistry& standardRegistry() {
+  static const MetricRegistry kRegistry = [] {
+    MetricRegistry registry;
+    addAllMetrics(registry);
+    registry.sort();
+    return registry;
+  }();
+  return kRegistry;
+}
+
+}  // namespace metrics

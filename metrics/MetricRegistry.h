@@ -1,0 +1,121 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "metrics/MetricParameters.h"
+#include "metrics/Recording.h"
+
+namespace metrics {
+
+/// Groups of the metrics panel, in its order.
+enum class Category { Navigation, Social, Motion, Safety, Forces, DangerSurprise };
+constexpr int kCategories = 6;
+const char* categoryName(Category category);  // "Navigation Performance" …
+
+enum class Better { Lower, Higher, Neutral };
+const char* betterName(Better better);  // "lower" …
+
+enum class Kind { Number, Boolean, Count };
+const char* kindName(Kind kind);  // "number" …
+
+/// What a recording must hold for a metric to say something.
+struct Needs {
+  bool robot = true;
+  bool people = false, groups = false, obstacles = false, goal = false, map = false;
+};
+std::string needsText(const Needs& needs);  // "robot, people"; "nothing"
+
+struct MetricInfo {
+  std::string key;
+  std::string name;  // for people
+  std::string unit;  // "" = none
+  Category category = Category::Navigation;
+  Better better = Better::Neutral;
+  Needs needs;
+  std::string formula;  // as text, corrected profile
+  std::string source;
+  std::string range;  // "[0, 100]"
+  Kind kind = Kind::Number;
+  int hunav = 0;       // number among HuNavSim's 34 keys; 0 = ours
+  std::string partOf;  // selected together with that key; empty = on its own
+};
+
+/// One value per sample.
+struct Series {
+  std::vector<double> values;  // NaN = undefined there
+  Kind kind = Kind::Number;
+};
+
+struct MetricValue {
+  std::optional<double> value;  // may be infinite, never NaN; Boolean: 0 or 1
+  std::string why;              // when undefined or infinite
+  Kind kind = Kind::Number;
+  std::optional<Series> series;
+};
+
+MetricValue numberValue(double value);  // NaN becomes undefined
+MetricValue countValue(double value);
+MetricValue booleanValue(bool value);
+MetricValue undefinedValue(std::string why);
+MetricValue infiniteValue(std::string why);
+MetricValue withSeries(MetricValue value, std::vector<double> series, Kind kind = Kind::Number);
+double sumOf(const std::vector<double>& values);  // in order, from the first
+
+/// One metric: recording in, value out. Sees at least one sample, and a robot if it needs one.
+using MetricFunction = std::function<MetricValue(const Recording&, const MetricParameters&)>;
+
+/// A metric computed sample by sample, for those that are costly; live values come from the same
+/// code.
+class Accumulator {
+ public:
+  Accumulator() = default;
+  Accumulator(const Accumulator&) = delete;
+  Accumulator& operator=(const Accumulator&) = delete;
+  virtual ~Accumulator() = default;
+  /// Sample number `sample`; called once for each, in order.
+  virtual void add(const Recording& recording, std::size_t sample) = 0;
+  virtual MetricValue value(const Recording& recording) const = 0;
+};
+using AccumulatorFactory =
+    std::function<std::unique_ptr<Accumulator>(const MetricParameters& parameters)>;
+
+struct MetricEntry {
+  MetricInfo info;
+  MetricFunction compute;
+  AccumulatorFactory accumulate;  // empty for plain functions
+};
+
+/// All metrics that a program knows. Writers, tables and panels walk over it and know no metric by
+/// name.
+class MetricRegistry {
+ public:
+  /// Keys are unique: adding one twice is a bug.
+  void add(MetricInfo info, MetricFunction compute);
+  void addAccumulated(MetricInfo info, AccumulatorFactory accumulate);
+  /// `<key>_mean` = value / number of samples, for sums over samples; selected with its key.
+  void addMeanOf(const std::string& key);
+  /// HuNavSim's keys by number, then ours as they were added.
+  void sort();
+  const std::vector<MetricEntry>& entries() const { return entries_; }
+  const MetricEntry* find(std::string_view key) const;
+  std::vector<std::string> keys() const;
+
+ private:
+  std::vector<MetricEntry> entries_;
+};
+
+/// Written by the build: calls add<File>() of every file in metrics/catalogue.
+void addAllMetrics(MetricRegistry& to);
+
+/// The shipped metrics, in order. Constant, any thread.
+const MetricRegistry& standardRegistry();
+
+/// The text of metrics/METRICS.md.
+std::string metricsMarkdown(const MetricRegistry& registry);
+
+}  // namespace metrics

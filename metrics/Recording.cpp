@@ -1,0 +1,55 @@
+#include "metrics/Recording.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace metrics {
+
+double Recording::duration() const {
+  return samples.empty() ? 0.0 : samples.back().time - samples.front().time;
+}
+
+double Recording::interval(std::size_t sample) const {
+  return sample + 1 < samples.size() ? samples[sample + 1].time - samples[sample].time : 0.0;
+}
+
+double distance(const Body& a, const Body& b) {
+  return (a.position - b.position).norm();
+}
+
+double gap(const Body& a, const Body& b) {
+  return distance(a, b) - a.radius - b.radius;
+}
+
+std::optional<double> closestGap(const Sample& sample) {
+  std::optional<double> closest;
+  for (const Person& person : sample.people) {
+    const double gapToPerson = std::max(gap(sample.robot, person), 0.0);
+    if (!closest || gapToPerson < *closest) {
+      closest = gapToPerson;
+    }
+  }
+  return closest;
+}
+
+const Person* findPerson(const Sample& sample, int id) {
+  for (const Person& person : sample.people) {
+    if (person.id == id) {
+      return &person;
+    }
+  }
+  return nullptr;
+}
+
+Recording withBehavior(const Recording& recording, int behavior) {
+  Recording part = recording;
+  for (Sample& sample : part.samples) {
+    sample.people.erase(
+        std::remove_if(sample.people.begin(), sample.people.end(),
+                       [behavior](const Person& person) { return person.behavior != behavior; }),
+        sample.people.end());
+  }
+  return part;
+}
+
+}  // namespace metrics

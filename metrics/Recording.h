@@ -1,0 +1,127 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "metrics/Routes.h"
+#include "sim2d/map/Obstacles.h"
+#include "sim2d/trace/Trace.h"
+
+namespace metrics {
+
+using base::Vec2;
+
+/// Where an obstacle acts on a body.
+struct ObstaclePoint {
+  Vec2 position = Vec2::Zero();
+  bool inside = false;  // the body is inside the obstacle
+};
+
+/// A robot or a person at one instant. World frame, SI, radians.
+struct Body {
+  int id = 0;
+  Vec2 position = Vec2::Zero();
+  double heading = 0.0;
+  Vec2 velocity = Vec2::Zero();
+  double speed = 0.0;  // |velocity|
+  double omega = 0.0;
+  double radius = 0.35;
+  std::vector<ObstaclePoint> obstacles;
+};
+
+struct Person : Body {
+  int group = -1;
+  int behavior = 1;                    // 1..6
+  int state = 0;                       // != 0: a reaction runs
+  std::optional<double> socialFactor;  // own; else the parameters'
+  bool screened = false;  // a drawn obstacle or closed door hides the robot (map walls: apart)
+};
+
+struct Robot : Body {
+  std::optional<double> obstacleDistance;  // of its centre [m], negative inside; none in reach
+};
+
+/// All bodies at one time.
+struct Sample {
+  double time = 0.0;  // [s]
+  Robot robot;        // meaningful when Recording::hasRobot
+  std::vector<Person> people;
+};
+
+struct Goal {
+  Vec2 position = Vec2::Zero();
+  double radius = 0.2;
+};
+
+/// What metrics read: samples in time order, one robot at most.
+struct Recording {
+  bool hasRobot = false;
+  double robotStartTime = 0.0;     // it sets off then [s]
+  double robotMaxSpeed = 1.0;      // v_max [m/s]
+  std::vector<Goal> goals;         // of the robot
+  sim2d::OccupancyGrid map;        // empty = none
+  std::shared_ptr<Routes> routes;  // shortest ways; null = straight lines
+  std::vector<Sample> samples;
+  std::vector<std::pair<double, sim2d::Event>> events;  // time [s], all events of the run
+
+  std::size_t size() const { return samples.size(); }
+  double duration() const;                    // T [s]; 0 without samples
+  double interval(std::size_t sample) const;  // dt_i to the next sample; 0 at the last
+};
+
+/// Turns frames into samples: radii and behaviours from the header, obstacle points from its
+/// outlines by the function that the world uses.
+class RecordingBuilder {
+ public:
+  /// The robot with this id, by default the first; no such robot: people only.
+  explicit RecordingBuilder(const sim2d::TraceHeader& header, int robotId = -1);
+  /// People that arrived after the header was made.
+  void addHumans(const std::vector<sim2d::TraceHuman>& humans);
+  Recording emptyRecording() const;
+  Sample sampleOf(const sim2d::Frame& frame);
+
+ private:
+  struct Door {
+    int part = 0;  // in all_ or drawn_
+    int drawnPart = 0;
+    bool openAtStart = false;
+    std::vector<double> toggles;
+  };
+  void setDoors(double time);
+  void addObstaclePoints(Body& body);
+
+  int robotId_;
+  sim2d::TraceHeader header_;  // without people
+  std::map<int, sim2d::TraceHuman> humans_;
+  sim2d::Obstacles all_, drawn_;
+  bool hasDrawn_ = false;
+  std::vector<Door> doors_;
+  std::vector<sim2d::Obstacles::Point> buffer_;
+};
+
+Recording recordingOf(const sim2d::Trace& trace, int robotId = -1);
+
+/// The part that a window selects; the events stay.
+struct Window {
+  std::string from = "begin";  // begin | goal | motion | time T | event KIND
+  std::string until = "end";   // end | arrival | time T | event KIND
+  double frequency = 0.0;      // [Hz], 0 = every sample
+};
+/// Says what is wrong with the texts of a window; empty = nothing.
+std::string windowProblem(const Window& window);
+Recording cut(const Recording& recording, const Window& window);
+/// Only people of one behaviour type.
+Recording withBehavior(const Recording& recording, int behavior);
+
+// Geometry that most metrics share.
+double distance(const Body& a, const Body& b);
+double gap(const Body& a, const Body& b);  // surface to surface, < 0 when they overlap
+std::optional<double> closestGap(const Sample& sample);  // clamped at 0; none without people
+const Person* findPerson(const Sample& sample, int id);
+
+}  // namespace metrics

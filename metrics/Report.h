@@ -1,0 +1,82 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "metrics/MetricRegistry.h"
+#include "sim2d/base/Result.h"
+
+namespace metrics {
+
+/// Which metrics of which part of a record, and under which name.
+struct Selection {
+  /// Nothing: all metrics. Else the keys of HuNavSim that are off and ours that are on.
+  struct Keys {
+    std::set<std::string> off;  // of HuNavSim's
+    std::set<std::string> on;   // of ours
+  };
+  std::optional<Keys> keys;
+  Window window;
+  std::string tag = "exp_1";
+  int runId = 0;
+  int robotId = -1;
+
+  bool selects(const MetricInfo& info) const;
+};
+
+/// Exactly these keys; an unknown one is an error with the nearest known.
+base::Result<Selection> selectionOfKeys(const std::vector<std::string>& keys,
+                                        const MetricRegistry& registry = standardRegistry());
+
+/// metrics.yaml of HuNavSim (28 or 33 keys, both layouts) with our keys in the same map. A key of
+/// HuNavSim that is missing is on, one of ours is on only when listed. `result_file` and
+/// `use_sim_time` are carried along.
+struct MetricsFile {
+  Selection selection;
+  std::string resultFile = "metrics";
+  bool useSimTime = true;
+};
+base::Result<MetricsFile> parseMetricsFile(const std::string& text, const std::string& name,
+                                           const MetricRegistry& registry = standardRegistry());
+base::Result<MetricsFile> readMetricsFile(const std::string& path,
+                                          const MetricRegistry& registry = standardRegistry());
+std::string writeMetricsFile(const MetricsFile& file,
+                             const MetricRegistry& registry = standardRegistry());
+
+struct MetricResult {
+  MetricInfo info;
+  MetricValue value;
+};
+
+/// The metrics among people of one behaviour type.
+struct BehaviorEvaluation {
+  int behavior = 1;            // 1..6
+  std::vector<double> active;  // 0/1 per sample
+  std::vector<MetricResult> results;
+};
+
+struct Evaluation {
+  MetricParameters parameters;
+  std::string tag = "exp_1";
+  int runId = 0;
+  std::vector<double> times;  // [s] from the first sample
+  std::vector<MetricResult> results;
+  std::vector<BehaviorEvaluation> behaviors;  // of the types present
+
+  const MetricResult* find(std::string_view key) const;
+};
+
+/// Error when the record or the window holds no sample.
+base::Result<Evaluation> evaluate(const sim2d::Trace& trace, const Selection& selection,
+                                  const MetricParameters& parameters);
+base::Result<Evaluation> evaluate(const Recording& recording, const Selection& selection,
+                                  const MetricParameters& parameters,
+                                  const MetricRegistry& registry = standardRegistry());
+/// The selected metrics of a recording as it is.
+std::vector<MetricResult> computeMetrics(const Recording& recording, const Selection& selection,
+                                         const MetricParameters& parameters,
+                                         const MetricRegistry& registry);
+
+}  // namespace metrics

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "metrics/Report.h"
+
+/// An evaluation as text. Equal evaluations give equal bytes.
+namespace metrics {
+
+std::string toJson(const Evaluation& evaluation);  // metrics.json
+
+/// experiment_tag, run_id and one column per metric; header line and one row.
+std::string metricsCsv(const Evaluation& evaluation);
+/// time_stamps and one column per series; one row per sample.
+std::string stepsCsv(const Evaluation& evaluation);
+
+/// A number as the evaluator writes it: "4.0", "0.30000000000000004", "1e-07"; counts plain,
+/// booleans True and False, infinity "inf", undefined "".
+std::string evaluatorNumber(double value, Kind kind);
+std::string evaluatorCell(const MetricValue& value);
+
+/// Name, value and unit of each metric in columns; undefined ones with the reason.
+std::string tableText(const Evaluation& evaluation);
+
+enum class Layout { Hunav2, Hunav1 };  // comma-separated .csv; tab-separated .txt without run id
+/// The evaluator's own files beside each other: `<base>` (a row appended),
+/// `<base>_steps_<tag>_<run>` and those of each behaviour type. A file with other columns is left
+/// alone and `<base>_2` taken. Returns the files written.
+base::Result<std::vector<std::string>> writeEvaluatorFiles(const Evaluation& evaluation,
+                                                           const std::string& base, Layout layout);
+
+}  // namespace metrics
