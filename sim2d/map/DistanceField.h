@@ -16,9 +16,10 @@ class DistanceField {
                 const std::vector<Vec2>& bounds = {});
 
   const OccupancyGrid& grid() const { return grid_; }  // wall = map wall or obstacle
-  double distanceAt(Cell cell) const;                  // outside the grid: to the nearest wall, unbounded if none
-  double distanceAt(const Vec2& point) const;          // bilinear
-  Vec2 gradientAt(const Vec2& point) const;            // unit vector away from the nearest wall; zero where flat
+  double distanceAt(Cell cell) const;  // outside the grid: to the nearest wall, unbounded if none
+  double distanceAt(const Vec2& point) const;  // bilinear
+  Vec2 gradientAt(
+      const Vec2& point) const;  // unit vector away from the nearest wall; zero where flat
 
  private:
   OccupancyGrid grid_;

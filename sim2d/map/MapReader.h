@@ -14,8 +14,8 @@ namespace sim2d {
 struct MapImage {
   int width = 0, height = 0;
   bool hasAlpha = false;
-  int maximum = 255;                    // 255 or 65535
-  std::vector<std::uint16_t> rgba;      // 4 values per pixel
+  int maximum = 255;                // 255 or 65535
+  std::vector<std::uint16_t> rgba;  // 4 values per pixel
 };
 /// Reads what the reader itself does not (all but PGM): PNG, BMP …
 using ImageLoader = std::function<base::Result<MapImage>(const std::string& path)>;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim2d/map/Outlines.h"
+#include "sim2d/map/SegmentGrid.h"
 
 namespace sim2d {
 
@@ -30,31 +31,64 @@ class Obstacles {
     bool inside = false;    // the position is inside the obstacle: the force points to the point
     int part = -1;
   };
+  /// A point of one outline that another obstacle covers is no boundary and left out.
   void boundaryPoints(const Vec2& position, std::vector<Point>& points, double range = 5.0) const;
-  /// Rule "rays": the hits of 90 rays, 4 degrees apart from +x, up to 4 m.
+  /// Rule "rays": the hits of 90 rays, 4 degrees apart from +x, up to 4 m. Appends in that order;
+  /// from inside an obstacle the rays meet its border and the points are marked.
   void rayPoints(const Vec2& position, std::vector<Point>& points) const;
 
+  /// The nearest point of any boundary within `range`, covered ones as well.
+  std::optional<Point> nearestPoint(const Vec2& position, double range) const;
   /// Distance to the nearest boundary [m], negative inside, `limit` when nothing is nearer.
   double clearance(const Vec2& position, double limit = 5.0) const;
   bool isInside(const Vec2& position) const;
   /// Nothing solid between the points: line of sight, way of sound.
   bool isVisible(const Vec2& from, const Vec2& to) const;
-  /// Distance along the unit vector to the first hit, `range` if there is none.
+  /// Distance along the unit vector to the first hit, `range` if there is none, 0 inside.
   double raycast(const Vec2& from, const Vec2& direction, double range) const;
 
  private:
-  struct Segment {
-    Vec2 a = Vec2::Zero(), b = Vec2::Zero();
-    int part = 0, outline = 0, previous = 0, next = 0;
+  struct Edge {  // beside the segment of the same number
+    int part = 0;
+    int previous = 0, next = 0;  // edges of the same outline
   };
+  struct Winding {  // how often a part's outlines run round the centre of a bucket
+    int part = 0;
+    int count = 0;
+  };
+  struct Crossing {      // of an edge with the line through the centres of a row of buckets
+    int lastColumn = 0;  // whose centre lies to the left of the edge
+    int part = 0;
+    int sense = 0;  // 1: the edge rises, -1: it falls
+  };
+  struct Hit {
+    double distance = 0.0;  // [m]
+    int edge = -1;          // none
+  };
+
+  bool isOn(int edge) const;
+  void addOutline(const Outline& outline, int part);
+  void countWindings();
+  void countWindingsOfRow(int row);
+  std::vector<Crossing> crossingsOfRow(int row) const;
+  int windingAt(const Vec2& point, SegmentGrid::Bucket bucket, const Winding& atCentre) const;
+  int solidPartAt(const Vec2& point) const;  // -1: free
+  Point nearestWayOut(const Vec2& position) const;
+  void addFoot(int edge, const Vec2& position, double range, std::vector<Point>& points) const;
+  void addCorner(int edge, const Vec2& position, double range, std::vector<Point>& points) const;
+  bool isExposed(const Vec2& place, int edge, int other) const;
+  void improveWayOut(int edge, const Vec2& position, Point& best) const;
+  Hit firstHit(const Vec2& from, const Vec2& direction, double range) const;
+
   std::vector<std::vector<Outline>> parts_;
   std::vector<char> enabled_;
+  std::vector<int> background_;  // of each part: winding far away, 1 where all around is solid
   std::vector<Segment> segments_;
-  // uniform grid over the segments
-  Vec2 gridOrigin_ = Vec2::Zero();
-  double gridCell_ = 1.0;
-  int gridWidth_ = 0, gridHeight_ = 0;
-  std::vector<int> gridStart_, gridItems_;
+  std::vector<Edge> edges_;
+  SegmentGrid index_;
+  std::vector<int> windingStart_;  // by bucket
+  std::vector<Winding> windings_;
+  std::vector<Vec2> rays_;
 };
 
 }  // namespace sim2d

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -43,8 +44,11 @@ class OccupancyGrid {
   bool isWall(Cell cell) const { return valueAt(cell) > 50; }
   bool isUnknown(Cell cell) const { return valueAt(cell) < 0; }
 
-  Cell worldToCell(const Vec2& point) const;  // floor; may lie outside
-  Vec2 cellToWorld(Cell cell) const;          // centre
+  std::size_t indexOf(Cell cell) const;  // into cells(); the cell must lie inside
+
+  Cell worldToCell(const Vec2& point) const;    // floor; may lie outside; NaN: (-1, -1)
+  Vec2 worldToCorner(const Vec2& point) const;  // the same without floor: inverse of cornerToWorld
+  Vec2 cellToWorld(Cell cell) const;            // centre
   Vec2 cornerToWorld(double column, double row) const;  // cell coordinates -> world
 
   friend bool operator==(const OccupancyGrid& a, const OccupancyGrid& b);
@@ -54,6 +58,7 @@ class OccupancyGrid {
   int height_ = 0;
   double resolution_ = 0.05;  // [m]
   Pose2 origin_;
+  Vec2 axis_ = Vec2::UnitX();  // direction of growing columns
   std::vector<std::int8_t> cells_;
 };
 

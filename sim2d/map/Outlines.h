@@ -25,8 +25,8 @@ Outline polygonOutline(std::vector<Vec2> points);  // turned counter-clockwise i
 /// A polyline with a thickness, as a union of simple outlines.
 std::vector<Outline> wallOutlines(const std::vector<Vec2>& line, double thickness);
 
-double signedArea(const std::vector<Vec2>& polygon);                     // > 0: counter-clockwise
+double signedArea(const std::vector<Vec2>& polygon);  // > 0: counter-clockwise
 bool isInside(const std::vector<Vec2>& polygon, const Vec2& point);
-bool isSimple(const std::vector<Vec2>& polygon);                         // no edge crosses another
+bool isSimple(const std::vector<Vec2>& polygon);  // no edge crosses another
 
 }  // namespace sim2d

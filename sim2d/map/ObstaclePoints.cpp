@@ -1,0 +1,174 @@
+// Rules by which obstacles act on bodies: the two queries of Obstacles that yield points.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim2d/map/Obstacles.h"
+
+namespace sim2d {
+
+namespace {
+
+constexpr double kSlack = 1e-9;         // [m] rounding where an edge is cut into pieces
+constexpr double kMergeDistance = 0.3;  // [m]
+constexpr double kRayRange = 4.0;       // [m]
+
+bool isNearer(const Obstacles::Point& a, const Obstacles::Point& b) {
+  // Steps of a nanometre: feet of equal distance stay in one order however their outline is cut.
+  const auto rank = [](const Obstacles::Point& point) {
+    return std::llround(point.distance * 1e9);
+  };
+  if (rank(a) != rank(b)) {
+    return rank(a) < rank(b);
+  }
+  return a.position.x() != b.position.x() ? a.position.x() < b.position.x()
+                                          : a.position.y() < b.position.y();
+}
+
+/// Sorts the points from `first` on and drops those near a nearer one.
+void keepNearest(std::vector<Obstacles::Point>& points, std::size_t first) {
+  const auto begin = points.begin() + static_cast<std::ptrdiff_t>(first);
+  std::sort(begin, points.end(), isNearer);
+  auto kept = begin;
+  for (auto it = begin; it != points.end(); ++it) {
+    const bool alone = std::none_of(begin, kept, [&](const Obstacles::Point& other) {
+      return (other.position - it->position).squaredNorm() < kMergeDistance * kMergeDistance;
+    });
+    if (alone) {
+      *kept++ = *it;
+    }
+  }
+  points.erase(kept, points.end());
+}
+
+}  // namespace
+
+void Obstacles::boundaryPoints(const Vec2& position, std::vector<Point>& points,
+                               double range) const {
+  if (isInside(position)) {
+    points.push_back(nearestWayOut(position));
+    return;
+  }
+  const std::size_t first = points.size();
+  const Vec2 reach = Vec2::Constant(range);
+  index_.visitBox(position - reach, position + reach, [&](int edge) {
+    if (isOn(edge)) {
+      addFoot(edge, position, range, points);
+      addCorner(edge, position, range, points);
+    }
+  });
+  keepNearest(points, first);
+}
+
+/// The foot of the perpendicular on an edge is a local minimum; edges face to their right.
+void Obstacles::addFoot(int edge, const Vec2& position, double range,
+                        std::vector<Point>& points) const {
+  const Segment& segment = segments_[static_cast<std::size_t>(edge)];
+  const Vec2 along = segment.b - segment.a;
+  const double length = along.norm();
+  const Vec2 offset = position - segment.a;
+  const double foot = offset.dot(along) / length;
+  const double height = -base::cross(along, offset) / length;
+  if (foot <= 0.0 || foot >= length || height < -kSlack || height >= range) {
+    return;
+  }
+  const Vec2 place = segment.a + foot / length * along;
+  if (isExposed(place, edge, edge)) {
+    points.push_back(
+        {place, (position - place).norm(), false, edges_[static_cast<std::size_t>(edge)].part});
+  }
+}
+
+/// The first corner of an edge is a local minimum when the position lies ahead of neither of the
+/// two edges that leave it.
+void Obstacles::addCorner(int edge, const Vec2& position, double range,
+                          std::vector<Point>& points) const {
+  const Segment& segment = segments_[static_cast<std::size_t>(edge)];
+  const Vec2 offset = position - segment.a;
+  const double distance = offset.norm();
+  if (distance >= range) {
+    return;
+  }
+  const Edge& info = edges_[static_cast<std::size_t>(edge)];
+  const Vec2 out = (segment.b - segment.a).normalized();
+  const Vec2 in = (segment.a - segments_[static_cast<std::size_t>(info.previous)].a).normalized();
+  const bool isMinimum = offset.dot(out) <= kSlack && offset.dot(in) >= -kSlack;
+  const bool faces = base::cross(out, offset) <= kSlack || base::cross(in, offset) <= kSlack;
+  if (isMinimum && faces && isExposed(segment.a, info.previous, edge)) {
+    points.push_back({segment.a, distance, false, info.part});
+  }
+}
+
+/// Whether free space begins at a point of two edges (or twice the same), on their right: no other
+/// obstacle covers it.
+bool Obstacles::isExposed(const Vec2& place, int edge, int other) const {
+  constexpr double kStep = 1e-6;  // [m]
+  const auto rightOf = [&](int number) {
+    const Segment& segment = segments_[static_cast<std::size_t>(number)];
+    const Vec2 along = (segment.b - segment.a).normalized();
+    return Vec2(along.y(), -along.x());
+  };
+  const Vec2 outward = rightOf(edge) + rightOf(other);
+  const double length = outward.norm();
+  return length <= kSlack || !isInside(place + kStep / length * outward);
+}
+
+/// The nearest exposed point of an edge: the point itself, or where other edges cross it.
+void Obstacles::improveWayOut(int edge, const Vec2& position, Point& best) const {
+  const Segment& segment = segments_[static_cast<std::size_t>(edge)];
+  const Edge& info = edges_[static_cast<std::size_t>(edge)];
+  const Vec2 nearest = closestOnSegment(segment, position);
+  if ((nearest - position).norm() >= best.distance) {
+    return;
+  }
+  const auto offer = [&](const Vec2& place, int other) {
+    const double distance = (place - position).norm();
+    if (distance < best.distance && isExposed(place, edge, other)) {
+      best = {place, distance, true, info.part};
+    }
+  };
+  offer(nearest, nearest == segment.a ? info.previous : (nearest == segment.b ? info.next : edge));
+  if (best.position == nearest) {
+    return;
+  }
+  const double length = (segment.b - segment.a).norm();
+  const Vec2 along = (segment.b - segment.a) / length;
+  index_.visitAlong(segment, [&](int other) {
+    if (other == edge || !isOn(other)) {
+      return;
+    }
+    const std::optional<double> crossing =
+        raySegmentHit(segment.a, along, segments_[static_cast<std::size_t>(other)]);
+    if (crossing && *crossing <= length) {
+      offer(segment.a + *crossing * along, other);
+    }
+  });
+}
+
+Obstacles::Point Obstacles::nearestWayOut(const Vec2& position) const {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Point best{position, kFar, true, -1};
+  index_.visitNear(position, best.distance, [&](int edge) {
+    if (isOn(edge)) {
+      improveWayOut(edge, position, best);
+    }
+  });
+  if (best.part < 0) {  // covered on all sides
+    best = nearestPoint(position, kFar).value_or(Point{position, 0.0, true, -1});
+    best.inside = true;
+  }
+  return best;
+}
+
+void Obstacles::rayPoints(const Vec2& position, std::vector<Point>& points) const {
+  const bool inside = isInside(position);
+  for (const Vec2& direction : rays_) {
+    const Hit hit = firstHit(position, direction, kRayRange);
+    if (hit.edge >= 0) {
+      points.push_back({position + hit.distance * direction, hit.distance, inside,
+                        edges_[static_cast<std::size_t>(hit.edge)].part});
+    }
+  }
+}
+
+}  // namespace sim2d

@@ -1,0 +1,279 @@
+#include "sim2d/map/Obstacles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "sim2d/base/Math.h"
+
+namespace sim2d {
+
+namespace {
+
+constexpr double kBucketSize = 1.0;  // [m]
+
+/// The segment is crossed by the horizontal line of `y`, seen from its lower end (half open, so a
+/// line through a corner meets one of the two edges).
+bool straddles(double low, double high, double at) {
+  return (low <= at) != (high <= at);
+}
+
+bool isLeftOf(const Segment& segment, const Vec2& point) {
+  return base::cross(segment.b - segment.a, point - segment.a) > 0.0;
+}
+
+/// The point lies towards -x of a segment that rises or falls.
+bool isWestOf(const Segment& segment, const Vec2& point) {
+  return isLeftOf(segment, point) == (segment.b.y() > segment.a.y());
+}
+
+}  // namespace
+
+int Obstacles::add(std::vector<Outline> outlines, bool enabled) {
+  double area = 0.0;
+  for (const Outline& outline : outlines) {
+    area += signedArea(outline.points);
+  }
+  parts_.push_back(std::move(outlines));
+  enabled_.push_back(enabled ? 1 : 0);
+  background_.push_back(area < 0.0 ? 1 : 0);
+  return partCount() - 1;
+}
+
+void Obstacles::build() {
+  segments_.clear();
+  edges_.clear();
+  for (int part = 0; part < partCount(); ++part) {
+    for (const Outline& outline : outlines(part)) {
+      addOutline(outline, part);
+    }
+  }
+  index_.build(segments_, kBucketSize);
+  countWindings();
+  rays_.clear();
+  for (int degrees = 0; degrees < 360; degrees += 4) {
+    const double angle = degrees * base::kPi / 180.0;
+    rays_.emplace_back(base::cos(angle), base::sin(angle));
+  }
+}
+
+void Obstacles::addOutline(const Outline& outline, int part) {
+  std::vector<Vec2> points;
+  for (const Vec2& point : outline.points) {
+    if (points.empty() || (point - points.back()).norm() > 1e-9) {
+      points.push_back(point);
+    }
+  }
+  while (points.size() > 1 && (points.front() - points.back()).norm() <= 1e-9) {
+    points.pop_back();
+  }
+  if (points.size() < 2) {
+    return;
+  }
+  const int first = static_cast<int>(edges_.size());
+  const int count = static_cast<int>(points.size());
+  for (int i = 0; i < count; ++i) {
+    const auto next = static_cast<std::size_t>((i + 1) % count);
+    segments_.push_back({points[static_cast<std::size_t>(i)], points[next]});
+    edges_.push_back({part, first + (i + count - 1) % count, first + (i + 1) % count});
+  }
+}
+
+void Obstacles::setEnabled(int part, bool enabled) {
+  enabled_.at(static_cast<std::size_t>(part)) = enabled ? 1 : 0;
+}
+
+bool Obstacles::isEnabled(int part) const {
+  return enabled_.at(static_cast<std::size_t>(part)) != 0;
+}
+
+int Obstacles::partCount() const {
+  return static_cast<int>(parts_.size());
+}
+
+const std::vector<Outline>& Obstacles::outlines(int part) const {
+  return parts_.at(static_cast<std::size_t>(part));
+}
+
+bool Obstacles::isOn(int edge) const {
+  const int part = edges_[static_cast<std::size_t>(edge)].part;
+  return enabled_[static_cast<std::size_t>(part)] != 0;
+}
+
+/// Windings round the centres of the buckets, from which those of any point follow by the few
+/// edges in its bucket.
+void Obstacles::countWindings() {
+  windings_.clear();
+  windingStart_.assign(1, 0);
+  for (int row = 0; row < index_.height(); ++row) {
+    countWindingsOfRow(row);
+  }
+}
+
+/// The edges met by the line through the centres of a row, with the last column whose centre lies
+/// to the left of the edge.
+std::vector<Obstacles::Crossing> Obstacles::crossingsOfRow(int row) const {
+  std::vector<int> edges;
+  for (int column = 0; column < index_.width(); ++column) {
+    const SegmentGrid::Items items = index_.items({column, row});
+    edges.insert(edges.end(), items.begin(), items.end());
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  const double y = index_.centreOf({0, row}).y();
+  std::vector<Crossing> crossings;
+  for (const int edge : edges) {
+    const Segment& segment = segments_[static_cast<std::size_t>(edge)];
+    if (!straddles(segment.a.y(), segment.b.y(), y)) {
+      continue;
+    }
+    const double t = (y - segment.a.y()) / (segment.b.y() - segment.a.y());
+    const double x = segment.a.x() + t * (segment.b.x() - segment.a.x());
+    int column = std::clamp(index_.bucketAt({x, y}).column + 1, 0, index_.width() - 1);
+    while (column >= 0 && !isWestOf(segment, index_.centreOf({column, row}))) {
+      --column;
+    }
+    const int sense = segment.b.y() > segment.a.y() ? 1 : -1;
+    crossings.push_back({column, edges_[static_cast<std::size_t>(edge)].part, sense});
+  }
+  std::sort(crossings.begin(), crossings.end(),
+            [](const Crossing& a, const Crossing& b) { return a.lastColumn < b.lastColumn; });
+  return crossings;
+}
+
+/// From the left: what lies to the right of a centre is all less what has been passed.
+void Obstacles::countWindingsOfRow(int row) {
+  const std::vector<Crossing> crossings = crossingsOfRow(row);
+  std::vector<int> counts = background_;
+  for (const Crossing& crossing : crossings) {
+    counts[static_cast<std::size_t>(crossing.part)] += crossing.sense;
+  }
+  std::vector<char> isNear(parts_.size(), 0);
+  std::size_t passed = 0;
+  for (int column = 0; column < index_.width(); ++column) {
+    for (; passed < crossings.size() && crossings[passed].lastColumn < column; ++passed) {
+      counts[static_cast<std::size_t>(crossings[passed].part)] -= crossings[passed].sense;
+    }
+    std::fill(isNear.begin(), isNear.end(), char{0});
+    for (const int edge : index_.items({column, row})) {
+      isNear[static_cast<std::size_t>(edges_[static_cast<std::size_t>(edge)].part)] = 1;
+    }
+    for (std::size_t part = 0; part < parts_.size(); ++part) {
+      if (counts[part] != 0 || isNear[part] != 0) {
+        windings_.push_back({static_cast<int>(part), counts[part]});
+      }
+    }
+    windingStart_.push_back(static_cast<int>(windings_.size()));
+  }
+}
+
+/// Walks from the bucket's centre along x, then along y, and counts the edges crossed.
+int Obstacles::windingAt(const Vec2& point, SegmentGrid::Bucket bucket,
+                         const Winding& atCentre) const {
+  const Vec2 centre = index_.centreOf(bucket);
+  const Vec2 corner(point.x(), centre.y());
+  int count = atCentre.count;
+  for (const int edge : index_.items(bucket)) {
+    if (edges_[static_cast<std::size_t>(edge)].part != atCentre.part) {
+      continue;
+    }
+    const Segment& segment = segments_[static_cast<std::size_t>(edge)];
+    const auto isLeft = [&](const Vec2& place) { return isLeftOf(segment, place) ? 1 : 0; };
+    if (straddles(segment.a.y(), segment.b.y(), centre.y())) {
+      count += isLeft(corner) - isLeft(centre);
+    }
+    if (straddles(segment.a.x(), segment.b.x(), point.x())) {
+      count += isLeft(point) - isLeft(corner);
+    }
+  }
+  return count;
+}
+
+int Obstacles::solidPartAt(const Vec2& point) const {
+  const SegmentGrid::Bucket bucket =
+      index_.isEmpty() ? SegmentGrid::Bucket{} : index_.bucketAt(point);
+  if (index_.isEmpty() || !index_.contains(bucket)) {
+    for (int part = 0; part < partCount(); ++part) {
+      if (isEnabled(part) && background_[static_cast<std::size_t>(part)] != 0) {
+        return part;
+      }
+    }
+    return -1;
+  }
+  const auto index = static_cast<std::size_t>(index_.indexOf(bucket));
+  for (int i = windingStart_[index]; i < windingStart_[index + 1]; ++i) {
+    const Winding& winding = windings_[static_cast<std::size_t>(i)];
+    if (isEnabled(winding.part) && windingAt(point, bucket, winding) > 0) {
+      return winding.part;
+    }
+  }
+  return -1;
+}
+
+std::optional<Obstacles::Point> Obstacles::nearestPoint(const Vec2& position, double range) const {
+  Point best;
+  best.distance = range;
+  index_.visitNear(position, best.distance, [&](int edge) {
+    if (!isOn(edge)) {
+      return;
+    }
+    const Vec2 place = closestOnSegment(segments_[static_cast<std::size_t>(edge)], position);
+    const double distance = (place - position).norm();
+    if (distance < best.distance || (best.part < 0 && distance <= range)) {
+      best.position = place;
+      best.distance = distance;
+      best.part = edges_[static_cast<std::size_t>(edge)].part;
+    }
+  });
+  if (best.part < 0) {
+    return std::nullopt;
+  }
+  best.inside = isInside(position);
+  return best;
+}
+
+double Obstacles::clearance(const Vec2& position, double limit) const {
+  const std::optional<Point> nearest = nearestPoint(position, limit);
+  if (!nearest) {
+    return isInside(position) ? -limit : limit;
+  }
+  return nearest->inside ? -nearest->distance : nearest->distance;
+}
+
+bool Obstacles::isInside(const Vec2& position) const {
+  return solidPartAt(position) >= 0;
+}
+
+Obstacles::Hit Obstacles::firstHit(const Vec2& from, const Vec2& direction, double range) const {
+  Hit best;
+  best.distance = range;
+  index_.visitRay(from, direction, range, [&](SegmentGrid::Items items, double end) {
+    for (const int edge : items) {
+      if (!isOn(edge)) {
+        continue;
+      }
+      const std::optional<double> hit =
+          raySegmentHit(from, direction, segments_[static_cast<std::size_t>(edge)]);
+      if (hit && *hit <= best.distance && (best.edge < 0 || *hit < best.distance)) {
+        best = {*hit, edge};
+      }
+    }
+    return best.edge < 0 || best.distance > end;
+  });
+  return best;
+}
+
+bool Obstacles::isVisible(const Vec2& from, const Vec2& to) const {
+  if (isInside(from) || isInside(to)) {
+    return false;
+  }
+  const double range = (to - from).norm();
+  return range == 0.0 || firstHit(from, (to - from) / range, range).edge < 0;
+}
+
+double Obstacles::raycast(const Vec2& from, const Vec2& direction, double range) const {
+  return isInside(from) ? 0.0 : firstHit(from, direction, range).distance;
+}
+
+}  // namespace sim2d

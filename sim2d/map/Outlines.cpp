@@ -1,0 +1,196 @@
+#include "sim2d/map/Outlines.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "sim2d/base/Math.h"
+#include "sim2d/map/Segments.h"
+
+namespace sim2d {
+
+namespace {
+
+Segment edgeOf(const std::vector<Vec2>& polygon, std::size_t index) {
+  return {polygon[index], polygon[(index + 1) % polygon.size()]};
+}
+
+Outline boxAlong(const Vec2& from, const Vec2& to, double thickness, const Vec2& fallback) {
+  const double length = (to - from).norm();
+  const Vec2 along = length > 0.0 ? Vec2((to - from) / length) : fallback;
+  const Vec2 side = 0.5 * thickness * Vec2(-along.y(), along.x());
+  return {{from - side, to - side, to + side, from + side}};
+}
+
+std::vector<Vec2> withoutRepeats(const std::vector<Vec2>& line) {
+  std::vector<Vec2> points;
+  for (const Vec2& point : line) {
+    if (points.empty() || (point - points.back()).norm() > 1e-9) {
+      points.push_back(point);
+    }
+  }
+  return points;
+}
+
+/// Offset of a joint of two legs to the left by half the thickness, as a mitre; none where the
+/// mitre would grow longer than twice that.
+std::optional<Vec2> mitre(const Vec2& before, const Vec2& at, const Vec2& after, double half) {
+  const Vec2 in = (at - before).normalized();
+  const Vec2 out = (after - at).normalized();
+  const Vec2 sum(-in.y() - out.y(), in.x() + out.x());  // of the left normals
+  const double square = sum.squaredNorm();
+  if (square < 1.0) {  // |sum| = 2 cos(turn / 2); mitre length = half / cos(turn / 2)
+    return std::nullopt;
+  }
+  return Vec2(2.0 * half / square * sum);
+}
+
+/// The strip as one polygon (open line) or as outer and inner border (closed line); empty where
+/// the strip would overlap itself.
+std::vector<Outline> mitredStrip(const std::vector<Vec2>& line, bool closed, double thickness) {
+  const std::size_t count = line.size();
+  std::vector<Vec2> left;
+  std::vector<Vec2> right;
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool isEnd = !closed && (i == 0 || i + 1 == count);
+    const Vec2& before = line[isEnd ? (i == 0 ? 0 : i - 1) : (i + count - 1) % count];
+    const Vec2& after = line[isEnd ? (i == 0 ? 1 : i) : (i + 1) % count];
+    std::optional<Vec2> offset;
+    if (isEnd) {
+      const Vec2 along = (after - before).normalized();
+      offset = Vec2(0.5 * thickness * Vec2(-along.y(), along.x()));
+    } else {
+      offset = mitre(before, line[i], after, 0.5 * thickness);
+    }
+    if (!offset) {
+      return {};
+    }
+    left.push_back(line[i] + *offset);
+    right.push_back(line[i] - *offset);
+  }
+  std::reverse(left.begin(), left.end());
+  if (!closed) {
+    right.insert(right.end(), left.begin(), left.end());
+    return isSimple(right) ? std::vector<Outline>{{std::move(right)}} : std::vector<Outline>{};
+  }
+  if (!isSimple(left) || !isSimple(right) || signedArea(left) * signedArea(right) >= 0.0) {
+    return {};
+  }
+  const bool leftInside = isInside(right, left.front());
+  if (leftInside == isInside(left, right.front()) || signedArea(leftInside ? right : left) <= 0.0) {
+    return {};
+  }
+  return {{std::move(right)}, {std::move(left)}};
+}
+
+}  // namespace
+
+Outline boxOutline(const Pose2& centre, double length, double width) {
+  const double x = 0.5 * length;
+  const double y = 0.5 * width;
+  return {{centre.toWorld({-x, -y}), centre.toWorld({x, -y}), centre.toWorld({x, y}),
+           centre.toWorld({-x, y})}};
+}
+
+Outline circleOutline(const Vec2& centre, double radius, int corners) {
+  assert(corners >= 3);
+  Outline outline;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2.0 * base::kPi * i / corners;
+    outline.points.push_back(centre + radius * Vec2(base::cos(angle), base::sin(angle)));
+  }
+  return outline;
+}
+
+Outline polygonOutline(std::vector<Vec2> points) {
+  if (signedArea(points) < 0.0) {
+    std::reverse(points.begin(), points.end());
+  }
+  return {std::move(points)};
+}
+
+std::vector<Outline> wallOutlines(const std::vector<Vec2>& line, double thickness) {
+  std::vector<Vec2> points = withoutRepeats(line);
+  if (points.empty()) {
+    return {};
+  }
+  if (points.size() == 1) {
+    const Vec2 half(0.5 * thickness, 0.0);
+    return {boxAlong(points[0] - half, points[0] + half, thickness, Vec2::UnitX())};
+  }
+  const bool closed = points.size() > 3 && (points.front() - points.back()).norm() <= 1e-9;
+  if (closed) {
+    points.pop_back();
+  }
+  std::vector<Outline> outlines = mitredStrip(points, closed, thickness);
+  if (!outlines.empty()) {
+    return outlines;
+  }
+  const std::size_t legs = closed ? points.size() : points.size() - 1;
+  for (std::size_t i = 0; i < legs; ++i) {
+    const Segment leg = edgeOf(points, i);
+    const Vec2 reach = 0.5 * thickness * (leg.b - leg.a).normalized();
+    const bool first = !closed && i == 0;
+    const bool last = !closed && i + 1 == legs;
+    outlines.push_back(boxAlong(first ? leg.a : Vec2(leg.a - reach),
+                                last ? leg.b : Vec2(leg.b + reach), thickness, Vec2::UnitX()));
+  }
+  return outlines;
+}
+
+double signedArea(const std::vector<Vec2>& polygon) {
+  double twice = 0.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Segment edge = edgeOf(polygon, i);
+    twice += base::cross(edge.a - polygon[0], edge.b - polygon[0]);
+  }
+  return 0.5 * twice;
+}
+
+bool isInside(const std::vector<Vec2>& polygon, const Vec2& point) {
+  bool inside = false;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Segment edge = edgeOf(polygon, i);
+    if ((edge.a.y() > point.y()) != (edge.b.y() > point.y())) {
+      const double side = base::cross(edge.b - edge.a, point - edge.a);
+      if ((side > 0.0) == (edge.b.y() > edge.a.y())) {
+        inside = !inside;
+      }
+    }
+  }
+  return inside;
+}
+
+bool isSimple(const std::vector<Vec2>& polygon) {
+  const std::size_t count = polygon.size();
+  if (count < 3) {
+    return false;
+  }
+  const auto lowX = [&](std::size_t i) {
+    return std::min(polygon[i].x(), polygon[(i + 1) % count].x());
+  };
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t i, std::size_t j) { return lowX(i) < lowX(j); });
+  for (std::size_t n = 0; n < count; ++n) {
+    const std::size_t i = order[n];
+    const Segment first = edgeOf(polygon, i);
+    if (isSpike(first, edgeOf(polygon, (i + 1) % count))) {
+      return false;
+    }
+    const double highX = std::max(first.a.x(), first.b.x());
+    for (std::size_t m = n + 1; m < count && lowX(order[m]) <= highX; ++m) {
+      const std::size_t j = order[m];
+      const bool neighbours = (i + 1) % count == j || (j + 1) % count == i;
+      if (!neighbours && segmentsTouch(first, edgeOf(polygon, j))) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace sim2d

@@ -1,0 +1,160 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "sim2d/map/Segments.h"
+
+namespace sim2d {
+
+/// Uniform grid of square buckets over segments: which segments are near a place. A segment is
+/// listed in every bucket it comes closer to than a micrometre. Visits may name a segment more than
+/// once. Immutable after build; safe to share between threads.
+class SegmentGrid {
+ public:
+  struct Bucket {
+    int column = 0, row = 0;
+  };
+  struct Items {
+    const int* first = nullptr;
+    const int* last = nullptr;
+    const int* begin() const { return first; }
+    const int* end() const { return last; }
+  };
+
+  /// `bucketSize` is what one would like; buckets grow when there would be more than a million.
+  void build(const std::vector<Segment>& segments, double bucketSize);
+
+  bool isEmpty() const { return width_ == 0; }
+  int width() const { return width_; }
+  int height() const { return height_; }
+  double bucketSize() const { return size_; }
+  bool contains(Bucket bucket) const;
+  Bucket bucketAt(const Vec2& point) const;  // may lie outside
+  Vec2 centreOf(Bucket bucket) const;
+  int indexOf(Bucket bucket) const { return bucket.row * width_ + bucket.column; }
+  Items items(Bucket bucket) const;
+
+  /// visit(int segment) for all buckets that touch the box.
+  template <class Visit>
+  void visitBox(const Vec2& low, const Vec2& high, Visit visit) const;
+
+  /// visit(int segment) for all buckets that the segment comes near.
+  template <class Visit>
+  void visitAlong(const Segment& segment, Visit visit) const;
+
+  /// visit(int segment) in rings of buckets around the point, as long as a ring can hold anything
+  /// nearer than `limit`, which the visitor may lower.
+  template <class Visit>
+  void visitNear(const Vec2& point, const double& limit, Visit visit) const;
+
+  /// visit(Items, double end) for the buckets along a ray in order; `end` = distance at which the
+  /// ray leaves the bucket. Returning false ends the walk.
+  template <class Visit>
+  void visitRay(const Vec2& from, const Vec2& direction, double range, Visit visit) const;
+
+ private:
+  struct Walk {  // state of a ray in the buckets
+    Bucket bucket, step;
+    Vec2 next = Vec2::Zero(), delta = Vec2::Zero();  // distance to the next border; between borders
+  };
+  struct Span {
+    int first = 0, last = -1;
+  };
+  Span columnsIn(int row, const Segment& segment) const;
+  Span rowsOf(const Segment& segment) const;
+  bool clip(const Vec2& from, const Vec2& direction, double& begin, double& end) const;
+  Walk startWalk(const Vec2& from, const Vec2& direction, double begin) const;
+
+  template <class Visit>
+  void visitBuckets(Bucket low, Bucket high, Visit& visit) const;
+
+  Vec2 origin_ = Vec2::Zero();
+  double size_ = 1.0;
+  int width_ = 0, height_ = 0;
+  std::vector<int> start_, items_;
+};
+
+template <class Visit>
+void SegmentGrid::visitBuckets(Bucket low, Bucket high, Visit& visit) const {
+  const int lastRow = std::min(high.row, height_ - 1);
+  const int lastColumn = std::min(high.column, width_ - 1);
+  for (int row = std::max(low.row, 0); row <= lastRow; ++row) {
+    for (int column = std::max(low.column, 0); column <= lastColumn; ++column) {
+      for (const int item : items({column, row})) {
+        visit(item);
+      }
+    }
+  }
+}
+
+template <class Visit>
+void SegmentGrid::visitBox(const Vec2& low, const Vec2& high, Visit visit) const {
+  if (!isEmpty()) {
+    visitBuckets(bucketAt(low), bucketAt(high), visit);
+  }
+}
+
+template <class Visit>
+void SegmentGrid::visitAlong(const Segment& segment, Visit visit) const {
+  if (isEmpty()) {
+    return;
+  }
+  const Span rows = rowsOf(segment);
+  for (int row = rows.first; row <= rows.last; ++row) {
+    const Span columns = columnsIn(row, segment);
+    visitBuckets({columns.first, row}, {columns.last, row}, visit);
+  }
+}
+
+template <class Visit>
+void SegmentGrid::visitNear(const Vec2& point, const double& limit, Visit visit) const {
+  if (isEmpty()) {
+    return;
+  }
+  const auto [column, row] = bucketAt(point);
+  const int beside = std::max({0, -column, column - width_ + 1});
+  const int above = std::max({0, -row, row - height_ + 1});
+  const int last = std::max({column, row, width_ - 1 - column, height_ - 1 - row, 0});
+  for (int ring = std::max(beside, above); ring <= last; ++ring) {
+    if ((ring - 1) * size_ > limit) {
+      return;
+    }
+    visitBuckets({column - ring, row - ring}, {column + ring, row - ring}, visit);
+    if (ring > 0) {
+      visitBuckets({column - ring, row + ring}, {column + ring, row + ring}, visit);
+      visitBuckets({column - ring, row - ring + 1}, {column - ring, row + ring - 1}, visit);
+      visitBuckets({column + ring, row - ring + 1}, {column + ring, row + ring - 1}, visit);
+    }
+  }
+}
+
+template <class Visit>
+void SegmentGrid::visitRay(const Vec2& from, const Vec2& direction, double range,
+                           Visit visit) const {
+  double begin = 0.0;
+  double end = range;
+  if (isEmpty() || !clip(from, direction, begin, end)) {
+    return;
+  }
+  Walk walk = startWalk(from, direction, begin);
+  double reached = begin;
+  while (contains(walk.bucket) && reached <= end) {
+    const bool alongX = walk.next.x() < walk.next.y();
+    reached = alongX ? walk.next.x() : walk.next.y();
+    if (!visit(items(walk.bucket), reached)) {
+      return;
+    }
+    if (alongX) {
+      walk.bucket.column += walk.step.column;
+      walk.next.x() += walk.delta.x();
+    } else {
+      walk.bucket.row += walk.step.row;
+      walk.next.y() += walk.delta.y();
+    }
+  }
+}
+
+}  // namespace sim2d

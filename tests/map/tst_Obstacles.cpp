@@ -1,0 +1,376 @@
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <QtTest>
+
+#include "sim2d/map/Obstacles.h"
+
+using namespace sim2d;
+
+Q_DECLARE_METATYPE(base::Vec2)
+
+namespace {
+
+Obstacles obstaclesOf(const std::vector<std::vector<Outline>>& parts) {
+  Obstacles obstacles;
+  for (const auto& part : parts) {
+    obstacles.add(part);
+  }
+  obstacles.build();
+  return obstacles;
+}
+
+std::vector<Obstacles::Point> pointsAt(const Obstacles& obstacles, const Vec2& position,
+                                       double range = 5.0) {
+  std::vector<Obstacles::Point> points;
+  obstacles.boundaryPoints(position, points, range);
+  return points;
+}
+
+Outline cutFiner(const Outline& outline, std::mt19937& random) {
+  Outline finer;
+  for (std::size_t i = 0; i < outline.points.size(); ++i) {
+    const Vec2 a = outline.points[i];
+    const Vec2 b = outline.points[(i + 1) % outline.points.size()];
+    std::vector<double> cuts{0.0};
+    std::uniform_int_distribution<int> number(0, 5);
+    std::uniform_real_distribution<double> place(0.001, 0.999);
+    for (int n = number(random); n > 0; --n) {
+      cuts.push_back(place(random));
+    }
+    std::sort(cuts.begin(), cuts.end());
+    for (const double cut : cuts) {
+      finer.points.push_back(a + cut * (b - a));
+    }
+  }
+  return finer;
+}
+
+std::vector<Outline> randomShapes(std::mt19937& random, int count) {
+  std::uniform_real_distribution<double> place(-10.0, 10.0);
+  std::uniform_real_distribution<double> size(0.2, 3.0);
+  std::vector<Outline> shapes;
+  for (int i = 0; i < count; ++i) {
+    const Pose2 pose{{place(random), place(random)}, size(random)};
+    switch (i % 4) {
+      case 0:
+        shapes.push_back(boxOutline(pose, size(random), size(random)));
+        break;
+      case 1:
+        shapes.push_back(circleOutline(pose.position, size(random), 24));
+        break;
+      case 2:
+        shapes.push_back(wallOutlines(
+            {pose.position, pose.ahead(3.0), pose.ahead(3.0) + Vec2(place(random), place(random))},
+            0.2)[0]);
+        break;
+      default:  // an L
+        shapes.push_back({{pose.toWorld({0, 0}), pose.toWorld({3, 0}), pose.toWorld({3, 1}),
+                           pose.toWorld({1, 1}), pose.toWorld({1, 3}), pose.toWorld({0, 3})}});
+    }
+  }
+  return shapes;
+}
+
+bool insideAny(const std::vector<Outline>& shapes, const Vec2& point) {
+  return std::any_of(shapes.begin(), shapes.end(),
+                     [&](const Outline& shape) { return isInside(shape.points, point); });
+}
+
+template <class Visit>
+void forEachEdge(const std::vector<Outline>& shapes, Visit visit) {
+  for (const Outline& shape : shapes) {
+    for (std::size_t i = 0; i < shape.points.size(); ++i) {
+      visit(Segment{shape.points[i], shape.points[(i + 1) % shape.points.size()]});
+    }
+  }
+}
+
+}  // namespace
+
+class ObstaclesTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void boundaryPoints_box_isOne_data();
+  void boundaryPoints_box_isOne();
+  void boundaryPoints_corridor_isTwo();
+  void boundaryPoints_roomCorner_isTwoUnlessNear();
+  void boundaryPoints_thinWall_countsItsNearSide();
+  void boundaryPoints_outOfRange_isNone();
+  void boundaryPoints_inside_isNearestAlone();
+  void boundaryPoints_insideOverlap_leavesTheUnion();
+  void boundaryPoints_existing_areKept();
+  void boundaryPoints_finerCut_isTheSame();
+  void boundaryPoints_closedDoor_counts();
+  void rayPoints_box_countsHits();
+  void isInside_random_agrees();
+  void clearance_random_agrees();
+  void raycast_random_agrees();
+  void raycast_throughCorner_hits();
+  void raycast_inside_isZero();
+  void isVisible_cases();
+  void setEnabled_door_opensSight();
+  void build_degenerate_isSafe();
+  void map_room_insideIsFree();
+};
+
+void ObstaclesTest::boundaryPoints_box_isOne_data() {
+  QTest::addColumn<Vec2>("position");
+  QTest::addColumn<Vec2>("expected");
+  QTest::newRow("beside") << Vec2(3, 0.2) << Vec2(1, 0.2);
+  QTest::newRow("above") << Vec2(-0.5, 1.01) << Vec2(-0.5, 1);
+  QTest::newRow("off a corner") << Vec2(2, 2) << Vec2(1, 1);
+  QTest::newRow("level with a corner") << Vec2(3, 1) << Vec2(1, 1);
+  QTest::newRow("on the border") << Vec2(1, 0.5) << Vec2(1, 0.5);
+}
+
+void ObstaclesTest::boundaryPoints_box_isOne() {
+  QFETCH(const Vec2, position);
+  QFETCH(const Vec2, expected);
+  const auto points = pointsAt(obstaclesOf({{boxOutline({}, 2.0, 2.0)}}), position);
+  QCOMPARE(points.size(), std::size_t{1});
+  QVERIFY((points[0].position - expected).norm() < 1e-9);
+  QVERIFY(std::fabs(points[0].distance - (position - expected).norm()) < 1e-9);
+  QVERIFY(position.x() == 1.0 || !points[0].inside);
+  QCOMPARE(points[0].part, 0);
+}
+
+void ObstaclesTest::boundaryPoints_corridor_isTwo() {
+  const Obstacles corridor = obstaclesOf(
+      {wallOutlines({{-20, -1}, {20, -1}}, 0.1), wallOutlines({{-20, 1}, {20, 1}}, 0.1)});
+  const auto points = pointsAt(corridor, {3.0, 0.2});
+  QCOMPARE(points.size(), std::size_t{2});
+  QVERIFY((points[0].position - Vec2(3.0, 0.95)).norm() < 1e-9);
+  QVERIFY((points[1].position - Vec2(3.0, -0.95)).norm() < 1e-9);
+}
+
+void ObstaclesTest::boundaryPoints_roomCorner_isTwoUnlessNear() {
+  // A room: the border runs clockwise, what lies outside it is solid.
+  const Obstacles room = obstaclesOf({{{{{0, 0}, {0, 8}, {8, 8}, {8, 0}}}}});
+  const auto apart = pointsAt(room, {1.0, 2.0}, 3.0);
+  QCOMPARE(apart.size(), std::size_t{2});
+  QVERIFY((apart[0].position - Vec2(0, 2)).norm() < 1e-9);
+  QVERIFY((apart[1].position - Vec2(1, 0)).norm() < 1e-9);
+  const auto merged = pointsAt(room, {0.2, 0.21}, 3.0);
+  QCOMPARE(merged.size(), std::size_t{1});
+  QVERIFY((merged[0].position - Vec2(0, 0.21)).norm() < 1e-9);
+  QCOMPARE(pointsAt(room, {4.0, 4.0}).size(), std::size_t{4});
+  QVERIFY(room.isInside({-1.0, 4.0}));
+}
+
+void ObstaclesTest::boundaryPoints_thinWall_countsItsNearSide() {
+  const Obstacles wall = obstaclesOf({wallOutlines({{0, -5}, {0, 5}}, 0.4)});
+  const auto points = pointsAt(wall, {-1.0, 0.0});
+  QCOMPARE(points.size(), std::size_t{1});
+  QVERIFY((points[0].position - Vec2(-0.2, 0)).norm() < 1e-9);
+}
+
+void ObstaclesTest::boundaryPoints_outOfRange_isNone() {
+  const Obstacles box = obstaclesOf({{boxOutline({}, 2.0, 2.0)}});
+  QVERIFY(pointsAt(box, {6.001, 0.0}).empty());
+  QCOMPARE(pointsAt(box, {5.999, 0.0}).size(), std::size_t{1});
+  QVERIFY(pointsAt(box, {500.0, 0.0}).empty());
+}
+
+void ObstaclesTest::boundaryPoints_inside_isNearestAlone() {
+  const Obstacles boxes =
+      obstaclesOf({{boxOutline({}, 20.0, 40.0)}, {boxOutline({{11, 0}, 0}, 1, 1)}});
+  const auto points = pointsAt(boxes, {3.0, 1.0});
+  QCOMPARE(points.size(), std::size_t{1});
+  QVERIFY(points[0].inside);
+  QVERIFY((points[0].position - Vec2(10, 1)).norm() < 1e-9);
+  QCOMPARE(points[0].distance, 7.0);
+}
+
+void ObstaclesTest::boundaryPoints_insideOverlap_leavesTheUnion() {
+  const Obstacles boxes =
+      obstaclesOf({{boxOutline({}, 4.0, 4.0)}, {boxOutline({{3, 0}, 0}, 4.0, 10.0)}});
+  const auto points = pointsAt(boxes, {0.9, 0.0});  // x = 1 is covered by the first box
+  QCOMPARE(points.size(), std::size_t{1});
+  QVERIFY(points[0].inside);
+  QVERIFY(std::fabs(points[0].distance - 2.0) < 1e-9);
+}
+
+void ObstaclesTest::boundaryPoints_existing_areKept() {
+  const Obstacles box = obstaclesOf({{boxOutline({}, 2.0, 2.0)}});
+  std::vector<Obstacles::Point> points(1);
+  points[0].position = {1.0, 0.0};
+  box.boundaryPoints({2.0, 0.0}, points);
+  QCOMPARE(points.size(), std::size_t{2});
+}
+
+void ObstaclesTest::boundaryPoints_finerCut_isTheSame() {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(-12.0, 12.0);
+  for (int round = 0; round < 20; ++round) {
+    const auto shapes = randomShapes(random, 12);
+    std::vector<Outline> finer;
+    for (const Outline& shape : shapes) {
+      finer.push_back(cutFiner(shape, random));
+    }
+    const Obstacles coarse = obstaclesOf({shapes});
+    const Obstacles fine = obstaclesOf({finer});
+    for (int i = 0; i < 200; ++i) {
+      const Vec2 position(place(random), place(random));
+      const auto expected = pointsAt(coarse, position);
+      const auto actual = pointsAt(fine, position);
+      QCOMPARE(actual.size(), expected.size());
+      for (std::size_t n = 0; n < actual.size(); ++n) {
+        QVERIFY((actual[n].position - expected[n].position).norm() < 1e-6);
+        QCOMPARE(actual[n].inside, expected[n].inside);
+      }
+    }
+  }
+}
+
+void ObstaclesTest::boundaryPoints_closedDoor_counts() {
+  Obstacles obstacles;
+  const int door = obstacles.add(wallOutlines({{0, -0.5}, {0, 0.5}}, 0.05), false);
+  obstacles.build();
+  QVERIFY(pointsAt(obstacles, {1.0, 0.0}).empty());
+  QVERIFY(!obstacles.isEnabled(door));
+  obstacles.setEnabled(door, true);
+  QCOMPARE(pointsAt(obstacles, {1.0, 0.0}).size(), std::size_t{1});
+  QVERIFY(obstacles.isInside({0.0, 0.0}));
+}
+
+void ObstaclesTest::rayPoints_box_countsHits() {
+  // A long wall at distance 2: rays within acos(2/4) = 60 degrees of its normal meet it; 0, 4 … 60.
+  const Obstacles wall = obstaclesOf({wallOutlines({{2.05, -50}, {2.05, 50}}, 0.1)});
+  std::vector<Obstacles::Point> points;
+  wall.rayPoints({0.001, 0.0}, points);
+  QCOMPARE(points.size(), std::size_t{31});
+  QVERIFY((points[0].position - Vec2(2.0, 0.0)).norm() < 1e-9);
+  QVERIFY(std::fabs(points[1].distance - 1.999 / std::cos(4.0 * base::kPi / 180.0)) < 1e-9);
+}
+
+void ObstaclesTest::isInside_random_agrees() {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-14.0, 14.0);
+  for (int round = 0; round < 30; ++round) {
+    const auto shapes = randomShapes(random, 16);
+    std::vector<std::vector<Outline>> parts;
+    for (const Outline& shape : shapes) {
+      if (isSimple(shape.points)) {
+        parts.push_back({shape});
+      }
+    }
+    const Obstacles obstacles = obstaclesOf(parts);
+    for (int i = 0; i < 500; ++i) {
+      const Vec2 position(place(random), place(random));
+      bool expected = false;
+      for (const auto& part : parts) {
+        expected = expected || insideAny(part, position);
+      }
+      QCOMPARE(obstacles.isInside(position), expected);
+    }
+  }
+}
+
+void ObstaclesTest::clearance_random_agrees() {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-30.0, 30.0);
+  const auto shapes = randomShapes(random, 12);
+  const Obstacles obstacles = obstaclesOf({shapes});
+  for (int i = 0; i < 3000; ++i) {
+    const Vec2 position(place(random), place(random));
+    double expected = 5.0;
+    forEachEdge(shapes, [&](const Segment& edge) {
+      expected = std::min(expected, distanceToSegment(edge, position));
+    });
+    const double actual = obstacles.clearance(position);
+    QVERIFY(std::fabs(std::fabs(actual) - expected) < 1e-9);
+    QCOMPARE(actual < 0.0, obstacles.isInside(position));
+  }
+}
+
+void ObstaclesTest::raycast_random_agrees() {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> place(-20.0, 20.0);
+  const auto shapes = randomShapes(random, 12);
+  const Obstacles obstacles = obstaclesOf({shapes});
+  for (int i = 0; i < 3000; ++i) {
+    const Vec2 from(place(random), place(random));
+    const Vec2 to(place(random), place(random));
+    if (obstacles.isInside(from)) {
+      continue;
+    }
+    const double range = (to - from).norm();
+    double expected = range;
+    forEachEdge(shapes, [&](const Segment& edge) {
+      const auto hit = raySegmentHit(from, (to - from) / range, edge);
+      expected = hit ? std::min(expected, *hit) : expected;
+    });
+    QVERIFY(std::fabs(obstacles.raycast(from, (to - from) / range, range) - expected) < 1e-9);
+    QCOMPARE(obstacles.isVisible(from, to), expected == range && !obstacles.isInside(to));
+  }
+}
+
+void ObstaclesTest::raycast_throughCorner_hits() {
+  const Obstacles box = obstaclesOf({{boxOutline({{0.5, 0.5}, 0}, 1.0, 1.0)}});
+  const double half = std::sqrt(0.5);
+  QVERIFY(std::fabs(box.raycast({-1, -1}, {half, half}, 10.0) - std::sqrt(2.0)) < 1e-9);
+  QVERIFY(std::fabs(box.raycast({-1, 2}, {half, -half}, 10.0) - std::sqrt(2.0)) < 1e-9);
+  QCOMPARE(box.raycast({-1, 0.5}, {-1, 0}, 10.0), 10.0);
+  QVERIFY(std::fabs(box.raycast({-3, 0.5}, {1, 0}, 10.0) - 3.0) < 1e-9);
+  QVERIFY(std::fabs(box.raycast({0.5, 4}, {0, -1}, 10.0) - 3.0) < 1e-9);
+}
+
+void ObstaclesTest::raycast_inside_isZero() {
+  const Obstacles box = obstaclesOf({{boxOutline({}, 2.0, 2.0)}});
+  QCOMPARE(box.raycast({0, 0}, {1, 0}, 10.0), 0.0);
+}
+
+void ObstaclesTest::isVisible_cases() {
+  const Obstacles box = obstaclesOf({{boxOutline({}, 2.0, 2.0)}});
+  QVERIFY(!box.isVisible({-3, 0}, {3, 0}));
+  QVERIFY(box.isVisible({-3, 0}, {-1.5, 0}));
+  QVERIFY(box.isVisible({-3, 2}, {3, 2}));
+  QVERIFY(box.isVisible({-3, 2}, {-3, 2}));
+  QVERIFY(!box.isVisible({0.1, 0}, {0.2, 0}));  // both in the solid
+  QVERIFY(Obstacles().isVisible({0, 0}, {5, 5}));
+}
+
+void ObstaclesTest::setEnabled_door_opensSight() {
+  Obstacles obstacles;
+  obstacles.add(wallOutlines({{0, -5}, {0, -0.5}}, 0.1));
+  obstacles.add(wallOutlines({{0, 0.5}, {0, 5}}, 0.1));
+  const int door = obstacles.add(wallOutlines({{0, -0.5}, {0, 0.5}}, 0.05));
+  obstacles.build();
+  QVERIFY(!obstacles.isVisible({-2, 0}, {2, 0}));
+  obstacles.setEnabled(door, false);
+  QVERIFY(obstacles.isVisible({-2, 0}, {2, 0}));
+  QVERIFY(!obstacles.isInside({0, 0}));
+  QCOMPARE(obstacles.clearance({0, 0}), 0.5);
+}
+
+void ObstaclesTest::build_degenerate_isSafe() {
+  Obstacles obstacles = obstaclesOf({{}, {{{}}, {{{1, 1}}}, {{{1, 1}, {1, 1}}}}});
+  QVERIFY(pointsAt(obstacles, {0, 0}).empty());
+  QCOMPARE(obstacles.clearance({1, 1}, 2.0), 2.0);
+  obstacles = obstaclesOf({{{{{0, 0}, {0, 0}, {2, 0}, {2, 2}, {2, 2}, {0, 2}, {0, 0}}}}});
+  QCOMPARE(pointsAt(obstacles, {3, 1}).size(), std::size_t{1});
+  QVERIFY(obstacles.isInside({1, 1}));
+  const Obstacles far =
+      obstaclesOf({{boxOutline({{1e6, 1e6}, 0}, 1, 1)}, {boxOutline({{-1e6, 0}, 0}, 1, 1)}});
+  QVERIFY(far.isInside({1e6, 1e6}));
+  QVERIFY(far.isVisible({0, 10}, {1000, 10}));
+  QVERIFY(!far.isVisible({0, 0}, {-1.1e6, 0}));
+}
+
+void ObstaclesTest::map_room_insideIsFree() {
+  std::vector<std::int8_t> cells(100, 0);
+  for (std::size_t i = 0; i < 10; ++i) {
+    cells[i] = cells[90 + i] = cells[i * 10] = cells[i * 10 + 9] = 100;
+  }
+  const Obstacles room = obstaclesOf({traceOutlines(OccupancyGrid(10, 10, 1.0, {}, cells))});
+  QVERIFY(!room.isInside({5, 5}));
+  QVERIFY(room.isInside({0.5, 5}));
+  QVERIFY(!room.isInside({-0.5, 5}));
+  QCOMPARE(room.clearance({5, 4}), 3.0);
+  QCOMPARE(room.clearance({0.25, 4}), -0.25);
+}
+
+QTEST_APPLESS_MAIN(ObstaclesTest)
+#include "tst_Obstacles.moc"
