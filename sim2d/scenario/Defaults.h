@@ -21,7 +21,7 @@ struct ResolvedHuman {
   double noticeDistance = 5.0;     // [m]
   double reactionDuration = 40.0;  // [s]
   bool reactionOnce = false;
-  double reactionSpeed = 1.0;      // [m/s]; `vel`, else max_vel
+  double reactionSpeed = 1.0;                                          // [m/s]; `vel`, else max_vel
   double safeDistance = 5.0, stopDistance = 1.5, frontDistance = 1.5;  // [m]
   // force factors
   double goalFactor = 2.0, obstacleFactor = 10.0, socialFactor = 5.0, otherFactor = 20.0;
@@ -39,7 +39,7 @@ struct ResolvedRobot {
   std::string name, type = "generic", planner = "pursuit";
   std::vector<std::pair<std::string, double>> plannerParameters;
   Pose2 start;
-  std::vector<Vec2> goals;  // points in order; empty: it stands
+  std::vector<Vec2> goals;   // points in order; empty: it stands
   std::vector<int> goalIds;  // beside them; 0 = a plain point
   double goalRadius = 0.2, startTime = 0.0;
   double radius = 0.35, mass = 50.0;
@@ -52,7 +52,7 @@ struct ResolvedRobot {
 ResolvedHuman resolveHuman(const Scenario& scenario, const Human& human, long long seed);
 ResolvedRobot resolveRobot(const Scenario& scenario, const Robot& robot, int id);
 
-double massOf(PersonKind kind);          // [kg]
+double massOf(PersonKind kind);  // [kg]
 const char* personKindName(PersonKind kind);
 
 }  // namespace sim2d

@@ -29,12 +29,12 @@ enum class Dialect { A, B, C };  // 2022-2023, 2024 to mid 2025, HuNavSim 2.0
 enum class BehaviorType { Regular = 1, Impassive, Surprised, Scared, Curious, Threatening };
 enum class Configuration { Default = 0, Custom = 1, Normal = 2, Uniform = 3 };
 
-const char* behaviorName(BehaviorType type);  // "Regular" …
+const char* behaviorName(BehaviorType type);                            // "Regular" …
 std::optional<BehaviorType> behaviorFromName(const std::string& word);  // any case
 
 struct GlobalGoal {
   EntityId key;
-  int id = 0;  // >= 1
+  int id = 0;                    // >= 1
   Vec2 position = Vec2::Zero();  // [m]
   UnknownKeys unknown;
 };
@@ -42,9 +42,9 @@ struct GlobalGoal {
 /// The `behavior` map of an agent. Distances [m], duration [s], vel [m/s].
 struct Behavior {
   std::optional<BehaviorType> type;
-  std::string foreignType;  // the text found when it is none of the six; written back
+  std::string foreignType;  // the text found when it is none of the six (`type` is Regular then)
   std::optional<Configuration> configuration;
-  std::optional<double> dist;          // the robot is noticed within
+  std::optional<double> dist;  // the robot is noticed within
   std::optional<double> duration;
   std::optional<bool> once;
   std::optional<double> vel;           // while reacting
@@ -63,7 +63,7 @@ enum class AtEnd { Stop, Leave, Restart };
 struct PersonExtension {
   std::optional<double> startTime;  // [s]
   std::optional<PersonKind> kind;
-  std::optional<double> mass;       // [kg]
+  std::optional<double> mass;  // [kg]
   std::optional<std::string> model;
   std::optional<Route> route;
   std::optional<AtEnd> atEnd;
@@ -74,9 +74,9 @@ struct PersonExtension {
 
 struct Human {
   EntityId key;
-  std::string name;  // unique
-  int id = -1;       // >= 0, unique
-  bool listed = true;  // false: block present but switched off
+  std::string name;            // unique
+  int id = -1;                 // >= 0, unique
+  bool listed = true;          // false: block present but switched off
   std::optional<int> groupId;  // -1 = alone
   std::optional<int> skin;
   std::optional<double> maxVel;      // v0 [m/s]
@@ -86,15 +86,16 @@ struct Human {
   Pose2 initPose;
   bool hasInitPose = true;
   std::optional<double> initZ;  // [m], no meaning in the plane
+  UnknownKeys initPoseUnknown;
   Behavior behavior;
   std::vector<int> goals;  // ids of global goals, visiting order
   UnknownKeys unknown;
   PersonExtension ours;
 };
 
-struct RobotGoal {                  // at most one of the two
+struct RobotGoal {  // at most one of the two
   std::optional<Vec2> point;
-  std::vector<int> goals;           // ids of global goals, in order
+  std::vector<int> goals;  // ids of global goals, in order
 };
 
 struct Robot {
@@ -116,11 +117,11 @@ struct Obstacle {
   std::string name;
   bool listed = true;
   ObstacleKind kind = ObstacleKind::Box;
-  Pose2 pose;                          // box: centre and heading; circle: centre
-  double length = 1.0, width = 1.0;    // box
-  double radius = 0.5;                 // circle
-  std::vector<Vec2> points;            // polygon, wall
-  std::optional<double> thickness;     // wall, 0.1
+  Pose2 pose;                        // box: centre and heading; circle: centre
+  double length = 1.0, width = 1.0;  // box
+  double radius = 0.5;               // circle
+  std::vector<Vec2> points;          // polygon, wall
+  std::optional<double> thickness;   // wall, 0.1
   UnknownKeys unknown;
 };
 
@@ -173,7 +174,7 @@ struct DesktopSettings {
   std::optional<Route> route;
   std::optional<ObstaclePoints> obstaclePoints;
   std::optional<bool> loopTrees;
-  std::vector<double> wrapX;  // empty or 2
+  std::vector<double> wrapX;                        // empty or 2
   std::vector<std::pair<int, std::string>> groups;  // names of groups
   MetricsSettings metrics;
   UnknownKeys unknown;
@@ -189,8 +190,8 @@ struct Scenario {
   std::vector<Door> doors;
   std::vector<Area> areas;
   DesktopSettings desktop;
-  UnknownKeys unknown;         // beside the known global keys of hunav_loader
-  UnknownKeys otherNodes;      // further nodes of the file
+  UnknownKeys unknown;     // beside the known global keys of hunav_loader
+  UnknownKeys otherNodes;  // further nodes of the file
 
   const GlobalGoal* goal(int id) const;
   const Human* human(const std::string& name) const;
@@ -200,6 +201,11 @@ struct Scenario {
 };
 
 // Comparison by content.
+bool operator==(const UnknownKey& a, const UnknownKey& b);
+bool operator==(const PersonExtension& a, const PersonExtension& b);
+bool operator==(const RobotGoal& a, const RobotGoal& b);
+bool operator==(const MetricsSettings& a, const MetricsSettings& b);
+bool operator==(const DesktopSettings& a, const DesktopSettings& b);
 bool operator==(const Behavior& a, const Behavior& b);
 bool operator==(const GlobalGoal& a, const GlobalGoal& b);
 bool operator==(const Human& a, const Human& b);
@@ -208,6 +214,8 @@ bool operator==(const Obstacle& a, const Obstacle& b);
 bool operator==(const Door& a, const Door& b);
 bool operator==(const Area& a, const Area& b);
 bool operator==(const Scenario& a, const Scenario& b);
-inline bool operator!=(const Scenario& a, const Scenario& b) { return !(a == b); }
+inline bool operator!=(const Scenario& a, const Scenario& b) {
+  return !(a == b);
+}
 
 }  // namespace sim2d

@@ -13,10 +13,10 @@ namespace sim2d {
 
 /// Where the files of a scenario lie (command line over block over search).
 struct FilePlaces {
-  std::string scenarioPath;   // empty: not saved yet
-  std::string mapOption;      // --map; "none" = open plane
-  std::string treesOption;    // --trees
-  std::string shippedMaps;    // folder of the program's own maps
+  std::string scenarioPath;  // empty: not saved yet
+  std::string mapOption;     // --map; "none" = open plane
+  std::string treesOption;   // --trees
+  std::string shippedMaps;   // folder of the program's own maps
 };
 
 /// The map that belongs to the scenario, or the places tried. An empty path = open plane.

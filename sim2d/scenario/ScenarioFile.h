@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 
 #include "sim2d/base/Result.h"
@@ -13,14 +15,26 @@ struct ScenarioReading {
   Scenario scenario;
   base::Diagnostics diagnostics;
   Dialect dialect = Dialect::C;
-  int commentCount = 0;  // lost when saved over
+  int commentCount = 0;           // lost when saved over
+  std::map<EntityId, int> lines;  // where each entity's block begins
   bool ok() const { return !base::hasErrors(diagnostics); }
 };
 
 ScenarioReading readScenario(const std::string& path);
 ScenarioReading readScenarioText(const std::string& text, const std::string& fileName);
 
-/// Canonical dialect C plus our block. `unit`: see FORMAT.md.
+/// Gives diagnostics about an entity that have no line the line of its block.
+void addLines(base::Diagnostics& diagnostics, const std::map<EntityId, int>& lines);
+
+/// The scenario without the keys of our block that stand at their default, as a file holds it:
+/// readScenarioText(writeScenario(s)) gives withoutDefaults(s).
+Scenario withoutDefaults(const Scenario& scenario);
+
+/// What the wrapper probably was, by the start heights; for files that do not say (dialects A, B).
+std::optional<std::string> suggestedSimulator(const Scenario& scenario);
+
+/// Canonical dialect C plus our block (FORMAT.md). A file without the block ends without a newline,
+/// as HuNavSim's own editor writes it; with the block it ends with one.
 std::string writeScenario(const Scenario& scenario);
 /// Dialect B for the older wrappers; what it cannot express is told in `losses`.
 std::string writeScenarioB(const Scenario& scenario, base::Diagnostics& losses);

@@ -1,0 +1,241 @@
+#include "sim2d/scenario/AgentReader.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "sim2d/base/Text.h"
+
+namespace sim2d {
+namespace {
+
+constexpr long long kLargestInt = 2147483647;
+constexpr Range kSpeed{0.0, 100.0};
+constexpr Range kBodyRadius{0.0, 100.0, true};
+
+std::optional<int> behaviorNumber(const std::string& text) {
+  const auto number = base::parseInt(text);
+  return number && *number >= 1 && *number <= 6 ? std::optional<int>(static_cast<int>(*number))
+                                                : std::nullopt;
+}
+
+std::optional<Configuration> readConfiguration(MapView& view) {
+  const auto number = view.bigInteger("configuration", -kLargestInt);
+  if (!number) {
+    return std::nullopt;
+  }
+  if (*number < 0 || *number > 3) {
+    view.warning("configuration", std::to_string(*number) + " is none of 0 to 3 (taken as 0)");
+    return Configuration::Default;
+  }
+  return static_cast<Configuration>(*number);
+}
+
+void warnForeign(const Behavior& behavior, const YamlNode& at, const std::string& path,
+                 EntityId entity, ReadReport& report) {
+  if (!behavior.foreignType.empty()) {
+    report.warning(at,
+                   path + ": '" + behavior.foreignType +
+                       "' is no behaviour of HuNavSim (walks as Regular, the word is kept)",
+                   entity);
+  }
+}
+
+void readBehaviorMap(MapView view, Human& human, LoaderReading& reading) {
+  Behavior& to = human.behavior;
+  bool numbered = false;
+  const auto type = view.text("type");
+  if (type && !type->empty()) {
+    setBehaviorType(to, *type);
+    numbered = behaviorNumber(*type).has_value();
+    warnForeign(to, *view.node().find("type"), view.pathOf("type"), human.key, reading.report);
+  }
+  to.configuration = readConfiguration(view);
+  to.dist = view.number("dist", kNotNegative);
+  to.duration = view.number("duration", kNotNegative);
+  to.once = view.boolean("once");
+  to.vel = view.number("vel", kSpeed);
+  to.safeDistance = view.number("safe_distance", kNotNegative);
+  to.stopDist = view.number("stop_dist", kNotNegative);
+  to.frontDist = view.number("front_dist", kNotNegative);
+  to.goalForceFactor = view.number("goal_force_factor");
+  to.obstacleForceFactor = view.number("obstacle_force_factor");
+  to.socialForceFactor = view.number("social_force_factor");
+  to.otherForceFactor = view.number("other_force_factor");
+  to.unknown = view.takeUnknown();
+  if (numbered) {
+    reading.numberedType = true;
+    convertFromB(human, view.node(), reading.report);
+  }
+}
+
+void readBehavior(MapView& agent, Human& human, LoaderReading& reading) {
+  const YamlNode* node = agent.find("behavior");
+  if (node == nullptr) {
+    return;
+  }
+  if (!node->isScalar()) {
+    readBehaviorMap({node, agent.pathOf("behavior"), human.key, reading.report}, human, reading);
+    return;
+  }
+  setBehaviorType(human.behavior, node->text);
+  warnForeign(human.behavior, *node, agent.pathOf("behavior"), human.key, reading.report);
+  if (base::parseInt(node->text)) {
+    reading.scalarBehavior = true;
+    convertFromA(human, *node, reading.report);
+  }
+}
+
+void readPose(MapView& agent, Human& human) {
+  const YamlNode* node = agent.find("init_pose");
+  human.hasInitPose = node != nullptr && node->isMap();
+  if (node == nullptr) {
+    return;
+  }
+  MapView view(node, agent.pathOf("init_pose"), human.key, agent.report());
+  human.initPose.position.x() = view.number("x").value_or(0.0);
+  human.initPose.position.y() = view.number("y").value_or(0.0);
+  human.initZ = view.number("z");
+  human.initPose.heading = view.number("h").value_or(0.0);
+  human.initPoseUnknown = view.takeUnknown();
+}
+
+/// The goal that an agent's own name stands for; 0 = there is none of that name.
+int namedGoal(MapView& agent, const std::string& name, LoaderReading& reading) {
+  const YamlNode* node = agent.node().find(name);
+  if (node == nullptr || !node->isMap()) {
+    return 0;
+  }
+  agent.know(name);
+  MapView view(node, agent.pathOf(name), agent.entity(), agent.report());
+  const Vec2 position(view.required("x"), view.required("y"));
+  const auto heading = view.number("h");
+  UnknownKeys unknown;
+  // the first editor put the height of the click, 1.25, where the heading belongs
+  if (heading && *heading != 0.0 && *heading != 1.25) {
+    unknown.push_back(unknownKey(*node->find("h")));
+  }
+  for (UnknownKey& key : view.takeUnknown()) {
+    unknown.push_back(std::move(key));
+  }
+  reading.namedGoals = true;
+  return reading.addGoal(position, std::move(unknown), *node);
+}
+
+/// The global goal that an item of the list `goals` means; nothing when it is not defined.
+std::optional<int> goalOf(const YamlNode& item, MapView& agent, std::map<std::string, int>& named,
+                          LoaderReading& reading) {
+  const bool isWord = item.isScalar() && !item.text.empty();
+  const auto number = isWord ? base::parseInt(item.text) : std::nullopt;
+  const bool isNumber = number && *number > 0 && *number <= kLargestInt;
+  const int id = isNumber ? static_cast<int>(*number) : 0;
+  if (isNumber && named.count(item.text) == 0 && reading.scenario.goal(id) != nullptr) {
+    return id;
+  }
+  if (isWord && named.count(item.text) == 0) {
+    named[item.text] = namedGoal(agent, item.text, reading);
+  }
+  if (isWord && named[item.text] != 0) {
+    return named[item.text];
+  }
+  if (isNumber) {
+    reading.undefinedNumber = true;  // the check of the meaning tells
+    return id;
+  }
+  if (isWord && base::parseDouble(item.text)) {
+    const auto integral =
+        readInteger(item, {agent.pathOf("goals"), agent.entity()}, reading.report);
+    return integral && *integral > 0 && *integral <= kLargestInt
+               ? std::optional<int>(static_cast<int>(*integral))
+               : std::nullopt;
+  }
+  reading.report.error(item, agent.pathOf("goals") + ": goal '" + item.text + "' is not defined",
+                       agent.entity());
+  return std::nullopt;
+}
+
+void readGoals(MapView& agent, Human& human, LoaderReading& reading) {
+  const YamlNode* list = agent.find("goals");
+  if (list == nullptr) {
+    return;
+  }
+  if (!list->isList()) {
+    agent.error("goals", "must be a list of goal numbers");
+    return;
+  }
+  std::map<std::string, int> named;
+  for (const YamlNode& item : list->items) {
+    if (const auto id = goalOf(item, agent, named, reading)) {
+      human.goals.push_back(*id);
+    }
+  }
+}
+
+}  // namespace
+
+int LoaderReading::addGoal(const Vec2& position, UnknownKeys unknown, const YamlNode& at) {
+  GlobalGoal goal;
+  goal.key = newEntity(base::EntityKind::Goal, at);
+  goal.id = 1;
+  for (const GlobalGoal& other : scenario.goals) {
+    goal.id = std::max(goal.id, other.id + 1);
+  }
+  goal.position = position;
+  goal.unknown = std::move(unknown);
+  scenario.goals.push_back(goal);
+  return goal.id;
+}
+
+EntityId LoaderReading::newEntity(base::EntityKind kind, const YamlNode& at) {
+  const EntityId entity{kind, ++lastKey_};
+  report.lines[entity] = at.keyLine > 0 ? at.keyLine : at.line;
+  return entity;
+}
+
+bool looksLikeAgent(const YamlNode& block) {
+  if (!block.isMap()) {
+    return false;
+  }
+  if (block.find("init_pose") != nullptr || block.find("behavior") != nullptr) {
+    return true;
+  }
+  static constexpr std::array<const char*, 6> kUsual = {"id",      "group_id", "skin",
+                                                        "max_vel", "radius",   "goals"};
+  return std::count_if(kUsual.begin(), kUsual.end(),
+                       [&](const char* key) { return block.find(key) != nullptr; }) >= 2;
+}
+
+Human readHuman(const YamlNode& block, bool listed, LoaderReading& reading) {
+  Human human;
+  human.key = reading.newEntity(base::EntityKind::Human, block);
+  human.name = block.key;
+  human.listed = listed;
+  MapView view(&block, block.key, human.key, reading.report);
+  human.id = view.integer("id", -1, kLargestInt).value_or(-1);
+  human.groupId = view.integer("group_id", -kLargestInt, kLargestInt);
+  human.skin = view.integer("skin", -kLargestInt, kLargestInt);
+  human.maxVel = view.number("max_vel", kSpeed);
+  human.radius = view.number("radius", kBodyRadius);
+  human.goalRadius = view.number("goal_radius", kNotNegative);
+  human.cyclicGoals = view.boolean("cyclic_goals");
+  readPose(view, human);
+  readBehavior(view, human, reading);
+  readGoals(view, human, reading);
+  human.unknown = view.takeUnknown();
+  return human;
+}
+
+void setBehaviorType(Behavior& behavior, const std::string& text) {
+  const std::string word = base::trimmed(text);
+  behavior.foreignType.clear();
+  if (const auto number = behaviorNumber(word)) {
+    behavior.type = static_cast<BehaviorType>(*number);
+  } else if (const auto named = behaviorFromName(word)) {
+    behavior.type = named;
+  } else {
+    behavior.type = BehaviorType::Regular;
+    behavior.foreignType = text;
+  }
+}
+
+}  // namespace sim2d

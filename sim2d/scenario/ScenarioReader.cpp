@@ -1,0 +1,292 @@
+#include <algorithm>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/scenario/ScenarioTree.h"
+
+namespace sim2d {
+namespace {
+
+std::string fileStem(const std::string& path) {
+  const std::size_t slash = path.find_last_of('/');
+  const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
+  const std::size_t dot = name.find_last_of('.');
+  return dot == std::string::npos || dot == 0 ? name : name.substr(0, dot);
+}
+
+/// Reads one file: the loader's node, ours, the rest.
+class FileReader {
+ public:
+  FileReader(const YamlNode& root, const std::string& fileName)
+      : root_(root), loader_(result_.scenario, result_.report) {
+    result_.report.file = fileName;
+  }
+
+  TreeReading read() {
+    if (!root_.isMap()) {
+      report().error(root_, root_.isNull()
+                                ? std::string("the file is empty: no node hunav_loader")
+                                : std::string("no scenario: the file holds no node hunav_loader"));
+      return std::move(result_);
+    }
+    const YamlNode* node = loaderNode();
+    if (node != nullptr) {
+      const YamlNode* parameters = node->find(kParameters);
+      if (parameters == nullptr || !parameters->isMap()) {
+        report().error(*node, "no map ros__parameters under " + node->key);
+      } else {
+        readLoader(*parameters);
+      }
+    }
+    result_.loaderPaths = std::move(report().knownPaths);
+    report().knownPaths.clear();
+    readOurs();
+    result_.blockPaths = std::move(report().knownPaths);
+    keepOthers(node);
+    result_.scenario = withoutDefaults(result_.scenario);
+    return std::move(result_);
+  }
+
+ private:
+  ReadReport& report() { return result_.report; }
+  Scenario& scenario() { return result_.scenario; }
+
+  const YamlNode* loaderNode() {
+    if (const YamlNode* node = root_.find(kLoaderNode)) {
+      return node;
+    }
+    const YamlNode* only = nullptr;
+    int candidates = 0;
+    for (const YamlNode& item : root_.items) {
+      if (item.key != kBlockNode && item.find(kParameters) != nullptr) {
+        only = &item;
+        ++candidates;
+      }
+    }
+    if (candidates == 1) {
+      report().warning(*only, "no node hunav_loader: '" + only->key + "' is read instead");
+      return only;
+    }
+    report().error(root_, "no node hunav_loader");
+    return nullptr;
+  }
+
+  void readLoader(const YamlNode& parameters) {
+    MapView view(&parameters, "", {base::EntityKind::Scenario, 0}, report());
+    scenario().yamlBaseName = view.text("yaml_base_name");
+    scenario().simulator = view.text("simulator");
+    scenario().map = view.text("map");
+    scenario().publishPeople = view.boolean("publish_people");
+    readGlobalGoals(view);
+    readAgents(view);
+    scenario().unknown = view.takeUnknown();
+    if (loader_.undefinedNumber && parameters.find("global_goals") == nullptr) {
+      report().error(parameters, "agents have goals by number, but global_goals is missing");
+    }
+    reportDialect(parameters);
+  }
+
+  void readGlobalGoals(MapView& view) {
+    const YamlNode* node = view.find("global_goals");
+    if (node == nullptr) {
+      return;
+    }
+    MapView goals(node, "global_goals", view.entity(), report());
+    for (const YamlNode& item : goals.node().items) {
+      goals.know(item.key);
+      const auto id = base::parseInt(item.key);
+      if (!id || *id < 1 || *id > 1000000) {
+        goals.error(item.key, "a goal needs a number from 1 on as its key");
+        continue;
+      }
+      if (scenario().goal(static_cast<int>(*id)) != nullptr) {
+        goals.error(item.key, "this goal number stands here twice");
+        continue;
+      }
+      GlobalGoal goal;
+      goal.id = static_cast<int>(*id);
+      goal.key = loader_.newEntity(base::EntityKind::Goal, item);
+      MapView point(&item, goals.pathOf(item.key), goal.key, report());
+      goal.position = Vec2(point.required("x"), point.required("y"));
+      point.know("h");  // kept from older dialects
+      if (const YamlNode* heading = item.find("h")) {
+        goal.unknown.push_back(unknownKey(*heading));
+      }
+      for (UnknownKey& key : point.takeUnknown()) {
+        goal.unknown.push_back(std::move(key));
+      }
+      scenario().goals.push_back(std::move(goal));
+    }
+  }
+
+  std::vector<std::string> agentNames(MapView& view) {
+    view.know("agents");
+    const YamlNode* list = view.node().find("agents");
+    if (list != nullptr && list->isNull()) {
+      view.warning("agents", "nobody is listed");
+      return {};
+    }
+    if (list != nullptr && list->isList()) {
+      return view.names("agents");
+    }
+    std::string candidates;
+    for (const YamlNode& item : view.node().items) {
+      if (looksLikeAgent(item)) {
+        candidates += (candidates.empty() ? "" : ", ") + item.key;
+      }
+    }
+    view.error("agents", std::string(list == nullptr ? "the list is missing" : "must be a list") +
+                             (candidates.empty() ? "" : " (agents could be: " + candidates + ")"));
+    return {};
+  }
+
+  void readAgents(MapView& view) {
+    for (const std::string& name : agentNames(view)) {
+      const YamlNode* block = view.node().find(name);
+      if (view.isKnown(name)) {
+        view.error("agents", "'" + name + "' is the name of a key, not of an agent");
+      } else if (block == nullptr) {
+        view.error("agents", "agent '" + name + "' has no block");
+      } else {
+        view.know(name);
+        scenario().humans.push_back(readHuman(*block, true, loader_));
+      }
+    }
+    for (const YamlNode& item : view.node().items) {
+      if (!view.isKnown(item.key) && looksLikeAgent(item)) {
+        view.know(item.key);
+        scenario().humans.push_back(readHuman(item, false, loader_));
+      }
+    }
+  }
+
+  void reportDialect(const YamlNode& parameters) {
+    const std::string stem = fileStem(report().file);
+    if (!loader_.scalarBehavior && !loader_.numberedType && !loader_.namedGoals) {
+      if (scenario().yamlBaseName && !stem.empty() && *scenario().yamlBaseName != stem) {
+        report().warning(*parameters.find("yaml_base_name"),
+                         "yaml_base_name '" + *scenario().yamlBaseName +
+                             "' is not the name of the file: HuNavSim finds the trees by it");
+      }
+      return;
+    }
+    result_.dialect = loader_.scalarBehavior ? Dialect::A : Dialect::B;
+    const bool first = result_.dialect == Dialect::A;
+    report().info(parameters,
+                  std::string("imported from the format of ") +
+                      (first ? "HuNavSim 1 (2022): reactions and force factors are those of that "
+                               "program"
+                             : "2024: goals are numbered anew, reactions converted"));
+    if (!scenario().yamlBaseName) {
+      scenario().yamlBaseName = stem;
+    }
+    if (!scenario().simulator) {
+      const auto guess = suggestedSimulator(scenario());
+      report().info(parameters,
+                    "no simulator is named" +
+                        (guess ? " (the start heights suggest " + *guess + ")" : std::string()));
+    }
+  }
+
+  void readOurs() {
+    const YamlNode* node = root_.find(kBlockNode);
+    if (node == nullptr) {
+      YamlNode none;
+      none.kind = YamlNode::Kind::Map;
+      return;
+    }
+    const YamlNode* parameters = node->find(kParameters);
+    if (parameters == nullptr || !parameters->isMap()) {
+      report().error(*node, std::string("no map ros__parameters under ") + kBlockNode);
+      return;
+    }
+    for (const YamlNode& item : node->items) {
+      if (item.key != kParameters) {
+        report().error(item, std::string("only ros__parameters may stand under ") + kBlockNode);
+      }
+    }
+    readBlock(*parameters, loader_);
+  }
+
+  void keepOthers(const YamlNode* loader) {
+    if (loader != nullptr) {
+      for (const YamlNode& item : loader->items) {
+        if (item.key != kParameters) {
+          report().warning(item, "only ros__parameters is read under " + loader->key + ": '" +
+                                     item.key + "' is lost when saved");
+        }
+      }
+    }
+    for (const YamlNode& item : root_.items) {
+      if (&item != loader && item.key != kBlockNode) {
+        scenario().otherNodes.push_back(unknownKey(item));
+      }
+    }
+  }
+
+  const YamlNode& root_;
+  TreeReading result_;
+  LoaderReading loader_;
+};
+
+}  // namespace
+
+TreeReading readTree(const YamlNode& root, const std::string& fileName) {
+  return FileReader(root, fileName).read();
+}
+
+ScenarioReading readScenarioText(const std::string& text, const std::string& fileName) {
+  ScenarioReading reading;
+  const YamlNode root = parseYaml(text, fileName, reading.diagnostics);
+  if (!reading.ok()) {
+    return reading;
+  }
+  TreeReading tree = readTree(root, fileName);
+  reading.scenario = std::move(tree.scenario);
+  base::append(reading.diagnostics, tree.report.diagnostics);
+  reading.lines = std::move(tree.report.lines);
+  reading.dialect = tree.dialect;
+  reading.commentCount = countComments(text);
+  return reading;
+}
+
+ScenarioReading readScenario(const std::string& path) {
+  const auto text = base::readTextFile(path);
+  if (!text) {
+    ScenarioReading reading;
+    reading.diagnostics = text.diagnostics();
+    return reading;
+  }
+  return readScenarioText(*text, path);
+}
+
+void addLines(base::Diagnostics& diagnostics, const std::map<EntityId, int>& lines) {
+  for (base::Diagnostic& diagnostic : diagnostics) {
+    const auto found = lines.find(diagnostic.entity);
+    if (diagnostic.line == 0 && diagnostic.entity && found != lines.end()) {
+      diagnostic.line = found->second;
+    }
+  }
+}
+
+std::optional<std::string> suggestedSimulator(const Scenario& scenario) {
+  for (const Human& human : scenario.humans) {
+    if (!human.initZ) {
+      continue;
+    }
+    if (*human.initZ == 1.25) {
+      return "Gazebo Classic";
+    }
+    if (*human.initZ == 0.03) {
+      return "Gazebo Fortress";
+    }
+    if (*human.initZ == 0.01) {
+      return "Webots";
+    }
+    if (*human.initZ == 0.0) {
+      return "Isaac Sim";
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace sim2d

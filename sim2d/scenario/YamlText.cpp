@@ -1,0 +1,213 @@
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/scenario/YamlTree.h"
+
+namespace sim2d {
+namespace {
+
+bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+/// Words that YAML 1.1 takes for null, true, false, merge or value.
+bool isReservedWord(std::string_view text) {
+  static constexpr std::array<std::string_view, 12> kWords = {
+      "~", "null", "y", "n", "yes", "no", "true", "false", "on", "off", "<<", "="};
+  const std::string lower = base::lowered(text);
+  return std::find(kWords.begin(), kWords.end(), lower) != kWords.end();
+}
+
+/// Whatever starts like a number or a date and has nothing but their letters in it: too many words
+/// are quoted rather than one too few.
+bool looksLikeNumber(std::string_view text) {
+  if (!text.empty() && (text.front() == '-' || text.front() == '+')) {
+    text.remove_prefix(1);
+  }
+  const std::string lower = base::lowered(text);
+  if (lower == ".inf" || lower == ".nan" || lower == "inf" || lower == "nan" ||
+      lower == "infinity") {
+    return true;
+  }
+  const bool digitFirst =
+      !lower.empty() &&
+      (isDigit(lower[0]) || (lower[0] == '.' && lower.size() > 1 && isDigit(lower[1])));
+  return digitFirst && lower.find_first_not_of("0123456789abcdefoxtz_.:+- ") == std::string::npos;
+}
+
+bool hasPlainShape(std::string_view text) {
+  if (text.empty() || text.front() == ' ' || text.back() == ' ' || text.back() == ':') {
+    return false;
+  }
+  static constexpr std::string_view kIndicators = "-?:,[]{}#&*!|>'\"%@`";
+  if (kIndicators.find(text.front()) != std::string_view::npos) {
+    return false;
+  }
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    const bool flow = c == ',' || c == '[' || c == ']' || c == '{' || c == '}';
+    const bool mark = (c == ':' && text[i + 1] == ' ') || (c == '#' && text[i - 1] == ' ');
+    if (c < 0x20 || c == 0x7F || flow || mark) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::string quotedText(std::string_view text) {
+  static constexpr std::string_view kHex = "0123456789ABCDEF";
+  std::string result = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      result += '\\';
+      result += c;
+    } else if (c == '\n') {
+      result += "\\n";
+    } else if (c == '\t') {
+      result += "\\t";
+    } else if (byte < 0x20 || byte == 0x7F) {
+      result += "\\x";
+      result += kHex[byte >> 4U];
+      result += kHex[byte & 15U];
+    } else {
+      result += c;
+    }
+  }
+  return result + '"';
+}
+
+std::string scalarText(const YamlNode& node) {
+  const std::string tag = node.tag.empty() ? std::string() : node.tag + ' ';
+  const bool quote = node.quoted || !hasPlainShape(node.text);
+  // plain numbers may start with a sign, which hasPlainShape refuses for other words
+  const bool number = !node.quoted && looksLikeNumber(node.text);
+  return tag + (quote && !number ? quotedText(node.text) : node.text);
+}
+
+std::string keyText(const std::string& key) {
+  // numbers of goals and the coordinate are plain in every file of HuNavSim
+  const bool plain = key == "y" || base::parseInt(key).has_value();
+  return needsQuotes(key) && !plain ? quotedText(key) : key;
+}
+
+std::string inlineText(const YamlNode& node) {
+  if (node.isScalar()) {
+    return scalarText(node);
+  }
+  const std::string tag = node.tag.empty() ? std::string() : node.tag + ' ';
+  if (node.isNull()) {
+    return tag + "null";
+  }
+  return tag + (node.isMap() ? "{}" : "[]");
+}
+
+bool isBlock(const YamlNode& node) {
+  return (node.isMap() || node.isList()) && !node.items.empty();
+}
+
+void emitBlock(const YamlNode& node, int indent, std::string& out) {
+  const std::string margin(static_cast<std::size_t>(indent), ' ');
+  bool first = true;
+  for (const YamlNode& item : node.items) {
+    if (!first) {
+      out += '\n';
+    }
+    first = false;
+    out += margin + (node.isMap() ? keyText(item.key) + ':' : "-");
+    if (!isBlock(item)) {
+      out += ' ' + inlineText(item);
+      continue;
+    }
+    out += (item.tag.empty() ? "" : ' ' + item.tag) + '\n';
+    emitBlock(item, indent + 2, out);
+  }
+}
+
+/// Follows quotes and block scalars of a text line by line.
+class CommentCounter {
+ public:
+  void line(std::string_view text) {
+    const std::size_t word = text.find_first_not_of(" \t\r");
+    if (word == std::string_view::npos) {
+      return;
+    }
+    if (blockIndent_ >= 0 && static_cast<int>(word) > blockIndent_) {
+      return;
+    }
+    blockIndent_ = -1;
+    const std::size_t end = contentEnd(text);
+    const std::string content = base::trimmed(text.substr(0, end));
+    if (quote_ == 0 && startsBlockScalar(content)) {
+      blockIndent_ = static_cast<int>(word);
+    }
+  }
+  int count() const { return count_; }
+
+ private:
+  std::size_t contentEnd(std::string_view text) {
+    char before = ' ';
+    bool tokenStart = true;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      const char c = text[i];
+      if (quote_ != 0) {
+        if (c == '\\' && quote_ == '"') {
+          ++i;
+        } else if (c == quote_) {
+          quote_ = 0;
+        }
+      } else if (c == '#' && (before == ' ' || before == '\t')) {
+        ++count_;
+        return i;
+      } else if ((c == '"' || c == '\'') && tokenStart) {
+        quote_ = c;
+      }
+      if (c != ' ' && c != '\t') {
+        static constexpr std::string_view kOpeners = ":-,[{?";
+        tokenStart = kOpeners.find(c) != std::string_view::npos;
+      }
+      before = c;
+    }
+    return text.size();
+  }
+  static bool startsBlockScalar(std::string_view content) {
+    const std::size_t sign = content.find_last_of("|>");
+    if (sign == std::string_view::npos || sign == 0 || content[sign - 1] != ' ') {
+      return false;
+    }
+    return content.find_first_not_of("+-123456789", sign + 1) == std::string_view::npos;
+  }
+
+  char quote_ = 0;        // inside a quoted scalar: its quote
+  int blockIndent_ = -1;  // inside a block scalar: indentation of its key
+  int count_ = 0;
+};
+
+}  // namespace
+
+bool needsQuotes(std::string_view text) {
+  return !hasPlainShape(text) || isReservedWord(text) || looksLikeNumber(text);
+}
+
+std::string emitYaml(const YamlNode& node) {
+  if (!isBlock(node)) {
+    return inlineText(node);
+  }
+  std::string out;
+  emitBlock(node, 0, out);
+  return out;
+}
+
+int countComments(std::string_view text) {
+  CommentCounter counter;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    counter.line(text.substr(start, end - start));
+    start = end + 1;
+  }
+  return counter.count();
+}
+
+}  // namespace sim2d

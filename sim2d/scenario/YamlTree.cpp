@@ -1,0 +1,275 @@
+#include "sim2d/scenario/YamlTree.h"
+
+#include <map>
+#include <sstream>
+
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/yaml.h>
+
+namespace sim2d {
+namespace {
+
+constexpr const char* kYamlTags = "tag:yaml.org,2002:";
+
+std::string shortTag(const std::string& tag) {
+  const std::string prefix = kYamlTags;
+  if (tag.compare(0, prefix.size(), prefix) == 0) {
+    return "!!" + tag.substr(prefix.size());
+  }
+  return tag;
+}
+
+/// Builds the tree from the parser's events.
+class TreeBuilder : public YAML::EventHandler {
+ public:
+  TreeBuilder(const std::string& file, base::Diagnostics& diagnostics)
+      : file_(file), diagnostics_(diagnostics) {}
+
+  YamlNode root;
+
+  void OnDocumentStart(const YAML::Mark& /*mark*/) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) override { add(nodeAt(mark)); }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) override {
+    YamlNode node = nodeAt(mark);
+    report(node.line, node.column, "an alias (*name): ROS 2 does not read them, write the value");
+    add(std::move(node));
+  }
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t /*anchor*/,
+                const std::string& value) override {
+    YamlNode node = nodeAt(mark);
+    node.kind = YamlNode::Kind::Scalar;
+    node.text = value;
+    node.quoted = tag == "!";
+    setTag(node, tag);
+    add(std::move(node));
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t /*anchor*/,
+                       YAML::EmitterStyle::value /*style*/) override {
+    open(mark, tag, YamlNode::Kind::List);
+  }
+  void OnSequenceEnd() override { close(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t /*anchor*/,
+                  YAML::EmitterStyle::value /*style*/) override {
+    open(mark, tag, YamlNode::Kind::Map);
+  }
+  void OnMapEnd() override { close(); }
+
+ private:
+  struct Open {
+    YamlNode node;
+    YamlNode key;
+    bool hasKey = false;
+    std::map<std::string, int> keyLines;
+  };
+
+  static YamlNode nodeAt(const YAML::Mark& mark) {
+    YamlNode node;
+    node.line = mark.line + 1;  // the library counts from 0
+    node.column = mark.column + 1;
+    return node;
+  }
+  static void setTag(YamlNode& node, const std::string& tag) {
+    if (tag != "?" && tag != "!") {
+      node.tag = shortTag(tag);
+      node.quoted = node.quoted || node.tag == "!!str";
+    }
+  }
+  void report(int line, int column, const std::string& message) {
+    diagnostics_.push_back(base::makeError(message, file_, line, column));
+  }
+  void open(const YAML::Mark& mark, const std::string& tag, YamlNode::Kind kind) {
+    Open entry;
+    entry.node = nodeAt(mark);
+    entry.node.kind = kind;
+    setTag(entry.node, tag);
+    open_.push_back(std::move(entry));
+  }
+  void close() {
+    YamlNode node = std::move(open_.back().node);
+    open_.pop_back();
+    add(std::move(node));
+  }
+  void add(YamlNode node) {
+    if (open_.empty()) {
+      root = std::move(node);
+      return;
+    }
+    Open& parent = open_.back();
+    if (!parent.node.isMap()) {
+      parent.node.items.push_back(std::move(node));
+    } else if (!parent.hasKey) {
+      takeKey(parent, std::move(node));
+    } else {
+      node.key = parent.key.text;
+      node.keyLine = parent.key.line;
+      node.keyColumn = parent.key.column;
+      parent.node.items.push_back(std::move(node));
+      parent.hasKey = false;
+    }
+  }
+  void takeKey(Open& parent, YamlNode key) {
+    if (key.isMap() || key.isList()) {
+      report(key.line, key.column, "a list or map as a key");
+    } else {
+      const auto found = parent.keyLines.emplace(key.text, key.line);
+      if (!found.second) {
+        report(key.line, key.column,
+               "key '" + key.text + "' stands here twice (first on line " +
+                   std::to_string(found.first->second) + ")");
+      }
+    }
+    parent.key = std::move(key);
+    parent.hasKey = true;
+  }
+
+  const std::string& file_;
+  base::Diagnostics& diagnostics_;
+  std::vector<Open> open_;
+};
+
+std::size_t sequenceLength(unsigned char lead) {
+  if (lead < 0x80) {
+    return 1;
+  }
+  if (lead >= 0xC2 && lead < 0xE0) {
+    return 2;
+  }
+  if (lead >= 0xE0 && lead < 0xF0) {
+    return 3;
+  }
+  return lead >= 0xF0 && lead < 0xF5 ? 4 : 0;
+}
+
+/// Line of the first byte that is not text in UTF-8; 0 = all is.
+int lineOfBinary(std::string_view text) {
+  int line = 1;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[i]);
+    const std::size_t length = sequenceLength(lead);
+    bool good = length > 0 && i + length <= text.size();
+    good = good && (lead >= 0x20 || lead == '\n' || lead == '\r' || lead == '\t');
+    for (std::size_t k = 1; good && k < length; ++k) {
+      good = (static_cast<unsigned char>(text[i + k]) & 0xC0) == 0x80;
+    }
+    if (!good) {
+      return line;
+    }
+    line += lead == '\n' ? 1 : 0;
+    i += length;
+  }
+  return 0;
+}
+
+void findTabs(std::string_view text, const std::string& file, base::Diagnostics& diagnostics) {
+  int line = 1;
+  for (std::size_t start = 0; start < text.size(); ++line) {
+    std::size_t end = text.find('\n', start);
+    end = end == std::string_view::npos ? text.size() : end;
+    const std::string_view content = text.substr(start, end - start);
+    const std::size_t word = content.find_first_not_of(" \t\r");
+    const std::size_t tab = content.find('\t');
+    if (word != std::string_view::npos && content[word] != '#' && tab < word) {
+      diagnostics.push_back(base::makeError("a tab in the indentation (YAML allows spaces only)",
+                                            file, line, static_cast<int>(tab) + 1));
+    }
+    start = end + 1;
+  }
+}
+
+/// Without byte order mark and carriage returns, so that columns are those of an editor.
+std::string normalised(std::string_view text) {
+  if (text.substr(0, 3) == "\xEF\xBB\xBF") {
+    text.remove_prefix(3);
+  }
+  std::string result;
+  result.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\r') {
+      result.push_back(text[i]);
+    } else if (i + 1 == text.size() || text[i + 1] != '\n') {
+      result.push_back('\n');
+    }
+  }
+  return result;
+}
+
+void parseInto(TreeBuilder& builder, const std::string& text, const std::string& file,
+               base::Diagnostics& diagnostics) {
+  try {
+    std::istringstream stream(text);
+    YAML::Parser parser(stream);
+    parser.HandleNextDocument(builder);
+    YamlNode first = builder.root;
+    if (parser.HandleNextDocument(builder)) {
+      diagnostics.push_back(base::makeError("a second document (---): only one is read", file,
+                                            builder.root.line, builder.root.column));
+    }
+    builder.root = std::move(first);
+  } catch (const YAML::Exception& problem) {
+    diagnostics.push_back(base::makeError("not valid YAML: " + problem.msg, file,
+                                          problem.mark.line + 1, problem.mark.column + 1));
+  }
+}
+
+}  // namespace
+
+const YamlNode* YamlNode::find(std::string_view name) const {
+  if (isMap()) {
+    for (const YamlNode& item : items) {
+      if (item.key == name) {
+        return &item;
+      }
+    }
+  }
+  return nullptr;
+}
+
+YamlNode* YamlNode::find(std::string_view name) {
+  return const_cast<YamlNode*>(static_cast<const YamlNode*>(this)->find(name));
+}
+
+YamlNode& YamlNode::child(const std::string& name) {
+  if (!isMap()) {
+    kind = Kind::Map;
+    text.clear();
+    items.clear();
+  }
+  if (YamlNode* found = find(name)) {
+    return *found;
+  }
+  items.emplace_back();
+  items.back().key = name;
+  return items.back();
+}
+
+YamlNode scalarNode(std::string text) {
+  YamlNode node;
+  node.kind = YamlNode::Kind::Scalar;
+  node.text = std::move(text);
+  return node;
+}
+
+YamlNode stringNode(const std::string& text) {
+  YamlNode node = scalarNode(text);
+  node.quoted = needsQuotes(text);
+  return node;
+}
+
+YamlNode parseYaml(std::string_view text, const std::string& file, base::Diagnostics& diagnostics) {
+  const std::string clean = normalised(text);
+  if (const int line = lineOfBinary(clean); line > 0) {
+    diagnostics.push_back(base::makeError("not a text file in UTF-8", file, line));
+    return {};
+  }
+  const std::size_t before = diagnostics.size();
+  findTabs(clean, file, diagnostics);
+  if (diagnostics.size() > before) {
+    return {};
+  }
+  TreeBuilder builder(file, diagnostics);
+  parseInto(builder, clean, file, diagnostics);
+  return std::move(builder.root);
+}
+
+}  // namespace sim2d

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim2d/base/Result.h"
+
+/// YAML as a plain tree that keeps what the scenario files need and a YAML library throws away:
+/// order and repetition of keys, places, the text of numbers, quotes. Private to this folder.
+namespace sim2d {
+
+struct YamlNode {
+  enum class Kind { Null, Scalar, List, Map };
+  Kind kind = Kind::Null;
+  std::string text;             // of a scalar, without quotes
+  bool quoted = false;          // not a plain scalar: a string whatever it looks like
+  std::string tag;              // explicit tag, "!!str"; empty = none
+  int line = 0, column = 0;     // from 1; 0 = made by the program
+  std::vector<YamlNode> items;  // of a list, or the values of a map
+
+  // as a value of a map:
+  std::string key;
+  int keyLine = 0, keyColumn = 0;
+
+  bool isMap() const { return kind == Kind::Map; }
+  bool isList() const { return kind == Kind::List; }
+  bool isScalar() const { return kind == Kind::Scalar; }
+  bool isNull() const { return kind == Kind::Null; }
+  const YamlNode* find(std::string_view name) const;
+  YamlNode* find(std::string_view name);
+  /// The value of `name`, made as null at the end when it is not there. Turns null into a map.
+  YamlNode& child(const std::string& name);
+};
+
+YamlNode scalarNode(std::string text);         // plain text as it stands (numbers, true, false)
+YamlNode stringNode(const std::string& text);  // quoted where YAML 1.1 would read something else
+
+/// The only document of a text. Problems (syntax, tabs, repeated keys, aliases, not UTF-8) go to
+/// `diagnostics`; with errors the tree must not be used.
+YamlNode parseYaml(std::string_view text, const std::string& file, base::Diagnostics& diagnostics);
+
+/// Block style, two spaces per level, lists indented under their key; no newline at the end.
+std::string emitYaml(const YamlNode& node);
+
+/// The text would be something else than a string, or no plain scalar at all.
+bool needsQuotes(std::string_view text);
+
+/// Number of comments, those inside quotes and block scalars not counted.
+int countComments(std::string_view text);
+
+}  // namespace sim2d
