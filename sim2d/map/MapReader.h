@@ -14,7 +14,7 @@ namespace sim2d {
 struct MapImage {
   int width = 0, height = 0;
   bool hasAlpha = false;
-  int maximum = 255;                // 255 or 65535
+  int maximum = 255;                // value of full white or opaque, 1..65535
   std::vector<std::uint16_t> rgba;  // 4 values per pixel
 };
 /// Reads what the reader itself does not (all but PGM): PNG, BMP …
@@ -41,11 +41,17 @@ struct MapFile {
   OccupancyGrid grid;
 };
 
-/// Reads YAML and image. Images over 100 million cells are refused with a message. PGM (P2, P5, 8
-/// and 16 bit, comments) is read here, other formats by `loader` (none given: an error).
+/// More pixels than this are refused with a message, PGM before memory is taken for them.
+constexpr std::int64_t kMostMapCells = 100'000'000;
+
+/// Reads YAML and image; a leading `~/` of the path stands for $HOME. All problems of both files
+/// come at once; those of the image carry the place of the key `image`. PGM (P2, P5, 8 and 16 bit,
+/// comments) is read here whatever it is called, other formats by `loader` (none: an error).
 base::Result<MapFile> readMap(const std::string& yamlPath, const ImageLoader& loader,
                               MapRule rule = MapRule::Humble);
+/// `file` names the text in messages.
 base::Result<MapDescription> parseMapDescription(const std::string& text, const std::string& file);
+/// The image must hold width * height > 0 pixels. First row on top becomes the last row of cells.
 OccupancyGrid gridFromImage(const MapImage& image, const MapDescription& description, MapRule rule);
 base::Result<MapImage> readPgm(const std::string& path);
 

@@ -1,0 +1,148 @@
+// From pixels to cells and back.
+#include <cassert>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/map/MapReader.h"
+
+namespace sim2d {
+
+namespace {
+
+constexpr std::int8_t kUnknown = -1;
+constexpr std::int8_t kFree = 0;
+constexpr std::int8_t kOccupied = 100;
+
+/// One pixel by the rules of nav2's map_io, Humble or main.
+class PixelRule {
+ public:
+  PixelRule(const MapImage& image, const MapDescription& description, MapRule rule)
+      : image_(image), description_(description), isMain_(rule == MapRule::Main) {}
+
+  std::int8_t cellOf(const std::uint16_t* rgba) const {
+    const double shade = shadeOf(rgba);
+    if (description_.mode == MapMode::Raw) {
+      const double value = std::round(255.0 * shade);
+      return value <= 100.0 ? static_cast<std::int8_t>(value) : kUnknown;
+    }
+    const bool isOpaque = !image_.hasAlpha || rgba[3] == image_.maximum;
+    if (!isOpaque && (isMain_ || description_.mode == MapMode::Scale)) {
+      return kUnknown;
+    }
+    const double high = description_.occupiedThreshold;
+    const double low = description_.freeThreshold;
+    const double p = description_.negate ? shade : 1.0 - shade;
+    if (p > high || (isMain_ && p == high)) {
+      return kOccupied;
+    }
+    if (p < low || (isMain_ && p == low)) {
+      return kFree;
+    }
+    if (description_.mode == MapMode::Trinary) {
+      return kUnknown;
+    }
+    const double scaled = (p - low) / (high - low) * 100.0;
+    return static_cast<std::int8_t>(isMain_ ? std::round(scaled) : std::nearbyint(scaled));
+  }
+
+ private:
+  double shadeOf(const std::uint16_t* rgba) const {
+    const bool isGrey = rgba[0] == rgba[1] && rgba[1] == rgba[2];
+    if (isMain_) {  // luma of ITU-R BT.601
+      const double grey = isGrey ? rgba[0] : 0.299 * rgba[0] + 0.587 * rgba[1] + 0.114 * rgba[2];
+      return grey / image_.maximum;
+    }
+    const int sum = rgba[0] + rgba[1] + rgba[2];
+    if (image_.hasAlpha && description_.mode == MapMode::Trinary) {
+      return (sum + rgba[3]) / (4.0 * image_.maximum);
+    }
+    return sum / (3.0 * image_.maximum);
+  }
+
+  const MapImage& image_;
+  const MapDescription& description_;
+  bool isMain_;
+};
+
+/// As a YAML scalar that every reader takes for a string.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      result += '\\';
+    }
+    result += c;
+  }
+  return result + '"';
+}
+
+bool needsQuotes(const std::string& name) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
+  return name.find_first_not_of(kPlain) != std::string::npos || name.front() == '-' ||
+         name.front() == '.';
+}
+
+std::string withPoint(double value) {
+  const std::string text = base::formatDouble(value);
+  return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
+}
+
+std::string pgmText(const OccupancyGrid& grid) {
+  std::string image =
+      "P5\n" + std::to_string(grid.width()) + " " + std::to_string(grid.height()) + "\n255\n";
+  image.reserve(image.size() + grid.cells().size());
+  for (int row = grid.height() - 1; row >= 0; --row) {
+    for (int column = 0; column < grid.width(); ++column) {
+      const Cell cell{column, row};
+      const int shade = grid.isWall(cell) ? 0 : (grid.isUnknown(cell) ? 205 : 254);
+      image += static_cast<char>(shade);
+    }
+  }
+  return image;
+}
+
+}  // namespace
+
+OccupancyGrid gridFromImage(const MapImage& image, const MapDescription& description,
+                            MapRule rule) {
+  const auto width = static_cast<std::size_t>(image.width);
+  const auto height = static_cast<std::size_t>(image.height);
+  assert(image.width > 0 && image.height > 0 && image.rgba.size() == 4 * width * height);
+  const PixelRule pixels(image, description, rule);
+  std::vector<std::int8_t> cells(width * height);
+  for (std::size_t row = 0; row < height; ++row) {
+    const std::uint16_t* pixel = image.rgba.data() + 4 * width * (height - 1 - row);
+    for (std::size_t column = 0; column < width; ++column, pixel += 4) {
+      cells[row * width + column] = pixels.cellOf(pixel);
+    }
+  }
+  return OccupancyGrid(image.width, image.height, description.resolution, description.origin,
+                       std::move(cells));
+}
+
+base::Diagnostics writeMap(const OccupancyGrid& grid, const std::string& yamlPath) {
+  if (grid.isEmpty()) {
+    return {base::makeError("a map without cells cannot be written", yamlPath)};
+  }
+  const std::filesystem::path path(yamlPath);
+  const std::string name = path.stem().string() + ".pgm";
+  const Pose2& origin = grid.origin();
+  const std::string text = "image: " + (needsQuotes(name) ? quoted(name) : name) +
+                           "\nmode: trinary\nresolution: " + withPoint(grid.resolution()) +
+                           "\norigin: [" + withPoint(origin.position.x()) + ", " +
+                           withPoint(origin.position.y()) + ", " + withPoint(origin.heading) +
+                           "]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+  base::Diagnostics problems =
+      base::writeFileAtomically((path.parent_path() / name).string(), pgmText(grid));
+  if (!base::hasErrors(problems)) {
+    base::append(problems, base::writeFileAtomically(yamlPath, text));
+  }
+  return problems;
+}
+
+}  // namespace sim2d

@@ -1,0 +1,177 @@
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <string>
+#include <system_error>
+
+#include "sim2d/map/MapReader.h"
+
+namespace sim2d {
+
+namespace {
+
+/// One PGM file; the first problem ends the reading.
+class PgmReader {
+ public:
+  explicit PgmReader(const std::string& path) : path_(path), input_(path, std::ios::binary) {}
+
+  base::Result<MapImage> read() {
+    std::error_code code;
+    const auto size = std::filesystem::file_size(path_, code);
+    if (code || !input_) {
+      return base::makeError("the image cannot be read", path_);
+    }
+    if (size == 0) {
+      return base::makeError("the image is empty", path_);
+    }
+    if (!readHeader()) {
+      return base::makeError(problem_, path_);
+    }
+    const auto left = static_cast<std::int64_t>(size) - static_cast<std::int64_t>(input_.tellg());
+    const std::int64_t pixels = std::int64_t{width_} * height_;
+    const std::int64_t needed = isText_ ? 2 * pixels - 1 : pixels * (maximum_ > 255 ? 2 : 1);
+    if (left < needed) {
+      return base::makeError("the image ends too early: " + std::to_string(width_) + " x " +
+                                 std::to_string(height_) + " pixels need " +
+                                 std::to_string(needed) + " bytes, there are " +
+                                 std::to_string(std::max<std::int64_t>(left, 0)),
+                             path_);
+    }
+    return readPixels();
+  }
+
+ private:
+  bool fail(std::string problem) {
+    problem_ = std::move(problem);
+    return false;
+  }
+
+  bool readHeader() {
+    char magic[2] = {};
+    input_.read(magic, 2);
+    if (!input_ || magic[0] != 'P' || (magic[1] != '2' && magic[1] != '5')) {
+      return fail("not a PGM image (it must begin with P2 or P5)");
+    }
+    isText_ = magic[1] == '2';
+    const std::optional<int> width = readNumber();
+    const std::optional<int> height = readNumber();
+    const std::optional<int> maximum = readNumber();
+    if (!width || !height || !maximum) {
+      return fail("the header of the PGM image is not width, height and maximum");
+    }
+    if (*width < 1 || *height < 1) {
+      return fail("the image has no pixels");
+    }
+    if (*maximum < 1 || *maximum > 65535) {
+      return fail("the maximum of the PGM image is " + std::to_string(*maximum) +
+                  ", not 1 to 65535");
+    }
+    if (std::int64_t{*width} * *height > kMostMapCells) {
+      return fail("the image of " + std::to_string(*width) + " x " + std::to_string(*height) +
+                  " pixels is too large (at most 100 million; scale it down)");
+    }
+    width_ = *width;
+    height_ = *height;
+    maximum_ = *maximum;
+    return true;
+  }
+
+  static bool isSpace(int c) {
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\v' || c == '\f';
+  }
+
+  int next() { return input_.rdbuf()->sbumpc(); }
+
+  int nextAfterBlanks() {
+    int c = next();
+    while (isSpace(c) || c == '#') {
+      if (c == '#') {
+        input_.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+      }
+      c = next();
+    }
+    return c;
+  }
+
+  /// The next decimal number, after blanks and comments; takes one character behind it.
+  std::optional<int> readNumber() {
+    int c = nextAfterBlanks();
+    constexpr int kLimit = 100'000'000;
+    int value = 0;
+    bool any = false;
+    for (; c >= '0' && c <= '9'; c = next()) {
+      value = std::min(value, kLimit) * 10 + (c - '0');
+      any = true;
+    }
+    const bool ends = isSpace(c) || c == kEnd || c == '#';
+    if (c == '#') {
+      input_.rdbuf()->sungetc();
+    }
+    return any && ends ? std::optional<int>(value) : std::nullopt;
+  }
+
+  base::Result<MapImage> readPixels() {
+    MapImage image;
+    image.width = width_;
+    image.height = height_;
+    image.maximum = maximum_;
+    const auto count = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+    image.rgba.reserve(4 * count);
+    bool above = false;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::optional<int> value = isText_ ? readNumber() : readBinary();
+      if (!value) {
+        return base::makeError("pixel " + std::to_string(i + 1) + " of " + std::to_string(count) +
+                                   " is missing or no number",
+                               path_);
+      }
+      above = above || *value > maximum_;
+      const auto shade = static_cast<std::uint16_t>(std::min(*value, maximum_));
+      image.rgba.insert(image.rgba.end(),
+                        {shade, shade, shade, static_cast<std::uint16_t>(maximum_)});
+    }
+    base::Diagnostics warnings;
+    if (above) {
+      warnings.push_back(base::makeWarning("some pixels are above the image's maximum of " +
+                                               std::to_string(maximum_) + " and count as white",
+                                           path_));
+    }
+    return {std::move(image), std::move(warnings)};
+  }
+
+  std::optional<int> readBinary() {
+    const int first = next();
+    const int second = maximum_ > 255 && first != kEnd ? next() : 0;
+    if (first == kEnd || second == kEnd) {
+      return std::nullopt;
+    }
+    return maximum_ > 255 ? first * 256 + second : first;
+  }
+
+  static constexpr int kEnd = std::char_traits<char>::eof();
+
+  std::string path_;
+  std::ifstream input_;
+  std::string problem_;
+  bool isText_ = false;
+  int width_ = 0, height_ = 0, maximum_ = 0;
+};
+
+}  // namespace
+
+base::Result<MapImage> readPgm(const std::string& path) {
+  std::error_code code;
+  const auto status = std::filesystem::status(path, code);
+  if (!std::filesystem::exists(status)) {
+    return base::makeError("the image does not exist", path);
+  }
+  if (!std::filesystem::is_regular_file(status)) {
+    return base::makeError("not a file", path);
+  }
+  return PgmReader(path).read();
+}
+
+}  // namespace sim2d

@@ -1,0 +1,476 @@
+#include <algorithm>
+#include <clocale>
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "sim2d/map/MapReader.h"
+
+using namespace sim2d;
+
+namespace {
+
+const char* const kGoodYaml =
+    "image: map.pgm\nresolution: 0.05\norigin: [-1.5, 2, 0]\nnegate: 0\n"
+    "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
+
+std::string textOf(const base::Diagnostics& diagnostics) {
+  std::string text;
+  for (const base::Diagnostic& diagnostic : diagnostics) {
+    text += diagnostic.text() + "\n";
+  }
+  return text;
+}
+
+bool contains(const base::Diagnostics& diagnostics, const std::string& part) {
+  return textOf(diagnostics).find(part) != std::string::npos;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+MapImage pixel(std::uint16_t r, std::uint16_t g, std::uint16_t b, std::uint16_t a, bool hasAlpha) {
+  MapImage image;
+  image.width = image.height = 1;
+  image.hasAlpha = hasAlpha;
+  image.rgba = {r, g, b, a};
+  return image;
+}
+
+QString interopMaps() {
+  const QByteArray folder = qgetenv("HUNAV_INTEROP_DIR");
+  const QString root = folder.isEmpty() ? QStringLiteral(SOURCE_DIR "/../shared/interop")
+                                        : QString::fromLocal8Bit(folder);
+  return root + QStringLiteral("/hunavsim2/");
+}
+
+}  // namespace
+
+Q_DECLARE_METATYPE(sim2d::MapMode)
+Q_DECLARE_METATYPE(sim2d::MapRule)
+
+class MapReaderTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void init();
+  void gridFromImage_pixels_data();
+  void gridFromImage_pixels();
+  void gridFromImage_firstRow_isTop();
+  void parseMapDescription_good_readsAll();
+  void parseMapDescription_bad_tellsPlace_data();
+  void parseMapDescription_bad_tellsPlace();
+  void parseMapDescription_manyErrors_tellsAll();
+  void parseMapDescription_unknownKey_warns();
+  void parseMapDescription_yaw_warns();
+  void readPgm_formats_data();
+  void readPgm_formats();
+  void readPgm_bad_isError_data();
+  void readPgm_bad_isError();
+  void readPgm_valueAboveMaximum_warns();
+  void readMap_onePixel_works();
+  void readMap_home_isExpanded();
+  void readMap_imageTroubles_nameTheKey_data();
+  void readMap_imageTroubles_nameTheKey();
+  void readMap_yamlAndImageTroubles_comeTogether();
+  void readMap_missingOrFolder_isError();
+  void readMap_loader_isUsed();
+  void writeMap_roundTrip_isEqual();
+  void writeMap_troubles_areTold();
+  void readMap_shippedMaps_countCells_data();
+  void readMap_shippedMaps_countCells();
+  void readMap_shippedMap_withoutImage();
+
+ private:
+  std::string write(const char* name, const QByteArray& content) {
+    QFile file(folder_->filePath(QString::fromUtf8(name)));
+    if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size()) {
+      qFatal("cannot write");
+    }
+    file.close();
+    return file.fileName().toStdString();
+  }
+
+  std::unique_ptr<QTemporaryDir> folder_;
+};
+
+void MapReaderTest::init() {
+  folder_ = std::make_unique<QTemporaryDir>();
+}
+
+void MapReaderTest::gridFromImage_pixels_data() {
+  QTest::addColumn<QVector<int>>("rgba");
+  QTest::addColumn<bool>("alpha");
+  QTest::addColumn<double>("free");
+  QTest::addColumn<MapMode>("mode");
+  QTest::addColumn<bool>("negate");
+  QTest::addColumn<int>("humble");
+  QTest::addColumn<int>("main");
+  using V = QVector<int>;
+  const auto grey = [](int v) { return V{v, v, v, 255}; };
+  const MapMode trinary = MapMode::Trinary;
+  const MapMode scale = MapMode::Scale;
+  QTest::newRow("254") << grey(254) << false << 0.196 << trinary << false << 0 << 0;
+  QTest::newRow("0") << grey(0) << false << 0.25 << trinary << false << 100 << 100;
+  QTest::newRow("205 ros") << grey(205) << false << 0.196 << trinary << false << -1 << -1;
+  QTest::newRow("205 gazebo") << grey(205) << false << 0.25 << trinary << false << 0 << 0;
+  QTest::newRow("127 opaque") << grey(127) << true << 0.196 << trinary << false << -1 << -1;
+  QTest::newRow("0 opaque") << grey(0) << true << 0.196 << trinary << false << 100 << 100;
+  QTest::newRow("205 opaque") << grey(205) << true << 0.196 << trinary << false << 0 << -1;
+  // p = 1 - 3 * 200 / 4 / 255 = 0.412; without the alpha it would be 0.216
+  QTest::newRow("200 clear") << V{200, 200, 200, 0} << true << 0.25 << trinary << false << -1 << -1;
+  QTest::newRow("255 clear") << V{255, 255, 255, 0} << true << 0.26 << trinary << false << 0 << -1;
+  QTest::newRow("negate 0") << grey(0) << false << 0.196 << trinary << true << 0 << 0;
+  QTest::newRow("negate 254") << grey(254) << false << 0.196 << trinary << true << 100 << 100;
+  QTest::newRow("red") << V{255, 0, 0, 255} << false << 0.196 << trinary << false << 100 << 100;
+  // mean 1/3: p = 0.667 > 0.65; luma of green 0.587: p = 0.413
+  QTest::newRow("green") << V{0, 255, 0, 255} << false << 0.196 << trinary << false << 100 << -1;
+  QTest::newRow("scale clear") << V{0, 0, 0, 254} << true << 0.196 << scale << false << -1 << -1;
+  QTest::newRow("scale black") << grey(0) << true << 0.196 << scale << false << 100 << 100;
+  QTest::newRow("scale white") << grey(255) << true << 0.196 << scale << false << 0 << 0;
+  // p = 1 - 127/255 = 0.50196; (p - 0.196) / 0.454 * 100 = 67.39
+  QTest::newRow("scale 127") << grey(127) << true << 0.196 << scale << false << 67 << 67;
+  // p = 0.2: (0.2 - 0.175) / 0.475 * 100 = 5.263
+  QTest::newRow("scale 204") << grey(204) << false << 0.175 << scale << false << 5 << 5;
+  QTest::newRow("raw 100") << grey(100) << false << 0.196 << MapMode::Raw << false << 100 << 100;
+  QTest::newRow("raw 101") << grey(101) << false << 0.196 << MapMode::Raw << true << -1 << -1;
+  QTest::newRow("raw 7") << grey(7) << true << 0.196 << MapMode::Raw << true << 7 << 7;
+}
+
+void MapReaderTest::gridFromImage_pixels() {
+  QFETCH(const QVector<int>, rgba);
+  QFETCH(const bool, alpha);
+  QFETCH(const double, free);
+  QFETCH(const MapMode, mode);
+  QFETCH(const bool, negate);
+  QFETCH(const int, humble);
+  QFETCH(const int, main);
+  const auto channel = [&](int i) { return static_cast<std::uint16_t>(rgba[i]); };
+  const MapImage image = pixel(channel(0), channel(1), channel(2), channel(3), alpha);
+  MapDescription description;
+  description.freeThreshold = free;
+  description.mode = mode;
+  description.negate = negate;
+  QCOMPARE(int{gridFromImage(image, description, MapRule::Humble).valueAt({0, 0})}, humble);
+  QCOMPARE(int{gridFromImage(image, description, MapRule::Main).valueAt({0, 0})}, main);
+}
+
+void MapReaderTest::gridFromImage_firstRow_isTop() {
+  MapImage image;
+  image.width = 2;
+  image.height = 2;
+  image.rgba = {0,   0,   0,   255, 255, 255, 255, 255,   // top: wall, free
+                255, 255, 255, 255, 255, 255, 255, 255};  // bottom: free
+  const OccupancyGrid grid = gridFromImage(image, {}, MapRule::Humble);
+  QVERIFY(grid.isWall({0, 1}));
+  QVERIFY(!grid.isWall({0, 0}));
+  QVERIFY(!grid.isWall({1, 1}));
+}
+
+void MapReaderTest::parseMapDescription_good_readsAll() {
+  const auto result = parseMapDescription(
+      "image: \"a b.png\"\nresolution: 5e-2\norigin: [-1, .5, 1.0e0]\nnegate: True\n"
+      "occupied_thresh: 1\nfree_thresh: 0\nmode: SCALE\n",
+      "m.yaml");
+  QVERIFY2(result, textOf(result.diagnostics()).c_str());
+  QCOMPARE(QString::fromStdString(result->image), QStringLiteral("a b.png"));
+  QCOMPARE(result->resolution, 0.05);
+  QCOMPARE(result->origin.position.y(), 0.5);
+  QCOMPARE(result->origin.heading, 1.0);
+  QVERIFY(result->negate);
+  QCOMPARE(result->occupiedThreshold, 1.0);
+  QCOMPARE(result->freeThreshold, 0.0);
+  QVERIFY(result->mode == MapMode::Scale);
+  const auto plain = parseMapDescription(kGoodYaml, "m.yaml");
+  QVERIFY(plain && plain.diagnostics().empty());
+  QVERIFY(plain->mode == MapMode::Trinary && !plain->negate);
+}
+
+void MapReaderTest::parseMapDescription_bad_tellsPlace_data() {
+  QTest::addColumn<QByteArray>("from");
+  QTest::addColumn<QByteArray>("to");
+  QTest::addColumn<QByteArray>("message");
+  const auto row = [](const char* name, const char* from, const char* to, const char* message) {
+    QTest::newRow(name) << QByteArray(from) << QByteArray(to) << QByteArray(message);
+  };
+  row("no image", "image: map.pgm\n", "", "m.yaml: error: key 'image' is missing");
+  row("no resolution", "resolution: 0.05\n", "", "key 'resolution' is missing");
+  row("no origin", "origin: [-1.5, 2, 0]\n", "", "key 'origin' is missing");
+  row("no negate", "negate: 0\n", "", "key 'negate' is missing");
+  row("no occupied", "occupied_thresh: 0.65\n", "", "key 'occupied_thresh' is missing");
+  row("no free", "free_thresh: 0.196\n", "", "key 'free_thresh' is missing");
+  row("empty image", "map.pgm", "''", "m.yaml:1:8: error: image must name a file");
+  row("image list", "map.pgm", "[a]", "m.yaml:1:8: error: image must name");
+  row("two numbers", "-1.5, 2, 0", "-1.5, 2", "m.yaml:3:9: error: origin must be a list of three");
+  row("four numbers", "-1.5, 2, 0", "1, 2, 3, 4", "m.yaml:3:9: error: origin must be a list");
+  row("origin word", "2, 0]", "two, 0]", "m.yaml:3:16: error: origin must be a finite number");
+  row("origin inf", "2, 0]", ".inf, 0]", "m.yaml:3:16: error: origin must be a finite number");
+  row("resolution zero", "0.05", "0", "m.yaml:2:13: error: resolution must be above 0");
+  row("resolution below", "0.05", "-0.05", "m.yaml:2:13: error: resolution must be above 0");
+  row("resolution nan", "0.05", ".nan", "m.yaml:2:13: error: resolution must be a finite number");
+  row("resolution junk", "0.05", "0.05m", "resolution must be a finite number, not '0.05m'");
+  row("resolution comma", "0.05", "0,05", "resolution must be a finite number, not '0,05'");
+  row("thresholds swapped", "0.196", "0.7", "m.yaml:6:14: error: thresholds must be");
+  row("thresholds equal", "0.196", "0.65", "not 0.65 and 0.65");
+  row("threshold below", "0.196", "-0.1", "thresholds must be");
+  row("threshold above", "0.65", "1.01", "thresholds must be");
+  row("negate word", "negate: 0", "negate: maybe", "m.yaml:4:9: error: negate must be");
+  row("mode", "negate: 0", "mode: tri\nnegate: 0", "m.yaml:4:7: error: mode must be trinary");
+  row("twice", "negate: 0", "resolution: 0.1\nnegate: 0", "m.yaml:4:1: error: key 'resolution' is");
+  row("no yaml", "image: map.pgm", "image: [", "not readable as YAML");
+  row("tab", "image: map.pgm", "a:\n\tb: 1", "not readable as YAML");
+}
+
+void MapReaderTest::parseMapDescription_bad_tellsPlace() {
+  QFETCH(const QByteArray, from);
+  QFETCH(const QByteArray, to);
+  QFETCH(const QByteArray, message);
+  const std::string text = replaced(kGoodYaml, from.toStdString(), to.toStdString());
+  const auto result = parseMapDescription(text, "m.yaml");
+  QVERIFY(!result);
+  QVERIFY2(contains(result.diagnostics(), message.toStdString()),
+           textOf(result.diagnostics()).c_str());
+}
+
+void MapReaderTest::parseMapDescription_manyErrors_tellsAll() {
+  const auto result = parseMapDescription("resolution: x\norigin: 3\nmode: y\n", "m.yaml");
+  QVERIFY(!result);
+  QCOMPARE(result.diagnostics().size(), std::size_t{7});  // 4 missing, 3 wrong
+  for (const char* text : {"", "- 1\n", "word\n", "# only a comment\n"}) {
+    const auto other = parseMapDescription(text, "m.yaml");
+    QVERIFY(!other);
+    QVERIFY(contains(other.diagnostics(), "keys and values"));
+  }
+}
+
+void MapReaderTest::parseMapDescription_unknownKey_warns() {
+  const auto result = parseMapDescription(std::string(kGoodYaml) + "moode: raw\n", "m.yaml");
+  QVERIFY(result);
+  QVERIFY(contains(result.diagnostics(),
+                   "m.yaml:7:1: warning: unknown key 'moode' (did you mean 'mode'?)"));
+}
+
+void MapReaderTest::parseMapDescription_yaw_warns() {
+  const auto result = parseMapDescription(replaced(kGoodYaml, "2, 0]", "2, 0.5]"), "m.yaml");
+  QVERIFY(result);
+  QCOMPARE(result->origin.heading, 0.5);
+  QVERIFY(contains(result.diagnostics(), "m.yaml:3:19: warning:"));
+}
+
+void MapReaderTest::readPgm_formats_data() {
+  QTest::addColumn<QByteArray>("content");
+  QTest::addColumn<int>("maximum");
+  QTest::addColumn<QVector<int>>("shades");
+  using V = QVector<int>;
+  QTest::newRow("P5") << QByteArray("P5\n2 1\n255\n\xfe\x0a", 13) << 255 << V{254, 10};
+  QTest::newRow("P5 raster begins with #") << QByteArray("P5 2 1 255\n##") << 255 << V{35, 35};
+  QTest::newRow("P5 comments") << QByteArray("P5 # made\n# by hand\n2 # w\n1\n255\nAB") << 255
+                               << V{65, 66};
+  QTest::newRow("P5 maximum 3") << QByteArray("P5\n2 1\n3\n\x03\x01", 11) << 3 << V{3, 1};
+  QTest::newRow("P5 16 bit") << QByteArray("P5\n2 1\n65535\n\x01\x02\x00\xff", 17) << 65535
+                             << V{258, 255};
+  QTest::newRow("P2") << QByteArray("P2\n2 1\n255\n7  255") << 255 << V{7, 255};
+  QTest::newRow("P2 comments") << QByteArray("P2#a\n2 1#b\n1000#c\n#d\n1000\n#e\n500\n") << 1000
+                               << V{1000, 500};
+  QTest::newRow("P2 CRLF") << QByteArray("P2\r\n2 1\r\n15\r\n0 15\r\n") << 15 << V{0, 15};
+  QTest::newRow("more behind") << QByteArray("P5 2 1 255\nABCDEF") << 255 << V{65, 66};
+}
+
+void MapReaderTest::readPgm_formats() {
+  QFETCH(const QByteArray, content);
+  QFETCH(const int, maximum);
+  QFETCH(const QVector<int>, shades);
+  const auto image = readPgm(write("a.pgm", content));
+  QVERIFY2(image, textOf(image.diagnostics()).c_str());
+  QCOMPARE(image->width, 2);
+  QCOMPARE(image->height, 1);
+  QCOMPARE(image->maximum, maximum);
+  QVERIFY(!image->hasAlpha);
+  for (int i = 0; i < 2; ++i) {
+    QCOMPARE(int{image->rgba[static_cast<std::size_t>(4 * i)]}, shades[i]);
+    QCOMPARE(int{image->rgba[static_cast<std::size_t>(4 * i + 2)]}, shades[i]);
+    QCOMPARE(int{image->rgba[static_cast<std::size_t>(4 * i + 3)]}, maximum);
+  }
+}
+
+void MapReaderTest::readPgm_bad_isError_data() {
+  QTest::addColumn<QByteArray>("content");
+  QTest::addColumn<QByteArray>("message");
+  const auto row = [](const char* name, const QByteArray& content, const char* message) {
+    QTest::newRow(name) << content << QByteArray(message);
+  };
+  row("empty", "", "is empty");
+  row("PPM", "P6\n1 1\n255\nabc", "not a PGM");
+  row("one byte", "P", "not a PGM");
+  row("no header", "P5\n", "header");
+  row("words", "P5\nwide 1\n255\nA", "header");
+  row("negative", "P5\n-1 1\n255\nA", "header");
+  row("no width", "P5\n0 1\n255\n", "no pixels");
+  row("maximum 0", "P5\n1 1\n0\nA", "maximum");
+  row("maximum 65536", "P5\n1 1\n65536\nAA", "maximum");
+  row("truncated", "P5\n3 2\n255\nABCDE", "need 6 bytes, there are 5");
+  row("truncated 16 bit", "P5\n1 1\n256\nA", "need 2 bytes, there are 1");
+  row("truncated P2", "P2\n2 2\n255\n1 2 333", "pixel 4 of 4");
+  row("word in P2", "P2\n2 1\n255\n1 x1 ", "pixel 2 of 2");
+  row("huge", "P5\n20000 20000\n255\nA", "too large");
+  row("very huge", "P5\n99999999999 99999999999\n255\nA", "too large");
+  row("large but not there", "P5\n10000 10000\n255\nA", "need 100000000 bytes");
+}
+
+void MapReaderTest::readPgm_bad_isError() {
+  QFETCH(const QByteArray, content);
+  QFETCH(const QByteArray, message);
+  const auto image = readPgm(write("a.pgm", content));
+  QVERIFY(!image);
+  QVERIFY2(contains(image.diagnostics(), message.toStdString()),
+           textOf(image.diagnostics()).c_str());
+}
+
+void MapReaderTest::readPgm_valueAboveMaximum_warns() {
+  const auto image = readPgm(write("a.pgm", "P2 1 1 15 16"));
+  QVERIFY(image);
+  QCOMPARE(int{image->rgba[0]}, 15);
+  QCOMPARE(image.diagnostics().size(), std::size_t{1});
+}
+
+void MapReaderTest::readMap_onePixel_works() {
+  write("map.pgm", "P2 1 1 1 0");
+  const auto map = readMap(write("m.yaml", kGoodYaml), nullptr);
+  QVERIFY2(map, textOf(map.diagnostics()).c_str());
+  QCOMPARE(map->grid.width(), 1);
+  QVERIFY(map->grid.isWall({0, 0}));
+  QCOMPARE(map->grid.origin().position.x(), -1.5);
+  QVERIFY(map.diagnostics().empty());
+}
+
+void MapReaderTest::readMap_home_isExpanded() {
+  write("map.pgm", "P2 1 1 1 0");
+  write("m.yaml", kGoodYaml);
+  const QByteArray home = qgetenv("HOME");
+  qputenv("HOME", folder_->path().toLocal8Bit());
+  const auto map = readMap("~/m.yaml", nullptr);
+  qputenv("HOME", home);
+  QVERIFY2(map, textOf(map.diagnostics()).c_str());
+}
+
+void MapReaderTest::readMap_imageTroubles_nameTheKey_data() {
+  QTest::addColumn<QByteArray>("image");
+  QTest::addColumn<QByteArray>("message");
+  QTest::newRow("missing") << QByteArray("none.pgm") << QByteArray("does not exist");
+  QTest::newRow("folder") << QByteArray(".") << QByteArray("not a file");
+  QTest::newRow("empty") << QByteArray("empty.png") << QByteArray("is empty");
+  QTest::newRow("no loader") << QByteArray("a.png") << QByteArray("only PGM");
+  QTest::newRow("truncated") << QByteArray("short.pgm") << QByteArray("ends too early");
+}
+
+void MapReaderTest::readMap_imageTroubles_nameTheKey() {
+  QFETCH(const QByteArray, image);
+  QFETCH(const QByteArray, message);
+  write("empty.png", "");
+  write("a.png", "\x89PNG");
+  write("short.pgm", "P5 9 9 255\nA");
+  const std::string yaml = replaced(kGoodYaml, "map.pgm", image.toStdString());
+  const auto map = readMap(write("m.yaml", QByteArray::fromStdString(yaml)), nullptr);
+  QVERIFY(!map);
+  QVERIFY2(contains(map.diagnostics(), "m.yaml:1:8: error: image '"),
+           textOf(map.diagnostics()).c_str());
+  QVERIFY2(contains(map.diagnostics(), message.toStdString()), textOf(map.diagnostics()).c_str());
+}
+
+void MapReaderTest::readMap_yamlAndImageTroubles_comeTogether() {
+  const auto map = readMap(write("m.yaml",
+                                 "image: none.pgm\nresolution: 0\norigin: [0, 0, 0]\nnegate: 0\n"
+                                 "occupied_thresh: 0.65\nfree_thresh: 0.196\n"),
+                           nullptr);
+  QVERIFY(!map);
+  QCOMPARE(map.diagnostics().size(), std::size_t{2});
+}
+
+void MapReaderTest::readMap_missingOrFolder_isError() {
+  QVERIFY(!readMap(folder_->path().toStdString() + "/none.yaml", nullptr));
+  QVERIFY(!readMap(folder_->path().toStdString(), nullptr));
+  QVERIFY(!readMap("", nullptr));
+  QVERIFY(!readMap(write("m.yaml", ""), nullptr));
+}
+
+void MapReaderTest::readMap_loader_isUsed() {
+  write("a.png", "x");
+  const std::string yaml =
+      write("m.yaml", QByteArray::fromStdString(replaced(kGoodYaml, "map.pgm", "a.png")));
+  const auto good = readMap(
+      yaml, [](const std::string&) -> base::Result<MapImage> { return pixel(0, 0, 0, 255, true); });
+  QVERIFY(good && good->grid.isWall({0, 0}));
+  const auto bad = readMap(yaml, [](const std::string& path) -> base::Result<MapImage> {
+    return base::makeError("no picture", path);
+  });
+  QVERIFY(!bad && contains(bad.diagnostics(), "m.yaml:1:8: error: image"));
+  QVERIFY(contains(bad.diagnostics(), "no picture"));
+  const auto empty =
+      readMap(yaml, [](const std::string&) -> base::Result<MapImage> { return MapImage(); });
+  QVERIFY(!empty);
+}
+
+void MapReaderTest::writeMap_roundTrip_isEqual() {
+  const OccupancyGrid grid(3, 2, 0.1, {{-0.3, 7.0}, 0.25}, {0, 100, -1, -1, 0, 100});
+  const std::string path = folder_->filePath(QStringLiteral("sub/my map.yaml")).toStdString();
+  QVERIFY(writeMap(grid, path).empty());
+  const auto map = readMap(path, nullptr);
+  QVERIFY2(map, textOf(map.diagnostics()).c_str());
+  QVERIFY(map->grid == grid);
+  QCOMPARE(QString::fromStdString(map->description.image), QStringLiteral("my map.pgm"));
+}
+
+void MapReaderTest::writeMap_troubles_areTold() {
+  const OccupancyGrid grid(1, 1, 0.1, {}, {0});
+  QVERIFY(!writeMap(OccupancyGrid(), folder_->filePath(QStringLiteral("a.yaml")).toStdString())
+               .empty());
+  QVERIFY(base::hasErrors(writeMap(grid, "/proc/none/a.yaml")));
+}
+
+void MapReaderTest::readMap_shippedMaps_countCells_data() {
+  QTest::addColumn<QString>("file");
+  QTest::addColumn<int>("free");
+  QTest::addColumn<int>("occupied");
+  const auto row = [](const char* name, int free, int occupied) {
+    QTest::newRow(name) << QString::fromUtf8(name) << free << occupied;
+  };
+  row("gazebo_classic/maps/cafe.yaml", 87994, 3102);
+  row("gazebo_classic/maps/house.yaml", 79462, 3788);
+  row("gazebo_classic/maps/warehouse.yaml", 111434, 5746);
+  row("hunav_sim_v1/maps/map_cafe2.yaml", 87994, 3102);
+  row("hunav_sim_v1/maps/small_house.yaml", 79462, 3788);
+  row("hunav_sim_v1/maps/small_warehouse.yaml", 111434, 5746);
+  row("hunav_sim_v1/maps/bookstore.yaml", 86542, 4562);
+}
+
+void MapReaderTest::readMap_shippedMaps_countCells() {
+  QFETCH(const QString, file);
+  QFETCH(const int, free);
+  QFETCH(const int, occupied);
+  const QString path = interopMaps() + file;
+  if (!QFile::exists(path)) {
+    QSKIP("maps of HuNavSim are not here (set HUNAV_INTEROP_DIR)");
+  }
+  const auto map = readMap(path.toStdString(), nullptr);
+  QVERIFY2(map, textOf(map.diagnostics()).c_str());
+  const auto& cells = map->grid.cells();
+  QCOMPARE(static_cast<int>(std::count(cells.begin(), cells.end(), std::int8_t{0})), free);
+  QCOMPARE(static_cast<int>(std::count(cells.begin(), cells.end(), std::int8_t{100})), occupied);
+  QCOMPARE(static_cast<int>(cells.size()), free + occupied);
+}
+
+void MapReaderTest::readMap_shippedMap_withoutImage() {
+  const QString path = interopMaps() + QStringLiteral("hunav_sim_v1/maps/cafe.yaml");
+  if (!QFile::exists(path)) {
+    QSKIP("maps of HuNavSim are not here (set HUNAV_INTEROP_DIR)");
+  }
+  const auto map = readMap(path.toStdString(), nullptr);
+  QVERIFY(!map);
+  QVERIFY(contains(map.diagnostics(), "cafe.yaml:1:8: error: image '"));
+}
+
+QTEST_APPLESS_MAIN(MapReaderTest)
+#include "tst_MapReader.moc"
