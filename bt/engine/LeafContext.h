@@ -32,7 +32,7 @@ enum class PortState { Given, Default, Missing, WrongType };
 /// by their number in the manifest; nothing is looked up by name and reading allocates nothing.
 class LeafContext {
  public:
-  LeafContext(Ticker& ticker, int node);
+  LeafContext(Ticker& ticker, const TickInput& input, int node);
 
   /// The value of an input port: int, double, bool, std::int64_t (of Unsigned),
   /// std::string_view (of text entries; valid until the entry is written) or base::NodeStatus.
@@ -89,14 +89,28 @@ class LeafContext {
   Ticker& ticker() const { return *ticker_; }
 
  private:
-  const Value* valueOf(int port) const;  // nullptr = missing
-  const PortBinding& binding(int port) const;
-  bool write(int port, const Value& value);
+  const Value* valueOf(int port) const {  // nullptr = missing
+    const PortBinding& binding = ports_[port];
+    if (binding.kind == PortBinding::Kind::Constant) {
+      return &constants_[binding.index];
+    }
+    if (binding.kind == PortBinding::Kind::Missing) {
+      return nullptr;
+    }
+    const Value& value = slots_[binding.index].value;
+    return value.type == ValueType::Unset ? nullptr : &value;
+  }
+  Slot* slotOf(int port) {
+    return ports_[port].kind == PortBinding::Kind::Entry ? &slots_[ports_[port].index] : nullptr;
+  }
   void* memoryBytes();
   void faultOfPort(int port);
 
   Ticker* ticker_;
   const TickInput* input_;
+  const PortBinding* ports_;
+  const Value* constants_;
+  Slot* slots_;
   int node_;
 };
 

@@ -15,11 +15,11 @@ namespace bt {
 
 struct ScriptInstruction {
   enum class Code : std::uint8_t {
-    Number,
-    Text,
-    Load,
+    Number,  // number
+    Text,    // texts[index]
+    Load,    // slot `index`
+    Create,  // := into slot `index`; the others need an entry that exists
     Assign,
-    Create,
     AddTo,
     SubtractFrom,
     MultiplyBy,
@@ -37,27 +37,26 @@ struct ScriptInstruction {
     BitNot,
     Not,
     Negate,
-    Equal,
-    NotEqual,
-    Less,
-    Greater,
-    LessEqual,
-    GreaterEqual,
-    ChainCompare,
-    Select,
+    Compare,      // chains[index]
+    JumpIfFalse,  // to instruction `index`
+    Jump,
     Drop
   };
   Code code = Code::Number;
-  std::int32_t index = 0;  // slot or text
+  std::int32_t index = 0;
   double number = 0.0;
 };
 
 struct Script {
+  enum class Comparison : std::uint8_t { Equal, NotEqual, Less, Greater, LessEqual, GreaterEqual };
+
   std::string source;
   std::vector<ScriptInstruction> code;
   std::vector<std::string> texts;
-  std::vector<std::string> keys;  // by slot operand order, for messages
-  int depth = 0;                  // places on the stack
+  std::vector<std::vector<Comparison>> chains;  // a < b < c: two comparisons
+  std::vector<int> written;                     // slots that it assigns
+  std::vector<int> read;
+  int depth = 1;  // places on the stack
 };
 
 /// `slotOf` gives the slot of a blackboard key. The error says what is wrong and at which column.

@@ -34,9 +34,19 @@ bool operator==(const Value& a, const Value& b);
 
 /// Reads with the conversions that ports allow: text is parsed, a real becomes a whole number only
 /// when it is one, a number becomes a bool only when it is 0 or 1. Nothing = does not fit.
-std::optional<int> toInt(const Value& value);
+namespace detail {
+std::optional<int> convertedToInt(const Value& value);
+std::optional<double> convertedToDouble(const Value& value);
+}  // namespace detail
+inline std::optional<int> toInt(const Value& value) {
+  return value.type == ValueType::Int && value.integer == static_cast<int>(value.integer)
+             ? static_cast<int>(value.integer)
+             : detail::convertedToInt(value);
+}
+inline std::optional<double> toDouble(const Value& value) {
+  return value.type == ValueType::Double ? value.real : detail::convertedToDouble(value);
+}
 std::optional<std::int64_t> toUnsigned(const Value& value);
-std::optional<double> toDouble(const Value& value);
 std::optional<bool> toBool(const Value& value);
 std::optional<std::string_view> toStringView(const Value& value);
 std::optional<base::NodeStatus> toStatus(const Value& value);

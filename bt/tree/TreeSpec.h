@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -74,9 +75,9 @@ bool operator==(const XmlBlock& a, const XmlBlock& b);
 enum class FilePart { Model, Include, Tree, Other };
 
 /// One tree file. `order` says how the parts follow each other; parts that are more than it names
-/// are written after it.
+/// are written after it. It has no meaning and is not compared.
 struct TreeFile {
-  int format = 4;        // BTCPP_format of the file that was read (3 or 4); always written as 4
+  int format = 4;        // of the file that was read, 3 or 4; written as 4; not compared
   std::string mainTree;  // main_tree_to_execute; empty = not given
   std::vector<Include> includes;
   std::vector<TreeSpec> trees;
@@ -103,8 +104,14 @@ struct TreeTable {
   };
   std::string file;      // the file that was opened
   std::string mainTree;  // ID of the tree to run; empty = not decided (several trees, none named)
-  std::vector<Entry> entries;
-  std::vector<XmlBlock> subTreeModels;  // <SubTree ID=…> of the model blocks
+  std::map<std::string, Entry, std::less<>> entries;  // by tree ID
+  std::vector<XmlBlock> subTreeModels;                // <SubTree ID=…> of the model blocks
+  /// Where a {GOAL_SEQUENCE} was left over.
+  struct TemplateText {
+    std::string file;
+    int line = 0;
+  };
+  std::vector<TemplateText> templates;
 
   const Entry* find(std::string_view treeId) const;
 };
@@ -141,11 +148,13 @@ base::Diagnostics diagnosticsOf(const TreeIssues& issues);
 /// that a SubTree may name.
 TreeIssues checkTree(const TreeSpec& tree, const NodeCatalogue& catalogue,
                      const std::vector<std::string>& treeIds, const std::string& fileName = {});
+/// All trees of the table, and SubTrees that contain themselves.
+TreeIssues checkTrees(const TreeTable& table, const NodeCatalogue& catalogue);
 /// What an importer looks at in a file whose includes have been followed: all its trees, the tree
-/// to run, recursion, left-over template text, placeholders of HuNavSim 1.5, references that
-/// nothing writes (`hostKeys` are written by the program that runs the tree).
-TreeIssues checkFile(const TreeFile& file, const TreeTable& table, const NodeCatalogue& catalogue,
-                     const std::vector<std::string>& hostKeys = {"id", "dt"});
+/// to run, recursion of SubTrees, left-over template text (an error here; the compiler only warns),
+/// placeholders of HuNavSim 1.5. Scripts, types of entries and references that nothing writes are
+/// the compiler's.
+TreeIssues checkTable(const TreeTable& table, const NodeCatalogue& catalogue);
 /// The placeholders of HuNavSim 1.5 ({dist}, {duration}, {once}, {maxvel}, {forcefactor},
 /// {stopdist}, {frontdist}, {safe_distance}) that the trees read; names without braces.
 std::vector<std::string> placeholdersIn(const TreeTable& table);

@@ -1,0 +1,291 @@
+#include "bt/engine/Compiler.h"
+
+#include <utility>
+
+#include "bt/tree/TreeXml.h"
+#include "sim2d/base/Text.h"
+
+namespace bt {
+namespace {
+
+/// Names of the children, equal ones numbered from 1.
+std::vector<std::string> namesOf(const std::vector<NodeSpec>& children) {
+  std::map<std::string, int> total;
+  for (const NodeSpec& child : children) {
+    ++total[child.label()];
+  }
+  std::map<std::string, int> seen;
+  std::vector<std::string> names;
+  names.reserve(children.size());
+  for (const NodeSpec& child : children) {
+    const std::string& label = child.label();
+    names.push_back(total[label] == 1 ? label : label + "[" + std::to_string(++seen[label]) + "]");
+  }
+  return names;
+}
+
+}  // namespace
+
+Compiler::Compiler(const TreeTable& table, const NodeLibrary& library)
+    : table_(table), library_(library) {
+  for (const XmlBlock& model : table.subTreeModels) {
+    if (const std::string* const id = findText(model.attributes, "ID")) {
+      subTreeModels_[*id] = &model;
+    }
+  }
+}
+
+void Compiler::error(const NodeSpec& spec, const Place& place, const std::string& message) {
+  problems_.push_back(base::makeError(place.tree->tree.id + ": " + spec.label() + ": " + message,
+                                      place.tree->file, spec.line));
+}
+
+void Compiler::addHostEntries(const std::vector<HostEntry>& entries) {
+  for (const HostEntry& entry : entries) {
+    const int slot = scopes_.slotOf(0, entry.key);
+    scopes_.slot(slot).type = entry.type;
+    scopes_.slot(slot).exists = true;
+    scopes_.use(slot).written = true;
+    scopes_.use(slot).firstTyped = "the program";
+    program_->hostSlots_.push_back(slot);
+  }
+}
+
+int Compiler::manifestOf(const NodeSpec& spec) {
+  const auto [place, isNew] =
+      manifests_.emplace(spec.id, static_cast<int>(program_->manifests_.size()));
+  if (isNew) {
+    program_->manifests_.push_back(*library_.catalogue().find(spec.id));
+  }
+  return place->second;
+}
+
+int Compiler::functionsOf(const std::string& id) {
+  const auto [place, isNew] = functions_.emplace(id, static_cast<int>(program_->functions_.size()));
+  if (isNew) {
+    program_->functions_.push_back(*library_.functions(id));
+  }
+  return place->second;
+}
+
+int Compiler::addNode(const NodeSpec& spec, int parent, const std::string& path,
+                      const Place& place) {
+  if (full_ || program_->nodeCount() >= kMaxProgramNodes || place.depth > kMaxProgramDepth) {
+    if (!full_) {
+      error(spec, place, "the tree is too large once its SubTrees are put in place");
+    }
+    full_ = true;
+    return -1;
+  }
+  const int index = program_->nodeCount();
+  Program::Node node;
+  node.parent = parent;
+  node.children = spec.isSubTree() ? 1 : static_cast<int>(spec.children.size());
+  program_->origins_.push_back(
+      {spec.label(), place.tree->tree.id, spec.line, spec.uid, manifestOf(spec)});
+  paths_.push_back(path);
+  setCode(spec, node, place);
+  bindPorts(spec, node, place);
+  setDetail(spec, node, place);
+  node.conditions = bindConditions(spec, place);
+  program_->nodes_.push_back(node);
+  if (spec.isSubTree()) {
+    addSubTree(spec, index, place);
+  } else {
+    addChildren(spec, index, place);
+  }
+  program_->nodes_[static_cast<std::size_t>(index)].end = program_->nodeCount();
+  return index;
+}
+
+void Compiler::addChildren(const NodeSpec& spec, int node, const Place& place) {
+  const std::vector<std::string> names = namesOf(spec.children);
+  Place below = place;
+  ++below.depth;
+  for (std::size_t i = 0; i < spec.children.size() && !full_; ++i) {
+    addNode(spec.children[i], node, paths_[static_cast<std::size_t>(node)] + "/" + names[i], below);
+  }
+}
+
+void Compiler::addSubTree(const NodeSpec& spec, int node, const Place& place) {
+  Place below;
+  below.tree = table_.find(spec.subTree);
+  below.scope = scopeOfSubTree(spec, node, place);
+  below.depth = place.depth + 1;
+  const NodeSpec& root = below.tree->tree.root;
+  addNode(root, node, paths_[static_cast<std::size_t>(node)] + "/" + root.label(), below);
+}
+
+int Compiler::scopeOfSubTree(const NodeSpec& spec, int node, const Place& place) {
+  Attributes mapping = spec.ports;
+  if (!spec.autoRemap) {
+    applyModel(spec, mapping, place);
+  }
+  const int scope =
+      scopes_.add(place.scope, spec.autoRemap, paths_[static_cast<std::size_t>(node)]);
+  for (const Attribute& entry : mapping) {
+    if (const std::optional<std::string> key = referencedKey(entry.text, entry.name)) {
+      scopes_.remap(scope, entry.name, *key);
+    } else {
+      scopes_.setConstant(scope, entry.name, entry.text);
+    }
+  }
+  return scope;
+}
+
+void Compiler::applyModel(const NodeSpec& spec, Attributes& mapping, const Place& place) {
+  const auto model = subTreeModels_.find(spec.subTree);
+  if (model == subTreeModels_.end()) {
+    return;
+  }
+  for (const XmlBlock& port : model->second->children) {
+    const std::string* const name = findText(port.attributes, "name");
+    if (!name || findText(mapping, *name)) {
+      continue;
+    }
+    if (const std::string* const text = findText(port.attributes, "default")) {
+      mapping.push_back({*name, *text});
+    } else {
+      error(spec, place, "port '" + *name + "' of the SubTree's model is missing");
+    }
+  }
+}
+
+void Compiler::setCode(const NodeSpec& spec, Program::Node& node, const Place&) {
+  int bytes = 0;
+  if (const NodeFunctions* const functions = library_.functions(spec.id)) {
+    node.code = functions->kind == NodeFunctions::Kind::Decorator  ? NodeCode::Decorator
+                : functions->kind == NodeFunctions::Kind::Stateful ? NodeCode::Stateful
+                                                                   : NodeCode::Synchronous;
+    node.detail = functionsOf(spec.id);
+    bytes = (functions->memoryBytes + 7) / 8 * 8;
+  } else {
+    node.code = *builtinCode(spec.id);
+    bytes = memoryBytesOf(node.code, node.children);
+  }
+  node.memory = program_->memoryBytes_;
+  program_->memoryBytes_ += bytes;
+}
+
+void Compiler::setDetail(const NodeSpec& spec, Program::Node& node, const Place& place) {
+  switch (node.code) {
+    case NodeCode::Script:
+    case NodeCode::ScriptCondition:
+      node.detail = scriptOfPort(spec, "code", place);
+      break;
+    case NodeCode::Precondition:
+      node.detail = scriptOfPort(spec, "if", place);
+      break;
+    case NodeCode::SetBlackboard:
+      node.detail = slotOfKeyPort(spec, "output_key", place, true);
+      break;
+    case NodeCode::UnsetBlackboard:
+      node.detail = slotOfKeyPort(spec, "key", place, false);
+      break;
+    case NodeCode::SkipUnlessUpdated:
+    case NodeCode::WaitValueUpdate:
+    case NodeCode::WasEntryUpdated:
+      node.detail = slotOfKeyPort(spec, "entry", place, false);
+      break;
+    case NodeCode::Loop:
+      checkQueue(spec, place);
+      break;
+    default:
+      break;
+  }
+}
+
+void Compiler::warnUnwritten() {
+  for (const Scopes::Use& use : scopes_.uses()) {
+    if (use.read && !use.written) {
+      problems_.push_back(
+          base::makeWarning("nothing writes " + use.firstRead + ", so reading it stops the tree",
+                            use.file, use.line));
+    }
+  }
+}
+
+void Compiler::takeOver() {
+  program_->initialSlots_ = scopes_.slots();
+  program_->entries_ = scopes_.entries();
+  program_->paths_ = std::make_shared<const std::vector<std::string>>(std::move(paths_));
+}
+
+base::Result<std::shared_ptr<const Program>> Compiler::run(const CompileOptions& options) {
+  addHostEntries(options.hostEntries);
+  Place place;
+  place.tree = table_.find(options.mainTree);
+  const NodeSpec& root = place.tree->tree.root;
+  addNode(root, -1, root.label(), place);
+  warnUnwritten();
+  if (base::hasErrors(problems_)) {
+    return problems_;
+  }
+  takeOver();
+  return {std::shared_ptr<const Program>(std::move(program_)), std::move(problems_)};
+}
+
+namespace {
+
+base::Diagnostics templateWarnings(const TreeTable& table) {
+  base::Diagnostics warnings;
+  for (const TreeTable::TemplateText& text : table.templates) {
+    warnings.push_back(base::makeWarning("{GOAL_SEQUENCE} is left over and ignored: a template",
+                                         text.file, text.line));
+  }
+  return warnings;
+}
+
+std::optional<base::Diagnostic> problemOfMainTree(const TreeTable& table, const std::string& id) {
+  if (id.empty()) {
+    return base::makeError("which tree is to run is not said (set main_tree_to_execute)",
+                           table.file);
+  }
+  if (!table.find(id)) {
+    return base::makeError("there is no tree '" + id + "' to run", table.file);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+base::Result<std::shared_ptr<const Program>> compile(const TreeTable& table,
+                                                     const NodeLibrary& library,
+                                                     const CompileOptions& options) {
+  CompileOptions chosen = options;
+  if (chosen.mainTree.empty()) {
+    chosen.mainTree = table.mainTree;
+  }
+  base::Diagnostics problems = diagnosticsOf(checkTrees(table, library.catalogue()));
+  if (const std::optional<base::Diagnostic> bad = problemOfMainTree(table, chosen.mainTree)) {
+    problems.push_back(*bad);
+  }
+  base::append(problems, templateWarnings(table));
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  const base::Result<std::shared_ptr<const Program>> program = Compiler(table, library).run(chosen);
+  base::append(problems, program.diagnostics());
+  if (!program) {
+    return problems;
+  }
+  return {*program, std::move(problems)};
+}
+
+base::Result<std::shared_ptr<const Program>> compile(const TreeFile& file,
+                                                     const NodeLibrary& library,
+                                                     const CompileOptions& options) {
+  const base::Result<TreeTable> table = resolveIncludes(file);
+  if (!table) {
+    return table.diagnostics();
+  }
+  const base::Result<std::shared_ptr<const Program>> program = compile(*table, library, options);
+  base::Diagnostics problems = table.diagnostics();
+  base::append(problems, program.diagnostics());
+  if (!program) {
+    return problems;
+  }
+  return {*program, std::move(problems)};
+}
+
+}  // namespace bt

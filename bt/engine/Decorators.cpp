@@ -1,0 +1,332 @@
+#include <algorithm>
+
+#include "bt/engine/Ticker.h"
+
+/// Decorators, after BehaviorTree.CPP 4.10 but with simulated time. A child that is done is reset
+/// by tickNode().
+namespace bt {
+
+base::NodeStatus Ticker::runDecorator(int node) {
+  switch (program_.node(node).code) {
+    case NodeCode::Inverter:
+      return inverter(node);
+    case NodeCode::ForceSuccess:
+      return force(node, Status::Success);
+    case NodeCode::ForceFailure:
+      return force(node, Status::Failure);
+    case NodeCode::Repeat:
+      return repeat(node);
+    case NodeCode::RetryUntilSuccessful:
+      return retry(node);
+    case NodeCode::KeepRunningUntilFailure:
+      return keepRunning(node);
+    case NodeCode::Delay:
+      return delay(node);
+    case NodeCode::Timeout:
+      return timeout(node);
+    case NodeCode::RunOnce:
+      return runOnce(node);
+    case NodeCode::Precondition:
+      return precondition(node);
+    case NodeCode::Loop:
+      return loop(node);
+    case NodeCode::SkipUnlessUpdated:
+      return ifUpdated(node, Status::Skipped);
+    case NodeCode::WaitValueUpdate:
+      return ifUpdated(node, Status::Running);
+    case NodeCode::SubTree:
+      return subTree(node);
+    default:
+      return customDecorator(node);
+  }
+}
+
+base::NodeStatus Ticker::inverter(int node) {
+  stored(node) = Status::Running;
+  const Status status = tickNode(node + 1);
+  if (status == Status::Success) {
+    return Status::Failure;
+  }
+  if (status == Status::Failure) {
+    return Status::Success;
+  }
+  return status == Status::Idle ? unexpected(node + 1, status) : status;
+}
+
+base::NodeStatus Ticker::force(int node, Status result) {
+  stored(node) = Status::Running;
+  const Status status = tickNode(node + 1);
+  if (status == Status::Success || status == Status::Failure) {
+    return result;
+  }
+  return status == Status::Idle ? unexpected(node + 1, status) : status;
+}
+
+base::NodeStatus Ticker::repeat(int node) {
+  const std::optional<int> cycles = need<int>(node, 0);
+  if (!cycles) {
+    return kFault;
+  }
+  auto& own = memory<CountMemory>(node);
+  const int child = node + 1;
+  stored(node) = Status::Running;
+  while (own.count < *cycles || *cycles == -1) {
+    const Status before = stored(child);
+    const Status status = tickNode(child);
+    if (status == Status::Running) {
+      return status;
+    }
+    if (status == Status::Failure) {
+      own.count = 0;
+      return status;
+    }
+    if (status == Status::Skipped) {
+      resetChild(child);
+      return status;
+    }
+    if (status != Status::Success) {
+      return unexpected(child, status);
+    }
+    resetChild(child);
+    own.count = *cycles == -1 ? 0 : own.count + 1;
+    if (before == Status::Idle && (own.count < *cycles || *cycles == -1)) {
+      return Status::Running;
+    }
+  }
+  own.count = 0;
+  return Status::Success;
+}
+
+base::NodeStatus Ticker::retry(int node) {
+  std::optional<int> attempts = need<int>(node, 0);
+  auto& own = memory<CountMemory>(node);
+  const int child = node + 1;
+  stored(node) = Status::Running;
+  while (attempts && (own.count < *attempts || *attempts == -1)) {
+    const Status before = stored(child);
+    const Status status = tickNode(child);
+    if (status == Status::Running) {
+      return status;
+    }
+    if (status == Status::Success) {
+      own.count = 0;
+      return status;
+    }
+    if (status == Status::Skipped) {
+      resetChild(child);
+      return status;
+    }
+    if (status != Status::Failure) {
+      return unexpected(child, status);
+    }
+    resetChild(child);
+    attempts = need<int>(node, 0);  // the child may have changed it
+    if (!attempts) {
+      return kFault;
+    }
+    own.count = *attempts == -1 ? 0 : own.count + 1;
+    if (before == Status::Idle && (own.count < *attempts || *attempts == -1)) {
+      return Status::Running;
+    }
+  }
+  own.count = 0;
+  return attempts ? Status::Failure : kFault;
+}
+
+base::NodeStatus Ticker::keepRunning(int node) {
+  stored(node) = Status::Running;
+  const Status status = tickNode(node + 1);
+  if (status == Status::Idle || status == kFault) {
+    return unexpected(node + 1, status);
+  }
+  return status == Status::Failure ? status : Status::Running;
+}
+
+base::NodeStatus Ticker::delay(int node) {
+  auto& own = memory<TimerMemory>(node);
+  const std::optional<std::int64_t> limit = need<std::int64_t>(node, 0);
+  if (!limit) {
+    return kFault;
+  }
+  if (!own.started) {
+    own = {input_.step, true};
+  }
+  stored(node) = Status::Running;
+  if (!hasElapsed(own, *limit)) {
+    return Status::Running;
+  }
+  const Status status = tickNode(node + 1);
+  if (status == Status::Idle) {
+    return unexpected(node + 1, status);
+  }
+  own.started = status == Status::Running || status == Status::Skipped;
+  return status;
+}
+
+base::NodeStatus Ticker::timeout(int node) {
+  auto& own = memory<TimerMemory>(node);
+  const std::optional<std::int64_t> limit = need<std::int64_t>(node, 0);
+  if (!limit) {
+    return kFault;
+  }
+  if (!own.started) {
+    own = {input_.step, true};
+  }
+  stored(node) = Status::Running;
+  const int child = node + 1;
+  if (*limit > 0 && stored(child) == Status::Running && hasElapsed(own, *limit)) {
+    resetChild(child);
+    own.started = false;
+    return Status::Failure;
+  }
+  const Status status = tickNode(child);
+  if (status == Status::Idle) {
+    return unexpected(child, status);
+  }
+  own.started = status == Status::Running || status == Status::Skipped;
+  return status;
+}
+
+base::NodeStatus Ticker::runOnce(int node) {
+  auto& own = memory<RunOnceMemory>(node);
+  if (own.result != Status::Idle) {
+    const std::optional<bool> skips = need<bool>(node, 0);
+    return !skips ? kFault : (*skips ? Status::Skipped : own.result);
+  }
+  stored(node) = Status::Running;
+  const Status status = tickNode(node + 1);
+  if (status == Status::Success || status == Status::Failure) {
+    own.result = status;
+  }
+  return status == Status::Idle ? unexpected(node + 1, status) : status;
+}
+
+base::NodeStatus Ticker::precondition(int node) {
+  auto& own = memory<RunningMemory>(node);
+  if (!own.running) {
+    const int script = program_.node(node).detail;
+    if (script < 0) {
+      return fault(node, "input 'if' is missing");
+    }
+    bool truth = false;
+    if (!truthOf(node, script, truth)) {
+      return kFault;
+    }
+    if (!truth) {
+      const std::optional<Status> otherwise = need<Status>(node, 1);
+      return otherwise ? *otherwise : kFault;
+    }
+  }
+  stored(node) = Status::Running;
+  const Status status = tickNode(node + 1);
+  if (status == Status::Idle) {
+    return unexpected(node + 1, status);
+  }
+  own.running = status == Status::Running;
+  return status;
+}
+
+/// Writes one element to the port `value`; false = a fault was noted.
+bool Ticker::storeElement(int node, std::string_view element) {
+  const auto index = static_cast<std::size_t>(program_.node(node).firstPort + 2);
+  const PortBinding& binding = program_.bindings()[index];
+  if (binding.kind != PortBinding::Kind::Entry) {
+    return true;  // nobody wants it
+  }
+  const std::optional<Value> value = convertTo(Value::of(element), binding.type);
+  if (!value || !store(state_.slots_[static_cast<std::size_t>(binding.index)], *value)) {
+    fault(node, "element '" + std::string(element) + "' of 'queue' does not fit 'value'");
+    return false;
+  }
+  return true;
+}
+
+/// Takes the next element of the list: of a constant by counting, of an entry by cutting it off.
+bool Ticker::takeElement(int node, bool& taken) {
+  taken = false;
+  const auto index = static_cast<std::size_t>(program_.node(node).firstPort);
+  const PortBinding& binding = program_.bindings()[index];
+  const Value* const list = portValue(node, 0);
+  if (!list || list->text.empty()) {
+    return true;
+  }
+  auto& own = memory<LoopMemory>(node);
+  std::string_view rest = list->text;
+  const bool constant = binding.kind == PortBinding::Kind::Constant;
+  for (int i = 0; constant && i < own.taken; ++i) {
+    const std::size_t separator = rest.find(';');
+    if (separator == std::string_view::npos) {
+      return true;
+    }
+    rest.remove_prefix(separator + 1);
+  }
+  const std::size_t length = std::min(rest.find(';'), rest.size());
+  if (!storeElement(node, rest.substr(0, length))) {
+    return false;
+  }
+  taken = true;
+  if (constant) {
+    ++own.taken;
+  } else {
+    Slot& slot = state_.slots_[static_cast<std::size_t>(binding.index)];
+    slot.value.text.erase(0, length + 1);
+    ++slot.version;
+  }
+  return true;
+}
+
+base::NodeStatus Ticker::loop(int node) {
+  auto& own = memory<LoopMemory>(node);
+  if (stored(node) == Status::Idle) {
+    own.running = false;
+  }
+  if (!own.running) {
+    bool taken = false;
+    if (!takeElement(node, taken)) {
+      return kFault;
+    }
+    if (!taken) {
+      const std::optional<Status> atEnd = need<Status>(node, 1);
+      return atEnd ? *atEnd : kFault;
+    }
+  }
+  stored(node) = Status::Running;
+  const Status status = tickNode(node + 1);
+  if (status == Status::Idle || status == kFault) {
+    return unexpected(node + 1, status);
+  }
+  own.running = status == Status::Running;
+  return status == Status::Failure ? status : Status::Running;
+}
+
+base::NodeStatus Ticker::ifUpdated(int node, Status otherwise) {
+  auto& own = memory<UpdateMemory>(node);
+  if (!own.running && !wasUpdated(node, own)) {
+    return isFaulty() ? kFault : otherwise;
+  }
+  const Status status = tickNode(node + 1);
+  if (status == Status::Idle) {
+    return unexpected(node + 1, status);
+  }
+  own.running = status == Status::Running;
+  return status;
+}
+
+base::NodeStatus Ticker::subTree(int node) {
+  if (stored(node) == Status::Idle) {
+    stored(node) = Status::Running;
+  }
+  const Status status = tickNode(node + 1);
+  return status == Status::Idle ? unexpected(node + 1, status) : status;
+}
+
+base::NodeStatus Ticker::customDecorator(int node) {
+  DecoratorContext context(*this, input_, node);
+  const Status status = program_.functions(program_.node(node).detail).decorator.tick(context);
+  if (isFaulty()) {
+    return kFault;
+  }
+  return status == Status::Idle ? fault(node, "it returned IDLE") : status;
+}
+
+}  // namespace bt

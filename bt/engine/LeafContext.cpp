@@ -1,0 +1,87 @@
+#include "bt/engine/LeafContext.h"
+
+#include <utility>
+
+#include "bt/engine/Ticker.h"
+
+namespace bt {
+
+LeafContext::LeafContext(Ticker& ticker, const TickInput& input, int node)
+    : ticker_(&ticker),
+      input_(&input),
+      ports_(ticker.program().bindings().data() + ticker.program().node(node).firstPort),
+      constants_(ticker.program().constants().data()),
+      slots_(ticker.slots()),
+      node_(node) {}
+
+PortState LeafContext::state(int port) const {
+  const Value* const value = valueOf(port);
+  const PortBinding& binding = ports_[port];
+  if (!value) {
+    return PortState::Missing;
+  }
+  if (!convertTo(*value, binding.type)) {
+    return PortState::WrongType;
+  }
+  return binding.isDefault ? PortState::Default : PortState::Given;
+}
+
+std::optional<std::string> LeafContext::text(int port) const {
+  const Value* const value = valueOf(port);
+  return value ? std::optional<std::string>(value->toText()) : std::nullopt;
+}
+
+bool LeafContext::set(int port, int value) {
+  Slot* const slot = slotOf(port);
+  return slot && store(*slot, value);
+}
+
+bool LeafContext::set(int port, double value) {
+  Slot* const slot = slotOf(port);
+  return slot && store(*slot, value);
+}
+
+bool LeafContext::set(int port, bool value) {
+  Slot* const slot = slotOf(port);
+  return slot && store(*slot, Value::of(value));
+}
+
+bool LeafContext::set(int port, std::string_view value) {
+  Slot* const slot = slotOf(port);
+  return slot && store(*slot, Value::of(value));
+}
+
+const std::string& LeafContext::path() const {
+  return ticker_->program().path(node_);
+}
+
+const std::string& LeafContext::label() const {
+  return ticker_->program().label(node_);
+}
+
+base::NodeStatus LeafContext::fault(std::string message) {
+  return ticker_->fault(node_, std::move(message));
+}
+
+void* LeafContext::memoryBytes() {
+  return ticker_->memoryOf(node_);
+}
+
+void LeafContext::faultOfPort(int port) {
+  const std::string& name =
+      ticker_->program().manifest(node_).ports[static_cast<std::size_t>(port)].name;
+  const Value* const value = valueOf(port);
+  ticker_->fault(node_, value ? "input '" + name + "' is '" + value->toText() +
+                                    "', which does not fit its type"
+                              : "input '" + name + "' is missing");
+}
+
+base::NodeStatus DecoratorContext::tickChild() {
+  return ticker().tickNode(node() + 1);
+}
+
+void DecoratorContext::resetChild() {
+  ticker().resetChild(node() + 1);
+}
+
+}  // namespace bt

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "bt/engine/Program.h"
+
+/// What the engine keeps per node and agent, and which names it runs itself.
+namespace bt {
+
+/// Nothing for nodes that a library runs.
+std::optional<NodeCode> builtinCode(std::string_view id);
+
+/// Bytes of the node's memory; all zero in a new tree.
+int memoryBytesOf(NodeCode code, int children);
+
+struct SequenceMemory {
+  std::int32_t next = 0;  // node to go on with; 0 = the first child
+  std::int32_t skipped = 0;
+};
+struct TryCatchMemory {
+  std::int32_t next = 0;
+  std::int32_t skipped = 0;
+  bool catching = false;
+};
+/// Followed by one bit per child: done in this run.
+struct ParallelMemory {
+  std::int32_t successes = 0;
+  std::int32_t failures = 0;
+};
+struct BranchMemory {
+  std::int32_t branch = 0;  // node of the chosen child; 0 = none yet
+};
+struct CountMemory {
+  std::int32_t count = 0;
+};
+struct TimerMemory {
+  std::int64_t startStep = 0;
+  bool started = false;
+};
+struct RunOnceMemory {
+  base::NodeStatus result = base::NodeStatus::Idle;  // Idle = has not run
+};
+struct RunningMemory {
+  bool running = false;
+};
+struct LoopMemory {
+  std::int32_t taken = 0;  // elements of a constant list
+  bool running = false;
+};
+struct UpdateMemory {
+  std::uint32_t version = 0;
+  bool running = false;
+};
+
+}  // namespace bt

@@ -1,0 +1,250 @@
+#include "bt/engine/Ticker.h"
+
+#include <utility>
+
+#include "bt/engine/ScriptRunner.h"
+
+/// Ticking, halting and conditions, common to all nodes.
+namespace bt {
+namespace {
+
+bool isDone(base::NodeStatus status) {
+  return status == base::NodeStatus::Success || status == base::NodeStatus::Failure;
+}
+
+bool hasOneChild(NodeCode code) {
+  return (code >= NodeCode::Inverter && code <= NodeCode::SubTree) || code == NodeCode::Decorator;
+}
+
+bool hasChildren(NodeCode code) {
+  return code <= NodeCode::SubTree || code == NodeCode::Decorator;
+}
+
+}  // namespace
+
+base::NodeStatus Ticker::tickNode(int node) {
+  const Program::Node& here = program_.node(node);
+  const Status status = here.conditions < 0 ? run(node) : tickWithConditions(node);
+  if (status == kFault) {
+    return status;
+  }
+  if (status != Status::Skipped) {
+    stored(node) = status;
+  }
+  state_.returned_[static_cast<std::size_t>(node)] = status;
+  if (hasOneChild(here.code) && isDone(stored(node + 1))) {
+    stored(node + 1) = Status::Idle;
+  }
+  return status;
+}
+
+base::NodeStatus Ticker::run(int node) {
+  const NodeCode code = program_.node(node).code;
+  if (code < NodeCode::Inverter) {
+    return runControl(node);
+  }
+  return hasOneChild(code) ? runDecorator(node) : runLeaf(node);
+}
+
+base::NodeStatus Ticker::tickWithConditions(int node) {
+  const auto index = static_cast<std::size_t>(program_.node(node).conditions);
+  const Program::Conditions& conditions = program_.conditions()[index];
+  Status status = preCondition(conditions, node);
+  if (status == Status::Idle) {
+    status = run(node);
+  }
+  if (isDone(status)) {
+    postConditions(conditions, node, status);
+  }
+  return isFaulty() ? kFault : status;
+}
+
+/// Idle = nothing fired, the node is to be run.
+base::NodeStatus Ticker::preCondition(const Program::Conditions& conditions, int node) {
+  const std::pair<int, Status> atStart[] = {{conditions.failureIf, Status::Failure},
+                                            {conditions.successIf, Status::Success},
+                                            {conditions.skipIf, Status::Skipped}};
+  bool truth = false;
+  if (stored(node) == Status::Idle) {
+    for (const auto& [script, result] : atStart) {
+      if (script >= 0 && !truthOf(node, script, truth)) {
+        return kFault;
+      }
+      if (script >= 0 && truth) {
+        return result;
+      }
+    }
+  }
+  const bool asked = stored(node) == Status::Idle || stored(node) == Status::Running;
+  if (conditions.whileTrue < 0 || !asked) {
+    return Status::Idle;
+  }
+  if (!truthOf(node, conditions.whileTrue, truth)) {
+    return kFault;
+  }
+  if (truth) {
+    return Status::Idle;
+  }
+  resetChild(node);
+  return Status::Skipped;
+}
+
+void Ticker::postConditions(const Program::Conditions& conditions, int node, Status status) {
+  const int own = status == Status::Success ? conditions.onSuccess : conditions.onFailure;
+  if (own >= 0 && !runScript(node, own)) {
+    return;
+  }
+  if (conditions.post >= 0) {
+    runScript(node, conditions.post);
+  }
+}
+
+void Ticker::resetChild(int node) {
+  if (stored(node) == Status::Running) {
+    halt(node);
+  }
+  stored(node) = Status::Idle;
+}
+
+void Ticker::resetChildren(int node) {
+  for (int child = node + 1; child < endOf(node); child = endOf(child)) {
+    resetChild(child);
+  }
+}
+
+void Ticker::halt(int node) {
+  haltOwn(node);
+  const Program::Node& here = program_.node(node);
+  if (hasChildren(here.code)) {
+    resetChildren(node);
+  }
+  if (here.code == NodeCode::Decorator) {
+    const DecoratorHaltFunction onHalted = program_.functions(here.detail).decorator.onHalted;
+    if (onHalted) {
+      DecoratorContext context(*this, input_, node);
+      onHalted(context);
+    }
+  }
+  if (here.conditions >= 0) {
+    const auto index = static_cast<std::size_t>(here.conditions);
+    const int script = program_.conditions()[index].onHalted;
+    if (script >= 0) {
+      runScript(node, script);
+    }
+  }
+}
+
+/// What the node itself forgets or does when it is halted.
+void Ticker::haltOwn(int node) {
+  switch (program_.node(node).code) {
+    case NodeCode::Sequence:
+    case NodeCode::Fallback:
+    case NodeCode::AsyncSequence:
+    case NodeCode::AsyncFallback:
+      memory<SequenceMemory>(node).next = 0;
+      break;
+    case NodeCode::Parallel:
+    case NodeCode::ParallelAll:
+      finishParallel(node);
+      break;
+    case NodeCode::IfThenElse:
+    case NodeCode::Switch:
+      memory<BranchMemory>(node).branch = 0;
+      break;
+    case NodeCode::TryCatch:
+      haltTryCatch(node);
+      break;
+    case NodeCode::Repeat:
+    case NodeCode::RetryUntilSuccessful:
+      memory<CountMemory>(node).count = 0;
+      break;
+    case NodeCode::Delay:
+    case NodeCode::Timeout:
+      memory<TimerMemory>(node).started = false;
+      break;
+    case NodeCode::Precondition:
+      memory<RunningMemory>(node).running = false;
+      break;
+    case NodeCode::Loop:
+      memory<LoopMemory>(node).running = false;
+      break;
+    case NodeCode::SkipUnlessUpdated:
+    case NodeCode::WaitValueUpdate:
+      memory<UpdateMemory>(node).running = false;
+      break;
+    case NodeCode::Sleep:
+      note(node, LeafEvent::Kind::Halted);
+      break;
+    case NodeCode::Stateful: {
+      const HaltFunction onHalted =
+          program_.functions(program_.node(node).detail).stateful.onHalted;
+      if (onHalted) {
+        LeafContext context(*this, input_, node);
+        onHalted(context);
+      }
+      note(node, LeafEvent::Kind::Halted);
+      break;
+    }
+    default:
+      break;
+  }
+}
+
+base::NodeStatus Ticker::unexpected(int child, Status status) {
+  if (status == kFault || isFaulty()) {
+    return kFault;
+  }
+  return fault(child, std::string("it returned ") + base::nodeStatusName(status));
+}
+
+base::NodeStatus Ticker::fault(int node, std::string message) {
+  if (!state_.fault_) {
+    state_.fault_ = TreeFault{node, program_.path(node), std::move(message)};
+  }
+  return kFault;
+}
+
+bool Ticker::runScript(int node, int script) {
+  const Script& code = program_.scripts()[static_cast<std::size_t>(script)];
+  ScriptRunner runner(code, state_.slots_, state_.stack_);
+  if (!runner.run()) {
+    fault(node, "script '" + code.source + "': " + runner.error());
+    return false;
+  }
+  return true;
+}
+
+bool Ticker::truthOf(int node, int script, bool& truth) {
+  const Script& code = program_.scripts()[static_cast<std::size_t>(script)];
+  ScriptRunner runner(code, state_.slots_, state_.stack_);
+  if (!runner.run()) {
+    fault(node, "script '" + code.source + "': " + runner.error());
+    return false;
+  }
+  const std::optional<bool> result = runner.truth();
+  if (!result) {
+    fault(node, "script '" + code.source + "' gives text, not true or false");
+    return false;
+  }
+  truth = *result;
+  return true;
+}
+
+const Value* Ticker::portValue(int node, int port) const {
+  const auto index = static_cast<std::size_t>(program_.node(node).firstPort + port);
+  const PortBinding& binding = program_.bindings()[index];
+  if (binding.kind == PortBinding::Kind::Missing) {
+    return nullptr;
+  }
+  const auto at = static_cast<std::size_t>(binding.index);
+  const Value& value = binding.kind == PortBinding::Kind::Constant ? program_.constants()[at]
+                                                                   : state_.slots_[at].value;
+  return value.type == ValueType::Unset ? nullptr : &value;
+}
+
+bool Ticker::hasElapsed(const TimerMemory& timer, std::int64_t milliseconds) const {
+  const double elapsed = static_cast<double>(input_.step - timer.startStep) * input_.dt;
+  return elapsed >= static_cast<double>(milliseconds) / 1000.0 - kTimeTolerance;
+}
+
+}  // namespace bt

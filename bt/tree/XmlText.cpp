@@ -1,0 +1,128 @@
+#include "bt/tree/XmlText.h"
+
+#include <algorithm>
+#include <array>
+
+#include <tinyxml2.h>
+
+namespace bt {
+namespace {
+
+constexpr std::array<std::string_view, 8> kConditions = {"_failureIf", "_successIf", "_skipIf",
+                                                         "_while",     "_onSuccess", "_onFailure",
+                                                         "_post",      "_onHalted"};
+constexpr std::string_view kForbidden = " \t\r\n<>&\"'/\\:*?.|";
+
+/// Bytes of the UTF-8 character at `at`; 0 = not valid.
+std::size_t utf8Length(std::string_view text, std::size_t at) {
+  const auto byte = [&text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(at);
+  if (first < 0x80) {
+    return 1;
+  }
+  const std::size_t length = first >= 0xF0 ? 4 : (first >= 0xE0 ? 3 : 2);
+  if (first < 0xC2 || first > 0xF4 || at + length > text.size()) {
+    return 0;
+  }
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(at + i) & 0xC0) != 0x80) {
+      return 0;
+    }
+  }
+  const unsigned char second = byte(at + 1);
+  const bool wrong = (first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
+                     (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F);
+  return wrong ? 0 : length;
+}
+
+}  // namespace
+
+bool isConditionName(std::string_view attribute) {
+  return std::find(kConditions.begin(), kConditions.end(), attribute) != kConditions.end();
+}
+
+char forbiddenCharacter(std::string_view name) {
+  for (const char c : name) {
+    const auto code = static_cast<unsigned char>(c);
+    if (kForbidden.find(c) != std::string_view::npos || code < 0x20 || code == 0x7F) {
+      return c;
+    }
+  }
+  return 0;
+}
+
+std::optional<base::Diagnostic> problemOfText(std::string_view text, const std::string& fileName) {
+  int line = 1;
+  for (std::size_t at = 0; at < text.size();) {
+    if (text[at] == '\0') {
+      return base::makeError("the file holds a NUL byte (is it UTF-16?)", fileName, line);
+    }
+    const std::size_t length = utf8Length(text, at);
+    if (length == 0) {
+      return base::makeError("the file is not UTF-8 text", fileName, line);
+    }
+    line += text[at] == '\n' ? 1 : 0;
+    at += length;
+  }
+  return std::nullopt;
+}
+
+std::string messageOfXmlError(int errorId) {
+  switch (errorId) {
+    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
+      return "the file is empty";
+    case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
+      return "elements are nested too deeply";
+    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
+      return "not well-formed XML: a closing tag does not match, or one is missing";
+    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
+      return "not well-formed XML: an attribute is broken";
+    case tinyxml2::XML_ERROR_PARSING_COMMENT:
+      return "not well-formed XML: a comment is not closed";
+    case tinyxml2::XML_ERROR_PARSING_CDATA:
+      return "not well-formed XML: a CDATA section is not closed";
+    case tinyxml2::XML_ERROR_PARSING_TEXT:
+      return "not well-formed XML: the text ends too early";
+    case tinyxml2::XML_ERROR_PARSING_DECLARATION:
+      return "not well-formed XML: the XML declaration is broken";
+    case tinyxml2::XML_ERROR_PARSING_UNKNOWN:
+      return "not well-formed XML: a <! section is broken";
+    default:
+      return "not well-formed XML";
+  }
+}
+
+std::string escapedXml(std::string_view text) {
+  std::string result;
+  result.reserve(text.size());
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      case '\n':
+        result += "&#10;";
+        break;
+      case '\r':
+        result += "&#13;";
+        break;
+      case '\t':
+        result += "&#9;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+}  // namespace bt

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "sim2d/base/Result.h"
+
+/// Small questions about the text of tree files.
+namespace bt {
+
+/// _skipIf, _onSuccess … of any node.
+bool isConditionName(std::string_view attribute);
+
+/// The first character that IDs and port names must not hold, 0 = none.
+char forbiddenCharacter(std::string_view name);
+
+/// What cannot be XML at all: no UTF-8, a NUL byte; with its line.
+std::optional<base::Diagnostic> problemOfText(std::string_view text, const std::string& fileName);
+
+/// An error number of tinyxml2 in words.
+std::string messageOfXmlError(int errorId);
+
+std::string escapedXml(std::string_view text);
+
+}  // namespace bt
