@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim2d/base/Result.h"
+#include "sim2d/scenario/Scenario.h"
+#include "sim2d/world/Compatibility.h"
+
+namespace app {
+
+/// Where results go and how they are shown; of every command.
+struct OutputOptions {
+  bool quiet = false;  // no progress, no table
+  bool json = false;   // machine-readable standard output
+};
+
+/// The options of `run`, as given; also of the window.
+struct RunOptions {
+  std::string scenario;
+  std::string output;  // -o; empty: nothing is written
+  std::string map, trees;
+  std::optional<long long> seed;
+  std::optional<double> duration, dt;
+  std::optional<std::string> model, robot, robotStart, robotGoal, planner;
+  int threads = 1;
+  std::string metrics;  // file or comma list; empty = all
+  std::string metricsProfile = "corrected";
+  std::optional<int> recordEvery;
+  std::vector<std::string> set;  // PATH=VALUE
+  bool exact = false;
+  std::string compat;
+};
+
+/// What is wrong with the words of the command line (exit code 64).
+base::Diagnostics checkOptions(const RunOptions& options);
+
+/// Writes the options into the scenario: first `--set`, then the options of their own, which win.
+base::Diagnostics applyOptions(sim2d::Scenario& scenario, const RunOptions& options,
+                               const sim2d::Compatibility& compatibility);
+
+}  // namespace app

@@ -1,0 +1,63 @@
+#include "editor/document/MetricsSetup.h"
+
+#include <filesystem>
+
+#include "sim2d/base/Text.h"
+
+namespace editor {
+
+namespace {
+
+base::Diagnostics readParameters(const sim2d::MetricsSettings& settings,
+                                 metrics::MetricParameters& parameters, const std::string& file) {
+  base::Diagnostics problems;
+  for (const auto& [name, value] : settings.parameters) {
+    if (const metrics::ParameterInfo* info = metrics::findParameter(name)) {
+      parameters.*(info->member) = value;
+      continue;
+    }
+    std::vector<std::string> known;
+    for (const metrics::ParameterInfo& info : metrics::parameterInfos()) {
+      known.push_back(info.name);
+    }
+    const std::optional<std::string> meant = base::nearestName(name, known);
+    problems.push_back(
+        base::makeError("unknown metric parameter '" + name + "'" +
+                            (meant ? " (did you mean '" + *meant + "'?)" : std::string()),
+                        file));
+  }
+  return problems;
+}
+
+}  // namespace
+
+base::Result<MetricsSetup> metricsSetupOf(const sim2d::Scenario& scenario,
+                                          const std::string& scenarioPath) {
+  const sim2d::MetricsSettings& settings = scenario.desktop.metrics;
+  MetricsSetup setup;
+  base::Diagnostics problems = readParameters(settings, setup.parameters, scenarioPath);
+  if (settings.file) {
+    namespace fs = std::filesystem;
+    const fs::path path = fs::path(scenarioPath).parent_path() / *settings.file;
+    const base::Result<metrics::MetricsFile> file = metrics::readMetricsFile(path.string());
+    base::append(problems, file.diagnostics());
+    if (file) {
+      setup.selection = file->selection;
+    }
+  }
+  metrics::Selection& selection = setup.selection;
+  selection.window.from = settings.from.value_or(selection.window.from);
+  selection.window.until = settings.until.value_or(selection.window.until);
+  selection.window.frequency = settings.frequency.value_or(selection.window.frequency);
+  selection.tag = settings.tag.value_or(selection.tag);
+  selection.runId = settings.runId.value_or(selection.runId);
+  if (const std::string wrong = metrics::windowProblem(selection.window); !wrong.empty()) {
+    problems.push_back(base::makeError(wrong, scenarioPath));
+  }
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  return {setup, problems};
+}
+
+}  // namespace editor
