@@ -1,16 +1,231 @@
 #include "sim2d/scenario/Defaults.h"
 
+#include <algorithm>
 #include <array>
+#include <limits>
 
+#include "sim2d/base/Rng.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/map/Outlines.h"
 #include "sim2d/scenario/ScenarioTree.h"
 
 namespace sim2d {
+namespace {
+
+/// Numbers of the drawn parameters: part of each draw, so they may not change.
+enum class Parameter : std::uint32_t {
+  GoalFactor = 0,
+  ObstacleFactor,
+  SocialFactor,
+  Duration,
+  Distance,
+  Speed,
+  SafeDistance,
+  StopDistance,
+  FrontDistance,
+};
+
+struct Distribution {
+  double mean, deviation, least;  // normal, replaced by the bound below it
+  double low, high;               // uniform
+  double most = std::numeric_limits<double>::infinity();
+};
+
+/// Draws one value for configuration 2 or 3; the draw depends on seed, person and parameter alone.
+class Sampler {
+ public:
+  Sampler(long long seed, int id, Configuration configuration)
+      : rng_(static_cast<std::uint64_t>(seed), id),
+        normal_(configuration == Configuration::Normal) {}
+
+  double draw(Parameter parameter, const Distribution& from) const {
+    const auto index = static_cast<std::uint32_t>(parameter);
+    if (!normal_) {
+      return rng_.uniform(from.low, from.high, base::Draw::Parameter, index);
+    }
+    const double value =
+        rng_.normal(from.mean, from.deviation, base::Draw::Parameter, index);
+    return std::clamp(value, from.least, from.most);
+  }
+
+ private:
+  base::AgentRng rng_;
+  bool normal_;
+};
+
+void takeFactors(ResolvedHuman& to, const Behavior& from, ObstaclePoints points) {
+  to.otherFactor = from.otherForceFactor.value_or(20.0);
+  if (to.configuration == Configuration::Custom) {
+    to.goalFactor = from.goalForceFactor.value_or(2.0);
+    to.obstacleFactor = from.obstacleForceFactor.value_or(10.0);
+    to.socialFactor = from.socialForceFactor.value_or(5.0);
+    return;
+  }
+  // each rule of obstacle points has factors made for it
+  const bool rays = points == ObstaclePoints::Rays;
+  to.goalFactor = rays ? 10.0 : 2.0;
+  to.obstacleFactor = rays ? 2.0 : 10.0;
+  to.socialFactor = 5.0;
+  to.otherFactor = std::max(to.otherFactor, 0.0);
+}
+
+/// Mean, deviation and lower bound of HuNavSim's loader; its clamps give the upper bounds.
+void drawFactors(ResolvedHuman& to, const Sampler& sampler) {
+  to.goalFactor = sampler.draw(Parameter::GoalFactor, {2.0, 1.5, 0.5, 2.0, 5.0, 5.0});
+  to.obstacleFactor = sampler.draw(Parameter::ObstacleFactor, {10.0, 4.0, 0.5, 2.0, 50.0, 50.0});
+  to.socialFactor = sampler.draw(Parameter::SocialFactor, {4.0, 3.5, 3.0, 4.0, 20.0, 20.0});
+}
+
+/// The distributions of HuNavSim's editor.
+void drawReaction(ResolvedHuman& to, const Sampler& sampler) {
+  const Distribution usualDuration{40.0, 15.0, 10.0, 25.0, 60.0};
+  const Distribution usualDistance{4.0, 2.0, 1.5, 2.0, 6.0};
+  switch (to.behavior) {
+    case BehaviorType::Surprised:
+      to.reactionDuration = sampler.draw(Parameter::Duration, {30.0, 15.0, 10.0, 25.0, 60.0});
+      to.noticeDistance = sampler.draw(Parameter::Distance, usualDistance);
+      break;
+    case BehaviorType::Scared:
+      to.reactionDuration = sampler.draw(Parameter::Duration, usualDuration);
+      to.noticeDistance = sampler.draw(Parameter::Distance, usualDistance);
+      to.reactionSpeed = sampler.draw(Parameter::Speed, {0.6, 0.2, 0.4, 0.4, 1.0});
+      to.safeDistance = sampler.draw(Parameter::SafeDistance, {5.0, 1.5, 2.0, 3.0, 8.0});
+      break;
+    case BehaviorType::Curious:
+      to.reactionDuration = sampler.draw(Parameter::Duration, usualDuration);
+      to.noticeDistance = sampler.draw(Parameter::Distance, {10.0, 3.0, 1.5, 5.0, 15.0});
+      to.reactionSpeed = sampler.draw(Parameter::Speed, {1.0, 0.3, 0.4, 0.6, 1.2});
+      to.stopDistance = sampler.draw(Parameter::StopDistance, {1.5, 0.3, 0.5, 1.0, 2.5});
+      break;
+    case BehaviorType::Threatening:
+      to.reactionDuration = sampler.draw(Parameter::Duration, usualDuration);
+      to.noticeDistance = sampler.draw(Parameter::Distance, usualDistance);
+      to.frontDistance = sampler.draw(Parameter::FrontDistance, {1.4, 0.3, 0.5, 0.5, 2.0});
+      break;
+    case BehaviorType::Regular:
+    case BehaviorType::Impassive:
+      break;
+  }
+}
+
+/// What HuNavSim's tree generator puts in the place of absent keys.
+void takeReaction(ResolvedHuman& to, const Human& human) {
+  const Behavior& from = human.behavior;
+  to.noticeDistance = from.dist.value_or(5.0);
+  to.reactionDuration = from.duration.value_or(40.0);
+  to.reactionOnce = from.once.value_or(false);
+  to.reactionSpeed = from.vel ? *from.vel : human.maxVel.value_or(2.0);
+  to.safeDistance = from.safeDistance.value_or(5.0);
+  to.stopDistance = from.stopDist.value_or(1.5);
+  to.frontDistance = from.frontDist.value_or(1.5);
+}
+
+void takeOurs(ResolvedHuman& to, const PersonExtension& from, const DesktopSettings& desktop) {
+  to.startTime = from.startTime.value_or(0.0);
+  to.kind = from.kind.value_or(PersonKind::Adult);
+  to.mass = from.mass ? *from.mass : massOf(to.kind);
+  to.model = from.model ? *from.model : desktop.model.value_or("sfm");
+  to.route = from.route ? *from.route : desktop.route.value_or(Route::Planned);
+  to.atEnd = from.atEnd.value_or(AtEnd::Stop);
+  to.wait = from.wait;
+}
+
+std::optional<double> parameterValue(const std::string& text) {
+  const std::string word = base::lowered(text);
+  if (word == "true" || word == "false") {
+    return word == "true" ? 1.0 : 0.0;
+  }
+  return base::parseDouble(text);
+}
+
+void takeRobotGoals(ResolvedRobot& to, const RobotGoal& from, const Scenario& scenario) {
+  if (from.point) {
+    to.goals.push_back(*from.point);
+    to.goalIds.push_back(0);
+    return;
+  }
+  for (const int id : from.goals) {
+    if (const GlobalGoal* goal = scenario.goal(id)) {
+      to.goals.push_back(goal->position);
+      to.goalIds.push_back(id);
+    }
+  }
+}
+
+void takeFootprint(ResolvedRobot& to, const Robot& from) {
+  double reach = 0.0;
+  const std::size_t corners = std::min(from.footprintX.size(), from.footprintY.size());
+  for (std::size_t i = 0; i < corners; ++i) {
+    to.footprint.emplace_back(from.footprintX[i], from.footprintY[i]);
+    reach = std::max(reach, to.footprint.back().norm());
+  }
+  if (corners == 0) {
+    return;
+  }
+  if (signedArea(to.footprint) < 0.0) {
+    std::reverse(to.footprint.begin(), to.footprint.end());
+  }
+  to.radius = reach;  // the circle round it, for whoever needs a disc
+}
+
+}  // namespace
+
+ResolvedHuman resolveHuman(const Scenario& scenario, const Human& human, long long seed) {
+  ResolvedHuman result;
+  result.id = human.id;
+  result.name = human.name;
+  result.groupId = human.groupId.value_or(-1);
+  result.desiredSpeed = human.maxVel.value_or(1.0);
+  result.radius = human.radius.value_or(0.35);
+  const double goalRadius = human.goalRadius.value_or(0.0);
+  result.goalRadius = goalRadius > 0.0 ? goalRadius : 0.1;  // what SetGoal takes then
+  result.cyclicGoals = human.cyclicGoals.value_or(true);
+  result.start = {human.initPose.position, base::wrapToPi(human.initPose.heading)};
+  result.behavior = human.behavior.type.value_or(BehaviorType::Regular);
+  result.configuration = human.behavior.configuration.value_or(Configuration::Default);
+  takeReaction(result, human);
+  takeFactors(result, human.behavior,
+              scenario.desktop.obstaclePoints.value_or(ObstaclePoints::Boundary));
+  takeOurs(result, human.ours, scenario.desktop);
+  if (result.configuration == Configuration::Normal ||
+      result.configuration == Configuration::Uniform) {
+    const Sampler sampler(seed, human.id, result.configuration);
+    drawFactors(result, sampler);
+    drawReaction(result, sampler);
+  }
+  return result;
+}
+
+ResolvedRobot resolveRobot(const Scenario& scenario, const Robot& robot, int id) {
+  ResolvedRobot result;
+  result.id = id;
+  result.name = robot.name;
+  result.type = robot.type.value_or(result.type);
+  result.planner = robot.planner.value_or(result.planner);
+  for (const auto& parameter : robot.plannerParameters) {
+    if (const auto value = parameterValue(parameter.second)) {
+      result.plannerParameters.emplace_back(parameter.first, *value);
+    }
+  }
+  result.start = {robot.start.position, base::wrapToPi(robot.start.heading)};
+  takeRobotGoals(result, robot.goal, scenario);
+  result.goalRadius = robot.goalRadius.value_or(result.goalRadius);
+  result.startTime = robot.startTime.value_or(result.startTime);
+  result.radius = robot.radius.value_or(result.radius);
+  takeFootprint(result, robot);
+  result.mass = robot.mass.value_or(result.mass);
+  result.maxVel = robot.maxVel.value_or(result.maxVel);
+  result.maxAcc = robot.maxAcc.value_or(result.maxAcc);
+  result.maxOmega = robot.maxOmega.value_or(result.maxOmega);
+  result.maxAlpha = robot.maxAlpha.value_or(result.maxAlpha);
+  return result;
+}
 
 double massOf(PersonKind kind) {
-  // adult: mass of HuNavSim's pedestrians; child: about 10 years, elderly: a little lighter than an
-  // adult (body mass statistics of WHO growth charts and NHANES); wheelchair: adult and a 20 kg
-  // chair; luggage: adult and a 20 kg case
-  static constexpr std::array<double, 5> kMasses = {80.0, 32.0, 72.0, 100.0, 100.0};
+  // Adult: the pedestrian of the format. Child: ten years old (median 31 to 32 kg, WHO growth
+  // reference 2007). Elderly: about the mean of people over 75 (NHANES 2015-2018). Wheelchair: an
+  // adult with a manual chair of 20 kg. Luggage: an adult with a case of 20 kg.
+  static constexpr std::array<double, 5> kMasses = {80.0, 32.0, 75.0, 100.0, 100.0};
   return kMasses.at(static_cast<std::size_t>(kind));
 }
 

@@ -1,0 +1,179 @@
+#include <algorithm>
+#include <map>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/scenario/ScenarioTree.h"
+
+namespace sim2d {
+namespace {
+
+using Path = std::vector<std::string>;
+
+std::string joined(const Path& path) {
+  std::string text;
+  for (const std::string& part : path) {
+    text += (text.empty() ? "" : ".") + part;
+  }
+  return text;
+}
+
+/// The paths meant: `*` stands for each listed person. Nothing = there is none.
+std::vector<Path> expanded(const Scenario& scenario, const std::string& text) {
+  const Path path = base::split(text, '.');
+  if (path.front() != "*") {
+    return {path};
+  }
+  std::vector<Path> all;
+  for (const Human& human : scenario.humans) {
+    if (human.listed) {
+      all.push_back(path);
+      all.back().front() = human.name;
+    }
+  }
+  return all;
+}
+
+bool belongsToLoader(const Scenario& scenario, const std::string& first) {
+  static const std::set<std::string> kKeys = {"yaml_base_name", "simulator",    "map",
+                                              "publish_people", "global_goals", "agents"};
+  return kKeys.count(first) != 0 || scenario.human(first) != nullptr;
+}
+
+void put(YamlNode& root, const char* node, const Path& path, const YamlNode& value) {
+  YamlNode* at = &root.child(node).child(kParameters);
+  if (std::string_view(node) == kBlockNode && at->find("format") == nullptr) {
+    setChild(*at, "format", number(kBlockFormat));
+  }
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    at = &at->child(path[i]);
+  }
+  setChild(*at, path.back(), value);
+}
+
+bool knowsAll(const std::set<std::string>& known, const std::vector<Path>& paths) {
+  return std::all_of(paths.begin(), paths.end(),
+                     [&](const Path& path) { return known.count(joined(path)) != 0; });
+}
+
+/// What the new reading says beyond the old one.
+base::Diagnostics added(const base::Diagnostics& before, const base::Diagnostics& after) {
+  std::map<std::string, int> old;
+  for (const base::Diagnostic& diagnostic : before) {
+    ++old[diagnostic.message];
+  }
+  base::Diagnostics result;
+  for (const base::Diagnostic& diagnostic : after) {
+    if (--old[diagnostic.message] < 0) {
+      result.push_back(diagnostic);
+      result.back().line = 0;
+      result.back().column = 0;
+    }
+  }
+  return result;
+}
+
+/// Entities keep their identity when the scenario is read anew.
+template <class T, class Same>
+void takeKeys(std::vector<T>& to, const std::vector<T>& from, Same same, int& next) {
+  for (T& entity : to) {
+    const auto found = std::find_if(from.begin(), from.end(),
+                                    [&](const T& other) { return same(entity, other); });
+    if (found == from.end()) {
+      entity.key.key = next++;
+    } else {
+      entity.key = found->key;
+    }
+  }
+}
+
+void takeAllKeys(Scenario& to, const Scenario& from) {
+  int next = from.nextKey();
+  const auto sameName = [](const auto& a, const auto& b) { return a.name == b.name; };
+  takeKeys(to.goals, from.goals,
+           [](const GlobalGoal& a, const GlobalGoal& b) { return a.id == b.id; }, next);
+  takeKeys(to.humans, from.humans, sameName, next);
+  takeKeys(to.robots, from.robots, sameName, next);
+  takeKeys(to.obstacles, from.obstacles, sameName, next);
+  takeKeys(to.doors, from.doors, sameName, next);
+  takeKeys(to.areas, from.areas, sameName, next);
+}
+
+base::Diagnostics unknownPath(const std::string& path, const TreeReading& reading) {
+  std::vector<std::string> known(reading.loaderPaths.begin(), reading.loaderPaths.end());
+  known.insert(known.end(), reading.blockPaths.begin(), reading.blockPaths.end());
+  if (path.compare(0, 2, "*.") == 0) {
+    for (const auto& human : reading.scenario.humans) {
+      const std::string prefix = human.name + ".";
+      for (const std::string& each : std::vector<std::string>(known)) {
+        if (each.compare(0, prefix.size(), prefix) == 0) {
+          known.push_back("*." + each.substr(prefix.size()));
+        }
+      }
+      break;  // all people have the same keys
+    }
+  }
+  const auto near = base::nearestName(path, known);
+  return {base::makeError("unknown path '" + path + "'" +
+                          (near ? " (did you mean '" + *near + "'?)" : std::string()))};
+}
+
+/// In dialect C a type is a word; a number would bring in what older formats meant by it.
+bool isNumberedType(const std::string& path, const YamlNode& value) {
+  static const std::string kEnd = ".behavior.type";
+  return path.size() > kEnd.size() &&
+         path.compare(path.size() - kEnd.size(), kEnd.size(), kEnd) == 0 &&
+         (!value.isScalar() || base::parseDouble(value.text));
+}
+
+/// Reads the tree with the value put into one of the nodes; nothing if the node has no such key.
+std::optional<TreeReading> readWith(const YamlNode& tree, const char* node,
+                                    const std::vector<Path>& paths, const YamlNode& value) {
+  YamlNode changed = tree;
+  for (const Path& path : paths) {
+    put(changed, node, path, value);
+  }
+  TreeReading reading = readTree(changed, {});
+  const bool loader = std::string_view(node) == kLoaderNode;
+  if (!knowsAll(loader ? reading.loaderPaths : reading.blockPaths, paths)) {
+    return std::nullopt;
+  }
+  return reading;
+}
+
+}  // namespace
+
+base::Diagnostics setValue(Scenario& scenario, const std::string& path, const std::string& value) {
+  base::Diagnostics problems;
+  YamlNode node = parseYaml(value, {}, problems);
+  if (base::hasErrors(problems) || node.isNull()) {
+    return {base::makeError(path + ": '" + value + "' is no value")};
+  }
+  node.line = node.column = 0;
+  if (isNumberedType(path, node)) {
+    return {base::makeError(path + ": '" + value + "' is not the name of a behaviour")};
+  }
+  const YamlNode tree = fileTree(scenario);
+  const TreeReading before = readTree(tree, {});
+  const std::vector<Path> paths = expanded(scenario, path);
+  if (paths.empty()) {
+    return {base::makeError(path + ": nobody is listed in agents")};
+  }
+  std::optional<TreeReading> after;
+  if (belongsToLoader(scenario, paths.front().front())) {
+    after = readWith(tree, kLoaderNode, paths, node);
+  }
+  if (!after) {
+    after = readWith(tree, kBlockNode, paths, node);
+  }
+  if (!after) {
+    return unknownPath(path, before);
+  }
+  base::Diagnostics result = added(before.report.diagnostics, after->report.diagnostics);
+  if (!base::hasErrors(result)) {
+    takeAllKeys(after->scenario, scenario);
+    scenario = std::move(after->scenario);
+  }
+  return result;
+}
+
+}  // namespace sim2d
