@@ -211,7 +211,7 @@ Human readHuman(const YamlNode& block, bool listed, LoaderReading& reading) {
   human.name = block.key;
   human.listed = listed;
   MapView view(&block, block.key, human.key, reading.report);
-  human.id = view.integer("id", -1, kLargestInt).value_or(-1);
+  human.id = view.integer("id", 0, kLargestInt).value_or(-1);
   human.groupId = view.integer("group_id", -kLargestInt, kLargestInt);
   human.skin = view.integer("skin", -kLargestInt, kLargestInt);
   human.maxVel = view.number("max_vel", kSpeed);

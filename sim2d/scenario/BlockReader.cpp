@@ -166,18 +166,10 @@ class BlockReader {
     const std::vector<std::string> doors = view_.names("doors");
     const std::vector<std::string> areas = view_.names("areas");
     readPeople();
-    for (const std::string& name : robots) {
-      listed(name, base::EntityKind::Robot);
-    }
-    for (const std::string& name : obstacles) {
-      listed(name, base::EntityKind::Obstacle);
-    }
-    for (const std::string& name : doors) {
-      listed(name, base::EntityKind::Door);
-    }
-    for (const std::string& name : areas) {
-      listed(name, base::EntityKind::Area);
-    }
+    listed("robots", robots, base::EntityKind::Robot);
+    listed("obstacles", obstacles, base::EntityKind::Obstacle);
+    listed("doors", doors, base::EntityKind::Door);
+    listed("areas", areas, base::EntityKind::Area);
     readUnlisted();
     scenario_.desktop.unknown = view_.takeUnknown();
   }
@@ -260,16 +252,22 @@ class BlockReader {
                        [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; });
   }
 
-  void listed(const std::string& name, base::EntityKind kind) {
-    const YamlNode* node = view_.node().find(name);
-    if (view_.isKnown(name) || scenario_.human(name) != nullptr || name == "map") {
-      view_.error(name, "the name '" + name + "' is taken");
-    } else if (node == nullptr) {
-      view_.error(name, "'" + name + "' is listed but has no map");
-    } else if (!isGoodName(name)) {
-      view_.error(name, "a name consists of letters, digits and _, and begins with a letter");
-    } else {
-      addEntity(*node, kind, true);
+  void listed(const std::string& list, const std::vector<std::string>& names,
+              base::EntityKind kind) {
+    for (const std::string& name : names) {
+      const YamlNode* node = view_.node().find(name);
+      if (view_.isKnown(name) || scenario_.human(name) != nullptr || name == "map") {
+        view_.error(list, "the name '" + name + "' is taken");
+      } else if (node == nullptr) {
+        view_.error(list, "'" + name + "' is listed but has no map");
+      } else if (!isGoodName(name)) {
+        view_.know(name);
+        view_.error(list, "'" + name +
+                              "': a name consists of letters, digits and _, and begins "
+                              "with a letter");
+      } else {
+        addEntity(*node, kind, true);
+      }
     }
   }
 

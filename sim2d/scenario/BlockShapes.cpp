@@ -48,7 +48,11 @@ Obstacle readObstacle(MapView view) {
   if (view.node().find("kind") == nullptr) {
     view.error("kind", "is missing");
   }
-  obstacle.kind = static_cast<ObstacleKind>(view.choice("kind", obstacleKindWords()).value_or(0));
+  const auto kind = view.choice("kind", obstacleKindWords());
+  if (!kind) {
+    return obstacle;  // told; its keys say nothing then
+  }
+  obstacle.kind = static_cast<ObstacleKind>(*kind);
   switch (obstacle.kind) {
     case ObstacleKind::Box:
       obstacle.pose.position = Vec2(view.required("x"), view.required("y"));

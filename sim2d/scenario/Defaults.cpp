@@ -43,8 +43,7 @@ class Sampler {
     if (!normal_) {
       return rng_.uniform(from.low, from.high, base::Draw::Parameter, index);
     }
-    const double value =
-        rng_.normal(from.mean, from.deviation, base::Draw::Parameter, index);
+    const double value = rng_.normal(from.mean, from.deviation, base::Draw::Parameter, index);
     return std::clamp(value, from.least, from.most);
   }
 

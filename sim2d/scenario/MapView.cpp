@@ -33,6 +33,9 @@ std::string described(const YamlNode& node) {
 
 std::string limitsText(const Range& range) {
   const std::string low = base::formatDouble(range.low);
+  if (range.above && !std::isinf(range.high)) {
+    return "must be above " + low + " and at most " + base::formatDouble(range.high);
+  }
   if (!std::isinf(range.low) && !std::isinf(range.high)) {
     return "must be from " + low + " to " + base::formatDouble(range.high);
   }

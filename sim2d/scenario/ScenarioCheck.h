@@ -35,9 +35,23 @@ struct Surroundings {
 };
 Surroundings makeSurroundings(const Scenario& scenario, OccupancyGrid grid);
 
+/// What a scenario may name; who knows more (the world's lists) hands it in.
+struct KnownNames {
+  std::vector<std::string> models = {"sfm", "sfm-hunav2", "das", "orca"};
+  std::vector<std::string> planners = {"pursuit"};
+  std::vector<std::string> robotTypes = {"generic"};
+};
+
 /// Meaning: starts and goals in walls, unreachable goals, ids and names twice, models, planners and
-/// references that do not exist, settings without effect. `file` names the scenario in messages.
+/// references that do not exist, what HuNavSim itself would refuse. `file` names the scenario in
+/// messages; addLines() gives them lines. Walls are those of `surroundings`; doors that will open
+/// do not count.
 base::Diagnostics checkScenario(const Scenario& scenario, const Surroundings& surroundings,
-                                const std::string& file);
+                                const std::string& file, const KnownNames& names = {});
+
+/// The largest skin number of a simulator ("Webots": 3); 11 for one we do not know.
+int largestSkin(const std::string& simulator);
+/// `map` without folder and extension.
+std::string mapBaseName(const std::string& map);
 
 }  // namespace sim2d

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <tuple>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioTree.h"
@@ -43,6 +44,10 @@ class FileReader {
     result_.blockPaths = std::move(report().knownPaths);
     keepOthers(node);
     result_.scenario = withoutDefaults(result_.scenario);
+    base::Diagnostics& all = report().diagnostics;
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+      return std::tie(a.line, a.column) < std::tie(b.line, b.column);
+    });
     return std::move(result_);
   }
 
@@ -190,8 +195,7 @@ class FileReader {
   void readOurs() {
     const YamlNode* node = root_.find(kBlockNode);
     if (node == nullptr) {
-      YamlNode none;
-      none.kind = YamlNode::Kind::Map;
+      registerBlockKeys();
       return;
     }
     const YamlNode* parameters = node->find(kParameters);
@@ -207,8 +211,15 @@ class FileReader {
     readBlock(*parameters, loader_);
   }
 
+  /// So that a hint can name a key of ours when the file has none of them yet.
+  void registerBlockKeys() {
+    YamlNode block;
+    setChild(block, "format", number(kBlockFormat));
+    readBlock(block, loader_);
+  }
+
   void keepOthers(const YamlNode* loader) {
-    if (loader != nullptr) {
+    if (loader != nullptr && loader->find(kParameters) != nullptr) {
       for (const YamlNode& item : loader->items) {
         if (item.key != kParameters) {
           report().warning(item, "only ros__parameters is read under " + loader->key + ": '" +

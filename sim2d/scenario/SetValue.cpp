@@ -76,8 +76,8 @@ base::Diagnostics added(const base::Diagnostics& before, const base::Diagnostics
 template <class T, class Same>
 void takeKeys(std::vector<T>& to, const std::vector<T>& from, Same same, int& next) {
   for (T& entity : to) {
-    const auto found = std::find_if(from.begin(), from.end(),
-                                    [&](const T& other) { return same(entity, other); });
+    const auto found =
+        std::find_if(from.begin(), from.end(), [&](const T& other) { return same(entity, other); });
     if (found == from.end()) {
       entity.key.key = next++;
     } else {
@@ -89,8 +89,9 @@ void takeKeys(std::vector<T>& to, const std::vector<T>& from, Same same, int& ne
 void takeAllKeys(Scenario& to, const Scenario& from) {
   int next = from.nextKey();
   const auto sameName = [](const auto& a, const auto& b) { return a.name == b.name; };
-  takeKeys(to.goals, from.goals,
-           [](const GlobalGoal& a, const GlobalGoal& b) { return a.id == b.id; }, next);
+  takeKeys(
+      to.goals, from.goals, [](const GlobalGoal& a, const GlobalGoal& b) { return a.id == b.id; },
+      next);
   takeKeys(to.humans, from.humans, sameName, next);
   takeKeys(to.robots, from.robots, sameName, next);
   takeKeys(to.obstacles, from.obstacles, sameName, next);

@@ -87,9 +87,11 @@ std::string scalarText(const YamlNode& node) {
   return tag + (quote && !number ? quotedText(node.text) : node.text);
 }
 
-std::string keyText(const std::string& key) {
+std::string keyText(const YamlNode& node) {
+  const std::string& key = node.key;
   // numbers of goals and the coordinate are plain in every file of HuNavSim
-  const bool plain = key == "y" || base::parseInt(key).has_value();
+  const bool plain = key == "y" || base::parseInt(key).has_value() ||
+                     (node.keyIsPlain && hasPlainShape(key));
   return needsQuotes(key) && !plain ? quotedText(key) : key;
 }
 
@@ -116,7 +118,7 @@ void emitBlock(const YamlNode& node, int indent, std::string& out) {
       out += '\n';
     }
     first = false;
-    out += margin + (node.isMap() ? keyText(item.key) + ':' : "-");
+    out += margin + (node.isMap() ? keyText(item) + ':' : "-");
     if (!isBlock(item)) {
       out += ' ' + inlineText(item);
       continue;
@@ -153,7 +155,8 @@ class CommentCounter {
     for (std::size_t i = 0; i < text.size(); ++i) {
       const char c = text[i];
       if (quote_ != 0) {
-        if (c == '\\' && quote_ == '"') {
+        const bool twice = c == '\'' && quote_ == c && i + 1 < text.size() && text[i + 1] == c;
+        if (twice || (c == '\\' && quote_ == '"')) {
           ++i;
         } else if (c == quote_) {
           quote_ = 0;

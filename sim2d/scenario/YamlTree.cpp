@@ -102,6 +102,7 @@ class TreeBuilder : public YAML::EventHandler {
       takeKey(parent, std::move(node));
     } else {
       node.key = parent.key.text;
+      node.keyIsPlain = parent.key.isScalar() && !parent.key.quoted;
       node.keyLine = parent.key.line;
       node.keyColumn = parent.key.column;
       parent.node.items.push_back(std::move(node));
@@ -207,8 +208,11 @@ void parseInto(TreeBuilder& builder, const std::string& text, const std::string&
     }
     builder.root = std::move(first);
   } catch (const YAML::Exception& problem) {
-    diagnostics.push_back(base::makeError("not valid YAML: " + problem.msg, file,
-                                          problem.mark.line + 1, problem.mark.column + 1));
+    // the library's word for lists in lists beyond its depth
+    const bool deep = problem.msg == "bad file";
+    diagnostics.push_back(
+        base::makeError("not valid YAML: " + (deep ? "nested too deeply" : problem.msg), file,
+                        problem.mark.line + 1, problem.mark.column + 1));
   }
 }
 

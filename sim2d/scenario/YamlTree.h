@@ -21,6 +21,7 @@ struct YamlNode {
 
   // as a value of a map:
   std::string key;
+  bool keyIsPlain = false;  // was written without quotes
   int keyLine = 0, keyColumn = 0;
 
   bool isMap() const { return kind == Kind::Map; }
