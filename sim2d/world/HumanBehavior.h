@@ -49,9 +49,14 @@ class WorldView {
   virtual bool isPresent(int human) const = 0;
   virtual int indexOf(int humanId) const = 0;  // -1 = no such person
   virtual const ResolvedHuman& constants(int human) const = 0;
+  /// The person as written in the scenario; for somebody from a source the one it is a copy of.
+  virtual const Human* definition(int human) const {
+    return scenario().humanById(constants(human).id);
+  }
   virtual Pose2 pose(int human) const = 0;
   virtual Vec2 velocity(int human) const = 0;
-  /// Present people whose centre is within `range`, by ascending distance, then id; without `human`.
+  /// Present people whose centre is within `range`, by ascending distance, then id; without
+  /// `human`.
   virtual void near(int human, double range, std::vector<int>& found) const = 0;
 
   virtual int robotCount() const = 0;
@@ -80,14 +85,14 @@ enum class RobotTreatment : std::uint8_t { Pedestrian, Obstacle };
 /// The one motion of one person in one step.
 struct Intent {
   Motion motion = Motion::Stand;
-  GoalItem target;                  // Walk
-  bool targetIsGoal = false;        // the target is the front of the person's own goals
-  double speed = 0.0;               // Walk: desired speed v0 [m/s]
-  double heading = 0.0;             // Turn [rad]
-  double turnRate = base::kPi;      // limit while turning [rad/s]
+  GoalItem target;              // Walk
+  bool targetIsGoal = false;    // the target is the front of the person's own goals
+  double speed = 0.0;           // Walk: desired speed v0 [m/s]
+  double heading = 0.0;         // Turn [rad]
+  double turnRate = base::kPi;  // limit while turning [rad/s]
   RobotTreatment robot = RobotTreatment::Pedestrian;
-  bool active = false;              // a reaction or social action runs (column `state`)
-  Vec2 extraForce = Vec2::Zero();   // Walk: added to the forces of the model [m/s²]
+  bool active = false;             // a reaction or social action runs (column `state`)
+  Vec2 extraForce = Vec2::Zero();  // Walk: added to the forces of the model [m/s²]
 };
 
 /// Where behaviours write. One intent per person; `control` may be read and written at any time
@@ -96,12 +101,17 @@ class Intents {
  public:
   explicit Intents(std::vector<HumanControl>& controls)
       : controls_(controls), intents_(controls.size()) {}
-  void reset() { intents_.assign(controls_.size(), Intent{}); events_.clear(); }
+  void reset() {
+    intents_.assign(controls_.size(), Intent{});
+    events_.clear();
+  }
 
   Intent& of(int human) { return intents_[static_cast<std::size_t>(human)]; }
   const Intent& of(int human) const { return intents_[static_cast<std::size_t>(human)]; }
   HumanControl& control(int human) { return controls_[static_cast<std::size_t>(human)]; }
-  const HumanControl& control(int human) const { return controls_[static_cast<std::size_t>(human)]; }
+  const HumanControl& control(int human) const {
+    return controls_[static_cast<std::size_t>(human)];
+  }
   void emit(Event event) { events_.push_back(std::move(event)); }
   std::vector<Event>& events() { return events_; }
 

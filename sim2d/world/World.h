@@ -47,7 +47,8 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  /// False when the run has failed (diverged): `failure` says who and why; the last good state stays.
+  /// False when the run has failed (diverged): `failure` says who and why; the last good state
+  /// stays.
   bool step();
   const std::string& failure() const;
 

@@ -1,0 +1,111 @@
+#include "sim2d/world/Goals.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "sim2d/base/Text.h"
+
+namespace sim2d {
+namespace {
+
+constexpr double kTick = 1e-9;  // [s]; a limit is reached so much before it
+
+/// Index in the person's written goals of the next one with this id after `last`.
+std::optional<std::size_t> indexAfter(const std::vector<int>& goals, int id, std::size_t last,
+                                      bool hasLast) {
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    const std::size_t index = (i + (hasLast ? last + 1 : 0)) % goals.size();
+    if (goals[index] == id) {
+      return index;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void Goals::enter(int human) {
+  people_[static_cast<std::size_t>(human)] = Progress{};
+}
+
+void Goals::afterDecide(const WorldModel& model, WorldState& state, Intents& intents,
+                        const WorldView& view) {
+  for (const Event& event : intents.events()) {
+    const int human = event.hasId ? view.indexOf(event.id) : -1;
+    if (human >= 0 && event.kind == EventKind::Goal) {
+      const std::optional<long long> id = base::parseInt(event.text);
+      note(model, state, human, id ? static_cast<int>(*id) : 0);
+    }
+    if (human >= 0 && event.kind == EventKind::Arrived) {
+      arrived_.push_back(human);
+    }
+  }
+  for (std::size_t human = 0; human < people_.size(); ++human) {
+    Intent& intent = intents.of(static_cast<int>(human));
+    const bool waits = state.time < people_[human].waitsUntil - kTick;
+    if (state.present[human] != 0 && waits && intent.motion == Motion::Walk &&
+        intent.targetIsGoal) {
+      intent.motion = Motion::Stand;
+    }
+  }
+}
+
+void Goals::afterMotion(const WorldModel& model, WorldState& state, const Intents& intents) {
+  for (std::size_t human = 0; human < people_.size(); ++human) {
+    const Intent& intent = intents.of(static_cast<int>(human));
+    std::vector<GoalItem>& goals = state.controls[human].goals;
+    if (state.present[human] == 0 || intent.motion != Motion::Walk || !intent.targetIsGoal ||
+        goals.empty()) {
+      continue;
+    }
+    Progress& progress = people_[human];
+    const GoalItem front = goals.front();
+    const bool isInside = (front.position - state.position(human)).norm() <= front.radius;
+    const bool stayed =
+        progress.stands && progress.standsIn == front &&
+        model.people[human].constants.cyclicGoals &&
+        std::count(goals.begin(), goals.end(), front) == static_cast<std::ptrdiff_t>(goals.size());
+    if (!isInside) {
+      progress.stands = progress.stands && !stayed;
+      continue;
+    }
+    if (stayed) {
+      continue;  // a round of one goal leads to where the person stands
+    }
+    goals.erase(goals.begin());
+    if (model.people[human].constants.cyclicGoals) {
+      goals.push_back(front);
+    }
+    reach(model, state, static_cast<int>(human), front);
+  }
+}
+
+void Goals::reach(const WorldModel& model, WorldState& state, int human, const GoalItem& goal) {
+  const auto at = static_cast<std::size_t>(human);
+  const int personId = model.people[at].constants.id;
+  people_[at].stands = true;
+  people_[at].standsIn = goal;
+  state.emit(EventKind::Goal, personId, goal.id > 0 ? std::to_string(goal.id) : "");
+  note(model, state, human, goal.id);
+  if (state.controls[at].goals.empty()) {
+    state.emit(EventKind::Arrived, personId);
+    arrived_.push_back(human);
+  }
+}
+
+void Goals::note(const WorldModel& model, const WorldState& state, int human, int goalId) {
+  const Person& person = model.people[static_cast<std::size_t>(human)];
+  Progress& progress = people_[static_cast<std::size_t>(human)];
+  const std::optional<std::size_t> index =
+      indexAfter(person.definition->goals, goalId, progress.lastIndex, progress.hasReached);
+  if (!index) {
+    return;
+  }
+  progress.lastIndex = *index;
+  progress.hasReached = true;
+  if (*index < person.constants.wait.size()) {
+    progress.waitsUntil = state.time + person.constants.wait[*index];
+  }
+}
+
+}  // namespace sim2d

@@ -1,0 +1,74 @@
+#include "sim2d/world/NeighborGrid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sim2d {
+namespace {
+
+constexpr double kMostCells = 250000.0;
+
+int clampedCell(double value, int count) {
+  return static_cast<int>(std::clamp(std::floor(value), 0.0, static_cast<double>(count - 1)));
+}
+
+}  // namespace
+
+void NeighborGrid::rebuild(const std::vector<double>& x, const std::vector<double>& y,
+                           const std::vector<char>& present) {
+  Vec2 low = Vec2::Zero();
+  Vec2 high = Vec2::Zero();
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (present[i] == 0) {
+      continue;
+    }
+    const Vec2 point(x[i], y[i]);
+    low = count == 0 ? point : Vec2(low.cwiseMin(point));
+    high = count == 0 ? point : Vec2(high.cwiseMax(point));
+    ++count;
+  }
+  const Vec2 size = high - low;
+  const double fewest = std::sqrt(size.x() * size.y() / kMostCells);
+  cell_ = std::max({wantedCell_, fewest, std::max(size.x(), size.y()) / kMostCells});
+  origin_ = low;
+  width_ = count == 0 ? 0 : static_cast<int>(size.x() / cell_) + 1;
+  height_ = count == 0 ? 0 : static_cast<int>(size.y() / cell_) + 1;
+  start_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) + 1, 0);
+  cellOf_.assign(x.size(), -1);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (present[i] != 0) {
+      cellOf_[i] = clampedCell((y[i] - low.y()) / cell_, height_) * width_ +
+                   clampedCell((x[i] - low.x()) / cell_, width_);
+      ++start_[static_cast<std::size_t>(cellOf_[i]) + 1];
+    }
+  }
+  for (std::size_t cell = 1; cell < start_.size(); ++cell) {
+    start_[cell] += start_[cell - 1];
+  }
+  items_.resize(count);
+  points_.resize(count, Vec2::Zero());
+  std::vector<int> next(start_.begin(), start_.end() - 1);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (present[i] != 0) {
+      const auto slot = static_cast<std::size_t>(next[static_cast<std::size_t>(cellOf_[i])]++);
+      items_[slot] = static_cast<int>(i);
+      points_[slot] = Vec2(x[i], y[i]);
+    }
+  }
+}
+
+NeighborGrid::Span NeighborGrid::spanOf(const Vec2& centre, double range) const {
+  if (width_ == 0) {
+    return {};
+  }
+  const Vec2 low = (centre - origin_ - Vec2(range, range)) / cell_;
+  const Vec2 high = (centre - origin_ + Vec2(range, range)) / cell_;
+  if (high.x() < 0.0 || high.y() < 0.0 || low.x() >= width_ || low.y() >= height_) {
+    return {};
+  }
+  return {clampedCell(low.x(), width_), clampedCell(high.x(), width_),
+          clampedCell(low.y(), height_), clampedCell(high.y(), height_)};
+}
+
+}  // namespace sim2d

@@ -1,0 +1,194 @@
+#include "sim2d/world/PersonMotion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sim2d {
+namespace {
+
+constexpr double kSlowestTurn = 0.07;    // [m/s]; slower people keep their heading
+constexpr double kTurnRate = base::kPi;  // [rad/s]
+constexpr double kReach = 5.0;           // [m]; obstacles act up to here
+constexpr std::size_t kSmallCrowd = 64;  // up to here everybody feels everybody
+
+double turned(double heading, double towards, double most) {
+  const double turn = base::angleDiff(towards, heading);
+  return base::wrapToPi(heading + std::clamp(turn, -most, most));
+}
+
+bool isWalking(const Intent& intent) {
+  return intent.motion == Motion::Walk || intent.motion == Motion::Brake;
+}
+
+}  // namespace
+
+/// The others as all people of this step see them.
+struct PersonMotion::Crowd {
+  Crowd(const FrozenWorld& world, const Ways& ways) : obstacles(world.obstacles) {
+    const WorldState& state = world.state;
+    for (std::size_t i = 0; i < state.present.size(); ++i) {
+      const ResolvedHuman& person = world.model.people[i].constants;
+      walkers.push_back({person.id, state.position(i), state.velocity(i), person.radius});
+      room.push_back(state.present[i] != 0 ? ways.clearance(walkers[i].position) : 0.0);
+      if (state.present[i] != 0) {
+        ++count;
+        fastest = std::max(fastest, walkers[i].velocity.norm());
+        if (state.controls[i].group >= 0) {
+          groups[state.controls[i].group].push_back(i);
+        }
+      }
+    }
+    for (std::size_t i = 0; i < state.robots.size(); ++i) {
+      const ResolvedRobot& robot = world.model.robots[i];
+      robots.push_back(
+          {robot.id, state.robots[i].pose.position, state.robots[i].velocity, reachOf(robot)});
+    }
+  }
+
+  const Obstacles& obstacles;
+  std::vector<Walker> walkers;
+  std::vector<double> room;  // of each person to the next wall [m]
+  std::vector<Walker> robots;
+  std::map<int, std::vector<std::size_t>> groups;
+  std::size_t count = 0;
+  double fastest = 0.0;  // [m/s]
+};
+
+void PersonMotion::resize(std::size_t count) {
+  routes_.resize(count);
+  directions_.resize(count, Vec2::Zero());
+  wanted_.resize(count);
+}
+
+void PersonMotion::forget(int human) {
+  routes_[static_cast<std::size_t>(human)].reset();
+}
+
+void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, Ways& ways,
+                           WorldState& state) {
+  chooseLegs(world, intents, ways, state);
+  const Crowd crowd(world, ways);
+  for (std::size_t human = 0; human < wanted_.size(); ++human) {
+    if (state.present[human] != 0) {
+      move(human, world, intents, crowd);
+    }
+  }
+  for (std::size_t human = 0; human < wanted_.size(); ++human) {
+    const Intent& intent = intents.of(static_cast<int>(human));
+    if (state.present[human] != 0 && intent.motion == Motion::Turn) {
+      state.heading[human] = turned(state.heading[human], intent.heading,
+                                    std::max(0.0, intent.turnRate) * world.model.dt);
+    }
+  }
+}
+
+void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents, Ways& ways,
+                              WorldState& state) {
+  for (std::size_t human = 0; human < wanted_.size(); ++human) {
+    const Intent& intent = intents.of(static_cast<int>(human));
+    directions_[human] = Vec2::Zero();
+    if (state.present[human] == 0 || intent.motion != Motion::Walk) {
+      continue;
+    }
+    const ResolvedHuman& person = world.model.people[human].constants;
+    RouteFollower::Request request;
+    request.position = state.position(human);
+    request.target = intent.target;
+    request.radius = person.radius;
+    request.speed = state.controls[human].frozen ? 0.0 : intent.speed;
+    request.time = state.time;
+    request.route = person.route;
+    const RouteFollower::Leg leg = routes_[human].follow(request, ways, world.obstacles);
+    directions_[human] = leg.direction;
+    if (leg.replanned) {
+      state.emit(EventKind::Replan, person.id);
+    }
+    if (leg.stuck) {
+      state.emit(EventKind::Stuck, person.id);
+    }
+  }
+}
+
+void PersonMotion::move(std::size_t human, const FrozenWorld& world, const Intents& intents,
+                        const Crowd& crowd) {
+  const Intent& intent = intents.of(static_cast<int>(human));
+  const Person& person = world.model.people[human];
+  const HumanControl& control = world.state.controls[human];
+  WantedMotion& wanted = wanted_[human];
+  wanted.velocity = Vec2::Zero();
+  wanted.forces = ForceTerms{};
+  wanted.looksAhead = isWalking(intent);
+  wanted.walls.clear();
+  const bool raysAct = world.model.obstaclePoints == ObstaclePoints::Rays;
+  const double near = person.constants.radius + 1.0;
+  world.obstacles.boundaryPoints(crowd.walkers[human].position, wanted.walls,
+                                 isWalking(intent) && !raysAct ? kReach : near);
+  if (!isWalking(intent)) {
+    return;
+  }
+  Situation situation;
+  situation.self = crowd.walkers[human];
+  situation.direction = directions_[human];
+  const double speed = intent.motion == Motion::Walk ? intent.speed : person.constants.desiredSpeed;
+  situation.desiredSpeed = control.frozen ? 0.0 : std::max(speed, 0.0);
+  situation.dt = world.model.dt;
+  situation.exact = world.model.exact;
+  if (raysAct) {
+    world.obstacles.rayPoints(situation.self.position, situation.obstacles);
+  } else {
+    situation.obstacles = wanted.walls;
+  }
+  const bool feelsAll = situation.exact || crowd.count <= kSmallCrowd;
+  if (feelsAll) {
+    for (std::size_t i = 0; i < crowd.walkers.size(); ++i) {
+      if (i != human && world.state.present[i] != 0) {
+        situation.others.push_back(crowd.walkers[i]);
+      }
+    }
+  } else {
+    const double range = person.model->range(crowd.fastest, situation.self.velocity.norm());
+    world.grid.forEachNear(situation.self.position, range, [&](int other) {
+      if (static_cast<std::size_t>(other) != human) {
+        situation.others.push_back(crowd.walkers[static_cast<std::size_t>(other)]);
+      }
+    });
+  }
+  for (std::size_t i = 0; i < crowd.robots.size(); ++i) {
+    if (intent.robot == RobotTreatment::Pedestrian) {
+      situation.others.push_back(crowd.robots[i]);
+      continue;
+    }
+    const Obstacles::Point point =
+        nearestPointOf(world.model.robots[i], world.state.robots[i].pose, situation.self.position);
+    if (point.distance < kReach) {
+      situation.obstacles.push_back(point);
+    }
+  }
+  if (control.group >= 0) {
+    for (const std::size_t member : crowd.groups.at(control.group)) {
+      if (member != human) {
+        situation.group.push_back(crowd.walkers[member]);
+      }
+    }
+  }
+  const double room = crowd.room[human];
+  const std::function<bool(const Vec2&, const Vec2&)> isVisible = [&](const Vec2& from,
+                                                                      const Vec2& to) {
+    return (to - from).norm() < room || crowd.obstacles.isVisible(from, to);
+  };
+  situation.isVisible = &isVisible;
+  wanted.forces = person.model->forces(situation);
+  if (intent.motion == Motion::Walk) {
+    wanted.forces.social += intent.extraForce;
+  }
+  wanted.velocity = person.model->velocity(situation, wanted.forces);
+}
+
+double headingAfter(double heading, const Vec2& velocity, double dt) {
+  if (velocity.norm() < kSlowestTurn) {
+    return heading;
+  }
+  return turned(heading, base::headingOf(velocity), kTurnRate * dt);
+}
+
+}  // namespace sim2d

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "sim2d/world/NeighborGrid.h"
+#include "sim2d/world/RouteFollower.h"
+#include "sim2d/world/WorldState.h"
+
+namespace sim2d {
+
+/// The world as people see it during one step; nothing of it changes while they move.
+struct FrozenWorld {
+  const WorldModel& model;
+  const WorldState& state;
+  const NeighborGrid& grid;
+  const Obstacles& obstacles;
+};
+
+/// What one person wants of the step.
+struct WantedMotion {
+  Vec2 velocity = Vec2::Zero();         // [m/s]
+  ForceTerms forces;                    // that led to it [m/s²]
+  bool looksAhead = false;              // the heading follows the velocity
+  std::vector<Obstacles::Point> walls;  // near the body
+};
+
+/// From intents to wanted velocities: ways, forces, the model of each person.
+class PersonMotion {
+ public:
+  /// One entry per person of the model.
+  void resize(std::size_t count);
+  void forget(int human);  // of a person who enters: an old way
+
+  /// Fills `wanted` and turns those who turn on the spot. Emits `replan` and `stuck`.
+  void compute(const FrozenWorld& world, const Intents& intents, Ways& ways, WorldState& state);
+  const std::vector<WantedMotion>& wanted() const { return wanted_; }
+
+ private:
+  struct Crowd;
+  void chooseLegs(const FrozenWorld& world, const Intents& intents, Ways& ways, WorldState& state);
+  void move(std::size_t human, const FrozenWorld& world, const Intents& intents,
+            const Crowd& crowd);
+
+  std::vector<RouteFollower> routes_;
+  std::vector<Vec2> directions_;
+  std::vector<WantedMotion> wanted_;
+};
+
+/// New heading of a person: towards `velocity` when it is not too slow to have a direction, at most
+/// pi rad/s.
+double headingAfter(double heading, const Vec2& velocity, double dt);
+
+}  // namespace sim2d

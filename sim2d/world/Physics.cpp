@@ -1,0 +1,335 @@
+#include "sim2d/world/Physics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include <box2d/b2_distance.h>
+#include <box2d/box2d.h>
+
+namespace sim2d {
+namespace {
+
+constexpr int kVelocityIterations = 8;
+constexpr int kPositionIterations = 6;
+constexpr double kApart = 0.02;           // [m]; a touch ends beyond
+constexpr double kRounding = 2e-5;        // [m]; what single precision may be off
+constexpr double kSmallestPiece = 1e-5;   // [m²]; smaller pieces of a footprint are left out
+constexpr float kShortestEdge = 0.0075F;  // Box2D wants more than its slop between corners [m]
+
+std::tuple<int, int, int> keyOf(const Touch& touch) {
+  return {touch.body, touch.other, touch.part};
+}
+
+bool byKey(const Touch& a, const Touch& b) {
+  return keyOf(a) < keyOf(b);
+}
+
+bool isConvex(const std::vector<Vec2>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec2& a = points[i];
+    const Vec2& b = points[(i + 1) % points.size()];
+    const Vec2& c = points[(i + 2) % points.size()];
+    if (base::cross(b - a, c - b) < 0.0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool isEar(const std::vector<Vec2>& points, std::size_t at) {
+  const std::size_t count = points.size();
+  const std::vector<Vec2> ear = {points[(at + count - 1) % count], points[at],
+                                 points[(at + 1) % count]};
+  if (base::cross(ear[1] - ear[0], ear[2] - ear[1]) <= 0.0) {
+    return false;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool isCorner = i == at || i == (at + 1) % count || i == (at + count - 1) % count;
+    if (!isCorner && isInside(ear, points[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Convex pieces of at most 8 corners: ears are cut off until the rest is one.
+std::vector<std::vector<Vec2>> convexPieces(std::vector<Vec2> rest) {
+  std::vector<std::vector<Vec2>> pieces;
+  while (rest.size() > 3 && (rest.size() > b2_maxPolygonVertices || !isConvex(rest))) {
+    std::size_t ear = 0;
+    while (ear + 1 < rest.size() && !isEar(rest, ear)) {
+      ++ear;
+    }
+    const std::size_t count = rest.size();
+    pieces.push_back({rest[(ear + count - 1) % count], rest[ear], rest[(ear + 1) % count]});
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(ear));
+  }
+  pieces.push_back(std::move(rest));
+  const auto isSliver = [](const std::vector<Vec2>& piece) {
+    return signedArea(piece) < kSmallestPiece;
+  };
+  pieces.erase(std::remove_if(pieces.begin(), pieces.end(), isSliver), pieces.end());
+  return pieces;
+}
+
+}  // namespace
+
+struct Physics::World {
+  struct Body {
+    b2Body* body = nullptr;
+    Pose2 pose;
+    Vec2 velocity = Vec2::Zero();
+    double omega = 0.0;
+    bool present = true;
+  };
+
+  explicit World(const Vec2& centre) : world(b2Vec2(0.0F, 0.0F)), origin(centre) {
+    world.SetContinuousPhysics(false);
+    world.SetAllowSleeping(false);
+    world.SetWarmStarting(false);  // velocities are given anew in each step
+    const b2BodyDef definition;
+    walls = world.CreateBody(&definition);
+  }
+
+  b2Vec2 toLocal(const Vec2& point) const {
+    return {static_cast<float>(point.x() - origin.x()), static_cast<float>(point.y() - origin.y())};
+  }
+  Body& at(int index) { return bodies[static_cast<std::size_t>(index)]; }
+
+  void addLoop(const Outline& outline, int part, bool enabled);
+  void addFixtures(b2Body& body, const BodySpec& spec) const;
+  void readBack(Body& body, double dt) const;
+  Touch touchOf(b2Contact& contact) const;
+  static bool isTouching(b2Contact& contact, bool wasTouching, Touch& touch);
+
+  b2World world;
+  Vec2 origin;
+  b2Body* walls = nullptr;
+  std::vector<std::vector<b2Fixture*>> parts;
+  std::vector<Body> bodies;
+};
+
+void Physics::World::addLoop(const Outline& outline, int part, bool enabled) {
+  std::vector<b2Vec2> corners;
+  for (const Vec2& point : outline.points) {
+    const b2Vec2 corner = toLocal(point);
+    if (corners.empty() || b2Distance(corners.back(), corner) > kShortestEdge) {
+      corners.push_back(corner);
+    }
+  }
+  while (corners.size() > 1 && b2Distance(corners.front(), corners.back()) <= kShortestEdge) {
+    corners.pop_back();
+  }
+  if (corners.size() < 3) {
+    return;
+  }
+  b2ChainShape chain;
+  chain.CreateLoop(corners.data(), static_cast<int32>(corners.size()));
+  chain.m_radius = 0.0F;  // bodies come up to the very wall
+  b2FixtureDef definition;
+  definition.shape = &chain;
+  definition.friction = 0.0F;
+  definition.userData.pointer = static_cast<uintptr_t>(part);
+  definition.filter.maskBits = enabled ? 0xFFFF : 0;
+  parts.back().push_back(walls->CreateFixture(&definition));
+}
+
+void Physics::World::addFixtures(b2Body& body, const BodySpec& spec) const {
+  b2FixtureDef definition;
+  definition.friction = 0.0F;
+  definition.density = 1.0F;
+  if (spec.footprint.empty()) {
+    b2CircleShape circle;
+    circle.m_radius = static_cast<float>(spec.radius);
+    definition.shape = &circle;
+    body.CreateFixture(&definition);
+  }
+  for (const std::vector<Vec2>& piece :
+       spec.footprint.empty() ? std::vector<std::vector<Vec2>>{} : convexPieces(spec.footprint)) {
+    std::vector<b2Vec2> corners;
+    for (const Vec2& point : piece) {
+      corners.emplace_back(static_cast<float>(point.x()), static_cast<float>(point.y()));
+    }
+    b2PolygonShape polygon;
+    polygon.Set(corners.data(), static_cast<int32>(corners.size()));
+    definition.shape = &polygon;
+    body.CreateFixture(&definition);
+  }
+  b2MassData mass = {};
+  body.GetMassData(&mass);
+  const float scale = mass.mass > 0.0F ? static_cast<float>(spec.mass) / mass.mass : 1.0F;
+  mass.mass *= scale;
+  mass.I *= scale;
+  body.SetMassData(&mass);
+}
+
+/// A body that no contact moved keeps its exact velocity and position; rounding is not taken over.
+void Physics::World::readBack(Body& body, double dt) const {
+  const b2Vec2 velocity = body.body->GetLinearVelocity();
+  const b2Vec2 given(static_cast<float>(body.velocity.x()), static_cast<float>(body.velocity.y()));
+  if (velocity != given) {
+    body.velocity = Vec2(velocity.x, velocity.y);
+  }
+  const b2Vec2 moved = body.body->GetPosition();
+  const Vec2 found = origin + Vec2(moved.x, moved.y);
+  const Vec2 exact = body.pose.position + body.velocity * dt;
+  body.pose.position = (found - exact).norm() <= kRounding ? exact : found;
+  if (body.body->GetAngularVelocity() != static_cast<float>(body.omega)) {
+    body.omega = static_cast<double>(body.body->GetAngularVelocity());
+  }
+  const double turned = base::wrapToPi(body.pose.heading + body.omega * dt);
+  const double angle = base::wrapToPi(static_cast<double>(body.body->GetAngle()));
+  body.pose.heading =
+      body.body->IsFixedRotation() || std::fabs(base::angleDiff(angle, turned)) <= kRounding
+          ? turned
+          : angle;
+}
+
+Touch Physics::World::touchOf(b2Contact& contact) const {
+  b2Body* const first = contact.GetFixtureA()->GetBody();
+  b2Body* const second = contact.GetFixtureB()->GetBody();
+  Touch touch;
+  if (first == walls || second == walls) {
+    b2Fixture* const wall = first == walls ? contact.GetFixtureA() : contact.GetFixtureB();
+    touch.body = static_cast<int>((first == walls ? second : first)->GetUserData().pointer);
+    touch.part = static_cast<int>(wall->GetUserData().pointer);
+    return touch;
+  }
+  touch.body =
+      static_cast<int>(std::min(first->GetUserData().pointer, second->GetUserData().pointer));
+  touch.other =
+      static_cast<int>(std::max(first->GetUserData().pointer, second->GetUserData().pointer));
+  return touch;
+}
+
+bool Physics::World::isTouching(b2Contact& contact, bool wasTouching, Touch& touch) {
+  b2Fixture* const first = contact.GetFixtureA();
+  b2Fixture* const second = contact.GetFixtureB();
+  const b2Transform& firstPlace = first->GetBody()->GetTransform();
+  const b2Transform& secondPlace = second->GetBody()->GetTransform();
+  b2Manifold manifold;
+  manifold.pointCount = 0;
+  contact.Evaluate(&manifold, firstPlace, secondPlace);
+  if (manifold.pointCount > 0) {
+    b2WorldManifold inWorld = {};
+    inWorld.Initialize(&manifold, firstPlace, first->GetShape()->m_radius, secondPlace,
+                       second->GetShape()->m_radius);
+    const bool isFirst = static_cast<int>(first->GetBody()->GetUserData().pointer) == touch.body &&
+                         first->GetBody()->GetType() == b2_dynamicBody;
+    const double side = isFirst ? 1.0 : -1.0;
+    touch.normal = side * Vec2(inWorld.normal.x, inWorld.normal.y);
+    return true;
+  }
+  if (!wasTouching) {
+    return false;
+  }
+  b2DistanceInput input;
+  input.proxyA.Set(first->GetShape(), contact.GetChildIndexA());
+  input.proxyB.Set(second->GetShape(), contact.GetChildIndexB());
+  input.transformA = firstPlace;
+  input.transformB = secondPlace;
+  input.useRadii = true;
+  b2SimplexCache cache = {};
+  b2DistanceOutput output = {};
+  b2Distance(&output, &cache, &input);
+  return static_cast<double>(output.distance) <= kApart;
+}
+
+Physics::Physics(const Vec2& origin) : world_(std::make_unique<World>(origin)) {}
+Physics::~Physics() = default;
+
+void Physics::addPart(const std::vector<Outline>& outlines, bool enabled) {
+  const int part = static_cast<int>(world_->parts.size());
+  world_->parts.emplace_back();
+  for (const Outline& outline : outlines) {
+    world_->addLoop(outline, part, enabled);
+  }
+}
+
+void Physics::setPartEnabled(int part, bool enabled) {
+  for (b2Fixture* const fixture : world_->parts[static_cast<std::size_t>(part)]) {
+    b2Filter filter = fixture->GetFilterData();
+    filter.maskBits = enabled ? 0xFFFF : 0;
+    fixture->SetFilterData(filter);
+  }
+}
+
+int Physics::addBody(const BodySpec& spec, bool present) {
+  const int index = static_cast<int>(world_->bodies.size());
+  b2BodyDef definition;
+  definition.type = b2_dynamicBody;
+  definition.position = world_->toLocal(spec.pose.position);
+  definition.angle = static_cast<float>(spec.pose.heading);
+  definition.fixedRotation = spec.keepsHeading;
+  definition.enabled = present;
+  definition.userData.pointer = static_cast<uintptr_t>(index);
+  World::Body body;
+  body.body = world_->world.CreateBody(&definition);
+  body.pose = spec.pose;
+  body.present = present;
+  world_->addFixtures(*body.body, spec);
+  world_->bodies.push_back(body);
+  return index;
+}
+
+void Physics::setPresent(int body, bool present) {
+  world_->at(body).present = present;
+  world_->at(body).body->SetEnabled(present);
+}
+
+void Physics::place(int body, const Pose2& pose) {
+  World::Body& moved = world_->at(body);
+  moved.pose = pose;
+  moved.velocity = Vec2::Zero();
+  moved.omega = 0.0;
+  moved.body->SetTransform(world_->toLocal(pose.position), static_cast<float>(pose.heading));
+}
+
+void Physics::setVelocity(int body, const Vec2& velocity, double omega) {
+  World::Body& moved = world_->at(body);
+  moved.velocity = velocity;
+  moved.omega = omega;
+  moved.body->SetLinearVelocity(
+      {static_cast<float>(velocity.x()), static_cast<float>(velocity.y())});
+  moved.body->SetAngularVelocity(moved.body->IsFixedRotation() ? 0.0F : static_cast<float>(omega));
+}
+
+void Physics::step(double dt, int subSteps) {
+  for (int i = 0; i < subSteps; ++i) {
+    world_->world.Step(static_cast<float>(dt / subSteps), kVelocityIterations, kPositionIterations);
+  }
+  for (World::Body& body : world_->bodies) {
+    if (body.present) {
+      world_->readBack(body, dt);
+    }
+  }
+}
+
+const Pose2& Physics::pose(int body) const {
+  return world_->at(body).pose;
+}
+const Vec2& Physics::velocity(int body) const {
+  return world_->at(body).velocity;
+}
+double Physics::omega(int body) const {
+  return world_->at(body).omega;
+}
+
+void Physics::touches(const std::vector<Touch>& before, std::vector<Touch>& found) {
+  found.clear();
+  for (b2Contact* contact = world_->world.GetContactList(); contact != nullptr;
+       contact = contact->GetNext()) {
+    Touch touch = world_->touchOf(*contact);
+    const bool wasTouching = std::binary_search(before.begin(), before.end(), touch, byKey);
+    if (World::isTouching(*contact, wasTouching, touch)) {
+      found.push_back(touch);
+    }
+  }
+  std::stable_sort(found.begin(), found.end(), byKey);
+  const auto end = std::unique(found.begin(), found.end(),
+                               [](const Touch& a, const Touch& b) { return keyOf(a) == keyOf(b); });
+  found.erase(end, found.end());
+}
+
+}  // namespace sim2d

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "sim2d/map/Outlines.h"
+
+namespace sim2d {
+
+/// A disc, or a polygon in the body's frame when `footprint` is not empty.
+struct BodySpec {
+  Pose2 pose;
+  double radius = 0.35;  // [m]
+  double mass = 80.0;    // [kg]
+  std::vector<Vec2> footprint;
+  bool keepsHeading = true;  // people: contacts do not turn them
+};
+
+/// Two bodies, or a body and a part of the surroundings, that touch after the step.
+struct Touch {
+  int body = 0;
+  int other = -1;              // body, or -1
+  int part = -1;               // part of the surroundings, or -1
+  Vec2 normal = Vec2::Zero();  // unit vector from `body` to the other
+};
+
+/// Rigid bodies that do not pass through each other nor through walls (Box2D 2.4 behind it). Works
+/// in single precision relative to `origin`; a body that nothing touched moves in double. Bodies
+/// are numbered in the order of their making.
+class Physics {
+ public:
+  explicit Physics(const Vec2& origin);
+  ~Physics();
+  Physics(const Physics&) = delete;
+  Physics& operator=(const Physics&) = delete;
+
+  /// A part of the surroundings, numbered from 0; solid on the left of its outlines.
+  void addPart(const std::vector<Outline>& outlines, bool enabled);
+  void setPartEnabled(int part, bool enabled);
+
+  int addBody(const BodySpec& spec, bool present);
+  void setPresent(int body, bool present);
+  void place(int body, const Pose2& pose);
+  /// What a body should do in the next step; people (`keepsHeading`) have omega 0.
+  void setVelocity(int body, const Vec2& velocity, double omega);
+  /// More `subSteps` let fast bodies sink less into what they hit.
+  void step(double dt, int subSteps = 1);
+
+  const Pose2& pose(int body) const;
+  const Vec2& velocity(int body) const;  // after contacts [m/s]
+  double omega(int body) const;          // [rad/s]
+
+  /// Touching pairs, by body, other and part. A pair from `before` counts as touching until it is
+  /// 2 cm apart.
+  void touches(const std::vector<Touch>& before, std::vector<Touch>& found);
+
+ private:
+  struct World;
+  std::unique_ptr<World> world_;
+};
+
+}  // namespace sim2d

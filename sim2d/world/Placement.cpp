@@ -1,0 +1,215 @@
+#include "sim2d/world/Placement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim2d/base/Text.h"
+
+namespace sim2d {
+namespace {
+
+constexpr double kFarthest = 1e6;    // [m]
+constexpr double kOverlap = 0.05;    // [m]; told about
+constexpr double kSamePlace = 1e-9;  // [m]
+
+bool isUsable(const Vec2& point) {
+  return point.allFinite() && point.cwiseAbs().maxCoeff() <= kFarthest;
+}
+
+std::string shown(const Vec2& point) {
+  return "(" + base::formatDouble(std::round(point.x() * 1000.0) / 1000.0) + ", " +
+         base::formatDouble(std::round(point.y() * 1000.0) / 1000.0) + ")";
+}
+
+base::Diagnostic about(base::Diagnostic diagnostic, EntityId entity) {
+  diagnostic.entity = entity;
+  return diagnostic;
+}
+
+EntityId keyOfRobot(const WorldModel& model, const ResolvedRobot& robot) {
+  for (const Robot& written : model.scenario->robots) {
+    if (written.listed && written.name == robot.name) {
+      return written.key;
+    }
+  }
+  return {};
+}
+
+/// Moves the point where a body of this radius fits; `what` names it in messages.
+void fit(Vec2& point, double radius, const std::string& what, EntityId entity, Ways& ways,
+         base::Diagnostics& problems) {
+  const std::optional<Vec2> place = ways.nearestFit(radius, point);
+  if (!place) {
+    problems.push_back(about(
+        base::makeError(what + " " + shown(point) + ": the body does not fit here nor within 1 m"),
+        entity));
+    return;
+  }
+  if ((*place - point).norm() > kSamePlace) {
+    problems.push_back(
+        about(base::makeWarning(what + " " + shown(point) + ": the body does not fit, " +
+                                shown(*place) + " is used"),
+              entity));
+    point = *place;
+  }
+}
+
+/// The largest body that walks to the goal by a planned way; 0: none.
+double radiusFor(const WorldModel& model, int goalId) {
+  double radius = 0.0;
+  for (const Person& person : model.people) {
+    const std::vector<int>& goals = person.definition->goals;
+    if (person.constants.route == Route::Planned &&
+        std::find(goals.begin(), goals.end(), goalId) != goals.end()) {
+      radius = std::max(radius, person.constants.radius);
+    }
+  }
+  for (const ResolvedRobot& robot : model.robots) {
+    if (std::find(robot.goalIds.begin(), robot.goalIds.end(), goalId) != robot.goalIds.end()) {
+      radius = std::max(radius, reachOf(robot));
+    }
+  }
+  return radius;
+}
+
+void warnOfOverlaps(const WorldModel& model, base::Diagnostics& problems) {
+  for (std::size_t i = 0; i < model.people.size(); ++i) {
+    const ResolvedHuman& first = model.people[i].constants;
+    for (std::size_t k = i + 1; k < model.people.size(); ++k) {
+      const ResolvedHuman& second = model.people[k].constants;
+      const double apart = (first.start.position - second.start.position).norm();
+      const bool areTogether = first.startTime <= 0.0 && second.startTime <= 0.0;
+      if (areTogether && apart < first.radius + second.radius - kOverlap) {
+        problems.push_back(about(base::makeWarning("'" + first.name + "' and '" + second.name +
+                                                   "' start in each other; they are pushed apart"),
+                                 model.people[i].definition->key));
+      }
+    }
+  }
+}
+
+template <class Items, class IsReachable>
+void keepReachable(Items& items, IsReachable isReachable) {
+  items.erase(std::remove_if(items.begin(), items.end(),
+                             [&](const auto& item) { return !isReachable(item); }),
+              items.end());
+}
+
+}  // namespace
+
+std::vector<Vec2> placesOf(const WorldModel& model) {
+  std::vector<Vec2> places;
+  for (const Person& person : model.people) {
+    places.push_back(person.constants.start.position);
+  }
+  for (const ResolvedRobot& robot : model.robots) {
+    places.push_back(robot.start.position);
+    places.insert(places.end(), robot.goals.begin(), robot.goals.end());
+  }
+  for (const auto& goal : model.globalGoals) {
+    places.push_back(goal.second);
+  }
+  for (const Area* area : model.areas) {
+    places.insert(places.end(), area->points.begin(), area->points.end());
+  }
+  return places;
+}
+
+void checkPlaces(const WorldModel& model, base::Diagnostics& problems) {
+  for (const Person& person : model.people) {
+    const std::string who = "person '" + person.constants.name + "': ";
+    if (!isUsable(person.constants.start.position) ||
+        !std::isfinite(person.constants.start.heading)) {
+      problems.push_back(about(base::makeError(who + "init pose is not finite or beyond 1e6 m"),
+                               person.definition->key));
+    }
+    for (const int goal : person.definition->goals) {
+      if (model.globalGoals.count(goal) == 0) {
+        problems.push_back(about(
+            base::makeError(who + "goal " + std::to_string(goal) + " is not among global_goals"),
+            person.definition->key));
+      }
+    }
+  }
+  for (const ResolvedRobot& robot : model.robots) {
+    bool isFine = isUsable(robot.start.position) && std::isfinite(robot.start.heading);
+    for (const Vec2& goal : robot.goals) {
+      isFine = isFine && isUsable(goal);
+    }
+    if (!isFine) {
+      problems.push_back(about(base::makeError("robot '" + robot.name +
+                                               "': start or goal is not finite or beyond 1e6 m"),
+                               keyOfRobot(model, robot)));
+    }
+  }
+  for (const GlobalGoal& goal : model.scenario->goals) {
+    if (!isUsable(goal.position)) {
+      problems.push_back(about(
+          base::makeError("goal " + std::to_string(goal.id) + " is not finite or beyond 1e6 m"),
+          goal.key));
+    }
+  }
+}
+
+void fitPlaces(WorldModel& model, Ways& ways, base::Diagnostics& problems) {
+  for (const GlobalGoal& goal : model.scenario->goals) {
+    const double radius = radiusFor(model, goal.id);
+    if (radius > 0.0) {
+      fit(model.globalGoals[goal.id], radius, "goal " + std::to_string(goal.id), goal.key, ways,
+          problems);
+    }
+  }
+  for (Person& person : model.people) {
+    fit(person.constants.start.position, person.constants.radius,
+        "start of '" + person.constants.name + "'", person.definition->key, ways, problems);
+  }
+  for (ResolvedRobot& robot : model.robots) {
+    const EntityId key = keyOfRobot(model, robot);
+    fit(robot.start.position, reachOf(robot), "start of '" + robot.name + "'", key, ways, problems);
+    for (std::size_t i = 0; i < robot.goals.size(); ++i) {
+      if (robot.goalIds[i] > 0) {
+        robot.goals[i] = model.globalGoals.at(robot.goalIds[i]);
+      } else {
+        fit(robot.goals[i], reachOf(robot), "goal of '" + robot.name + "'", key, ways, problems);
+      }
+    }
+  }
+  warnOfOverlaps(model, problems);
+}
+
+void leaveOutUnreachable(WorldModel& model, Ways& ways, base::Diagnostics& problems) {
+  for (Person& person : model.people) {
+    if (person.constants.route == Route::Direct) {
+      continue;
+    }
+    keepReachable(person.goals, [&](const GoalItem& goal) {
+      if (ways.isReachable(person.constants.radius, person.constants.start.position,
+                           goal.position)) {
+        return true;
+      }
+      problems.push_back(
+          about(base::makeWarning("person '" + person.constants.name + "': no way to goal " +
+                                  std::to_string(goal.id) + ", it is left out"),
+                person.definition->key));
+      return false;
+    });
+  }
+  for (ResolvedRobot& robot : model.robots) {
+    std::vector<Vec2> goals;
+    std::vector<int> ids;
+    for (std::size_t i = 0; i < robot.goals.size(); ++i) {
+      if (ways.isReachable(reachOf(robot), robot.start.position, robot.goals[i])) {
+        goals.push_back(robot.goals[i]);
+        ids.push_back(robot.goalIds[i]);
+      } else {
+        problems.push_back(about(base::makeWarning("robot '" + robot.name + "': no way to " +
+                                                   shown(robot.goals[i]) + ", it is left out"),
+                                 keyOfRobot(model, robot)));
+      }
+    }
+    robot.goals = std::move(goals);
+    robot.goalIds = std::move(ids);
+  }
+}
+
+}  // namespace sim2d

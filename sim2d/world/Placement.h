@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "sim2d/base/Result.h"
+#include "sim2d/world/Ways.h"
+#include "sim2d/world/WorldState.h"
+
+namespace sim2d {
+
+/// Starts and goals before a run.
+
+/// Starts and goals, for the bounds of an open plane.
+std::vector<Vec2> placesOf(const WorldModel& model);
+/// Errors: coordinates that are not finite or beyond 1e6 m, goals that nobody defined.
+void checkPlaces(const WorldModel& model, base::Diagnostics& problems);
+/// Moves starts and goals to the nearest place within 1 m where the body fits, with a warning that
+/// names both points; there is none: error. Goals of people who walk straight stay where they are.
+void fitPlaces(WorldModel& model, Ways& ways, base::Diagnostics& problems);
+/// Takes goals without a way to them off the lists, each with a warning.
+void leaveOutUnreachable(WorldModel& model, Ways& ways, base::Diagnostics& problems);
+
+}  // namespace sim2d

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "sim2d/world/PersonMotion.h"
+#include "sim2d/world/planners/RobotController.h"
+
+namespace sim2d {
+
+/// The robots: what they see, what their planners say, what their limits leave of it, goals.
+class RobotDrive {
+ public:
+  explicit RobotDrive(std::vector<std::shared_ptr<RobotController>> controllers)
+      : controllers_(std::move(controllers)) {}
+
+  /// Commands of this step, within the limits of speed and acceleration. Emits `replan`.
+  const std::vector<base::Twist2>& command(const FrozenWorld& world, Ways& ways, WorldState& state);
+  /// After the step: goals reached, arrivals.
+  static void afterMotion(const WorldModel& model, WorldState& state);
+
+  std::vector<Vec2> path(std::size_t robot, const WorldModel& model, const WorldState& state) const;
+
+ private:
+  std::vector<std::shared_ptr<RobotController>> controllers_;
+  std::vector<base::Twist2> commands_;
+};
+
+}  // namespace sim2d

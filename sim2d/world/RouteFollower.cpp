@@ -1,0 +1,116 @@
+#include "sim2d/world/RouteFollower.h"
+
+#include <algorithm>
+
+namespace sim2d {
+namespace {
+
+constexpr double kTargetMoved = 0.25;   // [m]; farther, and the path is planned anew
+constexpr double kPassed = 0.2;         // [m]; a way point so near is passed
+constexpr double kLostAfter = 1.0;      // [s] without a clear line to the next way point
+constexpr double kBetweenPlans = 1.0;   // [s]
+constexpr double kStuckAfter = 4.0;     // [s] without progress
+constexpr double kProgress = 0.1;       // [m]
+constexpr double kWalkingSpeed = 0.05;  // [m/s]; slower people cannot be stuck
+
+}  // namespace
+
+RouteFollower::Leg RouteFollower::follow(const Request& request, Ways& ways,
+                                         const Obstacles& obstacles) {
+  Leg leg;
+  const Vec2 toTarget = request.target.position - request.position;
+  if (toTarget.norm() <= request.target.radius) {
+    progressAt_ = request.time;
+    return leg;
+  }
+  if (request.route == Route::Direct) {
+    leg.direction = toTarget.normalized();
+    return leg;
+  }
+  if (!isForThisTarget(request, ways)) {
+    leg.replanned = version_ >= 0 && version_ != ways.version();
+    plan(request, ways);
+    clearAt_ = progressAt_ = request.time;
+    bestRest_ = 1e300;
+  } else if (!path_.empty()) {
+    path_.back() = request.target.position;
+    target_ = request.target.position;
+  }
+  passWayPoints(request, ways);
+  leg.stuck = isStuck(request);
+  if (leg.stuck || isLost(request, ways, obstacles)) {
+    plan(request, ways);
+    passWayPoints(request, ways);
+    leg.replanned = true;
+  }
+  if (!path_.empty()) {
+    const Vec2 toNext = path_[next_] - request.position;
+    leg.direction = toNext.norm() > 1e-9 ? toNext.normalized() : toTarget.normalized();
+  }
+  return leg;
+}
+
+bool RouteFollower::isForThisTarget(const Request& request, const Ways& ways) const {
+  return version_ == ways.version() && (request.target.position - target_).norm() <= kTargetMoved;
+}
+
+void RouteFollower::plan(const Request& request, Ways& ways) {
+  path_ = ways.plan(request.radius, request.position, request.target.position);
+  if (!path_.empty()) {
+    path_.back() = request.target.position;
+  }
+  next_ = path_.size() > 1 ? 1 : 0;
+  target_ = request.target.position;
+  version_ = ways.version();
+  plannedAt_ = clearAt_ = request.time;
+}
+
+void RouteFollower::passWayPoints(const Request& request, Ways& ways) {
+  while (next_ + 1 < path_.size() &&
+         ((path_[next_] - request.position).norm() < kPassed ||
+          ways.isClear(request.radius, request.position, path_[next_ + 1]))) {
+    ++next_;
+  }
+}
+
+bool RouteFollower::isLost(const Request& request, Ways& ways, const Obstacles& obstacles) {
+  if (path_.empty()) {
+    return request.time - plannedAt_ >= kStuckAfter;  // a way may have opened
+  }
+  if (ways.isClear(request.radius, request.position, path_[next_])) {
+    clearAt_ = request.time;
+    return false;
+  }
+  if (request.time - plannedAt_ < kBetweenPlans) {
+    return false;
+  }
+  return request.time - clearAt_ >= kLostAfter ||
+         !obstacles.isVisible(request.position, path_[next_]);
+}
+
+bool RouteFollower::isStuck(const Request& request) {
+  const double rest = restLength(request.position);
+  if (rest < bestRest_ - kProgress || request.speed < kWalkingSpeed) {
+    bestRest_ = std::min(bestRest_, rest);
+    progressAt_ = request.time;
+    return false;
+  }
+  if (request.time - progressAt_ < kStuckAfter) {
+    return false;
+  }
+  progressAt_ = request.time;
+  bestRest_ = 1e300;
+  return true;
+}
+
+double RouteFollower::restLength(const Vec2& position) const {
+  double length = 0.0;
+  Vec2 from = position;
+  for (std::size_t i = next_; i < path_.size(); ++i) {
+    length += (path_[i] - from).norm();
+    from = path_[i];
+  }
+  return length;
+}
+
+}  // namespace sim2d

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include "sim2d/world/HumanBehavior.h"
+#include "sim2d/world/Ways.h"
+
+namespace sim2d {
+
+/// Where one person heads on the way to a target: keeps the path, drops way points that are passed,
+/// plans anew when the person was pushed off or does not get on.
+class RouteFollower {
+ public:
+  struct Request {
+    Vec2 position = Vec2::Zero();
+    GoalItem target;
+    double radius = 0.35;  // of the body [m]
+    double speed = 1.0;    // wanted [m/s]
+    double time = 0.0;     // [s]
+    Route route = Route::Planned;
+  };
+  struct Leg {
+    Vec2 direction = Vec2::Zero();  // unit vector; zero: arrived, or there is no way
+    bool replanned = false;
+    bool stuck = false;
+  };
+
+  Leg follow(const Request& request, Ways& ways, const Obstacles& obstacles);
+  void reset() { *this = RouteFollower{}; }
+  /// Rest of the path, for display.
+  const std::vector<Vec2>& path() const { return path_; }
+
+ private:
+  bool isForThisTarget(const Request& request, const Ways& ways) const;
+  void plan(const Request& request, Ways& ways);
+  void passWayPoints(const Request& request, Ways& ways);
+  bool isLost(const Request& request, Ways& ways, const Obstacles& obstacles);
+  bool isStuck(const Request& request);
+  double restLength(const Vec2& position) const;
+
+  std::vector<Vec2> path_;
+  std::size_t next_ = 0;
+  Vec2 target_ = Vec2::Zero();
+  int version_ = -1;         // of the ways; -1: no path yet
+  double plannedAt_ = -1e9;  // [s]
+  double clearAt_ = 0.0;     // the next way point was last clear [s]
+  double bestRest_ = 1e300;  // shortest rest of the path so far [m]
+  double progressAt_ = 0.0;  // when the rest last became shorter [s]
+};
+
+}  // namespace sim2d

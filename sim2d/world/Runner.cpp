@@ -1,0 +1,82 @@
+#include "sim2d/world/Runner.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace sim2d {
+namespace {
+
+constexpr double kAfterArrival = 1.0;   // [s]
+constexpr double kWithRobot = 120.0;    // [s], at most
+constexpr double kWithoutRobot = 60.0;  // [s]
+
+bool moves(const Robot& robot) {
+  return robot.listed && (robot.goal.point || !robot.goal.goals.empty());
+}
+
+bool hasArrived(const World& world) {
+  const std::optional<double> since = world.arrivedAt();
+  return since && world.time() >= *since + kAfterArrival - 1e-9;
+}
+
+/// Why the run ends with this state; empty: it goes on.
+std::string reasonToStop(const World& world, const StopRule& rule,
+                         const std::function<bool(const Frame&)>& wantsStop) {
+  if (rule.stopOnArrival && hasArrived(world)) {
+    return "arrived";
+  }
+  if (world.stepIndex() >= rule.maximumSteps) {
+    return "duration";
+  }
+  return wantsStop && wantsStop(world.frame()) ? "interrupted" : "";
+}
+
+void appendLast(Frame frame, const std::string& reason, Recorder& recorder) {
+  Event stop;
+  stop.kind = EventKind::Stop;
+  stop.hasId = false;
+  stop.text = reason;
+  frame.events.push_back(std::move(stop));
+  recorder.append(frame);
+}
+
+}  // namespace
+
+StopRule stopRuleOf(const Scenario& scenario) {
+  const double dt = scenario.desktop.dt.value_or(0.05);
+  if (scenario.desktop.duration) {
+    return {std::llround(*scenario.desktop.duration / dt), false};
+  }
+  const bool hasMovingRobot = std::any_of(scenario.robots.begin(), scenario.robots.end(), moves);
+  return {std::llround((hasMovingRobot ? kWithRobot : kWithoutRobot) / dt), hasMovingRobot};
+}
+
+RunResult run(World& world, const StopRule& rule, Recorder& recorder,
+              const std::function<bool(const Frame&)>& wantsStop) {
+  using Clock = std::chrono::steady_clock;
+  RunResult result;
+  Frame last = world.frame();
+  result.reason = reasonToStop(world, rule, wantsStop);
+  while (result.reason.empty()) {
+    const Clock::time_point begin = Clock::now();
+    const bool isFine = world.step();
+    result.steppingSeconds += std::chrono::duration<double>(Clock::now() - begin).count();
+    if (!isFine) {
+      result.status = RunStatus::Failed;
+      result.reason = world.failure();
+      break;
+    }
+    recorder.append(last);
+    last = world.frame();
+    result.reason = reasonToStop(world, rule, wantsStop);
+  }
+  if (result.reason == "interrupted") {
+    result.status = RunStatus::Interrupted;
+  }
+  result.steps = world.stepIndex();
+  appendLast(std::move(last), result.reason, recorder);
+  return result;
+}
+
+}  // namespace sim2d

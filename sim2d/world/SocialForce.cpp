@@ -1,0 +1,125 @@
+#include "sim2d/world/SocialForce.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim2d/base/Math.h"
+
+namespace sim2d {
+namespace {
+
+constexpr double kShortest = 1e-6;  // below this a vector has no direction
+
+/// For two bodies in one place: some direction that both sides agree on and that differs from pair
+/// to pair.
+Vec2 directionOfPair(int selfId, int otherId) {
+  const int low = std::min(selfId, otherId);
+  const int high = std::max(selfId, otherId);
+  const double turn = 2.399963229728653 * (low * 7.0 + high);  // golden angle
+  const Vec2 direction = base::directionOf(base::wrapToPi(turn));
+  return selfId < otherId ? direction : Vec2(-direction);
+}
+
+Vec2 directionTo(const Walker& self, const Walker& other, double distance) {
+  if (distance < kShortest) {
+    return directionOfPair(self.id, other.id);
+  }
+  return (other.position - self.position) / distance;
+}
+
+}  // namespace
+
+Vec2 goalForce(const ForceParameters& parameters, const Vec2& velocity, const Vec2& direction,
+               double desiredSpeed) {
+  if (direction.isZero(0.0)) {
+    return -velocity / parameters.relaxationTime;
+  }
+  return parameters.goalFactor * (desiredSpeed * direction - velocity) / parameters.relaxationTime;
+}
+
+Vec2 socialForce(const ForceParameters& parameters, const Walker& self, const Walker& other) {
+  const double distance = (other.position - self.position).norm();
+  const Vec2 toOther = directionTo(self, other, distance);
+  const Vec2 interaction = parameters.lambda * (self.velocity - other.velocity) + toOther;
+  const double length = interaction.norm();
+  if (length < kShortest) {
+    return Vec2::Zero();
+  }
+  const Vec2 along = interaction / length;
+  const Vec2 left(-along.y(), along.x());
+  const double reach = parameters.gamma * length;  // B [m]
+  const double angle =
+      base::atan2(base::cross(along, toOther), along.dot(toOther));  // theta, from along to other
+  const double theta = base::wrapToPi(angle + parameters.epsilon * reach);
+  const double forSpeed = parameters.nPrime * reach * theta;
+  const double forTurn = parameters.n * reach * theta;
+  const double slowing = -base::exp(-distance / reach - forSpeed * forSpeed);
+  const double side = theta > 0.0 ? 1.0 : (theta < 0.0 ? -1.0 : 0.0);
+  const double turning = -side * base::exp(-distance / reach - forTurn * forTurn);
+  return parameters.socialFactor * (slowing * along + turning * left);
+}
+
+bool isNegligible(const ForceParameters& parameters, const Walker& self, const Walker& other,
+                  double epsilon) {
+  const Vec2 apart = other.position - self.position;
+  const double distance = apart.norm();
+  if (distance < kShortest) {
+    return false;
+  }
+  const Vec2 relative = self.velocity - other.velocity;
+  const double length = (parameters.lambda * relative + apart / distance).norm();
+  const double sideways = std::min(parameters.n, parameters.nPrime) * parameters.gamma *
+                          parameters.lambda * base::cross(relative, apart) / distance;
+  return distance + sideways * sideways * parameters.gamma * length >
+         -base::log(epsilon) * parameters.gamma * length;
+}
+
+double socialRange(const ForceParameters& parameters, double speed, double otherSpeed,
+                   double epsilon) {
+  return -base::log(epsilon) * parameters.gamma * (parameters.lambda * (speed + otherSpeed) + 1.0);
+}
+
+Vec2 obstacleForce(const ForceParameters& parameters, const Walker& self,
+                   const std::vector<Obstacles::Point>& points) {
+  Vec2 sum = Vec2::Zero();
+  for (const Obstacles::Point& point : points) {
+    const Vec2 away =
+        point.inside ? Vec2(point.position - self.position) : Vec2(self.position - point.position);
+    const double distance = away.norm();
+    if (distance < kShortest) {
+      continue;
+    }
+    const double gap = distance - self.radius;
+    const double strength = parameters.obstacleFactor * base::exp(-gap / parameters.obstacleRange);
+    sum += strength / distance * away;
+  }
+  return sum;
+}
+
+GroupForce groupForce(const ForceParameters& parameters, const Walker& self, const Vec2& direction,
+                      const std::vector<Walker>& others) {
+  GroupForce force;
+  if (others.empty()) {
+    return force;
+  }
+  Vec2 sumOfOthers = Vec2::Zero();
+  for (const Walker& other : others) {
+    sumOfOthers += other.position;
+    const Vec2 apart = self.position - other.position;
+    if (apart.norm() < self.radius + other.radius) {
+      force.repulsion += parameters.repulsionFactor * apart;
+    }
+  }
+  const auto otherCount = static_cast<double>(others.size());
+  const Vec2 toOthers = sumOfOthers / otherCount - self.position;
+  const double ahead = direction.dot(toOthers);
+  if (ahead < 0.0) {  // more than 90 degrees off the walking direction
+    force.gaze = parameters.gazeFactor * ahead * direction;
+  }
+  const Vec2 toCentre = (sumOfOthers + self.position) / (otherCount + 1.0) - self.position;
+  const double excess = toCentre.norm() - otherCount / 2.0;
+  force.coherence = parameters.coherenceFactor * (base::tanh(excess) + 1.0) / 2.0 * toCentre;
+  return force;
+}
+
+}  // namespace sim2d

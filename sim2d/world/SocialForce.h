@@ -1,0 +1,65 @@
+#pragma once
+
+#include <vector>
+
+#include "sim2d/map/Obstacles.h"
+
+/// The social force model as pure functions. Forces are accelerations [m/s²], world frame. Sources:
+/// Helbing & Molnár 1995 (goal, walls), Moussaïd et al. 2009 (between people) and 2010 (groups), in
+/// the form of the library lightsfm. Thread: any.
+namespace sim2d {
+
+struct ForceParameters {
+  double goalFactor = 2.0;       // k_g
+  double relaxationTime = 0.5;   // tau [s]
+  double obstacleFactor = 10.0;  // k_o [m/s²]
+  double obstacleRange = 0.2;    // sigma [m]
+  double socialFactor = 5.0;     // k_s [m/s²]
+  double lambda = 2.0;           // weight of the relative velocity [s/m]
+  double gamma = 0.35;           // [m]
+  double n = 2.0;                // [1/m]
+  double nPrime = 3.0;           // [1/m]
+  double epsilon = 0.005;        // side preference [rad/m]; 0 = none
+  double gazeFactor = 3.0;       // k_gz
+  double coherenceFactor = 2.0;  // k_gc
+  double repulsionFactor = 1.0;  // k_gr
+};
+
+/// A body that feels or causes forces.
+struct Walker {
+  int id = 0;
+  Vec2 position = Vec2::Zero();  // [m]
+  Vec2 velocity = Vec2::Zero();  // [m/s]
+  double radius = 0.35;          // [m]
+};
+
+/// Pull towards `direction` (unit vector) at `desiredSpeed` [m/s]. Direction zero: brakes, with the
+/// rate 1 / tau alone.
+Vec2 goalForce(const ForceParameters& parameters, const Vec2& velocity, const Vec2& direction,
+               double desiredSpeed);
+
+/// What `other` does to `self`. Bodies in one place are told apart by their ids; where the
+/// interaction vector vanishes the force is its limit, zero.
+Vec2 socialForce(const ForceParameters& parameters, const Walker& self, const Walker& other);
+
+/// True when both components of the force are below `epsilon` times k_s, by a bound that costs no
+/// exponential (exact for parameter epsilon = 0).
+bool isNegligible(const ForceParameters& parameters, const Walker& self, const Walker& other,
+                  double epsilon);
+/// Distance from which on `isNegligible` holds, for bodies of these speeds at most [m].
+double socialRange(const ForceParameters& parameters, double speed, double otherSpeed,
+                   double epsilon);
+
+/// Sum over all points. Inside an obstacle the force leads to the point instead of away from it.
+Vec2 obstacleForce(const ForceParameters& parameters, const Walker& self,
+                   const std::vector<Obstacles::Point>& points);
+
+struct GroupForce {
+  Vec2 gaze = Vec2::Zero(), coherence = Vec2::Zero(), repulsion = Vec2::Zero();
+  Vec2 sum() const { return gaze + coherence + repulsion; }
+};
+/// `direction`: where `self` walks (unit vector, or zero: no gaze). `others`: the other members.
+GroupForce groupForce(const ForceParameters& parameters, const Walker& self, const Vec2& direction,
+                      const std::vector<Walker>& others);
+
+}  // namespace sim2d

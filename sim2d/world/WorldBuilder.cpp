@@ -1,0 +1,204 @@
+#include "sim2d/world/WorldBuilder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/world/Placement.h"
+#include "sim2d/world/Population.h"
+
+namespace sim2d {
+namespace {
+
+constexpr double kSmallestFootprint = 1e-4;  // [m²]
+
+base::Diagnostic about(base::Diagnostic diagnostic, EntityId entity) {
+  diagnostic.entity = entity;
+  return diagnostic;
+}
+
+std::string unknownName(const char* what, const std::string& name,
+                        const std::vector<std::string>& known) {
+  const std::optional<std::string> nearest = base::nearestName(name, known);
+  return std::string("unknown ") + what + " '" + name + "'" +
+         (nearest ? " (did you mean '" + *nearest + "'?)" : std::string());
+}
+
+bool isPositive(double value) {
+  return std::isfinite(value) && value > 0.0;
+}
+bool isNotNegative(double value) {
+  return std::isfinite(value) && value >= 0.0;
+}
+
+void checkPerson(const ResolvedHuman& person, EntityId key, base::Diagnostics& problems) {
+  const std::string who = "person '" + person.name + "': ";
+  if (person.id < 0) {
+    problems.push_back(about(base::makeError(who + "id must be 0 or more"), key));
+  }
+  if (!isPositive(person.radius) || !isPositive(person.mass)) {
+    problems.push_back(about(base::makeError(who + "radius and mass must be above 0"), key));
+  }
+  if (!isNotNegative(person.desiredSpeed) || !isPositive(person.goalRadius)) {
+    problems.push_back(
+        about(base::makeError(who + "max_vel must be 0 or more, goal_radius above 0"), key));
+  }
+  const std::vector<std::string> known = pedestrianModels().names();
+  if (std::find(known.begin(), known.end(), person.model) == known.end()) {
+    problems.push_back(
+        about(base::makeError(who + unknownName("model", person.model, known)), key));
+  }
+}
+
+void addPeople(const WorldSetup& setup, WorldModel& model, base::Diagnostics& problems) {
+  std::vector<const Human*> listed;
+  for (const Human& human : setup.scenario->humans) {
+    model.nextId = std::max(model.nextId, human.id + 1);
+    if (human.listed) {
+      listed.push_back(&human);
+    }
+  }
+  std::stable_sort(listed.begin(), listed.end(),
+                   [](const Human* a, const Human* b) { return a->id < b->id; });
+  for (const Human* human : listed) {
+    Person person;
+    person.definition = human;
+    person.constants = resolveHuman(*setup.scenario, *human, static_cast<long long>(model.seed));
+    checkPerson(person.constants, human->key, problems);
+    if (!model.people.empty() && model.people.back().constants.id == human->id) {
+      problems.push_back(
+          about(base::makeError("person '" + human->name + "': id " + std::to_string(human->id) +
+                                " is taken by '" + model.people.back().constants.name + "'"),
+                human->key));
+    }
+    model.people.push_back(std::move(person));
+  }
+}
+
+void checkRobot(const ResolvedRobot& robot, EntityId key, base::Diagnostics& problems) {
+  const std::string who = "robot '" + robot.name + "': ";
+  const std::vector<std::string> types = robotTypeNames();
+  if (std::find(types.begin(), types.end(), robot.type) == types.end()) {
+    problems.push_back(about(base::makeError(who + unknownName("type", robot.type, types)), key));
+  }
+  const bool hasBody =
+      robot.footprint.empty()
+          ? isPositive(robot.radius)
+          : isSimple(robot.footprint) && signedArea(robot.footprint) > kSmallestFootprint;
+  if (!hasBody) {
+    problems.push_back(about(
+        base::makeError(who + "needs a radius above 0, or a simple counter-clockwise footprint"),
+        key));
+  }
+  const bool canMove = isPositive(robot.mass) && isNotNegative(robot.maxVel) &&
+                       isPositive(robot.maxAcc) && isNotNegative(robot.maxOmega) &&
+                       isPositive(robot.maxAlpha) && isPositive(robot.goalRadius);
+  if (!canMove) {
+    problems.push_back(
+        about(base::makeError(who + "mass, limits and goal_radius must be above 0"), key));
+  }
+}
+
+void addRobots(const Scenario& scenario, WorldParts& parts, base::Diagnostics& problems) {
+  for (const Robot& robot : scenario.robots) {
+    if (!robot.listed) {
+      continue;
+    }
+    const int id = -1 - static_cast<int>(parts.model.robots.size());
+    parts.model.robots.push_back(resolveRobot(scenario, robot, id));
+    checkRobot(parts.model.robots.back(), robot.key, problems);
+    base::Result<std::shared_ptr<RobotController>> controller =
+        robotPlanners().make(parts.model.robots.back());
+    for (const base::Diagnostic& diagnostic : controller.diagnostics()) {
+      problems.push_back(about(diagnostic, robot.key));
+    }
+    parts.controllers.push_back(controller ? *controller : nullptr);
+  }
+}
+
+void addAreas(const Scenario& scenario, WorldModel& model, base::Diagnostics& problems) {
+  for (const Area& area : scenario.areas) {
+    if (!area.listed) {
+      continue;
+    }
+    model.areas.push_back(&area);
+    if (area.points.size() < 3) {
+      problems.push_back(about(
+          base::makeError("area '" + area.name + "': needs three corners or more"), area.key));
+    }
+    if (area.kind != AreaKind::Source) {
+      continue;
+    }
+    const Human* const like = area.like ? scenario.human(*area.like) : nullptr;
+    if (like == nullptr) {
+      problems.push_back(
+          about(base::makeError("source '" + area.name + "': `like` names no person" +
+                                (area.like ? ": '" + *area.like + "'" : "")),
+                area.key));
+    } else {
+      checkPerson(resolveHuman(scenario, *like, static_cast<long long>(model.seed)), like->key,
+                  problems);
+    }
+  }
+}
+
+void fillModel(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& problems) {
+  const Scenario& scenario = *setup.scenario;
+  WorldModel& model = parts.model;
+  model.scenario = setup.scenario;
+  model.compatibility = setup.compatibility;
+  model.dt = scenario.desktop.dt.value_or(0.05);
+  model.seed = static_cast<std::uint64_t>(scenario.desktop.seed.value_or(1));
+  model.threads = std::max(1, setup.threads);
+  model.exact = setup.exact;
+  model.obstaclePoints = scenario.desktop.obstaclePoints.value_or(ObstaclePoints::Boundary);
+  if (!(model.dt >= 0.001 && model.dt <= 0.1)) {
+    problems.push_back(
+        base::makeError("dt must be 0.001 to 0.1 s, not " + base::formatDouble(model.dt)));
+  }
+  if (!scenario.desktop.wrapX.empty()) {
+    problems.push_back(base::makeWarning("wrap_x has no effect in this version"));
+  }
+  for (const Door& door : scenario.doors) {
+    if (door.listed) {
+      model.doors.push_back(&door);
+    }
+  }
+  for (const GlobalGoal& goal : scenario.goals) {
+    model.globalGoals.emplace(goal.id, goal.position);
+  }
+  addPeople(setup, model, problems);
+  addRobots(scenario, parts, problems);
+  addAreas(scenario, model, problems);
+}
+
+}  // namespace
+
+base::Result<std::unique_ptr<WorldParts>> buildWorld(const WorldSetup& setup) {
+  base::Diagnostics problems;
+  if (setup.scenario == nullptr || setup.behavior == nullptr) {
+    return base::makeError("a world needs a scenario and a behaviour");
+  }
+  auto parts = std::make_unique<WorldParts>();
+  fillModel(setup, *parts, problems);
+  checkPlaces(parts->model, problems);
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  parts->surroundings = makeSurroundings(*setup.scenario, setup.map);
+  parts->ways = std::make_unique<Ways>(parts->surroundings.grid, parts->surroundings.obstacles,
+                                       placesOf(parts->model));
+  fitPlaces(parts->model, *parts->ways, problems);
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  for (Person& person : parts->model.people) {
+    person.goals = goalItems(parts->model, *person.definition, person.constants);
+    person.model = pedestrianModels().make(person.constants.model, person.constants);
+  }
+  leaveOutUnreachable(parts->model, *parts->ways, problems);
+  return {std::move(parts), std::move(problems)};
+}
+
+}  // namespace sim2d

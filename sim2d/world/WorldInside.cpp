@@ -1,0 +1,371 @@
+#include "sim2d/world/WorldInside.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "sim2d/world/WorldHeader.h"
+
+namespace sim2d {
+namespace {
+
+constexpr double kFastest = 1e3;     // [m/s]; beyond it a run has diverged
+constexpr int kPolygonSubSteps = 4;  // polygons have no contact ahead of time
+
+/// Middle of the map, or of the starts.
+Vec2 centreOf(const WorldModel& model, const OccupancyGrid& map) {
+  if (!map.isEmpty()) {
+    return map.cornerToWorld(map.width() / 2.0, map.height() / 2.0);
+  }
+  Vec2 sum = Vec2::Zero();
+  double count = 0.0;
+  for (const Person& person : model.people) {
+    sum += person.constants.start.position;
+    count += 1.0;
+  }
+  for (const ResolvedRobot& robot : model.robots) {
+    sum += robot.start.position;
+    count += 1.0;
+  }
+  return count > 0.0 ? Vec2(sum / count) : Vec2(Vec2::Zero());
+}
+
+std::vector<std::string> namesInContacts(const Scenario& scenario) {
+  std::vector<std::string> names = partNames(scenario);
+  names.front().clear();  // walls of the map have no name in events
+  return names;
+}
+
+bool isSound(const Vec2& velocity) {
+  return velocity.allFinite() && velocity.norm() <= kFastest;
+}
+
+bool precedes(const Event& a, const Event& b) {
+  return std::make_tuple(a.kind, a.hasId ? a.id : 0) < std::make_tuple(b.kind, b.hasId ? b.id : 0);
+}
+
+}  // namespace
+
+World::State::State(WorldParts parts, std::unique_ptr<HumanBehavior> minds)
+    : model(std::move(parts.model)),
+      surroundings(std::move(parts.surroundings)),
+      ways(std::move(parts.ways)),
+      physics(centreOf(model, surroundings.grid)),
+      view(model, state, grid, surroundings.obstacles, *ways),
+      intents(state.controls),
+      behavior(std::move(minds)),
+      doors(model),
+      population(model),
+      robots(std::move(parts.controllers)),
+      contacts(namesInContacts(*model.scenario)) {
+  const Obstacles& obstacles = surroundings.obstacles;
+  for (int part = 0; part < obstacles.partCount(); ++part) {
+    physics.addPart(obstacles.outlines(part), obstacles.isEnabled(part));
+  }
+  for (const Door* door : model.doors) {
+    state.doorOpen.push_back(door->open.value_or(true) ? 1 : 0);
+  }
+  addRobotBodies();
+  for (const Person& person : model.people) {
+    state.append(person);
+  }
+  applyInputs();
+  publish();
+}
+
+void World::State::addRobotBodies() {
+  for (const ResolvedRobot& robot : model.robots) {
+    RobotState start;
+    start.pose = robot.start;
+    start.pose.heading = base::wrapToPi(robot.start.heading);
+    state.robots.push_back(start);
+    physics.addBody({start.pose, robot.radius, robot.mass, robot.footprint, false}, true);
+    owners.push_back({true, static_cast<int>(owners.size())});
+    subSteps_ = robot.footprint.empty() ? subSteps_ : kPolygonSubSteps;
+  }
+}
+
+void World::State::applyInputs() {
+  const std::vector<int> switched = doors.advance(model, state);
+  for (const int door : switched) {
+    const int part = surroundings.firstDoorPart + door;
+    const bool isClosed = state.doorOpen[static_cast<std::size_t>(door)] == 0;
+    surroundings.obstacles.setEnabled(part, isClosed);
+    physics.setPartEnabled(part, isClosed);
+  }
+  if (!switched.empty()) {
+    ways->rebuild(surroundings.grid, surroundings.obstacles);
+  }
+  const std::vector<int> due = population.dueNow(model, state, *ways);
+  motion.resize(model.people.size());
+  goals.resize(model.people.size());
+  bodies_.resize(model.people.size(), -1);
+  intents.reset();
+  for (const int human : due) {
+    enter(human);
+  }
+  grid.rebuild(state.x, state.y, state.present);
+  for (const int human : due) {
+    behavior->enter(human, view);
+  }
+}
+
+void World::State::enter(int human) {
+  const auto at = static_cast<std::size_t>(human);
+  const Person& person = model.people[at];
+  const Pose2 start{person.constants.start.position,
+                    base::wrapToPi(person.constants.start.heading)};
+  state.x[at] = start.position.x();
+  state.y[at] = start.position.y();
+  state.heading[at] = start.heading;
+  state.vx[at] = state.vy[at] = state.omega[at] = 0.0;
+  state.active[at] = 0;
+  state.controls[at] = HumanControl{person.goals, false, person.constants.groupId};
+  motion.forget(human);
+  goals.enter(human);
+  if (bodies_[at] < 0) {
+    bodies_[at] =
+        physics.addBody({start, person.constants.radius, person.constants.mass, {}, true}, true);
+    owners.push_back({false, human});
+  } else {
+    physics.place(bodies_[at], start);
+    physics.setPresent(bodies_[at], true);
+  }
+  state.emit(EventKind::Enter, person.constants.id);
+}
+
+void World::State::leave(int human) {
+  const auto at = static_cast<std::size_t>(human);
+  state.present[at] = 0;
+  physics.setPresent(bodies_[at], false);
+}
+
+void World::State::finishRounds() {
+  for (const int human : goals.takeArrived()) {
+    const auto at = static_cast<std::size_t>(human);
+    const ResolvedHuman& person = model.people[at].constants;
+    if (state.present[at] == 0) {
+      continue;
+    }
+    const bool isInSink =
+        std::any_of(model.areas.begin(), model.areas.end(), [&](const Area* area) {
+          return area->kind == AreaKind::Sink && isInside(area->points, state.position(at));
+        });
+    if (person.atEnd == AtEnd::Leave || isInSink) {
+      leave(human);
+      state.emit(EventKind::Leave, person.id);
+    } else if (person.atEnd == AtEnd::Restart) {
+      leave(human);
+      population.enqueue(human);
+    }
+  }
+}
+
+bool World::State::step() {
+  if (!failure.empty()) {
+    return false;
+  }
+  state.events.clear();
+  headingsBefore_ = state.heading;
+  decide();
+  const FrozenWorld frozen{model, state, grid, surroundings.obstacles};
+  const std::vector<base::Twist2> commands = robots.command(frozen, *ways, state);
+  motion.compute(frozen, intents, *ways, state);
+  failure = trouble(commands);
+  if (!failure.empty()) {
+    return false;
+  }
+  moveBodies(commands);
+  ++state.step;
+  state.time = static_cast<double>(state.step) * model.dt;
+  contacts.update(physics, owners, wantedVelocities_, model, state);
+  goals.afterMotion(model, state, intents);
+  RobotDrive::afterMotion(model, state);
+  finishRounds();
+  for (std::size_t i = 0; i < model.people.size(); ++i) {
+    state.active[i] = intents.of(static_cast<int>(i)).active ? 1 : 0;
+  }
+  applyInputs();
+  publish();
+  return true;
+}
+
+void World::State::decide() {
+  intents.reset();
+  behavior->decide(view, intents);
+  goals.afterDecide(model, state, intents, view);
+  std::move(intents.events().begin(), intents.events().end(), std::back_inserter(state.events));
+  intents.events().clear();
+}
+
+std::string World::State::trouble(const std::vector<base::Twist2>& commands) const {
+  const std::string when = " in step " + std::to_string(state.step + 1);
+  for (std::size_t i = 0; i < model.people.size(); ++i) {
+    if (state.present[i] != 0 &&
+        !(isSound(motion.wanted()[i].velocity) && std::isfinite(state.heading[i]))) {
+      const ResolvedHuman& person = model.people[i].constants;
+      return "person '" + person.name + "' (id " + std::to_string(person.id) + ") diverged" + when +
+             ": the velocity is not finite or above 1000 m/s";
+    }
+  }
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    if (!isSound({commands[i].linear, commands[i].angular})) {
+      return "robot '" + model.robots[i].name + "' (id " + std::to_string(model.robots[i].id) +
+             ") diverged" + when + ": the command is not finite or above 1000";
+    }
+  }
+  return {};
+}
+
+void World::State::moveBodies(const std::vector<base::Twist2>& commands) {
+  std::vector<MovingDisc> discs(owners.size());
+  chords_.assign(commands.size(), Vec2::Zero());
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    const RobotState& robot = state.robots[i];
+    const double middle = robot.pose.heading + commands[i].angular * model.dt / 2.0;
+    chords_[i] = base::directionOf(base::wrapToPi(middle));
+    discs[i].position = robot.pose.position;
+    discs[i].velocity = commands[i].linear * chords_[i];
+    discs[i].radius = model.robots[i].radius;
+    discs[i].mass = model.robots[i].mass;
+    if (model.robots[i].footprint.empty()) {
+      surroundings.obstacles.boundaryPoints(robot.pose.position, discs[i].walls,
+                                            discs[i].radius + 1.0);
+    }
+  }
+  for (std::size_t i = 0; i < model.people.size(); ++i) {
+    if (state.present[i] == 0) {
+      continue;
+    }
+    MovingDisc& disc = discs[static_cast<std::size_t>(bodyOf(i))];
+    const WantedMotion& wanted = motion.wanted()[i];
+    disc = {state.position(i), wanted.velocity, model.people[i].constants.radius,
+            model.people[i].constants.mass, wanted.walls};
+  }
+  wantedVelocities_.resize(discs.size(), Vec2::Zero());
+  for (std::size_t body = 0; body < discs.size(); ++body) {
+    wantedVelocities_[body] = discs[body].velocity;
+  }
+  keepApart(discs, pairsNear(discs), model.dt);
+  for (std::size_t body = 0; body < discs.size(); ++body) {
+    const BodyOwner& owner = owners[body];
+    const double omega =
+        owner.isRobot ? commands[static_cast<std::size_t>(owner.index)].angular : 0.0;
+    physics.setVelocity(static_cast<int>(body), discs[body].velocity, omega);
+  }
+  physics.step(model.dt, subSteps_);
+  readPeople();
+  readRobots(commands);
+}
+
+std::vector<DiscPair> World::State::pairsNear(const std::vector<MovingDisc>& discs) const {
+  double fastest = 0.0;
+  double largest = 0.0;
+  for (const MovingDisc& disc : discs) {
+    fastest = std::max(fastest, disc.velocity.norm());
+    largest = std::max(largest, disc.radius);
+  }
+  std::vector<DiscPair> pairs;
+  for (std::size_t body = 0; body < discs.size(); ++body) {
+    const BodyOwner& owner = owners[body];
+    const auto at = static_cast<std::size_t>(owner.index);
+    if (owner.isRobot ? !model.robots[at].footprint.empty() : state.present[at] == 0) {
+      continue;
+    }
+    const double range = discs[body].radius + largest + 2.0 * fastest * model.dt + 0.01;
+    grid.forEachNear(discs[body].position, range, [&](int human) {
+      const int other = bodyOf(static_cast<std::size_t>(human));
+      if (owner.isRobot || other > static_cast<int>(body)) {
+        pairs.push_back({static_cast<int>(body), other});
+      }
+    });
+    for (std::size_t robot = body + 1; robot < state.robots.size(); ++robot) {
+      if (model.robots[robot].footprint.empty()) {
+        pairs.push_back({static_cast<int>(body), static_cast<int>(robot)});
+      }
+    }
+  }
+  return pairs;
+}
+
+void World::State::readPeople() {
+  for (std::size_t i = 0; i < model.people.size(); ++i) {
+    if (state.present[i] == 0) {
+      continue;
+    }
+    const Vec2 position = physics.pose(bodyOf(i)).position;
+    const Vec2 velocity = physics.velocity(bodyOf(i));
+    state.x[i] = position.x();
+    state.y[i] = position.y();
+    state.vx[i] = velocity.x();
+    state.vy[i] = velocity.y();
+    if (motion.wanted()[i].looksAhead) {
+      state.heading[i] = headingAfter(state.heading[i], velocity, model.dt);
+    }
+    state.omega[i] = base::angleDiff(state.heading[i], headingsBefore_[i]) / model.dt;
+  }
+}
+
+void World::State::readRobots(const std::vector<base::Twist2>& commands) {
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    RobotState& robot = state.robots[i];
+    const int body = static_cast<int>(i);
+    robot.pose = physics.pose(body);
+    robot.velocity = physics.velocity(body);
+    robot.linear = robot.velocity.dot(chords_[i]);
+    robot.omega = physics.omega(body);
+  }
+}
+
+void World::State::publish() {
+  frame = Frame{};
+  frame.step = state.step;
+  frame.time = state.time;
+  for (std::size_t i = 0; i < model.people.size(); ++i) {
+    if (state.present[i] == 0) {
+      continue;
+    }
+    HumanColumns& humans = frame.humans;
+    const HumanControl& control = state.controls[i];
+    humans.id.push_back(model.people[i].constants.id);
+    humans.x.push_back(state.x[i]);
+    humans.y.push_back(state.y[i]);
+    humans.heading.push_back(state.heading[i]);
+    humans.vx.push_back(state.vx[i]);
+    humans.vy.push_back(state.vy[i]);
+    humans.omega.push_back(state.omega[i]);
+    humans.group.push_back(control.group >= 0 ? control.group : -1);
+    humans.state.push_back(static_cast<std::uint8_t>(state.active[i]));
+    const bool hasGoal = !control.goals.empty() && control.goals.front().id > 0;
+    humans.goal.push_back(hasGoal ? control.goals.front().id : kNoGoal);
+    if (state.step > 0) {
+      const ForceTerms& forces = motion.wanted()[i].forces;
+      frame.forces.goal.push_back(forces.goal);
+      frame.forces.social.push_back(forces.social);
+      frame.forces.obstacle.push_back(forces.obstacle);
+      frame.forces.group.push_back(forces.group);
+    }
+  }
+  for (std::size_t i = 0; i < state.robots.size(); ++i) {
+    const RobotState& robot = state.robots[i];
+    const ResolvedRobot& constants = model.robots[i];
+    frame.robots.id.push_back(constants.id);
+    frame.robots.x.push_back(robot.pose.position.x());
+    frame.robots.y.push_back(robot.pose.position.y());
+    frame.robots.heading.push_back(robot.pose.heading);
+    frame.robots.vx.push_back(robot.velocity.x());
+    frame.robots.vy.push_back(robot.velocity.y());
+    frame.robots.omega.push_back(robot.omega);
+    const int goal = robot.goal < constants.goals.size() ? constants.goalIds[robot.goal] : 0;
+    frame.robots.goal.push_back(goal > 0 ? goal : kNoGoal);
+    frame.robotPaths.push_back(robots.path(i, model, state));
+  }
+  std::stable_sort(state.events.begin(), state.events.end(), precedes);
+  frame.events = state.events;
+  if (state.step > 0) {
+    behavior->takeTreeChanges(frame.treeChanges);
+  }
+  frame.doorOpen = state.doorOpen;
+}
+
+}  // namespace sim2d

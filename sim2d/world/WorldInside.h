@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim2d/world/Contacts.h"
+#include "sim2d/world/Doors.h"
+#include "sim2d/world/Goals.h"
+#include "sim2d/world/PersonMotion.h"
+#include "sim2d/world/Population.h"
+#include "sim2d/world/RobotDrive.h"
+#include "sim2d/world/Separation.h"
+#include "sim2d/world/World.h"
+#include "sim2d/world/WorldBuilder.h"
+#include "sim2d/world/WorldViewOf.h"
+
+namespace sim2d {
+
+/// What is behind World: the parts and the order of the step.
+struct World::State {
+  State(WorldParts parts, std::unique_ptr<HumanBehavior> minds);
+
+  bool step();
+
+  WorldModel model;
+  Surroundings surroundings;
+  std::unique_ptr<Ways> ways;
+  WorldState state;
+  NeighborGrid grid;
+  Physics physics;
+  std::vector<BodyOwner> owners;  // of the bodies of `physics`
+  WorldViewOf view;
+  Intents intents;
+  std::unique_ptr<HumanBehavior> behavior;
+  PersonMotion motion;
+  Goals goals;
+  Doors doors;
+  Population population;
+  RobotDrive robots;
+  Contacts contacts;
+  Frame frame;
+  std::string failure;
+
+ private:
+  void addRobotBodies();
+  /// Doors and people whose time has come; the grid afterwards.
+  void applyInputs();
+  void enter(int human);
+  void leave(int human);
+  void finishRounds();
+
+  void decide();
+  /// What a failed step says; empty: all numbers are fine.
+  std::string trouble(const std::vector<base::Twist2>& commands) const;
+  void moveBodies(const std::vector<base::Twist2>& commands);
+  std::vector<DiscPair> pairsNear(const std::vector<MovingDisc>& discs) const;
+  void readPeople();
+  void readRobots(const std::vector<base::Twist2>& commands);
+  void publish();
+
+  int bodyOf(std::size_t human) const { return bodies_[human]; }
+
+  std::vector<int> bodies_;  // of the people; -1: never present
+  std::vector<double> headingsBefore_;
+  std::vector<Vec2> wantedVelocities_;  // per body, before contacts
+  std::vector<Vec2> chords_;            // direction of each robot in the middle of the step
+  int subSteps_ = 1;
+};
+
+}  // namespace sim2d

@@ -1,0 +1,64 @@
+#include "sim2d/world/WorldState.h"
+
+#include <algorithm>
+
+namespace sim2d {
+
+void WorldState::append(const Person& person) {
+  present.push_back(0);
+  x.push_back(person.constants.start.position.x());
+  y.push_back(person.constants.start.position.y());
+  vx.push_back(0.0);
+  vy.push_back(0.0);
+  heading.push_back(person.constants.start.heading);
+  omega.push_back(0.0);
+  active.push_back(0);
+  HumanControl control;
+  control.goals = person.goals;
+  control.group = person.constants.groupId;
+  controls.push_back(std::move(control));
+}
+
+void WorldState::emit(EventKind kind, int id, std::string text) {
+  Event event;
+  event.kind = kind;
+  event.id = id;
+  event.text = std::move(text);
+  events.push_back(std::move(event));
+}
+
+double reachOf(const ResolvedRobot& robot) {
+  double reach = robot.footprint.empty() ? robot.radius : 0.0;
+  for (const Vec2& corner : robot.footprint) {
+    reach = std::max(reach, corner.norm());
+  }
+  return reach;
+}
+
+Obstacles::Point nearestPointOf(const ResolvedRobot& robot, const Pose2& pose, const Vec2& point) {
+  Obstacles::Point nearest;
+  const Vec2 local = pose.toLocal(point);
+  if (robot.footprint.empty()) {
+    const double distance = local.norm();
+    const Vec2 outwards = distance > 1e-9 ? Vec2(local / distance) : Vec2(1.0, 0.0);
+    nearest.position = pose.toWorld(robot.radius * outwards);
+    nearest.inside = distance < robot.radius;
+  } else {
+    double best = 1e300;
+    for (std::size_t i = 0; i < robot.footprint.size(); ++i) {
+      const Vec2& a = robot.footprint[i];
+      const Vec2 edge = robot.footprint[(i + 1) % robot.footprint.size()] - a;
+      const double length = std::max(edge.squaredNorm(), 1e-18);
+      const Vec2 foot = a + std::clamp((local - a).dot(edge) / length, 0.0, 1.0) * edge;
+      if ((foot - local).squaredNorm() < best) {
+        best = (foot - local).squaredNorm();
+        nearest.position = pose.toWorld(foot);
+      }
+    }
+    nearest.inside = isInside(robot.footprint, local);
+  }
+  nearest.distance = (nearest.position - point).norm();
+  return nearest;
+}
+
+}  // namespace sim2d

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "sim2d/scenario/ScenarioCheck.h"
+#include "sim2d/world/HumanBehavior.h"
+#include "sim2d/world/models/PedestrianModel.h"
+
+namespace sim2d {
+
+/// What stays the same for one person.
+struct Person {
+  ResolvedHuman constants;
+  const Human* definition = nullptr;
+  std::shared_ptr<const PedestrianModel> model;
+  std::vector<GoalItem> goals;  // at the start
+};
+
+/// What stays the same during a run. People by ascending id; sources append to the end.
+struct WorldModel {
+  std::shared_ptr<const Scenario> scenario;
+  Compatibility compatibility;
+  double dt = 0.05;  // [s]
+  std::uint64_t seed = 1;
+  int threads = 1;
+  bool exact = false;
+  ObstaclePoints obstaclePoints = ObstaclePoints::Boundary;
+  std::deque<Person> people;          // references stay valid
+  std::vector<ResolvedRobot> robots;  // -1, -2 …
+  std::map<int, Vec2> globalGoals;    // where a body fits
+  std::vector<const Door*> doors;     // listed ones
+  std::vector<const Area*> areas;     // listed ones
+
+  int nextId = 1;  // of the next person from a source
+};
+
+struct RobotState {
+  Pose2 pose;
+  Vec2 velocity = Vec2::Zero();  // [m/s]
+  double linear = 0.0;           // along the heading [m/s]
+  double omega = 0.0;            // [rad/s]
+  std::size_t goal = 0;          // index of the current one
+  double arrivedAt = -1.0;       // [s]; < 0: on the way
+};
+
+/// What changes, in columns beside WorldModel::people.
+struct WorldState {
+  std::int64_t step = 0;
+  double time = 0.0;  // step * dt [s]
+  std::vector<char> present;
+  std::vector<double> x, y, vx, vy, heading, omega;
+  std::vector<HumanControl> controls;
+  std::vector<char> active;  // column `state` of the record
+  std::vector<RobotState> robots;
+  std::vector<char> doorOpen;
+  std::vector<Event> events;  // of the current step, in no order
+
+  Vec2 position(std::size_t human) const { return {x[human], y[human]}; }
+  Vec2 velocity(std::size_t human) const { return {vx[human], vy[human]}; }
+  Pose2 pose(std::size_t human) const { return {position(human), heading[human]}; }
+  /// One more person, not present yet.
+  void append(const Person& person);
+  void emit(EventKind kind, int id, std::string text = {});
+};
+
+/// The footprint's, or the disc's, largest extent from the centre [m].
+double reachOf(const ResolvedRobot& robot);
+/// Point of the robot's outline nearest to `point`; `inside`: the point is within the outline.
+Obstacles::Point nearestPointOf(const ResolvedRobot& robot, const Pose2& pose, const Vec2& point);
+
+}  // namespace sim2d

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim2d/scenario/Defaults.h"
+#include "sim2d/world/SocialForce.h"
+
+namespace sim2d {
+
+/// One person with all that a model may react to; positions and velocities as they were when the
+/// step began.
+struct Situation {
+  Walker self;
+  Vec2 direction = Vec2::Zero();  // unit vector of the way to go; zero: no goal, brake
+  double desiredSpeed = 0.0;      // v0 [m/s], >= 0
+  double dt = 0.05;               // [s]
+  std::vector<Walker> others;     // people and robots, without those that act as obstacles
+  std::vector<Walker> group;      // the other members of the person's group
+  std::vector<Obstacles::Point> obstacles;
+  /// Nothing solid between two points.
+  const std::function<bool(const Vec2&, const Vec2&)>* isVisible = nullptr;
+  bool exact = false;  // no term is left out for being small
+};
+
+/// Terms of the acceleration [m/s²].
+struct ForceTerms {
+  Vec2 goal = Vec2::Zero(), social = Vec2::Zero(), obstacle = Vec2::Zero(), group = Vec2::Zero();
+  Vec2 sum() const { return goal + social + obstacle + group; }
+};
+
+/// How people move. One instance serves one person; both functions are const and may run in
+/// parallel for different people.
+class PedestrianModel {
+ public:
+  virtual ~PedestrianModel() = default;
+  virtual ForceTerms forces(const Situation& situation) const = 0;
+  /// Velocity wanted at the end of the step [m/s].
+  virtual Vec2 velocity(const Situation& situation, const ForceTerms& forces) const = 0;
+  /// Others farther away than this never count [m].
+  virtual double range(double fastest, double ownSpeed) const = 0;
+};
+
+/// The models by name. A file in this folder registers its own in `add<File>`.
+class ModelRegistry {
+ public:
+  using Maker = std::function<std::unique_ptr<PedestrianModel>(const ResolvedHuman& person)>;
+
+  void add(std::string name, Maker maker) {
+    entries_.push_back({std::move(name), std::move(maker)});
+  }
+  std::vector<std::string> names() const;
+  /// Null when there is no such model.
+  std::unique_ptr<PedestrianModel> make(const std::string& name, const ResolvedHuman& person) const;
+
+ private:
+  struct Entry {
+    std::string name;
+    Maker maker;
+  };
+  std::vector<Entry> entries_;
+};
+
+/// All models of this program.
+const ModelRegistry& pedestrianModels();
+
+}  // namespace sim2d

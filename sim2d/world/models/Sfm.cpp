@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sim2d/world/models/PedestrianModel.h"
+
+namespace sim2d {
+namespace {
+
+constexpr double kNegligible = 1e-4;     // of k_s: smaller terms of a crowd are left out
+constexpr std::size_t kSmallCrowd = 64;  // up to here every pair is summed
+constexpr double kStandingSpeed = 1e-3;  // [m/s]; who brakes below this stands
+
+ForceParameters parametersOf(const ResolvedHuman& person) {
+  ForceParameters parameters;
+  parameters.goalFactor = person.goalFactor;
+  parameters.obstacleFactor = person.obstacleFactor;
+  parameters.socialFactor = person.socialFactor;
+  return parameters;
+}
+
+/// The social force model of HuNavSim with its numerical faults mended.
+class Sfm : public PedestrianModel {
+ public:
+  explicit Sfm(const ResolvedHuman& person) : parameters_(parametersOf(person)) {}
+
+  ForceTerms forces(const Situation& situation) const override {
+    ForceTerms terms;
+    terms.social = socialTerm(situation);
+    terms.obstacle = obstacleForce(parameters_, situation.self, situation.obstacles);
+    terms.group =
+        groupForce(parameters_, situation.self, situation.direction, situation.group).sum();
+    terms.goal = goalTerm(situation, terms.sum());
+    return terms;
+  }
+
+  Vec2 velocity(const Situation& situation, const ForceTerms& forces) const override {
+    const Vec2 wanted = situation.self.velocity + forces.sum() * situation.dt;
+    const double speed = wanted.norm();
+    if (speed > situation.desiredSpeed) {
+      return wanted * (situation.desiredSpeed / speed);
+    }
+    if (situation.direction.isZero(0.0) && speed < kStandingSpeed) {
+      return Vec2::Zero();
+    }
+    return wanted;
+  }
+
+  double range(double fastest, double ownSpeed) const override {
+    return socialRange(parameters_, ownSpeed, fastest, kNegligible);
+  }
+
+ private:
+  Vec2 socialTerm(const Situation& situation) const {
+    const bool sumsAll = situation.exact || situation.others.size() <= kSmallCrowd;
+    Vec2 sum = Vec2::Zero();
+    for (const Walker& other : situation.others) {
+      if (!sumsAll && isNegligible(parameters_, situation.self, other, kNegligible)) {
+        continue;
+      }
+      const Vec2 force = socialForce(parameters_, situation.self, other);
+      if (!force.isZero(0.0) && (*situation.isVisible)(situation.self.position, other.position)) {
+        sum += force;
+      }
+    }
+    return sum;
+  }
+
+  /// Mean over sub-steps so short that the explicit step cannot overshoot, the other terms held.
+  /// One sub-step, that is the force itself, while dt <= tau / k_g.
+  Vec2 goalTerm(const Situation& situation, const Vec2& otherTerms) const {
+    const double rate = parameters_.goalFactor / parameters_.relaxationTime;
+    const double wanted = std::ceil(situation.dt * rate - 1e-9);
+    const int count = static_cast<int>(std::clamp(wanted, 1.0, 1000.0));
+    const double subStep = situation.dt / count;
+    Vec2 velocity = situation.self.velocity;
+    Vec2 sum = Vec2::Zero();
+    for (int i = 0; i < count; ++i) {
+      const Vec2 force =
+          goalForce(parameters_, velocity, situation.direction, situation.desiredSpeed);
+      sum += force;
+      velocity += (force + otherTerms) * subStep;
+    }
+    return sum / count;
+  }
+
+  ForceParameters parameters_;
+};
+
+}  // namespace
+
+void addSfm(ModelRegistry& to);
+void addSfm(ModelRegistry& to) {
+  to.add("sfm", [](const ResolvedHuman& person) { return std::make_unique<Sfm>(person); });
+}
+
+}  // namespace sim2d
