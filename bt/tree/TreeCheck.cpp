@@ -15,8 +15,6 @@ std::string meant(const std::optional<std::string>& name) {
   return name ? " (did you mean '" + *name + "'?)" : std::string();
 }
 
-using TreeIds = std::set<std::string, std::less<>>;
-
 constexpr std::size_t kMaxIssues = 500;         // of one tree; nobody reads more
 constexpr std::size_t kMaxNamesCompared = 500;  // when a nearest tree ID is looked for
 
@@ -24,14 +22,6 @@ std::optional<std::string> nearestTree(const std::string& id, const TreeIds& ids
   return ids.size() > kMaxNamesCompared
              ? std::nullopt
              : base::nearestName(id, std::vector<std::string>(ids.begin(), ids.end()));
-}
-
-TreeIds idsOf(const TreeTable& table) {
-  TreeIds ids;
-  for (const auto& [id, entry] : table.entries) {
-    ids.insert(id);
-  }
-  return ids;
 }
 
 /// Walks one tree and notes what is wrong with it.
@@ -156,8 +146,8 @@ void Checker::checkChildren(const NodeSpec& node, const NodeManifest& manifest) 
     } else if (most != least) {
       wanted += " to " + std::to_string(most);
     }
-    error(node,
-          "'" + node.id + "' has " + std::to_string(count) + " children (needs " + wanted + ")");
+    error(node, "'" + node.id + "' has " + std::to_string(count) +
+                    (count == 1 ? " child" : " children") + " (needs " + wanted + ")");
   }
   if (node.id == "ReactiveSequence") {
     const auto asynchronous =
@@ -236,115 +226,6 @@ void Checker::checkOthers(const NodeSpec& node) {
   }
 }
 
-/// Looks for SubTrees that contain themselves.
-class RecursionFinder {
- public:
-  explicit RecursionFinder(const TreeTable& table) : table_(table) {}
-
-  void visit(const TreeTable::Entry& entry);
-  TreeIssues takeIssues() { return std::move(issues_); }
-
- private:
-  void visit(const NodeSpec& node, const TreeTable::Entry& entry, NodePath& path);
-
-  const TreeTable& table_;
-  std::set<std::string> open_;
-  std::set<std::string> done_;
-  TreeIssues issues_;
-  int depth_ = 0;
-};
-
-void RecursionFinder::visit(const TreeTable::Entry& entry) {
-  constexpr int kMaxSubTreeDepth = 200;
-  if (done_.count(entry.tree.id) > 0) {
-    return;
-  }
-  if (depth_ >= kMaxSubTreeDepth) {
-    issues_.push_back(
-        {base::makeError("SubTrees are nested deeper than " + std::to_string(kMaxSubTreeDepth),
-                         entry.file, entry.tree.line),
-         entry.tree.id,
-         {}});
-    return;
-  }
-  ++depth_;
-  open_.insert(entry.tree.id);
-  NodePath path;
-  visit(entry.tree.root, entry, path);
-  open_.erase(entry.tree.id);
-  done_.insert(entry.tree.id);
-  --depth_;
-}
-
-void RecursionFinder::visit(const NodeSpec& node, const TreeTable::Entry& entry, NodePath& path) {
-  if (node.isSubTree()) {
-    const TreeTable::Entry* const called = table_.find(node.subTree);
-    if (called && open_.count(node.subTree) > 0) {
-      issues_.push_back({base::makeError("tree '" + node.subTree + "' contains itself (in tree '" +
-                                             entry.tree.id + "')",
-                                         entry.file, node.line),
-                         entry.tree.id, path});
-    } else if (called) {
-      visit(*called);
-    }
-  }
-  for (std::size_t i = 0; i < node.children.size(); ++i) {
-    path.push_back(static_cast<int>(i));
-    visit(node.children[i], entry, path);
-    path.pop_back();
-  }
-}
-
-void append(TreeIssues& to, TreeIssues more) {
-  to.insert(to.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-}
-
-/// Keys that are read, and keys that the trees give a value themselves.
-void collectKeys(const NodeSpec& node, std::set<std::string>& read,
-                 std::set<std::string>& written) {
-  for (const Attribute& port : node.ports) {
-    const std::optional<std::string> key = referencedKey(port.text, port.name);
-    if (node.id == "SetBlackboard" && port.name == "output_key") {
-      written.insert(key.value_or(port.text));
-    } else if (key) {
-      read.insert(*key);
-    }
-    if (node.isSubTree()) {
-      written.insert(port.name);
-    }
-  }
-  for (const NodeSpec& child : node.children) {
-    collectKeys(child, read, written);
-  }
-}
-
-base::Diagnostics fileProblems(const TreeTable& table) {
-  base::Diagnostics problems;
-  if (table.mainTree.empty()) {
-    problems.push_back(
-        base::makeError("which tree is to run is not said (set main_tree_to_execute)", table.file));
-  } else if (!table.find(table.mainTree)) {
-    problems.push_back(base::makeError("there is no tree '" + table.mainTree + "' to run" +
-                                           meant(nearestTree(table.mainTree, idsOf(table))),
-                                       table.file));
-  }
-  for (const TreeTable::TemplateText& text : table.templates) {
-    problems.push_back(base::makeError(
-        "{GOAL_SEQUENCE} is left over: a template, not a tree (generate the tree from it)",
-        text.file, text.line));
-  }
-  const std::vector<std::string> placeholders = placeholdersIn(table);
-  if (!placeholders.empty()) {
-    std::string list;
-    for (const std::string& name : placeholders) {
-      list += (list.empty() ? "{" : ", {") + name + "}";
-    }
-    problems.push_back(base::makeWarning(
-        "a tree of HuNavSim 1.5: " + list + " come from the behaviour of the agent", table.file));
-  }
-  return problems;
-}
-
 }  // namespace
 
 base::Diagnostics diagnosticsOf(const TreeIssues& issues) {
@@ -356,47 +237,9 @@ base::Diagnostics diagnosticsOf(const TreeIssues& issues) {
   return all;
 }
 
-TreeIssues checkTree(const TreeSpec& tree, const NodeCatalogue& catalogue,
-                     const std::vector<std::string>& treeIds, const std::string& fileName) {
-  const TreeIds ids(treeIds.begin(), treeIds.end());
-  return Checker(tree, catalogue, ids, fileName).run();
-}
-
-TreeIssues checkTrees(const TreeTable& table, const NodeCatalogue& catalogue) {
-  TreeIssues issues;
-  const TreeIds ids = idsOf(table);
-  RecursionFinder recursion(table);
-  for (const auto& [id, entry] : table.entries) {
-    append(issues, Checker(entry.tree, catalogue, ids, entry.file).run());
-    recursion.visit(entry);
-  }
-  append(issues, recursion.takeIssues());
-  return issues;
-}
-
-TreeIssues checkTable(const TreeTable& table, const NodeCatalogue& catalogue) {
-  TreeIssues issues;
-  for (base::Diagnostic& problem : fileProblems(table)) {
-    issues.push_back({std::move(problem), {}, {}});
-  }
-  append(issues, checkTrees(table, catalogue));
-  return issues;
-}
-
-std::vector<std::string> placeholdersIn(const TreeTable& table) {
-  std::set<std::string> read;
-  std::set<std::string> written;
-  for (const auto& [id, entry] : table.entries) {
-    collectKeys(entry.tree.root, read, written);
-  }
-  std::vector<std::string> found;
-  for (const char* const name : {"dist", "duration", "once", "maxvel", "forcefactor", "stopdist",
-                                 "frontdist", "safe_distance"}) {
-    if (read.count(name) > 0 && written.count(name) == 0) {
-      found.emplace_back(name);
-    }
-  }
-  return found;
+TreeIssues checkTree(const TreeSpec& tree, const NodeCatalogue& catalogue, const TreeIds& treeIds,
+                     const std::string& fileName) {
+  return Checker(tree, catalogue, treeIds, fileName).run();
 }
 
 }  // namespace bt

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -144,10 +145,12 @@ struct TreeIssue {
 using TreeIssues = std::vector<TreeIssue>;
 base::Diagnostics diagnosticsOf(const TreeIssues& issues);
 
+using TreeIds = std::set<std::string, std::less<>>;
+
 /// Nodes, children, ports and constants of one tree against the catalogue. `treeIds` = the trees
 /// that a SubTree may name.
-TreeIssues checkTree(const TreeSpec& tree, const NodeCatalogue& catalogue,
-                     const std::vector<std::string>& treeIds, const std::string& fileName = {});
+TreeIssues checkTree(const TreeSpec& tree, const NodeCatalogue& catalogue, const TreeIds& treeIds,
+                     const std::string& fileName = {});
 /// All trees of the table, and SubTrees that contain themselves.
 TreeIssues checkTrees(const TreeTable& table, const NodeCatalogue& catalogue);
 /// What an importer looks at in a file whose includes have been followed: all its trees, the tree

@@ -1,14 +1,10 @@
 #include "bt/tree/TreeXml.h"
 
-#include <algorithm>
-#include <cctype>
-#include <set>
 #include <utility>
 
 #include <tinyxml2.h>
 
-#include "bt/tree/TextValue.h"
-#include "bt/tree/TreeXmlV3.h"
+#include "bt/tree/TreeReader.h"
 #include "bt/tree/XmlText.h"
 #include "sim2d/base/Text.h"
 
@@ -18,15 +14,6 @@ namespace {
 using tinyxml2::XMLElement;
 
 constexpr const char* kTemplateText = "{GOAL_SEQUENCE}";
-
-bool isExplicitTag(const std::string& tag) {
-  return tag == "Action" || tag == "Condition" || tag == "Control" || tag == "Decorator" ||
-         tag == "SubTree" || tag == "SubTreePlus";
-}
-
-bool isSubTreeTag(const std::string& tag) {
-  return tag == "SubTree" || tag == "SubTreePlus";
-}
 
 int childCount(const XMLElement& element) {
   int count = 0;
@@ -59,39 +46,17 @@ XmlBlock blockOf(const XMLElement& element) {
   return block;
 }
 
-/// Turns the elements of one document into a TreeFile and gathers every problem on the way.
-class Reader {
- public:
-  explicit Reader(const std::string& fileName) { file_.path = fileName; }
+}  // namespace
 
-  void readRoot(const XMLElement& root);
-  TreeFile takeFile() { return std::move(file_); }
-  base::Diagnostics& problems() { return problems_; }
+void TreeReader::error(const XMLElement& at, std::string message) {
+  problems_.push_back(base::makeError(std::move(message), file_.path, at.GetLineNum()));
+}
 
- private:
-  void error(const XMLElement& at, std::string message) {
-    problems_.push_back(base::makeError(std::move(message), file_.path, at.GetLineNum()));
-  }
-  void warn(const XMLElement& at, std::string message) {
-    problems_.push_back(base::makeWarning(std::move(message), file_.path, at.GetLineNum()));
-  }
-  void readFormat(const XMLElement& root);
-  void readPart(const XMLElement& element, bool needsId);
-  void readInclude(const XMLElement& element);
-  void readTree(const XMLElement& element, bool needsId);
-  void readTreeAttributes(const XMLElement& element, TreeSpec& tree);
-  NodeSpec readNode(const XMLElement& element, int depth);
-  void readIdentity(const XMLElement& element, NodeSpec& node);
-  void readAttribute(const XMLElement& element, const Attribute& attribute, NodeSpec& node);
-  void checkAttributes(const XMLElement& element);
-  void checkName(const XMLElement& element, const std::string& name, const char* what);
-  void lookForTemplate(const XMLElement& element);
+void TreeReader::warn(const XMLElement& at, std::string message) {
+  problems_.push_back(base::makeWarning(std::move(message), file_.path, at.GetLineNum()));
+}
 
-  TreeFile file_;
-  base::Diagnostics problems_;
-};
-
-void Reader::readRoot(const XMLElement& root) {
+void TreeReader::readRoot(const XMLElement& root) {
   if (std::string(root.Name()) != "root") {
     error(root, "the document element is <" + std::string(root.Name()) + ">, not <root>");
     return;
@@ -111,7 +76,7 @@ void Reader::readRoot(const XMLElement& root) {
   }
 }
 
-void Reader::readFormat(const XMLElement& root) {
+void TreeReader::readFormat(const XMLElement& root) {
   const char* const format = root.Attribute("BTCPP_format");
   if (!format) {
     file_.format = 3;
@@ -123,7 +88,7 @@ void Reader::readFormat(const XMLElement& root) {
   }
 }
 
-void Reader::readPart(const XMLElement& element, bool needsId) {
+void TreeReader::readPart(const XMLElement& element, bool needsId) {
   const std::string tag = element.Name();
   if (tag == "BehaviorTree") {
     file_.order.push_back(FilePart::Tree);
@@ -148,7 +113,7 @@ void Reader::readPart(const XMLElement& element, bool needsId) {
   }
 }
 
-void Reader::readInclude(const XMLElement& element) {
+void TreeReader::readInclude(const XMLElement& element) {
   checkAttributes(element);
   Include include;
   include.line = element.GetLineNum();
@@ -164,7 +129,7 @@ void Reader::readInclude(const XMLElement& element) {
   file_.includes.push_back(std::move(include));
 }
 
-void Reader::readTreeAttributes(const XMLElement& element, TreeSpec& tree) {
+void TreeReader::readTreeAttributes(const XMLElement& element, TreeSpec& tree) {
   for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a; a = a->Next()) {
     if (std::string(a->Name()) == "ID") {
       tree.id = a->Value();
@@ -174,7 +139,7 @@ void Reader::readTreeAttributes(const XMLElement& element, TreeSpec& tree) {
   }
 }
 
-void Reader::readTree(const XMLElement& element, bool needsId) {
+void TreeReader::readTree(const XMLElement& element, bool needsId) {
   checkAttributes(element);
   TreeSpec tree;
   tree.line = element.GetLineNum();
@@ -201,90 +166,7 @@ void Reader::readTree(const XMLElement& element, bool needsId) {
   file_.trees.push_back(std::move(tree));
 }
 
-NodeSpec Reader::readNode(const XMLElement& element, int depth) {
-  NodeSpec node;
-  node.line = element.GetLineNum();
-  if (depth > kMaxNesting) {
-    error(element,
-          "nodes are nested deeper than " + std::to_string(kMaxNesting) + " (use SubTrees)");
-    return node;
-  }
-  checkAttributes(element);
-  readIdentity(element, node);
-  for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a; a = a->Next()) {
-    readAttribute(element, {a->Name(), a->Value()}, node);
-  }
-  lookForTemplate(element);
-  for (const XMLElement* c = element.FirstChildElement(); c; c = c->NextSiblingElement()) {
-    node.children.push_back(readNode(*c, depth + 1));
-  }
-  if (file_.format == 3) {
-    convertFromVersion3(node, file_.path, problems_);
-  }
-  return node;
-}
-
-void Reader::readIdentity(const XMLElement& element, NodeSpec& node) {
-  const std::string tag = element.Name();
-  const char* const id = element.Attribute("ID");
-  const bool isExplicit = isExplicitTag(tag);
-  if (isExplicit && (!id || *id == '\0')) {
-    error(element, "<" + tag + "> without ID");
-  } else if (!isExplicit && id) {
-    error(element, "<" + tag +
-                       "> must not have an ID (only <Action>, <Condition>, <Control>, "
-                       "<Decorator> and <SubTree> have one)");
-  }
-  if (isSubTreeTag(tag)) {
-    node.id = tag;
-    node.subTree = id ? id : "";
-  } else {
-    node.id = isExplicit && id ? id : tag;
-    node.explicitNotation = isExplicit;
-  }
-  checkName(element, node.isSubTree() ? node.subTree : node.id, "node ID");
-}
-
-void Reader::readAttribute(const XMLElement& element, const Attribute& attribute, NodeSpec& node) {
-  const std::string& name = attribute.name;
-  if (name == "ID") {
-    return;
-  }
-  if (name == "name") {
-    node.name = attribute.text;
-  } else if (isConditionName(name)) {
-    node.conditions.push_back(attribute);
-  } else if (name == "_autoremap" && isSubTreeTag(element.Name())) {
-    const std::optional<bool> value = boolFromText(attribute.text);
-    if (!value) {
-      error(element, "_autoremap is '" + attribute.text + "', not true or false");
-    }
-    node.autoRemap = value.value_or(false);
-  } else if (std::isalpha(static_cast<unsigned char>(name[0])) == 0) {
-    node.others.push_back(attribute);
-  } else {
-    checkName(element, name, "port name");
-    node.ports.push_back(attribute);
-  }
-}
-
-void Reader::checkAttributes(const XMLElement& element) {
-  std::set<std::string> seen;
-  for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a; a = a->Next()) {
-    if (!seen.insert(a->Name()).second) {
-      error(element, "attribute '" + std::string(a->Name()) + "' is given twice");
-    }
-  }
-}
-
-void Reader::checkName(const XMLElement& element, const std::string& name, const char* what) {
-  if (const char bad = forbiddenCharacter(name)) {
-    error(element, std::string(what) + " '" + name + "' holds the character '" + bad +
-                       "', which is not allowed there");
-  }
-}
-
-void Reader::lookForTemplate(const XMLElement& element) {
+void TreeReader::lookForTemplate(const XMLElement& element) {
   for (const tinyxml2::XMLNode* n = element.FirstChild(); n; n = n->NextSibling()) {
     const tinyxml2::XMLText* const text = n->ToText();
     if (text && file_.templateLine == 0 &&
@@ -293,13 +175,6 @@ void Reader::lookForTemplate(const XMLElement& element) {
     }
   }
 }
-
-/// Anything behind the document element except comments, or several of them.
-const XMLElement* secondRoot(const XMLElement& root) {
-  return root.NextSiblingElement();
-}
-
-}  // namespace
 
 base::Result<TreeFile> readTreeText(std::string_view xml, const std::string& fileName) {
   if (const std::optional<base::Diagnostic> bad = problemOfText(xml, fileName)) {
@@ -314,9 +189,9 @@ base::Result<TreeFile> readTreeText(std::string_view xml, const std::string& fil
   if (!root) {
     return base::makeError("the file holds no element", fileName, 1);
   }
-  Reader reader(fileName);
+  TreeReader reader(fileName);
   reader.readRoot(*root);
-  if (const XMLElement* const second = secondRoot(*root)) {
+  if (const XMLElement* const second = root->NextSiblingElement()) {
     reader.problems().push_back(
         base::makeError("a second document element <" + std::string(second->Name()) + ">", fileName,
                         second->GetLineNum()));

@@ -88,7 +88,7 @@ std::string messageOfXmlError(int errorId) {
     case tinyxml2::XML_ERROR_PARSING_UNKNOWN:
       return "not well-formed XML: a <! section is broken";
     default:
-      return "not well-formed XML";
+      return "not well-formed XML, or cut off";
   }
 }
 

@@ -1,0 +1,193 @@
+#include <cmath>
+
+#include "bt/engine/ScriptRunner.h"
+#include "bt/engine/Ticker.h"
+#include "sim2d/base/Text.h"
+
+/// Controls that choose one of their children.
+namespace bt {
+
+base::NodeStatus Ticker::ifThenElse(int node) {
+  stored(node) = Status::Running;
+  auto& own = memory<BranchMemory>(node);
+  const int condition = node + 1;
+  const int first = endOf(condition);
+  if (own.branch == 0) {
+    const Status status = tickNode(condition);
+    if (status == Status::Running) {
+      return status;
+    }
+    if (status == Status::Success) {
+      own.branch = first;
+    } else if (status == Status::Failure && endOf(first) == endOf(node)) {
+      resetChildren(node);  // the original keeps a stale FAILURE of a stateful condition
+      return status;
+    } else if (status == Status::Failure) {
+      own.branch = endOf(first);
+    } else {
+      return unexpected(condition, status);
+    }
+  }
+  const Status status = tickNode(own.branch);
+  if (status == Status::Running || status == kFault) {
+    return status;
+  }
+  resetChildren(node);
+  own.branch = 0;
+  return status;
+}
+
+base::NodeStatus Ticker::whileDoElse(int node) {
+  stored(node) = Status::Running;
+  const int condition = node + 1;
+  const int first = endOf(condition);
+  const int second = endOf(first);
+  const bool hasElse = second < endOf(node);
+  const Status asked = tickNode(condition);
+  if (asked == Status::Running) {
+    return asked;
+  }
+  if (asked != Status::Success && asked != Status::Failure) {
+    return unexpected(condition, asked);
+  }
+  if (asked == Status::Success && hasElse) {
+    resetChild(second);
+  } else if (asked == Status::Failure) {
+    resetChild(first);
+    if (!hasElse) {
+      return asked;
+    }
+  }
+  const int chosen = asked == Status::Success ? first : second;
+  const Status status = tickNode(chosen);
+  if (status == Status::Running || status == kFault) {
+    return status;
+  }
+  resetChildren(node);
+  return status;
+}
+
+namespace {
+
+/// As text, else as whole numbers, else as reals.
+bool sameCase(const Value& a, const Value& b) {
+  if (a.type == ValueType::String && b.type == ValueType::String && a.text == b.text) {
+    return true;
+  }
+  const auto number = [](const Value& value) {
+    return value.type == ValueType::String ? base::parseDouble(value.text)
+                                           : std::optional<double>(value.number());
+  };
+  const std::optional<double> x = number(a);
+  const std::optional<double> y = number(b);
+  if (!x || !y) {
+    return false;
+  }
+  return std::fabs(*x - *y) <= kScriptTolerance;
+}
+
+}  // namespace
+
+/// Node of the child that the variable selects.
+int Ticker::selectedCase(int node) {
+  const Value* const variable = portValue(node, 0);
+  const int last = program_.node(node).children;  // cases and the default
+  int child = node + 1;
+  for (int i = 1; i < last; ++i, child = endOf(child)) {
+    const Value* const value = portValue(node, i);
+    if (variable && value && sameCase(*variable, *value)) {
+      return child;
+    }
+  }
+  return child;
+}
+
+base::NodeStatus Ticker::switchCase(int node) {
+  auto& own = memory<BranchMemory>(node);
+  const int child = selectedCase(node);
+  if (own.branch != 0 && own.branch != child) {
+    resetChild(own.branch);
+  }
+  const Status status = tickNode(child);
+  if (status == Status::Idle || status == kFault) {
+    return unexpected(child, status);
+  }
+  own.branch = status == Status::Running ? child : 0;
+  if (status == Status::Success || status == Status::Failure) {
+    resetChildren(node);
+  }
+  return status;
+}
+
+base::NodeStatus Ticker::tryCatch(int node) {
+  stored(node) = Status::Running;
+  int last = node + 1;
+  while (endOf(last) < endOf(node)) {
+    last = endOf(last);
+  }
+  if (memory<TryCatchMemory>(node).catching) {
+    return catchChild(node, last);
+  }
+  return tryChildren(node, last);
+}
+
+base::NodeStatus Ticker::tryChildren(int node, int last) {
+  auto& own = memory<TryCatchMemory>(node);
+  int child = own.next != 0 ? own.next : node + 1;
+  while (child < last) {
+    own.next = child;
+    const Status status = tickNode(child);
+    if (status == Status::Running) {
+      return status;
+    }
+    if (status == Status::Failure) {
+      for (int tried = node + 1; tried < last; tried = endOf(tried)) {
+        resetChild(tried);
+      }
+      own.catching = true;
+      return catchChild(node, last);
+    }
+    if (status != Status::Success && status != Status::Skipped) {
+      return unexpected(child, status);
+    }
+    own.skipped += status == Status::Skipped ? 1 : 0;
+    child = endOf(child);
+  }
+  const bool allSkipped = own.skipped == program_.node(node).children - 1;
+  resetChildren(node);
+  own = TryCatchMemory();
+  return allSkipped ? Status::Skipped : Status::Success;
+}
+
+base::NodeStatus Ticker::catchChild(int node, int last) {
+  const Status status = tickNode(last);
+  if (status == Status::Running) {
+    return status;
+  }
+  if (status == Status::Idle || status == kFault) {
+    return unexpected(last, status);
+  }
+  resetChildren(node);
+  memory<TryCatchMemory>(node) = TryCatchMemory();
+  return Status::Failure;
+}
+
+void Ticker::haltTryCatch(int node) {
+  auto& own = memory<TryCatchMemory>(node);
+  const bool trying = !own.catching;
+  resetChildren(node);
+  own = TryCatchMemory();
+  const Value* const port = portValue(node, 0);
+  const bool catches = port && toBool(*port).value_or(false);
+  if (!trying || !catches || isFaulty()) {
+    return;
+  }
+  int last = node + 1;
+  while (endOf(last) < endOf(node)) {
+    last = endOf(last);
+  }
+  tickNode(last);
+  resetChild(last);
+}
+
+}  // namespace bt
