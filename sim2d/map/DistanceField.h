@@ -7,23 +7,31 @@
 namespace sim2d {
 
 /// Clearance of every cell of a regular grid over the world: the map's own cells, or 0.1 m cells
-/// over the obstacles' bounds plus a margin when there is no map. Euclidean distance from the cell
-/// centre to the nearest wall [m], exact to one cell; 0 inside walls.
+/// (coarser beyond 4 million) over the obstacles' bounds plus a margin when there is no map.
+/// Euclidean distance from the cell centre to the nearest wall [m]: exact for the cells of the map
+/// and within 1.2 m of enabled obstacles, farther ones to one cell; 0 inside walls, infinite when
+/// there is no wall. Immutable; safe to share between threads.
 class DistanceField {
  public:
   /// `bounds` are points that must lie inside when the map is the open plane (starts, goals …).
+  /// `obstacles` are built; parts may repeat the outlines of the map. Parts switched off are free.
   DistanceField(const OccupancyGrid& grid, const Obstacles& obstacles,
                 const std::vector<Vec2>& bounds = {});
 
   const OccupancyGrid& grid() const { return grid_; }  // wall = map wall or obstacle
-  double distanceAt(Cell cell) const;  // outside the grid: to the nearest wall, unbounded if none
+  bool isOpenPlane() const { return isOpenPlane_; }    // there was no map: free beyond the grid
+  double distanceAt(Cell cell) const;          // outside the grid: to the nearest wall of the grid
   double distanceAt(const Vec2& point) const;  // bilinear
   Vec2 gradientAt(
       const Vec2& point) const;  // unit vector away from the nearest wall; zero where flat
 
  private:
+  double outsideDistance(const Vec2& corner) const;
+
   OccupancyGrid grid_;
+  bool isOpenPlane_ = false;
   std::vector<float> distance_;
+  std::vector<Cell> border_;  // wall cells beside free ones, for places outside the grid
 };
 
 }  // namespace sim2d

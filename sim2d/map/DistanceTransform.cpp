@@ -1,0 +1,111 @@
+#include "sim2d/map/DistanceTransform.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace sim2d {
+
+namespace {
+
+constexpr float kNone = std::numeric_limits<float>::infinity();
+
+float stepFrom(float neighbour) {
+  return neighbour == 0.0F ? 0.5F : neighbour + 1.0F;
+}
+
+/// Distances within each column.
+std::vector<float> columnDistances(std::size_t width, std::size_t height,
+                                   const std::vector<char>& marked) {
+  std::vector<float> distance(marked.size());
+  for (std::size_t i = 0; i < marked.size(); ++i) {
+    distance[i] = marked[i] != 0 ? 0.0F : (i < width ? kNone : stepFrom(distance[i - width]));
+  }
+  for (std::size_t i = (height - 1) * width; i-- > 0;) {
+    distance[i] = std::min(distance[i], stepFrom(distance[i + width]));
+  }
+  return distance;
+}
+
+/// Combines the columns of one row. The nearest square of another column is met at its left or
+/// right border, so the parabolas stand on the borders k - 0.5 between columns.
+class RowPass {
+ public:
+  explicit RowPass(std::size_t width) : width_(width), height_(width + 1) {
+    borders_.reserve(width + 1);
+    from_.reserve(width + 1);
+  }
+
+  void run(float* row) {
+    buildEnvelope(row);
+    std::size_t at = 0;
+    for (std::size_t x = 0; x < width_ && !borders_.empty(); ++x) {
+      const auto place = static_cast<double>(x);
+      while (at + 1 < borders_.size() && from_[at + 1] < place) {
+        ++at;
+      }
+      const double offset = place - positionOf(borders_[at]);
+      const double square = offset * offset + height_[borders_[at]];
+      row[x] = std::min(row[x], static_cast<float>(std::sqrt(square)));
+    }
+  }
+
+ private:
+  static double positionOf(std::size_t border) { return static_cast<double>(border) - 0.5; }
+
+  void buildEnvelope(const float* row) {
+    borders_.clear();
+    from_.clear();
+    for (std::size_t border = 0; border <= width_; ++border) {
+      const float left = border > 0 ? row[border - 1] : kNone;
+      const float right = border < width_ ? row[border] : kNone;
+      const double lower = std::min(left, right);
+      if (std::isinf(lower)) {
+        continue;
+      }
+      height_[border] = lower * lower;
+      double start = -std::numeric_limits<double>::infinity();
+      while (!borders_.empty()) {
+        start = crossing(borders_.back(), border);
+        if (start > from_.back()) {
+          break;
+        }
+        borders_.pop_back();
+        from_.pop_back();
+        start = -std::numeric_limits<double>::infinity();
+      }
+      borders_.push_back(border);
+      from_.push_back(start);
+    }
+  }
+
+  double crossing(std::size_t first, std::size_t second) const {
+    const double a = positionOf(first);
+    const double b = positionOf(second);
+    return (height_[second] + b * b - height_[first] - a * a) / (2.0 * (b - a));
+  }
+
+  std::size_t width_;
+  std::vector<double> height_;        // by border, squared
+  std::vector<std::size_t> borders_;  // of the envelope
+  std::vector<double> from_;          // where each begins
+};
+
+}  // namespace
+
+std::vector<float> distancesToMarked(int width, int height, const std::vector<char>& marked) {
+  assert(width > 0 && height > 0);
+  const auto columns = static_cast<std::size_t>(width);
+  const auto rows = static_cast<std::size_t>(height);
+  assert(marked.size() == columns * rows);
+  std::vector<float> distance = columnDistances(columns, rows, marked);
+  RowPass pass(columns);
+  for (std::size_t row = 0; row < rows; ++row) {
+    pass.run(distance.data() + row * columns);
+  }
+  return distance;
+}
+
+}  // namespace sim2d
