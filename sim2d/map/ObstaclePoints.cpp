@@ -43,6 +43,13 @@ void keepNearest(std::vector<Obstacles::Point>& points, std::size_t first) {
 
 }  // namespace
 
+struct Obstacles::PointQuery {
+  const Vec2& position;
+  double range = 0.0;          // [m]
+  SegmentGrid::Bucket bucket;  // only points in it are added, so that each is added once
+  std::vector<Point>& points;
+};
+
 void Obstacles::boundaryPoints(const Vec2& position, std::vector<Point>& points,
                                double range) const {
   if (isInside(position)) {
@@ -51,51 +58,48 @@ void Obstacles::boundaryPoints(const Vec2& position, std::vector<Point>& points,
   }
   const std::size_t first = points.size();
   const Vec2 reach = Vec2::Constant(range);
-  index_.visitBox(position - reach, position + reach, [&](int edge) {
+  PointQuery query{position, range, {}, points};
+  index_.visitBox(position - reach, position + reach, [&](SegmentGrid::Bucket bucket, int edge) {
     if (isOn(edge)) {
-      addFoot(edge, position, range, points);
-      addCorner(edge, position, range, points);
+      query.bucket = bucket;
+      addFoot(edge, query);
+      addCorner(edge, query);
     }
   });
   keepNearest(points, first);
 }
 
 /// The foot of the perpendicular on an edge is a local minimum; edges face to their right.
-void Obstacles::addFoot(int edge, const Vec2& position, double range,
-                        std::vector<Point>& points) const {
-  const Segment& segment = segments_[static_cast<std::size_t>(edge)];
-  const Vec2 along = segment.b - segment.a;
-  const double length = along.norm();
-  const Vec2 offset = position - segment.a;
-  const double foot = offset.dot(along) / length;
-  const double height = -base::cross(along, offset) / length;
-  if (foot <= 0.0 || foot >= length || height < -kSlack || height >= range) {
+void Obstacles::addFoot(int edge, const PointQuery& query) const {
+  const Edge& info = edges_[static_cast<std::size_t>(edge)];
+  const Vec2& start = segments_[static_cast<std::size_t>(edge)].a;
+  const Vec2 offset = query.position - start;
+  const double height = base::cross(offset, info.along);
+  const double foot = offset.dot(info.along);
+  if (foot <= 0.0 || foot >= info.length || height < -kSlack || height >= query.range) {
     return;
   }
-  const Vec2 place = segment.a + foot / length * along;
-  if (isExposed(place, edge, edge)) {
-    points.push_back(
-        {place, (position - place).norm(), false, edges_[static_cast<std::size_t>(edge)].part});
+  const Vec2 place = start + foot * info.along;
+  if (index_.bucketAt(place) == query.bucket && isExposed(place, edge, edge)) {
+    query.points.push_back({place, (query.position - place).norm(), false, info.part});
   }
 }
 
 /// The first corner of an edge is a local minimum when the position lies ahead of neither of the
 /// two edges that leave it.
-void Obstacles::addCorner(int edge, const Vec2& position, double range,
-                          std::vector<Point>& points) const {
-  const Segment& segment = segments_[static_cast<std::size_t>(edge)];
-  const Vec2 offset = position - segment.a;
-  const double distance = offset.norm();
-  if (distance >= range) {
+void Obstacles::addCorner(int edge, const PointQuery& query) const {
+  const Edge& info = edges_[static_cast<std::size_t>(edge)];
+  const Vec2& corner = segments_[static_cast<std::size_t>(edge)].a;
+  const Vec2& in = edges_[static_cast<std::size_t>(info.previous)].along;
+  const Vec2 offset = query.position - corner;
+  const bool isMinimum = offset.dot(info.along) <= kSlack && offset.dot(in) >= -kSlack;
+  const bool faces = base::cross(info.along, offset) <= kSlack || base::cross(in, offset) <= kSlack;
+  if (!isMinimum || !faces || !(index_.bucketAt(corner) == query.bucket)) {
     return;
   }
-  const Edge& info = edges_[static_cast<std::size_t>(edge)];
-  const Vec2 out = (segment.b - segment.a).normalized();
-  const Vec2 in = (segment.a - segments_[static_cast<std::size_t>(info.previous)].a).normalized();
-  const bool isMinimum = offset.dot(out) <= kSlack && offset.dot(in) >= -kSlack;
-  const bool faces = base::cross(out, offset) <= kSlack || base::cross(in, offset) <= kSlack;
-  if (isMinimum && faces && isExposed(segment.a, info.previous, edge)) {
-    points.push_back({segment.a, distance, false, info.part});
+  const double distance = offset.norm();
+  if (distance < query.range && isExposed(corner, info.previous, edge)) {
+    query.points.push_back({corner, distance, false, info.part});
   }
 }
 
@@ -104,8 +108,7 @@ void Obstacles::addCorner(int edge, const Vec2& position, double range,
 bool Obstacles::isExposed(const Vec2& place, int edge, int other) const {
   constexpr double kStep = 1e-6;  // [m]
   const auto rightOf = [&](int number) {
-    const Segment& segment = segments_[static_cast<std::size_t>(number)];
-    const Vec2 along = (segment.b - segment.a).normalized();
+    const Vec2& along = edges_[static_cast<std::size_t>(number)].along;
     return Vec2(along.y(), -along.x());
   };
   const Vec2 outward = rightOf(edge) + rightOf(other);
@@ -131,16 +134,14 @@ void Obstacles::improveWayOut(int edge, const Vec2& position, Point& best) const
   if (best.position == nearest) {
     return;
   }
-  const double length = (segment.b - segment.a).norm();
-  const Vec2 along = (segment.b - segment.a) / length;
   index_.visitAlong(segment, [&](int other) {
     if (other == edge || !isOn(other)) {
       return;
     }
     const std::optional<double> crossing =
-        raySegmentHit(segment.a, along, segments_[static_cast<std::size_t>(other)]);
-    if (crossing && *crossing <= length) {
-      offer(segment.a + *crossing * along, other);
+        raySegmentHit(segment.a, info.along, segments_[static_cast<std::size_t>(other)]);
+    if (crossing && *crossing <= info.length) {
+      offer(segment.a + *crossing * info.along, other);
     }
   });
 }

@@ -74,9 +74,12 @@ void Obstacles::addOutline(const Outline& outline, int part) {
   const int first = static_cast<int>(edges_.size());
   const int count = static_cast<int>(points.size());
   for (int i = 0; i < count; ++i) {
-    const auto next = static_cast<std::size_t>((i + 1) % count);
-    segments_.push_back({points[static_cast<std::size_t>(i)], points[next]});
-    edges_.push_back({part, first + (i + count - 1) % count, first + (i + 1) % count});
+    const Vec2& from = points[static_cast<std::size_t>(i)];
+    const Vec2& to = points[static_cast<std::size_t>((i + 1) % count)];
+    const double length = (to - from).norm();
+    segments_.push_back({from, to});
+    edges_.push_back({part, first + (i + count - 1) % count, first + (i + 1) % count,
+                      Vec2((to - from) / length), length});
   }
 }
 

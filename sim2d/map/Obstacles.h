@@ -51,6 +51,8 @@ class Obstacles {
   struct Edge {  // beside the segment of the same number
     int part = 0;
     int previous = 0, next = 0;  // edges of the same outline
+    Vec2 along = Vec2::Zero();   // unit vector
+    double length = 0.0;         // [m]
   };
   struct Winding {  // how often a part's outlines run round the centre of a bucket
     int part = 0;
@@ -74,8 +76,9 @@ class Obstacles {
   int windingAt(const Vec2& point, SegmentGrid::Bucket bucket, const Winding& atCentre) const;
   int solidPartAt(const Vec2& point) const;  // -1: free
   Point nearestWayOut(const Vec2& position) const;
-  void addFoot(int edge, const Vec2& position, double range, std::vector<Point>& points) const;
-  void addCorner(int edge, const Vec2& position, double range, std::vector<Point>& points) const;
+  struct PointQuery;
+  void addFoot(int edge, const PointQuery& query) const;
+  void addCorner(int edge, const PointQuery& query) const;
   bool isExposed(const Vec2& place, int edge, int other) const;
   void improveWayOut(int edge, const Vec2& position, Point& best) const;
   Hit firstHit(const Vec2& from, const Vec2& direction, double range) const;

@@ -33,20 +33,6 @@ OccupancyGrid::OccupancyGrid(int width, int height, double resolution, Pose2 ori
   }
 }
 
-bool OccupancyGrid::contains(Cell cell) const {
-  return cell.column >= 0 && cell.row >= 0 && cell.column < width_ && cell.row < height_;
-}
-
-std::int8_t OccupancyGrid::valueAt(Cell cell) const {
-  return contains(cell) ? cells_[indexOf(cell)] : std::int8_t{0};
-}
-
-std::size_t OccupancyGrid::indexOf(Cell cell) const {
-  assert(contains(cell));
-  return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(width_) +
-         static_cast<std::size_t>(cell.column);
-}
-
 Vec2 OccupancyGrid::worldToCorner(const Vec2& point) const {
   const Vec2 offset = point - origin_.position;
   return Vec2(offset.dot(axis_), base::cross(axis_, offset)) / resolution_;

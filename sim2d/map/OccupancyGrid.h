@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -39,12 +40,20 @@ class OccupancyGrid {
   bool isEmpty() const { return cells_.empty(); }
   const std::vector<std::int8_t>& cells() const { return cells_; }
 
-  bool contains(Cell cell) const;
-  std::int8_t valueAt(Cell cell) const;  // outside: 0
+  bool contains(Cell cell) const {
+    return cell.column >= 0 && cell.row >= 0 && cell.column < width_ && cell.row < height_;
+  }
+  std::int8_t valueAt(Cell cell) const {  // outside: 0
+    return contains(cell) ? cells_[indexOf(cell)] : std::int8_t{0};
+  }
   bool isWall(Cell cell) const { return valueAt(cell) > 50; }
   bool isUnknown(Cell cell) const { return valueAt(cell) < 0; }
 
-  std::size_t indexOf(Cell cell) const;  // into cells(); the cell must lie inside
+  std::size_t indexOf(Cell cell) const {  // into cells(); the cell must lie inside
+    assert(contains(cell));
+    return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(cell.column);
+  }
 
   Cell worldToCell(const Vec2& point) const;    // floor; may lie outside; NaN: (-1, -1)
   Vec2 worldToCorner(const Vec2& point) const;  // the same without floor: inverse of cornerToWorld

@@ -8,7 +8,9 @@
 
 namespace sim2d {
 
-/// A path of straight legs, start and goal included; empty = there is none.
+/// A path of straight legs, start and goal included; empty = there is none. A goal that had to be
+/// moved ends it where it was moved to; a start that had to be moved is followed by its new place
+/// (and left out if a wall lies between). Start and goal alike: two equal points.
 struct Path {
   std::vector<Vec2> points;
   double length() const;
@@ -18,8 +20,9 @@ struct Path {
 /// all bodies of that radius; distance-to-goal fields are kept per goal cell (bounded cache), so
 /// many people with one goal cost one search. Cells with less clearance than the radius are closed;
 /// wider clearance is preferred up to 0.3 m more; unknown cells are entered only where there is no
-/// other way. Paths are pulled straight where the line keeps the clearance. Deterministic. Not
-/// thread safe.
+/// other way. Paths are pulled straight where the line keeps the clearance, which holds to a
+/// centimetre. Beyond a map nothing is open; beyond the grid of an open plane all is. The result
+/// depends on the arguments alone, not on earlier calls. Not thread safe.
 class PathPlanner {
  public:
   PathPlanner(std::shared_ptr<const DistanceField> field, double radius);

@@ -10,12 +10,13 @@
 namespace sim2d {
 
 /// Uniform grid of square buckets over segments: which segments are near a place. A segment is
-/// listed in every bucket it comes closer to than a micrometre. Visits may name a segment more than
-/// once. Immutable after build; safe to share between threads.
+/// listed in every bucket it comes closer to than a micrometre, so most visits name it repeatedly.
+/// Immutable after build; safe to share between threads.
 class SegmentGrid {
  public:
   struct Bucket {
     int column = 0, row = 0;
+    friend bool operator==(Bucket a, Bucket b) { return a.column == b.column && a.row == b.row; }
   };
   struct Items {
     const int* first = nullptr;
@@ -37,7 +38,7 @@ class SegmentGrid {
   int indexOf(Bucket bucket) const { return bucket.row * width_ + bucket.column; }
   Items items(Bucket bucket) const;
 
-  /// visit(int segment) for all buckets that touch the box.
+  /// visit(Bucket, int segment) for all buckets that touch the box.
   template <class Visit>
   void visitBox(const Vec2& low, const Vec2& high, Visit visit) const;
 
@@ -84,7 +85,7 @@ void SegmentGrid::visitBuckets(Bucket low, Bucket high, Visit& visit) const {
   for (int row = std::max(low.row, 0); row <= lastRow; ++row) {
     for (int column = std::max(low.column, 0); column <= lastColumn; ++column) {
       for (const int item : items({column, row})) {
-        visit(item);
+        visit(Bucket{column, row}, item);
       }
     }
   }
@@ -102,10 +103,11 @@ void SegmentGrid::visitAlong(const Segment& segment, Visit visit) const {
   if (isEmpty()) {
     return;
   }
+  auto visitItem = [&](Bucket, int item) { visit(item); };
   const Span rows = rowsOf(segment);
   for (int row = rows.first; row <= rows.last; ++row) {
     const Span columns = columnsIn(row, segment);
-    visitBuckets({columns.first, row}, {columns.last, row}, visit);
+    visitBuckets({columns.first, row}, {columns.last, row}, visitItem);
   }
 }
 
@@ -114,6 +116,7 @@ void SegmentGrid::visitNear(const Vec2& point, const double& limit, Visit visit)
   if (isEmpty()) {
     return;
   }
+  auto visitItem = [&](Bucket, int item) { visit(item); };
   const auto [column, row] = bucketAt(point);
   const int beside = std::max({0, -column, column - width_ + 1});
   const int above = std::max({0, -row, row - height_ + 1});
@@ -122,11 +125,11 @@ void SegmentGrid::visitNear(const Vec2& point, const double& limit, Visit visit)
     if ((ring - 1) * size_ > limit) {
       return;
     }
-    visitBuckets({column - ring, row - ring}, {column + ring, row - ring}, visit);
+    visitBuckets({column - ring, row - ring}, {column + ring, row - ring}, visitItem);
     if (ring > 0) {
-      visitBuckets({column - ring, row + ring}, {column + ring, row + ring}, visit);
-      visitBuckets({column - ring, row - ring + 1}, {column - ring, row + ring - 1}, visit);
-      visitBuckets({column + ring, row - ring + 1}, {column + ring, row + ring - 1}, visit);
+      visitBuckets({column - ring, row + ring}, {column + ring, row + ring}, visitItem);
+      visitBuckets({column - ring, row - ring + 1}, {column - ring, row + ring - 1}, visitItem);
+      visitBuckets({column + ring, row - ring + 1}, {column + ring, row + ring - 1}, visitItem);
     }
   }
 }

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "sim2d/map/DistanceField.h"
+#include "sim2d/map/RadixHeap.h"
+
+namespace sim2d {
+
+/// What a body of one radius may walk on: the cells of a distance field with their price, and one
+/// closed cell all round them.
+class Terrain {
+ public:
+  using Index = std::int32_t;
+
+  Terrain(const DistanceField& field, double radius);
+
+  bool isOpen(Index index) const { return price_[static_cast<std::size_t>(index)] != 0; }
+  bool isUnknown(Index index) const { return unknown_[static_cast<std::size_t>(index)] != 0; }
+  bool hasUnknown() const { return hasUnknown_; }
+  /// 6 where there is clearance enough, up to 12 where the body just fits.
+  std::uint32_t price(Index index) const { return price_[static_cast<std::size_t>(index)]; }
+  Index indexOf(Cell cell) const { return (cell.row + 1) * stride_ + cell.column + 1; }
+  Cell cellOf(Index index) const { return {index % stride_ - 1, index / stride_ - 1}; }
+  Index stride() const { return stride_; }
+  std::size_t size() const { return price_.size(); }
+
+ private:
+  Index stride_;
+  bool hasUnknown_ = false;
+  std::vector<std::uint8_t> price_;  // 0: closed
+  std::vector<char> unknown_;
+};
+
+/// Cheapest ways from all cells to one goal (Dijkstra over eight neighbours), searched only as far
+/// as somebody has asked for. Unknown cells are entered when all that is known has been searched.
+class GoalField {
+ public:
+  using Index = Terrain::Index;
+
+  GoalField(const Terrain& terrain, Index goal);
+
+  Index goal() const { return goal_; }
+  /// Extends the search to the open cell `from`; false when no way leads there.
+  bool reach(Index from);
+  /// The next cell on the way from a cell that has been reached; the goal is its own.
+  Index next(Index from) const;
+
+ private:
+  struct Neighbour {
+    Index offset = 0;
+    std::uint32_t length = 0;
+    Index first = 0, second = 0;  // cells that a diagonal step passes; 0 for straight ones
+  };
+  struct Seed {
+    Index cell = 0;
+    std::uint32_t cost = 0;
+  };
+
+  bool canStep(Index from, const Neighbour& neighbour) const;
+  std::uint32_t stepCost(Index from, const Neighbour& neighbour) const;
+  void relax(Index cell, std::uint32_t cost);
+  void expand(Index cell);
+  bool enterUnknown();
+
+  const Terrain& terrain_;
+  Index goal_;
+  std::array<Neighbour, 8> neighbours_;
+  std::vector<std::uint32_t> cost_;
+  RadixHeap heap_;
+  std::uint32_t frontier_ = 0;  // costs up to here are final
+  std::vector<Seed> seeds_;     // unknown cells beside the known ones
+  bool inUnknown_ = false;
+};
+
+}  // namespace sim2d

@@ -1,0 +1,492 @@
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <QElapsedTimer>
+#include <QtTest>
+
+#include "sim2d/map/PathPlanner.h"
+
+using namespace sim2d;
+
+namespace {
+
+struct Scene {
+  Obstacles obstacles;
+  std::shared_ptr<const DistanceField> field;
+};
+
+Scene sceneOf(const OccupancyGrid& grid, const std::vector<std::vector<Outline>>& parts = {},
+              const std::vector<Vec2>& bounds = {}) {
+  Scene scene;
+  scene.obstacles.add(traceOutlines(grid));
+  for (const auto& part : parts) {
+    scene.obstacles.add(part);
+  }
+  scene.obstacles.build();
+  scene.field = std::make_shared<const DistanceField>(grid, scene.obstacles, bounds);
+  return scene;
+}
+
+/// A free map with rectangles of wall or of unknown cells, given in metres.
+class MapSketch {
+ public:
+  MapSketch(double width, double height, double resolution = 0.05)
+      : columns_(static_cast<int>(std::lround(width / resolution))),
+        rows_(static_cast<int>(std::lround(height / resolution))),
+        resolution_(resolution),
+        cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0) {}
+
+  MapSketch& fill(const Vec2& low, const Vec2& high, int value = 100) {
+    for (int row = cellOf(low.y()); row < cellOf(high.y()); ++row) {
+      for (int column = cellOf(low.x()); column < cellOf(high.x()); ++column) {
+        cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+               static_cast<std::size_t>(column)] = static_cast<std::int8_t>(value);
+      }
+    }
+    return *this;
+  }
+
+  OccupancyGrid grid() const { return OccupancyGrid(columns_, rows_, resolution_, {}, cells_); }
+
+ private:
+  int cellOf(double metres) const { return static_cast<int>(std::lround(metres / resolution_)); }
+
+  int columns_;
+  int rows_;
+  double resolution_;
+  std::vector<std::int8_t> cells_;
+};
+
+double lowestClearance(const Scene& scene, const Path& path) {
+  double lowest = 1e9;
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    const Vec2 leg = path.points[i] - path.points[i - 1];
+    const int steps = static_cast<int>(leg.norm() / 0.01) + 1;
+    for (int n = 0; n <= steps; ++n) {
+      const Vec2 point = path.points[i - 1] + static_cast<double>(n) / steps * leg;
+      lowest = std::min(lowest, scene.obstacles.clearance(point));
+    }
+  }
+  return lowest;
+}
+
+OccupancyGrid randomMap(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> place(0.0, 9.0);
+  std::uniform_real_distribution<double> size(0.05, 2.5);
+  MapSketch sketch(10.0, 10.0);
+  for (int i = 0; i < 22; ++i) {
+    const Vec2 low(place(random), place(random));
+    const Vec2 extent = i % 2 == 0 ? Vec2(size(random), 0.1) : Vec2(0.05, size(random));
+    sketch.fill(low, (low + extent).cwiseMin(Vec2(10.0, 10.0)), i % 7 == 6 ? -1 : 100);
+  }
+  return sketch.grid();
+}
+
+/// A hall of 50 x 50 m with rows of shelves.
+OccupancyGrid warehouse() {
+  MapSketch sketch(50.0, 50.0);
+  for (int row = 0; row < 8; ++row) {
+    for (int shelf = 0; shelf < 3; ++shelf) {
+      const Vec2 low(3.0 + 15.5 * shelf, 4.0 + 5.5 * row);
+      sketch.fill(low, low + Vec2(13.0, 1.2));
+    }
+  }
+  for (const double edge : {0.0, 49.9}) {
+    sketch.fill({edge, 0.0}, {edge + 0.1, 50.0}).fill({0.0, edge}, {50.0, edge + 0.1});
+  }
+  return sketch.grid();
+}
+
+}  // namespace
+
+class PathPlannerTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void plan_free_isStraight();
+  void plan_uWall_goesRound_data();
+  void plan_uWall_goesRound();
+  void plan_corner_keepsClearance();
+  void plan_closedRoom_isUnreachable();
+  void plan_narrowDoor_isPassable_data();
+  void plan_narrowDoor_isPassable();
+  void plan_tooNarrowDoor_isUnreachable();
+  void plan_closedDoor_takesOtherWay();
+  void plan_wideGap_prefersClearance();
+  void plan_unknown_isAvoided();
+  void plan_unknown_isCrossedWhenNeeded();
+  void plan_pointsInUnknown_works();
+  void plan_oneCellWall_isNotCrossed_data();
+  void plan_oneCellWall_isNotCrossed();
+  void plan_startInWall_isMoved();
+  void plan_goalTooNearWall_endsWhereItFits();
+  void plan_outsideMap_isEmpty();
+  void plan_openPlane_outsideGrid_works();
+  void plan_samePoints_isTwoPoints();
+  void plan_notFinite_isEmpty();
+  void plan_randomMaps_neverCrossWalls();
+  void plan_otherCallsBefore_isTheSame();
+  void plan_manyGoals_staysBounded();
+  void plan_warehouse_isFast();
+  void isReachable_randomMaps_agreesWithPlan();
+  void nearestFit_cases();
+  void isClear_cases();
+};
+
+void PathPlannerTest::plan_free_isStraight() {
+  const Scene scene = sceneOf(MapSketch(10.0, 10.0).grid());
+  PathPlanner planner(scene.field, 0.35);
+  const Path path = planner.plan({1.02, 1.03}, {8.5, 7.0});
+  QCOMPARE(path.points.size(), std::size_t{2});
+  QVERIFY(path.points[0] == Vec2(1.02, 1.03));
+  QVERIFY(path.points[1] == Vec2(8.5, 7.0));
+  QCOMPARE(path.length(), (Vec2(8.5, 7.0) - Vec2(1.02, 1.03)).norm());
+  QCOMPARE(Path().length(), 0.0);
+}
+
+void PathPlannerTest::plan_uWall_goesRound_data() {
+  QTest::addColumn<bool>("drawn");
+  QTest::newRow("map") << false;
+  QTest::newRow("drawn on the open plane") << true;
+}
+
+void PathPlannerTest::plan_uWall_goesRound() {
+  QFETCH(const bool, drawn);
+  // Open to the left; the way leads back out of it and round one arm.
+  const std::vector<Outline> uWall = wallOutlines({{3, 3}, {7, 3}, {7, 7}, {3, 7}}, 0.2);
+  MapSketch sketch(12.0, 10.0);
+  sketch.fill({3, 2.9}, {7.1, 3.1}).fill({6.9, 2.9}, {7.1, 7.1}).fill({3, 6.9}, {7.1, 7.1});
+  const Scene scene =
+      drawn ? sceneOf(OccupancyGrid(), {uWall}, {{6.0, 4.9}, {9.0, 4.9}}) : sceneOf(sketch.grid());
+  PathPlanner planner(scene.field, 0.35);
+  const Path path = planner.plan({6.0, 4.9}, {9.0, 4.9});
+  QVERIFY(path.points.size() >= 4);
+  QVERIFY(lowestClearance(scene, path) > 0.34);
+  // Shortest round the ends of an arm at the radius: about 3.5 + 2.3 + 4.6 + 2.4.
+  QVERIFY2(path.length() > 11.0 && path.length() < 14.0, QByteArray::number(path.length()));
+  QVERIFY(path.points.front() == Vec2(6.0, 4.9) && path.points.back() == Vec2(9.0, 4.9));
+}
+
+void PathPlannerTest::plan_corner_keepsClearance() {
+  const Scene scene = sceneOf(MapSketch(10.0, 10.0).fill({0, 0}, {5, 5}).grid());
+  PathPlanner planner(scene.field, 0.35);
+  const Path path = planner.plan({1.0, 6.0}, {6.0, 1.0});
+  QVERIFY2(lowestClearance(scene, path) > 0.5, QByteArray::number(lowestClearance(scene, path)));
+  QVERIFY2(path.length() < 9.2, QByteArray::number(path.length()));  // 8.25 to the corner itself
+  QVERIFY(path.points.size() <= 8);
+}
+
+void PathPlannerTest::plan_closedRoom_isUnreachable() {
+  MapSketch sketch(10.0, 10.0);
+  sketch.fill({3, 3}, {7, 7}).fill({3.1, 3.1}, {6.9, 6.9}, 0);
+  const Scene scene = sceneOf(sketch.grid());
+  PathPlanner planner(scene.field, 0.35);
+  QVERIFY(planner.plan({1, 1}, {5, 5}).points.empty());
+  QVERIFY(planner.plan({5, 5}, {1, 1}).points.empty());
+  QVERIFY(!planner.isReachable({1, 1}, {5, 5}));
+  QVERIFY(planner.isReachable({4, 4}, {6, 6}));
+}
+
+void PathPlannerTest::plan_narrowDoor_isPassable_data() {
+  QTest::addColumn<double>("resolution");
+  QTest::addColumn<bool>("drawn");
+  QTest::newRow("map 0.05") << 0.05 << false;
+  QTest::newRow("map 0.1") << 0.1 << false;
+  QTest::newRow("drawn 0.05") << 0.05 << true;
+  QTest::newRow("drawn 0.1") << 0.1 << true;
+}
+
+void PathPlannerTest::plan_narrowDoor_isPassable() {
+  QFETCH(const double, resolution);
+  QFETCH(const bool, drawn);
+  MapSketch sketch(10.0, 10.0, resolution);
+  if (!drawn) {
+    sketch.fill({5.0, 0.0}, {5.2, 4.5}).fill({5.0, 5.3}, {5.2, 10.0});
+  }
+  const std::vector<std::vector<Outline>> walls{wallOutlines({{5.1, -1.0}, {5.1, 4.53}}, 0.2),
+                                                wallOutlines({{5.1, 5.33}, {5.1, 11.0}}, 0.2)};
+  const Scene scene = sceneOf(sketch.grid(), drawn ? walls : std::vector<std::vector<Outline>>{});
+  PathPlanner planner(scene.field, 0.35);
+  const Path path = planner.plan({2.0, 2.0}, {8.0, 3.0});
+  QVERIFY(!path.points.empty());
+  QVERIFY2(lowestClearance(scene, path) > 0.34, QByteArray::number(lowestClearance(scene, path)));
+  QVERIFY2(path.length() < 8.2, QByteArray::number(path.length()));
+}
+
+void PathPlannerTest::plan_tooNarrowDoor_isUnreachable() {
+  MapSketch sketch(10.0, 10.0);
+  sketch.fill({5.0, 0.0}, {5.2, 4.5}).fill({5.0, 5.1}, {5.2, 10.0});
+  const Scene scene = sceneOf(sketch.grid());
+  PathPlanner planner(scene.field, 0.35);
+  QVERIFY(planner.plan({2.0, 2.0}, {8.0, 3.0}).points.empty());
+  PathPlanner small(scene.field, 0.25);
+  QVERIFY(!small.plan({2.0, 2.0}, {8.0, 3.0}).points.empty());
+}
+
+void PathPlannerTest::plan_closedDoor_takesOtherWay() {
+  MapSketch sketch(10.0, 10.0);
+  sketch.fill({5.0, 0.0}, {5.2, 2.0}).fill({5.0, 3.0}, {5.2, 8.5});
+  Scene scene = sceneOf(sketch.grid(), {wallOutlines({{5.1, 1.9}, {5.1, 3.1}}, 0.05)});
+  PathPlanner closed(scene.field, 0.35);
+  const Path round = closed.plan({2.0, 2.5}, {8.0, 2.5});
+  QVERIFY(round.length() > 12.0);
+  QVERIFY(lowestClearance(scene, round) > 0.34);
+  scene.obstacles.setEnabled(1, false);
+  PathPlanner open(std::make_shared<const DistanceField>(sketch.grid(), scene.obstacles), 0.35);
+  QVERIFY(open.plan({2.0, 2.5}, {8.0, 2.5}).length() < 6.1);
+}
+
+void PathPlannerTest::plan_wideGap_prefersClearance() {
+  MapSketch sketch(10.0, 6.0);
+  sketch.fill({5.0, 0.0}, {5.2, 2.0}).fill({5.0, 4.0}, {5.2, 6.0});
+  const Scene scene = sceneOf(sketch.grid());
+  PathPlanner planner(scene.field, 0.35);
+  const Path path = planner.plan({2.0, 1.0}, {8.0, 1.0});
+  QVERIFY2(lowestClearance(scene, path) > 0.5, QByteArray::number(lowestClearance(scene, path)));
+}
+
+void PathPlannerTest::plan_unknown_isAvoided() {
+  MapSketch sketch(20.0, 10.0);
+  sketch.fill({4.0, 2.0}, {16.0, 10.0}, -1);
+  const Scene scene = sceneOf(sketch.grid());
+  PathPlanner planner(scene.field, 0.35);
+  const Path path = planner.plan({2.0, 8.0}, {18.0, 8.0});
+  QVERIFY(path.points.size() > 2);
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    for (double t = 0.0; t <= 1.0; t += 0.01) {
+      const Vec2 point = path.points[i - 1] + t * (path.points[i] - path.points[i - 1]);
+      QVERIFY(point.y() < 2.03 || point.x() < 4.03 || point.x() > 15.97);
+    }
+  }
+  QVERIFY(planner.isClear({2.0, 8.0}, {18.0, 8.0}));  // unknown is no wall
+}
+
+void PathPlannerTest::plan_unknown_isCrossedWhenNeeded() {
+  MapSketch sketch(20.0, 10.0);
+  sketch.fill({4.0, 0.0}, {16.0, 10.0}, -1);
+  const Scene scene = sceneOf(sketch.grid());
+  PathPlanner planner(scene.field, 0.35);
+  const Path path = planner.plan({2.0, 8.0}, {18.0, 2.0});
+  QVERIFY(!path.points.empty());
+  QVERIFY(path.length() < 21.0);
+  QVERIFY(planner.isReachable({18.0, 2.0}, {2.0, 8.0}));
+}
+
+void PathPlannerTest::plan_pointsInUnknown_works() {
+  MapSketch sketch(20.0, 10.0);
+  sketch.fill({4.0, 0.0}, {20.0, 10.0}, -1).fill({8.0, 2.0}, {8.2, 10.0});
+  const Scene scene = sceneOf(sketch.grid());
+  PathPlanner planner(scene.field, 0.35);
+  for (const auto& [from, to] : {std::pair<Vec2, Vec2>({2.0, 8.0}, {10.0, 8.0}),
+                                 std::pair<Vec2, Vec2>({10.0, 8.0}, {2.0, 8.0}),
+                                 std::pair<Vec2, Vec2>({7.0, 8.0}, {10.0, 8.0})}) {
+    const Path path = planner.plan(from, to);
+    QVERIFY(path.points.size() > 2);
+    QVERIFY(lowestClearance(scene, path) > 0.34);
+  }
+}
+
+void PathPlannerTest::plan_oneCellWall_isNotCrossed_data() {
+  QTest::addColumn<double>("radius");
+  QTest::newRow("0") << 0.0;
+  QTest::newRow("0.01") << 0.01;
+  QTest::newRow("0.2") << 0.2;
+}
+
+void PathPlannerTest::plan_oneCellWall_isNotCrossed() {
+  QFETCH(const double, radius);
+  MapSketch straight(6.0, 6.0);
+  straight.fill({3.0, 0.0}, {3.05, 6.0});
+  MapSketch slanted(6.0, 6.0);
+  for (double x = 0.0; x < 5.99; x += 0.05) {
+    slanted.fill({x, 5.95 - x}, {x + 0.05, 6.0 - x});
+  }
+  for (const MapSketch& sketch : {straight, slanted}) {
+    const Scene scene = sceneOf(sketch.grid());
+    PathPlanner planner(scene.field, radius);
+    QVERIFY(planner.plan({1.0, 1.0}, {5.0, 5.0}).points.empty());
+    QVERIFY(!planner.isClear({1.0, 1.0}, {5.0, 5.0}));
+    QVERIFY(!planner.isReachable({5.0, 4.5}, {1.0, 1.5}));
+  }
+}
+
+void PathPlannerTest::plan_startInWall_isMoved() {
+  const Scene scene = sceneOf(MapSketch(10.0, 10.0).fill({4.0, 0.0}, {4.2, 10.0}).grid());
+  PathPlanner planner(scene.field, 0.35);
+  const Path near = planner.plan({4.3, 5.0}, {8.0, 5.0});  // too near to the wall
+  QVERIFY(near.points.size() >= 3);
+  QVERIFY(near.points[0] == Vec2(4.3, 5.0));
+  QVERIFY(std::fabs(near.points[1].x() - 4.575) < 0.03);
+  const Path inside = planner.plan({4.15, 5.0}, {8.0, 5.0});
+  QVERIFY(!inside.points.empty());
+  QVERIFY(inside.points.back() == Vec2(8.0, 5.0));
+}
+
+void PathPlannerTest::plan_goalTooNearWall_endsWhereItFits() {
+  const Scene scene = sceneOf(MapSketch(10.0, 10.0).fill({4.0, 0.0}, {5.0, 10.0}).grid());
+  PathPlanner planner(scene.field, 0.35);
+  const Path path = planner.plan({8.0, 5.0}, {5.1, 6.0});
+  QVERIFY(!path.points.empty());
+  QVERIFY((path.points.back() - Vec2(5.375, 6.0)).norm() < 0.06);
+  QVERIFY(planner.plan({8.0, 5.0}, {4.6, 6.0}).points.size() >= 2);  // 0.4 m inside the wall
+  const Scene solid = sceneOf(MapSketch(10.0, 10.0).fill({0.0, 0.0}, {6.0, 10.0}).grid());
+  PathPlanner none(solid.field, 0.35);
+  QVERIFY(none.plan({8.0, 5.0}, {2.0, 6.0}).points.empty());
+}
+
+void PathPlannerTest::plan_outsideMap_isEmpty() {
+  const Scene scene = sceneOf(MapSketch(10.0, 10.0).grid());
+  PathPlanner planner(scene.field, 0.35);
+  QVERIFY(planner.plan({5.0, 5.0}, {12.0, 5.0}).points.empty());
+  QVERIFY(planner.plan({-3.0, 5.0}, {5.0, 5.0}).points.empty());
+  QVERIFY(!planner.isClear({5.0, 5.0}, {12.0, 5.0}));
+  QVERIFY(!planner.plan({5.0, 5.0}, {10.5, 5.0}).points.empty());  // moved in by half a metre
+}
+
+void PathPlannerTest::plan_openPlane_outsideGrid_works() {
+  const Scene scene = sceneOf(OccupancyGrid(), {{boxOutline({}, 4.0, 4.0)}});
+  PathPlanner planner(scene.field, 0.35);
+  const Path path = planner.plan({-30.0, 0.0}, {40.0, 1.0});
+  QVERIFY(path.points.size() >= 3);
+  QVERIFY(path.points.front() == Vec2(-30.0, 0.0) && path.points.back() == Vec2(40.0, 1.0));
+  QVERIFY(lowestClearance(scene, path) > 0.34);
+  QVERIFY(path.length() < 72.0);
+  QCOMPARE(planner.plan({-30.0, 20.0}, {40.0, 30.0}).points.size(), std::size_t{2});
+}
+
+void PathPlannerTest::plan_samePoints_isTwoPoints() {
+  MapSketch sketch(4.0, 4.0);
+  sketch.fill({0.0, 0.0}, {4.0, 1.5}).fill({0.0, 2.5}, {4.0, 4.0});  // a tight corridor
+  for (const OccupancyGrid& grid : {MapSketch(4.0, 4.0).grid(), sketch.grid()}) {
+    const Scene scene = sceneOf(grid);
+    PathPlanner planner(scene.field, 0.35);
+    const Path path = planner.plan({2.01, 2.01}, {2.01, 2.01});
+    QCOMPARE(path.points.size(), std::size_t{2});
+    QCOMPARE(path.length(), 0.0);
+  }
+}
+
+void PathPlannerTest::plan_notFinite_isEmpty() {
+  const Scene scene = sceneOf(OccupancyGrid());
+  PathPlanner planner(scene.field, 0.35);
+  QVERIFY(planner.plan({std::nan(""), 0.0}, {1.0, 1.0}).points.empty());
+  QVERIFY(planner.plan({0.0, 0.0}, {1.0, INFINITY}).points.empty());
+}
+
+void PathPlannerTest::plan_randomMaps_neverCrossWalls() {
+  int found = 0;
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    const Scene scene = sceneOf(randomMap(seed));
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> place(0.0, 10.0);
+    for (const double radius : {0.1, 0.2, 0.35}) {
+      PathPlanner planner(scene.field, radius);
+      for (int i = 0; i < 8; ++i) {
+        const Vec2 from(place(random), place(random));
+        const Vec2 to(place(random), place(random));
+        const Path path = planner.plan(from, to);
+        const bool startFits = planner.nearestFit(from) == from;
+        if (path.points.empty() || !startFits) {
+          continue;
+        }
+        ++found;
+        const double lowest = lowestClearance(scene, path);
+        QVERIFY2(
+            lowest > radius - 0.01 - 0.025,  // outlines may be half a cell off their cells
+            qPrintable(QStringLiteral("seed %1 radius %2: %3").arg(seed).arg(radius).arg(lowest)));
+      }
+    }
+  }
+  QVERIFY(found > 500);
+}
+
+void PathPlannerTest::plan_otherCallsBefore_isTheSame() {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    const Scene scene = sceneOf(randomMap(seed));
+    PathPlanner busy(scene.field, 0.2);
+    std::mt19937 random(seed + 100);
+    std::uniform_real_distribution<double> place(0.0, 10.0);
+    for (int i = 0; i < 20; ++i) {
+      const Vec2 from(place(random), place(random));
+      const Vec2 to(i % 2 == 0 ? Vec2(5.0, 5.0) : Vec2(place(random), place(random)));
+      PathPlanner fresh(scene.field, 0.2);
+      QVERIFY(busy.plan(from, to).points == fresh.plan(from, to).points);
+    }
+  }
+}
+
+void PathPlannerTest::plan_manyGoals_staysBounded() {
+  MapSketch sketch(10.0, 10.0);
+  sketch.fill({5.0, 0.0}, {5.2, 9.0});
+  const Scene scene = sceneOf(sketch.grid());
+  PathPlanner planner(scene.field, 0.35);
+  double first = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    const Path path = planner.plan({2.0, 1.0}, {8.0, 1.0 + 0.03 * i});
+    QVERIFY(!path.points.empty());
+    first = i == 0 ? path.length() : first;
+  }
+  QCOMPARE(planner.plan({2.0, 1.0}, {8.0, 1.0}).length(), first);  // searched anew
+}
+
+void PathPlannerTest::plan_warehouse_isFast() {
+  const Scene scene = sceneOf(warehouse());
+  PathPlanner planner(scene.field, 0.35);
+  QElapsedTimer timer;
+  timer.start();
+  QVERIFY(!planner.plan({1.0, 1.0}, {48.0, 46.0}).points.empty());
+  const double first = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+  timer.restart();
+  int count = 0;
+  for (double y = 1.0; y < 40.0; y += 0.4) {
+    QVERIFY(!planner.plan({2.0, y}, {48.0, 46.0}).points.empty());
+    ++count;
+  }
+  const double later = static_cast<double>(timer.nsecsElapsed()) * 1e-6 / count;
+  qInfo("first plan %.1f ms, later ones %.3f ms", first, later);
+  QVERIFY(first < 1000.0);  // generous: sanitizers and busy machines
+  QVERIFY(later < 20.0);
+}
+
+void PathPlannerTest::isReachable_randomMaps_agreesWithPlan() {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const Scene scene = sceneOf(randomMap(seed));
+    PathPlanner planner(scene.field, 0.3);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> place(0.0, 10.0);
+    for (int i = 0; i < 20; ++i) {
+      const Vec2 from(place(random), place(random));
+      const Vec2 to(place(random), place(random));
+      QCOMPARE(planner.isReachable(from, to), !planner.plan(from, to).points.empty());
+      QCOMPARE(planner.isReachable(from, to), planner.isReachable(to, from));
+    }
+  }
+}
+
+void PathPlannerTest::nearestFit_cases() {
+  const Scene scene = sceneOf(MapSketch(10.0, 10.0).fill({4.0, 0.0}, {4.1, 10.0}).grid());
+  const PathPlanner planner(scene.field, 0.35);
+  QVERIFY(planner.nearestFit({2.0, 2.0}) == Vec2(2.0, 2.0));
+  const auto left = planner.nearestFit({3.95, 5.0});
+  QVERIFY(left && left->x() < 3.66 && left->x() > 3.6);
+  const auto right = planner.nearestFit({4.13, 5.0});
+  QVERIFY(right && right->x() > 4.44 && right->x() < 4.5);
+  const Scene solid = sceneOf(MapSketch(5.0, 5.0).fill({0.0, 0.0}, {5.0, 5.0}).grid());
+  QVERIFY(!PathPlanner(solid.field, 0.35).nearestFit({2.0, 2.0}));
+  QVERIFY(!planner.nearestFit({20.0, 2.0}));
+}
+
+void PathPlannerTest::isClear_cases() {
+  const Scene scene = sceneOf(MapSketch(10.0, 10.0).fill({4.0, 4.0}, {6.0, 6.0}).grid());
+  const PathPlanner planner(scene.field, 0.35);
+  QVERIFY(planner.isClear({1.0, 5.0}, {3.6, 5.0}));
+  QVERIFY(!planner.isClear({1.0, 5.0}, {3.7, 5.0}));
+  QVERIFY(!planner.isClear({1.0, 5.0}, {9.0, 5.0}));
+  QVERIFY(planner.isClear({1.0, 3.6}, {9.0, 3.6}));
+  QVERIFY(!planner.isClear({1.0, 3.7}, {9.0, 3.7}));
+  QCOMPARE(planner.radius(), 0.35);
+}
+
+QTEST_APPLESS_MAIN(PathPlannerTest)
+#include "tst_PathPlanner.moc"
