@@ -231,7 +231,6 @@ class BlockReader {
         view_.know(human.name);
         readPerson({node, human.name, human.key, reading_.report}, human);
       } else {
-        MapView(nullptr, human.name, human.key, reading_.report);
         registerPersonKeys(human.name);
       }
     }

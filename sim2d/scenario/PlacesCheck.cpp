@@ -186,7 +186,7 @@ class PlacesCheck {
 
   /// Where the body will stand; told once per place and radius.
   std::optional<Vec2> fit(const Place& place, double radius) {
-    const std::optional<Vec2> taken = plannerFor(radius).nearestFit(place.point);
+    std::optional<Vec2> taken = plannerFor(radius).nearestFit(place.point);
     const auto told = told_.insert(std::make_tuple(place.entity, place.what, radius));
     if (!told.second) {
       return taken;

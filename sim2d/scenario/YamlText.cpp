@@ -90,8 +90,8 @@ std::string scalarText(const YamlNode& node) {
 std::string keyText(const YamlNode& node) {
   const std::string& key = node.key;
   // numbers of goals and the coordinate are plain in every file of HuNavSim
-  const bool plain = key == "y" || base::parseInt(key).has_value() ||
-                     (node.keyIsPlain && hasPlainShape(key));
+  const bool plain =
+      key == "y" || base::parseInt(key).has_value() || (node.keyIsPlain && hasPlainShape(key));
   return needsQuotes(key) && !plain ? quotedText(key) : key;
 }
 
