@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 bool isFile(const fs::path& path) {
   std::error_code ignored;  // not there, not readable: no file for us
-  return fs::is_regular_file(path, ignored);
+  return fs::is_regular_file(path.lexically_normal(), ignored);
 }
 
 fs::path folderOf(const FilePlaces& places) {

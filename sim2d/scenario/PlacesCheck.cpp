@@ -220,7 +220,7 @@ class PlacesCheck {
                                           goal.what + " " + pointText(goal.point) +
                                           ", it is left out");
       }
-      if (blocked.empty() && !obstacles_.isVisible(from->point, goal.point)) {
+      if (start && point && blocked.empty() && !obstacles_.isVisible(from->point, goal.point)) {
         blocked = goal.what;
       }
       from = &goal;

@@ -77,6 +77,7 @@ class FileReader {
 
   void readLoader(const YamlNode& parameters) {
     MapView view(&parameters, "", {base::EntityKind::Scenario, 0}, report());
+    report().lines[view.entity()] = parameters.keyLine;
     scenario().yamlBaseName = view.text("yaml_base_name");
     scenario().simulator = view.text("simulator");
     scenario().map = view.text("map");

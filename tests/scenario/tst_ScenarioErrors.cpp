@@ -1,0 +1,70 @@
+#include "ScenarioTest.h"
+#include "sim2d/scenario/ScenarioCheck.h"
+
+using namespace sim2d;
+using namespace scenariotest;
+
+/// Every file of data/scenario/bad has its diagnostics beside it, line by line: what the reader
+/// says and, if it could read, what the check of the meaning says.
+class ScenarioErrorsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void read_badFile_saysEveryProblem_data() {
+    QTest::addColumn<QString>("name");
+    const QDir folder(QString::fromStdString(dataFile("bad")));
+    for (const QString& file : folder.entryList({QStringLiteral("*.yaml")})) {
+      QTest::newRow(qPrintable(file)) << file;
+    }
+  }
+  void read_badFile_saysEveryProblem() {
+    QFETCH(QString, name);
+    const std::string path = dataFile("bad/" + name.toStdString());
+    ScenarioReading reading = readScenarioText(textOf(path), name.toStdString());
+    base::Diagnostics said = reading.diagnostics;
+    if (reading.ok()) {
+      const Surroundings surroundings = makeSurroundings(reading.scenario, OccupancyGrid());
+      base::append(said, checkScenario(reading.scenario, surroundings, name.toStdString()));
+    }
+    addLines(said, reading.lines);
+    const QString expected =
+        QString::fromStdString(path).replace(QStringLiteral(".yaml"), QStringLiteral(".txt"));
+    QCOMPARE(shown(said), QString::fromStdString(textOf(expected.toStdString())));
+  }
+
+  void read_missingFile_isError() {
+    const ScenarioReading reading = readScenario(dataFile("nowhere.yaml"));
+    QVERIFY(!reading.ok());
+    QVERIFY(reading.diagnostics.front().text().find("nowhere.yaml") != std::string::npos);
+  }
+
+  void read_folder_isError() { QVERIFY(!readScenario(dataFile("bad")).ok()); }
+
+  void read_brokenYaml_importsNothing_data() {
+    QTest::addColumn<QByteArray>("name");
+    for (const char* name : {"not_yaml", "tab", "duplicate_key", "truncated_quote", "binary"}) {
+      QTest::newRow(name) << QByteArray(name);
+    }
+  }
+  void read_brokenYaml_importsNothing() {
+    QFETCH(QByteArray, name);
+    const ScenarioReading reading = readScenario(dataFile("bad/" + name.toStdString() + ".yaml"));
+    QVERIFY(!reading.ok());
+    QVERIFY(reading.scenario == Scenario{});
+  }
+
+  void read_anyPrefixOfFile_endsWithScenarioOrErrors() {
+    const std::string text = textOf(dataFile("block.yaml"));
+    for (std::size_t length = 0; length < text.size(); length += 7) {
+      const ScenarioReading reading = readScenarioText(text.substr(0, length), "cut.yaml");
+      if (reading.ok()) {
+        const ScenarioReading again = readScenarioText(writeScenario(reading.scenario), "cut.yaml");
+        QVERIFY2(again.ok(), qPrintable(shown(again.diagnostics)));
+        QVERIFY(again.scenario == reading.scenario);
+      }
+    }
+  }
+};
+
+QTEST_APPLESS_MAIN(ScenarioErrorsTest)
+#include "tst_ScenarioErrors.moc"
