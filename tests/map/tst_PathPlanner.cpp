@@ -65,7 +65,7 @@ double lowestClearance(const Scene& scene, const Path& path) {
     const int steps = static_cast<int>(leg.norm() / 0.01) + 1;
     for (int n = 0; n <= steps; ++n) {
       const Vec2 point = path.points[i - 1] + static_cast<double>(n) / steps * leg;
-      lowest = std::min(lowest, scene.obstacles.clearance(point));
+      lowest = std::min(lowest, scene.obstacles.clearance(point, 0.7));
     }
   }
   return lowest;
