@@ -244,13 +244,6 @@ class BlockReader {
     }
   }
 
-  static bool isGoodName(const std::string& name) {
-    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-    return !name.empty() && letter(name.front()) &&
-           std::all_of(name.begin(), name.end(),
-                       [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; });
-  }
-
   void listed(const std::string& list, const std::vector<std::string>& names,
               base::EntityKind kind) {
     for (const std::string& name : names) {
@@ -259,7 +252,7 @@ class BlockReader {
         view_.error(list, "the name '" + name + "' is taken");
       } else if (node == nullptr) {
         view_.error(list, "'" + name + "' is listed but has no map");
-      } else if (!isGoodName(name)) {
+      } else if (!isEntityName(name)) {
         view_.know(name);
         view_.error(list, "'" + name +
                               "': a name consists of letters, digits and _, and begins "
@@ -274,7 +267,7 @@ class BlockReader {
     for (const YamlNode& item : view_.node().items) {
       if (!view_.isKnown(item.key) && item.isMap()) {
         const base::EntityKind kind = kindOf(item);
-        if (kind != base::EntityKind::None && isGoodName(item.key)) {
+        if (kind != base::EntityKind::None && isEntityName(item.key)) {
           addEntity(item, kind, false);
         }
       }

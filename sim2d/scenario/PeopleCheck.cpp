@@ -5,6 +5,7 @@
 #include "sim2d/map/Outlines.h"
 #include "sim2d/scenario/CheckParts.h"
 #include "sim2d/scenario/Defaults.h"
+#include "sim2d/scenario/ScenarioTree.h"
 
 namespace sim2d {
 namespace {
@@ -98,13 +99,7 @@ void checkPerson(const Scenario& scenario, const Human& human, CheckReport& repo
                                 std::to_string(human.goals.size()) + " goals, has " +
                                 std::to_string(human.ours.wait.size()));
   }
-  static const std::vector<std::string> kTaken = {
-      "format",     "map_file",     "map_rule", "seed",   "duration",
-      "dt",         "record_every", "model",    "route",  "obstacle_points",
-      "loop_trees", "wrap_x",       "groups",   "robots", "obstacles",
-      "doors",      "areas",        "metrics"};
-  if (!(human.ours == PersonExtension{}) &&
-      std::find(kTaken.begin(), kTaken.end(), human.name) != kTaken.end()) {
+  if (!(human.ours == PersonExtension{}) && blockKeys().count(human.name) != 0) {
     report.error(human.key, "a person called '" + human.name +
                                 "' can have no settings of ours: that is a key of the block");
   }

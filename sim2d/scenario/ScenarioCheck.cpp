@@ -5,10 +5,12 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <type_traits>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/map/Outlines.h"
 #include "sim2d/scenario/CheckParts.h"
+#include "sim2d/scenario/ScenarioTree.h"
 
 namespace sim2d {
 namespace {
@@ -19,6 +21,15 @@ template <class T>
 void collectNames(const std::vector<T>& entities, std::set<std::string>& seen,
                   CheckReport& report) {
   for (const T& entity : entities) {
+    if constexpr (std::is_same_v<T, Human>) {
+      if (entity.name.empty() || loaderKeys().count(entity.name) != 0) {
+        report.error(entity.key, "a person cannot have the name '" + entity.name + "'");
+      }
+    } else if (!isEntityName(entity.name) || blockKeys().count(entity.name) != 0) {
+      report.error(entity.key, "'" + entity.name +
+                                   "' cannot be a name (letters, digits and _, a letter first, no "
+                                   "key of the file)");
+    }
     if (!seen.insert(entity.name).second) {
       report.error(entity.key, "the name '" + entity.name + "' is there twice");
     }
@@ -54,6 +65,9 @@ void checkIds(const Scenario& scenario, CheckReport& report) {
 void checkGoalNumbers(const Scenario& scenario, CheckReport& report) {
   std::set<int> ids;
   for (const GlobalGoal& goal : scenario.goals) {
+    if (goal.id < 1) {
+      report.error(goal.key, "goal " + std::to_string(goal.id) + ": goals are numbered from 1");
+    }
     if (!ids.insert(goal.id).second) {
       report.error(goal.key, "goal " + std::to_string(goal.id) + " is there twice");
     }

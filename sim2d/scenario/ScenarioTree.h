@@ -42,6 +42,12 @@ const std::vector<std::string>& areaKindWords();
 const std::vector<std::string>& obstaclePointWords();
 const std::vector<std::string>& mapRuleWords();
 
+/// Keys of each node: names that are taken.
+const std::set<std::string>& loaderKeys();
+const std::set<std::string>& blockKeys();
+/// A name that robots, obstacles, doors and areas may have.
+bool isEntityName(const std::string& name);
+
 // Nodes for the writer.
 YamlNode decimals(double value, int digits = 1);
 YamlNode number(long long value);

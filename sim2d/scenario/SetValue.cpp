@@ -34,9 +34,7 @@ std::vector<Path> expanded(const Scenario& scenario, const std::string& text) {
 }
 
 bool belongsToLoader(const Scenario& scenario, const std::string& first) {
-  static const std::set<std::string> kKeys = {"yaml_base_name", "simulator",    "map",
-                                              "publish_people", "global_goals", "agents"};
-  return kKeys.count(first) != 0 || scenario.human(first) != nullptr;
+  return loaderKeys().count(first) != 0 || scenario.human(first) != nullptr;
 }
 
 void put(YamlNode& root, const char* node, const Path& path, const YamlNode& value) {

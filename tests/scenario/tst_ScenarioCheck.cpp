@@ -196,6 +196,30 @@ class ScenarioCheckTest : public QObject {
     QVERIFY(checkScenario(scenario, surroundings, "room.yaml", names).empty());
   }
 
+  void check_names_data() {
+    QTest::addColumn<QByteArray>("human");
+    QTest::addColumn<QByteArray>("box");
+    QTest::addColumn<bool>("good");
+    QTest::newRow("good") << QByteArray("Anna M.") << QByteArray("box_1") << true;
+    QTest::newRow("same") << QByteArray("box") << QByteArray("box") << false;
+    QTest::newRow("person as key") << QByteArray("agents") << QByteArray("box") << false;
+    QTest::newRow("person without name") << QByteArray("") << QByteArray("box") << false;
+    QTest::newRow("key") << QByteArray("anna") << QByteArray("seed") << false;
+    QTest::newRow("map") << QByteArray("anna") << QByteArray("map") << false;
+    QTest::newRow("digit first") << QByteArray("anna") << QByteArray("1box") << false;
+    QTest::newRow("blank") << QByteArray("anna") << QByteArray("my box") << false;
+  }
+  void check_names() {
+    QFETCH(QByteArray, human);
+    QFETCH(QByteArray, box);
+    QFETCH(bool, good);
+    Scenario scenario = oneWalker({5.0, 5.0}, {5.0, 9.0});
+    scenario.humans[0].name = human.toStdString();
+    scenario.obstacles.resize(1);
+    scenario.obstacles[0].name = box.toStdString();
+    QCOMPARE(!base::hasErrors(check(scenario)), good);
+  }
+
   void makeSurroundings_partsInOrder() {
     const Scenario scenario = readScenario(dataFile("block.yaml")).scenario;
     const Surroundings surroundings = makeSurroundings(scenario, dividedRoom(false));
