@@ -1,0 +1,194 @@
+#include "editor/look/Theme.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QFontDatabase>
+
+namespace editor {
+
+namespace {
+
+struct RoleColors {
+  Role role;
+  QRgb light, dark;
+};
+
+constexpr std::array<RoleColors, static_cast<std::size_t>(Role::Count)> kRoles = {{
+    {Role::Window, 0xFFF5F6F7, 0xFF1E2124},        {Role::Panel, 0xFFFFFFFF, 0xFF26292D},
+    {Role::Text, 0xFF1B1F23, 0xFFE6E8EA},          {Role::TextSecondary, 0xFF5F6B76, 0xFF9AA4AE},
+    {Role::Line, 0xFFD8DCE0, 0xFF3A3F45},          {Role::Accent, 0xFF2F6FDE, 0xFF6EA0FF},
+    {Role::AccentText, 0xFF1F58C0, 0xFF6EA0FF},    {Role::MapFree, 0xFFFFFFFF, 0xFF2A2E33},
+    {Role::MapOccupied, 0xFF2B2F33, 0xFF858E97},   {Role::MapUnknown, 0xFFC9CED3, 0xFF3C4248},
+    {Role::CanvasOutside, 0xFFECEEF0, 0xFF202326}, {Role::ObstacleFill, 0xFFE6E9EC, 0xFF383E44},
+    {Role::ObstacleEdge, 0xFF838E98, 0xFF7C8790},  {Role::RowSelected, 0xFFE4EDFB, 0xFF2C3A55},
+    {Role::RowHover, 0xFFEEF1F4, 0xFF2F3338},      {Role::Field, 0xFFFFFFFF, 0xFF1F2225},
+    {Role::FieldEdge, 0xFFC4CAD0, 0xFF4A5158},     {Role::Ok, 0xFF2E8540, 0xFF58B36B},
+    {Role::Warning, 0xFF9C5C00, 0xFFE0A030},       {Role::WarningMark, 0xFFC77700, 0xFFE0A030},
+    {Role::Error, 0xFFC0392B, 0xFFF06A5A},         {Role::ErrorSoft, 0xFFD3746B, 0xFFD3746B},
+    {Role::RobotBody, 0xFF222222, 0xFFF0F0F0},     {Role::RobotFront, 0xFFF0E442, 0xFFF0E442},
+    {Role::RobotLine, 0xFF4A5056, 0xFFD6DADE},     {Role::GoalPin, 0xFFFFFFFF, 0xFF2A2E33},
+    {Role::Past, 0xFF2F6FDE, 0xFF6EA0FF},          {Role::ForceGoal, 0xFF2E8540, 0xFF58B36B},
+    {Role::ForceSocial, 0xFFB35C8D, 0xFFDB96BC},   {Role::ForceObstacle, 0xFFB57A00, 0xFFE69F00},
+    {Role::ForceGroup, 0xFF2389C4, 0xFF7CCBF5},    {Role::ForceTotal, 0xFF1B1F23, 0xFFFFFFFF},
+    {Role::LaserHit, 0xFFA88A00, 0xFFF0E442},
+}};
+
+constexpr std::array<QRgb, kLookCount> kFills = {0xFF0072B2, 0xFF7F7F7F, 0xFFE69F00, 0xFFCC79A7,
+                                                 0xFF56B4E9, 0xFFD55E00, 0xFF009E73};
+constexpr std::array<QRgb, kLookCount> kLightLines = {
+    0xFF0072B2, 0xFF6B6B6B, 0xFFB57A00, 0xFFB35C8D, 0xFF2389C4, 0xFFC65600, 0xFF008A64};
+constexpr std::array<QRgb, kLookCount> kDarkLines = {0xFF3C93D6, 0xFFA3A3A3, 0xFFE69F00, 0xFFDB96BC,
+                                                     0xFF7CCBF5, 0xFFEE7A26, 0xFF1DB98B};
+
+QColor mixed(const QColor& a, const QColor& b, double part) {
+  const auto channel = [part](double x, double y) { return x + (y - x) * part; };
+  return QColor::fromRgbF(channel(a.redF(), b.redF()), channel(a.greenF(), b.greenF()),
+                          channel(a.blueF(), b.blueF()));
+}
+
+double linear(double channel) {
+  return channel <= 0.03928 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+}
+
+double luminance(const QColor& color) {
+  return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) +
+         0.0722 * linear(color.blueF());
+}
+
+std::size_t index(Look look) {
+  return static_cast<std::size_t>(look);
+}
+
+}  // namespace
+
+Look lookOf(sim2d::BehaviorType type) {
+  switch (type) {
+    case sim2d::BehaviorType::Regular:
+      return Look::Regular;
+    case sim2d::BehaviorType::Impassive:
+      return Look::Impassive;
+    case sim2d::BehaviorType::Surprised:
+      return Look::Surprised;
+    case sim2d::BehaviorType::Scared:
+      return Look::Scared;
+    case sim2d::BehaviorType::Curious:
+      return Look::Curious;
+    case sim2d::BehaviorType::Threatening:
+      return Look::Threatening;
+  }
+  return Look::Regular;
+}
+
+QString lookName(Look look) {
+  static const char* const kNames[] = {"Regular", "Impassive",   "Surprised",  "Scared",
+                                       "Curious", "Threatening", "Custom tree"};
+  return QString::fromLatin1(kNames[index(look)]);
+}
+
+Mark markOf(Look look) {
+  static constexpr std::array<Mark, kLookCount> kMarks = {
+      Mark::Disc, Mark::Square,     Mark::Diamond, Mark::TriangleDown,
+      Mark::Ring, Mark::TriangleUp, Mark::Hexagon};
+  return kMarks[index(look)];
+}
+
+Theme Theme::light() {
+  Theme theme;
+  theme.kind_ = Kind::Light;
+  for (const RoleColors& entry : kRoles) {
+    theme.roles_[static_cast<std::size_t>(entry.role)] = QColor(entry.light);
+  }
+  for (std::size_t i = 0; i < kFills.size(); ++i) {
+    theme.fills_[i] = QColor(kFills[i]);
+    theme.lines_[i] = QColor(kLightLines[i]);
+  }
+  return theme;
+}
+
+Theme Theme::dark() {
+  Theme theme;
+  theme.kind_ = Kind::Dark;
+  for (const RoleColors& entry : kRoles) {
+    theme.roles_[static_cast<std::size_t>(entry.role)] = QColor(entry.dark);
+  }
+  for (std::size_t i = 0; i < kFills.size(); ++i) {
+    theme.fills_[i] = QColor(kFills[i]);
+    theme.lines_[i] = QColor(kDarkLines[i]);
+  }
+  return theme;
+}
+
+Theme Theme::fromSystem(const QPalette& system) {
+  const bool dark = luminance(system.color(QPalette::Window)) < 0.2;
+  return ofKind(dark ? Kind::Dark : Kind::Light);
+}
+
+QColor Theme::color(Role role, double alpha) const {
+  QColor result = color(role);
+  result.setAlphaF(alpha);
+  return result;
+}
+
+QColor Theme::outline(Look look) const {
+  return isDark() ? mixed(fill(look), QColor(Qt::white), 0.55)
+                  : mixed(fill(look), QColor(Qt::black), 0.5);
+}
+
+QColor Theme::head(Look look) const {
+  return mixed(fill(look), QColor(Qt::white), 0.72);
+}
+
+QColor Theme::feet(Look look) const {
+  return mixed(fill(look), QColor(Qt::black), 0.5);
+}
+
+QPalette Theme::palette() const {
+  QPalette result;
+  result.setColor(QPalette::Window, color(Role::Window));
+  result.setColor(QPalette::WindowText, color(Role::Text));
+  result.setColor(QPalette::Base, color(Role::Field));
+  result.setColor(QPalette::AlternateBase, color(Role::RowHover));
+  result.setColor(QPalette::Text, color(Role::Text));
+  result.setColor(QPalette::Button, color(Role::Window));
+  result.setColor(QPalette::ButtonText, color(Role::Text));
+  result.setColor(QPalette::BrightText, color(Role::Error));
+  result.setColor(QPalette::ToolTipBase, color(Role::Panel));
+  result.setColor(QPalette::ToolTipText, color(Role::Text));
+  result.setColor(QPalette::PlaceholderText, color(Role::TextSecondary));
+  result.setColor(QPalette::Highlight, color(Role::RowSelected));
+  result.setColor(QPalette::HighlightedText, color(Role::Text));
+  result.setColor(QPalette::Link, color(Role::AccentText));
+  result.setColor(QPalette::Light, color(Role::Panel));
+  result.setColor(QPalette::Midlight, color(Role::RowHover));
+  result.setColor(QPalette::Mid, color(Role::FieldEdge));
+  result.setColor(QPalette::Dark, color(Role::Line));
+  result.setColor(QPalette::Shadow, color(Role::Line));
+  for (const QPalette::ColorRole role :
+       {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::HighlightedText}) {
+    result.setColor(QPalette::Disabled, role, mixed(color(Role::Text), color(Role::Window), 0.55));
+  }
+  return result;
+}
+
+QFont Theme::font(double points, QFont::Weight weight) const {
+  QFont result = QFontDatabase::systemFont(QFontDatabase::GeneralFont);
+  result.setPointSizeF(points);
+  result.setWeight(weight);
+  return result;
+}
+
+QFont Theme::figureFont(double points) const {
+  // The digits of the usual system fonts have one width; a font without it gets none by force.
+  QFont result = font(points);
+  result.setStyleStrategy(QFont::PreferQuality);
+  return result;
+}
+
+double contrastRatio(const QColor& a, const QColor& b) {
+  const double first = luminance(a);
+  const double second = luminance(b);
+  return (std::max(first, second) + 0.05) / (std::min(first, second) + 0.05);
+}
+
+}  // namespace editor
