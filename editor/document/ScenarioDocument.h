@@ -17,6 +17,8 @@
 
 namespace editor {
 
+class LiveCheck;
+
 /// A value at its place in its list. Without a value: not there. index -1 = where it was, else at
 /// the end.
 struct EntitySlot {
@@ -81,8 +83,8 @@ class ScenarioDocument : public QObject {
 
   // messages
   const base::Diagnostics& loadDiagnostics() const { return loadDiagnostics_; }
-  const base::Diagnostics& issues() const { return issues_; }  // of loading, then of the live check
-  void checkNow();  // without the pause that follows edits
+  base::Diagnostics issues() const;  // of loading, then of the live check
+  void checkNow();                   // without the pause that follows edits
 
  Q_SIGNALS:
   void changed(editor::Change change);
@@ -97,7 +99,8 @@ class ScenarioDocument : public QObject {
   void dropFromSelection(EntityId id);
   base::Diagnostics loadMapOf(const sim2d::Scenario& scenario, const QString& path);
   base::Diagnostics loadTrees();
-  base::Diagnostics writeTrees(const QString& path, const std::string& base) const;
+  base::Diagnostics placeMap(sim2d::Scenario& scenario, const QString& path);
+  base::Diagnostics writeTrees(const sim2d::Scenario& scenario, const QString& path) const;
 
   sim2d::Scenario scenario_;
   std::shared_ptr<const sim2d::OccupancyGrid> map_;
@@ -105,11 +108,13 @@ class ScenarioDocument : public QObject {
   QUndoStack undoStack_;
   std::vector<EntityId> selection_;
   QString path_, mapPath_, shippedMaps_;
-  base::Diagnostics loadDiagnostics_, issues_;
+  base::Diagnostics loadDiagnostics_, checkIssues_;
   QTimer checkTimer_;
+  std::unique_ptr<LiveCheck> liveCheck_;
   int nextKey_ = 1;
   int commentCount_ = 0;
   bool neverSaved_ = false;
+  bool mapIsMissing_ = false;  // named by the scenario, but not found
 };
 
 }  // namespace editor

@@ -1,0 +1,354 @@
+#include "editor/document/EditCommands.h"
+
+#include <algorithm>
+
+#include "editor/document/EntityLists.h"
+#include "editor/document/FreeNames.h"
+
+namespace editor {
+
+namespace {
+
+constexpr int kEditEntity = 1;
+
+/// Values by entity while a command is being put together: the document's, unless edited before.
+class Draft {
+ public:
+  explicit Draft(const ScenarioDocument& document) : document_(document) {}
+
+  void set(Entity value, int index = -1) {
+    const EntityId id = idOf(value);
+    slotOf(id) = {std::move(value), index};
+  }
+  void remove(EntityId id) { slotOf(id) = {}; }
+
+  /// Calls `change` for every entity of type T in the document that is not removed by the draft.
+  template <class T, class Change>
+  void forEach(Change&& change) {
+    for (const T& original : listOf<T>(document_.scenario())) {
+      const auto found = find(original.key);
+      if (found != edits_.end() && !found->slot.value) {
+        continue;
+      }
+      T value = found == edits_.end() ? original : std::get<T>(*found->slot.value);
+      change(value);
+      if (!(value == original)) {
+        set(std::move(value));
+      }
+    }
+  }
+
+  void push(ScenarioDocument& document, const QString& text, Merge merge = Merge::Never) {
+    const auto isIdle = [&](const EntityEdit& edit) {
+      return edit.slot.value == document.entity(edit.entity) &&
+             (edit.slot.index < 0 || edit.slot.index == document.indexOf(edit.entity));
+    };
+    edits_.erase(std::remove_if(edits_.begin(), edits_.end(), isIdle), edits_.end());
+    if (!edits_.empty()) {
+      document.undoStack().push(new EditEntity(document, std::move(edits_), text, merge));
+    }
+  }
+
+ private:
+  std::vector<EntityEdit>::iterator find(EntityId id) {
+    return std::find_if(edits_.begin(), edits_.end(),
+                        [id](const EntityEdit& edit) { return edit.entity == id; });
+  }
+  EntitySlot& slotOf(EntityId id) {
+    const auto found = find(id);
+    if (found != edits_.end()) {
+      return found->slot;
+    }
+    edits_.push_back({id, {}});
+    return edits_.back().slot;
+  }
+
+  const ScenarioDocument& document_;
+  std::vector<EntityEdit> edits_;
+};
+
+bool isListed(const Entity& entity) {
+  return std::visit(
+      [](const auto& value) {
+        using Value = std::decay_t<decltype(value)>;
+        if constexpr (std::is_same_v<Value, sim2d::GlobalGoal> ||
+                      std::is_same_v<Value, ScenarioSettings>) {
+          return true;
+        } else {
+          return value.listed;
+        }
+      },
+      entity);
+}
+
+/// Those that are switched off stand behind the others, as in the file.
+int placeOf(const ScenarioDocument& document, const Entity& value) {
+  const std::vector<EntityId> ids = document.entities(kindOf(value));
+  int listed = 0;
+  int others = 0;
+  for (const EntityId id : ids) {
+    if (id != idOf(value)) {
+      ++(isListed(*document.entity(id)) ? listed : others);
+    }
+  }
+  return isListed(value) ? listed : listed + others;
+}
+
+QString textFor(const QString& verb, const std::vector<Entity>& values) {
+  if (values.size() == 1) {
+    return QStringLiteral("%1 %2").arg(verb, displayName(values.front()));
+  }
+  return QStringLiteral("%1 %2 things").arg(verb).arg(values.size());
+}
+
+std::vector<Entity> valuesOf(const ScenarioDocument& document, const std::vector<EntityId>& ids) {
+  std::vector<Entity> values;
+  for (const EntityId id : ids) {
+    if (std::optional<Entity> value = document.entity(id)) {
+      values.push_back(*std::move(value));
+    }
+  }
+  return values;
+}
+
+void dropGoal(Draft& draft, int goal) {
+  draft.forEach<sim2d::Human>([goal](sim2d::Human& human) {
+    auto& waits = human.ours.wait;
+    for (std::size_t i = human.goals.size(); i-- > 0;) {
+      if (human.goals[i] != goal) {
+        continue;
+      }
+      human.goals.erase(human.goals.begin() + static_cast<std::ptrdiff_t>(i));
+      if (i < waits.size()) {
+        waits.erase(waits.begin() + static_cast<std::ptrdiff_t>(i));
+      }
+    }
+  });
+  draft.forEach<sim2d::Robot>([goal](sim2d::Robot& robot) {
+    auto& goals = robot.goal.goals;
+    goals.erase(std::remove(goals.begin(), goals.end(), goal), goals.end());
+  });
+}
+
+void renamePerson(Draft& draft, const std::string& from, const std::optional<std::string>& to) {
+  draft.forEach<sim2d::Area>([&](sim2d::Area& area) {
+    if (area.like == from) {
+      area.like = to;
+    }
+  });
+}
+
+}  // namespace
+
+EditEntity::EditEntity(ScenarioDocument& document, std::vector<EntityEdit> edits,
+                       const QString& text, Merge merge)
+    : QUndoCommand(text), document_(document), edits_(std::move(edits)), merge_(merge) {}
+
+void EditEntity::redo() {
+  for (EntityEdit& edit : edits_) {
+    edit.slot = document_.exchange(edit.entity, std::move(edit.slot));
+  }
+}
+
+void EditEntity::undo() {
+  for (auto edit = edits_.rbegin(); edit != edits_.rend(); ++edit) {
+    edit->slot = document_.exchange(edit->entity, std::move(edit->slot));
+  }
+}
+
+int EditEntity::id() const {
+  return merge_ == Merge::WithPrevious ? kEditEntity : -1;
+}
+
+bool EditEntity::mergeWith(const QUndoCommand* other) {
+  const auto* next = static_cast<const EditEntity*>(other);
+  const bool same =
+      next->text() == text() &&
+      std::equal(edits_.begin(), edits_.end(), next->edits_.begin(), next->edits_.end(),
+                 [](const EntityEdit& a, const EntityEdit& b) { return a.entity == b.entity; });
+  if (!same) {
+    return false;
+  }
+  // What is kept here are the values before the first of the merged edits.
+  setObsolete(std::all_of(edits_.begin(), edits_.end(), [this](const EntityEdit& edit) {
+    return edit.slot.value == document_.entity(edit.entity);
+  }));
+  return true;
+}
+
+EditTree::EditTree(ScenarioDocument& document, EntityId human, std::optional<std::string> xml,
+                   const QString& text)
+    : QUndoCommand(text), document_(document), human_(human), xml_(std::move(xml)) {}
+
+void pushEdit(ScenarioDocument& document, std::vector<Entity> values, const QString& text,
+              Merge merge) {
+  Draft draft(document);
+  for (Entity& value : values) {
+    const std::optional<Entity> old = document.entity(idOf(value));
+    if (!old) {
+      continue;
+    }
+    const int index = isListed(*old) == isListed(value) ? -1 : placeOf(document, value);
+    draft.set(std::move(value), index);
+  }
+  draft.push(document, text, merge);
+}
+
+std::vector<EntityId> pushAdd(ScenarioDocument& document, std::vector<Entity> values,
+                              const QString& text) {
+  FreeNames names(document.scenario());
+  std::vector<EntityId> ids;
+  std::vector<EntityEdit> edits;
+  for (Entity& value : values) {
+    const EntityId id = document.newId(kindOf(value));
+    setId(value, id);
+    names.give(value);
+    ids.push_back(id);
+  }
+  const QString fullText = text.isEmpty() ? textFor(QStringLiteral("Add"), values) : text;
+  std::map<EntityKind, int> added;
+  for (Entity& value : values) {
+    const int index = placeOf(document, value) + added[kindOf(value)]++;
+    const EntityId id = idOf(value);
+    edits.push_back({id, {std::move(value), index}});
+  }
+  if (!edits.empty()) {
+    document.undoStack().push(new EditEntity(document, std::move(edits), fullText));
+  }
+  return ids;
+}
+
+EntityId pushAdd(ScenarioDocument& document, Entity value) {
+  return pushAdd(document, std::vector<Entity>{std::move(value)}, QString()).front();
+}
+
+void pushRemove(ScenarioDocument& document, const std::vector<EntityId>& ids) {
+  Draft draft(document);
+  const std::vector<Entity> values = valuesOf(document, ids);
+  for (const Entity& value : values) {
+    if (kindOf(value) != EntityKind::Scenario) {
+      draft.remove(idOf(value));
+    }
+  }
+  for (const Entity& value : values) {
+    if (const auto* goal = std::get_if<sim2d::GlobalGoal>(&value)) {
+      dropGoal(draft, goal->id);
+    } else if (const auto* human = std::get_if<sim2d::Human>(&value)) {
+      renamePerson(draft, human->name, std::nullopt);
+    }
+  }
+  draft.push(document, textFor(QStringLiteral("Remove"), values));
+}
+
+void pushMove(ScenarioDocument& document, const std::vector<EntityId>& ids, const Vec2& delta,
+              Merge merge) {
+  std::vector<Entity> values = valuesOf(document, ids);
+  const QString text = textFor(QStringLiteral("Move"), values);
+  for (Entity& value : values) {
+    value = moved(std::move(value), delta);
+  }
+  pushEdit(document, std::move(values), text, merge);
+}
+
+void pushTurn(ScenarioDocument& document, const std::vector<EntityId>& ids, double heading) {
+  std::vector<Entity> values = valuesOf(document, ids);
+  const QString text = textFor(QStringLiteral("Turn"), values);
+  for (Entity& value : values) {
+    value = turned(std::move(value), heading);
+  }
+  pushEdit(document, std::move(values), text);
+}
+
+std::vector<EntityId> pushDuplicate(ScenarioDocument& document, const std::vector<EntityId>& ids,
+                                    const Vec2& delta) {
+  std::vector<Entity> values = valuesOf(document, ids);
+  values.erase(
+      std::remove_if(values.begin(), values.end(),
+                     [](const Entity& value) { return kindOf(value) == EntityKind::Scenario; }),
+      values.end());
+  if (values.empty()) {
+    return {};
+  }
+  const QString text = textFor(QStringLiteral("Duplicate"), values);
+  std::vector<std::optional<std::string>> trees;
+  for (Entity& value : values) {
+    trees.push_back(document.tree(idOf(value)));
+    value = moved(std::move(value), delta, true);
+  }
+  document.undoStack().beginMacro(text);
+  const std::vector<EntityId> copies = pushAdd(document, std::move(values), text);
+  for (std::size_t i = 0; i < copies.size(); ++i) {
+    if (trees[i]) {
+      document.undoStack().push(new EditTree(document, copies[i], trees[i], text));
+    }
+  }
+  document.undoStack().endMacro();
+  return copies;
+}
+
+bool pushRename(ScenarioDocument& document, EntityId id, const std::string& name) {
+  std::optional<Entity> value = document.entity(id);
+  if (!value || name.empty() || isNameTaken(document.scenario(), name)) {
+    return false;
+  }
+  const std::string old = nameOf(*value);
+  Draft draft(document);
+  if (kindOf(*value) == EntityKind::Human) {
+    renamePerson(draft, old, name);
+  }
+  setName(*value, name);
+  draft.set(*std::move(value));
+  draft.push(document, QStringLiteral("Rename %1").arg(QString::fromStdString(old)));
+  return true;
+}
+
+bool pushGoalNumber(ScenarioDocument& document, EntityId id, int number) {
+  const sim2d::GlobalGoal* goal = document.goal(id);
+  if (goal == nullptr || number < 1 || document.scenario().goal(number) != nullptr) {
+    return false;
+  }
+  const int old = goal->id;
+  Draft draft(document);
+  const auto renumber = [old, number](std::vector<int>& goals) {
+    std::replace(goals.begin(), goals.end(), old, number);
+  };
+  draft.forEach<sim2d::Human>([&](sim2d::Human& human) { renumber(human.goals); });
+  draft.forEach<sim2d::Robot>([&](sim2d::Robot& robot) { renumber(robot.goal.goals); });
+  sim2d::GlobalGoal changed = *goal;
+  changed.id = number;
+  draft.set(changed);
+  draft.push(document, QStringLiteral("Number goal %1").arg(old));
+  return true;
+}
+
+void pushRoute(ScenarioDocument& document, const std::vector<EntityId>& humans,
+               const std::vector<int>& goals) {
+  std::vector<Entity> values;
+  for (Entity& value : valuesOf(document, humans)) {
+    if (auto* human = std::get_if<sim2d::Human>(&value)) {
+      human->goals = goals;
+      if (human->ours.wait.size() != goals.size()) {
+        human->ours.wait.clear();
+      }
+    } else if (auto* robot = std::get_if<sim2d::Robot>(&value)) {
+      robot->goal.point.reset();
+      robot->goal.goals = goals;
+    } else {
+      continue;
+    }
+    values.push_back(std::move(value));
+  }
+  const QString text = textFor(QStringLiteral("Route of"), values);
+  pushEdit(document, std::move(values), text);
+}
+
+void pushReorder(ScenarioDocument& document, EntityId id, int index) {
+  if (std::optional<Entity> value = document.entity(id)) {
+    Draft draft(document);
+    const QString text = textFor(QStringLiteral("Reorder"), {*value});
+    draft.set(*std::move(value), index);
+    draft.push(document, text);
+  }
+}
+
+}  // namespace editor

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "editor/document/Entity.h"
+
+namespace editor {
+
+/// The list of a scenario that holds the entities of type T.
+template <class T, class S>
+auto& listOf(S& scenario) {
+  if constexpr (std::is_same_v<T, sim2d::Human>) {
+    return scenario.humans;
+  } else if constexpr (std::is_same_v<T, sim2d::Robot>) {
+    return scenario.robots;
+  } else if constexpr (std::is_same_v<T, sim2d::GlobalGoal>) {
+    return scenario.goals;
+  } else if constexpr (std::is_same_v<T, sim2d::Obstacle>) {
+    return scenario.obstacles;
+  } else if constexpr (std::is_same_v<T, sim2d::Door>) {
+    return scenario.doors;
+  } else {
+    static_assert(std::is_same_v<T, sim2d::Area>);
+    return scenario.areas;
+  }
+}
+
+/// Calls `visitor` with the list of that kind; `otherwise` is returned for kinds without a list.
+template <class S, class Visitor, class R>
+R withList(S& scenario, EntityKind kind, Visitor&& visitor, R otherwise) {
+  switch (kind) {
+    case EntityKind::Human:
+      return visitor(scenario.humans);
+    case EntityKind::Robot:
+      return visitor(scenario.robots);
+    case EntityKind::Goal:
+      return visitor(scenario.goals);
+    case EntityKind::Obstacle:
+      return visitor(scenario.obstacles);
+    case EntityKind::Door:
+      return visitor(scenario.doors);
+    case EntityKind::Area:
+      return visitor(scenario.areas);
+    case EntityKind::Scenario:
+    case EntityKind::None:
+      break;
+  }
+  return otherwise;
+}
+
+template <class List>
+int positionIn(const List& list, EntityId id) {
+  const auto found =
+      std::find_if(list.begin(), list.end(), [id](const auto& value) { return value.key == id; });
+  return found == list.end() ? -1 : static_cast<int>(found - list.begin());
+}
+
+}  // namespace editor

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <future>
+#include <utility>
+
+#include <QTimer>
+
+namespace editor {
+
+/// Work beside the GUI thread where only the newest request counts: requests that come while one is
+/// being worked on replace each other. The work runs in a thread of its own and holds copies of all
+/// that it needs; the result is handed over in the GUI thread. Destruction waits for the work.
+template <class T>
+class LatestTask {
+ public:
+  explicit LatestTask(std::function<void(T)> deliver) : deliver_(std::move(deliver)) {
+    poll_.setInterval(kPollMs);
+    QObject::connect(&poll_, &QTimer::timeout, &poll_, [this] { poll(); });
+  }
+
+  void start(std::function<T()> work) {
+    if (running_.valid()) {
+      waiting_ = std::move(work);
+      return;
+    }
+    running_ = std::async(std::launch::async, std::move(work));
+    poll_.start();
+  }
+
+  bool isBusy() const { return running_.valid(); }
+
+  /// Waits for all that was requested and delivers it.
+  void finish() {
+    while (running_.valid()) {
+      take();
+    }
+  }
+
+ private:
+  static constexpr int kPollMs = 8;
+
+  void poll() {
+    if (running_.valid() &&
+        running_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+      take();
+    }
+  }
+
+  void take() {
+    T result = running_.get();
+    poll_.stop();
+    if (waiting_) {  // the result is out of date already; still better than an older one
+      start(std::exchange(waiting_, nullptr));
+    }
+    deliver_(std::move(result));
+  }
+
+  std::function<void(T)> deliver_;
+  std::future<T> running_;
+  std::function<T()> waiting_;
+  QTimer poll_;
+};
+
+}  // namespace editor

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+
+#include <QString>
+
+#include "editor/document/LatestTask.h"
+#include "sim2d/base/Result.h"
+#include "sim2d/map/OccupancyGrid.h"
+#include "sim2d/scenario/Scenario.h"
+
+namespace editor {
+
+/// Checks the meaning of a scenario beside the GUI thread, because walls of a large map take long
+/// to trace.
+class LiveCheck {
+ public:
+  explicit LiveCheck(std::function<void(base::Diagnostics)> deliver) : task_(std::move(deliver)) {}
+  void start(const sim2d::Scenario& scenario, std::shared_ptr<const sim2d::OccupancyGrid> map,
+             const QString& path);
+  void finish() { task_.finish(); }
+
+ private:
+  LatestTask<base::Diagnostics> task_;
+};
+
+}  // namespace editor

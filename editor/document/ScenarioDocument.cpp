@@ -1,0 +1,255 @@
+#include "editor/document/ScenarioDocument.h"
+
+#include <QFileInfo>
+
+#include "editor/document/EntityLists.h"
+#include "editor/document/LiveCheck.h"
+
+namespace editor {
+
+namespace {
+
+constexpr int kCheckDelayMs = 200;
+
+template <class List>
+EntitySlot exchangeIn(List& list, EntityId id, EntitySlot slot) {
+  using Value = typename List::value_type;
+  EntitySlot old;
+  const int at = positionIn(list, id);
+  if (at >= 0) {
+    old = {Entity(std::move(list[static_cast<std::size_t>(at)])), at};
+    list.erase(list.begin() + at);
+  }
+  if (slot.value) {
+    const int size = static_cast<int>(list.size());
+    const int wanted = slot.index >= 0 ? slot.index : at >= 0 ? at : size;
+    list.insert(list.begin() + std::min(wanted, size), std::get<Value>(*std::move(slot.value)));
+  }
+  return old;
+}
+
+ScenarioSettings settingsOf(const sim2d::Scenario& scenario) {
+  return {scenario.yamlBaseName, scenario.simulator, scenario.map, scenario.publishPeople,
+          scenario.desktop};
+}
+
+void setSettings(sim2d::Scenario& scenario, ScenarioSettings settings) {
+  scenario.yamlBaseName = std::move(settings.yamlBaseName);
+  scenario.simulator = std::move(settings.simulator);
+  scenario.map = std::move(settings.map);
+  scenario.publishPeople = settings.publishPeople;
+  scenario.desktop = std::move(settings.desktop);
+}
+
+Change::What whatHappened(bool before, bool after) {
+  if (before && after) {
+    return Change::What::Edited;
+  }
+  return after ? Change::What::Added : Change::What::Removed;
+}
+
+}  // namespace
+
+ScenarioDocument::ScenarioDocument(QObject* parent)
+    : QObject(parent),
+      map_(std::make_shared<sim2d::OccupancyGrid>()),
+      liveCheck_(std::make_unique<LiveCheck>([this](base::Diagnostics found) {
+        checkIssues_ = std::move(found);
+        Q_EMIT issuesChanged(issues());
+      })) {
+  checkTimer_.setSingleShot(true);
+  checkTimer_.setInterval(kCheckDelayMs);
+  connect(&checkTimer_, &QTimer::timeout, this,
+          [this] { liveCheck_->start(scenario_, map_, path_); });
+  connect(this, &ScenarioDocument::changed, &checkTimer_, qOverload<>(&QTimer::start));
+  connect(this, &ScenarioDocument::mapChanged, &checkTimer_, qOverload<>(&QTimer::start));
+  connect(&undoStack_, &QUndoStack::cleanChanged, this,
+          [this](bool) { Q_EMIT dirtyChanged(isDirty()); });
+}
+
+ScenarioDocument::~ScenarioDocument() {
+  // Clearing the stack may still announce itself; nobody is to hear it any more.
+  undoStack_.disconnect(this);
+}
+
+std::optional<Entity> ScenarioDocument::entity(EntityId id) const {
+  if (id == kSettingsId) {
+    return Entity(settingsOf(scenario_));
+  }
+  return withList(
+      scenario_, id.kind,
+      [id](const auto& list) {
+        const int at = positionIn(list, id);
+        return at < 0 ? std::optional<Entity>()
+                      : std::optional<Entity>(list[static_cast<std::size_t>(at)]);
+      },
+      std::optional<Entity>());
+}
+
+bool ScenarioDocument::contains(EntityId id) const {
+  return id == kSettingsId || indexOf(id) >= 0;
+}
+
+std::vector<EntityId> ScenarioDocument::entities(EntityKind kind) const {
+  return withList(
+      scenario_, kind,
+      [](const auto& list) {
+        std::vector<EntityId> ids;
+        ids.reserve(list.size());
+        for (const auto& value : list) {
+          ids.push_back(value.key);
+        }
+        return ids;
+      },
+      std::vector<EntityId>());
+}
+
+const sim2d::Human* ScenarioDocument::human(EntityId id) const {
+  const int at = positionIn(scenario_.humans, id);
+  return at < 0 ? nullptr : &scenario_.humans[static_cast<std::size_t>(at)];
+}
+
+const sim2d::GlobalGoal* ScenarioDocument::goal(EntityId id) const {
+  const int at = positionIn(scenario_.goals, id);
+  return at < 0 ? nullptr : &scenario_.goals[static_cast<std::size_t>(at)];
+}
+
+EntityId ScenarioDocument::goalKey(int goalId) const {
+  const sim2d::GlobalGoal* found = scenario_.goal(goalId);
+  return found == nullptr ? EntityId{} : found->key;
+}
+
+int ScenarioDocument::indexOf(EntityId id) const {
+  return withList(
+      scenario_, id.kind, [id](const auto& list) { return positionIn(list, id); }, -1);
+}
+
+EntityId ScenarioDocument::newId(EntityKind kind) {
+  return {kind, nextKey_++};
+}
+
+EntitySlot ScenarioDocument::exchange(EntityId id, EntitySlot slot) {
+  const bool after = slot.value.has_value();
+  EntitySlot old;
+  if (id == kSettingsId) {
+    Q_ASSERT(after);
+    old.value = settingsOf(scenario_);
+    setSettings(scenario_, std::get<ScenarioSettings>(*std::move(slot.value)));
+  } else {
+    old = withList(
+        scenario_, id.kind, [&](auto& list) { return exchangeIn(list, id, std::move(slot)); },
+        EntitySlot());
+  }
+  if (!after) {
+    dropFromSelection(id);
+  }
+  if (old.value || after) {
+    Q_EMIT changed({whatHappened(old.value.has_value(), after), id});
+  }
+  return old;
+}
+
+std::optional<std::string> ScenarioDocument::tree(EntityId human) const {
+  const auto found = trees_.find(human);
+  return found == trees_.end() ? std::nullopt : std::optional<std::string>(found->second);
+}
+
+std::optional<std::string> ScenarioDocument::exchangeTree(EntityId human,
+                                                          std::optional<std::string> xml) {
+  std::optional<std::string> old = tree(human);
+  if (xml) {
+    trees_[human] = *std::move(xml);
+  } else {
+    trees_.erase(human);
+  }
+  Q_EMIT changed({Change::What::Tree, human});
+  return old;
+}
+
+void ScenarioDocument::setMap(std::shared_ptr<const sim2d::OccupancyGrid> map,
+                              const QString& path) {
+  Q_ASSERT(map != nullptr);
+  map_ = std::move(map);
+  mapPath_ = path;
+  mapIsMissing_ = false;
+  Q_EMIT mapChanged();
+}
+
+bool ScenarioDocument::isSelected(EntityId id) const {
+  return std::find(selection_.begin(), selection_.end(), id) != selection_.end();
+}
+
+void ScenarioDocument::setSelection(std::vector<EntityId> ids) {
+  ids.erase(std::remove_if(ids.begin(), ids.end(), [this](EntityId id) { return !contains(id); }),
+            ids.end());
+  if (ids != selection_) {
+    selection_ = std::move(ids);
+    Q_EMIT selectionChanged();
+  }
+}
+
+void ScenarioDocument::toggleSelected(EntityId id) {
+  std::vector<EntityId> ids = selection_;
+  const auto found = std::find(ids.begin(), ids.end(), id);
+  if (found == ids.end()) {
+    ids.push_back(id);
+  } else {
+    ids.erase(found);
+  }
+  setSelection(std::move(ids));
+}
+
+void ScenarioDocument::dropFromSelection(EntityId id) {
+  if (isSelected(id)) {
+    selection_.erase(std::remove(selection_.begin(), selection_.end(), id), selection_.end());
+    Q_EMIT selectionChanged();
+  }
+}
+
+QString ScenarioDocument::displayName() const {
+  return path_.isEmpty() ? tr("Untitled") : QFileInfo(path_).fileName();
+}
+
+base::Diagnostics ScenarioDocument::issues() const {
+  base::Diagnostics all = loadDiagnostics_;
+  base::append(all, checkIssues_);
+  return all;
+}
+
+void ScenarioDocument::checkNow() {
+  checkTimer_.stop();
+  liveCheck_->start(scenario_, map_, path_);
+  liveCheck_->finish();
+}
+
+void ScenarioDocument::replaceAll(sim2d::Scenario scenario) {
+  scenario_ = std::move(scenario);
+  nextKey_ = std::max(nextKey_, scenario_.nextKey());
+  trees_.clear();
+  loadDiagnostics_.clear();
+  checkIssues_.clear();
+  commentCount_ = 0;
+  if (!selection_.empty()) {
+    selection_.clear();
+    Q_EMIT selectionChanged();
+  }
+  undoStack_.clear();
+}
+
+void ScenarioDocument::clear() {
+  load(sim2d::Scenario());
+  neverSaved_ = false;
+  Q_EMIT dirtyChanged(false);
+}
+
+void ScenarioDocument::load(sim2d::Scenario scenario) {
+  replaceAll(std::move(scenario));
+  path_.clear();
+  neverSaved_ = true;
+  setMap(std::make_shared<sim2d::OccupancyGrid>());
+  Q_EMIT changed({Change::What::Everything, {}});
+  Q_EMIT pathChanged();
+  Q_EMIT dirtyChanged(isDirty());
+}
+
+}  // namespace editor
