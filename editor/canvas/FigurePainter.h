@@ -49,6 +49,7 @@ class FigurePainter {
   void feet(QPainter& painter, const PersonFigure& figure) const;
   void chair(QPainter& painter, const PersonFigure& figure) const;
   void suitcase(QPainter& painter, const PersonFigure& figure) const;
+  void stick(QPainter& painter, const PersonFigure& figure) const;
   const Theme& theme_;
 };
 

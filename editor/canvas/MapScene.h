@@ -6,6 +6,7 @@
 
 #include <QGraphicsScene>
 
+#include "editor/document/Handles.h"
 #include "editor/document/ScenarioDocument.h"
 #include "editor/look/Theme.h"
 #include "sim2d/trace/Frame.h"
@@ -14,11 +15,15 @@ namespace editor {
 
 class EntityItem;
 class FrameLayer;
+class GridItem;
 class LabelLayer;
 class MapItem;
+class RouteLayer;
 class RouteModel;
+class SelectionLayer;
 class Tool;
 class ToolLayer;
+struct Label;
 
 /// Which extras are drawn; all can be switched one by one.
 struct CanvasOptions {
@@ -62,13 +67,24 @@ class MapScene : public QGraphicsScene {
   double pixelsPerMetre() const { return pixelsPerMetre_; }
   void setPixelsPerMetre(double value);  // by the view
   QRectF contentRect() const;            // map and entities [m]
+  bool isOpenPlane() const;              // no map: free ground everywhere
 
   /// Run mode: people and robots are drawn from frames; an empty pointer ends it.
   void showFrame(std::shared_ptr<const sim2d::Frame> frame);
   bool isRunMode() const;
+  const sim2d::Frame* frame() const;                               // the one shown, or null
+  std::optional<EntityId> agentEntityAt(const Vec2& world) const;  // of a run
   FrameLayer& frameLayer() { return *frameLayer_; }
-  RouteModel& routes() { return *routes_; }
+  RouteModel& routes() const { return *routes_; }
   ToolLayer& toolLayer() { return *toolLayer_; }
+
+  // for items and layers
+  Look lookOfPerson(EntityId id, const sim2d::Human& human) const;
+  bool isDoorOpen(EntityId id, const sim2d::Door& door) const;  // in the frame shown, else at start
+  double bodyRadius(const Entity& entity) const;                // people and robots [m]
+  std::vector<Label> labels() const;
+  std::vector<QRectF> solidParts() const;  // what labels keep off, scene
+  std::pair<EntityId, Handle> handleAt(const Vec2& world) const;
 
  Q_SIGNALS:
   void hoveredChanged(editor::EntityId id);
@@ -87,6 +103,10 @@ class MapScene : public QGraphicsScene {
   void rebuildAll();
   void sync(EntityId id);
   void syncSelection();
+  void takeMap();
+  void updateExtent();
+  void planRoutes();
+  void endPreviewOf(EntityId id);
 
   ScenarioDocument& document_;
   Theme theme_;
@@ -97,10 +117,16 @@ class MapScene : public QGraphicsScene {
   std::map<EntityId, EntityItem*> items_;
   std::map<EntityId, Entity> preview_;
   MapItem* mapItem_ = nullptr;
+  GridItem* gridItem_ = nullptr;
+  RouteLayer* routeLayer_ = nullptr;
   FrameLayer* frameLayer_ = nullptr;
+  SelectionLayer* selectionLayer_ = nullptr;
   LabelLayer* labelLayer_ = nullptr;
   ToolLayer* toolLayer_ = nullptr;
   RouteModel* routes_ = nullptr;
 };
+
+/// Puts a value in the place of the one with its id, or at the end of its list.
+void putInto(sim2d::Scenario& scenario, const Entity& value);
 
 }  // namespace editor

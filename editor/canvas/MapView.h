@@ -28,11 +28,13 @@ class MapView : public QGraphicsView {
   Vec2 worldAt(const QPoint& viewportPoint) const;
   QPoint viewportFrom(const Vec2& world) const;
   void setCanvasState(CanvasState state);
+  void setHandPan(bool on);  // the left button pans as well
   MapScene& mapScene() const { return scene_; }
 
  Q_SIGNALS:
   void cursorMoved(const base::Vec2& world);  // [m]
   void zoomChanged(double pixelsPerMetre);
+  void spaceTapped();  // pressed and let go without a drag: play or pause
 
  protected:
   void wheelEvent(QWheelEvent* event) override;
@@ -41,24 +43,32 @@ class MapView : public QGraphicsView {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
   void drawBackground(QPainter* painter, const QRectF& rect) override;
   void drawForeground(QPainter* painter, const QRectF& rect) override;
   void showEvent(QShowEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  struct ViewPlace {
+    QPointF centre;       // scene
+    double scale = 50.0;  // [px/m]
+  };
+  void moveTo(const ViewPlace& place, bool animated);
   void applyView(const QPointF& centre, double pixelsPerMetre);
-  void updateSceneRect();
   void updateCursor();
   bool startsPan(const QMouseEvent& event) const;
 
   MapScene& scene_;
   QVariantAnimation fitAnimation_;
+  ViewPlace animationFrom_, animationTo_;
   CanvasState state_ = CanvasState::Editing;
   QPoint panFrom_;
   bool panning_ = false;
   bool spaceHeld_ = false;
-  bool fitted_ = false;  // follows the size of the window until the user zooms or pans
+  bool spaceUsed_ = false;  // for a pan since it went down
+  bool handPan_ = false;
+  bool fitted_ = true;  // follows the size of the window until the user zooms or pans
 };
 
 }  // namespace editor

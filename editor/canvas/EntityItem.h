@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <QGraphicsItem>
+
+#include "editor/canvas/FigurePainter.h"
+#include "editor/canvas/MapScene.h"
+
+namespace editor {
+
+/// A name on the canvas, drawn by LabelLayer where there is room.
+struct Label {
+  QString text;
+  std::optional<Look> mark;
+  QPointF centre;            // scene
+  double clearancePx = 0.0;  // from the centre
+  int priority = 0;
+  bool isAbove = false;
+};
+
+/// Draws one entity. Positions are in scene coordinates (the item itself stays at the origin); what
+/// has a least size on the screen asks the scene for the zoom.
+class EntityItem : public QGraphicsItem {
+ public:
+  EntityItem(const MapScene& scene, EntityId id) : scene_(scene), id_(id) {}
+
+  EntityId id() const { return id_; }
+  void sync(const Entity& value);
+  void zoomChanged();
+
+  /// Distance from the visible body [m]; 0 inside.
+  virtual double distanceTo(const Vec2& world) const = 0;
+  virtual std::vector<Label> labels() const { return {}; }
+  /// What labels keep off.
+  virtual std::vector<QRectF> solidParts() const { return {boundingRect()}; }
+  QRectF boundingRect() const override { return bounds_; }
+
+ protected:
+  virtual void take(const Entity& value) = 0;
+  virtual QRectF bounds(double pixelsPerMetre) const = 0;
+  const MapScene& mapScene() const { return scene_; }
+  const Theme& theme() const { return scene_.theme(); }
+  bool isSelectedEntity() const { return scene_.document().isSelected(id_); }
+  bool isHovered() const { return scene_.hovered() == id_; }
+  double metres(double pixels) const { return pixels / scene_.pixelsPerMetre(); }
+
+ private:
+  const MapScene& scene_;
+  EntityId id_;
+  QRectF bounds_;
+};
+
+std::unique_ptr<EntityItem> makeEntityItem(const MapScene& scene, EntityId id);
+
+}  // namespace editor

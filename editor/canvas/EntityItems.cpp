@@ -1,0 +1,268 @@
+#include "editor/canvas/EntityItems.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "editor/canvas/PixelFrame.h"
+#include "sim2d/scenario/Defaults.h"
+
+namespace editor {
+
+namespace {
+
+constexpr double kNameZoomPx = 12.0;  // radius from which names are shown
+constexpr double kPinWidthPx = 18.0;
+constexpr double kPinHeightPx = 27.0;
+constexpr double kGoalRingMetres = 0.3;
+
+double degrees(double radians) {
+  return radians * 180.0 / base::kPi;
+}
+
+QRectF around(const QPointF& centre, double reach) {
+  return {centre.x() - reach, centre.y() - reach, 2.0 * reach, 2.0 * reach};
+}
+
+}  // namespace
+
+void EntityItem::sync(const Entity& value) {
+  take(value);
+  zoomChanged();
+  update();
+}
+
+void EntityItem::zoomChanged() {
+  const QRectF fresh = bounds(scene_.pixelsPerMetre());
+  if (fresh != bounds_) {
+    prepareGeometryChange();
+    bounds_ = fresh;
+  }
+}
+
+// ---- people
+
+void PersonItem::take(const Entity& value) {
+  human_ = std::get<sim2d::Human>(value);
+  const sim2d::Scenario& scenario = mapScene().document().scenario();
+  radius_ = sim2d::resolveHuman(scenario, human_, scenario.desktop.seed.value_or(1)).radius;
+  look_ = mapScene().lookOfPerson(id(), human_);
+  setOpacity(human_.listed ? 1.0 : 0.4);
+}
+
+QRectF PersonItem::bounds(double pixelsPerMetre) const {
+  const double spaces = mapScene().options().proxemics ? 3.7 : 0.0;
+  const double reach = std::max({1.5 * radius_, (kLeastFigurePx + 5.0) / pixelsPerMetre, spaces});
+  return around(MapScene::sceneFromWorld(human_.initPose.position), reach);
+}
+
+double PersonItem::distanceTo(const Vec2& world) const {
+  const double reach = std::max(radius_, metres(kLeastFigurePx));
+  return std::max(0.0, (world - human_.initPose.position).norm() - reach);
+}
+
+std::vector<QRectF> PersonItem::solidParts() const {
+  const double reach = std::max(radius_, metres(kLeastFigurePx));
+  return {around(MapScene::sceneFromWorld(human_.initPose.position), 0.9 * reach)};
+}
+
+std::vector<Label> PersonItem::labels() const {
+  const double radiusPx = radius_ * mapScene().pixelsPerMetre();
+  const bool isChosen = isSelectedEntity();
+  if (!isChosen && !isHovered() && (radiusPx < kNameZoomPx || !mapScene().options().names)) {
+    return {};
+  }
+  const double clearance = std::max(radiusPx, kLeastFigurePx) + (isChosen ? 12.0 : 4.0);
+  return {{QString::fromStdString(human_.name), look_,
+           MapScene::sceneFromWorld(human_.initPose.position), clearance, isChosen ? 3 : 1,
+           isChosen}};
+}
+
+void PersonItem::paintSpaces(QPainter& painter) const {
+  const QPointF centre = MapScene::sceneFromWorld(human_.initPose.position);
+  painter.setPen(Qt::NoPen);
+  for (const auto& [reach, alpha] : {std::pair(3.6, 0.05), {1.2, 0.10}, {0.45, 0.18}}) {
+    QColor color = theme().fill(look_);
+    color.setAlphaF(alpha);
+    painter.setBrush(color);
+    painter.drawEllipse(centre, reach, reach);
+  }
+}
+
+void PersonItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  if (mapScene().options().proxemics && isSelectedEntity()) {
+    paintSpaces(*painter);
+  }
+  const double radiusPx = std::max(radius_ * pixelsPerMetreOf(*painter), kLeastFigurePx);
+  const PixelFrame frame(*painter, MapScene::sceneFromWorld(human_.initPose.position));
+  if (isSelectedEntity() || isHovered()) {
+    painter->setBrush(Qt::NoBrush);
+    painter->setPen(
+        QPen(isSelectedEntity() ? theme().line(look_) : theme().color(Role::Accent, 0.6),
+             isSelectedEntity() ? 1.0 : 1.5));
+    const double ring = isSelectedEntity() ? radiusPx : radiusPx + 2.5;
+    painter->drawEllipse(QPointF(), ring, ring);
+  }
+  PersonFigure figure;
+  figure.look = look_;
+  figure.kind = human_.ours.kind.value_or(sim2d::PersonKind::Adult);
+  figure.radiusPx = radiusPx;
+  figure.headingDeg = degrees(human_.initPose.heading);
+  FigurePainter(theme()).person(*painter, figure);
+}
+
+// ---- robots
+
+void RobotItem::take(const Entity& value) {
+  robot_ = std::get<sim2d::Robot>(value);
+  const sim2d::ResolvedRobot resolved =
+      sim2d::resolveRobot(mapScene().document().scenario(), robot_, -1);
+  footprint_ = resolved.footprint;
+  radius_ = resolved.radius;
+  for (const Vec2& point : footprint_) {
+    radius_ = std::max(radius_, point.norm());
+  }
+  setOpacity(robot_.listed ? 1.0 : 0.4);
+}
+
+QRectF RobotItem::bounds(double pixelsPerMetre) const {
+  const double least = 12.0 / pixelsPerMetre;
+  QRectF result =
+      around(MapScene::sceneFromWorld(robot_.start.position), std::max(1.3 * radius_, least));
+  if (robot_.goal.point) {
+    result |= around(MapScene::sceneFromWorld(*robot_.goal.point), 14.0 / pixelsPerMetre);
+  }
+  return result;
+}
+
+double RobotItem::distanceTo(const Vec2& world) const {
+  const double body =
+      (world - robot_.start.position).norm() - std::max(radius_, metres(kLeastFigurePx));
+  const double goal =
+      robot_.goal.point ? (world - *robot_.goal.point).norm() - metres(kRobotGoalPx) : body;
+  return std::max(0.0, std::min(body, goal));
+}
+
+std::vector<QRectF> RobotItem::solidParts() const {
+  std::vector<QRectF> parts = {around(MapScene::sceneFromWorld(robot_.start.position),
+                                      std::max(radius_, metres(kLeastFigurePx)))};
+  if (robot_.goal.point) {
+    parts.push_back(around(MapScene::sceneFromWorld(*robot_.goal.point), metres(kRobotGoalPx)));
+  }
+  return parts;
+}
+
+std::vector<Label> RobotItem::labels() const {
+  if (!mapScene().options().names && !isSelectedEntity() && !isHovered()) {
+    return {};
+  }
+  const double radiusPx = std::max(radius_ * mapScene().pixelsPerMetre(), kLeastFigurePx);
+  const QString name = QString::fromStdString(robot_.name);
+  const int priority = isSelectedEntity() ? 3 : 2;
+  std::vector<Label> labels = {{name, std::nullopt, MapScene::sceneFromWorld(robot_.start.position),
+                                radiusPx + (isSelectedEntity() ? 12.0 : 5.0), priority, false}};
+  if (robot_.goal.point) {
+    labels.push_back({QStringLiteral("%1 goal").arg(name), std::nullopt,
+                      MapScene::sceneFromWorld(*robot_.goal.point), kRobotGoalPx + 4.0, priority,
+                      false});
+  }
+  return labels;
+}
+
+void paintRobotGoal(QPainter& painter, const Theme& theme) {
+  painter.setPen(QPen(theme.color(Role::RobotBody), 2.0));
+  painter.setBrush(theme.color(Role::MapFree));
+  painter.drawEllipse(QPointF(), kRobotGoalPx, kRobotGoalPx);
+  painter.setPen(QPen(theme.color(Role::RobotBody), 1.2));
+  painter.setBrush(theme.color(Role::RobotFront));
+  painter.drawEllipse(QPointF(), 0.52 * kRobotGoalPx, 0.52 * kRobotGoalPx);
+}
+
+void RobotItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  const double pixelsPerMetre = pixelsPerMetreOf(*painter);
+  if (robot_.goal.point) {
+    const PixelFrame frame(*painter, MapScene::sceneFromWorld(*robot_.goal.point));
+    paintRobotGoal(*painter, theme());
+  }
+  const PixelFrame frame(*painter, MapScene::sceneFromWorld(robot_.start.position));
+  const double scale = std::max(pixelsPerMetre, kLeastFigurePx / radius_);
+  RobotFigure figure;
+  figure.radiusPx = radius_ * scale;
+  figure.headingDeg = degrees(robot_.start.heading);
+  for (const Vec2& point : footprint_) {
+    figure.footprintPx.emplace_back(point.x() * scale, point.y() * scale);
+  }
+  if (isHovered() && !isSelectedEntity()) {
+    painter->setBrush(Qt::NoBrush);
+    painter->setPen(QPen(theme().color(Role::Accent, 0.6), 1.5));
+    painter->drawEllipse(QPointF(), figure.radiusPx + 3.0, figure.radiusPx + 3.0);
+  }
+  FigurePainter(theme()).robot(*painter, figure);
+}
+
+// ---- goals
+
+void GoalItem::take(const Entity& value) {
+  goal_ = std::get<sim2d::GlobalGoal>(value);
+}
+
+QRectF GoalItem::bounds(double pixelsPerMetre) const {
+  const QPointF tip = MapScene::sceneFromWorld(goal_.position);
+  const double unit = 1.0 / pixelsPerMetre;
+  const QRectF pin(tip.x() - 11.0 * unit, tip.y() - 29.0 * unit, 22.0 * unit, 32.0 * unit);
+  return pin | around(tip, kGoalRingMetres + 2.0 * unit);
+}
+
+double GoalItem::distanceTo(const Vec2& world) const {
+  const QPointF offset =
+      (MapScene::sceneFromWorld(world) - MapScene::sceneFromWorld(goal_.position)) *
+      mapScene().pixelsPerMetre();
+  const QPointF head(0.0, -17.0);
+  const QPointF fromHead = offset - head;
+  const double toHead = std::hypot(fromHead.x(), fromHead.y()) - 0.5 * kPinWidthPx;
+  const double toTip = std::hypot(offset.x(), offset.y());
+  return metres(std::max(0.0, std::min(toHead, toTip)));
+}
+
+std::vector<QRectF> GoalItem::solidParts() const {
+  const QPointF tip = MapScene::sceneFromWorld(goal_.position);
+  return {QRectF(tip.x() - metres(0.5 * kPinWidthPx), tip.y() - metres(kPinHeightPx),
+                 metres(kPinWidthPx), metres(kPinHeightPx))};
+}
+
+void GoalItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  const QPointF tip = MapScene::sceneFromWorld(goal_.position);
+  const bool isChosen = isSelectedEntity();
+  if (isChosen || isHovered()) {
+    QPen pen(theme().color(Role::Accent, isChosen ? 1.0 : 0.6), 1.5);
+    pen.setCosmetic(true);
+    painter->setPen(pen);
+    painter->setBrush(theme().color(Role::Accent, 0.08));
+    painter->drawEllipse(tip, kGoalRingMetres, kGoalRingMetres);
+  }
+  const PixelFrame frame(*painter, tip);
+  painter->setPen(Qt::NoPen);
+  painter->setBrush(theme().color(Role::Text, 0.25));
+  painter->drawEllipse(QPointF(0.0, 0.5), 4.0, 1.6);
+  FigurePainter(theme()).pin(*painter, QString::number(goal_.id), isChosen);
+}
+
+std::unique_ptr<EntityItem> makeEntityItem(const MapScene& scene, EntityId id) {
+  switch (id.kind) {
+    case EntityKind::Human:
+      return std::make_unique<PersonItem>(scene, id);
+    case EntityKind::Robot:
+      return std::make_unique<RobotItem>(scene, id);
+    case EntityKind::Goal:
+      return std::make_unique<GoalItem>(scene, id);
+    case EntityKind::Obstacle:
+    case EntityKind::Door:
+    case EntityKind::Area:
+      return std::make_unique<ShapeItem>(scene, id);
+    case EntityKind::Scenario:
+    case EntityKind::None:
+      break;
+  }
+  return nullptr;
+}
+
+}  // namespace editor

@@ -1,0 +1,249 @@
+#include "editor/canvas/FigurePainter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QPainterPath>
+
+#include "editor/canvas/MarkPath.h"
+
+namespace editor {
+
+namespace {
+
+// Parts of a person in radii of the body; x ahead, y to the right of the figure (screen, y down).
+constexpr double kDepth = 0.6;
+constexpr double kHead = 0.36;
+constexpr double kNoseTip = 0.88;
+constexpr double kNoseWidth = 0.24;
+constexpr double kOutlinePx = 1.3;
+
+QPen outlinePen(const QColor& color, double radiusPx) {
+  QPen pen(color, std::clamp(radiusPx * 0.075, 0.8, 2.0));
+  pen.setJoinStyle(Qt::RoundJoin);
+  return pen;
+}
+
+QPainterPath nosePath(double r) {
+  QPainterPath path;
+  path.moveTo(kNoseTip * r, 0.0);
+  path.lineTo(0.5 * r, kNoseWidth * r);
+  path.lineTo(0.5 * r, -kNoseWidth * r);
+  path.closeSubpath();
+  return path;
+}
+
+QPainterPath bodyOf(const RobotFigure& figure) {
+  QPainterPath path;
+  if (figure.footprintPx.size() < 3) {
+    path.addEllipse(QPointF(), figure.radiusPx, figure.radiusPx);
+    return path;
+  }
+  QPolygonF polygon;
+  for (const QPointF& point : figure.footprintPx) {
+    polygon << QPointF(point.x(), -point.y());
+  }
+  path.addPolygon(polygon);
+  path.closeSubpath();
+  return path;
+}
+
+template <class Draw>
+QIcon drawnIcon(int sizePx, Draw&& draw) {
+  QIcon icon;
+  for (const int ratio : {1, 2, 3}) {
+    QPixmap pixmap(sizePx * ratio, sizePx * ratio);
+    pixmap.setDevicePixelRatio(ratio);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.translate(0.5 * sizePx, 0.5 * sizePx);
+    draw(painter);
+    painter.end();
+    icon.addPixmap(pixmap);
+  }
+  return icon;
+}
+
+}  // namespace
+
+void FigurePainter::person(QPainter& painter, const PersonFigure& figure) const {
+  const double r = figure.radiusPx;
+  painter.save();
+  painter.rotate(-figure.headingDeg);
+  painter.setPen(outlinePen(theme_.outline(figure.look), r));
+  if (figure.kind == sim2d::PersonKind::Wheelchair) {
+    chair(painter, figure);
+  } else {
+    feet(painter, figure);
+  }
+  if (figure.kind == sim2d::PersonKind::Luggage) {
+    suitcase(painter, figure);
+  } else if (figure.kind == sim2d::PersonKind::Elderly) {
+    stick(painter, figure);
+  }
+  painter.setPen(outlinePen(theme_.outline(figure.look), r));
+  painter.setBrush(theme_.outline(figure.look));
+  painter.drawPath(nosePath(r));
+  painter.setBrush(theme_.fill(figure.look));
+  const double half = 0.5 * painter.pen().widthF();  // the outline stays inside the body
+  painter.drawEllipse(QPointF(), kDepth * r - half, r - half);
+  painter.setBrush(theme_.head(figure.look));
+  const double head = figure.kind == sim2d::PersonKind::Child ? 1.2 * kHead : kHead;
+  painter.drawEllipse(QPointF(), head * r, head * r);
+  painter.restore();
+}
+
+void FigurePainter::feet(QPainter& painter, const PersonFigure& figure) const {
+  if (std::abs(figure.stride) < 0.05) {
+    return;
+  }
+  const double r = figure.radiusPx;
+  painter.save();
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme_.feet(figure.look));
+  for (const double side : {-1.0, 1.0}) {
+    painter.drawEllipse(QPointF(side * figure.stride * 0.42 * r, side * 0.4 * r), 0.3 * r,
+                        0.17 * r);
+  }
+  painter.restore();
+}
+
+void FigurePainter::chair(QPainter& painter, const PersonFigure& figure) const {
+  const double r = figure.radiusPx;
+  painter.save();
+  painter.setBrush(theme_.color(Role::ObstacleFill));
+  painter.drawRoundedRect(QRectF(-0.78 * r, -0.7 * r, 1.5 * r, 1.4 * r), 0.2 * r, 0.2 * r);
+  painter.setBrush(theme_.outline(figure.look));
+  for (const double side : {-1.0, 1.0}) {
+    painter.drawRoundedRect(QRectF(-0.7 * r, side * 0.92 * r - 0.08 * r, 1.1 * r, 0.16 * r),
+                            0.08 * r, 0.08 * r);
+  }
+  painter.restore();
+}
+
+void FigurePainter::suitcase(QPainter& painter, const PersonFigure& figure) const {
+  const double r = figure.radiusPx;
+  painter.save();
+  painter.drawLine(QPointF(-0.2 * r, 0.7 * r), QPointF(-0.75 * r, 0.7 * r));
+  painter.setBrush(theme_.color(Role::ObstacleFill));
+  painter.drawRoundedRect(QRectF(-1.35 * r, 0.36 * r, 0.62 * r, 0.68 * r), 0.1 * r, 0.1 * r);
+  painter.restore();
+}
+
+void FigurePainter::stick(QPainter& painter, const PersonFigure& figure) const {
+  const double r = figure.radiusPx;
+  painter.save();
+  QPen pen(theme_.outline(figure.look), std::max(1.2, 0.1 * r));
+  pen.setCapStyle(Qt::RoundCap);
+  painter.setPen(pen);
+  painter.drawLine(QPointF(0.3 * r, 0.72 * r), QPointF(0.95 * r, 0.86 * r));
+  painter.restore();
+}
+
+void FigurePainter::robot(QPainter& painter, const RobotFigure& figure) const {
+  const QPainterPath body = bodyOf(figure);
+  const QRectF box = body.boundingRect();
+  painter.save();
+  painter.rotate(-figure.headingDeg);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme_.color(Role::RobotLine));
+  for (const double side : {box.top(), box.bottom()}) {
+    const double thickness = 0.16 * box.height();
+    painter.drawRoundedRect(
+        QRectF(-0.22 * box.width(), side - 0.5 * thickness, 0.44 * box.width(), thickness),
+        0.4 * thickness, 0.4 * thickness);
+  }
+  painter.setPen(outlinePen(theme_.color(Role::MapFree), 0.5 * box.height()));
+  painter.setBrush(theme_.color(Role::RobotBody));
+  painter.drawPath(body);
+  QPainterPath front;
+  front.addRect(QRectF(box.left() + 0.72 * box.width(), box.top(), box.width(), box.height()));
+  QTransform inset;
+  inset.translate(box.center().x(), box.center().y());
+  inset.scale(0.86, 0.86);
+  inset.translate(-box.center().x(), -box.center().y());
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme_.color(Role::RobotFront));
+  painter.drawPath(front.intersected(inset.map(body)));
+  painter.setBrush(theme_.color(Role::TextSecondary));
+  painter.drawEllipse(QPointF(), 0.1 * box.height(), 0.1 * box.height());
+  painter.restore();
+}
+
+void FigurePainter::mark(QPainter& painter, Look look, const QPointF& centre, double sizePx) const {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.translate(centre);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme_.line(look));
+  if (markOf(look) == Mark::Ring) {
+    painter.setBrush(theme_.head(look));
+    painter.setPen(QPen(theme_.line(look), 0.26 * sizePx));
+    painter.drawEllipse(QPointF(), 0.36 * sizePx, 0.36 * sizePx);
+  } else {
+    painter.drawPath(markPath(markOf(look), sizePx));
+  }
+  painter.restore();
+}
+
+void FigurePainter::pin(QPainter& painter, const QString& text, bool selected, double scale) const {
+  painter.save();
+  painter.scale(scale, scale);
+  QPainterPath path;
+  path.moveTo(0.0, 0.0);
+  path.cubicTo(-2.2, -6.0, -8.4, -9.6, -8.4, -17.0);
+  path.arcTo(QRectF(-8.4, -25.4, 16.8, 16.8), 180.0, -180.0);
+  path.cubicTo(8.4, -9.6, 2.2, -6.0, 0.0, 0.0);
+  const QColor edge = theme_.color(selected ? Role::Accent : Role::Text);
+  painter.setPen(
+      QPen(edge, selected ? 2.2 : kOutlinePx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(theme_.color(Role::GoalPin));
+  painter.drawPath(path);
+  QFont font = theme_.figureFont();
+  font.setPixelSize(text.size() > 2 ? 8 : 11);
+  font.setWeight(QFont::DemiBold);
+  painter.setFont(font);
+  painter.setPen(theme_.color(Role::Text));
+  painter.drawText(QRectF(-9.0, -25.4, 18.0, 16.8), Qt::AlignCenter, text);
+  painter.restore();
+}
+
+void FigurePainter::arrowHead(QPainter& painter, const QPointF& tip, double headingDeg,
+                              double sizePx) const {
+  painter.save();
+  painter.translate(tip);
+  painter.rotate(-headingDeg);
+  const QPointF points[] = {{-sizePx, -0.62 * sizePx}, {0.0, 0.0}, {-sizePx, 0.62 * sizePx}};
+  painter.setBrush(Qt::NoBrush);
+  painter.drawPolyline(points, 3);
+  painter.restore();
+}
+
+QIcon FigurePainter::markIcon(Look look, int sizePx) const {
+  return drawnIcon(sizePx, [&](QPainter& painter) { mark(painter, look, {}, 0.62 * sizePx); });
+}
+
+QIcon FigurePainter::personIcon(Look look, int sizePx) const {
+  PersonFigure figure;
+  figure.look = look;
+  figure.radiusPx = 0.46 * sizePx;
+  figure.headingDeg = 90.0;
+  return drawnIcon(sizePx, [&](QPainter& painter) { person(painter, figure); });
+}
+
+QIcon FigurePainter::goalIcon(const QString& text, int sizePx) const {
+  return drawnIcon(sizePx, [&](QPainter& painter) {
+    painter.translate(0.0, 0.47 * sizePx);
+    pin(painter, text, false, sizePx / 28.0);
+  });
+}
+
+QIcon FigurePainter::robotIcon(int sizePx) const {
+  RobotFigure figure;
+  figure.radiusPx = 0.42 * sizePx;
+  figure.headingDeg = 90.0;
+  return drawnIcon(sizePx, [&](QPainter& painter) { robot(painter, figure); });
+}
+
+}  // namespace editor

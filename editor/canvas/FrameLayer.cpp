@@ -1,0 +1,311 @@
+#include "editor/canvas/FrameLayer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "editor/canvas/EntityItem.h"
+#include "editor/canvas/EntityItems.h"
+#include "editor/canvas/MapScene.h"
+#include "editor/canvas/PixelFrame.h"
+#include "editor/canvas/RouteLayer.h"
+#include "sim2d/scenario/Defaults.h"
+
+namespace editor {
+
+namespace {
+
+constexpr double kTrailSeconds = 6.0;
+constexpr double kTrailStep = 0.05;      // [m] between two points
+constexpr double kStrideMetres = 1.4;    // both feet once
+constexpr double kStandingSpeed = 0.05;  // [m/s]
+constexpr double kNameZoomPx = 12.0;
+constexpr std::size_t kMostNames = 120;
+
+double degrees(double radians) {
+  return radians * 180.0 / base::kPi;
+}
+
+base::Vec2 positionAt(const sim2d::HumanColumns& people, std::size_t i) {
+  return {people.x[i], people.y[i]};
+}
+
+base::Vec2 positionAt(const sim2d::RobotColumns& robots, std::size_t i) {
+  return {robots.x[i], robots.y[i]};
+}
+
+QRectF around(const QPointF& centre, double reach) {
+  return {centre.x() - reach, centre.y() - reach, 2.0 * reach, 2.0 * reach};
+}
+
+}  // namespace
+
+void FrameLayer::begin() {
+  agents_.clear();
+  trails_.clear();
+  speeches_.clear();
+  const sim2d::Scenario& scenario = scene_.document().scenario();
+  const long long seed = scenario.desktop.seed.value_or(1);
+  for (const sim2d::Human& human : scenario.humans) {
+    const sim2d::ResolvedHuman resolved = sim2d::resolveHuman(scenario, human, seed);
+    agents_[human.id] = {QString::fromStdString(human.name),
+                         human.key,
+                         scene_.lookOfPerson(human.key, human),
+                         resolved.kind,
+                         resolved.radius,
+                         {}};
+  }
+  int id = 0;
+  for (const sim2d::Robot& robot : scenario.robots) {
+    if (robot.listed) {
+      --id;
+      const sim2d::ResolvedRobot resolved = sim2d::resolveRobot(scenario, robot, id);
+      agents_[id] = {QString::fromStdString(robot.name), robot.key,       Look::Regular,
+                     sim2d::PersonKind::Adult,           resolved.radius, resolved.footprint};
+    }
+  }
+  stranger_ = Agent();
+  for (const sim2d::Area& area : scenario.areas) {
+    const sim2d::Human* like = area.like ? scenario.human(*area.like) : nullptr;
+    if (area.kind == sim2d::AreaKind::Source && like != nullptr) {
+      stranger_ = agents_[like->id];
+      stranger_.name.clear();
+      stranger_.entity = {};
+      break;
+    }
+  }
+}
+
+void FrameLayer::end() {
+  frame_.reset();
+  updateBounds();
+}
+
+void FrameLayer::show(std::shared_ptr<const sim2d::Frame> frame) {
+  const bool isBackwards = frame_ != nullptr && frame->time < frame_->time;
+  if (isBackwards) {
+    trails_.clear();
+  }
+  frame_ = std::move(frame);
+  follow(*frame_);
+  updateBounds();
+}
+
+void FrameLayer::updateBounds() {
+  prepareGeometryChange();
+  bounds_ = frame_ == nullptr ? QRectF() : scene_.sceneRect();
+}
+
+void FrameLayer::follow(const sim2d::Frame& frame) {
+  const auto note = [&](int id, const base::Vec2& at) {
+    Trail& trail = trails_[id];
+    const double step = trail.points.empty() ? 0.0 : (at - trail.points.back().second).norm();
+    if (step > 2.0) {  // set somewhere else (restart, periodic corridor)
+      trail.points.clear();
+    }
+    if (trail.points.empty() || step >= kTrailStep) {
+      trail.points.emplace_back(frame.time, at);
+      trail.walked += step;
+    }
+    while (!trail.points.empty() && trail.points.front().first < frame.time - kTrailSeconds) {
+      trail.points.pop_front();
+    }
+  };
+  for (std::size_t i = 0; i < frame.humans.size(); ++i) {
+    note(frame.humans.id[i], positionAt(frame.humans, i));
+  }
+  for (std::size_t i = 0; i < frame.robots.size(); ++i) {
+    note(frame.robots.id[i], positionAt(frame.robots, i));
+  }
+}
+
+void FrameLayer::hear(const std::vector<sim2d::Event>& events, double time) {
+  for (const sim2d::Event& event : events) {
+    if (event.kind == sim2d::EventKind::Say && event.hasId) {
+      speeches_.push_back({event.id, QString::fromStdString(event.text), time});
+    }
+  }
+}
+
+const FrameLayer::Agent& FrameLayer::agent(int id) const {
+  const auto found = agents_.find(id);
+  return found == agents_.end() ? stranger_ : found->second;
+}
+
+bool FrameLayer::isChosen(int id) const {
+  const base::EntityId entity = agent(id).entity;
+  return entity && scene_.document().isSelected(entity);
+}
+
+std::optional<base::Vec2> FrameLayer::positionOf(int id) const {
+  const auto find = [id](const auto& columns) {
+    const auto found = std::find(columns.id.begin(), columns.id.end(), id);
+    return found == columns.id.end()
+               ? std::optional<base::Vec2>()
+               : positionAt(columns, static_cast<std::size_t>(found - columns.id.begin()));
+  };
+  if (frame_ == nullptr) {
+    return std::nullopt;
+  }
+  return id >= 0 ? find(frame_->humans) : find(frame_->robots);
+}
+
+std::optional<int> FrameLayer::agentAt(const base::Vec2& world) const {
+  if (frame_ == nullptr) {
+    return std::nullopt;
+  }
+  const double reach = 8.0 / scene_.pixelsPerMetre();
+  std::optional<int> best;
+  double nearest = 0.0;
+  const auto consider = [&](int id, const base::Vec2& at) {
+    const double distance = (world - at).norm() - std::max(agent(id).radius, reach);
+    if (distance <= 0.0 && (!best || distance < nearest)) {
+      best = id;
+      nearest = distance;
+    }
+  };
+  for (std::size_t i = 0; i < frame_->humans.size(); ++i) {
+    consider(frame_->humans.id[i], positionAt(frame_->humans, i));
+  }
+  for (std::size_t i = 0; i < frame_->robots.size(); ++i) {
+    consider(frame_->robots.id[i], positionAt(frame_->robots, i));
+  }
+  return best;
+}
+
+std::vector<QRectF> FrameLayer::solidParts() const {
+  std::vector<QRectF> parts;
+  for (std::size_t i = 0; i < frame_->humans.size(); ++i) {
+    parts.push_back(around(MapScene::sceneFromWorld(positionAt(frame_->humans, i)),
+                           0.9 * agent(frame_->humans.id[i]).radius));
+  }
+  for (std::size_t i = 0; i < frame_->robots.size(); ++i) {
+    parts.push_back(around(MapScene::sceneFromWorld(positionAt(frame_->robots, i)),
+                           agent(frame_->robots.id[i]).radius));
+  }
+  return parts;
+}
+
+std::vector<Label> FrameLayer::labels() const {
+  std::vector<Label> labels;
+  const double scale = scene_.pixelsPerMetre();
+  const bool showAll = scene_.options().names && frame_->humans.size() <= kMostNames;
+  for (std::size_t i = 0; i < frame_->humans.size(); ++i) {
+    const Agent& person = agent(frame_->humans.id[i]);
+    const double radiusPx = std::max(person.radius * scale, kLeastFigurePx);
+    const bool chosen = isChosen(frame_->humans.id[i]);
+    if (!person.name.isEmpty() && (chosen || (showAll && radiusPx >= kNameZoomPx))) {
+      labels.push_back({person.name, person.look,
+                        MapScene::sceneFromWorld(positionAt(frame_->humans, i)),
+                        radiusPx + (chosen ? 9.0 : 4.0), chosen ? 3 : 1, false});
+    }
+  }
+  for (std::size_t i = 0; i < frame_->robots.size(); ++i) {
+    const Agent& robot = agent(frame_->robots.id[i]);
+    if (scene_.options().names) {
+      labels.push_back({robot.name, std::nullopt,
+                        MapScene::sceneFromWorld(positionAt(frame_->robots, i)),
+                        std::max(robot.radius * scale, kLeastFigurePx) + 5.0, 2, false});
+    }
+  }
+  return labels;
+}
+
+PersonFigure FrameLayer::figureOf(std::size_t index, double pixelsPerMetre) const {
+  const sim2d::HumanColumns& people = frame_->humans;
+  const Agent& person = agent(people.id[index]);
+  PersonFigure figure;
+  figure.look = person.look;
+  figure.kind = person.kind;
+  figure.radiusPx = std::max(person.radius * pixelsPerMetre, kLeastFigurePx);
+  figure.headingDeg = degrees(people.heading[index]);
+  const auto trail = trails_.find(people.id[index]);
+  if (std::hypot(people.vx[index], people.vy[index]) > kStandingSpeed && trail != trails_.end()) {
+    figure.stride = std::sin(2.0 * base::kPi * trail->second.walked / kStrideMetres);
+  }
+  return figure;
+}
+
+void FrameLayer::paintPeople(QPainter& painter) {
+  const double pixelsPerMetre = pixelsPerMetreOf(painter);
+  std::vector<std::pair<QPointF, PersonFigure>> figures;
+  figures.reserve(frame_->humans.size());
+  const PixelFrame frame(painter, {});
+  for (std::size_t i = 0; i < frame_->humans.size(); ++i) {
+    const QPointF at = MapScene::sceneFromWorld(positionAt(frame_->humans, i)) * pixelsPerMetre;
+    figures.emplace_back(at, figureOf(i, pixelsPerMetre));
+    if (isChosen(frame_->humans.id[i])) {
+      painter.setBrush(Qt::NoBrush);
+      painter.setPen(QPen(scene_.theme().color(Role::Accent), 2.0));
+      const double ring = figures.back().second.radiusPx + 4.0;
+      painter.drawEllipse(at, ring, ring);
+    }
+  }
+  atlas_.draw(painter, scene_.theme(), figures);
+}
+
+void FrameLayer::paintRobots(QPainter& painter) const {
+  const double pixelsPerMetre = pixelsPerMetreOf(painter);
+  for (std::size_t i = 0; i < frame_->robots.size(); ++i) {
+    const Agent& robot = agent(frame_->robots.id[i]);
+    const double scale = std::max(pixelsPerMetre, kLeastFigurePx / robot.radius);
+    RobotFigure figure;
+    figure.radiusPx = robot.radius * scale;
+    figure.headingDeg = degrees(frame_->robots.heading[i]);
+    for (const base::Vec2& point : robot.footprint) {
+      figure.footprintPx.emplace_back(point.x() * scale, point.y() * scale);
+    }
+    const PixelFrame frame(painter, MapScene::sceneFromWorld(positionAt(frame_->robots, i)));
+    if (isChosen(frame_->robots.id[i])) {
+      painter.setBrush(Qt::NoBrush);
+      painter.setPen(QPen(scene_.theme().color(Role::Accent), 2.0));
+      painter.drawEllipse(QPointF(), figure.radiusPx + 5.0, figure.radiusPx + 5.0);
+    }
+    FigurePainter(scene_.theme()).robot(painter, figure);
+  }
+}
+
+void FrameLayer::paintRobotPaths(QPainter& painter) const {
+  QPen pen(scene_.theme().color(Role::RobotLine), 2.0, Qt::CustomDashLine, Qt::FlatCap);
+  pen.setDashPattern({3.5, 2.5});
+  pen.setCosmetic(true);
+  painter.setBrush(Qt::NoBrush);
+  for (const std::vector<base::Vec2>& points : frame_->robotPaths) {
+    const QPainterPath path = softPath(points, 0.3);
+    painter.setPen(pen);
+    painter.drawPath(path);
+    paintArrowHeads(painter, path, 1.5, 8.0, scene_.theme());
+  }
+  for (const sim2d::Robot& robot : scene_.document().scenario().robots) {
+    if (robot.listed && robot.goal.point) {
+      const PixelFrame frame(painter, MapScene::sceneFromWorld(*robot.goal.point));
+      paintRobotGoal(painter, scene_.theme());
+    }
+  }
+}
+
+void FrameLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  if (frame_ == nullptr) {
+    return;
+  }
+  painter->setRenderHint(QPainter::Antialiasing);
+  const CanvasOptions& options = scene_.options();
+  if (options.proxemics) {
+    paintSpaces(*painter);
+  }
+  if (options.trails) {
+    paintTrails(*painter);
+  }
+  if (options.robotPath) {
+    paintRobotPaths(*painter);
+  }
+  paintPeople(*painter);
+  paintRobots(*painter);
+  if (options.forces) {
+    paintForces(*painter);
+  }
+  if (options.speech) {
+    paintSpeech(*painter);
+  }
+}
+
+}  // namespace editor

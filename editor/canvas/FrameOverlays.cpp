@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <cmath>
+
+#include "editor/canvas/FrameLayer.h"
+#include "editor/canvas/MapScene.h"
+#include "editor/canvas/PixelFrame.h"
+
+// What is drawn around the figures of a frame: trails, spaces, forces, speech.
+namespace editor {
+
+namespace {
+
+constexpr double kSpeechSeconds = 4.0;
+constexpr double kSpeechFade = 0.6;  // [s] at its end
+constexpr int kTrailParts = 10;
+constexpr double kBubbleWidthPx = 220.0;
+
+}  // namespace
+
+std::vector<ForceArrow> forcesOn(const sim2d::Frame& frame, int humanId) {
+  const auto found = std::find(frame.humans.id.begin(), frame.humans.id.end(), humanId);
+  const auto i = static_cast<std::size_t>(found - frame.humans.id.begin());
+  const sim2d::ForceColumns& forces = frame.forces;
+  const bool isComplete = i < forces.goal.size() && i < forces.social.size() &&
+                          i < forces.obstacle.size() && i < forces.group.size();
+  if (found == frame.humans.id.end() || !isComplete) {
+    return {};
+  }
+  const base::Vec2 total = forces.goal[i] + forces.social[i] + forces.obstacle[i] + forces.group[i];
+  return {{QStringLiteral("Goal"), Role::ForceGoal, forces.goal[i]},
+          {QStringLiteral("People"), Role::ForceSocial, forces.social[i]},
+          {QStringLiteral("Obstacles"), Role::ForceObstacle, forces.obstacle[i]},
+          {QStringLiteral("Group"), Role::ForceGroup, forces.group[i]},
+          {QStringLiteral("Total"), Role::ForceTotal, total}};
+}
+
+void FrameLayer::paintTrail(QPainter& painter, const Trail& trail, const QColor& color) const {
+  const std::size_t count = trail.points.size();
+  for (int part = 0; part < kTrailParts; ++part) {
+    const std::size_t from = count * static_cast<std::size_t>(part) / kTrailParts;
+    const std::size_t to =
+        std::min(count - 1, count * static_cast<std::size_t>(part + 1) / kTrailParts);
+    QPolygonF line;
+    for (std::size_t i = from; i <= to; ++i) {
+      line << MapScene::sceneFromWorld(trail.points[i].second);
+    }
+    QColor faded = color;
+    faded.setAlphaF(0.5 * (part + 1) / kTrailParts);
+    QPen pen(faded, 4.0, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+    pen.setCosmetic(true);
+    painter.setPen(pen);
+    painter.drawPolyline(line);
+  }
+}
+
+void FrameLayer::paintTrails(QPainter& painter) const {
+  painter.setBrush(Qt::NoBrush);
+  for (const auto& [id, trail] : trails_) {
+    if (trail.points.size() > 1) {
+      paintTrail(
+          painter, trail,
+          id < 0 ? scene_.theme().color(Role::RobotLine) : scene_.theme().line(agent(id).look));
+    }
+  }
+}
+
+void FrameLayer::paintSpaces(QPainter& painter) const {
+  painter.setPen(Qt::NoPen);
+  for (std::size_t i = 0; i < frame_->humans.size(); ++i) {
+    if (!isChosen(frame_->humans.id[i])) {
+      continue;
+    }
+    const QPointF centre = MapScene::sceneFromWorld({frame_->humans.x[i], frame_->humans.y[i]});
+    QColor color = scene_.theme().fill(agent(frame_->humans.id[i]).look);
+    for (const auto& [reach, alpha] : {std::pair(3.6, 0.05), {1.2, 0.10}, {0.45, 0.18}}) {
+      color.setAlphaF(alpha);
+      painter.setBrush(color);
+      painter.drawEllipse(centre, reach, reach);
+    }
+  }
+}
+
+void FrameLayer::paintForces(QPainter& painter) const {
+  const double pixelsPerMetre = pixelsPerMetreOf(painter);
+  for (std::size_t i = 0; i < frame_->humans.size(); ++i) {
+    const int id = frame_->humans.id[i];
+    if (!isChosen(id)) {
+      continue;
+    }
+    const PixelFrame frame(painter,
+                           MapScene::sceneFromWorld({frame_->humans.x[i], frame_->humans.y[i]}));
+    const double ring = agent(id).radius * pixelsPerMetre + 7.0;
+    for (const ForceArrow& arrow : forcesOn(*frame_, id)) {
+      const double length = arrow.force.norm() * kMetresPerForce * pixelsPerMetre;
+      if (length < 2.0) {
+        continue;
+      }
+      const double heading = base::headingOf(arrow.force);
+      const QPointF along(std::cos(heading), -std::sin(heading));
+      const QPointF tip = (ring + length) * along;
+      painter.setPen(QPen(scene_.theme().color(arrow.color), 2.2, Qt::SolidLine, Qt::RoundCap));
+      painter.drawLine(ring * along, tip);
+      FigurePainter(scene_.theme()).arrowHead(painter, tip, heading * 180.0 / base::kPi, 7.0);
+    }
+  }
+}
+
+void FrameLayer::paintBubble(QPainter& painter, const Speech& speech) const {
+  const std::optional<base::Vec2> at = positionOf(speech.id);
+  if (!at) {
+    return;
+  }
+  const double left = speech.since + kSpeechSeconds - frame_->time;
+  const double radiusPx = agent(speech.id).radius * pixelsPerMetreOf(painter);
+  const PixelFrame frame(painter, MapScene::sceneFromWorld(*at));
+  painter.setOpacity(std::clamp(left / kSpeechFade, 0.0, 1.0));
+  const QFont font = scene_.theme().font(9.0);
+  const QFontMetricsF metrics(font);
+  const QRectF text = metrics.boundingRect(QRectF(0.0, 0.0, kBubbleWidthPx, 200.0),
+                                           Qt::TextWordWrap | Qt::AlignCenter, speech.text);
+  QRectF box(QPointF(), text.size() + QSizeF(20.0, 12.0));
+  box.moveBottomLeft(QPointF(-14.0, -radiusPx - 12.0));
+  QPainterPath bubble;
+  bubble.addRoundedRect(box, 6.0, 6.0);
+  QPainterPath tail;
+  tail.addPolygon(QPolygonF({QPointF(-6.0, box.bottom() - 1.0), QPointF(8.0, box.bottom() - 1.0),
+                             QPointF(0.0, -radiusPx - 3.0)}));
+  tail.closeSubpath();
+  painter.setPen(QPen(scene_.theme().color(Role::FieldEdge), 1.0));
+  painter.setBrush(scene_.theme().isDark() ? scene_.theme().color(Role::Text)
+                                           : scene_.theme().color(Role::Panel));
+  painter.drawPath(bubble.united(tail));
+  painter.setFont(font);
+  painter.setPen(scene_.theme().isDark() ? scene_.theme().color(Role::Window)
+                                         : scene_.theme().color(Role::Text));
+  painter.drawText(box, Qt::TextWordWrap | Qt::AlignCenter, speech.text);
+}
+
+void FrameLayer::paintSpeech(QPainter& painter) const {
+  std::map<int, const Speech*> latest;  // a person's newest words take the place of older ones
+  for (const Speech& speech : speeches_) {
+    if (speech.since <= frame_->time && frame_->time < speech.since + kSpeechSeconds) {
+      latest[speech.id] = &speech;
+    }
+  }
+  for (const auto& [id, speech] : latest) {
+    paintBubble(painter, *speech);
+  }
+}
+
+}  // namespace editor

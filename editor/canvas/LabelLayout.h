@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include <QRectF>
+
+namespace editor {
+
+/// A text that wants to stand at something round, pixels.
+struct LabelWish {
+  QPointF centre;
+  double clearance = 18.0;  // from the centre to the edge of the label
+  QSizeF size;
+  int priority = 0;      // higher ones choose first
+  bool isAbove = false;  // would rather stand above than below
+};
+
+/// A rectangle for each wish, below, above, right or left of its centre; a null rectangle where
+/// there is no room. Labels keep off each other and off `taken`.
+std::vector<QRectF> layoutLabels(const std::vector<LabelWish>& wishes,
+                                 const std::vector<QRectF>& taken);
+
+}  // namespace editor

@@ -1,0 +1,234 @@
+#include "editor/canvas/Layers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "editor/canvas/PixelFrame.h"
+#include "editor/canvas/RouteLayer.h"
+
+namespace editor {
+
+namespace {
+
+constexpr double kTurnPx = 52.0;
+constexpr double kHandlePx = 8.0;
+constexpr double kTurnHandlePx = 10.0;
+constexpr double kHandleReachPx = 8.0;
+
+QPen accentPen(const Theme& theme, double widthPx) {
+  QPen pen(theme.color(Role::Accent), widthPx);
+  pen.setCosmetic(true);
+  pen.setJoinStyle(Qt::MiterJoin);
+  return pen;
+}
+
+}  // namespace
+
+void GridItem::setBounds(const QRectF& sceneBounds) {
+  prepareGeometryChange();
+  bounds_ = sceneBounds;
+}
+
+void GridItem::paintLines(QPainter& painter, const QRectF& area, double step, double alpha) const {
+  QColor color = scene_.theme().color(Role::Text);
+  color.setAlphaF(alpha);
+  QPen pen(color, 1.0);
+  pen.setCosmetic(true);
+  painter.setPen(pen);
+  QVector<QLineF> lines;
+  for (double x = std::ceil(area.left() / step) * step; x <= area.right(); x += step) {
+    lines << QLineF(x, area.top(), x, area.bottom());
+  }
+  for (double y = std::ceil(area.top() / step) * step; y <= area.bottom(); y += step) {
+    lines << QLineF(area.left(), y, area.right(), y);
+  }
+  painter.drawLines(lines);
+}
+
+void GridItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
+  if (!scene_.options().grid) {
+    return;
+  }
+  painter->setRenderHint(QPainter::Antialiasing, false);
+  const QRectF area = bounds_ & option->exposedRect.adjusted(-0.1, -0.1, 0.1, 0.1);
+  const double pixelsPerMetre = pixelsPerMetreOf(*painter);
+  const auto fade = [](double px) { return std::clamp((px - 8.0) / 22.0, 0.0, 1.0); };
+  const double strength = scene_.theme().isDark() ? 0.055 : 0.07;
+  for (const double step : {1.0, 5.0, 25.0}) {
+    const double alpha = strength * fade(pixelsPerMetre * step);
+    if (alpha > 0.0) {
+      paintLines(*painter, area, step, alpha);
+    }
+  }
+}
+
+void FullLayer::setBounds(const QRectF& sceneBounds) {
+  prepareGeometryChange();
+  bounds_ = sceneBounds;
+}
+
+std::vector<Handle> SelectionLayer::handlesFor(const Entity& entity) const {
+  const double pixelsPerMetre = mapScene().pixelsPerMetre();
+  HandleSizes sizes;
+  sizes.bodyRadius = mapScene().bodyRadius(entity);
+  sizes.turnDistance = kTurnPx / pixelsPerMetre;
+  if (const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity);
+      obstacle != nullptr && obstacle->kind == sim2d::ObstacleKind::Box) {
+    sizes.turnDistance = 24.0 / pixelsPerMetre;
+  }
+  std::vector<Handle> handles = handlesOf(entity, sizes);
+  const bool isSmall = sizes.bodyRadius * pixelsPerMetre < 12.0;
+  if (isSmall && kindOf(entity) == EntityKind::Human) {  // handles would hide the figure
+    handles.erase(
+        std::remove_if(handles.begin(), handles.end(),
+                       [](const Handle& handle) { return handle.kind == Handle::Kind::Size; }),
+        handles.end());
+  }
+  return handles;
+}
+
+std::pair<EntityId, Handle> SelectionLayer::handleAt(const Vec2& world) const {
+  const double reach = kHandleReachPx / mapScene().pixelsPerMetre();
+  for (const EntityId id : mapScene().document().selection()) {
+    const std::optional<Entity> entity = mapScene().shown(id);
+    if (!entity) {
+      continue;
+    }
+    for (const Handle& handle : handlesFor(*entity)) {
+      if ((handle.position - world).cwiseAbs().maxCoeff() <= reach) {
+        return {id, handle};
+      }
+    }
+  }
+  return {};
+}
+
+void SelectionLayer::paintFrame(QPainter& painter, const Entity& entity,
+                                const std::vector<Handle>& handles) const {
+  painter.setPen(accentPen(theme(), 2.0));
+  painter.setBrush(Qt::NoBrush);
+  QPolygonF frame;
+  for (const Handle& handle : handles) {
+    if (handle.kind == Handle::Kind::Size || handle.kind == Handle::Kind::Vertex) {
+      frame << MapScene::sceneFromWorld(handle.position);
+    }
+  }
+  const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity);
+  const bool isOpen = kindOf(entity) == EntityKind::Door ||
+                      (obstacle != nullptr && obstacle->kind == sim2d::ObstacleKind::Wall);
+  if (isOpen) {
+    painter.drawPolyline(frame);
+  } else if (frame.size() > 2) {
+    painter.drawPolygon(frame);
+  } else if (kindOf(entity) == EntityKind::Human || kindOf(entity) == EntityKind::Robot) {
+    const double pixelsPerMetre = pixelsPerMetreOf(painter);
+    const double radius =
+        std::max(mapScene().bodyRadius(entity), 5.0 / pixelsPerMetre) + 4.0 / pixelsPerMetre;
+    painter.drawEllipse(MapScene::sceneFromWorld(*positionOf(entity)), radius, radius);
+  }
+}
+
+void SelectionLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  if (mapScene().isRunMode()) {
+    return;
+  }
+  painter->setRenderHint(QPainter::Antialiasing);
+  for (const EntityId id : mapScene().document().selection()) {
+    const std::optional<Entity> entity = mapScene().shown(id);
+    if (!entity) {
+      continue;
+    }
+    const std::vector<Handle> handles = handlesFor(*entity);
+    paintFrame(*painter, *entity, handles);
+    for (const Handle& handle : handles) {
+      const QPointF at = MapScene::sceneFromWorld(handle.position);
+      const bool isTurn = handle.kind == Handle::Kind::Turn;
+      if (isTurn) {
+        painter->setPen(accentPen(theme(), 1.5));
+        const QLineF arm(MapScene::sceneFromWorld(*positionOf(*entity)), at);
+        painter->drawLine(arm.pointAt(0.5), at);
+      }
+      const PixelFrame frame(*painter, at);
+      painter->setPen(QPen(theme().color(Role::Accent), 2.0));
+      painter->setBrush(theme().color(Role::Panel));
+      if (isTurn) {
+        painter->drawEllipse(QPointF(), 0.5 * kTurnHandlePx, 0.5 * kTurnHandlePx);
+      } else if (handle.kind == Handle::Kind::RobotGoal) {
+        painter->setBrush(Qt::NoBrush);
+        painter->drawEllipse(QPointF(), 14.0, 14.0);
+      } else {
+        painter->setPen(QPen(theme().color(Role::Accent), 1.5));
+        painter->drawRect(QRectF(-0.5 * kHandlePx, -0.5 * kHandlePx, kHandlePx, kHandlePx));
+      }
+    }
+  }
+}
+
+void ToolLayer::setRubberBand(const Vec2& corner, const Vec2& opposite) {
+  band_ = QRectF(MapScene::sceneFromWorld(corner), MapScene::sceneFromWorld(opposite)).normalized();
+  update();
+}
+
+void ToolLayer::setLine(std::vector<Vec2> points) {
+  line_ = std::move(points);
+  update();
+}
+
+void ToolLayer::setArrow(const Vec2& from, const Vec2& to) {
+  arrow_ = {from, to};
+  update();
+}
+
+void ToolLayer::setTag(const Vec2& at, const QString& text) {
+  tag_ = {at, text};
+  update();
+}
+
+void ToolLayer::clear() {
+  band_.reset();
+  line_.clear();
+  arrow_.reset();
+  tag_.reset();
+  update();
+}
+
+void ToolLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  painter->setRenderHint(QPainter::Antialiasing);
+  if (band_) {
+    painter->setPen(accentPen(theme(), 1.0));
+    painter->setBrush(theme().color(Role::Accent, 0.10));
+    painter->drawRect(*band_);
+  }
+  painter->setBrush(Qt::NoBrush);
+  if (line_.size() > 1) {
+    QPen pen = accentPen(theme(), 2.0);
+    pen.setDashPattern({4.0, 3.0});
+    painter->setPen(pen);
+    const QPainterPath path = softPath(line_, 0.0);
+    painter->drawPath(path);
+    paintArrowHeads(*painter, path, 1.5, 9.0, theme());
+  }
+  if (arrow_) {
+    painter->setPen(accentPen(theme(), 2.0));
+    const QLineF line(MapScene::sceneFromWorld(arrow_->first),
+                      MapScene::sceneFromWorld(arrow_->second));
+    painter->drawLine(line);
+    const PixelFrame frame(*painter, line.p2());
+    painter->setPen(QPen(theme().color(Role::Accent), 2.0));
+    FigurePainter(theme()).arrowHead(*painter, {}, line.angle(), 10.0);
+  }
+  if (tag_) {
+    const PixelFrame frame(*painter, MapScene::sceneFromWorld(tag_->first));
+    const QFont font = theme().figureFont(9.0);
+    const double width = QFontMetricsF(font).horizontalAdvance(tag_->second) + 14.0;
+    const QRectF box(16.0, 8.0, width, 22.0);
+    painter->setPen(Qt::NoPen);
+    painter->setBrush(theme().color(Role::Text, 0.92));
+    painter->drawRoundedRect(box, 4.0, 4.0);
+    painter->setFont(font);
+    painter->setPen(theme().color(Role::Panel));
+    painter->drawText(box, Qt::AlignCenter, tag_->second);
+  }
+}
+
+}  // namespace editor

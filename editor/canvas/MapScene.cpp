@@ -1,0 +1,300 @@
+#include "editor/canvas/MapScene.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <QGraphicsSceneMouseEvent>
+#include <QKeyEvent>
+
+#include "editor/canvas/EntityItem.h"
+#include "editor/canvas/FrameLayer.h"
+#include "editor/canvas/Layers.h"
+#include "editor/canvas/MapItem.h"
+#include "editor/canvas/RouteLayer.h"
+#include "editor/tools/Tool.h"
+#include "sim2d/scenario/Defaults.h"
+
+namespace editor {
+
+namespace {
+
+enum Depth {
+  kMap,
+  kGrid,
+  kAreas,
+  kObstacles,
+  kDoors,
+  kRoutes,
+  kRobots,
+  kPeople,
+  kGoals,
+  kFrame,
+  kSelection,
+  kLabels,
+  kTool
+};
+
+Depth depthOf(EntityKind kind) {
+  switch (kind) {
+    case EntityKind::Area:
+      return kAreas;
+    case EntityKind::Obstacle:
+      return kObstacles;
+    case EntityKind::Door:
+      return kDoors;
+    case EntityKind::Robot:
+      return kRobots;
+    case EntityKind::Goal:
+      return kGoals;
+    default:
+      return kPeople;
+  }
+}
+
+constexpr double kPlaneMargin = 400.0;  // [m] around the contents: as far as one can pan
+
+template <class Layer, class... Arguments>
+Layer* addLayer(QGraphicsScene& scene, Depth depth, Arguments&&... arguments) {
+  auto* layer = new Layer(std::forward<Arguments>(arguments)...);
+  layer->setZValue(depth);
+  scene.addItem(layer);  // the scene owns it
+  return layer;
+}
+
+}  // namespace
+
+MapScene::MapScene(ScenarioDocument& document, const Theme& theme, QObject* parent)
+    : QGraphicsScene(parent), document_(document), theme_(theme), routes_(new RouteModel(this)) {
+  setItemIndexMethod(QGraphicsScene::NoIndex);
+  mapItem_ = addLayer<MapItem>(*this, kMap);
+  gridItem_ = addLayer<GridItem>(*this, kGrid, *this);
+  routeLayer_ = addLayer<RouteLayer>(*this, kRoutes, *this);
+  frameLayer_ = addLayer<FrameLayer>(*this, kFrame, *this);
+  selectionLayer_ = addLayer<SelectionLayer>(*this, kSelection, *this);
+  labelLayer_ = addLayer<LabelLayer>(*this, kLabels, *this);
+  toolLayer_ = addLayer<ToolLayer>(*this, kTool, *this);
+  connect(&document_, &ScenarioDocument::changed, this, &MapScene::apply);
+  connect(&document_, &ScenarioDocument::mapChanged, this, &MapScene::takeMap);
+  connect(&document_, &ScenarioDocument::selectionChanged, this, &MapScene::syncSelection);
+  connect(routes_, &RouteModel::routesChanged, this, [this] { routeLayer_->routesChanged(); });
+  takeMap();
+  rebuildAll();
+}
+
+MapScene::~MapScene() {
+  // Items look at the scene; they go before its members do.
+  QGraphicsScene::clear();
+}
+
+void MapScene::takeMap() {
+  mapItem_->set(document_.map(), theme_);
+  updateExtent();
+  planRoutes();
+}
+
+void MapScene::updateExtent() {
+  const QRectF content = contentRect();
+  const QRectF extent = content.adjusted(-kPlaneMargin, -kPlaneMargin, kPlaneMargin, kPlaneMargin);
+  setSceneRect(extent);
+  gridItem_->setBounds(mapItem_->isOpenPlane() ? extent : mapItem_->boundingRect());
+  for (FullLayer* layer :
+       {static_cast<FullLayer*>(selectionLayer_), static_cast<FullLayer*>(labelLayer_),
+        static_cast<FullLayer*>(toolLayer_)}) {
+    layer->setBounds(extent);
+  }
+}
+
+bool MapScene::isOpenPlane() const {
+  return mapItem_->isOpenPlane();
+}
+
+QRectF MapScene::contentRect() const {
+  QRectF content = mapItem_->boundingRect();
+  for (const auto& [id, entityItem] : items_) {
+    content |= entityItem->boundingRect();
+  }
+  return content.isEmpty() ? QRectF(-8.0, -6.0, 16.0, 12.0) : content;
+}
+
+void MapScene::setTheme(const Theme& theme) {
+  theme_ = theme;
+  mapItem_->set(document_.map(), theme_);
+  frameLayer_->themeChanged();
+  update();
+  Q_EMIT themeChanged();
+}
+
+void MapScene::setOptions(const CanvasOptions& options) {
+  options_ = options;
+  for (const auto& [id, entityItem] : items_) {
+    entityItem->zoomChanged();
+  }
+  update();
+  Q_EMIT optionsChanged();
+}
+
+void MapScene::apply(const Change& change) {
+  switch (change.what) {
+    case Change::What::Everything:
+      rebuildAll();
+      return;
+    case Change::What::Removed:
+      delete item(change.entity);
+      items_.erase(change.entity);
+      break;
+    default:
+      sync(change.entity);
+  }
+  if (change.entity.kind == EntityKind::Scenario) {
+    rebuildAll();
+    return;
+  }
+  planRoutes();
+  update();
+}
+
+void MapScene::rebuildAll() {
+  for (const auto& [id, entityItem] : items_) {
+    delete entityItem;
+  }
+  items_.clear();
+  for (const EntityKind kind : {EntityKind::Area, EntityKind::Obstacle, EntityKind::Door,
+                                EntityKind::Goal, EntityKind::Robot, EntityKind::Human}) {
+    for (const EntityId id : document_.entities(kind)) {
+      sync(id);
+    }
+  }
+  updateExtent();
+  planRoutes();
+  update();
+}
+
+void MapScene::sync(EntityId id) {
+  const std::optional<Entity> value = shown(id);
+  if (!value || id.kind == EntityKind::Scenario) {
+    return;
+  }
+  EntityItem*& entityItem = items_[id];
+  if (entityItem == nullptr) {
+    entityItem = makeEntityItem(*this, id).release();
+    entityItem->setZValue(depthOf(id.kind));
+    addItem(entityItem);
+    const bool moves = id.kind == EntityKind::Human || id.kind == EntityKind::Robot;
+    entityItem->setVisible(!(moves && isRunMode()));
+  }
+  entityItem->sync(*value);
+}
+
+void MapScene::syncSelection() {
+  for (const auto& [id, entityItem] : items_) {
+    entityItem->zoomChanged();
+  }
+  update();
+}
+
+std::optional<Entity> MapScene::shown(EntityId id) const {
+  const auto found = preview_.find(id);
+  return found != preview_.end() ? std::optional<Entity>(found->second) : document_.entity(id);
+}
+
+void MapScene::setPreview(const std::vector<Entity>& values) {
+  std::map<EntityId, Entity> old;
+  old.swap(preview_);
+  for (const Entity& value : values) {
+    preview_[idOf(value)] = value;
+  }
+  for (const auto& [id, value] : old) {
+    if (preview_.count(id) == 0) {
+      endPreviewOf(id);
+    }
+  }
+  for (const auto& [id, value] : preview_) {
+    sync(id);
+    if (!document_.contains(id)) {
+      items_.at(id)->setOpacity(0.7);
+    }
+  }
+  planRoutes();
+  update();
+}
+
+void MapScene::endPreviewOf(EntityId id) {
+  if (document_.contains(id)) {
+    sync(id);
+  } else {
+    delete item(id);
+    items_.erase(id);
+  }
+}
+
+void MapScene::clearPreview() {
+  if (!preview_.empty()) {
+    setPreview({});
+  }
+}
+
+void MapScene::planRoutes() {
+  if (isRunMode()) {
+    return;
+  }
+  sim2d::Scenario scenario = document_.scenario();
+  for (const auto& [id, value] : preview_) {
+    putInto(scenario, value);
+  }
+  routes_->update(scenario, document_.map());
+}
+
+EntityItem* MapScene::item(EntityId id) const {
+  const auto found = items_.find(id);
+  return found == items_.end() ? nullptr : found->second;
+}
+
+EntityId MapScene::entityAt(const Vec2& world, double reachPx) const {
+  const double reach = reachPx / pixelsPerMetre_;
+  EntityId best;
+  double bestDepth = -1.0;
+  double bestDistance = std::numeric_limits<double>::max();
+  for (const auto& [id, entityItem] : items_) {
+    const double distance = entityItem->isVisible() ? entityItem->distanceTo(world) : reach + 1.0;
+    const double depth = entityItem->zValue();
+    const bool isBetter = depth > bestDepth || (depth == bestDepth && distance < bestDistance);
+    if (distance <= reach && isBetter && document_.contains(id)) {
+      best = id;
+      bestDepth = depth;
+      bestDistance = distance;
+    }
+  }
+  return best;
+}
+
+std::vector<EntityId> MapScene::entitiesIn(const Vec2& corner, const Vec2& opposite) const {
+  const Vec2 low = corner.cwiseMin(opposite);
+  const Vec2 high = corner.cwiseMax(opposite);
+  std::vector<EntityId> found;
+  for (const auto& [id, entityItem] : items_) {
+    const std::optional<Entity> value = document_.entity(id);
+    const std::optional<Vec2> at = value ? positionOf(*value) : std::nullopt;
+    if (at && (at->array() >= low.array()).all() && (at->array() <= high.array()).all()) {
+      found.push_back(id);
+    }
+  }
+  return found;
+}
+
+void MapScene::setHovered(EntityId id) {
+  if (hovered_ != id) {
+    hovered_ = id;
+    update();
+    Q_EMIT hoveredChanged(id);
+  }
+}
+
+void MapScene::setPixelsPerMetre(double value) {
+  pixelsPerMetre_ = value;
+  for (const auto& [id, entityItem] : items_) {
+    entityItem->zoomChanged();
+  }
+  frameLayer_->zoomChanged();
+}
+
+}  // namespace editor

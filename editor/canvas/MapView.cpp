@@ -1,0 +1,273 @@
+#include "editor/canvas/MapView.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QCoreApplication>
+#include <QScrollBar>
+#include <QWheelEvent>
+
+#include "editor/canvas/Overlays.h"
+#include "editor/tools/Tool.h"
+
+namespace editor {
+
+namespace {
+
+constexpr double kClosest = 800.0;  // [px/m]
+constexpr double kFarthest = 2.0;
+constexpr double kWheelFactor = 1.0015;  // per eighth of a degree
+constexpr double kKeyFactor = 1.25;
+constexpr int kFitMs = 120;
+constexpr int kFitMarginPx = 32;
+constexpr int kStateLinePx = 3;
+
+}  // namespace
+
+MapView::MapView(MapScene& scene, QWidget* parent) : QGraphicsView(&scene, parent), scene_(scene) {
+  setFrameShape(QFrame::NoFrame);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setViewportUpdateMode(QGraphicsView::FullViewportUpdate);
+  setOptimizationFlags(QGraphicsView::DontSavePainterState |
+                       QGraphicsView::DontAdjustForAntialiasing);
+  setTransformationAnchor(QGraphicsView::NoAnchor);
+  setResizeAnchor(QGraphicsView::NoAnchor);
+  setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
+  setMouseTracking(true);
+  viewport()->setMouseTracking(true);
+  setMinimumSize(320, 240);
+  setAccessibleName(tr("Map"));
+  fitAnimation_.setDuration(kFitMs);
+  fitAnimation_.setEasingCurve(QEasingCurve::OutCubic);
+  fitAnimation_.setStartValue(0.0);
+  fitAnimation_.setEndValue(1.0);
+  connect(&fitAnimation_, &QVariantAnimation::valueChanged, this, [this](const QVariant& value) {
+    const double part = value.toDouble();
+    const double scale =
+        animationFrom_.scale * std::pow(animationTo_.scale / animationFrom_.scale, part);
+    applyView(animationFrom_.centre + part * (animationTo_.centre - animationFrom_.centre), scale);
+  });
+  connect(&scene_, &MapScene::optionsChanged, this, [this] { viewport()->update(); });
+  connect(&scene_, &MapScene::themeChanged, this, [this] { viewport()->update(); });
+  connect(&scene_.document(), &ScenarioDocument::mapChanged, this, [this] { fitAll(false); });
+  applyView({}, scene_.pixelsPerMetre());
+}
+
+void MapView::applyView(const QPointF& centre, double pixelsPerMetre) {
+  setTransform(QTransform::fromScale(pixelsPerMetre, pixelsPerMetre));
+  centerOn(centre);
+  scene_.setPixelsPerMetre(pixelsPerMetre);
+  Q_EMIT zoomChanged(pixelsPerMetre);
+}
+
+void MapView::moveTo(const ViewPlace& place, bool animated) {
+  fitAnimation_.stop();
+  if (!animated || !isVisible()) {
+    applyView(place.centre, place.scale);
+    return;
+  }
+  animationFrom_ = {mapToScene(viewport()->rect().center()), pixelsPerMetre()};
+  animationTo_ = place;
+  fitAnimation_.start();
+}
+
+void MapView::fitRect(const QRectF& sceneRect, bool animated) {
+  const QSizeF room = viewport()->size() - QSize(2 * kFitMarginPx, 2 * kFitMarginPx);
+  if (sceneRect.isEmpty() || room.width() < 1.0 || room.height() < 1.0) {
+    return;
+  }
+  const double scale =
+      std::min(room.width() / sceneRect.width(), room.height() / sceneRect.height());
+  moveTo({sceneRect.center(), std::clamp(scale, kFarthest, 200.0)}, animated);
+}
+
+void MapView::fitAll(bool animated) {
+  fitted_ = true;
+  fitRect(scene_.contentRect(), animated);
+}
+
+void MapView::centerOnEntity(EntityId id) {
+  const std::optional<Entity> value = scene_.document().entity(id);
+  const std::optional<Vec2> at = value ? positionOf(*value) : std::nullopt;
+  if (at) {
+    fitted_ = false;
+    moveTo({MapScene::sceneFromWorld(*at), std::max(pixelsPerMetre(), 30.0)}, true);
+  }
+}
+
+void MapView::zoomBy(double factor, const QPointF& viewportPoint) {
+  fitAnimation_.stop();
+  fitted_ = false;
+  const double scale = std::clamp(pixelsPerMetre() * factor, kFarthest, kClosest);
+  const QPointF centre = mapToScene(viewport()->rect().center());
+  const QPointF fixed = mapToScene(viewportPoint.toPoint());
+  applyView(fixed + (centre - fixed) * pixelsPerMetre() / scale, scale);
+}
+
+void MapView::zoomIn() {
+  zoomBy(kKeyFactor, viewport()->rect().center());
+}
+
+void MapView::zoomOut() {
+  zoomBy(1.0 / kKeyFactor, viewport()->rect().center());
+}
+
+void MapView::setPixelsPerMetre(double value) {
+  zoomBy(value / pixelsPerMetre(), viewport()->rect().center());
+}
+
+Vec2 MapView::worldAt(const QPoint& viewportPoint) const {
+  return MapScene::worldFromScene(mapToScene(viewportPoint));
+}
+
+QPoint MapView::viewportFrom(const Vec2& world) const {
+  return mapFromScene(MapScene::sceneFromWorld(world));
+}
+
+void MapView::setCanvasState(CanvasState state) {
+  state_ = state;
+  viewport()->update();
+}
+
+void MapView::wheelEvent(QWheelEvent* event) {
+  zoomBy(std::pow(kWheelFactor, event->angleDelta().y()), event->position());
+  event->accept();
+}
+
+bool MapView::startsPan(const QMouseEvent& event) const {
+  return event.button() == Qt::MiddleButton || (spaceHeld_ && event.button() == Qt::LeftButton) ||
+         (handPan_ && event.button() == Qt::LeftButton);
+}
+
+void MapView::mousePressEvent(QMouseEvent* event) {
+  setFocus();
+  if (startsPan(*event)) {
+    fitAnimation_.stop();
+    panning_ = true;
+    spaceUsed_ = true;
+    panFrom_ = event->pos();
+    updateCursor();
+    event->accept();
+    return;
+  }
+  QGraphicsView::mousePressEvent(event);
+}
+
+void MapView::mouseMoveEvent(QMouseEvent* event) {
+  Q_EMIT cursorMoved(worldAt(event->pos()));
+  if (panning_) {
+    const QPoint by = event->pos() - panFrom_;
+    panFrom_ = event->pos();
+    fitted_ = false;
+    horizontalScrollBar()->setValue(horizontalScrollBar()->value() - by.x());
+    verticalScrollBar()->setValue(verticalScrollBar()->value() - by.y());
+    event->accept();
+    return;
+  }
+  QGraphicsView::mouseMoveEvent(event);
+  updateCursor();
+}
+
+void MapView::mouseReleaseEvent(QMouseEvent* event) {
+  if (panning_) {
+    panning_ = false;
+    updateCursor();
+    event->accept();
+    return;
+  }
+  QGraphicsView::mouseReleaseEvent(event);
+}
+
+void MapView::setHandPan(bool on) {
+  handPan_ = on;
+  updateCursor();
+}
+
+void MapView::updateCursor() {
+  if (panning_) {
+    viewport()->setCursor(Qt::ClosedHandCursor);
+  } else if (spaceHeld_ || handPan_) {
+    viewport()->setCursor(Qt::OpenHandCursor);
+  } else if (scene_.tool() != nullptr) {
+    viewport()->setCursor(scene_.tool()->cursor());
+  } else {
+    viewport()->unsetCursor();
+  }
+}
+
+void MapView::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Space && event->modifiers() == Qt::NoModifier) {
+    if (!event->isAutoRepeat()) {
+      spaceHeld_ = true;
+      spaceUsed_ = false;
+      updateCursor();
+    }
+    event->accept();
+    return;
+  }
+  scene_.setFocus();
+  // The scene's tool first; arrow keys that it does not want are not to scroll the view.
+  QCoreApplication::sendEvent(&scene_, event);
+}
+
+void MapView::keyReleaseEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
+    spaceHeld_ = false;
+    updateCursor();
+    if (!spaceUsed_) {
+      Q_EMIT spaceTapped();
+    }
+    event->accept();
+    return;
+  }
+  QGraphicsView::keyReleaseEvent(event);
+}
+
+void MapView::focusOutEvent(QFocusEvent* event) {
+  spaceHeld_ = false;  // its release goes to somebody else
+  QGraphicsView::focusOutEvent(event);
+}
+
+void MapView::drawBackground(QPainter* painter, const QRectF& rect) {
+  painter->fillRect(
+      rect, scene_.theme().color(scene_.isOpenPlane() ? Role::MapFree : Role::CanvasOutside));
+}
+
+void MapView::drawForeground(QPainter* painter, const QRectF&) {
+  painter->save();
+  painter->resetTransform();
+  const QRectF window = viewport()->rect();
+  const OverlayContext context{scene_, window, viewportTransform(), pixelsPerMetre()};
+  if (scene_.options().rulers) {
+    paintRulers(*painter, context);
+  }
+  paintScaleBar(*painter, context);
+  paintForceLegend(*painter, context);
+  if (state_ != CanvasState::Editing) {
+    const Role role = state_ == CanvasState::Running  ? Role::Ok
+                      : state_ == CanvasState::Paused ? Role::WarningMark
+                                                      : Role::Past;
+    painter->fillRect(QRectF(0.0, 0.0, window.width(), kStateLinePx), scene_.theme().color(role));
+  }
+  painter->restore();
+}
+
+void MapView::showEvent(QShowEvent* event) {
+  QGraphicsView::showEvent(event);
+  if (fitted_) {
+    fitAll(false);
+  }
+}
+
+void MapView::resizeEvent(QResizeEvent* event) {
+  const QPointF centre = mapToScene(QRect(QPoint(), event->oldSize()).center());
+  QGraphicsView::resizeEvent(event);
+  if (fitted_) {
+    fitAll(false);
+  } else if (event->oldSize().isValid()) {
+    centerOn(centre);
+  }
+}
+
+}  // namespace editor

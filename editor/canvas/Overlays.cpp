@@ -1,0 +1,138 @@
+#include "editor/canvas/Overlays.h"
+
+#include <cmath>
+
+#include "editor/canvas/FrameLayer.h"
+
+namespace editor {
+
+namespace {
+
+constexpr double kBarTargetPx = 100.0;
+constexpr double kRulerPx = 20.0;
+
+QString lengthText(double metres) {
+  return metres < 1.0 ? QStringLiteral("%1 cm").arg(metres * 100.0)
+                      : QStringLiteral("%1 m").arg(metres);
+}
+
+}  // namespace
+
+double niceLength(double pixelsPerMetre, double targetPx) {
+  const double wanted = targetPx / pixelsPerMetre;
+  const double power = std::pow(10.0, std::floor(std::log10(wanted)));
+  const double part = wanted / power;
+  return power * (part >= 5.0 ? 5.0 : part >= 2.0 ? 2.0 : 1.0);
+}
+
+void paintScaleBar(QPainter& painter, const OverlayContext& context) {
+  const Theme& theme = context.scene.theme();
+  const double metres = niceLength(context.pixelsPerMetre, kBarTargetPx);
+  const double length = metres * context.pixelsPerMetre;
+  const double left = 16.0 + (context.scene.options().rulers ? kRulerPx : 0.0);
+  const double bottom = context.window.bottom() - 14.0;
+  const QPointF line[] = {
+      {left, bottom - 6.0}, {left, bottom}, {left + length, bottom}, {left + length, bottom - 6.0}};
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  for (const auto& [color, width] :
+       {std::pair(theme.color(Role::CanvasOutside, 0.8), 4.0), {theme.color(Role::Text), 1.5}}) {
+    painter.setPen(QPen(color, width, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+    painter.drawPolyline(line, 4);
+  }
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QFont font = theme.figureFont(9.0);
+  QPainterPath text;
+  const QFontMetricsF metrics(font);
+  const QString words = lengthText(metres);
+  const QPointF at(left + 0.5 * (length - metrics.horizontalAdvance(words)), bottom - 7.0);
+  text.addText(at, font, words);
+  painter.setPen(
+      QPen(theme.color(Role::CanvasOutside, 0.8), 3.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPath(text);
+  painter.setFont(font);
+  painter.setPen(theme.color(Role::Text));
+  painter.drawText(at, words);
+}
+
+void paintRulers(QPainter& painter, const OverlayContext& context) {
+  const Theme& theme = context.scene.theme();
+  const double step = niceLength(context.pixelsPerMetre, 90.0);
+  const QRectF scene = context.windowFromScene.inverted().mapRect(context.window);
+  const QRectF top(0.0, 0.0, context.window.width(), kRulerPx);
+  const QRectF side(0.0, 0.0, kRulerPx, context.window.height());
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  painter.fillRect(top, theme.color(Role::Window));
+  painter.fillRect(side, theme.color(Role::Window));
+  painter.setFont(theme.figureFont(8.0));
+  painter.setPen(theme.color(Role::TextSecondary));
+  for (double x = std::ceil(scene.left() / step) * step; x <= scene.right(); x += step) {
+    const double px = context.windowFromScene.map(QPointF(x, 0.0)).x();
+    painter.drawLine(QPointF(px, kRulerPx - 6.0), QPointF(px, kRulerPx));
+    painter.drawText(QPointF(px + 3.0, kRulerPx - 6.0), QString::number(x, 'g', 6));
+  }
+  for (double y = std::ceil(scene.top() / step) * step; y <= scene.bottom(); y += step) {
+    const double px = context.windowFromScene.map(QPointF(0.0, y)).y();
+    painter.drawLine(QPointF(kRulerPx - 6.0, px), QPointF(kRulerPx, px));
+    painter.save();
+    painter.translate(kRulerPx - 6.0, px - 3.0);
+    painter.rotate(-90.0);
+    painter.drawText(QPointF(), QString::number(0.0 - y, 'g', 6));
+    painter.restore();
+  }
+  painter.fillRect(QRectF(0.0, 0.0, kRulerPx, kRulerPx), theme.color(Role::Window));
+  painter.setPen(theme.color(Role::Line));
+  painter.drawLine(QPointF(0.0, kRulerPx), QPointF(context.window.width(), kRulerPx));
+  painter.drawLine(QPointF(kRulerPx, 0.0), QPointF(kRulerPx, context.window.height()));
+}
+
+void paintForceLegend(QPainter& painter, const OverlayContext& context) {
+  const ScenarioDocument& document = context.scene.document();
+  const sim2d::Frame* frame = context.scene.frame();
+  const sim2d::Human* human =
+      document.selection().size() == 1 ? document.human(document.selection().front()) : nullptr;
+  if (!context.scene.options().forces || frame == nullptr || human == nullptr) {
+    return;
+  }
+  const std::vector<ForceArrow> forces = forcesOn(*frame, human->id);
+  if (forces.empty()) {
+    return;
+  }
+  constexpr double kRow = 20.0;
+  constexpr double kWidth = 156.0;
+  const Theme& theme = context.scene.theme();
+  const double rows = static_cast<double>(forces.size());
+  const QRectF box(context.window.right() - kWidth - 12.0, 12.0, kWidth,
+                   (rows + 2.0) * kRow + 16.0);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(theme.color(Role::Line));
+  painter.setBrush(theme.color(Role::Panel));
+  painter.drawRoundedRect(box, 6.0, 6.0);
+  QRectF row(box.left() + 12.0, box.top() + 8.0, box.width() - 24.0, kRow);
+  const auto write = [&](const QString& left, const QString& right, Role color) {
+    painter.setPen(theme.color(Role::Text));
+    painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter, left);
+    painter.setPen(theme.color(color));
+    painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, right);
+    row.translate(0.0, kRow);
+  };
+  painter.setFont(theme.font(9.0, QFont::DemiBold));
+  write(QStringLiteral("Forces on %1").arg(QString::fromStdString(human->name)), {}, Role::Text);
+  painter.setFont(theme.figureFont(9.0));
+  for (const ForceArrow& arrow : forces) {
+    painter.setPen(QPen(theme.color(arrow.color), 2.2));
+    const QPointF tip(row.left() + 20.0, row.center().y());
+    painter.drawLine(QPointF(row.left(), tip.y()), tip);
+    FigurePainter(theme).arrowHead(painter, tip, 0.0, 6.0);
+    row.setLeft(row.left() + 28.0);
+    write(arrow.name, QString::number(arrow.force.norm(), 'f', 2), Role::Text);
+    row.setLeft(row.left() - 28.0);
+  }
+  painter.setPen(QPen(theme.color(Role::TextSecondary), 1.5));
+  const double length = std::min(kMetresPerForce * context.pixelsPerMetre, 0.6 * row.width());
+  const double force = length / (kMetresPerForce * context.pixelsPerMetre);
+  painter.drawLine(QPointF(row.left(), row.center().y()),
+                   QPointF(row.left() + length, row.center().y()));
+  write({}, QStringLiteral("%1 m/s²").arg(force, 0, 'g', 2), Role::TextSecondary);
+}
+
+}  // namespace editor

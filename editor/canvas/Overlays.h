@@ -1,0 +1,25 @@
+#pragma once
+
+#include <QPainter>
+
+#include "editor/canvas/MapScene.h"
+
+namespace editor {
+
+/// What the view draws over the scene, in window pixels.
+struct OverlayContext {
+  const MapScene& scene;
+  QRectF window;
+  QTransform windowFromScene;
+  double pixelsPerMetre = 50.0;
+};
+
+void paintScaleBar(QPainter& painter, const OverlayContext& context);
+void paintRulers(QPainter& painter, const OverlayContext& context);
+/// Names, values and scale of the force arrows while one person of a run is selected.
+void paintForceLegend(QPainter& painter, const OverlayContext& context);
+
+/// 1, 2 or 5 times a power of ten [m], about `targetPx` long on the screen.
+double niceLength(double pixelsPerMetre, double targetPx);
+
+}  // namespace editor

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QPainter>
+#include <QStyleOptionGraphicsItem>
+
+namespace editor {
+
+inline double pixelsPerMetreOf(const QPainter& painter) {
+  return QStyleOptionGraphicsItem::levelOfDetailFromTransform(painter.worldTransform());
+}
+
+/// While it lives, the painter's unit is one pixel and its origin a point of the scene: for what
+/// keeps its size on the screen.
+class PixelFrame {
+ public:
+  PixelFrame(QPainter& painter, const QPointF& sceneOrigin) : painter_(painter) {
+    const double scale = 1.0 / pixelsPerMetreOf(painter);
+    painter_.save();
+    painter_.translate(sceneOrigin);
+    painter_.scale(scale, scale);
+  }
+  ~PixelFrame() { painter_.restore(); }
+  PixelFrame(const PixelFrame&) = delete;
+  PixelFrame& operator=(const PixelFrame&) = delete;
+
+ private:
+  QPainter& painter_;
+};
+
+}  // namespace editor

@@ -1,0 +1,155 @@
+#include "editor/canvas/RouteModel.h"
+
+#include <cmath>
+
+#include "sim2d/map/DistanceField.h"
+#include "sim2d/map/PathPlanner.h"
+#include "sim2d/scenario/Defaults.h"
+#include "sim2d/scenario/ScenarioCheck.h"
+
+namespace editor {
+
+namespace {
+
+std::vector<Vec2> placesOf(const sim2d::Scenario& scenario) {
+  std::vector<Vec2> places;
+  for (const sim2d::GlobalGoal& goal : scenario.goals) {
+    places.push_back(goal.position);
+  }
+  for (const sim2d::Human& human : scenario.humans) {
+    places.push_back(human.initPose.position);
+  }
+  for (const sim2d::Robot& robot : scenario.robots) {
+    places.push_back(robot.start.position);
+    if (robot.goal.point) {
+      places.push_back(*robot.goal.point);
+    }
+  }
+  return places;
+}
+
+struct Walker {
+  EntityId id;
+  Vec2 start = Vec2::Zero();
+  std::vector<Vec2> goals;
+  double radius = 0.35;
+  bool isDirect = false;
+  bool returns = false;
+};
+
+std::vector<Walker> walkersOf(const sim2d::Scenario& scenario) {
+  std::vector<Walker> walkers;
+  const long long seed = scenario.desktop.seed.value_or(1);
+  for (const sim2d::Human& human : scenario.humans) {
+    const sim2d::ResolvedHuman resolved = sim2d::resolveHuman(scenario, human, seed);
+    Walker walker{human.key,
+                  human.initPose.position,
+                  {},
+                  resolved.radius,
+                  resolved.route == sim2d::Route::Direct,
+                  resolved.cyclicGoals};
+    for (const int id : human.goals) {
+      if (const sim2d::GlobalGoal* goal = scenario.goal(id)) {
+        walker.goals.push_back(goal->position);
+      }
+    }
+    walkers.push_back(std::move(walker));
+  }
+  for (const sim2d::Robot& robot : scenario.robots) {
+    const sim2d::ResolvedRobot resolved = sim2d::resolveRobot(scenario, robot, -1);
+    walkers.push_back(
+        {robot.key, resolved.start.position, resolved.goals, resolved.radius, false, false});
+  }
+  return walkers;
+}
+
+}  // namespace
+
+/// Fields and planners as long as the walls stay the same.
+struct RouteModel::Planning {
+  std::shared_ptr<const sim2d::OccupancyGrid> map;
+  std::vector<sim2d::Obstacle> obstacles;
+  std::vector<sim2d::Door> doors;
+  std::vector<Vec2> places;  // only of an open plane, whose field has to span them
+  std::shared_ptr<const sim2d::DistanceField> field;
+  std::map<int, std::unique_ptr<sim2d::PathPlanner>> planners;  // by radius in centimetres
+
+  void prepare(const sim2d::Scenario& scenario,
+               const std::shared_ptr<const sim2d::OccupancyGrid>& newMap) {
+    const std::vector<Vec2> newPlaces = newMap->isEmpty() ? placesOf(scenario) : places;
+    const bool isSame = field != nullptr && map == newMap && obstacles == scenario.obstacles &&
+                        doors == scenario.doors && (!newMap->isEmpty() || places == newPlaces);
+    if (isSame) {
+      return;
+    }
+    map = newMap;
+    obstacles = scenario.obstacles;
+    doors = scenario.doors;
+    places = newPlaces;
+    planners.clear();
+    const sim2d::Surroundings surroundings = sim2d::makeSurroundings(scenario, *map);
+    field = std::make_shared<sim2d::DistanceField>(surroundings.grid, surroundings.obstacles,
+                                                   placesOf(scenario));
+  }
+
+  sim2d::PathPlanner& plannerFor(double radius) {
+    std::unique_ptr<sim2d::PathPlanner>& planner =
+        planners[static_cast<int>(std::lround(radius * 100.0))];
+    if (planner == nullptr) {
+      planner = std::make_unique<sim2d::PathPlanner>(field, radius);
+    }
+    return *planner;
+  }
+
+  RouteLeg leg(const Walker& walker, const Vec2& from, const Vec2& to) {
+    if (walker.isDirect) {
+      return {{from, to}, true};
+    }
+    sim2d::Path path = plannerFor(walker.radius).plan(from, to);
+    if (path.points.empty()) {
+      return {{from, to}, false};
+    }
+    return {std::move(path.points), true};
+  }
+
+  EntityRoute routeOf(const Walker& walker) {
+    EntityRoute route;
+    Vec2 at = walker.start;
+    for (const Vec2& goal : walker.goals) {
+      route.legs.push_back(leg(walker, at, goal));
+      at = goal;
+    }
+    if (walker.returns && walker.goals.size() > 1) {
+      route.legs.push_back(leg(walker, at, walker.goals.front()));
+      route.returns = true;
+    }
+    return route;
+  }
+};
+
+RouteModel::RouteModel(QObject* parent)
+    : QObject(parent), planning_(std::make_shared<Planning>()), task_([this](Routes routes) {
+        routes_ = std::move(routes);
+        Q_EMIT routesChanged();
+      }) {}
+
+RouteModel::~RouteModel() = default;
+
+void RouteModel::update(const sim2d::Scenario& scenario,
+                        std::shared_ptr<const sim2d::OccupancyGrid> map) {
+  task_.start([scenario, map = std::move(map), planning = planning_] {
+    planning->prepare(scenario, map);
+    Routes routes;
+    for (const Walker& walker : walkersOf(scenario)) {
+      routes[walker.id] = planning->routeOf(walker);
+    }
+    return routes;
+  });
+}
+
+const EntityRoute* RouteModel::route(EntityId id) const {
+  const auto found = routes_.find(id);
+  return found == routes_.end() ? nullptr : &found->second;
+}
+
+}  // namespace editor

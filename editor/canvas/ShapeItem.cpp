@@ -1,0 +1,183 @@
+#include <algorithm>
+#include <limits>
+
+#include "editor/canvas/EntityItems.h"
+#include "editor/canvas/PixelFrame.h"
+
+namespace editor {
+
+namespace {
+
+constexpr double kDefaultWall = 0.1;   // [m]
+constexpr double kDefaultDoor = 0.05;  // [m]
+
+std::vector<sim2d::Outline> outlinesOf(const sim2d::Obstacle& obstacle) {
+  switch (obstacle.kind) {
+    case sim2d::ObstacleKind::Box:
+      return {sim2d::boxOutline(obstacle.pose, obstacle.length, obstacle.width)};
+    case sim2d::ObstacleKind::Circle:
+      return {sim2d::circleOutline(obstacle.pose.position, obstacle.radius)};
+    case sim2d::ObstacleKind::Polygon:
+      return {sim2d::polygonOutline(obstacle.points)};
+    case sim2d::ObstacleKind::Wall:
+      return sim2d::wallOutlines(obstacle.points, obstacle.thickness.value_or(kDefaultWall));
+  }
+  return {};
+}
+
+double distanceToSegment(const Vec2& point, const Vec2& a, const Vec2& b) {
+  const Vec2 along = b - a;
+  const double length2 = along.squaredNorm();
+  const double part = length2 > 0.0 ? std::clamp((point - a).dot(along) / length2, 0.0, 1.0) : 0.0;
+  return (point - a - part * along).norm();
+}
+
+double distanceToOutline(const Vec2& point, const sim2d::Outline& outline) {
+  double nearest = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < outline.points.size(); ++i) {
+    const Vec2& next = outline.points[(i + 1) % outline.points.size()];
+    nearest = std::min(nearest, distanceToSegment(point, outline.points[i], next));
+  }
+  return nearest;
+}
+
+QPen cosmetic(const QColor& color, double widthPx, Qt::PenStyle style = Qt::SolidLine) {
+  QPen pen(color, widthPx, style, Qt::FlatCap, Qt::MiterJoin);
+  pen.setCosmetic(true);
+  return pen;
+}
+
+QString areaWord(sim2d::AreaKind kind) {
+  switch (kind) {
+    case sim2d::AreaKind::Source:
+      return QStringLiteral("source");
+    case sim2d::AreaKind::Sink:
+      return QStringLiteral("sink");
+    case sim2d::AreaKind::Wait:
+      return QStringLiteral("waiting");
+    case sim2d::AreaKind::Exit:
+      return QStringLiteral("exit");
+  }
+  return QString();
+}
+
+}  // namespace
+
+void ShapeItem::take(const Entity& value) {
+  value_ = value;
+  outlines_.clear();
+  bool listed = true;
+  if (const auto* obstacle = std::get_if<sim2d::Obstacle>(&value_)) {
+    outlines_ = outlinesOf(*obstacle);
+    listed = obstacle->listed;
+  } else if (const auto* door = std::get_if<sim2d::Door>(&value_)) {
+    outlines_ = sim2d::wallOutlines({door->from, door->to}, door->thickness.value_or(kDefaultDoor));
+    listed = door->listed;
+  } else if (const auto* area = std::get_if<sim2d::Area>(&value_)) {
+    outlines_ = {sim2d::polygonOutline(area->points)};
+    listed = area->listed;
+  }
+  path_ = QPainterPath();
+  path_.setFillRule(Qt::WindingFill);
+  for (const sim2d::Outline& outline : outlines_) {
+    QPolygonF polygon;
+    for (const Vec2& point : outline.points) {
+      polygon << MapScene::sceneFromWorld(point);
+    }
+    path_.addPolygon(polygon);
+    path_.closeSubpath();
+  }
+  if (outlines_.size() > 1) {
+    path_ = path_.simplified();
+  }
+  setOpacity(listed ? 1.0 : 0.4);
+}
+
+QRectF ShapeItem::bounds(double pixelsPerMetre) const {
+  const double margin = 4.0 / pixelsPerMetre;
+  return path_.boundingRect().adjusted(-margin, -margin, margin, margin);
+}
+
+double ShapeItem::distanceTo(const Vec2& world) const {
+  double nearest = std::numeric_limits<double>::max();
+  for (const sim2d::Outline& outline : outlines_) {
+    if (outline.points.size() > 2 && sim2d::isInside(outline.points, world)) {
+      return 0.0;
+    }
+    nearest = std::min(nearest, distanceToOutline(world, outline));
+  }
+  return nearest;
+}
+
+std::vector<Label> ShapeItem::labels() const {
+  const auto* area = std::get_if<sim2d::Area>(&value_);
+  const bool isShown =
+      isSelectedEntity() || isHovered() || (area != nullptr && mapScene().options().names);
+  if (!isShown) {
+    return {};
+  }
+  const QString name = displayName(value_);
+  const QString text =
+      area == nullptr ? name : QStringLiteral("%1 · %2").arg(name, areaWord(area->kind));
+  const QRectF box = path_.boundingRect();
+  return {{text, std::nullopt, box.center(), 0.5 * box.height() * mapScene().pixelsPerMetre() + 4.0,
+           0, false}};
+}
+
+void ShapeItem::paintDoor(QPainter& painter) const {
+  const auto& door = std::get<sim2d::Door>(value_);
+  const bool open = mapScene().isDoorOpen(id(), door);
+  if (!open) {
+    painter.setPen(cosmetic(theme().color(Role::ObstacleEdge), 1.0));
+    painter.setBrush(theme().color(Role::WarningMark));
+    painter.drawPath(path_);
+    return;
+  }
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(cosmetic(theme().color(Role::ObstacleEdge), 1.5, Qt::DashLine));
+  painter.drawLine(MapScene::sceneFromWorld(door.from), MapScene::sceneFromWorld(door.to));
+  // The leaf stands open, with the arc that it swung through.
+  const Vec2 across = door.to - door.from;
+  const Vec2 leaf = door.from + Vec2(-across.y(), across.x());
+  painter.setPen(cosmetic(theme().color(Role::ObstacleEdge), 2.0));
+  painter.drawLine(MapScene::sceneFromWorld(door.from), MapScene::sceneFromWorld(leaf));
+  const double length = across.norm();
+  const QPointF hinge = MapScene::sceneFromWorld(door.from);
+  const double startDeg = base::headingOf(across) * 180.0 / base::kPi;
+  QPainterPath arc;
+  const QRectF box(hinge.x() - length, hinge.y() - length, 2.0 * length, 2.0 * length);
+  arc.arcMoveTo(box, startDeg);
+  arc.arcTo(box, startDeg, 90.0);
+  painter.setPen(cosmetic(theme().color(Role::ObstacleEdge, 0.6), 1.0, Qt::DotLine));
+  painter.drawPath(arc);
+}
+
+void ShapeItem::paintArea(QPainter& painter) const {
+  const bool strong = isHovered() || isSelectedEntity();
+  painter.setPen(cosmetic(theme().color(Role::ObstacleEdge), strong ? 1.5 : 1.0, Qt::DashLine));
+  painter.setBrush(theme().color(Role::Accent, strong ? 0.10 : 0.05));
+  painter.drawPath(path_);
+}
+
+void ShapeItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  painter->setRenderHint(QPainter::Antialiasing);
+  switch (kindOf(value_)) {
+    case EntityKind::Door:
+      paintDoor(*painter);
+      break;
+    case EntityKind::Area:
+      paintArea(*painter);
+      break;
+    default:
+      painter->setPen(cosmetic(theme().color(Role::ObstacleEdge), 1.2));
+      painter->setBrush(theme().color(Role::ObstacleFill));
+      painter->drawPath(path_);
+  }
+  if (isHovered() && !isSelectedEntity()) {
+    painter->setBrush(Qt::NoBrush);
+    painter->setPen(cosmetic(theme().color(Role::Accent, 0.6), 1.5));
+    painter->drawPath(path_);
+  }
+}
+
+}  // namespace editor
