@@ -54,4 +54,11 @@ class Tool : public QObject {
   MapScene& scene_;
 };
 
+constexpr double kDragPx = 4.0;  // less is a click
+bool isDrag(const Vec2& from, const CanvasMouse& mouse);
+/// On whole centimetres; on half metres with Ctrl, anywhere with Alt.
+Vec2 placed(const Vec2& world, Qt::KeyboardModifiers modifiers);
+QString placeText(const Vec2& world);  // "6.30, 6.90 m"
+QString headingText(double heading);   // "-28.0°"
+
 }  // namespace editor

@@ -15,11 +15,12 @@ class ToolManager : public QObject {
  public:
   /// Makes the standard tools.
   ToolManager(ScenarioDocument& document, MapScene& scene, QObject* parent = nullptr);
+  ~ToolManager() override;
 
   void add(Tool* tool);  // takes it as a child; further tools may be added by others
   const std::vector<Tool*>& tools() const { return tools_; }
   QAction* action(const Tool* tool) const;
-  QActionGroup& actions() { return group_; }  // icons are set by the window
+  QActionGroup& actions() { return group_; }  // data() = name of the icon, set by the window
   Tool* current() const { return current_; }
   void setCurrent(Tool* tool);
   /// Tools rest while a simulation runs; the select tool still selects.
@@ -34,6 +35,7 @@ class ToolManager : public QObject {
   QActionGroup group_;
   std::vector<Tool*> tools_;
   Tool* current_ = nullptr;
+  bool editingEnabled_ = true;
 };
 
 }  // namespace editor

@@ -1,0 +1,97 @@
+#include "editor/tools/GoalTool.h"
+
+#include "editor/canvas/Layers.h"
+#include "editor/canvas/MapScene.h"
+#include "editor/document/EditCommands.h"
+
+namespace editor {
+
+namespace {
+
+constexpr EntityId kGhost{EntityKind::Goal, -1};
+
+}  // namespace
+
+QString GoalTool::statusText() const {
+  if (held_ && held_->key != kGhost) {
+    return tr("Click to drop goal %1 · Esc leaves it where it was").arg(held_->id);
+  }
+  return tr("Click to add a goal · Click or drag a goal to move it");
+}
+
+void GoalTool::press(const CanvasMouse& mouse) {
+  if (mouse.button != Qt::LeftButton) {
+    return;
+  }
+  pressed_ = true;
+  from_ = mouse.world;
+  justPicked_ = false;
+  if (held_) {  // picked up by the click before
+    preview(placed(mouse.world + grip_, mouse.modifiers));
+    return;
+  }
+  grip_ = Vec2::Zero();
+  const sim2d::GlobalGoal* goal = document().goal(scene().entityAt(mouse.world));
+  if (goal != nullptr) {
+    held_ = *goal;
+    grip_ = goal->position - mouse.world;
+    justPicked_ = true;
+    document().setSelection({goal->key});
+  } else {
+    held_ = sim2d::GlobalGoal();
+    held_->key = kGhost;
+    held_->id = freeGoalId(document().scenario());
+    preview(placed(mouse.world, mouse.modifiers));
+  }
+  Q_EMIT statusTextChanged();
+}
+
+void GoalTool::move(const CanvasMouse& mouse) {
+  if (!held_) {
+    scene().setHovered(scene().entityAt(mouse.world));
+    return;
+  }
+  if (!pressed_ || isDrag(from_, mouse)) {
+    preview(placed(mouse.world + grip_, mouse.modifiers));
+  }
+}
+
+void GoalTool::release(const CanvasMouse& mouse) {
+  if (mouse.button != Qt::LeftButton || !pressed_) {
+    return;
+  }
+  pressed_ = false;
+  if (!held_ || (justPicked_ && !isDrag(from_, mouse))) {
+    return;  // picked up by a click: follows the mouse until the next one
+  }
+  drop(placed(mouse.world + grip_, mouse.modifiers));
+}
+
+void GoalTool::drop(const Vec2& at) {
+  sim2d::GlobalGoal goal = *held_;
+  cancel();
+  goal.position = at;
+  if (goal.key == kGhost) {
+    document().setSelection({pushAdd(document(), goal)});
+  } else {
+    pushEdit(document(), {goal}, tr("Move goal %1").arg(goal.id));
+  }
+}
+
+void GoalTool::preview(const Vec2& at) {
+  sim2d::GlobalGoal shown = *held_;
+  shown.position = at;
+  scene().setPreview({shown});
+  scene().toolLayer().setTag(at, placeText(at));
+}
+
+void GoalTool::cancel() {
+  held_.reset();
+  pressed_ = false;
+  scene().clearPreview();
+  scene().toolLayer().clear();
+  scene().setHovered({});
+  Q_EMIT statusTextChanged();
+}
+
+}  // namespace editor

@@ -1,0 +1,85 @@
+#include "editor/tools/ToolManager.h"
+
+#include <QAction>
+
+#include "editor/canvas/MapScene.h"
+#include "editor/tools/GoalTool.h"
+#include "editor/tools/PanTool.h"
+#include "editor/tools/PersonTool.h"
+#include "editor/tools/RobotTool.h"
+#include "editor/tools/RouteTool.h"
+#include "editor/tools/SelectTool.h"
+
+namespace editor {
+
+ToolManager::ToolManager(ScenarioDocument& document, MapScene& scene, QObject* parent)
+    : QObject(parent), scene_(scene), group_(this) {
+  add(new SelectTool(document, scene, this));
+  add(new PersonTool(document, scene, this));
+  add(new GoalTool(document, scene, this));
+  add(new RouteTool(document, scene, this));
+  add(new RobotTool(document, scene, this));
+  add(new PanTool(document, scene, this));
+  connect(&document, &ScenarioDocument::selectionChanged, this, [this] {
+    if (current_ != nullptr) {
+      Q_EMIT statusTextChanged(current_->statusText());
+    }
+  });
+  setCurrent(tools_.front());
+}
+
+ToolManager::~ToolManager() {
+  scene_.setTool(nullptr);
+}
+
+void ToolManager::add(Tool* tool) {
+  tool->setParent(this);
+  tools_.push_back(tool);
+  auto* action = new QAction(tool->name(), &group_);
+  action->setCheckable(true);
+  action->setShortcut(tool->shortcut());
+  action->setToolTip(QStringLiteral("%1 (%2)\n%3")
+                         .arg(tool->name(), tool->shortcut().toString(QKeySequence::NativeText),
+                              tool->statusText()));
+  action->setStatusTip(tool->statusText());
+  action->setData(tool->iconName());
+  connect(action, &QAction::triggered, this, [this, tool] { setCurrent(tool); });
+  connect(tool, &Tool::statusTextChanged, this, [this, tool] {
+    if (tool == current_) {
+      Q_EMIT statusTextChanged(tool->statusText());
+    }
+  });
+}
+
+QAction* ToolManager::action(const Tool* tool) const {
+  for (std::size_t i = 0; i < tools_.size(); ++i) {
+    if (tools_[i] == tool) {
+      return group_.actions().at(static_cast<int>(i));
+    }
+  }
+  return nullptr;
+}
+
+void ToolManager::setCurrent(Tool* tool) {
+  if (tool == current_ || (!editingEnabled_ && tool != tools_.front())) {
+    return;
+  }
+  current_ = tool;
+  scene_.setTool(tool);
+  action(tool)->setChecked(true);
+  Q_EMIT currentChanged(tool);
+  Q_EMIT statusTextChanged(tool->statusText());
+}
+
+void ToolManager::setEditingEnabled(bool enabled) {
+  if (!enabled) {
+    setCurrent(tools_.front());
+  }
+  editingEnabled_ = enabled;
+  for (std::size_t i = 1; i < tools_.size(); ++i) {
+    group_.actions().at(static_cast<int>(i))->setEnabled(enabled);
+  }
+  Q_EMIT statusTextChanged(current_->statusText());
+}
+
+}  // namespace editor
