@@ -3,29 +3,17 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <thread>
 #include <vector>
 
 #include <QObject>
 #include <QTimer>
 
+#include "editor/run/RunWorker.h"
 #include "sim2d/trace/Frame.h"
 #include "sim2d/trace/Trace.h"
-#include "sim2d/world/Runner.h"
 
 namespace editor {
-
-/// Makes the world of a run; called in the worker thread, so it holds copies of all it needs.
-using WorldMaker = std::function<base::Result<std::unique_ptr<sim2d::World>>()>;
-struct RunRequest {
-  WorldMaker makeWorld;
-  sim2d::StopRule rule;
-  int recordEvery = 1;
-};
-
-using FramePtr = std::shared_ptr<const sim2d::Frame>;
-using TracePtr = std::shared_ptr<const sim2d::Trace>;
 
 /// A simulation beside the window. Lives in the GUI thread and owns one worker thread with the
 /// world; commands go in through a locked queue and are used between steps, frames come out through
@@ -34,6 +22,7 @@ class SimulationRunner : public QObject {
   Q_OBJECT
  public:
   enum class State { Editing, Running, Paused };
+  Q_ENUM(State)
 
   explicit SimulationRunner(QObject* parent = nullptr);
   ~SimulationRunner() override;  // stops and waits
@@ -63,11 +52,12 @@ class SimulationRunner : public QObject {
 
   /// The run so far, or the whole of it after the end; comes by `traceReady`.
   void requestTrace();
-  TracePtr trace() const { return trace_; }  // of the last run that ended; may be null
+  TracePtr trace() const { return trace_; }  // the last one that came; may be null
 
  Q_SIGNALS:
   void stateChanged(editor::SimulationRunner::State state);
   void frameShown(std::shared_ptr<const sim2d::Frame> frame);  // at display rate; null: cleared
+  void eventsHappened(const editor::StepEvents& events);       // of every step that had some
   void lookingBackChanged(bool lookingBack);
   void speedMeasured(double factor);
   void traceReady(std::shared_ptr<const sim2d::Trace> trace);
@@ -77,17 +67,18 @@ class SimulationRunner : public QObject {
   void warned(const base::Diagnostics& diagnostics);      // it could, with remarks
 
  private:
-  struct Shared;
   void start(bool paused);
   void poll();
+  void takeFrames(RunNews& news);
+  void takeEnd(const RunNews& news);
   void setState(State state);
   void show(FramePtr frame, bool lookingBack);
   void stopWorker();
-  void noteEnd();
+  std::size_t shownIndex() const;  // in the history
 
   std::function<RunRequest()> request_;
-  std::shared_ptr<Shared> shared_;
-  std::thread worker_;
+  std::unique_ptr<RunWorker> worker_;
+  std::thread thread_;
   QTimer timer_;
   State state_ = State::Editing;
   bool finished_ = false, lookingBack_ = false;
@@ -102,3 +93,4 @@ class SimulationRunner : public QObject {
 Q_DECLARE_METATYPE(std::shared_ptr<const sim2d::Frame>)
 Q_DECLARE_METATYPE(std::shared_ptr<const sim2d::Trace>)
 Q_DECLARE_METATYPE(base::Diagnostics)
+Q_DECLARE_METATYPE(sim2d::RunResult)
