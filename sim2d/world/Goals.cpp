@@ -8,6 +8,7 @@
 namespace sim2d {
 namespace {
 
+constexpr double kLeft = 0.5;   // [m] outside the radius: the goal was left (room to brake)
 constexpr double kTick = 1e-9;  // [s]; a limit is reached so much before it
 
 /// Index in the person's written goals of the next one with this id after `last`.
@@ -60,17 +61,17 @@ void Goals::afterMotion(const WorldModel& model, WorldState& state, const Intent
     }
     Progress& progress = people_[human];
     const GoalItem front = goals.front();
-    const bool isInside = (front.position - state.position(human)).norm() <= front.radius;
+    const double distance = (front.position - state.position(human)).norm();
     const bool stayed =
         progress.stands && progress.standsIn == front &&
         model.people[human].constants.cyclicGoals &&
         std::count(goals.begin(), goals.end(), front) == static_cast<std::ptrdiff_t>(goals.size());
-    if (!isInside) {
-      progress.stands = progress.stands && !stayed;
+    if (stayed) {  // a round of one goal leads to where the person stands
+      progress.stands = distance <= front.radius + kLeft;
       continue;
     }
-    if (stayed) {
-      continue;  // a round of one goal leads to where the person stands
+    if (distance > front.radius) {
+      continue;
     }
     goals.erase(goals.begin());
     if (model.people[human].constants.cyclicGoals) {

@@ -168,8 +168,8 @@ inline double deepestOverlap(const Frame& frame, double radius) {
   double deepest = 0.0;
   for (std::size_t i = 0; i < frame.humans.size(); ++i) {
     for (std::size_t k = i + 1; k < frame.humans.size(); ++k) {
-      deepest = std::max(
-          deepest, 2.0 * radius - (positionOf(frame, i) - positionOf(frame, k)).norm());
+      deepest =
+          std::max(deepest, 2.0 * radius - (positionOf(frame, i) - positionOf(frame, k)).norm());
     }
   }
   return deepest;

@@ -143,9 +143,8 @@ void WorldTest::frame_columns_areTheStateOfThePeople() {
   Scenario scenario = walk();
   addPerson(scenario, 7, Vec2(3.0, 3.0)).groupId = 4;
   addPerson(scenario, 4, Vec2(-3.0, 3.0));
-  const std::unique_ptr<World> world = make(scenario, [](const WorldView&, Intents& intents) {
-    intents.of(1).active = true;
-  });
+  const std::unique_ptr<World> world =
+      make(scenario, [](const WorldView&, Intents& intents) { intents.of(1).active = true; });
   const Frame& frame = world->frame();
   QVERIFY(frame.humans.id == (std::vector<int>{1, 4, 7}));
   QVERIFY(frame.humans.group == (std::vector<int>{-1, -1, 4}));
@@ -196,19 +195,18 @@ void WorldTest::goals_takenOffByTheBehavior_countForWaits() {
   scenario.humans[0].goals = {1, 2};
   scenario.humans[0].ours.wait = {3.0, 0.0};
   bool isTaken = false;
-  const std::unique_ptr<World> world =
-      make(scenario, [&](const WorldView& view, Intents& intents) {
-        std::vector<GoalItem>& goals = intents.control(0).goals;
-        if (!isTaken && (goals.front().position - view.pose(0).position).norm() < 0.4) {
-          goals.erase(goals.begin());
-          Event event;
-          event.kind = EventKind::Goal;
-          event.id = 1;
-          event.text = "1";
-          intents.emit(event);
-          isTaken = true;
-        }
-      });
+  const std::unique_ptr<World> world = make(scenario, [&](const WorldView& view, Intents& intents) {
+    std::vector<GoalItem>& goals = intents.control(0).goals;
+    if (!isTaken && (goals.front().position - view.pose(0).position).norm() < 0.4) {
+      goals.erase(goals.begin());
+      Event event;
+      event.kind = EventKind::Goal;
+      event.id = 1;
+      event.text = "1";
+      intents.emit(event);
+      isTaken = true;
+    }
+  });
   const std::vector<Recorded> reached = ofKind(advance(*world, 200), EventKind::Goal);
   QCOMPARE(reached.size(), std::size_t{2});
   QVERIFY(reached[1].step - reached[0].step > 60 + 20);
@@ -306,10 +304,9 @@ void WorldTest::source_arrivals_followTheirRateAndCount() {
 }
 
 void WorldTest::frozen_person_standsStill() {
-  const std::unique_ptr<World> world =
-      make(walk(), [](const WorldView& view, Intents& intents) {
-        intents.control(0).frozen = view.step() > 20 && view.step() <= 40;
-      });
+  const std::unique_ptr<World> world = make(walk(), [](const WorldView& view, Intents& intents) {
+    intents.control(0).frozen = view.step() > 20 && view.step() <= 40;
+  });
   advance(*world, 20);
   const Vec2 place = positionOf(world->frame(), 0);
   advance(*world, 20);
@@ -328,10 +325,9 @@ void WorldTest::extraForce_ofABehavior_isAmongTheForces() {
 }
 
 void WorldTest::diverged_velocity_stopsTheRunAndNamesThePerson() {
-  const std::unique_ptr<World> world =
-      make(walk(), [](const WorldView& view, Intents& intents) {
-        intents.of(0).speed = view.step() > 5 ? 1e6 : 1.0;
-      });
+  const std::unique_ptr<World> world = make(walk(), [](const WorldView& view, Intents& intents) {
+    intents.of(0).speed = view.step() > 5 ? 1e6 : 1.0;
+  });
   advance(*world, 100);
   QCOMPARE(world->stepIndex(), std::int64_t{5});
   QCOMPARE(world->frame().step, std::int64_t{5});

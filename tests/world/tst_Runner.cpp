@@ -1,0 +1,121 @@
+#include <algorithm>
+#include <cmath>
+
+#include <QtTest>
+
+#include "sim2d/world/Runner.h"
+#include "tests/world/TestWorld.h"
+
+using namespace testworld;
+
+class RunnerTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void stopRuleOf_scenario_followsTheContract();
+  void run_duration_recordsEveryFrameAndTheStop();
+  void run_robotArrives_endsOneSecondLater();
+  void run_interrupted_keepsWhatIsDone();
+  void run_diverged_failsWithTheReason();
+  void run_twice_givesEqualTraces();
+  void run_peopleListedInAnotherOrder_givesAnEqualTrace();
+};
+
+namespace {
+
+Scenario crossing() {
+  Scenario scenario;
+  addRoom(scenario, Vec2(-6.0, -6.0), Vec2(6.0, 6.0));
+  for (int i = 0; i < 8; ++i) {
+    const double angle = i * base::kPi / 4.0;
+    addGoal(scenario, i + 1, -4.0 * std::cos(angle), -4.0 * std::sin(angle));
+    addPerson(scenario, i, Vec2(4.0 * std::cos(angle), 4.0 * std::sin(angle)), {i + 1}).groupId =
+        i < 2 ? 3 : -1;
+  }
+  addDoor(scenario, Vec2(0.0, 5.0), Vec2(1.0, 5.0), true, {2.0});
+  addRobot(scenario, Vec2(-5.0, -5.0), Vec2(5.0, 5.0));
+  return scenario;
+}
+
+Trace traceOf(const Scenario& scenario, std::int64_t steps) {
+  const std::unique_ptr<World> world = make(scenario);
+  Recorder recorder;
+  run(*world, {steps, false}, recorder);
+  return recorder.finish(world->header());
+}
+
+}  // namespace
+
+void RunnerTest::stopRuleOf_scenario_followsTheContract() {
+  Scenario scenario;
+  QCOMPARE(stopRuleOf(scenario).maximumSteps, std::int64_t{1200});
+  QVERIFY(!stopRuleOf(scenario).stopOnArrival);
+  addRobot(scenario, Vec2::Zero(), Vec2(1.0, 0.0));
+  QCOMPARE(stopRuleOf(scenario).maximumSteps, std::int64_t{2400});
+  QVERIFY(stopRuleOf(scenario).stopOnArrival);
+  scenario.desktop.duration = 7.0;
+  scenario.desktop.dt = 0.1;
+  QCOMPARE(stopRuleOf(scenario).maximumSteps, std::int64_t{70});
+  QVERIFY(!stopRuleOf(scenario).stopOnArrival);
+}
+
+void RunnerTest::run_duration_recordsEveryFrameAndTheStop() {
+  const Trace trace = traceOf(crossing(), 50);
+  QCOMPARE(trace.frames.size(), std::size_t{51});
+  QCOMPARE(trace.frames.back().step, std::int64_t{50});
+  QVERIFY(trace.events.back().second.kind == EventKind::Stop);
+  QVERIFY(trace.events.back().second.text == "duration");
+  QCOMPARE(trace.events.back().first, std::int64_t{50});
+}
+
+void RunnerTest::run_robotArrives_endsOneSecondLater() {
+  Scenario scenario;
+  addRobot(scenario, Vec2::Zero(), Vec2(2.0, 0.0));
+  const std::unique_ptr<World> world = make(scenario);
+  Recorder recorder;
+  const RunResult result = run(*world, stopRuleOf(scenario), recorder);
+  QVERIFY(result.status == RunStatus::Finished && result.reason == "arrived");
+  QVERIFY(std::fabs(world->time() - *world->arrivedAt() - 1.0) < 1e-9);
+  QCOMPARE(result.steps, world->stepIndex());
+}
+
+void RunnerTest::run_interrupted_keepsWhatIsDone() {
+  const std::unique_ptr<World> world = make(crossing());
+  Recorder recorder;
+  const RunResult result =
+      run(*world, {100, false}, recorder, [](const Frame& frame) { return frame.step == 12; });
+  QVERIFY(result.status == RunStatus::Interrupted);
+  QCOMPARE(recorder.finish(world->header()).frames.size(), std::size_t{13});
+}
+
+void RunnerTest::run_diverged_failsWithTheReason() {
+  const std::unique_ptr<World> world =
+      make(crossing(), [](const WorldView& view, Intents& intents) {
+        intents.of(2).speed = view.step() > 9 ? std::nan("") : 1.0;
+      });
+  Recorder recorder;
+  const RunResult result = run(*world, {100, false}, recorder);
+  QVERIFY(result.status == RunStatus::Failed);
+  QVERIFY(result.reason.find("person2") != std::string::npos);
+  const Trace trace = recorder.finish(world->header());
+  QCOMPARE(trace.frames.size(), std::size_t{10});
+  QVERIFY(trace.events.back().second.text == result.reason);
+}
+
+void RunnerTest::run_twice_givesEqualTraces() {
+  const Trace first = traceOf(crossing(), 300);
+  const Trace second = traceOf(crossing(), 300);
+  QVERIFY(trajectoryCsv(first) == trajectoryCsv(second));
+  QVERIFY(eventsCsv(first) == eventsCsv(second));
+  QVERIFY(traceJson(first.header) == traceJson(second.header));
+}
+
+void RunnerTest::run_peopleListedInAnotherOrder_givesAnEqualTrace() {
+  Scenario shuffled = crossing();
+  std::reverse(shuffled.humans.begin(), shuffled.humans.end());
+  std::swap(shuffled.humans[1], shuffled.humans[4]);
+  QVERIFY(hashOf(traceOf(crossing(), 300)) == hashOf(traceOf(shuffled, 300)));
+}
+
+QTEST_APPLESS_MAIN(RunnerTest)
+#include "tst_Runner.moc"
