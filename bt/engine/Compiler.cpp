@@ -70,7 +70,9 @@ int Compiler::functionsOf(const std::string& id) {
 
 int Compiler::addNode(const NodeSpec& spec, int parent, const std::string& path,
                       const Place& place) {
-  if (full_ || program_->nodeCount() >= kMaxProgramNodes || place.depth > kMaxProgramDepth) {
+  pathBytes_ += path.size();
+  if (full_ || program_->nodeCount() >= kMaxProgramNodes || place.depth > kMaxProgramDepth ||
+      pathBytes_ > kMaxPathBytes) {
     if (!full_) {
       error(spec, place, "the tree is too large once its SubTrees are put in place");
     }

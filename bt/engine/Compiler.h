@@ -63,6 +63,7 @@ class Compiler {
   std::map<std::string, int> functions_;
   std::map<std::string, const XmlBlock*> subTreeModels_;
   base::Diagnostics problems_;
+  std::size_t pathBytes_ = 0;
   bool full_ = false;  // too large: nothing more is added
 };
 

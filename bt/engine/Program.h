@@ -17,8 +17,9 @@
 /// may read it.
 namespace bt {
 
-constexpr int kMaxProgramNodes = 1000000;  // after all SubTrees are put in place
-constexpr int kMaxProgramDepth = 2000;     // idem
+constexpr int kMaxProgramNodes = 200000;                     // after all SubTrees are put in place
+constexpr int kMaxProgramDepth = 2000;                       // idem
+constexpr std::size_t kMaxPathBytes = std::size_t{1} << 28;  // of all paths together
 
 /// How a node is run.
 enum class NodeCode : std::uint8_t {

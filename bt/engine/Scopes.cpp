@@ -8,10 +8,11 @@ namespace bt {
 Scopes::Scopes() : scopes_(1) {}
 
 int Scopes::add(int parent, bool autoRemap, const std::string& path) {
+  constexpr std::size_t kShownPath = 300;  // the end of a longer one tells more than its beginning
   Scope scope;
   scope.parent = parent;
   scope.autoRemap = autoRemap;
-  scope.path = path;
+  scope.path = path.size() > kShownPath ? path.substr(path.size() - kShownPath) : path;
   scopes_.push_back(std::move(scope));
   return static_cast<int>(scopes_.size()) - 1;
 }

@@ -12,22 +12,13 @@ using Comparison = Script::Comparison;
 void setNumber(Value& value, double number) {
   value.type = ValueType::Double;
   value.real = number;
-}
-
-/// Copies into the memory that the target has.
-void copy(Value& to, const Value& from) {
-  to.type = from.type;
-  if (from.type == ValueType::String) {
-    to.text = from.text;
-  } else {
-    to.integer = from.integer;
-  }
+  value.text.clear();
 }
 
 /// Numbers within a script are doubles.
 void copyNumber(Value& to, const Value& from) {
   if (from.type == ValueType::String) {
-    copy(to, from);
+    to = from;
   } else {
     setNumber(to, from.number());
   }
@@ -170,7 +161,7 @@ bool ScriptRunner::assign(const ScriptInstruction& instruction) {
     if (!arithmetic(operation, changed, top())) {
       return false;
     }
-    copy(top(), changed);
+    top() = changed;
   }
   const bool holdsText = slot.value.type == ValueType::String;
   const bool givesText = top().type == ValueType::String;

@@ -18,8 +18,13 @@ std::optional<std::int64_t> wholeNumber(const Value& value, double lowest, doubl
   return static_cast<std::int64_t>(number);
 }
 
-std::optional<Value> asText(const Value& value) {
-  return value.type == ValueType::String ? std::optional<Value>(value) : std::nullopt;
+/// A number in an entry for text stays a number, for scripts, and carries its text as well.
+Value withText(const Value& value) {
+  Value result = value;
+  if (value.isNumber()) {
+    result.text = value.toText();
+  }
+  return result;
 }
 
 template <class T>
@@ -124,8 +129,9 @@ std::optional<bool> toBool(const Value& value) {
 }
 
 std::optional<std::string_view> toStringView(const Value& value) {
-  return value.type == ValueType::String ? std::optional<std::string_view>(value.text)
-                                         : std::nullopt;
+  const bool hasText =
+      value.type == ValueType::String || (value.type != ValueType::Unset && !value.text.empty());
+  return hasText ? std::optional<std::string_view>(value.text) : std::nullopt;
 }
 
 std::optional<base::NodeStatus> toStatus(const Value& value) {
@@ -148,10 +154,10 @@ std::optional<Value> convertTo(const Value& value, PortType type) {
     case PortType::Bool:
       return wrapped(toBool(value));
     case PortType::Status:
-      return toStatus(value) ? asText(value) : std::nullopt;
+      return toStatus(value) ? std::optional<Value>(value) : std::nullopt;
     case PortType::String:
     case PortType::Queue:
-      return asText(value);
+      return withText(value);
   }
   return std::nullopt;
 }
@@ -161,12 +167,7 @@ bool store(Slot& slot, const Value& value) {
   if (!converted) {
     return false;
   }
-  slot.value.type = converted->type;
-  if (converted->type == ValueType::String) {
-    slot.value.text = converted->text;  // keeps its memory
-  } else {
-    slot.value.integer = converted->integer;
-  }
+  slot.value = *converted;
   slot.exists = true;
   ++slot.version;
   return true;
@@ -178,6 +179,7 @@ bool store(Slot& slot, double value) {
   }
   slot.value.type = ValueType::Double;
   slot.value.real = value;
+  slot.value.text.clear();
   slot.exists = true;
   ++slot.version;
   return true;
@@ -189,6 +191,7 @@ bool store(Slot& slot, int value) {
   }
   slot.value.type = ValueType::Int;
   slot.value.integer = value;
+  slot.value.text.clear();
   slot.exists = true;
   ++slot.version;
   return true;

@@ -19,7 +19,7 @@ struct Value {
     std::int64_t integer = 0;  // Int, Bool
     double real;               // Double
   };
-  std::string text;  // String
+  std::string text;  // String; also of a number in an entry for text, otherwise empty then
 
   static Value of(int value) { return of(static_cast<std::int64_t>(value)); }
   static Value of(std::int64_t value);

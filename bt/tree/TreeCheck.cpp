@@ -15,6 +15,7 @@ std::string meant(const std::optional<std::string>& name) {
   return name ? " (did you mean '" + *name + "'?)" : std::string();
 }
 
+constexpr std::size_t kShownLabel = 80;         // characters of a name in a message
 constexpr std::size_t kMaxIssues = 500;         // of one tree; nobody reads more
 constexpr std::size_t kMaxNamesCompared = 500;  // when a nearest tree ID is looked for
 
@@ -84,7 +85,7 @@ std::string Checker::where() const {
   const std::size_t first = parents_.size() > shown ? parents_.size() - shown : 0;
   text += first > 0 ? "/…" : "";
   for (std::size_t i = first; i < parents_.size(); ++i) {
-    text += "/" + parents_[i]->label();
+    text += "/" + parents_[i]->label().substr(0, kShownLabel);
   }
   return text + ": ";
 }

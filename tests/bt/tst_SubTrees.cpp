@@ -1,0 +1,206 @@
+#include "tests/bt/TreeProbe.h"
+
+/// Blackboards of nested trees, and the typing of entries.
+class SubTreesTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void tick_subTree_givesTrace_data();
+  void tick_subTree_givesTrace();
+  void compile_types_data();
+  void compile_types();
+  void hostEntries_areSeenBelow();
+  void entries_list_hasPathsOfSubTrees();
+  void compile_tooManySubTrees_isRefused();
+  void interop_reactionTree_runs();
+};
+
+namespace {
+
+/// Two trees; the first one runs.
+std::string trees(const char* main, const char* sub, const char* model = "") {
+  return std::string("<root BTCPP_format='4' main_tree_to_execute='M'>") + model +
+         "<BehaviorTree ID='M'>" + main + "</BehaviorTree><BehaviorTree ID='Sub'>" + sub +
+         "</BehaviorTree></root>";
+}
+
+void row(const char* name, const std::string& xml, const char* steps) {
+  QTest::newRow(name) << QString::fromStdString(xml) << QString::fromUtf8(steps);
+}
+
+}  // namespace
+
+void SubTreesTest::tick_subTree_givesTrace_data() {
+  QTest::addColumn<QString>("xml");
+  QTest::addColumn<QString>("steps");
+  row("mapped down",
+      trees("<Sequence><Script code='a := 3'/><SubTree ID='Sub' x='{a}'/></Sequence>",
+            "<ReadDouble value='{x}'/>"),
+      "3 -> SUCCESS");
+  row("mapped up",
+      trees("<Sequence><SubTree ID='Sub' x='{a}'/><ReadInt value='{a}'/></Sequence>",
+            "<Put value='{x}' number='4'/>"),
+      "4 -> SUCCESS");
+  row("not mapped",
+      trees("<Sequence><Script code='a := 3'/><SubTree ID='Sub'/></Sequence>",
+            "<ScriptCondition code='a == 3'/>"),
+      "!no value");
+  row("automatic",
+      trees("<Sequence><Script code='a := 3'/><SubTree ID='Sub' _autoremap='true'/></Sequence>",
+            "<ReadDouble value='{a}'/>"),
+      "3 -> SUCCESS");
+  row("private keys are not automatic",
+      trees("<Sequence><Script code='_a := 3'/><SubTree ID='Sub' _autoremap='true'/></Sequence>",
+            "<ScriptCondition code='_a == 3'/>"),
+      "!no value");
+  row("root entries",
+      trees("<Sequence><Script code='a := 3'/><SubTree ID='Sub'/></Sequence>",
+            "<Sequence><ReadDouble value='{@a}'/><Script code='@b := 5'/></Sequence>"),
+      "3 -> SUCCESS");
+  row("same name",
+      trees("<Sequence><Script code='x := 3'/><SubTree ID='Sub' x='{=}'/></Sequence>",
+            "<ReadDouble value='{x}'/>"),
+      "3 -> SUCCESS");
+  row("literal number", trees("<SubTree ID='Sub' x='7'/>", "<ReadInt value='{x}'/>"),
+      "7 -> SUCCESS");
+  row("literal whole number for a real",
+      trees("<SubTree ID='Sub' x='7'/>", "<ReadDouble value='{x}'/>"), "7 -> SUCCESS");
+  row("literal text", trees("<SubTree ID='Sub' x='a b'/>", "<ReadText value='{x}'/>"),
+      "a b -> SUCCESS");
+  row("literal is a copy of each call",
+      trees("<Sequence><SubTree ID='Sub' x='1'/><SubTree ID='Sub' x='2'/></Sequence>",
+            "<Sequence><ReadInt value='{x}'/><Put value='{x}' number='9'/><ReadInt value='{x}'/>"
+            "</Sequence>"),
+      "1 9 2 9 -> SUCCESS|9 9 9 9 -> SUCCESS");
+  row("model default",
+      trees("<SubTree ID='Sub'/>", "<ReadInt value='{x}'/>",
+            "<TreeNodesModel><SubTree ID='Sub'><input_port name='x' default='5'/></SubTree>"
+            "</TreeNodesModel>"),
+      "5 -> SUCCESS");
+  row("status", trees("<Inverter><SubTree ID='Sub'/></Inverter>", "<St/>"),
+      "start -> RUNNING|run1 -> FAILURE|start -> RUNNING");
+  row("halted", trees("<Timeout msec='100'><SubTree ID='Sub'/></Timeout>", "<St runs='9'/>"),
+      "start -> RUNNING|halt -> FAILURE");
+  row("three levels",
+      "<root BTCPP_format='4' main_tree_to_execute='A'><BehaviorTree ID='A'><Sequence>"
+      "<Script code='k := 1'/><SubTree ID='B' k='{k}'/><ReadDouble value='{k}'/></Sequence>"
+      "</BehaviorTree><BehaviorTree ID='B'><SubTree ID='C' _autoremap='1'/></BehaviorTree>"
+      "<BehaviorTree ID='C'><Script code='k := k + 1'/></BehaviorTree></root>",
+      "2 -> SUCCESS");
+  row("conditions of a SubTree use the caller's entries",
+      trees("<Sequence><Script code='a := 1'/><SubTree ID='Sub' _skipIf='a == 1'/></Sequence>",
+            "<S/>"),
+      "-> SUCCESS");
+}
+
+void SubTreesTest::tick_subTree_givesTrace() {
+  QFETCH(QString, xml);
+  QFETCH(QString, steps);
+  probe::Run run(xml.toStdString());
+  QVERIFY2(run.state, run.problems.c_str());
+  for (const QString& step : steps.split(QLatin1Char('|'))) {
+    const QString trace = QString::fromStdString(run.trace());
+    if (step.startsWith(QLatin1Char('!'))) {
+      QVERIFY2(run.state->fault(), qPrintable(trace));
+      QVERIFY(QString::fromStdString(run.state->fault()->message).contains(step.mid(1)));
+      return;
+    }
+    QCOMPARE(trace, step);
+  }
+}
+
+void SubTreesTest::compile_types_data() {
+  QTest::addColumn<QString>("xml");
+  QTest::addColumn<QString>("problem");  // empty = compiles
+  const auto add = [](const char* name, const std::string& xml, const char* problem) {
+    QTest::newRow(name) << QString::fromStdString(xml) << QString::fromUtf8(problem);
+  };
+  add("same type twice", "<Sequence><Put value='{n}'/><ReadInt value='{n}'/></Sequence>", "");
+  add("int and double", "<Sequence><ReadInt value='{n}'/><ReadDouble value='{n}'/></Sequence>",
+      "port 'value' is double, but {n} is int");
+  add("text is read by any port",
+      "<Sequence><ReadText value='{n}'/><ReadDouble value='{n}'/><ReadInt value='{n}'/></Sequence>",
+      "");
+  add("int is not read as text",
+      "<Sequence><ReadInt value='{n}'/><ReadText value='{n}'/></Sequence>",
+      "port 'value' is std::string, but {n} is int");
+  add("id is an int", "<ReadInt value='{id}'/>", "");
+  add("id is no real", "<ReadDouble value='{id}'/>", "but {id} is int (by the program)");
+  add("dt is no int", "<ReadInt value='{dt}'/>", "but {dt} is double");
+  add("types cross SubTrees",
+      trees("<Sequence><ReadInt value='{a}'/><SubTree ID='Sub' x='{a}'/></Sequence>",
+            "<ReadDouble value='{x}'/>"),
+      "port 'value' is double, but {x} is int");
+  add("literal number as text", trees("<SubTree ID='Sub' x='7'/>", "<ReadText value='{x}'/>"),
+      "port 'value' is std::string, but {x} is int");
+  add("untyped ports fit everything",
+      "<Sequence><ReadInt value='{n}'/><SetBlackboard value='{n}' output_key='m'/>"
+      "<ReadInt value='{m}'/></Sequence>",
+      "");
+}
+
+void SubTreesTest::compile_types() {
+  QFETCH(QString, xml);
+  QFETCH(QString, problem);
+  const auto program = probe::compiled(xml.toStdString());
+  const std::string problems = probe::textOf(program.diagnostics());
+  QCOMPARE(static_cast<bool>(program), problem.isEmpty());
+  QVERIFY2(QString::fromStdString(problems).contains(problem), problems.c_str());
+}
+
+void SubTreesTest::hostEntries_areSeenBelow() {
+  probe::Run run(
+      trees("<SubTree ID='Sub' agent='{id}' step='{dt}'/>",
+            "<Sequence><ReadInt value='{agent}'/><ReadDouble value='{step}'/></Sequence>"));
+  QVERIFY2(run.state && run.problems.empty(), run.problems.c_str());
+  const bt::Program& program = run.state->program();
+  QVERIFY(run.state->set(program.hostSlot(0), 12));
+  QVERIFY(run.state->set(program.hostSlot(1), 0.25));
+  QCOMPARE(run.trace(), std::string("12 0.25 -> SUCCESS"));
+  QCOMPARE(program.findSlot("id"), program.hostSlot(0));
+  QCOMPARE(program.findSlot("unknown"), -1);
+  QVERIFY(!run.state->set(program.hostSlot(0), 0.5));  // an int
+  QVERIFY(run.state->set(program.hostSlot(0), 3.0));
+}
+
+void SubTreesTest::entries_list_hasPathsOfSubTrees() {
+  probe::Run run(trees("<Sequence><Script code='a := 1.5'/><SubTree ID='Sub' name='s'/></Sequence>",
+                       "<Script code=\"b := 'text'\"/>"));
+  run.tick();
+  const std::vector<bt::TreeState::EntryText> entries = run.state->entries();
+  QCOMPARE(entries.size(), std::size_t(2));
+  QVERIFY(entries[0].key == "a" && entries[0].text == "1.5");
+  QVERIFY(entries[1].key == "Sequence/s/b" && entries[1].text == "text");
+}
+
+void SubTreesTest::compile_tooManySubTrees_isRefused() {
+  std::string xml = "<root BTCPP_format='4' main_tree_to_execute='T0'>";
+  for (int i = 0; i < 40; ++i) {  // 2^40 nodes
+    const std::string call = "<SubTree ID='T" + std::to_string(i + 1) + "'/>";
+    xml += "<BehaviorTree ID='T" + std::to_string(i) + "'><Sequence>" + call + call +
+           "</Sequence></BehaviorTree>";
+  }
+  xml += "<BehaviorTree ID='T40'><AlwaysSuccess/></BehaviorTree></root>";
+  const auto program = probe::compiled(xml);
+  QVERIFY(!program);
+  QVERIFY(probe::textOf(program.diagnostics()).find("too large") != std::string::npos);
+}
+
+void SubTreesTest::interop_reactionTree_runs() {
+  probe::Run run(
+      "<root main_tree_to_execute='CuriousNavTree'>"
+      "<BehaviorTree ID='CuriousNavTree'><Fallback name='CuriousFallback'>"
+      "<Sequence name='CurNav'><F name='IsRobotVisible'/></Sequence>"
+      "<Sequence name='RegNav'><SetBlackboard output_key='agentid' value='{id}'/>"
+      "<SetBlackboard output_key='timestep' value='{dt}'/>"
+      "<SubTree ID='RegularNavTree' id='agentid' dt='timestep'/></Sequence></Fallback>"
+      "</BehaviorTree><BehaviorTree ID='RegularNavTree'><Sequence>"
+      "<ReadInt value='{id}'/><ReadDouble value='{dt}'/></Sequence></BehaviorTree></root>");
+  QVERIFY2(run.state, run.problems.c_str());
+  run.state->set(run.state->program().hostSlot(0), 5);
+  run.state->set(run.state->program().hostSlot(1), 0.1);
+  QCOMPARE(run.trace(), std::string("IsRobotVisible 5 0.1 -> SUCCESS"));
+}
+
+QTEST_APPLESS_MAIN(SubTreesTest)
+#include "tst_SubTrees.moc"

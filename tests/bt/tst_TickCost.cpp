@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "tests/bt/TreeProbe.h"
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* const memory = std::malloc(size == 0 ? 1 : size)) {
+    return memory;
+  }
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+/// A tick allocates nothing and costs well below a microsecond.
+class TickCostTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void tick_twentyNodes_allocatesNothing_data();
+  void tick_twentyNodes_allocatesNothing();
+  void tick_thousandTrees_isFast();
+  void create_thousandTrees_isFast();
+};
+
+namespace {
+
+using base::NodeStatus;
+
+struct Counter {
+  long reads = 0;
+};
+
+bt::NodeLibrary library() {
+  bt::NodeLibrary result;
+  result.addCondition(probe::manifest("Near", {probe::port("id", bt::PortType::Int),
+                                               probe::port("distance", bt::PortType::Double)}),
+                      [](bt::LeafContext& leaf) {
+                        leaf.host<Counter>().reads += leaf.require<int>(0);
+                        return leaf.require<double>(1) < 0.0 ? NodeStatus::Success
+                                                             : NodeStatus::Failure;
+                      });
+  bt::StatefulFunctions walk;
+  walk.onStart = [](bt::LeafContext& leaf) {
+    leaf.host<Counter>().reads += leaf.require<int>(0);
+    return NodeStatus::Running;
+  };
+  walk.onRunning = walk.onStart;
+  result.addStateful(probe::manifest("Walk", {probe::port("id", bt::PortType::Int),
+                                              probe::port("step", bt::PortType::Double)}),
+                     walk);
+  return result;
+}
+
+/// 20 nodes, all ticked in every step.
+std::string reactiveTree() {
+  std::string xml = "<ReactiveFallback>";
+  for (int i = 0; i < 6; ++i) {
+    xml +=
+        "<ReactiveSequence><Near id='{id}' distance='{dt}'/><Walk id='{id}' step='{dt}'/>"
+        "</ReactiveSequence>";
+  }
+  return xml + "<Walk id='{id}' step='{dt}'/></ReactiveFallback>";
+}
+
+std::shared_ptr<const bt::Program> program(const std::string& xml) {
+  const base::Result<bt::TreeFile> file = bt::readTreeText(probe::fileOf(xml));
+  const auto result = bt::compile(*file, library());
+  if (!result) {
+    qFatal("%s", probe::textOf(result.diagnostics()).c_str());
+  }
+  return *result;
+}
+
+void tickAll(std::vector<bt::TreeState>& trees, std::int64_t step, Counter& counter) {
+  const int id = trees.front().program().hostSlot(0);
+  const int dt = trees.front().program().hostSlot(1);
+  for (bt::TreeState& tree : trees) {
+    tree.set(id, 7);
+    tree.set(dt, 0.1);
+    tree.tickOnce({step, 0.1, &counter});
+  }
+}
+
+}  // namespace
+
+void TickCostTest::tick_twentyNodes_allocatesNothing_data() {
+  QTest::addColumn<QString>("xml");
+  QTest::newRow("reactive") << QString::fromStdString(reactiveTree());
+  QTest::newRow("scripts") << QStringLiteral(
+      "<Sequence><Script code='n := 1; m := n + id'/><Walk id='{id}' step='{dt}' _while='n == 1'/>"
+      "</Sequence>");
+  QTest::newRow("restarted leaf") << QStringLiteral(
+      "<Sequence><SetBlackboard value='{id}' output_key='a'/><Timeout msec='100'>"
+      "<Walk id='{a}' step='{dt}'/></Timeout></Sequence>");
+  QTest::newRow("switch, parallel, loop") << QStringLiteral(
+      "<Parallel success_count='3'><Switch2 variable='{n}' case_1='1' case_2='2'><AlwaysSuccess/>"
+      "<AlwaysSuccess/><AlwaysFailure/></Switch2><LoopInt queue='1;2;3' value='{v}'>"
+      "<AlwaysSuccess/></LoopInt><Repeat num_cycles='5'><AlwaysSuccess/></Repeat></Parallel>");
+}
+
+void TickCostTest::tick_twentyNodes_allocatesNothing() {
+  QFETCH(QString, xml);
+  std::vector<bt::TreeState> trees;
+  trees.emplace_back(program(xml.toStdString()));
+  Counter counter;
+  const long before = allocations;
+  for (int step = 1; step <= 100; ++step) {
+    tickAll(trees, step, counter);
+  }
+  const long after = allocations;
+  QCOMPARE(after - before, 0L);
+  QVERIFY(!trees[0].fault());
+}
+
+void TickCostTest::tick_thousandTrees_isFast() {
+  const auto shared = program(reactiveTree());
+  QCOMPARE(shared->nodeCount(), 20);
+  std::vector<bt::TreeState> trees(1000, bt::TreeState(shared));
+  Counter counter;
+  double best = 1e9;
+  for (int step = 1; step <= 50; ++step) {
+    QElapsedTimer clock;
+    clock.start();
+    tickAll(trees, step, counter);
+    best = std::min(best, static_cast<double>(clock.nsecsElapsed()) / 1000.0);
+  }
+  qInfo("%.3f ns per tick of 20 nodes", best);
+  QVERIFY(counter.reads > 0);
+#ifdef __OPTIMIZE__
+  QVERIFY2(best < 500.0, qPrintable(QString::number(best)));
+#endif
+}
+
+void TickCostTest::create_thousandTrees_isFast() {
+  const auto shared = program(reactiveTree());
+  double best = 1e9;
+  for (int round = 0; round < 10; ++round) {
+    std::vector<bt::TreeState> trees;
+    trees.reserve(1000);
+    QElapsedTimer clock;
+    clock.start();
+    for (int i = 0; i < 1000; ++i) {
+      trees.emplace_back(shared);
+    }
+    best = std::min(best, static_cast<double>(clock.nsecsElapsed()) / 1000.0);
+  }
+  qInfo("%.3f ns per new tree", best);
+#ifdef __OPTIMIZE__
+  QVERIFY2(best < 5000.0, qPrintable(QString::number(best)));
+#endif
+}
+
+QTEST_APPLESS_MAIN(TickCostTest)
+#include "tst_TickCost.moc"

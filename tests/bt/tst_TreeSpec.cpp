@@ -1,0 +1,298 @@
+#include <QtTest/QtTest>
+
+#include "bt/tree/TextValue.h"
+#include "bt/tree/TreeSpec.h"
+
+/// Editing of trees, and text of ports as values.
+class TreeSpecTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void insertNode_intoEmptyTree_becomesRoot();
+  void insertNode_index_isClamped();
+  void removeNode_child_givesItBack();
+  void removeNode_root_emptiesTree();
+  void moveNode_table_data();
+  void moveNode_table();
+  void equal_lineAndNotation_doNotCount();
+  void assignUids_keepsThoseInUse();
+  void referencedKey_table_data();
+  void referencedKey_table();
+  void textValues_table_data();
+  void textValues_table();
+  void checkTree_range_isWarned();
+  void catalogue_find_nearest();
+  void placeholders_writtenOnes_doNotCount();
+};
+
+namespace {
+
+bt::NodeSpec node(const char* id, std::vector<bt::NodeSpec> children = {}) {
+  bt::NodeSpec result;
+  result.id = id;
+  result.children = std::move(children);
+  return result;
+}
+
+/// r( a(x y) b c )
+bt::TreeSpec sample() {
+  bt::TreeSpec tree;
+  tree.id = "T";
+  tree.root = node("r", {node("a", {node("x"), node("y")}), node("b"), node("c")});
+  return tree;
+}
+
+QString shape(const bt::NodeSpec& spec) {
+  QString text = QString::fromStdString(spec.id);
+  QStringList children;
+  for (const bt::NodeSpec& child : spec.children) {
+    children << shape(child);
+  }
+  return children.isEmpty()
+             ? text
+             : text + QLatin1Char('(') + children.join(QLatin1Char(' ')) + QLatin1Char(')');
+}
+
+bt::NodePath path(const QString& digits) {
+  bt::NodePath result;
+  for (const QChar digit : digits) {
+    result.push_back(digit.digitValue());
+  }
+  return result;
+}
+
+}  // namespace
+
+void TreeSpecTest::insertNode_intoEmptyTree_becomesRoot() {
+  bt::TreeSpec tree;
+  QVERIFY(bt::insertNode(tree, {}, 0, node("a")));
+  QCOMPARE(shape(tree.root), QStringLiteral("a"));
+  QVERIFY(bt::insertNode(tree, {}, 0, node("b")));
+  QCOMPARE(shape(tree.root), QStringLiteral("a(b)"));
+  QVERIFY(!bt::insertNode(tree, {5}, 0, node("c")));
+}
+
+void TreeSpecTest::insertNode_index_isClamped() {
+  bt::TreeSpec tree = sample();
+  QVERIFY(bt::insertNode(tree, {0}, 99, node("z")));
+  QVERIFY(bt::insertNode(tree, {0}, -3, node("w")));
+  QVERIFY(bt::insertNode(tree, {}, 1, node("m")));
+  QCOMPARE(shape(tree.root), QStringLiteral("r(a(w x y z) m b c)"));
+}
+
+void TreeSpecTest::removeNode_child_givesItBack() {
+  bt::TreeSpec tree = sample();
+  const std::optional<bt::NodeSpec> removed = bt::removeNode(tree, {0});
+  QVERIFY(removed);
+  QCOMPARE(shape(*removed), QStringLiteral("a(x y)"));
+  QCOMPARE(shape(tree.root), QStringLiteral("r(b c)"));
+  QVERIFY(!bt::removeNode(tree, {7}));
+}
+
+void TreeSpecTest::removeNode_root_emptiesTree() {
+  bt::TreeSpec tree = sample();
+  QVERIFY(bt::removeNode(tree, {}));
+  QVERIFY(tree.root.id.empty());
+  QVERIFY(!bt::removeNode(tree, {}));
+}
+
+void TreeSpecTest::moveNode_table_data() {
+  QTest::addColumn<QString>("from");
+  QTest::addColumn<QString>("parent");
+  QTest::addColumn<int>("index");
+  QTest::addColumn<QString>("result");  // empty = refused
+  const auto row = [](const char* name, const char* from, const char* parent, int index,
+                      const char* result) {
+    QTest::newRow(name) << QString::fromUtf8(from) << QString::fromUtf8(parent) << index
+                        << QString::fromUtf8(result);
+  };
+  row("up", "2", "", 0, "r(c a(x y) b)");
+  row("down", "0", "", 2, "r(b a(x y) c)");
+  row("to the end", "0", "", 3, "r(b c a(x y))");
+  row("same place", "1", "", 1, "r(a(x y) b c)");
+  row("into a later parent", "0", "2", 0, "r(b c(a(x y)))");
+  row("out of its parent", "00", "", 3, "r(a(y) b c x)");
+  row("among siblings below", "01", "0", 0, "r(a(y x) b c)");
+  row("into itself", "0", "0", 0, "");
+  row("below itself", "0", "01", 0, "");
+  row("root", "", "0", 0, "");
+  row("unknown", "7", "0", 0, "");
+}
+
+void TreeSpecTest::moveNode_table() {
+  QFETCH(QString, from);
+  QFETCH(QString, parent);
+  QFETCH(int, index);
+  QFETCH(QString, result);
+  bt::TreeSpec tree = sample();
+  QCOMPARE(bt::moveNode(tree, path(from), path(parent), index), !result.isEmpty());
+  QCOMPARE(shape(tree.root), result.isEmpty() ? QStringLiteral("r(a(x y) b c)") : result);
+}
+
+void TreeSpecTest::equal_lineAndNotation_doNotCount() {
+  bt::TreeSpec a = sample();
+  bt::TreeSpec b = sample();
+  b.root.line = 9;
+  b.root.children[0].explicitNotation = true;
+  b.root.children[1].uid = 4;
+  QVERIFY(a == b);
+  b.root.children[1].name = "n";
+  QVERIFY(!(a == b));
+  b = sample();
+  bt::setText(b.root.ports, "p", "1");
+  QVERIFY(!(a == b));
+  bt::removeText(b.root.ports, "p");
+  QVERIFY(a == b);
+}
+
+void TreeSpecTest::assignUids_keepsThoseInUse() {
+  bt::TreeFile file;
+  file.trees = {sample(), sample()};
+  file.trees[1].root.uid = 30;
+  bt::assignUids(file);
+  QCOMPARE(file.trees[1].root.uid, 30);
+  QCOMPARE(file.trees[0].root.uid, 31);
+  const int uid = file.trees[0].root.children[0].children[1].uid;
+  QVERIFY(bt::findUid(file.trees[0], uid) == std::optional<bt::NodePath>(bt::NodePath{0, 1}));
+  QVERIFY(!bt::findUid(file.trees[1], uid));
+}
+
+void TreeSpecTest::referencedKey_table_data() {
+  QTest::addColumn<QString>("text");
+  QTest::addColumn<QString>("key");
+  const auto row = [](const char* text, const char* key) {
+    QTest::newRow(text) << QString::fromUtf8(text) << QString::fromUtf8(key);
+  };
+  row("{id}", "id");
+  row("  {id} ", "id");
+  row("{@id}", "@id");
+  row("{=}", "port");
+  row("=", "port");
+  row("{}", "");
+  row("{id", "");
+  row("id}", "");
+  row("id", "");
+  row("", "");
+  row("a {id}", "");
+}
+
+void TreeSpecTest::referencedKey_table() {
+  QFETCH(QString, text);
+  QFETCH(QString, key);
+  const std::optional<std::string> found = bt::referencedKey(text.toStdString(), "port");
+  QCOMPARE(QString::fromStdString(found.value_or(std::string())), key);
+  QCOMPARE(found.has_value(), !key.isEmpty());
+}
+
+void TreeSpecTest::textValues_table_data() {
+  QTest::addColumn<QString>("text");
+  QTest::addColumn<QString>("asInt");
+  QTest::addColumn<QString>("asUnsigned");
+  QTest::addColumn<QString>("asDouble");
+  QTest::addColumn<QString>("asBool");
+  const auto row = [](const char* text, const char* i, const char* u, const char* d,
+                      const char* b) {
+    QTest::newRow(text) << QString::fromUtf8(text) << QString::fromUtf8(i) << QString::fromUtf8(u)
+                        << QString::fromUtf8(d) << QString::fromUtf8(b);
+  };
+  row("5", "5", "5", "5", "-");
+  row("-5", "-5", "-", "-5", "-");
+  row("+5", "-", "-", "-", "-");
+  row(" 5", "-", "-", "-", "-");
+  row("5abc", "5", "5", "5", "-");
+  row("5.75", "5", "5", "5.75", "-");
+  row("1", "1", "1", "1", "1");
+  row("0", "0", "0", "0", "0");
+  row("true", "-", "-", "-", "1");
+  row("True", "-", "-", "-", "1");
+  row("TRUE", "-", "-", "-", "1");
+  row("false", "-", "-", "-", "0");
+  row("False", "-", "-", "-", "0");
+  row("yes", "-", "-", "-", "-");
+  row("2147483647", "2147483647", "2147483647", "2147483647", "-");
+  row("2147483648", "-", "2147483648", "2147483648", "-");
+  row("4294967296", "-", "-", "4294967296", "-");
+  row("99999999999999999999", "-", "-", "1e+20", "-");
+  row("1e3", "1", "1", "1000", "-");
+  row("1e", "1", "1", "1", "-");
+  row("1e-2x", "1", "1", "0.01", "-");
+  row(".5", "-", "-", "0.5", "-");
+  row("5.", "5", "5", "5", "-");
+  row(".", "-", "-", "-", "-");
+  row("-", "-", "-", "-", "-");
+  row("0,5", "0", "0", "0", "-");
+  row("nan", "-", "-", "-", "-");
+  row("inf", "-", "-", "inf", "-");
+  row("1e999", "1", "1", "-", "-");
+}
+
+void TreeSpecTest::textValues_table() {
+  QFETCH(QString, text);
+  const std::string t = text.toStdString();
+  const auto shown = [](const auto& value) {
+    return value ? QString::number(static_cast<double>(*value), 'g', 12) : QStringLiteral("-");
+  };
+  QTEST(shown(bt::intFromText(t)), "asInt");
+  QTEST(shown(bt::unsignedFromText(t)), "asUnsigned");
+  QTEST(shown(bt::doubleFromText(t)), "asDouble");
+  QTEST(shown(bt::boolFromText(t)), "asBool");
+}
+
+void TreeSpecTest::checkTree_range_isWarned() {
+  bt::NodeCatalogue catalogue = bt::builtinNodes();
+  bt::NodeManifest manifest;
+  manifest.id = "Go";
+  bt::PortSpec speed;
+  speed.name = "speed";
+  speed.type = bt::PortType::Double;
+  speed.min = 0.0;
+  speed.max = 3.0;
+  manifest.ports = {speed};
+  catalogue.add(manifest);
+  bt::TreeSpec tree;
+  tree.id = "T";
+  tree.root = node("Sequence", {node("Go"), node("Go"), node("Go")});
+  bt::setText(tree.root.children[0].ports, "speed", "-1");
+  bt::setText(tree.root.children[1].ports, "speed", "3.5");
+  bt::setText(tree.root.children[2].ports, "speed", "{v}");
+  const bt::TreeIssues issues = bt::checkTree(tree, catalogue, {"T"}, "f.xml");
+  QCOMPARE(issues.size(), std::size_t(2));
+  QVERIFY(issues[0].node == bt::NodePath{0});
+  QVERIFY(issues[0].diagnostic.text() ==
+          "f.xml: warning: T/Sequence/Go: port 'speed' is -1, less than 0");
+  QVERIFY(issues[1].node == bt::NodePath{1});
+  QVERIFY(issues[1].treeId == "T");
+}
+
+void TreeSpecTest::catalogue_find_nearest() {
+  const bt::NodeCatalogue catalogue = bt::builtinNodes();
+  QVERIFY(catalogue.find("Sequence"));
+  QVERIFY(!catalogue.find("sequence"));
+  QVERIFY(catalogue.nearest("Falback") == std::optional<std::string>("Fallback"));
+  QVERIFY(!catalogue.nearest("Xyzzy"));
+  for (const bt::NodeManifest& manifest : catalogue.all()) {
+    QVERIFY2(!manifest.description.empty(), manifest.id.c_str());
+    QVERIFY2(!manifest.category.empty(), manifest.id.c_str());
+    for (const bt::PortSpec& port : manifest.ports) {
+      QVERIFY2(!port.description.empty(), (manifest.id + "." + port.name).c_str());
+    }
+  }
+}
+
+void TreeSpecTest::placeholders_writtenOnes_doNotCount() {
+  bt::TreeTable table;
+  bt::TreeSpec tree;
+  tree.id = "T";
+  bt::NodeSpec see = node("IsRobotVisible");
+  bt::setText(see.ports, "distance", "{dist}");
+  bt::NodeSpec wait = node("Wait");
+  bt::setText(wait.ports, "time", "{duration}");
+  bt::NodeSpec write = node("SetBlackboard");
+  bt::setText(write.ports, "output_key", "duration");
+  tree.root = node("Sequence", {see, write, wait});
+  table.entries["T"] = {tree, "f.xml"};
+  QVERIFY(bt::placeholdersIn(table) == std::vector<std::string>{"dist"});
+}
+
+QTEST_APPLESS_MAIN(TreeSpecTest)
+#include "tst_TreeSpec.moc"

@@ -1,0 +1,233 @@
+#include "tests/bt/TreeProbe.h"
+
+/// What a recorder and an editor see of a running tree.
+class TreeStateTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void paths_equalSiblings_areNumbered();
+  void statuses_tick_areWhatWasReturned();
+  void changes_onlyDifferences_areListed();
+  void events_statefulLeaf_startsAndEnds();
+  void events_haltedLeaf_isSaid();
+  void halt_runningTree_isRestarted();
+  void reset_runOnce_runsAgain();
+  void states_ofOneProgram_areIndependent();
+  void context_ports_tellWhereTheirValueIsFrom();
+  void context_memory_survivesRestart();
+  void library_withLeaves_replacesAddedOnes();
+  void editing_uid_isKeptInProgram();
+};
+
+namespace {
+
+using base::NodeStatus;
+
+/// "path=STATUS …" of the nodes that changed.
+QString changed(const probe::Run& run) {
+  QStringList parts;
+  for (const int node : run.state->changes()) {
+    const NodeStatus status = run.state->statuses()[static_cast<std::size_t>(node)];
+    parts << QString::fromStdString(run.state->program().path(node)) + QLatin1Char('=') +
+                 QString::fromUtf8(base::nodeStatusName(status));
+  }
+  return parts.join(QLatin1Char(' '));
+}
+
+std::vector<bt::LeafEvent::Kind> kinds(const probe::Run& run) {
+  std::vector<bt::LeafEvent::Kind> result;
+  for (const bt::LeafEvent& event : run.state->events()) {
+    result.push_back(event.kind);
+  }
+  return result;
+}
+
+using Kinds = std::vector<bt::LeafEvent::Kind>;
+
+}  // namespace
+
+void TreeStateTest::paths_equalSiblings_areNumbered() {
+  probe::Run run(
+      "<root BTCPP_format='4' main_tree_to_execute='M'><BehaviorTree ID='M'>"
+      "<Fallback name='MainFallback'><Sequence name='SetGoals'><RunOnce><S "
+      "name='SetGoal'/></RunOnce>"
+      "<RunOnce><S name='SetGoal'/></RunOnce><Inverter><S/></Inverter></Sequence>"
+      "<SubTree ID='Nav'/></Fallback></BehaviorTree>"
+      "<BehaviorTree ID='Nav'><Sequence name='go'><S/></Sequence></BehaviorTree></root>");
+  const std::vector<std::string> expected = {"MainFallback",
+                                             "MainFallback/SetGoals",
+                                             "MainFallback/SetGoals/RunOnce[1]",
+                                             "MainFallback/SetGoals/RunOnce[1]/SetGoal",
+                                             "MainFallback/SetGoals/RunOnce[2]",
+                                             "MainFallback/SetGoals/RunOnce[2]/SetGoal",
+                                             "MainFallback/SetGoals/Inverter",
+                                             "MainFallback/SetGoals/Inverter/S",
+                                             "MainFallback/Nav",
+                                             "MainFallback/Nav/go",
+                                             "MainFallback/Nav/go/S"};
+  QVERIFY(*run.state->program().paths() == expected);
+  QVERIFY(run.state->program().treeOf(9) == "Nav");
+  QVERIFY(run.state->program().manifest(8).id == "SubTree");
+}
+
+void TreeStateTest::statuses_tick_areWhatWasReturned() {
+  probe::Run run("<Fallback><RunOnce><F/></RunOnce><Inverter><S/></Inverter><St/></Fallback>");
+  run.tick();
+  run.tick();
+  run.tick();
+  const std::vector<NodeStatus> third = {NodeStatus::Running, NodeStatus::Skipped,
+                                         NodeStatus::Idle,    NodeStatus::Failure,
+                                         NodeStatus::Success, NodeStatus::Running};
+  QVERIFY(run.state->statuses() == third);
+}
+
+void TreeStateTest::changes_onlyDifferences_areListed() {
+  probe::Run run("<Fallback><RunOnce><F/></RunOnce><St runs='2'/></Fallback>");
+  run.tick();
+  QCOMPARE(changed(run), QStringLiteral("Fallback=RUNNING Fallback/RunOnce=FAILURE "
+                                        "Fallback/RunOnce/F=FAILURE Fallback/St=RUNNING"));
+  run.tick();  // goes on at St
+  QCOMPARE(changed(run), QStringLiteral("Fallback/RunOnce=IDLE Fallback/RunOnce/F=IDLE"));
+  run.tick();
+  QCOMPARE(changed(run), QStringLiteral("Fallback=SUCCESS Fallback/St=SUCCESS"));
+  run.tick();
+  QCOMPARE(changed(run), QStringLiteral("Fallback=RUNNING Fallback/RunOnce=SKIPPED "
+                                        "Fallback/St=RUNNING"));
+}
+
+void TreeStateTest::events_statefulLeaf_startsAndEnds() {
+  using Kind = bt::LeafEvent::Kind;
+  probe::Run run("<Sequence><S/><St/><St result='FAILURE'/><Sleep msec='100'/></Sequence>");
+  run.tick();
+  QVERIFY(kinds(run) == Kinds({Kind::Started}));
+  QCOMPARE(run.state->events()[0].node, 2);
+  run.tick();
+  QVERIFY(kinds(run) == Kinds({Kind::Succeeded, Kind::Started}));
+  run.tick();
+  QVERIFY(kinds(run) == Kinds({Kind::Failed}));
+}
+
+void TreeStateTest::events_haltedLeaf_isSaid() {
+  using Kind = bt::LeafEvent::Kind;
+  probe::Run run("<Timeout msec='100'><St runs='9'/></Timeout>");
+  run.tick();
+  run.tick();
+  QVERIFY(kinds(run) == Kinds({Kind::Halted}));
+  run.tick();
+  run.halt();
+  QVERIFY(kinds(run) == Kinds({Kind::Started, Kind::Halted}));
+}
+
+void TreeStateTest::halt_runningTree_isRestarted() {
+  probe::Run run("<Sequence><S name='a'/><St runs='9'/></Sequence>");
+  run.tick();
+  run.halt();
+  QVERIFY(run.log.calls == std::vector<std::string>{"halt"});
+  QCOMPARE(run.trace(), std::string("a start -> RUNNING"));
+  run.halt();
+  run.halt();
+  QVERIFY(run.log.calls.empty());  // what is not RUNNING is not halted
+}
+
+void TreeStateTest::reset_runOnce_runsAgain() {
+  probe::Run run("<Sequence><RunOnce><S name='a'/></RunOnce><Script code='k := 1'/></Sequence>");
+  QCOMPARE(run.trace(), std::string("a -> SUCCESS"));
+  QCOMPARE(run.trace(), std::string("-> SUCCESS"));
+  QCOMPARE(run.entry("k"), std::string("1"));
+  run.state->reset();
+  QCOMPARE(run.entry("k"), std::string());
+  QCOMPARE(run.trace(), std::string("a -> SUCCESS"));
+}
+
+void TreeStateTest::states_ofOneProgram_areIndependent() {
+  const auto program = probe::compiled("<Sequence><RunOnce><S name='a'/></RunOnce></Sequence>");
+  QVERIFY(program);
+  bt::TreeState first(*program);
+  bt::TreeState second(*program);
+  probe::Log log;
+  QCOMPARE(first.tickOnce({1, 0.1, &log}), NodeStatus::Success);
+  QCOMPARE(first.tickOnce({2, 0.1, &log}), NodeStatus::Skipped);
+  QCOMPARE(second.tickOnce({2, 0.1, &log}), NodeStatus::Success);
+}
+
+void TreeStateTest::context_ports_tellWhereTheirValueIsFrom() {
+  bt::NodeLibrary library;
+  bt::PortSpec text = probe::port("text", bt::PortType::String);
+  text.direction = bt::PortDirection::Output;
+  library.addAction(probe::manifest("Tell", {text}), [](bt::LeafContext& leaf) {
+    return leaf.set(0, std::string_view("x")) ? NodeStatus::Success : NodeStatus::Failure;
+  });
+  library.addCondition(
+      probe::manifest(
+          "Ask", {probe::port("given", bt::PortType::Int),
+                  probe::port("byDefault", bt::PortType::Double, "1.5"),
+                  probe::port("missing", bt::PortType::Int),
+                  probe::port("wrong", bt::PortType::Int), probe::port("ids", bt::PortType::Any)}),
+      [](bt::LeafContext& leaf) {
+        const bool states =
+            leaf.state(0) == bt::PortState::Given && leaf.state(1) == bt::PortState::Default &&
+            leaf.state(2) == bt::PortState::Missing && leaf.state(3) == bt::PortState::WrongType;
+        const bool values = leaf.get<int>(0) == 3 && leaf.get<double>(1) == 1.5 &&
+                            !leaf.get<int>(2) && !leaf.get<int>(3) && leaf.getOr<int>(2, 8) == 8 &&
+                            leaf.text(4) == "7";
+        return states && values ? NodeStatus::Success : NodeStatus::Failure;
+      });
+  const base::Result<bt::TreeFile> file =
+      bt::readTreeText(probe::fileOf("<Sequence><Tell text='{w}'/><Script code='n := 7'/>"
+                                     "<Ask given='3' wrong='{w}' ids='{n}'/></Sequence>"));
+  QVERIFY(file);
+  const auto program = bt::compile(*file, library);
+  QVERIFY2(program, probe::textOf(program.diagnostics()).c_str());
+  bt::TreeState state(*program);
+  QCOMPARE(state.tickOnce({1, 0.1, nullptr}), NodeStatus::Success);
+}
+
+void TreeStateTest::context_memory_survivesRestart() {
+  bt::NodeLibrary library;
+  struct Count {
+    int value;
+  };
+  library.addCondition<Count>(probe::manifest("ThirdTime"), [](bt::LeafContext& leaf) {
+    return ++leaf.memory<Count>().value >= 3 ? NodeStatus::Success : NodeStatus::Failure;
+  });
+  const base::Result<bt::TreeFile> file = bt::readTreeText(probe::fileOf("<ThirdTime/>"));
+  const auto program = bt::compile(*file, library);
+  QVERIFY(program);
+  bt::TreeState state(*program);
+  QCOMPARE(state.tickOnce({1, 0.1, nullptr}), NodeStatus::Failure);
+  QCOMPARE(state.tickOnce({2, 0.1, nullptr}), NodeStatus::Failure);
+  QCOMPARE(state.tickOnce({3, 0.1, nullptr}), NodeStatus::Success);
+  state.reset();
+  QCOMPARE(state.tickOnce({4, 0.1, nullptr}), NodeStatus::Failure);
+}
+
+void TreeStateTest::library_withLeaves_replacesAddedOnes() {
+  bt::StatefulFunctions scripted;
+  scripted.onStart = [](bt::LeafContext& leaf) {
+    return probe::note(leaf, leaf.label() + "?", NodeStatus::Success);
+  };
+  scripted.onRunning = scripted.onStart;
+  const bt::NodeLibrary library = probe::library().withLeaves(scripted);
+  const base::Result<bt::TreeFile> file =
+      bt::readTreeText(probe::fileOf("<Sequence><F/><St name='x'/><AlwaysSuccess/></Sequence>"));
+  const auto program = bt::compile(*file, library);
+  QVERIFY(program);
+  bt::TreeState state(*program);
+  probe::Log log;
+  QCOMPARE(state.tickOnce({1, 0.1, &log}), NodeStatus::Success);
+  QVERIFY((log.calls == std::vector<std::string>{"F?", "x?"}));
+}
+
+void TreeStateTest::editing_uid_isKeptInProgram() {
+  base::Result<bt::TreeFile> file =
+      bt::readTreeText(probe::fileOf("<Sequence><S/><F/></Sequence>"));
+  QVERIFY(file);
+  bt::assignUids(*file);
+  const auto program = bt::compile(*file, probe::library());
+  QVERIFY(program);
+  QCOMPARE((*program)->uidOf(2), file->trees[0].root.children[1].uid);
+  QVERIFY((*program)->uidOf(2) > 0);
+}
+
+QTEST_APPLESS_MAIN(TreeStateTest)
+#include "tst_TreeState.moc"
