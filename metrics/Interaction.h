@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+
+#include "metrics/MetricParameters.h"
+#include "metrics/Recording.h"
+
+/// How two bodies act on each other: forces, collision courses, sight.
+namespace metrics {
+
+/// Social force that a body at x1 with velocity v1 exerts on one at x2 (Moussaid 2009 with the
+/// constants of lightsfm), `factor` in front. Equal places or a vanishing interaction: zero in the
+/// corrected profile, NaN in hunav2.
+Vec2 socialForce(const Body& source, const Body& target, double factor,
+                 const MetricParameters& parameters);
+
+/// Mean of the repulsions by the obstacle points of the body (Helbing and Molnar 1995).
+Vec2 obstacleForce(const Body& body, const MetricParameters& parameters);
+
+/// Straight on with both velocities: time until the discs touch, 0 when they do; none if never
+/// (Singamaneni et al. 2023).
+std::optional<double> timeToCollision(const Body& robot, const Body& person);
+
+/// 1 / time to collision, capped; 0 without a collision course.
+double fearCost(const Body& robot, const Body& person, const MetricParameters& parameters);
+/// Of approaching pairs that will narrowly miss each other.
+double panicCost(const Body& robot, const Body& person, const MetricParameters& parameters);
+
+/// Angle between the person's heading and the robot, [0, pi].
+double viewAngle(const Person& person, const Body& robot);
+
+enum class Sight { Free, Blocked, OutsideMap };  // OutsideMap: hunav2 only
+/// The cells between person and robot; in the corrected profile drawn obstacles and doors as well.
+Sight lineOfSight(const Person& person, const Body& robot, const sim2d::OccupancyGrid& map,
+                  Profile profile);
+
+}  // namespace metrics

@@ -1,0 +1,261 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <yaml-cpp/yaml.h>
+
+#include "metrics/Report.h"
+#include "sim2d/base/Text.h"
+
+namespace metrics {
+
+namespace {
+
+std::string nearestHint(const std::string& key, const std::vector<std::string>& known) {
+  const std::optional<std::string> nearest = base::nearestName(key, known);
+  return nearest ? " (did you mean '" + *nearest + "'?)" : "";
+}
+
+/// Keys that can be selected: all but the parts of others.
+std::vector<std::string> selectableKeys(const MetricRegistry& registry) {
+  std::vector<std::string> keys;
+  for (const MetricEntry& entry : registry.entries()) {
+    if (entry.info.partOf.empty()) {
+      keys.push_back(entry.info.key);
+    }
+  }
+  return keys;
+}
+
+void turnOn(const MetricInfo& info, bool on, Selection::Keys& keys) {
+  if (info.hunav > 0 && !on) {
+    keys.off.insert(info.key);
+  } else if (info.hunav > 0) {
+    keys.off.erase(info.key);
+  } else if (on) {
+    keys.on.insert(info.key);
+  } else {
+    keys.on.erase(info.key);
+  }
+}
+
+class FileReader {
+ public:
+  FileReader(std::string name, const MetricRegistry& registry)
+      : name_(std::move(name)), registry_(registry) {
+    file_.selection.keys.emplace();
+  }
+
+  base::Result<MetricsFile> read(const YAML::Node& root) {
+    const YAML::Node parameters = find(root);
+    if (!parameters.IsMap()) {
+      error(root, "no map of parameters (hunav_evaluator_node: ros__parameters: ...)");
+      return problems_;
+    }
+    for (const auto& entry : parameters) {
+      readEntry(entry.first.as<std::string>(""), entry.second);
+    }
+    if (base::hasErrors(problems_)) {
+      return problems_;
+    }
+    return {std::move(file_), std::move(problems_)};
+  }
+
+ private:
+  void note(base::Severity severity, const YAML::Node& node, const std::string& message) {
+    const YAML::Mark mark = node.Mark();
+    problems_.push_back({severity,
+                         name_,
+                         mark.is_null() ? 0 : mark.line + 1,
+                         mark.is_null() ? 0 : mark.column + 1,
+                         message,
+                         {}});
+  }
+  void error(const YAML::Node& node, const std::string& message) {
+    note(base::Severity::Error, node, message);
+  }
+
+  /// Parameters of the node; a file may also hold them without the two outer keys.
+  static YAML::Node find(const YAML::Node& root) {
+    if (!root.IsMap()) {
+      return root;
+    }
+    for (const auto& entry : root) {
+      if (entry.second.IsMap() && entry.second["ros__parameters"]) {
+        return entry.second["ros__parameters"];
+      }
+    }
+    return root;
+  }
+
+  void readEntry(const std::string& key, const YAML::Node& value) {
+    if (key == "metrics") {
+      readMetrics(value);
+    } else if (key == "frequency") {
+      readFrequency(value);
+    } else if (key == "result_file") {
+      readText(value, file_.resultFile);
+    } else if (key == "experiment_tag") {
+      readText(value, file_.selection.tag);
+    } else if (key == "use_sim_time") {
+      file_.useSimTime = readBool(value, key);
+    } else if (key == "run_id") {
+      file_.selection.runId = static_cast<int>(base::parseInt(value.Scalar()).value_or(0));
+    } else if (!isIgnored(key)) {
+      note(base::Severity::Warning, value,
+           "unknown key '" + key + "'" +
+               nearestHint(key, {"metrics", "frequency", "result_file", "experiment_tag"}));
+    }
+  }
+
+  static bool isIgnored(const std::string& key) {  // of the first version, without effect on values
+    static constexpr std::array<const char*, 3> kKeys = {"mode", "use_navgoal_to_start",
+                                                         "use_nav_goal_to_start"};
+    return std::any_of(kKeys.begin(), kKeys.end(),
+                       [&key](const char* known) { return key == known; });
+  }
+
+  void readText(const YAML::Node& value, std::string& to) {
+    if (value.IsScalar()) {
+      to = value.Scalar();
+    } else {
+      error(value, "must be a text");
+    }
+  }
+
+  void readFrequency(const YAML::Node& value) {
+    const std::optional<double> frequency =
+        value.IsScalar() ? base::parseDouble(value.Scalar()) : std::nullopt;
+    if (!frequency || !std::isfinite(*frequency) || *frequency < 0.0) {
+      error(value, "frequency must be 0 or greater [Hz]");
+      return;
+    }
+    file_.selection.window.frequency = *frequency;
+  }
+
+  bool readBool(const YAML::Node& value, const std::string& key) {
+    const std::string text = value.IsScalar() ? base::lowered(value.Scalar()) : "";
+    if (text == "true" || text == "false") {
+      return text == "true";
+    }
+    error(value, key + " must be true or false");
+    return false;
+  }
+
+  void readMetrics(const YAML::Node& value) {
+    if (value.IsSequence()) {  // the first version listed the names
+      for (const MetricEntry& entry : registry_.entries()) {
+        turnOn(entry.info, false, *file_.selection.keys);
+      }
+      for (const auto& item : value) {
+        turnKey(item, item.IsScalar() ? item.Scalar() : "", true);
+      }
+      return;
+    }
+    if (!value.IsMap()) {
+      error(value, "metrics must map keys to true or false");
+      return;
+    }
+    std::set<std::string> seen;
+    for (const auto& entry : value) {
+      const auto key = entry.first.as<std::string>("");
+      if (!seen.insert(key).second) {
+        error(entry.first, "key '" + key + "' stands here twice");
+      }
+      turnKey(entry.first, key, readBool(entry.second, key));
+    }
+  }
+
+  void turnKey(const YAML::Node& place, const std::string& key, bool on) {
+    const MetricEntry* entry = registry_.find(key);
+    if (entry == nullptr || !entry->info.partOf.empty()) {
+      note(base::Severity::Warning, place,
+           "unknown metric '" + key + "'" + nearestHint(key, selectableKeys(registry_)));
+      return;
+    }
+    turnOn(entry->info, on, *file_.selection.keys);
+  }
+
+  std::string name_;
+  const MetricRegistry& registry_;
+  MetricsFile file_;
+  base::Diagnostics problems_;
+};
+
+/// A text that YAML reads back as a text.
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) {
+    result += c == '\'' ? "''" : std::string(1, c);
+  }
+  return result + "'";
+}
+
+const char* boolText(bool value) {
+  return value ? "true" : "false";
+}
+
+}  // namespace
+
+base::Result<Selection> selectionOfKeys(const std::vector<std::string>& keys,
+                                        const MetricRegistry& registry) {
+  Selection selection;
+  selection.keys.emplace();
+  for (const MetricEntry& entry : registry.entries()) {
+    turnOn(entry.info, false, *selection.keys);
+  }
+  base::Diagnostics problems;
+  for (const std::string& key : keys) {
+    const MetricEntry* entry = registry.find(key);
+    if (entry == nullptr || !entry->info.partOf.empty()) {
+      problems.push_back(base::makeError("unknown metric '" + key + "'" +
+                                         nearestHint(key, selectableKeys(registry))));
+      continue;
+    }
+    turnOn(entry->info, true, *selection.keys);
+  }
+  if (!problems.empty()) {
+    return problems;
+  }
+  return selection;
+}
+
+base::Result<MetricsFile> parseMetricsFile(const std::string& text, const std::string& name,
+                                           const MetricRegistry& registry) {
+  try {
+    return FileReader(name, registry).read(YAML::Load(text));
+  } catch (const YAML::ParserException& exception) {
+    const bool known = !exception.mark.is_null();
+    return base::makeError(exception.msg, name, known ? exception.mark.line + 1 : 0,
+                           known ? exception.mark.column + 1 : 0);
+  } catch (const YAML::Exception& exception) {
+    return base::makeError(exception.msg, name);
+  }
+}
+
+base::Result<MetricsFile> readMetricsFile(const std::string& path, const MetricRegistry& registry) {
+  base::Result<std::string> text = base::readTextFile(path);
+  if (!text) {
+    return text.diagnostics();
+  }
+  return parseMetricsFile(*text, path, registry);
+}
+
+std::string writeMetricsFile(const MetricsFile& file, const MetricRegistry& registry) {
+  const Selection& selection = file.selection;
+  std::string text = "hunav_evaluator_node:\n  ros__parameters:\n";
+  text += std::string("    use_sim_time: ") + boolText(file.useSimTime) + "\n";
+  text += "    frequency: " + base::formatDecimals(selection.window.frequency, 1) + "\n";
+  text += "    result_file: " + quoted(file.resultFile) + "\n";
+  text += "    metrics:\n";
+  for (const MetricEntry& entry : registry.entries()) {
+    const bool on = selection.selects(entry.info);
+    const bool listed = entry.info.partOf.empty() && (entry.info.hunav > 0 || on);
+    if (listed) {
+      text += "      " + entry.info.key + ": " + boolText(on) + "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace metrics

@@ -1,0 +1,324 @@
+#include "metrics/ReportFiles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/trace/Csv.h"
+
+namespace metrics {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json valueJson(const MetricResult& result) {
+  const MetricValue& value = result.value;
+  Json json;
+  if (!value.value || std::isinf(*value.value)) {
+    json["value"] = nullptr;
+  } else if (value.kind == Kind::Boolean) {
+    json["value"] = *value.value > 0.0;
+  } else if (value.kind == Kind::Count) {
+    json["value"] = std::llround(*value.value);
+  } else {
+    json["value"] = *value.value;
+  }
+  json["unit"] = result.info.unit;
+  if (!value.why.empty()) {
+    json["why"] = value.why;
+  }
+  return json;
+}
+
+Json resultsJson(const std::vector<MetricResult>& results) {
+  Json json = Json::object();
+  for (const MetricResult& result : results) {
+    json[result.info.key] = valueJson(result);
+  }
+  return json;
+}
+
+Json parametersJson(const MetricParameters& parameters) {
+  Json json = Json::object();
+  for (const ParameterInfo& info : parameterInfos()) {
+    json[info.name] = parameters.*info.member;
+  }
+  return json;
+}
+
+void appendRow(std::string& to, const std::vector<std::string>& cells) {
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    to += k == 0 ? "" : ",";
+    sim2d::appendCsvField(to, cells[k]);
+  }
+  to += '\n';
+}
+
+/// "1.5" and "2e+20" to the digits "15", "2" and the place of the point behind the first digit.
+std::pair<std::string, int> digitsAndExponent(const std::string& text) {
+  const std::size_t e = text.find('e');
+  const std::string mantissa = text.substr(0, e);
+  int exponent = e == std::string::npos ? 0 : static_cast<int>(*base::parseInt(text.substr(e + 1)));
+  const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
+  std::string digits = mantissa;
+  digits.erase(std::remove(digits.begin(), digits.end(), '.'), digits.end());
+  exponent += static_cast<int>(point) - 1;
+  const std::size_t first = digits.find_first_not_of('0');
+  if (first == std::string::npos) {
+    return {"0", 0};
+  }
+  digits.erase(0, first);
+  exponent -= static_cast<int>(first);
+  digits.erase(digits.find_last_not_of('0') + 1);
+  return {digits, exponent};
+}
+
+/// Shortest digits, laid out with a point always and an exponent below 1e-4 and from 1e16 on.
+std::string floatText(double value) {
+  const std::string sign = std::signbit(value) ? "-" : "";
+  auto [digits, exponent] = digitsAndExponent(base::formatDouble(std::fabs(value)));
+  const int count = static_cast<int>(digits.size());
+  if (exponent < -4 || exponent >= 16) {
+    const std::string power = std::to_string(std::abs(exponent));
+    return sign + digits.substr(0, 1) + (count > 1 ? "." + digits.substr(1) : "") + "e" +
+           (exponent < 0 ? "-" : "+") + (power.size() < 2 ? "0" : "") + power;
+  }
+  if (exponent < 0) {
+    return sign + "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
+  }
+  if (count <= exponent + 1) {
+    return sign + digits + std::string(static_cast<std::size_t>(exponent + 1 - count), '0') + ".0";
+  }
+  const auto whole = static_cast<std::size_t>(exponent) + 1;
+  return sign + digits.substr(0, whole) + "." + digits.substr(whole);
+}
+
+/// Names and columns of the series that have one value per sample.
+struct Column {
+  std::string key;
+  const Series* series;
+};
+std::vector<Column> columnsOf(const std::vector<MetricResult>& results, std::size_t samples) {
+  std::vector<Column> columns;
+  for (const MetricResult& result : results) {
+    if (result.value.series && result.value.series->values.size() == samples) {
+      columns.push_back({result.info.key, &*result.value.series});
+    }
+  }
+  return columns;
+}
+
+std::string stepsText(const std::vector<double>& times, const std::vector<Column>& columns) {
+  std::string text;
+  std::vector<std::string> cells = {"time_stamps"};
+  for (const Column& column : columns) {
+    cells.push_back(column.key);
+  }
+  appendRow(text, cells);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    cells = {evaluatorNumber(times[i], Kind::Number)};
+    for (const Column& column : columns) {
+      cells.push_back(evaluatorNumber(column.series->values[i], column.series->kind));
+    }
+    appendRow(text, cells);
+  }
+  return text;
+}
+
+std::vector<std::string> headerCells(const std::vector<MetricResult>& results) {
+  std::vector<std::string> cells = {"experiment_tag", "run_id"};
+  for (const MetricResult& result : results) {
+    cells.push_back(result.info.key);
+  }
+  return cells;
+}
+
+std::vector<std::string> valueCells(const Evaluation& evaluation,
+                                    const std::vector<MetricResult>& results) {
+  std::vector<std::string> cells = {evaluation.tag, std::to_string(evaluation.runId)};
+  for (const MetricResult& result : results) {
+    cells.push_back(evaluatorCell(result.value));
+  }
+  return cells;
+}
+
+/// Writes the files of one evaluation beside each other.
+class FileSet {
+ public:
+  FileSet(const Evaluation& evaluation, std::string base, Layout layout)
+      : evaluation_(evaluation), base_(std::move(base)), layout_(layout) {
+    const std::string end = extension();
+    if (base_.size() > end.size() &&
+        base_.compare(base_.size() - end.size(), end.size(), end) == 0) {
+      base_.erase(base_.size() - end.size());
+    }
+  }
+
+  base::Result<std::vector<std::string>> write() {
+    const std::string run =
+        evaluation_.tag +
+        (layout_ == Layout::Hunav2 ? "_" + std::to_string(evaluation_.runId) : "");
+    writePair("", run, evaluation_.results, nullptr);
+    for (const BehaviorEvaluation& behavior : evaluation_.behaviors) {
+      writePair("_beh_" + std::to_string(behavior.behavior), run, behavior.results,
+                &behavior.active);
+    }
+    if (base::hasErrors(problems_)) {
+      return problems_;
+    }
+    return written_;
+  }
+
+ private:
+  const char* extension() const { return layout_ == Layout::Hunav2 ? ".csv" : ".txt"; }
+
+  void writePair(const std::string& part, const std::string& run,
+                 const std::vector<MetricResult>& results, const std::vector<double>* active) {
+    std::vector<std::string> header = headerCells(results);
+    std::vector<std::string> values = valueCells(evaluation_, results);
+    if (layout_ == Layout::Hunav1) {  // knows no run id
+      header.erase(header.begin() + 1);
+      values.erase(values.begin() + 1);
+    }
+    appendResult(base_ + part, row(header), row(values));
+    std::vector<Column> columns = columnsOf(results, evaluation_.times.size());
+    Series activity;
+    if (active != nullptr) {
+      activity = {*active, Kind::Count};
+      columns.push_back({"behavior_active", &activity});
+    }
+    put(base_ + part + "_steps_" + safeName(run) + extension(),
+        separated(stepsText(evaluation_.times, columns)));
+  }
+
+  /// Adds the row to the first file of this name that has these columns or does not exist.
+  void appendResult(const std::string& name, const std::string& header, const std::string& values) {
+    for (int number = 1;; ++number) {
+      const std::string path =
+          name + (number == 1 ? "" : "_" + std::to_string(number)) + extension();
+      const base::Result<std::string> before = base::readTextFile(path);
+      if (!before) {
+        put(path, header + values);
+        return;
+      }
+      if (before->compare(0, header.size(), header) == 0) {
+        put(path, *before + values);
+        return;
+      }
+    }
+  }
+
+  std::string row(const std::vector<std::string>& cells) const {
+    std::string text;
+    appendRow(text, cells);
+    return separated(text);
+  }
+
+  /// Tabs instead of commas; no name or number of ours holds a comma, a tag may.
+  std::string separated(std::string text) const {
+    if (layout_ == Layout::Hunav1) {
+      std::replace(text.begin(), text.end(), ',', '\t');
+    }
+    return text;
+  }
+
+  /// A tag may hold what no file name can.
+  static std::string safeName(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c == '/' || c == '\0' || c == '\n'; }, '_');
+    return text;
+  }
+
+  void put(const std::string& path, const std::string& text) {
+    const base::Diagnostics problems = base::writeFileAtomically(path, text);
+    base::append(problems_, problems);
+    if (problems.empty()) {
+      written_.push_back(path);
+    }
+  }
+
+  const Evaluation& evaluation_;
+  std::string base_;
+  Layout layout_;
+  base::Diagnostics problems_;
+  std::vector<std::string> written_;
+};
+
+}  // namespace
+
+std::string evaluatorNumber(double value, Kind kind) {
+  if (std::isnan(value)) {
+    return "";
+  }
+  if (std::isinf(value)) {
+    return value > 0.0 ? "inf" : "-inf";
+  }
+  if (kind == Kind::Boolean) {
+    return value > 0.0 ? "True" : "False";
+  }
+  return kind == Kind::Count ? std::to_string(std::llround(value)) : floatText(value);
+}
+
+std::string evaluatorCell(const MetricValue& value) {
+  return value.value ? evaluatorNumber(*value.value, value.kind) : "";
+}
+
+std::string toJson(const Evaluation& evaluation) {
+  Json root;
+  root["profile"] = profileName(evaluation.parameters.profile);
+  root["metrics"] = resultsJson(evaluation.results);
+  Json behaviors = Json::object();
+  for (const BehaviorEvaluation& behavior : evaluation.behaviors) {
+    behaviors[std::to_string(behavior.behavior)] = resultsJson(behavior.results);
+  }
+  root["behaviors"] = behaviors;
+  root["parameters"] = parametersJson(evaluation.parameters);
+  root["experiment_tag"] = evaluation.tag;
+  root["run_id"] = evaluation.runId;
+  return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string metricsCsv(const Evaluation& evaluation) {
+  std::string text;
+  appendRow(text, headerCells(evaluation.results));
+  appendRow(text, valueCells(evaluation, evaluation.results));
+  return text;
+}
+
+std::string stepsCsv(const Evaluation& evaluation) {
+  return stepsText(evaluation.times, columnsOf(evaluation.results, evaluation.times.size()));
+}
+
+std::string tableText(const Evaluation& evaluation) {
+  std::size_t keyWidth = 6;
+  std::size_t valueWidth = 5;
+  std::vector<std::string> values;
+  for (const MetricResult& result : evaluation.results) {
+    const std::string value = evaluatorCell(result.value);
+    values.push_back(value.empty() ? "-" : value);
+    keyWidth = std::max(keyWidth, result.info.key.size());
+    valueWidth = std::max(valueWidth, values.back().size());
+  }
+  const auto line = [&](const std::string& key, const std::string& value, const std::string& rest) {
+    return key + std::string(keyWidth - key.size() + 2 + valueWidth - value.size(), ' ') + value +
+           (rest.empty() ? "" : "  " + rest) + "\n";
+  };
+  std::string text = line("metric", "value", "unit");
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const MetricResult& result = evaluation.results[k];
+    const std::string why = result.value.why.empty() ? "" : "(" + result.value.why + ")";
+    const std::string& unit = result.info.unit;
+    text += line(result.info.key, values[k], unit + (unit.empty() || why.empty() ? "" : " ") + why);
+  }
+  return text;
+}
+
+base::Result<std::vector<std::string>> writeEvaluatorFiles(const Evaluation& evaluation,
+                                                           const std::string& base, Layout layout) {
+  return FileSet(evaluation, base, layout).write();
+}
+
+}  // namespace metrics

@@ -1,0 +1,255 @@
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/trace/Recorder.h"
+#include "sim2d/trace/Trace.h"
+
+using namespace sim2d;
+
+namespace {
+
+TraceHeader sampleHeader() {
+  TraceHeader header;
+  header.scenario = "two \"rooms\", one door";
+  header.dt = 0.1;
+  header.seed = 12345678901LL;
+  TraceHuman human;
+  human.id = 3;
+  human.name = "Ana";
+  human.kind = "child";
+  human.model = "sfm";
+  human.radius = 0.1 + 0.2;
+  human.group = 2;
+  human.goals = {{5, Vec2(1.0 / 3.0, -2.5), 0.4}};
+  human.parameters = {{"social_force_factor", 5.0}, {"a_first", 1e-300}};
+  header.humans.push_back(human);
+  human.id = 7;
+  human.goals.clear();
+  header.humans.push_back(human);
+  TraceRobot robot;
+  robot.name = "robot1";
+  robot.goals = {{0, Vec2(4, 1), 0.2}};
+  robot.footprint = {Vec2(-0.2, -0.1), Vec2(0.3, 0.0), Vec2(-0.2, 0.1)};
+  header.robots.push_back(robot);
+  TraceObstacle door;
+  door.name = "door1";
+  door.isDoor = true;
+  door.open = true;
+  door.toggles = {1.5, 2.25};
+  door.outlines = {Outline{{Vec2(0, 0), Vec2(1, 0), Vec2(1, 0.05)}}, Outline{{Vec2(2, 2)}}};
+  header.obstacles.push_back(door);
+  header.map = OccupancyGrid(3, 2, 0.25, Pose2{Vec2(-1, 2), 0.5}, {0, 0, 100, 100, -1, 37});
+  return header;
+}
+
+Frame frameAt(int step, double dt) {
+  Frame frame;
+  frame.step = step;
+  frame.time = step * dt;
+  HumanColumns& humans = frame.humans;
+  for (const int id : {3, 7}) {
+    if (id == 7 && step == 0) {
+      continue;  // enters later
+    }
+    humans.id.push_back(id);
+    humans.x.push_back(0.1 * step);
+    humans.y.push_back(-1.0 / (step + 3));
+    humans.heading.push_back(3.0);
+    humans.vx.push_back(1e-17);
+    humans.vy.push_back(-0.0);
+    humans.omega.push_back(1e22);
+    humans.group.push_back(id == 3 ? 2 : -1);
+    humans.state.push_back(id == 3 ? 1 : 0);
+    humans.goal.push_back(id == 3 ? 5 : kNoGoal);
+  }
+  RobotColumns& robots = frame.robots;
+  robots.id = {-1};
+  robots.x = {1.0};
+  robots.y = {2.0};
+  robots.heading = {0.0};
+  robots.vx = {0.5};
+  robots.vy = {0.0};
+  robots.omega = {-0.25};
+  robots.goal = {kNoGoal};
+  return frame;
+}
+
+Event makeEvent(EventKind kind, int id, const std::string& text) {
+  Event made;
+  made.kind = kind;
+  made.id = id;
+  made.text = text;
+  return made;
+}
+
+Trace sampleTrace(int recordEvery = 1) {
+  Recorder recorder(recordEvery);
+  for (int step = 0; step <= 4; ++step) {
+    Frame frame = frameAt(step, 0.1);
+    if (step == 1) {
+      Event contact = makeEvent(EventKind::Contact, -1, "0.5");
+      contact.hasOther = true;
+      contact.other = 3;
+      frame.events = {makeEvent(EventKind::Say, 7, "line one\nsays \"hi\", twice"), contact};
+    }
+    if (step == 4) {
+      Event stop = makeEvent(EventKind::Stop, 0, "duration");
+      stop.hasId = false;
+      frame.events = {stop};
+    }
+    recorder.append(frame);
+  }
+  return recorder.finish(sampleHeader());
+}
+
+void writeRun(const Trace& trace, const std::string& folder) {
+  QVERIFY(base::writeFileAtomically(folder + "/trajectory.csv", trajectoryCsv(trace)).empty());
+  QVERIFY(base::writeFileAtomically(folder + "/events.csv", eventsCsv(trace)).empty());
+  QVERIFY(base::writeFileAtomically(folder + "/trace.json", traceJson(trace.header)).empty());
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+class TraceTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void readTrace_ofWrittenRun_isEqual_data();
+  void readTrace_ofWrittenRun_isEqual();
+  void readTrace_instantsWithoutAnybody_areKept();
+  void readTrace_badFile_namesPlace_data();
+  void readTrace_badFile_namesPlace();
+  void readTrace_missingFiles_areAllNamed();
+  void hashOf_otherPosition_differs();
+};
+
+void TraceTest::readTrace_ofWrittenRun_isEqual_data() {
+  QTest::addColumn<int>("recordEvery");
+  QTest::newRow("every step") << 1;
+  QTest::newRow("every third step") << 3;
+}
+
+void TraceTest::readTrace_ofWrittenRun_isEqual() {
+  QFETCH(int, recordEvery);
+  QTemporaryDir folder;
+  const std::string path = folder.path().toStdString();
+  const Trace trace = sampleTrace(recordEvery);
+  writeRun(trace, path);
+  const base::Result<Trace> read = readTrace(path);
+  QVERIFY2(read, read ? "" : read.diagnostics().front().text().c_str());
+  QVERIFY(read->header == trace.header);
+  QVERIFY(read->events == trace.events);
+  QCOMPARE(read->frames.size(), trace.frames.size());
+  for (std::size_t k = 0; k < trace.frames.size(); ++k) {
+    QCOMPARE(read->frames[k].step, trace.frames[k].step);
+    QVERIFY(read->frames[k].time == trace.frames[k].time);
+    QVERIFY(read->frames[k].humans == trace.frames[k].humans);
+    QVERIFY(read->frames[k].robots == trace.frames[k].robots);
+  }
+  QVERIFY(traceJson(read->header) == traceJson(trace.header));
+  QCOMPARE(hashOf(*read), hashOf(trace));
+}
+
+void TraceTest::readTrace_instantsWithoutAnybody_areKept() {
+  QTemporaryDir folder;
+  const std::string path = folder.path().toStdString();
+  Trace trace = sampleTrace();
+  trace.header.robots.clear();
+  trace.events.erase(trace.events.begin());  // the contact of the robot
+  for (const std::size_t empty : {0, 1, 3, 4}) {
+    trace.frames[empty].humans = {};
+  }
+  for (Frame& frame : trace.frames) {
+    frame.robots = {};
+  }
+  writeRun(trace, path);
+  const base::Result<Trace> read = readTrace(path);
+  QVERIFY2(read, read ? "" : read.diagnostics().front().text().c_str());
+  QCOMPARE(read->frames.size(), std::size_t{5});
+  QVERIFY(trajectoryCsv(*read) == trajectoryCsv(trace));
+  QVERIFY(read->frames[4].time == 4 * 0.1);
+}
+
+void TraceTest::readTrace_badFile_namesPlace_data() {
+  QTest::addColumn<QByteArray>("file");
+  QTest::addColumn<QByteArray>("from");
+  QTest::addColumn<QByteArray>("to");
+  QTest::addColumn<QByteArray>("expected");
+  const QByteArray rows = "trajectory.csv";
+  QTest::newRow("NaN position") << rows << QByteArray("1,0.1,3,human,0.1,")
+                                << QByteArray("1,0.1,3,human,nan,")
+                                << QByteArray("trajectory.csv:4:15: error: x is not a finite");
+  QTest::newRow("text for a number")
+      << rows << QByteArray("2,0.2,7,human,0.2,") << QByteArray("2,0.2,7,human,0.2m,")
+      << QByteArray("trajectory.csv:8:15: error: x is not");
+  QTest::newRow("time backwards") << rows << QByteArray("\n3,0.30000000000000004,3")
+                                  << QByteArray("\n1,0.1,3")
+                                  << QByteArray("trajectory.csv:10:1: error: step and time run");
+  QTest::newRow("time off the grid") << rows << QByteArray("\n1,0.1,3") << QByteArray("\n1,0.15,3")
+                                     << QByteArray("trajectory.csv:4:3: error: time is not step");
+  QTest::newRow("unknown person") << rows << QByteArray("\n1,0.1,7") << QByteArray("\n1,0.1,8")
+                                  << QByteArray("trajectory.csv:5:7: error: id 8 is not in");
+  QTest::newRow("robot without row")
+      << rows << QByteArray("1,0.1,-1,robot,1,2,0,0.5,0,-0.25,-1,0,\n") << QByteArray()
+      << QByteArray("step 1 lacks a robot");
+  QTest::newRow("field missing") << rows << QByteArray("2,0.2,-1,robot,") << QByteArray("2,0.2,-1,")
+                                 << QByteArray("trajectory.csv:9:");
+  QTest::newRow("columns") << rows << QByteArray("step,time,id") << QByteArray("step,id,time")
+                           << QByteArray("trajectory.csv:1:1: error: the first line must be");
+  QTest::newRow("kind of event") << QByteArray("events.csv") << QByteArray(",contact,")
+                                 << QByteArray(",bump,")
+                                 << QByteArray(
+                                        "events.csv:2:7: error: unknown kind of event 'bump'");
+  QTest::newRow("JSON syntax") << QByteArray("trace.json") << QByteArray("\"dt\": 0.1")
+                               << QByteArray("\"dt\": ,")
+                               << QByteArray("trace.json:4:8: error: not valid JSON");
+  QTest::newRow("JSON type") << QByteArray("trace.json") << QByteArray("\"dt\": 0.1")
+                             << QByteArray("\"dt\": \"0.1\"")
+                             << QByteArray("trace.json: error: dt: must be a finite number");
+  QTest::newRow("cells") << QByteArray("trace.json") << QByteArray("[0,2,100,2,")
+                         << QByteArray("[0,2,100,99,") << QByteArray("map.cells: must be pairs");
+}
+
+void TraceTest::readTrace_badFile_namesPlace() {
+  QFETCH(QByteArray, file);
+  QFETCH(QByteArray, from);
+  QFETCH(QByteArray, to);
+  QFETCH(QByteArray, expected);
+  QTemporaryDir folder;
+  const std::string path = folder.path().toStdString();
+  writeRun(sampleTrace(), path);
+  const std::string name = path + "/" + file.toStdString();
+  const std::string text = *base::readTextFile(name);
+  const std::string bad = replaced(text, from.toStdString(), to.toStdString());
+  QVERIFY(bad != text);
+  QVERIFY(base::writeFileAtomically(name, bad).empty());
+  const base::Result<Trace> read = readTrace(path);
+  QVERIFY(!read);
+  std::string all;
+  for (const base::Diagnostic& problem : read.diagnostics()) {
+    all += problem.text() + "\n";
+  }
+  QVERIFY2(all.find(expected.toStdString()) != std::string::npos, all.c_str());
+}
+
+void TraceTest::readTrace_missingFiles_areAllNamed() {
+  QTemporaryDir folder;
+  const base::Result<Trace> read = readTrace(folder.path().toStdString());
+  QVERIFY(!read);
+  QCOMPARE(read.diagnostics().size(), std::size_t{3});
+}
+
+void TraceTest::hashOf_otherPosition_differs() {
+  const Trace trace = sampleTrace();
+  Trace moved = trace;
+  moved.frames[2].humans.x[0] += 1e-15;
+  QVERIFY(hashOf(moved) != hashOf(trace));
+}
+
+QTEST_APPLESS_MAIN(TraceTest)
+#include "tst_Trace.moc"
