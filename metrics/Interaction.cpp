@@ -17,7 +17,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 Vec2 socialForce(const Body& source, const Body& target, double factor,
                  const MetricParameters& parameters) {
   const Vec2 between = source.position - target.position;
-  const double separation = between.norm();  // D
+  const double separation = lengthOf(between);  // D
   const bool corrected = parameters.profile == Profile::Corrected;
   if (corrected && separation < kSmall) {
     return Vec2::Zero();
@@ -25,7 +25,7 @@ Vec2 socialForce(const Body& source, const Body& target, double factor,
   const Vec2 towards = between / separation;  // e
   const Vec2 interaction =
       parameters.socialLambda * (target.velocity - source.velocity) + towards;  // I
-  const double length = interaction.norm();                                     // L
+  const double length = lengthOf(interaction);                                  // L
   if (length < kSmall) {
     return corrected ? Vec2(0.0, 0.0) : Vec2(kNaN, kNaN);
   }
@@ -48,7 +48,7 @@ Vec2 obstacleForce(const Body& body, const MetricParameters& parameters) {
   Vec2 sum = Vec2::Zero();
   for (const ObstaclePoint& point : body.obstacles) {
     const Vec2 away = body.position - point.position;
-    const double length = away.norm();
+    const double length = lengthOf(away);
     if (length < kSmall) {
       continue;  // no direction
     }
@@ -84,7 +84,7 @@ double fearCost(const Body& robot, const Body& person, const MetricParameters& p
   if (parameters.profile == Profile::Hunav2) {
     const Vec2 centres = person.position - robot.position;
     const Vec2 closing = robot.velocity - person.velocity;
-    return centres.dot(closing) > 0.0 ? closing.norm() / centres.norm() : 0.0;
+    return centres.dot(closing) > 0.0 ? lengthOf(closing) / lengthOf(centres) : 0.0;
   }
   const std::optional<double> time = timeToCollision(robot, person);
   if (!time) {
@@ -101,27 +101,28 @@ double panicCost(const Body& robot, const Body& person, const MetricParameters& 
   if (along <= 0.0) {
     return 0.0;
   }
-  const double speed = closing.norm();
-  const double separation = centres.norm();
+  const double speed = lengthOf(closing);
+  const double separation = lengthOf(centres);
   if (parameters.profile == Profile::Hunav2) {
     const double sine = std::fabs(base::cross(centres, closing)) / (separation * speed);
     const double miss = separation * sine;
     return miss > radii && sine > kSmallAngle ? speed / ((miss - radii) * sine) : 0.0;
   }
-  const double discriminant =
-      along * along - speed * speed * (separation * separation - radii * radii);
-  if (discriminant > 0.0) {
-    return 0.0;
-  }
-  const double aside = std::fabs(base::cross(centres, closing));  // sqrt(V^2 d^2 - (C.V)^2)
-  const double margin = aside - speed * radii;
+  const double product = closing.squaredNorm() * centres.squaredNorm();
+  const double aside = std::sqrt(std::max(product - along * along, 0.0));  // g
+  const double margin = aside - speed * radii;  // not above 0 on a collision course
   return margin > parameters.panicEpsilon ? speed / separation * aside / margin : 0.0;
 }
 
 double viewAngle(const Person& person, const Body& robot) {
   const Vec2 towards = robot.position - person.position;
-  const Vec2 ahead = base::directionOf(person.heading);
-  return std::fabs(std::atan2(base::cross(ahead, towards), ahead.dot(towards)));
+  const double length = lengthOf(towards);
+  if (length <= 0.0) {
+    return 0.0;
+  }
+  const double along =
+      towards.x() * std::cos(person.heading) + towards.y() * std::sin(person.heading);
+  return std::acos(std::clamp(along / length, -1.0, 1.0));
 }
 
 namespace {

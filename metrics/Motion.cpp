@@ -51,7 +51,7 @@ bool isInGoalRegion(const Recording& recording, std::size_t sample,
                     const MetricParameters& parameters) {
   const Vec2& position = recording.samples[sample].robot.position;
   return std::any_of(recording.goals.begin(), recording.goals.end(), [&](const Goal& goal) {
-    return (position - goal.position).norm() - goal.radius < parameters.goalTolerance;
+    return lengthOf(position - goal.position) - goal.radius < parameters.goalTolerance;
   });
 }
 
@@ -62,7 +62,7 @@ bool isCompleted(const Recording& recording, const MetricParameters& parameters)
 double distanceToGoals(const Recording& recording, std::size_t sample) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const Goal& goal : recording.goals) {
-    nearest = std::min(nearest, (recording.samples[sample].robot.position - goal.position).norm());
+    nearest = std::min(nearest, lengthOf(recording.samples[sample].robot.position - goal.position));
   }
   return nearest;
 }
@@ -78,7 +78,7 @@ void countContact(const Recording& recording, std::size_t i, const Person& perso
   const Sample* before = i > 0 ? &recording.samples[i - 1] : nullptr;
   const Person* personBefore = before != nullptr ? findPerson(*before, person.id) : nullptr;
   const Vec2 between = person.position - robot.position;
-  const double separation = between.norm();
+  const double separation = lengthOf(between);
   const Vec2 normal = separation > 0.0 ? Vec2(between / separation) : Vec2(0.0, 0.0);
   const Vec2& robotVelocity = before != nullptr ? before->robot.velocity : robot.velocity;
   const Vec2& personVelocity = personBefore != nullptr ? personBefore->velocity : person.velocity;
@@ -92,12 +92,9 @@ void countContact(const Recording& recording, std::size_t i, const Person& perso
   }
 }
 
-}  // namespace
-
-ContactEvents contactEvents(const Recording& recording, double limit) {
-  ContactEvents events;
-  events.robotOnPerson.assign(recording.size(), 0.0);
-  events.personOnRobot.assign(recording.size(), 0.0);
+/// Calls `begins(sample, person)` whenever the gap of a pair falls below the limit.
+template <class Begins>
+void forEachEntry(const Recording& recording, double limit, Begins begins) {
   std::vector<int> touching;
   std::vector<int> touchingNow;
   for (std::size_t i = 0; i < recording.size(); ++i) {
@@ -108,12 +105,30 @@ ContactEvents contactEvents(const Recording& recording, double limit) {
       }
       touchingNow.push_back(person.id);
       if (std::find(touching.begin(), touching.end(), person.id) == touching.end()) {
-        countContact(recording, i, person, events);
+        begins(i, person);
       }
     }
     touching.swap(touchingNow);
   }
+}
+
+}  // namespace
+
+ContactEvents contactEvents(const Recording& recording, double limit) {
+  ContactEvents events;
+  events.robotOnPerson.assign(recording.size(), 0.0);
+  events.personOnRobot.assign(recording.size(), 0.0);
+  forEachEntry(recording, limit, [&](std::size_t i, const Person& person) {
+    countContact(recording, i, person, events);
+  });
   return events;
+}
+
+double entryCount(const Recording& recording, double limit) {
+  double count = 0.0;
+  forEachEntry(recording, limit,
+               [&count](std::size_t /*i*/, const Person& /*person*/) { count += 1.0; });
+  return count;
 }
 
 int obstacleContacts(const Recording& recording) {

@@ -27,6 +27,8 @@ struct ContactEvents {
 };
 /// A pair whose gap falls below `limit`; told apart by the closing speeds.
 ContactEvents contactEvents(const Recording& recording, double limit);
+/// Contacts that begin, whoever caused them.
+double entryCount(const Recording& recording, double limit);
 /// The robot touches an obstacle: begins at these many samples.
 int obstacleContacts(const Recording& recording);
 

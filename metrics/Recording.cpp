@@ -13,8 +13,12 @@ double Recording::interval(std::size_t sample) const {
   return sample + 1 < samples.size() ? samples[sample + 1].time - samples[sample].time : 0.0;
 }
 
+double lengthOf(const Vec2& vector) {
+  return std::hypot(vector.x(), vector.y());
+}
+
 double distance(const Body& a, const Body& b) {
-  return (a.position - b.position).norm();
+  return lengthOf(a.position - b.position);
 }
 
 double gap(const Body& a, const Body& b) {

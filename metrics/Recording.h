@@ -119,6 +119,7 @@ Recording cut(const Recording& recording, const Window& window);
 Recording withBehavior(const Recording& recording, int behavior);
 
 // Geometry that most metrics share.
+double lengthOf(const Vec2& vector);  // rounded correctly, unlike a root of squares
 double distance(const Body& a, const Body& b);
 double gap(const Body& a, const Body& b);  // surface to surface, < 0 when they overlap
 std::optional<double> closestGap(const Sample& sample);  // clamped at 0; none without people

@@ -17,7 +17,7 @@ void copyMotion(const Columns& columns, std::size_t k, Body& body) {
   body.position = Vec2(columns.x[k], columns.y[k]);
   body.heading = columns.heading[k];
   body.velocity = Vec2(columns.vx[k], columns.vy[k]);
-  body.speed = body.velocity.norm();
+  body.speed = lengthOf(body.velocity);
   body.omega = columns.omega[k];
 }
 

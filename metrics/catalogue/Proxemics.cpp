@@ -65,7 +65,7 @@ std::map<int, Centre> centresOf(const Sample& sample, const MetricParameters& pa
 
 double distanceTo(const Centre& centre, const Robot& robot) {
   const Vec2 middle = centre.sum / static_cast<double>(centre.members);
-  return std::max((robot.position - middle).norm() - robot.radius, 0.0);
+  return std::max(lengthOf(robot.position - middle) - robot.radius, 0.0);
 }
 
 MetricValue groupIntrusions(const Recording& recording, const MetricParameters& parameters,

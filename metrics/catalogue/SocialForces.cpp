@@ -40,7 +40,7 @@ double onPeople(const Sample& sample, const MetricParameters& parameters) {
   double sum = 0.0;
   for (const Person& person : sample.people) {
     if (counts(sample, person, parameters)) {
-      sum += socialForce(sample.robot, person, factorOf(person, parameters), parameters).norm();
+      sum += lengthOf(socialForce(sample.robot, person, factorOf(person, parameters), parameters));
     }
   }
   return sum;
@@ -50,7 +50,7 @@ double onRobot(const Sample& sample, const MetricParameters& parameters) {
   double sum = 0.0;
   for (const Person& person : sample.people) {
     if (counts(sample, person, parameters)) {
-      sum += socialForce(person, sample.robot, parameters.socialFactor, parameters).norm();
+      sum += lengthOf(socialForce(person, sample.robot, parameters.socialFactor, parameters));
     }
   }
   return sum;
@@ -63,18 +63,18 @@ double work(const Sample& sample, const MetricParameters& parameters) {
       total += socialForce(person, sample.robot, parameters.socialFactor, parameters);
     }
   }
-  return total.norm() + obstacleForce(sample.robot, parameters).norm() +
+  return lengthOf(total) + lengthOf(obstacleForce(sample.robot, parameters)) +
          onPeople(sample, parameters);
 }
 
 double obstaclesOnRobot(const Sample& sample, const MetricParameters& parameters) {
-  return obstacleForce(sample.robot, parameters).norm();
+  return lengthOf(obstacleForce(sample.robot, parameters));
 }
 
 double obstaclesOnPeople(const Sample& sample, const MetricParameters& parameters) {
   double sum = 0.0;
   for (const Person& person : sample.people) {
-    sum += obstacleForce(person, parameters).norm();
+    sum += lengthOf(obstacleForce(person, parameters));
   }
   return sample.people.empty() ? 0.0 : sum / static_cast<double>(sample.people.size());
 }

@@ -12,20 +12,22 @@ namespace {
 
 /// A person who sees the robot.
 struct View {
-  double ratio = 0.0;        // d_prox / D
-  double angle = 0.0;        // share of the half field of view
+  double proxemic = 0.45;    // d_prox [m]
+  double distance = 1.0;     // D [m]
+  double angle = 0.0;        // theta [rad]
+  double halfField = 1.0;    // half the field of view [rad]
   double recognition = 0.0;  // SR, 0 = just seen, 1 = reaction over
   double shockRate = 4.0;    // reaction time / recognition time
 };
 
 double visibilityCost(const View& view) {
-  return view.ratio * view.angle;
+  return view.proxemic / view.halfField * view.angle / view.distance;
 }
 double shockCost(const View& view) {
-  return std::max(view.ratio * (1.0 - view.shockRate * view.recognition), 0.0);
+  return std::max(view.proxemic / view.distance * (1.0 - view.shockRate * view.recognition), 0.0);
 }
 double reactCost(const View& view) {
-  return view.ratio * (1.0 - view.recognition);
+  return view.proxemic / view.distance * (1.0 - view.recognition);
 }
 
 using Cost = double (*)(const View&);
@@ -62,21 +64,22 @@ class SurpriseSum : public PersonCosts {
     if (sight == Sight::OutsideMap) {
       return std::nullopt;
     }
-    return sight == Sight::Free ? visibleCost(sample, person, angle / half) : 0.0;
+    return sight == Sight::Free ? visibleCost(sample, person, angle) : 0.0;
   }
 
  private:
   double visibleCost(const Sample& sample, const Person& person, double angle) {
     View view;
+    view.proxemic = parameters().surpriseDistance;
     view.angle = angle;
+    view.halfField = parameters().fieldOfView / 2.0;
     view.shockRate = parameters().reactionTime / parameters().recognitionTime;
     if (isOriginal()) {
-      view.ratio = parameters().surpriseDistance / distance(sample.robot, person);
+      view.distance = distance(sample.robot, person);
       view.recognition = 1.0;  // its clock runs backwards and never enters the reaction
       return cost_(view);
     }
-    view.ratio = parameters().surpriseDistance /
-                 std::max(gap(sample.robot, person), parameters().surpriseMinimumDistance);
+    view.distance = std::max(gap(sample.robot, person), parameters().surpriseMinimumDistance);
     const double seenFor = sample.time - seenSince(person.id, sample.time);
     view.recognition = std::min(seenFor / parameters().reactionTime, 1.0);
     const bool stands = sample.robot.speed < parameters().stopLinearSpeed;
