@@ -171,7 +171,9 @@ void GoldenVectorsTest::evaluate_vector_givesExpected() {
   std::string problems = resultsProblem(corrected.results, expected["corrected"]);
   if (expected.contains("hunav2")) {
     problems += resultsProblem(original.results, expected["hunav2"]);
-    problems += droppedProblem(original, expected["hunav2"]);
+    if (file.contains("schema")) {  // the published ones list every key
+      problems += droppedProblem(original, expected["hunav2"]);
+    }
   }
   if (expected.contains("extended")) {
     problems += resultsProblem(corrected.results, expected["extended"]);

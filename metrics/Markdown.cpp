@@ -1,0 +1,82 @@
+#include "metrics/MetricRegistry.h"
+#include "sim2d/base/Text.h"
+
+namespace metrics {
+
+namespace {
+
+/// Text of a table cell: bars would end it.
+std::string cellOf(const std::string& text) {
+  std::string cell;
+  for (const char c : text) {
+    cell += c == '|' ? std::string("\\|") : std::string(1, c);
+  }
+  return cell.empty() ? "-" : cell;
+}
+
+std::string row(const std::vector<std::string>& cells) {
+  std::string text = "|";
+  for (const std::string& cell : cells) {
+    text += " " + cell + " |";
+  }
+  return text + "\n";
+}
+
+std::string categoryTable(const MetricRegistry& registry, Category category) {
+  std::string text = "\n## " + std::string(categoryName(category)) + "\n\n";
+  text += row({"#", "key", "meaning", "unit", "formula", "range", "better", "needs", "source"});
+  text += "|---|---|---|---|---|---|---|---|---|\n";
+  for (const MetricEntry& entry : registry.entries()) {
+    const MetricInfo& info = entry.info;
+    if (info.category != category || !info.partOf.empty()) {
+      continue;
+    }
+    text += row({info.hunav > 0 ? std::to_string(info.hunav) : "", "`" + info.key + "`",
+                 cellOf(info.name), cellOf(info.unit), cellOf(info.formula), cellOf(info.range),
+                 betterName(info.better), needsText(info.needs), cellOf(info.source)});
+  }
+  return text;
+}
+
+std::string parameterTable() {
+  std::string text = "\n## Parameters\n\n" + row({"name", "default", "unit", "meaning"});
+  text += "|---|---|---|---|\n";
+  const MetricParameters defaults;
+  for (const ParameterInfo& info : parameterInfos()) {
+    text += row({"`" + info.name + "`", base::formatDouble(defaults.*info.member),
+                 cellOf(info.unit), cellOf(info.text)});
+  }
+  return text;
+}
+
+constexpr char kIntroduction[] = R"(# Metrics
+
+Written from the registry; do not edit by hand (`HUNAV_UPDATE=1` with the test
+`tst_MetricRegistry` writes it anew).
+
+Numbers in the first column are those of HuNavSim's evaluator; the others are ours. SI units,
+radians, world frame. A record has N samples at times t_i, dt_i = t_(i+1) - t_i, T = the whole time.
+Robot: position p, heading psi, velocity v, speed s = |v|, turning speed w, radius r_r. Person a:
+position q, velocity u, radius r_a. d = |p - q|, gap = d - r_r - r_a, c_i = smallest gap at sample i,
+not below 0. F = social force, O = mean obstacle force. Closing velocity V = v - u, R = r_r + r_a.
+D = gap, at least surprise_minimum_distance. ttc = time to collision on straight courses.
+
+Profile `corrected` (default) uses the formulas below. Profile `hunav2` gives the same numbers as
+the public HuNavSim 2.0 evaluator, with its peculiarities. A value that a record does not define is
+empty in CSV and `null` in JSON, with the reason.
+
+The sums 25-34 grow with the recording rate; each is given a second time divided by N, as
+`<key>_mean`.
+)";
+
+}  // namespace
+
+std::string metricsMarkdown(const MetricRegistry& registry) {
+  std::string text = kIntroduction;
+  for (int category = 0; category < kCategories; ++category) {
+    text += categoryTable(registry, static_cast<Category>(category));
+  }
+  return text + parameterTable();
+}
+
+}  // namespace metrics
