@@ -14,36 +14,92 @@ namespace {
 
 constexpr double kExactRange = 1.2;  // [m]
 
+bool reachBeyond(const OccupancyGrid& grid, const Obstacles& obstacles) {
+  const auto isOutside = [&](const Vec2& point) {
+    constexpr double kEdge = 0.6;  // [cells] the outlines of the map itself may lie on its edge
+    const Vec2 corner = grid.worldToCorner(point);
+    return corner.minCoeff() < -kEdge || corner.x() > grid.width() + kEdge ||
+           corner.y() > grid.height() + kEdge;
+  };
+  for (int part = 0; part < obstacles.partCount(); ++part) {
+    for (const Outline& outline : obstacles.outlines(part)) {
+      if (obstacles.isEnabled(part) &&
+          std::any_of(outline.points.begin(), outline.points.end(), isOutside)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Lowers the distances [m] of a map to those of the obstacles. `cells` are what these cover.
+class ObstaclePass {
+ public:
+  ObstaclePass(const OccupancyGrid& grid, const Obstacles& obstacles,
+               const std::vector<char>& cells)
+      : grid_(grid),
+        obstacles_(obstacles),
+        cells_(cells),
+        toCovered_(distancesToMarked(grid.width(), grid.height(), cells)),
+        size_(static_cast<float>(grid.resolution())),
+        limit_(kExactRange + 2.0 * grid.resolution()),
+        // What stands beyond the grid acts on the cells near its edge.
+        edge_(reachBeyond(grid, obstacles) ? static_cast<int>(limit_ / grid.resolution()) : 0) {}
+
+  float lowered(Cell cell, float distance) const {
+    const std::size_t i = grid_.indexOf(cell);
+    const float rough = size_ * toCovered_[i];  // covered cells reach up to a cell too far
+    const bool isNearEdge = std::min({cell.column, grid_.width() - 1 - cell.column, cell.row,
+                                      grid_.height() - 1 - cell.row}) < edge_;
+    if (rough >= distance && !isNearEdge) {
+      return distance;
+    }
+    if (cells_[i] != 0) {
+      return 0.0F;
+    }
+    const bool isFar = rough > static_cast<float>(kExactRange);
+    const float far = std::min(distance, rough + 0.5F * size_);
+    if (isFar && !isNearEdge) {
+      return far;
+    }
+    const double exact = obstacles_.clearance(grid_.cellToWorld(cell), limit_);
+    return exact < limit_ ? std::min(distance, static_cast<float>(std::max(0.0, exact))) : far;
+  }
+
+ private:
+  const OccupancyGrid& grid_;
+  const Obstacles& obstacles_;
+  const std::vector<char>& cells_;
+  std::vector<float> toCovered_;  // [cells]
+  float size_;
+  double limit_;
+  int edge_;  // [cells]
+};
+
 /// Distances [m] to map walls and obstacles together. `cells` are those of the obstacles.
 std::vector<float> combinedDistances(const OccupancyGrid& grid, const Obstacles& obstacles,
                                      const std::vector<char>& cells) {
-  const auto size = static_cast<float>(grid.resolution());
-  const std::vector<char> walls = cellsOfWalls(grid);
-  std::vector<float> distance = distancesToMarked(grid.width(), grid.height(), walls);
+  std::vector<float> distance = distancesToMarked(grid.width(), grid.height(), cellsOfWalls(grid));
   for (float& value : distance) {
-    value *= size;
+    value *= static_cast<float>(grid.resolution());
   }
-  if (std::find(cells.begin(), cells.end(), char{1}) == cells.end()) {
+  const bool isCovered = std::find(cells.begin(), cells.end(), char{1}) != cells.end();
+  if (!isCovered && !reachBeyond(grid, obstacles)) {
     return distance;
   }
-  const std::vector<float> toObstacle = distancesToMarked(grid.width(), grid.height(), cells);
+  const ObstaclePass pass(grid, obstacles, cells);
   for (int row = 0; row < grid.height(); ++row) {
     for (int column = 0; column < grid.width(); ++column) {
-      const std::size_t i = grid.indexOf({column, row});
-      const float rough = size * toObstacle[i];  // marked cells reach up to a cell too far
-      if (rough >= distance[i]) {
-        continue;
-      }
-      float exact = 0.0F;
-      if (cells[i] == 0 && rough > static_cast<float>(kExactRange)) {
-        exact = rough + 0.5F * size;
-      } else if (cells[i] == 0) {
-        const double limit = kExactRange + 2.0 * grid.resolution();
-        exact = static_cast<float>(
-            std::max(0.0, obstacles.clearance(grid.cellToWorld({column, row}), limit)));
-      }
-      distance[i] = std::min(distance[i], exact);
+      float& value = distance[grid.indexOf({column, row})];
+      value = pass.lowered({column, row}, value);
     }
+  }
+  // All or none are infinite, so that values can be mixed: where only what stands beyond the grid
+  // is felt, the cells far from its edge take the range within which it was looked for.
+  const auto isFinite = [](float value) { return std::isfinite(value); };
+  if (std::any_of(distance.begin(), distance.end(), isFinite)) {
+    std::replace(distance.begin(), distance.end(), std::numeric_limits<float>::infinity(),
+                 static_cast<float>(kExactRange));
   }
   return distance;
 }
@@ -88,7 +144,7 @@ double DistanceField::distanceAt(Cell cell) const {
 }
 
 double DistanceField::distanceAt(const Vec2& point) const {
-  if (border_.empty()) {
+  if (std::isinf(distance_.front())) {
     return std::numeric_limits<double>::infinity();
   }
   const Vec2 corner = grid_.worldToCorner(point);
@@ -113,16 +169,14 @@ double DistanceField::distanceAt(const Vec2& point) const {
 }
 
 Vec2 DistanceField::gradientAt(const Vec2& point) const {
-  if (border_.empty()) {
-    return Vec2::Zero();
-  }
   const double step = grid_.resolution();
   const auto slope = [&](const Vec2& offset) {
     return distanceAt(Vec2(point + offset)) - distanceAt(Vec2(point - offset));
   };
   const Vec2 gradient(slope({step, 0.0}), slope({0.0, step}));
   const double length = gradient.norm();
-  return length > 1e-6 * step ? Vec2(gradient / length) : Vec2::Zero();
+  // Infinite or not a number where there is no wall to be felt.
+  return length > 1e-6 * step && std::isfinite(length) ? Vec2(gradient / length) : Vec2::Zero();
 }
 
 }  // namespace sim2d

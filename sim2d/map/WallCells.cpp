@@ -67,9 +67,9 @@ class Rasteriser {
   void markAlong(const Vec2& a, const Vec2& b) {
     const double lowY = std::min(a.y(), b.y());
     const double highY = std::max(a.y(), b.y());
-    const int firstRow = std::max(cellOf(lowY + kSlack), 0);
+    const int firstRow = cellOf(lowY + kSlack);
     const int lastRow = std::min(std::max(cellOf(highY - kSlack), firstRow), grid_.height() - 1);
-    for (int row = firstRow; row <= lastRow; ++row) {
+    for (int row = std::max(firstRow, 0); row <= lastRow; ++row) {
       double x[2] = {a.x(), b.x()};
       if (highY - lowY > kSlack) {
         const double slope = (b.x() - a.x()) / (b.y() - a.y());
@@ -78,9 +78,9 @@ class Rasteriser {
               a.x() + slope * (std::clamp(static_cast<double>(row + end), lowY, highY) - a.y());
         }
       }
-      const int first = std::max(cellOf(std::min(x[0], x[1]) + kSlack), 0);
+      const int first = cellOf(std::min(x[0], x[1]) + kSlack);
       const int last = std::max(cellOf(std::max(x[0], x[1]) - kSlack), first);
-      for (int column = first; column <= std::min(last, grid_.width() - 1); ++column) {
+      for (int column = std::max(first, 0); column <= std::min(last, grid_.width() - 1); ++column) {
         if (!isBesideMapWall({column, row})) {
           mark({column, row});
         }

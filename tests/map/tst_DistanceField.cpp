@@ -39,6 +39,7 @@ class DistanceFieldTest : public QObject {
   void distanceAt_drawnObstacles_areExactNearby();
   void distanceAt_mapOutlinesGiven_areNotThicker();
   void distanceAt_disabledPart_isFree();
+  void distanceAt_obstacleBeyondMap_isFelt();
   void grid_thinWall_hasNoHoles();
   void gradientAt_pointsAway();
   void openPlane_coversBounds();
@@ -152,6 +153,15 @@ void DistanceFieldTest::distanceAt_disabledPart_isFree() {
   QVERIFY(std::fabs(closed.distanceAt(Vec2(1.0, 1.5)) - 0.475) < 1e-3);
   obstacles.setEnabled(door, false);
   QVERIFY(std::isinf(DistanceField(grid, obstacles).distanceAt(Vec2(1.0, 1.0))));
+}
+
+void DistanceFieldTest::distanceAt_obstacleBeyondMap_isFelt() {
+  const Obstacles obstacles = obstaclesOf({boxOutline({{-1.2, 2.0}, 0.0}, 2.0, 8.0)});
+  const DistanceField field(emptyGrid(80, 80, 0.05), obstacles);
+  QVERIFY(std::fabs(field.distanceAt(Vec2(0.3, 2.0)) - 0.5) < 1e-3);
+  QVERIFY(field.distanceAt(Vec2(3.0, 2.0)) >= 1.19);
+  QVERIFY((field.gradientAt({0.3, 2.0}) - Vec2(1, 0)).norm() < 1e-3);
+  QVERIFY(field.gradientAt({-50.0, 2.0}) == Vec2::Zero());
 }
 
 void DistanceFieldTest::grid_thinWall_hasNoHoles() {
