@@ -1,0 +1,89 @@
+#include "bt/human/HumanContext.h"
+
+namespace bt {
+
+using sim2d::EventKind;
+using sim2d::GoalItem;
+using sim2d::Intent;
+
+std::optional<int> HumanContext::personById(LeafContext& leaf, int id) {
+  const int human = view_.indexOf(id);
+  if (human < 0) {
+    warn(leaf, "there is no person with the id " + std::to_string(id));
+    return std::nullopt;
+  }
+  return view_.isPresent(human) ? std::optional<int>(human) : std::nullopt;
+}
+
+std::optional<int> HumanContext::person(LeafContext& leaf, int port) {
+  const std::optional<int> id = leaf.get<int>(port);
+  if (!id) {
+    leaf.require<int>(port);
+    return std::nullopt;
+  }
+  return personById(leaf, *id);
+}
+
+std::optional<GoalItem> HumanContext::place(LeafContext& leaf, int goalPort) {
+  GoalItem item;
+  if (leaf.state(goalPort) == PortState::Missing && leaf.state(goalPort + 1) == PortState::Given) {
+    item.position.x() = leaf.require<double>(goalPort + 1);
+    item.position.y() = leaf.require<double>(goalPort + 2);
+    return item;
+  }
+  const std::optional<int> id = leaf.get<int>(goalPort);
+  if (!id) {
+    leaf.require<int>(goalPort);
+    return std::nullopt;
+  }
+  const std::optional<base::Vec2> position = view_.globalGoal(*id);
+  if (!position) {
+    warn(leaf, "there is no global goal " + std::to_string(*id));
+    return std::nullopt;
+  }
+  item.id = *id;
+  item.position = *position;
+  return item;
+}
+
+void HumanContext::warn(const LeafContext& leaf, const std::string& message) {
+  const std::string text =
+      view_.constants(self_).name + ": " + leaf.path() + ": " + message + " (the node fails)";
+  if (society_.told.insert(text).second) {
+    society_.troubles.push_back(base::makeWarning(text));
+  }
+}
+
+bool HumanContext::move(int human, const Intent& intent, Mover mover) {
+  const Mover rank = human == self_ ? mover : Mover::Group;
+  Mover& present = society_.movers[static_cast<std::size_t>(human)];
+  if (rank <= present) {
+    return false;
+  }
+  present = rank;
+  const bool wasActive = intents_.of(human).active;
+  intents_.of(human) = intent;
+  // A node of the own tree that runs without moving keeps the mark.
+  intents_.of(human).active = intent.active || (wasActive && rank == Mover::Own);
+  return true;
+}
+
+void HumanContext::emit(EventKind kind, int human, std::string text) {
+  sim2d::Event event;
+  event.kind = kind;
+  event.id = idOf(human);
+  event.text = std::move(text);
+  intents_.emit(std::move(event));
+}
+
+void HumanContext::emitHeard(int listener, int speaker, std::string text) {
+  sim2d::Event event;
+  event.kind = EventKind::Heard;
+  event.id = idOf(listener);
+  event.other = idOf(speaker);
+  event.hasOther = true;
+  event.text = std::move(text);
+  intents_.emit(std::move(event));
+}
+
+}  // namespace bt

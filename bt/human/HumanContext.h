@@ -1,0 +1,112 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bt/engine/LeafContext.h"
+#include "bt/human/SpeechBus.h"
+#include "sim2d/world/HumanBehavior.h"
+
+/// What the leaves of people's trees get from the program that runs them.
+namespace bt {
+
+/// Who moves a person in this step. A group node goes before the person's own tree; of equals the
+/// first.
+enum class Mover : unsigned char { Nobody, Own, Group };
+
+/// Goals and group of a person as they were before a node changed them.
+struct SavedPerson {
+  int human = -1;
+  std::vector<sim2d::GoalItem> goals;
+  int group = -1;
+};
+
+/// Place of one member of a formation.
+struct Spot {
+  int human = -1;
+  base::Vec2 position = base::Vec2::Zero();  // [m]
+};
+
+/// What a node keeps of others while it runs; too big for its bytes in the tree.
+struct Notes {
+  std::vector<SavedPerson> saved;
+  std::vector<Spot> spots;
+  base::Vec2 centre = base::Vec2::Zero();  // of the formation [m]
+};
+
+/// One person's mind beside the tree.
+struct Mind {
+  bool isFirstTick = true;
+  bool hasOwnGoals = false;    // the tree has replaced the goals of the scenario
+  std::map<int, Notes> notes;  // by node of the tree
+};
+
+/// What lasts from step to step for all people of a run.
+struct Society {
+  std::vector<Mind> minds;
+  SpeechBus speech;
+  std::vector<Mover> movers;       // of this step
+  std::vector<char> changedGoals;  // of this step: a tree took a goal off the list
+  std::set<std::string> told;      // warnings that were given
+  base::Diagnostics troubles;      // not yet taken
+};
+
+/// One person's tick. Leaves read the frozen view and write intents; persons are given by index.
+class HumanContext {
+ public:
+  HumanContext(Society& society, const sim2d::WorldView& view, sim2d::Intents& intents, int self)
+      : society_(society), view_(view), intents_(intents), self_(self) {}
+
+  const sim2d::WorldView& view() const { return view_; }
+  sim2d::Intents& intents() { return intents_; }
+  sim2d::HumanControl& control(int human) { return intents_.control(human); }
+  int self() const { return self_; }  // whose tree is ticked
+  Mind& mind() { return society_.minds[static_cast<std::size_t>(self_)]; }
+  SpeechBus& speech() { return society_.speech; }
+  bool isOriginal(int quirk) const { return view_.compatibility().has(quirk); }
+  int idOf(int human) const { return view_.constants(human).id; }
+
+  /// The person named by an id: nothing, and one warning, when nobody has it; nothing for people
+  /// who are not in the world now.
+  std::optional<int> personById(LeafContext& leaf, int id);
+  /// The same for an input port; a missing port makes the tree faulty.
+  std::optional<int> person(LeafContext& leaf, int port);
+  /// A global goal by its port, else the two ports after it as coordinates (older files): nothing
+  /// and one warning for an unknown goal. The radius is not set.
+  std::optional<sim2d::GoalItem> place(LeafContext& leaf, int goalPort);
+  /// Said once for the run.
+  void warn(const LeafContext& leaf, const std::string& message);
+
+  /// The person's motion of this step, or nothing when another mover was first. A person moved by
+  /// the tree of somebody else, or by a group node, obeys that.
+  bool move(int human, const sim2d::Intent& intent, Mover mover = Mover::Own);
+  /// Column `state` of a person who does something social without being moved.
+  void setActive(int human) { intents_.of(human).active = true; }
+  void noteGoalChange(int human) { society_.changedGoals[static_cast<std::size_t>(human)] = 1; }
+
+  Notes& notes(const LeafContext& leaf) { return mind().notes[leaf.node()]; }
+  void dropNotes(const LeafContext& leaf) { mind().notes.erase(leaf.node()); }
+
+  void emit(sim2d::EventKind kind, int human, std::string text);
+  void emitHeard(int listener, int speaker, std::string text);
+
+ private:
+  Society& society_;
+  const sim2d::WorldView& view_;
+  sim2d::Intents& intents_;
+  int self_;
+};
+
+/// Shorthand in leaves.
+inline HumanContext& humanOf(LeafContext& leaf) {
+  return leaf.host<HumanContext>();
+}
+inline base::NodeStatus successIf(bool condition) {
+  return condition ? base::NodeStatus::Success : base::NodeStatus::Failure;
+}
+
+}  // namespace bt

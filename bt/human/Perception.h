@@ -1,0 +1,36 @@
+#pragma once
+
+#include "sim2d/base/Types.h"
+#include "sim2d/world/HumanBehavior.h"
+
+/// What one person can tell about others. Pure functions of the frozen view; people and robots by
+/// index, distances centre to centre. Definitions: HuNavSim 2.0 (agent manager), with walls in the
+/// way of sight and sound.
+namespace bt {
+
+/// Half of the natural field of view [rad]: a little more than a right angle to each side.
+constexpr double kNaturalHalfView = base::kPi / 2.0 + 0.17;
+/// A robot faces whoever is within this angle off its nose [rad].
+constexpr double kFacingAngle = 0.3;
+
+/// Turn by which `observer` would look straight at `point`, in (-pi, pi]; 0 at the same place.
+double bearingOf(const base::Vec2& point, const base::Pose2& observer);
+
+/// Distance to the robot that counts for this person; infinity without a robot.
+double robotDistance(const sim2d::WorldView& view, int human);
+
+bool isRobotVisible(const sim2d::WorldView& view, int human, double distance);
+/// `halfView` [rad]: pi = all around.
+bool isPersonVisible(const sim2d::WorldView& view, int observer, int target, double distance,
+                     double halfView);
+bool isRobotFacing(const sim2d::WorldView& view, int human);
+/// `observer` looks at `target`: near enough, heading within `angle` of the direction, free sight.
+bool isLookingAt(const sim2d::WorldView& view, int observer, int target, double distance,
+                 double angle);
+/// A voice at `speaker` reaches `listener`.
+bool isAudible(const sim2d::WorldView& view, int listener, int speaker, double distance);
+
+double personDistance(const sim2d::WorldView& view, int from, int to);
+int nearestPerson(const sim2d::WorldView& view, int human);  // present; -1 = nobody else
+
+}  // namespace bt
