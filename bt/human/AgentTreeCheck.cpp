@@ -1,0 +1,153 @@
+#include "bt/human/AgentTreeCheck.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "bt/human/Formation.h"
+#include "bt/tree/TextValue.h"
+
+namespace bt {
+
+using base::Diagnostics;
+
+namespace {
+
+constexpr std::array<std::string_view, 5> kPersonPorts = {
+    "agent_id", "observer_id", "target_agent_id", "target_id", "main_agent_id"};
+
+using Visit = std::function<void(const NodeSpec& node, const std::string& file)>;
+
+/// All nodes of the tree that is run and of those it calls, each tree once.
+class Walk {
+ public:
+  Walk(const TreeTable& table, Visit visit) : table_(table), visit_(std::move(visit)) {}
+
+  void enter(const std::string& treeId) {
+    const TreeTable::Entry* entry = table_.find(treeId);
+    if (entry && seen_.insert(treeId).second) {
+      visit(entry->tree.root, entry->file);
+    }
+  }
+
+ private:
+  void visit(const NodeSpec& node, const std::string& file) {
+    visit_(node, file);
+    for (const NodeSpec& child : node.children) {
+      visit(child, file);
+    }
+    if (node.isSubTree()) {
+      enter(node.subTree);
+    }
+  }
+
+  const TreeTable& table_;
+  Visit visit_;
+  std::set<std::string> seen_;
+};
+
+void walkMain(const TreeTable& table, const Visit& visit) {
+  Walk(table, visit).enter(table.mainTree);
+}
+
+class Checker {
+ public:
+  Checker(const sim2d::Scenario& scenario, const NodeCatalogue& catalogue)
+      : scenario_(scenario), catalogue_(catalogue) {}
+
+  void check(const NodeSpec& node, const std::string& file) {
+    const NodeManifest* manifest = catalogue_.find(node.id);
+    if (!manifest || manifest->origin == NodeOrigin::BehaviorTreeCpp) {
+      return;
+    }
+    for (const Attribute& port : node.ports) {
+      const PortSpec* spec = manifest->port(port.name);
+      if (spec && spec->direction == PortDirection::Input && !referencedKey(port.text, port.name)) {
+        checkPort(node, port, file);
+      }
+    }
+  }
+  Diagnostics take() { return std::move(found_); }
+
+ private:
+  void checkPort(const NodeSpec& node, const Attribute& port, const std::string& file) {
+    const bool isPerson =
+        std::find(kPersonPorts.begin(), kPersonPorts.end(), port.name) != kPersonPorts.end();
+    if (isPerson || port.name == "non_main_agent_ids") {
+      for (const int id : parseIds(port.text).value_or(std::vector<int>{})) {
+        if (!scenario_.humanById(id)) {
+          warn(node, file, "there is no person with the id " + std::to_string(id));
+        }
+      }
+    } else if (port.name == "goal_id") {
+      const std::optional<int> id = intFromText(port.text);
+      if (id && !scenario_.goal(*id)) {
+        warn(node, file, "there is no global goal " + std::to_string(*id));
+      }
+    } else if (port.name == "area") {
+      checkArea(node, port.text, file);
+    }
+  }
+
+  void checkArea(const NodeSpec& node, const std::string& name, const std::string& file) {
+    const auto hasName = [&name](const sim2d::Area& area) { return area.name == name; };
+    if (!name.empty() && std::none_of(scenario_.areas.begin(), scenario_.areas.end(), hasName)) {
+      warn(node, file, "there is no area '" + name + "'");
+    }
+  }
+
+  void warn(const NodeSpec& node, const std::string& file, const std::string& message) {
+    found_.push_back(base::makeWarning(node.label() + ": " + message, file, node.line));
+  }
+
+  const sim2d::Scenario& scenario_;
+  const NodeCatalogue& catalogue_;
+  Diagnostics found_;
+};
+
+std::string listText(const std::vector<int>& ids) {
+  std::string text;
+  for (const int id : ids) {
+    text += (text.empty() ? "" : ", ") + std::to_string(id);
+  }
+  return "[" + text + "]";
+}
+
+}  // namespace
+
+std::vector<int> goalsOfTree(const TreeTable& table) {
+  std::vector<int> goals;
+  walkMain(table, [&goals](const NodeSpec& node, const std::string&) {
+    const std::string* text = node.id == "SetGoal" ? findText(node.ports, "goal_id") : nullptr;
+    const std::optional<int> id = text ? intFromText(*text) : std::nullopt;
+    if (id) {
+      goals.push_back(*id);
+    }
+  });
+  return goals;
+}
+
+Diagnostics checkAgentTree(const TreeTable& table, const sim2d::Human& human,
+                           const sim2d::Scenario& scenario, const NodeCatalogue& catalogue) {
+  Checker checker(scenario, catalogue);
+  walkMain(table, [&checker](const NodeSpec& node, const std::string& file) {
+    checker.check(node, file);
+  });
+  Diagnostics found = checker.take();
+  const std::vector<int> goals = goalsOfTree(table);
+  if (!goals.empty() && goals != human.goals) {
+    found.push_back(base::makeWarning("the tree of " + human.name + " sets the goals " +
+                                          listText(goals) + ", the scenario " +
+                                          listText(human.goals) + " (the tree's count)",
+                                      table.file));
+  }
+  for (base::Diagnostic& diagnostic : found) {
+    diagnostic.entity = human.key;
+  }
+  return found;
+}
+
+}  // namespace bt

@@ -1,0 +1,311 @@
+#include "bt/human/TreeBehavior.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "bt/human/HumanContext.h"
+#include "bt/human/TreeLoader.h"
+
+namespace bt {
+
+using base::Diagnostics;
+using base::NodeStatus;
+using sim2d::Intents;
+using sim2d::TreeChange;
+using sim2d::WorldView;
+
+namespace {
+
+using Programs = std::map<std::string, std::shared_ptr<const PersonProgram>>;  // by name
+
+/// One person's tree and what was last told of it.
+struct Player {
+  std::shared_ptr<const PersonProgram> program;
+  std::optional<TreeState> tree;
+  std::vector<NodeStatus> shown;  // per node
+  bool isTicking = false;         // ticked in the last step
+  bool hasEnded = false;
+  bool isFaulty = false;
+};
+
+/// A tree that its person left by entering the world anew; halted in the next step for what it did
+/// to others.
+struct Retired {
+  int human = -1;
+  TreeState tree;
+  Mind mind;
+};
+
+class TreeBehavior final : public sim2d::HumanBehavior {
+ public:
+  TreeBehavior(Programs programs, bool loopsTrees)
+      : programs_(std::move(programs)), loopsTrees_(loopsTrees) {}
+
+  void enter(int human, const WorldView& view) override;
+  void decide(const WorldView& view, Intents& intents) override;
+  void takeTreeChanges(std::vector<TreeChange>& changes) override {
+    changes = std::move(changes_);
+    changes_.clear();
+  }
+  void takeDiagnostics(Diagnostics& found) override {
+    found = std::move(society_.troubles);
+    society_.troubles.clear();
+  }
+  std::vector<std::pair<std::string, std::string>> blackboard(int human) const override;
+
+ private:
+  void grow(int count);
+  void orderById(const WorldView& view);
+  void tick(int human, const WorldView& view, Intents& intents);
+  void stop(int human, const WorldView& view, Intents& intents);
+  void haltRetired(const WorldView& view, Intents& intents);
+  void handleFault(int human, HumanContext& context, const TickInput& input);
+  bool isAtEnd(int human, NodeStatus status) const;
+  void tellEvents(const TreeState& tree, HumanContext& context);
+  void tellChanges(int human, const WorldView& view, const std::vector<NodeStatus>& now);
+  Player& player(int human) { return players_[static_cast<std::size_t>(human)]; }
+
+  Programs programs_;
+  bool loopsTrees_;
+  Society society_;
+  std::vector<Player> players_;
+  std::vector<int> order_;  // people by ascending id
+  std::vector<TreeChange> changes_;
+  std::vector<Retired> retired_;
+};
+
+void TreeBehavior::grow(int count) {
+  const auto size = static_cast<std::size_t>(count);
+  if (players_.size() < size) {
+    players_.resize(size);
+    society_.minds.resize(size);
+  }
+  society_.movers.assign(players_.size(), Mover::Nobody);
+  society_.changedGoals.assign(players_.size(), 0);
+}
+
+void TreeBehavior::enter(int human, const WorldView& view) {
+  grow(std::max(view.humanCount(), human + 1));
+  const sim2d::ResolvedHuman& constants = view.constants(human);
+  Player& who = player(human);
+  const auto own = programs_.find(constants.name);
+  // Names of people from a source end in "_" and a number; the area has the program.
+  const std::string source = constants.name.substr(0, constants.name.rfind('_'));
+  const auto found = own != programs_.end() ? own : programs_.find(source);
+  who.program = found != programs_.end() ? found->second : nullptr;
+  Mind& mind = society_.minds[static_cast<std::size_t>(human)];
+  if (who.tree && who.isTicking && !who.isFaulty) {
+    retired_.push_back({human, *std::move(who.tree), std::move(mind)});
+  }
+  who.tree.reset();
+  if (who.program) {
+    who.tree = who.program->start(constants);
+    who.shown.resize(static_cast<std::size_t>(who.program->program->nodeCount()), NodeStatus::Idle);
+  }
+  who.isTicking = false;
+  who.hasEnded = false;
+  who.isFaulty = false;
+  mind = Mind{};
+  society_.speech.forget(human);
+}
+
+void TreeBehavior::orderById(const WorldView& view) {
+  if (order_.size() == static_cast<std::size_t>(view.humanCount())) {
+    return;
+  }
+  order_.resize(static_cast<std::size_t>(view.humanCount()));
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    order_[i] = static_cast<int>(i);
+  }
+  std::sort(order_.begin(), order_.end(),
+            [&view](int a, int b) { return view.constants(a).id < view.constants(b).id; });
+}
+
+void TreeBehavior::decide(const WorldView& view, Intents& intents) {
+  grow(view.humanCount());
+  orderById(view);
+  society_.speech.beginStep();
+  changes_.clear();
+  haltRetired(view, intents);
+  for (const int human : order_) {
+    Player& who = player(human);
+    if (!view.isPresent(human)) {
+      stop(human, view, intents);
+    } else if (who.tree && !who.hasEnded && !who.isFaulty) {
+      tick(human, view, intents);
+    } else if (who.isFaulty) {
+      stop(human, view, intents);
+      sim2d::Intent brake;
+      brake.motion = sim2d::Motion::Brake;
+      HumanContext(society_, view, intents, human).move(human, brake);
+    } else {
+      stop(human, view, intents);
+    }
+  }
+}
+
+void TreeBehavior::tick(int human, const WorldView& view, Intents& intents) {
+  Player& who = player(human);
+  HumanContext context(society_, view, intents, human);
+  TreeState& tree = *who.tree;
+  tree.set(who.program->program->hostSlot(1), view.dt());
+  const TickInput input{view.step(), view.dt(), &context};
+  const NodeStatus status = tree.tickOnce(input);
+  who.isTicking = true;
+  context.mind().isFirstTick = false;
+  tellChanges(human, view, tree.statuses());
+  if (tree.fault()) {
+    handleFault(human, context, input);
+  } else {
+    who.hasEnded = !loopsTrees_ && isAtEnd(human, status);
+  }
+  tellEvents(tree, context);
+}
+
+void TreeBehavior::haltRetired(const WorldView& view, Intents& intents) {
+  for (Retired& old : retired_) {
+    const sim2d::HumanControl fresh = intents.control(old.human);
+    Mind& mind = society_.minds[static_cast<std::size_t>(old.human)];
+    std::swap(mind, old.mind);
+    HumanContext context(society_, view, intents, old.human);
+    old.tree.halt({view.step(), view.dt(), &context});
+    std::swap(mind, old.mind);
+    intents.control(old.human) = fresh;
+  }
+  retired_.clear();
+}
+
+bool TreeBehavior::isAtEnd(int human, NodeStatus status) const {
+  const auto index = static_cast<std::size_t>(human);
+  return status == NodeStatus::Success && society_.movers[index] == Mover::Nobody &&
+         society_.changedGoals[index] == 0;
+}
+
+void TreeBehavior::handleFault(int human, HumanContext& context, const TickInput& input) {
+  Player& who = player(human);
+  who.isFaulty = true;
+  who.tree->halt(input);
+  const TreeFault& fault = *who.tree->fault();
+  society_.troubles.push_back(base::makeWarning(context.view().constants(human).name + ": " +
+                                                fault.path + ": " + fault.message +
+                                                " (the tree is stopped, the person brakes)"));
+  sim2d::Intent brake;
+  brake.motion = sim2d::Motion::Brake;
+  if (society_.movers[static_cast<std::size_t>(human)] != Mover::Group) {
+    society_.movers[static_cast<std::size_t>(human)] = Mover::Nobody;
+    context.intents().of(human) = sim2d::Intent{};
+    context.move(human, brake);
+  }
+}
+
+/// A tree that is not ticked any more, or not in this step: what runs is halted.
+void TreeBehavior::stop(int human, const WorldView& view, Intents& intents) {
+  Player& who = player(human);
+  if (!who.isTicking) {
+    return;
+  }
+  who.isTicking = false;
+  HumanContext context(society_, view, intents, human);
+  if (!who.isFaulty) {
+    who.tree->halt({view.step(), view.dt(), &context});
+    for (const LeafEvent& event : who.tree->events()) {
+      if (event.kind == LeafEvent::Kind::Halted) {
+        context.emit(sim2d::EventKind::ActionEnd, human,
+                     who.tree->program().label(event.node) + " HALTED");
+      }
+    }
+  }
+  tellChanges(human, view, std::vector<NodeStatus>(who.shown.size(), NodeStatus::Idle));
+}
+
+void TreeBehavior::tellEvents(const TreeState& tree, HumanContext& context) {
+  for (const LeafEvent& event : tree.events()) {
+    const std::string& label = tree.program().label(event.node);
+    switch (event.kind) {
+      case LeafEvent::Kind::Started:
+        context.emit(sim2d::EventKind::Action, context.self(), label);
+        break;
+      case LeafEvent::Kind::Succeeded:
+        context.emit(sim2d::EventKind::ActionEnd, context.self(), label + " SUCCESS");
+        break;
+      case LeafEvent::Kind::Failed:
+        context.emit(sim2d::EventKind::ActionEnd, context.self(), label + " FAILURE");
+        break;
+      case LeafEvent::Kind::Halted:
+        context.emit(sim2d::EventKind::ActionEnd, context.self(), label + " HALTED");
+        break;
+    }
+  }
+}
+
+void TreeBehavior::tellChanges(int human, const WorldView& view,
+                               const std::vector<NodeStatus>& now) {
+  Player& who = player(human);
+  for (std::size_t node = 0; node < now.size(); ++node) {
+    if (now[node] != who.shown[node]) {
+      who.shown[node] = now[node];
+      changes_.push_back({view.constants(human).id, who.program->program->paths(),
+                          static_cast<int>(node), now[node]});
+    }
+  }
+}
+
+std::vector<std::pair<std::string, std::string>> TreeBehavior::blackboard(int human) const {
+  std::vector<std::pair<std::string, std::string>> lines;
+  const auto index = static_cast<std::size_t>(human);
+  if (human < 0 || index >= players_.size() || !players_[index].tree) {
+    return lines;
+  }
+  for (TreeState::EntryText& entry : players_[index].tree->entries()) {
+    lines.emplace_back(std::move(entry.key), std::move(entry.text));
+  }
+  return lines;
+}
+
+const sim2d::Human* prototypeOf(const sim2d::Scenario& scenario, const sim2d::Area& area) {
+  const bool isSource = area.kind == sim2d::AreaKind::Source && area.listed && area.like;
+  return isSource ? scenario.human(*area.like) : nullptr;
+}
+
+}  // namespace
+
+std::unique_ptr<sim2d::HumanBehavior> makeTreeBehavior(const sim2d::Scenario& scenario,
+                                                       const TreeFiles& files,
+                                                       Diagnostics& diagnostics,
+                                                       const sim2d::Compatibility& quirks) {
+  TreeLoader loader(scenario, quirks);
+  Programs programs;
+  Diagnostics found;
+  const auto load = [&](const sim2d::Human& human) {
+    const auto file = files.find(human.name);
+    return loader.load(human, file == files.end() ? std::string() : file->second, found);
+  };
+  for (const sim2d::Human& human : scenario.humans) {
+    if (human.listed) {
+      programs[human.name] = load(human);
+    }
+  }
+  for (const sim2d::Area& area : scenario.areas) {
+    if (const sim2d::Human* like = prototypeOf(scenario, area)) {
+      const auto known = programs.find(like->name);
+      programs[area.name] = known != programs.end() ? known->second : load(*like);
+    }
+  }
+  base::append(diagnostics, found);
+  if (base::hasErrors(found)) {
+    return nullptr;
+  }
+  return std::make_unique<TreeBehavior>(std::move(programs),
+                                        scenario.desktop.loopTrees.value_or(true));
+}
+
+Diagnostics checkAgentTreeFile(const std::string& path, const sim2d::Human& human,
+                               const sim2d::Scenario& scenario) {
+  Diagnostics found;
+  TreeLoader(scenario).load(human, path, found);
+  return found;
+}
+
+}  // namespace bt

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "sim2d/base/Result.h"
+#include "sim2d/scenario/Scenario.h"
+#include "sim2d/world/HumanBehavior.h"
+
+namespace bt {
+
+/// Name of a person -> tree file; an empty path or no entry = the generated tree.
+using TreeFiles = std::map<std::string, std::string>;
+
+/// People who decide by behaviour trees, one per person, ticked once per step by ascending id with
+/// the entries `id` and `dt`. Trees of the same file are compiled once. People of a source area
+/// run the tree of the person they are like.
+///
+/// A tree that goes wrong while it runs (missing input, bad script) is halted for good with one
+/// warning; its person brakes. With `loop_trees: false` a person stands from the step on after the
+/// one in which the root succeeds without moving them or taking a goal off their list: a round of
+/// navigation is no end.
+///
+/// nullptr and errors among `diagnostics` when a file is missing or broken. `scenario` is not kept.
+/// Of the quirks those of generated trees count here; the others act in the run.
+std::unique_ptr<sim2d::HumanBehavior> makeTreeBehavior(const sim2d::Scenario& scenario,
+                                                       const TreeFiles& files,
+                                                       base::Diagnostics& diagnostics,
+                                                       const sim2d::Compatibility& quirks = {});
+
+/// Loads and checks one person's tree (engine, then meaning): what makeTreeBehavior would say.
+base::Diagnostics checkAgentTreeFile(const std::string& path, const sim2d::Human& human,
+                                     const sim2d::Scenario& scenario);
+
+}  // namespace bt

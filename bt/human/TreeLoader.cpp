@@ -1,0 +1,158 @@
+#include "bt/human/TreeLoader.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "bt/human/AgentTreeCheck.h"
+#include "bt/human/HumanNodes.h"
+#include "bt/human/Templates.h"
+#include "bt/tree/TreeXml.h"
+
+namespace bt {
+
+using base::Diagnostics;
+using sim2d::ResolvedHuman;
+
+namespace {
+
+/// What a placeholder of HuNavSim 1.5 stands for.
+std::optional<Value> placeholderValue(const std::string& key, const ResolvedHuman& human) {
+  if (key == "once") {
+    return Value::of(human.reactionOnce);
+  }
+  const std::map<std::string, double> numbers = {
+      {"dist", human.noticeDistance},       {"duration", human.reactionDuration},
+      {"maxvel", human.reactionSpeed},      {"forcefactor", human.otherFactor},
+      {"stopdist", human.stopDistance},     {"frontdist", human.frontDistance},
+      {"safe_distance", human.safeDistance}};
+  const auto found = numbers.find(key);
+  return found == numbers.end() ? std::nullopt : std::optional<Value>(Value::of(found->second));
+}
+
+CompileOptions optionsFor(const std::vector<std::string>& placeholders) {
+  CompileOptions options;
+  for (const std::string& key : placeholders) {
+    options.hostEntries.push_back({key, key == "once" ? PortType::Bool : PortType::Double});
+  }
+  return options;
+}
+
+bool isMissingRegularNav(const Include& include, const std::string& treePath) {
+  const std::filesystem::path wanted(include.path);
+  const std::filesystem::path place = std::filesystem::path(treePath).parent_path() / wanted;
+  std::error_code ignored;
+  return wanted.filename() == kRegularNavFile && include.rosPackage.empty() &&
+         !std::filesystem::exists(place, ignored);
+}
+
+std::string joined(const std::vector<std::string>& keys) {
+  std::string text;
+  for (const std::string& key : keys) {
+    text += (text.empty() ? "{" : ", {") + key + "}";
+  }
+  return text;
+}
+
+}  // namespace
+
+TreeState PersonProgram::start(const ResolvedHuman& human) const {
+  TreeState state(program);
+  state.set(program->hostSlot(0), human.id);
+  state.set(program->hostSlot(1), 0.0);
+  for (std::size_t i = 0; i < placeholders.size(); ++i) {
+    if (const std::optional<Value> value = placeholderValue(placeholders[i], human)) {
+      state.set(program->hostSlot(static_cast<int>(i) + 2), *value);
+    }
+  }
+  return state;
+}
+
+base::Result<TreeTable> loadPersonTrees(const std::string& path) {
+  base::Result<TreeFile> file = readTree(path);
+  if (!file) {
+    return file.diagnostics();
+  }
+  std::vector<Include>& includes = file->includes;
+  const auto missing =
+      std::find_if(includes.begin(), includes.end(),
+                   [&path](const Include& include) { return isMissingRegularNav(include, path); });
+  if (missing == includes.end()) {
+    return loadTrees(path);
+  }
+  Diagnostics warnings = file.diagnostics();
+  warnings.push_back(base::makeWarning(
+      missing->path + " is not there; our own is taken (HuNavSim refuses this tree)", path,
+      missing->line));
+  includes.erase(missing);
+  base::Result<TreeTable> table = resolveIncludes(*file);
+  base::append(warnings, table.diagnostics());
+  if (!table) {
+    return warnings;
+  }
+  TreeSpec regular = regularNavTree();
+  const std::string id = regular.id;
+  table->entries.emplace(id, TreeTable::Entry{std::move(regular), kRegularNavFile});
+  return {*std::move(table), std::move(warnings)};
+}
+
+TreeLoader::TreeLoader(const sim2d::Scenario& scenario, const sim2d::Compatibility& quirks)
+    : scenario_(scenario), quirks_(quirks), library_(humanNodes()) {}
+
+std::shared_ptr<const PersonProgram> TreeLoader::load(const sim2d::Human& human,
+                                                      const std::string& path,
+                                                      Diagnostics& diagnostics) {
+  if (!path.empty()) {
+    auto found = files_.find(path);
+    if (found == files_.end()) {
+      found = files_.emplace(path, loadFile(path, diagnostics)).first;
+    }
+    const Loaded& loaded = found->second;
+    if (loaded.program) {
+      base::append(diagnostics,
+                   checkAgentTree(loaded.table, human, scenario_, library_.catalogue()));
+    }
+    return loaded.program;
+  }
+  const TreeFile file = makeTree(scenario_, human, library_.catalogue(), quirks_);
+  std::shared_ptr<const PersonProgram>& program = generated_[writeTree(file, library_.catalogue())];
+  if (!program) {
+    const TreeTable table = makeTable(scenario_, human, library_.catalogue(), quirks_);
+    base::append(diagnostics, checkAgentTree(table, human, scenario_, library_.catalogue()));
+    program = compileTable(table, diagnostics);
+  }
+  return program;
+}
+
+TreeLoader::Loaded TreeLoader::loadFile(const std::string& path, Diagnostics& diagnostics) const {
+  base::Result<TreeTable> table = loadPersonTrees(path);
+  base::append(diagnostics, table.diagnostics());
+  if (!table) {
+    return {};
+  }
+  std::shared_ptr<const PersonProgram> program = compileTable(*table, diagnostics);
+  return {*std::move(table), std::move(program)};
+}
+
+std::shared_ptr<const PersonProgram> TreeLoader::compileTable(const TreeTable& table,
+                                                              Diagnostics& diagnostics) const {
+  auto made = std::make_shared<PersonProgram>();
+  made->placeholders = placeholdersIn(table);
+  if (!made->placeholders.empty()) {
+    diagnostics.push_back(base::makeWarning(
+        "a tree of HuNavSim 1.5: " + joined(made->placeholders) +
+            " are filled from the behaviour of each person (HuNavSim 2.0 does not fill them)",
+        table.file));
+  }
+  base::Result<std::shared_ptr<const Program>> program =
+      compile(table, library_, optionsFor(made->placeholders));
+  base::append(diagnostics, program.diagnostics());
+  if (!program) {
+    return nullptr;
+  }
+  made->program = *std::move(program);
+  return made;
+}
+
+}  // namespace bt

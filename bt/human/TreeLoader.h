@@ -1,0 +1,54 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bt/engine/Program.h"
+#include "bt/engine/TreeState.h"
+#include "bt/human/TreeBehavior.h"
+#include "sim2d/scenario/Defaults.h"
+
+namespace bt {
+
+/// A compiled tree and the entries that are filled from the person's behaviour block (trees of
+/// HuNavSim 1.5: {dist}, {duration} …).
+struct PersonProgram {
+  std::shared_ptr<const Program> program;
+  std::vector<std::string> placeholders;  // host entries behind `id` and `dt`
+
+  /// A fresh tree with all entries of the host set.
+  TreeState start(const sim2d::ResolvedHuman& human) const;
+};
+
+/// A tree file with its includes. When the file that all generated trees include is not there, our
+/// own copy takes its place, with a warning.
+base::Result<TreeTable> loadPersonTrees(const std::string& path);
+
+/// Loads and compiles; equal files and equal generated trees share their program.
+class TreeLoader {
+ public:
+  explicit TreeLoader(const sim2d::Scenario& scenario, const sim2d::Compatibility& quirks = {});
+
+  /// By the person's file, or generated when `path` is empty. nullptr and errors when broken.
+  std::shared_ptr<const PersonProgram> load(const sim2d::Human& human, const std::string& path,
+                                            base::Diagnostics& diagnostics);
+
+ private:
+  struct Loaded {
+    TreeTable table;
+    std::shared_ptr<const PersonProgram> program;
+  };
+  Loaded loadFile(const std::string& path, base::Diagnostics& diagnostics) const;
+  std::shared_ptr<const PersonProgram> compileTable(const TreeTable& table,
+                                                    base::Diagnostics& diagnostics) const;
+
+  const sim2d::Scenario& scenario_;
+  sim2d::Compatibility quirks_;
+  NodeLibrary library_;
+  std::map<std::string, Loaded> files_;                                    // by path
+  std::map<std::string, std::shared_ptr<const PersonProgram>> generated_;  // by content
+};
+
+}  // namespace bt

@@ -1,0 +1,68 @@
+#include <QDir>
+#include <QtTest>
+
+#include "bt/engine/Program.h"
+#include "bt/human/AgentTreeCheck.h"
+#include "bt/human/HumanNodes.h"
+#include "bt/human/Templates.h"
+#include "bt/human/TreeBehavior.h"
+#include "bt/human/TreeLoader.h"
+#include "sim2d/scenario/ScenarioFile.h"
+
+namespace {
+
+QString interopFolder() {
+  const QByteArray given = qgetenv("HUNAV_INTEROP_DIR");
+  return given.isEmpty() ? QString::fromUtf8(SOURCE_DIR "/../shared/interop")
+                         : QString::fromLocal8Bit(given);
+}
+
+}  // namespace
+
+/// Real files of HuNavSim.
+class HumanInteropTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void goalsOfTheTree_areThoseOfTheScenario_data() {
+    QTest::addColumn<QString>("scenario");
+    QTest::newRow("isaac") << QStringLiteral("isaac/scenarios/warehouse_agents.yaml");
+    for (const char* name : {"cafe", "house", "warehouse"}) {
+      QTest::newRow(name)
+          << QStringLiteral("gazebo_classic/scenarios/agents_%1.yaml").arg(QString::fromUtf8(name));
+    }
+    QTest::newRow("fortress") << QStringLiteral("gazebo_fortress/scenarios/cafe_agents.yaml");
+  }
+  void goalsOfTheTree_areThoseOfTheScenario() {
+    QFETCH(QString, scenario);
+    const QString path = interopFolder() + QStringLiteral("/hunavsim2/") + scenario;
+    if (!QFile::exists(path)) {
+      QSKIP("the interoperability files are not here");
+    }
+    const sim2d::ScenarioReading reading = sim2d::readScenario(path.toStdString());
+    QVERIFY(reading.ok());
+    const bt::NodeLibrary library = bt::humanNodes();
+    const QDir trees(QFileInfo(path).dir().filePath(QStringLiteral("../behavior_trees")));
+    int compared = 0;
+    for (const sim2d::Human& human : reading.scenario.humans) {
+      const QString tree = trees.filePath(QString::fromStdString(
+          bt::treeFileName(reading.scenario.yamlBaseName.value_or(""), human.id)));
+      if (!human.listed || !QFile::exists(tree)) {
+        continue;
+      }
+      const auto table = bt::loadPersonTrees(tree.toStdString());
+      QVERIFY2(table, qPrintable(tree));
+      QVERIFY2(bt::compile(*table, library), qPrintable(tree));
+      QVERIFY2(bt::goalsOfTree(*table) == human.goals, qPrintable(tree));
+      ++compared;
+      for (const base::Diagnostic& found :
+           bt::checkAgentTreeFile(tree.toStdString(), human, reading.scenario)) {
+        QWARN(found.text().c_str());
+        QVERIFY(found.severity != base::Severity::Error);
+      }
+    }
+    QVERIFY(compared > 0);
+  }
+};
+
+QTEST_APPLESS_MAIN(HumanInteropTest)
+#include "tst_HumanInterop.moc"
