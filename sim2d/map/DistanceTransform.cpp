@@ -59,9 +59,9 @@ class RowPass {
     borders_.clear();
     from_.clear();
     for (std::size_t border = 0; border <= width_; ++border) {
-      const float left = border > 0 ? row[border - 1] : kNone;
-      const float right = border < width_ ? row[border] : kNone;
-      const double lower = std::min(left, right);
+      const std::size_t right = std::min(border, width_ - 1);
+      const std::size_t left = border > 0 ? border - 1 : 0;
+      const double lower = std::min(row[left], row[right]);
       if (std::isinf(lower)) {
         continue;
       }

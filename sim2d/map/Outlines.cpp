@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "sim2d/base/Math.h"
@@ -47,42 +48,56 @@ std::optional<Vec2> mitre(const Vec2& before, const Vec2& at, const Vec2& after,
   return Vec2(2.0 * half / square * sum);
 }
 
+/// Offset of each point of the line to its left; none when a turn is too sharp.
+std::optional<std::vector<Vec2>> leftOffsets(const std::vector<Vec2>& line, bool closed,
+                                             double half) {
+  const std::size_t count = line.size();
+  std::vector<Vec2> offsets;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!closed && (i == 0 || i + 1 == count)) {
+      const std::size_t first = i == 0 ? 0 : i - 1;
+      const Vec2 along = (line[first + 1] - line[first]).normalized();
+      offsets.emplace_back(-half * along.y(), half * along.x());
+      continue;
+    }
+    const std::optional<Vec2> offset =
+        mitre(line[(i + count - 1) % count], line[i], line[(i + 1) % count], half);
+    if (!offset) {
+      return std::nullopt;
+    }
+    offsets.push_back(*offset);
+  }
+  return offsets;
+}
+
+/// One border runs counter-clockwise round the other, which runs clockwise.
+bool isRing(const std::vector<Vec2>& right, const std::vector<Vec2>& left) {
+  if (!isSimple(left) || !isSimple(right) || signedArea(left) * signedArea(right) >= 0.0) {
+    return false;
+  }
+  const bool leftInside = isInside(right, left.front());
+  return leftInside != isInside(left, right.front()) && signedArea(leftInside ? right : left) > 0.0;
+}
+
 /// The strip as one polygon (open line) or as outer and inner border (closed line); empty where
 /// the strip would overlap itself.
 std::vector<Outline> mitredStrip(const std::vector<Vec2>& line, bool closed, double thickness) {
-  const std::size_t count = line.size();
+  const std::optional<std::vector<Vec2>> offsets = leftOffsets(line, closed, 0.5 * thickness);
+  if (!offsets) {
+    return {};
+  }
   std::vector<Vec2> left;
   std::vector<Vec2> right;
-  for (std::size_t i = 0; i < count; ++i) {
-    const bool isEnd = !closed && (i == 0 || i + 1 == count);
-    const Vec2& before = line[isEnd ? (i == 0 ? 0 : i - 1) : (i + count - 1) % count];
-    const Vec2& after = line[isEnd ? (i == 0 ? 1 : i) : (i + 1) % count];
-    std::optional<Vec2> offset;
-    if (isEnd) {
-      const Vec2 along = (after - before).normalized();
-      offset = Vec2(0.5 * thickness * Vec2(-along.y(), along.x()));
-    } else {
-      offset = mitre(before, line[i], after, 0.5 * thickness);
-    }
-    if (!offset) {
-      return {};
-    }
-    left.push_back(line[i] + *offset);
-    right.push_back(line[i] - *offset);
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    left.push_back(line[i] + (*offsets)[i]);
+    right.push_back(line[i] - (*offsets)[i]);
   }
   std::reverse(left.begin(), left.end());
-  if (!closed) {
-    right.insert(right.end(), left.begin(), left.end());
-    return isSimple(right) ? std::vector<Outline>{{std::move(right)}} : std::vector<Outline>{};
+  if (closed) {
+    return isRing(right, left) ? std::vector<Outline>{{right}, {left}} : std::vector<Outline>{};
   }
-  if (!isSimple(left) || !isSimple(right) || signedArea(left) * signedArea(right) >= 0.0) {
-    return {};
-  }
-  const bool leftInside = isInside(right, left.front());
-  if (leftInside == isInside(left, right.front()) || signedArea(leftInside ? right : left) <= 0.0) {
-    return {};
-  }
-  return {{std::move(right)}, {std::move(left)}};
+  right.insert(right.end(), left.begin(), left.end());
+  return isSimple(right) ? std::vector<Outline>{{right}} : std::vector<Outline>{};
 }
 
 }  // namespace

@@ -29,6 +29,8 @@ class PathPlanner {
   ~PathPlanner();
   PathPlanner(const PathPlanner&) = delete;
   PathPlanner& operator=(const PathPlanner&) = delete;
+  PathPlanner(PathPlanner&&) = delete;
+  PathPlanner& operator=(PathPlanner&&) = delete;
 
   /// A start or goal in a closed cell is moved to the nearest open one within 1 m first.
   Path plan(const Vec2& start, const Vec2& goal);
