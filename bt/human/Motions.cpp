@@ -180,16 +180,16 @@ Intent blockPerson(const HumanContext& context, int human, const Target& person,
   return walking(ideal, 0.05, 2.0, robotTreatment(context, human, false));
 }
 
-Intent avoidRobot(const HumanContext& context, int human, const Target& robot, double safe,
-                  double speed) {
+Intent avoid(const HumanContext& context, int human, const Target& target, const Escape& how) {
   const Pose2 pose = context.view().pose(human);
-  const Vec2 away = pose.position - robot.pose.position;
+  const Vec2 away = pose.position - target.pose.position;
   const double distance = away.norm();
-  if (distance >= safe) {
-    return facing(context, human, robot.pose.position);
+  if (distance >= how.safe) {
+    return facing(context, human, target.pose.position);
   }
   const Vec2 direction = distance > 0.1 ? Vec2(away / distance) : pose.direction();
-  return walking(robot.pose.position + safe * direction, 0.3, speed, RobotTreatment::Obstacle);
+  return walking(target.pose.position + how.safe * direction, 0.3, how.speed,
+                 robotTreatment(context, human, target.isRobot));
 }
 
 Intent flinch(HumanContext& context, int human, const Target& robot, double speed, double factor) {

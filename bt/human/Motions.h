@@ -55,9 +55,13 @@ sim2d::Intent blockRobot(const HumanContext& context, int human, const Target& r
 /// In front of a person.
 sim2d::Intent blockPerson(const HumanContext& context, int human, const Target& person,
                           double front);
-/// Away from the robot to `safe`; looks at it from there.
-sim2d::Intent avoidRobot(const HumanContext& context, int human, const Target& robot, double safe,
-                         double speed);
+struct Escape {
+  double safe = 5.0;   // [m]
+  double speed = 1.5;  // [m/s]
+};
+/// Away from somebody to `safe`; looks at them from there.
+sim2d::Intent avoid(const HumanContext& context, int human, const Target& target,
+                    const Escape& how);
 /// On to the own goals while the robot pushes (first version of HuNavSim): force
 /// factor * sigma / gap.
 sim2d::Intent flinch(HumanContext& context, int human, const Target& robot, double speed,

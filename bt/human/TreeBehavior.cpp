@@ -18,8 +18,6 @@ using sim2d::WorldView;
 
 namespace {
 
-using Programs = std::map<std::string, std::shared_ptr<const PersonProgram>>;  // by name
-
 /// One person's tree and what was last told of it.
 struct Player {
   std::shared_ptr<const PersonProgram> program;
@@ -38,9 +36,20 @@ struct Retired {
   Mind mind;
 };
 
+const char* endWord(LeafEvent::Kind kind) {
+  switch (kind) {
+    case LeafEvent::Kind::Succeeded:
+      return " SUCCESS";
+    case LeafEvent::Kind::Failed:
+      return " FAILURE";
+    default:
+      return " HALTED";
+  }
+}
+
 class TreeBehavior final : public sim2d::HumanBehavior {
  public:
-  TreeBehavior(Programs programs, bool loopsTrees)
+  TreeBehavior(PersonPrograms programs, bool loopsTrees)
       : programs_(std::move(programs)), loopsTrees_(loopsTrees) {}
 
   void enter(int human, const WorldView& view) override;
@@ -61,13 +70,13 @@ class TreeBehavior final : public sim2d::HumanBehavior {
   void tick(int human, const WorldView& view, Intents& intents);
   void stop(int human, const WorldView& view, Intents& intents);
   void haltRetired(const WorldView& view, Intents& intents);
-  void handleFault(int human, HumanContext& context, const TickInput& input);
+  void handleFault(int human, HumanContext& context);
   bool isAtEnd(int human, NodeStatus status) const;
-  void tellEvents(const TreeState& tree, HumanContext& context);
+  void tellEvents(const TreeState& tree, std::size_t first, HumanContext& context);
   void tellChanges(int human, const WorldView& view, const std::vector<NodeStatus>& now);
   Player& player(int human) { return players_[static_cast<std::size_t>(human)]; }
 
-  Programs programs_;
+  PersonPrograms programs_;
   bool loopsTrees_;
   Society society_;
   std::vector<Player> players_;
@@ -157,11 +166,11 @@ void TreeBehavior::tick(int human, const WorldView& view, Intents& intents) {
   context.mind().isFirstTick = false;
   tellChanges(human, view, tree.statuses());
   if (tree.fault()) {
-    handleFault(human, context, input);
+    handleFault(human, context);
   } else {
     who.hasEnded = !loopsTrees_ && isAtEnd(human, status);
   }
-  tellEvents(tree, context);
+  tellEvents(tree, 0, context);
 }
 
 void TreeBehavior::haltRetired(const WorldView& view, Intents& intents) {
@@ -183,10 +192,9 @@ bool TreeBehavior::isAtEnd(int human, NodeStatus status) const {
          society_.changedGoals[index] == 0;
 }
 
-void TreeBehavior::handleFault(int human, HumanContext& context, const TickInput& input) {
+void TreeBehavior::handleFault(int human, HumanContext& context) {
   Player& who = player(human);
   who.isFaulty = true;
-  who.tree->halt(input);
   const TreeFault& fault = *who.tree->fault();
   society_.troubles.push_back(base::makeWarning(context.view().constants(human).name + ": " +
                                                 fault.path + ": " + fault.message +
@@ -209,33 +217,21 @@ void TreeBehavior::stop(int human, const WorldView& view, Intents& intents) {
   who.isTicking = false;
   HumanContext context(society_, view, intents, human);
   if (!who.isFaulty) {
+    const std::size_t told = who.tree->events().size();
     who.tree->halt({view.step(), view.dt(), &context});
-    for (const LeafEvent& event : who.tree->events()) {
-      if (event.kind == LeafEvent::Kind::Halted) {
-        context.emit(sim2d::EventKind::ActionEnd, human,
-                     who.tree->program().label(event.node) + " HALTED");
-      }
-    }
+    tellEvents(*who.tree, told, context);
   }
   tellChanges(human, view, std::vector<NodeStatus>(who.shown.size(), NodeStatus::Idle));
 }
 
-void TreeBehavior::tellEvents(const TreeState& tree, HumanContext& context) {
-  for (const LeafEvent& event : tree.events()) {
+void TreeBehavior::tellEvents(const TreeState& tree, std::size_t first, HumanContext& context) {
+  for (std::size_t i = first; i < tree.events().size(); ++i) {
+    const LeafEvent& event = tree.events()[i];
     const std::string& label = tree.program().label(event.node);
-    switch (event.kind) {
-      case LeafEvent::Kind::Started:
-        context.emit(sim2d::EventKind::Action, context.self(), label);
-        break;
-      case LeafEvent::Kind::Succeeded:
-        context.emit(sim2d::EventKind::ActionEnd, context.self(), label + " SUCCESS");
-        break;
-      case LeafEvent::Kind::Failed:
-        context.emit(sim2d::EventKind::ActionEnd, context.self(), label + " FAILURE");
-        break;
-      case LeafEvent::Kind::Halted:
-        context.emit(sim2d::EventKind::ActionEnd, context.self(), label + " HALTED");
-        break;
+    if (event.kind == LeafEvent::Kind::Started) {
+      context.emit(sim2d::EventKind::Action, context.self(), label);
+    } else {
+      context.emit(sim2d::EventKind::ActionEnd, context.self(), label + endWord(event.kind));
     }
   }
 }
@@ -264,11 +260,6 @@ std::vector<std::pair<std::string, std::string>> TreeBehavior::blackboard(int hu
   return lines;
 }
 
-const sim2d::Human* prototypeOf(const sim2d::Scenario& scenario, const sim2d::Area& area) {
-  const bool isSource = area.kind == sim2d::AreaKind::Source && area.listed && area.like;
-  return isSource ? scenario.human(*area.like) : nullptr;
-}
-
 }  // namespace
 
 std::unique_ptr<sim2d::HumanBehavior> makeTreeBehavior(const sim2d::Scenario& scenario,
@@ -276,23 +267,8 @@ std::unique_ptr<sim2d::HumanBehavior> makeTreeBehavior(const sim2d::Scenario& sc
                                                        Diagnostics& diagnostics,
                                                        const sim2d::Compatibility& quirks) {
   TreeLoader loader(scenario, quirks);
-  Programs programs;
   Diagnostics found;
-  const auto load = [&](const sim2d::Human& human) {
-    const auto file = files.find(human.name);
-    return loader.load(human, file == files.end() ? std::string() : file->second, found);
-  };
-  for (const sim2d::Human& human : scenario.humans) {
-    if (human.listed) {
-      programs[human.name] = load(human);
-    }
-  }
-  for (const sim2d::Area& area : scenario.areas) {
-    if (const sim2d::Human* like = prototypeOf(scenario, area)) {
-      const auto known = programs.find(like->name);
-      programs[area.name] = known != programs.end() ? known->second : load(*like);
-    }
-  }
+  PersonPrograms programs = loader.loadAll(files, found);
   base::append(diagnostics, found);
   if (base::hasErrors(found)) {
     return nullptr;

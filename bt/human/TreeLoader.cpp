@@ -55,6 +55,11 @@ std::string joined(const std::vector<std::string>& keys) {
   return text;
 }
 
+const sim2d::Human* prototypeOf(const sim2d::Scenario& scenario, const sim2d::Area& area) {
+  const bool isSource = area.kind == sim2d::AreaKind::Source && area.listed && area.like;
+  return isSource ? scenario.human(*area.like) : nullptr;
+}
+
 }  // namespace
 
 TreeState PersonProgram::start(const ResolvedHuman& human) const {
@@ -115,7 +120,7 @@ std::shared_ptr<const PersonProgram> TreeLoader::load(const sim2d::Human& human,
     }
     return loaded.program;
   }
-  const TreeFile file = makeTree(scenario_, human, library_.catalogue(), quirks_);
+  TreeFile file = makeTree(scenario_, human, library_.catalogue(), quirks_);
   std::shared_ptr<const PersonProgram>& program = generated_[writeTree(file, library_.catalogue())];
   if (!program) {
     const TreeTable table = makeTable(scenario_, human, library_.catalogue(), quirks_);
@@ -123,6 +128,26 @@ std::shared_ptr<const PersonProgram> TreeLoader::load(const sim2d::Human& human,
     program = compileTable(table, diagnostics);
   }
   return program;
+}
+
+PersonPrograms TreeLoader::loadAll(const TreeFiles& files, Diagnostics& diagnostics) {
+  PersonPrograms programs;
+  const auto loadOne = [&](const sim2d::Human& human) {
+    const auto file = files.find(human.name);
+    return load(human, file == files.end() ? std::string() : file->second, diagnostics);
+  };
+  for (const sim2d::Human& human : scenario_.humans) {
+    if (human.listed) {
+      programs[human.name] = loadOne(human);
+    }
+  }
+  for (const sim2d::Area& area : scenario_.areas) {
+    if (const sim2d::Human* like = prototypeOf(scenario_, area)) {
+      const auto known = programs.find(like->name);
+      programs[area.name] = known != programs.end() ? known->second : loadOne(*like);
+    }
+  }
+  return programs;
 }
 
 TreeLoader::Loaded TreeLoader::loadFile(const std::string& path, Diagnostics& diagnostics) const {

@@ -22,6 +22,9 @@ struct PersonProgram {
   TreeState start(const sim2d::ResolvedHuman& human) const;
 };
 
+/// By the name of the person, or of the source area whose people run it.
+using PersonPrograms = std::map<std::string, std::shared_ptr<const PersonProgram>>;
+
 /// A tree file with its includes. When the file that all generated trees include is not there, our
 /// own copy takes its place, with a warning.
 base::Result<TreeTable> loadPersonTrees(const std::string& path);
@@ -34,6 +37,9 @@ class TreeLoader {
   /// By the person's file, or generated when `path` is empty. nullptr and errors when broken.
   std::shared_ptr<const PersonProgram> load(const sim2d::Human& human, const std::string& path,
                                             base::Diagnostics& diagnostics);
+
+  /// Of all listed people and of those that sources copy.
+  PersonPrograms loadAll(const TreeFiles& files, base::Diagnostics& diagnostics);
 
  private:
   struct Loaded {

@@ -52,7 +52,7 @@ NodeStatus scared(LeafContext& leaf) {
   HumanContext& context = humanOf(leaf);
   const bool isPushed = factor && leaf.state(5) != PortState::Given;
   context.move(pair->human, isPushed ? flinch(context, pair->human, pair->robot, speed, *factor)
-                                     : avoidRobot(context, pair->human, pair->robot, safe, speed));
+                                     : avoid(context, pair->human, pair->robot, {safe, speed}));
   return NodeStatus::Success;
 }
 

@@ -56,7 +56,7 @@ sim2d::Intent approachStep(HumanContext& context, const Memory& memory, const Ta
 }
 
 sim2d::Intent avoidStep(HumanContext& context, const Memory& memory, const Target& robot) {
-  return avoidRobot(context, memory.human, robot, memory.distance, memory.speed);
+  return avoid(context, memory.human, robot, {memory.distance, memory.speed});
 }
 
 sim2d::Intent blockStep(HumanContext& context, const Memory& memory, const Target& robot) {

@@ -1,0 +1,163 @@
+#include <QtTest>
+
+#include "tests/bt/FakeWorld.h"
+
+using base::NodeStatus;
+
+/// Nodes that HuNavSim does not have.
+class HumanOwnNodesTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void cooldown_afterARun_failsForItsTime() {
+    FakeWorld world;
+    world.addPerson(1, 0.0, 0.0);
+    TreeBench bench(world);
+    QVERIFY(bench.load("<Cooldown duration='0.3'><AlwaysSuccess/></Cooldown>"));
+    QCOMPARE(bench.step(), NodeStatus::Success);
+    QCOMPARE(bench.step(), NodeStatus::Failure);
+    QCOMPARE(bench.step(), NodeStatus::Failure);
+    QCOMPARE(bench.step(), NodeStatus::Success);
+  }
+
+  void probabilityChoice_drawsOncePerRun() {
+    FakeWorld world;
+    world.addPerson(1, 0.0, 0.0);
+    TreeBench bench(world);
+    QVERIFY(
+        bench.load("<ProbabilityChoice probability='0.5'>"
+                   "<StopAndWaitTimerAction agent_id='{id}' wait_duration='0.3'/>"
+                   "</ProbabilityChoice>"));
+    int runs = 0;
+    int refusals = 0;
+    for (int i = 0; i < 1000; ++i) {
+      const NodeStatus status = bench.step();
+      runs += status == NodeStatus::Success ? 1 : 0;
+      refusals += status == NodeStatus::Failure ? 1 : 0;
+    }
+    QVERIFY(runs > 150 && runs < 250);  // 4 steps a run, as many runs as refusals
+    QVERIFY(refusals > 130 && refusals < 270);
+  }
+
+  void isTimeBetween_atTheEnds_includesTheFirst() {
+    FakeWorld world;
+    world.addPerson(1, 0.0, 0.0);
+    TreeBench bench(world);
+    QVERIFY(bench.load("<IsTimeBetween from='0.1' until='0.3'/>"));
+    QCOMPARE(bench.step(), NodeStatus::Failure);
+    QCOMPARE(bench.step(), NodeStatus::Success);
+    QCOMPARE(bench.step(), NodeStatus::Success);
+    QCOMPARE(bench.step(), NodeStatus::Failure);
+  }
+
+  void isCrowded_countsOthersWithinTheDistance() {
+    FakeWorld world;
+    for (int i = 0; i < 4; ++i) {
+      world.addPerson(i, i, 0.0);
+    }
+    TreeBench bench(world);
+    QVERIFY(
+        bench.load("<Sequence><IsCrowded agent_id='{id}' distance='2' count='2'/>"
+                   "<Inverter><IsCrowded agent_id='{id}' distance='2' count='3'/></Inverter>"
+                   "</Sequence>"));
+    QCOMPARE(bench.step(), NodeStatus::Success);
+  }
+
+  void isAgentGroupFormed_needsAllMembers() {
+    FakeWorld world;
+    world.addPerson(1, 0.0, 0.0);
+    world.addPerson(2, 1.0, 0.0);
+    world.addPerson(3, 3.0, 0.0);
+    TreeBench bench(world);
+    QVERIFY(bench.load("<IsAgentGroupFormed agent_id='{id}' distance='2'/>"));
+    QCOMPARE(bench.step(), NodeStatus::Failure);
+    bench.control(0).group = bench.control(1).group = 4;
+    QCOMPARE(bench.step(), NodeStatus::Success);
+    bench.control(2).group = 4;
+    QCOMPARE(bench.step(), NodeStatus::Failure);
+  }
+
+  void waitForAgent_endsWhenTheyCome() {
+    FakeWorld world;
+    world.addPerson(1, 0.0, 0.0);
+    world.addPerson(2, 5.0, 0.0);
+    TreeBench bench(world);
+    QVERIFY(bench.load("<WaitForAgent agent_id='{id}' target_agent_id='2' distance='2'/>"));
+    bench.step();
+    QCOMPARE(bench.step(), NodeStatus::Running);
+    world.at(1).pose.position.x() = 1.5;
+    QCOMPARE(bench.step(), NodeStatus::Success);
+  }
+
+  void fleeFrom_walksAwayUntilSafe() {
+    FakeWorld world;
+    world.addPerson(1, 0.0, 0.0);
+    world.addPerson(2, 1.0, 0.0);
+    TreeBench bench(world);
+    QVERIFY(bench.load("<FleeFrom agent_id='{id}' target_agent_id='2' safe_distance='3'/>"));
+    QVERIFY(bench.stepsUntil(NodeStatus::Success) > 5);
+    QVERIFY(world.at(0).pose.position.x() <= -1.9);
+  }
+
+  void wanderInArea_staysInTheArea() {
+    FakeWorld world;
+    world.addPerson(1, 1.0, 1.0);
+    sim2d::Area area;
+    area.name = "hall";
+    area.points = {base::Vec2(0.0, 0.0), base::Vec2(4.0, 0.0), base::Vec2(4.0, 3.0),
+                   base::Vec2(0.0, 3.0)};
+    world.settings.areas = {area};
+    TreeBench bench(world);
+    QVERIFY(bench.load("<WanderInArea agent_id='{id}' area='hall' duration='20'/>"));
+    double length = 0.0;
+    for (int i = 0; i < 200; ++i) {
+      const base::Vec2 before = world.at(0).pose.position;
+      QCOMPARE(bench.step(), NodeStatus::Running);
+      const base::Vec2 now = world.at(0).pose.position;
+      length += (now - before).norm();
+      QVERIFY(now.x() >= 0.0 && now.x() <= 4.0 && now.y() >= 0.0 && now.y() <= 3.0);
+    }
+    QVERIFY(length > 15.0);
+    QCOMPARE(bench.step(), NodeStatus::Success);
+  }
+
+  void wanderInArea_unknownArea_failsWithOneWarning() {
+    FakeWorld world;
+    world.addPerson(1, 1.0, 1.0);
+    TreeBench bench(world);
+    QVERIFY(bench.load("<WanderInArea agent_id='{id}' area='nowhere'/>"));
+    QCOMPARE(bench.step(), NodeStatus::Failure);
+    QCOMPARE(bench.step(), NodeStatus::Failure);
+    QCOMPARE(bench.troubles().size(), std::size_t(1));
+  }
+
+  void goToNearestExit_choosesTheNearest() {
+    FakeWorld world;
+    world.addPerson(1, 0.0, 0.0);
+    for (const double x : {-9.0, 4.0}) {
+      sim2d::Area area;
+      area.name = x < 0.0 ? "far" : "near";
+      area.kind = sim2d::AreaKind::Exit;
+      area.points = {base::Vec2(x - 1.0, -1.0), base::Vec2(x + 1.0, -1.0), base::Vec2(x, 2.0)};
+      world.settings.areas.push_back(area);
+    }
+    TreeBench bench(world);
+    QVERIFY(bench.load("<GoToNearestExit agent_id='{id}'/>"));
+    QVERIFY(bench.stepsUntil(NodeStatus::Success) > 0);
+    QVERIFY((world.at(0).pose.position - base::Vec2(4.0, 0.0)).norm() <= 0.3);
+    world.settings.areas.clear();
+    QCOMPARE(bench.step(), NodeStatus::Failure);
+  }
+
+  void useObject_staysForItsTime() {
+    FakeWorld world;
+    world.addPerson(1, 0.0, 0.0);
+    world.goals[1] = base::Vec2(0.2, 0.0);
+    TreeBench bench(world);
+    QVERIFY(bench.load("<UseObject agent_id='{id}' goal_id='1' duration='0.5'/>"));
+    // start, arrived in the second step, half a second
+    QCOMPARE(bench.stepsUntil(NodeStatus::Success), 7);
+  }
+};
+
+QTEST_APPLESS_MAIN(HumanOwnNodesTest)
+#include "tst_HumanOwnNodes.moc"
