@@ -64,8 +64,12 @@ std::vector<MetricResult> LiveMetrics::values() const {
   }
   for (const State::Live& metric : state_->metrics) {
     const MetricInfo& info = metric.entry.info;
+    const std::string& meanOf = metric.entry.meanOf;
+    const MetricResult* sum = meanOf.empty() ? nullptr : findResult(results, meanOf);
     if (!state_->isMeasurable(info)) {
       results.push_back({info, undefinedValue("there is no robot")});
+    } else if (sum != nullptr) {
+      results.push_back({info, meanOver(sum->value, state_->recording.size())});
     } else if (metric.sum) {
       results.push_back({info, metric.sum->value(state_->recording)});
     } else {

@@ -71,6 +71,15 @@ MetricValue withSeries(MetricValue value, std::vector<double> series, Kind kind)
   return value;
 }
 
+MetricValue meanOver(MetricValue sum, std::size_t samples) {
+  sum.series.reset();
+  sum.kind = Kind::Number;
+  if (sum.value) {
+    *sum.value /= static_cast<double>(samples);
+  }
+  return sum;
+}
+
 double sumOf(const std::vector<double>& values) {
   double sum = 0.0;
   for (const double value : values) {
@@ -90,35 +99,11 @@ MetricValue fold(const AccumulatorFactory& make, const Recording& recording,
   return accumulator->value(recording);
 }
 
-MetricValue meanOver(MetricValue sum, std::size_t samples) {
-  sum.series.reset();
-  sum.kind = Kind::Number;
-  if (sum.value) {
-    *sum.value /= static_cast<double>(samples);
-  }
-  return sum;
-}
-
-/// Divides what another accumulator gives.
-class MeanAccumulator : public Accumulator {
- public:
-  explicit MeanAccumulator(std::unique_ptr<Accumulator> sum) : sum_(std::move(sum)) {}
-  void add(const Recording& recording, std::size_t sample) override {
-    sum_->add(recording, sample);
-  }
-  MetricValue value(const Recording& recording) const override {
-    return meanOver(sum_->value(recording), recording.size());
-  }
-
- private:
-  std::unique_ptr<Accumulator> sum_;
-};
-
 }  // namespace
 
 void MetricRegistry::add(MetricInfo info, MetricFunction compute) {
   assert(find(info.key) == nullptr);
-  entries_.push_back({std::move(info), std::move(compute), {}});
+  entries_.push_back({std::move(info), std::move(compute), {}, ""});
 }
 
 void MetricRegistry::addAccumulated(MetricInfo info, AccumulatorFactory accumulate) {
@@ -127,7 +112,7 @@ void MetricRegistry::addAccumulated(MetricInfo info, AccumulatorFactory accumula
                                         const MetricParameters& parameters) {
     return fold(accumulate, recording, parameters);
   };
-  entries_.push_back({std::move(info), std::move(compute), std::move(accumulate)});
+  entries_.push_back({std::move(info), std::move(compute), std::move(accumulate), ""});
 }
 
 void MetricRegistry::addMeanOf(const std::string& key) {
@@ -142,16 +127,11 @@ void MetricRegistry::addMeanOf(const std::string& key) {
   info.kind = Kind::Number;
   info.hunav = 0;
   info.partOf = key;
-  if (entry.accumulate) {
-    addAccumulated(info, [make = entry.accumulate](const MetricParameters& parameters) {
-      return std::make_unique<MeanAccumulator>(make(parameters));
-    });
-    return;
-  }
   add(info,
       [compute = entry.compute](const Recording& recording, const MetricParameters& parameters) {
         return meanOver(compute(recording, parameters), recording.size());
       });
+  entries_.back().meanOf = key;
 }
 
 void MetricRegistry::sort() {

@@ -64,7 +64,8 @@ MetricValue booleanValue(bool value);
 MetricValue undefinedValue(std::string why);
 MetricValue infiniteValue(std::string why);
 MetricValue withSeries(MetricValue value, std::vector<double> series, Kind kind = Kind::Number);
-double sumOf(const std::vector<double>& values);  // in order, from the first
+MetricValue meanOver(MetricValue sum, std::size_t samples);  // divided, without series
+double sumOf(const std::vector<double>& values);             // in order, from the first
 
 /// One metric: recording in, value out. Sees at least one sample, and a robot if it needs one.
 using MetricFunction = std::function<MetricValue(const Recording&, const MetricParameters&)>;
@@ -88,6 +89,7 @@ struct MetricEntry {
   MetricInfo info;
   MetricFunction compute;
   AccumulatorFactory accumulate;  // empty for plain functions
+  std::string meanOf;             // key of the sum that this one divides by N; empty = none
 };
 
 /// All metrics that a program knows. Writers, tables and panels walk over it and know no metric by

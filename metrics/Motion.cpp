@@ -92,6 +92,13 @@ void countContact(const Recording& recording, std::size_t i, const Person& perso
   }
 }
 
+/// gap < limit; the squares settle it for whoever is clearly farther away.
+bool isWithin(const Robot& robot, const Person& person, double limit) {
+  const double reach = limit + robot.radius + person.radius + 1e-6;
+  return (robot.position - person.position).squaredNorm() <= reach * reach &&
+         gap(robot, person) < limit;
+}
+
 /// Calls `begins(sample, person)` whenever the gap of a pair falls below the limit.
 template <class Begins>
 void forEachEntry(const Recording& recording, double limit, Begins begins) {
@@ -100,7 +107,7 @@ void forEachEntry(const Recording& recording, double limit, Begins begins) {
   for (std::size_t i = 0; i < recording.size(); ++i) {
     touchingNow.clear();
     for (const Person& person : recording.samples[i].people) {
-      if (gap(recording.samples[i].robot, person) >= limit) {
+      if (!isWithin(recording.samples[i].robot, person, limit)) {
         continue;
       }
       touchingNow.push_back(person.id);

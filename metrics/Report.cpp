@@ -15,6 +15,10 @@ bool Selection::selects(const MetricInfo& info) const {
 }
 
 const MetricResult* Evaluation::find(std::string_view key) const {
+  return findResult(results, key);
+}
+
+const MetricResult* findResult(const std::vector<MetricResult>& results, std::string_view key) {
   for (const MetricResult& result : results) {
     if (result.info.key == key) {
       return &result;
@@ -107,9 +111,14 @@ std::vector<MetricResult> computeMetrics(const Recording& recording, const Selec
     if (!selection.selects(entry.info)) {
       continue;
     }
-    const bool lacksRobot = entry.info.needs.robot && !recording.hasRobot;
-    results.push_back({entry.info, lacksRobot ? undefinedValue("there is no robot")
-                                              : entry.compute(recording, parameters)});
+    const MetricResult* sum = entry.meanOf.empty() ? nullptr : findResult(results, entry.meanOf);
+    if (entry.info.needs.robot && !recording.hasRobot) {
+      results.push_back({entry.info, undefinedValue("there is no robot")});
+    } else if (sum != nullptr) {
+      results.push_back({entry.info, meanOver(sum->value, recording.size())});
+    } else {
+      results.push_back({entry.info, entry.compute(recording, parameters)});
+    }
   }
   return results;
 }

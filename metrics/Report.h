@@ -50,6 +50,8 @@ struct MetricResult {
   MetricValue value;
 };
 
+const MetricResult* findResult(const std::vector<MetricResult>& results, std::string_view key);
+
 /// The metrics among people of one behaviour type.
 struct BehaviorEvaluation {
   int behavior = 1;            // 1..6

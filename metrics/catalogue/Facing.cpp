@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "metrics/MetricRegistry.h"
 #include "metrics/Motion.h"
+#include "metrics/SeriesMetric.h"
 
 namespace metrics {
 
@@ -26,24 +26,26 @@ bool personSees(const Robot& robot, const Person& person, double halfAngle) {
   return isInCone(person, robot, halfAngle);
 }
 
-double timeWithin(const Recording& recording, Cone cone, double halfAngle) {
-  return timeWhere(recording, [&](std::size_t i) {
-    const Sample& sample = recording.samples[i];
-    return std::any_of(sample.people.begin(), sample.people.end(),
-                       [&](const Person& person) { return cone(sample.robot, person, halfAngle); });
-  });
+bool anyInCone(const Sample& sample, Cone cone, double halfAngle) {
+  return std::any_of(sample.people.begin(), sample.people.end(),
+                     [&](const Person& person) { return cone(sample.robot, person, halfAngle); });
 }
 
-MetricFunction narrow(Cone cone) {
-  return [cone](const Recording& recording, const MetricParameters& parameters) {
-    return numberValue(timeWithin(recording, cone, parameters.facingHalfAngle));
+SampleTerm narrow(Cone cone) {
+  return [cone](const Sample& sample, const MetricParameters& parameters) {
+    return anyInCone(sample, cone, parameters.facingHalfAngle) ? 1.0 : 0.0;
   };
 }
 
-MetricFunction wide(Cone cone) {
-  return [cone](const Recording& recording, const MetricParameters& /*parameters*/) {
-    return numberValue(timeWithin(recording, cone, kWideHalfAngle));
+SampleTerm wide(Cone cone) {
+  return [cone](const Sample& sample, const MetricParameters& /*parameters*/) {
+    return anyInCone(sample, cone, kWideHalfAngle) ? 1.0 : 0.0;
   };
+}
+
+MetricValue timeOf(const std::vector<double>& inside, const Recording& recording,
+                   const MetricParameters& /*parameters*/) {
+  return numberValue(timeWhere(recording, [&](std::size_t i) { return inside[i] > 0.0; }));
 }
 
 }  // namespace
@@ -51,22 +53,27 @@ MetricFunction wide(Cone cone) {
 void addFacing(MetricRegistry& to) {
   const Needs needs{true, true};
   const Category social = Category::Social;
-  to.add({"time_facing_people", "Time heading at people", "s", social, Better::Lower, needs,
-          "sum of dt_i with a person within facing_half_angle of the robot's heading", "Arena",
-          "[0, T]", Kind::Number, 0, ""},
-         narrow(robotFaces));
-  to.add({"time_seen_by_people", "Time looked at", "s", social, Better::Neutral, needs,
-          "sum of dt_i with the robot within facing_half_angle of a person's heading", "Arena",
-          "[0, T]", Kind::Number, 0, ""},
-         narrow(personSees));
-  to.add({"time_facing_people_60", "Time heading towards people", "s", social, Better::Lower, needs,
-          "the same within 60 degrees to each side", "Arena, wider cone", "[0, T]", Kind::Number, 0,
-          ""},
-         wide(robotFaces));
-  to.add({"time_seen_by_people_60", "Time in somebody's view", "s", social, Better::Neutral, needs,
-          "the same within 60 degrees to each side", "Arena, wider cone", "[0, T]", Kind::Number, 0,
-          ""},
-         wide(personSees));
+  addSeriesMetric(
+      to,
+      {"time_facing_people", "Time heading at people", "s", social, Better::Lower, needs,
+       "sum of dt_i with a person within facing_half_angle of the robot's heading", "Arena",
+       "[0, T]", Kind::Number, 0, ""},
+      narrow(robotFaces), timeOf);
+  addSeriesMetric(to,
+                  {"time_seen_by_people", "Time looked at", "s", social, Better::Neutral, needs,
+                   "sum of dt_i with the robot within facing_half_angle of a person's heading",
+                   "Arena", "[0, T]", Kind::Number, 0, ""},
+                  narrow(personSees), timeOf);
+  addSeriesMetric(to,
+                  {"time_facing_people_60", "Time heading towards people", "s", social,
+                   Better::Lower, needs, "the same within 60 degrees to each side",
+                   "Arena, wider cone", "[0, T]", Kind::Number, 0, ""},
+                  wide(robotFaces), timeOf);
+  addSeriesMetric(to,
+                  {"time_seen_by_people_60", "Time in somebody's view", "s", social,
+                   Better::Neutral, needs, "the same within 60 degrees to each side",
+                   "Arena, wider cone", "[0, T]", Kind::Number, 0, ""},
+                  wide(personSees), timeOf);
 }
 
 }  // namespace metrics

@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "metrics/MetricRegistry.h"
 #include "metrics/Motion.h"
+#include "metrics/SeriesMetric.h"
 
 namespace metrics {
 
@@ -18,60 +19,57 @@ double intrusion(const Person& person, const Robot& robot) {
   return std::exp(-(local.x() * local.x() / (2.0 * along) + local.y() * local.y() / (2.0 * side)));
 }
 
-/// Deepest intrusion per sample; none without people.
-std::vector<std::optional<double>> intrusions(const Recording& recording) {
-  std::vector<std::optional<double>> values;
-  for (const Sample& sample : recording.samples) {
-    std::optional<double> deepest;
-    for (const Person& person : sample.people) {
-      deepest = std::max(deepest.value_or(0.0), intrusion(person, sample.robot));
-    }
-    values.push_back(deepest);
+using Terms = std::vector<double>;
+
+/// Deepest intrusion of a sample; NaN without people.
+double deepest(const Sample& sample, const MetricParameters& /*parameters*/) {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  for (const Person& person : sample.people) {
+    const double one = intrusion(person, sample.robot);
+    value = one <= value ? value : one;
   }
-  return values;
+  return value;
 }
 
-MetricValue average(const Recording& recording, const MetricParameters& /*parameters*/) {
-  const std::vector<std::optional<double>> values = intrusions(recording);
+MetricValue average(const Terms& values, const Recording& recording,
+                    const MetricParameters& /*parameters*/) {
   double sum = 0.0;
   double time = 0.0;
-  for (std::size_t i = 0; i + 1 < values.size(); ++i) {
-    if (values[i]) {
-      sum += *values[i] * recording.interval(i);
-      time += recording.interval(i);
-    }
-  }
   std::vector<double> series;
-  for (const std::optional<double>& value : values) {
-    series.push_back(100.0 * value.value_or(0.0));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const bool defined = !std::isnan(values[i]);
+    sum += defined ? values[i] * recording.interval(i) : 0.0;
+    time += defined ? recording.interval(i) : 0.0;
+    series.push_back(100.0 * values[i]);
   }
   return withSeries(numberValue(time > 0.0 ? 100.0 * sum / time : 0.0), std::move(series));
 }
 
-MetricValue extreme(const Recording& recording, bool largest) {
+MetricValue extreme(const Terms& values, bool wantLargest) {
   std::optional<double> found;
-  for (const std::optional<double>& value : intrusions(recording)) {
-    if (value && (!found || (largest ? *value > *found : *value < *found))) {
+  for (const double value : values) {
+    if (!std::isnan(value) && (!found || (wantLargest ? value > *found : value < *found))) {
       found = value;
     }
   }
   return found ? numberValue(100.0 * *found) : undefinedValue("nobody in the record");
 }
 
-MetricValue smallest(const Recording& recording, const MetricParameters& /*parameters*/) {
-  return extreme(recording, false);
+MetricValue smallest(const Terms& values, const Recording& /*recording*/,
+                     const MetricParameters& /*parameters*/) {
+  return extreme(values, false);
 }
 
-MetricValue largest(const Recording& recording, const MetricParameters& /*parameters*/) {
-  return extreme(recording, true);
+MetricValue largest(const Terms& values, const Recording& /*recording*/,
+                    const MetricParameters& /*parameters*/) {
+  return extreme(values, true);
 }
 
-MetricValue timeAbove(const Recording& recording, const MetricParameters& parameters) {
-  const std::vector<std::optional<double>> values = intrusions(recording);
-  const double total = timeWhere(recording, [&](std::size_t i) { return values[i].has_value(); });
-  const double time = timeWhere(recording, [&](std::size_t i) {
-    return values[i].value_or(0.0) > parameters.gaussianThreshold;
-  });
+MetricValue timeAbove(const Terms& values, const Recording& recording,
+                      const MetricParameters& parameters) {
+  const double total = timeWhere(recording, [&](std::size_t i) { return !std::isnan(values[i]); });
+  const double time =
+      timeWhere(recording, [&](std::size_t i) { return values[i] > parameters.gaussianThreshold; });
   return numberValue(total > 0.0 ? 100.0 * time / total : 0.0);
 }
 
@@ -82,21 +80,26 @@ void addGaussianSpace(MetricRegistry& to) {
   const char source[] = "SRPB (Kirby's model)";
   const std::string key = "personal_space_intrusion_gaussian";
   const std::string name = "Intrusion into the Gaussian personal space";
-  to.add({key, name, "%", Category::Social, Better::Lower, needs,
-          "time-weighted mean of max over a of exp(-(x^2/2Vx + y^2/2Vs)); Vf = max(2 |u|, 0.5), "
-          "Vs = 2/3 Vf, Vx = Vf ahead and Vf/2 behind",
-          source, "[0, 100]", Kind::Number, 0, ""},
-         average);
-  to.add({key + "_min", name + ", smallest", "%", Category::Social, Better::Lower, needs,
-          "min over samples with people", source, "[0, 100]", Kind::Number, 0, ""},
-         smallest);
-  to.add({key + "_max", name + ", largest", "%", Category::Social, Better::Lower, needs,
-          "max over samples with people", source, "[0, 100]", Kind::Number, 0, ""},
-         largest);
-  to.add({key + "_above", "Time inside the Gaussian personal space", "%", Category::Social,
-          Better::Lower, needs, "share of the time with people above gaussian_threshold", source,
-          "[0, 100]", Kind::Number, 0, ""},
-         timeAbove);
+  addSeriesMetric(
+      to,
+      {key, name, "%", Category::Social, Better::Lower, needs,
+       "time-weighted mean of max over a of exp(-(x^2/2Vx + y^2/2Vs)); Vf = max(2 |u|, 0.5), "
+       "Vs = 2/3 Vf, Vx = Vf ahead and Vf/2 behind",
+       source, "[0, 100]", Kind::Number, 0, ""},
+      deepest, average);
+  addSeriesMetric(to,
+                  {key + "_min", name + ", smallest", "%", Category::Social, Better::Lower, needs,
+                   "min over samples with people", source, "[0, 100]", Kind::Number, 0, ""},
+                  deepest, smallest);
+  addSeriesMetric(to,
+                  {key + "_max", name + ", largest", "%", Category::Social, Better::Lower, needs,
+                   "max over samples with people", source, "[0, 100]", Kind::Number, 0, ""},
+                  deepest, largest);
+  addSeriesMetric(to,
+                  {key + "_above", "Time inside the Gaussian personal space", "%", Category::Social,
+                   Better::Lower, needs, "share of the time with people above gaussian_threshold",
+                   source, "[0, 100]", Kind::Number, 0, ""},
+                  deepest, timeAbove);
 }
 
 }  // namespace metrics

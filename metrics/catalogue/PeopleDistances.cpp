@@ -1,7 +1,8 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
-#include "metrics/MetricRegistry.h"
+#include "metrics/SeriesMetric.h"
 
 namespace metrics {
 
@@ -14,19 +15,18 @@ MetricValue nobody(const MetricParameters& parameters) {
                                                               : "nobody in the record");
 }
 
-MetricValue averageDistance(const Recording& recording, const MetricParameters& parameters) {
+MetricValue averageDistance(const std::vector<double>& closest, const Recording& recording,
+                            const MetricParameters& parameters) {
   const bool original = parameters.profile == Profile::Hunav2;
   std::vector<double> series;
   double sum = 0.0;
   std::size_t met = 0;
-  for (const Sample& sample : recording.samples) {
-    const std::optional<double> closest = closestGap(sample);
-    if (closest) {
-      sum += *closest;
-      ++met;
-    }
-    if (closest || !original) {
-      series.push_back(closest.value_or(kNaN));
+  for (const double distance : closest) {
+    const bool isMet = !std::isnan(distance);
+    sum += isMet ? distance : 0.0;
+    met += isMet ? 1 : 0;
+    if (isMet || !original) {
+      series.push_back(distance);
     }
   }
   const std::size_t divisor = original ? recording.size() : met;
@@ -35,25 +35,36 @@ MetricValue averageDistance(const Recording& recording, const MetricParameters& 
   return withSeries(std::move(value), std::move(series));
 }
 
-MetricValue minimumDistance(const Recording& recording, const MetricParameters& parameters) {
-  std::optional<double> smallest;
-  for (const Sample& sample : recording.samples) {
-    const std::optional<double> closest = closestGap(sample);
-    if (closest && (!smallest || *closest < *smallest)) {
-      smallest = closest;
+/// Smallest or largest of the terms that are defined.
+std::optional<double> extremeOf(const std::vector<double>& terms, bool largest) {
+  std::optional<double> extreme;
+  for (const double term : terms) {
+    const bool better = !extreme || (largest ? term > *extreme : term < *extreme);
+    if (!std::isnan(term) && better) {
+      extreme = term;
     }
   }
+  return extreme;
+}
+
+MetricValue minimumDistance(const std::vector<double>& closest, const Recording& /*recording*/,
+                            const MetricParameters& parameters) {
+  const std::optional<double> smallest = extremeOf(closest, false);
   return smallest ? numberValue(*smallest) : nobody(parameters);
 }
 
-MetricValue maximumDistance(const Recording& recording, const MetricParameters& parameters) {
-  std::optional<double> largest;
-  for (const Sample& sample : recording.samples) {
-    for (const Person& person : sample.people) {
-      const double value = gap(sample.robot, person);
-      largest = largest ? std::max(*largest, value) : value;
-    }
+double farthestGap(const Sample& sample, const MetricParameters& /*parameters*/) {
+  double farthest = kNaN;
+  for (const Person& person : sample.people) {
+    const double value = gap(sample.robot, person);
+    farthest = value <= farthest ? farthest : value;
   }
+  return farthest;
+}
+
+MetricValue maximumDistance(const std::vector<double>& farthest, const Recording& /*recording*/,
+                            const MetricParameters& parameters) {
+  const std::optional<double> largest = extremeOf(farthest, true);
   if (!largest) {
     return nobody(parameters);
   }
@@ -65,19 +76,22 @@ MetricValue maximumDistance(const Recording& recording, const MetricParameters& 
 void addPeopleDistances(MetricRegistry& to) {
   const Needs needs{true, true};
   const char source[] = "Perez-Higueras, Caballero, Merino, IJSR 2018";
-  to.add({"avg_distance_to_closest_person", "Mean distance to the closest person", "m",
-          Category::Social, Better::Higher, needs,
-          "mean of c_i over the samples with people; c_i = min over a of max(gap(i,a), 0)", source,
-          "[0, inf)", Kind::Number, 4, ""},
-         averageDistance);
-  to.add({"minimum_distance_to_people", "Smallest distance to people", "m", Category::Social,
-          Better::Higher, needs, "min over i, a of max(gap(i,a), 0)", source, "[0, inf)",
-          Kind::Number, 5, ""},
-         minimumDistance);
-  to.add({"maximum_distance_to_people", "Largest distance to people", "m", Category::Navigation,
-          Better::Neutral, needs, "max over i, a of max(gap(i,a), 0)", source, "[0, inf)",
-          Kind::Number, 6, ""},
-         maximumDistance);
+  addSeriesMetric(to,
+                  {"avg_distance_to_closest_person", "Mean distance to the closest person", "m",
+                   Category::Social, Better::Higher, needs,
+                   "mean of c_i over the samples with people; c_i = min over a of max(gap(i,a), 0)",
+                   source, "[0, inf)", Kind::Number, 4, ""},
+                  closestGapTerm, averageDistance);
+  addSeriesMetric(to,
+                  {"minimum_distance_to_people", "Smallest distance to people", "m",
+                   Category::Social, Better::Higher, needs, "min over i, a of max(gap(i,a), 0)",
+                   source, "[0, inf)", Kind::Number, 5, ""},
+                  closestGapTerm, minimumDistance);
+  addSeriesMetric(to,
+                  {"maximum_distance_to_people", "Largest distance to people", "m",
+                   Category::Navigation, Better::Neutral, needs,
+                   "max over i, a of max(gap(i,a), 0)", source, "[0, inf)", Kind::Number, 6, ""},
+                  farthestGap, maximumDistance);
 }
 
 }  // namespace metrics

@@ -1,93 +1,102 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "metrics/Interaction.h"
-#include "metrics/MetricRegistry.h"
 #include "metrics/Motion.h"
+#include "metrics/SeriesMetric.h"
 
 namespace metrics {
 
 namespace {
 
-MetricValue minimumTimeToCollision(const Recording& recording,
+using Terms = std::vector<double>;
+
+/// Shortest time to collision with anybody; NaN: on no collision course.
+double timeTerm(const Sample& sample, const MetricParameters& /*parameters*/) {
+  double shortest = std::numeric_limits<double>::quiet_NaN();
+  for (const Person& person : sample.people) {
+    const std::optional<double> time = timeToCollision(sample.robot, person);
+    if (time && !(*time >= shortest)) {
+      shortest = *time;
+    }
+  }
+  return shortest;
+}
+
+MetricValue minimumTimeToCollision(const Terms& times, const Recording& /*recording*/,
                                    const MetricParameters& /*parameters*/) {
   std::optional<double> shortest;
-  for (const Sample& sample : recording.samples) {
-    for (const Person& person : sample.people) {
-      const std::optional<double> time = timeToCollision(sample.robot, person);
-      if (time && (!shortest || *time < *shortest)) {
-        shortest = time;
-      }
+  for (const double time : times) {
+    if (!std::isnan(time) && (!shortest || time < *shortest)) {
+      shortest = time;
     }
   }
   return shortest ? numberValue(*shortest) : infiniteValue("never on a collision course");
 }
 
-double percentOfSamples(const Recording& recording, double count) {
-  return 100.0 * count / static_cast<double>(recording.size());
+template <class Holds>
+MetricValue percentWhere(const Terms& terms, Holds holds) {
+  const auto count = std::count_if(terms.begin(), terms.end(), holds);
+  return numberValue(100.0 * static_cast<double>(count) / static_cast<double>(terms.size()));
 }
 
-MetricValue spaceCompliance(const Recording& recording, const MetricParameters& parameters) {
-  double count = 0.0;
-  for (const Sample& sample : recording.samples) {
-    const std::optional<double> closest = closestGap(sample);
-    count += !closest || *closest >= parameters.complianceDistance ? 1.0 : 0.0;
-  }
-  return numberValue(percentOfSamples(recording, count));
+MetricValue spaceCompliance(const Terms& closest, const Recording& /*recording*/,
+                            const MetricParameters& parameters) {
+  return percentWhere(closest, [&](double distance) {
+    return std::isnan(distance) || distance >= parameters.complianceDistance;
+  });
 }
 
-MetricValue discomfortFrequency(const Recording& recording, const MetricParameters& parameters) {
-  double count = 0.0;
-  for (const Sample& sample : recording.samples) {
-    const std::optional<double> closest = closestGap(sample);
-    count += closest && *closest < parameters.discomfortDistance ? 1.0 : 0.0;
-  }
-  return numberValue(percentOfSamples(recording, count));
+MetricValue discomfortFrequency(const Terms& closest, const Recording& /*recording*/,
+                                const MetricParameters& parameters) {
+  return percentWhere(closest,
+                      [&](double distance) { return distance < parameters.discomfortDistance; });
 }
 
-MetricValue discomfortDistance(const Recording& recording, const MetricParameters& parameters) {
+MetricValue discomfortDistance(const Terms& closest, const Recording& /*recording*/,
+                               const MetricParameters& parameters) {
   double sum = 0.0;
   double count = 0.0;
-  for (const Sample& sample : recording.samples) {
-    const std::optional<double> closest = closestGap(sample);
-    if (closest && *closest < parameters.discomfortDistance) {
-      sum += *closest;
+  for (const double distance : closest) {
+    if (distance < parameters.discomfortDistance) {
+      sum += distance;
       count += 1.0;
     }
   }
   return count > 0.0 ? numberValue(sum / count) : undefinedValue("nobody came that close");
 }
 
-bool isInPersonalRadius(const Sample& sample, const MetricParameters& parameters) {
-  return std::any_of(sample.people.begin(), sample.people.end(), [&](const Person& person) {
-    return distance(sample.robot, person) <= parameters.personalRadius;
-  });
+/// 1 where a person's centre lies within the personal radius.
+double personalTerm(const Sample& sample, const MetricParameters& parameters) {
+  const bool near =
+      std::any_of(sample.people.begin(), sample.people.end(), [&](const Person& person) {
+        return distance(sample.robot, person) <= parameters.personalRadius;
+      });
+  return near ? 1.0 : 0.0;
 }
 
-MetricValue timeInPersonalSpace(const Recording& recording, const MetricParameters& parameters) {
-  return numberValue(timeWhere(recording, [&](std::size_t i) {
-    return isInPersonalRadius(recording.samples[i], parameters);
-  }));
+MetricValue timeInPersonalSpace(const Terms& near, const Recording& recording,
+                                const MetricParameters& /*parameters*/) {
+  return numberValue(timeWhere(recording, [&](std::size_t i) { return near[i] > 0.0; }));
 }
 
-MetricValue speedInPersonalSpace(const Recording& recording, const MetricParameters& parameters) {
+MetricValue speedInPersonalSpace(const Terms& near, const Recording& recording,
+                                 const MetricParameters& /*parameters*/) {
   double sum = 0.0;
-  double count = 0.0;
-  for (const Sample& sample : recording.samples) {
-    if (isInPersonalRadius(sample, parameters)) {
-      sum += lengthOf(sample.robot.velocity);
-      count += 1.0;
-    }
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    sum += near[i] > 0.0 ? lengthOf(recording.samples[i].robot.velocity) : 0.0;
   }
+  const double count = sumOf(near);
   return numberValue(count > 0.0 ? sum / count : 0.0);
 }
 
-MetricValue speedInIntimateSpace(const Recording& recording, const MetricParameters& parameters) {
+MetricValue speedInIntimateSpace(const Terms& closest, const Recording& recording,
+                                 const MetricParameters& parameters) {
   double fastest = 0.0;
-  for (const Sample& sample : recording.samples) {
-    const std::optional<double> closest = closestGap(sample);
-    if (closest && *closest < parameters.intimateDistance) {
-      fastest = std::max(fastest, lengthOf(sample.robot.velocity));
+  for (std::size_t i = 0; i < closest.size(); ++i) {
+    if (closest[i] < parameters.intimateDistance) {
+      fastest = std::max(fastest, lengthOf(recording.samples[i].robot.velocity));
     }
   }
   return numberValue(fastest);
@@ -95,43 +104,54 @@ MetricValue speedInIntimateSpace(const Recording& recording, const MetricParamet
 
 void addTimesAndSpeeds(MetricRegistry& to) {
   const Needs needs{true, true};
-  to.add({"time_in_personal_space", "Time in somebody's personal space", "s", Category::Social,
-          Better::Lower, needs,
-          "sum of dt_i with a person's centre within personal_radius of the robot's", "Arena",
-          "[0, T]", Kind::Number, 0, ""},
-         timeInPersonalSpace);
-  to.add({"avg_speed_in_personal_space", "Mean speed in personal space", "m/s", Category::Social,
-          Better::Lower, needs, "mean of |v_i| over those samples, 0 if none", "Arena", "[0, inf)",
-          Kind::Number, 0, ""},
-         speedInPersonalSpace);
-  to.add(
+  addSeriesMetric(to,
+                  {"time_in_personal_space", "Time in somebody's personal space", "s",
+                   Category::Social, Better::Lower, needs,
+                   "sum of dt_i with a person's centre within personal_radius of the robot's",
+                   "Arena", "[0, T]", Kind::Number, 0, ""},
+                  personalTerm, timeInPersonalSpace);
+  addSeriesMetric(
+      to,
+      {"avg_speed_in_personal_space", "Mean speed in personal space", "m/s", Category::Social,
+       Better::Lower, needs, "mean of |v_i| over those samples, 0 if none", "Arena", "[0, inf)",
+       Kind::Number, 0, ""},
+      personalTerm, speedInPersonalSpace);
+  addSeriesMetric(
+      to,
       {"max_speed_in_intimate_space", "Largest speed in intimate space", "m/s", Category::Social,
        Better::Lower, needs, "max of |v_i| where the smallest gap < intimate_distance, 0 if none",
        "Arena", "[0, inf)", Kind::Number, 0, ""},
-      speedInIntimateSpace);
+      closestGapTerm, speedInIntimateSpace);
 }
 
 }  // namespace
 
 void addPersonalSpace(MetricRegistry& to) {
   const Needs needs{true, true};
-  to.add({"min_time_to_collision", "Smallest time to collision", "s", Category::Safety,
-          Better::Higher, needs, "min over i, a of ttc, infinite if never on a collision course",
-          "Francis et al. 2025; SocNavBench; SocNavGym", "[0, inf]", Kind::Number, 0, ""},
-         minimumTimeToCollision);
-  to.add({"space_compliance", "Personal space kept", "%", Category::Social, Better::Higher, needs,
-          "share of samples with the smallest gap >= compliance_distance or nobody there",
-          "Francis et al. 2025; SocNavGym", "[0, 100]", Kind::Number, 0, ""},
-         spaceCompliance);
-  to.add({"discomfort_frequency", "Uncomfortably close", "%", Category::Social, Better::Lower,
-          needs, "share of samples with the smallest gap < discomfort_distance", "CrowdNav",
-          "[0, 100]", Kind::Number, 0, ""},
-         discomfortFrequency);
-  to.add({"discomfort_distance_avg", "Mean distance when uncomfortably close", "m",
-          Category::Social, Better::Higher, needs,
-          "mean of the smallest gap over the samples with it < discomfort_distance", "CrowdNav",
-          "[0, inf)", Kind::Number, 0, ""},
-         discomfortDistance);
+  addSeriesMetric(
+      to,
+      {"min_time_to_collision", "Smallest time to collision", "s", Category::Safety, Better::Higher,
+       needs, "min over i, a of ttc, infinite if never on a collision course",
+       "Francis et al. 2025; SocNavBench; SocNavGym", "[0, inf]", Kind::Number, 0, ""},
+      timeTerm, minimumTimeToCollision);
+  addSeriesMetric(
+      to,
+      {"space_compliance", "Personal space kept", "%", Category::Social, Better::Higher, needs,
+       "share of samples with the smallest gap >= compliance_distance or nobody there",
+       "Francis et al. 2025; SocNavGym", "[0, 100]", Kind::Number, 0, ""},
+      closestGapTerm, spaceCompliance);
+  addSeriesMetric(
+      to,
+      {"discomfort_frequency", "Uncomfortably close", "%", Category::Social, Better::Lower, needs,
+       "share of samples with the smallest gap < discomfort_distance", "CrowdNav", "[0, 100]",
+       Kind::Number, 0, ""},
+      closestGapTerm, discomfortFrequency);
+  addSeriesMetric(to,
+                  {"discomfort_distance_avg", "Mean distance when uncomfortably close", "m",
+                   Category::Social, Better::Higher, needs,
+                   "mean of the smallest gap over the samples with it < discomfort_distance",
+                   "CrowdNav", "[0, inf)", Kind::Number, 0, ""},
+                  closestGapTerm, discomfortDistance);
   addTimesAndSpeeds(to);
 }
 

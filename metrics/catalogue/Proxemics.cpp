@@ -3,7 +3,7 @@
 #include <map>
 #include <set>
 
-#include "metrics/MetricRegistry.h"
+#include "metrics/SeriesMetric.h"
 
 namespace metrics {
 
@@ -34,12 +34,11 @@ MetricValue percentage(std::vector<double> series) {
   return withSeries(numberValue(share), std::move(series), Kind::Count);
 }
 
-MetricValue intrusions(const Recording& recording, const MetricParameters& parameters,
+MetricValue intrusions(const std::vector<double>& closest, const MetricParameters& parameters,
                        const Band& band) {
   std::vector<double> series;
-  for (const Sample& sample : recording.samples) {
-    const std::optional<double> closest = closestGap(sample);
-    series.push_back(closest && isInBand(*closest, band, parameters) ? 1.0 : 0.0);
+  for (const double distance : closest) {  // NaN, nobody there, is in no band
+    series.push_back(isInBand(distance, band, parameters) ? 1.0 : 0.0);
   }
   return percentage(std::move(series));
 }
@@ -116,13 +115,16 @@ MetricValue originalGroupIntrusions(const Recording& recording, const MetricPara
 
 void addBand(MetricRegistry& to, const Band& band) {
   const std::string name = band.name;
-  to.add(
+  addSeriesMetric(
+      to,
       {name + "_space_intrusions", "Intrusions into the " + name + " space", "%", Category::Social,
        Better::Lower, Needs{true, true}, "100/N * samples with c_i in the " + name + " band",
        "Perez-Higueras, Caballero, Merino, IJSR 2018; Hall 1966", "[0, 100]", Kind::Number,
        band.hunav, ""},
-      [&band](const Recording& recording, const MetricParameters& parameters) {
-        return intrusions(recording, parameters, band);
+      closestGapTerm,
+      [&band](const std::vector<double>& closest, const Recording& /*recording*/,
+              const MetricParameters& parameters) {
+        return intrusions(closest, parameters, band);
       });
   to.add({"group_" + name + "_space_intrusions", "Intrusions into the " + name + " space of groups",
           "%", Category::Social, Better::Lower, Needs{true, true, true},

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "metrics/MetricRegistry.h"
+
+namespace metrics {
+
+/// Of one sample alone; NaN = undefined there.
+using SampleTerm = std::function<double(const Sample& sample, const MetricParameters& parameters)>;
+/// Makes the value of the terms of all samples.
+using Reduction =
+    std::function<MetricValue(const std::vector<double>& terms, const Recording& recording,
+                              const MetricParameters& parameters)>;
+
+/// Adds a metric whose costly part depends on each sample alone, so that live values cost little.
+void addSeriesMetric(MetricRegistry& to, MetricInfo info, SampleTerm term, Reduction reduce);
+
+double closestGapTerm(const Sample& sample, const MetricParameters& parameters);  // NaN: nobody
+
+}  // namespace metrics

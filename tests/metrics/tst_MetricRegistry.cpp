@@ -1,0 +1,126 @@
+#include <set>
+
+#include <QtTest>
+
+#include "MetricCases.h"
+#include "metrics/ReportFiles.h"
+#include "sim2d/base/Text.h"
+
+using namespace metrics;
+
+namespace {
+
+/// All that a new metric needs: a function and its entry.
+MetricValue crowdSize(const Recording& recording, const MetricParameters& /*parameters*/) {
+  std::vector<double> series;
+  for (const Sample& sample : recording.samples) {
+    series.push_back(static_cast<double>(sample.people.size()));
+  }
+  const double sum = sumOf(series);
+  return withSeries(countValue(sum), std::move(series), Kind::Count);
+}
+
+void addCrowdSize(MetricRegistry& to) {
+  to.add({"crowd_size", "People met", "people", Category::Social, Better::Neutral,
+          Needs{false, true}, "sum of n_i", "this test", "0, 1, ...", Kind::Count, 0, ""},
+         crowdSize);
+}
+
+const MetricRegistry& extended() {
+  static const MetricRegistry kRegistry = [] {
+    MetricRegistry registry = standardRegistry();
+    addCrowdSize(registry);
+    return registry;
+  }();
+  return kRegistry;
+}
+
+Evaluation evaluation() {
+  return *evaluate(recordingOf(cases::trace(9, 4)), Selection{}, MetricParameters{}, extended());
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+class MetricRegistryTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void standardRegistry_hunavKeys_are34InOrder();
+  void standardRegistry_everyEntry_isDescribed();
+  void addedMetric_appearsEverywhere();
+  void addedMetric_isOnOnlyWhenListed();
+  void parameterInfos_names_areUniqueAndFindable();
+  void metricsMarkdown_isWhatIsCommitted();
+};
+
+void MetricRegistryTest::standardRegistry_hunavKeys_are34InOrder() {
+  const auto& entries = standardRegistry().entries();
+  QVERIFY(entries.size() > 34);
+  for (std::size_t k = 0; k < 34; ++k) {
+    QCOMPARE(entries[k].info.hunav, static_cast<int>(k) + 1);
+  }
+  QCOMPARE(entries[34].info.hunav, 0);
+  QVERIFY(entries[0].info.key == "time_to_reach_goal");
+  QVERIFY(entries[33].info.key == "surprise_react_cost");
+  QVERIFY(standardRegistry().find("social_work_mean")->info.partOf == "social_work");
+}
+
+void MetricRegistryTest::standardRegistry_everyEntry_isDescribed() {
+  std::set<std::string> keys;
+  for (const MetricEntry& entry : standardRegistry().entries()) {
+    QVERIFY2(keys.insert(entry.info.key).second, entry.info.key.c_str());
+    QVERIFY2(!entry.info.name.empty() && !entry.info.formula.empty() &&
+                 !entry.info.source.empty() && !entry.info.range.empty(),
+             entry.info.key.c_str());
+  }
+}
+
+void MetricRegistryTest::addedMetric_appearsEverywhere() {
+  const Evaluation made = evaluation();
+  QVERIFY(extended().find("crowd_size") != nullptr);
+  QCOMPARE(*made.find("crowd_size")->value.value, 40.0);
+  QVERIFY(contains(toJson(made), "\"crowd_size\": {\n      \"value\": 40,"));
+  QVERIFY(contains(metricsCsv(made), ",crowd_size\n"));
+  QVERIFY(contains(metricsCsv(made), ",40\n"));
+  QVERIFY(contains(stepsCsv(made), ",crowd_size\n"));
+  QVERIFY(contains(tableText(made), "crowd_size"));
+  QVERIFY(contains(metricsMarkdown(extended()), "`crowd_size`"));
+}
+
+void MetricRegistryTest::addedMetric_isOnOnlyWhenListed() {
+  const auto file = [](const char* text) {
+    return parseMetricsFile(text, "metrics.yaml", extended())->selection;
+  };
+  const MetricInfo& info = extended().find("crowd_size")->info;
+  QVERIFY(Selection{}.selects(info));
+  QVERIFY(!file("metrics: {path_length: true}").selects(info));
+  const Selection listed = file("metrics: {crowd_size: true}");
+  QVERIFY(listed.selects(info));
+  QVERIFY(contains(writeMetricsFile({listed, "r", true}, extended()), "crowd_size: true"));
+}
+
+void MetricRegistryTest::parameterInfos_names_areUniqueAndFindable() {
+  std::set<std::string> names;
+  for (const ParameterInfo& info : parameterInfos()) {
+    QVERIFY2(names.insert(info.name).second, info.name.c_str());
+    QCOMPARE(findParameter(info.name), &info);
+  }
+  QVERIFY(findParameter("goal_tolerrance") == nullptr);
+}
+
+void MetricRegistryTest::metricsMarkdown_isWhatIsCommitted() {
+  const std::string path = SOURCE_DIR "/metrics/METRICS.md";
+  const std::string text = metricsMarkdown(standardRegistry());
+  if (qEnvironmentVariableIsSet("HUNAV_UPDATE")) {
+    QVERIFY(base::writeFileAtomically(path, text).empty());
+  }
+  const base::Result<std::string> committed = base::readTextFile(path);
+  QVERIFY(committed);
+  QVERIFY2(*committed == text, "run this test with HUNAV_UPDATE=1 and commit metrics/METRICS.md");
+}
+
+QTEST_APPLESS_MAIN(MetricRegistryTest)
+#include "tst_MetricRegistry.moc"
