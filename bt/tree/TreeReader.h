@@ -3,11 +3,9 @@
 #include <string>
 #include <utility>
 
-#include "bt/tree/TreeSpec.h"
+#include <tinyxml2.h>
 
-namespace tinyxml2 {
-class XMLElement;
-}
+#include "bt/tree/TreeSpec.h"
 
 namespace bt {
 

@@ -2,8 +2,6 @@
 #include <set>
 #include <utility>
 
-#include <tinyxml2.h>
-
 #include "bt/tree/TextValue.h"
 #include "bt/tree/TreeReader.h"
 #include "bt/tree/TreeXml.h"

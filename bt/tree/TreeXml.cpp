@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include <tinyxml2.h>
-
 #include "bt/tree/TreeReader.h"
 #include "bt/tree/XmlText.h"
 #include "sim2d/base/Text.h"
