@@ -200,8 +200,9 @@ void Compiler::setDetail(const NodeSpec& spec, Program::Node& node, const Place&
 void Compiler::warnUnwritten() {
   for (const Scopes::Use& use : scopes_.uses()) {
     if (use.read && !use.written) {
-      problems_.push_back(base::makeWarning(
-          "nothing writes " + use.firstRead + ", so it never has a value", use.file, use.line));
+      problems_.push_back(
+          base::makeWarning("nothing writes " + use.firstRead + ", so reading it stops the tree",
+                            use.file, use.line));
     }
   }
 }

@@ -32,8 +32,8 @@ base::NodeStatus Ticker::precondition(int node) {
 
 /// Writes one element to the port `value`; false = a fault was noted.
 bool Ticker::storeElement(int node, std::string_view element) {
-  const PortBinding* const ports = program_.bindings().data() + program_.node(node).firstPort;
-  const PortBinding& binding = ports[2];
+  const auto index = static_cast<std::size_t>(program_.node(node).firstPort + 2);
+  const PortBinding& binding = program_.bindings()[index];
   if (binding.kind != PortBinding::Kind::Entry) {
     return true;  // nobody wants it
   }

@@ -231,8 +231,8 @@ bool Ticker::truthOf(int node, int script, bool& truth) {
 }
 
 const Value* Ticker::portValue(int node, int port) const {
-  const PortBinding* const ports = program_.bindings().data() + program_.node(node).firstPort;
-  const PortBinding& binding = ports[port];
+  const auto index = static_cast<std::size_t>(program_.node(node).firstPort + port);
+  const PortBinding& binding = program_.bindings()[index];
   if (binding.kind == PortBinding::Kind::Missing) {
     return nullptr;
   }

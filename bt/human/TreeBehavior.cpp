@@ -139,16 +139,18 @@ void TreeBehavior::decide(const WorldView& view, Intents& intents) {
   changes_.clear();
   haltRetired(view, intents);
   for (const int human : order_) {
-    const Player& who = player(human);
-    if (view.isPresent(human) && who.tree && !who.hasEnded && !who.isFaulty) {
+    Player& who = player(human);
+    if (!view.isPresent(human)) {
+      stop(human, view, intents);
+    } else if (who.tree && !who.hasEnded && !who.isFaulty) {
       tick(human, view, intents);
-      continue;
-    }
-    stop(human, view, intents);
-    if (who.isFaulty && view.isPresent(human)) {
+    } else if (who.isFaulty) {
+      stop(human, view, intents);
       sim2d::Intent brake;
       brake.motion = sim2d::Motion::Brake;
       HumanContext(society_, view, intents, human).move(human, brake);
+    } else {
+      stop(human, view, intents);
     }
   }
 }

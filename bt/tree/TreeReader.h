@@ -3,9 +3,11 @@
 #include <string>
 #include <utility>
 
-#include <tinyxml2.h>
-
 #include "bt/tree/TreeSpec.h"
+
+namespace tinyxml2 {
+class XMLElement;
+}
 
 namespace bt {
 

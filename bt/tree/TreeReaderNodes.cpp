@@ -2,6 +2,8 @@
 #include <set>
 #include <utility>
 
+#include <tinyxml2.h>
+
 #include "bt/tree/TextValue.h"
 #include "bt/tree/TreeReader.h"
 #include "bt/tree/TreeXml.h"

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <tinyxml2.h>
+
 #include "bt/tree/TreeReader.h"
 #include "bt/tree/XmlText.h"
 #include "sim2d/base/Text.h"

@@ -1,0 +1,179 @@
+#include "app/CommandLine.h"
+
+#include <clocale>
+#include <functional>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include <QApplication>
+#include <QCoreApplication>
+#include <QGuiApplication>
+
+#include "app/Console.h"
+#include "app/DataPaths.h"
+#include "app/commands/Commands.h"
+#include "app/window/WindowCommand.h"
+
+namespace app {
+
+namespace {
+
+/// All words of the command line, by command.
+struct Words {
+  OutputOptions output;
+  RunOptions run;
+  WindowOptions window;
+  CheckOptions check;
+  ListOptions list;
+  RenderOptions render;
+  BatchOptions batch;
+};
+
+void addOutputOptions(CLI::App& command, OutputOptions& options) {
+  command.add_flag("--quiet", options.quiet, "No progress and no table");
+  command.add_flag("--json", options.json, "Machine-readable standard output");
+}
+
+void addRunOptions(CLI::App& command, RunOptions& options) {
+  command.add_option("--map", options.map,
+                     "Map to use instead of the scenario's; none = open plane");
+  command.add_option("--trees", options.trees, "Folder with the behaviour trees");
+  command.add_option("--seed", options.seed, "Seed of all random numbers");
+  command.add_option("--duration", options.duration, "Length of the run [s]");
+  command.add_option("--dt", options.dt, "Time step [s]");
+  command.add_option("--model", options.model, "How people walk: see list models");
+  command.add_option("--robot", options.robot, "Type of the robot: see list robots");
+  command.add_option("--robot-start", options.robotStart, "\"X Y HEADING\" (m, m, rad)");
+  command.add_option("--robot-goal", options.robotGoal, "\"X Y\" (m)");
+  command.add_option("--planner", options.planner, "How the robot plans: see list planners");
+  command.add_option("--threads", options.threads, "Number of threads; results stay the same");
+  command.add_option("--metrics", options.metrics,
+                     "Selection: a metrics.yaml, or keys with commas");
+  command.add_option("--metrics-profile", options.metricsProfile, "corrected or hunav2")
+      ->check(CLI::IsMember({"corrected", "hunav2"}));
+  command.add_option("--record-every", options.recordEvery, "Record every N-th step");
+  command.add_option("--set", options.set, "PATH=VALUE: any value of the scenario")
+      ->allow_extra_args(false);
+  command.add_flag("--exact", options.exact, "Full double sum of forces");
+  command.add_option("--compat", options.compat, "hunav2, or quirks of the original: Q-13,Q-20");
+}
+
+void addWindow(CLI::App& root, Words& words) {
+  root.add_option("scenario", words.run.scenario, "Scenario to open in the window");
+  addRunOptions(root, words.run);
+  WindowOptions& window = words.window;
+  root.add_option("--screenshot", window.screenshot, "Save a picture of the window and leave");
+  root.add_option("--at", window.at, "Simulated time of the picture [s]");
+  root.add_option("--size", window.size, "Size of the window, WxH");
+  root.add_option("--scale", window.scale, "Pixels per point");
+  root.add_option("--theme", window.theme, "light or dark")
+      ->check(CLI::IsMember({"light", "dark"}));
+  root.add_option("--dock", window.docks, "Docks to show, by their names in the View menu");
+}
+
+CLI::App* addRun(CLI::App& root, Words& words) {
+  CLI::App* command = root.add_subcommand("run", "Simulate one scenario without a window");
+  command->add_option("scenario", words.run.scenario, "Scenario file")->required();
+  command->add_option("-o,--output", words.run.output, "Folder for the files of the run");
+  addRunOptions(*command, words.run);
+  addOutputOptions(*command, words.output);
+  return command;
+}
+
+CLI::App* addCheck(CLI::App& root, Words& words) {
+  CLI::App* command = root.add_subcommand("check", "Validate scenarios, trees, maps, experiments");
+  command->add_option("files", words.check.files, "Files")->required();
+  command->add_option("--map", words.check.map, "Map of the scenarios");
+  command->add_option("--trees", words.check.trees, "Folder with their trees");
+  addOutputOptions(*command, words.output);
+  return command;
+}
+
+CLI::App* addList(CLI::App& root, Words& words) {
+  CLI::App* command = root.add_subcommand("list", "What there is to use");
+  command
+      ->add_option("what", words.list.what, "nodes, metrics, models, robots, planners, scenarios")
+      ->required()
+      ->check(CLI::IsMember({"nodes", "metrics", "models", "robots", "planners", "scenarios"}));
+  command->add_option("--format", words.list.format, "text or json; xml for nodes")
+      ->check(CLI::IsMember({"text", "json", "xml"}));
+  addOutputOptions(*command, words.output);
+  return command;
+}
+
+CLI::App* addRender(CLI::App& root, Words& words) {
+  CLI::App* command = root.add_subcommand("render", "Draw a recorded run");
+  command->add_option("run", words.render.run, "Folder of the run")->required();
+  command->add_option("-o,--output", words.render.output, "Picture (.png)")->required();
+  addOutputOptions(*command, words.output);
+  return command;
+}
+
+CLI::App* addBatch(CLI::App& root, Words& words) {
+  CLI::App* command = root.add_subcommand("batch", "Many runs: scenarios x values x seeds");
+  command->add_option("experiment", words.batch.experiment, "Experiment file")->required();
+  command->add_option("-o,--output", words.batch.output, "Folder for the results")->required();
+  command->add_option("--jobs", words.batch.jobs, "Processes at a time (number of cores)")
+      ->check(CLI::Range(1, 1024));
+  addOutputOptions(*command, words.output);
+  return command;
+}
+
+/// Numbers are read without a locale, whatever the user's is.
+template <class Application>
+int within(int argc, char** argv, const std::function<int()>& action) {
+  Application application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");
+  return action();
+}
+
+int drawOffscreen(int argc, char** argv, const std::function<int()>& action) {
+  if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+  }
+  return within<QGuiApplication>(argc, argv, action);
+}
+
+}  // namespace
+
+int runProgram(int argc, char** argv) {
+  const std::vector<std::string> words(argv, argv + argc);
+  Words given;
+  CLI::App root{"HuNavSim Desktop: people and a robot on a map, drawn, simulated, measured"};
+  root.name("hunavsim");
+  root.set_version_flag("--version", "hunavsim " + programVersion() + " (" + programCommit() + ")");
+  root.set_help_flag("--help", "Show this text");
+  addWindow(root, given);
+  CLI::App* run = addRun(root, given);
+  CLI::App* check = addCheck(root, given);
+  CLI::App* list = addList(root, given);
+  CLI::App* render = addRender(root, given);
+  CLI::App* batch = addBatch(root, given);
+  try {
+    root.parse(argc, argv);
+  } catch (const CLI::ParseError& problem) {
+    return root.exit(problem) == 0 ? kFine : kWrongCommandLine;
+  }
+
+  const OutputOptions& output = given.output;
+  if (run->parsed()) {
+    return within<QCoreApplication>(argc, argv,
+                                    [&] { return runCommand(given.run, output, words); });
+  }
+  if (check->parsed()) {
+    return within<QCoreApplication>(argc, argv, [&] { return checkCommand(given.check, output); });
+  }
+  if (list->parsed()) {
+    return within<QCoreApplication>(argc, argv, [&] { return listCommand(given.list, output); });
+  }
+  if (batch->parsed()) {
+    return within<QCoreApplication>(argc, argv, [&] { return batchCommand(given.batch, output); });
+  }
+  if (render->parsed()) {
+    return drawOffscreen(argc, argv, [&] { return renderCommand(given.render, output); });
+  }
+  return windowCommand(argc, argv, given.run, given.window);
+}
+
+}  // namespace app

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "sim2d/base/Result.h"
+
+/// Standard output and standard error of the commands, and Ctrl-C.
+namespace app {
+
+void print(const std::string& text);                          // to standard output
+void printLine(const std::string& line);                      // idem, with a line end
+void printError(const std::string& line);                     // to standard error
+void printDiagnostics(const base::Diagnostics& diagnostics);  // a line each, to standard error
+
+/// From now on Ctrl-C and SIGTERM only set a flag (a second one ends the program at once).
+void catchInterrupts();
+bool wasInterrupted();
+
+/// A line on standard error that is renewed in place; silent unless that is a terminal.
+class Progress {
+ public:
+  explicit Progress(bool quiet);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  /// Shows "text"; at most ten times a second unless `always`.
+  void show(const std::string& text, bool always = false);
+  bool isVisible() const { return visible_; }
+  /// True when the next show would be drawn: spare the work of making the text otherwise.
+  bool isDue() const;
+
+ private:
+  bool visible_;
+  std::int64_t lastMs_ = -1000;
+  std::size_t width_ = 0;
+};
+
+/// "12 s", "3 min 20 s", "2 h 05 min".
+std::string durationText(double seconds);
+
+}  // namespace app

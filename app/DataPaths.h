@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace app {
+
+/// Folders of the program's own data, found relative to the program: the source tree beside a
+/// build folder, or <prefix>/share/hunavsim after an installation. Empty when there are none.
+std::string shippedMapsFolder();
+
+/// A scenario that comes with the program.
+struct ShippedScenario {
+  std::string name;  // file name without .yaml
+  std::string path;
+};
+std::vector<ShippedScenario> shippedScenarios();  // by name
+
+/// The scenario opened when none is named.
+std::string demoScenarioPath();
+
+std::string programPath();     // of the running executable
+std::string programVersion();  // "0.1.0"
+std::string programCommit();   // of the source tree it was built from, or "unknown"
+
+}  // namespace app

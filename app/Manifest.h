@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "app/Preparation.h"
+#include "sim2d/trace/Trace.h"
+#include "sim2d/world/Runner.h"
+
+namespace app {
+
+/// A file that was read, with its SHA-256.
+nlohmann::ordered_json inputJson(const std::string& path);
+
+/// manifest.json of a run: what it came from, what it was set to, how it ended.
+std::string runManifest(const Preparation& preparation, const sim2d::TraceHeader& header,
+                        const sim2d::RunResult& result,
+                        const std::vector<std::string>& commandLine);
+
+/// Makes the folder; an error if it cannot be made or written to.
+base::Diagnostics checkWritableFolder(const std::string& folder);
+
+}  // namespace app

@@ -1,0 +1,113 @@
+#include "app/Preparation.h"
+
+#include "app/DataPaths.h"
+#include "bt/human/TreeBehavior.h"
+#include "editor/document/QtImageLoader.h"
+
+namespace app {
+
+namespace {
+
+sim2d::FilePlaces placesOf(const RunOptions& options) {
+  sim2d::FilePlaces places;
+  places.scenarioPath = options.scenario;
+  places.mapOption = options.map;
+  places.treesOption = options.trees;
+  places.shippedMaps = shippedMapsFolder();
+  return places;
+}
+
+sim2d::KnownNames knownNames() {
+  sim2d::KnownNames names;
+  names.models = sim2d::modelNames();
+  names.planners = sim2d::plannerNames();
+  names.robotTypes = sim2d::robotTypeNames();
+  return names;
+}
+
+bool readMapOf(Preparation& preparation, const sim2d::FilePlaces& places) {
+  const sim2d::Scenario& scenario = *preparation.scenario;
+  const base::Result<std::string> path = sim2d::findMap(scenario, places);
+  base::append(preparation.diagnostics, path.diagnostics());
+  if (!path || path->empty()) {
+    return bool(path);
+  }
+  base::Result<sim2d::MapFile> file =
+      readMapFile(*path, scenario.desktop.mapRule.value_or("humble"));
+  base::append(preparation.diagnostics, file.diagnostics());
+  if (!file) {
+    return false;
+  }
+  preparation.inputs.push_back(file->path);
+  preparation.inputs.push_back(file->imagePath);
+  preparation.map = std::move(file->grid);
+  return true;
+}
+
+void findTrees(Preparation& preparation, const sim2d::FilePlaces& places) {
+  for (const sim2d::Human& human : preparation.scenario->humans) {
+    if (!human.listed) {
+      continue;
+    }
+    const std::string path = sim2d::findTree(*preparation.scenario, human, places);
+    preparation.treePaths[human.name] = path;
+    if (!path.empty()) {
+      preparation.inputs.push_back(path);
+    }
+  }
+}
+
+}  // namespace
+
+base::Result<sim2d::MapFile> readMapFile(const std::string& path, const std::string& rule) {
+  return sim2d::readMap(path, editor::loadMapImage,
+                        rule == "main" ? sim2d::MapRule::Main : sim2d::MapRule::Humble);
+}
+
+Preparation prepare(const RunOptions& options, const sim2d::Compatibility& compatibility) {
+  Preparation preparation;
+  preparation.compatibility = compatibility;
+  preparation.inputs.push_back(options.scenario);
+  sim2d::ScenarioReading reading = sim2d::readScenario(options.scenario);
+  preparation.diagnostics = reading.diagnostics;
+  if (reading.ok()) {
+    preparation.wrongWords = applyOptions(reading.scenario, options, compatibility);
+  }
+  preparation.scenario = std::make_shared<const sim2d::Scenario>(std::move(reading.scenario));
+  if (!reading.ok() || base::hasErrors(preparation.wrongWords)) {
+    return preparation;
+  }
+  const sim2d::FilePlaces places = placesOf(options);
+  const bool hasMap = readMapOf(preparation, places);
+  findTrees(preparation, places);
+  if (hasMap) {
+    const sim2d::Surroundings surroundings =
+        sim2d::makeSurroundings(*preparation.scenario, preparation.map);
+    base::Diagnostics meaning =
+        sim2d::checkScenario(*preparation.scenario, surroundings, options.scenario, knownNames());
+    sim2d::addLines(meaning, reading.lines);
+    base::append(preparation.diagnostics, meaning);
+  }
+  base::Diagnostics trees;
+  bt::makeTreeBehavior(*preparation.scenario, preparation.treePaths, trees);
+  base::append(preparation.diagnostics, trees);
+  return preparation;
+}
+
+base::Result<std::unique_ptr<sim2d::World>> makeWorld(const Preparation& preparation,
+                                                      const RunOptions& options) {
+  base::Diagnostics known;  // told by prepare
+  sim2d::WorldSetup setup;
+  setup.scenario = preparation.scenario;
+  setup.map = preparation.map;
+  setup.compatibility = preparation.compatibility;
+  setup.threads = options.threads;
+  setup.exact = options.exact;
+  setup.behavior = bt::makeTreeBehavior(*preparation.scenario, preparation.treePaths, known);
+  if (!setup.behavior) {
+    return known;
+  }
+  return sim2d::World::create(std::move(setup));
+}
+
+}  // namespace app

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <cmath>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include <QByteArray>
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QString>
+#include <QStringList>
+
+/// The program from outside, and its files read by code of the tests' own (none of the program's),
+/// so that numbers can be recomputed independently.
+namespace outside {
+
+struct Finished {
+  int exitCode = -1;
+  QString out, err;
+};
+
+inline Finished runProgram(const QStringList& words, const QString& folder = {}) {
+  QProcess process;
+  if (!folder.isEmpty()) {
+    process.setWorkingDirectory(folder);
+  }
+  process.start(QStringLiteral(HUNAVSIM_PROGRAM), words);
+  Finished finished;
+  if (process.waitForFinished(55000) && process.exitStatus() == QProcess::NormalExit) {
+    finished.exitCode = process.exitCode();
+  }
+  finished.out = QString::fromUtf8(process.readAllStandardOutput());
+  finished.err = QString::fromUtf8(process.readAllStandardError());
+  return finished;
+}
+
+inline QByteArray bytesOf(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// Rows of a CSV file without quoted line breaks, as column -> text.
+inline std::vector<std::map<QString, QString>> readCsv(const QString& path) {
+  std::vector<std::map<QString, QString>> rows;
+  const QStringList lines = QString::fromUtf8(bytesOf(path)).split(QLatin1Char('\n'));
+  const QStringList header = lines.value(0).split(QLatin1Char(','));
+  for (int k = 1; k < lines.size(); ++k) {
+    if (lines[k].isEmpty()) {
+      continue;
+    }
+    const QStringList fields = lines[k].split(QLatin1Char(','));
+    std::map<QString, QString> row;
+    for (int column = 0; column < header.size(); ++column) {
+      row[header[column]] = fields.value(column);
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+struct Body {
+  int id = 0;
+  double x = 0, y = 0, heading = 0, vx = 0, vy = 0, omega = 0;
+  int group = -1;
+};
+struct Sample {
+  double time = 0;
+  std::vector<Body> people;
+  std::optional<Body> robot;
+};
+
+inline std::vector<Sample> readTrajectory(const QString& path) {
+  std::vector<Sample> samples;
+  QString last;
+  for (const auto& row : readCsv(path)) {
+    const auto number = [&row](const char* column) {
+      return row.at(QString::fromLatin1(column)).toDouble();
+    };
+    if (row.at(QStringLiteral("step")) != last) {
+      last = row.at(QStringLiteral("step"));
+      samples.emplace_back();
+      samples.back().time = number("time");
+    }
+    const Body body{static_cast<int>(number("id")),
+                    number("x"),
+                    number("y"),
+                    number("heading"),
+                    number("vx"),
+                    number("vy"),
+                    number("omega"),
+                    static_cast<int>(number("group"))};
+    if (row.at(QStringLiteral("kind")) == QLatin1String("robot")) {
+      if (!samples.back().robot) {
+        samples.back().robot = body;
+      }
+    } else {
+      samples.back().people.push_back(body);
+    }
+  }
+  return samples;
+}
+
+inline double turn(double angle) {
+  return std::remainder(angle, 2.0 * std::acos(-1.0));
+}
+
+}  // namespace outside

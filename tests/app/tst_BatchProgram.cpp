@@ -1,0 +1,104 @@
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "tests/app/RunFiles.h"
+
+/// `hunavsim batch` from outside.
+class BatchProgramTest : public QObject {
+  Q_OBJECT
+
+ private:
+  static void write(const QString& path, const char* text) {
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(text);
+  }
+  static outside::Finished batch(const QString& experiment, const QString& folder, int jobs) {
+    return outside::runProgram({QStringLiteral("batch"), experiment, QStringLiteral("-o"), folder,
+                                QStringLiteral("--jobs"), QString::number(jobs)});
+  }
+
+ private Q_SLOTS:
+  void batch_jobs_sameBytesAndOrder() {
+    QTemporaryDir folder;
+    const QString experiment = folder.filePath(QStringLiteral("seeds.yaml"));
+    write(experiment,
+          "hunavsim_experiment: 1\n"
+          "scenarios: [corner_cafe_agents]\n"
+          "seeds: 3\n"
+          "duration: 5.0\n"
+          "values:\n"
+          "  \"*.max_vel\": [1.0, 1.4]\n");
+    const QString one = folder.filePath(QStringLiteral("one"));
+    const QString two = folder.filePath(QStringLiteral("two"));
+    const outside::Finished first = batch(experiment, one, 1);
+    QVERIFY2(first.exitCode == 0, qPrintable(first.err));
+    QCOMPARE(batch(experiment, two, 2).exitCode, 0);
+    for (const char* name : {"/results.csv", "/manifest.json"}) {
+      const QByteArray bytes = outside::bytesOf(one + QString::fromLatin1(name));
+      QVERIFY(!bytes.isEmpty());
+      QVERIFY2(bytes == outside::bytesOf(two + QString::fromLatin1(name)), name);
+    }
+    const auto rows = outside::readCsv(one + QStringLiteral("/results.csv"));
+    QCOMPARE(rows.size(), std::size_t{6});
+    const char* speeds[] = {"1.0", "1.0", "1.0", "1.4", "1.4", "1.4"};
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      QCOMPARE(rows[k].at(QStringLiteral("run")).toInt(), static_cast<int>(k));
+      QCOMPARE(rows[k].at(QStringLiteral("seed")).toInt(), static_cast<int>(k % 3) + 1);
+      QCOMPARE(rows[k].at(QStringLiteral("*.max_vel")), QString::fromLatin1(speeds[k]));
+      QCOMPARE(rows[k].at(QStringLiteral("status")), QStringLiteral("ok"));
+      QCOMPARE(rows[k].at(QStringLiteral("simulated")).toDouble(), 5.0);
+      QVERIFY(rows[k].at(QStringLiteral("path_length")).toDouble() > 1.0);
+    }
+    QVERIFY(!QDir(one + QStringLiteral("/runs")).exists());  // record: metrics
+  }
+
+  void batch_failedRun_isARowWithItsReason() {
+    QTemporaryDir folder;
+    const QString experiment = folder.filePath(QStringLiteral("walls.yaml"));
+    write(experiment,
+          "hunavsim_experiment: 1\n"
+          "scenarios: [corner_cafe_agents]\n"
+          "duration: 1.0\n"
+          "record: failed\n"
+          "values:\n"
+          "  Ana.init_pose.x: [7.35, -40.0]\n");  // the second stands far outside
+    const QString out = folder.filePath(QStringLiteral("out"));
+    const outside::Finished found = batch(experiment, out, 2);
+    QVERIFY2(found.exitCode == 1, qPrintable(found.err));
+    const auto rows = outside::readCsv(out + QStringLiteral("/results.csv"));
+    QCOMPARE(rows.size(), std::size_t{2});
+    QCOMPARE(rows[0].at(QStringLiteral("status")), QStringLiteral("ok"));
+    QCOMPARE(rows[1].at(QStringLiteral("status")), QStringLiteral("failed"));
+    QVERIFY(!rows[1].at(QStringLiteral("reason")).isEmpty());
+  }
+
+  void batch_wrongExperiment_saysEveryProblem() {
+    QTemporaryDir folder;
+    const QString experiment = folder.filePath(QStringLiteral("bad.yaml"));
+    write(experiment,
+          "hunavsim_experiment: 1\n"
+          "scenarios: [no_such_place]\n"
+          "seed: 3\n"
+          "duration: soon\n");
+    const outside::Finished found = batch(experiment, folder.filePath(QStringLiteral("out")), 1);
+    QCOMPARE(found.exitCode, 2);
+    QVERIFY2(found.err.contains(QStringLiteral("bad.yaml:2:13: error:")), qPrintable(found.err));
+    QVERIFY2(found.err.contains(QStringLiteral("did you mean 'seeds'")), qPrintable(found.err));
+    QVERIFY2(found.err.contains(QStringLiteral("bad.yaml:4:11: error: duration")),
+             qPrintable(found.err));
+    QVERIFY(!QDir(folder.filePath(QStringLiteral("out"))).exists());
+  }
+
+  void check_experiment_isFine() {
+    QTemporaryDir folder;
+    const QString experiment = folder.filePath(QStringLiteral("fine.yaml"));
+    write(experiment, "hunavsim_experiment: 1\nscenarios: [corner_cafe_agents]\nseeds: [3, 7]\n");
+    const outside::Finished found = outside::runProgram({QStringLiteral("check"), experiment});
+    QVERIFY2(found.exitCode == 0, qPrintable(found.err));
+    QVERIFY(found.out.contains(QStringLiteral("0 errors")));
+  }
+};
+
+QTEST_GUILESS_MAIN(BatchProgramTest)
+#include "tst_BatchProgram.moc"

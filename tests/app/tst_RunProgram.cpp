@@ -1,0 +1,396 @@
+#include <algorithm>
+#include <limits>
+
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "sim2d/scenario/ScenarioFile.h"
+#include "tests/app/RunFiles.h"
+
+using outside::Body;
+using outside::Sample;
+
+namespace {
+
+const double kPi = std::acos(-1.0);
+
+QString interop() {
+  const QString folder =
+      qEnvironmentVariable("HUNAV_INTEROP_DIR", QStringLiteral(SOURCE_DIR "/../shared/interop"));
+  return QDir(folder).absoluteFilePath(QStringLiteral("hunavsim2"));
+}
+
+QJsonObject readJson(const QString& path) {
+  return QJsonDocument::fromJson(outside::bytesOf(path)).object();
+}
+
+double hypot2(double x, double y) {
+  return std::sqrt(x * x + y * y);
+}
+
+/// Everything of a run folder that the recomputation needs, read by code of this test.
+struct Run {
+  std::vector<Sample> samples;
+  std::map<int, double> radius;
+  std::map<int, int> group;
+  double robotRadius = 0, goalX = 0, goalY = 0, goalRadius = 0;
+  bool hasGoal = false;
+  QJsonObject metrics;
+
+  explicit Run(const QString& folder) {
+    samples = outside::readTrajectory(folder + QStringLiteral("/trajectory.csv"));
+    metrics = readJson(folder + QStringLiteral("/metrics.json"))
+                  .value(QStringLiteral("metrics"))
+                  .toObject();
+    const QJsonObject header = readJson(folder + QStringLiteral("/trace.json"));
+    for (const QJsonValue& value : header[QStringLiteral("humans")].toArray()) {
+      const QJsonObject human = value.toObject();
+      radius[human[QStringLiteral("id")].toInt()] = human[QStringLiteral("radius")].toDouble();
+    }
+    const QJsonArray robots = header[QStringLiteral("robots")].toArray();
+    if (robots.isEmpty()) {
+      return;
+    }
+    const QJsonObject robot = robots[0].toObject();
+    robotRadius = robot[QStringLiteral("radius")].toDouble();
+    const QJsonArray goals = robot[QStringLiteral("goals")].toArray();
+    if (!goals.isEmpty()) {
+      const QJsonObject goal = goals[0].toObject();
+      hasGoal = true;
+      goalX = goal[QStringLiteral("x")].toDouble();
+      goalY = goal[QStringLiteral("y")].toDouble();
+      goalRadius = goal[QStringLiteral("radius")].toDouble();
+    }
+  }
+
+  double gap(const Sample& sample, const Body& person) const {
+    return hypot2(sample.robot->x - person.x, sample.robot->y - person.y) - robotRadius -
+           radius.at(person.id);
+  }
+  double closest(const Sample& sample) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Body& person : sample.people) {
+      least = std::min(least, std::max(0.0, gap(sample, person)));
+    }
+    return least;
+  }
+  double toGoal(const Sample& sample) const {
+    return hypot2(sample.robot->x - goalX, sample.robot->y - goalY);
+  }
+};
+
+/// Keys 1 to 15 by the written formulas of the corrected profile.
+std::map<QString, double> recompute(const Run& run) {
+  std::map<QString, double> value;
+  const auto set = [&value](const char* key, double number) {
+    value[QString::fromLatin1(key)] = number;
+  };
+  const std::size_t count = run.samples.size();
+  double length = 0, turning = 0, closestSum = 0, least = 1e300, most = 0, nearestGoal = 1e300;
+  double withPeople = 0, bands[3] = {0, 0, 0}, groupBands[3] = {0, 0, 0};
+  const double edges[4] = {-1.0, 0.45, 1.2, 3.6};
+  for (std::size_t i = 0; i < count; ++i) {
+    const Sample& sample = run.samples[i];
+    const Body& robot = *sample.robot;
+    if (i > 0) {
+      const Body& before = *run.samples[i - 1].robot;
+      length += hypot2(robot.x - before.x, robot.y - before.y);
+      turning += std::fabs(outside::turn(robot.heading - before.heading));
+    }
+    nearestGoal = std::min(nearestGoal, run.toGoal(sample));
+    std::map<int, std::vector<Body>> groups;
+    for (const Body& person : sample.people) {
+      least = std::min(least, std::max(0.0, run.gap(sample, person)));
+      most = std::max(most, run.gap(sample, person));
+      if (person.group != -1) {
+        groups[person.group].push_back(person);
+      }
+    }
+    if (!sample.people.empty()) {
+      const double closest = run.closest(sample);
+      closestSum += closest;
+      withPeople += 1;
+      for (int band = 0; band < 3; ++band) {
+        bands[band] += closest >= edges[band] && closest < edges[band + 1] ? 1 : 0;
+      }
+    }
+    double groupDistance = 1e300;
+    for (const auto& [id, members] : groups) {
+      if (members.size() < 2) {
+        continue;
+      }
+      double x = 0, y = 0;
+      for (const Body& member : members) {
+        x += member.x + 1.5 * std::cos(member.heading);
+        y += member.y + 1.5 * std::sin(member.heading);
+      }
+      const double n = static_cast<double>(members.size());
+      const double distance = hypot2(robot.x - x / n, robot.y - y / n) - run.robotRadius;
+      groupDistance = std::min(groupDistance, std::max(0.0, distance));
+    }
+    for (int band = 0; band < 3; ++band) {
+      groupBands[band] += groupDistance >= edges[band] && groupDistance < edges[band + 1] ? 1 : 0;
+    }
+  }
+  const double n = static_cast<double>(count);
+  const auto isInside = [&run](const Sample& s) { return run.toGoal(s) - run.goalRadius < 0.3; };
+  const bool completed = isInside(run.samples.back());
+  if (completed) {
+    std::size_t first = count - 1;
+    while (first > 0 && isInside(run.samples[first - 1])) {
+      --first;
+    }
+    set("time_to_reach_goal", run.samples[first].time - run.samples[0].time);
+  }
+  set("path_length", length);
+  set("cumulative_heading_changes", turning);
+  set("avg_distance_to_closest_person", closestSum / withPeople);
+  set("minimum_distance_to_people", least);
+  set("maximum_distance_to_people", std::max(0.0, most));
+  const char* names[3] = {"intimate", "personal", "social"};
+  for (int band = 0; band < 3; ++band) {
+    set(qPrintable(QString::fromLatin1(names[band]) + QStringLiteral("_space_intrusions")),
+        100.0 * bands[band] / n);
+    set(qPrintable(QStringLiteral("group_") + QString::fromLatin1(names[band]) +
+                   QStringLiteral("_space_intrusions")),
+        100.0 * groupBands[band] / n);
+  }
+  set("completed", completed ? 1 : 0);
+  set("minimum_distance_to_target", nearestGoal);
+  set("final_distance_to_target", run.toGoal(run.samples.back()));
+  return value;
+}
+
+}  // namespace
+
+/// `hunavsim run` from outside: files, numbers, invariants.
+class RunProgramTest : public QObject {
+  Q_OBJECT
+
+ private:
+  /// Robot start and goal that are not in anybody's way: two global goals of the file.
+  static QStringList robotWords(const sim2d::Scenario& scenario) {
+    for (const sim2d::Robot& robot : scenario.robots) {
+      if (robot.listed) {
+        return {};
+      }
+    }
+    const sim2d::Vec2 start = scenario.goals.front().position;
+    const sim2d::Vec2 goal = scenario.goals.back().position;
+    const auto text = [](double number) { return QString::number(number, 'g', 17); };
+    return {QStringLiteral("--robot-start"),
+            text(start.x()) + QLatin1Char(' ') + text(start.y()) + QStringLiteral(" 0"),
+            QStringLiteral("--robot-goal"), text(goal.x()) + QLatin1Char(' ') + text(goal.y())};
+  }
+
+  static void compareMetrics(const Run& run) {
+    for (const auto& [key, expected] : recompute(run)) {
+      const QJsonValue value = run.metrics[key].toObject()[QStringLiteral("value")];
+      const double found = value.isBool() ? (value.toBool() ? 1.0 : 0.0) : value.toDouble(-1e9);
+      QVERIFY2(
+          std::fabs(found - expected) <= 1e-9 * std::max(1.0, std::fabs(expected)),
+          qPrintable(QStringLiteral("%1: %2, recomputed %3").arg(key).arg(found).arg(expected)));
+    }
+  }
+
+  static void checkOverlaps(const Run& run) {
+    double deepest = 0;
+    for (const Sample& sample : run.samples) {
+      std::vector<Body> bodies = sample.people;
+      for (std::size_t i = 0; i < bodies.size(); ++i) {
+        for (std::size_t j = i + 1; j < bodies.size(); ++j) {
+          const double reach = run.radius.at(bodies[i].id) + run.radius.at(bodies[j].id);
+          deepest = std::max(deepest,
+                             reach - hypot2(bodies[i].x - bodies[j].x, bodies[i].y - bodies[j].y));
+        }
+        if (sample.robot) {
+          deepest = std::max(deepest, -run.gap(sample, bodies[i]));
+        }
+      }
+    }
+    QVERIFY2(deepest <= 0.05, qPrintable(QStringLiteral("overlap of %1 m").arg(deepest)));
+  }
+
+  /// Centres are never in a cell of the map that is dark in the picture file itself.
+  static void checkWalls(const Run& run, const QString& mapYaml) {
+    const QString text = QString::fromUtf8(outside::bytesOf(mapYaml));
+    const auto field = [&text](const char* key) {
+      const QRegularExpression line(QString::fromLatin1(key) + QStringLiteral(":\\s*(\\S.*)"));
+      return line.match(text).captured(1).trimmed();
+    };
+    const QString folder = QFileInfo(mapYaml).absolutePath() + QLatin1Char('/');
+    const QImage image(folder + field("image"));
+    QVERIFY2(!image.isNull(), qPrintable(mapYaml));
+    const double resolution = field("resolution").toDouble();
+    const QStringList origin =
+        field("origin").remove(QLatin1Char('[')).remove(QLatin1Char(']')).split(QLatin1Char(','));
+    for (const Sample& sample : run.samples) {
+      for (const Body& person : sample.people) {
+        const int column =
+            static_cast<int>(std::floor((person.x - origin[0].toDouble()) / resolution));
+        const int row =
+            static_cast<int>(std::floor((person.y - origin[1].toDouble()) / resolution));
+        const QPoint pixel(column, image.height() - 1 - row);
+        QVERIFY2(
+            !image.rect().contains(pixel) || qGray(image.pixel(pixel)) > 50,
+            qPrintable(QStringLiteral("%1 in a wall at %2 s").arg(person.id).arg(sample.time)));
+      }
+    }
+  }
+
+  static void checkGoals(const QString& folder, const sim2d::Scenario& scenario) {
+    std::map<int, std::vector<int>> reached;
+    for (const auto& row : outside::readCsv(folder + QStringLiteral("/events.csv"))) {
+      if (row.at(QStringLiteral("kind")) == QLatin1String("goal") &&
+          row.at(QStringLiteral("id")).toInt() >= 0) {
+        reached[row.at(QStringLiteral("id")).toInt()].push_back(
+            row.at(QStringLiteral("text")).toInt());
+      }
+    }
+    for (const sim2d::Human& human : scenario.humans) {
+      if (!human.listed || human.goals.empty()) {
+        continue;
+      }
+      const std::vector<int>& found = reached[human.id];
+      for (std::size_t k = 0; k < found.size(); ++k) {
+        QCOMPARE(found[k], human.goals[k % human.goals.size()]);
+      }
+      if (human.cyclicGoals.value_or(true) && human.goals.size() >= 2) {
+        QVERIFY2(found.size() >= 2, human.name.c_str());
+      }
+    }
+  }
+
+ private Q_SLOTS:
+  void run_scenario_filesAgreeWithThemselves_data() {
+    QTest::addColumn<QString>("scenario");
+    QTest::addColumn<QString>("map");
+    QTest::addColumn<bool>("goalsFromFile");  // no reaction holds people up for long
+    QTest::newRow("demo") << QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml")
+                          << QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe.yaml")
+                          << false;
+    const QString root = interop() + QLatin1Char('/');
+    const auto row = [&root](const char* scenario, const char* map, bool goals) {
+      QTest::newRow(scenario) << root + QString::fromLatin1(scenario)
+                              << root + QString::fromLatin1(map) << goals;
+    };
+    row("isaac/scenarios/warehouse_agents.yaml", "isaac/maps/warehouse.yaml", true);
+    row("isaac_docker_branch/config/agents_warehouse.yaml", "isaac/maps/warehouse.yaml", true);
+    row("gazebo_classic/scenarios/agents_cafe.yaml", "gazebo_classic/maps/cafe.yaml", false);
+    row("gazebo_classic/scenarios/agents_house.yaml", "gazebo_classic/maps/house.yaml", true);
+    row("gazebo_classic/scenarios/agents_warehouse.yaml", "gazebo_classic/maps/warehouse.yaml",
+        true);
+    row("gazebo_fortress/scenarios/cafe_agents.yaml", "gazebo_classic/maps/cafe.yaml", true);
+    row("gazebo_fortress/scenarios/agents2_cafe.yaml", "gazebo_classic/maps/cafe.yaml", true);
+    row("gazebo_fortress/scenarios/agents_test.yaml", "gazebo_classic/maps/cafe.yaml", false);
+    row("hunav_sim_v1/config/agents.yaml", "hunav_sim_v1/maps/map_cafe2.yaml", false);
+    row("hunav_sim_2024/config/agents.yaml", "hunav_sim_v1/maps/map_cafe2.yaml", false);
+    row("hunav_sim_2024/config/agents_house.yaml", "hunav_sim_v1/maps/small_house.yaml", false);
+    row("hunav_sim_2024/config/agents_warehouse.yaml", "hunav_sim_v1/maps/small_warehouse.yaml",
+        false);
+    row("third_party_fork/config/default_agents.yaml", "hunav_sim_v1/maps/map_cafe2.yaml", false);
+  }
+  void run_scenario_filesAgreeWithThemselves() {
+    QFETCH(QString, scenario);
+    QFETCH(QString, map);
+    QFETCH(bool, goalsFromFile);
+    if (!QFile::exists(scenario)) {
+      QSKIP("the files of the original are not here (HUNAV_INTEROP_DIR)");
+    }
+    const sim2d::ScenarioReading reading = sim2d::readScenario(scenario.toStdString());
+    QVERIFY(reading.ok());
+    QTemporaryDir folder;
+    const QStringList words = QStringList{QStringLiteral("run"),        scenario,
+                                          QStringLiteral("--map"),      map,
+                                          QStringLiteral("--duration"), QStringLiteral("60")} +
+                              robotWords(reading.scenario);
+    const QString first = folder.filePath(QStringLiteral("first"));
+    const QString second = folder.filePath(QStringLiteral("second"));
+    const outside::Finished a =
+        outside::runProgram(words + QStringList{QStringLiteral("-o"), first});
+    QVERIFY2(a.exitCode == 0, qPrintable(a.err));
+    QVERIFY(a.out.trimmed().split(QLatin1Char('\n')).last().contains(QStringLiteral("real time")));
+    QCOMPARE(outside::runProgram(words + QStringList{QStringLiteral("-o"), second}).exitCode, 0);
+    for (const char* name :
+         {"trajectory.csv", "events.csv", "trees.csv", "trace.json", "metrics.csv"}) {
+      const QString file = QLatin1Char('/') + QString::fromLatin1(name);
+      QVERIFY2(!outside::bytesOf(first + file).isEmpty(), name);
+      QVERIFY2(outside::bytesOf(first + file) == outside::bytesOf(second + file), name);
+    }
+    const Run run(first);
+    QCOMPARE(run.samples.size(), std::size_t{1201});
+    compareMetrics(run);
+    checkOverlaps(run);
+    checkWalls(run, map);
+    if (goalsFromFile) {
+      checkGoals(first, reading.scenario);
+    }
+  }
+
+  void run_personInsideWall_saysWhatTheFormatDemands() {
+    const QString scenario =
+        interop() + QStringLiteral("/third_party_fork/config/custom_agents.yaml");
+    if (!QFile::exists(scenario)) {
+      QSKIP("the files of the original are not here (HUNAV_INTEROP_DIR)");
+    }
+    const QString map = interop() + QStringLiteral("/hunav_sim_v1/maps/small_warehouse.yaml");
+    const outside::Finished found =
+        outside::runProgram({QStringLiteral("run"), scenario, QStringLiteral("--map"), map});
+    QVERIFY2(found.err.contains(QStringLiteral("-1.207")), qPrintable(found.err));
+    QVERIFY(found.exitCode == 0 || found.exitCode == 2);
+  }
+
+  void run_withoutRobot_peopleOnlyAndReasons() {
+    QTemporaryDir folder;
+    const QString scenario = QStringLiteral(TEST_DATA_DIR "/scenario/people_only.yaml");
+    const QString out = folder.filePath(QStringLiteral("out"));
+    const outside::Finished found =
+        outside::runProgram({QStringLiteral("run"), scenario, QStringLiteral("--map"),
+                             QStringLiteral("none"), QStringLiteral("-o"), out});
+    QVERIFY2(found.exitCode == 0, qPrintable(found.err));
+    const QJsonObject metrics = readJson(out + QStringLiteral("/metrics.json"));
+    const QJsonObject length =
+        metrics[QStringLiteral("metrics")].toObject()[QStringLiteral("path_length")].toObject();
+    QVERIFY(length[QStringLiteral("value")].isNull());
+    QVERIFY(!length[QStringLiteral("why")].toString().isEmpty());
+  }
+
+  void run_wrongInput_exitCodesAndMessages_data() {
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<int>("exitCode");
+    QTest::addColumn<QString>("message");
+    const QString demo = QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
+    const auto row = [](const char* name, const QStringList& words, int code, const char* message) {
+      QTest::newRow(name) << words << code << QString::fromLatin1(message);
+    };
+    const auto text = [](const char* word) { return QString::fromLatin1(word); };
+    row("unknown option", {text("run"), demo, text("--sed"), text("3")}, 64, "--sed");
+    row("no scenario", {text("run")}, 64, "scenario");
+    row("unknown command", {text("lst"), text("nodes"), text("x")}, 64, "");
+    row("bad pose", {text("run"), demo, text("--robot-start"), text("1 2")}, 64, "three numbers");
+    row("bad dt", {text("run"), demo, text("--dt"), text("10")}, 64, "0.001");
+    row("bad quirk", {text("run"), demo, text("--compat"), text("Q-99")}, 64, "Q-99");
+    row("no file", {text("run"), text("/nowhere/x.yaml")}, 2, "/nowhere/x.yaml");
+    row("folder", {text("run"), QStringLiteral(SOURCE_DIR "/maps")}, 2, "maps");
+    row("no map", {text("run"), demo, text("--map"), text("/nowhere/m.yaml")}, 2, "m.yaml");
+    row("unknown metric", {text("run"), demo, text("--metrics"), text("path_lenght")}, 64,
+        "path_length");
+    row("unknown set", {text("run"), demo, text("--set"), text("Ana.max_vell=1.0")}, 64, "max_vel");
+    row("no permission", {text("run"), demo, text("-o"), text("/proc/here")}, 2, "/proc/here");
+  }
+  void run_wrongInput_exitCodesAndMessages() {
+    QFETCH(QStringList, words);
+    QFETCH(int, exitCode);
+    QFETCH(QString, message);
+    const outside::Finished found = outside::runProgram(words);
+    QVERIFY2(found.exitCode == exitCode, qPrintable(found.err + QString::number(found.exitCode)));
+    QVERIFY2(found.err.contains(message), qPrintable(found.err));
+  }
+};
+
+QTEST_GUILESS_MAIN(RunProgramTest)
+#include "tst_RunProgram.moc"
