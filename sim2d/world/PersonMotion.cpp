@@ -6,10 +6,12 @@
 namespace sim2d {
 namespace {
 
-constexpr double kSlowestTurn = 0.07;    // [m/s]; slower people keep their heading
-constexpr double kTurnRate = base::kPi;  // [rad/s]
-constexpr double kReach = 5.0;           // [m]; obstacles act up to here
-constexpr std::size_t kSmallCrowd = 64;  // up to here everybody feels everybody
+constexpr double kSlowestTurn = 0.07;       // [m/s]; slower people keep their heading
+constexpr double kTurnRate = base::kPi;     // [rad/s]
+constexpr double kReach = 5.0;              // [m]; obstacles act up to here
+constexpr double kTouching = 1.0;           // [m]; walls nearer to the body can be run into
+constexpr std::size_t kWorthThreads = 200;  // people; fewer are not worth waking threads
+constexpr std::size_t kSmallCrowd = 64;     // up to here everybody feels everybody
 
 double turned(double heading, double towards, double most) {
   const double turn = base::angleDiff(towards, heading);
@@ -24,35 +26,112 @@ bool isWalking(const Intent& intent) {
 
 /// The others as all people of this step see them.
 struct PersonMotion::Crowd {
-  Crowd(const FrozenWorld& world, const Ways& ways) : obstacles(world.obstacles) {
-    const WorldState& state = world.state;
-    for (std::size_t i = 0; i < state.present.size(); ++i) {
-      const ResolvedHuman& person = world.model.people[i].constants;
-      walkers.push_back({person.id, state.position(i), state.velocity(i), person.radius});
-      room.push_back(state.present[i] != 0 ? ways.clearance(walkers[i].position) : 0.0);
-      if (state.present[i] != 0) {
-        ++count;
-        fastest = std::max(fastest, walkers[i].velocity.norm());
-        if (state.controls[i].group >= 0) {
-          groups[state.controls[i].group].push_back(i);
-        }
-      }
-    }
-    for (std::size_t i = 0; i < state.robots.size(); ++i) {
-      const ResolvedRobot& robot = world.model.robots[i];
-      robots.push_back(
-          {robot.id, state.robots[i].pose.position, state.robots[i].velocity, reachOf(robot)});
-    }
-  }
+  Crowd(const FrozenWorld& frozen, const Ways& ways);
 
-  const Obstacles& obstacles;
+  /// What of the others, robots and walls acts on one person.
+  Situation situationOf(std::size_t human, const Intent& intent,
+                        const std::vector<Obstacles::Point>& walls) const;
+  bool isVisible(std::size_t human, const Vec2& point) const;
+
+  const FrozenWorld& world;
   std::vector<Walker> walkers;
   std::vector<double> room;  // of each person to the next wall [m]
   std::vector<Walker> robots;
   std::map<int, std::vector<std::size_t>> groups;
   std::size_t count = 0;
   double fastest = 0.0;  // [m/s]
+
+ private:
+  void addOthers(std::size_t human, Situation& situation) const;
+  void addRobots(const Intent& intent, Situation& situation) const;
 };
+
+PersonMotion::Crowd::Crowd(const FrozenWorld& frozen, const Ways& ways) : world(frozen) {
+  const WorldState& state = world.state;
+  for (std::size_t i = 0; i < state.present.size(); ++i) {
+    const ResolvedHuman& person = world.model.people[i].constants;
+    walkers.push_back({person.id, state.position(i), state.velocity(i), person.radius});
+    room.push_back(state.present[i] != 0 ? ways.clearance(walkers[i].position) : 0.0);
+    if (state.present[i] != 0) {
+      ++count;
+      fastest = std::max(fastest, walkers[i].velocity.norm());
+      if (state.controls[i].group >= 0) {
+        groups[state.controls[i].group].push_back(i);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < state.robots.size(); ++i) {
+    const ResolvedRobot& robot = world.model.robots[i];
+    robots.push_back(
+        {robot.id, state.robots[i].pose.position, state.robots[i].velocity, reachOf(robot)});
+  }
+}
+
+Situation PersonMotion::Crowd::situationOf(std::size_t human, const Intent& intent,
+                                           const std::vector<Obstacles::Point>& walls) const {
+  const HumanControl& control = world.state.controls[human];
+  const double speed = intent.motion == Motion::Walk
+                           ? intent.speed
+                           : world.model.people[human].constants.desiredSpeed;
+  Situation situation;
+  situation.self = walkers[human];
+  situation.desiredSpeed = control.frozen ? 0.0 : speed < 0.0 ? 0.0 : speed;
+  situation.dt = world.model.dt;
+  situation.exact = world.model.exact;
+  if (world.model.obstaclePoints == ObstaclePoints::Rays) {
+    world.obstacles.rayPoints(situation.self.position, situation.obstacles);
+  } else {
+    situation.obstacles = walls;
+  }
+  addOthers(human, situation);
+  addRobots(intent, situation);
+  if (control.group >= 0) {
+    for (const std::size_t member : groups.at(control.group)) {
+      if (member != human) {
+        situation.group.push_back(walkers[member]);
+      }
+    }
+  }
+  return situation;
+}
+
+void PersonMotion::Crowd::addOthers(std::size_t human, Situation& situation) const {
+  if (world.model.exact || count <= kSmallCrowd) {
+    for (std::size_t i = 0; i < walkers.size(); ++i) {
+      if (i != human && world.state.present[i] != 0) {
+        situation.others.push_back(walkers[i]);
+      }
+    }
+    return;
+  }
+  const double range =
+      world.model.people[human].model->range(fastest, situation.self.velocity.norm());
+  world.grid.forEachNear(situation.self.position, range, [&](int other) {
+    if (static_cast<std::size_t>(other) != human) {
+      situation.others.push_back(walkers[static_cast<std::size_t>(other)]);
+    }
+  });
+}
+
+void PersonMotion::Crowd::addRobots(const Intent& intent, Situation& situation) const {
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    if (intent.robot == RobotTreatment::Pedestrian) {
+      situation.others.push_back(robots[i]);
+      continue;
+    }
+    const Obstacles::Point point =
+        nearestPointOf(world.model.robots[i], world.state.robots[i].pose, situation.self.position);
+    if (point.distance < kReach) {
+      situation.obstacles.push_back(point);
+    }
+  }
+}
+
+/// Within the free room round a person nothing can be in between.
+bool PersonMotion::Crowd::isVisible(std::size_t human, const Vec2& point) const {
+  const Vec2& eye = walkers[human].position;
+  return (point - eye).norm() < room[human] || world.obstacles.isVisible(eye, point);
+}
 
 void PersonMotion::resize(std::size_t count) {
   routes_.resize(count);
@@ -68,9 +147,16 @@ void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, Way
                            WorldState& state) {
   chooseLegs(world, intents, ways, state);
   const Crowd crowd(world, ways);
-  for (std::size_t human = 0; human < wanted_.size(); ++human) {
+  const std::function<void(std::size_t)> moveOne = [&](std::size_t human) {
     if (state.present[human] != 0) {
       move(human, world, intents, crowd);
+    }
+  };
+  if (crowd.count >= kWorthThreads) {
+    workers_.forEach(wanted_.size(), moveOne);
+  } else {
+    for (std::size_t human = 0; human < wanted_.size(); ++human) {
+      moveOne(human);
     }
   }
   for (std::size_t human = 0; human < wanted_.size(); ++human) {
@@ -113,69 +199,21 @@ void PersonMotion::move(std::size_t human, const FrozenWorld& world, const Inten
                         const Crowd& crowd) {
   const Intent& intent = intents.of(static_cast<int>(human));
   const Person& person = world.model.people[human];
-  const HumanControl& control = world.state.controls[human];
   WantedMotion& wanted = wanted_[human];
   wanted.velocity = Vec2::Zero();
   wanted.forces = ForceTerms{};
   wanted.looksAhead = isWalking(intent);
   wanted.walls.clear();
-  const bool raysAct = world.model.obstaclePoints == ObstaclePoints::Rays;
-  const double near = person.constants.radius + 1.0;
+  const bool wallsAct = isWalking(intent) && world.model.obstaclePoints == ObstaclePoints::Boundary;
   world.obstacles.boundaryPoints(crowd.walkers[human].position, wanted.walls,
-                                 isWalking(intent) && !raysAct ? kReach : near);
+                                 wallsAct ? kReach : person.constants.radius + kTouching);
   if (!isWalking(intent)) {
     return;
   }
-  Situation situation;
-  situation.self = crowd.walkers[human];
+  Situation situation = crowd.situationOf(human, intent, wanted.walls);
   situation.direction = directions_[human];
-  const double speed = intent.motion == Motion::Walk ? intent.speed : person.constants.desiredSpeed;
-  situation.desiredSpeed = control.frozen ? 0.0 : std::max(speed, 0.0);
-  situation.dt = world.model.dt;
-  situation.exact = world.model.exact;
-  if (raysAct) {
-    world.obstacles.rayPoints(situation.self.position, situation.obstacles);
-  } else {
-    situation.obstacles = wanted.walls;
-  }
-  const bool feelsAll = situation.exact || crowd.count <= kSmallCrowd;
-  if (feelsAll) {
-    for (std::size_t i = 0; i < crowd.walkers.size(); ++i) {
-      if (i != human && world.state.present[i] != 0) {
-        situation.others.push_back(crowd.walkers[i]);
-      }
-    }
-  } else {
-    const double range = person.model->range(crowd.fastest, situation.self.velocity.norm());
-    world.grid.forEachNear(situation.self.position, range, [&](int other) {
-      if (static_cast<std::size_t>(other) != human) {
-        situation.others.push_back(crowd.walkers[static_cast<std::size_t>(other)]);
-      }
-    });
-  }
-  for (std::size_t i = 0; i < crowd.robots.size(); ++i) {
-    if (intent.robot == RobotTreatment::Pedestrian) {
-      situation.others.push_back(crowd.robots[i]);
-      continue;
-    }
-    const Obstacles::Point point =
-        nearestPointOf(world.model.robots[i], world.state.robots[i].pose, situation.self.position);
-    if (point.distance < kReach) {
-      situation.obstacles.push_back(point);
-    }
-  }
-  if (control.group >= 0) {
-    for (const std::size_t member : crowd.groups.at(control.group)) {
-      if (member != human) {
-        situation.group.push_back(crowd.walkers[member]);
-      }
-    }
-  }
-  const double room = crowd.room[human];
-  const std::function<bool(const Vec2&, const Vec2&)> isVisible = [&](const Vec2& from,
-                                                                      const Vec2& to) {
-    return (to - from).norm() < room || crowd.obstacles.isVisible(from, to);
-  };
+  const std::function<bool(const Vec2&, const Vec2&)> isVisible =
+      [&](const Vec2& /*own*/, const Vec2& other) { return crowd.isVisible(human, other); };
   situation.isVisible = &isVisible;
   wanted.forces = person.model->forces(situation);
   if (intent.motion == Motion::Walk) {

@@ -4,6 +4,7 @@
 
 #include "sim2d/world/NeighborGrid.h"
 #include "sim2d/world/RouteFollower.h"
+#include "sim2d/world/WorkerPool.h"
 #include "sim2d/world/WorldState.h"
 
 namespace sim2d {
@@ -27,6 +28,9 @@ struct WantedMotion {
 /// From intents to wanted velocities: ways, forces, the model of each person.
 class PersonMotion {
  public:
+  /// The result is the same for every number of threads.
+  explicit PersonMotion(int threadCount) : workers_(threadCount) {}
+
   /// One entry per person of the model.
   void resize(std::size_t count);
   void forget(int human);  // of a person who enters: an old way
@@ -41,6 +45,7 @@ class PersonMotion {
   void move(std::size_t human, const FrozenWorld& world, const Intents& intents,
             const Crowd& crowd);
 
+  WorkerPool workers_;
   std::vector<RouteFollower> routes_;
   std::vector<Vec2> directions_;
   std::vector<WantedMotion> wanted_;

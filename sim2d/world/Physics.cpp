@@ -7,6 +7,8 @@
 #include <box2d/b2_distance.h>
 #include <box2d/box2d.h>
 
+#include "sim2d/world/ConvexPieces.h"
+
 namespace sim2d {
 namespace {
 
@@ -14,7 +16,6 @@ constexpr int kVelocityIterations = 8;
 constexpr int kPositionIterations = 6;
 constexpr double kApart = 0.02;           // [m]; a touch ends beyond
 constexpr double kRounding = 2e-5;        // [m]; what single precision may be off
-constexpr double kSmallestPiece = 1e-5;   // [m²]; smaller pieces of a footprint are left out
 constexpr float kShortestEdge = 0.0075F;  // Box2D wants more than its slop between corners [m]
 
 std::tuple<int, int, int> keyOf(const Touch& touch) {
@@ -23,54 +24,6 @@ std::tuple<int, int, int> keyOf(const Touch& touch) {
 
 bool byKey(const Touch& a, const Touch& b) {
   return keyOf(a) < keyOf(b);
-}
-
-bool isConvex(const std::vector<Vec2>& points) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec2& a = points[i];
-    const Vec2& b = points[(i + 1) % points.size()];
-    const Vec2& c = points[(i + 2) % points.size()];
-    if (base::cross(b - a, c - b) < 0.0) {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool isEar(const std::vector<Vec2>& points, std::size_t at) {
-  const std::size_t count = points.size();
-  const std::vector<Vec2> ear = {points[(at + count - 1) % count], points[at],
-                                 points[(at + 1) % count]};
-  if (base::cross(ear[1] - ear[0], ear[2] - ear[1]) <= 0.0) {
-    return false;
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    const bool isCorner = i == at || i == (at + 1) % count || i == (at + count - 1) % count;
-    if (!isCorner && isInside(ear, points[i])) {
-      return false;
-    }
-  }
-  return true;
-}
-
-/// Convex pieces of at most 8 corners: ears are cut off until the rest is one.
-std::vector<std::vector<Vec2>> convexPieces(std::vector<Vec2> rest) {
-  std::vector<std::vector<Vec2>> pieces;
-  while (rest.size() > 3 && (rest.size() > b2_maxPolygonVertices || !isConvex(rest))) {
-    std::size_t ear = 0;
-    while (ear + 1 < rest.size() && !isEar(rest, ear)) {
-      ++ear;
-    }
-    const std::size_t count = rest.size();
-    pieces.push_back({rest[(ear + count - 1) % count], rest[ear], rest[(ear + 1) % count]});
-    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(ear));
-  }
-  pieces.push_back(std::move(rest));
-  const auto isSliver = [](const std::vector<Vec2>& piece) {
-    return signedArea(piece) < kSmallestPiece;
-  };
-  pieces.erase(std::remove_if(pieces.begin(), pieces.end(), isSliver), pieces.end());
-  return pieces;
 }
 
 }  // namespace
@@ -139,14 +92,16 @@ void Physics::World::addFixtures(b2Body& body, const BodySpec& spec) const {
   b2FixtureDef definition;
   definition.friction = 0.0F;
   definition.density = 1.0F;
+  definition.filter.groupIndex = spec.passesItsKind ? -1 : 0;
   if (spec.footprint.empty()) {
     b2CircleShape circle;
     circle.m_radius = static_cast<float>(spec.radius);
     definition.shape = &circle;
     body.CreateFixture(&definition);
   }
-  for (const std::vector<Vec2>& piece :
-       spec.footprint.empty() ? std::vector<std::vector<Vec2>>{} : convexPieces(spec.footprint)) {
+  for (const std::vector<Vec2>& piece : spec.footprint.empty()
+                                            ? std::vector<std::vector<Vec2>>{}
+                                            : convexPieces(spec.footprint, b2_maxPolygonVertices)) {
     std::vector<b2Vec2> corners;
     for (const Vec2& point : piece) {
       corners.emplace_back(static_cast<float>(point.x()), static_cast<float>(point.y()));

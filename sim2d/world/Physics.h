@@ -13,7 +13,8 @@ struct BodySpec {
   double radius = 0.35;  // [m]
   double mass = 80.0;    // [kg]
   std::vector<Vec2> footprint;
-  bool keepsHeading = true;  // people: contacts do not turn them
+  bool keepsHeading = false;   // people: contacts do not turn them
+  bool passesItsKind = false;  // bodies that have this pass through each other
 };
 
 /// Two bodies, or a body and a part of the surroundings, that touch after the step.

@@ -99,7 +99,7 @@ bool Population::addCopy(Source& source, WorldModel& model, WorldState& state, W
   Human copy = *source.like;
   copy.id = id;
   copy.name = area.name + "_" + std::to_string(source.arrived + 1);
-  person.constants = resolveHuman(*model.scenario, copy, static_cast<long long>(model.seed));
+  person.constants = resolvePerson(model, copy);
   const base::AgentRng rng(model.seed, id, static_cast<std::uint64_t>(state.step));
   for (std::uint32_t trial = 0; trial < kPlaceTrials; ++trial) {
     const Vec2 place = drawnPlace(area, rng, 2 * trial);

@@ -28,7 +28,8 @@ struct WorldSetup {
 };
 
 /// The running world. One step (fixed dt):
-///  1 queued inputs (doors that toggle, people who start, sources)
+///  1 inputs whose time has come (doors that toggle, people who start, sources); they are seen in
+///    the frame of that very time
 ///  2 neighbour grid from the frozen state
 ///  3 HumanBehavior::decide in id order -> intents
 ///  4 robots: observation -> controller -> Twist2

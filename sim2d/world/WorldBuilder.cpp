@@ -64,7 +64,7 @@ void addPeople(const WorldSetup& setup, WorldModel& model, base::Diagnostics& pr
   for (const Human* human : listed) {
     Person person;
     person.definition = human;
-    person.constants = resolveHuman(*setup.scenario, *human, static_cast<long long>(model.seed));
+    person.constants = resolvePerson(model, *human);
     checkPerson(person.constants, human->key, problems);
     if (!model.people.empty() && model.people.back().constants.id == human->id) {
       problems.push_back(
@@ -137,8 +137,7 @@ void addAreas(const Scenario& scenario, WorldModel& model, base::Diagnostics& pr
                                 (area.like ? ": '" + *area.like + "'" : "")),
                 area.key));
     } else {
-      checkPerson(resolveHuman(scenario, *like, static_cast<long long>(model.seed)), like->key,
-                  problems);
+      checkPerson(resolvePerson(model, *like), like->key, problems);
     }
   }
 }
@@ -152,6 +151,7 @@ void fillModel(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& pr
   model.seed = static_cast<std::uint64_t>(scenario.desktop.seed.value_or(1));
   model.threads = std::max(1, setup.threads);
   model.exact = setup.exact;
+  model.peoplePass = setup.compatibility.hunav2();
   model.obstaclePoints = scenario.desktop.obstaclePoints.value_or(ObstaclePoints::Boundary);
   if (!(model.dt >= 0.001 && model.dt <= 0.1)) {
     problems.push_back(

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
+#include "sim2d/world/WorldFrame.h"
 #include "sim2d/world/WorldHeader.h"
 
 namespace sim2d {
@@ -40,10 +40,6 @@ bool isSound(const Vec2& velocity) {
   return velocity.allFinite() && velocity.norm() <= kFastest;
 }
 
-bool precedes(const Event& a, const Event& b) {
-  return std::make_tuple(a.kind, a.hasId ? a.id : 0) < std::make_tuple(b.kind, b.hasId ? b.id : 0);
-}
-
 }  // namespace
 
 World::State::State(WorldParts parts, std::unique_ptr<HumanBehavior> minds)
@@ -54,6 +50,7 @@ World::State::State(WorldParts parts, std::unique_ptr<HumanBehavior> minds)
       view(model, state, grid, surroundings.obstacles, *ways),
       intents(state.controls),
       behavior(std::move(minds)),
+      motion(model.threads),
       doors(model),
       population(model),
       robots(std::move(parts.controllers)),
@@ -79,7 +76,7 @@ void World::State::addRobotBodies() {
     start.pose = robot.start;
     start.pose.heading = base::wrapToPi(robot.start.heading);
     state.robots.push_back(start);
-    physics.addBody({start.pose, robot.radius, robot.mass, robot.footprint, false}, true);
+    physics.addBody({start.pose, robot.radius, robot.mass, robot.footprint}, true);
     owners.push_back({true, static_cast<int>(owners.size())});
     subSteps_ = robot.footprint.empty() ? subSteps_ : kPolygonSubSteps;
   }
@@ -275,7 +272,8 @@ std::vector<DiscPair> World::State::pairsNear(const std::vector<MovingDisc>& dis
     const double range = discs[body].radius + largest + 2.0 * fastest * model.dt + 0.01;
     grid.forEachNear(discs[body].position, range, [&](int human) {
       const int other = bodyOf(static_cast<std::size_t>(human));
-      if (owner.isRobot || other > static_cast<int>(body)) {
+      const bool isDone = !owner.isRobot && (model.peoplePass || other <= static_cast<int>(body));
+      if (!isDone) {
         pairs.push_back({static_cast<int>(body), other});
       }
     });
@@ -318,54 +316,13 @@ void World::State::readRobots(const std::vector<base::Twist2>& commands) {
 }
 
 void World::State::publish() {
-  frame = Frame{};
-  frame.step = state.step;
-  frame.time = state.time;
-  for (std::size_t i = 0; i < model.people.size(); ++i) {
-    if (state.present[i] == 0) {
-      continue;
-    }
-    HumanColumns& humans = frame.humans;
-    const HumanControl& control = state.controls[i];
-    humans.id.push_back(model.people[i].constants.id);
-    humans.x.push_back(state.x[i]);
-    humans.y.push_back(state.y[i]);
-    humans.heading.push_back(state.heading[i]);
-    humans.vx.push_back(state.vx[i]);
-    humans.vy.push_back(state.vy[i]);
-    humans.omega.push_back(state.omega[i]);
-    humans.group.push_back(control.group >= 0 ? control.group : -1);
-    humans.state.push_back(static_cast<std::uint8_t>(state.active[i]));
-    const bool hasGoal = !control.goals.empty() && control.goals.front().id > 0;
-    humans.goal.push_back(hasGoal ? control.goals.front().id : kNoGoal);
-    if (state.step > 0) {
-      const ForceTerms& forces = motion.wanted()[i].forces;
-      frame.forces.goal.push_back(forces.goal);
-      frame.forces.social.push_back(forces.social);
-      frame.forces.obstacle.push_back(forces.obstacle);
-      frame.forces.group.push_back(forces.group);
-    }
-  }
+  frame = makeFrame(model, state, motion.wanted());
   for (std::size_t i = 0; i < state.robots.size(); ++i) {
-    const RobotState& robot = state.robots[i];
-    const ResolvedRobot& constants = model.robots[i];
-    frame.robots.id.push_back(constants.id);
-    frame.robots.x.push_back(robot.pose.position.x());
-    frame.robots.y.push_back(robot.pose.position.y());
-    frame.robots.heading.push_back(robot.pose.heading);
-    frame.robots.vx.push_back(robot.velocity.x());
-    frame.robots.vy.push_back(robot.velocity.y());
-    frame.robots.omega.push_back(robot.omega);
-    const int goal = robot.goal < constants.goals.size() ? constants.goalIds[robot.goal] : 0;
-    frame.robots.goal.push_back(goal > 0 ? goal : kNoGoal);
     frame.robotPaths.push_back(robots.path(i, model, state));
   }
-  std::stable_sort(state.events.begin(), state.events.end(), precedes);
-  frame.events = state.events;
   if (state.step > 0) {
     behavior->takeTreeChanges(frame.treeChanges);
   }
-  frame.doorOpen = state.doorOpen;
 }
 
 }  // namespace sim2d

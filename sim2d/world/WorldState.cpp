@@ -27,6 +27,21 @@ void WorldState::emit(EventKind kind, int id, std::string text) {
   events.push_back(std::move(event));
 }
 
+ResolvedHuman resolvePerson(const WorldModel& model, const Human& human) {
+  const Scenario& scenario = *model.scenario;
+  ResolvedHuman person = resolveHuman(scenario, human, static_cast<long long>(model.seed));
+  if (!model.compatibility.hunav2()) {
+    return person;
+  }
+  if (!scenario.desktop.model && !human.ours.model) {
+    person.model = "sfm-hunav2";
+  }
+  if (!scenario.desktop.route && !human.ours.route) {
+    person.route = Route::Direct;
+  }
+  return person;
+}
+
 double reachOf(const ResolvedRobot& robot) {
   double reach = robot.footprint.empty() ? robot.radius : 0.0;
   for (const Vec2& corner : robot.footprint) {

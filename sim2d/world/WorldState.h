@@ -28,6 +28,7 @@ struct WorldModel {
   std::uint64_t seed = 1;
   int threads = 1;
   bool exact = false;
+  bool peoplePass = false;  // through each other, as in the original
   ObstaclePoints obstaclePoints = ObstaclePoints::Boundary;
   std::deque<Person> people;          // references stay valid
   std::vector<ResolvedRobot> robots;  // -1, -2 …
@@ -66,6 +67,10 @@ struct WorldState {
   void append(const Person& person);
   void emit(EventKind kind, int id, std::string text = {});
 };
+
+/// What counts for a person in this run; with all of the original also its model and straight ways,
+/// unless the scenario says otherwise.
+ResolvedHuman resolvePerson(const WorldModel& model, const Human& human);
 
 /// The footprint's, or the disc's, largest extent from the centre [m].
 double reachOf(const ResolvedRobot& robot);

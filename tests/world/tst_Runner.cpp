@@ -19,6 +19,8 @@ class RunnerTest : public QObject {
   void run_diverged_failsWithTheReason();
   void run_twice_givesEqualTraces();
   void run_peopleListedInAnotherOrder_givesAnEqualTrace();
+  void run_threads_giveEqualTraces();
+  void run_asTheOriginal_passesThroughEachOther();
 };
 
 namespace {
@@ -115,6 +117,51 @@ void RunnerTest::run_peopleListedInAnotherOrder_givesAnEqualTrace() {
   std::reverse(shuffled.humans.begin(), shuffled.humans.end());
   std::swap(shuffled.humans[1], shuffled.humans[4]);
   QVERIFY(hashOf(traceOf(crossing(), 300)) == hashOf(traceOf(shuffled, 300)));
+}
+
+void RunnerTest::run_threads_giveEqualTraces() {
+  Scenario scenario;
+  addGoal(scenario, 1, 40.0, 0.0);
+  addGoal(scenario, 2, -40.0, 0.0);
+  addWall(scenario, {Vec2(-30.0, 12.0), Vec2(30.0, 12.0)});
+  for (int i = 0; i < 240; ++i) {
+    addPerson(scenario, i, Vec2(-24.0 + 2.0 * (i % 24), -10.0 + 2.0 * (i / 24)), {i % 2 + 1});
+  }
+  std::vector<std::uint64_t> hashes;
+  for (const int threads : {1, 2, 8}) {
+    WorldSetup setup;
+    setup.scenario = std::make_shared<const Scenario>(scenario);
+    setup.behavior = std::make_unique<ScriptedBehavior>();
+    setup.threads = threads;
+    base::Result<std::unique_ptr<World>> world = World::create(std::move(setup));
+    QVERIFY(world);
+    Recorder recorder;
+    run(**world, {40, false}, recorder);
+    hashes.push_back(hashOf(recorder.finish((*world)->header())));
+  }
+  QCOMPARE(hashes[1], hashes[0]);
+  QCOMPARE(hashes[2], hashes[0]);
+}
+
+void RunnerTest::run_asTheOriginal_passesThroughEachOther() {
+  Scenario scenario;
+  addGoal(scenario, 1, 8.0, 0.0);
+  addGoal(scenario, 2, -8.0, 0.0);
+  addPerson(scenario, 1, Vec2(-4.0, 0.0), {1});
+  addPerson(scenario, 2, Vec2(4.0, 0.0), {2});
+  WorldSetup setup;
+  setup.scenario = std::make_shared<const Scenario>(scenario);
+  setup.behavior = std::make_unique<ScriptedBehavior>();
+  setup.compatibility = *Compatibility::parse("hunav2");
+  base::Result<std::unique_ptr<World>> world = World::create(std::move(setup));
+  QVERIFY(world);
+  double least = 1e9;
+  advance(**world, 200, [&](const Frame& frame) {
+    least = std::min(least, (positionOf(frame, 0) - positionOf(frame, 1)).norm());
+    QCOMPARE(frame.humans.y[0], 0.0);  // nobody gives way
+  });
+  QVERIFY2(least < 0.1, qPrintable(QString::number(least)));
+  QVERIFY((*world)->header().humans[0].model == "sfm-hunav2");
 }
 
 QTEST_APPLESS_MAIN(RunnerTest)

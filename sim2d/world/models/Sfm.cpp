@@ -10,18 +10,24 @@ constexpr double kNegligible = 1e-4;     // of k_s: smaller terms of a crowd are
 constexpr std::size_t kSmallCrowd = 64;  // up to here every pair is summed
 constexpr double kStandingSpeed = 1e-3;  // [m/s]; who brakes below this stands
 
-ForceParameters parametersOf(const ResolvedHuman& person) {
+/// What the original does otherwise: no side preference, forces through walls, one explicit step,
+/// and who brakes never quite stands.
+enum class Kind { Mended, Original };
+
+ForceParameters parametersOf(const ResolvedHuman& person, Kind kind) {
   ForceParameters parameters;
+  parameters.epsilon = kind == Kind::Original ? 0.0 : parameters.epsilon;
   parameters.goalFactor = person.goalFactor;
   parameters.obstacleFactor = person.obstacleFactor;
   parameters.socialFactor = person.socialFactor;
   return parameters;
 }
 
-/// The social force model of HuNavSim with its numerical faults mended.
+/// The social force model of HuNavSim, with its numerical faults mended or as it was.
 class Sfm : public PedestrianModel {
  public:
-  explicit Sfm(const ResolvedHuman& person) : parameters_(parametersOf(person)) {}
+  Sfm(const ResolvedHuman& person, Kind kind)
+      : parameters_(parametersOf(person, kind)), isOriginal_(kind == Kind::Original) {}
 
   ForceTerms forces(const Situation& situation) const override {
     ForceTerms terms;
@@ -39,7 +45,7 @@ class Sfm : public PedestrianModel {
     if (speed > situation.desiredSpeed) {
       return wanted * (situation.desiredSpeed / speed);
     }
-    if (situation.direction.isZero(0.0) && speed < kStandingSpeed) {
+    if (!isOriginal_ && situation.direction.isZero(0.0) && speed < kStandingSpeed) {
       return Vec2::Zero();
     }
     return wanted;
@@ -58,7 +64,8 @@ class Sfm : public PedestrianModel {
         continue;
       }
       const Vec2 force = socialForce(parameters_, situation.self, other);
-      if (!force.isZero(0.0) && (*situation.isVisible)(situation.self.position, other.position)) {
+      if (!force.isZero(0.0) &&
+          (isOriginal_ || (*situation.isVisible)(situation.self.position, other.position))) {
         sum += force;
       }
     }
@@ -69,7 +76,7 @@ class Sfm : public PedestrianModel {
   /// One sub-step, that is the force itself, while dt <= tau / k_g.
   Vec2 goalTerm(const Situation& situation, const Vec2& otherTerms) const {
     const double rate = parameters_.goalFactor / parameters_.relaxationTime;
-    const double wanted = std::ceil(situation.dt * rate - 1e-9);
+    const double wanted = isOriginal_ ? 1.0 : std::ceil(situation.dt * rate - 1e-9);
     const int count = static_cast<int>(std::clamp(wanted, 1.0, 1000.0));
     const double subStep = situation.dt / count;
     Vec2 velocity = situation.self.velocity;
@@ -84,13 +91,17 @@ class Sfm : public PedestrianModel {
   }
 
   ForceParameters parameters_;
+  bool isOriginal_;
 };
 
 }  // namespace
 
 void addSfm(ModelRegistry& to);
 void addSfm(ModelRegistry& to) {
-  to.add("sfm", [](const ResolvedHuman& person) { return std::make_unique<Sfm>(person); });
+  to.add("sfm",
+         [](const ResolvedHuman& person) { return std::make_unique<Sfm>(person, Kind::Mended); });
+  to.add("sfm-hunav2",
+         [](const ResolvedHuman& person) { return std::make_unique<Sfm>(person, Kind::Original); });
 }
 
 }  // namespace sim2d

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace sim2d {
+
+/// Threads that share out a loop. Used by one thread at a time; the work may not throw.
+class WorkerPool {
+ public:
+  /// `threadCount` includes the caller; 1: no threads at all.
+  explicit WorkerPool(int threadCount);
+  ~WorkerPool();
+  WorkerPool(const WorkerPool&) = delete;
+  WorkerPool& operator=(const WorkerPool&) = delete;
+
+  /// Calls work(i) once for each i below `count`, in any order, and returns when all are done.
+  void forEach(std::size_t count, const std::function<void(std::size_t)>& work);
+
+ private:
+  void serve(std::size_t share);
+  void doShare(std::size_t share);
+
+  std::mutex mutex_;
+  std::condition_variable begin_, done_;
+  const std::function<void(std::size_t)>* work_ = nullptr;
+  std::size_t count_ = 0;
+  std::size_t round_ = 0;    // of the current loop
+  std::size_t running_ = 0;  // threads that have not finished it
+  bool stops_ = false;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace sim2d

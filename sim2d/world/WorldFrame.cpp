@@ -1,0 +1,70 @@
+#include "sim2d/world/WorldFrame.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace sim2d {
+namespace {
+
+bool precedes(const Event& a, const Event& b) {
+  return std::make_tuple(a.kind, a.hasId ? a.id : 0) < std::make_tuple(b.kind, b.hasId ? b.id : 0);
+}
+
+void appendPerson(const WorldModel& model, const WorldState& state, std::size_t i,
+                  HumanColumns& humans) {
+  const HumanControl& control = state.controls[i];
+  humans.id.push_back(model.people[i].constants.id);
+  humans.x.push_back(state.x[i]);
+  humans.y.push_back(state.y[i]);
+  humans.heading.push_back(state.heading[i]);
+  humans.vx.push_back(state.vx[i]);
+  humans.vy.push_back(state.vy[i]);
+  humans.omega.push_back(state.omega[i]);
+  humans.group.push_back(control.group >= 0 ? control.group : -1);
+  humans.state.push_back(static_cast<std::uint8_t>(state.active[i]));
+  const bool hasGoal = !control.goals.empty() && control.goals.front().id > 0;
+  humans.goal.push_back(hasGoal ? control.goals.front().id : kNoGoal);
+}
+
+void appendRobot(const ResolvedRobot& constants, const RobotState& robot, RobotColumns& robots) {
+  robots.id.push_back(constants.id);
+  robots.x.push_back(robot.pose.position.x());
+  robots.y.push_back(robot.pose.position.y());
+  robots.heading.push_back(robot.pose.heading);
+  robots.vx.push_back(robot.velocity.x());
+  robots.vy.push_back(robot.velocity.y());
+  robots.omega.push_back(robot.omega);
+  const int goal = robot.goal < constants.goals.size() ? constants.goalIds[robot.goal] : 0;
+  robots.goal.push_back(goal > 0 ? goal : kNoGoal);
+}
+
+}  // namespace
+
+Frame makeFrame(const WorldModel& model, const WorldState& state,
+                const std::vector<WantedMotion>& wanted) {
+  Frame frame;
+  frame.step = state.step;
+  frame.time = state.time;
+  for (std::size_t i = 0; i < model.people.size(); ++i) {
+    if (state.present[i] == 0) {
+      continue;
+    }
+    appendPerson(model, state, i, frame.humans);
+    if (state.step > 0) {
+      const ForceTerms& forces = wanted[i].forces;
+      frame.forces.goal.push_back(forces.goal);
+      frame.forces.social.push_back(forces.social);
+      frame.forces.obstacle.push_back(forces.obstacle);
+      frame.forces.group.push_back(forces.group);
+    }
+  }
+  for (std::size_t i = 0; i < state.robots.size(); ++i) {
+    appendRobot(model.robots[i], state.robots[i], frame.robots);
+  }
+  frame.events = state.events;
+  std::stable_sort(frame.events.begin(), frame.events.end(), precedes);
+  frame.doorOpen = state.doorOpen;
+  return frame;
+}
+
+}  // namespace sim2d

@@ -1,0 +1,231 @@
+#include <algorithm>
+#include <cmath>
+
+#include <QtTest>
+
+#include "sim2d/world/ConvexPieces.h"
+#include "sim2d/world/NeighborGrid.h"
+#include "sim2d/world/Physics.h"
+#include "sim2d/world/Sensing.h"
+#include "sim2d/world/Separation.h"
+#include "sim2d/world/WorkerPool.h"
+#include "tests/world/TestWorld.h"
+
+using namespace testworld;
+
+class WorldPartsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void neighborGrid_anyPlace_findsWhomAFullSearchFinds();
+  void neighborGrid_nobody_findsNobody();
+  void keepApart_headOn_leavesTheGap();
+  void keepApart_chainAtAWall_stopsAll();
+  void keepApart_slidingAlong_losesNothing();
+  void physics_untouched_movesInDouble();
+  void physics_pressedIntoAWall_staysOutside();
+  void physics_touches_beginAndLast();
+  void convexPieces_polygon_coverItsArea();
+  void isInView_behindOrHidden_isFalse();
+  void scan_wallsAndBodies_givesDistances();
+  void workerPool_eachIndex_isDoneOnce();
+  void compatibility_parse_knowsWhatCanBeSwitched();
+  void names_forLists_areThere();
+};
+
+namespace {
+
+Obstacles withBox() {
+  Obstacles obstacles;
+  obstacles.add({boxOutline({Vec2(5.0, 0.0), 0.0}, 2.0, 2.0)});
+  obstacles.build();
+  return obstacles;
+}
+
+MovingDisc disc(const Vec2& position, const Vec2& velocity) {
+  MovingDisc result;
+  result.position = position;
+  result.velocity = velocity;
+  result.radius = 0.4;
+  return result;
+}
+
+}  // namespace
+
+void WorldPartsTest::neighborGrid_anyPlace_findsWhomAFullSearchFinds() {
+  std::vector<double> x, y;
+  std::vector<char> present;
+  for (int i = 0; i < 300; ++i) {
+    x.push_back(20.0 * std::sin(1.7 * i));
+    y.push_back(9.0 * std::cos(2.9 * i));
+    present.push_back(i % 7 == 0 ? 0 : 1);
+  }
+  NeighborGrid grid;
+  grid.rebuild(x, y, present);
+  for (int i = 0; i < 60; ++i) {
+    const Vec2 centre(25.0 * std::sin(0.9 * i), 15.0 * std::cos(1.1 * i));
+    const double range = 0.5 + 0.3 * i;
+    std::vector<int> found;
+    grid.forEachNear(centre, range, [&](int index) { found.push_back(index); });
+    std::sort(found.begin(), found.end());
+    std::vector<int> expected;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      if (present[k] != 0 && (Vec2(x[k], y[k]) - centre).norm() <= range) {
+        expected.push_back(static_cast<int>(k));
+      }
+    }
+    QVERIFY(found == expected);
+  }
+}
+
+void WorldPartsTest::neighborGrid_nobody_findsNobody() {
+  NeighborGrid grid;
+  grid.rebuild({1.0}, {1.0}, {0});
+  grid.forEachNear(Vec2(1.0, 1.0), 10.0, [](int) { QFAIL("somebody"); });
+}
+
+void WorldPartsTest::keepApart_headOn_leavesTheGap() {
+  std::vector<MovingDisc> discs = {disc({0.0, 0.0}, {1.5, 0.0}), disc({0.9, 0.0}, {-1.5, 0.0})};
+  discs[1].mass = 160.0;
+  keepApart(discs, {{0, 1}}, 0.05);
+  const double closing = discs[0].velocity.x() - discs[1].velocity.x();
+  QVERIFY(std::fabs(closing * 0.05 - 0.102) < 1e-6);  // the gap of 0.1 and 2 mm
+  // What the pair did together stays as it was.
+  QVERIFY(std::fabs(80.0 * discs[0].velocity.x() + 160.0 * discs[1].velocity.x() + 120.0) < 1e-9);
+}
+
+void WorldPartsTest::keepApart_chainAtAWall_stopsAll() {
+  std::vector<MovingDisc> discs;
+  for (int i = 0; i < 3; ++i) {
+    discs.push_back(disc({0.8 * i, 0.0}, {1.5, 0.0}));
+  }
+  Obstacles::Point wall;
+  wall.position = Vec2(2.0, 0.0);
+  wall.distance = 0.4;
+  discs[2].walls.push_back(wall);
+  keepApart(discs, {{0, 1}, {1, 2}}, 0.05);
+  for (const MovingDisc& each : discs) {
+    QVERIFY(each.velocity.x() < 0.25);
+  }
+}
+
+void WorldPartsTest::keepApart_slidingAlong_losesNothing() {
+  std::vector<MovingDisc> discs = {disc({0.0, 0.0}, {0.0, 1.0}), disc({0.8, 0.0}, {0.0, -1.0})};
+  keepApart(discs, {{0, 1}}, 0.05);
+  QVERIFY(discs[0].velocity == Vec2(0.0, 1.0) && discs[1].velocity == Vec2(0.0, -1.0));
+}
+
+void WorldPartsTest::physics_untouched_movesInDouble() {
+  Physics physics(Vec2(100.0, -50.0));
+  const int body = physics.addBody({{Vec2(101.1, -50.3), 0.0}, 0.4, 80.0, {}, true}, true);
+  Vec2 exact(101.1, -50.3);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec2 velocity(1.3 * std::cos(0.01 * i), 1.3 * std::sin(0.01 * i));
+    physics.setVelocity(body, velocity, 0.0);
+    physics.step(0.05);
+    exact += velocity * 0.05;
+  }
+  QVERIFY((physics.pose(body).position - exact).norm() < 2e-3);
+  QVERIFY(physics.velocity(body).norm() > 1.2999);
+}
+
+void WorldPartsTest::physics_pressedIntoAWall_staysOutside() {
+  Physics physics(Vec2::Zero());
+  physics.addPart({boxOutline({Vec2(2.0, 0.0), 0.0}, 1.0, 6.0)}, true);
+  const int body = physics.addBody({{Vec2(0.5, 0.0), 0.0}, 0.4, 80.0, {}, true}, true);
+  for (int i = 0; i < 200; ++i) {
+    physics.setVelocity(body, Vec2(1.0, 0.5), 0.0);
+    physics.step(0.02);
+    QVERIFY(physics.pose(body).position.x() <= 1.1 + 0.03);
+  }
+  QVERIFY(physics.pose(body).position.y() > 1.0);  // slides along
+}
+
+void WorldPartsTest::physics_touches_beginAndLast() {
+  Physics physics(Vec2::Zero());
+  physics.addPart({boxOutline({Vec2(2.0, 0.0), 0.0}, 1.0, 6.0)}, true);
+  const int body = physics.addBody({{Vec2(0.9, 0.0), 0.0}, 0.4, 80.0, {}, true}, true);
+  std::vector<Touch> none;
+  std::vector<Touch> touches;
+  physics.setVelocity(body, Vec2(1.0, 0.0), 0.0);
+  physics.step(0.1);
+  physics.touches(none, touches);
+  physics.step(0.1);
+  physics.touches(none, touches);
+  physics.step(0.1);
+  physics.touches(none, touches);
+  QCOMPARE(touches.size(), std::size_t{1});
+  QCOMPARE(touches[0].part, 0);
+  QVERIFY((touches[0].normal - Vec2(1.0, 0.0)).norm() < 1e-6);
+  physics.setPartEnabled(0, false);
+  for (int i = 0; i < 20; ++i) {
+    physics.setVelocity(body, Vec2(1.0, 0.0), 0.0);
+    physics.step(0.1);
+  }
+  QVERIFY(physics.pose(body).position.x() > 2.0);
+}
+
+void WorldPartsTest::convexPieces_polygon_coverItsArea() {
+  std::vector<Vec2> star;
+  for (int i = 0; i < 20; ++i) {
+    star.push_back((i % 2 == 0 ? 1.0 : 0.5) *
+                   base::directionOf(base::wrapToPi(i * 0.1 * base::kPi)));
+  }
+  double area = 0.0;
+  for (const std::vector<Vec2>& piece : convexPieces(star, 8)) {
+    QVERIFY(piece.size() <= 8);
+    area += signedArea(piece);
+  }
+  QVERIFY(std::fabs(area - signedArea(star)) < 1e-9);
+  QCOMPARE(convexPieces({{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}, 8).size(),
+           std::size_t{1});
+}
+
+void WorldPartsTest::isInView_behindOrHidden_isFalse() {
+  const Obstacles obstacles = withBox();
+  const Pose2 eye{Vec2::Zero(), 0.0};
+  QVERIFY(isInView(eye, Vec2(3.0, 1.0), 5.0, kHalfView, obstacles));
+  QVERIFY(!isInView(eye, Vec2(7.0, 0.0), 10.0, kHalfView, obstacles));   // behind the box
+  QVERIFY(!isInView(eye, Vec2(-3.0, 0.0), 10.0, kHalfView, obstacles));  // behind the back
+  QVERIFY(!isInView(eye, Vec2(3.0, 1.0), 3.0, kHalfView, obstacles));    // too far
+}
+
+void WorldPartsTest::scan_wallsAndBodies_givesDistances() {
+  const std::vector<SeenBody> bodies = {{1, Vec2(0.0, 3.0), Vec2::Zero(), 0.5}};
+  const Scan result = scan({Vec2::Zero(), 0.0}, withBox(), bodies, 4, 10.0);
+  QCOMPARE(result.distances.size(), std::size_t{4});
+  QVERIFY(std::fabs(result.distances[0] - 4.0) < 1e-9);
+  QVERIFY(std::fabs(result.distances[1] - 2.5) < 1e-9);
+  QCOMPARE(result.distances[2], 10.0);
+  QCOMPARE(result.distances[3], 10.0);
+}
+
+void WorldPartsTest::workerPool_eachIndex_isDoneOnce() {
+  WorkerPool pool(3);
+  std::vector<int> done(1000, 0);
+  for (int round = 0; round < 50; ++round) {
+    pool.forEach(done.size(), [&](std::size_t i) { ++done[i]; });
+  }
+  QVERIFY(std::all_of(done.begin(), done.end(), [](int count) { return count == 50; }));
+}
+
+void WorldPartsTest::compatibility_parse_knowsWhatCanBeSwitched() {
+  const base::Result<Compatibility> some = Compatibility::parse("Q-13, q-20");
+  QVERIFY(some && (*some).has(13) && (*some).has(20) && !(*some).has(34) && !(*some).hunav2());
+  QVERIFY((*some).names() == (std::vector<std::string>{"Q-13", "Q-20"}));
+  const base::Result<Compatibility> all = Compatibility::parse("hunav2");
+  QVERIFY(all && (*all).hunav2() && (*all).has(34) && !(*all).has(1));
+  QVERIFY((*all).names().front() == "hunav2");
+  QVERIFY(!Compatibility::parse("Q-01"));  // a crash
+  QVERIFY(!Compatibility::parse("Q-77"));
+  QVERIFY(!Compatibility::parse("hunav3"));
+}
+
+void WorldPartsTest::names_forLists_areThere() {
+  QVERIFY(modelNames() == (std::vector<std::string>{"sfm", "sfm-hunav2"}));
+  QVERIFY(plannerNames() == std::vector<std::string>{"pursuit"});
+  QVERIFY(robotTypeNames() == std::vector<std::string>{"generic"});
+}
+
+QTEST_APPLESS_MAIN(WorldPartsTest)
+#include "tst_WorldParts.moc"
