@@ -103,6 +103,7 @@ void Physics::World::addFixtures(b2Body& body, const BodySpec& spec) const {
                                             ? std::vector<std::vector<Vec2>>{}
                                             : convexPieces(spec.footprint, b2_maxPolygonVertices)) {
     std::vector<b2Vec2> corners;
+    corners.reserve(piece.size());
     for (const Vec2& point : piece) {
       corners.emplace_back(static_cast<float>(point.x()), static_cast<float>(point.y()));
     }

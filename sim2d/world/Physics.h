@@ -34,6 +34,8 @@ class Physics {
   ~Physics();
   Physics(const Physics&) = delete;
   Physics& operator=(const Physics&) = delete;
+  Physics(Physics&&) = delete;
+  Physics& operator=(Physics&&) = delete;
 
   /// A part of the surroundings, numbered from 0; solid on the left of its outlines.
   void addPart(const std::vector<Outline>& outlines, bool enabled);

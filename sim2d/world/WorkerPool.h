@@ -17,6 +17,8 @@ class WorkerPool {
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
+  WorkerPool(WorkerPool&&) = delete;
+  WorkerPool& operator=(WorkerPool&&) = delete;
 
   /// Calls work(i) once for each i below `count`, in any order, and returns when all are done.
   void forEach(std::size_t count, const std::function<void(std::size_t)>& work);

@@ -47,6 +47,8 @@ class World {
   ~World();
   World(const World&) = delete;
   World& operator=(const World&) = delete;
+  World(World&&) = delete;
+  World& operator=(World&&) = delete;
 
   /// False when the run has failed (diverged): `failure` says who and why; the last good state
   /// stays.

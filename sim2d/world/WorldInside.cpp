@@ -121,8 +121,9 @@ void World::State::enter(int human) {
   motion.forget(human);
   goals.enter(human);
   if (bodies_[at] < 0) {
-    bodies_[at] =
-        physics.addBody({start, person.constants.radius, person.constants.mass, {}, true}, true);
+    BodySpec body{start, person.constants.radius, person.constants.mass, {}, true};
+    body.passesItsKind = model.peoplePass;
+    bodies_[at] = physics.addBody(body, true);
     owners.push_back({false, human});
   } else {
     physics.place(bodies_[at], start);

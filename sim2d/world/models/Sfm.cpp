@@ -40,7 +40,7 @@ class Sfm : public PedestrianModel {
   }
 
   Vec2 velocity(const Situation& situation, const ForceTerms& forces) const override {
-    const Vec2 wanted = situation.self.velocity + forces.sum() * situation.dt;
+    Vec2 wanted = situation.self.velocity + forces.sum() * situation.dt;
     const double speed = wanted.norm();
     if (speed > situation.desiredSpeed) {
       return wanted * (situation.desiredSpeed / speed);
