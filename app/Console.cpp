@@ -38,9 +38,11 @@ void printError(const std::string& line) {
   std::cerr << line << '\n';
 }
 
-void printDiagnostics(const base::Diagnostics& diagnostics) {
+void printDiagnostics(const base::Diagnostics& diagnostics, base::Severity least) {
   for (const base::Diagnostic& diagnostic : diagnostics) {
-    printError(diagnostic.text());
+    if (diagnostic.severity >= least) {
+      printError(diagnostic.text());
+    }
   }
 }
 

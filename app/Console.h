@@ -12,7 +12,9 @@ namespace app {
 void print(const std::string& text);                          // to standard output
 void printLine(const std::string& line);                      // idem, with a line end
 void printError(const std::string& line);                     // to standard error
-void printDiagnostics(const base::Diagnostics& diagnostics);  // a line each, to standard error
+/// A line each, to standard error; of `least` severity and above.
+void printDiagnostics(const base::Diagnostics& diagnostics,
+                      base::Severity least = base::Severity::Info);
 
 /// From now on Ctrl-C and SIGTERM only set a flag (a second one ends the program at once).
 void catchInterrupts();

@@ -221,6 +221,24 @@ class RunPainter {
       figures_.person(painter_, figure);
     }
     painter_.restore();
+    label(track, radius);
+  }
+
+  /// The name below the figure, on a halo of the ground.
+  void label(const Track& track, double radius) {
+    const sim2d::TraceHuman* human = person(track.id);
+    const sim2d::TraceRobot* machine = robot(track.id);
+    const QString name = QString::fromStdString(human     ? human->name
+                                                : machine ? machine->name
+                                                          : std::string());
+    painter_.setFont(theme_.font(9.0));
+    const QFontMetricsF metrics(painter_.font());
+    const QPointF end = toPicture(track.points.back());
+    QPainterPath text;
+    text.addText(end.x() - metrics.horizontalAdvance(name) / 2.0, end.y() + radius + 13.0,
+                 painter_.font(), name);
+    painter_.strokePath(text, QPen(theme_.color(Role::MapFree, 0.85), 3.5));
+    painter_.fillPath(text, theme_.color(Role::Text));
   }
 
   void paintGoals() {

@@ -131,7 +131,7 @@ int runCommand(const RunOptions& options, const OutputOptions& output,
   if (!options.output.empty()) {
     base::append(preparation.diagnostics, checkWritableFolder(options.output));
   }
-  printDiagnostics(preparation.diagnostics);
+  printDiagnostics(preparation.diagnostics, base::Severity::Warning);  // hints are for check
   if (!preparation.ok()) {
     return kBadInput;
   }

@@ -172,15 +172,32 @@ class RunProgramTest : public QObject {
   Q_OBJECT
 
  private:
-  /// Robot start and goal that are not in anybody's way: two global goals of the file.
+  /// Robot start and goal: two global goals of the file, the start where most room is.
   static QStringList robotWords(const sim2d::Scenario& scenario) {
     for (const sim2d::Robot& robot : scenario.robots) {
       if (robot.listed) {
         return {};
       }
     }
-    const sim2d::Vec2 start = scenario.goals.front().position;
-    const sim2d::Vec2 goal = scenario.goals.back().position;
+    const auto room = [&scenario](const sim2d::GlobalGoal& goal) {
+      double least = 1e300;
+      for (const sim2d::Human& human : scenario.humans) {
+        if (human.listed) {
+          least = std::min(least, (human.initPose.position - goal.position).norm());
+        }
+      }
+      return least;
+    };
+    sim2d::GlobalGoal from = scenario.goals.front(), to = scenario.goals.front();
+    for (const sim2d::GlobalGoal& place : scenario.goals) {
+      from = room(place) > room(from) ? place : from;
+    }
+    for (const sim2d::GlobalGoal& place : scenario.goals) {
+      to = (place.position - from.position).norm() > (to.position - from.position).norm() ? place
+                                                                                          : to;
+    }
+    const sim2d::Vec2 start = from.position;
+    const sim2d::Vec2 goal = to.position;
     const auto text = [](double number) { return QString::number(number, 'g', 17); };
     return {QStringLiteral("--robot-start"),
             text(start.x()) + QLatin1Char(' ') + text(start.y()) + QStringLiteral(" 0"),

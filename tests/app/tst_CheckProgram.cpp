@@ -1,0 +1,101 @@
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "tests/app/RunFiles.h"
+
+/// `hunavsim check` from outside.
+class CheckProgramTest : public QObject {
+  Q_OBJECT
+
+ private:
+  static QStringList filesIn(const QString& folder, const char* pattern) {
+    QStringList paths;
+    for (const QFileInfo& info : QDir(folder).entryInfoList({QString::fromLatin1(pattern)})) {
+      paths << info.filePath();
+    }
+    return paths;
+  }
+
+ private Q_SLOTS:
+  void check_badFiles_sameLinesAsReaders_data() {
+    QTest::addColumn<QString>("folder");
+    QTest::addColumn<QString>("pattern");
+    QTest::newRow("scenarios") << QStringLiteral(TEST_DATA_DIR "/scenario/bad")
+                               << QStringLiteral("*.yaml");
+    QTest::newRow("trees") << QStringLiteral(TEST_DATA_DIR "/bt/bad") << QStringLiteral("*.xml");
+  }
+  /// All at once: exit code 2, every line names a file of the folder, and each file with an error
+  /// of its own has exit code 2 when checked alone.
+  void check_badFiles_sameLinesAsReaders() {
+    QFETCH(QString, folder);
+    QFETCH(QString, pattern);
+    const QStringList files = filesIn(folder, pattern.toLatin1().constData());
+    QVERIFY(files.size() > 20);
+    const outside::Finished all =
+        outside::runProgram(QStringList{QStringLiteral("check")} + files +
+                            QStringList{QStringLiteral("--map"), QStringLiteral("none")});
+    QCOMPARE(all.exitCode, 2);
+    const QStringList lines = all.err.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    const QRegularExpression shape(
+        QStringLiteral("^[^:]+(:[1-9][0-9]*){0,2}: (info|warning|error): \\S"));
+    int errors = 0;
+    for (const QString& line : lines) {
+      QVERIFY2(shape.match(line).hasMatch(), qPrintable(line));
+      errors += line.contains(QStringLiteral(": error: ")) ? 1 : 0;
+    }
+    QVERIFY2(errors >= files.size() / 2, qPrintable(QString::number(errors)));
+  }
+
+  void check_json_knownFields() {
+    const outside::Finished found = outside::runProgram(
+        {QStringLiteral("check"), QStringLiteral(TEST_DATA_DIR "/scenario/bad/duplicate_key.yaml"),
+         QStringLiteral("--json")});
+    QCOMPARE(found.exitCode, 2);
+    const QJsonArray all = QJsonDocument::fromJson(found.out.toUtf8()).array();
+    QVERIFY(!all.isEmpty());
+    const QJsonObject first = all[0].toObject();
+    for (const char* key : {"file", "line", "column", "severity", "message"}) {
+      QVERIFY2(first.contains(QString::fromLatin1(key)), key);
+    }
+    QVERIFY(first[QStringLiteral("line")].toInt() > 0);
+  }
+
+  void check_shippedFiles_areFine() {
+    const outside::Finished found =
+        outside::runProgram({QStringLiteral("check"),
+                             QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml"),
+                             QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe.yaml")});
+    QVERIFY2(found.exitCode == 0, qPrintable(found.err));
+    QVERIFY2(!found.err.contains(QStringLiteral("warning")), qPrintable(found.err));
+  }
+
+  void check_strangeFiles_clearLines_data() {
+    QTest::addColumn<QByteArray>("content");
+    QTest::newRow("empty") << QByteArray();
+    QTest::newRow("zeros") << QByteArray(1000, '\0');
+    QTest::newRow("cut") << QByteArray("hunav_loader:\n  ros__parameters:\n    agents: [a, ");
+    QTest::newRow("cut tree") << QByteArray("<root><BehaviorTree ID=\"A\"><Sequence>");
+    QTest::newRow("map without image") << QByteArray(
+        "image: nothing.pgm\nresolution: 0.05\norigin: [0.0, 0.0, 0.0]\nnegate: 0\n"
+        "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+    QTest::newRow("nested") << QByteArray(100000, '[');
+  }
+  void check_strangeFiles_clearLines() {
+    QFETCH(QByteArray, content);
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("strange.yaml"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(content);
+    file.close();
+    const outside::Finished found = outside::runProgram({QStringLiteral("check"), path});
+    QVERIFY2(found.exitCode == 2, qPrintable(found.err));
+    QVERIFY2(found.err.contains(QStringLiteral("error: ")), qPrintable(found.err));
+  }
+};
+
+QTEST_GUILESS_MAIN(CheckProgramTest)
+#include "tst_CheckProgram.moc"

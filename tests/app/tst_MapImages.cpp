@@ -1,0 +1,123 @@
+#include <QImage>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "app/Preparation.h"
+#include "editor/document/QtImageLoader.h"
+#include "sim2d/map/MapReader.h"
+#include "sim2d/scenario/ScenarioFile.h"
+
+namespace {
+
+const char* const kYaml =
+    "image: map.png\nresolution: 0.05\norigin: [0.0, 0.0, 0.0]\nnegate: 0\n"
+    "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
+
+int valueOf(const QImage& image, const char* rule, const char* format = "png") {
+  QTemporaryDir folder;
+  QString yaml = QString::fromLatin1(kYaml);
+  yaml.replace(QStringLiteral("map.png"), QStringLiteral("map.") + QString::fromLatin1(format));
+  QFile file(folder.filePath(QStringLiteral("map.yaml")));
+  file.open(QIODevice::WriteOnly);
+  file.write(yaml.toUtf8());
+  file.close();
+  image.save(folder.filePath(QStringLiteral("map.") + QString::fromLatin1(format)), format);
+  const auto map = app::readMapFile(file.fileName().toStdString(), rule);
+  return map ? map->grid.valueAt({0, 0}) : -100;
+}
+
+}  // namespace
+
+/// Map images that Qt reads: pixel values as nav2 takes them.
+class MapImagesTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void png_pixel_becomesCell_data() {
+    QTest::addColumn<QColor>("color");
+    QTest::addColumn<bool>("alpha");
+    QTest::addColumn<int>("humble");
+    QTest::addColumn<int>("main");
+    QTest::newRow("white") << QColor(254, 254, 254) << false << 0 << 0;
+    QTest::newRow("black") << QColor(0, 0, 0) << false << 100 << 100;
+    QTest::newRow("205") << QColor(205, 205, 205) << false << -1 << -1;
+    QTest::newRow("127 opaque") << QColor(127, 127, 127, 255) << true << -1 << -1;
+    QTest::newRow("0 opaque") << QColor(0, 0, 0, 255) << true << 100 << 100;
+    QTest::newRow("205 opaque") << QColor(205, 205, 205, 255) << true << 0 << -1;
+  }
+  void png_pixel_becomesCell() {
+    QFETCH(QColor, color);
+    QFETCH(bool, alpha);
+    QFETCH(int, humble);
+    QFETCH(int, main);
+    QImage image(1, 1, alpha ? QImage::Format_ARGB32 : QImage::Format_RGB32);
+    image.setPixelColor(0, 0, color);
+    QCOMPARE(valueOf(image, "humble"), humble);
+    QCOMPARE(valueOf(image, "main"), main);
+  }
+
+  void otherFormats_sameCells() {
+    QImage grey(2, 2, QImage::Format_Grayscale8);
+    grey.fill(0);
+    QCOMPARE(valueOf(grey, "humble"), 100);
+    QCOMPARE(valueOf(grey, "humble", "bmp"), 100);
+    QImage deep(2, 2, QImage::Format_Grayscale16);
+    deep.fill(Qt::white);
+    QCOMPARE(valueOf(deep, "humble"), 0);
+    QImage palette(2, 2, QImage::Format_Indexed8);
+    palette.setColorTable({qRgb(254, 254, 254), qRgb(0, 0, 0)});
+    palette.fill(1);
+    QCOMPARE(valueOf(palette, "humble"), 100);
+  }
+
+  void isaacWarehouse_countsAndFreePoints() {
+    const QString root =
+        qEnvironmentVariable("HUNAV_INTEROP_DIR", QStringLiteral(SOURCE_DIR "/../shared/interop")) +
+        QStringLiteral("/hunavsim2/isaac/");
+    if (!QDir(root).exists()) {
+      QSKIP("the files of the original are not here (HUNAV_INTEROP_DIR)");
+    }
+    const auto map =
+        app::readMapFile((root + QStringLiteral("maps/warehouse.yaml")).toStdString(), "humble");
+    QVERIFY(map);
+    int free = 0, occupied = 0, unknown = 0;
+    for (const std::int8_t value : map->grid.cells()) {
+      free += value == 0 ? 1 : 0;
+      occupied += value == 100 ? 1 : 0;
+      unknown += value == -1 ? 1 : 0;
+    }
+    QCOMPARE(free, 218058);
+    QCOMPARE(occupied, 21386);
+    QCOMPARE(unknown, 760556);
+    const sim2d::ScenarioReading reading = sim2d::readScenario(
+        (root + QStringLiteral("scenarios/warehouse_agents.yaml")).toStdString());
+    QVERIFY(reading.ok());
+    int points = 0;
+    const auto expectFree = [&](const sim2d::Vec2& point) {
+      QCOMPARE(static_cast<int>(map->grid.valueAt(map->grid.worldToCell(point))), 0);
+      ++points;
+    };
+    for (const sim2d::Human& human : reading.scenario.humans) {
+      expectFree(human.initPose.position);
+      for (const int id : human.goals) {
+        expectFree(reading.scenario.goal(id)->position);
+      }
+    }
+    QCOMPARE(points, 34);
+  }
+
+  void noImage_clearError() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("text.png"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("no image at all");
+    file.close();
+    const auto image = editor::loadMapImage(path.toStdString());
+    QVERIFY(!image);
+    QVERIFY(image.diagnostics()[0].message.find("cannot read the image") != std::string::npos);
+  }
+};
+
+QTEST_GUILESS_MAIN(MapImagesTest)
+#include "tst_MapImages.moc"
