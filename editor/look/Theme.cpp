@@ -16,7 +16,7 @@ struct RoleColors {
 
 constexpr std::array<RoleColors, static_cast<std::size_t>(Role::Count)> kRoles = {{
     {Role::Window, 0xFFF5F6F7, 0xFF1E2124},        {Role::Panel, 0xFFFFFFFF, 0xFF26292D},
-    {Role::Text, 0xFF1B1F23, 0xFFE6E8EA},          {Role::TextSecondary, 0xFF5F6B76, 0xFF9AA4AE},
+    {Role::Text, 0xFF1B1F23, 0xFFE6E8EA},          {Role::TextSecondary, 0xFF5F6B76, 0xFF9BA5AF},
     {Role::Line, 0xFFD8DCE0, 0xFF3A3F45},          {Role::Accent, 0xFF2F6FDE, 0xFF6EA0FF},
     {Role::AccentText, 0xFF1F58C0, 0xFF6EA0FF},    {Role::MapFree, 0xFFFFFFFF, 0xFF2A2E33},
     {Role::MapOccupied, 0xFF2B2F33, 0xFF858E97},   {Role::MapUnknown, 0xFFC9CED3, 0xFF3C4248},
