@@ -2,70 +2,12 @@
 
 #include <algorithm>
 
-#include "editor/document/EntityLists.h"
+#include "editor/document/EditDraft.h"
 #include "editor/document/FreeNames.h"
 
 namespace editor {
 
 namespace {
-
-constexpr int kEditEntity = 1;
-
-/// Values by entity while a command is being put together: the document's, unless edited before.
-class Draft {
- public:
-  explicit Draft(const ScenarioDocument& document) : document_(document) {}
-
-  void set(Entity value, int index = -1) {
-    const EntityId id = idOf(value);
-    slotOf(id) = {std::move(value), index};
-  }
-  void remove(EntityId id) { slotOf(id) = {}; }
-
-  /// Calls `change` for every entity of type T in the document that is not removed by the draft.
-  template <class T, class Change>
-  void forEach(Change&& change) {
-    for (const T& original : listOf<T>(document_.scenario())) {
-      const auto found = find(original.key);
-      if (found != edits_.end() && !found->slot.value) {
-        continue;
-      }
-      T value = found == edits_.end() ? original : std::get<T>(*found->slot.value);
-      change(value);
-      if (!(value == original)) {
-        set(std::move(value));
-      }
-    }
-  }
-
-  void push(ScenarioDocument& document, const QString& text, Merge merge = Merge::Never) {
-    const auto isIdle = [&](const EntityEdit& edit) {
-      return edit.slot.value == document.entity(edit.entity) &&
-             (edit.slot.index < 0 || edit.slot.index == document.indexOf(edit.entity));
-    };
-    edits_.erase(std::remove_if(edits_.begin(), edits_.end(), isIdle), edits_.end());
-    if (!edits_.empty()) {
-      document.undoStack().push(new EditEntity(document, std::move(edits_), text, merge));
-    }
-  }
-
- private:
-  std::vector<EntityEdit>::iterator find(EntityId id) {
-    return std::find_if(edits_.begin(), edits_.end(),
-                        [id](const EntityEdit& edit) { return edit.entity == id; });
-  }
-  EntitySlot& slotOf(EntityId id) {
-    const auto found = find(id);
-    if (found != edits_.end()) {
-      return found->slot;
-    }
-    edits_.push_back({id, {}});
-    return edits_.back().slot;
-  }
-
-  const ScenarioDocument& document_;
-  std::vector<EntityEdit> edits_;
-};
 
 bool isListed(const Entity& entity) {
   return std::visit(
@@ -139,46 +81,6 @@ void renamePerson(Draft& draft, const std::string& from, const std::optional<std
 }
 
 }  // namespace
-
-EditEntity::EditEntity(ScenarioDocument& document, std::vector<EntityEdit> edits,
-                       const QString& text, Merge merge)
-    : QUndoCommand(text), document_(document), edits_(std::move(edits)), merge_(merge) {}
-
-void EditEntity::redo() {
-  for (EntityEdit& edit : edits_) {
-    edit.slot = document_.exchange(edit.entity, std::move(edit.slot));
-  }
-}
-
-void EditEntity::undo() {
-  for (auto edit = edits_.rbegin(); edit != edits_.rend(); ++edit) {
-    edit->slot = document_.exchange(edit->entity, std::move(edit->slot));
-  }
-}
-
-int EditEntity::id() const {
-  return merge_ == Merge::WithPrevious ? kEditEntity : -1;
-}
-
-bool EditEntity::mergeWith(const QUndoCommand* other) {
-  const auto* next = static_cast<const EditEntity*>(other);
-  const bool same =
-      next->text() == text() &&
-      std::equal(edits_.begin(), edits_.end(), next->edits_.begin(), next->edits_.end(),
-                 [](const EntityEdit& a, const EntityEdit& b) { return a.entity == b.entity; });
-  if (!same) {
-    return false;
-  }
-  // What is kept here are the values before the first of the merged edits.
-  setObsolete(std::all_of(edits_.begin(), edits_.end(), [this](const EntityEdit& edit) {
-    return edit.slot.value == document_.entity(edit.entity);
-  }));
-  return true;
-}
-
-EditTree::EditTree(ScenarioDocument& document, EntityId human, std::optional<std::string> xml,
-                   const QString& text)
-    : QUndoCommand(text), document_(document), human_(human), xml_(std::move(xml)) {}
 
 void pushEdit(ScenarioDocument& document, std::vector<Entity> values, const QString& text,
               Merge merge) {

@@ -109,6 +109,16 @@ QString kindName(EntityKind kind) {
   return QString();
 }
 
+QString obstacleKindName(sim2d::ObstacleKind kind) {
+  static const char* const kWords[] = {"box", "circle", "polygon", "wall"};
+  return QString::fromLatin1(kWords[static_cast<int>(kind)]);
+}
+
+QString areaKindName(sim2d::AreaKind kind) {
+  static const char* const kWords[] = {"source", "sink", "waiting", "exit"};
+  return QString::fromLatin1(kWords[static_cast<int>(kind)]);
+}
+
 std::optional<Vec2> positionOf(const Entity& entity) {
   using Position = std::optional<Vec2>;
   return std::visit(

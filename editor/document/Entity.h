@@ -41,9 +41,11 @@ struct Change {
 EntityKind kindOf(const Entity& entity);
 EntityId idOf(const Entity& entity);
 void setId(Entity& entity, EntityId id);
-std::string nameOf(const Entity& entity);   // goals: their number; settings: empty
-QString displayName(const Entity& entity);  // "Ana", "Goal 3", "Scenario"
-QString kindName(EntityKind kind);          // "person", "goal" …
+std::string nameOf(const Entity& entity);            // goals: their number; settings: empty
+QString displayName(const Entity& entity);           // "Ana", "Goal 3", "Scenario"
+QString kindName(EntityKind kind);                   // "person", "goal" …
+QString obstacleKindName(sim2d::ObstacleKind kind);  // "box" …
+QString areaKindName(sim2d::AreaKind kind);          // "source", "waiting" …
 /// Where it is on the map (centre of its points); nothing for the settings.
 std::optional<Vec2> positionOf(const Entity& entity);
 std::optional<double> headingOf(const Entity& entity);  // people, robots, boxes

@@ -40,6 +40,8 @@ class EntityModel : public QAbstractItemModel {
   std::vector<EntityId> idsOfGroup(int group) const;
   QVariant groupData(int group, int column, int role) const;
   QVariant entityData(EntityId id, int column, int role) const;
+  QString text(const Entity& entity, int column) const;
+  QVariant icon(const Entity& entity) const;
   void apply(const Change& change);
   void rebuild();
 
@@ -48,16 +50,21 @@ class EntityModel : public QAbstractItemModel {
   std::array<std::vector<EntityId>, kGroupCount> rows_;
 };
 
-/// Keeps groups with a match; matches name and behaviour, any case.
+/// Keeps groups with a match; matches name, kind and behaviour, any case.
 class EntityFilter : public QSortFilterProxyModel {
   Q_OBJECT
  public:
   explicit EntityFilter(EntityModel& model, QObject* parent = nullptr);
+  void setText(const QString& text);
   EntityId idOf(const QModelIndex& index) const;
   QModelIndex indexOf(EntityId id) const;
 
+ protected:
+  bool filterAcceptsRow(int row, const QModelIndex& parentIndex) const override;
+
  private:
   EntityModel& model_;
+  QString text_;
 };
 
 }  // namespace editor

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "editor/document/EditCommands.h"
+#include "editor/document/EntityLists.h"
+
+namespace editor {
+
+/// Values by entity while a command is being put together: the document's, unless edited before.
+class Draft {
+ public:
+  explicit Draft(const ScenarioDocument& document) : document_(document) {}
+
+  void set(Entity value, int index = -1) {
+    const EntityId id = idOf(value);
+    slotOf(id) = {std::move(value), index};
+  }
+  void remove(EntityId id) { slotOf(id) = {}; }
+
+  /// Calls `change` for every entity of type T in the document that is not removed by the draft.
+  template <class T, class Change>
+  void forEach(Change&& change) {
+    for (const T& original : listOf<T>(document_.scenario())) {
+      const auto found = find(original.key);
+      if (found != edits_.end() && !found->slot.value) {
+        continue;
+      }
+      T value = found == edits_.end() ? original : std::get<T>(*found->slot.value);
+      change(value);
+      if (!(value == original)) {
+        set(std::move(value));
+      }
+    }
+  }
+
+  void push(ScenarioDocument& document, const QString& text, Merge merge = Merge::Never) {
+    const auto isIdle = [&](const EntityEdit& edit) {
+      return edit.slot.value == document.entity(edit.entity) &&
+             (edit.slot.index < 0 || edit.slot.index == document.indexOf(edit.entity));
+    };
+    edits_.erase(std::remove_if(edits_.begin(), edits_.end(), isIdle), edits_.end());
+    if (!edits_.empty()) {
+      document.undoStack().push(new EditEntity(document, std::move(edits_), text, merge));
+    }
+  }
+
+ private:
+  std::vector<EntityEdit>::iterator find(EntityId id) {
+    return std::find_if(edits_.begin(), edits_.end(),
+                        [id](const EntityEdit& edit) { return edit.entity == id; });
+  }
+  EntitySlot& slotOf(EntityId id) {
+    const auto found = find(id);
+    if (found != edits_.end()) {
+      return found->slot;
+    }
+    edits_.push_back({id, {}});
+    return edits_.back().slot;
+  }
+
+  const ScenarioDocument& document_;
+  std::vector<EntityEdit> edits_;
+};
+
+}  // namespace editor

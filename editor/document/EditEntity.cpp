@@ -1,0 +1,53 @@
+#include <algorithm>
+
+#include "editor/document/EditCommands.h"
+
+namespace editor {
+
+namespace {
+
+constexpr int kEditEntity = 1;
+
+}  // namespace
+
+EditEntity::EditEntity(ScenarioDocument& document, std::vector<EntityEdit> edits,
+                       const QString& text, Merge merge)
+    : QUndoCommand(text), document_(document), edits_(std::move(edits)), merge_(merge) {}
+
+void EditEntity::redo() {
+  for (EntityEdit& edit : edits_) {
+    edit.slot = document_.exchange(edit.entity, std::move(edit.slot));
+  }
+}
+
+void EditEntity::undo() {
+  for (auto edit = edits_.rbegin(); edit != edits_.rend(); ++edit) {
+    edit->slot = document_.exchange(edit->entity, std::move(edit->slot));
+  }
+}
+
+int EditEntity::id() const {
+  return merge_ == Merge::WithPrevious ? kEditEntity : -1;
+}
+
+bool EditEntity::mergeWith(const QUndoCommand* other) {
+  const auto* next = static_cast<const EditEntity*>(other);
+  const bool same =
+      next->text() == text() &&
+      std::equal(edits_.begin(), edits_.end(), next->edits_.begin(), next->edits_.end(),
+                 [](const EntityEdit& a, const EntityEdit& b) { return a.entity == b.entity; });
+  if (!same) {
+    return false;
+  }
+  // What is kept here are the values before the first of the merged edits.
+  setObsolete(std::all_of(edits_.begin(), edits_.end(), [this](const EntityEdit& edit) {
+    return edit.slot.value == document_.entity(edit.entity);
+  }));
+  return true;
+}
+
+EditTree::EditTree(ScenarioDocument& document, EntityId human, std::optional<std::string> xml,
+                   const QString& text)
+    : QUndoCommand(text), document_(document), human_(human), xml_(std::move(xml)) {}
+
+}  // namespace editor

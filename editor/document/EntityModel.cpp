@@ -1,0 +1,300 @@
+#include "editor/document/EntityModel.h"
+
+#include <algorithm>
+
+#include "editor/canvas/FigurePainter.h"
+#include "editor/document/EditCommands.h"
+#include "editor/document/PersonLook.h"
+
+namespace editor {
+
+namespace {
+
+struct Group {
+  const char* title;
+  std::vector<EntityKind> kinds;
+};
+
+const std::array<Group, 5>& groups() {
+  static const std::array<Group, 5> kGroups = {{
+      {QT_TRANSLATE_NOOP("EntityModel", "People"), {EntityKind::Human}},
+      {QT_TRANSLATE_NOOP("EntityModel", "Goals"), {EntityKind::Goal}},
+      {QT_TRANSLATE_NOOP("EntityModel", "Robots"), {EntityKind::Robot}},
+      {QT_TRANSLATE_NOOP("EntityModel", "Obstacles"), {EntityKind::Obstacle, EntityKind::Door}},
+      {QT_TRANSLATE_NOOP("EntityModel", "Areas"), {EntityKind::Area}},
+  }};
+  return kGroups;
+}
+
+int groupOf(EntityKind kind) {
+  for (std::size_t i = 0; i < groups().size(); ++i) {
+    const std::vector<EntityKind>& kinds = groups()[i].kinds;
+    if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) {
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
+QString placeOf(const Entity& entity) {
+  const std::optional<Vec2> at = positionOf(entity);
+  return at ? QStringLiteral("%1, %2 m").arg(at->x(), 0, 'f', 1).arg(at->y(), 0, 'f', 1)
+            : QString();
+}
+
+}  // namespace
+
+EntityModel::EntityModel(ScenarioDocument& document, const Theme& theme, QObject* parent)
+    : QAbstractItemModel(parent), document_(document), theme_(theme) {
+  rebuild();
+  connect(&document_, &ScenarioDocument::changed, this, &EntityModel::apply);
+}
+
+void EntityModel::setTheme(const Theme& theme) {
+  theme_ = theme;
+  for (int group = 0; group < kGroupCount; ++group) {
+    const QModelIndex parentIndex = index(group, 0);
+    const int rows = rowCount(parentIndex);
+    if (rows > 0) {
+      Q_EMIT dataChanged(index(0, 0, parentIndex), index(rows - 1, ColumnCount - 1, parentIndex));
+    }
+  }
+}
+
+std::vector<EntityId> EntityModel::idsOfGroup(int group) const {
+  std::vector<EntityId> ids;
+  for (const EntityKind kind : groups()[static_cast<std::size_t>(group)].kinds) {
+    const std::vector<EntityId> more = document_.entities(kind);
+    ids.insert(ids.end(), more.begin(), more.end());
+  }
+  return ids;
+}
+
+void EntityModel::rebuild() {
+  beginResetModel();
+  for (int group = 0; group < kGroupCount; ++group) {
+    rows_[static_cast<std::size_t>(group)] = idsOfGroup(group);
+  }
+  endResetModel();
+}
+
+void EntityModel::apply(const Change& change) {
+  if (change.what == Change::What::Everything) {
+    rebuild();
+    return;
+  }
+  const int group = groupOf(change.entity.kind);
+  if (group < 0) {
+    return;
+  }
+  std::vector<EntityId>& rows = rows_[static_cast<std::size_t>(group)];
+  std::vector<EntityId> fresh = idsOfGroup(group);
+  const auto rowIn = [&](const std::vector<EntityId>& ids) {
+    return static_cast<int>(std::find(ids.begin(), ids.end(), change.entity) - ids.begin());
+  };
+  const int from = rowIn(rows);
+  const int to = rowIn(fresh);
+  const QModelIndex parentIndex = index(group, 0);
+  if (change.what == Change::What::Added) {
+    beginInsertRows(parentIndex, to, to);
+    rows = std::move(fresh);
+    endInsertRows();
+  } else if (change.what == Change::What::Removed) {
+    beginRemoveRows(parentIndex, from, from);
+    rows = std::move(fresh);
+    endRemoveRows();
+  } else if (from != to) {
+    beginMoveRows(parentIndex, from, from, parentIndex, to > from ? to + 1 : to);
+    rows = std::move(fresh);
+    endMoveRows();
+  }
+  if (change.what == Change::What::Edited || change.what == Change::What::Tree) {
+    Q_EMIT dataChanged(index(to, 0, parentIndex), index(to, ColumnCount - 1, parentIndex));
+  } else {
+    Q_EMIT dataChanged(parentIndex, parentIndex, {CountRole});
+  }
+}
+
+bool EntityModel::isGroup(const QModelIndex& at) const {
+  return at.isValid() && at.internalId() == 0;
+}
+
+EntityId EntityModel::idOf(const QModelIndex& at) const {
+  if (!at.isValid() || isGroup(at)) {
+    return {};
+  }
+  const auto& rows = rows_[at.internalId() - 1];
+  const auto row = static_cast<std::size_t>(at.row());
+  return row < rows.size() ? rows[row] : EntityId{};
+}
+
+QModelIndex EntityModel::indexOf(EntityId id) const {
+  const int group = groupOf(id.kind);
+  if (group < 0) {
+    return {};
+  }
+  const auto& rows = rows_[static_cast<std::size_t>(group)];
+  const auto found = std::find(rows.begin(), rows.end(), id);
+  return found == rows.end() ? QModelIndex()
+                             : index(static_cast<int>(found - rows.begin()), 0, index(group, 0));
+}
+
+QModelIndex EntityModel::index(int row, int column, const QModelIndex& parentIndex) const {
+  if (row < 0 || column < 0 || column >= ColumnCount || row >= rowCount(parentIndex)) {
+    return {};
+  }
+  return createIndex(row, column,
+                     parentIndex.isValid() ? static_cast<quintptr>(parentIndex.row()) + 1 : 0);
+}
+
+QModelIndex EntityModel::parent(const QModelIndex& child) const {
+  if (!child.isValid() || child.internalId() == 0) {
+    return {};
+  }
+  return createIndex(static_cast<int>(child.internalId()) - 1, 0, quintptr{0});
+}
+
+int EntityModel::rowCount(const QModelIndex& parentIndex) const {
+  if (!parentIndex.isValid()) {
+    return kGroupCount;
+  }
+  if (!isGroup(parentIndex) || parentIndex.column() != 0) {
+    return 0;
+  }
+  return static_cast<int>(rows_[static_cast<std::size_t>(parentIndex.row())].size());
+}
+
+int EntityModel::columnCount(const QModelIndex&) const {
+  return ColumnCount;
+}
+
+QVariant EntityModel::data(const QModelIndex& at, int role) const {
+  if (!at.isValid()) {
+    return {};
+  }
+  return isGroup(at) ? groupData(at.row(), at.column(), role)
+                     : entityData(idOf(at), at.column(), role);
+}
+
+QVariant EntityModel::groupData(int group, int column, int role) const {
+  const auto number = static_cast<std::size_t>(group);
+  const int count = static_cast<int>(rows_[number].size());
+  if (role == CountRole) {
+    return count;
+  }
+  if (role == Qt::DisplayRole && column == NameColumn) {
+    return tr(groups()[number].title);
+  }
+  if (role == Qt::DisplayRole && column == BehaviorColumn) {
+    return QString::number(count);
+  }
+  if (role == Qt::FontRole && column == NameColumn) {
+    return theme_.font(9.5, QFont::DemiBold);
+  }
+  if (role == Qt::ForegroundRole && column != NameColumn) {
+    return theme_.color(Role::TextSecondary);
+  }
+  if (role == Qt::TextAlignmentRole && column == BehaviorColumn) {
+    return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+  }
+  return {};
+}
+
+QString EntityModel::text(const Entity& entity, int column) const {
+  if (column == NameColumn) {
+    return displayName(entity);
+  }
+  if (column == KindColumn) {
+    const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity);
+    return obstacle == nullptr ? kindName(kindOf(entity)) : obstacleKindName(obstacle->kind);
+  }
+  if (const auto* human = std::get_if<sim2d::Human>(&entity)) {
+    return lookName(lookOfPerson(document_, *human));
+  }
+  if (const auto* robot = std::get_if<sim2d::Robot>(&entity)) {
+    return QString::fromStdString(robot->type.value_or("generic"));
+  }
+  if (const auto* area = std::get_if<sim2d::Area>(&entity)) {
+    return areaKindName(area->kind);
+  }
+  return placeOf(entity);
+}
+
+QVariant EntityModel::icon(const Entity& entity) const {
+  const FigurePainter painter(theme_);
+  if (const auto* human = std::get_if<sim2d::Human>(&entity)) {
+    return painter.markIcon(lookOfPerson(document_, *human));
+  }
+  if (const auto* goal = std::get_if<sim2d::GlobalGoal>(&entity)) {
+    return painter.goalIcon(QString::number(goal->id), 20);
+  }
+  if (kindOf(entity) == EntityKind::Robot) {
+    return painter.robotIcon(16);
+  }
+  return {};
+}
+
+QVariant EntityModel::entityData(EntityId id, int column, int role) const {
+  const std::optional<Entity> entity = document_.entity(id);
+  if (!entity) {
+    return {};
+  }
+  switch (role) {
+    case Qt::DisplayRole:
+      return text(*entity, column);
+    case Qt::EditRole:
+      return QString::fromStdString(nameOf(*entity));
+    case Qt::DecorationRole:
+      return column == NameColumn ? icon(*entity) : QVariant();
+    case Qt::ForegroundRole:
+      return column == NameColumn ? QVariant() : QVariant(theme_.color(Role::TextSecondary));
+    case Qt::TextAlignmentRole:
+      return column == BehaviorColumn ? static_cast<int>(Qt::AlignRight | Qt::AlignVCenter)
+                                      : static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter);
+    case IdKindRole:
+      return static_cast<int>(id.kind);
+    case IdKeyRole:
+      return id.key;
+    case LookRole:
+      if (const auto* human = std::get_if<sim2d::Human>(&*entity)) {
+        return static_cast<int>(lookOfPerson(document_, *human));
+      }
+      return {};
+    default:
+      return {};
+  }
+}
+
+bool EntityModel::setData(const QModelIndex& at, const QVariant& value, int role) {
+  const EntityId id = idOf(at);
+  if (role != Qt::EditRole || !id) {
+    return false;
+  }
+  if (id.kind == EntityKind::Goal) {
+    bool isNumber = false;
+    const int number = value.toInt(&isNumber);
+    return isNumber && pushGoalNumber(document_, id, number);
+  }
+  return pushRename(document_, id, value.toString().trimmed().toStdString());
+}
+
+Qt::ItemFlags EntityModel::flags(const QModelIndex& at) const {
+  if (!at.isValid()) {
+    return Qt::NoItemFlags;
+  }
+  if (isGroup(at)) {
+    return Qt::ItemIsEnabled;
+  }
+  const Qt::ItemFlags common = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren;
+  return at.column() == NameColumn ? common | Qt::ItemIsEditable : common;
+}
+
+QVariant EntityModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  static const char* const kTitles[] = {QT_TR_NOOP("Name"), QT_TR_NOOP("Kind"),
+                                        QT_TR_NOOP("Behaviour")};
+  const bool isTitle = orientation == Qt::Horizontal && role == Qt::DisplayRole && section >= 0 &&
+                       section < ColumnCount;
+  return isTitle ? QVariant(tr(kTitles[section])) : QVariant();
+}
+
+}  // namespace editor
