@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "editor/canvas/PixelFrame.h"
+#include "editor/document/PersonLook.h"
 #include "sim2d/scenario/Defaults.h"
 
 namespace editor {
@@ -45,7 +46,7 @@ void PersonItem::take(const Entity& value) {
   human_ = std::get<sim2d::Human>(value);
   const sim2d::Scenario& scenario = mapScene().document().scenario();
   radius_ = sim2d::resolveHuman(scenario, human_, scenario.desktop.seed.value_or(1)).radius;
-  look_ = mapScene().lookOfPerson(id(), human_);
+  look_ = lookOfPerson(mapScene().document(), human_);
   setOpacity(human_.listed ? 1.0 : 0.4);
 }
 

@@ -8,6 +8,7 @@
 #include "editor/canvas/MapScene.h"
 #include "editor/canvas/PixelFrame.h"
 #include "editor/canvas/RouteLayer.h"
+#include "editor/document/PersonLook.h"
 #include "sim2d/scenario/Defaults.h"
 
 namespace editor {
@@ -49,7 +50,7 @@ void FrameLayer::begin() {
     const sim2d::ResolvedHuman resolved = sim2d::resolveHuman(scenario, human, seed);
     agents_[human.id] = {QString::fromStdString(human.name),
                          human.key,
-                         scene_.lookOfPerson(human.key, human),
+                         lookOfPerson(scene_.document(), human),
                          resolved.kind,
                          resolved.radius,
                          {}};
@@ -178,6 +179,19 @@ std::vector<QRectF> FrameLayer::solidParts() const {
     parts.push_back(around(MapScene::sceneFromWorld(positionAt(frame_->humans, i)),
                            0.9 * agent(frame_->humans.id[i]).radius));
   }
+  for (std::size_t i = 0; scene_.options().forces && i < frame_->humans.size(); ++i) {
+    if (!isChosen(frame_->humans.id[i])) {
+      continue;
+    }
+    const base::Vec2 from = positionAt(frame_->humans, i);
+    for (const ForceArrow& arrow : forcesOn(*frame_, frame_->humans.id[i])) {
+      const base::Vec2 to = from + (kMetresPerForce + agent(frame_->humans.id[i]).radius /
+                                                          (arrow.force.norm() + 1e-9)) *
+                                       arrow.force;
+      parts.push_back(
+          QRectF(MapScene::sceneFromWorld(from), MapScene::sceneFromWorld(to)).normalized());
+    }
+  }
   for (std::size_t i = 0; i < frame_->robots.size(); ++i) {
     parts.push_back(around(MapScene::sceneFromWorld(positionAt(frame_->robots, i)),
                            agent(frame_->robots.id[i]).radius));
@@ -223,64 +237,6 @@ PersonFigure FrameLayer::figureOf(std::size_t index, double pixelsPerMetre) cons
     figure.stride = std::sin(2.0 * base::kPi * trail->second.walked / kStrideMetres);
   }
   return figure;
-}
-
-void FrameLayer::paintPeople(QPainter& painter) {
-  const double pixelsPerMetre = pixelsPerMetreOf(painter);
-  std::vector<std::pair<QPointF, PersonFigure>> figures;
-  figures.reserve(frame_->humans.size());
-  const PixelFrame frame(painter, {});
-  for (std::size_t i = 0; i < frame_->humans.size(); ++i) {
-    const QPointF at = MapScene::sceneFromWorld(positionAt(frame_->humans, i)) * pixelsPerMetre;
-    figures.emplace_back(at, figureOf(i, pixelsPerMetre));
-    if (isChosen(frame_->humans.id[i])) {
-      painter.setBrush(Qt::NoBrush);
-      painter.setPen(QPen(scene_.theme().color(Role::Accent), 2.0));
-      const double ring = figures.back().second.radiusPx + 4.0;
-      painter.drawEllipse(at, ring, ring);
-    }
-  }
-  atlas_.draw(painter, scene_.theme(), figures);
-}
-
-void FrameLayer::paintRobots(QPainter& painter) const {
-  const double pixelsPerMetre = pixelsPerMetreOf(painter);
-  for (std::size_t i = 0; i < frame_->robots.size(); ++i) {
-    const Agent& robot = agent(frame_->robots.id[i]);
-    const double scale = std::max(pixelsPerMetre, kLeastFigurePx / robot.radius);
-    RobotFigure figure;
-    figure.radiusPx = robot.radius * scale;
-    figure.headingDeg = degrees(frame_->robots.heading[i]);
-    for (const base::Vec2& point : robot.footprint) {
-      figure.footprintPx.emplace_back(point.x() * scale, point.y() * scale);
-    }
-    const PixelFrame frame(painter, MapScene::sceneFromWorld(positionAt(frame_->robots, i)));
-    if (isChosen(frame_->robots.id[i])) {
-      painter.setBrush(Qt::NoBrush);
-      painter.setPen(QPen(scene_.theme().color(Role::Accent), 2.0));
-      painter.drawEllipse(QPointF(), figure.radiusPx + 5.0, figure.radiusPx + 5.0);
-    }
-    FigurePainter(scene_.theme()).robot(painter, figure);
-  }
-}
-
-void FrameLayer::paintRobotPaths(QPainter& painter) const {
-  QPen pen(scene_.theme().color(Role::RobotLine), 2.0, Qt::CustomDashLine, Qt::FlatCap);
-  pen.setDashPattern({3.5, 2.5});
-  pen.setCosmetic(true);
-  painter.setBrush(Qt::NoBrush);
-  for (const std::vector<base::Vec2>& points : frame_->robotPaths) {
-    const QPainterPath path = softPath(points, 0.3);
-    painter.setPen(pen);
-    painter.drawPath(path);
-    paintArrowHeads(painter, path, 1.5, 8.0, scene_.theme());
-  }
-  for (const sim2d::Robot& robot : scene_.document().scenario().robots) {
-    if (robot.listed && robot.goal.point) {
-      const PixelFrame frame(painter, MapScene::sceneFromWorld(*robot.goal.point));
-      paintRobotGoal(painter, scene_.theme());
-    }
-  }
 }
 
 void FrameLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {

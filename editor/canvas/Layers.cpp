@@ -103,6 +103,20 @@ std::pair<EntityId, Handle> SelectionLayer::handleAt(const Vec2& world) const {
   return {};
 }
 
+std::vector<QRectF> SelectionLayer::solidParts() const {
+  const double side = 1.5 * kTurnHandlePx / mapScene().pixelsPerMetre();
+  std::vector<QRectF> parts;
+  for (const EntityId id : mapScene().document().selection()) {
+    if (const std::optional<Entity> entity = mapScene().shown(id)) {
+      for (const Handle& handle : handlesFor(*entity)) {
+        const QPointF at = MapScene::sceneFromWorld(handle.position);
+        parts.emplace_back(at.x() - 0.5 * side, at.y() - 0.5 * side, side, side);
+      }
+    }
+  }
+  return parts;
+}
+
 void SelectionLayer::paintFrame(QPainter& painter, const Entity& entity,
                                 const std::vector<Handle>& handles) const {
   painter.setPen(accentPen(theme(), 2.0));

@@ -54,6 +54,7 @@ class SelectionLayer : public FullLayer {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
   /// The handle under a point (16 px wide), of which entity.
   std::pair<EntityId, Handle> handleAt(const Vec2& world) const;
+  std::vector<QRectF> solidParts() const;  // handles, scene
 
  private:
   std::vector<Handle> handlesFor(const Entity& entity) const;

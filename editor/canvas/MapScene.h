@@ -79,7 +79,6 @@ class MapScene : public QGraphicsScene {
   ToolLayer& toolLayer() { return *toolLayer_; }
 
   // for items and layers
-  Look lookOfPerson(EntityId id, const sim2d::Human& human) const;
   bool isDoorOpen(EntityId id, const sim2d::Door& door) const;  // in the frame shown, else at start
   double bodyRadius(const Entity& entity) const;                // people and robots [m]
   std::vector<Label> labels() const;

@@ -5,6 +5,7 @@
 
 #include "editor/canvas/FigurePainter.h"
 #include "editor/canvas/PixelFrame.h"
+#include "editor/document/PersonLook.h"
 
 namespace editor {
 
@@ -117,7 +118,8 @@ void RouteLayer::paintPeople(QPainter& painter, bool selected) const {
       continue;
     }
     Style style;
-    style.color = scene_.theme().line(scene_.lookOfPerson(id, std::get<sim2d::Human>(*value)));
+    style.color =
+        scene_.theme().line(lookOfPerson(scene_.document(), std::get<sim2d::Human>(*value)));
     style.widthPx = selected ? 2.6 : 1.8;
     style.color.setAlphaF(selected ? 1.0 : 0.62);
     paintRoute(painter, id, selected, style);

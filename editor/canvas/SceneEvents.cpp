@@ -38,11 +38,6 @@ void putInto(sim2d::Scenario& scenario, const Entity& value) {
       false);
 }
 
-Look MapScene::lookOfPerson(EntityId id, const sim2d::Human& human) const {
-  return document_.tree(id) ? Look::CustomTree
-                            : lookOf(human.behavior.type.value_or(sim2d::BehaviorType::Regular));
-}
-
 bool MapScene::isDoorOpen(EntityId id, const sim2d::Door& door) const {
   if (const sim2d::Frame* frame = frameLayer_->frame()) {
     std::size_t number = 0;  // frames know the listed doors only, in their order
@@ -92,6 +87,9 @@ std::vector<QRectF> MapScene::solidParts() const {
   }
   if (isRunMode()) {
     const std::vector<QRectF> parts = frameLayer_->solidParts();
+    all.insert(all.end(), parts.begin(), parts.end());
+  } else {
+    const std::vector<QRectF> parts = selectionLayer_->solidParts();
     all.insert(all.end(), parts.begin(), parts.end());
   }
   return all;

@@ -47,20 +47,6 @@ QPen cosmetic(const QColor& color, double widthPx, Qt::PenStyle style = Qt::Soli
   return pen;
 }
 
-QString areaWord(sim2d::AreaKind kind) {
-  switch (kind) {
-    case sim2d::AreaKind::Source:
-      return QStringLiteral("source");
-    case sim2d::AreaKind::Sink:
-      return QStringLiteral("sink");
-    case sim2d::AreaKind::Wait:
-      return QStringLiteral("waiting");
-    case sim2d::AreaKind::Exit:
-      return QStringLiteral("exit");
-  }
-  return QString();
-}
-
 }  // namespace
 
 void ShapeItem::take(const Entity& value) {
@@ -118,7 +104,7 @@ std::vector<Label> ShapeItem::labels() const {
   }
   const QString name = displayName(value_);
   const QString text =
-      area == nullptr ? name : QStringLiteral("%1 · %2").arg(name, areaWord(area->kind));
+      area == nullptr ? name : QStringLiteral("%1 · %2").arg(name, areaKindName(area->kind));
   const QRectF box = path_.boundingRect();
   return {{text, std::nullopt, box.center(), 0.5 * box.height() * mapScene().pixelsPerMetre() + 4.0,
            0, false}};

@@ -1,0 +1,235 @@
+#include <QApplication>
+#include <QtTest>
+
+#include "SmallScenario.h"
+#include "editor/canvas/FrameLayer.h"
+#include "editor/canvas/LabelLayout.h"
+#include "editor/canvas/MapView.h"
+#include "editor/canvas/Overlays.h"
+#include "editor/canvas/RouteModel.h"
+#include "editor/document/EditCommands.h"
+#include "editor/tools/ToolManager.h"
+
+using namespace editor;
+
+namespace {
+
+sim2d::Frame frameOf(const sim2d::Scenario& scenario, double time) {
+  sim2d::Frame frame;
+  frame.time = time;
+  frame.step = std::llround(time / 0.05);
+  for (const sim2d::Human& human : scenario.humans) {
+    const Vec2 at = human.initPose.ahead(time);
+    frame.humans.id.push_back(human.id);
+    frame.humans.x.push_back(at.x());
+    frame.humans.y.push_back(at.y());
+    frame.humans.heading.push_back(human.initPose.heading);
+    frame.humans.vx.push_back(std::cos(human.initPose.heading));
+    frame.humans.vy.push_back(std::sin(human.initPose.heading));
+    frame.humans.omega.push_back(0.0);
+    frame.humans.group.push_back(-1);
+    frame.humans.state.push_back(0);
+    frame.humans.goal.push_back(sim2d::kNoGoal);
+    frame.forces.goal.push_back({1.2, 0.3});
+    frame.forces.social.push_back({-0.5, 0.6});
+    frame.forces.obstacle.push_back({0.1, -0.4});
+    frame.forces.group.push_back(Vec2::Zero());
+  }
+  frame.robots.id = {-1};
+  frame.robots.x = {10.6 - time};
+  frame.robots.y = {3.4};
+  frame.robots.heading = {base::kPi};
+  frame.robots.vx = {-1.0};
+  frame.robots.vy = {0.0};
+  frame.robots.omega = {0.0};
+  frame.robots.goal = {sim2d::kNoGoal};
+  frame.robotPaths = {{{10.6 - time, 3.4}, {6.0, 4.5}, {1.5, 1.0}}};
+  frame.doorOpen = {1};
+  return frame;
+}
+
+}  // namespace
+
+/// With HUNAV_PICTURES set to a folder, what the canvas looks like is written there.
+class CanvasTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init() {
+    QApplication::setFont(QFont(QStringLiteral("DejaVu Sans"), 9));
+    document_.load(small::scenario());
+    document_.setMap(small::room());
+    view_.resize(860, 640);
+    view_.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&view_));
+    view_.fitAll(false);
+    scene_.routes().finish();
+  }
+
+  void zoomBy_atAPoint_keepsItInPlace() {
+    const QPoint at(200, 150);
+    const Vec2 before = view_.worldAt(at);
+    view_.zoomBy(2.0, at);
+    QVERIFY((view_.worldAt(at) - before).norm() * view_.pixelsPerMetre() < 2.0);
+  }
+
+  void fitAll_afterwards_showsTheWholeMap() {
+    view_.zoomBy(9.0, QPointF(5.0, 5.0));
+    view_.fitAll(false);
+    const QRect window = view_.viewport()->rect();
+    QVERIFY(window.contains(view_.viewportFrom(Vec2(0.0, 0.0))));
+    QVERIFY(window.contains(view_.viewportFrom(Vec2(12.0, 9.0))));
+    QVERIFY(view_.viewportFrom(Vec2(0.0, 0.0)).y() > view_.viewportFrom(Vec2(0.0, 9.0)).y());
+  }
+
+  void wall_onTheCanvas_hasTheColourOfTheTheme() {
+    for (const Theme& theme : {Theme::light(), Theme::dark()}) {
+      scene_.setTheme(theme);
+      const QImage picture = view_.grab().toImage();
+      QCOMPARE(picture.pixelColor(view_.viewportFrom(Vec2(6.04, 2.5))),
+               theme.color(Role::MapOccupied));
+      QCOMPARE(picture.pixelColor(view_.viewportFrom(Vec2(0.1, 4.5))),
+               theme.color(Role::MapOccupied));
+    }
+    scene_.setTheme(Theme::light());
+  }
+
+  void entityAt_overlapping_prefersPeople() {
+    QVERIFY(scene_.entityAt(Vec2(2.0, 2.0)) == EntityId({EntityKind::Human, 1}));
+    QVERIFY(scene_.entityAt(Vec2(4.2, 1.4)) == EntityId({EntityKind::Obstacle, 31}));
+    QVERIFY(scene_.entityAt(Vec2(1.5, 1.0)) == EntityId({EntityKind::Robot, 21}));
+    QVERIFY(!scene_.entityAt(Vec2(11.0, 8.0)));
+  }
+
+  void routes_aroundTheWall_goThroughTheGap() {
+    const EntityRoute* route = scene_.routes().route({EntityKind::Human, 1});
+    QVERIFY(route != nullptr);
+    QCOMPARE(route->legs.size(), std::size_t{3});
+    QVERIFY(route->returns);
+    const RouteLeg& leg = route->legs.front();
+    QVERIFY(leg.isReachable);
+    QVERIFY(leg.points.size() > 2);
+    bool throughGap = false;
+    for (std::size_t i = 1; i < leg.points.size(); ++i) {
+      const Vec2& a = leg.points[i - 1];
+      const Vec2& b = leg.points[i];
+      if ((a.x() - 6.0) * (b.x() - 6.0) <= 0.0 && a.x() != b.x()) {
+        const double y = a.y() + (6.0 - a.x()) / (b.x() - a.x()) * (b.y() - a.y());
+        throughGap = throughGap || (y > 3.5 && y < 5.5);
+      }
+    }
+    QVERIFY(throughGap);
+  }
+
+  void preview_ofAValue_isShownAndCleared() {
+    sim2d::Human moved = *document_.human({EntityKind::Human, 1});
+    moved.initPose.position = {5.0, 8.0};
+    scene_.setPreview({moved});
+    QVERIFY(scene_.entityAt(Vec2(5.0, 8.0)) == EntityId({EntityKind::Human, 1}));
+    scene_.clearPreview();
+    QVERIFY(!scene_.entityAt(Vec2(5.0, 8.0)));
+    QVERIFY(document_.scenario() == small::scenario());
+  }
+
+  void layoutLabels_crowded_neverOverlap() {
+    std::vector<LabelWish> wishes;
+    for (int i = 0; i < 30; ++i) {
+      wishes.push_back({QPointF(i * 9.0, (i % 3) * 7.0), 10.0, QSizeF(40.0, 12.0), i % 2, false});
+    }
+    const std::vector<QRectF> places = layoutLabels(wishes, {QRectF(0.0, 0.0, 20.0, 60.0)});
+    int shown = 0;
+    for (std::size_t a = 0; a < places.size(); ++a) {
+      shown += places[a].isNull() ? 0 : 1;
+      for (std::size_t b = a + 1; b < places.size(); ++b) {
+        QVERIFY(!places[a].intersects(places[b]));
+      }
+    }
+    QVERIFY(shown >= 8);
+    QVERIFY(!places[1].isNull());
+  }
+
+  void niceLength_anyZoom_isRound() {
+    QCOMPARE(niceLength(50.0, 100.0), 2.0);
+    QCOMPARE(niceLength(43.0, 100.0), 2.0);
+    QCOMPARE(niceLength(400.0, 100.0), 0.2);
+  }
+
+  void showFrame_people_areDrawnWhereTheyAre() {
+    const auto frame = std::make_shared<const sim2d::Frame>(frameOf(document_.scenario(), 0.5));
+    scene_.showFrame(frame);
+    QVERIFY(scene_.isRunMode());
+    const QImage picture = view_.grab().toImage();
+    const Vec2 ana(frame->humans.x[0], frame->humans.y[0]);
+    const QColor head = picture.pixelColor(view_.viewportFrom(ana));
+    QVERIFY(std::abs(head.hue() - scene_.theme().head(Look::Regular).hue()) < 12);
+    QVERIFY(scene_.agentEntityAt(ana) == EntityId({EntityKind::Human, 1}));
+    scene_.showFrame(nullptr);
+    QVERIFY(!scene_.isRunMode());
+  }
+
+  void forcesOn_person_lastIsTheSum() {
+    const std::vector<ForceArrow> forces = forcesOn(frameOf(document_.scenario(), 0.0), 1);
+    QCOMPARE(forces.size(), std::size_t{5});
+    QVERIFY((forces.back().force - Vec2(0.8, 0.5)).norm() < 1e-12);
+    QVERIFY(forcesOn(frameOf(document_.scenario(), 0.0), 99).empty());
+  }
+
+  void pictures() {
+    const QString folder = qEnvironmentVariable("HUNAV_PICTURES");
+    if (folder.isEmpty()) {
+      QSKIP("HUNAV_PICTURES is not set");
+    }
+    for (const Theme& theme : {Theme::light(), Theme::dark()}) {
+      const QString kind = theme.isDark() ? QStringLiteral("dark") : QStringLiteral("light");
+      scene_.setTheme(theme);
+      document_.setSelection({});
+      save(folder, QStringLiteral("edit-") + kind);
+      document_.setSelection({{EntityKind::Human, 3}});
+      CanvasOptions options;
+      options.proxemics = true;
+      options.rulers = true;
+      scene_.setOptions(options);
+      save(folder, QStringLiteral("selected-") + kind);
+      document_.setSelection(document_.entities(EntityKind::Obstacle));
+      document_.toggleSelected({EntityKind::Area, 41});
+      document_.toggleSelected({EntityKind::Robot, 21});
+      document_.toggleSelected({EntityKind::Goal, 12});
+      scene_.setOptions({});
+      save(folder, QStringLiteral("shapes-") + kind);
+      run(folder, kind);
+    }
+    scene_.setTheme(Theme::light());
+  }
+
+ private:
+  void run(const QString& folder, const QString& kind) {
+    document_.setSelection({{EntityKind::Human, 3}});
+    CanvasOptions options;
+    options.forces = true;
+    scene_.setOptions(options);
+    for (double time = 0.0; time < 1.5; time += 0.05) {
+      scene_.showFrame(std::make_shared<const sim2d::Frame>(frameOf(document_.scenario(), time)));
+    }
+    sim2d::Event say;
+    say.kind = sim2d::EventKind::Say;
+    say.id = 2;
+    say.text = "Two coffees, table 3";
+    scene_.frameLayer().hear({say}, 1.0);
+    view_.setCanvasState(CanvasState::Running);
+    save(folder, QStringLiteral("run-") + kind);
+    view_.setCanvasState(CanvasState::Editing);
+    scene_.showFrame(nullptr);
+    scene_.setOptions({});
+  }
+
+  void save(const QString& folder, const QString& name) {
+    QVERIFY(view_.grab().save(QStringLiteral("%1/canvas-%2.png").arg(folder, name)));
+  }
+
+  ScenarioDocument document_;
+  MapScene scene_{document_, Theme::light()};
+  MapView view_{scene_};
+};
+
+QTEST_MAIN(CanvasTest)
+#include "tst_Canvas.moc"
