@@ -46,9 +46,4 @@ class SelectTool : public Tool {
   bool deselectOnRelease_ = false;
 };
 
-/// For menus as well.
-void removeSelection(ScenarioDocument& document);
-void duplicateSelection(ScenarioDocument& document);
-void selectAll(ScenarioDocument& document);
-
 }  // namespace editor

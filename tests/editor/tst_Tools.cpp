@@ -1,0 +1,231 @@
+#include <QAction>
+#include <QApplication>
+#include <QWindow>
+#include <QtTest>
+
+#include "SmallScenario.h"
+#include "editor/canvas/MapView.h"
+#include "editor/document/EditCommands.h"
+#include "editor/tools/SelectionActions.h"
+#include "editor/tools/ToolManager.h"
+
+using namespace editor;
+
+/// The tools by real mouse events on a window.
+class ToolsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init() {
+    QApplication::setFont(QFont(QStringLiteral("DejaVu Sans"), 9));
+    document_.load(small::scenario());
+    document_.setMap(small::room());
+    tools_.setEditingEnabled(true);
+    use("Select");
+    view_.resize(800, 600);
+    view_.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&view_));
+    view_.fitAll(false);
+  }
+
+  void personAndGoal_placedWithTheMouse_canBeUndoneAndRedone() {
+    document_.load(sim2d::Scenario());
+    document_.setMap(small::room());
+    use("Person");
+    drag(Vec2(3.0, 3.0), Vec2(3.0, 4.0));
+    use("Goal");
+    click(Vec2(8.0, 6.0));
+    const sim2d::Scenario placed = document_.scenario();
+    QCOMPARE(placed.humans.size(), std::size_t{1});
+    QCOMPARE(placed.goals.size(), std::size_t{1});
+    const sim2d::Human& person = placed.humans.front();
+    QVERIFY((person.initPose.position - Vec2(3.0, 3.0)).norm() < 0.05);
+    QVERIFY(std::abs(person.initPose.heading - 0.5 * base::kPi) < 0.05);
+    QVERIFY((placed.goals.front().position - Vec2(8.0, 6.0)).norm() < 0.05);
+    QCOMPARE(document_.undoStack().count(), 2);
+    document_.undoStack().undo();
+    document_.undoStack().undo();
+    QVERIFY(document_.scenario() == sim2d::Scenario());
+    document_.undoStack().redo();
+    document_.undoStack().redo();
+    QVERIFY(document_.scenario() == placed);
+  }
+
+  void escape_whilePlacing_leavesNothing() {
+    use("Person");
+    press(Vec2(9.0, 8.0));
+    move(Vec2(9.5, 8.0));
+    QTest::keyClick(window(), Qt::Key_Escape);
+    release(Vec2(9.5, 8.0));
+    QVERIFY(document_.scenario() == small::scenario());
+    QCOMPARE(document_.undoStack().count(), 0);
+  }
+
+  void select_click_selectsAndEmptyGroundClears() {
+    click(Vec2(2.0, 2.0));
+    QVERIFY(document_.selection() == std::vector<EntityId>{person(1)});
+    click(Vec2(4.0, 6.5), Qt::ShiftModifier);
+    QCOMPARE(document_.selection().size(), std::size_t{2});
+    click(Vec2(11.0, 8.0));
+    QVERIFY(document_.selection().empty());
+  }
+
+  void select_drag_movesAllSelectedWithOneCommand() {
+    document_.setSelection({person(1), person(2)});
+    drag(Vec2(2.0, 2.0), Vec2(3.0, 2.5));
+    const Vec2 ana = document_.human(person(1))->initPose.position;
+    const Vec2 ben = document_.human(person(2))->initPose.position;
+    QVERIFY((ana - Vec2(3.0, 2.5)).norm() < 0.05);
+    QVERIFY((ben - ana - Vec2(2.0, 4.5)).norm() < 1e-9);
+    QCOMPARE(document_.undoStack().count(), 1);
+    document_.undoStack().undo();
+    QVERIFY(document_.scenario() == small::scenario());
+  }
+
+  void select_escapeWhileMoving_putsBack() {
+    press(Vec2(2.0, 2.0));
+    move(Vec2(3.0, 3.0));
+    QVERIFY(positionOf(*scene_.shown(person(1)))->x() > 2.5);
+    QTest::keyClick(window(), Qt::Key_Escape);
+    release(Vec2(3.0, 3.0));
+    QVERIFY(document_.scenario() == small::scenario());
+    QVERIFY(*scene_.shown(person(1)) == *document_.entity(person(1)));
+  }
+
+  void select_band_takesWhatLiesInside() {
+    drag(Vec2(1.2, 1.4), Vec2(3.5, 4.2));
+    QVERIFY((document_.selection() == std::vector<EntityId>{person(1), person(5)}));
+  }
+
+  void select_turnHandle_turns() {
+    document_.setSelection({person(1)});
+    const Vec2 centre = document_.human(person(1))->initPose.position;
+    const double reach = 52.0 / view_.pixelsPerMetre();
+    const Vec2 handle = Pose2{centre, 0.6}.ahead(reach);
+    drag(handle, centre + Vec2(0.0, reach));
+    QVERIFY(std::abs(document_.human(person(1))->initPose.heading - 0.5 * base::kPi) < 0.06);
+    QVERIFY(document_.human(person(1))->initPose.position == centre);
+    QCOMPARE(document_.undoStack().count(), 1);
+  }
+
+  void select_keys_nudgeDuplicateRemove() {
+    click(Vec2(2.0, 2.0));
+    QTest::keyClick(window(), Qt::Key_Right);
+    QTest::keyClick(window(), Qt::Key_Up, Qt::ShiftModifier);
+    QVERIFY((document_.human(person(1))->initPose.position - Vec2(2.1, 3.0)).norm() < 1e-9);
+    QCOMPARE(document_.undoStack().count(), 1);
+    QTest::keyClick(window(), Qt::Key_D, Qt::ControlModifier);
+    QCOMPARE(document_.scenario().humans.size(), std::size_t{7});
+    QTest::keyClick(window(), Qt::Key_Delete);
+    QVERIFY(document_.human(person(1)) != nullptr);
+    QCOMPARE(document_.scenario().humans.size(), std::size_t{6});
+  }
+
+  void select_robotGoal_isMovedAlone() {
+    drag(Vec2(1.5, 1.0), Vec2(3.0, 8.0));
+    const sim2d::Robot& robot = document_.scenario().robots.front();
+    QVERIFY(robot.start == small::scenario().robots.front().start);
+    QVERIFY((*robot.goal.point - Vec2(3.0, 8.0)).norm() < 0.05);
+  }
+
+  void goal_clickOnOne_picksItUpAndDropsIt() {
+    use("Goal");
+    click(Vec2(2.0, 7.0));
+    move(Vec2(3.0, 7.5));
+    click(Vec2(3.5, 8.0));
+    QCOMPARE(document_.scenario().goals.size(), std::size_t{3});
+    QVERIFY((document_.scenario().goals[1].position - Vec2(3.5, 8.0)).norm() < 0.05);
+    QCOMPARE(document_.undoStack().count(), 1);
+  }
+
+  void route_goalsInOrder_areAssigned() {
+    use("Route");
+    click(Vec2(3.2, 3.8));
+    click(Vec2(10.0, 1.5));
+    click(Vec2(2.0, 7.0));
+    QVERIFY(document_.human(person(5))->goals.empty());
+    QTest::keyClick(window(), Qt::Key_Return);
+    QVERIFY((document_.human(person(5))->goals == std::vector<int>{3, 2}));
+    QCOMPARE(document_.undoStack().count(), 1);
+  }
+
+  void robot_startThenGoal_areTwoCommands() {
+    document_.load(sim2d::Scenario());
+    document_.setMap(small::room());
+    use("Robot");
+    drag(Vec2(3.0, 3.0), Vec2(4.0, 3.0));
+    click(Vec2(9.0, 7.0));
+    QCOMPARE(document_.scenario().robots.size(), std::size_t{1});
+    const sim2d::Robot& robot = document_.scenario().robots.front();
+    QVERIFY((robot.start.position - Vec2(3.0, 3.0)).norm() < 0.05);
+    QVERIFY(std::abs(robot.start.heading) < 0.05);
+    QVERIFY((*robot.goal.point - Vec2(9.0, 7.0)).norm() < 0.05);
+    QCOMPARE(document_.undoStack().count(), 2);
+  }
+
+  void middleButton_drag_pansAndKeepsTheDocument() {
+    const Vec2 before = view_.worldAt(QPoint(100, 100));
+    QTest::mousePress(window(), Qt::MiddleButton, {}, QPoint(400, 300));
+    QMouseEvent event(QEvent::MouseMove, QPointF(460, 330), QPointF(460, 330), Qt::NoButton,
+                      Qt::MiddleButton, {});
+    QApplication::sendEvent(view_.viewport(), &event);
+    QTest::mouseRelease(window(), Qt::MiddleButton, {}, QPoint(460, 330));
+    QVERIFY((view_.worldAt(QPoint(160, 130)) - before).norm() * view_.pixelsPerMetre() < 2.0);
+    QVERIFY(document_.scenario() == small::scenario());
+  }
+
+  void actions_areExclusiveAndRestDuringARun() {
+    use("Goal");
+    QCOMPARE(tools_.current()->name(), QStringLiteral("Goal"));
+    tools_.setEditingEnabled(false);
+    QCOMPARE(tools_.current(), tools_.tools().front());
+    QVERIFY(!tools_.actions().actions().at(1)->isEnabled());
+  }
+
+ private:
+  static EntityId person(int key) { return {EntityKind::Human, key}; }
+
+  QWindow* window() { return view_.window()->windowHandle(); }
+  QPoint at(const Vec2& world) {
+    return view_.viewport()->mapTo(view_.window(), view_.viewportFrom(world));
+  }
+  void press(const Vec2& world, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::mouseMove(window(), at(world));
+    QTest::mousePress(window(), Qt::LeftButton, modifiers, at(world));
+  }
+  void move(const Vec2& world) { QTest::mouseMove(window(), at(world)); }
+  void release(const Vec2& world, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::mouseRelease(window(), Qt::LeftButton, modifiers, at(world));
+    QTest::qWait(0);
+  }
+  void click(const Vec2& world, Qt::KeyboardModifiers modifiers = {}) {
+    press(world, modifiers);
+    release(world, modifiers);
+    // Two clicks at one place within the interval would be a double click.
+    QTest::qWait(1);
+  }
+  void drag(const Vec2& from, const Vec2& to) {
+    press(from);
+    move(0.5 * (from + to));
+    move(to);
+    release(to);
+  }
+  void use(const char* name) {
+    for (Tool* tool : tools_.tools()) {
+      if (tool->name() == QString::fromUtf8(name)) {
+        tools_.action(tool)->trigger();
+        QCOMPARE(tools_.current(), tool);
+        return;
+      }
+    }
+    QFAIL("no such tool");
+  }
+
+  ScenarioDocument document_;
+  MapScene scene_{document_, Theme::light()};
+  MapView view_{scene_};
+  ToolManager tools_{document_, scene_};
+};
+
+QTEST_MAIN(ToolsTest)
+#include "tst_Tools.moc"
