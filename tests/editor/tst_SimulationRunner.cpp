@@ -1,0 +1,162 @@
+#include <limits>
+
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "SmallScenario.h"
+#include "editor/run/SimulationRunner.h"
+
+using namespace editor;
+
+namespace {
+
+/// Everybody walks to their goals in order.
+class Walking : public sim2d::HumanBehavior {
+ public:
+  void enter(int, const sim2d::WorldView&) override {}
+  void decide(const sim2d::WorldView& view, sim2d::Intents& intents) override {
+    for (int i = 0; i < view.humanCount(); ++i) {
+      sim2d::Intent& intent = intents.of(i);
+      const sim2d::HumanControl& control = intents.control(i);
+      if (view.isPresent(i) && !control.goals.empty()) {
+        intent.motion = sim2d::Motion::Walk;
+        intent.target = control.goals.front();
+        intent.targetIsGoal = true;
+        intent.speed = view.constants(i).desiredSpeed;
+      }
+    }
+  }
+};
+
+base::Result<std::unique_ptr<sim2d::World>> makeWorld() {
+  sim2d::WorldSetup setup;
+  setup.scenario = std::make_shared<const sim2d::Scenario>(small::scenario());
+  setup.map = *small::room();
+  setup.behavior = std::make_unique<Walking>();
+  return sim2d::World::create(std::move(setup));
+}
+
+RunRequest request(std::int64_t steps) {
+  RunRequest result;
+  result.makeWorld = makeWorld;
+  result.rule = {steps, true};
+  return result;
+}
+
+}  // namespace
+
+class SimulationRunnerTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void record_asFastAsPossible_equalsTheHeadlessRun() {
+    auto world = makeWorld();
+    QVERIFY(bool(world));
+    sim2d::Recorder recorder;
+    const sim2d::RunResult expected = sim2d::run(**world, {200, true}, recorder);
+    const sim2d::Trace headless = recorder.finish((*world)->header());
+
+    SimulationRunner runner;
+    runner.setRequest([] { return request(200); });
+    runner.setSpeed(std::numeric_limits<double>::infinity());
+    QSignalSpy finished(&runner, &SimulationRunner::finished);
+    runner.play();
+    QTest::qWait(20);
+    runner.pause();
+    runner.requestTrace();
+    runner.stepOnce();
+    runner.play();
+    QVERIFY(finished.wait(20000));
+    QVERIFY(runner.isFinished());
+    QCOMPARE(runner.state(), SimulationRunner::State::Paused);
+    const TracePtr trace = runner.trace();
+    QVERIFY(trace != nullptr);
+    QVERIFY(sim2d::trajectoryCsv(*trace) == sim2d::trajectoryCsv(headless));
+    QVERIFY(sim2d::eventsCsv(*trace) == sim2d::eventsCsv(headless));
+    QVERIFY(sim2d::traceJson(trace->header) == sim2d::traceJson(headless.header));
+    const auto result = finished.front().front().value<sim2d::RunResult>();
+    QCOMPARE(result.steps, expected.steps);
+    QVERIFY(result.reason == expected.reason);
+    QCOMPARE(runner.history().size(), static_cast<std::size_t>(expected.steps) + 1);
+  }
+
+  void stepOnce_fromEditing_makesOneStep() {
+    SimulationRunner runner;
+    runner.setRequest([] { return request(1000); });
+    runner.stepOnce();
+    QCOMPARE(runner.state(), SimulationRunner::State::Paused);
+    QTRY_VERIFY(runner.shownFrame() != nullptr && runner.shownFrame()->step == 1);
+    runner.stepOnce();
+    QTRY_COMPARE(runner.shownFrame()->step, std::int64_t{2});
+    QTest::qWait(60);
+    QCOMPARE(runner.newestFrame()->step, std::int64_t{2});
+    runner.stepBack();
+    QCOMPARE(runner.shownFrame()->step, std::int64_t{1});
+    QVERIFY(runner.isLookingBack());
+    runner.stepOnce();
+    QCOMPARE(runner.shownFrame()->step, std::int64_t{2});
+    QVERIFY(!runner.isLookingBack());
+  }
+
+  void play_atRealTime_keepsPace() {
+    SimulationRunner runner;
+    runner.setRequest([] { return request(1000); });
+    runner.play();
+    QTRY_VERIFY(runner.newestFrame() != nullptr);
+    QElapsedTimer timer;
+    timer.start();
+    QTest::qWait(600);
+    runner.pause();
+    const double wall = 0.001 * static_cast<double>(timer.elapsed());
+    QTest::qWait(60);
+    QVERIFY(runner.newestFrame()->time <= wall + 0.3);
+    QVERIFY(runner.newestFrame()->time > 0.0);
+  }
+
+  void seek_duringARun_pausesAndShowsThePast() {
+    SimulationRunner runner;
+    runner.setRequest([] { return request(1000); });
+    runner.setSpeed(20.0);
+    runner.play();
+    QTRY_VERIFY(runner.history().size() > 20);
+    runner.seek(7);
+    QCOMPARE(runner.state(), SimulationRunner::State::Paused);
+    QCOMPARE(runner.shownFrame()->step, std::int64_t{7});
+    runner.play();
+    QVERIFY(!runner.isLookingBack());
+    QCOMPARE(runner.state(), SimulationRunner::State::Running);
+  }
+
+  void reset_duringARun_clearsAndKeepsTheTrace() {
+    SimulationRunner runner;
+    runner.setRequest([] { return request(1000); });
+    runner.play();
+    QTRY_VERIFY(runner.newestFrame() != nullptr && runner.newestFrame()->step > 0);
+    runner.reset();
+    QCOMPARE(runner.state(), SimulationRunner::State::Editing);
+    QVERIFY(runner.shownFrame() == nullptr);
+    QVERIFY(runner.trace() != nullptr);
+    QVERIFY(runner.trace()->events.back().second.text == "interrupted");
+    runner.play();
+    QTRY_VERIFY(runner.shownFrame() != nullptr);
+  }
+
+  void makeWorld_withErrors_isToldAndLeavesEditing() {
+    SimulationRunner runner;
+    runner.setRequest([] {
+      RunRequest broken;
+      broken.makeWorld = []() -> base::Result<std::unique_ptr<sim2d::World>> {
+        return base::makeError("no place for Ana");
+      };
+      return broken;
+    });
+    QSignalSpy spy(&runner, &SimulationRunner::notStarted);
+    runner.play();
+    QVERIFY(spy.wait(5000));
+    QCOMPARE(runner.state(), SimulationRunner::State::Editing);
+    QVERIFY(spy.front().front().value<base::Diagnostics>().front().message == "no place for Ana");
+  }
+};
+
+QTEST_MAIN(SimulationRunnerTest)
+#include "tst_SimulationRunner.moc"
