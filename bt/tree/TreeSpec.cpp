@@ -156,17 +156,16 @@ bool insertNode(TreeSpec& tree, const NodePath& parent, int index, NodeSpec node
 }
 
 std::optional<NodeSpec> removeNode(TreeSpec& tree, const NodePath& path) {
-  NodeSpec* const node = nodeAt(tree, path);
-  if (!node) {
+  if (!nodeAt(tree, path)) {
     return std::nullopt;
   }
-  NodeSpec removed = std::move(*node);
   if (path.empty()) {
-    tree.root = NodeSpec();
-  } else {
-    std::vector<NodeSpec>& siblings = nodeAt(tree, head(path, path.size() - 1))->children;
-    siblings.erase(siblings.begin() + path.back());
+    return std::exchange(tree.root, NodeSpec());
   }
+  std::vector<NodeSpec>& siblings = nodeAt(tree, head(path, path.size() - 1))->children;
+  const auto place = siblings.begin() + path.back();
+  NodeSpec removed = std::move(*place);
+  siblings.erase(place);
   return removed;
 }
 

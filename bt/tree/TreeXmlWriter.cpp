@@ -18,14 +18,14 @@ class Writer {
 
  private:
   void open(const std::string& tag, const Attributes& attributes) {
-    text_.append(static_cast<std::size_t>(2 * level_), ' ');
+    text_.append(2 * level_, ' ');
     text_ += "<" + tag;
     for (const Attribute& attribute : attributes) {
       text_ += " " + attribute.name + "=\"" + escapedXml(attribute.text) + "\"";
     }
   }
   void close(const std::string& tag) {
-    text_.append(static_cast<std::size_t>(2 * level_), ' ');
+    text_.append(2 * level_, ' ');
     text_ += "</" + tag + ">\n";
   }
   void include(const Include& include);
@@ -37,7 +37,7 @@ class Writer {
 
   const NodeCatalogue& catalogue_;
   std::string text_;
-  int level_ = 0;
+  std::size_t level_ = 0;
   std::size_t nextInclude_ = 0;
   std::size_t nextTree_ = 0;
   std::size_t nextBlock_ = 0;
