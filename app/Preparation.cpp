@@ -89,7 +89,7 @@ Preparation prepare(const RunOptions& options, const sim2d::Compatibility& compa
     base::append(preparation.diagnostics, meaning);
   }
   base::Diagnostics trees;
-  bt::makeTreeBehavior(*preparation.scenario, preparation.treePaths, trees);
+  bt::makeTreeBehavior(*preparation.scenario, preparation.treePaths, trees, compatibility);
   base::append(preparation.diagnostics, trees);
   return preparation;
 }
@@ -103,7 +103,8 @@ base::Result<std::unique_ptr<sim2d::World>> makeWorld(const Preparation& prepara
   setup.compatibility = preparation.compatibility;
   setup.threads = options.threads;
   setup.exact = options.exact;
-  setup.behavior = bt::makeTreeBehavior(*preparation.scenario, preparation.treePaths, known);
+  setup.behavior = bt::makeTreeBehavior(*preparation.scenario, preparation.treePaths, known,
+                                        preparation.compatibility);
   if (!setup.behavior) {
     return known;
   }

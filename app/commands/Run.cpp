@@ -142,6 +142,9 @@ int runCommand(const RunOptions& options, const OutputOptions& output,
   }
   catchInterrupts();
   const FinishedRun run = simulate(**world, *preparation.scenario, *setup, output);
+  base::Diagnostics troubles;
+  (*world)->behavior().takeDiagnostics(troubles);
+  printDiagnostics(troubles);
   if (!run.evaluation) {
     printDiagnostics(run.evaluation.diagnostics());
   }
