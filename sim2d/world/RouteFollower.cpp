@@ -8,6 +8,7 @@ namespace {
 constexpr double kTargetMoved = 0.25;   // [m]; farther, and the path is planned anew
 constexpr double kPassed = 0.2;         // [m]; a way point so near is passed
 constexpr double kLostAfter = 1.0;      // [s] without a clear line to the next way point
+constexpr double kBetweenLooks = 0.2;   // [s]; lines are tested so often
 constexpr double kBetweenPlans = 1.0;   // [s]
 constexpr double kStuckAfter = 4.0;     // [s] without progress
 constexpr double kProgress = 0.1;       // [m]
@@ -36,11 +37,13 @@ RouteFollower::Leg RouteFollower::follow(const Request& request, Ways& ways,
     path_.back() = request.target.position;
     target_ = request.target.position;
   }
-  passWayPoints(request, ways);
+  const bool looks = request.time - lookedAt_ >= kBetweenLooks - 1e-9;
+  lookedAt_ = looks ? request.time : lookedAt_;
+  passWayPoints(request, ways, looks);
   leg.stuck = isStuck(request);
-  if (leg.stuck || isLost(request, ways, obstacles)) {
+  if (leg.stuck || (looks && isLost(request, ways, obstacles))) {
     plan(request, ways);
-    passWayPoints(request, ways);
+    passWayPoints(request, ways, true);
     leg.replanned = true;
   }
   if (!path_.empty()) {
@@ -65,10 +68,10 @@ void RouteFollower::plan(const Request& request, Ways& ways) {
   plannedAt_ = clearAt_ = request.time;
 }
 
-void RouteFollower::passWayPoints(const Request& request, Ways& ways) {
+void RouteFollower::passWayPoints(const Request& request, Ways& ways, bool looks) {
   while (next_ + 1 < path_.size() &&
          ((path_[next_] - request.position).norm() < kPassed ||
-          ways.isClear(request.radius, request.position, path_[next_ + 1]))) {
+          (looks && ways.isClear(request.radius, request.position, path_[next_ + 1])))) {
     ++next_;
   }
 }

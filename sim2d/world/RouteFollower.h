@@ -33,7 +33,7 @@ class RouteFollower {
  private:
   bool isForThisTarget(const Request& request, const Ways& ways) const;
   void plan(const Request& request, Ways& ways);
-  void passWayPoints(const Request& request, Ways& ways);
+  void passWayPoints(const Request& request, Ways& ways, bool looks);
   bool isLost(const Request& request, Ways& ways, const Obstacles& obstacles);
   bool isStuck(const Request& request);
   double restLength(const Vec2& position) const;
@@ -43,6 +43,7 @@ class RouteFollower {
   Vec2 target_ = Vec2::Zero();
   int version_ = -1;         // of the ways; -1: no path yet
   double plannedAt_ = -1e9;  // [s]
+  double lookedAt_ = -1e9;   // lines were last tested [s]
   double clearAt_ = 0.0;     // the next way point was last clear [s]
   double bestRest_ = 1e300;  // shortest rest of the path so far [m]
   double progressAt_ = 0.0;  // when the rest last became shorter [s]

@@ -59,8 +59,12 @@ Vec2 socialForce(const ForceParameters& parameters, const Walker& self, const Wa
   return parameters.socialFactor * (slowing * along + turning * left);
 }
 
+double cutOff(double share) {
+  return -base::log(share);
+}
+
 bool isNegligible(const ForceParameters& parameters, const Walker& self, const Walker& other,
-                  double epsilon) {
+                  double cutOff) {
   const Vec2 apart = other.position - self.position;
   const double distance = apart.norm();
   if (distance < kShortest) {
@@ -71,12 +75,12 @@ bool isNegligible(const ForceParameters& parameters, const Walker& self, const W
   const double sideways = std::min(parameters.n, parameters.nPrime) * parameters.gamma *
                           parameters.lambda * base::cross(relative, apart) / distance;
   return distance + sideways * sideways * parameters.gamma * length >
-         -base::log(epsilon) * parameters.gamma * length;
+         cutOff * parameters.gamma * length;
 }
 
 double socialRange(const ForceParameters& parameters, double speed, double otherSpeed,
-                   double epsilon) {
-  return -base::log(epsilon) * parameters.gamma * (parameters.lambda * (speed + otherSpeed) + 1.0);
+                   double cutOff) {
+  return cutOff * parameters.gamma * (parameters.lambda * (speed + otherSpeed) + 1.0);
 }
 
 Vec2 obstacleForce(const ForceParameters& parameters, const Walker& self,

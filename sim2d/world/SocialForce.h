@@ -42,13 +42,15 @@ Vec2 goalForce(const ForceParameters& parameters, const Vec2& velocity, const Ve
 /// interaction vector vanishes the force is its limit, zero.
 Vec2 socialForce(const ForceParameters& parameters, const Walker& self, const Walker& other);
 
-/// True when both components of the force are below `epsilon` times k_s, by a bound that costs no
-/// exponential (exact for parameter epsilon = 0).
+/// How far a cut-off goes that leaves out what is below `share` of k_s: -ln(share).
+double cutOff(double share);
+/// True when both components of the force are below the share of k_s that `cutOff` was made of, by
+/// a bound that costs no exponential (exact for epsilon = 0).
 bool isNegligible(const ForceParameters& parameters, const Walker& self, const Walker& other,
-                  double epsilon);
+                  double cutOff);
 /// Distance from which on `isNegligible` holds, for bodies of these speeds at most [m].
 double socialRange(const ForceParameters& parameters, double speed, double otherSpeed,
-                   double epsilon);
+                   double cutOff);
 
 /// Sum over all points. Inside an obstacle the force leads to the point instead of away from it.
 Vec2 obstacleForce(const ForceParameters& parameters, const Walker& self,

@@ -165,12 +165,12 @@ void SocialForceTest::isNegligible_pairs_neverDropsAboveTheBound() {
     const Walker other = walker(2, far * Vec2(std::cos(5.0 * t), std::sin(5.0 * t)),
                                 1.2 * Vec2(std::cos(3.1 * t), std::sin(3.1 * t)));
     const Vec2 force = socialForce(plain(), self, other);
-    if (isNegligible(plain(), self, other, 1e-4)) {
+    if (isNegligible(plain(), self, other, cutOff(1e-4))) {
       ++dropped;
       QVERIFY(force.norm() <= std::sqrt(2.0) * 1e-4 * plain().socialFactor);
     }
-    if (far > socialRange(plain(), 1.4, 1.2, 1e-4)) {
-      QVERIFY(isNegligible(plain(), self, other, 1e-4));
+    if (far > socialRange(plain(), 1.4, 1.2, cutOff(1e-4))) {
+      QVERIFY(isNegligible(plain(), self, other, cutOff(1e-4)));
     }
   }
   QVERIFY(dropped > 1000 && dropped < 4000);

@@ -7,6 +7,7 @@ namespace sim2d {
 namespace {
 
 constexpr double kNegligible = 1e-4;     // of k_s: smaller terms of a crowd are left out
+constexpr double kUnfelt = 1e-6;         // [m/s²]; smaller forces of one body never count
 constexpr std::size_t kSmallCrowd = 64;  // up to here every pair is summed
 constexpr double kStandingSpeed = 1e-3;  // [m/s]; who brakes below this stands
 
@@ -52,7 +53,7 @@ class Sfm : public PedestrianModel {
   }
 
   double range(double fastest, double ownSpeed) const override {
-    return socialRange(parameters_, ownSpeed, fastest, kNegligible);
+    return socialRange(parameters_, ownSpeed, fastest, cutOff_);
   }
 
  private:
@@ -60,10 +61,13 @@ class Sfm : public PedestrianModel {
     const bool sumsAll = situation.exact || situation.others.size() <= kSmallCrowd;
     Vec2 sum = Vec2::Zero();
     for (const Walker& other : situation.others) {
-      if (!sumsAll && isNegligible(parameters_, situation.self, other, kNegligible)) {
+      if (!sumsAll && isNegligible(parameters_, situation.self, other, cutOff_)) {
         continue;
       }
       const Vec2 force = socialForce(parameters_, situation.self, other);
+      if (!situation.exact && force.norm() < kUnfelt) {
+        continue;  // not worth a look for walls
+      }
       if (!force.isZero(0.0) &&
           (isOriginal_ || (*situation.isVisible)(situation.self.position, other.position))) {
         sum += force;
@@ -92,6 +96,7 @@ class Sfm : public PedestrianModel {
 
   ForceParameters parameters_;
   bool isOriginal_;
+  double cutOff_ = cutOff(kNegligible);
 };
 
 }  // namespace
