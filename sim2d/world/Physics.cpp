@@ -35,6 +35,7 @@ struct Physics::World {
     Vec2 velocity = Vec2::Zero();
     double omega = 0.0;
     bool present = true;
+    bool braked = false;
   };
 
   explicit World(const Vec2& centre) : world(b2Vec2(0.0F, 0.0F)), origin(centre) {
@@ -249,6 +250,20 @@ void Physics::setVelocity(int body, const Vec2& velocity, double omega) {
   moved.body->SetLinearVelocity(
       {static_cast<float>(velocity.x()), static_cast<float>(velocity.y())});
   moved.body->SetAngularVelocity(moved.body->IsFixedRotation() ? 0.0F : static_cast<float>(omega));
+}
+
+void Physics::setBraked(int body, bool braked) {
+  World::Body& changed = world_->at(body);
+  if (changed.braked == braked) {
+    return;
+  }
+  changed.braked = braked;
+  b2MassData mass = {};
+  changed.body->GetMassData(&mass);
+  const auto factor = static_cast<float>(braked ? kBrakedMass : 1.0 / kBrakedMass);
+  mass.mass *= factor;
+  mass.I *= factor;
+  changed.body->SetMassData(&mass);
 }
 
 void Physics::step(double dt, int subSteps) {

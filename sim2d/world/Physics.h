@@ -25,6 +25,8 @@ struct Touch {
   Vec2 normal = Vec2::Zero();  // unit vector from `body` to the other
 };
 
+constexpr double kBrakedMass = 1000.0;  // times the mass of a body that holds its place
+
 /// Rigid bodies that do not pass through each other nor through walls (Box2D 2.4 behind it). Works
 /// in single precision relative to `origin`; a body that nothing touched moves in double. Bodies
 /// are numbered in the order of their making.
@@ -46,6 +48,8 @@ class Physics {
   void place(int body, const Pose2& pose);
   /// What a body should do in the next step; people (`keepsHeading`) have omega 0.
   void setVelocity(int body, const Vec2& velocity, double omega);
+  /// A body with brakes on is hardly pushed by others: it counts 1000 times its mass.
+  void setBraked(int body, bool braked);
   /// More `subSteps` let fast bodies sink less into what they hit.
   void step(double dt, int subSteps = 1);
 

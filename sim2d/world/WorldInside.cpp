@@ -225,7 +225,9 @@ void World::State::moveBodies(const std::vector<base::Twist2>& commands) {
     discs[i].position = robot.pose.position;
     discs[i].velocity = commands[i].linear * chords_[i];
     discs[i].radius = model.robots[i].radius;
-    discs[i].mass = model.robots[i].mass;
+    const bool stands = commands[i].linear == 0.0 && commands[i].angular == 0.0;
+    discs[i].mass = model.robots[i].mass * (stands ? kBrakedMass : 1.0);
+    physics.setBraked(static_cast<int>(i), stands);
     if (model.robots[i].footprint.empty()) {
       surroundings.obstacles.boundaryPoints(robot.pose.position, discs[i].walls,
                                             discs[i].radius + 1.0);

@@ -20,6 +20,7 @@ class WorldRobotTest : public QObject {
   void drive_personBehindAWall_doesNotMatter();
   void drive_doorCloses_plansAnew();
   void stand_withoutGoal_neverArrives();
+  void stand_pushedByPeople_holdsItsPlace();
   void create_unreachableGoal_isLeftOut();
   void twoRobots_idsFollowTheOrder();
 };
@@ -137,6 +138,23 @@ void WorldRobotTest::stand_withoutGoal_neverArrives() {
   advance(*world, 50);
   QVERIFY(!world->arrivedAt().has_value());
   QVERIFY(robotPosition(world->frame()) == Vec2(1.0, 1.0));
+}
+
+void WorldRobotTest::stand_pushedByPeople_holdsItsPlace() {
+  Scenario scenario;
+  addGoal(scenario, 1, 3.0, 0.0);
+  addPerson(scenario, 1, Vec2(-2.0, 0.0), {1}).ours.route = Route::Direct;
+  addPerson(scenario, 2, Vec2(-3.0, 0.0), {1}).ours.route = Route::Direct;
+  Robot& robot = addRobot(scenario, Vec2(0.0, 0.0), Vec2::Zero());
+  robot.goal.point.reset();
+  const std::unique_ptr<World> world = make(scenario);
+  advance(*world, 200, [&](const Frame& frame) {
+    QVERIFY(robotPosition(frame).norm() < 0.02);
+    for (std::size_t i = 0; i < frame.humans.size(); ++i) {
+      const Vec2 person(frame.humans.x[i], frame.humans.y[i]);
+      QVERIFY((person - robotPosition(frame)).norm() > 0.35 + 0.35 - 0.05);
+    }
+  });
 }
 
 void WorldRobotTest::create_unreachableGoal_isLeftOut() {
