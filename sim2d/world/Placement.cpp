@@ -9,30 +9,10 @@ namespace sim2d {
 namespace {
 
 constexpr double kFarthest = 1e6;    // [m]
-constexpr double kOverlap = 0.05;    // [m]; told about
 constexpr double kSamePlace = 1e-9;  // [m]
 
 bool isUsable(const Vec2& point) {
   return point.allFinite() && point.cwiseAbs().maxCoeff() <= kFarthest;
-}
-
-std::string shown(const Vec2& point) {
-  return "(" + base::formatDouble(std::round(point.x() * 1000.0) / 1000.0) + ", " +
-         base::formatDouble(std::round(point.y() * 1000.0) / 1000.0) + ")";
-}
-
-base::Diagnostic about(base::Diagnostic diagnostic, EntityId entity) {
-  diagnostic.entity = entity;
-  return diagnostic;
-}
-
-EntityId keyOfRobot(const WorldModel& model, const ResolvedRobot& robot) {
-  for (const Robot& written : model.scenario->robots) {
-    if (written.listed && written.name == robot.name) {
-      return written.key;
-    }
-  }
-  return {};
 }
 
 /// Moves the point where a body of this radius fits; `what` names it in messages.
@@ -72,22 +52,6 @@ double radiusFor(const WorldModel& model, int goalId) {
   return radius;
 }
 
-void warnOfOverlaps(const WorldModel& model, base::Diagnostics& problems) {
-  for (std::size_t i = 0; i < model.people.size(); ++i) {
-    const ResolvedHuman& first = model.people[i].constants;
-    for (std::size_t k = i + 1; k < model.people.size(); ++k) {
-      const ResolvedHuman& second = model.people[k].constants;
-      const double apart = (first.start.position - second.start.position).norm();
-      const bool areTogether = first.startTime <= 0.0 && second.startTime <= 0.0;
-      if (areTogether && apart < first.radius + second.radius - kOverlap) {
-        problems.push_back(about(base::makeWarning("'" + first.name + "' and '" + second.name +
-                                                   "' start in each other; they are pushed apart"),
-                                 model.people[i].definition->key));
-      }
-    }
-  }
-}
-
 template <class Items, class IsReachable>
 void keepReachable(Items& items, IsReachable isReachable) {
   items.erase(std::remove_if(items.begin(), items.end(),
@@ -96,6 +60,25 @@ void keepReachable(Items& items, IsReachable isReachable) {
 }
 
 }  // namespace
+
+std::string shown(const Vec2& point) {
+  return "(" + base::formatDouble(std::round(point.x() * 1000.0) / 1000.0) + ", " +
+         base::formatDouble(std::round(point.y() * 1000.0) / 1000.0) + ")";
+}
+
+base::Diagnostic about(base::Diagnostic diagnostic, EntityId entity) {
+  diagnostic.entity = entity;
+  return diagnostic;
+}
+
+EntityId keyOfRobot(const WorldModel& model, const ResolvedRobot& robot) {
+  for (const Robot& written : model.scenario->robots) {
+    if (written.listed && written.name == robot.name) {
+      return written.key;
+    }
+  }
+  return {};
+}
 
 std::vector<Vec2> placesOf(const WorldModel& model) {
   std::vector<Vec2> places;
@@ -174,7 +157,7 @@ void fitPlaces(WorldModel& model, Ways& ways, base::Diagnostics& problems) {
       }
     }
   }
-  warnOfOverlaps(model, problems);
+  partStarts(model, ways, problems);
 }
 
 void leaveOutUnreachable(WorldModel& model, Ways& ways, base::Diagnostics& problems) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "sim2d/base/Result.h"
@@ -17,7 +18,15 @@ void checkPlaces(const WorldModel& model, base::Diagnostics& problems);
 /// Moves starts and goals to the nearest place within 1 m where the body fits, with a warning that
 /// names both points; there is none: error. Goals of people who walk straight stay where they are.
 void fitPlaces(WorldModel& model, Ways& ways, base::Diagnostics& problems);
+/// Of starts that would stand in each other the later one (robots come after people) is moved to
+/// the nearest free place within 1 m, with a warning that names both points.
+void partStarts(WorldModel& model, Ways& ways, base::Diagnostics& problems);
 /// Takes goals without a way to them off the lists, each with a warning.
 void leaveOutUnreachable(WorldModel& model, Ways& ways, base::Diagnostics& problems);
+
+// For their messages.
+std::string shown(const Vec2& point);  // "(1.5, -2)", to the millimetre
+base::Diagnostic about(base::Diagnostic diagnostic, EntityId entity);
+EntityId keyOfRobot(const WorldModel& model, const ResolvedRobot& robot);
 
 }  // namespace sim2d

@@ -21,6 +21,7 @@ class WorldRobotTest : public QObject {
   void drive_doorCloses_plansAnew();
   void stand_withoutGoal_neverArrives();
   void stand_pushedByPeople_holdsItsPlace();
+  void create_startOnAPerson_isMovedAside();
   void create_unreachableGoal_isLeftOut();
   void twoRobots_idsFollowTheOrder();
 };
@@ -155,6 +156,19 @@ void WorldRobotTest::stand_pushedByPeople_holdsItsPlace() {
       QVERIFY((person - robotPosition(frame)).norm() > 0.35 + 0.35 - 0.05);
     }
   });
+}
+
+void WorldRobotTest::create_startOnAPerson_isMovedAside() {
+  Scenario scenario;
+  addPerson(scenario, 1, Vec2(0.0, 0.0));
+  addRobot(scenario, Vec2(0.2, 0.0), Vec2(5.0, 0.0));
+  const base::Result<std::unique_ptr<World>> world = create(scenario);
+  QVERIFY(world);
+  QCOMPARE(world.diagnostics().size(), std::size_t{1});
+  QVERIFY(world.diagnostics()[0].message.find("(0.2, 0)") != std::string::npos);
+  const Frame& frame = (*world)->frame();
+  QVERIFY((robotPosition(frame) - positionOf(frame, 0)).norm() >= 0.35 + 0.35 - 0.011);
+  QVERIFY((robotPosition(frame) - Vec2(0.2, 0.0)).norm() <= 1.0);
 }
 
 void WorldRobotTest::create_unreachableGoal_isLeftOut() {
