@@ -17,6 +17,8 @@ class LiveMetrics {
   ~LiveMetrics();
   LiveMetrics(const LiveMetrics&) = delete;
   LiveMetrics& operator=(const LiveMetrics&) = delete;
+  LiveMetrics(LiveMetrics&&) = delete;
+  LiveMetrics& operator=(LiveMetrics&&) = delete;
 
   /// People that arrived since the header was made; before the first frame with them.
   void addHumans(const std::vector<sim2d::TraceHuman>& humans);

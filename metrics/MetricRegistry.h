@@ -77,6 +77,8 @@ class Accumulator {
   Accumulator() = default;
   Accumulator(const Accumulator&) = delete;
   Accumulator& operator=(const Accumulator&) = delete;
+  Accumulator(Accumulator&&) = delete;
+  Accumulator& operator=(Accumulator&&) = delete;
   virtual ~Accumulator() = default;
   /// Sample number `sample`; called once for each, in order.
   virtual void add(const Recording& recording, std::size_t sample) = 0;

@@ -309,9 +309,11 @@ std::string tableText(const Evaluation& evaluation) {
   std::string text = line("metric", "value", "unit");
   for (std::size_t k = 0; k < values.size(); ++k) {
     const MetricResult& result = evaluation.results[k];
-    const std::string why = result.value.why.empty() ? "" : "(" + result.value.why + ")";
-    const std::string& unit = result.info.unit;
-    text += line(result.info.key, values[k], unit + (unit.empty() || why.empty() ? "" : " ") + why);
+    std::string rest = result.info.unit;
+    if (!result.value.why.empty()) {
+      rest.append(rest.empty() ? "(" : " (").append(result.value.why).append(")");
+    }
+    text += line(result.info.key, values[k], rest);
   }
   return text;
 }

@@ -17,6 +17,8 @@ class Routes {
   ~Routes();
   Routes(const Routes&) = delete;
   Routes& operator=(const Routes&) = delete;
+  Routes(Routes&&) = delete;
+  Routes& operator=(Routes&&) = delete;
 
   /// Corner points, both ends included; the straight line when no way is found.
   std::vector<base::Vec2> shortest(const base::Vec2& from, const base::Vec2& to);

@@ -37,6 +37,7 @@ MetricValue percentage(std::vector<double> series) {
 MetricValue intrusions(const std::vector<double>& closest, const MetricParameters& parameters,
                        const Band& band) {
   std::vector<double> series;
+  series.reserve(closest.size());
   for (const double distance : closest) {  // NaN, nobody there, is in no band
     series.push_back(isInBand(distance, band, parameters) ? 1.0 : 0.0);
   }

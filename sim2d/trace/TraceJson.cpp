@@ -40,6 +40,7 @@ void readParameters(JsonFields& fields, const Json& json, const std::string& pat
     fields.error(path + "parameters", "must be an object");
     return;
   }
+  const std::string where = path + "parameters.";
   for (const auto& [key, value] : parameters->items()) {
     double number = 0.0;
     if (value == "inf" || value == "-inf") {
@@ -48,7 +49,7 @@ void readParameters(JsonFields& fields, const Json& json, const std::string& pat
     } else if (JsonFields::finite(value, number)) {
       human.parameters.emplace_back(key, number);
     } else {
-      fields.error(path + "parameters." + key, "must be a number");
+      fields.error(where + key, "must be a number");
     }
   }
 }
