@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QProxyStyle>
+
+#include "editor/look/Theme.h"
+
+namespace editor {
+
+/// Fusion with our fields, buttons, rows, tabs and sliders, in the colours of a theme. The
+/// application owns one; `setTheme` and a repaint change it at once.
+class HouseStyle : public QProxyStyle {
+  Q_OBJECT
+ public:
+  explicit HouseStyle(const Theme& theme);
+  void setTheme(const Theme& theme) { theme_ = theme; }
+
+  int pixelMetric(PixelMetric metric, const QStyleOption* option,
+                  const QWidget* widget) const override;
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                QStyleHintReturn* returned) const override;
+  QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
+                         const QWidget* widget) const override;
+  QRect subControlRect(ComplexControl control, const QStyleOptionComplex* option, SubControl sub,
+                       const QWidget* widget) const override;
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override;
+  void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                   const QWidget* widget) const override;
+  void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
+                          QPainter* painter, const QWidget* widget) const override;
+
+ private:
+  void drawFieldFrame(QPainter& painter, const QStyleOption& option, const QWidget* widget) const;
+  void drawChevron(QPainter& painter, const QRectF& rect, int quarterTurns, bool enabled) const;
+  void drawCheckBox(QPainter& painter, const QStyleOption& option) const;
+  void drawButton(QPainter& painter, const QStyleOption& option) const;
+  void drawTab(QPainter& painter, const QStyleOption& option) const;
+  void drawRow(QPainter& painter, const QStyleOption& option) const;
+  void drawComboLabel(QPainter& painter, const QStyleOption& option, const QWidget* widget) const;
+  bool drawSimple(PrimitiveElement element, const QStyleOption& option, QPainter& painter,
+                  const QWidget* widget) const;
+  void drawSpinBox(QPainter& painter, const QStyleOption& option, const QWidget* widget) const;
+  void drawComboBox(QPainter& painter, const QStyleOption& option, const QWidget* widget) const;
+  void drawSlider(QPainter& painter, const QStyleOptionComplex& option,
+                  const QWidget* widget) const;
+  void drawToolButton(QPainter& painter, const QStyleOptionComplex& option,
+                      const QWidget* widget) const;
+  void drawScrollBar(QPainter& painter, const QStyleOptionComplex& option,
+                     const QWidget* widget) const;
+
+  Theme theme_;
+};
+
+/// A field with this property set to true is drawn with the edge of an error.
+constexpr const char* kInvalidProperty = "hunavInvalid";
+/// A tool button with this property draws its words as a link.
+constexpr const char* kLinkProperty = "hunavLink";
+
+}  // namespace editor

@@ -1,0 +1,294 @@
+#include <QAbstractSpinBox>
+#include <QPainter>
+#include <QPainterPath>
+#include <QStyleOption>
+
+#include "editor/look/HouseStyle.h"
+
+namespace editor {
+
+namespace {
+
+constexpr double kFieldRadius = 4.0;
+constexpr double kButtonRadius = 6.0;
+constexpr int kStepWidth = 18;
+
+QRectF onPixels(const QRect& rect) {
+  return QRectF(rect).adjusted(0.5, 0.5, -0.5, -0.5);
+}
+
+bool isEnabled(const QStyleOption& option) {
+  return option.state.testFlag(QStyle::State_Enabled);
+}
+
+bool isHovered(const QStyleOption& option) {
+  return isEnabled(option) && option.state.testFlag(QStyle::State_MouseOver);
+}
+
+}  // namespace
+
+void HouseStyle::drawFieldFrame(QPainter& painter, const QStyleOption& option,
+                                const QWidget* widget) const {
+  const bool invalid = widget != nullptr && widget->property(kInvalidProperty).toBool();
+  const bool focused = option.state.testFlag(State_HasFocus) && isEnabled(option);
+  QColor edge = theme_.color(Role::FieldEdge);
+  if (invalid) {
+    edge = theme_.color(Role::Error);
+  } else if (focused) {
+    edge = theme_.color(Role::Accent);
+  } else if (isHovered(option)) {
+    edge = theme_.color(Role::ObstacleEdge);
+  }
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(edge, focused || invalid ? 1.5 : 1.0));
+  painter.setBrush(theme_.color(isEnabled(option) ? Role::Field : Role::Window));
+  painter.drawRoundedRect(onPixels(option.rect), kFieldRadius, kFieldRadius);
+}
+
+void HouseStyle::drawChevron(QPainter& painter, const QRectF& rect, int quarterTurns,
+                             bool enabled) const {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.translate(rect.center());
+  painter.rotate(90.0 * quarterTurns);
+  QColor color = theme_.color(Role::TextSecondary);
+  color.setAlphaF(enabled ? 1.0 : 0.4);
+  painter.setPen(QPen(color, 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPolyline(QPolygonF({{-3.2, -1.6}, {0.0, 1.6}, {3.2, -1.6}}));
+  painter.restore();
+}
+
+void HouseStyle::drawCheckBox(QPainter& painter, const QStyleOption& option) const {
+  QRect square(0, 0, 14, 14);
+  square.moveCenter(option.rect.center());
+  const bool filled = !option.state.testFlag(State_Off);
+  painter.setRenderHint(QPainter::Antialiasing);
+  QColor fill = theme_.color(filled ? Role::Accent : Role::Field);
+  QColor edge = theme_.color(filled ? Role::Accent : Role::FieldEdge);
+  if (!isEnabled(option)) {
+    fill.setAlphaF(0.4);
+    edge.setAlphaF(0.4);
+  } else if (isHovered(option) && !filled) {
+    edge = theme_.color(Role::Accent);
+  }
+  painter.setPen(QPen(edge, 1.0));
+  painter.setBrush(fill);
+  painter.drawRoundedRect(onPixels(square), 3.0, 3.0);
+  painter.setPen(QPen(theme_.color(Role::Field), 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+  painter.translate(square.topLeft());
+  if (option.state.testFlag(State_On)) {
+    painter.drawPolyline(QPolygonF({{3.6, 7.2}, {6.0, 9.8}, {10.6, 4.6}}));
+  } else if (option.state.testFlag(State_NoChange)) {
+    painter.drawLine(QPointF(4.0, 7.0), QPointF(10.0, 7.0));
+  }
+}
+
+void HouseStyle::drawButton(QPainter& painter, const QStyleOption& option) const {
+  const auto* button = qstyleoption_cast<const QStyleOptionButton*>(&option);
+  const bool isDefault =
+      button != nullptr && button->features.testFlag(QStyleOptionButton::DefaultButton);
+  const bool down = option.state & (State_Sunken | State_On);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(theme_.color(isDefault || down ? Role::Accent : Role::FieldEdge), 1.0));
+  painter.setBrush(theme_.color(down || isDefault   ? Role::RowSelected
+                                : isHovered(option) ? Role::RowHover
+                                                    : Role::Field));
+  painter.drawRoundedRect(onPixels(option.rect), kFieldRadius, kFieldRadius);
+}
+
+void HouseStyle::drawTab(QPainter& painter, const QStyleOption& option) const {
+  painter.fillRect(option.rect, theme_.color(Role::Window));
+  const QRect bottom(option.rect.left(), option.rect.bottom(), option.rect.width(), 1);
+  painter.fillRect(bottom, theme_.color(Role::Line));
+  if (option.state.testFlag(State_Selected)) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme_.color(Role::Accent));
+    painter.drawRoundedRect(
+        QRectF(option.rect.left() + 10, option.rect.bottom() - 1.5, option.rect.width() - 20, 2.5),
+        1.2, 1.2);
+  } else if (isHovered(option)) {
+    painter.fillRect(option.rect.adjusted(0, 0, 0, -1), theme_.color(Role::RowHover));
+  }
+}
+
+void HouseStyle::drawRow(QPainter& painter, const QStyleOption& option) const {
+  const auto* item = qstyleoption_cast<const QStyleOptionViewItem*>(&option);
+  if (item != nullptr && item->backgroundBrush.style() != Qt::NoBrush) {
+    painter.fillRect(option.rect, item->backgroundBrush);
+  }
+  const bool selected = option.state.testFlag(State_Selected);
+  if (!selected && !isHovered(option)) {
+    return;
+  }
+  // One band over all columns: rounded only at its ends.
+  QRectF band(option.rect);
+  const auto place = item != nullptr ? item->viewItemPosition : QStyleOptionViewItem::OnlyOne;
+  using Place = QStyleOptionViewItem::ViewItemPosition;
+  const bool first =
+      place == Place::Beginning || place == Place::OnlyOne || place == Place::Invalid;
+  const bool last = place == Place::End || place == Place::OnlyOne || place == Place::Invalid;
+  painter.setClipRect(option.rect);
+  band.adjust(first ? 4.0 : -8.0, 0.0, last ? -4.0 : 8.0, 0.0);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme_.color(selected ? Role::RowSelected : Role::RowHover));
+  painter.drawRoundedRect(band, kFieldRadius, kFieldRadius);
+}
+
+void HouseStyle::drawComboLabel(QPainter& painter, const QStyleOption& option,
+                                const QWidget* widget) const {
+  const auto* combo = qstyleoption_cast<const QStyleOptionComboBox*>(&option);
+  if (combo == nullptr || combo->editable) {
+    return;
+  }
+  QRect text = subControlRect(CC_ComboBox, combo, SC_ComboBoxEditField, widget);
+  if (!combo->currentIcon.isNull()) {
+    const QRect place(text.left(), text.center().y() - 7, 16, 16);
+    combo->currentIcon.paint(&painter, place, Qt::AlignCenter,
+                             isEnabled(option) ? QIcon::Normal : QIcon::Disabled);
+    text.setLeft(place.right() + 6);
+  }
+  drawItemText(&painter, text, Qt::AlignVCenter | Qt::AlignLeft | Qt::TextSingleLine,
+               combo->palette, isEnabled(option),
+               combo->fontMetrics.elidedText(combo->currentText, Qt::ElideRight, text.width()),
+               QPalette::Text);
+}
+
+QRect HouseStyle::subControlRect(ComplexControl control, const QStyleOptionComplex* option,
+                                 SubControl sub, const QWidget* widget) const {
+  const QRect rect = option->rect;
+  if (control == CC_SpinBox) {
+    const auto* spin = qstyleoption_cast<const QStyleOptionSpinBox*>(option);
+    const bool steps = spin == nullptr || spin->buttonSymbols != QAbstractSpinBox::NoButtons;
+    const int width = steps ? kStepWidth : 4;
+    const int half = rect.height() / 2;
+    switch (sub) {
+      case SC_SpinBoxUp:
+        return steps ? QRect(rect.right() - width + 1, rect.top(), width, half) : QRect();
+      case SC_SpinBoxDown:
+        return steps
+                   ? QRect(rect.right() - width + 1, rect.top() + half, width, rect.height() - half)
+                   : QRect();
+      case SC_SpinBoxEditField:
+        return rect.adjusted(4, 1, -width, -1);
+      default:
+        return rect;
+    }
+  }
+  if (control == CC_ComboBox) {
+    switch (sub) {
+      case SC_ComboBoxEditField:
+        return rect.adjusted(8, 1, -22, -1);
+      case SC_ComboBoxArrow:
+        return {rect.right() - 21, rect.top(), 20, rect.height()};
+      default:
+        break;
+    }
+  }
+  return QProxyStyle::subControlRect(control, option, sub, widget);
+}
+
+void HouseStyle::drawSpinBox(QPainter& painter, const QStyleOption& option,
+                             const QWidget* widget) const {
+  const auto* spin = qstyleoption_cast<const QStyleOptionSpinBox*>(&option);
+  if (spin == nullptr) {
+    return;
+  }
+  if (spin->frame) {
+    drawFieldFrame(painter, option, widget);
+  }
+  if (spin->buttonSymbols == QAbstractSpinBox::NoButtons) {
+    return;
+  }
+  const QRectF up = subControlRect(CC_SpinBox, spin, SC_SpinBoxUp, widget);
+  const QRectF down = subControlRect(CC_SpinBox, spin, SC_SpinBoxDown, widget);
+  const bool enabled = isEnabled(option);
+  drawChevron(painter, up.translated(-1.0, 1.0), 2,
+              enabled && spin->stepEnabled.testFlag(QAbstractSpinBox::StepUpEnabled));
+  drawChevron(painter, down.translated(-1.0, -1.0), 0,
+              enabled && spin->stepEnabled.testFlag(QAbstractSpinBox::StepDownEnabled));
+}
+
+void HouseStyle::drawComboBox(QPainter& painter, const QStyleOption& option,
+                              const QWidget* widget) const {
+  const auto* combo = qstyleoption_cast<const QStyleOptionComboBox*>(&option);
+  if (combo == nullptr) {
+    return;
+  }
+  drawFieldFrame(painter, option, widget);
+  drawChevron(painter, subControlRect(CC_ComboBox, combo, SC_ComboBoxArrow, widget), 0,
+              isEnabled(option));
+}
+
+void HouseStyle::drawSlider(QPainter& painter, const QStyleOptionComplex& option,
+                            const QWidget* widget) const {
+  const auto* slider = qstyleoption_cast<const QStyleOptionSlider*>(&option);
+  if (slider == nullptr) {
+    return;
+  }
+  const QRectF handle = subControlRect(CC_Slider, slider, SC_SliderHandle, widget);
+  const double y = option.rect.center().y() + 0.5;
+  const double alpha = isEnabled(option) ? 1.0 : 0.4;
+  const double left = option.rect.left() + 1.0;
+  const double right = option.rect.right();
+  painter.setPen(QPen(theme_.color(Role::Line, alpha), 3.0, Qt::SolidLine, Qt::RoundCap));
+  painter.drawLine(QPointF(left, y), QPointF(right, y));
+  painter.setPen(QPen(theme_.color(Role::Accent, alpha), 3.0, Qt::SolidLine, Qt::RoundCap));
+  painter.drawLine(QPointF(left, y), QPointF(handle.center().x(), y));
+  painter.setPen(QPen(theme_.color(Role::Accent, alpha), 2.0));
+  painter.setBrush(theme_.color(isHovered(option) ? Role::RowSelected : Role::Field));
+  painter.drawEllipse(QPointF(handle.center().x(), y), 5.5, 5.5);
+}
+
+void HouseStyle::drawToolButton(QPainter& painter, const QStyleOptionComplex& option,
+                                const QWidget* widget) const {
+  const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(&option);
+  if (button == nullptr) {
+    return;
+  }
+  const bool link = widget != nullptr && widget->property(kLinkProperty).toBool();
+  const bool on = option.state & (State_On | State_Sunken);
+  if (!link && (on || isHovered(option))) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme_.color(on ? Role::RowSelected : Role::RowHover));
+    painter.drawRoundedRect(QRectF(option.rect), kButtonRadius, kButtonRadius);
+  }
+  QStyleOptionToolButton label = *button;
+  label.state &= ~(State_Sunken | State_Raised);
+  if (link) {
+    QFont font = button->font;
+    font.setUnderline(isHovered(option));
+    painter.setFont(font);
+    painter.setPen(isEnabled(option) ? theme_.color(Role::AccentText)
+                                     : theme_.palette().color(QPalette::Disabled, QPalette::Text));
+    painter.drawText(option.rect, Qt::AlignCenter, button->text);
+    return;
+  }
+  if (button->features.testFlag(QStyleOptionToolButton::HasMenu) &&
+      button->toolButtonStyle != Qt::ToolButtonIconOnly) {
+    label.rect.setRight(label.rect.right() - 16);
+    drawChevron(painter,
+                QRectF(option.rect.right() - 18, option.rect.top(), 14, option.rect.height()), 0,
+                isEnabled(option));
+  }
+  drawControl(CE_ToolButtonLabel, &label, &painter, widget);
+}
+
+void HouseStyle::drawScrollBar(QPainter& painter, const QStyleOptionComplex& option,
+                               const QWidget* widget) const {
+  const auto* bar = qstyleoption_cast<const QStyleOptionSlider*>(&option);
+  if (bar == nullptr || bar->minimum == bar->maximum) {
+    return;
+  }
+  QRectF handle = subControlRect(CC_ScrollBar, bar, SC_ScrollBarSlider, widget);
+  const double inset = 2.5;
+  handle.adjust(inset, inset, -inset, -inset);
+  const double radius = std::min(handle.width(), handle.height()) / 2.0;
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme_.color(isHovered(option) ? Role::ObstacleEdge : Role::FieldEdge));
+  painter.drawRoundedRect(handle, radius, radius);
+}
+
+}  // namespace editor
