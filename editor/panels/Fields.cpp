@@ -1,0 +1,216 @@
+#include "editor/panels/Fields.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QAbstractItemView>
+#include <QContextMenuEvent>
+#include <QLineEdit>
+#include <QMenu>
+#include <QStyle>
+
+#include "editor/look/HouseStyle.h"
+#include "sim2d/base/Text.h"
+
+namespace editor {
+
+namespace {
+
+constexpr int kSliderSteps = 1000;
+
+void setInvalid(QWidget& widget, bool invalid) {
+  if (widget.property(kInvalidProperty).toBool() != invalid) {
+    widget.setProperty(kInvalidProperty, invalid);
+    widget.update();
+  }
+}
+
+}  // namespace
+
+NumberField::NumberField(const Range& range, const QString& unit, QWidget* parent)
+    : QDoubleSpinBox(parent) {
+  setLocale(QLocale::c());
+  setDecimals(range.decimals);
+  setRange(range.minimum, range.maximum);
+  setSingleStep(range.step);
+  setSuffix(unit.isEmpty() || unit == QStringLiteral("°") ? unit : QStringLiteral(" ") + unit);
+  setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  setKeyboardTracking(false);
+  setAccelerated(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setToolTip(tr("%1 to %2%3")
+                 .arg(QDoubleSpinBox::textFromValue(range.minimum),
+                      QDoubleSpinBox::textFromValue(range.maximum), suffix()));
+  connect(this, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double value) {
+    if (!showing_) {
+      mixed_ = false;
+      default_ = false;
+      setPale(false);
+      Q_EMIT edited(value);
+    }
+  });
+}
+
+void NumberField::show(double value, bool isDefault) {
+  showing_ = true;
+  const bool wasMixed = std::exchange(mixed_, false);
+  default_ = isDefault;
+  if (wasMixed || this->value() != value) {
+    setValue(value);
+    if (wasMixed) {
+      lineEdit()->setText(textFromValue(value) + suffix());
+    }
+  }
+  setPale(isDefault);
+  showing_ = false;
+}
+
+void NumberField::showMixed() {
+  showing_ = true;
+  mixed_ = true;
+  lineEdit()->setText(textFromValue(value()) + suffix());
+  setPale(true);
+  showing_ = false;
+}
+
+QString NumberField::bare(const QString& text) const {
+  QString word = text;
+  const QString unit = suffix().trimmed();
+  if (!unit.isEmpty() && word.trimmed().endsWith(unit)) {
+    word = word.trimmed();
+    word.chop(unit.size());
+  }
+  return word.trimmed();
+}
+
+QValidator::State NumberField::validate(QString& text, int&) const {
+  if (mixed_ && bare(text) == QStringLiteral("–")) {
+    return QValidator::Acceptable;
+  }
+  const QString word = bare(text);
+  const std::optional<double> number = base::parseDouble(word.toStdString());
+  const bool finite = number && std::isfinite(*number);
+  const bool valid = finite && *number >= minimum() && *number <= maximum();
+  noteValidity(valid);
+  return valid ? QValidator::Acceptable : QValidator::Intermediate;
+}
+
+void NumberField::noteValidity(bool valid) const {
+  setInvalid(const_cast<NumberField&>(*this), !valid);
+}
+
+QString NumberField::textFromValue(double value) const {
+  return mixed_ ? QStringLiteral("–") : QDoubleSpinBox::textFromValue(value);
+}
+
+double NumberField::valueFromText(const QString& text) const {
+  const std::optional<double> number = base::parseDouble(bare(text).toStdString());
+  return number && std::isfinite(*number) ? *number : value();
+}
+
+void NumberField::stepBy(int steps) {
+  mixed_ = false;
+  QDoubleSpinBox::stepBy(steps);
+}
+
+void NumberField::focusOutEvent(QFocusEvent* event) {
+  QDoubleSpinBox::focusOutEvent(event);
+  lineEdit()->setText(textFromValue(value()) + suffix());  // what was not valid is dropped
+  setInvalid(*this, false);
+}
+
+void NumberField::setPale(bool pale) {
+  QPalette colors;
+  if (pale) {
+    colors.setColor(QPalette::Text, palette().color(QPalette::PlaceholderText));
+  }
+  lineEdit()->setPalette(colors);
+}
+
+void NumberField::contextMenuEvent(QContextMenuEvent* event) {
+  QMenu* menu = lineEdit()->createStandardContextMenu();
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->addSeparator();
+  QAction* reset = menu->addAction(tr("Use the default"));
+  reset->setEnabled(!default_);
+  connect(reset, &QAction::triggered, this, &NumberField::defaultWanted);
+  menu->popup(event->globalPos());
+}
+
+void NumberField::wheelEvent(QWheelEvent* event) {
+  if (hasFocus()) {
+    QDoubleSpinBox::wheelEvent(event);
+  } else {
+    event->ignore();  // the panel scrolls
+  }
+}
+
+LinkedSlider::LinkedSlider(NumberField& field, double minimum, double maximum, QWidget* parent)
+    : QSlider(Qt::Horizontal, parent), field_(field), minimum_(minimum), maximum_(maximum) {
+  setRange(0, kSliderSteps);
+  setFocusPolicy(Qt::NoFocus);
+  const auto follow = [this](double value) {
+    const QSignalBlocker quiet(this);
+    const double part = (value - minimum_) / (maximum_ - minimum_);
+    setValue(static_cast<int>(std::lround(std::clamp(part, 0.0, 1.0) * kSliderSteps)));
+  };
+  connect(&field_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, follow);
+  connect(this, &QSlider::valueChanged, this,
+          [this](int position) { field_.setValue(valueAt(position)); });
+  follow(field_.value());
+}
+
+double LinkedSlider::valueAt(int position) const {
+  const double value = minimum_ + (maximum_ - minimum_) * position / kSliderSteps;
+  const double step = std::pow(10.0, -std::min(field_.decimals(), 2));
+  return std::round(value / step) * step;
+}
+
+void LinkedSlider::wheelEvent(QWheelEvent* event) {
+  event->ignore();
+}
+
+ChoiceField::ChoiceField(QWidget* parent) : QComboBox(parent) {
+  setFocusPolicy(Qt::StrongFocus);
+  setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  setMinimumContentsLength(4);
+}
+
+void ChoiceField::wheelEvent(QWheelEvent* event) {
+  event->ignore();
+}
+
+TextField::TextField(QWidget* parent) : QLineEdit(parent) {
+  connect(this, &QLineEdit::textEdited, this, &TextField::judge);
+  connect(this, &QLineEdit::editingFinished, this, &TextField::commit);
+}
+
+void TextField::show(const QString& text) {
+  shown_ = text;
+  if (this->text() != text) {
+    setText(text);
+  }
+  setInvalid(*this, false);
+  setToolTip({});
+}
+
+void TextField::judge() {
+  const QString wrong = check_ && text() != shown_ ? check_(text()) : QString();
+  setInvalid(*this, !wrong.isEmpty());
+  setToolTip(wrong);
+}
+
+void TextField::commit() {
+  if (text() == shown_) {
+    return;
+  }
+  judge();
+  if (property(kInvalidProperty).toBool()) {
+    show(shown_);
+    return;
+  }
+  shown_ = text();
+  Q_EMIT edited(shown_);
+}
+
+}  // namespace editor

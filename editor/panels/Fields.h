@@ -1,0 +1,99 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QSlider>
+
+namespace editor {
+
+/// A number with its unit in the field. What is typed is checked at once: a number outside of the
+/// range has a red edge and is never taken over. A value that the scenario leaves out is shown in
+/// the secondary colour; a dash stands for several values.
+class NumberField : public QDoubleSpinBox {
+  Q_OBJECT
+ public:
+  struct Range {
+    double minimum = 0.0, maximum = 1.0;
+    int decimals = 2;
+    double step = 0.1;
+  };
+  NumberField(const Range& range, const QString& unit, QWidget* parent = nullptr);
+
+  /// Shows without `edited`. `isDefault`: the scenario has no value of its own.
+  void show(double value, bool isDefault);
+  void showMixed();
+  bool isMixed() const { return mixed_; }
+
+  QValidator::State validate(QString& text, int& position) const override;
+  QString textFromValue(double value) const override;
+  double valueFromText(const QString& text) const override;
+  void stepBy(int steps) override;
+
+ Q_SIGNALS:
+  void edited(double value);
+  void defaultWanted();
+
+ protected:
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+ private:
+  void noteValidity(bool valid) const;
+  void setPale(bool pale);
+  QString bare(const QString& text) const;
+  bool mixed_ = false;
+  bool default_ = false;
+  bool showing_ = false;
+};
+
+/// A slider beside a NumberField; both show the same number.
+class LinkedSlider : public QSlider {
+  Q_OBJECT
+ public:
+  LinkedSlider(NumberField& field, double minimum, double maximum, QWidget* parent = nullptr);
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override;
+
+ private:
+  double valueAt(int position) const;
+  NumberField& field_;
+  double minimum_, maximum_;
+};
+
+/// A combo box that the wheel does not change by accident while the panel scrolls.
+class ChoiceField : public QComboBox {
+  Q_OBJECT
+ public:
+  explicit ChoiceField(QWidget* parent = nullptr);
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override;
+};
+
+/// A text that is checked while it is typed.
+class TextField : public QLineEdit {
+  Q_OBJECT
+ public:
+  /// Says what is wrong with a text, or nothing.
+  using Check = std::function<QString(const QString&)>;
+  explicit TextField(QWidget* parent = nullptr);
+  void setCheck(Check check) { check_ = std::move(check); }
+  void show(const QString& text);
+
+ Q_SIGNALS:
+  void edited(const QString& text);  // after return or leaving; only what passes the check
+
+ private:
+  void judge();
+  void commit();
+  Check check_;
+  QString shown_;
+};
+
+}  // namespace editor

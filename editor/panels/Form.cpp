@@ -1,0 +1,153 @@
+#include "editor/panels/Form.h"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include "editor/look/HouseStyle.h"
+
+namespace editor {
+
+namespace {
+
+constexpr int kLabelEnd = 112;  // from the left edge of the dock [px]
+constexpr int kGap = 12;
+constexpr int kHalfField = 88;
+constexpr int kRowHeight = 28;
+
+}  // namespace
+
+QLabel* secondaryLabel(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setForegroundRole(QPalette::PlaceholderText);
+  return label;
+}
+
+QToolButton* linkButton(const QString& text, QWidget* parent) {
+  auto* button = new QToolButton(parent);
+  button->setText(text);
+  button->setProperty(kLinkProperty, true);
+  button->setCursor(Qt::PointingHandCursor);
+  button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  button->setAutoRaise(true);
+  return button;
+}
+
+QWidget* dividerLine(QWidget* parent) {
+  auto* line = new QWidget(parent);
+  line->setFixedHeight(1);
+  line->setAutoFillBackground(true);
+  line->setBackgroundRole(QPalette::Dark);
+  return line;
+}
+
+QLabel* emptyState(const QString& text, QWidget* parent) {
+  QLabel* label = secondaryLabel(text, parent);
+  label->setAlignment(Qt::AlignCenter);
+  label->setWordWrap(true);
+  label->setContentsMargins(16, 16, 16, 16);
+  return label;
+}
+
+FormSection::FormSection(const QString& title, QWidget* parent)
+    : QWidget(parent),
+      heading_(new QToolButton(this)),
+      note_(secondaryLabel({}, this)),
+      body_(new QWidget(this)),
+      grid_(new QGridLayout(body_)) {
+  heading_->setText(title);
+  heading_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  heading_->setAutoRaise(true);
+  heading_->setArrowType(Qt::DownArrow);
+  heading_->setFixedHeight(32);
+  QFont bold = heading_->font();
+  bold.setWeight(QFont::DemiBold);
+  heading_->setFont(bold);
+  connect(heading_, &QToolButton::clicked, this, [this] { setOpen(!open_); });
+
+  auto* top = new QHBoxLayout;
+  top->setContentsMargins(8, 0, 12, 0);
+  top->addWidget(heading_);
+  top->addStretch();
+  top->addWidget(note_);
+
+  grid_->setContentsMargins(12, 0, 12, 8);
+  grid_->setHorizontalSpacing(kGap);
+  grid_->setVerticalSpacing(0);
+  grid_->setColumnMinimumWidth(0, kLabelEnd - 12);
+  grid_->setColumnStretch(1, 1);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addLayout(top);
+  layout->addWidget(body_);
+  layout->addWidget(dividerLine(this));
+}
+
+void FormSection::setNote(const QString& note) {
+  note_->setText(note);
+}
+
+QLabel* FormSection::makeLabel(const QString& text, QWidget* buddy) {
+  QLabel* label = secondaryLabel(text, body_);
+  label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  label->setBuddy(buddy);
+  buddy->setAccessibleName(text);
+  return label;
+}
+
+void FormSection::addRow(const QString& label, QWidget* field) {
+  const int row = grid_->rowCount();
+  grid_->setRowMinimumHeight(row, kRowHeight);
+  grid_->addWidget(makeLabel(label, field), row, 0);
+  grid_->addWidget(field, row, 1, Qt::AlignVCenter);
+}
+
+void FormSection::addRow(const QString& label, QWidget* left, QWidget* right) {
+  auto* both = new QWidget(body_);
+  auto* line = new QHBoxLayout(both);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->setSpacing(8);
+  for (QWidget* part : {left, right}) {
+    part->setMinimumWidth(kHalfField - 2);
+    part->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    line->addWidget(part, 1);
+    part->setAccessibleName(label);
+  }
+  addRow(label, both);
+}
+
+void FormSection::addWide(QWidget* widget) {
+  const int row = grid_->rowCount();
+  grid_->addWidget(widget, row, 0, 1, 2);
+}
+
+void FormSection::setRowVisible(const QWidget* field, bool visible) {
+  for (const QWidget* widget = field; widget != nullptr; widget = widget->parentWidget()) {
+    const int index = grid_->indexOf(const_cast<QWidget*>(widget));
+    if (index < 0) {
+      continue;
+    }
+    int row = 0;
+    int column = 0;
+    int rowSpan = 0;
+    int columnSpan = 0;
+    grid_->getItemPosition(index, &row, &column, &rowSpan, &columnSpan);
+    grid_->setRowMinimumHeight(row, visible ? kRowHeight : 0);
+    for (int c = 0; c < 2; ++c) {
+      if (QLayoutItem* item = grid_->itemAtPosition(row, c); item != nullptr && item->widget()) {
+        item->widget()->setVisible(visible);
+      }
+    }
+    return;
+  }
+}
+
+void FormSection::setOpen(bool open) {
+  open_ = open;
+  body_->setVisible(open);
+  heading_->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+}
+
+}  // namespace editor

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QWidget>
+
+namespace editor {
+
+/// A part of a property page under a heading that folds it: labels right-aligned in one column,
+/// fields in the other.
+class FormSection : public QWidget {
+  Q_OBJECT
+ public:
+  explicit FormSection(const QString& title, QWidget* parent = nullptr);
+
+  void setNote(const QString& note);  // right of the heading, secondary
+  /// `field` takes the whole column of fields.
+  void addRow(const QString& label, QWidget* field);
+  /// A slider or other short control left of the field, or two fields side by side.
+  void addRow(const QString& label, QWidget* left, QWidget* right);
+  void addWide(QWidget* widget);
+  void setRowVisible(const QWidget* field, bool visible);
+  bool isOpen() const { return open_; }
+  void setOpen(bool open);
+
+ private:
+  QLabel* makeLabel(const QString& text, QWidget* buddy);
+  QToolButton* heading_;
+  QLabel* note_;
+  QWidget* body_;
+  QGridLayout* grid_;
+  bool open_ = true;
+};
+
+/// A text in the secondary colour of the palette.
+QLabel* secondaryLabel(const QString& text, QWidget* parent = nullptr);
+/// A button of words that looks like a link.
+QToolButton* linkButton(const QString& text, QWidget* parent = nullptr);
+/// A line over the whole width.
+QWidget* dividerLine(QWidget* parent = nullptr);
+/// A centred sentence that says what to do when a panel has nothing to show.
+QLabel* emptyState(const QString& text, QWidget* parent = nullptr);
+
+}  // namespace editor

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QLabel>
+#include <QStackedLayout>
+#include <QTableView>
+
+#include "editor/document/ScenarioDocument.h"
+#include "editor/look/Theme.h"
+
+namespace editor {
+
+class IssuesModel;
+
+/// What is wrong with the scenario, live, and what could not be read. A click selects the thing it
+/// is about.
+class IssuesPanel : public QWidget {
+  Q_OBJECT
+ public:
+  IssuesPanel(ScenarioDocument& document, const Theme& theme, QWidget* parent = nullptr);
+  void setTheme(const Theme& theme);
+
+  /// Problems of an action (opening, saving, starting a run), shown above the document's own until
+  /// the next action; empty clears them.
+  void setActionIssues(const base::Diagnostics& issues);
+  int count() const;  // errors and warnings
+  bool hasErrors() const;
+  QTableView& table() const { return *table_; }
+
+ Q_SIGNALS:
+  void countChanged(int count);
+  void entityWanted(editor::EntityId id);          // select it and go there
+  void fileWanted(const QString& file, int line);  // when nothing on the map is meant
+
+ private:
+  void rebuild();
+
+  ScenarioDocument& document_;
+  Theme theme_;
+  base::Diagnostics action_;
+  IssuesModel* model_;
+  QStackedLayout* stack_;
+  QTableView* table_;
+  QLabel* calm_;
+};
+
+}  // namespace editor

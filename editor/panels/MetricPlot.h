@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+
+#include <QLabel>
+#include <QWidget>
+
+#include "editor/look/Theme.h"
+#include "editor/panels/MetricsFeed.h"
+
+class QwtPlot;
+class QwtPlotCurve;
+class QwtPlotGrid;
+class QwtPlotMarker;
+
+namespace editor {
+
+/// One metric over time, with a line at the moment that is shown.
+class MetricPlot : public QWidget {
+  Q_OBJECT
+ public:
+  explicit MetricPlot(const Theme& theme, QWidget* parent = nullptr);
+  ~MetricPlot() override;
+  void setTheme(const Theme& theme);
+  void show(const metrics::MetricResult* result, const MetricCurve* curve);
+  void setCursor(double time);  // [s]
+  QwtPlot& plot() const { return *plot_; }
+
+ private:
+  void layOut();
+  QLabel* title_;
+  QLabel* unit_;
+  QwtPlot* plot_;
+  std::unique_ptr<QwtPlotGrid> grid_;
+  std::unique_ptr<QwtPlotCurve> curve_;
+  std::unique_ptr<QwtPlotMarker> cursor_;
+};
+
+}  // namespace editor

@@ -1,0 +1,255 @@
+#include "editor/panels/MetricsChoicePanel.h"
+
+#include <algorithm>
+
+#include <QAction>
+#include <QDir>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QVBoxLayout>
+
+#include "editor/document/EditCommands.h"
+#include "editor/look/Icons.h"
+#include "editor/panels/Form.h"
+#include "sim2d/base/Text.h"
+
+namespace editor {
+
+namespace {
+
+constexpr int kKeyRole = Qt::UserRole;
+constexpr int kUnitWidth = 56;
+
+}  // namespace
+
+MetricsChoicePanel::MetricsChoicePanel(ScenarioDocument& document, MetricsFeed& feed,
+                                       const Theme& theme, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      feed_(feed),
+      search_(new QLineEdit(this)),
+      count_(secondaryLabel({}, this)),
+      all_(linkButton(tr("All"), this)),
+      none_(linkButton(tr("None"), this)),
+      save_(linkButton(tr("Save"), this)),
+      tree_(new QTreeWidget(this)) {
+  search_->setPlaceholderText(tr("Find a metric"));
+  search_->setClearButtonEnabled(true);
+  search_->setAccessibleName(tr("Find a metric"));
+  searchMark_ = search_->addAction(QIcon(), QLineEdit::LeadingPosition);
+  tree_->setColumnCount(2);
+  tree_->setHeaderHidden(true);
+  tree_->setFrameShape(QFrame::NoFrame);
+  tree_->setUniformRowHeights(true);
+  tree_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  tree_->viewport()->setAutoFillBackground(false);
+  tree_->setAccessibleName(tr("Metrics to measure"));
+  tree_->header()->setStretchLastSection(false);
+  tree_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  tree_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
+  tree_->header()->resizeSection(1, kUnitWidth);
+  save_->setToolTip(tr("Write the choice into the metrics file of the scenario"));
+  auto* links = new QHBoxLayout;
+  links->setContentsMargins(12, 0, 12, 0);
+  links->setSpacing(12);
+  links->addWidget(count_, 1);
+  links->addWidget(all_);
+  links->addWidget(none_);
+  links->addWidget(save_);
+  auto* field = new QHBoxLayout;
+  field->setContentsMargins(12, 0, 12, 0);
+  field->addWidget(search_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 4);
+  layout->setSpacing(4);
+  layout->addLayout(field);
+  layout->addLayout(links);
+  layout->addWidget(tree_, 1);
+  build();
+  connect(search_, &QLineEdit::textChanged, this, &MetricsChoicePanel::filter);
+  connect(all_, &QToolButton::clicked, this, [this] { chooseAll(true); });
+  connect(none_, &QToolButton::clicked, this, [this] { chooseAll(false); });
+  connect(save_, &QToolButton::clicked, this, [this] { Q_EMIT saved(save()); });
+  connect(tree_, &QTreeWidget::itemChanged, this, [this] { giveSelection(); });
+  connect(&document_, &ScenarioDocument::pathChanged, this, [this] {
+    feed_.setSelection(std::nullopt);  // that of the new file
+    takeSelection();
+  });
+  setTheme(theme);
+  takeSelection();
+}
+
+void MetricsChoicePanel::setTheme(const Theme& theme) {
+  searchMark_->setIcon(tintedIcon(QStringLiteral("search"), theme.color(Role::TextSecondary)));
+  taking_ = true;
+  for (int i = 0; i < tree_->topLevelItemCount(); ++i) {
+    tree_->topLevelItem(i)->setForeground(1, theme.color(Role::TextSecondary));
+  }
+  for (QTreeWidgetItem* row : rows()) {
+    row->setForeground(1, theme.color(Role::TextSecondary));
+  }
+  taking_ = false;
+}
+
+void MetricsChoicePanel::build() {
+  taking_ = true;
+  QFont bold = font();
+  bold.setWeight(QFont::DemiBold);
+  for (int i = 0; i < metrics::kCategories; ++i) {
+    const auto category = static_cast<metrics::Category>(i);
+    auto* group = new QTreeWidgetItem(tree_);
+    group->setText(0, QString::fromLatin1(metrics::categoryName(category)));
+    group->setFont(0, bold);
+    group->setTextAlignment(1, static_cast<int>(Qt::AlignRight | Qt::AlignVCenter));
+    group->setExpanded(i < 2);
+    for (const metrics::MetricEntry& entry : metrics::standardRegistry().entries()) {
+      if (entry.info.category != category || !entry.info.partOf.empty()) {
+        continue;
+      }
+      auto* row = new QTreeWidgetItem(group);
+      row->setText(0, QString::fromStdString(entry.info.name));
+      row->setText(1, QString::fromStdString(entry.info.unit));
+      row->setTextAlignment(1, static_cast<int>(Qt::AlignRight | Qt::AlignVCenter));
+      row->setData(0, kKeyRole, QString::fromStdString(entry.info.key));
+      row->setToolTip(0, QStringLiteral("%1\n%2\n%3")
+                             .arg(QString::fromStdString(entry.info.name),
+                                  QString::fromStdString(entry.info.formula),
+                                  QString::fromStdString(entry.info.source)));
+      row->setCheckState(0, Qt::Unchecked);
+    }
+  }
+  taking_ = false;
+}
+
+std::vector<QTreeWidgetItem*> MetricsChoicePanel::rows() const {
+  std::vector<QTreeWidgetItem*> result;
+  for (int i = 0; i < tree_->topLevelItemCount(); ++i) {
+    QTreeWidgetItem* group = tree_->topLevelItem(i);
+    for (int row = 0; row < group->childCount(); ++row) {
+      result.push_back(group->child(row));
+    }
+  }
+  return result;
+}
+
+void MetricsChoicePanel::takeSelection() {
+  taking_ = true;
+  const metrics::Selection selection = feed_.selection();
+  for (QTreeWidgetItem* row : rows()) {
+    const std::string key = row->data(0, kKeyRole).toString().toStdString();
+    const metrics::MetricEntry* entry = metrics::standardRegistry().find(key);
+    row->setCheckState(
+        0, entry != nullptr && selection.selects(entry->info) ? Qt::Checked : Qt::Unchecked);
+  }
+  taking_ = false;
+  showCounts();
+}
+
+metrics::Selection MetricsChoicePanel::selection() const {
+  metrics::Selection selection = feed_.selection();
+  metrics::Selection::Keys keys;
+  bool all = true;
+  for (const QTreeWidgetItem* row : rows()) {
+    const std::string key = row->data(0, kKeyRole).toString().toStdString();
+    const bool on = row->checkState(0) == Qt::Checked;
+    const bool theirs = metrics::standardRegistry().find(key)->info.hunav > 0;
+    all = all && on;
+    if (theirs && !on) {
+      keys.off.insert(key);
+    } else if (!theirs && on) {
+      keys.on.insert(key);
+    }
+  }
+  selection.keys = all ? std::nullopt : std::optional(keys);
+  return selection;
+}
+
+void MetricsChoicePanel::giveSelection() {
+  if (!taking_) {
+    showCounts();
+    feed_.setSelection(selection());
+  }
+}
+
+void MetricsChoicePanel::setChosen(const QString& key, bool chosen) {
+  for (QTreeWidgetItem* row : rows()) {
+    if (row->data(0, kKeyRole).toString() == key) {
+      row->setCheckState(0, chosen ? Qt::Checked : Qt::Unchecked);
+    }
+  }
+}
+
+void MetricsChoicePanel::chooseAll(bool chosen) {
+  taking_ = true;
+  for (QTreeWidgetItem* row : rows()) {
+    if (!row->isHidden()) {
+      row->setCheckState(0, chosen ? Qt::Checked : Qt::Unchecked);
+    }
+  }
+  taking_ = false;
+  giveSelection();
+}
+
+void MetricsChoicePanel::filter(const QString& text) {
+  for (int i = 0; i < tree_->topLevelItemCount(); ++i) {
+    QTreeWidgetItem* group = tree_->topLevelItem(i);
+    bool any = false;
+    for (int row = 0; row < group->childCount(); ++row) {
+      QTreeWidgetItem* item = group->child(row);
+      const bool fits = item->text(0).contains(text, Qt::CaseInsensitive) ||
+                        item->data(0, kKeyRole).toString().contains(text, Qt::CaseInsensitive);
+      item->setHidden(!fits);
+      any = any || fits;
+    }
+    group->setHidden(!any);
+    group->setExpanded(text.isEmpty() ? i < 2 : any);
+  }
+}
+
+void MetricsChoicePanel::showCounts() {
+  taking_ = true;
+  int chosen = 0;
+  int total = 0;
+  for (int i = 0; i < tree_->topLevelItemCount(); ++i) {
+    QTreeWidgetItem* group = tree_->topLevelItem(i);
+    int here = 0;
+    for (int row = 0; row < group->childCount(); ++row) {
+      here += group->child(row)->checkState(0) == Qt::Checked ? 1 : 0;
+    }
+    group->setText(1, QStringLiteral("%1 / %2").arg(here).arg(group->childCount()));
+    chosen += here;
+    total += group->childCount();
+  }
+  count_->setText(tr("%1 of %2 chosen").arg(chosen).arg(total));
+  taking_ = false;
+}
+
+base::Diagnostics MetricsChoicePanel::save() {
+  if (document_.path().isEmpty()) {
+    return {base::makeError("save the scenario first: the metrics file lies beside it")};
+  }
+  const QFileInfo scenario(document_.path());
+  const std::optional<std::string>& named = document_.scenario().desktop.metrics.file;
+  const QString name = named ? QString::fromStdString(*named)
+                             : scenario.completeBaseName() + QStringLiteral("_metrics.yaml");
+  const std::string path = scenario.absoluteDir().filePath(name).toStdString();
+  metrics::MetricsFile file;
+  if (QFileInfo::exists(QString::fromStdString(path))) {
+    const base::Result<metrics::MetricsFile> before = metrics::readMetricsFile(path);
+    if (!before) {
+      return before.diagnostics();
+    }
+    file = *before;
+  }
+  file.selection.keys = selection().keys;
+  base::Diagnostics problems = base::writeFileAtomically(path, metrics::writeMetricsFile(file));
+  if (!base::hasErrors(problems) && !named) {
+    pushChange<ScenarioSettings>(
+        document_, kSettingsId, tr("Name the metrics file"),
+        [&](ScenarioSettings& settings) { settings.desktop.metrics.file = name.toStdString(); });
+  }
+  return problems;
+}
+
+}  // namespace editor

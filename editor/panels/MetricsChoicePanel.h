@@ -1,0 +1,51 @@
+#pragma once
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QToolButton>
+#include <QTreeWidget>
+
+#include "editor/look/Theme.h"
+#include "editor/panels/MetricsFeed.h"
+
+namespace editor {
+
+/// Which metrics are measured: check boxes in groups, with a search. A change counts for the live
+/// table at once; "Save" writes it into the metrics file of the scenario.
+class MetricsChoicePanel : public QWidget {
+  Q_OBJECT
+ public:
+  MetricsChoicePanel(ScenarioDocument& document, MetricsFeed& feed, const Theme& theme,
+                     QWidget* parent = nullptr);
+  void setTheme(const Theme& theme);
+  QTreeWidget& tree() const { return *tree_; }
+  QLineEdit& search() const { return *search_; }
+  void setChosen(const QString& key, bool chosen);
+  void chooseAll(bool chosen);
+  metrics::Selection selection() const;
+  /// Writes the choice to the metrics file (beside the scenario, made when there is none) and names
+  /// it in the scenario, which is one undoable command.
+  base::Diagnostics save();
+
+ Q_SIGNALS:
+  void saved(const base::Diagnostics& problems);
+
+ private:
+  void build();
+  void takeSelection();
+  void giveSelection();
+  void filter(const QString& text);
+  void showCounts();
+  std::vector<QTreeWidgetItem*> rows() const;
+
+  ScenarioDocument& document_;
+  MetricsFeed& feed_;
+  QLineEdit* search_;
+  QAction* searchMark_;
+  QLabel* count_;
+  QToolButton *all_, *none_, *save_;
+  QTreeWidget* tree_;
+  bool taking_ = false;
+};
+
+}  // namespace editor

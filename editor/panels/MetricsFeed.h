@@ -1,0 +1,77 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <QObject>
+
+#include "editor/document/LatestTask.h"
+#include "editor/document/MetricsSetup.h"
+#include "editor/document/ScenarioDocument.h"
+#include "editor/run/SimulationRunner.h"
+#include "metrics/LiveMetrics.h"
+
+namespace editor {
+
+/// A metric over the run: its own value per sample where it has one, else its value so far.
+struct MetricCurve {
+  std::vector<double> times;  // [s]
+  std::vector<double> values;
+};
+
+/// What is known at one moment of the run.
+struct MetricSnapshot {
+  double time = 0.0;  // [s] of the newest frame that counts
+  std::size_t frames = 0;
+  std::vector<metrics::MetricResult> results;
+  std::map<std::string, MetricCurve> curves;
+};
+
+/// Metrics of the run while it goes on, computed beside the GUI thread from every recorded frame.
+class MetricsFeed : public QObject {
+  Q_OBJECT
+ public:
+  MetricsFeed(const ScenarioDocument& document, SimulationRunner& runner,
+              QObject* parent = nullptr);
+  ~MetricsFeed() override;
+
+  const MetricSnapshot& snapshot() const { return snapshot_; }
+  /// Which metrics, instead of those of the scenario's settings; counts from the next frame on.
+  void setSelection(std::optional<metrics::Selection> selection);
+  metrics::Selection selection() const;
+  /// All frames of the run so far are in the snapshot.
+  bool isCurrent() const;
+
+ Q_SIGNALS:
+  void updated();
+  void cleared();
+  void failed(const base::Diagnostics& problems);
+
+ private:
+  struct Work;
+  void follow();
+  void begin();
+  void takeTrace(const TracePtr& trace);
+  void pump();
+  std::vector<FramePtr> nextFrames();
+  void deliver(MetricSnapshot snapshot);
+
+  const ScenarioDocument& document_;
+  SimulationRunner& runner_;
+  std::optional<metrics::Selection> selection_;
+  std::shared_ptr<Work> work_;
+  std::set<int> known_;  // people that the metrics have been told of
+  FramePtr first_;
+  std::size_t fed_ = 0;
+  bool traceWanted_ = false;
+  MetricSnapshot snapshot_;
+  LatestTask<MetricSnapshot> task_;
+};
+
+/// "0.64", "–" when undefined, "∞"; as many decimals as the unit deserves.
+QString metricText(const metrics::MetricResult& result);
+
+}  // namespace editor

@@ -1,0 +1,195 @@
+#include "editor/panels/PropertyPanel.h"
+
+#include <algorithm>
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include "editor/canvas/FigurePainter.h"
+#include "editor/look/Icons.h"
+#include "editor/panels/EntityPages.h"
+#include "editor/panels/PersonPage.h"
+
+namespace editor {
+
+namespace {
+
+constexpr int kPictureSize = 36;
+
+QString aboutPerson(const sim2d::Human& human) {
+  const QString number = QObject::tr("Person %1").arg(human.id);
+  if (human.goals.empty()) {
+    return number + QObject::tr(" · stands still");
+  }
+  return number + QObject::tr(" · walks to goal %1").arg(human.goals.front());
+}
+
+QString aboutOne(const Entity& entity) {
+  if (const auto* human = std::get_if<sim2d::Human>(&entity)) {
+    return aboutPerson(*human);
+  }
+  if (const auto* robot = std::get_if<sim2d::Robot>(&entity)) {
+    return QObject::tr("Robot · %1")
+        .arg(QString::fromStdString(robot->planner.value_or("pursuit")));
+  }
+  QString kind = kindName(kindOf(entity));
+  kind[0] = kind[0].toUpper();
+  return kind;
+}
+
+}  // namespace
+
+PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      theme_(theme),
+      picture_(new QLabel(this)),
+      name_(new QLabel(this)),
+      about_(secondaryLabel({}, this)),
+      stack_(new QStackedWidget(this)) {
+  setMinimumWidth(300);
+  picture_->setFixedSize(kPictureSize, kPictureSize);
+  name_->setFont(theme_.font(12.0, QFont::DemiBold));
+  name_->setTextFormat(Qt::PlainText);
+  about_->setTextFormat(Qt::PlainText);
+  auto* words = new QVBoxLayout;
+  words->setSpacing(0);
+  words->addWidget(name_);
+  words->addWidget(about_);
+  auto* top = new QHBoxLayout;
+  top->setContentsMargins(12, 12, 12, 12);
+  top->setSpacing(12);
+  top->addWidget(picture_);
+  top->addLayout(words, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addLayout(top);
+  layout->addWidget(dividerLine(this));
+  layout->addWidget(stack_, 1);
+  addPage(EntityKind::Human, new PersonPage(document, theme));
+  addPage(EntityKind::Robot, new RobotPage(document));
+  addPage(EntityKind::Goal, new GoalPage(document));
+  addPage(EntityKind::Obstacle, new ObstaclePage(document));
+  addPage(EntityKind::Door, new DoorPage(document));
+  addPage(EntityKind::Area, new AreaPage(document));
+  addPage(EntityKind::Scenario, new SettingsPage(document));
+  connect(&document_, &ScenarioDocument::selectionChanged, this, &PropertyPanel::follow);
+  connect(&document_, &ScenarioDocument::pathChanged, this, &PropertyPanel::refresh);
+  connect(&document_, &ScenarioDocument::changed, this, [this](const Change& change) {
+    change.what == Change::What::Edited ? refresh() : follow();
+  });
+  follow();
+}
+
+void PropertyPanel::addPage(EntityKind kind, PropertyPage* page) {
+  auto* area = new QScrollArea(stack_);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setWidgetResizable(true);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidget(page);
+  area->viewport()->setAutoFillBackground(false);
+  page->setAutoFillBackground(false);
+  stack_->addWidget(area);
+  pages_[kind] = page;
+  areas_[kind] = area;
+}
+
+PropertyPage* PropertyPanel::currentPage() const {
+  for (const auto& [kind, area] : areas_) {
+    if (area == stack_->currentWidget()) {
+      return pages_.at(kind);
+    }
+  }
+  return nullptr;
+}
+
+void PropertyPanel::follow() {
+  std::vector<EntityId> ids = document_.selection();
+  if (ids.empty()) {
+    ids = {kSettingsId};
+  }
+  // Several kinds at once: the page of the kind selected last.
+  const EntityKind kind = ids.back().kind;
+  ids.erase(std::remove_if(ids.begin(), ids.end(), [kind](EntityId id) { return id.kind != kind; }),
+            ids.end());
+  stack_->setCurrentWidget(areas_.at(kind));
+  pages_.at(kind)->setTargets(ids);
+  showHeading(ids);
+}
+
+void PropertyPanel::refresh() {
+  if (PropertyPage* page = currentPage()) {
+    page->refresh();
+    showHeading(page->targets());
+  }
+}
+
+void PropertyPanel::showHeading(const std::vector<EntityId>& ids) {
+  const std::optional<Entity> first = document_.entity(ids.front());
+  if (!first) {
+    return;
+  }
+  picture_->setPixmap(picture(*first));
+  if (ids.size() > 1) {
+    name_->setText(ids.front().kind == EntityKind::Human
+                       ? tr("%1 people").arg(ids.size())
+                       : tr("%1 × %2").arg(ids.size()).arg(kindName(ids.front().kind)));
+    about_->setText(tr("Changes go to all of them"));
+  } else if (ids.front() == kSettingsId) {
+    name_->setText(document_.displayName());
+    about_->setText(tr("Scenario · nothing selected"));
+  } else {
+    name_->setText(displayName(*first));
+    about_->setText(aboutOne(*first));
+  }
+}
+
+QPixmap PropertyPanel::picture(const Entity& entity) const {
+  const FigurePainter painter(theme_);
+  const QSize size(kPictureSize, kPictureSize);
+  QIcon icon;
+  switch (kindOf(entity)) {
+    case EntityKind::Human:
+      icon = painter.personIcon(document_.tree(idOf(entity))
+                                    ? Look::CustomTree
+                                    : lookOf(std::get<sim2d::Human>(entity).behavior.type.value_or(
+                                          sim2d::BehaviorType::Regular)),
+                                kPictureSize);
+      break;
+    case EntityKind::Robot:
+      icon = painter.robotIcon(kPictureSize);
+      break;
+    case EntityKind::Goal:
+      icon = painter.goalIcon(QString::fromStdString(nameOf(entity)), kPictureSize);
+      break;
+    case EntityKind::Obstacle:
+      icon = themedIcon(QStringLiteral("tool-box"), theme_);
+      break;
+    case EntityKind::Door:
+      icon = themedIcon(QStringLiteral("tool-door"), theme_);
+      break;
+    case EntityKind::Area:
+      icon = themedIcon(QStringLiteral("tool-area"), theme_);
+      break;
+    case EntityKind::Scenario:
+    case EntityKind::None:
+      icon = themedIcon(QStringLiteral("file"), theme_);
+      break;
+  }
+  return icon.pixmap(window()->windowHandle(), size);
+}
+
+void PropertyPanel::setTheme(const Theme& theme) {
+  theme_ = theme;
+  for (const auto& [kind, page] : pages_) {
+    page->setTheme(theme);
+  }
+  follow();
+}
+
+void PropertyPanel::setEditingEnabled(bool enabled) {
+  stack_->setEnabled(enabled);
+}
+
+}  // namespace editor

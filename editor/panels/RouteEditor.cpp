@@ -1,0 +1,178 @@
+#include "editor/panels/RouteEditor.h"
+
+#include <algorithm>
+
+#include <QContextMenuEvent>
+#include <QMenu>
+#include <QPainter>
+#include <QToolButton>
+
+#include "editor/panels/Form.h"
+
+namespace editor {
+
+namespace {
+
+constexpr int kChipHeight = 24;
+constexpr int kGap = 4;
+constexpr int kLineHeight = 28;
+
+}  // namespace
+
+/// One goal; drawn as a pill, an arrow before all but the first.
+class RouteEditor::Chip : public QToolButton {
+ public:
+  Chip(const QString& text, bool first, QWidget* parent) : QToolButton(parent), first_(first) {
+    setText(text);
+    setFocusPolicy(Qt::StrongFocus);
+  }
+  QSize sizeHint() const override {
+    const int text = fontMetrics().horizontalAdvance(this->text());
+    return {std::max(28, text + 16) + (first_ ? 0 : kArrow), kChipHeight};
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF pill = QRectF(rect()).adjusted(first_ ? 0.5 : kArrow + 0.5, 0.5, -0.5, -0.5);
+    painter.setPen(palette().color(hasFocus() || underMouse() ? QPalette::Link : QPalette::Mid));
+    painter.setBrush(palette().color(QPalette::AlternateBase));
+    painter.drawRoundedRect(pill, pill.height() / 2, pill.height() / 2);
+    painter.setPen(palette().color(QPalette::Text));
+    painter.drawText(pill, Qt::AlignCenter, text());
+    if (!first_) {
+      painter.setPen(QPen(palette().color(QPalette::PlaceholderText), 1.4, Qt::SolidLine,
+                          Qt::RoundCap, Qt::RoundJoin));
+      painter.translate(kArrow / 2.0 - 1.0, height() / 2.0);
+      painter.drawPolyline(QPolygonF({{-1.5, -3.0}, {1.5, 0.0}, {-1.5, 3.0}}));
+    }
+  }
+
+ private:
+  static constexpr int kArrow = 12;
+  bool first_;
+};
+
+RouteEditor::RouteEditor(ScenarioDocument& document, QWidget* parent)
+    : QWidget(parent), document_(document) {
+  QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+  policy.setHeightForWidth(true);
+  setSizePolicy(policy);
+  rebuild();
+}
+
+void RouteEditor::show(const std::vector<int>& goals) {
+  if (goals != goals_) {
+    goals_ = goals;
+    rebuild();
+  }
+}
+
+void RouteEditor::rebuild() {
+  for (QWidget* part : parts_) {
+    part->hide();
+    part->deleteLater();
+  }
+  parts_.clear();
+  for (int i = 0; i < static_cast<int>(goals_.size()); ++i) {
+    const int id = goals_[static_cast<std::size_t>(i)];
+    auto* chip = new Chip(QString::number(id), i == 0, this);
+    chip->setToolTip(tr("Goal %1\nClick for its choices").arg(id));
+    chip->setAccessibleName(tr("Goal %1").arg(id));
+    connect(chip, &QToolButton::clicked, this, [this, chip, i] { offerMoves(chip, i); });
+    parts_.push_back(chip);
+  }
+  QToolButton* add = linkButton(tr("+ Add"), this);
+  add->setToolTip(tr("Add a goal to the end of the route"));
+  connect(add, &QToolButton::clicked, this, [this, add] { offerGoals(add); });
+  parts_.push_back(add);
+  for (QWidget* part : parts_) {
+    part->show();
+  }
+  place(width(), true);
+  updateGeometry();
+}
+
+int RouteEditor::place(int width, bool apply) const {
+  int x = 0;
+  int y = 0;
+  for (QWidget* part : parts_) {
+    const QSize size(part->sizeHint().width() + (part == parts_.back() ? 4 : 0), kChipHeight);
+    if (x > 0 && x + size.width() > width) {
+      x = 0;
+      y += kLineHeight;
+    }
+    if (apply) {
+      part->setGeometry(QRect(QPoint(x, y + 2), size));
+    }
+    x += size.width() + kGap;
+  }
+  return y + kLineHeight;
+}
+
+int RouteEditor::heightForWidth(int width) const {
+  return place(width, false);
+}
+
+QSize RouteEditor::sizeHint() const {
+  return {184, place(std::max(width(), 184), false)};
+}
+
+void RouteEditor::resizeEvent(QResizeEvent*) {
+  place(width(), true);
+  updateGeometry();
+}
+
+void RouteEditor::offerGoals(QWidget* button) {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  for (const sim2d::GlobalGoal& goal : document_.scenario().goals) {
+    QAction* action =
+        menu->addAction(tr("Goal %1").arg(goal.id) + QStringLiteral("   %1, %2 m")
+                                                         .arg(goal.position.x(), 0, 'f', 1)
+                                                         .arg(goal.position.y(), 0, 'f', 1));
+    connect(action, &QAction::triggered, this, [this, id = goal.id] {
+      std::vector<int> route = goals_;
+      route.push_back(id);
+      Q_EMIT edited(route);
+    });
+  }
+  if (menu->isEmpty()) {
+    menu->addAction(tr("No goals yet: press G and click on the map"))->setEnabled(false);
+  }
+  menu->popup(button->mapToGlobal(QPoint(0, button->height())));
+}
+
+void RouteEditor::offerMoves(QWidget* chip, int index) {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  const int id = goals_[static_cast<std::size_t>(index)];
+  const int last = static_cast<int>(goals_.size()) - 1;
+  connect(menu->addAction(tr("Select goal %1").arg(id)), &QAction::triggered, this, [this, id] {
+    if (const EntityId goal = document_.goalKey(id)) {
+      document_.setSelection({goal});
+    }
+  });
+  menu->addSeparator();
+  QAction* earlier = menu->addAction(tr("Earlier"));
+  earlier->setEnabled(index > 0);
+  connect(earlier, &QAction::triggered, this, [this, index] { moveGoal(index, index - 1); });
+  QAction* later = menu->addAction(tr("Later"));
+  later->setEnabled(index < last);
+  connect(later, &QAction::triggered, this, [this, index] { moveGoal(index, index + 1); });
+  connect(menu->addAction(tr("Remove from the route")), &QAction::triggered, this, [this, index] {
+    std::vector<int> route = goals_;
+    route.erase(route.begin() + index);
+    Q_EMIT edited(route);
+  });
+  menu->popup(chip->mapToGlobal(QPoint(0, chip->height())));
+}
+
+void RouteEditor::moveGoal(int from, int to) {
+  std::vector<int> route = goals_;
+  std::swap(route[static_cast<std::size_t>(from)], route[static_cast<std::size_t>(to)]);
+  Q_EMIT edited(route);
+}
+
+}  // namespace editor

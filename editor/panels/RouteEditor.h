@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include <QWidget>
+
+#include "editor/document/ScenarioDocument.h"
+
+namespace editor {
+
+/// The goals of a person or robot as chips in visiting order: a click selects the goal, the menu of
+/// a chip removes it or moves it, "+ Add" offers all goals.
+class RouteEditor : public QWidget {
+  Q_OBJECT
+ public:
+  explicit RouteEditor(ScenarioDocument& document, QWidget* parent = nullptr);
+
+  void show(const std::vector<int>& goals);
+  const std::vector<int>& goals() const { return goals_; }
+  bool hasHeightForWidth() const override { return true; }
+  int heightForWidth(int width) const override;
+  QSize sizeHint() const override;
+
+ Q_SIGNALS:
+  void edited(const std::vector<int>& goals);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  class Chip;
+  void rebuild();
+  int place(int width, bool apply) const;
+  void offerGoals(QWidget* button);
+  void offerMoves(QWidget* chip, int index);
+  void moveGoal(int from, int to);
+
+  ScenarioDocument& document_;
+  std::vector<int> goals_;
+  std::vector<QWidget*> parts_;
+};
+
+}  // namespace editor

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <QObject>
+#include <QString>
+
+#include "editor/document/ScenarioDocument.h"
+#include "editor/run/SimulationRunner.h"
+
+namespace editor {
+
+/// Something that happened in the run, with its words for people.
+struct RunEvent {
+  std::int64_t step = 0;
+  double time = 0.0;  // [s]
+  sim2d::Event event;
+  QString text;  // "Ana reached goal 3"
+};
+
+/// The events of the run so far; one source for the list, the timeline and the bubbles.
+class RunEvents : public QObject {
+  Q_OBJECT
+ public:
+  RunEvents(const ScenarioDocument& document, SimulationRunner& runner, QObject* parent = nullptr);
+  const std::vector<RunEvent>& events() const { return events_; }
+
+ Q_SIGNALS:
+  void cleared();
+  void added(int first, int last);
+
+ private:
+  void follow();
+  QString textOf(const sim2d::Event& event) const;
+  QString nameOfAgent(int id) const;
+
+  const ScenarioDocument& document_;
+  SimulationRunner& runner_;
+  std::vector<RunEvent> events_;
+  std::size_t framesRead_ = 0;
+  FramePtr first_;  // tells one run from the next
+};
+
+/// How an event is marked: by shape as well as colour.
+enum class EventMark { Pin, Bubble, Diamond, Triangle, Cross, Ring, None };
+EventMark markOfEvent(sim2d::EventKind kind);
+
+}  // namespace editor

@@ -1,0 +1,223 @@
+#include "editor/panels/TimelineBar.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QHelpEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include "editor/panels/EventMarks.h"
+#include "editor/panels/PlaybackActions.h"
+#include "sim2d/world/Runner.h"
+
+namespace editor {
+
+namespace {
+
+constexpr int kLeft = 152;  // of the groove [px]
+constexpr int kRight = 24;
+constexpr double kGrooveY = 17.0;
+constexpr double kMarkY = 6.0;
+constexpr int kLabelPx = 90;  // least distance of labelled ticks
+
+double tickStep(double length, double width) {
+  for (const double step : {1.0, 2.0, 5.0, 10.0, 20.0, 30.0, 60.0, 120.0, 300.0, 600.0, 1800.0}) {
+    if (width * step / length >= kLabelPx) {
+      return step;
+    }
+  }
+  return 3600.0;
+}
+
+}  // namespace
+
+TimelineBar::TimelineBar(const ScenarioDocument& document, RunEvents& events,
+                         SimulationRunner& runner, const Theme& theme, QWidget* parent)
+    : QWidget(parent), document_(document), events_(events), runner_(runner), theme_(theme) {
+  setFixedHeight(44);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  setFocusPolicy(Qt::TabFocus);
+  setMouseTracking(true);
+  setAccessibleName(tr("Timeline"));
+  const auto repaint = [this] { update(); };
+  connect(&runner_, &SimulationRunner::frameShown, this, repaint);
+  connect(&runner_, &SimulationRunner::stateChanged, this, repaint);
+  connect(&events_, &RunEvents::cleared, this, repaint);
+  connect(&document_, &ScenarioDocument::changed, this, repaint);
+}
+
+void TimelineBar::setTheme(const Theme& theme) {
+  theme_ = theme;
+  update();
+}
+
+double TimelineBar::newestTime() const {
+  const FramePtr frame = runner_.newestFrame();
+  return frame ? frame->time : 0.0;
+}
+
+double TimelineBar::shownTime() const {
+  const FramePtr frame = runner_.shownFrame();
+  return frame ? frame->time : 0.0;
+}
+
+double TimelineBar::plannedLength() const {
+  const sim2d::Scenario& scenario = document_.scenario();
+  const double step = scenario.desktop.dt.value_or(0.05);
+  return static_cast<double>(sim2d::stopRuleOf(scenario).maximumSteps) * step;
+}
+
+double TimelineBar::length() const {
+  if (runner_.isFinished()) {
+    return std::max(newestTime(), 1.0);
+  }
+  return std::max({plannedLength(), newestTime(), 1.0});
+}
+
+double TimelineBar::xOf(double time) const {
+  return kLeft + time / length() * (width() - kLeft - kRight);
+}
+
+double TimelineBar::timeAt(double x) const {
+  const double part = (x - kLeft) / (width() - kLeft - kRight);
+  return std::clamp(part, 0.0, 1.0) * length();
+}
+
+void TimelineBar::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), theme_.color(Role::Panel));
+  painter.fillRect(QRect(0, 0, width(), 1), theme_.color(Role::Line));
+  painter.setRenderHint(QPainter::Antialiasing);
+  paintClock(painter);
+  paintTicks(painter);
+  paintGroove(painter);
+  paintMarks(painter);
+}
+
+void TimelineBar::paintClock(QPainter& painter) const {
+  const QString now = clockText(shownTime());
+  painter.setFont(theme_.font(10.5, QFont::DemiBold));
+  painter.setPen(theme_.color(Role::Text));
+  const QRect place(12, 0, 72, height());
+  painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, now);
+  const int used = painter.fontMetrics().horizontalAdvance(now);
+  painter.setFont(theme_.font(9.0));
+  painter.setPen(theme_.color(Role::TextSecondary));
+  painter.drawText(QRect(12 + used + 8, 0, 90, height()), Qt::AlignLeft | Qt::AlignVCenter,
+                   QStringLiteral("/ ") + clockText(length()));
+}
+
+void TimelineBar::paintTicks(QPainter& painter) const {
+  painter.setFont(theme_.font(8.0));
+  const double step = tickStep(length(), width() - kLeft - kRight);
+  for (double time = 0.0; time <= length() + 1e-9; time += step) {
+    const double x = xOf(time);
+    painter.fillRect(QRectF(std::floor(x), 25.0, 1.0, 4.0), theme_.color(Role::FieldEdge));
+    painter.setPen(theme_.color(Role::TextSecondary));
+    painter.drawText(QRectF(x - 40.0, 28.0, 80.0, 14.0), Qt::AlignHCenter | Qt::AlignTop,
+                     QStringLiteral("%1 s").arg(time));
+    const double half = xOf(time + step / 2.0);
+    if (time + step / 2.0 <= length()) {
+      painter.fillRect(QRectF(std::floor(half), 25.0, 1.0, 2.0), theme_.color(Role::FieldEdge));
+    }
+  }
+}
+
+void TimelineBar::paintGroove(QPainter& painter) const {
+  const auto line = [&](double from, double to, const QColor& color) {
+    painter.setPen(QPen(color, 4.0, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(QPointF(xOf(from), kGrooveY), QPointF(xOf(to), kGrooveY));
+  };
+  line(0.0, length(), theme_.color(Role::Line));
+  const bool running = runner_.state() != SimulationRunner::State::Editing;
+  if (running) {
+    line(0.0, newestTime(), theme_.color(Role::Accent, 0.45));
+    line(0.0, shownTime(), theme_.color(Role::Accent));
+  }
+  const double x = xOf(shownTime());
+  painter.setPen(QPen(theme_.color(running ? Role::Accent : Role::ObstacleEdge), 2.0));
+  painter.setBrush(theme_.color(Role::Panel));
+  painter.drawEllipse(QPointF(x, kGrooveY), 6.0, 6.0);
+}
+
+void TimelineBar::paintMarks(QPainter& painter) const {
+  // The rarer the louder: marks that would lie on one another are left out, contacts never.
+  double lastX = -100.0;
+  for (const RunEvent& event : events_.events()) {
+    const EventMark mark = markOfEvent(event.event.kind);
+    const double x = xOf(event.time);
+    const bool loud = mark == EventMark::Cross || mark == EventMark::Triangle;
+    const bool shown = mark == EventMark::Pin || mark == EventMark::Bubble || loud;
+    if (shown && (loud || x - lastX > 11.0)) {
+      paintEventMark(painter, mark, QPointF(x, kMarkY), theme_);
+      lastX = x;
+    }
+  }
+}
+
+void TimelineBar::seekTo(double x) {
+  const std::vector<FramePtr>& frames = runner_.history();
+  if (frames.empty()) {
+    return;
+  }
+  const double time = std::min(timeAt(x), newestTime());
+  const auto after =
+      std::upper_bound(frames.begin(), frames.end(), time + 1e-9,
+                       [](double wanted, const FramePtr& frame) { return wanted < frame->time; });
+  runner_.seek(after == frames.begin() ? frames.front()->step : (*std::prev(after))->step);
+}
+
+void TimelineBar::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) {
+    seekTo(event->localPos().x());
+  }
+}
+
+void TimelineBar::mouseMoveEvent(QMouseEvent* event) {
+  if (event->buttons().testFlag(Qt::LeftButton)) {
+    seekTo(event->localPos().x());
+  }
+}
+
+void TimelineBar::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+    case Qt::Key_Left:
+      runner_.stepBack();
+      break;
+    case Qt::Key_Right:
+      if (runner_.isLookingBack()) {
+        runner_.stepOnce();
+      }
+      break;
+    case Qt::Key_Home:
+      seekTo(kLeft);
+      break;
+    case Qt::Key_End:
+      runner_.seekNewest();
+      break;
+    default:
+      QWidget::keyPressEvent(event);
+  }
+}
+
+bool TimelineBar::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) {
+    return QWidget::event(event);
+  }
+  const auto* help = static_cast<QHelpEvent*>(event);
+  QStringList near;
+  for (const RunEvent& happened : events_.events()) {
+    if (std::fabs(xOf(happened.time) - help->x()) < 6.0 && near.size() < 6) {
+      near.push_back(clockText(happened.time) + QStringLiteral("  ") + happened.text);
+    }
+  }
+  if (near.isEmpty() && help->x() >= kLeft) {
+    near.push_back(clockText(timeAt(help->x())));
+  }
+  QToolTip::showText(help->globalPos(), near.join(QLatin1Char('\n')), this);
+  return true;
+}
+
+}  // namespace editor

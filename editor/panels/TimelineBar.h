@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QWidget>
+
+#include "editor/look/Theme.h"
+#include "editor/panels/RunEvents.h"
+
+namespace editor {
+
+/// The time of the run over the whole width: clock, slider, ticks and marks of events. Dragging
+/// looks into the past.
+class TimelineBar : public QWidget {
+  Q_OBJECT
+ public:
+  TimelineBar(const ScenarioDocument& document, RunEvents& events, SimulationRunner& runner,
+              const Theme& theme, QWidget* parent = nullptr);
+  void setTheme(const Theme& theme);
+  double length() const;  // [s] of the whole bar
+  double xOf(double time) const;
+  double timeAt(double x) const;
+  QSize sizeHint() const override { return {400, 44}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  void seekTo(double x);
+  double plannedLength() const;
+  double newestTime() const;
+  double shownTime() const;
+  void paintClock(QPainter& painter) const;
+  void paintTicks(QPainter& painter) const;
+  void paintGroove(QPainter& painter) const;
+  void paintMarks(QPainter& painter) const;
+
+  const ScenarioDocument& document_;
+  RunEvents& events_;
+  SimulationRunner& runner_;
+  Theme theme_;
+};
+
+}  // namespace editor
