@@ -1,0 +1,24 @@
+#pragma once
+
+#include <QDockWidget>
+#include <QLabel>
+
+namespace app {
+
+/// The heading of a dock; gives way to the tab when the dock is one of several.
+class DockTitle : public QWidget {
+  Q_OBJECT
+ public:
+  explicit DockTitle(QDockWidget& dock);
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  bool isNeeded() const;
+  QDockWidget& dock_;
+};
+
+}  // namespace app

@@ -1,0 +1,276 @@
+#include "app/window/MainWindow.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QUrl>
+
+#include "app/window/StatusLine.h"
+#include "app/window/ToolBars.h"
+#include "editor/look/Icons.h"
+#include "editor/panels/IssuesPanel.h"
+#include "editor/panels/ScenarioPanel.h"
+
+namespace app {
+
+using editor::SimulationRunner;
+
+namespace {
+
+constexpr const char* kGeometryKey = "window/geometry";
+constexpr const char* kStateKey = "window/state";
+constexpr const char* kThemeKey = "window/theme";
+constexpr int kLayoutVersion = 1;
+constexpr int kSavedWidth = 120;
+
+}  // namespace
+
+void dressApplication(const editor::Theme& theme) {
+  if (auto* style = qobject_cast<editor::HouseStyle*>(QApplication::style())) {
+    style->setTheme(theme);
+  } else {
+    QApplication::setStyle(new editor::HouseStyle(theme));
+  }
+  QApplication::setFont(theme.font());
+  QApplication::setPalette(theme.palette());
+}
+
+MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
+    : QMainWindow(parent),
+      workspace_(setup.theme),
+      memory_(setup.remembers),
+      followsSystem_(setup.followsSystem),
+      actions_(new WindowActions(workspace_, this)),
+      centre_(new QStackedWidget(this)),
+      docks_(new Docks(*this, workspace_)),
+      files_(new FileCommands(workspace_, docks_->issues(), memory_, *this)),
+      status_(new StatusLine(*statusBar(), workspace_)),
+      toolBar_(makeToolBar(*this, workspace_, *actions_)),
+      saved_(new QLabel(this)) {
+  setObjectName(QStringLiteral("window"));
+  setMinimumSize(900, 600);
+  resize(1280, 800);
+  setAcceptDrops(true);
+  setContextMenuPolicy(Qt::NoContextMenu);
+  setWindowIcon(editor::themedIcon(QStringLiteral("app"), editor::Theme::light()));
+  workspace_.document().setShippedMaps(setup.shippedMaps);
+  files_->setOptions(setup.options);
+  addToolBar(Qt::TopToolBarArea, toolBar_);
+  recent_ = makeMenus(*this, workspace_, *actions_, *docks_).recent;
+  saved_->setContentsMargins(0, 0, 12, 0);
+  saved_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  saved_->setFixedWidth(kSavedWidth);
+  saved_->setForegroundRole(QPalette::PlaceholderText);
+  menuBar()->setCornerWidget(saved_);
+  startPage_ = new StartPage(workspace_, *actions_, memory_, setup.demos, this);
+  centre_->addWidget(startPage_);
+  centre_->addWidget(&workspace_.view());
+  setCentralWidget(centre_);
+  connectFiles();
+  connectView();
+  connectRun();
+  restoreGeometry(memory_.value(kGeometryKey).toByteArray());
+  showStart(true);
+  showTitle();
+}
+
+/// What shows the workspace goes before it.
+MainWindow::~MainWindow() {
+  qDeleteAll(findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly));
+  qDeleteAll(findChildren<QToolBar*>(QString(), Qt::FindDirectChildrenOnly));
+  delete takeCentralWidget();
+}
+
+bool MainWindow::isOnStartPage() const {
+  return centre_->currentWidget() == startPage_;
+}
+
+void MainWindow::connectFiles() {
+  FileCommands* files = files_;
+  connect(actions_->newRoom, &QAction::triggered, this, [files] {
+    if (files->mayLeave()) {
+      files->newRoom();
+    }
+  });
+  connect(actions_->newFromMap, &QAction::triggered, files, &FileCommands::askNewFromMap);
+  connect(actions_->open, &QAction::triggered, files, &FileCommands::askOpen);
+  connect(actions_->openMap, &QAction::triggered, files, &FileCommands::askOtherMap);
+  connect(actions_->save, &QAction::triggered, files, &FileCommands::save);
+  connect(actions_->saveAs, &QAction::triggered, files, &FileCommands::saveAs);
+  connect(actions_->close, &QAction::triggered, this, [this] {
+    if (files_->mayLeave()) {
+      workspace_.document().clear();
+      showStart(true);
+    }
+  });
+  connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
+  connect(actions_->about, &QAction::triggered, this, &MainWindow::tellAbout);
+  connect(recent_->menuAction(), &QAction::hovered, this,
+          [this] { files_->fillRecentMenu(*recent_); });
+  files_->fillRecentMenu(*recent_);
+  connect(files, &FileCommands::recentChanged, this, [this] {
+    files_->fillRecentMenu(*recent_);
+    startPage_->fillRecent();
+  });
+  connect(files, &FileCommands::opened, this, [this] {
+    showStart(false);
+    workspace_.view().fitAll(false);
+  });
+  connect(files, &FileCommands::issuesRaised, this, [this] {
+    showStart(false);
+    docks_->dock(QStringLiteral("issues"))->show();
+    docks_->dock(QStringLiteral("issues"))->raise();
+  });
+  connect(startPage_, &StartPage::fileWanted, files, &FileCommands::openFile);
+  editor::ScenarioDocument& document = workspace_.document();
+  connect(&document, &editor::ScenarioDocument::pathChanged, this, &MainWindow::showTitle);
+  connect(&document, &editor::ScenarioDocument::dirtyChanged, this, &MainWindow::showTitle);
+}
+
+void MainWindow::connectView() {
+  connect(actions_->fullScreen, &QAction::toggled, this, &MainWindow::showFullScreenMap);
+  connect(actions_->resetLayout, &QAction::triggered, docks_, &Docks::resetLayout);
+  actions_->systemTheme->setChecked(followsSystem_);
+  connect(actions_->switchTheme, &QAction::triggered, this, [this] {
+    actions_->systemTheme->setChecked(false);
+    setTheme(workspace_.theme().isDark() ? editor::Theme::light() : editor::Theme::dark());
+  });
+  connect(actions_->systemTheme, &QAction::toggled, this, [this](bool on) {
+    followsSystem_ = on;
+    if (on) {
+      setTheme(editor::Theme::fromSystem(QApplication::style()->standardPalette()));
+    }
+  });
+  connect(&docks_->scenario(), &editor::ScenarioPanel::activated, &workspace_.view(),
+          &editor::MapView::centerOnEntity);
+  connect(&docks_->issues(), &editor::IssuesPanel::entityWanted, &workspace_.view(),
+          &editor::MapView::centerOnEntity);
+}
+
+void MainWindow::connectRun() {
+  SimulationRunner& runner = workspace_.runner();
+  const auto raise = [this](const base::Diagnostics& problems) {
+    docks_->issues().setActionIssues(problems);
+    docks_->dock(QStringLiteral("issues"))->show();
+    docks_->dock(QStringLiteral("issues"))->raise();
+  };
+  connect(&runner, &SimulationRunner::notStarted, this, raise);
+  connect(&workspace_.feed(), &editor::MetricsFeed::failed, this, raise);
+  connect(&runner, &SimulationRunner::failed, this,
+          [raise](const QString& reason) { raise({base::makeError(reason.toStdString())}); });
+  connect(&runner, &SimulationRunner::warned, this,
+          [this](const base::Diagnostics& remarks) { docks_->issues().setActionIssues(remarks); });
+}
+
+void MainWindow::showStart(bool start) {
+  centre_->setCurrentWidget(start ? static_cast<QWidget*>(startPage_) : &workspace_.view());
+  docks_->setShown(!start);
+  toolBar_->setVisible(!start);
+  for (QAction* action : {actions_->save, actions_->saveAs, actions_->close, actions_->openMap}) {
+    action->setEnabled(!start);
+  }
+  if (!start) {
+    workspace_.view().setFocus();
+    if (!placed_) {
+      placed_ = true;
+      recallDocks();
+    }
+  }
+  showTitle();
+}
+
+void MainWindow::showTitle() {
+  const editor::ScenarioDocument& document = workspace_.document();
+  if (isOnStartPage()) {
+    setWindowTitle(tr("HuNavSim Desktop"));
+    setWindowModified(false);
+    saved_->clear();
+    return;
+  }
+  setWindowTitle(document.displayName() + QStringLiteral("[*] – HuNavSim Desktop"));
+  setWindowModified(document.isDirty());
+  setWindowFilePath(document.path());
+  saved_->setText(document.isDirty() ? tr("Not saved") : tr("Saved"));
+}
+
+void MainWindow::setTheme(const editor::Theme& theme) {
+  dressApplication(theme);
+  workspace_.setTheme(theme);
+  actions_->setTheme(theme);
+  docks_->setTheme(theme);
+  startPage_->setTheme(theme);
+  status_->setTheme();
+}
+
+void MainWindow::showFullScreenMap(bool on) {
+  if (isOnStartPage()) {
+    on ? showFullScreen() : showNormal();
+    return;
+  }
+  menuBar()->setVisible(!on);
+  toolBar_->setVisible(!on);
+  statusBar()->setVisible(!on);
+  docks_->setShown(!on);
+  addAction(actions_->fullScreen);  // its key works without the menu bar
+  on ? showFullScreen() : showNormal();
+}
+
+void MainWindow::tellAbout() {
+  QMessageBox::about(this, tr("About HuNavSim Desktop"),
+                     tr("<b>HuNavSim Desktop %1</b><br>Scenarios for human-aware navigation: draw, "
+                        "simulate, measure.")
+                         .arg(QApplication::applicationVersion()));
+}
+
+void MainWindow::remember() {
+  memory_.setValue(kGeometryKey, saveGeometry());
+  if (!isOnStartPage()) {
+    memory_.setValue(kStateKey, saveState(kLayoutVersion));
+  }
+  memory_.setValue(kThemeKey, followsSystem_                ? QStringLiteral("system")
+                              : workspace_.theme().isDark() ? QStringLiteral("dark")
+                                                            : QStringLiteral("light"));
+}
+
+/// When the docks are first seen: as they were last time, else as designed.
+void MainWindow::recallDocks() {
+  if (!restoreState(memory_.value(kStateKey).toByteArray(), kLayoutVersion)) {
+    docks_->placeFirst();
+  }
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!files_->mayLeave()) {
+    event->ignore();
+    return;
+  }
+  remember();
+  event->accept();
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() == QEvent::ThemeChange && followsSystem_) {
+    setTheme(editor::Theme::fromSystem(QApplication::style()->standardPalette()));
+  }
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (urls.size() == 1 && urls.front().isLocalFile()) {
+    event->acceptProposedAction();
+  }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QString path = event->mimeData()->urls().front().toLocalFile();
+  event->acceptProposedAction();
+  if (files_->mayLeave()) {
+    files_->openFile(path);
+  }
+}
+
+}  // namespace app

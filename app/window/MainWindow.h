@@ -1,0 +1,81 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <QLabel>
+#include <QMainWindow>
+#include <QStackedWidget>
+
+#include "app/window/Docks.h"
+#include "app/window/FileCommands.h"
+#include "app/window/StartPage.h"
+#include "app/window/WindowActions.h"
+#include "app/window/Workspace.h"
+#include "editor/look/HouseStyle.h"
+
+namespace app {
+
+class StatusLine;
+
+struct WindowSetup {
+  editor::Theme theme = editor::Theme::light();
+  bool followsSystem = true;  // its colours
+  bool remembers = true;      // layout and recent files; not for pictures and tests
+  QString shippedMaps;
+  std::vector<Demo> demos;
+  RunOptions options;
+};
+
+/// Wires the parts together and asks before changes are lost. Closed windows keep the document
+/// until they are destroyed.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  explicit MainWindow(const WindowSetup& setup, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  Workspace& workspace() { return workspace_; }
+  Docks& docks() { return *docks_; }
+  FileCommands& files() { return *files_; }
+  WindowActions& actions() { return *actions_; }
+  bool open(const QString& path) { return files_->openFile(path); }
+  void setTheme(const editor::Theme& theme);
+  bool isOnStartPage() const;
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void connectFiles();
+  void connectView();
+  void connectRun();
+  void showStart(bool start);
+  void showTitle();
+  void showFullScreenMap(bool on);
+  void tellAbout();
+  void remember();
+  void recallDocks();
+
+  Workspace workspace_;
+  Memory memory_;
+  bool followsSystem_;
+  bool placed_ = false;
+  WindowActions* actions_;
+  QStackedWidget* centre_;
+  StartPage* startPage_ = nullptr;
+  Docks* docks_;
+  FileCommands* files_;
+  StatusLine* status_;
+  QToolBar* toolBar_;
+  QMenu* recent_ = nullptr;
+  QLabel* saved_;
+};
+
+/// Gives the application style, palette and font of the theme.
+void dressApplication(const editor::Theme& theme);
+
+}  // namespace app

@@ -1,0 +1,129 @@
+#include "app/window/StatusLine.h"
+
+#include <QPainter>
+
+#include "editor/panels/Form.h"
+
+namespace app {
+
+using editor::Role;
+using editor::SimulationRunner;
+
+namespace {
+
+QPixmap dotPixmap(const QColor& color) {
+  constexpr int kRatio = 3;
+  QPixmap pixmap(10 * kRatio, 10 * kRatio);
+  pixmap.setDevicePixelRatio(kRatio);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(color);
+  painter.drawEllipse(QRectF(1.0, 1.0, 8.0, 8.0));
+  return pixmap;
+}
+
+}  // namespace
+
+StatusLine::StatusLine(QStatusBar& bar, Workspace& workspace)
+    : QObject(&bar),
+      bar_(bar),
+      workspace_(workspace),
+      dot_(new QLabel),
+      state_(new QLabel),
+      hint_(editor::secondaryLabel({})) {
+  bar_.setSizeGripEnabled(false);
+  bar_.setFixedHeight(24);
+  bar_.setContentsMargins(8, 0, 4, 0);
+  QFont bold = state_->font();
+  bold.setWeight(QFont::DemiBold);
+  state_->setFont(bold);
+  bar_.addWidget(dot_);
+  bar_.addWidget(state_);
+  hint_->setContentsMargins(8, 0, 0, 0);
+  hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  bar_.addWidget(hint_, 1);
+  x_ = addRight(72);
+  y_ = addRight(72);
+  ground_ = addRight(60);
+  zoom_ = addRight(64);
+  seed_ = addRight(56);
+  speed_ = addRight(88);
+  connect(&workspace_.view(), &editor::MapView::cursorMoved, this, &StatusLine::showPlace);
+  connect(&workspace_.view(), &editor::MapView::zoomChanged, this, &StatusLine::showNumbers);
+  connect(&workspace_.runner(), &SimulationRunner::stateChanged, this, &StatusLine::showState);
+  connect(&workspace_.runner(), &SimulationRunner::lookingBackChanged, this,
+          &StatusLine::showState);
+  connect(&workspace_.runner(), &SimulationRunner::speedMeasured, this, &StatusLine::showNumbers);
+  connect(&workspace_.tools(), &editor::ToolManager::statusTextChanged, this,
+          &StatusLine::showState);
+  connect(&workspace_.document(), &editor::ScenarioDocument::changed, this,
+          &StatusLine::showNumbers);
+  showState();
+}
+
+QLabel* StatusLine::addRight(int width) {
+  QLabel* label = editor::secondaryLabel({});
+  label->setMinimumWidth(width);
+  label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  label->setContentsMargins(4, 0, 4, 0);
+  bar_.addPermanentWidget(label);
+  return label;
+}
+
+void StatusLine::setTheme() {
+  showState();
+}
+
+void StatusLine::showState() {
+  const SimulationRunner& runner = workspace_.runner();
+  const auto state = runner.state();
+  Role color = Role::TextSecondary;
+  QString words = tr("Editing");
+  QString hint;
+  if (const editor::Tool* tool = workspace_.tools().current()) {
+    hint = tool->statusText();
+  }
+  if (runner.isLookingBack()) {
+    color = Role::Past;
+    words = tr("Looking back");
+    hint = tr("Space goes on from now · End returns to the newest step");
+  } else if (state == SimulationRunner::State::Running) {
+    color = Role::Ok;
+    words = tr("Running");
+    hint = tr("Space pauses · Click a person to watch them · Drag the timeline to look back");
+  } else if (state == SimulationRunner::State::Paused) {
+    color = Role::WarningMark;
+    words = runner.isFinished() ? tr("Finished") : tr("Paused");
+    hint = runner.isFinished() ? tr("Space starts again · Ctrl+R goes back to editing")
+                               : tr("Space runs on · . steps · Ctrl+R goes back to editing");
+  }
+  dot_->setPixmap(dotPixmap(workspace_.theme().color(color)));
+  state_->setText(words);
+  hint_->setText(hint);
+  showNumbers();
+}
+
+void StatusLine::showPlace(const base::Vec2& world) {
+  x_->setText(tr("x %1 m").arg(world.x(), 0, 'f', 2));
+  y_->setText(tr("y %1 m").arg(world.y(), 0, 'f', 2));
+  const std::shared_ptr<const sim2d::OccupancyGrid> map = workspace_.document().map();
+  if (workspace_.scene().isOpenPlane()) {
+    ground_->setText(tr("open"));
+    return;
+  }
+  const sim2d::Cell cell = map->worldToCell(world);
+  const bool inside = map->contains(cell);
+  ground_->setText(!inside ? tr("outside") : map->isWall(cell) ? tr("wall") : tr("free"));
+}
+
+void StatusLine::showNumbers() {
+  zoom_->setText(tr("%1 px/m").arg(qRound(workspace_.view().pixelsPerMetre())));
+  seed_->setText(tr("Seed %1").arg(workspace_.document().scenario().desktop.seed.value_or(1)));
+  const bool running = workspace_.runner().state() == SimulationRunner::State::Running;
+  speed_->setVisible(running);
+  speed_->setText(tr("%1 × real time").arg(workspace_.runner().measuredSpeed(), 0, 'f', 1));
+}
+
+}  // namespace app

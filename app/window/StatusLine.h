@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QLabel>
+#include <QStatusBar>
+
+#include "app/window/Workspace.h"
+
+namespace app {
+
+/// The status bar: state, what a click does; place of the cursor, zoom, seed, speed.
+class StatusLine : public QObject {
+  Q_OBJECT
+ public:
+  StatusLine(QStatusBar& bar, Workspace& workspace);
+  void setTheme();
+  /// The words of the state, as shown.
+  QString stateText() const { return state_->text(); }
+
+ private:
+  void showState();
+  void showPlace(const base::Vec2& world);
+  void showNumbers();
+  QLabel* addRight(int width);
+
+  QStatusBar& bar_;
+  Workspace& workspace_;
+  QLabel *dot_, *state_, *hint_, *x_, *y_, *ground_, *zoom_, *seed_, *speed_;
+};
+
+}  // namespace app

@@ -1,0 +1,135 @@
+#include "app/window/ToolBars.h"
+
+#include <algorithm>
+
+#include <QAction>
+#include <QComboBox>
+#include <QMenuBar>
+
+#include "editor/document/EditCommands.h"
+#include "editor/look/Icons.h"
+
+namespace app {
+
+namespace {
+
+constexpr int kToolBarHeight = 44;
+
+void takeToolIcons(Workspace& workspace) {
+  for (QAction* action : workspace.tools().actions().actions()) {
+    action->setIcon(editor::themedIcon(action->data().toString(), workspace.theme()));
+  }
+}
+
+QWidget* spacer(int width, QWidget* parent) {
+  auto* gap = new QWidget(parent);
+  gap->setFixedWidth(width);
+  return gap;
+}
+
+void addBehaviorMenu(QMenuBar& bar, Workspace& workspace) {
+  QMenu* menu = bar.addMenu(QObject::tr("&Behaviour"));
+  editor::ScenarioDocument& document = workspace.document();
+  for (int i = 1; i <= 6; ++i) {
+    const auto type = static_cast<sim2d::BehaviorType>(i);
+    const QString name = editor::lookName(editor::lookOf(type));
+    QAction* action = menu->addAction(name);
+    action->setStatusTip(QObject::tr("Make the people that are selected %1").arg(name.toLower()));
+    QObject::connect(action, &QAction::triggered, &document, [&document, type, name] {
+      std::vector<editor::Entity> people;
+      for (const editor::EntityId id : document.selection()) {
+        if (const sim2d::Human* human = document.human(id)) {
+          people.emplace_back(*human);
+          std::get<sim2d::Human>(people.back()).behavior.type = type;
+        }
+      }
+      editor::pushEdit(document, std::move(people), QObject::tr("Make %1").arg(name.toLower()));
+    });
+  }
+  QObject::connect(menu, &QMenu::aboutToShow, &document, [menu, &workspace] {
+    const std::vector<editor::EntityId>& selection = workspace.document().selection();
+    const bool people = std::any_of(selection.begin(), selection.end(), [](editor::EntityId id) {
+      return id.kind == base::EntityKind::Human;
+    });
+    const bool editing = workspace.runner().state() == editor::SimulationRunner::State::Editing;
+    for (QAction* action : menu->actions()) {
+      action->setEnabled(people && editing);
+    }
+  });
+}
+
+}  // namespace
+
+QToolBar* makeToolBar(QMainWindow& window, Workspace& workspace, WindowActions& actions) {
+  auto* bar = new QToolBar(QObject::tr("Tools"), &window);
+  bar->setObjectName(QStringLiteral("tools"));
+  bar->setMovable(false);
+  bar->setIconSize(QSize(24, 24));
+  bar->setFixedHeight(kToolBarHeight);
+  bar->toggleViewAction()->setEnabled(false);
+  bar->addWidget(spacer(8, bar));
+  bar->addActions({actions.newRoom, actions.open, actions.save});
+  bar->addSeparator();
+  bar->addActions({actions.undo, actions.redo});
+  bar->addSeparator();
+  bar->addActions(workspace.tools().actions().actions());
+  bar->addSeparator();
+  bar->addActions(workspace.playback().all());
+  bar->addWidget(spacer(4, bar));
+  bar->addWidget(workspace.playback().makeSpeedBox(bar));
+  bar->addSeparator();
+  bar->addActions({actions.trails, actions.rings, actions.forces, actions.grid, actions.zoomFit,
+                   actions.switchTheme});
+  takeToolIcons(workspace);
+  QObject::connect(&workspace, &Workspace::themeChanged, bar,
+                   [&workspace] { takeToolIcons(workspace); });
+  return bar;
+}
+
+Menus makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actions, Docks& docks) {
+  Menus menus;
+  QMenuBar& bar = *window.menuBar();
+  QMenu* file = bar.addMenu(QObject::tr("&File"));
+  file->addActions({actions.newRoom, actions.newFromMap, actions.open});
+  menus.recent = file->addMenu(QObject::tr("Open &recent"));
+  file->addSeparator();
+  file->addActions({actions.save, actions.saveAs});
+  file->addSeparator();
+  file->addActions({actions.close, actions.quit});
+
+  QMenu* edit = bar.addMenu(QObject::tr("&Edit"));
+  edit->addActions({actions.undo, actions.redo});
+  edit->addSeparator();
+  edit->addActions({actions.copy, actions.paste, actions.duplicate, actions.remove});
+  edit->addSeparator();
+  edit->addActions({actions.selectAll, actions.deselect});
+
+  QMenu* view = menus.view = bar.addMenu(QObject::tr("&View"));
+  view->addActions({actions.zoomIn, actions.zoomOut, actions.zoomFit});
+  view->addSeparator();
+  for (QAction* overlay : actions.overlays()) {
+    view->addAction(overlay);
+  }
+  view->addSeparator();
+  for (QDockWidget* dock : docks.all()) {
+    view->addAction(dock->toggleViewAction());
+  }
+  view->addAction(actions.resetLayout);
+  view->addSeparator();
+  view->addActions({actions.switchTheme, actions.systemTheme, actions.fullScreen});
+
+  QMenu* scenario = bar.addMenu(QObject::tr("&Scenario"));
+  scenario->addActions(workspace.tools().actions().actions());
+  scenario->addSeparator();
+  scenario->addActions({actions.openMap, actions.settings});
+
+  QMenu* run = bar.addMenu(QObject::tr("&Run"));
+  run->addActions({workspace.playback().playPause(), workspace.playback().step(),
+                   workspace.playback().stepBack(), workspace.playback().newest(),
+                   workspace.playback().reset()});
+  addBehaviorMenu(bar, workspace);
+  bar.addMenu(QObject::tr("&Help"))->addAction(actions.about);
+  return menus;
+}
+
+}  // namespace app

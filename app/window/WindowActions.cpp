@@ -1,0 +1,186 @@
+#include "app/window/WindowActions.h"
+
+#include <QUndoStack>
+
+#include "editor/document/EditCommands.h"
+#include "editor/look/Icons.h"
+
+namespace app {
+
+using editor::CanvasOptions;
+using editor::EntityId;
+
+WindowActions::WindowActions(Workspace& workspace, QObject* parent)
+    : QObject(parent), workspace_(workspace) {
+  makeFileActions();
+  makeEditActions();
+  makeViewActions();
+  connectEditing();
+  setTheme(workspace.theme());
+  followSelection();
+}
+
+QAction* WindowActions::make(const QString& text, const QString& icon, const QKeySequence& shortcut,
+                             const QString& says) {
+  auto* action = new QAction(text, this);
+  action->setShortcut(shortcut);
+  action->setStatusTip(says);
+  QString bare = text;
+  bare.remove(QLatin1Char('&')).remove(QStringLiteral("…"));
+  const QString keys = shortcut.toString(QKeySequence::NativeText);
+  action->setToolTip(keys.isEmpty() ? bare + QLatin1Char('\n') + says
+                                    : QStringLiteral("%1 (%2)\n%3").arg(bare, keys, says));
+  if (!icon.isEmpty()) {
+    icons_.emplace_back(action, icon);
+  }
+  return action;
+}
+
+void WindowActions::makeFileActions() {
+  newRoom = make(tr("&New empty room"), QStringLiteral("file-new"), QKeySequence::New,
+                 tr("A new scenario on an open plane"));
+  newFromMap = make(tr("New from a &map…"), QStringLiteral("start-map"),
+                    QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
+                    tr("A new scenario on a map of the navigation stack"));
+  open = make(tr("&Open…"), QStringLiteral("file-open"), QKeySequence::Open,
+              tr("Open a scenario or a map"));
+  save = make(tr("&Save"), QStringLiteral("file-save"), QKeySequence::Save,
+              tr("Save the scenario and its behaviour trees"));
+  saveAs = make(tr("Save &as…"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
+                tr("Save under another name"));
+  close = make(tr("&Close"), {}, QKeySequence(Qt::CTRL | Qt::Key_W), tr("Back to the start page"));
+  quit = make(tr("&Quit"), {}, QKeySequence(Qt::CTRL | Qt::Key_Q), tr("Leave the program"));
+  openMap = make(tr("Change &map…"), QStringLiteral("start-map"), {},
+                 tr("Put another map under the scenario"));
+  settings = make(tr("Scenario &settings"), {}, QKeySequence(Qt::CTRL | Qt::Key_Comma),
+                  tr("Seed, duration and what belongs to the whole scenario"));
+  about = make(tr("&About"), {}, {}, tr("Version and licence"));
+}
+
+void WindowActions::makeEditActions() {
+  QUndoStack& stack = workspace_.document().undoStack();
+  undo = stack.createUndoAction(this, tr("Undo"));
+  undo->setShortcut(QKeySequence::Undo);
+  redo = stack.createRedoAction(this, tr("Redo"));
+  redo->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
+  icons_.emplace_back(undo, QStringLiteral("edit-undo"));
+  icons_.emplace_back(redo, QStringLiteral("edit-redo"));
+  copy = make(tr("&Copy"), {}, QKeySequence::Copy, tr("Remember what is selected"));
+  paste = make(tr("&Paste"), {}, QKeySequence::Paste, tr("Add what was copied beside it"));
+  duplicate = make(tr("D&uplicate"), QStringLiteral("edit-duplicate"),
+                   QKeySequence(Qt::CTRL | Qt::Key_D), tr("A copy of what is selected"));
+  remove = make(tr("&Delete"), QStringLiteral("edit-delete"), QKeySequence::Delete,
+                tr("Remove what is selected; routes follow"));
+  selectAll = make(tr("Select &all"), {}, QKeySequence::SelectAll, tr("Everything on the map"));
+  deselect = make(tr("Select &nothing"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A),
+                  tr("Clear the selection"));
+}
+
+QAction* WindowActions::overlay(const QString& text, const QString& icon,
+                                const QKeySequence& shortcut, bool CanvasOptions::*option) {
+  QAction* action = make(text, icon, shortcut, tr("Show or hide on the map"));
+  action->setCheckable(true);
+  action->setChecked(workspace_.scene().options().*option);
+  connect(action, &QAction::toggled, this, [this, option](bool on) {
+    CanvasOptions options = workspace_.scene().options();
+    options.*option = on;
+    workspace_.scene().setOptions(options);
+  });
+  overlays_.push_back(action);
+  return action;
+}
+
+void WindowActions::makeViewActions() {
+  zoomIn = make(tr("Zoom &in"), QStringLiteral("add"), QKeySequence::ZoomIn, tr("Nearer"));
+  zoomOut = make(tr("Zoom &out"), QStringLiteral("remove"), QKeySequence::ZoomOut, tr("Farther"));
+  zoomFit = make(tr("&Fit"), QStringLiteral("view-fit"), QKeySequence(Qt::Key_F),
+                 tr("The whole map in the window"));
+  fullScreen = make(tr("F&ull screen"), {}, QKeySequence(Qt::Key_F11), tr("Only the map"));
+  fullScreen->setCheckable(true);
+  resetLayout = make(tr("&Reset the layout"), {}, {}, tr("Docks as they were at first"));
+  switchTheme = make(tr("Light or dar&k"), QStringLiteral("view-theme"),
+                     QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T), tr("Switch the colours"));
+  systemTheme = make(tr("Colours of the s&ystem"), {}, {}, tr("Follow the desktop's colours"));
+  systemTheme->setCheckable(true);
+  names = overlay(tr("&Names"), QStringLiteral("view-names"), QKeySequence(Qt::Key_N),
+                  &CanvasOptions::names);
+  routes = overlay(tr("&Routes"), QStringLiteral("tool-route"), QKeySequence(Qt::SHIFT | Qt::Key_R),
+                   &CanvasOptions::routes);
+  grid = overlay(tr("&Grid"), QStringLiteral("view-grid"), QKeySequence(Qt::SHIFT | Qt::Key_G),
+                 &CanvasOptions::grid);
+  rulers = overlay(tr("R&ulers"), {}, {}, &CanvasOptions::rulers);
+  trails = overlay(tr("&Trails"), QStringLiteral("view-trails"), QKeySequence(Qt::Key_T),
+                   &CanvasOptions::trails);
+  rings = overlay(tr("&Personal spaces"), QStringLiteral("view-rings"), QKeySequence(Qt::Key_X),
+                  &CanvasOptions::proxemics);
+  forces = overlay(tr("F&orces"), QStringLiteral("view-forces"),
+                   QKeySequence(Qt::SHIFT | Qt::Key_F), &CanvasOptions::forces);
+  editor::MapView& view = workspace_.view();
+  connect(zoomIn, &QAction::triggered, &view, &editor::MapView::zoomIn);
+  connect(zoomOut, &QAction::triggered, &view, &editor::MapView::zoomOut);
+  connect(zoomFit, &QAction::triggered, &view, [&view] { view.fitAll(); });
+}
+
+void WindowActions::connectEditing() {
+  editor::ScenarioDocument& document = workspace_.document();
+  connect(copy, &QAction::triggered, this, [this, &document] {
+    clipboard_.clear();
+    for (const EntityId id : document.selection()) {
+      if (std::optional<editor::Entity> value = document.entity(id)) {
+        clipboard_.push_back(std::move(*value));
+      }
+    }
+    followSelection();
+  });
+  connect(paste, &QAction::triggered, this, &WindowActions::pasteEntities);
+  connect(duplicate, &QAction::triggered, this, [&document] {
+    document.setSelection(
+        editor::pushDuplicate(document, document.selection(), base::Vec2(0.5, -0.5)));
+  });
+  connect(remove, &QAction::triggered, this,
+          [&document] { editor::pushRemove(document, document.selection()); });
+  connect(selectAll, &QAction::triggered, this, [&document] {
+    std::vector<EntityId> all;
+    for (const base::EntityKind kind :
+         {base::EntityKind::Human, base::EntityKind::Robot, base::EntityKind::Goal,
+          base::EntityKind::Obstacle, base::EntityKind::Door, base::EntityKind::Area}) {
+      const std::vector<EntityId> ids = document.entities(kind);
+      all.insert(all.end(), ids.begin(), ids.end());
+    }
+    document.setSelection(std::move(all));
+  });
+  connect(deselect, &QAction::triggered, this, [&document] { document.setSelection({}); });
+  connect(settings, &QAction::triggered, this, [&document] { document.setSelection({}); });
+  connect(&document, &editor::ScenarioDocument::selectionChanged, this,
+          &WindowActions::followSelection);
+  connect(&workspace_.runner(), &editor::SimulationRunner::stateChanged, this,
+          &WindowActions::followSelection);
+}
+
+void WindowActions::pasteEntities() {
+  std::vector<editor::Entity> values;
+  for (const editor::Entity& value : clipboard_) {
+    values.push_back(editor::moved(value, base::Vec2(0.5, -0.5), true));
+  }
+  clipboard_ = values;  // the next one lands beside this one
+  workspace_.document().setSelection(
+      editor::pushAdd(workspace_.document(), std::move(values), tr("Paste")));
+}
+
+void WindowActions::followSelection() {
+  const bool editing = workspace_.runner().state() == editor::SimulationRunner::State::Editing;
+  const bool any = !workspace_.document().selection().empty();
+  copy->setEnabled(any);
+  duplicate->setEnabled(any && editing);
+  remove->setEnabled(any && editing);
+  paste->setEnabled(editing && !clipboard_.empty());
+  openMap->setEnabled(editing);
+}
+
+void WindowActions::setTheme(const editor::Theme& theme) {
+  for (const auto& [action, icon] : icons_) {
+    action->setIcon(editor::themedIcon(icon, theme));
+  }
+}
+
+}  // namespace app

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include <QAction>
+
+#include "app/window/Workspace.h"
+
+namespace app {
+
+/// The commands of the window beside tools and playback, with icon, shortcut and words. Those about
+/// the map and the selection work by themselves; the window connects the others.
+class WindowActions : public QObject {
+  Q_OBJECT
+ public:
+  explicit WindowActions(Workspace& workspace, QObject* parent = nullptr);
+  void setTheme(const editor::Theme& theme);
+
+  QAction *newRoom, *newFromMap, *open, *save, *saveAs, *close, *quit;
+  QAction *undo, *redo, *copy, *paste, *duplicate, *remove, *selectAll, *deselect;
+  QAction *zoomIn, *zoomOut, *zoomFit, *fullScreen, *resetLayout, *switchTheme, *systemTheme;
+  QAction *openMap, *settings, *about;
+  /// Overlays of the canvas, checkable.
+  const std::vector<QAction*>& overlays() const { return overlays_; }
+  QAction *names, *routes, *grid, *rulers, *trails, *rings, *forces;
+
+ private:
+  QAction* make(const QString& text, const QString& icon, const QKeySequence& shortcut,
+                const QString& says);
+  QAction* overlay(const QString& text, const QString& icon, const QKeySequence& shortcut,
+                   bool editor::CanvasOptions::*option);
+  void makeFileActions();
+  void makeEditActions();
+  void makeViewActions();
+  void connectEditing();
+  void followSelection();
+  void pasteEntities();
+
+  Workspace& workspace_;
+  std::vector<std::pair<QAction*, QString>> icons_;
+  std::vector<QAction*> overlays_;
+  std::vector<editor::Entity> clipboard_;
+};
+
+}  // namespace app

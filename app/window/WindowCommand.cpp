@@ -1,0 +1,146 @@
+#include "app/window/WindowCommand.h"
+
+#include <clocale>
+#include <cstdio>
+#include <cstdlib>
+
+#include <QApplication>
+#include <QFileInfo>
+
+#include "app/DataPaths.h"
+#include "app/window/MainWindow.h"
+#include "app/window/Screenshot.h"
+
+namespace app {
+
+namespace {
+
+constexpr int kBadInput = 2;
+constexpr int kWrongWords = 64;
+
+int report(const base::Diagnostics& problems, int code) {
+  for (const base::Diagnostic& problem : problems) {
+    std::fprintf(stderr, "%s\n", problem.text().c_str());
+  }
+  return base::hasErrors(problems) ? code : 0;
+}
+
+/// Before the application exists. Pictures depend on no screen: 96 dots per inch, and as many
+/// pixels per point as wanted.
+void prepareScreen(const WindowOptions& options) {
+  QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  if (options.screenshot.empty()) {
+    QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+    QGuiApplication::setHighDpiScaleFactorRoundingPolicy(
+        Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
+    return;
+  }
+  qputenv("QT_FONT_DPI", "96");
+  if (options.scale != 1.0) {
+    qputenv("QT_SCALE_FACTOR", QByteArray::number(options.scale));
+  }
+  const bool screen = qEnvironmentVariableIsSet("DISPLAY") ||
+                      qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
+                      qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
+  if (!screen) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+  }
+}
+
+base::Diagnostics checkWords(const WindowOptions& options) {
+  base::Diagnostics problems;
+  if (!options.size.empty() && !sizeFromText(options.size)) {
+    problems.push_back(base::makeError("--size takes WIDTHxHEIGHT, such as 1280x800"));
+  }
+  if (!(options.scale >= 0.5 && options.scale <= 8.0)) {
+    problems.push_back(base::makeError("--scale takes a number from 0.5 to 8"));
+  }
+  if (!(options.at >= 0.0 && options.at <= 86400.0)) {
+    problems.push_back(base::makeError("--at takes a time in seconds"));
+  }
+  if (!options.theme.empty() && options.theme != "light" && options.theme != "dark") {
+    problems.push_back(base::makeError("--theme takes light or dark"));
+  }
+  return problems;
+}
+
+editor::Theme themeOf(const WindowOptions& options, bool& followsSystem) {
+  followsSystem = options.theme.empty();
+  if (options.theme == "dark") {
+    return editor::Theme::dark();
+  }
+  return followsSystem ? editor::Theme::fromSystem(QApplication::palette())
+                       : editor::Theme::light();
+}
+
+QString titleOf(std::string name) {
+  QString title = QString::fromStdString(name);
+  title.remove(QStringLiteral("_agents"));
+  title.replace(QLatin1Char('_'), QLatin1Char(' '));
+  if (!title.isEmpty()) {
+    title[0] = title[0].toUpper();
+  }
+  return title;
+}
+
+std::vector<Demo> demos() {
+  std::vector<Demo> result;
+  for (const ShippedScenario& scenario : shippedScenarios()) {
+    result.push_back({titleOf(scenario.name), QString::fromStdString(scenario.path)});
+  }
+  return result;
+}
+
+base::Diagnostics checkDocks(const MainWindow& window, const std::vector<std::string>& wanted) {
+  base::Diagnostics problems;
+  const QStringList known = const_cast<MainWindow&>(window).docks().names();
+  for (const std::string& name : wanted) {
+    if (!known.contains(QString::fromStdString(name).toLower())) {
+      problems.push_back(base::makeError("there is no dock '" + name + "' (known: " +
+                                         known.join(QStringLiteral(", ")).toStdString() + ")"));
+    }
+  }
+  return problems;
+}
+
+}  // namespace
+
+int windowCommand(int argc, char** argv, const RunOptions& run, const WindowOptions& options) {
+  if (const int code = report(checkWords(options), kWrongWords)) {
+    return code;
+  }
+  const bool picture = !options.screenshot.empty();
+  prepareScreen(options);
+  QApplication application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");
+  QApplication::setApplicationName(QStringLiteral("HuNavSim Desktop"));
+  QApplication::setApplicationVersion(QString::fromStdString(programVersion()));
+  WindowSetup setup;
+  setup.theme = themeOf(options, setup.followsSystem);
+  setup.remembers = !picture;
+  setup.shippedMaps = QString::fromStdString(shippedMapsFolder());
+  setup.demos = demos();
+  setup.options = run;
+  dressApplication(setup.theme);
+  MainWindow window(setup);
+  if (const int code = report(checkDocks(window, options.docks), kWrongWords)) {
+    return code;
+  }
+  if (const std::optional<QSize> size = sizeFromText(options.size)) {
+    window.resize(*size);
+  }
+  window.show();
+  bool opened = true;
+  if (!run.scenario.empty()) {
+    opened = window.open(QString::fromStdString(run.scenario));
+  }
+  if (!picture) {
+    return QApplication::exec();
+  }
+  if (!opened) {
+    return report(window.files().problems(), kBadInput);
+  }
+  return report(takeScreenshot(window, options), kBadInput);
+}
+
+}  // namespace app

@@ -1,0 +1,61 @@
+#include "app/window/Workspace.h"
+
+#include "editor/canvas/FrameLayer.h"
+#include "editor/run/DocumentWorld.h"
+
+namespace app {
+
+using editor::CanvasState;
+using editor::SimulationRunner;
+
+Workspace::Workspace(const editor::Theme& theme, QObject* parent)
+    : QObject(parent),
+      theme_(theme),
+      scene_(document_, theme),
+      view_(new editor::MapView(scene_)),
+      tools_(document_, scene_),
+      events_(document_, runner_),
+      feed_(document_, runner_),
+      playback_(runner_, theme) {
+  runner_.setRequest([this] { return editor::runRequestOf(document_); });
+  connect(&runner_, &SimulationRunner::frameShown, &scene_, &editor::MapScene::showFrame);
+  connect(&runner_, &SimulationRunner::stateChanged, this, &Workspace::showState);
+  connect(&runner_, &SimulationRunner::lookingBackChanged, this, &Workspace::showState);
+  connect(&events_, &editor::RunEvents::added, this, &Workspace::hearEvents);
+  connect(view_, &editor::MapView::spaceTapped, playback_.playPause(), &QAction::trigger);
+  connect(&document_, &editor::ScenarioDocument::changed, this,
+          [this](const editor::Change& change) {
+            if (change.what == editor::Change::What::Everything) {
+              runner_.reset();  // a run of another file
+            }
+          });
+}
+
+Workspace::~Workspace() = default;
+
+void Workspace::setTheme(const editor::Theme& theme) {
+  theme_ = theme;
+  scene_.setTheme(theme);
+  playback_.setTheme(theme);
+  Q_EMIT themeChanged();
+}
+
+void Workspace::showState() {
+  const SimulationRunner::State state = runner_.state();
+  view_->setCanvasState(state == SimulationRunner::State::Editing   ? CanvasState::Editing
+                        : runner_.isLookingBack()                   ? CanvasState::Past
+                        : state == SimulationRunner::State::Running ? CanvasState::Running
+                                                                    : CanvasState::Paused);
+  tools_.setEditingEnabled(state == SimulationRunner::State::Editing);
+}
+
+void Workspace::hearEvents(int first, int last) {
+  for (int i = first; i <= last; ++i) {
+    const editor::RunEvent& event = events_.events()[static_cast<std::size_t>(i)];
+    if (event.event.kind == sim2d::EventKind::Say) {
+      scene_.frameLayer().hear({event.event}, event.time);
+    }
+  }
+}
+
+}  // namespace app

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QObject>
+
+#include "editor/canvas/MapScene.h"
+#include "editor/canvas/MapView.h"
+#include "editor/document/ScenarioDocument.h"
+#include "editor/panels/MetricsFeed.h"
+#include "editor/panels/PlaybackActions.h"
+#include "editor/panels/RunEvents.h"
+#include "editor/run/SimulationRunner.h"
+#include "editor/tools/ToolManager.h"
+
+namespace app {
+
+/// What the window is about: one document, its canvas and tools, and the run of it. The parts of
+/// the window get a reference; nothing here knows the window.
+class Workspace : public QObject {
+  Q_OBJECT
+ public:
+  explicit Workspace(const editor::Theme& theme, QObject* parent = nullptr);
+  ~Workspace() override;
+
+  editor::ScenarioDocument& document() { return document_; }
+  editor::MapScene& scene() { return scene_; }
+  editor::MapView& view() { return *view_; }
+  editor::ToolManager& tools() { return tools_; }
+  editor::SimulationRunner& runner() { return runner_; }
+  editor::RunEvents& events() { return events_; }
+  editor::MetricsFeed& feed() { return feed_; }
+  editor::PlaybackActions& playback() { return playback_; }
+  const editor::Theme& theme() const { return theme_; }
+  void setTheme(const editor::Theme& theme);
+
+ Q_SIGNALS:
+  void themeChanged();
+
+ private:
+  void showState();
+  void hearEvents(int first, int last);
+
+  editor::Theme theme_;
+  editor::ScenarioDocument document_;
+  editor::MapScene scene_;
+  editor::MapView* view_;  // owned by the widget that it is put into
+  editor::ToolManager tools_;
+  editor::SimulationRunner runner_;
+  editor::RunEvents events_;
+  editor::MetricsFeed feed_;
+  editor::PlaybackActions playback_;
+};
+
+}  // namespace app
