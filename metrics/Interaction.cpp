@@ -101,17 +101,19 @@ double panicCost(const Body& robot, const Body& person, const MetricParameters& 
   if (along <= 0.0) {
     return 0.0;
   }
-  const double speed = lengthOf(closing);
-  const double separation = lengthOf(centres);
   if (parameters.profile == Profile::Hunav2) {
+    const double speed = lengthOf(closing);
+    const double separation = lengthOf(centres);
     const double sine = std::fabs(base::cross(centres, closing)) / (separation * speed);
     const double miss = separation * sine;
     return miss > radii && sine > kSmallAngle ? speed / ((miss - radii) * sine) : 0.0;
   }
-  const double product = closing.squaredNorm() * centres.squaredNorm();
-  const double aside = std::sqrt(std::max(product - along * along, 0.0));  // g
-  const double margin = aside - speed * radii;  // not above 0 on a collision course
-  return margin > parameters.panicEpsilon ? speed / separation * aside / margin : 0.0;
+  // In this order of operations the last digits are those of the published reference values.
+  const double speed2 = closing.squaredNorm();
+  const double squared = centres.squaredNorm();
+  const double aside = std::sqrt(std::max(speed2 * squared - along * along, 0.0));  // g
+  const double margin = aside - std::sqrt(speed2) * radii;  // not above 0 on a collision course
+  return margin > parameters.panicEpsilon ? std::sqrt(speed2 / squared) * aside / margin : 0.0;
 }
 
 double viewAngle(const Person& person, const Body& robot) {
