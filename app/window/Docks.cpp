@@ -57,11 +57,12 @@ Docks::Docks(QMainWindow& window, Workspace& workspace)
           [this](int count) { showCount(dock(QStringLiteral("issues")), tr("Issues"), count); });
   connect(events_, &editor::EventsPanel::countChanged, this,
           [this](int count) { showCount(dock(QStringLiteral("events")), tr("Events"), count); });
+  connect(&workspace_.runner(), &editor::SimulationRunner::frameShown, properties_,
+          &editor::PropertyPanel::showFrame);
   connect(choice_, &editor::MetricsChoicePanel::saved, issues_,
           &editor::IssuesPanel::setActionIssues);
   connect(&workspace_.runner(), &editor::SimulationRunner::stateChanged, this,
           [this](editor::SimulationRunner::State state) {
-            properties_->setEditingEnabled(state == editor::SimulationRunner::State::Editing);
             if (state != editor::SimulationRunner::State::Editing) {
               grow();
             }

@@ -25,6 +25,7 @@ constexpr const char* kStateKey = "window/state";
 constexpr const char* kThemeKey = "window/theme";
 constexpr int kLayoutVersion = 1;
 constexpr int kSavedWidth = 120;
+constexpr int kMenuHeight = 28;
 
 }  // namespace
 
@@ -62,7 +63,7 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   recent_ = makeMenus(*this, workspace_, *actions_, *docks_).recent;
   saved_->setContentsMargins(0, 0, 12, 0);
   saved_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  saved_->setFixedWidth(kSavedWidth);
+  saved_->setFixedSize(kSavedWidth, kMenuHeight);
   saved_->setForegroundRole(QPalette::PlaceholderText);
   menuBar()->setCornerWidget(saved_);
   startPage_ = new StartPage(workspace_, *actions_, memory_, setup.demos, this);
@@ -169,6 +170,7 @@ void MainWindow::showStart(bool start) {
   centre_->setCurrentWidget(start ? static_cast<QWidget*>(startPage_) : &workspace_.view());
   docks_->setShown(!start);
   toolBar_->setVisible(!start);
+  status_->setIdle(start);
   for (QAction* action : {actions_->save, actions_->saveAs, actions_->close, actions_->openMap}) {
     action->setEnabled(!start);
   }

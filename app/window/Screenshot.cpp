@@ -51,9 +51,8 @@ base::Diagnostics runTo(Workspace& workspace, double time) {
   });
   const double dt = workspace.document().scenario().desktop.dt.value_or(kDefaultStep);
   const long long steps = std::llround(time / dt);
-  runner.stepOnce();  // makes the world, paused at step 0
   for (long long i = 0; i < steps; ++i) {
-    runner.stepOnce();
+    runner.stepOnce();  // the first one makes the world
   }
   const bool there = waitFor([&] {
     const editor::FramePtr newest = runner.newestFrame();

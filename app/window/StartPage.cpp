@@ -5,6 +5,7 @@
 #include <QTimer>
 
 #include "app/window/StartCards.h"
+#include "editor/canvas/RouteModel.h"
 #include "editor/panels/Form.h"
 
 namespace app {
@@ -13,6 +14,7 @@ namespace {
 
 constexpr int kColumnWidth = 1120;
 constexpr int kGap = 24;
+constexpr double kFiner = 2.0;  // pins and lines are half as large as on the canvas
 
 /// The scenario as the canvas draws it, fitted into `size`.
 QPixmap thumbnailOf(const QString& path, const editor::Theme& theme, const QSize& size,
@@ -27,21 +29,26 @@ QPixmap thumbnailOf(const QString& path, const editor::Theme& theme, const QSize
   options.names = false;
   options.grid = false;
   scene.setOptions(options);
-  QRectF content = scene.contentRect();
-  const double margin = 10.0;
-  const double scale = std::min((size.width() - 2 * margin) / content.width(),
-                                (size.height() - 2 * margin) / content.height());
+  scene.routes().finish();
+  const QRectF content = scene.contentRect();
+  const QSizeF large = QSizeF(size) * kFiner;  // pins and lines keep their size there
+  const double margin = 10.0 * kFiner;
+  const double scale = std::min((large.width() - 2.0 * margin) / content.width(),
+                                (large.height() - 2.0 * margin) / content.height());
   scene.setPixelsPerMetre(scale);
-  QPixmap picture(size * ratio);
+  QImage picture((large * ratio).toSize(), QImage::Format_ARGB32_Premultiplied);
   picture.setDevicePixelRatio(ratio);
   picture.fill(theme.color(editor::Role::CanvasOutside));
   QPainter painter(&picture);
   painter.setRenderHint(QPainter::Antialiasing);
   const QSizeF drawn = content.size() * scale;
-  const QRectF place(
-      QPointF((size.width() - drawn.width()) / 2.0, (size.height() - drawn.height()) / 2.0), drawn);
-  scene.render(&painter, place, content);
-  return picture;
+  const QPointF corner((large.width() - drawn.width()) / 2.0,
+                       (large.height() - drawn.height()) / 2.0);
+  scene.render(&painter, QRectF(corner, drawn), content);
+  painter.end();
+  QImage small = picture.scaled(size * ratio, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  small.setDevicePixelRatio(ratio);
+  return QPixmap::fromImage(small);
 }
 
 QLabel* heading(const QString& text, const QFont& font) {

@@ -76,6 +76,14 @@ void StatusLine::setTheme() {
   showState();
 }
 
+void StatusLine::setIdle(bool idle) {
+  idle_ = idle;
+  for (QLabel* label : {x_, y_, ground_, zoom_, seed_}) {
+    label->setVisible(!idle);
+  }
+  showState();
+}
+
 void StatusLine::showState() {
   const SimulationRunner& runner = workspace_.runner();
   const auto state = runner.state();
@@ -85,7 +93,10 @@ void StatusLine::showState() {
   if (const editor::Tool* tool = workspace_.tools().current()) {
     hint = tool->statusText();
   }
-  if (runner.isLookingBack()) {
+  if (idle_) {
+    words = tr("Ready");
+    hint = tr("Click a demo to open it · Space runs it");
+  } else if (runner.isLookingBack()) {
     color = Role::Past;
     words = tr("Looking back");
     hint = tr("Space goes on from now · End returns to the newest step");

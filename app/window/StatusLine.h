@@ -13,6 +13,7 @@ class StatusLine : public QObject {
  public:
   StatusLine(QStatusBar& bar, Workspace& workspace);
   void setTheme();
+  void setIdle(bool idle);  // nothing is open
   /// The words of the state, as shown.
   QString stateText() const { return state_->text(); }
 
@@ -24,6 +25,7 @@ class StatusLine : public QObject {
 
   QStatusBar& bar_;
   Workspace& workspace_;
+  bool idle_ = false;
   QLabel *dot_, *state_, *hint_, *x_, *y_, *ground_, *zoom_, *seed_, *speed_;
 };
 

@@ -1,8 +1,6 @@
 #include "editor/look/HouseStyle.h"
 
-#include <QAbstractItemView>
 #include <QPainter>
-#include <QPainterPath>
 #include <QStyleOption>
 #include <QStyleOptionComboBox>
 #include <QToolBar>
@@ -111,7 +109,9 @@ QSize HouseStyle::sizeFromContents(ContentsType type, const QStyleOption* option
       result.setHeight(std::max(result.height(), kRowHeight));
       break;
     case CT_ToolButton:
-      if (widget != nullptr && qobject_cast<QToolBar*>(widget->parentWidget()) != nullptr) {
+      if (widget != nullptr && widget->property(kLinkProperty).toBool()) {
+        result.setWidth(size.width() + 2);
+      } else if (widget != nullptr && qobject_cast<QToolBar*>(widget->parentWidget()) != nullptr) {
         result = result.expandedTo(QSize(kToolButton, kToolButton));
         result.setHeight(kToolButton);
       }
@@ -147,7 +147,7 @@ bool HouseStyle::drawSimple(PrimitiveElement element, const QStyleOption& option
       drawCheckBox(painter, option);
       return true;
     case PE_PanelItemViewItem:
-      drawRow(painter, option);
+      drawRow(painter, option, widget);
       return true;
     case PE_PanelItemViewRow:
     case PE_FrameFocusRect:
@@ -164,6 +164,10 @@ bool HouseStyle::drawSimple(PrimitiveElement element, const QStyleOption& option
       if (option.state.testFlag(State_Children)) {
         drawChevron(painter, QRectF(option.rect), option.state.testFlag(State_Open) ? 0 : 3, true);
       }
+      return true;
+    case PE_IndicatorArrowDown:
+    case PE_IndicatorArrowRight:
+      drawChevron(painter, QRectF(option.rect), element == PE_IndicatorArrowDown ? 0 : 3, true);
       return true;
     case PE_IndicatorToolBarSeparator: {
       const int x = option.rect.center().x();
@@ -206,6 +210,12 @@ void HouseStyle::drawControl(ControlElement element, const QStyleOption* option,
     case CE_MenuBarEmptyArea:
       painter->fillRect(option->rect, theme_.color(Role::Window));
       break;
+    case CE_HeaderSection:
+    case CE_HeaderEmptyArea:
+      painter->fillRect(option->rect, theme_.color(Role::Panel));
+      painter->fillRect(QRect(option->rect.left(), option->rect.bottom(), option->rect.width(), 1),
+                        theme_.color(Role::Line));
+      break;
     case CE_Splitter:
       painter->fillRect(option->rect, theme_.color(Role::Line));
       break;
@@ -219,7 +229,7 @@ void HouseStyle::drawControl(ControlElement element, const QStyleOption* option,
           painter->drawRoundedRect(QRectF(option->rect).adjusted(1, 2, -1, -2), 4, 4);
         }
         drawItemText(painter, option->rect,
-                     Qt::AlignCenter | Qt::TextShowMnemonic | Qt::TextSingleLine, item->palette,
+                     Qt::AlignCenter | Qt::TextHideMnemonic | Qt::TextSingleLine, item->palette,
                      option->state.testFlag(State_Enabled), item->text, QPalette::WindowText);
       }
       break;

@@ -20,6 +20,8 @@ class HouseStyle : public QProxyStyle {
                 QStyleHintReturn* returned) const override;
   QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
                          const QWidget* widget) const override;
+  QRect subElementRect(SubElement element, const QStyleOption* option,
+                       const QWidget* widget) const override;
   QRect subControlRect(ComplexControl control, const QStyleOptionComplex* option, SubControl sub,
                        const QWidget* widget) const override;
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
@@ -35,7 +37,7 @@ class HouseStyle : public QProxyStyle {
   void drawCheckBox(QPainter& painter, const QStyleOption& option) const;
   void drawButton(QPainter& painter, const QStyleOption& option) const;
   void drawTab(QPainter& painter, const QStyleOption& option) const;
-  void drawRow(QPainter& painter, const QStyleOption& option) const;
+  void drawRow(QPainter& painter, const QStyleOption& option, const QWidget* widget) const;
   void drawComboLabel(QPainter& painter, const QStyleOption& option, const QWidget* widget) const;
   bool drawSimple(PrimitiveElement element, const QStyleOption& option, QPainter& painter,
                   const QWidget* widget) const;

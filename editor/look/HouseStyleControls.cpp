@@ -1,6 +1,5 @@
 #include <QAbstractSpinBox>
 #include <QPainter>
-#include <QPainterPath>
 #include <QStyleOption>
 
 #include "editor/look/HouseStyle.h"
@@ -95,46 +94,6 @@ void HouseStyle::drawButton(QPainter& painter, const QStyleOption& option) const
                                 : isHovered(option) ? Role::RowHover
                                                     : Role::Field));
   painter.drawRoundedRect(onPixels(option.rect), kFieldRadius, kFieldRadius);
-}
-
-void HouseStyle::drawTab(QPainter& painter, const QStyleOption& option) const {
-  painter.fillRect(option.rect, theme_.color(Role::Window));
-  const QRect bottom(option.rect.left(), option.rect.bottom(), option.rect.width(), 1);
-  painter.fillRect(bottom, theme_.color(Role::Line));
-  if (option.state.testFlag(State_Selected)) {
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(theme_.color(Role::Accent));
-    painter.drawRoundedRect(
-        QRectF(option.rect.left() + 10, option.rect.bottom() - 1.5, option.rect.width() - 20, 2.5),
-        1.2, 1.2);
-  } else if (isHovered(option)) {
-    painter.fillRect(option.rect.adjusted(0, 0, 0, -1), theme_.color(Role::RowHover));
-  }
-}
-
-void HouseStyle::drawRow(QPainter& painter, const QStyleOption& option) const {
-  const auto* item = qstyleoption_cast<const QStyleOptionViewItem*>(&option);
-  if (item != nullptr && item->backgroundBrush.style() != Qt::NoBrush) {
-    painter.fillRect(option.rect, item->backgroundBrush);
-  }
-  const bool selected = option.state.testFlag(State_Selected);
-  if (!selected && !isHovered(option)) {
-    return;
-  }
-  // One band over all columns: rounded only at its ends.
-  QRectF band(option.rect);
-  const auto place = item != nullptr ? item->viewItemPosition : QStyleOptionViewItem::OnlyOne;
-  using Place = QStyleOptionViewItem::ViewItemPosition;
-  const bool first =
-      place == Place::Beginning || place == Place::OnlyOne || place == Place::Invalid;
-  const bool last = place == Place::End || place == Place::OnlyOne || place == Place::Invalid;
-  painter.setClipRect(option.rect);
-  band.adjust(first ? 4.0 : -8.0, 0.0, last ? -4.0 : 8.0, 0.0);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(theme_.color(selected ? Role::RowSelected : Role::RowHover));
-  painter.drawRoundedRect(band, kFieldRadius, kFieldRadius);
 }
 
 void HouseStyle::drawComboLabel(QPainter& painter, const QStyleOption& option,
@@ -274,21 +233,6 @@ void HouseStyle::drawToolButton(QPainter& painter, const QStyleOptionComplex& op
                 isEnabled(option));
   }
   drawControl(CE_ToolButtonLabel, &label, &painter, widget);
-}
-
-void HouseStyle::drawScrollBar(QPainter& painter, const QStyleOptionComplex& option,
-                               const QWidget* widget) const {
-  const auto* bar = qstyleoption_cast<const QStyleOptionSlider*>(&option);
-  if (bar == nullptr || bar->minimum == bar->maximum) {
-    return;
-  }
-  QRectF handle = subControlRect(CC_ScrollBar, bar, SC_ScrollBarSlider, widget);
-  const double inset = 2.5;
-  handle.adjust(inset, inset, -inset, -inset);
-  const double radius = std::min(handle.width(), handle.height()) / 2.0;
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(theme_.color(isHovered(option) ? Role::ObstacleEdge : Role::FieldEdge));
-  painter.drawRoundedRect(handle, radius, radius);
 }
 
 }  // namespace editor

@@ -122,7 +122,9 @@ void NumberField::focusOutEvent(QFocusEvent* event) {
 void NumberField::setPale(bool pale) {
   QPalette colors;
   if (pale) {
-    colors.setColor(QPalette::Text, palette().color(QPalette::PlaceholderText));
+    const QColor color = palette().color(QPalette::PlaceholderText);
+    colors.setColor(QPalette::Active, QPalette::Text, color);
+    colors.setColor(QPalette::Inactive, QPalette::Text, color);
   }
   lineEdit()->setPalette(colors);
 }

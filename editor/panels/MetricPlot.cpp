@@ -109,8 +109,13 @@ void MetricPlot::show(const metrics::MetricResult* result, const MetricCurve* cu
     }
   }
   curve_->setSamples(points);
-  if (!points.isEmpty()) {
-    plot_->setAxisScale(QwtPlot::xBottom, 0.0, std::max(points.back().x(), 1.0));
+  const bool any = !points.isEmpty();
+  const double end = curve != nullptr && !curve->times.empty() ? curve->times.back() : 1.0;
+  plot_->setAxisScale(QwtPlot::xBottom, 0.0, std::max(end, 1.0));
+  if (any) {
+    plot_->setAxisAutoScale(QwtPlot::yLeft);
+  } else {
+    plot_->setAxisScale(QwtPlot::yLeft, 0.0, 1.0);
   }
   plot_->replot();
 }

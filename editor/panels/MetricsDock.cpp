@@ -73,8 +73,8 @@ void MetricsDock::takeSnapshot() {
   const bool any = model_->rowCount() > 0;
   stack_->setCurrentIndex(any ? 1 : 0);
   if (any && selectedKey().empty()) {
-    const int row = std::max(0, model_->rowOf(kept));
-    table_->selectRow(row);
+    const int row = model_->rowOf(kept);
+    table_->selectRow(row >= 0 ? row : model_->firstWithCurve());
   }
   showSelected();
 }

@@ -81,6 +81,18 @@ const MetricCurve* MetricsModel::curveAt(int row) const {
   return found == feed_.snapshot().curves.end() ? nullptr : &found->second;
 }
 
+int MetricsModel::firstWithCurve() const {
+  for (int row = 0; row < rows_; ++row) {
+    const MetricCurve* curve = curveAt(row);
+    if (curve != nullptr &&
+        std::any_of(curve->values.begin(), curve->values.end(),
+                    [](double value) { return std::isfinite(value) && value != 0.0; })) {
+      return row;
+    }
+  }
+  return 0;
+}
+
 int MetricsModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : rows_;
 }

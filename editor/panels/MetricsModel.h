@@ -19,6 +19,7 @@ class MetricsModel : public QAbstractTableModel {
   void refresh();
   void setTheme(const Theme& theme);
   int rowOf(const std::string& key) const;
+  int firstWithCurve() const;  // the first row that has something to plot, else 0
   const metrics::MetricResult* resultAt(int row) const;
   const MetricCurve* curveAt(int row) const;
 

@@ -46,6 +46,8 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme, QWi
       picture_(new QLabel(this)),
       name_(new QLabel(this)),
       about_(secondaryLabel({}, this)),
+      now_(new NowSection(this)),
+      later_(secondaryLabel(tr("Changes count from the next start."), this)),
       stack_(new QStackedWidget(this)) {
   setMinimumWidth(300);
   picture_->setFixedSize(kPictureSize, kPictureSize);
@@ -66,6 +68,10 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme, QWi
   layout->setSpacing(0);
   layout->addLayout(top);
   layout->addWidget(dividerLine(this));
+  layout->addWidget(now_);
+  later_->setContentsMargins(12, 6, 12, 6);
+  later_->hide();
+  layout->addWidget(later_);
   layout->addWidget(stack_, 1);
   addPage(EntityKind::Human, new PersonPage(document, theme));
   addPage(EntityKind::Robot, new RobotPage(document));
@@ -116,6 +122,7 @@ void PropertyPanel::follow() {
   stack_->setCurrentWidget(areas_.at(kind));
   pages_.at(kind)->setTargets(ids);
   showHeading(ids);
+  showNow();
 }
 
 void PropertyPanel::refresh() {
@@ -188,8 +195,29 @@ void PropertyPanel::setTheme(const Theme& theme) {
   follow();
 }
 
-void PropertyPanel::setEditingEnabled(bool enabled) {
-  stack_->setEnabled(enabled);
+void PropertyPanel::showFrame(const FramePtr& frame) {
+  frame_ = frame;
+  later_->setVisible(frame_ != nullptr);
+  showNow();
+}
+
+std::optional<int> PropertyPanel::agentOf(EntityId id) const {
+  if (const sim2d::Human* human = document_.human(id)) {
+    return human->id;
+  }
+  int robotId = 0;
+  for (const sim2d::Robot& robot : document_.scenario().robots) {
+    robotId -= robot.listed ? 1 : 0;
+    if (robot.key == id && robot.listed) {
+      return robotId;
+    }
+  }
+  return std::nullopt;
+}
+
+void PropertyPanel::showNow() {
+  const std::vector<EntityId>& ids = document_.selection();
+  now_->show(frame_.get(), ids.size() == 1 ? agentOf(ids.front()) : std::nullopt);
 }
 
 }  // namespace editor

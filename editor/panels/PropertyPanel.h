@@ -6,6 +6,7 @@
 #include <QScrollArea>
 #include <QStackedWidget>
 
+#include "editor/panels/NowSection.h"
 #include "editor/panels/PropertyPage.h"
 
 namespace editor {
@@ -18,14 +19,17 @@ class PropertyPanel : public QWidget {
   void setTheme(const Theme& theme);
   PropertyPage* page(EntityKind kind) const { return pages_.at(kind); }
   PropertyPage* currentPage() const;
-  /// Values can be looked at, but not changed, while a simulation runs.
-  void setEditingEnabled(bool enabled);
+  /// The moment of a run that is shown; none ends it. What is edited then counts from the next
+  /// start.
+  void showFrame(const FramePtr& frame);
 
  private:
   void addPage(EntityKind kind, PropertyPage* page);
   void follow();
   void refresh();
   void showHeading(const std::vector<EntityId>& ids);
+  void showNow();
+  std::optional<int> agentOf(EntityId id) const;
   QPixmap picture(const Entity& entity) const;
 
   ScenarioDocument& document_;
@@ -33,6 +37,9 @@ class PropertyPanel : public QWidget {
   QLabel* picture_;
   QLabel* name_;
   QLabel* about_;
+  NowSection* now_;
+  QLabel* later_;
+  FramePtr frame_;
   QStackedWidget* stack_;
   std::map<EntityKind, PropertyPage*> pages_;
   std::map<EntityKind, QScrollArea*> areas_;

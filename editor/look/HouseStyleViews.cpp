@@ -1,0 +1,108 @@
+#include <algorithm>
+
+#include <QAbstractSpinBox>
+#include <QPainter>
+#include <QStyleOption>
+#include <QTableView>
+
+#include "editor/look/HouseStyle.h"
+
+namespace editor {
+
+namespace {
+
+constexpr double kRowRadius = 4.0;
+constexpr int kTableInset = 8;  // of the first column
+
+bool isHovered(const QStyleOption& option) {
+  return option.state.testFlag(QStyle::State_Enabled) &&
+         option.state.testFlag(QStyle::State_MouseOver);
+}
+
+}  // namespace
+
+QRect HouseStyle::subElementRect(SubElement element, const QStyleOption* option,
+                                 const QWidget* widget) const {
+  const QRect rect = QProxyStyle::subElementRect(element, option, widget);
+  switch (element) {
+    case SE_LineEditContents: {
+      const bool alone =
+          widget == nullptr || qobject_cast<QAbstractSpinBox*>(widget->parentWidget()) == nullptr;
+      return alone ? rect.adjusted(4, 0, -2, 0) : rect;
+    }
+    case SE_HeaderLabel:
+      if (const auto* header = qstyleoption_cast<const QStyleOptionHeader*>(option);
+          header != nullptr && header->section == 0) {
+        return rect.adjusted(kTableInset, 0, 0, 0);
+      }
+      return rect;
+    case SE_ItemViewItemText:
+    case SE_ItemViewItemDecoration:
+      if (const auto* item = qstyleoption_cast<const QStyleOptionViewItem*>(option);
+          item != nullptr && item->index.column() == 0 &&
+          qobject_cast<const QTableView*>(widget) != nullptr) {
+        return element == SE_ItemViewItemText ? rect.adjusted(kTableInset, 0, 0, 0)
+                                              : rect.translated(kTableInset, 0);
+      }
+      return rect;
+    default:
+      return rect;
+  }
+}
+
+void HouseStyle::drawTab(QPainter& painter, const QStyleOption& option) const {
+  painter.fillRect(option.rect, theme_.color(Role::Window));
+  const QRect bottom(option.rect.left(), option.rect.bottom(), option.rect.width(), 1);
+  painter.fillRect(bottom, theme_.color(Role::Line));
+  if (option.state.testFlag(State_Selected)) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme_.color(Role::Accent));
+    painter.drawRoundedRect(
+        QRectF(option.rect.left() + 10, option.rect.bottom() - 1.5, option.rect.width() - 20, 2.5),
+        1.2, 1.2);
+  } else if (isHovered(option)) {
+    painter.fillRect(option.rect.adjusted(0, 0, 0, -1), theme_.color(Role::RowHover));
+  }
+}
+
+void HouseStyle::drawRow(QPainter& painter, const QStyleOption& option,
+                         const QWidget* widget) const {
+  const auto* item = qstyleoption_cast<const QStyleOptionViewItem*>(&option);
+  const bool selected = option.state.testFlag(State_Selected);
+  if (item == nullptr || (!selected && !isHovered(option))) {
+    return;
+  }
+  // One band over all columns, rounded only at its ends. Tables do not say where a cell is.
+  using Place = QStyleOptionViewItem::ViewItemPosition;
+  bool first = item->viewItemPosition != Place::Middle && item->viewItemPosition != Place::End;
+  bool last = item->viewItemPosition != Place::Middle && item->viewItemPosition != Place::Beginning;
+  if (qobject_cast<const QTableView*>(widget) != nullptr && item->index.isValid()) {
+    first = item->index.column() == 0;
+    last = item->index.column() == item->index.model()->columnCount() - 1;
+  }
+  QRectF band(option.rect);
+  painter.setClipRect(option.rect);
+  band.adjust(first ? 4.0 : -8.0, 0.0, last ? -4.0 : 8.0, 0.0);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme_.color(selected ? Role::RowSelected : Role::RowHover));
+  painter.drawRoundedRect(band, kRowRadius, kRowRadius);
+}
+
+void HouseStyle::drawScrollBar(QPainter& painter, const QStyleOptionComplex& option,
+                               const QWidget* widget) const {
+  const auto* bar = qstyleoption_cast<const QStyleOptionSlider*>(&option);
+  if (bar == nullptr || bar->minimum == bar->maximum) {
+    return;
+  }
+  QRectF handle = subControlRect(CC_ScrollBar, bar, SC_ScrollBarSlider, widget);
+  const double inset = 2.5;
+  handle.adjust(inset, inset, -inset, -inset);
+  const double radius = std::min(handle.width(), handle.height()) / 2.0;
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme_.color(isHovered(option) ? Role::ObstacleEdge : Role::FieldEdge));
+  painter.drawRoundedRect(handle, radius, radius);
+}
+
+}  // namespace editor

@@ -1,0 +1,223 @@
+#include <cmath>
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "app/window/MainWindow.h"
+#include "app/window/Screenshot.h"
+#include "app/window/StartCards.h"
+#include "editor/document/EditCommands.h"
+#include "editor/panels/IssuesPanel.h"
+#include "editor/panels/PropertyPanel.h"
+#include "sim2d/scenario/ScenarioFile.h"
+
+using app::MainWindow;
+using app::WindowSetup;
+
+namespace {
+
+QString demoPath() {
+  return QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
+}
+
+WindowSetup quietSetup() {
+  WindowSetup setup;
+  setup.followsSystem = false;
+  setup.remembers = false;
+  setup.shippedMaps = QStringLiteral(SOURCE_DIR "/maps");
+  return setup;
+}
+
+}  // namespace
+
+class MainWindowTest : public QObject {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<MainWindow> window_;
+
+  editor::ScenarioDocument& document() { return window_->workspace().document(); }
+  editor::MapView& view() { return window_->workspace().view(); }
+  QPoint inWindow(const base::Vec2& world) {
+    return view().viewport()->mapTo(window_.get(), view().viewportFrom(world));
+  }
+  /// Real mouse events of the window system, as a user makes them.
+  void drag(const base::Vec2& from, const base::Vec2& to) {
+    QWindow* handle = window_->windowHandle();
+    QTest::mouseMove(handle, inWindow(from));
+    QTest::mousePress(handle, Qt::LeftButton, {}, inWindow(from));
+    QTest::mouseMove(handle, inWindow(0.5 * (from + to)));
+    QTest::mouseMove(handle, inWindow(to));
+    QTest::mouseRelease(handle, Qt::LeftButton, {}, inWindow(to));
+    QCoreApplication::processEvents();
+  }
+  void chooseTool(const QString& icon) {
+    for (QAction* action : window_->workspace().tools().actions().actions()) {
+      if (action->data().toString() == icon) {
+        action->trigger();
+        return;
+      }
+    }
+    QFAIL("no such tool");
+  }
+
+ private Q_SLOTS:
+  void initTestCase() { app::dressApplication(editor::Theme::light()); }
+  void init() {
+    window_ = std::make_unique<MainWindow>(quietSetup());
+    window_->resize(1280, 800);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  }
+  void cleanup() {
+    document().undoStack().setClean();
+    window_.reset();
+  }
+
+  void start_showsTheStartPage() {
+    QVERIFY(window_->isOnStartPage());
+    QCOMPARE(window_->windowTitle(), QStringLiteral("HuNavSim Desktop"));
+    window_->actions().newRoom->trigger();
+    QVERIFY(!window_->isOnStartPage());
+    QVERIFY(view().isVisible());
+  }
+
+  void mouse_personAndGoal_placedAssignedSavedReopened() {
+    window_->actions().newRoom->trigger();
+    QTest::qWait(50);
+    const base::Vec2 start(1.0, 0.5);
+    chooseTool(QStringLiteral("tool-person"));
+    drag(start, base::Vec2(1.0, 2.0));
+    QCOMPARE(document().scenario().humans.size(), std::size_t(1));
+    const sim2d::Human& placed = document().scenario().humans.front();
+    QVERIFY((placed.initPose.position - start).norm() < 0.05);
+    QVERIFY(std::abs(placed.initPose.heading - base::kPi / 2.0) < 0.05);
+    chooseTool(QStringLiteral("tool-goal"));
+    drag(base::Vec2(3.0, 1.0), base::Vec2(3.0, 1.0));
+    QCOMPARE(document().scenario().goals.size(), std::size_t(1));
+    const int goal = document().scenario().goals.front().id;
+    const editor::EntityId person = document().scenario().humans.front().key;
+    if (document().scenario().humans.front().goals.empty()) {
+      editor::pushRoute(document(), {person}, {goal});
+    }
+    QCOMPARE(document().scenario().humans.front().goals, std::vector<int>{goal});
+    const sim2d::Scenario whole = document().scenario();
+
+    while (document().undoStack().canUndo()) {
+      window_->actions().undo->trigger();
+    }
+    QVERIFY(document().scenario().humans.empty());
+    QVERIFY(document().scenario().goals.empty());
+    while (document().undoStack().canRedo()) {
+      window_->actions().redo->trigger();
+    }
+    QVERIFY(document().scenario() == whole);
+
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("made.yaml"));
+    QVERIFY(window_->isWindowModified());
+    QVERIFY(window_->files().saveTo(file));
+    QVERIFY(!window_->isWindowModified());
+    QVERIFY(window_->windowTitle().startsWith(QStringLiteral("made.yaml")));
+    const sim2d::Scenario saved = sim2d::withoutDefaults(document().scenario());
+    window_->actions().newRoom->trigger();
+    QVERIFY(document().scenario().humans.empty());
+    QVERIFY(window_->open(file));
+    QVERIFY(sim2d::withoutDefaults(document().scenario()) == saved);
+  }
+
+  void keys_deleteAndDuplicate_areUndoable() {
+    QVERIFY(window_->open(demoPath()));
+    const std::size_t people = document().scenario().humans.size();
+    document().setSelection({document().scenario().humans.front().key});
+    window_->actions().duplicate->trigger();
+    QCOMPARE(document().scenario().humans.size(), people + 1);
+    window_->actions().remove->trigger();
+    QCOMPARE(document().scenario().humans.size(), people);
+    window_->actions().copy->trigger();
+    document().undoStack().undo();
+    document().undoStack().undo();
+    QCOMPARE(document().scenario().humans.size(), people);
+    QVERIFY(!document().isDirty());
+  }
+
+  void open_brokenFile_tellsInTheIssues() {
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("broken.yaml"));
+    QFile broken(file);
+    QVERIFY(broken.open(QIODevice::WriteOnly));
+    broken.write("hunav_loader:\n  ros__parameters:\n    agents: [a\n");
+    broken.close();
+    QVERIFY(!window_->open(file));
+    QVERIFY(window_->docks().issues().hasErrors());
+    QVERIFY(window_->docks().issues().isVisible());
+  }
+
+  void theme_switched_changesAtOnce() {
+    QVERIFY(window_->open(demoPath()));
+    const QColor before = QApplication::palette().color(QPalette::Window);
+    window_->actions().switchTheme->trigger();
+    QVERIFY(window_->workspace().theme().isDark());
+    QVERIFY(QApplication::palette().color(QPalette::Window) != before);
+    window_->actions().switchTheme->trigger();
+    QCOMPARE(QApplication::palette().color(QPalette::Window), before);
+  }
+
+  void shortcuts_areUnique() {
+    QMap<QString, QString> owners;
+    QList<QAction*> actions = window_->findChildren<QAction*>();
+    actions += window_->workspace().tools().actions().actions();
+    actions += window_->workspace().playback().all();
+    QSet<QAction*> seen;
+    for (QAction* action : actions) {
+      const QString keys = action->shortcut().toString();
+      if (keys.isEmpty() || seen.contains(action)) {
+        continue;
+      }
+      seen.insert(action);
+      QVERIFY2(!owners.contains(keys), qPrintable(keys + action->text() + owners[keys]));
+      owners[keys] = action->text();
+    }
+    QVERIFY(owners.size() > 20);
+  }
+
+  void docks_chosenByName_areTheOnlyOnes() {
+    QVERIFY(window_->open(demoPath()));
+    window_->docks().show({QStringLiteral("properties")});
+    QVERIFY(window_->docks().dock(QStringLiteral("Properties"))->isVisible());
+    QVERIFY(!window_->docks().dock(QStringLiteral("scenario"))->isVisible());
+    QVERIFY(window_->docks().dock(QStringLiteral("nothing")) == nullptr);
+    window_->actions().resetLayout->trigger();
+    QVERIFY(window_->docks().dock(QStringLiteral("scenario"))->isVisible());
+  }
+
+  void screenshot_ofARun_isAPictureOfTheSize() {
+    QVERIFY(window_->open(demoPath()));
+    QTemporaryDir folder;
+    app::WindowOptions options;
+    options.screenshot = folder.filePath(QStringLiteral("run.png")).toStdString();
+    options.at = 0.5;
+    const base::Diagnostics problems = app::takeScreenshot(*window_, options);
+    QVERIFY2(problems.empty(), problems.empty() ? "" : problems.front().text().c_str());
+    const QImage picture(QString::fromStdString(options.screenshot));
+    QCOMPARE(picture.size(), QSize(1280, 800));
+    QVERIFY(std::abs(window_->workspace().runner().shownFrame()->time - 0.5) < 1e-9);
+  }
+
+  void size_fromText_needsTwoNumbers() {
+    QCOMPARE(*app::sizeFromText("1280x800"), QSize(1280, 800));
+    QVERIFY(!app::sizeFromText("1280"));
+    QVERIFY(!app::sizeFromText("1280x"));
+    QVERIFY(!app::sizeFromText("12x8000000"));
+  }
+
+  void ago_isSaidInWords() {
+    const QDateTime now(QDate(2024, 5, 17), QTime(12, 0));
+    QCOMPARE(app::agoText(now.addSecs(-130), now), QStringLiteral("2 min ago"));
+    QCOMPARE(app::agoText(now.addDays(-1), now), QStringLiteral("Yesterday"));
+    QCOMPARE(app::agoText(now.addDays(-40), now), QStringLiteral("7 Apr"));
+  }
+};
+
+QTEST_MAIN(MainWindowTest)
+#include "tst_MainWindow.moc"

@@ -1,0 +1,107 @@
+#include <QtTest>
+
+#include "editor/document/EditCommands.h"
+#include "editor/panels/IssuesPanel.h"
+#include "editor/panels/ScenarioPanel.h"
+
+using editor::IssuesPanel;
+using editor::ScenarioDocument;
+
+namespace {
+
+sim2d::Scenario personWithUnknownGoal() {
+  sim2d::Scenario scenario;
+  sim2d::Human human;
+  human.key = {base::EntityKind::Human, 1};
+  human.name = "Ana";
+  human.id = 1;
+  human.behavior.type = sim2d::BehaviorType::Regular;
+  human.goals = {7};
+  scenario.humans.push_back(human);
+  return scenario;
+}
+
+void clickRow(QTableView& table, int row) {
+  const QRect place = table.visualRect(table.model()->index(row, 0));
+  QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, place.center());
+}
+
+}  // namespace
+
+class IssuesPanelTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void live_unknownGoal_isToldAndSelectsThePerson() {
+    ScenarioDocument document;
+    document.load(personWithUnknownGoal());
+    IssuesPanel panel(document, editor::Theme::light());
+    panel.resize(600, 200);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    document.checkNow();
+    QTRY_VERIFY(panel.count() > 0);
+    QVERIFY(panel.hasErrors());
+    QSignalSpy wanted(&panel, &IssuesPanel::entityWanted);
+    clickRow(panel.table(), 0);
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(document.selection().size(), std::size_t(1));
+    QCOMPARE(document.selection().front(), document.scenario().humans.front().key);
+  }
+
+  void live_mended_becomesCalm() {
+    ScenarioDocument document;
+    document.load(personWithUnknownGoal());
+    IssuesPanel panel(document, editor::Theme::light());
+    document.checkNow();
+    QTRY_VERIFY(panel.hasErrors());
+    sim2d::GlobalGoal goal;
+    goal.id = 7;
+    goal.position = base::Vec2(4.0, 0.0);
+    editor::pushAdd(document, goal);
+    document.checkNow();
+    QTRY_VERIFY(!panel.hasErrors());
+  }
+
+  void action_withoutEntity_pointsToTheFile() {
+    ScenarioDocument document;
+    IssuesPanel panel(document, editor::Theme::dark());
+    panel.resize(600, 200);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    panel.setActionIssues({base::makeWarning("odd", "a.yaml", 3, 1),
+                           base::makeError("bad key", "/tmp/a.yaml", 12, 7)});
+    QCOMPARE(panel.count(), 2);
+    const QAbstractItemModel* model = panel.table().model();
+    QCOMPARE(model->index(0, 0).data().toString(), QStringLiteral("Bad key"));  // errors first
+    QCOMPARE(model->index(0, 1).data().toString(), QStringLiteral("a.yaml:12"));
+    QSignalSpy wanted(&panel, &IssuesPanel::fileWanted);
+    clickRow(panel.table(), 0);
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted.front().at(1).toInt(), 12);
+    panel.setActionIssues({});
+    QCOMPARE(panel.count(), 0);
+  }
+
+  void scenarioTree_selection_goesBothWays() {
+    ScenarioDocument document;
+    document.load(personWithUnknownGoal());
+    editor::ScenarioPanel panel(document, editor::Theme::light());
+    panel.resize(260, 400);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    const editor::EntityId ana = document.scenario().humans.front().key;
+    document.setSelection({ana});
+    const QModelIndexList rows = panel.tree().selectionModel()->selectedRows();
+    QCOMPARE(rows.size(), 1);
+    QCOMPARE(rows.front().data().toString(), QStringLiteral("Ana"));
+    document.setSelection({});
+    QVERIFY(panel.tree().selectionModel()->selectedRows().isEmpty());
+    const QRect place = panel.tree().visualRect(rows.front());
+    QTest::mouseClick(panel.tree().viewport(), Qt::LeftButton, {}, place.center());
+    QCOMPARE(document.selection(), std::vector<editor::EntityId>{ana});
+  }
+};
+
+QTEST_MAIN(IssuesPanelTest)
+#include "tst_IssuesPanel.moc"

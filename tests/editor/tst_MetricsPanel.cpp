@@ -1,0 +1,124 @@
+#include <limits>
+
+#include <QtTest>
+
+#include "editor/panels/EventsPanel.h"
+#include "editor/panels/MetricsDock.h"
+#include "editor/panels/PlaybackActions.h"
+#include "editor/panels/TimelineBar.h"
+#include "editor/run/DocumentWorld.h"
+
+using editor::MetricsDock;
+using editor::MetricsFeed;
+using editor::ScenarioDocument;
+using editor::SimulationRunner;
+
+namespace {
+
+/// A person and a robot that pass each other.
+sim2d::Scenario passing() {
+  sim2d::Scenario scenario;
+  sim2d::GlobalGoal goal;
+  goal.key = {base::EntityKind::Goal, 2};
+  goal.id = 1;
+  goal.position = base::Vec2(6.0, 0.0);
+  scenario.goals.push_back(goal);
+  sim2d::Human human;
+  human.key = {base::EntityKind::Human, 1};
+  human.name = "Ana";
+  human.id = 1;
+  human.maxVel = 1.2;
+  human.radius = 0.35;
+  human.goalRadius = 0.3;
+  human.cyclicGoals = false;
+  human.behavior.type = sim2d::BehaviorType::Regular;
+  human.goals = {1};
+  scenario.humans.push_back(human);
+  sim2d::Robot robot;
+  robot.key = {base::EntityKind::Robot, 3};
+  robot.name = "robot1";
+  robot.start.position = base::Vec2(6.0, 1.2);
+  robot.start.heading = base::kPi;
+  robot.goal.point = base::Vec2(1.0, 1.2);
+  scenario.robots.push_back(robot);
+  scenario.desktop.duration = 4.0;
+  return scenario;
+}
+
+}  // namespace
+
+class MetricsPanelTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void dock_afterARun_equalsEvaluate() {
+    ScenarioDocument document;
+    document.load(passing());
+    SimulationRunner runner;
+    runner.setRequest([&] { return editor::runRequestOf(document); });
+    MetricsFeed feed(document, runner);
+    MetricsDock dock(feed, runner, editor::Theme::light());
+    QSignalSpy notStarted(&runner, &SimulationRunner::notStarted);
+    runner.setSpeed(std::numeric_limits<double>::infinity());
+    runner.play();
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isFinished() || notStarted.count() > 0, 20000);
+    QCOMPARE(notStarted.count(), 0);
+    QTRY_VERIFY_WITH_TIMEOUT(feed.isCurrent(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(runner.trace() != nullptr, 20000);
+    const auto evaluation = metrics::evaluate(*runner.trace(), feed.selection(), {});
+    QVERIFY(bool(evaluation));
+    QCOMPARE(feed.snapshot().results.size(), evaluation->results.size());
+    int defined = 0;
+    for (const metrics::MetricResult& expected : evaluation->results) {
+      const QString key = QString::fromStdString(expected.info.key);
+      QVERIFY2(dock.shownValue(key) == editor::metricText(expected), qPrintable(key));
+      defined += expected.value.value ? 1 : 0;
+    }
+    QVERIFY(defined > 10);
+    dock.selectMetric(QStringLiteral("path_length"));
+    QVERIFY(!feed.snapshot().curves.at("path_length").times.empty());
+  }
+
+  void text_ofValues_hasSteadyDecimals() {
+    metrics::MetricResult result;
+    result.info.unit = "m";
+    result.value = metrics::numberValue(1.0);
+    QCOMPARE(editor::metricText(result), QStringLiteral("1.00"));
+    result.value = metrics::undefinedValue("nobody");
+    QCOMPARE(editor::metricText(result), QStringLiteral("–"));
+    result.value = metrics::countValue(3.0);
+    QCOMPARE(editor::metricText(result), QStringLiteral("3"));
+    result.value = metrics::booleanValue(true);
+    QCOMPARE(editor::metricText(result), QStringLiteral("yes"));
+  }
+
+  void timeline_click_looksBack() {
+    ScenarioDocument document;
+    document.load(passing());
+    SimulationRunner runner;
+    runner.setRequest([&] { return editor::runRequestOf(document); });
+    editor::RunEvents events(document, runner);
+    editor::EventsPanel panel(events, runner, editor::Theme::light());
+    editor::TimelineBar timeline(document, events, runner, editor::Theme::light());
+    timeline.resize(1000, 44);
+    runner.setSpeed(std::numeric_limits<double>::infinity());
+    runner.play();
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isFinished(), 20000);
+    QCOMPARE(timeline.length(), 4.0);
+    QVERIFY(std::abs(timeline.timeAt(timeline.xOf(1.25)) - 1.25) < 1e-9);
+    QTest::mouseClick(&timeline, Qt::LeftButton, {}, QPoint(qRound(timeline.xOf(1.0)), 17));
+    QTRY_VERIFY(runner.isLookingBack());
+    QVERIFY(std::abs(runner.shownFrame()->time - 1.0) < 0.06);
+    QVERIFY(!events.events().empty());
+    QCOMPARE(panel.table().model()->rowCount(), static_cast<int>(events.events().size()));
+  }
+
+  void clock_ofSeconds_isMinutesAndTenths() {
+    QCOMPARE(editor::clockText(0.0), QStringLiteral("0:00.0"));
+    QCOMPARE(editor::clockText(12.4), QStringLiteral("0:12.4"));
+    QCOMPARE(editor::clockText(125.05), QStringLiteral("2:05.0"));
+  }
+};
+
+QTEST_MAIN(MetricsPanelTest)
+#include "tst_MetricsPanel.moc"

@@ -1,0 +1,222 @@
+#include <QtTest>
+
+#include "editor/look/HouseStyle.h"
+#include "editor/panels/PersonPage.h"
+#include "editor/panels/PropertyPanel.h"
+
+using editor::EntityId;
+using editor::NumberField;
+using editor::PropertyPanel;
+using editor::ScenarioDocument;
+
+namespace {
+
+sim2d::Human person(const std::string& name, int id, double speed) {
+  sim2d::Human human;
+  human.key = {base::EntityKind::Human, id};
+  human.name = name;
+  human.id = id;
+  human.maxVel = speed;
+  human.behavior.type = sim2d::BehaviorType::Regular;
+  human.initPose.position = base::Vec2(id, 1.0);
+  return human;
+}
+
+sim2d::Scenario twoPeople() {
+  sim2d::Scenario scenario;
+  scenario.humans = {person("Ana", 1, 1.0), person("Ben", 2, 1.5)};
+  for (int id = 1; id <= 3; ++id) {
+    sim2d::GlobalGoal goal;
+    goal.key = {base::EntityKind::Goal, 10 + id};
+    goal.id = id;
+    goal.position = base::Vec2(id, 5.0);
+    scenario.goals.push_back(goal);
+  }
+  return scenario;
+}
+
+}  // namespace
+
+class PropertyPanelTest : public QObject {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<ScenarioDocument> document_;
+  std::unique_ptr<PropertyPanel> panel_;
+
+  template <class Field>
+  Field* field(const QString& name) const {
+    for (Field* candidate : panel_->currentPage()->findChildren<Field*>()) {
+      if (candidate->accessibleName() == name) {
+        return candidate;
+      }
+    }
+    return nullptr;
+  }
+  const sim2d::Human& human(int index) const {
+    return document_->scenario().humans[static_cast<std::size_t>(index)];
+  }
+  EntityId key(int index) const { return human(index).key; }
+  void type(QWidget* widget, const QString& text) {
+    widget->setFocus();
+    if (auto* spin = qobject_cast<QAbstractSpinBox*>(widget)) {
+      spin->selectAll();
+    } else {
+      static_cast<QLineEdit*>(widget)->selectAll();
+    }
+    QTest::keyClicks(widget, text);
+  }
+
+ private Q_SLOTS:
+  void init() {
+    document_ = std::make_unique<ScenarioDocument>();
+    document_->load(twoPeople());
+    panel_ = std::make_unique<PropertyPanel>(*document_, editor::Theme::light());
+    panel_->resize(320, 700);
+    panel_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(panel_.get()));
+  }
+  void cleanup() {
+    panel_.reset();
+    document_.reset();
+  }
+
+  void number_typed_changesAndUndoes() {
+    document_->setSelection({key(0)});
+    auto* speed = field<NumberField>(QStringLiteral("Top speed"));
+    QVERIFY(speed != nullptr);
+    QCOMPARE(speed->value(), 1.0);
+    QCOMPARE(speed->text(), QStringLiteral("1.00 m/s"));
+    type(speed, QStringLiteral("0.85"));
+    QTest::keyClick(speed, Qt::Key_Return);
+    QCOMPARE(*human(0).maxVel, 0.85);
+    document_->undoStack().undo();
+    QCOMPARE(*human(0).maxVel, 1.0);
+    QCOMPARE(speed->value(), 1.0);
+  }
+
+  void number_stepped_mergesIntoOneCommand() {
+    document_->setSelection({key(0)});
+    auto* heading = field<NumberField>(QStringLiteral("Heading"));
+    heading->stepUp();
+    heading->stepUp();
+    QCOMPARE(document_->undoStack().count(), 1);
+    QVERIFY(std::abs(human(0).initPose.heading - 10.0 * base::kPi / 180.0) < 1e-12);
+    document_->undoStack().undo();
+    QCOMPARE(human(0).initPose.heading, 0.0);
+  }
+
+  void number_outOfRange_isMarkedAndNotTaken() {
+    document_->setSelection({key(0)});
+    auto* speed = field<NumberField>(QStringLiteral("Top speed"));
+    type(speed, QStringLiteral("77"));
+    QVERIFY(speed->property(editor::kInvalidProperty).toBool());
+    panel_->setFocus();
+    QTest::keyClick(speed, Qt::Key_Tab);
+    QVERIFY(*human(0).maxVel <= 3.0);
+    type(speed, QStringLiteral("abc"));
+    QVERIFY(speed->property(editor::kInvalidProperty).toBool());
+    QTest::keyClick(speed, Qt::Key_Tab);
+    QVERIFY(*human(0).maxVel > 0.0);
+  }
+
+  void several_different_showDashAndChangeTogether() {
+    document_->setSelection({key(0), key(1)});
+    auto* speed = field<NumberField>(QStringLiteral("Top speed"));
+    QVERIFY(speed->isMixed());
+    QVERIFY(speed->text().startsWith(QStringLiteral("–")));
+    type(speed, QStringLiteral("1.2"));
+    QTest::keyClick(speed, Qt::Key_Return);
+    QCOMPARE(*human(0).maxVel, 1.2);
+    QCOMPARE(*human(1).maxVel, 1.2);
+    QCOMPARE(document_->undoStack().count(), 1);
+    document_->undoStack().undo();
+    QCOMPARE(*human(0).maxVel, 1.0);
+    QCOMPARE(*human(1).maxVel, 1.5);
+  }
+
+  void default_leftOut_isShownPaleAndStaysOut() {
+    document_->setSelection({key(0)});
+    auto* radius = field<NumberField>(QStringLiteral("Radius"));
+    QCOMPARE(radius->value(), 0.35);
+    QVERIFY(!human(0).radius.has_value());
+    radius->setFocus();
+    panel_->setFocus();
+    QVERIFY(!human(0).radius.has_value());
+    QCOMPARE(document_->undoStack().count(), 0);
+  }
+
+  void slider_moved_setsTheNumber() {
+    document_->setSelection({key(0)});
+    auto* radius = field<NumberField>(QStringLiteral("Radius"));
+    auto* slider = field<editor::LinkedSlider>(QStringLiteral("Radius"));
+    QVERIFY(slider != nullptr);
+    slider->setValue(slider->maximum());
+    QCOMPARE(radius->value(), 0.8);
+    QCOMPARE(*human(0).radius, 0.8);
+  }
+
+  void behavior_chosen_showsItsReaction() {
+    document_->setSelection({key(0)});
+    auto* behavior = field<editor::ChoiceField>(QStringLiteral("Behaviour"));
+    auto* stops = field<NumberField>(QStringLiteral("Stops at"));
+    QVERIFY(!stops->isVisible());
+    const int curious = behavior->findText(QStringLiteral("Curious"));
+    behavior->setCurrentIndex(curious);
+    Q_EMIT behavior->activated(curious);
+    QCOMPARE(*human(0).behavior.type, sim2d::BehaviorType::Curious);
+    QVERIFY(stops->isVisible());
+    QVERIFY(!field<NumberField>(QStringLiteral("Keeps away"))->isVisible());
+    document_->undoStack().undo();
+    QVERIFY(!stops->isVisible());
+  }
+
+  void forces_configuration_decidesWhoMayType() {
+    document_->setSelection({key(0)});
+    auto* goal = field<NumberField>(QStringLiteral("Goal"));
+    QVERIFY(!goal->isEnabled());
+    QCOMPARE(goal->value(), 2.0);  // HuNavSim's default
+    auto* mode = field<editor::ChoiceField>(QStringLiteral("Strength"));
+    Q_EMIT mode->activated(1);
+    QCOMPARE(*human(0).behavior.configuration, sim2d::Configuration::Custom);
+    QVERIFY(goal->isEnabled());
+  }
+
+  void route_edited_isOneCommand() {
+    document_->setSelection({key(0), key(1)});
+    auto* route = panel_->currentPage()->findChild<editor::RouteEditor*>();
+    Q_EMIT route->edited({3, 1, 3});
+    QCOMPARE(human(0).goals, (std::vector<int>{3, 1, 3}));
+    QCOMPARE(human(1).goals, (std::vector<int>{3, 1, 3}));
+    QCOMPARE(route->goals(), (std::vector<int>{3, 1, 3}));
+    document_->undoStack().undo();
+    QVERIFY(human(0).goals.empty());
+  }
+
+  void name_taken_isRefused() {
+    document_->setSelection({key(0)});
+    auto* name = field<editor::TextField>(QStringLiteral("Name"));
+    type(name, QStringLiteral("Ben"));
+    QVERIFY(name->property(editor::kInvalidProperty).toBool());
+    QVERIFY(!name->toolTip().isEmpty());
+    QTest::keyClick(name, Qt::Key_Return);
+    QCOMPARE(human(0).name, std::string("Ana"));
+    type(name, QStringLiteral("Anna"));
+    QTest::keyClick(name, Qt::Key_Return);
+    QCOMPARE(human(0).name, std::string("Anna"));
+  }
+
+  void settings_seed_isEditedWithoutSelection() {
+    document_->setSelection({});
+    auto* seed = field<NumberField>(QStringLiteral("Seed"));
+    QVERIFY(seed != nullptr);
+    type(seed, QStringLiteral("42"));
+    QTest::keyClick(seed, Qt::Key_Return);
+    QCOMPARE(document_->scenario().desktop.seed.value_or(0), 42LL);
+    document_->undoStack().undo();
+    QVERIFY(!document_->scenario().desktop.seed.has_value());
+  }
+};
+
+QTEST_MAIN(PropertyPanelTest)
+#include "tst_PropertyPanel.moc"
