@@ -33,9 +33,11 @@ RouteFollower::Leg RouteFollower::follow(const Request& request, Ways& ways,
     plan(request, ways);
     clearAt_ = progressAt_ = request.time;
     bestRest_ = 1e300;
-  } else if (!path_.empty()) {
+  } else if (!path_.empty() && request.target.position != target_) {
+    const double before = restLength(request.position);
     path_.back() = request.target.position;
     target_ = request.target.position;
+    bestRest_ += restLength(request.position) - before;  // progress is what the person walks
   }
   const bool looks = request.time - lookedAt_ >= kBetweenLooks - 1e-9;
   lookedAt_ = looks ? request.time : lookedAt_;

@@ -16,6 +16,8 @@ class WorldWaysTest : public QObject {
   void walk_straightIntoAPocket_staysThere();
   void walk_unreachableGoal_isLeftOutWithAWarning();
   void walk_noWayAtAll_isStuck();
+  void walk_behindAMovingTarget_isNotStuck();
+  void walk_blockedWhileTheTargetMoves_isStuck();
   void create_startInAWall_isMovedAndBothPointsAreNamed();
   void create_goalInAWall_isMoved();
   void door_opens_letsThePersonThrough();
@@ -108,6 +110,36 @@ void WorldWaysTest::walk_noWayAtAll_isStuck() {
   const std::vector<Recorded> events = advance(*world, 200);
   QVERIFY(!ofKind(events, EventKind::Stuck).empty());
   QVERIFY(speedOf(world->frame(), 0) == 0.0);
+}
+
+void WorldWaysTest::walk_behindAMovingTarget_isNotStuck() {
+  Scenario scenario = withShape("open");
+  scenario.humans[0].goals.clear();
+  const std::unique_ptr<World> world = make(scenario, [](const WorldView& view, Intents& intents) {
+    intents.of(0).motion = Motion::Walk;
+    intents.of(0).speed = 1.0;
+    intents.of(0).target.position = view.pose(0).position + Vec2(1.5, 0.0);
+  });
+  const std::vector<Recorded> events = advance(*world, 300);
+  QVERIFY(ofKind(events, EventKind::Stuck).empty());
+  QVERIFY(ofKind(events, EventKind::Replan).empty());
+  QVERIFY(positionOf(world->frame(), 0).x() > 14.0);
+}
+
+void WorldWaysTest::walk_blockedWhileTheTargetMoves_isStuck() {
+  Scenario scenario = withShape("corridor");
+  scenario.humans[0].goals.clear();
+  Robot& robot = addRobot(scenario, Vec2(3.0, 0.0), Vec2::Zero());
+  robot.goal.point.reset();
+  robot.radius = 0.6;
+  robot.mass = 1e6;
+  const std::unique_ptr<World> world = make(scenario, [](const WorldView& view, Intents& intents) {
+    intents.of(0).motion = Motion::Walk;
+    intents.of(0).speed = 1.0;
+    intents.of(0).target.position = Vec2(5.0 + 0.2 * view.time(), 0.0);
+  });
+  QVERIFY(world != nullptr);
+  QVERIFY(!ofKind(advance(*world, 240), EventKind::Stuck).empty());
 }
 
 void WorldWaysTest::create_startInAWall_isMovedAndBothPointsAreNamed() {
