@@ -70,6 +70,9 @@ class CheckProgramTest : public QObject {
                              QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe.yaml")});
     QVERIFY2(found.exitCode == 0, qPrintable(found.err));
     QVERIFY2(!found.err.contains(QStringLiteral("warning")), qPrintable(found.err));
+    // what is merely told is no warning
+    QVERIFY2(found.out.contains(QStringLiteral("2 files checked: 0 errors, 0 warnings")),
+             qPrintable(found.out));
   }
 
   void check_strangeFiles_clearLines_data() {
