@@ -14,6 +14,7 @@ constexpr double kSpeechSeconds = 4.0;
 constexpr double kSpeechFade = 0.6;  // [s] at its end
 constexpr int kTrailParts = 10;
 constexpr double kBubbleWidthPx = 220.0;
+constexpr int kBubbleText = int{Qt::TextWordWrap} | int{Qt::AlignCenter};
 
 }  // namespace
 
@@ -116,8 +117,8 @@ void FrameLayer::paintBubble(QPainter& painter, const Speech& speech) const {
   painter.setOpacity(std::clamp(left / kSpeechFade, 0.0, 1.0));
   const QFont font = scene_.theme().font(9.0);
   const QFontMetricsF metrics(font);
-  const QRectF text = metrics.boundingRect(QRectF(0.0, 0.0, kBubbleWidthPx, 200.0),
-                                           Qt::TextWordWrap | Qt::AlignCenter, speech.text);
+  const QRectF text =
+      metrics.boundingRect(QRectF(0.0, 0.0, kBubbleWidthPx, 200.0), kBubbleText, speech.text);
   QRectF box(QPointF(), text.size() + QSizeF(20.0, 12.0));
   box.moveBottomLeft(QPointF(-14.0, -radiusPx - 12.0));
   QPainterPath bubble;
@@ -133,7 +134,7 @@ void FrameLayer::paintBubble(QPainter& painter, const Speech& speech) const {
   painter.setFont(font);
   painter.setPen(scene_.theme().isDark() ? scene_.theme().color(Role::Window)
                                          : scene_.theme().color(Role::Text));
-  painter.drawText(box, Qt::TextWordWrap | Qt::AlignCenter, speech.text);
+  painter.drawText(box, kBubbleText, speech.text);
 }
 
 void FrameLayer::paintSpeech(QPainter& painter) const {

@@ -60,13 +60,14 @@ void LabelLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   const QTransform toPixels =
       QTransform::fromScale(pixelsPerMetreOf(*painter), pixelsPerMetreOf(*painter));
   std::vector<LabelWish> wishes;
+  wishes.reserve(labels.size());
   for (const Label& label : labels) {
     wishes.push_back({toPixels.map(label.centre), label.clearancePx, labelSize(theme(), label),
                       label.priority, label.isAbove});
   }
-  std::vector<QRectF> taken;
-  for (const QRectF& part : mapScene().solidParts()) {
-    taken.push_back(toPixels.mapRect(part));
+  std::vector<QRectF> taken = mapScene().solidParts();
+  for (QRectF& part : taken) {
+    part = toPixels.mapRect(part);
   }
   const std::vector<QRectF> places = layoutLabels(wishes, taken);
   const PixelFrame frame(*painter, {});

@@ -8,16 +8,24 @@ namespace editor {
 
 namespace {
 
-std::array<QRectF, 4> placesFor(const LabelWish& wish) {
+using Places = std::array<QRectF, 8>;
+
+Places placesFor(const LabelWish& wish) {
   const double width = wish.size.width();
   const double height = wish.size.height();
   const QPointF c = wish.centre;
-  const QRectF below(c.x() - 0.5 * width, c.y() + wish.clearance, width, height);
-  const QRectF above(c.x() - 0.5 * width, c.y() - wish.clearance - height, width, height);
-  const QRectF right(c.x() + wish.clearance, c.y() - 0.5 * height, width, height);
-  const QRectF left(c.x() - wish.clearance - width, c.y() - 0.5 * height, width, height);
-  return wish.isAbove ? std::array<QRectF, 4>{above, below, right, left}
-                      : std::array<QRectF, 4>{below, above, right, left};
+  const double middle = c.x() - 0.5 * width;
+  const double below = c.y() + wish.clearance;
+  const double above = c.y() - wish.clearance - height;
+  const double right = c.x() + wish.clearance;
+  const double left = c.x() - wish.clearance - width;
+  const double first = wish.isAbove ? above : below;
+  const double second = wish.isAbove ? below : above;
+  const double beside = c.y() - 0.5 * height;
+  return {QRectF(middle, first, width, height), QRectF(middle, second, width, height),
+          QRectF(right, beside, width, height), QRectF(left, beside, width, height),
+          QRectF(right, first, width, height),  QRectF(left, first, width, height),
+          QRectF(right, second, width, height), QRectF(left, second, width, height)};
 }
 
 bool isFree(const QRectF& place, const std::vector<QRectF>& taken) {
@@ -37,7 +45,7 @@ std::vector<QRectF> layoutLabels(const std::vector<LabelWish>& wishes,
   std::vector<QRectF> occupied = taken;
   std::vector<QRectF> result(wishes.size());
   for (const std::size_t i : order) {
-    const std::array<QRectF, 4> places = placesFor(wishes[i]);
+    const Places places = placesFor(wishes[i]);
     const auto found = std::find_if(places.begin(), places.end(),
                                     [&](const QRectF& place) { return isFree(place, occupied); });
     if (found != places.end()) {

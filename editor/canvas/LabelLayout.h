@@ -15,7 +15,7 @@ struct LabelWish {
   bool isAbove = false;  // would rather stand above than below
 };
 
-/// A rectangle for each wish, below, above, right or left of its centre; a null rectangle where
+/// A rectangle for each wish, below, above, beside or askew of its centre; a null rectangle where
 /// there is no room. Labels keep off each other and off `taken`.
 std::vector<QRectF> layoutLabels(const std::vector<LabelWish>& wishes,
                                  const std::vector<QRectF>& taken);

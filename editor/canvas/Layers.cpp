@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/canvas/Overlays.h"
 #include "editor/canvas/PixelFrame.h"
 #include "editor/canvas/RouteLayer.h"
 
@@ -36,10 +37,10 @@ void GridItem::paintLines(QPainter& painter, const QRectF& area, double step, do
   pen.setCosmetic(true);
   painter.setPen(pen);
   QVector<QLineF> lines;
-  for (double x = std::ceil(area.left() / step) * step; x <= area.right(); x += step) {
+  for (const double x : multiplesIn(area.left(), area.right(), step)) {
     lines << QLineF(x, area.top(), x, area.bottom());
   }
-  for (double y = std::ceil(area.top() / step) * step; y <= area.bottom(); y += step) {
+  for (const double y : multiplesIn(area.top(), area.bottom(), step)) {
     lines << QLineF(area.left(), y, area.right(), y);
   }
   painter.drawLines(lines);

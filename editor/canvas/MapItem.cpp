@@ -26,8 +26,8 @@ QImage mapImage(const sim2d::OccupancyGrid& grid, const Theme& theme) {
   for (int row = 0; row < grid.height(); ++row) {
     auto* line = reinterpret_cast<QRgb*>(image.scanLine(grid.height() - 1 - row));
     for (std::size_t column = 0; column < width; ++column) {
-      const int value = grid.cells()[static_cast<std::size_t>(row) * width + column];
-      line[column] = value < 0 ? unknown : shades[static_cast<std::size_t>(std::min(value, 100))];
+      const std::int8_t value = grid.cells()[static_cast<std::size_t>(row) * width + column];
+      line[column] = value < 0 ? unknown : shades[std::min<std::size_t>(std::uint8_t(value), 100)];
     }
   }
   return image;
@@ -57,7 +57,7 @@ void MapItem::set(std::shared_ptr<const sim2d::OccupancyGrid> grid, const Theme&
 
 const QPixmap& MapItem::levelFor(double pixelsPerCell) {
   std::size_t level = 0;
-  for (double scale = pixelsPerCell; scale < 0.5; scale *= 2.0) {
+  while (std::ldexp(pixelsPerCell, static_cast<int>(level)) < 0.5) {
     ++level;
   }
   while (levels_.size() <= level && levels_.back().width() > 1 && levels_.back().height() > 1) {

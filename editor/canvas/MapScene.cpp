@@ -18,36 +18,37 @@ namespace editor {
 
 namespace {
 
+/// From the ground up; used as z values.
 enum Depth {
-  kMap,
-  kGrid,
-  kAreas,
-  kObstacles,
-  kDoors,
-  kRoutes,
-  kRobots,
-  kPeople,
-  kGoals,
-  kFrame,
-  kSelection,
-  kLabels,
-  kTool
+  MapDepth,
+  GridDepth,
+  AreaDepth,
+  ObstacleDepth,
+  DoorDepth,
+  RouteDepth,
+  RobotDepth,
+  PersonDepth,
+  GoalDepth,
+  FrameDepth,
+  SelectionDepth,
+  LabelDepth,
+  ToolDepth
 };
 
 Depth depthOf(EntityKind kind) {
   switch (kind) {
     case EntityKind::Area:
-      return kAreas;
+      return AreaDepth;
     case EntityKind::Obstacle:
-      return kObstacles;
+      return ObstacleDepth;
     case EntityKind::Door:
-      return kDoors;
+      return DoorDepth;
     case EntityKind::Robot:
-      return kRobots;
+      return RobotDepth;
     case EntityKind::Goal:
-      return kGoals;
+      return GoalDepth;
     default:
-      return kPeople;
+      return PersonDepth;
   }
 }
 
@@ -66,13 +67,13 @@ Layer* addLayer(QGraphicsScene& scene, Depth depth, Arguments&&... arguments) {
 MapScene::MapScene(ScenarioDocument& document, const Theme& theme, QObject* parent)
     : QGraphicsScene(parent), document_(document), theme_(theme), routes_(new RouteModel(this)) {
   setItemIndexMethod(QGraphicsScene::NoIndex);
-  mapItem_ = addLayer<MapItem>(*this, kMap);
-  gridItem_ = addLayer<GridItem>(*this, kGrid, *this);
-  routeLayer_ = addLayer<RouteLayer>(*this, kRoutes, *this);
-  frameLayer_ = addLayer<FrameLayer>(*this, kFrame, *this);
-  selectionLayer_ = addLayer<SelectionLayer>(*this, kSelection, *this);
-  labelLayer_ = addLayer<LabelLayer>(*this, kLabels, *this);
-  toolLayer_ = addLayer<ToolLayer>(*this, kTool, *this);
+  mapItem_ = addLayer<MapItem>(*this, MapDepth);
+  gridItem_ = addLayer<GridItem>(*this, GridDepth, *this);
+  routeLayer_ = addLayer<RouteLayer>(*this, RouteDepth, *this);
+  frameLayer_ = addLayer<FrameLayer>(*this, FrameDepth, *this);
+  selectionLayer_ = addLayer<SelectionLayer>(*this, SelectionDepth, *this);
+  labelLayer_ = addLayer<LabelLayer>(*this, LabelDepth, *this);
+  toolLayer_ = addLayer<ToolLayer>(*this, ToolDepth, *this);
   connect(&document_, &ScenarioDocument::changed, this, &MapScene::apply);
   connect(&document_, &ScenarioDocument::mapChanged, this, &MapScene::takeMap);
   connect(&document_, &ScenarioDocument::selectionChanged, this, &MapScene::syncSelection);

@@ -38,6 +38,7 @@ class MapScene : public QGraphicsScene {
  public:
   MapScene(ScenarioDocument& document, const Theme& theme, QObject* parent = nullptr);
   ~MapScene() override;
+  Q_DISABLE_COPY_MOVE(MapScene)
 
   static QPointF sceneFromWorld(const Vec2& point) { return {point.x(), -point.y()}; }
   static Vec2 worldFromScene(const QPointF& point) { return {point.x(), -point.y()}; }

@@ -25,6 +25,15 @@ double niceLength(double pixelsPerMetre, double targetPx) {
   return power * (part >= 5.0 ? 5.0 : part >= 2.0 ? 2.0 : 1.0);
 }
 
+std::vector<double> multiplesIn(double low, double high, double step) {
+  std::vector<double> values;
+  const auto last = static_cast<long long>(std::floor(high / step));
+  for (auto number = static_cast<long long>(std::ceil(low / step)); number <= last; ++number) {
+    values.push_back(static_cast<double>(number) * step);
+  }
+  return values;
+}
+
 void paintScaleBar(QPainter& painter, const OverlayContext& context) {
   const Theme& theme = context.scene.theme();
   const double metres = niceLength(context.pixelsPerMetre, kBarTargetPx);
@@ -65,12 +74,12 @@ void paintRulers(QPainter& painter, const OverlayContext& context) {
   painter.fillRect(side, theme.color(Role::Window));
   painter.setFont(theme.figureFont(8.0));
   painter.setPen(theme.color(Role::TextSecondary));
-  for (double x = std::ceil(scene.left() / step) * step; x <= scene.right(); x += step) {
+  for (const double x : multiplesIn(scene.left(), scene.right(), step)) {
     const double px = context.windowFromScene.map(QPointF(x, 0.0)).x();
     painter.drawLine(QPointF(px, kRulerPx - 6.0), QPointF(px, kRulerPx));
     painter.drawText(QPointF(px + 3.0, kRulerPx - 6.0), QString::number(x, 'g', 6));
   }
-  for (double y = std::ceil(scene.top() / step) * step; y <= scene.bottom(); y += step) {
+  for (const double y : multiplesIn(scene.top(), scene.bottom(), step)) {
     const double px = context.windowFromScene.map(QPointF(0.0, y)).y();
     painter.drawLine(QPointF(kRulerPx - 6.0, px), QPointF(kRulerPx, px));
     painter.save();

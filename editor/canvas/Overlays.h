@@ -21,5 +21,7 @@ void paintForceLegend(QPainter& painter, const OverlayContext& context);
 
 /// 1, 2 or 5 times a power of ten [m], about `targetPx` long on the screen.
 double niceLength(double pixelsPerMetre, double targetPx);
+/// The multiples of `step` from `low` to `high`.
+std::vector<double> multiplesIn(double low, double high, double step);
 
 }  // namespace editor

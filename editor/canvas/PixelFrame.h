@@ -22,6 +22,8 @@ class PixelFrame {
   ~PixelFrame() { painter_.restore(); }
   PixelFrame(const PixelFrame&) = delete;
   PixelFrame& operator=(const PixelFrame&) = delete;
+  PixelFrame(PixelFrame&&) = delete;
+  PixelFrame& operator=(PixelFrame&&) = delete;
 
  private:
   QPainter& painter_;

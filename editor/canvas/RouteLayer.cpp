@@ -51,7 +51,10 @@ void paintArrowHeads(QPainter& painter, const QPainterPath& scenePath, double sp
   QPen pen = painter.pen();
   pen.setStyle(Qt::SolidLine);
   pen.setCosmetic(false);
-  for (double at = std::max(0.5 * gap, 0.55); at < length - 0.3; at += gap) {
+  const double first = std::max(0.5 * gap, 0.55);
+  const int count = static_cast<int>(std::ceil((length - 0.3 - first) / gap));
+  for (int i = 0; i < count; ++i) {
+    const double at = first + i * gap;
     const double part = scenePath.percentAtLength(at);
     const PixelFrame frame(painter, scenePath.pointAtPercent(part));
     painter.setPen(pen);

@@ -30,6 +30,7 @@ class RouteModel : public QObject {
  public:
   explicit RouteModel(QObject* parent = nullptr);
   ~RouteModel() override;
+  Q_DISABLE_COPY_MOVE(RouteModel)
 
   void update(const sim2d::Scenario& scenario, std::shared_ptr<const sim2d::OccupancyGrid> map);
   const EntityRoute* route(EntityId id) const;

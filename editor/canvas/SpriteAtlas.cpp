@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kHeadings = 64;
 constexpr int kSteps = 3;
+constexpr std::size_t kSprites = std::size_t{kHeadings} * kSteps;
 constexpr int kColumns = 16;
 constexpr double kLargestPx = 40.0;  // radius
 constexpr double kReach = 1.5;       // of luggage and feet, in radii
@@ -33,7 +34,7 @@ SpriteAtlas::Sheet& SpriteAtlas::sheetFor(const PersonFigure& figure, double rat
     const int rows = kHeadings * kSteps / kColumns;
     sheet.pixmap = QPixmap(kColumns * sheet.cell, rows * sheet.cell);
     sheet.pixmap.fill(Qt::transparent);
-    sheet.painted.assign(kHeadings * kSteps, false);
+    sheet.painted.assign(kSprites, false);
   }
   return sheet;
 }
@@ -43,8 +44,9 @@ void SpriteAtlas::add(Sheet& sheet, const Theme& theme, const QPointF& at,
   const int heading = headingIndex(figure.headingDeg);
   const int step = stepIndex(figure.stride);
   const int number = step * kHeadings + heading;
-  const QRectF source((number % kColumns) * sheet.cell, (number / kColumns) * sheet.cell,
-                      sheet.cell, sheet.cell);
+  const int column = number % kColumns;
+  const int row = number / kColumns;
+  const QRectF source(column * sheet.cell, row * sheet.cell, sheet.cell, sheet.cell);
   if (!sheet.painted[static_cast<std::size_t>(number)]) {
     sheet.painted[static_cast<std::size_t>(number)] = true;
     PersonFigure sprite = figure;

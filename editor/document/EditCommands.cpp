@@ -178,7 +178,7 @@ std::vector<EntityId> pushDuplicate(ScenarioDocument& document, const std::vecto
     value = moved(std::move(value), delta, true);
   }
   document.undoStack().beginMacro(text);
-  const std::vector<EntityId> copies = pushAdd(document, std::move(values), text);
+  std::vector<EntityId> copies = pushAdd(document, std::move(values), text);
   for (std::size_t i = 0; i < copies.size(); ++i) {
     if (trees[i]) {
       document.undoStack().push(new EditTree(document, copies[i], trees[i], text));

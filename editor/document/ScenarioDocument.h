@@ -33,6 +33,7 @@ class ScenarioDocument : public QObject {
  public:
   explicit ScenarioDocument(QObject* parent = nullptr);
   ~ScenarioDocument() override;
+  Q_DISABLE_COPY_MOVE(ScenarioDocument)
 
   // model
   const sim2d::Scenario& scenario() const { return scenario_; }

@@ -26,6 +26,7 @@ class SimulationRunner : public QObject {
 
   explicit SimulationRunner(QObject* parent = nullptr);
   ~SimulationRunner() override;  // stops and waits
+  Q_DISABLE_COPY_MOVE(SimulationRunner)
 
   /// Called in the GUI thread when a run starts from Editing: takes a snapshot of the document.
   void setRequest(std::function<RunRequest()> request) { request_ = std::move(request); }

@@ -16,6 +16,7 @@ class ToolManager : public QObject {
   /// Makes the standard tools.
   ToolManager(ScenarioDocument& document, MapScene& scene, QObject* parent = nullptr);
   ~ToolManager() override;
+  Q_DISABLE_COPY_MOVE(ToolManager)
 
   void add(Tool* tool);  // takes it as a child; further tools may be added by others
   const std::vector<Tool*>& tools() const { return tools_; }
