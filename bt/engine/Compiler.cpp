@@ -24,6 +24,20 @@ std::vector<std::string> namesOf(const std::vector<NodeSpec>& children) {
   return names;
 }
 
+NodeCode codeOf(NodeFunctions::Kind kind) {
+  switch (kind) {
+    case NodeFunctions::Kind::Stateful:
+      return NodeCode::Stateful;
+    case NodeFunctions::Kind::Decorator:
+      return NodeCode::Decorator;
+    case NodeFunctions::Kind::Control:
+      return NodeCode::Control;
+    case NodeFunctions::Kind::Synchronous:
+      break;
+  }
+  return NodeCode::Synchronous;
+}
+
 }  // namespace
 
 Compiler::Compiler(const TreeTable& table, const NodeLibrary& library)
@@ -156,9 +170,7 @@ void Compiler::applyModel(const NodeSpec& spec, Attributes& mapping, const Place
 void Compiler::setCode(const NodeSpec& spec, Program::Node& node, const Place&) {
   int bytes = 0;
   if (const NodeFunctions* const functions = library_.functions(spec.id)) {
-    node.code = functions->kind == NodeFunctions::Kind::Decorator  ? NodeCode::Decorator
-                : functions->kind == NodeFunctions::Kind::Stateful ? NodeCode::Stateful
-                                                                   : NodeCode::Synchronous;
+    node.code = codeOf(functions->kind);
     node.detail = functionsOf(spec.id);
     bytes = (functions->memoryBytes + 7) / 8 * 8;
   } else {

@@ -29,8 +29,10 @@ base::NodeStatus Ticker::runControl(int node) {
       return whileDoElse(node);
     case NodeCode::Switch:
       return switchCase(node);
-    default:
+    case NodeCode::TryCatch:
       return tryCatch(node);
+    default:
+      return customControl(node);
   }
 }
 
@@ -147,6 +149,22 @@ base::NodeStatus Ticker::reactive(int node, Status stop) {
     return Status::Skipped;
   }
   return stop == Status::Failure ? Status::Success : Status::Failure;
+}
+
+base::NodeStatus Ticker::customControl(int node) {
+  stored(node) = Status::Running;
+  ControlContext context(*this, input_, node);
+  const Status status = program_.functions(program_.node(node).detail).control.tick(context);
+  if (isFaulty()) {
+    return kFault;
+  }
+  if (status == Status::Idle) {
+    return fault(node, "it returned IDLE");
+  }
+  if (status != Status::Running) {
+    resetChildren(node);
+  }
+  return status;
 }
 
 }  // namespace bt

@@ -1,5 +1,6 @@
 #include "bt/engine/LeafContext.h"
 
+#include <cassert>
 #include <utility>
 
 #include "bt/engine/Ticker.h"
@@ -82,6 +83,27 @@ base::NodeStatus DecoratorContext::tickChild() {
 
 void DecoratorContext::resetChild() {
   ticker().resetChild(node() + 1);
+}
+
+int ControlContext::childCount() const {
+  return ticker().program().node(node()).children;
+}
+
+int ControlContext::nodeOf(int child) const {
+  assert(child >= 0 && child < childCount());
+  int index = node() + 1;
+  for (int before = 0; before < child; ++before) {
+    index = ticker().program().node(index).end;
+  }
+  return index;
+}
+
+base::NodeStatus ControlContext::tickChild(int child) {
+  return ticker().tickNode(nodeOf(child));
+}
+
+void ControlContext::resetChild(int child) {
+  ticker().resetChild(nodeOf(child));
 }
 
 }  // namespace bt

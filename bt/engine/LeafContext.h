@@ -122,6 +122,18 @@ class DecoratorContext : public LeafContext {
   void resetChild();             // halted if RUNNING, then IDLE
 };
 
+/// What a control sees in addition: its children, numbered from 0.
+class ControlContext : public LeafContext {
+ public:
+  using LeafContext::LeafContext;
+  int childCount() const;
+  base::NodeStatus tickChild(int child);  // by all rules of a tick, conditions included
+  void resetChild(int child);             // halted if RUNNING, then IDLE
+
+ private:
+  int nodeOf(int child) const;
+};
+
 namespace detail {
 inline std::optional<int> convert(const Value& value, const int*) {
   return toInt(value);

@@ -53,17 +53,19 @@ base::NodeStatus Ticker::synchronous(int node) {
 
 base::NodeStatus Ticker::stateful(int node) {
   const Status before = stored(node);
-  if (before != Status::Idle && before != Status::Running) {
+  const NodeFunctions& functions = program_.functions(program_.node(node).detail);
+  const bool isDone = before != Status::Idle && before != Status::Running;
+  if (isDone && !functions.isCalledWhenDone) {
     return before;
   }
-  const StatefulFunctions& functions = program_.functions(program_.node(node).detail).stateful;
   LeafContext context(*this, input_, node);
+  const bool starts = before != Status::Running;
   const Status status =
-      before == Status::Idle ? functions.onStart(context) : functions.onRunning(context);
+      starts ? functions.stateful.onStart(context) : functions.stateful.onRunning(context);
   if (isFaulty()) {
     return kFault;
   }
-  if (before == Status::Idle) {
+  if (starts) {
     note(node, LeafEvent::Kind::Started);
   }
   if (status == Status::Success || status == Status::Failure) {

@@ -1,5 +1,6 @@
 #include "bt/engine/NodeLibrary.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace bt {
@@ -51,6 +52,19 @@ void NodeLibrary::addDecorator(NodeManifest manifest, DecoratorFunctions decorat
   add(std::move(manifest), functions);
 }
 
+void NodeLibrary::addControl(NodeManifest manifest, ControlFunctions control, int memoryBytes) {
+  manifest.kind = NodeKind::Control;
+  manifest.minChildren = std::max(manifest.minChildren, 1);
+  if (manifest.maxChildren == 0) {
+    manifest.maxChildren = -1;
+  }
+  NodeFunctions functions;
+  functions.kind = NodeFunctions::Kind::Control;
+  functions.control = control;
+  functions.memoryBytes = memoryBytes;
+  add(std::move(manifest), functions);
+}
+
 const NodeFunctions* NodeLibrary::functions(std::string_view id) const {
   const auto place = functions_.find(id);
   return place == functions_.end() ? nullptr : &place->second;
@@ -59,7 +73,10 @@ const NodeFunctions* NodeLibrary::functions(std::string_view id) const {
 NodeLibrary NodeLibrary::withLeaves(StatefulFunctions leaf) const {
   NodeLibrary scripted = *this;
   for (auto& [id, functions] : scripted.functions_) {
-    if (functions.kind != NodeFunctions::Kind::Decorator) {
+    const bool isLeaf = functions.kind == NodeFunctions::Kind::Synchronous ||
+                        functions.kind == NodeFunctions::Kind::Stateful;
+    if (isLeaf) {
+      functions.isCalledWhenDone = functions.kind == NodeFunctions::Kind::Synchronous;
       functions.kind = NodeFunctions::Kind::Stateful;
       functions.stateful = leaf;
     }

@@ -10,7 +10,7 @@
 #include "bt/tree/NodeCatalogue.h"
 
 /// The nodes that a tree may be built of: those of BehaviorTree.CPP, which the engine runs itself,
-/// and the leaves and decorators that a host adds as plain functions.
+/// and the leaves, decorators and controls that a host adds as plain functions.
 ///
 ///   void addIsRobotClose(NodeLibrary& to) {           // bt/human/nodes/IsRobotClose.cpp
 ///     NodeManifest m;
@@ -44,6 +44,8 @@ using LeafFunction = base::NodeStatus (*)(LeafContext&);
 using HaltFunction = void (*)(LeafContext&);
 using DecoratorFunction = base::NodeStatus (*)(DecoratorContext&);
 using DecoratorHaltFunction = void (*)(DecoratorContext&);
+using ControlFunction = base::NodeStatus (*)(ControlContext&);
+using ControlHaltFunction = void (*)(ControlContext&);
 
 struct StatefulFunctions {
   LeafFunction onStart = nullptr;
@@ -58,14 +60,24 @@ struct DecoratorFunctions {
   DecoratorHaltFunction onHalted = nullptr;
 };
 
+/// `tick` runs children through the context. The node counts as RUNNING meanwhile; unless it
+/// returns RUNNING all children are halted and reset afterwards by the engine. On a halt while
+/// RUNNING the children are halted first, then `onHalted` is called.
+struct ControlFunctions {
+  ControlFunction tick = nullptr;
+  ControlHaltFunction onHalted = nullptr;
+};
+
 /// How one added node is run.
 struct NodeFunctions {
-  enum class Kind : unsigned char { Synchronous, Stateful, Decorator };
+  enum class Kind : unsigned char { Synchronous, Stateful, Decorator, Control };
   Kind kind = Kind::Synchronous;
   LeafFunction tick = nullptr;  // Synchronous: must return SUCCESS or FAILURE
   StatefulFunctions stateful;
   DecoratorFunctions decorator;
-  int memoryBytes = 0;  // per node and agent
+  ControlFunctions control;
+  bool isCalledWhenDone = false;  // Stateful: started anew although its last result still stands
+  int memoryBytes = 0;            // per node and agent
 };
 
 class NodeLibrary {
@@ -73,12 +85,14 @@ class NodeLibrary {
   NodeLibrary();  // the nodes of BehaviorTree.CPP are in it
 
   /// Kind, and the number of children of a decorator, are set here; everything else is taken from
-  /// the manifest. A node of the same id is replaced.
+  /// the manifest. A control has one child at least, as many as it likes where the manifest does
+  /// not say. A node of the same id is replaced.
   void addCondition(NodeManifest manifest, LeafFunction tick, int memoryBytes = 0);
   void addAction(NodeManifest manifest, LeafFunction tick, int memoryBytes = 0);
   /// A stateful action, or a stateful condition when manifest.kind says so.
   void addStateful(NodeManifest manifest, StatefulFunctions functions, int memoryBytes = 0);
   void addDecorator(NodeManifest manifest, DecoratorFunctions functions, int memoryBytes = 0);
+  void addControl(NodeManifest manifest, ControlFunctions functions, int memoryBytes = 0);
 
   template <class Memory>
   void addCondition(NodeManifest manifest, LeafFunction tick) {
@@ -96,13 +110,18 @@ class NodeLibrary {
   void addDecorator(NodeManifest manifest, DecoratorFunctions functions) {
     addDecorator(std::move(manifest), functions, sizeOf<Memory>());
   }
+  template <class Memory>
+  void addControl(NodeManifest manifest, ControlFunctions functions) {
+    addControl(std::move(manifest), functions, sizeOf<Memory>());
+  }
 
   const NodeCatalogue& catalogue() const { return catalogue_; }
   /// nullptr = unknown, or run by the engine itself.
   const NodeFunctions* functions(std::string_view id) const;
 
   /// The same nodes and ports, but every leaf that was added is run by `leaf` (which may return
-  /// any status but IDLE and SKIPPED): for playing a tree against a script.
+  /// any status but IDLE and SKIPPED): for playing a tree against a script. Leaves that were
+  /// synchronous are still called whenever they are ticked.
   NodeLibrary withLeaves(StatefulFunctions leaf) const;
 
  private:

@@ -60,7 +60,8 @@ enum class NodeCode : std::uint8_t {
   WasEntryUpdated,
   Synchronous,
   Stateful,
-  Decorator  // functions of the library
+  Decorator,
+  Control  // these four: functions of the library
 };
 
 /// An entry that the host writes, known before the tree is loaded.

@@ -17,7 +17,11 @@ bool hasOneChild(NodeCode code) {
 }
 
 bool hasChildren(NodeCode code) {
-  return code <= NodeCode::SubTree || code == NodeCode::Decorator;
+  return code <= NodeCode::SubTree || code >= NodeCode::Decorator;
+}
+
+bool isControl(NodeCode code) {
+  return code < NodeCode::Inverter || code == NodeCode::Control;
 }
 
 }  // namespace
@@ -40,7 +44,7 @@ base::NodeStatus Ticker::tickNode(int node) {
 
 base::NodeStatus Ticker::run(int node) {
   const NodeCode code = program_.node(node).code;
-  if (code < NodeCode::Inverter) {
+  if (isControl(code)) {
     return runControl(node);
   }
   return hasOneChild(code) ? runDecorator(node) : runLeaf(node);
@@ -118,19 +122,30 @@ void Ticker::halt(int node) {
   if (hasChildren(here.code)) {
     resetChildren(node);
   }
-  if (here.code == NodeCode::Decorator) {
-    const DecoratorHaltFunction onHalted = program_.functions(here.detail).decorator.onHalted;
-    if (onHalted) {
-      DecoratorContext context(*this, input_, node);
-      onHalted(context);
-    }
-  }
+  tellHalted(node);
   if (here.conditions >= 0) {
     const auto index = static_cast<std::size_t>(here.conditions);
     const int script = program_.conditions()[index].onHalted;
     if (script >= 0) {
       runScript(node, script);
     }
+  }
+}
+
+/// Decorators and controls of the library hear of it after their children.
+void Ticker::tellHalted(int node) {
+  const Program::Node& here = program_.node(node);
+  if (here.code != NodeCode::Decorator && here.code != NodeCode::Control) {
+    return;
+  }
+  const NodeFunctions& functions = program_.functions(here.detail);
+  if (here.code == NodeCode::Decorator && functions.decorator.onHalted) {
+    DecoratorContext context(*this, input_, node);
+    functions.decorator.onHalted(context);
+  }
+  if (here.code == NodeCode::Control && functions.control.onHalted) {
+    ControlContext context(*this, input_, node);
+    functions.control.onHalted(context);
   }
 }
 

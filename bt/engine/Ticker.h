@@ -49,6 +49,7 @@ class Ticker {
   void postConditions(const Program::Conditions& conditions, int node, Status status);
   void halt(int node);
   void haltOwn(int node);
+  void tellHalted(int node);
   /// For what a parent cannot go on with: IDLE of a child is a fault.
   Status unexpected(int child, Status status);
 
@@ -66,6 +67,7 @@ class Ticker {
   Status whileDoElse(int node);
   Status switchCase(int node);
   int selectedCase(int node);
+  Status customControl(int node);
   Status tryCatch(int node);
   Status tryChildren(int node, int last);
   Status catchChild(int node, int last);

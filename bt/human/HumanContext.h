@@ -38,11 +38,19 @@ struct Notes {
   base::Vec2 centre = base::Vec2::Zero();  // of the formation [m]
 };
 
+/// Somebody's place in a line of people that wait for the same point.
+struct QueuePlace {
+  int human = -1;
+  base::Vec2 head = base::Vec2::Zero();  // where the line begins [m]
+  std::int64_t number = 0;               // step in which the person joined; 0 = still on the way
+};
+
 /// One person's mind beside the tree.
 struct Mind {
   bool isFirstTick = true;
   bool hasOwnGoals = false;    // the tree has replaced the goals of the scenario
   std::map<int, Notes> notes;  // by node of the tree
+  std::optional<QueuePlace> queue;
 };
 
 /// What lasts from step to step for all people of a run.
@@ -66,6 +74,7 @@ class HumanContext {
   sim2d::HumanControl& control(int human) { return intents_.control(human); }
   int self() const { return self_; }  // whose tree is ticked
   Mind& mind() { return society_.minds[static_cast<std::size_t>(self_)]; }
+  const Mind& mindOf(int human) const { return society_.minds[static_cast<std::size_t>(human)]; }
   SpeechBus& speech() { return society_.speech; }
   bool isOriginal(int quirk) const { return view_.compatibility().has(quirk); }
   int idOf(int human) const { return view_.constants(human).id; }

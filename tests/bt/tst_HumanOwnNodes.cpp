@@ -19,25 +19,6 @@ class HumanOwnNodesTest : public QObject {
     QCOMPARE(bench.step(), NodeStatus::Success);
   }
 
-  void probabilityChoice_drawsOncePerRun() {
-    FakeWorld world;
-    world.addPerson(1, 0.0, 0.0);
-    TreeBench bench(world);
-    QVERIFY(
-        bench.load("<ProbabilityChoice probability='0.5'>"
-                   "<StopAndWaitTimerAction agent_id='{id}' wait_duration='0.3'/>"
-                   "</ProbabilityChoice>"));
-    int runs = 0;
-    int refusals = 0;
-    for (int i = 0; i < 1000; ++i) {
-      const NodeStatus status = bench.step();
-      runs += status == NodeStatus::Success ? 1 : 0;
-      refusals += status == NodeStatus::Failure ? 1 : 0;
-    }
-    QVERIFY(runs > 150 && runs < 250);  // 4 steps a run, as many runs as refusals
-    QVERIFY(refusals > 130 && refusals < 270);
-  }
-
   void isTimeBetween_atTheEnds_includesTheFirst() {
     FakeWorld world;
     world.addPerson(1, 0.0, 0.0);

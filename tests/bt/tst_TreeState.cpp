@@ -16,6 +16,7 @@ class TreeStateTest : public QObject {
   void context_ports_tellWhereTheirValueIsFrom();
   void context_memory_survivesRestart();
   void library_withLeaves_replacesAddedOnes();
+  void library_withLeaves_callsConditionsInEveryTick();
   void editing_uid_isKeptInProgram();
 };
 
@@ -216,6 +217,26 @@ void TreeStateTest::library_withLeaves_replacesAddedOnes() {
   probe::Log log;
   QCOMPARE(state.tickOnce({1, 0.1, &log}), NodeStatus::Success);
   QVERIFY((log.calls == std::vector<std::string>{"F?", "x?"}));
+}
+
+/// A condition of WhileDoElse is asked anew although its last result still stands.
+void TreeStateTest::library_withLeaves_callsConditionsInEveryTick() {
+  bt::StatefulFunctions scripted;
+  scripted.onStart = [](bt::LeafContext& leaf) {
+    const NodeStatus status = leaf.label() == "St" ? NodeStatus::Running : NodeStatus::Success;
+    return probe::note(leaf, leaf.label(), status);
+  };
+  scripted.onRunning = scripted.onStart;
+  const bt::NodeLibrary library = probe::library().withLeaves(scripted);
+  const base::Result<bt::TreeFile> file =
+      bt::readTreeText(probe::fileOf("<WhileDoElse><S/><St/></WhileDoElse>"));
+  const auto program = bt::compile(*file, library);
+  QVERIFY(program);
+  bt::TreeState state(*program);
+  probe::Log log;
+  QCOMPARE(state.tickOnce({1, 0.1, &log}), NodeStatus::Running);
+  QCOMPARE(state.tickOnce({2, 0.1, &log}), NodeStatus::Running);
+  QVERIFY((log.calls == std::vector<std::string>{"S", "St", "S", "St"}));
 }
 
 void TreeStateTest::editing_uid_isKeptInProgram() {

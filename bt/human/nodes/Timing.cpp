@@ -1,8 +1,7 @@
 #include "bt/human/Leaves.h"
 #include "bt/human/Ports.h"
-#include "sim2d/base/Rng.h"
 
-/// Decorators and conditions about time and chance that the original does not have.
+/// A decorator and a condition about time that the original does not have.
 namespace bt {
 
 namespace {
@@ -29,32 +28,6 @@ NodeStatus tickCooldown(DecoratorContext& leaf) {
   return status;
 }
 
-struct Choice {
-  bool isTaken;  // the child runs
-};
-
-NodeStatus tickChance(DecoratorContext& leaf) {
-  bool& isTaken = leaf.memory<Choice>().isTaken;
-  if (!isTaken) {
-    const HumanContext& context = humanOf(leaf);
-    const base::AgentRng random(context.view().seed(), context.idOf(context.self()),
-                                static_cast<std::uint64_t>(context.view().step()));
-    const double draw =
-        random.uniform01(base::Draw::NodeChance, static_cast<std::uint32_t>(leaf.node()));
-    if (draw >= leaf.require<double>(0)) {
-      return NodeStatus::Failure;
-    }
-    isTaken = true;
-  }
-  const NodeStatus status = leaf.tickChild();
-  isTaken = !isDone(status);
-  return status;
-}
-
-void haltChance(DecoratorContext& leaf) {
-  leaf.memory<Choice>().isTaken = false;
-}
-
 NodeStatus isTimeBetween(LeafContext& leaf) {
   const double now = humanOf(leaf).view().time() + kTimeTolerance;
   return successIf(now >= leaf.require<double>(0) && now < leaf.require<double>(1));
@@ -69,14 +42,6 @@ void addTiming(NodeLibrary& to) {
               {port::duration("duration", "Pause after each run of the child.").byDefault("10.0")},
               NodeKind::Decorator),
       {tickCooldown, nullptr});
-  to.addDecorator<Choice>(
-      ownNode("ProbabilityChoice", "Timing",
-              "Draws once when it is reached: runs its child to the end, or fails.",
-              {Port("probability", PortType::Double, "", "Chance of running the child.")
-                   .byDefault("0.5")
-                   .range(0.0, 1.0)},
-              NodeKind::Decorator),
-      {tickChance, haltChance});
   to.addCondition(ownNode("IsTimeBetween", "Timing", "The simulated time lies in [from, until).",
                           {port::duration("from", "Begin.").byDefault("0.0"),
                            port::duration("until", "End.").required().suggest("60.0")},

@@ -1,0 +1,144 @@
+#include <tuple>
+
+#include "bt/human/Leaves.h"
+#include "bt/human/Motions.h"
+#include "bt/human/Ports.h"
+
+namespace bt {
+
+using base::Vec2;
+
+namespace {
+
+constexpr double kReachedHead = 0.3;  // [m]
+constexpr double kReachedSpot = 0.2;  // [m]
+
+struct Memory {
+  std::int64_t startStep;
+  std::int64_t servedStep;  // 0 = not yet at the head
+  double spacing;           // [m]
+  double duration;          // [s]
+  double patience;          // [s]
+};
+
+/// Earlier in line; of people who join in the same step the smaller id.
+bool isBefore(const HumanContext& context, const QueuePlace& a, const QueuePlace& b) {
+  return std::make_tuple(a.number, context.idOf(a.human)) <
+         std::make_tuple(b.number, context.idOf(b.human));
+}
+
+/// The person right before this one, for a newcomer the last in line; nullptr = nobody.
+const QueuePlace* predecessor(const HumanContext& context, const QueuePlace& own) {
+  const QueuePlace* last = nullptr;
+  for (int i = 0; i < context.view().humanCount(); ++i) {
+    const std::optional<QueuePlace>& other = context.mindOf(i).queue;
+    if (!other || other->human == own.human || other->number == 0 || other->head != own.head ||
+        !context.view().isPresent(other->human)) {
+      continue;
+    }
+    const bool isAhead = own.number == 0 || isBefore(context, *other, own);
+    if (isAhead && (!last || isBefore(context, *last, *other))) {
+      last = &*other;
+    }
+  }
+  return last;
+}
+
+/// The line leads away from its head through the person before.
+Vec2 spotBehind(const HumanContext& context, const QueuePlace& own, const QueuePlace& before,
+                double spacing) {
+  const Vec2 there = context.view().pose(before.human).position;
+  Vec2 direction = there - own.head;
+  if (direction.norm() <= kReachedHead) {
+    direction = context.view().pose(own.human).position - there;
+  }
+  const double length = direction.norm();
+  return length > 0.0 ? Vec2(there + spacing / length * direction) : there;
+}
+
+NodeStatus start(LeafContext& leaf) {
+  HumanContext& context = humanOf(leaf);
+  const std::optional<int> human = context.person(leaf, 0);
+  const std::optional<sim2d::GoalItem> place = context.place(leaf, 1);
+  const Memory memory = {leaf.step(), 0, leaf.require<double>(4), leaf.require<double>(5),
+                         leaf.require<double>(6)};
+  if (!human || !place) {
+    return NodeStatus::Failure;
+  }
+  leaf.memory<Memory>() = memory;
+  context.mind().queue = QueuePlace{*human, place->position, 0};
+  return NodeStatus::Running;
+}
+
+NodeStatus leave(HumanContext& context, NodeStatus status) {
+  context.mind().queue.reset();
+  return status;
+}
+
+/// Walks to the spot, or stands there and looks at `ahead`.
+void moveUp(HumanContext& context, int human, const Vec2& spot, const Vec2& ahead) {
+  if ((spot - context.view().pose(human).position).norm() > kReachedSpot) {
+    context.move(human, walkTo(context, human, {0, spot, 0.1}));
+  } else {
+    context.move(human, turnTo(context, human, ahead, 0.0).intent);
+  }
+}
+
+bool isServed(const LeafContext& leaf, Memory& memory) {
+  if (memory.servedStep == 0) {
+    memory.servedStep = leaf.step();
+  }
+  return leaf.hasElapsed(memory.servedStep, memory.duration);
+}
+
+NodeStatus run(LeafContext& leaf) {
+  HumanContext& context = humanOf(leaf);
+  Memory& memory = leaf.memory<Memory>();
+  std::optional<QueuePlace>& own = context.mind().queue;
+  if (!own || !context.view().isPresent(own->human)) {
+    return leave(context, NodeStatus::Failure);
+  }
+  const int human = own->human;
+  const Vec2 here = context.view().pose(human).position;
+  const QueuePlace* before = predecessor(context, *own);
+  const Vec2 spot = before ? spotBehind(context, *own, *before, memory.spacing) : own->head;
+  if (own->number == 0 && (spot - here).norm() <= memory.spacing) {
+    own->number = leaf.step();
+  }
+  const bool isAtHead = !before && (own->head - here).norm() <= kReachedHead;
+  if (isAtHead && isServed(leaf, memory)) {
+    return leave(context, NodeStatus::Success);
+  }
+  const bool isImpatient = memory.servedStep == 0 && memory.patience > 0.0 &&
+                           leaf.hasElapsed(memory.startStep, memory.patience);
+  if (isImpatient) {
+    return leave(context, NodeStatus::Failure);
+  }
+  if (isAtHead) {
+    context.setActive(human);
+  } else {
+    moveUp(context, human, spot, before ? context.view().pose(before->human).position : own->head);
+  }
+  return NodeStatus::Running;
+}
+
+void halt(LeafContext& leaf) {
+  humanOf(leaf).mind().queue.reset();
+}
+
+}  // namespace
+
+void addWaitInQueue(NodeLibrary& to) {
+  to.addStateful<Memory>(
+      ownNode(
+          "WaitInQueue", "Walking",
+          "Joins the line at a global goal, moves up in it and is served at its head.",
+          {port::agent(), port::goal("Id of the global goal where the line begins."), port::oldX(),
+           port::oldY(), port::length("spacing", "Distance to the person before.").byDefault("0.8"),
+           port::duration("duration", "Time at the head of the line.").byDefault("5.0"),
+           port::duration("patience", "Fails when it is not served by then; 0 = waits on.")
+               .byDefault("0.0")}),
+      {start, run, halt});
+}
+
+}  // namespace bt
