@@ -28,6 +28,7 @@ struct Words {
   ListOptions list;
   RenderOptions render;
   BatchOptions batch;
+  TreesOptions trees;
 };
 
 void addOutputOptions(CLI::App& command, OutputOptions& options) {
@@ -120,6 +121,30 @@ CLI::App* addBatch(CLI::App& root, Words& words) {
   return command;
 }
 
+CLI::App* addTrees(CLI::App& root, Words& words) {
+  CLI::App* command = root.add_subcommand("trees", "Make people's behaviour trees, or play one");
+  TreesOptions& trees = words.trees;
+  CLI::Option* scenario = command->add_option("scenario", trees.scenario, "Scenario file");
+  CLI::Option* output =
+      command->add_option("-o,--output", trees.output, "Folder for the trees; none: print them");
+  CLI::Option* style = command->add_option("--style", trees.style, "corrected or hunav2");
+  style->check(CLI::IsMember({"corrected", "hunav2"}));
+  CLI::Option* play = command->add_option("--play", trees.play, "Tree file to tick by itself");
+  play->excludes(scenario)->excludes(output)->excludes(style);
+  command->add_option("--script", trees.script, "YAML: leaf -> statuses of its calls")->needs(play);
+  command->add_option("--ticks", trees.ticks, "Number of ticks (10)")
+      ->needs(play)
+      ->check(CLI::Range(1, 1000000));
+  command->add_option("--dt", trees.dt, "Time step [s] (0.05)")->needs(play);
+  command->add_option("--seed", trees.seed, "Seed of the tree's draws (1)")
+      ->needs(play)
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--compat", trees.compat, "hunav2, or quirks of the original: Q-20")
+      ->needs(play);
+  addOutputOptions(*command, words.output);
+  return command;
+}
+
 /// Numbers are read without a locale, whatever the user's is.
 template <class Application>
 int within(int argc, char** argv, const std::function<int()>& action) {
@@ -150,6 +175,7 @@ int runProgram(int argc, char** argv) {
   CLI::App* list = addList(root, given);
   CLI::App* render = addRender(root, given);
   CLI::App* batch = addBatch(root, given);
+  CLI::App* trees = addTrees(root, given);
   try {
     root.parse(argc, argv);
   } catch (const CLI::ParseError& problem) {
@@ -169,6 +195,9 @@ int runProgram(int argc, char** argv) {
   }
   if (batch->parsed()) {
     return within<QCoreApplication>(argc, argv, [&] { return batchCommand(given.batch, output); });
+  }
+  if (trees->parsed()) {
+    return within<QCoreApplication>(argc, argv, [&] { return treesCommand(given.trees, output); });
   }
   if (render->parsed()) {
     return drawOffscreen(argc, argv, [&] { return renderCommand(given.render, output); });

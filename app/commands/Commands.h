@@ -29,6 +29,19 @@ struct RenderOptions {
 };
 int renderCommand(const RenderOptions& options, const OutputOptions& output);
 
+struct TreesOptions {
+  std::string scenario;             // whose trees are made, or empty
+  std::string output;               // -o; empty: printed
+  std::string style = "corrected";  // corrected, hunav2
+  std::string play;                 // tree file to play, or empty
+  std::string script;               // what its leaves answer; empty: SUCCESS
+  int ticks = 10;
+  double dt = 0.05;  // [s]
+  long long seed = 1;
+  std::string compat;  // quirks of the original while playing
+};
+int treesCommand(const TreesOptions& options, const OutputOptions& output);
+
 struct BatchOptions {
   std::string experiment;
   std::string output;

@@ -7,7 +7,8 @@
 #include "sim2d/base/Result.h"
 
 /// YAML as a plain tree that keeps what the scenario files need and a YAML library throws away:
-/// order and repetition of keys, places, the text of numbers, quotes. Private to this folder.
+/// order and repetition of keys, places, the text of numbers, quotes. For the readers of the
+/// program.
 namespace sim2d {
 
 struct YamlNode {
