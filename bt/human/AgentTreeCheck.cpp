@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bt/human/Formation.h"
+#include "bt/human/Weights.h"
 #include "bt/tree/TextValue.h"
 
 namespace bt {
@@ -89,6 +90,19 @@ class Checker {
       }
     } else if (port.name == "area") {
       checkArea(node, port.text, file);
+    } else if (port.name == "weights") {
+      checkWeights(node, port.text, file);
+    }
+  }
+
+  void checkWeights(const NodeSpec& node, const std::string& text, const std::string& file) {
+    const std::optional<std::vector<double>> weights = parseWeights(text);
+    if (!weights) {
+      warn(node, file, "the weights '" + text + "' are no numbers with ';' between");
+    } else if (weights->size() != node.children.size()) {
+      warn(node, file,
+           "it has " + std::to_string(node.children.size()) + " children and " +
+               std::to_string(weights->size()) + " weights");
     }
   }
 

@@ -276,6 +276,26 @@ class HumanTemplatesTest : public QObject {
     QVERIFY(bt::treeFileName("cafe_agents", 12) == "cafe_agents__agent_12_bt.xml");
   }
 
+  void checkAgentTree_badWeights_warns() {
+    const sim2d::Scenario scenario = scenarioWith(BehaviorType::Regular, {});
+    const bt::NodeLibrary library = bt::humanNodes();
+    const auto file = bt::readTreeText(
+        "<root BTCPP_format='4'><BehaviorTree ID='T'><Sequence>\n"
+        "<ProbabilityChoice weights='3;1'><AlwaysSuccess/><AlwaysFailure/></ProbabilityChoice>\n"
+        "<ProbabilityChoice weights='3;1;1'><AlwaysSuccess/></ProbabilityChoice>\n"
+        "<ProbabilityChoice weights='often'><AlwaysSuccess/></ProbabilityChoice>\n"
+        "</Sequence></BehaviorTree></root>",
+        "t.xml");
+    QVERIFY(file);
+    const auto table = bt::resolveIncludes(*file);
+    QVERIFY(table);
+    const base::Diagnostics found =
+        bt::checkAgentTree(*table, scenario.humans.front(), scenario, library.catalogue());
+    QCOMPARE(found.size(), std::size_t(2));
+    QCOMPARE(found[0].line, 3);
+    QCOMPARE(found[1].line, 4);
+  }
+
   void checkAgentTree_strangeIds_warns() {
     const sim2d::Scenario scenario = scenarioWith(BehaviorType::Regular, {1, 2});
     const bt::NodeLibrary library = bt::humanNodes();

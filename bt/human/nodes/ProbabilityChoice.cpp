@@ -1,10 +1,7 @@
-#include <cmath>
-#include <string_view>
-
 #include "bt/human/Leaves.h"
 #include "bt/human/Ports.h"
+#include "bt/human/Weights.h"
 #include "sim2d/base/Rng.h"
-#include "sim2d/base/Text.h"
 
 namespace bt {
 
@@ -18,14 +15,6 @@ struct Memory {
   std::int32_t chosen;    // child + 1; 0 = none
 };
 
-/// The next weight of "3;1;1"; nothing when it is none.
-std::optional<double> takeWeight(std::string_view& rest) {
-  const std::size_t end = rest.find(';');
-  const std::optional<double> weight = base::parseDouble(base::trimmed(rest.substr(0, end)));
-  rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
-  return weight && std::isfinite(*weight) && *weight >= 0.0 ? weight : std::nullopt;
-}
-
 /// Without the port all children weigh the same. Empty = they are wrong, the tree is faulty.
 std::vector<double> weightsOf(ControlContext& leaf) {
   const auto count = static_cast<std::size_t>(leaf.childCount());
@@ -33,22 +22,13 @@ std::vector<double> weightsOf(ControlContext& leaf) {
   if (!text) {
     return std::vector<double>(count, 1.0);
   }
-  std::vector<double> weights;
-  double sum = 0.0;
-  for (std::string_view rest = *text; !rest.empty() && weights.size() <= count;) {
-    const std::optional<double> weight = takeWeight(rest);
-    if (!weight) {
-      leaf.fault("input 'weights' is '" + *text + "' (numbers of 0 or more with ';' between)");
-      return {};
-    }
-    weights.push_back(*weight);
-    sum += *weight;
-  }
-  if (weights.size() != count || !(sum > 0.0) || !std::isfinite(sum)) {
-    leaf.fault("input 'weights' is '" + *text + "' (one per child, at least one above 0)");
+  std::optional<std::vector<double>> weights = parseWeights(*text);
+  if (!weights || weights->size() != count) {
+    leaf.fault("input 'weights' is '" + *text +
+               "' (one number per child with ';' between, none below 0, one above 0)");
     return {};
   }
-  return weights;
+  return *std::move(weights);
 }
 
 /// New in every step, and for every start within one.
