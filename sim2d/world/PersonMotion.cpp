@@ -22,11 +22,36 @@ bool isWalking(const Intent& intent) {
   return intent.motion == Motion::Walk || intent.motion == Motion::Brake;
 }
 
+double desiredSpeedOf(const FrozenWorld& world, std::size_t human, const Intent& intent) {
+  const double speed = intent.motion == Motion::Walk
+                           ? intent.speed
+                           : world.model.people[human].constants.desiredSpeed;
+  return world.state.controls[human].frozen ? 0.0 : speed < 0.0 ? 0.0 : speed;
+}
+
+Vec2 courseHeading(const Vec2& velocity, double heading) {
+  const double speed = velocity.norm();
+  return speed < kSlowestTurn ? base::directionOf(heading) : Vec2(velocity / speed);
+}
+
+/// A robot goes where it moves; one that stands has no goal.
+Course courseOfRobot(const Vec2& velocity) {
+  Course course;
+  course.isRobot = true;
+  course.desiredSpeed = velocity.norm();
+  if (course.desiredSpeed >= kSlowestTurn) {
+    course.heading = velocity / course.desiredSpeed;
+    course.direction = course.heading;
+  }
+  return course;
+}
+
 }  // namespace
 
 /// The others as all people of this step see them.
 struct PersonMotion::Crowd {
-  Crowd(const FrozenWorld& frozen, const Ways& ways);
+  Crowd(const FrozenWorld& frozen, const Ways& ways, const Intents& intents,
+        const std::vector<Vec2>& directions);
 
   /// What of the others, robots and walls acts on one person.
   Situation situationOf(std::size_t human, const Intent& intent,
@@ -35,7 +60,8 @@ struct PersonMotion::Crowd {
 
   const FrozenWorld& world;
   std::vector<Walker> walkers;
-  std::vector<double> room;  // of each person to the next wall [m]
+  std::vector<Course> courses;  // beside them
+  std::vector<double> room;     // of each person to the next wall [m]
   std::vector<Walker> robots;
   std::map<int, std::vector<std::size_t>> groups;
   std::size_t count = 0;
@@ -43,14 +69,22 @@ struct PersonMotion::Crowd {
 
  private:
   void addOthers(std::size_t human, Situation& situation) const;
+  void addOther(const Walker& other, const Course& course, Situation& situation) const;
   void addRobots(const Intent& intent, Situation& situation) const;
+  /// Across the seam of a closed corridor.
+  Walker imageOf(Walker other, const Walker& seenFrom) const;
 };
 
-PersonMotion::Crowd::Crowd(const FrozenWorld& frozen, const Ways& ways) : world(frozen) {
+PersonMotion::Crowd::Crowd(const FrozenWorld& frozen, const Ways& ways, const Intents& intents,
+                           const std::vector<Vec2>& directions)
+    : world(frozen) {
   const WorldState& state = world.state;
   for (std::size_t i = 0; i < state.present.size(); ++i) {
     const ResolvedHuman& person = world.model.people[i].constants;
     walkers.push_back({person.id, state.position(i), state.velocity(i), person.radius});
+    courses.push_back({directions[i], courseHeading(walkers[i].velocity, state.heading[i]),
+                       desiredSpeedOf(world, i, intents.of(static_cast<int>(i))),
+                       state.controls[i].group});
     room.push_back(state.present[i] != 0 ? ways.clearance(walkers[i].position) : 0.0);
     if (state.present[i] != 0) {
       ++count;
@@ -70,12 +104,11 @@ PersonMotion::Crowd::Crowd(const FrozenWorld& frozen, const Ways& ways) : world(
 Situation PersonMotion::Crowd::situationOf(std::size_t human, const Intent& intent,
                                            const std::vector<Obstacles::Point>& walls) const {
   const HumanControl& control = world.state.controls[human];
-  const double speed = intent.motion == Motion::Walk
-                           ? intent.speed
-                           : world.model.people[human].constants.desiredSpeed;
   Situation situation;
   situation.self = walkers[human];
-  situation.desiredSpeed = control.frozen ? 0.0 : speed < 0.0 ? 0.0 : speed;
+  situation.course = courses[human];
+  situation.direction = situation.course.direction;
+  situation.desiredSpeed = situation.course.desiredSpeed;
   situation.dt = world.model.dt;
   situation.exact = world.model.exact;
   if (world.model.obstaclePoints == ObstaclePoints::Rays) {
@@ -83,40 +116,59 @@ Situation PersonMotion::Crowd::situationOf(std::size_t human, const Intent& inte
   } else {
     situation.obstacles = walls;
   }
+  situation.looksAtCourses = world.model.people[human].model->looksAtCourses();
   addOthers(human, situation);
   addRobots(intent, situation);
   if (control.group >= 0) {
     for (const std::size_t member : groups.at(control.group)) {
       if (member != human) {
-        situation.group.push_back(walkers[member]);
+        situation.group.push_back(imageOf(walkers[member], situation.self));
       }
     }
   }
   return situation;
 }
 
+Walker PersonMotion::Crowd::imageOf(Walker other, const Walker& seenFrom) const {
+  other.position += world.model.ring.shift(other.position, seenFrom.position);
+  return other;
+}
+
+void PersonMotion::Crowd::addOther(const Walker& other, const Course& course,
+                                   Situation& situation) const {
+  situation.others.push_back(imageOf(other, situation.self));
+  if (situation.looksAtCourses) {
+    situation.courses.push_back(course);
+  }
+}
+
 void PersonMotion::Crowd::addOthers(std::size_t human, Situation& situation) const {
   if (world.model.exact || count <= kSmallCrowd) {
     for (std::size_t i = 0; i < walkers.size(); ++i) {
       if (i != human && world.state.present[i] != 0) {
-        situation.others.push_back(walkers[i]);
+        addOther(walkers[i], courses[i], situation);
       }
     }
     return;
   }
   const double range =
       world.model.people[human].model->range(fastest, situation.self.velocity.norm());
-  world.grid.forEachNear(situation.self.position, range, [&](int other) {
-    if (static_cast<std::size_t>(other) != human) {
-      situation.others.push_back(walkers[static_cast<std::size_t>(other)]);
-    }
+  const Ring& ring = world.model.ring;
+  ring.forEachImage(situation.self.position, [&](const Vec2& centre) {
+    world.grid.forEachNear(centre, range, [&](int other) {
+      const Walker& walker = walkers[static_cast<std::size_t>(other)];
+      if (static_cast<std::size_t>(other) != human &&
+          ring.isNearestImage(walker.position, situation.self.position, centre)) {
+        addOther(walker, courses[static_cast<std::size_t>(other)], situation);
+      }
+    });
   });
 }
 
 void PersonMotion::Crowd::addRobots(const Intent& intent, Situation& situation) const {
   for (std::size_t i = 0; i < robots.size(); ++i) {
     if (intent.robot == RobotTreatment::Pedestrian) {
-      situation.others.push_back(robots[i]);
+      addOther(robots[i], courseOfRobot(robots[i].velocity), situation);
       continue;
     }
     const Obstacles::Point point =
@@ -146,7 +198,7 @@ void PersonMotion::forget(int human) {
 void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, Ways& ways,
                            WorldState& state) {
   chooseLegs(world, intents, ways, state);
-  const Crowd crowd(world, ways);
+  const Crowd crowd(world, ways, intents, directions_);
   const std::function<void(std::size_t)> moveOne = [&](std::size_t human) {
     if (state.present[human] != 0) {
       move(human, world, intents, crowd);
@@ -211,7 +263,6 @@ void PersonMotion::move(std::size_t human, const FrozenWorld& world, const Inten
     return;
   }
   Situation situation = crowd.situationOf(human, intent, wanted.walls);
-  situation.direction = directions_[human];
   const std::function<bool(const Vec2&, const Vec2&)> isVisible =
       [&](const Vec2& /*own*/, const Vec2& other) { return crowd.isVisible(human, other); };
   situation.isVisible = &isVisible;

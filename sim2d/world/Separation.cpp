@@ -30,8 +30,8 @@ bool stopAtWalls(MovingDisc& disc, double dt) {
   return changed;
 }
 
-bool stopAtEachOther(MovingDisc& first, MovingDisc& second, double dt) {
-  const Vec2 apart = second.position - first.position;
+bool stopAtEachOther(MovingDisc& first, MovingDisc& second, const Vec2& shift, double dt) {
+  const Vec2 apart = second.position + shift - first.position;
   const double distance = apart.norm();
   if (distance < 1e-9) {
     return false;
@@ -56,7 +56,7 @@ void keepApart(std::vector<MovingDisc>& discs, const std::vector<DiscPair>& pair
     changed = false;
     for (const DiscPair& pair : pairs) {
       changed |= stopAtEachOther(discs[static_cast<std::size_t>(pair.first)],
-                                 discs[static_cast<std::size_t>(pair.second)], dt);
+                                 discs[static_cast<std::size_t>(pair.second)], pair.shift, dt);
     }
     for (MovingDisc& disc : discs) {
       changed |= stopAtWalls(disc, dt);

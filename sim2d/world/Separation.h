@@ -16,6 +16,7 @@ struct MovingDisc {
 };
 struct DiscPair {
   int first = 0, second = 0;
+  Vec2 shift = Vec2::Zero();  // of the second, to where it acts [m]
 };
 
 /// Takes from the velocities what would press discs into each other or into walls before the step

@@ -115,6 +115,10 @@ void addRobots(const Scenario& scenario, WorldParts& parts, base::Diagnostics& p
     }
     parts.controllers.push_back(controller ? *controller : nullptr);
   }
+  if (!parts.model.robots.empty() && parts.model.ring.isClosed()) {
+    problems.push_back(base::makeWarning(
+        "wrap_x moves people alone: robots do not pass from one end of the corridor to the other"));
+  }
 }
 
 void addAreas(const Scenario& scenario, WorldModel& model, base::Diagnostics& problems) {
@@ -157,8 +161,9 @@ void fillModel(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& pr
     problems.push_back(
         base::makeError("dt must be 0.001 to 0.1 s, not " + base::formatDouble(model.dt)));
   }
-  if (!scenario.desktop.wrapX.empty()) {
-    problems.push_back(base::makeWarning("wrap_x has no effect in this version"));
+  if (scenario.desktop.wrapX.size() == 2) {
+    model.ring.low = scenario.desktop.wrapX[0];
+    model.ring.length = scenario.desktop.wrapX[1] - scenario.desktop.wrapX[0];
   }
   for (const Door& door : scenario.doors) {
     if (door.listed) {

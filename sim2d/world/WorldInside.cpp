@@ -273,12 +273,14 @@ std::vector<DiscPair> World::State::pairsNear(const std::vector<MovingDisc>& dis
       continue;
     }
     const double range = discs[body].radius + largest + 2.0 * fastest * model.dt + 0.01;
-    grid.forEachNear(discs[body].position, range, [&](int human) {
-      const int other = bodyOf(static_cast<std::size_t>(human));
-      const bool isDone = !owner.isRobot && (model.peoplePass || other <= static_cast<int>(body));
-      if (!isDone) {
-        pairs.push_back({static_cast<int>(body), other});
-      }
+    model.ring.forEachImage(discs[body].position, [&](const Vec2& centre) {
+      grid.forEachNear(centre, range, [&](int human) {
+        const int other = bodyOf(static_cast<std::size_t>(human));
+        const bool isDone = !owner.isRobot && (model.peoplePass || other <= static_cast<int>(body));
+        if (!isDone) {
+          pairs.push_back({static_cast<int>(body), other, discs[body].position - centre});
+        }
+      });
     });
     for (std::size_t robot = body + 1; robot < state.robots.size(); ++robot) {
       if (model.robots[robot].footprint.empty()) {
@@ -294,8 +296,8 @@ void World::State::readPeople() {
     if (state.present[i] == 0) {
       continue;
     }
-    const Vec2 position = physics.pose(bodyOf(i)).position;
     const Vec2 velocity = physics.velocity(bodyOf(i));
+    const Vec2 position = aroundTheRing(i, physics.pose(bodyOf(i)));
     state.x[i] = position.x();
     state.y[i] = position.y();
     state.vx[i] = velocity.x();
@@ -305,6 +307,17 @@ void World::State::readPeople() {
     }
     state.omega[i] = base::angleDiff(state.heading[i], headingsBefore_[i]) / model.dt;
   }
+}
+
+/// A person who passed an end of a closed corridor comes in at the other and looks for the way
+/// anew.
+Vec2 World::State::aroundTheRing(std::size_t human, const Pose2& pose) {
+  const Vec2 inside = model.ring.inside(pose.position);
+  if (inside != pose.position) {
+    physics.place(bodyOf(human), {inside, pose.heading});
+    motion.forget(static_cast<int>(human));
+  }
+  return inside;
 }
 
 void World::State::readRobots(const std::vector<base::Twist2>& commands) {

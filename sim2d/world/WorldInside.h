@@ -56,6 +56,7 @@ struct World::State {
   void moveBodies(const std::vector<base::Twist2>& commands);
   std::vector<DiscPair> pairsNear(const std::vector<MovingDisc>& discs) const;
   void readPeople();
+  Vec2 aroundTheRing(std::size_t human, const Pose2& pose);
   void readRobots(const std::vector<base::Twist2>& commands);
   void publish();
 

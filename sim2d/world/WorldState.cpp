@@ -1,8 +1,19 @@
 #include "sim2d/world/WorldState.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sim2d {
+
+Vec2 Ring::inside(const Vec2& place) const {
+  const double turns = isClosed() ? std::floor((place.x() - low) / length) : 0.0;
+  return {place.x() - turns * length, place.y()};
+}
+
+Vec2 Ring::shift(const Vec2& place, const Vec2& seenFrom) const {
+  const double turns = isClosed() ? std::round((seenFrom.x() - place.x()) / length) : 0.0;
+  return {turns * length, 0.0};
+}
 
 void WorldState::append(const Person& person) {
   present.push_back(0);
@@ -27,7 +38,9 @@ void WorldState::emit(EventKind kind, int id, std::string text) {
   events.push_back(std::move(event));
 }
 
-ResolvedHuman resolvePerson(const WorldModel& model, const Human& human) {
+namespace {
+
+ResolvedHuman withoutModel(const WorldModel& model, const Human& human) {
   const Scenario& scenario = *model.scenario;
   ResolvedHuman person = resolveHuman(scenario, human, static_cast<long long>(model.seed));
   if (!model.compatibility.hunav2()) {
@@ -38,6 +51,16 @@ ResolvedHuman resolvePerson(const WorldModel& model, const Human& human) {
   }
   if (!scenario.desktop.route && !human.ours.route) {
     person.route = Route::Direct;
+  }
+  return person;
+}
+
+}  // namespace
+
+ResolvedHuman resolvePerson(const WorldModel& model, const Human& human) {
+  ResolvedHuman person = withoutModel(model, human);
+  if (const auto walks = pedestrianModels().make(person.model, person)) {
+    person.radius = walks->bodyRadius(person);
   }
   return person;
 }

@@ -12,6 +12,31 @@
 
 namespace sim2d {
 
+/// A corridor along x whose ends are joined: who passes one comes in at the other.
+struct Ring {
+  double low = 0.0;     // [m]
+  double length = 0.0;  // [m]; 0: the plane is plain
+
+  bool isClosed() const { return length > 0.0; }
+  /// The place inside the corridor.
+  Vec2 inside(const Vec2& place) const;
+  /// What to add to `place` to get its image nearest to `seenFrom`.
+  Vec2 shift(const Vec2& place, const Vec2& seenFrom) const;
+  /// Calls visit(centre) for `place` and for its images one turn to either side.
+  template <class Visit>
+  void forEachImage(const Vec2& place, Visit visit) const {
+    visit(place);
+    if (isClosed()) {
+      visit(Vec2(place.x() + length, place.y()));
+      visit(Vec2(place.x() - length, place.y()));
+    }
+  }
+  /// Of the images that forEachImage gave of `seenFrom`, `centre` is the one nearest to `place`.
+  bool isNearestImage(const Vec2& place, const Vec2& seenFrom, const Vec2& centre) const {
+    return !isClosed() || centre.x() == seenFrom.x() - shift(place, seenFrom).x();
+  }
+};
+
 /// What stays the same for one person.
 struct Person {
   ResolvedHuman constants;
@@ -29,6 +54,7 @@ struct WorldModel {
   int threads = 1;
   bool exact = false;
   bool peoplePass = false;  // through each other, as in the original
+  Ring ring;
   ObstaclePoints obstaclePoints = ObstaclePoints::Boundary;
   std::deque<Person> people;          // references stay valid
   std::vector<ResolvedRobot> robots;  // -1, -2 …

@@ -33,7 +33,7 @@ class WorldTest : public QObject {
   void diverged_velocity_stopsTheRunAndNamesThePerson();
   void create_impossibleScenarios_areErrors_data();
   void create_impossibleScenarios_areErrors();
-  void create_wrapX_warns();
+  void create_robotInAClosedCorridor_warns();
   void header_afterCreation_holdsTheResolvedNumbers();
 };
 
@@ -385,8 +385,9 @@ void WorldTest::create_impossibleScenarios_areErrors() {
   QVERIFY(isTold);
 }
 
-void WorldTest::create_wrapX_warns() {
+void WorldTest::create_robotInAClosedCorridor_warns() {
   Scenario scenario = walk();
+  addRobot(scenario, Vec2(0.0, 5.0), Vec2(5.0, 5.0));
   scenario.desktop.wrapX = {0.0, 10.0};
   const base::Result<std::unique_ptr<World>> world = create(scenario);
   QVERIFY(world);

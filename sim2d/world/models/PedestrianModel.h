@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim2d/scenario/Defaults.h"
-#include "sim2d/world/SocialForce.h"
+#include "sim2d/world/DensityForce.h"
 
 namespace sim2d {
 
@@ -18,7 +18,10 @@ struct Situation {
   double desiredSpeed = 0.0;      // v0 [m/s], >= 0
   double dt = 0.05;               // [s]
   std::vector<Walker> others;     // people and robots, without those that act as obstacles
-  std::vector<Walker> group;      // the other members of the person's group
+  Course course;                  // of the person
+  std::vector<Course> courses;    // beside `others`, filled when `looksAtCourses`
+  bool looksAtCourses = false;
+  std::vector<Walker> group;  // the other members of the person's group
   std::vector<Obstacles::Point> obstacles;
   /// Nothing solid between two points.
   const std::function<bool(const Vec2&, const Vec2&)>* isVisible = nullptr;
@@ -39,6 +42,10 @@ class PedestrianModel {
   virtual ForceTerms forces(const Situation& situation) const = 0;
   /// Velocity wanted at the end of the step [m/s].
   virtual Vec2 velocity(const Situation& situation, const ForceTerms& forces) const = 0;
+  /// The model wants to know where others are heading.
+  virtual bool looksAtCourses() const { return false; }
+  /// Radius that counts for this person instead of the one of the scenario [m].
+  virtual double bodyRadius(const ResolvedHuman& person) const { return person.radius; }
   /// Others farther away than this never count [m].
   virtual double range(double fastest, double ownSpeed) const = 0;
 };

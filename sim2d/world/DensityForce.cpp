@@ -1,0 +1,168 @@
+#include "sim2d/world/DensityForce.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim2d/base/Math.h"
+
+namespace sim2d {
+namespace {
+
+constexpr double kSamePlace = 1e-9;   // [m]
+constexpr double kCrowdRange = 4.0;   // [m] ahead
+constexpr double kCrowdLength = 2.0;  // [m]
+constexpr double kCrowdWidth = 1.0;   // [m]
+constexpr double kSideScale = 0.2;    // [m]
+constexpr double kSideShift = 0.02;   // [m]; somebody exactly ahead is on the left
+constexpr double kCapRange = 3.0;     // [m]
+constexpr double kLeastCap = 0.001;   // share of the headway rule that still counts
+
+/// One neighbour as seen along the own way.
+struct Seen {
+  const Pedestrian& who;
+  Vec2 apart = Vec2::Zero();  // D [m]
+  double distance = 0.0;      // d [m]
+  double ahead = 0.0;         // x [m]
+  double left = 0.0;          // y [m]
+  double alike = 0.0;         // c: 1 goes my way, -1 comes towards me, 0 across or no goal
+  bool hasGoal = false;
+  bool isMate = false;
+};
+
+std::vector<Seen> seenBy(const Pedestrian& self, const std::vector<Pedestrian>& others) {
+  const Vec2& way = self.course.direction;
+  std::vector<Seen> seen;
+  seen.reserve(others.size());
+  for (const Pedestrian& other : others) {
+    Seen item{other};
+    item.apart = other.body.position - self.body.position;
+    item.distance = item.apart.norm();
+    if (item.distance >= kDensityRange || item.distance < kSamePlace) {
+      continue;
+    }
+    item.ahead = item.apart.dot(way);
+    item.left = base::cross(way, item.apart);
+    item.hasGoal = !other.course.direction.isZero(0.0);
+    item.alike = item.hasGoal ? other.course.heading.dot(way) : 0.0;
+    item.isMate = self.course.group >= 0 && other.course.group == self.course.group;
+    seen.push_back(item);
+  }
+  return seen;
+}
+
+/// Those ahead who have a goal, weighted by nearness.
+struct Crowd {
+  double activation = 0.0;  // 0 with a single neighbour, towards 1 in a crowd
+  double weight = 0.0;      // W
+  double oncoming = 0.0;    // O
+  double side = 0.0;        // S: > 0 the way is freer on the left
+};
+
+Crowd crowdOf(const DensityParameters& parameters, const std::vector<Seen>& seen) {
+  Crowd crowd;
+  double largest = 0.0;
+  for (const Seen& other : seen) {
+    if (other.isMate || !other.hasGoal || other.ahead <= 0.0 || other.ahead >= kCrowdRange) {
+      continue;
+    }
+    const double nearness =
+        base::exp(-other.ahead / kCrowdLength - std::fabs(other.left) / kCrowdWidth);
+    const double onLeft = base::tanh((other.left + kSideShift) / kSideScale);
+    const bool isOncoming = other.alike < 0.0;
+    crowd.weight += nearness;
+    largest = std::max(largest, nearness);
+    crowd.oncoming += isOncoming ? -nearness * other.alike : 0.0;
+    crowd.side += (isOncoming ? 1.0 : parameters.fileShare) * nearness * other.alike * onLeft;
+  }
+  const double beyondOne = crowd.weight - largest;
+  crowd.activation = beyondOne / (beyondOne + parameters.crowdScale);
+  return crowd;
+}
+
+double speedCapOf(const DensityParameters& parameters, const Pedestrian& self,
+                  const std::vector<Seen>& seen) {
+  double cap = self.course.desiredSpeed;
+  for (const Seen& other : seen) {
+    if (other.isMate || other.ahead <= 0.0 || other.distance >= kCapRange) {
+      continue;
+    }
+    const double offset = other.left / (other.ahead * parameters.capWidth);
+    const double follows = other.hasGoal ? std::clamp(0.5 + other.alike, 0.0, 1.0) : 1.0;
+    const double share = base::exp(-offset * offset) * follows;
+    if (share >= kLeastCap) {
+      const double gap = other.distance - self.body.radius - other.who.body.radius;
+      cap = std::min(cap, std::max(0.0, gap) / (parameters.timeGap * share));
+    }
+  }
+  return cap;
+}
+
+/// The velocity that others react to: partly the wanted one.
+Vec2 intendedVelocity(const DensityParameters& parameters, const Pedestrian& who) {
+  const Vec2 wanted = who.course.desiredSpeed * who.course.direction;
+  return who.body.velocity + parameters.intentShare * (wanted - who.body.velocity);
+}
+
+Vec2 forceOfStranger(const DensityParameters& parameters, const Walker& intending,
+                     const Vec2& direction, const Seen& other, double activation) {
+  Walker stranger = other.who.body;
+  if (other.hasGoal && !other.who.course.isRobot) {
+    stranger.velocity = intendedVelocity(parameters, other.who);
+  }
+  const Vec2 closing = intending.velocity - stranger.velocity;
+  const double least = parameters.coMovingWeight;
+  const double weight =
+      least + (1.0 - least) * std::min(1.0, closing.norm() / parameters.fullWeightAt);
+  Vec2 force = weight * socialForce(parameters.social, intending, stranger);
+  const double braking = force.dot(direction);
+  if (other.alike < 0.0 && braking < 0.0 && closing.dot(other.apart) > 0.0) {
+    force += activation * (1.0 - parameters.brakingShare) * other.alike * braking * direction;
+  }
+  return force;
+}
+
+Vec2 socialSum(const DensityParameters& parameters, const Pedestrian& self,
+               const std::vector<Seen>& seen, double activation) {
+  ForceParameters forMates = parameters.social;
+  forMates.epsilon = 0.0;
+  Walker intending = self.body;
+  intending.velocity = intendedVelocity(parameters, self);
+  Vec2 sum = Vec2::Zero();
+  for (const Seen& other : seen) {
+    sum += other.isMate
+               ? socialForce(forMates, self.body, other.who.body)
+               : forceOfStranger(parameters, intending, self.course.direction, other, activation);
+  }
+  return sum;
+}
+
+}  // namespace
+
+DensityForce densityForce(const DensityParameters& parameters, const Pedestrian& self,
+                          const std::vector<Pedestrian>& others) {
+  const Vec2& way = self.course.direction;
+  const std::vector<Seen> seen = seenBy(self, others);
+  const Crowd crowd = crowdOf(parameters, seen);
+  DensityForce force;
+  force.speedCap = speedCapOf(parameters, self, seen);
+  force.goal = goalForce(parameters.social, self.body.velocity, way, force.speedCap);
+  force.social = socialSum(parameters, self, seen, crowd.activation);
+  const double scale = parameters.crowdScale;
+  force.lane = parameters.laneFactor * crowd.side / (scale + crowd.weight) * crowd.oncoming /
+               (crowd.oncoming + scale) * crowd.activation * Vec2(-way.y(), way.x());
+  return force;
+}
+
+Vec2 limitedObstacleForce(const DensityParameters& parameters, const Pedestrian& self,
+                          const std::vector<Obstacles::Point>& points) {
+  const Vec2 force = obstacleForce(parameters.social, self.body, points);
+  const double most = parameters.pushBackLimit * parameters.social.goalFactor *
+                      self.course.desiredSpeed / parameters.social.relaxationTime;
+  const double against = -force.dot(self.course.direction);
+  if (against <= most) {
+    return force;
+  }
+  return force + (against - most) * self.course.direction;
+}
+
+}  // namespace sim2d

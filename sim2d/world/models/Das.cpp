@@ -1,0 +1,88 @@
+#include <algorithm>
+
+#include "sim2d/world/models/PedestrianModel.h"
+
+namespace sim2d {
+namespace {
+
+constexpr double kBodyRadius = 0.20;     // [m]; people in dense crowds turn their shoulders
+constexpr double kGuardRange = 2.0;      // [m]; bodies farther away cannot be touched in a step
+constexpr double kStandingSpeed = 1e-3;  // [m/s]; who brakes below this stands
+
+DensityParameters parametersOf(const ResolvedHuman& person) {
+  DensityParameters parameters;
+  parameters.social.epsilon = 0.01;
+  parameters.social.goalFactor = person.goalFactor;
+  parameters.social.obstacleFactor = person.obstacleFactor;
+  parameters.social.socialFactor = person.socialFactor;
+  return parameters;
+}
+
+/// The density-aware social force model.
+class Das : public PedestrianModel {
+ public:
+  explicit Das(const ResolvedHuman& person) : parameters_(parametersOf(person)) {}
+
+  ForceTerms forces(const Situation& situation) const override {
+    const Pedestrian self{situation.self, situation.course};
+    const DensityForce force =
+        densityForce(parameters_, self, neighborsOf(situation, kDensityRange));
+    ForceTerms terms;
+    terms.goal = force.goal;
+    terms.social = force.social + force.lane;
+    terms.obstacle = limitedObstacleForce(parameters_, self, situation.obstacles);
+    terms.group =
+        groupForce(parameters_.social, situation.self, situation.direction, situation.group).sum();
+    return terms;
+  }
+
+  Vec2 velocity(const Situation& situation, const ForceTerms& forces) const override {
+    Vec2 wanted = situation.self.velocity + forces.sum() * situation.dt;
+    const double speed = wanted.norm();
+    if (speed > situation.desiredSpeed) {
+      wanted *= situation.desiredSpeed / speed;
+    } else if (situation.direction.isZero(0.0) && speed < kStandingSpeed) {
+      wanted = Vec2::Zero();
+    }
+    return guardContacts(parameters_, {situation.self, situation.course},
+                         neighborsOf(situation, kGuardRange), situation.obstacles, wanted,
+                         situation.dt);
+  }
+
+  bool looksAtCourses() const override { return true; }
+
+  double bodyRadius(const ResolvedHuman& person) const override {
+    return person.kind == PersonKind::Wheelchair ? person.radius : kBodyRadius;
+  }
+
+  double range(double /*fastest*/, double /*ownSpeed*/) const override { return kDensityRange; }
+
+ private:
+  /// In range and not behind a wall, by id.
+  static std::vector<Pedestrian> neighborsOf(const Situation& situation, double range) {
+    std::vector<Pedestrian> found;
+    found.reserve(situation.others.size());
+    for (std::size_t i = 0; i < situation.others.size(); ++i) {
+      const Walker& other = situation.others[i];
+      const Vec2& place = situation.self.position;
+      if ((other.position - place).squaredNorm() < range * range &&
+          (*situation.isVisible)(place, other.position)) {
+        found.push_back({other, situation.courses[i]});
+      }
+    }
+    std::sort(found.begin(), found.end(),
+              [](const Pedestrian& a, const Pedestrian& b) { return a.body.id < b.body.id; });
+    return found;
+  }
+
+  DensityParameters parameters_;
+};
+
+}  // namespace
+
+void addDas(ModelRegistry& to);
+void addDas(ModelRegistry& to) {
+  to.add("das", [](const ResolvedHuman& person) { return std::make_unique<Das>(person); });
+}
+
+}  // namespace sim2d
