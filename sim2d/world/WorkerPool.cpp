@@ -19,18 +19,30 @@ WorkerPool::~WorkerPool() {
   }
 }
 
-void WorkerPool::forEach(std::size_t count, const std::function<void(std::size_t)>& work) {
+void WorkerPool::forShares(const std::function<void(std::size_t)>& work) {
+  if (threads_.empty()) {
+    work(0);
+    return;
+  }
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     work_ = &work;
-    count_ = count;
     running_ = threads_.size();
     ++round_;
   }
   begin_.notify_all();
-  doShare(0);
+  work(0);
   std::unique_lock<std::mutex> lock(mutex_);
   done_.wait(lock, [this] { return running_ == 0; });
+}
+
+void WorkerPool::forEach(std::size_t count, const std::function<void(std::size_t)>& work) {
+  forShares([&](std::size_t share) {
+    const std::size_t end = count * (share + 1) / shareCount();
+    for (std::size_t i = count * share / shareCount(); i < end; ++i) {
+      work(i);
+    }
+  });
 }
 
 void WorkerPool::serve(std::size_t share) {
@@ -44,17 +56,11 @@ void WorkerPool::serve(std::size_t share) {
       }
       served = round_;
     }
-    doShare(share);
+    (*work_)(share);
     const std::lock_guard<std::mutex> lock(mutex_);
     if (--running_ == 0) {
       done_.notify_one();
     }
-  }
-}
-
-void WorkerPool::doShare(std::size_t share) {
-  for (std::size_t i = share; i < count_; i += threads_.size() + 1) {
-    (*work_)(i);
   }
 }
 

@@ -1,0 +1,9 @@
+#include "sim2d/world/crowd/CrowdKernelSource.h"
+
+namespace sim2d {
+
+CrowdKernel crowdKernelAvx2() {
+  return {forceOn, sumPairs, appendColumns};
+}
+
+}  // namespace sim2d
