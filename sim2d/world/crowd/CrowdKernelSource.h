@@ -44,35 +44,53 @@ struct Bound {
   Lanes lambda, twiceLambda, squaredLambda, squaredGamma, sideways, behind, cutOff;
 };
 
-/// Picks the pairs that may count; returns how many, fills up the last register with pairs too far
-/// apart to feel anything.
-inline int pick(const CrowdColumns& candidates, const CrowdReceiver& receiver,
-                const CrowdPairs& pairs, int& touching) {
+/// The receiver in every lane.
+struct Place {
+  explicit Place(const CrowdReceiver& receiver)
+      : x(fill(receiver.x)), y(fill(receiver.y)), vx(fill(receiver.vx)), vy(fill(receiver.vy)) {}
+  Lanes x, y, vx, vy;
+};
+
+/// Marks in `chosen`, a word per register, the candidates whose force may be above the cut-off.
+/// Apart from the packing, so that no jump has to wait for a root. Returns how many are in the
+/// receiver's place.
+inline int markStrong(const CrowdColumns& candidates, const CrowdReceiver& receiver, int* chosen) {
   const Bound bound(receiver);
-  const Lanes x = fill(receiver.x);
-  const Lanes y = fill(receiver.y);
-  const Lanes vx = fill(receiver.vx);
-  const Lanes vy = fill(receiver.vy);
+  const Place self(receiver);
   const Lanes nearest2 = fill(kCrowdTouching * kCrowdTouching);
-  int count = 0;
+  int touching = 0;
+  int word = 0;
   for (int i = 0; i < receiver.candidates; i += kWidth) {
-    const Lanes dx = load(candidates.x + i) - x;
-    const Lanes dy = load(candidates.y + i) - y;
-    const Lanes dvx = vx - load(candidates.vx + i);
-    const Lanes dvy = vy - load(candidates.vy + i);
+    const Lanes dx = load(candidates.x + i) - self.x;
+    const Lanes dy = load(candidates.y + i) - self.y;
+    const Lanes dvx = self.vx - load(candidates.vx + i);
+    const Lanes dvy = self.vy - load(candidates.vy + i);
     const Bits isTouching = bitsOf(dx * dx + dy * dy <= nearest2);
-    const Bits chosen = bitsOf(bound.isAbove(dx, dy, dvx, dvy)) & ~isTouching;
+    chosen[word] = static_cast<int>(bitsOf(bound.isAbove(dx, dy, dvx, dvy)) & ~isTouching);
+    ++word;
     if (isTouching != 0) {
       touching += countOf(isTouching);
     }
-    if (chosen != 0) {
-      const Packing packing(chosen);
-      packing.put(pairs.dx + count, dx);
-      packing.put(pairs.dy + count, dy);
-      packing.put(pairs.dvx + count, dvx);
-      packing.put(pairs.dvy + count, dvy);
+  }
+  return touching;
+}
+
+/// Packs the chosen candidates one after the other; returns how many, fills up the last register
+/// with pairs too far apart to feel anything.
+inline int pack(const CrowdColumns& candidates, const CrowdReceiver& receiver, const int* chosen,
+                const CrowdPairs& pairs) {
+  const Place self(receiver);
+  int count = 0;
+  for (int i = 0, word = 0; i < receiver.candidates; i += kWidth, ++word) {
+    const auto bits = static_cast<Bits>(chosen[word]);
+    if (bits != 0) {
+      const Packing packing(bits);
+      packing.put(pairs.dx + count, load(candidates.x + i) - self.x);
+      packing.put(pairs.dy + count, load(candidates.y + i) - self.y);
+      packing.put(pairs.dvx + count, self.vx - load(candidates.vx + i));
+      packing.put(pairs.dvy + count, self.vy - load(candidates.vy + i));
       packing.putIndices(pairs.index + count, i);
-      count += countOf(chosen);
+      count += countOf(bits);
     }
   }
   for (int i = count; i < count + kCrowdLanes; i += kWidth) {
@@ -214,7 +232,8 @@ inline void appendColumns(const CrowdColumns& from, int begin, int count, const 
 inline CrowdResult forceOn(const CrowdColumns& candidates, const CrowdReceiver& receiver,
                            const CrowdPairs& pairs) {
   CrowdResult result;
-  result.pairs = pick(candidates, receiver, pairs, result.touching);
+  result.touching = markStrong(candidates, receiver, pairs.doubtful);
+  result.pairs = pack(candidates, receiver, pairs.doubtful, pairs);
   const Law law(receiver);
   for (int i = 0; i < result.pairs; i += kCrowdLanes) {
     for (int k = i; k < i + kCrowdLanes; k += kWidth) {
