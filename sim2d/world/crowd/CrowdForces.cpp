@@ -125,13 +125,14 @@ void CrowdForces::compute(const CrowdState& crowd, WorkerPool& workers) {
   }
   const std::size_t shares = workers.shareCount();
   scratches_.resize(shares);
+  const int cells = width_ * height_;
   firstCells_.resize(shares + 1);
   for (std::size_t share = 0; share <= shares; ++share) {
     const auto before = static_cast<int>(order_.size() * share / shares);  // people
     const auto cell = std::lower_bound(start_.begin(), start_.end(), before) - start_.begin();
-    firstCells_[share] = static_cast<int>(std::min<std::ptrdiff_t>(cell, width_ * height_));
+    firstCells_[share] = std::min(static_cast<int>(cell), cells);
   }
-  firstCells_[shares] = width_ * height_;
+  firstCells_[shares] = cells;
   workers.forShares([&](std::size_t share) {
     const ZeroForTiny mode;
     Scratch& scratch = scratches_[share];
@@ -223,7 +224,8 @@ double CrowdForces::rangeOf(const CrowdState& crowd, std::size_t cell) const {
 }
 
 void CrowdForces::computeCell(const CrowdState& crowd, int column, int row, Scratch& scratch) {
-  const auto cell = static_cast<std::size_t>(row * width_ + column);
+  const int number = row * width_ + column;
+  const auto cell = static_cast<std::size_t>(number);
   const double range = start_[cell] < start_[cell + 1] ? rangeOf(crowd, cell) : -1.0;
   if (range < 0.0) {
     return;

@@ -171,16 +171,16 @@ inline void sumPairs(const CrowdPairs& pairs, CrowdResult& result) {
   for (int part = 0; part < kParts; ++part) {
     x[part] = y[part] = fill(0.0F);
   }
-  for (int i = 0; i < result.pairs; i += kCrowdLanes) {
-    for (int part = 0; part < kParts; ++part) {
-      x[part] = x[part] + load(pairs.fx + i + part * kWidth);
-      y[part] = y[part] + load(pairs.fy + i + part * kWidth);
+  for (int i = 0; i < result.pairs;) {
+    for (int part = 0; part < kParts; ++part, i += kWidth) {
+      x[part] = x[part] + load(pairs.fx + i);
+      y[part] = y[part] + load(pairs.fy + i);
     }
   }
   float columns[2][kCrowdLanes];
-  for (int part = 0; part < kParts; ++part) {
-    store(columns[0] + part * kWidth, x[part]);
-    store(columns[1] + part * kWidth, y[part]);
+  for (int part = 0, lane = 0; part < kParts; ++part, lane += kWidth) {
+    store(columns[0] + lane, x[part]);
+    store(columns[1] + lane, y[part]);
   }
   result.x = sumOf(columns[0]);
   result.y = sumOf(columns[1]);
