@@ -2,20 +2,10 @@
 
 #include <vector>
 
-#include "sim2d/world/NeighborGrid.h"
+#include "sim2d/world/Crowd.h"
 #include "sim2d/world/RouteFollower.h"
-#include "sim2d/world/WorkerPool.h"
-#include "sim2d/world/WorldState.h"
 
 namespace sim2d {
-
-/// The world as people see it during one step; nothing of it changes while they move.
-struct FrozenWorld {
-  const WorldModel& model;
-  const WorldState& state;
-  const NeighborGrid& grid;
-  const Obstacles& obstacles;
-};
 
 /// What one person wants of the step.
 struct WantedMotion {
@@ -40,12 +30,13 @@ class PersonMotion {
   const std::vector<WantedMotion>& wanted() const { return wanted_; }
 
  private:
-  struct Crowd;
   void chooseLegs(const FrozenWorld& world, const Intents& intents, Ways& ways, WorldState& state);
   void move(std::size_t human, const FrozenWorld& world, const Intents& intents,
-            const Crowd& crowd);
+            Situation& situation);
 
   WorkerPool workers_;
+  Crowd crowd_;
+  std::vector<Situation> situations_;  // of each share of the work
   std::vector<RouteFollower> routes_;
   std::vector<Vec2> directions_;
   std::vector<WantedMotion> wanted_;

@@ -25,6 +25,13 @@ struct ForceParameters {
   double repulsionFactor = 1.0;  // k_gr
 };
 
+/// How one person feels the others in a crowd. Without parameters the person is felt, but feels
+/// nothing.
+struct SocialLaw {
+  const ForceParameters* parameters = nullptr;
+  bool goesThroughWalls = false;
+};
+
 /// A body that feels or causes forces.
 struct Walker {
   int id = 0;

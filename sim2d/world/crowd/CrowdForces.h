@@ -16,12 +16,6 @@ const char* vectorPathName(VectorPath path);
 bool hasVectorPath(VectorPath path);  // this processor
 VectorPath fastestVectorPath();
 
-/// How one person feels the others. Without parameters the person is felt, but feels nothing here.
-struct SocialLaw {
-  const ForceParameters* parameters = nullptr;
-  bool goesThroughWalls = false;
-};
-
 /// The people of one instant. The vectors are as long as each other.
 struct CrowdState {
   const std::vector<Walker>& walkers;

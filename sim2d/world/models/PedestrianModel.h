@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,11 @@ struct Situation {
   double desiredSpeed = 0.0;      // v0 [m/s], >= 0
   double dt = 0.05;               // [s]
   std::vector<Walker> others;     // people and robots, without those that act as obstacles
-  Course course;                  // of the person
-  std::vector<Course> courses;    // beside `others`, filled when `looksAtCourses`
+  /// The social force of all people, when it was computed for the whole crowd at once: then only
+  /// robots are in `others` [m/s²].
+  std::optional<Vec2> ofCrowd;
+  Course course;                // of the person
+  std::vector<Course> courses;  // beside `others`, filled when `looksAtCourses`
   bool looksAtCourses = false;
   std::vector<Walker> group;  // the other members of the person's group
   std::vector<Obstacles::Point> obstacles;
@@ -42,6 +46,9 @@ class PedestrianModel {
   virtual ForceTerms forces(const Situation& situation) const = 0;
   /// Velocity wanted at the end of the step [m/s].
   virtual Vec2 velocity(const Situation& situation, const ForceTerms& forces) const = 0;
+  /// A model whose social force is the sum of `socialForce` over the others names its law here; in
+  /// large crowds it then gets the sum as `ofCrowd`. The parameters live as long as the model.
+  virtual SocialLaw socialLaw() const { return {}; }
   /// The model wants to know where others are heading.
   virtual bool looksAtCourses() const { return false; }
   /// Radius that counts for this person instead of the one of the scenario [m].

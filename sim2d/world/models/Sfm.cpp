@@ -52,6 +52,8 @@ class Sfm : public PedestrianModel {
     return wanted;
   }
 
+  SocialLaw socialLaw() const override { return {&parameters_, isOriginal_}; }
+
   double range(double fastest, double ownSpeed) const override {
     return socialRange(parameters_, ownSpeed, fastest, cutOff_);
   }
@@ -59,7 +61,7 @@ class Sfm : public PedestrianModel {
  private:
   Vec2 socialTerm(const Situation& situation) const {
     const bool sumsAll = situation.exact || situation.others.size() <= kSmallCrowd;
-    Vec2 sum = Vec2::Zero();
+    Vec2 sum = situation.ofCrowd.value_or(Vec2::Zero());
     for (const Walker& other : situation.others) {
       if (!sumsAll && isNegligible(parameters_, situation.self, other, cutOff_)) {
         continue;

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "sim2d/world/NeighborGrid.h"
+#include "sim2d/world/Ways.h"
+#include "sim2d/world/WorldState.h"
+#include "sim2d/world/crowd/CrowdForces.h"
+
+namespace sim2d {
+
+/// The world as people see it during one step; nothing of it changes while they move.
+struct FrozenWorld {
+  const WorldModel& model;
+  const WorldState& state;
+  const NeighborGrid& grid;
+  const Obstacles& obstacles;
+};
+
+/// The others as all people of a step see them. Filled anew in each step, the memory stays.
+class Crowd {
+ public:
+  /// `directions`: of everybody's way. `world` must live until the last call of this step.
+  void update(const FrozenWorld& world, const Ways& ways, const Intents& intents,
+              const std::vector<Vec2>& directions);
+  /// The social forces of large crowds, all at once, for models that have a `socialLaw`. Small
+  /// crowds, exact runs and closed corridors go pair by pair in `fill`.
+  void computeForces(const Intents& intents, WorkerPool& workers);
+
+  /// What of the others, robots and walls acts on one person. All but `isVisible` is set anew.
+  void fill(std::size_t human, const Intent& intent, const std::vector<Obstacles::Point>& walls,
+            Situation& situation) const;
+  bool isVisible(std::size_t human, const Vec2& point) const;
+
+  std::size_t count() const { return count_; }
+  const Walker& walker(std::size_t human) const { return walkers_[human]; }
+
+ private:
+  bool hasForce(std::size_t human) const;
+  void addOthers(std::size_t human, Situation& situation) const;
+  void addOther(const Walker& other, const Course& course, Situation& situation) const;
+  void addRobots(const Intent& intent, Situation& situation) const;
+  void addGroup(std::size_t human, Situation& situation) const;
+  /// Across the seam of a closed corridor.
+  Walker imageOf(Walker other, const Walker& seenFrom) const;
+
+  const FrozenWorld* world_ = nullptr;
+  std::vector<Walker> walkers_;
+  std::vector<Course> courses_;  // beside them
+  std::vector<double> room_;     // of each person to the next wall [m]
+  std::vector<Walker> robots_;
+  std::vector<std::pair<int, std::size_t>> groups_;  // members by group
+  std::size_t count_ = 0;
+  double fastest_ = 0.0;  // [m/s]
+  CrowdForces forces_;
+  std::vector<SocialLaw> laws_;  // empty: not computed all at once
+};
+
+}  // namespace sim2d
