@@ -216,6 +216,16 @@ void HouseStyle::drawControl(ControlElement element, const QStyleOption* option,
       painter->fillRect(QRect(option->rect.left(), option->rect.bottom(), option->rect.width(), 1),
                         theme_.color(Role::Line));
       break;
+    case CE_HeaderLabel: {
+      const auto* header = qstyleoption_cast<const QStyleOptionHeader*>(option);
+      drawn = header != nullptr && header->section == 0;
+      if (drawn) {  // in line with the cells below
+        QStyleOptionHeader label = *header;
+        label.rect.adjust(kTableInset, 0, 0, 0);
+        QProxyStyle::drawControl(element, &label, painter, widget);
+      }
+      break;
+    }
     case CE_Splitter:
       painter->fillRect(option->rect, theme_.color(Role::Line));
       break;

@@ -53,6 +53,7 @@ class HouseStyle : public QProxyStyle {
   Theme theme_;
 };
 
+constexpr int kTableInset = 8;  // of the first column of tables [px]
 /// A field with this property set to true is drawn with the edge of an error.
 constexpr const char* kInvalidProperty = "hunavInvalid";
 /// A tool button with this property draws its words as a link.

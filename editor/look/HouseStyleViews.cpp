@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QStyleOption>
 #include <QTableView>
+#include <QTreeView>
 
 #include "editor/look/HouseStyle.h"
 
@@ -12,7 +13,6 @@ namespace editor {
 namespace {
 
 constexpr double kRowRadius = 4.0;
-constexpr int kTableInset = 8;  // of the first column
 
 bool isHovered(const QStyleOption& option) {
   return option.state.testFlag(QStyle::State_Enabled) &&
@@ -30,12 +30,6 @@ QRect HouseStyle::subElementRect(SubElement element, const QStyleOption* option,
           widget == nullptr || qobject_cast<QAbstractSpinBox*>(widget->parentWidget()) == nullptr;
       return alone ? rect.adjusted(4, 0, -2, 0) : rect;
     }
-    case SE_HeaderLabel:
-      if (const auto* header = qstyleoption_cast<const QStyleOptionHeader*>(option);
-          header != nullptr && header->section == 0) {
-        return rect.adjusted(kTableInset, 0, 0, 0);
-      }
-      return rect;
     case SE_ItemViewItemText:
     case SE_ItemViewItemDecoration:
       if (const auto* item = qstyleoption_cast<const QStyleOptionViewItem*>(option);
@@ -82,7 +76,11 @@ void HouseStyle::drawRow(QPainter& painter, const QStyleOption& option,
     last = item->index.column() == item->index.model()->columnCount() - 1;
   }
   QRectF band(option.rect);
-  painter.setClipRect(option.rect);
+  const bool leaf = item->index.isValid() && !item->index.model()->hasChildren(item->index);
+  if (first && leaf && qobject_cast<const QTreeView*>(widget) != nullptr) {
+    band.setLeft(0.0);  // under the empty place of the branch as well
+  }
+  painter.setClipRect(band);
   band.adjust(first ? 4.0 : -8.0, 0.0, last ? -4.0 : 8.0, 0.0);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);

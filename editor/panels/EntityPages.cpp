@@ -132,9 +132,9 @@ void RobotPage::addLimitSection() {
   add(tr("Top speed"), tr("m/s"), {0.0, 5.0, 2, 0.05}, &Robot::maxVel, &Resolved::maxVel, 2.0);
   add(tr("Acceleration"), tr("m/s²"), {0.01, 20.0, 2, 0.1}, &Robot::maxAcc, &Resolved::maxAcc, 3.0);
   add(tr("Turn speed"), tr("rad/s"), {0.01, 20.0, 2, 0.1}, &Robot::maxOmega, &Resolved::maxOmega,
-      4.0);
+      0.0);
   add(tr("Turn accel."), tr("rad/s²"), {0.01, 50.0, 2, 0.1}, &Robot::maxAlpha, &Resolved::maxAlpha,
-      6.0);
+      0.0);
 }
 
 GoalPage::GoalPage(ScenarioDocument& document, QWidget* parent) : PropertyPage(document, parent) {

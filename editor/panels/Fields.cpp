@@ -176,6 +176,7 @@ ChoiceField::ChoiceField(QWidget* parent) : QComboBox(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   setMinimumContentsLength(4);
+  setPlaceholderText(QStringLiteral("–"));  // several values
 }
 
 void ChoiceField::wheelEvent(QWheelEvent* event) {

@@ -42,7 +42,6 @@ void EntityRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
   const int room = option.fontMetrics.horizontalAdvance(secondary) + kRightMargin;
   const int nameRoom = option.rect.width() - room - 8 - (row.icon.isNull() ? 0 : 24);
   row.text = row.fontMetrics.elidedText(row.text, Qt::ElideRight, std::max(nameRoom, 40));
-  QStyledItemDelegate::paint(painter, option, QModelIndex());
   const QStyle* style = option.widget != nullptr ? option.widget->style() : nullptr;
   if (style != nullptr) {
     style->drawControl(QStyle::CE_ItemViewItem, &row, painter, option.widget);
