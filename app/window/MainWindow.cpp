@@ -78,11 +78,18 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   showTitle();
 }
 
-/// What shows the workspace goes before it.
+/// Who listens to the workspace goes before it: its end still makes changes that are told.
 MainWindow::~MainWindow() {
+  workspace_.document().disconnect(this);
+  workspace_.runner().disconnect(this);
+  workspace_.feed().disconnect(this);
+  delete status_;
+  delete files_;
   qDeleteAll(findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly));
   qDeleteAll(findChildren<QToolBar*>(QString(), Qt::FindDirectChildrenOnly));
   delete takeCentralWidget();
+  delete docks_;
+  delete actions_;
 }
 
 bool MainWindow::isOnStartPage() const {
