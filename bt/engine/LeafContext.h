@@ -153,6 +153,37 @@ inline std::optional<std::string_view> convert(const Value& value, const std::st
 inline std::optional<base::NodeStatus> convert(const Value& value, const base::NodeStatus*) {
   return toStatus(value);
 }
+
+/// Converts into `result`; false = it does not fit. The plain cases go without an optional: copying
+/// those from call to call costs more than all the rest of reading a port.
+template <class T>
+bool read(const Value& value, T& result) {
+  const std::optional<T> converted = convert(value, static_cast<const T*>(nullptr));
+  if (converted) {
+    result = *converted;
+  }
+  return converted.has_value();
+}
+template <>
+inline bool read(const Value& value, int& result) {
+  if (value.type == ValueType::Int && value.integer == static_cast<int>(value.integer)) {
+    result = static_cast<int>(value.integer);
+    return true;
+  }
+  const std::optional<int> converted = convertedToInt(value);
+  result = converted.value_or(0);
+  return converted.has_value();
+}
+template <>
+inline bool read(const Value& value, double& result) {
+  if (value.type == ValueType::Double) {
+    result = value.real;
+    return true;
+  }
+  const std::optional<double> converted = convertedToDouble(value);
+  result = converted.value_or(0.0);
+  return converted.has_value();
+}
 }  // namespace detail
 
 template <class T>
@@ -163,12 +194,13 @@ std::optional<T> LeafContext::get(int port) const {
 
 template <class T>
 T LeafContext::require(int port) {
-  const std::optional<T> value = get<T>(port);
-  if (!value) {
+  const Value* value = valueOf(port);
+  T result{};
+  if (!value || !detail::read(*value, result)) {
     faultOfPort(port);
     return T{};
   }
-  return *value;
+  return result;
 }
 
 template <class T>
@@ -177,12 +209,12 @@ T LeafContext::getOr(int port, T fallback) {
   if (!value) {
     return fallback;
   }
-  const std::optional<T> converted = detail::convert(*value, static_cast<const T*>(nullptr));
-  if (!converted) {
+  T result{};
+  if (!detail::read(*value, result)) {
     faultOfPort(port);
     return fallback;
   }
-  return *converted;
+  return result;
 }
 
 }  // namespace bt

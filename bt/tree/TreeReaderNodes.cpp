@@ -68,7 +68,7 @@ void TreeReader::readIdentity(const XMLElement& element, NodeSpec& node) {
     node.id = isExplicit && id ? id : tag;
     node.explicitNotation = isExplicit;
   }
-  checkName(element, node.isSubTree() ? node.subTree : node.id, "node ID");
+  checkName(element, isSubTreeTag(tag) ? node.subTree : node.id, "node ID");
 }
 
 void TreeReader::readAttribute(const XMLElement& element, const Attribute& attribute,
