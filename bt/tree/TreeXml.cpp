@@ -180,8 +180,10 @@ base::Result<TreeFile> readTreeText(std::string_view xml, const std::string& fil
   if (const std::optional<base::Diagnostic> bad = problemOfText(xml, fileName)) {
     return *bad;
   }
+  int bareAmpersand = 0;
+  const std::string text = withEscapedAmpersands(xml, bareAmpersand);
   tinyxml2::XMLDocument document;
-  if (document.Parse(xml.data(), xml.size()) != tinyxml2::XML_SUCCESS) {
+  if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
     return base::makeError(messageOfXmlError(document.ErrorID()), fileName,
                            document.ErrorLineNum());
   }
@@ -190,6 +192,10 @@ base::Result<TreeFile> readTreeText(std::string_view xml, const std::string& fil
     return base::makeError("the file holds no element", fileName, 1);
   }
   TreeReader reader(fileName);
+  if (bareAmpersand > 0) {
+    reader.problems().push_back(base::makeWarning(
+        "'&' stands by itself and is taken as text (XML wants &amp;)", fileName, bareAmpersand));
+  }
   reader.readRoot(*root);
   if (const XMLElement* const second = root->NextSiblingElement()) {
     reader.problems().push_back(

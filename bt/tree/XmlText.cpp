@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <utility>
 
 #include <tinyxml2.h>
 
@@ -35,7 +37,68 @@ std::size_t utf8Length(std::string_view text, std::size_t at) {
   return wrong ? 0 : length;
 }
 
+/// "&#65;", "&#x41;": digits of a character that XML allows.
+bool isCharacter(std::string_view digits) {
+  const bool isHex = !digits.empty() && digits[0] == 'x';
+  digits.remove_prefix(isHex ? 1 : 0);
+  unsigned long code = 0;
+  const char* const end = digits.data() + digits.size();
+  const auto [rest, problem] = std::from_chars(digits.data(), end, code, isHex ? 16 : 10);
+  if (problem != std::errc() || rest != end) {
+    return false;
+  }
+  const bool isBlank = code == '\t' || code == '\n' || code == '\r';
+  return isBlank || (code >= 0x20 && code < 0xD800) || (code >= 0xE000 && code < 0xFFFE) ||
+         (code >= 0x10000 && code <= 0x10FFFF);
+}
+
+/// `text` begins with '&'.
+bool beginsReference(std::string_view text) {
+  constexpr std::size_t kLongest = 12;
+  const std::size_t end = text.substr(0, kLongest).find(';');
+  if (end == std::string_view::npos) {
+    return false;
+  }
+  const std::string_view name = text.substr(1, end - 1);
+  if (!name.empty() && name[0] == '#') {
+    return isCharacter(name.substr(1));
+  }
+  return name == "lt" || name == "gt" || name == "amp" || name == "quot" || name == "apos";
+}
+
+/// Length of the comment or CDATA section at the begin of `text`; 0 = there is none.
+std::size_t verbatimLength(std::string_view text) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kSections = {
+      {{"<!--", "-->"}, {"<![CDATA[", "]]>"}}};
+  for (const auto& [begin, end] : kSections) {
+    if (text.substr(0, begin.size()) == begin) {
+      const std::size_t at = text.find(end, begin.size());
+      return at == std::string_view::npos ? text.size() : at + end.size();
+    }
+  }
+  return 0;
+}
+
 }  // namespace
+
+std::string withEscapedAmpersands(std::string_view text, int& firstLine) {
+  std::string result;
+  result.reserve(text.size());
+  firstLine = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::string_view rest = text.substr(at);
+    const std::size_t verbatim = rest[0] == '<' ? verbatimLength(rest) : 0;
+    const bool isBare = rest[0] == '&' && !beginsReference(rest);
+    if (isBare && firstLine == 0) {
+      const std::string_view before = text.substr(0, at);
+      firstLine = 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
+    }
+    const std::size_t length = std::max<std::size_t>(verbatim, 1);
+    result += isBare ? std::string_view("&amp;") : rest.substr(0, length);
+    at += length;
+  }
+  return result;
+}
 
 bool isConditionName(std::string_view attribute) {
   return std::find(kConditions.begin(), kConditions.end(), attribute) != kConditions.end();

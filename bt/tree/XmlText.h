@@ -18,6 +18,11 @@ char forbiddenCharacter(std::string_view name);
 /// What cannot be XML at all: no UTF-8, a NUL byte; with its line.
 std::optional<base::Diagnostic> problemOfText(std::string_view text, const std::string& fileName);
 
+/// The text with "&amp;" for each '&' that begins no reference ("a && b"), outside of comments and
+/// CDATA; `firstLine` = where the first one stands, 0 = there was none. tinyxml2 keeps such an '&'
+/// in a text of its own, but garbles it behind a reference.
+std::string withEscapedAmpersands(std::string_view text, int& firstLine);
+
 /// An error number of tinyxml2 in words.
 std::string messageOfXmlError(int errorId);
 

@@ -19,6 +19,8 @@ class TreeXmlTest : public QObject {
   void read_explicitAndCompact_areEqual();
   void read_foreignKindInTag_isAccepted();
   void read_byteOrderMarkAndCrLf_isAccepted();
+  void read_bareAmpersand_isText_data();
+  void read_bareAmpersand_isText();
   void read_templateText_isNoted();
   void read_version3_isConverted();
   void read_version3BlackboardChecks_becomePreconditions();
@@ -165,6 +167,28 @@ void TreeXmlTest::read_byteOrderMarkAndCrLf_isAccepted() {
   QVERIFY(!plain.trees.empty());
   QVERIFY(plain == windows);
   QCOMPARE(windows.trees[0].root.line, 3);
+}
+
+void TreeXmlTest::read_bareAmpersand_isText_data() {
+  QTest::addColumn<QByteArray>("written");
+  QTest::addColumn<QByteArray>("meant");
+  QTest::newRow("script") << QByteArray("a && b") << QByteArray("a && b");
+  QTest::newRow("behind a reference") << QByteArray("1 &lt; a && b") << QByteArray("1 < a && b");
+  QTest::newRow("unknown name") << QByteArray("&lt;&gross;") << QByteArray("<&gross;");
+  QTest::newRow("surrogate") << QByteArray("&amp;&#xD800;") << QByteArray("&&#xD800;");
+  QTest::newRow("nul") << QByteArray("&amp;&#0;x") << QByteArray("&&#0;x");
+  QTest::newRow("characters") << QByteArray("&#65;&#x42;&#228;") << QByteArray("AB\xC3\xA4");
+}
+
+/// As the original reads it, and without what tinyxml2 makes of it behind a reference.
+void TreeXmlTest::read_bareAmpersand_isText() {
+  QFETCH(QByteArray, written);
+  QFETCH(QByteArray, meant);
+  const auto file =
+      bt::readTreeText("<root BTCPP_format='4'><!-- & --><BehaviorTree ID='T'><S n='" +
+                       written.toStdString() + "'/></BehaviorTree></root>");
+  QVERIFY(file);
+  QCOMPARE(QByteArray::fromStdString(file->trees[0].root.ports[0].text), meant);
 }
 
 void TreeXmlTest::read_templateText_isNoted() {
