@@ -29,6 +29,7 @@ struct Words {
   RenderOptions render;
   BatchOptions batch;
   TreesOptions trees;
+  BenchOptions bench;
 };
 
 void addOutputOptions(CLI::App& command, OutputOptions& options) {
@@ -145,6 +146,17 @@ CLI::App* addTrees(CLI::App& root, Words& words) {
   return command;
 }
 
+CLI::App* addBench(CLI::App& root, Words& words) {
+  CLI::App* command = root.add_subcommand("bench", "How fast this machine steps crowds");
+  command->add_flag("--quick", words.bench.quick, "Up to 1000 people, in a few seconds");
+  command->add_option("--threads", words.bench.threads, "Number of threads")
+      ->check(CLI::Range(1, 256));
+  command->add_option("--format", words.bench.format, "text or csv")
+      ->check(CLI::IsMember({"text", "csv"}));
+  addOutputOptions(*command, words.output);
+  return command;
+}
+
 /// Numbers are read without a locale, whatever the user's is.
 template <class Application>
 int within(int argc, char** argv, const std::function<int()>& action) {
@@ -175,6 +187,7 @@ int runProgram(int argc, char** argv) {
   CLI::App* list = addList(root, given);
   CLI::App* render = addRender(root, given);
   CLI::App* batch = addBatch(root, given);
+  CLI::App* bench = addBench(root, given);
   CLI::App* trees = addTrees(root, given);
   try {
     root.parse(argc, argv);
@@ -198,6 +211,9 @@ int runProgram(int argc, char** argv) {
   }
   if (trees->parsed()) {
     return within<QCoreApplication>(argc, argv, [&] { return treesCommand(given.trees, output); });
+  }
+  if (bench->parsed()) {
+    return within<QCoreApplication>(argc, argv, [&] { return benchCommand(given.bench, output); });
   }
   if (render->parsed()) {
     return drawOffscreen(argc, argv, [&] { return renderCommand(given.render, output); });

@@ -49,4 +49,11 @@ struct BatchOptions {
 };
 int batchCommand(const BatchOptions& options, const OutputOptions& output);
 
+struct BenchOptions {
+  bool quick = false;  // small crowds, short
+  int threads = 1;
+  std::string format = "text";  // text, csv
+};
+int benchCommand(const BenchOptions& options, const OutputOptions& output);
+
 }  // namespace app

@@ -33,9 +33,8 @@ void PersonMotion::forget(int human) {
   routes_[static_cast<std::size_t>(human)].reset();
 }
 
-void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, Ways& ways,
+void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, const Ways& ways,
                            WorldState& state) {
-  chooseLegs(world, intents, ways, state);
   crowd_.update(world, ways, intents, directions_);
   crowd_.computeForces(intents, workers_);
   const std::size_t shares = crowd_.count() < kWorthThreads ? 1 : workers_.shareCount();

@@ -25,12 +25,14 @@ class PersonMotion {
   void resize(std::size_t count);
   void forget(int human);  // of a person who enters: an old way
 
-  /// Fills `wanted` and turns those who turn on the spot. Emits `replan` and `stuck`.
-  void compute(const FrozenWorld& world, const Intents& intents, Ways& ways, WorldState& state);
+  /// Where everybody heads. Emits `replan` and `stuck`.
+  void chooseLegs(const FrozenWorld& world, const Intents& intents, Ways& ways, WorldState& state);
+  /// Then: fills `wanted` and turns those who turn on the spot.
+  void compute(const FrozenWorld& world, const Intents& intents, const Ways& ways,
+               WorldState& state);
   const std::vector<WantedMotion>& wanted() const { return wanted_; }
 
  private:
-  void chooseLegs(const FrozenWorld& world, const Intents& intents, Ways& ways, WorldState& state);
   void move(std::size_t human, const FrozenWorld& world, const Intents& intents,
             Situation& situation);
 

@@ -22,6 +22,9 @@ World::~World() = default;
 bool World::step() {
   return state_->step();
 }
+void World::measure(StepTimes* times) {
+  state_->times = times;
+}
 const std::string& World::failure() const {
   return state_->failure;
 }

@@ -13,6 +13,7 @@
 #include "sim2d/trace/Trace.h"
 #include "sim2d/world/Compatibility.h"
 #include "sim2d/world/HumanBehavior.h"
+#include "sim2d/world/StepTimes.h"
 
 namespace sim2d {
 
@@ -54,6 +55,8 @@ class World {
   /// stays.
   bool step();
   const std::string& failure() const;
+  /// From now on every step adds its times to `times`; nullptr: no more.
+  void measure(StepTimes* times);
 
   const Frame& frame() const;  // after the last step; valid until the next
   std::int64_t stepIndex() const;

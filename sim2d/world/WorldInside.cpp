@@ -66,7 +66,8 @@ World::State::State(WorldParts parts, std::unique_ptr<HumanBehavior> minds)
   for (const Person& person : model.people) {
     state.append(person);
   }
-  applyInputs();
+  StepWatch watch(nullptr);
+  applyInputs(watch);
   publish();
 }
 
@@ -82,7 +83,7 @@ void World::State::addRobotBodies() {
   }
 }
 
-void World::State::applyInputs() {
+void World::State::applyInputs(StepWatch& watch) {
   const std::vector<int> switched = doors.advance(model, state);
   for (const int door : switched) {
     const int part = surroundings.firstDoorPart + door;
@@ -101,7 +102,9 @@ void World::State::applyInputs() {
   for (const int human : due) {
     enter(human);
   }
+  watch.lap(StepPhase::Goals);
   grid.rebuild(state.x, state.y, state.present);
+  watch.lap(StepPhase::Grid);
   for (const int human : due) {
     behavior->enter(human, view);
   }
@@ -163,29 +166,45 @@ bool World::State::step() {
   if (!failure.empty()) {
     return false;
   }
+  StepWatch watch(times);
   state.events.clear();
   headingsBefore_ = state.heading;
   decide();
+  watch.lap(StepPhase::Trees);
   const FrozenWorld frozen{model, state, grid, surroundings.obstacles};
   const std::vector<base::Twist2> commands = robots.command(frozen, *ways, state);
+  watch.lap(StepPhase::Robots);
+  motion.chooseLegs(frozen, intents, *ways, state);
+  watch.lap(StepPhase::Ways);
   motion.compute(frozen, intents, *ways, state);
   failure = trouble(commands);
   if (!failure.empty()) {
     return false;
   }
+  watch.lap(StepPhase::Forces);
   moveBodies(commands);
+  watch.lap(StepPhase::Bodies);
   ++state.step;
   state.time = static_cast<double>(state.step) * model.dt;
   contacts.update(physics, owners, wantedVelocities_, model, state);
+  watch.lap(StepPhase::Contacts);
+  afterMotion();
+  applyInputs(watch);
+  publish();
+  watch.lap(StepPhase::Frame);
+  if (times != nullptr) {
+    ++times->steps;
+  }
+  return true;
+}
+
+void World::State::afterMotion() {
   goals.afterMotion(model, state, intents);
   RobotDrive::afterMotion(model, state);
   finishRounds();
   for (std::size_t i = 0; i < model.people.size(); ++i) {
     state.active[i] = intents.of(static_cast<int>(i)).active ? 1 : 0;
   }
-  applyInputs();
-  publish();
-  return true;
 }
 
 void World::State::decide() {

@@ -41,14 +41,16 @@ struct World::State {
   Contacts contacts;
   Frame frame;
   std::string failure;
+  StepTimes* times = nullptr;  // null: nobody measures
 
  private:
   void addRobotBodies();
   /// Doors and people whose time has come; the grid afterwards.
-  void applyInputs();
+  void applyInputs(StepWatch& watch);
   void enter(int human);
   void leave(int human);
   void finishRounds();
+  void afterMotion();
 
   void decide();
   /// What a failed step says; empty: all numbers are fine.

@@ -1,0 +1,231 @@
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QTemporaryDir>
+
+#include "app/CommandLine.h"
+#include "app/Console.h"
+#include "app/commands/BenchScene.h"
+#include "app/commands/Commands.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/scenario/ScenarioCheck.h"
+#include "sim2d/trace/Recorder.h"
+#include "sim2d/world/Sensing.h"
+#include "sim2d/world/crowd/CrowdForces.h"
+
+namespace app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kBeams = 360;
+constexpr int kLargestPlain = 10000;  // people; beyond it the plain sum is scaled with N²
+
+double secondsSince(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// The value of the first line "<key> : <value>" of a file of the kernel; empty when absent.
+std::string valueIn(const char* file, const std::string& key) {
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    const std::size_t colon = line.find(':');
+    if (colon != std::string::npos && base::trimmed(line.substr(0, colon)) == key) {
+      return base::trimmed(line.substr(colon + 1));
+    }
+  }
+  return {};
+}
+
+/// A size of this process, "VmRSS" or "VmHWM" [kB]; 0 when the system does not tell.
+double memoryOf(const char* key) {
+  const std::string text = valueIn("/proc/self/status", key);
+  return base::parseDouble(text.substr(0, text.find(' '))).value_or(0.0);
+}
+
+struct Row {
+  BenchScene scene;
+  sim2d::StepTimes times;
+  double sensing = 0.0;    // a scan of the robot [s]
+  double recording = 0.0;  // of a step [s]
+  double plain = 0.0;      // a step of the plain forces [s]; 0: not measured
+  bool isScaled = false;   // `plain` is
+  double perPerson = 0.0;  // memory [kB]
+  double peak = 0.0;       // of the process so far [MB]
+
+  double perStep(double seconds) const { return seconds / static_cast<double>(times.steps); }
+  /// Step, scan and record [s].
+  double whole() const { return perStep(times.sum()) + sensing + recording; }
+  double realTimeFactor() const { return 0.05 / whole(); }
+  double forces() const {
+    return perStep(times.seconds[static_cast<std::size_t>(sim2d::StepPhase::Forces)]);
+  }
+};
+
+double scanSeconds(const sim2d::World& world, const sim2d::Surroundings& surroundings) {
+  const sim2d::Frame& frame = world.frame();
+  std::vector<sim2d::SeenBody> bodies;
+  for (std::size_t i = 0; i < frame.humans.size(); ++i) {
+    bodies.push_back({frame.humans.id[i],
+                      {frame.humans.x[i], frame.humans.y[i]},
+                      {frame.humans.vx[i], frame.humans.vy[i]},
+                      0.25});
+  }
+  const Clock::time_point begin = Clock::now();
+  sim2d::scan(world.view().robotPose(0), surroundings.obstacles, bodies, kBeams);
+  return secondsSince(begin);
+}
+
+base::Result<Row> measure(const BenchScene& scene, double atLeastSeconds) {
+  constexpr int kWarmUp = 10;
+  Row row;
+  row.scene = scene;
+  const double before = memoryOf("VmRSS");
+  base::Result<std::unique_ptr<sim2d::World>> made = makeBenchWorld(scene);
+  if (!made) {
+    return made.diagnostics();
+  }
+  sim2d::World& world = **made;
+  const sim2d::Surroundings surroundings =
+      sim2d::makeSurroundings(makeBenchScenario(scene), sim2d::OccupancyGrid{});
+  for (int i = 0; i < kWarmUp; ++i) {
+    world.step();
+  }
+  row.perPerson = (memoryOf("VmRSS") - before) / scene.people;
+  world.measure(&row.times);
+  sim2d::Recorder recorder;
+  const Clock::time_point begin = Clock::now();
+  double recording = 0.0;
+  while (row.times.steps < 3 || secondsSince(begin) < atLeastSeconds) {
+    if (!world.step()) {
+      return base::makeError(world.failure());
+    }
+    row.sensing += scanSeconds(world, surroundings);
+    const Clock::time_point record = Clock::now();
+    recorder.append(world.frame());
+    recording += secondsSince(record);
+  }
+  row.sensing = row.perStep(row.sensing);
+  row.recording = row.perStep(recording);
+  row.peak = memoryOf("VmHWM") / 1024.0;
+  return row;
+}
+
+std::string fixed(double value, int digits) {
+  const double factor = std::pow(10.0, digits);
+  return base::formatDouble(std::round(value * factor) / factor);
+}
+
+/// Three significant digits.
+std::string rounded(double value) {
+  if (value == 0.0) {
+    return "0";
+  }
+  const int digits = 2 - static_cast<int>(std::floor(std::log10(std::fabs(value))));
+  return fixed(value, std::max(0, digits));
+}
+
+std::vector<std::string> headline() {
+  std::vector<std::string> names = {"people", "scene", "x real time", "ns/person"};
+  for (std::size_t i = 0; i < sim2d::kStepPhaseCount; ++i) {
+    names.emplace_back(sim2d::stepPhaseName(static_cast<sim2d::StepPhase>(i)));
+  }
+  for (const char* name :
+       {"sensing", "recording", "plain", "plain/forces", "plain/step", "kB/person", "peak MB"}) {
+    names.emplace_back(name);
+  }
+  return names;
+}
+
+/// Times of phases in ms per step.
+std::vector<std::string> cellsOf(const Row& row) {
+  std::vector<std::string> cells = {
+      std::to_string(row.scene.people), row.scene.walls ? "200 walls" : "open",
+      rounded(row.realTimeFactor()), rounded(row.whole() / row.scene.people * 1e9)};
+  for (const double seconds : row.times.seconds) {
+    cells.push_back(rounded(row.perStep(seconds) * 1e3));
+  }
+  cells.push_back(rounded(row.sensing * 1e3));
+  cells.push_back(rounded(row.recording * 1e3));
+  cells.push_back(rounded(row.plain * 1e3) + (row.isScaled ? "*" : ""));
+  cells.push_back(rounded(row.plain / row.forces()));
+  cells.push_back(rounded(row.plain / row.whole()));
+  cells.push_back(rounded(row.perPerson));
+  cells.push_back(rounded(row.peak));
+  return cells;
+}
+
+std::string textLine(const std::vector<std::string>& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::size_t width = i == 2 || i > 12 ? 13 : 10;
+    line += std::string(cells[i].size() < width ? width - cells[i].size() : 1, ' ') + cells[i];
+  }
+  return line;
+}
+
+std::string csvLine(const std::vector<std::string>& cells, const std::string& machine) {
+  std::string line = "\"" + machine + "\"";
+  for (const std::string& cell : cells) {
+    line += "," + cell;
+  }
+  return line;
+}
+
+std::string machineName() {
+  const std::string processor = valueIn("/proc/cpuinfo", "model name");
+  return (processor.empty() ? std::string("unknown processor") : processor) + ", " +
+         sim2d::vectorPathName(sim2d::fastestVectorPath());
+}
+
+}  // namespace
+
+int benchCommand(const BenchOptions& options, const OutputOptions& output) {
+  QTemporaryDir folder;
+  const std::string tree = folder.filePath(QStringLiteral("walker.xml")).toStdString();
+  if (!(std::ofstream(tree) << benchTreeText()).flush()) {
+    printError("cannot write " + tree);
+    return kRunFailed;
+  }
+  const bool isCsv = options.format == "csv";
+  const std::string machine = machineName();
+  if (isCsv) {
+    printLine(csvLine(headline(), "machine"));
+  } else {
+    printLine(machine + ", threads: " + std::to_string(options.threads));
+    printLine(textLine(headline()));
+  }
+  const std::vector<int> sizes = options.quick ? std::vector<int>{10, 100, 1000}
+                                               : std::vector<int>{10, 100, 1000, 10000, 100000};
+  const double atLeast = options.quick ? 0.3 : 2.0;
+  double plain = 0.0;
+  for (const int people : sizes) {
+    BenchScene scene{people, false, tree, options.threads};
+    const bool isScaled = people > kLargestPlain;
+    plain = isScaled ? plain * std::pow(static_cast<double>(people) / kLargestPlain, 2.0)
+                     : plainStepSeconds(makeBenchScenario(scene), atLeast / 4.0);
+    for (const bool walls : {false, true}) {
+      scene.walls = walls;
+      base::Result<Row> row = measure(scene, atLeast);
+      if (!row) {
+        printDiagnostics(row.diagnostics());
+        return kRunFailed;
+      }
+      row->plain = plain;
+      row->isScaled = isScaled;
+      printLine(isCsv ? csvLine(cellsOf(*row), machine) : textLine(cellsOf(*row)));
+    }
+  }
+  if (!isCsv && !output.quiet) {
+    printLine(
+        "Phases in ms per step of 0.05 s. sensing: a scan of 360 beams. plain: the same forces "
+        "over all pairs in double precision, one thread; * scaled with the square.");
+  }
+  return kFine;
+}
+
+}  // namespace app
