@@ -82,6 +82,7 @@ double scanSeconds(const sim2d::World& world, const sim2d::Surroundings& surroun
 
 base::Result<Row> measure(const BenchScene& scene, double atLeastSeconds) {
   constexpr int kWarmUp = 10;
+  constexpr int kMostSteps = 1000;  // before the first arrive
   Row row;
   row.scene = scene;
   const double before = memoryOf("VmRSS");
@@ -100,7 +101,8 @@ base::Result<Row> measure(const BenchScene& scene, double atLeastSeconds) {
   sim2d::Recorder recorder;
   const Clock::time_point begin = Clock::now();
   double recording = 0.0;
-  while (row.times.steps < 3 || secondsSince(begin) < atLeastSeconds) {
+  while (row.times.steps < 3 ||
+         (row.times.steps < kMostSteps && secondsSince(begin) < atLeastSeconds)) {
     if (!world.step()) {
       return base::makeError(world.failure());
     }

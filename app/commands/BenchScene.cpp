@@ -14,7 +14,7 @@ using sim2d::Vec2;
 
 constexpr double kDensity = 0.5;       // [1/m²]
 constexpr double kSpeed = 1.3;         // [m/s]
-constexpr double kFar = 1000.0;        // [m]; goals beyond the square, nobody arrives
+constexpr double kFar = 100.0;         // [m]; goals beyond the square, nobody arrives
 constexpr double kRoomForRobot = 1.2;  // [m]
 constexpr int kSegmentsPerWall = 100;
 

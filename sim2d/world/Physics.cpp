@@ -36,6 +36,7 @@ struct Physics::World {
     double omega = 0.0;
     bool present = true;
     bool braked = false;
+    bool lonely = false;
   };
 
   explicit World(const Vec2& centre) : world(b2Vec2(0.0F, 0.0F)), origin(centre) {
@@ -54,6 +55,7 @@ struct Physics::World {
   void addLoop(const Outline& outline, int part, bool enabled);
   void addFixtures(b2Body& body, const BodySpec& spec) const;
   void readBack(Body& body, double dt) const;
+  void moveAlone(Body& body, double dt) const;
   Touch touchOf(b2Contact& contact) const;
   static bool isTouching(b2Contact& contact, bool wasTouching, Touch& touch);
 
@@ -141,6 +143,12 @@ void Physics::World::readBack(Body& body, double dt) const {
       body.body->IsFixedRotation() || std::fabs(base::angleDiff(angle, turned)) <= kRounding
           ? turned
           : angle;
+}
+
+void Physics::World::moveAlone(Body& body, double dt) const {
+  body.pose.position += body.velocity * dt;
+  body.pose.heading = base::wrapToPi(body.pose.heading + body.omega * dt);
+  body.body->SetTransform(toLocal(body.pose.position), body.body->GetAngle());
 }
 
 Touch Physics::World::touchOf(b2Contact& contact) const {
@@ -247,9 +255,20 @@ void Physics::setVelocity(int body, const Vec2& velocity, double omega) {
   World::Body& moved = world_->at(body);
   moved.velocity = velocity;
   moved.omega = omega;
+  if (moved.lonely) {
+    return;  // a velocity would wake it
+  }
   moved.body->SetLinearVelocity(
       {static_cast<float>(velocity.x()), static_cast<float>(velocity.y())});
   moved.body->SetAngularVelocity(moved.body->IsFixedRotation() ? 0.0F : static_cast<float>(omega));
+}
+
+void Physics::setLonely(int body, bool lonely) {
+  World::Body& changed = world_->at(body);
+  if (changed.lonely != lonely) {
+    changed.lonely = lonely;
+    changed.body->SetAwake(!lonely);  // the solver leaves out who sleeps
+  }
 }
 
 void Physics::setBraked(int body, bool braked) {
@@ -271,7 +290,9 @@ void Physics::step(double dt, int subSteps) {
     world_->world.Step(static_cast<float>(dt / subSteps), kVelocityIterations, kPositionIterations);
   }
   for (World::Body& body : world_->bodies) {
-    if (body.present) {
+    if (body.present && body.lonely) {
+      world_->moveAlone(body, dt);
+    } else if (body.present) {
       world_->readBack(body, dt);
     }
   }

@@ -9,8 +9,11 @@
 namespace sim2d {
 namespace {
 
-constexpr double kFastest = 1e3;     // [m/s]; beyond it a run has diverged
-constexpr int kPolygonSubSteps = 4;  // polygons have no contact ahead of time
+constexpr double kFastest = 1e3;         // [m/s]; beyond it a run has diverged
+constexpr std::size_t kSmallWorld = 66;  // bodies
+constexpr double kNearWall = 0.1;        // [m]
+constexpr double kNearRobot = 0.5;       // [m]
+constexpr int kPolygonSubSteps = 4;      // polygons have no contact ahead of time
 
 /// Middle of the map, or of the starts.
 Vec2 centreOf(const WorldModel& model, const OccupancyGrid& map) {
@@ -234,8 +237,9 @@ std::string World::State::trouble(const std::vector<base::Twist2>& commands) con
   return {};
 }
 
-void World::State::moveBodies(const std::vector<base::Twist2>& commands) {
-  std::vector<MovingDisc> discs(owners.size());
+void World::State::placeDiscs(const std::vector<base::Twist2>& commands) {
+  discs_.resize(owners.size());
+  std::vector<MovingDisc>& discs = discs_;
   chords_.assign(commands.size(), Vec2::Zero());
   for (std::size_t i = 0; i < commands.size(); ++i) {
     const RobotState& robot = state.robots[i];
@@ -247,29 +251,45 @@ void World::State::moveBodies(const std::vector<base::Twist2>& commands) {
     const bool stands = commands[i].linear == 0.0 && commands[i].angular == 0.0;
     discs[i].mass = model.robots[i].mass * (stands ? kBrakedMass : 1.0);
     physics.setBraked(static_cast<int>(i), stands);
+    discs[i].walls.clear();
     if (model.robots[i].footprint.empty()) {
       surroundings.obstacles.boundaryPoints(robot.pose.position, discs[i].walls,
                                             discs[i].radius + 1.0);
     }
   }
   for (std::size_t i = 0; i < model.people.size(); ++i) {
+    if (bodyOf(i) < 0) {
+      continue;
+    }
     if (state.present[i] == 0) {
+      discs[static_cast<std::size_t>(bodyOf(i))] = MovingDisc{};
       continue;
     }
     MovingDisc& disc = discs[static_cast<std::size_t>(bodyOf(i))];
     const WantedMotion& wanted = motion.wanted()[i];
-    disc = {state.position(i), wanted.velocity, model.people[i].constants.radius,
-            model.people[i].constants.mass, wanted.walls};
+    disc.position = state.position(i);
+    disc.velocity = wanted.velocity;
+    disc.radius = model.people[i].constants.radius;
+    disc.mass = model.people[i].constants.mass;
+    disc.walls = wanted.walls;
   }
+}
+
+void World::State::moveBodies(const std::vector<base::Twist2>& commands) {
+  placeDiscs(commands);
+  std::vector<MovingDisc>& discs = discs_;
   wantedVelocities_.resize(discs.size(), Vec2::Zero());
   for (std::size_t body = 0; body < discs.size(); ++body) {
     wantedVelocities_[body] = discs[body].velocity;
   }
-  keepApart(discs, pairsNear(discs), model.dt);
+  findPairs();
+  keepApart(discs, pairs_, model.dt);
+  findLonely();
   for (std::size_t body = 0; body < discs.size(); ++body) {
     const BodyOwner& owner = owners[body];
     const double omega =
         owner.isRobot ? commands[static_cast<std::size_t>(owner.index)].angular : 0.0;
+    physics.setLonely(static_cast<int>(body), lonely_[body] != 0);
     physics.setVelocity(static_cast<int>(body), discs[body].velocity, omega);
   }
   physics.step(model.dt, subSteps_);
@@ -277,14 +297,37 @@ void World::State::moveBodies(const std::vector<base::Twist2>& commands) {
   readRobots(commands);
 }
 
-std::vector<DiscPair> World::State::pairsNear(const std::vector<MovingDisc>& discs) const {
+/// Who meets nothing in this step. Small worlds leave everybody to the solver.
+void World::State::findLonely() {
+  lonely_.assign(owners.size(), owners.size() > kSmallWorld ? 1 : 0);
+  for (const DiscPair& pair : pairs_) {
+    lonely_[static_cast<std::size_t>(pair.first)] = 0;
+    lonely_[static_cast<std::size_t>(pair.second)] = 0;
+  }
+  for (std::size_t body = 0; body < owners.size(); ++body) {
+    const MovingDisc& disc = discs_[body];
+    const double reach = disc.radius + disc.velocity.norm() * model.dt + kNearWall;
+    for (const Obstacles::Point& point : disc.walls) {
+      lonely_[body] = point.inside || point.distance < reach ? char{0} : lonely_[body];
+    }
+    for (std::size_t i = 0; i < state.robots.size(); ++i) {
+      const double near = reach + reachOf(model.robots[i]) + kNearRobot;
+      const Vec2 apart = state.robots[i].pose.position - disc.position;
+      lonely_[body] = owners[body].isRobot || apart.norm() < near ? char{0} : lonely_[body];
+    }
+  }
+}
+
+void World::State::findPairs() {
+  const std::vector<MovingDisc>& discs = discs_;
+  std::vector<DiscPair>& pairs = pairs_;
+  pairs.clear();
   double fastest = 0.0;
   double largest = 0.0;
   for (const MovingDisc& disc : discs) {
     fastest = std::max(fastest, disc.velocity.norm());
     largest = std::max(largest, disc.radius);
   }
-  std::vector<DiscPair> pairs;
   for (std::size_t body = 0; body < discs.size(); ++body) {
     const BodyOwner& owner = owners[body];
     const auto at = static_cast<std::size_t>(owner.index);
@@ -307,7 +350,6 @@ std::vector<DiscPair> World::State::pairsNear(const std::vector<MovingDisc>& dis
       }
     }
   }
-  return pairs;
 }
 
 void World::State::readPeople() {

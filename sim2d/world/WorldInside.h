@@ -56,7 +56,9 @@ struct World::State {
   /// What a failed step says; empty: all numbers are fine.
   std::string trouble(const std::vector<base::Twist2>& commands) const;
   void moveBodies(const std::vector<base::Twist2>& commands);
-  std::vector<DiscPair> pairsNear(const std::vector<MovingDisc>& discs) const;
+  void placeDiscs(const std::vector<base::Twist2>& commands);
+  void findPairs();
+  void findLonely();
   void readPeople();
   Vec2 aroundTheRing(std::size_t human, const Pose2& pose);
   void readRobots(const std::vector<base::Twist2>& commands);
@@ -66,6 +68,9 @@ struct World::State {
 
   std::vector<int> bodies_;  // of the people; -1: never present
   std::vector<double> headingsBefore_;
+  std::vector<MovingDisc> discs_;
+  std::vector<DiscPair> pairs_;
+  std::vector<char> lonely_;            // per body: meets nothing in this step
   std::vector<Vec2> wantedVelocities_;  // per body, before contacts
   std::vector<Vec2> chords_;            // direction of each robot in the middle of the step
   int subSteps_ = 1;

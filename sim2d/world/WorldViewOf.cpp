@@ -10,6 +10,10 @@ constexpr int kQuirkNoOcclusion = 34;
 }  // namespace
 
 int WorldViewOf::indexOf(int humanId) const {
+  const int guess = model_.people.empty() ? -1 : humanId - model_.people.front().constants.id;
+  if (guess >= 0 && guess < humanCount() && model_.people[at(guess)].constants.id == humanId) {
+    return guess;  // ids without gaps
+  }
   const auto found =
       std::lower_bound(model_.people.begin(), model_.people.end(), humanId,
                        [](const Person& person, int id) { return person.constants.id < id; });
