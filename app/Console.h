@@ -9,9 +9,9 @@
 /// Standard output and standard error of the commands, and Ctrl-C.
 namespace app {
 
-void print(const std::string& text);                          // to standard output
-void printLine(const std::string& line);                      // idem, with a line end
-void printError(const std::string& line);                     // to standard error
+void print(const std::string& text);       // to standard output
+void printLine(const std::string& line);   // idem, with a line end
+void printError(const std::string& line);  // to standard error
 /// A line each, to standard error; of `least` severity and above.
 void printDiagnostics(const base::Diagnostics& diagnostics,
                       base::Severity least = base::Severity::Info);
