@@ -11,7 +11,7 @@ namespace editor {
 
 namespace {
 
-constexpr double kNameZoomPx = 12.0;  // radius from which names are shown
+constexpr double kNameZoomPx = 12.0;  // width of a figure from which names are shown
 constexpr double kPinWidthPx = 18.0;
 constexpr double kPinHeightPx = 27.0;
 constexpr double kGoalRingMetres = 0.3;
@@ -69,7 +69,7 @@ std::vector<QRectF> PersonItem::solidParts() const {
 std::vector<Label> PersonItem::labels() const {
   const double radiusPx = radius_ * mapScene().pixelsPerMetre();
   const bool isChosen = isSelectedEntity();
-  if (!isChosen && !isHovered() && (radiusPx < kNameZoomPx || !mapScene().options().names)) {
+  if (!isChosen && !isHovered() && (2.0 * radiusPx < kNameZoomPx || !mapScene().options().names)) {
     return {};
   }
   const double clearance = std::max(radiusPx, kLeastFigurePx) + (isChosen ? 12.0 : 4.0);

@@ -19,7 +19,7 @@ constexpr double kTrailSeconds = 6.0;
 constexpr double kTrailStep = 0.05;      // [m] between two points
 constexpr double kStrideMetres = 1.4;    // both feet once
 constexpr double kStandingSpeed = 0.05;  // [m/s]
-constexpr double kNameZoomPx = 12.0;
+constexpr double kNameZoomPx = 12.0;     // width of a figure from which names are shown
 constexpr std::size_t kMostNames = 120;
 
 double degrees(double radians) {
@@ -207,7 +207,7 @@ std::vector<Label> FrameLayer::labels() const {
     const Agent& person = agent(frame_->humans.id[i]);
     const double radiusPx = std::max(person.radius * scale, kLeastFigurePx);
     const bool chosen = isChosen(frame_->humans.id[i]);
-    if (!person.name.isEmpty() && (chosen || (showAll && radiusPx >= kNameZoomPx))) {
+    if (!person.name.isEmpty() && (chosen || (showAll && 2.0 * radiusPx >= kNameZoomPx))) {
       labels.push_back({person.name, person.look,
                         MapScene::sceneFromWorld(positionAt(frame_->humans, i)),
                         radiusPx + (chosen ? 9.0 : 4.0), chosen ? 3 : 1, false});
