@@ -9,6 +9,9 @@
 namespace sim2d {
 namespace {
 
+// YAML finds a key of up to 1024 characters; escapes make four of one when it is written.
+constexpr std::size_t kLongestKey = 200;
+
 constexpr const char* kYamlTags = "tag:yaml.org,2002:";
 
 std::string shortTag(const std::string& tag) {
@@ -112,6 +115,9 @@ class TreeBuilder : public YAML::EventHandler {
   void takeKey(Open& parent, YamlNode key) {
     if (key.isMap() || key.isList()) {
       report(key.line, key.column, "a list or map as a key");
+    } else if (key.text.size() > kLongestKey) {
+      report(key.line, key.column,
+             "a key of " + std::to_string(key.text.size()) + " characters (is a quote missing?)");
     } else {
       const auto found = parent.keyLines.emplace(key.text, key.line);
       if (!found.second) {
