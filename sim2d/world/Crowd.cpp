@@ -7,6 +7,7 @@ namespace {
 
 constexpr double kSlowestTurn = 0.07;    // [m/s]; slower people look where they look
 constexpr double kReach = 5.0;           // [m]; robots as obstacles act up to here
+constexpr double kSmallDisc = 0.2;       // [m]; smaller steps along a line cost too much
 constexpr std::size_t kSmallCrowd = 64;  // up to here everybody feels everybody, in double
 
 double desiredSpeedOf(const FrozenWorld& world, std::size_t human, const Intent& intent) {
@@ -38,6 +39,7 @@ Course courseOfRobot(const Vec2& velocity) {
 void Crowd::update(const FrozenWorld& world, const Ways& ways, const Intents& intents,
                    const std::vector<Vec2>& directions) {
   world_ = &world;
+  ways_ = &ways;
   const WorldState& state = world.state;
   walkers_.clear();
   courses_.clear();
@@ -80,11 +82,24 @@ void Crowd::computeForces(const Intents& intents, WorkerPool& workers) {
     const bool walks = motion == Motion::Walk || motion == Motion::Brake;
     laws_.push_back(walks ? model.people[i].model->socialLaw() : SocialLaw{});
   }
-  const std::function<bool(std::size_t, std::size_t)> sees = [this](std::size_t self,
-                                                                    std::size_t other) {
-    return world_->obstacles.isVisible(walkers_[self].position, walkers_[other].position);
-  };
-  forces_.compute({walkers_, world_->state.present, laws_, room_, sees}, workers);
+  const std::function<bool(std::size_t, std::size_t)> isVisible =
+      [this](std::size_t self, std::size_t other) { return sees(self, other); };
+  forces_.compute({walkers_, world_->state.present, laws_, room_, isVisible}, workers);
+}
+
+bool Crowd::sees(std::size_t self, std::size_t other) const {
+  const Vec2& eye = walkers_[self].position;
+  const Vec2 sight = walkers_[other].position - eye;
+  const double distance = sight.norm();
+  double clear = room_[self];
+  while (clear < distance - room_[other]) {
+    const double more = ways_->clearance(eye + clear / distance * sight);
+    if (more < kSmallDisc) {
+      return world_->obstacles.isVisible(eye, walkers_[other].position);
+    }
+    clear += more;
+  }
+  return true;
 }
 
 bool Crowd::hasForce(std::size_t human) const {

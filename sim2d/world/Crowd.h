@@ -22,7 +22,8 @@ struct FrozenWorld {
 /// The others as all people of a step see them. Filled anew in each step, the memory stays.
 class Crowd {
  public:
-  /// `directions`: of everybody's way. `world` must live until the last call of this step.
+  /// `directions`: of everybody's way. `world` and `ways` must live until the last call of this
+  /// step.
   void update(const FrozenWorld& world, const Ways& ways, const Intents& intents,
               const std::vector<Vec2>& directions);
   /// The social forces of large crowds, all at once, for models that have a `socialLaw`. Small
@@ -39,6 +40,8 @@ class Crowd {
 
  private:
   bool hasForce(std::size_t human) const;
+  /// From one free disc to the next along the line; where they get small the walls are asked.
+  bool sees(std::size_t self, std::size_t other) const;
   void addOthers(std::size_t human, Situation& situation) const;
   void addOther(const Walker& other, const Course& course, Situation& situation) const;
   void addRobots(const Intent& intent, Situation& situation) const;
@@ -47,6 +50,7 @@ class Crowd {
   Walker imageOf(Walker other, const Walker& seenFrom) const;
 
   const FrozenWorld* world_ = nullptr;
+  const Ways* ways_ = nullptr;
   std::vector<Walker> walkers_;
   std::vector<Course> courses_;  // beside them
   std::vector<double> room_;     // of each person to the next wall [m]
