@@ -28,6 +28,7 @@ struct Words {
   ListOptions list;
   RenderOptions render;
   BatchOptions batch;
+  ValidateOptions validate;
   TreesOptions trees;
   BenchOptions bench;
 };
@@ -157,6 +158,19 @@ CLI::App* addBench(CLI::App& root, Words& words) {
   return command;
 }
 
+CLI::App* addValidate(CLI::App& root, Words& words) {
+  CLI::App* command =
+      root.add_subcommand("validate", "Realism tests: people of the models against real ones");
+  command->add_option("names", words.validate.names, "Realism tests (all)");
+  command->add_option("-o,--output", words.validate.output, "Folder for the results");
+  command->add_option("--seeds", words.validate.seeds, "Runs with seeds 1 to N (10)")
+      ->check(CLI::Range(1, 10000));
+  command->add_option("--model", words.validate.models, "Models to test (sfm and das)")
+      ->allow_extra_args(false);
+  addOutputOptions(*command, words.output);
+  return command;
+}
+
 /// Numbers are read without a locale, whatever the user's is.
 template <class Application>
 int within(int argc, char** argv, const std::function<int()>& action) {
@@ -188,6 +202,7 @@ int runProgram(int argc, char** argv) {
   CLI::App* render = addRender(root, given);
   CLI::App* batch = addBatch(root, given);
   CLI::App* bench = addBench(root, given);
+  CLI::App* validate = addValidate(root, given);
   CLI::App* trees = addTrees(root, given);
   try {
     root.parse(argc, argv);
@@ -214,6 +229,10 @@ int runProgram(int argc, char** argv) {
   }
   if (bench->parsed()) {
     return within<QCoreApplication>(argc, argv, [&] { return benchCommand(given.bench, output); });
+  }
+  if (validate->parsed()) {
+    return within<QCoreApplication>(argc, argv,
+                                    [&] { return validateCommand(given.validate, output); });
   }
   if (render->parsed()) {
     return drawOffscreen(argc, argv, [&] { return renderCommand(given.render, output); });

@@ -56,4 +56,13 @@ struct BenchOptions {
 };
 int benchCommand(const BenchOptions& options, const OutputOptions& output);
 
+struct ValidateOptions {
+  std::vector<std::string> names;  // of realism tests; empty: all
+  std::vector<std::string> models = {"sfm", "das"};
+  std::string output;  // folder, or empty
+  int seeds = 10;
+};
+/// Failed when a quantity is outside its limits.
+int validateCommand(const ValidateOptions& options, const OutputOptions& output);
+
 }  // namespace app

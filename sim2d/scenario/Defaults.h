@@ -52,6 +52,18 @@ struct ResolvedRobot {
 ResolvedHuman resolveHuman(const Scenario& scenario, const Human& human, long long seed);
 ResolvedRobot resolveRobot(const Scenario& scenario, const Robot& robot, int id);
 
+/// What people of a kind are like: values for people that the program makes (brush, source). The
+/// free speeds are normal, cut at both ends.
+struct KindProfile {
+  double mass = 80.0;                         // [kg]
+  double radius = 0.35;                       // [m]
+  double meanSpeed = 1.34, deviation = 0.26;  // [m/s]
+  double slowest = 0.6, fastest = 2.1;        // [m/s]
+};
+const KindProfile& profileOf(PersonKind kind);
+/// Drawn by (seed, person) alone [m/s].
+double sampleSpeed(PersonKind kind, long long seed, int person);
+
 double massOf(PersonKind kind);  // [kg]
 const char* personKindName(PersonKind kind);
 

@@ -1,0 +1,180 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "sim2d/base/Math.h"
+#include "sim2d/world/realism/RealismTest.h"
+#include "sim2d/world/realism/TestList.h"
+
+namespace sim2d {
+namespace {
+
+constexpr double kArrived = 0.3;   // [m] from the goal
+constexpr double kStarted = 2.0;   // [s]; speeds count from here on
+constexpr double kPatience = 6.0;  // times the time of a straight walk
+
+Stage::Actor walker(const Vec2& start, const Vec2& goal, double speed) {
+  Stage::Actor actor;
+  actor.start = start;
+  actor.heading = base::headingOf(goal - start);
+  actor.speed = speed;
+  actor.target = always(goal);
+  actor.isDone = [goal](const Vec2& place) { return (place - goal).norm() < kArrived; };
+  return actor;
+}
+
+void look(const HumanColumns& people, double time, Meeting& meeting) {
+  for (std::size_t i = 0; i < people.size(); ++i) {
+    if (time > kStarted) {
+      meeting.slowest = std::min(meeting.slowest, Vec2(people.vx[i], people.vy[i]).norm());
+    }
+    for (std::size_t k = i + 1; k < people.size(); ++k) {
+      const Vec2 apart(people.x[i] - people.x[k], people.y[i] - people.y[k]);
+      meeting.leastDistance = std::min(meeting.leastDistance, apart.norm());
+    }
+  }
+}
+
+/// All walk the same length; who never arrives makes the ratio NaN.
+base::Result<Meeting> meet(Stage& stage, double length, double speed) {
+  Meeting meeting;
+  meeting.leastDistance = meeting.slowest = 1e9;
+  meeting.timeRatio = std::numeric_limits<double>::quiet_NaN();
+  const double freeTime = (length - kArrived) / speed;
+  const bool isPlayed = stage.play(kPatience * freeTime, [&](const World& world) {
+    if (world.frame().humans.size() == 0) {
+      meeting.timeRatio = world.time() / freeTime;
+      return false;
+    }
+    look(world.frame().humans, world.time(), meeting);
+    return true;
+  });
+  if (!isPlayed) {
+    return base::makeError(stage.problem());
+  }
+  return meeting;
+}
+
+base::Result<std::vector<double>> circles(const RealismRun& run) {
+  const base::Result<Meeting> eight = circle(run, 8, 4.0);
+  const base::Result<Meeting> sixteen = circle(run, 16, 5.0);
+  if (!eight || !sixteen) {
+    return eight ? sixteen.diagnostics() : eight.diagnostics();
+  }
+  return std::vector<double>{eight->leastDistance, eight->timeRatio, sixteen->leastDistance,
+                             sixteen->timeRatio};
+}
+
+base::Result<std::vector<double>> headOnValues(const RealismRun& run) {
+  const base::Result<Meeting> meeting = headOn(run);
+  if (!meeting) {
+    return meeting.diagnostics();
+  }
+  return std::vector<double>{meeting->leastDistance, meeting->slowest};
+}
+
+base::Result<std::vector<double>> crossingValues(const RealismRun& run) {
+  const base::Result<Meeting> meeting = crossing(run);
+  if (!meeting) {
+    return meeting.diagnostics();
+  }
+  return std::vector<double>{meeting->leastDistance, 1.0 - meeting->slowest / 1.3};
+}
+
+/// Ways of three people whose ways cross, with a step of `dt`.
+base::Result<std::vector<Vec2>> placesWithStep(const RealismRun& run, double dt) {
+  Stage stage(run, dt);
+  stage.add(walker(Vec2(-6.0, 0.0), Vec2(40.0, 0.0), 1.3));
+  stage.add(walker(Vec2(0.5, -5.0), Vec2(0.5, 40.0), 1.2));
+  stage.add(walker(Vec2(6.0, 0.4), Vec2(-40.0, 0.4), 1.1));
+  std::vector<Vec2> places;
+  const bool isPlayed = stage.play(10.0, [&](const World& world) {
+    const HumanColumns& people = world.frame().humans;
+    places.clear();
+    for (std::size_t i = 0; i < people.size(); ++i) {
+      places.emplace_back(people.x[i], people.y[i]);
+    }
+    return true;
+  });
+  if (!isPlayed) {
+    return base::makeError(stage.problem());
+  }
+  return places;
+}
+
+base::Result<std::vector<double>> timeStep(const RealismRun& run) {
+  const base::Result<std::vector<Vec2>> finest = placesWithStep(run, 0.01);
+  if (!finest) {
+    return finest.diagnostics();
+  }
+  std::vector<double> values;
+  for (const double dt : {0.1, 0.05, 0.02}) {
+    const base::Result<std::vector<Vec2>> places = placesWithStep(run, dt);
+    if (!places) {
+      return places.diagnostics();
+    }
+    double worst = 0.0;
+    for (std::size_t i = 0; i < places->size(); ++i) {
+      worst = std::max(worst, ((*places)[i] - (*finest)[i]).norm());
+    }
+    values.push_back(worst);
+  }
+  return values;
+}
+
+}  // namespace
+
+base::Result<Meeting> circle(const RealismRun& run, int count, double radius) {
+  Stage stage(run);
+  for (int i = 0; i < count; ++i) {
+    const Vec2 place = radius * base::directionOf(base::wrapToPi(2.0 * base::kPi * i / count));
+    stage.add(walker(place, -place, 1.34));
+  }
+  return meet(stage, 2.0 * radius, 1.34);
+}
+
+base::Result<Meeting> headOn(const RealismRun& run) {
+  Stage stage(run);
+  stage.add(walker(Vec2(-6.0, 0.0), Vec2(6.0, 0.0), 1.29));
+  stage.add(walker(Vec2(6.0, 0.0), Vec2(-6.0, 0.0), 1.29));
+  return meet(stage, 12.0, 1.29);
+}
+
+base::Result<Meeting> crossing(const RealismRun& run) {
+  Stage stage(run);
+  stage.add(walker(Vec2(-5.0, 0.0), Vec2(5.0, 0.0), 1.3));
+  stage.add(walker(Vec2(0.0, -5.0), Vec2(0.0, 5.0), 1.3));
+  return meet(stage, 10.0, 1.3);
+}
+
+void addMeetingTests(std::vector<RealismTest>& tests) {
+  tests.push_back({"circle",
+                   "8 and 16 people who change places across a circle of 4 and 5 m",
+                   {{"least distance, 8", "m", Summary::Smallest, 0.4},
+                    {"time over free time, 8", "", Summary::Largest, 1.0, 2.0},
+                    {"least distance, 16", "m", Summary::Smallest, 0.4},
+                    {"time over free time, 16", "", Summary::Largest, 1.0, 2.5}},
+                   circles,
+                   false});
+  tests.push_back({"head-on",
+                   "two people exactly towards each other at 1.29 m/s",
+                   {{"least distance", "m", Summary::Smallest, 0.44},
+                    {"slowest", "m/s", Summary::Smallest, 1.0}},
+                   headOnValues,
+                   false});
+  tests.push_back({"crossing",
+                   "two people whose ways cross at 90 degrees",
+                   {{"least distance", "m", Summary::Smallest, 0.4},
+                    {"loss of speed", "", Summary::Largest, 0.0, 0.4}},
+                   crossingValues,
+                   false});
+  tests.push_back({"time-step",
+                   "places after 10 s with steps of 0.1, 0.05 and 0.02 s against 0.01 s",
+                   {{"distance, 0.1 s", "m", Summary::Largest, 0.0, 0.05},
+                    {"distance, 0.05 s", "m", Summary::Largest, 0.0, 0.05},
+                    {"distance, 0.02 s", "m", Summary::Largest, 0.0, 0.05}},
+                   timeStep,
+                   false});
+}
+
+}  // namespace sim2d

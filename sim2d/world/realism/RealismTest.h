@@ -1,0 +1,71 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "sim2d/base/Result.h"
+#include "sim2d/world/realism/Stage.h"
+
+/// Tests that hold simulated people against what is known of real ones. A test plays small scenes
+/// with one model and one seed and measures some quantities; a quantity passes when its summary
+/// over the seeds lies within the limits. Sources of the limits: sim2d/world/realism/README.md.
+namespace sim2d {
+
+enum class Summary { Mean, Smallest, Largest };  // over the seeds
+
+struct Quantity {
+  std::string name;
+  std::string unit;
+  Summary summary = Summary::Mean;
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+
+  /// NaN: not measured, fails.
+  double summaryOf(const std::vector<double>& values) const;
+  bool passes(double value) const { return value >= least && value <= most; }
+};
+
+struct RealismTest {
+  using Measure = base::Result<std::vector<double>> (*)(const RealismRun& run);
+  std::string name;
+  std::string description;
+  std::vector<Quantity> quantities;
+  Measure measure = nullptr;  // one value per quantity
+  bool isSeeded = true;       // false: every seed gives the same
+};
+
+const std::vector<RealismTest>& realismTests();
+
+/// Parts of tests that can be used alone.
+struct Flow {
+  double speed = 0.0;    // mean along the way [m/s]
+  double overlap = 0.0;  // share of people whose body is in another one
+  double order = 0.0;    // of lanes: 1 all people walk among their own kind
+};
+struct CorridorFlow {
+  double density = 1.0;  // [1/m²]
+  double width = 4.0;    // [m]
+  double seconds = 40.0;
+  double meanSpeed = 1.34, speedDeviation = 0.26;  // [m/s]
+  bool isTwoWay = false;
+};
+/// A closed corridor of 26 m; the second half of the time counts.
+base::Result<Flow> corridorFlow(const RealismRun& run, const CorridorFlow& setting);
+
+struct Meeting {
+  double leastDistance = 0.0;  // between two centres [m]
+  double slowest = 0.0;        // while on the way [m/s]
+  double timeRatio = 0.0;      // time of the last one over that of a straight walk
+};
+/// `count` people on a circle who all want to the opposite place.
+base::Result<Meeting> circle(const RealismRun& run, int count, double radius);
+/// Two people who walk exactly towards each other.
+base::Result<Meeting> headOn(const RealismRun& run);
+/// Two people whose ways cross at a right angle.
+base::Result<Meeting> crossing(const RealismRun& run);
+
+/// Speed at a density by the fit of Weidmann 1993 [m/s].
+double weidmannSpeed(double density);
+
+}  // namespace sim2d

@@ -1,0 +1,152 @@
+#include "sim2d/world/realism/Stage.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sim2d {
+namespace {
+
+constexpr int kMostTries = 20000;  // for one random place
+
+/// Everybody walks to the target of the own actor.
+class Directions : public HumanBehavior {
+ public:
+  explicit Directions(const std::vector<Stage::Actor>& actors) : actors_(actors) {}
+
+  void enter(int /*human*/, const WorldView& /*view*/) override {}
+  void decide(const WorldView& view, Intents& intents) override {
+    for (int human = 0; human < view.humanCount(); ++human) {
+      const Stage::Actor& actor = actors_[static_cast<std::size_t>(human)];
+      const Vec2 place = view.pose(human).position;
+      Intent& intent = intents.of(human);
+      intent.motion = Motion::Walk;
+      intent.speed = actor.speed;
+      intent.target = {0, actor.target(place), 0.1};
+      if (actor.isDone && view.isPresent(human) && actor.isDone(place)) {
+        Event arrived;
+        arrived.kind = EventKind::Arrived;
+        arrived.id = view.constants(human).id;
+        intents.emit(std::move(arrived));
+      }
+    }
+  }
+
+ private:
+  const std::vector<Stage::Actor>& actors_;
+};
+
+}  // namespace
+
+Stage::Stage(RealismRun run, double dt) : run_(std::move(run)), dt_(dt) {
+  scenario_.desktop.model = run_.model;
+  scenario_.desktop.seed = run_.seed;
+  scenario_.desktop.dt = dt_;
+  scenario_.desktop.route = Route::Direct;
+}
+
+void Stage::add(Actor actor) {
+  Human human;
+  human.id = static_cast<int>(actors_.size()) + 1;
+  human.name = "walker" + std::to_string(human.id);
+  human.initPose = {actor.start, actor.heading};
+  human.maxVel = actor.speed;
+  human.radius = actor.radius;
+  human.groupId = actor.group;
+  human.cyclicGoals = false;
+  human.ours.atEnd = AtEnd::Leave;
+  scenario_.humans.push_back(std::move(human));
+  actors_.push_back(std::move(actor));
+}
+
+void Stage::addWall(const std::vector<Vec2>& line) {
+  Obstacle wall;
+  wall.name = "wall" + std::to_string(scenario_.obstacles.size() + 1);
+  wall.kind = ObstacleKind::Wall;
+  wall.points = line;
+  wall.thickness = 0.2;
+  scenario_.obstacles.push_back(std::move(wall));
+}
+
+void Stage::close(double low, double high) {
+  scenario_.desktop.wrapX = {low, high};
+}
+
+void Stage::planWays() {
+  scenario_.desktop.route = Route::Planned;
+}
+
+std::unique_ptr<World> Stage::build() {
+  WorldSetup setup;
+  setup.scenario = std::make_shared<const Scenario>(scenario_);
+  setup.behavior = std::make_unique<Directions>(actors_);
+  base::Result<std::unique_ptr<World>> world = World::create(std::move(setup));
+  for (const base::Diagnostic& diagnostic : world.diagnostics()) {
+    if (diagnostic.severity == base::Severity::Error) {
+      problem_ = diagnostic.text();
+    }
+  }
+  if (!world) {
+    return nullptr;
+  }
+  return *std::move(world);
+}
+
+bool Stage::play(double seconds, const Look& look) {
+  const std::unique_ptr<World> world = build();
+  if (world == nullptr) {
+    return false;
+  }
+  const auto steps = static_cast<std::int64_t>(std::llround(seconds / dt_));
+  while (world->stepIndex() < steps) {
+    if (run_.wantsStop && run_.wantsStop()) {
+      problem_ = "interrupted";
+      return false;
+    }
+    if (!world->step()) {
+      problem_ = world->failure();
+      return false;
+    }
+    if (!look(*world)) {
+      break;
+    }
+  }
+  return true;
+}
+
+Stage::Target endlessly(const Vec2& direction) {
+  return [direction](const Vec2& place) { return Vec2(place + 1000.0 * direction); };
+}
+
+Stage::Target always(const Vec2& place) {
+  return [place](const Vec2& /*from*/) { return place; };
+}
+
+double freeSpeed(const RealismRun& run, int person, double mean, double deviation) {
+  const base::AgentRng rng(static_cast<std::uint64_t>(run.seed), person);
+  return std::clamp(rng.normal(mean, deviation, base::Draw::Test), 0.5, 2.2);
+}
+
+std::vector<Vec2> randomPlaces(const RealismRun& run, int count, const Box& box, double apart,
+                               bool isClosed) {
+  const Vec2 size = box.high - box.low;
+  const Ring ring{box.low.x(), isClosed ? size.x() : 0.0};
+  std::vector<Vec2> places;
+  for (int person = 0; person < count; ++person) {
+    const base::AgentRng rng(static_cast<std::uint64_t>(run.seed), person);
+    for (std::uint32_t attempt = 0; attempt < kMostTries; ++attempt) {
+      const double u = rng.uniform01(base::Draw::Placement, 2 * attempt);
+      const double v = rng.uniform01(base::Draw::Placement, 2 * attempt + 1);
+      const Vec2 place = box.low + Vec2(u * size.x(), v * size.y());
+      const bool isFree = std::none_of(places.begin(), places.end(), [&](const Vec2& other) {
+        return (other + ring.shift(other, place) - place).norm() < apart;
+      });
+      if (isFree) {
+        places.push_back(place);
+        break;
+      }
+    }
+  }
+  return places;
+}
+
+}  // namespace sim2d

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim2d/base/Rng.h"
+#include "sim2d/world/World.h"
+
+namespace sim2d {
+
+/// How a realism test is run.
+struct RealismRun {
+  std::string model = "sfm";
+  long long seed = 1;
+  std::function<bool()> wantsStop;  // may be empty
+};
+
+/// A small world made in code: walls, people who know where to go, nothing else. SI, world frame.
+class Stage {
+ public:
+  /// Where somebody who stands at `place` heads for; the way there is straight or planned.
+  using Target = std::function<Vec2(const Vec2& place)>;
+
+  struct Actor {
+    Vec2 start = Vec2::Zero();
+    double heading = 0.0;  // [rad]
+    double speed = 1.34;   // v0 [m/s]
+    double radius = 0.2;   // [m]
+    int group = -1;
+    Target target;
+    std::function<bool(const Vec2& place)> isDone;  // leaves the world then; empty: never
+  };
+
+  explicit Stage(RealismRun run, double dt = 0.05);
+
+  void add(Actor actor);
+  void addWall(const std::vector<Vec2>& line);  // 0.2 m thick
+  void close(double low, double high);          // the corridor between these x
+  void planWays();                              // instead of straight ones
+  const std::vector<Actor>& actors() const { return actors_; }
+
+  /// Steps for `seconds` and calls `look` after each step, until it returns false. False when the
+  /// run was stopped, failed, or could not begin: then `problem` says why.
+  using Look = std::function<bool(const World& world)>;
+  bool play(double seconds, const Look& look);
+  const std::string& problem() const { return problem_; }
+  double dt() const { return dt_; }
+
+ private:
+  std::unique_ptr<World> build();
+
+  RealismRun run_;
+  double dt_;
+  Scenario scenario_;
+  std::vector<Actor> actors_;
+  std::string problem_;
+};
+
+Stage::Target endlessly(const Vec2& direction);
+Stage::Target always(const Vec2& place);
+
+/// Free speeds of adults: normal, 1.34 ± 0.26 m/s (Weidmann 1993), cut at 0.5 and 2.2.
+double freeSpeed(const RealismRun& run, int person, double mean = 1.34, double deviation = 0.26);
+
+struct Box {
+  Vec2 low = Vec2::Zero(), high = Vec2::Zero();
+};
+/// `count` places at random that are `apart` from each other, also across the ends when
+/// `isClosed`; fewer when no more fit.
+std::vector<Vec2> randomPlaces(const RealismRun& run, int count, const Box& box, double apart,
+                               bool isClosed = false);
+
+}  // namespace sim2d
