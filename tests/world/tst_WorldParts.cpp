@@ -223,7 +223,7 @@ void WorldPartsTest::compatibility_parse_knowsWhatCanBeSwitched() {
 
 void WorldPartsTest::names_forLists_areThere() {
   const std::vector<std::string> models = modelNames();
-  for (const char* name : {"das", "sfm", "sfm-hunav2"}) {
+  for (const char* name : {"das", "orca", "sfm", "sfm-hunav2"}) {
     QVERIFY2(std::find(models.begin(), models.end(), name) != models.end(), name);
   }
   QVERIFY(plannerNames() == std::vector<std::string>{"pursuit"});

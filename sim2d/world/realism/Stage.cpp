@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim2d/world/WorldState.h"
+
 namespace sim2d {
 namespace {
 

@@ -1,0 +1,115 @@
+#include <algorithm>
+
+#include "sim2d/base/Math.h"
+#include "sim2d/world/ReciprocalVelocity.h"
+#include "sim2d/world/models/PedestrianModel.h"
+
+namespace sim2d {
+namespace {
+
+constexpr double kRange = 8.0;              // [m]
+constexpr std::size_t kMostNeighbors = 12;  // nearest ones that count
+constexpr double kBrakingTime = 0.5;        // [s], without a goal
+constexpr double kSidePreference = 0.05;    // [rad] to the right when the way is not free
+constexpr double kRobotShare = 1.0;         // robots do not give way by this rule
+constexpr double kPersonShare = 0.5;
+
+/// Optimal reciprocal collision avoidance: of the velocities that keep everybody apart the one
+/// nearest to the wanted. Walls come in as their boundary points. There are no group forces.
+class Orca : public PedestrianModel {
+ public:
+  /// Accelerations that lead to the chosen velocity: `social` is what avoiding changes.
+  ForceTerms forces(const Situation& situation) const override {
+    const Vec2 wanted = wantedVelocity(situation);
+    ForceTerms terms;
+    terms.goal = (wanted - situation.self.velocity) / situation.dt;
+    terms.social = (chosenVelocity(situation, wanted) - wanted) / situation.dt;
+    return terms;
+  }
+
+  Vec2 velocity(const Situation& situation, const ForceTerms& forces) const override {
+    const Vec2 velocity = situation.self.velocity + forces.sum() * situation.dt;
+    const double speed = velocity.norm();
+    return speed > situation.desiredSpeed ? Vec2(velocity * (situation.desiredSpeed / speed))
+                                          : velocity;
+  }
+
+  bool looksAtCourses() const override { return true; }
+  double range(double /*fastest*/, double /*ownSpeed*/) const override { return kRange; }
+
+ private:
+  static Vec2 wantedVelocity(const Situation& situation) {
+    if (situation.direction.isZero(0.0)) {
+      return situation.self.velocity * std::max(0.0, 1.0 - situation.dt / kBrakingTime);
+    }
+    return situation.desiredSpeed * situation.direction;
+  }
+
+  static Vec2 chosenVelocity(const Situation& situation, const Vec2& wanted) {
+    std::vector<HalfPlane> planes = planesOfWalls(situation);
+    const std::size_t fixed = planes.size();
+    addPlanesOfOthers(situation, planes);
+    const bool isFree = std::all_of(planes.begin(), planes.end(), [&](const HalfPlane& plane) {
+      return plane.violation(wanted) <= 0.0;
+    });
+    if (isFree) {
+      return wanted;
+    }
+    const double cosine = base::cos(kSidePreference);
+    const double sine = base::sin(kSidePreference);
+    const Vec2 aside(cosine * wanted.x() + sine * wanted.y(),
+                     cosine * wanted.y() - sine * wanted.x());
+    return nearestAllowed(planes, fixed, aside, situation.desiredSpeed);
+  }
+
+  static std::vector<HalfPlane> planesOfWalls(const Situation& situation) {
+    const AvoidanceHorizon horizon;
+    const double near = situation.self.radius + situation.desiredSpeed * horizon.obstacles;
+    std::vector<HalfPlane> planes;
+    for (const Obstacles::Point& point : situation.obstacles) {
+      if (point.inside || point.distance <= near) {
+        planes.push_back(avoidPoint(situation.self, point, horizon.obstacles, situation.dt));
+      }
+    }
+    return planes;
+  }
+
+  static void addPlanesOfOthers(const Situation& situation, std::vector<HalfPlane>& planes) {
+    const Vec2& place = situation.self.position;
+    std::vector<std::size_t> near;
+    for (std::size_t i = 0; i < situation.others.size(); ++i) {
+      if ((situation.others[i].position - place).squaredNorm() < kRange * kRange) {
+        near.push_back(i);
+      }
+    }
+    std::sort(near.begin(), near.end(), [&](std::size_t a, std::size_t b) {
+      const Walker& first = situation.others[a];
+      const Walker& second = situation.others[b];
+      const double nearer = (first.position - place).squaredNorm();
+      const double farther = (second.position - place).squaredNorm();
+      return nearer < farther || (nearer == farther && first.id < second.id);
+    });
+    const AvoidanceHorizon horizon;
+    std::size_t count = 0;
+    for (const std::size_t i : near) {
+      const Walker& other = situation.others[i];
+      if (count == kMostNeighbors) {
+        break;
+      }
+      if ((*situation.isVisible)(place, other.position)) {
+        const double share = situation.courses[i].isRobot ? kRobotShare : kPersonShare;
+        planes.push_back(avoidBody(situation.self, other, horizon.people, situation.dt, share));
+        ++count;
+      }
+    }
+  }
+};
+
+}  // namespace
+
+void addOrca(ModelRegistry& to);
+void addOrca(ModelRegistry& to) {
+  to.add("orca", [](const ResolvedHuman& /*person*/) { return std::make_unique<Orca>(); });
+}
+
+}  // namespace sim2d
