@@ -6,6 +6,7 @@ set -euo pipefail
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/common.sh"
 
 fuzz_seconds=60
+fuzz_seed=1  # the same inputs at every run of the build server; --all draws new ones (0)
 
 usage() {
   say "usage: scripts/test.sh [--all]"
@@ -45,7 +46,7 @@ fuzz() {
       folders+=("$seeds")
     fi
     say "fuzzing with ${program##*/}"
-    logged "$logs/${program##*/}.log" "$program" -rss_limit_mb=4096 -timeout=10 \
+    logged "$logs/${program##*/}.log" "$program" -rss_limit_mb=4096 -timeout=10 -seed="$fuzz_seed" \
       -max_total_time=$((fuzz_seconds / ${#programs[@]} + 1)) \
       -artifact_prefix="$build/fuzz/" "${folders[@]}"
   done
@@ -77,7 +78,7 @@ check_everything_else() {
 all=no
 for argument in "$@"; do
   case $argument in
-    --all) all=yes ;;
+    --all) all=yes fuzz_seed=0 ;;
     *) usage ;;
   esac
 done

@@ -81,8 +81,9 @@ void Writer::node(const NodeSpec& node, bool compact) {
   const bool isExplicit = node.explicitNotation && !compact;
   const std::string tag = isExplicit ? tagOf(node) : node.id;
   Attributes attributes;
-  if (isExplicit || node.isSubTree()) {
-    attributes.push_back({"ID", node.isSubTree() ? node.subTree : node.id});
+  const bool namesTree = !node.subTree.empty();  // also a SubTreePlus, which checks refuse later
+  if (isExplicit || node.isSubTree() || namesTree) {
+    attributes.push_back({"ID", node.isSubTree() || namesTree ? node.subTree : node.id});
   }
   if (!node.name.empty()) {
     attributes.push_back({"name", node.name});
