@@ -27,6 +27,7 @@ struct Words {
   CheckOptions check;
   ListOptions list;
   RenderOptions render;
+  EvaluateOptions evaluate;
   BatchOptions batch;
   ValidateOptions validate;
   TreesOptions trees;
@@ -36,6 +37,12 @@ struct Words {
 void addOutputOptions(CLI::App& command, OutputOptions& options) {
   command.add_flag("--quiet", options.quiet, "No progress and no table");
   command.add_flag("--json", options.json, "Machine-readable standard output");
+}
+
+void addMetricsOptions(CLI::App& command, std::string& metrics, std::string& profile) {
+  command.add_option("--metrics", metrics, "Selection: a metrics.yaml, or keys with commas");
+  command.add_option("--metrics-profile", profile, "corrected or hunav2")
+      ->check(CLI::IsMember({"corrected", "hunav2"}));
 }
 
 void addRunOptions(CLI::App& command, RunOptions& options) {
@@ -51,10 +58,7 @@ void addRunOptions(CLI::App& command, RunOptions& options) {
   command.add_option("--robot-goal", options.robotGoal, "\"X Y\" (m)");
   command.add_option("--planner", options.planner, "How the robot plans: see list planners");
   command.add_option("--threads", options.threads, "Number of threads; results stay the same");
-  command.add_option("--metrics", options.metrics,
-                     "Selection: a metrics.yaml, or keys with commas");
-  command.add_option("--metrics-profile", options.metricsProfile, "corrected or hunav2")
-      ->check(CLI::IsMember({"corrected", "hunav2"}));
+  addMetricsOptions(command, options.metrics, options.metricsProfile);
   command.add_option("--record-every", options.recordEvery, "Record every N-th step");
   command.add_option("--set", options.set, "PATH=VALUE: any value of the scenario")
       ->allow_extra_args(false);
@@ -80,6 +84,8 @@ CLI::App* addRun(CLI::App& root, Words& words) {
   command->add_option("scenario", words.run.scenario, "Scenario file")->required();
   command->add_option("-o,--output", words.run.output, "Folder for the files of the run");
   addRunOptions(*command, words.run);
+  command->add_flag("--counterfactual", words.run.counterfactual,
+                    "The same seed again without robots: what they did to people");
   addOutputOptions(*command, words.output);
   return command;
 }
@@ -101,6 +107,33 @@ CLI::App* addList(CLI::App& root, Words& words) {
       ->check(CLI::IsMember({"nodes", "metrics", "models", "robots", "planners", "scenarios"}));
   command->add_option("--format", words.list.format, "text or json; xml for nodes")
       ->check(CLI::IsMember({"text", "json", "xml"}));
+  addOutputOptions(*command, words.output);
+  return command;
+}
+
+void addForeignOptions(CLI::App& command, EvaluateOptions& options) {
+  command.add_option("--format", options.format, "Of a file of another program (by its name)")
+      ->check(CLI::IsMember({"csv", "eth", "vsp", "trajnet", "socnavbench"}));
+  command.add_option("--columns", options.columns, "Names of its columns: time=t,id=ped,x=px");
+  command.add_option("--fps", options.framesPerSecond, "Frames per second of its frame numbers");
+  command.add_option("--dt", options.step, "Step of the samples made of it [s]");
+  command.add_option("--robot", options.robot, "The person with this id is the robot");
+  command.add_option("--robot-goal", options.robotGoal, "\"X Y\" (m)");
+}
+
+CLI::App* addEvaluate(CLI::App& root, Words& words) {
+  CLI::App* command = root.add_subcommand("evaluate", "Metrics of a recorded run or of a file");
+  EvaluateOptions& options = words.evaluate;
+  command->add_option("source", options.source, "Folder of a run, or a trajectory file")
+      ->required();
+  command->add_option("-o,--output", options.output, "Folder for the results")->required();
+  command->add_option("--map", options.map, "Map instead of the recorded; none = open plane");
+  addMetricsOptions(*command, options.metrics, options.metricsProfile);
+  command->add_option("--tag", options.tag, "Tag in the result files");
+  command->add_option("--run-id", options.runId, "Number of the run in the result files");
+  command->add_option("--layout", options.layout, "Also the files of HuNavSim's evaluator")
+      ->check(CLI::IsMember({"hunav2", "hunav1"}));
+  addForeignOptions(*command, options);
   addOutputOptions(*command, words.output);
   return command;
 }
@@ -200,6 +233,7 @@ int runProgram(int argc, char** argv) {
   CLI::App* check = addCheck(root, given);
   CLI::App* list = addList(root, given);
   CLI::App* render = addRender(root, given);
+  CLI::App* evaluate = addEvaluate(root, given);
   CLI::App* batch = addBatch(root, given);
   CLI::App* bench = addBench(root, given);
   CLI::App* validate = addValidate(root, given);
@@ -233,6 +267,10 @@ int runProgram(int argc, char** argv) {
   if (validate->parsed()) {
     return within<QCoreApplication>(argc, argv,
                                     [&] { return validateCommand(given.validate, output); });
+  }
+  if (evaluate->parsed()) {
+    return within<QCoreApplication>(argc, argv,
+                                    [&] { return evaluateCommand(given.evaluate, output); });
   }
   if (render->parsed()) {
     return drawOffscreen(argc, argv, [&] { return renderCommand(given.render, output); });

@@ -30,6 +30,12 @@ base::Diagnostics writeRunFolder(const std::string& folder, const FinishedRun& r
       fs::remove(fs::path(folder) / name, ignored);
     }
   }
+  if (!run.effectsCsv.empty()) {
+    write("counterfactual.csv", run.effectsCsv);
+  } else {
+    std::error_code ignored;  // not there: fine
+    fs::remove(fs::path(folder) / "counterfactual.csv", ignored);
+  }
   write("manifest.json", runManifest(preparation, run.trace.header, run.result, commandLine));
   return problems;
 }

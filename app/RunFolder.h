@@ -16,6 +16,7 @@ struct FinishedRun {
   std::string treesCsv;
   sim2d::RunResult result;
   base::Result<metrics::Evaluation> evaluation;
+  std::string effectsCsv;  // of the run without robots; empty = there was none
 };
 
 /// The files of a run (FORMAT.md), each written beside and renamed. Files of a former run of the

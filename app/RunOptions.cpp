@@ -9,24 +9,6 @@ namespace app {
 
 namespace {
 
-/// "X Y HEADING": exactly `count` numbers between blanks (commas are taken too).
-std::optional<std::vector<double>> numbers(const std::string& text, std::size_t count) {
-  std::string spaced = text;
-  for (char& letter : spaced) {
-    letter = letter == ',' ? ' ' : letter;
-  }
-  std::istringstream words(spaced);
-  std::vector<double> values;
-  for (std::string word; words >> word;) {
-    const std::optional<double> value = base::parseDouble(word);
-    if (!value || !(*value >= -1e6 && *value <= 1e6)) {
-      return std::nullopt;
-    }
-    values.push_back(*value);
-  }
-  return values.size() == count ? std::make_optional(values) : std::nullopt;
-}
-
 sim2d::Robot& firstRobot(sim2d::Scenario& scenario) {
   for (sim2d::Robot& robot : scenario.robots) {
     if (robot.listed) {
@@ -61,11 +43,11 @@ base::Diagnostics applyRobot(sim2d::Scenario& scenario, const RunOptions& option
   }
   sim2d::Robot& robot = firstRobot(scenario);
   if (options.robotStart) {
-    const std::vector<double> pose = *numbers(*options.robotStart, 3);
+    const std::vector<double> pose = *parseNumbers(*options.robotStart, 3);
     robot.start = {{pose[0], pose[1]}, base::wrapToPi(pose[2])};
   }
   if (options.robotGoal) {
-    const std::vector<double> point = *numbers(*options.robotGoal, 2);
+    const std::vector<double> point = *parseNumbers(*options.robotGoal, 2);
     robot.goal = sim2d::RobotGoal{};
     robot.goal.point = sim2d::Vec2(point[0], point[1]);
   }
@@ -80,16 +62,33 @@ base::Diagnostics applyRobot(sim2d::Scenario& scenario, const RunOptions& option
 
 }  // namespace
 
+std::optional<std::vector<double>> parseNumbers(const std::string& text, std::size_t count) {
+  std::string spaced = text;
+  for (char& letter : spaced) {
+    letter = letter == ',' ? ' ' : letter;
+  }
+  std::istringstream words(spaced);
+  std::vector<double> values;
+  for (std::string word; words >> word;) {
+    const std::optional<double> value = base::parseDouble(word);
+    if (!value || !(*value >= -1e6 && *value <= 1e6)) {
+      return std::nullopt;
+    }
+    values.push_back(*value);
+  }
+  return values.size() == count ? std::make_optional(values) : std::nullopt;
+}
+
 base::Diagnostics checkOptions(const RunOptions& options) {
   base::Diagnostics wrong;
   const auto refuse = [&wrong](const std::string& message) {
     wrong.push_back(base::makeError(message));
   };
-  if (options.robotStart && !numbers(*options.robotStart, 3)) {
+  if (options.robotStart && !parseNumbers(*options.robotStart, 3)) {
     refuse("--robot-start takes three numbers: \"X Y HEADING\" (m, m, rad), not \"" +
            *options.robotStart + "\"");
   }
-  if (options.robotGoal && !numbers(*options.robotGoal, 2)) {
+  if (options.robotGoal && !parseNumbers(*options.robotGoal, 2)) {
     refuse("--robot-goal takes two numbers: \"X Y\" (m), not \"" + *options.robotGoal + "\"");
   }
   if (options.seed && *options.seed < 0) {

@@ -30,8 +30,12 @@ struct RunOptions {
   std::optional<int> recordEvery;
   std::vector<std::string> set;  // PATH=VALUE
   bool exact = false;
+  bool counterfactual = false;  // the same seed again without robots
   std::string compat;
 };
+
+/// "X Y HEADING": exactly `count` numbers between blanks (commas are taken too).
+std::optional<std::vector<double>> parseNumbers(const std::string& text, std::size_t count);
 
 /// What is wrong with the words of the command line (exit code 64).
 base::Diagnostics checkOptions(const RunOptions& options);

@@ -26,11 +26,9 @@ LiveMetrics::LiveMetrics(const sim2d::TraceHeader& header, const Selection& sele
     : state_(std::make_unique<State>(
           State{RecordingBuilder(header, selection.robotId), {}, parameters, {}})) {
   state_->recording = state_->builder.emptyRecording();
-  for (const MetricEntry& entry : registry.entries()) {
-    if (selection.selects(entry.info)) {
-      const bool sums = entry.accumulate && state_->isMeasurable(entry.info);
-      state_->metrics.push_back({entry, sums ? entry.accumulate(parameters) : nullptr});
-    }
+  for (const MetricEntry& entry : selection.entries(registry)) {
+    const bool sums = entry.accumulate && state_->isMeasurable(entry.info);
+    state_->metrics.push_back({entry, sums ? entry.accumulate(parameters) : nullptr});
   }
 }
 

@@ -65,6 +65,20 @@ const std::vector<ParameterInfo>& parameterInfos() {
       {"inplace_speed", &P::inplaceSpeed, "m/s", "slower counts as in place"},
       {"inplace_angular_speed", &P::inplaceAngularSpeed, "rad/s", "and turning at least this fast"},
       {"safety_distance", &P::safetyDistance, "m", "clearance that obstacle_safety asks for"},
+      {"collision_horizon", &P::collisionHorizon, "s", "collisions sooner than this are a threat"},
+      {"stopped_distance", &P::stoppedDistance, "m", "who moved less is stopped"},
+      {"stopped_window", &P::stoppedWindow, "s", "in the time up to now of this length"},
+      {"disturbance_radius", &P::disturbanceRadius, "m", "space that a person takes"},
+      {"disturbance_field_of_view", &P::disturbanceFieldOfView, "rad",
+       "full angle in which a person notices"},
+      {"disturbance_speed", &P::disturbanceSpeed, "m/s", "speed that disturbs in full"},
+      {"crowd_radius", &P::crowdRadius, "m", "neighbourhood of the crowd measures"},
+      {"crowd_interval", &P::crowdInterval, "s", "least time between two looks at the crowd"},
+      {"lane_width", &P::laneWidth, "m", "to each side of a person: the same lane"},
+      {"flow_line_x1", &P::flowLineX1, "m", "line whose crossings are counted, first end"},
+      {"flow_line_y1", &P::flowLineY1, "m", ""},
+      {"flow_line_x2", &P::flowLineX2, "m", "second end; both ends equal: no line"},
+      {"flow_line_y2", &P::flowLineY2, "m", ""},
   };
   return kInfos;
 }

@@ -61,6 +61,16 @@ struct MetricParameters {
   double inplaceSpeed = 0.005;
   double inplaceAngularSpeed = 0.15;
   double safetyDistance = 0.3;
+  double collisionHorizon = 2.0;
+  double stoppedDistance = 0.05;
+  double stoppedWindow = 1.0;
+  double disturbanceRadius = 0.28;
+  double disturbanceFieldOfView = 3.3161255787892263;
+  double disturbanceSpeed = 0.55;
+  double crowdRadius = 2.0;
+  double crowdInterval = 0.5;
+  double laneWidth = 0.75;
+  double flowLineX1 = 0.0, flowLineY1 = 0.0, flowLineX2 = 0.0, flowLineY2 = 0.0;
 };
 
 struct ParameterInfo {

@@ -4,12 +4,15 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include "metrics/Expression.h"
 #include "metrics/Report.h"
 #include "sim2d/base/Text.h"
 
 namespace metrics {
 
 namespace {
+
+constexpr char kOwnNode[] = "hunavsim_metrics";
 
 std::string nearestHint(const std::string& key, const std::vector<std::string>& known) {
   const std::optional<std::string> nearest = base::nearestName(key, known);
@@ -47,6 +50,14 @@ class FileReader {
   }
 
   base::Result<MetricsFile> read(const YAML::Node& root) {
+    const bool hasOwn = root.IsMap() && root[kOwnNode];
+    if (hasOwn) {
+      readOwn(root[kOwnNode]["ros__parameters"], root[kOwnNode]);
+    }
+    if (hasOwn && root.size() == 1) {
+      file_.selection.keys.reset();
+      return finished();
+    }
     const YAML::Node parameters = find(root);
     if (!parameters.IsMap()) {
       error(root, "no map of parameters (hunav_evaluator_node: ros__parameters: ...)");
@@ -55,13 +66,17 @@ class FileReader {
     for (const auto& entry : parameters) {
       readEntry(entry.first.as<std::string>(""), entry.second);
     }
+    return finished();
+  }
+
+ private:
+  base::Result<MetricsFile> finished() {
     if (base::hasErrors(problems_)) {
       return problems_;
     }
     return {std::move(file_), std::move(problems_)};
   }
 
- private:
   void note(base::Severity severity, const YAML::Node& node, const std::string& message) {
     const YAML::Mark mark = node.Mark();
     problems_.push_back({severity,
@@ -81,7 +96,8 @@ class FileReader {
       return root;
     }
     for (const auto& entry : root) {
-      if (entry.second.IsMap() && entry.second["ros__parameters"]) {
+      const bool isOwn = entry.first.IsScalar() && entry.first.Scalar() == kOwnNode;
+      if (!isOwn && entry.second.IsMap() && entry.second["ros__parameters"]) {
         return entry.second["ros__parameters"];
       }
     }
@@ -176,6 +192,86 @@ class FileReader {
     turnOn(entry->info, on, *file_.selection.keys);
   }
 
+  void readOwn(const YAML::Node& metrics, const YAML::Node& place) {
+    if (!metrics.IsDefined() || !metrics.IsMap()) {
+      error(place, "no map of formulas (hunavsim_metrics: ros__parameters: <key>: ...)");
+      return;
+    }
+    for (const auto& entry : metrics) {
+      const auto key = entry.first.as<std::string>("");
+      const bool isTaken =
+          registry_.find(key) != nullptr ||
+          std::any_of(file_.selection.own.begin(), file_.selection.own.end(),
+                      [&key](const MetricEntry& other) { return other.info.key == key; });
+      if (isTaken) {
+        error(entry.first, "there is a metric '" + key + "' already");
+      } else if (!isKey(key)) {
+        error(entry.first, "a key is made of a-z, 0-9 and _, and begins with a letter");
+      } else {
+        readFormula(key, entry.first, entry.second);
+      }
+    }
+  }
+
+  static bool isKey(const std::string& key) {
+    const auto isLetter = [](char c) { return c >= 'a' && c <= 'z'; };
+    return !key.empty() && isLetter(key.front()) &&
+           std::all_of(key.begin(), key.end(),
+                       [&](char c) { return isLetter(c) || (c >= '0' && c <= '9') || c == '_'; });
+  }
+
+  void readFormula(const std::string& key, const YAML::Node& place, const YAML::Node& value) {
+    UserMetric metric;
+    metric.key = key;
+    if (!value.IsMap() || !value["expression"] || !value["expression"].IsScalar()) {
+      error(place, "'" + key + "' needs an expression");
+      return;
+    }
+    for (const auto& entry : value) {
+      const auto name = entry.first.as<std::string>("");
+      if (name == "expression") {
+        metric.expression = entry.second.Scalar();
+      } else if (name == "name") {
+        readText(entry.second, metric.name);
+      } else if (name == "unit") {
+        readText(entry.second, metric.unit);
+      } else if (name == "better") {
+        readBetter(entry.second, metric.better);
+      } else {
+        note(base::Severity::Warning, entry.first,
+             "unknown key '" + name + "'" +
+                 nearestHint(name, {"expression", "name", "unit", "better"}));
+      }
+    }
+    addFormula(metric, value["expression"]);
+  }
+
+  void readBetter(const YAML::Node& value, Better& better) {
+    for (const Better candidate : {Better::Lower, Better::Higher, Better::Neutral}) {
+      if (value.IsScalar() && value.Scalar() == betterName(candidate)) {
+        better = candidate;
+        return;
+      }
+    }
+    error(value, "better is lower, higher or neutral");
+  }
+
+  /// Problems get the place in this file: formulas stand on one line, in quotes or not.
+  void addFormula(const UserMetric& metric, const YAML::Node& text) {
+    const base::Result<MetricEntry> entry = entryOf(metric);
+    if (entry) {
+      file_.selection.own.push_back(*entry);
+    }
+    const YAML::Mark mark = text.Mark();
+    const int quote = text.Tag() == "!" ? 1 : 0;
+    for (base::Diagnostic problem : entry.diagnostics()) {
+      problem.file = name_;
+      problem.line = mark.line + 1;
+      problem.column += mark.column + quote;
+      problems_.push_back(problem);
+    }
+  }
+
   std::string name_;
   const MetricRegistry& registry_;
   MetricsFile file_;
@@ -189,6 +285,20 @@ std::string quoted(const std::string& text) {
     result += c == '\'' ? "''" : std::string(1, c);
   }
   return result + "'";
+}
+
+std::string ownText(const std::vector<MetricEntry>& own) {
+  std::string text;
+  for (const MetricEntry& entry : own) {
+    const MetricInfo& info = entry.info;
+    text += text.empty() ? std::string(kOwnNode) + ":\n  ros__parameters:\n" : std::string();
+    text += "    " + info.key + ":\n";
+    text += "      expression: " + quoted(info.formula) + "\n";
+    text += "      name: " + quoted(info.name) + "\n";
+    text += "      unit: " + quoted(info.unit) + "\n";
+    text += std::string("      better: ") + betterName(info.better) + "\n";
+  }
+  return text;
 }
 
 const char* boolText(bool value) {
@@ -255,7 +365,7 @@ std::string writeMetricsFile(const MetricsFile& file, const MetricRegistry& regi
       text += "      " + entry.info.key + ": " + boolText(on) + "\n";
     }
   }
-  return text;
+  return text + ownText(selection.own);
 }
 
 }  // namespace metrics

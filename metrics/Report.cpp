@@ -14,6 +14,17 @@ bool Selection::selects(const MetricInfo& info) const {
   return isHunav ? keys->off.count(key) == 0 : keys->on.count(key) > 0;
 }
 
+std::vector<MetricEntry> Selection::entries(const MetricRegistry& registry) const {
+  std::vector<MetricEntry> selected;
+  for (const MetricEntry& entry : registry.entries()) {
+    if (selects(entry.info)) {
+      selected.push_back(entry);
+    }
+  }
+  selected.insert(selected.end(), own.begin(), own.end());
+  return selected;
+}
+
 const MetricResult* Evaluation::find(std::string_view key) const {
   return findResult(results, key);
 }
@@ -107,10 +118,7 @@ std::vector<MetricResult> computeMetrics(const Recording& recording, const Selec
                                          const MetricParameters& parameters,
                                          const MetricRegistry& registry) {
   std::vector<MetricResult> results;
-  for (const MetricEntry& entry : registry.entries()) {
-    if (!selection.selects(entry.info)) {
-      continue;
-    }
+  for (const MetricEntry& entry : selection.entries(registry)) {
     const MetricResult* sum = entry.meanOf.empty() ? nullptr : findResult(results, entry.meanOf);
     if (entry.info.needs.robot && !recording.hasRobot) {
       results.push_back({entry.info, undefinedValue("there is no robot")});

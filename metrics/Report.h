@@ -18,12 +18,15 @@ struct Selection {
     std::set<std::string> on;   // of ours
   };
   std::optional<Keys> keys;
+  std::vector<MetricEntry> own;  // formulas of the user's
   Window window;
   std::string tag = "exp_1";
   int runId = 0;
   int robotId = -1;
 
   bool selects(const MetricInfo& info) const;
+  /// The selected metrics in order: of the registry, then the user's.
+  std::vector<MetricEntry> entries(const MetricRegistry& registry) const;
 };
 
 /// Exactly these keys; an unknown one is an error with the nearest known.
@@ -31,8 +34,9 @@ base::Result<Selection> selectionOfKeys(const std::vector<std::string>& keys,
                                         const MetricRegistry& registry = standardRegistry());
 
 /// metrics.yaml of HuNavSim (28 or 33 keys, both layouts) with our keys in the same map. A key of
-/// HuNavSim that is missing is on, one of ours is on only when listed. `result_file` and
-/// `use_sim_time` are carried along.
+/// HuNavSim that is missing is on, one of ours is on only when listed. A second node
+/// `hunavsim_metrics` holds formulas of the user's (README.md); a file with them alone selects all.
+/// `result_file` and `use_sim_time` are carried along.
 struct MetricsFile {
   Selection selection;
   std::string resultFile = "metrics";

@@ -1,5 +1,6 @@
 #include "metrics/SeriesMetric.h"
 
+#include <cmath>
 #include <limits>
 
 namespace metrics {
@@ -32,6 +33,26 @@ void addSeriesMetric(MetricRegistry& to, MetricInfo info, SampleTerm term, Reduc
                                          const MetricParameters& parameters) {
     return std::make_unique<SeriesAccumulator>(term, reduce, parameters);
   });
+}
+
+double timeMean(const std::vector<double>& terms, const Recording& recording) {
+  double sum = 0.0;
+  double time = 0.0;
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    if (!std::isnan(terms[i])) {
+      sum += terms[i] * recording.interval(i);
+      time += recording.interval(i);
+    }
+  }
+  return time > 0.0 ? sum / time : std::numeric_limits<double>::quiet_NaN();
+}
+
+double largestTerm(const std::vector<double>& terms) {
+  double largest = std::numeric_limits<double>::quiet_NaN();
+  for (const double term : terms) {
+    largest = term <= largest || std::isnan(term) ? largest : term;
+  }
+  return largest;
 }
 
 double closestGapTerm(const Sample& sample, const MetricParameters& /*parameters*/) {

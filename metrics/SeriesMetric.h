@@ -14,6 +14,11 @@ using Reduction =
 /// Adds a metric whose costly part depends on each sample alone, so that live values cost little.
 void addSeriesMetric(MetricRegistry& to, MetricInfo info, SampleTerm term, Reduction reduce);
 
+/// Mean weighted with the time after each sample, of the samples with a term; NaN: no time.
+double timeMean(const std::vector<double>& terms, const Recording& recording);
+/// Largest defined term; NaN: none.
+double largestTerm(const std::vector<double>& terms);
+
 double closestGapTerm(const Sample& sample, const MetricParameters& parameters);  // NaN: nobody
 
 }  // namespace metrics

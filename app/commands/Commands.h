@@ -23,6 +23,22 @@ struct ListOptions {
 };
 int listCommand(const ListOptions& options, const OutputOptions& output);
 
+struct EvaluateOptions {
+  std::string source;  // folder of a run, or a file of another program
+  std::string output;
+  std::string map;  // instead of the record's; "none" = open plane
+  std::string metrics, metricsProfile = "corrected";
+  std::optional<std::string> tag;
+  std::optional<int> runId;
+  std::string layout;  // hunav2, hunav1: the evaluator's own files too
+  // of files of other programs
+  std::string format, columns;
+  std::optional<double> framesPerSecond, step;
+  std::optional<int> robot;
+  std::optional<std::string> robotGoal;
+};
+int evaluateCommand(const EvaluateOptions& options, const OutputOptions& output);
+
 struct RenderOptions {
   std::string run;     // folder of a run
   std::string output;  // picture

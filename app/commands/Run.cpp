@@ -1,13 +1,14 @@
 #include <cmath>
-#include <filesystem>
 
 #include "app/CommandLine.h"
 #include "app/Console.h"
 #include "app/Manifest.h"
+#include "app/MetricsChoice.h"
 #include "app/Preparation.h"
 #include "app/RunFolder.h"
 #include "app/commands/Commands.h"
 #include "editor/document/MetricsSetup.h"
+#include "metrics/Counterfactual.h"
 #include "metrics/ReportFiles.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Recorder.h"
@@ -21,33 +22,9 @@ std::string oneDecimal(double value) {
   return base::formatDecimals(std::round(value * 10.0) / 10.0, 1);
 }
 
-/// `--metrics`: a file, or keys with commas; over what the scenario says. Unknown keys are wrong
-/// words.
-base::Diagnostics chooseMetrics(const RunOptions& options, editor::MetricsSetup& setup,
-                                base::Diagnostics& wrongWords) {
-  setup.parameters.profile = *metrics::profileOf(options.metricsProfile);
-  if (options.metrics.empty()) {
-    return {};
-  }
-  std::error_code ignored;
-  if (std::filesystem::exists(options.metrics, ignored)) {
-    const base::Result<metrics::MetricsFile> file = metrics::readMetricsFile(options.metrics);
-    if (file) {
-      setup.selection.keys = file->selection.keys;
-    }
-    return file.diagnostics();
-  }
-  const base::Result<metrics::Selection> chosen =
-      metrics::selectionOfKeys(base::split(options.metrics, ','));
-  if (chosen) {
-    setup.selection.keys = chosen->keys;
-  }
-  base::append(wrongWords, chosen.diagnostics());
-  return {};
-}
-
 FinishedRun simulate(sim2d::World& world, const sim2d::Scenario& scenario,
-                     const editor::MetricsSetup& setup, const OutputOptions& output) {
+                     const editor::MetricsSetup& scenarioSetup, const editor::MetricsSetup& setup,
+                     const OutputOptions& output) {
   const sim2d::StopRule rule = sim2d::stopRuleOf(scenario);
   sim2d::Recorder recorder(scenario.desktop.recordEvery.value_or(1));
   const double end = static_cast<double>(rule.maximumSteps) * world.dt();
@@ -63,9 +40,53 @@ FinishedRun simulate(sim2d::World& world, const sim2d::Scenario& scenario,
   }
   std::string treesCsv = recorder.treesCsv();
   sim2d::Trace trace = recorder.finish(world.header());
+  editor::noteMetricsFile(scenarioSetup, trace.header);
   base::Result<metrics::Evaluation> evaluation =
       metrics::evaluate(trace, setup.selection, setup.parameters);
-  return {std::move(trace), std::move(treesCsv), std::move(result), std::move(evaluation)};
+  return {std::move(trace), std::move(treesCsv), std::move(result), std::move(evaluation), {}};
+}
+
+/// The same people with the same draws, alone; as many steps as the run had.
+base::Result<sim2d::Trace> simulateWithoutRobots(const Preparation& preparation,
+                                                 const RunOptions& options, std::int64_t steps) {
+  Preparation alone = preparation;
+  auto scenario = std::make_shared<sim2d::Scenario>(*preparation.scenario);
+  for (sim2d::Robot& robot : scenario->robots) {
+    robot.listed = false;
+  }
+  alone.scenario = scenario;
+  const base::Result<std::unique_ptr<sim2d::World>> world = makeWorld(alone, options);
+  if (!world) {
+    return world.diagnostics();
+  }
+  sim2d::Recorder recorder(scenario->desktop.recordEvery.value_or(1));
+  const sim2d::RunResult result = sim2d::run(**world, {steps, false}, recorder,
+                                             [](const sim2d::Frame&) { return wasInterrupted(); });
+  if (result.status != sim2d::RunStatus::Finished) {
+    return base::makeError("the run without robots ended early: " + result.reason,
+                           options.scenario);
+  }
+  return recorder.finish((*world)->header());
+}
+
+/// Adds the sums to the metrics and makes the table of people.
+base::Diagnostics compareWithoutRobots(const Preparation& preparation, const RunOptions& options,
+                                       FinishedRun& run) {
+  if (run.trace.header.robots.empty()) {
+    return {base::makeWarning("--counterfactual: the scenario has no robot", options.scenario)};
+  }
+  const base::Result<sim2d::Trace> alone =
+      simulateWithoutRobots(preparation, options, run.result.steps);
+  if (!alone) {
+    return alone.diagnostics();
+  }
+  const std::vector<metrics::PersonEffect> effects = metrics::personEffects(run.trace, *alone);
+  run.effectsCsv = metrics::effectsCsv(effects);
+  if (run.evaluation) {
+    const std::vector<metrics::MetricResult> sums = metrics::effectSums(effects);
+    run.evaluation->results.insert(run.evaluation->results.end(), sums.begin(), sums.end());
+  }
+  return alone.diagnostics();
 }
 
 std::string lastLine(const FinishedRun& run, double dt) {
@@ -121,8 +142,10 @@ int runCommand(const RunOptions& options, const OutputOptions& output,
   base::Result<editor::MetricsSetup> setup =
       editor::metricsSetupOf(*preparation.scenario, options.scenario);
   base::append(preparation.diagnostics, setup.diagnostics());
+  const editor::MetricsSetup scenarioSetup = setup ? *setup : editor::MetricsSetup();
   if (setup) {
-    base::append(preparation.diagnostics, chooseMetrics(options, *setup, preparation.wrongWords));
+    base::append(preparation.diagnostics, chooseMetrics({options.metrics, options.metricsProfile},
+                                                        *setup, preparation.wrongWords));
   }
   printDiagnostics(preparation.wrongWords);
   if (base::hasErrors(preparation.wrongWords)) {
@@ -141,12 +164,18 @@ int runCommand(const RunOptions& options, const OutputOptions& output,
     return kBadInput;
   }
   catchInterrupts();
-  const FinishedRun run = simulate(**world, *preparation.scenario, *setup, output);
+  FinishedRun run = simulate(**world, *preparation.scenario, scenarioSetup, *setup, output);
   base::Diagnostics troubles;
   (*world)->behavior().takeDiagnostics(troubles);
   printDiagnostics(troubles);
   if (!run.evaluation) {
     printDiagnostics(run.evaluation.diagnostics());
+  }
+  bool isCompared = true;
+  if (options.counterfactual && run.result.status == sim2d::RunStatus::Finished) {
+    const base::Diagnostics told = compareWithoutRobots(preparation, options, run);
+    printDiagnostics(told);
+    isCompared = !base::hasErrors(told);
   }
   if (!options.output.empty()) {
     const base::Diagnostics problems =
@@ -157,7 +186,8 @@ int runCommand(const RunOptions& options, const OutputOptions& output,
     }
   }
   show(run, (*world)->dt(), output);
-  return exitCodeOf(run, options.scenario);
+  const int code = exitCodeOf(run, options.scenario);
+  return code == kFine && !isCompared ? kRunFailed : code;
 }
 
 }  // namespace app

@@ -8,10 +8,10 @@ namespace editor {
 
 namespace {
 
-base::Diagnostics readParameters(const sim2d::MetricsSettings& settings,
+base::Diagnostics readParameters(const std::vector<std::pair<std::string, double>>& settings,
                                  metrics::MetricParameters& parameters, const std::string& file) {
   base::Diagnostics problems;
-  for (const auto& [name, value] : settings.parameters) {
+  for (const auto& [name, value] : settings) {
     if (const metrics::ParameterInfo* info = metrics::findParameter(name)) {
       parameters.*(info->member) = value;
       continue;
@@ -35,7 +35,7 @@ base::Result<MetricsSetup> metricsSetupOf(const sim2d::Scenario& scenario,
                                           const std::string& scenarioPath) {
   const sim2d::MetricsSettings& settings = scenario.desktop.metrics;
   MetricsSetup setup;
-  base::Diagnostics problems = readParameters(settings, setup.parameters, scenarioPath);
+  base::Diagnostics problems = readParameters(settings.parameters, setup.parameters, scenarioPath);
   if (settings.file) {
     namespace fs = std::filesystem;
     const fs::path path = fs::path(scenarioPath).parent_path() / *settings.file;
@@ -43,6 +43,7 @@ base::Result<MetricsSetup> metricsSetupOf(const sim2d::Scenario& scenario,
     base::append(problems, file.diagnostics());
     if (file) {
       setup.selection = file->selection;
+      setup.hasFile = true;
     }
   }
   metrics::Selection& selection = setup.selection;
@@ -58,6 +59,39 @@ base::Result<MetricsSetup> metricsSetupOf(const sim2d::Scenario& scenario,
     return problems;
   }
   return {setup, problems};
+}
+
+base::Diagnostics readMetricsSetup(const sim2d::TraceHeader& header, MetricsSetup& setup) {
+  const char file[] = "trace.json";
+  const sim2d::TraceMetrics& told = header.metrics;
+  base::Diagnostics problems = readParameters(told.parameters, setup.parameters, file);
+  if (!told.selection.empty()) {
+    const base::Result<metrics::MetricsFile> selection =
+        metrics::parseMetricsFile(told.selection, file);
+    base::append(problems, selection.diagnostics());
+    if (selection) {
+      setup.selection = selection->selection;
+      setup.hasFile = true;
+    }
+  }
+  metrics::Selection& selection = setup.selection;
+  selection.window = {told.from, told.until, told.frequency};
+  selection.tag = told.tag;
+  selection.runId = told.runId;
+  if (const std::string wrong = metrics::windowProblem(selection.window); !wrong.empty()) {
+    problems.push_back(base::makeError(wrong, file));
+  }
+  return problems;
+}
+
+void noteMetricsFile(const MetricsSetup& setup, sim2d::TraceHeader& header) {
+  if (!setup.hasFile) {
+    return;
+  }
+  header.metrics.selection = metrics::writeMetricsFile({setup.selection, "metrics", true});
+  header.metrics.frequency = setup.selection.window.frequency;
+  header.metrics.tag = setup.selection.tag;
+  header.metrics.runId = setup.selection.runId;
 }
 
 }  // namespace editor

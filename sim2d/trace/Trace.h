@@ -67,6 +67,20 @@ struct TraceObstacle {
   }
 };
 
+/// What the scenario says about its metrics.
+struct TraceMetrics {
+  std::string from = "begin", until = "end";  // window
+  double frequency = 0.0;                     // [Hz], 0 = every sample
+  std::string tag = "exp_1";
+  int runId = 0;
+  std::string selection;  // text of a metrics.yaml; empty = all metrics
+  std::vector<std::pair<std::string, double>> parameters;
+  friend bool operator==(const TraceMetrics& a, const TraceMetrics& b) {
+    return std::tie(a.from, a.until, a.frequency, a.tag, a.runId, a.selection, a.parameters) ==
+           std::tie(b.from, b.until, b.frequency, b.tag, b.runId, b.selection, b.parameters);
+  }
+};
+
 /// What metrics need beside the trajectory.
 struct TraceHeader {
   int format = 1;
@@ -79,11 +93,12 @@ struct TraceHeader {
   std::vector<TraceObstacle> obstacles;
   std::string obstaclePoints = "boundary";
   OccupancyGrid map;
+  TraceMetrics metrics;
   friend bool operator==(const TraceHeader& a, const TraceHeader& b) {
     return std::tie(a.format, a.scenario, a.dt, a.recordEvery, a.seed, a.humans, a.robots,
-                    a.obstacles, a.obstaclePoints,
-                    a.map) == std::tie(b.format, b.scenario, b.dt, b.recordEvery, b.seed, b.humans,
-                                       b.robots, b.obstacles, b.obstaclePoints, b.map);
+                    a.obstacles, a.obstaclePoints, a.map, a.metrics) ==
+           std::tie(b.format, b.scenario, b.dt, b.recordEvery, b.seed, b.humans, b.robots,
+                    b.obstacles, b.obstaclePoints, b.map, b.metrics);
   }
 };
 

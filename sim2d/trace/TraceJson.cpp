@@ -31,7 +31,7 @@ void readGoals(JsonFields& fields, const Json& json, const std::string& path,
 }
 
 void readParameters(JsonFields& fields, const Json& json, const std::string& path,
-                    TraceHuman& human) {
+                    std::vector<std::pair<std::string, double>>& to) {
   const Json* parameters = fields.member(json, path, "parameters");
   if (parameters == nullptr) {
     return;
@@ -45,9 +45,9 @@ void readParameters(JsonFields& fields, const Json& json, const std::string& pat
     double number = 0.0;
     if (value == "inf" || value == "-inf") {
       const double infinity = std::numeric_limits<double>::infinity();
-      human.parameters.emplace_back(key, value == "inf" ? infinity : -infinity);
+      to.emplace_back(key, value == "inf" ? infinity : -infinity);
     } else if (JsonFields::finite(value, number)) {
-      human.parameters.emplace_back(key, number);
+      to.emplace_back(key, number);
     } else {
       fields.error(where + key, "must be a number");
     }
@@ -68,7 +68,7 @@ TraceHuman readHuman(JsonFields& fields, const Json& json, const std::string& pa
   fields.readInt(json, path, "configuration", human.configuration);
   fields.read(json, path, "cyclic_goals", human.cyclicGoals);
   readGoals(fields, json, path, human.goals);
-  readParameters(fields, json, path, human);
+  readParameters(fields, json, path, human.parameters);
   requirePositive(fields, path + "radius", human.radius);
   return human;
 }
@@ -169,6 +169,26 @@ void readMap(JsonFields& fields, const Json& root, OccupancyGrid& map) {
   }
 }
 
+/// Scenarios that say nothing about metrics have no such member.
+void readMetrics(JsonFields& fields, const Json& root, TraceMetrics& metrics) {
+  const auto found = root.find("metrics");
+  if (found == root.end()) {
+    return;
+  }
+  if (!found->is_object()) {
+    fields.error("metrics", "must be an object");
+    return;
+  }
+  const std::string path = "metrics.";
+  fields.read(*found, path, "from", metrics.from);
+  fields.read(*found, path, "until", metrics.until);
+  fields.read(*found, path, "frequency", metrics.frequency);
+  fields.read(*found, path, "tag", metrics.tag);
+  fields.readInt(*found, path, "run_id", metrics.runId);
+  fields.read(*found, path, "selection", metrics.selection);
+  readParameters(fields, *found, path, metrics.parameters);
+}
+
 TraceHeader readHeader(JsonFields& fields, const Json& root) {
   TraceHeader header;
   fields.readInt(root, "", "format", header.format);
@@ -190,6 +210,7 @@ TraceHeader readHeader(JsonFields& fields, const Json& root) {
       root, "", "obstacles", header.obstacles,
       [&](const Json& json, const std::string& path) { return readObstacle(fields, json, path); });
   readMap(fields, root, header.map);
+  readMetrics(fields, root, header.metrics);
   requirePositive(fields, "dt", header.dt);
   requirePositive(fields, "record_every", header.recordEvery);
   return header;

@@ -114,6 +114,20 @@ Json mapJson(const OccupancyGrid& map) {
           {"cells", runLengths(map.cells())}};
 }
 
+Json metricsJson(const TraceMetrics& metrics) {
+  Json parameters = Json::object();
+  for (const auto& [key, value] : metrics.parameters) {
+    parameters[key] = number(value);
+  }
+  return {{"from", metrics.from},
+          {"until", metrics.until},
+          {"frequency", number(metrics.frequency)},
+          {"tag", metrics.tag},
+          {"run_id", metrics.runId},
+          {"selection", metrics.selection},
+          {"parameters", parameters}};
+}
+
 template <class T, class ToJson>
 Json listJson(const std::vector<T>& values, ToJson toJson) {
   Json list = Json::array();
@@ -142,16 +156,19 @@ std::string memberText(const Json& value) {
 }  // namespace
 
 std::string traceJson(const TraceHeader& header) {
-  const Json root = {{"format", header.format},
-                     {"scenario", header.scenario},
-                     {"dt", number(header.dt)},
-                     {"record_every", header.recordEvery},
-                     {"seed", header.seed},
-                     {"obstacle_points", header.obstaclePoints},
-                     {"humans", listJson(header.humans, humanJson)},
-                     {"robots", listJson(header.robots, robotJson)},
-                     {"obstacles", listJson(header.obstacles, obstacleJson)},
-                     {"map", mapJson(header.map)}};
+  Json root = {{"format", header.format},
+               {"scenario", header.scenario},
+               {"dt", number(header.dt)},
+               {"record_every", header.recordEvery},
+               {"seed", header.seed},
+               {"obstacle_points", header.obstaclePoints},
+               {"humans", listJson(header.humans, humanJson)},
+               {"robots", listJson(header.robots, robotJson)},
+               {"obstacles", listJson(header.obstacles, obstacleJson)},
+               {"map", mapJson(header.map)}};
+  if (!(header.metrics == TraceMetrics())) {
+    root["metrics"] = metricsJson(header.metrics);
+  }
   std::string text = "{";
   for (const auto& [key, value] : root.items()) {
     text += (text.size() == 1 ? "\n " : ",\n ") + compact(key) + ": " + memberText(value);

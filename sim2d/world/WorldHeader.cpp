@@ -68,6 +68,18 @@ TraceRobot traceRobot(const ResolvedRobot& robot) {
   return result;
 }
 
+/// Without the selection: its file is read elsewhere.
+TraceMetrics traceMetrics(const MetricsSettings& settings) {
+  TraceMetrics metrics;
+  metrics.from = settings.from.value_or(metrics.from);
+  metrics.until = settings.until.value_or(metrics.until);
+  metrics.frequency = settings.frequency.value_or(metrics.frequency);
+  metrics.tag = settings.tag.value_or(metrics.tag);
+  metrics.runId = settings.runId.value_or(metrics.runId);
+  metrics.parameters = settings.parameters;
+  return metrics;
+}
+
 }  // namespace
 
 TraceHeader makeHeader(const WorldModel& model, const Surroundings& surroundings) {
@@ -98,6 +110,7 @@ TraceHeader makeHeader(const WorldModel& model, const Surroundings& surroundings
   }
   header.obstaclePoints = model.obstaclePoints == ObstaclePoints::Rays ? "rays" : "boundary";
   header.map = surroundings.grid;
+  header.metrics = traceMetrics(scenario.desktop.metrics);
   return header;
 }
 

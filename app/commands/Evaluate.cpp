@@ -1,0 +1,196 @@
+#include <filesystem>
+
+#include "app/CommandLine.h"
+#include "app/Console.h"
+#include "app/Manifest.h"
+#include "app/MetricsChoice.h"
+#include "app/Preparation.h"
+#include "app/commands/Commands.h"
+#include "metrics/ReportFiles.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/trace/ForeignFiles.h"
+
+namespace app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isRunFolder(const std::string& source) {
+  std::error_code ignored;
+  return fs::is_directory(source, ignored);
+}
+
+/// Words that only mean something for files of other programs.
+base::Diagnostics foreignWords(const EvaluateOptions& options) {
+  base::Diagnostics wrong;
+  const auto refuse = [&](bool given, const char* word) {
+    if (given) {
+      wrong.push_back(base::makeError(std::string(word) +
+                                      " is for files of other programs, not for the folder of a "
+                                      "run"));
+    }
+  };
+  refuse(!options.format.empty(), "--format");
+  refuse(!options.columns.empty(), "--columns");
+  refuse(options.framesPerSecond.has_value(), "--fps");
+  refuse(options.step.has_value(), "--dt");
+  refuse(options.robot.has_value(), "--robot");
+  refuse(options.robotGoal.has_value(), "--robot-goal");
+  return wrong;
+}
+
+struct ForeignWords {
+  sim2d::ForeignOptions reading;
+  sim2d::TrackOptions tracks;
+};
+
+base::Result<ForeignWords> foreignOptionsOf(const EvaluateOptions& options) {
+  ForeignWords words;
+  base::Diagnostics wrong;
+  if (!options.format.empty()) {
+    words.reading.format = sim2d::foreignFormatOf(options.format);  // checked by the parser
+  }
+  if (!options.columns.empty()) {
+    const auto columns = sim2d::parseColumns(options.columns);
+    base::append(wrong, columns.diagnostics());
+    if (columns) {
+      words.reading.columns = *columns;
+    }
+  }
+  const auto positive = [&wrong](const std::optional<double>& value, const char* word) {
+    if (value && !(*value > 0.0 && *value <= 1e6)) {
+      wrong.push_back(base::makeError(std::string(word) + " takes a number above 0"));
+    }
+    return value.value_or(0.0);
+  };
+  words.reading.framesPerSecond = positive(options.framesPerSecond, "--fps");
+  words.tracks.step = positive(options.step, "--dt");
+  words.tracks.robotId = options.robot;
+  if (options.robotGoal) {
+    const std::optional<std::vector<double>> goal = parseNumbers(*options.robotGoal, 2);
+    if (goal) {
+      words.tracks.robotGoal = base::Vec2((*goal)[0], (*goal)[1]);
+    } else {
+      wrong.push_back(base::makeError("--robot-goal takes two numbers: \"X Y\" (m), not \"" +
+                                      *options.robotGoal + "\""));
+    }
+  }
+  if (!wrong.empty()) {
+    return wrong;
+  }
+  return words;
+}
+
+base::Result<sim2d::Trace> readSource(const EvaluateOptions& options, const ForeignWords& words) {
+  if (isRunFolder(options.source)) {
+    return sim2d::readTrace(options.source);
+  }
+  const base::Result<sim2d::TrackFile> file = sim2d::readForeign(options.source, words.reading);
+  return file ? sim2d::traceOfTracks(*file, words.tracks)
+              : base::Result<sim2d::Trace>(file.diagnostics());
+}
+
+base::Diagnostics replaceMap(const EvaluateOptions& options, sim2d::Trace& trace) {
+  if (options.map.empty()) {
+    return {};
+  }
+  if (options.map == "none") {
+    sim2d::setMap(trace, {});
+    return {};
+  }
+  base::Result<sim2d::MapFile> file = readMapFile(options.map, "humble");
+  if (file) {
+    sim2d::setMap(trace, std::move(file->grid));
+  }
+  return file.diagnostics();
+}
+
+class ResultFolder {
+ public:
+  explicit ResultFolder(std::string folder) : folder_(std::move(folder)) {}
+
+  void write(const char* name, const std::string& content) {
+    base::append(problems_,
+                 base::writeFileAtomically((fs::path(folder_) / name).string(), content));
+  }
+  base::Diagnostics writeAll(const EvaluateOptions& options, const sim2d::Trace& trace,
+                             const metrics::Evaluation& evaluation) {
+    write("metrics.json", metrics::toJson(evaluation));
+    if (options.layout != "hunav2") {  // else rows are added to the table of this name
+      write("metrics.csv", metrics::metricsCsv(evaluation));
+    }
+    write("steps.csv", metrics::stepsCsv(evaluation));
+    if (!isRunFolder(options.source)) {  // as a run, so that it can be drawn and measured again
+      write("trajectory.csv", sim2d::trajectoryCsv(trace));
+      write("events.csv", sim2d::eventsCsv(trace));
+      write("trace.json", sim2d::traceJson(trace.header));
+    }
+    if (!options.layout.empty() && problems_.empty()) {
+      const metrics::Layout layout =
+          options.layout == "hunav1" ? metrics::Layout::Hunav1 : metrics::Layout::Hunav2;
+      const auto files = metrics::writeEvaluatorFiles(
+          evaluation, (fs::path(folder_) / "metrics").string(), layout);
+      base::append(problems_, files.diagnostics());
+    }
+    return problems_;
+  }
+
+ private:
+  std::string folder_;
+  base::Diagnostics problems_;
+};
+
+}  // namespace
+
+int evaluateCommand(const EvaluateOptions& options, const OutputOptions& output) {
+  base::Diagnostics wrong =
+      isRunFolder(options.source) ? foreignWords(options) : base::Diagnostics();
+  const base::Result<ForeignWords> words = foreignOptionsOf(options);
+  base::append(wrong, words.diagnostics());
+  if (base::hasErrors(wrong)) {
+    printDiagnostics(wrong);
+    return kWrongCommandLine;
+  }
+  base::Result<sim2d::Trace> trace = readSource(options, *words);
+  base::Diagnostics problems = trace.diagnostics();
+  if (trace) {
+    base::append(problems, replaceMap(options, *trace));
+  }
+  editor::MetricsSetup setup;
+  if (trace) {
+    base::append(problems, editor::readMetricsSetup(trace->header, setup));
+  }
+  base::append(problems, chooseMetrics({options.metrics, options.metricsProfile}, setup, wrong));
+  if (base::hasErrors(wrong)) {
+    printDiagnostics(wrong);
+    return kWrongCommandLine;
+  }
+  base::append(problems, checkWritableFolder(options.output));
+  printDiagnostics(problems, base::Severity::Warning);
+  if (base::hasErrors(problems)) {
+    return kBadInput;
+  }
+  setup.selection.tag = options.tag.value_or(setup.selection.tag);
+  setup.selection.runId = options.runId.value_or(setup.selection.runId);
+  const base::Result<metrics::Evaluation> evaluation =
+      metrics::evaluate(*trace, setup.selection, setup.parameters);
+  printDiagnostics(evaluation.diagnostics());
+  if (!evaluation) {
+    return kBadInput;
+  }
+  const base::Diagnostics unwritten =
+      ResultFolder(options.output).writeAll(options, *trace, *evaluation);
+  printDiagnostics(unwritten);
+  if (base::hasErrors(unwritten)) {
+    return kBadInput;
+  }
+  if (output.json) {
+    print(metrics::toJson(*evaluation));
+  } else if (!output.quiet) {
+    print(metrics::tableText(*evaluation));
+  }
+  return kFine;
+}
+
+}  // namespace app

@@ -1,0 +1,171 @@
+#include "metrics/Counterfactual.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "sim2d/base/Text.h"
+
+namespace metrics {
+
+namespace {
+
+constexpr double kSlower = 0.1;  // [m/s]
+
+struct Moment {
+  Vec2 position = Vec2::Zero();
+  Vec2 velocity = Vec2::Zero();
+  double heading = 0.0;
+};
+
+/// A person's way in one record.
+struct Way {
+  std::map<std::int64_t, Moment> moments;  // by step
+  std::vector<std::int64_t> goals;         // steps at which goals were reached
+};
+
+std::map<int, Way> waysOf(const sim2d::Trace& trace) {
+  std::map<int, Way> ways;
+  for (const sim2d::Frame& frame : trace.frames) {
+    const sim2d::HumanColumns& humans = frame.humans;
+    for (std::size_t k = 0; k < humans.size(); ++k) {
+      ways[humans.id[k]].moments[frame.step] = {
+          Vec2(humans.x[k], humans.y[k]), Vec2(humans.vx[k], humans.vy[k]), humans.heading[k]};
+    }
+  }
+  for (const auto& [step, event] : trace.events) {
+    const auto way = ways.find(event.id);
+    if (event.kind == sim2d::EventKind::Goal && event.hasId && way != ways.end()) {
+      way->second.goals.push_back(step);
+    }
+  }
+  return ways;
+}
+
+/// Step of goal number `goal` (from 1), else the last one there.
+std::int64_t stepOfGoal(const Way& way, std::size_t goal) {
+  return goal > 0 && goal <= way.goals.size() ? way.goals[goal - 1] : way.moments.rbegin()->first;
+}
+
+double lengthUntil(const Way& way, std::int64_t step) {
+  double length = 0.0;
+  const Moment* before = nullptr;
+  for (const auto& [at, moment] : way.moments) {
+    if (at > step) {
+      break;
+    }
+    length += before != nullptr ? lengthOf(moment.position - before->position) : 0.0;
+    before = &moment;
+  }
+  return length;
+}
+
+PersonEffect effectOf(int id, const Way& with, const Way& without, double dt) {
+  PersonEffect effect;
+  effect.id = id;
+  const std::size_t common = std::min(with.goals.size(), without.goals.size());
+  const std::size_t goal = with.goals.size() == without.goals.size() ? common : common + 1;
+  const std::int64_t end = stepOfGoal(with, goal);
+  const std::int64_t endWithout = stepOfGoal(without, goal);
+  effect.detour = lengthUntil(with, end) - lengthUntil(without, endWithout);
+  effect.delay = static_cast<double>(end - endWithout) * dt;
+  const Moment* before = nullptr;
+  const Moment* beforeWithout = nullptr;
+  std::int64_t lastStep = 0;
+  double count = 0.0;
+  for (const auto& [step, moment] : with.moments) {
+    const auto other = without.moments.find(step);
+    if (other == without.moments.end()) {
+      continue;
+    }
+    const Moment& twin = other->second;
+    if (before != nullptr) {
+      effect.extraForce += lengthOf((moment.velocity - before->velocity) -
+                                    (twin.velocity - beforeWithout->velocity));
+      const bool isSlower = lengthOf(moment.velocity) < lengthOf(twin.velocity) - kSlower;
+      effect.slowedTime += isSlower ? static_cast<double>(step - lastStep) * dt : 0.0;
+    }
+    effect.disturbance += std::fabs(base::angleDiff(moment.heading, twin.heading));
+    count += 1.0;
+    before = &moment;
+    beforeWithout = &twin;
+    lastStep = step;
+  }
+  effect.disturbance /= std::max(count, 1.0);
+  return effect;
+}
+
+struct Column {
+  const char* name;
+  const char* title;
+  const char* unit;
+  const char* formula;
+  double PersonEffect::*member;
+};
+constexpr Column kColumns[] = {
+    {"detour", "Detours caused by the robot", "m", "path length with - without the robot",
+     &PersonEffect::detour},
+    {"delay", "Delays caused by the robot", "s", "time of the last common goal with - without",
+     &PersonEffect::delay},
+    {"extra_force", "Changes of velocity caused by the robot", "m/s",
+     "sum of |change of velocity with - without|", &PersonEffect::extraForce},
+    {"slowed_time", "Time slowed by the robot", "s", "time slower by more than 0.1 m/s",
+     &PersonEffect::slowedTime},
+    {"heading_disturbance", "Headings turned by the robot", "rad", "mean |heading with - without|",
+     &PersonEffect::disturbance}};
+
+}  // namespace
+
+std::vector<PersonEffect> personEffects(const sim2d::Trace& with, const sim2d::Trace& without) {
+  const std::map<int, Way> ways = waysOf(with);
+  const std::map<int, Way> others = waysOf(without);
+  std::vector<PersonEffect> effects;
+  for (const auto& [id, way] : ways) {
+    const auto other = others.find(id);
+    if (other != others.end()) {
+      effects.push_back(effectOf(id, way, other->second, with.header.dt));
+    }
+  }
+  return effects;
+}
+
+std::vector<MetricResult> effectSums(const std::vector<PersonEffect>& effects) {
+  std::vector<MetricResult> results;
+  for (const Column& column : kColumns) {
+    MetricInfo info;
+    info.key = std::string("counterfactual_") + column.name;
+    info.name = column.title;
+    info.unit = column.unit;
+    info.category = Category::Social;
+    info.better = Better::Lower;
+    info.needs = {true, true};
+    info.formula = std::string("sum over people of ") + column.formula;
+    info.source = "ours";
+    info.range = "(-inf, inf)";
+    double sum = 0.0;
+    for (const PersonEffect& effect : effects) {
+      sum += effect.*column.member;
+    }
+    results.push_back(
+        {info, effects.empty() ? undefinedValue("nobody is in both runs") : numberValue(sum)});
+  }
+  return results;
+}
+
+std::string effectsCsv(const std::vector<PersonEffect>& effects) {
+  std::string text = "id";
+  for (const Column& column : kColumns) {
+    text += std::string(",") + column.name;
+  }
+  text += "\n";
+  for (const PersonEffect& effect : effects) {
+    text += std::to_string(effect.id);
+    for (const Column& column : kColumns) {
+      text += "," + base::formatDouble(effect.*column.member);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace metrics

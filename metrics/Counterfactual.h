@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "metrics/Report.h"
+
+/// What the robot did to people: a run against the same one without it.
+namespace metrics {
+
+/// With - without, of one person. Lengths and times up to the last goal that both runs have in
+/// common; a goal that only one run reached counts as reached at the end of the other. Then over
+/// the instants that both records have.
+struct PersonEffect {
+  int id = 0;
+  double detour = 0.0;       // [m] more walked
+  double delay = 0.0;        // [s] later there
+  double extraForce = 0.0;   // [m/s] sum of |change of velocity with - without|
+  double slowedTime = 0.0;   // [s] slower by more than 0.1 m/s
+  double disturbance = 0.0;  // [rad] mean |heading with - without|
+};
+
+/// The people of both records, by id.
+std::vector<PersonEffect> personEffects(const sim2d::Trace& with, const sim2d::Trace& without);
+/// Sums over the people, under keys that begin with counterfactual_.
+std::vector<MetricResult> effectSums(const std::vector<PersonEffect>& effects);
+/// counterfactual.csv: one row per person.
+std::string effectsCsv(const std::vector<PersonEffect>& effects);
+
+}  // namespace metrics

@@ -1,0 +1,400 @@
+#include "metrics/Expression.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "metrics/ExpressionNames.h"
+#include "sim2d/base/Text.h"
+
+namespace metrics {
+
+namespace {
+
+constexpr int kDeepest = 100;           // brackets in brackets
+constexpr std::size_t kLongest = 4000;  // [characters]
+
+using Place = Expression::Place;
+using Value = Expression::Value;
+
+/// A part of the formula and how often it may differ.
+struct Part {
+  Value value;
+  Scope scope = Scope::Run;
+};
+
+struct Operator {
+  const char* sign;
+  double (*apply)(double, double);
+};
+
+double truth(bool holds) {
+  return holds ? 1.0 : 0.0;
+}
+
+/// Undefined stays undefined.
+template <class Apply>
+double unlessNaN(double a, double b, Apply apply) {
+  return std::isnan(a) || std::isnan(b) ? a + b : apply(a, b);
+}
+
+// Longer signs first: "<=" before "<".
+constexpr std::array<Operator, 1> kOr = {
+    {{"or", [](double a, double b) {
+        return unlessNaN(a, b, [](double p, double q) { return truth(p != 0.0 || q != 0.0); });
+      }}}};
+constexpr std::array<Operator, 1> kAnd = {
+    {{"and", [](double a, double b) {
+        return unlessNaN(a, b, [](double p, double q) { return truth(p != 0.0 && q != 0.0); });
+      }}}};
+constexpr std::array<Operator, 6> kCompare = {
+    {{"<=",
+      [](double a, double b) {
+        return unlessNaN(a, b, [](double p, double q) { return truth(p <= q); });
+      }},
+     {">=",
+      [](double a, double b) {
+        return unlessNaN(a, b, [](double p, double q) { return truth(p >= q); });
+      }},
+     {"==",
+      [](double a, double b) {
+        return unlessNaN(a, b, [](double p, double q) { return truth(p == q); });
+      }},
+     {"!=",
+      [](double a, double b) {
+        return unlessNaN(a, b, [](double p, double q) { return truth(p != q); });
+      }},
+     {"<",
+      [](double a, double b) {
+        return unlessNaN(a, b, [](double p, double q) { return truth(p < q); });
+      }},
+     {">", [](double a, double b) {
+        return unlessNaN(a, b, [](double p, double q) { return truth(p > q); });
+      }}}};
+constexpr std::array<Operator, 2> kAdd = {{{"+", [](double a, double b) { return a + b; }},
+                                           {"-", [](double a, double b) { return a - b; }}}};
+constexpr std::array<Operator, 2> kMultiply = {
+    {{"*", [](double a, double b) { return a * b; }},
+     {"/", [](double a, double b) { return b == 0.0 ? std::nan("") : a / b; }}}};
+
+bool isLetter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+}  // namespace
+
+/// Recursive descent; stops at the first problem.
+class ExpressionParser {
+ public:
+  explicit ExpressionParser(const std::string& text) : text_(text) {}
+
+  base::Result<Expression> parse() {
+    expression_.needs_ = {false};
+    if (text_.size() > kLongest) {
+      fail(0, "the formula is too long");
+    }
+    const Part part = parseAny(0);
+    skipBlanks();
+    if (!hasFailed() && at_ < text_.size()) {
+      fail(at_, "something is left over: '" + text_.substr(at_) + "'");
+    }
+    if (!hasFailed() && part.scope != Scope::Run) {
+      fail(
+          0,
+          "differs from sample to sample: put it into min(), max(), mean(), sum(), integral() ...");
+    }
+    if (hasFailed()) {
+      return problem_;
+    }
+    expression_.result_ = part.value;
+    return std::move(expression_);
+  }
+
+ private:
+  bool hasFailed() const { return !problem_.empty(); }
+  Part fail(std::size_t at, const std::string& message) {
+    if (!hasFailed()) {
+      problem_.push_back(base::makeError(message, "", 1, static_cast<int>(at) + 1));
+    }
+    return {[](const Place&) { return 0.0; }, Scope::Run};
+  }
+
+  void skipBlanks() {
+    while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\n')) {
+      ++at_;
+    }
+  }
+
+  /// Takes the sign if it stands here; words only as whole words.
+  bool take(const std::string& sign) {
+    skipBlanks();
+    if (text_.compare(at_, sign.size(), sign) != 0) {
+      return false;
+    }
+    const std::size_t end = at_ + sign.size();
+    if (isLetter(sign.front()) && end < text_.size() &&
+        (isLetter(text_[end]) || isDigit(text_[end]) || text_[end] == '.')) {
+      return false;
+    }
+    at_ = end;
+    return true;
+  }
+
+  static Part joined(const Part& a, const Part& b, double (*apply)(double, double)) {
+    return {
+        [x = a.value, y = b.value, apply](const Place& place) { return apply(x(place), y(place)); },
+        std::max(a.scope, b.scope)};
+  }
+
+  using Rule = Part (ExpressionParser::*)(int);
+  template <std::size_t kCount>
+  Part chain(const std::array<Operator, kCount>& operators, Rule next, int depth) {
+    Part part = (this->*next)(depth);
+    for (bool found = true; found && !hasFailed();) {
+      found = false;
+      for (const Operator& candidate : operators) {
+        if (take(candidate.sign)) {
+          part = joined(part, (this->*next)(depth), candidate.apply);
+          found = true;
+          break;
+        }
+      }
+    }
+    return part;
+  }
+
+  Part parseAny(int depth) {
+    return depth > kDeepest ? fail(at_, "too many brackets in brackets")
+                            : chain(kOr, &ExpressionParser::parseAnd, depth);
+  }
+  Part parseAnd(int depth) { return chain(kAnd, &ExpressionParser::parseCompare, depth); }
+  Part parseCompare(int depth) { return chain(kCompare, &ExpressionParser::parseSum, depth); }
+  Part parseSum(int depth) { return chain(kAdd, &ExpressionParser::parseProduct, depth); }
+  Part parseProduct(int depth) { return chain(kMultiply, &ExpressionParser::parseSigned, depth); }
+
+  Part parseSigned(int depth) {
+    if (depth > kDeepest) {
+      return fail(at_, "too many signs");
+    }
+    if (take("not")) {
+      const Part part = parseSigned(depth + 1);
+      return {[x = part.value](const Place& place) {
+                const double value = x(place);
+                return std::isnan(value) ? value : truth(value == 0.0);
+              },
+              part.scope};
+    }
+    if (take("-")) {
+      const Part part = parseSigned(depth + 1);
+      return {[x = part.value](const Place& place) { return -x(place); }, part.scope};
+    }
+    return parsePower(depth);
+  }
+
+  Part parsePower(int depth) {
+    const Part base = parsePrimary(depth);
+    if (!hasFailed() && take("^")) {
+      return joined(base, parseSigned(depth + 1),
+                    [](double a, double b) { return std::pow(a, b); });
+    }
+    return base;
+  }
+
+  Part parsePrimary(int depth) {
+    skipBlanks();
+    if (take("(")) {
+      const Part inner = parseAny(depth + 1);
+      return take(")") || hasFailed() ? inner : fail(at_, "')' is missing");
+    }
+    if (at_ < text_.size() && (isDigit(text_[at_]) || text_[at_] == '.')) {
+      return parseNumber();
+    }
+    if (at_ < text_.size() && isLetter(text_[at_])) {
+      return parseName(depth);
+    }
+    return fail(at_, at_ < text_.size() ? "a number or a name is expected here"
+                                        : "the formula ends too early");
+  }
+
+  Part parseNumber() {
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && (isDigit(text_[at_]) || text_[at_] == '.' || isExponent(begin))) {
+      ++at_;
+    }
+    const std::string word = text_.substr(begin, at_ - begin);
+    const std::optional<double> number = base::parseDouble(word);
+    if (!number) {
+      return fail(begin, "'" + word + "' is not a number");
+    }
+    return {[value = *number](const Place&) { return value; }, Scope::Run};
+  }
+  bool isExponent(std::size_t begin) const {
+    const char c = text_[at_];
+    const char before = at_ > begin ? text_[at_ - 1] : ' ';
+    return (at_ > begin && (c == 'e' || c == 'E')) ||
+           ((c == '-' || c == '+') && (before == 'e' || before == 'E'));
+  }
+
+  Part parseName(int depth) {
+    const std::size_t begin = at_;
+    while (at_ < text_.size() &&
+           (isLetter(text_[at_]) || isDigit(text_[at_]) || text_[at_] == '.')) {
+      ++at_;
+    }
+    const std::string name = text_.substr(begin, at_ - begin);
+    if (take("(")) {
+      return parseCall(name, begin, depth + 1);
+    }
+    for (const VariableName& variable : variableNames()) {
+      if (variable.name == name) {
+        expression_.needs_.robot |= variable.needsRobot;
+        expression_.needs_.people |= variable.needsPeople;
+        return {variable.value, variable.scope};
+      }
+    }
+    std::vector<std::string> known;
+    for (const VariableName& variable : variableNames()) {
+      known.push_back(variable.name);
+    }
+    return fail(begin, "unknown name '" + name + "'" + hint(name, known));
+  }
+
+  static std::string hint(const std::string& name, const std::vector<std::string>& known) {
+    const std::optional<std::string> meant = base::nearestName(name, known);
+    return meant ? " (did you mean '" + *meant + "'?)" : std::string();
+  }
+
+  std::vector<Part> parseArguments(int depth) {
+    std::vector<Part> arguments;
+    do {
+      arguments.push_back(parseAny(depth));
+    } while (!hasFailed() && take(","));
+    if (!hasFailed() && !take(")")) {
+      fail(at_, "')' is missing");
+    }
+    return arguments;
+  }
+
+  Part parseCall(const std::string& name, std::size_t begin, int depth) {
+    const std::vector<Part> arguments = parseArguments(depth);
+    if (hasFailed()) {
+      return arguments.front();
+    }
+    std::vector<std::string> known;
+    for (const FunctionName& function : functionNames()) {
+      if (function.name == name) {
+        return callOf(function, arguments, begin);
+      }
+      known.push_back(function.name);
+    }
+    for (const TotalName& total : totalNames()) {
+      if (total.name == name) {
+        return totalOf(total, arguments, begin);
+      }
+      known.push_back(total.name);
+    }
+    for (const TotalName& total : peopleTotalNames()) {
+      if (total.name == name) {
+        return peopleTotalOf(total, arguments, begin);
+      }
+      known.push_back(total.name);
+    }
+    return fail(begin, "unknown function '" + name + "'" + hint(name, known));
+  }
+
+  Part callOf(const FunctionName& function, const std::vector<Part>& arguments, std::size_t begin) {
+    if (arguments.size() != function.arguments) {
+      return fail(begin, function.name + " takes " + std::to_string(function.arguments) +
+                             " values, not " + std::to_string(arguments.size()));
+    }
+    Part part;
+    for (const Part& argument : arguments) {
+      part.scope = std::max(part.scope, argument.scope);
+    }
+    part.value = [arguments, apply = function.apply](const Place& place) {
+      std::array<double, 3> values{};
+      for (std::size_t k = 0; k < arguments.size(); ++k) {
+        values[k] = arguments[k].value(place);
+      }
+      return apply(values.data());
+    };
+    return part;
+  }
+
+  Part totalOf(const TotalName& total, const std::vector<Part>& arguments, std::size_t begin) {
+    if (arguments.size() != 1) {
+      return fail(begin, total.name + " takes one value");
+    }
+    if (arguments.front().scope == Scope::Person) {
+      return fail(begin,
+                  "differs from person to person: put it into people_min(), people_sum() ...");
+    }
+    expression_.totals_.push_back({total.reduce, arguments.front().value});
+    return {[index = expression_.totals_.size() - 1](const Place& place) {
+              return place.totals[index];
+            },
+            Scope::Run};
+  }
+
+  Part peopleTotalOf(const TotalName& total, const std::vector<Part>& arguments,
+                     std::size_t begin) {
+    if (arguments.size() != 1) {
+      return fail(begin, total.name + " takes one value");
+    }
+    expression_.needs_.people = true;
+    return {[reduce = total.reduce, term = arguments.front().value](const Place& place) {
+              return reduce(place, term);
+            },
+            Scope::Sample};
+  }
+
+  const std::string& text_;
+  std::size_t at_ = 0;
+  base::Diagnostics problem_;
+  Expression expression_;
+};
+
+base::Result<Expression> Expression::parse(const std::string& text) {
+  return ExpressionParser(text).parse();
+}
+
+MetricValue Expression::evaluate(const Recording& recording,
+                                 const MetricParameters& parameters) const {
+  std::vector<double> totals;
+  totals.reserve(totals_.size());
+  for (const Total& total : totals_) {
+    totals.push_back(total.reduce({recording, parameters, totals, 0, nullptr}, total.term));
+  }
+  const double value = result_({recording, parameters, totals, 0, nullptr});
+  if (std::isnan(value)) {
+    return undefinedValue("the formula is undefined here");
+  }
+  return std::isinf(value) ? infiniteValue("the formula has no finite value") : numberValue(value);
+}
+
+base::Result<MetricEntry> entryOf(const UserMetric& metric) {
+  const base::Result<Expression> expression = Expression::parse(metric.expression);
+  if (!expression) {
+    return expression.diagnostics();
+  }
+  MetricEntry entry;
+  entry.info.key = metric.key;
+  entry.info.name = metric.name.empty() ? metric.key : metric.name;
+  entry.info.unit = metric.unit;
+  entry.info.category = Category::Navigation;
+  entry.info.better = metric.better;
+  entry.info.needs = expression->needs();
+  entry.info.formula = metric.expression;
+  entry.info.source = "own";
+  entry.info.range = "(-inf, inf)";
+  entry.compute = [formula = *expression](const Recording& recording,
+                                          const MetricParameters& parameters) {
+    return formula.evaluate(recording, parameters);
+  };
+  return entry;
+}
+
+}  // namespace metrics

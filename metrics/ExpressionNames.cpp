@@ -1,0 +1,227 @@
+#include "metrics/ExpressionNames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "metrics/Interaction.h"
+#include "metrics/Motion.h"
+
+namespace metrics {
+
+namespace {
+
+using Place = Expression::Place;
+using Value = Expression::Value;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+const Sample& sampleAt(const Place& place) {
+  return place.recording.samples[place.sample];
+}
+
+VariableName ofRun(std::string name, Value value) {
+  return {std::move(name), Scope::Run, std::move(value), false, false};
+}
+VariableName ofSample(std::string name, Value value) {
+  return {std::move(name), Scope::Sample, std::move(value), false, false};
+}
+VariableName ofRobot(std::string name, double (*value)(const Robot&)) {
+  return {std::move(name), Scope::Sample,
+          [value](const Place& place) { return value(sampleAt(place).robot); }, true, false};
+}
+VariableName ofPerson(std::string name, double (*value)(const Person&)) {
+  return {std::move(name), Scope::Person,
+          [value](const Place& place) { return value(*place.person); }, false, true};
+}
+VariableName ofPair(std::string name, double (*value)(const Robot&, const Person&)) {
+  return {std::move(name), Scope::Person,
+          [value](const Place& place) { return value(sampleAt(place).robot, *place.person); }, true,
+          true};
+}
+
+void addRunNames(std::vector<VariableName>& to) {
+  to.push_back(ofRun("pi", [](const Place&) { return base::kPi; }));
+  to.push_back(ofRun("duration", [](const Place& p) { return p.recording.duration(); }));
+  to.push_back(
+      ofRun("samples", [](const Place& p) { return static_cast<double>(p.recording.size()); }));
+  for (const ParameterInfo& info : parameterInfos()) {
+    to.push_back(
+        ofRun(info.name, [member = info.member](const Place& p) { return p.parameters.*member; }));
+  }
+}
+
+void addSampleNames(std::vector<VariableName>& to) {
+  to.push_back(ofSample(
+      "time", [](const Place& p) { return sampleAt(p).time - p.recording.samples.front().time; }));
+  to.push_back(ofSample("dt", [](const Place& p) { return p.recording.interval(p.sample); }));
+  VariableName people = ofSample(
+      "people", [](const Place& p) { return static_cast<double>(sampleAt(p).people.size()); });
+  people.needsPeople = true;
+  to.push_back(people);
+  VariableName gap =
+      ofSample("gap", [](const Place& p) { return closestGap(sampleAt(p)).value_or(kNaN); });
+  gap.needsRobot = gap.needsPeople = true;
+  to.push_back(gap);
+  VariableName goal = ofSample("goal_distance", [](const Place& p) {
+    const double distance = distanceToGoals(p.recording, p.sample);
+    return std::isinf(distance) ? kNaN : distance;
+  });
+  goal.needsRobot = true;
+  to.push_back(goal);
+}
+
+void addRobotNames(std::vector<VariableName>& to) {
+  to.push_back(ofRobot("x", [](const Robot& r) { return r.position.x(); }));
+  to.push_back(ofRobot("y", [](const Robot& r) { return r.position.y(); }));
+  to.push_back(ofRobot("heading", [](const Robot& r) { return r.heading; }));
+  to.push_back(ofRobot("vx", [](const Robot& r) { return r.velocity.x(); }));
+  to.push_back(ofRobot("vy", [](const Robot& r) { return r.velocity.y(); }));
+  to.push_back(ofRobot("speed", [](const Robot& r) { return r.speed; }));
+  to.push_back(ofRobot("omega", [](const Robot& r) { return r.omega; }));
+  to.push_back(ofRobot("radius", [](const Robot& r) { return r.radius; }));
+  to.push_back(ofRobot("clearance", [](const Robot& r) {
+    return r.obstacleDistance ? *r.obstacleDistance - r.radius : kNaN;
+  }));
+}
+
+void addPersonNames(std::vector<VariableName>& to) {
+  to.push_back(ofPerson("p.id", [](const Person& a) { return static_cast<double>(a.id); }));
+  to.push_back(ofPerson("p.x", [](const Person& a) { return a.position.x(); }));
+  to.push_back(ofPerson("p.y", [](const Person& a) { return a.position.y(); }));
+  to.push_back(ofPerson("p.heading", [](const Person& a) { return a.heading; }));
+  to.push_back(ofPerson("p.vx", [](const Person& a) { return a.velocity.x(); }));
+  to.push_back(ofPerson("p.vy", [](const Person& a) { return a.velocity.y(); }));
+  to.push_back(ofPerson("p.speed", [](const Person& a) { return a.speed; }));
+  to.push_back(ofPerson("p.omega", [](const Person& a) { return a.omega; }));
+  to.push_back(ofPerson("p.radius", [](const Person& a) { return a.radius; }));
+  to.push_back(ofPerson("p.group", [](const Person& a) { return static_cast<double>(a.group); }));
+  to.push_back(
+      ofPerson("p.behavior", [](const Person& a) { return static_cast<double>(a.behavior); }));
+  to.push_back(ofPerson("p.state", [](const Person& a) { return static_cast<double>(a.state); }));
+  to.push_back(ofPair("p.gap", [](const Robot& r, const Person& a) { return gap(r, a); }));
+  to.push_back(
+      ofPair("p.distance", [](const Robot& r, const Person& a) { return distance(r, a); }));
+  to.push_back(ofPair("p.view", [](const Robot& r, const Person& a) { return viewAngle(a, r); }));
+  to.push_back(ofPair("p.bearing", [](const Robot& r, const Person& a) {
+    return base::angleDiff(base::headingOf(a.position - r.position), r.heading);
+  }));
+  to.push_back(ofPair("p.ttc", [](const Robot& r, const Person& a) {
+    return timeToCollision(r, a).value_or(std::numeric_limits<double>::infinity());
+  }));
+}
+
+/// Calls `take(value, weight)` for the samples where the term is defined.
+template <class Take>
+void overSamples(const Place& place, const Value& term, Take take) {
+  for (std::size_t i = 0; i < place.recording.size(); ++i) {
+    const double value = term({place.recording, place.parameters, place.totals, i, nullptr});
+    if (!std::isnan(value)) {
+      take(value, place.recording.interval(i));
+    }
+  }
+}
+
+template <class Take>
+void overPeople(const Place& place, const Value& term, Take take) {
+  for (const Person& person : sampleAt(place).people) {
+    const double value =
+        term({place.recording, place.parameters, place.totals, place.sample, &person});
+    if (!std::isnan(value)) {
+      take(value, 1.0);
+    }
+  }
+}
+
+/// Sum, count and extremes of the defined values.
+struct Collected {
+  double sum = 0.0, integral = 0.0, count = 0.0, holding = 0.0;
+  double least = kNaN, largest = kNaN, first = kNaN, last = kNaN;
+
+  void take(double value, double weight) {
+    sum += value;
+    integral += value * weight;
+    holding += value != 0.0 ? 1.0 : 0.0;
+    first = count > 0.0 ? first : value;
+    last = value;
+    least = count > 0.0 ? std::min(least, value) : value;
+    largest = count > 0.0 ? std::max(largest, value) : value;
+    count += 1.0;
+  }
+  double mean() const { return count > 0.0 ? sum / count : kNaN; }
+};
+
+TotalName overTime(std::string name, double (*result)(const Collected&)) {
+  return {std::move(name), [result](const Place& place, const Value& term) {
+            Collected all;
+            overSamples(place, term, [&all](double v, double w) { all.take(v, w); });
+            return result(all);
+          }};
+}
+TotalName overThem(std::string name, double (*result)(const Collected&)) {
+  return {std::move(name), [result](const Place& place, const Value& term) {
+            Collected all;
+            overPeople(place, term, [&all](double v, double w) { all.take(v, w); });
+            return result(all);
+          }};
+}
+
+}  // namespace
+
+const std::vector<VariableName>& variableNames() {
+  static const std::vector<VariableName> kNames = [] {
+    std::vector<VariableName> names;
+    addRunNames(names);
+    addSampleNames(names);
+    addRobotNames(names);
+    addPersonNames(names);
+    return names;
+  }();
+  return kNames;
+}
+
+const std::vector<FunctionName>& functionNames() {
+  static const std::vector<FunctionName> kNames = {
+      {"abs", 1, [](const double* a) { return std::fabs(a[0]); }},
+      {"sqrt", 1, [](const double* a) { return std::sqrt(a[0]); }},
+      {"exp", 1, [](const double* a) { return std::exp(a[0]); }},
+      {"log", 1, [](const double* a) { return std::log(a[0]); }},
+      {"sin", 1, [](const double* a) { return std::sin(a[0]); }},
+      {"cos", 1, [](const double* a) { return std::cos(a[0]); }},
+      {"atan2", 2, [](const double* a) { return std::atan2(a[0], a[1]); }},
+      {"hypot", 2, [](const double* a) { return std::hypot(a[0], a[1]); }},
+      {"wrap", 1, [](const double* a) { return base::wrapToPi(a[0]); }},
+      {"lesser", 2, [](const double* a) { return a[1] < a[0] ? a[1] : a[0]; }},
+      {"greater", 2, [](const double* a) { return a[1] > a[0] ? a[1] : a[0]; }},
+      {"if", 3,
+       [](const double* a) { return std::isnan(a[0]) ? a[0] : (a[0] != 0.0 ? a[1] : a[2]); }},
+      {"defined", 1, [](const double* a) { return std::isnan(a[0]) ? 0.0 : 1.0; }}};
+  return kNames;
+}
+
+const std::vector<TotalName>& totalNames() {
+  static const std::vector<TotalName> kNames = {
+      overTime("min", [](const Collected& all) { return all.least; }),
+      overTime("max", [](const Collected& all) { return all.largest; }),
+      overTime("mean", [](const Collected& all) { return all.mean(); }),
+      overTime("sum", [](const Collected& all) { return all.sum; }),
+      overTime("integral", [](const Collected& all) { return all.integral; }),
+      overTime("count", [](const Collected& all) { return all.holding; }),
+      overTime("first", [](const Collected& all) { return all.first; }),
+      overTime("last", [](const Collected& all) { return all.last; })};
+  return kNames;
+}
+
+const std::vector<TotalName>& peopleTotalNames() {
+  static const std::vector<TotalName> kNames = {
+      overThem("people_min", [](const Collected& all) { return all.least; }),
+      overThem("people_max", [](const Collected& all) { return all.largest; }),
+      overThem("people_mean", [](const Collected& all) { return all.mean(); }),
+      overThem("people_sum", [](const Collected& all) { return all.sum; }),
+      overThem("people_count", [](const Collected& all) { return all.holding; }),
+      overThem("any", [](const Collected& all) { return all.holding > 0.0 ? 1.0 : 0.0; }),
+      overThem("all", [](const Collected& all) { return all.holding == all.count ? 1.0 : 0.0; })};
+  return kNames;
+}
+
+}  // namespace metrics

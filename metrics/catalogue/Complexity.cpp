@@ -1,0 +1,115 @@
+#include <cmath>
+#include <map>
+
+#include "metrics/MetricRegistry.h"
+#include "metrics/Motion.h"
+
+/// How much went on: turning round each other, new plans, arrivals.
+namespace metrics {
+
+namespace {
+
+/// Turns that each person and the robot made around each other, with their sense.
+MetricValue topologicalComplexity(const Recording& recording, const MetricParameters& /*p*/) {
+  std::map<int, double> turned;
+  for (std::size_t i = 1; i < recording.size(); ++i) {
+    const Sample& before = recording.samples[i - 1];
+    const Sample& now = recording.samples[i];
+    for (const Person& person : now.people) {
+      const Person* const then = findPerson(before, person.id);
+      if (then != nullptr) {
+        const double from = base::headingOf(then->position - before.robot.position);
+        const double to = base::headingOf(person.position - now.robot.position);
+        turned[person.id] += base::angleDiff(to, from);
+      }
+    }
+  }
+  double sum = 0.0;
+  for (const auto& [id, angle] : turned) {
+    sum += std::fabs(angle) / (2.0 * base::kPi);
+  }
+  return numberValue(sum);
+}
+
+bool isInRecord(const Recording& recording, double time) {
+  constexpr double kSlack = 1e-9;
+  return time >= recording.samples.front().time - kSlack &&
+         time <= recording.samples.back().time + kSlack;
+}
+
+MetricValue replans(const Recording& recording, const MetricParameters& /*p*/) {
+  const int robot = recording.samples.front().robot.id;
+  double count = 0.0;
+  for (const auto& [time, event] : recording.events) {
+    const bool counts = event.kind == sim2d::EventKind::Replan && event.hasId && event.id == robot;
+    count += counts && isInRecord(recording, time) ? 1.0 : 0.0;
+  }
+  return countValue(count);
+}
+
+/// First arrival of each.
+std::map<int, double> arrivals(const Recording& recording) {
+  std::map<int, double> times;
+  for (const auto& [time, event] : recording.events) {
+    if (event.kind == sim2d::EventKind::Arrived && event.hasId && isInRecord(recording, time)) {
+      times.emplace(event.id, time - recording.samples.front().time);
+    }
+  }
+  return times;
+}
+
+MetricValue aggregatedTime(const Recording& recording, const MetricParameters& /*p*/) {
+  const std::map<int, double> times = arrivals(recording);
+  double sum = 0.0;
+  for (const auto& [id, time] : times) {
+    sum += time;
+  }
+  return times.empty() ? undefinedValue("nobody arrived") : numberValue(sum);
+}
+
+MetricValue stoppedDistance(const Recording& recording, const MetricParameters& parameters) {
+  if (recording.goals.empty()) {
+    return undefinedValue("there is no goal");
+  }
+  double sum = 0.0;
+  double count = 0.0;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < recording.size(); ++i) {
+    const Sample& now = recording.samples[i];
+    while (now.time - recording.samples[begin].time > parameters.stoppedWindow + 1e-9) {
+      ++begin;
+    }
+    const bool isOld = now.time - recording.samples.front().time >= parameters.stoppedWindow - 1e-9;
+    if (isOld && distance(now.robot, recording.samples[begin].robot) < parameters.stoppedDistance) {
+      sum += distanceToGoals(recording, i);
+      count += 1.0;
+    }
+  }
+  return count > 0.0 ? numberValue(sum / count) : undefinedValue("the robot never stops");
+}
+
+}  // namespace
+
+void addComplexity(MetricRegistry& to) {
+  to.add({"topological_complexity", "Winding around people", "turns", Category::Social,
+          Better::Neutral, Needs{true, true},
+          "sum over a of |sum over i of wrap(change of the bearing of a from the robot)| / 2 pi",
+          "Mavrogiannis and Knepper 2019", "[0, inf)", Kind::Number, 0, ""},
+         topologicalComplexity);
+  to.add({"replanning_count", "New plans of the robot", "", Category::Navigation, Better::Lower,
+          Needs{}, "number of events replan of the robot", "Arena; MRPB", "0, 1, ...", Kind::Count,
+          0, ""},
+         replans);
+  to.add({"aggregated_time", "Aggregated time to the goals", "s", Category::Navigation,
+          Better::Lower, Needs{false}, "sum of the times of first arrival of people and robot",
+          "Francis et al. 2025", "[0, inf)", Kind::Number, 0, ""},
+         aggregatedTime);
+  to.add({"mean_dist_to_target_not_moving", "Mean distance to the goal while stopped", "m",
+          Category::Navigation, Better::Lower, Needs{true, false, false, false, true},
+          "mean of the distance to the nearest goal over the samples with |p(t) - p(t - "
+          "stopped_window)| < stopped_distance",
+          "SEAN 2.0", "[0, inf)", Kind::Number, 0, ""},
+         stoppedDistance);
+}
+
+}  // namespace metrics

@@ -1,0 +1,174 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "metrics/SeriesMetric.h"
+
+namespace metrics {
+
+namespace {
+
+using Members = std::vector<const Person*>;
+
+std::map<int, Members> groupsOf(const Sample& sample, const MetricParameters& parameters) {
+  std::map<int, Members> groups;
+  for (const Person& person : sample.people) {
+    if (person.group != -1) {
+      groups[person.group].push_back(&person);
+    }
+  }
+  for (auto group = groups.begin(); group != groups.end();) {
+    const bool isSmall = static_cast<double>(group->second.size()) < parameters.groupMinimumMembers;
+    group = isSmall ? groups.erase(group) : std::next(group);
+  }
+  return groups;
+}
+
+/// Quarter of the room that the members take along the direction, bodies included.
+double quarterSpan(const Members& members, const Vec2& direction) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const Person* member : members) {
+    const double along = direction.dot(member->position);
+    low = std::min(low, along - member->radius);
+    high = std::max(high, along + member->radius);
+  }
+  return (high - low) / 4.0;
+}
+
+/// 1 at the centre of the members, falling along the axes of their arrangement.
+double groupIntrusion(const Members& members, const Vec2& position) {
+  Vec2 centre = Vec2::Zero();
+  for (const Person* member : members) {
+    centre += member->position / static_cast<double>(members.size());
+  }
+  double xx = 0.0;
+  double xy = 0.0;
+  double yy = 0.0;
+  for (const Person* member : members) {
+    const Vec2 from = member->position - centre;
+    xx += from.x() * from.x();
+    xy += from.x() * from.y();
+    yy += from.y() * from.y();
+  }
+  const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy);  // of the long axis
+  const Vec2 along(std::cos(angle), std::sin(angle));
+  const Vec2 aside(-along.y(), along.x());
+  const double u = along.dot(position - centre) / quarterSpan(members, along);
+  const double w = aside.dot(position - centre) / quarterSpan(members, aside);
+  return std::exp(-(u * u + w * w) / 2.0);
+}
+
+double deepest(const Sample& sample, const MetricParameters& parameters) {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& [group, members] : groupsOf(sample, parameters)) {
+    const double one = groupIntrusion(members, sample.robot.position);
+    value = one <= value ? value : one;
+  }
+  return value;
+}
+
+MetricValue average(const std::vector<double>& terms, const Recording& recording,
+                    const MetricParameters& /*parameters*/) {
+  const double mean = timeMean(terms, recording);
+  return std::isnan(mean) ? numberValue(0.0) : numberValue(100.0 * mean);
+}
+
+MetricValue largest(const std::vector<double>& terms, const Recording& /*recording*/,
+                    const MetricParameters& /*parameters*/) {
+  const double value = largestTerm(terms);
+  return std::isnan(value) ? numberValue(0.0) : numberValue(100.0 * value);
+}
+
+/// Left (> 0) or right of the line from a to b.
+double side(const Vec2& a, const Vec2& b, const Vec2& point) {
+  return base::cross(b - a, point - a);
+}
+
+/// Between two samples the robot passed between two members.
+bool passesBetween(const Sample& before, const Sample& now, const Person& a, const Person& b) {
+  const Person* const a0 = findPerson(before, a.id);
+  const Person* const b0 = findPerson(before, b.id);
+  if (a0 == nullptr || b0 == nullptr) {
+    return false;
+  }
+  const double then = side(a0->position, b0->position, before.robot.position);
+  const double after = side(a.position, b.position, now.robot.position);
+  const Vec2 line = b.position - a.position;
+  const double place = line.dot(now.robot.position - a.position);
+  return (then > 0.0) != (after > 0.0) && place >= 0.0 && place <= line.squaredNorm();
+}
+
+/// Inside the hull of the members: no line through two members has all of them on one side and the
+/// robot on the other.
+bool isInside(const Members& members, const Vec2& position) {
+  if (members.size() < 3) {
+    return false;
+  }
+  for (const Person* a : members) {
+    for (const Person* b : members) {
+      const bool isEdge =
+          a != b && std::all_of(members.begin(), members.end(), [&](const Person* other) {
+            return side(a->position, b->position, other->position) >= 0.0;
+          });
+      if (isEdge && side(a->position, b->position, position) < 0.0) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool isCrossing(const Sample* before, const Sample& now, const Members& members) {
+  if (isInside(members, now.robot.position)) {
+    return true;
+  }
+  for (std::size_t k = 0; before != nullptr && k < members.size(); ++k) {
+    for (std::size_t m = k + 1; m < members.size(); ++m) {
+      if (passesBetween(*before, now, *members[k], *members[m])) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+MetricValue crossings(const Recording& recording, const MetricParameters& parameters) {
+  std::map<int, bool> crossed;
+  double count = 0.0;
+  for (std::size_t i = 0; i < recording.size(); ++i) {
+    const Sample* before = i > 0 ? &recording.samples[i - 1] : nullptr;
+    for (const auto& [group, members] : groupsOf(recording.samples[i], parameters)) {
+      const bool now = isCrossing(before, recording.samples[i], members);
+      count += now && !crossed[group] ? 1.0 : 0.0;
+      crossed[group] = now;
+    }
+  }
+  return countValue(count);
+}
+
+}  // namespace
+
+void addGroupSpace(MetricRegistry& to) {
+  const Needs needs{true, true, true};
+  addSeriesMetric(
+      to,
+      {"formation_space_intrusion", "Intrusion into the space of groups", "%", Category::Social,
+       Better::Lower, needs,
+       "time-weighted mean of max over groups of exp(-(u^2/2Vu + w^2/2Vw)), u, w = robot along the "
+       "axes of the arrangement of the members, V = (span of the members with their bodies/4)^2",
+       "SRPB", "[0, 100]", Kind::Number, 0, ""},
+      deepest, average);
+  addSeriesMetric(to,
+                  {"formation_space_intrusion_max", "Intrusion into the space of groups, largest",
+                   "%", Category::Social, Better::Lower, needs, "max over samples of the same",
+                   "SRPB", "[0, 100]", Kind::Number, 0, ""},
+                  deepest, largest);
+  to.add({"group_crossings", "Groups crossed", "", Category::Social, Better::Lower, needs,
+          "number of times the robot gets inside the hull of a group or between two of its members",
+          "Katyal et al. 2022; Okal and Arras 2016", "0, 1, ...", Kind::Count, 0, ""},
+         crossings);
+}
+
+}  // namespace metrics

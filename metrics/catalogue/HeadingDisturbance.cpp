@@ -1,0 +1,81 @@
+#include <cmath>
+#include <limits>
+
+#include "metrics/SeriesMetric.h"
+
+namespace metrics {
+
+namespace {
+
+double gaussian(double x, double sigma) {
+  return std::exp(-x * x / (2.0 * sigma * sigma));
+}
+
+/// How much the robot's heading bothers the person: it aims at the place where the person stands,
+/// from where it is seen, fast and near.
+double disturbance(const Person& person, const Robot& robot, const MetricParameters& parameters) {
+  const base::Pose2 frame{person.position, person.heading};
+  const Vec2 place = frame.toLocal(robot.position);
+  const Vec2 aim = base::directionOf(robot.heading - person.heading);
+  const double separation = lengthOf(place);
+  const double way = -place.x() / aim.x();  // along the heading to the line across the person
+  if (separation <= 0.0 || !std::isfinite(way) || way < 0.0) {
+    return 0.0;
+  }
+  const double offset = place.y() + way * aim.y();
+  const double near = (robot.radius + parameters.disturbanceRadius) / separation;
+  const double fast = robot.speed / parameters.disturbanceSpeed;
+  return gaussian(offset, parameters.disturbanceRadius / 2.0) *
+         gaussian(base::headingOf(place), parameters.disturbanceFieldOfView / 4.0) *
+         std::fmin(fast, 1.0) * std::fmin(near, 1.0);
+}
+
+double worst(const Sample& sample, const MetricParameters& parameters) {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  for (const Person& person : sample.people) {
+    const double one = disturbance(person, sample.robot, parameters);
+    value = one <= value ? value : one;
+  }
+  return value;
+}
+
+MetricValue average(const std::vector<double>& terms, const Recording& recording,
+                    const MetricParameters& /*parameters*/) {
+  const double mean = timeMean(terms, recording);
+  std::vector<double> series;
+  for (const double term : terms) {
+    series.push_back(100.0 * term);
+  }
+  return withSeries(std::isnan(mean) ? numberValue(0.0) : numberValue(100.0 * mean),
+                    std::move(series));
+}
+
+MetricValue largest(const std::vector<double>& terms, const Recording& /*recording*/,
+                    const MetricParameters& /*parameters*/) {
+  const double value = largestTerm(terms);
+  return std::isnan(value) ? undefinedValue("nobody in the record") : numberValue(100.0 * value);
+}
+
+}  // namespace
+
+void addHeadingDisturbance(MetricRegistry& to) {
+  const Needs needs{true, true};
+  const char formula[] =
+      "time-weighted mean of max over a of G(offset; disturbance_radius/2) * G(bearing; "
+      "disturbance_field_of_view/4) * min(s/disturbance_speed, 1) * min((r_r + "
+      "disturbance_radius)/d, 1); offset: where the line of the robot's heading meets the line "
+      "across the person, bearing: of the robot in the person's view, G(x; s) = exp(-x^2/2s^2)";
+  addSeriesMetric(
+      to,
+      {"heading_direction_disturbance", "Disturbance by the robot's heading", "%", Category::Social,
+       Better::Lower, needs, formula, "SRPB", "[0, 100]", Kind::Number, 0, ""},
+      worst, average);
+  addSeriesMetric(
+      to,
+      {"heading_direction_disturbance_max", "Disturbance by the robot's heading, largest", "%",
+       Category::Social, Better::Lower, needs, "max over samples of the same", "SRPB", "[0, 100]",
+       Kind::Number, 0, ""},
+      worst, largest);
+}
+
+}  // namespace metrics

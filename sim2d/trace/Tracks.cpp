@@ -1,0 +1,297 @@
+#include "sim2d/trace/Tracks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "sim2d/trace/TrackStay.h"
+
+namespace sim2d {
+
+namespace {
+
+constexpr double kAwaySteps = 2.5;  // longer without observation: not there
+constexpr double kOnGrid = 1e-6;    // of a step
+constexpr double kMostInstants = 2e6;
+constexpr char kMapName[] = "map";
+
+std::vector<TrackStay> staysOf(const Track& track, double longest) {
+  std::vector<TrackStay> stays;
+  const TrackPoint* begin = track.points.data();
+  const TrackPoint* const end = begin + track.points.size();
+  for (const TrackPoint* point = begin; point != end; ++point) {
+    if (point + 1 == end || (point + 1)->time - point->time > longest) {
+      stays.emplace_back(begin, point + 1);
+      begin = point + 1;
+    }
+  }
+  return stays;
+}
+
+template <class Columns>
+void appendState(Columns& columns, int id, const TrackState& state) {
+  columns.id.push_back(id);
+  columns.x.push_back(state.position.x());
+  columns.y.push_back(state.position.y());
+  columns.heading.push_back(state.heading);
+  columns.vx.push_back(state.velocity.x());
+  columns.vy.push_back(state.velocity.y());
+  columns.omega.push_back(state.omega);
+  columns.goal.push_back(kNoGoal);
+}
+
+class TraceMaker {
+ public:
+  TraceMaker(const TrackFile& file, const TrackOptions& options) : file_(file), options_(options) {}
+
+  base::Result<Trace> make() {
+    checkTimes();
+    chooseRobot();
+    if (base::hasErrors(problems_) || !makeGrid()) {
+      return problems_;
+    }
+    fillHeader();
+    std::vector<const Track*> tracks;
+    for (const Track& track : file_.tracks) {
+      if (&track != robot_ && !track.points.empty()) {
+        tracks.push_back(&track);
+      }
+    }
+    std::sort(tracks.begin(), tracks.end(),
+              [](const Track* a, const Track* b) { return a->id < b->id; });
+    for (const Track* track : tracks) {
+      addPerson(*track);
+    }
+    if (robot_ != nullptr) {
+      addRobot();
+    }
+    return {std::move(trace_), std::move(problems_)};
+  }
+
+ private:
+  void error(const TrackPoint& point, const std::string& message) {
+    problems_.push_back(base::makeError(message, file_.file, point.line, point.column));
+  }
+
+  void checkTimes() {
+    bool isEmpty = true;
+    for (const Track& track : file_.tracks) {
+      isEmpty = isEmpty && track.points.empty();
+      for (std::size_t k = 1; k < track.points.size(); ++k) {
+        if (track.points[k].time <= track.points[k - 1].time) {
+          error(track.points[k], "time does not advance for id " + std::to_string(track.id));
+        }
+      }
+    }
+    if (isEmpty) {
+      problems_.push_back(base::makeError("holds no positions", file_.file));
+    }
+  }
+
+  void chooseRobot() {
+    for (const Track& track : file_.tracks) {
+      const bool chosen = options_.robotId ? track.id == *options_.robotId : track.isRobot;
+      if (chosen && robot_ == nullptr && !track.points.empty()) {
+        robot_ = &track;
+      } else if (chosen && robot_ != nullptr) {
+        error(track.points.front(), "a second robot (choose one by its id)");
+      }
+    }
+    if (options_.robotId && robot_ == nullptr) {
+      problems_.push_back(base::makeError(
+          "nobody has the id " + std::to_string(*options_.robotId) + " of the robot", file_.file));
+    }
+    if (options_.robotGoal && robot_ == nullptr && !options_.robotId) {
+      problems_.push_back(
+          base::makeError("a goal without a robot (choose a person as the robot)", file_.file));
+    }
+  }
+
+  /// Step, start and number of instants.
+  bool makeGrid() {
+    double begin = std::numeric_limits<double>::infinity();
+    double end = -begin;
+    for (const Track& track : file_.tracks) {
+      if (!track.points.empty()) {
+        begin = std::min(begin, track.points.front().time);
+        end = std::max(end, track.points.back().time);
+      }
+    }
+    const double told = options_.step > 0.0 ? options_.step : file_.step;
+    const double median = told > 0.0 ? told : medianInterval(file_.tracks);
+    step_ = median > 0.0 ? median : 1.0;  // single positions: the step says nothing
+    start_ = begin + commonPhase(begin);
+    first_ = 0;
+    double last = std::floor((end - begin) / step_ + kOnGrid);
+    if (robot_ != nullptr) {
+      first_ = indexFrom(robot_->points.front().time);
+      last = std::floor((robot_->points.back().time - start_) / step_ + kOnGrid);
+      last = std::max(last, static_cast<double>(first_));  // seen between two instants only
+    }
+    if (!(last <= kMostInstants)) {
+      problems_.push_back(base::makeError("the times span more than " +
+                                              std::to_string(static_cast<int>(kMostInstants)) +
+                                              " steps (wrong unit of time?)",
+                                          file_.file));
+      return false;
+    }
+    const auto count = static_cast<std::size_t>(last) - first_ + 1;
+    trace_.frames.resize(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      trace_.frames[k].step = static_cast<std::int64_t>(k);
+      trace_.frames[k].time = static_cast<double>(k) * step_;
+    }
+    return true;
+  }
+
+  /// How far before `begin` a grid starts that meets the most observations; not above 0.
+  double commonPhase(double begin) const {
+    if (file_.isSparse) {
+      return 0.0;
+    }
+    std::map<long long, std::size_t> counts;  // by millionths of a step
+    for (const Track& track : file_.tracks) {
+      for (const TrackPoint& point : track.points) {
+        const double steps = (point.time - begin) / step_;
+        const double phase = std::floor((steps - std::floor(steps + kOnGrid)) / kOnGrid + 0.5);
+        ++counts[static_cast<long long>(phase)];
+      }
+    }
+    const auto most =
+        std::max_element(counts.begin(), counts.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    const double phase = static_cast<double>(most->first) * kOnGrid;
+    return most->second == 1 || phase <= 2.0 * kOnGrid ? 0.0 : (phase - 1.0) * step_;
+  }
+
+  /// First instant at or after the time.
+  std::size_t indexFrom(double time) const {
+    return static_cast<std::size_t>(std::max(std::ceil((time - start_) / step_ - kOnGrid), 0.0));
+  }
+  double timeOf(std::size_t index) const { return start_ + static_cast<double>(index) * step_; }
+
+  /// Calls `take(frame, state)` for the instants of the record within the stay; one that lies
+  /// between two instants is taken at the nearest.
+  template <class Take>
+  void forEachInstant(const TrackStay& stay, Take take) {
+    std::size_t from = indexFrom(stay.begin());
+    const double slack = kOnGrid * step_;
+    if (timeOf(from) > stay.end() + slack) {
+      from = static_cast<std::size_t>(std::llround((stay.begin() - start_) / step_));
+      takeAt(from, stay, take);
+      return;
+    }
+    for (std::size_t k = from; timeOf(k) <= stay.end() + slack; ++k) {
+      takeAt(k, stay, take);
+    }
+  }
+  template <class Take>
+  void takeAt(std::size_t index, const TrackStay& stay, Take take) {
+    if (index >= first_ && index - first_ < trace_.frames.size()) {
+      take(trace_.frames[index - first_], stay.at(timeOf(index), kOnGrid * step_));
+    }
+  }
+
+  double longestGap() const {
+    return file_.isSparse ? std::numeric_limits<double>::infinity() : kAwaySteps * step_;
+  }
+
+  void addPerson(const Track& track) {
+    bool isThere = false;
+    for (const TrackStay& stay : staysOf(track, longestGap())) {
+      forEachInstant(stay, [&](Frame& frame, const TrackState& state) {
+        HumanColumns& humans = frame.humans;
+        if (!humans.id.empty() && humans.id.back() == track.id) {
+          return;  // two short stays at one instant
+        }
+        appendState(humans, track.id, state);
+        humans.group.push_back(track.group);
+        humans.state.push_back(0);
+        isThere = true;
+      });
+    }
+    if (isThere) {
+      TraceHuman human;
+      human.id = track.id;
+      human.name = "person" + std::to_string(track.id);
+      human.kind = "adult";
+      human.model = "recorded";
+      human.radius = track.radius;
+      human.group = track.group;
+      trace_.header.humans.push_back(std::move(human));
+    }
+  }
+
+  void addRobot() {
+    const TrackStay stay(robot_->points.data(), robot_->points.data() + robot_->points.size());
+    double fastest = 0.0;
+    for (std::size_t k = 0; k < trace_.frames.size(); ++k) {
+      const TrackState state = stay.at(timeOf(first_ + k), kOnGrid * step_);
+      appendState(trace_.frames[k].robots, -1, state);
+      fastest = std::max(fastest, state.velocity.norm());
+    }
+    TraceRobot robot;
+    robot.name = "robot1";
+    robot.type = "recorded";
+    robot.planner = "recorded";
+    robot.radius = robot_->radius;
+    robot.maxVel = fastest > 0.0 ? fastest : robot.maxVel;
+    if (options_.robotGoal) {
+      robot.goals.push_back({0, *options_.robotGoal, 0.2});
+    }
+    trace_.header.robots.push_back(std::move(robot));
+  }
+
+  void fillHeader() {
+    const std::size_t slash = file_.file.find_last_of('/');
+    trace_.header.scenario = slash == std::string::npos ? file_.file : file_.file.substr(slash + 1);
+    trace_.header.dt = step_;
+    trace_.header.recordEvery = 1;
+  }
+
+  const TrackFile& file_;
+  const TrackOptions& options_;
+  base::Diagnostics problems_;
+  const Track* robot_ = nullptr;
+  double step_ = 1.0, start_ = 0.0;
+  std::size_t first_ = 0;
+  Trace trace_;
+};
+
+}  // namespace
+
+double medianInterval(const std::vector<Track>& tracks) {
+  std::vector<double> intervals;
+  for (const Track& track : tracks) {
+    for (std::size_t k = 1; k < track.points.size(); ++k) {
+      intervals.push_back(track.points[k].time - track.points[k - 1].time);
+    }
+  }
+  if (intervals.empty()) {
+    return 0.0;
+  }
+  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
+  std::nth_element(intervals.begin(), middle, intervals.end());
+  constexpr double kDigits = 1e9;  // differences of decimal times end in noise
+  const double rounded = std::round(*middle * kDigits) / kDigits;
+  return rounded > 0.0 ? rounded : *middle;
+}
+
+base::Result<Trace> traceOfTracks(const TrackFile& file, const TrackOptions& options) {
+  return TraceMaker(file, options).make();
+}
+
+void setMap(Trace& trace, OccupancyGrid map) {
+  std::vector<TraceObstacle>& obstacles = trace.header.obstacles;
+  obstacles.erase(std::remove_if(obstacles.begin(), obstacles.end(),
+                                 [](const TraceObstacle& o) { return o.name == kMapName; }),
+                  obstacles.end());
+  TraceObstacle walls;
+  walls.name = kMapName;
+  walls.outlines = traceOutlines(map);
+  obstacles.insert(obstacles.begin(), std::move(walls));
+  trace.header.map = std::move(map);
+}
+
+}  // namespace sim2d

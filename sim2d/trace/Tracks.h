@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim2d/trace/Trace.h"
+
+namespace sim2d {
+
+/// One observation of a person or a robot. World frame; what the source does not tell is estimated.
+struct TrackPoint {
+  double time = 0.0;  // [s]
+  Vec2 position = Vec2::Zero();
+  std::optional<Vec2> velocity;        // [m/s]
+  std::optional<double> heading;       // [rad]
+  std::optional<double> angularSpeed;  // [rad/s]
+  int line = 0, column = 0;            // where it stands in the source
+};
+
+/// The way of one body, in time order.
+struct Track {
+  int id = 0;
+  bool isRobot = false;
+  double radius = 0.35;  // [m]
+  int group = -1;
+  std::vector<TrackPoint> points;
+};
+
+/// Ways of people as another program recorded them.
+struct TrackFile {
+  std::string file;  // as the user named it
+  std::vector<Track> tracks;
+  double step = 0.0;      // [s] of the time grid; 0 = the median time between two observations
+  bool isSparse = false;  // points are corners of ways: a long time between two is no absence
+};
+
+struct TrackOptions {
+  std::optional<int> robotId;  // this person becomes the robot
+  std::optional<Vec2> robotGoal;
+  double step = 0.0;  // [s], 0 = the file's
+};
+
+/// Median time between two observations of a body; 0 when there are no two.
+double medianInterval(const std::vector<Track>& tracks);
+
+/// A record on an even time grid from 0, which begins at most a step before the first observation
+/// and so that it meets the most of them. Between two
+/// observations of a body: straight line, velocities and headings interpolated. A body is away
+/// while nothing was seen of it for longer than 2.5 steps. Velocities that are not told: central
+/// differences of the observations; headings: the direction of walking, kept while standing;
+/// turning speeds: central differences of the headings. With a robot the record spans its presence.
+/// Problems: no observation, time that does not advance, a step that makes too many instants, an
+/// unknown robot.
+base::Result<Trace> traceOfTracks(const TrackFile& file, const TrackOptions& options);
+
+/// Replaces the map of a record: cells and outlines.
+void setMap(Trace& trace, OccupancyGrid map);
+
+}  // namespace sim2d

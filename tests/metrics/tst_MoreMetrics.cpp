@@ -1,0 +1,368 @@
+#include <algorithm>
+#include <set>
+
+#include <QtTest>
+
+#include "MetricCases.h"
+
+using namespace metrics;
+
+namespace {
+
+Person personAt(int id, double x, double y, double vx = 0.0, double vy = 0.0) {
+  Person person;
+  person.id = id;
+  person.position = Vec2(x, y);
+  person.velocity = Vec2(vx, vy);
+  person.speed = person.velocity.norm();
+  person.heading = person.speed > 0.0 ? std::atan2(vy, vx) : 0.0;
+  person.radius = 0.25;
+  return person;
+}
+
+Sample sampleAt(double time, double x, double y, double speed = 0.0) {
+  Sample sample;
+  sample.time = time;
+  sample.robot.id = -1;
+  sample.robot.position = Vec2(x, y);
+  sample.robot.velocity = Vec2(speed, 0.0);
+  sample.robot.speed = speed;
+  sample.robot.radius = 0.25;
+  return sample;
+}
+
+Recording recordingOfSamples(std::vector<Sample> samples) {
+  Recording recording;
+  recording.hasRobot = true;
+  recording.samples = std::move(samples);
+  return recording;
+}
+
+double valueOf(const Recording& recording, const char* key,
+               const MetricParameters& parameters = {}) {
+  const MetricEntry* entry = standardRegistry().find(key);
+  return entry == nullptr ? std::nan("")
+                          : entry->compute(recording, parameters).value.value_or(std::nan(""));
+}
+
+bool isNear(double a, double b) {
+  return std::fabs(a - b) <= 1e-9 * std::max(1.0, std::fabs(b));
+}
+
+/// The whole record turned and shifted.
+Recording moved(Recording recording, double angle, const Vec2& shift) {
+  const base::Pose2 frame{shift, angle};
+  const auto turn = [&](Body& body) {
+    body.position = frame.toWorld(body.position);
+    body.velocity = frame.toWorld(body.velocity) - shift;
+    body.heading = base::wrapToPi(body.heading + angle);
+    for (ObstaclePoint& point : body.obstacles) {
+      point.position = frame.toWorld(point.position);
+    }
+  };
+  for (Sample& sample : recording.samples) {
+    turn(sample.robot);
+    for (Person& person : sample.people) {
+      turn(person);
+    }
+  }
+  for (Goal& goal : recording.goals) {
+    goal.position = frame.toWorld(goal.position);
+  }
+  recording.map = {};
+  recording.routes = nullptr;
+  return recording;
+}
+
+Recording plain(int steps, double dt) {
+  return moved(recordingOf(cases::trace(steps, 6, dt)), 0.0, Vec2(0.0, 0.0));
+}
+
+}  // namespace
+
+class MoreMetricsTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void registry_measures_areAtLeast64();
+  void headingDisturbance_handCase();
+  void formationSpace_handCase();
+  void groupCrossings_throughAPair_isOne();
+  void groupCrossings_throughATriangle_isOne();
+  void reference_besideTheStraightWay();
+  void topologicalComplexity_onceAround_isOneTurn();
+  void events_replansAndArrivals_areCounted();
+  void stoppedDistance_standing_isDistance();
+  void timeToCollision_headOn_handCase();
+  void passing_distanceAndApproach();
+  void crowd_gridOfPeople_handCase();
+  void crowd_lanes_ordered();
+  void line_crossings_countedWithinTheEnds();
+  void allMetrics_rigidMotion_change_nothing();
+  void allMetrics_otherIds_changeNothing();
+  void allMetrics_doubleRate_nearTheSame();
+};
+
+void MoreMetricsTest::registry_measures_areAtLeast64() {
+  // Least, mean and largest of one measure count once.
+  std::set<std::string> measures;
+  for (const MetricEntry& entry : standardRegistry().entries()) {
+    std::string key = entry.info.key;
+    for (const char* word : {"_min", "_max", "_avg", "_mean", "avg_", "max_", "min_", "_above",
+                             "minimum_", "maximum_", "_by_robot", "_by_person", "_60"}) {
+      const std::size_t at = key.find(word);
+      key = at == std::string::npos ? key : key.erase(at, std::string(word).size());
+    }
+    if (entry.info.partOf.empty()) {
+      measures.insert(key);
+    }
+  }
+  QVERIFY2(measures.size() >= 64, std::to_string(measures.size()).c_str());
+}
+
+void MoreMetricsTest::headingDisturbance_handCase() {
+  // The robot comes from ahead, 2 m away, aims 0.14 m beside the person at half the speed.
+  Recording recording = recordingOfSamples({sampleAt(0, 2, 0.14), sampleAt(1, 2, 0.14)});
+  for (Sample& sample : recording.samples) {
+    sample.robot.heading = base::kPi;
+    sample.robot.speed = 0.275;
+    sample.people = {personAt(1, 0, 0)};
+  }
+  const double separation = std::sqrt(4.0 + 0.14 * 0.14);
+  const double bearing = std::atan2(0.14, 2.0);
+  const double quarter = 190.0 / 180.0 * base::kPi / 4.0;
+  const double expected = 100.0 * std::exp(-0.5) *
+                          std::exp(-bearing * bearing / (2.0 * quarter * quarter)) * 0.5 *
+                          (0.25 + 0.28) / separation;
+  QVERIFY(isNear(valueOf(recording, "heading_direction_disturbance"), expected));
+  QVERIFY(isNear(valueOf(recording, "heading_direction_disturbance_max"), expected));
+  recording.samples[0].robot.heading = 0.0;  // away from the person
+  QCOMPARE(valueOf(recording, "heading_direction_disturbance"), 0.0);
+}
+
+void MoreMetricsTest::formationSpace_handCase() {
+  // Two at (-1, 0) and (1, 0), radius 0.25: spans 2.5 and 0.5, deviations 0.625 and 0.125.
+  Recording recording = recordingOfSamples({sampleAt(0, 0.625, 0), sampleAt(2, 0, 0.125)});
+  for (Sample& sample : recording.samples) {
+    sample.people = {personAt(1, -1, 0), personAt(2, 1, 0)};
+    sample.people[0].group = sample.people[1].group = 3;
+  }
+  QVERIFY(isNear(valueOf(recording, "formation_space_intrusion"), 100.0 * std::exp(-0.5)));
+  QVERIFY(isNear(valueOf(recording, "formation_space_intrusion_max"), 100.0 * std::exp(-0.5)));
+  recording.samples[0].people[1].group = recording.samples[1].people[1].group = -1;
+  QCOMPARE(valueOf(recording, "formation_space_intrusion"), 0.0);
+}
+
+void MoreMetricsTest::groupCrossings_throughAPair_isOne() {
+  for (const double offset : {0.0, 5.0}) {
+    std::vector<Sample> samples;
+    for (int k = 0; k < 5; ++k) {
+      Sample sample = sampleAt(k, offset, -2.2 + k);
+      sample.people = {personAt(1, -1, 0.3 * k - 0.6), personAt(2, 1, 0.3 * k - 0.6)};
+      sample.people[0].group = sample.people[1].group = 3;
+      samples.push_back(sample);
+    }
+    QCOMPARE(valueOf(recordingOfSamples(samples), "group_crossings"), offset > 1.0 ? 0.0 : 1.0);
+  }
+}
+
+void MoreMetricsTest::groupCrossings_throughATriangle_isOne() {
+  std::vector<Sample> samples;
+  for (int k = 0; k < 30; ++k) {
+    Sample sample = sampleAt(0.1 * k, -3.03 + 0.2 * k, 0.1);
+    sample.people = {personAt(1, -1, -1), personAt(2, 1, -1), personAt(3, 0, 1)};
+    for (Person& person : sample.people) {
+      person.group = 3;
+    }
+    samples.push_back(sample);
+  }
+  QCOMPARE(valueOf(recordingOfSamples(samples), "group_crossings"), 1.0);
+}
+
+void MoreMetricsTest::reference_besideTheStraightWay() {
+  // To (2, 0) at 1 m/s; the robot is 0.3 beside the way, the last second late.
+  Recording recording = recordingOfSamples(
+      {sampleAt(0, 0, 0), sampleAt(1, 1, 0.3), sampleAt(2, 1, 0.3), sampleAt(3, 2, 0)});
+  recording.goals = {{Vec2(2, 0), 0.2}};
+  const double late = std::sqrt(1.0 + 0.09);
+  QVERIFY(isNear(valueOf(recording, "ade"), (0.0 + 0.3 + late + 0.0) / 4.0));
+  QVERIFY(isNear(valueOf(recording, "fde"), 0.0));
+  QVERIFY(isNear(valueOf(recording, "path_deviation"), 0.6 / 4.0));
+  // Reference 0, 2/3, 4/3, 2: pairs (0,0) (1,2/3) (1,4/3) (2,2).
+  const double aside = std::sqrt(1.0 / 9.0 + 0.09);
+  QVERIFY(isNear(valueOf(recording, "dtw"), 2.0 * aside / 4.0));
+  recording.goals.clear();
+  for (const char* key : {"ade", "fde", "dtw", "path_deviation"}) {
+    QVERIFY2(std::isnan(valueOf(recording, key)), key);
+  }
+}
+
+void MoreMetricsTest::topologicalComplexity_onceAround_isOneTurn() {
+  std::vector<Sample> samples;
+  for (int k = 0; k <= 12; ++k) {
+    const double angle = 2.0 * base::kPi * k / 12.0;
+    Sample sample = sampleAt(k, 2.0 * std::cos(angle), 2.0 * std::sin(angle));
+    sample.people = {personAt(1, 0, 0), personAt(2, 50, 0)};
+    samples.push_back(sample);
+  }
+  QVERIFY(isNear(valueOf(recordingOfSamples(samples), "topological_complexity"), 1.0));
+}
+
+void MoreMetricsTest::events_replansAndArrivals_areCounted() {
+  Recording recording = recordingOfSamples({sampleAt(2, 0, 0), sampleAt(10, 1, 0)});
+  const auto add = [&recording](double time, sim2d::EventKind kind, int id) {
+    sim2d::Event event;
+    event.kind = kind;
+    event.id = id;
+    recording.events.emplace_back(time, event);
+  };
+  QVERIFY(std::isnan(valueOf(recording, "aggregated_time")));
+  add(1, sim2d::EventKind::Replan, -1);  // before the record
+  add(3, sim2d::EventKind::Replan, -1);
+  add(4, sim2d::EventKind::Replan, -2);
+  add(5, sim2d::EventKind::Arrived, 7);
+  add(6, sim2d::EventKind::Arrived, -1);
+  add(8, sim2d::EventKind::Arrived, 7);  // again
+  QCOMPARE(valueOf(recording, "replanning_count"), 1.0);
+  QCOMPARE(valueOf(recording, "aggregated_time"), 3.0 + 4.0);
+}
+
+void MoreMetricsTest::stoppedDistance_standing_isDistance() {
+  Recording recording = recordingOfSamples(
+      {sampleAt(0, 0, 0), sampleAt(1, 1, 0), sampleAt(2, 1.02, 0), sampleAt(3, 2, 0)});
+  recording.goals = {{Vec2(5, 0), 0.2}};
+  QVERIFY(isNear(valueOf(recording, "mean_dist_to_target_not_moving"), 3.98));
+  recording.samples.erase(recording.samples.begin() + 2);
+  QVERIFY(std::isnan(valueOf(recording, "mean_dist_to_target_not_moving")));
+}
+
+void MoreMetricsTest::timeToCollision_headOn_handCase() {
+  // 1 m/s each towards the other, gap 6, 3.5 and 1 m: 3, 1.75 and 0.5 s.
+  Recording recording = recordingOfSamples(
+      {sampleAt(0, 0, 0, 1), sampleAt(1.25, 1.25, 0, 1), sampleAt(2.5, 2.5, 0, 1)});
+  for (Sample& sample : recording.samples) {
+    sample.people = {personAt(1, 6.5 - sample.time, 0, -1)};
+  }
+  QVERIFY(isNear(valueOf(recording, "avg_time_to_collision"), (3.0 + 1.75 + 0.5) / 3.0));
+  QVERIFY(isNear(valueOf(recording, "time_exposed_to_collision"), 1.25));
+  QVERIFY(isNear(valueOf(recording, "time_integrated_to_collision"), 0.25 * 1.25));
+}
+
+void MoreMetricsTest::passing_distanceAndApproach() {
+  Recording recording = recordingOfSamples({sampleAt(0, 0, 0, 0.5), sampleAt(1, 1, 0, 0.5)});
+  recording.samples[0].people = {personAt(1, 1.5, 0, -0.25), personAt(2, 0, 30)};
+  recording.samples[1].people = {personAt(1, 1.0, 2.5), personAt(2, 0, 3.5)};
+  recording.samples[1].robot.omega = -2.0;
+  // Person 1: gaps 1 and 2; person 2: 29.5 and sqrt(1 + 3.5^2) - 0.5.
+  const double second = std::sqrt(1.0 + 3.5 * 3.5) - 0.5;
+  QVERIFY(isNear(valueOf(recording, "avg_passing_distance"), (1.0 + second) / 2.0));
+  QVERIFY(isNear(valueOf(recording, "max_approach_speed"), 0.75));
+  QVERIFY(isNear(valueOf(recording, "max_lateral_acceleration"), 1.0));
+}
+
+void MoreMetricsTest::crowd_gridOfPeople_handCase() {
+  // 21 x 21 people, 1 m apart: cells of 1 m2 inside; the middle one has 12 others within 2 m.
+  Recording recording;
+  Sample sample;
+  for (int k = 0; k < 441; ++k) {
+    sample.people.push_back(personAt(k, k % 21, k / 21, 0.5));
+  }
+  recording.samples = {sample};
+  MetricParameters parameters;
+  double classic = 0.0;
+  for (const Person& person : sample.people) {
+    for (const Person& other : sample.people) {
+      const double reach = (person.position - other.position).squaredNorm();
+      classic += reach <= 4.0 ? 1.0 : 0.0;
+    }
+  }
+  QVERIFY(isNear(valueOf(recording, "crowd_density"), classic / 441.0 / (4.0 * base::kPi)));
+  QCOMPARE(valueOf(recording, "crowd_polarisation"), 1.0);
+  QCOMPARE(valueOf(recording, "crowd_lane_order"), 1.0);
+  const double density = valueOf(recording, "crowd_voronoi_density");
+  QVERIFY(isNear(valueOf(recording, "crowd_specific_flow"), 0.5 * density));
+  // Inner cells 1 m2 each; those at the border are larger.
+  QVERIFY(density > 361.0 / 441.0 && density < 1.0);
+  recording.samples[0].people = {personAt(1, 0, 0)};  // alone: the whole circle
+  QVERIFY(isNear(valueOf(recording, "crowd_voronoi_density"), 1.0 / (4.0 * base::kPi)));
+  recording.samples[0].people.push_back(personAt(2, 0.5, 0));  // each a bit over half of it
+  const double half = 2.0 * base::kPi;
+  const double strip = 2.0 * 2.0 * 0.25;  // 0.25 m wide, nearly 4 m long
+  QVERIFY(std::fabs(1.0 / valueOf(recording, "crowd_voronoi_density") - half - strip) < 0.02);
+}
+
+void MoreMetricsTest::crowd_lanes_ordered() {
+  Recording recording;
+  Sample sample;
+  for (int k = 0; k < 10; ++k) {
+    sample.people.push_back(personAt(k, k, k < 5 ? 0.0 : 3.0, k < 5 ? 1.0 : -1.0));
+  }
+  recording.samples = {sample};
+  QCOMPARE(valueOf(recording, "crowd_lane_order"), 1.0);
+  QVERIFY(isNear(valueOf(recording, "crowd_polarisation"), 0.0));
+  for (Person& person : recording.samples[0].people) {
+    person.position.y() = 0.0;
+  }
+  QCOMPARE(valueOf(recording, "crowd_lane_order"), 0.0);
+}
+
+void MoreMetricsTest::line_crossings_countedWithinTheEnds() {
+  Recording recording;
+  for (int k = 0; k < 5; ++k) {
+    Sample sample;
+    sample.time = k;
+    sample.people = {personAt(1, -1.5 + k, 0.5), personAt(2, 1.5 - k, 0.2),
+                     personAt(3, -1.5 + k, 4.0)};
+    recording.samples.push_back(sample);
+  }
+  QVERIFY(std::isnan(valueOf(recording, "line_crossings")));
+  MetricParameters parameters;
+  parameters.flowLineY1 = -1.0;
+  parameters.flowLineY2 = 1.0;
+  QCOMPARE(valueOf(recording, "line_crossings", parameters), 2.0);
+  QVERIFY(isNear(valueOf(recording, "line_flow", parameters), 2.0 / 4.0 / 2.0));
+}
+
+void MoreMetricsTest::allMetrics_rigidMotion_change_nothing() {
+  const Recording recording = plain(60, 0.1);
+  const Recording turned = moved(recording, 0.7, Vec2(11.0, -4.0));
+  const std::string difference =
+      cases::difference(computeMetrics(recording, {}, {}, standardRegistry()),
+                        computeMetrics(turned, {}, {}, standardRegistry()), 2e-3);
+  // Cells of the crowd are cut by a polygon that does not turn along; all else is far closer.
+  QVERIFY2(difference.empty(), difference.c_str());
+}
+
+void MoreMetricsTest::allMetrics_otherIds_changeNothing() {
+  const Recording recording = plain(60, 0.1);
+  Recording other = recording;
+  for (Sample& sample : other.samples) {
+    for (Person& person : sample.people) {
+      person.id = 1000 - 7 * person.id;
+    }
+    std::reverse(sample.people.begin(), sample.people.end());
+  }
+  const std::string difference =
+      cases::difference(computeMetrics(recording, {}, {}, standardRegistry()),
+                        computeMetrics(other, {}, {}, standardRegistry()), 1e-9);
+  QVERIFY2(difference.empty(), difference.c_str());
+}
+
+void MoreMetricsTest::allMetrics_doubleRate_nearTheSame() {
+  const Recording coarse = plain(120, 0.05);
+  const Recording fine = plain(240, 0.025);
+  for (const char* key :
+       {"ade", "fde", "dtw", "path_deviation", "topological_complexity", "avg_time_to_collision",
+        "time_exposed_to_collision", "time_integrated_to_collision", "avg_passing_distance",
+        "max_approach_speed", "max_lateral_acceleration", "formation_space_intrusion",
+        "heading_direction_disturbance", "crowd_density", "crowd_voronoi_density",
+        "crowd_specific_flow", "crowd_polarisation", "crowd_lane_order"}) {
+    const double a = valueOf(coarse, key);
+    const double b = valueOf(fine, key);
+    const bool same =
+        (std::isnan(a) && std::isnan(b)) || std::fabs(a - b) <= 0.03 * std::max(std::fabs(a), 0.2);
+    QVERIFY2(same, (std::string(key) + " " + std::to_string(a) + " " + std::to_string(b)).c_str());
+  }
+}
+
+QTEST_APPLESS_MAIN(MoreMetricsTest)
+#include "tst_MoreMetrics.moc"
