@@ -76,8 +76,9 @@ MetricValue stoppedDistance(const Recording& recording, const MetricParameters& 
   std::size_t begin = 0;
   for (std::size_t i = 0; i < recording.size(); ++i) {
     const Sample& now = recording.samples[i];
-    while (now.time - recording.samples[begin].time > parameters.stoppedWindow + 1e-9) {
-      ++begin;
+    while (begin < i &&
+           now.time - recording.samples[begin + 1].time >= parameters.stoppedWindow - 1e-9) {
+      ++begin;  // the last sample that is old enough
     }
     const bool isOld = now.time - recording.samples.front().time >= parameters.stoppedWindow - 1e-9;
     if (isOld && distance(now.robot, recording.samples[begin].robot) < parameters.stoppedDistance) {
