@@ -267,7 +267,7 @@ class EvaluateProgramTest : public QObject {
   }
 
   void counterfactual_robotFarAway_isExactlyZero() {
-    const QString scenario = corridor("far.yaml", "{x: 400.0, y: 300.0, h: 0.0}");
+    const QString scenario = corridor("far.yaml", "{x: 0.0, y: 25.0, h: 0.0}");
     const Finished finished =
         runProgram({text("run"), scenario, text("--counterfactual"), text("-o"), path("far")});
     QVERIFY2(finished.exitCode == 0, qPrintable(finished.err));
