@@ -67,9 +67,16 @@ inline double cellArea(const Vec2& point, const std::vector<Vec2>& others, doubl
   constexpr int kCorners = 64;
   const double turn = 2.0 * base::kPi / kCorners;
   const double corner = radius * std::sqrt(turn / std::sin(turn));
+  const auto nearest =
+      std::min_element(others.begin(), others.end(), [&point](const Vec2& a, const Vec2& b) {
+        return (a - point).squaredNorm() < (b - point).squaredNorm();
+      });
+  // The first corner towards the nearest one: the cell turns along with the people.
+  const double first = nearest == others.end() ? 0.0 : base::headingOf(*nearest - point);
   std::vector<Vec2> cell;
   for (int k = 0; k < kCorners; ++k) {
-    cell.push_back(point + corner * Vec2(std::cos(k * turn), std::sin(k * turn)));
+    const double angle = first + k * turn;
+    cell.push_back(point + corner * Vec2(std::cos(angle), std::sin(angle)));
   }
   for (const Vec2& other : others) {
     if (other != point) {  // two in one place share it
