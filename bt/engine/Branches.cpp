@@ -13,7 +13,7 @@ base::NodeStatus Ticker::ifThenElse(int node) {
   const int condition = node + 1;
   const int first = endOf(condition);
   if (own.branch == 0) {
-    const Status status = tickNode(condition);
+    const Status status = tickChild(condition);
     if (status == Status::Running) {
       return status;
     }
@@ -28,7 +28,7 @@ base::NodeStatus Ticker::ifThenElse(int node) {
       return unexpected(condition, status);
     }
   }
-  const Status status = tickNode(own.branch);
+  const Status status = tickChild(own.branch);
   if (status == Status::Running || status == kFault) {
     return status;
   }
@@ -43,7 +43,7 @@ base::NodeStatus Ticker::whileDoElse(int node) {
   const int first = endOf(condition);
   const int second = endOf(first);
   const bool hasElse = second < endOf(node);
-  const Status asked = tickNode(condition);
+  const Status asked = tickChild(condition);
   if (asked == Status::Running) {
     return asked;
   }
@@ -59,7 +59,7 @@ base::NodeStatus Ticker::whileDoElse(int node) {
     }
   }
   const int chosen = asked == Status::Success ? first : second;
-  const Status status = tickNode(chosen);
+  const Status status = tickChild(chosen);
   if (status == Status::Running || status == kFault) {
     return status;
   }
@@ -108,7 +108,7 @@ base::NodeStatus Ticker::switchCase(int node) {
   if (own.branch != 0 && own.branch != child) {
     resetChild(own.branch);
   }
-  const Status status = tickNode(child);
+  const Status status = tickChild(child);
   if (status == Status::Idle || status == kFault) {
     return unexpected(child, status);
   }
@@ -136,7 +136,7 @@ base::NodeStatus Ticker::tryChildren(int node, int last) {
   int child = own.next != 0 ? own.next : node + 1;
   while (child < last) {
     own.next = child;
-    const Status status = tickNode(child);
+    const Status status = tickChild(child);
     if (status == Status::Running) {
       return status;
     }
@@ -160,7 +160,7 @@ base::NodeStatus Ticker::tryChildren(int node, int last) {
 }
 
 base::NodeStatus Ticker::catchChild(int node, int last) {
-  const Status status = tickNode(last);
+  const Status status = tickChild(last);
   if (status == Status::Running) {
     return status;
   }
@@ -186,7 +186,7 @@ void Ticker::haltTryCatch(int node) {
   while (endOf(last) < endOf(node)) {
     last = endOf(last);
   }
-  tickNode(last);
+  tickChild(last);
   resetChild(last);
 }
 

@@ -104,14 +104,26 @@ int Compiler::addNode(const NodeSpec& spec, int parent, const std::string& path,
   bindPorts(spec, node, place);
   setDetail(spec, node, place);
   node.conditions = bindConditions(spec, place);
+  if (node.code == NodeCode::Synchronous && node.conditions < 0) {
+    node.tick = program_->functions(node.detail).tick;
+  }
   program_->nodes_.push_back(node);
   if (spec.isSubTree()) {
     addSubTree(spec, index, place);
   } else {
     addChildren(spec, index, place);
   }
-  program_->nodes_[static_cast<std::size_t>(index)].end = program_->nodeCount();
+  close(index);
   return index;
+}
+
+void Compiler::close(int index) {
+  Program::Node& node = program_->nodes_[static_cast<std::size_t>(index)];
+  node.end = program_->nodeCount();
+  node.hasOnlyCalls = true;
+  for (int child = index + 1; child < node.end; child = program_->node(child).end) {
+    node.hasOnlyCalls = node.hasOnlyCalls && program_->node(child).tick;
+  }
 }
 
 void Compiler::addChildren(const NodeSpec& spec, int node, const Place& place) {

@@ -28,6 +28,7 @@ class Compiler {
 
   void addHostEntries(const std::vector<HostEntry>& entries);
   int addNode(const NodeSpec& spec, int parent, const std::string& path, const Place& place);
+  void close(int index);
   void addChildren(const NodeSpec& spec, int node, const Place& place);
   void addSubTree(const NodeSpec& spec, int node, const Place& place);
   int scopeOfSubTree(const NodeSpec& spec, int node, const Place& place);

@@ -48,7 +48,7 @@ base::NodeStatus Ticker::sequence(int node, Status stop, bool yields) {
   int child = own.next != 0 ? own.next : node + 1;
   while (child < end) {
     const Status before = stored(child);
-    const Status status = tickNode(child);
+    const Status status = tickChild(child);
     if (status == Status::Running) {
       own.next = child;
       return status;
@@ -93,7 +93,7 @@ base::NodeStatus Ticker::sequenceWithMemory(int node) {
   while (child < end) {
     own.next = child;
     const Status before = stored(child);
-    const Status status = tickNode(child);
+    const Status status = tickChild(child);
     if (status == Status::Running) {
       return status;
     }
@@ -120,35 +120,38 @@ base::NodeStatus Ticker::sequenceWithMemory(int node) {
 /// Starts at the first child in every tick.
 base::NodeStatus Ticker::reactive(int node, Status stop) {
   stored(node) = Status::Running;
+  const Status passes = stop == Status::Failure ? Status::Success : Status::Failure;
+  const int end = endOf(node);
   bool allSkipped = true;
-  for (int child = node + 1; child < endOf(node); child = endOf(child)) {
-    const Status status = tickNode(child);
+  for (int child = node + 1; child < end; child = endOf(child)) {
+    const Status status = tickChild(child);
+    if (status == passes) {
+      allSkipped = false;
+      continue;
+    }
     if (status == Status::Running) {
-      for (int other = node + 1; other < endOf(node); other = endOf(other)) {
-        if (other != child) {
-          resetChild(other);
-        }
-      }
+      resetOthers(node, child);
       return status;
     }
     if (status == stop) {
       resetChildren(node);
       return status;
     }
-    if (status == Status::Skipped) {
-      resetChild(child);
-      continue;
-    }
-    if (status != Status::Success && status != Status::Failure) {
+    if (status != Status::Skipped) {
       return unexpected(child, status);
     }
-    allSkipped = false;
+    resetChild(child);
   }
   resetChildren(node);
-  if (allSkipped) {
-    return Status::Skipped;
+  return allSkipped ? Status::Skipped : passes;
+}
+
+void Ticker::resetOthers(int node, int kept) {
+  for (int other = node + 1; other < endOf(node); other = endOf(other)) {
+    if (other != kept) {
+      resetChild(other);
+    }
   }
-  return stop == Status::Failure ? Status::Success : Status::Failure;
 }
 
 base::NodeStatus Ticker::customControl(int node) {

@@ -33,6 +33,11 @@ enum class PortState { Given, Default, Missing, WrongType };
 class LeafContext {
  public:
   LeafContext(Ticker& ticker, const TickInput& input, int node);
+  /// Goes on to another leaf of the same tree; for the engine.
+  void moveTo(int node, const PortBinding* ports) {
+    node_ = node;
+    ports_ = ports;
+  }
 
   /// The value of an input port: int, double, bool, std::int64_t (of Unsigned),
   /// std::string_view (of text entries; valid until the entry is written) or base::NodeStatus.
@@ -106,6 +111,9 @@ class LeafContext {
   void* memoryBytes();
   void faultOfPort(int port);
 
+  template <class T>
+  [[gnu::noinline, gnu::cold]] T requireSlowly(int port);
+
   Ticker* ticker_;
   const TickInput* input_;
   const PortBinding* ports_;
@@ -154,6 +162,22 @@ inline std::optional<base::NodeStatus> convert(const Value& value, const base::N
   return toStatus(value);
 }
 
+/// The usual case, an entry that holds just this type; what is true of it costs next to nothing.
+template <class T>
+bool readPlain(const Value&, T&) {
+  return false;
+}
+template <>
+inline bool readPlain(const Value& value, int& result) {
+  result = static_cast<int>(value.integer);
+  return value.type == ValueType::Int && value.integer == result;
+}
+template <>
+inline bool readPlain(const Value& value, double& result) {
+  result = value.real;
+  return value.type == ValueType::Double;
+}
+
 /// Converts into `result`; false = it does not fit. The plain cases go without an optional: copying
 /// those from call to call costs more than all the rest of reading a port.
 template <class T>
@@ -166,8 +190,7 @@ bool read(const Value& value, T& result) {
 }
 template <>
 inline bool read(const Value& value, int& result) {
-  if (value.type == ValueType::Int && value.integer == static_cast<int>(value.integer)) {
-    result = static_cast<int>(value.integer);
+  if (readPlain(value, result)) {
     return true;
   }
   const std::optional<int> converted = convertedToInt(value);
@@ -176,8 +199,7 @@ inline bool read(const Value& value, int& result) {
 }
 template <>
 inline bool read(const Value& value, double& result) {
-  if (value.type == ValueType::Double) {
-    result = value.real;
+  if (readPlain(value, result)) {
     return true;
   }
   const std::optional<double> converted = convertedToDouble(value);
@@ -194,6 +216,18 @@ std::optional<T> LeafContext::get(int port) const {
 
 template <class T>
 T LeafContext::require(int port) {
+  const PortBinding& binding = ports_[port];
+  T result{};
+  if (binding.kind == PortBinding::Kind::Entry
+          ? detail::readPlain(slots_[binding.index].value, result)
+          : binding.kind == PortBinding::Kind::Constant &&
+                detail::readPlain(constants_[binding.index], result)) {
+    return result;
+  }
+  return requireSlowly<T>(port);
+}
+template <class T>
+T LeafContext::requireSlowly(int port) {
   const Value* value = valueOf(port);
   T result{};
   if (!value || !detail::read(*value, result)) {

@@ -7,8 +7,6 @@ base::NodeStatus Ticker::runLeaf(int node) {
   const Program::Node& here = program_.node(node);
   bool truth = false;
   switch (here.code) {
-    case NodeCode::Synchronous:
-      return synchronous(node);
     case NodeCode::Stateful:
       return stateful(node);
     case NodeCode::AlwaysSuccess:
@@ -37,18 +35,6 @@ base::NodeStatus Ticker::runLeaf(int node) {
       return isFaulty() ? kFault : (updated ? Status::Success : Status::Failure);
     }
   }
-}
-
-base::NodeStatus Ticker::synchronous(int node) {
-  LeafContext context(*this, input_, node);
-  const Status status = program_.functions(program_.node(node).detail).tick(context);
-  if (isFaulty()) {
-    return kFault;
-  }
-  if (status != Status::Success && status != Status::Failure) {
-    return unexpected(node, status);
-  }
-  return status;
 }
 
 base::NodeStatus Ticker::stateful(int node) {

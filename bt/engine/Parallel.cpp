@@ -63,7 +63,7 @@ bool Ticker::tickParallelChildren(int node, int& skipped, bool untilDecided, Sta
   int number = 0;
   for (int child = node + 1; child < endOf(node); child = endOf(child), ++number) {
     if (!done.has(number)) {
-      const Status status = tickNode(child);
+      const Status status = tickChild(child);
       if (status == Status::Success || status == Status::Failure) {
         done.set(number);
         ++(status == Status::Success ? own.successes : own.failures);

@@ -79,13 +79,15 @@ class Program {
  public:
   struct Node {
     NodeCode code = NodeCode::AlwaysSuccess;
-    std::int32_t end = 0;  // first node behind the children; the first child is self + 1
+    bool hasOnlyCalls = false;  // all children have `tick`: none keeps a status
+    std::int32_t end = 0;       // first node behind the children; the first child is self + 1
     std::int32_t parent = -1;
     std::int32_t children = 0;
     std::int32_t firstPort = 0;    // in bindings()
     std::int32_t memory = 0;       // offset of its bytes in the agent's memory
     std::int32_t conditions = -1;  // in conditions(); -1 = none
     std::int32_t detail = -1;      // code dependent: functions, script, slot
+    LeafFunction tick = nullptr;   // of a synchronous leaf without conditions
   };
   /// Scripts of the pre- and post-conditions, -1 = none.
   struct Conditions {

@@ -27,25 +27,28 @@ bool isControl(NodeCode code) {
 }  // namespace
 
 base::NodeStatus Ticker::tickNode(int node) {
-  const Program::Node& here = program_.node(node);
+  const Program::Node& here = nodes_[node];
   const Status status = here.conditions < 0 ? run(node) : tickWithConditions(node);
   if (status == kFault) {
     return status;
   }
   if (status != Status::Skipped) {
-    stored(node) = status;
+    stored_[node] = status;
   }
-  state_.returned_[static_cast<std::size_t>(node)] = status;
-  if (hasOneChild(here.code) && isDone(stored(node + 1))) {
-    stored(node + 1) = Status::Idle;
+  returned_[node] = status;
+  if (hasOneChild(here.code) && isDone(stored_[node + 1])) {
+    stored_[node + 1] = Status::Idle;
   }
   return status;
 }
 
 base::NodeStatus Ticker::run(int node) {
-  const NodeCode code = program_.node(node).code;
+  const NodeCode code = nodes_[node].code;
   if (isControl(code)) {
     return runControl(node);
+  }
+  if (code == NodeCode::Synchronous) {
+    return synchronous(node, program_.functions(nodes_[node].detail).tick);
   }
   return hasOneChild(code) ? runDecorator(node) : runLeaf(node);
 }
@@ -111,7 +114,11 @@ void Ticker::resetChild(int node) {
 }
 
 void Ticker::resetChildren(int node) {
-  for (int child = node + 1; child < endOf(node); child = endOf(child)) {
+  if (nodes_[node].hasOnlyCalls) {
+    return;
+  }
+  const int end = endOf(node);
+  for (int child = node + 1; child < end; child = endOf(child)) {
     resetChild(child);
   }
 }

@@ -47,6 +47,7 @@ void TreeState::reset() {
   std::fill(memory_.begin(), memory_.end(), 0U);
   slots_ = program_->initialSlots();
   changes_.clear();
+  changesKnown_ = true;
   events_.clear();
   fault_.reset();
 }
@@ -56,6 +57,7 @@ base::NodeStatus TreeState::tickOnce(const TickInput& input) {
   previous_.swap(returned_);
   std::fill(returned_.begin(), returned_.end(), NodeStatus::Idle);
   changes_.clear();
+  changesKnown_ = false;
   events_.clear();
   NodeStatus status = NodeStatus::Idle;
   if (!fault_) {
@@ -71,12 +73,19 @@ base::NodeStatus TreeState::tickOnce(const TickInput& input) {
       stored_[0] = NodeStatus::Idle;
     }
   }
-  for (std::size_t i = 0; i < returned_.size(); ++i) {
-    if (returned_[i] != previous_[i]) {
-      changes_.push_back(static_cast<int>(i));
+  return status;
+}
+
+const std::vector<int>& TreeState::changes() {
+  if (!changesKnown_) {
+    changesKnown_ = true;
+    for (std::size_t i = 0; i < returned_.size(); ++i) {
+      if (returned_[i] != previous_[i]) {
+        changes_.push_back(static_cast<int>(i));
+      }
     }
   }
-  return status;
+  return changes_;
 }
 
 void TreeState::halt(const TickInput& input) {

@@ -47,7 +47,7 @@ class TreeState {
   /// What each node returned in the last tick; IDLE = it was not ticked.
   const std::vector<base::NodeStatus>& statuses() const { return returned_; }
   /// Nodes for which that differs from the tick before, ascending.
-  const std::vector<int>& changes() const { return changes_; }
+  const std::vector<int>& changes();
   /// Of the last tick (and of a halt() after it), in the order in which they happened.
   const std::vector<LeafEvent>& events() const { return events_; }
   const std::optional<TreeFault>& fault() const { return fault_; }
@@ -74,6 +74,7 @@ class TreeState {
   std::vector<std::uint64_t> memory_;
   std::vector<Slot> slots_;
   std::vector<int> changes_;
+  bool changesKnown_ = true;  // they are looked for when somebody asks
   std::vector<LeafEvent> events_;
   std::vector<Value> stack_;  // of scripts
   std::optional<TreeFault> fault_;

@@ -8,7 +8,7 @@ namespace sim2d {
 
 namespace {
 
-constexpr std::uint32_t kNoWay = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNoWay = CellCosts::kNone;
 constexpr std::uint32_t kStraight = 12;  // 17 / 12 is the root of two to 0.2 %
 constexpr std::uint32_t kDiagonal = 17;
 constexpr std::uint32_t kUnknownFactor = 16;
@@ -43,8 +43,18 @@ Terrain::Terrain(const DistanceField& field, double radius)
   }
 }
 
+void CellCosts::set(Terrain::Index index, std::uint32_t cost) {
+  const auto cell = static_cast<std::size_t>(index);
+  std::unique_ptr<Tile>& tile = tiles_[cell / kTile];
+  if (!tile) {
+    tile = std::make_unique<Tile>();
+    tile->fill(kNone);
+  }
+  (*tile)[cell % kTile] = cost;
+}
+
 GoalField::GoalField(const Terrain& terrain, Index goal)
-    : terrain_(terrain), goal_(goal), cost_(terrain.size(), kNoWay) {
+    : terrain_(terrain), goal_(goal), cost_(terrain.size()) {
   const Index up = terrain.stride();
   neighbours_ = {{{1, kStraight, 0, 0},
                   {up, kStraight, 0, 0},
@@ -70,15 +80,14 @@ std::uint32_t GoalField::stepCost(Index from, const Neighbour& neighbour) const 
 }
 
 void GoalField::relax(Index cell, std::uint32_t cost) {
-  std::uint32_t& best = cost_[static_cast<std::size_t>(cell)];
-  if (cost < best) {
-    best = cost;
+  if (cost < cost_.at(cell)) {
+    cost_.set(cell, cost);
     heap_.push(cost, cell);
   }
 }
 
 void GoalField::expand(Index cell) {
-  const std::uint32_t cost = cost_[static_cast<std::size_t>(cell)];
+  const std::uint32_t cost = cost_.at(cell);
   for (const Neighbour& neighbour : neighbours_) {
     if (!canStep(cell, neighbour)) {
       continue;
@@ -110,13 +119,12 @@ bool GoalField::enterUnknown() {
 }
 
 bool GoalField::reach(Index from) {
-  const std::uint32_t& wanted = cost_[static_cast<std::size_t>(from)];
-  while (wanted > frontier_) {
+  while (cost_.at(from) > frontier_) {
     if (heap_.isEmpty() && (inUnknown_ || !enterUnknown())) {
       return false;
     }
     const auto [cost, cell] = heap_.pop();
-    if (cost == cost_[static_cast<std::size_t>(cell)]) {
+    if (cost == cost_.at(cell)) {
       frontier_ = cost;
       expand(cell);
     }
@@ -125,12 +133,12 @@ bool GoalField::reach(Index from) {
 }
 
 GoalField::Index GoalField::next(Index from) const {
-  const std::uint32_t here = cost_[static_cast<std::size_t>(from)];
+  const std::uint32_t here = cost_.at(from);
   Index best = from;
   std::uint32_t lowest = kNoWay;
   for (const Neighbour& neighbour : neighbours_) {
     const Index to = from + neighbour.offset;
-    const std::uint32_t there = cost_[static_cast<std::size_t>(to)];
+    const std::uint32_t there = cost_.at(to);
     if (there < here && canStep(from, neighbour)) {
       const std::uint32_t step = stepCost(from, neighbour);
       if (step < kNoWay - there && there + step < lowest) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "sim2d/map/DistanceField.h"
@@ -33,6 +34,27 @@ class Terrain {
   bool hasUnknown_ = false;
   std::vector<std::uint8_t> price_;  // 0: closed
   std::vector<char> unknown_;
+};
+
+/// One number per cell, in tiles that exist only where something was written: a search that ends
+/// early leaves most of a large map without any.
+class CellCosts {
+ public:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  explicit CellCosts(std::size_t size) : tiles_((size + kTile - 1) / kTile) {}
+  /// kNone where nothing was written.
+  std::uint32_t at(Terrain::Index index) const {
+    const auto cell = static_cast<std::size_t>(index);
+    const std::unique_ptr<Tile>& tile = tiles_[cell / kTile];
+    return tile ? (*tile)[cell % kTile] : kNone;
+  }
+  void set(Terrain::Index index, std::uint32_t cost);
+
+ private:
+  static constexpr std::size_t kTile = 256;
+  using Tile = std::array<std::uint32_t, kTile>;
+  std::vector<std::unique_ptr<Tile>> tiles_;
 };
 
 /// Cheapest ways from all cells to one goal (Dijkstra over eight neighbours), searched only as far
@@ -69,7 +91,7 @@ class GoalField {
   const Terrain& terrain_;
   Index goal_;
   std::array<Neighbour, 8> neighbours_;
-  std::vector<std::uint32_t> cost_;
+  CellCosts cost_;
   RadixHeap heap_;
   std::uint32_t frontier_ = 0;  // costs up to here are final
   std::vector<Seed> seeds_;     // unknown cells beside the known ones

@@ -387,7 +387,11 @@ void World::State::readRobots(const std::vector<base::Twist2>& commands) {
     const int body = static_cast<int>(i);
     robot.pose = physics.pose(body);
     robot.velocity = physics.velocity(body);
-    robot.linear = robot.velocity.dot(chords_[i]);
+    // The wheels hold: who is pushed from behind does not drive faster, who is blocked drives
+    // slower.
+    const double commanded = commands[i].linear;
+    robot.linear = std::clamp(robot.velocity.dot(chords_[i]), std::min(commanded, 0.0),
+                              std::max(commanded, 0.0));
     robot.omega = physics.omega(body);
   }
 }

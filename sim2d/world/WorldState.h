@@ -68,7 +68,7 @@ struct WorldModel {
 struct RobotState {
   Pose2 pose;
   Vec2 velocity = Vec2::Zero();  // [m/s]
-  double linear = 0.0;           // along the heading [m/s]
+  double linear = 0.0;           // of the wheels, along the heading [m/s]
   double omega = 0.0;            // [rad/s]
   std::size_t goal = 0;          // index of the current one
   double arrivedAt = -1.0;       // [s]; < 0: on the way

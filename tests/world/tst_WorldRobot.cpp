@@ -21,6 +21,7 @@ class WorldRobotTest : public QObject {
   void drive_doorCloses_plansAnew();
   void stand_withoutGoal_neverArrives();
   void stand_pushedByPeople_holdsItsPlace();
+  void drive_pushedFromBehind_keepsToItsSpeed();
   void create_startOnAPerson_isMovedAside();
   void create_unreachableGoal_isLeftOut();
   void twoRobots_idsFollowTheOrder();
@@ -156,6 +157,19 @@ void WorldRobotTest::stand_pushedByPeople_holdsItsPlace() {
       QVERIFY((person - robotPosition(frame)).norm() > 0.35 + 0.35 - 0.05);
     }
   });
+}
+
+void WorldRobotTest::drive_pushedFromBehind_keepsToItsSpeed() {
+  Scenario scenario;
+  addGoal(scenario, 1, 20.0, 0.0);
+  addPerson(scenario, 1, Vec2(-1.0, 0.0), {1}).ours.route = Route::Direct;
+  addPerson(scenario, 2, Vec2(-2.0, 0.0), {1}).ours.route = Route::Direct;
+  addRobot(scenario, Vec2(0.0, 0.0), Vec2(20.0, 0.0)).maxVel = 0.4;
+  const std::unique_ptr<World> world = make(scenario);
+  const std::vector<Recorded> events = advance(*world, 200);  // 10 s: 3.9 m alone
+  QVERIFY(!ofKind(events, EventKind::Contact).empty());
+  const double driven = world->frame().robots.x[0];
+  QVERIFY2(driven > 3.4 && driven < 4.2, qPrintable(QString::number(driven)));
 }
 
 void WorldRobotTest::create_startOnAPerson_isMovedAside() {
