@@ -119,7 +119,9 @@ void replaceAll(std::string& text, const std::string& what, const std::string& b
   }
 }
 
-std::string filled(std::string text, const sim2d::Human& human) {
+}  // namespace
+
+std::string fillPlaceholders(std::string text, const sim2d::Human& human) {
   const sim2d::Behavior& behavior = human.behavior;
   const auto number = [](const std::optional<double>& value, double otherwise) {
     return shortNumber(value.value_or(otherwise));
@@ -146,8 +148,6 @@ std::string modelElement(const std::string& file) {
   return file.substr(begin, end + std::string(kEnd).size() - begin);
 }
 
-}  // namespace
-
 std::string panelTreeText(const sim2d::Human& human, const std::string& modelFile) {
   const Template parts = templateOf(human);
   const bool isRegular = std::string(parts.reaction).empty();
@@ -157,7 +157,7 @@ std::string panelTreeText(const sim2d::Human& human, const std::string& modelFil
       (isRegular ? kRegular : kRegularCall) + "        </Fallback>\n    </BehaviorTree>\n</root>\n";
   return std::string("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<root main_tree_to_execute=\"") +
          parts.tree + "\" BTCPP_format=\"4\">\n\n  " + modelElement(modelFile) +
-         "\n  <include path=\"BTRegularNav.xml\" />\n\n" + filled(std::move(body), human);
+         "\n  <include path=\"BTRegularNav.xml\" />\n\n" + fillPlaceholders(std::move(body), human);
 }
 
 }  // namespace bt

@@ -4,6 +4,7 @@
 
 #include "bt/human/PanelTemplates.h"
 #include "bt/human/TemplateNodes.h"
+#include "bt/human/WrapperTemplates.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/scenario/Defaults.h"
 
@@ -194,7 +195,9 @@ std::string makeTreeText(const sim2d::Scenario& scenario, const sim2d::Human& hu
   }
   TreeFile model;
   model.model = modelBlock(catalogue);
-  return panelTreeText(human, writeTree(model, catalogue));
+  const std::string modelFile = writeTree(model, catalogue);
+  return hasWrapperTrees(scenario) ? wrapperTreeText(human, modelFile)
+                                   : panelTreeText(human, modelFile);
 }
 
 std::string treeFileName(const std::string& base, int agentId) {

@@ -13,7 +13,8 @@ namespace bt {
 
 enum class TreeStyle {
   Corrected,  // reacts while the robot is visible; parameters resolved; loads in HuNavSim too
-  Hunav2      // as the panel of HuNavSim 2.0 writes it, quirks included
+  Hunav2      // as HuNavSim 2.0 has them, quirks included: the wrapper's layout for its simulator,
+              // else that of the newest panel
 };
 
 /// In the corrected style. The numbers of the reaction are the resolved ones of the scenario's

@@ -112,11 +112,15 @@ base::Result<TrackFile> readForeign(const std::string& path, const ForeignOption
   return {std::move(file), std::move(problems)};
 }
 
-void FrameTracks::add(int id, long long frame, TrackPoint point) {
+TrackPoint& FrameTracks::add(int id, long long frame, const Vec2& position, int line, int column) {
   Track& track = tracks_[id];
   track.id = id;
+  TrackPoint& point = track.points.emplace_back();
   point.time = static_cast<double>(frame);
-  track.points.push_back(std::move(point));
+  point.position = position;
+  point.line = line;
+  point.column = column;
+  return point;
 }
 
 TrackFile FrameTracks::finish(const std::string& path, double framesPerSecond) {

@@ -28,7 +28,8 @@ constexpr double kAnnotationStep = 0.4;  // [s] of the ETH, UCY and TrajNet sets
 /// Observations by person, numbered by frames of a film.
 class FrameTracks {
  public:
-  void add(int id, long long frame, TrackPoint point);
+  /// `line`, `column`: where it stands in the source. The point, for what else is known of it.
+  TrackPoint& add(int id, long long frame, const Vec2& position, int line, int column);
   TrackFile finish(const std::string& path, double framesPerSecond);
 
  private:

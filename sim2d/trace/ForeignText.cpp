@@ -47,12 +47,8 @@ TrackFile readObsmat(const ForeignInput& input) {
                const std::optional<double> vx = words.finite(row[5], "vx");
                const std::optional<double> vy = words.finite(row[7], "vy");
                if (frame && id && x && y && vx && vy) {
-                 TrackPoint point;
-                 point.position = Vec2(*x, *y);
-                 point.velocity = Vec2(*vx, *vy);
-                 point.line = row[0].line;
-                 point.column = row[0].column;
-                 tracks.add(*id, *frame, point);
+                 tracks.add(*id, *frame, Vec2(*x, *y), row[0].line, row[0].column).velocity =
+                     Vec2(*vx, *vy);
                }
              });
   TrackFile file = tracks.finish(input.path, input.options.framesPerSecond);
@@ -70,11 +66,7 @@ TrackFile readTrajnetRows(const ForeignInput& input) {
     const std::optional<double> x = words.finite(row[2], "x");
     const std::optional<double> y = words.finite(row[3], "y");
     if (frame && id && x && y) {
-      TrackPoint point;
-      point.position = Vec2(*x, *y);
-      point.line = row[0].line;
-      point.column = row[0].column;
-      tracks.add(*id, *frame, point);
+      tracks.add(*id, *frame, Vec2(*x, *y), row[0].line, row[0].column);
     }
   });
   return tracks.finish(input.path, input.options.framesPerSecond);
@@ -134,11 +126,8 @@ TrackFile readSocnavbench(const ForeignInput& input) {
     const std::optional<double> x = words.finite(rows[xRow][k], "x");
     const std::optional<double> y = words.finite(rows[yRow][k], "y");
     if (frame && id && x && y) {
-      TrackPoint point;
-      point.position = Vec2(*x, *y);
-      point.line = rows[frameRow][k].line;
-      point.column = rows[frameRow][k].column;
-      tracks.add(*id, *frame, point);
+      const Word& place = rows[frameRow][k];
+      tracks.add(*id, *frame, Vec2(*x, *y), place.line, place.column);
     }
   }
   const double rate = input.options.framesPerSecond;

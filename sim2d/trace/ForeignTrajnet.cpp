@@ -89,11 +89,8 @@ class TrajnetReader {
       error(line, 1, "an id must not be negative");
       return;
     }
-    TrackPoint point;
-    point.position = Vec2(track["x"].get<double>(), track["y"].get<double>());
-    point.line = line;
-    point.column = 1;
-    tracks_.add(track["p"].get<int>(), track["f"].get<long long>(), point);
+    tracks_.add(track["p"].get<int>(), track["f"].get<long long>(),
+                Vec2(track["x"].get<double>(), track["y"].get<double>()), line, 1);
   }
 
   static bool isInteger(const Json& object, const char* key) {

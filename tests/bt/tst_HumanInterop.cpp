@@ -17,6 +17,12 @@ QString interopFolder() {
                          : QString::fromLocal8Bit(given);
 }
 
+/// The model block documents nodes and is ours; everything behind it is to be equal.
+QByteArray behindTheModel(const QByteArray& text) {
+  const int at = text.indexOf("</TreeNodesModel>");
+  return at < 0 ? QByteArray() : text.mid(at);
+}
+
 }  // namespace
 
 /// Real files of HuNavSim.
@@ -59,6 +65,32 @@ class HumanInteropTest : public QObject {
         QWARN(found.text().c_str());
         QVERIFY(found.severity != base::Severity::Error);
       }
+    }
+    QVERIFY(compared > 0);
+  }
+  void hunav2Tree_ofAnInteropScenario_isTheOneShipped_data() {
+    goalsOfTheTree_areThoseOfTheScenario_data();
+  }
+  void hunav2Tree_ofAnInteropScenario_isTheOneShipped() {
+    QFETCH(QString, scenario);
+    const QString path = interopFolder() + QStringLiteral("/hunavsim2/") + scenario;
+    if (!QFile::exists(path)) {
+      QSKIP("the interoperability files are not here");
+    }
+    const sim2d::ScenarioReading reading = sim2d::readScenario(path.toStdString());
+    const bt::NodeLibrary library = bt::humanNodes();
+    const QDir trees(QFileInfo(path).dir().filePath(QStringLiteral("../behavior_trees")));
+    int compared = 0;
+    for (const sim2d::Human& human : reading.scenario.humans) {
+      QFile shipped(trees.filePath(QString::fromStdString(
+          bt::treeFileName(reading.scenario.yamlBaseName.value_or(""), human.id))));
+      if (!human.listed || !shipped.open(QIODevice::ReadOnly)) {
+        continue;
+      }
+      const QByteArray ours = QByteArray::fromStdString(
+          bt::makeTreeText(reading.scenario, human, bt::TreeStyle::Hunav2, library.catalogue()));
+      QCOMPARE(behindTheModel(ours), behindTheModel(shipped.readAll()));
+      ++compared;
     }
     QVERIFY(compared > 0);
   }

@@ -235,6 +235,56 @@ class HumanTemplatesTest : public QObject {
                  kGoals + reaction + kRegNav);
   }
 
+  void hunav2_wrapperLayout_isThatOfItsSimulators() {
+    sim2d::Scenario scenario = scenarioWith(BehaviorType::Curious, {2, 3});
+    scenario.simulator = "Isaac Sim";
+    const std::string text = textOf(scenario, bt::TreeStyle::Hunav2);
+    const char* const expected = R"(</TreeNodesModel>
+
+<include path="BTRegularNav.xml" />
+
+
+<!--<BehaviorTree ID="CuriousNavTree">-->
+<BehaviorTree ID="DefaultTree">
+  <Fallback name="CuriousFallback">
+    <!-- Goal setting Sequence -->
+    <Sequence name="SetGoals">
+        <RunOnce>
+          <SetGoal agent_id="{id}" goal_id="2"/>
+        </RunOnce>
+        <Inverter>
+          <RunOnce>
+            <SetGoal agent_id="{id}" goal_id="3"/>
+          </RunOnce>
+        </Inverter>
+
+    </Sequence>
+    <Sequence name="CurNav">
+      <IsRobotVisible agent_id="{id}" distance="4.25"/>
+      <Inverter>
+        <TimeExpiredCondition seconds="30" ts="{dt}" only_once="true"/>
+      </Inverter>
+      <CuriousNav agent_id="{id}" time_step="{dt}" stop_distance="1.33333" agent_vel="1.9"/>
+    </Sequence>
+    <Sequence name="RegNav">
+      <SetBlackboard output_key="agentid" value="{id}"/>
+      <SetBlackboard output_key="timestep" value="{dt}"/>
+      <SubTree ID="RegularNavTree" id="{agentid}" dt="{timestep}"/>
+    </Sequence>
+  </Fallback>
+</BehaviorTree>
+
+
+
+</root>
+
+)";
+    QCOMPARE(QByteArray::fromStdString(text.substr(text.find("</TreeNodesModel>"))),
+             QByteArray(expected));
+    QVERIFY(text.find("<root main_tree_to_execute=\"DefaultTree\" BTCPP_format=\"4\">") !=
+            std::string::npos);
+  }
+
   void hunav2_withoutKeys_takesThePanelsDefaults() {
     sim2d::Scenario scenario = scenarioWith(BehaviorType::Curious, {});
     scenario.humans.front().behavior = {};
