@@ -36,6 +36,22 @@ function(hunav_library target)
   add_library(${target} STATIC ${sources})
   set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX)
   target_link_libraries(${target} PUBLIC hunav_flags ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  hunav_precompile(${target} ${ARG_PUBLIC} ${ARG_PRIVATE})
+endfunction()
+
+# Headers that nearly every file reads, parsed once per target: half the time of a cold build. Not
+# where we develop, so that a file which forgets an include fails there.
+function(hunav_precompile target)
+  if(NOT HUNAV_PRECOMPILED)
+    return()
+  endif()
+  set(headers <algorithm> <cmath> <functional> <map> <memory> <optional> <string> <string_view>
+      <utility> <vector> <Eigen/Core>)
+  if("Qt5::Widgets" IN_LIST ARGN)
+    list(APPEND headers <QtWidgets>)
+  endif()
+  target_precompile_headers(${target} PRIVATE ${headers})
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)  # ccache
 endfunction()
 
 # hunav_collect(<target> <namespace> <argument type> <header of that type> <files…>): each file

@@ -8,6 +8,7 @@ build=$root/build
 logs=$build/logs
 jobs=$(nproc 2>/dev/null || echo 2)
 export CCACHE_DIR=${CCACHE_DIR:-$build/ccache}
+export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}  # as precompiled headers need it
 export CCACHE_TEMPDIR=${CCACHE_TEMPDIR:-$build/ccache/tmp}
 
 packages_to_run=(
