@@ -67,7 +67,8 @@ void addRunOptions(CLI::App& command, RunOptions& options) {
 }
 
 void addWindow(CLI::App& root, Words& words) {
-  root.add_option("scenario", words.run.scenario, "Scenario to open in the window");
+  root.add_option("scenario", words.run.scenario, "Scenario to open in the window")
+      ->transform(scenarioFile);
   addRunOptions(root, words.run);
   WindowOptions& window = words.window;
   root.add_option("--screenshot", window.screenshot, "Save a picture of the window and leave");
@@ -81,7 +82,10 @@ void addWindow(CLI::App& root, Words& words) {
 
 CLI::App* addRun(CLI::App& root, Words& words) {
   CLI::App* command = root.add_subcommand("run", "Simulate one scenario without a window");
-  command->add_option("scenario", words.run.scenario, "Scenario file")->required();
+  command
+      ->add_option("scenario", words.run.scenario, "Scenario: a file, or a name of list scenarios")
+      ->required()
+      ->transform(scenarioFile);
   command->add_option("-o,--output", words.run.output, "Folder for the files of the run");
   addRunOptions(*command, words.run);
   command->add_flag("--counterfactual", words.run.counterfactual,
@@ -159,7 +163,8 @@ CLI::App* addBatch(CLI::App& root, Words& words) {
 CLI::App* addTrees(CLI::App& root, Words& words) {
   CLI::App* command = root.add_subcommand("trees", "Make people's behaviour trees, or play one");
   TreesOptions& trees = words.trees;
-  CLI::Option* scenario = command->add_option("scenario", trees.scenario, "Scenario file");
+  CLI::Option* scenario =
+      command->add_option("scenario", trees.scenario, "Scenario file")->transform(scenarioFile);
   CLI::Option* output =
       command->add_option("-o,--output", trees.output, "Folder for the trees; none: print them");
   CLI::Option* style = command->add_option("--style", trees.style, "corrected or hunav2");

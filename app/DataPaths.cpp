@@ -48,6 +48,18 @@ std::vector<ShippedScenario> shippedScenarios() {
   return found;
 }
 
+std::string scenarioFile(const std::string& fileOrName) {
+  std::error_code ignored;
+  if (!fs::exists(fileOrName, ignored)) {
+    for (const ShippedScenario& shipped : shippedScenarios()) {
+      if (shipped.name == fileOrName) {
+        return shipped.path;
+      }
+    }
+  }
+  return fileOrName;
+}
+
 std::string demoScenarioPath() {
   return (fs::path(shippedMapsFolder()) / "corner_cafe" / "corner_cafe_agents.yaml").string();
 }

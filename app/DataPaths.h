@@ -16,6 +16,9 @@ struct ShippedScenario {
 };
 std::vector<ShippedScenario> shippedScenarios();  // by name
 
+/// The path of the shipped scenario of this name, unless there is such a file; else `fileOrName`.
+std::string scenarioFile(const std::string& fileOrName);
+
 /// The scenario opened when none is named.
 std::string demoScenarioPath();
 

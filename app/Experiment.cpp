@@ -121,10 +121,9 @@ class Reader {
     if (fs::is_regular_file(beside, ignored)) {
       return beside.lexically_normal().string();
     }
-    for (const ShippedScenario& shipped : shippedScenarios()) {
-      if (shipped.name == name) {
-        return shipped.path;
-      }
+    const std::string shipped = scenarioFile(name);
+    if (shipped != name) {
+      return shipped;
     }
     error(item, "there is no scenario '" + name + "' (looked for " + beside.string() +
                     " and among the shipped scenarios)");

@@ -376,6 +376,13 @@ class RunProgramTest : public QObject {
     QVERIFY(!length[QStringLiteral("why")].toString().isEmpty());
   }
 
+  void run_nameOfAShippedScenario_isFound() {
+    const outside::Finished found = outside::runProgram(
+        {QStringLiteral("run"), QStringLiteral("corner_cafe_agents"), QStringLiteral("--duration"),
+         QStringLiteral("0.1"), QStringLiteral("--metrics"), QStringLiteral("path_length")});
+    QVERIFY2(found.exitCode == 0, qPrintable(found.err));
+  }
+
   void run_wrongInput_exitCodesAndMessages_data() {
     QTest::addColumn<QStringList>("words");
     QTest::addColumn<int>("exitCode");
