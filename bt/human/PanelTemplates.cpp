@@ -14,7 +14,7 @@ namespace {
 struct Template {
   const char* tree;
   const char* fallback;
-  const char* reaction;  // elements of the reaction; empty = regular navigation
+  std::string reaction;  // elements of the reaction; empty = regular navigation
 };
 
 constexpr const char* kSurprised =
@@ -24,36 +24,6 @@ constexpr const char* kSurprised =
                     <TimeExpiredCondition seconds="{duration}" ts="{dt}" only_once="{once}" />
                 </Inverter>
                 <SurprisedNav agent_id="{id}" time_step="{dt}" />
-            </Sequence>
-)";
-constexpr const char* kScared =
-    R"(            <Sequence name="ScaNav">
-                <RunOnce>
-                    <IsRobotVisible agent_id="{id}" distance="{dist}" />
-                </RunOnce>
-                <RunOnce>
-                    <AvoidRobot agent_id="{id}" time_step="{dt}" runaway_vel="{maxvel}" safe_distance="{safe_distance}" duration="{duration}" />
-                </RunOnce>
-            </Sequence>
-)";
-constexpr const char* kCurious =
-    R"(            <Sequence name="CurNav">
-                <RunOnce>
-                    <IsRobotVisible agent_id="{id}" distance="{dist}" />
-                </RunOnce>
-                <RunOnce>
-                    <ApproachRobot agent_id="{id}" time_step="{dt}" closest_dist="{stopdist}" max_vel="{maxvel}" duration="{duration}" />
-                </RunOnce>
-            </Sequence>
-)";
-constexpr const char* kThreatening =
-    R"(            <Sequence name="ThreadNav">
-                <RunOnce>
-                    <IsRobotVisible agent_id="{id}" distance="{dist}" />
-                </RunOnce>
-                <RunOnce>
-                    <BlockRobot agent_id="{id}" time_step="{dt}" front_dist="{frontdist}" duration="{duration}" />
-                </RunOnce>
             </Sequence>
 )";
 constexpr const char* kRegular =
@@ -73,16 +43,35 @@ constexpr const char* kRegularCall =
             </Sequence>
 )";
 
+/// Both run once, whether the robot was seen or not: so the panel has it.
+std::string onceSeen(const std::string& name, const std::string& node) {
+  const auto once = [](const std::string& inside) {
+    return "                <RunOnce>\n                    <" + inside +
+           " />\n                </RunOnce>\n";
+  };
+  return "            <Sequence name=\"" + name + "\">\n" +
+         once(R"(IsRobotVisible agent_id="{id}" distance="{dist}")") + once(node) +
+         "            </Sequence>\n";
+}
+
 Template templateOf(const sim2d::Human& human) {
   switch (human.behavior.type.value_or(BehaviorType::Regular)) {
     case BehaviorType::Surprised:
       return {"SurprisedNavTree", "SurprisedFallback", kSurprised};
     case BehaviorType::Scared:
-      return {"ScaredNavTree", "ScaredFallback", kScared};
+      return {"ScaredNavTree", "ScaredFallback",
+              onceSeen("ScaNav", R"(AvoidRobot agent_id="{id}" time_step="{dt}" )"
+                                 R"(runaway_vel="{maxvel}" safe_distance="{safe_distance}" )"
+                                 R"(duration="{duration}")")};
     case BehaviorType::Curious:
-      return {"CuriousNavTree", "CuriousFallback", kCurious};
+      return {"CuriousNavTree", "CuriousFallback",
+              onceSeen("CurNav", R"(ApproachRobot agent_id="{id}" time_step="{dt}" )"
+                                 R"(closest_dist="{stopdist}" max_vel="{maxvel}" )"
+                                 R"(duration="{duration}")")};
     case BehaviorType::Threatening:
-      return {"ThreateningNavTree", "ThreateningFallback", kThreatening};
+      return {"ThreateningNavTree", "ThreateningFallback",
+              onceSeen("ThreadNav", R"(BlockRobot agent_id="{id}" time_step="{dt}" )"
+                                    R"(front_dist="{frontdist}" duration="{duration}")")};
     case BehaviorType::Regular:
     case BehaviorType::Impassive:
       break;
@@ -150,7 +139,7 @@ std::string modelElement(const std::string& file) {
 
 std::string panelTreeText(const sim2d::Human& human, const std::string& modelFile) {
   const Template parts = templateOf(human);
-  const bool isRegular = std::string(parts.reaction).empty();
+  const bool isRegular = parts.reaction.empty();
   std::string body =
       std::string("    <BehaviorTree ID=\"") + parts.tree + "\">\n        <Fallback name=\"" +
       parts.fallback + "\">\n            {GOAL_SEQUENCE}\n" + parts.reaction +

@@ -67,23 +67,6 @@ std::string reactionOf(BehaviorType type) {
   return {};
 }
 
-std::string nameOf(BehaviorType type) {
-  switch (type) {
-    case BehaviorType::Surprised:
-      return "Surprised";
-    case BehaviorType::Scared:
-      return "Scared";
-    case BehaviorType::Curious:
-      return "Curious";
-    case BehaviorType::Threatening:
-      return "Threatening";
-    case BehaviorType::Regular:
-    case BehaviorType::Impassive:
-      break;
-  }
-  return {};
-}
-
 std::string setGoal(int goal, const std::string& margin) {
   return margin + "<RunOnce>\n" + margin + "  <SetGoal agent_id=\"{id}\" goal_id=\"" +
          std::to_string(goal) + "\"/>\n" + margin + "</RunOnce>\n";
@@ -112,15 +95,16 @@ bool hasWrapperTrees(const sim2d::Scenario& scenario) {
 
 std::string wrapperTreeText(const sim2d::Human& human, const std::string& modelFile) {
   const BehaviorType type = human.behavior.type.value_or(BehaviorType::Regular);
-  const std::string name = nameOf(type);
-  const bool reacts = !name.empty();
+  const std::string name = sim2d::behaviorName(type);
+  const std::string reaction = reactionOf(type);
+  const bool reacts = !reaction.empty();
   std::string body = "\n<include path=\"BTRegularNav.xml\" />\n\n\n";
   if (reacts) {
     body += "<!--<BehaviorTree ID=\"" + name + "NavTree\">-->\n";
   }
   body += "<BehaviorTree ID=\"DefaultTree\">\n  <Fallback name=\"" +
           (reacts ? name + "Fallback" : "MainFallback") + "\">\n" + goalSequence(human.goals) +
-          (reacts ? reactionOf(type) + kRegularCall : kRegular) +
+          (reacts ? reaction + kRegularCall : kRegular) +
           "  </Fallback>\n</BehaviorTree>\n\n\n\n</root>\n\n";
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
          "<root main_tree_to_execute=\"DefaultTree\" BTCPP_format=\"4\">\n  " +
