@@ -1,6 +1,7 @@
 #include "app/CommandLine.h"
 
 #include <clocale>
+#include <cstdio>
 #include <functional>
 #include <memory>
 
@@ -14,6 +15,7 @@
 #include "app/DataPaths.h"
 #include "app/commands/Commands.h"
 #include "app/window/WindowCommand.h"
+#include "sim2d/base/Text.h"
 
 namespace app {
 
@@ -49,7 +51,10 @@ void addRunOptions(CLI::App& command, RunOptions& options) {
   command.add_option("--map", options.map,
                      "Map to use instead of the scenario's; none = open plane");
   command.add_option("--trees", options.trees, "Folder with the behaviour trees");
-  command.add_option("--seed", options.seed, "Seed of all random numbers");
+  command.add_option("--seed", options.seed, "Seed of all random numbers")
+      ->check([](const std::string& text) {
+        return base::parseInt(text) ? std::string() : "'" + text + "' is no whole number that fits";
+      });
   command.add_option("--duration", options.duration, "Length of the run [s]");
   command.add_option("--dt", options.dt, "Time step [s]");
   command.add_option("--model", options.model, "How people walk: see list models");
@@ -226,7 +231,15 @@ int drawOffscreen(int argc, char** argv, const std::function<int()>& action) {
 
 }  // namespace
 
+/// What image libraries grumble is told by our own messages, with the file's name.
+void withoutLibraryWords(QtMsgType type, const QMessageLogContext& context, const QString& text) {
+  if (!text.startsWith(QLatin1String("libpng"))) {
+    std::fputs(qPrintable(qFormatLogMessage(type, context, text) + QLatin1Char('\n')), stderr);
+  }
+}
+
 int runProgram(int argc, char** argv) {
+  qInstallMessageHandler(withoutLibraryWords);
   const std::vector<std::string> words(argv, argv + argc);
   Words given;
   CLI::App root{"HuNavSim Desktop: people and a robot on a map, drawn, simulated, measured"};

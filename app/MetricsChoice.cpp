@@ -13,7 +13,8 @@ base::Diagnostics chooseMetrics(const MetricsWords& words, editor::MetricsSetup&
     return {};
   }
   std::error_code ignored;
-  if (std::filesystem::exists(words.metrics, ignored)) {
+  const bool namesAFile = words.metrics.find_first_of("/.") != std::string::npos;
+  if (namesAFile || std::filesystem::exists(words.metrics, ignored)) {
     const base::Result<metrics::MetricsFile> file = metrics::readMetricsFile(words.metrics);
     if (file) {
       setup.selection.keys = file->selection.keys;

@@ -1,8 +1,12 @@
 #include "app/Preparation.h"
 
+#include <algorithm>
+#include <filesystem>
+
 #include "app/DataPaths.h"
 #include "bt/human/TreeBehavior.h"
 #include "editor/document/QtImageLoader.h"
+#include "sim2d/base/Text.h"
 
 namespace app {
 
@@ -44,16 +48,46 @@ bool readMapOf(Preparation& preparation, const sim2d::FilePlaces& places) {
   return true;
 }
 
+/// People without a tree file get that of their behaviour; the reader is told.
+void tellGenerated(Preparation& preparation, const std::vector<std::string>& names) {
+  if (names.empty()) {
+    return;
+  }
+  constexpr std::size_t kNamed = 3;
+  std::vector<std::string> first(names.begin(), names.begin() + std::min(kNamed, names.size()));
+  const std::string more = names.size() > kNamed ? " …" : "";
+  preparation.diagnostics.push_back(base::makeWarning(
+      "no tree file for " + std::to_string(names.size()) +
+          (names.size() == 1 ? " person (" : " people (") + base::join(first, ", ") + more +
+          "): the tree of the behaviour is generated",
+      preparation.inputs.front()));
+}
+
+bool hasTreesFolder(Preparation& preparation, const std::string& folder) {
+  std::error_code ignored;
+  if (folder.empty() || std::filesystem::is_directory(folder, ignored)) {
+    return true;
+  }
+  preparation.diagnostics.push_back(base::makeError("--trees: this is no folder", folder));
+  return false;
+}
+
 void findTrees(Preparation& preparation, const sim2d::FilePlaces& places) {
+  std::vector<std::string> generated;
   for (const sim2d::Human& human : preparation.scenario->humans) {
     if (!human.listed) {
       continue;
     }
     const std::string path = sim2d::findTree(*preparation.scenario, human, places);
     preparation.treePaths[human.name] = path;
-    if (!path.empty()) {
+    if (path.empty()) {
+      generated.push_back(human.name);
+    } else {
       preparation.inputs.push_back(path);
     }
+  }
+  if (hasTreesFolder(preparation, places.treesOption)) {
+    tellGenerated(preparation, generated);
   }
 }
 

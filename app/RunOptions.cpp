@@ -1,13 +1,24 @@
 #include "app/RunOptions.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
+#include "sim2d/world/World.h"
 
 namespace app {
 
 namespace {
+
+bool isTaken(const sim2d::Scenario& scenario, const std::string& name) {
+  const auto has = [&name](const auto& entities) {
+    return std::any_of(entities.begin(), entities.end(),
+                       [&name](const auto& entity) { return entity.name == name; });
+  };
+  return has(scenario.humans) || has(scenario.robots) || has(scenario.obstacles) ||
+         has(scenario.doors) || has(scenario.areas);
+}
 
 sim2d::Robot& firstRobot(sim2d::Scenario& scenario) {
   for (sim2d::Robot& robot : scenario.robots) {
@@ -18,7 +29,7 @@ sim2d::Robot& firstRobot(sim2d::Scenario& scenario) {
   sim2d::Robot robot;
   robot.key = {base::EntityKind::Robot, scenario.nextKey()};
   robot.name = "robot1";
-  for (int number = 2; scenario.human(robot.name) != nullptr; ++number) {
+  for (int number = 2; isTaken(scenario, robot.name); ++number) {
     robot.name = "robot" + std::to_string(number);
   }
   return *scenario.robots.insert(scenario.robots.begin(), robot);
@@ -40,6 +51,10 @@ base::Diagnostics applyRobot(sim2d::Scenario& scenario, const RunOptions& option
   if (!hasRobot(scenario) && !options.robotStart) {
     return {base::makeError("the scenario has no robot: give --robot-start \"X Y HEADING\" too",
                             options.scenario)};
+  }
+  const base::Diagnostics wrong = checkOptions(options);
+  if (!wrong.empty()) {
+    return wrong;
   }
   sim2d::Robot& robot = firstRobot(scenario);
   if (options.robotStart) {
@@ -79,17 +94,33 @@ std::optional<std::vector<double>> parseNumbers(const std::string& text, std::si
   return values.size() == count ? std::make_optional(values) : std::nullopt;
 }
 
-base::Diagnostics checkOptions(const RunOptions& options) {
+base::Diagnostics checkNames(const RunOptions& options) {
   base::Diagnostics wrong;
+  const auto check = [&wrong](const char* option, const std::optional<std::string>& name,
+                              const std::vector<std::string>& known) {
+    if (name && std::find(known.begin(), known.end(), *name) == known.end()) {
+      wrong.push_back(base::makeError(std::string(option) + ": there is no '" + *name +
+                                      "' (known: " + base::join(known, ", ") + ")"));
+    }
+  };
+  check("--model", options.model, sim2d::modelNames());
+  check("--planner", options.planner, sim2d::plannerNames());
+  check("--robot", options.robot, sim2d::robotTypeNames());
+  return wrong;
+}
+
+base::Diagnostics checkOptions(const RunOptions& options) {
+  base::Diagnostics wrong = checkNames(options);
   const auto refuse = [&wrong](const std::string& message) {
     wrong.push_back(base::makeError(message));
   };
   if (options.robotStart && !parseNumbers(*options.robotStart, 3)) {
-    refuse("--robot-start takes three numbers: \"X Y HEADING\" (m, m, rad), not \"" +
+    refuse("--robot-start takes three numbers of at most 1e6: \"X Y HEADING\" (m, m, rad), not \"" +
            *options.robotStart + "\"");
   }
   if (options.robotGoal && !parseNumbers(*options.robotGoal, 2)) {
-    refuse("--robot-goal takes two numbers: \"X Y\" (m), not \"" + *options.robotGoal + "\"");
+    refuse("--robot-goal takes two numbers of at most 1e6: \"X Y\" (m), not \"" +
+           *options.robotGoal + "\"");
   }
   if (options.seed && *options.seed < 0) {
     refuse("--seed takes a whole number >= 0");

@@ -58,6 +58,10 @@ base::Diagnostics checkWords(const WindowOptions& options) {
   if (!(options.at >= 0.0 && options.at <= 86400.0)) {
     problems.push_back(base::makeError("--at takes a time in seconds"));
   }
+  const bool isPicture = !options.screenshot.empty();
+  if (isPicture && !QString::fromStdString(options.screenshot).endsWith(QLatin1String(".png"))) {
+    problems.push_back(base::makeError("--screenshot takes a name that ends in .png"));
+  }
   if (!options.theme.empty() && options.theme != "light" && options.theme != "dark") {
     problems.push_back(base::makeError("--theme takes light or dark"));
   }
@@ -106,8 +110,16 @@ base::Diagnostics checkDocks(const MainWindow& window, const std::vector<std::st
 }  // namespace
 
 int windowCommand(int argc, char** argv, const RunOptions& run, const WindowOptions& options) {
-  if (const int code = report(checkWords(options), kWrongWords)) {
+  base::Diagnostics wrong = checkWords(options);
+  base::append(wrong, checkOptions(run));
+  if (const int code = report(wrong, kWrongWords)) {
     return code;
+  }
+  if (!run.scenario.empty() && !QFileInfo::exists(QString::fromStdString(run.scenario))) {
+    return report({base::makeError("there is no such file, and no command or shipped scenario of "
+                                   "this name",
+                                   run.scenario)},
+                  kBadInput);
   }
   const bool picture = !options.screenshot.empty();
   prepareScreen(options);

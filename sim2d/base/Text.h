@@ -34,6 +34,7 @@ Diagnostics writeFileAtomically(const std::string& path, std::string_view conten
 
 std::string trimmed(std::string_view text);
 std::vector<std::string> split(std::string_view text, char separator);
+std::string join(const std::vector<std::string>& parts, const std::string& separator);
 std::string lowered(std::string_view text);  // ASCII
 
 }  // namespace base

@@ -19,6 +19,9 @@ namespace sim2d {
 
 namespace {
 
+constexpr double kFinest = 0.001, kCoarsest = 10.0;  // [m/pixel]
+constexpr double kFarthest = 1e6;                    // [m]
+
 namespace fs = std::filesystem;
 
 const std::vector<std::string>& mapKeys() {
@@ -147,6 +150,8 @@ class DescriptionReader {
     const std::optional<double> value = node ? number(*node, "resolution") : std::nullopt;
     if (value && *value <= 0.0) {
       error("resolution must be above 0 m per pixel, not " + node->Scalar(), *node);
+    } else if (value && !(*value >= kFinest && *value <= kCoarsest)) {
+      error("resolution must be 0.001 to 10 m per pixel, not " + node->Scalar(), *node);
     } else if (value) {
       description_.resolution = *value;
     }
@@ -168,6 +173,10 @@ class DescriptionReader {
         return;
       }
       values[i] = *value;
+    }
+    if (std::fabs(values[0]) > kFarthest || std::fabs(values[1]) > kFarthest) {
+      error("origin must lie within 1e6 m", *node);
+      return;
     }
     description_.origin.position = {values[0], values[1]};
     description_.origin.heading = base::wrapToPi(values[2]);

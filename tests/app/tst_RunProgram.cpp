@@ -404,6 +404,16 @@ class RunProgramTest : public QObject {
     row("unknown metric", {text("run"), demo, text("--metrics"), text("path_lenght")}, 64,
         "path_length");
     row("unknown set", {text("run"), demo, text("--set"), text("Ana.max_vell=1.0")}, 64, "max_vel");
+    row("unknown model", {text("run"), demo, text("--model"), text("foo")}, 64, "--model");
+    row("seed too large", {text("run"), demo, text("--seed"), text("9223372036854775808")}, 64,
+        "9223372036854775808");
+    row("metrics file not there", {text("run"), demo, text("--metrics"), text("no.yaml")}, 2,
+        "no.yaml");
+    row("no folder of trees", {text("run"), demo, text("--trees"), text("/nope")}, 2, "/nope");
+    row("window, bad pose", {demo, text("--robot-start"), text("a b")}, 64, "three numbers");
+    row("window, bad threads", {demo, text("--threads"), text("0")}, 64, "--threads");
+    row("window, no file", {text("frobnicate")}, 2, "frobnicate");
+    row("window, no picture", {demo, text("--screenshot"), text("x.jpg")}, 64, ".png");
     row("no permission", {text("run"), demo, text("-o"), text("/proc/here")}, 2, "/proc/here");
   }
   void run_wrongInput_exitCodesAndMessages() {

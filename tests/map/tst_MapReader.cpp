@@ -209,6 +209,9 @@ void MapReaderTest::parseMapDescription_bad_tellsPlace_data() {
   row("origin word", "2, 0]", "two, 0]", "m.yaml:3:16: error: origin must be a finite number");
   row("origin inf", "2, 0]", ".inf, 0]", "m.yaml:3:16: error: origin must be a finite number");
   row("resolution zero", "0.05", "0", "m.yaml:2:13: error: resolution must be above 0");
+  row("resolution huge", "0.05", "1e8", "m.yaml:2:13: error: resolution must be 0.001 to 10 m");
+  row("resolution tiny", "0.05", "1e-9", "m.yaml:2:13: error: resolution must be 0.001 to 10 m");
+  row("origin far", "[-1.5, 2, 0]", "[-1e300, 2, 0]", "origin must lie within 1e6 m");
   row("resolution below", "0.05", "-0.05", "m.yaml:2:13: error: resolution must be above 0");
   row("resolution nan", "0.05", ".nan", "m.yaml:2:13: error: resolution must be a finite number");
   row("resolution junk", "0.05", "0.05m", "resolution must be a finite number, not '0.05m'");
