@@ -1,5 +1,6 @@
 #include "app/Experiment.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -7,6 +8,8 @@
 
 #include "app/DataPaths.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/scenario/ScenarioFile.h"
+#include "sim2d/world/World.h"
 
 namespace app {
 
@@ -67,9 +70,9 @@ class Reader {
     readSeeds(root["seeds"]);
     readNumber(root["duration"], "duration", 0.0, 1e6, experiment_.duration);
     readNumber(root["dt"], "dt", 0.000999, 0.1, experiment_.dt);
-    readWord(root["model"], "model", experiment_.model);
-    readWord(root["robot"], "robot", experiment_.robot);
-    readWord(root["planner"], "planner", experiment_.planner);
+    readName(root["model"], "model", sim2d::modelNames(), experiment_.model);
+    readName(root["robot"], "robot", sim2d::robotTypeNames(), experiment_.robot);
+    readName(root["planner"], "planner", sim2d::plannerNames(), experiment_.planner);
     readWord(root["metrics_profile"], "metrics_profile", experiment_.metricsProfile);
     if (experiment_.metricsProfile && *experiment_.metricsProfile != "corrected" &&
         *experiment_.metricsProfile != "hunav2") {
@@ -111,6 +114,10 @@ class Reader {
       }
       experiment_.scenarios.push_back(scalar(item));
       experiment_.scenarioPaths.push_back(locate(item));
+      sim2d::ScenarioReading reading = sim2d::readScenario(experiment_.scenarioPaths.back());
+      if (reading.ok()) {
+        readable_.push_back(std::move(reading.scenario));  // of the others each run tells
+      }
     }
   }
 
@@ -183,6 +190,27 @@ class Reader {
     value = scalar(node);
   }
 
+  void readName(const YAML::Node& node, const std::string& key,
+                const std::vector<std::string>& known, std::optional<std::string>& value) {
+    readWord(node, key, value);
+    if (value && std::find(known.begin(), known.end(), *value) == known.end()) {
+      error(node,
+            "there is no " + key + " '" + *value + "' (known: " + base::join(known, ", ") + ")");
+    }
+  }
+
+  /// A path or a value that one of the scenarios does not take, before anything runs.
+  void tryValue(const std::string& path, const YAML::Node& item) {
+    for (const sim2d::Scenario& scenario : readable_) {
+      sim2d::Scenario changed = scenario;
+      const base::Diagnostics problems = sim2d::setValue(changed, path, textOf(item));
+      if (base::hasErrors(problems)) {
+        error(item, problems.front().message);
+        return;
+      }
+    }
+  }
+
   void readValues(const YAML::Node& node) {
     if (!node) {
       return;
@@ -196,6 +224,7 @@ class Reader {
       if (pair.second.IsSequence()) {
         for (const YAML::Node& item : pair.second) {
           texts.push_back(textOf(item));
+          tryValue(scalar(pair.first), item);
         }
       }
       if (texts.empty()) {
@@ -230,6 +259,7 @@ class Reader {
   }
 
   Experiment experiment_;
+  std::vector<sim2d::Scenario> readable_;
   base::Diagnostics errors_;
 };
 

@@ -90,6 +90,24 @@ class BatchProgramTest : public QObject {
     QVERIFY(!QDir(folder.filePath(QStringLiteral("out"))).exists());
   }
 
+  void check_valuesThatNoScenarioTakes_areToldWithTheirPlaces() {
+    QTemporaryDir folder;
+    const QString experiment = folder.filePath(QStringLiteral("values.yaml"));
+    write(experiment,
+          "hunavsim_experiment: 1\n"
+          "scenarios: [corner_cafe_agents]\n"
+          "model: sfn\n"
+          "values:\n"
+          "  Anna.max_vel: [1.0]\n"
+          "  Ana.max_vel: [1.0, abc]\n");
+    const outside::Finished found = outside::runProgram({QStringLiteral("check"), experiment});
+    QCOMPARE(found.exitCode, 2);
+    for (const char* place :
+         {"values.yaml:3:8: error:", "values.yaml:5:18: error:", "values.yaml:6:22: error:"}) {
+      QVERIFY2(found.err.contains(QString::fromLatin1(place)), qPrintable(found.err));
+    }
+  }
+
   void check_experiment_isFine() {
     QTemporaryDir folder;
     const QString experiment = folder.filePath(QStringLiteral("fine.yaml"));
