@@ -108,15 +108,18 @@ Preparation prepare(const RunOptions& options, const sim2d::Compatibility& compa
     preparation.wrongWords = applyOptions(reading.scenario, options, compatibility);
   }
   preparation.scenario = std::make_shared<const sim2d::Scenario>(std::move(reading.scenario));
-  if (!reading.ok() || base::hasErrors(preparation.wrongWords)) {
+  const bool isScenario = reading.ok() || !preparation.scenario->humans.empty();
+  if (!isScenario || base::hasErrors(preparation.wrongWords)) {
     return preparation;
   }
   const sim2d::FilePlaces places = placesOf(options);
   const bool hasMap = readMapOf(preparation, places);
   findTrees(preparation, places);
-  if (hasMap) {
+  if (hasMap || !reading.ok()) {
+    // Places that were wrong in the file stand somewhere else now: no walls then.
     const sim2d::Surroundings surroundings =
-        sim2d::makeSurroundings(*preparation.scenario, preparation.map);
+        reading.ok() ? sim2d::makeSurroundings(*preparation.scenario, preparation.map)
+                     : sim2d::Surroundings();
     base::Diagnostics meaning =
         sim2d::checkScenario(*preparation.scenario, surroundings, options.scenario, knownNames());
     sim2d::addLines(meaning, reading.lines);
