@@ -8,7 +8,8 @@
 namespace sim2d {
 namespace {
 
-constexpr double kBody = 0.2;  // radius [m]
+constexpr double kBody = 0.2;    // radius [m]
+constexpr double kInside = 0.3;  // [m]; farther in than the distance at which a target is reached
 
 /// Times at which people pass a line across the x axis, each person once.
 class Gate {
@@ -61,7 +62,7 @@ Vec2 throughOpening(const Opening& opening, const Vec2& place) {
     return {place.x() + 10.0, place.y()};
   }
   const double free = std::max(0.0, opening.halfWidth - kBody);
-  return {opening.x + 0.1, std::clamp(place.y(), -free, free)};
+  return {opening.x + kInside, std::clamp(place.y(), -free, free)};
 }
 
 constexpr double kHalfWall = 0.1;  // [m]
