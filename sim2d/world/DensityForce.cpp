@@ -15,6 +15,10 @@ constexpr double kCrowdWidth = 1.0;   // [m]
 constexpr double kSideScale = 0.2;    // [m]
 constexpr double kSideShift = 0.02;   // [m]; somebody exactly ahead is on the left
 constexpr double kCapRange = 3.0;     // [m]
+constexpr double kNarrowWay = 2.2;    // [m]; between walls
+constexpr double kWideWay = 3.2;      // [m]
+constexpr double kBeside = 0.8;       // sine of the angle to the way from which a wall is beside
+constexpr double kNoForce = 1e-24;    // [m²/s⁴]
 constexpr double kLeastCap = 0.001;   // share of the headway rule that still counts
 
 /// One neighbour as seen along the own way.
@@ -125,6 +129,7 @@ Vec2 socialSum(const DensityParameters& parameters, const Pedestrian& self,
                const std::vector<Seen>& seen, double activation) {
   ForceParameters forMates = parameters.social;
   forMates.epsilon = 0.0;
+  forMates.turnWidth = parameters.mateTurnWidth;
   Walker intending = self.body;
   intending.velocity = intendedVelocity(parameters, self);
   Vec2 sum = Vec2::Zero();
@@ -136,6 +141,21 @@ Vec2 socialSum(const DensityParameters& parameters, const Pedestrian& self,
   return sum;
 }
 
+/// 1 between walls that leave a narrow way, 0 where it is wide or open.
+double narrowness(const Pedestrian& self, const std::vector<Obstacles::Point>& points) {
+  double right = kWideWay;
+  double left = kWideWay;
+  for (const Obstacles::Point& point : points) {
+    const Vec2 apart = point.position - self.body.position;
+    const double across = base::cross(self.course.direction, apart);
+    if (!point.inside && std::fabs(across) > kBeside * apart.norm()) {
+      double& side = across > 0.0 ? left : right;
+      side = std::min(side, std::fabs(across));
+    }
+  }
+  return std::clamp((kWideWay - right - left) / (kWideWay - kNarrowWay), 0.0, 1.0);
+}
+
 }  // namespace
 
 DensityForce densityForce(const DensityParameters& parameters, const Pedestrian& self,
@@ -144,6 +164,7 @@ DensityForce densityForce(const DensityParameters& parameters, const Pedestrian&
   const std::vector<Seen> seen = seenBy(self, others);
   const Crowd crowd = crowdOf(parameters, seen);
   DensityForce force;
+  force.activation = crowd.activation;
   force.speedCap = speedCapOf(parameters, self, seen);
   force.goal = goalForce(parameters.social, self.body.velocity, way, force.speedCap);
   force.social = socialSum(parameters, self, seen, crowd.activation);
@@ -154,15 +175,23 @@ DensityForce densityForce(const DensityParameters& parameters, const Pedestrian&
 }
 
 Vec2 limitedObstacleForce(const DensityParameters& parameters, const Pedestrian& self,
-                          const std::vector<Obstacles::Point>& points) {
-  const Vec2 force = obstacleForce(parameters.social, self.body, points);
+                          const std::vector<Obstacles::Point>& points, double activation) {
+  const Vec2& way = self.course.direction;
+  const double relief = (1.0 - parameters.crowdWallShare) * activation * narrowness(self, points);
+  Vec2 force = obstacleForce(parameters.social, self.body, points);
+  for (const Obstacles::Point& point : points) {
+    if (relief <= 0.0) {
+      break;
+    }
+    const Vec2 ofPoint = obstacleForce(parameters.social, self.body, {point});
+    const double along = ofPoint.dot(way);
+    const double aside = 1.0 - along * along / std::max(ofPoint.squaredNorm(), kNoForce);
+    force -= relief * aside * ofPoint;
+  }
+  const double against = -force.dot(way);
   const double most = parameters.pushBackLimit * parameters.social.goalFactor *
                       self.course.desiredSpeed / parameters.social.relaxationTime;
-  const double against = -force.dot(self.course.direction);
-  if (against <= most) {
-    return force;
-  }
-  return force + (against - most) * self.course.direction;
+  return against <= most ? force : Vec2(force + (against - most) * way);
 }
 
 }  // namespace sim2d

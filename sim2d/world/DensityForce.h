@@ -25,6 +25,8 @@ struct DensityParameters {
   double yieldSpeed = 0.15;     // v_y [m/s]
   double yieldGap = 0.03;       // g0 [m]
   double pushBackLimit = 0.7;   // chi, of the goal force
+  double crowdWallShare = 0.3;  // k_w, of the push of walls beside narrow ways that a crowd keeps
+  double mateTurnWidth = 0.1;   // [rad]; mates side by side do not circle round each other
 };
 
 /// What `sfm` has no use for: where somebody wants to go and how fast.
@@ -44,16 +46,19 @@ struct Pedestrian {
 constexpr double kDensityRange = 5.0;  // [m]; neighbours farther away do not count
 
 struct DensityForce {
-  double speedCap = 0.0;  // V_cap [m/s]
+  double speedCap = 0.0;    // V_cap [m/s]
+  double activation = 0.0;  // of what acts in crowds only, 0 to 1
   Vec2 goal = Vec2::Zero(), social = Vec2::Zero(), lane = Vec2::Zero();
 };
 /// The order of `others` is the order of the sums.
 DensityForce densityForce(const DensityParameters& parameters, const Pedestrian& self,
                           const std::vector<Pedestrian>& others);
 
-/// The force of obstacles, not stronger against the way to go than a share of the goal force.
+/// The force of obstacles. In a crowd (`activation`) on a narrow way those beside push less: people
+/// then walk close to walls. Against the way to go it is not stronger than a share of the goal
+/// force.
 Vec2 limitedObstacleForce(const DensityParameters& parameters, const Pedestrian& self,
-                          const std::vector<Obstacles::Point>& points);
+                          const std::vector<Obstacles::Point>& points, double activation = 0.0);
 
 /// `velocity` without what would bring the body into people or walls; touching neighbours part, and
 /// of two who touch the one behind gives way.

@@ -12,6 +12,11 @@ constexpr double kReach = 5.0;              // [m]; obstacles act up to here
 constexpr std::size_t kWorthThreads = 200;  // people; fewer are not worth waking threads
 constexpr double kTouching = 1.0;           // [m]; walls nearer to the body can be run into
 
+constexpr double kCrowdReach = 2.0;                  // [m]
+constexpr double kSpreadPerPerson = 0.25;            // [m]
+constexpr double kWidestSpread = 3.0;                // [m]
+constexpr double kGoldenSection = 0.61803398874989;  // its multiples spread evenly from 0 to 1
+
 double turned(double heading, double towards, double most) {
   const double turn = base::angleDiff(towards, heading);
   return base::wrapToPi(heading + std::clamp(turn, -most, most));
@@ -19,6 +24,20 @@ double turned(double heading, double towards, double most) {
 
 bool isWalking(const Intent& intent) {
   return intent.motion == Motion::Walk || intent.motion == Motion::Brake;
+}
+
+/// How far outside of the shortest way somebody passes corners: each in a lane of the own, the more
+/// lanes the more people are near.
+double spreadOf(const FrozenWorld& world, std::size_t human) {
+  if (!world.model.people[human].model->spreadsAtCorners()) {
+    return 0.0;
+  }
+  int near = 0;
+  const Vec2 place = world.state.position(human);
+  world.grid.forEachNear(place, kCrowdReach, [&near](int /*other*/) { ++near; });
+  const double width = std::min(kWidestSpread, kSpreadPerPerson * (near - 1));
+  const double turns = kGoldenSection * static_cast<double>(human);
+  return width * (turns - std::floor(turns));
 }
 
 }  // namespace
@@ -77,6 +96,7 @@ void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents, 
     request.speed = state.controls[human].frozen ? 0.0 : intent.speed;
     request.time = state.time;
     request.route = person.route;
+    request.spread = spreadOf(world, human);
     const RouteFollower::Leg leg = routes_[human].follow(request, ways, world.obstacles);
     directions_[human] = leg.direction;
     if (leg.replanned) {

@@ -5,13 +5,14 @@
 namespace sim2d {
 namespace {
 
-constexpr double kTargetMoved = 0.25;   // [m]; farther, and the path is planned anew
-constexpr double kPassed = 0.2;         // [m]; a way point so near is passed
-constexpr double kLostAfter = 1.0;      // [s] without a clear line to the next way point
-constexpr double kBetweenLooks = 0.2;   // [s]; lines are tested so often
-constexpr double kBetweenPlans = 1.0;   // [s]
-constexpr double kStuckAfter = 4.0;     // [s] without progress
-constexpr double kProgress = 0.1;       // [m]
+constexpr double kTargetMoved = 0.25;  // [m]; farther, and the path is planned anew
+constexpr double kPassed = 0.2;        // [m]; a way point so near is passed
+constexpr double kSharpTurn = 0.2;     // difference of two unit vectors, from which on it is a turn
+constexpr double kLostAfter = 1.0;     // [s] without a clear line to the next way point
+constexpr double kBetweenLooks = 0.2;  // [s]; lines are tested so often
+constexpr double kBetweenPlans = 1.0;  // [s]
+constexpr double kStuckAfter = 4.0;    // [s] without progress
+constexpr double kProgress = 0.1;      // [m]
 constexpr double kWalkingSpeed = 0.05;  // [m/s]; slower people cannot be stuck
 
 }  // namespace
@@ -49,7 +50,8 @@ RouteFollower::Leg RouteFollower::follow(const Request& request, Ways& ways,
     leg.replanned = true;
   }
   if (!path_.empty()) {
-    const Vec2 toNext = path_[next_] - request.position;
+    beside_ = looks ? besideCorner(request, ways) : beside_;
+    const Vec2 toNext = path_[next_] + beside_ - request.position;
     leg.direction = toNext.norm() > 1e-9 ? toNext.normalized() : toTarget.normalized();
   }
   return leg;
@@ -68,13 +70,43 @@ void RouteFollower::plan(const Request& request, Ways& ways) {
   target_ = request.target.position;
   version_ = ways.version();
   plannedAt_ = clearAt_ = request.time;
+  beside_ = Vec2::Zero();
+}
+
+/// Away from the inside of the turn, as far as wanted or half or a quarter of it.
+Vec2 RouteFollower::besideCorner(const Request& request, Ways& ways) const {
+  if (request.spread <= 0.0 || next_ == 0 || next_ + 1 >= path_.size()) {
+    return Vec2::Zero();
+  }
+  const Vec2& corner = path_[next_];
+  const Vec2 outside =
+      (corner - path_[next_ - 1]).normalized() - (path_[next_ + 1] - corner).normalized();
+  const double turn = outside.norm();
+  if (turn < kSharpTurn) {
+    return Vec2::Zero();
+  }
+  for (const double share : {1.0, 0.5, 0.25}) {
+    const Vec2 beside = share * request.spread / turn * outside;
+    const Vec2 place = corner + beside;
+    if (ways.isClear(request.radius, corner, place) &&
+        ways.isClear(request.radius, request.position, place)) {
+      return beside;
+    }
+  }
+  return Vec2::Zero();
+}
+
+bool RouteFollower::hasPassed(const Vec2& position) const {
+  return (path_[next_] - position).norm() < kPassed ||
+         (path_[next_] + beside_ - position).norm() < kPassed;
 }
 
 void RouteFollower::passWayPoints(const Request& request, Ways& ways, bool looks) {
   while (next_ + 1 < path_.size() &&
-         ((path_[next_] - request.position).norm() < kPassed ||
+         (hasPassed(request.position) ||
           (looks && ways.isClear(request.radius, request.position, path_[next_ + 1])))) {
     ++next_;
+    beside_ = Vec2::Zero();
   }
 }
 

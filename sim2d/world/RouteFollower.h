@@ -18,6 +18,7 @@ class RouteFollower {
     double speed = 1.0;    // wanted [m/s]
     double time = 0.0;     // [s]
     Route route = Route::Planned;
+    double spread = 0.0;  // [m]; corners are passed so far outside of the shortest way, if it fits
   };
   struct Leg {
     Vec2 direction = Vec2::Zero();  // unit vector; zero: arrived, or there is no way
@@ -36,10 +37,13 @@ class RouteFollower {
   void passWayPoints(const Request& request, Ways& ways, bool looks);
   bool isLost(const Request& request, Ways& ways, const Obstacles& obstacles);
   bool isStuck(const Request& request);
+  Vec2 besideCorner(const Request& request, Ways& ways) const;
+  bool hasPassed(const Vec2& position) const;
   double restLength(const Vec2& position) const;
 
   std::vector<Vec2> path_;
   std::size_t next_ = 0;
+  Vec2 beside_ = Vec2::Zero();  // from the next way point to where it is passed [m]
   Vec2 target_ = Vec2::Zero();
   int version_ = -1;         // of the ways; -1: no path yet
   double plannedAt_ = -1e9;  // [s]

@@ -27,6 +27,14 @@ Vec2 directionTo(const Walker& self, const Walker& other, double distance) {
   return (other.position - self.position) / distance;
 }
 
+/// -1 to 1: on which side of the interaction the other is; a step, or a ramp of half width `width`.
+double sideOf(double theta, double width) {
+  if (std::fabs(theta) < width) {
+    return theta / width;
+  }
+  return theta > 0.0 ? 1.0 : (theta < 0.0 ? -1.0 : 0.0);
+}
+
 }  // namespace
 
 Vec2 goalForce(const ForceParameters& parameters, const Vec2& velocity, const Vec2& direction,
@@ -54,7 +62,7 @@ Vec2 socialForce(const ForceParameters& parameters, const Walker& self, const Wa
   const double forSpeed = parameters.nPrime * reach * theta;
   const double forTurn = parameters.n * reach * theta;
   const double slowing = -base::exp(-distance / reach - forSpeed * forSpeed);
-  const double side = theta > 0.0 ? 1.0 : (theta < 0.0 ? -1.0 : 0.0);
+  const double side = sideOf(theta, parameters.turnWidth);
   const double turning = -side * base::exp(-distance / reach - forTurn * forTurn);
   return parameters.socialFactor * (slowing * along + turning * left);
 }

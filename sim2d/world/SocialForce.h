@@ -20,6 +20,7 @@ struct ForceParameters {
   double n = 2.0;                // [1/m]
   double nPrime = 3.0;           // [1/m]
   double epsilon = 0.005;        // side preference [rad/m]; 0 = none
+  double turnWidth = 0.0;        // |theta| from which the turning part counts fully [rad]
   double gazeFactor = 3.0;       // k_gz
   double coherenceFactor = 2.0;  // k_gc
   double repulsionFactor = 1.0;  // k_gr

@@ -65,8 +65,12 @@ class DensityForceTest : public QObject {
   void densityForce_twoMatesAbreast_settleAsInThePlainModel();
   void guardContacts_crowdPressed_neverOverlaps();
   void guardContacts_touchingAbreast_largerIdYields();
+  void guardContacts_betweenTwoToGiveWayTo_goesBack();
+  void guardContacts_otherLeaves_mayFollow();
   void guardContacts_insideAWall_leadsOut();
   void limitedObstacleForce_walkingIntoAWall_isLimited();
+  void limitedObstacleForce_crowdOnANarrowWay_pushesLessAside();
+  void densityForce_matesNearlyInStep_turnLess();
 };
 
 void DensityForceTest::densityForce_referenceValues_data() {
@@ -144,6 +148,8 @@ void DensityForceTest::densityForce_everythingOff_isThePlainModel() {
   plain.laneFactor = 0.0;
   plain.brakingShare = 1.0;
   plain.timeGap = 1e-9;
+  plain.crowdWallShare = 1.0;
+  plain.mateTurnWidth = 0.0;
   plain.pushBackLimit = std::numeric_limits<double>::infinity();
   const Pedestrian self = pedestrian(0, Vec2::Zero(), Vec2(1.1, 0.1), Vec2(1.0, 0.0));
   for (int i = 0; i < 200; ++i) {
@@ -243,6 +249,29 @@ void DensityForceTest::guardContacts_touchingAbreast_largerIdYields() {
   QVERIFY(isNear(guardContacts(standard(), second, {first}, {}, ahead, kDt), Vec2(1.0, -0.15)));
 }
 
+/// Three before a door: the one in the middle must let go those at both sides, to get out of which
+/// there is only the way back.
+void DensityForceTest::guardContacts_betweenTwoToGiveWayTo_goesBack() {
+  const Pedestrian self = pedestrian(55, Vec2(-0.507, -0.081), Vec2::Zero(), Vec2(1.0, 0.0));
+  const Pedestrian right = pedestrian(56, Vec2(-0.178, -0.308), Vec2::Zero(), Vec2(0.976, 0.218));
+  const Pedestrian left = pedestrian(13, Vec2(-0.471, 0.330), Vec2::Zero(), Vec2(0.985, -0.17));
+  const Vec2 velocity = guardContacts(standard(), self, {left, right}, {}, Vec2(0.3, 0.0), kDt);
+  for (const Pedestrian& other : {left, right}) {
+    const Vec2 apart = other.body.position - self.body.position;
+    const double gap = apart.norm() - 0.4;
+    const double least = 0.15 * (1.0 - std::max(0.0, gap) / 0.03);
+    QVERIFY(-velocity.dot(apart.normalized()) >= least - 1e-6);
+  }
+  QVERIFY(velocity.x() < -0.1);
+}
+
+void DensityForceTest::guardContacts_otherLeaves_mayFollow() {
+  const Vec2 way(1.0, 0.0);
+  const Pedestrian self = pedestrian(1, Vec2::Zero(), way, way);
+  const Pedestrian other = pedestrian(2, Vec2(0.415, 0.0), Vec2(0.2, 0.0), way);
+  QVERIFY(isNear(guardContacts(standard(), self, {other}, {}, way, kDt), Vec2(0.125, 0.0)));
+}
+
 void DensityForceTest::guardContacts_insideAWall_leadsOut() {
   const Pedestrian self = pedestrian(1, Vec2::Zero(), Vec2::Zero(), Vec2(1.0, 0.0));
   const Obstacles::Point wayOut{Vec2(0.0, 0.1), 0.1, true, 0};
@@ -255,6 +284,32 @@ void DensityForceTest::limitedObstacleForce_walkingIntoAWall_isLimited() {
   const Vec2 force = limitedObstacleForce(standard(), self, wall);
   QVERIFY(std::fabs(force.x() + 0.7 * 2.0 * 1.3 / 0.5) < 1e-12);
   QVERIFY(std::fabs(force.y() - obstacleForce(standard().social, self.body, wall).y()) < 1e-12);
+}
+
+void DensityForceTest::limitedObstacleForce_crowdOnANarrowWay_pushesLessAside() {
+  const Pedestrian self = pedestrian(1, Vec2::Zero(), Vec2(1.0, 0.0), Vec2(1.0, 0.0));
+  const Obstacles::Point ahead{Vec2(1.0, 0.0), 1.0, false, 0};
+  const Obstacles::Point left{Vec2(0.0, 0.5), 0.5, false, 0};
+  const Obstacles::Point near{Vec2(0.0, -1.2), 1.2, false, 0};
+  const Obstacles::Point far{Vec2(0.0, -3.0), 3.0, false, 0};
+  const Vec2 alone = limitedObstacleForce(standard(), self, {ahead, left, near});
+  const Vec2 crowded = limitedObstacleForce(standard(), self, {ahead, left, near}, 1.0);
+  QVERIFY(isNear(crowded, Vec2(alone.x(), standard().crowdWallShare * alone.y())));
+  const Vec2 onWideWay = limitedObstacleForce(standard(), self, {ahead, left, far}, 1.0);
+  QVERIFY(isNear(onWideWay, limitedObstacleForce(standard(), self, {ahead, left, far})));
+}
+
+/// The turning part of the force is a step for strangers, a ramp for mates.
+void DensityForceTest::densityForce_matesNearlyInStep_turnLess() {
+  ForceParameters parameters;
+  parameters.epsilon = 0.0;
+  const Walker self{1, Vec2::Zero(), Vec2(1.0, 0.02), 0.2};
+  const Walker other{2, Vec2(0.0, 1.0), Vec2(1.01, 0.02), 0.2};
+  const Vec2 step = socialForce(parameters, self, other);
+  parameters.turnWidth = 0.1;  // theta is 0.02
+  const Vec2 ramp = socialForce(parameters, self, other);
+  QVERIFY(std::fabs(ramp.x() / step.x() - 0.2) < 0.05);
+  QVERIFY(std::fabs(ramp.y() - step.y()) < 0.05 * std::fabs(step.y()));
 }
 
 QTEST_APPLESS_MAIN(DensityForceTest)

@@ -19,7 +19,7 @@ RealismRun withModel(const std::string& model) {
 /// Among the numbers of a whole validation these are quick.
 bool isQuick(const std::string& name) {
   return name == "circle" || name == "head-on" || name == "crossing" || name == "rimea-1" ||
-         name == "corner";
+         name == "corner" || name == "groups";
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ class Das : public PedestrianModel {
     ForceTerms terms;
     terms.goal = force.goal;
     terms.social = force.social + force.lane;
-    terms.obstacle = limitedObstacleForce(parameters_, self, situation.obstacles);
+    terms.obstacle = limitedObstacleForce(parameters_, self, situation.obstacles, force.activation);
     terms.group =
         groupForce(parameters_.social, situation.self, situation.direction, situation.group).sum();
     return terms;
@@ -50,6 +50,7 @@ class Das : public PedestrianModel {
   }
 
   bool looksAtCourses() const override { return true; }
+  bool spreadsAtCorners() const override { return true; }
 
   double bodyRadius(const ResolvedHuman& person) const override {
     return person.kind == PersonKind::Wheelchair ? person.radius : kBodyRadius;

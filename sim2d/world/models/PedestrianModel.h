@@ -51,6 +51,8 @@ class PedestrianModel {
   virtual SocialLaw socialLaw() const { return {}; }
   /// The model wants to know where others are heading.
   virtual bool looksAtCourses() const { return false; }
+  /// In a crowd such people use the whole width of a way round a corner.
+  virtual bool spreadsAtCorners() const { return false; }
   /// Radius that counts for this person instead of the one of the scenario [m].
   virtual double bodyRadius(const ResolvedHuman& person) const { return person.radius; }
   /// Others farther away than this never count [m].
