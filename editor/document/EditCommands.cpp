@@ -1,13 +1,13 @@
 #include "editor/document/EditCommands.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "editor/document/EditDraft.h"
 #include "editor/document/FreeNames.h"
+#include "editor/document/RoutePlan.h"
 
 namespace editor {
-
-namespace {
 
 bool isListed(const Entity& entity) {
   return std::visit(
@@ -22,6 +22,8 @@ bool isListed(const Entity& entity) {
       },
       entity);
 }
+
+namespace {
 
 /// Those that are switched off stand behind the others, as in the file.
 int placeOf(const ScenarioDocument& document, const Entity& value) {
@@ -228,10 +230,7 @@ void pushRoute(ScenarioDocument& document, const std::vector<EntityId>& humans,
   std::vector<Entity> values;
   for (Entity& value : valuesOf(document, humans)) {
     if (auto* human = std::get_if<sim2d::Human>(&value)) {
-      human->goals = goals;
-      if (human->ours.wait.size() != goals.size()) {
-        human->ours.wait.clear();
-      }
+      setGoals(*human, goals);
     } else if (auto* robot = std::get_if<sim2d::Robot>(&value)) {
       robot->goal.point.reset();
       robot->goal.goals = goals;
@@ -251,6 +250,47 @@ void pushReorder(ScenarioDocument& document, EntityId id, int index) {
     draft.set(*std::move(value), index);
     draft.push(document, text);
   }
+}
+
+void pushReorder(ScenarioDocument& document, const std::vector<EntityId>& ids, int index) {
+  if (ids.empty()) {
+    return;
+  }
+  std::vector<EntityId> order = document.entities(ids.front().kind);
+  const auto moves = [&ids](EntityId id) {
+    return std::find(ids.begin(), ids.end(), id) != ids.end();
+  };
+  std::vector<EntityId> moving;
+  std::copy_if(order.begin(), order.end(), std::back_inserter(moving), moves);
+  const auto place = order.begin() + std::clamp(index, 0, static_cast<int>(order.size()));
+  const auto before = std::count_if(order.begin(), place, [&](EntityId id) { return !moves(id); });
+  order.erase(std::remove_if(order.begin(), order.end(), moves), order.end());
+  order.insert(order.begin() + before, moving.begin(), moving.end());
+  std::stable_partition(order.begin(), order.end(),
+                        [&document](EntityId id) { return isListed(*document.entity(id)); });
+  Draft draft(document);
+  for (std::size_t i = 0; i < order.size(); ++i) {  // in order, so that each lands in its place
+    draft.set(*document.entity(order[i]), static_cast<int>(i));
+  }
+  draft.push(document, textFor(QStringLiteral("Reorder"), valuesOf(document, moving)));
+}
+
+void pushListed(ScenarioDocument& document, const std::vector<EntityId>& ids, bool listed) {
+  std::vector<Entity> values = valuesOf(document, ids);
+  const QString text =
+      textFor(listed ? QStringLiteral("Switch on") : QStringLiteral("Switch off"), values);
+  for (Entity& value : values) {
+    std::visit(
+        [listed](auto& each) {
+          using Value = std::decay_t<decltype(each)>;
+          if constexpr (!std::is_same_v<Value, sim2d::GlobalGoal> &&
+                        !std::is_same_v<Value, ScenarioSettings>) {
+            each.listed = listed;
+          }
+        },
+        value);
+  }
+  pushEdit(document, std::move(values), text);
 }
 
 }  // namespace editor

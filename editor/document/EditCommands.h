@@ -74,6 +74,12 @@ void pushRoute(ScenarioDocument& document, const std::vector<EntityId>& humans,
                const std::vector<int>& goals);
 /// Move an entity to another place in its list.
 void pushReorder(ScenarioDocument& document, EntityId id, int index);
+/// Several of one kind, together and in their order, to before what stands at `index` now; those
+/// that are switched off stay behind the others.
+void pushReorder(ScenarioDocument& document, const std::vector<EntityId>& ids, int index);
+bool isListed(const Entity& entity);  // takes part; goals and settings always do
+/// Switches them on or off.
+void pushListed(ScenarioDocument& document, const std::vector<EntityId>& ids, bool listed);
 
 /// pushChange<sim2d::Human>(document, id, tr("Speed"), [](sim2d::Human& h) { h.maxVel = 1.2; });
 template <class T, class Change>

@@ -6,6 +6,7 @@
 
 #include "editor/document/EditCommands.h"
 #include "editor/document/EntityLists.h"
+#include "editor/document/PersonTree.h"
 
 namespace editor {
 
@@ -42,12 +43,39 @@ class Draft {
              (edit.slot.index < 0 || edit.slot.index == document.indexOf(edit.entity));
     };
     edits_.erase(std::remove_if(edits_.begin(), edits_.end(), isIdle), edits_.end());
-    if (!edits_.empty()) {
-      document.undoStack().push(new EditEntity(document, std::move(edits_), text, merge));
+    if (edits_.empty()) {
+      return;
     }
+    const auto trees = followingTrees(document);
+    if (trees.empty()) {
+      document.undoStack().push(new EditEntity(document, std::move(edits_), text, merge));
+      return;
+    }
+    document.undoStack().beginMacro(text);
+    document.undoStack().push(new EditEntity(document, std::move(edits_), text, merge));
+    for (const auto& [person, xml] : trees) {
+      document.undoStack().push(new EditTree(document, person, xml, text));
+    }
+    document.undoStack().endMacro();
   }
 
  private:
+  /// Trees with blocks keep up with the behaviour and the goals of their people.
+  std::vector<std::pair<EntityId, std::string>> followingTrees(
+      const ScenarioDocument& document) const {
+    std::vector<std::pair<EntityId, std::string>> trees;
+    for (const EntityEdit& edit : edits_) {
+      const auto* human = edit.slot.value ? std::get_if<sim2d::Human>(&*edit.slot.value) : nullptr;
+      if (human == nullptr) {
+        continue;
+      }
+      if (std::optional<std::string> xml = followedTree(document, *human)) {
+        trees.emplace_back(edit.entity, *std::move(xml));
+      }
+    }
+    return trees;
+  }
+
   std::vector<EntityEdit>::iterator find(EntityId id) {
     return std::find_if(edits_.begin(), edits_.end(),
                         [id](const EntityEdit& edit) { return edit.entity == id; });

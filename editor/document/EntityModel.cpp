@@ -251,6 +251,8 @@ QVariant EntityModel::entityData(EntityId id, int column, int role) const {
     case Qt::TextAlignmentRole:
       return column == BehaviorColumn ? static_cast<int>(Qt::AlignRight | Qt::AlignVCenter)
                                       : static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter);
+    case ListedRole:
+      return isListed(*entity);
     case IdKindRole:
       return static_cast<int>(id.kind);
     case IdKeyRole:
@@ -283,9 +285,10 @@ Qt::ItemFlags EntityModel::flags(const QModelIndex& at) const {
     return Qt::NoItemFlags;
   }
   if (isGroup(at)) {
-    return Qt::ItemIsEnabled;
+    return Qt::ItemIsEnabled | Qt::ItemIsDropEnabled;
   }
-  const Qt::ItemFlags common = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren;
+  const Qt::ItemFlags common =
+      Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren | Qt::ItemIsDragEnabled;
   return at.column() == NameColumn ? common | Qt::ItemIsEditable : common;
 }
 

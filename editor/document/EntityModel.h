@@ -12,12 +12,13 @@
 namespace editor {
 
 /// The scenario as a tree: People, Goals, Robots, Obstacles (with doors), Areas. Columns: name,
-/// kind, behaviour or place. Names are editable (one undoable command).
+/// kind, behaviour or place. Names are editable, and rows can be dragged to another place among
+/// their kind (one undoable command each).
 class EntityModel : public QAbstractItemModel {
   Q_OBJECT
  public:
   enum Column { NameColumn, KindColumn, BehaviorColumn, ColumnCount };
-  enum DataRole { IdKindRole = Qt::UserRole + 1, IdKeyRole, LookRole, CountRole };
+  enum DataRole { IdKindRole = Qt::UserRole + 1, IdKeyRole, LookRole, CountRole, ListedRole };
 
   EntityModel(ScenarioDocument& document, const Theme& theme, QObject* parent = nullptr);
   void setTheme(const Theme& theme);
@@ -34,9 +35,17 @@ class EntityModel : public QAbstractItemModel {
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
   Qt::ItemFlags flags(const QModelIndex& index) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  QStringList mimeTypes() const override;
+  QMimeData* mimeData(const QModelIndexList& indexes) const override;
+  Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
+  bool canDropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                       const QModelIndex& parent) const override;
+  bool dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                    const QModelIndex& parent) override;
 
  private:
   static constexpr int kGroupCount = 5;
+  std::vector<EntityId> dragged(const QMimeData& data) const;
   std::vector<EntityId> idsOfGroup(int group) const;
   QVariant groupData(int group, int column, int role) const;
   QVariant entityData(EntityId id, int column, int role) const;

@@ -9,14 +9,10 @@
 
 namespace editor {
 
-namespace {
-
-const bt::NodeCatalogue& catalogue() {
+const bt::NodeCatalogue& treeCatalogue() {
   static const bt::NodeLibrary library = bt::humanNodes();
   return library.catalogue();
 }
-
-}  // namespace
 
 std::string treeFolderOf(const std::string& scenarioPath) {
   const std::filesystem::path folder = std::filesystem::path(scenarioPath).parent_path();
@@ -29,7 +25,7 @@ std::string treeFileName(const std::string& base, int humanId) {
 }
 
 std::string generatedTree(const sim2d::Scenario& scenario, const sim2d::Human& human) {
-  return bt::makeTreeText(scenario, human, bt::TreeStyle::Corrected, catalogue());
+  return bt::makeTreeText(scenario, human, bt::TreeStyle::Corrected, treeCatalogue());
 }
 
 bool isGeneratedTree(const std::string& xml, const sim2d::Scenario& scenario,
@@ -40,7 +36,7 @@ bool isGeneratedTree(const std::string& xml, const sim2d::Scenario& scenario,
   }
   for (const bt::TreeStyle style : {bt::TreeStyle::Corrected, bt::TreeStyle::Hunav2}) {
     const base::Result<bt::TreeFile> made =
-        bt::readTreeText(bt::makeTreeText(scenario, human, style, catalogue()));
+        bt::readTreeText(bt::makeTreeText(scenario, human, style, treeCatalogue()));
     if (made && *made == *found) {
       return true;
     }
@@ -53,7 +49,7 @@ base::Diagnostics writeIncludedTrees(const std::string& folder) {
   if (std::filesystem::exists(path)) {
     return {};
   }
-  return base::writeFileAtomically(path, bt::regularNavText(catalogue()));
+  return base::writeFileAtomically(path, bt::regularNavText(treeCatalogue()));
 }
 
 }  // namespace editor

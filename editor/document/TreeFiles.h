@@ -2,10 +2,14 @@
 
 #include <string>
 
+#include "bt/tree/NodeCatalogue.h"
 #include "sim2d/base/Result.h"
 #include "sim2d/scenario/Scenario.h"
 
 namespace editor {
+
+/// All nodes that trees of people may have.
+const bt::NodeCatalogue& treeCatalogue();
 
 /// Folder for the trees of a scenario file: ../behavior_trees when its own is called scenarios.
 std::string treeFolderOf(const std::string& scenarioPath);

@@ -78,12 +78,14 @@ void RunWorker::work() {
 }
 
 void RunWorker::publish(const sim2d::Frame& frame) {
-  auto copy = std::make_shared<const sim2d::Frame>(frame);
+  auto copy = std::make_shared<sim2d::Frame>(frame);
   const std::lock_guard<std::mutex> lock(mutex_);
   if (news_.newest != nullptr && news_.newest->step == frame.step) {
     return;  // the last state of an interrupted run
   }
+  skippedChanges_.insert(skippedChanges_.end(), frame.treeChanges.begin(), frame.treeChanges.end());
   if (frame.step % request_.recordEvery == 0) {
+    copy->treeChanges = std::exchange(skippedChanges_, {});  // also of steps that are not recorded
     news_.recorded.push_back(copy);
   }
   if (!frame.events.empty()) {

@@ -1,0 +1,238 @@
+#include "editor/document/PersonTree.h"
+
+#include <filesystem>
+
+#include "bt/human/AgentTreeCheck.h"
+#include "bt/human/Templates.h"
+#include "bt/tree/TreeXml.h"
+#include "editor/document/EditCommands.h"
+#include "editor/document/TreeFiles.h"
+
+namespace editor {
+
+namespace {
+
+constexpr const char* kRegularTree = "RegularNavTree";
+
+/// A file with its includes; those that cannot be found are left out but for the one that all
+/// generated trees have.
+bt::TreeTable tableOf(const ScenarioDocument& document, const bt::TreeFile& file) {
+  if (!document.path().isEmpty()) {
+    bt::TreeFile placed = file;
+    placed.path =
+        (std::filesystem::path(treeFolderOf(document.path().toStdString())) / "own.xml").string();
+    if (base::Result<bt::TreeTable> table = bt::resolveIncludes(placed)) {
+      return *std::move(table);
+    }
+  }
+  bt::TreeTable table;
+  table.mainTree = file.mainTree;
+  if (table.mainTree.empty() && file.trees.size() == 1) {
+    table.mainTree = file.trees.front().id;
+  }
+  for (const bt::TreeSpec& tree : file.trees) {
+    table.entries[tree.id] = {tree, file.path};
+  }
+  if (table.find(kRegularTree) == nullptr) {
+    table.entries[kRegularTree] = {bt::regularNavTree(), bt::kRegularNavFile};
+  }
+  return table;
+}
+
+bool sameTrees(const bt::TreeFile& a, const bt::TreeFile& b) {
+  return a.trees == b.trees && a.mainTree == b.mainTree;
+}
+
+bt::TreeFile madeTree(const ScenarioDocument& document, const sim2d::Human& human) {
+  return bt::makeTree(document.scenario(), human, treeCatalogue());
+}
+
+bt::TreeSpec* mainTreeOf(bt::TreeFile& file) {
+  if (bt::TreeSpec* tree = file.find(file.mainTree)) {
+    return tree;
+  }
+  return file.trees.size() == 1 ? &file.trees.front() : nullptr;
+}
+
+bool isMadeWithBlocks(const ScenarioDocument& document, const sim2d::Human& human,
+                      bt::TreeFile file) {
+  bt::TreeSpec* tree = mainTreeOf(file);
+  return tree != nullptr && bt::setBlocks(*tree, {}) && sameTrees(file, madeTree(document, human));
+}
+
+void pushFile(ScenarioDocument& document, EntityId person, const bt::TreeFile& file,
+              const QString& text) {
+  const sim2d::Human* human = document.human(person);
+  const bool isMade = human != nullptr && sameTrees(file, madeTree(document, *human));
+  pushTreeText(document, person,
+               isMade ? std::nullopt : std::optional(bt::writeTree(file, treeCatalogue())), text);
+}
+
+class Outline {
+ public:
+  explicit Outline(const PersonTree& tree) : tree_(tree) {}
+
+  std::vector<OutlineNode> take() {
+    const bt::TreeTable::Entry* main = tree_.table.find(tree_.table.mainTree);
+    if (main != nullptr && !main->tree.root.id.empty()) {
+      add({&main->tree.root, -1, main->tree.id, {}, isOwnTree(main->tree.id)}, 0);
+    }
+    return std::move(nodes_);
+  }
+
+ private:
+  static constexpr int kDeepest = 64;
+  static constexpr std::size_t kMost = 5000;
+
+  bool isOwnTree(const std::string& id) const { return tree_.file.find(id) != nullptr; }
+
+  void add(const OutlineNode& node, int depth) {
+    if (depth > kDeepest || nodes_.size() >= kMost) {
+      return;
+    }
+    const int self = static_cast<int>(nodes_.size());
+    nodes_.push_back(node);
+    if (node.node->isSubTree()) {
+      if (const bt::TreeTable::Entry* entry = tree_.table.find(node.node->subTree)) {
+        add({&entry->tree.root, self, entry->tree.id, {}, isOwnTree(entry->tree.id)}, depth + 1);
+      }
+      return;
+    }
+    for (std::size_t i = 0; i < node.node->children.size(); ++i) {
+      OutlineNode child{&node.node->children[i], self, node.tree, node.path, node.isEditable};
+      child.path.push_back(static_cast<int>(i));
+      add(child, depth + 1);
+    }
+  }
+
+  const PersonTree& tree_;
+  std::vector<OutlineNode> nodes_;
+};
+
+}  // namespace
+
+bt::TreeSpec* PersonTree::mainTree() {
+  return mainTreeOf(file);
+}
+
+const bt::TreeSpec* PersonTree::mainTree() const {
+  return mainTreeOf(const_cast<bt::TreeFile&>(file));
+}
+
+PersonTree personTree(const ScenarioDocument& document, EntityId person) {
+  PersonTree result;
+  const sim2d::Human* human = document.human(person);
+  if (human == nullptr) {
+    return result;
+  }
+  const std::optional<std::string> own = document.tree(person);
+  if (!own) {
+    result.file = madeTree(document, *human);
+    result.table = tableOf(document, result.file);
+    return result;
+  }
+  result.isOwn = true;
+  const base::Result<bt::TreeFile> read = bt::readTreeText(*own, displayName(*human).toStdString());
+  result.problems = read.diagnostics();
+  if (!read) {
+    return result;
+  }
+  result.file = *read;
+  result.table = tableOf(document, result.file);
+  result.isMadeWithBlocks = isMadeWithBlocks(document, *human, result.file);
+  base::append(result.problems, bt::diagnosticsOf(bt::checkTrees(result.table, treeCatalogue())));
+  base::append(result.problems,
+               bt::checkAgentTree(result.table, *human, document.scenario(), treeCatalogue()));
+  const bool canSetGoals = result.mainTree() != nullptr && result.mainTree()->root.id == "Fallback";
+  result.hasOtherGoals = canSetGoals && bt::goalsOfTree(result.table) != human->goals;
+  return result;
+}
+
+std::vector<OutlineNode> outlineOf(const PersonTree& tree) {
+  return Outline(tree).take();
+}
+
+void pushTreeText(ScenarioDocument& document, EntityId person, std::optional<std::string> xml,
+                  const QString& text) {
+  if (document.tree(person) != xml) {
+    document.undoStack().push(new EditTree(document, person, std::move(xml), text));
+  }
+}
+
+void pushPort(ScenarioDocument& document, EntityId person, const OutlineNode& node,
+              const std::string& port, const std::string& text) {
+  PersonTree tree = personTree(document, person);
+  bt::TreeSpec* spec = tree.file.find(node.tree);
+  bt::NodeSpec* found = spec == nullptr ? nullptr : bt::nodeAt(*spec, node.path);
+  if (found == nullptr) {
+    return;
+  }
+  text.empty() ? bt::removeText(found->ports, port) : bt::setText(found->ports, port, text);
+  pushFile(document, person, tree.file,
+           QObject::tr("Change %1 of %2")
+               .arg(QString::fromStdString(port), QString::fromStdString(found->label())));
+}
+
+void pushBlocks(ScenarioDocument& document, EntityId person, const std::vector<bt::Block>& blocks) {
+  PersonTree tree = personTree(document, person);
+  bt::TreeSpec* spec = tree.mainTree();
+  if (spec != nullptr && bt::setBlocks(*spec, blocks)) {
+    pushFile(document, person, tree.file, QObject::tr("Change blocks"));
+  }
+}
+
+void pushAddBlock(ScenarioDocument& document, const std::vector<EntityId>& people,
+                  const bt::Block& block) {
+  const bt::BlockKind* kind = bt::blockKind(block.id);
+  if (kind == nullptr || people.empty()) {
+    return;
+  }
+  document.undoStack().beginMacro(
+      QObject::tr("Add block %1").arg(QString::fromStdString(kind->title)));
+  for (const EntityId person : people) {
+    const PersonTree tree = personTree(document, person);
+    if (tree.mainTree() != nullptr) {
+      std::vector<bt::Block> blocks = bt::blocksOf(*tree.mainTree());
+      blocks.push_back(block);
+      pushBlocks(document, person, blocks);
+    }
+  }
+  document.undoStack().endMacro();
+}
+
+void pushGoalsOfRoute(ScenarioDocument& document, EntityId person) {
+  PersonTree tree = personTree(document, person);
+  const sim2d::Human* human = document.human(person);
+  bt::TreeSpec* spec = tree.mainTree();
+  if (human != nullptr && spec != nullptr && bt::setGoalsOf(*spec, human->goals)) {
+    pushFile(document, person, tree.file, QObject::tr("Put the route into the tree"));
+  }
+}
+
+std::string treeText(const ScenarioDocument& document, EntityId person) {
+  const std::optional<std::string> own = document.tree(person);
+  const sim2d::Human* human = document.human(person);
+  if (own || human == nullptr) {
+    return own.value_or(std::string());
+  }
+  return generatedTree(document.scenario(), *human);
+}
+
+std::optional<std::string> followedTree(const ScenarioDocument& document,
+                                        const sim2d::Human& after) {
+  const std::optional<std::string> own = document.tree(after.key);
+  const sim2d::Human* before = document.human(after.key);
+  if (!own || before == nullptr) {
+    return std::nullopt;
+  }
+  const base::Result<bt::TreeFile> file = bt::readTreeText(*own);
+  if (!file || !isMadeWithBlocks(document, *before, *file)) {
+    return std::nullopt;
+  }
+  bt::TreeFile old = *file;
+  bt::TreeFile made = madeTree(document, after);
+  bt::setBlocks(*mainTreeOf(made), bt::blocksOf(*mainTreeOf(old)));
+  return sameTrees(made, old) ? std::nullopt : std::optional(bt::writeTree(made, treeCatalogue()));
+}
+
+}  // namespace editor

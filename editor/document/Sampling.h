@@ -1,0 +1,14 @@
+#pragma once
+
+#include "sim2d/scenario/Scenario.h"
+
+namespace editor {
+
+/// The numbers of that person are drawn (configuration normal or uniform).
+bool isDrawn(const sim2d::Human& human);
+/// The behaviour with the numbers that a run of that seed draws, written down: its configuration is
+/// custom. Unchanged when nothing is drawn.
+sim2d::Behavior frozenBehavior(const sim2d::Scenario& scenario, const sim2d::Human& human,
+                               long long seed);
+
+}  // namespace editor
