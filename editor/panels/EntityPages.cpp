@@ -3,9 +3,6 @@
 #include <algorithm>
 
 #include "editor/panels/KeyAccess.h"
-#include "sim2d/base/Text.h"
-#include "sim2d/scenario/Defaults.h"
-#include "sim2d/world/World.h"
 
 namespace editor {
 
@@ -15,127 +12,30 @@ using sim2d::Area;
 using sim2d::Door;
 using sim2d::Obstacle;
 using sim2d::ObstacleKind;
-using sim2d::Robot;
 
 constexpr NumberField::Range kLength = {0.01, 1000.0, 2, 0.1};
 constexpr NumberField::Range kTime = {0.0, 86400.0, 1, 1.0};
 
-const Robot& robotOf(const Entity& entity) {
-  return std::get<Robot>(entity);
-}
-
-NumberKey robotNumber(const QString& label, const QString& unit, const NumberField::Range& range,
-                      std::optional<double> Robot::*member, double sim2d::ResolvedRobot::*what) {
-  NumberKey key = numberKey(label, unit, range, member, 0.0);
-  key.fallback = [what](const Entity& entity) {
-    return sim2d::resolveRobot({}, robotOf(entity), -1).*what;
+/// The corners of a shape as text; `least` of them make one.
+template <class T>
+TextKey cornersKey(std::size_t least) {
+  TextKey key;
+  key.label = QObject::tr("Corners");
+  key.hint = QObject::tr("x y [m], with semicolons between them");
+  key.get = [](const Entity& entity) { return pointsText(std::get<T>(entity).points); };
+  key.set = [](Entity& entity, const QString& text) {
+    std::get<T>(entity).points = *pointsFromText(text);
+  };
+  key.check = [least](const QString& text) {
+    const auto corners = pointsFromText(text);
+    return corners && corners->size() >= least
+               ? QString()
+               : QObject::tr("At least %1 corners x y, with semicolons between them").arg(least);
   };
   return key;
 }
 
 }  // namespace
-
-QString listText(const std::vector<double>& values) {
-  QStringList words;
-  for (const double value : values) {
-    words.push_back(QString::fromStdString(base::formatDouble(value)));
-  }
-  return words.join(QStringLiteral(", "));
-}
-
-std::optional<std::vector<double>> listFromText(const QString& text) {
-  std::vector<double> values;
-  for (const QString& word : text.split(QLatin1Char(','), Qt::SkipEmptyParts)) {
-    const std::optional<double> value = base::parseDouble(word.trimmed().toStdString());
-    if (!value) {
-      return std::nullopt;
-    }
-    values.push_back(*value);
-  }
-  return values;
-}
-
-RobotPage::RobotPage(ScenarioDocument& document, QWidget* parent) : PropertyPage(document, parent) {
-  FormSection* section = addSection(tr("Robot"));
-  addName(section);
-  addChoice(section, nameChoice(
-                         tr("Type"), tr("generic (default)"), sim2d::robotTypeNames(),
-                         [](Entity & e) -> auto& { return std::get<Robot>(e).type; }));
-  addChoice(section, nameChoice(
-                         tr("Planner"), tr("pursuit (default)"), sim2d::plannerNames(),
-                         [](Entity & e) -> auto& { return std::get<Robot>(e).planner; }));
-  FormSection* start = addSection(tr("Start"));
-  addNumberPair(start, tr("Position"), xKey(), yKey());
-  addNumber(start, headingKey());
-  addNumber(start, robotNumber(tr("Sets off at"), tr("s"), kTime, &Robot::startTime,
-                               &sim2d::ResolvedRobot::startTime));
-  addGoalSection();
-  addLimitSection();
-  finish();
-}
-
-void RobotPage::addGoalSection() {
-  FormSection* section = addSection(tr("Goal"));
-  const auto pointKey = [](const QString& label, int axis) {
-    NumberKey key = xKey();
-    key.label = label;
-    key.get = [axis](const Entity& entity) -> std::optional<double> {
-      const std::optional<Vec2>& point = robotOf(entity).goal.point;
-      return point ? std::optional((*point)(axis)) : std::nullopt;
-    };
-    key.set = [axis](Entity& entity, std::optional<double> value) {
-      Robot& robot = std::get<Robot>(entity);
-      robot.goal.goals.clear();
-      if (!value) {
-        robot.goal.point.reset();
-        return;
-      }
-      Vec2 point = robot.goal.point.value_or(robot.start.position);
-      point(axis) = *value;
-      robot.goal.point = point;
-    };
-    key.fallback = [axis](const Entity& entity) { return robotOf(entity).start.position(axis); };
-    return key;
-  };
-  addNumberPair(section, tr("Point"), pointKey(tr("Goal X"), 0), pointKey(tr("Goal Y"), 1));
-  auto* route = new RouteEditor(document(), this);
-  route->setToolTip(tr("Global goals in order, instead of a point"));
-  section->addRow(tr("Or route"), route);
-  connect(route, &RouteEditor::edited, this, [this](const std::vector<int>& goals) {
-    apply(tr("Change the robot's route"), [&](Entity& entity) {
-      Robot& robot = std::get<Robot>(entity);
-      robot.goal.point.reset();
-      robot.goal.goals = goals;
-    });
-  });
-  addRefresh([route, section](const std::vector<Entity>& shown) {
-    const sim2d::RobotGoal& goal = robotOf(shown.front()).goal;
-    route->show(goal.goals);
-    section->setNote(goal.point || !goal.goals.empty() ? QString() : tr("stands still"));
-  });
-  addNumber(section, robotNumber(tr("Arrival radius"), tr("m"), {0.01, 5.0, 2, 0.05},
-                                 &Robot::goalRadius, &sim2d::ResolvedRobot::goalRadius));
-}
-
-void RobotPage::addLimitSection() {
-  using Resolved = sim2d::ResolvedRobot;
-  FormSection* section = addSection(tr("Body and limits"));
-  const auto add = [&](const QString& label, const QString& unit, NumberField::Range range,
-                       std::optional<double> Robot::*member, double Resolved::*what,
-                       double sliderTo) {
-    NumberKey key = robotNumber(label, unit, range, member, what);
-    key.sliderTo = sliderTo;
-    addNumber(section, key);
-  };
-  add(tr("Radius"), tr("m"), {0.05, 3.0, 2, 0.01}, &Robot::radius, &Resolved::radius, 1.0);
-  add(tr("Mass"), tr("kg"), {0.1, 5000.0, 1, 1.0}, &Robot::mass, &Resolved::mass, 0.0);
-  add(tr("Top speed"), tr("m/s"), {0.0, 5.0, 2, 0.05}, &Robot::maxVel, &Resolved::maxVel, 2.0);
-  add(tr("Acceleration"), tr("m/s²"), {0.01, 20.0, 2, 0.1}, &Robot::maxAcc, &Resolved::maxAcc, 3.0);
-  add(tr("Turn speed"), tr("rad/s"), {0.01, 20.0, 2, 0.1}, &Robot::maxOmega, &Resolved::maxOmega,
-      0.0);
-  add(tr("Turn accel."), tr("rad/s²"), {0.01, 50.0, 2, 0.1}, &Robot::maxAlpha, &Resolved::maxAlpha,
-      0.0);
-}
 
 GoalPage::GoalPage(ScenarioDocument& document, QWidget* parent) : PropertyPage(document, parent) {
   FormSection* section = addSection(tr("Goal"));
@@ -172,6 +72,7 @@ ObstaclePage::ObstaclePage(ScenarioDocument& document, QWidget* parent)
     : PropertyPage(document, parent) {
   section_ = addSection(tr("Obstacle"));
   addName(section_);
+  addSwitch(section_, listedKey());
   addNumberPair(section_, tr("Position"), xKey(), yKey());
   const auto add = [this](const NumberKey& key, std::vector<ObstacleKind> of) {
     rows_.emplace_back(addNumber(section_, key), std::move(of));
@@ -182,6 +83,8 @@ ObstaclePage::ObstaclePage(ScenarioDocument& document, QWidget* parent)
   add(numberKey(tr("Radius"), tr("m"), kLength, &Obstacle::radius), {ObstacleKind::Circle});
   add(numberKey(tr("Thickness"), tr("m"), {0.01, 5.0, 2, 0.05}, &Obstacle::thickness, 0.1),
       {ObstacleKind::Wall});
+  rows_.emplace_back(addText(section_, cornersKey<Obstacle>(2)),
+                     std::vector{ObstacleKind::Polygon, ObstacleKind::Wall});
   finish();
 }
 
@@ -204,7 +107,22 @@ void ObstaclePage::refresh() {
 DoorPage::DoorPage(ScenarioDocument& document, QWidget* parent) : PropertyPage(document, parent) {
   FormSection* section = addSection(tr("Door"));
   addName(section);
-  addNumberPair(section, tr("Position"), xKey(), yKey());
+  addSwitch(section, listedKey());
+  const auto end = [](const QString& label, Vec2 Door::*place, int axis) {
+    NumberKey key = xKey();
+    key.label = label;
+    key.get = [place, axis](const Entity& entity) {
+      return std::optional((std::get<Door>(entity).*place)(axis));
+    };
+    key.set = [place, axis](Entity& entity, std::optional<double> value) {
+      Vec2& point = std::get<Door>(entity).*place;
+      point(axis) = value.value_or(point(axis));
+    };
+    return key;
+  };
+  addNumberPair(section, tr("From"), end(tr("From X"), &Door::from, 0),
+                end(tr("From Y"), &Door::from, 1));
+  addNumberPair(section, tr("To"), end(tr("To X"), &Door::to, 0), end(tr("To Y"), &Door::to, 1));
   addNumber(section,
             numberKey(tr("Thickness"), tr("m"), {0.01, 1.0, 2, 0.01}, &Door::thickness, 0.05));
   SwitchKey open;
@@ -234,6 +152,7 @@ DoorPage::DoorPage(ScenarioDocument& document, QWidget* parent) : PropertyPage(d
 AreaPage::AreaPage(ScenarioDocument& document, QWidget* parent) : PropertyPage(document, parent) {
   FormSection* section = addSection(tr("Area"));
   addName(section);
+  addSwitch(section, listedKey());
   ChoiceKey kind;
   kind.label = tr("Kind");
   kind.words = QStringList{tr("Source: people come in"), tr("Sink: people leave"),
@@ -244,6 +163,7 @@ AreaPage::AreaPage(ScenarioDocument& document, QWidget* parent) : PropertyPage(d
   };
   addChoice(section, kind);
   addNumberPair(section, tr("Position"), xKey(), yKey());
+  addText(section, cornersKey<Area>(3));
   source_ = addSection(tr("Who comes in"));
   TextKey like;
   like.label = tr("Like");
@@ -263,9 +183,11 @@ AreaPage::AreaPage(ScenarioDocument& document, QWidget* parent) : PropertyPage(d
   addNumber(source_, numberKey(tr("Rate"), tr("/s"), {0.0, 50.0, 3, 0.05}, &Area::rate, 0.0));
   addNumber(source_, numberKey(tr("From"), tr("s"), kTime, &Area::from, 0.0));
   addNumber(source_, numberKey(tr("Until"), tr("s"), kTime, &Area::until, 86400.0));
-  addNumber(source_, placedKey(
-                         tr("At most"), tr("people"), {0.0, 100000.0, 0, 1.0}, 100000.0,
-                         [](Entity & e) -> auto& { return std::get<Area>(e).count; }));
+  NumberKey count = placedKey(
+      tr("At most"), tr("people"), {0.0, 100000.0, 0, 1.0}, 100000.0,
+      [](Entity & e) -> auto& { return std::get<Area>(e).count; });
+  count.unitOfOne = tr("person");
+  addNumber(source_, count);
   finish();
 }
 

@@ -18,6 +18,10 @@ namespace {
 
 constexpr int kSliderSteps = 1000;
 
+QString spaced(const QString& unit) {
+  return unit.isEmpty() || unit == QStringLiteral("°") ? unit : QStringLiteral(" ") + unit;
+}
+
 void setInvalid(QWidget& widget, bool invalid) {
   if (widget.property(kInvalidProperty).toBool() != invalid) {
     widget.setProperty(kInvalidProperty, invalid);
@@ -28,12 +32,12 @@ void setInvalid(QWidget& widget, bool invalid) {
 }  // namespace
 
 NumberField::NumberField(const Range& range, const QString& unit, QWidget* parent)
-    : QDoubleSpinBox(parent) {
+    : QDoubleSpinBox(parent), unit_(unit) {
   setLocale(QLocale::c());
   setDecimals(range.decimals);
   setRange(range.minimum, range.maximum);
   setSingleStep(range.step);
-  setSuffix(unit.isEmpty() || unit == QStringLiteral("°") ? unit : QStringLiteral(" ") + unit);
+  setSuffix(spaced(unit));
   setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   setKeyboardTracking(false);
   setAccelerated(true);
@@ -61,8 +65,16 @@ void NumberField::show(double value, bool isDefault) {
       lineEdit()->setText(textFromValue(value) + suffix());
     }
   }
+  showUnit();
   setPale(isDefault);
   showing_ = false;
+}
+
+void NumberField::showUnit() {
+  const QString wanted = spaced(value() == 1.0 && !unitOfOne_.isEmpty() ? unitOfOne_ : unit_);
+  if (suffix() != wanted) {
+    setSuffix(wanted);
+  }
 }
 
 void NumberField::showMixed() {
@@ -75,10 +87,12 @@ void NumberField::showMixed() {
 
 QString NumberField::bare(const QString& text) const {
   QString word = text;
-  const QString unit = suffix().trimmed();
-  if (!unit.isEmpty() && word.trimmed().endsWith(unit)) {
-    word = word.trimmed();
-    word.chop(unit.size());
+  for (const QString& unit : {unit_, unitOfOne_}) {
+    if (!unit.isEmpty() && word.trimmed().endsWith(unit)) {
+      word = word.trimmed();
+      word.chop(unit.size());
+      break;
+    }
   }
   return word.trimmed();
 }

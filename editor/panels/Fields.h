@@ -22,6 +22,7 @@ class NumberField : public QDoubleSpinBox {
     double step = 0.1;
   };
   NumberField(const Range& range, const QString& unit, QWidget* parent = nullptr);
+  void setUnitOfOne(const QString& unit) { unitOfOne_ = unit; }  // "1 step", but "2 steps"
 
   /// Shows without `edited`. `isDefault`: the scenario has no value of its own.
   void show(double value, bool isDefault);
@@ -46,6 +47,8 @@ class NumberField : public QDoubleSpinBox {
   void noteValidity(bool valid) const;
   void setPale(bool pale);
   QString bare(const QString& text) const;
+  void showUnit();
+  QString unit_, unitOfOne_;
   bool mixed_ = false;
   bool default_ = false;
   bool showing_ = false;

@@ -41,6 +41,10 @@ QWidget* dividerLine(QWidget* parent) {
   return line;
 }
 
+QString counted(std::size_t count, const QString& one, const QString& many) {
+  return QStringLiteral("%1 %2").arg(count).arg(count == 1 ? one : many);
+}
+
 QLabel* emptyState(const QString& text, QWidget* parent) {
   QLabel* label = secondaryLabel(text, parent);
   label->setAlignment(Qt::AlignCenter);

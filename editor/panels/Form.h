@@ -39,6 +39,8 @@ QLabel* secondaryLabel(const QString& text, QWidget* parent = nullptr);
 QToolButton* linkButton(const QString& text, QWidget* parent = nullptr);
 /// A line over the whole width.
 QWidget* dividerLine(QWidget* parent = nullptr);
+/// "1 person", "3 people".
+QString counted(std::size_t count, const QString& one, const QString& many);
 /// A centred sentence that says what to do when a panel has nothing to show.
 QLabel* emptyState(const QString& text, QWidget* parent = nullptr);
 

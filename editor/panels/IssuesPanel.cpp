@@ -3,25 +3,35 @@
 #include <algorithm>
 
 #include <QAbstractTableModel>
+#include <QClipboard>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QHeaderView>
+#include <QMenu>
 
+#include "editor/document/Fixes.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/Form.h"
 
 namespace editor {
 
-/// Columns: sentence with the icon of its severity, place.
+/// Columns: sentence with the icon of its severity, place, what mends it.
 class IssuesModel : public QAbstractTableModel {
  public:
-  using QAbstractTableModel::QAbstractTableModel;
+  enum Column { SentenceColumn, PlaceColumn, FixColumn, ColumnCount };
+  explicit IssuesModel(QObject* parent) : QAbstractTableModel(parent) {}
 
-  void set(base::Diagnostics issues) {
+  void set(base::Diagnostics issues, const ScenarioDocument& document) {
     beginResetModel();
     issues_ = std::move(issues);
     std::stable_sort(issues_.begin(), issues_.end(), [](const auto& a, const auto& b) {
       return static_cast<int>(a.severity) > static_cast<int>(b.severity);
     });
+    fixes_.clear();
+    for (const base::Diagnostic& issue : issues_) {
+      const std::optional<Fix> fix = fixFor(document, issue);
+      fixes_.push_back(fix ? fix->words : QString());
+    }
     endResetModel();
   }
   void setTheme(const Theme& theme) {
@@ -29,30 +39,42 @@ class IssuesModel : public QAbstractTableModel {
               tintedIcon(QStringLiteral("warning"), theme.color(Role::WarningMark)),
               tintedIcon(QStringLiteral("error"), theme.color(Role::Error))};
     pale_ = theme.color(Role::TextSecondary);
+    link_ = theme.color(Role::AccentText);
   }
   const base::Diagnostics& issues() const { return issues_; }
+  const base::Diagnostic& issue(int row) const { return issues_[static_cast<std::size_t>(row)]; }
+  const QString& fixWords(int row) const { return fixes_[static_cast<std::size_t>(row)]; }
+  int countOf(const QString& words) const {
+    return static_cast<int>(std::count(fixes_.begin(), fixes_.end(), words));
+  }
   int rowCount(const QModelIndex& parent = {}) const override {
     return parent.isValid() ? 0 : static_cast<int>(issues_.size());
   }
-  int columnCount(const QModelIndex& = {}) const override { return 2; }
+  int columnCount(const QModelIndex& = {}) const override { return ColumnCount; }
   QVariant data(const QModelIndex& index, int role) const override {
     if (!index.isValid()) {
       return {};
     }
-    const base::Diagnostic& issue = issues_[static_cast<std::size_t>(index.row())];
+    const base::Diagnostic& issue = this->issue(index.row());
     switch (role) {
       case Qt::DisplayRole:
-        return index.column() == 0 ? sentence(issue) : place(issue);
+        return index.column() == SentenceColumn ? sentence(issue)
+               : index.column() == PlaceColumn  ? place(issue)
+                                                : fixWords(index.row());
       case Qt::ToolTipRole:
-        return QString::fromStdString(issue.text());
+        return index.column() == FixColumn ? fixWords(index.row())
+                                           : QString::fromStdString(issue.text());
       case Qt::DecorationRole:
-        return index.column() == 0 ? icons_.at(static_cast<std::size_t>(issue.severity))
-                                   : QVariant();
+        return index.column() == SentenceColumn
+                   ? icons_.at(static_cast<std::size_t>(issue.severity))
+                   : QVariant();
       case Qt::ForegroundRole:
-        return index.column() == 1 ? pale_ : QVariant();
+        return index.column() == PlaceColumn ? pale_
+               : index.column() == FixColumn ? link_
+                                             : QVariant();
       case Qt::TextAlignmentRole:
-        return static_cast<int>((index.column() == 1 ? Qt::AlignRight : Qt::AlignLeft) |
-                                Qt::AlignVCenter);
+        return static_cast<int>(
+            (index.column() == SentenceColumn ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
       default:
         return {};
     }
@@ -61,7 +83,9 @@ class IssuesModel : public QAbstractTableModel {
  private:
   static QString sentence(const base::Diagnostic& issue) {
     QString text = QString::fromStdString(issue.message);
-    if (!text.isEmpty()) {
+    const EntityKind about = issue.entity.kind;  // names of others keep their first letter
+    if (!text.isEmpty() &&
+        (about == EntityKind::None || about == EntityKind::Scenario || about == EntityKind::Goal)) {
       text[0] = text[0].toUpper();
     }
     return text;
@@ -75,8 +99,9 @@ class IssuesModel : public QAbstractTableModel {
   }
 
   base::Diagnostics issues_;
+  std::vector<QString> fixes_;
   std::array<QIcon, 3> icons_;
-  QColor pale_;
+  QColor pale_, link_;
 };
 
 IssuesPanel::IssuesPanel(ScenarioDocument& document, const Theme& theme, QWidget* parent)
@@ -87,6 +112,32 @@ IssuesPanel::IssuesPanel(ScenarioDocument& document, const Theme& theme, QWidget
       stack_(new QStackedLayout(this)),
       table_(new QTableView(this)),
       calm_(emptyState(tr("Everything is in order."), this)) {
+  makeTable();
+  stack_->addWidget(calm_);
+  stack_->addWidget(table_);
+  connect(table_, &QTableView::clicked, this, [this](const QModelIndex& index) {
+    const base::Diagnostic issue = model_->issue(index.row());
+    const bool fix =
+        index.column() == IssuesModel::FixColumn && !model_->fixWords(index.row()).isEmpty();
+    fix ? mend(issue) : jump(issue);
+  });
+  connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) {
+    if (index.column() != IssuesModel::FixColumn) {
+      jump(base::Diagnostic(model_->issue(index.row())));
+    }
+  });
+  connect(table_, &QTableView::entered, this, [this](const QModelIndex& index) {
+    const bool link =
+        index.column() == IssuesModel::FixColumn && !model_->fixWords(index.row()).isEmpty();
+    table_->viewport()->setCursor(link ? Qt::PointingHandCursor : Qt::ArrowCursor);
+  });
+  connect(table_, &QTableView::customContextMenuRequested, this, &IssuesPanel::offerMenu);
+  connect(&document_, &ScenarioDocument::issuesChanged, this, &IssuesPanel::rebuild);
+  connect(&document_, &ScenarioDocument::pathChanged, this, &IssuesPanel::rebuild);
+  setTheme(theme);
+}
+
+void IssuesPanel::makeTable() {
   table_->setModel(model_);
   table_->setFrameShape(QFrame::NoFrame);
   table_->setShowGrid(false);
@@ -94,29 +145,70 @@ IssuesPanel::IssuesPanel(ScenarioDocument& document, const Theme& theme, QWidget
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  table_->horizontalHeader()->hide();
-  table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-  table_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  table_->setContextMenuPolicy(Qt::CustomContextMenu);
+  table_->setMouseTracking(true);
+  QHeaderView* header = table_->horizontalHeader();
+  header->hide();
+  header->setSectionResizeMode(IssuesModel::SentenceColumn, QHeaderView::Stretch);
+  header->setSectionResizeMode(IssuesModel::PlaceColumn, QHeaderView::ResizeToContents);
+  header->setSectionResizeMode(IssuesModel::FixColumn, QHeaderView::ResizeToContents);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(24);
   table_->viewport()->setAutoFillBackground(false);
   table_->setAccessibleName(tr("Issues"));
-  stack_->addWidget(calm_);
-  stack_->addWidget(table_);
-  const auto jump = [this](const QModelIndex& index) {
-    const base::Diagnostic issue = model_->issues()[static_cast<std::size_t>(index.row())];
-    if (issue.entity && document_.contains(issue.entity)) {
-      document_.setSelection({issue.entity});
-      Q_EMIT entityWanted(issue.entity);
-    } else if (!issue.file.empty()) {
-      Q_EMIT fileWanted(QString::fromStdString(issue.file), issue.line);
-    }
-  };
-  connect(table_, &QTableView::clicked, this, jump);
-  connect(table_, &QTableView::activated, this, jump);
-  connect(&document_, &ScenarioDocument::issuesChanged, this, &IssuesPanel::rebuild);
-  connect(&document_, &ScenarioDocument::pathChanged, this, &IssuesPanel::rebuild);
-  setTheme(theme);
+}
+
+void IssuesPanel::jump(const base::Diagnostic& issue) {
+  const bool inFile = !issue.file.empty() && issue.line > 0;
+  if (issue.entity && document_.contains(issue.entity)) {
+    document_.setSelection({issue.entity});
+    Q_EMIT entityWanted(issue.entity);
+  } else if (inFile || !issue.file.empty()) {
+    Q_EMIT fileWanted(QString::fromStdString(issue.file), issue.line);
+  }
+}
+
+void IssuesPanel::mend(const base::Diagnostic& issue) {
+  const std::optional<Fix> fix = fixFor(document_, issue);
+  if (!fix) {
+    return;
+  }
+  if (document_.contains(issue.entity)) {
+    document_.setSelection({issue.entity});
+  }
+  if (fix->asksForGoals) {
+    Q_EMIT goalsWanted();
+    return;
+  }
+  fix->apply(document_);
+  document_.checkNow();
+}
+
+void IssuesPanel::offerMenu(const QPoint& at) {
+  const QModelIndex index = table_->indexAt(at);
+  if (!index.isValid()) {
+    return;
+  }
+  const base::Diagnostic issue = model_->issue(index.row());
+  const QString words = model_->fixWords(index.row());
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  connect(menu->addAction(tr("Show")), &QAction::triggered, this, [this, issue] { jump(issue); });
+  if (!words.isEmpty()) {
+    connect(menu->addAction(words), &QAction::triggered, this, [this, issue] { mend(issue); });
+  }
+  const std::optional<Fix> fix = fixFor(document_, issue);
+  if (fix && fix->apply && model_->countOf(words) > 1) {
+    connect(menu->addAction(tr("%1: all %2").arg(words).arg(model_->countOf(words))),
+            &QAction::triggered, this, [this, words] {
+              applyToAll(document_, base::Diagnostics(model_->issues()), words);
+              document_.checkNow();
+            });
+  }
+  menu->addSeparator();
+  connect(menu->addAction(tr("Copy the text")), &QAction::triggered, this,
+          [issue] { QGuiApplication::clipboard()->setText(QString::fromStdString(issue.text())); });
+  menu->popup(table_->viewport()->mapToGlobal(at));
 }
 
 void IssuesPanel::setTheme(const Theme& theme) {
@@ -132,7 +224,9 @@ void IssuesPanel::setActionIssues(const base::Diagnostics& issues) {
 
 void IssuesPanel::rebuild() {
   base::Diagnostics all = action_;
-  for (const base::Diagnostic& issue : document_.issues()) {
+  base::Diagnostics live = document_.issues();
+  base::append(live, adviceFor(document_.scenario()));
+  for (const base::Diagnostic& issue : live) {
     const bool said = std::any_of(all.begin(), all.end(), [&](const base::Diagnostic& other) {
       return other.text() == issue.text();
     });
@@ -141,11 +235,12 @@ void IssuesPanel::rebuild() {
     }
   }
   const sim2d::Scenario& scenario = document_.scenario();
-  calm_->setText(scenario.humans.empty() ? tr("Nothing to complain about.")
-                                         : tr("Everything is in order: %1 people, %2 goals.")
-                                               .arg(scenario.humans.size())
-                                               .arg(scenario.goals.size()));
-  model_->set(std::move(all));
+  calm_->setText(scenario.humans.empty()
+                     ? tr("Nothing to complain about.")
+                     : tr("Everything is in order: %1, %2.")
+                           .arg(counted(scenario.humans.size(), tr("person"), tr("people")),
+                                counted(scenario.goals.size(), tr("goal"), tr("goals"))));
+  model_->set(std::move(all), document_);
   stack_->setCurrentIndex(model_->rowCount() > 0 ? 1 : 0);
   Q_EMIT countChanged(count());
 }

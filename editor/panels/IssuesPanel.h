@@ -12,7 +12,8 @@ namespace editor {
 class IssuesModel;
 
 /// What is wrong with the scenario, live, and what could not be read. A click selects the thing it
-/// is about.
+/// is about or shows the line of the file; the link at the end of a row mends it, which is one
+/// undoable step.
 class IssuesPanel : public QWidget {
   Q_OBJECT
  public:
@@ -30,9 +31,14 @@ class IssuesPanel : public QWidget {
   void countChanged(int count);
   void entityWanted(editor::EntityId id);          // select it and go there
   void fileWanted(const QString& file, int line);  // when nothing on the map is meant
+  void goalsWanted();                              // the person who needs goals is selected
 
  private:
+  void makeTable();
   void rebuild();
+  void jump(const base::Diagnostic& issue);
+  void mend(const base::Diagnostic& issue);
+  void offerMenu(const QPoint& at);
 
   ScenarioDocument& document_;
   Theme theme_;

@@ -83,6 +83,18 @@ ChoiceKey nameChoice(const QString& label, const QString& none, std::vector<std:
   return key;
 }
 
+/// Whether an entity takes part in the run, for all kinds that can be switched off.
+SwitchKey listedKey();
+
+/// "lookahead=0.6, stop_distance=0.5"
+QString pairsText(const std::vector<std::pair<std::string, std::string>>& pairs);
+/// Nothing when a part has no name or no value.
+std::optional<std::vector<std::pair<std::string, std::string>>> pairsFromText(const QString& text);
+/// "0.3 0.2; -0.3 0.2; -0.3 -0.2"
+QString pointsText(const std::vector<Vec2>& points);
+/// Nothing when a point is not two numbers.
+std::optional<std::vector<Vec2>> pointsFromText(const QString& text);
+
 /// Times or numbers in a list, as text: "2.0, 7.5".
 QString listText(const std::vector<double>& values);
 /// Nothing when a word is no number.

@@ -16,8 +16,9 @@ sim2d::BehaviorType behaviorOf(const Entity& entity);  // Regular when left out
 
 NumberKey behaviorKey(const QString& label, const QString& unit, const NumberField::Range& range,
                       std::optional<double> sim2d::Behavior::*member);
-/// What counts for the person when the key is left out.
+/// What counts for the person when the key is left out; `seed` draws, else that of the scenario.
 std::function<double(const Entity&)> resolvedOf(const ScenarioDocument& document,
-                                                double sim2d::ResolvedHuman::*member);
+                                                double sim2d::ResolvedHuman::*member,
+                                                std::function<long long()> seed = {});
 
 }  // namespace editor

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "editor/canvas/FigurePainter.h"
+#include "editor/panels/GoalAssignment.h"
 #include "editor/panels/PersonKeys.h"
+#include "editor/panels/Skins.h"
 
 namespace editor {
 
@@ -18,6 +20,8 @@ PersonPage::PersonPage(ScenarioDocument& document, const Theme& theme, QWidget* 
   addGoalSection();
   addReactionSection();
   addForceSection();
+  addGroupSection();
+  addAppearanceSection();
   addMoreSection();
   finish();
   setTheme(theme);
@@ -51,6 +55,7 @@ void PersonPage::addPersonSection() {
   };
   kind.hint = tr("Gives the mass and the figure on the map");
   addChoice(section, kind);
+  addSwitch(section, listedKey());
 }
 
 void PersonPage::addBodySection() {
@@ -74,6 +79,11 @@ void PersonPage::addGoalSection() {
   goals_->addRow(tr("Route"), route_);
   connect(route_, &RouteEditor::edited, this,
           [this](const std::vector<int>& goals) { pushRoute(document(), targets(), goals); });
+  QToolButton* assign = linkButton(tr("Assign goals…"), this);
+  assign->setToolTip(tr("Goals of several people at once, in order by drag (Ctrl+G)"));
+  goals_->addRow(QString(), assign);
+  connect(assign, &QToolButton::clicked, this,
+          [this] { openGoalAssignment(document(), theme_, this); });
   addRefresh([this](const std::vector<Entity>& shown) {
     const std::vector<int>& first = personOf(shown.front()).goals;
     const bool same = std::all_of(shown.begin(), shown.end(), [&](const Entity& value) {
@@ -95,6 +105,26 @@ void PersonPage::addGoalSection() {
   radius.fallback = resolvedOf(document(), &ResolvedHuman::goalRadius);
   radius.hint = tr("A goal is reached when the person is this near");
   addNumber(goals_, radius);
+  TextKey waits;
+  waits.label = tr("Waits");
+  waits.placeholder = tr("seconds at each goal");
+  waits.hint = tr("One time for each goal of the route, such as 0, 5, 2.5");
+  waits.get = [](const Entity& entity) { return listText(personOf(entity).ours.wait); };
+  waits.set = [](Entity& entity, const QString& text) {
+    personOf(entity).ours.wait = listFromText(text).value_or(std::vector<double>());
+  };
+  waits.check = [this](const QString& text) {
+    const auto times = listFromText(text);
+    const std::vector<Entity> shown = values();
+    const bool fits = times && (times->empty() ||
+                                std::all_of(shown.begin(), shown.end(), [&](const Entity& each) {
+                                  return personOf(each).goals.size() == times->size();
+                                }));
+    return fits && std::all_of(times->begin(), times->end(), [](double t) { return t >= 0.0; })
+               ? QString()
+               : tr("One time in seconds for each goal, with commas between them");
+  };
+  addText(goals_, waits);
 }
 
 void PersonPage::showRowsOf(BehaviorType type) {
@@ -122,6 +152,7 @@ void PersonPage::refresh() {
   for (QWidget* field : forceFields_) {
     field->setEnabled(mode == sim2d::Configuration::Custom);
   }
+  showDraws(shown);
 }
 
 void PersonPage::setTheme(const Theme& theme) {

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <optional>
+
+#include <QToolButton>
+
 #include "editor/panels/PropertyPage.h"
 #include "editor/panels/RouteEditor.h"
 
@@ -19,7 +23,14 @@ class PersonPage : public PropertyPage {
   void addGoalSection();
   void addReactionSection();
   void addForceSection();
+  void addDrawRows();
+  void addGroupSection();
+  void addAppearanceSection();
   void addMoreSection();
+  void addFileRows(FormSection* section);
+  void freeze();
+  void showDraws(const std::vector<Entity>& shown);
+  long long seed() const;  // whose draws are shown
   void addReactionNumber(const NumberKey& key, std::vector<sim2d::BehaviorType> of);
   void showRowsOf(sim2d::BehaviorType type);
 
@@ -31,6 +42,13 @@ class PersonPage : public PropertyPage {
   RouteEditor* route_ = nullptr;
   std::vector<std::pair<QWidget*, std::vector<sim2d::BehaviorType>>> reactionRows_;
   std::vector<QWidget*> forceFields_;
+  std::vector<QWidget*> drawnFields_;  // numbers of the reaction that a random mix draws
+  NumberField* seed_ = nullptr;
+  QWidget* drawLinks_ = nullptr;
+  QToolButton* keepSeed_ = nullptr;
+  std::optional<long long> ownSeed_;  // tried out here; none = the scenario's
+  ChoiceField* group_ = nullptr;
+  ChoiceField* skin_ = nullptr;
 };
 
 }  // namespace editor

@@ -1,130 +1,19 @@
 #include <algorithm>
 
+#include <QHBoxLayout>
+
+#include "editor/document/Groups.h"
 #include "editor/panels/PersonKeys.h"
 #include "editor/panels/PersonPage.h"
+#include "editor/panels/Skins.h"
 #include "sim2d/world/World.h"
 
 namespace editor {
 
-using sim2d::BehaviorType;
 using sim2d::ResolvedHuman;
-
-BehaviorType behaviorOf(const Entity& entity) {
-  return personOf(entity).behavior.type.value_or(BehaviorType::Regular);
-}
-
-NumberKey behaviorKey(const QString& label, const QString& unit, const NumberField::Range& range,
-                      std::optional<double> sim2d::Behavior::*member) {
-  NumberKey key;
-  key.label = label;
-  key.unit = unit;
-  key.range = range;
-  key.get = [member](const Entity& entity) { return personOf(entity).behavior.*member; };
-  key.set = [member](Entity& entity, std::optional<double> value) {
-    personOf(entity).behavior.*member = value;
-  };
-  return key;
-}
-
-std::function<double(const Entity&)> resolvedOf(const ScenarioDocument& document,
-                                                double ResolvedHuman::*member) {
-  return [&document, member](const Entity& entity) {
-    const sim2d::Scenario& scenario = document.scenario();
-    return sim2d::resolveHuman(scenario, personOf(entity), scenario.desktop.seed.value_or(1)).*
-           member;
-  };
-}
-
-void PersonPage::addReactionNumber(const NumberKey& key, std::vector<BehaviorType> of) {
-  reactionRows_.emplace_back(addNumber(reaction_, key), std::move(of));
-}
-
-void PersonPage::addReactionSection() {
-  using Behavior = sim2d::Behavior;
-  const std::vector<BehaviorType> all = {BehaviorType::Surprised, BehaviorType::Scared,
-                                         BehaviorType::Curious, BehaviorType::Threatening};
-  reaction_ = addSection(tr("Reaction to the robot"));
-  const auto add = [this](NumberKey key, double ResolvedHuman::*member, double sliderTo,
-                          const QString& hint, const std::vector<BehaviorType>& of) {
-    key.fallback = resolvedOf(document(), member);
-    key.sliderTo = sliderTo;
-    key.hint = hint;
-    addReactionNumber(key, of);
-  };
-  add(behaviorKey(tr("Sees within"), tr("m"), {0.1, 50.0, 2, 0.5}, &Behavior::dist),
-      &ResolvedHuman::noticeDistance, 15.0, tr("The robot is noticed within this distance"), all);
-  add(behaviorKey(tr("Lasts"), tr("s"), {0.1, 3600.0, 1, 1.0}, &Behavior::duration),
-      &ResolvedHuman::reactionDuration, 80.0, tr("How long the reaction goes on"), all);
-  add(behaviorKey(tr("Speed"), tr("m/s"), {0.0, 3.0, 2, 0.1}, &Behavior::vel),
-      &ResolvedHuman::reactionSpeed, 2.0, tr("Speed while reacting"),
-      {BehaviorType::Scared, BehaviorType::Curious});
-  add(behaviorKey(tr("Keeps away"), tr("m"), {0.1, 20.0, 2, 0.5}, &Behavior::safeDistance),
-      &ResolvedHuman::safeDistance, 10.0, tr("Distance at which the person feels safe again"),
-      {BehaviorType::Scared});
-  add(behaviorKey(tr("Pushed by robot"), {}, {0.0, 100.0, 1, 1.0}, &Behavior::otherForceFactor),
-      &ResolvedHuman::otherFactor, 25.0, tr("Strength of the push away from the robot"),
-      {BehaviorType::Scared});
-  add(behaviorKey(tr("Stops at"), tr("m"), {0.1, 10.0, 2, 0.1}, &Behavior::stopDist),
-      &ResolvedHuman::stopDistance, 3.0, tr("How near the person comes to the robot"),
-      {BehaviorType::Curious});
-  add(behaviorKey(tr("Blocks at"), tr("m"), {0.1, 10.0, 2, 0.1}, &Behavior::frontDist),
-      &ResolvedHuman::frontDistance, 3.0, tr("How far before the robot the person stands"),
-      {BehaviorType::Threatening});
-  SwitchKey once;
-  once.label = tr("Only once");
-  once.words = tr("Then walks on");
-  once.get = [](const Entity& entity) { return personOf(entity).behavior.once.value_or(false); };
-  once.set = [](Entity& entity, bool on) { personOf(entity).behavior.once = on; };
-  reactionRows_.emplace_back(addSwitch(reaction_, once), all);
-}
-
-void PersonPage::addForceSection() {
-  using Behavior = sim2d::Behavior;
-  forces_ = addSection(tr("Forces"));
-  ChoiceKey mode;
-  mode.label = tr("Strength");
-  mode.words =
-      QStringList{tr("Default"), tr("Own numbers"), tr("Random, normal"), tr("Random, uniform")};
-  mode.get = [](const Entity& entity) {
-    return static_cast<int>(
-        personOf(entity).behavior.configuration.value_or(sim2d::Configuration::Default));
-  };
-  mode.set = [](Entity& entity, int index) {
-    personOf(entity).behavior.configuration = static_cast<sim2d::Configuration>(index);
-  };
-  mode.hint = tr("Random strengths depend on the seed and the person alone");
-  addChoice(forces_, mode);
-  const auto add = [this](const QString& label, std::optional<double> Behavior::*member,
-                          double ResolvedHuman::*what, double sliderTo) {
-    NumberKey key = behaviorKey(label, {}, {0.0, 100.0, 2, 0.5}, member);
-    key.fallback = resolvedOf(document(), what);
-    key.get = [member](const Entity& entity) -> std::optional<double> {
-      const bool own = personOf(entity).behavior.configuration == sim2d::Configuration::Custom;
-      return own ? personOf(entity).behavior.*member : std::nullopt;
-    };
-    key.sliderTo = sliderTo;
-    forceFields_.push_back(addNumber(forces_, key)->parentWidget());
-  };
-  add(tr("Goal"), &Behavior::goalForceFactor, &ResolvedHuman::goalFactor, 10.0);
-  add(tr("Obstacles"), &Behavior::obstacleForceFactor, &ResolvedHuman::obstacleFactor, 50.0);
-  add(tr("People"), &Behavior::socialForceFactor, &ResolvedHuman::socialFactor, 20.0);
-}
 
 void PersonPage::addMoreSection() {
   FormSection* section = addSection(tr("More"));
-  NumberKey group;
-  group.label = tr("Group");
-  group.range = {-1.0, 9999.0, 0, 1.0};
-  group.hint = tr("People of one group keep together; -1 is alone");
-  group.get = [](const Entity& entity) -> std::optional<double> {
-    const std::optional<int> id = personOf(entity).groupId;
-    return id ? std::optional<double>(*id) : std::nullopt;
-  };
-  group.set = [](Entity& entity, std::optional<double> value) {
-    personOf(entity).groupId = value ? std::optional(static_cast<int>(*value)) : std::nullopt;
-  };
-  group.fallback = [](const Entity&) { return -1.0; };
-  addNumber(section, group);
   NumberKey start;
   start.label = tr("Comes at");
   start.unit = tr("s");
@@ -150,6 +39,18 @@ void PersonPage::addMoreSection() {
       [](Entity & entity) -> auto& { return personOf(entity).ours.model; });
   model.hint = tr("How the person moves among others");
   addChoice(section, model);
+  ChoiceKey route;
+  route.label = tr("Routes");
+  route.words = QStringList{tr("The scenario's"), tr("Around walls"), tr("Straight")};
+  route.get = [](const Entity& entity) {
+    const std::optional<sim2d::Route>& own = personOf(entity).ours.route;
+    return own ? static_cast<int>(*own) + 1 : 0;
+  };
+  route.set = [](Entity& entity, int index) {
+    personOf(entity).ours.route =
+        index == 0 ? std::nullopt : std::optional(static_cast<sim2d::Route>(index - 1));
+  };
+  addChoice(section, route);
   ChoiceKey end;
   end.label = tr("At the end");
   end.words = QStringList{tr("Stops"), tr("Leaves"), tr("Starts over")};
@@ -161,6 +62,137 @@ void PersonPage::addMoreSection() {
   };
   end.hint = tr("After the last goal of a route that does not repeat");
   addChoice(section, end);
+  addFileRows(section);
+}
+
+/// What only the file and the simulators of HuNavSim care for.
+void PersonPage::addFileRows(FormSection* section) {
+  auto* id = new NumberField({0.0, 999999.0, 0, 1.0}, {}, this);
+  id->setToolTip(tr("Number of the person; names the tree file"));
+  section->addRow(tr("Number"), id);
+  connect(id, &NumberField::edited, this, [this](double value) {
+    const int wanted = static_cast<int>(value);
+    const bool free = document().scenario().humanById(wanted) == nullptr;
+    if (free && targets().size() == 1) {
+      apply(tr("Change number"), [wanted](Entity& entity) { personOf(entity).id = wanted; });
+    } else {
+      refresh();
+    }
+  });
+  addRefresh([id](const std::vector<Entity>& shown) {
+    id->setEnabled(shown.size() == 1);
+    shown.size() == 1 ? id->show(personOf(shown.front()).id, false) : id->showMixed();
+  });
+  NumberKey height =
+      numberKey(tr("Height z"), tr("m"), {-1000.0, 1000.0, 3, 0.1}, &sim2d::Human::initZ, 0.0);
+  height.hint = tr("Of the model in a 3D simulator; no meaning here");
+  addNumber(section, height);
+  TextKey tree;
+  tree.label = tr("Tree file");
+  tree.placeholder = tr("looked for");
+  tree.hint = tr("Relative to the scenario; may be shared by several people");
+  tree.get = [](const Entity& entity) {
+    return QString::fromStdString(personOf(entity).ours.tree.value_or(std::string()));
+  };
+  tree.set = [](Entity& entity, const QString& text) {
+    personOf(entity).ours.tree = text.isEmpty() ? std::nullopt : std::optional(text.toStdString());
+  };
+  addText(section, tree);
+}
+
+void PersonPage::addGroupSection() {
+  FormSection* section = addSection(tr("Group"));
+  group_ = new ChoiceField(this);
+  group_->setToolTip(tr("People of one group keep together while they walk"));
+  section->addRow(tr("Walks with"), group_);
+  constexpr int kNewGroup = -2;
+  connect(group_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
+    const int group = group_->itemData(index).toInt();
+    group == kNewGroup ? (void)pushGroup(document(), targets())
+                       : pushJoin(document(), targets(), group);
+  });
+  auto* name = new TextField(this);
+  name->setPlaceholderText(tr("name of the group"));
+  section->addRow(tr("Called"), name);
+  connect(name, &TextField::edited, this, [this](const QString& text) {
+    pushGroupName(document(), group_->currentData().toInt(), text.trimmed().toStdString());
+  });
+  auto* members = secondaryLabel({}, this);
+  members->setWordWrap(true);
+  section->addRow(tr("Members"), members);
+  QToolButton* dissolve = linkButton(tr("Dissolve"), this);
+  dissolve->setToolTip(tr("Everybody of the group walks alone"));
+  section->addRow(QString(), dissolve);
+  connect(dissolve, &QToolButton::clicked, this,
+          [this] { pushDissolve(document(), group_->currentData().toInt()); });
+  addRefresh([=](const std::vector<Entity>& shown) {
+    const sim2d::Scenario& scenario = document().scenario();
+    const auto groups = groupsOf(scenario);
+    group_->clear();
+    group_->addItem(tr("Nobody"), -1);
+    for (const auto& [number, people] : groups) {
+      QPixmap swatch(12, 12);
+      swatch.fill(groupColor(number, theme_));
+      group_->addItem(QIcon(swatch), groupName(scenario, number), number);
+    }
+    group_->addItem(shown.size() > 1 ? tr("Each other: a new group") : tr("A new group"),
+                    kNewGroup);
+    const int first = personOf(shown.front()).groupId.value_or(-1);
+    const bool same = std::all_of(shown.begin(), shown.end(), [first](const Entity& each) {
+      return personOf(each).groupId.value_or(-1) == first;
+    });
+    group_->setCurrentIndex(same ? group_->findData(first) : -1);
+    const bool grouped = same && first >= 0;
+    QStringList names;
+    for (const EntityId id : grouped ? groups.at(first) : std::vector<EntityId>()) {
+      names << QString::fromStdString(document().human(id)->name);
+    }
+    members->setText(names.join(QStringLiteral(", ")));
+    const auto& named = scenario.desktop.groups;
+    const auto own = std::find_if(named.begin(), named.end(),
+                                  [first](const auto& each) { return each.first == first; });
+    name->show(own == named.end() ? QString() : QString::fromStdString(own->second));
+    for (QWidget* widget : {static_cast<QWidget*>(name), static_cast<QWidget*>(members),
+                            static_cast<QWidget*>(dissolve)}) {
+      section->setRowVisible(widget, grouped);
+    }
+    section->setNote(!same ? tr("different groups") : QString());
+  });
+}
+
+void PersonPage::addAppearanceSection() {
+  FormSection* section = addSection(tr("Appearance"));
+  skin_ = new ChoiceField(this);
+  skin_->setIconSize(QSize(20, 20));
+  skin_->setToolTip(tr("How the simulator of the scenario dresses the person"));
+  section->addRow(tr("Figure"), skin_);
+  auto* elsewhere = secondaryLabel({}, this);
+  elsewhere->setWordWrap(true);
+  section->addRow(tr("Elsewhere"), elsewhere);
+  connect(skin_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
+    const int skin = skin_->itemData(index).toInt();
+    apply(tr("Change appearance"), [skin](Entity& entity) { personOf(entity).skin = skin; });
+  });
+  addRefresh([=](const std::vector<Entity>& shown) {
+    const std::string simulator = document().scenario().simulator.value_or(std::string());
+    skin_->clear();
+    for (const Skin& skin : skinsOf(simulator)) {
+      skin_->addItem(skinIcon(skin, theme_), skin.name, skin.number);
+    }
+    const int first = personOf(shown.front()).skin.value_or(0);
+    const bool same = std::all_of(shown.begin(), shown.end(), [first](const Entity& each) {
+      return personOf(each).skin.value_or(0) == first;
+    });
+    skin_->setCurrentIndex(same ? skin_->findData(skinFor(simulator, first).number) : -1);
+    section->setNote(simulator.empty() ? tr("as in Gazebo") : QString::fromStdString(simulator));
+    QStringList others;
+    for (const char* other : {"Gazebo Classic", "Isaac Sim", "Webots"}) {
+      if (&skinsOf(other) != &skinsOf(simulator)) {
+        others << QString::fromLatin1(other) + QStringLiteral(": ") + skinFor(other, first).name;
+      }
+    }
+    elsewhere->setText(same ? others.join(QLatin1Char('\n')) : QString());
+  });
 }
 
 }  // namespace editor

@@ -61,6 +61,7 @@ void PropertyPage::finish() {
 
 NumberField* PropertyPage::makeNumber(const NumberKey& key) {
   auto* field = new NumberField(key.range, key.unit, this);
+  field->setUnitOfOne(key.unitOfOne);
   if (!key.hint.isEmpty()) {
     field->setToolTip(key.hint + QStringLiteral("\n") + field->toolTip());
   }

@@ -23,6 +23,7 @@ struct NumberKey {
   std::function<double(const Entity&)> fallback;  // what counts when `get` gives nothing; absent: 0
   double sliderTo = 0.0;                          // > 0: a slider from the minimum to here
   QString hint;                                   // tooltip: what it does
+  QString unitOfOne;                              // "step" when `unit` is "steps"
 };
 
 /// One of a few words.

@@ -3,11 +3,12 @@
 #include <QAction>
 #include <QHeaderView>
 #include <QItemSelectionModel>
-#include <QMenu>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QVBoxLayout>
 
 #include "editor/document/EditCommands.h"
+#include "editor/document/Groups.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/Form.h"
 
@@ -15,43 +16,75 @@ namespace editor {
 
 namespace {
 
-constexpr int kRowHeight = 24;
-constexpr int kRightMargin = 12;
+bool canBeOff(const QModelIndex& index) {
+  const auto kind = static_cast<EntityKind>(index.data(EntityModel::IdKindRole).toInt());
+  return index.parent().isValid() && kind != EntityKind::Goal;
+}
+
+bool isOff(const QModelIndex& index) {
+  return canBeOff(index) && !index.data(EntityModel::ListedRole).toBool();
+}
 
 }  // namespace
 
 EntityRowDelegate::EntityRowDelegate(const Theme& theme, QObject* parent)
-    : QStyledItemDelegate(parent), theme_(theme) {}
+    : RowDelegate(theme, parent) {
+  setTheme(theme);
+}
 
-QSize EntityRowDelegate::sizeHint(const QStyleOptionViewItem& option,
-                                  const QModelIndex& index) const {
-  return {QStyledItemDelegate::sizeHint(option, index).width(), kRowHeight};
+void EntityRowDelegate::setTheme(const Theme& theme) {
+  RowDelegate::setTheme(theme);
+  eye_ = tintedIcon(QStringLiteral("eye"), theme.color(Role::TextSecondary));
+  eyeOff_ = tintedIcon(QStringLiteral("eye-off"), theme.color(Role::TextSecondary));
+}
+
+QRect EntityRowDelegate::eyeOf(const QRect& row) {
+  return {row.right() - 27, row.center().y() - 7, 16, 16};
 }
 
 void EntityRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                               const QModelIndex& index) const {
-  QStyleOptionViewItem row = option;
-  initStyleOption(&row, index);
-  const bool group = !index.parent().isValid();
-  if (group || option.state.testFlag(QStyle::State_Selected)) {
-    row.font.setWeight(QFont::DemiBold);
-    row.fontMetrics = QFontMetrics(row.font);
+  const bool hovered = option.state.testFlag(QStyle::State_MouseOver) && canBeOff(index);
+  RowDelegate::paint(painter, option, index);
+  if (isOff(index) || hovered) {
+    (isOff(index) ? eyeOff_ : eye_).paint(painter, eyeOf(option.rect));
   }
-  const QString secondary =
+}
+
+bool EntityRowDelegate::editorEvent(QEvent* event, QAbstractItemModel*,
+                                    const QStyleOptionViewItem& option, const QModelIndex& index) {
+  const bool press = event->type() == QEvent::MouseButtonPress;
+  if (!canBeOff(index) || (!press && event->type() != QEvent::MouseButtonRelease)) {
+    return false;
+  }
+  const auto* mouse = static_cast<QMouseEvent*>(event);
+  if (mouse->button() != Qt::LeftButton || !eyeOf(option.rect).contains(mouse->pos())) {
+    return false;
+  }
+  if (!press) {
+    Q_EMIT eyeClicked(index);
+  }
+  return true;
+}
+
+int EntityRowDelegate::rightMargin(const QStyleOptionViewItem& option,
+                                   const QModelIndex& index) const {
+  const bool hovered = option.state.testFlag(QStyle::State_MouseOver) && canBeOff(index);
+  return isOff(index) || hovered ? 32 : 12;
+}
+
+bool EntityRowDelegate::isPale(const QModelIndex& index) const {
+  return isOff(index);
+}
+
+QString EntityRowDelegate::sideText(const QModelIndex& index) const {
+  const QString text =
       index.siblingAtColumn(EntityModel::BehaviorColumn).data(Qt::DisplayRole).toString();
-  const int room = option.fontMetrics.horizontalAdvance(secondary) + kRightMargin;
-  const int nameRoom = option.rect.width() - room - 8 - (row.icon.isNull() ? 0 : 24);
-  row.text = row.fontMetrics.elidedText(row.text, Qt::ElideRight, std::max(nameRoom, 40));
-  const QStyle* style = option.widget != nullptr ? option.widget->style() : nullptr;
-  if (style != nullptr) {
-    style->drawControl(QStyle::CE_ItemViewItem, &row, painter, option.widget);
-  }
-  painter->save();
-  painter->setFont(option.font);
-  painter->setPen(theme_.color(Role::TextSecondary));
-  painter->drawText(option.rect.adjusted(0, 0, -kRightMargin, 0), Qt::AlignRight | Qt::AlignVCenter,
-                    secondary);
-  painter->restore();
+  return isOff(index) ? tr("off") : text;
+}
+
+bool EntityRowDelegate::isHeading(const QModelIndex& index) const {
+  return !index.parent().isValid();
 }
 
 ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme, QWidget* parent)
@@ -79,6 +112,10 @@ ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme, QWi
   tree_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   tree_->setContextMenuPolicy(Qt::CustomContextMenu);
   tree_->setIndentation(16);
+  tree_->setMouseTracking(true);
+  tree_->setDragDropMode(QAbstractItemView::DragDrop);
+  tree_->setDefaultDropAction(Qt::MoveAction);
+  tree_->setDropIndicatorShown(true);
   tree_->viewport()->setAutoFillBackground(false);
   tree_->setAccessibleName(tr("Scenario"));
   for (int column = 1; column < EntityModel::ColumnCount; ++column) {
@@ -95,7 +132,8 @@ ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme, QWi
   layout->addWidget(tree_, 1);
   layout->addWidget(empty_);
   connect(filterField_, &QLineEdit::textChanged, this, [this](const QString& text) {
-    filter_->setFilterFixedString(text);
+    filter_->setText(text);
+    tree_->setDragEnabled(text.isEmpty());  // rows that are hidden have no place to drag to
     expandGroups();
   });
   connect(tree_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
@@ -105,6 +143,7 @@ ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme, QWi
       Q_EMIT activated(id);
     }
   });
+  connect(delegate_, &EntityRowDelegate::eyeClicked, this, &ScenarioPanel::switchEye);
   connect(tree_, &QTreeView::customContextMenuRequested, this, &ScenarioPanel::offerMenu);
   connect(&document_, &ScenarioDocument::selectionChanged, this, &ScenarioPanel::takeSelection);
   connect(&document_, &ScenarioDocument::changed, this, [this](const Change& change) {
@@ -188,6 +227,16 @@ void ScenarioPanel::offerMenu(const QPoint& at) {
           [this, id] { Q_EMIT activated(id); });
   connect(menu->addAction(tr("Rename")), &QAction::triggered, this,
           [this, index] { tree_->edit(index); });
+  if (id.kind != EntityKind::Goal) {
+    const bool listed = index.data(EntityModel::ListedRole).toBool();
+    connect(menu->addAction(listed ? tr("Switch off") : tr("Switch on")), &QAction::triggered, this,
+            [this, listed] { pushListed(document_, document_.selection(), !listed); });
+  }
+  connect(menu->addAction(tr("Select all of the kind")), &QAction::triggered, this,
+          [this, id] { document_.setSelection(document_.entities(id.kind)); });
+  if (id.kind == EntityKind::Human) {
+    addPeopleActions(*menu);
+  }
   menu->addSeparator();
   connect(menu->addAction(tr("Duplicate")), &QAction::triggered, this, [this] {
     document_.setSelection(pushDuplicate(document_, document_.selection(), Vec2(0.5, -0.5)));
@@ -195,6 +244,26 @@ void ScenarioPanel::offerMenu(const QPoint& at) {
   connect(menu->addAction(tr("Delete")), &QAction::triggered, this,
           [this] { pushRemove(document_, document_.selection()); });
   menu->popup(tree_->viewport()->mapToGlobal(at));
+}
+
+void ScenarioPanel::addPeopleActions(QMenu& menu) {
+  menu.addSeparator();
+  connect(menu.addAction(tr("Assign goals…")), &QAction::triggered, this,
+          &ScenarioPanel::goalsWanted);
+  QAction* group = menu.addAction(tr("Walk as a group"));
+  group->setEnabled(document_.selection().size() > 1);
+  connect(group, &QAction::triggered, this,
+          [this] { pushGroup(document_, document_.selection()); });
+  connect(menu.addAction(tr("Walk alone")), &QAction::triggered, this,
+          [this] { pushJoin(document_, document_.selection(), -1); });
+}
+
+void ScenarioPanel::switchEye(const QModelIndex& index) {
+  const EntityId id = filter_->idOf(index);
+  const bool listed = index.data(EntityModel::ListedRole).toBool();
+  const bool whole = document_.isSelected(id);  // one of several that are selected
+  std::vector<EntityId> ids = whole ? document_.selection() : std::vector<EntityId>{id};
+  pushListed(document_, ids, !listed);
 }
 
 }  // namespace editor

@@ -2,25 +2,38 @@
 
 #include <QLabel>
 #include <QLineEdit>
-#include <QStyledItemDelegate>
+#include <QMenu>
 #include <QTreeView>
 
 #include "editor/document/EntityModel.h"
+#include "editor/panels/RowDelegate.h"
 
 namespace editor {
 
-/// Draws name and, at the right end of the row, the secondary text of one line.
-class EntityRowDelegate : public QStyledItemDelegate {
+/// Name and secondary text of an entity, and at the right end the eye that switches it on and off;
+/// it is seen where the mouse is and where something is off.
+class EntityRowDelegate : public RowDelegate {
   Q_OBJECT
  public:
   explicit EntityRowDelegate(const Theme& theme, QObject* parent = nullptr);
-  void setTheme(const Theme& theme) { theme_ = theme; }
+  void setTheme(const Theme& theme);
   void paint(QPainter* painter, const QStyleOptionViewItem& option,
              const QModelIndex& index) const override;
-  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+  bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
+                   const QModelIndex& index) override;
+  static QRect eyeOf(const QRect& row);
+
+ Q_SIGNALS:
+  void eyeClicked(const QModelIndex& index);
+
+ protected:
+  bool isPale(const QModelIndex& index) const override;
+  int rightMargin(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+  QString sideText(const QModelIndex& index) const override;
+  bool isHeading(const QModelIndex& index) const override;
 
  private:
-  Theme theme_;
+  QIcon eye_, eyeOff_;
 };
 
 /// The left dock: the scenario as one tree with a filter. The selection goes both ways.
@@ -35,12 +48,15 @@ class ScenarioPanel : public QWidget {
 
  Q_SIGNALS:
   void activated(editor::EntityId id);  // double click or return: go there on the map
+  void goalsWanted();                   // assign goals to who is selected
 
  private:
   void takeSelection();
   void giveSelection();
   void expandGroups();
   void offerMenu(const QPoint& at);
+  void addPeopleActions(QMenu& menu);
+  void switchEye(const QModelIndex& index);
 
   ScenarioDocument& document_;
   Theme theme_;

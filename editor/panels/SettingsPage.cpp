@@ -3,6 +3,7 @@
 #include "editor/panels/EntityPages.h"
 #include "editor/panels/KeyAccess.h"
 #include "metrics/Recording.h"
+#include "sim2d/base/Text.h"
 #include "sim2d/world/World.h"
 
 namespace editor {
@@ -22,6 +23,50 @@ QString textOf(const std::optional<std::string>& value) {
 
 std::optional<std::string> valueOf(const QString& text) {
   return text.isEmpty() ? std::nullopt : std::optional(text.toStdString());
+}
+
+}  // namespace
+
+namespace {
+
+TextKey thresholdsKey() {
+  TextKey key;
+  key.label = QObject::tr("Thresholds");
+  key.placeholder = QObject::tr("the usual ones");
+  key.hint = QObject::tr("Of metrics, such as name=value, name=value");
+  key.get = [](const Entity& entity) {
+    std::vector<std::pair<std::string, std::string>> pairs;
+    for (const auto& [name, value] : desktop(entity).metrics.parameters) {
+      pairs.emplace_back(name, base::formatDouble(value));
+    }
+    return pairsText(pairs);
+  };
+  key.set = [](Entity& entity, const QString& text) {
+    auto& parameters = desktop(entity).metrics.parameters;
+    parameters.clear();
+    for (const auto& [name, value] : *pairsFromText(text)) {
+      parameters.emplace_back(name, base::parseDouble(value).value_or(0.0));
+    }
+  };
+  key.check = [](const QString& text) {
+    const auto pairs = pairsFromText(text);
+    const bool numbers = pairs && std::all_of(pairs->begin(), pairs->end(), [](const auto& each) {
+                           return base::parseDouble(each.second).has_value();
+                         });
+    return numbers ? QString() : QObject::tr("name=number, with commas between them");
+  };
+  return key;
+}
+
+/// Worlds that HuNavSim has for a simulator; a map of another name needs one of its own there.
+QString worldsOf(const QString& simulator) {
+  if (simulator == QLatin1String("Isaac Sim")) {
+    return QStringLiteral("warehouse, hospital, office, empty_world");
+  }
+  if (simulator == QLatin1String("Webots")) {
+    return QStringLiteral("factory, hall, office");
+  }
+  return simulator.isEmpty() ? QString() : QStringLiteral("cafe, house, warehouse");
 }
 
 }  // namespace
@@ -54,6 +99,7 @@ void SettingsPage::addRunSection() {
   NumberKey record = placedKey(
       tr("Record every"), tr("steps"), {1.0, 10000.0, 0, 1.0}, 1.0,
       [](Entity & e) -> auto& { return desktop(e).recordEvery; });
+  record.unitOfOne = tr("step");
   addNumber(section, record);
 }
 
@@ -91,6 +137,21 @@ void SettingsPage::addPeopleSection() {
   loop.get = [](const Entity& entity) { return desktop(entity).loopTrees.value_or(true); };
   loop.set = [](Entity& entity, bool on) { desktop(entity).loopTrees = on; };
   addSwitch(section, loop);
+  TextKey corridor;
+  corridor.label = tr("Corridor");
+  corridor.placeholder = tr("no ring");
+  corridor.hint = tr("Two values of x [m]: who passes the second comes in at the first");
+  corridor.get = [](const Entity& entity) { return listText(desktop(entity).wrapX); };
+  corridor.set = [](Entity& entity, const QString& text) {
+    desktop(entity).wrapX = listFromText(text).value_or(std::vector<double>());
+  };
+  corridor.check = [](const QString& text) {
+    const auto ends = listFromText(text);
+    return ends && (ends->empty() || (ends->size() == 2 && (*ends)[0] < (*ends)[1]))
+               ? QString()
+               : tr("Two values of x in metres, ascending, with a comma between them");
+  };
+  addText(section, corridor);
 }
 
 void SettingsPage::addMeasureSection() {
@@ -133,10 +194,24 @@ void SettingsPage::addMeasureSection() {
     desktop(entity).metrics.tag = valueOf(text);
   };
   addText(section, tag);
+  NumberKey run = placedKey(
+      tr("Run number"), {}, {0.0, 1000000.0, 0, 1.0}, 0.0,
+      [](Entity & e) -> auto& { return desktop(e).metrics.runId; });
+  addNumber(section, run);
+  TextKey file;
+  file.label = tr("Metrics file");
+  file.placeholder = tr("all metrics");
+  file.hint = tr("Which metrics are measured; relative to the scenario");
+  file.get = [](const Entity& entity) { return textOf(desktop(entity).metrics.file); };
+  file.set = [](Entity& entity, const QString& text) {
+    desktop(entity).metrics.file = valueOf(text);
+  };
+  addText(section, file);
+  addText(section, thresholdsKey());
 }
 
 void SettingsPage::addFileSection() {
-  FormSection* section = addSection(tr("File"));
+  FormSection* section = addSection(tr("Simulator and map"));
   ChoiceKey simulator;
   simulator.label = tr("Simulator");
   const QStringList names = {QStringLiteral("Gazebo Classic"), QStringLiteral("Gazebo Fortress"),
@@ -159,6 +234,30 @@ void SettingsPage::addFileSection() {
     std::get<ScenarioSettings>(entity).map = valueOf(text);
   };
   addText(section, map);
+  auto* worlds = secondaryLabel({}, this);
+  worlds->setWordWrap(true);
+  section->addRow(tr("Its worlds"), worlds);
+  addRefresh([section, worlds](const std::vector<Entity>& shown) {
+    const QString known = worldsOf(textOf(std::get<ScenarioSettings>(shown.front()).simulator));
+    worlds->setText(known);
+    section->setRowVisible(worlds, !known.isEmpty());
+  });
+  TextKey file;
+  file.label = tr("Map file");
+  file.placeholder = tr("looked for");
+  file.hint = tr("Relative to the scenario; none is the open plane. Counts from the next opening");
+  file.get = [](const Entity& entity) { return textOf(desktop(entity).mapFile); };
+  file.set = [](Entity& entity, const QString& text) { desktop(entity).mapFile = valueOf(text); };
+  addText(section, file);
+  ChoiceKey rule;
+  rule.label = tr("Map rule");
+  rule.words = QStringList{tr("humble (default)"), QStringLiteral("main")};
+  rule.hint = tr("How grey pixels are read: by the map server of ROS Humble or of today");
+  rule.get = [](const Entity& entity) { return desktop(entity).mapRule == "main" ? 1 : 0; };
+  rule.set = [](Entity& entity, int index) {
+    desktop(entity).mapRule = index == 0 ? std::nullopt : std::optional<std::string>("main");
+  };
+  addChoice(section, rule);
   SwitchKey publish;
   publish.label = tr("ROS topics");
   publish.words = tr("Publish people");

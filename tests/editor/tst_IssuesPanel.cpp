@@ -1,8 +1,11 @@
+#include <QTemporaryDir>
+#include <QTextBlock>
 #include <QtTest>
 
 #include "editor/document/EditCommands.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/ScenarioPanel.h"
+#include "editor/panels/TextViewer.h"
 
 using editor::IssuesPanel;
 using editor::ScenarioDocument;
@@ -61,6 +64,60 @@ class IssuesPanelTest : public QObject {
     editor::pushAdd(document, goal);
     document.checkNow();
     QTRY_VERIFY(!panel.hasErrors());
+  }
+
+  void fixLink_clicked_mendsAndIsUndone() {
+    ScenarioDocument document;
+    document.load(personWithUnknownGoal());
+    IssuesPanel panel(document, editor::Theme::light());
+    panel.resize(700, 200);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    document.checkNow();
+    QTRY_VERIFY(panel.hasErrors());
+    const QModelIndex link = panel.table().model()->index(0, 2);
+    QCOMPARE(link.data().toString(), QStringLiteral("Remove goal 7 from the route"));
+    QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {},
+                      panel.table().visualRect(link).center());
+    QVERIFY(document.scenario().humans.front().goals.empty());
+    QVERIFY(!panel.hasErrors());
+    document.undoStack().undo();
+    QCOMPARE(document.scenario().humans.front().goals, std::vector<int>{7});
+  }
+
+  void missingGoals_linkAsksForTheDialog() {
+    ScenarioDocument document;
+    sim2d::Scenario scenario = personWithUnknownGoal();
+    scenario.humans.front().goals.clear();
+    document.load(scenario);
+    IssuesPanel panel(document, editor::Theme::light());
+    panel.resize(700, 200);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    document.checkNow();
+    QTRY_VERIFY(panel.count() > 0);
+    QSignalSpy wanted(&panel, &IssuesPanel::goalsWanted);
+    const QRect place = panel.table().visualRect(panel.table().model()->index(0, 2));
+    QTest::mouseClick(panel.table().viewport(), Qt::LeftButton, {}, place.center());
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(document.selection(),
+             std::vector<editor::EntityId>{document.scenario().humans.front().key});
+  }
+
+  void file_shownAtTheLine() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.yaml"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("one\ntwo\nthree\n");
+    file.close();
+    editor::TextViewer viewer(editor::Theme::light());
+    QCOMPARE(viewer.showFile(path, 2), QString());
+    QVERIFY(viewer.isVisible());
+    QCOMPARE(viewer.text().textCursor().block().text(), QStringLiteral("two"));
+    QVERIFY(viewer.text().isReadOnly());
+    QVERIFY(viewer.showFile(folder.filePath(QStringLiteral("no.yaml")), 1)
+                .contains(QStringLiteral("no.yaml")));
   }
 
   void action_withoutEntity_pointsToTheFile() {

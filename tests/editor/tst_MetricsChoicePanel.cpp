@@ -70,6 +70,79 @@ class MetricsChoicePanelTest : public QObject {
     document.undoStack().undo();
     QVERIFY(!document.scenario().desktop.metrics.file.has_value());
   }
+
+  void groupsAndKeys_areThoseOfTheRegistry() {
+    editor::ScenarioDocument document;
+    editor::SimulationRunner runner;
+    editor::MetricsFeed feed(document, runner);
+    MetricsChoicePanel panel(document, feed, editor::Theme::light());
+    QCOMPARE(panel.tree().topLevelItemCount(), metrics::kCategories);
+    int rows = 0;
+    for (int i = 0; i < panel.tree().topLevelItemCount(); ++i) {
+      rows += panel.tree().topLevelItem(i)->childCount();
+    }
+    int expected = 0;
+    int theirs = 0;
+    for (const metrics::MetricEntry& entry : metrics::standardRegistry().entries()) {
+      expected += entry.info.partOf.empty() ? 1 : 0;
+      theirs += entry.info.hunav > 0 ? 1 : 0;
+    }
+    QCOMPARE(rows, expected);
+    QCOMPARE(theirs, 34);
+    panel.chooseAll(false);
+    QCOMPARE(panel.selection().keys->off.size(), std::size_t(34));
+    QVERIFY(panel.selection().keys->on.empty());
+  }
+
+  /// The metrics.yaml of HuNavSim 1 (28 keys) and of 2.0 (33): every other key is off.
+  void fileOfHuNavSim_isReadChangedAndWritten_data() {
+    QTest::addColumn<int>("count");
+    QTest::newRow("28 keys") << 28;
+    QTest::newRow("33 keys") << 33;
+  }
+  void fileOfHuNavSim_isReadChangedAndWritten() {
+    QFETCH(int, count);
+    std::vector<std::string> keys;
+    for (const metrics::MetricEntry& entry : metrics::standardRegistry().entries()) {
+      const std::string& key = entry.info.key;
+      const bool known = entry.info.hunav > 0 && key != "maximum_distance_to_people";
+      if (known && static_cast<int>(keys.size()) < count) {
+        keys.push_back(key);
+      }
+    }
+    QCOMPARE(static_cast<int>(keys.size()), count);
+    QTemporaryDir folder;
+    QByteArray text =
+        "hunav_evaluator_node:\n  ros__parameters:\n    frequency: 2.5\n"
+        "    result_file: 'metrics'\n    metrics:\n";
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      text += "      " + QByteArray::fromStdString(keys[i]) + (i % 2 == 0 ? ": true" : ": false") +
+              "\n";
+    }
+    QFile file(folder.filePath(QStringLiteral("metrics.yaml")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(text);
+    file.close();
+    editor::ScenarioDocument document;
+    sim2d::Scenario scenario;
+    scenario.desktop.metrics.file = "metrics.yaml";
+    document.load(scenario);
+    QVERIFY(!base::hasErrors(document.save(folder.filePath(QStringLiteral("room.yaml")))));
+    editor::SimulationRunner runner;
+    editor::MetricsFeed feed(document, runner);
+    MetricsChoicePanel panel(document, feed, editor::Theme::light());
+    QCOMPARE(static_cast<int>(panel.selection().keys->off.size()), count / 2);
+    panel.setChosen(QString::fromStdString(keys[1]), true);
+    QVERIFY(!base::hasErrors(panel.save()));
+    const base::Result<metrics::MetricsFile> again =
+        metrics::readMetricsFile(folder.filePath(QStringLiteral("metrics.yaml")).toStdString());
+    QVERIFY(again);
+    QCOMPARE(static_cast<int>(again->selection.keys->off.size()), count / 2 - 1);
+    QCOMPARE(again->selection.keys->off.count(keys[1]), std::size_t(0));
+    QCOMPARE(again->selection.keys->off.count(keys[3]), std::size_t(1));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.readAll().contains("frequency: 2.5"));
+  }
 };
 
 QTEST_MAIN(MetricsChoicePanelTest)

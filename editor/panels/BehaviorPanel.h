@@ -1,0 +1,70 @@
+#pragma once
+
+#include <QLabel>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QStackedLayout>
+#include <QToolButton>
+
+#include "editor/document/PersonTree.h"
+#include "editor/panels/BlockForm.h"
+#include "editor/panels/PortForm.h"
+#include "editor/panels/TreeOutline.h"
+#include "editor/panels/TreeStatus.h"
+
+namespace editor {
+
+/// The right dock's second tab: the behaviour tree of the person who is selected, as an outline,
+/// with the values of the node or block that is chosen below it. Follows a run.
+class BehaviorPanel : public QWidget {
+  Q_OBJECT
+ public:
+  BehaviorPanel(ScenarioDocument& document, SimulationRunner& runner, const Theme& theme,
+                QWidget* parent = nullptr);
+  void setTheme(const Theme& theme);
+  TreeOutline& outline() const { return *outline_; }
+  EntityId person() const { return person_; }
+
+  void showFrame(const FramePtr& frame);
+  /// Takes the text of a file as the person's own tree; what is wrong with it is told and nothing
+  /// is changed when it cannot be read.
+  base::Diagnostics takeTreeFrom(const QString& path);
+  base::Diagnostics saveTreeTo(const QString& path) const;
+
+ Q_SIGNALS:
+  void told(const base::Diagnostics& problems);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void makeLinks(QVBoxLayout& layout);
+  void follow();
+  void rebuild();
+  void showWords();
+  void showNode();
+  void showStatus();
+  void askForTree();
+  void askForFile();
+  void editBlock(const bt::Block& block);
+  void moveBlock(int by);    // 0 = remove it
+  int currentBlock() const;  // place among the blocks, -1 = another node
+
+  ScenarioDocument& document_;
+  Theme theme_;
+  TreeStatus status_;
+  EntityId person_;
+  PersonTree tree_;
+  FramePtr frame_;
+  bool stale_ = false;  // the document has changed while this was hidden
+  QStackedLayout* stack_;
+  QLabel *name_, *about_, *problem_;
+  QToolButton *add_, *open_, *save_, *anew_, *takeRoute_;
+  QToolButton *earlier_, *later_, *remove_;
+  TreeOutline* outline_;
+  QWidget* blockLinks_;
+  BlockForm* blockForm_;
+  PortForm* portForm_;
+};
+
+}  // namespace editor

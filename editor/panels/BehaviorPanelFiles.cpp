@@ -1,0 +1,51 @@
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include "bt/tree/TreeXml.h"
+#include "editor/document/TreeFiles.h"
+#include "editor/panels/BehaviorPanel.h"
+#include "sim2d/base/Text.h"
+
+namespace editor {
+
+base::Diagnostics BehaviorPanel::takeTreeFrom(const QString& path) {
+  const base::Result<std::string> text = base::readTextFile(path.toStdString());
+  if (!text) {
+    return text.diagnostics();
+  }
+  const base::Result<bt::TreeFile> file = bt::readTreeText(*text, path.toStdString());
+  if (file) {
+    pushTreeText(document_, person_, *text, tr("Take the tree %1").arg(QFileInfo(path).fileName()));
+  }
+  return file.diagnostics();
+}
+
+base::Diagnostics BehaviorPanel::saveTreeTo(const QString& path) const {
+  base::Diagnostics problems =
+      base::writeFileAtomically(path.toStdString(), treeText(document_, person_));
+  base::append(problems, writeIncludedTrees(QFileInfo(path).absolutePath().toStdString()));
+  return problems;
+}
+
+void BehaviorPanel::askForTree() {
+  const QString path = QFileDialog::getOpenFileName(window(), tr("Take a behaviour tree"),
+                                                    QFileInfo(document_.path()).absolutePath(),
+                                                    tr("Behaviour trees (*.xml);;All files (*)"));
+  if (!path.isEmpty()) {
+    Q_EMIT told(takeTreeFrom(path));
+  }
+}
+
+void BehaviorPanel::askForFile() {
+  const sim2d::Human* human = document_.human(person_);
+  const QString name = QString::fromStdString(
+      treeFileName(document_.scenario().yamlBaseName.value_or("scenario"), human->id));
+  const QString path = QFileDialog::getSaveFileName(
+      window(), tr("Save the behaviour tree"),
+      QFileInfo(document_.path()).absoluteDir().filePath(name), tr("Behaviour trees (*.xml)"));
+  if (!path.isEmpty()) {
+    Q_EMIT told(saveTreeTo(path));
+  }
+}
+
+}  // namespace editor

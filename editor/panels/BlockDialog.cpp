@@ -1,0 +1,116 @@
+#include "editor/panels/BlockDialog.h"
+
+#include <QDialogButtonBox>
+#include <QHBoxLayout>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "editor/canvas/FigurePainter.h"
+#include "editor/document/PersonLook.h"
+#include "editor/document/PersonTree.h"
+
+namespace editor {
+
+namespace {
+
+QLabel* heading(const QString& text, const Theme& theme, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setFont(theme.font(9.5, QFont::DemiBold));
+  return label;
+}
+
+}  // namespace
+
+BlockDialog::BlockDialog(ScenarioDocument& document, const Theme& theme, QWidget* parent)
+    : QDialog(parent),
+      document_(document),
+      kinds_(new HintList(theme, tr("Blocks"), this)),
+      people_(new HintList(theme, tr("People"), this)),
+      about_(secondaryLabel({}, this)),
+      form_(new BlockForm(document, this)) {
+  setWindowTitle(tr("Add a block of behaviour"));
+  resize(780, 480);
+  kinds_->setSelectionMode(QAbstractItemView::SingleSelection);
+  people_->setSelectionMode(QAbstractItemView::SingleSelection);
+  people_->setHint(tr("No people yet"));
+  about_->setWordWrap(true);
+  for (const bt::BlockKind& kind : bt::blockKinds()) {
+    kinds_->addItem(QString::fromStdString(kind.title));
+  }
+  const FigurePainter painter(theme);
+  for (const sim2d::Human& human : document.scenario().humans) {
+    auto* item = new QListWidgetItem(painter.markIcon(lookOfPerson(document, human)),
+                                     QString::fromStdString(human.name), people_);
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
+    item->setCheckState(document.isSelected(human.key) ? Qt::Checked : Qt::Unchecked);
+  }
+  auto* middle = new QWidget(this);
+  auto* words = new QVBoxLayout(middle);
+  words->setContentsMargins(0, 0, 0, 0);
+  words->addWidget(about_);
+  words->addWidget(form_);
+  words->addStretch();
+  auto* area = new QScrollArea(this);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidget(middle);
+  area->setMinimumWidth(330);
+  auto* grid = new QGridLayout;
+  grid->setHorizontalSpacing(16);
+  grid->setVerticalSpacing(4);
+  grid->addWidget(heading(tr("Block"), theme, this), 0, 0);
+  grid->addWidget(heading(tr("What it does"), theme, this), 0, 1);
+  grid->addWidget(heading(tr("Who does it"), theme, this), 0, 2);
+  grid->addWidget(kinds_, 1, 0);
+  grid->addWidget(area, 1, 1);
+  grid->addWidget(people_, 1, 2);
+  grid->setColumnStretch(0, 3);
+  grid->setColumnStretch(1, 5);
+  grid->setColumnStretch(2, 3);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+  add_ = buttons->button(QDialogButtonBox::Ok);
+  add_->setText(tr("Add"));
+  connect(buttons, &QDialogButtonBox::accepted, this, &BlockDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(16, 16, 16, 16);
+  layout->setSpacing(16);
+  layout->addLayout(grid, 1);
+  layout->addWidget(buttons);
+  connect(kinds_, &QListWidget::currentRowChanged, this, &BlockDialog::showKind);
+  connect(people_, &QListWidget::itemChanged, this, &BlockDialog::judge);
+  kinds_->setCurrentRow(0);
+  judge();
+}
+
+void BlockDialog::showKind() {
+  const int row = kinds_->currentRow();
+  if (row < 0) {
+    return;
+  }
+  const bt::BlockKind& kind = bt::blockKinds()[static_cast<std::size_t>(row)];
+  about_->setText(QString::fromStdString(kind.description) + QLatin1Char('.'));
+  form_->show({kind.id, {}});
+}
+
+std::vector<EntityId> BlockDialog::chosen() const {
+  std::vector<EntityId> result;
+  for (int row = 0; row < people_->count(); ++row) {
+    if (people_->item(row)->checkState() == Qt::Checked) {
+      result.push_back(document_.scenario().humans[static_cast<std::size_t>(row)].key);
+    }
+  }
+  return result;
+}
+
+void BlockDialog::judge() {
+  add_->setEnabled(!chosen().empty());
+}
+
+void BlockDialog::accept() {
+  pushAddBlock(document_, chosen(), form_->block());
+  QDialog::accept();
+}
+
+}  // namespace editor

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QDialog>
+#include <QLabel>
+#include <QPushButton>
+
+#include "editor/look/Theme.h"
+#include "editor/panels/BlockForm.h"
+#include "editor/panels/RouteList.h"
+
+namespace editor {
+
+/// "Add a block": the ten blocks at the left, what they do and their numbers in the middle, who
+/// gets it at the right. One undoable step for all.
+class BlockDialog : public QDialog {
+  Q_OBJECT
+ public:
+  BlockDialog(ScenarioDocument& document, const Theme& theme, QWidget* parent = nullptr);
+  void accept() override;
+  QListWidget& kinds() const { return *kinds_; }
+  QListWidget& people() const { return *people_; }
+  BlockForm& form() const { return *form_; }
+
+ private:
+  void showKind();
+  void judge();
+  std::vector<EntityId> chosen() const;
+
+  ScenarioDocument& document_;
+  HintList *kinds_, *people_;
+  QLabel* about_;
+  BlockForm* form_;
+  QPushButton* add_ = nullptr;
+};
+
+}  // namespace editor

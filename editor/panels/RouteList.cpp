@@ -1,0 +1,223 @@
+#include "editor/panels/RouteList.h"
+
+#include <algorithm>
+
+#include <QDataStream>
+#include <QDropEvent>
+#include <QKeyEvent>
+#include <QMimeData>
+#include <QPainter>
+
+#include "editor/canvas/FigurePainter.h"
+#include "editor/panels/RowDelegate.h"
+
+namespace editor {
+
+namespace {
+
+constexpr int kGoalRole = Qt::UserRole + 1;
+constexpr int kPinSize = 20;
+
+QString dragType() {
+  return QStringLiteral("application/x-hunavsim-goals");
+}
+
+}  // namespace
+
+HintList::HintList(const Theme& theme, const QString& name, QWidget* parent) : QListWidget(parent) {
+  setAccessibleName(name);
+  setSelectionMode(QAbstractItemView::ExtendedSelection);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setUniformItemSizes(true);
+  setItemDelegate(new RowDelegate(theme, this));
+}
+
+void HintList::setHint(const QString& hint) {
+  hint_ = hint;
+  viewport()->update();
+}
+
+void HintList::paintEvent(QPaintEvent* event) {
+  QListWidget::paintEvent(event);
+  if (count() == 0) {
+    QPainter painter(viewport());
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(viewport()->rect().adjusted(16, 16, -16, -16),
+                     Qt::AlignCenter | Qt::TextWordWrap, hint_);
+  }
+}
+
+GoalList::GoalList(const Theme& theme, const QString& name, QWidget* parent)
+    : HintList(theme, name, parent), theme_(theme) {
+  setDragEnabled(true);
+  setDragDropMode(QAbstractItemView::DragOnly);
+  setDefaultDropAction(Qt::CopyAction);
+}
+
+void GoalList::addGoal(const sim2d::GlobalGoal* goal, int number, const QString& sideText) {
+  const FigurePainter painter(theme_);
+  auto* item = new QListWidgetItem(
+      painter.goalIcon(QString::number(number), kPinSize),
+      goal != nullptr ? tr("Goal %1").arg(number) : tr("Goal %1 (missing)").arg(number), this);
+  item->setData(kGoalRole, number);
+  item->setData(kSideTextRole, sideText);
+}
+
+std::vector<int> GoalList::selectedGoals() const {
+  std::vector<int> result;
+  for (int row = 0; row < count(); ++row) {
+    if (item(row)->isSelected()) {
+      result.push_back(item(row)->data(kGoalRole).toInt());
+    }
+  }
+  return result;
+}
+
+std::vector<int> GoalList::goals() const {
+  std::vector<int> result;
+  for (int row = 0; row < count(); ++row) {
+    result.push_back(item(row)->data(kGoalRole).toInt());
+  }
+  return result;
+}
+
+void GoalList::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+    Q_EMIT wanted();
+    return;
+  }
+  HintList::keyPressEvent(event);
+}
+
+QStringList GoalList::mimeTypes() const {
+  return {dragType()};
+}
+
+/// The list, then row and number of each goal.
+QMimeData* GoalList::mimeData(const QList<QListWidgetItem*> items) const {
+  QByteArray bytes;
+  QDataStream to(&bytes, QIODevice::WriteOnly);
+  to << static_cast<quint64>(reinterpret_cast<quintptr>(this));
+  for (int i = 0; i < count(); ++i) {
+    if (items.contains(item(i))) {
+      to << i << item(i)->data(kGoalRole).toInt();
+    }
+  }
+  auto* mime = new QMimeData;
+  mime->setData(dragType(), bytes);
+  return mime;
+}
+
+RouteList::RouteList(const Theme& theme, const QString& name, QWidget* parent)
+    : GoalList(theme, name, parent) {
+  setDragDropMode(QAbstractItemView::DragDrop);
+  setDropIndicatorShown(true);
+  setDragDropOverwriteMode(false);
+}
+
+void RouteList::showRoute(const std::vector<int>& route, const sim2d::Scenario& scenario) {
+  clear();
+  for (std::size_t i = 0; i < route.size(); ++i) {
+    addGoal(scenario.goal(route[i]), route[i], QStringLiteral("%1.").arg(i + 1));
+  }
+}
+
+std::vector<int> RouteList::selectedRows() const {
+  std::vector<int> rows;
+  for (int row = 0; row < count(); ++row) {
+    if (item(row)->isSelected()) {
+      rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+void RouteList::removeSelected() {
+  std::vector<int> route = goals();
+  const std::vector<int> rows = selectedRows();
+  for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
+    route.erase(route.begin() + *row);
+  }
+  if (!rows.empty()) {
+    Q_EMIT edited(route);
+  }
+}
+
+void RouteList::moveSelected(int by) {
+  const std::vector<int> rows = selectedRows();
+  if (!rows.empty()) {
+    moveRows(rows, by < 0 ? std::max(rows.front() - 1, 0) : std::min(rows.back() + 2, count()));
+  }
+}
+
+/// Those rows, together, to before the row `before` of now.
+void RouteList::moveRows(const std::vector<int>& rows, int before) {
+  const std::vector<int> route = goals();
+  std::vector<int> head;
+  std::vector<int> moved;
+  std::vector<int> tail;
+  for (int row = 0; row < static_cast<int>(route.size()); ++row) {
+    const bool moves = std::find(rows.begin(), rows.end(), row) != rows.end();
+    (moves ? moved : row < before ? head : tail).push_back(route[static_cast<std::size_t>(row)]);
+  }
+  const int first = static_cast<int>(head.size());
+  head.insert(head.end(), moved.begin(), moved.end());
+  head.insert(head.end(), tail.begin(), tail.end());
+  if (head == route) {
+    return;
+  }
+  Q_EMIT edited(head);
+  clearSelection();
+  for (int row = first; row < std::min(first + static_cast<int>(moved.size()), count()); ++row) {
+    item(row)->setSelected(true);
+  }
+  setCurrentRow(first, QItemSelectionModel::NoUpdate);
+}
+
+int RouteList::rowAt(const QPoint& position) const {
+  const QModelIndex index = indexAt(position);
+  if (!index.isValid()) {
+    return count();
+  }
+  return index.row() + (position.y() > visualRect(index).center().y() ? 1 : 0);
+}
+
+/// The rows are moved here, not by the list itself: a copy tells the source to keep its own.
+void RouteList::dropEvent(QDropEvent* event) {
+  quint64 source = 0;
+  QDataStream from(event->mimeData()->data(dragType()));
+  from >> source;
+  std::vector<int> rows;
+  std::vector<int> goals;
+  while (!from.atEnd()) {
+    int row = 0;
+    int goal = 0;
+    from >> row >> goal;
+    rows.push_back(row);
+    goals.push_back(goal);
+  }
+  const int before = rowAt(event->pos());
+  event->setDropAction(Qt::CopyAction);
+  event->accept();
+  if (source == static_cast<quint64>(reinterpret_cast<quintptr>(static_cast<GoalList*>(this)))) {
+    moveRows(rows, before);
+  } else if (!goals.empty()) {
+    Q_EMIT dropped(goals, before);
+  }
+  setState(QAbstractItemView::NoState);
+  viewport()->update();
+}
+
+void RouteList::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace) {
+    removeSelected();
+  } else if (event->modifiers().testFlag(Qt::AltModifier) && event->key() == Qt::Key_Up) {
+    moveSelected(-1);
+  } else if (event->modifiers().testFlag(Qt::AltModifier) && event->key() == Qt::Key_Down) {
+    moveSelected(1);
+  } else {
+    GoalList::keyPressEvent(event);
+  }
+}
+
+}  // namespace editor

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <vector>
+
+#include <QListWidget>
+
+#include "editor/look/Theme.h"
+#include "sim2d/scenario/Scenario.h"
+
+namespace editor {
+
+/// A list that says what to do while it is empty.
+class HintList : public QListWidget {
+  Q_OBJECT
+ public:
+  HintList(const Theme& theme, const QString& name, QWidget* parent = nullptr);
+  void setHint(const QString& hint);
+  QString hint() const { return hint_; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QString hint_;
+};
+
+/// Goals to take from: they can be dragged out, and return adds those that are selected.
+class GoalList : public HintList {
+  Q_OBJECT
+ public:
+  GoalList(const Theme& theme, const QString& name, QWidget* parent = nullptr);
+  void addGoal(const sim2d::GlobalGoal* goal, int number, const QString& sideText);
+  std::vector<int> selectedGoals() const;  // from top to bottom
+  std::vector<int> goals() const;
+
+ Q_SIGNALS:
+  void wanted();
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  QStringList mimeTypes() const override;
+  QMimeData* mimeData(const QList<QListWidgetItem*> items) const override;
+  Theme theme_;
+};
+
+/// Goals in visiting order; dragging puts them into another order, or takes goals of a GoalList in.
+class RouteList : public GoalList {
+  Q_OBJECT
+ public:
+  RouteList(const Theme& theme, const QString& name, QWidget* parent = nullptr);
+  void showRoute(const std::vector<int>& route, const sim2d::Scenario& scenario);
+  void removeSelected();
+  void moveSelected(int by);  // -1 = earlier, 1 = later
+
+ Q_SIGNALS:
+  void edited(const std::vector<int>& route);
+  void dropped(const std::vector<int>& goals, int row);  // from another list
+
+ protected:
+  void dropEvent(QDropEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  int rowAt(const QPoint& position) const;
+  std::vector<int> selectedRows() const;
+  void moveRows(const std::vector<int>& rows, int before);
+};
+
+}  // namespace editor

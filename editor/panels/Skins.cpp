@@ -1,0 +1,139 @@
+#include "editor/panels/Skins.h"
+
+#include <algorithm>
+
+#include <QObject>
+#include <QPainterPath>
+
+namespace editor {
+
+namespace {
+
+using Head = Skin::Head;
+
+const QColor kDark(0x3B, 0x2F, 0x2A);
+const QColor kBlond(0xC9, 0x9A, 0x4A);
+const QColor kGrey(0x8A, 0x8A, 0x8A);
+const QColor kFace(0xE3, 0xB5, 0x94);
+
+Skin skin(int number, const char* name, const char* clothes, const QColor& hair,
+          Head head = Head::Hair) {
+  return {number, QString::fromUtf8(name), QColor(QString::fromLatin1(clothes)), hair, head};
+}
+
+std::vector<Skin> gazeboSkins() {
+  return {skin(0, "Elegant man", "#37424F", kDark),
+          skin(1, "Casual man", "#7A6A4F", kBlond),
+          skin(2, "Elegant woman", "#7B3F61", kDark, Head::LongHair),
+          skin(3, "Regular man", "#4F6D5A", kDark),
+          skin(4, "Worker man", "#E08A1E", kDark, Head::Helmet),
+          skin(5, "Blue jeans", "#3E5F8A", kBlond),
+          skin(6, "Green t-shirt", "#3C9A5F", kDark),
+          skin(7, "Blue t-shirt", "#2F7FD0", kDark),
+          skin(8, "Red t-shirt", "#C8453B", kDark)};
+}
+
+std::vector<Skin> isaacSkins() {
+  return {skin(0, "Drawn by Isaac", "#8A94A0", kGrey, Head::Dice),
+          skin(1, "F_Business_02", "#4A4F6A", kDark, Head::LongHair),
+          skin(2, "F_Medical_01", "#63B7B0", kBlond, Head::LongHair),
+          skin(3, "M_Medical_01", "#63B7B0", kDark),
+          skin(4, "male_adult_construction_01", "#E08A1E", kDark, Head::Helmet),
+          skin(5, "male_adult_construction_05", "#C9B21E", kDark, Head::Helmet),
+          skin(6, "female_adult_police_01", "#27406B", kDark, Head::Cap),
+          skin(7, "female_adult_police_02", "#27406B", kBlond, Head::Cap),
+          skin(8, "female_adult_police_03", "#3B5A8F", kDark, Head::Cap),
+          skin(9, "male_adult_police_04", "#27406B", kGrey, Head::Cap),
+          skin(10, "female_adult_business_02", "#6A4A5F", kBlond, Head::LongHair),
+          skin(11, "female_adult_medical_01", "#8CC7E8", kDark, Head::LongHair)};
+}
+
+std::vector<Skin> webotsSkins() {
+  return {skin(0, "Robert", "#4C6A8C", kDark), skin(1, "Sandra", "#A34F6B", kBlond, Head::LongHair),
+          skin(2, "Sophia", "#6B4FA3", kDark, Head::LongHair),
+          skin(3, "Anthony", "#5B7F45", kGrey)};
+}
+
+void paintHead(QPainter& painter, const Skin& skin) {
+  painter.setBrush(kFace);
+  painter.drawEllipse(QPointF(12.0, 9.0), 4.2, 4.8);
+  painter.setBrush(skin.hair);
+  QPainterPath hair;
+  hair.moveTo(7.4, 9.2);
+  hair.cubicTo(7.0, 2.0, 17.0, 2.0, 16.6, 9.2);
+  hair.cubicTo(15.4, 6.6, 8.8, 6.4, 7.4, 9.2);
+  painter.drawPath(hair);
+  switch (skin.head) {
+    case Head::Helmet:
+      painter.setBrush(QColor(0xF2, 0xC0, 0x2E));
+      painter.drawChord(QRectF(6.6, 2.2, 10.8, 10.6), 0, 180 * 16);
+      painter.drawRect(QRectF(5.8, 7.0, 12.4, 1.3));
+      break;
+    case Head::Cap:
+      painter.setBrush(QColor(0x1E, 0x2E, 0x4F));
+      painter.drawChord(QRectF(6.8, 2.6, 10.4, 9.0), 0, 180 * 16);
+      painter.drawRoundedRect(QRectF(6.4, 6.4, 11.2, 1.5), 0.7, 0.7);
+      break;
+    case Head::Dice:
+      painter.setBrush(QColor(0xFF, 0xFF, 0xFF));
+      painter.drawRoundedRect(QRectF(6.4, 3.2, 11.2, 11.2), 2.0, 2.0);
+      painter.setBrush(kDark);
+      for (const QPointF& dot : {QPointF(9.2, 6.0), QPointF(12.0, 8.8), QPointF(14.8, 11.6)}) {
+        painter.drawEllipse(dot, 1.2, 1.2);
+      }
+      break;
+    case Head::Hair:
+    case Head::LongHair:
+      break;
+  }
+}
+
+}  // namespace
+
+const std::vector<Skin>& skinsOf(const std::string& simulator) {
+  static const std::vector<Skin> kGazebo = gazeboSkins();
+  static const std::vector<Skin> kIsaac = isaacSkins();
+  static const std::vector<Skin> kWebots = webotsSkins();
+  return simulator == "Isaac Sim" ? kIsaac : simulator == "Webots" ? kWebots : kGazebo;
+}
+
+const Skin& skinFor(const std::string& simulator, int number) {
+  const std::vector<Skin>& skins = skinsOf(simulator);
+  const int last = static_cast<int>(skins.size()) - 1;
+  const bool known = number >= 0 && number <= last;
+  const int counts = known ? number : simulator == "Webots" ? 0 : std::clamp(number, 0, last);
+  return skins[static_cast<std::size_t>(counts)];
+}
+
+void paintSkin(QPainter& painter, const Skin& skin, const QRectF& place, const Theme& theme) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.translate(place.topLeft());
+  painter.scale(place.width() / 24.0, place.height() / 24.0);
+  painter.setPen(QPen(theme.color(Role::Line), 0.6));
+  if (skin.head == Head::LongHair) {
+    painter.setBrush(skin.hair);
+    painter.drawRoundedRect(QRectF(6.6, 5.0, 10.8, 10.6), 4.5, 4.5);
+  }
+  QPainterPath shoulders;
+  shoulders.moveTo(3.0, 23.0);
+  shoulders.cubicTo(3.2, 15.0, 8.0, 13.6, 12.0, 13.6);
+  shoulders.cubicTo(16.0, 13.6, 20.8, 15.0, 21.0, 23.0);
+  shoulders.closeSubpath();
+  painter.setBrush(skin.clothes);
+  painter.drawPath(shoulders);
+  paintHead(painter, skin);
+  painter.restore();
+}
+
+QIcon skinIcon(const Skin& skin, const Theme& theme, int sizePx) {
+  constexpr int kRatio = 3;
+  QPixmap picture(sizePx * kRatio, sizePx * kRatio);
+  picture.setDevicePixelRatio(kRatio);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  paintSkin(painter, skin, QRectF(0, 0, sizePx, sizePx), theme);
+  return QIcon(picture);
+}
+
+}  // namespace editor

@@ -1,0 +1,137 @@
+#include "editor/panels/TextViewer.h"
+
+#include <algorithm>
+
+#include <QDesktopServices>
+#include <QDialogButtonBox>
+#include <QFileInfo>
+#include <QFontDatabase>
+#include <QPainter>
+#include <QPushButton>
+#include <QTextBlock>
+#include <QUrl>
+#include <QVBoxLayout>
+
+#include "editor/panels/Form.h"
+#include "sim2d/base/Text.h"
+
+namespace editor {
+
+namespace {
+
+constexpr int kLongest = 4 * 1024 * 1024;  // [bytes]
+
+/// The numbers of the lines in a margin at the left.
+class NumberedText : public QPlainTextEdit {
+ public:
+  explicit NumberedText(QWidget* parent) : QPlainTextEdit(parent), margin_(new Margin(*this)) {
+    connect(this, &QPlainTextEdit::updateRequest, margin_, qOverload<>(&QWidget::update));
+    connect(this, &QPlainTextEdit::blockCountChanged, this, [this] { makeRoom(); });
+    makeRoom();
+  }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QPlainTextEdit::resizeEvent(event);
+    const QRect inside = contentsRect();
+    margin_->setGeometry(inside.left(), inside.top(), room(), inside.height());
+  }
+
+ private:
+  class Margin : public QWidget {
+   public:
+    explicit Margin(NumberedText& text) : QWidget(&text), text_(text) {}
+
+   protected:
+    void paintEvent(QPaintEvent*) override {
+      QPainter painter(this);
+      painter.setPen(palette().color(QPalette::PlaceholderText));
+      painter.setFont(text_.font());
+      QTextBlock block = text_.firstVisibleBlock();
+      qreal top = text_.blockBoundingGeometry(block).translated(text_.contentOffset()).top();
+      while (block.isValid() && top <= rect().bottom()) {
+        const qreal height = text_.blockBoundingRect(block).height();
+        painter.drawText(QRectF(0, top, width() - 8, height), Qt::AlignRight | Qt::AlignVCenter,
+                         QString::number(block.blockNumber() + 1));
+        block = block.next();
+        top += height;
+      }
+    }
+
+   private:
+    NumberedText& text_;
+  };
+
+  int room() const {
+    const int digits = std::max(3, static_cast<int>(QString::number(blockCount()).size()));
+    return digits * fontMetrics().horizontalAdvance(QLatin1Char('9')) + 20;
+  }
+  void makeRoom() { setViewportMargins(room(), 0, 0, 0); }
+  Margin* margin_;
+};
+
+}  // namespace
+
+TextViewer::TextViewer(const Theme& theme, QWidget* parent)
+    : QDialog(parent), theme_(theme), place_(new QLabel(this)), text_(new NumberedText(this)) {
+  resize(720, 520);
+  text_->setReadOnly(true);
+  text_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  text_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  text_->setAccessibleName(tr("Text of the file"));
+  place_->setTextFormat(Qt::PlainText);
+  place_->setForegroundRole(QPalette::PlaceholderText);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  QPushButton* outside = buttons->addButton(tr("Open with…"), QDialogButtonBox::ActionRole);
+  outside->setToolTip(tr("Open the file with the program of the desktop"));
+  connect(outside, &QPushButton::clicked, this,
+          [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(path_)); });
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(16, 16, 16, 16);
+  layout->setSpacing(8);
+  layout->addWidget(place_);
+  layout->addWidget(text_, 1);
+  layout->addWidget(buttons);
+}
+
+void TextViewer::setTheme(const Theme& theme) {
+  theme_ = theme;
+  markLine();
+}
+
+QString TextViewer::showFile(const QString& path, int line) {
+  const base::Result<std::string> read = base::readTextFile(path.toStdString());
+  if (!read) {
+    return QString::fromStdString(read.diagnostics().front().text());
+  }
+  if (read->size() > static_cast<std::size_t>(kLongest)) {
+    return tr("%1 is too long to be shown here").arg(path);
+  }
+  path_ = path;
+  line_ = line;
+  text_->setPlainText(QString::fromStdString(*read));
+  setWindowTitle(QFileInfo(path).fileName());
+  place_->setText(line > 0 ? tr("%1, line %2").arg(path).arg(line) : path);
+  show();
+  raise();
+  markLine();
+  return {};
+}
+
+void TextViewer::markLine() {
+  const QTextBlock block = text_->document()->findBlockByNumber(std::max(line_ - 1, 0));
+  QList<QTextEdit::ExtraSelection> marks;
+  if (line_ > 0 && block.isValid()) {
+    QTextEdit::ExtraSelection mark;
+    mark.format.setBackground(theme_.color(Role::RowSelected));
+    mark.format.setProperty(QTextFormat::FullWidthSelection, true);
+    mark.cursor = QTextCursor(block);
+    marks.push_back(mark);
+  }
+  text_->setExtraSelections(marks);
+  text_->setTextCursor(QTextCursor(block.isValid() ? block : text_->document()->firstBlock()));
+  text_->centerCursor();
+}
+
+}  // namespace editor

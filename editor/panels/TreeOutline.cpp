@@ -1,0 +1,194 @@
+#include "editor/panels/TreeOutline.h"
+
+#include <QHeaderView>
+#include <QPainter>
+
+#include "editor/document/TreeFiles.h"
+#include "editor/panels/RowDelegate.h"
+
+namespace editor {
+
+namespace {
+
+using base::NodeStatus;
+
+constexpr int kNodeRole = Qt::UserRole + 1;
+constexpr int kMarkSize = 16;
+
+void paintMark(QPainter& painter, NodeStatus status, const Theme& theme) {
+  const QPointF centre(kMarkSize / 2.0, kMarkSize / 2.0);
+  QPen sign(theme.color(Role::Panel), 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+  painter.setPen(Qt::NoPen);
+  switch (status) {
+    case NodeStatus::Running:
+      painter.setBrush(theme.color(Role::Accent));
+      painter.drawPolygon(QPolygonF({{4.0, 2.5}, {13.5, 8.0}, {4.0, 13.5}}));
+      break;
+    case NodeStatus::Success:
+      painter.setBrush(theme.color(Role::Ok));
+      painter.drawEllipse(centre, 5.5, 5.5);
+      painter.setPen(sign);
+      painter.setBrush(Qt::NoBrush);
+      painter.drawPolyline(QPolygonF({{5.5, 8.2}, {7.3, 10.0}, {10.6, 6.2}}));
+      break;
+    case NodeStatus::Failure:
+      painter.setBrush(theme.color(Role::ErrorSoft));
+      painter.drawRoundedRect(QRectF(3.0, 3.0, 10.0, 10.0), 2.0, 2.0);
+      painter.setPen(sign);
+      painter.drawLine(QPointF(6.0, 6.0), QPointF(10.0, 10.0));
+      painter.drawLine(QPointF(10.0, 6.0), QPointF(6.0, 10.0));
+      break;
+    case NodeStatus::Idle:
+    case NodeStatus::Skipped:
+      painter.setPen(QPen(theme.color(Role::TextSecondary), 1.3));
+      painter.setBrush(Qt::NoBrush);
+      painter.drawEllipse(centre, 4.0, 4.0);
+      break;
+  }
+}
+
+/// Words for the rows of controls and decorators, where the ID alone says little.
+QString kindText(const bt::NodeSpec& node) {
+  if (node.isSubTree()) {
+    return QObject::tr("subtree");
+  }
+  return node.name.empty() ? QString() : QString::fromStdString(node.id).toLower();
+}
+
+QString unitOf(const bt::PortSpec& port) {
+  return port.unit.empty() ? QString() : QLatin1Char(' ') + QString::fromStdString(port.unit);
+}
+
+}  // namespace
+
+QString nodeTitle(const bt::NodeSpec& node) {
+  const QString label = QString::fromStdString(node.label());
+  if (!node.name.empty() || node.isSubTree()) {
+    return label;
+  }
+  QString words;
+  for (int i = 0; i < label.size(); ++i) {
+    const bool starts = i > 0 && label[i].isUpper() && label[i - 1].isLower();
+    words += starts ? QLatin1Char(' ') + QString(label[i].toLower()) : QString(label[i]);
+  }
+  return words;
+}
+
+QString nodeValues(const bt::NodeSpec& node) {
+  QStringList values;
+  const bt::NodeManifest* manifest = treeCatalogue().find(node.id);
+  for (const bt::Attribute& attribute : node.ports) {
+    if (attribute.text.empty() || bt::referencedKey(attribute.text, attribute.name)) {
+      continue;
+    }
+    const bt::PortSpec* port = manifest == nullptr ? nullptr : manifest->port(attribute.name);
+    const QString text = QString::fromStdString(attribute.text);
+    const bool words = port != nullptr && port->type == bt::PortType::String;
+    values << (words ? QStringLiteral("“%1”").arg(text)
+                     : text + (port == nullptr ? QString() : unitOf(*port)));
+  }
+  return values.join(QStringLiteral(", "));
+}
+
+TreeOutline::TreeOutline(const Theme& theme, QWidget* parent) : QTreeWidget(parent), theme_(theme) {
+  setColumnCount(1);
+  header()->hide();
+  setFrameShape(QFrame::NoFrame);
+  setIndentation(14);
+  setUniformRowHeights(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setItemDelegate(new RowDelegate(theme, this));
+  viewport()->setAutoFillBackground(false);
+  setAccessibleName(tr("Behaviour tree"));
+}
+
+void TreeOutline::setTheme(const Theme& theme) {
+  theme_ = theme;
+  static_cast<RowDelegate*>(itemDelegate())->setTheme(theme);
+  for (std::size_t node = 0; node < nodes_.size(); ++node) {
+    paintRow(node);
+  }
+}
+
+void TreeOutline::showTree(const PersonTree& tree) {
+  const int current = currentNode();
+  const QSignalBlocker quiet(this);
+  clear();
+  tree_ = tree;
+  nodes_ = outlineOf(tree_);
+  rows_.clear();
+  statuses_.clear();
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const OutlineNode& node = nodes_[i];
+    auto* row = node.parent < 0 ? new QTreeWidgetItem(this)
+                                : new QTreeWidgetItem(rows_[static_cast<std::size_t>(node.parent)]);
+    row->setText(0, nodeTitle(*node.node));
+    row->setData(0, kNodeRole, static_cast<int>(i));
+    const QString values = nodeValues(*node.node);
+    row->setData(0, kSideTextRole, values.isEmpty() ? kindText(*node.node) : values);
+    const bt::NodeManifest* manifest = treeCatalogue().find(node.node->id);
+    row->setToolTip(0, manifest == nullptr ? QString::fromStdString(node.node->id)
+                                           : QStringLiteral("%1\n%2").arg(
+                                                 QString::fromStdString(node.node->id),
+                                                 QString::fromStdString(manifest->description)));
+    rows_.push_back(row);
+    paintRow(i);
+  }
+  expandAll();
+  selectNode(current);
+}
+
+void TreeOutline::showStatus(const std::vector<NodeStatus>& statuses) {
+  const bool fits = statuses.empty() || statuses.size() == nodes_.size();
+  const std::vector<NodeStatus> before =
+      std::exchange(statuses_, fits ? statuses : std::vector<NodeStatus>());
+  for (std::size_t node = 0; node < nodes_.size(); ++node) {
+    if (before.size() != statuses_.size() || (!before.empty() && before[node] != statuses_[node])) {
+      paintRow(node);
+    }
+  }
+}
+
+NodeStatus TreeOutline::statusOf(int node) const {
+  const auto index = static_cast<std::size_t>(node);
+  return index < statuses_.size() ? statuses_[index] : NodeStatus::Idle;
+}
+
+void TreeOutline::paintRow(std::size_t node) {
+  QTreeWidgetItem& row = *rows_[node];
+  const bool shown = node < statuses_.size();
+  const NodeStatus status = shown ? statuses_[node] : NodeStatus::Idle;
+  row.setIcon(0, shown ? markOf(status) : QIcon());
+  const bool running = shown && status == NodeStatus::Running;
+  QFont font = this->font();
+  font.setWeight(running ? QFont::DemiBold : QFont::Normal);
+  row.setFont(0, font);
+  const bool pale = shown ? status == NodeStatus::Idle : !nodes_[node].isEditable;
+  row.setForeground(0, theme_.color(running ? Role::AccentText
+                                    : pale  ? Role::TextSecondary
+                                            : Role::Text));
+}
+
+QIcon TreeOutline::markOf(NodeStatus status) const {
+  constexpr int kRatio = 3;
+  QPixmap picture(kMarkSize * kRatio, kMarkSize * kRatio);
+  picture.setDevicePixelRatio(kRatio);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  paintMark(painter, status, theme_);
+  return QIcon(picture);
+}
+
+int TreeOutline::currentNode() const {
+  const QTreeWidgetItem* row = currentItem();
+  return row == nullptr ? -1 : row->data(0, kNodeRole).toInt();
+}
+
+void TreeOutline::selectNode(int node) {
+  if (node >= 0 && node < static_cast<int>(rows_.size())) {
+    setCurrentItem(rows_[static_cast<std::size_t>(node)]);
+  }
+}
+
+}  // namespace editor

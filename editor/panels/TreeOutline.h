@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include <QIcon>
+#include <QTreeWidget>
+
+#include "editor/document/PersonTree.h"
+#include "editor/look/Theme.h"
+
+namespace editor {
+
+/// A behaviour tree as an outline, read-only: one row per node with what matters of its ports.
+/// While a run is shown the mark of each row tells by shape what the node returned last, and nodes
+/// that run stand out.
+class TreeOutline : public QTreeWidget {
+  Q_OBJECT
+ public:
+  explicit TreeOutline(const Theme& theme, QWidget* parent = nullptr);
+  void setTheme(const Theme& theme);
+
+  void showTree(const PersonTree& tree);
+  /// In the order of the nodes; empty: no run is shown.
+  void showStatus(const std::vector<base::NodeStatus>& statuses);
+  int currentNode() const;  // place in nodes(), -1 = none
+  void selectNode(int node);
+  const std::vector<OutlineNode>& nodes() const { return nodes_; }
+  base::NodeStatus statusOf(int node) const;
+
+ private:
+  void paintRow(std::size_t node);
+  QIcon markOf(base::NodeStatus status) const;
+
+  Theme theme_;
+  PersonTree tree_;  // keeps what the nodes point to
+  std::vector<OutlineNode> nodes_;
+  std::vector<QTreeWidgetItem*> rows_;
+  std::vector<base::NodeStatus> statuses_;
+};
+
+/// "IsRobotVisible" -> "Is robot visible"; names of instances stay as they are.
+QString nodeTitle(const bt::NodeSpec& node);
+/// The values of a node that are constants: "5 m, 30 s".
+QString nodeValues(const bt::NodeSpec& node);
+
+}  // namespace editor

@@ -1,0 +1,233 @@
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "SmallScenario.h"
+#include "bt/human/Blocks.h"
+#include "editor/document/EditCommands.h"
+#include "editor/document/TreeFiles.h"
+#include "editor/look/HouseStyle.h"
+#include "editor/panels/BehaviorPanel.h"
+#include "editor/panels/BlockDialog.h"
+#include "editor/run/DocumentWorld.h"
+
+using editor::BehaviorPanel;
+using editor::EntityId;
+using editor::ScenarioDocument;
+
+class BehaviorPanelTest : public QObject {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<ScenarioDocument> document_;
+  std::unique_ptr<editor::SimulationRunner> runner_;
+  std::unique_ptr<BehaviorPanel> panel_;
+
+  const sim2d::Human& human(int index) const {
+    return document_->scenario().humans[static_cast<std::size_t>(index)];
+  }
+  void select(int index) { document_->setSelection({human(index).key}); }
+  int nodeCalled(const QString& title) const {
+    const std::vector<editor::OutlineNode>& nodes = panel_->outline().nodes();
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (editor::nodeTitle(*nodes[i].node) == title) {
+        return static_cast<int>(i);
+      }
+    }
+    return -1;
+  }
+  void clickNode(const QString& title) {
+    const int node = nodeCalled(title);
+    QVERIFY2(node >= 0, qPrintable(title));
+    editor::TreeOutline& tree = panel_->outline();
+    QTreeWidgetItemIterator each(&tree);
+    for (int i = 0; i < node; ++i) {
+      ++each;
+    }
+    tree.scrollToItem(*each);
+    QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, tree.visualItemRect(*each).center());
+  }
+  template <class Widget>
+  Widget* named(const QString& name) const {
+    for (Widget* each : panel_->findChildren<Widget*>()) {
+      if (each->accessibleName() == name && each->isVisible()) {
+        return each;
+      }
+    }
+    return nullptr;
+  }
+  void type(QWidget* field, const QString& text) {
+    QVERIFY(field != nullptr);
+    field->setFocus();
+    static_cast<QAbstractSpinBox*>(field)->selectAll();
+    QTest::keyClicks(field, text);
+    QTest::keyClick(field, Qt::Key_Return);
+  }
+  bt::TreeFile fileOf(int index) const {
+    return editor::personTree(*document_, human(index).key).file;
+  }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    QApplication::setStyle(new editor::HouseStyle(editor::Theme::light()));
+    QApplication::setPalette(editor::Theme::light().palette());
+  }
+  void init() {
+    document_ = std::make_unique<ScenarioDocument>();
+    document_->load(small::scenario());
+    document_->setMap(small::room());
+    runner_ = std::make_unique<editor::SimulationRunner>();
+    runner_->setRequest([this] { return editor::runRequestOf(*document_); });
+    panel_ = std::make_unique<BehaviorPanel>(*document_, *runner_, editor::Theme::light());
+    connect(runner_.get(), &editor::SimulationRunner::frameShown, panel_.get(),
+            &BehaviorPanel::showFrame);
+    panel_->resize(320, 640);
+    panel_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(panel_.get()));
+  }
+  void cleanup() {
+    panel_.reset();
+    runner_.reset();
+    document_.reset();
+  }
+
+  void person_selected_showsTheMadeTree() {
+    select(2);  // Chloe, curious
+    QCOMPARE(panel_->outline().topLevelItemCount(), 1);
+    QCOMPARE(panel_->outline().topLevelItem(0)->text(0), QStringLiteral("CuriousFallback"));
+    QVERIFY(nodeCalled(QStringLiteral("Approach robot")) > 0);
+    QVERIFY(nodeCalled(QStringLiteral("Update goal")) > 0);  // of the included tree
+    QVERIFY(!document_->tree(human(2).key));
+    document_->setSelection({});
+    QVERIFY(!panel_->person());
+  }
+
+  void port_typed_makesAnOwnTreeAndUndoes() {
+    select(2);
+    clickNode(QStringLiteral("Is robot visible"));
+    type(named<editor::NumberField>(QStringLiteral("distance")), QStringLiteral("7.5"));
+    QVERIFY(document_->tree(human(2).key));
+    const bt::TreeFile file = fileOf(2);
+    const bt::NodeSpec& reaction = file.trees[0].root.children[1];
+    QCOMPARE(*bt::findText(reaction.children[0].ports, "distance"), std::string("7.5"));
+    document_->undoStack().undo();
+    QVERIFY(!document_->tree(human(2).key));
+  }
+
+  void port_ofAnIncludedTree_cannotBeEdited() {
+    select(2);
+    clickNode(QStringLiteral("Update goal"));
+    const auto* field = named<editor::TextField>(QStringLiteral("agent_id"));
+    QVERIFY(field != nullptr);
+    QVERIFY(!field->isEnabled());
+  }
+
+  void blockDialog_addsToSeveralPeopleInOneStep() {
+    document_->setSelection({human(0).key, human(2).key});
+    editor::BlockDialog dialog(*document_, editor::Theme::light());
+    dialog.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+    QListWidget& kinds = dialog.kinds();
+    QTest::mouseClick(kinds.viewport(), Qt::LeftButton, {},
+                      kinds.visualItemRect(kinds.item(8)).center());
+    dialog.accept();
+    for (const int person : {0, 2}) {
+      const bt::TreeFile file = fileOf(person);
+      const std::vector<bt::Block> blocks = bt::blocksOf(file.trees[0]);
+      QCOMPARE(blocks.size(), std::size_t(1));
+      QCOMPARE(blocks[0].id, std::string("GreetingInitiator"));
+    }
+    QVERIFY(!document_->tree(human(1).key));
+    QCOMPARE(document_->undoStack().count(), 1);
+    document_->undoStack().undo();
+    QVERIFY(!document_->tree(human(0).key));
+    QVERIFY(!document_->tree(human(2).key));
+  }
+
+  void block_chosen_isEditedOrderedAndRemoved() {
+    select(2);
+    editor::pushAddBlock(*document_, {human(2).key}, {"GreetingInitiator", {}});
+    editor::pushAddBlock(*document_, {human(2).key}, {"RobotAvoidance", {}});
+    clickNode(QStringLiteral("RobotAvoidanceBlock"));
+    type(named<editor::NumberField>(QStringLiteral("Stops within")), QStringLiteral("3.25"));
+    const auto blocks = [this] {
+      const bt::TreeFile file = fileOf(2);
+      return bt::blocksOf(file.trees[0]);
+    };
+    QCOMPARE(blocks()[1].value("stop"), std::string("3.25"));
+    QTest::mouseClick(named<QToolButton>(QStringLiteral("Before the block above")), Qt::LeftButton);
+    QCOMPARE(blocks()[0].id, std::string("RobotAvoidance"));
+    QTest::mouseClick(named<QToolButton>(QStringLiteral("Remove the block")), Qt::LeftButton);
+    QCOMPARE(blocks().size(), std::size_t(1));
+    clickNode(QStringLiteral("GreetingInitiatorBlock"));
+    QTest::mouseClick(named<QToolButton>(QStringLiteral("Remove the block")), Qt::LeftButton);
+    QVERIFY(!document_->tree(human(2).key));  // it is what behaviour and goals make again
+  }
+
+  void treeWithBlocks_followsBehaviourAndGoals() {
+    editor::pushAddBlock(*document_, {human(2).key}, {"GreetingInitiator", {}});
+    editor::pushRoute(*document_, {human(2).key}, {3});
+    QVERIFY(editor::personTree(*document_, human(2).key).isMadeWithBlocks);
+    editor::pushChange<sim2d::Human>(
+        *document_, human(2).key, QStringLiteral("Scared"),
+        [](sim2d::Human& person) { person.behavior.type = sim2d::BehaviorType::Scared; });
+    const bt::TreeFile file = fileOf(2);
+    QCOMPARE(file.mainTree, std::string("ScaredNavTree"));
+    QCOMPARE(bt::blocksOf(file.trees[0]).size(), std::size_t(1));
+    document_->undoStack().undo();
+    document_->undoStack().undo();
+    QCOMPARE(human(2).goals, (std::vector<int>{2, 1, 3}));
+    QCOMPARE(fileOf(2).mainTree, std::string("CuriousNavTree"));
+    QVERIFY(editor::personTree(*document_, human(2).key).isMadeWithBlocks);
+  }
+
+  void ownTree_withOtherGoals_takesTheRoute() {
+    select(2);
+    clickNode(QStringLiteral("Is robot visible"));
+    type(named<editor::NumberField>(QStringLiteral("distance")), QStringLiteral("7.5"));
+    editor::pushRoute(*document_, {human(2).key}, {3});
+    QVERIFY(editor::personTree(*document_, human(2).key).hasOtherGoals);
+    QTest::mouseClick(named<QToolButton>(QStringLiteral("Put the route into the tree")),
+                      Qt::LeftButton);
+    QVERIFY(!editor::personTree(*document_, human(2).key).hasOtherGoals);
+  }
+
+  void tree_savedAndTaken_isTheSame() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("own.xml"));
+    select(2);
+    QVERIFY(panel_->saveTreeTo(path).empty());
+    QVERIFY(QFile::exists(folder.filePath(QStringLiteral("BTRegularNav.xml"))));
+    select(0);
+    QVERIFY(!base::hasErrors(panel_->takeTreeFrom(path)));
+    QCOMPARE(fileOf(0).mainTree, std::string("CuriousNavTree"));
+    QFile broken(path);
+    QVERIFY(broken.open(QIODevice::WriteOnly));
+    broken.write("<root");
+    broken.close();
+    QVERIFY(base::hasErrors(panel_->takeTreeFrom(path)));
+    QCOMPARE(fileOf(0).mainTree, std::string("CuriousNavTree"));
+  }
+
+  void run_marksWhatEachNodeReturned() {
+    select(0);  // Ana walks to goal 1
+    QCOMPARE(panel_->outline().statusOf(0), base::NodeStatus::Idle);
+    for (int i = 0; i < 10; ++i) {
+      runner_->stepOnce();
+    }
+    QTRY_VERIFY(runner_->newestFrame() && runner_->newestFrame()->step >= 10);
+    QTRY_VERIFY(panel_->outline().statusOf(nodeCalled(QStringLiteral("Regular nav"))) ==
+                base::NodeStatus::Success);
+    QCOMPARE(panel_->outline().statusOf(nodeCalled(QStringLiteral("Is goal reached"))),
+             base::NodeStatus::Failure);
+    runner_->seek(0);
+    QTRY_VERIFY(runner_->shownFrame()->step == 0);
+    QCOMPARE(panel_->outline().statusOf(nodeCalled(QStringLiteral("Regular nav"))),
+             base::NodeStatus::Idle);
+    runner_->reset();
+    QCOMPARE(panel_->outline().statusOf(nodeCalled(QStringLiteral("Regular nav"))),
+             base::NodeStatus::Idle);
+  }
+};
+
+QTEST_MAIN(BehaviorPanelTest)
+#include "tst_BehaviorPanel.moc"

@@ -1,0 +1,132 @@
+#include <QtTest>
+
+#include "Drops.h"
+#include "SmallScenario.h"
+#include "editor/document/EditCommands.h"
+#include "editor/document/Groups.h"
+#include "editor/look/HouseStyle.h"
+#include "editor/panels/ScenarioPanel.h"
+
+using editor::EntityId;
+using editor::EntityKind;
+using editor::ScenarioDocument;
+using editor::ScenarioPanel;
+
+class ScenarioPanelTest : public QObject {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<ScenarioDocument> document_;
+  std::unique_ptr<ScenarioPanel> panel_;
+
+  const sim2d::Scenario& scenario() const { return document_->scenario(); }
+  QModelIndex rowOf(EntityId id) const {
+    const auto* filter = static_cast<const editor::EntityFilter*>(panel_->tree().model());
+    return filter->indexOf(id);
+  }
+  QRect placeOf(EntityId id) const { return panel_->tree().visualRect(rowOf(id)); }
+  std::vector<std::string> names() const {
+    std::vector<std::string> result;
+    for (const sim2d::Human& human : scenario().humans) {
+      result.push_back(human.name);
+    }
+    return result;
+  }
+ private Q_SLOTS:
+  void initTestCase() {
+    QApplication::setStyle(new editor::HouseStyle(editor::Theme::light()));
+    QApplication::setPalette(editor::Theme::light().palette());
+  }
+  void init() {
+    document_ = std::make_unique<ScenarioDocument>();
+    document_->load(small::scenario());
+    panel_ = std::make_unique<ScenarioPanel>(*document_, editor::Theme::light());
+    panel_->resize(260, 520);
+    panel_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(panel_.get()));
+  }
+  void cleanup() {
+    panel_.reset();
+    document_.reset();
+  }
+
+  void filter_typed_keepsWhatFits() {
+    QTest::keyClicks(&panel_->filter(), QStringLiteral("curious"));
+    QVERIFY(rowOf({EntityKind::Human, 3}).isValid());
+    QVERIFY(!rowOf({EntityKind::Human, 1}).isValid());
+    QTest::keyClick(&panel_->filter(), Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClick(&panel_->filter(), Qt::Key_Delete);
+    QVERIFY(rowOf({EntityKind::Human, 1}).isValid());
+  }
+
+  void name_typedInPlace_renamesAndUndoes() {
+    QTreeView& tree = panel_->tree();
+    const EntityId ben{EntityKind::Human, 2};
+    QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, placeOf(ben).center());
+    QTest::keyClick(&tree, Qt::Key_F2);
+    auto* field = tree.findChild<QLineEdit*>();
+    QVERIFY(field != nullptr);
+    QTest::keyClicks(field, QStringLiteral("Bea"));
+    QTest::keyClick(field, Qt::Key_Return);
+    QTRY_COMPARE(scenario().humans[1].name, std::string("Bea"));
+    document_->undoStack().undo();
+    QCOMPARE(scenario().humans[1].name, std::string("Ben"));
+  }
+
+  void row_dragged_reordersAndUndoes() {
+    const QRect first = placeOf({EntityKind::Human, 1});
+    dropRows(panel_->tree(), {rowOf({EntityKind::Human, 4})}, panel_->tree(),
+             first.topLeft() + QPoint(40, 1), Qt::MoveAction);
+    QCOMPARE(names(), (std::vector<std::string>{"Emma", "Ana", "Ben", "Chloe", "Farid", "Greta"}));
+    QCOMPARE(document_->undoStack().count(), 1);
+    document_->undoStack().undo();
+    QVERIFY(scenario() == small::scenario());
+  }
+
+  void reorder_severalRows_keepTheirOrder() {
+    editor::pushReorder(*document_, {{EntityKind::Human, 5}, {EntityKind::Human, 2}}, 4);
+    QCOMPARE(names(), (std::vector<std::string>{"Ana", "Chloe", "Emma", "Ben", "Farid", "Greta"}));
+    document_->undoStack().undo();
+    editor::pushReorder(*document_, {{EntityKind::Human, 1}, {EntityKind::Human, 3}}, 99);
+    QCOMPARE(names(), (std::vector<std::string>{"Ben", "Emma", "Farid", "Greta", "Ana", "Chloe"}));
+    document_->undoStack().undo();
+    QVERIFY(scenario() == small::scenario());
+  }
+
+  void eye_clicked_switchesOffAndOn() {
+    const EntityId ben{EntityKind::Human, 2};
+    QTreeView& tree = panel_->tree();
+    const auto eye = [&] { return editor::EntityRowDelegate::eyeOf(placeOf(ben)).center(); };
+    QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, eye());
+    QCOMPARE(names().back(), std::string("Ben"));  // behind the others, as in the file
+    QVERIFY(!scenario().humans.back().listed);
+    tree.scrollTo(rowOf(ben));
+    QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, eye());
+    QVERIFY(scenario().humans.back().listed);
+    document_->undoStack().undo();
+    document_->undoStack().undo();
+    QVERIFY(scenario() == small::scenario());
+  }
+
+  void groups_madeNamedLeftDissolved_areUndoable() {
+    const std::vector<EntityId> both = {{EntityKind::Human, 1}, {EntityKind::Human, 3}};
+    const int group = editor::pushGroup(*document_, both);
+    QCOMPARE(editor::groupsOf(scenario()).at(group), both);
+    editor::pushGroupName(*document_, group, "family");
+    QCOMPARE(editor::groupName(scenario(), group), QStringLiteral("family"));
+    editor::pushJoin(*document_, {both[0]}, -1);
+    QCOMPARE(editor::groupsOf(scenario()).at(group).size(), std::size_t(1));
+    editor::pushDissolve(*document_, group);
+    QVERIFY(editor::groupsOf(scenario()).empty());
+    QVERIFY(scenario().desktop.groups.empty());
+    while (document_->undoStack().canUndo()) {
+      document_->undoStack().undo();
+    }
+    QVERIFY(scenario() == small::scenario());
+    QVERIFY(editor::groupColor(1, editor::Theme::light()) !=
+            editor::groupColor(2, editor::Theme::light()));
+  }
+};
+
+QTEST_MAIN(ScenarioPanelTest)
+#include "tst_ScenarioPanel.moc"
