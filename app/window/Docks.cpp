@@ -4,6 +4,7 @@
 #include <QToolBar>
 
 #include "app/window/DockTitle.h"
+#include "editor/panels/BehaviorPanel.h"
 #include "editor/panels/EventsPanel.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/MetricsChoicePanel.h"
@@ -31,6 +32,8 @@ Docks::Docks(QMainWindow& window, Workspace& workspace)
       choice_(new editor::MetricsChoicePanel(workspace.document(), workspace.feed(),
                                              workspace.theme())),
       properties_(new editor::PropertyPanel(workspace.document(), workspace.theme())),
+      behavior_(
+          new editor::BehaviorPanel(workspace.document(), workspace.runner(), workspace.theme())),
       issues_(new editor::IssuesPanel(workspace.document(), workspace.theme())),
       metrics_(new editor::MetricsDock(workspace.feed(), workspace.runner(), workspace.theme())),
       events_(new editor::EventsPanel(workspace.events(), workspace.runner(), workspace.theme())),
@@ -44,6 +47,7 @@ Docks::Docks(QMainWindow& window, Workspace& workspace)
   add(Qt::LeftDockWidgetArea, tr("Scenario"), scenario_, false);
   add(Qt::LeftDockWidgetArea, tr("Measure"), choice_, false);
   add(Qt::RightDockWidgetArea, tr("Properties"), properties_, true);
+  add(Qt::RightDockWidgetArea, tr("Behaviour"), behavior_, true);
   add(Qt::BottomDockWidgetArea, tr("Issues"), issues_, true);
   add(Qt::BottomDockWidgetArea, tr("Metrics"), metrics_, true);
   add(Qt::BottomDockWidgetArea, tr("Events"), events_, true);
@@ -59,6 +63,9 @@ Docks::Docks(QMainWindow& window, Workspace& workspace)
           [this](int count) { showCount(dock(QStringLiteral("events")), tr("Events"), count); });
   connect(&workspace_.runner(), &editor::SimulationRunner::frameShown, properties_,
           &editor::PropertyPanel::showFrame);
+  connect(&workspace_.runner(), &editor::SimulationRunner::frameShown, behavior_,
+          &editor::BehaviorPanel::showFrame);
+  connect(behavior_, &editor::BehaviorPanel::told, issues_, &editor::IssuesPanel::setActionIssues);
   connect(choice_, &editor::MetricsChoicePanel::saved, issues_,
           &editor::IssuesPanel::setActionIssues);
   connect(&workspace_.runner(), &editor::SimulationRunner::stateChanged, this,
@@ -153,6 +160,7 @@ void Docks::setTheme(const editor::Theme& theme) {
   scenario_->setTheme(theme);
   choice_->setTheme(theme);
   properties_->setTheme(theme);
+  behavior_->setTheme(theme);
   issues_->setTheme(theme);
   metrics_->setTheme(theme);
   events_->setTheme(theme);

@@ -10,6 +10,7 @@
 #include "app/window/Workspace.h"
 
 namespace editor {
+class BehaviorPanel;
 class EventsPanel;
 class IssuesPanel;
 class MetricsChoicePanel;
@@ -21,8 +22,8 @@ class TimelineBar;
 
 namespace app {
 
-/// The panels around the canvas: left Scenario, right Properties, below Issues, Metrics and Events
-/// as tabs between them, and the timeline over the whole width.
+/// The panels around the canvas: left Scenario, right Properties and Behaviour, below Issues,
+/// Metrics and Events as tabs between them, and the timeline over the whole width.
 class Docks : public QObject {
   Q_OBJECT
  public:
@@ -43,6 +44,7 @@ class Docks : public QObject {
 
   editor::ScenarioPanel& scenario() const { return *scenario_; }
   editor::PropertyPanel& properties() const { return *properties_; }
+  editor::BehaviorPanel& behavior() const { return *behavior_; }
   editor::IssuesPanel& issues() const { return *issues_; }
   editor::MetricsDock& metrics() const { return *metrics_; }
   editor::EventsPanel& events() const { return *events_; }
@@ -58,6 +60,7 @@ class Docks : public QObject {
   editor::ScenarioPanel* scenario_;
   editor::MetricsChoicePanel* choice_;
   editor::PropertyPanel* properties_;
+  editor::BehaviorPanel* behavior_;
   editor::IssuesPanel* issues_;
   editor::MetricsDock* metrics_;
   editor::EventsPanel* events_;

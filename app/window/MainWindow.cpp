@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDir>
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -11,8 +12,10 @@
 #include "app/window/StatusLine.h"
 #include "app/window/ToolBars.h"
 #include "editor/look/Icons.h"
+#include "editor/panels/GoalAssignment.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/ScenarioPanel.h"
+#include "editor/panels/TextViewer.h"
 
 namespace app {
 
@@ -26,6 +29,7 @@ constexpr const char* kThemeKey = "window/theme";
 constexpr int kLayoutVersion = 1;
 constexpr int kSavedWidth = 120;
 constexpr int kMenuHeight = 28;
+constexpr int kMessageMs = 8000;
 
 }  // namespace
 
@@ -156,6 +160,13 @@ void MainWindow::connectView() {
           &editor::MapView::centerOnEntity);
   connect(&docks_->issues(), &editor::IssuesPanel::entityWanted, &workspace_.view(),
           &editor::MapView::centerOnEntity);
+  connect(&docks_->issues(), &editor::IssuesPanel::fileWanted, this, &MainWindow::showFile);
+  const auto assign = [this] {
+    editor::openGoalAssignment(workspace_.document(), workspace_.theme(), this);
+  };
+  connect(actions_->assignGoals, &QAction::triggered, this, assign);
+  connect(&docks_->scenario(), &editor::ScenarioPanel::goalsWanted, this, assign);
+  connect(&docks_->issues(), &editor::IssuesPanel::goalsWanted, this, assign);
 }
 
 void MainWindow::connectRun() {
@@ -212,6 +223,9 @@ void MainWindow::setTheme(const editor::Theme& theme) {
   docks_->setTheme(theme);
   startPage_->setTheme(theme);
   status_->setTheme();
+  if (viewer_ != nullptr) {
+    viewer_->setTheme(theme);
+  }
 }
 
 void MainWindow::showFullScreenMap(bool on) {
@@ -232,6 +246,20 @@ void MainWindow::tellAbout() {
                      tr("<b>HuNavSim Desktop %1</b><br>Scenarios for human-aware navigation: draw, "
                         "simulate, measure.")
                          .arg(QApplication::applicationVersion()));
+}
+
+/// A name without a folder is one beside the scenario.
+void MainWindow::showFile(const QString& file, int line) {
+  if (viewer_ == nullptr) {
+    viewer_ = new editor::TextViewer(workspace_.theme(), this);
+  }
+  const QFileInfo scenario(workspace_.document().path());
+  const bool there = QFileInfo::exists(file) || scenario.path().isEmpty();
+  const QString problem =
+      viewer_->showFile(there ? file : scenario.absoluteDir().filePath(file), line);
+  if (!problem.isEmpty()) {
+    statusBar()->showMessage(problem, kMessageMs);
+  }
 }
 
 void MainWindow::remember() {

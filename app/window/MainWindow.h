@@ -14,6 +14,10 @@
 #include "app/window/Workspace.h"
 #include "editor/look/HouseStyle.h"
 
+namespace editor {
+class TextViewer;
+}  // namespace editor
+
 namespace app {
 
 class StatusLine;
@@ -39,6 +43,7 @@ class MainWindow : public QMainWindow {
   Docks& docks() { return *docks_; }
   FileCommands& files() { return *files_; }
   WindowActions& actions() { return *actions_; }
+  editor::TextViewer* viewer() const { return viewer_; }  // null before its first use
   bool open(const QString& path) { return files_->openFile(path); }
   void setTheme(const editor::Theme& theme);
   bool isOnStartPage() const;
@@ -57,6 +62,7 @@ class MainWindow : public QMainWindow {
   void showTitle();
   void showFullScreenMap(bool on);
   void tellAbout();
+  void showFile(const QString& file, int line);
   void remember();
   void recallDocks();
 
@@ -73,6 +79,7 @@ class MainWindow : public QMainWindow {
   QToolBar* toolBar_;
   QMenu* recent_ = nullptr;
   QLabel* saved_;
+  editor::TextViewer* viewer_ = nullptr;
 };
 
 /// Gives the application style, palette and font of the theme.

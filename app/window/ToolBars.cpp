@@ -102,7 +102,7 @@ Menus makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& action
   edit->addSeparator();
   edit->addActions({actions.copy, actions.paste, actions.duplicate, actions.remove});
   edit->addSeparator();
-  edit->addActions({actions.selectAll, actions.deselect});
+  edit->addActions({actions.selectAll, actions.deselect, actions.next, actions.previous});
 
   QMenu* view = menus.view = bar.addMenu(QObject::tr("&View"));
   view->addActions({actions.zoomIn, actions.zoomOut, actions.zoomFit});
@@ -121,7 +121,7 @@ Menus makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& action
   QMenu* scenario = bar.addMenu(QObject::tr("&Scenario"));
   scenario->addActions(workspace.tools().actions().actions());
   scenario->addSeparator();
-  scenario->addActions({actions.openMap, actions.settings});
+  scenario->addActions({actions.assignGoals, actions.openMap, actions.settings});
 
   QMenu* run = bar.addMenu(QObject::tr("&Run"));
   run->addActions({workspace.playback().playPause(), workspace.playback().step(),

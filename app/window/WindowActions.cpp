@@ -52,6 +52,8 @@ void WindowActions::makeFileActions() {
   quit = make(tr("&Quit"), {}, QKeySequence(Qt::CTRL | Qt::Key_Q), tr("Leave the program"));
   openMap = make(tr("Change &map…"), QStringLiteral("start-map"), {},
                  tr("Put another map under the scenario"));
+  assignGoals = make(tr("Assign &goals…"), {}, QKeySequence(Qt::CTRL | Qt::Key_G),
+                     tr("Which people visit which goals, in which order"));
   settings = make(tr("Scenario &settings"), {}, QKeySequence(Qt::CTRL | Qt::Key_Comma),
                   tr("Seed, duration and what belongs to the whole scenario"));
   about = make(tr("&About"), {}, {}, tr("Version and licence"));
@@ -74,6 +76,14 @@ void WindowActions::makeEditActions() {
   selectAll = make(tr("Select &all"), {}, QKeySequence::SelectAll, tr("Everything on the map"));
   deselect = make(tr("Select &nothing"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A),
                   tr("Clear the selection"));
+  next = make(tr("&Next"), {}, QKeySequence(Qt::Key_PageDown),
+              tr("The next person, or the next of the kind that is selected"));
+  previous = make(tr("Pre&vious"), {}, QKeySequence(Qt::Key_PageUp),
+                  tr("The previous person, or the previous of the kind that is selected"));
+  for (QAction* action : {next, previous}) {  // lists scroll by the same keys
+    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    workspace_.view().addAction(action);
+  }
 }
 
 QAction* WindowActions::overlay(const QString& text, const QString& icon,
@@ -151,10 +161,32 @@ void WindowActions::connectEditing() {
   });
   connect(deselect, &QAction::triggered, this, [&document] { document.setSelection({}); });
   connect(settings, &QAction::triggered, this, [&document] { document.setSelection({}); });
+  connect(next, &QAction::triggered, this, [this] { selectNext(1); });
+  connect(previous, &QAction::triggered, this, [this] { selectNext(-1); });
   connect(&document, &editor::ScenarioDocument::selectionChanged, this,
           &WindowActions::followSelection);
   connect(&workspace_.runner(), &editor::SimulationRunner::stateChanged, this,
           &WindowActions::followSelection);
+}
+
+void WindowActions::selectNext(int by) {
+  editor::ScenarioDocument& document = workspace_.document();
+  const std::vector<EntityId>& selection = document.selection();
+  const auto kind = selection.empty() ? base::EntityKind::Human : selection.back().kind;
+  const std::vector<EntityId> all = document.entities(kind);
+  if (all.empty()) {
+    return;
+  }
+  const int count = static_cast<int>(all.size());
+  const int at = selection.empty() ? (by > 0 ? -1 : 0) : document.indexOf(selection.back());
+  const EntityId wanted = all[static_cast<std::size_t>((at + by + count) % count)];
+  document.setSelection({wanted});
+  const std::optional<editor::Entity> value = document.entity(wanted);
+  const std::optional<base::Vec2> place = value ? editor::positionOf(*value) : std::nullopt;
+  if (place &&
+      !workspace_.view().viewport()->rect().contains(workspace_.view().viewportFrom(*place))) {
+    workspace_.view().centerOnEntity(wanted);
+  }
 }
 
 void WindowActions::pasteEntities() {
@@ -175,6 +207,7 @@ void WindowActions::followSelection() {
   remove->setEnabled(any && editing);
   paste->setEnabled(editing && !clipboard_.empty());
   openMap->setEnabled(editing);
+  assignGoals->setEnabled(editing);
 }
 
 void WindowActions::setTheme(const editor::Theme& theme) {

@@ -18,8 +18,9 @@ class WindowActions : public QObject {
 
   QAction *newRoom, *newFromMap, *open, *save, *saveAs, *close, *quit;
   QAction *undo, *redo, *copy, *paste, *duplicate, *remove, *selectAll, *deselect;
+  QAction *next, *previous;  // person, or thing of the kind that is selected
   QAction *zoomIn, *zoomOut, *zoomFit, *fullScreen, *resetLayout, *switchTheme, *systemTheme;
-  QAction *openMap, *settings, *about;
+  QAction *openMap, *assignGoals, *settings, *about;
   /// Overlays of the canvas, checkable.
   const std::vector<QAction*>& overlays() const { return overlays_; }
   QAction *names, *routes, *grid, *rulers, *trails, *rings, *forces;
@@ -35,6 +36,7 @@ class WindowActions : public QObject {
   void connectEditing();
   void followSelection();
   void pasteEntities();
+  void selectNext(int by);
 
   Workspace& workspace_;
   std::vector<std::pair<QAction*, QString>> icons_;
