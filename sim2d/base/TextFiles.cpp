@@ -3,10 +3,12 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 
+#include "sim2d/base/FileSet.h"
 #include "sim2d/base/Text.h"
 
 namespace base {
@@ -32,8 +34,10 @@ class NewFile {
   NewFile& operator=(NewFile&&) = delete;
   ~NewFile() {
     close();
-    if (!name_.empty()) {
-      ::unlink(name_.c_str());
+    for (const std::string& name : {name_, old_}) {
+      if (!name.empty()) {
+        ::unlink(name.c_str());
+      }
     }
   }
 
@@ -72,6 +76,35 @@ class NewFile {
     return {};
   }
 
+  /// The file that stands there gets a second name until this object ends.
+  std::error_code keepOld() {
+    std::error_code error;
+    if (!fs::exists(target_, error)) {
+      return error;
+    }
+    const std::string name = name_ + "-old";
+    fs::create_hard_link(target_, name, error);
+    if (error) {  // not every file system has them
+      fs::copy_file(target_, name, error);
+    }
+    if (!error) {
+      old_ = name;
+    }
+    return error;
+  }
+
+  /// After putInPlace: as it was before.
+  std::error_code takeBack() {
+    if (old_.empty()) {
+      return ::unlink(target_.c_str()) == 0 ? std::error_code() : lastError();
+    }
+    if (::rename(old_.c_str(), target_.c_str()) != 0) {
+      return lastError();
+    }
+    old_.clear();
+    return {};
+  }
+
  private:
   /// A file that is replaced keeps its permissions.
   std::error_code keepMode() const {
@@ -90,8 +123,43 @@ class NewFile {
 
   fs::path target_;
   std::string name_;
+  std::string old_;  // second name of the file that was replaced
   int descriptor_ = -1;
 };
+
+/// The file that is meant: what a symbolic link points at, so that the link stays.
+fs::path targetOf(const std::string& path) {
+  std::error_code error;
+  if (fs::is_symlink(path, error)) {
+    const fs::path real = fs::weakly_canonical(path, error);
+    return error ? fs::path(path) : real;
+  }
+  return path;
+}
+
+/// The content on the disk under a name of its own.
+Diagnostics prepare(const FileContent& file, std::vector<std::unique_ptr<NewFile>>& made) {
+  const fs::path target = targetOf(file.path);
+  std::error_code error;
+  if (file.path.empty() || fs::is_directory(target, error)) {
+    return {fileError("cannot write the file", file.path,
+                      std::make_error_code(file.path.empty() ? std::errc::no_such_file_or_directory
+                                                             : std::errc::is_a_directory))};
+  }
+  if (target.has_parent_path()) {
+    error.clear();
+    fs::create_directories(target.parent_path(), error);
+    if (error) {
+      return {fileError("cannot make the folder", target.parent_path().string(), error)};
+    }
+  }
+  made.push_back(std::make_unique<NewFile>(target));
+  error = made.back()->open();
+  if (!error) {
+    error = made.back()->write(file.content);
+  }
+  return error ? Diagnostics{fileError("cannot write the file", file.path, error)} : Diagnostics();
+}
 
 }  // namespace
 
@@ -118,36 +186,37 @@ Result<std::string> readTextFile(const std::string& path) {
 }
 
 Diagnostics writeFileAtomically(const std::string& path, std::string_view content) {
-  std::error_code error;
-  fs::path target = path;
-  if (fs::is_symlink(target, error)) {  // the link stays, what it points at is replaced
-    const fs::path real = fs::weakly_canonical(target, error);
-    target = error ? target : real;
+  return writeFilesTogether({{path, std::string(content)}});
+}
+
+Diagnostics writeFilesTogether(const std::vector<FileContent>& files) {
+  Diagnostics problems;
+  std::vector<std::unique_ptr<NewFile>> made;
+  for (const FileContent& file : files) {
+    append(problems, prepare(file, made));
   }
-  if (path.empty() || fs::is_directory(target, error)) {
-    return {fileError("cannot write the file", path,
-                      std::make_error_code(path.empty() ? std::errc::no_such_file_or_directory
-                                                        : std::errc::is_a_directory))};
+  if (!problems.empty()) {
+    return problems;
   }
-  if (target.has_parent_path()) {
-    error.clear();
-    fs::create_directories(target.parent_path(), error);
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    std::error_code error;
+    if (i + 1 < made.size()) {  // nothing can go wrong any more after the last one
+      error = made[i]->keepOld();
+    }
+    if (!error) {
+      error = made[i]->putInPlace();
+    }
     if (error) {
-      return {fileError("cannot make the folder", target.parent_path().string(), error)};
+      problems.push_back(fileError("cannot write the file", files[i].path, error));
+      for (std::size_t done = i; done-- > 0;) {
+        if (const std::error_code lost = made[done]->takeBack()) {
+          problems.push_back(fileError("cannot put the old file back", files[done].path, lost));
+        }
+      }
+      break;
     }
   }
-  NewFile file(target);
-  error = file.open();
-  if (!error) {
-    error = file.write(content);
-  }
-  if (!error) {
-    error = file.putInPlace();
-  }
-  if (error) {
-    return {fileError("cannot write the file", path, error)};
-  }
-  return {};
+  return problems;
 }
 
 }  // namespace base

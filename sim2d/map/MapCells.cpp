@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/map/MapFiles.h"
 #include "sim2d/map/MapReader.h"
 
 namespace sim2d {
@@ -125,9 +126,10 @@ OccupancyGrid gridFromImage(const MapImage& image, const MapDescription& descrip
                        std::move(cells));
 }
 
-base::Diagnostics writeMap(const OccupancyGrid& grid, const std::string& yamlPath) {
+base::Result<std::vector<base::FileContent>> mapFileContents(const OccupancyGrid& grid,
+                                                             const std::string& yamlPath) {
   if (grid.isEmpty()) {
-    return {base::makeError("a map without cells cannot be written", yamlPath)};
+    return base::makeError("a map without cells cannot be written", yamlPath);
   }
   const std::filesystem::path path(yamlPath);
   const std::string name = path.stem().string() + ".pgm";
@@ -137,12 +139,13 @@ base::Diagnostics writeMap(const OccupancyGrid& grid, const std::string& yamlPat
                            "\norigin: [" + withPoint(origin.position.x()) + ", " +
                            withPoint(origin.position.y()) + ", " + withPoint(origin.heading) +
                            "]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
-  base::Diagnostics problems =
-      base::writeFileAtomically((path.parent_path() / name).string(), pgmText(grid));
-  if (!base::hasErrors(problems)) {
-    base::append(problems, base::writeFileAtomically(yamlPath, text));
-  }
-  return problems;
+  return std::vector<base::FileContent>{{(path.parent_path() / name).string(), pgmText(grid)},
+                                        {yamlPath, text}};
+}
+
+base::Diagnostics writeMap(const OccupancyGrid& grid, const std::string& yamlPath) {
+  const base::Result<std::vector<base::FileContent>> files = mapFileContents(grid, yamlPath);
+  return files ? base::writeFilesTogether(*files) : files.diagnostics();
 }
 
 }  // namespace sim2d

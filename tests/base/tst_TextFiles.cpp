@@ -5,6 +5,7 @@
 
 #include <QtTest>
 
+#include "sim2d/base/FileSet.h"
 #include "sim2d/base/Text.h"
 
 class TextFilesTest : public QObject {
@@ -21,6 +22,9 @@ class TextFilesTest : public QObject {
   void write_emptyPath_isAnError();
   void write_noPermission_isAnErrorAndKeepsTheOldFile();
   void write_relativePath_goesToTheCurrentFolder();
+  void together_allFine_allAreWritten();
+  void together_oneCannotBeWritten_nothingChanges_data();
+  void together_oneCannotBeWritten_nothingChanges();
   void read_missingOrDirectory_isAnErrorNamingTheFile();
 
  private:
@@ -118,6 +122,36 @@ void TextFilesTest::write_relativePath_goesToTheCurrentFolder() {
   QVERIFY(QDir::setCurrent(before));
   QVERIFY(errors.empty());
   QVERIFY(*base::readTextFile(at("here.txt")) == "x");
+}
+
+void TextFilesTest::together_allFine_allAreWritten() {
+  QVERIFY(base::writeFileAtomically(at("one"), "old").empty());
+  QVERIFY(
+      base::writeFilesTogether({{at("one"), "1"}, {at("two"), "2"}, {at("a/three"), "3"}}).empty());
+  QVERIFY(*base::readTextFile(at("one")) == "1");
+  QVERIFY(*base::readTextFile(at("two")) == "2");
+  QVERIFY(*base::readTextFile(at("a/three")) == "3");
+  QCOMPARE(fileCount(), 3);
+  QVERIFY(base::writeFilesTogether({}).empty());
+}
+
+void TextFilesTest::together_oneCannotBeWritten_nothingChanges_data() {
+  QTest::addColumn<QByteArray>("bad");
+  QTest::newRow("folder") << QByteArray("folder");
+  QTest::newRow("below a file") << QByteArray("old/below");
+  QTest::newRow("twice the same, a folder by then") << QByteArray("new/below");
+}
+
+void TextFilesTest::together_oneCannotBeWritten_nothingChanges() {
+  QFETCH(QByteArray, bad);
+  QVERIFY(QDir(folder_->path()).mkdir(QStringLiteral("folder")));
+  QVERIFY(base::writeFileAtomically(at("old"), "old").empty());
+  const base::Diagnostics problems = base::writeFilesTogether(
+      {{at("old"), "changed"}, {at("new"), "new"}, {at(bad.constData()), "x"}});
+  QVERIFY(base::hasErrors(problems));
+  QVERIFY(*base::readTextFile(at("old")) == "old");
+  QVERIFY(!QFile::exists(folder_->filePath(QStringLiteral("new"))) ||
+          QFileInfo(folder_->filePath(QStringLiteral("new"))).isDir());
 }
 
 void TextFilesTest::read_missingOrDirectory_isAnErrorNamingTheFile() {
