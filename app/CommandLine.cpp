@@ -16,6 +16,7 @@
 #include "app/commands/Commands.h"
 #include "app/window/WindowCommand.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/scenario/Export.h"
 
 namespace app {
 
@@ -33,6 +34,7 @@ struct Words {
   BatchOptions batch;
   ValidateOptions validate;
   TreesOptions trees;
+  ConvertOptions convert;
   BenchOptions bench;
 };
 
@@ -190,6 +192,32 @@ CLI::App* addTrees(CLI::App& root, Words& words) {
   return command;
 }
 
+CLI::App* addConvert(CLI::App& root, Words& words) {
+  CLI::App* command =
+      root.add_subcommand("convert", "Write scenario, trees and map for another simulator");
+  ConvertOptions& convert = words.convert;
+  std::vector<std::string> targets;
+  for (const sim2d::TargetInfo& target : sim2d::exportTargets()) {
+    targets.push_back(target.name);
+  }
+  command->add_option("scenario", convert.scenario, "Scenario file, of any dialect")
+      ->required()
+      ->transform(scenarioFile);
+  command->add_option("-o,--output", convert.output, "Folder for scenarios, behavior_trees, maps")
+      ->required();
+  command->add_option("--target", convert.target, "Simulator that is to read it")
+      ->required()
+      ->check(CLI::IsMember(targets));
+  command->add_option("--dialect", convert.dialect, "B or C instead of what the target reads")
+      ->check(CLI::IsMember({"B", "C"}));
+  command->add_option("--style", convert.style, "Of trees that are missing: corrected or hunav2")
+      ->check(CLI::IsMember({"corrected", "hunav2"}));
+  command->add_option("--map", convert.map, "Map to use instead of the scenario's");
+  command->add_option("--trees", convert.trees, "Folder with the behaviour trees");
+  addOutputOptions(*command, words.output);
+  return command;
+}
+
 CLI::App* addBench(CLI::App& root, Words& words) {
   CLI::App* command = root.add_subcommand("bench", "How fast this machine steps crowds");
   command->add_flag("--quick", words.bench.quick, "Up to 1000 people, in a few seconds");
@@ -256,6 +284,7 @@ int runProgram(int argc, char** argv) {
   CLI::App* bench = addBench(root, given);
   CLI::App* validate = addValidate(root, given);
   CLI::App* trees = addTrees(root, given);
+  CLI::App* convert = addConvert(root, given);
   try {
     root.parse(argc, argv);
   } catch (const CLI::ParseError& problem) {
@@ -278,6 +307,10 @@ int runProgram(int argc, char** argv) {
   }
   if (trees->parsed()) {
     return within<QCoreApplication>(argc, argv, [&] { return treesCommand(given.trees, output); });
+  }
+  if (convert->parsed()) {
+    return within<QCoreApplication>(argc, argv,
+                                    [&] { return convertCommand(given.convert, output); });
   }
   if (bench->parsed()) {
     return within<QCoreApplication>(argc, argv, [&] { return benchCommand(given.bench, output); });

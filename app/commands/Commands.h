@@ -58,6 +58,16 @@ struct TreesOptions {
 };
 int treesCommand(const TreesOptions& options, const OutputOptions& output);
 
+struct ConvertOptions {
+  std::string scenario;
+  std::string output;               // folder
+  std::string target;               // name of exportTargets()
+  std::string dialect;              // B, C; empty: the target's
+  std::string style = "corrected";  // of trees that are made: corrected, hunav2
+  std::string map, trees;
+};
+int convertCommand(const ConvertOptions& options, const OutputOptions& output);
+
 struct BatchOptions {
   std::string experiment;
   std::string output;

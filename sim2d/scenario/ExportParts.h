@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "sim2d/scenario/Export.h"
+
+/// Parts of exportScenario. Private to this folder.
+namespace sim2d {
+
+/// What only we can express, one line per kind of thing.
+void addExportLosses(const Scenario& scenario, base::Diagnostics& report);
+/// Fills the keys that the wrapper asks for with the values that count, and keeps skins in range.
+void completeExported(const Scenario& scenario, Human& human, const TargetInfo& target,
+                      base::Diagnostics& report);
+std::string exportStartCommand(const Scenario& scenario, const TargetInfo& target);
+
+}  // namespace sim2d

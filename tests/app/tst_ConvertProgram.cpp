@@ -1,0 +1,397 @@
+#include <yaml-cpp/yaml.h>
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QXmlStreamReader>
+#include <QtTest>
+
+#include "tests/app/RunFiles.h"
+
+using outside::bytesOf;
+using outside::Finished;
+
+/// `hunavsim convert` from outside; what it wrote is read by yaml-cpp and Qt alone.
+class ConvertProgramTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void convert_shippedScenario_everyTargetTakesIt_data();
+  void convert_shippedScenario_everyTargetTakesIt();
+  void convert_interopScenario_keepsPeopleAndGoals_data();
+  void convert_interopScenario_keepsPeopleAndGoals();
+  void convert_nativeOfNative_isByteIdentical();
+  void convert_gapsAndNames_areMended();
+  void convert_ownTree_followsTheNewGoalNumbers();
+  void convert_whatOnlyWeHave_isListed();
+  void convert_again_saysWhatBecameOfEachFile();
+  void convert_fileInTheWay_writesNothing();
+  void convert_ontoItself_isRefused();
+  void convert_badInput_isTold_data();
+  void convert_badInput_isTold();
+  void run_convertedScenario_manifestListsIncludedTrees();
+  void words_wrong_exitWith64_data();
+  void words_wrong_exitWith64();
+
+ private:
+  static Finished convert(const QString& scenario, const QString& folder, const char* target,
+                          const QStringList& more = {}) {
+    return outside::runProgram(QStringList{QStringLiteral("convert"), scenario,
+                                           QStringLiteral("-o"), folder, QStringLiteral("--target"),
+                                           QString::fromUtf8(target)} +
+                               more);
+  }
+};
+
+namespace {
+
+QString utf8(const char* text) {
+  return QString::fromUtf8(text);
+}
+
+void writeText(const QString& path, const QByteArray& text) {
+  QDir().mkpath(QFileInfo(path).absolutePath());
+  QFile file(path);
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  QCOMPARE(file.write(text), qint64(text.size()));
+}
+
+YAML::Node loaderOf(const QString& path) {
+  return YAML::Load(bytesOf(path).toStdString())["hunav_loader"]["ros__parameters"];
+}
+
+QString shipped(const char* name) {
+  return utf8(SOURCE_DIR "/maps/") + utf8(name);
+}
+
+QString interop() {
+  const QByteArray given = qgetenv("HUNAV_INTEROP_DIR");
+  return (given.isEmpty() ? utf8(SOURCE_DIR "/../shared/interop") : QString::fromLocal8Bit(given)) +
+         QStringLiteral("/hunavsim2/");
+}
+
+QStringList attributesIn(const QString& path, const char* attribute) {
+  QXmlStreamReader xml(bytesOf(path));
+  QStringList values;
+  bool isModel = false;
+  while (!xml.atEnd()) {
+    xml.readNext();
+    if (xml.name() == QLatin1String("TreeNodesModel")) {
+      isModel = xml.isStartElement();
+    }
+    const auto value = xml.attributes().value(QLatin1String(attribute));
+    if (xml.isStartElement() && !isModel && !value.isNull()) {
+      values << value.toString();
+    }
+  }
+  return xml.hasError() ? QStringList{xml.errorString()} : values;
+}
+
+/// A scenario with all that must be mended: gaps, ids from 7, names with blanks, nobody's goal.
+const char* const kOdd =
+    "hunav_loader:\n  ros__parameters:\n    map: cafe.yaml\n    global_goals:\n"
+    "      2:\n        x: 1.0\n        y: 2.0\n      5:\n        x: 3.0\n        y: 4.0\n"
+    "    agents:\n      - Ana Maria\n      - 2nd\n"
+    "    Ana Maria:\n      id: 7\n      skin: 14\n      init_pose:\n        x: 0.5\n        y: "
+    "0.5\n"
+    "        h: 0.0\n      behavior:\n        type: Regular\n      goals:\n        - 5\n        - "
+    "2\n"
+    "    2nd:\n      id: 9\n      init_pose:\n        x: 2.5\n        y: 0.5\n        h: 0.0\n"
+    "      behavior:\n        type: Curious\n"
+    "hunavsim_desktop:\n  ros__parameters:\n    format: 1\n    map_file: none\n    robots:\n"
+    "      - robot1\n    robot1:\n      start:\n        x: 1.0\n        y: 1.0\n        h: 0.0\n"
+    "      goal:\n        x: 5.0\n        y: 5.0\n";
+
+}  // namespace
+
+void ConvertProgramTest::convert_shippedScenario_everyTargetTakesIt_data() {
+  QTest::addColumn<QByteArray>("target");
+  QTest::addColumn<QByteArray>("simulator");
+  QTest::addColumn<double>("z");
+  QTest::addColumn<bool>("isB");
+  QTest::newRow("classic") << QByteArray("gazebo-classic") << QByteArray("Gazebo Classic") << 1.25
+                           << false;
+  QTest::newRow("fortress") << QByteArray("gazebo-fortress") << QByteArray("Gazebo Fortress")
+                            << 0.03 << true;
+  QTest::newRow("isaac") << QByteArray("isaac") << QByteArray("Isaac Sim") << 0.0 << false;
+  QTest::newRow("webots") << QByteArray("webots") << QByteArray("Webots") << 0.01 << true;
+}
+
+void ConvertProgramTest::convert_shippedScenario_everyTargetTakesIt() {
+  QFETCH(QByteArray, target);
+  QFETCH(QByteArray, simulator);
+  QFETCH(double, z);
+  QFETCH(bool, isB);
+  const QTemporaryDir folder;
+  const Finished found =
+      convert(shipped("corner_cafe/corner_cafe_agents.yaml"), folder.path(), target.constData());
+  QVERIFY2(found.exitCode == 0, qPrintable(found.err));
+  const YAML::Node loader =
+      loaderOf(folder.filePath(QStringLiteral("scenarios/corner_cafe_agents.yaml")));
+  QVERIFY(isB || loader["simulator"].as<std::string>() == simulator.toStdString());
+  int number = 0;
+  for (const YAML::Node& listed : loader["agents"]) {
+    const YAML::Node agent = loader[listed.as<std::string>()];
+    QCOMPARE(agent["id"].as<int>(), ++number);
+    QCOMPARE(agent["init_pose"]["z"].as<double>(), z);
+    QVERIFY(agent["goals"].size() > 0);
+    QVERIFY(agent["goal_radius"] && agent["group_id"] && agent["skin"] && agent["max_vel"]);
+    for (const char* factor : {"goal_force_factor", "obstacle_force_factor", "social_force_factor",
+                               "other_force_factor"}) {
+      QVERIFY(agent["behavior"][factor]);
+    }
+    QVERIFY(isB == (agent["behavior"]["type"].as<std::string>().size() == 1));
+    QVERIFY(QFile::exists(folder.filePath(
+        QStringLiteral("behavior_trees/corner_cafe_agents__agent_%1_bt.xml").arg(number))));
+  }
+  QVERIFY(number >= 1);
+  QVERIFY(QFile::exists(folder.filePath(QStringLiteral("behavior_trees/BTRegularNav.xml"))));
+  const YAML::Node map =
+      YAML::Load(bytesOf(folder.filePath(QStringLiteral("maps/corner_cafe.yaml"))).toStdString());
+  QVERIFY(QFile::exists(folder.filePath(QStringLiteral("maps/")) +
+                        QString::fromStdString(map["image"].as<std::string>())));
+  QVERIFY(found.out.contains(QStringLiteral("ros2 ")));
+  const Finished checked =
+      outside::runProgram({QStringLiteral("check"),
+                           folder.filePath(QStringLiteral("scenarios/corner_cafe_agents.yaml"))});
+  QVERIFY2(checked.exitCode == 0, qPrintable(checked.err));
+}
+
+void ConvertProgramTest::convert_interopScenario_keepsPeopleAndGoals_data() {
+  QTest::addColumn<QByteArray>("file");
+  QTest::addColumn<QByteArray>("target");
+  for (const char* target : {"gazebo-classic", "gazebo-fortress", "isaac", "webots", "native"}) {
+    for (const char* file :
+         {"gazebo_classic/scenarios/agents_cafe.yaml", "isaac/scenarios/warehouse_agents.yaml",
+          "hunav_sim_2024/config/agents.yaml", "hunav_sim_v1/config/agents.yaml"}) {
+      QTest::addRow("%s to %s", file, target) << QByteArray(file) << QByteArray(target);
+    }
+  }
+}
+
+void ConvertProgramTest::convert_interopScenario_keepsPeopleAndGoals() {
+  QFETCH(QByteArray, file);
+  QFETCH(QByteArray, target);
+  const QString path = interop() + QString::fromUtf8(file);
+  if (!QFile::exists(path)) {
+    QSKIP("the stored scenarios of HuNavSim are not here");
+  }
+  const QTemporaryDir folder;
+  const Finished found = convert(path, folder.path(), target.constData());
+  QVERIFY2(found.exitCode == 0, qPrintable(found.err));
+  const QString written =
+      folder.filePath(QStringLiteral("scenarios/")) + QFileInfo(path).fileName();
+  const YAML::Node before = loaderOf(path);
+  const YAML::Node after = loaderOf(written);
+  QCOMPARE(after["agents"].size(), before["agents"].size());
+  for (std::size_t i = 0; i < before["agents"].size(); ++i) {
+    const YAML::Node was = before[before["agents"][i].as<std::string>()];
+    const YAML::Node is = after[after["agents"][i].as<std::string>()];
+    QCOMPARE(is["goals"].size(), was["goals"].size());
+    QCOMPARE(is["init_pose"]["x"].as<double>(), was["init_pose"]["x"].as<double>());
+    QCOMPARE(is["init_pose"]["y"].as<double>(), was["init_pose"]["y"].as<double>());
+    QCOMPARE(is["max_vel"].as<double>(1.0), was["max_vel"].as<double>(1.0));
+  }
+  // there and back: what our own reader takes out of it is the same scenario again
+  const QTemporaryDir again;
+  const Finished back = convert(written, again.path(), "native");
+  QVERIFY2(back.exitCode == 0, qPrintable(back.err));
+  const YAML::Node home =
+      loaderOf(again.filePath(QStringLiteral("scenarios/")) + QFileInfo(path).fileName());
+  QCOMPARE(home["agents"].size(), before["agents"].size());
+  QVERIFY(home["global_goals"].size() > 0);
+}
+
+void ConvertProgramTest::convert_nativeOfNative_isByteIdentical() {
+  const QTemporaryDir first;
+  const QTemporaryDir second;
+  const QString name = QStringLiteral("scenarios/corner_cafe_agents.yaml");
+  QCOMPARE(convert(shipped("corner_cafe/corner_cafe_agents.yaml"), first.path(), "native").exitCode,
+           0);
+  QCOMPARE(convert(first.filePath(name), second.path(), "native").exitCode, 0);
+  QDirIterator files(first.path(), QDir::Files, QDirIterator::Subdirectories);
+  int count = 0;
+  while (files.hasNext()) {
+    const QString file = files.next();
+    const QString other = second.path() + file.mid(first.path().size());
+    QVERIFY2(bytesOf(file) == bytesOf(other), qPrintable(file));
+    ++count;
+  }
+  QVERIFY(count > 4);
+}
+
+void ConvertProgramTest::convert_gapsAndNames_areMended() {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("in/odd.yaml"));
+  writeText(path, kOdd);
+  const Finished found = convert(path, folder.filePath(QStringLiteral("out")), "webots",
+                                 {QStringLiteral("--dialect"), QStringLiteral("C")});
+  QVERIFY2(found.exitCode == 0, qPrintable(found.err));
+  const YAML::Node loader = loaderOf(folder.filePath(QStringLiteral("out/scenarios/odd.yaml")));
+  QCOMPARE(loader["agents"][0].as<std::string>().c_str(), "Ana_Maria");
+  QCOMPARE(loader["agents"][1].as<std::string>().c_str(), "agent_2nd");
+  QCOMPARE(loader["map"].as<std::string>().c_str(), "cafe");
+  const YAML::Node ana = loader["Ana_Maria"];
+  QCOMPARE(ana["id"].as<int>(), 1);
+  QCOMPARE(ana["skin"].as<int>(), 2);  // 14 modulo the four of Webots
+  QCOMPARE(ana["goals"][0].as<int>(), 2);
+  QCOMPARE(ana["goals"][1].as<int>(), 1);
+  QCOMPARE(loader["global_goals"]["1"]["x"].as<double>(), 1.0);
+  QCOMPARE(loader["global_goals"]["2"]["y"].as<double>(), 4.0);
+  QCOMPARE(loader["agent_2nd"]["goals"][0].as<int>(), 3);  // a place to stand at
+  QCOMPARE(loader["global_goals"]["3"]["x"].as<double>(), 2.5);
+  QVERIFY(found.err.contains(QStringLiteral("has no goal")));
+  QVERIFY(found.err.contains(QStringLiteral("3-D world 'cafe'")));
+}
+
+void ConvertProgramTest::convert_ownTree_followsTheNewGoalNumbers() {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("odd.yaml"));
+  writeText(path, kOdd);
+  writeText(folder.filePath(QStringLiteral("odd__agent_7_bt.xml")),
+            "<root BTCPP_format='4'><BehaviorTree ID='T'><Sequence>"
+            "<SetGoal agent_id='7' goal_id='5'/><GoTo agent_id='{id}' goal_id='2' "
+            "time_step='{dt}'/><LookAtAgent observer_id='7' target_id='9'/>"
+            "<WanderInArea agent_id='{id}' area='hall'/>"
+            "</Sequence></BehaviorTree></root>");
+  const Finished found = convert(path, folder.filePath(QStringLiteral("out")), "gazebo-classic");
+  QVERIFY2(found.exitCode == 0, qPrintable(found.err));
+  const QString tree = folder.filePath(QStringLiteral("out/behavior_trees/odd__agent_1_bt.xml"));
+  QCOMPARE(attributesIn(tree, "goal_id"), (QStringList{utf8("2"), utf8("1")}));
+  QCOMPARE(attributesIn(tree, "target_id"), QStringList{utf8("2")});
+  QCOMPARE(attributesIn(tree, "observer_id"), QStringList{utf8("1")});
+  QVERIFY(attributesIn(tree, "agent_id").contains(utf8("{id}")));
+  QVERIFY2(found.err.contains(QStringLiteral("WanderInArea")), qPrintable(found.err));
+}
+
+void ConvertProgramTest::convert_whatOnlyWeHave_isListed() {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("odd.yaml"));
+  writeText(path, QByteArray("# a remark\n") + kOdd + "    Ana Maria:\n      start_time: 3.0\n");
+  const Finished found =
+      convert(path, folder.filePath(QStringLiteral("out")), "isaac", {QStringLiteral("--json")});
+  QVERIFY2(found.exitCode == 0, qPrintable(found.err));
+  const QJsonObject json = QJsonDocument::fromJson(found.out.toUtf8()).object();
+  QString report;
+  for (const QJsonValue& line : json[QStringLiteral("report")].toArray()) {
+    report += line.toObject()[QStringLiteral("message")].toString() + QLatin1Char('\n');
+  }
+  for (const char* word : {"robot1", "start_time", "comment"}) {
+    QVERIFY2(report.contains(utf8(word)), qPrintable(report));
+  }
+  // and it is not lost: our block has it
+  const QByteArray text = bytesOf(folder.filePath(QStringLiteral("out/scenarios/odd.yaml")));
+  const YAML::Node ours = YAML::Load(text.toStdString())["hunavsim_desktop"]["ros__parameters"];
+  QCOMPARE(ours["robot1"]["goal"]["x"].as<double>(), 5.0);
+  QCOMPARE(ours["Ana_Maria"]["start_time"].as<double>(), 3.0);
+  QVERIFY(json[QStringLiteral("start")].toString().contains(QStringLiteral("odd.yaml")));
+}
+
+void ConvertProgramTest::convert_again_saysWhatBecameOfEachFile() {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("odd.yaml"));
+  const QString out = folder.filePath(QStringLiteral("out"));
+  writeText(path, kOdd);
+  QVERIFY(convert(path, out, "isaac").out.contains(QStringLiteral("written   ")));
+  const Finished again = convert(path, out, "isaac");
+  QVERIFY(!again.out.contains(QStringLiteral("written")));
+  QVERIFY(again.out.contains(QStringLiteral("unchanged ")));
+  const Finished other = convert(path, out, "webots");
+  QVERIFY(other.out.contains(QStringLiteral("replaced  ")));
+}
+
+void ConvertProgramTest::convert_fileInTheWay_writesNothing() {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("odd.yaml"));
+  writeText(path, kOdd);
+  QVERIFY(QDir().mkpath(folder.filePath(QStringLiteral("out/scenarios/odd.yaml"))));
+  const Finished found = convert(path, folder.filePath(QStringLiteral("out")), "isaac");
+  QCOMPARE(found.exitCode, 2);
+  QVERIFY(found.err.contains(QStringLiteral("error:")));
+  QDirIterator files(folder.filePath(QStringLiteral("out")), QDir::Files | QDir::Hidden,
+                     QDirIterator::Subdirectories);
+  QVERIFY(!files.hasNext());
+}
+
+void ConvertProgramTest::convert_ontoItself_isRefused() {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("scenarios/odd.yaml"));
+  writeText(path, kOdd);
+  const Finished found = convert(path, folder.path(), "webots");
+  QCOMPARE(found.exitCode, 2);
+  QCOMPARE(bytesOf(path), QByteArray(kOdd));
+}
+
+void ConvertProgramTest::convert_badInput_isTold_data() {
+  QTest::addColumn<QByteArray>("text");
+  QTest::addColumn<QByteArray>("says");
+  QTest::newRow("no yaml") << QByteArray("hunav_loader: [") << QByteArray("in.yaml:1:");
+  QTest::newRow("empty") << QByteArray() << QByteArray("in.yaml: error");
+  QTest::newRow("wrong type") << QByteArray(kOdd).replace("id: 7", "id: seven")
+                              << QByteArray("in.yaml:15:11: error:");
+  QTest::newRow("goal that is not there")
+      << QByteArray(kOdd).replace("- 5", "- 55") << QByteArray("error");
+  QTest::newRow("name out of the folder")
+      << QByteArray(kOdd).replace("    map: ", "    yaml_base_name: ../../x\n    map: ")
+      << QByteArray("cannot begin the names of files");
+  QTest::newRow("missing") << QByteArray("-") << QByteArray("cannot read the file");
+}
+
+void ConvertProgramTest::convert_badInput_isTold() {
+  QFETCH(QByteArray, text);
+  QFETCH(QByteArray, says);
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("in.yaml"));
+  if (text != "-") {
+    writeText(path, text);
+  }
+  const Finished found = convert(path, folder.filePath(QStringLiteral("out")), "isaac");
+  QCOMPARE(found.exitCode, 2);
+  QVERIFY2(found.err.contains(QString::fromUtf8(says)), qPrintable(found.err));
+  QVERIFY(!QDir(folder.filePath(QStringLiteral("out"))).exists());
+}
+
+void ConvertProgramTest::run_convertedScenario_manifestListsIncludedTrees() {
+  const QTemporaryDir folder;
+  QCOMPARE(
+      convert(shipped("corner_cafe/corner_cafe_agents.yaml"), folder.path(), "native").exitCode, 0);
+  const Finished found = outside::runProgram(
+      {QStringLiteral("run"), folder.filePath(QStringLiteral("scenarios/corner_cafe_agents.yaml")),
+       QStringLiteral("-o"), folder.filePath(QStringLiteral("run")), QStringLiteral("--duration"),
+       QStringLiteral("0.2")});
+  QVERIFY2(found.exitCode == 0, qPrintable(found.err));
+  const QJsonObject manifest =
+      QJsonDocument::fromJson(bytesOf(folder.filePath(QStringLiteral("run/manifest.json"))))
+          .object();
+  int included = 0;
+  int trees = 0;
+  for (const QJsonValue& input : manifest[QStringLiteral("inputs")].toArray()) {
+    const QString path = input.toObject()[QStringLiteral("path")].toString();
+    included += path.endsWith(QStringLiteral("BTRegularNav.xml")) ? 1 : 0;
+    trees += path.contains(QStringLiteral("__agent_")) ? 1 : 0;
+    QVERIFY(input.toObject()[QStringLiteral("sha256")].toString().size() == 64);
+  }
+  QCOMPARE(included, 1);
+  QVERIFY(trees > 1);
+}
+
+void ConvertProgramTest::words_wrong_exitWith64_data() {
+  QTest::addColumn<QStringList>("words");
+  const QString file = shipped("corner_cafe/corner_cafe_agents.yaml");
+  QTest::newRow("no target") << QStringList{file, utf8("-o"), utf8("x")};
+  QTest::newRow("no folder") << QStringList{file, utf8("--target"), utf8("isaac")};
+  QTest::newRow("no scenario") << QStringList{utf8("-o"), utf8("x"), utf8("--target"),
+                                              utf8("isaac")};
+  QTest::newRow("unknown target") << QStringList{file, utf8("-o"), utf8("x"), utf8("--target"),
+                                                 utf8("unity")};
+}
+
+void ConvertProgramTest::words_wrong_exitWith64() {
+  QFETCH(QStringList, words);
+  QCOMPARE(outside::runProgram(QStringList{QStringLiteral("convert")} + words).exitCode, 64);
+}
+
+QTEST_GUILESS_MAIN(ConvertProgramTest)
+#include "tst_ConvertProgram.moc"
