@@ -1,17 +1,20 @@
 #include "app/Manifest.h"
 
 #include <filesystem>
+#include <set>
 #include <unistd.h>
 
 #include <QCryptographicHash>
 #include <QFile>
 
 #include "app/DataPaths.h"
+#include "bt/tree/TreeXml.h"
 
 namespace app {
 
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 const char* statusName(sim2d::RunStatus status) {
@@ -24,6 +27,33 @@ const char* statusName(sim2d::RunStatus status) {
       return "interrupted";
   }
   return "";
+}
+
+/// The files that were read, those that trees include too, each once.
+std::vector<std::string> allInputs(const Preparation& preparation) {
+  std::vector<std::string> inputs;
+  std::set<fs::path> seen;
+  const auto add = [&](const std::string& path) {
+    std::error_code ignored;  // as it is named, if it is gone by now
+    const fs::path real = fs::weakly_canonical(path, ignored);
+    if (seen.insert(real.empty() ? fs::path(path) : real).second) {
+      inputs.push_back(path);
+    }
+  };
+  for (const std::string& path : preparation.inputs) {
+    add(path);
+  }
+  for (const auto& [person, path] : preparation.treePaths) {
+    const base::Result<bt::TreeTable> trees =
+        path.empty() ? base::Result<bt::TreeTable>(bt::TreeTable()) : bt::loadTrees(path);
+    if (!trees) {
+      continue;  // told when it was loaded for the run
+    }
+    for (const auto& [id, entry] : trees->entries) {
+      add(fs::path(entry.file).lexically_normal().string());
+    }
+  }
+  return inputs;
 }
 
 Json humanJson(const sim2d::TraceHuman& human) {
@@ -71,7 +101,7 @@ std::string runManifest(const Preparation& preparation, const sim2d::TraceHeader
   json["status"] = statusName(result.status);
   json["reason"] = result.reason;
   json["inputs"] = Json::array();
-  for (const std::string& path : preparation.inputs) {
+  for (const std::string& path : allInputs(preparation)) {
     json["inputs"].push_back(inputJson(path));
   }
   json["seed"] = header.seed;
