@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 
 #include <QString>
@@ -12,12 +13,12 @@
 namespace editor {
 
 /// Checks the meaning of a scenario beside the GUI thread, because walls of a large map take long
-/// to trace.
+/// to trace. `lines`: where entities stand in the file.
 class LiveCheck {
  public:
   explicit LiveCheck(std::function<void(base::Diagnostics)> deliver) : task_(std::move(deliver)) {}
   void start(const sim2d::Scenario& scenario, std::shared_ptr<const sim2d::OccupancyGrid> map,
-             const QString& path);
+             const QString& path, const std::map<base::EntityId, int>& lines);
   void finish() { task_.finish(); }
 
  private:

@@ -2,8 +2,10 @@
 
 #include <QFileInfo>
 
+#include "editor/document/DocumentDisk.h"
 #include "editor/document/EntityLists.h"
 #include "editor/document/LiveCheck.h"
+#include "editor/document/TreeFiles.h"
 
 namespace editor {
 
@@ -56,11 +58,11 @@ ScenarioDocument::ScenarioDocument(QObject* parent)
       liveCheck_(std::make_unique<LiveCheck>([this](base::Diagnostics found) {
         checkIssues_ = std::move(found);
         Q_EMIT issuesChanged(issues());
-      })) {
+      })),
+      disk_(std::make_unique<DocumentDisk>()) {
   checkTimer_.setSingleShot(true);
   checkTimer_.setInterval(kCheckDelayMs);
-  connect(&checkTimer_, &QTimer::timeout, this,
-          [this] { liveCheck_->start(scenario_, map_, path_); });
+  connect(&checkTimer_, &QTimer::timeout, this, &ScenarioDocument::startCheck);
   connect(this, &ScenarioDocument::changed, &checkTimer_, qOverload<>(&QTimer::start));
   connect(this, &ScenarioDocument::mapChanged, &checkTimer_, qOverload<>(&QTimer::start));
   connect(&undoStack_, &QUndoStack::cleanChanged, this,
@@ -159,6 +161,9 @@ std::optional<std::string> ScenarioDocument::exchangeTree(EntityId human,
   std::optional<std::string> old = tree(human);
   if (xml) {
     trees_[human] = *std::move(xml);
+    if (const sim2d::Human* person = this->human(human)) {
+      disk_->bases[human] = generatedTree(scenario_, *person);
+    }
   } else {
     trees_.erase(human);
   }
@@ -168,11 +173,17 @@ std::optional<std::string> ScenarioDocument::exchangeTree(EntityId human,
 
 void ScenarioDocument::setMap(std::shared_ptr<const sim2d::OccupancyGrid> map,
                               const QString& path) {
-  Q_ASSERT(map != nullptr);
-  map_ = std::move(map);
-  mapPath_ = path;
-  mapIsMissing_ = false;
+  exchangeMap({std::move(map), path, false});
+}
+
+MapState ScenarioDocument::exchangeMap(MapState map) {
+  Q_ASSERT(map.grid != nullptr);
+  MapState old = mapState();
+  map_ = std::move(map.grid);
+  mapPath_ = map.path;
+  mapIsMissing_ = map.isMissing;
   Q_EMIT mapChanged();
+  return old;
 }
 
 bool ScenarioDocument::isSelected(EntityId id) const {
@@ -218,14 +229,19 @@ base::Diagnostics ScenarioDocument::issues() const {
 
 void ScenarioDocument::checkNow() {
   checkTimer_.stop();
-  liveCheck_->start(scenario_, map_, path_);
+  startCheck();
   liveCheck_->finish();
+}
+
+void ScenarioDocument::startCheck() {
+  liveCheck_->start(scenario_, map_, path_, disk_->lines);
 }
 
 void ScenarioDocument::replaceAll(sim2d::Scenario scenario) {
   scenario_ = std::move(scenario);
   nextKey_ = std::max(nextKey_, scenario_.nextKey());
   trees_.clear();
+  disk_->forgetFiles();
   loadDiagnostics_.clear();
   checkIssues_.clear();
   commentCount_ = 0;

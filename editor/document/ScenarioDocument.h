@@ -7,10 +7,12 @@
 #include <vector>
 
 #include <QObject>
+#include <QStringList>
 #include <QTimer>
 #include <QUndoStack>
 
 #include "editor/document/Entity.h"
+#include "editor/document/TreeQuestion.h"
 #include "sim2d/base/Result.h"
 #include "sim2d/map/OccupancyGrid.h"
 #include "sim2d/scenario/ScenarioFile.h"
@@ -18,6 +20,9 @@
 namespace editor {
 
 class LiveCheck;
+struct DocumentDisk;
+struct DocumentSnapshot;
+struct SavePlan;
 
 /// A value at its place in its list. Without a value: not there. index -1 = where it was, else at
 /// the end.
@@ -26,8 +31,15 @@ struct EntitySlot {
   int index = -1;
 };
 
+/// The cells under the scenario and the file they are in; no path: not in a file yet.
+struct MapState {
+  std::shared_ptr<const sim2d::OccupancyGrid> grid;
+  QString path;
+  bool isMissing = false;  // named by the scenario, but not found
+};
+
 /// The scenario being edited, with its map, trees, undo stack and selection. GUI thread.
-/// Only commands (EditCommands.h) write: `exchange` and `exchangeTree` are for them.
+/// Only commands (EditCommands.h, MapEdit.h) write: the functions `exchange…` are for them.
 class ScenarioDocument : public QObject {
   Q_OBJECT
  public:
@@ -51,11 +63,16 @@ class ScenarioDocument : public QObject {
   /// A person's own tree (XML text); none = the generated one of the behaviour.
   std::optional<std::string> tree(EntityId human) const;
   std::optional<std::string> exchangeTree(EntityId human, std::optional<std::string> xml);
+  /// The tree that a run uses: the person's own, else that of the file while it still says what
+  /// the person does, else one in the style of the file; none = the generator's.
+  std::optional<std::string> treeToRun(EntityId human) const;
 
   // map; never null, an empty grid is the open plane
   std::shared_ptr<const sim2d::OccupancyGrid> map() const { return map_; }
   QString mapPath() const { return mapPath_; }  // of the YAML; empty: none, or not from a file
   void setMap(std::shared_ptr<const sim2d::OccupancyGrid> map, const QString& path = {});
+  MapState mapState() const { return {map_, mapPath_, mapIsMissing_}; }
+  MapState exchangeMap(MapState map);
 
   // undo
   QUndoStack& undoStack() { return undoStack_; }
@@ -67,20 +84,37 @@ class ScenarioDocument : public QObject {
   void setSelection(std::vector<EntityId> ids);
   void toggleSelected(EntityId id);
 
-  // files; all problems are returned, errors among them = nothing has changed
+  // files; all problems are returned
   QString path() const { return path_; }  // empty: not saved yet
   QString displayName() const;            // "cafe.yaml" or "Untitled"
   void clear();                           // a new, empty scenario
   void load(sim2d::Scenario scenario);    // from code (templates, tests): new, unsaved
+  /// With errors the document has not changed, unless it isReadOnly then: a damaged file is shown
+  /// as far as it can be read.
   base::Diagnostics open(const QString& path);
+  /// Map and folder with trees in place of the scenario's, for the next files that are opened.
+  void setSearch(const QString& map, const QString& trees);
+  /// Read in part: saved only under another name.
+  bool isReadOnly() const;
   /// Canonical YAML and one tree per person: in ../behavior_trees when the folder is called
-  /// scenarios, else beside. A new file name becomes yaml_base_name and the stem of the trees.
-  base::Diagnostics save(const QString& path);
+  /// scenarios, else beside. A new file name becomes yaml_base_name and the stem of the trees. All
+  /// files are written or none; with errors nothing has changed on the disk.
+  base::Diagnostics save(const QString& path, const TreeAnswers& answers = {});
+  /// What must be decided before saving there; without an answer the tree that is there is kept.
+  std::vector<TreeQuestion> treeQuestions(const QString& path) const;
   /// Comments in the file that was opened; saving over it loses them.
   int commentCount() const { return commentCount_; }
   /// Read a nav2 map and remember its place in the scenario (one undoable command).
   base::Diagnostics openMap(const QString& yamlPath);
   void setShippedMaps(const QString& folder) { shippedMaps_ = folder; }
+  /// Files that were read or written, and those of them that someone else has changed since.
+  QStringList files() const;
+  QStringList changedOnDisk() const;
+  void acceptDisk();  // they count as known from now on; what is edited stays
+
+  // all that is not saved, for another start of the program; it comes back unsaved
+  DocumentSnapshot snapshot() const;
+  void restore(DocumentSnapshot snapshot);
 
   // messages
   const base::Diagnostics& loadDiagnostics() const { return loadDiagnostics_; }
@@ -100,8 +134,13 @@ class ScenarioDocument : public QObject {
   void dropFromSelection(EntityId id);
   base::Diagnostics loadMapOf(const sim2d::Scenario& scenario, const QString& path);
   base::Diagnostics loadTrees();
-  base::Diagnostics placeMap(sim2d::Scenario& scenario, const QString& path);
-  base::Diagnostics writeTrees(const sim2d::Scenario& scenario, const QString& path) const;
+  void startCheck();
+  void placeMap(SavePlan& plan) const;
+  void planTrees(SavePlan& plan) const;
+  std::string wantedTree(const sim2d::Scenario& scenario, const sim2d::Human& human) const;
+  SavePlan planSaving(const QString& path) const;
+  void answerTrees(const QString& path, const TreeAnswers& answers);
+  void takeSaved(SavePlan plan);
 
   sim2d::Scenario scenario_;
   std::shared_ptr<const sim2d::OccupancyGrid> map_;
@@ -112,10 +151,11 @@ class ScenarioDocument : public QObject {
   base::Diagnostics loadDiagnostics_, checkIssues_;
   QTimer checkTimer_;
   std::unique_ptr<LiveCheck> liveCheck_;
+  std::unique_ptr<DocumentDisk> disk_;
   int nextKey_ = 1;
   int commentCount_ = 0;
   bool neverSaved_ = false;
-  bool mapIsMissing_ = false;  // named by the scenario, but not found
+  bool mapIsMissing_ = false;
 };
 
 }  // namespace editor

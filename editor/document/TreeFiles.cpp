@@ -24,32 +24,38 @@ std::string treeFileName(const std::string& base, int humanId) {
   return bt::treeFileName(base, humanId);
 }
 
-std::string generatedTree(const sim2d::Scenario& scenario, const sim2d::Human& human) {
-  return bt::makeTreeText(scenario, human, bt::TreeStyle::Corrected, treeCatalogue());
+std::string generatedTree(const sim2d::Scenario& scenario, const sim2d::Human& human,
+                          bt::TreeStyle style) {
+  return bt::makeTreeText(scenario, human, style, treeCatalogue());
 }
 
-bool isGeneratedTree(const std::string& xml, const sim2d::Scenario& scenario,
-                     const sim2d::Human& human) {
+std::optional<bt::TreeStyle> generatedStyle(const std::string& xml, const sim2d::Scenario& scenario,
+                                            const sim2d::Human& human) {
   const base::Result<bt::TreeFile> found = bt::readTreeText(xml);
   if (!found) {
-    return false;  // broken: kept as it is, and told by whoever runs it
+    return std::nullopt;  // broken: kept as it is, and told by whoever runs it
   }
   for (const bt::TreeStyle style : {bt::TreeStyle::Corrected, bt::TreeStyle::Hunav2}) {
     const base::Result<bt::TreeFile> made =
         bt::readTreeText(bt::makeTreeText(scenario, human, style, treeCatalogue()));
     if (made && *made == *found) {
-      return true;
+      return style;
     }
   }
-  return false;
+  return std::nullopt;
+}
+
+std::optional<base::FileContent> missingIncludedTree(const std::string& folder) {
+  const std::string path = (std::filesystem::path(folder) / bt::kRegularNavFile).string();
+  if (std::filesystem::exists(path)) {
+    return std::nullopt;
+  }
+  return base::FileContent{path, bt::regularNavText(treeCatalogue())};
 }
 
 base::Diagnostics writeIncludedTrees(const std::string& folder) {
-  const std::string path = (std::filesystem::path(folder) / bt::kRegularNavFile).string();
-  if (std::filesystem::exists(path)) {
-    return {};
-  }
-  return base::writeFileAtomically(path, bt::regularNavText(treeCatalogue()));
+  const std::optional<base::FileContent> file = missingIncludedTree(folder);
+  return file ? base::writeFilesTogether({*file}) : base::Diagnostics();
 }
 
 }  // namespace editor

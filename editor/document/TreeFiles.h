@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "bt/human/Templates.h"
 #include "bt/tree/NodeCatalogue.h"
-#include "sim2d/base/Result.h"
+#include "sim2d/base/FileSet.h"
 #include "sim2d/scenario/Scenario.h"
 
 namespace editor {
@@ -17,11 +19,17 @@ std::string treeFolderOf(const std::string& scenarioPath);
 std::string treeFileName(const std::string& base, int humanId);
 
 /// XML of the tree that the behaviour and goals of a person make.
-std::string generatedTree(const sim2d::Scenario& scenario, const sim2d::Human& human);
-/// The text means the same as one that a generator (ours or the original's) made.
-bool isGeneratedTree(const std::string& xml, const sim2d::Scenario& scenario,
-                     const sim2d::Human& human);
-/// The fixed trees that generated ones include.
+std::string generatedTree(const sim2d::Scenario& scenario, const sim2d::Human& human,
+                          bt::TreeStyle style = bt::TreeStyle::Corrected);
+/// The generator (ours or the original's) whose tree of this person means the same as the text.
+std::optional<bt::TreeStyle> generatedStyle(const std::string& xml, const sim2d::Scenario& scenario,
+                                            const sim2d::Human& human);
+inline bool isGeneratedTree(const std::string& xml, const sim2d::Scenario& scenario,
+                            const sim2d::Human& human) {
+  return generatedStyle(xml, scenario, human).has_value();
+}
+/// The fixed tree that generated ones include; none when the folder has one already.
+std::optional<base::FileContent> missingIncludedTree(const std::string& folder);
 base::Diagnostics writeIncludedTrees(const std::string& folder);
 
 }  // namespace editor

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include <QTemporaryDir>
 
@@ -24,12 +25,26 @@ struct TreeFolder {
   base::Diagnostics problems;
 };
 
+/// Where trees of the document lie, and with them what they include.
+std::set<fs::path> treeFolders(const ScenarioDocument& document) {
+  std::set<fs::path> folders;
+  if (!document.path().isEmpty()) {
+    folders.insert(treeFolderOf(document.path().toStdString()));
+  }
+  for (const QString& file : document.files()) {
+    if (file.endsWith(QLatin1String(".xml"))) {
+      folders.insert(fs::path(file.toStdString()).parent_path());
+    }
+  }
+  return folders;
+}
+
 std::shared_ptr<TreeFolder> treesOf(const ScenarioDocument& document) {
   auto trees = std::make_shared<TreeFolder>();
   const sim2d::Scenario& scenario = document.scenario();
   const fs::path folder = trees->folder.path().toStdString();
   for (const sim2d::Human& human : scenario.humans) {
-    const std::optional<std::string> xml = document.tree(human.key);
+    const std::optional<std::string> xml = document.treeToRun(human.key);
     if (!xml) {
       continue;
     }
@@ -40,10 +55,9 @@ std::shared_ptr<TreeFolder> treesOf(const ScenarioDocument& document) {
   if (trees->files.empty()) {
     return trees;
   }
-  if (!document.path().isEmpty()) {
+  for (const fs::path& source : treeFolders(document)) {
     std::error_code none;  // no such folder: nothing to copy
-    for (const fs::directory_entry& entry :
-         fs::directory_iterator(treeFolderOf(document.path().toStdString()), none)) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(source, none)) {
       if (entry.path().extension() == ".xml" && !fs::exists(folder / entry.path().filename())) {
         fs::copy_file(entry.path(), folder / entry.path().filename(), none);
       }
@@ -55,20 +69,30 @@ std::shared_ptr<TreeFolder> treesOf(const ScenarioDocument& document) {
 
 }  // namespace
 
-RunRequest runRequestOf(const ScenarioDocument& document) {
+RunRequest runRequestOf(const ScenarioDocument& document, const RunSettings& settings) {
   auto scenario = std::make_shared<const sim2d::Scenario>(document.scenario());
   const std::shared_ptr<const sim2d::OccupancyGrid> map = document.map();
   const std::shared_ptr<TreeFolder> trees = treesOf(document);
+  if (document.isReadOnly()) {
+    trees->problems.push_back(base::makeError(
+        "the file could only be read in part: save it under another name to run what is there",
+        document.path().toStdString()));
+  }
   RunRequest request;
   request.rule = sim2d::stopRuleOf(*scenario);
   request.recordEvery = scenario->desktop.recordEvery.value_or(1);
-  request.makeWorld = [scenario, map, trees]() -> base::Result<std::unique_ptr<sim2d::World>> {
+  request.makeWorld = [scenario, map, trees,
+                       settings]() -> base::Result<std::unique_ptr<sim2d::World>> {
     base::Diagnostics problems = trees->problems;
     sim2d::WorldSetup setup;
     setup.scenario = scenario;
     setup.map = *map;
+    setup.compatibility = settings.compatibility;
+    setup.threads = settings.threads;
+    setup.exact = settings.exact;
     if (!base::hasErrors(problems)) {
-      setup.behavior = bt::makeTreeBehavior(*scenario, trees->files, problems);
+      setup.behavior =
+          bt::makeTreeBehavior(*scenario, trees->files, problems, settings.compatibility);
     }
     if (base::hasErrors(problems)) {
       return problems;

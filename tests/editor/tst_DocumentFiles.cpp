@@ -3,9 +3,12 @@
 #include <QtTest>
 
 #include "SmallScenario.h"
+#include "editor/document/DocumentSnapshot.h"
 #include "editor/document/EditCommands.h"
+#include "editor/document/MapEdit.h"
 #include "editor/document/TreeFiles.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/map/MapReader.h"
 
 using namespace editor;
 
@@ -109,7 +112,176 @@ class DocumentFilesTest : public QObject {
     QVERIFY(isAboutAna);
   }
 
+  void save_oneFileCannotBeWritten_leavesAllAsTheyWere() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("room.yaml"));
+    ScenarioDocument document;
+    document.load(small::scenario());
+    check(document.save(path));
+    const std::map<QString, std::string> before = contentOf(folder);
+    pushMove(document, {{EntityKind::Human, 1}}, Vec2(1.0, 0.0));
+    pushRoute(document, {{EntityKind::Human, 1}}, {3});
+    const QString tree = folder.filePath(QStringLiteral("room__agent_6_bt.xml"));
+    QVERIFY(QFile::remove(tree));
+    QVERIFY(QDir().mkdir(tree));  // no file can be put there
+    QVERIFY(base::hasErrors(document.save(path)));
+    QVERIFY(document.isDirty());
+    QVERIFY(QDir().rmdir(tree));
+    std::map<QString, std::string> after = contentOf(folder);
+    after[QFileInfo(tree).fileName()] = before.at(QFileInfo(tree).fileName());
+    QVERIFY(after == before);
+  }
+
+  void save_nothingChanged_writesNothing() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("room.yaml"));
+    ScenarioDocument document;
+    document.load(small::scenario());
+    check(document.save(path));
+    const QFileInfo first(path);
+    const QDateTime written = first.lastModified();
+    QTest::qWait(20);
+    check(document.save(path));
+    QCOMPARE(QFileInfo(path).lastModified(), written);
+    QVERIFY(document.changedOnDisk().isEmpty());
+  }
+
+  void open_damagedFile_isShownAndNeverWrittenOver() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("room.yaml"));
+    std::string text = sim2d::writeScenario(small::scenario());
+    text.replace(text.find("id: 1"), 5, "id: one");
+    check(base::writeFileAtomically(path.toStdString(), text));
+    ScenarioDocument document;
+    QVERIFY(base::hasErrors(document.open(path)));
+    QVERIFY(document.isReadOnly());
+    QCOMPARE(document.scenario().humans.size(), small::scenario().humans.size());
+    bool hasLine = false;
+    for (const base::Diagnostic& issue : document.issues()) {
+      hasLine = hasLine || (issue.severity == base::Severity::Error && issue.line > 0);
+    }
+    QVERIFY(hasLine);
+    pushMove(document, {document.entities(EntityKind::Human)[1]}, Vec2(0.1, 0.0));
+    QVERIFY(base::hasErrors(document.save(path)));
+    QVERIFY(*base::readTextFile(path.toStdString()) == text);
+    const QString other = folder.filePath(QStringLiteral("mended.yaml"));
+    check(document.save(other));
+    QVERIFY(!document.isReadOnly());
+    QVERIFY(*base::readTextFile(path.toStdString()) == text);
+    ScenarioDocument mended;
+    check(mended.open(other));
+    QCOMPARE(mended.scenario().humans.size(), small::scenario().humans.size());
+  }
+
+  void changedOnDisk_anotherProgramWrites_isNoticedOnce() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("room.yaml"));
+    ScenarioDocument document;
+    document.load(small::scenario());
+    document.setMap(small::room());
+    check(document.save(path));
+    QVERIFY(document.changedOnDisk().isEmpty());
+    check(base::writeFileAtomically(treePath(folder, 2), kOwnTree));
+    check(base::writeFileAtomically(path.toStdString(), "changed"));
+    QCOMPARE(document.changedOnDisk().size(), 2);
+    document.acceptDisk();
+    QVERIFY(document.changedOnDisk().isEmpty());
+  }
+
+  void openMap_undone_theMapBeforeIsBack() {
+    const QTemporaryDir folder;
+    ScenarioDocument document;
+    document.load(small::scenario());
+    document.setMap(small::room());
+    check(document.save(folder.filePath(QStringLiteral("room.yaml"))));
+    const std::string name = document.scenario().map.value_or("");
+    const auto other = std::make_shared<sim2d::OccupancyGrid>(20, 10, 0.1, sim2d::Pose2{},
+                                                              std::vector<std::int8_t>(200, 0));
+    const QString file = folder.filePath(QStringLiteral("other.yaml"));
+    check(sim2d::writeMap(*other, file.toStdString()));
+    check(document.openMap(file));
+    QVERIFY(*document.map() == *other);
+    QCOMPARE(document.undoStack().undoText(), QStringLiteral("Change map"));
+    document.undoStack().undo();
+    QVERIFY(*document.map() == *small::room());
+    QVERIFY(document.scenario().map == name);
+    document.undoStack().redo();
+    QVERIFY(*document.map() == *other);
+  }
+
+  void snapshot_writtenAndRestored_isTheUnsavedDocument() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a/room.yaml"));
+    ScenarioDocument document;
+    document.load(small::scenario());
+    document.setMap(small::room());
+    check(document.save(path));
+    pushMove(document, {{EntityKind::Human, 1}}, Vec2(0.5, 0.0));
+    const EntityId ben{EntityKind::Human, 2};
+    document.undoStack().push(new EditTree(document, ben, kOwnTree, QStringLiteral("Tree")));
+    MapStroke stroke(document.map());
+    stroke.paint({6.0, 4.2}, {6.0, 4.8}, 0.1, MapPaint::Occupied);
+    pushStroke(document, stroke, QStringLiteral("Paint"));
+    QVERIFY(document.map()->isWall(document.map()->worldToCell({6.0, 4.5})));
+    const QString copy = folder.filePath(QStringLiteral("copy"));
+    check(base::writeFilesTogether(snapshotFiles(document.snapshot(), copy)));
+
+    base::Result<DocumentSnapshot> read = readSnapshot(copy);
+    QVERIFY(bool(read));
+    ScenarioDocument again;
+    again.restore(*std::move(read));
+    QVERIFY(again.isDirty());
+    QCOMPARE(again.path(), document.path());
+    QVERIFY(again.scenario() == sim2d::withoutDefaults(document.scenario()));
+    QVERIFY(*again.map() == *document.map());
+    QVERIFY(again.tree(again.entities(EntityKind::Human)[1]) == kOwnTree);
+    check(again.save(path));
+    ScenarioDocument saved;
+    check(saved.open(path));
+    QVERIFY(*saved.map() == *document.map());
+    QVERIFY(saved.tree(saved.entities(EntityKind::Human)[1]) == kOwnTree);
+  }
+
+  void checkNow_afterSaving_issuesHaveLines() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("room.yaml"));
+    ScenarioDocument document;
+    document.load(small::scenario());
+    document.setMap(small::room());
+    pushMove(document, {{EntityKind::Human, 3}}, Vec2(-1.5, 0.5));  // into the wall
+    check(document.save(path));
+    document.checkNow();
+    const std::string text = *base::readTextFile(path.toStdString());
+    int aboutChloe = 0;
+    for (const base::Diagnostic& issue : document.issues()) {
+      if (issue.entity == EntityId({EntityKind::Human, 3})) {
+        ++aboutChloe;
+        QVERIFY(issue.line > 0);
+        const QStringList lines = QString::fromStdString(text).split(QLatin1Char('\n'));
+        QVERIFY(lines[issue.line - 1].contains(QStringLiteral("Chloe")));
+      }
+    }
+    QVERIFY(aboutChloe > 0);
+  }
+
  private:
+  static constexpr const char* kOwnTree =
+      "<root BTCPP_format=\"4\" main_tree_to_execute=\"Mine\">\n  <BehaviorTree ID=\"Mine\">\n"
+      "    <AlwaysSuccess/>\n  </BehaviorTree>\n</root>\n";
+
+  static std::string treePath(const QTemporaryDir& folder, int id) {
+    return folder.filePath(QStringLiteral("room__agent_%1_bt.xml").arg(id)).toStdString();
+  }
+  /// Name and content of every file, temporary ones too.
+  static std::map<QString, std::string> contentOf(const QTemporaryDir& folder) {
+    std::map<QString, std::string> result;
+    for (const QFileInfo& file :
+         QDir(folder.path()).entryInfoList(QDir::Files | QDir::Hidden | QDir::System)) {
+      result[file.fileName()] = *base::readTextFile(file.filePath().toStdString());
+    }
+    return result;
+  }
+
   static void check(const base::Diagnostics& found) {
     for (const base::Diagnostic& diagnostic : found) {
       QVERIFY2(diagnostic.severity != base::Severity::Error, diagnostic.text().c_str());

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+
+#include <QLockFile>
+#include <QTimer>
+
+#include "editor/document/DocumentSnapshot.h"
+#include "editor/document/LatestTask.h"
+
+namespace editor {
+
+/// Keeps a copy of unsaved work in a folder of its own, for the next start after a crash: written
+/// beside the GUI thread at most `kAutosaveMs` after an edit, removed when the work is saved or the
+/// program ends in order.
+class Autosave : public QObject {
+  Q_OBJECT
+ public:
+  static constexpr int kAutosaveMs = 3000;
+
+  /// `root` holds one folder per running program.
+  Autosave(ScenarioDocument& document, QString root, QObject* parent = nullptr);
+  ~Autosave() override;
+  Q_DISABLE_COPY_MOVE(Autosave)
+
+  QString folder() const { return folder_; }  // of the copy; empty: none was needed yet
+  void writeNow();                            // and waits for it
+
+  /// Folders of copies whose program has died.
+  static QStringList leftBehind(const QString& root);
+  static void discard(const QString& folder);
+
+ Q_SIGNALS:
+  void failed(const base::Diagnostics& problems);
+
+ private:
+  void noteEdit();
+  void write();
+  bool makeFolder();
+  void removeCopy();
+
+  ScenarioDocument& document_;
+  QString root_, folder_;
+  std::unique_ptr<QLockFile> lock_;  // as long as it is held, this program lives
+  QTimer timer_;
+  std::unique_ptr<LatestTask<base::Diagnostics>> task_;
+};
+
+}  // namespace editor

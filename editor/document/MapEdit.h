@@ -1,0 +1,93 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <QUndoCommand>
+
+#include "editor/document/ScenarioDocument.h"
+#include "sim2d/map/MapReader.h"
+
+/// Changing the map under the scenario, undoably.
+namespace editor {
+
+struct DocumentDisk;
+
+/// What a brush leaves behind, as values of cells.
+enum class MapPaint { Free = 0, Occupied = 100, Unknown = -1 };
+
+/// Cells that were painted and what they become; a grid of its own until pushed.
+class MapStroke {
+ public:
+  explicit MapStroke(std::shared_ptr<const sim2d::OccupancyGrid> before);
+  /// All cells whose centres lie within `radius` of the way from `from` to `to` [m].
+  void paint(const Vec2& from, const Vec2& to, double radius, MapPaint paint);
+  /// All cells whose centres lie in the rectangle (map axes) between two corners [m].
+  void fill(const Vec2& corner, const Vec2& opposite, MapPaint paint);
+  bool isEmpty() const { return changed_.empty(); }
+  /// The map with all that was painted so far; what the next `paint` changes is not in it.
+  std::shared_ptr<const sim2d::OccupancyGrid> grid() const;
+
+  struct CellChange {
+    std::size_t index;
+    std::int8_t value;
+  };
+  const std::vector<CellChange>& changes() const { return changed_; }  // in order of painting
+
+ private:
+  void set(sim2d::Cell cell, MapPaint paint);
+
+  std::shared_ptr<const sim2d::OccupancyGrid> before_;
+  std::vector<std::int8_t> cells_;
+  std::vector<CellChange> changed_;
+};
+
+/// Swaps the map, with the settings that name it.
+class EditMap : public QUndoCommand {
+ public:
+  EditMap(ScenarioDocument& document, MapState map, ScenarioSettings settings, const QString& text);
+  void redo() override { swap(); }
+  void undo() override { swap(); }
+
+ private:
+  void swap();
+  ScenarioDocument& document_;
+  MapState map_;
+  EntitySlot settings_;
+};
+
+/// Swaps values of cells; keeps only these.
+class PaintMap : public QUndoCommand {
+ public:
+  PaintMap(ScenarioDocument& document, const MapStroke& stroke, const QString& text);
+  void redo() override { swap(); }
+  void undo() override { swap(); }
+
+ private:
+  void swap();
+  ScenarioDocument& document_;
+  std::vector<MapStroke::CellChange> cells_;  // each once
+};
+
+void pushMap(ScenarioDocument& document, MapState map, ScenarioSettings settings,
+             const QString& text);
+/// Nothing is pushed when no cell would change.
+void pushStroke(ScenarioDocument& document, const MapStroke& stroke, const QString& text);
+
+/// A room with walls one cell thick around width x height of free ground [m], lower left corner of
+/// the free ground at (0, 0).
+std::shared_ptr<const sim2d::OccupancyGrid> emptyRoom(double width, double height,
+                                                      double resolution = 0.05);
+/// The same cells with another size and place: `resolution` [m], origin of the lower left corner.
+std::shared_ptr<const sim2d::OccupancyGrid> rescaled(const sim2d::OccupancyGrid& grid,
+                                                     double resolution, const Pose2& origin);
+
+/// A map file, read and noted as being on the disk.
+base::Result<MapState> readMapFile(const QString& yamlPath, DocumentDisk& disk,
+                                   sim2d::MapRule rule);
+/// An image without a YAML file: dark is occupied, bright is free, as nav2 reads it; `resolution`
+/// [m], lower left corner at (0, 0).
+base::Result<std::shared_ptr<const sim2d::OccupancyGrid>> gridOfImage(const QString& imagePath,
+                                                                      double resolution);
+
+}  // namespace editor

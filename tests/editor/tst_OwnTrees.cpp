@@ -1,0 +1,174 @@
+#include <QDir>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "SmallScenario.h"
+#include "editor/document/EditCommands.h"
+#include "editor/document/TreeFiles.h"
+#include "sim2d/base/Text.h"
+
+using namespace editor;
+
+/// Trees that somebody wrote, when the scenario around them changes and is saved.
+class OwnTreesTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void save_goalsChanged_generatedTreeFollowsSilently() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("room.yaml"));
+    ScenarioDocument document;
+    document.load(small::scenario());
+    check(document.save(path));
+    const std::string before = treeText(folder, 1);
+    pushRoute(document, {{EntityKind::Human, 1}}, {3});
+    QVERIFY(document.treeQuestions(path).empty());
+    check(document.save(path));
+    QVERIFY(treeText(folder, 1) != before);
+    QVERIFY(isGeneratedTree(treeText(folder, 1), document.scenario(),
+                            *document.human({EntityKind::Human, 1})));
+  }
+
+  void save_treeOfTheOriginalsStyle_staysInItsStyle() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("room.yaml"));
+    ScenarioDocument document;
+    document.load(small::scenario());
+    check(document.save(path));
+    const EntityId chloe{EntityKind::Human, 3};
+    const std::string theirs =
+        generatedTree(document.scenario(), *document.human(chloe), bt::TreeStyle::Hunav2);
+    check(base::writeFileAtomically(treePath(folder, 3), theirs));
+    ScenarioDocument again;
+    check(again.open(path));
+    const EntityId same = again.entities(EntityKind::Human)[2];
+    QVERIFY(!again.tree(same));
+    QVERIFY(again.treeToRun(same) == theirs);
+    check(again.save(path));
+    QVERIFY(treeText(folder, 3) == theirs);
+    pushRoute(again, {same}, {2, 3});
+    QVERIFY(again.treeQuestions(path).empty());
+    check(again.save(path));
+    QVERIFY(generatedStyle(treeText(folder, 3), again.scenario(), *again.human(same)) ==
+            bt::TreeStyle::Hunav2);
+    QVERIFY(treeText(folder, 3) != theirs);
+  }
+
+  void treeQuestions_goalsOfAnOwnTreeChanged_asksAndObeys_data() {
+    QTest::addColumn<bool>("keeps");
+    QTest::newRow("keep mine") << true;
+    QTest::newRow("take the generated one") << false;
+  }
+
+  void treeQuestions_goalsOfAnOwnTreeChanged_asksAndObeys() {
+    QFETCH(bool, keeps);
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("room.yaml"));
+    ScenarioDocument document;
+    document.load(small::scenario());
+    const EntityId ana{EntityKind::Human, 1};
+    document.undoStack().push(new EditTree(document, ana, kOwnTree, QStringLiteral("Tree")));
+    QVERIFY(document.treeQuestions(path).empty());
+    check(document.save(path));
+    pushRoute(document, {ana}, {3});
+    const std::vector<TreeQuestion> questions = document.treeQuestions(path);
+    QCOMPARE(questions.size(), std::size_t(1));
+    QVERIFY(questions[0].human == ana);
+    QVERIFY(questions[0].why == TreeQuestion::Why::BehaviourChanged);
+    QVERIFY(questions[0].mine == kOwnTree);
+    QVERIFY(questions[0].replacement == generatedTree(document.scenario(), *document.human(ana)));
+    check(document.save(path, {{ana, keeps ? TreeAnswer::KeepMine : TreeAnswer::TakeReplacement}}));
+    QVERIFY((treeText(folder, 1) == kOwnTree) == keeps);
+    QVERIFY(document.tree(ana).has_value() == keeps);
+    QVERIFY(document.treeQuestions(path).empty());  // asked once per change
+    QVERIFY(!document.isDirty());
+    document.undoStack().undo();
+    QVERIFY(document.isDirty());
+  }
+
+  void treeQuestions_treeEditedByAnotherProgram_isNeverReplacedInSilence() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("room.yaml"));
+    ScenarioDocument document;
+    document.load(small::scenario());
+    check(document.save(path));
+    check(base::writeFileAtomically(treePath(folder, 1), kOwnTree));
+    pushRoute(document, {{EntityKind::Human, 1}}, {3});
+    const std::vector<TreeQuestion> questions = document.treeQuestions(path);
+    QCOMPARE(questions.size(), std::size_t(1));
+    QVERIFY(questions[0].why == TreeQuestion::Why::ChangedOnDisk);
+    QVERIFY(questions[0].mine == kOwnTree);
+    check(document.save(path));  // no answer: what is there stays, and is the person's from now on
+    QVERIFY(treeText(folder, 1) == kOwnTree);
+    QVERIFY(document.tree({EntityKind::Human, 1}) == kOwnTree);
+    document.undoStack().undo();
+    check(document.save(path, {{{EntityKind::Human, 1}, TreeAnswer::TakeReplacement}}));
+    QVERIFY(isGeneratedTree(treeText(folder, 1), document.scenario(),
+                            *document.human({EntityKind::Human, 1})));
+  }
+
+  void saveAs_overAnOlderScenario_asksOnlyAboutTreesWrittenByHand() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("room.yaml"));
+    {
+      ScenarioDocument old;
+      old.load(small::scenario());
+      for (const EntityId id : old.entities(EntityKind::Human)) {
+        pushRoute(old, {id}, {3, 2, 1});
+      }
+      check(old.save(path));
+      check(base::writeFileAtomically(treePath(folder, 2), kOwnTree));
+    }
+    ScenarioDocument document;
+    document.load(small::scenario());
+    const std::vector<TreeQuestion> questions = document.treeQuestions(path);
+    QCOMPARE(questions.size(), std::size_t(1));
+    QCOMPARE(questions[0].name.c_str(), "Ben");
+  }
+
+  void saveAs_sharedTreeOfOneChanged_theOtherKeepsIt() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("room.yaml"));
+    check(base::writeFileAtomically(folder.filePath(QStringLiteral("both.xml")).toStdString(),
+                                    kOwnTree));
+    sim2d::Scenario scenario = small::scenario();
+    scenario.map = "none_here";
+    scenario.yamlBaseName = "room";
+    scenario.humans[0].ours.tree = "both.xml";
+    scenario.humans[1].ours.tree = "both.xml";
+    check(base::writeFileAtomically(path.toStdString(), sim2d::writeScenario(scenario)));
+    ScenarioDocument document;
+    check(document.open(path));
+    const std::vector<EntityId> people = document.entities(EntityKind::Human);
+    const std::string changed = std::string(kOwnTree) + "<!-- more -->\n";
+    document.undoStack().push(new EditTree(document, people[1], changed, QStringLiteral("Tree")));
+    check(document.save(path));
+    ScenarioDocument again;
+    check(again.open(path));
+    QVERIFY(again.tree(again.entities(EntityKind::Human)[0]) == kOwnTree);
+    QVERIFY(again.tree(again.entities(EntityKind::Human)[1]) == changed);
+  }
+
+ private:
+  static constexpr const char* kOwnTree =
+      "<root BTCPP_format=\"4\" main_tree_to_execute=\"Mine\">\n  <BehaviorTree ID=\"Mine\">\n"
+      "    <AlwaysSuccess/>\n  </BehaviorTree>\n</root>\n";
+
+  static std::string treePath(const QTemporaryDir& folder, int id) {
+    return folder.filePath(QStringLiteral("room__agent_%1_bt.xml").arg(id)).toStdString();
+  }
+  static std::string treeText(const QTemporaryDir& folder, int id) {
+    return base::readTextFile(treePath(folder, id)).diagnostics().empty()
+               ? *base::readTextFile(treePath(folder, id))
+               : std::string();
+  }
+
+  static void check(const base::Diagnostics& found) {
+    for (const base::Diagnostic& diagnostic : found) {
+      QVERIFY2(diagnostic.severity != base::Severity::Error, diagnostic.text().c_str());
+    }
+  }
+};
+
+QTEST_MAIN(OwnTreesTest)
+#include "tst_OwnTrees.moc"
