@@ -14,6 +14,28 @@ constexpr int kRowHeight = 24;
 constexpr int kTabHeight = 32;
 constexpr int kToolButton = 32;
 
+void drawRadioButton(QPainter& painter, const QStyleOption& option, const Theme& theme) {
+  const bool enabled = option.state.testFlag(QStyle::State_Enabled);
+  const bool hovered = enabled && option.state.testFlag(QStyle::State_MouseOver);
+  const bool chosen = option.state.testFlag(QStyle::State_On);
+  QColor fill = theme.color(chosen ? Role::Accent : Role::Field);
+  QColor edge = theme.color(chosen || hovered ? Role::Accent : Role::FieldEdge);
+  if (!enabled) {
+    fill.setAlphaF(0.4);
+    edge.setAlphaF(0.4);
+  }
+  const QPointF middle = QRectF(option.rect).center();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(edge, 1.0));
+  painter.setBrush(fill);
+  painter.drawEllipse(middle, 6.5, 6.5);
+  if (chosen) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme.color(Role::Field));
+    painter.drawEllipse(middle, 2.5, 2.5);
+  }
+}
+
 }  // namespace
 
 HouseStyle::HouseStyle(const Theme& theme) : QProxyStyle(QStringLiteral("Fusion")), theme_(theme) {}
@@ -141,6 +163,9 @@ bool HouseStyle::drawSimple(PrimitiveElement element, const QStyleOption& option
           frame != nullptr && frame->lineWidth > 0) {
         drawFieldFrame(painter, option, widget);
       }
+      return true;
+    case PE_IndicatorRadioButton:
+      drawRadioButton(painter, option, theme_);
       return true;
     case PE_IndicatorCheckBox:
     case PE_IndicatorItemViewItemCheck:
