@@ -1,56 +1,18 @@
 #include "app/window/FileCommands.h"
 
+#include <algorithm>
+
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
+#include <QRegularExpression>
 #include <QStandardPaths>
 
+#include "bt/tree/TreeXml.h"
+#include "editor/document/DocumentSnapshot.h"
 #include "editor/document/EditCommands.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
-
-namespace {
-
-constexpr int kRecentFiles = 8;
-constexpr const char* kRecentKey = "files/recent";
-
-}  // namespace
-
-Memory::Memory(bool remembers) {
-  if (remembers) {
-    store_ = std::make_unique<QSettings>(QStringLiteral("hunavsim"), QStringLiteral("desktop"));
-  }
-}
-
-QVariant Memory::value(const char* key) const {
-  return store_ ? store_->value(QString::fromLatin1(key)) : QVariant();
-}
-
-void Memory::setValue(const char* key, const QVariant& value) {
-  if (store_) {
-    store_->setValue(QString::fromLatin1(key), value);
-  }
-}
-
-QStringList Memory::recentFiles() const {
-  return value(kRecentKey).toStringList();
-}
-
-void Memory::noteFile(const QString& path) {
-  QStringList files = recentFiles();
-  const QString whole = QFileInfo(path).absoluteFilePath();
-  files.removeAll(whole);
-  files.prepend(whole);
-  while (files.size() > kRecentFiles) {
-    files.removeLast();
-  }
-  setValue(kRecentKey, files);
-}
-
-void Memory::clearRecent() {
-  setValue(kRecentKey, QStringList());
-}
 
 FileCommands::FileCommands(Workspace& workspace, editor::IssuesPanel& issues, Memory& memory,
                            QWidget& window)
@@ -66,42 +28,134 @@ bool FileCommands::tell(const base::Diagnostics& problems) {
   return fine;
 }
 
-bool FileCommands::isMap(const QString& path) const {
+/// By what stands in the file, for images by the name.
+FileCommands::Kind FileCommands::kindOf(const QString& path) const {
+  static const QStringList kImages = {QStringLiteral("png"), QStringLiteral("pgm"),
+                                      QStringLiteral("bmp"), QStringLiteral("jpg"),
+                                      QStringLiteral("jpeg")};
+  if (kImages.contains(QFileInfo(path).suffix().toLower())) {
+    return Kind::Image;
+  }
   const base::Result<std::string> text = base::readTextFile(path.toStdString());
   if (!text) {
-    return false;
+    return Kind::Scenario;  // whose reader says what is wrong
   }
-  for (const std::string& line : base::split(*text, '\n')) {
-    if (line.rfind("image:", 0) == 0) {
-      return true;
-    }
+  const std::size_t first = text->find_first_not_of("\xEF\xBB\xBF \t\r\n");
+  if (first != std::string::npos && (*text)[first] == '<') {
+    return Kind::Tree;
   }
-  return false;
+  const bool isScenario = text->find("ros__parameters") != std::string::npos;
+  return !isScenario && text->find("image:") != std::string::npos ? Kind::Map : Kind::Scenario;
 }
 
 bool FileCommands::openFile(const QString& path) {
-  if (isMap(path)) {
-    return openNewFromMap(path);
+  switch (kindOf(path)) {
+    case Kind::Map:
+      return openNewFromMap(path);
+    case Kind::Image:
+      Q_EMIT imageWanted(path);
+      return true;
+    case Kind::Tree:
+      return giveTree(path, {});
+    case Kind::Scenario:
+      break;
   }
-  base::Diagnostics problems = workspace_.document().open(path);
-  if (!base::hasErrors(problems)) {
+  return openScenario(path);
+}
+
+bool FileCommands::dropFile(const QString& path, editor::EntityId under) {
+  if (kindOf(path) == Kind::Tree) {
+    return giveTree(path, under);
+  }
+  return mayLeave() && openFile(path);
+}
+
+bool FileCommands::openScenario(const QString& path) {
+  editor::ScenarioDocument& document = workspace_.document();
+  // options beside a file are meant for that file, others for all
+  const bool isMeant = options_.scenario.empty() || options_.scenario == path.toStdString();
+  document.setSearch(isMeant ? QString::fromStdString(options_.map) : QString(),
+                     isMeant ? QString::fromStdString(options_.trees) : QString());
+  base::Diagnostics problems = document.open(path);
+  const bool isShown = !base::hasErrors(problems) || document.isReadOnly() ||
+                       (!options_.map.empty() && document.mapState().isMissing);
+  if (!base::hasErrors(problems) && isMeant) {
     base::append(problems, applyRunOptions());
+  }
+  if (isShown) {
+    memory_.noteFile(path);
+    Q_EMIT recentChanged();
+    Q_EMIT opened();
+  }
+  const bool isFine = tell(problems);
+  if (isShown) {
+    issues_.setActionIssues({});  // what the document keeps is shown by the panel anyway
+  }
+  return isFine;
+}
+
+bool FileCommands::reload() {
+  return openScenario(workspace_.document().path());
+}
+
+bool FileCommands::restore(const QString& folder) {
+  if (!mayLeave()) {
+    return false;
+  }
+  base::Result<editor::DocumentSnapshot> copy = editor::readSnapshot(folder);
+  if (!tell(copy.diagnostics()) || !copy) {
+    return false;
+  }
+  workspace_.document().restore(*std::move(copy));
+  Q_EMIT opened();
+  return true;
+}
+
+/// To the person it fell on, else to those who are selected, else to the one its name speaks of.
+bool FileCommands::giveTree(const QString& path, editor::EntityId under) {
+  editor::ScenarioDocument& document = workspace_.document();
+  const base::Result<std::string> text = base::readTextFile(path.toStdString());
+  base::Diagnostics problems = text.diagnostics();
+  if (text) {
+    base::append(problems, bt::readTreeText(*text, path.toStdString()).diagnostics());
+  }
+  std::vector<editor::EntityId> people;
+  const auto addPerson = [&](editor::EntityId id) {
+    if (document.human(id) != nullptr) {
+      people.push_back(id);
+    }
+  };
+  addPerson(under);
+  if (people.empty()) {
+    std::for_each(document.selection().begin(), document.selection().end(), addPerson);
+  }
+  static const QRegularExpression kName(QStringLiteral("__agent_(\\d+)_bt\\.xml$"));
+  const QRegularExpressionMatch match = kName.match(path);
+  if (people.empty() && match.hasMatch()) {
+    if (const sim2d::Human* human = document.scenario().humanById(match.captured(1).toInt())) {
+      addPerson(human->key);
+    }
+  }
+  if (people.empty()) {
+    problems.push_back(
+        base::makeError("nobody to give the tree to (drop it onto a person, or select people)",
+                        path.toStdString()));
   }
   if (!tell(problems)) {
     return false;
   }
-  // What the document keeps is shown by the panel anyway.
-  issues_.setActionIssues({});
-  memory_.noteFile(path);
-  Q_EMIT recentChanged();
-  Q_EMIT opened();
+  document.undoStack().beginMacro(tr("Give a tree"));
+  for (const editor::EntityId id : people) {
+    document.undoStack().push(new editor::EditTree(document, id, *text, tr("Give a tree")));
+  }
+  document.undoStack().endMacro();
   return true;
 }
 
 base::Diagnostics FileCommands::applyRunOptions() {
   editor::ScenarioDocument& document = workspace_.document();
   sim2d::Scenario wanted = document.scenario();
-  base::Diagnostics problems = applyOptions(wanted, options_, {});
+  base::Diagnostics problems = applyOptions(wanted, options_, compatibility_);
   if (base::hasErrors(problems) || wanted == document.scenario()) {
     return problems;
   }
@@ -124,32 +178,6 @@ base::Diagnostics FileCommands::applyRunOptions() {
   return problems;
 }
 
-bool FileCommands::openNewFromMap(const QString& mapYaml) {
-  editor::ScenarioDocument& document = workspace_.document();
-  document.clear();
-  const base::Diagnostics problems = document.openMap(mapYaml);
-  if (!tell(problems)) {
-    return false;
-  }
-  Q_EMIT opened();
-  return true;
-}
-
-void FileCommands::newRoom() {
-  workspace_.document().clear();
-  tell({});
-  Q_EMIT opened();
-}
-
-bool FileCommands::saveTo(const QString& path) {
-  if (!tell(workspace_.document().save(path))) {
-    return false;
-  }
-  memory_.noteFile(path);
-  Q_EMIT recentChanged();
-  return true;
-}
-
 QString FileCommands::folder() const {
   const QString path = workspace_.document().path();
   if (!path.isEmpty()) {
@@ -161,73 +189,12 @@ QString FileCommands::folder() const {
 }
 
 void FileCommands::askOpen() {
-  const QString path = QFileDialog::getOpenFileName(&window_, tr("Open a scenario or a map"),
-                                                    folder(), tr("YAML files (*.yaml *.yml)"));
+  const QString path = QFileDialog::getOpenFileName(
+      &window_, tr("Open a scenario or a map"), folder(),
+      tr("Scenarios, maps, images of maps (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)"));
   if (!path.isEmpty() && mayLeave()) {
     openFile(path);
   }
-}
-
-void FileCommands::askNewFromMap() {
-  const QString path = QFileDialog::getOpenFileName(&window_, tr("New scenario on a map"), folder(),
-                                                    tr("Maps (*.yaml *.yml)"));
-  if (!path.isEmpty() && mayLeave()) {
-    openNewFromMap(path);
-  }
-}
-
-void FileCommands::askOtherMap() {
-  const QString path = QFileDialog::getOpenFileName(&window_, tr("Put a map under the scenario"),
-                                                    folder(), tr("Maps (*.yaml *.yml)"));
-  if (!path.isEmpty()) {
-    tell(workspace_.document().openMap(path));
-  }
-}
-
-bool FileCommands::save() {
-  editor::ScenarioDocument& document = workspace_.document();
-  if (document.path().isEmpty()) {
-    return saveAs();
-  }
-  if (document.commentCount() > 0) {
-    const auto answer =
-        QMessageBox::question(&window_, tr("Comments will be lost"),
-                              tr("%1 has %n comment(s) that saving does not keep. Save over it?",
-                                 nullptr, document.commentCount())
-                                  .arg(document.displayName()),
-                              QMessageBox::Save | QMessageBox::Cancel, QMessageBox::Cancel);
-    if (answer != QMessageBox::Save) {
-      return false;
-    }
-  }
-  return saveTo(document.path());
-}
-
-bool FileCommands::saveAs() {
-  const QString proposal = workspace_.document().path().isEmpty()
-                               ? folder() + QStringLiteral("/scenario.yaml")
-                               : workspace_.document().path();
-  QString path = QFileDialog::getSaveFileName(&window_, tr("Save the scenario"), proposal,
-                                              tr("Scenarios (*.yaml)"));
-  if (path.isEmpty()) {
-    return false;
-  }
-  if (QFileInfo(path).suffix().isEmpty()) {
-    path += QStringLiteral(".yaml");
-  }
-  return saveTo(path);
-}
-
-bool FileCommands::mayLeave() {
-  editor::ScenarioDocument& document = workspace_.document();
-  if (!document.isDirty()) {
-    return true;
-  }
-  const auto answer = QMessageBox::question(
-      &window_, tr("Unsaved changes"),
-      tr("Save the changes to %1 first?").arg(document.displayName()),
-      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
-  return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
 }
 
 void FileCommands::fillRecentMenu(QMenu& menu) {

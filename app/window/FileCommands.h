@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QSettings>
 
+#include "app/Export.h"
 #include "app/RunOptions.h"
 #include "app/window/Workspace.h"
 #include "editor/panels/IssuesPanel.h"
@@ -33,19 +34,33 @@ class FileCommands : public QObject {
  public:
   FileCommands(Workspace& workspace, editor::IssuesPanel& issues, Memory& memory, QWidget& window);
 
-  void setOptions(const RunOptions& options) { options_ = options; }
-  /// A scenario, or a map for a new one. False: it could not be read, the issues say why.
+  void setOptions(const RunOptions& options, const sim2d::Compatibility& compatibility) {
+    options_ = options;
+    compatibility_ = compatibility;
+  }
+  /// A scenario, a map for a new one, or a tree for the people that are selected. False: it could
+  /// not be read, or only in part; the issues say why.
   bool openFile(const QString& path);
+  /// The same for a file that was dropped onto `under` (nothing = beside everything).
+  bool dropFile(const QString& path, editor::EntityId under);
+  bool reload();                        // the file of the document, as it is on the disk now
+  bool restore(const QString& folder);  // a copy of an earlier session that has crashed
   bool openNewFromMap(const QString& mapYaml);
-  void newRoom();
-  bool saveTo(const QString& path);
+  void newRoom();  // an open plane
+  void newOnMap(std::shared_ptr<const sim2d::OccupancyGrid> map);
+  bool saveTo(const QString& path, const editor::TreeAnswers& trees = {});
   void fillRecentMenu(QMenu& menu);
+  ExportSource exportSource() const;
+  bool exportPlan(const ExportPlan& plan);                         // writes it
   const base::Diagnostics& problems() const { return problems_; }  // of the last command
 
   // with dialogs
   void askOpen();
   void askNewFromMap();
+  void askNewRoom();
+  void askMapOfImage(const QString& path);
   void askOtherMap();
+  void askExport();
   bool save();  // asks for a name when there is none; false when cancelled or failed
   bool saveAs();
   /// Unsaved changes: save, discard or stay. True when the document may be replaced.
@@ -55,18 +70,25 @@ class FileCommands : public QObject {
   void opened();  // a document is there to be edited
   void recentChanged();
   void issuesRaised();
+  void imageWanted(const QString& path);  // a picture to make a map of
 
  private:
+  enum class Kind { Scenario, Map, Image, Tree };
   bool tell(const base::Diagnostics& problems);
   base::Diagnostics applyRunOptions();
   QString folder() const;
-  bool isMap(const QString& path) const;
+  Kind kindOf(const QString& path) const;
+  bool openScenario(const QString& path);
+  bool giveTree(const QString& path, editor::EntityId under);
+  bool mayWriteOver();
+  bool saveAsking(const QString& path);
 
   Workspace& workspace_;
   editor::IssuesPanel& issues_;
   Memory& memory_;
   QWidget& window_;
   RunOptions options_;
+  sim2d::Compatibility compatibility_;
   base::Diagnostics problems_;
 };
 

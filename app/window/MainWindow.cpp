@@ -9,6 +9,8 @@
 #include <QMimeData>
 #include <QUrl>
 
+#include "app/window/DocumentGuard.h"
+#include "app/window/NoticeBar.h"
 #include "app/window/StatusLine.h"
 #include "app/window/ToolBars.h"
 #include "editor/look/Icons.h"
@@ -49,6 +51,7 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
       memory_(setup.remembers),
       followsSystem_(setup.followsSystem),
       actions_(new WindowActions(workspace_, this)),
+      notices_(new NoticeBar(setup.theme, this)),
       centre_(new QStackedWidget(this)),
       docks_(new Docks(*this, workspace_)),
       files_(new FileCommands(workspace_, docks_->issues(), memory_, *this)),
@@ -62,7 +65,19 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   setContextMenuPolicy(Qt::NoContextMenu);
   setWindowIcon(editor::themedIcon(QStringLiteral("app"), editor::Theme::light()));
   workspace_.document().setShippedMaps(setup.shippedMaps);
-  files_->setOptions(setup.options);
+  workspace_.setRunSettings({setup.compatibility, setup.options.threads, setup.options.exact});
+  files_->setOptions(setup.options, setup.compatibility);
+  placeParts(setup);
+  connectFiles();
+  connectView();
+  connectRun();
+  restoreGeometry(memory_.value(kGeometryKey).toByteArray());
+  guard_ = new DocumentGuard(workspace_, *files_, *notices_, setup.recoveryFolder, this);
+  showStart(true);
+  showTitle();
+}
+
+void MainWindow::placeParts(const WindowSetup& setup) {
   addToolBar(Qt::TopToolBarArea, toolBar_);
   recent_ = makeMenus(*this, workspace_, *actions_, *docks_).recent;
   saved_->setContentsMargins(0, 0, 12, 0);
@@ -73,13 +88,14 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   startPage_ = new StartPage(workspace_, *actions_, memory_, setup.demos, this);
   centre_->addWidget(startPage_);
   centre_->addWidget(&workspace_.view());
-  setCentralWidget(centre_);
-  connectFiles();
-  connectView();
-  connectRun();
-  restoreGeometry(memory_.value(kGeometryKey).toByteArray());
-  showStart(true);
-  showTitle();
+  workspace_.view().setAcceptDrops(false);  // files fall through to the window
+  auto* middle = new QWidget(this);
+  auto* rows = new QVBoxLayout(middle);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(0);
+  rows->addWidget(notices_);
+  rows->addWidget(centre_, 1);
+  setCentralWidget(middle);
 }
 
 /// Who listens to the workspace goes before it: its end still makes changes that are told.
@@ -87,6 +103,7 @@ MainWindow::~MainWindow() {
   workspace_.document().disconnect(this);
   workspace_.runner().disconnect(this);
   workspace_.feed().disconnect(this);
+  delete guard_;
   delete status_;
   delete files_;
   qDeleteAll(findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly));
@@ -112,6 +129,9 @@ void MainWindow::connectFiles() {
   connect(actions_->openMap, &QAction::triggered, files, &FileCommands::askOtherMap);
   connect(actions_->save, &QAction::triggered, files, &FileCommands::save);
   connect(actions_->saveAs, &QAction::triggered, files, &FileCommands::saveAs);
+  connect(actions_->exportTo, &QAction::triggered, files, &FileCommands::askExport);
+  connect(actions_->newWalledRoom, &QAction::triggered, files, &FileCommands::askNewRoom);
+  connect(files, &FileCommands::imageWanted, files, &FileCommands::askMapOfImage);
   connect(actions_->close, &QAction::triggered, this, [this] {
     if (files_->mayLeave()) {
       workspace_.document().clear();
@@ -189,7 +209,8 @@ void MainWindow::showStart(bool start) {
   docks_->setShown(!start);
   toolBar_->setVisible(!start);
   status_->setIdle(start);
-  for (QAction* action : {actions_->save, actions_->saveAs, actions_->close, actions_->openMap}) {
+  for (QAction* action :
+       {actions_->save, actions_->saveAs, actions_->exportTo, actions_->close, actions_->openMap}) {
     action->setEnabled(!start);
   }
   if (!start) {
@@ -222,6 +243,7 @@ void MainWindow::setTheme(const editor::Theme& theme) {
   actions_->setTheme(theme);
   docks_->setTheme(theme);
   startPage_->setTheme(theme);
+  notices_->setTheme(theme);
   status_->setTheme();
   if (viewer_ != nullptr) {
     viewer_->setTheme(theme);
@@ -305,9 +327,14 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
   const QString path = event->mimeData()->urls().front().toLocalFile();
   event->acceptProposedAction();
-  if (files_->mayLeave()) {
-    files_->openFile(path);
+  editor::EntityId under;
+  const editor::MapView& view = workspace_.view();
+  if (!isOnStartPage() &&
+      view.geometry().contains(view.parentWidget()->mapFrom(this, event->pos()))) {
+    const QPointF scene = view.mapToScene(view.viewport()->mapFrom(this, event->pos()));
+    under = workspace_.scene().entityAt(editor::MapScene::worldFromScene(scene));
   }
+  files_->dropFile(path, under);
 }
 
 }  // namespace app

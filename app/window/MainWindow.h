@@ -20,6 +20,8 @@ class TextViewer;
 
 namespace app {
 
+class DocumentGuard;
+class NoticeBar;
 class StatusLine;
 
 struct WindowSetup {
@@ -29,6 +31,8 @@ struct WindowSetup {
   QString shippedMaps;
   std::vector<Demo> demos;
   RunOptions options;
+  sim2d::Compatibility compatibility;  // of the options
+  QString recoveryFolder;              // for copies of unsaved work; empty: none are kept
 };
 
 /// Wires the parts together and asks before changes are lost. Closed windows keep the document
@@ -44,6 +48,8 @@ class MainWindow : public QMainWindow {
   FileCommands& files() { return *files_; }
   WindowActions& actions() { return *actions_; }
   editor::TextViewer* viewer() const { return viewer_; }  // null before its first use
+  NoticeBar& notices() { return *notices_; }
+  DocumentGuard& guard() { return *guard_; }
   bool open(const QString& path) { return files_->openFile(path); }
   void setTheme(const editor::Theme& theme);
   bool isOnStartPage() const;
@@ -55,6 +61,7 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
+  void placeParts(const WindowSetup& setup);
   void connectFiles();
   void connectView();
   void connectRun();
@@ -71,10 +78,12 @@ class MainWindow : public QMainWindow {
   bool followsSystem_;
   bool placed_ = false;
   WindowActions* actions_;
+  NoticeBar* notices_;
   QStackedWidget* centre_;
   StartPage* startPage_ = nullptr;
   Docks* docks_;
   FileCommands* files_;
+  DocumentGuard* guard_;
   StatusLine* status_;
   QToolBar* toolBar_;
   QMenu* recent_ = nullptr;

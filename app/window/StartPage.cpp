@@ -116,9 +116,9 @@ void StartPage::addActions(WindowActions& actions) {
     cards_.push_back(card);
   };
   add(actions.newFromMap, QStringLiteral("start-map"), tr("New from a map"),
-      tr("A map of the navigation stack"));
-  add(actions.newRoom, QStringLiteral("start-room"), tr("New empty room"),
-      tr("An open plane to draw on"));
+      tr("nav2 map or image of a floor plan"));
+  add(actions.newWalledRoom, QStringLiteral("start-room"), tr("New empty room"),
+      tr("Four walls, or an open plane"));
   add(actions.open, QStringLiteral("file-open"), tr("Open…"), tr("Scenario or map"));
   column_->addLayout(row);
 }

@@ -90,10 +90,10 @@ Menus makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& action
   Menus menus;
   QMenuBar& bar = *window.menuBar();
   QMenu* file = bar.addMenu(QObject::tr("&File"));
-  file->addActions({actions.newRoom, actions.newFromMap, actions.open});
+  file->addActions({actions.newRoom, actions.newWalledRoom, actions.newFromMap, actions.open});
   menus.recent = file->addMenu(QObject::tr("Open &recent"));
   file->addSeparator();
-  file->addActions({actions.save, actions.saveAs});
+  file->addActions({actions.save, actions.saveAs, actions.exportTo});
   file->addSeparator();
   file->addActions({actions.close, actions.quit});
 

@@ -37,8 +37,11 @@ QAction* WindowActions::make(const QString& text, const QString& icon, const QKe
 }
 
 void WindowActions::makeFileActions() {
-  newRoom = make(tr("&New empty room"), QStringLiteral("file-new"), QKeySequence::New,
-                 tr("A new scenario on an open plane"));
+  newRoom = make(tr("&New open plane"), QStringLiteral("file-new"), QKeySequence::New,
+                 tr("A new scenario without a map"));
+  newWalledRoom = make(tr("New empty &room…"), QStringLiteral("start-room"),
+                       QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_N),
+                       tr("A new scenario in a room of a given size"));
   newFromMap = make(tr("New from a &map…"), QStringLiteral("start-map"),
                     QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
                     tr("A new scenario on a map of the navigation stack"));
@@ -48,6 +51,8 @@ void WindowActions::makeFileActions() {
               tr("Save the scenario and its behaviour trees"));
   saveAs = make(tr("Save &as…"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
                 tr("Save under another name"));
+  exportTo = make(tr("&Export…"), {}, QKeySequence(Qt::CTRL | Qt::Key_E),
+                  tr("Write scenario, trees and map for another simulator"));
   close = make(tr("&Close"), {}, QKeySequence(Qt::CTRL | Qt::Key_W), tr("Back to the start page"));
   quit = make(tr("&Quit"), {}, QKeySequence(Qt::CTRL | Qt::Key_Q), tr("Leave the program"));
   openMap = make(tr("Change &map…"), QStringLiteral("start-map"), {},

@@ -16,7 +16,8 @@ class WindowActions : public QObject {
   explicit WindowActions(Workspace& workspace, QObject* parent = nullptr);
   void setTheme(const editor::Theme& theme);
 
-  QAction *newRoom, *newFromMap, *open, *save, *saveAs, *close, *quit;
+  QAction *newRoom, *newFromMap, *open, *save, *saveAs, *exportTo, *close, *quit;
+  QAction* newWalledRoom;
   QAction *undo, *redo, *copy, *paste, *duplicate, *remove, *selectAll, *deselect;
   QAction *next, *previous;  // person, or thing of the kind that is selected
   QAction *zoomIn, *zoomOut, *zoomFit, *fullScreen, *resetLayout, *switchTheme, *systemTheme;

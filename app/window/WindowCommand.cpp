@@ -6,6 +6,7 @@
 
 #include <QApplication>
 #include <QFileInfo>
+#include <QStandardPaths>
 
 #include "app/DataPaths.h"
 #include "app/window/MainWindow.h"
@@ -110,9 +111,13 @@ base::Diagnostics checkDocks(const MainWindow& window, const std::vector<std::st
 }  // namespace
 
 int windowCommand(int argc, char** argv, const RunOptions& run, const WindowOptions& options) {
-  base::Diagnostics wrong = checkWords(options);
-  base::append(wrong, checkOptions(run));
-  if (const int code = report(wrong, kWrongWords)) {
+  base::Diagnostics wrongWords = checkWords(options);
+  base::append(wrongWords, checkOptions(run));
+  const base::Result<sim2d::Compatibility> compatibility =
+      run.compat.empty() ? base::Result<sim2d::Compatibility>(sim2d::Compatibility())
+                         : sim2d::Compatibility::parse(run.compat);
+  base::append(wrongWords, compatibility.diagnostics());
+  if (const int code = report(wrongWords, kWrongWords)) {
     return code;
   }
   if (!run.scenario.empty() && !QFileInfo::exists(QString::fromStdString(run.scenario))) {
@@ -133,6 +138,11 @@ int windowCommand(int argc, char** argv, const RunOptions& run, const WindowOpti
   setup.shippedMaps = QString::fromStdString(shippedMapsFolder());
   setup.demos = demos();
   setup.options = run;
+  setup.compatibility = *compatibility;
+  if (!picture) {
+    setup.recoveryFolder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
+                           QStringLiteral("/recovery");
+  }
   dressApplication(setup.theme);
   MainWindow window(setup);
   if (const int code = report(checkDocks(window, options.docks), kWrongWords)) {

@@ -1,7 +1,6 @@
 #include "app/window/Workspace.h"
 
 #include "editor/canvas/FrameLayer.h"
-#include "editor/run/DocumentWorld.h"
 
 namespace app {
 
@@ -17,7 +16,7 @@ Workspace::Workspace(const editor::Theme& theme, QObject* parent)
       events_(document_, runner_),
       feed_(document_, runner_),
       playback_(runner_, theme) {
-  runner_.setRequest([this] { return editor::runRequestOf(document_); });
+  runner_.setRequest([this] { return editor::runRequestOf(document_, runSettings_); });
   connect(&runner_, &SimulationRunner::frameShown, &scene_, &editor::MapScene::showFrame);
   connect(&runner_, &SimulationRunner::stateChanged, this, &Workspace::showState);
   connect(&runner_, &SimulationRunner::lookingBackChanged, this, &Workspace::showState);

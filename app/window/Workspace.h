@@ -8,6 +8,7 @@
 #include "editor/panels/MetricsFeed.h"
 #include "editor/panels/PlaybackActions.h"
 #include "editor/panels/RunEvents.h"
+#include "editor/run/DocumentWorld.h"
 #include "editor/run/SimulationRunner.h"
 #include "editor/tools/ToolManager.h"
 
@@ -31,6 +32,8 @@ class Workspace : public QObject {
   editor::PlaybackActions& playback() { return playback_; }
   const editor::Theme& theme() const { return theme_; }
   void setTheme(const editor::Theme& theme);
+  /// Of the runs that begin from now on.
+  void setRunSettings(const editor::RunSettings& settings) { runSettings_ = settings; }
 
  Q_SIGNALS:
   void themeChanged();
@@ -40,6 +43,7 @@ class Workspace : public QObject {
   void hearEvents(int first, int last);
 
   editor::Theme theme_;
+  editor::RunSettings runSettings_;
   editor::ScenarioDocument document_;
   editor::MapScene scene_;
   editor::MapView* view_;  // owned by the widget that it is put into

@@ -1,0 +1,231 @@
+#include "app/window/ExportDialog.h"
+
+#include <algorithm>
+#include <array>
+
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QVBoxLayout>
+
+#include "editor/look/Icons.h"
+#include "editor/panels/Form.h"
+
+namespace app {
+
+using editor::Role;
+
+namespace {
+
+constexpr int kTargetWidth = 168;
+constexpr int kRowHeight = 24;
+
+QString stateText(ExportPlan::State state) {
+  switch (state) {
+    case ExportPlan::State::New:
+      return QObject::tr("new");
+    case ExportPlan::State::Replaced:
+      return QObject::tr("is replaced");
+    case ExportPlan::State::Unchanged:
+      break;
+  }
+  return QObject::tr("stays as it is");
+}
+
+QString sentence(const base::Diagnostic& problem) {
+  QString text = QString::fromStdString(problem.message);
+  if (!text.isEmpty()) {
+    text[0] = text[0].toUpper();
+  }
+  return text;
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(ExportSource source, const QString& folder, const editor::Theme& theme,
+                           QWidget* parent)
+    : QDialog(parent),
+      source_(std::move(source)),
+      theme_(theme),
+      targets_(new QListWidget(this)),
+      folder_(new QLineEdit(folder, this)),
+      dialect_(new QComboBox(this)),
+      style_(new QComboBox(this)),
+      summary_(editor::secondaryLabel(QString(), this)),
+      files_(new QTreeWidget(this)),
+      reportTitle_(new QLabel(this)),
+      report_(new QListWidget(this)),
+      command_(new QLineEdit(this)) {
+  setWindowTitle(tr("Export"));
+  build();
+  fillTargets();
+  connect(targets_, &QListWidget::currentRowChanged, this, &ExportDialog::replan);
+  connect(folder_, &QLineEdit::textChanged, this, &ExportDialog::replan);
+  connect(dialect_, qOverload<int>(&QComboBox::currentIndexChanged), this, &ExportDialog::replan);
+  connect(style_, qOverload<int>(&QComboBox::currentIndexChanged), this, &ExportDialog::replan);
+  targets_->setCurrentRow(0);
+}
+
+void ExportDialog::build() {
+  resize(820, 620);
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(16, 16, 16, 12);
+  rows->setSpacing(8);
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(16);
+  targets_->setFixedWidth(kTargetWidth);
+  targets_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  targets_->setIconSize(QSize(16, 16));
+  targets_->setAccessibleName(tr("Simulator"));
+  columns->addWidget(targets_);
+  auto* right = new QVBoxLayout;
+  right->setSpacing(8);
+  right->addLayout(makeForm());
+  right->addSpacing(4);
+  right->addWidget(summary_);
+  files_->setHeaderHidden(true);
+  files_->setRootIsDecorated(false);
+  files_->setColumnCount(2);
+  files_->setUniformRowHeights(true);
+  files_->setSelectionMode(QAbstractItemView::NoSelection);
+  files_->setAccessibleName(tr("Files that are written"));
+  files_->header()->setStretchLastSection(false);
+  files_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  files_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  right->addWidget(files_, 3);
+  reportTitle_->setFont(theme_.font(9.5, QFont::DemiBold));
+  right->addWidget(reportTitle_);
+  report_->setWordWrap(true);
+  report_->setSelectionMode(QAbstractItemView::NoSelection);
+  report_->setAccessibleName(tr("Remarks"));
+  right->addWidget(report_, 2);
+  columns->addLayout(right, 1);
+  rows->addLayout(columns, 1);
+  rows->addSpacing(4);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+  export_ = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
+  export_->setDefault(true);
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  rows->addWidget(buttons);
+}
+
+QLayout* ExportDialog::makeForm() {
+  auto* form = new QFormLayout;
+  form->setLabelAlignment(Qt::AlignRight);
+  form->setHorizontalSpacing(8);
+  form->setVerticalSpacing(4);
+  auto* place = new QHBoxLayout;
+  place->setSpacing(8);
+  folder_->setAccessibleName(tr("Folder"));
+  place->addWidget(folder_, 1);
+  auto* choose = new QPushButton(tr("Choose…"), this);
+  choose->setAutoDefault(false);
+  connect(choose, &QPushButton::clicked, this, &ExportDialog::browse);
+  place->addWidget(choose);
+  form->addRow(tr("Folder"), place);
+  dialect_->addItems(
+      {tr("What the simulator's package reads"), tr("HuNavSim 2.0"), tr("HuNavSim of 2024")});
+  form->addRow(tr("Format"), dialect_);
+  style_->addItems({tr("Corrected"), tr("As HuNavSim 2.0 makes them")});
+  form->addRow(tr("Missing trees"), style_);
+  command_->setReadOnly(true);
+  command_->setAccessibleName(tr("Command that starts it there"));
+  form->addRow(tr("Start it with"), command_);
+  return form;
+}
+
+void ExportDialog::fillTargets() {
+  for (const sim2d::TargetInfo& target : sim2d::exportTargets()) {
+    auto* item = new QListWidgetItem(QString::fromStdString(target.title), targets_);
+    item->setIcon(
+        editor::tintedIcon(QStringLiteral("start-room"), theme_.color(Role::TextSecondary)));
+    item->setData(Qt::UserRole, QString::fromStdString(target.name));
+    item->setSizeHint(QSize(0, 28));
+    item->setToolTip(target.package.empty()
+                         ? tr("The layout of HuNavSim, for any simulator")
+                         : tr("For %1").arg(QString::fromStdString(target.package)));
+  }
+}
+
+void ExportDialog::setTarget(const QString& name) {
+  for (int row = 0; row < targets_->count(); ++row) {
+    if (targets_->item(row)->data(Qt::UserRole).toString() == name) {
+      targets_->setCurrentRow(row);
+    }
+  }
+}
+
+void ExportDialog::setFolder(const QString& folder) {
+  folder_->setText(folder);
+}
+
+void ExportDialog::browse() {
+  const QString chosen =
+      QFileDialog::getExistingDirectory(this, tr("Folder for the export"), folder_->text());
+  if (!chosen.isEmpty()) {
+    folder_->setText(chosen);
+  }
+}
+
+void ExportDialog::replan() {
+  ExportRequest request;
+  request.target = targets_->currentItem()->data(Qt::UserRole).toString().toStdString();
+  request.folder = folder_->text().trimmed().toStdString();
+  request.style = style_->currentIndex() == 1 ? bt::TreeStyle::Hunav2 : bt::TreeStyle::Corrected;
+  if (dialect_->currentIndex() > 0) {
+    request.dialect = dialect_->currentIndex() == 1 ? sim2d::Dialect::C : sim2d::Dialect::B;
+  }
+  plan_ = planExport(source_, request);
+  showFiles();
+  showReport();
+  command_->setText(QString::fromStdString(plan_.startCommand));
+  command_->setCursorPosition(0);
+  command_->setEnabled(!plan_.startCommand.empty());
+  export_->setEnabled(!request.folder.empty() && !base::hasErrors(plan_.report));
+}
+
+void ExportDialog::showFiles() {
+  files_->clear();
+  const QDir folder(folder_->text().trimmed());
+  int replaced = 0;
+  for (const ExportPlan::File& file : plan_.files) {
+    const bool isReplaced = file.state == ExportPlan::State::Replaced;
+    replaced += isReplaced ? 1 : 0;
+    auto* item = new QTreeWidgetItem(files_);
+    item->setText(0, folder.relativeFilePath(QString::fromStdString(file.content.path)));
+    item->setIcon(
+        0, editor::tintedIcon(isReplaced ? QStringLiteral("warning") : QStringLiteral("file"),
+                              theme_.color(isReplaced ? Role::WarningMark : Role::TextSecondary)));
+    item->setText(1, stateText(file.state));
+    item->setForeground(1, theme_.color(isReplaced ? Role::Warning : Role::TextSecondary));
+    item->setSizeHint(0, QSize(0, kRowHeight));
+    item->setToolTip(0, QString::fromStdString(file.content.path));
+  }
+  summary_->setText(replaced == 0
+                        ? tr("Files: %1, none is replaced").arg(plan_.files.size())
+                        : tr("Files: %1, replaced: %2").arg(plan_.files.size()).arg(replaced));
+}
+
+void ExportDialog::showReport() {
+  report_->clear();
+  std::vector<base::Diagnostic> sorted = plan_.report;
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
+    return static_cast<int>(a.severity) > static_cast<int>(b.severity);
+  });
+  const std::array<QIcon, 3> icons = {
+      editor::tintedIcon(QStringLiteral("info"), theme_.color(Role::TextSecondary)),
+      editor::tintedIcon(QStringLiteral("warning"), theme_.color(Role::WarningMark)),
+      editor::tintedIcon(QStringLiteral("error"), theme_.color(Role::Error))};
+  for (const base::Diagnostic& problem : sorted) {
+    new QListWidgetItem(icons.at(static_cast<std::size_t>(problem.severity)), sentence(problem),
+                        report_);
+  }
+  reportTitle_->setText(sorted.empty() ? tr("Nothing is lost") : tr("Good to know"));
+  report_->setVisible(!sorted.empty());
+}
+
+}  // namespace app

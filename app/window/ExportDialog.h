@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTreeWidget>
+
+#include "app/Export.h"
+#include "editor/look/Theme.h"
+
+namespace app {
+
+/// Hands the scenario to another simulator: which one, where to, and before anything is written the
+/// list of files with what becomes of each, and what the other program will not know.
+class ExportDialog : public QDialog {
+  Q_OBJECT
+ public:
+  ExportDialog(ExportSource source, const QString& folder, const editor::Theme& theme,
+               QWidget* parent = nullptr);
+  void setTarget(const QString& name);  // "gazebo-classic"
+  void setFolder(const QString& folder);
+  const ExportPlan& plan() const { return plan_; }
+  QString folder() const { return folder_->text(); }
+  QTreeWidget& files() const { return *files_; }
+
+ private:
+  void build();
+  QLayout* makeForm();
+  void fillTargets();
+  void replan();
+  void showFiles();
+  void showReport();
+  void browse();
+
+  ExportSource source_;
+  ExportPlan plan_;
+  editor::Theme theme_;
+  QListWidget* targets_;
+  QLineEdit* folder_;
+  QComboBox* dialect_;
+  QComboBox* style_;
+  QLabel* summary_;
+  QTreeWidget* files_;
+  QLabel* reportTitle_;
+  QListWidget* report_;
+  QLineEdit* command_;
+  QPushButton* export_ = nullptr;
+};
+
+}  // namespace app

@@ -1,0 +1,274 @@
+#include "app/window/MapDialogs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "editor/document/MapEdit.h"
+#include "editor/panels/Form.h"
+
+namespace app {
+
+using editor::Role;
+
+namespace {
+
+constexpr double kReach = 10.0;  // of a point that can be dragged [px]
+
+QDoubleSpinBox* metres(double value, double least, double most, QWidget* parent) {
+  auto* box = new QDoubleSpinBox(parent);
+  box->setRange(least, most);
+  box->setDecimals(2);
+  box->setSuffix(QObject::tr(" m"));
+  box->setSingleStep(0.5);
+  box->setValue(value);
+  return box;
+}
+
+QDialogButtonBox* buttonsFor(QDialog* dialog, const QString& accept) {
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, dialog);
+  buttons->addButton(accept, QDialogButtonBox::AcceptRole)->setDefault(true);
+  QObject::connect(buttons, &QDialogButtonBox::accepted, dialog, &QDialog::accept);
+  QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+  return buttons;
+}
+
+QFormLayout* newForm() {
+  auto* form = new QFormLayout;
+  form->setLabelAlignment(Qt::AlignRight);
+  form->setHorizontalSpacing(8);
+  form->setVerticalSpacing(4);
+  return form;
+}
+
+}  // namespace
+
+RoomDialog::RoomDialog(const editor::Theme& theme, QWidget* parent)
+    : QDialog(parent),
+      walls_(new QRadioButton(tr("Room with four walls"), this)),
+      plane_(new QRadioButton(tr("Open plane without a map"), this)),
+      width_(metres(12.0, 1.0, 500.0, this)),
+      height_(metres(9.0, 1.0, 500.0, this)) {
+  setWindowTitle(tr("New empty room"));
+  setMinimumWidth(300);
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(16, 16, 16, 12);
+  rows->setSpacing(8);
+  auto* title = new QLabel(tr("New empty room"), this);
+  title->setFont(theme.font(12.0, QFont::DemiBold));
+  rows->addWidget(title);
+  rows->addWidget(walls_);
+  QFormLayout* form = newForm();
+  form->setContentsMargins(24, 0, 0, 4);
+  form->addRow(tr("Width"), width_);
+  form->addRow(tr("Height"), height_);
+  rows->addLayout(form);
+  rows->addWidget(plane_);
+  rows->addSpacing(8);
+  rows->addWidget(buttonsFor(this, tr("Create")));
+  walls_->setChecked(true);
+  connect(walls_, &QRadioButton::toggled, width_, &QWidget::setEnabled);
+  connect(walls_, &QRadioButton::toggled, height_, &QWidget::setEnabled);
+  width_->setAccessibleName(tr("Width"));
+  height_->setAccessibleName(tr("Height"));
+  width_->setFocus();
+  width_->selectAll();
+}
+
+QSizeF RoomDialog::size() const {
+  return {width_->value(), height_->value()};
+}
+
+ScaleView::ScaleView(QImage image, const editor::Theme& theme, QWidget* parent)
+    : QWidget(parent), image_(std::move(image)), theme_(theme) {
+  setMinimumSize(320, 240);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  setCursor(Qt::CrossCursor);
+  setAccessibleName(tr("Image of the map"));
+}
+
+void ScaleView::setPoints(std::vector<QPointF> points) {
+  points_ = std::move(points);
+  update();
+  Q_EMIT pointsChanged();
+}
+
+QRectF ScaleView::imageRect() const {
+  const QSizeF size = QSizeF(image_.size()).scaled(QSizeF(this->size()), Qt::KeepAspectRatio);
+  return {QPointF((width() - size.width()) / 2.0, (height() - size.height()) / 2.0), size};
+}
+
+QPointF ScaleView::toImage(const QPointF& widget) const {
+  const QRectF rect = imageRect();
+  return {(widget.x() - rect.left()) / rect.width() * image_.width(),
+          (rect.bottom() - widget.y()) / rect.height() * image_.height()};
+}
+
+QPointF ScaleView::toWidget(const QPointF& image) const {
+  const QRectF rect = imageRect();
+  return {rect.left() + image.x() / image_.width() * rect.width(),
+          rect.bottom() - image.y() / image_.height() * rect.height()};
+}
+
+void ScaleView::mousePressEvent(QMouseEvent* event) {
+  held_ = -1;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const QPointF away = toWidget(points_[i]) - event->localPos();
+    if (std::hypot(away.x(), away.y()) <= kReach) {
+      held_ = static_cast<int>(i);
+      return;
+    }
+  }
+  if (imageRect().contains(event->localPos())) {
+    std::vector<QPointF> points = points_.size() == 2 ? std::vector<QPointF>() : points_;
+    points.push_back(toImage(event->localPos()));
+    held_ = static_cast<int>(points.size()) - 1;
+    setPoints(std::move(points));
+  }
+}
+
+void ScaleView::mouseMoveEvent(QMouseEvent* event) {
+  if (held_ >= 0 && event->buttons().testFlag(Qt::LeftButton)) {
+    const QRectF rect = imageRect();
+    const QPointF inside(std::clamp(event->localPos().x(), rect.left(), rect.right()),
+                         std::clamp(event->localPos().y(), rect.top(), rect.bottom()));
+    std::vector<QPointF> points = points_;
+    points[static_cast<std::size_t>(held_)] = toImage(inside);
+    setPoints(std::move(points));
+  }
+}
+
+void ScaleView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), theme_.color(Role::CanvasOutside));
+  painter.setRenderHint(QPainter::SmoothPixmapTransform, imageRect().width() < image_.width());
+  painter.drawImage(imageRect(), image_);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QColor accent = theme_.color(Role::Accent);
+  if (points_.size() == 2) {
+    painter.setPen(QPen(Qt::white, 4.0));
+    painter.drawLine(toWidget(points_[0]), toWidget(points_[1]));
+    painter.setPen(QPen(accent, 2.0));
+    painter.drawLine(toWidget(points_[0]), toWidget(points_[1]));
+  }
+  int number = 1;
+  for (const QPointF& point : points_) {
+    const QPointF at = toWidget(point);
+    painter.setPen(QPen(Qt::white, 2.0));
+    painter.setBrush(accent);
+    painter.drawEllipse(at, 8.0, 8.0);
+    painter.setFont(theme_.font(8.0, QFont::Bold));
+    painter.drawText(QRectF(at - QPointF(8, 8), QSizeF(16, 16)), Qt::AlignCenter,
+                     QString::number(number++));
+  }
+}
+
+ImageMapDialog::ImageMapDialog(std::shared_ptr<const sim2d::OccupancyGrid> grid, QImage image,
+                               const editor::Theme& theme, QWidget* parent)
+    : QDialog(parent),
+      grid_(std::move(grid)),
+      theme_(theme),
+      view_(new ScaleView(std::move(image), theme, this)),
+      distance_(metres(5.0, 0.01, 10000.0, this)),
+      resolution_(metres(grid_->resolution(), 0.001, 10.0, this)),
+      firstX_(metres(0.0, -100000.0, 100000.0, this)),
+      firstY_(metres(0.0, -100000.0, 100000.0, this)),
+      hint_(new QLabel(this)),
+      size_(editor::secondaryLabel(QString(), this)) {
+  setWindowTitle(tr("Map from an image"));
+  resolution_->setDecimals(5);
+  resolution_->setSingleStep(0.01);
+  resolution_->setSuffix(tr(" m per pixel"));
+  build();
+  connect(view_, &ScaleView::pointsChanged, this, &ImageMapDialog::measure);
+  connect(distance_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+          &ImageMapDialog::measure);
+  connect(resolution_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+          &ImageMapDialog::showSize);
+  measure();
+}
+
+void ImageMapDialog::build() {
+  resize(900, 560);
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(16, 16, 16, 12);
+  rows->setSpacing(12);
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(16);
+  columns->addWidget(view_, 1);
+  auto* side = new QVBoxLayout;
+  side->setSpacing(8);
+  auto* title = new QLabel(tr("How large is it?"), this);
+  title->setFont(theme_.font(12.0, QFont::DemiBold));
+  side->addWidget(title);
+  hint_->setWordWrap(true);
+  hint_->setFixedWidth(260);
+  hint_->setMinimumHeight(52);
+  hint_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  side->addWidget(hint_);
+  QFormLayout* form = newForm();
+  form->addRow(tr("Distance 1 – 2"), distance_);
+  form->addRow(tr("Resolution"), resolution_);
+  side->addLayout(form);
+  side->addSpacing(12);
+  auto* place = new QLabel(tr("Where is point 1?"), this);
+  place->setFont(theme_.font(9.5, QFont::DemiBold));
+  side->addWidget(place);
+  QFormLayout* origin = newForm();
+  origin->addRow(tr("X"), firstX_);
+  origin->addRow(tr("Y"), firstY_);
+  side->addLayout(origin);
+  side->addSpacing(12);
+  side->addWidget(size_);
+  side->addStretch(1);
+  columns->addLayout(side);
+  rows->addLayout(columns, 1);
+  rows->addWidget(buttonsFor(this, tr("Create map")));
+}
+
+void ImageMapDialog::setFirstPoint(double x, double y) {
+  firstX_->setValue(x);
+  firstY_->setValue(y);
+}
+
+void ImageMapDialog::measure() {
+  const std::vector<QPointF>& points = view_->points();
+  distance_->setEnabled(points.size() == 2);
+  if (points.size() == 2) {
+    const QPointF way = points[1] - points[0];
+    const double pixels = std::hypot(way.x(), way.y());
+    if (pixels >= 1.0) {
+      resolution_->setValue(distance_->value() / pixels);
+    }
+    hint_->setText(tr("Type the distance between the two points. They can be dragged."));
+  } else {
+    hint_->setText(points.empty()
+                       ? tr("Click two points of the image whose distance you know, such as the "
+                            "ends of a wall; or type the resolution.")
+                       : tr("Now click the second point."));
+  }
+  showSize();
+}
+
+void ImageMapDialog::showSize() {
+  size_->setText(tr("The map is %1 × %2 m")
+                     .arg(grid_->width() * resolution_->value(), 0, 'f', 1)
+                     .arg(grid_->height() * resolution_->value(), 0, 'f', 1));
+}
+
+std::shared_ptr<const sim2d::OccupancyGrid> ImageMapDialog::map() const {
+  const double metresPerPixel = resolution_->value();
+  const QPointF first = view_->points().empty() ? QPointF(0.0, 0.0) : view_->points().front();
+  const base::Vec2 origin(firstX_->value() - first.x() * metresPerPixel,
+                          firstY_->value() - first.y() * metresPerPixel);
+  return editor::rescaled(*grid_, metresPerPixel, {origin, 0.0});
+}
+
+}  // namespace app

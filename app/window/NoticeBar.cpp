@@ -1,0 +1,129 @@
+#include "app/window/NoticeBar.h"
+
+#include <algorithm>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "editor/look/Icons.h"
+#include "editor/panels/Form.h"
+
+namespace app {
+
+using editor::Role;
+
+namespace {
+
+constexpr int kRowHeight = 40;
+constexpr int kIcon = 18;
+
+}  // namespace
+
+NoticeBar::NoticeBar(const editor::Theme& theme, QWidget* parent)
+    : QWidget(parent), theme_(theme), rows_(new QVBoxLayout(this)) {
+  rows_->setContentsMargins(0, 0, 0, 0);
+  rows_->setSpacing(0);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  hide();
+}
+
+void NoticeBar::tell(Notice notice) {
+  const auto same = std::find_if(notices_.begin(), notices_.end(),
+                                 [&](const Notice& other) { return other.id == notice.id; });
+  if (same != notices_.end()) {
+    *same = std::move(notice);
+  } else {
+    notices_.push_back(std::move(notice));
+  }
+  rebuild();
+}
+
+void NoticeBar::drop(const QString& id) {
+  const auto gone = std::remove_if(notices_.begin(), notices_.end(),
+                                   [&](const Notice& notice) { return notice.id == id; });
+  if (gone != notices_.end()) {
+    notices_.erase(gone, notices_.end());
+    rebuild();
+  }
+}
+
+bool NoticeBar::isTold(const QString& id) const {
+  return std::any_of(notices_.begin(), notices_.end(),
+                     [&](const Notice& notice) { return notice.id == id; });
+}
+
+void NoticeBar::choose(const QString& id, int choice) {
+  const auto found = std::find_if(notices_.begin(), notices_.end(),
+                                  [&](const Notice& notice) { return notice.id == id; });
+  if (found != notices_.end()) {
+    const std::function<void()> action = found->choices.at(static_cast<std::size_t>(choice)).action;
+    drop(id);
+    if (action) {
+      action();
+    }
+  }
+}
+
+void NoticeBar::setTheme(const editor::Theme& theme) {
+  theme_ = theme;
+  rebuild();
+}
+
+void NoticeBar::rebuild() {
+  while (QLayoutItem* item = rows_->takeAt(0)) {
+    item->widget()->hide();
+    item->widget()->deleteLater();  // it may be the one whose button was pressed
+    delete item;
+  }
+  for (const Notice& notice : notices_) {
+    rows_->addWidget(rowOf(notice));
+  }
+  setVisible(!notices_.empty());
+}
+
+QWidget* NoticeBar::rowOf(const Notice& notice) {
+  const Role mark = notice.isWarning ? Role::WarningMark : Role::Accent;
+  auto* row = new QWidget(this);
+  row->setMinimumHeight(kRowHeight);
+  row->setAutoFillBackground(true);
+  QPalette palette = row->palette();
+  const QColor panel = theme_.color(Role::Panel);
+  const QColor tint = theme_.color(mark);
+  const double share = theme_.isDark() ? 0.18 : 0.10;
+  const auto mixed = [&](int a, int b) { return static_cast<int>(a + share * (b - a)); };
+  palette.setColor(QPalette::Window,
+                   QColor(mixed(panel.red(), tint.red()), mixed(panel.green(), tint.green()),
+                          mixed(panel.blue(), tint.blue())));
+  row->setPalette(palette);
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(12, 4, 8, 4);
+  line->setSpacing(8);
+  auto* icon = new QLabel(row);
+  icon->setPixmap(editor::tintedIcon(
+                      notice.isWarning ? QStringLiteral("warning") : QStringLiteral("info"), tint)
+                      .pixmap(kIcon, kIcon));
+  line->addWidget(icon);
+  auto* text = new QLabel(notice.text, row);
+  text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  text->setWordWrap(true);
+  line->addWidget(text, 1);
+  for (std::size_t i = 0; i < notice.choices.size(); ++i) {
+    auto* button = new QPushButton(notice.choices[i].text, row);
+    connect(button, &QPushButton::clicked, this,
+            [this, id = notice.id, i] { choose(id, static_cast<int>(i)); });
+    line->addWidget(button);
+  }
+  auto* close = new QToolButton(row);
+  close->setIcon(editor::themedIcon(QStringLiteral("close"), theme_));
+  close->setAutoRaise(true);
+  close->setToolTip(tr("Later"));
+  close->setAccessibleName(tr("Later"));
+  connect(close, &QToolButton::clicked, this, [this, id = notice.id] { drop(id); });
+  line->addWidget(close);
+  return row;
+}
+
+}  // namespace app

@@ -1,0 +1,187 @@
+#include "app/window/TreeChoiceDialog.h"
+
+#include <algorithm>
+
+#include <QDialogButtonBox>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "editor/look/Icons.h"
+#include "editor/panels/Form.h"
+
+namespace app {
+
+using editor::Role;
+using editor::TreeAnswer;
+using editor::TreeQuestion;
+
+namespace {
+
+constexpr int kListWidth = 200;
+constexpr int kRowHeight = 24;
+
+bool isOnDisk(const TreeQuestion& question) {
+  return question.why == TreeQuestion::Why::ChangedOnDisk;
+}
+
+}  // namespace
+
+TreeChoiceDialog::TreeChoiceDialog(std::vector<TreeQuestion> questions, const editor::Theme& theme,
+                                   QWidget* parent)
+    : QDialog(parent),
+      questions_(std::move(questions)),
+      answers_(questions_.size(), TreeAnswer::KeepMine),
+      theme_(theme),
+      list_(new QListWidget(this)),
+      why_(new QLabel(this)),
+      keep_(new QRadioButton(this)),
+      replace_(new QRadioButton(this)),
+      all_(new QCheckBox(tr("The same for all %1").arg(questions_.size()), this)),
+      differences_(editor::linkButton(QString(), this)),
+      legend_(editor::secondaryLabel(QString(), this)),
+      diff_(new DiffView(theme, this)) {
+  setWindowTitle(tr("Trees written by hand"));
+  build();
+  for (int i = 0; i < static_cast<int>(questions_.size()); ++i) {
+    list_->addItem(QString::fromStdString(questions_[static_cast<std::size_t>(i)].name));
+    list_->item(i)->setSizeHint(QSize(0, kRowHeight));
+    updateRow(i);
+  }
+  connect(list_, &QListWidget::currentRowChanged, this, &TreeChoiceDialog::showQuestion);
+  connect(keep_, &QRadioButton::clicked, this, [this] { take(TreeAnswer::KeepMine); });
+  connect(replace_, &QRadioButton::clicked, this, [this] { take(TreeAnswer::TakeReplacement); });
+  connect(all_, &QCheckBox::toggled, this, [this](bool on) {
+    if (on) {
+      take(replace_->isChecked() ? TreeAnswer::TakeReplacement : TreeAnswer::KeepMine);
+    }
+  });
+  connect(differences_, &QToolButton::clicked, this,
+          [this] { showDifferences(diff_->isHidden()); });
+  list_->setCurrentRow(0);
+  showDifferences(false);
+}
+
+void TreeChoiceDialog::build() {
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(16, 16, 16, 12);
+  rows->setSpacing(8);
+  auto* title = new QLabel(tr("Saving would replace what somebody wrote"), this);
+  title->setFont(theme_.font(12.0, QFont::DemiBold));
+  rows->addWidget(title);
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(16);
+  list_->setFixedWidth(kListWidth);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list_->setIconSize(QSize(16, 16));
+  list_->setVisible(questions_.size() > 1);
+  columns->addWidget(list_);
+  auto* right = new QVBoxLayout;
+  right->setSpacing(4);
+  why_->setWordWrap(true);
+  right->addWidget(why_);
+  right->addSpacing(4);
+  right->addWidget(keep_);
+  right->addWidget(replace_);
+  all_->setVisible(questions_.size() > 1);
+  right->addWidget(all_);
+  right->addSpacing(4);
+  auto* heading = new QHBoxLayout;
+  heading->addWidget(differences_);
+  heading->addStretch(1);
+  heading->addWidget(legend_);
+  right->addLayout(heading);
+  right->addWidget(diff_, 1);
+  right->addStretch(0);
+  columns->addLayout(right, 1);
+  rows->addLayout(columns, 1);
+  rows->addSpacing(4);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this);
+  buttons->button(QDialogButtonBox::Save)->setDefault(true);
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  rows->addWidget(buttons);
+}
+
+void TreeChoiceDialog::showQuestion(int index) {
+  const TreeQuestion& question = questions_[static_cast<std::size_t>(index)];
+  const QString name = QString::fromStdString(question.name).toHtmlEscaped();
+  const QString file = QFileInfo(QString::fromStdString(question.path)).fileName();
+  why_->setText(isOnDisk(question)
+                    ? tr("<b>%1</b>: another program has changed the file %2.")
+                          .arg(name, file.toHtmlEscaped())
+                    : tr("<b>%1</b>: behaviour or goals have changed since this tree was written "
+                         "by hand.")
+                          .arg(name));
+  keep_->setText(isOnDisk(question) ? tr("Keep what is in the file") : tr("Keep mine"));
+  replace_->setText(isOnDisk(question) ? tr("Replace it with the tree of this window")
+                                       : tr("Take the generated one"));
+  const bool keeps = answers_[static_cast<std::size_t>(index)] == TreeAnswer::KeepMine;
+  keep_->setChecked(keeps);
+  replace_->setChecked(!keeps);
+  diff_->setTexts(question.mine, question.replacement);
+  legend_->setText(isOnDisk(question) ? tr("− in the file   + in this window")
+                                      : tr("− mine   + generated"));
+  showDifferences(!diff_->isHidden());
+}
+
+void TreeChoiceDialog::showDifferences(bool on) {
+  diff_->setVisible(on);
+  legend_->setVisible(on);
+  differences_->setText(on ? tr("Hide the differences")
+                           : tr("Show the differences (−%1 +%2 lines)")
+                                 .arg(diff_->removedCount())
+                                 .arg(diff_->addedCount()));
+  setMinimumSize(questions_.size() > 1 ? 680 : 480, on ? 460 : 272);
+  if (on) {
+    resize(std::max(width(), 860), std::max(height(), 600));
+  } else {
+    resize(minimumSize());
+  }
+}
+
+void TreeChoiceDialog::take(TreeAnswer answer) {
+  for (int i = 0; i < static_cast<int>(questions_.size()); ++i) {
+    if (all_->isChecked() || i == list_->currentRow()) {
+      choose(i, answer);
+    }
+  }
+}
+
+void TreeChoiceDialog::choose(int question, TreeAnswer answer) {
+  answers_[static_cast<std::size_t>(question)] = answer;
+  updateRow(question);
+  if (question == list_->currentRow()) {
+    keep_->setChecked(answer == TreeAnswer::KeepMine);
+    replace_->setChecked(answer != TreeAnswer::KeepMine);
+  }
+}
+
+void TreeChoiceDialog::updateRow(int index) {
+  const bool keeps = answers_[static_cast<std::size_t>(index)] == TreeAnswer::KeepMine;
+  list_->item(index)->setIcon(
+      editor::tintedIcon(keeps ? QStringLiteral("tree") : QStringLiteral("file-save"),
+                         theme_.color(keeps ? Role::TextSecondary : Role::WarningMark)));
+  list_->item(index)->setToolTip(keeps ? tr("is kept") : tr("is replaced"));
+}
+
+editor::TreeAnswers TreeChoiceDialog::answers() const {
+  editor::TreeAnswers result;
+  for (std::size_t i = 0; i < questions_.size(); ++i) {
+    result[questions_[i].human] = answers_[i];
+  }
+  return result;
+}
+
+std::optional<editor::TreeAnswers> TreeChoiceDialog::ask(std::vector<TreeQuestion> questions,
+                                                         const editor::Theme& theme,
+                                                         QWidget* parent) {
+  if (questions.empty()) {
+    return editor::TreeAnswers();
+  }
+  TreeChoiceDialog dialog(std::move(questions), theme, parent);
+  return dialog.exec() == QDialog::Accepted ? std::make_optional(dialog.answers()) : std::nullopt;
+}
+
+}  // namespace app

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QCheckBox>
+#include <QDialog>
+#include <QLabel>
+#include <QListWidget>
+#include <QRadioButton>
+#include <QToolButton>
+
+#include "app/window/DiffView.h"
+#include "editor/document/TreeQuestion.h"
+
+namespace app {
+
+/// Asks before saving replaces trees that somebody wrote by hand: keep, take the other one, and
+/// what the difference is. Closing it means not to save.
+class TreeChoiceDialog : public QDialog {
+  Q_OBJECT
+ public:
+  TreeChoiceDialog(std::vector<editor::TreeQuestion> questions, const editor::Theme& theme,
+                   QWidget* parent = nullptr);
+  editor::TreeAnswers answers() const;
+  void choose(int question, editor::TreeAnswer answer);
+  void showDifferences(bool on);
+
+  /// Nothing when cancelled.
+  static std::optional<editor::TreeAnswers> ask(std::vector<editor::TreeQuestion> questions,
+                                                const editor::Theme& theme, QWidget* parent);
+
+ private:
+  void build();
+  void showQuestion(int index);
+  void take(editor::TreeAnswer answer);
+  void updateRow(int index);
+
+  std::vector<editor::TreeQuestion> questions_;
+  std::vector<editor::TreeAnswer> answers_;
+  editor::Theme theme_;
+  QListWidget* list_;
+  QLabel* why_;
+  QRadioButton* keep_;
+  QRadioButton* replace_;
+  QCheckBox* all_;
+  QToolButton* differences_;
+  QLabel* legend_;
+  DiffView* diff_;
+};
+
+}  // namespace app
