@@ -26,7 +26,7 @@ constexpr std::array<RoleColors, static_cast<std::size_t>(Role::Count)> kRoles =
     {Role::FieldEdge, 0xFFC4CAD0, 0xFF4A5158},     {Role::Ok, 0xFF2E8540, 0xFF58B36B},
     {Role::Warning, 0xFF9C5C00, 0xFFE0A030},       {Role::WarningMark, 0xFFC77700, 0xFFE0A030},
     {Role::Error, 0xFFC0392B, 0xFFF06A5A},         {Role::ErrorSoft, 0xFFD3746B, 0xFFD3746B},
-    {Role::RobotBody, 0xFF222222, 0xFFF0F0F0},     {Role::RobotFront, 0xFFF0E442, 0xFFF0E442},
+    {Role::RobotBody, 0xFF222222, 0xFFF0F0F0},     {Role::RobotFront, 0xFFF0E442, 0xFFC79200},
     {Role::RobotLine, 0xFF4A5056, 0xFFD6DADE},     {Role::GoalPin, 0xFFFFFFFF, 0xFF2A2E33},
     {Role::Past, 0xFF2F6FDE, 0xFF6EA0FF},          {Role::ForceGoal, 0xFF2E8540, 0xFF58B36B},
     {Role::ForceSocial, 0xFFB35C8D, 0xFFDB96BC},   {Role::ForceObstacle, 0xFFB57A00, 0xFFE69F00},

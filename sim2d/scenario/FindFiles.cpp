@@ -39,7 +39,9 @@ base::Result<std::string> onlyPlace(const FilePlaces& places, const std::string&
   if (isFile(path)) {
     return tidy(path);
   }
-  return noMap(places, what + " is not there", {path});
+  std::error_code ignored;
+  const bool isFolder = fs::is_directory(path, ignored);
+  return noMap(places, what + (isFolder ? " is a folder, not a file" : " is not there"), {path});
 }
 
 std::string treeName(const Scenario& scenario, const Human& human, const FilePlaces& places) {

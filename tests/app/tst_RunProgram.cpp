@@ -401,6 +401,7 @@ class RunProgramTest : public QObject {
     row("no file", {text("run"), text("/nowhere/x.yaml")}, 2, "/nowhere/x.yaml");
     row("folder", {text("run"), QStringLiteral(SOURCE_DIR "/maps")}, 2, "maps");
     row("no map", {text("run"), demo, text("--map"), text("/nowhere/m.yaml")}, 2, "m.yaml");
+    row("map a folder", {text("run"), demo, text("--map"), text("/tmp")}, 2, "is a folder");
     row("unknown metric", {text("run"), demo, text("--metrics"), text("path_lenght")}, 64,
         "path_length");
     row("unknown set", {text("run"), demo, text("--set"), text("Ana.max_vell=1.0")}, 64, "max_vel");
