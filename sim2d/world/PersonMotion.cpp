@@ -12,6 +12,9 @@ constexpr double kReach = 5.0;              // [m]; obstacles act up to here
 constexpr std::size_t kWorthThreads = 200;  // people; fewer are not worth waking threads
 constexpr double kTouching = 1.0;           // [m]; walls nearer to the body can be run into
 
+constexpr double kStanding = 0.1;       // [m/s]; slower bodies stand
+constexpr double kStandingReach = 3.0;  // [m]
+
 constexpr double kCrowdReach = 2.0;                  // [m]
 constexpr double kSpreadPerPerson = 0.25;            // [m]
 constexpr double kWidestSpread = 3.0;                // [m]
@@ -38,6 +41,24 @@ double spreadOf(const FrozenWorld& world, std::size_t human) {
   const double width = std::min(kWidestSpread, kSpreadPerPerson * (near - 1));
   const double turns = kGoldenSection * static_cast<double>(human);
   return width * (turns - std::floor(turns));
+}
+
+/// People and robots that do not move; planned ways know walls alone.
+std::vector<StandingBody> standingNear(const FrozenWorld& world, std::size_t human) {
+  std::vector<StandingBody> standing;
+  const WorldState& state = world.state;
+  world.grid.forEachNear(state.position(human), kStandingReach, [&](int other) {
+    const auto at = static_cast<std::size_t>(other);
+    if (at != human && state.velocity(at).norm() < kStanding) {
+      standing.push_back({state.position(at), world.model.people[at].constants.radius});
+    }
+  });
+  for (std::size_t i = 0; i < state.robots.size(); ++i) {
+    if (state.robots[i].velocity.norm() < kStanding) {
+      standing.push_back({state.robots[i].pose.position, reachOf(world.model.robots[i])});
+    }
+  }
+  return standing;
 }
 
 }  // namespace
@@ -104,6 +125,7 @@ void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents, 
     }
     if (leg.stuck) {
       state.emit(EventKind::Stuck, person.id);
+      routes_[human].goRound(request, standingNear(world, human), ways);
     }
   }
 }

@@ -71,11 +71,25 @@ void RouteFollower::plan(const Request& request, Ways& ways) {
   version_ = ways.version();
   plannedAt_ = clearAt_ = request.time;
   beside_ = Vec2::Zero();
+  isRound_ = false;
+}
+
+void RouteFollower::goRound(const Request& request, const std::vector<StandingBody>& standing,
+                            Ways& ways) {
+  if (path_.empty()) {
+    return;
+  }
+  const std::optional<Vec2> place =
+      placeBeside(standing, request.radius, request.position, path_[next_], ways);
+  if (place) {
+    path_.insert(path_.begin() + static_cast<std::ptrdiff_t>(next_), *place);
+    isRound_ = true;
+  }
 }
 
 /// Away from the inside of the turn, as far as wanted or half or a quarter of it.
 Vec2 RouteFollower::besideCorner(const Request& request, Ways& ways) const {
-  if (request.spread <= 0.0 || next_ == 0 || next_ + 1 >= path_.size()) {
+  if (request.spread <= 0.0 || isRound_ || next_ == 0 || next_ + 1 >= path_.size()) {
     return Vec2::Zero();
   }
   const Vec2& corner = path_[next_];
@@ -102,10 +116,12 @@ bool RouteFollower::hasPassed(const Vec2& position) const {
 }
 
 void RouteFollower::passWayPoints(const Request& request, Ways& ways, bool looks) {
-  while (next_ + 1 < path_.size() &&
-         (hasPassed(request.position) ||
-          (looks && ways.isClear(request.radius, request.position, path_[next_ + 1])))) {
+  while (
+      next_ + 1 < path_.size() &&
+      (hasPassed(request.position) ||
+       (looks && !isRound_ && ways.isClear(request.radius, request.position, path_[next_ + 1])))) {
     ++next_;
+    isRound_ = false;
     beside_ = Vec2::Zero();
   }
 }

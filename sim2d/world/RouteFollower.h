@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "sim2d/world/Detour.h"
 #include "sim2d/world/HumanBehavior.h"
 #include "sim2d/world/Ways.h"
 
@@ -27,6 +28,8 @@ class RouteFollower {
   };
 
   Leg follow(const Request& request, Ways& ways, const Obstacles& obstacles);
+  /// Of use after `stuck`: first to a place beside those who stand in the way, if there is room.
+  void goRound(const Request& request, const std::vector<StandingBody>& standing, Ways& ways);
   void reset() { *this = RouteFollower{}; }
   /// Rest of the path, for display.
   const std::vector<Vec2>& path() const { return path_; }
@@ -43,6 +46,7 @@ class RouteFollower {
 
   std::vector<Vec2> path_;
   std::size_t next_ = 0;
+  bool isRound_ = false;        // the next way point leads round somebody: it is not left out
   Vec2 beside_ = Vec2::Zero();  // from the next way point to where it is passed [m]
   Vec2 target_ = Vec2::Zero();
   int version_ = -1;         // of the ways; -1: no path yet
