@@ -10,6 +10,7 @@
 #include "editor/document/TreeFiles.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"
+#include "sim2d/scenario/DamagedFile.h"
 
 namespace editor {
 
@@ -30,7 +31,10 @@ bool isNothing(const sim2d::Scenario& scenario) {
 base::Diagnostics ScenarioDocument::open(const QString& path) {
   sim2d::ScenarioReading reading = sim2d::readScenario(path.toStdString());
   if (!reading.ok() && isNothing(reading.scenario)) {
-    return reading.diagnostics;
+    reading = sim2d::readBeginning(path.toStdString());
+    if (isNothing(reading.scenario)) {
+      return reading.diagnostics;
+    }
   }
   const bool isWhole = reading.ok();
   replaceAll(std::move(reading.scenario));

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <string_view>
 #include <tuple>
 
 #include "sim2d/base/Text.h"
@@ -241,44 +240,6 @@ class FileReader {
   LoaderReading loader_;
 };
 
-int firstErrorLine(const base::Diagnostics& diagnostics) {
-  for (const base::Diagnostic& diagnostic : diagnostics) {
-    if (diagnostic.severity == base::Severity::Error && diagnostic.line > 0) {
-      return diagnostic.line;
-    }
-  }
-  return 0;
-}
-
-std::string_view firstLines(std::string_view text, int count) {
-  std::size_t end = 0;
-  for (int line = 0; line < count && end < text.size(); ++line) {
-    end = std::min(text.find('\n', end), text.size() - 1) + 1;
-  }
-  return text.substr(0, end);
-}
-
-/// What stands before the place where the syntax breaks, so that an editor can show it. What is
-/// said about that part alone would mislead: only where it ends is told.
-void readBeginning(const std::string& text, const std::string& fileName, ScenarioReading& reading) {
-  constexpr int kMostTries = 16;
-  int lines = firstErrorLine(reading.diagnostics) - 1;
-  for (int attempt = 0; attempt < kMostTries && lines > 0; ++attempt) {
-    base::Diagnostics ignored;
-    const YamlNode root = parseYaml(firstLines(text, lines), fileName, ignored);
-    if (!base::hasErrors(ignored)) {
-      TreeReading tree = readTree(root, fileName);
-      reading.scenario = std::move(tree.scenario);
-      reading.lines = std::move(tree.report.lines);
-      reading.dialect = tree.dialect;
-      reading.diagnostics.push_back(
-          {base::Severity::Info, fileName, lines, 0, "what follows this line is not read", {}});
-      return;
-    }
-    lines -= 1 << std::min(attempt / 4, 8);
-  }
-}
-
 }  // namespace
 
 TreeReading readTree(const YamlNode& root, const std::string& fileName) {
@@ -289,7 +250,6 @@ ScenarioReading readScenarioText(const std::string& text, const std::string& fil
   ScenarioReading reading;
   const YamlNode root = parseYaml(text, fileName, reading.diagnostics);
   if (!reading.ok()) {
-    readBeginning(text, fileName, reading);
     return reading;
   }
   TreeReading tree = readTree(root, fileName);
