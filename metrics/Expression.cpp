@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "metrics/ExpressionNames.h"
+#include "metrics/ExpressionOperators.h"
 #include "sim2d/base/Text.h"
 
 namespace metrics {
@@ -22,60 +23,6 @@ struct Part {
   Value value;
   Scope scope = Scope::Run;
 };
-
-struct Operator {
-  const char* sign;
-  double (*apply)(double, double);
-};
-
-double truth(bool holds) {
-  return holds ? 1.0 : 0.0;
-}
-
-/// Undefined stays undefined.
-template <class Apply>
-double unlessNaN(double a, double b, Apply apply) {
-  return std::isnan(a) || std::isnan(b) ? a + b : apply(a, b);
-}
-
-// Longer signs first: "<=" before "<".
-constexpr std::array<Operator, 1> kOr = {
-    {{"or", [](double a, double b) {
-        return unlessNaN(a, b, [](double p, double q) { return truth(p != 0.0 || q != 0.0); });
-      }}}};
-constexpr std::array<Operator, 1> kAnd = {
-    {{"and", [](double a, double b) {
-        return unlessNaN(a, b, [](double p, double q) { return truth(p != 0.0 && q != 0.0); });
-      }}}};
-constexpr std::array<Operator, 6> kCompare = {
-    {{"<=",
-      [](double a, double b) {
-        return unlessNaN(a, b, [](double p, double q) { return truth(p <= q); });
-      }},
-     {">=",
-      [](double a, double b) {
-        return unlessNaN(a, b, [](double p, double q) { return truth(p >= q); });
-      }},
-     {"==",
-      [](double a, double b) {
-        return unlessNaN(a, b, [](double p, double q) { return truth(p == q); });
-      }},
-     {"!=",
-      [](double a, double b) {
-        return unlessNaN(a, b, [](double p, double q) { return truth(p != q); });
-      }},
-     {"<",
-      [](double a, double b) {
-        return unlessNaN(a, b, [](double p, double q) { return truth(p < q); });
-      }},
-     {">", [](double a, double b) {
-        return unlessNaN(a, b, [](double p, double q) { return truth(p > q); });
-      }}}};
-constexpr std::array<Operator, 2> kAdd = {{{"+", [](double a, double b) { return a + b; }},
-                                           {"-", [](double a, double b) { return a - b; }}}};
-constexpr std::array<Operator, 2> kMultiply = {
-    {{"*", [](double a, double b) { return a * b; }},
-     {"/", [](double a, double b) { return b == 0.0 ? std::nan("") : a / b; }}}};
 
 bool isLetter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
@@ -359,42 +306,6 @@ class ExpressionParser {
 
 base::Result<Expression> Expression::parse(const std::string& text) {
   return ExpressionParser(text).parse();
-}
-
-MetricValue Expression::evaluate(const Recording& recording,
-                                 const MetricParameters& parameters) const {
-  std::vector<double> totals;
-  totals.reserve(totals_.size());
-  for (const Total& total : totals_) {
-    totals.push_back(total.reduce({recording, parameters, totals, 0, nullptr}, total.term));
-  }
-  const double value = result_({recording, parameters, totals, 0, nullptr});
-  if (std::isnan(value)) {
-    return undefinedValue("the formula is undefined here");
-  }
-  return std::isinf(value) ? infiniteValue("the formula has no finite value") : numberValue(value);
-}
-
-base::Result<MetricEntry> entryOf(const UserMetric& metric) {
-  const base::Result<Expression> expression = Expression::parse(metric.expression);
-  if (!expression) {
-    return expression.diagnostics();
-  }
-  MetricEntry entry;
-  entry.info.key = metric.key;
-  entry.info.name = metric.name.empty() ? metric.key : metric.name;
-  entry.info.unit = metric.unit;
-  entry.info.category = Category::Navigation;
-  entry.info.better = metric.better;
-  entry.info.needs = expression->needs();
-  entry.info.formula = metric.expression;
-  entry.info.source = "own";
-  entry.info.range = "(-inf, inf)";
-  entry.compute = [formula = *expression](const Recording& recording,
-                                          const MetricParameters& parameters) {
-    return formula.evaluate(recording, parameters);
-  };
-  return entry;
 }
 
 }  // namespace metrics

@@ -2,34 +2,20 @@
 
 #include <utility>
 
+#include "metrics/MetricSums.h"
+
 namespace metrics {
 
-/// The metrics of the selection; costly ones with their sums so far.
 struct LiveMetrics::State {
-  struct Live {
-    MetricEntry entry;
-    std::unique_ptr<Accumulator> sum;  // null: computed when asked
-  };
-
   RecordingBuilder builder;
-  Recording recording;
-  MetricParameters parameters;
-  std::vector<Live> metrics;
-
-  bool isMeasurable(const MetricInfo& info) const {
-    return recording.hasRobot || !info.needs.robot;
-  }
+  SampleFeed feed;
 };
 
 LiveMetrics::LiveMetrics(const sim2d::TraceHeader& header, const Selection& selection,
-                         const MetricParameters& parameters, const MetricRegistry& registry)
-    : state_(std::make_unique<State>(
-          State{RecordingBuilder(header, selection.robotId), {}, parameters, {}})) {
-  state_->recording = state_->builder.emptyRecording();
-  for (const MetricEntry& entry : selection.entries(registry)) {
-    const bool sums = entry.accumulate && state_->isMeasurable(entry.info);
-    state_->metrics.push_back({entry, sums ? entry.accumulate(parameters) : nullptr});
-  }
+                         const MetricParameters& parameters, const MetricRegistry& registry) {
+  RecordingBuilder builder(header, selection.robotId);
+  SampleFeed feed(builder.emptyRecording(), selection, parameters, registry);
+  state_ = std::make_unique<State>(State{std::move(builder), std::move(feed)});
 }
 
 LiveMetrics::~LiveMetrics() = default;
@@ -39,42 +25,18 @@ void LiveMetrics::addHumans(const std::vector<sim2d::TraceHuman>& humans) {
 }
 
 void LiveMetrics::append(const sim2d::Frame& frame) {
-  Recording& recording = state_->recording;
-  recording.samples.push_back(state_->builder.sampleOf(frame));
   for (const sim2d::Event& event : frame.events) {
-    recording.events.emplace_back(frame.time, event);
+    state_->feed.note(frame.time, event);
   }
-  for (State::Live& metric : state_->metrics) {
-    if (metric.sum) {
-      metric.sum->add(recording, recording.size() - 1);
-    }
-  }
+  state_->feed.add(state_->builder.sampleOf(frame));
 }
 
 std::size_t LiveMetrics::size() const {
-  return state_->recording.size();
+  return state_->feed.recording().size();
 }
 
 std::vector<MetricResult> LiveMetrics::values() const {
-  std::vector<MetricResult> results;
-  if (state_->recording.samples.empty()) {
-    return results;
-  }
-  for (const State::Live& metric : state_->metrics) {
-    const MetricInfo& info = metric.entry.info;
-    const std::string& meanOf = metric.entry.meanOf;
-    const MetricResult* sum = meanOf.empty() ? nullptr : findResult(results, meanOf);
-    if (!state_->isMeasurable(info)) {
-      results.push_back({info, undefinedValue("there is no robot")});
-    } else if (sum != nullptr) {
-      results.push_back({info, meanOver(sum->value, state_->recording.size())});
-    } else if (metric.sum) {
-      results.push_back({info, metric.sum->value(state_->recording)});
-    } else {
-      results.push_back({info, metric.entry.compute(state_->recording, state_->parameters)});
-    }
-  }
-  return results;
+  return size() == 0 ? std::vector<MetricResult>() : state_->feed.values();
 }
 
 }  // namespace metrics

@@ -24,8 +24,9 @@ std::string row(const std::vector<std::string>& cells) {
 
 std::string categoryTable(const MetricRegistry& registry, Category category) {
   std::string text = "\n## " + std::string(categoryName(category)) + "\n\n";
-  text += row({"#", "key", "meaning", "unit", "formula", "range", "better", "needs", "source"});
-  text += "|---|---|---|---|---|---|---|---|---|\n";
+  text +=
+      row({"#", "key", "meaning", "unit", "formula", "range", "better", "rate", "needs", "source"});
+  text += "|---|---|---|---|---|---|---|---|---|---|\n";
   for (const MetricEntry& entry : registry.entries()) {
     const MetricInfo& info = entry.info;
     if (info.category != category || !info.partOf.empty()) {
@@ -33,7 +34,8 @@ std::string categoryTable(const MetricRegistry& registry, Category category) {
     }
     text += row({info.hunav > 0 ? std::to_string(info.hunav) : "", "`" + info.key + "`",
                  cellOf(info.name), cellOf(info.unit), cellOf(info.formula), cellOf(info.range),
-                 betterName(info.better), needsText(info.needs), cellOf(info.source)});
+                 betterName(info.better), base::formatDouble(100.0 * info.rateBound) + " %",
+                 needsText(info.needs), cellOf(info.source)});
   }
   return text;
 }
@@ -66,7 +68,8 @@ the public HuNavSim 2.0 evaluator, with its peculiarities. A value that a record
 empty in CSV and `null` in JSON, with the reason.
 
 The sums 25-34 grow with the recording rate; each is given a second time divided by N, as
-`<key>_mean`.
+`<key>_mean` (bound 2 %). Column rate: largest change when a record of smooth motion is sampled twice
+as often, from 20 Hz on, as a share of the larger value, which counts as at least 0.1.
 )";
 
 }  // namespace

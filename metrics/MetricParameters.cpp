@@ -75,6 +75,8 @@ const std::vector<ParameterInfo>& parameterInfos() {
       {"crowd_radius", &P::crowdRadius, "m", "neighbourhood of the crowd measures"},
       {"crowd_interval", &P::crowdInterval, "s", "least time between two looks at the crowd"},
       {"lane_width", &P::laneWidth, "m", "to each side of a person: the same lane"},
+      {"conflict_horizon", &P::conflictHorizon, "s", "closest approaches sooner than this count"},
+      {"conflict_margin", &P::conflictMargin, "m", "gap with which passing is no conflict"},
       {"flow_line_x1", &P::flowLineX1, "m", "line whose crossings are counted, first end"},
       {"flow_line_y1", &P::flowLineY1, "m", ""},
       {"flow_line_x2", &P::flowLineX2, "m", "second end; both ends equal: no line"},

@@ -70,6 +70,8 @@ struct MetricParameters {
   double crowdRadius = 2.0;
   double crowdInterval = 0.5;
   double laneWidth = 0.75;
+  double conflictHorizon = 5.0;
+  double conflictMargin = 0.3;
   double flowLineX1 = 0.0, flowLineY1 = 0.0, flowLineX2 = 0.0, flowLineY2 = 0.0;
 };
 

@@ -90,13 +90,13 @@ double sumOf(const std::vector<double>& values) {
 
 namespace {
 
-MetricValue fold(const AccumulatorFactory& make, const Recording& recording,
+MetricValue fold(const Stream& stream, const Recording& recording,
                  const MetricParameters& parameters) {
-  const std::unique_ptr<Accumulator> accumulator = make(parameters);
+  const std::unique_ptr<Accumulator> accumulator = stream.make(parameters);
   for (std::size_t i = 0; i < recording.size(); ++i) {
     accumulator->add(recording, i);
   }
-  return accumulator->value(recording);
+  return stream.read(*accumulator, recording, parameters);
 }
 
 }  // namespace
@@ -106,19 +106,28 @@ void MetricRegistry::add(MetricInfo info, MetricFunction compute) {
   entries_.push_back({std::move(info), std::move(compute), {}, ""});
 }
 
-void MetricRegistry::addAccumulated(MetricInfo info, AccumulatorFactory accumulate) {
+void MetricRegistry::addStream(MetricInfo info, Stream stream) {
   assert(find(info.key) == nullptr);
-  MetricFunction compute = [accumulate](const Recording& recording,
-                                        const MetricParameters& parameters) {
-    return fold(accumulate, recording, parameters);
+  MetricFunction compute = [stream](const Recording& recording,
+                                    const MetricParameters& parameters) {
+    return fold(stream, recording, parameters);
   };
-  entries_.push_back({std::move(info), std::move(compute), std::move(accumulate), ""});
+  entries_.push_back({std::move(info), std::move(compute), std::move(stream), ""});
+}
+
+void MetricRegistry::setRateBound(const std::string& key, double bound) {
+  const auto entry =
+      std::find_if(entries_.begin(), entries_.end(),
+                   [&key](const MetricEntry& candidate) { return candidate.info.key == key; });
+  assert(entry != entries_.end());
+  entry->info.rateBound = bound;
 }
 
 void MetricRegistry::addMeanOf(const std::string& key) {
   const MetricEntry* sum = find(key);
   assert(sum != nullptr);
   const MetricEntry entry = *sum;
+  setRateBound(key, 0.51);  // twice the samples, twice the sum
   MetricInfo info = entry.info;
   info.key = key + "_mean";
   info.name += ", mean per sample";

@@ -43,6 +43,9 @@ struct MetricInfo {
   Kind kind = Kind::Number;
   int hunav = 0;       // number among HuNavSim's 34 keys; 0 = ours
   std::string partOf;  // selected together with that key; empty = on its own
+  /// Largest change when a record of smooth motion is sampled twice as often (from 20 Hz on), as a
+  /// share of the larger value, which counts as at least 0.1.
+  double rateBound = 0.02;
 };
 
 /// One value per sample.
@@ -70,8 +73,8 @@ double sumOf(const std::vector<double>& values);             // in order, from t
 /// One metric: recording in, value out. Sees at least one sample, and a robot if it needs one.
 using MetricFunction = std::function<MetricValue(const Recording&, const MetricParameters&)>;
 
-/// A metric computed sample by sample, for those that are costly; live values come from the same
-/// code.
+/// A metric computed sample by sample: all that look at people, for the people of a long run are
+/// not kept. Live values come from the same code.
 class Accumulator {
  public:
   Accumulator() = default;
@@ -80,18 +83,25 @@ class Accumulator {
   Accumulator(Accumulator&&) = delete;
   Accumulator& operator=(Accumulator&&) = delete;
   virtual ~Accumulator() = default;
-  /// Sample number `sample`; called once for each, in order.
+  /// Sample number `sample`, the newest; called once for each, in order. Of the samples before,
+  /// the people are there in the last one only.
   virtual void add(const Recording& recording, std::size_t sample) = 0;
-  virtual MetricValue value(const Recording& recording) const = 0;
 };
 using AccumulatorFactory =
     std::function<std::unique_ptr<Accumulator>(const MetricParameters& parameters)>;
 
+/// How a metric is made from an accumulator. The recording may have no people any more.
+struct Stream {
+  AccumulatorFactory make;  // empty: a plain function
+  std::function<MetricValue(const Accumulator&, const Recording&, const MetricParameters&)> read;
+  std::string shared;  // metrics with the same text share one accumulator; empty = its own
+};
+
 struct MetricEntry {
   MetricInfo info;
   MetricFunction compute;
-  AccumulatorFactory accumulate;  // empty for plain functions
-  std::string meanOf;             // key of the sum that this one divides by N; empty = none
+  Stream stream;
+  std::string meanOf;  // key of the sum that this one divides by N; empty = none
 };
 
 /// All metrics that a program knows. Writers, tables and panels walk over it and know no metric by
@@ -100,9 +110,10 @@ class MetricRegistry {
  public:
   /// Keys are unique: adding one twice is a bug.
   void add(MetricInfo info, MetricFunction compute);
-  void addAccumulated(MetricInfo info, AccumulatorFactory accumulate);
+  void addStream(MetricInfo info, Stream stream);
   /// `<key>_mean` = value / number of samples, for sums over samples; selected with its key.
   void addMeanOf(const std::string& key);
+  void setRateBound(const std::string& key, double bound);
   /// HuNavSim's keys by number, then ours as they were added.
   void sort();
   const std::vector<MetricEntry>& entries() const { return entries_; }
@@ -112,6 +123,20 @@ class MetricRegistry {
  private:
   std::vector<MetricEntry> entries_;
 };
+
+/// A stream of accumulators of one class, made from the parameters.
+template <class Sum>
+Stream streamOf(
+    std::string shared,
+    std::function<MetricValue(const Sum&, const Recording&, const MetricParameters&)> read,
+    std::function<std::unique_ptr<Accumulator>(const MetricParameters&)> make) {
+  return {std::move(make),
+          [read = std::move(read)](const Accumulator& sum, const Recording& recording,
+                                   const MetricParameters& parameters) {
+            return read(static_cast<const Sum&>(sum), recording, parameters);
+          },
+          std::move(shared)};
+}
 
 /// Written by the build: calls add<File>() of every file in metrics/catalogue.
 void addAllMetrics(MetricRegistry& to);

@@ -4,7 +4,7 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include "metrics/Expression.h"
+#include "metrics/FormulaReader.h"
 #include "metrics/Report.h"
 #include "sim2d/base/Text.h"
 
@@ -13,11 +13,6 @@ namespace metrics {
 namespace {
 
 constexpr char kOwnNode[] = "hunavsim_metrics";
-
-std::string nearestHint(const std::string& key, const std::vector<std::string>& known) {
-  const std::optional<std::string> nearest = base::nearestName(key, known);
-  return nearest ? " (did you mean '" + *nearest + "'?)" : "";
-}
 
 /// Keys that can be selected: all but the parts of others.
 std::vector<std::string> selectableKeys(const MetricRegistry& registry) {
@@ -52,7 +47,8 @@ class FileReader {
   base::Result<MetricsFile> read(const YAML::Node& root) {
     const bool hasOwn = root.IsMap() && root[kOwnNode];
     if (hasOwn) {
-      readOwn(root[kOwnNode]["ros__parameters"], root[kOwnNode]);
+      FormulaReader(name_, registry_, file_.selection.own, problems_)
+          .read(root[kOwnNode]["ros__parameters"], root[kOwnNode]);
     }
     if (hasOwn && root.size() == 1) {
       file_.selection.keys.reset();
@@ -78,13 +74,7 @@ class FileReader {
   }
 
   void note(base::Severity severity, const YAML::Node& node, const std::string& message) {
-    const YAML::Mark mark = node.Mark();
-    problems_.push_back({severity,
-                         name_,
-                         mark.is_null() ? 0 : mark.line + 1,
-                         mark.is_null() ? 0 : mark.column + 1,
-                         message,
-                         {}});
+    problems_.push_back(diagnosticAt(node, severity, name_, message));
   }
   void error(const YAML::Node& node, const std::string& message) {
     note(base::Severity::Error, node, message);
@@ -192,118 +182,11 @@ class FileReader {
     turnOn(entry->info, on, *file_.selection.keys);
   }
 
-  void readOwn(const YAML::Node& metrics, const YAML::Node& place) {
-    if (!metrics.IsDefined() || !metrics.IsMap()) {
-      error(place, "no map of formulas (hunavsim_metrics: ros__parameters: <key>: ...)");
-      return;
-    }
-    for (const auto& entry : metrics) {
-      const auto key = entry.first.as<std::string>("");
-      const bool isTaken =
-          registry_.find(key) != nullptr ||
-          std::any_of(file_.selection.own.begin(), file_.selection.own.end(),
-                      [&key](const MetricEntry& other) { return other.info.key == key; });
-      if (isTaken) {
-        error(entry.first, "there is a metric '" + key + "' already");
-      } else if (!isKey(key)) {
-        error(entry.first, "a key is made of a-z, 0-9 and _, and begins with a letter");
-      } else {
-        readFormula(key, entry.first, entry.second);
-      }
-    }
-  }
-
-  static bool isKey(const std::string& key) {
-    const auto isLetter = [](char c) { return c >= 'a' && c <= 'z'; };
-    return !key.empty() && isLetter(key.front()) &&
-           std::all_of(key.begin(), key.end(),
-                       [&](char c) { return isLetter(c) || (c >= '0' && c <= '9') || c == '_'; });
-  }
-
-  void readFormula(const std::string& key, const YAML::Node& place, const YAML::Node& value) {
-    UserMetric metric;
-    metric.key = key;
-    if (!value.IsMap() || !value["expression"] || !value["expression"].IsScalar()) {
-      error(place, "'" + key + "' needs an expression");
-      return;
-    }
-    for (const auto& entry : value) {
-      const auto name = entry.first.as<std::string>("");
-      if (name == "expression") {
-        metric.expression = entry.second.Scalar();
-      } else if (name == "name") {
-        readText(entry.second, metric.name);
-      } else if (name == "unit") {
-        readText(entry.second, metric.unit);
-      } else if (name == "better") {
-        readBetter(entry.second, metric.better);
-      } else {
-        note(base::Severity::Warning, entry.first,
-             "unknown key '" + name + "'" +
-                 nearestHint(name, {"expression", "name", "unit", "better"}));
-      }
-    }
-    addFormula(metric, value["expression"]);
-  }
-
-  void readBetter(const YAML::Node& value, Better& better) {
-    for (const Better candidate : {Better::Lower, Better::Higher, Better::Neutral}) {
-      if (value.IsScalar() && value.Scalar() == betterName(candidate)) {
-        better = candidate;
-        return;
-      }
-    }
-    error(value, "better is lower, higher or neutral");
-  }
-
-  /// Problems get the place in this file: formulas stand on one line, in quotes or not.
-  void addFormula(const UserMetric& metric, const YAML::Node& text) {
-    const base::Result<MetricEntry> entry = entryOf(metric);
-    if (entry) {
-      file_.selection.own.push_back(*entry);
-    }
-    const YAML::Mark mark = text.Mark();
-    const int quote = text.Tag() == "!" ? 1 : 0;
-    for (base::Diagnostic problem : entry.diagnostics()) {
-      problem.file = name_;
-      problem.line = mark.line + 1;
-      problem.column += mark.column + quote;
-      problems_.push_back(problem);
-    }
-  }
-
   std::string name_;
   const MetricRegistry& registry_;
   MetricsFile file_;
   base::Diagnostics problems_;
 };
-
-/// A text that YAML reads back as a text.
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) {
-    result += c == '\'' ? "''" : std::string(1, c);
-  }
-  return result + "'";
-}
-
-std::string ownText(const std::vector<MetricEntry>& own) {
-  std::string text;
-  for (const MetricEntry& entry : own) {
-    const MetricInfo& info = entry.info;
-    text += text.empty() ? std::string(kOwnNode) + ":\n  ros__parameters:\n" : std::string();
-    text += "    " + info.key + ":\n";
-    text += "      expression: " + quoted(info.formula) + "\n";
-    text += "      name: " + quoted(info.name) + "\n";
-    text += "      unit: " + quoted(info.unit) + "\n";
-    text += std::string("      better: ") + betterName(info.better) + "\n";
-  }
-  return text;
-}
-
-const char* boolText(bool value) {
-  return value ? "true" : "false";
-}
 
 }  // namespace
 
@@ -349,23 +232,6 @@ base::Result<MetricsFile> readMetricsFile(const std::string& path, const MetricR
     return text.diagnostics();
   }
   return parseMetricsFile(*text, path, registry);
-}
-
-std::string writeMetricsFile(const MetricsFile& file, const MetricRegistry& registry) {
-  const Selection& selection = file.selection;
-  std::string text = "hunav_evaluator_node:\n  ros__parameters:\n";
-  text += std::string("    use_sim_time: ") + boolText(file.useSimTime) + "\n";
-  text += "    frequency: " + base::formatDecimals(selection.window.frequency, 1) + "\n";
-  text += "    result_file: " + quoted(file.resultFile) + "\n";
-  text += "    metrics:\n";
-  for (const MetricEntry& entry : registry.entries()) {
-    const bool on = selection.selects(entry.info);
-    const bool listed = entry.info.partOf.empty() && (entry.info.hunav > 0 || on);
-    if (listed) {
-      text += "      " + entry.info.key + ": " + boolText(on) + "\n";
-    }
-  }
-  return text + ownText(selection.own);
 }
 
 }  // namespace metrics

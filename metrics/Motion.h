@@ -21,14 +21,6 @@ bool isInGoalRegion(const Recording& recording, std::size_t sample,
 bool isCompleted(const Recording& recording, const MetricParameters& parameters);
 double distanceToGoals(const Recording& recording, std::size_t sample);  // nearest goal; inf: none
 
-/// Contacts that begin at each sample and who ran into whom.
-struct ContactEvents {
-  std::vector<double> robotOnPerson, personOnRobot;
-};
-/// A pair whose gap falls below `limit`; told apart by the closing speeds.
-ContactEvents contactEvents(const Recording& recording, double limit);
-/// Contacts that begin, whoever caused them.
-double entryCount(const Recording& recording, double limit);
 /// The robot touches an obstacle: begins at these many samples.
 int obstacleContacts(const Recording& recording);
 

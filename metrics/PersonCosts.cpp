@@ -2,33 +2,45 @@
 
 namespace metrics {
 
-void PersonCosts::add(const Recording& recording, std::size_t sample) {
-  const Sample& now = recording.samples[sample];
-  if (sample == 0) {
-    personTotals_.assign(now.people.size(), 0.0);
+void PersonCosts::addTo(Column& column, std::size_t place, double cost) {
+  column.series.back() += cost;
+  if (place < column.personTotals.size()) {
+    column.personTotals[place] += cost;
+  } else {
+    failed_ = true;
   }
-  beginSample();
-  double sum = 0.0;
-  for (std::size_t k = 0; k < now.people.size(); ++k) {
-    const std::optional<double> cost = costOf(recording, now, now.people[k]);
-    failed_ = failed_ || !cost || k >= personTotals_.size();
-    sum += cost.value_or(0.0);
-    if (k < personTotals_.size()) {
-      personTotals_[k] += cost.value_or(0.0);
-    }
-  }
-  series_.push_back(sum);
-  sum_ += sum;
 }
 
-MetricValue PersonCosts::value(const Recording& /*recording*/) const {
+void PersonCosts::add(const Recording& recording, std::size_t sample) {
+  const Sample& now = recording.samples[sample];
+  for (Column& column : columns_) {
+    column.series.push_back(0.0);
+    if (sample == 0) {
+      column.personTotals.assign(now.people.size(), 0.0);
+    }
+  }
+  beginSample();
+  for (std::size_t k = 0; k < now.people.size(); ++k) {
+    costs_.assign(columns_.size(), 0.0);
+    failed_ = !addCosts(recording, now, now.people[k], costs_) || failed_;
+    for (std::size_t cost = 0; cost < costs_.size(); ++cost) {
+      addTo(columns_[cost], k, costs_[cost]);
+    }
+  }
+  for (Column& column : columns_) {
+    column.sum += column.series.back();
+  }
+}
+
+MetricValue PersonCosts::value(std::size_t cost) const {
+  const Column& column = columns_[cost];
   if (!isOriginal()) {
-    return withSeries(numberValue(sum_), series_);
+    return withSeries(numberValue(column.sum), column.series);
   }
   if (failed_) {
     return undefinedValue("IndexError: more people than at first, or a place outside the map");
   }
-  return withSeries(numberValue(sumOf(personTotals_)), personTotals_);
+  return withSeries(numberValue(sumOf(column.personTotals)), column.personTotals);
 }
 
 }  // namespace metrics

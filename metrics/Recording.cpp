@@ -21,8 +21,13 @@ double distance(const Body& a, const Body& b) {
   return lengthOf(a.position - b.position);
 }
 
-double gap(const Body& a, const Body& b) {
-  return distance(a, b) - a.radius - b.radius;
+double distance(const Robot& robot, const Person& person) {
+  return person.robotDistance >= 0.0 ? person.robotDistance
+                                     : lengthOf(robot.position - person.position);
+}
+
+double gap(const Robot& robot, const Person& person) {
+  return distance(robot, person) - robot.radius - person.radius;
 }
 
 std::optional<double> closestGap(const Sample& sample) {

@@ -40,6 +40,7 @@ struct Person : Body {
   int state = 0;                       // != 0: a reaction runs
   std::optional<double> socialFactor;  // own; else the parameters'
   bool screened = false;  // a drawn obstacle or closed door hides the robot (map walls: apart)
+  double robotDistance = -1.0;  // of the centres [m], computed once; < 0: not yet
 };
 
 struct Robot : Body {
@@ -61,11 +62,14 @@ struct Goal {
 /// What metrics read: samples in time order, one robot at most.
 struct Recording {
   bool hasRobot = false;
+  int robotId = -1;
   double robotStartTime = 0.0;     // it sets off then [s]
   double robotMaxSpeed = 1.0;      // v_max [m/s]
   std::vector<Goal> goals;         // of the robot
   sim2d::OccupancyGrid map;        // empty = none
   std::shared_ptr<Routes> routes;  // shortest ways; null = straight lines
+  /// A run to compare with, instead of the shortest way: time from its start [s], place.
+  std::vector<std::pair<double, Vec2>> reference;
   std::vector<Sample> samples;
   std::vector<std::pair<double, sim2d::Event>> events;  // time [s], all events of the run
 
@@ -114,6 +118,25 @@ struct Window {
 };
 /// Says what is wrong with the texts of a window; empty = nothing.
 std::string windowProblem(const Window& window);
+/// Tells sample by sample what a window takes. `recording`: what is known before the first sample.
+class WindowGate {
+ public:
+  WindowGate(Window window, const Recording& recording);
+  /// An event of a time up to that of the next sample; in order.
+  void note(double time, const sim2d::Event& event);
+  bool takes(const Sample& sample);
+
+ private:
+  void begin(double time);
+  bool ends(const sim2d::Event& event) const;
+
+  Window window_;
+  int robotId_;
+  std::optional<double> begin_, end_;  // [s]
+  std::optional<double> lastEnding_;   // newest event that would end it [s]
+  double first_ = 0.0, next_;          // of the grid of `frequency` [s]
+  long long taken_ = 0;
+};
 Recording cut(const Recording& recording, const Window& window);
 /// Only people of one behaviour type.
 Recording withBehavior(const Recording& recording, int behavior);
@@ -121,8 +144,22 @@ Recording withBehavior(const Recording& recording, int behavior);
 // Geometry that most metrics share.
 double lengthOf(const Vec2& vector);  // rounded correctly, unlike a root of squares
 double distance(const Body& a, const Body& b);
-double gap(const Body& a, const Body& b);  // surface to surface, < 0 when they overlap
-std::optional<double> closestGap(const Sample& sample);  // clamped at 0; none without people
+double distance(const Robot& robot, const Person& person);  // of the same sample
+double gap(const Robot& robot, const Person& person);       // surface to surface, < 0: they overlap
+std::optional<double> closestGap(const Sample& sample);     // clamped at 0; none without people
 const Person* findPerson(const Sample& sample, int id);
+/// The entry for which `is` holds; quick when entries are asked for in their order. `next` = where
+/// to look first, 0 at the beginning.
+template <class Entry, class Is>
+const Entry* findInOrder(const std::vector<Entry>& entries, std::size_t& next, Is is) {
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    const std::size_t at = next + k < entries.size() ? next + k : next + k - entries.size();
+    if (is(entries[at])) {
+      next = at + 1 < entries.size() ? at + 1 : 0;
+      return &entries[at];
+    }
+  }
+  return nullptr;
+}
 
 }  // namespace metrics

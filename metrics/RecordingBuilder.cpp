@@ -76,6 +76,7 @@ Recording RecordingBuilder::emptyRecording() const {
     return recording;
   }
   recording.hasRobot = true;
+  recording.robotId = robotId_;
   recording.robotStartTime = robot->startTime;
   recording.robotMaxSpeed = robot->maxVel;
   for (const sim2d::TraceGoal& goal : robot->goals) {

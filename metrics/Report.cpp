@@ -1,7 +1,9 @@
 #include "metrics/Report.h"
 
-#include <algorithm>
+#include <cmath>
 #include <set>
+
+#include "metrics/RunningEvaluation.h"
 
 namespace metrics {
 
@@ -38,138 +40,67 @@ const MetricResult* findResult(const std::vector<MetricResult>& results, std::st
   return nullptr;
 }
 
-namespace {
-
-constexpr int kBehaviors = 6;
-
-base::Result<Selection> checked(const Selection& selection) {
-  if (const std::string problem = windowProblem(selection.window); !problem.empty()) {
-    return base::makeError("metrics: " + problem);
-  }
-  return selection;
-}
-
-bool hasBehavior(const Sample& sample, int behavior) {
-  return std::any_of(sample.people.begin(), sample.people.end(),
-                     [behavior](const Person& person) { return person.behavior == behavior; });
-}
-
-/// Of the people of this type; the original looks at everybody.
-std::vector<double> activeSeries(const Recording& people) {
-  std::vector<double> active;
-  for (const Sample& sample : people.samples) {
-    active.push_back(std::any_of(sample.people.begin(), sample.people.end(),
-                                 [](const Person& person) { return person.state != 0; })
-                         ? 1.0
-                         : 0.0);
-  }
-  return active;
-}
-
-/// The original writes the series of the pass over all people when a metric has none of its own.
-void fillLeftOvers(std::vector<MetricResult>& results, const std::vector<MetricResult>& all) {
-  for (std::size_t k = 0; k < results.size(); ++k) {
-    if (!results[k].value.series) {
-      results[k].value.series = all[k].value.series;
-    }
-  }
-}
-
-class BehaviorPass {
- public:
-  BehaviorPass(const Recording& recording, const Selection& selection,
-               const MetricParameters& parameters, const MetricRegistry& registry)
-      : recording_(recording),
-        selection_(selection),
-        parameters_(parameters),
-        registry_(registry) {}
-
-  bool isPresent(int behavior) const {
-    const auto has = [behavior](const Sample& sample) { return hasBehavior(sample, behavior); };
-    const std::vector<Sample>& samples = recording_.samples;
-    return parameters_.profile == Profile::Hunav2
-               ? std::all_of(samples.begin(), samples.end(), has)
-               : std::any_of(samples.begin(), samples.end(), has);
-  }
-
-  BehaviorEvaluation run(int behavior, const std::vector<MetricResult>& all) const {
-    const Recording part = withBehavior(recording_, behavior);
-    const bool original = parameters_.profile == Profile::Hunav2;
-    BehaviorEvaluation evaluation;
-    evaluation.behavior = behavior;
-    evaluation.active = activeSeries(original ? recording_ : part);
-    evaluation.results = computeMetrics(part, selection_, parameters_, registry_);
-    if (original) {
-      fillLeftOvers(evaluation.results, all);
-    }
-    return evaluation;
-  }
-
- private:
-  const Recording& recording_;
-  const Selection& selection_;
-  const MetricParameters& parameters_;
-  const MetricRegistry& registry_;
-};
-
-}  // namespace
-
 std::vector<MetricResult> computeMetrics(const Recording& recording, const Selection& selection,
                                          const MetricParameters& parameters,
                                          const MetricRegistry& registry) {
-  std::vector<MetricResult> results;
-  for (const MetricEntry& entry : selection.entries(registry)) {
-    const MetricResult* sum = entry.meanOf.empty() ? nullptr : findResult(results, entry.meanOf);
-    if (entry.info.needs.robot && !recording.hasRobot) {
-      results.push_back({entry.info, undefinedValue("there is no robot")});
-    } else if (sum != nullptr) {
-      results.push_back({entry.info, meanOver(sum->value, recording.size())});
-    } else {
-      results.push_back({entry.info, entry.compute(recording, parameters)});
-    }
+  MetricSums sums(selection, parameters, recording.hasRobot, registry);
+  for (std::size_t i = 0; i < recording.size(); ++i) {
+    sums.add(recording, i);
   }
-  return results;
+  return sums.values(recording);
 }
+
+namespace {
+
+constexpr double kTimeSlack = 1e-9;  // [s]
+
+/// Feeds the events up to a time; `next` = the first one that was not fed.
+template <class Evaluation, class Event, class TimeOf>
+void noteUntil(double time, const std::vector<Event>& events, std::size_t& next, TimeOf timeOf,
+               Evaluation& to) {
+  for (; next < events.size() && timeOf(events[next]) <= time + kTimeSlack; ++next) {
+    to.note(timeOf(events[next]), events[next].second);
+  }
+}
+
+}  // namespace
 
 base::Result<Evaluation> evaluate(const Recording& recording, const Selection& selection,
                                   const MetricParameters& parameters,
                                   const MetricRegistry& registry) {
-  if (recording.samples.empty()) {
-    return base::makeError("the record has no samples, so there is nothing to measure");
+  Recording empty;
+  empty.hasRobot = recording.hasRobot;
+  empty.robotId = recording.robotId;
+  empty.robotStartTime = recording.robotStartTime;
+  empty.robotMaxSpeed = recording.robotMaxSpeed;
+  empty.goals = recording.goals;
+  empty.map = recording.map;
+  empty.routes = recording.routes;
+  empty.reference = recording.reference;
+  RunningEvaluation evaluation(empty, selection, parameters, registry);
+  std::size_t next = 0;
+  const auto timeOf = [](const auto& event) { return event.first; };
+  for (const Sample& sample : recording.samples) {
+    noteUntil(sample.time, recording.events, next, timeOf, evaluation);
+    evaluation.add(sample);
   }
-  const base::Result<Selection> valid = checked(selection);
-  if (!valid) {
-    return valid.diagnostics();
-  }
-  const Window whole;
-  const bool isWhole = selection.window.from == whole.from &&
-                       selection.window.until == whole.until && selection.window.frequency <= 0.0;
-  const Recording window = isWhole ? Recording{} : cut(recording, selection.window);
-  const Recording& part = isWhole ? recording : window;
-  if (part.samples.empty()) {
-    return base::makeError("no sample lies between '" + selection.window.from + "' and '" +
-                           selection.window.until + "'");
-  }
-  Evaluation evaluation;
-  evaluation.parameters = parameters;
-  evaluation.tag = selection.tag;
-  evaluation.runId = selection.runId;
-  for (const Sample& sample : part.samples) {
-    evaluation.times.push_back(sample.time - part.samples.front().time);
-  }
-  evaluation.results = computeMetrics(part, selection, parameters, registry);
-  const BehaviorPass pass(part, selection, parameters, registry);
-  for (int behavior = 1; behavior <= kBehaviors; ++behavior) {
-    if (pass.isPresent(behavior)) {
-      evaluation.behaviors.push_back(pass.run(behavior, evaluation.results));
-    }
-  }
-  return evaluation;
+  noteUntil(HUGE_VAL, recording.events, next, timeOf, evaluation);
+  return evaluation.finish();
 }
 
 base::Result<Evaluation> evaluate(const sim2d::Trace& trace, const Selection& selection,
                                   const MetricParameters& parameters) {
-  return evaluate(recordingOf(trace, selection.robotId), selection, parameters, standardRegistry());
+  FrameEvaluation evaluation(trace.header, selection, parameters);
+  std::size_t next = 0;
+  const auto timeOf = [&trace](const auto& event) {
+    return static_cast<double>(event.first) * trace.header.dt;
+  };
+  for (const sim2d::Frame& frame : trace.frames) {
+    noteUntil(frame.time, trace.events, next, timeOf, evaluation);
+    evaluation.append(frame);
+  }
+  noteUntil(HUGE_VAL, trace.events, next, timeOf, evaluation);
+  return evaluation.finish();
 }
 
 }  // namespace metrics

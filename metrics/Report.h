@@ -23,6 +23,7 @@ struct Selection {
   std::string tag = "exp_1";
   int runId = 0;
   int robotId = -1;
+  std::vector<std::pair<double, Vec2>> reference;  // Recording::reference; empty = shortest way
 
   bool selects(const MetricInfo& info) const;
   /// The selected metrics in order: of the registry, then the user's.

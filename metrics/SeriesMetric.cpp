@@ -1,7 +1,10 @@
 #include "metrics/SeriesMetric.h"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
+
+#include "metrics/Interaction.h"
 
 namespace metrics {
 
@@ -9,30 +12,42 @@ namespace {
 
 class SeriesAccumulator : public Accumulator {
  public:
-  SeriesAccumulator(SampleTerm term, Reduction reduce, const MetricParameters& parameters)
-      : term_(std::move(term)), reduce_(std::move(reduce)), parameters_(parameters) {}
+  SeriesAccumulator(SampleTerm term, const MetricParameters& parameters)
+      : term_(std::move(term)), parameters_(parameters) {}
 
   void add(const Recording& recording, std::size_t sample) override {
     terms_.push_back(term_(recording.samples[sample], parameters_));
   }
-  MetricValue value(const Recording& recording) const override {
-    return reduce_(terms_, recording, parameters_);
-  }
+  const std::vector<double>& terms() const { return terms_; }
 
  private:
   SampleTerm term_;
-  Reduction reduce_;
   MetricParameters parameters_;
   std::vector<double> terms_;
 };
 
+/// Equal for the same plain function, empty for anything else.
+std::string nameOf(const SampleTerm& term) {
+  using Plain = double (*)(const Sample&, const MetricParameters&);
+  const Plain* plain = term.target<Plain>();
+  return plain == nullptr ? std::string()
+                          : "term " + std::to_string(reinterpret_cast<std::uintptr_t>(*plain));
+}
+
 }  // namespace
 
 void addSeriesMetric(MetricRegistry& to, MetricInfo info, SampleTerm term, Reduction reduce) {
-  to.addAccumulated(std::move(info), [term = std::move(term), reduce = std::move(reduce)](
-                                         const MetricParameters& parameters) {
-    return std::make_unique<SeriesAccumulator>(term, reduce, parameters);
-  });
+  const std::string shared = nameOf(term);
+  to.addStream(std::move(info), streamOf<SeriesAccumulator>(
+                                    shared,
+                                    [reduce = std::move(reduce)](
+                                        const SeriesAccumulator& sum, const Recording& recording,
+                                        const MetricParameters& parameters) {
+                                      return reduce(sum.terms(), recording, parameters);
+                                    },
+                                    [term = std::move(term)](const MetricParameters& parameters) {
+                                      return std::make_unique<SeriesAccumulator>(term, parameters);
+                                    }));
 }
 
 double timeMean(const std::vector<double>& terms, const Recording& recording) {
@@ -57,6 +72,17 @@ double largestTerm(const std::vector<double>& terms) {
 
 double closestGapTerm(const Sample& sample, const MetricParameters& /*parameters*/) {
   return closestGap(sample).value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+double collisionTerm(const Sample& sample, const MetricParameters& /*parameters*/) {
+  double soonest = std::numeric_limits<double>::quiet_NaN();
+  for (const Person& person : sample.people) {
+    const std::optional<double> time = timeToCollision(sample.robot, person);
+    if (time && !(*time >= soonest)) {
+      soonest = *time;
+    }
+  }
+  return soonest;
 }
 
 }  // namespace metrics

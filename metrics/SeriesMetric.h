@@ -11,7 +11,8 @@ using Reduction =
     std::function<MetricValue(const std::vector<double>& terms, const Recording& recording,
                               const MetricParameters& parameters)>;
 
-/// Adds a metric whose costly part depends on each sample alone, so that live values cost little.
+/// Adds a metric whose costly part depends on each sample alone. Terms that are plain functions are
+/// computed once for all metrics that are made of them.
 void addSeriesMetric(MetricRegistry& to, MetricInfo info, SampleTerm term, Reduction reduce);
 
 /// Mean weighted with the time after each sample, of the samples with a term; NaN: no time.
@@ -20,5 +21,7 @@ double timeMean(const std::vector<double>& terms, const Recording& recording);
 double largestTerm(const std::vector<double>& terms);
 
 double closestGapTerm(const Sample& sample, const MetricParameters& parameters);  // NaN: nobody
+/// Soonest collision with anybody [s]; NaN: on no collision course.
+double collisionTerm(const Sample& sample, const MetricParameters& parameters);
 
 }  // namespace metrics

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "metrics/Recording.h"
 #include "sim2d/base/Text.h"
@@ -37,53 +38,16 @@ std::string boundProblem(const std::string& text, const std::vector<std::string>
   return "'" + text + "' is none of " + known + "time T, event KIND";
 }
 
-template <class Holds>
-double firstEvent(const Recording& recording, double after, Holds holds) {
-  for (const auto& [time, event] : recording.events) {
-    if (time >= after && holds(event)) {
-      return time;
-    }
-  }
-  return kNever;
+/// Kind of "event KIND".
+std::optional<sim2d::EventKind> kindOf(const std::string& text) {
+  const std::string kind = argumentOf(text, "event");
+  return kind.empty() ? std::nullopt : sim2d::eventKindOf(kind);
 }
 
-/// Time of "time T" and "event KIND"; nothing for the other words.
-std::optional<double> timeOf(const Recording& recording, const std::string& text, double after) {
-  if (const std::string time = argumentOf(text, "time"); !time.empty()) {
-    return base::parseDouble(time).value_or(kNever);
-  }
-  if (const std::string kind = argumentOf(text, "event"); !kind.empty()) {
-    const std::optional<sim2d::EventKind> wanted = sim2d::eventKindOf(kind);
-    return firstEvent(recording, after,
-                      [&](const sim2d::Event& event) { return event.kind == wanted; });
-  }
-  return std::nullopt;
-}
-
-double beginOf(const Recording& recording, const std::string& from) {
-  if (from == "goal") {
-    return recording.robotStartTime;
-  }
-  if (from == "motion") {
-    for (const Sample& sample : recording.samples) {
-      if (sample.robot.speed > kMotionSpeed) {
-        return sample.time;
-      }
-    }
-    return kNever;
-  }
-  return timeOf(recording, from, -kNever).value_or(-kNever);
-}
-
-double endOf(const Recording& recording, const std::string& until, double begin) {
-  if (until == "arrival") {
-    const int robot =
-        recording.hasRobot && !recording.samples.empty() ? recording.samples.front().robot.id : -1;
-    return firstEvent(recording, begin, [robot](const sim2d::Event& event) {
-      return event.kind == sim2d::EventKind::Arrived && event.id == robot;
-    });
-  }
-  return timeOf(recording, until, begin).value_or(kNever);
+/// Time that a text tells in advance.
+std::optional<double> toldTime(const std::string& text) {
+  const std::string time = argumentOf(text, "time");
+  return time.empty() ? std::nullopt : base::parseDouble(time);
 }
 
 }  // namespace
@@ -103,27 +67,79 @@ std::string windowProblem(const Window& window) {
   return "";
 }
 
+WindowGate::WindowGate(Window window, const Recording& recording)
+    : window_(std::move(window)),
+      robotId_(recording.robotId),
+      begin_(toldTime(window_.from)),
+      end_(toldTime(window_.until)),
+      next_(-kNever) {
+  if (window_.from == "begin") {
+    begin_ = -kNever;
+  } else if (window_.from == "goal") {
+    begin_ = recording.robotStartTime;
+  }
+  end_ = window_.until == "end" ? kNever : end_;
+}
+
+void WindowGate::begin(double time) {
+  if (begin_) {
+    return;
+  }
+  begin_ = time;
+  if (!end_ && lastEnding_ && *lastEnding_ >= time) {
+    end_ = lastEnding_;
+  }
+}
+
+bool WindowGate::ends(const sim2d::Event& event) const {
+  return window_.until == "arrival"
+             ? event.kind == sim2d::EventKind::Arrived && event.hasId && event.id == robotId_
+             : kindOf(window_.until) == event.kind;
+}
+
+void WindowGate::note(double time, const sim2d::Event& event) {
+  if (kindOf(window_.from) == event.kind) {
+    begin(time);
+  }
+  if (end_ || !ends(event)) {
+    return;
+  }
+  lastEnding_ = time;
+  if (begin_ && time >= *begin_) {
+    end_ = time;
+  }
+}
+
+bool WindowGate::takes(const Sample& sample) {
+  if (window_.from == "motion" && sample.robot.speed > kMotionSpeed) {
+    begin(sample.time);
+  }
+  const bool isInside = begin_ && sample.time >= *begin_ - kTimeSlack &&
+                        sample.time <= end_.value_or(kNever) + kTimeSlack;
+  if (!isInside || sample.time < next_ - kTimeSlack) {
+    return false;
+  }
+  if (window_.frequency > 0.0) {
+    // The grid starts at the first sample and does not drift when steps do not fit it.
+    first_ = taken_ == 0 ? sample.time : first_;
+    const double place = std::floor((sample.time - first_ + kTimeSlack) * window_.frequency);
+    taken_ = std::max(taken_, static_cast<long long>(place)) + 1;
+    next_ = first_ + static_cast<double>(taken_) / window_.frequency;
+  }
+  return true;
+}
+
 Recording cut(const Recording& recording, const Window& window) {
-  const double begin = beginOf(recording, window.from);
-  const double end = endOf(recording, window.until, begin);
   Recording part = recording;
   part.samples.clear();
-  double next = -kNever;
-  double first = 0.0;
-  long long taken = 0;
+  WindowGate gate(window, recording);
+  auto event = recording.events.begin();
   for (const Sample& sample : recording.samples) {
-    if (sample.time < begin - kTimeSlack || sample.time > end + kTimeSlack ||
-        sample.time < next - kTimeSlack) {
-      continue;
+    for (; event != recording.events.end() && event->first <= sample.time + kTimeSlack; ++event) {
+      gate.note(event->first, event->second);
     }
-    first = part.samples.empty() ? sample.time : first;
-    part.samples.push_back(sample);
-    if (window.frequency > 0.0) {
-      // The grid starts at the first sample and does not drift when steps do not fit it.
-      taken = std::max(taken + 1, static_cast<long long>(std::floor(
-                                      (sample.time - first + kTimeSlack) * window.frequency)) +
-                                      1);
-      next = first + static_cast<double>(taken) / window.frequency;
+    if (gate.takes(sample)) {
+      part.samples.push_back(sample);
     }
   }
   return part;

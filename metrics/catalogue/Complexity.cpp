@@ -10,26 +10,63 @@ namespace metrics {
 namespace {
 
 /// Turns that each person and the robot made around each other, with their sense.
-MetricValue topologicalComplexity(const Recording& recording, const MetricParameters& /*p*/) {
-  std::map<int, double> turned;
-  for (std::size_t i = 1; i < recording.size(); ++i) {
-    const Sample& before = recording.samples[i - 1];
-    const Sample& now = recording.samples[i];
+class Winding : public Accumulator {
+ public:
+  void add(const Recording& recording, std::size_t sample) override {
+    const Sample& now = recording.samples[sample];
+    before_.swap(now_);
+    now_.clear();
+    std::size_t next = 0;
     for (const Person& person : now.people) {
-      const Person* const then = findPerson(before, person.id);
-      if (then != nullptr) {
-        const double from = base::headingOf(then->position - before.robot.position);
-        const double to = base::headingOf(person.position - now.robot.position);
-        turned[person.id] += base::angleDiff(to, from);
+      const double bearing = base::headingOf(person.position - now.robot.position);
+      const auto* then =
+          findInOrder(before_, next, [&person](const Turned& one) { return one.id == person.id; });
+      Turned turned{person.id, bearing, then != nullptr ? then->angle : angleOf(person.id)};
+      turned.angle += then != nullptr ? base::angleDiff(bearing, then->bearing) : 0.0;
+      now_.push_back(turned);
+    }
+    keepLost();
+  }
+
+  MetricValue value() const {
+    double sum = 0.0;
+    for (const auto& [id, angle] : lost_) {
+      sum += std::fabs(angle) / (2.0 * base::kPi);
+    }
+    for (const Turned& one : now_) {
+      sum += std::fabs(one.angle) / (2.0 * base::kPi);
+    }
+    return numberValue(sum);
+  }
+
+ private:
+  struct Turned {
+    int id = 0;
+    double bearing = 0.0, angle = 0.0;
+  };
+
+  /// Takes back what was kept of somebody who was away.
+  double angleOf(int id) {
+    const auto found = lost_.find(id);
+    const double angle = found != lost_.end() ? found->second : 0.0;
+    if (found != lost_.end()) {
+      lost_.erase(found);
+    }
+    return angle;
+  }
+  void keepLost() {
+    std::size_t next = 0;
+    for (const Turned& one : before_) {
+      if (findInOrder(now_, next, [&one](const Turned& other) { return other.id == one.id; }) ==
+          nullptr) {
+        lost_[one.id] = one.angle;
       }
     }
   }
-  double sum = 0.0;
-  for (const auto& [id, angle] : turned) {
-    sum += std::fabs(angle) / (2.0 * base::kPi);
-  }
-  return numberValue(sum);
-}
+
+  std::vector<Turned> now_, before_;
+  std::map<int, double> lost_;  // who is away: id, angle [rad]
+};
 
 bool isInRecord(const Recording& recording, double time) {
   constexpr double kSlack = 1e-9;
@@ -92,11 +129,16 @@ MetricValue stoppedDistance(const Recording& recording, const MetricParameters& 
 }  // namespace
 
 void addComplexity(MetricRegistry& to) {
-  to.add({"topological_complexity", "Winding around people", "turns", Category::Social,
-          Better::Neutral, Needs{true, true},
-          "sum over a of |sum over i of wrap(change of the bearing of a from the robot)| / 2 pi",
-          "Mavrogiannis and Knepper 2019", "[0, inf)", Kind::Number, 0, ""},
-         topologicalComplexity);
+  to.addStream(
+      {"topological_complexity", "Winding around people", "turns", Category::Social,
+       Better::Neutral, Needs{true, true},
+       "sum over a of |sum over i of wrap(change of the bearing of a from the robot)| / 2 pi",
+       "Mavrogiannis and Knepper 2019", "[0, inf)", Kind::Number, 0, ""},
+      streamOf<Winding>(
+          "",
+          [](const Winding& winding, const Recording& /*recording*/,
+             const MetricParameters& /*parameters*/) { return winding.value(); },
+          [](const MetricParameters& /*parameters*/) { return std::make_unique<Winding>(); }));
   to.add({"replanning_count", "New plans of the robot", "", Category::Navigation, Better::Lower,
           Needs{}, "number of events replan of the robot", "Arena; MRPB", "0, 1, ...", Kind::Count,
           0, ""},

@@ -1,7 +1,6 @@
 #include <cmath>
 
-#include "metrics/MetricRegistry.h"
-#include "metrics/Motion.h"
+#include "metrics/ContactEvents.h"
 
 namespace metrics {
 
@@ -25,41 +24,72 @@ Blame originalBlame(const Robot& robot, const Person& person) {
   return {(toRobot < toPerson && differ) || tie, (toRobot > toPerson && differ) || tie};
 }
 
-MetricValue originalContacts(const Recording& recording, const MetricParameters& parameters,
-                             bool Blame::*culprit) {
-  std::vector<double> series;
-  double count = 0.0;
-  for (const Sample& sample : recording.samples) {
-    bool any = false;
+/// Of the original: per sample and person in contact; the series is 0 or 1.
+class OriginalContacts {
+ public:
+  void add(const Sample& sample, double limit) {
+    bool byRobot = false;
+    bool byPerson = false;
     for (const Person& person : sample.people) {
-      if (gap(sample.robot, person) < parameters.contactDistance &&
-          originalBlame(sample.robot, person).*culprit) {
-        count += 1.0;
-        any = true;
+      if (gap(sample.robot, person) < limit) {
+        const Blame blame = originalBlame(sample.robot, person);
+        robot_ += blame.robot ? 1.0 : 0.0;
+        person_ += blame.person ? 1.0 : 0.0;
+        byRobot = byRobot || blame.robot;
+        byPerson = byPerson || blame.person;
       }
     }
-    series.push_back(any ? 1.0 : 0.0);
+    robotSeries_.push_back(byRobot ? 1.0 : 0.0);
+    personSeries_.push_back(byPerson ? 1.0 : 0.0);
   }
-  return withSeries(countValue(count), std::move(series), Kind::Count);
-}
+  MetricValue value(bool ofRobot) const {
+    return withSeries(countValue(ofRobot ? robot_ : person_),
+                      ofRobot ? robotSeries_ : personSeries_, Kind::Count);
+  }
 
-MetricValue contacts(const Recording& recording, const MetricParameters& parameters,
-                     std::vector<double> ContactEvents::*culprit) {
-  ContactEvents events = contactEvents(recording, parameters.contactDistance);
-  const double count = sumOf(events.*culprit);
-  return withSeries(countValue(count), std::move(events.*culprit), Kind::Count);
-}
+ private:
+  double robot_ = 0.0, person_ = 0.0;
+  std::vector<double> robotSeries_, personSeries_;
+};
 
-MetricValue robotOnPerson(const Recording& recording, const MetricParameters& parameters) {
-  return parameters.profile == Profile::Hunav2
-             ? originalContacts(recording, parameters, &Blame::robot)
-             : contacts(recording, parameters, &ContactEvents::robotOnPerson);
-}
+class Contacts : public Accumulator {
+ public:
+  explicit Contacts(const MetricParameters& parameters)
+      : parameters_(parameters), events_(parameters.contactDistance) {}
 
-MetricValue personOnRobot(const Recording& recording, const MetricParameters& parameters) {
-  return parameters.profile == Profile::Hunav2
-             ? originalContacts(recording, parameters, &Blame::person)
-             : contacts(recording, parameters, &ContactEvents::personOnRobot);
+  void add(const Recording& recording, std::size_t sample) override {
+    if (isOriginal()) {
+      original_.add(recording.samples[sample], parameters_.contactDistance);
+    } else {
+      events_.add(recording, sample);
+    }
+  }
+  MetricValue value(bool ofRobot) const {
+    if (isOriginal()) {
+      return original_.value(ofRobot);
+    }
+    const std::vector<double>& series = ofRobot ? events_.byRobot() : events_.byPerson();
+    return withSeries(countValue(sumOf(series)), series, Kind::Count);
+  }
+
+ private:
+  bool isOriginal() const { return parameters_.profile == Profile::Hunav2; }
+
+  MetricParameters parameters_;
+  ContactEvents events_;
+  OriginalContacts original_;
+};
+
+void addContact(MetricRegistry& to, MetricInfo info, bool ofRobot) {
+  to.addStream(
+      std::move(info),
+      streamOf<Contacts>(
+          "contacts",
+          [ofRobot](const Contacts& contacts, const Recording& /*recording*/,
+                    const MetricParameters& /*parameters*/) { return contacts.value(ofRobot); },
+          [](const MetricParameters& parameters) {
+            return std::make_unique<Contacts>(parameters);
+          }));
 }
 
 }  // namespace
@@ -67,16 +97,18 @@ MetricValue personOnRobot(const Recording& recording, const MetricParameters& pa
 void addContacts(MetricRegistry& to) {
   const Needs needs{true, true};
   const char source[] = "Tsoi et al., SEAN 2.0, RA-L 2022";
-  to.add(
+  addContact(
+      to,
       {"robot_on_person_collision", "Robot runs into a person", "", Category::Safety, Better::Lower,
        needs, "contacts (gap < contact_distance begins) in which the robot closes in faster",
        source, "0, 1, ...", Kind::Count, 16, ""},
-      robotOnPerson);
-  to.add({"person_on_robot_collision", "Person runs into the robot", "", Category::Safety,
-          Better::Lower, needs,
-          "contacts (gap < contact_distance begins) in which the person closes in faster", source,
-          "0, 1, ...", Kind::Count, 17, ""},
-         personOnRobot);
+      true);
+  addContact(to,
+             {"person_on_robot_collision", "Person runs into the robot", "", Category::Safety,
+              Better::Lower, needs,
+              "contacts (gap < contact_distance begins) in which the person closes in faster",
+              source, "0, 1, ...", Kind::Count, 17, ""},
+             false);
 }
 
 }  // namespace metrics

@@ -6,27 +6,29 @@ namespace metrics {
 
 namespace {
 
-using Cost = double (*)(const Body&, const Body&, const MetricParameters&);
-
 class DangerSum : public PersonCosts {
  public:
-  DangerSum(Cost cost, const MetricParameters& parameters) : PersonCosts(parameters), cost_(cost) {}
+  explicit DangerSum(const MetricParameters& given) : PersonCosts(2, given) {}
 
  protected:
-  std::optional<double> costOf(const Recording& /*recording*/, const Sample& sample,
-                               const Person& person) override {
-    return cost_(sample.robot, person, parameters());
+  bool addCosts(const Recording& /*recording*/, const Sample& sample, const Person& person,
+                std::vector<double>& costs) override {
+    costs[0] = fearCost(sample.robot, person, parameters());
+    costs[1] = panicCost(sample.robot, person, parameters());
+    return true;
   }
-
- private:
-  Cost cost_;
 };
 
-void addCost(MetricRegistry& to, MetricInfo info, Cost cost) {
+void addCost(MetricRegistry& to, MetricInfo info, std::size_t cost) {
   const std::string key = info.key;
-  to.addAccumulated(std::move(info), [cost](const MetricParameters& parameters) {
-    return std::make_unique<DangerSum>(cost, parameters);
-  });
+  to.addStream(std::move(info),
+               streamOf<DangerSum>(
+                   "danger",
+                   [cost](const DangerSum& sum, const Recording& /*recording*/,
+                          const MetricParameters& /*parameters*/) { return sum.value(cost); },
+                   [](const MetricParameters& parameters) {
+                     return std::make_unique<DangerSum>(parameters);
+                   }));
   to.addMeanOf(key);
 }
 
@@ -39,13 +41,13 @@ void addDanger(MetricRegistry& to) {
           {"danger_fear_cost", "Danger: fear", "1/s", Category::DangerSurprise, Better::Lower,
            needs, "sum over i, a of min(1/ttc, fear_cap), 0 without a collision course", source,
            "[0, inf)", Kind::Number, 30, ""},
-          fearCost);
+          0);
   addCost(
       to,
       {"danger_panic_cost", "Danger: panic", "1/s", Category::DangerSurprise, Better::Lower, needs,
        "sum over i, a of near misses: (|V|/d) * m/(m - R), m = miss distance of the centres",
        source, "[0, inf)", Kind::Number, 31, ""},
-      panicCost);
+      1);
 }
 
 }  // namespace metrics

@@ -9,26 +9,34 @@ namespace metrics {
 
 namespace {
 
-/// How deep the robot stands in the space of a person, 1 at its centre: a Gaussian that is longer
-/// ahead of who walks and shorter behind (Kirby).
-double intrusion(const Person& person, const Robot& robot) {
+/// How far outside the space of a person the robot stands, 0 at its centre: the negative exponent
+/// of a Gaussian that is longer ahead of who walks and shorter behind (Kirby).
+double outsideness(const Person& person, const Robot& robot) {
   const Vec2 local = base::Pose2{person.position, person.heading}.toLocal(robot.position);
   const double front = std::max(2.0 * person.speed, 0.5);  // variances [m^2]
   const double side = front * 2.0 / 3.0;
   const double along = local.x() > 0.0 ? front : front / 2.0;
-  return std::exp(-(local.x() * local.x() / (2.0 * along) + local.y() * local.y() / (2.0 * side)));
+  return local.x() * local.x() / (2.0 * along) + local.y() * local.y() / (2.0 * side);
+}
+
+/// Not above the same: the variance ahead is the largest.
+double leastOutsideness(const Person& person, const Robot& robot) {
+  constexpr double kSlack = 1.0 - 1e-9;
+  return kSlack * (robot.position - person.position).squaredNorm() /
+         (2.0 * std::max(2.0 * person.speed, 0.5));
 }
 
 using Terms = std::vector<double>;
 
 /// Deepest intrusion of a sample; NaN without people.
 double deepest(const Sample& sample, const MetricParameters& /*parameters*/) {
-  double value = std::numeric_limits<double>::quiet_NaN();
+  double least = std::numeric_limits<double>::infinity();
   for (const Person& person : sample.people) {
-    const double one = intrusion(person, sample.robot);
-    value = one <= value ? value : one;
+    if (leastOutsideness(person, sample.robot) < least) {
+      least = std::min(least, outsideness(person, sample.robot));
+    }
   }
-  return value;
+  return sample.people.empty() ? std::numeric_limits<double>::quiet_NaN() : std::exp(-least);
 }
 
 MetricValue average(const Terms& values, const Recording& recording,

@@ -88,6 +88,11 @@ double side(const Vec2& a, const Vec2& b, const Vec2& point) {
 
 /// Between two samples the robot passed between two members.
 bool passesBetween(const Sample& before, const Sample& now, const Person& a, const Person& b) {
+  const Vec2 line = b.position - a.position;
+  const double place = line.dot(now.robot.position - a.position);
+  if (!(place >= 0.0 && place <= line.squaredNorm())) {
+    return false;
+  }
   const Person* const a0 = findPerson(before, a.id);
   const Person* const b0 = findPerson(before, b.id);
   if (a0 == nullptr || b0 == nullptr) {
@@ -95,9 +100,7 @@ bool passesBetween(const Sample& before, const Sample& now, const Person& a, con
   }
   const double then = side(a0->position, b0->position, before.robot.position);
   const double after = side(a.position, b.position, now.robot.position);
-  const Vec2 line = b.position - a.position;
-  const double place = line.dot(now.robot.position - a.position);
-  return (then > 0.0) != (after > 0.0) && place >= 0.0 && place <= line.squaredNorm();
+  return (then > 0.0) != (after > 0.0);
 }
 
 /// Inside the hull of the members: no line through two members has all of them on one side and the
@@ -134,19 +137,25 @@ bool isCrossing(const Sample* before, const Sample& now, const Members& members)
   return false;
 }
 
-MetricValue crossings(const Recording& recording, const MetricParameters& parameters) {
-  std::map<int, bool> crossed;
-  double count = 0.0;
-  for (std::size_t i = 0; i < recording.size(); ++i) {
-    const Sample* before = i > 0 ? &recording.samples[i - 1] : nullptr;
-    for (const auto& [group, members] : groupsOf(recording.samples[i], parameters)) {
-      const bool now = isCrossing(before, recording.samples[i], members);
-      count += now && !crossed[group] ? 1.0 : 0.0;
-      crossed[group] = now;
+class GroupCrossings : public Accumulator {
+ public:
+  explicit GroupCrossings(const MetricParameters& parameters) : parameters_(parameters) {}
+
+  void add(const Recording& recording, std::size_t sample) override {
+    const Sample* before = sample > 0 ? &recording.samples[sample - 1] : nullptr;
+    for (const auto& [group, members] : groupsOf(recording.samples[sample], parameters_)) {
+      const bool now = isCrossing(before, recording.samples[sample], members);
+      count_ += now && !crossed_[group] ? 1.0 : 0.0;
+      crossed_[group] = now;
     }
   }
-  return countValue(count);
-}
+  MetricValue value() const { return countValue(count_); }
+
+ private:
+  MetricParameters parameters_;
+  std::map<int, bool> crossed_;
+  double count_ = 0.0;
+};
 
 }  // namespace
 
@@ -165,10 +174,17 @@ void addGroupSpace(MetricRegistry& to) {
                    "%", Category::Social, Better::Lower, needs, "max over samples of the same",
                    "SRPB", "[0, 100]", Kind::Number, 0, ""},
                   deepest, largest);
-  to.add({"group_crossings", "Groups crossed", "", Category::Social, Better::Lower, needs,
-          "number of times the robot gets inside the hull of a group or between two of its members",
-          "Katyal et al. 2022; Okal and Arras 2016", "0, 1, ...", Kind::Count, 0, ""},
-         crossings);
+  to.addStream(
+      {"group_crossings", "Groups crossed", "", Category::Social, Better::Lower, needs,
+       "number of times the robot gets inside the hull of a group or between two of its members",
+       "Katyal et al. 2022; Okal and Arras 2016", "0, 1, ...", Kind::Count, 0, ""},
+      streamOf<GroupCrossings>(
+          "",
+          [](const GroupCrossings& crossings, const Recording& /*recording*/,
+             const MetricParameters& /*parameters*/) { return crossings.value(); },
+          [](const MetricParameters& parameters) {
+            return std::make_unique<GroupCrossings>(parameters);
+          }));
 }
 
 }  // namespace metrics

@@ -11,30 +11,36 @@ double gaussian(double x, double sigma) {
   return std::exp(-x * x / (2.0 * sigma * sigma));
 }
 
+/// The part that speed and distance have in it; the whole is not larger.
+double presence(const Person& person, const Robot& robot, const MetricParameters& parameters) {
+  const double separation = distance(robot, person);
+  const double near = (robot.radius + parameters.disturbanceRadius) / separation;
+  const double fast = robot.speed / parameters.disturbanceSpeed;
+  return separation > 0.0 ? std::fmin(fast, 1.0) * std::fmin(near, 1.0) : 0.0;
+}
+
 /// How much the robot's heading bothers the person: it aims at the place where the person stands,
-/// from where it is seen, fast and near.
+/// from where it is seen.
 double disturbance(const Person& person, const Robot& robot, const MetricParameters& parameters) {
   const base::Pose2 frame{person.position, person.heading};
   const Vec2 place = frame.toLocal(robot.position);
   const Vec2 aim = base::directionOf(robot.heading - person.heading);
-  const double separation = lengthOf(place);
   const double way = -place.x() / aim.x();  // along the heading to the line across the person
-  if (separation <= 0.0 || !std::isfinite(way) || way < 0.0) {
+  if (!std::isfinite(way) || way < 0.0) {
     return 0.0;
   }
   const double offset = place.y() + way * aim.y();
-  const double near = (robot.radius + parameters.disturbanceRadius) / separation;
-  const double fast = robot.speed / parameters.disturbanceSpeed;
   return gaussian(offset, parameters.disturbanceRadius / 2.0) *
-         gaussian(base::headingOf(place), parameters.disturbanceFieldOfView / 4.0) *
-         std::fmin(fast, 1.0) * std::fmin(near, 1.0);
+         gaussian(base::headingOf(place), parameters.disturbanceFieldOfView / 4.0);
 }
 
 double worst(const Sample& sample, const MetricParameters& parameters) {
-  double value = std::numeric_limits<double>::quiet_NaN();
+  double value = sample.people.empty() ? std::numeric_limits<double>::quiet_NaN() : 0.0;
   for (const Person& person : sample.people) {
-    const double one = disturbance(person, sample.robot, parameters);
-    value = one <= value ? value : one;
+    const double most = presence(person, sample.robot, parameters);
+    if (most > value) {
+      value = std::fmax(value, most * disturbance(person, sample.robot, parameters));
+    }
   }
   return value;
 }

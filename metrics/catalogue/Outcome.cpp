@@ -1,4 +1,4 @@
-#include "metrics/MetricRegistry.h"
+#include "metrics/ContactEvents.h"
 #include "metrics/Motion.h"
 
 namespace metrics {
@@ -9,10 +9,9 @@ bool isTimeout(const Recording& recording, const MetricParameters& parameters) {
   return recording.duration() >= parameters.timeLimit;
 }
 
-MetricValue success(const Recording& recording, const MetricParameters& parameters) {
-  const ContactEvents events = contactEvents(recording, parameters.contactDistance);
-  const bool touched = sumOf(events.robotOnPerson) + sumOf(events.personOnRobot) > 0.0 ||
-                       obstacleContacts(recording) > 0;
+MetricValue success(const ContactEvents& contacts, const Recording& recording,
+                    const MetricParameters& parameters) {
+  const bool touched = contacts.count() > 0.0 || obstacleContacts(recording) > 0;
   return booleanValue(isCompleted(recording, parameters) && !touched &&
                       !isTimeout(recording, parameters));
 }
@@ -32,11 +31,12 @@ MetricValue obstacleCollisions(const Recording& recording, const MetricParameter
 }  // namespace
 
 void addOutcome(MetricRegistry& to) {
-  to.add({"success", "Success", "", Category::Navigation, Better::Higher,
-          Needs{true, true, false, true, true},
-          "completed, no contact with a person or an obstacle, no timeout",
-          "Francis et al. 2025; SocNavBench; CrowdNav; Arena", "0 or 1", Kind::Boolean, 0, ""},
-         success);
+  to.addStream(
+      {"success", "Success", "", Category::Navigation, Better::Higher,
+       Needs{true, true, false, true, true},
+       "completed, no contact with a person or an obstacle, no timeout",
+       "Francis et al. 2025; SocNavBench; CrowdNav; Arena", "0 or 1", Kind::Boolean, 0, ""},
+      contactStream(&MetricParameters::contactDistance, "contact", success));
   to.add({"total_time", "Duration of the record", "s", Category::Navigation, Better::Lower,
           Needs{false}, "T = t_(N-1) - t_0", "all benchmarks", "[0, inf)", Kind::Number, 0, ""},
          totalTime);

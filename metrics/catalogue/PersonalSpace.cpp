@@ -12,18 +12,6 @@ namespace {
 
 using Terms = std::vector<double>;
 
-/// Shortest time to collision with anybody; NaN: on no collision course.
-double timeTerm(const Sample& sample, const MetricParameters& /*parameters*/) {
-  double shortest = std::numeric_limits<double>::quiet_NaN();
-  for (const Person& person : sample.people) {
-    const std::optional<double> time = timeToCollision(sample.robot, person);
-    if (time && !(*time >= shortest)) {
-      shortest = *time;
-    }
-  }
-  return shortest;
-}
-
 MetricValue minimumTimeToCollision(const Terms& times, const Recording& /*recording*/,
                                    const MetricParameters& /*parameters*/) {
   std::optional<double> shortest;
@@ -133,7 +121,7 @@ void addPersonalSpace(MetricRegistry& to) {
       {"min_time_to_collision", "Smallest time to collision", "s", Category::Safety, Better::Higher,
        needs, "min over i, a of ttc, infinite if never on a collision course",
        "Francis et al. 2025; SocNavBench; SocNavGym", "[0, inf]", Kind::Number, 0, ""},
-      timeTerm, minimumTimeToCollision);
+      collisionTerm, minimumTimeToCollision);
   addSeriesMetric(
       to,
       {"space_compliance", "Personal space kept", "%", Category::Social, Better::Higher, needs,

@@ -74,6 +74,7 @@ void addProgress(MetricRegistry& to) {
       {"targ_dist_norm", "Final distance per path length", "", Category::Navigation, Better::Lower,
        goal, "final_distance_to_target / L", "SEAN 2.0", "[0, inf)", Kind::Number, 0, ""},
       finalDistanceOverLength);
+  to.setRateBound("failure_to_progress", 0.51);  // counts samples
 }
 
 }  // namespace metrics

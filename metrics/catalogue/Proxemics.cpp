@@ -2,6 +2,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <string>
 
 #include "metrics/SeriesMetric.h"
 
@@ -68,51 +69,67 @@ double distanceTo(const Centre& centre, const Robot& robot) {
   return std::max(lengthOf(robot.position - middle) - robot.radius, 0.0);
 }
 
-MetricValue groupIntrusions(const Recording& recording, const MetricParameters& parameters,
-                            const Band& band) {
-  std::vector<double> series;
-  for (const Sample& sample : recording.samples) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const auto& [id, centre] : centresOf(sample, parameters)) {
-      if (centre.members >= parameters.groupMinimumMembers) {
-        nearest = std::min(nearest, distanceTo(centre, sample.robot));
-      }
-    }
-    series.push_back(isInBand(nearest, band, parameters) ? 1.0 : 0.0);
-  }
-  return percentage(std::move(series));
-}
+/// Distance to the nearest group at each sample. The original takes the groups of the first sample,
+/// singles too, for the whole run.
+class GroupDistances : public Accumulator {
+ public:
+  explicit GroupDistances(const MetricParameters& parameters) : parameters_(parameters) {}
 
-/// The original takes the groups of the first sample, singles too, for the whole run.
-MetricValue originalGroupIntrusions(const Recording& recording, const MetricParameters& parameters,
-                                    const Band& band) {
-  std::set<int> groups;
-  for (const Person& person : recording.samples.front().people) {
-    if (person.group != -1) {
-      groups.insert(person.group);
+  void add(const Recording& recording, std::size_t sample) override {
+    const Sample& now = recording.samples[sample];
+    const std::map<int, Centre> centres = centresOf(now, parameters_);
+    if (!isOriginal()) {
+      nearest_.push_back(nearestOf(centres, now.robot));
+      return;
     }
-  }
-  if (groups.empty()) {
-    return numberValue(0.0);
-  }
-  std::vector<double> series;
-  for (const Sample& sample : recording.samples) {
-    if (sample.people.empty()) {
-      return undefinedValue("ValueError: nobody at a sample");
-    }
-    const std::map<int, Centre> centres = centresOf(sample, parameters);
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const int group : groups) {
-      const auto found = centres.find(group);
-      if (found == centres.end()) {
-        return undefinedValue("ZeroDivisionError: a group lost its members");
+    if (sample == 0) {
+      for (const auto& [id, centre] : centres) {
+        groups_.insert(id);
       }
-      nearest = std::min(nearest, distanceTo(found->second, sample.robot));
     }
-    series.push_back(isInBand(nearest, band, parameters) ? 1.0 : 0.0);
+    nearest_.push_back(nearestOfFirst(centres, now));
   }
-  return percentage(std::move(series));
-}
+
+  MetricValue value(const Band& band, const MetricParameters& parameters) const {
+    if (isOriginal() && groups_.empty()) {
+      return numberValue(0.0);
+    }
+    return failure_.empty() ? intrusions(nearest_, parameters, band) : undefinedValue(failure_);
+  }
+
+ private:
+  static constexpr double kFar = std::numeric_limits<double>::infinity();
+  bool isOriginal() const { return parameters_.profile == Profile::Hunav2; }
+
+  double nearestOf(const std::map<int, Centre>& centres, const Robot& robot) const {
+    double nearest = kFar;
+    for (const auto& [id, centre] : centres) {
+      if (centre.members >= parameters_.groupMinimumMembers) {
+        nearest = std::min(nearest, distanceTo(centre, robot));
+      }
+    }
+    return nearest;
+  }
+
+  double nearestOfFirst(const std::map<int, Centre>& centres, const Sample& now) {
+    double nearest = kFar;
+    for (const int group : groups_) {
+      const auto found = centres.find(group);
+      if (found != centres.end()) {
+        nearest = std::min(nearest, distanceTo(found->second, now.robot));
+      } else if (failure_.empty()) {
+        failure_ = now.people.empty() ? "ValueError: nobody at a sample"
+                                      : "ZeroDivisionError: a group lost its members";
+      }
+    }
+    return nearest;
+  }
+
+  MetricParameters parameters_;
+  std::vector<double> nearest_;
+  std::set<int> groups_;  // of the first sample
+  std::string failure_;
+};
 
 void addBand(MetricRegistry& to, const Band& band) {
   const std::string name = band.name;
@@ -127,17 +144,20 @@ void addBand(MetricRegistry& to, const Band& band) {
               const MetricParameters& parameters) {
         return intrusions(closest, parameters, band);
       });
-  to.add({"group_" + name + "_space_intrusions", "Intrusions into the " + name + " space of groups",
-          "%", Category::Social, Better::Lower, Needs{true, true, true},
-          "100/N * samples with x_i in the " + name +
-              " band; x_i = max(0, min over groups of |p_i - centre| - r_r)",
-          "Perez-Higueras, Caballero, Merino, IJSR 2018, after Okal and Arras 2016", "[0, 100]",
-          Kind::Number, band.hunavGroup, ""},
-         [&band](const Recording& recording, const MetricParameters& parameters) {
-           return parameters.profile == Profile::Hunav2
-                      ? originalGroupIntrusions(recording, parameters, band)
-                      : groupIntrusions(recording, parameters, band);
-         });
+  to.addStream(
+      {"group_" + name + "_space_intrusions", "Intrusions into the " + name + " space of groups",
+       "%", Category::Social, Better::Lower, Needs{true, true, true},
+       "100/N * samples with x_i in the " + name +
+           " band; x_i = max(0, min over groups of |p_i - centre| - r_r)",
+       "Perez-Higueras, Caballero, Merino, IJSR 2018, after Okal and Arras 2016", "[0, 100]",
+       Kind::Number, band.hunavGroup, ""},
+      streamOf<GroupDistances>(
+          "distances of groups",
+          [&band](const GroupDistances& distances, const Recording& /*recording*/,
+                  const MetricParameters& parameters) { return distances.value(band, parameters); },
+          [](const MetricParameters& parameters) {
+            return std::make_unique<GroupDistances>(parameters);
+          }));
 }
 
 }  // namespace

@@ -1,19 +1,32 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "metrics/MetricRegistry.h"
 #include "metrics/Motion.h"
 
-/// The robot against the shortest way to its goal, driven at full speed.
+/// The robot against a reference: a recorded run, else the shortest way to its goal, driven at full
+/// speed.
 namespace metrics {
 
 namespace {
 
-constexpr char kNoGoal[] = "there is no goal";
+constexpr char kNoGoal[] = "there is no goal and no reference";
 constexpr std::size_t kMostPoints = 400;  // of a comparison of all with all
 
+bool hasReference(const Recording& recording) {
+  return !recording.reference.empty() || !recording.goals.empty();
+}
+
 std::vector<Vec2> referencePath(const Recording& recording) {
+  if (!recording.reference.empty()) {
+    std::vector<Vec2> path;
+    for (const auto& [time, place] : recording.reference) {
+      path.push_back(place);
+    }
+    return path;
+  }
   return shortestPath(recording, recording.samples.front().robot.position,
                       recording.goals.front().position);
 }
@@ -30,19 +43,32 @@ Vec2 pointAt(const std::vector<Vec2>& path, double length) {
   return path.back();
 }
 
+/// Where the recorded run was; its ends before and after.
+Vec2 recordedPlace(const std::vector<std::pair<double, Vec2>>& reference, double time) {
+  const auto after =
+      std::upper_bound(reference.begin(), reference.end(), time,
+                       [](double wanted, const auto& point) { return wanted < point.first; });
+  if (after == reference.begin() || after == reference.end()) {
+    return after == reference.end() ? reference.back().second : reference.front().second;
+  }
+  const auto& [begin, from] = *std::prev(after);
+  return from + (time - begin) / (after->first - begin) * (after->second - from);
+}
+
 std::vector<double> displacements(const Recording& recording) {
   const std::vector<Vec2> path = referencePath(recording);
   std::vector<double> values;
   for (const Sample& sample : recording.samples) {
     const double time = sample.time - recording.samples.front().time;
-    const Vec2 place = pointAt(path, recording.robotMaxSpeed * time);
+    const Vec2 place = recording.reference.empty() ? pointAt(path, recording.robotMaxSpeed * time)
+                                                   : recordedPlace(recording.reference, time);
     values.push_back(lengthOf(sample.robot.position - place));
   }
   return values;
 }
 
 MetricValue averageDisplacement(const Recording& recording, const MetricParameters& /*p*/) {
-  if (recording.goals.empty()) {
+  if (!hasReference(recording)) {
     return undefinedValue(kNoGoal);
   }
   std::vector<double> values = displacements(recording);
@@ -51,8 +77,8 @@ MetricValue averageDisplacement(const Recording& recording, const MetricParamete
 }
 
 MetricValue finalDisplacement(const Recording& recording, const MetricParameters& /*p*/) {
-  return recording.goals.empty() ? undefinedValue(kNoGoal)
-                                 : numberValue(displacements(recording).back());
+  return hasReference(recording) ? numberValue(displacements(recording).back())
+                                 : undefinedValue(kNoGoal);
 }
 
 double distanceToPath(const std::vector<Vec2>& path, const Vec2& point) {
@@ -68,7 +94,7 @@ double distanceToPath(const std::vector<Vec2>& path, const Vec2& point) {
 }
 
 MetricValue pathDeviation(const Recording& recording, const MetricParameters& /*p*/) {
-  if (recording.goals.empty()) {
+  if (!hasReference(recording)) {
     return undefinedValue(kNoGoal);
   }
   const std::vector<Vec2> path = referencePath(recording);
@@ -100,7 +126,7 @@ double warped(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
   for (const Vec2& point : a) {
     now[0] = kInfinity;
     for (std::size_t k = 1; k <= b.size(); ++k) {
-      now[k] = lengthOf(point - b[k - 1]) + std::min({before[k], now[k - 1], before[k - 1]});
+      now[k] = (point - b[k - 1]).norm() + std::min({before[k], now[k - 1], before[k - 1]});
     }
     before.swap(now);
   }
@@ -108,7 +134,7 @@ double warped(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
 }
 
 MetricValue dynamicTimeWarping(const Recording& recording, const MetricParameters& /*p*/) {
-  if (recording.goals.empty()) {
+  if (!hasReference(recording)) {
     return undefinedValue(kNoGoal);
   }
   const std::size_t count = std::min(recording.size(), kMostPoints);
@@ -124,24 +150,26 @@ MetricValue dynamicTimeWarping(const Recording& recording, const MetricParameter
 void addReferencePath(MetricRegistry& to) {
   const Needs needs{true, false, false, false, true};
   const char source[] = "Gao and Huang 2022";
-  to.add({"ade", "Mean displacement from the straight run", "m", Category::Navigation,
-          Better::Lower, needs,
-          "mean of |p_i - b_i|, b_i = point of the shortest way to the first goal after v_max t_i",
+  to.add({"ade", "Mean displacement from the reference", "m", Category::Navigation, Better::Lower,
+          needs,
+          "mean of |p_i - b_i|, b_i = point of the recorded reference at t_i, else of the shortest "
+          "way to the first goal after v_max t_i",
           source, "[0, inf)", Kind::Number, 0, ""},
          averageDisplacement);
-  to.add({"fde", "Final displacement from the straight run", "m", Category::Navigation,
-          Better::Lower, needs, "|p_(N-1) - b_(N-1)|", source, "[0, inf)", Kind::Number, 0, ""},
+  to.add({"fde", "Final displacement from the reference", "m", Category::Navigation, Better::Lower,
+          needs, "|p_(N-1) - b_(N-1)|", source, "[0, inf)", Kind::Number, 0, ""},
          finalDisplacement);
-  to.add({"dtw", "Warped distance from the shortest way", "m", Category::Navigation, Better::Lower,
-          needs,
-          "dynamic time warping of the positions and as many points spread over the shortest way, "
-          "per position (at most 400)",
-          source, "[0, inf)", Kind::Number, 0, ""},
-         dynamicTimeWarping);
-  to.add({"path_deviation", "Mean distance from the shortest way", "m", Category::Navigation,
-          Better::Lower, needs, "mean of the distance from p_i to the shortest way", "ours",
-          "[0, inf)", Kind::Number, 0, ""},
-         pathDeviation);
+  to.add(
+      {"dtw", "Warped distance from the reference", "m", Category::Navigation, Better::Lower, needs,
+       "dynamic time warping of the positions and as many points spread over the way of the "
+       "reference, per position (at most 400)",
+       source, "[0, inf)", Kind::Number, 0, ""},
+      dynamicTimeWarping);
+  to.add(
+      {"path_deviation", "Mean distance from the way of the reference", "m", Category::Navigation,
+       Better::Lower, needs, "mean of the distance from p_i to the way of the reference", "ours",
+       "[0, inf)", Kind::Number, 0, ""},
+      pathDeviation);
 }
 
 }  // namespace metrics

@@ -1,3 +1,5 @@
+#include <array>
+
 #include "metrics/Interaction.h"
 #include "metrics/MetricRegistry.h"
 
@@ -5,23 +7,16 @@ namespace metrics {
 
 namespace {
 
-/// A sum over samples of terms that depend on one sample each.
-class TermSum : public Accumulator {
+/// A sum over samples that is kept with its terms.
+class SumSeries {
  public:
-  using Term = double (*)(const Sample& sample, const MetricParameters& parameters);
-  TermSum(Term term, const MetricParameters& parameters) : term_(term), parameters_(parameters) {}
-
-  void add(const Recording& recording, std::size_t sample) override {
-    series_.push_back(term_(recording.samples[sample], parameters_));
-    sum_ += series_.back();
+  void add(double term) {
+    series_.push_back(term);
+    sum_ += term;
   }
-  MetricValue value(const Recording& /*recording*/) const override {
-    return withSeries(numberValue(sum_), series_);
-  }
+  MetricValue value() const { return withSeries(numberValue(sum_), series_); }
 
  private:
-  Term term_;
-  MetricParameters parameters_;
   std::vector<double> series_;
   double sum_ = 0.0;
 };
@@ -36,73 +31,81 @@ double factorOf(const Person& person, const MetricParameters& parameters) {
   return own ? person.socialFactor.value_or(parameters.socialFactor) : parameters.socialFactor;
 }
 
-double onPeople(const Sample& sample, const MetricParameters& parameters) {
-  double sum = 0.0;
-  for (const Person& person : sample.people) {
-    if (counts(sample, person, parameters)) {
-      sum += lengthOf(socialForce(sample.robot, person, factorOf(person, parameters), parameters));
+// Places of the sums.
+constexpr std::size_t kOnPeople = 0;
+constexpr std::size_t kOnRobot = 1;
+constexpr std::size_t kWork = 2;
+constexpr std::size_t kObstaclesOnRobot = 3;
+constexpr std::size_t kForceSums = 4;
+
+/// What acts between the robot and its surroundings.
+class RobotForces : public Accumulator {
+ public:
+  explicit RobotForces(const MetricParameters& parameters) : parameters_(parameters) {}
+
+  void add(const Recording& recording, std::size_t sample) override {
+    const Sample& now = recording.samples[sample];
+    double onPeople = 0.0;
+    double onRobot = 0.0;
+    Vec2 total = Vec2::Zero();
+    for (const Person& person : now.people) {
+      if (counts(now, person, parameters_)) {
+        const Vec2 force = socialForce(person, now.robot, parameters_.socialFactor, parameters_);
+        onPeople +=
+            lengthOf(socialForce(now.robot, person, factorOf(person, parameters_), parameters_));
+        onRobot += lengthOf(force);
+        total += force;
+      }
     }
+    const double obstacles = lengthOf(obstacleForce(now.robot, parameters_));
+    sums_[kOnPeople].add(onPeople);
+    sums_[kOnRobot].add(onRobot);
+    sums_[kWork].add(lengthOf(total) + obstacles + onPeople);
+    sums_[kObstaclesOnRobot].add(obstacles);
   }
-  return sum;
-}
+  MetricValue value(std::size_t sum) const { return sums_[sum].value(); }
 
-double onRobot(const Sample& sample, const MetricParameters& parameters) {
-  double sum = 0.0;
-  for (const Person& person : sample.people) {
-    if (counts(sample, person, parameters)) {
-      sum += lengthOf(socialForce(person, sample.robot, parameters.socialFactor, parameters));
-    }
-  }
-  return sum;
-}
-
-double work(const Sample& sample, const MetricParameters& parameters) {
-  Vec2 total = Vec2::Zero();
-  for (const Person& person : sample.people) {
-    if (counts(sample, person, parameters)) {
-      total += socialForce(person, sample.robot, parameters.socialFactor, parameters);
-    }
-  }
-  return lengthOf(total) + lengthOf(obstacleForce(sample.robot, parameters)) +
-         onPeople(sample, parameters);
-}
-
-double obstaclesOnRobot(const Sample& sample, const MetricParameters& parameters) {
-  return lengthOf(obstacleForce(sample.robot, parameters));
-}
-
-double obstaclesOnPeople(const Sample& sample, const MetricParameters& parameters) {
-  double sum = 0.0;
-  for (const Person& person : sample.people) {
-    sum += lengthOf(obstacleForce(person, parameters));
-  }
-  return sample.people.empty() ? 0.0 : sum / static_cast<double>(sample.people.size());
-}
+ private:
+  MetricParameters parameters_;
+  std::array<SumSeries, kForceSums> sums_;
+};
 
 /// The original divides by the number of people of every sample.
-class PeopleObstacleSum : public TermSum {
+class PeopleObstacles : public Accumulator {
  public:
-  explicit PeopleObstacleSum(const MetricParameters& parameters)
-      : TermSum(obstaclesOnPeople, parameters), original_(parameters.profile == Profile::Hunav2) {}
+  explicit PeopleObstacles(const MetricParameters& parameters) : parameters_(parameters) {}
+
   void add(const Recording& recording, std::size_t sample) override {
-    TermSum::add(recording, sample);
-    empty_ = empty_ || recording.samples[sample].people.empty();
+    const std::vector<Person>& people = recording.samples[sample].people;
+    double sum = 0.0;
+    for (const Person& person : people) {
+      sum += lengthOf(obstacleForce(person, parameters_));
+    }
+    sum_.add(people.empty() ? 0.0 : sum / static_cast<double>(people.size()));
+    empty_ = empty_ || people.empty();
   }
-  MetricValue value(const Recording& recording) const override {
-    return original_ && empty_ ? undefinedValue("ZeroDivisionError: a sample without people")
-                               : TermSum::value(recording);
+  MetricValue value() const {
+    return parameters_.profile == Profile::Hunav2 && empty_
+               ? undefinedValue("ZeroDivisionError: a sample without people")
+               : sum_.value();
   }
 
  private:
-  bool original_;
+  MetricParameters parameters_;
+  SumSeries sum_;
   bool empty_ = false;
 };
 
-void addSum(MetricRegistry& to, MetricInfo info, TermSum::Term term) {
+void addSum(MetricRegistry& to, MetricInfo info, std::size_t which) {
   const std::string key = info.key;
-  to.addAccumulated(std::move(info), [term](const MetricParameters& parameters) {
-    return std::make_unique<TermSum>(term, parameters);
-  });
+  to.addStream(std::move(info),
+               streamOf<RobotForces>(
+                   "forces of the robot",
+                   [which](const RobotForces& sums, const Recording& /*recording*/,
+                           const MetricParameters& /*parameters*/) { return sums.value(which); },
+                   [](const MetricParameters& parameters) {
+                     return std::make_unique<RobotForces>(parameters);
+                   }));
   to.addMeanOf(key);
 }
 
@@ -116,30 +119,33 @@ void addSocialForces(MetricRegistry& to) {
          {"social_force_on_agents", "Social force of the robot on people", unit, Category::Forces,
           Better::Lower, people, "sum over i, a of |F(robot -> a)| with a's own factor", source,
           "[0, inf)", Kind::Number, 25, ""},
-         onPeople);
+         kOnPeople);
   addSum(to,
          {"social_force_on_robot", "Social force of people on the robot", unit, Category::Forces,
           Better::Lower, people, "sum over i, a of |F(a -> robot)|", source, "[0, inf)",
           Kind::Number, 26, ""},
-         onRobot);
+         kOnRobot);
   addSum(to,
          {"social_work", "Social work", unit, Category::Forces, Better::Lower,
           Needs{true, true, false, true},
           "sum over i of |sum_a F(a -> robot)| + |O(robot)| + sum_a |F(robot -> a)|", source,
           "[0, inf)", Kind::Number, 27, ""},
-         work);
+         kWork);
   addSum(to,
          {"obstacle_force_on_robot", "Obstacle force on the robot", unit, Category::Forces,
           Better::Lower, Needs{true, false, false, true}, "sum over i of |O(robot)|", source,
           "[0, inf)", Kind::Number, 28, ""},
-         obstaclesOnRobot);
-  to.addAccumulated(
-      {"obstacle_force_on_agents", "Obstacle force on people", unit, Category::Forces,
-       Better::Lower, Needs{false, true, false, true}, "sum over i of mean over a of |O(a)|",
-       source, "[0, inf)", Kind::Number, 29, ""},
-      [](const MetricParameters& parameters) {
-        return std::make_unique<PeopleObstacleSum>(parameters);
-      });
+         kObstaclesOnRobot);
+  to.addStream({"obstacle_force_on_agents", "Obstacle force on people", unit, Category::Forces,
+                Better::Lower, Needs{false, true, false, true},
+                "sum over i of mean over a of |O(a)|", source, "[0, inf)", Kind::Number, 29, ""},
+               streamOf<PeopleObstacles>(
+                   "",
+                   [](const PeopleObstacles& sum, const Recording& /*recording*/,
+                      const MetricParameters& /*parameters*/) { return sum.value(); },
+                   [](const MetricParameters& parameters) {
+                     return std::make_unique<PeopleObstacles>(parameters);
+                   }));
   to.addMeanOf("obstacle_force_on_agents");
 }
 

@@ -30,45 +30,51 @@ double reactCost(const View& view) {
   return view.proxemic / view.distance * (1.0 - view.recognition);
 }
 
-using Cost = double (*)(const View&);
+// Places of the costs.
+constexpr std::size_t kVisibility = 0;
+constexpr std::size_t kShock = 1;
+constexpr std::size_t kReact = 2;
+constexpr std::size_t kCosts = 3;
 
 class SurpriseSum : public PersonCosts {
  public:
-  SurpriseSum(Cost cost, const MetricParameters& given) : PersonCosts(given), cost_(cost) {}
+  explicit SurpriseSum(const MetricParameters& given) : PersonCosts(kCosts, given) {}
 
-  MetricValue value(const Recording& recording) const override {
+  MetricValue valueOf(std::size_t cost, const Recording& recording) const {
     if (isOriginal() && recording.map.isEmpty()) {
       return undefinedValue("there is no map");
     }
-    if (isOriginal() && cost_ != visibilityCost && recording.size() < 2) {
+    if (isOriginal() && cost != kVisibility && recording.size() < 2) {
       return undefinedValue("IndexError: one sample only");
     }
-    return PersonCosts::value(recording);
+    return value(cost);
   }
 
  protected:
   void beginSample() override {
     seenBefore_.swap(seen_);
     seen_.clear();
+    next_ = 0;
   }
 
-  std::optional<double> costOf(const Recording& recording, const Sample& sample,
-                               const Person& person) override {
+  bool addCosts(const Recording& recording, const Sample& sample, const Person& person,
+                std::vector<double>& costs) override {
     const double half = parameters().fieldOfView / 2.0;
     const double angle = viewAngle(person, sample.robot);
     const bool unseen = angle > half || (isOriginal() && angle == 0.0);
     if (unseen || (isOriginal() && recording.map.isEmpty())) {
-      return 0.0;
+      return true;
     }
     const Sight sight = lineOfSight(person, sample.robot, recording.map, parameters().profile);
-    if (sight == Sight::OutsideMap) {
-      return std::nullopt;
+    if (sight == Sight::Free) {
+      addVisible(sample, person, angle, costs);
     }
-    return sight == Sight::Free ? visibleCost(sample, person, angle) : 0.0;
+    return sight != Sight::OutsideMap;
   }
 
  private:
-  double visibleCost(const Sample& sample, const Person& person, double angle) {
+  void addVisible(const Sample& sample, const Person& person, double angle,
+                  std::vector<double>& costs) {
     View view;
     view.proxemic = parameters().surpriseDistance;
     view.angle = angle;
@@ -77,36 +83,46 @@ class SurpriseSum : public PersonCosts {
     if (isOriginal()) {
       view.distance = distance(sample.robot, person);
       view.recognition = 1.0;  // its clock runs backwards and never enters the reaction
-      return cost_(view);
+    } else {
+      view.distance = std::max(gap(sample.robot, person), parameters().surpriseMinimumDistance);
+      const double seenFor = sample.time - seenSince(person.id, sample.time);
+      view.recognition = std::min(seenFor / parameters().reactionTime, 1.0);
+      const bool stands = sample.robot.speed < parameters().stopLinearSpeed;
+      if (parameters().surpriseRequiresMotion > 0 && stands) {
+        return;
+      }
     }
-    view.distance = std::max(gap(sample.robot, person), parameters().surpriseMinimumDistance);
-    const double seenFor = sample.time - seenSince(person.id, sample.time);
-    view.recognition = std::min(seenFor / parameters().reactionTime, 1.0);
-    const bool stands = sample.robot.speed < parameters().stopLinearSpeed;
-    const bool quiet = (parameters().surpriseRequiresMotion > 0 && stands) ||
-                       (parameters().surpriseVisibilityOnlyUnrecognised > 0 &&
-                        cost_ == visibilityCost && view.recognition >= 1.0);
-    return quiet ? 0.0 : cost_(view);
+    const bool isKnown = !isOriginal() && parameters().surpriseVisibilityOnlyUnrecognised > 0 &&
+                         view.recognition >= 1.0;
+    costs[kVisibility] = isKnown ? 0.0 : visibilityCost(view);
+    costs[kShock] = shockCost(view);
+    costs[kReact] = reactCost(view);
   }
 
   /// Begin of the uninterrupted sight; notes that it goes on.
   double seenSince(int id, double now) {
-    const auto found = std::find_if(seenBefore_.begin(), seenBefore_.end(),
-                                    [id](const auto& entry) { return entry.first == id; });
-    const double since = found != seenBefore_.end() ? found->second : now;
+    const auto* found =
+        findInOrder(seenBefore_, next_, [id](const auto& entry) { return entry.first == id; });
+    const double since = found != nullptr ? found->second : now;
     seen_.emplace_back(id, since);
     return since;
   }
 
-  Cost cost_;
   std::vector<std::pair<int, double>> seen_, seenBefore_;  // id, begin of the sight [s]
+  std::size_t next_ = 0;                                   // in seenBefore_
 };
 
-void addCost(MetricRegistry& to, MetricInfo info, Cost cost) {
+void addCost(MetricRegistry& to, MetricInfo info, std::size_t cost) {
   const std::string key = info.key;
-  to.addAccumulated(std::move(info), [cost](const MetricParameters& parameters) {
-    return std::make_unique<SurpriseSum>(cost, parameters);
-  });
+  to.addStream(std::move(info), streamOf<SurpriseSum>(
+                                    "surprise",
+                                    [cost](const SurpriseSum& sum, const Recording& recording,
+                                           const MetricParameters& /*parameters*/) {
+                                      return sum.valueOf(cost, recording);
+                                    },
+                                    [](const MetricParameters& parameters) {
+                                      return std::make_unique<SurpriseSum>(parameters);
+                                    }));
   to.addMeanOf(key);
 }
 
@@ -120,17 +136,17 @@ void addSurprise(MetricRegistry& to) {
            Better::Lower, needs,
            "sum over i and a who sees the robot of (d_prox/D) * theta/half field of view", source,
            "[0, inf)", Kind::Number, 32, ""},
-          visibilityCost);
+          kVisibility);
   addCost(to,
           {"surprise_shock_cost", "Surprise: shock", "", Category::DangerSurprise, Better::Lower,
            needs, "sum of max((d_prox/D) * (1 - 4 SR), 0), SR = min(time seen/0.6 s, 1)", source,
            "[0, inf)", Kind::Number, 33, ""},
-          shockCost);
+          kShock);
   addCost(to,
           {"surprise_react_cost", "Surprise: reaction", "", Category::DangerSurprise, Better::Lower,
            needs, "sum of (d_prox/D) * (1 - SR), SR = min(time seen/0.6 s, 1)", source, "[0, inf)",
            Kind::Number, 34, ""},
-          reactCost);
+          kReact);
 }
 
 }  // namespace metrics

@@ -13,18 +13,6 @@ namespace {
 
 using Terms = std::vector<double>;
 
-/// Soonest collision of a sample; NaN: none ahead.
-double soonest(const Sample& sample, const MetricParameters& /*parameters*/) {
-  double value = std::numeric_limits<double>::quiet_NaN();
-  for (const Person& person : sample.people) {
-    const std::optional<double> time = timeToCollision(sample.robot, person);
-    if (time && !(*time >= value)) {
-      value = *time;
-    }
-  }
-  return value;
-}
-
 MetricValue average(const Terms& terms, const Recording& /*recording*/,
                     const MetricParameters& /*parameters*/) {
   double sum = 0.0;
@@ -54,23 +42,39 @@ MetricValue integrated(const Terms& terms, const Recording& recording,
   return numberValue(sum);
 }
 
-MetricValue passingDistance(const Recording& recording, const MetricParameters& parameters) {
-  std::map<int, double> closest;
-  for (const Sample& sample : recording.samples) {
-    for (const Person& person : sample.people) {
-      const double space = gap(sample.robot, person);
-      const auto [found, isNew] = closest.emplace(person.id, space);
+/// The smallest gap of each person who comes near.
+class PassingDistance : public Accumulator {
+ public:
+  explicit PassingDistance(const MetricParameters& parameters)
+      : limit_(parameters.socialDistance) {}
+
+  void add(const Recording& recording, std::size_t sample) override {
+    const Sample& now = recording.samples[sample];
+    for (const Person& person : now.people) {
+      const double reach = limit_ + now.robot.radius + person.radius + 1e-6;
+      if ((person.position - now.robot.position).squaredNorm() > reach * reach) {
+        continue;
+      }
+      const double space = gap(now.robot, person);
+      const auto [found, isNew] = closest_.emplace(person.id, space);
       found->second = space < found->second ? space : found->second;
     }
   }
-  double sum = 0.0;
-  double count = 0.0;
-  for (const auto& [id, space] : closest) {
-    sum += space < parameters.socialDistance ? space : 0.0;
-    count += space < parameters.socialDistance ? 1.0 : 0.0;
+
+  MetricValue value() const {
+    double sum = 0.0;
+    double count = 0.0;
+    for (const auto& [id, space] : closest_) {
+      sum += space < limit_ ? space : 0.0;
+      count += space < limit_ ? 1.0 : 0.0;
+    }
+    return count > 0.0 ? numberValue(sum / count) : undefinedValue("nobody was passed");
   }
-  return count > 0.0 ? numberValue(sum / count) : undefinedValue("nobody was passed");
-}
+
+ private:
+  double limit_;
+  std::map<int, double> closest_;
+};
 
 /// Speed at which the closest person and the robot near each other, of samples in personal space.
 double approach(const Sample& sample, const MetricParameters& parameters) {
@@ -125,24 +129,31 @@ void addTimeToCollision(MetricRegistry& to) {
                          Better::Higher);
   mean.formula = "mean over the samples on a collision course of min over a of ttc";
   mean.source = "Francis et al. 2025; SocNavGym";
-  addSeriesMetric(to, mean, soonest, average);
+  addSeriesMetric(to, mean, collisionTerm, average);
   MetricInfo exposure = info("time_exposed_to_collision", "Time with a collision ahead", "s",
                              Category::Safety, Better::Lower);
   exposure.formula = "sum of dt_i with min over a of ttc < collision_horizon";
   exposure.source = source;
   exposure.range = "[0, T]";
-  addSeriesMetric(to, exposure, soonest, exposed);
+  addSeriesMetric(to, exposure, collisionTerm, exposed);
   MetricInfo integral = info("time_integrated_to_collision", "Threat of collisions", "s²",
                              Category::Safety, Better::Lower);
   integral.formula = "sum of (collision_horizon - ttc) dt_i where ttc < collision_horizon";
   integral.source = source;
-  addSeriesMetric(to, integral, soonest, integrated);
+  addSeriesMetric(to, integral, collisionTerm, integrated);
   MetricInfo passing =
       info("avg_passing_distance", "Mean passing distance", "m", Category::Social, Better::Higher);
   passing.formula = "mean over people of their smallest gap, of those with it < social_distance";
   passing.source = "Pacchierotti et al. 2006";
   passing.range = "(-inf, social_distance)";
-  to.add(passing, passingDistance);
+  to.addStream(passing,
+               streamOf<PassingDistance>(
+                   "",
+                   [](const PassingDistance& distances, const Recording& /*recording*/,
+                      const MetricParameters& /*parameters*/) { return distances.value(); },
+                   [](const MetricParameters& parameters) {
+                     return std::make_unique<PassingDistance>(parameters);
+                   }));
   MetricInfo nearing = info("max_approach_speed", "Largest speed of approach", "m/s",
                             Category::Social, Better::Lower);
   nearing.formula =

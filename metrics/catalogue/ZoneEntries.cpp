@@ -1,23 +1,21 @@
-#include "metrics/MetricRegistry.h"
-#include "metrics/Motion.h"
+#include "metrics/ContactEvents.h"
 
 namespace metrics {
 
 namespace {
 
-/// Number of times each person comes within a gap, with who closes in.
-MetricFunction entriesWithin(double MetricParameters::*limit) {
-  return [limit](const Recording& recording, const MetricParameters& parameters) {
-    return countValue(entryCount(recording, parameters.*limit));
-  };
+using Culprit = const std::vector<double>& (ContactEvents::*)() const;
+
+ContactReader entries() {
+  return [](const ContactEvents& events, const Recording& /*recording*/,
+            const MetricParameters& /*parameters*/) { return countValue(events.count()); };
 }
 
-MetricFunction entriesBy(double MetricParameters::*limit,
-                         std::vector<double> ContactEvents::*culprit) {
-  return [limit, culprit](const Recording& recording, const MetricParameters& parameters) {
-    ContactEvents events = contactEvents(recording, parameters.*limit);
-    const double count = sumOf(events.*culprit);
-    return withSeries(countValue(count), std::move(events.*culprit), Kind::Count);
+ContactReader entriesBy(Culprit culprit) {
+  return [culprit](const ContactEvents& events, const Recording& /*recording*/,
+                   const MetricParameters& /*parameters*/) {
+    const std::vector<double>& series = (events.*culprit)();
+    return withSeries(countValue(sumOf(series)), series, Kind::Count);
   };
 }
 
@@ -25,17 +23,18 @@ void addZone(MetricRegistry& to, const std::string& zone, double MetricParameter
   const Needs needs{true, true};
   const std::string source = "SEAN 2.0 (distance violations)";
   const std::string formula = "number of times a person's gap falls below " + zone + "_distance";
-  to.add({zone + "_zone_entries", "Entries into the " + zone + " zone", "", Category::Social,
-          Better::Lower, needs, formula, source, "0, 1, ...", Kind::Count, 0, ""},
-         entriesWithin(limit));
-  to.add({zone + "_zone_entries_by_robot", "Entries of the robot into the " + zone + " zone", "",
-          Category::Social, Better::Lower, needs, formula + ", the robot closing in faster", source,
-          "0, 1, ...", Kind::Count, 0, ""},
-         entriesBy(limit, &ContactEvents::robotOnPerson));
-  to.add({zone + "_zone_entries_by_person", "Entries of people into the " + zone + " zone", "",
-          Category::Social, Better::Lower, needs, formula + ", the person closing in faster",
-          source, "0, 1, ...", Kind::Count, 0, ""},
-         entriesBy(limit, &ContactEvents::personOnRobot));
+  to.addStream({zone + "_zone_entries", "Entries into the " + zone + " zone", "", Category::Social,
+                Better::Lower, needs, formula, source, "0, 1, ...", Kind::Count, 0, ""},
+               contactStream(limit, zone, entries()));
+  to.addStream({zone + "_zone_entries_by_robot", "Entries of the robot into the " + zone + " zone",
+                "", Category::Social, Better::Lower, needs,
+                formula + ", the robot closing in faster", source, "0, 1, ...", Kind::Count, 0, ""},
+               contactStream(limit, zone, entriesBy(&ContactEvents::byRobot)));
+  to.addStream(
+      {zone + "_zone_entries_by_person", "Entries of people into the " + zone + " zone", "",
+       Category::Social, Better::Lower, needs, formula + ", the person closing in faster", source,
+       "0, 1, ...", Kind::Count, 0, ""},
+      contactStream(limit, zone, entriesBy(&ContactEvents::byPerson)));
 }
 
 }  // namespace

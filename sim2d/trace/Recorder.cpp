@@ -3,52 +3,45 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim2d/trace/Csv.h"
+#include "sim2d/trace/TraceRows.h"
 
 namespace sim2d {
 
-namespace {
-
-const char kTreesHeader[] = "step,id,node,status\n";
-
-void appendTreeChange(std::string& to, std::int64_t step, const TreeChange& change) {
-  to += std::to_string(step);
-  to += ',';
-  to += std::to_string(change.id);
-  to += ',';
-  appendCsvField(to, change.paths->at(static_cast<std::size_t>(change.node)));
-  to += ',';
-  to += base::nodeStatusName(change.status);
-  to += '\n';
-}
-
-}  // namespace
-
-Recorder::Recorder(int recordEvery) : recordEvery_(recordEvery), treesCsv_(kTreesHeader) {}
+Recorder::Recorder(int recordEvery, RecordSink* sink)
+    : recordEvery_(recordEvery), sink_(sink), treesCsv_(treesHead()) {}
 
 void Recorder::append(const Frame& frame) {
   if (finished_) {
-    treesCsv_ = kTreesHeader;
+    treesCsv_ = treesHead();
     finished_ = false;
   }
-  const std::size_t first = trace_.events.size();
-  for (const Event& event : frame.events) {
-    trace_.events.emplace_back(frame.step, event);
-  }
-  std::stable_sort(trace_.events.begin() + static_cast<std::ptrdiff_t>(first), trace_.events.end(),
-                   [](const auto& a, const auto& b) {
-                     return std::tie(a.second.kind, a.second.id) <
-                            std::tie(b.second.kind, b.second.id);
-                   });
+  RecordedStep step;
+  step.step = frame.step;
+  step.frame = frame.step % recordEvery_ == 0 ? &frame : nullptr;
+  step.events = frame.events;
+  std::stable_sort(step.events.begin(), step.events.end(), [](const Event& a, const Event& b) {
+    return std::tie(a.kind, a.id) < std::tie(b.kind, b.id);
+  });
   for (const TreeChange& change : frame.treeChanges) {
-    appendTreeChange(treesCsv_, frame.step, change);
+    appendTreeRow(step.treeRows, frame.step, change);
   }
-  if (frame.step % recordEvery_ != 0) {
-    return;
+  if (sink_ != nullptr) {
+    sink_->take(step);
+  } else {
+    keep(std::move(step));
   }
-  trace_.frames.push_back(frame);
-  trace_.frames.back().events.clear();
-  trace_.frames.back().treeChanges.clear();
+}
+
+void Recorder::keep(RecordedStep step) {
+  treesCsv_ += step.treeRows;
+  for (Event& event : step.events) {
+    trace_.events.emplace_back(step.step, std::move(event));
+  }
+  if (step.frame != nullptr) {
+    trace_.frames.push_back(*step.frame);
+    trace_.frames.back().events.clear();
+    trace_.frames.back().treeChanges.clear();
+  }
 }
 
 Trace Recorder::finish(TraceHeader header) {

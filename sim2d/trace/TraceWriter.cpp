@@ -4,6 +4,7 @@
 #include "sim2d/trace/Csv.h"
 #include "sim2d/trace/Trace.h"
 #include "sim2d/trace/TraceColumns.h"
+#include "sim2d/trace/TraceRows.h"
 
 namespace sim2d {
 
@@ -65,36 +66,66 @@ std::uint64_t fnv1a(const std::string& bytes, std::uint64_t hash) {
 
 }  // namespace
 
+std::string trajectoryHead() {
+  return std::string(kTrajectoryColumns) + '\n';
+}
+
+std::string eventsHead() {
+  return std::string(kEventColumns) + '\n';
+}
+
+std::string treesHead() {
+  return "step,id,node,status\n";
+}
+
+void appendTrajectoryRows(std::string& to, const Frame& frame) {
+  const std::string stamp = std::to_string(frame.step) + ',' + base::formatDouble(frame.time) + ',';
+  appendHumans(to, stamp, frame.humans);
+  appendRobots(to, stamp, frame.robots);
+}
+
+void appendEventRow(std::string& to, std::int64_t step, double dt, const Event& event) {
+  appendInt(to, step);
+  to += ',';
+  to += base::formatDouble(static_cast<double>(step) * dt);
+  to += ',';
+  to += eventKindName(event.kind);
+  to += ',';
+  if (event.hasId) {
+    appendInt(to, event.id);
+  }
+  to += ',';
+  if (event.hasOther) {
+    appendInt(to, event.other);
+  }
+  to += ',';
+  appendCsvField(to, event.text);
+  to += '\n';
+}
+
+void appendTreeRow(std::string& to, std::int64_t step, const TreeChange& change) {
+  appendInt(to, step);
+  to += ',';
+  appendInt(to, change.id);
+  to += ',';
+  appendCsvField(to, change.paths->at(static_cast<std::size_t>(change.node)));
+  to += ',';
+  to += base::nodeStatusName(change.status);
+  to += '\n';
+}
+
 std::string trajectoryCsv(const Trace& trace) {
-  std::string text = std::string(kTrajectoryColumns) + '\n';
+  std::string text = trajectoryHead();
   for (const Frame& frame : trace.frames) {
-    const std::string stamp =
-        std::to_string(frame.step) + ',' + base::formatDouble(frame.time) + ',';
-    appendHumans(text, stamp, frame.humans);
-    appendRobots(text, stamp, frame.robots);
+    appendTrajectoryRows(text, frame);
   }
   return text;
 }
 
 std::string eventsCsv(const Trace& trace) {
-  std::string text = std::string(kEventColumns) + '\n';
+  std::string text = eventsHead();
   for (const auto& [step, event] : trace.events) {
-    appendInt(text, step);
-    text += ',';
-    text += base::formatDouble(static_cast<double>(step) * trace.header.dt);
-    text += ',';
-    text += eventKindName(event.kind);
-    text += ',';
-    if (event.hasId) {
-      appendInt(text, event.id);
-    }
-    text += ',';
-    if (event.hasOther) {
-      appendInt(text, event.other);
-    }
-    text += ',';
-    appendCsvField(text, event.text);
-    text += '\n';
+    appendEventRow(text, step, trace.header.dt, event);
   }
   return text;
 }

@@ -2,6 +2,7 @@
 
 #include "sim2d/trace/Csv.h"
 #include "sim2d/trace/Recorder.h"
+#include "sim2d/trace/TraceRows.h"
 
 using namespace sim2d;
 
@@ -14,6 +15,23 @@ Event makeEvent(EventKind kind, int id) {
   return made;
 }
 
+/// Writes the files of a run row by row.
+class RowSink : public RecordSink {
+ public:
+  void take(const RecordedStep& step) override {
+    if (step.frame != nullptr) {
+      appendTrajectoryRows(trajectory, *step.frame);
+    }
+    for (const Event& event : step.events) {
+      appendEventRow(events, step.step, 0.05, event);
+    }
+    trees += step.treeRows;
+  }
+  std::string trajectory = trajectoryHead();
+  std::string events = eventsHead();
+  std::string trees = treesHead();
+};
+
 }  // namespace
 
 class RecorderTest : public QObject {
@@ -23,6 +41,7 @@ class RecorderTest : public QObject {
   void append_eventsOfOneStep_areOrderedByKindThenId();
   void treesCsv_nodesWithCommas_areQuoted();
   void finish_thenAppend_startsAnew();
+  void sink_takesAllAndNothingIsKept();
   void csvReader_quotedFields_giveTextAndPlace();
   void eventKindOf_everyName_roundTrips();
 };
@@ -64,6 +83,36 @@ void RecorderTest::treesCsv_nodesWithCommas_areQuoted() {
   frame.treeChanges = {{5, paths, 1, base::NodeStatus::Running}};
   recorder.append(frame);
   QVERIFY(recorder.treesCsv() == "step,id,node,status\n3,5,\"Main/Go, then stop\",RUNNING\n");
+}
+
+void RecorderTest::sink_takesAllAndNothingIsKept() {
+  RowSink rows;
+  Recorder streamed(2, &rows);
+  Recorder kept(2);
+  const auto paths =
+      std::make_shared<const std::vector<std::string>>(std::vector<std::string>{"Main"});
+  for (int step = 0; step < 5; ++step) {
+    Frame frame;
+    frame.step = step;
+    frame.time = 0.05 * step;
+    frame.robots.id = {-1};
+    frame.robots.x = frame.robots.y = frame.robots.heading = {0.1 * step};
+    frame.robots.vx = frame.robots.vy = frame.robots.omega = {1.0};
+    frame.robots.goal = {kNoGoal};
+    frame.events = {makeEvent(EventKind::Say, step), makeEvent(EventKind::Goal, step)};
+    frame.treeChanges = {{1, paths, 0, base::NodeStatus::Success}};
+    streamed.append(frame);
+    kept.append(frame);
+  }
+  TraceHeader header;
+  header.dt = 0.05;
+  const std::string trees = kept.treesCsv();
+  const Trace trace = kept.finish(header);
+  QVERIFY(rows.trajectory == trajectoryCsv(trace));
+  QVERIFY(rows.events == eventsCsv(trace));
+  QVERIFY(rows.trees == trees);
+  const Trace empty = streamed.finish(header);
+  QVERIFY(empty.frames.empty() && empty.events.empty() && streamed.treesCsv() == treesHead());
 }
 
 void RecorderTest::finish_thenAppend_startsAnew() {

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "metrics/MetricSums.h"
+
+namespace metrics {
+
+/// An evaluation that is fed while the record is made: the same results as evaluate() of the whole
+/// record, without keeping the people of past samples. One thread at a time.
+class RunningEvaluation {
+ public:
+  /// `empty`: all of the recording but its samples and events. A wrong window is told by finish().
+  RunningEvaluation(const Recording& empty, const Selection& selection,
+                    const MetricParameters& parameters,
+                    const MetricRegistry& registry = standardRegistry());
+  /// Events before the sample of their time, in order.
+  void note(double time, const sim2d::Event& event);
+  void add(Sample sample);
+  /// Error when the record or the window holds no sample.
+  base::Result<Evaluation> finish() const;
+
+ private:
+  static constexpr std::size_t kBehaviors = 6;
+  struct Behavior {
+    std::unique_ptr<SampleFeed> feed;
+    std::vector<double> active;  // 0/1 per sample
+  };
+  void addToBehaviors(Sample& sample);
+  void begin(std::size_t behavior);
+  bool isOriginal() const { return parameters_.profile == Profile::Hunav2; }
+
+  Recording empty_;
+  Selection selection_;
+  MetricParameters parameters_;
+  const MetricRegistry& registry_;
+  WindowGate gate_;
+  std::vector<double> times_;  // of the samples taken, from the first [s]
+  double first_ = 0.0;
+  bool hasSamples_ = false;  // of the record, taken or not
+  SampleFeed all_;
+  std::array<Behavior, kBehaviors> behaviors_;  // of types 1..6; no feed: not present
+};
+
+/// The same from frames as the world makes them.
+class FrameEvaluation {
+ public:
+  FrameEvaluation(const sim2d::TraceHeader& header, const Selection& selection,
+                  const MetricParameters& parameters);
+  /// People that arrived since the header was made; before the first frame with them.
+  void addHumans(const std::vector<sim2d::TraceHuman>& humans) { builder_.addHumans(humans); }
+  void note(double time, const sim2d::Event& event) { evaluation_.note(time, event); }
+  void append(const sim2d::Frame& frame) { evaluation_.add(builder_.sampleOf(frame)); }
+  base::Result<Evaluation> finish() const { return evaluation_.finish(); }
+
+ private:
+  RecordingBuilder builder_;
+  RunningEvaluation evaluation_;
+};
+
+}  // namespace metrics

@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <cmath>
+
+#include "metrics/MetricRegistry.h"
+
+/// Who gets out of whose way.
+namespace metrics {
+
+namespace {
+
+/// Two bodies that approach each other on straight courses.
+struct Encounter {
+  Vec2 centres = Vec2::Zero();  // from the robot to the person
+  double clear = 1.0;           // miss distance of the centres that is enough [m]
+
+  /// Distance at which the centres pass each other, at most `clear`.
+  double miss(const Vec2& robot, const Vec2& person) const {
+    const Vec2 closing = robot - person;
+    if (centres.dot(closing) <= 0.0) {
+      return clear;
+    }
+    return std::min(std::fabs(base::cross(centres, closing)) / lengthOf(closing), clear);
+  }
+  bool isConflict(const Vec2& robot, const Vec2& person, double horizon) const {
+    const Vec2 closing = robot - person;
+    const double along = centres.dot(closing);
+    return along > 0.0 && along <= horizon * closing.squaredNorm() && miss(robot, person) < clear;
+  }
+};
+
+/// How much each side widens the passing of conflicts from one sample to the next: its change of
+/// velocity alone, averaged over before and after that of the other side.
+class Resolution : public Accumulator {
+ public:
+  explicit Resolution(const MetricParameters& parameters) : parameters_(parameters) {}
+
+  void add(const Recording& recording, std::size_t sample) override {
+    if (sample == 0) {
+      return;
+    }
+    const Sample& before = recording.samples[sample - 1];
+    const Sample& now = recording.samples[sample];
+    std::size_t next = 0;
+    bool isBusy = false;
+    for (const Person& person : before.people) {
+      const Person* const after = findInOrder(
+          now.people, next, [&person](const Person& other) { return other.id == person.id; });
+      if (after != nullptr) {
+        isBusy = addPair(before.robot, now.robot, person, *after) || isBusy;
+      }
+    }
+    time_ += isBusy ? now.time - before.time : 0.0;
+  }
+
+  MetricValue share() const {
+    return byRobot_ + byPeople_ > 0.0 ? numberValue(100.0 * byRobot_ / (byRobot_ + byPeople_))
+                                      : undefinedValue("no conflict was resolved");
+  }
+  MetricValue engagement() const {
+    return time_ > 0.0 ? numberValue(byRobot_ / time_)
+                       : undefinedValue("no conflict with a person");
+  }
+
+ private:
+  bool addPair(const Robot& robot, const Robot& robotAfter, const Person& person,
+               const Person& personAfter) {
+    Encounter pair;
+    pair.centres = person.position - robot.position;
+    pair.clear = robot.radius + person.radius + parameters_.conflictMargin;
+    const Vec2& v = robot.velocity;
+    const Vec2& u = person.velocity;
+    if (!pair.isConflict(v, u, parameters_.conflictHorizon)) {
+      return false;
+    }
+    const double none = pair.miss(v, u);
+    const double robotOnly = pair.miss(robotAfter.velocity, u);
+    const double personOnly = pair.miss(v, personAfter.velocity);
+    const double both = pair.miss(robotAfter.velocity, personAfter.velocity);
+    byRobot_ += std::max(0.5 * ((robotOnly - none) + (both - personOnly)), 0.0);
+    byPeople_ += std::max(0.5 * ((personOnly - none) + (both - robotOnly)), 0.0);
+    return true;
+  }
+
+  MetricParameters parameters_;
+  double byRobot_ = 0.0, byPeople_ = 0.0;  // [m]
+  double time_ = 0.0;                      // with a conflict [s]
+};
+
+using Reader = MetricValue (*)(const Resolution&, const Recording&, const MetricParameters&);
+
+Stream resolutionStream(Reader read) {
+  return streamOf<Resolution>("resolution", read, [](const MetricParameters& parameters) {
+    return std::make_unique<Resolution>(parameters);
+  });
+}
+
+}  // namespace
+
+void addResponsibility(MetricRegistry& to) {
+  const Needs needs{true, true};
+  const char source[] = "after Wenzel and Probst 2025";
+  to.addStream(
+      {"responsibility", "Responsibility of the robot", "%", Category::Social, Better::Neutral,
+       needs,
+       "share of the robot in the widening of the passing distance of conflicts (closest approach "
+       "within conflict_horizon, nearer than R + conflict_margin) by changes of velocity",
+       source, "[0, 100]", Kind::Number, 0, ""},
+      resolutionStream([](const Resolution& sums, const Recording& /*recording*/,
+                          const MetricParameters& /*parameters*/) { return sums.share(); }));
+  to.addStream(
+      {"engagement", "Engagement of the robot", "m/s", Category::Social, Better::Higher, needs,
+       "widening of the passing distance of conflicts by the robot / time with a conflict", source,
+       "[0, inf)", Kind::Number, 0, ""},
+      resolutionStream([](const Resolution& sums, const Recording& /*recording*/,
+                          const MetricParameters& /*parameters*/) { return sums.engagement(); }));
+}
+
+}  // namespace metrics

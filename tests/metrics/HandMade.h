@@ -1,0 +1,60 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "metrics/Report.h"
+
+/// Small records by hand, for values that were worked out by hand.
+namespace handmade {
+
+using metrics::MetricEntry;
+using metrics::MetricParameters;
+using metrics::Person;
+using metrics::Recording;
+using metrics::Sample;
+using metrics::Vec2;
+
+inline Person personAt(int id, double x, double y, double vx = 0.0, double vy = 0.0) {
+  Person person;
+  person.id = id;
+  person.position = Vec2(x, y);
+  person.velocity = Vec2(vx, vy);
+  person.speed = person.velocity.norm();
+  person.heading = person.speed > 0.0 ? std::atan2(vy, vx) : 0.0;
+  person.radius = 0.25;
+  return person;
+}
+
+inline Sample sampleAt(double time, double x, double y, double speed = 0.0) {
+  Sample sample;
+  sample.time = time;
+  sample.robot.id = -1;
+  sample.robot.position = Vec2(x, y);
+  sample.robot.velocity = Vec2(speed, 0.0);
+  sample.robot.speed = speed;
+  sample.robot.radius = 0.25;
+  return sample;
+}
+
+inline Recording recordingOfSamples(std::vector<Sample> samples) {
+  Recording recording;
+  recording.hasRobot = true;
+  recording.samples = std::move(samples);
+  return recording;
+}
+
+inline double valueOf(const Recording& recording, const char* key,
+                      const MetricParameters& parameters = {}) {
+  const MetricEntry* entry = metrics::standardRegistry().find(key);
+  return entry == nullptr ? std::nan("")
+                          : entry->compute(recording, parameters).value.value_or(std::nan(""));
+}
+
+inline bool isNear(double a, double b) {
+  return std::fabs(a - b) <= 1e-9 * std::max(1.0, std::fabs(b));
+}
+
+}  // namespace handmade
