@@ -12,6 +12,10 @@ namespace editor {
 
 namespace {
 
+// How outline and form share the height at first [px of 640].
+constexpr int kOutlineShare = 380;
+constexpr int kFormShare = 260;
+
 QWidget* scrolled(QWidget* widget, QWidget* parent) {
   auto* area = new QScrollArea(parent);
   area->setFrameShape(QFrame::NoFrame);
@@ -77,13 +81,14 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
   forms->addWidget(blockLinks_);
   forms->addWidget(blockForm_);
   forms->addWidget(portForm_);
-  forms->addStretch();
+  forms->addStretch(1);
   auto* splitter = new QSplitter(Qt::Vertical, page);
   splitter->addWidget(outline_);
   splitter->addWidget(scrolled(below, splitter));
   splitter->setStretchFactor(0, 3);
   splitter->setStretchFactor(1, 2);
   splitter->setChildrenCollapsible(false);
+  splitter->setSizes({kOutlineShare, kFormShare});
   layout->addWidget(dividerLine(page));
   layout->addWidget(splitter, 1);
   stack_->addWidget(emptyState(tr("Select a person to see the behaviour tree."), this));

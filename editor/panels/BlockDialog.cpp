@@ -8,6 +8,7 @@
 #include "editor/canvas/FigurePainter.h"
 #include "editor/document/PersonLook.h"
 #include "editor/document/PersonTree.h"
+#include "editor/look/Icons.h"
 
 namespace editor {
 
@@ -35,7 +36,8 @@ BlockDialog::BlockDialog(ScenarioDocument& document, const Theme& theme, QWidget
   people_->setHint(tr("No people yet"));
   about_->setWordWrap(true);
   for (const bt::BlockKind& kind : bt::blockKinds()) {
-    kinds_->addItem(QString::fromStdString(kind.title));
+    new QListWidgetItem(tintedIcon(QStringLiteral("tree"), theme.color(Role::TextSecondary)),
+                        QString::fromStdString(kind.title), kinds_);
   }
   const FigurePainter painter(theme);
   for (const sim2d::Human& human : document.scenario().humans) {
@@ -49,7 +51,7 @@ BlockDialog::BlockDialog(ScenarioDocument& document, const Theme& theme, QWidget
   words->setContentsMargins(0, 0, 0, 0);
   words->addWidget(about_);
   words->addWidget(form_);
-  words->addStretch();
+  words->addStretch(1);
   auto* area = new QScrollArea(this);
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);

@@ -90,7 +90,11 @@ class IssuesModel : public QAbstractTableModel {
     }
     return text;
   }
+  /// What is about a thing of the document needs no file name.
   static QString place(const base::Diagnostic& issue) {
+    if (issue.entity && issue.line == 0) {
+      return {};
+    }
     QString text = QFileInfo(QString::fromStdString(issue.file)).fileName();
     if (issue.line > 0) {
       text += QStringLiteral(":%1").arg(issue.line);

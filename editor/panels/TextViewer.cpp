@@ -5,7 +5,6 @@
 #include <QDesktopServices>
 #include <QDialogButtonBox>
 #include <QFileInfo>
-#include <QFontDatabase>
 #include <QPainter>
 #include <QPushButton>
 #include <QTextBlock>
@@ -77,12 +76,17 @@ TextViewer::TextViewer(const Theme& theme, QWidget* parent)
   resize(720, 520);
   text_->setReadOnly(true);
   text_->setLineWrapMode(QPlainTextEdit::NoWrap);
-  text_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  QFont fixed(QStringLiteral("monospace"));
+  fixed.setStyleHint(QFont::TypeWriter);
+  fixed.setPointSizeF(theme.font().pointSizeF());
+  text_->setFont(fixed);
   text_->setAccessibleName(tr("Text of the file"));
   place_->setTextFormat(Qt::PlainText);
   place_->setForegroundRole(QPalette::PlaceholderText);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   QPushButton* outside = buttons->addButton(tr("Open with…"), QDialogButtonBox::ActionRole);
+  outside->setAutoDefault(false);
+  buttons->button(QDialogButtonBox::Close)->setDefault(true);
   outside->setToolTip(tr("Open the file with the program of the desktop"));
   connect(outside, &QPushButton::clicked, this,
           [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(path_)); });
