@@ -117,6 +117,7 @@ IssuesPanel::IssuesPanel(ScenarioDocument& document, const Theme& theme, QWidget
       table_(new QTableView(this)),
       calm_(emptyState(tr("Everything is in order."), this)) {
   makeTable();
+  stack_->setContentsMargins(0, 0, 8, 0);  // links end before the edge
   stack_->addWidget(calm_);
   stack_->addWidget(table_);
   connect(table_, &QTableView::clicked, this, [this](const QModelIndex& index) {
