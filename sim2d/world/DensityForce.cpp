@@ -15,7 +15,7 @@ constexpr double kCrowdWidth = 1.0;   // [m]
 constexpr double kSideScale = 0.2;    // [m]
 constexpr double kSideShift = 0.02;   // [m]; somebody exactly ahead is on the left
 constexpr double kCapRange = 3.0;     // [m]
-constexpr double kNarrowWay = 2.2;    // [m]; between walls
+constexpr double kNarrowWay = 2.0;    // [m]; between walls
 constexpr double kWideWay = 3.2;      // [m]
 constexpr double kBeside = 0.8;       // sine of the angle to the way from which a wall is beside
 constexpr double kNoForce = 1e-24;    // [m²/s⁴]
@@ -141,7 +141,7 @@ Vec2 socialSum(const DensityParameters& parameters, const Pedestrian& self,
   return sum;
 }
 
-/// 1 between walls that leave a narrow way, 0 where it is wide or open.
+/// 1 between walls that leave a narrow way, less the more it is a door, 0 where it is wide or open.
 double narrowness(const Pedestrian& self, const std::vector<Obstacles::Point>& points) {
   double right = kWideWay;
   double left = kWideWay;
@@ -153,7 +153,9 @@ double narrowness(const Pedestrian& self, const std::vector<Obstacles::Point>& p
       side = std::min(side, std::fabs(across));
     }
   }
-  return std::clamp((kWideWay - right - left) / (kWideWay - kNarrowWay), 0.0, 1.0);
+  const double width = left + right;
+  return std::clamp((kWideWay - width) / (kWideWay - kNarrowWay), 0.0,
+                    std::min(1.0, width / kNarrowWay));
 }
 
 }  // namespace

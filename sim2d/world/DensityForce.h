@@ -25,7 +25,7 @@ struct DensityParameters {
   double yieldSpeed = 0.15;     // v_y [m/s]
   double yieldGap = 0.03;       // g0 [m]
   double pushBackLimit = 0.7;   // chi, of the goal force
-  double crowdWallShare = 0.3;  // k_w, of the push of walls beside narrow ways that a crowd keeps
+  double crowdWallShare = 0.1;  // k_w, of the push of walls beside narrow ways that a crowd keeps
   double mateTurnWidth = 0.1;   // [rad]; mates side by side do not circle round each other
 };
 

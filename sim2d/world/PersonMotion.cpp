@@ -16,8 +16,8 @@ constexpr double kStanding = 0.1;       // [m/s]; slower bodies stand
 constexpr double kStandingReach = 3.0;  // [m]
 
 constexpr double kCrowdReach = 2.0;                  // [m]
-constexpr double kSpreadPerPerson = 0.25;            // [m]
-constexpr double kWidestSpread = 3.0;                // [m]
+constexpr double kSpreadPerPerson = 0.35;            // [m]
+constexpr double kWidestSpread = 4.0;                // [m]
 constexpr double kGoldenSection = 0.61803398874989;  // its multiples spread evenly from 0 to 1
 
 double turned(double heading, double towards, double most) {

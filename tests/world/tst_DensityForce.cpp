@@ -290,7 +290,7 @@ void DensityForceTest::limitedObstacleForce_crowdOnANarrowWay_pushesLessAside() 
   const Pedestrian self = pedestrian(1, Vec2::Zero(), Vec2(1.0, 0.0), Vec2(1.0, 0.0));
   const Obstacles::Point ahead{Vec2(1.0, 0.0), 1.0, false, 0};
   const Obstacles::Point left{Vec2(0.0, 0.5), 0.5, false, 0};
-  const Obstacles::Point near{Vec2(0.0, -1.2), 1.2, false, 0};
+  const Obstacles::Point near{Vec2(0.0, -1.5), 1.5, false, 0};
   const Obstacles::Point far{Vec2(0.0, -3.0), 3.0, false, 0};
   const Vec2 alone = limitedObstacleForce(standard(), self, {ahead, left, near});
   const Vec2 crowded = limitedObstacleForce(standard(), self, {ahead, left, near}, 1.0);
