@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <xmmintrin.h>
 
 namespace sim2d {
 namespace {
 
-constexpr double kLeftOut = 5e-5;    // of k_s
-constexpr double kWantedCell = 4.0;  // [m]
-constexpr double kMostCells = 250000.0;
+constexpr double kLeftOut = 5e-5;  // of k_s
+constexpr std::size_t kMostReaches = 8;
+constexpr std::size_t kBatch = 16;              // people
+constexpr std::size_t kUsualCandidates = 8192;  // of a batch
 
 /// Numbers too small for a normal float count as zero, so that they cost no time.
 class ZeroForTiny {
@@ -38,23 +38,6 @@ CrowdKernel kernelOf(VectorPath path) {
       break;
   }
   return crowdKernelSse2();
-}
-
-int cellsIn(double length, double cell) {
-  return static_cast<int>(length / cell) + 1;
-}
-
-int clampedCell(double value, int count) {
-  return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(count - 1)));
-}
-
-/// Distance between a cell and others `cells` away along one axis [m].
-double gapOf(int cells, double size) {
-  return std::max(0, std::abs(cells) - 1) * size;
-}
-
-int filled(int count) {
-  return (count + kCrowdLanes - 1) / kCrowdLanes * kCrowdLanes;
 }
 
 }  // namespace
@@ -90,246 +73,207 @@ VectorPath fastestVectorPath() {
   return hasVectorPath(VectorPath::Avx2) ? VectorPath::Avx2 : VectorPath::Sse2;
 }
 
-void CrowdForces::Columns::resize(std::size_t count) {
-  for (std::vector<float>* column : {&x, &y, &vx, &vy, &room}) {
-    column->resize(count);
-  }
+void CrowdForces::Batch::clear() {
+  slots.clear();
+  receivers.clear();
+  spans.clear();
+  candidates = 0;
 }
 
-void CrowdForces::Scratch::resize(std::size_t count) {
-  const std::size_t padded = count + 2 * static_cast<std::size_t>(kCrowdLanes);
-  near.resize(padded);
-  for (std::vector<float>* column : {&dx, &dy, &dvx, &dvy, &fx, &fy}) {
+void CrowdForces::Scratch::resize(std::size_t most, std::size_t rows) {
+  const std::size_t padded = most + (kBatch + rows) * static_cast<std::size_t>(kCrowdSpare);
+  for (std::vector<float>* column : {&x, &y, &vx, &vy, &fx, &fy}) {
     column->resize(padded);
   }
-  index.resize(padded);
-  doubtful.resize(padded);
-}
-
-CrowdColumns CrowdForces::Columns::view() {
-  return {x.data(), y.data(), vx.data(), vy.data(), room.data()};
+  for (std::vector<int>* column : {&word, &wordAt, &slot, &touching, &doubtful}) {
+    column->resize(padded);
+  }
+  batch.slots.reserve(kBatch);
+  batch.receivers.reserve(kBatch);
+  batch.results.resize(kBatch);
+  batch.spans.reserve(kBatch * rows);
 }
 
 CrowdPairs CrowdForces::Scratch::pairs() {
-  return {dx.data(),    dy.data(), dvx.data(), dvy.data(),
-          index.data(), fx.data(), fy.data(),  doubtful.data()};
+  return {word.data(), wordAt.data(), x.data(),  y.data(),        vx.data(),      vy.data(),
+          slot.data(), fx.data(),     fy.data(), touching.data(), doubtful.data()};
 }
 
 CrowdForces::CrowdForces(VectorPath path) : kernel_(kernelOf(path)), cutOff_(cutOff(kLeftOut)) {}
 
 void CrowdForces::compute(const CrowdState& crowd, WorkerPool& workers) {
   forces_.assign(crowd.walkers.size(), Vec2::Zero());
-  sortIntoCells(crowd);
-  if (order_.empty()) {
+  cells_.rebuild(crowd.walkers, crowd.present, crowd.room);
+  if (cells_.count() == 0) {
     return;
   }
+  prepareReach(crowd);
   const std::size_t shares = workers.shareCount();
   scratches_.resize(shares);
-  const int cells = width_ * height_;
-  firstCells_.resize(shares + 1);
-  for (std::size_t share = 0; share <= shares; ++share) {
-    const auto before = static_cast<int>(order_.size() * share / shares);  // people
-    const auto cell = std::lower_bound(start_.begin(), start_.end(), before) - start_.begin();
-    firstCells_[share] = std::min(static_cast<int>(cell), cells);
-  }
-  firstCells_[shares] = cells;
-  workers.forShares([&](std::size_t share) {
+  mostCandidates_ = std::max(cells_.count(), kUsualCandidates);
+  const auto computeShare = [&](std::size_t share) {
     const ZeroForTiny mode;
     Scratch& scratch = scratches_[share];
-    scratch.resize(order_.size());
-    computeCells(crowd, firstCells_[share], firstCells_[share + 1], scratch);
+    scratch.resize(mostCandidates_, cells_.rowCount());
+    const std::size_t end = cells_.count() * (share + 1) / shares;
+    for (std::size_t slot = cells_.count() * share / shares; slot < end; ++slot) {
+      if (crowd.laws[cells_.personIn(slot)].parameters != nullptr) {
+        addToBatch(crowd, slot, scratch);
+      }
+    }
+    computeBatch(crowd, scratch);
+  };
+  workers.forShares(std::cref(computeShare));  // a copy would need memory
+}
+
+/// One for each set of parameters, as long as there are few of them.
+void CrowdForces::prepareReach(const CrowdState& crowd) {
+  const bool areOld = std::any_of(reaches_.begin(), reaches_.end(), [&](const CrowdReach& reach) {
+    return !reach.isFor(cells_.fastest());
   });
-}
-
-void CrowdForces::placeGrid(const CrowdState& crowd) {
-  Vec2 low = Vec2::Zero();
-  Vec2 high = Vec2::Zero();
-  bool isFirst = true;
-  double squaredFastest = 0.0;
-  for (std::size_t i = 0; i < crowd.walkers.size(); ++i) {
-    if (crowd.present[i] == 0) {
+  if (areOld) {
+    reaches_.clear();
+  }
+  const ForceParameters* last = nullptr;
+  for (const SocialLaw& law : crowd.laws) {
+    const ForceParameters* const parameters = law.parameters;
+    if (reaches_.size() == kMostReaches) {
+      return;
+    }
+    if (parameters == nullptr || (last != nullptr && haveOneShape(*parameters, *last))) {
       continue;
     }
-    const Walker& walker = crowd.walkers[i];
-    low = isFirst ? walker.position : Vec2(low.cwiseMin(walker.position));
-    high = isFirst ? walker.position : Vec2(high.cwiseMax(walker.position));
-    squaredFastest = std::max(squaredFastest, walker.velocity.squaredNorm());
-    isFirst = false;
-  }
-  fastest_ = std::sqrt(squaredFastest);
-  const Vec2 size = high - low;
-  cell_ = std::max({kWantedCell, std::sqrt(size.x() * size.y() / kMostCells),
-                    std::max(size.x(), size.y()) / kMostCells});
-  origin_ = low;
-  middle_ = (low + high) / 2.0;
-  width_ = isFirst ? 0 : cellsIn(size.x(), cell_);
-  height_ = isFirst ? 0 : cellsIn(size.y(), cell_);
-}
-
-void CrowdForces::sortIntoCells(const CrowdState& crowd) {
-  placeGrid(crowd);
-  const auto cells = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-  start_.assign(cells + 1, 0);
-  cellOf_.assign(crowd.walkers.size(), -1);
-  for (std::size_t i = 0; i < crowd.walkers.size(); ++i) {
-    if (crowd.present[i] != 0) {
-      const Vec2 place = (crowd.walkers[i].position - origin_) / cell_;
-      cellOf_[i] = clampedCell(place.y(), height_) * width_ + clampedCell(place.x(), width_);
-      ++start_[static_cast<std::size_t>(cellOf_[i]) + 1];
-    }
-  }
-  for (std::size_t cell = 0; cell < cells; ++cell) {
-    start_[cell + 1] += start_[cell];
-  }
-  next_.assign(start_.begin(), start_.end());
-  order_.resize(static_cast<std::size_t>(start_.back()));
-  for (std::size_t i = 0; i < crowd.walkers.size(); ++i) {
-    if (cellOf_[i] >= 0) {
-      order_[static_cast<std::size_t>(next_[static_cast<std::size_t>(cellOf_[i])]++)] = i;
-    }
-  }
-  fillColumns(crowd);
-}
-
-void CrowdForces::fillColumns(const CrowdState& crowd) {
-  sorted_.resize(order_.size() + static_cast<std::size_t>(kCrowdLanes));
-  for (std::size_t slot = 0; slot < order_.size(); ++slot) {
-    const Walker& walker = crowd.walkers[order_[slot]];
-    sorted_.x[slot] = static_cast<float>(walker.position.x() - middle_.x());
-    sorted_.y[slot] = static_cast<float>(walker.position.y() - middle_.y());
-    sorted_.vx[slot] = static_cast<float>(walker.velocity.x());
-    sorted_.vy[slot] = static_cast<float>(walker.velocity.y());
-    sorted_.room[slot] = static_cast<float>(crowd.room[order_[slot]]);
-  }
-}
-
-void CrowdForces::computeCells(const CrowdState& crowd, int first, int last, Scratch& scratch) {
-  for (int cell = first; cell < last; ++cell) {
-    computeCell(crowd, cell % width_, cell / width_, scratch);
-  }
-}
-
-/// How far the people of a cell feel anybody; negative: they feel nobody.
-double CrowdForces::rangeOf(const CrowdState& crowd, std::size_t cell) const {
-  double range = -1.0;
-  for (int slot = start_[cell]; slot < start_[cell + 1]; ++slot) {
-    const std::size_t person = order_[static_cast<std::size_t>(slot)];
-    const ForceParameters* parameters = crowd.laws[person].parameters;
-    if (parameters != nullptr) {
-      range = std::max(range, socialRange(*parameters, crowd.walkers[person].velocity.norm(),
-                                          fastest_, cutOff_));
-    }
-  }
-  return range;
-}
-
-void CrowdForces::computeCell(const CrowdState& crowd, int column, int row, Scratch& scratch) {
-  const int number = row * width_ + column;
-  const auto cell = static_cast<std::size_t>(number);
-  const double range = start_[cell] < start_[cell + 1] ? rangeOf(crowd, cell) : -1.0;
-  if (range < 0.0) {
-    return;
-  }
-  const int candidates = gatherNear(column, row, range, scratch);
-  for (int slot = start_[cell]; slot < start_[cell + 1]; ++slot) {
-    if (crowd.laws[order_[static_cast<std::size_t>(slot)]].parameters != nullptr) {
-      forceOn(crowd, static_cast<std::size_t>(slot), candidates, scratch);
+    last = parameters;
+    if (reachOf(*parameters) == nullptr) {
+      reaches_.emplace_back(*parameters, cutOff_, cells_.fastest());
     }
   }
 }
 
-/// Copies everybody within range of a cell, row by row; returns their number.
-int CrowdForces::gatherNear(int column, int row, double range, Scratch& scratch) {
-  const int reach = static_cast<int>(std::min(range / cell_, kMostCells)) + 1;
-  int count = 0;
-  scratch.rows.clear();
-  for (int y = std::max(0, row - reach); y <= std::min(height_ - 1, row + reach); ++y) {
-    const double gap = gapOf(y - row, cell_);
-    if (gap > range) {
-      continue;
-    }
-    const double half = std::sqrt(range * range - gap * gap) / cell_;
-    const int wide = static_cast<int>(std::min(half, kMostCells)) + 1;
-    const int first = y * width_ + std::max(0, column - wide);
-    const int last = y * width_ + std::min(width_ - 1, column + wide);
-    const int begin = start_[static_cast<std::size_t>(first)];
-    const int end = start_[static_cast<std::size_t>(last) + 1];
-    if (begin < end) {
-      kernel_.append(sorted_.view(), begin, end - begin, scratch.near.view(), count);
-      scratch.rows.push_back({begin, count});
-      count += end - begin;
-    }
-  }
-  const float none = std::numeric_limits<float>::quiet_NaN();
-  for (int i = count; i < filled(count); ++i) {
-    scratch.near.x[static_cast<std::size_t>(i)] = none;
-  }
-  return count;
+const CrowdReach* CrowdForces::reachOf(const ForceParameters& parameters) const {
+  const auto found = std::find_if(reaches_.begin(), reaches_.end(), [&](const CrowdReach& reach) {
+    return haveOneShape(reach.parameters(), parameters);
+  });
+  return found == reaches_.end() ? nullptr : &*found;
 }
 
-std::size_t CrowdForces::personOf(int candidate, const Scratch& scratch) const {
-  const auto after =
-      std::upper_bound(scratch.rows.begin(), scratch.rows.end(), candidate,
-                       [](int wanted, const Row& row) { return wanted < row.first; });
-  const Row& row = *(after - 1);
-  return order_[static_cast<std::size_t>(row.slot + candidate - row.first)];
+CrowdReach::Disc CrowdForces::discOf(const ForceParameters& parameters, double speed) const {
+  const CrowdReach* const reach = reachOf(parameters);
+  return reach != nullptr
+             ? reach->discOf(speed)
+             : CrowdReach::Disc{0.0, socialRange(parameters, speed, cells_.fastest(), cutOff_)};
 }
 
-void CrowdForces::forceOn(const CrowdState& crowd, std::size_t slot, int candidates,
-                          Scratch& scratch) {
-  const std::size_t person = order_[slot];
+CrowdLaw CrowdForces::lawOf(const SocialLaw& law, bool looksForWalls) const {
+  CrowdLaw result;
+  result.lambda = static_cast<float>(law.parameters->lambda);
+  result.gamma = static_cast<float>(law.parameters->gamma);
+  result.n = static_cast<float>(law.parameters->n);
+  result.nPrime = static_cast<float>(law.parameters->nPrime);
+  result.epsilon = static_cast<float>(law.parameters->epsilon);
+  result.cutOff = static_cast<float>(cutOff_);
+  result.leastLooked = static_cast<float>(kLeftOut);
+  result.looksForWalls = looksForWalls;
+  return result;
+}
+
+void CrowdForces::addToBatch(const CrowdState& crowd, std::size_t slot, Scratch& scratch) {
+  const std::size_t person = cells_.personIn(slot);
+  const Walker& walker = crowd.walkers[person];
   const SocialLaw& law = crowd.laws[person];
-  const ForceParameters& parameters = *law.parameters;
-  CrowdReceiver receiver;
-  receiver.x = sorted_.x[slot];
-  receiver.y = sorted_.y[slot];
-  receiver.vx = sorted_.vx[slot];
-  receiver.vy = sorted_.vy[slot];
-  receiver.room = sorted_.room[slot];
-  receiver.lambda = static_cast<float>(parameters.lambda);
-  receiver.gamma = static_cast<float>(parameters.gamma);
-  receiver.n = static_cast<float>(parameters.n);
-  receiver.nPrime = static_cast<float>(parameters.nPrime);
-  receiver.epsilon = static_cast<float>(parameters.epsilon);
-  receiver.cutOff = static_cast<float>(cutOff_);
-  receiver.leastLooked = static_cast<float>(kLeftOut);
-  receiver.seesWalls = !law.goesThroughWalls;
-  receiver.candidates = filled(candidates);
+  const double speed = walker.velocity.norm();
+  const CrowdReach::Disc disc = discOf(*law.parameters, speed);
+  const bool looks = !law.goesThroughWalls && crowd.room[person] < disc.ahead + disc.radius;
+  Batch& batch = scratch.batch;
+  if (batch.slots.size() == kBatch ||
+      (!batch.slots.empty() &&
+       (looks != batch.law.looksForWalls || !haveOneShape(*law.parameters, *batch.parameters) ||
+        law.parameters->epsilon != batch.parameters->epsilon))) {
+    computeBatch(crowd, scratch);
+  }
+  const Vec2 ahead = speed > 0.0 ? Vec2(disc.ahead / speed * walker.velocity) : Vec2(Vec2::Zero());
+  const CrowdColumns columns = cells_.columns();
+  CrowdReceiver receiver{columns.x[slot],
+                         columns.y[slot],
+                         columns.vx[slot],
+                         columns.vy[slot],
+                         columns.room[slot],
+                         0,
+                         0};
+  const Vec2 middle = walker.position + ahead;
+  receiver.firstSpan = static_cast<int>(batch.spans.size());
+  int candidates = cells_.appendSpans(middle, disc.radius, batch.spans);
+  if (static_cast<std::size_t>(batch.candidates + candidates) > mostCandidates_) {
+    batch.spans.resize(static_cast<std::size_t>(receiver.firstSpan));
+    computeBatch(crowd, scratch);
+    receiver.firstSpan = 0;
+    candidates = cells_.appendSpans(middle, disc.radius, batch.spans);
+  }
+  if (batch.slots.empty()) {
+    batch.law = lawOf(law, looks);
+    batch.parameters = law.parameters;
+  }
+  receiver.lastSpan = static_cast<int>(batch.spans.size());
+  batch.candidates += candidates;
+  batch.slots.push_back(slot);
+  batch.receivers.push_back(receiver);
+}
+
+void CrowdForces::computeBatch(const CrowdState& crowd, Scratch& scratch) {
+  Batch& batch = scratch.batch;
+  kernel_.forces(cells_.columns(),
+                 {batch.law, batch.receivers.data(), static_cast<int>(batch.receivers.size()),
+                  batch.spans.data(), batch.results.data()},
+                 scratch.pairs());
+  for (std::size_t i = 0; i < batch.slots.size(); ++i) {
+    finish(crowd, i, scratch);
+  }
+  batch.clear();
+}
+
+/// What needs to know the walls or the ids of people.
+void CrowdForces::finish(const CrowdState& crowd, std::size_t receiver, Scratch& scratch) {
   const CrowdPairs pairs = scratch.pairs();
-  CrowdResult result = kernel_.force(scratch.near.view(), receiver, pairs);
-  if (result.doubtful > 0) {
-    for (int i = 0; i < result.doubtful; ++i) {
+  const std::size_t slot = scratch.batch.slots[receiver];
+  const std::size_t person = cells_.personIn(slot);
+  CrowdResult& result = scratch.batch.results[receiver];
+  if (result.firstDoubtful < result.lastDoubtful) {
+    for (int i = result.firstDoubtful; i < result.lastDoubtful; ++i) {
       const int pair = pairs.doubtful[i];
-      if (!crowd.isVisible(person, personOf(pairs.index[pair], scratch))) {
+      if (!crowd.isVisible(person, cells_.personIn(static_cast<std::size_t>(pairs.slot[pair])))) {
         pairs.fx[pair] = pairs.fy[pair] = 0.0F;
       }
     }
     kernel_.sum(pairs, result);
   }
   Vec2& force = forces_[person];
-  force =
-      parameters.socialFactor * Vec2(static_cast<double>(result.x), static_cast<double>(result.y));
+  force = crowd.laws[person].parameters->socialFactor *
+          Vec2(static_cast<double>(result.x), static_cast<double>(result.y));
   if (result.touching > 1) {
-    force += forceOfTouching(crowd, slot, candidates, scratch);
+    force += forceOfTouching(crowd, slot, scratch.batch, scratch.batch.receivers[receiver]);
   }
 }
 
 /// Of those in the same place, whom the kernel leaves out.
-Vec2 CrowdForces::forceOfTouching(const CrowdState& crowd, std::size_t slot, int candidates,
-                                  const Scratch& scratch) const {
+Vec2 CrowdForces::forceOfTouching(const CrowdState& crowd, std::size_t slot, const Batch& batch,
+                                  const CrowdReceiver& receiver) const {
   Vec2 force = Vec2::Zero();
-  const std::size_t person = order_[slot];
-  for (int i = 0; i < candidates; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const float dx = scratch.near.x[at] - sorted_.x[slot];
-    const float dy = scratch.near.y[at] - sorted_.y[slot];
-    const std::size_t other = personOf(i, scratch);
-    if (other == person || !(dx * dx + dy * dy <= kCrowdTouching * kCrowdTouching)) {
-      continue;
-    }
-    const SocialLaw& law = crowd.laws[person];
-    if (law.goesThroughWalls || crowd.isVisible(person, other)) {
-      force += socialForce(*law.parameters, crowd.walkers[person], crowd.walkers[other]);
+  const std::size_t person = cells_.personIn(slot);
+  const SocialLaw& law = crowd.laws[person];
+  const CrowdColumns columns = cells_.columns();
+  for (int k = receiver.firstSpan; k < receiver.lastSpan; ++k) {
+    const CrowdSpan span = batch.spans[static_cast<std::size_t>(k)];
+    for (auto at = static_cast<std::size_t>(span.first); at < static_cast<std::size_t>(span.last);
+         ++at) {
+      const float dx = columns.x[at] - columns.x[slot];
+      const float dy = columns.y[at] - columns.y[slot];
+      const std::size_t other = cells_.personIn(at);
+      if (other == person || !(dx * dx + dy * dy <= kCrowdTouching * kCrowdTouching)) {
+        continue;
+      }
+      if (law.goesThroughWalls || crowd.isVisible(person, other)) {
+        force += socialForce(*law.parameters, crowd.walkers[person], crowd.walkers[other]);
+      }
     }
   }
   return force;

@@ -6,7 +6,9 @@
 
 #include "sim2d/world/SocialForce.h"
 #include "sim2d/world/WorkerPool.h"
+#include "sim2d/world/crowd/CrowdCells.h"
 #include "sim2d/world/crowd/CrowdKernel.h"
+#include "sim2d/world/crowd/CrowdReach.h"
 
 namespace sim2d {
 
@@ -40,48 +42,40 @@ class CrowdForces {
   const std::vector<Vec2>& forces() const { return forces_; }
 
  private:
-  struct Columns {
-    std::vector<float> x, y, vx, vy, room;
-    void resize(std::size_t count);
-    CrowdColumns view();
-  };
-  struct Row {  // of people near a cell
-    int slot = 0;
-    int first = 0;  // candidate
+  struct Batch {  // of people with the same law
+    CrowdLaw law;
+    const ForceParameters* parameters = nullptr;  // of the first
+    std::vector<std::size_t> slots;
+    std::vector<CrowdReceiver> receivers;
+    std::vector<CrowdSpan> spans;
+    std::vector<CrowdResult> results;
+    int candidates = 0;
+    void clear();
   };
   struct Scratch {  // of one thread
-    Columns near;
-    std::vector<Row> rows;  // that the people in `near` are from
-    std::vector<float> dx, dy, dvx, dvy, fx, fy;
-    std::vector<int> index, doubtful;
-    void resize(std::size_t count);
+    std::vector<float> x, y, vx, vy, fx, fy;
+    std::vector<int> word, wordAt, slot, touching, doubtful;
+    Batch batch;
+    void resize(std::size_t people, std::size_t rows);
     CrowdPairs pairs();
   };
 
-  void sortIntoCells(const CrowdState& crowd);
-  void placeGrid(const CrowdState& crowd);
-  void fillColumns(const CrowdState& crowd);
-  void computeCells(const CrowdState& crowd, int first, int last, Scratch& scratch);
-  void computeCell(const CrowdState& crowd, int column, int row, Scratch& scratch);
-  double rangeOf(const CrowdState& crowd, std::size_t cell) const;
-  int gatherNear(int column, int row, double range, Scratch& scratch);
-  std::size_t personOf(int candidate, const Scratch& scratch) const;
-  void forceOn(const CrowdState& crowd, std::size_t slot, int candidates, Scratch& scratch);
-  Vec2 forceOfTouching(const CrowdState& crowd, std::size_t slot, int candidates,
-                       const Scratch& scratch) const;
+  void prepareReach(const CrowdState& crowd);
+  const CrowdReach* reachOf(const ForceParameters& parameters) const;
+  CrowdReach::Disc discOf(const ForceParameters& parameters, double speed) const;
+  CrowdLaw lawOf(const SocialLaw& law, bool looksForWalls) const;
+  void addToBatch(const CrowdState& crowd, std::size_t slot, Scratch& scratch);
+  void computeBatch(const CrowdState& crowd, Scratch& scratch);
+  void finish(const CrowdState& crowd, std::size_t receiver, Scratch& scratch);
+  Vec2 forceOfTouching(const CrowdState& crowd, std::size_t slot, const Batch& batch,
+                       const CrowdReceiver& receiver) const;
 
   CrowdKernel kernel_;
-  Vec2 origin_ = Vec2::Zero();  // corner of the grid
-  Vec2 middle_ = Vec2::Zero();  // of the columns
-  double cell_ = 1.0;           // [m]
-  int width_ = 0, height_ = 0;
-  double fastest_ = 0.0;  // [m/s]
   double cutOff_ = 0.0;
-  std::vector<int> start_, next_, cellOf_;
-  std::vector<std::size_t> order_;  // person in each slot, sorted by cell
-  Columns sorted_;
+  CrowdCells cells_;
+  std::vector<CrowdReach> reaches_;
+  std::size_t mostCandidates_ = 0;  // of a batch
   std::vector<Scratch> scratches_;  // by share
-  std::vector<int> firstCells_;     // of each share
   std::vector<Vec2> forces_;
 };
 

@@ -10,53 +10,75 @@ constexpr int kCrowdLanes = 16;
 /// [m]; bodies nearer than this to each other are left to the scalar code, which knows their ids.
 constexpr float kCrowdTouching = 1e-4F;
 
-/// People in columns, relative to the middle of the crowd.
+/// People in columns, sorted by cell, relative to the middle of the crowd. `kCrowdLanes` more may
+/// be read.
 struct CrowdColumns {
-  float* x = nullptr;  // [m]
-  float* y = nullptr;
-  float* vx = nullptr;  // [m/s]
-  float* vy = nullptr;
-  float* room = nullptr;  // to the next wall [m]
+  const float* x = nullptr;  // [m]
+  const float* y = nullptr;
+  const float* vx = nullptr;  // [m/s]
+  const float* vy = nullptr;
+  const float* room = nullptr;  // to the next wall [m]
 };
 
-/// One person and the parameters of the force (ForceParameters has their meaning).
+/// Slots of the columns: `first` up to before `last`.
+struct CrowdSpan {
+  int first = 0, last = 0;
+};
+
+/// One person who feels the others.
 struct CrowdReceiver {
   float x = 0.0F, y = 0.0F, vx = 0.0F, vy = 0.0F, room = 0.0F;
-  float lambda = 0.0F, gamma = 0.0F, n = 0.0F, nPrime = 0.0F, epsilon = 0.0F;
-  float cutOff = 0.0F;        // -ln of the share of k_s that is left out
-  bool seesWalls = true;      // forces do not go through walls
-  int candidates = 0;         // filled up with NaN to a multiple of `kCrowdLanes`
-  float leastLooked = 1e-4F;  // smaller ones, in units of k_s, are not worth a look for walls
+  int firstSpan = 0, lastSpan = 0;  // who may be near enough, the person itself among them
 };
 
-/// What the kernel writes per pair; each column has room for all candidates and one register more.
+/// The force of some people (ForceParameters has the meaning of its names).
+struct CrowdLaw {
+  float lambda = 0.0F, gamma = 0.0F, n = 0.0F, nPrime = 0.0F, epsilon = 0.0F;
+  float cutOff = 0.0F;        // -ln of the share of k_s that is left out
+  float leastLooked = 1e-4F;  // smaller forces, in units of k_s, are not worth a look for walls
+  bool looksForWalls = true;  // there may be walls between, and they keep the force off
+};
+
+/// What the kernel writes on its way; see `kCrowdSpare` for the length of the columns.
 struct CrowdPairs {
-  float* dx = nullptr;  // from the receiver to the other
-  float* dy = nullptr;
-  float* dvx = nullptr;  // of the receiver less the other's
-  float* dvy = nullptr;
-  int* index = nullptr;  // of the candidate
-  float* fx = nullptr;   // force on the receiver, in units of k_s
+  int* word = nullptr;    // per register of candidates with survivors: which lanes
+  int* wordAt = nullptr;  // its first slot
+  float* x = nullptr;     // of the survivors, as in the columns
+  float* y = nullptr;
+  float* vx = nullptr;
+  float* vy = nullptr;
+  int* slot = nullptr;  // only for who looks for walls
+  float* fx = nullptr;  // force on the receiver, in units of k_s
   float* fy = nullptr;
+  int* touching = nullptr;  // per register
   int* doubtful = nullptr;  // pairs that a wall may part
 };
+/// The columns of CrowdPairs have room for all candidates of a batch and so many more per receiver
+/// and per span.
+constexpr int kCrowdSpare = 2 * kCrowdLanes;
 
 struct CrowdResult {
   float x = 0.0F, y = 0.0F;  // sum over all pairs, in units of k_s
-  int pairs = 0;
-  int doubtful = 0;
-  int touching = 0;  // candidates in the receiver's place, itself among them
+  int first = 0, last = 0;   // pairs
+  int firstDoubtful = 0, lastDoubtful = 0;
+  int touching = 0;  // pairs in the receiver's place, itself among them: left out
+};
+
+/// Some people who feel by one law. Work on several at once hides the time that one root takes.
+struct CrowdBatch {
+  CrowdLaw law;
+  const CrowdReceiver* receivers = nullptr;
+  int count = 0;
+  const CrowdSpan* spans = nullptr;
+  CrowdResult* results = nullptr;
 };
 
 /// One compiled version of the kernel. All give the same bits.
 struct CrowdKernel {
-  CrowdResult (*force)(const CrowdColumns& candidates, const CrowdReceiver& receiver,
-                       const CrowdPairs& pairs) = nullptr;
-  /// The same sum again, after forces of some pairs were set to zero.
+  void (*forces)(const CrowdColumns& crowd, const CrowdBatch& batch,
+                 const CrowdPairs& pairs) = nullptr;
+  /// The sum again, after forces of some pairs were set to zero.
   void (*sum)(const CrowdPairs& pairs, CrowdResult& result) = nullptr;
-  /// Copies `count` people; reads and writes up to `kCrowdLanes` more.
-  void (*append)(const CrowdColumns& from, int begin, int count, const CrowdColumns& into,
-                 int at) = nullptr;
 };
 
 CrowdKernel crowdKernelSse2();

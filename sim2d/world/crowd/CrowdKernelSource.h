@@ -3,45 +3,44 @@
 #include "sim2d/world/crowd/CrowdKernel.h"
 #include "sim2d/world/crowd/CrowdLanes.h"
 
-/// The social force on one person, over all candidates: first those are picked whose force can be
-/// above the cut-off, then their forces are computed. To be included once in the file of each
-/// instruction set.
+/// The social forces on a batch of people: first the candidates of each are picked whose force can
+/// be above the cut-off, then the forces of all are computed. To be included once in the file of
+/// each instruction set.
 namespace sim2d {
 namespace {
 
-/// The bound of SocialForce.h, multiplied out so that no division is left; for pairs that the
-/// interaction vector points away from the angle is at least a quarter turn.
+/// The bound of SocialForce.h in the frame of the line between two people, where the interaction
+/// vector is (along, across). For pairs that it points away from the angle is at least a quarter
+/// turn. With a root of 0.2 % the bound is as much off.
 struct Bound {
-  explicit Bound(const CrowdReceiver& receiver) {
-    const float least = receiver.n < receiver.nPrime ? receiver.n : receiver.nPrime;
-    const float side = least * receiver.gamma * receiver.lambda;
-    const float quarter = least * receiver.gamma * 1.5707F;
-    lambda = fill(receiver.lambda);
-    twiceLambda = fill(2.0F * receiver.lambda);
-    squaredLambda = fill(receiver.lambda * receiver.lambda);
-    squaredGamma = fill(receiver.gamma * receiver.gamma);
-    sideways = fill(side * side);
-    behind = fill(quarter * quarter);
-    cutOff = fill(receiver.cutOff);
+  explicit Bound(const CrowdLaw& law) {
+    const float least = law.n < law.nPrime ? law.n : law.nPrime;
+    const float side = least * law.gamma;
+    const float quarter = side * 1.5707F;
+    halfLambda = fill(0.5F * law.lambda);
+    moreLambda = fill(1.5F * law.lambda);
+    sideways = fill(side * side * law.gamma);
+    behind = fill(quarter * quarter * law.gamma);
+    reach = fill(law.cutOff * law.gamma);
   }
 
-  /// All squared and times powers of the distance, see the names.
+  /// Of all pairs that touch, those above the bound and some more.
   Mask isAbove(Lanes dx, Lanes dy, Lanes dvx, Lanes dvy) const {
-    const Lanes d2 = dx * dx + dy * dy;
-    const Lanes d = squareRoot(d2);
-    const Lanes speed2 = dvx * dvx + dvy * dvy;
-    const Lanes dot = dvx * dx + dvy * dy;
-    const Lanes cross = dvx * dy - dvy * dx;
-    const Lanes length2TimesD2 = (squaredLambda * speed2) * d2 + (twiceLambda * dot) * d + d2;
-    const Lanes turned =
-        choose(lambda * dot + d < fill(0.0F), behind * length2TimesD2, sideways * (cross * cross));
-    const Lanes restTimesD2 = cutOff * d2 - turned;
-    const Lanes bound = (squaredGamma * length2TimesD2) * (restTimesD2 * restTimesD2);
-    const Lanes d4 = d2 * d2;
-    return (d4 * d4 <= bound) & (fill(0.0F) < restTimesD2);
+    const Lanes none = fill(0.0F);
+    const Lanes apart2 = dx * dx + dy * dy;
+    const Lanes d2 = larger(fill(kCrowdTouching * kCrowdTouching), apart2);
+    const Lanes guess = guessInverseRoot(d2);
+    const Lanes scale = guess * (moreLambda - halfLambda * d2 * guess * guess);  // lambda / d
+    const Lanes along = (dvx * dx + dvy * dy) * scale + fill(1.0F);
+    const Lanes across = (dvx * dy - dvy * dx) * scale;
+    const Lanes across2 = across * across;
+    const Lanes length2 = along * along + across2;
+    const Lanes turned = choose(along < none, behind * length2, sideways * across2);
+    const Lanes rest = reach - turned;
+    return (d2 <= length2 * (rest * rest)) & (none < rest);
   }
 
-  Lanes lambda, twiceLambda, squaredLambda, squaredGamma, sideways, behind, cutOff;
+  Lanes halfLambda, moreLambda, sideways, behind, reach;
 };
 
 /// The receiver in every lane.
@@ -51,103 +50,111 @@ struct Place {
   Lanes x, y, vx, vy;
 };
 
-/// Marks in `chosen`, a word per register, the candidates whose force may be above the cut-off.
-/// Apart from the packing, so that no jump has to wait for a root. Returns how many are in the
-/// receiver's place.
-inline int markStrong(const CrowdColumns& candidates, const CrowdReceiver& receiver, int* chosen) {
-  const Bound bound(receiver);
-  const Place self(receiver);
-  const Lanes nearest2 = fill(kCrowdTouching * kCrowdTouching);
-  int touching = 0;
-  int word = 0;
-  for (int i = 0; i < receiver.candidates; i += kWidth) {
-    const Lanes dx = load(candidates.x + i) - self.x;
-    const Lanes dy = load(candidates.y + i) - self.y;
-    const Lanes dvx = self.vx - load(candidates.vx + i);
-    const Lanes dvy = self.vy - load(candidates.vy + i);
-    const Bits isTouching = bitsOf(dx * dx + dy * dy <= nearest2);
-    chosen[word] = static_cast<int>(bitsOf(bound.isAbove(dx, dy, dvx, dvy)) & ~isTouching);
-    ++word;
-    if (isTouching != 0) {
-      touching += countOf(isTouching);
+/// Notes the candidates whose force may be above the cut-off, a word per register. Apart from the
+/// packing, so that no jump has to wait for it. Returns the number of words.
+inline int markStrong(const CrowdColumns& crowd, const Bound& bound, const Place& self,
+                      const CrowdSpan* span, const CrowdSpan* last, const CrowdPairs& pairs) {
+  int words = 0;
+  for (; span != last; ++span) {
+    for (int i = span->first; i < span->last; i += kWidth) {
+      const int left = span->last - i;
+      const Bits inSpan = left < kWidth ? (1U << static_cast<unsigned>(left)) - 1U : kAllLanes;
+      const Bits strong =
+          bitsOf(bound.isAbove(load(crowd.x + i) - self.x, load(crowd.y + i) - self.y,
+                               self.vx - load(crowd.vx + i), self.vy - load(crowd.vy + i))) &
+          inSpan;
+      pairs.word[words] = static_cast<int>(strong);
+      pairs.wordAt[words] = i;
+      words += strong != 0 ? 1 : 0;
     }
   }
-  return touching;
+  return words;
 }
 
-/// Packs the chosen candidates one after the other; returns how many, fills up the last register
-/// with pairs too far apart to feel anything.
-inline int pack(const CrowdColumns& candidates, const CrowdReceiver& receiver, const int* chosen,
+/// Packs the chosen candidates one after the other from `first` on, and fills up the last register
+/// with pairs too far apart to feel anything. Returns the end of the chosen.
+template <bool kWithSlots>
+inline int pack(const CrowdColumns& crowd, const Place& self, int words, int first,
                 const CrowdPairs& pairs) {
-  const Place self(receiver);
-  int count = 0;
-  for (int i = 0, word = 0; i < receiver.candidates; i += kWidth, ++word) {
-    const auto bits = static_cast<Bits>(chosen[word]);
-    if (bits != 0) {
-      const Packing packing(bits);
-      packing.put(pairs.dx + count, load(candidates.x + i) - self.x);
-      packing.put(pairs.dy + count, load(candidates.y + i) - self.y);
-      packing.put(pairs.dvx + count, self.vx - load(candidates.vx + i));
-      packing.put(pairs.dvy + count, self.vy - load(candidates.vy + i));
-      packing.putIndices(pairs.index + count, i);
-      count += countOf(bits);
+  int end = first;
+  for (int k = 0; k < words; ++k) {
+    const auto bits = static_cast<Bits>(pairs.word[k]);
+    const int i = pairs.wordAt[k];
+    const Packing packing(bits);
+    packing.put(pairs.x + end, load(crowd.x + i));
+    packing.put(pairs.y + end, load(crowd.y + i));
+    packing.put(pairs.vx + end, load(crowd.vx + i));
+    packing.put(pairs.vy + end, load(crowd.vy + i));
+    if constexpr (kWithSlots) {
+      packing.putIndices(pairs.slot + end, i);
     }
+    end += countOf(bits);
   }
-  for (int i = count; i < count + kCrowdLanes; i += kWidth) {
-    store(pairs.dx + i, fill(1e6F));
-    store(pairs.dy + i, fill(0.0F));
-    store(pairs.dvx + i, fill(0.0F));
-    store(pairs.dvy + i, fill(0.0F));
+  for (int i = end; i < end + kCrowdLanes; i += kWidth) {
+    store(pairs.x + i, fill(1e6F));
+    store(pairs.y + i, self.y);
+    store(pairs.vx + i, self.vx);
+    store(pairs.vy + i, self.vy);
   }
-  return count;
+  return end;
 }
 
 /// socialForce() in units of k_s.
 struct Law {
-  explicit Law(const CrowdReceiver& receiver)
-      : lambda(fill(receiver.lambda)),
-        gamma(fill(receiver.gamma)),
-        inverseGamma(fill(1.0F / receiver.gamma)),
-        n(fill(receiver.n)),
-        nPrime(fill(receiver.nPrime)),
-        epsilon(fill(receiver.epsilon)) {}
+  explicit Law(const CrowdLaw& law)
+      : lambda(fill(law.lambda)),
+        gamma(fill(law.gamma)),
+        fading(fill(-kPerLn / law.gamma)),
+        forTurn(fill(-kPerLn * law.n * law.n)),
+        forSpeed(fill(-kPerLn * law.nPrime * law.nPrime)),
+        epsilon(fill(law.epsilon)) {}
 
   struct Force {
     Lanes x, y;
+    Bits touching;
   };
+  /// Roots and the one division are the slowest here: lengths stay unscaled as long as possible.
   Force of(Lanes dx, Lanes dy, Lanes dvx, Lanes dvy) const {
-    const Lanes d = squareRoot(dx * dx + dy * dy);
-    const Lanes inverse = fill(1.0F) / d;
-    const Lanes ex = dx * inverse;
-    const Lanes ey = dy * inverse;
-    const Lanes ix = lambda * dvx + ex;
-    const Lanes iy = lambda * dvy + ey;
-    const Lanes length2 = ix * ix + iy * iy;
-    const Mask vanishes = length2 < fill(1e-12F);
-    const Lanes length = squareRoot(choose(vanishes, fill(1.0F), length2));
-    const Lanes inverseLength = fill(1.0F) / length;
-    const Lanes reach = gamma * length;
-    const Lanes angle = angleOf(ix * ey - iy * ex, ix * ex + iy * ey);
-    const Lanes shifted = angle + epsilon * reach;
-    const Lanes wrapped =
-        choose(fill(3.14159265F) < shifted, shifted - fill(6.28318531F),
-               choose(shifted < fill(-3.14159265F), shifted + fill(6.28318531F), shifted));
-    const Lanes turn = reach * wrapped;
-    const Lanes forSpeed = nPrime * turn;
-    const Lanes forTurn = n * turn;
-    const Lanes fade = fill(0.0F) - (d * inverseLength) * inverseGamma;
-    const Lanes slowing = exponential(fade - forSpeed * forSpeed);
-    const Lanes amount = exponential(fade - forTurn * forTurn);
-    const Lanes turning =
-        choose(magnitude(wrapped) <= fill(0.0F), fill(0.0F), withSign(amount, wrapped));
-    const Lanes tx = ix * inverseLength;
-    const Lanes ty = iy * inverseLength;
+    const Lanes d2 = dx * dx + dy * dy;
+    const Lanes d = squareRoot(d2);
+    const Lanes along = lambda * (dvx * dx + dvy * dy) + d;
+    const Lanes across = lambda * (dvx * dy - dvy * dx);
+    const Lanes length2 = along * along + across * across;  // of the interaction vector, times d2
+    const Lanes length = squareRoot(length2);
+    const Lanes inverse = fill(1.0F) / (d * length);
+    const Lanes perDistance = length * inverse;
+    const Lanes perLength = d * inverse;
+    const Lanes cosine =
+        along * perLength;  // of the angle from the interaction vector to the other
+    const Lanes sine = across * perLength;
+    const Lanes reach = gamma * (length * perDistance);
+    const Lanes turn = reach * wrapped(angleOf(sine, cosine) + epsilon * reach);
+    const Lanes turn2 = turn * turn;
+    const Lanes fade = fading * (d2 * perLength);
+    const Lanes slowing = powerOfTwo(fade + forSpeed * turn2);
+    const Lanes turning = sided(powerOfTwo(fade + forTurn * turn2), turn);
+    const Lanes away = slowing * cosine + turning * sine;  // from the other, and to its left
+    const Lanes left = slowing * sine - turning * cosine;
+    const Mask isTouching = d2 <= fill(kCrowdTouching * kCrowdTouching);
+    const Mask acts = (fill(kCrowdTouching * kCrowdTouching) < d2) & (d2 * fill(1e-12F) <= length2);
     const Lanes none = fill(0.0F);
-    return {choose(vanishes, none, turning * ty - slowing * tx),
-            choose(vanishes, none, none - (slowing * ty + turning * tx))};
+    return {choose(acts, none - (away * dx + left * dy) * perDistance, none),
+            choose(acts, (left * dx - away * dy) * perDistance, none), bitsOf(isTouching)};
   }
 
-  Lanes lambda, gamma, inverseGamma, n, nPrime, epsilon;
+  static Lanes wrapped(Lanes angle) {
+    const Lanes turn = fill(6.28318531F);
+    const Lanes pi = fill(3.14159265F);
+    const Lanes lower = choose(pi < angle, angle - turn, angle);
+    return choose(lower < fill(-3.14159265F), lower + turn, lower);
+  }
+  /// `amount` with the sign of `side`; zero without one.
+  static Lanes sided(Lanes amount, Lanes side) {
+    return choose(magnitude(side) <= fill(0.0F), fill(0.0F), withSign(amount, side));
+  }
+
+  static constexpr float kPerLn = 1.44269504F;  // to powers of two
+  Lanes lambda, gamma, fading, forTurn, forSpeed, epsilon;
 };
 
 /// The columns to one number, always in the same order.
@@ -164,6 +171,7 @@ inline float sumOf(const float* columns) {
   return part[0];
 }
 
+/// The columns stand in as many registers as they need.
 inline void sumPairs(const CrowdPairs& pairs, CrowdResult& result) {
   constexpr int kParts = kCrowdLanes / kWidth;
   Lanes x[kParts];
@@ -171,7 +179,7 @@ inline void sumPairs(const CrowdPairs& pairs, CrowdResult& result) {
   for (int part = 0; part < kParts; ++part) {
     x[part] = y[part] = fill(0.0F);
   }
-  for (int i = 0; i < result.pairs;) {
+  for (int i = result.first; i < result.last;) {
     for (int part = 0; part < kParts; ++part, i += kWidth) {
       x[part] = x[part] + load(pairs.fx + i);
       y[part] = y[part] + load(pairs.fy + i);
@@ -186,68 +194,96 @@ inline void sumPairs(const CrowdPairs& pairs, CrowdResult& result) {
   result.y = sumOf(columns[1]);
 }
 
-/// Pairs farther apart than the free discs round both reach. Forces below the cut-off are dropped
-/// instead of being looked at.
-inline int findDoubtful(const CrowdColumns& candidates, const CrowdReceiver& receiver,
-                        const CrowdPairs& pairs, int count) {
+/// Whether a wall may stand between two people: the free discs round them do not meet.
+inline bool isDoubtful(const CrowdColumns& crowd, const CrowdReceiver& receiver,
+                       const CrowdPairs& pairs, int pair) {
+  const float dx = pairs.x[pair] - receiver.x;
+  const float dy = pairs.y[pair] - receiver.y;
+  const float reach = receiver.room + crowd.room[pairs.slot[pair]];
+  return reach * reach <= dx * dx + dy * dy;
+}
+
+/// Appends the doubtful pairs of one receiver; returns their end. Forces below the cut-off are
+/// dropped instead of being looked at.
+inline int findDoubtful(const CrowdColumns& crowd, const CrowdReceiver& receiver,
+                        const CrowdResult& result, float leastLooked, const CrowdPairs& pairs) {
+  const Place self(receiver);
   const Lanes free2 = fill(receiver.room * receiver.room);
-  const float least2 = receiver.leastLooked * receiver.leastLooked;
-  int doubtful = 0;
-  for (int first = 0; first < count; first += kWidth) {
-    const Lanes dx = load(pairs.dx + first);
-    const Lanes dy = load(pairs.dy + first);
+  int end = result.firstDoubtful;
+  for (int first = result.first; first < result.last; first += kWidth) {
+    const Lanes dx = load(pairs.x + first) - self.x;
+    const Lanes dy = load(pairs.y + first) - self.y;
     Bits beyond = bitsOf(free2 <= dx * dx + dy * dy);
-    for (int i = first; i < count && beyond != 0; ++i, beyond >>= 1U) {
-      if ((beyond & 1U) == 0) {
+    for (int i = first; i < result.last && beyond != 0; ++i, beyond >>= 1U) {
+      if ((beyond & 1U) == 0 || !isDoubtful(crowd, receiver, pairs, i)) {
         continue;
       }
-      const float reach = receiver.room + candidates.room[pairs.index[i]];
-      if (pairs.dx[i] * pairs.dx[i] + pairs.dy[i] * pairs.dy[i] < reach * reach) {
-        continue;
-      }
-      if (pairs.fx[i] * pairs.fx[i] + pairs.fy[i] * pairs.fy[i] < least2) {
+      const float size2 = pairs.fx[i] * pairs.fx[i] + pairs.fy[i] * pairs.fy[i];
+      if (size2 < leastLooked * leastLooked) {
         pairs.fx[i] = pairs.fy[i] = 0.0F;
       } else {
-        pairs.doubtful[doubtful] = i;
-        ++doubtful;
+        pairs.doubtful[end] = i;
+        ++end;
       }
     }
   }
-  return doubtful;
+  return end;
 }
 
-/// Appends `count` floats to each column of `into`, which holds `at` of them; reads and writes up
-/// to a register more.
-inline void appendColumns(const CrowdColumns& from, int begin, int count, const CrowdColumns& into,
-                          int at) {
-  for (int i = 0; i < count; i += kWidth) {
-    store(into.x + at + i, load(from.x + begin + i));
-    store(into.y + at + i, load(from.y + begin + i));
-    store(into.vx + at + i, load(from.vx + begin + i));
-    store(into.vy + at + i, load(from.vy + begin + i));
-    store(into.room + at + i, load(from.room + begin + i));
+template <bool kWithSlots>
+inline void pickPairs(const CrowdColumns& crowd, const CrowdBatch& batch, const CrowdPairs& pairs) {
+  const Bound bound(batch.law);
+  int next = 0;
+  for (int k = 0; k < batch.count; ++k) {
+    const CrowdReceiver& receiver = batch.receivers[k];
+    const Place self(receiver);
+    const int words = markStrong(crowd, bound, self, batch.spans + receiver.firstSpan,
+                                 batch.spans + receiver.lastSpan, pairs);
+    CrowdResult& result = batch.results[k];
+    result.first = next;
+    result.last = pack<kWithSlots>(crowd, self, words, next, pairs);
+    next = (result.last + kCrowdLanes - 1) / kCrowdLanes * kCrowdLanes;
   }
 }
 
-inline CrowdResult forceOn(const CrowdColumns& candidates, const CrowdReceiver& receiver,
-                           const CrowdPairs& pairs) {
-  CrowdResult result;
-  result.touching = markStrong(candidates, receiver, pairs.doubtful);
-  result.pairs = pack(candidates, receiver, pairs.doubtful, pairs);
-  const Law law(receiver);
-  for (int i = 0; i < result.pairs; i += kCrowdLanes) {
-    for (int k = i; k < i + kCrowdLanes; k += kWidth) {
-      const Law::Force force =
-          law.of(load(pairs.dx + k), load(pairs.dy + k), load(pairs.dvx + k), load(pairs.dvy + k));
-      store(pairs.fx + k, force.x);
-      store(pairs.fy + k, force.y);
+inline void computePairs(const CrowdBatch& batch, const CrowdPairs& pairs) {
+  const Law law(batch.law);
+  for (int k = 0; k < batch.count; ++k) {
+    const Place self(batch.receivers[k]);
+    const CrowdResult& result = batch.results[k];
+    for (int i = result.first; i < result.last;) {
+      for (int part = 0; part < kCrowdLanes; part += kWidth, i += kWidth) {
+        const Law::Force force = law.of(load(pairs.x + i) - self.x, load(pairs.y + i) - self.y,
+                                        self.vx - load(pairs.vx + i), self.vy - load(pairs.vy + i));
+        store(pairs.fx + i, force.x);
+        store(pairs.fy + i, force.y);
+        pairs.touching[i / kWidth] = countOf(force.touching);
+      }
     }
   }
-  if (receiver.seesWalls) {
-    result.doubtful = findDoubtful(candidates, receiver, pairs, result.pairs);
+}
+
+inline void forcesOf(const CrowdColumns& crowd, const CrowdBatch& batch, const CrowdPairs& pairs) {
+  if (batch.law.looksForWalls) {
+    pickPairs<true>(crowd, batch, pairs);
+  } else {
+    pickPairs<false>(crowd, batch, pairs);
   }
-  sumPairs(pairs, result);
-  return result;
+  computePairs(batch, pairs);
+  int doubtful = 0;
+  for (int k = 0; k < batch.count; ++k) {
+    CrowdResult& result = batch.results[k];
+    result.firstDoubtful = doubtful;
+    if (batch.law.looksForWalls) {
+      doubtful = findDoubtful(crowd, batch.receivers[k], result, batch.law.leastLooked, pairs);
+    }
+    result.lastDoubtful = doubtful;
+    result.touching = 0;
+    for (int i = result.first; i < result.last; i += kWidth) {
+      result.touching += pairs.touching[i / kWidth];
+    }
+    sumPairs(pairs, result);
+  }
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 namespace sim2d {
 
 CrowdKernel crowdKernelSse2() {
-  return {forceOn, sumPairs, appendColumns};
+  return {forcesOf, sumPairs};
 }
 
 }  // namespace sim2d

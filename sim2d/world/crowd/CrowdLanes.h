@@ -8,6 +8,9 @@
 namespace sim2d {
 namespace {
 
+constexpr float kWhole = 12582912.0F;  // 1.5 * 2^23: adding it rounds to a whole number
+constexpr int kRootBits = 0x5f375a86;  // makes the guess of a root about equally wrong both ways
+
 #if defined(__AVX512F__)
 
 constexpr int kWidth = 16;
@@ -73,10 +76,15 @@ inline Lanes withSign(Lanes a, Lanes sign) {
   return {_mm512_castsi512_ps(_mm512_or_si512(_mm512_castps_si512(a.v),
                                               _mm512_and_si512(_mm512_castps_si512(sign.v), bit)))};
 }
-/// `a` times 2^power, power a whole number, the result a normal one.
+/// `a` times 2^power, the result a normal number. `power` is whole and has `kWhole` added.
 inline Lanes scaled(Lanes a, Lanes power) {
   return {_mm512_castsi512_ps(_mm512_add_epi32(
-      _mm512_castps_si512(a.v), _mm512_slli_epi32(_mm512_cvtps_epi32(power.v), 23)))};
+      _mm512_castps_si512(a.v), _mm512_slli_epi32(_mm512_castps_si512(power.v), 23)))};
+}
+/// About 1 / sqrt(a), a > 0, to 3.5 %: half the exponent by a shift of the bits.
+inline Lanes guessInverseRoot(Lanes a) {
+  return {_mm512_castsi512_ps(_mm512_sub_epi32(_mm512_set1_epi32(kRootBits),
+                                               _mm512_srli_epi32(_mm512_castps_si512(a.v), 1)))};
 }
 /// Moves the chosen lanes together, in order.
 struct Packing {
@@ -153,10 +161,15 @@ inline Lanes magnitude(Lanes a) {
 inline Lanes withSign(Lanes a, Lanes sign) {
   return {_mm256_or_ps(a.v, _mm256_and_ps(sign.v, _mm256_set1_ps(-0.0F)))};
 }
-/// `a` times 2^power, power a whole number, the result a normal one.
+/// `a` times 2^power, the result a normal number. `power` is whole and has `kWhole` added.
 inline Lanes scaled(Lanes a, Lanes power) {
   return {_mm256_castsi256_ps(_mm256_add_epi32(
-      _mm256_castps_si256(a.v), _mm256_slli_epi32(_mm256_cvtps_epi32(power.v), 23)))};
+      _mm256_castps_si256(a.v), _mm256_slli_epi32(_mm256_castps_si256(power.v), 23)))};
+}
+/// About 1 / sqrt(a), a > 0, to 3.5 %: half the exponent by a shift of the bits.
+inline Lanes guessInverseRoot(Lanes a) {
+  return {_mm256_castsi256_ps(_mm256_sub_epi32(_mm256_set1_epi32(kRootBits),
+                                               _mm256_srli_epi32(_mm256_castps_si256(a.v), 1)))};
 }
 
 /// For each set of lanes the lanes of it one after the other.
@@ -251,10 +264,15 @@ inline Lanes magnitude(Lanes a) {
 inline Lanes withSign(Lanes a, Lanes sign) {
   return {_mm_or_ps(a.v, _mm_and_ps(sign.v, _mm_set1_ps(-0.0F)))};
 }
-/// `a` times 2^power, power a whole number, the result a normal one.
+/// `a` times 2^power, the result a normal number. `power` is whole and has `kWhole` added.
 inline Lanes scaled(Lanes a, Lanes power) {
   return {_mm_castsi128_ps(
-      _mm_add_epi32(_mm_castps_si128(a.v), _mm_slli_epi32(_mm_cvtps_epi32(power.v), 23)))};
+      _mm_add_epi32(_mm_castps_si128(a.v), _mm_slli_epi32(_mm_castps_si128(power.v), 23)))};
+}
+/// About 1 / sqrt(a), a > 0, to 3.5 %: half the exponent by a shift of the bits.
+inline Lanes guessInverseRoot(Lanes a) {
+  return {_mm_castsi128_ps(
+      _mm_sub_epi32(_mm_set1_epi32(kRootBits), _mm_srli_epi32(_mm_castps_si128(a.v), 1)))};
 }
 /// Moves the chosen lanes together, in order.
 struct Packing {
@@ -280,6 +298,8 @@ struct Packing {
 
 #endif
 
+constexpr Bits kAllLanes = (1U << static_cast<unsigned>(kWidth)) - 1U;
+
 inline int countOf(Bits bits) {
   if constexpr (kWidth == 4) {
     return static_cast<int>((0x4332322132212110U >> (bits * 4U)) & 0xFU);
@@ -288,42 +308,36 @@ inline int countOf(Bits bits) {
   }
 }
 
-/// e^x for x <= 0, 0 below -87. Relative error 2e-7. Cody and Waite, polynomial of the library
-/// Cephes.
-inline Lanes exponential(Lanes x) {
-  const Lanes limited = larger(x, fill(-87.0F));
-  const Lanes shift = fill(12582912.0F);  // 1.5 * 2^23: adding it rounds to a whole number
-  const Lanes power = (limited * fill(1.44269504F) + shift) - shift;
-  const Lanes r = (limited - power * fill(0.693359375F)) + power * fill(2.12194440e-4F);
-  Lanes p = fill(1.9875691500e-4F);
-  p = p * r + fill(1.3981999507e-3F);
-  p = p * r + fill(8.3334519073e-3F);
-  p = p * r + fill(4.1665795894e-2F);
-  p = p * r + fill(1.6666665459e-1F);
-  p = p * r + fill(5.0000001201e-1F);
-  const Lanes value = scaled((p * (r * r) + r) + fill(1.0F), power);
-  return choose(x < fill(-87.0F), fill(0.0F), value);
+using Quintic = float[6];  // coefficients, of the lowest power first
+
+inline Lanes polynomial(Lanes x, const Quintic& c) {
+  const Lanes x2 = x * x;
+  const Lanes low = fill(c[0]) + fill(c[1]) * x;
+  const Lanes middle = fill(c[2]) + fill(c[3]) * x;
+  const Lanes high = fill(c[4]) + fill(c[5]) * x;
+  return low + x2 * (middle + x2 * high);
 }
 
-/// Angle of (x, y) in [-pi, pi]; 0 at the origin. Error 5e-7 rad. Polynomial: Abramowitz and
-/// Stegun, 4.4.49.
+/// 2^x for x <= 0, no less than 2^-126. Relative error 2e-7 for x above -2, else |x| * 1e-7.
+inline Lanes powerOfTwo(Lanes x) {
+  constexpr Quintic kPower = {1.00000012F,   0.693146944F,   0.240221202F,
+                              0.0555071309F, 0.00967554096F, 0.00132764725F};  // own fit
+  const Lanes limited = larger(x, fill(-126.0F));
+  const Lanes power = limited + fill(kWhole);
+  return scaled(polynomial(limited - (power - fill(kWhole)), kPower), power);
+}
+
+/// Angle in [-pi, pi] of the unit vector (x, y). Error 3e-7 rad.
 inline Lanes angleOf(Lanes y, Lanes x) {
+  constexpr Quintic kArcSine = {0.166641086F,  0.0757668838F,  0.0366140120F,
+                                0.0692970380F, -0.0696123019F, 0.110461451F};  // own fit
   const Lanes ax = magnitude(x);
   const Lanes ay = magnitude(y);
-  const Lanes most = larger(larger(ax, ay), fill(1e-30F));
-  const Lanes t = smaller(ax, ay) / most;
-  const Lanes z = t * t;
-  Lanes p = fill(0.0028662257F);
-  p = p * z + fill(-0.0161657367F);
-  p = p * z + fill(0.0429096138F);
-  p = p * z + fill(-0.0752896400F);
-  p = p * z + fill(0.1065626393F);
-  p = p * z + fill(-0.1420889944F);
-  p = p * z + fill(0.1999355085F);
-  p = p * z + fill(-0.3333314528F);
-  const Lanes first = (p * z) * t + t;
-  const Lanes eighth = choose(ax < ay, fill(1.57079633F) - first, first);
-  const Lanes half = choose(x < fill(0.0F), fill(3.14159265F) - eighth, eighth);
+  const Lanes sine = smaller(ax, ay);  // of the angle to the nearest axis
+  const Lanes z = sine * sine;
+  const Lanes toAxis = sine + sine * z * polynomial(z, kArcSine);
+  const Lanes quarter = choose(ax < ay, fill(1.57079633F) - toAxis, toAxis);
+  const Lanes half = choose(x < fill(0.0F), fill(3.14159265F) - quarter, quarter);
   return withSign(half, y);
 }
 

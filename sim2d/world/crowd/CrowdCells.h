@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "sim2d/world/SocialForce.h"
+#include "sim2d/world/crowd/CrowdKernel.h"
+
+namespace sim2d {
+
+/// The people of one instant sorted by cell, in the columns of the kernel. Allocates nothing once
+/// it has seen its largest crowd. Thread: queries any, `rebuild` alone.
+class CrowdCells {
+ public:
+  /// The vectors are as long as each other. `room`: free of walls round each person [m].
+  void rebuild(const std::vector<Walker>& walkers, const std::vector<char>& present,
+               const std::vector<double>& room);
+
+  std::size_t count() const { return order_.size(); }  // slots = people who are present
+  std::size_t personIn(std::size_t slot) const { return order_[slot]; }
+  CrowdColumns columns() const;
+  double fastest() const { return fastest_; }  // [m/s]
+  std::size_t rowCount() const { return static_cast<std::size_t>(height_); }
+
+  /// Appends the slots of the cells that a disc meets, a span per row at most; returns how many
+  /// slots these are.
+  int appendSpans(const Vec2& centre, double radius, std::vector<CrowdSpan>& spans) const;
+
+ private:
+  void placeGrid(const std::vector<Walker>& walkers, const std::vector<char>& present);
+  void fillColumns(const std::vector<Walker>& walkers, const std::vector<double>& room);
+
+  Vec2 origin_ = Vec2::Zero();  // corner of the grid
+  Vec2 middle_ = Vec2::Zero();  // of the columns
+  Vec2 cell_ = Vec2::Ones();    // size [m]
+  int width_ = 0, height_ = 0;
+  double fastest_ = 0.0;
+  std::vector<int> start_, next_, cellOf_;
+  std::vector<std::size_t> order_;
+  std::vector<float> x_, y_, vx_, vy_, room_;  // by slot
+};
+
+}  // namespace sim2d
