@@ -7,7 +7,7 @@ using sim2d::GoalItem;
 using sim2d::Intent;
 
 std::optional<int> HumanContext::personById(LeafContext& leaf, int id) {
-  const int human = view_.indexOf(id);
+  const int human = id == idOf(self_) ? self_ : view_.indexOf(id);
   if (human < 0) {
     warn(leaf, "there is no person with the id " + std::to_string(id));
     return std::nullopt;

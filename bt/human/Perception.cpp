@@ -27,12 +27,13 @@ double robotDistance(const WorldView& view, int human) {
 
 bool isRobotVisible(const WorldView& view, int human, double distance) {
   const int robot = view.nearestRobot(human);
-  if (robot < 0 || robotDistance(view, human) > distance) {
+  if (robot < 0) {
     return false;
   }
   const Pose2 pose = view.pose(human);
   const Vec2 place = view.robotPose(robot).position;
-  return std::fabs(bearingOf(place, pose)) <= kNaturalHalfView &&
+  return (place - pose.position).norm() <= distance &&
+         std::fabs(bearingOf(place, pose)) <= kNaturalHalfView &&
          view.isVisible(pose.position, place);
 }
 

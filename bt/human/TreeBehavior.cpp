@@ -1,6 +1,7 @@
 #include "bt/human/TreeBehavior.h"
 
 #include <algorithm>
+#include <cstring>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -55,7 +56,7 @@ class TreeBehavior final : public sim2d::HumanBehavior {
   void enter(int human, const WorldView& view) override;
   void decide(const WorldView& view, Intents& intents) override;
   void takeTreeChanges(std::vector<TreeChange>& changes) override {
-    changes = std::move(changes_);
+    std::swap(changes, changes_);  // the memory is used again
     changes_.clear();
   }
   void takeDiagnostics(Diagnostics& found) override {
@@ -91,8 +92,6 @@ void TreeBehavior::grow(int count) {
     players_.resize(size);
     society_.minds.resize(size);
   }
-  society_.movers.assign(players_.size(), Mover::Nobody);
-  society_.changedGoals.assign(players_.size(), 0);
 }
 
 void TreeBehavior::enter(int human, const WorldView& view) {
@@ -134,6 +133,8 @@ void TreeBehavior::orderById(const WorldView& view) {
 
 void TreeBehavior::decide(const WorldView& view, Intents& intents) {
   grow(view.humanCount());
+  society_.movers.assign(players_.size(), Mover::Nobody);
+  society_.changedGoals.assign(players_.size(), 0);
   orderById(view);
   society_.speech.beginStep();
   changes_.clear();
@@ -239,6 +240,9 @@ void TreeBehavior::tellEvents(const TreeState& tree, std::size_t first, HumanCon
 void TreeBehavior::tellChanges(int human, const WorldView& view,
                                const std::vector<NodeStatus>& now) {
   Player& who = player(human);
+  if (now.empty() || std::memcmp(now.data(), who.shown.data(), now.size() * sizeof(now[0])) == 0) {
+    return;  // mostly
+  }
   for (std::size_t node = 0; node < now.size(); ++node) {
     if (now[node] != who.shown[node]) {
       who.shown[node] = now[node];
