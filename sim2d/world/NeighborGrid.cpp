@@ -48,10 +48,10 @@ void NeighborGrid::rebuild(const std::vector<double>& x, const std::vector<doubl
   }
   items_.resize(count);
   points_.resize(count, Vec2::Zero());
-  std::vector<int> next(start_.begin(), start_.end() - 1);
+  next_.assign(start_.begin(), start_.end() - 1);
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (present[i] != 0) {
-      const auto slot = static_cast<std::size_t>(next[static_cast<std::size_t>(cellOf_[i])]++);
+      const auto slot = static_cast<std::size_t>(next_[static_cast<std::size_t>(cellOf_[i])]++);
       items_[slot] = static_cast<int>(i);
       points_[slot] = Vec2(x[i], y[i]);
     }

@@ -51,7 +51,7 @@ class NeighborGrid {
   double cell_ = 2.0;  // [m]
   Vec2 origin_ = Vec2::Zero();
   int width_ = 0, height_ = 0;
-  std::vector<int> start_, items_, cellOf_;
+  std::vector<int> start_, items_, cellOf_, next_;
   std::vector<Vec2> points_;
 };
 

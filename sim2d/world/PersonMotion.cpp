@@ -79,7 +79,7 @@ void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, con
   crowd_.computeForces(intents, workers_);
   const std::size_t shares = crowd_.count() < kWorthThreads ? 1 : workers_.shareCount();
   situations_.resize(shares);
-  const std::function<void(std::size_t)> moveShare = [&](std::size_t share) {
+  const auto moveShare = [&](std::size_t share) {
     const std::size_t end = wanted_.size() * (share + 1) / shares;
     for (std::size_t human = wanted_.size() * share / shares; human < end; ++human) {
       if (state.present[human] != 0) {
@@ -90,7 +90,7 @@ void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, con
   if (shares == 1) {
     moveShare(0);
   } else {
-    workers_.forShares(moveShare);
+    workers_.forShares(std::cref(moveShare));  // a copy would need memory
   }
   for (std::size_t human = 0; human < wanted_.size(); ++human) {
     const Intent& intent = intents.of(static_cast<int>(human));

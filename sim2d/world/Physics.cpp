@@ -55,7 +55,7 @@ struct Physics::World {
   void addLoop(const Outline& outline, int part, bool enabled);
   void addFixtures(b2Body& body, const BodySpec& spec) const;
   void readBack(Body& body, double dt) const;
-  void moveAlone(Body& body, double dt) const;
+  static void moveAlone(Body& body, double dt);
   Touch touchOf(b2Contact& contact) const;
   static bool isTouching(b2Contact& contact, bool wasTouching, Touch& touch);
 
@@ -145,10 +145,9 @@ void Physics::World::readBack(Body& body, double dt) const {
           : angle;
 }
 
-void Physics::World::moveAlone(Body& body, double dt) const {
+void Physics::World::moveAlone(Body& body, double dt) {
   body.pose.position += body.velocity * dt;
   body.pose.heading = base::wrapToPi(body.pose.heading + body.omega * dt);
-  body.body->SetTransform(toLocal(body.pose.position), body.body->GetAngle());
 }
 
 Touch Physics::World::touchOf(b2Contact& contact) const {
@@ -239,8 +238,9 @@ int Physics::addBody(const BodySpec& spec, bool present) {
 }
 
 void Physics::setPresent(int body, bool present) {
-  world_->at(body).present = present;
-  world_->at(body).body->SetEnabled(present);
+  World::Body& changed = world_->at(body);
+  changed.present = present;
+  changed.body->SetEnabled(present && !changed.lonely);
 }
 
 void Physics::place(int body, const Pose2& pose) {
@@ -256,7 +256,7 @@ void Physics::setVelocity(int body, const Vec2& velocity, double omega) {
   moved.velocity = velocity;
   moved.omega = omega;
   if (moved.lonely) {
-    return;  // a velocity would wake it
+    return;
   }
   moved.body->SetLinearVelocity(
       {static_cast<float>(velocity.x()), static_cast<float>(velocity.y())});
@@ -265,10 +265,14 @@ void Physics::setVelocity(int body, const Vec2& velocity, double omega) {
 
 void Physics::setLonely(int body, bool lonely) {
   World::Body& changed = world_->at(body);
-  if (changed.lonely != lonely) {
-    changed.lonely = lonely;
-    changed.body->SetAwake(!lonely);  // the solver leaves out who sleeps
+  if (changed.lonely == lonely) {
+    return;
   }
+  changed.lonely = lonely;
+  if (!lonely) {  // it went on alone
+    changed.body->SetTransform(world_->toLocal(changed.pose.position), changed.body->GetAngle());
+  }
+  changed.body->SetEnabled(changed.present && !lonely);
 }
 
 void Physics::setBraked(int body, bool braked) {

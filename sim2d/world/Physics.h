@@ -48,8 +48,8 @@ class Physics {
   void place(int body, const Pose2& pose);
   /// What a body should do in the next step; people (`keepsHeading`) have omega 0.
   void setVelocity(int body, const Vec2& velocity, double omega);
-  /// A lonely body meets nothing in the next step, so it moves past the solver. To be called before
-  /// `setVelocity`; bodies are not lonely at first.
+  /// A lonely body meets nothing in the next step and nothing meets it: it moves past the solver.
+  /// To be called before `setVelocity`; bodies are not lonely at first.
   void setLonely(int body, bool lonely);
   /// A body with brakes on is hardly pushed by others: it counts 1000 times its mass.
   void setBraked(int body, bool braked);

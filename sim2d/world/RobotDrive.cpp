@@ -8,8 +8,8 @@ namespace {
 constexpr double kTick = 1e-9;  // [s]
 
 /// People and the other robots, people first.
-std::vector<SeenBody> bodiesSeen(const FrozenWorld& world, std::size_t self) {
-  std::vector<SeenBody> bodies;
+void findBodies(const FrozenWorld& world, std::size_t self, std::vector<SeenBody>& bodies) {
+  bodies.clear();
   for (std::size_t i = 0; i < world.state.present.size(); ++i) {
     if (world.state.present[i] != 0) {
       const ResolvedHuman& person = world.model.people[i].constants;
@@ -24,7 +24,6 @@ std::vector<SeenBody> bodiesSeen(const FrozenWorld& world, std::size_t self) {
                         reachOf(world.model.robots[i])});
     }
   }
-  return bodies;
 }
 
 bool drives(const ResolvedRobot& robot, const RobotState& state, double time) {
@@ -46,7 +45,7 @@ const std::vector<base::Twist2>& RobotDrive::command(const FrozenWorld& world, W
     const RobotState& now = state.robots[i];
     base::Twist2 wanted;
     if (drives(robot, now, state.time)) {
-      Observation observation;
+      Observation& observation = observation_;
       observation.pose = now.pose;
       observation.linear = now.linear;
       observation.angular = now.omega;
@@ -55,7 +54,7 @@ const std::vector<base::Twist2>& RobotDrive::command(const FrozenWorld& world, W
       observation.bodyRadius = reachOf(robot);
       observation.time = state.time;
       observation.dt = dt;
-      observation.bodies = bodiesSeen(world, i);
+      findBodies(world, i, observation.bodies);
       observation.obstacles = &world.obstacles;
       observation.ways = &ways;
       wanted = controllers_[i]->command(observation);

@@ -24,6 +24,7 @@ class RobotDrive {
  private:
   std::vector<std::shared_ptr<RobotController>> controllers_;
   std::vector<base::Twist2> commands_;
+  Observation observation_;  // its memory is used again
 };
 
 }  // namespace sim2d

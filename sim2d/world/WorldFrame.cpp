@@ -6,8 +6,41 @@
 namespace sim2d {
 namespace {
 
+constexpr std::size_t kFewEvents = 32;
+
 bool precedes(const Event& a, const Event& b) {
   return std::make_tuple(a.kind, a.hasId ? a.id : 0) < std::make_tuple(b.kind, b.hasId ? b.id : 0);
+}
+
+/// Stable; the few events of a usual step are sorted without more memory.
+void sortEvents(std::vector<Event>& events) {
+  if (events.size() > kFewEvents) {
+    std::stable_sort(events.begin(), events.end(), precedes);
+    return;
+  }
+  for (std::size_t i = 1; i < events.size(); ++i) {
+    const auto end = events.begin() + static_cast<std::ptrdiff_t>(i);
+    std::rotate(std::upper_bound(events.begin(), end, *end, precedes), end, end + 1);
+  }
+}
+
+template <class... Columns>
+void clearAll(Columns&... columns) {
+  (columns.clear(), ...);
+}
+
+void clear(HumanColumns& humans) {
+  clearAll(humans.id, humans.x, humans.y, humans.heading, humans.vx, humans.vy, humans.omega,
+           humans.group, humans.state, humans.goal);
+}
+
+void clear(RobotColumns& robots) {
+  clearAll(robots.id, robots.x, robots.y, robots.heading, robots.vx, robots.vy, robots.omega,
+           robots.goal);
+}
+
+void clear(ForceColumns& forces) {
+  clearAll(forces.goal, forces.social, forces.obstacle, forces.group);
 }
 
 void appendPerson(const WorldModel& model, const WorldState& state, std::size_t i,
@@ -40,11 +73,13 @@ void appendRobot(const ResolvedRobot& constants, const RobotState& robot, RobotC
 
 }  // namespace
 
-Frame makeFrame(const WorldModel& model, const WorldState& state,
-                const std::vector<WantedMotion>& wanted) {
-  Frame frame;
+void fillFrame(const WorldModel& model, WorldState& state, const std::vector<WantedMotion>& wanted,
+               Frame& frame) {
   frame.step = state.step;
   frame.time = state.time;
+  clear(frame.humans);
+  clear(frame.robots);
+  clear(frame.forces);
   for (std::size_t i = 0; i < model.people.size(); ++i) {
     if (state.present[i] == 0) {
       continue;
@@ -61,10 +96,9 @@ Frame makeFrame(const WorldModel& model, const WorldState& state,
   for (std::size_t i = 0; i < state.robots.size(); ++i) {
     appendRobot(model.robots[i], state.robots[i], frame.robots);
   }
-  frame.events = state.events;
-  std::stable_sort(frame.events.begin(), frame.events.end(), precedes);
+  std::swap(frame.events, state.events);
+  sortEvents(frame.events);
   frame.doorOpen = state.doorOpen;
-  return frame;
 }
 
 }  // namespace sim2d

@@ -6,9 +6,10 @@
 
 namespace sim2d {
 
-/// The state as a frame, without the paths of robots and the changes of trees. `wanted`: of the
-/// step that led to it; events are put in order.
-Frame makeFrame(const WorldModel& model, const WorldState& state,
-                const std::vector<WantedMotion>& wanted);
+/// The state as a frame, but for the paths of robots and the changes of trees. `wanted`: of the
+/// step that led to it. The events are taken from the state and put in order. The memory of the
+/// frame is used again.
+void fillFrame(const WorldModel& model, WorldState& state, const std::vector<WantedMotion>& wanted,
+               Frame& frame);
 
 }  // namespace sim2d

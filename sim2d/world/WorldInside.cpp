@@ -12,6 +12,7 @@ namespace {
 constexpr double kFastest = 1e3;         // [m/s]; beyond it a run has diverged
 constexpr std::size_t kSmallWorld = 66;  // bodies
 constexpr double kNearWall = 0.1;        // [m]
+constexpr double kNearBody = 0.05;       // [m]; more than a touch takes to end
 constexpr double kNearRobot = 0.5;       // [m]
 constexpr int kPolygonSubSteps = 4;      // polygons have no contact ahead of time
 
@@ -284,12 +285,12 @@ void World::State::moveBodies(const std::vector<base::Twist2>& commands) {
   }
   findPairs();
   keepApart(discs, pairs_, model.dt);
-  findLonely();
+  findNearness();
   for (std::size_t body = 0; body < discs.size(); ++body) {
     const BodyOwner& owner = owners[body];
     const double omega =
         owner.isRobot ? commands[static_cast<std::size_t>(owner.index)].angular : 0.0;
-    physics.setLonely(static_cast<int>(body), lonely_[body] != 0);
+    physics.setLonely(static_cast<int>(body), nearness_[body] == Nearness::Nothing);
     physics.setVelocity(static_cast<int>(body), discs[body].velocity, omega);
   }
   physics.step(model.dt, subSteps_);
@@ -298,24 +299,48 @@ void World::State::moveBodies(const std::vector<base::Twist2>& commands) {
 }
 
 /// Who meets nothing in this step. Small worlds leave everybody to the solver.
-void World::State::findLonely() {
-  lonely_.assign(owners.size(), owners.size() > kSmallWorld ? 1 : 0);
-  for (const DiscPair& pair : pairs_) {
-    lonely_[static_cast<std::size_t>(pair.first)] = 0;
-    lonely_[static_cast<std::size_t>(pair.second)] = 0;
-  }
+void World::State::findNearness() {
+  nearness_.assign(owners.size(),
+                   owners.size() > kSmallWorld ? Nearness::Nothing : Nearness::Solid);
   for (std::size_t body = 0; body < owners.size(); ++body) {
     const MovingDisc& disc = discs_[body];
     const double reach = disc.radius + disc.velocity.norm() * model.dt + kNearWall;
     for (const Obstacles::Point& point : disc.walls) {
-      lonely_[body] = point.inside || point.distance < reach ? char{0} : lonely_[body];
+      nearness_[body] = point.inside || point.distance < reach ? Nearness::Solid : nearness_[body];
     }
     for (std::size_t i = 0; i < state.robots.size(); ++i) {
       const double near = reach + reachOf(model.robots[i]) + kNearRobot;
       const Vec2 apart = state.robots[i].pose.position - disc.position;
-      lonely_[body] = owners[body].isRobot || apart.norm() < near ? char{0} : lonely_[body];
+      const bool isNear = owners[body].isRobot || apart.squaredNorm() < near * near;
+      nearness_[body] = isNear ? Nearness::Solid : nearness_[body];
     }
   }
+  for (const DiscPair& pair : pairs_) {
+    if (!mayMeet(pair)) {
+      continue;
+    }
+    for (const int body : {pair.first, pair.second}) {
+      Nearness& nearness = nearness_[static_cast<std::size_t>(body)];
+      nearness = nearness == Nearness::Solid ? nearness : Nearness::Person;
+    }
+  }
+}
+
+/// Two people come near each other in this step, or one of them may be pushed by something else.
+bool World::State::mayMeet(const DiscPair& pair) const {
+  const auto first = static_cast<std::size_t>(pair.first);
+  const auto second = static_cast<std::size_t>(pair.second);
+  if (nearness_[first] == Nearness::Solid || nearness_[second] == Nearness::Solid) {
+    return true;
+  }
+  const MovingDisc& a = discs_[first];
+  const MovingDisc& b = discs_[second];
+  const Vec2 apart = b.position + pair.shift - a.position;
+  const Vec2 motion = (b.velocity - a.velocity) * model.dt;
+  const double nearest =
+      std::clamp(-apart.dot(motion) / std::max(motion.squaredNorm(), 1e-12), 0.0, 1.0);
+  const double gap = a.radius + b.radius + kNearBody;
+  return (apart + nearest * motion).squaredNorm() < gap * gap;
 }
 
 void World::State::findPairs() {
@@ -397,9 +422,10 @@ void World::State::readRobots(const std::vector<base::Twist2>& commands) {
 }
 
 void World::State::publish() {
-  frame = makeFrame(model, state, motion.wanted());
+  fillFrame(model, state, motion.wanted(), frame);
+  frame.robotPaths.resize(state.robots.size());
   for (std::size_t i = 0; i < state.robots.size(); ++i) {
-    frame.robotPaths.push_back(robots.path(i, model, state));
+    frame.robotPaths[i] = robots.path(i, model, state);
   }
   if (state.step > 0) {
     behavior->takeTreeChanges(frame.treeChanges);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -44,6 +45,9 @@ struct World::State {
   StepTimes* times = nullptr;  // null: nobody measures
 
  private:
+  /// What a body may run into: the solver cares for all but `Nothing`.
+  enum class Nearness : std::uint8_t { Nothing, Person, Solid };
+
   void addRobotBodies();
   /// Doors and people whose time has come; the grid afterwards.
   void applyInputs(StepWatch& watch);
@@ -58,7 +62,8 @@ struct World::State {
   void moveBodies(const std::vector<base::Twist2>& commands);
   void placeDiscs(const std::vector<base::Twist2>& commands);
   void findPairs();
-  void findLonely();
+  void findNearness();
+  bool mayMeet(const DiscPair& pair) const;
   void readPeople();
   Vec2 aroundTheRing(std::size_t human, const Pose2& pose);
   void readRobots(const std::vector<base::Twist2>& commands);
@@ -70,7 +75,7 @@ struct World::State {
   std::vector<double> headingsBefore_;
   std::vector<MovingDisc> discs_;
   std::vector<DiscPair> pairs_;
-  std::vector<char> lonely_;            // per body: meets nothing in this step
+  std::vector<Nearness> nearness_;      // per body, in this step
   std::vector<Vec2> wantedVelocities_;  // per body, before contacts
   std::vector<Vec2> chords_;            // direction of each robot in the middle of the step
   int subSteps_ = 1;

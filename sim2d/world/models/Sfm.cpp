@@ -60,7 +60,8 @@ class Sfm : public PedestrianModel {
 
  private:
   Vec2 socialTerm(const Situation& situation) const {
-    const bool sumsAll = situation.exact || situation.others.size() <= kSmallCrowd;
+    const bool sumsAll =
+        situation.exact || (!situation.ofCrowd && situation.others.size() <= kSmallCrowd);
     Vec2 sum = situation.ofCrowd.value_or(Vec2::Zero());
     for (const Walker& other : situation.others) {
       if (!sumsAll && isNegligible(parameters_, situation.self, other, cutOff_)) {
