@@ -8,6 +8,7 @@
 #include <box2d/box2d.h>
 
 #include "sim2d/world/ConvexPieces.h"
+#include "sim2d/world/StableSort.h"
 
 namespace sim2d {
 namespace {
@@ -322,7 +323,7 @@ void Physics::touches(const std::vector<Touch>& before, std::vector<Touch>& foun
       found.push_back(touch);
     }
   }
-  std::stable_sort(found.begin(), found.end(), byKey);
+  sortStably(found, byKey);
   const auto end = std::unique(found.begin(), found.end(),
                                [](const Touch& a, const Touch& b) { return keyOf(a) == keyOf(b); });
   found.erase(end, found.end());

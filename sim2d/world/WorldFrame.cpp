@@ -1,27 +1,14 @@
 #include "sim2d/world/WorldFrame.h"
 
-#include <algorithm>
 #include <tuple>
+
+#include "sim2d/world/StableSort.h"
 
 namespace sim2d {
 namespace {
 
-constexpr std::size_t kFewEvents = 32;
-
 bool precedes(const Event& a, const Event& b) {
   return std::make_tuple(a.kind, a.hasId ? a.id : 0) < std::make_tuple(b.kind, b.hasId ? b.id : 0);
-}
-
-/// Stable; the few events of a usual step are sorted without more memory.
-void sortEvents(std::vector<Event>& events) {
-  if (events.size() > kFewEvents) {
-    std::stable_sort(events.begin(), events.end(), precedes);
-    return;
-  }
-  for (std::size_t i = 1; i < events.size(); ++i) {
-    const auto end = events.begin() + static_cast<std::ptrdiff_t>(i);
-    std::rotate(std::upper_bound(events.begin(), end, *end, precedes), end, end + 1);
-  }
 }
 
 template <class... Columns>
@@ -97,7 +84,7 @@ void fillFrame(const WorldModel& model, WorldState& state, const std::vector<Wan
     appendRobot(model.robots[i], state.robots[i], frame.robots);
   }
   std::swap(frame.events, state.events);
-  sortEvents(frame.events);
+  sortStably(frame.events, precedes);
   frame.doorOpen = state.doorOpen;
 }
 

@@ -176,7 +176,7 @@ bool World::State::step() {
   decide();
   watch.lap(StepPhase::Trees);
   const FrozenWorld frozen{model, state, grid, surroundings.obstacles};
-  const std::vector<base::Twist2> commands = robots.command(frozen, *ways, state);
+  const std::vector<base::Twist2>& commands = robots.command(frozen, *ways, state);
   watch.lap(StepPhase::Robots);
   motion.chooseLegs(frozen, intents, *ways, state);
   watch.lap(StepPhase::Ways);

@@ -1,2 +1,4 @@
 # Steps a crowd of a thousand by a double sum over all pairs.
 set_tests_properties(world.tst_CrowdForces PROPERTIES TIMEOUT 600)
+# A million steps of people per map.
+set_tests_properties(world.tst_WallProperty PROPERTIES TIMEOUT 600)

@@ -33,6 +33,7 @@ class WorldTest : public QObject {
   void diverged_velocity_stopsTheRunAndNamesThePerson();
   void create_impossibleScenarios_areErrors_data();
   void create_impossibleScenarios_areErrors();
+  void create_nobody_runsWithoutPeople();
   void create_robotInAClosedCorridor_warns();
   void header_afterCreation_holdsTheResolvedNumbers();
 };
@@ -348,6 +349,8 @@ void WorldTest::create_impossibleScenarios_areErrors_data() {
   QTest::newRow("robot type") << 7 << "unknown type";
   QTest::newRow("start in a wall") << 8 << "does not fit";
   QTest::newRow("goal unknown") << 9 << "global_goals";
+  QTest::newRow("dt of zero") << 10 << "dt";
+  QTest::newRow("dt of ten seconds") << 11 << "dt";
 }
 
 void WorldTest::create_impossibleScenarios_areErrors() {
@@ -375,6 +378,10 @@ void WorldTest::create_impossibleScenarios_areErrors() {
     addWall(scenario, {Vec2(-6.0, 0.0), Vec2(6.0, 0.0)}, 6.0);
   } else if (fault == 9) {
     scenario.humans[0].goals = {8};
+  } else if (fault == 10) {
+    scenario.desktop.dt = 0.0;
+  } else if (fault == 11) {
+    scenario.desktop.dt = 10.0;
   }
   const base::Result<std::unique_ptr<World>> world = create(scenario);
   QVERIFY(!world);
@@ -383,6 +390,15 @@ void WorldTest::create_impossibleScenarios_areErrors() {
     isTold = isTold || diagnostic.message.find(word.toStdString()) != std::string::npos;
   }
   QVERIFY(isTold);
+}
+
+void WorldTest::create_nobody_runsWithoutPeople() {
+  const std::unique_ptr<World> world = make(Scenario{});
+  QVERIFY(world != nullptr);
+  advance(*world, 10);
+  QCOMPARE(world->stepIndex(), std::int64_t{10});
+  QCOMPARE(world->frame().humans.size(), std::size_t{0});
+  QVERIFY(world->frame().events.empty());
 }
 
 void WorldTest::create_robotInAClosedCorridor_warns() {

@@ -318,11 +318,12 @@ inline Lanes polynomial(Lanes x, const Quintic& c) {
   return low + x2 * (middle + x2 * high);
 }
 
-/// 2^x for x <= 0, no less than 2^-126. Relative error 2e-7 for x above -2, else |x| * 1e-7.
+/// 2^x for x <= 0, nothing normal below 2^-126. Relative error 2e-7 for x above -2, else |x| *
+/// 1e-7.
 inline Lanes powerOfTwo(Lanes x) {
   constexpr Quintic kPower = {1.00000012F,   0.693146944F,   0.240221202F,
                               0.0555071309F, 0.00967554096F, 0.00132764725F};  // own fit
-  const Lanes limited = larger(x, fill(-126.0F));
+  const Lanes limited = larger(x, fill(-127.0F));
   const Lanes power = limited + fill(kWhole);
   return scaled(polynomial(limited - (power - fill(kWhole)), kPower), power);
 }

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace sim2d {
+
+/// Like std::stable_sort, but a few items, as there are in most steps, need no memory.
+template <class Item, class Less>
+void sortStably(std::vector<Item>& items, Less less) {
+  constexpr std::size_t kFew = 32;
+  if (items.size() > kFew) {
+    std::stable_sort(items.begin(), items.end(), less);
+    return;
+  }
+  for (auto next = items.begin(); next != items.end(); ++next) {
+    std::rotate(std::upper_bound(items.begin(), next, *next, less), next, next + 1);
+  }
+}
+
+}  // namespace sim2d

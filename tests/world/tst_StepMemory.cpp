@@ -1,0 +1,85 @@
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include <QtTest>
+
+#include "tests/world/TestWorld.h"
+
+using namespace testworld;
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* const memory = std::malloc(size == 0 ? 1 : size)) {
+    return memory;
+  }
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+/// Once its buffers have grown, a step takes no memory from the heap.
+class StepMemoryTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void step_withoutEvents_allocatesNothing_data();
+  void step_withoutEvents_allocatesNothing();
+};
+
+namespace {
+
+/// Two streams through each other past a standing robot and a wall.
+Scenario streams(int people) {
+  Scenario scenario;
+  addGoal(scenario, 1, 200.0, 5.0);
+  addGoal(scenario, 2, -200.0, 5.0);
+  addWall(scenario, {{-20.0, -3.0}, {60.0, -3.0}});
+  Robot& robot = addRobot(scenario, Vec2(20.0, 30.0), Vec2(20.0, 30.0));
+  robot.startTime = 1000.0;
+  for (int i = 0; i < people; ++i) {
+    Human& human = addPerson(scenario, i + 1, Vec2(1.6 * (i % 20), 1.6 * (i / 20)), {i % 2 + 1});
+    human.radius = 0.25;
+    human.ours.route = Route::Direct;
+  }
+  return scenario;
+}
+
+}  // namespace
+
+void StepMemoryTest::step_withoutEvents_allocatesNothing_data() {
+  QTest::addColumn<int>("people");
+  QTest::newRow("pair by pair") << 30;
+  QTest::newRow("all at once") << 200;
+}
+
+void StepMemoryTest::step_withoutEvents_allocatesNothing() {
+  QFETCH(int, people);
+  const std::unique_ptr<World> world = make(streams(people));
+  QVERIFY(world != nullptr);
+  advance(*world, 100);
+  long most = 0;
+  int quietSteps = 0;
+  for (int i = 0; i < 100; ++i) {
+    const long before = allocations;
+    QVERIFY(world->step());
+    const long taken = allocations - before;
+    if (world->frame().events.empty()) {  // the text of an event may need memory
+      most = std::max(most, taken);
+      ++quietSteps;
+    }
+  }
+  QVERIFY(quietSteps > 20);
+  QVERIFY2(most == 0, qPrintable(QString::number(most)));
+}
+
+QTEST_APPLESS_MAIN(StepMemoryTest)
+#include "tst_StepMemory.moc"
