@@ -1,4 +1,3 @@
-#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <optional>
@@ -20,14 +19,9 @@
 namespace app {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr int kBeams = 360;
+constexpr int kRounds = 5;
 constexpr int kLargestPlain = 10000;  // people; beyond it the plain sum is scaled with N²
-
-double secondsSince(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 /// The value of the first line "<key> : <value>" of a file of the kernel; empty when absent.
 std::string valueIn(const char* file, const std::string& key) {
@@ -66,7 +60,8 @@ struct Row {
   }
 };
 
-double scanSeconds(const sim2d::World& world, const sim2d::Surroundings& surroundings) {
+double scanSeconds(const sim2d::World& world, const sim2d::Surroundings& surroundings,
+                   sim2d::StepClock clock) {
   const sim2d::Frame& frame = world.frame();
   std::vector<sim2d::SeenBody> bodies;
   for (std::size_t i = 0; i < frame.humans.size(); ++i) {
@@ -75,16 +70,43 @@ double scanSeconds(const sim2d::World& world, const sim2d::Surroundings& surroun
                       {frame.humans.vx[i], frame.humans.vy[i]},
                       0.25});
   }
-  const Clock::time_point begin = Clock::now();
+  const double begin = sim2d::secondsBy(clock);
   sim2d::scan(world.view().robotPose(0), surroundings.obstacles, bodies, kBeams);
-  return secondsSince(begin);
+  return sim2d::secondsBy(clock) - begin;
 }
 
+/// Times of some steps; false when the run has failed.
+bool measureRound(sim2d::World& world, const sim2d::Surroundings& surroundings,
+                  double atLeastSeconds, Row& row) {
+  constexpr int kFewestSteps = 2;
+  constexpr int kMostSteps = 1000 / kRounds;  // before the first arrive
+  const sim2d::StepClock clock = row.times.clock;
+  world.measure(&row.times);
+  sim2d::Recorder recorder;
+  double recording = 0.0;
+  const double end = sim2d::secondsBy(clock) + atLeastSeconds;
+  while (row.times.steps < kFewestSteps ||
+         (row.times.steps < kMostSteps && sim2d::secondsBy(clock) < end)) {
+    if (!world.step()) {
+      return false;
+    }
+    row.sensing += scanSeconds(world, surroundings, clock);
+    const double record = sim2d::secondsBy(clock);
+    recorder.append(world.frame());
+    recording += sim2d::secondsBy(clock) - record;
+  }
+  world.measure(nullptr);
+  row.sensing = row.perStep(row.sensing);
+  row.recording = row.perStep(recording);
+  return true;
+}
+
+/// The fastest of some rounds: other work on the machine only ever slows one down.
 base::Result<Row> measure(const BenchScene& scene, double atLeastSeconds) {
   constexpr int kWarmUp = 10;
-  constexpr int kMostSteps = 1000;  // before the first arrive
   Row row;
   row.scene = scene;
+  row.times.clock = scene.threads == 1 ? sim2d::StepClock::Thread : sim2d::StepClock::Wall;
   const double before = memoryOf("VmRSS");
   base::Result<std::unique_ptr<sim2d::World>> made = makeBenchWorld(scene);
   if (!made) {
@@ -97,24 +119,16 @@ base::Result<Row> measure(const BenchScene& scene, double atLeastSeconds) {
     world.step();
   }
   row.perPerson = (memoryOf("VmRSS") - before) / scene.people;
-  world.measure(&row.times);
-  sim2d::Recorder recorder;
-  const Clock::time_point begin = Clock::now();
-  double recording = 0.0;
-  while (row.times.steps < 3 ||
-         (row.times.steps < kMostSteps && secondsSince(begin) < atLeastSeconds)) {
-    if (!world.step()) {
+  Row best = row;
+  for (int round = 0; round < kRounds; ++round) {
+    Row now = row;
+    if (!measureRound(world, surroundings, atLeastSeconds / kRounds, now)) {
       return base::makeError(world.failure());
     }
-    row.sensing += scanSeconds(world, surroundings);
-    const Clock::time_point record = Clock::now();
-    recorder.append(world.frame());
-    recording += secondsSince(record);
+    best = round == 0 || now.whole() < best.whole() ? now : best;
   }
-  row.sensing = row.perStep(row.sensing);
-  row.recording = row.perStep(recording);
-  row.peak = memoryOf("VmHWM") / 1024.0;
-  return row;
+  best.peak = memoryOf("VmHWM") / 1024.0;
+  return best;
 }
 
 std::string fixed(double value, int digits) {
@@ -224,8 +238,10 @@ int benchCommand(const BenchOptions& options, const OutputOptions& output) {
   }
   if (!isCsv && !output.quiet) {
     printLine(
-        "Phases in ms per step of 0.05 s. sensing: a scan of 360 beams. plain: the same forces "
-        "over all pairs in double precision, one thread; * scaled with the square.");
+        "Phases in ms per step of 0.05 s, in the fastest of 5 rounds; with one thread in time of "
+        "the "
+        "processor. sensing: a scan of 360 beams. plain: the same forces over all pairs in double "
+        "precision, one thread; * scaled with the square.");
   }
   return kFine;
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 
@@ -22,8 +21,16 @@ enum class StepPhase : std::uint8_t {
 constexpr std::size_t kStepPhaseCount = 9;
 const char* stepPhaseName(StepPhase phase);
 
-/// Wall time of each phase, summed over the steps [s].
+enum class StepClock : std::uint8_t {
+  Wall,
+  Thread  // only while the calling thread runs: what else the machine does counts less
+};
+/// Seconds since some moment that stays the same.
+double secondsBy(StepClock clock);
+
+/// Time of each phase, summed over the steps [s].
 struct StepTimes {
+  StepClock clock = StepClock::Wall;
   std::array<double, kStepPhaseCount> seconds = {};
   std::int64_t steps = 0;
   double sum() const;
@@ -34,23 +41,21 @@ class StepWatch {
  public:
   explicit StepWatch(StepTimes* times) : times_(times) {
     if (times_ != nullptr) {
-      last_ = Clock::now();
+      last_ = secondsBy(times_->clock);
     }
   }
   /// Adds the time since the last call, or the making, to `phase`.
   void lap(StepPhase phase) {
     if (times_ != nullptr) {
-      const Clock::time_point now = Clock::now();
-      times_->seconds[static_cast<std::size_t>(phase)] +=
-          std::chrono::duration<double>(now - last_).count();
+      const double now = secondsBy(times_->clock);
+      times_->seconds[static_cast<std::size_t>(phase)] += now - last_;
       last_ = now;
     }
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
   StepTimes* times_;
-  Clock::time_point last_;
+  double last_ = 0.0;
 };
 
 }  // namespace sim2d
