@@ -22,6 +22,7 @@ bool precedes(const Touch& a, const Touch& b) {
 void Contacts::update(Physics& physics, const std::vector<BodyOwner>& owners,
                       const std::vector<Vec2>& wanted, const WorldModel& model, WorldState& state) {
   std::swap(before_, touches_);
+  touches_.reserve(owners.size());
   physics.touches(before_, touches_);
   for (const Touch& touch : touches_) {
     if (std::binary_search(before_.begin(), before_.end(), touch, precedes)) {

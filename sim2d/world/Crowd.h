@@ -37,6 +37,8 @@ class Crowd {
 
   std::size_t count() const { return count_; }
   const Walker& walker(std::size_t human) const { return walkers_[human]; }
+  /// Free of walls round a person, at least [m].
+  double room(std::size_t human) const { return room_[human]; }
 
  private:
   bool hasForce(std::size_t human) const;

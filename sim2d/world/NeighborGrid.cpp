@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim2d/world/StepBuffers.h"
+
 namespace sim2d {
 namespace {
 
@@ -34,7 +36,7 @@ void NeighborGrid::rebuild(const std::vector<double>& x, const std::vector<doubl
   origin_ = low;
   width_ = count == 0 ? 0 : static_cast<int>(size.x() / cell_) + 1;
   height_ = count == 0 ? 0 : static_cast<int>(size.y() / cell_) + 1;
-  start_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) + 1, 0);
+  refill(start_, static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) + 1, 0);
   cellOf_.assign(x.size(), -1);
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (present[i] != 0) {
@@ -48,7 +50,8 @@ void NeighborGrid::rebuild(const std::vector<double>& x, const std::vector<doubl
   }
   items_.resize(count);
   points_.resize(count, Vec2::Zero());
-  next_.assign(start_.begin(), start_.end() - 1);
+  refill(next_, start_.size(), 0);
+  std::copy(start_.begin(), start_.end(), next_.begin());
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (present[i] != 0) {
       const auto slot = static_cast<std::size_t>(next_[static_cast<std::size_t>(cellOf_[i])]++);

@@ -140,8 +140,10 @@ void PersonMotion::move(std::size_t human, const FrozenWorld& world, const Inten
   wanted.looksAhead = isWalking(intent);
   wanted.walls.clear();
   const bool wallsAct = isWalking(intent) && world.model.obstaclePoints == ObstaclePoints::Boundary;
-  world.obstacles.boundaryPoints(crowd_.walker(human).position, wanted.walls,
-                                 wallsAct ? kReach : person.constants.radius + kTouching);
+  const double range = wallsAct ? kReach : person.constants.radius + kTouching;
+  if (crowd_.room(human) < range) {
+    world.obstacles.boundaryPoints(crowd_.walker(human).position, wanted.walls, range);
+  }
   if (!isWalking(intent)) {
     return;
   }

@@ -8,7 +8,7 @@
 #include <box2d/box2d.h>
 
 #include "sim2d/world/ConvexPieces.h"
-#include "sim2d/world/StableSort.h"
+#include "sim2d/world/StepBuffers.h"
 
 namespace sim2d {
 namespace {

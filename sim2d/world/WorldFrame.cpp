@@ -2,7 +2,7 @@
 
 #include <tuple>
 
-#include "sim2d/world/StableSort.h"
+#include "sim2d/world/StepBuffers.h"
 
 namespace sim2d {
 namespace {

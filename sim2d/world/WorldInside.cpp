@@ -347,6 +347,7 @@ void World::State::findPairs() {
   const std::vector<MovingDisc>& discs = discs_;
   std::vector<DiscPair>& pairs = pairs_;
   pairs.clear();
+  pairs.reserve(2 * discs.size());
   double fastest = 0.0;
   double largest = 0.0;
   for (const MovingDisc& disc : discs) {

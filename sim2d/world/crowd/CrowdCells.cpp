@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim2d/world/StepBuffers.h"
+
 namespace sim2d {
 namespace {
 
@@ -53,7 +55,7 @@ void CrowdCells::rebuild(const std::vector<Walker>& walkers, const std::vector<c
                          const std::vector<double>& room) {
   placeGrid(walkers, present);
   const auto cells = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-  start_.assign(cells + 1, 0);
+  refill(start_, cells + 1, 0);
   cellOf_.assign(walkers.size(), -1);
   for (std::size_t i = 0; i < walkers.size(); ++i) {
     if (present[i] != 0) {
@@ -65,7 +67,8 @@ void CrowdCells::rebuild(const std::vector<Walker>& walkers, const std::vector<c
   for (std::size_t cell = 0; cell < cells; ++cell) {
     start_[cell + 1] += start_[cell];
   }
-  next_.assign(start_.begin(), start_.end());
+  refill(next_, start_.size(), 0);
+  std::copy(start_.begin(), start_.end(), next_.begin());
   order_.resize(static_cast<std::size_t>(start_.back()));
   for (std::size_t i = 0; i < walkers.size(); ++i) {
     if (cellOf_[i] >= 0) {

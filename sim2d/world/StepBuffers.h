@@ -19,4 +19,14 @@ void sortStably(std::vector<Item>& items, Less less) {
   }
 }
 
+/// Like `assign`, but with room for twice as many, so that growing step by step needs memory
+/// seldom.
+template <class Item>
+void refill(std::vector<Item>& items, std::size_t count, const Item& value) {
+  if (items.capacity() < count) {
+    items.reserve(2 * count);
+  }
+  items.assign(count, value);
+}
+
 }  // namespace sim2d
