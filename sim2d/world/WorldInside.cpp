@@ -336,11 +336,11 @@ bool World::State::mayMeet(const DiscPair& pair) const {
   const MovingDisc& a = discs_[first];
   const MovingDisc& b = discs_[second];
   const Vec2 apart = b.position + pair.shift - a.position;
-  const Vec2 motion = (b.velocity - a.velocity) * model.dt;
+  const Vec2 travel = (b.velocity - a.velocity) * model.dt;
   const double nearest =
-      std::clamp(-apart.dot(motion) / std::max(motion.squaredNorm(), 1e-12), 0.0, 1.0);
+      std::clamp(-apart.dot(travel) / std::max(travel.squaredNorm(), 1e-12), 0.0, 1.0);
   const double gap = a.radius + b.radius + kNearBody;
-  return (apart + nearest * motion).squaredNorm() < gap * gap;
+  return (apart + nearest * travel).squaredNorm() < gap * gap;
 }
 
 void World::State::findPairs() {
