@@ -4,6 +4,7 @@
 
 #include "editor/canvas/MapScene.h"
 #include "editor/tools/GoalTool.h"
+#include "editor/tools/MapPaintTool.h"
 #include "editor/tools/PanTool.h"
 #include "editor/tools/PersonTool.h"
 #include "editor/tools/RobotTool.h"
@@ -19,6 +20,7 @@ ToolManager::ToolManager(ScenarioDocument& document, MapScene& scene, QObject* p
   add(new GoalTool(document, scene, this));
   add(new RouteTool(document, scene, this));
   add(new RobotTool(document, scene, this));
+  add(new MapPaintTool(document, scene, this));
   add(new PanTool(document, scene, this));
   connect(&document, &ScenarioDocument::selectionChanged, this, [this] {
     if (current_ != nullptr) {

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "editor/document/MapEdit.h"
+#include "editor/tools/Tool.h"
+
+namespace editor {
+
+/// Cells of the map under a brush become wall, free or unknown; one command per stroke. Shift
+/// paints free ground, whatever is chosen; 1, 2 and 3 choose, brackets make the brush smaller and
+/// larger.
+class MapPaintTool : public Tool {
+  Q_OBJECT
+ public:
+  using Tool::Tool;
+
+  QString name() const override { return tr("Paint map"); }
+  QString iconName() const override { return QStringLiteral("tool-map"); }
+  QKeySequence shortcut() const override { return QKeySequence(Qt::Key_I); }
+  QString statusText() const override;
+  void press(const CanvasMouse& mouse) override;
+  void move(const CanvasMouse& mouse) override;
+  void release(const CanvasMouse& mouse) override;
+  void cancel() override;
+  bool keyPress(const QKeyEvent& event) override;
+
+  void setPaint(MapPaint paint);
+  void setWidth(double metres);
+
+ private:
+  MapPaint paintFor(const CanvasMouse& mouse) const;
+  void show(const Vec2& at);
+
+  MapPaint paint_ = MapPaint::Occupied;
+  double width_ = 0.2;               // of the brush [m]
+  std::optional<MapStroke> stroke_;  // while a gesture lasts
+  std::vector<Vec2> way_;
+  MapPaint strokePaint_ = MapPaint::Occupied;
+};
+
+}  // namespace editor

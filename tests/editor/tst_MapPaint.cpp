@@ -1,0 +1,114 @@
+#include <QtTest>
+
+#include "editor/canvas/MapScene.h"
+#include "editor/document/EditCommands.h"
+#include "editor/document/MapEdit.h"
+#include "editor/tools/MapPaintTool.h"
+
+using namespace editor;
+
+class MapPaintTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void stroke_oneDrag_isOneCommand() {
+    ScenarioDocument document;
+    document.load(sim2d::Scenario());
+    document.setMap(emptyRoom(6.0, 4.0));
+    const auto before = document.map();
+    MapScene scene(document, Theme::light());
+    MapPaintTool tool(document, scene, nullptr);
+    tool.setWidth(0.2);
+    drag(tool, {1.0, 2.0}, {5.0, 2.0});
+    QCOMPARE(document.undoStack().count(), 1);
+    const sim2d::OccupancyGrid& map = *document.map();
+    for (double x = 0.95; x < 5.05; x += 0.01) {
+      QVERIFY(map.isWall(map.worldToCell({x, 2.0})));
+    }
+    QVERIFY(map.isWall(map.worldToCell({3.0, 2.07})));
+    QVERIFY(!map.isWall(map.worldToCell({3.0, 2.16})));
+    QVERIFY(!map.isWall(map.worldToCell({0.8, 2.0})));
+    document.undoStack().undo();
+    QVERIFY(*document.map() == *before);
+    document.undoStack().redo();
+    QVERIFY(document.map()->isWall(document.map()->worldToCell({3.0, 2.0})));
+  }
+
+  void stroke_escaped_leavesTheMap() {
+    ScenarioDocument document;
+    document.setMap(emptyRoom(6.0, 4.0));
+    MapScene scene(document, Theme::light());
+    MapPaintTool tool(document, scene, nullptr);
+    tool.press(mouse({1.0, 1.0}));
+    tool.move(mouse({2.0, 1.0}));
+    tool.cancel();
+    tool.release(mouse({2.0, 1.0}));
+    QCOMPARE(document.undoStack().count(), 0);
+  }
+
+  void paint_freeAndUnknown_byKeysAndShift() {
+    ScenarioDocument document;
+    document.setMap(emptyRoom(6.0, 4.0));
+    MapScene scene(document, Theme::light());
+    MapPaintTool tool(document, scene, nullptr);
+    QVERIFY(tool.keyPress(QKeyEvent(QEvent::KeyPress, Qt::Key_3, Qt::NoModifier)));
+    drag(tool, {1.0, 1.0}, {2.0, 1.0});
+    const auto valueAt = [&](const Vec2& place) {
+      return int(document.map()->valueAt(document.map()->worldToCell(place)));
+    };
+    QCOMPARE(valueAt({1.5, 1.0}), -1);
+    CanvasMouse press = mouse({1.0, 1.0});
+    press.modifiers = Qt::ShiftModifier;
+    tool.press(press);
+    tool.release(mouse({2.0, 1.0}));
+    QCOMPARE(valueAt({1.5, 1.0}), 0);
+    tool.keyPress(QKeyEvent(QEvent::KeyPress, Qt::Key_2, Qt::NoModifier));
+    drag(tool, {1.0, -0.02}, {2.0, -0.02});  // a hole in the wall
+    QCOMPARE(valueAt({1.5, -0.02}), 0);
+    const int count = document.undoStack().count();
+    drag(tool, {1.0, 3.0}, {2.0, 3.0});  // free already
+    QCOMPARE(document.undoStack().count(), count);
+  }
+
+  void press_withoutAMap_saysSo() {
+    ScenarioDocument document;
+    MapScene scene(document, Theme::light());
+    MapPaintTool tool(document, scene, nullptr);
+    drag(tool, {1.0, 1.0}, {2.0, 1.0});
+    QCOMPARE(document.undoStack().count(), 0);
+    QVERIFY(tool.statusText().contains(QStringLiteral("no map")));
+  }
+
+  void paint_turnedMap_hitsTheCellsUnderTheBrush() {
+    const sim2d::OccupancyGrid grid(100, 100, 0.1, {Vec2(1.0, 2.0), 0.7},
+                                    std::vector<std::int8_t>(10000, 0));
+    MapStroke stroke(std::make_shared<sim2d::OccupancyGrid>(grid));
+    const Vec2 from = grid.cellToWorld({20, 30});
+    const Vec2 to = grid.cellToWorld({60, 80});
+    stroke.paint(from, to, 0.15, MapPaint::Occupied);
+    const auto painted = stroke.grid();
+    for (int step = 0; step <= 50; ++step) {
+      const Vec2 at = from + (step / 50.0) * (to - from);
+      QVERIFY(painted->isWall(painted->worldToCell(at)));
+    }
+    QVERIFY(!painted->isWall({10, 30}));
+    stroke.paint(Vec2(-1e9, -1e9), Vec2(1e9, 1e9), 0.1, MapPaint::Occupied);  // far outside
+  }
+
+ private:
+  static CanvasMouse mouse(const Vec2& at) {
+    CanvasMouse mouse;
+    mouse.world = at;
+    mouse.button = Qt::LeftButton;
+    mouse.buttons = Qt::LeftButton;
+    return mouse;
+  }
+  static void drag(Tool& tool, const Vec2& from, const Vec2& to) {
+    tool.press(mouse(from));
+    tool.move(mouse(0.5 * (from + to)));
+    tool.release(mouse(to));
+  }
+};
+
+QTEST_MAIN(MapPaintTest)
+#include "tst_MapPaint.moc"
