@@ -113,19 +113,21 @@ void BehaviorPanel::makeLinks(QVBoxLayout& layout) {
   add_ = link(tr("+ Block…"), tr("Add a block of behaviour"), this);
   open_ = link(tr("Open…"), tr("Take a tree from a file"), this);
   save_ = link(tr("Save…"), tr("Write the tree into a file"), this);
+  template_ = link(tr("Template…"), tr("Begin from the tree of a behaviour"), this);
   anew_ = link(tr("Make anew"), tr("Back to the tree that behaviour and goals make"), this);
   takeRoute_ = link(tr("Put the route into the tree"), tr("Put the route into the tree"), this);
   earlier_ = link(tr("Earlier"), tr("Before the block above"), this);
   later_ = link(tr("Later"), tr("Behind the block below"), this);
   remove_ = link(tr("Remove"), tr("Remove the block"), this);
-  layout.addLayout(rowOf({add_, open_, save_, anew_}));
-  layout.addLayout(rowOf({takeRoute_}));
+  layout.addLayout(rowOf({add_, template_, anew_}));
+  layout.addLayout(rowOf({open_, save_, takeRoute_}));
   blockLinks_->setLayout(rowOf({earlier_, later_, remove_}));
   connect(add_, &QToolButton::clicked, this, [this] {
     auto* dialog = new BlockDialog(document_, theme_, window());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
   });
+  connect(template_, &QToolButton::clicked, this, &BehaviorPanel::offerTemplates);
   connect(open_, &QToolButton::clicked, this, &BehaviorPanel::askForTree);
   connect(save_, &QToolButton::clicked, this, &BehaviorPanel::askForFile);
   connect(anew_, &QToolButton::clicked, this,

@@ -30,6 +30,8 @@ class BehaviorPanel : public QWidget {
   /// is changed when it cannot be read.
   base::Diagnostics takeTreeFrom(const QString& path);
   base::Diagnostics saveTreeTo(const QString& path) const;
+  /// The tree that this behaviour makes, and the behaviour with it: one command.
+  void takeTemplate(sim2d::BehaviorType type);
 
  Q_SIGNALS:
   void told(const base::Diagnostics& problems);
@@ -44,6 +46,7 @@ class BehaviorPanel : public QWidget {
   void showWords();
   void showNode();
   void showStatus();
+  void offerTemplates();
   void askForTree();
   void askForFile();
   void editBlock(const bt::Block& block);
@@ -59,7 +62,7 @@ class BehaviorPanel : public QWidget {
   bool stale_ = false;  // the document has changed while this was hidden
   QStackedLayout* stack_;
   QLabel *name_, *about_, *problem_;
-  QToolButton *add_, *open_, *save_, *anew_, *takeRoute_;
+  QToolButton *add_, *open_, *save_, *template_, *anew_, *takeRoute_;
   QToolButton *earlier_, *later_, *remove_;
   TreeOutline* outline_;
   QWidget* blockLinks_;

@@ -1,7 +1,10 @@
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QMenu>
 
 #include "bt/tree/TreeXml.h"
+#include "editor/canvas/FigurePainter.h"
+#include "editor/document/EditCommands.h"
 #include "editor/document/TreeFiles.h"
 #include "editor/panels/BehaviorPanel.h"
 #include "sim2d/base/Text.h"
@@ -46,6 +49,27 @@ void BehaviorPanel::askForFile() {
   if (!path.isEmpty()) {
     Q_EMIT told(saveTreeTo(path));
   }
+}
+
+void BehaviorPanel::takeTemplate(sim2d::BehaviorType type) {
+  const QString text = tr("Take the tree of %1").arg(lookName(lookOf(type)));
+  document_.undoStack().beginMacro(text);
+  pushTreeText(document_, person_, std::nullopt, text);
+  pushChange<sim2d::Human>(document_, person_, text,
+                           [type](sim2d::Human& human) { human.behavior.type = type; });
+  document_.undoStack().endMacro();
+}
+
+void BehaviorPanel::offerTemplates() {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  const FigurePainter painter(theme_);
+  for (int i = 1; i <= 6; ++i) {
+    const auto type = static_cast<sim2d::BehaviorType>(i);
+    QAction* action = menu->addAction(painter.markIcon(lookOf(type)), lookName(lookOf(type)));
+    connect(action, &QAction::triggered, this, [this, type] { takeTemplate(type); });
+  }
+  menu->popup(template_->mapToGlobal(QPoint(0, template_->height())));
 }
 
 }  // namespace editor

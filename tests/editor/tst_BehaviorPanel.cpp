@@ -191,6 +191,20 @@ class BehaviorPanelTest : public QObject {
     QVERIFY(!editor::personTree(*document_, human(2).key).hasOtherGoals);
   }
 
+  void template_taken_isOneStep() {
+    select(2);
+    clickNode(QStringLiteral("Is robot visible"));
+    type(named<editor::NumberField>(QStringLiteral("distance")), QStringLiteral("7.5"));
+    const int steps = document_->undoStack().count();
+    panel_->takeTemplate(sim2d::BehaviorType::Threatening);
+    QVERIFY(!document_->tree(human(2).key));
+    QCOMPARE(fileOf(2).mainTree, std::string("ThreateningNavTree"));
+    QCOMPARE(document_->undoStack().count(), steps + 1);
+    document_->undoStack().undo();
+    QVERIFY(document_->tree(human(2).key));
+    QCOMPARE(human(2).behavior.type, std::optional(sim2d::BehaviorType::Curious));
+  }
+
   void tree_savedAndTaken_isTheSame() {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("own.xml"));
