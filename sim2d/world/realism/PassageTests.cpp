@@ -56,9 +56,10 @@ struct Opening {
   double halfWidth = 0.5;  // [m]
 };
 
-/// Towards its nearest place, inside it straight on.
+/// Towards its nearest place, inside and behind it straight on.
 Vec2 throughOpening(const Opening& opening, const Vec2& place) {
-  if (place.x() > opening.x && std::fabs(place.y()) <= opening.halfWidth) {
+  const bool isInside = place.x() > opening.x && std::fabs(place.y()) <= opening.halfWidth;
+  if (isInside || place.x() > opening.x + opening.depth) {
     return {place.x() + 10.0, place.y()};
   }
   const double free = std::max(0.0, opening.halfWidth - kBody);
