@@ -55,6 +55,7 @@ base::NodeStatus Ticker::whileDoElse(int node) {
   } else if (asked == Status::Failure) {
     resetChild(first);
     if (!hasElse) {
+      resetChildren(node);  // as above
       return asked;
     }
   }

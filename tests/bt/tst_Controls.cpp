@@ -154,6 +154,9 @@ void ControlsTest::tick_control_givesTrace_data() {
       "<WhileDoElse><Inverter><TD delay='0.2'><S name='t'/></TD></Inverter><St runs='9'/>"
       "</WhileDoElse>",
       "start -> RUNNING|run1 -> RUNNING|t halt -> FAILURE");
+  row("while, two children, a stateful condition is asked anew",
+      "<WhileDoElse><St result='FAILURE'/><S name='t'/></WhileDoElse>",
+      "start -> RUNNING|run1 -> FAILURE|start -> RUNNING|run1 -> FAILURE");
   row("while, skipped condition", "<WhileDoElse><AlwaysSuccess _skipIf='1'/><S/></WhileDoElse>",
       "!SKIPPED");
   row("switch by text",

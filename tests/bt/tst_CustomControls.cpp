@@ -9,6 +9,7 @@ class CustomControlsTest : public QObject {
   void tick_running_keepsMemoryAndChild();
   void tick_skippedOrDone_resetsChildren();
   void halt_whileRunning_haltsChildrenThenTells();
+  void halt_overSynchronousLeaves_startsAgain();
   void tick_faultOfAChild_stopsTheTree();
   void tick_idle_isAFault();
   void tick_asChildOfReactiveNodes_followsTheRules();
@@ -43,11 +44,32 @@ NodeStatus both(bt::ControlContext& node) {
   return status;
 }
 
+struct TurnMemory {
+  int next;
+};
+
+/// Turns: one child per tick, RUNNING before the last; begins anew when halted.
+NodeStatus turns(bt::ControlContext& node) {
+  int& next = node.memory<TurnMemory>().next;
+  const NodeStatus status = node.tickChild(next);
+  ++next;
+  if (next < node.childCount()) {
+    return NodeStatus::Running;
+  }
+  next = 0;
+  return status;
+}
+
 bt::NodeLibrary library() {
   bt::NodeLibrary result = probe::library();
   result.addControl<PickMemory>(
       probe::manifest("Pick", {probe::port("child", bt::PortType::Int, "0")}),
       {pick, [](bt::ControlContext& node) { probe::note(node, "halted", NodeStatus::Idle); }});
+  result.addControl<TurnMemory>(probe::manifest("Turns"), {turns, [](bt::ControlContext& node) {
+                                                             node.memory<TurnMemory>().next = 0;
+                                                             probe::note(node, "halted",
+                                                                         NodeStatus::Idle);
+                                                           }});
   bt::NodeManifest two = probe::manifest("Both");
   two.minChildren = 2;
   two.maxChildren = 2;
@@ -120,6 +142,17 @@ void CustomControlsTest::halt_whileRunning_haltsChildrenThenTells() {
   tree.log.calls.clear();
   tree.state->halt({1, 0.1, &tree.log});
   QVERIFY(tree.log.calls.empty());
+}
+
+void CustomControlsTest::halt_overSynchronousLeaves_startsAgain() {
+  Playing tree("<Turns><S name='a'/><F name='b'/></Turns>");
+  compareTrace(tree, "a -> RUNNING");
+  tree.log.calls.clear();
+  tree.state->halt({1, 0.1, &tree.log});
+  QVERIFY((tree.log.calls == std::vector<std::string>{"halted"}));
+  compareTrace(tree, "a -> RUNNING");
+  compareTrace(tree, "b -> FAILURE");
+  compareTrace(tree, "a -> RUNNING");
 }
 
 void CustomControlsTest::tick_faultOfAChild_stopsTheTree() {
