@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "app/CommandLine.h"
@@ -43,6 +45,19 @@ base::Diagnostics checkScenarioFile(const std::string& path, const CheckOptions&
   return preparation.diagnostics;
 }
 
+/// What has not been said; the compiler checks once more on its own.
+void appendNew(base::Diagnostics& to, const base::Diagnostics& more) {
+  const base::Diagnostics before = to;
+  for (const base::Diagnostic& diagnostic : more) {
+    const bool isKnown = std::any_of(
+        before.begin(), before.end(),
+        [&diagnostic](const base::Diagnostic& known) { return known.text() == diagnostic.text(); });
+    if (!isKnown) {
+      to.push_back(diagnostic);
+    }
+  }
+}
+
 /// A tree by itself: its nodes, ports and references, and whether the engine takes it.
 base::Diagnostics checkTree(const std::string& path) {
   const base::Result<bt::TreeTable> table = bt::loadTrees(path);
@@ -53,7 +68,7 @@ base::Diagnostics checkTree(const std::string& path) {
   const bt::NodeLibrary library = bt::humanNodes();
   base::append(found, bt::diagnosticsOf(bt::checkTable(*table, library.catalogue())));
   if (!base::hasErrors(found)) {
-    base::append(found, bt::compile(*table, library).diagnostics());
+    appendNew(found, bt::compile(*table, library).diagnostics());
   }
   return found;
 }

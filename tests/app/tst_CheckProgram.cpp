@@ -49,6 +49,22 @@ class CheckProgramTest : public QObject {
     QVERIFY2(errors >= files.size() / 2, qPrintable(QString::number(errors)));
   }
 
+  void check_tree_saysEachThingOnce_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<int>("lines");
+    QTest::newRow("of the check") << QStringLiteral("unknown_port.xml") << 1;
+    QTest::newRow("of the check and the compiler") << QStringLiteral("placeholders.xml") << 2;
+  }
+  void check_tree_saysEachThingOnce() {
+    QFETCH(QString, file);
+    QFETCH(int, lines);
+    const outside::Finished found = outside::runProgram(
+        {QStringLiteral("check"), QStringLiteral(TEST_DATA_DIR "/bt/bad/") + file});
+    QCOMPARE(found.err.split(QLatin1Char('\n'), Qt::SkipEmptyParts).size(), lines);
+    QVERIFY2(found.out.contains(QStringLiteral(" 0 errors, %1 warning").arg(lines)),
+             qPrintable(found.out));
+  }
+
   void check_json_knownFields() {
     const outside::Finished found = outside::runProgram(
         {QStringLiteral("check"), QStringLiteral(TEST_DATA_DIR "/scenario/bad/duplicate_key.yaml"),
