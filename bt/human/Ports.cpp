@@ -23,6 +23,17 @@ Port& Port::range(double min, double max) {
   return *this;
 }
 
+Port& Port::atMost(double max) {
+  spec_.min.reset();
+  spec_.max = max;
+  return *this;
+}
+
+Port& Port::orElse(const char* first, const char* second) {
+  spec_.replacedBy = {first, second};
+  return *this;
+}
+
 Port& Port::required() {
   spec_.required = true;
   return *this;
@@ -61,12 +72,22 @@ Port duration(const char* name, const char* description) {
   return Port(name, PortType::Double, "s", description).range(0.0, 36000.0);
 }
 
+Port openDuration(const char* name, const char* description) {
+  return duration(name, description).atMost(36000.0);
+}
+
+Port lasting() {
+  return openDuration("duration", "Ends after this time; 0 = goes on.")
+      .byDefault("0.0")
+      .suggest("5.0");
+}
+
 Port angle(const char* name, const char* description) {
   return Port(name, PortType::Double, "rad", description).range(0.0, base::kPi);
 }
 
-Port goal(const char* description) {
-  return Port("goal_id", PortType::Int, "", description).suggest("1");
+Port goal(const char* description, const char* x, const char* y) {
+  return Port("goal_id", PortType::Int, "", description).suggest("1").orElse(x, y);
 }
 
 Port oldX(const char* name) {
@@ -82,8 +103,8 @@ Port others() {
               "Ids of the other members, with commas between them.");
 }
 
-Port unused(const char* name, PortType type) {
-  return Port(name, type, "", "Accepted for existing files; has no effect.");
+Port unused(const char* name, PortType type, const char* unit) {
+  return Port(name, type, unit, "Accepted for existing files; has no effect.");
 }
 
 }  // namespace port

@@ -23,6 +23,9 @@ class Port {
   /// What an editor writes into a new node.
   Port& suggest(const char* text);
   Port& range(double min, double max);
+  Port& atMost(double max);  // negative numbers have a meaning of their own
+  /// Absent is fine when these two are given.
+  Port& orElse(const char* first, const char* second);
   Port& required();
   Port& output();
   operator PortSpec() const { return spec_; }  // NOLINT: meant to convert
@@ -37,15 +40,19 @@ namespace port {
 Port person(const char* name, const char* description, const char* suggested = "{id}");
 Port agent();     // "agent_id", whose action or perception it is
 Port timeStep();  // "time_step", kept for the original; the step of the simulation counts here
-Port length(const char* name, const char* description);    // [m], 0 … 1000
-Port speed(const char* name, const char* description);     // [m/s], 0 … 10
-Port duration(const char* name, const char* description);  // [s], 0 … 36000
-Port angle(const char* name, const char* description);     // [rad], 0 … pi
-Port goal(const char* description);                        // "goal_id" …
-Port oldX(const char* name = "target_x");                  // … or a point (files before mid 2025)
+Port length(const char* name, const char* description);        // [m], 0 … 1000
+Port speed(const char* name, const char* description);         // [m/s], 0 … 10
+Port duration(const char* name, const char* description);      // [s], 0 … 36000
+Port openDuration(const char* name, const char* description);  // [s]; 0 and less: no end
+Port lasting();                                                // "duration" of the actions
+Port angle(const char* name, const char* description);         // [rad], 0 … pi
+/// "goal_id" …
+Port goal(const char* description, const char* x = "target_x", const char* y = "target_y");
+Port oldX(const char* name = "target_x");  // … or a point (files before mid 2025)
 Port oldY(const char* name = "target_y");
-Port others();                                 // "non_main_agent_ids"
-Port unused(const char* name, PortType type);  // accepted for older files
+Port others();  // "non_main_agent_ids"
+/// Accepted for older files.
+Port unused(const char* name, PortType type, const char* unit = "");
 
 }  // namespace port
 

@@ -29,6 +29,7 @@ struct PortSpec {
   PortDirection direction = PortDirection::Input;
   std::optional<std::string> defaultText;  // taken when the attribute is absent
   bool required = false;                   // absent and no default: an error as soon as it is read
+  std::vector<std::string> replacedBy;     // absent is fine when all of these ports are given
   std::string unit;                        // "m", "s", "rad", "m/s"; empty = none
   std::optional<double> min, max;          // sensible range of numbers, both ends included
   std::string suggested;                   // text that an editor writes into a new node

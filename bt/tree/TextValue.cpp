@@ -97,6 +97,17 @@ std::optional<base::NodeStatus> statusFromText(std::string_view text) {
   return std::nullopt;
 }
 
+std::optional<double> cutNumber(std::string_view text, PortType type) {
+  std::optional<double> read;
+  if (type == PortType::Double) {
+    read = doubleFromText(text);
+  } else if (type == PortType::Int || type == PortType::Unsigned) {
+    const std::optional<long long> whole = leadingInt(text);
+    read = whole ? std::optional<double>(static_cast<double>(*whole)) : std::nullopt;
+  }
+  return read && read != base::parseDouble(text) ? read : std::nullopt;
+}
+
 bool isConvertible(std::string_view text, PortType type) {
   switch (type) {
     case PortType::Int:

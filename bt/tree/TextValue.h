@@ -17,6 +17,10 @@ std::optional<double> doubleFromText(std::string_view text);
 std::optional<bool> boolFromText(std::string_view text);  // 0 1 true TRUE True false FALSE False
 std::optional<base::NodeStatus> statusFromText(std::string_view text);
 
+/// The number that a port of a numeric type is given by this text, when that is not all that
+/// stands there ("1,5" is 1); nothing when it is, and for text without a number.
+std::optional<double> cutNumber(std::string_view text, PortType type);
+
 /// Whether a constant can be given to a port of this type.
 bool isConvertible(std::string_view text, PortType type);
 

@@ -51,6 +51,7 @@ class Checker {
   void checkSubTree(const NodeSpec& node);
   void checkChildren(const NodeSpec& node, const NodeManifest& manifest);
   void checkPorts(const NodeSpec& node, const NodeManifest& manifest);
+  static bool isLacking(const NodeSpec& node, const PortSpec& port);
   void checkPort(const NodeSpec& node, const Attribute& given, const PortSpec& port);
   void checkRange(const NodeSpec& node, const Attribute& given, const PortSpec& port);
   void checkOthers(const NodeSpec& node);
@@ -174,11 +175,20 @@ void Checker::checkPorts(const NodeSpec& node, const NodeManifest& manifest) {
                    meant(base::nearestName(given.name, names)));
   }
   for (const PortSpec& port : manifest.ports) {
-    if (port.required && !port.defaultText && !findText(node.ports, port.name)) {
+    if (isLacking(node, port)) {
       warn(node, "port '" + port.name + "' of '" + node.id + "' is missing (" +
                      (port.suggested.empty() ? port.description : "e.g. " + port.suggested) + ")");
     }
   }
+}
+
+/// A port that has to be given, unless others stand in for it.
+bool Checker::isLacking(const NodeSpec& node, const PortSpec& port) {
+  if (port.defaultText || findText(node.ports, port.name)) {
+    return false;
+  }
+  const auto isAbsent = [&node](const std::string& other) { return !findText(node.ports, other); };
+  return port.required || std::any_of(port.replacedBy.begin(), port.replacedBy.end(), isAbsent);
 }
 
 void Checker::checkPort(const NodeSpec& node, const Attribute& given, const PortSpec& port) {
@@ -194,6 +204,10 @@ void Checker::checkPort(const NodeSpec& node, const Attribute& given, const Port
     error(node, "port '" + given.name + "' is '" + given.text + "', which is no " +
                     portTypeName(port.type));
     return;
+  }
+  if (const std::optional<double> read = cutNumber(given.text, port.type)) {
+    warn(node,
+         "port '" + given.name + "' is '" + given.text + "', read as " + base::formatDouble(*read));
   }
   checkRange(node, given, port);
 }

@@ -36,7 +36,8 @@ void addAgentConditions(NodeLibrary& to) {
                  port::length("distance", "People are seen up to here.").byDefault("5.0"),
                  port::angle("field_of_view",
                              "Half of the field of view: the angle to each side, pi = all around.")
-                     .byDefault("1.7407963267948966")},
+                     .byDefault("1.7407963267948966")
+                     .range(0.0, 2.0 * base::kPi)},
                 NodeKind::Condition),
       isVisible);
   to.addCondition(

@@ -71,10 +71,10 @@ NodeStatus threatening(LeafContext& leaf) {
 
 NodeManifest reaction(const char* id, const char* description,
                       std::initializer_list<PortSpec> more) {
-  NodeManifest manifest =
-      humanNode(id, "Reactions", description,
-                {port::agent(), port::timeStep(), port::unused("beh_duration", PortType::Double),
-                 port::unused("only_once", PortType::Bool)});
+  NodeManifest manifest = humanNode(
+      id, "Reactions", description,
+      {port::agent(), port::timeStep(), port::unused("beh_duration", PortType::Double, "s"),
+       port::unused("only_once", PortType::Bool)});
   manifest.ports.insert(manifest.ports.end(), more.begin(), more.end());
   return manifest;
 }

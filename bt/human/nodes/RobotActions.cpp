@@ -65,29 +65,23 @@ sim2d::Intent blockStep(HumanContext& context, const Memory& memory, const Targe
   return blockRobot(context, memory.human, robot, speed, memory.distance);
 }
 
-Port lasting() {
-  return port::duration("duration", "Ends after this time; 0 = goes on.")
-      .byDefault("0.0")
-      .suggest("5.0");
-}
-
 }  // namespace
 
 void addRobotActions(NodeLibrary& to) {
   to.addStateful<Memory>(
-      humanNode(
-          "ApproachRobot", "Reactions",
-          "Walks to the robot, slower the nearer, and looks at it from the closest distance.",
-          {port::agent(), port::timeStep(),
-           port::length("closest_dist", "Comes this near.").required().suggest("1.5"), lasting(),
-           port::speed("max_vel", "Speed far from the robot.").required().suggest("1.8")}),
+      humanNode("ApproachRobot", "Reactions",
+                "Walks to the robot, slower the nearer, and looks at it from the closest distance.",
+                {port::agent(), port::timeStep(),
+                 port::length("closest_dist", "Comes this near.").required().suggest("1.5"),
+                 port::lasting(),
+                 port::speed("max_vel", "Speed far from the robot.").required().suggest("1.8")}),
       {startWithSpeed, run<approachStep>, nullptr});
   to.addStateful<Memory>(
       humanNode("AvoidRobot", "Reactions",
                 "Flees from the robot to the safe distance and watches it from there.",
                 {port::agent(), port::timeStep(),
                  port::length("safe_distance", "Flees to this distance.").required().suggest("5.0"),
-                 lasting(),
+                 port::lasting(),
                  port::speed("runaway_vel", "Speed of the flight.").required().suggest("1.5")}),
       {startWithSpeed, run<avoidStep>, nullptr});
   to.addStateful<Memory>(
@@ -97,7 +91,7 @@ void addRobotActions(NodeLibrary& to) {
                  port::length("front_dist", "Place in front of the robot; below 0.5 it is 1.5 m.")
                      .required()
                      .suggest("1.0"),
-                 lasting()}),
+                 port::lasting()}),
       {startWithoutSpeed, run<blockStep>, nullptr});
 }
 
