@@ -72,6 +72,11 @@ class WorldView {
   virtual bool isVisible(const Vec2& from, const Vec2& to) const = 0;
   /// There is a way for this person's body (always true with `route: direct`).
   virtual bool isReachable(int human, const Vec2& point) const = 0;
+  /// Length of this person's way to the point [m]; nothing where there is none.
+  virtual std::optional<double> wayLength(int human, const Vec2& point) const {
+    return isReachable(human, point) ? std::optional<double>((point - pose(human).position).norm())
+                                     : std::nullopt;
+  }
 };
 
 enum class Motion : std::uint8_t {

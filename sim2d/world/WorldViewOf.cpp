@@ -70,4 +70,13 @@ bool WorldViewOf::isReachable(int human, const Vec2& point) const {
          ways_.isReachable(person.radius, state_.position(at(human)), point);
 }
 
+std::optional<double> WorldViewOf::wayLength(int human, const Vec2& point) const {
+  const ResolvedHuman& person = constants(human);
+  if (person.route == Route::Direct) {
+    return (point - state_.position(at(human))).norm();
+  }
+  const Path path{ways_.plan(person.radius, state_.position(at(human)), point)};
+  return path.points.empty() ? std::nullopt : std::optional<double>(path.length());
+}
+
 }  // namespace sim2d

@@ -41,6 +41,7 @@ class WorldViewOf : public WorldView {
   const Area* area(const std::string& name) const override;
   bool isVisible(const Vec2& from, const Vec2& to) const override;
   bool isReachable(int human, const Vec2& point) const override;
+  std::optional<double> wayLength(int human, const Vec2& point) const override;
 
  private:
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }

@@ -30,12 +30,39 @@ bool isInside(const std::vector<Vec2>& polygon, const Vec2& point) {
   return inside;
 }
 
-Vec2 middleOf(const std::vector<Vec2>& polygon) {
-  Vec2 sum = Vec2::Zero();
-  for (const Vec2& corner : polygon) {
-    sum += corner;
+/// Where the horizontal line at `y` crosses the outline, ascending.
+std::vector<double> crossingsAt(const std::vector<Vec2>& polygon, double y) {
+  std::vector<double> crossings;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Vec2& a = polygon[i];
+    const Vec2& b = polygon[j];
+    if ((a.y() > y) != (b.y() > y)) {
+      crossings.push_back((b.x() - a.x()) * (y - a.y()) / (b.y() - a.y()) + a.x());
+    }
   }
-  return sum / static_cast<double>(polygon.size());
+  std::sort(crossings.begin(), crossings.end());
+  return crossings;
+}
+
+/// The mean of the corners; where that is outside, the middle of the widest part at its height.
+Vec2 middleOf(const std::vector<Vec2>& polygon) {
+  Vec2 mean = Vec2::Zero();
+  for (const Vec2& corner : polygon) {
+    mean += corner;
+  }
+  mean /= static_cast<double>(polygon.size());
+  if (isInside(polygon, mean)) {
+    return mean;
+  }
+  const std::vector<double> crossings = crossingsAt(polygon, mean.y());
+  double widest = 0.0;
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+    if (crossings[i + 1] - crossings[i] > widest) {
+      widest = crossings[i + 1] - crossings[i];
+      mean.x() = 0.5 * (crossings[i] + crossings[i + 1]);
+    }
+  }
+  return mean;
 }
 
 struct Memory {
@@ -136,9 +163,9 @@ NodeStatus startExit(LeafContext& leaf) {
       continue;
     }
     const Vec2 middle = middleOf(area.points);
-    const double distance = (middle - context.view().pose(*human).position).norm();
-    if (distance < shortest && context.view().isReachable(*human, middle)) {
-      shortest = distance;
+    const std::optional<double> length = context.view().wayLength(*human, middle);
+    if (length && *length < shortest) {
+      shortest = *length;
       nearest = middle;
     }
   }
@@ -199,11 +226,12 @@ void addPlaces(NodeLibrary& to) {
       ownNode("WanderInArea", "Walking", "Walks from one random point of an area to the next.",
               {port::agent(),
                Port("area", PortType::String, "", "Name of the area.").required().suggest("area1"),
-               port::duration("duration", "Ends after this time; 0 = goes on.").byDefault("0.0")}),
+               port::lasting().suggest("0.0")}),
       {startWander, runWander, nullptr});
   to.addStateful<Memory>(
       ownNode("GoToNearestExit", "Walking",
-              "Walks to the middle of the nearest area of kind exit; fails without one.",
+              "Walks into the area of kind exit that is nearest by the way there; fails "
+              "without one.",
               {port::agent()}),
       {startExit, runExit, nullptr});
   to.addStateful<Memory>(
