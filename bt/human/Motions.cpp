@@ -19,6 +19,7 @@ constexpr double kTurnPerTick = 0.2 * base::kPi;    // of the original's look no
 constexpr double kNudgePerTick = 0.01 * base::kPi;  // of its approach nodes when close
 constexpr double kReachedBlock = 0.8;               // [m] around the place in front of the robot
 constexpr double kReachedSpot = 0.2;                // [m] around the place in front of a person
+constexpr double kFollowSpeed = 1.5;                // of the original, when none is given [m/s]
 constexpr double kMovingRobot = 0.1;                // [m/s]
 constexpr double kForceDecay = 0.2;                 // sigma of the obstacle force [m]
 constexpr double kSmallestGap = 0.05;               // [m]
@@ -150,11 +151,10 @@ Intent follow(HumanContext& context, int human, const Target& target, const Appr
   const double own = ownSpeed(context, human);
   const double distance = distanceTo(context, human, target.pose.position);
   const double ratio = how.closest > 0.0 ? std::min(distance / how.closest, 1.0) : 1.0;
-  const double near = how.maxSpeed * ratio * ratio;
-  double speed = std::min(own, near);
-  if (context.isOriginal(18)) {
-    speed = ratio >= 1.0 ? own : near;
-  }
+  const bool isOriginal = context.isOriginal(18);
+  const double limit = how.maxSpeed >= 0.0 ? how.maxSpeed : isOriginal ? kFollowSpeed : own;
+  const double near = limit * ratio * ratio;
+  const double speed = isOriginal && ratio >= 1.0 ? own : std::min(own, near);
   return walking(target.pose.position, target.radius, speed, robotTreatment(context, human, false));
 }
 
@@ -188,8 +188,8 @@ Intent avoid(const HumanContext& context, int human, const Target& target, const
     return facing(context, human, target.pose.position);
   }
   const Vec2 direction = distance > 0.1 ? Vec2(away / distance) : pose.direction();
-  return walking(target.pose.position + how.safe * direction, 0.3, how.speed,
-                 robotTreatment(context, human, target.isRobot));
+  const Vec2 refuge = target.pose.position + (how.safe + how.beyond) * direction;
+  return walking(refuge, kEscapeRadius, how.speed, robotTreatment(context, human, target.isRobot));
 }
 
 Intent flinch(HumanContext& context, int human, const Target& robot, double speed, double factor) {

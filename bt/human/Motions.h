@@ -56,9 +56,12 @@ sim2d::Intent blockRobot(const HumanContext& context, int human, const Target& r
 sim2d::Intent blockPerson(const HumanContext& context, int human, const Target& person,
                           double front);
 struct Escape {
-  double safe = 5.0;   // [m]
-  double speed = 1.5;  // [m/s]
+  double safe = 5.0;    // [m]
+  double speed = 1.5;   // [m/s]
+  double beyond = 0.0;  // aims so much farther than `safe` [m]
 };
+/// Walks are over within this distance of the place that is fled to [m].
+constexpr double kEscapeRadius = 0.3;
 /// Away from somebody to `safe`; looks at them from there.
 sim2d::Intent avoid(const HumanContext& context, int human, const Target& target,
                     const Escape& how);

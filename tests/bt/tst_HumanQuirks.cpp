@@ -273,6 +273,41 @@ class HumanQuirksTest : public QObject {
     QCOMPARE(bench.control(1).group, -1);
   }
 
+  void q18_followAgent_withoutMaxVel_keepsItsOwnSpeed_data() {
+    QTest::addColumn<QByteArray>("maxVel");
+    QTest::addColumn<double>("own");
+    QTest::addColumn<bool>("isOriginal");
+    QTest::addColumn<double>("far");   // [m/s]
+    QTest::addColumn<double>("near");  // at half of the closest distance
+    QTest::newRow("none") << QByteArray() << 2.0 << false << 2.0 << 0.5;
+    QTest::newRow("negative") << QByteArray("max_vel='-1'") << 2.0 << false << 2.0 << 0.5;
+    QTest::newRow("given") << QByteArray("max_vel='0.8'") << 2.0 << false << 0.8 << 0.2;
+    QTest::newRow("slower than given") << QByteArray("max_vel='3'") << 0.6 << false << 0.6 << 0.6;
+    QTest::newRow("original") << QByteArray() << 2.0 << true << 2.0 << 0.375;
+  }
+  void q18_followAgent_withoutMaxVel_keepsItsOwnSpeed() {
+    QFETCH(QByteArray, maxVel);
+    QFETCH(double, own);
+    QFETCH(bool, isOriginal);
+    QFETCH(double, far);
+    QFETCH(double, near);
+    FakeWorld world = pairOfPeople();
+    world.at(0).constants.desiredSpeed = own;
+    if (isOriginal) {
+      world.quirks.set(18);
+    }
+    TreeBench bench(world);
+    QVERIFY(bench.load("<FollowAgent agent_id='1' target_agent_id='2' closest_dist='1.5' " +
+                       maxVel.toStdString() + "/>"));
+    QVERIFY(bench.loadDiagnostics().empty());
+    bench.step();
+    bench.step();
+    QCOMPARE(bench.intent().speed, far);
+    world.at(0).pose.position = base::Vec2(2.25, 0.0);
+    bench.step();
+    QCOMPARE(bench.intent().speed, near);
+  }
+
   void q18_followAgent_original_ignoresMaxVelFarAway() {
     FakeWorld world = pairOfPeople();
     world.quirks.set(18);
@@ -348,6 +383,18 @@ class HumanQuirksTest : public QObject {
     QCOMPARE(bench.troubles().size(), std::size_t(1));
   }
 
+  void q23_findNearestAgent_saysNothing() {
+    FakeWorld world = pairOfPeople();
+    TreeBench bench(world);
+    QVERIFY(bench.load("<FindNearestAgent agent_id='{id}' target_agent_id='{nearest}'/>"));
+    QCOMPARE(bench.step(), NodeStatus::Success);
+    QVERIFY(bench.entry("nearest") == "2");
+    world.at(1).isPresent = false;
+    QCOMPARE(bench.step(), NodeStatus::Failure);
+    QVERIFY(bench.troubles().empty());
+    QVERIFY(bench.events().empty());
+  }
+
   void q24_waitingNodes_standStill() {
     FakeWorld world = pairOfPeople();
     world.at(0).velocity = base::Vec2(1.0, 0.0);
@@ -356,6 +403,24 @@ class HumanQuirksTest : public QObject {
     bench.step();
     bench.step();
     QCOMPARE(bench.intent().motion, Motion::Stand);
+  }
+
+  /// The chance counts per tick: of ten ticks in a row at p = 0.1 one at least succeeds in 65 %.
+  void q25_randomChance_isDrawnInEachTick() {
+    FakeWorld world = pairOfPeople();
+    TreeBench bench(world);
+    QVERIFY(bench.load("<RandomChanceCondition agent_id='{id}' probability='0.1'/>"));
+    int lucky = 0;
+    constexpr int kRounds = 1000;
+    for (int round = 0; round < kRounds; ++round) {
+      bool isLucky = false;
+      for (int tick = 0; tick < 10; ++tick) {
+        isLucky = bench.step() == NodeStatus::Success || isLucky;
+      }
+      lucky += isLucky ? 1 : 0;
+    }
+    const double share = static_cast<double>(lucky) / kRounds;
+    QVERIFY2(std::fabs(share - 0.6513215599) < 0.05, qPrintable(QString::number(share)));
   }
 
   void q26_timeExpired_keepsItsSumOverRounds() {

@@ -8,6 +8,8 @@ namespace bt {
 
 namespace {
 
+constexpr double kOwnSpeed = -1.0;  // [m/s]; of FollowAgent without max_vel
+
 struct Memory {
   std::int64_t startStep;
   int human;
@@ -24,7 +26,7 @@ NodeStatus start(LeafContext& leaf, bool hasSpeed) {
   const std::optional<int> target = context.person(leaf, 1);
   const double duration = leaf.require<double>(3);
   const double distance = leaf.require<double>(4);
-  const double speed = hasSpeed ? leaf.require<double>(5) : 0.0;
+  const double speed = hasSpeed ? leaf.getOr<double>(5, kOwnSpeed) : 0.0;
   if (!human || !target) {
     return NodeStatus::Failure;
   }
@@ -74,10 +76,7 @@ NodeManifest actionTowards(const char* id, const char* description,
   NodeManifest manifest =
       humanNode(id, "People", description,
                 {port::agent(), port::person("target_agent_id", "Id of the other person.", "2"),
-                 port::timeStep(),
-                 port::duration("duration", "Ends after this time; 0 = goes on.")
-                     .byDefault("0.0")
-                     .suggest("5.0")});
+                 port::timeStep(), port::lasting()});
   manifest.ports.insert(manifest.ports.end(), more.begin(), more.end());
   return manifest;
 }
@@ -93,11 +92,14 @@ void addAgentActions(NodeLibrary& to) {
                      port::speed("max_vel", "Speed far from the other.").byDefault("1.5")}),
       {startWithSpeed, run<approachStep>, nullptr});
   to.addStateful<Memory>(
-      actionTowards("FollowAgent",
-                    "Walks behind another person: with the own speed, at most max_vel, and slower "
-                    "within the closest distance.",
-                    {port::length("closest_dist", "Falls back within this.").byDefault("1.5"),
-                     port::speed("max_vel", "Highest speed while following.").byDefault("1.5")}),
+      actionTowards(
+          "FollowAgent",
+          "Walks behind another person: with the own speed, at most max_vel if given, "
+          "and slower within the closest distance.",
+          {port::length("closest_dist", "Falls back within this.").byDefault("1.5"),
+           port::speed("max_vel", "Highest speed while following; absent or negative: the own.")
+               .atMost(10.0)
+               .suggest("1.5")}),
       {startWithSpeed, run<followStep>, nullptr});
   to.addStateful<Memory>(
       actionTowards("BlockAgent", "Walks to the place in front of another person and faces them.",
