@@ -104,6 +104,7 @@ struct TreePlay::Inside {
         player(society, view, intents),
         state(std::move(program)) {
     society.minds.resize(1);
+    society.groups.assign(1, -1);
     player.prepare(state.program(), script);
     state.set(state.program().hostSlot(0), view.constants(0).id);
     state.set(state.program().hostSlot(1), setup.dt);

@@ -63,7 +63,17 @@ void addGoal(HumanContext& context, int human, GoalItem goal) {
 
 SavedPerson savePerson(HumanContext& context, int human) {
   const sim2d::HumanControl& control = context.control(human);
-  return {human, control.goals, control.group};
+  return {human, context.mindOf(human).visit, control.goals, control.group};
+}
+
+bool isStillThere(const HumanContext& context, const SavedPerson& saved) {
+  return context.mindOf(saved.human).visit == saved.visit;
+}
+
+void restoreGoals(HumanContext& context, const SavedPerson& saved) {
+  if (isStillThere(context, saved)) {
+    context.control(saved.human).goals = saved.goals;
+  }
 }
 
 void setGroup(HumanContext& context, int human, int group) {

@@ -19,6 +19,9 @@ void addGoal(HumanContext& context, int human, sim2d::GoalItem goal);
 
 /// Goals and group as they are now.
 SavedPerson savePerson(HumanContext& context, int human);
+/// The person has not entered the world anew since; otherwise nothing is to be given back.
+bool isStillThere(const HumanContext& context, const SavedPerson& saved);
+void restoreGoals(HumanContext& context, const SavedPerson& saved);
 /// Tells the change by the event `group`.
 void setGroup(HumanContext& context, int human, int group);
 

@@ -6,22 +6,30 @@ using sim2d::EventKind;
 using sim2d::GoalItem;
 using sim2d::Intent;
 
-std::optional<int> HumanContext::personById(LeafContext& leaf, int id) {
+std::optional<int> HumanContext::knownById(LeafContext& leaf, int id) {
   const int human = id == idOf(self_) ? self_ : view_.indexOf(id);
   if (human < 0) {
     warn(leaf, "there is no person with the id " + std::to_string(id));
     return std::nullopt;
   }
-  return view_.isPresent(human) ? std::optional<int>(human) : std::nullopt;
+  return human;
 }
 
-std::optional<int> HumanContext::person(LeafContext& leaf, int port) {
+std::optional<int> HumanContext::knownPerson(LeafContext& leaf, int port) {
   const std::optional<int> id = leaf.get<int>(port);
   if (!id) {
     leaf.require<int>(port);
     return std::nullopt;
   }
-  return personById(leaf, *id);
+  return knownById(leaf, *id);
+}
+
+std::optional<int> HumanContext::personById(LeafContext& leaf, int id) {
+  return ifPresent(knownById(leaf, id));
+}
+
+std::optional<int> HumanContext::person(LeafContext& leaf, int port) {
+  return ifPresent(knownPerson(leaf, port));
 }
 
 std::optional<GoalItem> HumanContext::place(LeafContext& leaf, int goalPort) {

@@ -21,6 +21,7 @@ enum class Mover : unsigned char { Nobody, Own, Group };
 /// Goals and group of a person as they were before a node changed them.
 struct SavedPerson {
   int human = -1;
+  int visit = 0;  // of that person, see Mind
   std::vector<sim2d::GoalItem> goals;
   int group = -1;
 };
@@ -43,10 +44,12 @@ struct QueuePlace {
   int human = -1;
   base::Vec2 head = base::Vec2::Zero();  // where the line begins [m]
   std::int64_t number = 0;               // step in which the person joined; 0 = still on the way
+  int node = -1;                         // of the tree, that holds the place
 };
 
 /// One person's mind beside the tree.
 struct Mind {
+  int visit = 0;  // how often the person has entered the world
   bool isFirstTick = true;
   bool hasOwnGoals = false;    // the tree has replaced the goals of the scenario
   std::map<int, Notes> notes;  // by node of the tree
@@ -56,6 +59,7 @@ struct Mind {
 /// What lasts from step to step for all people of a run.
 struct Society {
   std::vector<Mind> minds;
+  std::vector<int> groups;  // as this step began
   SpeechBus speech;
   std::vector<Mover> movers;       // of this step
   std::vector<char> changedGoals;  // of this step: a tree took a goal off the list
@@ -79,11 +83,16 @@ class HumanContext {
   bool isOriginal(int quirk) const { return view_.compatibility().has(quirk); }
   int idOf(int human) const { return view_.constants(human).id; }
 
+  /// As the step began, whatever nodes have changed since.
+  int groupOf(int human) const { return society_.groups[static_cast<std::size_t>(human)]; }
+
   /// The person named by an id: nothing, and one warning, when nobody has it; nothing for people
   /// who are not in the world now.
   std::optional<int> personById(LeafContext& leaf, int id);
   /// The same for an input port; a missing port makes the tree faulty.
   std::optional<int> person(LeafContext& leaf, int port);
+  /// The same, also for people who are not in the world now.
+  std::optional<int> knownPerson(LeafContext& leaf, int port);
   /// A global goal by its port, else the two ports after it as coordinates (older files): nothing
   /// and one warning for an unknown goal. The radius is not set.
   std::optional<sim2d::GoalItem> place(LeafContext& leaf, int goalPort);
@@ -104,6 +113,11 @@ class HumanContext {
   void emitHeard(int listener, int speaker, std::string text);
 
  private:
+  std::optional<int> knownById(LeafContext& leaf, int id);
+  std::optional<int> ifPresent(std::optional<int> human) const {
+    return human && view_.isPresent(*human) ? human : std::nullopt;
+  }
+
   Society& society_;
   const sim2d::WorldView& view_;
   sim2d::Intents& intents_;

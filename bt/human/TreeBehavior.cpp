@@ -91,6 +91,7 @@ void TreeBehavior::grow(int count) {
   if (players_.size() < size) {
     players_.resize(size);
     society_.minds.resize(size);
+    society_.groups.resize(size, -1);
   }
 }
 
@@ -115,7 +116,9 @@ void TreeBehavior::enter(int human, const WorldView& view) {
   who.isTicking = false;
   who.hasEnded = false;
   who.isFaulty = false;
+  const int visit = mind.visit + 1;
   mind = Mind{};
+  mind.visit = visit;
   society_.speech.forget(human);
 }
 
@@ -137,6 +140,9 @@ void TreeBehavior::decide(const WorldView& view, Intents& intents) {
   society_.changedGoals.assign(players_.size(), 0);
   orderById(view);
   society_.speech.beginStep();
+  for (int human = 0; human < view.humanCount(); ++human) {
+    society_.groups[static_cast<std::size_t>(human)] = intents.control(human).group;
+  }
   changes_.clear();
   haltRetired(view, intents);
   for (const int human : order_) {
@@ -179,6 +185,7 @@ void TreeBehavior::haltRetired(const WorldView& view, Intents& intents) {
     const sim2d::HumanControl fresh = intents.control(old.human);
     Mind& mind = society_.minds[static_cast<std::size_t>(old.human)];
     std::swap(mind, old.mind);
+    mind.visit = old.mind.visit;  // what the tree saved of its own person is over
     HumanContext context(society_, view, intents, old.human);
     old.tree.halt({view.step(), view.dt(), &context});
     std::swap(mind, old.mind);

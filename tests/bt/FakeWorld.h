@@ -192,6 +192,10 @@ class TreeBench {
   /// One step: ticks every tree in order, moves people; the status of the first tree.
   base::NodeStatus step() {
     base::NodeStatus first = base::NodeStatus::Idle;
+    society_.groups.clear();
+    for (const sim2d::HumanControl& control : controls_) {
+      society_.groups.push_back(control.group);
+    }
     for (std::size_t i = 0; i < trees_.size(); ++i) {
       bt::HumanContext context(society_, world_, *intents_, trees_[i].first);
       const base::NodeStatus status =

@@ -212,6 +212,24 @@ class HumanCrowdNodesTest : public QObject {
     QVERIFY(!bench.society().minds[0].queue);
   }
 
+  void waitInQueue_twoInOneTree_eachFreesItsOwnPlaceOnly() {
+    FakeWorld world;
+    world.goals = {{1, Vec2(0.0, 0.0)}, {2, Vec2(3.0, 0.0)}};
+    world.addPerson(1, 0.1, 0.0);
+    TreeBench bench(world);
+    // the second node takes the person's place over; the first fails and must not free it
+    QVERIFY(
+        bench.load("<ParallelAll max_failures='2'><WaitInQueue agent_id='{id}' goal_id='1'/>"
+                   "<WaitInQueue agent_id='{id}' goal_id='2' duration='0.3'/></ParallelAll>"));
+    QCOMPARE(bench.step(), NodeStatus::Running);
+    QCOMPARE(bench.step(), NodeStatus::Running);
+    QCOMPARE(bench.tree().statuses()[1], NodeStatus::Failure);
+    QVERIFY(bench.society().minds[0].queue);
+    QVERIFY(bench.society().minds[0].queue->head == Vec2(3.0, 0.0));
+    QVERIFY(bench.stepsUntil(NodeStatus::Success, 100) > 0);
+    QVERIFY(!bench.society().minds[0].queue);
+  }
+
   void waitInQueue_unknownGoal_failsWithOneWarning() {
     FakeWorld world;
     world.addPerson(1, 0.0, 0.0);

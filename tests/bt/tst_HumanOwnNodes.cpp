@@ -129,6 +129,64 @@ class HumanOwnNodesTest : public QObject {
     QCOMPARE(bench.step(), NodeStatus::Failure);
   }
 
+  void goToNearestExit_concaveArea_endsInsideIt() {
+    FakeWorld world;
+    world.addPerson(1, -3.0, 3.0);
+    sim2d::Area area;  // a U; the mean of its corners lies between the arms
+    area.name = "exit";
+    area.kind = sim2d::AreaKind::Exit;
+    for (const auto& [x, y] :
+         {std::pair(0.0, 0.0), std::pair(6.0, 0.0), std::pair(6.0, 6.0), std::pair(4.0, 6.0),
+          std::pair(4.0, 1.0), std::pair(1.0, 1.0), std::pair(1.0, 6.0), std::pair(0.0, 6.0)}) {
+      area.points.emplace_back(x, y);
+    }
+    world.settings.areas = {area};
+    TreeBench bench(world);
+    QVERIFY(bench.load("<GoToNearestExit agent_id='{id}'/>"));
+    QVERIFY(bench.stepsUntil(NodeStatus::Success) > 0);
+    // at the height 3.25 the right arm is the wider one
+    QVERIFY((world.at(0).pose.position - base::Vec2(5.0, 3.25)).norm() <= 0.3);
+  }
+
+  void isAgentGroupFormed_changesOfThisStep_countInTheNext() {
+    FakeWorld world;
+    world.addPerson(1, 0.0, 0.0);
+    world.addPerson(2, 1.0, 0.0);
+    TreeBench bench(world);
+    bench.control(1).group = 4;
+    QVERIFY(bench.load("<SetGroupId agent_id='{id}' group_id='4'/>"));
+    QVERIFY(bench.load("<IsAgentGroupFormed agent_id='{id}'/>", 1));
+    bench.step();
+    QCOMPARE(bench.control(0).group, 4);
+    QCOMPARE(bench.tree(1).statuses()[0], NodeStatus::Failure);
+    bench.step();
+    QCOMPARE(bench.tree(1).statuses()[0], NodeStatus::Success);
+  }
+
+  void waitForAgent_yetToCome_waits() {
+    FakeWorld world;
+    world.addPerson(1, 0.0, 0.0);
+    world.addPerson(2, 1.0, 0.0);
+    world.at(1).isPresent = false;
+    TreeBench bench(world);
+    QVERIFY(bench.load("<WaitForAgent agent_id='{id}' target_agent_id='2' distance='2'/>"));
+    QCOMPARE(bench.step(), NodeStatus::Running);
+    QCOMPARE(bench.step(), NodeStatus::Running);
+    world.at(1).isPresent = true;
+    QCOMPARE(bench.step(), NodeStatus::Success);
+    QVERIFY(bench.troubles().empty());
+  }
+
+  void waitForAgent_unknownId_failsWithOneWarning() {
+    FakeWorld world;
+    world.addPerson(1, 0.0, 0.0);
+    TreeBench bench(world);
+    QVERIFY(bench.load("<WaitForAgent agent_id='{id}' target_agent_id='9'/>"));
+    QCOMPARE(bench.step(), NodeStatus::Failure);
+    QCOMPARE(bench.step(), NodeStatus::Failure);
+    QCOMPARE(bench.troubles().size(), std::size_t(1));
+  }
+
   void useObject_staysForItsTime() {
     FakeWorld world;
     world.addPerson(1, 0.0, 0.0);

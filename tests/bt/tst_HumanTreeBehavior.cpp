@@ -169,13 +169,13 @@ class HumanTreeBehaviorTest : public QObject {
     QVERIFY(walked >= 18);
   }
 
-  void brokenFile_isAnError_data() {
+  void q08_brokenFile_isAnError_data() {
     QTest::addColumn<QByteArray>("body");
     QTest::newRow("unknown node") << QByteArray("<Dance agent_id='1'/>");
     QTest::newRow("not a number") << QByteArray("<GoTo agent_id='x' goal_id='1'/>");
     QTest::newRow("no child") << QByteArray("<Sequence/>");
   }
-  void brokenFile_isAnError() {
+  void q08_brokenFile_isAnError() {
     QFETCH(QByteArray, body);
     Run run;
     run.add(1, {1});
@@ -184,14 +184,14 @@ class HumanTreeBehaviorTest : public QObject {
     QVERIFY(base::hasErrors(run.diagnostics));
   }
 
-  void missingFile_isAnError() {
+  void q08_missingFile_isAnError() {
     Run run;
     run.add(1, {1});
     run.files["agent1"] = "/does/not/exist.xml";
     QVERIFY(!run.start());
   }
 
-  void faultyTree_brakesWithOneWarning() {
+  void q33_faultyTree_brakesWithOneWarning() {
     Run run;
     run.add(1, {1});
     run.add(2, {1});
@@ -324,6 +324,29 @@ class HumanTreeBehaviorTest : public QObject {
     QCOMPARE(run.controls[1].goals.front().id, 2);
   }
 
+  void enter_memberOfAGroupWalk_keepsWhatItCameWith() {
+    Run run;
+    run.add(1, {1});
+    run.add(2, {2});
+    run.file("agent1",
+             "<SetGroupWalk main_agent_id='{id}' non_main_agent_ids='2' duration='0.3'/>");
+    run.file("agent2", "<RegularNav agent_id='{id}'/>");
+    QVERIFY(run.start());
+    run.step();
+    QCOMPARE(run.controls[1].group, 1);
+    run.controls[1] = {};
+    run.controls[1].group = 8;
+    run.controls[1].goals = {{3, run.world.goals[3], 0.3}};
+    run.behavior->enter(1, run.world);
+    for (int i = 0; i < 3; ++i) {
+      run.step();
+    }
+    QVERIFY(run.hasEvent(EventKind::ActionEnd, "SetGroupWalk SUCCESS"));
+    QCOMPARE(run.controls[0].group, -1);
+    QCOMPARE(run.controls[1].group, 8);
+    QCOMPARE(run.controls[1].goals.front().id, 3);
+  }
+
   void leaving_haltsTheTree() {
     Run run;
     run.add(1, {1});
@@ -353,7 +376,7 @@ class HumanTreeBehaviorTest : public QObject {
     QCOMPARE(run.shown("IsRobotVisible"), QStringLiteral("FAILURE"));
   }
 
-  void twoPeople_areTickedInTheOrderOfTheirIds() {
+  void q28_twoPeople_areTickedInTheOrderOfTheirIds() {
     Run run;
     run.add(5, {});
     run.add(2, {});

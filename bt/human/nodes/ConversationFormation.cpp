@@ -47,7 +47,7 @@ NodeStatus start(LeafContext& leaf) {
 void finish(LeafContext& leaf) {
   HumanContext& context = humanOf(leaf);
   for (const SavedPerson& saved : context.notes(leaf).saved) {
-    context.control(saved.human).goals = saved.goals;
+    restoreGoals(context, saved);
   }
   context.dropNotes(leaf);
 }
@@ -109,8 +109,8 @@ void addConversationFormation(NodeLibrary& to) {
                 "Brings people together in a circle around a goal, facing its centre, and keeps "
                 "them there for the conversation. The members obey this node, not their own trees.",
                 {port::person("main_agent_id", "Id of the person who gathers the others."),
-                 port::goal("Id of the global goal that is the centre."), port::oldX("center_x"),
-                 port::oldY("center_y"),
+                 port::goal("Id of the global goal that is the centre.", "center_x", "center_y"),
+                 port::oldX("center_x"), port::oldY("center_y"),
                  port::duration("conversation_duration", "Time together once all are in place.")
                      .byDefault("10.0"),
                  port::others(), port::timeStep()}),

@@ -8,6 +8,8 @@ namespace bt {
 
 namespace {
 
+constexpr double kBeyondSafe = kEscapeRadius + 0.2;  // so that the safe distance is passed [m]
+
 NodeStatus isCrowded(LeafContext& leaf) {
   HumanContext& context = humanOf(leaf);
   const std::optional<int> human = context.person(leaf, 0);
@@ -25,14 +27,14 @@ NodeStatus isGroupFormed(LeafContext& leaf) {
   HumanContext& context = humanOf(leaf);
   const std::optional<int> human = context.person(leaf, 0);
   const double distance = leaf.require<double>(1);
-  const int group = human ? context.control(*human).group : -1;
+  const int group = human ? context.groupOf(*human) : -1;
   if (group < 0) {
     return NodeStatus::Failure;
   }
   const sim2d::WorldView& view = context.view();
   int members = 0;
   for (int other = 0; other < view.humanCount(); ++other) {
-    if (other == *human || !view.isPresent(other) || context.control(other).group != group) {
+    if (other == *human || !view.isPresent(other) || context.groupOf(other) != group) {
       continue;
     }
     if (personDistance(view, *human, other) > distance) {
@@ -53,10 +55,8 @@ struct Memory {
 };
 
 /// Ports: 0 agent, 1 target, 2 distance, 3 duration, 4 speed where there is one.
-NodeStatus start(LeafContext& leaf, bool hasSpeed) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  const std::optional<int> target = context.person(leaf, 1);
+NodeStatus start(LeafContext& leaf, std::optional<int> target, bool hasSpeed) {
+  const std::optional<int> human = humanOf(leaf).person(leaf, 0);
   const double distance = leaf.require<double>(2);
   const double duration = leaf.require<double>(3);
   const double speed = hasSpeed ? leaf.require<double>(4) : 0.0;
@@ -68,15 +68,18 @@ NodeStatus start(LeafContext& leaf, bool hasSpeed) {
 }
 
 NodeStatus startWait(LeafContext& leaf) {
-  return start(leaf, false);
+  return start(leaf, humanOf(leaf).knownPerson(leaf, 1), false);  // may be yet to come
 }
 NodeStatus startFlee(LeafContext& leaf) {
-  return start(leaf, true);
+  return start(leaf, humanOf(leaf).person(leaf, 1), true);
 }
 
 NodeStatus runWait(LeafContext& leaf) {
   const sim2d::WorldView& view = humanOf(leaf).view();
   const Memory& memory = leaf.memory<Memory>();
+  if (!view.isPresent(memory.human)) {
+    return NodeStatus::Failure;
+  }
   if (view.isPresent(memory.target) &&
       personDistance(view, memory.human, memory.target) <= memory.distance) {
     return NodeStatus::Success;
@@ -97,7 +100,7 @@ NodeStatus runFlee(LeafContext& leaf) {
     return NodeStatus::Success;
   }
   const sim2d::Intent away = avoid(context, memory.human, personTarget(view, memory.target),
-                                   {memory.distance, memory.speed});
+                                   {memory.distance, memory.speed, kBeyondSafe});
   context.move(memory.human, away);
   return byDuration(leaf, memory.startStep, memory.duration);
 }
@@ -120,18 +123,19 @@ void addCrowd(NodeLibrary& to) {
               NodeKind::Condition),
       isGroupFormed);
   to.addStateful<Memory>(
-      ownNode(
-          "WaitForAgent", "People", "Stands until another person is near.",
-          {port::agent(), port::person("target_agent_id", "Id of the person to wait for.", "2"),
-           port::length("distance", "Near means within this.").byDefault("2.0"),
-           port::duration("duration", "Fails after this time; 0 = waits on.").byDefault("0.0")}),
+      ownNode("WaitForAgent", "People",
+              "Stands until another person is near, also one who is yet to come.",
+              {port::agent(), port::person("target_agent_id", "Id of the person to wait for.", "2"),
+               port::length("distance", "Near means within this.").byDefault("2.0"),
+               port::openDuration("duration", "Fails after this time; 0 = waits on.")
+                   .byDefault("0.0")}),
       {startWait, runWait, nullptr});
   to.addStateful<Memory>(
       ownNode(
           "FleeFrom", "People", "Walks away from another person until far enough.",
           {port::agent(), port::person("target_agent_id", "Id of the person to flee from.", "2"),
            port::length("safe_distance", "Far enough.").byDefault("5.0"),
-           port::duration("duration", "Ends after this time; 0 = goes on.").byDefault("0.0"),
+           port::lasting().suggest("0.0"),
            port::speed("speed", "Speed of the flight.").byDefault("1.5")}),
       {startFlee, runFlee, nullptr});
 }

@@ -39,7 +39,7 @@ NodeStatus start(LeafContext& leaf) {
 void restore(LeafContext& leaf) {
   HumanContext& context = humanOf(leaf);
   for (const SavedPerson& saved : context.notes(leaf).saved) {
-    context.control(saved.human).goals = saved.goals;
+    restoreGoals(context, saved);
   }
   context.dropNotes(leaf);
 }
@@ -71,7 +71,7 @@ void addGoTo(NodeLibrary& to) {
                  port::timeStep(),
                  port::length("tolerance", "Reached within this plus 0.1 m.").byDefault("0.1"),
                  port::unused("temporary", PortType::Bool),
-                 port::unused("stop_duration", PortType::Double)}),
+                 port::unused("stop_duration", PortType::Double, "s")}),
       {start, run, restore});
 }
 

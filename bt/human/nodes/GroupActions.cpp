@@ -51,9 +51,12 @@ void disband(LeafContext& leaf) {
   HumanContext& context = humanOf(leaf);
   const int main = leaf.memory<Memory>().main;
   for (const SavedPerson& saved : context.notes(leaf).saved) {
+    if (!isStillThere(context, saved)) {
+      continue;
+    }
     setGroup(context, saved.human, context.isOriginal(17) ? -1 : saved.group);
     if (saved.human != main) {
-      context.control(saved.human).goals = saved.goals;
+      restoreGoals(context, saved);
     }
   }
   context.dropNotes(leaf);
@@ -93,10 +96,7 @@ void addGroupActions(NodeLibrary& to) {
                 "Makes people a group with the goals of the main person, who is led by this node; "
                 "the others walk by their own trees. Groups and goals come back at the end.",
                 {port::person("main_agent_id", "Id of the person who leads."), port::others(),
-                 port::timeStep(),
-                 port::duration("duration", "Ends after this time; 0 = goes on.")
-                     .byDefault("0.0")
-                     .suggest("5.0")}),
+                 port::timeStep(), port::lasting()}),
       {start, run, disband});
 }
 

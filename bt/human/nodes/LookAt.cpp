@@ -1,8 +1,5 @@
-#include <cmath>
-
 #include "bt/human/Leaves.h"
 #include "bt/human/Motions.h"
-#include "bt/human/Perception.h"
 #include "bt/human/Ports.h"
 
 namespace bt {
@@ -13,7 +10,6 @@ struct Memory {
   int human;
   int target;        // person, or none
   double x, y;       // the point
-  double heading;    // towards the point at the start [rad]
   double tolerance;  // [rad]
 };
 
@@ -31,20 +27,19 @@ NodeStatus startAtPoint(LeafContext& leaf) {
   if (!human || !place) {
     return NodeStatus::Failure;
   }
-  const base::Pose2 pose = context.view().pose(*human);
-  const double heading = base::wrapToPi(pose.heading + bearingOf(place->position, pose));
-  return begin(leaf, {*human, -1, place->position.x(), place->position.y(), heading, tolerance});
+  return begin(leaf, {*human, -1, place->position.x(), place->position.y(), tolerance});
 }
 
 NodeStatus runAtPoint(LeafContext& leaf) {
   HumanContext& context = humanOf(leaf);
   const Memory& memory = leaf.memory<Memory>();
+  if (!context.view().isPresent(memory.human)) {
+    return NodeStatus::Failure;
+  }
   const base::Vec2 point(memory.x, memory.y);
-  context.move(memory.human, turnTo(context, memory.human, point, memory.tolerance).intent);
-  const double present = context.view().pose(memory.human).heading;
-  const double left = std::fabs(base::angleDiff(memory.heading, present));
-  return left - kTurnRate * leaf.dt() <= memory.tolerance ? NodeStatus::Success
-                                                          : NodeStatus::Running;
+  const Plan plan = turnTo(context, memory.human, point, memory.tolerance);
+  context.move(memory.human, plan.intent);
+  return plan.isThere ? NodeStatus::Success : NodeStatus::Running;
 }
 
 NodeStatus startAtPerson(LeafContext& leaf) {
@@ -55,7 +50,7 @@ NodeStatus startAtPerson(LeafContext& leaf) {
   if (!human || !target) {
     return NodeStatus::Failure;
   }
-  return begin(leaf, {*human, *target, 0.0, 0.0, 0.0, tolerance});
+  return begin(leaf, {*human, *target, 0.0, 0.0, tolerance});
 }
 
 NodeStatus look(LeafContext& leaf, const base::Vec2& point) {
@@ -82,13 +77,14 @@ NodeStatus startAtRobot(LeafContext& leaf) {
   if (!human || context.view().nearestRobot(*human) < 0) {
     return NodeStatus::Failure;
   }
-  return begin(leaf, {*human, -1, 0.0, 0.0, 0.0, tolerance});
+  return begin(leaf, {*human, -1, 0.0, 0.0, tolerance});
 }
 
 NodeStatus runAtRobot(LeafContext& leaf) {
   const sim2d::WorldView& view = humanOf(leaf).view();
-  const std::optional<Target> robot = nearestRobotOf(view, leaf.memory<Memory>().human);
-  return robot ? look(leaf, robot->pose.position) : NodeStatus::Failure;
+  const int human = leaf.memory<Memory>().human;
+  const std::optional<Target> robot = nearestRobotOf(view, human);
+  return robot && view.isPresent(human) ? look(leaf, robot->pose.position) : NodeStatus::Failure;
 }
 
 Port tolerance() {

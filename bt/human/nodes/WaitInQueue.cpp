@@ -66,12 +66,24 @@ NodeStatus start(LeafContext& leaf) {
     return NodeStatus::Failure;
   }
   leaf.memory<Memory>() = memory;
-  context.mind().queue = QueuePlace{*human, place->position, 0};
+  context.mind().queue = QueuePlace{*human, place->position, 0, leaf.node()};
   return NodeStatus::Running;
 }
 
-NodeStatus leave(HumanContext& context, NodeStatus status) {
-  context.mind().queue.reset();
+/// This node's place; not that of another WaitInQueue of the same tree.
+QueuePlace* ownPlace(LeafContext& leaf) {
+  std::optional<QueuePlace>& place = humanOf(leaf).mind().queue;
+  return place && place->node == leaf.node() ? &*place : nullptr;
+}
+
+void halt(LeafContext& leaf) {
+  if (ownPlace(leaf)) {
+    humanOf(leaf).mind().queue.reset();
+  }
+}
+
+NodeStatus leave(LeafContext& leaf, NodeStatus status) {
+  halt(leaf);
   return status;
 }
 
@@ -94,9 +106,9 @@ bool isServed(const LeafContext& leaf, Memory& memory) {
 NodeStatus run(LeafContext& leaf) {
   HumanContext& context = humanOf(leaf);
   Memory& memory = leaf.memory<Memory>();
-  std::optional<QueuePlace>& own = context.mind().queue;
+  QueuePlace* const own = ownPlace(leaf);
   if (!own || !context.view().isPresent(own->human)) {
-    return leave(context, NodeStatus::Failure);
+    return leave(leaf, NodeStatus::Failure);
   }
   const int human = own->human;
   const Vec2 here = context.view().pose(human).position;
@@ -107,12 +119,12 @@ NodeStatus run(LeafContext& leaf) {
   }
   const bool isAtHead = !before && (own->head - here).norm() <= kReachedHead;
   if (isAtHead && isServed(leaf, memory)) {
-    return leave(context, NodeStatus::Success);
+    return leave(leaf, NodeStatus::Success);
   }
   const bool isImpatient = memory.servedStep == 0 && memory.patience > 0.0 &&
                            leaf.hasElapsed(memory.startStep, memory.patience);
   if (isImpatient) {
-    return leave(context, NodeStatus::Failure);
+    return leave(leaf, NodeStatus::Failure);
   }
   if (isAtHead) {
     context.setActive(human);
@@ -120,10 +132,6 @@ NodeStatus run(LeafContext& leaf) {
     moveUp(context, human, spot, before ? context.view().pose(before->human).position : own->head);
   }
   return NodeStatus::Running;
-}
-
-void halt(LeafContext& leaf) {
-  humanOf(leaf).mind().queue.reset();
 }
 
 }  // namespace
@@ -136,7 +144,7 @@ void addWaitInQueue(NodeLibrary& to) {
           {port::agent(), port::goal("Id of the global goal where the line begins."), port::oldX(),
            port::oldY(), port::length("spacing", "Distance to the person before.").byDefault("0.8"),
            port::duration("duration", "Time at the head of the line.").byDefault("5.0"),
-           port::duration("patience", "Fails when it is not served by then; 0 = waits on.")
+           port::openDuration("patience", "Fails when it is not served by then; 0 = waits on.")
                .byDefault("0.0")}),
       {start, run, halt});
 }
