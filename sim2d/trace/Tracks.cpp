@@ -145,13 +145,17 @@ class TraceMaker {
     return true;
   }
 
-  /// How far before `begin` a grid starts that meets the most observations; not above 0.
+  /// How far before `begin` a grid starts that meets the most observations, of the robot when there
+  /// is one; not above 0.
   double commonPhase(double begin) const {
     if (file_.isSparse) {
       return 0.0;
     }
     std::map<long long, std::size_t> counts;  // by millionths of a step
     for (const Track& track : file_.tracks) {
+      if (robot_ != nullptr && &track != robot_) {
+        continue;
+      }
       for (const TrackPoint& point : track.points) {
         const double steps = (point.time - begin) / step_;
         const double phase = std::floor((steps - std::floor(steps + kOnGrid)) / kOnGrid + 0.5);

@@ -45,7 +45,7 @@ struct TrackOptions {
 double medianInterval(const std::vector<Track>& tracks);
 
 /// A record on an even time grid from 0, which begins at most a step before the first observation
-/// and so that it meets the most of them. Between two
+/// and so that it meets the most of them (with a robot: of the robot's). Between two
 /// observations of a body: straight line, velocities and headings interpolated. A body is away
 /// while nothing was seen of it for longer than 2.5 steps. Velocities that are not told: central
 /// differences of the observations; headings: the direction of walking, kept while standing;

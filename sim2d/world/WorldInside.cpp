@@ -10,13 +10,14 @@ namespace sim2d {
 namespace {
 
 constexpr double kFastest = 1e3;         // [m/s]; beyond it a run has diverged
-constexpr std::size_t kSmallWorld = 66;  // bodies
+constexpr std::size_t kSmallWorld = 65;  // people
 constexpr double kNearWall = 0.1;        // [m]
 constexpr double kNearBody = 0.05;       // [m]; more than a touch takes to end
 constexpr double kNearRobot = 0.5;       // [m]
 constexpr int kPolygonSubSteps = 4;      // polygons have no contact ahead of time
 
-/// Middle of the map, or of the starts.
+/// Middle of the map, or of the people's starts: places are rounded relative to it, and a robot
+/// must not change how.
 Vec2 centreOf(const WorldModel& model, const OccupancyGrid& map) {
   if (!map.isEmpty()) {
     return map.cornerToWorld(map.width() / 2.0, map.height() / 2.0);
@@ -27,8 +28,8 @@ Vec2 centreOf(const WorldModel& model, const OccupancyGrid& map) {
     sum += person.constants.start.position;
     count += 1.0;
   }
-  for (const ResolvedRobot& robot : model.robots) {
-    sum += robot.start.position;
+  for (std::size_t i = 0; model.people.empty() && i < model.robots.size(); ++i) {
+    sum += model.robots[i].start.position;
     count += 1.0;
   }
   return count > 0.0 ? Vec2(sum / count) : Vec2(Vec2::Zero());
@@ -38,6 +39,11 @@ std::vector<std::string> namesInContacts(const Scenario& scenario) {
   std::vector<std::string> names = partNames(scenario);
   names.front().clear();  // walls of the map have no name in events
   return names;
+}
+
+/// It never moves by itself. Discs alone: who comes near a polygon is not looked up.
+bool isIdle(const ResolvedRobot& robot) {
+  return robot.goals.empty() && robot.footprint.empty();
 }
 
 bool isSound(const Vec2& velocity) {
@@ -81,7 +87,7 @@ void World::State::addRobotBodies() {
     start.pose = robot.start;
     start.pose.heading = base::wrapToPi(robot.start.heading);
     state.robots.push_back(start);
-    physics.addBody({start.pose, robot.radius, robot.mass, robot.footprint}, true);
+    physics.addBody({start.pose, robot.radius, robot.mass, robot.footprint}, !isIdle(robot));
     owners.push_back({true, static_cast<int>(owners.size())});
     subSteps_ = robot.footprint.empty() ? subSteps_ : kPolygonSubSteps;
   }
@@ -286,6 +292,7 @@ void World::State::moveBodies(const std::vector<base::Twist2>& commands) {
   findPairs();
   keepApart(discs, pairs_, model.dt);
   findNearness();
+  leaveOutIdleRobots();
   for (std::size_t body = 0; body < discs.size(); ++body) {
     const BodyOwner& owner = owners[body];
     const double omega =
@@ -300,8 +307,9 @@ void World::State::moveBodies(const std::vector<base::Twist2>& commands) {
 
 /// Who meets nothing in this step. Small worlds leave everybody to the solver.
 void World::State::findNearness() {
-  nearness_.assign(owners.size(),
-                   owners.size() > kSmallWorld ? Nearness::Nothing : Nearness::Solid);
+  nearness_.assign(owners.size(), owners.size() - state.robots.size() > kSmallWorld
+                                      ? Nearness::Nothing
+                                      : Nearness::Solid);
   for (std::size_t body = 0; body < owners.size(); ++body) {
     const MovingDisc& disc = discs_[body];
     const double reach = disc.radius + disc.velocity.norm() * model.dt + kNearWall;
@@ -341,6 +349,31 @@ bool World::State::mayMeet(const DiscPair& pair) const {
       std::clamp(-apart.dot(travel) / std::max(travel.squaredNorm(), 1e-12), 0.0, 1.0);
   const double gap = a.radius + b.radius + kNearBody;
   return (apart + nearest * travel).squaredNorm() < gap * gap;
+}
+
+/// The solver does not know idle robots while nobody is near, so that they cannot change the order
+/// in which it looks at people, and with it their last digits.
+void World::State::leaveOutIdleRobots() {
+  for (std::size_t i = 0; i < state.robots.size(); ++i) {
+    if (!isIdle(model.robots[i])) {
+      continue;
+    }
+    const Vec2& place = state.robots[i].pose.position;
+    const double radius = model.robots[i].radius;
+    bool isMet = false;
+    for (const Obstacles::Point& point : discs_[i].walls) {
+      isMet = isMet || point.inside || point.distance < radius + kNearWall;
+    }
+    for (std::size_t body = 0; body < owners.size() && !isMet; ++body) {
+      const MovingDisc& disc = discs_[body];
+      const double near = radius + disc.radius + disc.velocity.norm() * model.dt + kNearRobot;
+      const bool isPerson =
+          !owners[body].isRobot && state.present[static_cast<std::size_t>(owners[body].index)] != 0;
+      isMet = (isPerson || (owners[body].isRobot && body != i)) &&
+              (disc.position - place).norm() < near;
+    }
+    physics.setPresent(static_cast<int>(i), isMet);
+  }
 }
 
 void World::State::findPairs() {

@@ -78,6 +78,7 @@ class ForeignFilesTest : public QObject {
   void trajnetLines_sceneRate_isUsed();
   void socnavbench_fourLines_areColumns();
   void robot_ofAPerson_cutsTheRecord();
+  void robot_betweenTheOthers_isMetByTheInstants();
   void trace_writtenAndRead_isEqual();
   void badInput_isToldWithItsPlace_data();
   void badInput_isToldWithItsPlace();
@@ -277,6 +278,23 @@ void ForeignFilesTest::robot_ofAPerson_cutsTheRecord() {
   QCOMPARE(trace->frames[0].robots.y[0], 5.0);
   QCOMPARE(trace->frames[0].humans.x[0], 1.0);
   QCOMPARE(trace->header.humans.size(), std::size_t{1});
+}
+
+void ForeignFilesTest::robot_betweenTheOthers_isMetByTheInstants() {
+  Written files;
+  TrackOptions options;
+  options.robotId = 2;
+  const auto trace = traceOf(files.add("a.csv",
+                                       "time,id,x,y\n0,1,0,0\n1,1,1,0\n2,1,2,0\n3,1,3,0\n"
+                                       "4,1,4,0\n0.5,2,5,5\n1.5,2,5,7\n2.5,2,5,6\n"),
+                             {}, options);
+  QVERIFY(trace);
+  QCOMPARE(trace->frames.size(), std::size_t{3});
+  const double places[] = {5.0, 7.0, 6.0};
+  for (std::size_t k = 0; k < 3; ++k) {
+    QVERIFY(std::fabs(trace->frames[k].robots.y[0] - places[k]) < 1e-5);
+    QVERIFY(std::fabs(trace->frames[k].humans.x[0] - static_cast<double>(k) - 0.5) < 1e-5);
+  }
 }
 
 void ForeignFilesTest::trace_writtenAndRead_isEqual() {
