@@ -27,6 +27,54 @@ QWidget* spacer(int width, QWidget* parent) {
   return gap;
 }
 
+/// Tools of one kind share a button.
+void addTools(QToolBar& bar, Workspace& workspace) {
+  const std::vector<QStringList> groups = {
+      {QStringLiteral("tool-brush"), QStringLiteral("tool-fill")},
+      {QStringLiteral("tool-wall"), QStringLiteral("tool-box"), QStringLiteral("tool-polygon"),
+       QStringLiteral("tool-circle")}};
+  std::vector<std::vector<QAction*>> members(groups.size());
+  const QList<QAction*> tools = workspace.tools().actions().actions();
+  const auto groupOf = [&groups](const QAction* action) {
+    return std::find_if(groups.begin(), groups.end(),
+                        [action](const QStringList& names) {
+                          return names.contains(action->data().toString());
+                        }) -
+           groups.begin();
+  };
+  for (QAction* action : tools) {
+    if (const auto group = static_cast<std::size_t>(groupOf(action)); group < groups.size()) {
+      members[group].push_back(action);
+    }
+  }
+  for (QAction* action : tools) {
+    const auto group = static_cast<std::size_t>(groupOf(action));
+    if (group == groups.size()) {
+      bar.addAction(action);
+    } else if (action == members[group].front()) {
+      bar.addWidget(makeToolGroup(members[group], &bar));
+    }
+  }
+}
+
+/// Everything that can be shown or hidden, in one list.
+QToolButton* makeLayersButton(const WindowActions& actions, QWidget* parent) {
+  auto* button = new QToolButton(parent);
+  button->setPopupMode(QToolButton::InstantPopup);
+  button->setToolTip(QObject::tr("Layers\nWhat the map shows"));
+  button->setAccessibleName(QObject::tr("Layers"));
+  auto* menu = new QMenu(button);
+  for (QAction* layer : actions.canvas->layers()) {
+    menu->addAction(layer);
+  }
+  menu->addSeparator();
+  for (QAction* overlay : actions.overlays()) {
+    menu->addAction(overlay);
+  }
+  button->setMenu(menu);
+  return button;
+}
+
 void addBehaviorMenu(QMenuBar& bar, Workspace& workspace) {
   QMenu* menu = bar.addMenu(QObject::tr("&Behaviour"));
   editor::ScenarioDocument& document = workspace.document();
@@ -72,17 +120,22 @@ QToolBar* makeToolBar(QMainWindow& window, Workspace& workspace, WindowActions& 
   bar->addSeparator();
   bar->addActions({actions.undo, actions.redo});
   bar->addSeparator();
-  bar->addActions(workspace.tools().actions().actions());
+  addTools(*bar, workspace);
   bar->addSeparator();
   bar->addActions(workspace.playback().all());
   bar->addWidget(spacer(4, bar));
   bar->addWidget(workspace.playback().makeSpeedBox(bar));
   bar->addSeparator();
-  bar->addActions({actions.trails, actions.rings, actions.forces, actions.grid, actions.zoomFit,
-                   actions.switchTheme});
-  takeToolIcons(workspace);
-  QObject::connect(&workspace, &Workspace::themeChanged, bar,
-                   [&workspace] { takeToolIcons(workspace); });
+  QToolButton* layers = makeLayersButton(actions, bar);
+  bar->addWidget(layers);
+  bar->addActions({actions.rings, actions.forces, actions.grid, actions.canvas->snapToPoints(),
+                   actions.zoomFit, actions.switchTheme});
+  const auto takeIcons = [&workspace, layers] {
+    takeToolIcons(workspace);
+    layers->setIcon(editor::themedIcon(QStringLiteral("view-layers"), workspace.theme()));
+  };
+  takeIcons();
+  QObject::connect(&workspace, &Workspace::themeChanged, bar, takeIcons);
   return bar;
 }
 
@@ -100,15 +153,24 @@ Menus makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& action
   QMenu* edit = bar.addMenu(QObject::tr("&Edit"));
   edit->addActions({actions.undo, actions.redo});
   edit->addSeparator();
-  edit->addActions({actions.copy, actions.paste, actions.duplicate, actions.remove});
+  edit->addActions({actions.cut, actions.copy, actions.paste, actions.duplicate, actions.remove});
   edit->addSeparator();
   edit->addActions({actions.selectAll, actions.deselect, actions.next, actions.previous});
+  actions.canvas->fillArrangeMenu(*edit->addMenu(QObject::tr("&Arrange")));
+  edit->addSeparator();
+  for (QAction* snap : actions.canvas->snapping()) {
+    edit->addAction(snap);
+  }
 
   QMenu* view = menus.view = bar.addMenu(QObject::tr("&View"));
   view->addActions({actions.zoomIn, actions.zoomOut, actions.zoomFit});
   view->addSeparator();
   for (QAction* overlay : actions.overlays()) {
     view->addAction(overlay);
+  }
+  QMenu* layers = view->addMenu(QObject::tr("&Layers"));
+  for (QAction* layer : actions.canvas->layers()) {
+    layers->addAction(layer);
   }
   view->addSeparator();
   for (QDockWidget* dock : docks.all()) {

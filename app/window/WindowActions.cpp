@@ -1,9 +1,13 @@
 #include "app/window/WindowActions.h"
 
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QUndoStack>
 
 #include "editor/document/EditCommands.h"
 #include "editor/look/Icons.h"
+#include "editor/tools/Clipboard.h"
+#include "editor/tools/SelectionActions.h"
 
 namespace app {
 
@@ -15,6 +19,7 @@ WindowActions::WindowActions(Workspace& workspace, QObject* parent)
   makeFileActions();
   makeEditActions();
   makeViewActions();
+  canvas = new CanvasActions(workspace, this);
   connectEditing();
   setTheme(workspace.theme());
   followSelection();
@@ -72,7 +77,8 @@ void WindowActions::makeEditActions() {
   redo->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
   icons_.emplace_back(undo, QStringLiteral("edit-undo"));
   icons_.emplace_back(redo, QStringLiteral("edit-redo"));
-  copy = make(tr("&Copy"), {}, QKeySequence::Copy, tr("Remember what is selected"));
+  cut = make(tr("Cu&t"), {}, QKeySequence::Cut, tr("Copy what is selected and remove it"));
+  copy = make(tr("&Copy"), {}, QKeySequence::Copy, tr("Copy what is selected, as YAML text"));
   paste = make(tr("&Paste"), {}, QKeySequence::Paste, tr("Add what was copied beside it"));
   duplicate = make(tr("D&uplicate"), QStringLiteral("edit-duplicate"),
                    QKeySequence(Qt::CTRL | Qt::Key_D), tr("A copy of what is selected"));
@@ -138,32 +144,14 @@ void WindowActions::makeViewActions() {
 
 void WindowActions::connectEditing() {
   editor::ScenarioDocument& document = workspace_.document();
-  connect(copy, &QAction::triggered, this, [this, &document] {
-    clipboard_.clear();
-    for (const EntityId id : document.selection()) {
-      if (std::optional<editor::Entity> value = document.entity(id)) {
-        clipboard_.push_back(std::move(*value));
-      }
-    }
-    followSelection();
-  });
-  connect(paste, &QAction::triggered, this, &WindowActions::pasteEntities);
+  connectClipboard();
   connect(duplicate, &QAction::triggered, this, [&document] {
     document.setSelection(
         editor::pushDuplicate(document, document.selection(), base::Vec2(0.5, -0.5)));
   });
   connect(remove, &QAction::triggered, this,
           [&document] { editor::pushRemove(document, document.selection()); });
-  connect(selectAll, &QAction::triggered, this, [&document] {
-    std::vector<EntityId> all;
-    for (const base::EntityKind kind :
-         {base::EntityKind::Human, base::EntityKind::Robot, base::EntityKind::Goal,
-          base::EntityKind::Obstacle, base::EntityKind::Door, base::EntityKind::Area}) {
-      const std::vector<EntityId> ids = document.entities(kind);
-      all.insert(all.end(), ids.begin(), ids.end());
-    }
-    document.setSelection(std::move(all));
-  });
+  connect(selectAll, &QAction::triggered, this, [&document] { editor::selectAll(document); });
   connect(deselect, &QAction::triggered, this, [&document] { document.setSelection({}); });
   connect(settings, &QAction::triggered, this, [&document] { document.setSelection({}); });
   connect(next, &QAction::triggered, this, [this] { selectNext(1); });
@@ -194,23 +182,41 @@ void WindowActions::selectNext(int by) {
   }
 }
 
-void WindowActions::pasteEntities() {
-  std::vector<editor::Entity> values;
-  for (const editor::Entity& value : clipboard_) {
-    values.push_back(editor::moved(value, base::Vec2(0.5, -0.5), true));
-  }
-  clipboard_ = values;  // the next one lands beside this one
-  workspace_.document().setSelection(
-      editor::pushAdd(workspace_.document(), std::move(values), tr("Paste")));
+void WindowActions::connectClipboard() {
+  editor::ScenarioDocument& document = workspace_.document();
+  connect(copy, &QAction::triggered, this, &WindowActions::copySelection);
+  connect(cut, &QAction::triggered, this, [this, &document] {
+    copySelection();
+    pastes_ = -1;  // the first paste puts it back where it was
+    editor::removeSelection(document);
+  });
+  connect(paste, &QAction::triggered, this, [this, &document] {
+    const QMimeData* data = QGuiApplication::clipboard()->mimeData();
+    const double by = 0.5 * (pastes_ + 1);
+    if (data != nullptr && editor::paste(document, *data, base::Vec2(by, -by))) {
+      ++pastes_;
+    }
+  });
+  connect(QGuiApplication::clipboard(), &QClipboard::dataChanged, this, [this] {
+    pastes_ = 0;
+    followSelection();
+  });
+}
+
+void WindowActions::copySelection() {
+  QGuiApplication::clipboard()->setMimeData(
+      editor::copiedSelection(workspace_.document()).release());
+  pastes_ = 0;
 }
 
 void WindowActions::followSelection() {
   const bool editing = workspace_.runner().state() == editor::SimulationRunner::State::Editing;
   const bool any = !workspace_.document().selection().empty();
+  cut->setEnabled(any && editing);
   copy->setEnabled(any);
   duplicate->setEnabled(any && editing);
   remove->setEnabled(any && editing);
-  paste->setEnabled(editing && !clipboard_.empty());
+  paste->setEnabled(editing && editor::canPaste(QGuiApplication::clipboard()->mimeData()));
   openMap->setEnabled(editing);
   assignGoals->setEnabled(editing);
 }
@@ -219,6 +225,7 @@ void WindowActions::setTheme(const editor::Theme& theme) {
   for (const auto& [action, icon] : icons_) {
     action->setIcon(editor::themedIcon(icon, theme));
   }
+  canvas->setTheme(theme);
 }
 
 }  // namespace app

@@ -4,6 +4,7 @@
 
 #include <QAction>
 
+#include "app/window/CanvasActions.h"
 #include "app/window/Workspace.h"
 
 namespace app {
@@ -18,12 +19,13 @@ class WindowActions : public QObject {
 
   QAction *newRoom, *newFromMap, *open, *save, *saveAs, *exportTo, *close, *quit;
   QAction* newWalledRoom;
-  QAction *undo, *redo, *copy, *paste, *duplicate, *remove, *selectAll, *deselect;
+  QAction *undo, *redo, *cut, *copy, *paste, *duplicate, *remove, *selectAll, *deselect;
   QAction *next, *previous;  // person, or thing of the kind that is selected
   QAction *zoomIn, *zoomOut, *zoomFit, *fullScreen, *resetLayout, *switchTheme, *systemTheme;
   QAction *openMap, *assignGoals, *settings, *about;
   /// Overlays of the canvas, checkable.
   const std::vector<QAction*>& overlays() const { return overlays_; }
+  CanvasActions* canvas;
   QAction *names, *routes, *grid, *rulers, *trails, *rings, *forces;
 
  private:
@@ -36,13 +38,14 @@ class WindowActions : public QObject {
   void makeViewActions();
   void connectEditing();
   void followSelection();
-  void pasteEntities();
+  void connectClipboard();
+  void copySelection();
   void selectNext(int by);
 
   Workspace& workspace_;
   std::vector<std::pair<QAction*, QString>> icons_;
   std::vector<QAction*> overlays_;
-  std::vector<editor::Entity> clipboard_;
+  int pastes_ = 0;  // of the same copy: each lands beside the one before
 };
 
 }  // namespace app

@@ -1,6 +1,7 @@
 #include "app/window/Workspace.h"
 
 #include "editor/canvas/FrameLayer.h"
+#include "editor/tools/ToolOptionsBar.h"
 
 namespace app {
 
@@ -16,6 +17,7 @@ Workspace::Workspace(const editor::Theme& theme, QObject* parent)
       events_(document_, runner_),
       feed_(document_, runner_),
       playback_(runner_, theme) {
+  new editor::ToolOptionsBar(tools_, *view_);  // the view owns it
   runner_.setRequest([this] { return editor::runRequestOf(document_, runSettings_); });
   connect(&runner_, &SimulationRunner::frameShown, &scene_, &editor::MapScene::showFrame);
   connect(&runner_, &SimulationRunner::stateChanged, this, &Workspace::showState);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "editor/canvas/PixelFrame.h"
+#include "editor/canvas/SpriteAtlas.h"
 #include "editor/document/PersonLook.h"
 #include "sim2d/scenario/Defaults.h"
 
@@ -15,6 +16,7 @@ constexpr double kNameZoomPx = 12.0;  // width of a figure from which names are 
 constexpr double kPinWidthPx = 18.0;
 constexpr double kPinHeightPx = 27.0;
 constexpr double kGoalRingMetres = 0.3;
+constexpr std::size_t kMostExact = 8;  // selected people that are not drawn from sprites
 
 double degrees(double radians) {
   return radians * 180.0 / base::kPi;
@@ -108,7 +110,11 @@ void PersonItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   figure.kind = human_.ours.kind.value_or(sim2d::PersonKind::Adult);
   figure.radiusPx = radiusPx;
   figure.headingDeg = degrees(human_.initPose.heading);
-  FigurePainter(theme()).person(*painter, figure);
+  if (isSelectedEntity() && mapScene().document().selection().size() <= kMostExact) {
+    FigurePainter(theme()).person(*painter, figure);  // its heading to the degree
+  } else {
+    mapScene().sprites().draw(*painter, theme(), {{QPointF(), figure}});
+  }
 }
 
 // ---- robots

@@ -202,8 +202,9 @@ std::vector<QRectF> FrameLayer::solidParts() const {
 std::vector<Label> FrameLayer::labels() const {
   std::vector<Label> labels;
   const double scale = scene_.pixelsPerMetre();
-  const bool showAll = scene_.options().names && frame_->humans.size() <= kMostNames;
-  for (std::size_t i = 0; i < frame_->humans.size(); ++i) {
+  const CanvasOptions& options = scene_.options();
+  const bool showAll = options.names && frame_->humans.size() <= kMostNames;
+  for (std::size_t i = 0; options.people && i < frame_->humans.size(); ++i) {
     const Agent& person = agent(frame_->humans.id[i]);
     const double radiusPx = std::max(person.radius * scale, kLeastFigurePx);
     const bool chosen = isChosen(frame_->humans.id[i]);
@@ -213,9 +214,9 @@ std::vector<Label> FrameLayer::labels() const {
                         radiusPx + (chosen ? 9.0 : 4.0), chosen ? 3 : 1, false});
     }
   }
-  for (std::size_t i = 0; i < frame_->robots.size(); ++i) {
+  for (std::size_t i = 0; options.robots && i < frame_->robots.size(); ++i) {
     const Agent& robot = agent(frame_->robots.id[i]);
-    if (scene_.options().names) {
+    if (options.names) {
       labels.push_back({robot.name, std::nullopt,
                         MapScene::sceneFromWorld(positionAt(frame_->robots, i)),
                         std::max(robot.radius * scale, kLeastFigurePx) + 5.0, 2, false});
@@ -254,8 +255,12 @@ void FrameLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   if (options.robotPath) {
     paintRobotPaths(*painter);
   }
-  paintPeople(*painter);
-  paintRobots(*painter);
+  if (options.people) {
+    paintPeople(*painter);
+  }
+  if (options.robots) {
+    paintRobots(*painter);
+  }
   if (options.forces) {
     paintForces(*painter);
   }

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <QPainterPath>
 
 #include "editor/canvas/LabelLayout.h"
@@ -12,6 +14,8 @@ constexpr double kMarkPx = 9.0;
 constexpr double kMarkGapPx = 5.0;
 constexpr double kHaloPx = 3.5;
 constexpr double kPadPx = 2.0;
+constexpr double kBeyondPx = 120.0;  // around the window: what stands there counts
+constexpr std::size_t kMostPictures = 4000;
 
 QFont labelFont(const Theme& theme) {
   return theme.font(9.0, QFont::Medium);
@@ -52,29 +56,62 @@ void paintLabel(QPainter& painter, const Theme& theme, const QRectF& box, const 
   }
 }
 
-void LabelLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-  const std::vector<Label> labels = mapScene().labels();
-  if (labels.empty()) {
+const LabelLayer::Picture& LabelLayer::pictureOf(const Label& label, double ratio) {
+  const Key key{label.text, label.mark ? static_cast<int>(*label.mark) : -1, theme().isDark(),
+                static_cast<int>(std::lround(100.0 * ratio))};
+  const auto [found, isNew] = pictures_.try_emplace(key);
+  Picture& picture = found->second;
+  if (isNew) {
+    picture.size = labelSize(theme(), label);
+    const QSizeF whole = (picture.size + QSizeF(2.0 * kHaloPx, 2.0 * kHaloPx)) * ratio;
+    picture.pixmap = QPixmap(whole.toSize() + QSize(1, 1));
+    picture.pixmap.setDevicePixelRatio(ratio);
+    picture.pixmap.fill(Qt::transparent);
+    QPainter painter(&picture.pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintLabel(painter, theme(), QRectF(QPointF(kHaloPx, kHaloPx), picture.size), label);
+  }
+  return picture;
+}
+
+void LabelLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
+  if (pictures_.size() > kMostPictures) {
+    pictures_.clear();
+  }
+  const double pixelsPerMetre = pixelsPerMetreOf(*painter);
+  const double ratio = painter->device()->devicePixelRatioF();
+  const QTransform toPixels = QTransform::fromScale(pixelsPerMetre, pixelsPerMetre);
+  const QRectF window =
+      toPixels.mapRect(option->exposedRect).adjusted(-kBeyondPx, -kBeyondPx, kBeyondPx, kBeyondPx);
+  std::vector<LabelWish> wishes;
+  std::vector<const Picture*> pictures;
+  for (const Label& label : mapScene().labels()) {
+    const QPointF centre = toPixels.map(label.centre);
+    if (window.contains(centre)) {
+      pictures.push_back(&pictureOf(label, ratio));
+      wishes.push_back(
+          {centre, label.clearancePx, pictures.back()->size, label.priority, label.isAbove});
+    }
+  }
+  if (wishes.empty()) {
     return;
   }
-  const QTransform toPixels =
-      QTransform::fromScale(pixelsPerMetreOf(*painter), pixelsPerMetreOf(*painter));
-  std::vector<LabelWish> wishes;
-  wishes.reserve(labels.size());
-  for (const Label& label : labels) {
-    wishes.push_back({toPixels.map(label.centre), label.clearancePx, labelSize(theme(), label),
-                      label.priority, label.isAbove});
-  }
-  std::vector<QRectF> taken = mapScene().solidParts();
-  for (QRectF& part : taken) {
-    part = toPixels.mapRect(part);
+  std::vector<QRectF> taken;
+  for (const QRectF& part : mapScene().solidParts()) {
+    const QRectF inPixels = toPixels.mapRect(part);
+    if (inPixels.intersects(window)) {
+      taken.push_back(inPixels);
+    }
   }
   const std::vector<QRectF> places = layoutLabels(wishes, taken);
   const PixelFrame frame(*painter, {});
-  painter->setRenderHint(QPainter::Antialiasing);
-  for (std::size_t i = 0; i < labels.size(); ++i) {
+  for (std::size_t i = 0; i < wishes.size(); ++i) {
     if (!places[i].isNull()) {
-      paintLabel(*painter, theme(), places[i], labels[i]);
+      // On whole pixels: letters stay sharp.
+      const QTransform toDevice = painter->worldTransform();
+      const QPointF corner = toDevice.map(places[i].topLeft() - QPointF(kHaloPx, kHaloPx));
+      const QPointF whole(std::round(corner.x()), std::round(corner.y()));
+      painter->drawPixmap(toDevice.inverted().map(whole), pictures[i]->pixmap);
     }
   }
 }

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
 #include <numeric>
+#include <utility>
 
 namespace editor {
 
@@ -28,10 +31,44 @@ Places placesFor(const LabelWish& wish) {
           QRectF(right, second, width, height), QRectF(left, second, width, height)};
 }
 
-bool isFree(const QRectF& place, const std::vector<QRectF>& taken) {
-  return std::none_of(taken.begin(), taken.end(),
-                      [&](const QRectF& other) { return other.intersects(place); });
-}
+/// Rectangles by the tiles of the plane that they touch.
+class Occupied {
+ public:
+  void add(const QRectF& rect) {
+    forTiles(rect, [&](const Tile& tile) {
+      tiles_[tile].push_back(rect);
+      return true;
+    });
+  }
+  bool isFree(const QRectF& place) const {
+    return forTiles(place, [&](const Tile& tile) {
+      const auto found = tiles_.find(tile);
+      return found == tiles_.end() ||
+             std::none_of(found->second.begin(), found->second.end(),
+                          [&](const QRectF& other) { return other.intersects(place); });
+    });
+  }
+
+ private:
+  using Tile = std::pair<int, int>;
+  static constexpr double kSide = 96.0;  // [px]
+
+  /// Until `visit` gives false; gives whether it never did.
+  template <class Visit>
+  static bool forTiles(const QRectF& rect, Visit&& visit) {
+    const auto tileOf = [](double x) { return static_cast<int>(std::floor(x / kSide)); };
+    for (int x = tileOf(rect.left()); x <= tileOf(rect.right()); ++x) {
+      for (int y = tileOf(rect.top()); y <= tileOf(rect.bottom()); ++y) {
+        if (!visit(Tile(x, y))) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  std::map<Tile, std::vector<QRectF>> tiles_;
+};
 
 }  // namespace
 
@@ -42,15 +79,18 @@ std::vector<QRectF> layoutLabels(const std::vector<LabelWish>& wishes,
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return wishes[a].priority > wishes[b].priority;
   });
-  std::vector<QRectF> occupied = taken;
+  Occupied occupied;
+  for (const QRectF& part : taken) {
+    occupied.add(part);
+  }
   std::vector<QRectF> result(wishes.size());
   for (const std::size_t i : order) {
     const Places places = placesFor(wishes[i]);
     const auto found = std::find_if(places.begin(), places.end(),
-                                    [&](const QRectF& place) { return isFree(place, occupied); });
+                                    [&](const QRectF& place) { return occupied.isFree(place); });
     if (found != places.end()) {
       result[i] = *found;
-      occupied.push_back(*found);
+      occupied.add(*found);
     }
   }
   return result;

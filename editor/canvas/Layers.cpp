@@ -5,13 +5,14 @@
 
 #include "editor/canvas/Overlays.h"
 #include "editor/canvas/PixelFrame.h"
-#include "editor/canvas/RouteLayer.h"
 
 namespace editor {
 
 namespace {
 
 constexpr double kTurnPx = 52.0;
+constexpr double kShapeTurnPx = 24.0;    // beyond the outline
+constexpr std::size_t kMostHandles = 8;  // things that show theirs
 constexpr double kHandlePx = 8.0;
 constexpr double kTurnHandlePx = 10.0;
 constexpr double kHandleReachPx = 8.0;
@@ -73,9 +74,8 @@ std::vector<Handle> SelectionLayer::handlesFor(const Entity& entity) const {
   HandleSizes sizes;
   sizes.bodyRadius = mapScene().bodyRadius(entity);
   sizes.turnDistance = kTurnPx / pixelsPerMetre;
-  if (const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity);
-      obstacle != nullptr && obstacle->kind == sim2d::ObstacleKind::Box) {
-    sizes.turnDistance = 24.0 / pixelsPerMetre;
+  if (kindOf(entity) != EntityKind::Human && kindOf(entity) != EntityKind::Robot) {
+    sizes.turnDistance = kShapeTurnPx / pixelsPerMetre;
   }
   std::vector<Handle> handles = handlesOf(entity, sizes);
   const bool isSmall = sizes.bodyRadius * pixelsPerMetre < 12.0;
@@ -90,6 +90,9 @@ std::vector<Handle> SelectionLayer::handlesFor(const Entity& entity) const {
 
 std::pair<EntityId, Handle> SelectionLayer::handleAt(const Vec2& world) const {
   const double reach = kHandleReachPx / mapScene().pixelsPerMetre();
+  if (mapScene().document().selection().size() > kMostHandles) {
+    return {};
+  }
   for (const EntityId id : mapScene().document().selection()) {
     const std::optional<Entity> entity = mapScene().shown(id);
     if (!entity) {
@@ -107,6 +110,9 @@ std::pair<EntityId, Handle> SelectionLayer::handleAt(const Vec2& world) const {
 std::vector<QRectF> SelectionLayer::solidParts() const {
   const double side = 1.5 * kTurnHandlePx / mapScene().pixelsPerMetre();
   std::vector<QRectF> parts;
+  if (mapScene().document().selection().size() > kMostHandles) {
+    return parts;
+  }
   for (const EntityId id : mapScene().document().selection()) {
     if (const std::optional<Entity> entity = mapScene().shown(id)) {
       for (const Handle& handle : handlesFor(*entity)) {
@@ -143,106 +149,50 @@ void SelectionLayer::paintFrame(QPainter& painter, const Entity& entity,
   }
 }
 
-void SelectionLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+void SelectionLayer::paintHandle(QPainter& painter, const Entity& entity,
+                                 const Handle& handle) const {
+  const QPointF at = MapScene::sceneFromWorld(handle.position);
+  const bool isTurn = handle.kind == Handle::Kind::Turn;
+  if (isTurn) {
+    painter.setPen(accentPen(theme(), 1.5));
+    const QLineF arm(MapScene::sceneFromWorld(*positionOf(entity)), at);
+    painter.drawLine(arm.pointAt(0.5), at);
+  }
+  const PixelFrame frame(painter, at);
+  painter.setPen(QPen(theme().color(Role::Accent), 2.0));
+  painter.setBrush(theme().color(Role::Panel));
+  if (isTurn) {
+    painter.drawEllipse(QPointF(), 0.5 * kTurnHandlePx, 0.5 * kTurnHandlePx);
+  } else if (handle.kind == Handle::Kind::RobotGoal) {
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(QPointF(), 14.0, 14.0);
+  } else {
+    painter.setPen(QPen(theme().color(Role::Accent), 1.5));
+    painter.drawRect(QRectF(-0.5 * kHandlePx, -0.5 * kHandlePx, kHandlePx, kHandlePx));
+  }
+}
+
+void SelectionLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
   if (mapScene().isRunMode()) {
     return;
   }
   painter->setRenderHint(QPainter::Antialiasing);
-  for (const EntityId id : mapScene().document().selection()) {
+  const std::vector<EntityId>& selection = mapScene().document().selection();
+  for (const EntityId id : selection) {
     const std::optional<Entity> entity = mapScene().shown(id);
-    if (!entity) {
+    const EntityItem* item = mapScene().item(id);
+    const bool isSeen = item != nullptr && item->isVisible() &&
+                        item->boundingRect().intersects(option->exposedRect);
+    if (!entity || (!isSeen && selection.size() > kMostHandles)) {
       continue;
     }
     const std::vector<Handle> handles = handlesFor(*entity);
     paintFrame(*painter, *entity, handles);
-    for (const Handle& handle : handles) {
-      const QPointF at = MapScene::sceneFromWorld(handle.position);
-      const bool isTurn = handle.kind == Handle::Kind::Turn;
-      if (isTurn) {
-        painter->setPen(accentPen(theme(), 1.5));
-        const QLineF arm(MapScene::sceneFromWorld(*positionOf(*entity)), at);
-        painter->drawLine(arm.pointAt(0.5), at);
-      }
-      const PixelFrame frame(*painter, at);
-      painter->setPen(QPen(theme().color(Role::Accent), 2.0));
-      painter->setBrush(theme().color(Role::Panel));
-      if (isTurn) {
-        painter->drawEllipse(QPointF(), 0.5 * kTurnHandlePx, 0.5 * kTurnHandlePx);
-      } else if (handle.kind == Handle::Kind::RobotGoal) {
-        painter->setBrush(Qt::NoBrush);
-        painter->drawEllipse(QPointF(), 14.0, 14.0);
-      } else {
-        painter->setPen(QPen(theme().color(Role::Accent), 1.5));
-        painter->drawRect(QRectF(-0.5 * kHandlePx, -0.5 * kHandlePx, kHandlePx, kHandlePx));
+    if (selection.size() <= kMostHandles) {
+      for (const Handle& handle : handles) {
+        paintHandle(*painter, *entity, handle);
       }
     }
-  }
-}
-
-void ToolLayer::setRubberBand(const Vec2& corner, const Vec2& opposite) {
-  band_ = QRectF(MapScene::sceneFromWorld(corner), MapScene::sceneFromWorld(opposite)).normalized();
-  update();
-}
-
-void ToolLayer::setLine(std::vector<Vec2> points) {
-  line_ = std::move(points);
-  update();
-}
-
-void ToolLayer::setArrow(const Vec2& from, const Vec2& to) {
-  arrow_ = {from, to};
-  update();
-}
-
-void ToolLayer::setTag(const Vec2& at, const QString& text) {
-  tag_ = {at, text};
-  update();
-}
-
-void ToolLayer::clear() {
-  band_.reset();
-  line_.clear();
-  arrow_.reset();
-  tag_.reset();
-  update();
-}
-
-void ToolLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-  painter->setRenderHint(QPainter::Antialiasing);
-  if (band_) {
-    painter->setPen(accentPen(theme(), 1.0));
-    painter->setBrush(theme().color(Role::Accent, 0.10));
-    painter->drawRect(*band_);
-  }
-  painter->setBrush(Qt::NoBrush);
-  if (line_.size() > 1) {
-    QPen pen = accentPen(theme(), 2.0);
-    pen.setDashPattern({4.0, 3.0});
-    painter->setPen(pen);
-    const QPainterPath path = softPath(line_, 0.0);
-    painter->drawPath(path);
-    paintArrowHeads(*painter, path, 1.5, 9.0, theme());
-  }
-  if (arrow_) {
-    painter->setPen(accentPen(theme(), 2.0));
-    const QLineF line(MapScene::sceneFromWorld(arrow_->first),
-                      MapScene::sceneFromWorld(arrow_->second));
-    painter->drawLine(line);
-    const PixelFrame frame(*painter, line.p2());
-    painter->setPen(QPen(theme().color(Role::Accent), 2.0));
-    FigurePainter(theme()).arrowHead(*painter, {}, line.angle(), 10.0);
-  }
-  if (tag_) {
-    const PixelFrame frame(*painter, MapScene::sceneFromWorld(tag_->first));
-    const QFont font = theme().figureFont(9.0);
-    const double width = QFontMetricsF(font).horizontalAdvance(tag_->second) + 14.0;
-    const QRectF box(16.0, 8.0, width, 22.0);
-    painter->setPen(Qt::NoPen);
-    painter->setBrush(theme().color(Role::Text, 0.92));
-    painter->drawRoundedRect(box, 4.0, 4.0);
-    painter->setFont(font);
-    painter->setPen(theme().color(Role::Panel));
-    painter->drawText(box, Qt::AlignCenter, tag_->second);
   }
 }
 

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <map>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include <QGraphicsItem>
+#include <QPixmap>
 
 #include "editor/canvas/EntityItem.h"
 #include "editor/canvas/MapScene.h"
@@ -27,7 +31,9 @@ class GridItem : public QGraphicsItem {
 /// Covers all that the scene shows: for layers whose extent is that of the window.
 class FullLayer : public QGraphicsItem {
  public:
-  explicit FullLayer(const MapScene& scene) : scene_(scene) {}
+  explicit FullLayer(const MapScene& scene) : scene_(scene) {
+    setFlag(QGraphicsItem::ItemUsesExtendedStyleOption);
+  }
   QRectF boundingRect() const override { return bounds_; }
   void setBounds(const QRectF& sceneBounds);
 
@@ -40,11 +46,21 @@ class FullLayer : public QGraphicsItem {
   QRectF bounds_;
 };
 
-/// Names with halos, placed where there is room; the less important ones are left out.
+/// Names with halos, placed where there is room; the less important ones are left out. Each is
+/// painted once and kept as a picture.
 class LabelLayer : public FullLayer {
  public:
   using FullLayer::FullLayer;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+ private:
+  struct Picture {
+    QSizeF size;     // of the label [px]
+    QPixmap pixmap;  // with a margin for the halo
+  };
+  using Key = std::tuple<QString, int, bool, int>;  // text, mark, dark, hundredths of the ratio
+  const Picture& pictureOf(const Label& label, double ratio);
+  std::map<Key, Picture> pictures_;
 };
 
 /// Frames and handles of what is selected.
@@ -60,6 +76,22 @@ class SelectionLayer : public FullLayer {
   std::vector<Handle> handlesFor(const Entity& entity) const;
   void paintFrame(QPainter& painter, const Entity& entity,
                   const std::vector<Handle>& handles) const;
+  void paintHandle(QPainter& painter, const Entity& entity, const Handle& handle) const;
+};
+
+/// A line of the current tool.
+struct ToolLine {
+  std::vector<Vec2> points;  // world
+  bool isClosed = false;     // then slightly filled
+  bool isBad = false;        // cannot become anything: in the colour of errors
+  bool hasCorners = true;    // small squares at its points
+};
+/// Somebody or something that a tool would make: a disc.
+struct ToolDot {
+  Vec2 at = Vec2::Zero();
+  double radius = 0.3;  // [m]
+  QColor color;
+  std::optional<double> heading;  // a nose
 };
 
 /// What the current tool shows while a gesture lasts.
@@ -68,16 +100,29 @@ class ToolLayer : public FullLayer {
   using FullLayer::FullLayer;
   void setRubberBand(const Vec2& corner, const Vec2& opposite);
   void setLine(std::vector<Vec2> points);  // dashed, with arrow heads
+  void setOutline(ToolLine line);
+  void setDots(std::vector<ToolDot> dots);
   void setArrow(const Vec2& from, const Vec2& to);
   void setTag(const Vec2& at, const QString& text);  // small dark box beside a point
+  void setSnapMark(std::optional<Vec2> at);          // the point of another entity that holds
   void clear();
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
+  void paintOutline(QPainter& painter) const;
+  void paintDots(QPainter& painter) const;
+  void paintLine(QPainter& painter) const;
+  void paintArrow(QPainter& painter) const;
+  void paintTag(QPainter& painter) const;
+  void paintSnapMark(QPainter& painter) const;
+
   std::optional<QRectF> band_;
   std::vector<Vec2> line_;
+  ToolLine outline_;
+  std::vector<ToolDot> dots_;
   std::optional<std::pair<Vec2, Vec2>> arrow_;
   std::optional<std::pair<Vec2, QString>> tag_;
+  std::optional<Vec2> snapMark_;
 };
 
 /// Text with a halo in the ground's colour and an optional mark before it, in pixels.

@@ -9,6 +9,33 @@
 
 namespace editor {
 
+namespace {
+
+/// Mean of the channels of four pixels, two at a time.
+QRgb meanOf(QRgb a, QRgb b, QRgb c, QRgb d) {
+  constexpr QRgb kOdd = 0x00ff00ff;
+  const QRgb low = ((a & kOdd) + (b & kOdd) + (c & kOdd) + (d & kOdd)) >> 2;
+  const QRgb high = ((a >> 8 & kOdd) + (b >> 8 & kOdd) + (c >> 8 & kOdd) + (d >> 8 & kOdd)) >> 2;
+  return (low & kOdd) | (high & kOdd) << 8;
+}
+
+/// Half as wide and high, each pixel the mean of four; a last odd row or column is left out.
+QImage halved(const QImage& image) {
+  QImage half(image.width() / 2, image.height() / 2, QImage::Format_RGB32);
+  for (int row = 0; row < half.height(); ++row) {
+    const auto* upper = reinterpret_cast<const QRgb*>(image.constScanLine(2 * row));
+    const auto* lower = reinterpret_cast<const QRgb*>(image.constScanLine(2 * row + 1));
+    auto* line = reinterpret_cast<QRgb*>(half.scanLine(row));
+    for (int column = 0; column < half.width(); ++column) {
+      const int at = 2 * column;
+      line[column] = meanOf(upper[at], upper[at + 1], lower[at], lower[at + 1]);
+    }
+  }
+  return half;
+}
+
+}  // namespace
+
 QImage mapImage(const sim2d::OccupancyGrid& grid, const Theme& theme) {
   const QRgb unknown = theme.color(Role::MapUnknown).rgb();
   const QColor free = theme.color(Role::MapFree);
@@ -61,8 +88,7 @@ const QPixmap& MapItem::levelFor(double pixelsPerCell) {
     ++level;
   }
   while (levels_.size() <= level && levels_.back().width() > 1 && levels_.back().height() > 1) {
-    image_ =
-        image_.scaled(levels_.back().size() / 2, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    image_ = halved(image_);
     levels_.push_back(QPixmap::fromImage(image_));
   }
   return levels_[std::min(level, levels_.size() - 1)];

@@ -11,6 +11,7 @@
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapItem.h"
 #include "editor/canvas/RouteLayer.h"
+#include "editor/canvas/SpriteAtlas.h"
 #include "editor/tools/Tool.h"
 #include "sim2d/scenario/Defaults.h"
 
@@ -65,7 +66,11 @@ Layer* addLayer(QGraphicsScene& scene, Depth depth, Arguments&&... arguments) {
 }  // namespace
 
 MapScene::MapScene(ScenarioDocument& document, const Theme& theme, QObject* parent)
-    : QGraphicsScene(parent), document_(document), theme_(theme), routes_(new RouteModel(this)) {
+    : QGraphicsScene(parent),
+      document_(document),
+      theme_(theme),
+      sprites_(std::make_unique<SpriteAtlas>()),
+      routes_(new RouteModel(this)) {
   setItemIndexMethod(QGraphicsScene::NoIndex);
   mapItem_ = addLayer<MapItem>(*this, MapDepth);
   gridItem_ = addLayer<GridItem>(*this, GridDepth, *this);
@@ -77,7 +82,7 @@ MapScene::MapScene(ScenarioDocument& document, const Theme& theme, QObject* pare
   connect(&document_, &ScenarioDocument::changed, this, &MapScene::apply);
   connect(&document_, &ScenarioDocument::mapChanged, this, &MapScene::takeMap);
   connect(&document_, &ScenarioDocument::selectionChanged, this, &MapScene::syncSelection);
-  connect(routes_, &RouteModel::routesChanged, this, [this] { routeLayer_->routesChanged(); });
+  connect(routes_, &RouteModel::routesChanged, this, &MapScene::takeRoutes);
   takeMap();
   rebuildAll();
 }
@@ -87,10 +92,16 @@ MapScene::~MapScene() {
   QGraphicsScene::clear();
 }
 
+void MapScene::noteChange() {
+  ++restingRevision_;
+  update();
+}
+
 void MapScene::takeMap() {
   mapItem_->set(document_.map(), theme_);
   updateExtent();
   planRoutes();
+  noteChange();
 }
 
 void MapScene::updateExtent() {
@@ -121,16 +132,19 @@ void MapScene::setTheme(const Theme& theme) {
   theme_ = theme;
   mapItem_->set(document_.map(), theme_);
   frameLayer_->themeChanged();
-  update();
+  sprites_->clear();
+  noteChange();
   Q_EMIT themeChanged();
 }
 
 void MapScene::setOptions(const CanvasOptions& options) {
   options_ = options;
+  mapItem_->setVisible(options_.map);
   for (const auto& [id, entityItem] : items_) {
     entityItem->zoomChanged();
+    entityItem->setVisible(isShown(id));
   }
-  update();
+  noteChange();
   Q_EMIT optionsChanged();
 }
 
@@ -151,7 +165,7 @@ void MapScene::apply(const Change& change) {
     return;
   }
   planRoutes();
-  update();
+  noteChange();
 }
 
 void MapScene::rebuildAll() {
@@ -167,7 +181,7 @@ void MapScene::rebuildAll() {
   }
   updateExtent();
   planRoutes();
-  update();
+  noteChange();
 }
 
 void MapScene::sync(EntityId id) {
@@ -180,8 +194,7 @@ void MapScene::sync(EntityId id) {
     entityItem = makeEntityItem(*this, id).release();
     entityItem->setZValue(depthOf(id.kind));
     addItem(entityItem);
-    const bool moves = id.kind == EntityKind::Human || id.kind == EntityKind::Robot;
-    entityItem->setVisible(!(moves && isRunMode()));
+    entityItem->setVisible(isShown(id));
   }
   entityItem->sync(*value);
 }
@@ -190,59 +203,7 @@ void MapScene::syncSelection() {
   for (const auto& [id, entityItem] : items_) {
     entityItem->zoomChanged();
   }
-  update();
-}
-
-std::optional<Entity> MapScene::shown(EntityId id) const {
-  const auto found = preview_.find(id);
-  return found != preview_.end() ? std::optional<Entity>(found->second) : document_.entity(id);
-}
-
-void MapScene::setPreview(const std::vector<Entity>& values) {
-  std::map<EntityId, Entity> old;
-  old.swap(preview_);
-  for (const Entity& value : values) {
-    preview_[idOf(value)] = value;
-  }
-  for (const auto& [id, value] : old) {
-    if (preview_.count(id) == 0) {
-      endPreviewOf(id);
-    }
-  }
-  for (const auto& [id, value] : preview_) {
-    sync(id);
-    if (!document_.contains(id)) {
-      items_.at(id)->setOpacity(0.7);
-    }
-  }
-  planRoutes();
-  update();
-}
-
-void MapScene::endPreviewOf(EntityId id) {
-  if (document_.contains(id)) {
-    sync(id);
-  } else {
-    delete item(id);
-    items_.erase(id);
-  }
-}
-
-void MapScene::clearPreview() {
-  if (!preview_.empty()) {
-    setPreview({});
-  }
-}
-
-void MapScene::planRoutes() {
-  if (isRunMode()) {
-    return;
-  }
-  sim2d::Scenario scenario = document_.scenario();
-  for (const auto& [id, value] : preview_) {
-    putInto(scenario, value);
-  }
-  routes_->update(scenario, document_.map());
+  noteChange();
 }
 
 EntityItem* MapScene::item(EntityId id) const {
@@ -275,7 +236,8 @@ std::vector<EntityId> MapScene::entitiesIn(const Vec2& corner, const Vec2& oppos
   for (const auto& [id, entityItem] : items_) {
     const std::optional<Entity> value = document_.entity(id);
     const std::optional<Vec2> at = value ? positionOf(*value) : std::nullopt;
-    if (at && (at->array() >= low.array()).all() && (at->array() <= high.array()).all()) {
+    if (at && entityItem->isVisible() && (at->array() >= low.array()).all() &&
+        (at->array() <= high.array()).all()) {
       found.push_back(id);
     }
   }
@@ -285,7 +247,7 @@ std::vector<EntityId> MapScene::entitiesIn(const Vec2& corner, const Vec2& oppos
 void MapScene::setHovered(EntityId id) {
   if (hovered_ != id) {
     hovered_ = id;
-    update();
+    noteChange();
     Q_EMIT hoveredChanged(id);
   }
 }
@@ -296,6 +258,7 @@ void MapScene::setPixelsPerMetre(double value) {
     entityItem->zoomChanged();
   }
   frameLayer_->zoomChanged();
+  sprites_->clear();
 }
 
 }  // namespace editor

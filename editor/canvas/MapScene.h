@@ -21,6 +21,7 @@ class MapItem;
 class RouteLayer;
 class RouteModel;
 class SelectionLayer;
+class SpriteAtlas;
 class Tool;
 class ToolLayer;
 struct Label;
@@ -29,7 +30,13 @@ struct Label;
 struct CanvasOptions {
   bool names = true, routes = true, grid = true, rulers = false;
   bool trails = true, robotPath = true, speech = true, proxemics = false, forces = false;
+  bool map = true, people = true, robots = true, goals = true, obstacles = true, areas = true;
+  bool snapToPoints = true, snapToGrid = false;  // what is drawn or moved
 };
+
+/// Which part of the canvas is being painted: what is previewed (dragged) with the marks of tools
+/// and selection, or all the rest.
+enum class CanvasPart { All, Resting, Moving };
 
 /// Draws the document: items follow its changes; the mouse goes to the current tool. Scene
 /// coordinates are metres with y down: scene = (x, -y).
@@ -64,6 +71,8 @@ class MapScene : public QGraphicsScene {
   void setPreview(const std::vector<Entity>& values);
   void clearPreview();
   std::optional<Entity> shown(EntityId id) const;  // preview or document
+  /// Shows these hardly at all: they are about to go. Each call replaces the last.
+  void setFaded(const std::vector<EntityId>& ids);
 
   double pixelsPerMetre() const { return pixelsPerMetre_; }
   void setPixelsPerMetre(double value);  // by the view
@@ -79,7 +88,18 @@ class MapScene : public QGraphicsScene {
   RouteModel& routes() const { return *routes_; }
   ToolLayer& toolLayer() { return *toolLayer_; }
 
+  // for views that keep a picture of what rests
+  bool isCrowded() const;                   // so many things that painting them all takes its time
+  std::vector<EntityId> movingIds() const;  // what is previewed
+  /// Counts whatever changes the look of what rests.
+  int restingRevision() const { return restingRevision_; }
+  QColor groundColor() const;  // beneath everything
+  /// Paints one part; the painter's transform is that of a view.
+  void paintPart(QPainter& painter, CanvasPart part, const QRectF& exposed);
+
   // for items and layers
+  bool isPainted(EntityId id) const;                  // belongs to the part that is being painted
+  SpriteAtlas& sprites() const { return *sprites_; }  // of people, at this zoom
   bool isDoorOpen(EntityId id, const sim2d::Door& door) const;  // in the frame shown, else at start
   double bodyRadius(const Entity& entity) const;                // people and robots [m]
   std::vector<Label> labels() const;
@@ -107,6 +127,9 @@ class MapScene : public QGraphicsScene {
   void updateExtent();
   void planRoutes();
   void endPreviewOf(EntityId id);
+  bool isShown(EntityId id) const;
+  void takeRoutes();
+  void noteChange();
 
   ScenarioDocument& document_;
   Theme theme_;
@@ -116,6 +139,10 @@ class MapScene : public QGraphicsScene {
   double pixelsPerMetre_ = 50.0;
   std::map<EntityId, EntityItem*> items_;
   std::map<EntityId, Entity> preview_;
+  std::vector<EntityId> faded_;
+  CanvasPart part_ = CanvasPart::All;
+  int restingRevision_ = 0;
+  std::unique_ptr<SpriteAtlas> sprites_;
   MapItem* mapItem_ = nullptr;
   GridItem* gridItem_ = nullptr;
   RouteLayer* routeLayer_ = nullptr;

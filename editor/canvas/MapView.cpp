@@ -7,7 +7,6 @@
 #include <QScrollBar>
 #include <QWheelEvent>
 
-#include "editor/canvas/Overlays.h"
 #include "editor/tools/Tool.h"
 
 namespace editor {
@@ -20,7 +19,7 @@ constexpr double kWheelFactor = 1.0015;  // per eighth of a degree
 constexpr double kKeyFactor = 1.25;
 constexpr int kFitMs = 120;
 constexpr int kFitMarginPx = 32;
-constexpr int kStateLinePx = 3;
+constexpr int kSettleMs = 120;  // after the last movement of the view
 
 }  // namespace
 
@@ -46,8 +45,12 @@ MapView::MapView(MapScene& scene, QWidget* parent) : QGraphicsView(&scene, paren
     const double part = value.toDouble();
     const double scale =
         animationFrom_.scale * std::pow(animationTo_.scale / animationFrom_.scale, part);
+    glide();
     applyView(animationFrom_.centre + part * (animationTo_.centre - animationFrom_.centre), scale);
   });
+  settle_.setSingleShot(true);
+  settle_.setInterval(kSettleMs);
+  connect(&settle_, &QTimer::timeout, viewport(), qOverload<>(&QWidget::update));
   connect(&scene_, &MapScene::optionsChanged, this, [this] { viewport()->update(); });
   connect(&scene_, &MapScene::themeChanged, this, [this] { viewport()->update(); });
   connect(&scene_.document(), &ScenarioDocument::mapChanged, this, [this] { fitAll(false); });
@@ -97,6 +100,7 @@ void MapView::centerOnEntity(EntityId id) {
 }
 
 void MapView::zoomBy(double factor, const QPointF& viewportPoint) {
+  glide();
   fitAnimation_.stop();
   fitted_ = false;
   const double scale = std::clamp(pixelsPerMetre() * factor, kFarthest, kClosest);
@@ -160,6 +164,7 @@ void MapView::mouseMoveEvent(QMouseEvent* event) {
     const QPoint by = event->pos() - panFrom_;
     panFrom_ = event->pos();
     fitted_ = false;
+    glide();
     horizontalScrollBar()->setValue(horizontalScrollBar()->value() - by.x());
     verticalScrollBar()->setValue(verticalScrollBar()->value() - by.y());
     event->accept();
@@ -227,30 +232,6 @@ void MapView::keyReleaseEvent(QKeyEvent* event) {
 void MapView::focusOutEvent(QFocusEvent* event) {
   spaceHeld_ = false;  // its release goes to somebody else
   QGraphicsView::focusOutEvent(event);
-}
-
-void MapView::drawBackground(QPainter* painter, const QRectF& rect) {
-  painter->fillRect(
-      rect, scene_.theme().color(scene_.isOpenPlane() ? Role::MapFree : Role::CanvasOutside));
-}
-
-void MapView::drawForeground(QPainter* painter, const QRectF&) {
-  painter->save();
-  painter->resetTransform();
-  const QRectF window = viewport()->rect();
-  const OverlayContext context{scene_, window, viewportTransform(), pixelsPerMetre()};
-  if (scene_.options().rulers) {
-    paintRulers(*painter, context);
-  }
-  paintScaleBar(*painter, context);
-  paintForceLegend(*painter, context);
-  if (state_ != CanvasState::Editing) {
-    const Role role = state_ == CanvasState::Running  ? Role::Ok
-                      : state_ == CanvasState::Paused ? Role::WarningMark
-                                                      : Role::Past;
-    painter->fillRect(QRectF(0.0, 0.0, window.width(), kStateLinePx), scene_.theme().color(role));
-  }
-  painter->restore();
 }
 
 void MapView::showEvent(QShowEvent* event) {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <QGraphicsView>
+#include <QTimer>
 #include <QVariantAnimation>
 
 #include "editor/canvas/MapScene.h"
+#include "editor/canvas/RestingPicture.h"
 
 namespace editor {
 
@@ -37,6 +39,7 @@ class MapView : public QGraphicsView {
   void spaceTapped();  // pressed and let go without a drag: play or pause
 
  protected:
+  void paintEvent(QPaintEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -57,11 +60,14 @@ class MapView : public QGraphicsView {
   void moveTo(const ViewPlace& place, bool animated);
   void applyView(const QPointF& centre, double pixelsPerMetre);
   void updateCursor();
+  void glide();
   bool startsPan(const QMouseEvent& event) const;
 
   MapScene& scene_;
   QVariantAnimation fitAnimation_;
   ViewPlace animationFrom_, animationTo_;
+  RestingPicture picture_;
+  QTimer settle_;  // runs while the view moves; then all is painted sharply again
   CanvasState state_ = CanvasState::Editing;
   QPoint panFrom_;
   bool panning_ = false;

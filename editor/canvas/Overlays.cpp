@@ -9,7 +9,6 @@ namespace editor {
 namespace {
 
 constexpr double kBarTargetPx = 100.0;
-constexpr double kRulerPx = 20.0;
 
 QString lengthText(double metres) {
   return metres < 1.0 ? QStringLiteral("%1 cm").arg(metres * 100.0)

@@ -14,6 +14,8 @@ struct OverlayContext {
   double pixelsPerMetre = 50.0;
 };
 
+constexpr int kRulerPx = 20;  // width of a ruler
+
 void paintScaleBar(QPainter& painter, const OverlayContext& context);
 void paintRulers(QPainter& painter, const OverlayContext& context);
 /// Names, values and scale of the force arrows while one person of a run is selected.

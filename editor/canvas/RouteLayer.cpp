@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 #include "editor/canvas/FigurePainter.h"
 #include "editor/canvas/PixelFrame.h"
@@ -42,31 +44,52 @@ QPainterPath softPath(const std::vector<Vec2>& points, double softness) {
   return path;
 }
 
-void paintArrowHeads(QPainter& painter, const QPainterPath& scenePath, double spacing,
-                     double sizePx, const Theme& theme) {
-  const double pixelsPerMetre = pixelsPerMetreOf(painter);
-  const double gap = std::max(spacing, kNarrowestArrows / pixelsPerMetre);
-  const double length = scenePath.length();
+namespace {
+
+std::vector<std::pair<QPointF, double>> arrowHeads(const QPainterPath& scenePath, double gap) {
+  std::vector<std::pair<QPointF, double>> heads;
+  const double first = std::max(0.5 * gap, 0.55);
+  const double last = scenePath.length() - 0.3;
+  for (double at = first; at < last; at += gap) {
+    const double part = scenePath.percentAtLength(at);
+    heads.emplace_back(scenePath.pointAtPercent(part), scenePath.angleAtPercent(part));
+  }
+  return heads;
+}
+
+double arrowGap(double spacing, double pixelsPerMetre) {
+  return std::max(spacing, kNarrowestArrows / pixelsPerMetre);
+}
+
+void paintHeads(QPainter& painter, const std::vector<std::pair<QPointF, double>>& heads,
+                double sizePx, const Theme& theme) {
   const FigurePainter figures(theme);
   QPen pen = painter.pen();
   pen.setStyle(Qt::SolidLine);
   pen.setCosmetic(false);
-  const double first = std::max(0.5 * gap, 0.55);
-  const int count = static_cast<int>(std::ceil((length - 0.3 - first) / gap));
-  for (int i = 0; i < count; ++i) {
-    const double at = first + i * gap;
-    const double part = scenePath.percentAtLength(at);
-    const PixelFrame frame(painter, scenePath.pointAtPercent(part));
+  for (const auto& [tip, degrees] : heads) {
+    const PixelFrame frame(painter, tip);
     painter.setPen(pen);
-    figures.arrowHead(painter, QPointF(), scenePath.angleAtPercent(part), sizePx);
+    figures.arrowHead(painter, QPointF(), degrees, sizePx);
   }
 }
 
-RouteLayer::RouteLayer(const MapScene& scene) : scene_(scene) {}
+}  // namespace
+
+void paintArrowHeads(QPainter& painter, const QPainterPath& scenePath, double spacing,
+                     double sizePx, const Theme& theme) {
+  const double gap = arrowGap(spacing, pixelsPerMetreOf(painter));
+  paintHeads(painter, arrowHeads(scenePath, gap), sizePx, theme);
+}
+
+RouteLayer::RouteLayer(const MapScene& scene) : scene_(scene) {
+  setFlag(QGraphicsItem::ItemUsesExtendedStyleOption);
+}
 
 void RouteLayer::routesChanged() {
   prepareGeometryChange();
-  bounds_ = QRectF();
+  Vec2 low = Vec2::Constant(std::numeric_limits<double>::max());
+  Vec2 high = -low;
   for (const EntityKind kind : {EntityKind::Human, EntityKind::Robot}) {
     for (const EntityId id : scene_.document().entities(kind)) {
       const EntityRoute* route = scene_.routes().route(id);
@@ -74,19 +97,52 @@ void RouteLayer::routesChanged() {
         continue;
       }
       for (const RouteLeg& leg : route->legs) {
-        bounds_ |= softPath(leg.points, 0.0).boundingRect();
+        for (const Vec2& point : leg.points) {
+          low = low.cwiseMin(point);
+          high = high.cwiseMax(point);
+        }
       }
     }
   }
-  bounds_.adjust(-1.0, -1.0, 1.0, 1.0);
+  bounds_ = low.x() > high.x()
+                ? QRectF()
+                : QRectF(MapScene::sceneFromWorld(low), MapScene::sceneFromWorld(high))
+                      .normalized()
+                      .adjusted(-1.0, -1.0, 1.0, 1.0);
+  for (auto line = lines_.begin(); line != lines_.end();) {
+    line = scene_.routes().route(line->first) == nullptr ? lines_.erase(line) : std::next(line);
+  }
   update();
 }
 
-void RouteLayer::paintLeg(QPainter& painter, const RouteLeg& leg, const Style& style) const {
-  const QPainterPath path = softPath(leg.points, kSoftness);
-  QPen pen(leg.isReachable ? style.color : scene_.theme().color(Role::Error), style.widthPx,
+const RouteLayer::Line& RouteLayer::lineOf(EntityId id, std::size_t index, const RouteLeg& leg,
+                                           double pixelsPerMetre) {
+  std::vector<Line>& lines = lines_[id];
+  if (lines.size() <= index) {
+    lines.resize(index + 1);
+  }
+  Line& line = lines[index];
+  if (line.points != leg.points) {
+    line.points = leg.points;
+    line.path = softPath(leg.points, kSoftness);
+    line.bounds = line.path.controlPointRect();
+    line.gap = 0.0;
+  }
+  // In steps: a slow zoom does not move all heads all the time.
+  const double steps = std::ceil(2.0 * std::log2(arrowGap(kArrowSpacing, pixelsPerMetre)));
+  const double gap = std::max(kArrowSpacing, std::exp2(0.5 * steps));
+  if (line.gap != gap) {
+    line.gap = gap;
+    line.heads = arrowHeads(line.path, gap);
+  }
+  return line;
+}
+
+void RouteLayer::paintLeg(QPainter& painter, const Line& line, bool isReachable,
+                          const Style& style) const {
+  QPen pen(isReachable ? style.color : scene_.theme().color(Role::Error), style.widthPx,
            style.dashes, Qt::RoundCap, Qt::RoundJoin);
-  if (!leg.isReachable) {
+  if (!isReachable) {
     pen.setStyle(Qt::CustomDashLine);
     pen.setDashPattern({3.0, 4.0});
   } else if (style.dashes == Qt::CustomDashLine) {
@@ -95,23 +151,28 @@ void RouteLayer::paintLeg(QPainter& painter, const RouteLeg& leg, const Style& s
   pen.setCosmetic(true);
   painter.setPen(pen);
   painter.setBrush(Qt::NoBrush);
-  painter.drawPath(path);
-  paintArrowHeads(painter, path, kArrowSpacing, kArrowPx + style.widthPx, scene_.theme());
+  painter.drawPath(line.path);
+  paintHeads(painter, line.heads, kArrowPx + style.widthPx, scene_.theme());
 }
 
-void RouteLayer::paintRoute(QPainter& painter, EntityId id, bool whole, const Style& style) const {
+void RouteLayer::paintRoute(QPainter& painter, EntityId id, bool whole, const Style& style) {
   const EntityRoute* route = scene_.routes().route(id);
-  if (route == nullptr) {
+  if (route == nullptr || !scene_.isPainted(id)) {
     return;
   }
   const std::size_t count =
       whole ? route->legs.size() : std::min<std::size_t>(1, route->legs.size());
   for (std::size_t i = 0; i < count; ++i) {
-    paintLeg(painter, route->legs[i], style);
+    const RouteLeg& leg = route->legs[i];
+    const Line& line = lineOf(id, i, leg, pixelsPerMetreOf(painter));
+    // Straight legs have flat bounds, which intersect nothing.
+    if (line.bounds.adjusted(-0.5, -0.5, 0.5, 0.5).intersects(exposed_)) {
+      paintLeg(painter, line, leg.isReachable, style);
+    }
   }
 }
 
-void RouteLayer::paintPeople(QPainter& painter, bool selected) const {
+void RouteLayer::paintPeople(QPainter& painter, bool selected) {
   for (const EntityId id : scene_.document().entities(EntityKind::Human)) {
     if (scene_.document().isSelected(id) != selected) {
       continue;
@@ -129,7 +190,7 @@ void RouteLayer::paintPeople(QPainter& painter, bool selected) const {
   }
 }
 
-void RouteLayer::paintRobots(QPainter& painter) const {
+void RouteLayer::paintRobots(QPainter& painter) {
   for (const EntityId id : scene_.document().entities(EntityKind::Robot)) {
     const bool selected = scene_.document().isSelected(id);
     const Style style{scene_.theme().color(Role::RobotLine), selected ? 2.6 : 2.0,
@@ -138,8 +199,9 @@ void RouteLayer::paintRobots(QPainter& painter) const {
   }
 }
 
-void RouteLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+void RouteLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
   painter->setRenderHint(QPainter::Antialiasing);
+  exposed_ = option->exposedRect;
   if (scene_.options().routes) {
     paintPeople(*painter, false);
     paintRobots(*painter);

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <map>
+#include <utility>
+#include <vector>
+
 #include <QGraphicsItem>
 #include <QPainterPath>
 
@@ -24,13 +28,24 @@ class RouteLayer : public QGraphicsItem {
     double widthPx = 1.8;
     Qt::PenStyle dashes = Qt::SolidLine;
   };
-  void paintRoute(QPainter& painter, EntityId id, bool whole, const Style& style) const;
-  void paintLeg(QPainter& painter, const RouteLeg& leg, const Style& style) const;
-  void paintPeople(QPainter& painter, bool selected) const;
-  void paintRobots(QPainter& painter) const;
+  /// A leg ready to be painted.
+  struct Line {
+    std::vector<Vec2> points;
+    QPainterPath path;                              // scene
+    QRectF bounds;                                  // of the path
+    double gap = 0.0;                               // between arrow heads [m]
+    std::vector<std::pair<QPointF, double>> heads;  // tips, degrees
+  };
+  const Line& lineOf(EntityId id, std::size_t index, const RouteLeg& leg, double pixelsPerMetre);
+  void paintRoute(QPainter& painter, EntityId id, bool whole, const Style& style);
+  void paintLeg(QPainter& painter, const Line& line, bool isReachable, const Style& style) const;
+  void paintPeople(QPainter& painter, bool selected);
+  void paintRobots(QPainter& painter);
 
   const MapScene& scene_;
   QRectF bounds_;
+  QRectF exposed_;  // of the current painting
+  std::map<EntityId, std::vector<Line>> lines_;
 };
 
 /// A line with soft corners that stays within `softness` [m] of them.

@@ -1,5 +1,6 @@
 #include "editor/canvas/RouteModel.h"
 
+#include <chrono>
 #include <cmath>
 
 #include "sim2d/map/DistanceField.h"
@@ -28,6 +29,9 @@ std::vector<Vec2> placesOf(const sim2d::Scenario& scenario) {
   return places;
 }
 
+constexpr int kPauseMs = 15;
+constexpr std::chrono::milliseconds kMostTime(100);  // before what is planned is shown
+
 struct Walker {
   EntityId id;
   Vec2 start = Vec2::Zero();
@@ -35,6 +39,11 @@ struct Walker {
   double radius = 0.35;
   bool isDirect = false;
   bool returns = false;
+
+  friend bool operator==(const Walker& a, const Walker& b) {
+    return a.start == b.start && a.goals == b.goals && a.radius == b.radius &&
+           a.isDirect == b.isDirect && a.returns == b.returns;
+  }
 };
 
 std::vector<Walker> walkersOf(const sim2d::Scenario& scenario) {
@@ -73,6 +82,7 @@ struct RouteModel::Planning {
   std::vector<Vec2> places;  // only of an open plane, whose field has to span them
   std::shared_ptr<const sim2d::DistanceField> field;
   std::map<int, std::unique_ptr<sim2d::PathPlanner>> planners;  // by radius in centimetres
+  std::map<EntityId, std::pair<Walker, EntityRoute>> known;     // of the last time
 
   void prepare(const sim2d::Scenario& scenario,
                const std::shared_ptr<const sim2d::OccupancyGrid>& newMap) {
@@ -87,6 +97,7 @@ struct RouteModel::Planning {
     doors = scenario.doors;
     places = newPlaces;
     planners.clear();
+    known.clear();
     const sim2d::Surroundings surroundings = sim2d::makeSurroundings(scenario, *map);
     field = std::make_shared<sim2d::DistanceField>(surroundings.grid, surroundings.obstacles,
                                                    placesOf(scenario));
@@ -125,26 +136,87 @@ struct RouteModel::Planning {
     }
     return route;
   }
+
+  /// Plans anew who is not known, until the time is over.
+  Planned routesOf(const std::vector<Walker>& walkers) {
+    std::map<EntityId, std::pair<Walker, EntityRoute>> now;
+    Planned planned;
+    const auto end = std::chrono::steady_clock::now() + kMostTime;
+    for (const Walker& walker : walkers) {
+      const auto found = known.find(walker.id);
+      const bool isKnown = found != known.end() && found->second.first == walker;
+      if (!isKnown && std::chrono::steady_clock::now() > end) {
+        planned.isComplete = false;
+        continue;
+      }
+      EntityRoute route = isKnown ? found->second.second : routeOf(walker);
+      planned.routes[walker.id] = route;
+      now.try_emplace(walker.id, walker, std::move(route));
+    }
+    known = std::move(now);
+    return planned;
+  }
 };
 
 RouteModel::RouteModel(QObject* parent)
-    : QObject(parent), planning_(std::make_shared<Planning>()), task_([this](Routes routes) {
-        routes_ = std::move(routes);
-        Q_EMIT routesChanged();
-      }) {}
+    : QObject(parent),
+      planning_(std::make_shared<Planning>()),
+      task_([this](Planned planned) { take(std::move(planned)); }) {
+  timer_.setSingleShot(true);
+  timer_.setInterval(kPauseMs);
+  connect(&timer_, &QTimer::timeout, this, &RouteModel::start);
+}
 
 RouteModel::~RouteModel() = default;
 
-void RouteModel::update(const sim2d::Scenario& scenario,
-                        std::shared_ptr<const sim2d::OccupancyGrid> map) {
-  task_.start([scenario, map = std::move(map), planning = planning_] {
-    planning->prepare(scenario, map);
-    Routes routes;
-    for (const Walker& walker : walkersOf(scenario)) {
-      routes[walker.id] = planning->routeOf(walker);
-    }
-    return routes;
+void RouteModel::request(std::function<Input()> input) {
+  input_ = std::move(input);
+  if (!timer_.isActive()) {
+    timer_.start();
+  }
+}
+
+void RouteModel::start() {
+  if (task_.isBusy()) {
+    timer_.start();
+    return;
+  }
+  auto input = std::make_shared<const Input>(input_());
+  task_.start([input, planning = planning_] {
+    planning->prepare(input->scenario, input->map);
+    return planning->routesOf(walkersOf(input->scenario));
   });
+}
+
+void RouteModel::take(Planned planned) {
+  Routes& routes = planned.routes;
+  if (!planned.isComplete) {
+    routes.insert(routes_.begin(), routes_.end());  // older ways, where there is no newer one yet
+    timer_.start();
+  }
+  changed_.clear();
+  for (const auto& [id, newRoute] : routes) {
+    const EntityRoute* old = route(id);
+    if (old == nullptr || !(*old == newRoute)) {
+      changed_.push_back(id);
+    }
+  }
+  for (const auto& [id, oldRoute] : routes_) {
+    if (routes.count(id) == 0) {
+      changed_.push_back(id);
+    }
+  }
+  routes_ = std::move(routes);
+  Q_EMIT routesChanged();
+}
+
+void RouteModel::finish() {
+  task_.finish();
+  while (timer_.isActive()) {
+    timer_.stop();
+    start();
+    task_.finish();
+  }
 }
 
 const EntityRoute* RouteModel::route(EntityId id) const {

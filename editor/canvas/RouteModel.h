@@ -1,10 +1,12 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <vector>
 
 #include <QObject>
+#include <QTimer>
 
 #include "editor/document/Entity.h"
 #include "editor/document/LatestTask.h"
@@ -16,15 +18,21 @@ namespace editor {
 struct RouteLeg {
   std::vector<Vec2> points;  // world, both ends included
   bool isReachable = true;   // false: the straight line is given
+  friend bool operator==(const RouteLeg& a, const RouteLeg& b) {
+    return a.isReachable == b.isReachable && a.points == b.points;
+  }
 };
 struct EntityRoute {
   std::vector<RouteLeg> legs;
   bool returns = false;  // the last leg leads back to the first goal
+  friend bool operator==(const EntityRoute& a, const EntityRoute& b) {
+    return a.returns == b.returns && a.legs == b.legs;
+  }
 };
 using Routes = std::map<EntityId, EntityRoute>;
 
 /// The ways of all people and robots round walls, by the planner of the simulation. Planned beside
-/// the GUI thread; `routesChanged` tells when newer ones are there.
+/// the GUI thread, some at a time; `routesChanged` tells when newer ones are there.
 class RouteModel : public QObject {
   Q_OBJECT
  public:
@@ -32,18 +40,35 @@ class RouteModel : public QObject {
   ~RouteModel() override;
   Q_DISABLE_COPY_MOVE(RouteModel)
 
-  void update(const sim2d::Scenario& scenario, std::shared_ptr<const sim2d::OccupancyGrid> map);
+  struct Input {
+    sim2d::Scenario scenario;
+    std::shared_ptr<const sim2d::OccupancyGrid> map;
+  };
+  /// Soon asks `input` for what there is to plan, once for many requests. Ways that stay the same
+  /// are not planned anew.
+  void request(std::function<Input()> input);
   const EntityRoute* route(EntityId id) const;
-  void finish() { task_.finish(); }  // waits for what was asked for
+  /// Whose ways the last `routesChanged` was about.
+  const std::vector<EntityId>& changed() const { return changed_; }
+  void finish();  // waits for what was asked for
 
  Q_SIGNALS:
   void routesChanged();
 
  private:
   struct Planning;
+  void start();
+  struct Planned {
+    Routes routes;
+    bool isComplete = true;  // false: some still wait to be planned
+  };
+  void take(Planned planned);
   Routes routes_;
+  std::vector<EntityId> changed_;
   std::shared_ptr<Planning> planning_;  // kept from one task to the next, used by one at a time
-  LatestTask<Routes> task_;
+  LatestTask<Planned> task_;
+  std::function<Input()> input_;
+  QTimer timer_;
 };
 
 }  // namespace editor

@@ -65,7 +65,7 @@ double MapScene::bodyRadius(const Entity& entity) const {
 std::vector<Label> MapScene::labels() const {
   std::vector<Label> all;
   for (const auto& [id, entityItem] : items_) {
-    if (entityItem->isVisible()) {
+    if (entityItem->isVisible() && isPainted(id)) {
       const std::vector<Label> labels = entityItem->labels();
       all.insert(all.end(), labels.begin(), labels.end());
     }
@@ -126,13 +126,11 @@ void MapScene::showFrame(std::shared_ptr<const sim2d::Frame> frame) {
   if (isRunMode() != wasRunning) {
     routeLayer_->setVisible(wasRunning);
     for (const auto& [id, entityItem] : items_) {
-      if (id.kind == EntityKind::Human || id.kind == EntityKind::Robot) {
-        entityItem->setVisible(wasRunning);
-      }
+      entityItem->setVisible(isShown(id));
     }
     planRoutes();
   }
-  update();
+  noteChange();
 }
 
 void MapScene::setTool(Tool* tool) {

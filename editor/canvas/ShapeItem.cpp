@@ -103,8 +103,9 @@ std::vector<Label> ShapeItem::labels() const {
     return {};
   }
   const QString name = displayName(value_);
+  const bool saysKind = area == nullptr || name.startsWith(areaKindName(area->kind));
   const QString text =
-      area == nullptr ? name : QStringLiteral("%1 · %2").arg(name, areaKindName(area->kind));
+      saysKind ? name : QStringLiteral("%1 · %2").arg(name, areaKindName(area->kind));
   const QRectF box = path_.boundingRect();
   return {{text, std::nullopt, box.center(), 0.5 * box.height() * mapScene().pixelsPerMetre() + 4.0,
            0, false}};

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "editor/document/Geometry.h"
+
 namespace editor {
 
 namespace {
@@ -20,16 +22,6 @@ Vec2 cornerSign(int index) {
 
 double rounded(double value, double step, bool fine) {
   return fine ? value : std::round(value / step) * step;
-}
-
-std::vector<Vec2>* pointsOf(Entity& entity) {
-  if (auto* area = std::get_if<sim2d::Area>(&entity)) {
-    return &area->points;
-  }
-  if (auto* obstacle = std::get_if<sim2d::Obstacle>(&entity)) {
-    return &obstacle->points;
-  }
-  return nullptr;
 }
 
 void addCorners(std::vector<Handle>& handles, const Pose2& pose, const Vec2& half) {
@@ -71,6 +63,12 @@ void resizeBox(sim2d::Obstacle& box, int corner, const Vec2& to, bool fine) {
       Pose2{fixed, box.pose.heading}.toWorld(0.5 * sign.cwiseProduct(Vec2(box.length, box.width)));
 }
 
+/// What has no heading of its own is turned by a handle above it.
+bool turnsAsAWhole(const Entity& entity) {
+  return (cornersOf(entity) != nullptr || kindOf(entity) == EntityKind::Door) &&
+         extentOf(entity).has_value();
+}
+
 void resize(Entity& entity, int corner, const Vec2& to, bool fine) {
   if (auto* human = std::get_if<sim2d::Human>(&entity)) {
     const Vec2 offset = (to - human->initPose.position).cwiseAbs();
@@ -91,7 +89,7 @@ void moveVertex(Entity& entity, int index, const Vec2& to) {
     (index == 0 ? door->from : door->to) = to;
     return;
   }
-  std::vector<Vec2>* points = pointsOf(entity);
+  std::vector<Vec2>* points = cornersOf(entity);
   if (points != nullptr && index < static_cast<int>(points->size())) {
     (*points)[static_cast<std::size_t>(index)] = to;
   }
@@ -122,6 +120,10 @@ std::vector<Handle> handlesOf(const Entity& entity, const HandleSizes& sizes) {
     }
     const Pose2 pose{*positionOf(entity), *heading};
     handles.push_back({Handle::Kind::Turn, 0, pose.ahead(distance)});
+  } else if (turnsAsAWhole(entity)) {
+    const Extent extent = *extentOf(entity);
+    const Vec2 top(extent.centre().x(), extent.high.y() + sizes.turnDistance);
+    handles.push_back({Handle::Kind::Turn, 0, top});
   }
   return handles;
 }
@@ -130,9 +132,10 @@ Entity pulled(const Entity& entity, const Handle& handle, const Vec2& to, bool f
   Entity result = entity;
   switch (handle.kind) {
     case Handle::Kind::Turn: {
-      const double heading = base::headingOf(to - *positionOf(entity));
-      const double step = base::kPi / 180.0;
-      return turned(std::move(result), rounded(heading, step, fine));
+      const Vec2 centre = *positionOf(entity);
+      const double heading = rounded(base::headingOf(to - centre), base::kPi / 180.0, fine);
+      return headingOf(entity) ? turned(std::move(result), heading)
+                               : rotated(std::move(result), centre, heading - 0.5 * base::kPi);
     }
     case Handle::Kind::Size:
       resize(result, handle.index, to, fine);

@@ -232,6 +232,11 @@ void HouseStyle::drawToolButton(QPainter& painter, const QStyleOptionComplex& op
                 QRectF(option.rect.right() - 18, option.rect.top(), 14, option.rect.height()), 0,
                 isEnabled(option));
   }
+  if (button->features.testFlag(QStyleOptionToolButton::MenuButtonPopup)) {
+    const QRect arrow = subControlRect(CC_ToolButton, button, SC_ToolButtonMenu, widget);
+    label.rect.setRight(arrow.left());
+    drawChevron(painter, QRectF(arrow).adjusted(-2.0, 1.0, -2.0, 1.0), 0, isEnabled(option));
+  }
   drawControl(CE_ToolButtonLabel, &label, &painter, widget);
 }
 

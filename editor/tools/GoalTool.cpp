@@ -27,7 +27,7 @@ void GoalTool::press(const CanvasMouse& mouse) {
   from_ = mouse.world;
   justPicked_ = false;
   if (held_) {  // picked up by the click before
-    preview(placed(mouse.world + grip_, mouse.modifiers));
+    preview(placeOf(mouse));
     return;
   }
   grip_ = Vec2::Zero();
@@ -41,7 +41,7 @@ void GoalTool::press(const CanvasMouse& mouse) {
     held_ = sim2d::GlobalGoal();
     held_->key = kGhost;
     held_->id = freeGoalId(document().scenario());
-    preview(placed(mouse.world, mouse.modifiers));
+    preview(placeOf(mouse));
   }
   Q_EMIT statusTextChanged();
 }
@@ -52,7 +52,7 @@ void GoalTool::move(const CanvasMouse& mouse) {
     return;
   }
   if (!pressed_ || isDrag(from_, mouse)) {
-    preview(placed(mouse.world + grip_, mouse.modifiers));
+    preview(placeOf(mouse));
   }
 }
 
@@ -64,7 +64,12 @@ void GoalTool::release(const CanvasMouse& mouse) {
   if (!held_ || (justPicked_ && !isDrag(from_, mouse))) {
     return;  // picked up by a click: follows the mouse until the next one
   }
-  drop(placed(mouse.world + grip_, mouse.modifiers));
+  drop(placeOf(mouse));
+}
+
+Vec2 GoalTool::placeOf(CanvasMouse mouse) const {
+  mouse.world += grip_;
+  return snapToGrid(mouse);
 }
 
 void GoalTool::drop(const Vec2& at) {

@@ -22,6 +22,7 @@ class GoalTool : public Tool {
  private:
   void preview(const Vec2& at);
   void drop(const Vec2& at);
+  Vec2 placeOf(CanvasMouse mouse) const;
   std::optional<sim2d::GlobalGoal> held_;  // without a key in the document: a new one
   Vec2 from_ = Vec2::Zero();
   Vec2 grip_ = Vec2::Zero();  // from the cursor to the tip of the pin

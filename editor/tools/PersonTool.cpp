@@ -52,7 +52,7 @@ void PersonTool::press(const CanvasMouse& mouse) {
   if (mouse.button != Qt::LeftButton) {
     return;
   }
-  from_ = placed(mouse.world, mouse.modifiers);
+  from_ = snapToGrid(mouse);
   placing_ = prototype_;
   placing_->key = kGhost;
   placing_->initPose.position = from_;

@@ -51,7 +51,7 @@ void RobotTool::press(const CanvasMouse& mouse) {
     setGoal(mouse);
     return;
   }
-  from_ = placed(mouse.world, mouse.modifiers & ~Qt::ShiftModifier);
+  from_ = snapToGrid(mouse);
   placing_ = robotFor(mouse);
   placing_->start.position = from_;
   scene().setPreview({*placing_});
@@ -67,7 +67,7 @@ void RobotTool::setGoal(const CanvasMouse& mouse) {
   } else {
     pushChange<sim2d::Robot>(document(), robot, tr("Goal of the robot"), [&](sim2d::Robot& value) {
       value.goal.goals.clear();
-      value.goal.point = placed(mouse.world, mouse.modifiers);
+      value.goal.point = snapToGrid(mouse);
     });
   }
 }

@@ -6,7 +6,10 @@
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
 #include "editor/document/EditCommands.h"
+#include "editor/document/Geometry.h"
+#include "editor/tools/Arrange.h"
 #include "editor/tools/SelectionActions.h"
+#include "editor/tools/Snap.h"
 
 namespace editor {
 
@@ -28,6 +31,11 @@ QString SelectTool::statusText() const {
   if (document().selection().empty()) {
     return tr("Click to select · Drag over empty ground to select several");
   }
+  const std::optional<Entity> value = document().entity(document().selection().front());
+  if (document().selection().size() == 1 && value && cornersOf(*value) != nullptr) {
+    return tr(
+        "Drag to move · Drag the round handle to turn · Double click an edge for a new corner");
+  }
   return tr("Drag to move · Drag the round handle to turn · Ctrl+D duplicates · Del removes");
 }
 
@@ -41,10 +49,11 @@ void SelectTool::press(const CanvasMouse& mouse) {
     pressInRun(mouse);
     return;
   }
-  if (!isAdding(mouse) && grabHandle(mouse)) {
+  grabbed_ = scene().entityAt(mouse.world);
+  const bool isOfAnother = grabbed_ && !document().isSelected(grabbed_);
+  if (!(isAdding(mouse) && isOfAnother) && grabHandle(mouse)) {
     return;
   }
-  grabbed_ = scene().entityAt(mouse.world);
   if (!grabbed_) {
     gesture_ = Gesture::Band;
     return;
@@ -66,27 +75,6 @@ void SelectTool::press(const CanvasMouse& mouse) {
 void SelectTool::pressInRun(const CanvasMouse& mouse) {
   const std::optional<EntityId> hit = scene().agentEntityAt(mouse.world);
   document().setSelection(hit ? std::vector<EntityId>{*hit} : std::vector<EntityId>{});
-}
-
-bool SelectTool::grabHandle(const CanvasMouse& mouse) {
-  const auto [id, handle] = scene().handleAt(mouse.world);
-  if (handle.kind == Handle::Kind::None) {
-    return false;
-  }
-  gesture_ = Gesture::Handle;
-  grabbed_ = id;
-  handle_ = handle;
-  pulled_.reset();
-  return true;
-}
-
-void SelectTool::grabRobotGoal(const CanvasMouse& mouse) {
-  // Selected just now, it shows its handles: one drag is enough to move its goal.
-  const EntityId robot = grabbed_;
-  if (grabHandle(mouse) && (grabbed_ != robot || handle_.kind != Handle::Kind::RobotGoal)) {
-    gesture_ = Gesture::Pressed;
-    grabbed_ = robot;
-  }
 }
 
 void SelectTool::move(const CanvasMouse& mouse) {
@@ -146,11 +134,24 @@ Vec2 SelectTool::deltaFor(const CanvasMouse& mouse) const {
     return Vec2::Zero();
   }
   Vec2 delta = mouse.world - from_;
+  SnapWish wish;
+  wish.without = document().selection();
   if (mouse.modifiers.testFlag(Qt::ShiftModifier)) {  // along one axis
     (std::abs(delta.x()) < std::abs(delta.y()) ? delta.x() : delta.y()) = 0.0;
+    wish.ontoPoints = false;
   }
-  const Vec2 target = placed(*start + delta, mouse.modifiers);
-  return target - *start;
+  CanvasMouse target = mouse;
+  if (wish.ontoPoints && grabbed_.kind != EntityKind::Robot) {
+    for (const Vec2& own : snapPointsOf(*entity)) {  // a corner may hold as well as the middle
+      target.world = own + delta;
+      if (snapped(scene(), target, wish).isOnPoint) {
+        return snap(target, wish) - own;
+      }
+    }
+  }
+  wish.ontoPoints = false;
+  target.world = *start + delta;
+  return snap(target, wish) - *start;
 }
 
 void SelectTool::previewMove(const CanvasMouse& mouse) {
@@ -165,22 +166,6 @@ void SelectTool::previewMove(const CanvasMouse& mouse) {
   if (const std::optional<Entity> value = scene().shown(grabbed_)) {
     scene().toolLayer().setTag(mouse.world, placeText(*positionOf(*value)));
   }
-}
-
-void SelectTool::previewHandle(const CanvasMouse& mouse) {
-  const std::optional<Entity> entity = document().entity(grabbed_);
-  if (!entity) {
-    end();
-    return;
-  }
-  const bool isPoint =
-      handle_.kind == Handle::Kind::Vertex || handle_.kind == Handle::Kind::RobotGoal;
-  const Vec2 to = isPoint ? placed(mouse.world, mouse.modifiers) : mouse.world;
-  pulled_ = pulled(*entity, handle_, to, mouse.modifiers.testFlag(Qt::AltModifier));
-  scene().setPreview({*pulled_});
-  scene().toolLayer().setTag(mouse.world, handle_.kind == Handle::Kind::Turn
-                                              ? headingText(*headingOf(*pulled_))
-                                              : placeText(to));
 }
 
 void SelectTool::selectBand(const CanvasMouse& mouse) {
@@ -198,6 +183,9 @@ void SelectTool::selectBand(const CanvasMouse& mouse) {
 void SelectTool::release(const CanvasMouse& mouse) {
   if (mouse.button != Qt::LeftButton) {
     return;
+  }
+  if (gesture_ == Gesture::Handle && pulled_) {
+    previewHandle(mouse);
   }
   const Gesture gesture = gesture_;
   const Vec2 delta = gesture == Gesture::Moving ? deltaFor(mouse) : Vec2(Vec2::Zero());
@@ -231,6 +219,11 @@ void SelectTool::end() {
   pulled_.reset();
   scene().toolLayer().clear();
   scene().clearPreview();
+}
+
+void SelectTool::deactivate() {
+  end();
+  scene().setHovered({});
 }
 
 void SelectTool::cancel() {
@@ -276,6 +269,8 @@ bool SelectTool::keyPress(const QKeyEvent& event) {
     removeSelection(document());
   } else if (event.matches(QKeySequence::SelectAll)) {
     selectAll(document());
+  } else if (event.key() == Qt::Key_BracketLeft || event.key() == Qt::Key_BracketRight) {
+    rotateSelection(document(), event.key() == Qt::Key_BracketLeft ? kSnapAngle : -kSnapAngle);
   } else if (event.key() == Qt::Key_D && event.modifiers() == Qt::ControlModifier) {
     duplicateSelection(document());
   } else {

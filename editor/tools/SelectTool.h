@@ -17,9 +17,12 @@ class SelectTool : public Tool {
   QKeySequence shortcut() const override { return QKeySequence(Qt::Key_V); }
   QString statusText() const override;
   QCursor cursor() const override { return cursor_; }
+  void deactivate() override;  // the selection stays for the next tool
   void press(const CanvasMouse& mouse) override;
   void move(const CanvasMouse& mouse) override;
   void release(const CanvasMouse& mouse) override;
+  /// On an edge of a selected outline: a new corner; on a corner: away with it.
+  void doubleClick(const CanvasMouse& mouse) override;
   void cancel() override;
   bool keyPress(const QKeyEvent& event) override;
 
@@ -32,6 +35,8 @@ class SelectTool : public Tool {
   Vec2 deltaFor(const CanvasMouse& mouse) const;
   void previewMove(const CanvasMouse& mouse);
   void previewHandle(const CanvasMouse& mouse);
+  Vec2 handleTarget(const Entity& entity, const CanvasMouse& mouse) const;
+  QString handleText(const Entity& before, const Vec2& to) const;
   void selectBand(const CanvasMouse& mouse);
   void end();
   bool nudge(const QKeyEvent& event);

@@ -1,20 +1,25 @@
 #include "editor/tools/Tool.h"
 
-#include <cmath>
-
+#include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
+#include "editor/tools/Snap.h"
 
 namespace editor {
 
 Tool::Tool(ScenarioDocument& document, MapScene& scene, QObject* parent)
     : QObject(parent), document_(document), scene_(scene) {}
 
-Vec2 placed(const Vec2& world, Qt::KeyboardModifiers modifiers) {
-  if (modifiers.testFlag(Qt::AltModifier)) {
-    return world;
-  }
-  const double step = modifiers.testFlag(Qt::ControlModifier) ? 0.5 : 0.01;
-  return {std::round(world.x() / step) * step, std::round(world.y() / step) * step};
+Vec2 Tool::snap(const CanvasMouse& mouse, const SnapWish& wish) const {
+  const Snapped result = snapped(scene_, mouse, wish);
+  scene_.toolLayer().setSnapMark(result.isOnPoint ? std::optional<Vec2>(result.point)
+                                                  : std::nullopt);
+  return result.point;
+}
+
+Vec2 Tool::snapToGrid(const CanvasMouse& mouse) const {
+  SnapWish wish;
+  wish.ontoPoints = false;
+  return snapped(scene_, mouse, wish).point;
 }
 
 bool isDrag(const Vec2& from, const CanvasMouse& mouse) {
@@ -27,6 +32,12 @@ QString placeText(const Vec2& world) {
 
 QString headingText(double heading) {
   return QStringLiteral("%1°").arg(heading * 180.0 / base::kPi, 0, 'f', 1);
+}
+
+QString legText(const Vec2& from, const Vec2& to) {
+  return QStringLiteral("%1 m · %2")
+      .arg((to - from).norm(), 0, 'f', 2)
+      .arg(headingText(base::headingOf(to - from)));
 }
 
 }  // namespace editor

@@ -3,12 +3,14 @@
 #include <QCursor>
 #include <QKeyEvent>
 #include <QObject>
+#include <QWidget>
 
 #include "editor/document/ScenarioDocument.h"
 
 namespace editor {
 
 class MapScene;
+struct SnapWish;
 
 /// A mouse event on the canvas, world frame.
 struct CanvasMouse {
@@ -40,6 +42,8 @@ class Tool : public QObject {
   virtual void doubleClick(const CanvasMouse&) {}
   virtual void cancel() = 0;  // leaves the document as it was before the gesture
   virtual bool keyPress(const QKeyEvent&) { return false; }  // true = used
+  /// Settings of the tool, one row, shown over the canvas while it is the current one; or none.
+  virtual QWidget* makeOptions(QWidget*) { return nullptr; }
 
  Q_SIGNALS:
   void statusTextChanged();
@@ -48,6 +52,9 @@ class Tool : public QObject {
  protected:
   ScenarioDocument& document() const { return document_; }
   MapScene& scene() const { return scene_; }
+  /// Where the mouse comes to lie (Snap.h); a point of another entity is marked on the canvas.
+  Vec2 snap(const CanvasMouse& mouse, const SnapWish& wish) const;
+  Vec2 snapToGrid(const CanvasMouse& mouse) const;  // and to nothing else
 
  private:
   ScenarioDocument& document_;
@@ -56,9 +63,8 @@ class Tool : public QObject {
 
 constexpr double kDragPx = 4.0;  // less is a click
 bool isDrag(const Vec2& from, const CanvasMouse& mouse);
-/// On whole centimetres; on half metres with Ctrl, anywhere with Alt.
-Vec2 placed(const Vec2& world, Qt::KeyboardModifiers modifiers);
-QString placeText(const Vec2& world);  // "6.30, 6.90 m"
-QString headingText(double heading);   // "-28.0°"
+QString placeText(const Vec2& world);               // "6.30, 6.90 m"
+QString headingText(double heading);                // "-28.0°"
+QString legText(const Vec2& from, const Vec2& to);  // "2.35 m · 45.0°"
 
 }  // namespace editor

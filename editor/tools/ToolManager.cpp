@@ -3,13 +3,23 @@
 #include <QAction>
 
 #include "editor/canvas/MapScene.h"
+#include "editor/tools/AreaTool.h"
+#include "editor/tools/BoxTool.h"
+#include "editor/tools/BrushTool.h"
+#include "editor/tools/CircleTool.h"
+#include "editor/tools/DoorTool.h"
+#include "editor/tools/EraserTool.h"
+#include "editor/tools/FillTool.h"
 #include "editor/tools/GoalTool.h"
 #include "editor/tools/MapPaintTool.h"
+#include "editor/tools/MeasureTool.h"
 #include "editor/tools/PanTool.h"
 #include "editor/tools/PersonTool.h"
+#include "editor/tools/PolygonTool.h"
 #include "editor/tools/RobotTool.h"
 #include "editor/tools/RouteTool.h"
 #include "editor/tools/SelectTool.h"
+#include "editor/tools/WallTool.h"
 
 namespace editor {
 
@@ -17,10 +27,20 @@ ToolManager::ToolManager(ScenarioDocument& document, MapScene& scene, QObject* p
     : QObject(parent), scene_(scene), group_(this) {
   add(new SelectTool(document, scene, this));
   add(new PersonTool(document, scene, this));
+  add(new BrushTool(document, scene, this));
+  add(new FillTool(document, scene, this));
   add(new GoalTool(document, scene, this));
   add(new RouteTool(document, scene, this));
+  add(new WallTool(document, scene, this));
+  add(new BoxTool(document, scene, this));
+  add(new PolygonTool(document, scene, this));
+  add(new CircleTool(document, scene, this));
+  add(new DoorTool(document, scene, this));
+  add(new AreaTool(document, scene, this));
   add(new RobotTool(document, scene, this));
   add(new MapPaintTool(document, scene, this));
+  add(new MeasureTool(document, scene, this));
+  add(new EraserTool(document, scene, this));
   add(new PanTool(document, scene, this));
   connect(&document, &ScenarioDocument::selectionChanged, this, [this] {
     if (current_ != nullptr) {

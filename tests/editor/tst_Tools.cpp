@@ -1,32 +1,17 @@
-#include <QAction>
-#include <QApplication>
-#include <QWindow>
 #include <QtTest>
 
-#include "SmallScenario.h"
-#include "editor/canvas/MapView.h"
+#include "CanvasTester.h"
 #include "editor/document/EditCommands.h"
 #include "editor/tools/SelectionActions.h"
-#include "editor/tools/ToolManager.h"
 
 using namespace editor;
 
 /// The tools by real mouse events on a window.
-class ToolsTest : public QObject {
+class ToolsTest : public QObject, private CanvasTester {
   Q_OBJECT
 
  private Q_SLOTS:
-  void init() {
-    QApplication::setFont(QFont(QStringLiteral("DejaVu Sans"), 9));
-    document_.load(small::scenario());
-    document_.setMap(small::room());
-    tools_.setEditingEnabled(true);
-    use("Select");
-    view_.resize(800, 600);
-    view_.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&view_));
-    view_.fitAll(false);
-  }
+  void init() { start(small::scenario()); }
 
   void personAndGoal_placedWithTheMouse_canBeUndoneAndRedone() {
     document_.load(sim2d::Scenario());
@@ -181,50 +166,6 @@ class ToolsTest : public QObject {
     QCOMPARE(tools_.current(), tools_.tools().front());
     QVERIFY(!tools_.actions().actions().at(1)->isEnabled());
   }
-
- private:
-  static EntityId person(int key) { return {EntityKind::Human, key}; }
-
-  QWindow* window() { return view_.window()->windowHandle(); }
-  QPoint at(const Vec2& world) {
-    return view_.viewport()->mapTo(view_.window(), view_.viewportFrom(world));
-  }
-  void press(const Vec2& world, Qt::KeyboardModifiers modifiers = {}) {
-    QTest::mouseMove(window(), at(world));
-    QTest::mousePress(window(), Qt::LeftButton, modifiers, at(world));
-  }
-  void move(const Vec2& world) { QTest::mouseMove(window(), at(world)); }
-  void release(const Vec2& world, Qt::KeyboardModifiers modifiers = {}) {
-    QTest::mouseRelease(window(), Qt::LeftButton, modifiers, at(world));
-    QTest::qWait(0);
-  }
-  void click(const Vec2& world, Qt::KeyboardModifiers modifiers = {}) {
-    press(world, modifiers);
-    release(world, modifiers);
-    // Two clicks at one place within the interval would be a double click.
-    QTest::qWait(1);
-  }
-  void drag(const Vec2& from, const Vec2& to) {
-    press(from);
-    move(0.5 * (from + to));
-    move(to);
-    release(to);
-  }
-  void use(const char* name) {
-    for (Tool* tool : tools_.tools()) {
-      if (tool->name() == QString::fromUtf8(name)) {
-        tools_.action(tool)->trigger();
-        QCOMPARE(tools_.current(), tool);
-        return;
-      }
-    }
-    QFAIL("no such tool");
-  }
-
-  ScenarioDocument document_;
-  MapScene scene_{document_, Theme::light()};
-  MapView view_{scene_};
-  ToolManager tools_{document_, scene_};
 };
 
 QTEST_MAIN(ToolsTest)

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "editor/document/Entity.h"
+
+namespace editor {
+
+/// Extent along the axes [m].
+struct Extent {
+  Vec2 low = Vec2::Zero();
+  Vec2 high = Vec2::Zero();
+  Vec2 centre() const { return 0.5 * (low + high); }
+  void include(const Extent& other);
+};
+
+/// Of the outline; people and robots by their place alone. Nothing for the settings.
+std::optional<Extent> extentOf(const Entity& entity);
+/// Turned about a point by an angle [rad]: place, outline and heading.
+Entity rotated(Entity entity, const Vec2& centre, double angle);
+/// The corners of an obstacle, area, or a wall's line; null for what has none.
+std::vector<Vec2>* cornersOf(Entity& entity);
+const std::vector<Vec2>* cornersOf(const Entity& entity);
+/// Fewer corners make no shape: 2 for walls, else 3.
+std::size_t fewestCorners(const Entity& entity);
+/// The edge of an outline within `reach` of a point, by its first corner.
+std::optional<std::size_t> edgeNear(const Entity& entity, const Vec2& point, double reach);
+bool hasOpenLine(const Entity& entity);  // a wall: its ends are not joined
+
+}  // namespace editor

@@ -1,0 +1,115 @@
+#include "editor/tools/BrushTool.h"
+
+#include <cmath>
+
+#include "editor/canvas/Layers.h"
+#include "editor/canvas/MapScene.h"
+#include "editor/document/EditCommands.h"
+#include "editor/tools/CrowdOptions.h"
+#include "sim2d/base/Rng.h"
+
+namespace editor {
+
+namespace {
+
+constexpr int kSideways = -2;  // agent number of the draws beside the drag
+
+double onCentimetres(double value) {
+  return std::round(value * 100.0) / 100.0;
+}
+
+}  // namespace
+
+QString BrushTool::statusText() const {
+  return ground_ ? tr("%1 · Esc drops them").arg(peopleText(static_cast<int>(people_.size())))
+                 : tr("Drag to lay people along the way; they look where it goes");
+}
+
+QWidget* BrushTool::makeOptions(QWidget* parent) {
+  auto* row = new OptionsRow(parent);
+  addNumber(*row, tr("Every"), {0.3, 20.0, 1, 0.5}, tr("m"), spacing_,
+            [this](double value) { spacing_ = value; });
+  addNumber(*row, tr("Width"), {0.0, 20.0, 1, 0.5}, tr("m"), width_,
+            [this](double value) { width_ = value; });
+  addRecipeFields(*row, recipe_, scene(), [this] { Q_EMIT statusTextChanged(); });
+  return row;
+}
+
+void BrushTool::lay(const Vec2& at, double heading) {
+  const int index = nextDraw(document()) + drawn_;
+  sim2d::Human human = drawnPerson(recipe_, index, document().scenario().goals);
+  const base::AgentRng rng(static_cast<std::uint64_t>(recipe_.seed), kSideways,
+                           static_cast<std::uint64_t>(index));
+  ++drawn_;
+  const double aside = rng.uniform(-0.5 * width_, 0.5 * width_, base::Draw::Placement);
+  const Vec2 place = Pose2{at, heading}.toWorld(Vec2(0.0, aside));
+  human.initPose = {Vec2(onCentimetres(place.x()), onCentimetres(place.y())),
+                    onCentimetres(heading)};
+  if (ground_->isFree(human.initPose.position, *human.radius)) {
+    ground_->take(human.initPose.position, *human.radius);
+    people_.push_back(std::move(human));
+  }
+}
+
+void BrushTool::layAlong(const Vec2& world) {
+  for (Vec2 way = world - last_; way.norm() >= spacing_; way = world - last_) {
+    const double heading = base::headingOf(way);
+    if (drawn_ == 1 && people_.size() == 1) {
+      people_.front().initPose.heading = onCentimetres(heading);  // the way shows only now
+    }
+    last_ += spacing_ * way.normalized();
+    lay(last_, heading);
+  }
+}
+
+void BrushTool::press(const CanvasMouse& mouse) {
+  cancel();
+  if (mouse.button != Qt::LeftButton) {
+    return;
+  }
+  ground_.emplace(document());
+  last_ = mouse.world;
+  lay(last_, drawnPerson(recipe_, nextDraw(document()), {}).initPose.heading);
+  show();
+}
+
+void BrushTool::move(const CanvasMouse& mouse) {
+  if (ground_) {
+    layAlong(mouse.world);
+    show();
+  }
+}
+
+void BrushTool::release(const CanvasMouse& mouse) {
+  if (mouse.button != Qt::LeftButton || !ground_) {
+    return;
+  }
+  layAlong(mouse.world);
+  std::vector<Entity> people(people_.begin(), people_.end());
+  cancel();
+  if (!people.empty()) {
+    const int made = static_cast<int>(people.size());
+    document().setSelection(
+        pushAdd(document(), std::move(people), tr("Add %1").arg(peopleText(made))));
+  }
+}
+
+void BrushTool::show() {
+  std::vector<ToolDot> dots;
+  for (const sim2d::Human& human : people_) {
+    dots.push_back({human.initPose.position, *human.radius,
+                    scene().theme().line(lookOf(*human.behavior.type)), human.initPose.heading});
+  }
+  scene().toolLayer().setDots(std::move(dots));
+  Q_EMIT statusTextChanged();
+}
+
+void BrushTool::cancel() {
+  ground_.reset();
+  people_.clear();
+  drawn_ = 0;
+  scene().toolLayer().clear();
+  Q_EMIT statusTextChanged();
+}
+
+}  // namespace editor

@@ -1,0 +1,178 @@
+#include "editor/tools/CornerTool.h"
+
+#include <cmath>
+
+#include "editor/canvas/Layers.h"
+#include "editor/canvas/MapScene.h"
+#include "editor/tools/Snap.h"
+#include "sim2d/map/Outlines.h"
+
+namespace editor {
+
+namespace {
+
+constexpr double kSamePlace = 0.01;  // [m]
+
+bool isSame(const Vec2& a, const Vec2& b) {
+  return (a - b).norm() < kSamePlace;
+}
+
+}  // namespace
+
+QString CornerTool::statusText() const {
+  if (!problem_.isEmpty()) {
+    return tr("%1 · Backspace takes the last corner back · Esc drops it").arg(problem_);
+  }
+  if (corners_.empty()) {
+    return idleText();
+  }
+  return tr(
+      "Click the next corner · Enter or a double click ends it · Backspace takes one back · "
+      "Esc drops it");
+}
+
+QString CornerTool::problemOf(const Corners& corners) const {
+  if (corners.size() < 3) {
+    return tr("Three corners or more are needed");
+  }
+  if (!sim2d::isSimple(corners)) {
+    return tr("The edges cross");
+  }
+  return std::abs(sim2d::signedArea(corners)) < kLeastArea ? tr("Too small") : QString();
+}
+
+CornerTool::Corners CornerTool::dragged(const Vec2& from, const Vec2& to) const {
+  return {from, Vec2(to.x(), from.y()), to, Vec2(from.x(), to.y())};
+}
+
+Vec2 CornerTool::cursorFor(const CanvasMouse& mouse) const {
+  SnapWish wish;
+  if (!corners_.empty()) {
+    wish.anchor = corners_.back();
+    wish.more = {corners_.front()};
+  }
+  return snap(mouse, wish);
+}
+
+bool CornerTool::isOnFirst(const Vec2& point, double pixelsPerMetre) const {
+  return corners_.size() > 2 && (point - corners_.front()).norm() * pixelsPerMetre <= kSnapReachPx;
+}
+
+void CornerTool::addCorner(const Vec2& point) {
+  if (corners_.empty() || !isSame(corners_.back(), point)) {
+    corners_.push_back(point);
+  }
+}
+
+void CornerTool::press(const CanvasMouse& mouse) {
+  if (mouse.button == Qt::RightButton) {
+    finish(corners_);
+    return;
+  }
+  if (mouse.button != Qt::LeftButton) {
+    return;
+  }
+  problem_.clear();
+  cursor_ = cursorFor(mouse);
+  if (isOnFirst(cursor_, mouse.pixelsPerMetre)) {
+    Corners closed = corners_;
+    if (!isClosed()) {
+      closed.push_back(corners_.front());
+    }
+    finish(std::move(closed));
+    return;
+  }
+  pressed_ = true;
+  pressedAt_ = mouse.world;
+  addCorner(cursor_);
+  show();
+}
+
+void CornerTool::move(const CanvasMouse& mouse) {
+  cursor_ = cursorFor(mouse);
+  if (!corners_.empty()) {
+    show();
+  }
+}
+
+void CornerTool::release(const CanvasMouse& mouse) {
+  if (mouse.button != Qt::LeftButton || !pressed_) {
+    return;
+  }
+  pressed_ = false;
+  if (corners_.empty() || !isDrag(pressedAt_, mouse)) {
+    return;
+  }
+  cursor_ = cursorFor(mouse);
+  if (corners_.size() == 1) {
+    finish(dragged(corners_.front(), cursor_));
+  } else {
+    addCorner(cursor_);
+    show();
+  }
+}
+
+bool CornerTool::keyPress(const QKeyEvent& event) {
+  if (corners_.empty()) {
+    return false;
+  }
+  if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) {
+    finish(corners_);
+    return true;
+  }
+  if (event.key() == Qt::Key_Backspace) {
+    problem_.clear();
+    corners_.pop_back();
+    corners_.empty() ? cancel() : show();
+    return true;
+  }
+  return false;
+}
+
+void CornerTool::show() {
+  Corners shape = corners_;
+  if (pressed_ && corners_.size() == 1 && !isSame(cursor_, corners_.front())) {
+    shape = dragged(corners_.front(), cursor_);
+  } else if (!isSame(cursor_, corners_.back())) {
+    shape.push_back(cursor_);
+  }
+  const bool isReady = problemOf(shape).isEmpty();
+  if (isReady) {
+    preview(shape);
+  } else {
+    scene().clearPreview();
+    scene().toolLayer().setDots({});
+  }
+  const bool isCrossing = isClosed() && shape.size() > 3 && !isReady;
+  scene().toolLayer().setOutline({shape, isClosed(), isCrossing, true});
+  if (!isSame(cursor_, corners_.back())) {
+    scene().toolLayer().setTag(cursor_, legText(corners_.back(), cursor_));
+  }
+  Q_EMIT statusTextChanged();
+}
+
+void CornerTool::finish(Corners corners) {
+  if (corners.empty()) {
+    return;
+  }
+  problem_ = problemOf(corners);
+  if (problem_.isEmpty()) {
+    cancel();
+    make(corners);
+  } else if (corners_.size() < 3) {
+    cancel();  // a click or two in one place: nothing was meant
+  } else {
+    Q_EMIT statusTextChanged();
+  }
+}
+
+void CornerTool::cancel() {
+  corners_.clear();
+  problem_.clear();
+  pressed_ = false;
+  scene().clearPreview();
+  scene().toolLayer().clear();
+  Q_EMIT statusTextChanged();
+}
+
+}  // namespace editor

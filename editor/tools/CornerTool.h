@@ -1,0 +1,54 @@
+#pragma once
+
+#include "editor/tools/Tool.h"
+
+namespace editor {
+
+/// Base of the tools that draw by corners. Each click sets one; Enter, a double click, the right
+/// button or a click on the first corner ends the shape, Backspace takes the last corner back,
+/// Escape drops all. A drag from the first corner makes the simplest shape at once. With Shift,
+/// legs run at multiples of 15 degrees.
+class CornerTool : public Tool {
+  Q_OBJECT
+ public:
+  using Tool::Tool;
+
+  QString statusText() const override;
+  void press(const CanvasMouse& mouse) override;
+  void move(const CanvasMouse& mouse) override;
+  void release(const CanvasMouse& mouse) override;
+  void doubleClick(const CanvasMouse&) override { finish(corners_); }
+  void cancel() override;
+  bool keyPress(const QKeyEvent& event) override;
+
+ protected:
+  using Corners = std::vector<Vec2>;
+  virtual QString idleText() const = 0;  // the status before the first corner
+  virtual bool isClosed() const { return true; }
+  /// What keeps the corners from becoming a shape; empty = nothing.
+  virtual QString problemOf(const Corners& corners) const;
+  /// Shows what the corners would make; `problemOf` has found nothing.
+  virtual void preview(const Corners& corners) = 0;
+  /// Makes it: one command. Preview and corners are gone by then.
+  virtual void make(const Corners& corners) = 0;
+  /// What a drag makes: a rectangle, for lines the line itself.
+  virtual Corners dragged(const Vec2& from, const Vec2& to) const;
+
+ private:
+  Vec2 cursorFor(const CanvasMouse& mouse) const;
+  bool isOnFirst(const Vec2& point, double pixelsPerMetre) const;
+  void addCorner(const Vec2& point);
+  void show();
+  void finish(Corners corners);
+
+  Corners corners_;
+  Vec2 cursor_ = Vec2::Zero();
+  Vec2 pressedAt_ = Vec2::Zero();
+  QString problem_;  // of the attempt to end
+  bool pressed_ = false;
+};
+
+constexpr double kLeastLength = 0.05;  // of a side [m]
+constexpr double kLeastArea = 0.01;    // [m²]
+
+}  // namespace editor

@@ -1,0 +1,186 @@
+#include "editor/tools/Crowd.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "editor/tools/PersonTool.h"
+#include "sim2d/base/Rng.h"
+#include "sim2d/map/Outlines.h"
+#include "sim2d/scenario/Defaults.h"
+#include "sim2d/scenario/ScenarioCheck.h"
+
+namespace editor {
+
+namespace {
+
+using base::AgentRng;
+using base::Draw;
+
+constexpr double kBucket = 2.0;        // side [m]; more than two of the largest bodies
+constexpr int kTrials = 80;            // draws for one place
+constexpr std::size_t kMostGoals = 3;  // of a drawn route
+constexpr int kPlaces = -1;            // agent number of the draws of places
+constexpr std::array<int, 5> kAges = {70, 10, 12, 3, 5};  // kinds of a mixed crowd, per cent
+
+/// What a draw of a person is for; the index of the random number.
+enum Choice : std::uint32_t { BehaviorChoice, KindChoice, HeadingChoice };
+
+template <std::size_t N>
+int weighted(const std::array<int, N>& weights, double uniform) {
+  const int sum = std::accumulate(weights.begin(), weights.end(), 0);
+  double left = uniform * sum;
+  for (std::size_t i = 0; i < N; ++i) {
+    left -= weights[i];
+    if (left < 0.0) {
+      return static_cast<int>(i);
+    }
+  }
+  return 0;
+}
+
+std::vector<int> drawnRoute(const std::vector<sim2d::GlobalGoal>& goals, const AgentRng& rng) {
+  std::vector<int> route;
+  for (const sim2d::GlobalGoal& goal : goals) {
+    route.push_back(goal.id);
+  }
+  for (std::size_t i = 0; i + 1 < route.size(); ++i) {
+    const double part = rng.uniform01(Draw::GoalChoice, static_cast<std::uint32_t>(i));
+    const auto other = i + static_cast<std::size_t>(part * double(route.size() - i));
+    std::swap(route[i], route[other]);
+  }
+  route.resize(std::min(route.size(), kMostGoals));
+  return route;
+}
+
+}  // namespace
+
+FreeGround::FreeGround(const ScenarioDocument& document)
+    : map_(document.map()),
+      obstacles_(sim2d::makeSurroundings(document.scenario(), sim2d::OccupancyGrid()).obstacles) {
+  const sim2d::Scenario& scenario = document.scenario();
+  const long long seed = scenario.desktop.seed.value_or(1);
+  for (const sim2d::Human& human : scenario.humans) {
+    if (human.listed) {
+      take(human.initPose.position, sim2d::resolveHuman(scenario, human, seed).radius);
+    }
+  }
+  for (const sim2d::Robot& robot : scenario.robots) {
+    if (robot.listed) {
+      take(robot.start.position, sim2d::resolveRobot(scenario, robot, -1).radius);
+    }
+  }
+}
+
+FreeGround::Bucket FreeGround::bucketOf(const Vec2& place) {
+  return {static_cast<int>(std::floor(place.x() / kBucket)),
+          static_cast<int>(std::floor(place.y() / kBucket))};
+}
+
+void FreeGround::take(const Vec2& place, double radius) {
+  taken_[bucketOf(place)].emplace_back(place, radius);
+}
+
+bool FreeGround::isOffWalls(const Vec2& place, double radius) const {
+  if (map_->isEmpty()) {
+    return true;
+  }
+  const Vec2 corner = map_->worldToCorner(place);
+  const double reach = radius / map_->resolution();
+  const int left = static_cast<int>(std::floor(corner.x() - reach));
+  const int right = static_cast<int>(std::floor(corner.x() + reach));
+  const int top = static_cast<int>(std::floor(corner.y() + reach));
+  for (int row = static_cast<int>(std::floor(corner.y() - reach)); row <= top; ++row) {
+    for (int column = left; column <= right; ++column) {
+      const sim2d::Cell cell{column, row};
+      const bool isGround = map_->contains(cell) && !map_->isWall(cell) && !map_->isUnknown(cell);
+      const Vec2 nearest(std::clamp(corner.x(), double(column), column + 1.0),
+                         std::clamp(corner.y(), double(row), row + 1.0));
+      if (!isGround && (nearest - corner).norm() < reach) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool FreeGround::isFree(const Vec2& place, double radius) const {
+  const Bucket middle = bucketOf(place);
+  for (int i = -1; i <= 1; ++i) {
+    for (int j = -1; j <= 1; ++j) {
+      const auto bucket = taken_.find({middle.first + i, middle.second + j});
+      if (bucket == taken_.end()) {
+        continue;
+      }
+      for (const auto& [other, otherRadius] : bucket->second) {
+        if ((other - place).norm() < radius + otherRadius + kPersonGap) {
+          return false;
+        }
+      }
+    }
+  }
+  return isOffWalls(place, radius) && obstacles_.clearance(place) > radius;
+}
+
+QString peopleText(int count) {
+  return count == 1 ? QStringLiteral("1 person") : QStringLiteral("%1 people").arg(count);
+}
+
+int nextDraw(const ScenarioDocument& document) {
+  return static_cast<int>(document.scenario().humans.size());
+}
+
+sim2d::Human drawnPerson(const CrowdRecipe& recipe, int index,
+                         const std::vector<sim2d::GlobalGoal>& goals) {
+  const AgentRng rng(static_cast<std::uint64_t>(recipe.seed), index);
+  sim2d::Human human = newPerson();
+  human.behavior.type = static_cast<sim2d::BehaviorType>(
+      1 + weighted(recipe.mix, rng.uniform01(Draw::Placement, BehaviorChoice)));
+  const auto kind = recipe.kind.value_or(
+      static_cast<sim2d::PersonKind>(weighted(kAges, rng.uniform01(Draw::Placement, KindChoice))));
+  if (kind != sim2d::PersonKind::Adult) {
+    human.ours.kind = kind;
+  }
+  human.radius = sim2d::profileOf(kind).radius;
+  human.maxVel = std::round(sim2d::sampleSpeed(kind, recipe.seed, index) * 100.0) / 100.0;
+  human.initPose.heading =
+      std::round(rng.uniform(-base::kPi, base::kPi, Draw::Placement, HeadingChoice) * 100.0) /
+      100.0;
+  if (recipe.walks) {
+    human.goals = drawnRoute(goals, rng);
+  }
+  return human;
+}
+
+std::vector<sim2d::Human> fillCrowd(const std::vector<Vec2>& polygon, int count,
+                                    const CrowdRecipe& recipe, const ScenarioDocument& document) {
+  Vec2 low = polygon.front();
+  Vec2 high = low;
+  for (const Vec2& point : polygon) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  FreeGround ground(document);
+  std::vector<sim2d::Human> people;
+  const int first = nextDraw(document);
+  for (int index = first; index < first + count; ++index) {
+    sim2d::Human human = drawnPerson(recipe, index, document.scenario().goals);
+    const AgentRng rng(static_cast<std::uint64_t>(recipe.seed), kPlaces,
+                       static_cast<std::uint64_t>(index));
+    for (std::uint32_t trial = 0; trial < kTrials; ++trial) {
+      const Vec2 drawn(rng.uniform(low.x(), high.x(), Draw::Placement, 2 * trial),
+                       rng.uniform(low.y(), high.y(), Draw::Placement, 2 * trial + 1));
+      const Vec2 place(std::round(drawn.x() * 100.0) / 100.0,
+                       std::round(drawn.y() * 100.0) / 100.0);
+      if (sim2d::isInside(polygon, place) && ground.isFree(place, *human.radius)) {
+        ground.take(place, *human.radius);
+        human.initPose.position = place;
+        people.push_back(std::move(human));
+        break;
+      }
+    }
+  }
+  return people;
+}
+
+}  // namespace editor

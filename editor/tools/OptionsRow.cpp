@@ -1,0 +1,24 @@
+#include "editor/tools/OptionsRow.h"
+
+#include "editor/panels/Form.h"
+
+namespace editor {
+
+OptionsRow::OptionsRow(QWidget* parent) : QWidget(parent), layout_(new QHBoxLayout(this)) {
+  layout_->setContentsMargins(0, 0, 0, 0);
+  layout_->setSpacing(8);
+}
+
+void OptionsRow::add(const QString& label, QWidget* field) {
+  if (layout_->count() > 0) {
+    layout_->addSpacing(8);
+  }
+  layout_->addWidget(secondaryLabel(label, this));
+  layout_->addWidget(field);
+}
+
+void OptionsRow::add(QWidget* field) {
+  layout_->addWidget(field);
+}
+
+}  // namespace editor

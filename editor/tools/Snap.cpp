@@ -1,0 +1,137 @@
+#include "editor/tools/Snap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "editor/canvas/MapScene.h"
+#include "sim2d/map/Outlines.h"
+
+namespace editor {
+
+namespace {
+
+double rounded(double value, double step) {
+  return std::round(value / step) * step;
+}
+
+Vec2 onAngle(const Vec2& anchor, const Vec2& world) {
+  const Vec2 offset = world - anchor;
+  const Vec2 direction = base::directionOf(snappedAngle(base::headingOf(offset)));
+  return anchor + rounded(std::max(0.0, offset.dot(direction)), 0.01) * direction;
+}
+
+std::vector<Vec2> pointsOfObstacle(const sim2d::Obstacle& obstacle) {
+  switch (obstacle.kind) {
+    case sim2d::ObstacleKind::Box: {
+      std::vector<Vec2> points =
+          sim2d::boxOutline(obstacle.pose, obstacle.length, obstacle.width).points;
+      points.push_back(obstacle.pose.position);
+      return points;
+    }
+    case sim2d::ObstacleKind::Circle:
+      return {obstacle.pose.position};
+    case sim2d::ObstacleKind::Polygon:
+    case sim2d::ObstacleKind::Wall:
+      break;
+  }
+  return obstacle.points;
+}
+
+/// The nearest of the points offered, if it is near enough.
+class Nearest {
+ public:
+  Nearest(const Vec2& world, double reach) : world_(world), best_(reach) {}
+  void offer(const Vec2& point) {
+    const double distance = (point - world_).norm();
+    if (distance <= best_) {
+      best_ = distance;
+      place_ = point;
+      isFound_ = true;
+    }
+  }
+  void offer(const std::vector<Vec2>& points) {
+    for (const Vec2& point : points) {
+      offer(point);
+    }
+  }
+  bool isFound() const { return isFound_; }
+  const Vec2& place() const { return place_; }
+
+ private:
+  Vec2 world_;
+  double best_;
+  Vec2 place_ = Vec2::Zero();
+  bool isFound_ = false;
+};
+
+/// The nearest point of another entity, marked as such; else the mouse itself.
+Snapped pointNear(const MapScene& scene, const CanvasMouse& mouse, const SnapWish& wish) {
+  Nearest nearest(mouse.world, kSnapReachPx / mouse.pixelsPerMetre);
+  const sim2d::Scenario& scenario = scene.document().scenario();
+  const auto offerAll = [&](const auto& list) {
+    for (const auto& value : list) {
+      const bool isOut =
+          std::find(wish.without.begin(), wish.without.end(), value.key) != wish.without.end();
+      if (!isOut) {
+        nearest.offer(snapPointsOf(value));
+      }
+    }
+  };
+  offerAll(scenario.obstacles);
+  offerAll(scenario.doors);
+  offerAll(scenario.areas);
+  offerAll(scenario.goals);
+  offerAll(scenario.robots);
+  nearest.offer(wish.more);
+  return {nearest.isFound() ? nearest.place() : mouse.world, nearest.isFound()};
+}
+
+}  // namespace
+
+double snappedAngle(double heading) {
+  return base::wrapToPi(rounded(heading, kSnapAngle));
+}
+
+std::vector<Vec2> snapPointsOf(const Entity& entity) {
+  if (const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity)) {
+    return pointsOfObstacle(*obstacle);
+  }
+  if (const auto* door = std::get_if<sim2d::Door>(&entity)) {
+    return {door->from, door->to};
+  }
+  if (const auto* area = std::get_if<sim2d::Area>(&entity)) {
+    return area->points;
+  }
+  if (const auto* goal = std::get_if<sim2d::GlobalGoal>(&entity)) {
+    return {goal->position};
+  }
+  if (const auto* robot = std::get_if<sim2d::Robot>(&entity)) {
+    std::vector<Vec2> points = {robot->start.position};
+    if (robot->goal.point) {
+      points.push_back(*robot->goal.point);
+    }
+    return points;
+  }
+  return {};
+}
+
+Snapped snapped(const MapScene& scene, const CanvasMouse& mouse, const SnapWish& wish) {
+  if (mouse.modifiers.testFlag(Qt::AltModifier)) {
+    return {mouse.world, false};
+  }
+  if (wish.anchor && mouse.modifiers.testFlag(Qt::ShiftModifier)) {
+    return {onAngle(*wish.anchor, mouse.world), false};
+  }
+  if (wish.ontoPoints && scene.options().snapToPoints) {
+    const Snapped near = pointNear(scene, mouse, wish);
+    if (near.isOnPoint) {
+      return near;
+    }
+  }
+  const bool onGrid = scene.options().snapToGrid || mouse.modifiers.testFlag(Qt::ControlModifier);
+  const double step = onGrid ? kSnapGrid : 0.01;
+  return {Vec2(rounded(mouse.world.x(), step), rounded(mouse.world.y(), step)), false};
+}
+
+}  // namespace editor

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "editor/tools/Tool.h"
+
+namespace editor {
+
+constexpr double kSnapReachPx = 8.0;
+constexpr double kSnapGrid = 0.5;              // [m]
+constexpr double kSnapAngle = base::kPi / 12;  // 15 degrees
+
+/// What a point that is drawn or moved may come to lie on.
+struct SnapWish {
+  std::optional<Vec2> anchor;     // with Shift: only at multiples of 15 degrees from here
+  std::vector<EntityId> without;  // entities whose points do not count
+  std::vector<Vec2> more;         // points of the gesture itself
+  bool ontoPoints = true;         // false: grid and angles only
+};
+
+struct Snapped {
+  Vec2 point = Vec2::Zero();
+  bool isOnPoint = false;  // on one of another entity
+};
+
+/// In this order: anywhere with Alt, on an angle with Shift, on a point of another entity within 8
+/// px, on half metres with Ctrl or while the grid holds, else on whole centimetres. Points and grid
+/// as the options of the canvas say.
+Snapped snapped(const MapScene& scene, const CanvasMouse& mouse, const SnapWish& wish = {});
+
+/// The points of an entity that others snap to: corners, ends, centres; none of people.
+std::vector<Vec2> snapPointsOf(const Entity& entity);
+/// The heading in steps of 15 degrees.
+double snappedAngle(double heading);
+
+}  // namespace editor
