@@ -1,0 +1,156 @@
+#include <QtTest>
+
+#include "CanvasTester.h"
+#include "editor/canvas/RouteModel.h"
+#include "editor/document/EditCommands.h"
+
+using namespace editor;
+
+namespace {
+
+/// People in rows all over the small room, none on the wall at x = 6.
+sim2d::Scenario crowd() {
+  sim2d::Scenario scenario = small::scenario();
+  scenario.humans.clear();
+  for (int i = 0; i < 240; ++i) {
+    const double x = 0.7 + 0.45 * (i % 24);
+    const Vec2 at(x > 5.6 ? x + 0.6 : x, 0.7 + 0.8 * (i / 24));
+    scenario.humans.push_back(small::person(100 + i, ("p" + std::to_string(i)).c_str(), at, 0.1 * i,
+                                            sim2d::BehaviorType::Threatening, {1 + i % 3}));
+    scenario.humans.back().radius = 0.15;
+  }
+  return scenario;
+}
+
+int differingPixels(const QImage& a, const QImage& b, const QRect& where) {
+  int count = 0;
+  for (int y = where.top(); y <= where.bottom(); ++y) {
+    for (int x = where.left(); x <= where.right(); ++x) {
+      const QColor left = a.pixelColor(x, y);
+      const QColor right = b.pixelColor(x, y);
+      const int apart = std::abs(left.red() - right.red()) +
+                        std::abs(left.green() - right.green()) +
+                        std::abs(left.blue() - right.blue());
+      count += apart > 40 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+/// The canvas with so many things that it keeps a picture of what rests.
+class CrowdedCanvasTest : public QObject, private CanvasTester {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void init() {
+    start(crowd());
+    QVERIFY(scene_.isCrowded());
+    scene_.routes().finish();
+    QTest::qWait(200);  // the view has settled
+  }
+
+  void picture_atRest_equalsPlainPainting();
+  void picture_afterEveryKindOfChange_isNew();
+  void picture_whileDragging_showsWhoMoves();
+  void picture_afterZooming_settlesSharp();
+  void layers_switchedOff_areNeitherPaintedNorHit();
+
+ private:
+  QImage shot() { return view_.viewport()->grab().toImage().convertToFormat(QImage::Format_RGB32); }
+  QRect aboveTheScaleBar() { return view_.viewport()->rect().adjusted(0, 0, 0, -50); }
+  /// Painted without a picture of what rests.
+  QImage plain() {
+    QImage image(view_.viewport()->size(), QImage::Format_RGB32);
+    image.fill(scene_.groundColor());
+    QPainter painter(&image);
+    painter.setRenderHints(view_.renderHints());
+    painter.setTransform(view_.viewportTransform());
+    scene_.paintPart(painter, CanvasPart::All,
+                     view_.mapToScene(view_.viewport()->rect()).boundingRect());
+    return image;
+  }
+  bool isOfPerson(const QImage& image, const Vec2& world) {
+    const QColor pixel = image.pixelColor(view_.viewportFrom(world));
+    const QColor fill = scene_.theme().fill(Look::Threatening);
+    return std::abs(pixel.hslHue() - fill.hslHue()) < 15 && pixel.hslSaturation() > 90;
+  }
+};
+
+void CrowdedCanvasTest::picture_atRest_equalsPlainPainting() {
+  QCOMPARE(differingPixels(shot(), plain(), aboveTheScaleBar()), 0);
+}
+
+void CrowdedCanvasTest::picture_afterEveryKindOfChange_isNew() {
+  const auto changes = [this](const std::function<void()>& change) {
+    const QImage before = shot();
+    change();
+    scene_.routes().finish();
+    return differingPixels(before, shot(), before.rect());
+  };
+  QVERIFY(changes([&] { pushMove(document_, {person(130)}, Vec2(0.0, 0.3)); }) > 20);
+  QVERIFY(changes([&] { undo(); }) > 20);
+  QVERIFY(changes([&] { document_.setSelection({person(130)}); }) > 20);
+  QVERIFY(changes([&] { scene_.setHovered(person(140)); }) > 5);
+  QVERIFY(changes([&] { scene_.setFaded({person(150)}); }) > 20);
+  QVERIFY(changes([&] { scene_.setTheme(Theme::dark()); }) > 1000);
+  scene_.setTheme(Theme::light());
+  scene_.setFaded({});
+  CanvasOptions options;
+  options.routes = false;
+  QVERIFY(changes([&] { scene_.setOptions(options); }) > 200);
+  QVERIFY(changes([&] { pushRemove(document_, {person(150)}); }) > 20);
+  QVERIFY(changes([&] { document_.setMap(std::make_shared<sim2d::OccupancyGrid>()); }) > 1000);
+}
+
+void CrowdedCanvasTest::picture_whileDragging_showsWhoMoves() {
+  document_.setSelection({});
+  const EntityId who = person(100 + 24 + 4);
+  const Vec2 from = document_.human(who)->initPose.position;
+  const Vec2 to(6.0, 0.9);  // on the wall, where nobody stands
+  QVERIFY(!isOfPerson(shot(), to + Vec2(0.0, 0.05)));
+  press(from);
+  move(from + Vec2(0.3, 0.2));
+  move(to);
+  QCOMPARE(scene_.movingIds().size(), std::size_t{1});
+  const QImage during = shot();
+  bool seen = false;
+  for (double angle = 0.0; angle < 6.2; angle += 0.2) {
+    seen = seen || isOfPerson(during, Pose2{to, angle}.ahead(0.09));
+  }
+  QVERIFY(seen);
+  key(Qt::Key_Escape);
+  release(to);
+  QVERIFY(scene_.movingIds().empty());
+  QVERIFY(document_.human(who)->initPose.position == from);
+}
+
+void CrowdedCanvasTest::picture_afterZooming_settlesSharp() {
+  shot();
+  view_.zoomBy(1.2, QPointF(300.0, 200.0));
+  shot();
+  QTest::qWait(300);
+  QCOMPARE(differingPixels(shot(), plain(), aboveTheScaleBar()), 0);
+}
+
+void CrowdedCanvasTest::layers_switchedOff_areNeitherPaintedNorHit() {
+  const Vec2 at = document_.human(person(130))->initPose.position;
+  QVERIFY(scene_.entityAt(at) == person(130));
+  CanvasOptions options;
+  options.people = options.goals = options.obstacles = options.areas = options.robots = false;
+  options.routes = options.map = options.grid = false;
+  scene_.setOptions(options);
+  QVERIFY(!scene_.entityAt(at));
+  const QImage image = shot();
+  QSet<QRgb> colors;
+  for (int x = 0; x < image.width(); x += 2) {
+    for (int y = 0; y < image.height() - 60; y += 2) {
+      colors.insert(image.pixel(x, y));
+    }
+  }
+  QCOMPARE(colors.size(), 1);
+}
+
+QTEST_MAIN(CrowdedCanvasTest)
+#include "tst_CrowdedCanvas.moc"
