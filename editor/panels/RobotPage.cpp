@@ -137,7 +137,8 @@ void RobotPage::addLimitSection() {
     Robot& robot = std::get<Robot>(entity);
     robot.footprintX.clear();
     robot.footprintY.clear();
-    for (const Vec2& corner : *pointsFromText(text)) {
+    const auto corners = pointsFromText(text);
+    for (const Vec2& corner : corners.value()) {
       robot.footprintX.push_back(corner.x());
       robot.footprintY.push_back(corner.y());
     }

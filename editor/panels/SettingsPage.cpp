@@ -44,7 +44,8 @@ TextKey thresholdsKey() {
   key.set = [](Entity& entity, const QString& text) {
     auto& parameters = desktop(entity).metrics.parameters;
     parameters.clear();
-    for (const auto& [name, value] : *pairsFromText(text)) {
+    const auto pairs = pairsFromText(text);
+    for (const auto& [name, value] : pairs.value()) {
       parameters.emplace_back(name, base::parseDouble(value).value_or(0.0));
     }
   };
