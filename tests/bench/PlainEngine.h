@@ -2,8 +2,6 @@
 
 #include <any>
 #include <array>
-#include <chrono>
-#include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -72,10 +70,6 @@ class Blackboard {
 
 using Ports = std::unordered_map<std::string, std::string>;  // port -> "{key}"
 using Condition = std::function<bool()>;
-class Node;
-using Callback = std::function<NodeStatus(Node&)>;
-using Monitor = std::function<void(Node&, NodeStatus, std::chrono::microseconds)>;
-using Listener = std::function<void(const Node&, NodeStatus, NodeStatus)>;
 
 class Node {
  public:
@@ -91,7 +85,7 @@ class Node {
         return NodeStatus::Skipped;
       }
     }
-    const NodeStatus result = monitoredTick();
+    const NodeStatus result = tick();
     for (const Condition& script : after_) {
       if (script) {
         script();
@@ -130,38 +124,9 @@ class Node {
   }
 
  private:
-  /// Hooks may be set by another thread, so each tick takes its own copy of them.
-  NodeStatus monitoredTick() {
-    Callback instead, afterwards;
-    Monitor monitor;
-    {
-      const std::lock_guard<std::mutex> guard(hooksMutex_);
-      instead = instead_;
-      afterwards = afterwards_;
-      monitor = monitor_;
-    }
-    const auto begin = std::chrono::steady_clock::now();
-    const NodeStatus result = instead ? instead(*this) : tick();
-    const auto end = std::chrono::steady_clock::now();
-    if (monitor) {
-      monitor(*this, result, std::chrono::duration_cast<std::chrono::microseconds>(end - begin));
-    }
-    return afterwards ? afterwards(*this) : result;
-  }
   void setStatus(NodeStatus status) {
-    NodeStatus before = NodeStatus::Idle;
-    {
-      const std::lock_guard<std::mutex> guard(mutex_);
-      before = std::exchange(status_, status);
-    }
-    if (before != status) {
-      changed_.notify_all();
-      for (const std::weak_ptr<Listener>& listener : listeners_) {
-        if (const std::shared_ptr<Listener> alive = listener.lock()) {
-          (*alive)(*this, before, status);
-        }
-      }
-    }
+    const std::lock_guard<std::mutex> guard(mutex_);
+    status_ = status;
   }
 
   std::string name_;
@@ -169,12 +134,7 @@ class Node {
   std::shared_ptr<Blackboard> blackboard_;
   std::array<Condition, 4> before_;
   std::array<Condition, 4> after_;
-  std::mutex hooksMutex_;
-  Callback instead_, afterwards_;
-  Monitor monitor_;
   mutable std::mutex mutex_;
-  std::condition_variable changed_;
-  std::vector<std::weak_ptr<Listener>> listeners_;
   NodeStatus status_ = NodeStatus::Idle;
 };
 
