@@ -1,26 +1,5 @@
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
+#include "tests/AllocationCount.h"
 #include "tests/bt/TreeProbe.h"
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* const memory = std::malloc(size == 0 ? 1 : size)) {
-    return memory;
-  }
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 /// A tick allocates nothing. What it costs tells bench_TreeTick.
 class TickCostTest : public QObject {

@@ -1,30 +1,9 @@
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
 #include <QtTest>
 
+#include "tests/AllocationCount.h"
 #include "tests/world/TestWorld.h"
 
 using namespace testworld;
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* const memory = std::malloc(size == 0 ? 1 : size)) {
-    return memory;
-  }
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 /// Once its buffers have grown, a step takes no memory from the heap.
 class StepMemoryTest : public QObject {
