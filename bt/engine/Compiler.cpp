@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "bt/engine/Ticker.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Text.h"
 
@@ -82,8 +83,7 @@ int Compiler::functionsOf(const std::string& id) {
   return place->second;
 }
 
-int Compiler::addNode(const NodeSpec& spec, int parent, const std::string& path,
-                      const Place& place) {
+int Compiler::addNode(const NodeSpec& spec, const std::string& path, const Place& place) {
   pathBytes_ += path.size();
   if (full_ || program_->nodeCount() >= kMaxProgramNodes || place.depth > kMaxProgramDepth ||
       pathBytes_ > kMaxPathBytes) {
@@ -95,13 +95,13 @@ int Compiler::addNode(const NodeSpec& spec, int parent, const std::string& path,
   }
   const int index = program_->nodeCount();
   Program::Node node;
-  node.parent = parent;
+  node.index = index;
   node.children = spec.isSubTree() ? 1 : static_cast<int>(spec.children.size());
   program_->origins_.push_back(
       {spec.label(), place.tree->tree.id, spec.line, spec.uid, manifestOf(spec)});
   paths_.push_back(path);
   setCode(spec, node, place);
-  bindPorts(spec, node, place);
+  bindPorts(spec, place);
   setDetail(spec, node, place);
   node.conditions = bindConditions(spec, place);
   if (node.code == NodeCode::Synchronous && node.conditions < 0) {
@@ -120,9 +120,14 @@ int Compiler::addNode(const NodeSpec& spec, int parent, const std::string& path,
 void Compiler::close(int index) {
   Program::Node& node = program_->nodes_[static_cast<std::size_t>(index)];
   node.end = program_->nodeCount();
-  node.hasOnlyCalls = true;
+  node.hasOnlyInstants = true;
   for (int child = index + 1; child < node.end; child = program_->node(child).end) {
-    node.hasOnlyCalls = node.hasOnlyCalls && program_->node(child).tick;
+    node.hasOnlyInstants = node.hasOnlyInstants && program_->node(child).isInstant;
+  }
+  const NodeRunner instant = node.conditions < 0 ? Ticker::instantRunner(node.code) : nullptr;
+  if (node.tick || (instant && node.hasOnlyInstants)) {
+    node.isInstant = true;
+    node.run = instant;
   }
 }
 
@@ -131,7 +136,7 @@ void Compiler::addChildren(const NodeSpec& spec, int node, const Place& place) {
   Place below = place;
   ++below.depth;
   for (std::size_t i = 0; i < spec.children.size() && !full_; ++i) {
-    addNode(spec.children[i], node, paths_[static_cast<std::size_t>(node)] + "/" + names[i], below);
+    addNode(spec.children[i], paths_[static_cast<std::size_t>(node)] + "/" + names[i], below);
   }
 }
 
@@ -141,7 +146,7 @@ void Compiler::addSubTree(const NodeSpec& spec, int node, const Place& place) {
   below.scope = scopeOfSubTree(spec, node, place);
   below.depth = place.depth + 1;
   const NodeSpec& root = below.tree->tree.root;
-  addNode(root, node, paths_[static_cast<std::size_t>(node)] + "/" + root.label(), below);
+  addNode(root, paths_[static_cast<std::size_t>(node)] + "/" + root.label(), below);
 }
 
 int Compiler::scopeOfSubTree(const NodeSpec& spec, int node, const Place& place) {
@@ -189,6 +194,8 @@ void Compiler::setCode(const NodeSpec& spec, Program::Node& node, const Place&) 
     node.code = *builtinCode(spec.id);
     bytes = memoryBytesOf(node.code, node.children);
   }
+  node.run = Ticker::runnerOf(node.code);
+  node.hasOneChild = hasOneChild(node.code);
   node.memory = program_->memoryBytes_;
   program_->memoryBytes_ += bytes;
 }
@@ -232,6 +239,9 @@ void Compiler::warnUnwritten() {
 }
 
 void Compiler::takeOver() {
+  for (std::size_t i = 0; i < firstPorts_.size(); ++i) {
+    program_->nodes_[i].ports = program_->bindings_.data() + firstPorts_[i];
+  }
   program_->initialSlots_ = scopes_.slots();
   program_->entries_ = scopes_.entries();
   program_->paths_ = std::make_shared<const std::vector<std::string>>(std::move(paths_));
@@ -242,7 +252,7 @@ base::Result<std::shared_ptr<const Program>> Compiler::run(const CompileOptions&
   Place place;
   place.tree = table_.find(options.mainTree);
   const NodeSpec& root = place.tree->tree.root;
-  addNode(root, -1, root.label(), place);
+  addNode(root, root.label(), place);
   warnUnwritten();
   if (base::hasErrors(problems_)) {
     return problems_;

@@ -27,7 +27,7 @@ class Compiler {
   };
 
   void addHostEntries(const std::vector<HostEntry>& entries);
-  int addNode(const NodeSpec& spec, int parent, const std::string& path, const Place& place);
+  int addNode(const NodeSpec& spec, const std::string& path, const Place& place);
   void close(int index);
   void addChildren(const NodeSpec& spec, int node, const Place& place);
   void addSubTree(const NodeSpec& spec, int node, const Place& place);
@@ -38,7 +38,7 @@ class Compiler {
   int manifestOf(const NodeSpec& spec);
   int functionsOf(const std::string& id);
 
-  void bindPorts(const NodeSpec& spec, Program::Node& node, const Place& place);
+  void bindPorts(const NodeSpec& spec, const Place& place);
   PortBinding bindPort(const NodeSpec& spec, const PortSpec& port, const Place& place);
   PortBinding constantPort(const std::string& text, PortType type, bool isDefault);
   int bindEntry(const NodeSpec& spec, const PortSpec& port, const std::string& key,
@@ -59,6 +59,7 @@ class Compiler {
   const NodeLibrary& library_;
   std::shared_ptr<Program> program_ = std::make_shared<Program>();
   std::vector<std::string> paths_;
+  std::vector<std::size_t> firstPorts_;  // of each node, in the bindings
   Scopes scopes_;
   std::map<std::string, int> manifests_;
   std::map<std::string, int> functions_;

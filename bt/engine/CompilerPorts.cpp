@@ -31,8 +31,8 @@ bool isKeyPort(const NodeSpec& spec, const PortSpec& port) {
 
 }  // namespace
 
-void Compiler::bindPorts(const NodeSpec& spec, Program::Node& node, const Place& place) {
-  node.firstPort = static_cast<std::int32_t>(program_->bindings_.size());
+void Compiler::bindPorts(const NodeSpec& spec, const Place& place) {
+  firstPorts_.push_back(program_->bindings_.size());
   if (spec.isSubTree()) {
     return;
   }
@@ -57,7 +57,7 @@ PortBinding Compiler::bindPort(const NodeSpec& spec, const PortSpec& port, const
     PortBinding entry = missing;
     entry.kind = PortBinding::Kind::Entry;
     entry.isDefault = !given;
-    entry.index = bindEntry(spec, port, *key, place);
+    entry.offset = offsetOf(static_cast<std::size_t>(bindEntry(spec, port, *key, place)));
     return entry;
   }
   if (port.direction == PortDirection::Output) {
@@ -71,15 +71,16 @@ PortBinding Compiler::constantPort(const std::string& text, PortType type, bool 
   binding.kind = PortBinding::Kind::Constant;
   binding.isDefault = isDefault;
   binding.type = type;
-  binding.index = static_cast<std::int32_t>(program_->constants_.size());
+  binding.offset = offsetOf(program_->constants_.size());
   const Value written = Value::of(std::string_view(text));
   const std::optional<Value> converted = convertTo(written, type);
   if (!converted) {  // only a default: checkTrees() refuses a given text
     binding.kind = PortBinding::Kind::Missing;
-    binding.index = -1;
+    binding.offset = 0;
     return binding;
   }
-  program_->constants_.push_back(*converted);
+  program_->constants_.emplace_back();
+  program_->constants_.back().value = *converted;
   return binding;
 }
 

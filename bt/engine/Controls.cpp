@@ -3,36 +3,36 @@
 /// Control nodes, after BehaviorTree.CPP 4.10.
 namespace bt {
 
-base::NodeStatus Ticker::runControl(int node) {
-  switch (program_.node(node).code) {
+NodeRunner Ticker::controlRunner(NodeCode code) {
+  switch (code) {
     case NodeCode::Sequence:
-      return sequence(node, Status::Failure, false);
+      return [](Ticker& t, int node) { return t.sequence(node, Status::Failure, false); };
     case NodeCode::Fallback:
-      return sequence(node, Status::Success, false);
+      return [](Ticker& t, int node) { return t.sequence(node, Status::Success, false); };
     case NodeCode::AsyncSequence:
-      return sequence(node, Status::Failure, true);
+      return [](Ticker& t, int node) { return t.sequence(node, Status::Failure, true); };
     case NodeCode::AsyncFallback:
-      return sequence(node, Status::Success, true);
+      return [](Ticker& t, int node) { return t.sequence(node, Status::Success, true); };
     case NodeCode::SequenceWithMemory:
-      return sequenceWithMemory(node);
+      return &call<&Ticker::sequenceWithMemory>;
     case NodeCode::ReactiveSequence:
-      return reactive(node, Status::Failure);
+      return &call<&Ticker::reactive<Status::Failure>>;
     case NodeCode::ReactiveFallback:
-      return reactive(node, Status::Success);
+      return &call<&Ticker::reactive<Status::Success>>;
     case NodeCode::Parallel:
-      return parallel(node);
+      return &call<&Ticker::parallel>;
     case NodeCode::ParallelAll:
-      return parallelAll(node);
+      return &call<&Ticker::parallelAll>;
     case NodeCode::IfThenElse:
-      return ifThenElse(node);
+      return &call<&Ticker::ifThenElse>;
     case NodeCode::WhileDoElse:
-      return whileDoElse(node);
+      return &call<&Ticker::whileDoElse>;
     case NodeCode::Switch:
-      return switchCase(node);
+      return &call<&Ticker::switchCase>;
     case NodeCode::TryCatch:
-      return tryCatch(node);
+      return &call<&Ticker::tryCatch>;
     default:
-      return customControl(node);
+      return &call<&Ticker::customControl>;
   }
 }
 
@@ -118,14 +118,15 @@ base::NodeStatus Ticker::sequenceWithMemory(int node) {
 }
 
 /// Starts at the first child in every tick.
-base::NodeStatus Ticker::reactive(int node, Status stop) {
+template <base::NodeStatus stop>
+base::NodeStatus Ticker::reactive(int node) {
+  constexpr Status kPasses = stop == Status::Failure ? Status::Success : Status::Failure;
   stored(node) = Status::Running;
-  const Status passes = stop == Status::Failure ? Status::Success : Status::Failure;
   const int end = endOf(node);
   bool allSkipped = true;
   for (int child = node + 1; child < end; child = endOf(child)) {
     const Status status = tickChild(child);
-    if (status == passes) {
+    if (status == kPasses) {
       allSkipped = false;
       continue;
     }
@@ -143,7 +144,7 @@ base::NodeStatus Ticker::reactive(int node, Status stop) {
     resetChild(child);
   }
   resetChildren(node);
-  return allSkipped ? Status::Skipped : passes;
+  return allSkipped ? Status::Skipped : kPasses;
 }
 
 void Ticker::resetOthers(int node, int kept) {

@@ -32,13 +32,12 @@ base::NodeStatus Ticker::precondition(int node) {
 
 /// Writes one element to the port `value`; false = a fault was noted.
 bool Ticker::storeElement(int node, std::string_view element) {
-  const auto index = static_cast<std::size_t>(program_.node(node).firstPort + 2);
-  const PortBinding& binding = program_.bindings()[index];
+  const PortBinding& binding = nodes_[node].ports[2];
   if (binding.kind != PortBinding::Kind::Entry) {
     return true;  // nobody wants it
   }
   const std::optional<Value> value = convertTo(Value::of(element), binding.type);
-  if (!value || !store(state_.slots_[static_cast<std::size_t>(binding.index)], *value)) {
+  if (!value || !store(boundSlot(slots(), binding), *value)) {
     fault(node, "element '" + std::string(element) + "' of 'queue' does not fit 'value'");
     return false;
   }
@@ -48,8 +47,7 @@ bool Ticker::storeElement(int node, std::string_view element) {
 /// Takes the next element of the list: of a constant by counting, of an entry by cutting it off.
 bool Ticker::takeElement(int node, bool& taken) {
   taken = false;
-  const auto index = static_cast<std::size_t>(program_.node(node).firstPort);
-  const PortBinding& binding = program_.bindings()[index];
+  const PortBinding& binding = nodes_[node].ports[0];
   const Value* const list = portValue(node, 0);
   if (!list || list->text.empty()) {
     return true;
@@ -72,7 +70,7 @@ bool Ticker::takeElement(int node, bool& taken) {
   if (constant) {
     ++own.taken;
   } else {
-    Slot& slot = state_.slots_[static_cast<std::size_t>(binding.index)];
+    Slot& slot = boundSlot(slots(), binding);
     slot.value.text.erase(0, length + 1);
     ++slot.version;
   }

@@ -4,38 +4,38 @@
 /// by tickNode().
 namespace bt {
 
-base::NodeStatus Ticker::runDecorator(int node) {
-  switch (program_.node(node).code) {
+NodeRunner Ticker::decoratorRunner(NodeCode code) {
+  switch (code) {
     case NodeCode::Inverter:
-      return inverter(node);
+      return &call<&Ticker::inverter>;
     case NodeCode::ForceSuccess:
-      return force(node, Status::Success);
+      return [](Ticker& t, int node) { return t.force(node, Status::Success); };
     case NodeCode::ForceFailure:
-      return force(node, Status::Failure);
+      return [](Ticker& t, int node) { return t.force(node, Status::Failure); };
     case NodeCode::Repeat:
-      return repeat(node);
+      return &call<&Ticker::repeat>;
     case NodeCode::RetryUntilSuccessful:
-      return retry(node);
+      return &call<&Ticker::retry>;
     case NodeCode::KeepRunningUntilFailure:
-      return keepRunning(node);
+      return &call<&Ticker::keepRunning>;
     case NodeCode::Delay:
-      return delay(node);
+      return &call<&Ticker::delay>;
     case NodeCode::Timeout:
-      return timeout(node);
+      return &call<&Ticker::timeout>;
     case NodeCode::RunOnce:
-      return runOnce(node);
+      return &call<&Ticker::runOnce>;
     case NodeCode::Precondition:
-      return precondition(node);
+      return &call<&Ticker::precondition>;
     case NodeCode::Loop:
-      return loop(node);
+      return &call<&Ticker::loop>;
     case NodeCode::SkipUnlessUpdated:
-      return ifUpdated(node, Status::Skipped);
+      return [](Ticker& t, int node) { return t.ifUpdated(node, Status::Skipped); };
     case NodeCode::WaitValueUpdate:
-      return ifUpdated(node, Status::Running);
+      return [](Ticker& t, int node) { return t.ifUpdated(node, Status::Running); };
     case NodeCode::SubTree:
-      return subTree(node);
+      return &call<&Ticker::subTree>;
     default:
-      return customDecorator(node);
+      return &call<&Ticker::customDecorator>;
   }
 }
 

@@ -10,10 +10,12 @@ namespace bt {
 LeafContext::LeafContext(Ticker& ticker, const TickInput& input, int node)
     : ticker_(&ticker),
       input_(&input),
-      ports_(ticker.program().bindings().data() + ticker.program().node(node).firstPort),
-      constants_(ticker.program().constants().data()),
+      ports_(ticker.program().node(node).ports),
+      host_(input.host),
+      columns_{ticker.program().constants().data(), ticker.program().constants().data(),
+               ticker.slots()},
       slots_(ticker.slots()),
-      node_(node) {}
+      head_(&ticker.program().node(node)) {}
 
 PortState LeafContext::state(int port) const {
   const Value* const value = valueOf(port);
@@ -53,28 +55,28 @@ bool LeafContext::set(int port, std::string_view value) {
 }
 
 const std::string& LeafContext::path() const {
-  return ticker_->program().path(node_);
+  return ticker_->program().path(head_->index);
 }
 
 const std::string& LeafContext::label() const {
-  return ticker_->program().label(node_);
+  return ticker_->program().label(head_->index);
 }
 
 base::NodeStatus LeafContext::fault(std::string message) {
-  return ticker_->fault(node_, std::move(message));
+  return ticker_->fault(head_->index, std::move(message));
 }
 
 void* LeafContext::memoryBytes() {
-  return ticker_->memoryOf(node_);
+  return ticker_->memoryOf(head_->index);
 }
 
 void LeafContext::faultOfPort(int port) {
   const std::string& name =
-      ticker_->program().manifest(node_).ports[static_cast<std::size_t>(port)].name;
+      ticker_->program().manifest(head_->index).ports[static_cast<std::size_t>(port)].name;
   const Value* const value = valueOf(port);
-  ticker_->fault(node_, value ? "input '" + name + "' is '" + value->toText() +
-                                    "', which does not fit its type"
-                              : "input '" + name + "' is missing");
+  ticker_->fault(head_->index, value ? "input '" + name + "' is '" + value->toText() +
+                                           "', which does not fit its type"
+                                     : "input '" + name + "' is missing");
 }
 
 base::NodeStatus DecoratorContext::tickChild() {

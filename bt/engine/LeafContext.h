@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -26,6 +27,12 @@ struct TickInput {
 /// A limit of `limit` seconds is reached this much earlier, so that sums of dt meet it.
 constexpr double kTimeTolerance = 1e-9;  // [s]
 
+/// What a call needs to know of its node.
+struct NodeHead {
+  const PortBinding* ports = nullptr;  // in the order of the manifest
+  std::int32_t index = 0;              // number in the program
+};
+
 enum class PortState { Given, Default, Missing, WrongType };
 
 /// What a leaf sees while it is called: its ports, memory, time and the host. Ports are addressed
@@ -34,9 +41,9 @@ class LeafContext {
  public:
   LeafContext(Ticker& ticker, const TickInput& input, int node);
   /// Goes on to another leaf of the same tree; for the engine.
-  void moveTo(int node, const PortBinding* ports) {
-    node_ = node;
-    ports_ = ports;
+  void moveTo(const NodeHead& head) {
+    head_ = &head;
+    ports_ = head.ports;
   }
 
   /// The value of an input port: int, double, bool, std::int64_t (of Unsigned),
@@ -79,12 +86,12 @@ class LeafContext {
     return elapsedSince(startStep) >= limit - kTimeTolerance;
   }
 
-  int node() const { return node_; }  // number in the program
-  const std::string& path() const;    // "MainFallback/SetGoals/RunOnce[2]/SetGoal"
-  const std::string& label() const;   // the name, else the ID
+  int node() const { return head_->index; }  // number in the program
+  const std::string& path() const;           // "MainFallback/SetGoals/RunOnce[2]/SetGoal"
+  const std::string& label() const;          // the name, else the ID
   template <class T>
   T& host() const {
-    return *static_cast<T*>(input_->host);
+    return *static_cast<T*>(host_);
   }
 
   /// Marks the tree faulty with this message; return its result.
@@ -95,18 +102,16 @@ class LeafContext {
 
  private:
   const Value* valueOf(int port) const {  // nullptr = missing
-    const PortBinding& binding = ports_[port];
-    if (binding.kind == PortBinding::Kind::Constant) {
-      return &constants_[binding.index];
-    }
-    if (binding.kind == PortBinding::Kind::Missing) {
-      return nullptr;
-    }
-    const Value& value = slots_[binding.index].value;
+    const Value& value = boundValue(port);
     return value.type == ValueType::Unset ? nullptr : &value;
   }
+  const Value& boundValue(int port) const {
+    const PortBinding& binding = ports_[port];
+    return boundSlot(columns_[static_cast<std::size_t>(binding.kind)], binding).value;
+  }
   Slot* slotOf(int port) {
-    return ports_[port].kind == PortBinding::Kind::Entry ? &slots_[ports_[port].index] : nullptr;
+    const PortBinding& binding = ports_[port];
+    return binding.kind == PortBinding::Kind::Entry ? &boundSlot(slots_, binding) : nullptr;
   }
   void* memoryBytes();
   void faultOfPort(int port);
@@ -116,10 +121,11 @@ class LeafContext {
 
   Ticker* ticker_;
   const TickInput* input_;
-  const PortBinding* ports_;
-  const Value* constants_;
+  const PortBinding* ports_;  // those of the head; apart from it, or both are stored as one vector,
+  void* host_;                // from which a half is slow to read
+  std::array<const Slot*, 3> columns_;  // by PortBinding::Kind: constants, constants, entries
   Slot* slots_;
-  int node_;
+  const NodeHead* head_;
 };
 
 /// What a decorator sees in addition: its child.
@@ -170,7 +176,7 @@ bool readPlain(const Value&, T&) {
 template <>
 inline bool readPlain(const Value& value, int& result) {
   result = static_cast<int>(value.integer);
-  return value.type == ValueType::Int && value.integer == result;
+  return value.type == ValueType::Int;
 }
 template <>
 inline bool readPlain(const Value& value, double& result) {
@@ -216,15 +222,8 @@ std::optional<T> LeafContext::get(int port) const {
 
 template <class T>
 T LeafContext::require(int port) {
-  const PortBinding& binding = ports_[port];
   T result{};
-  if (binding.kind == PortBinding::Kind::Entry
-          ? detail::readPlain(slots_[binding.index].value, result)
-          : binding.kind == PortBinding::Kind::Constant &&
-                detail::readPlain(constants_[binding.index], result)) {
-    return result;
-  }
-  return requireSlowly<T>(port);
+  return detail::readPlain(boundValue(port), result) ? result : requireSlowly<T>(port);
 }
 template <class T>
 T LeafContext::requireSlowly(int port) {

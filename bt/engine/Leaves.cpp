@@ -3,38 +3,54 @@
 /// Leaves of BehaviorTree.CPP, and calls of the library's functions.
 namespace bt {
 
-base::NodeStatus Ticker::runLeaf(int node) {
-  const Program::Node& here = program_.node(node);
-  bool truth = false;
-  switch (here.code) {
+NodeRunner Ticker::leafRunner(NodeCode code) {
+  switch (code) {
+    case NodeCode::Synchronous:
+      return [](Ticker& t, int node) {
+        const Program::Node& here = t.nodes_[node];
+        return t.synchronous(here, node, t.program_.functions(here.detail).tick);
+      };
     case NodeCode::Stateful:
-      return stateful(node);
+      return &call<&Ticker::stateful>;
     case NodeCode::AlwaysSuccess:
-      return Status::Success;
+      return [](Ticker&, int) { return Status::Success; };
     case NodeCode::AlwaysFailure:
-      return Status::Failure;
+      return [](Ticker&, int) { return Status::Failure; };
     case NodeCode::SetBlackboard:
-      return setBlackboard(node);
+      return &call<&Ticker::setBlackboard>;
     case NodeCode::UnsetBlackboard:
-      return unsetBlackboard(node);
+      return &call<&Ticker::unsetBlackboard>;
     case NodeCode::Script:
-      if (here.detail < 0) {
-        return fault(node, "input 'code' is missing");
-      }
-      return runScript(node, here.detail) ? Status::Success : kFault;
+      return &call<&Ticker::script>;
     case NodeCode::ScriptCondition:
-      if (here.detail < 0) {
-        return fault(node, "input 'code' is missing");
-      }
-      return !truthOf(node, here.detail, truth) ? kFault
-                                                : (truth ? Status::Success : Status::Failure);
+      return &call<&Ticker::scriptCondition>;
     case NodeCode::Sleep:
-      return sleep(node);
-    default: {
-      const bool updated = wasUpdated(node, memory<UpdateMemory>(node));
-      return isFaulty() ? kFault : (updated ? Status::Success : Status::Failure);
-    }
+      return &call<&Ticker::sleep>;
+    default:
+      return &call<&Ticker::wasEntryUpdated>;
   }
+}
+
+base::NodeStatus Ticker::script(int node) {
+  const int script = nodes_[node].detail;
+  if (script < 0) {
+    return fault(node, "input 'code' is missing");
+  }
+  return runScript(node, script) ? Status::Success : kFault;
+}
+
+base::NodeStatus Ticker::scriptCondition(int node) {
+  const int script = nodes_[node].detail;
+  if (script < 0) {
+    return fault(node, "input 'code' is missing");
+  }
+  bool truth = false;
+  return !truthOf(node, script, truth) ? kFault : (truth ? Status::Success : Status::Failure);
+}
+
+base::NodeStatus Ticker::wasEntryUpdated(int node) {
+  const bool updated = wasUpdated(node, memory<UpdateMemory>(node));
+  return isFaulty() ? kFault : (updated ? Status::Success : Status::Failure);
 }
 
 base::NodeStatus Ticker::stateful(int node) {
@@ -92,16 +108,14 @@ base::NodeStatus Ticker::setBlackboard(int node) {
   if (target < 0) {
     return fault(node, "input 'output_key' is missing");
   }
-  const auto index = static_cast<std::size_t>(program_.node(node).firstPort);
-  const PortBinding& binding = program_.bindings()[index];
+  const PortBinding& binding = nodes_[node].ports[0];
   if (binding.kind == PortBinding::Kind::Missing) {
     return fault(node, "input 'value' is missing");
   }
   Slot& to = state_.slots_[static_cast<std::size_t>(target)];
-  const auto at = static_cast<std::size_t>(binding.index);
   const bool copies = binding.kind == PortBinding::Kind::Entry;
   if (copies) {
-    const Slot& from = state_.slots_[at];
+    const Slot& from = boundSlot(slots(), binding);
     if (!from.exists) {
       return fault(node, "the entry to copy does not exist");
     }
@@ -112,7 +126,7 @@ base::NodeStatus Ticker::setBlackboard(int node) {
       to.type = from.type;
     }
   }
-  const Value& value = copies ? state_.slots_[at].value : program_.constants()[at];
+  const Value& value = boundSlot(copies ? slots() : program_.constants().data(), binding).value;
   if (!store(to, value)) {
     return fault(node, "'" + value.toText() + "' does not fit the type of the entry");
   }

@@ -11,6 +11,16 @@ namespace bt {
 /// Nothing for nodes that a library runs.
 std::optional<NodeCode> builtinCode(std::string_view id);
 
+inline bool hasOneChild(NodeCode code) {
+  return (code >= NodeCode::Inverter && code <= NodeCode::SubTree) || code == NodeCode::Decorator;
+}
+inline bool hasChildren(NodeCode code) {
+  return code <= NodeCode::SubTree || code >= NodeCode::Decorator;
+}
+inline bool isControl(NodeCode code) {
+  return code < NodeCode::Inverter || code == NodeCode::Control;
+}
+
 /// Bytes of the node's memory; all zero in a new tree.
 int memoryBytesOf(NodeCode code, int children);
 

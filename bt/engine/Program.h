@@ -64,6 +64,10 @@ enum class NodeCode : std::uint8_t {
   Control  // these four: functions of the library
 };
 
+class Ticker;
+/// Runs one node: what is special to its code, without conditions and book-keeping.
+using NodeRunner = base::NodeStatus (*)(Ticker& ticker, int node);
+
 /// An entry that the host writes, known before the tree is loaded.
 struct HostEntry {
   std::string key;
@@ -77,17 +81,22 @@ struct CompileOptions {
 
 class Program {
  public:
-  struct Node {
+  Program() = default;
+  Program(const Program&) = delete;  // nodes point into it
+  Program& operator=(const Program&) = delete;
+
+  struct alignas(64) Node : NodeHead {  // a cache line
     NodeCode code = NodeCode::AlwaysSuccess;
-    bool hasOnlyCalls = false;  // all children have `tick`: none keeps a status
-    std::int32_t end = 0;       // first node behind the children; the first child is self + 1
-    std::int32_t parent = -1;
+    bool isInstant = false;        // always done within the tick, see Instants.cpp
+    bool hasOnlyInstants = false;  // all children are: none keeps a status
+    bool hasOneChild = false;      // a decorator or SubTree
+    std::int32_t end = 0;          // first node behind the children; the first child is self + 1
     std::int32_t children = 0;
-    std::int32_t firstPort = 0;    // in bindings()
     std::int32_t memory = 0;       // offset of its bytes in the agent's memory
     std::int32_t conditions = -1;  // in conditions(); -1 = none
     std::int32_t detail = -1;      // code dependent: functions, script, slot
     LeafFunction tick = nullptr;   // of a synchronous leaf without conditions
+    NodeRunner run = nullptr;      // what its code does
   };
   /// Scripts of the pre- and post-conditions, -1 = none.
   struct Conditions {
@@ -121,8 +130,8 @@ class Program {
 
   // For the engine.
   const std::vector<Node>& nodes() const { return nodes_; }
-  const std::vector<PortBinding>& bindings() const { return bindings_; }
-  const std::vector<Value>& constants() const { return constants_; }
+  /// Of the ports, as slots so that both are read in one way; the first is unset.
+  const std::vector<Slot>& constants() const { return constants_; }
   const std::vector<Slot>& initialSlots() const { return initialSlots_; }
   const std::vector<Conditions>& conditions() const { return conditions_; }
   const std::vector<Script>& scripts() const { return scripts_; }
@@ -143,7 +152,7 @@ class Program {
 
   std::vector<Node> nodes_;
   std::vector<PortBinding> bindings_;
-  std::vector<Value> constants_;
+  std::vector<Slot> constants_ = std::vector<Slot>(1);
   std::vector<Slot> initialSlots_;
   std::vector<Conditions> conditions_;
   std::vector<Script> scripts_;

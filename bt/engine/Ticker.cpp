@@ -6,51 +6,15 @@
 
 /// Ticking, halting and conditions, common to all nodes.
 namespace bt {
-namespace {
-
-bool isDone(base::NodeStatus status) {
-  return status == base::NodeStatus::Success || status == base::NodeStatus::Failure;
+NodeRunner Ticker::runnerOf(NodeCode code) {
+  if (isControl(code)) {
+    return controlRunner(code);
+  }
+  return hasOneChild(code) ? decoratorRunner(code) : leafRunner(code);
 }
-
-bool hasOneChild(NodeCode code) {
-  return (code >= NodeCode::Inverter && code <= NodeCode::SubTree) || code == NodeCode::Decorator;
-}
-
-bool hasChildren(NodeCode code) {
-  return code <= NodeCode::SubTree || code >= NodeCode::Decorator;
-}
-
-bool isControl(NodeCode code) {
-  return code < NodeCode::Inverter || code == NodeCode::Control;
-}
-
-}  // namespace
 
 base::NodeStatus Ticker::tickNode(int node) {
-  const Program::Node& here = nodes_[node];
-  const Status status = here.conditions < 0 ? run(node) : tickWithConditions(node);
-  if (status == kFault) {
-    return status;
-  }
-  if (status != Status::Skipped) {
-    stored_[node] = status;
-  }
-  returned_[node] = status;
-  if (hasOneChild(here.code) && isDone(stored_[node + 1])) {
-    stored_[node + 1] = Status::Idle;
-  }
-  return status;
-}
-
-base::NodeStatus Ticker::run(int node) {
-  const NodeCode code = nodes_[node].code;
-  if (isControl(code)) {
-    return runControl(node);
-  }
-  if (code == NodeCode::Synchronous) {
-    return synchronous(node, program_.functions(nodes_[node].detail).tick);
-  }
-  return hasOneChild(code) ? runDecorator(node) : runLeaf(node);
+  return tickChild(node);
 }
 
 base::NodeStatus Ticker::tickWithConditions(int node) {
@@ -58,7 +22,7 @@ base::NodeStatus Ticker::tickWithConditions(int node) {
   const Program::Conditions& conditions = program_.conditions()[index];
   Status status = preCondition(conditions, node);
   if (status == Status::Idle) {
-    status = run(node);
+    status = nodes_[node].run(*this, node);
   }
   if (isDone(status)) {
     postConditions(conditions, node, status);
@@ -114,7 +78,7 @@ void Ticker::resetChild(int node) {
 }
 
 void Ticker::resetChildren(int node) {
-  if (nodes_[node].hasOnlyCalls) {
+  if (nodes_[node].hasOnlyInstants) {
     return;
   }
   const int end = endOf(node);
@@ -220,6 +184,7 @@ base::NodeStatus Ticker::unexpected(int child, Status status) {
 }
 
 base::NodeStatus Ticker::fault(int node, std::string message) {
+  isFaulty_ = true;
   if (!state_.fault_) {
     state_.fault_ = TreeFault{node, program_.path(node), std::move(message)};
   }
@@ -253,14 +218,10 @@ bool Ticker::truthOf(int node, int script, bool& truth) {
 }
 
 const Value* Ticker::portValue(int node, int port) const {
-  const auto index = static_cast<std::size_t>(program_.node(node).firstPort + port);
-  const PortBinding& binding = program_.bindings()[index];
-  if (binding.kind == PortBinding::Kind::Missing) {
-    return nullptr;
-  }
-  const auto at = static_cast<std::size_t>(binding.index);
-  const Value& value = binding.kind == PortBinding::Kind::Constant ? program_.constants()[at]
-                                                                   : state_.slots_[at].value;
+  const PortBinding& binding = nodes_[node].ports[port];
+  const bool isEntry = binding.kind == PortBinding::Kind::Entry;
+  const Slot* const column = isEntry ? state_.slots_.data() : program_.constants().data();
+  const Value& value = boundSlot(column, binding).value;
   return value.type == ValueType::Unset ? nullptr : &value;
 }
 

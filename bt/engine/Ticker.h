@@ -16,17 +16,20 @@ class Ticker {
         input_(input),
         nodes_(program.nodes().data()),
         stored_(state.stored_.data()),
-        returned_(state.returned_.data()),
-        bindings_(program.bindings().data()),
+        returned_(state.returned_[state.now_ ? 1 : 0].data()),
+        isFaulty_(state.fault_.has_value()),
         leaf_(*this, input, 0) {}
 
+  static NodeRunner runnerOf(NodeCode code);
+  /// Of a control or decorator whose children are instant; nullptr = such a node is not.
+  static NodeRunner instantRunner(NodeCode code);
   /// The whole tick of a node: conditions, its code, book-keeping.
   base::NodeStatus tickNode(int node);
   /// Halted if it is RUNNING, then IDLE.
   void resetChild(int node);
 
   [[gnu::cold]] base::NodeStatus fault(int node, std::string message);
-  bool isFaulty() const { return state_.fault_.has_value(); }
+  bool isFaulty() const { return isFaulty_; }
   /// What a tick returns once the tree is faulty; passed up to the root.
   static constexpr auto kFault = static_cast<base::NodeStatus>(5);
 
@@ -48,10 +51,13 @@ class Ticker {
   void resetChildren(int node);
   void resetOthers(int node, int kept);
 
-  Status run(int node);
-  Status runControl(int node);
-  Status runDecorator(int node);
-  Status runLeaf(int node);
+  static NodeRunner controlRunner(NodeCode code);
+  static NodeRunner decoratorRunner(NodeCode code);
+  static NodeRunner leafRunner(NodeCode code);
+  template <Status (Ticker::*function)(int)>
+  static Status call(Ticker& ticker, int node) {
+    return (ticker.*function)(node);
+  }
   Status tickWithConditions(int node);
   Status preCondition(const Program::Conditions& conditions, int node);
   void postConditions(const Program::Conditions& conditions, int node, Status status);
@@ -64,7 +70,8 @@ class Ticker {
   Status sequence(int node, Status stop, bool yields);
   Status finishSequence(int node, SequenceMemory& memory, Status stop);
   Status sequenceWithMemory(int node);
-  Status reactive(int node, Status stop);
+  template <Status stop>
+  Status reactive(int node);
   Status parallel(int node);
   Status parallelAll(int node);
   bool tickParallelChildren(int node, int& skipped, bool untilDecided, Status& decided);
@@ -97,26 +104,48 @@ class Ticker {
   Status subTree(int node);
   Status customDecorator(int node);
 
-  Status synchronous(int node, LeafFunction function) {
-    leaf_.moveTo(node, bindings_ + nodes_[node].firstPort);
+  [[gnu::always_inline]] Status synchronous(const Program::Node& here, int node,
+                                            LeafFunction function) {
+    leaf_.moveTo(here);
     const Status status = function(leaf_);
-    const bool isDone = status == Status::Success || status == Status::Failure;
-    return isDone && !isFaulty() ? status : unexpected(node, status);
+    return isDone(status) && !isFaulty() ? status : unexpected(node, status);
   }
-  /// tickNode for the children of a control; leaves that are one call, most of what a tick does,
-  /// take the short way.
+  /// tickNode put in place, for the children of a control.
   Status tickChild(int node) {
-    const LeafFunction function = nodes_[node].tick;
-    if (!function) {
-      return tickNode(node);
+    const Program::Node& here = nodes_[node];
+    if (here.isInstant) {
+      return tickInstant(here, node);
     }
-    const Status status = synchronous(node, function);
-    if (status != kFault) {
-      returned_[node] = status;  // nothing asks for a stored one: it is never RUNNING
+    const Status status = here.conditions < 0 ? here.run(*this, node) : tickWithConditions(node);
+    if (status == kFault) {
+      return status;
+    }
+    if (status != Status::Skipped) {
+      stored_[node] = status;
+    }
+    returned_[node] = status;
+    if (here.hasOneChild && isDone(stored_[node + 1])) {
+      stored_[node + 1] = Status::Idle;
     }
     return status;
   }
+  /// The same for what is always done within the tick.
+  [[gnu::always_inline]] Status tickInstant(const Program::Node& here, int node) {
+    const Status status = here.tick ? synchronous(here, node, here.tick) : here.run(*this, node);
+    if (status != kFault) {
+      returned_[node] = status;
+    }
+    return status;
+  }
+  template <Status stop>
+  static Status instants(Ticker& ticker, int node);
+  static bool isDone(Status status) {
+    return status == Status::Success || status == Status::Failure;
+  }
   Status stateful(int node);
+  Status script(int node);
+  Status scriptCondition(int node);
+  Status wasEntryUpdated(int node);
   Status sleep(int node);
   Status setBlackboard(int node);
   Status unsetBlackboard(int node);
@@ -139,7 +168,7 @@ class Ticker {
   const Program::Node* nodes_;  // and two columns of the state, for speed
   Status* stored_;
   Status* returned_;
-  const PortBinding* bindings_;
+  bool isFaulty_;
   LeafContext leaf_;  // of the synchronous leaf that is ticked
 };
 

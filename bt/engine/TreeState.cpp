@@ -32,8 +32,8 @@ TreeState::TreeState(std::shared_ptr<const Program> program) : program_(std::mov
   assert(program_);
   const auto nodes = static_cast<std::size_t>(program_->nodeCount());
   stored_.resize(nodes);
-  returned_.resize(nodes);
-  previous_.resize(nodes);
+  returned_[0].resize(nodes);
+  returned_[1].resize(nodes);
   memory_.resize(static_cast<std::size_t>(program_->memoryBytes()) / sizeof(std::uint64_t));
   slots_ = program_->initialSlots();
   changes_.reserve(nodes);
@@ -43,7 +43,7 @@ TreeState::TreeState(std::shared_ptr<const Program> program) : program_(std::mov
 
 void TreeState::reset() {
   std::fill(stored_.begin(), stored_.end(), base::NodeStatus::Idle);
-  std::fill(returned_.begin(), returned_.end(), base::NodeStatus::Idle);
+  clearReturned();
   std::fill(memory_.begin(), memory_.end(), 0U);
   slots_ = program_->initialSlots();
   changes_.clear();
@@ -54,9 +54,8 @@ void TreeState::reset() {
 
 base::NodeStatus TreeState::tickOnce(const TickInput& input) {
   using base::NodeStatus;
-  previous_.swap(returned_);
-  std::fill(returned_.begin(), returned_.end(), NodeStatus::Idle);
-  changes_.clear();
+  now_ = !now_;
+  clearReturned();
   changesKnown_ = false;
   events_.clear();
   NodeStatus status = NodeStatus::Idle;
@@ -67,7 +66,7 @@ base::NodeStatus TreeState::tickOnce(const TickInput& input) {
       for (int node = 0; node < program_->nodeCount(); ++node) {
         ticker.resetChild(node);  // a parent may not have been marked RUNNING yet
       }
-      std::fill(returned_.begin(), returned_.end(), NodeStatus::Idle);
+      clearReturned();
       status = NodeStatus::Idle;
     } else if (status == NodeStatus::Success || status == NodeStatus::Failure) {
       stored_[0] = NodeStatus::Idle;
@@ -76,11 +75,18 @@ base::NodeStatus TreeState::tickOnce(const TickInput& input) {
   return status;
 }
 
+void TreeState::clearReturned() {
+  std::vector<base::NodeStatus>& returned = returned_[now_ ? 1 : 0];
+  std::fill(returned.begin(), returned.end(), base::NodeStatus::Idle);
+}
+
 const std::vector<int>& TreeState::changes() {
   if (!changesKnown_) {
     changesKnown_ = true;
-    for (std::size_t i = 0; i < returned_.size(); ++i) {
-      if (returned_[i] != previous_[i]) {
+    changes_.clear();
+    const std::vector<base::NodeStatus>& before = returned_[now_ ? 0 : 1];
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      if (statuses()[i] != before[i]) {
         changes_.push_back(static_cast<int>(i));
       }
     }

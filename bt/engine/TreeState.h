@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -45,7 +46,7 @@ class TreeState {
   const std::shared_ptr<const Program>& sharedProgram() const { return program_; }
 
   /// What each node returned in the last tick; IDLE = it was not ticked.
-  const std::vector<base::NodeStatus>& statuses() const { return returned_; }
+  const std::vector<base::NodeStatus>& statuses() const { return returned_[now_ ? 1 : 0]; }
   /// Nodes for which that differs from the tick before, ascending.
   const std::vector<int>& changes();
   /// Of the last tick (and of a halt() after it), in the order in which they happened.
@@ -65,12 +66,13 @@ class TreeState {
 
  private:
   friend class Ticker;
+  void clearReturned();
   Slot& slotAt(int slot) { return slots_[static_cast<std::size_t>(slot)]; }
 
   std::shared_ptr<const Program> program_;
   std::vector<base::NodeStatus> stored_;
-  std::vector<base::NodeStatus> returned_;
-  std::vector<base::NodeStatus> previous_;
+  std::array<std::vector<base::NodeStatus>, 2> returned_;  // of this tick and the one before
+  bool now_ = false;                                       // which of them is of this one
   std::vector<std::uint64_t> memory_;
   std::vector<Slot> slots_;
   std::vector<int> changes_;

@@ -36,7 +36,7 @@ std::optional<Value> wrapped(const std::optional<T>& value) {
 
 Value Value::of(std::int64_t value) {
   Value result;
-  result.type = ValueType::Int;
+  result.type = value == static_cast<int>(value) ? ValueType::Int : ValueType::Long;
   result.integer = value;
   return result;
 }
@@ -67,6 +67,7 @@ std::string Value::toText() const {
     case ValueType::Unset:
       return {};
     case ValueType::Int:
+    case ValueType::Long:
       return std::to_string(integer);
     case ValueType::Double:
       return base::formatDouble(real);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,12 +12,13 @@
 /// Values of blackboard entries and ports.
 namespace bt {
 
-enum class ValueType : std::uint8_t { Unset, Int, Double, Bool, String };
+/// Long: a whole number that is too large for an int.
+enum class ValueType : std::uint8_t { Unset, Int, Long, Double, Bool, String };
 
 struct Value {
   ValueType type = ValueType::Unset;
   union {
-    std::int64_t integer = 0;  // Int, Bool
+    std::int64_t integer = 0;  // Int, Long, Bool
     double real;               // Double
   };
   std::string text;  // String; also of a number in an entry for text, otherwise empty then
@@ -39,9 +41,8 @@ std::optional<int> convertedToInt(const Value& value);
 std::optional<double> convertedToDouble(const Value& value);
 }  // namespace detail
 inline std::optional<int> toInt(const Value& value) {
-  return value.type == ValueType::Int && value.integer == static_cast<int>(value.integer)
-             ? static_cast<int>(value.integer)
-             : detail::convertedToInt(value);
+  return value.type == ValueType::Int ? static_cast<int>(value.integer)
+                                      : detail::convertedToInt(value);
 }
 inline std::optional<double> toDouble(const Value& value) {
   return value.type == ValueType::Double ? value.real : detail::convertedToDouble(value);
@@ -66,13 +67,25 @@ bool store(Slot& slot, const Value& value);
 bool store(Slot& slot, double value);  // the two that are written in every step; no allocation
 bool store(Slot& slot, int value);
 
-/// Where a port takes its value.
+/// Where a port takes its value. Eight bytes, as ports are most of what a tick reads.
 struct PortBinding {
   enum class Kind : std::uint8_t { Missing, Constant, Entry };
+  std::uint32_t offset = 0;  // [bytes] in its column; of what is missing: constant 0, unset
   Kind kind = Kind::Missing;
   bool isDefault = false;  // the constant is the default of the manifest
   PortType type = PortType::Any;
-  std::int32_t index = -1;  // of the constant or the slot
 };
+static_assert(sizeof(PortBinding) == 8);
+constexpr std::uint32_t offsetOf(std::size_t index) {
+  return static_cast<std::uint32_t>(index * sizeof(Slot));
+}
+/// `column`: the constants of the program or the entries of a tree, as the binding's kind says.
+inline const Slot& boundSlot(const Slot* column, const PortBinding& binding) {
+  return *reinterpret_cast<const Slot*>(reinterpret_cast<const std::byte*>(column) +
+                                        binding.offset);
+}
+inline Slot& boundSlot(Slot* column, const PortBinding& binding) {
+  return *reinterpret_cast<Slot*>(reinterpret_cast<std::byte*>(column) + binding.offset);
+}
 
 }  // namespace bt

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -15,7 +16,7 @@ enum class NodeKind { Condition, Action, Control, Decorator, SubTree };
 enum class PortDirection { Input, Output, InOut };
 /// Unsigned is a non-negative whole number; Queue is text with ';' between the elements; Any takes
 /// whatever it is given.
-enum class PortType { Int, Unsigned, Double, Bool, String, Status, Queue, Any };
+enum class PortType : std::uint8_t { Int, Unsigned, Double, Bool, String, Status, Queue, Any };
 enum class NodeOrigin { BehaviorTreeCpp, HuNavSim, Ours };
 
 const char* nodeKindName(NodeKind kind);                // "Condition", … as the XML tag
