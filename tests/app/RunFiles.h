@@ -8,6 +8,7 @@
 #include <QByteArray>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QProcess>
 #include <QString>
 #include <QStringList>
@@ -39,6 +40,15 @@ inline Finished runProgram(const QStringList& words, const QString& folder = {})
 inline QByteArray bytesOf(const QString& path) {
   QFile file(path);
   return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// Folders on the way are made.
+inline void writeText(const QString& path, const QByteArray& text) {
+  QDir().mkpath(QFileInfo(path).absolutePath());
+  QFile file(path);
+  if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) {
+    qFatal("cannot write %s", qPrintable(path));
+  }
 }
 
 /// Rows of a CSV file without quoted line breaks, as column -> text.

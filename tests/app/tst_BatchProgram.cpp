@@ -8,11 +8,6 @@ class BatchProgramTest : public QObject {
   Q_OBJECT
 
  private:
-  static void write(const QString& path, const char* text) {
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(text);
-  }
   static outside::Finished batch(const QString& experiment, const QString& folder, int jobs) {
     return outside::runProgram({QStringLiteral("batch"), experiment, QStringLiteral("-o"), folder,
                                 QStringLiteral("--jobs"), QString::number(jobs)});
@@ -22,13 +17,13 @@ class BatchProgramTest : public QObject {
   void batch_jobs_sameBytesAndOrder() {
     QTemporaryDir folder;
     const QString experiment = folder.filePath(QStringLiteral("seeds.yaml"));
-    write(experiment,
-          "hunavsim_experiment: 1\n"
-          "scenarios: [corner_cafe_agents]\n"
-          "seeds: 3\n"
-          "duration: 5.0\n"
-          "values:\n"
-          "  \"*.max_vel\": [1.0, 1.4]\n");
+    outside::writeText(experiment,
+                       "hunavsim_experiment: 1\n"
+                       "scenarios: [corner_cafe_agents]\n"
+                       "seeds: 3\n"
+                       "duration: 5.0\n"
+                       "values:\n"
+                       "  \"*.max_vel\": [1.0, 1.4]\n");
     const QString one = folder.filePath(QStringLiteral("one"));
     const QString two = folder.filePath(QStringLiteral("two"));
     const outside::Finished first = batch(experiment, one, 1);
@@ -56,13 +51,13 @@ class BatchProgramTest : public QObject {
   void batch_failedRun_isARowWithItsReason() {
     QTemporaryDir folder;
     const QString experiment = folder.filePath(QStringLiteral("walls.yaml"));
-    write(experiment,
-          "hunavsim_experiment: 1\n"
-          "scenarios: [corner_cafe_agents]\n"
-          "duration: 1.0\n"
-          "record: failed\n"
-          "values:\n"
-          "  Ana.init_pose.x: [7.35, -40.0]\n");  // the second stands far outside
+    outside::writeText(experiment,
+                       "hunavsim_experiment: 1\n"
+                       "scenarios: [corner_cafe_agents]\n"
+                       "duration: 1.0\n"
+                       "record: failed\n"
+                       "values:\n"
+                       "  Ana.init_pose.x: [7.35, -40.0]\n");  // the second stands far outside
     const QString out = folder.filePath(QStringLiteral("out"));
     const outside::Finished found = batch(experiment, out, 2);
     QVERIFY2(found.exitCode == 1, qPrintable(found.err));
@@ -76,11 +71,11 @@ class BatchProgramTest : public QObject {
   void batch_wrongExperiment_saysEveryProblem() {
     QTemporaryDir folder;
     const QString experiment = folder.filePath(QStringLiteral("bad.yaml"));
-    write(experiment,
-          "hunavsim_experiment: 1\n"
-          "scenarios: [no_such_place]\n"
-          "seed: 3\n"
-          "duration: soon\n");
+    outside::writeText(experiment,
+                       "hunavsim_experiment: 1\n"
+                       "scenarios: [no_such_place]\n"
+                       "seed: 3\n"
+                       "duration: soon\n");
     const outside::Finished found = batch(experiment, folder.filePath(QStringLiteral("out")), 1);
     QCOMPARE(found.exitCode, 2);
     QVERIFY2(found.err.contains(QStringLiteral("bad.yaml:2:13: error:")), qPrintable(found.err));
@@ -93,13 +88,13 @@ class BatchProgramTest : public QObject {
   void check_valuesThatNoScenarioTakes_areToldWithTheirPlaces() {
     QTemporaryDir folder;
     const QString experiment = folder.filePath(QStringLiteral("values.yaml"));
-    write(experiment,
-          "hunavsim_experiment: 1\n"
-          "scenarios: [corner_cafe_agents]\n"
-          "model: sfn\n"
-          "values:\n"
-          "  Anna.max_vel: [1.0]\n"
-          "  Ana.max_vel: [1.0, abc]\n");
+    outside::writeText(experiment,
+                       "hunavsim_experiment: 1\n"
+                       "scenarios: [corner_cafe_agents]\n"
+                       "model: sfn\n"
+                       "values:\n"
+                       "  Anna.max_vel: [1.0]\n"
+                       "  Ana.max_vel: [1.0, abc]\n");
     const outside::Finished found = outside::runProgram({QStringLiteral("check"), experiment});
     QCOMPARE(found.exitCode, 2);
     for (const char* place :
@@ -111,7 +106,8 @@ class BatchProgramTest : public QObject {
   void check_experiment_isFine() {
     QTemporaryDir folder;
     const QString experiment = folder.filePath(QStringLiteral("fine.yaml"));
-    write(experiment, "hunavsim_experiment: 1\nscenarios: [corner_cafe_agents]\nseeds: [3, 7]\n");
+    outside::writeText(experiment,
+                       "hunavsim_experiment: 1\nscenarios: [corner_cafe_agents]\nseeds: [3, 7]\n");
     const outside::Finished found = outside::runProgram({QStringLiteral("check"), experiment});
     QVERIFY2(found.exitCode == 0, qPrintable(found.err));
     QVERIFY(found.out.contains(QStringLiteral("0 errors")));

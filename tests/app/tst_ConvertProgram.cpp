@@ -51,13 +51,6 @@ QString utf8(const char* text) {
   return QString::fromUtf8(text);
 }
 
-void writeText(const QString& path, const QByteArray& text) {
-  QDir().mkpath(QFileInfo(path).absolutePath());
-  QFile file(path);
-  QVERIFY(file.open(QIODevice::WriteOnly));
-  QCOMPARE(file.write(text), qint64(text.size()));
-}
-
 YAML::Node loaderOf(const QString& path) {
   return YAML::Load(bytesOf(path).toStdString())["hunav_loader"]["ros__parameters"];
 }
@@ -225,7 +218,7 @@ void ConvertProgramTest::convert_nativeOfNative_isByteIdentical() {
 void ConvertProgramTest::convert_gapsAndNames_areMended() {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("in/odd.yaml"));
-  writeText(path, kOdd);
+  outside::writeText(path, kOdd);
   const Finished found = convert(path, folder.filePath(QStringLiteral("out")), "webots",
                                  {QStringLiteral("--dialect"), QStringLiteral("C")});
   QVERIFY2(found.exitCode == 0, qPrintable(found.err));
@@ -249,13 +242,13 @@ void ConvertProgramTest::convert_gapsAndNames_areMended() {
 void ConvertProgramTest::convert_ownTree_followsTheNewGoalNumbers() {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("odd.yaml"));
-  writeText(path, kOdd);
-  writeText(folder.filePath(QStringLiteral("odd__agent_7_bt.xml")),
-            "<root BTCPP_format='4'><BehaviorTree ID='T'><Sequence>"
-            "<SetGoal agent_id='7' goal_id='5'/><GoTo agent_id='{id}' goal_id='2' "
-            "time_step='{dt}'/><LookAtAgent observer_id='7' target_id='9'/>"
-            "<WanderInArea agent_id='{id}' area='hall'/>"
-            "</Sequence></BehaviorTree></root>");
+  outside::writeText(path, kOdd);
+  outside::writeText(folder.filePath(QStringLiteral("odd__agent_7_bt.xml")),
+                     "<root BTCPP_format='4'><BehaviorTree ID='T'><Sequence>"
+                     "<SetGoal agent_id='7' goal_id='5'/><GoTo agent_id='{id}' goal_id='2' "
+                     "time_step='{dt}'/><LookAtAgent observer_id='7' target_id='9'/>"
+                     "<WanderInArea agent_id='{id}' area='hall'/>"
+                     "</Sequence></BehaviorTree></root>");
   const Finished found = convert(path, folder.filePath(QStringLiteral("out")), "gazebo-classic");
   QVERIFY2(found.exitCode == 0, qPrintable(found.err));
   const QString tree = folder.filePath(QStringLiteral("out/behavior_trees/odd__agent_1_bt.xml"));
@@ -269,7 +262,8 @@ void ConvertProgramTest::convert_ownTree_followsTheNewGoalNumbers() {
 void ConvertProgramTest::convert_whatOnlyWeHave_isListed() {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("odd.yaml"));
-  writeText(path, QByteArray("# a remark\n") + kOdd + "    Ana Maria:\n      start_time: 3.0\n");
+  outside::writeText(path,
+                     QByteArray("# a remark\n") + kOdd + "    Ana Maria:\n      start_time: 3.0\n");
   const Finished found =
       convert(path, folder.filePath(QStringLiteral("out")), "isaac", {QStringLiteral("--json")});
   QVERIFY2(found.exitCode == 0, qPrintable(found.err));
@@ -293,7 +287,7 @@ void ConvertProgramTest::convert_again_saysWhatBecameOfEachFile() {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("odd.yaml"));
   const QString out = folder.filePath(QStringLiteral("out"));
-  writeText(path, kOdd);
+  outside::writeText(path, kOdd);
   QVERIFY(convert(path, out, "isaac").out.contains(QStringLiteral("written   ")));
   const Finished again = convert(path, out, "isaac");
   QVERIFY(!again.out.contains(QStringLiteral("written")));
@@ -305,7 +299,7 @@ void ConvertProgramTest::convert_again_saysWhatBecameOfEachFile() {
 void ConvertProgramTest::convert_fileInTheWay_writesNothing() {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("odd.yaml"));
-  writeText(path, kOdd);
+  outside::writeText(path, kOdd);
   QVERIFY(QDir().mkpath(folder.filePath(QStringLiteral("out/scenarios/odd.yaml"))));
   const Finished found = convert(path, folder.filePath(QStringLiteral("out")), "isaac");
   QCOMPARE(found.exitCode, 2);
@@ -318,7 +312,7 @@ void ConvertProgramTest::convert_fileInTheWay_writesNothing() {
 void ConvertProgramTest::convert_ontoItself_isRefused() {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("scenarios/odd.yaml"));
-  writeText(path, kOdd);
+  outside::writeText(path, kOdd);
   const Finished found = convert(path, folder.path(), "webots");
   QCOMPARE(found.exitCode, 2);
   QCOMPARE(bytesOf(path), QByteArray(kOdd));
@@ -345,7 +339,7 @@ void ConvertProgramTest::convert_badInput_isTold() {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("in.yaml"));
   if (text != "-") {
-    writeText(path, text);
+    outside::writeText(path, text);
   }
   const Finished found = convert(path, folder.filePath(QStringLiteral("out")), "isaac");
   QCOMPARE(found.exitCode, 2);

@@ -288,8 +288,6 @@ void TreeXmlTest::read_hundredThousandNodes_isRead() {
     text += "<AlwaysSuccess name='n'/>\n";
   }
   text += "</Sequence>";
-  QElapsedTimer clock;
-  clock.start();
   const bt::TreeFile file = parsed(root(tree("T", text.c_str())));
   QCOMPARE(file.trees.at(0).root.children.size(), std::size_t(100000));
   const auto program = bt::compile(file, bt::NodeLibrary());
@@ -297,7 +295,6 @@ void TreeXmlTest::read_hundredThousandNodes_isRead() {
   QCOMPARE((*program)->nodeCount(), 100001);
   bt::TreeState state(*program);
   QCOMPARE(state.tickOnce({1, 0.1, nullptr}), base::NodeStatus::Success);
-  QVERIFY2(clock.elapsed() < 10000, qPrintable(QString::number(clock.elapsed())));
 }
 
 void TreeXmlTest::include_ownDefinition_wins() {
@@ -359,10 +356,7 @@ void TreeXmlTest::include_manyTimesDeep_endsSoon() {
     last = files.write(name.c_str(), root((i == 0 ? std::string() : below + below) +
                                           tree(id.c_str(), "<AlwaysSuccess/>")));
   }
-  QElapsedTimer clock;
-  clock.start();
-  QVERIFY(!bt::loadTrees(last));
-  QVERIFY(clock.elapsed() < 5000);
+  QVERIFY(!bt::loadTrees(last));  // two to the fortieth files would never end
 }
 
 void TreeXmlTest::mainTree_rules_data() {

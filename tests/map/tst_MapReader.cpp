@@ -7,26 +7,17 @@
 #include <QtTest>
 
 #include "sim2d/map/MapReader.h"
+#include "tests/map/WrittenFiles.h"
 
 using namespace sim2d;
+using written::contains;
+using written::textOf;
 
 namespace {
 
 const char* const kGoodYaml =
     "image: map.pgm\nresolution: 0.05\norigin: [-1.5, 2, 0]\nnegate: 0\n"
     "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
-
-std::string textOf(const base::Diagnostics& diagnostics) {
-  std::string text;
-  for (const base::Diagnostic& diagnostic : diagnostics) {
-    text += diagnostic.text() + "\n";
-  }
-  return text;
-}
-
-bool contains(const base::Diagnostics& diagnostics, const std::string& part) {
-  return textOf(diagnostics).find(part) != std::string::npos;
-}
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
@@ -66,11 +57,6 @@ class MapReaderTest : public QObject {
   void parseMapDescription_manyErrors_tellsAll();
   void parseMapDescription_unknownKey_warns();
   void parseMapDescription_yaw_warns();
-  void readPgm_formats_data();
-  void readPgm_formats();
-  void readPgm_bad_isError_data();
-  void readPgm_bad_isError();
-  void readPgm_valueAboveMaximum_warns();
   void readMap_onePixel_works();
   void readMap_home_isExpanded();
   void readMap_imageTroubles_nameTheKey_data();
@@ -85,20 +71,15 @@ class MapReaderTest : public QObject {
   void readMap_shippedMap_withoutImage();
 
  private:
-  std::string write(const char* name, const QByteArray& content) {
-    QFile file(folder_->filePath(QString::fromUtf8(name)));
-    if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size()) {
-      qFatal("cannot write");
-    }
-    file.close();
-    return file.fileName().toStdString();
+  std::string write(const char* name, const QByteArray& content) const {
+    return files_->write(name, content);
   }
 
-  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<written::Files> files_;  // of each test its own
 };
 
 void MapReaderTest::init() {
-  folder_ = std::make_unique<QTemporaryDir>();
+  files_ = std::make_unique<written::Files>();
 }
 
 void MapReaderTest::gridFromImage_pixels_data() {
@@ -263,82 +244,6 @@ void MapReaderTest::parseMapDescription_yaw_warns() {
   QVERIFY(contains(result.diagnostics(), "m.yaml:3:19: warning:"));
 }
 
-void MapReaderTest::readPgm_formats_data() {
-  QTest::addColumn<QByteArray>("content");
-  QTest::addColumn<int>("maximum");
-  QTest::addColumn<QVector<int>>("shades");
-  using V = QVector<int>;
-  QTest::newRow("P5") << QByteArray("P5\n2 1\n255\n\xfe\x0a", 13) << 255 << V{254, 10};
-  QTest::newRow("P5 raster begins with #") << QByteArray("P5 2 1 255\n##") << 255 << V{35, 35};
-  QTest::newRow("P5 comments") << QByteArray("P5 # made\n# by hand\n2 # w\n1\n255\nAB") << 255
-                               << V{65, 66};
-  QTest::newRow("P5 maximum 3") << QByteArray("P5\n2 1\n3\n\x03\x01", 11) << 3 << V{3, 1};
-  QTest::newRow("P5 16 bit") << QByteArray("P5\n2 1\n65535\n\x01\x02\x00\xff", 17) << 65535
-                             << V{258, 255};
-  QTest::newRow("P2") << QByteArray("P2\n2 1\n255\n7  255") << 255 << V{7, 255};
-  QTest::newRow("P2 comments") << QByteArray("P2#a\n2 1#b\n1000#c\n#d\n1000\n#e\n500\n") << 1000
-                               << V{1000, 500};
-  QTest::newRow("P2 CRLF") << QByteArray("P2\r\n2 1\r\n15\r\n0 15\r\n") << 15 << V{0, 15};
-  QTest::newRow("more behind") << QByteArray("P5 2 1 255\nABCDEF") << 255 << V{65, 66};
-}
-
-void MapReaderTest::readPgm_formats() {
-  QFETCH(const QByteArray, content);
-  QFETCH(const int, maximum);
-  QFETCH(const QVector<int>, shades);
-  const auto image = readPgm(write("a.pgm", content));
-  QVERIFY2(image, textOf(image.diagnostics()).c_str());
-  QCOMPARE(image->width, 2);
-  QCOMPARE(image->height, 1);
-  QCOMPARE(image->maximum, maximum);
-  QVERIFY(!image->hasAlpha);
-  for (int i = 0; i < 2; ++i) {
-    QCOMPARE(int{image->rgba[static_cast<std::size_t>(4 * i)]}, shades[i]);
-    QCOMPARE(int{image->rgba[static_cast<std::size_t>(4 * i + 2)]}, shades[i]);
-    QCOMPARE(int{image->rgba[static_cast<std::size_t>(4 * i + 3)]}, maximum);
-  }
-}
-
-void MapReaderTest::readPgm_bad_isError_data() {
-  QTest::addColumn<QByteArray>("content");
-  QTest::addColumn<QByteArray>("message");
-  const auto row = [](const char* name, const QByteArray& content, const char* message) {
-    QTest::newRow(name) << content << QByteArray(message);
-  };
-  row("empty", "", "is empty");
-  row("PPM", "P6\n1 1\n255\nabc", "not a PGM");
-  row("one byte", "P", "not a PGM");
-  row("no header", "P5\n", "header");
-  row("words", "P5\nwide 1\n255\nA", "header");
-  row("negative", "P5\n-1 1\n255\nA", "header");
-  row("no width", "P5\n0 1\n255\n", "no pixels");
-  row("maximum 0", "P5\n1 1\n0\nA", "maximum");
-  row("maximum 65536", "P5\n1 1\n65536\nAA", "maximum");
-  row("truncated", "P5\n3 2\n255\nABCDE", "need 6 bytes, there are 5");
-  row("truncated 16 bit", "P5\n1 1\n256\nA", "need 2 bytes, there are 1");
-  row("truncated P2", "P2\n2 2\n255\n1 2 333", "pixel 4 of 4");
-  row("word in P2", "P2\n2 1\n255\n1 x1 ", "pixel 2 of 2");
-  row("huge", "P5\n20000 20000\n255\nA", "too large");
-  row("very huge", "P5\n99999999999 99999999999\n255\nA", "too large");
-  row("large but not there", "P5\n10000 10000\n255\nA", "need 100000000 bytes");
-}
-
-void MapReaderTest::readPgm_bad_isError() {
-  QFETCH(const QByteArray, content);
-  QFETCH(const QByteArray, message);
-  const auto image = readPgm(write("a.pgm", content));
-  QVERIFY(!image);
-  QVERIFY2(contains(image.diagnostics(), message.toStdString()),
-           textOf(image.diagnostics()).c_str());
-}
-
-void MapReaderTest::readPgm_valueAboveMaximum_warns() {
-  const auto image = readPgm(write("a.pgm", "P2 1 1 15 16"));
-  QVERIFY(image);
-  QCOMPARE(int{image->rgba[0]}, 15);
-  QCOMPARE(image.diagnostics().size(), std::size_t{1});
-}
-
 void MapReaderTest::readMap_onePixel_works() {
   write("map.pgm", "P2 1 1 1 0");
   const auto map = readMap(write("m.yaml", kGoodYaml), nullptr);
@@ -353,7 +258,7 @@ void MapReaderTest::readMap_home_isExpanded() {
   write("map.pgm", "P2 1 1 1 0");
   write("m.yaml", kGoodYaml);
   const QByteArray home = qgetenv("HOME");
-  qputenv("HOME", folder_->path().toLocal8Bit());
+  qputenv("HOME", files_->folder().toLocal8Bit());
   const auto map = readMap("~/m.yaml", nullptr);
   qputenv("HOME", home);
   QVERIFY2(map, textOf(map.diagnostics()).c_str());
@@ -393,8 +298,8 @@ void MapReaderTest::readMap_yamlAndImageTroubles_comeTogether() {
 }
 
 void MapReaderTest::readMap_missingOrFolder_isError() {
-  QVERIFY(!readMap(folder_->path().toStdString() + "/none.yaml", nullptr));
-  QVERIFY(!readMap(folder_->path().toStdString(), nullptr));
+  QVERIFY(!readMap(files_->folder().toStdString() + "/none.yaml", nullptr));
+  QVERIFY(!readMap(files_->folder().toStdString(), nullptr));
   QVERIFY(!readMap("", nullptr));
   QVERIFY(!readMap(write("m.yaml", ""), nullptr));
 }
@@ -418,7 +323,7 @@ void MapReaderTest::readMap_loader_isUsed() {
 
 void MapReaderTest::writeMap_roundTrip_isEqual() {
   const OccupancyGrid grid(3, 2, 0.1, {{-0.3, 7.0}, 0.25}, {0, 100, -1, -1, 0, 100});
-  const std::string path = folder_->filePath(QStringLiteral("sub/my map.yaml")).toStdString();
+  const std::string path = files_->path("sub/my map.yaml").toStdString();
   QVERIFY(writeMap(grid, path).empty());
   const auto map = readMap(path, nullptr);
   QVERIFY2(map, textOf(map.diagnostics()).c_str());
@@ -428,8 +333,7 @@ void MapReaderTest::writeMap_roundTrip_isEqual() {
 
 void MapReaderTest::writeMap_troubles_areTold() {
   const OccupancyGrid grid(1, 1, 0.1, {}, {0});
-  QVERIFY(!writeMap(OccupancyGrid(), folder_->filePath(QStringLiteral("a.yaml")).toStdString())
-               .empty());
+  QVERIFY(!writeMap(OccupancyGrid(), files_->path("a.yaml").toStdString()).empty());
   QVERIFY(base::hasErrors(writeMap(grid, "/proc/none/a.yaml")));
 }
 

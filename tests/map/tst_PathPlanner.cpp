@@ -2,104 +2,11 @@
 #include <cmath>
 #include <random>
 
-#include <QElapsedTimer>
 #include <QtTest>
 
-#include "sim2d/map/PathPlanner.h"
+#include "tests/map/MapSketch.h"
 
-using namespace sim2d;
-
-namespace {
-
-struct Scene {
-  Obstacles obstacles;
-  std::shared_ptr<const DistanceField> field;
-};
-
-Scene sceneOf(const OccupancyGrid& grid, const std::vector<std::vector<Outline>>& parts = {},
-              const std::vector<Vec2>& bounds = {}) {
-  Scene scene;
-  scene.obstacles.add(traceOutlines(grid));
-  for (const auto& part : parts) {
-    scene.obstacles.add(part);
-  }
-  scene.obstacles.build();
-  scene.field = std::make_shared<const DistanceField>(grid, scene.obstacles, bounds);
-  return scene;
-}
-
-/// A free map with rectangles of wall or of unknown cells, given in metres.
-class MapSketch {
- public:
-  MapSketch(double width, double height, double resolution = 0.05)
-      : columns_(static_cast<int>(std::lround(width / resolution))),
-        rows_(static_cast<int>(std::lround(height / resolution))),
-        resolution_(resolution),
-        cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0) {}
-
-  MapSketch& fill(const Vec2& low, const Vec2& high, int value = 100) {
-    for (int row = cellOf(low.y()); row < cellOf(high.y()); ++row) {
-      for (int column = cellOf(low.x()); column < cellOf(high.x()); ++column) {
-        cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-               static_cast<std::size_t>(column)] = static_cast<std::int8_t>(value);
-      }
-    }
-    return *this;
-  }
-
-  OccupancyGrid grid() const { return OccupancyGrid(columns_, rows_, resolution_, {}, cells_); }
-
- private:
-  int cellOf(double metres) const { return static_cast<int>(std::lround(metres / resolution_)); }
-
-  int columns_;
-  int rows_;
-  double resolution_;
-  std::vector<std::int8_t> cells_;
-};
-
-double lowestClearance(const Scene& scene, const Path& path) {
-  double lowest = 1e9;
-  for (std::size_t i = 1; i < path.points.size(); ++i) {
-    const Vec2 leg = path.points[i] - path.points[i - 1];
-    const int steps = static_cast<int>(leg.norm() / 0.01) + 1;
-    for (int n = 0; n <= steps; ++n) {
-      const Vec2 point = path.points[i - 1] + static_cast<double>(n) / steps * leg;
-      lowest = std::min(lowest, scene.obstacles.clearance(point, 0.7));
-    }
-  }
-  return lowest;
-}
-
-OccupancyGrid randomMap(unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> place(0.0, 9.0);
-  std::uniform_real_distribution<double> size(0.05, 2.5);
-  MapSketch sketch(10.0, 10.0);
-  for (int i = 0; i < 22; ++i) {
-    const Vec2 low(place(random), place(random));
-    const Vec2 extent = i % 2 == 0 ? Vec2(size(random), 0.1) : Vec2(0.05, size(random));
-    sketch.fill(low, (low + extent).cwiseMin(Vec2(10.0, 10.0)), i % 7 == 6 ? -1 : 100);
-  }
-  return sketch.grid();
-}
-
-/// A hall of 50 x 50 m with rows of shelves.
-OccupancyGrid warehouse() {
-  MapSketch sketch(50.0, 50.0);
-  for (int row = 0; row < 8; ++row) {
-    for (int shelf = 0; shelf < 3; ++shelf) {
-      const Vec2 low(3.0 + 15.5 * shelf, 4.0 + 5.5 * row);
-      sketch.fill(low, low + Vec2(13.0, 1.2));
-    }
-  }
-  for (const double edge : {0.0, 49.9}) {
-    sketch.fill({edge, 0.0}, {edge + 0.1, 50.0}).fill({0.0, edge}, {50.0, edge + 0.1});
-  }
-  return sketch.grid();
-}
-
-}  // namespace
+using namespace sketch;
 
 class PathPlannerTest : public QObject {
   Q_OBJECT
@@ -125,13 +32,6 @@ class PathPlannerTest : public QObject {
   void plan_openPlane_outsideGrid_works();
   void plan_samePoints_isTwoPoints();
   void plan_notFinite_isEmpty();
-  void plan_randomMaps_neverCrossWalls();
-  void plan_otherCallsBefore_isTheSame();
-  void plan_manyGoals_staysBounded();
-  void plan_warehouse_isFast();
-  void isReachable_randomMaps_agreesWithPlan();
-  void nearestFit_cases();
-  void isClear_cases();
 };
 
 void PathPlannerTest::plan_free_isStraight() {
@@ -372,120 +272,6 @@ void PathPlannerTest::plan_notFinite_isEmpty() {
   PathPlanner planner(scene.field, 0.35);
   QVERIFY(planner.plan({std::nan(""), 0.0}, {1.0, 1.0}).points.empty());
   QVERIFY(planner.plan({0.0, 0.0}, {1.0, INFINITY}).points.empty());
-}
-
-void PathPlannerTest::plan_randomMaps_neverCrossWalls() {
-  int found = 0;
-  for (unsigned seed = 1; seed <= 60; ++seed) {
-    const Scene scene = sceneOf(randomMap(seed));
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> place(0.0, 10.0);
-    for (const double radius : {0.1, 0.2, 0.35}) {
-      PathPlanner planner(scene.field, radius);
-      for (int i = 0; i < 8; ++i) {
-        const Vec2 from(place(random), place(random));
-        const Vec2 to(place(random), place(random));
-        const Path path = planner.plan(from, to);
-        const bool startFits = planner.nearestFit(from) == from;
-        if (path.points.empty() || !startFits) {
-          continue;
-        }
-        ++found;
-        const double lowest = lowestClearance(scene, path);
-        QVERIFY2(
-            lowest > radius - 0.01 - 0.025,  // outlines may be half a cell off their cells
-            qPrintable(QStringLiteral("seed %1 radius %2: %3").arg(seed).arg(radius).arg(lowest)));
-      }
-    }
-  }
-  QVERIFY(found > 500);
-}
-
-void PathPlannerTest::plan_otherCallsBefore_isTheSame() {
-  for (unsigned seed = 1; seed <= 10; ++seed) {
-    const Scene scene = sceneOf(randomMap(seed));
-    PathPlanner busy(scene.field, 0.2);
-    std::mt19937 random(seed + 100);
-    std::uniform_real_distribution<double> place(0.0, 10.0);
-    for (int i = 0; i < 20; ++i) {
-      const Vec2 from(place(random), place(random));
-      const Vec2 to(i % 2 == 0 ? Vec2(5.0, 5.0) : Vec2(place(random), place(random)));
-      PathPlanner fresh(scene.field, 0.2);
-      QVERIFY(busy.plan(from, to).points == fresh.plan(from, to).points);
-    }
-  }
-}
-
-void PathPlannerTest::plan_manyGoals_staysBounded() {
-  MapSketch sketch(10.0, 10.0);
-  sketch.fill({5.0, 0.0}, {5.2, 9.0});
-  const Scene scene = sceneOf(sketch.grid());
-  PathPlanner planner(scene.field, 0.35);
-  double first = 0.0;
-  for (int i = 0; i < 200; ++i) {
-    const Path path = planner.plan({2.0, 1.0}, {8.0, 1.0 + 0.03 * i});
-    QVERIFY(!path.points.empty());
-    first = i == 0 ? path.length() : first;
-  }
-  QCOMPARE(planner.plan({2.0, 1.0}, {8.0, 1.0}).length(), first);  // searched anew
-}
-
-void PathPlannerTest::plan_warehouse_isFast() {
-  const Scene scene = sceneOf(warehouse());
-  PathPlanner planner(scene.field, 0.35);
-  QElapsedTimer timer;
-  timer.start();
-  QVERIFY(!planner.plan({1.0, 1.0}, {48.0, 46.0}).points.empty());
-  const double first = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
-  timer.restart();
-  int count = 0;
-  for (double y = 1.0; y < 40.0; y += 0.4) {
-    QVERIFY(!planner.plan({2.0, y}, {48.0, 46.0}).points.empty());
-    ++count;
-  }
-  const double later = static_cast<double>(timer.nsecsElapsed()) * 1e-6 / count;
-  qInfo("first plan %.1f ms, later ones %.3f ms", first, later);
-  QVERIFY(first < 1000.0);  // generous: sanitizers and busy machines
-  QVERIFY(later < 20.0);
-}
-
-void PathPlannerTest::isReachable_randomMaps_agreesWithPlan() {
-  for (unsigned seed = 1; seed <= 20; ++seed) {
-    const Scene scene = sceneOf(randomMap(seed));
-    PathPlanner planner(scene.field, 0.3);
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> place(0.0, 10.0);
-    for (int i = 0; i < 20; ++i) {
-      const Vec2 from(place(random), place(random));
-      const Vec2 to(place(random), place(random));
-      QCOMPARE(planner.isReachable(from, to), !planner.plan(from, to).points.empty());
-      QCOMPARE(planner.isReachable(from, to), planner.isReachable(to, from));
-    }
-  }
-}
-
-void PathPlannerTest::nearestFit_cases() {
-  const Scene scene = sceneOf(MapSketch(10.0, 10.0).fill({4.0, 0.0}, {4.1, 10.0}).grid());
-  const PathPlanner planner(scene.field, 0.35);
-  QVERIFY(planner.nearestFit({2.0, 2.0}) == Vec2(2.0, 2.0));
-  const auto left = planner.nearestFit({3.95, 5.0});
-  QVERIFY(left && left->x() < 3.66 && left->x() > 3.6);
-  const auto right = planner.nearestFit({4.13, 5.0});
-  QVERIFY(right && right->x() > 4.44 && right->x() < 4.5);
-  const Scene solid = sceneOf(MapSketch(5.0, 5.0).fill({0.0, 0.0}, {5.0, 5.0}).grid());
-  QVERIFY(!PathPlanner(solid.field, 0.35).nearestFit({2.0, 2.0}));
-  QVERIFY(!planner.nearestFit({20.0, 2.0}));
-}
-
-void PathPlannerTest::isClear_cases() {
-  const Scene scene = sceneOf(MapSketch(10.0, 10.0).fill({4.0, 4.0}, {6.0, 6.0}).grid());
-  const PathPlanner planner(scene.field, 0.35);
-  QVERIFY(planner.isClear({1.0, 5.0}, {3.6, 5.0}));
-  QVERIFY(!planner.isClear({1.0, 5.0}, {3.7, 5.0}));
-  QVERIFY(!planner.isClear({1.0, 5.0}, {9.0, 5.0}));
-  QVERIFY(planner.isClear({1.0, 3.6}, {9.0, 3.6}));
-  QVERIFY(!planner.isClear({1.0, 3.7}, {9.0, 3.7}));
-  QCOMPARE(planner.radius(), 0.35);
 }
 
 QTEST_APPLESS_MAIN(PathPlannerTest)

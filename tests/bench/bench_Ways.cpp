@@ -1,0 +1,58 @@
+#include <QElapsedTimer>
+#include <QtTest>
+
+#include "tests/map/MapSketch.h"
+
+using namespace sketch;
+
+/// The first way to a goal, for which the whole hall is searched, beside later ones to it.
+class WaysBench : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void plan_warehouse();
+};
+
+namespace {
+
+/// A hall of 50 x 50 m with rows of shelves.
+OccupancyGrid warehouse() {
+  MapSketch sketch(50.0, 50.0);
+  for (int row = 0; row < 8; ++row) {
+    for (int shelf = 0; shelf < 3; ++shelf) {
+      const Vec2 low(3.0 + 15.5 * shelf, 4.0 + 5.5 * row);
+      sketch.fill(low, low + Vec2(13.0, 1.2));
+    }
+  }
+  for (const double edge : {0.0, 49.9}) {
+    sketch.fill({edge, 0.0}, {edge + 0.1, 50.0}).fill({0.0, edge}, {50.0, edge + 0.1});
+  }
+  return sketch.grid();
+}
+
+double millisecondsOf(const QElapsedTimer& timer) {
+  return static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+}
+
+}  // namespace
+
+void WaysBench::plan_warehouse() {
+  const Scene scene = sceneOf(warehouse());
+  PathPlanner planner(scene.field, 0.35);
+  QElapsedTimer timer;
+  timer.start();
+  QVERIFY(!planner.plan({1.0, 1.0}, {48.0, 46.0}).points.empty());
+  const double first = millisecondsOf(timer);
+  timer.restart();
+  int count = 0;
+  for (double y = 1.0; y < 40.0; y += 0.4) {
+    QVERIFY(!planner.plan({2.0, y}, {48.0, 46.0}).points.empty());
+    ++count;
+  }
+  const double later = millisecondsOf(timer) / count;
+  qInfo("first way %.2f ms, a later one %.3f ms, ratio %.0f", first, later, first / later);
+  QTest::setBenchmarkResult(later, QTest::WalltimeMilliseconds);
+}
+
+QTEST_APPLESS_MAIN(WaysBench)
+#include "bench_Ways.moc"

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "sim2d/map/PathPlanner.h"
+
+/// Small maps drawn by hand, for tests of ways.
+namespace sketch {
+
+using namespace sim2d;
+
+struct Scene {
+  Obstacles obstacles;
+  std::shared_ptr<const DistanceField> field;
+};
+
+inline Scene sceneOf(const OccupancyGrid& grid, const std::vector<std::vector<Outline>>& parts = {},
+                     const std::vector<Vec2>& bounds = {}) {
+  Scene scene;
+  scene.obstacles.add(traceOutlines(grid));
+  for (const auto& part : parts) {
+    scene.obstacles.add(part);
+  }
+  scene.obstacles.build();
+  scene.field = std::make_shared<const DistanceField>(grid, scene.obstacles, bounds);
+  return scene;
+}
+
+/// A free map with rectangles of wall or of unknown cells, given in metres.
+class MapSketch {
+ public:
+  MapSketch(double width, double height, double resolution = 0.05)
+      : columns_(static_cast<int>(std::lround(width / resolution))),
+        rows_(static_cast<int>(std::lround(height / resolution))),
+        resolution_(resolution),
+        cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0) {}
+
+  MapSketch& fill(const Vec2& low, const Vec2& high, int value = 100) {
+    for (int row = cellOf(low.y()); row < cellOf(high.y()); ++row) {
+      for (int column = cellOf(low.x()); column < cellOf(high.x()); ++column) {
+        cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+               static_cast<std::size_t>(column)] = static_cast<std::int8_t>(value);
+      }
+    }
+    return *this;
+  }
+
+  OccupancyGrid grid() const { return OccupancyGrid(columns_, rows_, resolution_, {}, cells_); }
+
+ private:
+  int cellOf(double metres) const { return static_cast<int>(std::lround(metres / resolution_)); }
+
+  int columns_;
+  int rows_;
+  double resolution_;
+  std::vector<std::int8_t> cells_;
+};
+
+inline double lowestClearance(const Scene& scene, const Path& path) {
+  double lowest = 1e9;
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    const Vec2 leg = path.points[i] - path.points[i - 1];
+    const int steps = static_cast<int>(leg.norm() / 0.01) + 1;
+    for (int n = 0; n <= steps; ++n) {
+      const Vec2 point = path.points[i - 1] + static_cast<double>(n) / steps * leg;
+      lowest = std::min(lowest, scene.obstacles.clearance(point, 0.7));
+    }
+  }
+  return lowest;
+}
+
+}  // namespace sketch
