@@ -17,6 +17,11 @@ void* operator new(std::size_t size) {
   }
   throw std::bad_alloc();
 }
+/// Of the same kind, or a sanitizer sees memory of its own given to our delete.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  ++allocations;
+  return std::malloc(size == 0 ? 1 : size);
+}
 void operator delete(void* memory) noexcept {
   std::free(memory);
 }
