@@ -9,6 +9,8 @@
 
 #include <QApplication>
 #include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
 #include <QGuiApplication>
 
 #include "app/Console.h"
@@ -218,6 +220,16 @@ CLI::App* addConvert(CLI::App& root, Words& words) {
   return command;
 }
 
+/// Nothing = fine; otherwise what is wrong.
+std::string isPictureFile(const std::string& path) {
+  const QFileInfo file(QString::fromStdString(path));
+  const QStringList endings = {QStringLiteral("png"), QStringLiteral("svg"), QStringLiteral("pdf")};
+  if (!endings.contains(file.suffix())) {
+    return "'" + path + "' ends neither in .png nor in .svg nor in .pdf";
+  }
+  return file.absoluteDir().exists() ? std::string() : "there is no folder for '" + path + "'";
+}
+
 CLI::App* addBench(CLI::App& root, Words& words) {
   CLI::App* command = root.add_subcommand("bench", "How fast this machine steps crowds");
   command->add_flag("--quick", words.bench.quick, "Up to 1000 people, in a few seconds");
@@ -225,6 +237,8 @@ CLI::App* addBench(CLI::App& root, Words& words) {
       ->check(CLI::Range(1, 256));
   command->add_option("--format", words.bench.format, "text or csv")
       ->check(CLI::IsMember({"text", "csv"}));
+  command->add_option("--picture", words.bench.picture, "Draws the table: FILE.png, .svg or .pdf")
+      ->check(isPictureFile);
   addOutputOptions(*command, words.output);
   return command;
 }
@@ -250,11 +264,12 @@ int within(int argc, char** argv, const std::function<int()>& action) {
   return action();
 }
 
+template <class Application>
 int drawOffscreen(int argc, char** argv, const std::function<int()>& action) {
   if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
   }
-  return within<QGuiApplication>(argc, argv, action);
+  return within<Application>(argc, argv, action);
 }
 
 }  // namespace
@@ -313,7 +328,9 @@ int runProgram(int argc, char** argv) {
                                     [&] { return convertCommand(given.convert, output); });
   }
   if (bench->parsed()) {
-    return within<QCoreApplication>(argc, argv, [&] { return benchCommand(given.bench, output); });
+    const auto action = [&] { return benchCommand(given.bench, output); };
+    return given.bench.picture.empty() ? within<QCoreApplication>(argc, argv, action)
+                                       : drawOffscreen<QApplication>(argc, argv, action);
   }
   if (validate->parsed()) {
     return within<QCoreApplication>(argc, argv,
@@ -324,7 +341,8 @@ int runProgram(int argc, char** argv) {
                                     [&] { return evaluateCommand(given.evaluate, output); });
   }
   if (render->parsed()) {
-    return drawOffscreen(argc, argv, [&] { return renderCommand(given.render, output); });
+    return drawOffscreen<QGuiApplication>(argc, argv,
+                                          [&] { return renderCommand(given.render, output); });
   }
   return windowCommand(argc, argv, given.run, given.window);
 }

@@ -8,6 +8,7 @@
 
 #include "app/CommandLine.h"
 #include "app/Console.h"
+#include "app/commands/BenchPicture.h"
 #include "app/commands/BenchScene.h"
 #include "app/commands/Commands.h"
 #include "sim2d/base/Text.h"
@@ -192,10 +193,49 @@ std::string csvLine(const std::vector<std::string>& cells, const std::string& ma
   return line;
 }
 
+BenchPoint pointOf(const Row& row) {
+  return {row.scene.people, row.whole() * 1e3, row.forces() * 1e3, row.plain * 1e3, row.isScaled};
+}
+
 std::string machineName() {
   const std::string processor = valueIn("/proc/cpuinfo", "model name");
   return (processor.empty() ? std::string("unknown processor") : processor) + ", " +
          sim2d::vectorPathName(sim2d::fastestVectorPath());
+}
+
+void printRow(const Row& row, bool isCsv, const std::string& machine) {
+  printLine(isCsv ? csvLine(cellsOf(row), machine) : textLine(cellsOf(row)));
+}
+
+/// Measures and prints all sizes, without and with walls; nothing when a run has failed.
+std::optional<std::vector<BenchPoint>> measureSizes(const BenchOptions& options,
+                                                    const std::string& tree) {
+  const std::vector<int> sizes = options.quick ? std::vector<int>{10, 100, 1000}
+                                               : std::vector<int>{10, 100, 1000, 10000, 100000};
+  const double atLeast = options.quick ? 0.3 : 2.0;
+  double plain = 0.0;
+  std::vector<BenchPoint> points;
+  for (const int people : sizes) {
+    BenchScene scene{people, false, tree, options.threads};
+    const bool isScaled = people > kLargestPlain;
+    plain = isScaled ? plain * std::pow(static_cast<double>(people) / kLargestPlain, 2.0)
+                     : plainStepSeconds(makeBenchScenario(scene), atLeast / 4.0);
+    for (const bool walls : {false, true}) {
+      scene.walls = walls;
+      base::Result<Row> row = measure(scene, atLeast);
+      if (!row) {
+        printDiagnostics(row.diagnostics());
+        return std::nullopt;
+      }
+      row->plain = plain;
+      row->isScaled = isScaled;
+      printRow(*row, options.format == "csv", machineName());
+      if (!walls) {
+        points.push_back(pointOf(*row));
+      }
+    }
+  }
+  return points;
 }
 
 }  // namespace
@@ -208,40 +248,26 @@ int benchCommand(const BenchOptions& options, const OutputOptions& output) {
     return kRunFailed;
   }
   const bool isCsv = options.format == "csv";
-  const std::string machine = machineName();
   if (isCsv) {
     printLine(csvLine(headline(), "machine"));
   } else {
-    printLine(machine + ", threads: " + std::to_string(options.threads));
+    printLine(machineName() + ", threads: " + std::to_string(options.threads));
     printLine(textLine(headline()));
   }
-  const std::vector<int> sizes = options.quick ? std::vector<int>{10, 100, 1000}
-                                               : std::vector<int>{10, 100, 1000, 10000, 100000};
-  const double atLeast = options.quick ? 0.3 : 2.0;
-  double plain = 0.0;
-  for (const int people : sizes) {
-    BenchScene scene{people, false, tree, options.threads};
-    const bool isScaled = people > kLargestPlain;
-    plain = isScaled ? plain * std::pow(static_cast<double>(people) / kLargestPlain, 2.0)
-                     : plainStepSeconds(makeBenchScenario(scene), atLeast / 4.0);
-    for (const bool walls : {false, true}) {
-      scene.walls = walls;
-      base::Result<Row> row = measure(scene, atLeast);
-      if (!row) {
-        printDiagnostics(row.diagnostics());
-        return kRunFailed;
-      }
-      row->plain = plain;
-      row->isScaled = isScaled;
-      printLine(isCsv ? csvLine(cellsOf(*row), machine) : textLine(cellsOf(*row)));
-    }
+  const std::optional<std::vector<BenchPoint>> points = measureSizes(options, tree);
+  if (!points) {
+    return kRunFailed;
   }
   if (!isCsv && !output.quiet) {
     printLine(
         "Phases in ms per step of 0.05 s, in the fastest of 5 rounds; with one thread in time of "
-        "the "
-        "processor. sensing: a scan of 360 beams. plain: the same forces over all pairs in double "
-        "precision, one thread; * scaled with the square.");
+        "the processor. sensing: a scan of 360 beams. plain: the same forces over all pairs in "
+        "double precision, one thread; * scaled with the square.");
+  }
+  const QString picture = QString::fromStdString(options.picture);
+  if (!picture.isEmpty() && !drawBench(*points, QString::fromStdString(machineName()), picture)) {
+    printError("cannot write " + options.picture);
+    return kRunFailed;
   }
   return kFine;
 }

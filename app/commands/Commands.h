@@ -79,6 +79,7 @@ struct BenchOptions {
   bool quick = false;  // small crowds, short
   int threads = 1;
   std::string format = "text";  // text, csv
+  std::string picture;          // file to draw it into, or empty
 };
 int benchCommand(const BenchOptions& options, const OutputOptions& output);
 
