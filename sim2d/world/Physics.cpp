@@ -227,12 +227,13 @@ int Physics::addBody(const BodySpec& spec, bool present) {
   definition.position = world_->toLocal(spec.pose.position);
   definition.angle = static_cast<float>(spec.pose.heading);
   definition.fixedRotation = spec.keepsHeading;
-  definition.enabled = present;
+  definition.enabled = present && !spec.lonely;
   definition.userData.pointer = static_cast<uintptr_t>(index);
   World::Body body;
   body.body = world_->world.CreateBody(&definition);
   body.pose = spec.pose;
   body.present = present;
+  body.lonely = spec.lonely;
   world_->addFixtures(*body.body, spec);
   world_->bodies.push_back(body);
   return index;

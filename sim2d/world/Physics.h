@@ -15,6 +15,7 @@ struct BodySpec {
   std::vector<Vec2> footprint;
   bool keepsHeading = false;   // people: contacts do not turn them
   bool passesItsKind = false;  // bodies that have this pass through each other
+  bool lonely = false;         // as after setLonely()
 };
 
 /// Two bodies, or a body and a part of the surroundings, that touch after the step.

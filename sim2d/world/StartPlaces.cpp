@@ -1,5 +1,11 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "sim2d/base/Math.h"
 #include "sim2d/world/Placement.h"
@@ -20,23 +26,64 @@ struct Start {
   bool passesPeople = false;
 };
 
-bool isFree(const std::vector<Start>& placed, const Start& start, const Vec2& place) {
-  for (const Start& other : placed) {
-    const bool pass = start.passesPeople && other.passesPeople;
-    if (!pass && (*other.position - place).norm() < start.radius + other.radius - kOverlap) {
-      return false;
+/// The starts so far, in square cells as wide as the largest two bodies, so that only the cells
+/// round a place need a look.
+class PlacedStarts {
+ public:
+  explicit PlacedStarts(double largestRadius) : cell_(std::max(0.1, 2.0 * largestRadius)) {}
+
+  void add(const Start& start) { starts_[cellOf(*start.position)].push_back(start); }
+
+  bool isFree(const Start& start, const Vec2& place) const {
+    const Cell middle = cellOf(place);
+    for (std::int64_t x = middle.first - 1; x <= middle.first + 1; ++x) {
+      for (std::int64_t y = middle.second - 1; y <= middle.second + 1; ++y) {
+        const auto found = starts_.find({x, y});
+        if (found != starts_.end() && standsIn(found->second, start, place)) {
+          return false;
+        }
+      }
     }
+    return true;
   }
-  return true;
+
+ private:
+  using Cell = std::pair<std::int64_t, std::int64_t>;
+
+  Cell cellOf(const Vec2& place) const { return {indexOf(place.x()), indexOf(place.y())}; }
+  std::int64_t indexOf(double place) const {
+    constexpr double kFarthest = 1e15;  // cells; what is beyond shares the last one
+    return static_cast<std::int64_t>(std::clamp(std::floor(place / cell_), -kFarthest, kFarthest));
+  }
+  static bool standsIn(const std::vector<Start>& others, const Start& start, const Vec2& place) {
+    return std::any_of(others.begin(), others.end(), [&](const Start& other) {
+      const bool pass = start.passesPeople && other.passesPeople;
+      return !pass && (*other.position - place).norm() < start.radius + other.radius - kOverlap;
+    });
+  }
+
+  double cell_;  // [m]
+  std::map<Cell, std::vector<Start>> starts_;
+};
+
+double largestRadius(const WorldModel& model) {
+  double largest = 0.0;
+  for (const Person& person : model.people) {
+    largest = std::max(largest, person.constants.radius);
+  }
+  for (const ResolvedRobot& robot : model.robots) {
+    largest = std::max(largest, reachOf(robot));
+  }
+  return largest;
 }
 
 /// The nearest free place that can be seen from the start, on rings round it.
-std::optional<Vec2> nearestFree(const std::vector<Start>& placed, const Start& start, Ways& ways) {
+std::optional<Vec2> nearestFree(const PlacedStarts& placed, const Start& start, Ways& ways) {
   for (double distance = kRing; distance <= kReach; distance += kRing) {
     for (int k = 0; k < kPlacesOnRing; ++k) {
       const double angle = 2.0 * base::kPi * k / kPlacesOnRing;
       const Vec2 place = *start.position + distance * Vec2(base::cos(angle), base::sin(angle));
-      if (isFree(placed, start, place) && ways.clearance(place) >= start.radius &&
+      if (placed.isFree(start, place) && ways.clearance(place) >= start.radius &&
           ways.isClear(start.radius, *start.position, place)) {
         return place;
       }
@@ -45,8 +92,8 @@ std::optional<Vec2> nearestFree(const std::vector<Start>& placed, const Start& s
   return std::nullopt;
 }
 
-void put(std::vector<Start>& placed, const Start& start, Ways& ways, base::Diagnostics& problems) {
-  if (!isFree(placed, start, *start.position)) {
+void put(PlacedStarts& placed, const Start& start, Ways& ways, base::Diagnostics& problems) {
+  if (!placed.isFree(start, *start.position)) {
     const std::string who = "start of '" + start.name + "' " + shown(*start.position);
     if (const std::optional<Vec2> place = nearestFree(placed, start, ways)) {
       *start.position = *place;
@@ -60,13 +107,13 @@ void put(std::vector<Start>& placed, const Start& start, Ways& ways, base::Diagn
           start.key));
     }
   }
-  placed.push_back(start);
+  placed.add(start);
 }
 
 }  // namespace
 
 void partStarts(WorldModel& model, Ways& ways, base::Diagnostics& problems) {
-  std::vector<Start> placed;
+  PlacedStarts placed(largestRadius(model));
   for (Person& person : model.people) {
     if (person.constants.startTime <= 0.0) {
       put(placed,

@@ -136,6 +136,7 @@ void World::State::enter(int human) {
   if (bodies_[at] < 0) {
     BodySpec body{start, person.constants.radius, person.constants.mass, {}, true};
     body.passesItsKind = model.peoplePass;
+    body.lonely = model.people.size() > kSmallWorld;
     bodies_[at] = physics.addBody(body, true);
     owners.push_back({false, human});
   } else {

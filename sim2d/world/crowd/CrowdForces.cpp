@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kLeftOut = 5e-5;  // of k_s
 constexpr std::size_t kMostReaches = 8;
+constexpr std::size_t kMostShapes = 64;
 constexpr std::size_t kBatch = 16;              // people
 constexpr std::size_t kUsualCandidates = 8192;  // of a batch
 
@@ -107,7 +108,8 @@ void CrowdForces::compute(const CrowdState& crowd, WorkerPool& workers) {
   if (cells_.count() == 0) {
     return;
   }
-  prepareReach(crowd);
+  sortShapes(crowd);
+  prepareReach();
   const std::size_t shares = workers.shareCount();
   scratches_.resize(shares);
   mostCandidates_ = std::max(cells_.count(), kUsualCandidates);
@@ -126,42 +128,82 @@ void CrowdForces::compute(const CrowdState& crowd, WorkerPool& workers) {
   workers.forShares(std::cref(computeShare));  // a copy would need memory
 }
 
-/// One for each set of parameters, as long as there are few of them.
-void CrowdForces::prepareReach(const CrowdState& crowd) {
+void CrowdForces::sortShapes(const CrowdState& crowd) {
+  known_.resize(crowd.laws.size());
+  for (std::size_t i = 0; i < known_.size(); ++i) {
+    const ForceParameters* const parameters = crowd.laws[i].parameters;
+    if (known_[i].parameters == parameters) {
+      continue;
+    }
+    known_[i] = parameters == nullptr
+                    ? KnownLaw{}
+                    : KnownLaw{parameters, findShape(*parameters), parameters->socialFactor};
+  }
+}
+
+int CrowdForces::findShape(const ForceParameters& parameters) {
+  const auto found = std::find_if(shapes_.begin(), shapes_.end(), [&](const Shape& shape) {
+    return haveOneShape(shape.parameters, parameters) &&
+           shape.parameters.epsilon == parameters.epsilon;
+  });
+  if (found != shapes_.end()) {
+    return static_cast<int>(found - shapes_.begin());
+  }
+  if (shapes_.size() == kMostShapes) {
+    return kOther;
+  }
+  shapes_.push_back({parameters, -1});
+  return static_cast<int>(shapes_.size()) - 1;
+}
+
+/// One for each shape, as long as there are few of them.
+void CrowdForces::prepareReach() {
   const bool areOld = std::any_of(reaches_.begin(), reaches_.end(), [&](const CrowdReach& reach) {
     return !reach.isFor(cells_.fastest());
   });
   if (areOld) {
     reaches_.clear();
-  }
-  const ForceParameters* last = nullptr;
-  for (const SocialLaw& law : crowd.laws) {
-    const ForceParameters* const parameters = law.parameters;
-    if (reaches_.size() == kMostReaches) {
-      return;
+    for (Shape& shape : shapes_) {
+      shape.reach = -1;
     }
-    if (parameters == nullptr || (last != nullptr && haveOneShape(*parameters, *last))) {
+  }
+  for (Shape& shape : shapes_) {
+    if (shape.reach >= 0) {
       continue;
     }
-    last = parameters;
-    if (reachOf(*parameters) == nullptr) {
-      reaches_.emplace_back(*parameters, cutOff_, cells_.fastest());
+    const auto found = std::find_if(reaches_.begin(), reaches_.end(), [&](const CrowdReach& reach) {
+      return haveOneShape(reach.parameters(), shape.parameters);
+    });
+    if (found == reaches_.end() && reaches_.size() == kMostReaches) {
+      continue;
+    }
+    shape.reach = static_cast<int>(found - reaches_.begin());
+    if (found == reaches_.end()) {
+      reaches_.emplace_back(shape.parameters, cutOff_, cells_.fastest());
     }
   }
 }
 
-const CrowdReach* CrowdForces::reachOf(const ForceParameters& parameters) const {
-  const auto found = std::find_if(reaches_.begin(), reaches_.end(), [&](const CrowdReach& reach) {
-    return haveOneShape(reach.parameters(), parameters);
-  });
-  return found == reaches_.end() ? nullptr : &*found;
+CrowdReach::Disc CrowdForces::discOf(const ForceParameters& parameters, int shape,
+                                     double speed) const {
+  const int reach = shape == kOther ? -1 : shapes_[static_cast<std::size_t>(shape)].reach;
+  return reach >= 0
+             ? reaches_[static_cast<std::size_t>(reach)].discOf(speed)
+             : CrowdReach::Disc{0.0, socialRange(parameters, speed, cells_.fastest(), cutOff_)};
 }
 
-CrowdReach::Disc CrowdForces::discOf(const ForceParameters& parameters, double speed) const {
-  const CrowdReach* const reach = reachOf(parameters);
-  return reach != nullptr
-             ? reach->discOf(speed)
-             : CrowdReach::Disc{0.0, socialRange(parameters, speed, cells_.fastest(), cutOff_)};
+/// Whether somebody may join the others of a batch.
+bool CrowdForces::fits(const SocialLaw& law, int shape, bool looksForWalls,
+                       const Batch& batch) const {
+  if (batch.slots.empty()) {
+    return true;
+  }
+  if (batch.slots.size() == kBatch || looksForWalls != batch.law.looksForWalls ||
+      shape != batch.shape) {
+    return false;
+  }
+  return shape != kOther || (haveOneShape(*law.parameters, *batch.parameters) &&
+                             law.parameters->epsilon == batch.parameters->epsilon);
 }
 
 CrowdLaw CrowdForces::lawOf(const SocialLaw& law, bool looksForWalls) const {
@@ -182,13 +224,11 @@ void CrowdForces::addToBatch(const CrowdState& crowd, std::size_t slot, Scratch&
   const Walker& walker = crowd.walkers[person];
   const SocialLaw& law = crowd.laws[person];
   const double speed = walker.velocity.norm();
-  const CrowdReach::Disc disc = discOf(*law.parameters, speed);
+  const int shape = known_[person].shape;
+  const CrowdReach::Disc disc = discOf(*law.parameters, shape, speed);
   const bool looks = !law.goesThroughWalls && crowd.room[person] < disc.ahead + disc.radius;
   Batch& batch = scratch.batch;
-  if (batch.slots.size() == kBatch ||
-      (!batch.slots.empty() &&
-       (looks != batch.law.looksForWalls || !haveOneShape(*law.parameters, *batch.parameters) ||
-        law.parameters->epsilon != batch.parameters->epsilon))) {
+  if (!fits(law, shape, looks, batch)) {
     computeBatch(crowd, scratch);
   }
   const Vec2 ahead = speed > 0.0 ? Vec2(disc.ahead / speed * walker.velocity) : Vec2(Vec2::Zero());
@@ -212,6 +252,7 @@ void CrowdForces::addToBatch(const CrowdState& crowd, std::size_t slot, Scratch&
   if (batch.slots.empty()) {
     batch.law = lawOf(law, looks);
     batch.parameters = law.parameters;
+    batch.shape = shape;
   }
   receiver.lastSpan = static_cast<int>(batch.spans.size());
   batch.candidates += candidates;
@@ -247,7 +288,7 @@ void CrowdForces::finish(const CrowdState& crowd, std::size_t receiver, Scratch&
     kernel_.sum(pairs, result);
   }
   Vec2& force = forces_[person];
-  force = crowd.laws[person].parameters->socialFactor *
+  force = known_[person].socialFactor *
           Vec2(static_cast<double>(result.x), static_cast<double>(result.y));
   if (result.touching > 1) {
     force += forceOfTouching(crowd, slot, scratch.batch, scratch.batch.receivers[receiver]);

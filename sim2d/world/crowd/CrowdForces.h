@@ -38,13 +38,25 @@ class CrowdForces {
   explicit CrowdForces(VectorPath path = fastestVectorPath());
 
   void compute(const CrowdState& crowd, WorkerPool& workers);
+  /// The parameters that a law points to must stay what they are as long as the pointer is used.
   /// Of each person, by index [m/s²]; zero without a law.
   const std::vector<Vec2>& forces() const { return forces_; }
 
  private:
+  static constexpr int kOther = -1;  // a shape that has no entry
+  struct Shape {                     // what people have in common who feel alike
+    ForceParameters parameters;
+    int reach = -1;  // in reaches_; -1: none
+  };
+  struct KnownLaw {  // of one person; spares a look into memory all over the place
+    const ForceParameters* parameters = nullptr;
+    int shape = kOther;
+    double socialFactor = 0.0;
+  };
   struct Batch {  // of people with the same law
     CrowdLaw law;
     const ForceParameters* parameters = nullptr;  // of the first
+    int shape = kOther;                           // of all
     std::vector<std::size_t> slots;
     std::vector<CrowdReceiver> receivers;
     std::vector<CrowdSpan> spans;
@@ -60,9 +72,11 @@ class CrowdForces {
     CrowdPairs pairs();
   };
 
-  void prepareReach(const CrowdState& crowd);
-  const CrowdReach* reachOf(const ForceParameters& parameters) const;
-  CrowdReach::Disc discOf(const ForceParameters& parameters, double speed) const;
+  void sortShapes(const CrowdState& crowd);
+  int findShape(const ForceParameters& parameters);
+  void prepareReach();
+  bool fits(const SocialLaw& law, int shape, bool looksForWalls, const Batch& batch) const;
+  CrowdReach::Disc discOf(const ForceParameters& parameters, int shape, double speed) const;
   CrowdLaw lawOf(const SocialLaw& law, bool looksForWalls) const;
   void addToBatch(const CrowdState& crowd, std::size_t slot, Scratch& scratch);
   void computeBatch(const CrowdState& crowd, Scratch& scratch);
@@ -73,6 +87,8 @@ class CrowdForces {
   CrowdKernel kernel_;
   double cutOff_ = 0.0;
   CrowdCells cells_;
+  std::vector<Shape> shapes_;
+  std::vector<KnownLaw> known_;  // by person
   std::vector<CrowdReach> reaches_;
   std::size_t mostCandidates_ = 0;  // of a batch
   std::vector<Scratch> scratches_;  // by share
