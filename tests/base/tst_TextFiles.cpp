@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "sim2d/base/FileSet.h"
+#include "sim2d/base/GrowingFile.h"
 #include "sim2d/base/Text.h"
 
 class TextFilesTest : public QObject {
@@ -25,6 +26,9 @@ class TextFilesTest : public QObject {
   void together_allFine_allAreWritten();
   void together_oneCannotBeWritten_nothingChanges_data();
   void together_oneCannotBeWritten_nothingChanges();
+  void growing_pieces_areThereWhenFinished();
+  void growing_notFinished_leavesTheOldFile();
+  void growing_cannotBeWritten_isToldByFinish();
   void read_missingOrDirectory_isAnErrorNamingTheFile();
 
  private:
@@ -152,6 +156,41 @@ void TextFilesTest::together_oneCannotBeWritten_nothingChanges() {
   QVERIFY(*base::readTextFile(at("old")) == "old");
   QVERIFY(!QFile::exists(folder_->filePath(QStringLiteral("new"))) ||
           QFileInfo(folder_->filePath(QStringLiteral("new"))).isDir());
+}
+
+void TextFilesTest::growing_pieces_areThereWhenFinished() {
+  QVERIFY(base::writeFileAtomically(at("f"), "old").empty());
+  std::string expected;
+  base::GrowingFile file(at("f"));
+  for (int k = 0; k < 30000; ++k) {  // many times what is written at once
+    const std::string piece = std::to_string(k) + "\n";
+    expected += piece;
+    file.append(piece);
+  }
+  QVERIFY(*base::readTextFile(at("f")) == "old");
+  QVERIFY(file.finish().empty());
+  QVERIFY(*base::readTextFile(at("f")) == expected);
+  QCOMPARE(fileCount(), 1);
+}
+
+void TextFilesTest::growing_notFinished_leavesTheOldFile() {
+  QVERIFY(base::writeFileAtomically(at("f"), "old").empty());
+  {
+    base::GrowingFile file(at("f"));
+    file.append(std::string(200000, 'x'));
+    QCOMPARE(fileCount(), 2);
+  }
+  QVERIFY(*base::readTextFile(at("f")) == "old");
+  QCOMPARE(fileCount(), 1);
+}
+
+void TextFilesTest::growing_cannotBeWritten_isToldByFinish() {
+  base::GrowingFile folder(folder_->path().toStdString());
+  folder.append("x");
+  QCOMPARE(folder.finish().size(), std::size_t{1});
+  base::GrowingFile full("/dev/full/none");
+  QVERIFY(base::hasErrors(full.finish()));
+  QCOMPARE(fileCount(), 0);
 }
 
 void TextFilesTest::read_missingOrDirectory_isAnErrorNamingTheFile() {

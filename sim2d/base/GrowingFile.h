@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "sim2d/base/Result.h"
+
+namespace base {
+
+class NewFile;
+
+/// A file written piece by piece beside its place and put there at the end, so a reader sees the
+/// old or the new content, never half. Folders are made, the permissions of a replaced file and
+/// symbolic links stay. What was not finished leaves nothing behind. One thread at a time.
+class GrowingFile {
+ public:
+  explicit GrowingFile(std::string path);
+  ~GrowingFile();
+  GrowingFile(const GrowingFile&) = delete;
+  GrowingFile& operator=(const GrowingFile&) = delete;
+  GrowingFile(GrowingFile&&) = delete;
+  GrowingFile& operator=(GrowingFile&&) = delete;
+
+  void append(std::string_view content);  // problems are told by finish()
+  /// Empty = the file is in its place.
+  Diagnostics finish();
+
+ private:
+  void note(const std::error_code& error);
+  void flush();
+
+  std::string path_;
+  std::string waiting_;  // not written yet
+  Diagnostics problems_;
+  std::unique_ptr<NewFile> part_;
+};
+
+}  // namespace base
