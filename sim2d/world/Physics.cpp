@@ -272,7 +272,8 @@ void Physics::setLonely(int body, bool lonely) {
   }
   changed.lonely = lonely;
   if (!lonely) {  // it went on alone
-    changed.body->SetTransform(world_->toLocal(changed.pose.position), changed.body->GetAngle());
+    changed.body->SetTransform(world_->toLocal(changed.pose.position),
+                               static_cast<float>(changed.pose.heading));
   }
   changed.body->SetEnabled(changed.present && !lonely);
 }

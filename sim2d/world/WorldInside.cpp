@@ -41,9 +41,10 @@ std::vector<std::string> namesInContacts(const Scenario& scenario) {
   return names;
 }
 
-/// It never moves by itself. Discs alone: who comes near a polygon is not looked up.
-bool isIdle(const ResolvedRobot& robot) {
-  return robot.goals.empty() && robot.footprint.empty();
+bool isNearWall(const MovingDisc& disc, double reach) {
+  return std::any_of(disc.walls.begin(), disc.walls.end(), [reach](const Obstacles::Point& point) {
+    return point.inside || point.distance < reach;
+  });
 }
 
 bool isSound(const Vec2& velocity) {
@@ -87,7 +88,10 @@ void World::State::addRobotBodies() {
     start.pose = robot.start;
     start.pose.heading = base::wrapToPi(robot.start.heading);
     state.robots.push_back(start);
-    physics.addBody({start.pose, robot.radius, robot.mass, robot.footprint}, !isIdle(robot));
+    const int body =
+        physics.addBody({start.pose, robot.radius, robot.mass, robot.footprint}, false);
+    physics.setLonely(body, robot.footprint.empty());  // until it comes near something
+    physics.setPresent(body, true);
     owners.push_back({true, static_cast<int>(owners.size())});
     subSteps_ = robot.footprint.empty() ? subSteps_ : kPolygonSubSteps;
   }
@@ -293,7 +297,6 @@ void World::State::moveBodies(const std::vector<base::Twist2>& commands) {
   findPairs();
   keepApart(discs, pairs_, model.dt);
   findNearness();
-  leaveOutIdleRobots();
   for (std::size_t body = 0; body < discs.size(); ++body) {
     const BodyOwner& owner = owners[body];
     const double omega =
@@ -306,22 +309,23 @@ void World::State::moveBodies(const std::vector<base::Twist2>& commands) {
   readRobots(commands);
 }
 
-/// Who meets nothing in this step. Small worlds leave everybody to the solver.
+/// Who meets nothing in this step. Small worlds leave all people to the solver.
 void World::State::findNearness() {
   nearness_.assign(owners.size(), owners.size() - state.robots.size() > kSmallWorld
                                       ? Nearness::Nothing
                                       : Nearness::Solid);
   for (std::size_t body = 0; body < owners.size(); ++body) {
     const MovingDisc& disc = discs_[body];
-    const double reach = disc.radius + disc.velocity.norm() * model.dt + kNearWall;
-    for (const Obstacles::Point& point : disc.walls) {
-      nearness_[body] = point.inside || point.distance < reach ? Nearness::Solid : nearness_[body];
+    if (owners[body].isRobot) {
+      nearness_[body] = meetsSomething(body) ? Nearness::Solid : Nearness::Nothing;
+      continue;
     }
+    const double reach = disc.radius + disc.velocity.norm() * model.dt + kNearWall;
+    nearness_[body] = isNearWall(disc, reach) ? Nearness::Solid : nearness_[body];
     for (std::size_t i = 0; i < state.robots.size(); ++i) {
       const double near = reach + reachOf(model.robots[i]) + kNearRobot;
       const Vec2 apart = state.robots[i].pose.position - disc.position;
-      const bool isNear = owners[body].isRobot || apart.squaredNorm() < near * near;
-      nearness_[body] = isNear ? Nearness::Solid : nearness_[body];
+      nearness_[body] = apart.squaredNorm() < near * near ? Nearness::Solid : nearness_[body];
     }
   }
   for (const DiscPair& pair : pairs_) {
@@ -352,29 +356,30 @@ bool World::State::mayMeet(const DiscPair& pair) const {
   return (apart + nearest * travel).squaredNorm() < gap * gap;
 }
 
-/// The solver does not know idle robots while nobody is near, so that they cannot change the order
-/// in which it looks at people, and with it their last digits.
-void World::State::leaveOutIdleRobots() {
-  for (std::size_t i = 0; i < state.robots.size(); ++i) {
-    if (!isIdle(model.robots[i])) {
+/// The solver does not know a robot while nothing is near it, so that it cannot change the order in
+/// which the solver looks at people, and with it their last digits. Discs alone: who comes near a
+/// polygon is not looked up.
+bool World::State::meetsSomething(std::size_t robot) const {
+  const MovingDisc& self = discs_[robot];
+  const double reach = self.radius + self.velocity.norm() * model.dt;
+  if (!model.robots[robot].footprint.empty() || isNearWall(self, reach + kNearWall)) {
+    return true;
+  }
+  for (std::size_t body = 0; body < owners.size(); ++body) {
+    const BodyOwner& owner = owners[body];
+    if (body == robot ||
+        (!owner.isRobot && state.present[static_cast<std::size_t>(owner.index)] == 0)) {
       continue;
     }
-    const Vec2& place = state.robots[i].pose.position;
-    const double radius = model.robots[i].radius;
-    bool isMet = false;
-    for (const Obstacles::Point& point : discs_[i].walls) {
-      isMet = isMet || point.inside || point.distance < radius + kNearWall;
+    const MovingDisc& disc = discs_[body];
+    const double size =
+        owner.isRobot ? reachOf(model.robots[static_cast<std::size_t>(owner.index)]) : disc.radius;
+    const double near = reach + size + disc.velocity.norm() * model.dt + kNearRobot;
+    if ((disc.position - self.position).squaredNorm() < near * near) {
+      return true;
     }
-    for (std::size_t body = 0; body < owners.size() && !isMet; ++body) {
-      const MovingDisc& disc = discs_[body];
-      const double near = radius + disc.radius + disc.velocity.norm() * model.dt + kNearRobot;
-      const bool isPerson =
-          !owners[body].isRobot && state.present[static_cast<std::size_t>(owners[body].index)] != 0;
-      isMet = (isPerson || (owners[body].isRobot && body != i)) &&
-              (disc.position - place).norm() < near;
-    }
-    physics.setPresent(static_cast<int>(i), isMet);
   }
+  return false;
 }
 
 void World::State::findPairs() {

@@ -63,7 +63,7 @@ struct World::State {
   void placeDiscs(const std::vector<base::Twist2>& commands);
   void findPairs();
   void findNearness();
-  void leaveOutIdleRobots();
+  bool meetsSomething(std::size_t robot) const;
   bool mayMeet(const DiscPair& pair) const;
   void readPeople();
   Vec2 aroundTheRing(std::size_t human, const Pose2& pose);

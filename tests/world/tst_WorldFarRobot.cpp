@@ -31,7 +31,7 @@ std::vector<HumanColumns> waysOf(Scenario scenario, int steps) {
 
 }  // namespace
 
-/// A robot that stands beyond all forces and out of sight is as good as none, to the last digit.
+/// A robot beyond all forces and out of sight is as good as none, to the last digit.
 class WorldFarRobotTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -41,18 +41,27 @@ class WorldFarRobotTest : public QObject {
 
 void WorldFarRobotTest::step_robotFarAway_changesNobody_data() {
   QTest::addColumn<int>("people");
-  QTest::newRow("few") << 5;
-  QTest::newRow("crowd") << 30;
-  QTest::newRow("just small") << 64;
-  QTest::newRow("just large") << 66;
+  QTest::addColumn<bool>("drives");
+  QTest::newRow("few") << 5 << false;
+  QTest::newRow("crowd") << 30 << false;
+  QTest::newRow("just small") << 64 << false;
+  QTest::newRow("just large") << 66 << false;
+  QTest::newRow("few, it drives") << 5 << true;
+  QTest::newRow("crowd, it drives") << 30 << true;
+  QTest::newRow("just small, it drives") << 64 << true;
+  QTest::newRow("just large, it drives") << 66 << true;
 }
 
 void WorldFarRobotTest::step_robotFarAway_changesNobody() {
   QFETCH(int, people);
+  QFETCH(bool, drives);
   constexpr int kSteps = 200;
   const std::vector<HumanColumns> alone = waysOf(crowd(people), kSteps);
   Scenario scenario = crowd(people);
-  addRobot(scenario, Vec2(71.3, -40.9), Vec2::Zero()).goal = RobotGoal{};  // it stands
+  Robot& robot = addRobot(scenario, Vec2(71.3, -40.9), Vec2(79.0, -44.0));
+  if (!drives) {
+    robot.goal = RobotGoal{};
+  }
   const std::vector<HumanColumns> with = waysOf(std::move(scenario), kSteps);
   QCOMPARE(alone.size(), std::size_t{kSteps});
   QCOMPARE(with.size(), std::size_t{kSteps});
