@@ -10,38 +10,71 @@ namespace {
 
 constexpr double kSmall = 1e-9;       // [m] or [1]
 constexpr double kSmallAngle = 1e-6;  // [rad] a smaller one is noise around 0
+constexpr int kHighestFree = 50;      // value of a cell
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+namespace {
+
+/// What the forces of a pair on each other have in common, up to the sign.
+struct Meeting {
+  double separation = 0.0;        // D
+  double length = 0.0;            // L
+  Vec2 towards = Vec2::Zero();    // e
+  Vec2 direction = Vec2::Zero();  // h
+  bool hasNone = false;           // no force
+  bool isUndefined = false;
+
+  Meeting(const Body& source, const Body& target, const MetricParameters& parameters) {
+    const Vec2 between = source.position - target.position;
+    separation = lengthOf(between);
+    const bool corrected = parameters.profile == Profile::Corrected;
+    hasNone = corrected && separation < kSmall;
+    towards = between / separation;
+    const Vec2 interaction =
+        parameters.socialLambda * (target.velocity - source.velocity) + towards;  // I
+    length = lengthOf(interaction);
+    hasNone = hasNone || (corrected && length < kSmall);
+    isUndefined = !hasNone && length < kSmall;
+    direction = interaction / length;
+  }
+  /// As the source sees it. Never -0, which would turn an angle of pi round.
+  Meeting reversed() const {
+    Meeting other = *this;
+    other.towards = Vec2::Zero() - towards;
+    other.direction = Vec2::Zero() - direction;
+    return other;
+  }
+};
+
+Vec2 socialForceOf(const Meeting& pair, double factor, const MetricParameters& parameters) {
+  if (pair.hasNone) {
+    return Vec2::Zero();
+  }
+  if (pair.isUndefined) {
+    return {kNaN, kNaN};
+  }
+  double theta = base::wrapToPi(std::atan2(pair.towards.y(), pair.towards.x()) -
+                                std::atan2(pair.direction.y(), pair.direction.x()));
+  if (std::fabs(theta) < kSmallAngle) {
+    theta = 0.0;
+  }
+  const double reach = parameters.socialGamma * pair.length;  // B
+  const double slowing = parameters.socialNPrime * reach * theta;
+  const double turning = parameters.socialN * reach * theta;
+  const double along = -std::exp(-pair.separation / reach - slowing * slowing);
+  const double sign = theta > 0.0 ? 1.0 : (theta < 0.0 ? -1.0 : 0.0);
+  const double aside =
+      theta != 0.0 ? -sign * std::exp(-pair.separation / reach - turning * turning) : 0.0;
+  return factor * (along * pair.direction + aside * Vec2(-pair.direction.y(), pair.direction.x()));
+}
 
 }  // namespace
 
 Vec2 socialForce(const Body& source, const Body& target, double factor,
                  const MetricParameters& parameters) {
-  const Vec2 between = source.position - target.position;
-  const double separation = lengthOf(between);  // D
-  const bool corrected = parameters.profile == Profile::Corrected;
-  if (corrected && separation < kSmall) {
-    return Vec2::Zero();
-  }
-  const Vec2 towards = between / separation;  // e
-  const Vec2 interaction =
-      parameters.socialLambda * (target.velocity - source.velocity) + towards;  // I
-  const double length = lengthOf(interaction);                                  // L
-  if (length < kSmall) {
-    return corrected ? Vec2(0.0, 0.0) : Vec2(kNaN, kNaN);
-  }
-  const Vec2 direction = interaction / length;  // h
-  double theta = base::wrapToPi(std::atan2(towards.y(), towards.x()) -
-                                std::atan2(direction.y(), direction.x()));
-  if (std::fabs(theta) < kSmallAngle) {
-    theta = 0.0;
-  }
-  const double reach = parameters.socialGamma * length;  // B
-  const double slowing = parameters.socialNPrime * reach * theta;
-  const double turning = parameters.socialN * reach * theta;
-  const double along = -std::exp(-separation / reach - slowing * slowing);
-  const double sign = theta > 0.0 ? 1.0 : (theta < 0.0 ? -1.0 : 0.0);
-  const double aside = -sign * std::exp(-separation / reach - turning * turning);
-  return factor * (along * direction + aside * Vec2(-direction.y(), direction.x()));
+  return socialForceOf(Meeting(source, target, parameters), factor, parameters);
 }
 
 Vec2 obstacleForce(const Body& body, const MetricParameters& parameters) {
@@ -80,17 +113,14 @@ std::optional<double> timeToCollision(const Body& robot, const Body& person) {
   return (along - std::sqrt(discriminant)) / speed2;
 }
 
-double fearCost(const Body& robot, const Body& person, const MetricParameters& parameters) {
+double fearCost(const Body& robot, const Person& person, const MetricParameters& parameters) {
   if (parameters.profile == Profile::Hunav2) {
     const Vec2 centres = person.position - robot.position;
     const Vec2 closing = robot.velocity - person.velocity;
     return centres.dot(closing) > 0.0 ? lengthOf(closing) / lengthOf(centres) : 0.0;
   }
-  const std::optional<double> time = timeToCollision(robot, person);
-  if (!time) {
-    return 0.0;
-  }
-  return *time * parameters.fearCap <= 1.0 ? parameters.fearCap : 1.0 / *time;
+  const double time = person.pair.timeToCollision;
+  return time * parameters.fearCap <= 1.0 ? parameters.fearCap : 1.0 / time;
 }
 
 double panicCost(const Body& robot, const Body& person, const MetricParameters& parameters) {
@@ -198,10 +228,52 @@ Sight lineOfSight(const Person& person, const Body& robot, const sim2d::Occupanc
   if (map.isEmpty()) {
     return Sight::Free;
   }
-  const bool free =
-      allOnLine(map.worldToCell(person.position), map.worldToCell(robot.position),
-                [&](sim2d::Cell cell) { return !map.isWall(cell) && !map.isUnknown(cell); });
+  const bool free = allOnLine(map.worldToCell(person.position), map.worldToCell(robot.position),
+                              [&map](sim2d::Cell cell) {
+                                const int value = map.valueAt(cell);
+                                return value >= 0 && value <= kHighestFree;
+                              });
   return free ? Sight::Free : Sight::Blocked;
+}
+
+namespace {
+
+/// The person's own factor of the force, where that counts.
+double factorOf(const Person& person, const MetricParameters& parameters) {
+  const bool own = parameters.profile == Profile::Corrected && parameters.personForceParameters > 0;
+  return own ? person.socialFactor.value_or(parameters.socialFactor) : parameters.socialFactor;
+}
+
+void workOutPair(Person& person, const Robot& robot, const MetricParameters& parameters) {
+  Pair& pair = person.pair;
+  const Vec2 towards = robot.position - person.position;
+  pair.isKnown = true;
+  pair.distance = lengthOf(towards);
+  pair.bearing = std::atan2(-towards.y(), -towards.x());
+  pair.ahead = Vec2(std::cos(person.heading), std::sin(person.heading));
+  pair.viewAngle = pair.distance > 0.0
+                       ? std::acos(std::clamp(pair.ahead.dot(towards) / pair.distance, -1.0, 1.0))
+                       : 0.0;
+  pair.timeToCollision = timeToCollision(robot, person).value_or(HUGE_VAL);
+  const Meeting meeting(person, robot, parameters);
+  pair.forceOnRobot = socialForceOf(meeting, parameters.socialFactor, parameters);
+  pair.forceOnPerson =
+      lengthOf(socialForceOf(meeting.reversed(), factorOf(person, parameters), parameters));
+}
+
+}  // namespace
+
+void workOutPairs(Sample& sample, const sim2d::OccupancyGrid* map,
+                  const MetricParameters& parameters) {
+  for (Person& person : sample.people) {
+    if (person.pair.isKnown) {
+      continue;
+    }
+    workOutPair(person, sample.robot, parameters);
+    if (map != nullptr && person.pair.viewAngle <= parameters.fieldOfView / 2.0) {
+      person.pair.sight = lineOfSight(person, sample.robot, *map, parameters.profile);
+    }
+  }
 }
 
 }  // namespace metrics

@@ -21,17 +21,21 @@ Vec2 obstacleForce(const Body& body, const MetricParameters& parameters);
 /// (Singamaneni et al. 2023).
 std::optional<double> timeToCollision(const Body& robot, const Body& person);
 
-/// 1 / time to collision, capped; 0 without a collision course.
-double fearCost(const Body& robot, const Body& person, const MetricParameters& parameters);
+/// 1 / time to collision, capped; 0 without a collision course. The pair must be known.
+double fearCost(const Body& robot, const Person& person, const MetricParameters& parameters);
 /// Of approaching pairs that will narrowly miss each other.
 double panicCost(const Body& robot, const Body& person, const MetricParameters& parameters);
 
 /// Angle between the person's heading and the robot, [0, pi].
 double viewAngle(const Person& person, const Body& robot);
 
-enum class Sight { Free, Blocked, OutsideMap };  // OutsideMap: hunav2 only
 /// The cells between person and robot; in the corrected profile drawn obstacles and doors as well.
 Sight lineOfSight(const Person& person, const Body& robot, const sim2d::OccupancyGrid& map,
                   Profile profile);
+
+/// Fills in the pairs of a sample with a robot that are not known yet; the sight when `map` is
+/// given.
+void workOutPairs(Sample& sample, const sim2d::OccupancyGrid* map,
+                  const MetricParameters& parameters);
 
 }  // namespace metrics

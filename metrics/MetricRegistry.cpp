@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "metrics/Interaction.h"
+
 namespace metrics {
 
 const char* categoryName(Category category) {
@@ -92,11 +94,15 @@ namespace {
 
 MetricValue fold(const Stream& stream, const Recording& recording,
                  const MetricParameters& parameters) {
+  Recording known = recording;
   const std::unique_ptr<Accumulator> accumulator = stream.make(parameters);
-  for (std::size_t i = 0; i < recording.size(); ++i) {
-    accumulator->add(recording, i);
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (known.hasRobot) {
+      workOutPairs(known.samples[i], &known.map, parameters);
+    }
+    accumulator->add(known, i);
   }
-  return stream.read(*accumulator, recording, parameters);
+  return stream.read(*accumulator, known, parameters);
 }
 
 }  // namespace

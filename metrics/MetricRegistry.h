@@ -84,7 +84,7 @@ class Accumulator {
   Accumulator& operator=(Accumulator&&) = delete;
   virtual ~Accumulator() = default;
   /// Sample number `sample`, the newest; called once for each, in order. Of the samples before,
-  /// the people are there in the last one only.
+  /// the people are there in the last one only. With a robot, Person::pair is known.
   virtual void add(const Recording& recording, std::size_t sample) = 0;
 };
 using AccumulatorFactory =

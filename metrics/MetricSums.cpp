@@ -4,6 +4,8 @@
 #include <map>
 #include <utility>
 
+#include "metrics/Interaction.h"
+
 namespace metrics {
 
 MetricSums::MetricSums(const Selection& selection, const MetricParameters& parameters,
@@ -39,6 +41,11 @@ bool MetricSums::needsAllPeople() const {
   });
 }
 
+bool MetricSums::needsMap() const {
+  return std::any_of(items_.begin(), items_.end(),
+                     [](const Item& item) { return item.entry.info.needs.map; });
+}
+
 MetricValue MetricSums::valueOf(const Item& item, const Recording& recording,
                                 const std::vector<MetricResult>& before) const {
   const MetricEntry& entry = item.entry;
@@ -69,15 +76,15 @@ SampleFeed::SampleFeed(Recording empty, const Selection& selection,
                        const MetricParameters& parameters, const MetricRegistry& registry)
     : recording_(std::move(empty)),
       sums_(selection, parameters, recording_.hasRobot, registry),
-      keepsPeople_(sums_.needsAllPeople()) {}
+      parameters_(parameters),
+      keepsPeople_(sums_.needsAllPeople()),
+      looks_(sums_.needsMap()) {}
 
 void SampleFeed::add(Sample sample) {
   std::vector<Sample>& samples = recording_.samples;
   samples.push_back(std::move(sample));
-  for (Person& person : samples.back().people) {
-    if (recording_.hasRobot && person.robotDistance < 0.0) {
-      person.robotDistance = distance(samples.back().robot, person);
-    }
+  if (recording_.hasRobot) {
+    workOutPairs(samples.back(), looks_ ? &recording_.map : nullptr, parameters_);
   }
   sums_.add(recording_, samples.size() - 1);
   if (!keepsPeople_ && samples.size() > 1) {

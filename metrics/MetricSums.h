@@ -19,6 +19,7 @@ class MetricSums {
                                    const std::vector<MetricResult>* all = nullptr) const;
   /// Some metric reads the people of the whole record at the end.
   bool needsAllPeople() const;
+  bool needsMap() const;
 
  private:
   struct Item {
@@ -49,7 +50,8 @@ class SampleFeed {
  private:
   Recording recording_;
   MetricSums sums_;
-  bool keepsPeople_;
+  MetricParameters parameters_;
+  bool keepsPeople_, looks_;
 };
 
 }  // namespace metrics

@@ -2,8 +2,8 @@
 
 namespace metrics {
 
+/// The original's totals.
 void PersonCosts::addTo(Column& column, std::size_t place, double cost) {
-  column.series.back() += cost;
   if (place < column.personTotals.size()) {
     column.personTotals[place] += cost;
   } else {
@@ -24,7 +24,10 @@ void PersonCosts::add(const Recording& recording, std::size_t sample) {
     costs_.assign(columns_.size(), 0.0);
     failed_ = !addCosts(recording, now, now.people[k], costs_) || failed_;
     for (std::size_t cost = 0; cost < costs_.size(); ++cost) {
-      addTo(columns_[cost], k, costs_[cost]);
+      columns_[cost].series.back() += costs_[cost];
+      if (isOriginal()) {
+        addTo(columns_[cost], k, costs_[cost]);
+      }
     }
   }
   for (Column& column : columns_) {

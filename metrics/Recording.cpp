@@ -22,8 +22,7 @@ double distance(const Body& a, const Body& b) {
 }
 
 double distance(const Robot& robot, const Person& person) {
-  return person.robotDistance >= 0.0 ? person.robotDistance
-                                     : lengthOf(robot.position - person.position);
+  return person.pair.isKnown ? person.pair.distance : lengthOf(robot.position - person.position);
 }
 
 double gap(const Robot& robot, const Person& person) {

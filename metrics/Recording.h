@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -34,13 +35,29 @@ struct Body {
   std::vector<ObstaclePoint> obstacles;
 };
 
+enum class Sight { Free, Blocked, OutsideMap };  // OutsideMap: hunav2 only
+
+/// What holds between the robot and a person at one instant. Worked out once (Interaction.h), for
+/// all metrics that ask and again for those among the people of one type.
+struct Pair {
+  bool isKnown = false;
+  double distance = 0.0;              // of the centres [m]
+  double bearing = 0.0;               // of the person, from the robot
+  double viewAngle = 0.0;             // between the person's heading and the robot, [0, pi]
+  double timeToCollision = HUGE_VAL;  // [s]
+  Vec2 ahead = Vec2::UnitX();         // direction of the person's heading
+  Vec2 forceOnRobot = Vec2::Zero();   // social force [m/s^2]
+  double forceOnPerson = 0.0;         // its modulus
+  Sight sight = Sight::Blocked;       // asked for when some metric needs the map
+};
+
 struct Person : Body {
   int group = -1;
   int behavior = 1;                    // 1..6
   int state = 0;                       // != 0: a reaction runs
   std::optional<double> socialFactor;  // own; else the parameters'
   bool screened = false;  // a drawn obstacle or closed door hides the robot (map walls: apart)
-  double robotDistance = -1.0;  // of the centres [m], computed once; < 0: not yet
+  Pair pair;
 };
 
 struct Robot : Body {

@@ -40,16 +40,6 @@ const MetricResult* findResult(const std::vector<MetricResult>& results, std::st
   return nullptr;
 }
 
-std::vector<MetricResult> computeMetrics(const Recording& recording, const Selection& selection,
-                                         const MetricParameters& parameters,
-                                         const MetricRegistry& registry) {
-  MetricSums sums(selection, parameters, recording.hasRobot, registry);
-  for (std::size_t i = 0; i < recording.size(); ++i) {
-    sums.add(recording, i);
-  }
-  return sums.values(recording);
-}
-
 namespace {
 
 constexpr double kTimeSlack = 1e-9;  // [s]

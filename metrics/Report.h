@@ -25,6 +25,8 @@ struct Selection {
   int robotId = -1;
   std::vector<std::pair<double, Vec2>> reference;  // Recording::reference; empty = shortest way
 
+  bool behaviorSeries = true;  // results per behaviour type have their series
+
   bool selects(const MetricInfo& info) const;
   /// The selected metrics in order: of the registry, then the user's.
   std::vector<MetricEntry> entries(const MetricRegistry& registry) const;
@@ -81,9 +83,5 @@ base::Result<Evaluation> evaluate(const sim2d::Trace& trace, const Selection& se
 base::Result<Evaluation> evaluate(const Recording& recording, const Selection& selection,
                                   const MetricParameters& parameters,
                                   const MetricRegistry& registry = standardRegistry());
-/// The selected metrics of a recording as it is.
-std::vector<MetricResult> computeMetrics(const Recording& recording, const Selection& selection,
-                                         const MetricParameters& parameters,
-                                         const MetricRegistry& registry);
 
 }  // namespace metrics

@@ -111,7 +111,8 @@ std::vector<Column> columnsOf(const std::vector<MetricResult>& results, std::siz
   return columns;
 }
 
-std::string stepsText(const std::vector<double>& times, const std::vector<Column>& columns) {
+void writeSteps(const std::vector<double>& times, const std::vector<Column>& columns,
+                const TextSink& to) {
   std::string text;
   std::vector<std::string> cells = {"time_stamps"};
   for (const Column& column : columns) {
@@ -123,8 +124,16 @@ std::string stepsText(const std::vector<double>& times, const std::vector<Column
     for (const Column& column : columns) {
       cells.push_back(evaluatorNumber(column.series->values[i], column.series->kind));
     }
+    to(text);
+    text.clear();
     appendRow(text, cells);
   }
+  to(text);
+}
+
+std::string stepsText(const std::vector<double>& times, const std::vector<Column>& columns) {
+  std::string text;
+  writeSteps(times, columns, [&text](std::string_view piece) { text += piece; });
   return text;
 }
 
@@ -290,6 +299,10 @@ std::string metricsCsv(const Evaluation& evaluation) {
 
 std::string stepsCsv(const Evaluation& evaluation) {
   return stepsText(evaluation.times, columnsOf(evaluation.results, evaluation.times.size()));
+}
+
+void writeSteps(const Evaluation& evaluation, const TextSink& to) {
+  writeSteps(evaluation.times, columnsOf(evaluation.results, evaluation.times.size()), to);
 }
 
 std::string tableText(const Evaluation& evaluation) {

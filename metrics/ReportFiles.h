@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "metrics/Report.h"
@@ -14,6 +16,9 @@ std::string toJson(const Evaluation& evaluation);  // metrics.json
 std::string metricsCsv(const Evaluation& evaluation);
 /// time_stamps and one column per series; one row per sample.
 std::string stepsCsv(const Evaluation& evaluation);
+/// The same in pieces, for a file that is written while they come.
+using TextSink = std::function<void(std::string_view piece)>;
+void writeSteps(const Evaluation& evaluation, const TextSink& to);
 
 /// A number as the evaluator writes it: "4.0", "0.30000000000000004", "1e-07"; counts plain,
 /// booleans True and False, infinity "inf", undefined "".

@@ -14,9 +14,16 @@ Recording withReference(Recording empty, const Selection& selection) {
   return empty;
 }
 
-bool hasBehavior(const Sample& sample, int behavior) {
-  return std::any_of(sample.people.begin(), sample.people.end(),
-                     [behavior](const Person& person) { return person.behavior == behavior; });
+/// How many people there are of each type.
+template <std::size_t count>
+std::array<std::size_t, count> countBehaviors(const Sample& sample) {
+  std::array<std::size_t, count> counts{};
+  for (const Person& person : sample.people) {
+    if (person.behavior >= 1 && person.behavior <= static_cast<int>(count)) {
+      ++counts[static_cast<std::size_t>(person.behavior) - 1];
+    }
+  }
+  return counts;
 }
 
 bool isActive(const Sample& sample) {
@@ -25,8 +32,9 @@ bool isActive(const Sample& sample) {
 }
 
 /// Without the people of other types. The obstacle points go along and are not left behind.
-Sample takePeople(Sample& sample, int behavior) {
+Sample takePeople(Sample& sample, int behavior, std::size_t count) {
   Sample part;
+  part.people.reserve(count);
   part.time = sample.time;
   part.robot = sample.robot;
   for (Person& person : sample.people) {
@@ -82,10 +90,11 @@ void RunningEvaluation::begin(std::size_t behavior) {
 
 void RunningEvaluation::addToBehaviors(Sample& sample) {
   const bool anyActive = isActive(sample);
+  const std::array<std::size_t, kBehaviors> counts = countBehaviors<kBehaviors>(sample);
   for (std::size_t k = 0; k < kBehaviors; ++k) {
     const int type = static_cast<int>(k) + 1;
     Behavior& behavior = behaviors_[k];
-    const bool isPresent = hasBehavior(sample, type);
+    const bool isPresent = counts[k] > 0;
     // The original leaves out types that are missing at any sample.
     if (isOriginal() && !isPresent) {
       behavior.feed.reset();
@@ -93,7 +102,7 @@ void RunningEvaluation::addToBehaviors(Sample& sample) {
       begin(k);
     }
     if (behavior.feed) {
-      Sample part = takePeople(sample, type);
+      Sample part = takePeople(sample, type, counts[k]);
       // Of the people of this type; the original looks at everybody.
       behavior.active.push_back((isOriginal() ? anyActive : isActive(part)) ? 1.0 : 0.0);
       behavior.feed->add(std::move(part));
@@ -137,6 +146,9 @@ base::Result<Evaluation> RunningEvaluation::finish() const {
                                 behaviors_[k].feed->values(&evaluation.results)};
     if (isOriginal()) {
       fillLeftOvers(behavior.results, evaluation.results);
+    }
+    for (std::size_t i = 0; !selection_.behaviorSeries && i < behavior.results.size(); ++i) {
+      behavior.results[i].value.series.reset();
     }
     evaluation.behaviors.push_back(std::move(behavior));
   }

@@ -77,9 +77,9 @@ double closestGapTerm(const Sample& sample, const MetricParameters& /*parameters
 double collisionTerm(const Sample& sample, const MetricParameters& /*parameters*/) {
   double soonest = std::numeric_limits<double>::quiet_NaN();
   for (const Person& person : sample.people) {
-    const std::optional<double> time = timeToCollision(sample.robot, person);
-    if (time && !(*time >= soonest)) {
-      soonest = *time;
+    const double time = person.pair.timeToCollision;
+    if (!std::isinf(time) && !(time >= soonest)) {
+      soonest = time;
     }
   }
   return soonest;

@@ -18,7 +18,7 @@ class Winding : public Accumulator {
     now_.clear();
     std::size_t next = 0;
     for (const Person& person : now.people) {
-      const double bearing = base::headingOf(person.position - now.robot.position);
+      const double bearing = person.pair.bearing;
       const auto* then =
           findInOrder(before_, next, [&person](const Turned& one) { return one.id == person.id; });
       Turned turned{person.id, bearing, then != nullptr ? then->angle : angleOf(person.id)};

@@ -41,7 +41,7 @@ void addDensities(const Sample& sample, double radius, CellAreas& areas, Measure
   for (const Person& person : sample.people) {
     positions.push_back(person.position);
   }
-  std::vector<std::vector<Vec2>> others = neighbours(positions, 2.0 * radius);
+  const std::vector<std::vector<Vec2>> others = neighbours(positions, 2.0 * radius);
   to[kDensity] = classicDensity(others, positions, radius);
   double density = 0.0;
   double flow = 0.0;

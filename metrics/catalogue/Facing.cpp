@@ -40,7 +40,7 @@ double robotFaces(const Sample& sample, const MetricParameters& /*parameters*/) 
 double personSees(const Sample& sample, const MetricParameters& /*parameters*/) {
   double smallest = kNobody;
   for (const Person& person : sample.people) {
-    smallest = std::min(smallest, angleTo(person, sample.robot));
+    smallest = std::min(smallest, person.pair.viewAngle);
   }
   return smallest;
 }

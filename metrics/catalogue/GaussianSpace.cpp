@@ -12,7 +12,8 @@ namespace {
 /// How far outside the space of a person the robot stands, 0 at its centre: the negative exponent
 /// of a Gaussian that is longer ahead of who walks and shorter behind (Kirby).
 double outsideness(const Person& person, const Robot& robot) {
-  const Vec2 local = base::Pose2{person.position, person.heading}.toLocal(robot.position);
+  const Vec2 offset = robot.position - person.position;
+  const Vec2 local(person.pair.ahead.dot(offset), base::cross(person.pair.ahead, offset));
   const double front = std::max(2.0 * person.speed, 0.5);  // variances [m^2]
   const double side = front * 2.0 / 3.0;
   const double along = local.x() > 0.0 ? front : front / 2.0;

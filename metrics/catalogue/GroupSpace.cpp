@@ -11,18 +11,28 @@ namespace {
 
 using Members = std::vector<const Person*>;
 
-std::map<int, Members> groupsOf(const Sample& sample, const MetricParameters& parameters) {
-  std::map<int, Members> groups;
+/// Calls visit(id, members) for the groups with enough members, by id.
+template <class Visit>
+void forEachGroup(const Sample& sample, const MetricParameters& parameters, Visit visit) {
+  Members all;
   for (const Person& person : sample.people) {
     if (person.group != -1) {
-      groups[person.group].push_back(&person);
+      all.push_back(&person);
     }
   }
-  for (auto group = groups.begin(); group != groups.end();) {
-    const bool isSmall = static_cast<double>(group->second.size()) < parameters.groupMinimumMembers;
-    group = isSmall ? groups.erase(group) : std::next(group);
+  std::sort(all.begin(), all.end(), [](const Person* a, const Person* b) {
+    return a->group != b->group ? a->group < b->group : a < b;
+  });
+  Members members;
+  for (auto at = all.begin(); at != all.end();) {
+    const auto end = std::find_if(
+        at, all.end(), [at](const Person* person) { return person->group != (*at)->group; });
+    members.assign(at, end);
+    if (static_cast<double>(members.size()) >= parameters.groupMinimumMembers) {
+      visit(members.front()->group, members);
+    }
+    at = end;
   }
-  return groups;
 }
 
 /// Quarter of the room that the members take along the direction, bodies included.
@@ -62,10 +72,10 @@ double groupIntrusion(const Members& members, const Vec2& position) {
 
 double deepest(const Sample& sample, const MetricParameters& parameters) {
   double value = std::numeric_limits<double>::quiet_NaN();
-  for (const auto& [group, members] : groupsOf(sample, parameters)) {
+  forEachGroup(sample, parameters, [&](int /*group*/, const Members& members) {
     const double one = groupIntrusion(members, sample.robot.position);
     value = one <= value ? value : one;
-  }
+  });
   return value;
 }
 
@@ -143,11 +153,13 @@ class GroupCrossings : public Accumulator {
 
   void add(const Recording& recording, std::size_t sample) override {
     const Sample* before = sample > 0 ? &recording.samples[sample - 1] : nullptr;
-    for (const auto& [group, members] : groupsOf(recording.samples[sample], parameters_)) {
-      const bool now = isCrossing(before, recording.samples[sample], members);
-      count_ += now && !crossed_[group] ? 1.0 : 0.0;
-      crossed_[group] = now;
-    }
+    const Sample& after = recording.samples[sample];
+    forEachGroup(after, parameters_, [&](int group, const Members& members) {
+      const bool now = isCrossing(before, after, members);
+      bool& crossed = crossed_[group];
+      count_ += now && !crossed ? 1.0 : 0.0;
+      crossed = now;
+    });
   }
   MetricValue value() const { return countValue(count_); }
 

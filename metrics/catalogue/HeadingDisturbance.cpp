@@ -21,10 +21,13 @@ double presence(const Person& person, const Robot& robot, const MetricParameters
 
 /// How much the robot's heading bothers the person: it aims at the place where the person stands,
 /// from where it is seen.
-double disturbance(const Person& person, const Robot& robot, const MetricParameters& parameters) {
-  const base::Pose2 frame{person.position, person.heading};
-  const Vec2 place = frame.toLocal(robot.position);
-  const Vec2 aim = base::directionOf(robot.heading - person.heading);
+double disturbance(const Person& person, const Robot& robot, const Vec2& heading,
+                   const MetricParameters& parameters) {
+  const auto toLocal = [&person](const Vec2& vector) {
+    return Vec2(person.pair.ahead.dot(vector), base::cross(person.pair.ahead, vector));
+  };
+  const Vec2 place = toLocal(robot.position - person.position);
+  const Vec2 aim = toLocal(heading);
   const double way = -place.x() / aim.x();  // along the heading to the line across the person
   if (!std::isfinite(way) || way < 0.0) {
     return 0.0;
@@ -36,10 +39,11 @@ double disturbance(const Person& person, const Robot& robot, const MetricParamet
 
 double worst(const Sample& sample, const MetricParameters& parameters) {
   double value = sample.people.empty() ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+  const Vec2 heading = base::directionOf(sample.robot.heading);
   for (const Person& person : sample.people) {
     const double most = presence(person, sample.robot, parameters);
     if (most > value) {
-      value = std::fmax(value, most * disturbance(person, sample.robot, parameters));
+      value = std::fmax(value, most * disturbance(person, sample.robot, heading, parameters));
     }
   }
   return value;

@@ -26,11 +26,6 @@ bool counts(const Sample& sample, const Person& person, const MetricParameters& 
   return parameters.profile == Profile::Corrected || person.id != sample.robot.id;
 }
 
-double factorOf(const Person& person, const MetricParameters& parameters) {
-  const bool own = parameters.profile == Profile::Corrected && parameters.personForceParameters > 0;
-  return own ? person.socialFactor.value_or(parameters.socialFactor) : parameters.socialFactor;
-}
-
 // Places of the sums.
 constexpr std::size_t kOnPeople = 0;
 constexpr std::size_t kOnRobot = 1;
@@ -50,11 +45,9 @@ class RobotForces : public Accumulator {
     Vec2 total = Vec2::Zero();
     for (const Person& person : now.people) {
       if (counts(now, person, parameters_)) {
-        const Vec2 force = socialForce(person, now.robot, parameters_.socialFactor, parameters_);
-        onPeople +=
-            lengthOf(socialForce(now.robot, person, factorOf(person, parameters_), parameters_));
-        onRobot += lengthOf(force);
-        total += force;
+        onPeople += person.pair.forceOnPerson;
+        onRobot += lengthOf(person.pair.forceOnRobot);
+        total += person.pair.forceOnRobot;
       }
     }
     const double obstacles = lengthOf(obstacleForce(now.robot, parameters_));

@@ -60,12 +60,12 @@ class SurpriseSum : public PersonCosts {
   bool addCosts(const Recording& recording, const Sample& sample, const Person& person,
                 std::vector<double>& costs) override {
     const double half = parameters().fieldOfView / 2.0;
-    const double angle = viewAngle(person, sample.robot);
+    const double angle = person.pair.viewAngle;
     const bool unseen = angle > half || (isOriginal() && angle == 0.0);
     if (unseen || (isOriginal() && recording.map.isEmpty())) {
       return true;
     }
-    const Sight sight = lineOfSight(person, sample.robot, recording.map, parameters().profile);
+    const Sight sight = person.pair.sight;
     if (sight == Sight::Free) {
       addVisible(sample, person, angle, costs);
     }

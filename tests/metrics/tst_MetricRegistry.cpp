@@ -119,7 +119,7 @@ void MetricRegistryTest::metricsMarkdown_isWhatIsCommitted() {
   }
   const base::Result<std::string> committed = base::readTextFile(path);
   QVERIFY(committed);
-  QVERIFY2(*committed == text, "run this test with HUNAV_UPDATE=1 and commit metrics/METRICS.md");
+  QVERIFY2(*committed == text, "hunavsim list metrics --format markdown > metrics/METRICS.md");
 }
 
 QTEST_APPLESS_MAIN(MetricRegistryTest)
