@@ -118,8 +118,10 @@ CLI::App* addList(CLI::App& root, Words& words) {
       ->add_option("what", words.list.what, "nodes, metrics, models, robots, planners, scenarios")
       ->required()
       ->check(CLI::IsMember({"nodes", "metrics", "models", "robots", "planners", "scenarios"}));
-  command->add_option("--format", words.list.format, "text or json; xml for nodes")
-      ->check(CLI::IsMember({"text", "json", "xml"}));
+  command
+      ->add_option("--format", words.list.format,
+                   "text or json; xml for nodes, markdown for metrics")
+      ->check(CLI::IsMember({"text", "json", "xml", "markdown"}));
   addOutputOptions(*command, words.output);
   return command;
 }
@@ -146,6 +148,8 @@ CLI::App* addEvaluate(CLI::App& root, Words& words) {
   command->add_option("--run-id", options.runId, "Number of the run in the result files");
   command->add_option("--layout", options.layout, "Also the files of HuNavSim's evaluator")
       ->check(CLI::IsMember({"hunav2", "hunav1"}));
+  command->add_option("--reference", options.reference,
+                      "Run to compare the robot's way with: a folder, or a file with one body");
   addForeignOptions(*command, options);
   addOutputOptions(*command, words.output);
   return command;

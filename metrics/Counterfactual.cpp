@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "sim2d/base/Text.h"
 
@@ -100,19 +101,20 @@ struct Column {
   const char* title;
   const char* unit;
   const char* formula;
+  const char* range;
   double PersonEffect::*member;
 };
 constexpr Column kColumns[] = {
     {"detour", "Detours caused by the robot", "m", "path length with - without the robot",
-     &PersonEffect::detour},
+     "(-inf, inf)", &PersonEffect::detour},
     {"delay", "Delays caused by the robot", "s", "time of the last common goal with - without",
-     &PersonEffect::delay},
+     "(-inf, inf)", &PersonEffect::delay},
     {"extra_force", "Changes of velocity caused by the robot", "m/s",
-     "sum of |change of velocity with - without|", &PersonEffect::extraForce},
-    {"slowed_time", "Time slowed by the robot", "s", "time slower by more than 0.1 m/s",
+     "sum of |change of velocity with - without|", "[0, inf)", &PersonEffect::extraForce},
+    {"slowed_time", "Time slowed by the robot", "s", "time slower by more than 0.1 m/s", "[0, inf)",
      &PersonEffect::slowedTime},
     {"heading_disturbance", "Headings turned by the robot", "rad", "mean |heading with - without|",
-     &PersonEffect::disturbance}};
+     "[0, inf)", &PersonEffect::disturbance}};
 
 }  // namespace
 
@@ -129,8 +131,8 @@ std::vector<PersonEffect> personEffects(const sim2d::Trace& with, const sim2d::T
   return effects;
 }
 
-std::vector<MetricResult> effectSums(const std::vector<PersonEffect>& effects) {
-  std::vector<MetricResult> results;
+std::vector<MetricInfo> effectInfos() {
+  std::vector<MetricInfo> infos;
   for (const Column& column : kColumns) {
     MetricInfo info;
     info.key = std::string("counterfactual_") + column.name;
@@ -141,10 +143,18 @@ std::vector<MetricResult> effectSums(const std::vector<PersonEffect>& effects) {
     info.needs = {true, true};
     info.formula = std::string("sum over people of ") + column.formula;
     info.source = "ours";
-    info.range = "(-inf, inf)";
+    info.range = column.range;
+    infos.push_back(std::move(info));
+  }
+  return infos;
+}
+
+std::vector<MetricResult> effectSums(const std::vector<PersonEffect>& effects) {
+  std::vector<MetricResult> results;
+  for (const MetricInfo& info : effectInfos()) {
     double sum = 0.0;
     for (const PersonEffect& effect : effects) {
-      sum += effect.*column.member;
+      sum += effect.*kColumns[results.size()].member;
     }
     results.push_back(
         {info, effects.empty() ? undefinedValue("nobody is in both runs") : numberValue(sum)});

@@ -22,6 +22,8 @@ struct PersonEffect {
 
 /// The people of both records, by id.
 std::vector<PersonEffect> personEffects(const sim2d::Trace& with, const sim2d::Trace& without);
+/// What the sums are, in their order.
+std::vector<MetricInfo> effectInfos();
 /// Sums over the people, under keys that begin with counterfactual_.
 std::vector<MetricResult> effectSums(const std::vector<PersonEffect>& effects);
 /// counterfactual.csv: one row per person.

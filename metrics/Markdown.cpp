@@ -1,3 +1,4 @@
+#include "metrics/Counterfactual.h"
 #include "metrics/MetricRegistry.h"
 #include "sim2d/base/Text.h"
 
@@ -29,7 +30,7 @@ std::string categoryTable(const MetricRegistry& registry, Category category) {
   text += "|---|---|---|---|---|---|---|---|---|---|\n";
   for (const MetricEntry& entry : registry.entries()) {
     const MetricInfo& info = entry.info;
-    if (info.category != category || !info.partOf.empty()) {
+    if (info.category != category) {
       continue;
     }
     text += row({info.hunav > 0 ? std::to_string(info.hunav) : "", "`" + info.key + "`",
@@ -53,8 +54,7 @@ std::string parameterTable() {
 
 constexpr char kIntroduction[] = R"(# Metrics
 
-Written from the registry; do not edit by hand (`HUNAV_UPDATE=1` with the test
-`tst_MetricRegistry` writes it anew).
+Written by `hunavsim list metrics --format markdown`; do not edit by hand.
 
 Numbers in the first column are those of HuNavSim's evaluator; the others are ours. SI units,
 radians, world frame. A record has N samples at times t_i, dt_i = t_(i+1) - t_i, T = the whole time.
@@ -67,10 +67,23 @@ Profile `corrected` (default) uses the formulas below. Profile `hunav2` gives th
 the public HuNavSim 2.0 evaluator, with its peculiarities. A value that a record does not define is
 empty in CSV and `null` in JSON, with the reason.
 
-The sums 25-34 grow with the recording rate; each is given a second time divided by N, as
-`<key>_mean` (bound 2 %). Column rate: largest change when a record of smooth motion is sampled twice
+The sums 25-34 grow with the recording rate; each is given a second time divided by N, with `_mean`
+at its key. Column rate: largest change when a record of smooth motion is sampled twice
 as often, from 20 Hz on, as a share of the larger value, which counts as at least 0.1.
 )";
+
+std::string effectList() {
+  std::string text =
+      "\n## What the robot did to people\n\nOnly of `run --counterfactual`: the run beside one of "
+      "the same seed without robots. Lengths and\ntimes up to the last goal that both have in "
+      "common; `counterfactual.csv` has them per person.\n\n";
+  for (const MetricInfo& info : effectInfos()) {
+    text += "- `" + info.key + "`: " + info.name + " [" + info.unit + "], " + info.formula + "; " +
+            info.range + ", " + betterName(info.better) + " is better, source: " + info.source +
+            "\n";
+  }
+  return text;
+}
 
 }  // namespace
 
@@ -79,7 +92,7 @@ std::string metricsMarkdown(const MetricRegistry& registry) {
   for (int category = 0; category < kCategories; ++category) {
     text += categoryTable(registry, static_cast<Category>(category));
   }
-  return text + parameterTable();
+  return text + effectList() + parameterTable();
 }
 
 }  // namespace metrics

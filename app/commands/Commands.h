@@ -19,7 +19,7 @@ int checkCommand(const CheckOptions& options, const OutputOptions& output);
 
 struct ListOptions {
   std::string what;             // nodes, metrics, models, robots, planners, scenarios
-  std::string format = "text";  // text, json; xml for nodes
+  std::string format = "text";  // text, json; xml for nodes, markdown for metrics
 };
 int listCommand(const ListOptions& options, const OutputOptions& output);
 
@@ -30,7 +30,8 @@ struct EvaluateOptions {
   std::string metrics, metricsProfile = "corrected";
   std::optional<std::string> tag;
   std::optional<int> runId;
-  std::string layout;  // hunav2, hunav1: the evaluator's own files too
+  std::string layout;     // hunav2 (v2), hunav1 (v1): the evaluator's own files too
+  std::string reference;  // run to compare the robot's way with: folder, or a file with one body
   // of files of other programs
   std::string format, columns;
   std::optional<double> framesPerSecond, step;

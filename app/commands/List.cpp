@@ -75,7 +75,8 @@ std::vector<Entry> metricEntries() {
     const metrics::MetricInfo& info = metric.info;
     Entry entry;
     entry.name = info.key;
-    entry.columns = {info.unit, info.range, metrics::betterName(info.better), info.source};
+    entry.columns = {info.unit.empty() ? "-" : info.unit, info.range,
+                     metrics::betterName(info.better), info.source};
     entry.details = {
         {"unit", info.unit},         {"category", metrics::categoryName(info.category)},
         {"range", info.range},       {"better", metrics::betterName(info.better)},
@@ -138,6 +139,14 @@ int listCommand(const ListOptions& options, const OutputOptions& output) {
     }
     const bt::NodeLibrary library = bt::humanNodes();
     print(bt::writeModel(library.catalogue()));
+    return kFine;
+  }
+  if (options.format == "markdown") {
+    if (options.what != "metrics") {
+      printError("--format markdown is for metrics alone (text and json are for all)");
+      return kWrongCommandLine;
+    }
+    print(metrics::metricsMarkdown(metrics::standardRegistry()));
     return kFine;
   }
   std::vector<Entry> entries;

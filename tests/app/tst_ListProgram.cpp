@@ -1,5 +1,6 @@
 #include <set>
 
+#include <QJsonArray>
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
 #include <QtTest>
@@ -8,7 +9,7 @@
 #include "bt/tree/TreeXml.h"
 #include "tests/app/RunFiles.h"
 
-/// `hunavsim list nodes --format xml` from outside: a model file for Groot2.
+/// `hunavsim list` from outside: nodes as a model file for Groot2, metrics as METRICS.md.
 class ListProgramTest : public QObject {
   Q_OBJECT
 
@@ -79,6 +80,37 @@ class ListProgramTest : public QObject {
                              QStringLiteral("--format"), QStringLiteral("xml")});
     QCOMPARE(wrong.exitCode, 64);
     QVERIFY(wrong.out.isEmpty());
+  }
+
+  void markdown_metrics_isWhatIsCommitted() {
+    const outside::Finished written =
+        outside::runProgram({QStringLiteral("list"), QStringLiteral("metrics"),
+                             QStringLiteral("--format"), QStringLiteral("markdown")});
+    QCOMPARE(written.exitCode, 0);
+    const QByteArray committed = outside::bytesOf(QStringLiteral(SOURCE_DIR "/metrics/METRICS.md"));
+    QVERIFY(!committed.isEmpty() && written.out.toUtf8() == committed);
+    // The same metrics in both, with all their columns.
+    const outside::Finished listed = outside::runProgram(
+        {QStringLiteral("list"), QStringLiteral("metrics"), QStringLiteral("--json")});
+    const QJsonArray metrics = QJsonDocument::fromJson(listed.out.toUtf8()).array();
+    QVERIFY(metrics.size() > 64);
+    QCOMPARE(committed.count("\n|  | `") + 34, metrics.size());
+    for (const QJsonValue& value : metrics) {
+      const QJsonObject metric = value.toObject();
+      const QByteArray name = metric[QStringLiteral("name")].toString().toUtf8();
+      QVERIFY2(committed.contains(" | `" + name + "` | "), name.constData());
+      for (const char* column : {"range", "better", "formula", "source"}) {
+        QVERIFY2(!metric[QString::fromUtf8(column)].toString().isEmpty(), name.constData());
+      }
+      QVERIFY2(metric.contains(QStringLiteral("unit")), name.constData());
+    }
+  }
+
+  void markdown_ofOtherThings_isAWrongWord() {
+    const outside::Finished wrong =
+        outside::runProgram({QStringLiteral("list"), QStringLiteral("robots"),
+                             QStringLiteral("--format"), QStringLiteral("markdown")});
+    QCOMPARE(wrong.exitCode, 64);
   }
 };
 
