@@ -1,5 +1,6 @@
 #include "app/Manifest.h"
 
+#include <cmath>
 #include <filesystem>
 #include <set>
 #include <unistd.h>
@@ -90,8 +91,19 @@ nlohmann::ordered_json inputJson(const std::string& path) {
   return json;
 }
 
+void PlanningTime::add(double seconds) {
+  ++steps;
+  const double change = seconds - mean;
+  mean += change / static_cast<double>(steps);
+  squares += change * (seconds - mean);
+}
+
+double PlanningTime::deviation() const {
+  return steps > 1 ? std::sqrt(squares / static_cast<double>(steps - 1)) : 0.0;
+}
+
 std::string runManifest(const Preparation& preparation, const sim2d::TraceHeader& header,
-                        const sim2d::RunResult& result,
+                        const sim2d::RunResult& result, const PlanningTime& planning,
                         const std::vector<std::string>& commandLine) {
   const double simulated = static_cast<double>(result.steps) * header.dt;
   const sim2d::DesktopSettings& desktop = preparation.scenario->desktop;
@@ -114,6 +126,10 @@ std::string runManifest(const Preparation& preparation, const sim2d::TraceHeader
   json["wall_seconds"] = result.steppingSeconds;
   json["real_time_factor"] =
       result.steppingSeconds > 0.0 ? Json(simulated / result.steppingSeconds) : Json();
+  if (planning.steps > 0) {
+    json["planning_time_mean"] = planning.mean;
+    json["planning_time_std"] = planning.deviation();
+  }
   json["humans"] = Json::array();
   for (const sim2d::TraceHuman& human : header.humans) {
     json["humans"].push_back(humanJson(human));

@@ -4,26 +4,26 @@
 
 #include "app/Manifest.h"
 #include "metrics/ReportFiles.h"
+#include "sim2d/base/GrowingFile.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
 
 base::Diagnostics writeRunFolder(const std::string& folder, const FinishedRun& run,
-                                 const Preparation& preparation,
+                                 RunWriter& writer, const Preparation& preparation,
                                  const std::vector<std::string>& commandLine) {
   namespace fs = std::filesystem;
-  base::Diagnostics problems;
+  base::Diagnostics problems = writer.finish();
   const auto write = [&](const char* name, const std::string& content) {
     base::append(problems, base::writeFileAtomically((fs::path(folder) / name).string(), content));
   };
-  write("trajectory.csv", sim2d::trajectoryCsv(run.trace));
-  write("events.csv", sim2d::eventsCsv(run.trace));
-  write("trees.csv", run.treesCsv);
-  write("trace.json", sim2d::traceJson(run.trace.header));
+  write("trace.json", sim2d::traceJson(run.header));
   if (run.evaluation) {
     write("metrics.json", metrics::toJson(*run.evaluation));
     write("metrics.csv", metrics::metricsCsv(*run.evaluation));
-    write("steps.csv", metrics::stepsCsv(*run.evaluation));
+    base::GrowingFile steps((fs::path(folder) / "steps.csv").string());
+    metrics::writeSteps(*run.evaluation, [&steps](std::string_view rows) { steps.append(rows); });
+    base::append(problems, steps.finish());
   } else {
     for (const char* name : {"metrics.json", "metrics.csv", "steps.csv"}) {
       std::error_code ignored;  // not there: fine
@@ -36,7 +36,8 @@ base::Diagnostics writeRunFolder(const std::string& folder, const FinishedRun& r
     std::error_code ignored;  // not there: fine
     fs::remove(fs::path(folder) / "counterfactual.csv", ignored);
   }
-  write("manifest.json", runManifest(preparation, run.trace.header, run.result, commandLine));
+  write("manifest.json",
+        runManifest(preparation, run.header, run.result, run.planning, commandLine));
   return problems;
 }
 

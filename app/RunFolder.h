@@ -3,26 +3,29 @@
 #include <string>
 #include <vector>
 
+#include "app/Manifest.h"
 #include "app/Preparation.h"
+#include "app/RunWriter.h"
 #include "metrics/Report.h"
 #include "sim2d/trace/Trace.h"
 #include "sim2d/world/Runner.h"
 
 namespace app {
 
-/// All that is known after a run.
+/// All that is known after a run, beside the files that were written while it went on.
 struct FinishedRun {
-  sim2d::Trace trace;
-  std::string treesCsv;
+  sim2d::TraceHeader header;
   sim2d::RunResult result;
+  PlanningTime planning;
   base::Result<metrics::Evaluation> evaluation;
   std::string effectsCsv;  // of the run without robots; empty = there was none
 };
 
-/// The files of a run (FORMAT.md), each written beside and renamed. Files of a former run of the
-/// same names are replaced; metrics files are removed when this run could not be evaluated.
+/// The files of a run (FORMAT.md), each written beside and renamed; those of `writer` are put in
+/// their places. Files of a former run of the same names are replaced; metrics files are removed
+/// when this run could not be evaluated.
 base::Diagnostics writeRunFolder(const std::string& folder, const FinishedRun& run,
-                                 const Preparation& preparation,
+                                 RunWriter& writer, const Preparation& preparation,
                                  const std::vector<std::string>& commandLine);
 
 }  // namespace app

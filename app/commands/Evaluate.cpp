@@ -82,12 +82,14 @@ base::Result<ForeignWords> foreignOptionsOf(const EvaluateOptions& options) {
   return words;
 }
 
-base::Result<sim2d::Trace> readSource(const EvaluateOptions& options, const ForeignWords& words) {
-  if (isRunFolder(options.source)) {
-    return sim2d::readTrace(options.source);
+base::Result<sim2d::Trace> readSource(const std::string& source,
+                                      const sim2d::ForeignOptions& reading,
+                                      const sim2d::TrackOptions& tracks) {
+  if (isRunFolder(source)) {
+    return sim2d::readTrace(source);
   }
-  const base::Result<sim2d::TrackFile> file = sim2d::readForeign(options.source, words.reading);
-  return file ? sim2d::traceOfTracks(*file, words.tracks)
+  const base::Result<sim2d::TrackFile> file = sim2d::readForeign(source, reading);
+  return file ? sim2d::traceOfTracks(*file, tracks)
               : base::Result<sim2d::Trace>(file.diagnostics());
 }
 
@@ -106,6 +108,38 @@ base::Diagnostics replaceMap(const EvaluateOptions& options, sim2d::Trace& trace
   return file.diagnostics();
 }
 
+/// The way of the robot in a recorded run, from its first instant.
+base::Result<std::vector<std::pair<double, base::Vec2>>> readReference(
+    const std::string& source, const sim2d::ForeignOptions& reading) {
+  const base::Result<sim2d::Trace> trace = readSource(source, reading, {});
+  if (!trace) {
+    return trace.diagnostics();
+  }
+  std::vector<std::pair<double, base::Vec2>> way;
+  for (const sim2d::Frame& frame : trace->frames) {
+    const sim2d::RobotColumns& robots = frame.robots;
+    const sim2d::HumanColumns& humans = frame.humans;
+    if (robots.size() > 0) {
+      way.emplace_back(frame.time, base::Vec2(robots.x[0], robots.y[0]));
+    } else if (humans.size() == 1) {
+      way.emplace_back(frame.time, base::Vec2(humans.x[0], humans.y[0]));
+    } else if (humans.size() > 1) {
+      return base::makeError("a reference has a robot or one body, not several people", source);
+    }
+  }
+  if (way.empty()) {
+    return base::makeError("there is no robot in the reference", source);
+  }
+  for (std::size_t k = way.size(); k > 0; --k) {
+    way[k - 1].first -= way.front().first;
+  }
+  return way;
+}
+
+bool isSecondLayout(const EvaluateOptions& options) {
+  return options.layout == "hunav2";
+}
+
 class ResultFolder {
  public:
   explicit ResultFolder(std::string folder) : folder_(std::move(folder)) {}
@@ -117,7 +151,7 @@ class ResultFolder {
   base::Diagnostics writeAll(const EvaluateOptions& options, const sim2d::Trace& trace,
                              const metrics::Evaluation& evaluation) {
     write("metrics.json", metrics::toJson(evaluation));
-    if (options.layout != "hunav2") {  // else rows are added to the table of this name
+    if (!isSecondLayout(options)) {  // else rows are added to the table of this name
       write("metrics.csv", metrics::metricsCsv(evaluation));
     }
     write("steps.csv", metrics::stepsCsv(evaluation));
@@ -128,7 +162,7 @@ class ResultFolder {
     }
     if (!options.layout.empty() && problems_.empty()) {
       const metrics::Layout layout =
-          options.layout == "hunav1" ? metrics::Layout::Hunav1 : metrics::Layout::Hunav2;
+          isSecondLayout(options) ? metrics::Layout::Hunav2 : metrics::Layout::Hunav1;
       const auto files = metrics::writeEvaluatorFiles(
           evaluation, (fs::path(folder_) / "metrics").string(), layout);
       base::append(problems_, files.diagnostics());
@@ -152,7 +186,7 @@ int evaluateCommand(const EvaluateOptions& options, const OutputOptions& output)
     printDiagnostics(wrong);
     return kWrongCommandLine;
   }
-  base::Result<sim2d::Trace> trace = readSource(options, *words);
+  base::Result<sim2d::Trace> trace = readSource(options.source, words->reading, words->tracks);
   base::Diagnostics problems = trace.diagnostics();
   if (trace) {
     base::append(problems, replaceMap(options, *trace));
@@ -165,6 +199,13 @@ int evaluateCommand(const EvaluateOptions& options, const OutputOptions& output)
   if (base::hasErrors(wrong)) {
     printDiagnostics(wrong);
     return kWrongCommandLine;
+  }
+  if (!options.reference.empty()) {
+    const auto reference = readReference(options.reference, words->reading);
+    base::append(problems, reference.diagnostics());
+    if (reference) {
+      setup.selection.reference = *reference;
+    }
   }
   base::append(problems, checkWritableFolder(options.output));
   printDiagnostics(problems, base::Severity::Warning);

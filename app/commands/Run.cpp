@@ -23,27 +23,36 @@ std::string oneDecimal(double value) {
 }
 
 FinishedRun simulate(sim2d::World& world, const sim2d::Scenario& scenario,
-                     const editor::MetricsSetup& scenarioSetup, const editor::MetricsSetup& setup,
+                     const editor::MetricsSetup& scenarioSetup, RunWriter& writer,
                      const OutputOptions& output) {
   const sim2d::StopRule rule = sim2d::stopRuleOf(scenario);
-  sim2d::Recorder recorder(scenario.desktop.recordEvery.value_or(1));
+  sim2d::Recorder recorder(scenario.desktop.recordEvery.value_or(1), &writer);
   const double end = static_cast<double>(rule.maximumSteps) * world.dt();
+  sim2d::StepTimes times;
+  PlanningTime planning;
+  double planned = 0.0;  // [s] up to the step before
+  if (!world.frame().robots.id.empty()) {
+    world.measure(&times);
+  }
   sim2d::RunResult result;
   {
     Progress progress(output.quiet);
     result = sim2d::run(world, rule, recorder, [&](const sim2d::Frame& frame) {
+      const double now = times.seconds[static_cast<std::size_t>(sim2d::StepPhase::Robots)];
+      if (times.steps > planning.steps) {
+        planning.add(now - planned);
+        planned = now;
+      }
       if (progress.isDue()) {
         progress.show(oneDecimal(frame.time) + " / " + oneDecimal(end) + " s simulated");
       }
       return wasInterrupted();
     });
   }
-  std::string treesCsv = recorder.treesCsv();
-  sim2d::Trace trace = recorder.finish(world.header());
-  editor::noteMetricsFile(scenarioSetup, trace.header);
-  base::Result<metrics::Evaluation> evaluation =
-      metrics::evaluate(trace, setup.selection, setup.parameters);
-  return {std::move(trace), std::move(treesCsv), std::move(result), std::move(evaluation), {}};
+  world.measure(nullptr);
+  sim2d::TraceHeader header = recorder.finish(world.header()).header;
+  editor::noteMetricsFile(scenarioSetup, header);
+  return {std::move(header), std::move(result), planning, writer.evaluation(), {}};
 }
 
 /// The same people with the same draws, alone; as many steps as the run had.
@@ -71,8 +80,8 @@ base::Result<sim2d::Trace> simulateWithoutRobots(const Preparation& preparation,
 
 /// Adds the sums to the metrics and makes the table of people.
 base::Diagnostics compareWithoutRobots(const Preparation& preparation, const RunOptions& options,
-                                       FinishedRun& run) {
-  if (run.trace.header.robots.empty()) {
+                                       const RunWriter& writer, FinishedRun& run) {
+  if (run.header.robots.empty()) {
     return {base::makeWarning("--counterfactual: the scenario has no robot", options.scenario)};
   }
   const base::Result<sim2d::Trace> alone =
@@ -80,7 +89,9 @@ base::Diagnostics compareWithoutRobots(const Preparation& preparation, const Run
   if (!alone) {
     return alone.diagnostics();
   }
-  const std::vector<metrics::PersonEffect> effects = metrics::personEffects(run.trace, *alone);
+  sim2d::Trace with = writer.trace();
+  with.header = run.header;
+  const std::vector<metrics::PersonEffect> effects = metrics::personEffects(with, *alone);
   run.effectsCsv = metrics::effectsCsv(effects);
   if (run.evaluation) {
     const std::vector<metrics::MetricResult> sums = metrics::effectSums(effects);
@@ -118,11 +129,39 @@ int exitCodeOf(const FinishedRun& run, const std::string& scenario) {
       return kRunFailed;
     case sim2d::RunStatus::Interrupted:
       printError("interrupted after " +
-                 oneDecimal(static_cast<double>(run.result.steps) * run.trace.header.dt) +
+                 oneDecimal(static_cast<double>(run.result.steps) * run.header.dt) +
                  " s: the part so far is kept");
       return kRunFailed;
   }
   return kRunFailed;
+}
+
+struct Outcome {
+  RunWriter& writer;
+  FinishedRun& run;
+};
+
+/// Comparison, files and table of a run; returns the exit code.
+int conclude(const RunOptions& options, const OutputOptions& output, const Preparation& preparation,
+             const std::vector<std::string>& commandLine, const Outcome& outcome) {
+  FinishedRun& run = outcome.run;
+  bool isCompared = true;
+  if (options.counterfactual && run.result.status == sim2d::RunStatus::Finished) {
+    const base::Diagnostics told = compareWithoutRobots(preparation, options, outcome.writer, run);
+    printDiagnostics(told);
+    isCompared = !base::hasErrors(told);
+  }
+  if (!options.output.empty()) {
+    const base::Diagnostics problems =
+        writeRunFolder(options.output, run, outcome.writer, preparation, commandLine);
+    printDiagnostics(problems);
+    if (base::hasErrors(problems)) {
+      return kBadInput;
+    }
+  }
+  show(run, run.header.dt, output);
+  const int code = exitCodeOf(run, options.scenario);
+  return code == kFine && !isCompared ? kRunFailed : code;
 }
 
 }  // namespace
@@ -164,30 +203,18 @@ int runCommand(const RunOptions& options, const OutputOptions& output,
     return kBadInput;
   }
   catchInterrupts();
-  FinishedRun run = simulate(**world, *preparation.scenario, scenarioSetup, *setup, output);
+  RunWriter writer(options.output, **world, setup->selection, setup->parameters);
+  if (options.counterfactual) {
+    writer.keepTrace();
+  }
+  FinishedRun run = simulate(**world, *preparation.scenario, scenarioSetup, writer, output);
   base::Diagnostics troubles;
   (*world)->behavior().takeDiagnostics(troubles);
   printDiagnostics(troubles);
   if (!run.evaluation) {
     printDiagnostics(run.evaluation.diagnostics());
   }
-  bool isCompared = true;
-  if (options.counterfactual && run.result.status == sim2d::RunStatus::Finished) {
-    const base::Diagnostics told = compareWithoutRobots(preparation, options, run);
-    printDiagnostics(told);
-    isCompared = !base::hasErrors(told);
-  }
-  if (!options.output.empty()) {
-    const base::Diagnostics problems =
-        writeRunFolder(options.output, run, preparation, commandLine);
-    printDiagnostics(problems);
-    if (base::hasErrors(problems)) {
-      return kBadInput;
-    }
-  }
-  show(run, (*world)->dt(), output);
-  const int code = exitCodeOf(run, options.scenario);
-  return code == kFine && !isCompared ? kRunFailed : code;
+  return conclude(options, output, preparation, commandLine, {writer, run});
 }
 
 }  // namespace app

@@ -9,6 +9,8 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QProcess>
 #include <QString>
 #include <QStringList>
@@ -49,6 +51,30 @@ inline void writeText(const QString& path, const QByteArray& text) {
   if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) {
     qFatal("cannot write %s", qPrintable(path));
   }
+}
+
+inline QString text(const char* words) {
+  return QString::fromUtf8(words);
+}
+
+/// A file of the original, or a recording; it need not be there.
+inline QString interop(const QString& file) {
+  const QString folder =
+      qEnvironmentVariable("HUNAV_INTEROP_DIR", QStringLiteral(SOURCE_DIR "/../shared/interop"));
+  return QDir(folder).absoluteFilePath(file);
+}
+
+/// "metrics" of metrics.json in the folder of a run.
+inline QJsonObject metricsOf(const QString& folder) {
+  return QJsonDocument::fromJson(bytesOf(folder + text("/metrics.json")))
+      .object()
+      .value(text("metrics"))
+      .toObject();
+}
+
+/// -1e300 when there is none.
+inline double valueOf(const QJsonObject& metrics, const QString& key) {
+  return metrics.value(key).toObject().value(text("value")).toDouble(-1e300);
 }
 
 /// Rows of a CSV file without quoted line breaks, as column -> text.

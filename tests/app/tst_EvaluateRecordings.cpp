@@ -2,8 +2,6 @@
 #include <set>
 
 #include <QDir>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -12,20 +10,15 @@
 using outside::bytesOf;
 using outside::Finished;
 using outside::runProgram;
+using outside::text;
 
 namespace {
 
 /// Places of people, by instant and id.
 using Places = std::map<int, std::map<int, std::pair<double, double>>>;
 
-QString text(const char* words) {
-  return QString::fromUtf8(words);
-}
-
 QString recording(const QString& file) {
-  const QString folder =
-      qEnvironmentVariable("HUNAV_INTEROP_DIR", QStringLiteral(SOURCE_DIR "/../shared/interop"));
-  return QDir(folder).absoluteFilePath(text("trajectories/") + file);
+  return outside::interop(text("trajectories/") + file);
 }
 
 /// Rows of an obsmat.txt, read by code of this test.
@@ -125,12 +118,9 @@ class EvaluateRecordingsTest : public QObject {
   QString path(const char* name) const { return folder_.filePath(text(name)); }
 
   void compare(const Places& places, int robot) {
-    const QJsonObject metrics = QJsonDocument::fromJson(bytesOf(path("out/metrics.json")))
-                                    .object()
-                                    .value(text("metrics"))
-                                    .toObject();
+    const QJsonObject metrics = outside::metricsOf(path("out"));
     for (const auto& [key, expected] : recomputed(places, robot)) {
-      const double actual = metrics.value(key).toObject().value(text("value")).toDouble(-1e300);
+      const double actual = outside::valueOf(metrics, key);
       const bool isSame = std::fabs(actual - expected) <= 1e-9 * std::max(1.0, expected);
       QVERIFY2(isSame, qPrintable(key + QStringLiteral(" %1 %2").arg(actual).arg(expected)));
     }

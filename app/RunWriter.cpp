@@ -1,0 +1,104 @@
+#include "app/RunWriter.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "sim2d/trace/TraceRows.h"
+
+namespace app {
+
+namespace {
+
+std::string pathIn(const std::string& folder, const char* name) {
+  return (std::filesystem::path(folder) / name).string();
+}
+
+/// They are in none of the files of a run.
+metrics::Selection withoutBehaviorSeries(metrics::Selection selection) {
+  selection.behaviorSeries = false;
+  return selection;
+}
+
+}  // namespace
+
+RunWriter::Files::Files(const std::string& folder)
+    : trajectory(pathIn(folder, "trajectory.csv")),
+      events(pathIn(folder, "events.csv")),
+      trees(pathIn(folder, "trees.csv")) {
+  trajectory.append(sim2d::trajectoryHead());
+  events.append(sim2d::eventsHead());
+  trees.append(sim2d::treesHead());
+}
+
+RunWriter::RunWriter(const std::string& folder, const sim2d::World& world,
+                     const metrics::Selection& selection,
+                     const metrics::MetricParameters& parameters)
+    : world_(world),
+      dt_(world.dt()),
+      files_(folder.empty() ? nullptr : std::make_unique<Files>(folder)),
+      evaluation_(world.header(), withoutBehaviorSeries(selection), parameters) {
+  for (const sim2d::TraceHuman& human : world.header().humans) {
+    known_.insert(human.id);
+  }
+}
+
+/// Somebody came from a source: the metrics ask who it is.
+void RunWriter::meet(const sim2d::Frame& frame) {
+  const std::vector<int>& ids = frame.humans.id;
+  if (std::all_of(ids.begin(), ids.end(), [this](int id) { return known_.count(id) > 0; })) {
+    return;
+  }
+  const std::vector<sim2d::TraceHuman> humans = world_.header().humans;
+  evaluation_.addHumans(humans);
+  for (const sim2d::TraceHuman& human : humans) {
+    known_.insert(human.id);
+  }
+}
+
+void RunWriter::write(const sim2d::RecordedStep& step) {
+  std::string rows;
+  if (step.frame != nullptr) {
+    sim2d::appendTrajectoryRows(rows, *step.frame);
+    files_->trajectory.append(rows);
+  }
+  rows.clear();
+  for (const sim2d::Event& event : step.events) {
+    sim2d::appendEventRow(rows, step.step, dt_, event);
+  }
+  files_->events.append(rows);
+  files_->trees.append(step.treeRows);
+}
+
+void RunWriter::take(const sim2d::RecordedStep& step) {
+  for (const sim2d::Event& event : step.events) {
+    evaluation_.note(static_cast<double>(step.step) * dt_, event);
+  }
+  if (step.frame != nullptr) {
+    meet(*step.frame);
+    evaluation_.append(*step.frame);
+  }
+  if (files_) {
+    write(step);
+  }
+  if (keepsTrace_) {
+    for (const sim2d::Event& event : step.events) {
+      trace_.events.emplace_back(step.step, event);
+    }
+    if (step.frame != nullptr) {
+      trace_.frames.push_back(*step.frame);
+    }
+  }
+}
+
+base::Diagnostics RunWriter::finish() {
+  base::Diagnostics problems;
+  if (files_) {
+    base::append(problems, files_->trajectory.finish());
+    base::append(problems, files_->events.finish());
+    base::append(problems, files_->trees.finish());
+    files_.reset();
+  }
+  return problems;
+}
+
+}  // namespace app
