@@ -28,8 +28,8 @@ struct Row {
   std::string test, model;
   Quantity quantity;
   double value = 0.0;
-  std::string problem;  // why there is no value
-  std::size_t seeds = 0;
+  std::string problem;         // why there is no value
+  std::vector<double> values;  // one per seed
   bool passes() const { return problem.empty() && quantity.passes(value); }
 };
 
@@ -92,7 +92,7 @@ class Validation {
     for (std::size_t i = 0; i < values.size(); ++i) {
       const Quantity& quantity = test.quantities[i];
       rows_.push_back(
-          {test.name, model, quantity, quantity.summaryOf(values[i]), problem, values[i].size()});
+          {test.name, model, quantity, quantity.summaryOf(values[i]), problem, values[i]});
     }
     return true;
   }
@@ -162,11 +162,14 @@ Json jsonOf(const std::vector<Row>& rows) {
                    {"quantity", row.quantity.name},
                    {"unit", row.quantity.unit},
                    {"summary", summaryName(row.quantity.summary)},
-                   {"seeds", row.seeds},
+                   {"seeds", row.values.size()},
                    {"value", number(row.value)},
                    {"least", number(row.quantity.least)},
                    {"most", number(row.quantity.most)},
                    {"pass", row.passes()}});
+    for (const double value : row.values) {
+      all.back()["values"].push_back(number(value));
+    }
     if (!row.problem.empty()) {
       all.back()["why"] = row.problem;
     }
@@ -181,9 +184,9 @@ std::string csvOf(const std::vector<Row>& rows) {
   };
   for (const Row& row : rows) {
     text += row.test + "," + row.model + ",\"" + row.quantity.name + "\"," + row.quantity.unit +
-            "," + summaryName(row.quantity.summary) + "," + std::to_string(row.seeds) + "," +
-            number(row.value) + "," + number(row.quantity.least) + "," + number(row.quantity.most) +
-            "," + (row.passes() ? "PASS" : "FAIL") + "\n";
+            "," + summaryName(row.quantity.summary) + "," + std::to_string(row.values.size()) +
+            "," + number(row.value) + "," + number(row.quantity.least) + "," +
+            number(row.quantity.most) + "," + (row.passes() ? "PASS" : "FAIL") + "\n";
   }
   return text;
 }

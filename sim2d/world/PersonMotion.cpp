@@ -66,11 +66,17 @@ std::vector<StandingBody> standingNear(const FrozenWorld& world, std::size_t hum
 void PersonMotion::resize(std::size_t count) {
   routes_.resize(count);
   directions_.resize(count, Vec2::Zero());
+  changes_.resize(count, 0);
   wanted_.resize(count);
 }
 
 void PersonMotion::forget(int human) {
   routes_[static_cast<std::size_t>(human)].reset();
+}
+
+void PersonMotion::enter(int human) {
+  forget(human);
+  directions_[static_cast<std::size_t>(human)] = Vec2::Zero();
 }
 
 void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, const Ways& ways,
@@ -105,7 +111,9 @@ void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents, 
                               WorldState& state) {
   for (std::size_t human = 0; human < wanted_.size(); ++human) {
     const Intent& intent = intents.of(static_cast<int>(human));
+    const bool wasOnTheWay = !directions_[human].isZero(0.0);
     directions_[human] = Vec2::Zero();
+    changes_[human] = wasOnTheWay ? 1 : 0;
     if (state.present[human] == 0 || intent.motion != Motion::Walk) {
       continue;
     }
@@ -120,6 +128,7 @@ void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents, 
     request.spread = spreadOf(world, human);
     const RouteFollower::Leg leg = routes_[human].follow(request, ways, world.obstacles);
     directions_[human] = leg.direction;
+    changes_[human] = wasOnTheWay == leg.direction.isZero(0.0) ? 1 : 0;
     if (leg.replanned) {
       state.emit(EventKind::Replan, person.id);
     }
@@ -148,6 +157,7 @@ void PersonMotion::move(std::size_t human, const FrozenWorld& world, const Inten
     return;
   }
   crowd_.fill(human, intent, wanted.walls, situation);
+  situation.pushTime = situation.dt * (changes_[human] != 0 ? 0.5 : 1.0);
   const std::function<bool(const Vec2&, const Vec2&)> isVisible =
       [&](const Vec2& /*own*/, const Vec2& other) { return crowd_.isVisible(human, other); };
   situation.isVisible = &isVisible;

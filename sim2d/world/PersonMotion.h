@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "sim2d/world/Crowd.h"
@@ -23,7 +24,8 @@ class PersonMotion {
 
   /// One entry per person of the model.
   void resize(std::size_t count);
-  void forget(int human);  // of a person who enters: an old way
+  void forget(int human);  // an old way
+  void enter(int human);   // somebody who comes in and stands
 
   /// Where everybody heads. Emits `replan` and `stuck`.
   void chooseLegs(const FrozenWorld& world, const Intents& intents, Ways& ways, WorldState& state);
@@ -41,6 +43,7 @@ class PersonMotion {
   std::vector<Situation> situations_;  // of each share of the work
   std::vector<RouteFollower> routes_;
   std::vector<Vec2> directions_;
+  std::vector<std::uint8_t> changes_;  // sets off or ends to walk in this step
   std::vector<WantedMotion> wanted_;
 };
 

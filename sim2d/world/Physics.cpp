@@ -15,8 +15,9 @@ namespace {
 
 constexpr int kVelocityIterations = 8;
 constexpr int kPositionIterations = 6;
-constexpr double kApart = 0.02;           // [m]; a touch ends beyond
-constexpr double kRounding = 2e-5;        // [m]; what single precision may be off
+constexpr double kSkin = b2_linearSlop / 2.0F;  // [m] of discs: Box2D lets them overlap no more
+constexpr double kApart = 0.02;                 // [m]; a touch ends beyond
+constexpr double kRounding = 2e-5;              // [m]; what single precision may be off
 constexpr float kShortestEdge = 0.0075F;  // Box2D wants more than its slop between corners [m]
 
 std::tuple<int, int, int> keyOf(const Touch& touch) {
@@ -99,7 +100,7 @@ void Physics::World::addFixtures(b2Body& body, const BodySpec& spec) const {
   definition.filter.groupIndex = spec.passesItsKind ? -1 : 0;
   if (spec.footprint.empty()) {
     b2CircleShape circle;
-    circle.m_radius = static_cast<float>(spec.radius);
+    circle.m_radius = static_cast<float>(spec.radius + kSkin);
     definition.shape = &circle;
     body.CreateFixture(&definition);
   }

@@ -5,13 +5,13 @@
 namespace sim2d {
 namespace {
 
-constexpr double kTouchDepth = 0.002;  // [m]; so that a touch is one for the physics as well
+constexpr double kClearance = 0.0005;  // [m]; less than the skin that discs have in the physics
 constexpr double kSmall = 1e-6;        // [m/s]
 constexpr int kMostRounds = 20;
 
 /// Closing speed beyond what the gap allows [m/s].
 double excess(double closingSpeed, double gap, double dt) {
-  return closingSpeed - std::max(gap + kTouchDepth, 0.0) / dt;
+  return closingSpeed - std::max(gap - kClearance, 0.0) / dt;
 }
 
 bool stopAtWalls(MovingDisc& disc, double dt) {

@@ -21,7 +21,8 @@ struct DiscPair {
 
 /// Takes from the velocities what would press discs into each other or into walls before the step
 /// ends: each pair that would, loses closing speed by a plastic impact shared by mass, in the order
-/// given, repeated until nothing changes. Discs end up touching, at most 2 mm deep.
+/// given, repeated until nothing changes. Discs stop half a
+/// millimetre before they meet.
 void keepApart(std::vector<MovingDisc>& discs, const std::vector<DiscPair>& pairs, double dt);
 
 }  // namespace sim2d

@@ -9,6 +9,8 @@ namespace sim2d {
 namespace {
 
 constexpr double kShortest = 1e-6;  // below this a vector has no direction
+constexpr double kSubStep = 0.2;    // of the time 1 / rate in which the goal force acts
+constexpr int kMostSubSteps = 1000;
 
 /// For two bodies in one place: some direction that both sides agree on and that differs from pair
 /// to pair.
@@ -43,6 +45,21 @@ Vec2 goalForce(const ForceParameters& parameters, const Vec2& velocity, const Ve
     return -velocity / parameters.relaxationTime;
   }
   return parameters.goalFactor * (desiredSpeed * direction - velocity) / parameters.relaxationTime;
+}
+
+Vec2 meanGoalForce(const ForceParameters& parameters, const Vec2& velocity, const Vec2& direction,
+                   double desiredSpeed, const Vec2& otherTerms, double time) {
+  const double rate = parameters.goalFactor / parameters.relaxationTime;
+  const double wanted = std::ceil(time * rate / kSubStep - 1e-9);
+  const int count = static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(kMostSubSteps)));
+  Vec2 reached = velocity;
+  Vec2 sum = Vec2::Zero();
+  for (int i = 0; i < count; ++i) {
+    const Vec2 force = goalForce(parameters, reached, direction, desiredSpeed);
+    sum += force;
+    reached += (force + otherTerms) * (time / count);
+  }
+  return sum / count;
 }
 
 Vec2 socialForce(const ForceParameters& parameters, const Walker& self, const Walker& other) {

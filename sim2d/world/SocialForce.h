@@ -46,6 +46,12 @@ struct Walker {
 Vec2 goalForce(const ForceParameters& parameters, const Vec2& velocity, const Vec2& direction,
                double desiredSpeed);
 
+/// The goal force averaged over `time` [s], `otherTerms` held. In sub-steps so short that the
+/// velocity comes near the goal's as it does in time, not in steps; the force itself while one
+/// sub-step is enough (up to 0.05 s with the default parameters).
+Vec2 meanGoalForce(const ForceParameters& parameters, const Vec2& velocity, const Vec2& direction,
+                   double desiredSpeed, const Vec2& otherTerms, double time);
+
 /// What `other` does to `self`. Bodies in one place are told apart by their ids; where the
 /// interaction vector vanishes the force is its limit, zero.
 Vec2 socialForce(const ForceParameters& parameters, const Walker& self, const Walker& other);

@@ -135,7 +135,7 @@ void World::State::enter(int human) {
   state.vx[at] = state.vy[at] = state.omega[at] = 0.0;
   state.active[at] = 0;
   state.controls[at] = HumanControl{person.goals, false, person.constants.groupId};
-  motion.forget(human);
+  motion.enter(human);
   goals.enter(human);
   if (bodies_[at] < 0) {
     BodySpec body{start, person.constants.radius, person.constants.mass, {}, true};

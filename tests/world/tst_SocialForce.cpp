@@ -49,6 +49,7 @@ class SocialForceTest : public QObject {
  private Q_SLOTS:
   void goalForce_referenceValues_data();
   void goalForce_referenceValues();
+  void meanGoalForce_longTime_followsTheExponential();
   void obstacleForce_referenceValues();
   void obstacleForce_insideObstacle_leadsOut();
   void socialForce_referenceValues_data();
@@ -86,6 +87,24 @@ void SocialForceTest::goalForce_referenceValues() {
   QFETCH(double, fy);
   const Vec2 direction = hasGoal ? Vec2(1.0, 0.0) : Vec2(Vec2::Zero());
   QVERIFY(isNear(goalForce(plain(), Vec2(vx, vy), direction, 1.5), Vec2(fx, fy), 1e-12));
+}
+
+void SocialForceTest::meanGoalForce_longTime_followsTheExponential() {
+  const Vec2 way(1.0, 0.0);
+  const Vec2 slow(0.2, 0.1);
+  const Vec2 none = Vec2::Zero();
+  // One sub-step: the force itself.
+  QVERIFY(meanGoalForce(plain(), slow, way, 1.5, Vec2(3.0, 0.0), 0.05) ==
+          goalForce(plain(), slow, way, 1.5));
+  // dv/dt = 4 (1.5 - v) from rest: v(0.5 s) = 1.5 (1 - e^-2) = 1.297.
+  const Vec2 gained = 0.5 * meanGoalForce(plain(), none, way, 1.5, none, 0.5);
+  QVERIFY(std::fabs(gained.x() - 1.297) < 0.05);
+  // dv/dt = 4 (1.5 - v) - 6: nothing moves.
+  QVERIFY(isNear(meanGoalForce(plain(), none, way, 1.5, Vec2(-6.0, 0.0), 0.5), Vec2(6.0, 0.0)));
+  ForceParameters stiff = plain();
+  stiff.goalFactor = 10.0;
+  const Vec2 atOnce = 0.1 * meanGoalForce(stiff, none, way, 1.5, none, 0.1);
+  QVERIFY(atOnce.x() > 1.2 && atOnce.x() < 1.5);  // the plain step would reach 3 m/s
 }
 
 void SocialForceTest::obstacleForce_referenceValues() {

@@ -28,16 +28,17 @@ class Das : public PedestrianModel {
     const DensityForce force =
         densityForce(parameters_, self, neighborsOf(situation, kDensityRange));
     ForceTerms terms;
-    terms.goal = force.goal;
     terms.social = force.social + force.lane;
     terms.obstacle = limitedObstacleForce(parameters_, self, situation.obstacles, force.activation);
     terms.group =
         groupForce(parameters_.social, situation.self, situation.direction, situation.group).sum();
+    terms.goal = meanGoalForce(parameters_.social, situation.self.velocity, situation.direction,
+                               force.speedCap, terms.sum(), situation.pushTime);
     return terms;
   }
 
   Vec2 velocity(const Situation& situation, const ForceTerms& forces) const override {
-    Vec2 wanted = situation.self.velocity + forces.sum() * situation.dt;
+    Vec2 wanted = situation.self.velocity + forces.sum() * situation.pushTime;
     const double speed = wanted.norm();
     if (speed > situation.desiredSpeed) {
       wanted *= situation.desiredSpeed / speed;

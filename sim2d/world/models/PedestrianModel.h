@@ -18,6 +18,9 @@ struct Situation {
   Vec2 direction = Vec2::Zero();  // unit vector of the way to go; zero: no goal, brake
   double desiredSpeed = 0.0;      // v0 [m/s], >= 0
   double dt = 0.05;               // [s]
+  /// Over which forces act in this step. Half of dt when somebody sets off or begins to brake:
+  /// velocities belong to the middle of steps, so places do not depend on dt [s].
+  double pushTime = 0.05;
   std::vector<Walker> others;     // people and robots, without those that act as obstacles
   /// The social force of all people, when it was computed for the whole crowd at once: then only
   /// robots are in `others` [m/s²].

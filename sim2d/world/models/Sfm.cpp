@@ -10,6 +10,7 @@ constexpr double kNegligible = 1e-4;     // of k_s: smaller terms of a crowd are
 constexpr double kUnfelt = 1e-6;         // [m/s²]; smaller forces of one body never count
 constexpr std::size_t kSmallCrowd = 64;  // up to here every pair is summed
 constexpr double kStandingSpeed = 1e-3;  // [m/s]; who brakes below this stands
+constexpr double kMateTurnWidth = 0.1;   // [rad]; mates in step do not circle round each other
 
 /// What the original does otherwise: no side preference, forces through walls, one explicit step,
 /// and who brakes never quite stands.
@@ -28,20 +29,29 @@ ForceParameters parametersOf(const ResolvedHuman& person, Kind kind) {
 class Sfm : public PedestrianModel {
  public:
   Sfm(const ResolvedHuman& person, Kind kind)
-      : parameters_(parametersOf(person, kind)), isOriginal_(kind == Kind::Original) {}
+      : parameters_(parametersOf(person, kind)),
+        forMates_(parameters_),
+        isOriginal_(kind == Kind::Original) {
+    forMates_.turnWidth = isOriginal_ ? 0.0 : kMateTurnWidth;
+  }
 
   ForceTerms forces(const Situation& situation) const override {
     ForceTerms terms;
-    terms.social = socialTerm(situation);
+    terms.social = socialTerm(situation) + changeByMates(situation);
     terms.obstacle = obstacleForce(parameters_, situation.self, situation.obstacles);
     terms.group =
         groupForce(parameters_, situation.self, situation.direction, situation.group).sum();
-    terms.goal = goalTerm(situation, terms.sum());
+    terms.goal = isOriginal_
+                     ? goalForce(parameters_, situation.self.velocity, situation.direction,
+                                 situation.desiredSpeed)
+                     : meanGoalForce(parameters_, situation.self.velocity, situation.direction,
+                                     situation.desiredSpeed, terms.sum(), situation.pushTime);
     return terms;
   }
 
   Vec2 velocity(const Situation& situation, const ForceTerms& forces) const override {
-    Vec2 wanted = situation.self.velocity + forces.sum() * situation.dt;
+    const double time = isOriginal_ ? situation.dt : situation.pushTime;
+    const Vec2 wanted = situation.self.velocity + forces.sum() * time;
     const double speed = wanted.norm();
     if (speed > situation.desiredSpeed) {
       return wanted * (situation.desiredSpeed / speed);
@@ -79,25 +89,23 @@ class Sfm : public PedestrianModel {
     return sum;
   }
 
-  /// Mean over sub-steps so short that the explicit step cannot overshoot, the other terms held.
-  /// One sub-step, that is the force itself, while dt <= tau / k_g.
-  Vec2 goalTerm(const Situation& situation, const Vec2& otherTerms) const {
-    const double rate = parameters_.goalFactor / parameters_.relaxationTime;
-    const double wanted = isOriginal_ ? 1.0 : std::ceil(situation.dt * rate - 1e-9);
-    const int count = static_cast<int>(std::clamp(wanted, 1.0, 1000.0));
-    const double subStep = situation.dt / count;
-    Vec2 velocity = situation.self.velocity;
-    Vec2 sum = Vec2::Zero();
-    for (int i = 0; i < count; ++i) {
-      const Vec2 force =
-          goalForce(parameters_, velocity, situation.direction, situation.desiredSpeed);
-      sum += force;
-      velocity += (force + otherTerms) * subStep;
+  /// Mates in step are right at the jump of the turning force, which would throw them from side to
+  /// side: for them it is a ramp.
+  Vec2 changeByMates(const Situation& situation) const {
+    Vec2 change = Vec2::Zero();
+    for (const Walker& mate : situation.group) {
+      const Vec2 turnsLess = socialForce(forMates_, situation.self, mate) -
+                             socialForce(parameters_, situation.self, mate);
+      if (!turnsLess.isZero(0.0) &&
+          (*situation.isVisible)(situation.self.position, mate.position)) {
+        change += turnsLess;
+      }
     }
-    return sum / count;
+    return change;
   }
 
   ForceParameters parameters_;
+  ForceParameters forMates_;
   bool isOriginal_;
   double cutOff_ = cutOff(kNegligible);
 };

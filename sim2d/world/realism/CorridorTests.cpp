@@ -103,13 +103,23 @@ base::Result<std::vector<double>> fundamentalDiagram(const RealismRun& run,
                              rise};
 }
 
-base::Result<std::vector<double>> oneWay(const RealismRun& run) {
+base::Result<std::vector<double>> oneWayWith(const RealismRun& run, double dt) {
+  CorridorFlow setting;
+  setting.dt = dt;
   base::Result<std::vector<double>> values =
-      fundamentalDiagram(run, {0.5, 1.0, 1.5, 2.0, 2.5, 3.0}, CorridorFlow{});
+      fundamentalDiagram(run, {0.5, 1.0, 1.5, 2.0, 2.5, 3.0}, setting);
   if (values) {
     values->pop_back();
   }
   return values;
+}
+
+base::Result<std::vector<double>> oneWay(const RealismRun& run) {
+  return oneWayWith(run, 0.05);
+}
+
+base::Result<std::vector<double>> oneWayLongSteps(const RealismRun& run) {
+  return oneWayWith(run, 0.1);
 }
 
 base::Result<std::vector<double>> rimea4(const RealismRun& run) {
@@ -179,7 +189,7 @@ double weidmannSpeed(double density) {
 }
 
 base::Result<Flow> corridorFlow(const RealismRun& run, const CorridorFlow& setting) {
-  Stage stage(run);
+  Stage stage(run, setting.dt);
   addWalls(stage, setting.width);
   const auto count = static_cast<int>(std::lround(setting.density * kLength * setting.width));
   const Box box{Vec2(0.0, kBody), Vec2(kLength, setting.width - kBody)};
@@ -201,12 +211,13 @@ base::Result<Flow> corridorFlow(const RealismRun& run, const CorridorFlow& setti
 }
 
 void addCorridorTests(std::vector<RealismTest>& tests) {
-  tests.push_back({"fd-one-way",
-                   "speed against density, 0.5 to 3 people per m², corridor 26 x 4 m",
-                   {{"distance to Weidmann", "m/s", Summary::Mean, 0.0, 0.07},
-                    {"bodies overlap", "", Summary::Largest, 0.0, 0.001},
-                    {"largest specific flow", "1/(m s)", Summary::Mean, 1.0, 1.5}},
-                   oneWay});
+  const std::vector<Quantity> ofDiagram = {
+      {"distance to Weidmann", "m/s", Summary::Mean, 0.0, 0.07},
+      {"bodies overlap", "", Summary::Largest, 0.0, 0.001},
+      {"largest specific flow", "1/(m s)", Summary::Mean, 1.0, 1.5}};
+  tests.push_back({"fd-one-way", "speed against density, 0.5 to 3 people per m², corridor 26 x 4 m",
+                   ofDiagram, oneWay});
+  tests.push_back({"fd-long-steps", "the same with steps of 0.1 s", ofDiagram, oneWayLongSteps});
   tests.push_back({"fd-single-file",
                    "headway against speed, ring of 26 m, no overtaking",
                    {{"error of headway", "", Summary::Largest, 0.0, 0.15},

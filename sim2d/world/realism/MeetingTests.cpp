@@ -81,44 +81,80 @@ base::Result<std::vector<double>> crossingValues(const RealismRun& run) {
   return std::vector<double>{meeting->leastDistance, 1.0 - meeting->slowest / 1.3};
 }
 
-/// Ways of three people whose ways cross, with a step of `dt`.
-base::Result<std::vector<Vec2>> placesWithStep(const RealismRun& run, double dt) {
+/// What does not depend on the step of time, if all is well.
+struct Walked {
+  std::vector<Vec2> places;     // at the end
+  std::vector<double> numbers;  // length of each way, least distance between two [m]
+};
+
+/// Least distance between two who moved straight on from `before` to `after`, both relative.
+double nearestBetween(const Vec2& before, const Vec2& after) {
+  const Vec2 moved = after - before;
+  const double share = -before.dot(moved) / std::max(moved.squaredNorm(), 1e-12);
+  return (before + std::clamp(share, 0.0, 1.0) * moved).norm();
+}
+
+void addStep(const std::vector<Vec2>& places, Walked& walked) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    walked.numbers[i] += (places[i] - walked.places[i]).norm();
+    for (std::size_t k = i + 1; k < places.size(); ++k) {
+      walked.numbers.back() =
+          std::min(walked.numbers.back(),
+                   nearestBetween(walked.places[k] - walked.places[i], places[k] - places[i]));
+    }
+  }
+  walked.places = places;
+}
+
+/// Three people whose ways cross, for 10 s, with a step of `dt`.
+base::Result<Walked> walkedWithStep(const RealismRun& run, double dt) {
   Stage stage(run, dt);
   stage.add(walker(Vec2(-6.0, 0.0), Vec2(40.0, 0.0), 1.3));
   stage.add(walker(Vec2(0.5, -5.0), Vec2(0.5, 40.0), 1.2));
   stage.add(walker(Vec2(6.0, 0.4), Vec2(-40.0, 0.4), 1.1));
-  std::vector<Vec2> places;
+  Walked walked;
+  for (const Stage::Actor& actor : stage.actors()) {
+    walked.places.push_back(actor.start);
+  }
+  walked.numbers.assign(walked.places.size(), 0.0);
+  walked.numbers.push_back(1e9);
   const bool isPlayed = stage.play(10.0, [&](const World& world) {
     const HumanColumns& people = world.frame().humans;
-    places.clear();
+    std::vector<Vec2> places;
     for (std::size_t i = 0; i < people.size(); ++i) {
       places.emplace_back(people.x[i], people.y[i]);
     }
+    addStep(places, walked);
     return true;
   });
   if (!isPlayed) {
     return base::makeError(stage.problem());
   }
-  return places;
+  return walked;
 }
 
 base::Result<std::vector<double>> timeStep(const RealismRun& run) {
-  const base::Result<std::vector<Vec2>> finest = placesWithStep(run, 0.01);
+  const base::Result<Walked> finest = walkedWithStep(run, 0.01);
   if (!finest) {
     return finest.diagnostics();
   }
   std::vector<double> values;
+  double change = 0.0;
   for (const double dt : {0.1, 0.05, 0.02}) {
-    const base::Result<std::vector<Vec2>> places = placesWithStep(run, dt);
-    if (!places) {
-      return places.diagnostics();
+    const base::Result<Walked> walked = walkedWithStep(run, dt);
+    if (!walked) {
+      return walked.diagnostics();
     }
     double worst = 0.0;
-    for (std::size_t i = 0; i < places->size(); ++i) {
-      worst = std::max(worst, ((*places)[i] - (*finest)[i]).norm());
+    for (std::size_t i = 0; i < walked->places.size(); ++i) {
+      worst = std::max(worst, (walked->places[i] - finest->places[i]).norm());
+    }
+    for (std::size_t i = 0; i < walked->numbers.size(); ++i) {
+      change = std::max(change, std::fabs(walked->numbers[i] / finest->numbers[i] - 1.0));
     }
     values.push_back(worst);
   }
+  values.push_back(change);
   return values;
 }
 
@@ -172,7 +208,8 @@ void addMeetingTests(std::vector<RealismTest>& tests) {
                    "places after 10 s with steps of 0.1, 0.05 and 0.02 s against 0.01 s",
                    {{"distance, 0.1 s", "m", Summary::Largest, 0.0, 0.05},
                     {"distance, 0.05 s", "m", Summary::Largest, 0.0, 0.05},
-                    {"distance, 0.02 s", "m", Summary::Largest, 0.0, 0.05}},
+                    {"distance, 0.02 s", "m", Summary::Largest, 0.0, 0.05},
+                    {"change of ways and least distance", "", Summary::Largest, 0.0, 0.02}},
                    timeStep,
                    false});
 }

@@ -49,6 +49,7 @@ struct CorridorFlow {
   double seconds = 40.0;
   double meanSpeed = 1.34, speedDeviation = 0.26;  // [m/s]
   bool isTwoWay = false;
+  double dt = 0.05;  // [s]
 };
 /// A closed corridor of 26 m; the second half of the time counts.
 base::Result<Flow> corridorFlow(const RealismRun& run, const CorridorFlow& setting);

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "sim2d/scenario/Defaults.h"
+#include "sim2d/world/WorldState.h"
 #include "sim2d/world/realism/RealismTest.h"
 #include "sim2d/world/realism/TestList.h"
 
@@ -115,6 +117,80 @@ base::Result<std::vector<double>> groups(const RealismRun& run) {
                              pair->speed / alone->speed, three->speed / alone->speed};
 }
 
+constexpr double kRing = 26.0;     // [m], length of the closed corridor
+constexpr int kThrees = 8;         // groups in it
+constexpr double kTogether = 2.0;  // [m] along the way; farther apart a group has no shape
+
+/// The places of `count` groups of three neighbours, then all others.
+std::vector<Vec2> placesByThrees(std::vector<Vec2> places, int count) {
+  for (int group = 0; group < count; ++group) {
+    const auto first = places.begin() + 3 * group;
+    const Vec2 middle = *first;
+    std::sort(first + 1, places.end(), [&middle](const Vec2& a, const Vec2& b) {
+      return (a - middle).squaredNorm() < (b - middle).squaredNorm();
+    });
+  }
+  return places;
+}
+
+/// How far the middle one of three walks behind the outer two [m]; not a number when they are not
+/// together.
+double depthOfV(const HumanColumns& people, std::size_t first) {
+  const Ring ring{0.0, kRing};
+  std::array<Vec2, 3> places;
+  const Vec2 origin(people.x[first], people.y[first]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec2 place(people.x[first + i], people.y[first + i]);
+    places[i] = place + ring.shift(place, origin) - origin;
+  }
+  std::sort(places.begin(), places.end(),
+            [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
+  for (const Vec2& place : places) {
+    if (std::fabs(place.x() - places[1].x()) > kTogether) {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  return (places[0].x() + places[2].x()) / 2.0 - places[1].x();
+}
+
+/// Groups of three among others, one person per m², in a closed corridor 4 m wide: depth of the V,
+/// share of the time in which a group is together.
+base::Result<std::vector<double>> groupsInCrowd(const RealismRun& run) {
+  constexpr int kPeople = 104;
+  Stage stage(run);
+  for (const double y : {-0.1, 4.1}) {
+    stage.addWall({Vec2(-8.0, y), Vec2(kRing + 8.0, y)});
+  }
+  const std::vector<Vec2> places = placesByThrees(
+      randomPlaces(run, kPeople, {Vec2(0.0, 0.2), Vec2(kRing, 3.8)}, 0.4, true), kThrees);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    Stage::Actor actor;
+    const auto person = static_cast<int>(i);
+    actor.start = places[i];
+    actor.group = person < 3 * kThrees ? 1 + person / 3 : -1;
+    actor.speed = actor.group > 0 ? 1.3 : freeSpeed(run, person);
+    actor.target = endlessly(Vec2(1.0, 0.0));
+    stage.add(actor);
+  }
+  stage.close(0.0, kRing);
+  double depth = 0.0;
+  double together = 0.0;
+  double samples = 0.0;
+  const bool isPlayed = stage.play(60.0, [&](const World& world) {
+    for (std::size_t group = 0; world.time() > 30.0 && group < kThrees; ++group) {
+      const double found = depthOfV(world.frame().humans, 3 * group);
+      depth += std::isnan(found) ? 0.0 : found;
+      together += std::isnan(found) ? 0.0 : 1.0;
+      samples += 1.0;
+    }
+    return true;
+  });
+  if (!isPlayed) {
+    return base::makeError(stage.problem());
+  }
+  return std::vector<double>{depth / together, together / samples};
+}
+
 }  // namespace
 
 void addWalkTests(std::vector<RealismTest>& tests) {
@@ -137,6 +213,11 @@ void addWalkTests(std::vector<RealismTest>& tests) {
                     {"speed of three over alone", "", Summary::Mean, 0.8, 1.001}},
                    groups,
                    false});
+  tests.push_back({"groups-in-crowd",
+                   "groups of three among others, 1 person per m²",
+                   {{"middle one behind the outer two", "m", Summary::Mean, 0.0},
+                    {"share of time together", "", Summary::Mean, 0.8, 1.0}},
+                   groupsInCrowd});
 }
 
 }  // namespace sim2d
