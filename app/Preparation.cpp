@@ -7,6 +7,7 @@
 #include "bt/human/TreeBehavior.h"
 #include "editor/document/QtImageLoader.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/scenario/TextPlaces.h"
 
 namespace app {
 
@@ -32,7 +33,11 @@ sim2d::KnownNames knownNames() {
 bool readMapOf(Preparation& preparation, const sim2d::FilePlaces& places) {
   const sim2d::Scenario& scenario = *preparation.scenario;
   const base::Result<std::string> path = sim2d::findMap(scenario, places);
-  base::append(preparation.diagnostics, path.diagnostics());
+  base::Diagnostics problems = path.diagnostics();
+  sim2d::addPlaceOfKey(problems, places.scenarioPath,
+                       {"hunavsim_desktop.ros__parameters.map_file",
+                        "hunav_loader.ros__parameters.map", "hunav_loader.ros__parameters"});
+  base::append(preparation.diagnostics, problems);
   if (!path || path->empty()) {
     return bool(path);
   }
@@ -56,11 +61,13 @@ void tellGenerated(Preparation& preparation, const std::vector<std::string>& nam
   constexpr std::size_t kNamed = 3;
   std::vector<std::string> first(names.begin(), names.begin() + std::min(kNamed, names.size()));
   const std::string more = names.size() > kNamed ? " …" : "";
-  preparation.diagnostics.push_back(base::makeWarning(
-      "no tree file for " + std::to_string(names.size()) +
-          (names.size() == 1 ? " person (" : " people (") + base::join(first, ", ") + more +
-          "): the tree of the behaviour is generated",
-      preparation.inputs.front()));
+  base::Diagnostics told = {base::makeWarning("no tree file for " + std::to_string(names.size()) +
+                                                  (names.size() == 1 ? " person (" : " people (") +
+                                                  base::join(first, ", ") + more +
+                                                  "): the tree of the behaviour is generated",
+                                              preparation.inputs.front())};
+  sim2d::addPlaceOfKey(told, preparation.inputs.front(), {"hunav_loader.ros__parameters.agents"});
+  base::append(preparation.diagnostics, told);
 }
 
 bool hasTreesFolder(Preparation& preparation, const std::string& folder) {
@@ -115,16 +122,16 @@ Preparation prepare(const RunOptions& options, const sim2d::Compatibility& compa
   const sim2d::FilePlaces places = placesOf(options);
   const bool hasMap = readMapOf(preparation, places);
   findTrees(preparation, places);
-  if (hasMap || !reading.ok()) {
-    // Places that were wrong in the file stand somewhere else now: no walls then.
-    const sim2d::Surroundings surroundings =
-        reading.ok() ? sim2d::makeSurroundings(*preparation.scenario, preparation.map)
-                     : sim2d::Surroundings();
-    base::Diagnostics meaning =
-        sim2d::checkScenario(*preparation.scenario, surroundings, options.scenario, knownNames());
-    sim2d::addLines(meaning, reading.lines);
-    base::append(preparation.diagnostics, meaning);
-  }
+  // Without the map, and for places that were wrong in the file and stand somewhere else now, there
+  // are no walls to be in.
+  const sim2d::Surroundings surroundings =
+      hasMap && reading.ok() ? sim2d::makeSurroundings(*preparation.scenario, preparation.map)
+                             : sim2d::Surroundings();
+  base::Diagnostics meaning =
+      sim2d::checkScenario(*preparation.scenario, surroundings, options.scenario, knownNames());
+  sim2d::addLines(meaning, reading.lines);
+  sim2d::addColumns(meaning, options.scenario);
+  base::append(preparation.diagnostics, meaning);
   base::Diagnostics trees;
   bt::makeTreeBehavior(*preparation.scenario, preparation.treePaths, trees, compatibility);
   base::append(preparation.diagnostics, trees);

@@ -123,9 +123,8 @@ std::shared_ptr<const PersonProgram> TreeLoader::load(const sim2d::Human& human,
   TreeFile file = makeTree(scenario_, human, library_.catalogue(), quirks_);
   std::shared_ptr<const PersonProgram>& program = generated_[writeTree(file, library_.catalogue())];
   if (!program) {
-    const TreeTable table = makeTable(scenario_, human, library_.catalogue(), quirks_);
-    base::append(diagnostics, checkAgentTree(table, human, scenario_, library_.catalogue()));
-    program = compileTable(table, diagnostics);
+    // What it may lack, the scenario lacks: its check says so.
+    program = compileTable(makeTable(scenario_, human, library_.catalogue(), quirks_), diagnostics);
   }
   return program;
 }

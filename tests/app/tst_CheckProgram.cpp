@@ -49,6 +49,47 @@ class CheckProgramTest : public QObject {
     QVERIFY2(errors >= files.size() / 2, qPrintable(QString::number(errors)));
   }
 
+  /// Also what is wrong in meaning has line and column, and a missing map hides nothing.
+  void check_meaning_hasPlaces() {
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("s.yaml"));
+    outside::writeText(
+        file,
+        "hunav_loader:\n"
+        "  ros__parameters:\n"
+        "    map: nowhere\n"
+        "    global_goals:\n"
+        "      1: {x: 0.0, y: 0.0}\n"
+        "    agents: [anna]\n"
+        "    anna:\n"
+        "      id: 1\n"
+        "      skin: 0\n"
+        "      group_id: -1\n"
+        "      max_vel: 1.0\n"
+        "      radius: 0.4\n"
+        "      behavior: {type: Regular, configuration: 0}\n"
+        "      init_pose: {x: 1.0, y: 1.0, z: 1.0, h: 0.0}\n"
+        "      goal_radius: 0.3\n"
+        "      cyclic_goals: true\n"
+        "      goals: [1, 9]\n"
+        "hunavsim_desktop:\n"
+        "  ros__parameters:\n"
+        "    areas:\n"
+        "      - {name: in, kind: source, polygon: [[0, 0], [1, 0], [1, 1]], like: bob}\n");
+    const outside::Finished found = outside::runProgram({QStringLiteral("check"), file});
+    QCOMPARE(found.exitCode, 2);
+    const QStringList starts = {QStringLiteral(":3:5: error: no map 'nowhere' found"),
+                                QStringLiteral(":6:5: warning: no tree file for 1 person"),
+                                QStringLiteral(":7:5: error: anna: goal 9 is not defined")};
+    for (const QString& start : starts) {
+      QVERIFY2(found.err.contains(file + start), qPrintable(found.err));
+    }
+    for (const QString& line : found.err.split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
+      static const QRegularExpression place(QStringLiteral(":[1-9][0-9]*:[1-9][0-9]*: "));
+      QVERIFY2(line.contains(place), qPrintable(line));
+    }
+  }
+
   void check_tree_saysEachThingOnce_data() {
     QTest::addColumn<QString>("file");
     QTest::addColumn<int>("lines");
