@@ -18,6 +18,8 @@
 
 namespace sim2d {
 
+constexpr std::size_t kSmallWorld = 65;  // people; so few are all left to the solver
+
 /// What is behind World: the parts and the order of the step.
 struct World::State {
   State(WorldParts parts, std::unique_ptr<HumanBehavior> minds);
