@@ -16,7 +16,8 @@ CanvasActions::CanvasActions(Workspace& workspace, QObject* parent)
              toggle(tr("&Robots"), {}, says, &CanvasOptions::robots),
              toggle(tr("&Goals"), {}, says, &CanvasOptions::goals),
              toggle(tr("&Obstacles and doors"), {}, says, &CanvasOptions::obstacles),
-             toggle(tr("&Areas"), {}, says, &CanvasOptions::areas)};
+             toggle(tr("&Areas"), {}, says, &CanvasOptions::areas),
+             toggle(tr("Gro&ups"), {}, says, &CanvasOptions::groups)};
   snapping_ = {toggle(tr("Snap to &points"), QKeySequence(Qt::Key_S),
                       tr("Corners, ends and centres of other things hold what is drawn"),
                       &CanvasOptions::snapToPoints),

@@ -65,7 +65,7 @@ class ShapeItem : public EntityItem {
   using EntityItem::EntityItem;
   double distanceTo(const Vec2& world) const override;
   std::vector<Label> labels() const override;
-  std::vector<QRectF> solidParts() const override { return {}; }
+  std::vector<QRectF> solidParts() const override;
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  protected:
@@ -75,6 +75,9 @@ class ShapeItem : public EntityItem {
  private:
   void paintDoor(QPainter& painter) const;
   void paintArea(QPainter& painter) const;
+  void paintSign(QPainter& painter) const;
+  QPointF signPlace(double pixelsPerMetre) const;  // scene
+  Label areaLabel(const sim2d::Area& area) const;
   Entity value_;
   std::vector<sim2d::Outline> outlines_;
   QPainterPath path_;  // scene

@@ -101,6 +101,7 @@ class ToolLayer : public FullLayer {
   void setRubberBand(const Vec2& corner, const Vec2& opposite);
   void setLine(std::vector<Vec2> points);  // dashed, with arrow heads
   void setOutline(ToolLine line);
+  void setStroke(std::vector<Vec2> points, double width);  // a line as wide as that [m]
   void setDots(std::vector<ToolDot> dots);
   void setArrow(const Vec2& from, const Vec2& to);
   void setTag(const Vec2& at, const QString& text);  // small dark box beside a point
@@ -110,6 +111,7 @@ class ToolLayer : public FullLayer {
 
  private:
   void paintOutline(QPainter& painter) const;
+  void paintStroke(QPainter& painter) const;
   void paintDots(QPainter& painter) const;
   void paintLine(QPainter& painter) const;
   void paintArrow(QPainter& painter) const;
@@ -119,6 +121,8 @@ class ToolLayer : public FullLayer {
   std::optional<QRectF> band_;
   std::vector<Vec2> line_;
   ToolLine outline_;
+  std::vector<Vec2> stroke_;
+  double strokeWidth_ = 0.1;  // [m]
   std::vector<ToolDot> dots_;
   std::optional<std::pair<Vec2, Vec2>> arrow_;
   std::optional<std::pair<Vec2, QString>> tag_;

@@ -8,6 +8,7 @@
 
 #include "editor/canvas/EntityItem.h"
 #include "editor/canvas/FrameLayer.h"
+#include "editor/canvas/GroupLayer.h"
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapItem.h"
 #include "editor/canvas/RouteLayer.h"
@@ -26,6 +27,7 @@ enum Depth {
   AreaDepth,
   ObstacleDepth,
   DoorDepth,
+  GroupDepth,
   RouteDepth,
   RobotDepth,
   PersonDepth,
@@ -74,6 +76,7 @@ MapScene::MapScene(ScenarioDocument& document, const Theme& theme, QObject* pare
   setItemIndexMethod(QGraphicsScene::NoIndex);
   mapItem_ = addLayer<MapItem>(*this, MapDepth);
   gridItem_ = addLayer<GridItem>(*this, GridDepth, *this);
+  groupLayer_ = addLayer<GroupLayer>(*this, GroupDepth, *this);
   routeLayer_ = addLayer<RouteLayer>(*this, RouteDepth, *this);
   frameLayer_ = addLayer<FrameLayer>(*this, FrameDepth, *this);
   selectionLayer_ = addLayer<SelectionLayer>(*this, SelectionDepth, *this);
@@ -110,8 +113,8 @@ void MapScene::updateExtent() {
   setSceneRect(extent);
   gridItem_->setBounds(mapItem_->isOpenPlane() ? extent : mapItem_->boundingRect());
   for (FullLayer* layer :
-       {static_cast<FullLayer*>(selectionLayer_), static_cast<FullLayer*>(labelLayer_),
-        static_cast<FullLayer*>(toolLayer_)}) {
+       {static_cast<FullLayer*>(groupLayer_), static_cast<FullLayer*>(selectionLayer_),
+        static_cast<FullLayer*>(labelLayer_), static_cast<FullLayer*>(toolLayer_)}) {
     layer->setBounds(extent);
   }
 }

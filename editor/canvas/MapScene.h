@@ -15,6 +15,7 @@ namespace editor {
 
 class EntityItem;
 class FrameLayer;
+class GroupLayer;
 class GridItem;
 class LabelLayer;
 class MapItem;
@@ -31,6 +32,7 @@ struct CanvasOptions {
   bool names = true, routes = true, grid = true, rulers = false;
   bool trails = true, robotPath = true, speech = true, proxemics = false, forces = false;
   bool map = true, people = true, robots = true, goals = true, obstacles = true, areas = true;
+  bool groups = true;                            // who walks together
   bool snapToPoints = true, snapToGrid = false;  // what is drawn or moved
 };
 
@@ -98,6 +100,7 @@ class MapScene : public QGraphicsScene {
   void paintPart(QPainter& painter, CanvasPart part, const QRectF& exposed);
 
   // for items and layers
+  CanvasPart paintedPart() const { return part_; }
   bool isPainted(EntityId id) const;                  // belongs to the part that is being painted
   SpriteAtlas& sprites() const { return *sprites_; }  // of people, at this zoom
   bool isDoorOpen(EntityId id, const sim2d::Door& door) const;  // in the frame shown, else at start
@@ -145,6 +148,7 @@ class MapScene : public QGraphicsScene {
   std::unique_ptr<SpriteAtlas> sprites_;
   MapItem* mapItem_ = nullptr;
   GridItem* gridItem_ = nullptr;
+  GroupLayer* groupLayer_ = nullptr;
   RouteLayer* routeLayer_ = nullptr;
   FrameLayer* frameLayer_ = nullptr;
   SelectionLayer* selectionLayer_ = nullptr;

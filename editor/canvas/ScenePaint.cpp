@@ -4,6 +4,7 @@
 #include <QStyleOptionGraphicsItem>
 
 #include "editor/canvas/EntityItem.h"
+#include "editor/canvas/GroupLayer.h"
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
 #include "editor/canvas/RouteLayer.h"
@@ -55,7 +56,7 @@ void MapScene::paintPart(QPainter& painter, CanvasPart part, const QRectF& expos
   part_ = part;
   std::vector<QGraphicsItem*> wanted;
   if (part == CanvasPart::Moving) {
-    wanted = {labelLayer_};
+    wanted = {groupLayer_, labelLayer_};
     if (preview_.size() <= kMostMovingRoutes) {
       wanted.push_back(routeLayer_);
     }

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "editor/canvas/AreaGlyph.h"
 #include "editor/canvas/EntityItems.h"
+#include "editor/canvas/Layers.h"
 #include "editor/canvas/PixelFrame.h"
 
 namespace editor {
@@ -10,6 +12,10 @@ namespace {
 
 constexpr double kDefaultWall = 0.1;   // [m]
 constexpr double kDefaultDoor = 0.05;  // [m]
+constexpr double kSignPx = 16.0;       // of what an area does
+constexpr double kSignInsetPx = 14.0;  // its middle from the corner
+constexpr double kLabelGapPx = 6.0;    // of the name from the edges
+constexpr double kLeastSignPx = 12.0;  // areas that are smaller on the screen show none
 
 std::vector<sim2d::Outline> outlinesOf(const sim2d::Obstacle& obstacle) {
   switch (obstacle.kind) {
@@ -102,13 +108,56 @@ std::vector<Label> ShapeItem::labels() const {
   if (!isShown) {
     return {};
   }
-  const QString name = displayName(value_);
-  const bool saysKind = area == nullptr || name.startsWith(areaKindName(area->kind));
-  const QString text =
-      saysKind ? name : QStringLiteral("%1 · %2").arg(name, areaKindName(area->kind));
+  if (area != nullptr) {
+    return {areaLabel(*area)};
+  }
   const QRectF box = path_.boundingRect();
-  return {{text, std::nullopt, box.center(), 0.5 * box.height() * mapScene().pixelsPerMetre() + 4.0,
-           0, false}};
+  return {{displayName(value_), std::nullopt, box.center(),
+           0.5 * box.height() * mapScene().pixelsPerMetre() + 4.0, 0, false}};
+}
+
+/// In the area, after its sign, at the top or else at the bottom; below it when it has no room. The
+/// kind is said in words as well where they fit.
+Label ShapeItem::areaLabel(const sim2d::Area& area) const {
+  const QString name = displayName(value_);
+  const QString kind = areaKindName(area.kind);
+  const QRectF box = path_.boundingRect();
+  const double pixelsPerMetre = mapScene().pixelsPerMetre();
+  const double width = box.width() * pixelsPerMetre - 2.0 * kSignInsetPx - kLabelGapPx;
+  const double height = box.height() * pixelsPerMetre;
+  Label label{kind, std::nullopt, box.center(), 0.5 * height + 4.0, 0, false};
+  if (!area.name.empty()) {
+    label.text = name.startsWith(kind) ? name : QStringLiteral("%1 · %2").arg(name, kind);
+    label.text = labelSize(theme(), label).width() > width ? name : label.text;
+  }
+  const QSizeF size = labelSize(theme(), label);
+  const QPointF sign = signPlace(pixelsPerMetre);
+  const bool isAside = sign.x() < box.center().x() && size.width() < width;
+  if (isAside && size.height() < height) {
+    label.centre.setX(sign.x() + metres(0.5 * kSignPx + 2.0 + 0.5 * size.width()));
+    label.clearancePx = std::max(0.5 * height - size.height() - kLabelGapPx, -0.5 * size.height());
+    label.isAbove = true;
+  }
+  return label;
+}
+
+/// The middle of the sign: in the upper left corner, or in the middle where it is narrow.
+QPointF ShapeItem::signPlace(double pixelsPerMetre) const {
+  const QRectF box = path_.boundingRect();
+  const double inset = kSignInsetPx / pixelsPerMetre;
+  const QPointF corner(box.width() > 2.0 * inset ? box.left() + inset : box.center().x(),
+                       box.height() > 2.0 * inset ? box.top() + inset : box.center().y());
+  return path_.contains(corner) ? corner : box.center();
+}
+
+/// Names keep off the signs of areas.
+std::vector<QRectF> ShapeItem::solidParts() const {
+  if (kindOf(value_) != EntityKind::Area) {
+    return {};
+  }
+  const double side = metres(kSignPx);
+  const QPointF sign = signPlace(mapScene().pixelsPerMetre());
+  return {QRectF(sign.x() - 0.5 * side, sign.y() - 0.5 * side, side, side)};
 }
 
 void ShapeItem::paintDoor(QPainter& painter) const {
@@ -144,6 +193,19 @@ void ShapeItem::paintArea(QPainter& painter) const {
   painter.setPen(cosmetic(theme().color(Role::ObstacleEdge), strong ? 1.5 : 1.0, Qt::DashLine));
   painter.setBrush(theme().color(Role::Accent, strong ? 0.10 : 0.05));
   painter.drawPath(path_);
+  paintSign(painter);
+}
+
+void ShapeItem::paintSign(QPainter& painter) const {
+  const double pixelsPerMetre = pixelsPerMetreOf(painter);
+  const QRectF box = path_.boundingRect();
+  const double sidePx = std::min(box.width(), box.height()) * pixelsPerMetre;
+  if (sidePx < kLeastSignPx) {
+    return;
+  }
+  const PixelFrame frame(painter, signPlace(pixelsPerMetre));
+  paintAreaGlyph(painter, std::get<sim2d::Area>(value_).kind, QPointF(), std::min(kSignPx, sidePx),
+                 theme());
 }
 
 void ShapeItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {

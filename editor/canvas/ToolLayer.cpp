@@ -34,6 +34,12 @@ void ToolLayer::setOutline(ToolLine line) {
   update();
 }
 
+void ToolLayer::setStroke(std::vector<Vec2> points, double width) {
+  stroke_ = std::move(points);
+  strokeWidth_ = width;
+  update();
+}
+
 void ToolLayer::setDots(std::vector<ToolDot> dots) {
   dots_ = std::move(dots);
   update();
@@ -58,6 +64,7 @@ void ToolLayer::clear() {
   band_.reset();
   line_.clear();
   outline_ = {};
+  stroke_.clear();
   dots_.clear();
   arrow_.reset();
   tag_.reset();
@@ -91,6 +98,20 @@ void ToolLayer::paintOutline(QPainter& painter) const {
     painter.setBrush(theme().color(Role::Panel));
     painter.drawRect(QRectF(-0.5 * kCornerPx, -0.5 * kCornerPx, kCornerPx, kCornerPx));
   }
+}
+
+void ToolLayer::paintStroke(QPainter& painter) const {
+  if (stroke_.empty()) {
+    return;
+  }
+  painter.setPen(QPen(theme().color(Role::Accent, 0.4), strokeWidth_, Qt::SolidLine, Qt::RoundCap,
+                      Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+  QPainterPath path = softPath(stroke_, 0.0);
+  if (stroke_.size() == 1) {  // a dot
+    path.lineTo(path.currentPosition() + QPointF(1e-3, 0.0));
+  }
+  painter.drawPath(path);
 }
 
 void ToolLayer::paintDots(QPainter& painter) const {
@@ -166,6 +187,7 @@ void ToolLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidge
     painter->setBrush(theme().color(Role::Accent, 0.10));
     painter->drawRect(*band_);
   }
+  paintStroke(*painter);
   paintOutline(*painter);
   paintDots(*painter);
   paintLine(*painter);

@@ -1,6 +1,7 @@
 #include <QPaintEvent>
 #include <QPainter>
 
+#include "editor/canvas/GroupLayer.h"
 #include "editor/canvas/MapView.h"
 #include "editor/canvas/Overlays.h"
 
@@ -55,6 +56,7 @@ void MapView::drawForeground(QPainter* painter, const QRectF&) {
     paintRulers(*painter, context);
   }
   paintScaleBar(*painter, context);
+  paintGroupLegend(*painter, context);
   paintForceLegend(*painter, context);
   if (state_ != CanvasState::Editing) {
     const Role role = state_ == CanvasState::Running  ? Role::Ok

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include "editor/canvas/AreaGlyph.h"
 #include "editor/canvas/FigurePainter.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/PersonLook.h"
+#include "editor/look/Icons.h"
 
 namespace editor {
 
@@ -34,6 +36,24 @@ int groupOf(EntityKind kind) {
     }
   }
   return -1;
+}
+
+QString shapeIcon(const Entity& entity) {
+  const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity);
+  if (obstacle == nullptr) {
+    return QStringLiteral("tool-door");
+  }
+  switch (obstacle->kind) {
+    case sim2d::ObstacleKind::Circle:
+      return QStringLiteral("tool-circle");
+    case sim2d::ObstacleKind::Polygon:
+      return QStringLiteral("tool-polygon");
+    case sim2d::ObstacleKind::Wall:
+      return QStringLiteral("tool-wall");
+    case sim2d::ObstacleKind::Box:
+      break;
+  }
+  return QStringLiteral("tool-box");
 }
 
 QString placeOf(const Entity& entity) {
@@ -228,10 +248,13 @@ QVariant EntityModel::icon(const Entity& entity) const {
   if (const auto* goal = std::get_if<sim2d::GlobalGoal>(&entity)) {
     return painter.goalIcon(QString::number(goal->id), 20);
   }
+  if (const auto* area = std::get_if<sim2d::Area>(&entity)) {
+    return areaIcon(area->kind, theme_);
+  }
   if (kindOf(entity) == EntityKind::Robot) {
     return painter.robotIcon(16);
   }
-  return {};
+  return tintedIcon(shapeIcon(entity), theme_.color(Role::TextSecondary));
 }
 
 QVariant EntityModel::entityData(EntityId id, int column, int role) const {

@@ -11,6 +11,7 @@ namespace editor {
 namespace {
 
 constexpr int kAlone = -1;
+constexpr double kLeastContrast = 3.0;  // of a ring on the map
 
 void setNameOf(std::vector<std::pair<int, std::string>>& groups, int group,
                const std::string& name) {
@@ -48,7 +49,12 @@ QColor groupColor(int group, const Theme& theme) {
   // Steps of the golden angle keep neighbours apart; the strengths fit the theme.
   const int hue = static_cast<int>((static_cast<long long>(group) * 137 + 40) % 360);
   const int whole = hue < 0 ? hue + 360 : hue;
-  return theme.isDark() ? QColor::fromHsv(whole, 120, 225) : QColor::fromHsv(whole, 190, 165);
+  QColor color =
+      theme.isDark() ? QColor::fromHsv(whole, 120, 225) : QColor::fromHsv(whole, 190, 165);
+  while (contrastRatio(color, theme.color(Role::MapFree)) < kLeastContrast) {
+    color = theme.isDark() ? color.lighter(105) : color.darker(105);
+  }
+  return color;
 }
 
 int pushGroup(ScenarioDocument& document, const std::vector<EntityId>& people) {

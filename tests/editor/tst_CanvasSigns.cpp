@@ -1,0 +1,170 @@
+#include "CanvasTester.h"
+#include "editor/canvas/AreaGlyph.h"
+#include "editor/canvas/GroupLayer.h"
+#include "editor/document/Groups.h"
+
+using namespace editor;
+
+namespace {
+
+constexpr sim2d::AreaKind kKinds[] = {sim2d::AreaKind::Source, sim2d::AreaKind::Sink,
+                                      sim2d::AreaKind::Wait, sim2d::AreaKind::Exit};
+
+sim2d::Area areaOf(sim2d::AreaKind kind) {
+  sim2d::Area area;
+  area.key = {base::EntityKind::Area, 90};
+  area.name = "place";
+  area.kind = kind;
+  area.points = {{1.0, 1.0}, {4.0, 1.0}, {4.0, 3.0}, {1.0, 3.0}};
+  return area;
+}
+
+sim2d::Scenario scenarioWithGroup() {
+  sim2d::Scenario scenario = small::scenario();
+  scenario.humans[0].groupId = 3;
+  scenario.humans[2].groupId = 3;
+  return scenario;
+}
+
+QImage picture(MapScene& scene) {
+  constexpr double kPixelsPerMetre = 50.0;
+  scene.setPixelsPerMetre(kPixelsPerMetre);
+  QImage image(600, 450, QImage::Format_RGB32);
+  image.fill(scene.groundColor());
+  QPainter painter(&image);
+  painter.setTransform(QTransform::fromScale(kPixelsPerMetre, kPixelsPerMetre).translate(0.0, 9.0));
+  scene.paintPart(painter, CanvasPart::All, QRectF(0.0, -9.0, 12.0, 9.0));
+  return image;
+}
+
+QPoint pixelOf(const Vec2& world) {
+  return {static_cast<int>(50.0 * world.x()), static_cast<int>(50.0 * (9.0 - world.y()))};
+}
+
+/// How many pixels near a place are of nearly that colour.
+int countNear(const QImage& image, const Vec2& world, const QColor& color) {
+  int count = 0;
+  const QPoint centre = pixelOf(world);
+  for (int y = centre.y() - 24; y <= centre.y() + 24; ++y) {
+    for (int x = centre.x() - 24; x <= centre.x() + 24; ++x) {
+      const QColor here = image.pixelColor(x, y);
+      const int off = std::abs(here.red() - color.red()) + std::abs(here.green() - color.green()) +
+                      std::abs(here.blue() - color.blue());
+      count += off < 40 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+class CanvasSignsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void area_eachKind_hasASignOfItsOwn() {
+    std::vector<QImage> pictures;
+    for (const sim2d::AreaKind kind : kKinds) {
+      ScenarioDocument document;
+      sim2d::Scenario scenario;
+      scenario.areas = {areaOf(kind)};
+      document.load(scenario);
+      MapScene scene(document, Theme::light());
+      CanvasOptions options;
+      options.names = false;  // the names say the kind as well
+      scene.setOptions(options);
+      pictures.push_back(picture(scene));
+    }
+    for (std::size_t a = 0; a < pictures.size(); ++a) {
+      for (std::size_t b = a + 1; b < pictures.size(); ++b) {
+        QVERIFY(pictures[a] != pictures[b]);
+      }
+    }
+  }
+
+  void sign_eachKind_fillsItsSquare() {
+    for (const sim2d::AreaKind kind : kKinds) {
+      const QRectF box = areaGlyph(kind).boundingRect();
+      QVERIFY(QRectF(-8.0, -8.0, 16.0, 16.0).contains(box));
+      QVERIFY(std::max(box.width(), box.height()) > 11.0);
+      QVERIFY(!areaIcon(kind, Theme::dark()).isNull());
+    }
+  }
+
+  void group_itsPeople_haveRingsInItsColor() {
+    ScenarioDocument document;
+    document.load(scenarioWithGroup());
+    MapScene scene(document, Theme::light());
+    const QColor color = groupColor(3, scene.theme());
+    const QImage with = picture(scene);
+    for (const int person : {0, 2}) {
+      const Vec2 at = document.scenario().humans[std::size_t(person)].initPose.position;
+      QVERIFY(countNear(with, at, color) > 60);
+    }
+    QVERIFY(countNear(with, document.scenario().humans[1].initPose.position, color) < 10);
+    CanvasOptions options = scene.options();
+    options.groups = false;
+    scene.setOptions(options);
+    const QImage without = picture(scene);
+    QVERIFY(countNear(without, document.scenario().humans[0].initPose.position, color) < 10);
+  }
+
+  void group_personIsDragged_ringFollows() {
+    ScenarioDocument document;
+    document.load(scenarioWithGroup());
+    MapScene scene(document, Theme::light());
+    sim2d::Human moved = document.scenario().humans[0];
+    moved.initPose.position = {2.0, 4.6};
+    scene.setPreview({Entity(moved)});
+    const QColor color = groupColor(3, scene.theme());
+    const QImage image = picture(scene);
+    QVERIFY(countNear(image, {2.0, 4.6}, color) > 60);
+    QVERIFY(countNear(image, {2.0, 2.0}, color) < 20);
+  }
+
+  void groupColors_allReadableOnTheMap() {
+    for (const Theme& theme : {Theme::light(), Theme::dark()}) {
+      for (int group = 0; group < 40; ++group) {
+        QVERIFY(contrastRatio(groupColor(group, theme), theme.color(Role::MapFree)) >= 3.0);
+      }
+    }
+  }
+
+  void legend_coversNobody() {
+    ScenarioDocument document;
+    sim2d::Scenario scenario = scenarioWithGroup();
+    scenario.humans[1].initPose.position = {11.0, 0.6};  // lower right
+    document.load(scenario);
+    const MapScene scene(document, Theme::light());
+    const QTransform view = QTransform::fromScale(50.0, 50.0).translate(0.0, 9.0);
+    const QRectF box = groupLegendBox({scene, QRectF(0.0, 0.0, 600.0, 450.0), view, 50.0});
+    QVERIFY(!box.isEmpty());
+    QVERIFY(QRectF(0.0, 0.0, 600.0, 450.0).contains(box));
+    for (const sim2d::Human& human : scenario.humans) {
+      QVERIFY(!box.contains(view.map(MapScene::sceneFromWorld(human.initPose.position))));
+    }
+  }
+
+  void legend_withoutGroups_isNone() {
+    ScenarioDocument document;
+    document.load(small::scenario());
+    const MapScene scene(document, Theme::light());
+    QVERIFY(groupLegendBox({scene, QRectF(0.0, 0.0, 600.0, 450.0), QTransform(), 50.0}).isEmpty());
+  }
+
+  void links_ofPointsInARow_joinNeighbours() {
+    const auto links = shortestLinks({{0.0, 0.0}, {3.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}});
+    QCOMPARE(links.size(), std::size_t(3));
+    double length = 0.0;
+    const double xs[] = {0.0, 3.0, 1.0, 2.0};
+    for (const auto& [from, to] : links) {
+      length += std::abs(xs[from] - xs[to]);
+    }
+    QCOMPARE(length, 3.0);
+    QVERIFY(shortestLinks({{1.0, 1.0}}).empty());
+    QVERIFY(shortestLinks({}).empty());
+  }
+};
+
+QTEST_MAIN(CanvasSignsTest)
+#include "tst_CanvasSigns.moc"
