@@ -5,6 +5,7 @@
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
+#include "editor/tools/CrowdOptions.h"
 #include "sim2d/base/Math.h"
 
 namespace editor {
@@ -57,6 +58,28 @@ bool MapPaintTool::keyPress(const QKeyEvent& event) {
   }
 }
 
+QWidget* MapPaintTool::makeOptions(QWidget* parent) {
+  auto* row = new OptionsRow(parent);
+  auto* paint = new ChoiceField(row);
+  paint->addItems({tr("Wall"), tr("Free ground"), tr("Unknown")});  // in the order of kPaints
+  paint->setAccessibleName(tr("What is painted"));
+  row->add(tr("Paint"), paint);
+  NumberField* width = addNumber(*row, tr("Width"), {kLeastWidth, kMostWidth, 2, 0.05}, tr("m"),
+                                 width_, [this](double value) { setWidth(value); });
+  connect(paint, qOverload<int>(&QComboBox::activated), this,
+          [this](int at) { setPaint(kPaints.at(static_cast<std::size_t>(at))); });
+  const auto follow = [this, paint, width] {
+    paint->setCurrentIndex(
+        static_cast<int>(std::find(kPaints.begin(), kPaints.end(), paint_) - kPaints.begin()));
+    if (width->value() != width_) {
+      width->show(width_, false);
+    }
+  };
+  connect(this, &Tool::statusTextChanged, row, follow);
+  follow();
+  return row;
+}
+
 MapPaint MapPaintTool::paintFor(const CanvasMouse& mouse) const {
   return mouse.modifiers.testFlag(Qt::ShiftModifier) ? MapPaint::Free : paint_;
 }
@@ -93,24 +116,23 @@ void MapPaintTool::release(const CanvasMouse& mouse) {
   pushStroke(document(), stroke, tr("Paint the map"));
 }
 
-/// The way so far as a line, the brush as an area that is not there yet (obstacles would make
-/// routes dodge it).
+/// What the stroke covers so far, and the brush.
 void MapPaintTool::show(const Vec2& at) {
   constexpr int kCorners = 24;
-  sim2d::Area brush;
-  brush.key = {EntityKind::Area, -1};
+  ToolLine brush;
+  brush.isClosed = true;
+  brush.hasCorners = false;
   for (int corner = 0; corner < kCorners; ++corner) {
     const double angle = 2.0 * base::kPi * corner / kCorners;
     brush.points.emplace_back(at + 0.5 * width_ * Vec2(base::cos(angle), base::sin(angle)));
   }
-  scene().setPreview({Entity(std::move(brush))});
-  scene().toolLayer().setLine(way_.size() > 1 ? way_ : std::vector<Vec2>());
+  scene().toolLayer().setOutline(std::move(brush));
+  scene().toolLayer().setStroke(way_, width_);
 }
 
 void MapPaintTool::cancel() {
   stroke_.reset();
   way_.clear();
-  scene().clearPreview();
   scene().toolLayer().clear();
 }
 

@@ -22,8 +22,11 @@ class MapPaintTool : public Tool {
   void release(const CanvasMouse& mouse) override;
   void cancel() override;
   bool keyPress(const QKeyEvent& event) override;
+  QWidget* makeOptions(QWidget* parent) override;
 
+  MapPaint paint() const { return paint_; }
   void setPaint(MapPaint paint);
+  double width() const { return width_; }
   void setWidth(double metres);
 
  private:

@@ -1,5 +1,7 @@
 #include "editor/tools/OptionsRow.h"
 
+#include <QComboBox>
+
 #include "editor/panels/Form.h"
 
 namespace editor {
@@ -14,10 +16,13 @@ void OptionsRow::add(const QString& label, QWidget* field) {
     layout_->addSpacing(8);
   }
   layout_->addWidget(secondaryLabel(label, this));
-  layout_->addWidget(field);
+  add(field);
 }
 
 void OptionsRow::add(QWidget* field) {
+  if (auto* box = qobject_cast<QComboBox*>(field)) {
+    box->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // there is no column to keep to
+  }
   layout_->addWidget(field);
 }
 

@@ -3,6 +3,7 @@
 #include "editor/canvas/MapScene.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
+#include "editor/panels/Fields.h"
 #include "editor/tools/MapPaintTool.h"
 
 using namespace editor;
@@ -68,6 +69,43 @@ class MapPaintTest : public QObject {
     const int count = document.undoStack().count();
     drag(tool, {1.0, 3.0}, {2.0, 3.0});  // free already
     QCOMPARE(document.undoStack().count(), count);
+  }
+
+  void options_chosen_changeTheBrush() {
+    ScenarioDocument document;
+    document.setMap(emptyRoom(6.0, 4.0));
+    MapScene scene(document, Theme::light());
+    MapPaintTool tool(document, scene, nullptr);
+    const std::unique_ptr<QWidget> row(tool.makeOptions(nullptr));
+    auto* paint = row->findChild<ChoiceField*>();
+    auto* width = row->findChild<NumberField*>();
+    QVERIFY(paint != nullptr && width != nullptr);
+    QCOMPARE(paint->count(), 3);
+    QCOMPARE(paint->currentIndex(), 0);
+    QCOMPARE(width->value(), tool.width());
+    Q_EMIT paint->activated(2);
+    QVERIFY(tool.paint() == MapPaint::Unknown);
+    width->setValue(0.6);
+    QCOMPARE(tool.width(), 0.6);
+    drag(tool, {1.0, 2.0}, {3.0, 2.0});
+    const auto valueAt = [&](const Vec2& place) {
+      return int(document.map()->valueAt(document.map()->worldToCell(place)));
+    };
+    QCOMPARE(valueAt({2.0, 2.26}), -1);
+    QCOMPARE(valueAt({2.0, 2.4}), 0);
+  }
+
+  void options_keysPressed_showTheBrush() {
+    ScenarioDocument document;
+    document.setMap(emptyRoom(6.0, 4.0));
+    MapScene scene(document, Theme::light());
+    MapPaintTool tool(document, scene, nullptr);
+    const std::unique_ptr<QWidget> row(tool.makeOptions(nullptr));
+    tool.keyPress(QKeyEvent(QEvent::KeyPress, Qt::Key_2, Qt::NoModifier));
+    tool.keyPress(QKeyEvent(QEvent::KeyPress, Qt::Key_BracketRight, Qt::NoModifier));
+    QCOMPARE(row->findChild<ChoiceField*>()->currentIndex(), 1);
+    QCOMPARE(row->findChild<NumberField*>()->value(), tool.width());
+    QCOMPARE(tool.width(), 0.3);
   }
 
   void press_withoutAMap_saysSo() {
