@@ -15,6 +15,21 @@
 
 namespace editor {
 
+QString issueSentence(const base::Diagnostic& issue) {
+  QString text = QString::fromStdString(issue.message);
+  const EntityKind about = issue.entity.kind;
+  const bool isNamed =
+      about != EntityKind::None && about != EntityKind::Scenario && about != EntityKind::Goal;
+  // "agents.anna.id: is missing", "max_vel …", "Goal" are left; "no tree file …" is a sentence.
+  const QString first = text.section(QLatin1Char(' '), 0, 0);
+  const bool isWord =
+      std::all_of(first.begin(), first.end(), [](QChar each) { return each.isLower(); });
+  if (!isNamed && !first.isEmpty() && isWord) {
+    text[0] = text[0].toUpper();
+  }
+  return text;
+}
+
 /// Columns: sentence with the icon of its severity, place, what mends it.
 class IssuesModel : public QAbstractTableModel {
  public:
@@ -23,6 +38,7 @@ class IssuesModel : public QAbstractTableModel {
 
   void set(base::Diagnostics issues, const ScenarioDocument& document) {
     beginResetModel();
+    ownFile_ = QFileInfo(document.path()).fileName();
     issues_ = std::move(issues);
     std::stable_sort(issues_.begin(), issues_.end(), [](const auto& a, const auto& b) {
       return static_cast<int>(a.severity) > static_cast<int>(b.severity);
@@ -58,7 +74,7 @@ class IssuesModel : public QAbstractTableModel {
     const base::Diagnostic& issue = this->issue(index.row());
     switch (role) {
       case Qt::DisplayRole:
-        return index.column() == SentenceColumn ? sentence(issue)
+        return index.column() == SentenceColumn ? issueSentence(issue)
                : index.column() == PlaceColumn  ? place(issue)
                                                 : fixWords(index.row());
       case Qt::ToolTipRole:
@@ -81,27 +97,22 @@ class IssuesModel : public QAbstractTableModel {
   }
 
  private:
-  static QString sentence(const base::Diagnostic& issue) {
-    QString text = QString::fromStdString(issue.message);
-    const EntityKind about = issue.entity.kind;  // names of others keep their first letter
-    if (!text.isEmpty() &&
-        (about == EntityKind::None || about == EntityKind::Scenario || about == EntityKind::Goal)) {
-      text[0] = text[0].toUpper();
-    }
-    return text;
-  }
   /// What is about a thing of the document needs no file name.
-  static QString place(const base::Diagnostic& issue) {
+  QString place(const base::Diagnostic& issue) const {
     if (issue.entity && issue.line == 0) {
       return {};
     }
     QString text = QFileInfo(QString::fromStdString(issue.file)).fileName();
+    if (issue.line > 0 && text == ownFile_) {
+      return tr("line %1").arg(issue.line);  // the sentences need the room
+    }
     if (issue.line > 0) {
       text += QStringLiteral(":%1").arg(issue.line);
     }
     return text;
   }
 
+  QString ownFile_;
   base::Diagnostics issues_;
   std::vector<QString> fixes_;
   std::array<QIcon, 3> icons_;

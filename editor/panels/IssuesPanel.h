@@ -11,6 +11,10 @@ namespace editor {
 
 class IssuesModel;
 
+/// What the list says: the words of the check, which begin with a capital letter unless they begin
+/// with a name or a key of the format.
+QString issueSentence(const base::Diagnostic& issue);
+
 /// What is wrong with the scenario, live, and what could not be read. A click selects the thing it
 /// is about or shows the line of the file; the link at the end of a row mends it, which is one
 /// undoable step.

@@ -35,9 +35,9 @@ MetricPlot::MetricPlot(const Theme& theme, QWidget* parent)
       cursor_(std::make_unique<QwtPlotMarker>()) {
   auto* top = new QHBoxLayout;
   top->setContentsMargins(12, 6, 12, 0);
-  top->addWidget(title_);
-  top->addStretch();
-  top->addWidget(unit_);
+  title_->setWordWrap(true);
+  top->addWidget(title_, 1);
+  top->addWidget(unit_, 0, Qt::AlignTop);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 4);
   layout->setSpacing(0);

@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
 #include "editor/document/EditCommands.h"
@@ -20,6 +21,38 @@ namespace {
 
 constexpr int kKeyRole = Qt::UserRole;
 constexpr int kUnitWidth = 56;
+constexpr int kIndent = 16;
+constexpr int kRowHeight = 24;
+constexpr int kRowPadding = 6;
+
+/// Rows as tall as their name needs: one line, or more when the panel is narrow.
+class NameDelegate : public QStyledItemDelegate {
+ public:
+  explicit NameDelegate(QTreeWidget* tree) : QStyledItemDelegate(tree), tree_(*tree) {}
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    int height = kRowHeight;
+    if (index.column() == 0 && index.parent().isValid()) {
+      const QRect letters = option.fontMetrics.boundingRect(
+          QRect(0, 0, room(index), 1000), Qt::TextWordWrap, index.data(Qt::DisplayRole).toString());
+      height = std::max(height, letters.height() + kRowPadding);
+    }
+    return {QStyledItemDelegate::sizeHint(option, index).width(), height};
+  }
+
+ private:
+  /// For the letters of a name [px].
+  int room(const QModelIndex& index) const {
+    QStyleOptionViewItem row;
+    initStyleOption(&row, index);
+    row.widget = &tree_;
+    row.text = QString(200, QLatin1Char('m'));  // as much as there is
+    row.rect = QRect(0, 0, tree_.columnWidth(0) - 2 * kIndent, kRowHeight);
+    const QStyle& style = *tree_.style();
+    const int margin = style.pixelMetric(QStyle::PM_FocusFrameHMargin, &row, &tree_) + 1;
+    return style.subElementRect(QStyle::SE_ItemViewItemText, &row, &tree_).width() - 2 * margin;
+  }
+  const QTreeWidget& tree_;
+};
 
 }  // namespace
 
@@ -41,7 +74,9 @@ MetricsChoicePanel::MetricsChoicePanel(ScenarioDocument& document, MetricsFeed& 
   tree_->setColumnCount(2);
   tree_->setHeaderHidden(true);
   tree_->setFrameShape(QFrame::NoFrame);
-  tree_->setUniformRowHeights(true);
+  tree_->setWordWrap(true);
+  tree_->setIndentation(kIndent);
+  tree_->setItemDelegate(new NameDelegate(tree_));
   tree_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   tree_->viewport()->setAutoFillBackground(false);
   tree_->setAccessibleName(tr("Metrics to measure"));
@@ -49,6 +84,11 @@ MetricsChoicePanel::MetricsChoicePanel(ScenarioDocument& document, MetricsFeed& 
   tree_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   tree_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
   tree_->header()->resizeSection(1, kUnitWidth);
+  connect(tree_->header(), &QHeaderView::sectionResized, tree_, [this](int column) {
+    if (column == 0) {
+      tree_->doItemsLayout();
+    }
+  });
   save_->setToolTip(tr("Write the choice into the metrics file of the scenario"));
   auto* links = new QHBoxLayout;
   links->setContentsMargins(12, 0, 12, 0);
@@ -221,7 +261,8 @@ void MetricsChoicePanel::showCounts() {
     chosen += here;
     total += group->childCount();
   }
-  count_->setText(tr("%1 of %2 chosen").arg(chosen).arg(total));
+  count_->setText(tr("%1 of %2").arg(chosen).arg(total));
+  count_->setToolTip(tr("%1 of %2 metrics are chosen").arg(chosen).arg(total));
   taking_ = false;
 }
 

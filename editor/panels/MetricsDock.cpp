@@ -1,5 +1,7 @@
 #include "editor/panels/MetricsDock.h"
 
+#include <algorithm>
+
 #include <QHBoxLayout>
 #include <QHeaderView>
 
@@ -8,6 +10,14 @@
 #include "editor/panels/MetricsModel.h"
 
 namespace editor {
+
+namespace {
+
+constexpr int kRowHeight = 24;
+constexpr int kRowPadding = 6;
+constexpr int kCellPadding = 20;
+
+}  // namespace
 
 MetricsDock::MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Theme& theme,
                          QWidget* parent)
@@ -23,12 +33,12 @@ MetricsDock::MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Them
   table_->setItemDelegateForColumn(MetricsModel::CourseColumn, sparkline_);
   table_->setFrameShape(QFrame::NoFrame);
   table_->setShowGrid(false);
-  table_->setWordWrap(false);
+  table_->setWordWrap(true);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(24);
+  table_->verticalHeader()->setDefaultSectionSize(kRowHeight);
   table_->viewport()->setAutoFillBackground(false);
   table_->setAccessibleName(tr("Metrics"));
   QHeaderView* header = table_->horizontalHeader();
@@ -36,15 +46,20 @@ MetricsDock::MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Them
   header->setSectionResizeMode(MetricsModel::NameColumn, QHeaderView::Stretch);
   header->setHighlightSections(false);
   header->setFixedHeight(24);
-  table_->setColumnWidth(MetricsModel::NowColumn, 64);
-  table_->setColumnWidth(MetricsModel::UnitColumn, 52);
-  table_->setColumnWidth(MetricsModel::CourseColumn, 96);
+  table_->setColumnWidth(MetricsModel::NowColumn, 60);
+  table_->setColumnWidth(MetricsModel::UnitColumn, 48);
+  table_->setColumnWidth(MetricsModel::CourseColumn, 76);
+  connect(header, &QHeaderView::sectionResized, this, [this](int column) {
+    if (column == MetricsModel::NameColumn) {
+      fitRows();
+    }
+  });
   auto* both = new QSplitter(Qt::Horizontal, this);
   both->addWidget(table_);
   both->addWidget(plot_);
   both->setStretchFactor(0, 3);
   both->setStretchFactor(1, 2);
-  both->setSizes({420, 300});
+  both->setSizes({460, 240});
   both->setChildrenCollapsible(true);
   stack_->addWidget(emptyState(tr("Metrics appear when a simulation runs: press Space."), this));
   stack_->addWidget(both);
@@ -71,12 +86,27 @@ void MetricsDock::takeSnapshot() {
   const std::string kept = selectedKey();
   model_->refresh();
   const bool any = model_->rowCount() > 0;
+  if (fittedRows_ != model_->rowCount()) {
+    fitRows();
+  }
   stack_->setCurrentIndex(any ? 1 : 0);
   if (any && selectedKey().empty()) {
     const int row = model_->rowOf(kept);
     table_->selectRow(row >= 0 ? row : model_->firstWithCurve());
   }
   showSelected();
+}
+
+/// Names that are longer than their column go on in further lines.
+void MetricsDock::fitRows() {
+  const QFontMetrics metrics(table_->font());
+  const int room = table_->columnWidth(MetricsModel::NameColumn) - kCellPadding;
+  fittedRows_ = model_->rowCount();
+  for (int row = 0; row < fittedRows_; ++row) {
+    const QString name = model_->index(row, MetricsModel::NameColumn).data().toString();
+    const QRect letters = metrics.boundingRect(QRect(0, 0, room, 1000), Qt::TextWordWrap, name);
+    table_->setRowHeight(row, std::max(kRowHeight, letters.height() + kRowPadding));
+  }
 }
 
 std::string MetricsDock::selectedKey() const {

@@ -30,6 +30,7 @@ class MetricsDock : public QWidget {
  private:
   void takeSnapshot();
   void showSelected();
+  void fitRows();
   std::string selectedKey() const;
 
   MetricsFeed& feed_;
@@ -39,6 +40,7 @@ class MetricsDock : public QWidget {
   QStackedLayout* stack_;
   QTableView* table_;
   MetricPlot* plot_;
+  int fittedRows_ = 0;
 };
 
 }  // namespace editor

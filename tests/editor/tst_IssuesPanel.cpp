@@ -35,6 +35,28 @@ class IssuesPanelTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void sentence_keysAndNames_stayAsWritten_data() {
+    QTest::addColumn<QString>("message");
+    QTest::addColumn<QString>("shown");
+    const char* const kRows[][2] = {
+        {"agents: nobody is listed", "agents: nobody is listed"},
+        {"yaml_base_name names another file", "yaml_base_name names another file"},
+        {"hunavsim_desktop.dt: 2 must be at most 0.1",
+         "hunavsim_desktop.dt: 2 must be at most 0.1"},
+        {"anna.goals: goal 7 is not defined", "anna.goals: goal 7 is not defined"},
+        {"no node hunav_loader", "No node hunav_loader"},
+        {"goal 3 is there twice", "Goal 3 is there twice"},
+        {"", ""}};
+    for (const auto& row : kRows) {
+      QTest::newRow(row[0]) << QString::fromUtf8(row[0]) << QString::fromUtf8(row[1]);
+    }
+  }
+  void sentence_keysAndNames_stayAsWritten() {
+    QFETCH(QString, message);
+    QFETCH(QString, shown);
+    QCOMPARE(editor::issueSentence(base::makeError(message.toStdString())), shown);
+  }
+
   void live_unknownGoal_isToldAndSelectsThePerson() {
     ScenarioDocument document;
     document.load(personWithUnknownGoal());

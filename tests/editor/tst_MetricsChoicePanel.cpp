@@ -31,6 +31,45 @@ class MetricsChoicePanelTest : public QObject {
     QVERIFY(!feed.selection().keys.has_value());
   }
 
+  void names_inANarrowDock_areNotCut() {
+    editor::ScenarioDocument document;
+    editor::SimulationRunner runner;
+    editor::MetricsFeed feed(document, runner);
+    MetricsChoicePanel panel(document, feed, editor::Theme::light());
+    panel.setFont(QFont(QStringLiteral("DejaVu Sans"), 9));
+    panel.resize(260, 400);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    QTreeWidget& tree = panel.tree();
+    tree.expandAll();
+    int tall = 0;
+    for (int i = 0; i < tree.topLevelItemCount(); ++i) {
+      for (int row = 0; row < tree.topLevelItem(i)->childCount(); ++row) {
+        const QTreeWidgetItem* item = tree.topLevelItem(i)->child(row);
+        QStyleOptionViewItem option;
+        option.initFrom(&tree);
+        option.widget = &tree;
+        option.features =
+            QStyleOptionViewItem::HasDisplay | QStyleOptionViewItem::HasCheckIndicator;
+        option.text = QString(200, QLatin1Char('m'));  // takes all the room
+        option.rect = tree.visualItemRect(item);
+        option.rect.setWidth(tree.columnWidth(0) - 2 * tree.indentation());
+        const QRect room =
+            tree.style()->subElementRect(QStyle::SE_ItemViewItemText, &option, &tree);
+        const QRect needed = option.fontMetrics.boundingRect(QRect(0, 0, room.width() - 6, 1000),
+                                                             Qt::TextWordWrap, item->text(0));
+        const QString sizes = QStringLiteral("%1: %2 of %3 px at a width of %4")
+                                  .arg(item->text(0))
+                                  .arg(needed.height())
+                                  .arg(option.rect.height())
+                                  .arg(room.width());
+        QVERIFY2(needed.height() <= option.rect.height(), qPrintable(sizes));
+        tall += option.rect.height() > 30 ? 1 : 0;
+      }
+    }
+    QVERIFY(tall > 0);  // some are that long
+  }
+
   void search_hidesTheOthers() {
     editor::ScenarioDocument document;
     editor::SimulationRunner runner;
