@@ -99,6 +99,7 @@ int HouseStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWid
     case SH_EtchDisabledText:
     case SH_DitherDisabledText:
     case SH_ScrollBar_Transient:
+    case SH_DialogButtonBox_ButtonsHaveIcons:  // they are not of our set
       return 0;
     case SH_TabBar_Alignment:
       return Qt::AlignLeft;
@@ -164,6 +165,10 @@ bool HouseStyle::drawSimple(PrimitiveElement element, const QStyleOption& option
         drawFieldFrame(painter, option, widget);
       }
       return true;
+    case PE_Frame:
+    case PE_PanelTipLabel:
+    case PE_FrameFocusRect:
+      return drawFrame(element, option, painter, widget);
     case PE_IndicatorRadioButton:
       drawRadioButton(painter, option, theme_);
       return true;
@@ -175,7 +180,6 @@ bool HouseStyle::drawSimple(PrimitiveElement element, const QStyleOption& option
       drawRow(painter, option, widget);
       return true;
     case PE_PanelItemViewRow:
-    case PE_FrameFocusRect:
     case PE_FrameTabBarBase:
     case PE_PanelMenuBar:
     case PE_FrameStatusBarItem:

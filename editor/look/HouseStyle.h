@@ -18,6 +18,8 @@ class HouseStyle : public QProxyStyle {
                   const QWidget* widget) const override;
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                 QStyleHintReturn* returned) const override;
+  QPixmap generatedIconPixmap(QIcon::Mode mode, const QPixmap& pixmap,
+                              const QStyleOption* option) const override;
   QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
                          const QWidget* widget) const override;
   QRect subElementRect(SubElement element, const QStyleOption* option,
@@ -33,6 +35,10 @@ class HouseStyle : public QProxyStyle {
 
  private:
   void drawFieldFrame(QPainter& painter, const QStyleOption& option, const QWidget* widget) const;
+  /// Around what has the focus, while the keyboard is used.
+  void drawFocusRing(QPainter& painter, const QStyleOption& option, const QRectF& rect) const;
+  bool drawFrame(PrimitiveElement element, const QStyleOption& option, QPainter& painter,
+                 const QWidget* widget) const;
   void drawChevron(QPainter& painter, const QRectF& rect, int quarterTurns, bool enabled) const;
   void drawCheckBox(QPainter& painter, const QStyleOption& option) const;
   void drawButton(QPainter& painter, const QStyleOption& option) const;

@@ -199,6 +199,7 @@ void HouseStyle::drawSlider(QPainter& painter, const QStyleOptionComplex& option
   painter.setPen(QPen(theme_.color(Role::Accent, alpha), 2.0));
   painter.setBrush(theme_.color(isHovered(option) ? Role::RowSelected : Role::Field));
   painter.drawEllipse(QPointF(handle.center().x(), y), 5.5, 5.5);
+  drawFocusRing(painter, option, QRectF(option.rect));
 }
 
 void HouseStyle::drawToolButton(QPainter& painter, const QStyleOptionComplex& option,
@@ -207,6 +208,7 @@ void HouseStyle::drawToolButton(QPainter& painter, const QStyleOptionComplex& op
   if (button == nullptr) {
     return;
   }
+  drawFocusRing(painter, option, QRectF(option.rect));
   const bool link = widget != nullptr && widget->property(kLinkProperty).toBool();
   const bool on = option.state & (State_On | State_Sunken);
   if (!link && (on || isHovered(option))) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QPainter>
 #include <QStyleOption>
@@ -13,6 +14,7 @@ namespace editor {
 namespace {
 
 constexpr double kRowRadius = 4.0;
+constexpr double kFocusRingPx = 1.5;
 
 bool isHovered(const QStyleOption& option) {
   return option.state.testFlag(QStyle::State_Enabled) &&
@@ -20,6 +22,12 @@ bool isHovered(const QStyleOption& option) {
 }
 
 }  // namespace
+
+/// Marks keep their colour in selected rows.
+QPixmap HouseStyle::generatedIconPixmap(QIcon::Mode mode, const QPixmap& pixmap,
+                                        const QStyleOption* option) const {
+  return mode == QIcon::Selected ? pixmap : QProxyStyle::generatedIconPixmap(mode, pixmap, option);
+}
 
 QRect HouseStyle::subElementRect(SubElement element, const QStyleOption* option,
                                  const QWidget* widget) const {
@@ -41,6 +49,35 @@ QRect HouseStyle::subElementRect(SubElement element, const QStyleOption* option,
       return rect;
     default:
       return rect;
+  }
+}
+
+bool HouseStyle::drawFrame(PrimitiveElement element, const QStyleOption& option, QPainter& painter,
+                           const QWidget* widget) const {
+  if (element == PE_FrameFocusRect) {
+    if (qobject_cast<const QAbstractItemView*>(widget) == nullptr) {  // rows are tinted instead
+      drawFocusRing(painter, option, QRectF(option.rect));
+    }
+    return true;
+  }
+  const bool isTip = element == PE_PanelTipLabel;  // else a list or a text
+  painter.setPen(theme_.color(Role::FieldEdge));
+  painter.setBrush(isTip ? QBrush(theme_.color(Role::Panel)) : QBrush(Qt::NoBrush));
+  painter.drawRect(option.rect.adjusted(0, 0, -1, -1));
+  return true;
+}
+
+void HouseStyle::drawFocusRing(QPainter& painter, const QStyleOption& option,
+                               const QRectF& rect) const {
+  if (!option.state.testFlag(State_HasFocus) && option.type != QStyleOption::SO_FocusRect) {
+    return;
+  }
+  if (option.state.testFlag(State_KeyboardFocusChange)) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(theme_.color(Role::Accent), kFocusRingPx));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(rect.adjusted(kFocusRingPx, kFocusRingPx, -kFocusRingPx, -kFocusRingPx),
+                            kRowRadius, kRowRadius);
   }
 }
 
