@@ -1,5 +1,7 @@
 #include "app/window/DockTitle.h"
 
+#include <algorithm>
+
 #include <QMainWindow>
 #include <QPainter>
 
@@ -12,18 +14,25 @@ constexpr int kHeight = 32;
 }  // namespace
 
 DockTitle::DockTitle(QDockWidget& dock) : QWidget(&dock), dock_(dock) {
-  const auto follow = [this] {
-    updateGeometry();
-    update();
-  };
-  connect(&dock_, &QDockWidget::topLevelChanged, this, follow);
-  connect(&dock_, &QDockWidget::dockLocationChanged, this, follow);
-  connect(&dock_, &QDockWidget::visibilityChanged, this, follow);
+  connect(&dock_, &QDockWidget::topLevelChanged, this, &DockTitle::follow);
+  connect(&dock_, &QDockWidget::dockLocationChanged, this, &DockTitle::follow);
+  connect(&dock_, &QDockWidget::visibilityChanged, this, &DockTitle::follow);
+}
+
+void DockTitle::follow() {
+  updateGeometry();
+  update();
 }
 
 bool DockTitle::isNeeded() const {
   const auto* window = qobject_cast<QMainWindow*>(dock_.parentWidget());
-  return dock_.isFloating() || window == nullptr || window->tabifiedDockWidgets(&dock_).isEmpty();
+  if (dock_.isFloating() || window == nullptr) {
+    return true;
+  }
+  // Docks that are closed keep their place among the tabs but have none.
+  const QList<QDockWidget*> others = window->tabifiedDockWidgets(&dock_);
+  return std::all_of(others.begin(), others.end(),
+                     [](const QDockWidget* other) { return other->isHidden(); });
 }
 
 QSize DockTitle::sizeHint() const {

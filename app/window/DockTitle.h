@@ -12,12 +12,13 @@ class DockTitle : public QWidget {
   explicit DockTitle(QDockWidget& dock);
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return sizeHint(); }
+  bool isNeeded() const;
+  void follow();  // after docks beside it came or went
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  bool isNeeded() const;
   QDockWidget& dock_;
 };
 

@@ -19,6 +19,8 @@ namespace {
 
 constexpr int kLeftWidth = 260;
 constexpr int kRightWidth = 320;
+constexpr int kScenarioShare = 3;  // of the height at the left
+constexpr int kMeasureShare = 2;
 constexpr int kBottomEditing = 152;
 constexpr int kBottomRunning = 232;
 
@@ -81,7 +83,14 @@ QDockWidget* Docks::add(Qt::DockWidgetArea area, const QString& title, QWidget* 
                         bool tabbed) {
   auto* dock = new QDockWidget(title, &window_);
   dock->setObjectName(title.toLower());
-  dock->setTitleBarWidget(new DockTitle(*dock));
+  auto* heading = new DockTitle(*dock);
+  dock->setTitleBarWidget(heading);
+  headings_.push_back(heading);
+  connect(dock->toggleViewAction(), &QAction::toggled, this, [this] {
+    for (DockTitle* each : headings_) {
+      each->follow();
+    }
+  });
   dock->setWidget(panel);
   dock->setAutoFillBackground(true);
   dock->setBackgroundRole(QPalette::Light);
@@ -138,6 +147,8 @@ void Docks::placeFirst() {
                       {kLeftWidth, kRightWidth}, Qt::Horizontal);
   window_.resizeDocks({dock(QStringLiteral("issues"))}, {grown_ ? kBottomRunning : kBottomEditing},
                       Qt::Vertical);
+  window_.resizeDocks({dock(QStringLiteral("scenario")), dock(QStringLiteral("measure"))},
+                      {100 * kScenarioShare, 100 * kMeasureShare}, Qt::Vertical);
   dock(QStringLiteral("properties"))->raise();
   dock(grown_ ? QStringLiteral("metrics") : QStringLiteral("issues"))->raise();
 }

@@ -22,6 +22,8 @@ class TimelineBar;
 
 namespace app {
 
+class DockTitle;
+
 /// The panels around the canvas: left Scenario, right Properties and Behaviour, below Issues,
 /// Metrics and Events as tabs between them, and the timeline over the whole width.
 class Docks : public QObject {
@@ -56,6 +58,7 @@ class Docks : public QObject {
   QMainWindow& window_;
   Workspace& workspace_;
   std::vector<QDockWidget*> docks_;
+  std::vector<DockTitle*> headings_;  // of these, which own them
   std::map<QDockWidget*, bool> shownBefore_;  // while all are hidden
   editor::ScenarioPanel* scenario_;
   editor::MetricsChoicePanel* choice_;

@@ -26,6 +26,7 @@ QDoubleSpinBox* metres(double value, double least, double most, QWidget* parent)
   auto* box = new QDoubleSpinBox(parent);
   box->setRange(least, most);
   box->setDecimals(2);
+  box->setAlignment(Qt::AlignRight);
   box->setSuffix(QObject::tr(" m"));
   box->setSingleStep(0.5);
   box->setValue(value);

@@ -100,6 +100,7 @@ std::optional<QSize> sizeFromText(const std::string& text) {
 }
 
 base::Diagnostics takeScreenshot(MainWindow& window, const WindowOptions& options) {
+  window.workspace().document().checkNow();  // the issues are those of the file
   pass(kSettleMs);
   if (!window.isOnStartPage() && options.at > 0.0) {
     if (const base::Diagnostics problems = runTo(window.workspace(), options.at);

@@ -1,6 +1,7 @@
 #include "app/window/StatusLine.h"
 
 #include <QPainter>
+#include <QStatusTipEvent>
 
 #include "editor/panels/Form.h"
 
@@ -60,7 +61,17 @@ StatusLine::StatusLine(QStatusBar& bar, Workspace& workspace)
           &StatusLine::showState);
   connect(&workspace_.document(), &editor::ScenarioDocument::changed, this,
           &StatusLine::showNumbers);
+  bar.parentWidget()->installEventFilter(this);
   showState();
+}
+
+bool StatusLine::eventFilter(QObject* window, QEvent* event) {
+  if (event->type() == QEvent::StatusTip) {
+    tip_ = static_cast<QStatusTipEvent*>(event)->tip();
+    showState();
+    return true;
+  }
+  return QObject::eventFilter(window, event);
 }
 
 QLabel* StatusLine::addRight(int width) {
@@ -112,7 +123,7 @@ void StatusLine::showState() {
   }
   dot_->setPixmap(dotPixmap(workspace_.theme().color(color)));
   state_->setText(words);
-  hint_->setText(hint);
+  hint_->setText(tip_.isEmpty() ? hint : tip_);
   showNumbers();
 }
 

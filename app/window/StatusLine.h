@@ -17,6 +17,10 @@ class StatusLine : public QObject {
   /// The words of the state, as shown.
   QString stateText() const { return state_->text(); }
 
+ protected:
+  /// What a menu entry does is said in the place of what a click does; nothing moves.
+  bool eventFilter(QObject* window, QEvent* event) override;
+
  private:
   void showState();
   void showPlace(const base::Vec2& world);
@@ -26,6 +30,7 @@ class StatusLine : public QObject {
   QStatusBar& bar_;
   Workspace& workspace_;
   bool idle_ = false;
+  QString tip_;  // of the menu entry or button under the mouse
   QLabel *dot_, *state_, *hint_, *x_, *y_, *ground_, *zoom_, *seed_, *speed_;
 };
 

@@ -1,5 +1,8 @@
 #include <cmath>
 
+#include <QLabel>
+#include <QStatusBar>
+#include <QStatusTipEvent>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -189,6 +192,39 @@ class MainWindowTest : public QObject {
     QVERIFY(window_->docks().dock(QStringLiteral("nothing")) == nullptr);
     window_->actions().resetLayout->trigger();
     QVERIFY(window_->docks().dock(QStringLiteral("scenario"))->isVisible());
+  }
+
+  void menuEntry_hovered_isExplainedWithoutHidingTheState() {
+    QVERIFY(window_->open(demoPath()));
+    QLabel* hint = nullptr;
+    for (QLabel* label : window_->statusBar()->findChildren<QLabel*>()) {
+      hint = label->text().startsWith(QStringLiteral("Click to select")) ? label : hint;
+    }
+    QVERIFY(hint != nullptr);
+    const QString before = hint->text();
+    QStatusTipEvent tip(QStringLiteral("The whole map in the window"));
+    QCoreApplication::sendEvent(window_.get(), &tip);
+    QCOMPARE(hint->text(), QStringLiteral("The whole map in the window"));
+    QVERIFY(hint->isVisible());
+    QVERIFY(window_->statusBar()->currentMessage().isEmpty());
+    QStatusTipEvent none{QString()};
+    QCoreApplication::sendEvent(window_.get(), &none);
+    QCOMPARE(hint->text(), before);
+  }
+
+  void dock_leftAloneInItsPlace_hasAHeading() {
+    QVERIFY(window_->open(demoPath()));
+    app::Docks& docks = window_->docks();
+    const auto heading = [&docks](const char* name) {
+      return docks.dock(QString::fromUtf8(name))->titleBarWidget()->sizeHint().height();
+    };
+    QCOMPARE(heading("properties"), 0);  // its tab says the name
+    QVERIFY(heading("scenario") > 0);
+    docks.dock(QStringLiteral("behaviour"))->hide();
+    QVERIFY(heading("properties") > 0);
+    QTRY_VERIFY(docks.dock(QStringLiteral("properties"))->titleBarWidget()->height() > 20);
+    docks.dock(QStringLiteral("behaviour"))->show();
+    QCOMPARE(heading("properties"), 0);
   }
 
   void screenshot_ofARun_isAPictureOfTheSize() {
