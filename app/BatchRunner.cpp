@@ -115,6 +115,9 @@ QStringList BatchRunner::arguments(std::size_t run) const {
   const auto add = [&words](const char* option, const std::string& value) {
     words << QString::fromLatin1(option) << QString::fromStdString(value);
   };
+  if (experiment_.record == Experiment::Record::Metrics) {
+    words << QStringLiteral("--totals");  // nothing else of the folder is looked at
+  }
   add("--seed", std::to_string(values.seed));
   const auto addIf = [&add](const char* option, const std::optional<std::string>& value) {
     if (value) {

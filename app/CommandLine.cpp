@@ -99,6 +99,8 @@ CLI::App* addRun(CLI::App& root, Words& words) {
   addRunOptions(*command, words.run);
   command->add_flag("--counterfactual", words.run.counterfactual,
                     "The same seed again without robots: what they did to people");
+  command->add_flag("--totals", words.run.totals,
+                    "Only manifest.json and the totals of metrics.json, for many long runs");
   addOutputOptions(*command, words.output);
   return command;
 }

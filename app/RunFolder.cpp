@@ -17,24 +17,34 @@ base::Diagnostics writeRunFolder(const std::string& folder, const FinishedRun& r
   const auto write = [&](const char* name, const std::string& content) {
     base::append(problems, base::writeFileAtomically((fs::path(folder) / name).string(), content));
   };
-  write("trace.json", sim2d::traceJson(run.header));
+  const auto remove = [&](const std::vector<const char*>& names) {
+    for (const char* name : names) {
+      std::error_code ignored;  // not there: fine
+      fs::remove(fs::path(folder) / name, ignored);
+    }
+  };
   if (run.evaluation) {
     write("metrics.json", metrics::toJson(*run.evaluation));
+  } else {
+    remove({"metrics.json"});
+  }
+  if (!run.totalsOnly) {
+    write("trace.json", sim2d::traceJson(run.header));
+  } else {
+    remove({"trajectory.csv", "events.csv", "trees.csv", "trace.json"});
+  }
+  if (run.evaluation && !run.totalsOnly) {
     write("metrics.csv", metrics::metricsCsv(*run.evaluation));
     base::GrowingFile steps((fs::path(folder) / "steps.csv").string());
     metrics::writeSteps(*run.evaluation, [&steps](std::string_view rows) { steps.append(rows); });
     base::append(problems, steps.finish());
   } else {
-    for (const char* name : {"metrics.json", "metrics.csv", "steps.csv"}) {
-      std::error_code ignored;  // not there: fine
-      fs::remove(fs::path(folder) / name, ignored);
-    }
+    remove({"metrics.csv", "steps.csv"});
   }
   if (!run.effectsCsv.empty()) {
     write("counterfactual.csv", run.effectsCsv);
   } else {
-    std::error_code ignored;  // not there: fine
-    fs::remove(fs::path(folder) / "counterfactual.csv", ignored);
+    remove({"counterfactual.csv"});
   }
   write("manifest.json",
         runManifest(preparation, run.header, run.result, run.planning, commandLine));

@@ -18,7 +18,8 @@ struct FinishedRun {
   sim2d::RunResult result;
   PlanningTime planning;
   base::Result<metrics::Evaluation> evaluation;
-  std::string effectsCsv;  // of the run without robots; empty = there was none
+  std::string effectsCsv;   // of the run without robots; empty = there was none
+  bool totalsOnly = false;  // nothing per step is written
 };
 
 /// The files of a run (FORMAT.md), each written beside and renamed; those of `writer` are put in

@@ -32,6 +32,7 @@ struct RunOptions {
   bool exact = false;
   bool counterfactual = false;  // the same seed again without robots
   std::string compat;
+  bool totals = false;  // manifest.json and metrics.json alone, nothing per step or behaviour type
 };
 
 /// "X Y HEADING": exactly `count` numbers between blanks (commas are taken too).

@@ -10,7 +10,7 @@ namespace metrics {
 
 MetricSums::MetricSums(const Selection& selection, const MetricParameters& parameters,
                        bool hasRobot, const MetricRegistry& registry)
-    : parameters_(parameters), hasRobot_(hasRobot) {
+    : parameters_(parameters), hasRobot_(hasRobot), keepsSeries_(!selection.totalsOnly) {
   std::map<std::string, const Accumulator*> shared;
   for (MetricEntry& entry : selection.entries(registry)) {
     Item item{std::move(entry), nullptr};
@@ -68,6 +68,9 @@ std::vector<MetricResult> MetricSums::values(const Recording& recording,
     const bool isSame = all != nullptr && !needs.people && !needs.groups;
     results.push_back({item.entry.info,
                        isSame ? (*all)[results.size()].value : valueOf(item, recording, results)});
+    if (!keepsSeries_) {
+      results.back().value.series.reset();
+    }
   }
   return results;
 }

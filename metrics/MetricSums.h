@@ -31,6 +31,7 @@ class MetricSums {
 
   MetricParameters parameters_;
   bool hasRobot_;
+  bool keepsSeries_;
   std::vector<Item> items_;
   std::vector<std::unique_ptr<Accumulator>> sums_;
 };

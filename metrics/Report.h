@@ -26,6 +26,7 @@ struct Selection {
   std::vector<std::pair<double, Vec2>> reference;  // Recording::reference; empty = shortest way
 
   bool behaviorSeries = true;  // results per behaviour type have their series
+  bool totalsOnly = false;     // no series, nothing per behaviour type
 
   bool selects(const MetricInfo& info) const;
   /// The selected metrics in order: of the registry, then the user's.
@@ -70,6 +71,7 @@ struct Evaluation {
   MetricParameters parameters;
   std::string tag = "exp_1";
   int runId = 0;
+  bool isSelection = false;   // of keys that the user listed
   std::vector<double> times;  // [s] from the first sample
   std::vector<MetricResult> results;
   std::vector<BehaviorEvaluation> behaviors;  // of the types present

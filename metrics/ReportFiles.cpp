@@ -154,6 +154,20 @@ std::vector<std::string> valueCells(const Evaluation& evaluation,
   return cells;
 }
 
+/// The evaluator's keys, and ours where they were asked for by name.
+std::vector<MetricResult> evaluatorResults(const std::vector<MetricResult>& results,
+                                           bool isSelection) {
+  std::vector<MetricResult> kept;
+  for (const MetricResult& result : results) {
+    const MetricInfo& info = result.info;
+    const bool isListed = isSelection || standardRegistry().find(info.key) == nullptr;
+    if (info.hunav > 0 || (isListed && info.partOf.empty())) {
+      kept.push_back(result);
+    }
+  }
+  return kept;
+}
+
 /// Writes the files of one evaluation beside each other.
 class FileSet {
  public:
@@ -185,7 +199,8 @@ class FileSet {
   const char* extension() const { return layout_ == Layout::Hunav2 ? ".csv" : ".txt"; }
 
   void writePair(const std::string& part, const std::string& run,
-                 const std::vector<MetricResult>& results, const std::vector<double>* active) {
+                 const std::vector<MetricResult>& all, const std::vector<double>* active) {
+    const std::vector<MetricResult> results = evaluatorResults(all, evaluation_.isSelection);
     std::vector<std::string> header = headerCells(results);
     std::vector<std::string> values = valueCells(evaluation_, results);
     if (layout_ == Layout::Hunav1) {  // knows no run id

@@ -29,7 +29,8 @@ std::string evaluatorCell(const MetricValue& value);
 std::string tableText(const Evaluation& evaluation);
 
 enum class Layout { Hunav2, Hunav1 };  // comma-separated .csv; tab-separated .txt without run id
-/// The evaluator's own files beside each other: `<base>` (a row appended),
+/// The evaluator's own files, with its keys and those of ours that were listed, beside each other:
+/// `<base>` (a row appended),
 /// `<base>_steps_<tag>_<run>` and those of each behaviour type. A file with other columns is left
 /// alone and `<base>_2` taken. Returns the files written.
 base::Result<std::vector<std::string>> writeEvaluatorFiles(const Evaluation& evaluation,

@@ -15,11 +15,11 @@ Recording withReference(Recording empty, const Selection& selection) {
 }
 
 /// How many people there are of each type.
-template <std::size_t count>
-std::array<std::size_t, count> countBehaviors(const Sample& sample) {
-  std::array<std::size_t, count> counts{};
+template <std::size_t kCount>
+std::array<std::size_t, kCount> countBehaviors(const Sample& sample) {
+  std::array<std::size_t, kCount> counts{};
   for (const Person& person : sample.people) {
-    if (person.behavior >= 1 && person.behavior <= static_cast<int>(count)) {
+    if (person.behavior >= 1 && person.behavior <= static_cast<int>(kCount)) {
       ++counts[static_cast<std::size_t>(person.behavior) - 1];
     }
   }
@@ -118,7 +118,9 @@ void RunningEvaluation::add(Sample sample) {
   first_ = times_.empty() ? sample.time : first_;
   times_.push_back(sample.time - first_);
   all_.add(std::move(sample));
-  addToBehaviors(all_.newest());
+  if (!selection_.totalsOnly) {
+    addToBehaviors(all_.newest());
+  }
 }
 
 base::Result<Evaluation> RunningEvaluation::finish() const {
@@ -136,6 +138,7 @@ base::Result<Evaluation> RunningEvaluation::finish() const {
   evaluation.parameters = parameters_;
   evaluation.tag = selection_.tag;
   evaluation.runId = selection_.runId;
+  evaluation.isSelection = selection_.keys.has_value();
   evaluation.times = times_;
   evaluation.results = all_.values();
   for (std::size_t k = 0; k < kBehaviors; ++k) {

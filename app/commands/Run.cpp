@@ -52,7 +52,7 @@ FinishedRun simulate(sim2d::World& world, const sim2d::Scenario& scenario,
   world.measure(nullptr);
   sim2d::TraceHeader header = recorder.finish(world.header()).header;
   editor::noteMetricsFile(scenarioSetup, header);
-  return {std::move(header), std::move(result), planning, writer.evaluation(), {}};
+  return {std::move(header), std::move(result), planning, writer.evaluation(), {}, false};
 }
 
 /// The same people with the same draws, alone; as many steps as the run had.
@@ -203,11 +203,14 @@ int runCommand(const RunOptions& options, const OutputOptions& output,
     return kBadInput;
   }
   catchInterrupts();
-  RunWriter writer(options.output, **world, setup->selection, setup->parameters);
+  setup->selection.totalsOnly = options.totals;
+  RunWriter writer(options.totals ? std::string() : options.output, **world, setup->selection,
+                   setup->parameters);
   if (options.counterfactual) {
     writer.keepTrace();
   }
   FinishedRun run = simulate(**world, *preparation.scenario, scenarioSetup, writer, output);
+  run.totalsOnly = options.totals;
   base::Diagnostics troubles;
   (*world)->behavior().takeDiagnostics(troubles);
   printDiagnostics(troubles);

@@ -48,6 +48,34 @@ class BatchProgramTest : public QObject {
     QVERIFY(!QDir(one + QStringLiteral("/runs")).exists());  // record: metrics
   }
 
+  /// Runs whose folders are not kept make less of them; the results are the same.
+  void batch_record_changesNoResult() {
+    QTemporaryDir folder;
+    QByteArray results[2];
+    for (const bool all : {false, true}) {
+      const QString experiment = folder.filePath(QStringLiteral("one.yaml"));
+      outside::writeText(experiment, QByteArray("hunavsim_experiment: 1\n"
+                                                "scenarios: [corner_cafe_agents]\n"
+                                                "seeds: 1\n"
+                                                "duration: 12.0\n") +
+                                         (all ? "record: all\n" : ""));
+      const QString out = folder.filePath(all ? QStringLiteral("all") : QStringLiteral("some"));
+      QCOMPARE(batch(experiment, out, 1).exitCode, 0);
+      results[all ? 1 : 0] = outside::bytesOf(out + QStringLiteral("/results.csv"));
+    }
+    QVERIFY(results[0].size() > 2000);
+    QCOMPARE(results[0], results[1]);
+    const QString kept = folder.filePath(QStringLiteral("all/runs/0"));
+    QVERIFY(QFile::exists(kept + QStringLiteral("/steps.csv")));
+    // The same into a folder that holds a whole run: its other files are gone.
+    const outside::Finished totals = outside::runProgram(
+        {QStringLiteral("run"), QStringLiteral("corner_cafe_agents"), QStringLiteral("--duration"),
+         QStringLiteral("1"), QStringLiteral("--totals"), QStringLiteral("-o"), kept});
+    QVERIFY2(totals.exitCode == 0, qPrintable(totals.err));
+    QCOMPARE(QDir(kept).entryList(QDir::Files, QDir::Name),
+             QStringList({QStringLiteral("manifest.json"), QStringLiteral("metrics.json")}));
+  }
+
   void batch_failedRun_isARowWithItsReason() {
     QTemporaryDir folder;
     const QString experiment = folder.filePath(QStringLiteral("walls.yaml"));

@@ -114,6 +114,13 @@ class EvaluateProgramTest : public QObject {
     QCOMPARE(rows[1].at(text("path_length")), text("2.0"));
     QCOMPARE(rows[1].at(text("completed")), text("True"));
     QVERIFY(QFile::exists(path("layout/metrics_steps_real_4.csv")));
+    // Columns of the evaluator alone; ours come when they are listed.
+    QCOMPARE(rows[1].size(), std::size_t{2 + 34});
+    QCOMPARE(runProgram(words + QStringList{text("5"), text("--metrics"), text("path_length,spl")})
+                 .exitCode,
+             0);
+    QVERIFY(bytesOf(path("layout/metrics_2.csv"))
+                .startsWith("experiment_tag,run_id,path_length,spl\nreal,5,2.0,1.0"));
     words[words.indexOf(text("hunav2"))] = text("hunav1");
     QCOMPARE(runProgram(words + QStringList{text("5")}).exitCode, 0);
     QVERIFY(bytesOf(path("layout/metrics.txt")).startsWith("experiment_tag\t"));

@@ -199,10 +199,6 @@ void GoldenVectorsTest::writeEvaluatorFiles_publishedRuns_haveTheSameBytes() {
     selection.keys.emplace();
     Evaluation evaluation =
         *metrics::evaluate(vectors::recordingOf(file), selection, MetricParameters{});
-    auto& results = evaluation.results;
-    results.erase(std::remove_if(results.begin(), results.end(),
-                                 [](const MetricResult& result) { return result.info.hunav == 0; }),
-                  results.end());
     evaluation.behaviors.clear();
     QVERIFY(metrics::writeEvaluatorFiles(evaluation, folder.path().toStdString() + "/metrics",
                                          metrics::Layout::Hunav2));
