@@ -241,7 +241,7 @@ void GoalItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
   const bool isChosen = isSelectedEntity();
   if (isChosen || isHovered()) {
     QPen pen(theme().color(Role::Accent, isChosen ? 1.0 : 0.6), 1.5);
-    pen.setCosmetic(true);
+    makeCosmetic(pen, *painter);
     painter->setPen(pen);
     painter->setBrush(theme().color(Role::Accent, 0.08));
     painter->drawEllipse(tip, kGoalRingMetres, kGoalRingMetres);

@@ -53,7 +53,7 @@ void FrameLayer::paintRobots(QPainter& painter) const {
 void FrameLayer::paintRobotPaths(QPainter& painter) const {
   QPen pen(scene_.theme().color(Role::RobotLine), 2.0, Qt::CustomDashLine, Qt::FlatCap);
   pen.setDashPattern({3.5, 2.5});
-  pen.setCosmetic(true);
+  makeCosmetic(pen, painter);
   painter.setBrush(Qt::NoBrush);
   for (const std::vector<base::Vec2>& points : frame_->robotPaths) {
     const QPainterPath path = softPath(points, 0.3);

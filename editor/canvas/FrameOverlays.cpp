@@ -48,7 +48,7 @@ void FrameLayer::paintTrail(QPainter& painter, const Trail& trail, const QColor&
     QColor faded = color;
     faded.setAlphaF(0.5 * (part + 1) / kTrailParts);
     QPen pen(faded, 4.0, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
-    pen.setCosmetic(true);
+    makeCosmetic(pen, painter);
     painter.setPen(pen);
     painter.drawPolyline(line);
   }

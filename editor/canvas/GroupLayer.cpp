@@ -114,7 +114,7 @@ void GroupLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
     }
     QPen pen(groupColor(group, theme()), 1.5, Qt::CustomDashLine, Qt::RoundCap);
     pen.setDashPattern({1.0, 3.0});
-    pen.setCosmetic(true);
+    makeCosmetic(pen, *painter);
     painter->setPen(pen);
     for (const auto& [from, to] : shortestLinks(places)) {
       painter->drawLine(MapScene::sceneFromWorld(places[from]),

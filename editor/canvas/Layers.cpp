@@ -17,9 +17,9 @@ constexpr double kHandlePx = 8.0;
 constexpr double kTurnHandlePx = 10.0;
 constexpr double kHandleReachPx = 8.0;
 
-QPen accentPen(const Theme& theme, double widthPx) {
+QPen accentPen(const QPainter& painter, const Theme& theme, double widthPx) {
   QPen pen(theme.color(Role::Accent), widthPx);
-  pen.setCosmetic(true);
+  makeCosmetic(pen, painter);
   pen.setJoinStyle(Qt::MiterJoin);
   return pen;
 }
@@ -35,7 +35,7 @@ void GridItem::paintLines(QPainter& painter, const QRectF& area, double step, do
   QColor color = scene_.theme().color(Role::Text);
   color.setAlphaF(alpha);
   QPen pen(color, 1.0);
-  pen.setCosmetic(true);
+  makeCosmetic(pen, painter);
   painter.setPen(pen);
   QVector<QLineF> lines;
   for (const double x : multiplesIn(area.left(), area.right(), step)) {
@@ -126,7 +126,7 @@ std::vector<QRectF> SelectionLayer::solidParts() const {
 
 void SelectionLayer::paintFrame(QPainter& painter, const Entity& entity,
                                 const std::vector<Handle>& handles) const {
-  painter.setPen(accentPen(theme(), 2.0));
+  painter.setPen(accentPen(painter, theme(), 2.0));
   painter.setBrush(Qt::NoBrush);
   QPolygonF frame;
   for (const Handle& handle : handles) {
@@ -154,7 +154,7 @@ void SelectionLayer::paintHandle(QPainter& painter, const Entity& entity,
   const QPointF at = MapScene::sceneFromWorld(handle.position);
   const bool isTurn = handle.kind == Handle::Kind::Turn;
   if (isTurn) {
-    painter.setPen(accentPen(theme(), 1.5));
+    painter.setPen(accentPen(painter, theme(), 1.5));
     const QLineF arm(MapScene::sceneFromWorld(*positionOf(entity)), at);
     painter.drawLine(arm.pointAt(0.5), at);
   }

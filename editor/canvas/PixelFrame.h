@@ -9,6 +9,18 @@ inline double pixelsPerMetreOf(const QPainter& painter) {
   return QStyleOptionGraphicsItem::levelOfDetailFromTransform(painter.worldTransform());
 }
 
+/// Pixels per point of the screen.
+inline double pixelRatioOf(const QPainter& painter) {
+  return painter.device()->devicePixelRatioF();
+}
+
+/// Lets the width of a pen count points of the screen, whatever the zoom. Qt takes that of a
+/// cosmetic pen for pixels, which would make hairlines of all lines on dense screens.
+inline void makeCosmetic(QPen& pen, const QPainter& painter) {
+  pen.setCosmetic(true);
+  pen.setWidthF(pen.widthF() * pixelRatioOf(painter));
+}
+
 /// While it lives, the painter's unit is one pixel and its origin a point of the scene: for what
 /// keeps its size on the screen.
 class PixelFrame {

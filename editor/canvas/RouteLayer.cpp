@@ -66,6 +66,7 @@ void paintHeads(QPainter& painter, const std::vector<std::pair<QPointF, double>>
   const FigurePainter figures(theme);
   QPen pen = painter.pen();
   pen.setStyle(Qt::SolidLine);
+  pen.setWidthF(pen.isCosmetic() ? pen.widthF() / pixelRatioOf(painter) : pen.widthF());
   pen.setCosmetic(false);
   for (const auto& [tip, degrees] : heads) {
     const PixelFrame frame(painter, tip);
@@ -148,7 +149,7 @@ void RouteLayer::paintLeg(QPainter& painter, const Line& line, bool isReachable,
   } else if (style.dashes == Qt::CustomDashLine) {
     pen.setDashPattern({3.5, 2.5});
   }
-  pen.setCosmetic(true);
+  makeCosmetic(pen, painter);
   painter.setPen(pen);
   painter.setBrush(Qt::NoBrush);
   painter.drawPath(line.path);

@@ -47,9 +47,10 @@ double distanceToOutline(const Vec2& point, const sim2d::Outline& outline) {
   return nearest;
 }
 
-QPen cosmetic(const QColor& color, double widthPx, Qt::PenStyle style = Qt::SolidLine) {
+QPen cosmetic(const QPainter& painter, const QColor& color, double widthPx,
+              Qt::PenStyle style = Qt::SolidLine) {
   QPen pen(color, widthPx, style, Qt::FlatCap, Qt::MiterJoin);
-  pen.setCosmetic(true);
+  makeCosmetic(pen, painter);
   return pen;
 }
 
@@ -164,18 +165,18 @@ void ShapeItem::paintDoor(QPainter& painter) const {
   const auto& door = std::get<sim2d::Door>(value_);
   const bool open = mapScene().isDoorOpen(id(), door);
   if (!open) {
-    painter.setPen(cosmetic(theme().color(Role::ObstacleEdge), 1.0));
+    painter.setPen(cosmetic(painter, theme().color(Role::ObstacleEdge), 1.0));
     painter.setBrush(theme().color(Role::WarningMark));
     painter.drawPath(path_);
     return;
   }
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(cosmetic(theme().color(Role::ObstacleEdge), 1.5, Qt::DashLine));
+  painter.setPen(cosmetic(painter, theme().color(Role::ObstacleEdge), 1.5, Qt::DashLine));
   painter.drawLine(MapScene::sceneFromWorld(door.from), MapScene::sceneFromWorld(door.to));
   // The leaf stands open, with the arc that it swung through.
   const Vec2 across = door.to - door.from;
   const Vec2 leaf = door.from + Vec2(-across.y(), across.x());
-  painter.setPen(cosmetic(theme().color(Role::ObstacleEdge), 2.0));
+  painter.setPen(cosmetic(painter, theme().color(Role::ObstacleEdge), 2.0));
   painter.drawLine(MapScene::sceneFromWorld(door.from), MapScene::sceneFromWorld(leaf));
   const double length = across.norm();
   const QPointF hinge = MapScene::sceneFromWorld(door.from);
@@ -184,13 +185,14 @@ void ShapeItem::paintDoor(QPainter& painter) const {
   const QRectF box(hinge.x() - length, hinge.y() - length, 2.0 * length, 2.0 * length);
   arc.arcMoveTo(box, startDeg);
   arc.arcTo(box, startDeg, 90.0);
-  painter.setPen(cosmetic(theme().color(Role::ObstacleEdge, 0.6), 1.0, Qt::DotLine));
+  painter.setPen(cosmetic(painter, theme().color(Role::ObstacleEdge, 0.6), 1.0, Qt::DotLine));
   painter.drawPath(arc);
 }
 
 void ShapeItem::paintArea(QPainter& painter) const {
   const bool strong = isHovered() || isSelectedEntity();
-  painter.setPen(cosmetic(theme().color(Role::ObstacleEdge), strong ? 1.5 : 1.0, Qt::DashLine));
+  painter.setPen(
+      cosmetic(painter, theme().color(Role::ObstacleEdge), strong ? 1.5 : 1.0, Qt::DashLine));
   painter.setBrush(theme().color(Role::Accent, strong ? 0.10 : 0.05));
   painter.drawPath(path_);
   paintSign(painter);
@@ -218,13 +220,13 @@ void ShapeItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidge
       paintArea(*painter);
       break;
     default:
-      painter->setPen(cosmetic(theme().color(Role::ObstacleEdge), 1.2));
+      painter->setPen(cosmetic(*painter, theme().color(Role::ObstacleEdge), 1.2));
       painter->setBrush(theme().color(Role::ObstacleFill));
       painter->drawPath(path_);
   }
   if (isHovered() && !isSelectedEntity()) {
     painter->setBrush(Qt::NoBrush);
-    painter->setPen(cosmetic(theme().color(Role::Accent, 0.6), 1.5));
+    painter->setPen(cosmetic(*painter, theme().color(Role::Accent, 0.6), 1.5));
     painter->drawPath(path_);
   }
 }

@@ -11,9 +11,9 @@ namespace {
 constexpr double kCornerPx = 6.0;
 constexpr double kSnapMarkPx = 7.0;
 
-QPen toolPen(const QColor& color, double widthPx) {
+QPen toolPen(const QPainter& painter, const QColor& color, double widthPx) {
   QPen pen(color, widthPx, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin);
-  pen.setCosmetic(true);
+  makeCosmetic(pen, painter);
   return pen;
 }
 
@@ -81,7 +81,7 @@ void ToolLayer::paintOutline(QPainter& painter) const {
   for (const Vec2& point : outline_.points) {
     polygon << MapScene::sceneFromWorld(point);
   }
-  painter.setPen(toolPen(theme().color(role), 2.0));
+  painter.setPen(toolPen(painter, theme().color(role), 2.0));
   if (outline_.isClosed && polygon.size() > 2) {
     painter.setBrush(theme().color(role, 0.08));
     painter.drawPolygon(polygon);
@@ -119,7 +119,7 @@ void ToolLayer::paintDots(QPainter& painter) const {
     const QPointF at = MapScene::sceneFromWorld(dot.at);
     QColor fill = dot.color;
     fill.setAlphaF(0.45);
-    painter.setPen(toolPen(dot.color, 1.2));
+    painter.setPen(toolPen(painter, dot.color, 1.2));
     painter.setBrush(fill);
     painter.drawEllipse(at, dot.radius, dot.radius);
     if (dot.heading) {
@@ -132,7 +132,7 @@ void ToolLayer::paintLine(QPainter& painter) const {
   if (line_.size() < 2) {
     return;
   }
-  QPen pen = toolPen(theme().color(Role::Accent), 2.0);
+  QPen pen = toolPen(painter, theme().color(Role::Accent), 2.0);
   pen.setDashPattern({4.0, 3.0});
   painter.setPen(pen);
   painter.setBrush(Qt::NoBrush);
@@ -145,7 +145,7 @@ void ToolLayer::paintArrow(QPainter& painter) const {
   if (!arrow_) {
     return;
   }
-  painter.setPen(toolPen(theme().color(Role::Accent), 2.0));
+  painter.setPen(toolPen(painter, theme().color(Role::Accent), 2.0));
   const QLineF line(MapScene::sceneFromWorld(arrow_->first),
                     MapScene::sceneFromWorld(arrow_->second));
   painter.drawLine(line);
@@ -183,7 +183,7 @@ void ToolLayer::paintTag(QPainter& painter) const {
 void ToolLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   painter->setRenderHint(QPainter::Antialiasing);
   if (band_) {
-    painter->setPen(toolPen(theme().color(Role::Accent), 1.0));
+    painter->setPen(toolPen(*painter, theme().color(Role::Accent), 1.0));
     painter->setBrush(theme().color(Role::Accent, 0.10));
     painter->drawRect(*band_);
   }

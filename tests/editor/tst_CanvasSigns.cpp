@@ -1,6 +1,7 @@
 #include "CanvasTester.h"
 #include "editor/canvas/AreaGlyph.h"
 #include "editor/canvas/GroupLayer.h"
+#include "editor/canvas/PixelFrame.h"
 #include "editor/document/Groups.h"
 
 using namespace editor;
@@ -150,6 +151,26 @@ class CanvasSignsTest : public QObject {
     document.load(small::scenario());
     const MapScene scene(document, Theme::light());
     QVERIFY(groupLegendBox({scene, QRectF(0.0, 0.0, 600.0, 450.0), QTransform(), 50.0}).isEmpty());
+  }
+
+  void lines_onADenseScreen_areAsWideAsElsewhere() {
+    for (const int ratio : {1, 2}) {
+      QImage image(QSize(100, 100) * ratio, QImage::Format_RGB32);
+      image.setDevicePixelRatio(ratio);
+      image.fill(Qt::white);
+      QPainter painter(&image);
+      painter.scale(25.0, 25.0);  // points per metre
+      QPen pen(Qt::black, 3.0, Qt::SolidLine, Qt::FlatCap);
+      makeCosmetic(pen, painter);
+      painter.setPen(pen);
+      painter.drawLine(QPointF(0.0, 2.02), QPointF(4.0, 2.02));
+      painter.end();
+      int dark = 0;
+      for (int y = 0; y < image.height(); ++y) {
+        dark += qGray(image.pixel(image.width() / 2, y)) < 128 ? 1 : 0;
+      }
+      QCOMPARE(dark, 3 * ratio);
+    }
   }
 
   void links_ofPointsInARow_joinNeighbours() {
