@@ -13,6 +13,7 @@ constexpr int kFieldHeight = 24;
 constexpr int kRowHeight = 24;
 constexpr int kTabHeight = 32;
 constexpr int kToolButton = 32;
+constexpr int kComboFrame = 34;  // what stands around the text of a combo box
 
 void drawRadioButton(QPainter& painter, const QStyleOption& option, const Theme& theme) {
   const bool enabled = option.state.testFlag(QStyle::State_Enabled);
@@ -116,9 +117,12 @@ QSize HouseStyle::sizeFromContents(ContentsType type, const QStyleOption* option
                                    const QWidget* widget) const {
   QSize result = QProxyStyle::sizeFromContents(type, option, size, widget);
   switch (type) {
+    case CT_ComboBox:
+      result.setWidth(size.width() + kComboFrame);
+      result.setHeight(kFieldHeight);
+      break;
     case CT_LineEdit:
     case CT_SpinBox:
-    case CT_ComboBox:
       result.setHeight(kFieldHeight);
       break;
     case CT_PushButton:

@@ -29,7 +29,7 @@ MixButton::MixButton(CrowdRecipe& recipe, const MapScene& scene, QWidget* parent
     : QToolButton(parent), recipe_(recipe), scene_(scene) {
   setIconSize(kBar);
   setPopupMode(QToolButton::InstantPopup);
-  setToolTip(tr("Mix of behaviours"));
+  setToolTip(tr("Mix of behaviours, and the seed"));
   setAccessibleName(toolTip());
   auto* menu = new QMenu(this);
   auto* action = new QWidgetAction(menu);
@@ -66,7 +66,23 @@ QWidget* MixButton::makeFields() {
     grid->addWidget(new QLabel(lookName(lookAt(i)), page), i, 1);
     grid->addWidget(field, i, 2);
   }
+  addSeed(*grid);
   return page;
+}
+
+/// Here and not in the row of the tool, which has to fit into a small window.
+void MixButton::addSeed(QGridLayout& grid) {
+  auto* seed = new NumberField({0.0, 999999.0, 0, 1.0}, {}, grid.parentWidget());
+  seed->setFixedWidth(kNarrowWidth + 12);
+  seed->show(recipe_.seed, false);
+  seed->setAccessibleName(tr("Seed"));
+  seed->setToolTip(tr("Another seed draws other people"));
+  connect(seed, &NumberField::edited, this, [this](double value) {
+    recipe_.seed = static_cast<int>(value);
+    Q_EMIT mixChanged();
+  });
+  grid.addWidget(new QLabel(tr("Seed"), grid.parentWidget()), kBehaviorCount, 1);
+  grid.addWidget(seed, kBehaviorCount, 2);
 }
 
 void MixButton::showBar() {
@@ -112,7 +128,9 @@ void addRecipeFields(OptionsRow& row, CrowdRecipe& recipe, const MapScene& scene
     recipe.kind = at == 0 ? std::nullopt : std::optional(static_cast<sim2d::PersonKind>(at - 1));
     changed();
   });
-  row.add(QObject::tr("Body"), kind);
+  kind->setToolTip(QObject::tr("Bodies"));
+  kind->setAccessibleName(kind->toolTip());
+  row.add(kind);
 
   auto* route = new ChoiceField(&row);
   route->addItems({QObject::tr("Stand"), QObject::tr("Walk to goals")});
@@ -122,12 +140,6 @@ void addRecipeFields(OptionsRow& row, CrowdRecipe& recipe, const MapScene& scene
     changed();
   });
   row.add(route);
-
-  addNumber(row, QObject::tr("Seed"), {0.0, 999999.0, 0, 1.0}, {}, recipe.seed,
-            [&recipe, changed](double value) {
-              recipe.seed = static_cast<int>(value);
-              changed();
-            });
 }
 
 }  // namespace editor

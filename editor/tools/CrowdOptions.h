@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include <QGridLayout>
 #include <QToolButton>
 
 #include "editor/canvas/MapScene.h"
@@ -22,6 +23,7 @@ class MixButton : public QToolButton {
 
  private:
   QWidget* makeFields();
+  void addSeed(QGridLayout& grid);
   void showBar();
   CrowdRecipe& recipe_;
   const MapScene& scene_;

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include <QComboBox>
 #include <QLabel>
 #include <QStatusBar>
 #include <QStatusTipEvent>
@@ -12,6 +13,7 @@
 #include "editor/document/EditCommands.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/PropertyPanel.h"
+#include "editor/tools/ToolOptionsBar.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
 using app::MainWindow;
@@ -210,6 +212,27 @@ class MainWindowTest : public QObject {
     QStatusTipEvent none{QString()};
     QCoreApplication::sendEvent(window_.get(), &none);
     QCOMPARE(hint->text(), before);
+  }
+
+  void toolOptions_inASmallWindow_areNotCut() {
+    QVERIFY(window_->open(demoPath()));
+    auto* bar = view().findChild<editor::ToolOptionsBar*>();
+    QVERIFY(bar != nullptr);
+    int rows = 0;
+    for (QAction* tool : window_->workspace().tools().actions().actions()) {
+      tool->trigger();
+      QCoreApplication::processEvents();
+      if (bar->isHidden()) {
+        continue;
+      }
+      ++rows;
+      QVERIFY2(bar->geometry().right() < view().width(), qPrintable(tool->text()));
+      for (const QComboBox* box : bar->findChildren<QComboBox*>()) {
+        const int text = box->fontMetrics().horizontalAdvance(box->currentText());
+        QVERIFY2(box->isHidden() || text <= box->width() - 30, qPrintable(box->currentText()));
+      }
+    }
+    QCOMPARE(rows, 4);  // area, brush, fill, map
   }
 
   void dock_leftAloneInItsPlace_hasAHeading() {
