@@ -125,21 +125,19 @@ void StartPage::addActions(WindowActions& actions) {
 
 void StartPage::addDemos(const std::vector<Demo>& demos) {
   const QFont bold = workspace_.theme().font(12.0, QFont::DemiBold);
-  auto* both = new QGridLayout;  // the columns of the cards above
-  both->setHorizontalSpacing(kGap);
-  for (int column = 0; column < 3; ++column) {
-    both->setColumnStretch(column, 1);
-    both->setColumnMinimumWidth(column, 1);
-  }
+  auto* both = new QHBoxLayout;  // thirds, with the gaps of the cards above
+  both->setSpacing(0);
   auto* left = new QVBoxLayout;
   left->setSpacing(0);
+  left->setContentsMargins(0, 0, 2 * kGap / 3, 0);
   left->addWidget(heading(tr("Recent"), bold));
   left->addSpacing(8);
   left->addLayout(recent_);
   left->addStretch();
-  both->addLayout(left, 0, 0);
+  both->addLayout(left, 1);
   auto* right = new QVBoxLayout;
   right->setSpacing(0);
+  right->setContentsMargins(kGap / 3, 0, 0, 0);
   right->addWidget(heading(tr("Demos"), bold));
   right->addSpacing(12);
   auto* grid = new QGridLayout;
@@ -159,7 +157,7 @@ void StartPage::addDemos(const std::vector<Demo>& demos) {
   grid->setColumnStretch(1, 1);
   right->addLayout(grid);
   right->addStretch();
-  both->addLayout(right, 0, 1, 1, 2);
+  both->addLayout(right, 2);
   column_->addLayout(both);
 }
 

@@ -1,9 +1,5 @@
 #include <cmath>
 
-#include <QComboBox>
-#include <QLabel>
-#include <QStatusBar>
-#include <QStatusTipEvent>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -13,7 +9,6 @@
 #include "editor/document/EditCommands.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/PropertyPanel.h"
-#include "editor/tools/ToolOptionsBar.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
 using app::MainWindow;
@@ -194,60 +189,6 @@ class MainWindowTest : public QObject {
     QVERIFY(window_->docks().dock(QStringLiteral("nothing")) == nullptr);
     window_->actions().resetLayout->trigger();
     QVERIFY(window_->docks().dock(QStringLiteral("scenario"))->isVisible());
-  }
-
-  void menuEntry_hovered_isExplainedWithoutHidingTheState() {
-    QVERIFY(window_->open(demoPath()));
-    QLabel* hint = nullptr;
-    for (QLabel* label : window_->statusBar()->findChildren<QLabel*>()) {
-      hint = label->text().startsWith(QStringLiteral("Click to select")) ? label : hint;
-    }
-    QVERIFY(hint != nullptr);
-    const QString before = hint->text();
-    QStatusTipEvent tip(QStringLiteral("The whole map in the window"));
-    QCoreApplication::sendEvent(window_.get(), &tip);
-    QCOMPARE(hint->text(), QStringLiteral("The whole map in the window"));
-    QVERIFY(hint->isVisible());
-    QVERIFY(window_->statusBar()->currentMessage().isEmpty());
-    QStatusTipEvent none{QString()};
-    QCoreApplication::sendEvent(window_.get(), &none);
-    QCOMPARE(hint->text(), before);
-  }
-
-  void toolOptions_inASmallWindow_areNotCut() {
-    QVERIFY(window_->open(demoPath()));
-    auto* bar = view().findChild<editor::ToolOptionsBar*>();
-    QVERIFY(bar != nullptr);
-    int rows = 0;
-    for (QAction* tool : window_->workspace().tools().actions().actions()) {
-      tool->trigger();
-      QCoreApplication::processEvents();
-      if (bar->isHidden()) {
-        continue;
-      }
-      ++rows;
-      QVERIFY2(bar->geometry().right() < view().width(), qPrintable(tool->text()));
-      for (const QComboBox* box : bar->findChildren<QComboBox*>()) {
-        const int text = box->fontMetrics().horizontalAdvance(box->currentText());
-        QVERIFY2(box->isHidden() || text <= box->width() - 30, qPrintable(box->currentText()));
-      }
-    }
-    QCOMPARE(rows, 4);  // area, brush, fill, map
-  }
-
-  void dock_leftAloneInItsPlace_hasAHeading() {
-    QVERIFY(window_->open(demoPath()));
-    app::Docks& docks = window_->docks();
-    const auto heading = [&docks](const char* name) {
-      return docks.dock(QString::fromUtf8(name))->titleBarWidget()->sizeHint().height();
-    };
-    QCOMPARE(heading("properties"), 0);  // its tab says the name
-    QVERIFY(heading("scenario") > 0);
-    docks.dock(QStringLiteral("behaviour"))->hide();
-    QVERIFY(heading("properties") > 0);
-    QTRY_VERIFY(docks.dock(QStringLiteral("properties"))->titleBarWidget()->height() > 20);
-    docks.dock(QStringLiteral("behaviour"))->show();
-    QCOMPARE(heading("properties"), 0);
   }
 
   void screenshot_ofARun_isAPictureOfTheSize() {

@@ -1,0 +1,129 @@
+#include <algorithm>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QStatusBar>
+#include <QStatusTipEvent>
+#include <QtTest>
+
+#include "app/window/MainWindow.h"
+#include "app/window/StartCards.h"
+#include "editor/tools/ToolOptionsBar.h"
+
+using app::MainWindow;
+using app::WindowSetup;
+
+namespace {
+
+QString demoPath() {
+  return QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
+}
+
+WindowSetup quietSetup() {
+  WindowSetup setup;
+  setup.followsSystem = false;
+  setup.remembers = false;
+  setup.shippedMaps = QStringLiteral(SOURCE_DIR "/maps");
+  return setup;
+}
+
+}  // namespace
+
+/// What can be seen to be cut, crooked or jumping at the smallest size.
+class WindowLookTest : public QObject {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<MainWindow> window_;
+  editor::MapView& view() { return window_->workspace().view(); }
+
+ private Q_SLOTS:
+  void initTestCase() { app::dressApplication(editor::Theme::light()); }
+  void init() {
+    window_ = std::make_unique<MainWindow>(quietSetup());
+    window_->resize(1280, 800);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  }
+  void cleanup() { window_.reset(); }
+
+  void start_demosStandInTheColumnsOfTheActions() {
+    WindowSetup setup = quietSetup();
+    setup.demos = {{QStringLiteral("One"), demoPath()}, {QStringLiteral("Two"), demoPath()}};
+    MainWindow window(setup);
+    window.resize(1280, 800);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    const auto lefts = [&window](auto cards) {
+      std::vector<int> xs;
+      for (const QWidget* card : cards) {
+        xs.push_back(card->mapTo(&window, QPoint()).x());
+      }
+      std::sort(xs.begin(), xs.end());
+      return xs;
+    };
+    const std::vector<int> actions = lefts(window.findChildren<app::ActionCard*>());
+    const std::vector<int> demos = lefts(window.findChildren<app::DemoCard*>());
+    QCOMPARE(actions.size(), std::size_t(3));
+    QCOMPARE(demos.size(), std::size_t(2));
+    QVERIFY(std::abs(actions[1] - demos[0]) <= 1);
+    QVERIFY(std::abs(actions[2] - demos[1]) <= 1);
+  }
+
+  void menuEntry_hovered_isExplainedWithoutHidingTheState() {
+    QVERIFY(window_->open(demoPath()));
+    QLabel* hint = nullptr;
+    for (QLabel* label : window_->statusBar()->findChildren<QLabel*>()) {
+      hint = label->text().startsWith(QStringLiteral("Click to select")) ? label : hint;
+    }
+    QVERIFY(hint != nullptr);
+    const QString before = hint->text();
+    QStatusTipEvent tip(QStringLiteral("The whole map in the window"));
+    QCoreApplication::sendEvent(window_.get(), &tip);
+    QCOMPARE(hint->text(), QStringLiteral("The whole map in the window"));
+    QVERIFY(hint->isVisible());
+    QVERIFY(window_->statusBar()->currentMessage().isEmpty());
+    QStatusTipEvent none{QString()};
+    QCoreApplication::sendEvent(window_.get(), &none);
+    QCOMPARE(hint->text(), before);
+  }
+
+  void toolOptions_inASmallWindow_areNotCut() {
+    QVERIFY(window_->open(demoPath()));
+    auto* bar = view().findChild<editor::ToolOptionsBar*>();
+    QVERIFY(bar != nullptr);
+    int rows = 0;
+    for (QAction* tool : window_->workspace().tools().actions().actions()) {
+      tool->trigger();
+      QCoreApplication::processEvents();
+      if (bar->isHidden()) {
+        continue;
+      }
+      ++rows;
+      QVERIFY2(bar->geometry().right() < view().width(), qPrintable(tool->text()));
+      for (const QComboBox* box : bar->findChildren<QComboBox*>()) {
+        const int text = box->fontMetrics().horizontalAdvance(box->currentText());
+        QVERIFY2(box->isHidden() || text <= box->width() - 30, qPrintable(box->currentText()));
+      }
+    }
+    QCOMPARE(rows, 4);  // area, brush, fill, map
+  }
+
+  void dock_leftAloneInItsPlace_hasAHeading() {
+    QVERIFY(window_->open(demoPath()));
+    app::Docks& docks = window_->docks();
+    const auto heading = [&docks](const char* name) {
+      return docks.dock(QString::fromUtf8(name))->titleBarWidget()->sizeHint().height();
+    };
+    QCOMPARE(heading("properties"), 0);  // its tab says the name
+    QVERIFY(heading("scenario") > 0);
+    docks.dock(QStringLiteral("behaviour"))->hide();
+    QVERIFY(heading("properties") > 0);
+    QTRY_VERIFY(docks.dock(QStringLiteral("properties"))->titleBarWidget()->height() > 20);
+    docks.dock(QStringLiteral("behaviour"))->show();
+    QCOMPARE(heading("properties"), 0);
+  }
+};
+
+QTEST_MAIN(WindowLookTest)
+#include "tst_WindowLook.moc"
