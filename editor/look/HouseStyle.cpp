@@ -20,16 +20,16 @@ void drawRadioButton(QPainter& painter, const QStyleOption& option, const Theme&
   const bool hovered = enabled && option.state.testFlag(QStyle::State_MouseOver);
   const bool chosen = option.state.testFlag(QStyle::State_On);
   QColor fill = theme.color(chosen ? Role::Accent : Role::Field);
-  QColor edge = theme.color(chosen || hovered ? Role::Accent : Role::FieldEdge);
+  QColor edge = theme.color(chosen || hovered ? Role::Accent : Role::ObstacleEdge);
   if (!enabled) {
     fill.setAlphaF(0.4);
     edge.setAlphaF(0.4);
   }
   const QPointF middle = QRectF(option.rect).center();
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(edge, 1.0));
+  painter.setPen(QPen(edge, 1.4));  // a round edge is paler than a straight one
   painter.setBrush(fill);
-  painter.drawEllipse(middle, 6.5, 6.5);
+  painter.drawEllipse(middle, 6.4, 6.4);
   if (chosen) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(theme.color(Role::Field));

@@ -63,7 +63,7 @@ void HouseStyle::drawCheckBox(QPainter& painter, const QStyleOption& option) con
   const bool filled = !option.state.testFlag(State_Off);
   painter.setRenderHint(QPainter::Antialiasing);
   QColor fill = theme_.color(filled ? Role::Accent : Role::Field);
-  QColor edge = theme_.color(filled ? Role::Accent : Role::FieldEdge);
+  QColor edge = theme_.color(filled ? Role::Accent : Role::ObstacleEdge);
   if (!isEnabled(option)) {
     fill.setAlphaF(0.4);
     edge.setAlphaF(0.4);

@@ -1,7 +1,9 @@
 #include <algorithm>
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QRadioButton>
 #include <QStatusBar>
 #include <QStatusTipEvent>
 #include <QtTest>
@@ -68,6 +70,26 @@ class WindowLookTest : public QObject {
     QCOMPARE(demos.size(), std::size_t(2));
     QVERIFY(std::abs(actions[1] - demos[0]) <= 1);
     QVERIFY(std::abs(actions[2] - demos[1]) <= 1);
+  }
+
+  void emptyBoxes_inBothThemes_canBeSeen() {
+    for (const editor::Theme& theme : {editor::Theme::light(), editor::Theme::dark()}) {
+      app::dressApplication(theme);
+      QCheckBox check;
+      QRadioButton radio;
+      for (QWidget* box : {static_cast<QWidget*>(&check), static_cast<QWidget*>(&radio)}) {
+        box->resize(24, 24);
+        const QImage picture = box->grab().toImage();
+        double best = 1.0;
+        for (int i = 0; i < picture.width() * picture.height(); ++i) {
+          best = std::max(best, editor::contrastRatio(
+                                    picture.pixelColor(i % picture.width(), i / picture.width()),
+                                    theme.color(editor::Role::Field)));
+        }
+        QVERIFY2(best >= 3.0, qPrintable(QString::number(best)));
+      }
+    }
+    app::dressApplication(editor::Theme::light());
   }
 
   void menuEntry_hovered_isExplainedWithoutHidingTheState() {
