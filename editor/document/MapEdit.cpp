@@ -9,6 +9,7 @@
 #include "editor/document/DocumentDisk.h"
 #include "editor/document/QtImageLoader.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/map/Pgm.h"
 
 namespace editor {
 
@@ -165,17 +166,25 @@ base::Result<MapState> readMapFile(const QString& yamlPath, DocumentDisk& disk,
 
 base::Result<std::shared_ptr<const sim2d::OccupancyGrid>> gridOfImage(const QString& imagePath,
                                                                       double resolution) {
-  const bool isPgm = imagePath.endsWith(QLatin1String(".pgm"), Qt::CaseInsensitive);
-  const base::Result<sim2d::MapImage> image =
-      isPgm ? sim2d::readPgm(imagePath.toStdString()) : loadMapImage(imagePath.toStdString());
+  sim2d::MapDescription description;
+  description.resolution = resolution;
+  const auto shared = [](sim2d::OccupancyGrid grid) {
+    return std::make_shared<const sim2d::OccupancyGrid>(std::move(grid));
+  };
+  if (imagePath.endsWith(QLatin1String(".pgm"), Qt::CaseInsensitive)) {
+    const base::Result<sim2d::PgmImage> image = sim2d::readPgmShades(imagePath.toStdString());
+    if (!image) {
+      return image.diagnostics();
+    }
+    return {shared(sim2d::gridFromPgm(*image, description, sim2d::MapRule::Humble)),
+            image.diagnostics()};
+  }
+  const base::Result<sim2d::MapImage> image = loadMapImage(imagePath.toStdString());
   if (!image) {
     return image.diagnostics();
   }
-  sim2d::MapDescription description;
-  description.resolution = resolution;
-  std::shared_ptr<const sim2d::OccupancyGrid> grid = std::make_shared<sim2d::OccupancyGrid>(
-      sim2d::gridFromImage(*image, description, sim2d::MapRule::Humble));
-  return {std::move(grid), image.diagnostics()};
+  return {shared(sim2d::gridFromImage(*image, description, sim2d::MapRule::Humble)),
+          image.diagnostics()};
 }
 
 }  // namespace editor

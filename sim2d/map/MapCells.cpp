@@ -8,7 +8,7 @@
 
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapFiles.h"
-#include "sim2d/map/MapReader.h"
+#include "sim2d/map/Pgm.h"
 
 namespace sim2d {
 
@@ -21,8 +21,11 @@ constexpr std::int8_t kOccupied = 100;
 /// One pixel by the rules of nav2's map_io, Humble or main.
 class PixelRule {
  public:
-  PixelRule(const MapImage& image, const MapDescription& description, MapRule rule)
-      : image_(image), description_(description), isMain_(rule == MapRule::Main) {}
+  PixelRule(int maximum, bool hasAlpha, const MapDescription& description, MapRule rule)
+      : maximum_(maximum),
+        hasAlpha_(hasAlpha),
+        description_(description),
+        isMain_(rule == MapRule::Main) {}
 
   std::int8_t cellOf(const std::uint16_t* rgba) const {
     const double shade = shadeOf(rgba);
@@ -30,7 +33,7 @@ class PixelRule {
       const double value = std::round(255.0 * shade);
       return value <= 100.0 ? static_cast<std::int8_t>(value) : kUnknown;
     }
-    const bool isOpaque = !image_.hasAlpha || rgba[3] == image_.maximum;
+    const bool isOpaque = !hasAlpha_ || rgba[3] == maximum_;
     if (!isOpaque && (isMain_ || description_.mode == MapMode::Scale)) {
       return kUnknown;
     }
@@ -55,16 +58,17 @@ class PixelRule {
     const bool isGrey = rgba[0] == rgba[1] && rgba[1] == rgba[2];
     if (isMain_) {  // luma of ITU-R BT.601
       const double grey = isGrey ? rgba[0] : 0.299 * rgba[0] + 0.587 * rgba[1] + 0.114 * rgba[2];
-      return grey / image_.maximum;
+      return grey / maximum_;
     }
     const int sum = rgba[0] + rgba[1] + rgba[2];
-    if (image_.hasAlpha && description_.mode == MapMode::Trinary) {
-      return (sum + rgba[3]) / (4.0 * image_.maximum);
+    if (hasAlpha_ && description_.mode == MapMode::Trinary) {
+      return (sum + rgba[3]) / (4.0 * maximum_);
     }
-    return sum / (3.0 * image_.maximum);
+    return sum / (3.0 * maximum_);
   }
 
-  const MapImage& image_;
+  int maximum_;
+  bool hasAlpha_;
   const MapDescription& description_;
   bool isMain_;
 };
@@ -114,12 +118,34 @@ OccupancyGrid gridFromImage(const MapImage& image, const MapDescription& descrip
   const auto width = static_cast<std::size_t>(image.width);
   const auto height = static_cast<std::size_t>(image.height);
   assert(image.width > 0 && image.height > 0 && image.rgba.size() == 4 * width * height);
-  const PixelRule pixels(image, description, rule);
+  const PixelRule pixels(image.maximum, image.hasAlpha, description, rule);
   std::vector<std::int8_t> cells(width * height);
   for (std::size_t row = 0; row < height; ++row) {
     const std::uint16_t* pixel = image.rgba.data() + 4 * width * (height - 1 - row);
     for (std::size_t column = 0; column < width; ++column, pixel += 4) {
       cells[row * width + column] = pixels.cellOf(pixel);
+    }
+  }
+  return OccupancyGrid(image.width, image.height, description.resolution, description.origin,
+                       std::move(cells));
+}
+
+OccupancyGrid gridFromPgm(const PgmImage& image, const MapDescription& description, MapRule rule) {
+  const auto width = static_cast<std::size_t>(image.width);
+  const auto height = static_cast<std::size_t>(image.height);
+  assert(image.width > 0 && image.height > 0 && image.shades.size() == width * height);
+  const PixelRule pixels(image.maximum, false, description, rule);
+  std::vector<std::int8_t> cellOf;  // by shade
+  for (int value = 0; value <= image.maximum; ++value) {
+    const auto shade = static_cast<std::uint16_t>(value);
+    const std::uint16_t rgba[] = {shade, shade, shade, static_cast<std::uint16_t>(image.maximum)};
+    cellOf.push_back(pixels.cellOf(rgba));
+  }
+  std::vector<std::int8_t> cells(width * height);
+  for (std::size_t row = 0; row < height; ++row) {
+    const std::uint16_t* shade = image.shades.data() + width * (height - 1 - row);
+    for (std::size_t column = 0; column < width; ++column) {
+      cells[row * width + column] = cellOf[shade[column]];
     }
   }
   return OccupancyGrid(image.width, image.height, description.resolution, description.origin,

@@ -14,6 +14,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/map/Pgm.h"
 
 namespace sim2d {
 
@@ -254,21 +255,7 @@ bool isPgm(const fs::path& path) {
   return input && magic[0] == 'P' && (magic[1] == '2' || magic[1] == '5');
 }
 
-base::Result<MapImage> readImage(const fs::path& path, const ImageLoader& loader) {
-  std::error_code code;
-  const fs::file_status status = fs::status(path, code);
-  if (!fs::exists(status)) {
-    return base::makeError("the file does not exist");
-  }
-  if (!fs::is_regular_file(status)) {
-    return base::makeError("not a file");
-  }
-  if (fs::file_size(path, code) == 0 && !code) {
-    return base::makeError("the file is empty");
-  }
-  if (isPgm(path) || base::lowered(path.extension().string()) == ".pgm") {
-    return readPgm(path.string());
-  }
+base::Result<MapImage> loadImage(const fs::path& path, const ImageLoader& loader) {
   if (!loader) {
     return base::makeError("this program reads only PGM images (P2, P5)");
   }
@@ -285,6 +272,32 @@ base::Result<MapImage> readImage(const fs::path& path, const ImageLoader& loader
     return base::makeError("the image has no pixels");
   }
   return image;
+}
+
+/// The cells of the image, whatever kind of file it is.
+base::Result<OccupancyGrid> readCells(const fs::path& path, const ImageLoader& loader,
+                                      const MapDescription& description, MapRule rule) {
+  std::error_code code;
+  const fs::file_status status = fs::status(path, code);
+  if (!fs::exists(status)) {
+    return base::makeError("the file does not exist");
+  }
+  if (!fs::is_regular_file(status)) {
+    return base::makeError("not a file");
+  }
+  if (fs::file_size(path, code) == 0 && !code) {
+    return base::makeError("the file is empty");
+  }
+  if (isPgm(path) || base::lowered(path.extension().string()) == ".pgm") {
+    const base::Result<PgmImage> image = readPgmShades(path.string());
+    return image ? base::Result<OccupancyGrid>(gridFromPgm(*image, description, rule),
+                                               image.diagnostics())
+                 : image.diagnostics();
+  }
+  const base::Result<MapImage> image = loadImage(path, loader);
+  return image ? base::Result<OccupancyGrid>(gridFromImage(*image, description, rule),
+                                             image.diagnostics())
+               : image.diagnostics();
 }
 
 std::string withHome(const std::string& path) {
@@ -320,15 +333,15 @@ base::Result<MapFile> readMap(const std::string& yamlPath, const ImageLoader& lo
   }
   const fs::path imagePath = fs::path(map.path).parent_path() / map.description.image;
   map.imagePath = imagePath.lexically_normal().string();
-  const base::Result<MapImage> image = readImage(map.imagePath, loader);
-  for (const base::Diagnostic& problem : image.diagnostics()) {
+  base::Result<OccupancyGrid> grid = readCells(map.imagePath, loader, map.description, rule);
+  for (const base::Diagnostic& problem : grid.diagnostics()) {
     diagnostics.push_back(
         reader.atImage(problem.severity, "image '" + map.imagePath + "': " + problem.message));
   }
   if (base::hasErrors(diagnostics)) {
     return diagnostics;
   }
-  map.grid = gridFromImage(*image, map.description, rule);
+  map.grid = *std::move(grid);
   return {std::move(map), std::move(diagnostics)};
 }
 

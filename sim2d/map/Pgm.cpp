@@ -1,3 +1,5 @@
+#include "sim2d/map/Pgm.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
@@ -6,8 +8,6 @@
 #include <optional>
 #include <string>
 #include <system_error>
-
-#include "sim2d/map/MapReader.h"
 
 namespace sim2d {
 
@@ -18,7 +18,7 @@ class PgmReader {
  public:
   explicit PgmReader(const std::string& path) : path_(path), input_(path, std::ios::binary) {}
 
-  base::Result<MapImage> read() {
+  base::Result<PgmImage> read() {
     std::error_code code;
     const auto size = std::filesystem::file_size(path_, code);
     if (code || !input_) {
@@ -113,28 +113,20 @@ class PgmReader {
     return any && ends ? std::optional<int>(value) : std::nullopt;
   }
 
-  base::Result<MapImage> readPixels() {
-    MapImage image;
+  base::Result<PgmImage> readPixels() {
+    PgmImage image;
     image.width = width_;
     image.height = height_;
     image.maximum = maximum_;
-    const auto count = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-    image.rgba.reserve(4 * count);
-    bool above = false;
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::optional<int> value = isText_ ? readNumber() : readBinary();
-      if (!value) {
-        return base::makeError("pixel " + std::to_string(i + 1) + " of " + std::to_string(count) +
-                                   " is missing or no number",
-                               path_);
-      }
-      above = above || *value > maximum_;
-      const auto shade = static_cast<std::uint16_t>(std::min(*value, maximum_));
-      image.rgba.insert(image.rgba.end(),
-                        {shade, shade, shade, static_cast<std::uint16_t>(maximum_)});
+    image.shades.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+    const std::size_t read = isText_ ? readText(image.shades) : readBinary(image.shades);
+    if (read < image.shades.size()) {
+      return base::makeError("pixel " + std::to_string(read + 1) + " of " +
+                                 std::to_string(image.shades.size()) + " is missing or no number",
+                             path_);
     }
     base::Diagnostics warnings;
-    if (above) {
+    if (isAbove_) {
       warnings.push_back(base::makeWarning("some pixels are above the image's maximum of " +
                                                std::to_string(maximum_) + " and count as white",
                                            path_));
@@ -142,13 +134,40 @@ class PgmReader {
     return {std::move(image), std::move(warnings)};
   }
 
-  std::optional<int> readBinary() {
-    const int first = next();
-    const int second = maximum_ > 255 && first != kEnd ? next() : 0;
-    if (first == kEnd || second == kEnd) {
-      return std::nullopt;
+  std::uint16_t shadeOf(int value) {
+    isAbove_ = isAbove_ || value > maximum_;
+    return static_cast<std::uint16_t>(std::min(value, maximum_));
+  }
+
+  /// How many could be read.
+  std::size_t readText(std::vector<std::uint16_t>& shades) {
+    for (std::size_t i = 0; i < shades.size(); ++i) {
+      const std::optional<int> value = readNumber();
+      if (!value) {
+        return i;
+      }
+      shades[i] = shadeOf(*value);
     }
-    return maximum_ > 255 ? first * 256 + second : first;
+    return shades.size();
+  }
+
+  std::size_t readBinary(std::vector<std::uint16_t>& shades) {
+    const std::size_t bytes = maximum_ > 255 ? 2 : 1;
+    std::vector<char> row(static_cast<std::size_t>(width_) * bytes);
+    std::size_t at = 0;
+    while (at < shades.size()) {
+      const auto got = static_cast<std::size_t>(
+          input_.rdbuf()->sgetn(row.data(), static_cast<std::streamsize>(row.size())));
+      for (std::size_t i = 0; i + bytes <= got; i += bytes) {
+        const int first = static_cast<unsigned char>(row[i]);
+        const int value = bytes == 2 ? first * 256 + static_cast<unsigned char>(row[i + 1]) : first;
+        shades[at++] = shadeOf(value);
+      }
+      if (got < row.size()) {
+        break;
+      }
+    }
+    return at;
   }
 
   static constexpr int kEnd = std::char_traits<char>::eof();
@@ -157,12 +176,13 @@ class PgmReader {
   std::ifstream input_;
   std::string problem_;
   bool isText_ = false;
+  bool isAbove_ = false;  // some pixels, of the maximum
   int width_ = 0, height_ = 0, maximum_ = 0;
 };
 
 }  // namespace
 
-base::Result<MapImage> readPgm(const std::string& path) {
+base::Result<PgmImage> readPgmShades(const std::string& path) {
   std::error_code code;
   const auto status = std::filesystem::status(path, code);
   if (!std::filesystem::exists(status)) {
@@ -172,6 +192,23 @@ base::Result<MapImage> readPgm(const std::string& path) {
     return base::makeError("not a file", path);
   }
   return PgmReader(path).read();
+}
+
+base::Result<MapImage> readPgm(const std::string& path) {
+  const base::Result<PgmImage> grey = readPgmShades(path);
+  if (!grey) {
+    return grey.diagnostics();
+  }
+  MapImage image;
+  image.width = grey->width;
+  image.height = grey->height;
+  image.maximum = grey->maximum;
+  image.rgba.reserve(4 * grey->shades.size());
+  for (const std::uint16_t shade : grey->shades) {
+    image.rgba.insert(image.rgba.end(),
+                      {shade, shade, shade, static_cast<std::uint16_t>(grey->maximum)});
+  }
+  return {std::move(image), grey.diagnostics()};
 }
 
 }  // namespace sim2d

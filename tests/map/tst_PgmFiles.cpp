@@ -1,6 +1,6 @@
 #include <QtTest>
 
-#include "sim2d/map/MapReader.h"
+#include "sim2d/map/Pgm.h"
 #include "tests/map/WrittenFiles.h"
 
 using namespace sim2d;
@@ -17,6 +17,7 @@ class PgmFilesTest : public QObject {
   void readPgm_bad_isError_data();
   void readPgm_bad_isError();
   void readPgm_valueAboveMaximum_warns();
+  void gridFromPgm_everyShade_isAsOfTheImage();
 
  private:
   std::string write(const char* name, const QByteArray& content) const {
@@ -104,6 +105,28 @@ void PgmFilesTest::readPgm_valueAboveMaximum_warns() {
   QVERIFY(image);
   QCOMPARE(int{image->rgba[0]}, 15);
   QCOMPARE(image.diagnostics().size(), std::size_t{1});
+}
+
+void PgmFilesTest::gridFromPgm_everyShade_isAsOfTheImage() {
+  QByteArray content("P5\n32 8\n255\n");
+  for (int shade = 0; shade < 256; ++shade) {
+    content.append(static_cast<char>(shade));
+  }
+  const std::string path = write("all.pgm", content);
+  const auto shades = readPgmShades(path);
+  const auto image = readPgm(path);
+  QVERIFY(shades && image);
+  for (const MapMode mode : {MapMode::Trinary, MapMode::Scale, MapMode::Raw}) {
+    for (const MapRule rule : {MapRule::Humble, MapRule::Main}) {
+      for (const bool negate : {false, true}) {
+        MapDescription description;
+        description.mode = mode;
+        description.negate = negate;
+        QVERIFY(gridFromPgm(*shades, description, rule) ==
+                gridFromImage(*image, description, rule));
+      }
+    }
+  }
 }
 
 QTEST_APPLESS_MAIN(PgmFilesTest)

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim2d/map/MapReader.h"
+
+namespace sim2d {
+
+/// A PGM image, first row on top: a quarter of the memory of a MapImage.
+struct PgmImage {
+  int width = 0, height = 0;
+  int maximum = 255;                  // white, 1..65535
+  std::vector<std::uint16_t> shades;  // 0..maximum
+};
+
+/// All that readPgm reads, with its messages.
+base::Result<PgmImage> readPgmShades(const std::string& path);
+/// The grid that gridFromImage makes of the same image.
+OccupancyGrid gridFromPgm(const PgmImage& image, const MapDescription& description, MapRule rule);
+
+}  // namespace sim2d
