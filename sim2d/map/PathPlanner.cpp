@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <memory>
 #include <utility>
 
+#include "sim2d/map/OpenParts.h"
 #include "sim2d/map/WalkSpace.h"
 
 namespace sim2d {
@@ -129,8 +131,17 @@ struct PathPlanner::Search {
     return way.pulled();
   }
 
+  /// Made once; answers for all pairs of places without a search.
+  const OpenParts& openParts() {
+    if (parts == nullptr) {
+      parts = std::make_unique<OpenParts>(space.terrain());
+    }
+    return *parts;
+  }
+
   WalkSpace space;
   std::vector<std::unique_ptr<GoalField>> fields;  // last used first
+  std::unique_ptr<OpenParts> parts;
 };
 
 PathPlanner::PathPlanner(std::shared_ptr<const DistanceField> field, double radius)
@@ -172,7 +183,10 @@ bool PathPlanner::isReachable(const Vec2& start, const Vec2& goal) {
   const WalkSpace& space = search_->space;
   const std::optional<WalkSpace::Anchor> from = space.anchorOf(start);
   const std::optional<WalkSpace::Anchor> to = space.anchorOf(goal);
-  return from && to && search_->fieldOf(to->cell).reach(space.terrain().indexOf(from->cell));
+  const auto partOf = [this, &space](const WalkSpace::Anchor& anchor) {
+    return search_->openParts().partOf(space.terrain().indexOf(anchor.cell));
+  };
+  return from && to && partOf(*from) == partOf(*to);
 }
 
 bool PathPlanner::isClear(const Vec2& from, const Vec2& to) const {
