@@ -2,6 +2,9 @@
 
 #include <chrono>
 #include <cmath>
+#include <iterator>
+#include <set>
+#include <tuple>
 
 #include "sim2d/map/DistanceField.h"
 #include "sim2d/map/PathPlanner.h"
@@ -39,12 +42,36 @@ struct Walker {
   double radius = 0.35;
   bool isDirect = false;
   bool returns = false;
+};
 
-  friend bool operator==(const Walker& a, const Walker& b) {
-    return a.start == b.start && a.goals == b.goals && a.radius == b.radius &&
-           a.isDirect == b.isDirect && a.returns == b.returns;
+/// A leg is the same for all who walk it. In order, those to one goal follow each other, so that
+/// the planner searches from each goal once.
+struct LegKey {
+  int radiusCm = 35;  // -1: straight
+  double toX = 0.0, toY = 0.0, fromX = 0.0, fromY = 0.0;
+
+  friend bool operator<(const LegKey& a, const LegKey& b) {
+    return std::tie(a.radiusCm, a.toX, a.toY, a.fromX, a.fromY) <
+           std::tie(b.radiusCm, b.toX, b.toY, b.fromX, b.fromY);
   }
 };
+
+std::vector<LegKey> legsOf(const Walker& walker) {
+  const int radiusCm = walker.isDirect ? -1 : static_cast<int>(std::lround(100.0 * walker.radius));
+  std::vector<LegKey> legs;
+  Vec2 at = walker.start;
+  const auto add = [&](const Vec2& goal) {
+    legs.push_back({radiusCm, goal.x(), goal.y(), at.x(), at.y()});
+    at = goal;
+  };
+  for (const Vec2& goal : walker.goals) {
+    add(goal);
+  }
+  if (walker.returns && walker.goals.size() > 1) {
+    add(walker.goals.front());
+  }
+  return legs;
+}
 
 std::vector<Walker> walkersOf(const sim2d::Scenario& scenario) {
   std::vector<Walker> walkers;
@@ -82,7 +109,7 @@ struct RouteModel::Planning {
   std::vector<Vec2> places;  // only of an open plane, whose field has to span them
   std::shared_ptr<const sim2d::DistanceField> field;
   std::map<int, std::unique_ptr<sim2d::PathPlanner>> planners;  // by radius in centimetres
-  std::map<EntityId, std::pair<Walker, EntityRoute>> known;     // of the last time
+  std::map<LegKey, RouteLeg> legs;                              // of the last time
 
   void prepare(const sim2d::Scenario& scenario,
                const std::shared_ptr<const sim2d::OccupancyGrid>& newMap) {
@@ -97,64 +124,77 @@ struct RouteModel::Planning {
     doors = scenario.doors;
     places = newPlaces;
     planners.clear();
-    known.clear();
+    legs.clear();
     const sim2d::Surroundings surroundings = sim2d::makeSurroundings(scenario, *map);
     field = std::make_shared<sim2d::DistanceField>(surroundings.grid, surroundings.obstacles,
                                                    placesOf(scenario));
   }
 
-  sim2d::PathPlanner& plannerFor(double radius) {
-    std::unique_ptr<sim2d::PathPlanner>& planner =
-        planners[static_cast<int>(std::lround(radius * 100.0))];
+  sim2d::PathPlanner& plannerFor(int radiusCm) {
+    std::unique_ptr<sim2d::PathPlanner>& planner = planners[radiusCm];
     if (planner == nullptr) {
-      planner = std::make_unique<sim2d::PathPlanner>(field, radius);
+      planner = std::make_unique<sim2d::PathPlanner>(field, 0.01 * radiusCm);
     }
     return *planner;
   }
 
-  RouteLeg leg(const Walker& walker, const Vec2& from, const Vec2& to) {
-    if (walker.isDirect) {
+  RouteLeg planned(const LegKey& key) {
+    const Vec2 from(key.fromX, key.fromY);
+    const Vec2 to(key.toX, key.toY);
+    if (key.radiusCm < 0) {
       return {{from, to}, true};
     }
-    sim2d::Path path = plannerFor(walker.radius).plan(from, to);
+    sim2d::Path path = plannerFor(key.radiusCm).plan(from, to);
     if (path.points.empty()) {
       return {{from, to}, false};
     }
     return {std::move(path.points), true};
   }
 
-  EntityRoute routeOf(const Walker& walker) {
-    EntityRoute route;
-    Vec2 at = walker.start;
-    for (const Vec2& goal : walker.goals) {
-      route.legs.push_back(leg(walker, at, goal));
-      at = goal;
+  /// Plans the legs that are not known, until the time is over, and forgets those that nobody
+  /// walks any more. Gives whether all are known then.
+  bool plan(const std::set<LegKey>& wanted) {
+    for (auto leg = legs.begin(); leg != legs.end();) {
+      leg = wanted.count(leg->first) == 0 ? legs.erase(leg) : std::next(leg);
     }
-    if (walker.returns && walker.goals.size() > 1) {
-      route.legs.push_back(leg(walker, at, walker.goals.front()));
-      route.returns = true;
-    }
-    return route;
-  }
-
-  /// Plans anew who is not known, until the time is over.
-  Planned routesOf(const std::vector<Walker>& walkers) {
-    std::map<EntityId, std::pair<Walker, EntityRoute>> now;
-    Planned planned;
     const auto end = std::chrono::steady_clock::now() + kMostTime;
-    for (const Walker& walker : walkers) {
-      const auto found = known.find(walker.id);
-      const bool isKnown = found != known.end() && found->second.first == walker;
-      if (!isKnown && std::chrono::steady_clock::now() > end) {
-        planned.isComplete = false;
+    for (const LegKey& key : wanted) {
+      if (legs.count(key) > 0) {
         continue;
       }
-      EntityRoute route = isKnown ? found->second.second : routeOf(walker);
-      planned.routes[walker.id] = route;
-      now.try_emplace(walker.id, walker, std::move(route));
+      if (std::chrono::steady_clock::now() > end) {
+        return false;
+      }
+      legs.emplace(key, planned(key));
     }
-    known = std::move(now);
-    return planned;
+    return true;
+  }
+
+  /// Of all whose legs are known.
+  Planned routesOf(const std::vector<Walker>& walkers) {
+    std::set<LegKey> wanted;
+    for (const Walker& walker : walkers) {
+      const std::vector<LegKey> keys = legsOf(walker);
+      wanted.insert(keys.begin(), keys.end());
+    }
+    Planned result;
+    result.isComplete = plan(wanted);
+    for (const Walker& walker : walkers) {
+      EntityRoute route;
+      route.returns = walker.returns && walker.goals.size() > 1;
+      const std::vector<LegKey> keys = legsOf(walker);
+      for (const LegKey& key : keys) {
+        const auto found = legs.find(key);
+        if (found == legs.end()) {
+          break;
+        }
+        route.legs.push_back(found->second);
+      }
+      if (route.legs.size() == keys.size()) {
+        result.routes[walker.id] = std::move(route);
+      }
+    }
+    return result;
   }
 };
 

@@ -3,15 +3,25 @@
 #include <chrono>
 #include <functional>
 #include <future>
+#include <sys/resource.h>
+#include <unistd.h>
 #include <utility>
 
 #include <QTimer>
 
 namespace editor {
 
+/// The calling thread gives way to all others of its process from now on; Linux weighs each thread
+/// by itself. Where that is not allowed it goes on as it was.
+inline void yieldToTheWindow() {
+  constexpr int kPatience = 10;  // as of `nice`
+  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kPatience);
+}
+
 /// Work beside the GUI thread where only the newest request counts: requests that come while one is
-/// being worked on replace each other. The work runs in a thread of its own and holds copies of all
-/// that it needs; the result is handed over in the GUI thread. Destruction waits for the work.
+/// being worked on replace each other. The work runs in a thread of its own, behind the window's,
+/// and holds copies of all that it needs; the result is handed over in the GUI thread. Destruction
+/// waits for the work.
 template <class T>
 class LatestTask {
  public:
@@ -25,7 +35,10 @@ class LatestTask {
       waiting_ = std::move(work);
       return;
     }
-    running_ = std::async(std::launch::async, std::move(work));
+    running_ = std::async(std::launch::async, [work = std::move(work)] {
+      yieldToTheWindow();
+      return work();
+    });
     poll_.start();
   }
 
