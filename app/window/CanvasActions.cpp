@@ -21,6 +21,9 @@ CanvasActions::CanvasActions(Workspace& workspace, QObject* parent)
   snapping_ = {toggle(tr("Snap to &points"), QKeySequence(Qt::Key_S),
                       tr("Corners, ends and centres of other things hold what is drawn"),
                       &CanvasOptions::snapToPoints),
+               toggle(tr("Snap to &walls"), {},
+                      tr("Corners and edges of the map's walls hold what is drawn"),
+                      &CanvasOptions::snapToWalls),
                toggle(tr("Snap to the &grid"), QKeySequence(Qt::SHIFT | Qt::Key_S),
                       tr("What is drawn lies on half metres"), &CanvasOptions::snapToGrid)};
   makeArranging();

@@ -33,7 +33,8 @@ struct CanvasOptions {
   bool trails = true, robotPath = true, speech = true, proxemics = false, forces = false;
   bool map = true, people = true, robots = true, goals = true, obstacles = true, areas = true;
   bool groups = true;                            // who walks together
-  bool snapToPoints = true, snapToGrid = false;  // what is drawn or moved
+  bool snapToPoints = true, snapToWalls = true;  // what is drawn or moved
+  bool snapToGrid = false;
 };
 
 /// Which part of the canvas is being painted: what is previewed (dragged) with the marks of tools
@@ -102,6 +103,7 @@ class MapScene : public QGraphicsScene {
   // for items and layers
   CanvasPart paintedPart() const { return part_; }
   bool isPainted(EntityId id) const;                  // belongs to the part that is being painted
+  bool isHovered(EntityId id) const;                  // and is to be painted so in this part
   SpriteAtlas& sprites() const { return *sprites_; }  // of people, at this zoom
   bool isDoorOpen(EntityId id, const sim2d::Door& door) const;  // in the frame shown, else at start
   double bodyRadius(const Entity& entity) const;                // people and robots [m]
@@ -133,6 +135,7 @@ class MapScene : public QGraphicsScene {
   bool isShown(EntityId id) const;
   void takeRoutes();
   void noteChange();
+  EntityId onTop() const;
 
   ScenarioDocument& document_;
   Theme theme_;

@@ -18,7 +18,7 @@ double headingTo(const Vec2& from, const CanvasMouse& mouse) {
     return heading;
   }
   const double step = base::kPi / (mouse.modifiers.testFlag(Qt::ControlModifier) ? 8.0 : 180.0);
-  return base::wrapToPi(std::round(heading / step) * step);
+  return base::wrapToPi(std::round(heading / step) * step + 0.0);  // 0, not -0
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ constexpr EntityId kGhost{EntityKind::Robot, -1};
 double headingTo(const Vec2& from, const CanvasMouse& mouse) {
   const double heading = base::headingOf(mouse.world - from);
   const double step = base::kPi / 180.0;
-  return base::wrapToPi(std::round(heading / step) * step);
+  return base::wrapToPi(std::round(heading / step) * step + 0.0);  // 0, not -0
 }
 
 }  // namespace

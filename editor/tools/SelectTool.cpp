@@ -136,7 +136,8 @@ Vec2 SelectTool::deltaFor(const CanvasMouse& mouse) const {
   Vec2 delta = mouse.world - from_;
   SnapWish wish;
   wish.without = document().selection();
-  if (mouse.modifiers.testFlag(Qt::ShiftModifier)) {  // along one axis
+  wish.ontoWalls = grabbed_.kind != EntityKind::Goal;  // nobody can reach one there
+  if (mouse.modifiers.testFlag(Qt::ShiftModifier)) {   // along one axis
     (std::abs(delta.x()) < std::abs(delta.y()) ? delta.x() : delta.y()) = 0.0;
     wish.ontoPoints = false;
   }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "editor/canvas/MapScene.h"
+#include "editor/tools/WallSnap.h"
 #include "sim2d/map/Outlines.h"
 
 namespace editor {
@@ -12,7 +13,7 @@ namespace editor {
 namespace {
 
 double rounded(double value, double step) {
-  return std::round(value / step) * step;
+  return std::round(value / step) * step + 0.0;  // 0, not -0
 }
 
 Vec2 onAngle(const Vec2& anchor, const Vec2& world) {
@@ -129,7 +130,15 @@ Snapped snapped(const MapScene& scene, const CanvasMouse& mouse, const SnapWish&
       return near;
     }
   }
-  const bool onGrid = scene.options().snapToGrid || mouse.modifiers.testFlag(Qt::ControlModifier);
+  const bool isHeld = mouse.modifiers.testFlag(Qt::ControlModifier);
+  if (wish.ontoPoints && wish.ontoWalls && scene.options().snapToWalls && !isHeld) {
+    const std::optional<Vec2> onWall =
+        nearestOnWalls(*scene.document().map(), mouse.world, kSnapReachPx / mouse.pixelsPerMetre);
+    if (onWall) {
+      return {*onWall, true};
+    }
+  }
+  const bool onGrid = scene.options().snapToGrid || isHeld;
   const double step = onGrid ? kSnapGrid : 0.01;
   return {Vec2(rounded(mouse.world.x(), step), rounded(mouse.world.y(), step)), false};
 }

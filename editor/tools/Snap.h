@@ -14,16 +14,18 @@ struct SnapWish {
   std::vector<EntityId> without;  // entities whose points do not count
   std::vector<Vec2> more;         // points of the gesture itself
   bool ontoPoints = true;         // false: grid and angles only
+  bool ontoWalls = true;          // and the walls of the map
 };
 
 struct Snapped {
   Vec2 point = Vec2::Zero();
-  bool isOnPoint = false;  // on one of another entity
+  bool isOnPoint = false;  // on one of another entity, or on a wall
 };
 
 /// In this order: anywhere with Alt, on an angle with Shift, on a point of another entity within 8
-/// px, on half metres with Ctrl or while the grid holds, else on whole centimetres. Points and grid
-/// as the options of the canvas say.
+/// px, on half metres with Ctrl, on a corner or edge of the map's walls within 8 px, on half metres
+/// while the grid holds, else on whole centimetres. Points, walls and grid as the options of the
+/// canvas say.
 Snapped snapped(const MapScene& scene, const CanvasMouse& mouse, const SnapWish& wish = {});
 
 /// The points of an entity that others snap to: corners, ends, centres; none of people.

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <QtTest>
 
 #include "CanvasTester.h"
@@ -36,6 +38,14 @@ class ToolsTest : public QObject, private CanvasTester {
     QVERIFY(document_.scenario() == placed);
   }
 
+  void person_turnedToTheRightWithCtrl_hasNoMinusZero() {
+    use("Person");
+    drag(Vec2(2.5, 5.0), Vec2(3.5, 4.95), Qt::ControlModifier);
+    const double heading = document_.scenario().humans.back().initPose.heading;
+    QCOMPARE(heading, 0.0);
+    QVERIFY(!std::signbit(heading));
+  }
+
   void escape_whilePlacing_leavesNothing() {
     use("Person");
     press(Vec2(9.0, 8.0));
@@ -65,6 +75,16 @@ class ToolsTest : public QObject, private CanvasTester {
     QCOMPARE(document_.undoStack().count(), 1);
     document_.undoStack().undo();
     QVERIFY(document_.scenario() == small::scenario());
+  }
+
+  void goal_pickedUpAndToolLeft_staysWhereItWas() {
+    use("Goal");
+    click(Vec2(2.0, 7.0));
+    move(Vec2(3.0, 7.5));
+    use("Person");
+    QVERIFY(document_.scenario() == small::scenario());
+    QVERIFY(scene_.movingIds().empty());
+    QCOMPARE(document_.undoStack().count(), 0);
   }
 
   void select_escapeWhileMoving_putsBack() {
@@ -146,6 +166,12 @@ class ToolsTest : public QObject, private CanvasTester {
     QVERIFY(std::abs(robot.start.heading) < 0.05);
     QVERIFY((*robot.goal.point - Vec2(9.0, 7.0)).norm() < 0.05);
     QCOMPARE(document_.undoStack().count(), 2);
+    const sim2d::ScenarioReading saved =
+        sim2d::readScenarioText(sim2d::writeScenario(document_.scenario()), "robot.yaml");
+    QVERIFY(saved.ok());
+    QCOMPARE(saved.scenario.robots.size(), std::size_t{1});
+    QVERIFY(saved.scenario.robots.front().start == robot.start);
+    QVERIFY(saved.scenario.robots.front().goal.point == robot.goal.point);
   }
 
   void middleButton_drag_pansAndKeepsTheDocument() {
