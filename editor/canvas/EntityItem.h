@@ -18,6 +18,7 @@ struct Label {
   double clearancePx = 0.0;  // from the centre
   int priority = 0;
   bool isAbove = false;
+  bool isOfHover = false;  // shown while the mouse is over it and not otherwise
 };
 
 /// Draws one entity. Positions are in scene coordinates (the item itself stays at the origin); what
@@ -43,7 +44,7 @@ class EntityItem : public QGraphicsItem {
   const MapScene& mapScene() const { return scene_; }
   const Theme& theme() const { return scene_.theme(); }
   bool isSelectedEntity() const { return scene_.document().isSelected(id_); }
-  bool isHovered() const { return scene_.hovered() == id_; }
+  bool isHovered() const { return scene_.isHovered(id_); }
   double metres(double pixels) const { return pixels / scene_.pixelsPerMetre(); }
 
  private:

@@ -71,13 +71,14 @@ std::vector<QRectF> PersonItem::solidParts() const {
 std::vector<Label> PersonItem::labels() const {
   const double radiusPx = radius_ * mapScene().pixelsPerMetre();
   const bool isChosen = isSelectedEntity();
-  if (!isChosen && !isHovered() && (2.0 * radiusPx < kNameZoomPx || !mapScene().options().names)) {
+  const bool isAlways = isChosen || (2.0 * radiusPx >= kNameZoomPx && mapScene().options().names);
+  if (!isAlways && !isHovered()) {
     return {};
   }
   const double clearance = std::max(radiusPx, kLeastFigurePx) + (isChosen ? 12.0 : 4.0);
   return {{QString::fromStdString(human_.name), look_,
            MapScene::sceneFromWorld(human_.initPose.position), clearance, isChosen ? 3 : 1,
-           isChosen}};
+           isChosen, !isAlways}};
 }
 
 void PersonItem::paintSpaces(QPainter& painter) const {
@@ -159,18 +160,20 @@ std::vector<QRectF> RobotItem::solidParts() const {
 }
 
 std::vector<Label> RobotItem::labels() const {
-  if (!mapScene().options().names && !isSelectedEntity() && !isHovered()) {
+  const bool isAlways = mapScene().options().names || isSelectedEntity();
+  if (!isAlways && !isHovered()) {
     return {};
   }
   const double radiusPx = std::max(radius_ * mapScene().pixelsPerMetre(), kLeastFigurePx);
   const QString name = QString::fromStdString(robot_.name);
   const int priority = isSelectedEntity() ? 3 : 2;
   std::vector<Label> labels = {{name, std::nullopt, MapScene::sceneFromWorld(robot_.start.position),
-                                radiusPx + (isSelectedEntity() ? 12.0 : 5.0), priority, false}};
+                                radiusPx + (isSelectedEntity() ? 12.0 : 5.0), priority, false,
+                                !isAlways}};
   if (robot_.goal.point) {
     labels.push_back({QStringLiteral("%1 goal").arg(name), std::nullopt,
                       MapScene::sceneFromWorld(*robot_.goal.point), kRobotGoalPx + 4.0, priority,
-                      false});
+                      false, !isAlways});
   }
   return labels;
 }

@@ -248,11 +248,17 @@ std::vector<EntityId> MapScene::entitiesIn(const Vec2& corner, const Vec2& oppos
 }
 
 void MapScene::setHovered(EntityId id) {
-  if (hovered_ != id) {
-    hovered_ = id;
-    noteChange();
-    Q_EMIT hoveredChanged(id);
+  if (hovered_ == id) {
+    return;
   }
+  const bool wasOnTop = !hovered_ || onTop() == hovered_;
+  hovered_ = id;
+  if (wasOnTop && (!id || onTop() == id)) {
+    update();
+  } else {
+    noteChange();
+  }
+  Q_EMIT hoveredChanged(id);
 }
 
 void MapScene::setPixelsPerMetre(double value) {

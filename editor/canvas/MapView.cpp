@@ -14,7 +14,7 @@ namespace editor {
 namespace {
 
 constexpr double kClosest = 800.0;  // [px/m]
-constexpr double kFarthest = 2.0;
+constexpr double kFarthest = 0.25;
 constexpr double kWheelFactor = 1.0015;  // per eighth of a degree
 constexpr double kKeyFactor = 1.25;
 constexpr int kFitMs = 120;

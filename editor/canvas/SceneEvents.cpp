@@ -68,6 +68,12 @@ std::vector<Label> MapScene::labels() const {
     if (entityItem->isVisible() && isPainted(id)) {
       const std::vector<Label> labels = entityItem->labels();
       all.insert(all.end(), labels.begin(), labels.end());
+    } else if (entityItem->isVisible() && id == hovered_ && part_ == CanvasPart::Moving) {
+      for (const Label& label : entityItem->labels()) {
+        if (label.isOfHover) {  // others are in the picture
+          all.push_back(label);
+        }
+      }
     }
   }
   if (isRunMode()) {

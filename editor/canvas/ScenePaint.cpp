@@ -52,6 +52,18 @@ bool MapScene::isPainted(EntityId id) const {
   return part_ == CanvasPart::All || (part_ == CanvasPart::Moving) == (preview_.count(id) > 0);
 }
 
+/// What is small is painted once more over the rest while the mouse is over it, so that what rests
+/// stays as it is.
+EntityId MapScene::onTop() const {
+  const bool isSmall = hovered_.kind == EntityKind::Human || hovered_.kind == EntityKind::Robot ||
+                       hovered_.kind == EntityKind::Goal;
+  return isSmall ? hovered_ : EntityId();
+}
+
+bool MapScene::isHovered(EntityId id) const {
+  return id == hovered_ && (part_ != CanvasPart::Resting || onTop() != id);
+}
+
 void MapScene::paintPart(QPainter& painter, CanvasPart part, const QRectF& exposed) {
   part_ = part;
   std::vector<QGraphicsItem*> wanted;
@@ -62,6 +74,10 @@ void MapScene::paintPart(QPainter& painter, CanvasPart part, const QRectF& expos
     }
     for (const auto& [id, value] : preview_) {
       wanted.push_back(item(id));
+    }
+    QGraphicsItem* const hovered = item(onTop());
+    if (hovered != nullptr && preview_.count(hovered_) == 0) {
+      wanted.push_back(hovered);
     }
   } else {
     for (QGraphicsItem* each : items(Qt::AscendingOrder)) {
