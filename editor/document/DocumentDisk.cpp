@@ -51,6 +51,7 @@ void DocumentDisk::forgetFiles() {
   maps.clear();
   mapImage.clear();
   lines.clear();
+  readCount = 0;
   readOnly = false;
 }
 

@@ -32,6 +32,7 @@ struct DocumentDisk {
   std::map<EntityId, int> lines;  // of entities in the scenario file
   std::string mapOption, treesOption;
   bool readOnly = false;
+  std::size_t readCount = 0;  // load problems, the first ones, that are of the scenario file itself
 
   sim2d::FilePlaces places(const QString& scenario, const QString& shippedMaps) const {
     return {scenario.toStdString(), mapOption, treesOption, shippedMaps.toStdString()};

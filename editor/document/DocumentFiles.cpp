@@ -45,6 +45,7 @@ base::Diagnostics ScenarioDocument::open(const QString& path) {
   disk_->lines = std::move(reading.lines);
   disk_->readOnly = !isWhole;
   loadDiagnostics_ = std::move(reading.diagnostics);
+  disk_->readCount = loadDiagnostics_.size();
   base::append(loadDiagnostics_, loadMapOf(scenario_, path_));
   base::append(loadDiagnostics_, loadTrees());
   Q_EMIT changed({Change::What::Everything, {}});
@@ -103,8 +104,10 @@ base::Diagnostics ScenarioDocument::loadTrees() {
       continue;
     }
     disk_->note(QString::fromStdString(file), *text);
-    KnownTree known{file, *text, generatedStyle(*text, scenario_, human),
-                    generatedTree(scenario_, human)};
+    KnownTree known{file, *text, bt::TreeStyle::Corrected, generatedTree(scenario_, human)};
+    if (*text != known.generated) {  // else as it was saved here: nothing to find out
+      known.style = generatedStyle(*text, scenario_, human);
+    }
     if (!known.style) {
       trees_[human.key] = *text;
       disk_->bases[human.key] = known.generated;

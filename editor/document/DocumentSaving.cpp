@@ -59,6 +59,13 @@ bool isGeneratedForDisk(const std::string& xml, const sim2d::Scenario& onDisk, i
   return human != nullptr && isGeneratedTree(xml, onDisk, *human);
 }
 
+/// What was wrong with the file that was opened is not wrong with the one that was saved.
+void replaceFirst(base::Diagnostics& problems, std::size_t count, const base::Diagnostics& fresh) {
+  const auto begin = problems.begin();
+  problems.erase(begin, begin + static_cast<std::ptrdiff_t>(count));
+  problems.insert(problems.begin(), fresh.begin(), fresh.end());
+}
+
 }  // namespace
 
 void ScenarioDocument::placeMap(SavePlan& plan) const {
@@ -229,7 +236,10 @@ void ScenarioDocument::takeSaved(SavePlan plan) {
   disk_->forgetFiles();
   const std::string text = sim2d::writeScenario(scenario_);
   disk_->note(path_, text);
-  disk_->lines = linesOf(scenario_, sim2d::readScenarioText(text, path_.toStdString()));
+  const sim2d::ScenarioReading reading = sim2d::readScenarioText(text, path_.toStdString());
+  disk_->lines = linesOf(scenario_, reading);
+  replaceFirst(loadDiagnostics_, before.readCount, reading.diagnostics);
+  disk_->readCount = reading.diagnostics.size();
   if (!mapPath_.isEmpty()) {
     disk_->maps[mapPath_] = map_;
   }
@@ -269,6 +279,7 @@ void ScenarioDocument::takeSaved(SavePlan plan) {
   }
   Q_EMIT pathChanged();
   Q_EMIT dirtyChanged(false);
+  Q_EMIT issuesChanged(issues());
   checkTimer_.start();
 }
 

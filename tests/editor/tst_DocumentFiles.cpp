@@ -167,6 +167,7 @@ class DocumentFilesTest : public QObject {
     const QString other = folder.filePath(QStringLiteral("mended.yaml"));
     check(document.save(other));
     QVERIFY(!document.isReadOnly());
+    QVERIFY(!base::hasErrors(document.issues()));  // those of the damaged file are not its own
     QVERIFY(*base::readTextFile(path.toStdString()) == text);
     ScenarioDocument mended;
     check(mended.open(other));
