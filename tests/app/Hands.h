@@ -8,17 +8,26 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QTimer>
 #include <QtTest>
 
 #include "app/window/MainWindow.h"
 
-/// The hands of a user: real events of mouse and keyboard, counted.
-class Hands {
+/// The hands of a user: real events of mouse and keyboard, counted. Message boxes that come up
+/// meanwhile are counted as well.
+class Hands : public QObject {
  public:
-  explicit Hands(app::MainWindow& window) : window_(window) {}
+  explicit Hands(app::MainWindow& window) : window_(window) { qApp->installEventFilter(this); }
 
   int actions() const { return actions_; }  // clicks and drags so far; keys are free
+  int boxes() const { return boxes_; }      // message boxes
+  bool eventFilter(QObject* object, QEvent* event) override {
+    const bool isBox =
+        event->type() == QEvent::Show && qobject_cast<QMessageBox*>(object) != nullptr;
+    boxes_ += isBox ? 1 : 0;
+    return false;
+  }
   void countFromHere() { actions_ = 0; }
 
   void clickOn(QWidget& widget, const QPoint& at, Qt::KeyboardModifiers modifiers = {}) {
@@ -139,4 +148,5 @@ class Hands {
 
   app::MainWindow& window_;
   int actions_ = 0;
+  int boxes_ = 0;
 };

@@ -1,8 +1,10 @@
 # The window under a real X server; skipped where there is none.
 if(TARGET hunavsim)
-  add_test(NAME app.workflow_xdotool
-           COMMAND bash ${CMAKE_CURRENT_LIST_DIR}/workflow_xdotool.sh $<TARGET_FILE:hunavsim>
-                   ${CMAKE_CURRENT_LIST_DIR}/../data/app/workflow)
-  set_tests_properties(app.workflow_xdotool PROPERTIES
-    LABELS app SKIP_RETURN_CODE 77 TIMEOUT 240 ENVIRONMENT "${test_environment}")
+  foreach(script workflow clipboard)
+    add_test(NAME app.${script}_xdotool
+             COMMAND bash ${CMAKE_CURRENT_LIST_DIR}/${script}_xdotool.sh $<TARGET_FILE:hunavsim>
+                     ${CMAKE_CURRENT_LIST_DIR}/../data/app/workflow)
+    set_tests_properties(app.${script}_xdotool PROPERTIES
+      LABELS app SKIP_RETURN_CODE 77 TIMEOUT 240 ENVIRONMENT "${test_environment}")
+  endforeach()
 endif()

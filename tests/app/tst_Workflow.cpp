@@ -63,8 +63,12 @@ class WorkflowTest : public QObject {
   editor::GoalAssignment* assignment() const {
     return qobject_cast<editor::GoalAssignment*>(hands_->openDialog());
   }
+  void openMap() {
+    QVERIFY(window_->open(path(QStringLiteral("maps/hall.yaml"))));
+    QTest::qWait(300);  // the view fits
+  }
   void clickButton(QWidget& dialog, const QString& name) {
-    for (QPushButton* button : dialog.findChildren<QPushButton*>()) {
+    for (QAbstractButton* button : dialog.findChildren<QAbstractButton*>()) {
       if (button->text() == name || button->accessibleName().startsWith(name)) {
         hands_->clickOn(*button, button->rect().center());
         return;
@@ -105,8 +109,6 @@ class WorkflowTest : public QObject {
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
     hands_ = std::make_unique<Hands>(*window_);
-    QVERIFY(window_->open(path(QStringLiteral("maps/hall.yaml"))));
-    QTest::qWait(300);  // the view fits
   }
   void cleanup() {
     document().undoStack().setClean();
@@ -115,6 +117,12 @@ class WorkflowTest : public QObject {
   }
 
   void scenario_drawnSavedReopenedEdited_filesAreAsExpected() {
+    QVERIFY(window_->isOnStartPage());
+    hands_->countFromHere();
+    hands_->answerFileDialog(path(QStringLiteral("maps/hall.yaml")));
+    clickButton(*window_, QStringLiteral("New from a map"));
+    QVERIFY(!window_->isOnStartPage());
+    QTest::qWait(300);  // the view fits
     hands_->chooseTool(QStringLiteral("tool-person"));
     hands_->dragMap({2.0, 2.0}, {2.0, 4.0}, kSnap);
     hands_->dragMap({5.0, 2.0}, {7.0, 2.0}, kSnap);
@@ -177,9 +185,12 @@ class WorkflowTest : public QObject {
     hands_->press(Qt::Key_Delete);
     hands_->press(Qt::Key_S, Qt::ControlModifier);
     compareFiles(file, dataFile(QStringLiteral("second.yaml")));
+    QCOMPARE(hands_->boxes(), 0);
+    qInfo("%d clicks and drags, no message box", hands_->actions());
   }
 
   void tenPeople_withGoalsAndBehaviours_takeFortyActionsAtMost() {
+    openMap();
     hands_->countFromHere();
     hands_->chooseTool(QStringLiteral("tool-person"));
     for (int i = 0; i < 10; ++i) {
@@ -219,10 +230,12 @@ class WorkflowTest : public QObject {
     QCOMPARE(threatening, 2);
     QVERIFY(!document().isDirty());
     QVERIFY2(hands_->actions() <= 40, QByteArray::number(hands_->actions()).constData());
+    QCOMPARE(hands_->boxes(), 0);
     qInfo("%d clicks and drags", hands_->actions());
   }
 
   void pageKeys_onTheMap_goFromPersonToPerson() {
+    openMap();
     hands_->chooseTool(QStringLiteral("tool-person"));
     for (const double x : {2.0, 4.0, 6.0}) {
       hands_->clickMap({x, 3.0}, kSnap);
@@ -240,6 +253,7 @@ class WorkflowTest : public QObject {
   }
 
   void issue_ofAFile_isShownInTheViewer() {
+    openMap();
     window_->docks().issues().setActionIssues(
         {base::makeError("odd", path(QStringLiteral("maps/hall.yaml")).toStdString(), 3, 1)});
     QTableView& table = window_->docks().issues().table();
