@@ -1,3 +1,4 @@
+#include <QMessageBox>
 #include <QMimeData>
 #include <QTemporaryDir>
 #include <QTimer>
@@ -52,8 +53,42 @@ class FileWindowTest : public QObject {
     QVERIFY(!window_->files().saveTo(file));
     QVERIFY(*base::readTextFile(file.toStdString()) == text);
     QVERIFY(window_->files().saveTo(at("whole.yaml")));
+    QVERIFY(!window_->docks().issues().hasErrors());
     QVERIFY(!window_->notices().isTold(QStringLiteral("read-only")));
     shoot("damaged");
+  }
+
+  void leave_withUnsavedChanges_asksAndObeys() {
+    const QString file = copyOfDemo();
+    QVERIFY(window_->open(file));
+    const std::string before = *base::readTextFile(file.toStdString());
+    editor::pushRemove(document(), {document().entities(base::EntityKind::Human).front()});
+    const sim2d::Scenario edited = document().scenario();
+    answerBox(QMessageBox::Cancel);
+    window_->actions().close->trigger();
+    QVERIFY(boxText_.contains(QStringLiteral("demo.yaml")));
+    QVERIFY(!window_->isOnStartPage());
+    QVERIFY(document().scenario() == edited);
+    answerBox(QMessageBox::Discard);
+    window_->actions().close->trigger();
+    QVERIFY(window_->isOnStartPage());
+    QVERIFY(*base::readTextFile(file.toStdString()) == before);
+  }
+
+  void save_overComments_asksAndObeys() {
+    const QString file = copyOfDemo();
+    const std::string text = "# by hand\n" + *base::readTextFile(file.toStdString());
+    QVERIFY(base::writeFileAtomically(file.toStdString(), text).empty());
+    QVERIFY(window_->open(file));
+    editor::pushRemove(document(), {document().entities(base::EntityKind::Human).front()});
+    answerBox(QMessageBox::Cancel);
+    window_->actions().save->trigger();
+    QVERIFY(boxText_.contains(QStringLiteral("comment")));
+    QVERIFY(*base::readTextFile(file.toStdString()) == text);
+    answerBox(QMessageBox::Save);
+    window_->actions().save->trigger();
+    QVERIFY(*base::readTextFile(file.toStdString()) != text);
+    QVERIFY(!document().isDirty());
   }
 
   void anotherProgramWrites_noticeOffersToReload() {
@@ -312,6 +347,17 @@ class FileWindowTest : public QObject {
   editor::ScenarioDocument& document() { return window_->workspace().document(); }
   QString at(const char* name) const { return folder_->filePath(QString::fromUtf8(name)); }
 
+  /// What the next message box is told; its text is kept.
+  void answerBox(QMessageBox::StandardButton button) {
+    boxText_.clear();
+    QTimer::singleShot(100, this, [this, button] {
+      if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+        boxText_ = box->text();
+        box->button(button)->click();
+      }
+    });
+  }
+
   QString copyOfDemo() const {
     sim2d::ScenarioReading demo =
         sim2d::readScenario(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
@@ -354,6 +400,7 @@ class FileWindowTest : public QObject {
     }
   }
 
+  QString boxText_;
   std::unique_ptr<QTemporaryDir> folder_;
   std::unique_ptr<MainWindow> window_;
 };

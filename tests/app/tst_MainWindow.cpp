@@ -163,6 +163,48 @@ class MainWindowTest : public QObject {
     QCOMPARE(QApplication::palette().color(QPalette::Window), before);
   }
 
+  void space_onTheMap_runsAndPauses() {
+    QVERIFY(window_->open(demoPath()));
+    editor::MapView& view = window_->workspace().view();
+    const auto state = [this] { return window_->workspace().runner().state(); };
+    view.setFocus();
+    QTest::keyClick(&view, Qt::Key_Space);
+    QCOMPARE(state(), editor::SimulationRunner::State::Running);
+    const auto steps = [this] {
+      const sim2d::Frame* frame = window_->workspace().scene().frame();
+      return frame == nullptr ? 0 : static_cast<int>(frame->step);
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(steps() > 10, 20000);
+    QTest::keyClick(&view, Qt::Key_Space);
+    QCOMPARE(state(), editor::SimulationRunner::State::Paused);
+    window_->workspace().runner().reset();
+  }
+
+  void words_ofAllActions_areTheSameAfterEditingAndClosing() {
+    const auto words = [this] {
+      QStringList all;
+      for (const QAction* action : window_->workspace().tools().actions().actions()) {
+        all << action->text() << action->toolTip();
+      }
+      const app::WindowActions& actions = window_->actions();
+      for (const QAction* action : {actions.newFromMap, actions.open, actions.save, actions.close,
+                                    actions.assignGoals, actions.remove, actions.duplicate}) {
+        all << action->text() << action->toolTip() << action->statusTip();
+      }
+      return all;
+    };
+    const QStringList before = words();
+    QVERIFY(window_->open(demoPath()));
+    QCOMPARE(words(), before);
+    document().setSelection({document().scenario().humans.front().key});
+    window_->actions().duplicate->trigger();
+    QCOMPARE(words(), before);
+    document().undoStack().undo();
+    window_->actions().close->trigger();
+    QVERIFY(window_->isOnStartPage());
+    QCOMPARE(words(), before);
+  }
+
   void shortcuts_areUnique() {
     QMap<QString, QString> owners;
     QList<QAction*> actions = window_->findChildren<QAction*>();

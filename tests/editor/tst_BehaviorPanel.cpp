@@ -97,6 +97,9 @@ class BehaviorPanelTest : public QObject {
     QVERIFY(nodeCalled(QStringLiteral("Approach robot")) > 0);
     QVERIFY(nodeCalled(QStringLiteral("Update goal")) > 0);  // of the included tree
     QVERIFY(!document_->tree(human(2).key));
+    select(4);  // Farid, scared: another person, another tree
+    QCOMPARE(panel_->person(), human(4).key);
+    QVERIFY(panel_->outline().topLevelItem(0)->text(0) != QStringLiteral("CuriousFallback"));
     document_->setSelection({});
     QVERIFY(!panel_->person());
   }

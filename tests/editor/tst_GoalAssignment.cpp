@@ -1,3 +1,4 @@
+#include <QTemporaryDir>
 #include <QtTest>
 
 #include "Drops.h"
@@ -98,6 +99,19 @@ class GoalAssignmentTest : public QObject {
     QCOMPARE(document_->undoStack().count(), 1);
     document_->undoStack().undo();
     QVERIFY(document_->scenario() == small::scenario());
+  }
+
+  void goals_ofAFileOpenedTwice_areListedOnce() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("twice.yaml"));
+    QVERIFY(!base::hasErrors(document_->save(path)));
+    for (int i = 0; i < 2; ++i) {
+      QVERIFY(!base::hasErrors(document_->open(path)));
+      open();
+      QCOMPARE(dialog_->goals().count(), static_cast<int>(small::scenario().goals.size()));
+      QCOMPARE(dialog_->people().count(), static_cast<int>(small::scenario().humans.size()));
+      dialog_.reset();
+    }
   }
 
   void goal_twiceInARoute_isKept() {

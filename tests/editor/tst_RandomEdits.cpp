@@ -7,7 +7,10 @@
 
 #include "SmallScenario.h"
 #include "editor/document/EditCommands.h"
+#include "editor/document/Groups.h"
 #include "editor/document/MapEdit.h"
+#include "editor/document/PersonTree.h"
+#include "editor/tools/Clipboard.h"
 #include "sim2d/base/Text.h"
 
 using namespace editor;
@@ -19,19 +22,18 @@ struct Whole {
   sim2d::Scenario scenario;
   std::string bytes;
   std::vector<std::optional<std::string>> trees;
-  std::vector<std::int8_t> cells;
+  sim2d::OccupancyGrid map;
 
   explicit Whole(const ScenarioDocument& document)
       : scenario(document.scenario()),
         bytes(sim2d::writeScenario(document.scenario())),
-        cells(document.map()->cells()) {
+        map(*document.map()) {
     for (const sim2d::Human& human : scenario.humans) {
       trees.push_back(document.tree(human.key));
     }
   }
   friend bool operator==(const Whole& a, const Whole& b) {
-    return a.scenario == b.scenario && a.bytes == b.bytes && a.trees == b.trees &&
-           a.cells == b.cells;
+    return a.scenario == b.scenario && a.bytes == b.bytes && a.trees == b.trees && a.map == b.map;
   }
 };
 
@@ -41,7 +43,7 @@ class RandomUser {
   RandomUser(ScenarioDocument& document, unsigned seed) : document_(document), random_(seed) {}
 
   void act() {
-    switch (whole(0, 13)) {
+    switch (whole(0, 18)) {
       case 0:
       case 1:
         return add();
@@ -72,8 +74,18 @@ class RandomUser {
         return change();
       case 12:
         return tree();
+      case 13:
+        return pushListed(document_, some(), whole(0, 1) == 0);
+      case 14:
+        return group();
+      case 15:
+        return changeOther();
+      case 16:
+        return copyAndPaste();
+      case 17:
+        return block();
       default:
-        return paint();
+        return whole(0, 9) == 0 ? otherMap() : paint();
     }
   }
 
@@ -112,7 +124,13 @@ class RandomUser {
 
   void add() {
     const base::Vec2 at(5.0 + number(), 4.0 + number());
-    switch (whole(0, 4)) {
+    switch (whole(0, 5)) {
+      case 5: {
+        sim2d::Robot robot;
+        robot.start = {at, number()};
+        pushAdd(document_, Entity(robot));
+        return;
+      }
       case 0: {
         sim2d::Human human;
         human.initPose = {at, number()};
@@ -156,6 +174,61 @@ class RandomUser {
     pushChange<ScenarioSettings>(
         document_, kSettingsId, QStringLiteral("Seed"),
         [this](ScenarioSettings& settings) { settings.desktop.seed = whole(1, 99); });
+  }
+
+  /// The size of something, or the goal of a robot.
+  void changeOther() {
+    pushChange<sim2d::Obstacle>(
+        document_, any(EntityKind::Obstacle), QStringLiteral("Radius"),
+        [this](sim2d::Obstacle& obstacle) { obstacle.radius = 0.1 * whole(1, 9); });
+    pushChange<sim2d::Door>(document_, any(EntityKind::Door), QStringLiteral("Open"),
+                            [this](sim2d::Door& door) { door.open = whole(0, 1) == 0; });
+    pushChange<sim2d::Area>(document_, any(EntityKind::Area), QStringLiteral("Corner"),
+                            [this](sim2d::Area& area) { area.points.front().x() += number(); });
+    pushChange<sim2d::Robot>(document_, any(EntityKind::Robot), QStringLiteral("Goal"),
+                             [this](sim2d::Robot& robot) {
+                               robot.goal.point = base::Vec2(5.0 + number(), 4.0 + number());
+                             });
+  }
+
+  void group() {
+    const EntityId first = any(EntityKind::Human);
+    const EntityId second = any(EntityKind::Human);
+    if (!first || first == second) {
+      return;
+    }
+    const int number = document_.human(first)->groupId.value_or(-1);
+    switch (number < 0 ? 0 : whole(0, 3)) {
+      case 0:
+        pushGroup(document_, {first, second});
+        return;
+      case 1:
+        return pushJoin(document_, {second}, number);
+      case 2:
+        return pushGroupName(document_, number, "group " + std::to_string(whole(1, 9)));
+      default:
+        return pushDissolve(document_, number);
+    }
+  }
+
+  void copyAndPaste() {
+    if (all().size() < 60) {
+      document_.setSelection(some());
+      const std::unique_ptr<QMimeData> copied = copiedSelection(document_);
+      paste(document_, *copied, {number(), number()});
+    }
+  }
+
+  void block() {
+    if (const EntityId person = any(EntityKind::Human)) {
+      pushAddBlock(document_, {person},
+                   {whole(0, 1) == 0 ? "GreetingInitiator" : "RobotAvoidance", {}});
+    }
+  }
+
+  void otherMap() {
+    pushMap(document_, {emptyRoom(6.0 + whole(0, 4), 5.0, 0.2), {}, false},
+            std::get<ScenarioSettings>(*document_.entity(kSettingsId)), QStringLiteral("Map"));
   }
 
   void tree() {
