@@ -58,7 +58,7 @@ class Docks : public QObject {
   QMainWindow& window_;
   Workspace& workspace_;
   std::vector<QDockWidget*> docks_;
-  std::vector<DockTitle*> headings_;  // of these, which own them
+  std::vector<DockTitle*> headings_;          // of these, which own them
   std::map<QDockWidget*, bool> shownBefore_;  // while all are hidden
   editor::ScenarioPanel* scenario_;
   editor::MetricsChoicePanel* choice_;

@@ -21,7 +21,7 @@ struct Situation {
   /// Over which forces act in this step. Half of dt when somebody sets off or begins to brake:
   /// velocities belong to the middle of steps, so places do not depend on dt [s].
   double pushTime = 0.05;
-  std::vector<Walker> others;     // people and robots, without those that act as obstacles
+  std::vector<Walker> others;  // people and robots, without those that act as obstacles
   /// The social force of all people, when it was computed for the whole crowd at once: then only
   /// robots are in `others` [m/s²].
   std::optional<Vec2> ofCrowd;
