@@ -22,6 +22,12 @@ bool isAdding(const CanvasMouse& mouse) {
   return (mouse.modifiers & kAddModifiers) != 0;
 }
 
+bool hasHandle(const Entity& entity, Handle::Kind kind) {
+  const std::vector<Handle> handles = handlesOf(entity, {});
+  return std::any_of(handles.begin(), handles.end(),
+                     [kind](const Handle& handle) { return handle.kind == kind; });
+}
+
 }  // namespace
 
 QString SelectTool::statusText() const {
@@ -32,11 +38,19 @@ QString SelectTool::statusText() const {
     return tr("Click to select · Drag over empty ground to select several");
   }
   const std::optional<Entity> value = document().entity(document().selection().front());
-  if (document().selection().size() == 1 && value && cornersOf(*value) != nullptr) {
-    return tr(
-        "Drag to move · Drag the round handle to turn · Double click an edge for a new corner");
+  const bool isOnly = document().selection().size() == 1 && value;
+  QStringList parts{tr("Drag to move")};
+  if (isOnly && hasHandle(*value, Handle::Kind::Turn)) {
+    parts << tr("Drag the round handle to turn");
+  } else if (isOnly && hasHandle(*value, Handle::Kind::Size)) {
+    parts << tr("Drag a corner to size");
   }
-  return tr("Drag to move · Drag the round handle to turn · Ctrl+D duplicates · Del removes");
+  if (isOnly && cornersOf(*value) != nullptr) {
+    parts << tr("Double click an edge for a new corner");
+  } else {
+    parts << tr("Ctrl+D duplicates") << tr("Del removes");
+  }
+  return parts.join(QString::fromUtf8(" · "));
 }
 
 void SelectTool::press(const CanvasMouse& mouse) {

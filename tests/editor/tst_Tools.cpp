@@ -65,6 +65,16 @@ class ToolsTest : public QObject, private CanvasTester {
     QVERIFY(document_.selection().empty());
   }
 
+  void select_statusText_tellsOfTheHandlesThatAreThere() {
+    const QString turn = QStringLiteral("turn");
+    click(Vec2(2.0, 2.0));
+    QVERIFY(tools_.current()->statusText().contains(turn));
+    click(Vec2(8.6, 1.6));  // a round column
+    QCOMPARE(document_.selection().size(), std::size_t{1});
+    QVERIFY(!tools_.current()->statusText().contains(turn));
+    QVERIFY(tools_.current()->statusText().contains(QStringLiteral("size")));
+  }
+
   void select_drag_movesAllSelectedWithOneCommand() {
     document_.setSelection({person(1), person(2)});
     drag(Vec2(2.0, 2.0), Vec2(3.0, 2.5));
