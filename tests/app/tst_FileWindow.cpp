@@ -14,6 +14,7 @@
 #include "editor/document/TreeFiles.h"
 #include "editor/panels/IssuesPanel.h"
 #include "sim2d/base/Text.h"
+#include "tests/app/QuietWindow.h"
 
 using app::MainWindow;
 
@@ -25,11 +26,7 @@ class FileWindowTest : public QObject {
   void initTestCase() { app::dressApplication(editor::Theme::light()); }
   void init() {
     folder_ = std::make_unique<QTemporaryDir>();
-    app::WindowSetup setup;
-    setup.followsSystem = false;
-    setup.remembers = false;
-    setup.shippedMaps = QStringLiteral(SOURCE_DIR "/maps");
-    window_ = std::make_unique<MainWindow>(setup);
+    window_ = std::make_unique<MainWindow>(quiet::setup());
     window_->resize(1280, 800);
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get()));

@@ -10,25 +10,9 @@
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/PropertyPanel.h"
 #include "sim2d/scenario/ScenarioFile.h"
+#include "tests/app/QuietWindow.h"
 
 using app::MainWindow;
-using app::WindowSetup;
-
-namespace {
-
-QString demoPath() {
-  return QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
-}
-
-WindowSetup quietSetup() {
-  WindowSetup setup;
-  setup.followsSystem = false;
-  setup.remembers = false;
-  setup.shippedMaps = QStringLiteral(SOURCE_DIR "/maps");
-  return setup;
-}
-
-}  // namespace
 
 class MainWindowTest : public QObject {
   Q_OBJECT
@@ -64,7 +48,7 @@ class MainWindowTest : public QObject {
  private Q_SLOTS:
   void initTestCase() { app::dressApplication(editor::Theme::light()); }
   void init() {
-    window_ = std::make_unique<MainWindow>(quietSetup());
+    window_ = std::make_unique<MainWindow>(quiet::setup());
     window_->resize(1280, 800);
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
@@ -127,7 +111,7 @@ class MainWindowTest : public QObject {
   }
 
   void keys_deleteAndDuplicate_areUndoable() {
-    QVERIFY(window_->open(demoPath()));
+    QVERIFY(window_->open(quiet::demoPath()));
     const std::size_t people = document().scenario().humans.size();
     document().setSelection({document().scenario().humans.front().key});
     window_->actions().duplicate->trigger();
@@ -154,7 +138,7 @@ class MainWindowTest : public QObject {
   }
 
   void theme_switched_changesAtOnce() {
-    QVERIFY(window_->open(demoPath()));
+    QVERIFY(window_->open(quiet::demoPath()));
     const QColor before = QApplication::palette().color(QPalette::Window);
     window_->actions().switchTheme->trigger();
     QVERIFY(window_->workspace().theme().isDark());
@@ -164,7 +148,7 @@ class MainWindowTest : public QObject {
   }
 
   void space_onTheMap_runsAndPauses() {
-    QVERIFY(window_->open(demoPath()));
+    QVERIFY(window_->open(quiet::demoPath()));
     editor::MapView& view = window_->workspace().view();
     const auto state = [this] { return window_->workspace().runner().state(); };
     view.setFocus();
@@ -194,7 +178,7 @@ class MainWindowTest : public QObject {
       return all;
     };
     const QStringList before = words();
-    QVERIFY(window_->open(demoPath()));
+    QVERIFY(window_->open(quiet::demoPath()));
     QCOMPARE(words(), before);
     document().setSelection({document().scenario().humans.front().key});
     window_->actions().duplicate->trigger();
@@ -224,7 +208,7 @@ class MainWindowTest : public QObject {
   }
 
   void docks_chosenByName_areTheOnlyOnes() {
-    QVERIFY(window_->open(demoPath()));
+    QVERIFY(window_->open(quiet::demoPath()));
     window_->docks().show({QStringLiteral("properties")});
     QVERIFY(window_->docks().dock(QStringLiteral("Properties"))->isVisible());
     QVERIFY(!window_->docks().dock(QStringLiteral("scenario"))->isVisible());
@@ -234,7 +218,7 @@ class MainWindowTest : public QObject {
   }
 
   void screenshot_ofARun_isAPictureOfTheSize() {
-    QVERIFY(window_->open(demoPath()));
+    QVERIFY(window_->open(quiet::demoPath()));
     QTemporaryDir folder;
     app::WindowOptions options;
     options.screenshot = folder.filePath(QStringLiteral("run.png")).toStdString();

@@ -11,25 +11,10 @@
 #include "app/window/MainWindow.h"
 #include "app/window/StartCards.h"
 #include "editor/tools/ToolOptionsBar.h"
+#include "tests/app/QuietWindow.h"
 
 using app::MainWindow;
 using app::WindowSetup;
-
-namespace {
-
-QString demoPath() {
-  return QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
-}
-
-WindowSetup quietSetup() {
-  WindowSetup setup;
-  setup.followsSystem = false;
-  setup.remembers = false;
-  setup.shippedMaps = QStringLiteral(SOURCE_DIR "/maps");
-  return setup;
-}
-
-}  // namespace
 
 /// What can be seen to be cut, crooked or jumping at the smallest size.
 class WindowLookTest : public QObject {
@@ -42,7 +27,7 @@ class WindowLookTest : public QObject {
  private Q_SLOTS:
   void initTestCase() { app::dressApplication(editor::Theme::light()); }
   void init() {
-    window_ = std::make_unique<MainWindow>(quietSetup());
+    window_ = std::make_unique<MainWindow>(quiet::setup());
     window_->resize(1280, 800);
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
@@ -50,8 +35,9 @@ class WindowLookTest : public QObject {
   void cleanup() { window_.reset(); }
 
   void start_demosStandInTheColumnsOfTheActions() {
-    WindowSetup setup = quietSetup();
-    setup.demos = {{QStringLiteral("One"), demoPath()}, {QStringLiteral("Two"), demoPath()}};
+    WindowSetup setup = quiet::setup();
+    setup.demos = {{QStringLiteral("One"), quiet::demoPath()},
+                   {QStringLiteral("Two"), quiet::demoPath()}};
     MainWindow window(setup);
     window.resize(1280, 800);
     window.show();
@@ -93,7 +79,7 @@ class WindowLookTest : public QObject {
   }
 
   void menuEntry_hovered_isExplainedWithoutHidingTheState() {
-    QVERIFY(window_->open(demoPath()));
+    QVERIFY(window_->open(quiet::demoPath()));
     QLabel* hint = nullptr;
     for (QLabel* label : window_->statusBar()->findChildren<QLabel*>()) {
       hint = label->text().startsWith(QStringLiteral("Click to select")) ? label : hint;
@@ -111,7 +97,7 @@ class WindowLookTest : public QObject {
   }
 
   void toolOptions_inASmallWindow_areNotCut() {
-    QVERIFY(window_->open(demoPath()));
+    QVERIFY(window_->open(quiet::demoPath()));
     auto* bar = view().findChild<editor::ToolOptionsBar*>();
     QVERIFY(bar != nullptr);
     int rows = 0;
@@ -132,7 +118,7 @@ class WindowLookTest : public QObject {
   }
 
   void dock_leftAloneInItsPlace_hasAHeading() {
-    QVERIFY(window_->open(demoPath()));
+    QVERIFY(window_->open(quiet::demoPath()));
     app::Docks& docks = window_->docks();
     const auto heading = [&docks](const char* name) {
       return docks.dock(QString::fromUtf8(name))->titleBarWidget()->sizeHint().height();
