@@ -2,9 +2,6 @@
 set_tests_properties(world.tst_CrowdForces PROPERTIES TIMEOUT 600)
 # A million steps of people per map.
 set_tests_properties(world.tst_WallProperty PROPERTIES TIMEOUT 600)
-# Every realism test with every model; under sanitizers it would take an hour.
+# Every realism test with every model.
 set_tests_properties(world.tst_RealismSeedOne PROPERTIES TIMEOUT 1800)
 set_property(TEST world.tst_RealismSeedOne APPEND PROPERTY ENVIRONMENT QTEST_FUNCTION_TIMEOUT=1800000)
-if(HUNAV_SANITIZE)
-  set_tests_properties(world.tst_RealismSeedOne PROPERTIES DISABLED TRUE)
-endif()

@@ -115,6 +115,20 @@ const KnownFailure* findKnown(const std::string& model, const std::string& test,
   return nullptr;
 }
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kIsSanitized = true;
+#else
+constexpr bool kIsSanitized = false;
+#endif
+
+/// Hundreds of people for minutes; all of these would take an hour under a sanitizer.
+bool isLarge(const std::string& test) {
+  static const std::set<std::string> kLarge = {
+      "fd-one-way", "fd-long-steps",         "fd-single-file", "lanes",    "rimea-4",
+      "bottleneck", "bottleneck-long-steps", "rimea-12",       "rimea-15", "groups-in-crowd"};
+  return kLarge.count(test) != 0;
+}
+
 }  // namespace
 
 void RealismSeedOneTest::measure_seedOne_isWithinTheLimits_data() {
@@ -132,6 +146,9 @@ void RealismSeedOneTest::measure_seedOne_isWithinTheLimits() {
   QFETCH(QString, model);
   QFETCH(int, index);
   const RealismTest& test = realismTests()[static_cast<std::size_t>(index)];
+  if (kIsSanitized && isLarge(test.name)) {
+    QSKIP("a large crowd, too slow under a sanitizer");
+  }
   RealismRun run;
   run.model = model.toStdString();
   const base::Result<std::vector<double>> values = test.measure(run);
