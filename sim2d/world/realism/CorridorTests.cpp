@@ -10,7 +10,6 @@ namespace sim2d {
 namespace {
 
 constexpr double kLength = 26.0;        // [m]
-constexpr double kFarAway = 1000.0;     // [m]
 constexpr double kBeyond = 8.0;         // [m]; walls reach so far past the ends
 constexpr double kBody = 0.2;           // radius [m]
 constexpr double kOverlap = 0.005;      // [m]
@@ -95,7 +94,7 @@ Stage corridorOf(const RealismRun& run, const CorridorFlow& setting) {
     actor.heading = goesLeft ? base::kPi : 0.0;
     actor.speed = freeSpeed(run, static_cast<int>(i), setting.meanSpeed, setting.speedDeviation);
     actor.target = endlessly(Vec2(goesLeft ? -1.0 : 1.0, 0.0));
-    actor.goal = Vec2(goesLeft ? -kFarAway : kFarAway, setting.width / 2.0);
+    actor.goal = endlessGoal(actor.start, goesLeft);
     stage.add(actor);
   }
   stage.close(0.0, kLength);
@@ -173,7 +172,7 @@ Stage singleFileOf(const RealismRun& run, int count) {
     actor.start = Vec2(kLength * (i + 0.5) / count, 0.4);
     actor.speed = freeSpeed(run, i, 1.24, 0.05);
     actor.target = endlessly(Vec2(1.0, 0.0));
-    actor.goal = Vec2(kFarAway, 0.4);
+    actor.goal = endlessGoal(actor.start, false);
     stage.add(actor);
   }
   stage.close(0.0, kLength);

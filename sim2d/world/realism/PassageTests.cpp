@@ -208,7 +208,7 @@ Stage cornerScene(const RealismRun& run) {
   Stage stage(run);
   stage.planWays();
   stage.addWall({Vec2(-2.0, 2.1), Vec2(9.9, 2.1), Vec2(9.9, 16.0)});
-  stage.addWall({Vec2(-2.0, -0.1), Vec2(12.1, -0.1), Vec2(12.1, 16.0)});
+  stage.addWall({Vec2(-2.0, 2.1), Vec2(-2.0, -0.1), Vec2(12.1, -0.1), Vec2(12.1, 16.0)});
   for (const Vec2& place : randomPlaces(run, 20, {Vec2(0.0, 0.2), Vec2(6.0, 1.8)}, 2.0 * kBody)) {
     Stage::Actor actor;
     actor.start = place;
@@ -245,8 +245,8 @@ Stage wideCorridor(const RealismRun& run, bool isCorner, double length) {
   constexpr int kPeople = 100;
   Stage stage(run);
   const double end = isCorner ? 10.0 : length + 8.0;
-  std::vector<Vec2> leftWall = {Vec2(-17.0, 4.1), Vec2(end - kHalfWall, 4.1)};
-  std::vector<Vec2> rightWall = {Vec2(-17.0, -0.1), Vec2(end + 4.1, -0.1)};
+  std::vector<Vec2> leftWall = {Vec2(-17.1, 4.1), Vec2(end - kHalfWall, 4.1)};
+  std::vector<Vec2> rightWall = {Vec2(-17.1, 4.1), Vec2(-17.1, -0.1), Vec2(end + 4.1, -0.1)};
   if (isCorner) {
     stage.planWays();
     leftWall.emplace_back(end - kHalfWall, 22.0);

@@ -143,6 +143,11 @@ Stage::Target endlessly(const Vec2& direction) {
   return [direction](const Vec2& place) { return Vec2(place + 1000.0 * direction); };
 }
 
+Vec2 endlessGoal(const Vec2& place, bool goesLeft) {
+  constexpr double kRow = 0.5;  // [m]
+  return {goesLeft ? -20.0 : 46.0, (std::floor(place.y() / kRow) + 0.5) * kRow};
+}
+
 Stage::Target always(const Vec2& place) {
   return [place](const Vec2& /*from*/) { return place; };
 }

@@ -64,6 +64,9 @@ class Stage {
 };
 
 Stage::Target endlessly(const Vec2& direction);
+/// In the file, somebody who walks endlessly along the x axis heads there, as do neighbours: far
+/// enough behind the end of a corridor of 26 m that the way is nearly straight.
+Vec2 endlessGoal(const Vec2& place, bool goesLeft);
 Stage::Target always(const Vec2& place);
 
 /// Free speeds of adults: normal, 1.34 ± 0.26 m/s (Weidmann 1993), cut at 0.5 and 2.2.

@@ -209,7 +209,7 @@ Stage groupsInCrowdScene(const RealismRun& run) {
     actor.group = person < 3 * kThrees ? 1 + person / 3 : -1;
     actor.speed = actor.group > 0 ? 1.3 : freeSpeed(run, person);
     actor.target = endlessly(Vec2(1.0, 0.0));
-    actor.goal = Vec2(1000.0, 2.0);
+    actor.goal = endlessGoal(actor.start, false);
     stage.add(actor);
   }
   stage.close(0.0, kRing);
