@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "metrics/ReportFiles.h"
 #include "sim2d/base/Text.h"
@@ -14,10 +13,6 @@
 namespace metrics {
 
 namespace {
-
-double sumOf(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0);
-}
 
 constexpr double kNormalQuantile = 1.959963984540054;  // 97.5 %
 

@@ -59,7 +59,7 @@ StatusLine::StatusLine(QStatusBar& bar, Workspace& workspace)
   connect(&workspace_.runner(), &SimulationRunner::speedMeasured, this, &StatusLine::showNumbers);
   connect(&workspace_.tools(), &editor::ToolManager::statusTextChanged, this,
           &StatusLine::showState);
-  connect(&workspace_.document(), &editor::ScenarioDocument::changed, this,
+  connect(&workspace_.document(), &editor::ScenarioDocument::settled, this,
           &StatusLine::showNumbers);
   bar.parentWidget()->installEventFilter(this);
   showState();

@@ -48,7 +48,7 @@ base::Diagnostics ScenarioDocument::open(const QString& path) {
   disk_->readCount = loadDiagnostics_.size();
   base::append(loadDiagnostics_, loadMapOf(scenario_, path_));
   base::append(loadDiagnostics_, loadTrees());
-  Q_EMIT changed({Change::What::Everything, {}});
+  replaced();
   Q_EMIT pathChanged();
   Q_EMIT dirtyChanged(false);
   Q_EMIT issuesChanged(issues());
@@ -157,7 +157,7 @@ void ScenarioDocument::restore(DocumentSnapshot snapshot) {
       disk_->bases[id] = generatedTree(scenario_, *person);
     }
   }
-  Q_EMIT changed({Change::What::Everything, {}});
+  replaced();
   Q_EMIT pathChanged();
   Q_EMIT dirtyChanged(true);
   Q_EMIT issuesChanged(issues());

@@ -275,7 +275,7 @@ void ScenarioDocument::takeSaved(SavePlan plan) {
   }
   undoStack_.setClean();
   if (isChanged) {
-    Q_EMIT changed({Change::What::Everything, {}});
+    replaced();
   }
   Q_EMIT pathChanged();
   Q_EMIT dirtyChanged(false);

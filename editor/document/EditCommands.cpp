@@ -5,6 +5,7 @@
 
 #include "editor/document/EditDraft.h"
 #include "editor/document/FreeNames.h"
+#include "editor/document/Places.h"
 #include "editor/document/RoutePlan.h"
 
 namespace editor {
@@ -24,19 +25,6 @@ bool isListed(const Entity& entity) {
 }
 
 namespace {
-
-/// Those that are switched off stand behind the others, as in the file.
-int placeOf(const ScenarioDocument& document, const Entity& value) {
-  const std::vector<EntityId> ids = document.entities(kindOf(value));
-  int listed = 0;
-  int others = 0;
-  for (const EntityId id : ids) {
-    if (id != idOf(value)) {
-      ++(isListed(*document.entity(id)) ? listed : others);
-    }
-  }
-  return isListed(value) ? listed : listed + others;
-}
 
 QString textFor(const QString& verb, const std::vector<Entity>& values) {
   if (values.size() == 1) {
@@ -87,12 +75,13 @@ void renamePerson(Draft& draft, const std::string& from, const std::optional<std
 void pushEdit(ScenarioDocument& document, std::vector<Entity> values, const QString& text,
               Merge merge) {
   Draft draft(document);
+  Places places(document.scenario());
   for (Entity& value : values) {
     const std::optional<Entity> old = document.entity(idOf(value));
     if (!old) {
       continue;
     }
-    const int index = isListed(*old) == isListed(value) ? -1 : placeOf(document, value);
+    const int index = isListed(*old) == isListed(value) ? -1 : places.ofSwitched(value);
     draft.set(std::move(value), index);
   }
   draft.push(document, text, merge);
@@ -110,9 +99,9 @@ std::vector<EntityId> pushAdd(ScenarioDocument& document, std::vector<Entity> va
     ids.push_back(id);
   }
   const QString fullText = text.isEmpty() ? textFor(QStringLiteral("Add"), values) : text;
-  std::map<EntityKind, int> added;
+  Places places(document.scenario());
   for (Entity& value : values) {
-    const int index = placeOf(document, value) + added[kindOf(value)]++;
+    const int index = places.ofNew(value);
     const EntityId id = idOf(value);
     edits.push_back({id, {std::move(value), index}});
   }
@@ -181,10 +170,14 @@ std::vector<EntityId> pushDuplicate(ScenarioDocument& document, const std::vecto
   }
   document.undoStack().beginMacro(text);
   std::vector<EntityId> copies = pushAdd(document, std::move(values), text);
+  std::vector<TreeEdit> edits;
   for (std::size_t i = 0; i < copies.size(); ++i) {
     if (trees[i]) {
-      document.undoStack().push(new EditTree(document, copies[i], trees[i], text));
+      edits.push_back({copies[i], std::move(trees[i])});
     }
+  }
+  if (!edits.empty()) {
+    document.undoStack().push(new EditTree(document, std::move(edits), text));
   }
   document.undoStack().endMacro();
   return copies;

@@ -35,19 +35,25 @@ class EditEntity : public QUndoCommand {
   Merge merge_;
 };
 
-/// Swaps a person's own tree.
+/// A person and the own tree to be (XML text); none = the generated one.
+struct TreeEdit {
+  EntityId human;
+  std::optional<std::string> xml;
+};
+
+/// Swaps the trees of people, each of whom is named once.
 class EditTree : public QUndoCommand {
  public:
+  EditTree(ScenarioDocument& document, std::vector<TreeEdit> edits, const QString& text);
   EditTree(ScenarioDocument& document, EntityId human, std::optional<std::string> xml,
            const QString& text);
   void redo() override { swap(); }
   void undo() override { swap(); }
 
  private:
-  void swap() { xml_ = document_.exchangeTree(human_, std::move(xml_)); }
+  void swap();
   ScenarioDocument& document_;
-  EntityId human_;
-  std::optional<std::string> xml_;
+  std::vector<TreeEdit> edits_;
 };
 
 /// Each function pushes at most one command; nothing is pushed when nothing would change.

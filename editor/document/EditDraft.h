@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -46,51 +47,49 @@ class Draft {
     if (edits_.empty()) {
       return;
     }
-    const auto trees = followingTrees(document);
+    std::vector<TreeEdit> trees = followingTrees(document);
     if (trees.empty()) {
       document.undoStack().push(new EditEntity(document, std::move(edits_), text, merge));
       return;
     }
     document.undoStack().beginMacro(text);
     document.undoStack().push(new EditEntity(document, std::move(edits_), text, merge));
-    for (const auto& [person, xml] : trees) {
-      document.undoStack().push(new EditTree(document, person, xml, text));
-    }
+    document.undoStack().push(new EditTree(document, std::move(trees), text));
     document.undoStack().endMacro();
   }
 
  private:
   /// Trees with blocks keep up with the behaviour and the goals of their people.
-  std::vector<std::pair<EntityId, std::string>> followingTrees(
-      const ScenarioDocument& document) const {
-    std::vector<std::pair<EntityId, std::string>> trees;
+  std::vector<TreeEdit> followingTrees(const ScenarioDocument& document) const {
+    std::vector<TreeEdit> trees;
     for (const EntityEdit& edit : edits_) {
       const auto* human = edit.slot.value ? std::get_if<sim2d::Human>(&*edit.slot.value) : nullptr;
       if (human == nullptr) {
         continue;
       }
       if (std::optional<std::string> xml = followedTree(document, *human)) {
-        trees.emplace_back(edit.entity, *std::move(xml));
+        trees.push_back({edit.entity, std::move(xml)});
       }
     }
     return trees;
   }
 
   std::vector<EntityEdit>::iterator find(EntityId id) {
-    return std::find_if(edits_.begin(), edits_.end(),
-                        [id](const EntityEdit& edit) { return edit.entity == id; });
+    const auto found = places_.find(id);
+    return found == places_.end() ? edits_.end()
+                                  : edits_.begin() + static_cast<std::ptrdiff_t>(found->second);
   }
   EntitySlot& slotOf(EntityId id) {
-    const auto found = find(id);
-    if (found != edits_.end()) {
-      return found->slot;
+    const auto [place, isNew] = places_.emplace(id, edits_.size());
+    if (isNew) {
+      edits_.push_back({id, {}});
     }
-    edits_.push_back({id, {}});
-    return edits_.back().slot;
+    return edits_[place->second].slot;
   }
 
   const ScenarioDocument& document_;
   std::vector<EntityEdit> edits_;
+  std::map<EntityId, std::size_t> places_;  // in edits_
 };
 
 }  // namespace editor

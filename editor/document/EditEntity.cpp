@@ -15,12 +15,14 @@ EditEntity::EditEntity(ScenarioDocument& document, std::vector<EntityEdit> edits
     : QUndoCommand(text), document_(document), edits_(std::move(edits)), merge_(merge) {}
 
 void EditEntity::redo() {
+  const ScenarioDocument::Step step(document_);
   for (EntityEdit& edit : edits_) {
     edit.slot = document_.exchange(edit.entity, std::move(edit.slot));
   }
 }
 
 void EditEntity::undo() {
+  const ScenarioDocument::Step step(document_);
   for (auto edit = edits_.rbegin(); edit != edits_.rend(); ++edit) {
     edit->slot = document_.exchange(edit->entity, std::move(edit->slot));
   }
@@ -46,8 +48,18 @@ bool EditEntity::mergeWith(const QUndoCommand* other) {
   return true;
 }
 
+EditTree::EditTree(ScenarioDocument& document, std::vector<TreeEdit> edits, const QString& text)
+    : QUndoCommand(text), document_(document), edits_(std::move(edits)) {}
+
 EditTree::EditTree(ScenarioDocument& document, EntityId human, std::optional<std::string> xml,
                    const QString& text)
-    : QUndoCommand(text), document_(document), human_(human), xml_(std::move(xml)) {}
+    : EditTree(document, {{human, std::move(xml)}}, text) {}
+
+void EditTree::swap() {
+  const ScenarioDocument::Step step(document_);
+  for (TreeEdit& edit : edits_) {
+    edit.xml = document_.exchangeTree(edit.human, std::move(edit.xml));
+  }
+}
 
 }  // namespace editor

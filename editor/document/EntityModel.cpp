@@ -67,7 +67,8 @@ QString placeOf(const Entity& entity) {
 EntityModel::EntityModel(ScenarioDocument& document, const Theme& theme, QObject* parent)
     : QAbstractItemModel(parent), document_(document), theme_(theme) {
   rebuild();
-  connect(&document_, &ScenarioDocument::changed, this, &EntityModel::apply);
+  connect(&document_, &ScenarioDocument::changed, this, &EntityModel::note);
+  connect(&document_, &ScenarioDocument::settled, this, &EntityModel::follow);
 }
 
 void EntityModel::setTheme(const Theme& theme) {
@@ -98,40 +99,10 @@ void EntityModel::rebuild() {
   endResetModel();
 }
 
-void EntityModel::apply(const Change& change) {
-  if (change.what == Change::What::Everything) {
-    rebuild();
-    return;
-  }
-  const int group = groupOf(change.entity.kind);
-  if (group < 0) {
-    return;
-  }
-  std::vector<EntityId>& rows = rows_[static_cast<std::size_t>(group)];
-  std::vector<EntityId> fresh = idsOfGroup(group);
-  const auto rowIn = [&](const std::vector<EntityId>& ids) {
-    return static_cast<int>(std::find(ids.begin(), ids.end(), change.entity) - ids.begin());
-  };
-  const int from = rowIn(rows);
-  const int to = rowIn(fresh);
-  const QModelIndex parentIndex = index(group, 0);
-  if (change.what == Change::What::Added) {
-    beginInsertRows(parentIndex, to, to);
-    rows = std::move(fresh);
-    endInsertRows();
-  } else if (change.what == Change::What::Removed) {
-    beginRemoveRows(parentIndex, from, from);
-    rows = std::move(fresh);
-    endRemoveRows();
-  } else if (from != to) {
-    beginMoveRows(parentIndex, from, from, parentIndex, to > from ? to + 1 : to);
-    rows = std::move(fresh);
-    endMoveRows();
-  }
-  if (change.what == Change::What::Edited || change.what == Change::What::Tree) {
-    Q_EMIT dataChanged(index(to, 0, parentIndex), index(to, ColumnCount - 1, parentIndex));
-  } else {
-    Q_EMIT dataChanged(parentIndex, parentIndex, {CountRole});
+void EntityModel::note(const Change& change) {
+  isOther_ = isOther_ || change.what == Change::What::Everything;
+  if (const int group = groupOf(change.entity.kind); group >= 0) {
+    changed_[static_cast<std::size_t>(group)].push_back(change.entity);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <set>
 #include <vector>
 
 #include <QAbstractItemModel>
@@ -26,6 +27,7 @@ class EntityModel : public QAbstractItemModel {
   EntityId idOf(const QModelIndex& index) const;  // none for group rows
   QModelIndex indexOf(EntityId id) const;
   bool isGroup(const QModelIndex& index) const;
+  bool isFollowing() const { return isFollowing_; }  // rows are changing as the document did
 
   QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
   QModelIndex parent(const QModelIndex& child) const override;
@@ -51,12 +53,20 @@ class EntityModel : public QAbstractItemModel {
   QVariant entityData(EntityId id, int column, int role) const;
   QString text(const Entity& entity, int column) const;
   QVariant icon(const Entity& entity) const;
-  void apply(const Change& change);
+  void note(const Change& change);
+  void follow();
+  void followGroup(int group, const std::set<EntityId>& changed);
+  void removeGone(int group, const std::vector<EntityId>& fresh);
+  void orderLike(int group, const std::vector<EntityId>& fresh);
+  void insertNew(int group, const std::vector<EntityId>& fresh);
   void rebuild();
 
   ScenarioDocument& document_;
   Theme theme_;
   std::array<std::vector<EntityId>, kGroupCount> rows_;
+  std::array<std::vector<EntityId>, kGroupCount> changed_;  // in the step that has not ended
+  bool isOther_ = false;                                    // scenario, in that step
+  bool isFollowing_ = false;
 };
 
 /// Keeps groups with a match; matches name, kind and behaviour, any case.

@@ -49,7 +49,7 @@ FreeNames::FreeNames(const sim2d::Scenario& scenario) {
 }
 
 std::string FreeNames::name(const std::string& stem) {
-  for (int number = 1;; ++number) {
+  for (int& number = next_.emplace(stem, 1).first->second;; ++number) {
     std::string candidate = stem + std::to_string(number);
     if (names_.insert(candidate).second) {
       return candidate;

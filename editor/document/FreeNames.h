@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 
@@ -21,6 +22,7 @@ class FreeNames {
 
  private:
   std::set<std::string> names_;
+  std::map<std::string, int> next_;  // number to try for a stem; those below are taken
   std::set<int> goals_, humans_;
 };
 

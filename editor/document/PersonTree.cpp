@@ -60,12 +60,17 @@ bool isMadeWithBlocks(const ScenarioDocument& document, const sim2d::Human& huma
   return tree != nullptr && bt::setBlocks(*tree, {}) && sameTrees(file, madeTree(document, human));
 }
 
-void pushFile(ScenarioDocument& document, EntityId person, const bt::TreeFile& file,
-              const QString& text) {
+/// Nothing when it is what behaviour and goals make.
+std::optional<std::string> ownText(const ScenarioDocument& document, EntityId person,
+                                   const bt::TreeFile& file) {
   const sim2d::Human* human = document.human(person);
   const bool isMade = human != nullptr && sameTrees(file, madeTree(document, *human));
-  pushTreeText(document, person,
-               isMade ? std::nullopt : std::optional(bt::writeTree(file, treeCatalogue())), text);
+  return isMade ? std::nullopt : std::optional(bt::writeTree(file, treeCatalogue()));
+}
+
+void pushFile(ScenarioDocument& document, EntityId person, const bt::TreeFile& file,
+              const QString& text) {
+  pushTreeText(document, person, ownText(document, person, file), text);
 }
 
 class Outline {
@@ -187,17 +192,22 @@ void pushAddBlock(ScenarioDocument& document, const std::vector<EntityId>& peopl
   if (kind == nullptr || people.empty()) {
     return;
   }
-  document.undoStack().beginMacro(
-      QObject::tr("Add block %1").arg(QString::fromStdString(kind->title)));
+  std::vector<TreeEdit> edits;
   for (const EntityId person : people) {
-    const PersonTree tree = personTree(document, person);
-    if (tree.mainTree() != nullptr) {
-      std::vector<bt::Block> blocks = bt::blocksOf(*tree.mainTree());
+    PersonTree tree = personTree(document, person);
+    if (bt::TreeSpec* spec = tree.mainTree()) {
+      std::vector<bt::Block> blocks = bt::blocksOf(*spec);
       blocks.push_back(block);
-      pushBlocks(document, person, blocks);
+      if (bt::setBlocks(*spec, blocks)) {
+        edits.push_back({person, ownText(document, person, tree.file)});
+      }
     }
   }
-  document.undoStack().endMacro();
+  if (!edits.empty()) {
+    document.undoStack().push(
+        new EditTree(document, std::move(edits),
+                     QObject::tr("Add block %1").arg(QString::fromStdString(kind->title))));
+  }
 }
 
 void pushGoalsOfRoute(ScenarioDocument& document, EntityId person) {

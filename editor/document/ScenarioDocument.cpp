@@ -1,5 +1,7 @@
 #include "editor/document/ScenarioDocument.h"
 
+#include <utility>
+
 #include <QFileInfo>
 
 #include "editor/document/DocumentDisk.h"
@@ -18,13 +20,19 @@ EntitySlot exchangeIn(List& list, EntityId id, EntitySlot slot) {
   using Value = typename List::value_type;
   EntitySlot old;
   const int at = positionIn(list, id);
+  const bool stays = slot.index < 0 || slot.index == at;
+  if (at >= 0 && slot.value && stays) {
+    Value& place = list[static_cast<std::size_t>(at)];
+    old = {Entity(std::exchange(place, std::get<Value>(*std::move(slot.value)))), at};
+    return old;
+  }
   if (at >= 0) {
     old = {Entity(std::move(list[static_cast<std::size_t>(at)])), at};
     list.erase(list.begin() + at);
   }
   if (slot.value) {
     const int size = static_cast<int>(list.size());
-    const int wanted = slot.index >= 0 ? slot.index : at >= 0 ? at : size;
+    const int wanted = slot.index >= 0 ? slot.index : size;
     list.insert(list.begin() + std::min(wanted, size), std::get<Value>(*std::move(slot.value)));
   }
   return old;
@@ -63,7 +71,7 @@ ScenarioDocument::ScenarioDocument(QObject* parent)
   checkTimer_.setSingleShot(true);
   checkTimer_.setInterval(kCheckDelayMs);
   connect(&checkTimer_, &QTimer::timeout, this, &ScenarioDocument::startCheck);
-  connect(this, &ScenarioDocument::changed, &checkTimer_, qOverload<>(&QTimer::start));
+  connect(this, &ScenarioDocument::settled, &checkTimer_, qOverload<>(&QTimer::start));
   connect(this, &ScenarioDocument::mapChanged, &checkTimer_, qOverload<>(&QTimer::start));
   connect(&undoStack_, &QUndoStack::cleanChanged, this,
           [this](bool) { Q_EMIT dirtyChanged(isDirty()); });
@@ -131,6 +139,7 @@ EntityId ScenarioDocument::newId(EntityKind kind) {
 }
 
 EntitySlot ScenarioDocument::exchange(EntityId id, EntitySlot slot) {
+  const Step step(*this);
   const bool after = slot.value.has_value();
   EntitySlot old;
   if (id == kSettingsId) {
@@ -142,8 +151,10 @@ EntitySlot ScenarioDocument::exchange(EntityId id, EntitySlot slot) {
         scenario_, id.kind, [&](auto& list) { return exchangeIn(list, id, std::move(slot)); },
         EntitySlot());
   }
-  if (!after) {
-    dropFromSelection(id);
+  if (const auto lost = std::find(selection_.begin(), selection_.end(), id);
+      !after && lost != selection_.end()) {
+    selection_.erase(lost);
+    lostSelected_ = true;
   }
   if (old.value || after) {
     Q_EMIT changed({whatHappened(old.value.has_value(), after), id});
@@ -158,6 +169,7 @@ std::optional<std::string> ScenarioDocument::tree(EntityId human) const {
 
 std::optional<std::string> ScenarioDocument::exchangeTree(EntityId human,
                                                           std::optional<std::string> xml) {
+  const Step step(*this);
   std::optional<std::string> old = tree(human);
   if (xml) {
     trees_[human] = *std::move(xml);
@@ -210,11 +222,19 @@ void ScenarioDocument::toggleSelected(EntityId id) {
   setSelection(std::move(ids));
 }
 
-void ScenarioDocument::dropFromSelection(EntityId id) {
-  if (isSelected(id)) {
-    selection_.erase(std::remove(selection_.begin(), selection_.end(), id), selection_.end());
+void ScenarioDocument::endStep() {
+  if (--steps_ > 0) {
+    return;
+  }
+  Q_EMIT settled();
+  if (std::exchange(lostSelected_, false)) {
     Q_EMIT selectionChanged();
   }
+}
+
+void ScenarioDocument::replaced() {
+  Q_EMIT changed({Change::What::Everything, {}});
+  Q_EMIT settled();
 }
 
 QString ScenarioDocument::displayName() const {
@@ -263,7 +283,7 @@ void ScenarioDocument::load(sim2d::Scenario scenario) {
   path_.clear();
   neverSaved_ = true;
   setMap(std::make_shared<sim2d::OccupancyGrid>());
-  Q_EMIT changed({Change::What::Everything, {}});
+  replaced();
   Q_EMIT pathChanged();
   Q_EMIT dirtyChanged(isDirty());
 }

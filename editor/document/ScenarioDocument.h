@@ -59,6 +59,17 @@ class ScenarioDocument : public QObject {
   int indexOf(EntityId id) const;      // in its list, -1 = not there
   EntityId newId(EntityKind kind);     // never given before in this document
   EntitySlot exchange(EntityId id, EntitySlot slot);
+  /// What is exchanged while it lives is one step, steps within it included: `changed` tells of
+  /// each thing, `settled` and `selectionChanged` of all at once when the outermost ends.
+  class Step {
+   public:
+    explicit Step(ScenarioDocument& document) : document_(document) { ++document_.steps_; }
+    ~Step() { document_.endStep(); }
+    Q_DISABLE_COPY_MOVE(Step)
+
+   private:
+    ScenarioDocument& document_;
+  };
 
   /// A person's own tree (XML text); none = the generated one of the behaviour.
   std::optional<std::string> tree(EntityId human) const;
@@ -122,7 +133,8 @@ class ScenarioDocument : public QObject {
   void checkNow();                   // without the pause that follows edits
 
  Q_SIGNALS:
-  void changed(editor::Change change);
+  void changed(editor::Change change);  // of one thing; more may follow at once
+  void settled();                       // behind the last `changed` of a step
   void mapChanged();
   void selectionChanged();
   void pathChanged();
@@ -131,7 +143,8 @@ class ScenarioDocument : public QObject {
 
  private:
   void replaceAll(sim2d::Scenario scenario);
-  void dropFromSelection(EntityId id);
+  void replaced();  // by another file or nothing: tells of everything
+  void endStep();
   base::Diagnostics loadMapOf(const sim2d::Scenario& scenario, const QString& path);
   base::Diagnostics loadTrees();
   void startCheck();
@@ -153,7 +166,9 @@ class ScenarioDocument : public QObject {
   std::unique_ptr<LiveCheck> liveCheck_;
   std::unique_ptr<DocumentDisk> disk_;
   int nextKey_ = 1;
+  int steps_ = 0;  // that have not ended
   int commentCount_ = 0;
+  bool lostSelected_ = false;  // in the step that has not ended
   bool neverSaved_ = false;
   bool mapIsMissing_ = false;
 };

@@ -103,7 +103,7 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
     }
   });
   connect(&document_, &ScenarioDocument::selectionChanged, this, &BehaviorPanel::follow);
-  connect(&document_, &ScenarioDocument::changed, this,
+  connect(&document_, &ScenarioDocument::settled, this,
           [this] { isVisible() ? rebuild() : (void)(stale_ = true); });
   setTheme(theme);
   follow();

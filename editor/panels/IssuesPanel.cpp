@@ -1,6 +1,7 @@
 #include "editor/panels/IssuesPanel.h"
 
 #include <algorithm>
+#include <set>
 
 #include <QAbstractTableModel>
 #include <QClipboard>
@@ -242,11 +243,12 @@ void IssuesPanel::rebuild() {
   base::Diagnostics all = action_;
   base::Diagnostics live = document_.issues();
   base::append(live, adviceFor(document_.scenario()));
+  std::set<std::string> said;
+  for (const base::Diagnostic& issue : all) {
+    said.insert(issue.text());
+  }
   for (const base::Diagnostic& issue : live) {
-    const bool said = std::any_of(all.begin(), all.end(), [&](const base::Diagnostic& other) {
-      return other.text() == issue.text();
-    });
-    if (!said) {
+    if (said.insert(issue.text()).second) {
       all.push_back(issue);
     }
   }

@@ -1,6 +1,7 @@
 #include "editor/panels/PropertyPanel.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QHBoxLayout>
 #include <QVBoxLayout>
@@ -83,8 +84,10 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme, QWi
   connect(&document_, &ScenarioDocument::selectionChanged, this, &PropertyPanel::follow);
   connect(&document_, &ScenarioDocument::pathChanged, this, &PropertyPanel::refresh);
   connect(&document_, &ScenarioDocument::changed, this, [this](const Change& change) {
-    change.what == Change::What::Edited ? refresh() : follow();
+    isSame_ = isSame_ && change.what == Change::What::Edited;
   });
+  connect(&document_, &ScenarioDocument::settled, this,
+          [this] { std::exchange(isSame_, true) ? refresh() : follow(); });
   follow();
 }
 

@@ -39,6 +39,7 @@ class PropertyPanel : public QWidget {
   QLabel* about_;
   NowSection* now_;
   QLabel* later_;
+  bool isSame_ = true;  // in the step that has not ended nothing came or went
   FramePtr frame_;
   QStackedWidget* stack_;
   std::map<EntityKind, PropertyPage*> pages_;

@@ -1,5 +1,8 @@
 #include "editor/panels/ScenarioPanel.h"
 
+#include <algorithm>
+#include <utility>
+
 #include <QAction>
 #include <QHeaderView>
 #include <QItemSelectionModel>
@@ -23,6 +26,24 @@ bool canBeOff(const QModelIndex& index) {
 
 bool isOff(const QModelIndex& index) {
   return canBeOff(index) && !index.data(EntityModel::ListedRole).toBool();
+}
+
+/// Rows that follow each other as one range: a selection of thousands of ranges is slow.
+QItemSelection runsOf(QModelIndexList rows) {
+  std::sort(rows.begin(), rows.end(), [](const QModelIndex& a, const QModelIndex& b) {
+    return std::pair(a.parent().row(), a.row()) < std::pair(b.parent().row(), b.row());
+  });
+  QItemSelection runs;
+  for (auto first = rows.begin(); first != rows.end();) {
+    auto last = first;
+    while (last + 1 != rows.end() && (last + 1)->parent() == first->parent() &&
+           (last + 1)->row() == last->row() + 1) {
+      ++last;
+    }
+    runs.select(*first, *last);
+    first = last + 1;
+  }
+  return runs;
 }
 
 }  // namespace
@@ -146,15 +167,17 @@ ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme, QWi
   connect(delegate_, &EntityRowDelegate::eyeClicked, this, &ScenarioPanel::switchEye);
   connect(tree_, &QTreeView::customContextMenuRequested, this, &ScenarioPanel::offerMenu);
   connect(&document_, &ScenarioDocument::selectionChanged, this, &ScenarioPanel::takeSelection);
-  connect(&document_, &ScenarioDocument::changed, this, [this](const Change& change) {
-    empty_->setVisible(document_.scenario().humans.empty() && document_.scenario().goals.empty());
-    if (change.what == Change::What::Everything) {
-      expandGroups();
-      takeSelection();
-    }
+  connect(filter_, &QAbstractItemModel::modelReset, this, [this] {
+    expandGroups();
+    takeSelection();
   });
+  connect(&document_, &ScenarioDocument::settled, this, &ScenarioPanel::showEmptiness);
   setTheme(theme);
   expandGroups();
+  showEmptiness();
+}
+
+void ScenarioPanel::showEmptiness() {
   empty_->setVisible(document_.scenario().humans.empty() && document_.scenario().goals.empty());
 }
 
@@ -178,7 +201,7 @@ void ScenarioPanel::expandGroups() {
 }
 
 void ScenarioPanel::giveSelection() {
-  if (syncing_) {
+  if (syncing_ || model_->isFollowing()) {
     return;
   }
   std::vector<EntityId> ids;
@@ -197,15 +220,15 @@ void ScenarioPanel::takeSelection() {
     return;
   }
   syncing_ = true;
-  QItemSelection rows;
-  QModelIndex last;
+  QModelIndexList chosen;
   for (const EntityId id : document_.selection()) {
     const QModelIndex index = filter_->indexOf(id);
     if (index.isValid()) {
-      rows.select(index, index);
-      last = index;
+      chosen.push_back(index);
     }
   }
+  const QModelIndex last = chosen.isEmpty() ? QModelIndex() : chosen.back();
+  const QItemSelection rows = runsOf(std::move(chosen));
   tree_->selectionModel()->select(rows,
                                   QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
   if (last.isValid()) {

@@ -52,6 +52,7 @@ class ScenarioPanel : public QWidget {
 
  private:
   void takeSelection();
+  void showEmptiness();
   void giveSelection();
   void expandGroups();
   void offerMenu(const QPoint& at);

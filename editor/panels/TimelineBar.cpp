@@ -45,7 +45,7 @@ TimelineBar::TimelineBar(const ScenarioDocument& document, RunEvents& events,
   connect(&runner_, &SimulationRunner::frameShown, this, repaint);
   connect(&runner_, &SimulationRunner::stateChanged, this, repaint);
   connect(&events_, &RunEvents::cleared, this, repaint);
-  connect(&document_, &ScenarioDocument::changed, this, repaint);
+  connect(&document_, &ScenarioDocument::settled, this, repaint);
 }
 
 void TimelineBar::setTheme(const Theme& theme) {

@@ -199,6 +199,7 @@ bool paste(ScenarioDocument& document, const QMimeData& data, const Vec2& delta)
   document.undoStack().beginMacro(text);
   const std::vector<EntityId> ids = pushAdd(document, renaming.values(), text);
   std::vector<EntityId> chosen;
+  std::vector<TreeEdit> edits;
   std::size_t person = 0;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (renaming.isChosen(i)) {
@@ -207,10 +208,12 @@ bool paste(ScenarioDocument& document, const QMimeData& data, const Vec2& delta)
     if (ids[i].kind == EntityKind::Human) {
       const QString owner = QString::fromStdString(renaming.treeOwners()[person++]);
       if (trees.contains(owner)) {
-        document.undoStack().push(
-            new EditTree(document, ids[i], trees[owner].toString().toStdString(), text));
+        edits.push_back({ids[i], trees[owner].toString().toStdString()});
       }
     }
+  }
+  if (!edits.empty()) {
+    document.undoStack().push(new EditTree(document, std::move(edits), text));
   }
   document.undoStack().endMacro();
   document.setSelection(std::move(chosen));

@@ -127,16 +127,18 @@ double laneOrder(const Sample& sample, double laneWidth) {
 /// Looks at the crowd at least crowd_interval apart: its measures are costly and change slowly.
 class CrowdLooks : public Accumulator {
  public:
-  explicit CrowdLooks(const MetricParameters& parameters) : areas_(parameters.crowdRadius) {}
+  explicit CrowdLooks(const MetricParameters& parameters)
+      : parameters_(parameters), areas_(parameters.crowdRadius) {}
 
-  void add(const Instant& at) override {
+  void add(const Recording& recording, std::size_t sample) override {
     constexpr double kSlack = 1e-9;  // [s]
-    if (at.now.time - last_ >= at.parameters.crowdInterval - kSlack) {
-      last_ = at.now.time;
-      look(at.now, at.parameters);
+    const Sample& now = recording.samples[sample];
+    if (now.time - last_ >= parameters_.crowdInterval - kSlack) {
+      last_ = now.time;
+      look(now);
     }
     for (std::size_t k = 0; k < kMeasures; ++k) {
-      series_[k].add(at, measures_[k]);
+      series_[k].push_back(measures_[k]);
     }
   }
 
@@ -144,7 +146,7 @@ class CrowdLooks : public Accumulator {
   MetricValue mean(std::size_t measure) const {
     return withSeries(counts_[measure] > 0.0 ? numberValue(sums_[measure] / counts_[measure])
                                              : undefinedValue("nobody in the record"),
-                      series_[measure].values());
+                      series_[measure]);
   }
   MetricValue largest(std::size_t measure) const {
     return counts_[measure] > 0.0 ? numberValue(largest_[measure])
@@ -152,12 +154,12 @@ class CrowdLooks : public Accumulator {
   }
 
  private:
-  void look(const Sample& sample, const MetricParameters& parameters) {
+  void look(const Sample& sample) {
     measures_.fill(kNaN);
     if (!sample.people.empty()) {
-      addDensities(sample, parameters.crowdRadius, areas_, measures_);
+      addDensities(sample, parameters_.crowdRadius, areas_, measures_);
       measures_[kPolarisation] = polarisation(sample);
-      measures_[kLaneOrder] = laneOrder(sample, parameters.laneWidth);
+      measures_[kLaneOrder] = laneOrder(sample, parameters_.laneWidth);
     }
     for (std::size_t k = 0; k < kMeasures; ++k) {
       if (!std::isnan(measures_[k])) {
@@ -168,10 +170,11 @@ class CrowdLooks : public Accumulator {
     }
   }
 
+  MetricParameters parameters_;
   CellAreas areas_;
   double last_ = -std::numeric_limits<double>::infinity();  // [s]
   Measures measures_{}, sums_{}, counts_{}, largest_{};
-  std::array<SeriesColumn, kMeasures> series_;
+  std::array<std::vector<double>, kMeasures> series_;
 };
 
 struct Entry {
@@ -181,11 +184,17 @@ struct Entry {
 
 void addEntry(MetricRegistry& to, const Entry& entry, std::size_t measure,
               MetricValue (CrowdLooks::*read)(std::size_t) const = &CrowdLooks::mean) {
-  to.add({entry.key, entry.name, entry.unit, Category::Social, Better::Neutral, Needs{false, true},
-          entry.formula, entry.source, entry.range, Kind::Number, 0, ""},
-         streamOf<CrowdLooks>([read, measure](const CrowdLooks& looks, const Instant& /*last*/) {
-           return (looks.*read)(measure);
-         }));
+  to.addStream({entry.key, entry.name, entry.unit, Category::Social, Better::Neutral,
+                Needs{false, true}, entry.formula, entry.source, entry.range, Kind::Number, 0, ""},
+               streamOf<CrowdLooks>(
+                   "crowd",
+                   [read, measure](const CrowdLooks& looks, const Recording& /*recording*/,
+                                   const MetricParameters& /*parameters*/) {
+                     return (looks.*read)(measure);
+                   },
+                   [](const MetricParameters& parameters) {
+                     return std::make_unique<CrowdLooks>(parameters);
+                   }));
 }
 
 }  // namespace

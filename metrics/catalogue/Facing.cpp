@@ -2,7 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include "metrics/TermSums.h"
+#include "metrics/Motion.h"
+#include "metrics/SeriesMetric.h"
 
 namespace metrics {
 
@@ -44,17 +45,16 @@ double personSees(const Sample& sample, const MetricParameters& /*parameters*/) 
   return smallest;
 }
 
-bool isNarrow(double angle, const MetricParameters& parameters) {
-  return angle <= parameters.facingHalfAngle;
+MetricValue narrow(const std::vector<double>& angles, const Recording& recording,
+                   const MetricParameters& parameters) {
+  return numberValue(
+      timeWhere(recording, [&](std::size_t i) { return angles[i] <= parameters.facingHalfAngle; }));
 }
 
-bool isWide(double angle, const MetricParameters& /*parameters*/) {
-  return angle <= kWideHalfAngle;
-}
-
-template <Term kTerm, TermTest kTest>
-Stream timeWithin() {
-  return streamOf<WhereTerm<kTerm, kTest>>(&WhereTerm<kTerm, kTest>::time);
+MetricValue wide(const std::vector<double>& angles, const Recording& recording,
+                 const MetricParameters& /*parameters*/) {
+  return numberValue(
+      timeWhere(recording, [&](std::size_t i) { return angles[i] <= kWideHalfAngle; }));
 }
 
 }  // namespace
@@ -62,22 +62,27 @@ Stream timeWithin() {
 void addFacing(MetricRegistry& to) {
   const Needs needs{true, true};
   const Category social = Category::Social;
-  to.add({"time_facing_people", "Time heading at people", "s", social, Better::Lower, needs,
-          "sum of dt_i with a person within facing_half_angle of the robot's heading", "Arena",
-          "[0, T]", Kind::Number, 0, ""},
-         timeWithin<robotFaces, isNarrow>());
-  to.add({"time_seen_by_people", "Time looked at", "s", social, Better::Neutral, needs,
-          "sum of dt_i with the robot within facing_half_angle of a person's heading", "Arena",
-          "[0, T]", Kind::Number, 0, ""},
-         timeWithin<personSees, isNarrow>());
-  to.add({"time_facing_people_60", "Time heading towards people", "s", social, Better::Lower, needs,
-          "the same within 60 degrees to each side", "Arena, wider cone", "[0, T]", Kind::Number, 0,
-          ""},
-         timeWithin<robotFaces, isWide>());
-  to.add({"time_seen_by_people_60", "Time in somebody's view", "s", social, Better::Neutral, needs,
-          "the same within 60 degrees to each side", "Arena, wider cone", "[0, T]", Kind::Number, 0,
-          ""},
-         timeWithin<personSees, isWide>());
+  addSeriesMetric(
+      to,
+      {"time_facing_people", "Time heading at people", "s", social, Better::Lower, needs,
+       "sum of dt_i with a person within facing_half_angle of the robot's heading", "Arena",
+       "[0, T]", Kind::Number, 0, ""},
+      robotFaces, narrow);
+  addSeriesMetric(to,
+                  {"time_seen_by_people", "Time looked at", "s", social, Better::Neutral, needs,
+                   "sum of dt_i with the robot within facing_half_angle of a person's heading",
+                   "Arena", "[0, T]", Kind::Number, 0, ""},
+                  personSees, narrow);
+  addSeriesMetric(to,
+                  {"time_facing_people_60", "Time heading towards people", "s", social,
+                   Better::Lower, needs, "the same within 60 degrees to each side",
+                   "Arena, wider cone", "[0, T]", Kind::Number, 0, ""},
+                  robotFaces, wide);
+  addSeriesMetric(to,
+                  {"time_seen_by_people_60", "Time in somebody's view", "s", social,
+                   Better::Neutral, needs, "the same within 60 degrees to each side",
+                   "Arena, wider cone", "[0, T]", Kind::Number, 0, ""},
+                  personSees, wide);
   for (const char* key : {"time_facing_people", "time_seen_by_people", "time_facing_people_60",
                           "time_seen_by_people_60"}) {
     to.setRateBound(key, 0.05);  // begins and ends on samples

@@ -29,28 +29,28 @@ class LineCrossings : public Accumulator {
       : line_{Vec2(parameters.flowLineX1, parameters.flowLineY1),
               Vec2(parameters.flowLineX2, parameters.flowLineY2)} {}
 
-  void add(const Instant& at) override {
-    if (at.before == nullptr || !isSet()) {
+  void add(const Recording& recording, std::size_t sample) override {
+    if (sample == 0 || !isSet()) {
       return;
     }
-    const std::vector<Person>& before = at.before->people;
+    const std::vector<Person>& before = recording.samples[sample - 1].people;
     std::size_t next = 0;
-    for (const Person& person : at.now.people) {
+    for (const Person& person : recording.samples[sample].people) {
       const Person* then =
           findInOrder(before, next, [&](const Person& other) { return other.id == person.id; });
       count_ += then != nullptr && crosses(then->position, person.position, line_) ? 1.0 : 0.0;
     }
   }
 
-  MetricValue count(const Instant& /*last*/) const {
+  MetricValue count() const {
     return isSet() ? countValue(count_) : undefinedValue("no line is set (flow_line_x1 ...)");
   }
-  MetricValue flow(const Instant& last) const {
+  MetricValue flow(const Recording& recording) const {
     if (!isSet()) {
-      return count(last);
+      return count();
     }
-    return last.elapsed() > 0.0
-               ? numberValue(count_ / last.elapsed() / lengthOf(line_.to - line_.from))
+    return recording.duration() > 0.0
+               ? numberValue(count_ / recording.duration() / lengthOf(line_.to - line_.from))
                : undefinedValue("the record has no duration");
   }
 
@@ -61,13 +61,17 @@ class LineCrossings : public Accumulator {
   double count_ = 0.0;
 };
 
-void addLine(MetricRegistry& to, MetricInfo info,
-             MetricValue (LineCrossings::*read)(const Instant&) const) {
+using Reader = MetricValue (*)(const LineCrossings&, const Recording&, const MetricParameters&);
+
+void addLine(MetricRegistry& to, MetricInfo info, Reader read) {
   info.category = Category::Social;
   info.better = Better::Neutral;
   info.needs = Needs{false, true};
   info.source = "Seyfried et al. 2005";
-  to.add(std::move(info), streamOf<LineCrossings>(read));
+  to.addStream(std::move(info),
+               streamOf<LineCrossings>("line", read, [](const MetricParameters& parameters) {
+                 return std::make_unique<LineCrossings>(parameters);
+               }));
 }
 
 }  // namespace
@@ -79,14 +83,18 @@ void addFlowLine(MetricRegistry& to) {
   crossings.formula = "number of steps of people that cross the line (flow_line_x1 ...), both ways";
   crossings.range = "0, 1, ...";
   crossings.kind = Kind::Count;
-  addLine(to, crossings, &LineCrossings::count);
+  addLine(to, crossings,
+          [](const LineCrossings& line, const Recording& /*recording*/,
+             const MetricParameters& /*parameters*/) { return line.count(); });
   MetricInfo flow;
   flow.key = "line_flow";
   flow.name = "Flow through the line";
   flow.unit = "1/(m s)";
   flow.formula = "line_crossings / T / length of the line";
   flow.range = "[0, inf)";
-  addLine(to, flow, &LineCrossings::flow);
+  addLine(to, flow,
+          [](const LineCrossings& line, const Recording& recording,
+             const MetricParameters& /*parameters*/) { return line.flow(recording); });
 }
 
 }  // namespace metrics

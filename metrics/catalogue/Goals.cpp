@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "metrics/MetricRegistry.h"
 #include "metrics/Motion.h"
 
 namespace metrics {
@@ -9,54 +10,45 @@ namespace {
 
 constexpr char kNoGoal[] = "the robot has no goal";
 
-/// Begin of the stay inside the goal region that still lasts.
-class GoalStay : public Accumulator {
- public:
-  void add(const Instant& at) override {
-    if (!isInGoalRegion(at.course, at.now.robot.position, at.parameters)) {
-      since_.reset();
-    } else if (!since_) {
-      since_ = at.elapsed();
-    }
+MetricValue timeToReachGoal(const Recording& recording, const MetricParameters& parameters) {
+  if (parameters.profile == Profile::Hunav2) {
+    return numberValue(recording.duration());
   }
-  MetricValue time(const Instant& last) const {
-    if (last.isOriginal()) {
-      return numberValue(last.elapsed());
-    }
-    if (last.course.goals.empty()) {
-      return undefinedValue(kNoGoal);
-    }
-    return since_ ? numberValue(*since_) : undefinedValue("the goal was not reached");
+  if (recording.goals.empty()) {
+    return undefinedValue(kNoGoal);
   }
-
- private:
-  std::optional<double> since_;  // [s]
-};
-
-MetricValue completed(const Instant& last) {
-  return booleanValue(isCompleted(last));
+  std::size_t entry = recording.size();
+  while (entry > 0 && isInGoalRegion(recording, entry - 1, parameters)) {
+    --entry;
+  }
+  if (entry == recording.size()) {
+    return undefinedValue("the goal was not reached");
+  }
+  return numberValue(recording.samples[entry].time - recording.samples.front().time);
 }
 
-MetricValue goalDistance(double distance, const Instant& last) {
-  if (!last.course.goals.empty()) {
+MetricValue completed(const Recording& recording, const MetricParameters& parameters) {
+  return booleanValue(isCompleted(recording, parameters));
+}
+
+MetricValue goalDistance(double distance, const Recording& recording,
+                         const MetricParameters& parameters) {
+  if (!recording.goals.empty()) {
     return numberValue(distance);
   }
-  return last.isOriginal() ? infiniteValue(kNoGoal) : undefinedValue(kNoGoal);
+  return parameters.profile == Profile::Hunav2 ? infiniteValue(kNoGoal) : undefinedValue(kNoGoal);
 }
 
-class NearestGoal : public Accumulator {
- public:
-  void add(const Instant& at) override {
-    nearest_ = std::min(nearest_, distanceToGoals(at.course, at.now.robot.position));
+MetricValue minimumDistance(const Recording& recording, const MetricParameters& parameters) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < recording.size(); ++i) {
+    nearest = std::min(nearest, distanceToGoals(recording, i));
   }
-  MetricValue value(const Instant& last) const { return goalDistance(nearest_, last); }
+  return goalDistance(nearest, recording, parameters);
+}
 
- private:
-  double nearest_ = std::numeric_limits<double>::infinity();  // [m]
-};
-
-MetricValue finalDistance(const Instant& last) {
-  return goalDistance(distanceToGoals(last.course, last.now.robot.position), last);
+MetricValue finalDistance(const Recording& recording, const MetricParameters& parameters) {
+  return goalDistance(distanceToGoals(recording, recording.size() - 1), recording, parameters);
 }
 
 }  // namespace
@@ -67,19 +59,19 @@ void addGoals(MetricRegistry& to) {
   to.add({"time_to_reach_goal", "Time to reach the goal", "s", Category::Navigation, Better::Lower,
           needs, "t_k - t_0, k = first sample of the last stay inside the goal region",
           "Perez-Higueras, Caballero, Merino, IJSR 2018", "[0, inf)", Kind::Number, 1, ""},
-         streamOf<GoalStay>(&GoalStay::time));
+         timeToReachGoal);
   to.add({"completed", "Goal reached", "", Category::Navigation, Better::Higher, needs,
           "some goal g: |p_(N-1) - g| - goal radius < goal_tolerance", sean, "0 or 1",
           Kind::Boolean, 13, ""},
-         streamOfLast(completed));
+         completed);
   to.add(
       {"minimum_distance_to_target", "Smallest distance to the goal", "m", Category::Navigation,
        Better::Lower, needs, "min over i, g of |p_i - g|", sean, "[0, inf)", Kind::Number, 14, ""},
-      streamOf<NearestGoal>(&NearestGoal::value));
+      minimumDistance);
   to.add(
       {"final_distance_to_target", "Final distance to the goal", "m", Category::Navigation,
        Better::Lower, needs, "min over g of |p_(N-1) - g|", sean, "[0, inf)", Kind::Number, 15, ""},
-      streamOfLast(finalDistance));
+      finalDistance);
 }
 
 }  // namespace metrics

@@ -7,9 +7,19 @@ namespace metrics {
 
 namespace {
 
-MetricValue valueOf(const SeriesSum& sum) {
-  return withSeries(numberValue(sum.sum()), sum.terms());
-}
+/// A sum over samples that is kept with its terms.
+class SumSeries {
+ public:
+  void add(double term) {
+    series_.push_back(term);
+    sum_ += term;
+  }
+  MetricValue value() const { return withSeries(numberValue(sum_), series_); }
+
+ private:
+  std::vector<double> series_;
+  double sum_ = 0.0;
+};
 
 /// The original leaves out pairs with equal ids.
 bool counts(const Sample& sample, const Person& person, const MetricParameters& parameters) {
@@ -26,59 +36,69 @@ constexpr std::size_t kForceSums = 4;
 /// What acts between the robot and its surroundings.
 class RobotForces : public Accumulator {
  public:
-  void add(const Instant& at) override {
-    const Sample& now = at.now;
+  explicit RobotForces(const MetricParameters& parameters) : parameters_(parameters) {}
+
+  void add(const Recording& recording, std::size_t sample) override {
+    const Sample& now = recording.samples[sample];
     double onPeople = 0.0;
     double onRobot = 0.0;
     Vec2 total = Vec2::Zero();
     for (const Person& person : now.people) {
-      if (counts(now, person, at.parameters)) {
+      if (counts(now, person, parameters_)) {
         onPeople += person.pair.forceOnPerson;
         onRobot += lengthOf(person.pair.forceOnRobot);
         total += person.pair.forceOnRobot;
       }
     }
-    const double obstacles = lengthOf(obstacleForce(now.robot, at.parameters));
-    sums_[kOnPeople].add(at, onPeople);
-    sums_[kOnRobot].add(at, onRobot);
-    sums_[kWork].add(at, lengthOf(total) + obstacles + onPeople);
-    sums_[kObstaclesOnRobot].add(at, obstacles);
+    const double obstacles = lengthOf(obstacleForce(now.robot, parameters_));
+    sums_[kOnPeople].add(onPeople);
+    sums_[kOnRobot].add(onRobot);
+    sums_[kWork].add(lengthOf(total) + obstacles + onPeople);
+    sums_[kObstaclesOnRobot].add(obstacles);
   }
-  MetricValue value(std::size_t sum) const { return valueOf(sums_[sum]); }
+  MetricValue value(std::size_t sum) const { return sums_[sum].value(); }
 
  private:
-  std::array<SeriesSum, kForceSums> sums_;
+  MetricParameters parameters_;
+  std::array<SumSeries, kForceSums> sums_;
 };
 
 /// The original divides by the number of people of every sample.
 class PeopleObstacles : public Accumulator {
  public:
-  void add(const Instant& at) override {
-    const std::vector<Person>& people = at.now.people;
+  explicit PeopleObstacles(const MetricParameters& parameters) : parameters_(parameters) {}
+
+  void add(const Recording& recording, std::size_t sample) override {
+    const std::vector<Person>& people = recording.samples[sample].people;
     double sum = 0.0;
     for (const Person& person : people) {
-      sum += lengthOf(obstacleForce(person, at.parameters));
+      sum += lengthOf(obstacleForce(person, parameters_));
     }
-    sum_.add(at, people.empty() ? 0.0 : sum / static_cast<double>(people.size()));
+    sum_.add(people.empty() ? 0.0 : sum / static_cast<double>(people.size()));
     empty_ = empty_ || people.empty();
   }
-  MetricValue value(const Instant& last) const {
-    return last.isOriginal() && empty_
+  MetricValue value() const {
+    return parameters_.profile == Profile::Hunav2 && empty_
                ? undefinedValue("ZeroDivisionError: a sample without people")
-               : valueOf(sum_);
+               : sum_.value();
   }
 
  private:
-  SeriesSum sum_;
+  MetricParameters parameters_;
+  SumSeries sum_;
   bool empty_ = false;
 };
 
 void addSum(MetricRegistry& to, MetricInfo info, std::size_t which) {
   const std::string key = info.key;
-  to.add(std::move(info),
-         streamOf<RobotForces>([which](const RobotForces& sums, const Instant& /*last*/) {
-           return sums.value(which);
-         }));
+  to.addStream(std::move(info),
+               streamOf<RobotForces>(
+                   "forces of the robot",
+                   [which](const RobotForces& sums, const Recording& /*recording*/,
+                           const MetricParameters& /*parameters*/) { return sums.value(which); },
+                   [](const MetricParameters& parameters) {
+                     return std::make_unique<RobotForces>(parameters);
+                   }));
   to.addMeanOf(key);
 }
 
@@ -109,10 +129,16 @@ void addSocialForces(MetricRegistry& to) {
           Better::Lower, Needs{true, false, false, true}, "sum over i of |O(robot)|", source,
           "[0, inf)", Kind::Number, 28, ""},
          kObstaclesOnRobot);
-  to.add({"obstacle_force_on_agents", "Obstacle force on people", unit, Category::Forces,
-          Better::Lower, Needs{false, true, false, true}, "sum over i of mean over a of |O(a)|",
-          source, "[0, inf)", Kind::Number, 29, ""},
-         streamOf<PeopleObstacles>(&PeopleObstacles::value));
+  to.addStream({"obstacle_force_on_agents", "Obstacle force on people", unit, Category::Forces,
+                Better::Lower, Needs{false, true, false, true},
+                "sum over i of mean over a of |O(a)|", source, "[0, inf)", Kind::Number, 29, ""},
+               streamOf<PeopleObstacles>(
+                   "",
+                   [](const PeopleObstacles& sum, const Recording& /*recording*/,
+                      const MetricParameters& /*parameters*/) { return sum.value(); },
+                   [](const MetricParameters& parameters) {
+                     return std::make_unique<PeopleObstacles>(parameters);
+                   }));
   to.addMeanOf("obstacle_force_on_agents");
 }
 

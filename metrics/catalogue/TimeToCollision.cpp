@@ -2,36 +2,45 @@
 #include <limits>
 #include <map>
 
-#include "metrics/TermSums.h"
+#include "metrics/Interaction.h"
+#include "metrics/Motion.h"
+#include "metrics/SeriesMetric.h"
 
 /// Threat and comfort: collisions ahead, passing, sideways acceleration.
 namespace metrics {
 
 namespace {
 
-MetricValue average(const Figures& times, const Instant& /*last*/) {
-  return times.count() > 0.0 ? withSeries(numberValue(times.sum() / times.count()), times.series())
-                             : undefinedValue("never on a collision course");
-}
+using Terms = std::vector<double>;
 
-bool isThreat(double time, const MetricParameters& parameters) {
-  return time < parameters.collisionHorizon;
-}
-
-/// How far the time to collision stays below the horizon, over time.
-class Threat : public Accumulator {
- public:
-  void add(const Instant& at) override {
-    integral_ += deficit_ * at.step();
-    const double time = at.term(collisionTerm);
-    deficit_ = isThreat(time, at.parameters) ? at.parameters.collisionHorizon - time : 0.0;
+MetricValue average(const Terms& terms, const Recording& /*recording*/,
+                    const MetricParameters& /*parameters*/) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (const double term : terms) {
+    sum += std::isnan(term) ? 0.0 : term;
+    count += std::isnan(term) ? 0.0 : 1.0;
   }
-  MetricValue value(const Instant& /*last*/) const { return numberValue(integral_); }
+  return count > 0.0 ? withSeries(numberValue(sum / count), terms)
+                     : undefinedValue("never on a collision course");
+}
 
- private:
-  double integral_ = 0.0;  // [s^2]
-  double deficit_ = 0.0;   // at the sample before [s]
-};
+MetricValue exposed(const Terms& terms, const Recording& recording,
+                    const MetricParameters& parameters) {
+  return numberValue(
+      timeWhere(recording, [&](std::size_t i) { return terms[i] < parameters.collisionHorizon; }));
+}
+
+MetricValue integrated(const Terms& terms, const Recording& recording,
+                       const MetricParameters& parameters) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    sum += terms[i] < parameters.collisionHorizon
+               ? (parameters.collisionHorizon - terms[i]) * recording.interval(i)
+               : 0.0;
+  }
+  return numberValue(sum);
+}
 
 /// The smallest gap of each person who comes near.
 class PassingDistance : public Accumulator {
@@ -39,8 +48,8 @@ class PassingDistance : public Accumulator {
   explicit PassingDistance(const MetricParameters& parameters)
       : limit_(parameters.socialDistance) {}
 
-  void add(const Instant& at) override {
-    const Sample& now = at.now;
+  void add(const Recording& recording, std::size_t sample) override {
+    const Sample& now = recording.samples[sample];
     for (const Person& person : now.people) {
       const double reach = limit_ + now.robot.radius + person.radius + 1e-6;
       if ((person.position - now.robot.position).squaredNorm() > reach * reach) {
@@ -52,7 +61,7 @@ class PassingDistance : public Accumulator {
     }
   }
 
-  MetricValue value(const Instant& /*last*/) const {
+  MetricValue value() const {
     double sum = 0.0;
     double count = 0.0;
     for (const auto& [id, space] : closest_) {
@@ -83,17 +92,20 @@ double approach(const Sample& sample, const MetricParameters& parameters) {
   return value;
 }
 
-MetricValue fastest(const Figures& speeds, const Instant& /*last*/) {
-  return speeds.count() > 0.0 ? numberValue(std::fmax(speeds.largest(), 0.0))
-                              : undefinedValue("nobody in personal space");
+MetricValue fastest(const Terms& terms, const Recording& /*recording*/,
+                    const MetricParameters& /*parameters*/) {
+  const double value = largestTerm(terms);
+  return std::isnan(value) ? undefinedValue("nobody in personal space")
+                           : numberValue(std::fmax(value, 0.0));
 }
 
 double sideways(const Sample& sample, const MetricParameters& /*parameters*/) {
   return std::fabs(sample.robot.speed * sample.robot.omega);
 }
 
-MetricValue largest(const Figures& figures, const Instant& /*last*/) {
-  return withSeries(numberValue(figures.largest()), figures.series());
+MetricValue largest(const Terms& terms, const Recording& /*recording*/,
+                    const MetricParameters& /*parameters*/) {
+  return withSeries(numberValue(largestTerm(terms)), terms);
 }
 
 MetricInfo info(const char* key, const char* name, const char* unit, Category category,
@@ -117,37 +129,43 @@ void addTimeToCollision(MetricRegistry& to) {
                          Better::Higher);
   mean.formula = "mean over the samples on a collision course of min over a of ttc";
   mean.source = "Francis et al. 2025; SocNavGym";
-  to.add(mean, figuresOf<collisionTerm>(average));
+  addSeriesMetric(to, mean, collisionTerm, average);
   MetricInfo exposure = info("time_exposed_to_collision", "Time with a collision ahead", "s",
                              Category::Safety, Better::Lower);
   exposure.formula = "sum of dt_i with min over a of ttc < collision_horizon";
   exposure.source = source;
   exposure.range = "[0, T]";
-  using Exposure = WhereTerm<collisionTerm, isThreat>;
-  to.add(exposure, streamOf<Exposure>(&Exposure::time));
+  addSeriesMetric(to, exposure, collisionTerm, exposed);
   MetricInfo integral = info("time_integrated_to_collision", "Threat of collisions", "s²",
                              Category::Safety, Better::Lower);
   integral.formula = "sum of (collision_horizon - ttc) dt_i where ttc < collision_horizon";
   integral.source = source;
-  to.add(integral, streamOf<Threat>(&Threat::value));
+  addSeriesMetric(to, integral, collisionTerm, integrated);
   MetricInfo passing =
       info("avg_passing_distance", "Mean passing distance", "m", Category::Social, Better::Higher);
   passing.formula = "mean over people of their smallest gap, of those with it < social_distance";
   passing.source = "Pacchierotti et al. 2006";
   passing.range = "(-inf, social_distance)";
-  to.add(passing, streamOf<PassingDistance>(&PassingDistance::value));
+  to.addStream(passing,
+               streamOf<PassingDistance>(
+                   "",
+                   [](const PassingDistance& distances, const Recording& /*recording*/,
+                      const MetricParameters& /*parameters*/) { return distances.value(); },
+                   [](const MetricParameters& parameters) {
+                     return std::make_unique<PassingDistance>(parameters);
+                   }));
   MetricInfo nearing = info("max_approach_speed", "Largest speed of approach", "m/s",
                             Category::Social, Better::Lower);
   nearing.formula =
       "max of the closing speed with the closest person, of samples with gap < personal_distance";
   nearing.source = "Butler and Agah 2001";
-  to.add(nearing, figuresOf<approach>(fastest));
+  addSeriesMetric(to, nearing, approach, fastest);
   MetricInfo lateral = info("max_lateral_acceleration", "Largest sideways acceleration", "m/s²",
                             Category::Motion, Better::Lower);
   lateral.needs = Needs{};
   lateral.formula = "max of |s_i w_i|";
   lateral.source = "ISO 2631, comfort of rides";
-  to.add(lateral, figuresOf<sideways>(largest));
+  addSeriesMetric(to, lateral, sideways, largest);
 }
 
 }  // namespace metrics
