@@ -13,12 +13,6 @@ std::string pathIn(const std::string& folder, const char* name) {
   return (std::filesystem::path(folder) / name).string();
 }
 
-/// They are in none of the files of a run.
-metrics::Selection withoutBehaviorSeries(metrics::Selection selection) {
-  selection.behaviorSeries = false;
-  return selection;
-}
-
 }  // namespace
 
 RunWriter::Files::Files(const std::string& folder)
@@ -36,7 +30,7 @@ RunWriter::RunWriter(const std::string& folder, const sim2d::World& world,
     : world_(world),
       dt_(world.dt()),
       files_(folder.empty() ? nullptr : std::make_unique<Files>(folder)),
-      evaluation_(world.header(), withoutBehaviorSeries(selection), parameters) {
+      evaluation_(world.header(), selection, parameters) {
   for (const sim2d::TraceHuman& human : world.header().humans) {
     known_.insert(human.id);
   }

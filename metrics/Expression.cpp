@@ -22,6 +22,7 @@ using Value = Expression::Value;
 struct Part {
   Value value;
   Scope scope = Scope::Run;
+  bool isOfEnd = false;  // known when the run is over
 };
 
 bool isLetter(char c) {
@@ -93,7 +94,7 @@ class ExpressionParser {
   static Part joined(const Part& a, const Part& b, double (*apply)(double, double)) {
     return {
         [x = a.value, y = b.value, apply](const Place& place) { return apply(x(place), y(place)); },
-        std::max(a.scope, b.scope)};
+        std::max(a.scope, b.scope), a.isOfEnd || b.isOfEnd};
   }
 
   using Rule = Part (ExpressionParser::*)(int);
@@ -132,11 +133,11 @@ class ExpressionParser {
                 const double value = x(place);
                 return std::isnan(value) ? value : truth(value == 0.0);
               },
-              part.scope};
+              part.scope, part.isOfEnd};
     }
     if (take("-")) {
       const Part part = parseSigned(depth + 1);
-      return {[x = part.value](const Place& place) { return -x(place); }, part.scope};
+      return {[x = part.value](const Place& place) { return -x(place); }, part.scope, part.isOfEnd};
     }
     return parsePower(depth);
   }
@@ -199,7 +200,7 @@ class ExpressionParser {
       if (variable.name == name) {
         expression_.needs_.robot |= variable.needsRobot;
         expression_.needs_.people |= variable.needsPeople;
-        return {variable.value, variable.scope};
+        return {variable.value, variable.scope, variable.isOfEnd};
       }
     }
     std::vector<std::string> known;
@@ -260,6 +261,7 @@ class ExpressionParser {
     Part part;
     for (const Part& argument : arguments) {
       part.scope = std::max(part.scope, argument.scope);
+      part.isOfEnd = part.isOfEnd || argument.isOfEnd;
     }
     part.value = [arguments, apply = function.apply](const Place& place) {
       std::array<double, 3> values{};
@@ -279,11 +281,12 @@ class ExpressionParser {
       return fail(begin,
                   "differs from person to person: put it into people_min(), people_sum() ...");
     }
-    expression_.totals_.push_back({total.reduce, arguments.front().value});
+    expression_.needsRecord_ = expression_.needsRecord_ || arguments.front().isOfEnd;
+    expression_.totals_.push_back({total.result, arguments.front().value});
     return {[index = expression_.totals_.size() - 1](const Place& place) {
               return place.totals[index];
             },
-            Scope::Run};
+            Scope::Run, true};
   }
 
   Part peopleTotalOf(const TotalName& total, const std::vector<Part>& arguments,
@@ -292,10 +295,10 @@ class ExpressionParser {
       return fail(begin, total.name + " takes one value");
     }
     expression_.needs_.people = true;
-    return {[reduce = total.reduce, term = arguments.front().value](const Place& place) {
-              return reduce(place, term);
+    return {[result = total.result, term = arguments.front().value](const Place& place) {
+              return overPeople(place, term, result);
             },
-            Scope::Sample};
+            Scope::Sample, arguments.front().isOfEnd};
   }
 
   const std::string& text_;

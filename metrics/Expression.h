@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,30 +17,48 @@ class Expression {
   /// Problems carry the column in the text (line 1).
   static base::Result<Expression> parse(const std::string& text);
 
-  /// Undefined where the formula is (0/0, nobody there).
+  /// Undefined where the formula is (0/0, nobody there). Sees at least one sample.
   MetricValue evaluate(const Recording& recording, const MetricParameters& parameters) const;
+  /// Sample by sample, with the same values. Not for those that need the record.
+  Stream stream() const;
   const Needs& needs() const { return needs_; }
+  /// A sum over time is of what is known at the end: another sum, `duration`, `samples`.
+  bool needsRecord() const { return needsRecord_; }
 
   /// Where a value is asked for.
   struct Place {
-    const Recording& recording;
-    const MetricParameters& parameters;
+    const Instant& at;
+    const Instant& last;                // of the run
+    double dt = 0.0;                    // to the next sample [s]
     const std::vector<double>& totals;  // of the inner sums over time, in order
-    std::size_t sample = 0;
     const Person* person = nullptr;
   };
   using Value = std::function<double(const Place&)>;
+
+  /// Sum, count and extremes of the defined values of a term.
+  struct Collected {
+    static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    double sum = 0.0, integral = 0.0, count = 0.0, holding = 0.0;
+    double least = kNone, largest = kNone, first = kNone, last = kNone;
+
+    void take(double value, double weight);
+  };
+  using Result = double (*)(const Collected&);
   /// One sum (minimum, mean …) over time.
   struct Total {
-    std::function<double(const Place& place, const Value& term)> reduce;
+    Result result;
     Value term;
   };
 
  private:
   friend class ExpressionParser;
+  class Sums;
+  MetricValue valueOf(const Instant& last, const std::vector<double>& totals) const;
+
   std::vector<Total> totals_;
   Value result_;
   Needs needs_;
+  bool needsRecord_ = false;
 };
 
 /// A metric of the user's: its entry for a selection.

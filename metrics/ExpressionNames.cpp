@@ -13,18 +13,22 @@ namespace {
 
 using Place = Expression::Place;
 using Value = Expression::Value;
+using Collected = Expression::Collected;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 const Sample& sampleAt(const Place& place) {
-  return place.recording.samples[place.sample];
+  return place.at.now;
 }
 
 VariableName ofRun(std::string name, Value value) {
-  return {std::move(name), Scope::Run, std::move(value), false, false};
+  return {std::move(name), Scope::Run, std::move(value)};
+}
+VariableName ofEnd(std::string name, Value value) {
+  return {std::move(name), Scope::Run, std::move(value), false, false, true};
 }
 VariableName ofSample(std::string name, Value value) {
-  return {std::move(name), Scope::Sample, std::move(value), false, false};
+  return {std::move(name), Scope::Sample, std::move(value)};
 }
 VariableName ofRobot(std::string name, double (*value)(const Robot&)) {
   return {std::move(name), Scope::Sample,
@@ -42,19 +46,18 @@ VariableName ofPair(std::string name, double (*value)(const Robot&, const Person
 
 void addRunNames(std::vector<VariableName>& to) {
   to.push_back(ofRun("pi", [](const Place&) { return base::kPi; }));
-  to.push_back(ofRun("duration", [](const Place& p) { return p.recording.duration(); }));
+  to.push_back(ofEnd("duration", [](const Place& p) { return p.last.elapsed(); }));
   to.push_back(
-      ofRun("samples", [](const Place& p) { return static_cast<double>(p.recording.size()); }));
+      ofEnd("samples", [](const Place& p) { return static_cast<double>(p.last.count()); }));
   for (const ParameterInfo& info : parameterInfos()) {
-    to.push_back(
-        ofRun(info.name, [member = info.member](const Place& p) { return p.parameters.*member; }));
+    to.push_back(ofRun(info.name,
+                       [member = info.member](const Place& p) { return p.at.parameters.*member; }));
   }
 }
 
 void addSampleNames(std::vector<VariableName>& to) {
-  to.push_back(ofSample(
-      "time", [](const Place& p) { return sampleAt(p).time - p.recording.samples.front().time; }));
-  to.push_back(ofSample("dt", [](const Place& p) { return p.recording.interval(p.sample); }));
+  to.push_back(ofSample("time", [](const Place& p) { return p.at.elapsed(); }));
+  to.push_back(ofSample("dt", [](const Place& p) { return p.dt; }));
   VariableName people = ofSample(
       "people", [](const Place& p) { return static_cast<double>(sampleAt(p).people.size()); });
   people.needsPeople = true;
@@ -64,7 +67,7 @@ void addSampleNames(std::vector<VariableName>& to) {
   gap.needsRobot = gap.needsPeople = true;
   to.push_back(gap);
   VariableName goal = ofSample("goal_distance", [](const Place& p) {
-    const double distance = distanceToGoals(p.recording, p.sample);
+    const double distance = distanceToGoals(p.at.course, p.at.now.robot.position);
     return std::isinf(distance) ? kNaN : distance;
   });
   goal.needsRobot = true;
@@ -111,59 +114,8 @@ void addPersonNames(std::vector<VariableName>& to) {
   }));
 }
 
-/// Calls `take(value, weight)` for the samples where the term is defined.
-template <class Take>
-void overSamples(const Place& place, const Value& term, Take take) {
-  for (std::size_t i = 0; i < place.recording.size(); ++i) {
-    const double value = term({place.recording, place.parameters, place.totals, i, nullptr});
-    if (!std::isnan(value)) {
-      take(value, place.recording.interval(i));
-    }
-  }
-}
-
-template <class Take>
-void overPeople(const Place& place, const Value& term, Take take) {
-  for (const Person& person : sampleAt(place).people) {
-    const double value =
-        term({place.recording, place.parameters, place.totals, place.sample, &person});
-    if (!std::isnan(value)) {
-      take(value, 1.0);
-    }
-  }
-}
-
-/// Sum, count and extremes of the defined values.
-struct Collected {
-  double sum = 0.0, integral = 0.0, count = 0.0, holding = 0.0;
-  double least = kNaN, largest = kNaN, first = kNaN, last = kNaN;
-
-  void take(double value, double weight) {
-    sum += value;
-    integral += value * weight;
-    holding += value != 0.0 ? 1.0 : 0.0;
-    first = count > 0.0 ? first : value;
-    last = value;
-    least = count > 0.0 ? std::min(least, value) : value;
-    largest = count > 0.0 ? std::max(largest, value) : value;
-    count += 1.0;
-  }
-  double mean() const { return count > 0.0 ? sum / count : kNaN; }
-};
-
-TotalName overTime(std::string name, double (*result)(const Collected&)) {
-  return {std::move(name), [result](const Place& place, const Value& term) {
-            Collected all;
-            overSamples(place, term, [&all](double v, double w) { all.take(v, w); });
-            return result(all);
-          }};
-}
-TotalName overThem(std::string name, double (*result)(const Collected&)) {
-  return {std::move(name), [result](const Place& place, const Value& term) {
-            Collected all;
-            overPeople(place, term, [&all](double v, double w) { all.take(v, w); });
-            return result(all);
-          }};
+double meanOf(const Collected& all) {
+  return all.count > 0.0 ? all.sum / all.count : kNaN;
 }
 
 }  // namespace
@@ -199,28 +151,50 @@ const std::vector<FunctionName>& functionNames() {
   return kNames;
 }
 
+void Expression::Collected::take(double value, double weight) {
+  if (std::isnan(value)) {
+    return;
+  }
+  sum += value;
+  integral += value * weight;
+  holding += value != 0.0 ? 1.0 : 0.0;
+  first = count > 0.0 ? first : value;
+  last = value;
+  least = count > 0.0 ? std::min(least, value) : value;
+  largest = count > 0.0 ? std::max(largest, value) : value;
+  count += 1.0;
+}
+
+double overPeople(const Place& place, const Value& term, Expression::Result result) {
+  Collected all;
+  for (const Person& person : sampleAt(place).people) {
+    all.take(term({place.at, place.last, place.dt, place.totals, &person}), 1.0);
+  }
+  return result(all);
+}
+
 const std::vector<TotalName>& totalNames() {
   static const std::vector<TotalName> kNames = {
-      overTime("min", [](const Collected& all) { return all.least; }),
-      overTime("max", [](const Collected& all) { return all.largest; }),
-      overTime("mean", [](const Collected& all) { return all.mean(); }),
-      overTime("sum", [](const Collected& all) { return all.sum; }),
-      overTime("integral", [](const Collected& all) { return all.integral; }),
-      overTime("count", [](const Collected& all) { return all.holding; }),
-      overTime("first", [](const Collected& all) { return all.first; }),
-      overTime("last", [](const Collected& all) { return all.last; })};
+      {"min", [](const Collected& all) { return all.least; }},
+      {"max", [](const Collected& all) { return all.largest; }},
+      {"mean", meanOf},
+      {"sum", [](const Collected& all) { return all.sum; }},
+      {"integral", [](const Collected& all) { return all.integral; }},
+      {"count", [](const Collected& all) { return all.holding; }},
+      {"first", [](const Collected& all) { return all.first; }},
+      {"last", [](const Collected& all) { return all.last; }}};
   return kNames;
 }
 
 const std::vector<TotalName>& peopleTotalNames() {
   static const std::vector<TotalName> kNames = {
-      overThem("people_min", [](const Collected& all) { return all.least; }),
-      overThem("people_max", [](const Collected& all) { return all.largest; }),
-      overThem("people_mean", [](const Collected& all) { return all.mean(); }),
-      overThem("people_sum", [](const Collected& all) { return all.sum; }),
-      overThem("people_count", [](const Collected& all) { return all.holding; }),
-      overThem("any", [](const Collected& all) { return all.holding > 0.0 ? 1.0 : 0.0; }),
-      overThem("all", [](const Collected& all) { return all.holding == all.count ? 1.0 : 0.0; })};
+      {"people_min", [](const Collected& all) { return all.least; }},
+      {"people_max", [](const Collected& all) { return all.largest; }},
+      {"people_mean", meanOf},
+      {"people_sum", [](const Collected& all) { return all.sum; }},
+      {"people_count", [](const Collected& all) { return all.holding; }},
+      {"any", [](const Collected& all) { return all.holding > 0.0 ? 1.0 : 0.0; }},
+      {"all", [](const Collected& all) { return all.holding == all.count ? 1.0 : 0.0; }}};
   return kNames;
 }
 

@@ -15,6 +15,7 @@ struct VariableName {
   Scope scope = Scope::Run;
   Expression::Value value;
   bool needsRobot = false, needsPeople = false;
+  bool isOfEnd = false;  // known when the run is over
 };
 const std::vector<VariableName>& variableNames();
 
@@ -29,10 +30,12 @@ const std::vector<FunctionName>& functionNames();
 /// Over time: min, max, mean, sum, integral, count, first, last.
 struct TotalName {
   std::string name;
-  std::function<double(const Expression::Place&, const Expression::Value&)> reduce;
+  Expression::Result result;
 };
 const std::vector<TotalName>& totalNames();
 /// Over the people of a sample: people_min …, any, all.
 const std::vector<TotalName>& peopleTotalNames();
+double overPeople(const Expression::Place& place, const Expression::Value& term,
+                  Expression::Result result);
 
 }  // namespace metrics

@@ -14,7 +14,8 @@ struct LiveMetrics::State {
 LiveMetrics::LiveMetrics(const sim2d::TraceHeader& header, const Selection& selection,
                          const MetricParameters& parameters, const MetricRegistry& registry) {
   RecordingBuilder builder(header, selection.robotId);
-  SampleFeed feed(builder.emptyRecording(), selection, parameters, registry);
+  SampleFeed feed(std::make_shared<const Course>(builder.course()), selection, parameters,
+                  registry);
   state_ = std::make_unique<State>(State{std::move(builder), std::move(feed)});
 }
 
@@ -32,7 +33,7 @@ void LiveMetrics::append(const sim2d::Frame& frame) {
 }
 
 std::size_t LiveMetrics::size() const {
-  return state_->feed.recording().size();
+  return state_->feed.size();
 }
 
 std::vector<MetricResult> LiveMetrics::values() const {

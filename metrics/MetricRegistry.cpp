@@ -5,8 +5,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "metrics/Interaction.h"
-
 namespace metrics {
 
 const char* categoryName(Category category) {
@@ -82,43 +80,28 @@ MetricValue meanOver(MetricValue sum, std::size_t samples) {
   return sum;
 }
 
-double sumOf(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) {
-    sum += value;
-  }
-  return sum;
-}
-
 namespace {
 
-MetricValue fold(const Stream& stream, const Recording& recording,
-                 const MetricParameters& parameters) {
-  Recording known = recording;
-  const std::unique_ptr<Accumulator> accumulator = stream.make(parameters);
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    if (known.hasRobot) {
-      workOutPairs(known.samples[i], &known.map, parameters);
-    }
-    accumulator->add(known, i);
-  }
-  return stream.read(*accumulator, known, parameters);
-}
+class Nothing : public Accumulator {
+ public:
+  void add(const Instant& /*at*/) override {}
+};
 
 }  // namespace
 
-void MetricRegistry::add(MetricInfo info, MetricFunction compute) {
-  assert(find(info.key) == nullptr);
-  entries_.push_back({std::move(info), std::move(compute), {}, ""});
+Stream streamOfLast(MetricValue (*read)(const Instant& last)) {
+  return streamOf<Nothing>(
+      [read](const Nothing& /*sum*/, const Instant& last) { return read(last); });
 }
 
-void MetricRegistry::addStream(MetricInfo info, Stream stream) {
+void MetricRegistry::add(MetricInfo info, Stream stream) {
   assert(find(info.key) == nullptr);
-  MetricFunction compute = [stream](const Recording& recording,
-                                    const MetricParameters& parameters) {
-    return fold(stream, recording, parameters);
-  };
-  entries_.push_back({std::move(info), std::move(compute), std::move(stream), ""});
+  entries_.push_back({std::move(info), std::move(stream), {}, ""});
+}
+
+void MetricRegistry::addFunction(MetricInfo info, MetricFunction compute) {
+  assert(find(info.key) == nullptr);
+  entries_.push_back({std::move(info), {}, std::move(compute), ""});
 }
 
 void MetricRegistry::setRateBound(const std::string& key, double bound) {
@@ -132,9 +115,8 @@ void MetricRegistry::setRateBound(const std::string& key, double bound) {
 void MetricRegistry::addMeanOf(const std::string& key) {
   const MetricEntry* sum = find(key);
   assert(sum != nullptr);
-  const MetricEntry entry = *sum;
+  MetricInfo info = sum->info;
   setRateBound(key, 0.51);  // twice the samples, twice the sum
-  MetricInfo info = entry.info;
   info.key = key + "_mean";
   info.name += ", mean per sample";
   info.formula = key + " / N";
@@ -142,11 +124,8 @@ void MetricRegistry::addMeanOf(const std::string& key) {
   info.kind = Kind::Number;
   info.hunav = 0;
   info.partOf = key;
-  add(info,
-      [compute = entry.compute](const Recording& recording, const MetricParameters& parameters) {
-        return meanOver(compute(recording, parameters), recording.size());
-      });
-  entries_.back().meanOf = key;
+  assert(find(info.key) == nullptr);
+  entries_.push_back({std::move(info), {}, {}, key});
 }
 
 void MetricRegistry::sort() {

@@ -1,14 +1,15 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
-#include "metrics/MetricParameters.h"
-#include "metrics/Recording.h"
+#include "metrics/Instant.h"
 
 namespace metrics {
 
@@ -68,13 +69,13 @@ MetricValue undefinedValue(std::string why);
 MetricValue infiniteValue(std::string why);
 MetricValue withSeries(MetricValue value, std::vector<double> series, Kind kind = Kind::Number);
 MetricValue meanOver(MetricValue sum, std::size_t samples);  // divided, without series
-double sumOf(const std::vector<double>& values);             // in order, from the first
 
-/// One metric: recording in, value out. Sees at least one sample, and a robot if it needs one.
+/// A metric that wants the whole record at once, which is kept for it to the end. Sees at least one
+/// sample, and a robot if it needs one.
 using MetricFunction = std::function<MetricValue(const Recording&, const MetricParameters&)>;
 
-/// A metric computed sample by sample: all that look at people, for the people of a long run are
-/// not kept. Live values come from the same code.
+/// A metric worked out sample by sample, without the samples that are past. What it holds must not
+/// grow with them, but for series.
 class Accumulator {
  public:
   Accumulator() = default;
@@ -83,25 +84,26 @@ class Accumulator {
   Accumulator(Accumulator&&) = delete;
   Accumulator& operator=(Accumulator&&) = delete;
   virtual ~Accumulator() = default;
-  /// Sample number `sample`, the newest; called once for each, in order. Of the samples before,
-  /// the people are there in the last one only. With a robot, Person::pair is known.
-  virtual void add(const Recording& recording, std::size_t sample) = 0;
+  /// Once for each sample, in order.
+  virtual void add(const Instant& at) = 0;
+  /// An event of the record, before the sample of its time; `elapsed` since the first sample [s].
+  virtual void note(const Course& /*course*/, double /*elapsed*/, const sim2d::Event& /*event*/) {}
 };
 using AccumulatorFactory =
     std::function<std::unique_ptr<Accumulator>(const MetricParameters& parameters)>;
 
-/// How a metric is made from an accumulator. The recording may have no people any more.
+/// How a metric is made from an accumulator.
 struct Stream {
-  AccumulatorFactory make;  // empty: a plain function
-  std::function<MetricValue(const Accumulator&, const Recording&, const MetricParameters&)> read;
-  std::string shared;  // metrics with the same text share one accumulator; empty = its own
+  AccumulatorFactory make;
+  std::function<MetricValue(const Accumulator&, const Instant& last)> read;
+  std::string shared;  // metrics with the same text share one accumulator
 };
 
 struct MetricEntry {
   MetricInfo info;
-  MetricFunction compute;
-  Stream stream;
-  std::string meanOf;  // key of the sum that this one divides by N; empty = none
+  Stream stream;           // nothing to make: one of the others
+  MetricFunction compute;  // of the whole record
+  std::string meanOf;      // key of the sum that this one divides by N
 };
 
 /// All metrics that a program knows. Writers, tables and panels walk over it and know no metric by
@@ -109,8 +111,8 @@ struct MetricEntry {
 class MetricRegistry {
  public:
   /// Keys are unique: adding one twice is a bug.
-  void add(MetricInfo info, MetricFunction compute);
-  void addStream(MetricInfo info, Stream stream);
+  void add(MetricInfo info, Stream stream);
+  void addFunction(MetricInfo info, MetricFunction compute);
   /// `<key>_mean` = value / number of samples, for sums over samples; selected with its key.
   void addMeanOf(const std::string& key);
   void setRateBound(const std::string& key, double bound);
@@ -124,19 +126,28 @@ class MetricRegistry {
   std::vector<MetricEntry> entries_;
 };
 
-/// A stream of accumulators of one class, made from the parameters.
 template <class Sum>
-Stream streamOf(
-    std::string shared,
-    std::function<MetricValue(const Sum&, const Recording&, const MetricParameters&)> read,
-    std::function<std::unique_ptr<Accumulator>(const MetricParameters&)> make) {
-  return {std::move(make),
-          [read = std::move(read)](const Accumulator& sum, const Recording& recording,
-                                   const MetricParameters& parameters) {
-            return read(static_cast<const Sum&>(sum), recording, parameters);
+inline constexpr char kSumTag = 0;  // its address tells classes apart
+
+/// A stream of accumulators of one class, made from the parameters or from nothing, which all
+/// metrics read from it share. `read`: a member or a function of the accumulator and the Instant.
+template <class Sum, class Read>
+Stream streamOf(Read read) {
+  return {[](const MetricParameters& parameters) -> std::unique_ptr<Accumulator> {
+            if constexpr (std::is_constructible_v<Sum, const MetricParameters&>) {
+              return std::make_unique<Sum>(parameters);
+            } else {
+              return std::make_unique<Sum>();
+            }
           },
-          std::move(shared)};
+          [read](const Accumulator& sum, const Instant& last) {
+            return std::invoke(read, static_cast<const Sum&>(sum), last);
+          },
+          std::to_string(reinterpret_cast<std::uintptr_t>(&kSumTag<Sum>))};
 }
+
+/// Needs no more than the last sample.
+Stream streamOfLast(MetricValue (*read)(const Instant& last));
 
 /// Written by the build: calls add<File>() of every file in metrics/catalogue.
 void addAllMetrics(MetricRegistry& to);

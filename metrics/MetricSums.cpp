@@ -2,23 +2,31 @@
 
 #include <algorithm>
 #include <map>
-#include <utility>
 
 #include "metrics/Interaction.h"
 
 namespace metrics {
 
+namespace {
+
+constexpr double kTimeSlack = 1e-9;  // [s]
+
+bool looksAtPeople(const MetricInfo& info) {
+  return info.needs.people || info.needs.groups;
+}
+
+}  // namespace
+
 MetricSums::MetricSums(const Selection& selection, const MetricParameters& parameters,
-                       bool hasRobot, const MetricRegistry& registry)
-    : parameters_(parameters), hasRobot_(hasRobot), keepsSeries_(!selection.totalsOnly) {
+                       bool hasRobot, const MetricRegistry& registry, Among among)
+    : hasRobot_(hasRobot) {
   std::map<std::string, const Accumulator*> shared;
   for (MetricEntry& entry : selection.entries(registry)) {
     Item item{std::move(entry), nullptr};
     const Stream& stream = item.entry.stream;
-    const bool isMean = !item.entry.meanOf.empty();
-    if (stream.make && !isMean && (hasRobot || !item.entry.info.needs.robot)) {
-      const Accumulator*& known =
-          shared[stream.shared.empty() ? item.entry.info.key + "()" : stream.shared];
+    const bool isAsked = among == Among::All || looksAtPeople(item.entry.info);
+    if (stream.make && isAsked && (hasRobot || !item.entry.info.needs.robot)) {
+      const Accumulator*& known = shared[stream.shared];
       if (known == nullptr) {
         sums_.push_back(stream.make(parameters));
         known = sums_.back().get();
@@ -29,16 +37,21 @@ MetricSums::MetricSums(const Selection& selection, const MetricParameters& param
   }
 }
 
-void MetricSums::add(const Recording& recording, std::size_t sample) {
+void MetricSums::note(const Course& course, double elapsed, const sim2d::Event& event) {
   for (const std::unique_ptr<Accumulator>& sum : sums_) {
-    sum->add(recording, sample);
+    sum->note(course, elapsed, event);
   }
 }
 
-bool MetricSums::needsAllPeople() const {
-  return std::any_of(items_.begin(), items_.end(), [](const Item& item) {
-    return !item.entry.stream.make && item.entry.meanOf.empty() && item.entry.info.needs.people;
-  });
+void MetricSums::add(const Instant& at) {
+  for (const std::unique_ptr<Accumulator>& sum : sums_) {
+    sum->add(at);
+  }
+}
+
+bool MetricSums::needsRecord() const {
+  return std::any_of(items_.begin(), items_.end(),
+                     [](const Item& item) { return static_cast<bool>(item.entry.compute); });
 }
 
 bool MetricSums::needsMap() const {
@@ -46,63 +59,85 @@ bool MetricSums::needsMap() const {
                      [](const Item& item) { return item.entry.info.needs.map; });
 }
 
-MetricValue MetricSums::valueOf(const Item& item, const Recording& recording,
+MetricValue MetricSums::valueOf(const Item& item, const Instant& last, const Recording* whole,
                                 const std::vector<MetricResult>& before) const {
   const MetricEntry& entry = item.entry;
   if (entry.info.needs.robot && !hasRobot_) {
     return undefinedValue("there is no robot");
   }
-  const MetricResult* whole = entry.meanOf.empty() ? nullptr : findResult(before, entry.meanOf);
-  if (whole != nullptr) {
-    return meanOver(whole->value, recording.size());
+  if (item.sum != nullptr) {
+    return entry.stream.read(*item.sum, last);
   }
-  return item.sum != nullptr ? entry.stream.read(*item.sum, recording, parameters_)
-                             : entry.compute(recording, parameters_);
+  if (const MetricResult* sum = findResult(before, entry.meanOf)) {
+    return meanOver(sum->value, last.count());
+  }
+  return entry.compute(*whole, last.parameters);
 }
 
-std::vector<MetricResult> MetricSums::values(const Recording& recording,
+std::vector<MetricResult> MetricSums::values(const Instant& last, const Recording* whole,
                                              const std::vector<MetricResult>* all) const {
   std::vector<MetricResult> results;
   for (const Item& item : items_) {
-    const Needs& needs = item.entry.info.needs;
-    const bool isSame = all != nullptr && !needs.people && !needs.groups;
-    results.push_back({item.entry.info,
-                       isSame ? (*all)[results.size()].value : valueOf(item, recording, results)});
-    if (!keepsSeries_) {
+    const bool isSame = all != nullptr && !looksAtPeople(item.entry.info);
+    results.push_back({item.entry.info, isSame ? (*all)[results.size()].value
+                                               : valueOf(item, last, whole, results)});
+    if (!last.keepsSeries) {
       results.back().value.series.reset();
     }
   }
   return results;
 }
 
-SampleFeed::SampleFeed(Recording empty, const Selection& selection,
-                       const MetricParameters& parameters, const MetricRegistry& registry)
-    : recording_(std::move(empty)),
-      sums_(selection, parameters, recording_.hasRobot, registry),
+SampleFeed::SampleFeed(std::shared_ptr<const Course> course, const Selection& selection,
+                       const MetricParameters& parameters, const MetricRegistry& registry,
+                       Among among)
+    : course_(std::move(course)),
       parameters_(parameters),
-      keepsPeople_(sums_.needsAllPeople()),
-      looks_(sums_.needsMap()) {}
-
-void SampleFeed::add(Sample sample) {
-  std::vector<Sample>& samples = recording_.samples;
-  samples.push_back(std::move(sample));
-  if (recording_.hasRobot) {
-    workOutPairs(samples.back(), looks_ ? &recording_.map : nullptr, parameters_);
-  }
-  sums_.add(recording_, samples.size() - 1);
-  if (!keepsPeople_ && samples.size() > 1) {
-    Sample& before = samples[samples.size() - 2];
-    std::vector<Person>().swap(before.people);
-    std::vector<ObstaclePoint>().swap(before.robot.obstacles);
+      keepsSeries_(selection.series),
+      sums_(selection, parameters, course_->hasRobot, registry, among),
+      looks_(sums_.needsMap()) {
+  if (sums_.needsRecord()) {
+    whole_ = std::make_unique<Recording>();
+    static_cast<Course&>(*whole_) = *course_;
   }
 }
 
-void SampleFeed::note(double time, const sim2d::Event& event) {
-  recording_.events.emplace_back(time, event);
+Instant SampleFeed::newestInstant(TermMemory* memory) const {
+  return {*course_,   parameters_, now_,         count_ > 1 ? &before_ : nullptr,
+          count_ - 1, begin_,      keepsSeries_, memory};
+}
+
+/// Those since the beginning; what was noted too early waits for the next sample.
+void SampleFeed::takeEvents() {
+  const double now = now_.time + kTimeSlack;
+  const auto later = std::find_if(noted_.begin(), noted_.end(),
+                                  [now](const auto& noted) { return noted.first > now; });
+  for (auto noted = noted_.begin(); noted != later; ++noted) {
+    if (noted->first >= begin_ - kTimeSlack) {
+      sums_.note(*course_, noted->first - begin_, noted->second);
+    }
+  }
+  noted_.erase(noted_.begin(), later);
+}
+
+void SampleFeed::add(Sample sample) {
+  before_ = std::move(now_);
+  now_ = std::move(sample);
+  begin_ = count_ == 0 ? now_.time : begin_;
+  ++count_;
+  if (course_->hasRobot) {
+    workOutPairs(now_, looks_ ? &course_->map : nullptr, parameters_);
+  }
+  takeEvents();
+  terms_.forget();
+  sums_.add(newestInstant(&terms_));
+  if (whole_) {
+    whole_->samples.push_back(now_);
+  }
 }
 
 std::vector<MetricResult> SampleFeed::values(const std::vector<MetricResult>* all) const {
-  return sums_.values(recording_, all);
+  return sums_.values(newestInstant(nullptr), whole_.get(), all);
 }
 
 }  // namespace metrics

@@ -1,24 +1,29 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "metrics/Report.h"
 
 namespace metrics {
 
+/// Whose metrics are summed up.
+enum class Among { All, SomePeople };  // SomePeople: only what looks at people
+
 /// The metrics of a selection, fed sample by sample. One thread at a time.
 class MetricSums {
  public:
   MetricSums(const Selection& selection, const MetricParameters& parameters, bool hasRobot,
-             const MetricRegistry& registry);
-  /// The newest sample of the recording.
-  void add(const Recording& recording, std::size_t sample);
-  /// `all`: results among all people; those that do not look at people are taken over.
-  std::vector<MetricResult> values(const Recording& recording,
-                                   const std::vector<MetricResult>* all = nullptr) const;
-  /// Some metric reads the people of the whole record at the end.
-  bool needsAllPeople() const;
+             const MetricRegistry& registry, Among among);
+  void note(const Course& course, double elapsed, const sim2d::Event& event);
+  void add(const Instant& at);
+  /// `whole`: the record, where needsRecord(). `all`: results among all people; those that do not
+  /// look at people are taken over.
+  std::vector<MetricResult> values(const Instant& last, const Recording* whole,
+                                   const std::vector<MetricResult>* all) const;
+  /// Some metric wants the whole record at the end.
+  bool needsRecord() const;
   bool needsMap() const;
 
  private:
@@ -26,33 +31,45 @@ class MetricSums {
     MetricEntry entry;
     const Accumulator* sum = nullptr;  // one of sums_
   };
-  MetricValue valueOf(const Item& item, const Recording& recording,
+  MetricValue valueOf(const Item& item, const Instant& last, const Recording* whole,
                       const std::vector<MetricResult>& before) const;
 
-  MetricParameters parameters_;
   bool hasRobot_;
-  bool keepsSeries_;
   std::vector<Item> items_;
   std::vector<std::unique_ptr<Accumulator>> sums_;
 };
 
-/// A recording that grows and its metrics. People are forgotten when the next sample but one comes,
-/// unless a metric needs them to the end: what stays of a sample is the robot.
+/// A run that goes on and its metrics. Of its samples the newest two are kept, unless a metric
+/// wants them all. One thread at a time.
 class SampleFeed {
  public:
-  SampleFeed(Recording empty, const Selection& selection, const MetricParameters& parameters,
-             const MetricRegistry& registry);
+  SampleFeed(std::shared_ptr<const Course> course, const Selection& selection,
+             const MetricParameters& parameters, const MetricRegistry& registry,
+             Among among = Among::All);
+  /// Events before the sample of their time, in order.
+  void note(double time, const sim2d::Event& event) { noted_.emplace_back(time, event); }
+  /// The run has not begun yet.
+  void forgetEvents() { noted_.clear(); }
   void add(Sample sample);
-  void note(double time, const sim2d::Event& event);
-  const Recording& recording() const { return recording_; }
-  Sample& newest() { return recording_.samples.back(); }
+  std::size_t size() const { return count_; }
+  Sample& newest() { return now_; }
   std::vector<MetricResult> values(const std::vector<MetricResult>* all = nullptr) const;
 
  private:
-  Recording recording_;
-  MetricSums sums_;
+  void takeEvents();
+  Instant newestInstant(TermMemory* memory) const;
+
+  std::shared_ptr<const Course> course_;
   MetricParameters parameters_;
-  bool keepsPeople_, looks_;
+  bool keepsSeries_;
+  MetricSums sums_;
+  bool looks_;
+  Sample now_, before_;
+  std::size_t count_ = 0;
+  double begin_ = 0.0;  // [s]
+  TermMemory terms_;
+  std::vector<std::pair<double, sim2d::Event>> noted_;  // since the newest sample
+  std::unique_ptr<Recording> whole_;                    // null: nobody wants it
 };
 
 }  // namespace metrics

@@ -3,40 +3,62 @@
 #include <optional>
 #include <vector>
 
-#include "metrics/MetricParameters.h"
-#include "metrics/Recording.h"
+#include "metrics/MetricRegistry.h"
 
 /// Quantities of the robot's run that several metrics use.
 namespace metrics {
 
-double pathLength(const Recording& recording);                   // L [m]
-std::vector<double> headingChanges(const Recording& recording);  // 0, then |turn| [rad]
-/// Speed differences over time, one per interval [m/s^2]; 0 where no time passes.
-std::vector<double> accelerations(const Recording& recording);
-/// Change of acceleration around each inner sample 1..N-2 [m/s^3]; none where no time passes.
-std::vector<std::optional<double>> jerks(const Recording& recording);
-
-bool isInGoalRegion(const Recording& recording, std::size_t sample,
-                    const MetricParameters& parameters);
-bool isCompleted(const Recording& recording, const MetricParameters& parameters);
-double distanceToGoals(const Recording& recording, std::size_t sample);  // nearest goal; inf: none
-
-/// The robot touches an obstacle: begins at these many samples.
-int obstacleContacts(const Recording& recording);
+bool isInGoalRegion(const Course& course, const Vec2& position, const MetricParameters& parameters);
+/// At the last sample.
+bool isCompleted(const Instant& last);
+double distanceToGoals(const Course& course, const Vec2& position);  // nearest goal; inf: none
 
 /// Ways on the map or straight.
-std::vector<Vec2> shortestPath(const Recording& recording, const Vec2& from, const Vec2& to);
+std::vector<Vec2> shortestPath(const Course& course, const Vec2& from, const Vec2& to);
 
-/// Sum of the intervals after the samples for which `holds(i)`; the last sample counts for none.
-template <class Holds>
-double timeWhere(const Recording& recording, Holds holds) {
-  double time = 0.0;
-  for (std::size_t i = 0; i + 1 < recording.size(); ++i) {
-    if (holds(i)) {
-      time += recording.interval(i);
-    }
-  }
-  return time;
-}
+/// The way that the robot made.
+class RobotWay : public Accumulator {
+ public:
+  void add(const Instant& at) override;
+  double length() const { return length_; }            // L [m]
+  const SeriesSum& turning() const { return turns_; }  // terms: 0, then |turn| [rad]
+  const Vec2& start() const { return start_; }
+  double startHeading() const { return startHeading_; }
+
+ private:
+  double length_ = 0.0;
+  SeriesSum turns_;
+  Vec2 start_ = Vec2::Zero();
+  double startHeading_ = 0.0;
+};
+
+/// Changes of the robot's speed from sample to sample: accelerations of the intervals [m/s^2], 0
+/// where no time passes, and changes of them around the inner samples [m/s^3].
+class SpeedChanges {
+ public:
+  void add(const Instant& at);
+  bool hasAcceleration() const { return count_ > 1; }  // an interval ended
+  double acceleration() const { return acceleration_; }
+  double interval() const { return interval_; }  // [s]
+  bool isInner() const { return count_ > 2; }    // the sample before has neighbours
+  /// Around the sample before; none where no time passes.
+  const std::optional<double>& jerk() const { return jerk_; }
+
+ private:
+  std::size_t count_ = 0;
+  double acceleration_ = 0.0, interval_ = 0.0, timeBefore_ = 0.0;  // of the sample before [s]
+  std::optional<double> jerk_;
+};
+
+/// How often the robot begins to touch an obstacle.
+class ObstacleContacts {
+ public:
+  void add(const Robot& robot);
+  int count() const { return count_; }
+
+ private:
+  int count_ = 0;
+  bool touched_ = false;
+};
 
 }  // namespace metrics

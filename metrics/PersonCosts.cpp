@@ -3,47 +3,51 @@
 namespace metrics {
 
 /// The original's totals.
-void PersonCosts::addTo(Column& column, std::size_t place, double cost) {
-  if (place < column.personTotals.size()) {
-    column.personTotals[place] += cost;
+void PersonCosts::addToPlace(Totals& totals, std::size_t place, double cost) {
+  if (place < totals.places.size()) {
+    totals.places[place] += cost;
   } else {
     failed_ = true;
   }
 }
 
-void PersonCosts::add(const Recording& recording, std::size_t sample) {
-  const Sample& now = recording.samples[sample];
-  for (Column& column : columns_) {
-    column.series.push_back(0.0);
-    if (sample == 0) {
-      column.personTotals.assign(now.people.size(), 0.0);
+void PersonCosts::add(const Instant& at) {
+  const std::vector<Person>& people = at.now.people;
+  for (Totals& totals : columns_) {
+    if (at.before == nullptr && at.isOriginal()) {
+      totals.places.assign(people.size(), 0.0);
     }
   }
+  sums_.assign(columns_.size(), 0.0);
   beginSample();
-  for (std::size_t k = 0; k < now.people.size(); ++k) {
+  for (std::size_t k = 0; k < people.size(); ++k) {
     costs_.assign(columns_.size(), 0.0);
-    failed_ = !addCosts(recording, now, now.people[k], costs_) || failed_;
+    failed_ = !addCosts(at, people[k], costs_) || failed_;
     for (std::size_t cost = 0; cost < costs_.size(); ++cost) {
-      columns_[cost].series.back() += costs_[cost];
-      if (isOriginal()) {
-        addTo(columns_[cost], k, costs_[cost]);
+      sums_[cost] += costs_[cost];
+      if (at.isOriginal()) {
+        addToPlace(columns_[cost], k, costs_[cost]);
       }
     }
   }
-  for (Column& column : columns_) {
-    column.sum += column.series.back();
+  for (std::size_t cost = 0; cost < columns_.size(); ++cost) {
+    columns_[cost].samples.add(at, sums_[cost]);
   }
 }
 
-MetricValue PersonCosts::value(std::size_t cost) const {
-  const Column& column = columns_[cost];
-  if (!isOriginal()) {
-    return withSeries(numberValue(column.sum), column.series);
+MetricValue PersonCosts::value(std::size_t cost, const Instant& last) const {
+  const Totals& totals = columns_[cost];
+  if (!last.isOriginal()) {
+    return withSeries(numberValue(totals.samples.sum()), totals.samples.terms());
   }
   if (failed_) {
     return undefinedValue("IndexError: more people than at first, or a place outside the map");
   }
-  return withSeries(numberValue(sumOf(column.personTotals)), column.personTotals);
+  double sum = 0.0;
+  for (const double place : totals.places) {
+    sum += place;
+  }
+  return withSeries(numberValue(sum), totals.places);
 }
 
 }  // namespace metrics

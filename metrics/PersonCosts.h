@@ -9,30 +9,24 @@ namespace metrics {
 /// later.
 class PersonCosts : public Accumulator {
  public:
-  PersonCosts(std::size_t costs, const MetricParameters& parameters)
-      : parameters_(parameters), columns_(costs) {}
-  void add(const Recording& recording, std::size_t sample) override;
-  MetricValue value(std::size_t cost) const;
+  explicit PersonCosts(std::size_t costs) : columns_(costs) {}
+  void add(const Instant& at) override;
+  MetricValue value(std::size_t cost, const Instant& last) const;
 
  protected:
   virtual void beginSample() {}
   /// The costs are 0 before. False: the original would fail here.
-  virtual bool addCosts(const Recording& recording, const Sample& sample, const Person& person,
-                        std::vector<double>& costs) = 0;
-  const MetricParameters& parameters() const { return parameters_; }
-  bool isOriginal() const { return parameters_.profile == Profile::Hunav2; }
+  virtual bool addCosts(const Instant& at, const Person& person, std::vector<double>& costs) = 0;
 
  private:
-  struct Column {
-    std::vector<double> series;        // per sample
-    std::vector<double> personTotals;  // per place in the first sample's list
-    double sum = 0.0;
+  struct Totals {
+    SeriesSum samples;
+    std::vector<double> places;  // per place in the first sample's list
   };
-  void addTo(Column& column, std::size_t place, double cost);
+  void addToPlace(Totals& totals, std::size_t place, double cost);
 
-  MetricParameters parameters_;
-  std::vector<Column> columns_;
-  std::vector<double> costs_;
+  std::vector<Totals> columns_;
+  std::vector<double> costs_, sums_;  // of a person, of a sample
   bool failed_ = false;
 };
 

@@ -5,14 +5,6 @@
 
 namespace metrics {
 
-double Recording::duration() const {
-  return samples.empty() ? 0.0 : samples.back().time - samples.front().time;
-}
-
-double Recording::interval(std::size_t sample) const {
-  return sample + 1 < samples.size() ? samples[sample + 1].time - samples[sample].time : 0.0;
-}
-
 double lengthOf(const Vec2& vector) {
   return std::hypot(vector.x(), vector.y());
 }

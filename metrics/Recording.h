@@ -76,8 +76,8 @@ struct Goal {
   double radius = 0.2;
 };
 
-/// What metrics read: samples in time order, one robot at most.
-struct Recording {
+/// What holds for a whole run, one robot at most.
+struct Course {
   bool hasRobot = false;
   int robotId = -1;
   double robotStartTime = 0.0;     // it sets off then [s]
@@ -87,12 +87,14 @@ struct Recording {
   std::shared_ptr<Routes> routes;  // shortest ways; null = straight lines
   /// A run to compare with, instead of the shortest way: time from its start [s], place.
   std::vector<std::pair<double, Vec2>> reference;
+};
+
+/// A run with all its samples, in time order.
+struct Recording : Course {
   std::vector<Sample> samples;
   std::vector<std::pair<double, sim2d::Event>> events;  // time [s], all events of the run
 
   std::size_t size() const { return samples.size(); }
-  double duration() const;                    // T [s]; 0 without samples
-  double interval(std::size_t sample) const;  // dt_i to the next sample; 0 at the last
 };
 
 /// Turns frames into samples: radii and behaviours from the header, obstacle points from its
@@ -103,7 +105,7 @@ class RecordingBuilder {
   explicit RecordingBuilder(const sim2d::TraceHeader& header, int robotId = -1);
   /// People that arrived after the header was made.
   void addHumans(const std::vector<sim2d::TraceHuman>& humans);
-  Recording emptyRecording() const;
+  Course course() const;
   Sample sampleOf(const sim2d::Frame& frame);
 
  private:
@@ -135,13 +137,15 @@ struct Window {
 };
 /// Says what is wrong with the texts of a window; empty = nothing.
 std::string windowProblem(const Window& window);
-/// Tells sample by sample what a window takes. `recording`: what is known before the first sample.
+/// Tells sample by sample what a window takes.
 class WindowGate {
  public:
-  WindowGate(Window window, const Recording& recording);
+  WindowGate(Window window, const Course& course);
   /// An event of a time up to that of the next sample; in order.
   void note(double time, const sim2d::Event& event);
   bool takes(const Sample& sample);
+  /// Takes nothing from this time on, whatever comes.
+  bool isOver(double time) const;
 
  private:
   void begin(double time);

@@ -68,26 +68,26 @@ void RecordingBuilder::addHumans(const std::vector<sim2d::TraceHuman>& humans) {
   }
 }
 
-Recording RecordingBuilder::emptyRecording() const {
-  Recording recording;
-  recording.map = header_.map;
+Course RecordingBuilder::course() const {
+  Course course;
+  course.map = header_.map;
   const sim2d::TraceRobot* robot = robotOf(header_, robotId_);
   if (robot == nullptr) {
-    return recording;
+    return course;
   }
-  recording.hasRobot = true;
-  recording.robotId = robotId_;
-  recording.robotStartTime = robot->startTime;
-  recording.robotMaxSpeed = robot->maxVel;
+  course.hasRobot = true;
+  course.robotId = robotId_;
+  course.robotStartTime = robot->startTime;
+  course.robotMaxSpeed = robot->maxVel;
   for (const sim2d::TraceGoal& goal : robot->goals) {
-    recording.goals.push_back({goal.position, goal.radius});
+    course.goals.push_back({goal.position, goal.radius});
   }
   sim2d::Obstacles standing = all_;
   for (const Door& door : doors_) {
     standing.setEnabled(door.part, false);
   }
-  recording.routes = std::make_shared<Routes>(header_.map, std::move(standing), robot->radius);
-  return recording;
+  course.routes = std::make_shared<Routes>(header_.map, std::move(standing), robot->radius);
+  return course;
 }
 
 void RecordingBuilder::setDoors(double time) {
@@ -151,7 +151,8 @@ Sample RecordingBuilder::sampleOf(const sim2d::Frame& frame) {
 
 Recording recordingOf(const sim2d::Trace& trace, int robotId) {
   RecordingBuilder builder(trace.header, robotId);
-  Recording recording = builder.emptyRecording();
+  Recording recording;
+  static_cast<Course&>(recording) = builder.course();
   recording.samples.reserve(trace.frames.size());
   for (const sim2d::Frame& frame : trace.frames) {
     recording.samples.push_back(builder.sampleOf(frame));

@@ -53,28 +53,38 @@ void noteUntil(double time, const std::vector<Event>& events, std::size_t& next,
   }
 }
 
+double timeOfEvent(const std::pair<double, sim2d::Event>& event) {
+  return event.first;
+}
+
 }  // namespace
+
+MetricValue valueOf(const MetricEntry& entry, const Recording& recording,
+                    const MetricParameters& parameters, const MetricRegistry& registry) {
+  Selection selection;
+  if (const MetricEntry* sum = registry.find(entry.meanOf)) {
+    selection.own.push_back(*sum);
+  }
+  selection.own.push_back(entry);
+  SampleFeed feed(std::make_shared<const Course>(recording), selection, parameters, {});
+  std::size_t next = 0;
+  for (const Sample& sample : recording.samples) {
+    noteUntil(sample.time, recording.events, next, timeOfEvent, feed);
+    feed.add(sample);
+  }
+  return feed.values().back().value;
+}
 
 base::Result<Evaluation> evaluate(const Recording& recording, const Selection& selection,
                                   const MetricParameters& parameters,
                                   const MetricRegistry& registry) {
-  Recording empty;
-  empty.hasRobot = recording.hasRobot;
-  empty.robotId = recording.robotId;
-  empty.robotStartTime = recording.robotStartTime;
-  empty.robotMaxSpeed = recording.robotMaxSpeed;
-  empty.goals = recording.goals;
-  empty.map = recording.map;
-  empty.routes = recording.routes;
-  empty.reference = recording.reference;
-  RunningEvaluation evaluation(empty, selection, parameters, registry);
+  RunningEvaluation evaluation(recording, selection, parameters, registry);
   std::size_t next = 0;
-  const auto timeOf = [](const auto& event) { return event.first; };
   for (const Sample& sample : recording.samples) {
-    noteUntil(sample.time, recording.events, next, timeOf, evaluation);
+    noteUntil(sample.time, recording.events, next, timeOfEvent, evaluation);
     evaluation.add(sample);
   }
-  noteUntil(HUGE_VAL, recording.events, next, timeOf, evaluation);
+  noteUntil(HUGE_VAL, recording.events, next, timeOfEvent, evaluation);
   return evaluation.finish();
 }
 

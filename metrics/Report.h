@@ -25,8 +25,9 @@ struct Selection {
   int robotId = -1;
   std::vector<std::pair<double, Vec2>> reference;  // Recording::reference; empty = shortest way
 
-  bool behaviorSeries = true;  // results per behaviour type have their series
-  bool totalsOnly = false;     // no series, nothing per behaviour type
+  bool series = true;          // results have their series
+  bool behaviors = true;       // results per behaviour type as well
+  bool behaviorSeries = true;  // and those have their series
 
   bool selects(const MetricInfo& info) const;
   /// The selected metrics in order: of the registry, then the user's.
@@ -63,7 +64,7 @@ const MetricResult* findResult(const std::vector<MetricResult>& results, std::st
 /// The metrics among people of one behaviour type.
 struct BehaviorEvaluation {
   int behavior = 1;            // 1..6
-  std::vector<double> active;  // 0/1 per sample
+  std::vector<double> active;  // 0/1 per sample, with series
   std::vector<MetricResult> results;
 };
 
@@ -72,12 +73,17 @@ struct Evaluation {
   std::string tag = "exp_1";
   int runId = 0;
   bool isSelection = false;   // of keys that the user listed
-  std::vector<double> times;  // [s] from the first sample
+  std::vector<double> times;  // [s] from the first sample, with series
   std::vector<MetricResult> results;
   std::vector<BehaviorEvaluation> behaviors;  // of the types present
 
   const MetricResult* find(std::string_view key) const;
 };
+
+/// One metric of a record with samples.
+MetricValue valueOf(const MetricEntry& entry, const Recording& recording,
+                    const MetricParameters& parameters,
+                    const MetricRegistry& registry = standardRegistry());
 
 /// Error when the record or the window holds no sample.
 base::Result<Evaluation> evaluate(const sim2d::Trace& trace, const Selection& selection,

@@ -7,11 +7,16 @@ namespace metrics {
 
 namespace {
 
-Recording withReference(Recording empty, const Selection& selection) {
+std::shared_ptr<const Course> withReference(Course course, const Selection& selection) {
   if (!selection.reference.empty()) {
-    empty.reference = selection.reference;
+    course.reference = selection.reference;
   }
-  return empty;
+  return std::make_shared<const Course>(std::move(course));
+}
+
+Selection amongSome(Selection selection) {
+  selection.series = selection.behaviorSeries;
+  return selection;
 }
 
 /// How many people there are of each type.
@@ -59,32 +64,33 @@ void fillLeftOvers(std::vector<MetricResult>& results, const std::vector<MetricR
 
 }  // namespace
 
-RunningEvaluation::RunningEvaluation(const Recording& empty, const Selection& selection,
+RunningEvaluation::RunningEvaluation(const Course& course, const Selection& selection,
                                      const MetricParameters& parameters,
                                      const MetricRegistry& registry)
-    : empty_(withReference(empty, selection)),
+    : course_(withReference(course, selection)),
       selection_(selection),
       parameters_(parameters),
       registry_(registry),
-      gate_(selection.window, empty),
-      all_(empty_, selection, parameters, registry) {}
+      gate_(selection.window, course),
+      all_(course_, selection, parameters, registry) {
+  if (selection.behaviors) {
+    beginBehaviors();
+  }
+}
+
+/// All at once: who comes late was not there before.
+void RunningEvaluation::beginBehaviors() {
+  const Selection selection = amongSome(selection_);
+  for (Behavior& behavior : behaviors_) {
+    behavior.feed =
+        std::make_unique<SampleFeed>(course_, selection, parameters_, registry_, Among::SomePeople);
+  }
+}
 
 void RunningEvaluation::note(double time, const sim2d::Event& event) {
   gate_.note(time, event);
-  all_.note(time, event);
-}
-
-/// With the samples before the newest one, in which nobody of the type was there.
-void RunningEvaluation::begin(std::size_t behavior) {
-  Behavior& made = behaviors_[behavior];
-  made.feed = std::make_unique<SampleFeed>(empty_, selection_, parameters_, registry_);
-  const std::vector<Sample>& samples = all_.recording().samples;
-  for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
-    Sample nobody;
-    nobody.time = samples[i].time;
-    nobody.robot = samples[i].robot;
-    made.feed->add(std::move(nobody));
-    made.active.push_back(0.0);
+  if (!isOver_) {
+    all_.note(time, event);
   }
 }
 
@@ -92,33 +98,39 @@ void RunningEvaluation::addToBehaviors(Sample& sample) {
   const bool anyActive = isActive(sample);
   const std::array<std::size_t, kBehaviors> counts = countBehaviors<kBehaviors>(sample);
   for (std::size_t k = 0; k < kBehaviors; ++k) {
-    const int type = static_cast<int>(k) + 1;
     Behavior& behavior = behaviors_[k];
-    const bool isPresent = counts[k] > 0;
+    behavior.isMet = behavior.isMet || counts[k] > 0;
     // The original leaves out types that are missing at any sample.
-    if (isOriginal() && !isPresent) {
+    if (isOriginal() && counts[k] == 0) {
       behavior.feed.reset();
-    } else if (isPresent && !behavior.feed && (!isOriginal() || times_.size() == 1)) {
-      begin(k);
     }
-    if (behavior.feed) {
-      Sample part = takePeople(sample, type, counts[k]);
+    if (!behavior.feed) {
+      continue;
+    }
+    Sample part = takePeople(sample, static_cast<int>(k) + 1, counts[k]);
+    if (selection_.behaviorSeries) {
       // Of the people of this type; the original looks at everybody.
       behavior.active.push_back((isOriginal() ? anyActive : isActive(part)) ? 1.0 : 0.0);
-      behavior.feed->add(std::move(part));
     }
+    behavior.feed->add(std::move(part));
   }
 }
 
 void RunningEvaluation::add(Sample sample) {
   hasSamples_ = true;
   if (!gate_.takes(sample)) {
+    isOver_ = gate_.isOver(sample.time);
+    if (all_.size() == 0 || isOver_) {
+      all_.forgetEvents();
+    }
     return;
   }
-  first_ = times_.empty() ? sample.time : first_;
-  times_.push_back(sample.time - first_);
+  first_ = all_.size() == 0 ? sample.time : first_;
+  if (selection_.series) {
+    times_.push_back(sample.time - first_);
+  }
   all_.add(std::move(sample));
-  if (!selection_.totalsOnly) {
+  if (selection_.behaviors) {
     addToBehaviors(all_.newest());
   }
 }
@@ -130,7 +142,7 @@ base::Result<Evaluation> RunningEvaluation::finish() const {
   if (const std::string problem = windowProblem(selection_.window); !problem.empty()) {
     return base::makeError("metrics: " + problem);
   }
-  if (times_.empty()) {
+  if (all_.size() == 0) {
     return base::makeError("no sample lies between '" + selection_.window.from + "' and '" +
                            selection_.window.until + "'");
   }
@@ -142,16 +154,13 @@ base::Result<Evaluation> RunningEvaluation::finish() const {
   evaluation.times = times_;
   evaluation.results = all_.values();
   for (std::size_t k = 0; k < kBehaviors; ++k) {
-    if (!behaviors_[k].feed) {
+    if (!behaviors_[k].feed || !behaviors_[k].isMet) {
       continue;
     }
     BehaviorEvaluation behavior{static_cast<int>(k) + 1, behaviors_[k].active,
                                 behaviors_[k].feed->values(&evaluation.results)};
-    if (isOriginal()) {
+    if (isOriginal() && selection_.behaviorSeries) {
       fillLeftOvers(behavior.results, evaluation.results);
-    }
-    for (std::size_t i = 0; !selection_.behaviorSeries && i < behavior.results.size(); ++i) {
-      behavior.results[i].value.series.reset();
     }
     evaluation.behaviors.push_back(std::move(behavior));
   }
@@ -160,7 +169,6 @@ base::Result<Evaluation> RunningEvaluation::finish() const {
 
 FrameEvaluation::FrameEvaluation(const sim2d::TraceHeader& header, const Selection& selection,
                                  const MetricParameters& parameters)
-    : builder_(header, selection.robotId),
-      evaluation_(builder_.emptyRecording(), selection, parameters) {}
+    : builder_(header, selection.robotId), evaluation_(builder_.course(), selection, parameters) {}
 
 }  // namespace metrics

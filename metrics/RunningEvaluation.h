@@ -9,11 +9,12 @@
 namespace metrics {
 
 /// An evaluation that is fed while the record is made: the same results as evaluate() of the whole
-/// record, without keeping the people of past samples. One thread at a time.
+/// record. What it holds grows with the samples by their series alone; not at all where the
+/// selection wants none and no metric wants the whole record. One thread at a time.
 class RunningEvaluation {
  public:
-  /// `empty`: all of the recording but its samples and events. A wrong window is told by finish().
-  RunningEvaluation(const Recording& empty, const Selection& selection,
+  /// A wrong window is told by finish().
+  RunningEvaluation(const Course& course, const Selection& selection,
                     const MetricParameters& parameters,
                     const MetricRegistry& registry = standardRegistry());
   /// Events before the sample of their time, in order.
@@ -26,22 +27,24 @@ class RunningEvaluation {
   static constexpr std::size_t kBehaviors = 6;
   struct Behavior {
     std::unique_ptr<SampleFeed> feed;
+    bool isMet = false;          // somebody of the type was there
     std::vector<double> active;  // 0/1 per sample
   };
+  void beginBehaviors();
   void addToBehaviors(Sample& sample);
-  void begin(std::size_t behavior);
   bool isOriginal() const { return parameters_.profile == Profile::Hunav2; }
 
-  Recording empty_;
+  std::shared_ptr<const Course> course_;
   Selection selection_;
   MetricParameters parameters_;
   const MetricRegistry& registry_;
   WindowGate gate_;
-  std::vector<double> times_;  // of the samples taken, from the first [s]
+  std::vector<double> times_;  // of the samples taken, from the first [s], with series
   double first_ = 0.0;
   bool hasSamples_ = false;  // of the record, taken or not
+  bool isOver_ = false;      // no more samples will be taken
   SampleFeed all_;
-  std::array<Behavior, kBehaviors> behaviors_;  // of types 1..6; no feed: not present
+  std::array<Behavior, kBehaviors> behaviors_;  // of types 1..6; no feed: not wanted
 };
 
 /// The same from frames as the world makes them.

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "metrics/ReportFiles.h"
 #include "sim2d/base/Text.h"
@@ -13,6 +14,10 @@
 namespace metrics {
 
 namespace {
+
+double sumOf(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
 
 constexpr double kNormalQuantile = 1.959963984540054;  // 97.5 %
 

@@ -67,16 +67,16 @@ std::string windowProblem(const Window& window) {
   return "";
 }
 
-WindowGate::WindowGate(Window window, const Recording& recording)
+WindowGate::WindowGate(Window window, const Course& course)
     : window_(std::move(window)),
-      robotId_(recording.robotId),
+      robotId_(course.robotId),
       begin_(toldTime(window_.from)),
       end_(toldTime(window_.until)),
       next_(-kNever) {
   if (window_.from == "begin") {
     begin_ = -kNever;
   } else if (window_.from == "goal") {
-    begin_ = recording.robotStartTime;
+    begin_ = course.robotStartTime;
   }
   end_ = window_.until == "end" ? kNever : end_;
 }
@@ -108,6 +108,10 @@ void WindowGate::note(double time, const sim2d::Event& event) {
   if (begin_ && time >= *begin_) {
     end_ = time;
   }
+}
+
+bool WindowGate::isOver(double time) const {
+  return begin_ && end_ && time > *end_ + kTimeSlack;
 }
 
 bool WindowGate::takes(const Sample& sample) {

@@ -2,29 +2,40 @@
 
 #include <atomic>
 #include <cstdlib>
+#include <malloc.h>
 #include <new>
 
-/// Counts what operator new hands out. Replaces the operators of the whole program, so it is for
-/// the one source file of a test.
+/// Counts what operator new hands out and what is held of it. Replaces the operators of the whole
+/// program, so it is for the one source file of a test.
 namespace {
 std::atomic<long> allocations{0};
+std::atomic<long> bytesHeld{0};
+
+void* counted(void* memory) {
+  ++allocations;
+  bytesHeld += static_cast<long>(malloc_usable_size(memory));
+  return memory;
 }
+void release(void* memory) {
+  bytesHeld -= static_cast<long>(malloc_usable_size(memory));
+  std::free(memory);
+}
+}  // namespace
 
 void* operator new(std::size_t size) {
-  ++allocations;
   if (void* const memory = std::malloc(size == 0 ? 1 : size)) {
-    return memory;
+    return counted(memory);
   }
   throw std::bad_alloc();
 }
 /// Of the same kind, or a sanitizer sees memory of its own given to our delete.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  ++allocations;
-  return std::malloc(size == 0 ? 1 : size);
+  void* const memory = std::malloc(size == 0 ? 1 : size);
+  return memory != nullptr ? counted(memory) : nullptr;
 }
 void operator delete(void* memory) noexcept {
-  std::free(memory);
+  release(memory);
 }
 void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
+  release(memory);
 }

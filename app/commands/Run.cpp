@@ -164,6 +164,16 @@ int conclude(const RunOptions& options, const OutputOptions& output, const Prepa
   return code == kFine && !isCompared ? kRunFailed : code;
 }
 
+/// Of the metrics what nobody will read is not worked out: per sample only for the files, per
+/// behaviour type for them and for JSON.
+void wantNoMore(const RunOptions& options, const OutputOptions& output,
+                metrics::Selection& selection) {
+  const bool hasFiles = !options.totals && !options.output.empty();
+  selection.series = hasFiles;
+  selection.behaviors = !options.totals && (hasFiles || output.json);
+  selection.behaviorSeries = false;  // in none of the files
+}
+
 }  // namespace
 
 int runCommand(const RunOptions& options, const OutputOptions& output,
@@ -203,7 +213,7 @@ int runCommand(const RunOptions& options, const OutputOptions& output,
     return kBadInput;
   }
   catchInterrupts();
-  setup->selection.totalsOnly = options.totals;
+  wantNoMore(options, output, setup->selection);
   RunWriter writer(options.totals ? std::string() : options.output, **world, setup->selection,
                    setup->parameters);
   if (options.counterfactual) {

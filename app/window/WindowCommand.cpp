@@ -88,9 +88,13 @@ QString titleOf(std::string name) {
   return title;
 }
 
+/// For the start page: without the many scenes of the realism tests.
 std::vector<Demo> demos() {
   std::vector<Demo> result;
   for (const ShippedScenario& scenario : shippedScenarios()) {
+    if (scenario.name.rfind("realism_", 0) == 0) {
+      continue;
+    }
     result.push_back({titleOf(scenario.name), QString::fromStdString(scenario.path)});
   }
   return result;

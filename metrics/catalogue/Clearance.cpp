@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "metrics/MetricRegistry.h"
-#include "metrics/Motion.h"
 
 namespace metrics {
 
@@ -9,37 +8,37 @@ namespace {
 
 constexpr char kNoObstacle[] = "no obstacle in reach of the robot";
 
-std::vector<double> clearances(const Recording& recording) {
-  std::vector<double> values;
-  for (const Sample& sample : recording.samples) {
-    if (sample.robot.obstacleDistance) {
-      values.push_back(*sample.robot.obstacleDistance - sample.robot.radius);
+std::optional<double> clearanceOf(const Robot& robot) {
+  return robot.obstacleDistance ? std::optional<double>(*robot.obstacleDistance - robot.radius)
+                                : std::nullopt;
+}
+
+class Clearances : public Accumulator {
+ public:
+  void add(const Instant& at) override {
+    const std::optional<double> clearance = clearanceOf(at.now.robot);
+    if (clearance) {
+      smallest_ = count_ > 0.0 ? std::min(smallest_, *clearance) : *clearance;
+      sum_ += *clearance;
+      count_ += 1.0;
     }
+    tooClose_.add(at, clearance && *clearance < at.parameters.safetyDistance);
   }
-  return values;
-}
+  MetricValue smallest(const Instant& /*last*/) const {
+    return count_ > 0.0 ? numberValue(smallest_) : undefinedValue(kNoObstacle);
+  }
+  MetricValue average(const Instant& /*last*/) const {
+    return count_ > 0.0 ? numberValue(sum_ / count_) : undefinedValue(kNoObstacle);
+  }
+  MetricValue safety(const Instant& last) const {
+    const double total = last.elapsed();
+    return numberValue(total > 0.0 ? 100.0 * tooClose_.value() / total : 0.0);
+  }
 
-MetricValue smallest(const Recording& recording, const MetricParameters& /*parameters*/) {
-  const std::vector<double> values = clearances(recording);
-  return values.empty() ? undefinedValue(kNoObstacle)
-                        : numberValue(*std::min_element(values.begin(), values.end()));
-}
-
-MetricValue average(const Recording& recording, const MetricParameters& /*parameters*/) {
-  const std::vector<double> values = clearances(recording);
-  return values.empty() ? undefinedValue(kNoObstacle)
-                        : numberValue(sumOf(values) / static_cast<double>(values.size()));
-}
-
-MetricValue obstacleSafety(const Recording& recording, const MetricParameters& parameters) {
-  const double total = recording.duration();
-  const double time = timeWhere(recording, [&](std::size_t i) {
-    const Robot& robot = recording.samples[i].robot;
-    return robot.obstacleDistance &&
-           *robot.obstacleDistance - robot.radius < parameters.safetyDistance;
-  });
-  return numberValue(total > 0.0 ? 100.0 * time / total : 0.0);
-}
+ private:
+  double smallest_ = 0.0, sum_ = 0.0, count_ = 0.0;
+  HeldTime tooClose_;
+};
 
 }  // namespace
 
@@ -49,15 +48,15 @@ void addClearance(MetricRegistry& to) {
   to.add({"clearing_distance_min", "Smallest clearance", "m", Category::Safety, Better::Higher,
           needs, "min over samples with an obstacle in reach of (its distance - r_r)", source,
           "(-inf, inf)", Kind::Number, 0, ""},
-         smallest);
+         streamOf<Clearances>(&Clearances::smallest));
   to.add({"clearing_distance_avg", "Mean clearance", "m", Category::Safety, Better::Higher, needs,
           "mean over samples with an obstacle in reach of (its distance - r_r)", source,
           "(-inf, inf)", Kind::Number, 0, ""},
-         average);
+         streamOf<Clearances>(&Clearances::average));
   to.add({"obstacle_safety", "Time too close to obstacles", "%", Category::Safety, Better::Lower,
           needs, "share of time with clearance < safety_distance", "MRPB; SRPB", "[0, 100]",
           Kind::Number, 0, ""},
-         obstacleSafety);
+         streamOf<Clearances>(&Clearances::safety));
 }
 
 }  // namespace metrics

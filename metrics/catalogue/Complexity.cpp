@@ -1,7 +1,7 @@
 #include <cmath>
+#include <deque>
 #include <map>
 
-#include "metrics/MetricRegistry.h"
 #include "metrics/Motion.h"
 
 /// How much went on: turning round each other, new plans, arrivals.
@@ -12,12 +12,11 @@ namespace {
 /// Turns that each person and the robot made around each other, with their sense.
 class Winding : public Accumulator {
  public:
-  void add(const Recording& recording, std::size_t sample) override {
-    const Sample& now = recording.samples[sample];
+  void add(const Instant& at) override {
     before_.swap(now_);
     now_.clear();
     std::size_t next = 0;
-    for (const Person& person : now.people) {
+    for (const Person& person : at.now.people) {
       const double bearing = person.pair.bearing;
       const auto* then =
           findInOrder(before_, next, [&person](const Turned& one) { return one.id == person.id; });
@@ -28,7 +27,7 @@ class Winding : public Accumulator {
     keepLost();
   }
 
-  MetricValue value() const {
+  MetricValue value(const Instant& /*last*/) const {
     double sum = 0.0;
     for (const auto& [id, angle] : lost_) {
       sum += std::fabs(angle) / (2.0 * base::kPi);
@@ -68,91 +67,92 @@ class Winding : public Accumulator {
   std::map<int, double> lost_;  // who is away: id, angle [rad]
 };
 
-bool isInRecord(const Recording& recording, double time) {
-  constexpr double kSlack = 1e-9;
-  return time >= recording.samples.front().time - kSlack &&
-         time <= recording.samples.back().time + kSlack;
-}
-
-MetricValue replans(const Recording& recording, const MetricParameters& /*p*/) {
-  const int robot = recording.samples.front().robot.id;
-  double count = 0.0;
-  for (const auto& [time, event] : recording.events) {
-    const bool counts = event.kind == sim2d::EventKind::Replan && event.hasId && event.id == robot;
-    count += counts && isInRecord(recording, time) ? 1.0 : 0.0;
+class Replans : public Accumulator {
+ public:
+  void add(const Instant& /*at*/) override {}
+  void note(const Course& course, double /*elapsed*/, const sim2d::Event& event) override {
+    const bool isOurs = event.hasId && event.id == course.robotId;
+    count_ += isOurs && event.kind == sim2d::EventKind::Replan ? 1.0 : 0.0;
   }
-  return countValue(count);
-}
+  MetricValue value(const Instant& /*last*/) const { return countValue(count_); }
+
+ private:
+  double count_ = 0.0;
+};
 
 /// First arrival of each.
-std::map<int, double> arrivals(const Recording& recording) {
-  std::map<int, double> times;
-  for (const auto& [time, event] : recording.events) {
-    if (event.kind == sim2d::EventKind::Arrived && event.hasId && isInRecord(recording, time)) {
-      times.emplace(event.id, time - recording.samples.front().time);
+class Arrivals : public Accumulator {
+ public:
+  void add(const Instant& /*at*/) override {}
+  void note(const Course& /*course*/, double elapsed, const sim2d::Event& event) override {
+    if (event.kind == sim2d::EventKind::Arrived && event.hasId) {
+      times_.emplace(event.id, elapsed);
     }
   }
-  return times;
-}
+  MetricValue sum(const Instant& /*last*/) const {
+    double sum = 0.0;
+    for (const auto& [id, time] : times_) {
+      sum += time;
+    }
+    return times_.empty() ? undefinedValue("nobody arrived") : numberValue(sum);
+  }
 
-MetricValue aggregatedTime(const Recording& recording, const MetricParameters& /*p*/) {
-  const std::map<int, double> times = arrivals(recording);
-  double sum = 0.0;
-  for (const auto& [id, time] : times) {
-    sum += time;
-  }
-  return times.empty() ? undefinedValue("nobody arrived") : numberValue(sum);
-}
+ private:
+  std::map<int, double> times_;  // [s] from the first sample
+};
 
-MetricValue stoppedDistance(const Recording& recording, const MetricParameters& parameters) {
-  if (recording.goals.empty()) {
-    return undefinedValue("there is no goal");
-  }
-  double sum = 0.0;
-  double count = 0.0;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < recording.size(); ++i) {
-    const Sample& now = recording.samples[i];
-    while (begin < i &&
-           now.time - recording.samples[begin + 1].time >= parameters.stoppedWindow - 1e-9) {
-      ++begin;  // the last sample that is old enough
+/// Distance to the goals while the robot has hardly moved for a while: of that while its places
+/// are kept.
+class StoppedDistance : public Accumulator {
+ public:
+  void add(const Instant& at) override {
+    const double window = at.parameters.stoppedWindow - 1e-9;
+    const double time = at.now.time;
+    const Vec2& place = at.now.robot.position;
+    places_.emplace_back(time, place);
+    while (places_.size() > 1 && time - places_[1].first >= window) {
+      places_.pop_front();  // the last that is old enough stays
     }
-    const bool isOld = now.time - recording.samples.front().time >= parameters.stoppedWindow - 1e-9;
-    if (isOld && distance(now.robot, recording.samples[begin].robot) < parameters.stoppedDistance) {
-      sum += distanceToGoals(recording, i);
-      count += 1.0;
+    if (at.elapsed() >= window &&
+        lengthOf(place - places_.front().second) < at.parameters.stoppedDistance) {
+      sum_ += distanceToGoals(at.course, place);
+      count_ += 1.0;
     }
   }
-  return count > 0.0 ? numberValue(sum / count) : undefinedValue("the robot never stops");
-}
+  MetricValue mean(const Instant& last) const {
+    if (last.course.goals.empty()) {
+      return undefinedValue("there is no goal");
+    }
+    return count_ > 0.0 ? numberValue(sum_ / count_) : undefinedValue("the robot never stops");
+  }
+
+ private:
+  std::deque<std::pair<double, Vec2>> places_;  // time [s], position
+  double sum_ = 0.0, count_ = 0.0;
+};
 
 }  // namespace
 
 void addComplexity(MetricRegistry& to) {
-  to.addStream(
-      {"topological_complexity", "Winding around people", "turns", Category::Social,
-       Better::Neutral, Needs{true, true},
-       "sum over a of |sum over i of wrap(change of the bearing of a from the robot)| / 2 pi",
-       "Mavrogiannis and Knepper 2019", "[0, inf)", Kind::Number, 0, ""},
-      streamOf<Winding>(
-          "",
-          [](const Winding& winding, const Recording& /*recording*/,
-             const MetricParameters& /*parameters*/) { return winding.value(); },
-          [](const MetricParameters& /*parameters*/) { return std::make_unique<Winding>(); }));
+  to.add({"topological_complexity", "Winding around people", "turns", Category::Social,
+          Better::Neutral, Needs{true, true},
+          "sum over a of |sum over i of wrap(change of the bearing of a from the robot)| / 2 pi",
+          "Mavrogiannis and Knepper 2019", "[0, inf)", Kind::Number, 0, ""},
+         streamOf<Winding>(&Winding::value));
   to.add({"replanning_count", "New plans of the robot", "", Category::Navigation, Better::Lower,
           Needs{}, "number of events replan of the robot", "Arena; MRPB", "0, 1, ...", Kind::Count,
           0, ""},
-         replans);
+         streamOf<Replans>(&Replans::value));
   to.add({"aggregated_time", "Aggregated time to the goals", "s", Category::Navigation,
           Better::Lower, Needs{false}, "sum of the times of first arrival of people and robot",
           "Francis et al. 2025", "[0, inf)", Kind::Number, 0, ""},
-         aggregatedTime);
+         streamOf<Arrivals>(&Arrivals::sum));
   to.add({"mean_dist_to_target_not_moving", "Mean distance to the goal while stopped", "m",
           Category::Navigation, Better::Lower, Needs{true, false, false, false, true},
           "mean of the distance to the nearest goal over the samples with |p(t) - p(t - "
           "stopped_window)| < stopped_distance",
           "SEAN 2.0", "[0, inf)", Kind::Number, 0, ""},
-         stoppedDistance);
+         streamOf<StoppedDistance>(&StoppedDistance::mean));
 }
 
 }  // namespace metrics

@@ -27,11 +27,12 @@ Blame originalBlame(const Robot& robot, const Person& person) {
 /// Of the original: per sample and person in contact; the series is 0 or 1.
 class OriginalContacts {
  public:
-  void add(const Sample& sample, double limit) {
+  void add(const Instant& at) {
+    const Sample& sample = at.now;
     bool byRobot = false;
     bool byPerson = false;
     for (const Person& person : sample.people) {
-      if (gap(sample.robot, person) < limit) {
+      if (gap(sample.robot, person) < at.parameters.contactDistance) {
         const Blame blame = originalBlame(sample.robot, person);
         robot_ += blame.robot ? 1.0 : 0.0;
         person_ += blame.person ? 1.0 : 0.0;
@@ -39,76 +40,61 @@ class OriginalContacts {
         byPerson = byPerson || blame.person;
       }
     }
-    robotSeries_.push_back(byRobot ? 1.0 : 0.0);
-    personSeries_.push_back(byPerson ? 1.0 : 0.0);
+    robotSeries_.add(at, byRobot ? 1.0 : 0.0);
+    personSeries_.add(at, byPerson ? 1.0 : 0.0);
   }
   MetricValue value(bool ofRobot) const {
     return withSeries(countValue(ofRobot ? robot_ : person_),
-                      ofRobot ? robotSeries_ : personSeries_, Kind::Count);
+                      (ofRobot ? robotSeries_ : personSeries_).values(), Kind::Count);
   }
 
  private:
   double robot_ = 0.0, person_ = 0.0;
-  std::vector<double> robotSeries_, personSeries_;
+  SeriesColumn robotSeries_, personSeries_;
 };
 
 class Contacts : public Accumulator {
  public:
-  explicit Contacts(const MetricParameters& parameters)
-      : parameters_(parameters), events_(parameters.contactDistance) {}
+  explicit Contacts(const MetricParameters& parameters) : events_(parameters.contactDistance) {}
 
-  void add(const Recording& recording, std::size_t sample) override {
-    if (isOriginal()) {
-      original_.add(recording.samples[sample], parameters_.contactDistance);
+  void add(const Instant& at) override {
+    if (at.isOriginal()) {
+      original_.add(at);
     } else {
-      events_.add(recording, sample);
+      events_.add(at);
     }
   }
-  MetricValue value(bool ofRobot) const {
-    if (isOriginal()) {
-      return original_.value(ofRobot);
-    }
-    const std::vector<double>& series = ofRobot ? events_.byRobot() : events_.byPerson();
-    return withSeries(countValue(sumOf(series)), series, Kind::Count);
-  }
+  MetricValue byRobot(const Instant& last) const { return value(true, last); }
+  MetricValue byPerson(const Instant& last) const { return value(false, last); }
 
  private:
-  bool isOriginal() const { return parameters_.profile == Profile::Hunav2; }
+  MetricValue value(bool ofRobot, const Instant& last) const {
+    if (last.isOriginal()) {
+      return original_.value(ofRobot);
+    }
+    const SeriesSum& sum = ofRobot ? events_.byRobot() : events_.byPerson();
+    return withSeries(countValue(sum.sum()), sum.terms(), Kind::Count);
+  }
 
-  MetricParameters parameters_;
   ContactEvents events_;
   OriginalContacts original_;
 };
-
-void addContact(MetricRegistry& to, MetricInfo info, bool ofRobot) {
-  to.addStream(
-      std::move(info),
-      streamOf<Contacts>(
-          "contacts",
-          [ofRobot](const Contacts& contacts, const Recording& /*recording*/,
-                    const MetricParameters& /*parameters*/) { return contacts.value(ofRobot); },
-          [](const MetricParameters& parameters) {
-            return std::make_unique<Contacts>(parameters);
-          }));
-}
 
 }  // namespace
 
 void addContacts(MetricRegistry& to) {
   const Needs needs{true, true};
   const char source[] = "Tsoi et al., SEAN 2.0, RA-L 2022";
-  addContact(
-      to,
+  to.add(
       {"robot_on_person_collision", "Robot runs into a person", "", Category::Safety, Better::Lower,
        needs, "contacts (gap < contact_distance begins) in which the robot closes in faster",
        source, "0, 1, ...", Kind::Count, 16, ""},
-      true);
-  addContact(to,
-             {"person_on_robot_collision", "Person runs into the robot", "", Category::Safety,
-              Better::Lower, needs,
-              "contacts (gap < contact_distance begins) in which the person closes in faster",
-              source, "0, 1, ...", Kind::Count, 17, ""},
-             false);
+      streamOf<Contacts>(&Contacts::byRobot));
+  to.add({"person_on_robot_collision", "Person runs into the robot", "", Category::Safety,
+          Better::Lower, needs,
+          "contacts (gap < contact_distance begins) in which the person closes in faster", source,
+          "0, 1, ...", Kind::Count, 17, ""},
+         streamOf<Contacts>(&Contacts::byPerson));
 }
 
 }  // namespace metrics

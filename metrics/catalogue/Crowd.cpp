@@ -127,18 +127,16 @@ double laneOrder(const Sample& sample, double laneWidth) {
 /// Looks at the crowd at least crowd_interval apart: its measures are costly and change slowly.
 class CrowdLooks : public Accumulator {
  public:
-  explicit CrowdLooks(const MetricParameters& parameters)
-      : parameters_(parameters), areas_(parameters.crowdRadius) {}
+  explicit CrowdLooks(const MetricParameters& parameters) : areas_(parameters.crowdRadius) {}
 
-  void add(const Recording& recording, std::size_t sample) override {
+  void add(const Instant& at) override {
     constexpr double kSlack = 1e-9;  // [s]
-    const Sample& now = recording.samples[sample];
-    if (now.time - last_ >= parameters_.crowdInterval - kSlack) {
-      last_ = now.time;
-      look(now);
+    if (at.now.time - last_ >= at.parameters.crowdInterval - kSlack) {
+      last_ = at.now.time;
+      look(at.now, at.parameters);
     }
     for (std::size_t k = 0; k < kMeasures; ++k) {
-      series_[k].push_back(measures_[k]);
+      series_[k].add(at, measures_[k]);
     }
   }
 
@@ -146,7 +144,7 @@ class CrowdLooks : public Accumulator {
   MetricValue mean(std::size_t measure) const {
     return withSeries(counts_[measure] > 0.0 ? numberValue(sums_[measure] / counts_[measure])
                                              : undefinedValue("nobody in the record"),
-                      series_[measure]);
+                      series_[measure].values());
   }
   MetricValue largest(std::size_t measure) const {
     return counts_[measure] > 0.0 ? numberValue(largest_[measure])
@@ -154,12 +152,12 @@ class CrowdLooks : public Accumulator {
   }
 
  private:
-  void look(const Sample& sample) {
+  void look(const Sample& sample, const MetricParameters& parameters) {
     measures_.fill(kNaN);
     if (!sample.people.empty()) {
-      addDensities(sample, parameters_.crowdRadius, areas_, measures_);
+      addDensities(sample, parameters.crowdRadius, areas_, measures_);
       measures_[kPolarisation] = polarisation(sample);
-      measures_[kLaneOrder] = laneOrder(sample, parameters_.laneWidth);
+      measures_[kLaneOrder] = laneOrder(sample, parameters.laneWidth);
     }
     for (std::size_t k = 0; k < kMeasures; ++k) {
       if (!std::isnan(measures_[k])) {
@@ -170,11 +168,10 @@ class CrowdLooks : public Accumulator {
     }
   }
 
-  MetricParameters parameters_;
   CellAreas areas_;
   double last_ = -std::numeric_limits<double>::infinity();  // [s]
   Measures measures_{}, sums_{}, counts_{}, largest_{};
-  std::array<std::vector<double>, kMeasures> series_;
+  std::array<SeriesColumn, kMeasures> series_;
 };
 
 struct Entry {
@@ -184,17 +181,11 @@ struct Entry {
 
 void addEntry(MetricRegistry& to, const Entry& entry, std::size_t measure,
               MetricValue (CrowdLooks::*read)(std::size_t) const = &CrowdLooks::mean) {
-  to.addStream({entry.key, entry.name, entry.unit, Category::Social, Better::Neutral,
-                Needs{false, true}, entry.formula, entry.source, entry.range, Kind::Number, 0, ""},
-               streamOf<CrowdLooks>(
-                   "crowd",
-                   [read, measure](const CrowdLooks& looks, const Recording& /*recording*/,
-                                   const MetricParameters& /*parameters*/) {
-                     return (looks.*read)(measure);
-                   },
-                   [](const MetricParameters& parameters) {
-                     return std::make_unique<CrowdLooks>(parameters);
-                   }));
+  to.add({entry.key, entry.name, entry.unit, Category::Social, Better::Neutral, Needs{false, true},
+          entry.formula, entry.source, entry.range, Kind::Number, 0, ""},
+         streamOf<CrowdLooks>([read, measure](const CrowdLooks& looks, const Instant& /*last*/) {
+           return (looks.*read)(measure);
+         }));
 }
 
 }  // namespace

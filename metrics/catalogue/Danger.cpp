@@ -8,27 +8,21 @@ namespace {
 
 class DangerSum : public PersonCosts {
  public:
-  explicit DangerSum(const MetricParameters& given) : PersonCosts(2, given) {}
+  DangerSum() : PersonCosts(2) {}
 
  protected:
-  bool addCosts(const Recording& /*recording*/, const Sample& sample, const Person& person,
-                std::vector<double>& costs) override {
-    costs[0] = fearCost(sample.robot, person, parameters());
-    costs[1] = panicCost(sample.robot, person, parameters());
+  bool addCosts(const Instant& at, const Person& person, std::vector<double>& costs) override {
+    costs[0] = fearCost(at.now.robot, person, at.parameters);
+    costs[1] = panicCost(at.now.robot, person, at.parameters);
     return true;
   }
 };
 
 void addCost(MetricRegistry& to, MetricInfo info, std::size_t cost) {
   const std::string key = info.key;
-  to.addStream(std::move(info),
-               streamOf<DangerSum>(
-                   "danger",
-                   [cost](const DangerSum& sum, const Recording& /*recording*/,
-                          const MetricParameters& /*parameters*/) { return sum.value(cost); },
-                   [](const MetricParameters& parameters) {
-                     return std::make_unique<DangerSum>(parameters);
-                   }));
+  to.add(std::move(info), streamOf<DangerSum>([cost](const DangerSum& sum, const Instant& last) {
+           return sum.value(cost, last);
+         }));
   to.addMeanOf(key);
 }
 

@@ -2,8 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "metrics/Motion.h"
-#include "metrics/SeriesMetric.h"
+#include "metrics/TermSums.h"
 
 namespace metrics {
 
@@ -45,16 +44,17 @@ double personSees(const Sample& sample, const MetricParameters& /*parameters*/) 
   return smallest;
 }
 
-MetricValue narrow(const std::vector<double>& angles, const Recording& recording,
-                   const MetricParameters& parameters) {
-  return numberValue(
-      timeWhere(recording, [&](std::size_t i) { return angles[i] <= parameters.facingHalfAngle; }));
+bool isNarrow(double angle, const MetricParameters& parameters) {
+  return angle <= parameters.facingHalfAngle;
 }
 
-MetricValue wide(const std::vector<double>& angles, const Recording& recording,
-                 const MetricParameters& /*parameters*/) {
-  return numberValue(
-      timeWhere(recording, [&](std::size_t i) { return angles[i] <= kWideHalfAngle; }));
+bool isWide(double angle, const MetricParameters& /*parameters*/) {
+  return angle <= kWideHalfAngle;
+}
+
+template <Term kTerm, TermTest kTest>
+Stream timeWithin() {
+  return streamOf<WhereTerm<kTerm, kTest>>(&WhereTerm<kTerm, kTest>::time);
 }
 
 }  // namespace
@@ -62,27 +62,22 @@ MetricValue wide(const std::vector<double>& angles, const Recording& recording,
 void addFacing(MetricRegistry& to) {
   const Needs needs{true, true};
   const Category social = Category::Social;
-  addSeriesMetric(
-      to,
-      {"time_facing_people", "Time heading at people", "s", social, Better::Lower, needs,
-       "sum of dt_i with a person within facing_half_angle of the robot's heading", "Arena",
-       "[0, T]", Kind::Number, 0, ""},
-      robotFaces, narrow);
-  addSeriesMetric(to,
-                  {"time_seen_by_people", "Time looked at", "s", social, Better::Neutral, needs,
-                   "sum of dt_i with the robot within facing_half_angle of a person's heading",
-                   "Arena", "[0, T]", Kind::Number, 0, ""},
-                  personSees, narrow);
-  addSeriesMetric(to,
-                  {"time_facing_people_60", "Time heading towards people", "s", social,
-                   Better::Lower, needs, "the same within 60 degrees to each side",
-                   "Arena, wider cone", "[0, T]", Kind::Number, 0, ""},
-                  robotFaces, wide);
-  addSeriesMetric(to,
-                  {"time_seen_by_people_60", "Time in somebody's view", "s", social,
-                   Better::Neutral, needs, "the same within 60 degrees to each side",
-                   "Arena, wider cone", "[0, T]", Kind::Number, 0, ""},
-                  personSees, wide);
+  to.add({"time_facing_people", "Time heading at people", "s", social, Better::Lower, needs,
+          "sum of dt_i with a person within facing_half_angle of the robot's heading", "Arena",
+          "[0, T]", Kind::Number, 0, ""},
+         timeWithin<robotFaces, isNarrow>());
+  to.add({"time_seen_by_people", "Time looked at", "s", social, Better::Neutral, needs,
+          "sum of dt_i with the robot within facing_half_angle of a person's heading", "Arena",
+          "[0, T]", Kind::Number, 0, ""},
+         timeWithin<personSees, isNarrow>());
+  to.add({"time_facing_people_60", "Time heading towards people", "s", social, Better::Lower, needs,
+          "the same within 60 degrees to each side", "Arena, wider cone", "[0, T]", Kind::Number, 0,
+          ""},
+         timeWithin<robotFaces, isWide>());
+  to.add({"time_seen_by_people_60", "Time in somebody's view", "s", social, Better::Neutral, needs,
+          "the same within 60 degrees to each side", "Arena, wider cone", "[0, T]", Kind::Number, 0,
+          ""},
+         timeWithin<personSees, isWide>());
   for (const char* key : {"time_facing_people", "time_seen_by_people", "time_facing_people_60",
                           "time_seen_by_people_60"}) {
     to.setRateBound(key, 0.05);  // begins and ends on samples

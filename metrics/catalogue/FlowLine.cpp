@@ -29,28 +29,28 @@ class LineCrossings : public Accumulator {
       : line_{Vec2(parameters.flowLineX1, parameters.flowLineY1),
               Vec2(parameters.flowLineX2, parameters.flowLineY2)} {}
 
-  void add(const Recording& recording, std::size_t sample) override {
-    if (sample == 0 || !isSet()) {
+  void add(const Instant& at) override {
+    if (at.before == nullptr || !isSet()) {
       return;
     }
-    const std::vector<Person>& before = recording.samples[sample - 1].people;
+    const std::vector<Person>& before = at.before->people;
     std::size_t next = 0;
-    for (const Person& person : recording.samples[sample].people) {
+    for (const Person& person : at.now.people) {
       const Person* then =
           findInOrder(before, next, [&](const Person& other) { return other.id == person.id; });
       count_ += then != nullptr && crosses(then->position, person.position, line_) ? 1.0 : 0.0;
     }
   }
 
-  MetricValue count() const {
+  MetricValue count(const Instant& /*last*/) const {
     return isSet() ? countValue(count_) : undefinedValue("no line is set (flow_line_x1 ...)");
   }
-  MetricValue flow(const Recording& recording) const {
+  MetricValue flow(const Instant& last) const {
     if (!isSet()) {
-      return count();
+      return count(last);
     }
-    return recording.duration() > 0.0
-               ? numberValue(count_ / recording.duration() / lengthOf(line_.to - line_.from))
+    return last.elapsed() > 0.0
+               ? numberValue(count_ / last.elapsed() / lengthOf(line_.to - line_.from))
                : undefinedValue("the record has no duration");
   }
 
@@ -61,17 +61,13 @@ class LineCrossings : public Accumulator {
   double count_ = 0.0;
 };
 
-using Reader = MetricValue (*)(const LineCrossings&, const Recording&, const MetricParameters&);
-
-void addLine(MetricRegistry& to, MetricInfo info, Reader read) {
+void addLine(MetricRegistry& to, MetricInfo info,
+             MetricValue (LineCrossings::*read)(const Instant&) const) {
   info.category = Category::Social;
   info.better = Better::Neutral;
   info.needs = Needs{false, true};
   info.source = "Seyfried et al. 2005";
-  to.addStream(std::move(info),
-               streamOf<LineCrossings>("line", read, [](const MetricParameters& parameters) {
-                 return std::make_unique<LineCrossings>(parameters);
-               }));
+  to.add(std::move(info), streamOf<LineCrossings>(read));
 }
 
 }  // namespace
@@ -83,18 +79,14 @@ void addFlowLine(MetricRegistry& to) {
   crossings.formula = "number of steps of people that cross the line (flow_line_x1 ...), both ways";
   crossings.range = "0, 1, ...";
   crossings.kind = Kind::Count;
-  addLine(to, crossings,
-          [](const LineCrossings& line, const Recording& /*recording*/,
-             const MetricParameters& /*parameters*/) { return line.count(); });
+  addLine(to, crossings, &LineCrossings::count);
   MetricInfo flow;
   flow.key = "line_flow";
   flow.name = "Flow through the line";
   flow.unit = "1/(m s)";
   flow.formula = "line_crossings / T / length of the line";
   flow.range = "[0, inf)";
-  addLine(to, flow,
-          [](const LineCrossings& line, const Recording& recording,
-             const MetricParameters& /*parameters*/) { return line.flow(recording); });
+  addLine(to, flow, &LineCrossings::flow);
 }
 
 }  // namespace metrics

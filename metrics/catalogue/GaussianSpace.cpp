@@ -2,8 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "metrics/Motion.h"
-#include "metrics/SeriesMetric.h"
+#include "metrics/TermSums.h"
 
 namespace metrics {
 
@@ -27,8 +26,6 @@ double leastOutsideness(const Person& person, const Robot& robot) {
          (2.0 * std::max(2.0 * person.speed, 0.5));
 }
 
-using Terms = std::vector<double>;
-
 /// Deepest intrusion of a sample; NaN without people.
 double deepest(const Sample& sample, const MetricParameters& /*parameters*/) {
   double least = std::numeric_limits<double>::infinity();
@@ -40,47 +37,46 @@ double deepest(const Sample& sample, const MetricParameters& /*parameters*/) {
   return sample.people.empty() ? std::numeric_limits<double>::quiet_NaN() : std::exp(-least);
 }
 
-MetricValue average(const Terms& values, const Recording& recording,
-                    const MetricParameters& /*parameters*/) {
-  double sum = 0.0;
-  double time = 0.0;
-  std::vector<double> series;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const bool defined = !std::isnan(values[i]);
-    sum += defined ? values[i] * recording.interval(i) : 0.0;
-    time += defined ? recording.interval(i) : 0.0;
-    series.push_back(100.0 * values[i]);
+std::vector<double> inPercent(std::vector<double> values) {
+  for (double& value : values) {
+    value *= 100.0;
   }
-  return withSeries(numberValue(time > 0.0 ? 100.0 * sum / time : 0.0), std::move(series));
+  return values;
 }
 
-MetricValue extreme(const Terms& values, bool wantLargest) {
-  std::optional<double> found;
-  for (const double value : values) {
-    if (!std::isnan(value) && (!found || (wantLargest ? value > *found : value < *found))) {
-      found = value;
-    }
+MetricValue average(const Figures& depths, const Instant& /*last*/) {
+  const double mean = depths.time() > 0.0 ? 100.0 * depths.integral() / depths.time() : 0.0;
+  return withSeries(numberValue(mean), inPercent(depths.series()));
+}
+
+MetricValue percentOf(double depth) {
+  return std::isnan(depth) ? undefinedValue("nobody in the record") : numberValue(100.0 * depth);
+}
+
+MetricValue smallest(const Figures& depths, const Instant& /*last*/) {
+  return percentOf(depths.least());
+}
+
+MetricValue largest(const Figures& depths, const Instant& /*last*/) {
+  return percentOf(depths.largest());
+}
+
+/// Share of the time with people.
+class DeepTime : public Accumulator {
+ public:
+  void add(const Instant& at) override {
+    const double depth = at.term(deepest);
+    peopled_.add(at, !std::isnan(depth));
+    deep_.add(at, depth > at.parameters.gaussianThreshold);
   }
-  return found ? numberValue(100.0 * *found) : undefinedValue("nobody in the record");
-}
+  MetricValue share(const Instant& /*last*/) const {
+    const double total = peopled_.value();
+    return numberValue(total > 0.0 ? 100.0 * deep_.value() / total : 0.0);
+  }
 
-MetricValue smallest(const Terms& values, const Recording& /*recording*/,
-                     const MetricParameters& /*parameters*/) {
-  return extreme(values, false);
-}
-
-MetricValue largest(const Terms& values, const Recording& /*recording*/,
-                    const MetricParameters& /*parameters*/) {
-  return extreme(values, true);
-}
-
-MetricValue timeAbove(const Terms& values, const Recording& recording,
-                      const MetricParameters& parameters) {
-  const double total = timeWhere(recording, [&](std::size_t i) { return !std::isnan(values[i]); });
-  const double time =
-      timeWhere(recording, [&](std::size_t i) { return values[i] > parameters.gaussianThreshold; });
-  return numberValue(total > 0.0 ? 100.0 * time / total : 0.0);
-}
+ private:
+  HeldTime peopled_, deep_;
+};
 
 }  // namespace
 
@@ -89,26 +85,21 @@ void addGaussianSpace(MetricRegistry& to) {
   const char source[] = "SRPB (Kirby's model)";
   const std::string key = "personal_space_intrusion_gaussian";
   const std::string name = "Intrusion into the Gaussian personal space";
-  addSeriesMetric(
-      to,
-      {key, name, "%", Category::Social, Better::Lower, needs,
-       "time-weighted mean of max over a of exp(-(x^2/2Vx + y^2/2Vs)); Vf = max(2 |u|, 0.5), "
-       "Vs = 2/3 Vf, Vx = Vf ahead and Vf/2 behind",
-       source, "[0, 100]", Kind::Number, 0, ""},
-      deepest, average);
-  addSeriesMetric(to,
-                  {key + "_min", name + ", smallest", "%", Category::Social, Better::Lower, needs,
-                   "min over samples with people", source, "[0, 100]", Kind::Number, 0, ""},
-                  deepest, smallest);
-  addSeriesMetric(to,
-                  {key + "_max", name + ", largest", "%", Category::Social, Better::Lower, needs,
-                   "max over samples with people", source, "[0, 100]", Kind::Number, 0, ""},
-                  deepest, largest);
-  addSeriesMetric(to,
-                  {key + "_above", "Time inside the Gaussian personal space", "%", Category::Social,
-                   Better::Lower, needs, "share of the time with people above gaussian_threshold",
-                   source, "[0, 100]", Kind::Number, 0, ""},
-                  deepest, timeAbove);
+  to.add({key, name, "%", Category::Social, Better::Lower, needs,
+          "time-weighted mean of max over a of exp(-(x^2/2Vx + y^2/2Vs)); Vf = max(2 |u|, 0.5), "
+          "Vs = 2/3 Vf, Vx = Vf ahead and Vf/2 behind",
+          source, "[0, 100]", Kind::Number, 0, ""},
+         figuresOf<deepest>(average));
+  to.add({key + "_min", name + ", smallest", "%", Category::Social, Better::Lower, needs,
+          "min over samples with people", source, "[0, 100]", Kind::Number, 0, ""},
+         figuresOf<deepest>(smallest));
+  to.add({key + "_max", name + ", largest", "%", Category::Social, Better::Lower, needs,
+          "max over samples with people", source, "[0, 100]", Kind::Number, 0, ""},
+         figuresOf<deepest>(largest));
+  to.add({key + "_above", "Time inside the Gaussian personal space", "%", Category::Social,
+          Better::Lower, needs, "share of the time with people above gaussian_threshold", source,
+          "[0, 100]", Kind::Number, 0, ""},
+         streamOf<DeepTime>(&DeepTime::share));
 }
 
 }  // namespace metrics

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "metrics/MetricRegistry.h"
 #include "metrics/Motion.h"
 
 namespace metrics {
@@ -10,45 +9,54 @@ namespace {
 
 constexpr char kNoGoal[] = "the robot has no goal";
 
-MetricValue timeToReachGoal(const Recording& recording, const MetricParameters& parameters) {
-  if (parameters.profile == Profile::Hunav2) {
-    return numberValue(recording.duration());
+/// Begin of the stay inside the goal region that still lasts.
+class GoalStay : public Accumulator {
+ public:
+  void add(const Instant& at) override {
+    if (!isInGoalRegion(at.course, at.now.robot.position, at.parameters)) {
+      since_.reset();
+    } else if (!since_) {
+      since_ = at.elapsed();
+    }
   }
-  if (recording.goals.empty()) {
-    return undefinedValue(kNoGoal);
+  MetricValue time(const Instant& last) const {
+    if (last.isOriginal()) {
+      return numberValue(last.elapsed());
+    }
+    if (last.course.goals.empty()) {
+      return undefinedValue(kNoGoal);
+    }
+    return since_ ? numberValue(*since_) : undefinedValue("the goal was not reached");
   }
-  std::size_t entry = recording.size();
-  while (entry > 0 && isInGoalRegion(recording, entry - 1, parameters)) {
-    --entry;
-  }
-  if (entry == recording.size()) {
-    return undefinedValue("the goal was not reached");
-  }
-  return numberValue(recording.samples[entry].time - recording.samples.front().time);
+
+ private:
+  std::optional<double> since_;  // [s]
+};
+
+MetricValue completed(const Instant& last) {
+  return booleanValue(isCompleted(last));
 }
 
-MetricValue completed(const Recording& recording, const MetricParameters& parameters) {
-  return booleanValue(isCompleted(recording, parameters));
-}
-
-MetricValue goalDistance(double distance, const Recording& recording,
-                         const MetricParameters& parameters) {
-  if (!recording.goals.empty()) {
+MetricValue goalDistance(double distance, const Instant& last) {
+  if (!last.course.goals.empty()) {
     return numberValue(distance);
   }
-  return parameters.profile == Profile::Hunav2 ? infiniteValue(kNoGoal) : undefinedValue(kNoGoal);
+  return last.isOriginal() ? infiniteValue(kNoGoal) : undefinedValue(kNoGoal);
 }
 
-MetricValue minimumDistance(const Recording& recording, const MetricParameters& parameters) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < recording.size(); ++i) {
-    nearest = std::min(nearest, distanceToGoals(recording, i));
+class NearestGoal : public Accumulator {
+ public:
+  void add(const Instant& at) override {
+    nearest_ = std::min(nearest_, distanceToGoals(at.course, at.now.robot.position));
   }
-  return goalDistance(nearest, recording, parameters);
-}
+  MetricValue value(const Instant& last) const { return goalDistance(nearest_, last); }
 
-MetricValue finalDistance(const Recording& recording, const MetricParameters& parameters) {
-  return goalDistance(distanceToGoals(recording, recording.size() - 1), recording, parameters);
+ private:
+  double nearest_ = std::numeric_limits<double>::infinity();  // [m]
+};
+
+MetricValue finalDistance(const Instant& last) {
+  return goalDistance(distanceToGoals(last.course, last.now.robot.position), last);
 }
 
 }  // namespace
@@ -59,19 +67,19 @@ void addGoals(MetricRegistry& to) {
   to.add({"time_to_reach_goal", "Time to reach the goal", "s", Category::Navigation, Better::Lower,
           needs, "t_k - t_0, k = first sample of the last stay inside the goal region",
           "Perez-Higueras, Caballero, Merino, IJSR 2018", "[0, inf)", Kind::Number, 1, ""},
-         timeToReachGoal);
+         streamOf<GoalStay>(&GoalStay::time));
   to.add({"completed", "Goal reached", "", Category::Navigation, Better::Higher, needs,
           "some goal g: |p_(N-1) - g| - goal radius < goal_tolerance", sean, "0 or 1",
           Kind::Boolean, 13, ""},
-         completed);
+         streamOfLast(completed));
   to.add(
       {"minimum_distance_to_target", "Smallest distance to the goal", "m", Category::Navigation,
        Better::Lower, needs, "min over i, g of |p_i - g|", sean, "[0, inf)", Kind::Number, 14, ""},
-      minimumDistance);
+      streamOf<NearestGoal>(&NearestGoal::value));
   to.add(
       {"final_distance_to_target", "Final distance to the goal", "m", Category::Navigation,
        Better::Lower, needs, "min over g of |p_(N-1) - g|", sean, "[0, inf)", Kind::Number, 15, ""},
-      finalDistance);
+      streamOfLast(finalDistance));
 }
 
 }  // namespace metrics

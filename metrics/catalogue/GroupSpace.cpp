@@ -3,7 +3,7 @@
 #include <limits>
 #include <map>
 
-#include "metrics/SeriesMetric.h"
+#include "metrics/TermSums.h"
 
 namespace metrics {
 
@@ -79,16 +79,13 @@ double deepest(const Sample& sample, const MetricParameters& parameters) {
   return value;
 }
 
-MetricValue average(const std::vector<double>& terms, const Recording& recording,
-                    const MetricParameters& /*parameters*/) {
-  const double mean = timeMean(terms, recording);
+MetricValue average(const Figures& depths, const Instant& /*last*/) {
+  const double mean = depths.timeMean();
   return std::isnan(mean) ? numberValue(0.0) : numberValue(100.0 * mean);
 }
 
-MetricValue largest(const std::vector<double>& terms, const Recording& /*recording*/,
-                    const MetricParameters& /*parameters*/) {
-  const double value = largestTerm(terms);
-  return std::isnan(value) ? numberValue(0.0) : numberValue(100.0 * value);
+MetricValue largest(const Figures& depths, const Instant& /*last*/) {
+  return std::isnan(depths.largest()) ? numberValue(0.0) : numberValue(100.0 * depths.largest());
 }
 
 /// Left (> 0) or right of the line from a to b.
@@ -149,22 +146,17 @@ bool isCrossing(const Sample* before, const Sample& now, const Members& members)
 
 class GroupCrossings : public Accumulator {
  public:
-  explicit GroupCrossings(const MetricParameters& parameters) : parameters_(parameters) {}
-
-  void add(const Recording& recording, std::size_t sample) override {
-    const Sample* before = sample > 0 ? &recording.samples[sample - 1] : nullptr;
-    const Sample& after = recording.samples[sample];
-    forEachGroup(after, parameters_, [&](int group, const Members& members) {
-      const bool now = isCrossing(before, after, members);
+  void add(const Instant& at) override {
+    forEachGroup(at.now, at.parameters, [&](int group, const Members& members) {
+      const bool now = isCrossing(at.before, at.now, members);
       bool& crossed = crossed_[group];
       count_ += now && !crossed ? 1.0 : 0.0;
       crossed = now;
     });
   }
-  MetricValue value() const { return countValue(count_); }
+  MetricValue value(const Instant& /*last*/) const { return countValue(count_); }
 
  private:
-  MetricParameters parameters_;
   std::map<int, bool> crossed_;
   double count_ = 0.0;
 };
@@ -173,30 +165,21 @@ class GroupCrossings : public Accumulator {
 
 void addGroupSpace(MetricRegistry& to) {
   const Needs needs{true, true, true};
-  addSeriesMetric(
-      to,
+  to.add(
       {"formation_space_intrusion", "Intrusion into the space of groups", "%", Category::Social,
        Better::Lower, needs,
        "time-weighted mean of max over groups of exp(-(u^2/2Vu + w^2/2Vw)), u, w = robot along the "
        "axes of the arrangement of the members, V = (span of the members with their bodies/4)^2",
        "SRPB", "[0, 100]", Kind::Number, 0, ""},
-      deepest, average);
-  addSeriesMetric(to,
-                  {"formation_space_intrusion_max", "Intrusion into the space of groups, largest",
-                   "%", Category::Social, Better::Lower, needs, "max over samples of the same",
-                   "SRPB", "[0, 100]", Kind::Number, 0, ""},
-                  deepest, largest);
-  to.addStream(
-      {"group_crossings", "Groups crossed", "", Category::Social, Better::Lower, needs,
-       "number of times the robot gets inside the hull of a group or between two of its members",
-       "Katyal et al. 2022; Okal and Arras 2016", "0, 1, ...", Kind::Count, 0, ""},
-      streamOf<GroupCrossings>(
-          "",
-          [](const GroupCrossings& crossings, const Recording& /*recording*/,
-             const MetricParameters& /*parameters*/) { return crossings.value(); },
-          [](const MetricParameters& parameters) {
-            return std::make_unique<GroupCrossings>(parameters);
-          }));
+      figuresOf<deepest>(average));
+  to.add({"formation_space_intrusion_max", "Intrusion into the space of groups, largest", "%",
+          Category::Social, Better::Lower, needs, "max over samples of the same", "SRPB",
+          "[0, 100]", Kind::Number, 0, ""},
+         figuresOf<deepest>(largest));
+  to.add({"group_crossings", "Groups crossed", "", Category::Social, Better::Lower, needs,
+          "number of times the robot gets inside the hull of a group or between two of its members",
+          "Katyal et al. 2022; Okal and Arras 2016", "0, 1, ...", Kind::Count, 0, ""},
+         streamOf<GroupCrossings>(&GroupCrossings::value));
 }
 
 }  // namespace metrics

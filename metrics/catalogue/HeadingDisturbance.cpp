@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 
-#include "metrics/SeriesMetric.h"
+#include "metrics/TermSums.h"
 
 namespace metrics {
 
@@ -49,20 +49,18 @@ double worst(const Sample& sample, const MetricParameters& parameters) {
   return value;
 }
 
-MetricValue average(const std::vector<double>& terms, const Recording& recording,
-                    const MetricParameters& /*parameters*/) {
-  const double mean = timeMean(terms, recording);
-  std::vector<double> series;
-  for (const double term : terms) {
-    series.push_back(100.0 * term);
+MetricValue average(const Figures& figures, const Instant& /*last*/) {
+  const double mean = figures.timeMean();
+  std::vector<double> series = figures.series();
+  for (double& term : series) {
+    term *= 100.0;
   }
   return withSeries(std::isnan(mean) ? numberValue(0.0) : numberValue(100.0 * mean),
                     std::move(series));
 }
 
-MetricValue largest(const std::vector<double>& terms, const Recording& /*recording*/,
-                    const MetricParameters& /*parameters*/) {
-  const double value = largestTerm(terms);
+MetricValue largest(const Figures& figures, const Instant& /*last*/) {
+  const double value = figures.largest();
   return std::isnan(value) ? undefinedValue("nobody in the record") : numberValue(100.0 * value);
 }
 
@@ -75,17 +73,13 @@ void addHeadingDisturbance(MetricRegistry& to) {
       "disturbance_field_of_view/4) * min(s/disturbance_speed, 1) * min((r_r + "
       "disturbance_radius)/d, 1); offset: where the line of the robot's heading meets the line "
       "across the person, bearing: of the robot in the person's view, G(x; s) = exp(-x^2/2s^2)";
-  addSeriesMetric(
-      to,
-      {"heading_direction_disturbance", "Disturbance by the robot's heading", "%", Category::Social,
-       Better::Lower, needs, formula, "SRPB", "[0, 100]", Kind::Number, 0, ""},
-      worst, average);
-  addSeriesMetric(
-      to,
-      {"heading_direction_disturbance_max", "Disturbance by the robot's heading, largest", "%",
-       Category::Social, Better::Lower, needs, "max over samples of the same", "SRPB", "[0, 100]",
-       Kind::Number, 0, ""},
-      worst, largest);
+  to.add({"heading_direction_disturbance", "Disturbance by the robot's heading", "%",
+          Category::Social, Better::Lower, needs, formula, "SRPB", "[0, 100]", Kind::Number, 0, ""},
+         figuresOf<worst>(average));
+  to.add({"heading_direction_disturbance_max", "Disturbance by the robot's heading, largest", "%",
+          Category::Social, Better::Lower, needs, "max over samples of the same", "SRPB",
+          "[0, 100]", Kind::Number, 0, ""},
+         figuresOf<worst>(largest));
 }
 
 }  // namespace metrics

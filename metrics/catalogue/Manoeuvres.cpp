@@ -1,7 +1,6 @@
 #include <cmath>
 
 #include "metrics/MetricRegistry.h"
-#include "metrics/Motion.h"
 
 namespace metrics {
 
@@ -32,13 +31,22 @@ bool turnsInPlace(const Robot& robot, const MetricParameters& parameters) {
 
 using Test = bool (*)(const Robot&, const MetricParameters&);
 
-MetricFunction shareOfTime(Test test) {
-  return [test](const Recording& recording, const MetricParameters& parameters) {
-    const double total = recording.duration();
-    const double time = timeWhere(
-        recording, [&](std::size_t i) { return test(recording.samples[i].robot, parameters); });
-    return numberValue(total > 0.0 ? 100.0 * time / total : 0.0);
-  };
+template <Test kTest>
+class ShareOfTime : public Accumulator {
+ public:
+  void add(const Instant& at) override { time_.add(at, kTest(at.now.robot, at.parameters)); }
+  MetricValue value(const Instant& last) const {
+    const double total = last.elapsed();
+    return numberValue(total > 0.0 ? 100.0 * time_.value() / total : 0.0);
+  }
+
+ private:
+  HeldTime time_;
+};
+
+template <Test kTest>
+Stream shareOfTime() {
+  return streamOf<ShareOfTime<kTest>>(&ShareOfTime<kTest>::value);
 }
 
 }  // namespace
@@ -49,15 +57,15 @@ void addManoeuvres(MetricRegistry& to) {
           "share of time with |vx|, |vy|, |v| < oscillation_speed and |w| < "
           "oscillation_angular_speed (robot frame)",
           "SRPB", "[0, 100]", Kind::Number, 0, ""},
-         shareOfTime(oscillates));
+         shareOfTime<oscillates>());
   to.add({"backward_movements", "Driving backwards", "%", motion, Better::Lower, Needs{},
           "share of time with vx < -backward_speed (robot frame)", "SRPB", "[0, 100]", Kind::Number,
           0, ""},
-         shareOfTime(backsUp));
+         shareOfTime<backsUp>());
   to.add({"inplace_rotations", "Turning in place", "%", motion, Better::Lower, Needs{},
           "share of time with |vx|, |vy| < inplace_speed and |w| >= inplace_angular_speed", "SRPB",
           "[0, 100]", Kind::Number, 0, ""},
-         shareOfTime(turnsInPlace));
+         shareOfTime<turnsInPlace>());
 }
 
 }  // namespace metrics

@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
 #include <string>
 
-#include "metrics/SeriesMetric.h"
+#include "metrics/TermSums.h"
 
 namespace metrics {
 
@@ -24,26 +26,40 @@ constexpr Band kBands[] = {
     {"personal", &MetricParameters::intimateDistance, &MetricParameters::personalDistance, 8, 11},
     {"social", &MetricParameters::personalDistance, &MetricParameters::socialDistance, 9, 12},
 };
+constexpr std::size_t kBandCount = std::size(kBands);
 
 bool isInBand(double distance, const Band& band, const MetricParameters& parameters) {
   const double inner = band.inner != nullptr ? parameters.*band.inner : 0.0;
   return distance >= inner && distance < parameters.*band.outer;
 }
 
-MetricValue percentage(std::vector<double> series) {
-  const double share = 100.0 / static_cast<double>(series.size()) * sumOf(series);
-  return withSeries(numberValue(share), std::move(series), Kind::Count);
-}
-
-MetricValue intrusions(const std::vector<double>& closest, const MetricParameters& parameters,
-                       const Band& band) {
-  std::vector<double> series;
-  series.reserve(closest.size());
-  for (const double distance : closest) {  // NaN, nobody there, is in no band
-    series.push_back(isInBand(distance, band, parameters) ? 1.0 : 0.0);
+/// The samples whose distance lies in each of the bands; NaN, nobody there, is in none.
+class BandCounts {
+ public:
+  void add(const Instant& at, double distance) {
+    for (std::size_t k = 0; k < kBandCount; ++k) {
+      counts_[k].add(at, isInBand(distance, kBands[k], at.parameters) ? 1.0 : 0.0);
+    }
   }
-  return percentage(std::move(series));
-}
+  MetricValue percentage(std::size_t band, const Instant& last) const {
+    const double share = 100.0 / static_cast<double>(last.count()) * counts_[band].sum();
+    return withSeries(numberValue(share), counts_[band].terms(), Kind::Count);
+  }
+
+ private:
+  std::array<SeriesSum, kBandCount> counts_;
+};
+
+class GapBands : public Accumulator {
+ public:
+  void add(const Instant& at) override { counts_.add(at, at.term(closestGapTerm)); }
+  MetricValue value(std::size_t band, const Instant& last) const {
+    return counts_.percentage(band, last);
+  }
+
+ private:
+  BandCounts counts_;
+};
 
 /// Sum and number of the members' interaction points.
 struct Centre {
@@ -73,39 +89,35 @@ double distanceTo(const Centre& centre, const Robot& robot) {
 /// singles too, for the whole run.
 class GroupDistances : public Accumulator {
  public:
-  explicit GroupDistances(const MetricParameters& parameters) : parameters_(parameters) {}
-
-  void add(const Recording& recording, std::size_t sample) override {
-    const Sample& now = recording.samples[sample];
-    const std::map<int, Centre> centres = centresOf(now, parameters_);
-    if (!isOriginal()) {
-      nearest_.push_back(nearestOf(centres, now.robot));
+  void add(const Instant& at) override {
+    const std::map<int, Centre> centres = centresOf(at.now, at.parameters);
+    if (!at.isOriginal()) {
+      counts_.add(at, nearestOf(centres, at));
       return;
     }
-    if (sample == 0) {
+    if (at.before == nullptr) {
       for (const auto& [id, centre] : centres) {
         groups_.insert(id);
       }
     }
-    nearest_.push_back(nearestOfFirst(centres, now));
+    counts_.add(at, nearestOfFirst(centres, at.now));
   }
 
-  MetricValue value(const Band& band, const MetricParameters& parameters) const {
-    if (isOriginal() && groups_.empty()) {
+  MetricValue value(std::size_t band, const Instant& last) const {
+    if (last.isOriginal() && groups_.empty()) {
       return numberValue(0.0);
     }
-    return failure_.empty() ? intrusions(nearest_, parameters, band) : undefinedValue(failure_);
+    return failure_.empty() ? counts_.percentage(band, last) : undefinedValue(failure_);
   }
 
  private:
   static constexpr double kFar = std::numeric_limits<double>::infinity();
-  bool isOriginal() const { return parameters_.profile == Profile::Hunav2; }
 
-  double nearestOf(const std::map<int, Centre>& centres, const Robot& robot) const {
+  static double nearestOf(const std::map<int, Centre>& centres, const Instant& at) {
     double nearest = kFar;
     for (const auto& [id, centre] : centres) {
-      if (centre.members >= parameters_.groupMinimumMembers) {
-        nearest = std::min(nearest, distanceTo(centre, robot));
+      if (centre.members >= at.parameters.groupMinimumMembers) {
+        nearest = std::min(nearest, distanceTo(centre, at.now.robot));
       }
     }
     return nearest;
@@ -125,45 +137,39 @@ class GroupDistances : public Accumulator {
     return nearest;
   }
 
-  MetricParameters parameters_;
-  std::vector<double> nearest_;
+  BandCounts counts_;
   std::set<int> groups_;  // of the first sample
   std::string failure_;
 };
 
-void addBand(MetricRegistry& to, const Band& band) {
+template <class Sum>
+Stream bandOf(std::size_t band) {
+  return streamOf<Sum>(
+      [band](const Sum& sum, const Instant& last) { return sum.value(band, last); });
+}
+
+void addBand(MetricRegistry& to, std::size_t index) {
+  const Band& band = kBands[index];
   const std::string name = band.name;
-  addSeriesMetric(
-      to,
+  to.add(
       {name + "_space_intrusions", "Intrusions into the " + name + " space", "%", Category::Social,
        Better::Lower, Needs{true, true}, "100/N * samples with c_i in the " + name + " band",
        "Perez-Higueras, Caballero, Merino, IJSR 2018; Hall 1966", "[0, 100]", Kind::Number,
        band.hunav, ""},
-      closestGapTerm,
-      [&band](const std::vector<double>& closest, const Recording& /*recording*/,
-              const MetricParameters& parameters) {
-        return intrusions(closest, parameters, band);
-      });
-  to.addStream(
-      {"group_" + name + "_space_intrusions", "Intrusions into the " + name + " space of groups",
-       "%", Category::Social, Better::Lower, Needs{true, true, true},
-       "100/N * samples with x_i in the " + name +
-           " band; x_i = max(0, min over groups of |p_i - centre| - r_r)",
-       "Perez-Higueras, Caballero, Merino, IJSR 2018, after Okal and Arras 2016", "[0, 100]",
-       Kind::Number, band.hunavGroup, ""},
-      streamOf<GroupDistances>(
-          "distances of groups",
-          [&band](const GroupDistances& distances, const Recording& /*recording*/,
-                  const MetricParameters& parameters) { return distances.value(band, parameters); },
-          [](const MetricParameters& parameters) {
-            return std::make_unique<GroupDistances>(parameters);
-          }));
+      bandOf<GapBands>(index));
+  to.add({"group_" + name + "_space_intrusions", "Intrusions into the " + name + " space of groups",
+          "%", Category::Social, Better::Lower, Needs{true, true, true},
+          "100/N * samples with x_i in the " + name +
+              " band; x_i = max(0, min over groups of |p_i - centre| - r_r)",
+          "Perez-Higueras, Caballero, Merino, IJSR 2018, after Okal and Arras 2016", "[0, 100]",
+          Kind::Number, band.hunavGroup, ""},
+         bandOf<GroupDistances>(index));
 }
 
 }  // namespace
 
 void addProxemics(MetricRegistry& to) {
-  for (const Band& band : kBands) {
+  for (std::size_t band = 0; band < kBandCount; ++band) {
     addBand(to, band);
   }
 }

@@ -3,7 +3,6 @@
 #include <iterator>
 #include <limits>
 
-#include "metrics/MetricRegistry.h"
 #include "metrics/Motion.h"
 
 /// The robot against a reference: a recorded run, else the shortest way to its goal, driven at full
@@ -13,22 +12,22 @@ namespace metrics {
 namespace {
 
 constexpr char kNoGoal[] = "there is no goal and no reference";
-constexpr std::size_t kMostPoints = 400;  // of a comparison of all with all
+constexpr std::size_t kMostPoints = 800;  // of a comparison of all with all, the last aside
 
-bool hasReference(const Recording& recording) {
-  return !recording.reference.empty() || !recording.goals.empty();
+bool hasReference(const Course& course) {
+  return !course.reference.empty() || !course.goals.empty();
 }
 
-std::vector<Vec2> referencePath(const Recording& recording) {
-  if (!recording.reference.empty()) {
-    std::vector<Vec2> path;
-    for (const auto& [time, place] : recording.reference) {
-      path.push_back(place);
-    }
-    return path;
+/// Empty without reference. `first`: the sample with which the run begins.
+std::vector<Vec2> referencePath(const Course& course, const Sample& first) {
+  std::vector<Vec2> path;
+  for (const auto& [time, place] : course.reference) {
+    path.push_back(place);
   }
-  return shortestPath(recording, recording.samples.front().robot.position,
-                      recording.goals.front().position);
+  if (path.empty() && !course.goals.empty()) {
+    path = shortestPath(course, first.robot.position, course.goals.front().position);
+  }
+  return path;
 }
 
 /// The point of the way after this length; its end beyond.
@@ -55,31 +54,38 @@ Vec2 recordedPlace(const std::vector<std::pair<double, Vec2>>& reference, double
   return from + (time - begin) / (after->first - begin) * (after->second - from);
 }
 
-std::vector<double> displacements(const Recording& recording) {
-  const std::vector<Vec2> path = referencePath(recording);
-  std::vector<double> values;
-  for (const Sample& sample : recording.samples) {
-    const double time = sample.time - recording.samples.front().time;
-    const Vec2 place = recording.reference.empty() ? pointAt(path, recording.robotMaxSpeed * time)
-                                                   : recordedPlace(recording.reference, time);
-    values.push_back(lengthOf(sample.robot.position - place));
-  }
-  return values;
+MetricValue meanOf(const SeriesSum& sum, const Instant& last) {
+  return hasReference(last.course)
+             ? withSeries(numberValue(sum.sum() / static_cast<double>(last.count())), sum.terms())
+             : undefinedValue(kNoGoal);
 }
 
-MetricValue averageDisplacement(const Recording& recording, const MetricParameters& /*p*/) {
-  if (!hasReference(recording)) {
-    return undefinedValue(kNoGoal);
+/// From the place where the reference is at the same time.
+class Displacement : public Accumulator {
+ public:
+  void add(const Instant& at) override {
+    if (at.before == nullptr) {
+      path_ = referencePath(at.course, at.now);
+    }
+    if (path_.empty()) {
+      return;
+    }
+    const Vec2 place = at.course.reference.empty()
+                           ? pointAt(path_, at.course.robotMaxSpeed * at.elapsed())
+                           : recordedPlace(at.course.reference, at.elapsed());
+    newest_ = lengthOf(at.now.robot.position - place);
+    sum_.add(at, newest_);
   }
-  std::vector<double> values = displacements(recording);
-  const double mean = sumOf(values) / static_cast<double>(values.size());
-  return withSeries(numberValue(mean), std::move(values));
-}
+  MetricValue mean(const Instant& last) const { return meanOf(sum_, last); }
+  MetricValue final(const Instant& last) const {
+    return hasReference(last.course) ? numberValue(newest_) : undefinedValue(kNoGoal);
+  }
 
-MetricValue finalDisplacement(const Recording& recording, const MetricParameters& /*p*/) {
-  return hasReference(recording) ? numberValue(displacements(recording).back())
-                                 : undefinedValue(kNoGoal);
-}
+ private:
+  std::vector<Vec2> path_;
+  double newest_ = 0.0;  // [m]
+  SeriesSum sum_;
+};
 
 double distanceToPath(const std::vector<Vec2>& path, const Vec2& point) {
   double nearest = lengthOf(point - path.front());
@@ -93,18 +99,22 @@ double distanceToPath(const std::vector<Vec2>& path, const Vec2& point) {
   return nearest;
 }
 
-MetricValue pathDeviation(const Recording& recording, const MetricParameters& /*p*/) {
-  if (!hasReference(recording)) {
-    return undefinedValue(kNoGoal);
+class Deviation : public Accumulator {
+ public:
+  void add(const Instant& at) override {
+    if (at.before == nullptr) {
+      path_ = referencePath(at.course, at.now);
+    }
+    if (!path_.empty()) {
+      sum_.add(at, distanceToPath(path_, at.now.robot.position));
+    }
   }
-  const std::vector<Vec2> path = referencePath(recording);
-  std::vector<double> values;
-  for (const Sample& sample : recording.samples) {
-    values.push_back(distanceToPath(path, sample.robot.position));
-  }
-  const double mean = sumOf(values) / static_cast<double>(values.size());
-  return withSeries(numberValue(mean), std::move(values));
-}
+  MetricValue mean(const Instant& last) const { return meanOf(sum_, last); }
+
+ private:
+  std::vector<Vec2> path_;
+  SeriesSum sum_;
+};
 
 /// Evenly along the way, both ends included.
 std::vector<Vec2> spread(const std::vector<Vec2>& path, std::size_t count) {
@@ -133,17 +143,57 @@ double warped(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
   return before.back() / static_cast<double>(a.size());
 }
 
-MetricValue dynamicTimeWarping(const Recording& recording, const MetricParameters& /*p*/) {
-  if (!hasReference(recording)) {
-    return undefinedValue(kNoGoal);
+/// The positions of every 2^k-th sample, as many as fit into the limit.
+class ThinnedWay {
+ public:
+  void add(std::size_t index, const Vec2& place) {
+    if (index % stride_ == 0 && places_.size() == kMostPoints) {
+      for (std::size_t k = 0; 2 * k < places_.size(); ++k) {
+        places_[k] = places_[2 * k];
+      }
+      places_.resize((places_.size() + 1) / 2);
+      stride_ *= 2;
+    }
+    isNewestIn_ = index % stride_ == 0;
+    if (isNewestIn_) {
+      places_.push_back(place);
+    }
   }
-  const std::size_t count = std::min(recording.size(), kMostPoints);
-  std::vector<Vec2> driven;
-  for (std::size_t k = 0; k < count; ++k) {
-    driven.push_back(recording.samples[k * recording.size() / count].robot.position);
+  /// With the newest in any case.
+  std::vector<Vec2> upTo(const Vec2& newest) const {
+    std::vector<Vec2> way = places_;
+    if (!isNewestIn_) {
+      way.push_back(newest);
+    }
+    return way;
   }
-  return numberValue(warped(driven, spread(referencePath(recording), count)));
-}
+
+ private:
+  std::vector<Vec2> places_;
+  std::size_t stride_ = 1;
+  bool isNewestIn_ = false;
+};
+
+class Warping : public Accumulator {
+ public:
+  void add(const Instant& at) override {
+    if (at.before == nullptr) {
+      path_ = referencePath(at.course, at.now);
+    }
+    way_.add(at.index, at.now.robot.position);
+  }
+  MetricValue value(const Instant& last) const {
+    if (path_.empty()) {
+      return undefinedValue(kNoGoal);
+    }
+    const std::vector<Vec2> driven = way_.upTo(last.now.robot.position);
+    return numberValue(warped(driven, spread(path_, driven.size())));
+  }
+
+ private:
+  std::vector<Vec2> path_;
+  ThinnedWay way_;
+};
 
 }  // namespace
 
@@ -155,21 +205,21 @@ void addReferencePath(MetricRegistry& to) {
           "mean of |p_i - b_i|, b_i = point of the recorded reference at t_i, else of the shortest "
           "way to the first goal after v_max t_i",
           source, "[0, inf)", Kind::Number, 0, ""},
-         averageDisplacement);
+         streamOf<Displacement>(&Displacement::mean));
   to.add({"fde", "Final displacement from the reference", "m", Category::Navigation, Better::Lower,
           needs, "|p_(N-1) - b_(N-1)|", source, "[0, inf)", Kind::Number, 0, ""},
-         finalDisplacement);
+         streamOf<Displacement>(&Displacement::final));
   to.add(
       {"dtw", "Warped distance from the reference", "m", Category::Navigation, Better::Lower, needs,
        "dynamic time warping of the positions and as many points spread over the way of the "
-       "reference, per position (at most 400)",
+       "reference, per position; above 800 samples of every 2nd (4th ...) one and the last",
        source, "[0, inf)", Kind::Number, 0, ""},
-      dynamicTimeWarping);
+      streamOf<Warping>(&Warping::value));
   to.add(
       {"path_deviation", "Mean distance from the way of the reference", "m", Category::Navigation,
        Better::Lower, needs, "mean of the distance from p_i to the way of the reference", "ours",
        "[0, inf)", Kind::Number, 0, ""},
-      pathDeviation);
+      streamOf<Deviation>(&Deviation::mean));
 }
 
 }  // namespace metrics

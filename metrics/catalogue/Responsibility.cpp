@@ -32,44 +32,41 @@ struct Encounter {
 /// velocity alone, averaged over before and after that of the other side.
 class Resolution : public Accumulator {
  public:
-  explicit Resolution(const MetricParameters& parameters) : parameters_(parameters) {}
-
-  void add(const Recording& recording, std::size_t sample) override {
-    if (sample == 0) {
+  void add(const Instant& at) override {
+    if (at.before == nullptr) {
       return;
     }
-    const Sample& before = recording.samples[sample - 1];
-    const Sample& now = recording.samples[sample];
     std::size_t next = 0;
     bool isBusy = false;
-    for (const Person& person : before.people) {
+    for (const Person& person : at.before->people) {
       const Person* const after = findInOrder(
-          now.people, next, [&person](const Person& other) { return other.id == person.id; });
+          at.now.people, next, [&person](const Person& other) { return other.id == person.id; });
       if (after != nullptr) {
-        isBusy = addPair(before.robot, now.robot, person, *after) || isBusy;
+        isBusy = addPair(at, person, *after) || isBusy;
       }
     }
-    time_ += isBusy ? now.time - before.time : 0.0;
+    time_ += isBusy ? at.step() : 0.0;
   }
 
-  MetricValue share() const {
+  MetricValue share(const Instant& /*last*/) const {
     return byRobot_ + byPeople_ > 0.0 ? numberValue(100.0 * byRobot_ / (byRobot_ + byPeople_))
                                       : undefinedValue("no conflict was resolved");
   }
-  MetricValue engagement() const {
+  MetricValue engagement(const Instant& /*last*/) const {
     return time_ > 0.0 ? numberValue(byRobot_ / time_)
                        : undefinedValue("no conflict with a person");
   }
 
  private:
-  bool addPair(const Robot& robot, const Robot& robotAfter, const Person& person,
-               const Person& personAfter) {
+  bool addPair(const Instant& at, const Person& person, const Person& personAfter) {
+    const Robot& robot = at.before->robot;
+    const Robot& robotAfter = at.now.robot;
     Encounter pair;
     pair.centres = person.position - robot.position;
-    pair.clear = robot.radius + person.radius + parameters_.conflictMargin;
+    pair.clear = robot.radius + person.radius + at.parameters.conflictMargin;
     const Vec2& v = robot.velocity;
     const Vec2& u = person.velocity;
-    if (!pair.isConflict(v, u, parameters_.conflictHorizon)) {
+    if (!pair.isConflict(v, u, at.parameters.conflictHorizon)) {
       return false;
     }
     const double none = pair.miss(v, u);
@@ -81,38 +78,26 @@ class Resolution : public Accumulator {
     return true;
   }
 
-  MetricParameters parameters_;
   double byRobot_ = 0.0, byPeople_ = 0.0;  // [m]
   double time_ = 0.0;                      // with a conflict [s]
 };
-
-using Reader = MetricValue (*)(const Resolution&, const Recording&, const MetricParameters&);
-
-Stream resolutionStream(Reader read) {
-  return streamOf<Resolution>("resolution", read, [](const MetricParameters& parameters) {
-    return std::make_unique<Resolution>(parameters);
-  });
-}
 
 }  // namespace
 
 void addResponsibility(MetricRegistry& to) {
   const Needs needs{true, true};
   const char source[] = "after Wenzel and Probst 2025";
-  to.addStream(
+  to.add(
       {"responsibility", "Responsibility of the robot", "%", Category::Social, Better::Neutral,
        needs,
        "share of the robot in the widening of the passing distance of conflicts (closest approach "
        "within conflict_horizon, nearer than R + conflict_margin) by changes of velocity",
        source, "[0, 100]", Kind::Number, 0, ""},
-      resolutionStream([](const Resolution& sums, const Recording& /*recording*/,
-                          const MetricParameters& /*parameters*/) { return sums.share(); }));
-  to.addStream(
-      {"engagement", "Engagement of the robot", "m/s", Category::Social, Better::Higher, needs,
-       "widening of the passing distance of conflicts by the robot / time with a conflict", source,
-       "[0, inf)", Kind::Number, 0, ""},
-      resolutionStream([](const Resolution& sums, const Recording& /*recording*/,
-                          const MetricParameters& /*parameters*/) { return sums.engagement(); }));
+      streamOf<Resolution>(&Resolution::share));
+  to.add({"engagement", "Engagement of the robot", "m/s", Category::Social, Better::Higher, needs,
+          "widening of the passing distance of conflicts by the robot / time with a conflict",
+          source, "[0, inf)", Kind::Number, 0, ""},
+         streamOf<Resolution>(&Resolution::engagement));
 }
 
 }  // namespace metrics

@@ -1,105 +1,113 @@
-#include <algorithm>
 #include <cmath>
 
-#include "metrics/MetricRegistry.h"
 #include "metrics/Motion.h"
 
 namespace metrics {
 
 namespace {
 
-double meanOf(const std::vector<double>& values) {
-  return sumOf(values) / static_cast<double>(values.size());
-}
-
-std::vector<double> absolutes(std::vector<double> values) {
-  for (double& value : values) {
-    value = std::fabs(value);
+class StandingTime : public Accumulator {
+ public:
+  void add(const Instant& at) override {
+    const Robot& robot = at.now.robot;
+    const double turning = at.isOriginal() ? robot.omega : std::fabs(robot.omega);
+    const bool stands = std::fabs(robot.speed) < at.parameters.stopLinearSpeed &&
+                        turning < at.parameters.stopAngularSpeed;
+    samples_.add(at, stands ? 1.0 : 0.0);
+    time_.add(at, stands);
   }
-  return values;
-}
-
-MetricValue timeNotMoving(const Recording& recording, const MetricParameters& parameters) {
-  const bool original = parameters.profile == Profile::Hunav2;
-  std::vector<double> series;
-  for (const Sample& sample : recording.samples) {
-    const double turning = original ? sample.robot.omega : std::fabs(sample.robot.omega);
-    const bool stands = std::fabs(sample.robot.speed) < parameters.stopLinearSpeed &&
-                        turning < parameters.stopAngularSpeed;
-    series.push_back(stands ? 1.0 : 0.0);
+  MetricValue value(const Instant& last) const {
+    const double time = last.isOriginal()
+                            ? last.elapsed() / static_cast<double>(last.count()) * samples_.sum()
+                            : time_.value();
+    return withSeries(numberValue(time), samples_.terms(), Kind::Count);
   }
-  const double time =
-      original ? recording.duration() / static_cast<double>(recording.size()) * sumOf(series)
-               : timeWhere(recording, [&](std::size_t i) { return series[i] > 0.0; });
-  return withSeries(numberValue(time), std::move(series), Kind::Count);
-}
 
-MetricValue averageLinearSpeed(const Recording& recording, const MetricParameters& /*parameters*/) {
-  std::vector<double> series;
-  for (const Sample& sample : recording.samples) {
-    series.push_back(sample.robot.speed);
-  }
-  const double mean = meanOf(series);
-  return withSeries(numberValue(mean), std::move(series));
-}
+ private:
+  SeriesSum samples_;  // 0 or 1
+  HeldTime time_;
+};
 
-MetricValue averageAngularSpeed(const Recording& recording,
-                                const MetricParameters& /*parameters*/) {
-  std::vector<double> series;
-  for (const Sample& sample : recording.samples) {
-    series.push_back(sample.robot.omega);
+class LinearSpeed : public Accumulator {
+ public:
+  void add(const Instant& at) override { speeds_.add(at, at.now.robot.speed); }
+  MetricValue mean(const Instant& last) const {
+    return withSeries(numberValue(speeds_.sum() / static_cast<double>(last.count())),
+                      speeds_.terms());
   }
-  const double mean = meanOf(absolutes(series));
-  return withSeries(numberValue(mean), std::move(series));
-}
 
-std::size_t properIntervals(const Recording& recording) {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i + 1 < recording.size(); ++i) {
-    count += recording.interval(i) > 0.0 ? 1 : 0;
-  }
-  return count;
-}
+ private:
+  SeriesSum speeds_;
+};
 
-MetricValue averageAcceleration(const Recording& recording, const MetricParameters& parameters) {
-  std::vector<double> series = accelerations(recording);
-  series.insert(series.begin(), 0.0);
-  const std::size_t divisor =
-      parameters.profile == Profile::Hunav2 ? recording.size() : properIntervals(recording);
-  MetricValue value = divisor == 0
-                          ? undefinedValue("needs two samples at different times")
-                          : numberValue(sumOf(absolutes(series)) / static_cast<double>(divisor));
-  return withSeries(std::move(value), std::move(series));
-}
+class AngularSpeed : public Accumulator {
+ public:
+  void add(const Instant& at) override {
+    sum_ += std::fabs(at.now.robot.omega);
+    signed_.add(at, at.now.robot.omega);
+  }
+  MetricValue mean(const Instant& last) const {
+    return withSeries(numberValue(sum_ / static_cast<double>(last.count())), signed_.values());
+  }
 
-MetricValue originalOveracceleration(const Recording& recording) {
-  std::vector<double> series = {0.0};
-  const std::vector<double> acceleration = accelerations(recording);
-  for (std::size_t i = 0; i < acceleration.size(); ++i) {
-    const double dt = recording.interval(i);
-    series.push_back(dt > 0.0 ? acceleration[i] / dt : 0.0);
-  }
-  const double mean = meanOf(absolutes(series));
-  return withSeries(numberValue(mean), std::move(series));
-}
+ private:
+  double sum_ = 0.0;
+  SeriesColumn signed_;
+};
 
-MetricValue averageOveracceleration(const Recording& recording,
-                                    const MetricParameters& parameters) {
-  if (parameters.profile == Profile::Hunav2) {
-    return originalOveracceleration(recording);
+/// Mean size of the accelerations; the original divides by the samples.
+class Acceleration : public Accumulator {
+ public:
+  void add(const Instant& at) override {
+    changes_.add(at);
+    const double value = changes_.hasAcceleration() ? changes_.acceleration() : 0.0;
+    sum_ += std::fabs(value);
+    series_.add(at, value);
+    intervals_ += changes_.interval() > 0.0 ? 1 : 0;
   }
-  std::vector<double> series(std::min<std::size_t>(recording.size(), 2), 0.0);
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (const std::optional<double>& jerk : jerks(recording)) {
-    series.push_back(jerk.value_or(0.0));
-    sum += std::fabs(jerk.value_or(0.0));
-    count += jerk ? 1 : 0;
+  MetricValue mean(const Instant& last) const {
+    const std::size_t divisor = last.isOriginal() ? last.count() : intervals_;
+    return withSeries(divisor == 0 ? undefinedValue("needs two samples at different times")
+                                   : numberValue(sum_ / static_cast<double>(divisor)),
+                      series_.values());
   }
-  MetricValue value = count == 0 ? undefinedValue("needs three samples at different times")
-                                 : numberValue(sum / static_cast<double>(count));
-  return withSeries(std::move(value), std::move(series));
-}
+
+ private:
+  SpeedChanges changes_;
+  double sum_ = 0.0;
+  std::size_t intervals_ = 0;  // in which time passes
+  SeriesColumn series_;
+};
+
+/// Mean size of the jerks; the original divides the accelerations by the time once more.
+class Overacceleration : public Accumulator {
+ public:
+  void add(const Instant& at) override {
+    changes_.add(at);
+    double value = 0.0;
+    if (at.isOriginal()) {
+      const double dt = changes_.interval();
+      value = dt > 0.0 ? changes_.acceleration() / dt : 0.0;
+    } else if (changes_.isInner()) {
+      value = changes_.jerk().value_or(0.0);
+      jerks_ += changes_.jerk() ? 1 : 0;
+    }
+    sum_ += std::fabs(value);
+    series_.add(at, value);
+  }
+  MetricValue mean(const Instant& last) const {
+    const std::size_t divisor = last.isOriginal() ? last.count() : jerks_;
+    return withSeries(divisor == 0 ? undefinedValue("needs three samples at different times")
+                                   : numberValue(sum_ / static_cast<double>(divisor)),
+                      series_.values());
+  }
+
+ private:
+  SpeedChanges changes_;
+  double sum_ = 0.0;
+  std::size_t jerks_ = 0;
+  SeriesColumn series_;
+};
 
 }  // namespace
 
@@ -108,21 +116,21 @@ void addRobotMotion(MetricRegistry& to) {
   to.add({"time_not_moving", "Time standing still", "s", Category::Navigation, Better::Lower,
           Needs{}, "sum of dt_i with |s_i| < stop_linear_speed and |w_i| < stop_angular_speed",
           "Tsoi et al., SEAN 2.0, RA-L 2022", "[0, T]", Kind::Number, 18, ""},
-         timeNotMoving);
+         streamOf<StandingTime>(&StandingTime::value));
   to.add({"avg_robot_linear_speed", "Mean speed of the robot", "m/s", Category::Motion,
           Better::Neutral, Needs{}, "mean of s_i", source, "[0, inf)", Kind::Number, 19, ""},
-         averageLinearSpeed);
+         streamOf<LinearSpeed>(&LinearSpeed::mean));
   to.add({"avg_robot_angular_speed", "Mean turning speed of the robot", "rad/s", Category::Motion,
           Better::Neutral, Needs{}, "mean of |w_i|", source, "[0, inf)", Kind::Number, 20, ""},
-         averageAngularSpeed);
+         streamOf<AngularSpeed>(&AngularSpeed::mean));
   to.add({"avg_acceleration", "Mean acceleration of the robot", "m/s²", Category::Motion,
           Better::Lower, Needs{}, "mean of |a_i|, a_i = (s_(i+1) - s_i)/dt_i", source, "[0, inf)",
           Kind::Number, 21, ""},
-         averageAcceleration);
+         streamOf<Acceleration>(&Acceleration::mean));
   to.add({"avg_overacceleration", "Mean jerk of the robot", "m/s³", Category::Motion, Better::Lower,
           Needs{}, "mean of |jerk_i|, jerk_i = (a_i - a_(i-1))/((t_(i+1) - t_(i-1))/2)", source,
           "[0, inf)", Kind::Number, 22, ""},
-         averageOveracceleration);
+         streamOf<Overacceleration>(&Overacceleration::mean));
 }
 
 }  // namespace metrics

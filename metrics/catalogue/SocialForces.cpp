@@ -7,19 +7,9 @@ namespace metrics {
 
 namespace {
 
-/// A sum over samples that is kept with its terms.
-class SumSeries {
- public:
-  void add(double term) {
-    series_.push_back(term);
-    sum_ += term;
-  }
-  MetricValue value() const { return withSeries(numberValue(sum_), series_); }
-
- private:
-  std::vector<double> series_;
-  double sum_ = 0.0;
-};
+MetricValue valueOf(const SeriesSum& sum) {
+  return withSeries(numberValue(sum.sum()), sum.terms());
+}
 
 /// The original leaves out pairs with equal ids.
 bool counts(const Sample& sample, const Person& person, const MetricParameters& parameters) {
@@ -36,69 +26,59 @@ constexpr std::size_t kForceSums = 4;
 /// What acts between the robot and its surroundings.
 class RobotForces : public Accumulator {
  public:
-  explicit RobotForces(const MetricParameters& parameters) : parameters_(parameters) {}
-
-  void add(const Recording& recording, std::size_t sample) override {
-    const Sample& now = recording.samples[sample];
+  void add(const Instant& at) override {
+    const Sample& now = at.now;
     double onPeople = 0.0;
     double onRobot = 0.0;
     Vec2 total = Vec2::Zero();
     for (const Person& person : now.people) {
-      if (counts(now, person, parameters_)) {
+      if (counts(now, person, at.parameters)) {
         onPeople += person.pair.forceOnPerson;
         onRobot += lengthOf(person.pair.forceOnRobot);
         total += person.pair.forceOnRobot;
       }
     }
-    const double obstacles = lengthOf(obstacleForce(now.robot, parameters_));
-    sums_[kOnPeople].add(onPeople);
-    sums_[kOnRobot].add(onRobot);
-    sums_[kWork].add(lengthOf(total) + obstacles + onPeople);
-    sums_[kObstaclesOnRobot].add(obstacles);
+    const double obstacles = lengthOf(obstacleForce(now.robot, at.parameters));
+    sums_[kOnPeople].add(at, onPeople);
+    sums_[kOnRobot].add(at, onRobot);
+    sums_[kWork].add(at, lengthOf(total) + obstacles + onPeople);
+    sums_[kObstaclesOnRobot].add(at, obstacles);
   }
-  MetricValue value(std::size_t sum) const { return sums_[sum].value(); }
+  MetricValue value(std::size_t sum) const { return valueOf(sums_[sum]); }
 
  private:
-  MetricParameters parameters_;
-  std::array<SumSeries, kForceSums> sums_;
+  std::array<SeriesSum, kForceSums> sums_;
 };
 
 /// The original divides by the number of people of every sample.
 class PeopleObstacles : public Accumulator {
  public:
-  explicit PeopleObstacles(const MetricParameters& parameters) : parameters_(parameters) {}
-
-  void add(const Recording& recording, std::size_t sample) override {
-    const std::vector<Person>& people = recording.samples[sample].people;
+  void add(const Instant& at) override {
+    const std::vector<Person>& people = at.now.people;
     double sum = 0.0;
     for (const Person& person : people) {
-      sum += lengthOf(obstacleForce(person, parameters_));
+      sum += lengthOf(obstacleForce(person, at.parameters));
     }
-    sum_.add(people.empty() ? 0.0 : sum / static_cast<double>(people.size()));
+    sum_.add(at, people.empty() ? 0.0 : sum / static_cast<double>(people.size()));
     empty_ = empty_ || people.empty();
   }
-  MetricValue value() const {
-    return parameters_.profile == Profile::Hunav2 && empty_
+  MetricValue value(const Instant& last) const {
+    return last.isOriginal() && empty_
                ? undefinedValue("ZeroDivisionError: a sample without people")
-               : sum_.value();
+               : valueOf(sum_);
   }
 
  private:
-  MetricParameters parameters_;
-  SumSeries sum_;
+  SeriesSum sum_;
   bool empty_ = false;
 };
 
 void addSum(MetricRegistry& to, MetricInfo info, std::size_t which) {
   const std::string key = info.key;
-  to.addStream(std::move(info),
-               streamOf<RobotForces>(
-                   "forces of the robot",
-                   [which](const RobotForces& sums, const Recording& /*recording*/,
-                           const MetricParameters& /*parameters*/) { return sums.value(which); },
-                   [](const MetricParameters& parameters) {
-                     return std::make_unique<RobotForces>(parameters);
-                   }));
+  to.add(std::move(info),
+         streamOf<RobotForces>([which](const RobotForces& sums, const Instant& /*last*/) {
+           return sums.value(which);
+         }));
   to.addMeanOf(key);
 }
 
@@ -129,16 +109,10 @@ void addSocialForces(MetricRegistry& to) {
           Better::Lower, Needs{true, false, false, true}, "sum over i of |O(robot)|", source,
           "[0, inf)", Kind::Number, 28, ""},
          kObstaclesOnRobot);
-  to.addStream({"obstacle_force_on_agents", "Obstacle force on people", unit, Category::Forces,
-                Better::Lower, Needs{false, true, false, true},
-                "sum over i of mean over a of |O(a)|", source, "[0, inf)", Kind::Number, 29, ""},
-               streamOf<PeopleObstacles>(
-                   "",
-                   [](const PeopleObstacles& sum, const Recording& /*recording*/,
-                      const MetricParameters& /*parameters*/) { return sum.value(); },
-                   [](const MetricParameters& parameters) {
-                     return std::make_unique<PeopleObstacles>(parameters);
-                   }));
+  to.add({"obstacle_force_on_agents", "Obstacle force on people", unit, Category::Forces,
+          Better::Lower, Needs{false, true, false, true}, "sum over i of mean over a of |O(a)|",
+          source, "[0, inf)", Kind::Number, 29, ""},
+         streamOf<PeopleObstacles>(&PeopleObstacles::value));
   to.addMeanOf("obstacle_force_on_agents");
 }
 

@@ -2,78 +2,82 @@
 #include <cmath>
 #include <limits>
 
-#include "metrics/MetricRegistry.h"
 #include "metrics/Motion.h"
 
 namespace metrics {
 
 namespace {
 
-MetricValue slowest(const Recording& recording, const MetricParameters& /*parameters*/) {
-  double value = std::numeric_limits<double>::infinity();
-  for (const Sample& sample : recording.samples) {
-    value = std::min(value, lengthOf(sample.robot.velocity));
+class SpeedRange : public Accumulator {
+ public:
+  void add(const Instant& at) override {
+    const double speed = lengthOf(at.now.robot.velocity);
+    slowest_ = std::min(slowest_, speed);
+    fastest_ = std::max(fastest_, speed);
   }
-  return numberValue(value);
-}
+  MetricValue slowest(const Instant& /*last*/) const { return numberValue(slowest_); }
+  MetricValue fastest(const Instant& /*last*/) const { return numberValue(fastest_); }
 
-MetricValue fastest(const Recording& recording, const MetricParameters& /*parameters*/) {
-  double value = 0.0;
-  for (const Sample& sample : recording.samples) {
-    value = std::max(value, lengthOf(sample.robot.velocity));
-  }
-  return numberValue(value);
-}
+ private:
+  double slowest_ = std::numeric_limits<double>::infinity(), fastest_ = 0.0;  // [m/s]
+};
 
-MetricValue largestAcceleration(const Recording& recording,
-                                const MetricParameters& /*parameters*/) {
-  std::optional<double> largest;
-  const std::vector<double> values = accelerations(recording);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (recording.interval(i) > 0.0) {
-      largest = std::max(largest.value_or(0.0), std::fabs(values[i]));
+class LargestChanges : public Accumulator {
+ public:
+  void add(const Instant& at) override {
+    changes_.add(at);
+    if (changes_.interval() > 0.0) {
+      acceleration_ = std::max(acceleration_.value_or(0.0), std::fabs(changes_.acceleration()));
+    }
+    if (changes_.jerk()) {
+      jerk_ = std::max(jerk_.value_or(0.0), std::fabs(*changes_.jerk()));
     }
   }
-  return largest ? numberValue(*largest) : undefinedValue("needs two samples at different times");
-}
-
-MetricValue largestJerk(const Recording& recording, const MetricParameters& /*parameters*/) {
-  std::optional<double> largest;
-  for (const std::optional<double>& jerk : jerks(recording)) {
-    if (jerk) {
-      largest = std::max(largest.value_or(0.0), std::fabs(*jerk));
-    }
+  MetricValue acceleration(const Instant& /*last*/) const {
+    return acceleration_ ? numberValue(*acceleration_)
+                         : undefinedValue("needs two samples at different times");
   }
-  return largest ? numberValue(*largest) : undefinedValue("needs three samples at different times");
-}
+  MetricValue jerk(const Instant& /*last*/) const {
+    return jerk_ ? numberValue(*jerk_) : undefinedValue("needs three samples at different times");
+  }
 
-MetricValue headingSmoothness(const Recording& recording, const MetricParameters& /*parameters*/) {
-  double sum = 0.0;
-  double count = 0.0;
-  for (std::size_t i = 0; i + 1 < recording.size(); ++i) {
-    const double dt = recording.interval(i);
+ private:
+  SpeedChanges changes_;
+  std::optional<double> acceleration_, jerk_;
+};
+
+class HeadingSmoothness : public Accumulator {
+ public:
+  void add(const Instant& at) override {
+    const double dt = at.step();
     if (dt > 0.0) {
-      sum +=
-          std::fabs(recording.samples[i + 1].robot.omega - recording.samples[i].robot.omega) / dt;
-      count += 1.0;
+      sum_ += std::fabs(at.now.robot.omega - at.before->robot.omega) / dt;
+      count_ += 1.0;
     }
   }
-  return count > 0.0 ? numberValue(sum / count)
-                     : undefinedValue("needs two samples at different times");
-}
+  MetricValue mean(const Instant& /*last*/) const {
+    return count_ > 0.0 ? numberValue(sum_ / count_)
+                        : undefinedValue("needs two samples at different times");
+  }
 
-MetricValue motionEnergy(const Recording& recording, const MetricParameters& /*parameters*/) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i + 1 < recording.size(); ++i) {
-    const double dt = recording.interval(i);
+ private:
+  double sum_ = 0.0, count_ = 0.0;
+};
+
+class MotionEnergy : public Accumulator {
+ public:
+  void add(const Instant& at) override {
+    const double dt = at.step();
     if (dt > 0.0) {
-      const double speed =
-          distance(recording.samples[i + 1].robot, recording.samples[i].robot) / dt;
-      sum += speed * speed;
+      const double speed = distance(at.now.robot, at.before->robot) / dt;
+      sum_ += speed * speed;
     }
   }
-  return numberValue(sum);
-}
+  MetricValue value(const Instant& /*last*/) const { return numberValue(sum_); }
+
+ private:
+  double sum_ = 0.0;
+};
 
 }  // namespace
 
@@ -82,22 +86,22 @@ void addSpeedExtremes(MetricRegistry& to) {
   const Category motion = Category::Motion;
   to.add({"min_robot_linear_speed", "Smallest speed of the robot", "m/s", motion, Better::Neutral,
           Needs{}, "min of |v_i|", francis, "[0, inf)", Kind::Number, 0, ""},
-         slowest);
+         streamOf<SpeedRange>(&SpeedRange::slowest));
   to.add({"max_robot_linear_speed", "Largest speed of the robot", "m/s", motion, Better::Neutral,
           Needs{}, "max of |v_i|", francis, "[0, inf)", Kind::Number, 0, ""},
-         fastest);
+         streamOf<SpeedRange>(&SpeedRange::fastest));
   to.add({"max_acceleration", "Largest acceleration of the robot", "m/s²", motion, Better::Lower,
           Needs{}, "max of |a_i|", francis, "[0, inf)", Kind::Number, 0, ""},
-         largestAcceleration);
+         streamOf<LargestChanges>(&LargestChanges::acceleration));
   to.add({"max_jerk", "Largest jerk of the robot", "m/s³", motion, Better::Lower, Needs{},
           "max of |jerk_i|", francis, "[0, inf)", Kind::Number, 0, ""},
-         largestJerk);
+         streamOf<LargestChanges>(&LargestChanges::jerk));
   to.add({"heading_change_smoothness", "Mean turning acceleration", "rad/s²", motion, Better::Lower,
           Needs{}, "mean of |w_(i+1) - w_i|/dt_i", "SRPB", "[0, inf)", Kind::Number, 0, ""},
-         headingSmoothness);
+         streamOf<HeadingSmoothness>(&HeadingSmoothness::mean));
   to.add({"motion_energy", "Motion energy", "m²/s²", motion, Better::Lower, Needs{},
           "sum of (|p_(i+1) - p_i|/dt_i)^2", "SocNavBench", "[0, inf)", Kind::Number, 0, ""},
-         motionEnergy);
+         streamOf<MotionEnergy>(&MotionEnergy::value));
   to.setRateBound("motion_energy", 0.51);  // a sum over samples
 }
 

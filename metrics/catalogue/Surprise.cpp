@@ -38,16 +38,16 @@ constexpr std::size_t kCosts = 3;
 
 class SurpriseSum : public PersonCosts {
  public:
-  explicit SurpriseSum(const MetricParameters& given) : PersonCosts(kCosts, given) {}
+  SurpriseSum() : PersonCosts(kCosts) {}
 
-  MetricValue valueOf(std::size_t cost, const Recording& recording) const {
-    if (isOriginal() && recording.map.isEmpty()) {
+  MetricValue valueOf(std::size_t cost, const Instant& last) const {
+    if (last.isOriginal() && last.course.map.isEmpty()) {
       return undefinedValue("there is no map");
     }
-    if (isOriginal() && cost != kVisibility && recording.size() < 2) {
+    if (last.isOriginal() && cost != kVisibility && last.count() < 2) {
       return undefinedValue("IndexError: one sample only");
     }
-    return value(cost);
+    return value(cost, last);
   }
 
  protected:
@@ -57,42 +57,42 @@ class SurpriseSum : public PersonCosts {
     next_ = 0;
   }
 
-  bool addCosts(const Recording& recording, const Sample& sample, const Person& person,
-                std::vector<double>& costs) override {
-    const double half = parameters().fieldOfView / 2.0;
+  bool addCosts(const Instant& at, const Person& person, std::vector<double>& costs) override {
+    const double half = at.parameters.fieldOfView / 2.0;
     const double angle = person.pair.viewAngle;
-    const bool unseen = angle > half || (isOriginal() && angle == 0.0);
-    if (unseen || (isOriginal() && recording.map.isEmpty())) {
+    const bool unseen = angle > half || (at.isOriginal() && angle == 0.0);
+    if (unseen || (at.isOriginal() && at.course.map.isEmpty())) {
       return true;
     }
     const Sight sight = person.pair.sight;
     if (sight == Sight::Free) {
-      addVisible(sample, person, angle, costs);
+      addVisible(at, person, costs);
     }
     return sight != Sight::OutsideMap;
   }
 
  private:
-  void addVisible(const Sample& sample, const Person& person, double angle,
-                  std::vector<double>& costs) {
+  void addVisible(const Instant& at, const Person& person, std::vector<double>& costs) {
+    const MetricParameters& parameters = at.parameters;
+    const Robot& robot = at.now.robot;
     View view;
-    view.proxemic = parameters().surpriseDistance;
-    view.angle = angle;
-    view.halfField = parameters().fieldOfView / 2.0;
-    view.shockRate = parameters().reactionTime / parameters().recognitionTime;
-    if (isOriginal()) {
-      view.distance = distance(sample.robot, person);
+    view.proxemic = parameters.surpriseDistance;
+    view.angle = person.pair.viewAngle;
+    view.halfField = parameters.fieldOfView / 2.0;
+    view.shockRate = parameters.reactionTime / parameters.recognitionTime;
+    if (at.isOriginal()) {
+      view.distance = distance(robot, person);
       view.recognition = 1.0;  // its clock runs backwards and never enters the reaction
     } else {
-      view.distance = std::max(gap(sample.robot, person), parameters().surpriseMinimumDistance);
-      const double seenFor = sample.time - seenSince(person.id, sample.time);
-      view.recognition = std::min(seenFor / parameters().reactionTime, 1.0);
-      const bool stands = sample.robot.speed < parameters().stopLinearSpeed;
-      if (parameters().surpriseRequiresMotion > 0 && stands) {
+      view.distance = std::max(gap(robot, person), parameters.surpriseMinimumDistance);
+      const double seenFor = at.now.time - seenSince(person.id, at.now.time);
+      view.recognition = std::min(seenFor / parameters.reactionTime, 1.0);
+      const bool stands = robot.speed < parameters.stopLinearSpeed;
+      if (parameters.surpriseRequiresMotion > 0 && stands) {
         return;
       }
     }
-    const bool isKnown = !isOriginal() && parameters().surpriseVisibilityOnlyUnrecognised > 0 &&
+    const bool isKnown = !at.isOriginal() && parameters.surpriseVisibilityOnlyUnrecognised > 0 &&
                          view.recognition >= 1.0;
     costs[kVisibility] = isKnown ? 0.0 : visibilityCost(view);
     costs[kShock] = shockCost(view);
@@ -114,15 +114,10 @@ class SurpriseSum : public PersonCosts {
 
 void addCost(MetricRegistry& to, MetricInfo info, std::size_t cost) {
   const std::string key = info.key;
-  to.addStream(std::move(info), streamOf<SurpriseSum>(
-                                    "surprise",
-                                    [cost](const SurpriseSum& sum, const Recording& recording,
-                                           const MetricParameters& /*parameters*/) {
-                                      return sum.valueOf(cost, recording);
-                                    },
-                                    [](const MetricParameters& parameters) {
-                                      return std::make_unique<SurpriseSum>(parameters);
-                                    }));
+  to.add(std::move(info),
+         streamOf<SurpriseSum>([cost](const SurpriseSum& sum, const Instant& last) {
+           return sum.valueOf(cost, last);
+         }));
   to.addMeanOf(key);
 }
 

@@ -2,45 +2,36 @@
 #include <limits>
 #include <map>
 
-#include "metrics/Interaction.h"
-#include "metrics/Motion.h"
-#include "metrics/SeriesMetric.h"
+#include "metrics/TermSums.h"
 
 /// Threat and comfort: collisions ahead, passing, sideways acceleration.
 namespace metrics {
 
 namespace {
 
-using Terms = std::vector<double>;
+MetricValue average(const Figures& times, const Instant& /*last*/) {
+  return times.count() > 0.0 ? withSeries(numberValue(times.sum() / times.count()), times.series())
+                             : undefinedValue("never on a collision course");
+}
 
-MetricValue average(const Terms& terms, const Recording& /*recording*/,
-                    const MetricParameters& /*parameters*/) {
-  double sum = 0.0;
-  double count = 0.0;
-  for (const double term : terms) {
-    sum += std::isnan(term) ? 0.0 : term;
-    count += std::isnan(term) ? 0.0 : 1.0;
+bool isThreat(double time, const MetricParameters& parameters) {
+  return time < parameters.collisionHorizon;
+}
+
+/// How far the time to collision stays below the horizon, over time.
+class Threat : public Accumulator {
+ public:
+  void add(const Instant& at) override {
+    integral_ += deficit_ * at.step();
+    const double time = at.term(collisionTerm);
+    deficit_ = isThreat(time, at.parameters) ? at.parameters.collisionHorizon - time : 0.0;
   }
-  return count > 0.0 ? withSeries(numberValue(sum / count), terms)
-                     : undefinedValue("never on a collision course");
-}
+  MetricValue value(const Instant& /*last*/) const { return numberValue(integral_); }
 
-MetricValue exposed(const Terms& terms, const Recording& recording,
-                    const MetricParameters& parameters) {
-  return numberValue(
-      timeWhere(recording, [&](std::size_t i) { return terms[i] < parameters.collisionHorizon; }));
-}
-
-MetricValue integrated(const Terms& terms, const Recording& recording,
-                       const MetricParameters& parameters) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < terms.size(); ++i) {
-    sum += terms[i] < parameters.collisionHorizon
-               ? (parameters.collisionHorizon - terms[i]) * recording.interval(i)
-               : 0.0;
-  }
-  return numberValue(sum);
-}
+ private:
+  double integral_ = 0.0;  // [s^2]
+  double deficit_ = 0.0;   // at the sample before [s]
+};
 
 /// The smallest gap of each person who comes near.
 class PassingDistance : public Accumulator {
@@ -48,8 +39,8 @@ class PassingDistance : public Accumulator {
   explicit PassingDistance(const MetricParameters& parameters)
       : limit_(parameters.socialDistance) {}
 
-  void add(const Recording& recording, std::size_t sample) override {
-    const Sample& now = recording.samples[sample];
+  void add(const Instant& at) override {
+    const Sample& now = at.now;
     for (const Person& person : now.people) {
       const double reach = limit_ + now.robot.radius + person.radius + 1e-6;
       if ((person.position - now.robot.position).squaredNorm() > reach * reach) {
@@ -61,7 +52,7 @@ class PassingDistance : public Accumulator {
     }
   }
 
-  MetricValue value() const {
+  MetricValue value(const Instant& /*last*/) const {
     double sum = 0.0;
     double count = 0.0;
     for (const auto& [id, space] : closest_) {
@@ -92,20 +83,17 @@ double approach(const Sample& sample, const MetricParameters& parameters) {
   return value;
 }
 
-MetricValue fastest(const Terms& terms, const Recording& /*recording*/,
-                    const MetricParameters& /*parameters*/) {
-  const double value = largestTerm(terms);
-  return std::isnan(value) ? undefinedValue("nobody in personal space")
-                           : numberValue(std::fmax(value, 0.0));
+MetricValue fastest(const Figures& speeds, const Instant& /*last*/) {
+  return speeds.count() > 0.0 ? numberValue(std::fmax(speeds.largest(), 0.0))
+                              : undefinedValue("nobody in personal space");
 }
 
 double sideways(const Sample& sample, const MetricParameters& /*parameters*/) {
   return std::fabs(sample.robot.speed * sample.robot.omega);
 }
 
-MetricValue largest(const Terms& terms, const Recording& /*recording*/,
-                    const MetricParameters& /*parameters*/) {
-  return withSeries(numberValue(largestTerm(terms)), terms);
+MetricValue largest(const Figures& figures, const Instant& /*last*/) {
+  return withSeries(numberValue(figures.largest()), figures.series());
 }
 
 MetricInfo info(const char* key, const char* name, const char* unit, Category category,
@@ -129,43 +117,37 @@ void addTimeToCollision(MetricRegistry& to) {
                          Better::Higher);
   mean.formula = "mean over the samples on a collision course of min over a of ttc";
   mean.source = "Francis et al. 2025; SocNavGym";
-  addSeriesMetric(to, mean, collisionTerm, average);
+  to.add(mean, figuresOf<collisionTerm>(average));
   MetricInfo exposure = info("time_exposed_to_collision", "Time with a collision ahead", "s",
                              Category::Safety, Better::Lower);
   exposure.formula = "sum of dt_i with min over a of ttc < collision_horizon";
   exposure.source = source;
   exposure.range = "[0, T]";
-  addSeriesMetric(to, exposure, collisionTerm, exposed);
+  using Exposure = WhereTerm<collisionTerm, isThreat>;
+  to.add(exposure, streamOf<Exposure>(&Exposure::time));
   MetricInfo integral = info("time_integrated_to_collision", "Threat of collisions", "s²",
                              Category::Safety, Better::Lower);
   integral.formula = "sum of (collision_horizon - ttc) dt_i where ttc < collision_horizon";
   integral.source = source;
-  addSeriesMetric(to, integral, collisionTerm, integrated);
+  to.add(integral, streamOf<Threat>(&Threat::value));
   MetricInfo passing =
       info("avg_passing_distance", "Mean passing distance", "m", Category::Social, Better::Higher);
   passing.formula = "mean over people of their smallest gap, of those with it < social_distance";
   passing.source = "Pacchierotti et al. 2006";
   passing.range = "(-inf, social_distance)";
-  to.addStream(passing,
-               streamOf<PassingDistance>(
-                   "",
-                   [](const PassingDistance& distances, const Recording& /*recording*/,
-                      const MetricParameters& /*parameters*/) { return distances.value(); },
-                   [](const MetricParameters& parameters) {
-                     return std::make_unique<PassingDistance>(parameters);
-                   }));
+  to.add(passing, streamOf<PassingDistance>(&PassingDistance::value));
   MetricInfo nearing = info("max_approach_speed", "Largest speed of approach", "m/s",
                             Category::Social, Better::Lower);
   nearing.formula =
       "max of the closing speed with the closest person, of samples with gap < personal_distance";
   nearing.source = "Butler and Agah 2001";
-  addSeriesMetric(to, nearing, approach, fastest);
+  to.add(nearing, figuresOf<approach>(fastest));
   MetricInfo lateral = info("max_lateral_acceleration", "Largest sideways acceleration", "m/s²",
                             Category::Motion, Better::Lower);
   lateral.needs = Needs{};
   lateral.formula = "max of |s_i w_i|";
   lateral.source = "ISO 2631, comfort of rides";
-  addSeriesMetric(to, lateral, sideways, largest);
+  to.add(lateral, figuresOf<sideways>(largest));
 }
 
 }  // namespace metrics

@@ -9,13 +9,7 @@ constexpr double kSlowestTurn = 0.07;    // [m/s]; slower people look where they
 constexpr double kReach = 5.0;           // [m]; robots as obstacles act up to here
 constexpr double kSmallDisc = 0.2;       // [m]; smaller steps along a line cost too much
 constexpr std::size_t kSmallCrowd = 64;  // up to here everybody feels everybody, in double
-
-double desiredSpeedOf(const FrozenWorld& world, std::size_t human, const Intent& intent) {
-  const double speed = intent.motion == Motion::Walk
-                           ? intent.speed
-                           : world.model.people[human].constants.desiredSpeed;
-  return world.state.controls[human].frozen ? 0.0 : speed < 0.0 ? 0.0 : speed;
-}
+constexpr std::size_t kSlice = 256;      // people a thread looks at before it asks for more
 
 Vec2 courseHeading(const Vec2& velocity, double heading) {
   const double speed = velocity.norm();
@@ -37,33 +31,36 @@ Course courseOfRobot(const Vec2& velocity) {
 }  // namespace
 
 void Crowd::update(const FrozenWorld& world, const Ways& ways, const Intents& intents,
-                   const std::vector<Vec2>& directions) {
+                   const std::vector<Vec2>& directions, WorkerPool& workers) {
   world_ = &world;
   ways_ = &ways;
   const WorldState& state = world.state;
-  walkers_.clear();
-  courses_.clear();
-  room_.clear();
-  robots_.clear();
-  groups_.clear();
-  count_ = 0;
-  fastest_ = 0.0;
-  for (std::size_t i = 0; i < state.present.size(); ++i) {
-    const ResolvedHuman& person = world.model.people[i].constants;
-    walkers_.push_back({person.id, state.position(i), state.velocity(i), person.radius});
-    courses_.push_back({directions[i], courseHeading(walkers_[i].velocity, state.heading[i]),
-                        desiredSpeedOf(world, i, intents.of(static_cast<int>(i))),
-                        state.controls[i].group});
-    room_.push_back(state.present[i] != 0 ? ways.clearance(walkers_[i].position) : 0.0);
-    if (state.present[i] != 0) {
-      ++count_;
-      fastest_ = std::max(fastest_, walkers_[i].velocity.norm());
-      if (state.controls[i].group >= 0) {
-        groups_.emplace_back(state.controls[i].group, i);
-      }
+  const std::size_t people = state.present.size();
+  learnTraits(world.model.people);
+  walkers_.resize(people);
+  courses_.resize(people);
+  room_.resize(people);
+  laws_.resize(people);
+  summaries_.assign(workers.threadCount(), Summary{});
+  workers.forSlices(people, kSlice, [&](std::size_t thread, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      look(i, intents.of(static_cast<int>(i)), directions[i], summaries_[thread]);
     }
+  });
+  Summary all;
+  for (const Summary& summary : summaries_) {
+    all.count += summary.count;
+    all.fastest = std::max(all.fastest, summary.fastest);
+    all.hasGroups = all.hasGroups || summary.hasGroups;
   }
-  std::sort(groups_.begin(), groups_.end());
+  count_ = all.count;
+  fastest_ = all.fastest;
+  isAtOnce_ = false;
+  groups_.clear();
+  if (all.hasGroups) {
+    findGroups();
+  }
+  robots_.clear();
   for (std::size_t i = 0; i < state.robots.size(); ++i) {
     const ResolvedRobot& robot = world.model.robots[i];
     robots_.push_back(
@@ -71,20 +68,68 @@ void Crowd::update(const FrozenWorld& world, const Ways& ways, const Intents& in
   }
 }
 
-void Crowd::computeForces(const Intents& intents, WorkerPool& workers) {
-  laws_.clear();
-  const WorldModel& model = world_->model;
-  if (model.exact || count_ <= kSmallCrowd || model.ring.isClosed()) {
-    return;
+void Crowd::learnTraits(const std::deque<Person>& people) {
+  for (std::size_t i = traits_.size(); i < people.size(); ++i) {
+    const Person& person = people[i];
+    traits_.push_back({person.model.get(), person.model->socialLaw(), person.constants.radius,
+                       person.constants.desiredSpeed, person.constants.id,
+                       person.model->looksAtCourses()});
   }
-  for (std::size_t i = 0; i < walkers_.size(); ++i) {
-    const Motion motion = intents.of(static_cast<int>(i)).motion;
-    const bool walks = motion == Motion::Walk || motion == Motion::Brake;
-    laws_.push_back(walks ? model.people[i].model->socialLaw() : SocialLaw{});
+}
+
+void Crowd::look(std::size_t human, const Intent& intent, const Vec2& direction, Summary& summary) {
+  const WorldState& state = world_->state;
+  const Traits& traits = traits_[human];
+  const Walker& walker =
+      walkers_[human] = {traits.id, state.position(human), state.velocity(human), traits.radius};
+  courses_[human] = {direction, courseHeading(walker.velocity, state.heading[human]),
+                     desiredSpeedOf(human, intent), state.controls[human].group};
+  const bool walks = intent.motion == Motion::Walk || intent.motion == Motion::Brake;
+  laws_[human] = walks ? traits.law : SocialLaw{};
+  room_[human] = 0.0;
+  if (state.present[human] != 0) {
+    room_[human] = ways_->clearance(walker.position);
+    ++summary.count;
+    summary.fastest = std::max(summary.fastest, walker.velocity.norm());
+    summary.hasGroups = summary.hasGroups || state.controls[human].group >= 0;
+  }
+}
+
+void Crowd::findGroups() {
+  const WorldState& state = world_->state;
+  for (std::size_t i = 0; i < state.present.size(); ++i) {
+    if (state.present[i] != 0 && state.controls[i].group >= 0) {
+      groups_.emplace_back(state.controls[i].group, i);
+    }
+  }
+  std::sort(groups_.begin(), groups_.end());
+}
+
+double Crowd::desiredSpeedOf(std::size_t human, const Intent& intent) const {
+  const double speed = intent.motion == Motion::Walk ? intent.speed : traits_[human].desiredSpeed;
+  return world_->state.controls[human].frozen ? 0.0 : speed < 0.0 ? 0.0 : speed;
+}
+
+void Crowd::expect(std::size_t human) const {
+  if (human < traits_.size()) {
+    const char* const model = reinterpret_cast<const char*>(traits_[human].model);
+    __builtin_prefetch(model);
+    __builtin_prefetch(model + 64);
+  }
+}
+
+bool Crowd::isSmall() const {
+  return world_->model.exact || count_ <= kSmallCrowd;
+}
+
+void Crowd::computeForces(WorkerPool& workers) {
+  if (isSmall() || world_->model.ring.isClosed()) {
+    return;
   }
   const std::function<bool(std::size_t, std::size_t)> isVisible =
       [this](std::size_t self, std::size_t other) { return sees(self, other); };
   forces_.compute({walkers_, world_->state.present, laws_, room_, isVisible}, workers);
+  isAtOnce_ = true;
 }
 
 bool Crowd::sees(std::size_t self, std::size_t other) const {
@@ -103,7 +148,7 @@ bool Crowd::sees(std::size_t self, std::size_t other) const {
 }
 
 bool Crowd::hasForce(std::size_t human) const {
-  return !laws_.empty() && laws_[human].parameters != nullptr;
+  return isAtOnce_ && laws_[human].parameters != nullptr;
 }
 
 void Crowd::fill(std::size_t human, const Intent& intent,
@@ -120,7 +165,7 @@ void Crowd::fill(std::size_t human, const Intent& intent,
   } else {
     situation.obstacles = walls;
   }
-  situation.looksAtCourses = world_->model.people[human].model->looksAtCourses();
+  situation.looksAtCourses = traits_[human].looksAtCourses;
   situation.others.clear();
   situation.courses.clear();
   situation.ofCrowd.reset();
@@ -161,7 +206,7 @@ void Crowd::addOther(const Walker& other, const Course& course, Situation& situa
 }
 
 void Crowd::addOthers(std::size_t human, Situation& situation) const {
-  if (world_->model.exact || count_ <= kSmallCrowd) {
+  if (isSmall()) {
     for (std::size_t i = 0; i < walkers_.size(); ++i) {
       if (i != human && world_->state.present[i] != 0) {
         addOther(walkers_[i], courses_[i], situation);
@@ -169,8 +214,7 @@ void Crowd::addOthers(std::size_t human, Situation& situation) const {
     }
     return;
   }
-  const double range =
-      world_->model.people[human].model->range(fastest_, situation.self.velocity.norm());
+  const double range = traits_[human].model->range(fastest_, situation.self.velocity.norm());
   const Ring& ring = world_->model.ring;
   ring.forEachImage(situation.self.position, [&](const Vec2& centre) {
     world_->grid.forEachNear(centre, range, [&](int other) {

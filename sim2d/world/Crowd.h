@@ -25,22 +25,43 @@ class Crowd {
   /// `directions`: of everybody's way. `world` and `ways` must live until the last call of this
   /// step.
   void update(const FrozenWorld& world, const Ways& ways, const Intents& intents,
-              const std::vector<Vec2>& directions);
+              const std::vector<Vec2>& directions, WorkerPool& workers);
   /// The social forces of large crowds, all at once, for models that have a `socialLaw`. Small
   /// crowds, exact runs and closed corridors go pair by pair in `fill`.
-  void computeForces(const Intents& intents, WorkerPool& workers);
+  void computeForces(WorkerPool& workers);
 
   /// What of the others, robots and walls acts on one person. All but `isVisible` is set anew.
   void fill(std::size_t human, const Intent& intent, const std::vector<Obstacles::Point>& walls,
             Situation& situation) const;
   bool isVisible(std::size_t human, const Vec2& point) const;
 
-  std::size_t count() const { return count_; }
+  const PedestrianModel& modelOf(std::size_t human) const { return *traits_[human].model; }
+  /// Somebody is soon asked for: fetches what the model needs into the cache.
+  void expect(std::size_t human) const;
   const Walker& walker(std::size_t human) const { return walkers_[human]; }
   /// Free of walls round a person, at least [m].
   double room(std::size_t human) const { return room_[human]; }
 
  private:
+  /// What of a person never changes and counts in every step, near each other in memory.
+  struct Traits {
+    const PedestrianModel* model = nullptr;
+    SocialLaw law;
+    double radius = 0.0, desiredSpeed = 0.0;  // [m], [m/s]
+    int id = 0;
+    bool looksAtCourses = false;
+  };
+  struct alignas(64) Summary {  // of the people that one thread looked at
+    std::size_t count = 0;
+    double fastest = 0.0;  // [m/s]
+    bool hasGroups = false;
+  };
+
+  void learnTraits(const std::deque<Person>& people);
+  void look(std::size_t human, const Intent& intent, const Vec2& direction, Summary& summary);
+  void findGroups();
+  double desiredSpeedOf(std::size_t human, const Intent& intent) const;
+  bool isSmall() const;
   bool hasForce(std::size_t human) const;
   /// From one free disc to the next along the line; where they get small the walls are asked.
   bool sees(std::size_t self, std::size_t other) const;
@@ -53,15 +74,18 @@ class Crowd {
 
   const FrozenWorld* world_ = nullptr;
   const Ways* ways_ = nullptr;
+  std::vector<Traits> traits_;
   std::vector<Walker> walkers_;
   std::vector<Course> courses_;  // beside them
   std::vector<double> room_;     // of each person to the next wall [m]
   std::vector<Walker> robots_;
   std::vector<std::pair<int, std::size_t>> groups_;  // members by group
   std::size_t count_ = 0;
-  double fastest_ = 0.0;  // [m/s]
+  double fastest_ = 0.0;            // [m/s]
+  std::vector<Summary> summaries_;  // by thread
   CrowdForces forces_;
-  std::vector<SocialLaw> laws_;  // empty: not computed all at once
+  bool isAtOnce_ = false;        // `forces_` are those of this step
+  std::vector<SocialLaw> laws_;  // by which people move in this step
 };
 
 }  // namespace sim2d

@@ -8,18 +8,19 @@
 namespace sim2d {
 namespace {
 
-constexpr double kSamePlace = 1e-9;   // [m]
-constexpr double kCrowdRange = 4.0;   // [m] ahead
-constexpr double kCrowdLength = 2.0;  // [m]
-constexpr double kCrowdWidth = 1.0;   // [m]
-constexpr double kSideScale = 0.2;    // [m]
-constexpr double kSideShift = 0.02;   // [m]; somebody exactly ahead is on the left
-constexpr double kCapRange = 3.0;     // [m]
-constexpr double kNarrowWay = 2.0;    // [m]; between walls
-constexpr double kWideWay = 3.2;      // [m]
-constexpr double kBeside = 0.8;       // sine of the angle to the way from which a wall is beside
-constexpr double kNoForce = 1e-24;    // [m²/s⁴]
-constexpr double kLeastCap = 0.001;   // share of the headway rule that still counts
+constexpr double kSamePlace = 1e-9;    // [m]
+constexpr double kCrowdRange = 4.0;    // [m] ahead
+constexpr double kCrowdLength = 2.0;   // [m]
+constexpr double kCrowdWidth = 1.0;    // [m]
+constexpr double kSideScale = 0.2;     // [m]
+constexpr double kSideShift = 0.02;    // [m]; somebody exactly ahead is on the left
+constexpr double kCapRange = 3.0;      // [m]
+constexpr double kNarrowWay = 2.0;     // [m]; between walls
+constexpr double kWideWay = 3.2;       // [m]
+constexpr double kBeside = 0.8;        // sine of the angle to the way from which a wall is beside
+constexpr double kNoForce = 1e-24;     // [m²/s⁴]
+constexpr double kLeastCap = 0.001;    // share of the headway rule that still counts
+constexpr double kWidestOffset = 7.0;  // squared; e^-7 < kLeastCap
 
 /// One neighbour as seen along the own way.
 struct Seen {
@@ -90,12 +91,15 @@ double speedCapOf(const DensityParameters& parameters, const Pedestrian& self,
     if (other.isMate || other.ahead <= 0.0 || other.distance >= kCapRange) {
       continue;
     }
-    const double offset = other.left / (other.ahead * parameters.capWidth);
     const double follows = other.hasGoal ? std::clamp(0.5 + other.alike, 0.0, 1.0) : 1.0;
+    const double gap = std::max(0.0, other.distance - self.body.radius - other.who.body.radius);
+    const double offset = other.left / (other.ahead * parameters.capWidth);
+    if (offset * offset > kWidestOffset || gap >= cap * parameters.timeGap * follows) {
+      continue;  // the share below would be too small, or the cap no lower
+    }
     const double share = base::exp(-offset * offset) * follows;
     if (share >= kLeastCap) {
-      const double gap = other.distance - self.body.radius - other.who.body.radius;
-      cap = std::min(cap, std::max(0.0, gap) / (parameters.timeGap * share));
+      cap = std::min(cap, gap / (parameters.timeGap * share));
     }
   }
   return cap;

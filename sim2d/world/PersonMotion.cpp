@@ -6,11 +6,12 @@
 namespace sim2d {
 namespace {
 
-constexpr double kSlowestTurn = 0.07;       // [m/s]; slower people keep their heading
-constexpr double kTurnRate = base::kPi;     // [rad/s]
-constexpr double kReach = 5.0;              // [m]; obstacles act up to here
-constexpr std::size_t kWorthThreads = 200;  // people; fewer are not worth waking threads
-constexpr double kTouching = 1.0;           // [m]; walls nearer to the body can be run into
+constexpr double kSlowestTurn = 0.07;    // [m/s]; slower people keep their heading
+constexpr double kTurnRate = base::kPi;  // [rad/s]
+constexpr double kReach = 5.0;           // [m]; obstacles act up to here
+constexpr std::size_t kSlice = 64;       // people a thread moves before it asks for more
+constexpr std::size_t kAhead = 4;        // people whose memory is fetched ahead of their turn
+constexpr double kTouching = 1.0;        // [m]; walls nearer to the body can be run into
 
 constexpr double kStanding = 0.1;       // [m/s]; slower bodies stand
 constexpr double kStandingReach = 3.0;  // [m]
@@ -81,29 +82,31 @@ void PersonMotion::enter(int human) {
 
 void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, const Ways& ways,
                            WorldState& state) {
-  crowd_.update(world, ways, intents, directions_);
-  crowd_.computeForces(intents, workers_);
-  const std::size_t shares = crowd_.count() < kWorthThreads ? 1 : workers_.shareCount();
-  situations_.resize(shares);
-  const auto moveShare = [&](std::size_t share) {
-    const std::size_t end = wanted_.size() * (share + 1) / shares;
-    for (std::size_t human = wanted_.size() * share / shares; human < end; ++human) {
+  crowd_.update(world, ways, intents, directions_, workers_);
+  crowd_.computeForces(workers_);
+  desks_.resize(workers_.threadCount());
+  const auto moveSlice = [&](std::size_t thread, std::size_t begin, std::size_t end) {
+    for (std::size_t human = begin; human < end; ++human) {
+      crowd_.expect(human + kAhead);
       if (state.present[human] != 0) {
-        move(human, world, intents, situations_[share]);
+        move(human, world, intents, desks_[thread].situation);
+        turn(human, intents.of(static_cast<int>(human)), world.model.dt, state);
       }
     }
   };
-  if (shares == 1) {
-    moveShare(0);
-  } else {
-    workers_.forShares(std::cref(moveShare));  // a copy would need memory
+  workers_.forSlices(wanted_.size(), kSlice, moveSlice);
+}
+
+void PersonMotion::expectWork() {
+  if (wanted_.size() >= WorkerPool::kWorthThreads) {
+    workers_.rouse();
   }
-  for (std::size_t human = 0; human < wanted_.size(); ++human) {
-    const Intent& intent = intents.of(static_cast<int>(human));
-    if (state.present[human] != 0 && intent.motion == Motion::Turn) {
-      state.heading[human] = turned(state.heading[human], intent.heading,
-                                    std::max(0.0, intent.turnRate) * world.model.dt);
-    }
+}
+
+void PersonMotion::turn(std::size_t human, const Intent& intent, double dt, WorldState& state) {
+  if (intent.motion == Motion::Turn) {
+    state.heading[human] =
+        turned(state.heading[human], intent.heading, std::max(0.0, intent.turnRate) * dt);
   }
 }
 
@@ -142,16 +145,16 @@ void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents, 
 void PersonMotion::move(std::size_t human, const FrozenWorld& world, const Intents& intents,
                         Situation& situation) {
   const Intent& intent = intents.of(static_cast<int>(human));
-  const Person& person = world.model.people[human];
+  const Walker& walker = crowd_.walker(human);
   WantedMotion& wanted = wanted_[human];
   wanted.velocity = Vec2::Zero();
   wanted.forces = ForceTerms{};
   wanted.looksAhead = isWalking(intent);
   wanted.walls.clear();
   const bool wallsAct = isWalking(intent) && world.model.obstaclePoints == ObstaclePoints::Boundary;
-  const double range = wallsAct ? kReach : person.constants.radius + kTouching;
+  const double range = wallsAct ? kReach : walker.radius + kTouching;
   if (crowd_.room(human) < range) {
-    world.obstacles.boundaryPoints(crowd_.walker(human).position, wanted.walls, range);
+    world.obstacles.boundaryPoints(walker.position, wanted.walls, range);
   }
   if (!isWalking(intent)) {
     return;
@@ -161,11 +164,12 @@ void PersonMotion::move(std::size_t human, const FrozenWorld& world, const Inten
   const std::function<bool(const Vec2&, const Vec2&)> isVisible =
       [&](const Vec2& /*own*/, const Vec2& other) { return crowd_.isVisible(human, other); };
   situation.isVisible = &isVisible;
-  wanted.forces = person.model->forces(situation);
+  const PedestrianModel& model = crowd_.modelOf(human);
+  wanted.forces = model.forces(situation);
   if (intent.motion == Motion::Walk) {
     wanted.forces.social += intent.extraForce;
   }
-  wanted.velocity = person.model->velocity(situation, wanted.forces);
+  wanted.velocity = model.velocity(situation, wanted.forces);
 }
 
 double headingAfter(double heading, const Vec2& velocity, double dt) {

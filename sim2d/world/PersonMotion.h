@@ -29,18 +29,25 @@ class PersonMotion {
 
   /// Where everybody heads. Emits `replan` and `stuck`.
   void chooseLegs(const FrozenWorld& world, const Intents& intents, Ways& ways, WorldState& state);
+  /// `compute` comes soon: threads may wake up.
+  void expectWork();
   /// Then: fills `wanted` and turns those who turn on the spot.
   void compute(const FrozenWorld& world, const Intents& intents, const Ways& ways,
                WorldState& state);
   const std::vector<WantedMotion>& wanted() const { return wanted_; }
 
  private:
+  struct alignas(64) Desk {  // what one thread works on; no line of memory is another's too
+    Situation situation;
+  };
+
   void move(std::size_t human, const FrozenWorld& world, const Intents& intents,
             Situation& situation);
+  static void turn(std::size_t human, const Intent& intent, double dt, WorldState& state);
 
   WorkerPool workers_;
   Crowd crowd_;
-  std::vector<Situation> situations_;  // of each share of the work
+  std::vector<Desk> desks_;  // by thread
   std::vector<RouteFollower> routes_;
   std::vector<Vec2> directions_;
   std::vector<std::uint8_t> changes_;  // sets off or ends to walk in this step

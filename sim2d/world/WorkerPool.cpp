@@ -1,66 +1,145 @@
 #include "sim2d/world/WorkerPool.h"
 
-namespace sim2d {
+#include <algorithm>
+#include <chrono>
+#include <emmintrin.h>
 
-WorkerPool::WorkerPool(int threadCount) {
+namespace sim2d {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr Clock::duration kPatience = std::chrono::microseconds(50);  // as long as a wake-up takes
+constexpr Clock::duration kPatienceRoused = std::chrono::milliseconds(1);
+
+// Parts of the gate.
+constexpr std::uint64_t kJoined = 0xFFFF;
+constexpr std::uint64_t kOpen = 0x10000;
+constexpr unsigned kCallBits = 17;
+
+/// Waits awake; false: it took too long.
+template <class IsDone>
+bool spinUntil(IsDone isDone, Clock::duration patience) {
+  constexpr int kLooks = 32;  // between two looks at the clock
+  const Clock::time_point end = Clock::now() + patience;
+  do {
+    for (int i = 0; i < kLooks; ++i) {
+      if (isDone()) {
+        return true;
+      }
+      _mm_pause();
+    }
+  } while (Clock::now() < end);
+  return false;
+}
+
+}  // namespace
+
+WorkerPool::WorkerPool(int threadCount)
+    : staysAwake_(threadCount <= static_cast<int>(std::thread::hardware_concurrency())),
+      shares_(static_cast<std::size_t>(std::max(threadCount, 1))) {
   for (int i = 1; i < threadCount; ++i) {
     threads_.emplace_back([this, i] { serve(static_cast<std::size_t>(i)); });
   }
 }
 
 WorkerPool::~WorkerPool() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    stops_ = true;
-  }
-  begin_.notify_all();
+  stops_ = true;
+  wake();
   for (std::thread& thread : threads_) {
     thread.join();
   }
 }
 
-void WorkerPool::forShares(const std::function<void(std::size_t)>& work) {
-  if (threads_.empty()) {
-    work(0);
-    return;
+void WorkerPool::rouse() {
+  if (staysAwake_ && !threads_.empty()) {
+    wake();
   }
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    work_ = &work;
-    running_ = threads_.size();
-    ++round_;
-  }
-  begin_.notify_all();
-  work(0);
-  std::unique_lock<std::mutex> lock(mutex_);
-  done_.wait(lock, [this] { return running_ == 0; });
 }
 
-void WorkerPool::forEach(std::size_t count, const std::function<void(std::size_t)>& work) {
-  forShares([&](std::size_t share) {
-    const std::size_t end = count * (share + 1) / shareCount();
-    for (std::size_t i = count * share / shareCount(); i < end; ++i) {
-      work(i);
+/// A thread counts itself among the sleepers before it looks for signals a last time, so either it
+/// sees this one or it is seen here.
+void WorkerPool::wake() {
+  ++signals_;
+  if (sleepers_ > 0) {
+    { const std::lock_guard<std::mutex> lock(mutex_); }
+    begin_.notify_all();
+  }
+}
+
+/// Who has not joined when all slices are done is not waited for.
+void WorkerPool::run(std::size_t count, std::size_t slice, const Work& work) {
+  work_ = &work;
+  count_ = count;
+  slice_ = std::max<std::size_t>(slice, 1);
+  const std::size_t slices = (count + slice_ - 1) / slice_;
+  for (std::size_t i = 0; i < shares_.size(); ++i) {
+    shares_[i].next = slices * i / shares_.size();
+    shares_[i].end = slices * (i + 1) / shares_.size();
+  }
+  const std::uint64_t call = (gate_ >> kCallBits) + 1;
+  gate_ = (call << kCallBits) | kOpen;
+  wake();
+  takeSlices(0);
+  gate_ &= ~kOpen;
+  const auto haveAllLeft = [this] { return (gate_ & kJoined) == 0; };
+  if (!spinUntil(haveAllLeft, staysAwake_ ? kPatience : Clock::duration::zero())) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    callerSleeps_ = true;
+    done_.wait(lock, haveAllLeft);
+    callerSleeps_ = false;
+  }
+}
+
+void WorkerPool::takeSlices(std::size_t thread) {
+  for (std::size_t i = 0; i < shares_.size(); ++i) {
+    Share& share = shares_[(thread + i) % shares_.size()];
+    for (std::size_t slice = share.next++; slice < share.end; slice = share.next++) {
+      (*work_)(thread, slice * slice_, std::min((slice + 1) * slice_, count_));
     }
-  });
+  }
 }
 
-void WorkerPool::serve(std::size_t share) {
-  std::size_t served = 0;
+void WorkerPool::serve(std::size_t thread) {
+  std::uint64_t served = 0;
+  while (join(served)) {
+    takeSlices(thread);
+    leave();
+  }
+}
+
+bool WorkerPool::join(std::uint64_t& served) {
+  Clock::duration patience = kPatience;
   while (true) {
-    {
-      std::unique_lock<std::mutex> lock(mutex_);
-      begin_.wait(lock, [&] { return stops_ || round_ != served; });
+    const std::uint64_t heard = signals_;
+    std::uint64_t gate = 0;
+    const auto isNeeded = [&] {
+      gate = gate_;
+      return stops_ || ((gate & kOpen) != 0 && gate >> kCallBits != served);
+    };
+    if (spinUntil(isNeeded, staysAwake_ ? patience : Clock::duration::zero())) {
       if (stops_) {
-        return;
+        return false;
       }
-      served = round_;
+      if (gate_.compare_exchange_strong(gate, gate + 1)) {
+        served = gate >> kCallBits;
+        return true;
+      }
+      continue;
     }
-    (*work_)(share);
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (--running_ == 0) {
-      done_.notify_one();
-    }
+    std::unique_lock<std::mutex> lock(mutex_);
+    ++sleepers_;
+    begin_.wait(lock, [&] { return signals_ != heard; });
+    --sleepers_;
+    patience = kPatienceRoused;
+  }
+}
+
+void WorkerPool::leave() {
+  const std::uint64_t before = gate_.fetch_sub(1);
+  if ((before & kJoined) == 1 && callerSleeps_) {
+    { const std::lock_guard<std::mutex> lock(mutex_); }
+    done_.notify_one();
   }
 }
 

@@ -174,6 +174,7 @@ bool World::State::step() {
   StepWatch watch(times);
   state.events.clear();
   headingsBefore_ = state.heading;
+  motion.expectWork();
   decide();
   watch.lap(StepPhase::Trees);
   const FrozenWorld frozen{model, state, grid, surroundings.obstacles};

@@ -184,7 +184,7 @@ class HumanTreeBehaviorTest : public QObject {
     QVERIFY(base::hasErrors(run.diagnostics));
   }
 
-  void q08_missingFile_isAnError() {
+  void q08_d06_missingFile_isAnErrorBeforeTheFirstTick() {
     Run run;
     run.add(1, {1});
     run.files["agent1"] = "/does/not/exist.xml";

@@ -49,8 +49,9 @@ inline Recording recordingOfSamples(std::vector<Sample> samples) {
 inline double valueOf(const Recording& recording, const char* key,
                       const MetricParameters& parameters = {}) {
   const MetricEntry* entry = metrics::standardRegistry().find(key);
-  return entry == nullptr ? std::nan("")
-                          : entry->compute(recording, parameters).value.value_or(std::nan(""));
+  return entry == nullptr
+             ? std::nan("")
+             : metrics::valueOf(*entry, recording, parameters).value.value_or(std::nan(""));
 }
 
 inline bool isNear(double a, double b) {

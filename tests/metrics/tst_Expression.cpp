@@ -2,6 +2,7 @@
 
 #include "MetricCases.h"
 #include "metrics/Expression.h"
+#include "metrics/Interaction.h"
 #include "metrics/LiveMetrics.h"
 
 using namespace metrics;
@@ -56,6 +57,9 @@ class ExpressionTest : public QObject {
   void metricsFile_formulas_areMetrics();
   void metricsFile_mistakes_haveLineAndColumn();
   void metricsFile_written_readsBackEqual();
+  void stream_formula_equalsTheWholeRecord_data();
+  void stream_formula_equalsTheWholeRecord();
+  void needsRecord_whereASumIsOfTheEnd();
   void liveMetrics_formulas_equalEvaluation();
 };
 
@@ -206,6 +210,40 @@ void ExpressionTest::metricsFile_written_readsBackEqual() {
   QVERIFY(again->selection.own[0].info.formula == "max(x) - min(x)");
   QVERIFY(again->selection.own[0].info.name == "it's");
   QVERIFY(writeMetricsFile(*again) == text);
+}
+
+void ExpressionTest::stream_formula_equalsTheWholeRecord_data() {
+  QTest::addColumn<QString>("text");
+  for (const char* text :
+       {"integral(gap < 0.5) / duration", "max(people_min(p.gap)) + samples", "mean(speed * dt)",
+        "sum(people_sum(p.speed * dt))", "first(time) + last(time) * count(x > 1)",
+        "integral(people_min(p.distance))", "min(goal_distance) - max(speed) / mean(speed)"}) {
+    QTest::newRow(text) << QString::fromUtf8(text);
+  }
+}
+
+void ExpressionTest::stream_formula_equalsTheWholeRecord() {
+  QFETCH(QString, text);
+  const Expression formula = *Expression::parse(text.toStdString());
+  QVERIFY(!formula.needsRecord());
+  Recording recording = recordingOf(cases::trace(60, 5));
+  const MetricParameters parameters;
+  MetricEntry entry;
+  entry.stream = formula.stream();
+  for (Sample& sample : recording.samples) {
+    workOutPairs(sample, nullptr, parameters);
+  }
+  const MetricValue whole = formula.evaluate(recording, parameters);
+  const MetricValue streamed = valueOf(entry, recording, parameters);
+  QVERIFY(whole.value && streamed.value);
+  QCOMPARE(*streamed.value, *whole.value);
+}
+
+void ExpressionTest::needsRecord_whereASumIsOfTheEnd() {
+  for (const char* text : {"sum(speed > mean(speed))", "sum(speed / duration)",
+                           "max(people_max(p.speed * samples))", "sum(not duration)"}) {
+    QVERIFY2(Expression::parse(text)->needsRecord(), text);
+  }
 }
 
 void ExpressionTest::liveMetrics_formulas_equalEvaluation() {

@@ -148,10 +148,8 @@ void HandCasesTest::crowd_densestLook() {
   const double circle = 4.0 * base::kPi;
   QVERIFY(std::fabs(valueOf(recording, "crowd_voronoi_density_max") - 2.0 / circle) < 1e-5);
   QVERIFY(std::fabs(valueOf(recording, "crowd_voronoi_density") - 1.5 / circle) < 1e-5);
-  const auto series = standardRegistry()
-                          .find("crowd_voronoi_density")
-                          ->compute(recording, MetricParameters{})
-                          .series;
+  const MetricEntry* density = standardRegistry().find("crowd_voronoi_density");
+  const auto series = metrics::valueOf(*density, recording, MetricParameters{}).series;
   QVERIFY(series && series->values.size() == 2 && isNear(series->values[0], 1.0 / circle));
 }
 

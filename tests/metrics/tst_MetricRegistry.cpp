@@ -10,20 +10,43 @@ using namespace metrics;
 
 namespace {
 
-/// All that a new metric needs: a function and its entry.
-MetricValue crowdSize(const Recording& recording, const MetricParameters& /*parameters*/) {
-  std::vector<double> series;
-  for (const Sample& sample : recording.samples) {
-    series.push_back(static_cast<double>(sample.people.size()));
+/// All that a new metric needs: what is summed up and its entry.
+class CrowdSize : public Accumulator {
+ public:
+  void add(const Instant& at) override { sum_.add(at, static_cast<double>(at.now.people.size())); }
+  MetricValue value(const Instant& /*last*/) const {
+    return withSeries(countValue(sum_.sum()), sum_.terms(), Kind::Count);
   }
-  const double sum = sumOf(series);
-  return withSeries(countValue(sum), std::move(series), Kind::Count);
+
+ private:
+  SeriesSum sum_;
+};
+
+/// The same, of the whole record.
+MetricValue crowdSize(const Recording& recording, const MetricParameters& /*parameters*/) {
+  double sum = 0.0;
+  for (const Sample& sample : recording.samples) {
+    sum += static_cast<double>(sample.people.size());
+  }
+  return countValue(sum);
 }
 
 void addCrowdSize(MetricRegistry& to) {
-  to.add({"crowd_size", "People met", "people", Category::Social, Better::Neutral,
-          Needs{false, true}, "sum of n_i", "this test", "0, 1, ...", Kind::Count, 0, ""},
-         crowdSize);
+  MetricInfo info{"crowd_size",
+                  "People met",
+                  "people",
+                  Category::Social,
+                  Better::Neutral,
+                  Needs{false, true},
+                  "sum of n_i",
+                  "this test",
+                  "0, 1, ...",
+                  Kind::Count,
+                  0,
+                  ""};
+  to.add(info, streamOf<CrowdSize>(&CrowdSize::value));
+  info.key = "crowd_size_of_all";
+  to.addFunction(info, crowdSize);
 }
 
 const MetricRegistry& extended() {
@@ -82,9 +105,10 @@ void MetricRegistryTest::addedMetric_appearsEverywhere() {
   const Evaluation made = evaluation();
   QVERIFY(extended().find("crowd_size") != nullptr);
   QCOMPARE(*made.find("crowd_size")->value.value, 40.0);
+  QCOMPARE(*made.find("crowd_size_of_all")->value.value, 40.0);
   QVERIFY(contains(toJson(made), "\"crowd_size\": {\n      \"value\": 40,"));
-  QVERIFY(contains(metricsCsv(made), ",crowd_size\n"));
-  QVERIFY(contains(metricsCsv(made), ",40\n"));
+  QVERIFY(contains(metricsCsv(made), ",crowd_size,crowd_size_of_all\n"));
+  QVERIFY(contains(metricsCsv(made), ",40,40\n"));
   QVERIFY(contains(stepsCsv(made), ",crowd_size\n"));
   QVERIFY(contains(tableText(made), "crowd_size"));
   QVERIFY(contains(metricsMarkdown(extended()), "`crowd_size`"));

@@ -18,6 +18,7 @@ class MoreMetricsTest : public QObject {
   void groupCrossings_throughATriangle_isOne();
   void reference_besideTheStraightWay();
   void reference_recordedRun_isUsed();
+  void reference_longRun_isThinned();
   void topologicalComplexity_onceAround_isOneTurn();
   void events_replansAndArrivals_areCounted();
   void stoppedDistance_standing_isDistance();
@@ -134,6 +135,25 @@ void MoreMetricsTest::reference_recordedRun_isUsed() {
   const double second = std::sqrt(0.16 + 1.0 / 36.0);
   const double third = std::sqrt(1.0 / 225.0 + 0.25);  // the second position again
   QVERIFY(isNear(valueOf(recording, "dtw"), (second + third + 0.5) / 4.0));
+}
+
+/// Above 800 samples every 4th is taken here, and both ends.
+void MoreMetricsTest::reference_longRun_isThinned() {
+  std::vector<Sample> samples;
+  for (int step = 0; step <= 1602; ++step) {
+    samples.push_back(sampleAt(step, 0.01 * step, 1));
+  }
+  const auto warpedUpTo = [&samples](std::size_t count) {
+    Recording recording =
+        recordingOfSamples({samples.begin(), samples.begin() + static_cast<long>(count)});
+    const double end = 0.01 * static_cast<double>(count - 1);
+    recording.reference = {{0.0, Vec2(0, 0)}, {1.0, Vec2(end, 0)}};
+    return valueOf(recording, "dtw");
+  };
+  QVERIFY(isNear(warpedUpTo(800), 1.0));
+  QVERIFY(isNear(warpedUpTo(1601), 1.0));
+  // The last one stands 0.02 m after the one before it instead of 0.04 m.
+  QVERIFY(warpedUpTo(1603) > 1.0 && warpedUpTo(1603) < 1.0 + 0.5 * 0.04 * 0.04);
 }
 
 void MoreMetricsTest::topologicalComplexity_onceAround_isOneTurn() {

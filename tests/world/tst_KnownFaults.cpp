@@ -8,8 +8,8 @@
 
 using namespace testworld;
 
-/// Faults that the original is known for, one test each. n01 to n17: the numbers of the table in
-/// sim2d/world/README.md. d..: order of people, robots, the states that are told.
+/// Faults of the forces that the original is known for, one test each: the numbers of the table in
+/// sim2d/world/README.md.
 class KnownFaultsTest : public QObject {
   Q_OBJECT
 
@@ -24,22 +24,17 @@ class KnownFaultsTest : public QObject {
   void n07_wallOfManyPoints_pushesAsOfTwo();
   void n08_longStepStrongGoal_doesNotOvershoot_data() { addModels(); }
   void n08_longStepStrongGoal_doesNotOvershoot();
-  void n09_stepOfZero_isRefused();
+  void n09_d10_stepOfZero_isRefused();
   void n10_slowPerson_keepsTheHeading();
   void n11_hugeAngles_areWrapped();
   void n12_numberThatIsNone_stopsTheRunAndNamesThePerson();
   void n13_velocityAtAWall_isThatAfterTheContact();
-  void n14_n15_orderInTheFile_changesNothing_data() { addModels(); }
-  void n14_n15_orderInTheFile_changesNothing();
+  void n14_n15_d01_orderInTheFile_changesNothing_data() { addModels(); }
+  void n14_n15_d01_orderInTheFile_changesNothing();
   void n15_farFromTheOrigin_walksAlike();
   void n16_goalBehindAWall_isReached();
   void n17_braking_endsAtRest_data() { addModels(); }
   void n17_braking_endsAtRest();
-  void d02_stepOfTenSeconds_isRefused();
-  void d03_robotAsAnObstacle_isOneInEveryStep();
-  void d04_unknownId_isNobody();
-  void d08_frame_isTheStateAfterTheStep();
-  void d12_robotAndPersonZero_feelEachOther();
 
  private:
   static void addModels();
@@ -179,7 +174,7 @@ void KnownFaultsTest::n08_longStepStrongGoal_doesNotOvershoot() {
   });
 }
 
-void KnownFaultsTest::n09_stepOfZero_isRefused() {
+void KnownFaultsTest::n09_d10_stepOfZero_isRefused() {
   QVERIFY(isRefused(0.0) && isRefused(-0.05) && isRefused(std::nan("")));
   QVERIFY(!isRefused(0.001) && !isRefused(0.1));
 }
@@ -221,7 +216,7 @@ void KnownFaultsTest::n13_velocityAtAWall_isThatAfterTheContact() {
   QVERIFY(speedOf(world->frame(), 0) < 1e-3);
 }
 
-void KnownFaultsTest::n14_n15_orderInTheFile_changesNothing() {
+void KnownFaultsTest::n14_n15_d01_orderInTheFile_changesNothing() {
   QFETCH(QString, model);
   Scenario scenario = walk(model.toStdString());
   addGoal(scenario, 2, -10.0, 1.0);
@@ -270,61 +265,6 @@ void KnownFaultsTest::n17_braking_endsAtRest() {
   advance(*world, 200);
   QVERIFY(world->frame().humans.x[0] > 1.0);
   QCOMPARE(speedOf(world->frame(), 0), 0.0);
-}
-
-void KnownFaultsTest::d02_stepOfTenSeconds_isRefused() {
-  QVERIFY(isRefused(10.0));
-  QVERIFY(isRefused(std::numeric_limits<double>::infinity()));
-}
-
-void KnownFaultsTest::d03_robotAsAnObstacle_isOneInEveryStep() {
-  Scenario scenario;
-  addPerson(scenario, 1, Vec2::Zero());
-  Robot robot;
-  robot.name = "robot1";
-  robot.start.position = Vec2(1.35, 0.0);
-  scenario.robots.push_back(robot);
-  const std::unique_ptr<World> world = make(scenario, [](const WorldView&, Intents& intents) {
-    intents.of(0).robot = RobotTreatment::Obstacle;
-  });
-  advance(*world, 20, [](const Frame& frame) {
-    QVERIFY(frame.forces.social[0].isZero(0.0));
-    QVERIFY(frame.forces.obstacle[0].x() < 0.0);
-  });
-}
-
-void KnownFaultsTest::d04_unknownId_isNobody() {
-  int found = 0;
-  std::size_t people = 0;
-  const std::unique_ptr<World> world =
-      make(walk("sfm"), [&](const WorldView& view, Intents& /*intents*/) {
-        found = view.indexOf(99);
-        people = static_cast<std::size_t>(view.humanCount());
-      });
-  advance(*world, 2);
-  QCOMPARE(found, -1);
-  QCOMPARE(people, std::size_t{1});
-  QCOMPARE(world->frame().humans.size(), std::size_t{1});
-}
-
-void KnownFaultsTest::d08_frame_isTheStateAfterTheStep() {
-  const std::unique_ptr<World> world = make(walk("sfm"));
-  advance(*world, 1);
-  QCOMPARE(world->frame().time, 0.05);
-  // From rest, forces act for half of the first step: v = 4 * 1.5 * 0.025.
-  QVERIFY(std::fabs(world->frame().humans.vx[0] - 0.15) < 1e-12);
-  QVERIFY(std::fabs(world->frame().humans.x[0] - 0.0075) < 1e-12);
-}
-
-void KnownFaultsTest::d12_robotAndPersonZero_feelEachOther() {
-  Scenario scenario;
-  addPerson(scenario, 0, Vec2::Zero());
-  addRobot(scenario, Vec2(1.5, 0.0), Vec2(9.0, 0.0));
-  const std::unique_ptr<World> world = make(scenario);
-  QVERIFY(world != nullptr);
-  advance(*world, 1);
-  QVERIFY(world->frame().forces.social[0].x() < 0.0);
-  QVERIFY(world->header().robots[0].id < 0);
 }
 
 QTEST_APPLESS_MAIN(KnownFaultsTest)

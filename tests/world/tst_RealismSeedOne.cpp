@@ -1,8 +1,9 @@
-#include <map>
+#include <set>
 
 #include <QtTest>
 
 #include "sim2d/world/realism/RealismTest.h"
+#include "tests/support/Sanitizers.h"
 
 using namespace sim2d;
 
@@ -114,12 +115,6 @@ const KnownFailure* findKnown(const std::string& model, const std::string& test,
   }
   return nullptr;
 }
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kIsSanitized = true;
-#else
-constexpr bool kIsSanitized = false;
-#endif
 
 /// Hundreds of people for minutes; all of these would take an hour under a sanitizer.
 bool isLarge(const std::string& test) {

@@ -19,6 +19,7 @@ class RunnerTest : public QObject {
   void run_diverged_failsWithTheReason();
   void run_twice_givesEqualTraces();
   void run_peopleListedInAnotherOrder_givesAnEqualTrace();
+  void run_threads_giveEqualTraces_data();
   void run_threads_giveEqualTraces();
   void run_asTheOriginal_passesThroughEachOther();
 };
@@ -119,8 +120,17 @@ void RunnerTest::run_peopleListedInAnotherOrder_givesAnEqualTrace() {
   QVERIFY(hashOf(traceOf(crossing(), 300)) == hashOf(traceOf(shuffled, 300)));
 }
 
+void RunnerTest::run_threads_giveEqualTraces_data() {
+  QTest::addColumn<QString>("model");
+  for (const std::string& model : modelNames()) {
+    QTest::newRow(model.c_str()) << QString::fromStdString(model);
+  }
+}
+
 void RunnerTest::run_threads_giveEqualTraces() {
+  QFETCH(QString, model);
   Scenario scenario;
+  scenario.desktop.model = model.toStdString();
   addGoal(scenario, 1, 40.0, 0.0);
   addGoal(scenario, 2, -40.0, 0.0);
   addWall(scenario, {Vec2(-30.0, 12.0), Vec2(30.0, 12.0)});

@@ -8,7 +8,6 @@
 #include "sim2d/world/Physics.h"
 #include "sim2d/world/Sensing.h"
 #include "sim2d/world/Separation.h"
-#include "sim2d/world/WorkerPool.h"
 #include "tests/world/TestWorld.h"
 
 using namespace testworld;
@@ -28,7 +27,6 @@ class WorldPartsTest : public QObject {
   void convexPieces_polygon_coverItsArea();
   void isInView_behindOrHidden_isFalse();
   void scan_wallsAndBodies_givesDistances();
-  void workerPool_eachIndex_isDoneOnce();
   void compatibility_parse_knowsWhatCanBeSwitched();
   void names_forLists_areThere();
 };
@@ -198,15 +196,6 @@ void WorldPartsTest::scan_wallsAndBodies_givesDistances() {
   QVERIFY(std::fabs(result.distances[1] - 2.5) < 1e-9);
   QCOMPARE(result.distances[2], 10.0);
   QCOMPARE(result.distances[3], 10.0);
-}
-
-void WorldPartsTest::workerPool_eachIndex_isDoneOnce() {
-  WorkerPool pool(3);
-  std::vector<int> done(1000, 0);
-  for (int round = 0; round < 50; ++round) {
-    pool.forEach(done.size(), [&](std::size_t i) { ++done[i]; });
-  }
-  QVERIFY(std::all_of(done.begin(), done.end(), [](int count) { return count == 50; }));
 }
 
 void WorldPartsTest::compatibility_parse_knowsWhatCanBeSwitched() {

@@ -13,6 +13,8 @@ namespace {
 constexpr double kCellWidth = 1.0;   // [m]
 constexpr double kCellHeight = 5.0;  // [m]
 
+constexpr std::size_t kSlice = 512;  // people a thread sorts before it asks for more
+
 int cellsIn(double length, double cell) {
   return static_cast<int>(length / cell) + 1;
 }
@@ -23,45 +25,75 @@ int clampedCell(double value, int count) {
 
 }  // namespace
 
-void CrowdCells::placeGrid(const std::vector<Walker>& walkers, const std::vector<char>& present) {
-  Vec2 low = Vec2::Zero();
-  Vec2 high = Vec2::Zero();
-  bool isFirst = true;
-  double squaredFastest = 0.0;
-  for (std::size_t i = 0; i < walkers.size(); ++i) {
-    if (present[i] == 0) {
-      continue;
-    }
-    const Walker& walker = walkers[i];
-    low = isFirst ? walker.position : Vec2(low.cwiseMin(walker.position));
-    high = isFirst ? walker.position : Vec2(high.cwiseMax(walker.position));
-    squaredFastest = std::max(squaredFastest, walker.velocity.squaredNorm());
-    isFirst = false;
+void CrowdCells::Extent::add(const Extent& other) {
+  if (!other.isEmpty) {
+    low = isEmpty ? other.low : Vec2(low.cwiseMin(other.low));
+    high = isEmpty ? other.high : Vec2(high.cwiseMax(other.high));
+    squaredFastest = std::max(squaredFastest, other.squaredFastest);
+    isEmpty = false;
   }
-  fastest_ = std::sqrt(squaredFastest);
-  const Vec2 size = high - low;
-  const double mostCells = 4096.0 + 4.0 * static_cast<double>(walkers.size());
+}
+
+CrowdCells::Extent CrowdCells::extentOf(const std::vector<Walker>& walkers,
+                                        const std::vector<char>& present, WorkerPool& workers) {
+  extents_.assign(workers.threadCount(), Extent{});
+  workers.forSlices(
+      walkers.size(), kSlice, [&](std::size_t thread, std::size_t begin, std::size_t end) {
+        Extent extent = extents_[thread];
+        for (std::size_t i = begin; i < end; ++i) {
+          const Walker& walker = walkers[i];
+          if (present[i] != 0) {
+            extent.add({walker.position, walker.position, walker.velocity.squaredNorm(), false});
+          }
+        }
+        extents_[thread] = extent;
+      });
+  Extent all;
+  for (const Extent& extent : extents_) {
+    all.add(extent);
+  }
+  return all;
+}
+
+void CrowdCells::placeGrid(const Extent& all, std::size_t people) {
+  fastest_ = std::sqrt(all.squaredFastest);
+  const Vec2 size = all.high - all.low;
+  const double mostCells = 4096.0 + 4.0 * static_cast<double>(people);
   const Vec2 wanted = Vec2(size.x() / kCellWidth, size.y() / kCellHeight);  // cells
   const double coarser = std::max(
       {1.0, std::sqrt(wanted.x() * wanted.y() / mostCells), wanted.maxCoeff() / mostCells});
   cell_ = coarser * Vec2(kCellWidth, kCellHeight);
-  origin_ = low;
-  middle_ = (low + high) / 2.0;
-  width_ = isFirst ? 0 : cellsIn(size.x(), cell_.x());
-  height_ = isFirst ? 0 : cellsIn(size.y(), cell_.y());
+  origin_ = all.low;
+  middle_ = (all.low + all.high) / 2.0;
+  width_ = all.isEmpty ? 0 : cellsIn(size.x(), cell_.x());
+  height_ = all.isEmpty ? 0 : cellsIn(size.y(), cell_.y());
 }
 
 void CrowdCells::rebuild(const std::vector<Walker>& walkers, const std::vector<char>& present,
-                         const std::vector<double>& room) {
-  placeGrid(walkers, present);
+                         const std::vector<double>& room, WorkerPool& workers) {
+  placeGrid(extentOf(walkers, present, workers), walkers.size());
+  cellOf_.resize(walkers.size());
+  workers.forSlices(walkers.size(), kSlice,
+                    [&](std::size_t /*thread*/, std::size_t begin, std::size_t end) {
+                      for (std::size_t i = begin; i < end; ++i) {
+                        cellOf_[i] = present[i] != 0 ? cellAt(walkers[i].position) : -1;
+                      }
+                    });
+  sortByCell();
+  fillColumns(walkers, room, workers);
+}
+
+int CrowdCells::cellAt(const Vec2& position) const {
+  const Vec2 place = (position - origin_).cwiseQuotient(cell_);
+  return clampedCell(place.y(), height_) * width_ + clampedCell(place.x(), width_);
+}
+
+void CrowdCells::sortByCell() {
   const auto cells = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
   refill(start_, cells + 1, 0);
-  cellOf_.assign(walkers.size(), -1);
-  for (std::size_t i = 0; i < walkers.size(); ++i) {
-    if (present[i] != 0) {
-      const Vec2 place = (walkers[i].position - origin_).cwiseQuotient(cell_);
-      cellOf_[i] = clampedCell(place.y(), height_) * width_ + clampedCell(place.x(), width_);
-      ++start_[static_cast<std::size_t>(cellOf_[i]) + 1];
+  for (const int cell : cellOf_) {
+    if (cell >= 0) {
+      ++start_[static_cast<std::size_t>(cell) + 1];
     }
   }
   for (std::size_t cell = 0; cell < cells; ++cell) {
@@ -70,26 +102,30 @@ void CrowdCells::rebuild(const std::vector<Walker>& walkers, const std::vector<c
   refill(next_, start_.size(), 0);
   std::copy(start_.begin(), start_.end(), next_.begin());
   order_.resize(static_cast<std::size_t>(start_.back()));
-  for (std::size_t i = 0; i < walkers.size(); ++i) {
+  for (std::size_t i = 0; i < cellOf_.size(); ++i) {
     if (cellOf_[i] >= 0) {
-      order_[static_cast<std::size_t>(next_[static_cast<std::size_t>(cellOf_[i])]++)] = i;
+      order_[static_cast<std::size_t>(next_[static_cast<std::size_t>(cellOf_[i])]++)] =
+          static_cast<int>(i);
     }
   }
-  fillColumns(walkers, room);
 }
 
-void CrowdCells::fillColumns(const std::vector<Walker>& walkers, const std::vector<double>& room) {
+void CrowdCells::fillColumns(const std::vector<Walker>& walkers, const std::vector<double>& room,
+                             WorkerPool& workers) {
   for (std::vector<float>* column : {&x_, &y_, &vx_, &vy_, &room_}) {
     column->resize(order_.size() + static_cast<std::size_t>(kCrowdLanes));
   }
-  for (std::size_t slot = 0; slot < order_.size(); ++slot) {
-    const Walker& walker = walkers[order_[slot]];
-    x_[slot] = static_cast<float>(walker.position.x() - middle_.x());
-    y_[slot] = static_cast<float>(walker.position.y() - middle_.y());
-    vx_[slot] = static_cast<float>(walker.velocity.x());
-    vy_[slot] = static_cast<float>(walker.velocity.y());
-    room_[slot] = static_cast<float>(room[order_[slot]]);
-  }
+  workers.forSlices(order_.size(), kSlice,
+                    [&](std::size_t /*thread*/, std::size_t begin, std::size_t end) {
+                      for (std::size_t slot = begin; slot < end; ++slot) {
+                        const Walker& walker = walkers[personIn(slot)];
+                        x_[slot] = static_cast<float>(walker.position.x() - middle_.x());
+                        y_[slot] = static_cast<float>(walker.position.y() - middle_.y());
+                        vx_[slot] = static_cast<float>(walker.velocity.x());
+                        vy_[slot] = static_cast<float>(walker.velocity.y());
+                        room_[slot] = static_cast<float>(room[personIn(slot)]);
+                      }
+                    });
 }
 
 CrowdColumns CrowdCells::columns() const {

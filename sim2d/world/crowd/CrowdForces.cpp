@@ -11,6 +11,7 @@ constexpr double kLeftOut = 5e-5;  // of k_s
 constexpr std::size_t kMostReaches = 8;
 constexpr std::size_t kMostShapes = 64;
 constexpr std::size_t kBatch = 16;              // people
+constexpr std::size_t kSlice = 2 * kBatch;      // people a thread takes before it asks for more
 constexpr std::size_t kUsualCandidates = 8192;  // of a batch
 
 /// Numbers too small for a normal float count as zero, so that they cost no time.
@@ -103,35 +104,40 @@ CrowdPairs CrowdForces::Scratch::pairs() {
 CrowdForces::CrowdForces(VectorPath path) : kernel_(kernelOf(path)), cutOff_(cutOff(kLeftOut)) {}
 
 void CrowdForces::compute(const CrowdState& crowd, WorkerPool& workers) {
-  forces_.assign(crowd.walkers.size(), Vec2::Zero());
-  cells_.rebuild(crowd.walkers, crowd.present, crowd.room);
+  forces_.resize(crowd.walkers.size(), Vec2::Zero());
+  known_.resize(crowd.walkers.size());
+  cells_.rebuild(crowd.walkers, crowd.present, crowd.room, workers);
   if (cells_.count() == 0) {
     return;
   }
   sortShapes(crowd);
   prepareReach();
-  const std::size_t shares = workers.shareCount();
-  scratches_.resize(shares);
+  scratches_.resize(workers.threadCount());
   mostCandidates_ = std::max(cells_.count(), kUsualCandidates);
-  const auto computeShare = [&](std::size_t share) {
-    const ZeroForTiny mode;
-    Scratch& scratch = scratches_[share];
-    scratch.resize(mostCandidates_, cells_.rowCount());
-    const std::size_t end = cells_.count() * (share + 1) / shares;
-    for (std::size_t slot = cells_.count() * share / shares; slot < end; ++slot) {
-      if (crowd.laws[cells_.personIn(slot)].parameters != nullptr) {
-        addToBatch(crowd, slot, scratch);
-      }
+  workers.forSlices(cells_.count(), kSlice,
+                    [&](std::size_t thread, std::size_t begin, std::size_t end) {
+                      computeSlots(crowd, begin, end, scratches_[thread]);
+                    });
+}
+
+void CrowdForces::computeSlots(const CrowdState& crowd, std::size_t begin, std::size_t end,
+                               Scratch& scratch) {
+  const ZeroForTiny mode;
+  scratch.resize(mostCandidates_, cells_.rowCount());
+  for (std::size_t slot = begin; slot < end; ++slot) {
+    if (crowd.laws[cells_.personIn(slot)].parameters != nullptr) {
+      addToBatch(crowd, slot, scratch);
     }
-    computeBatch(crowd, scratch);
-  };
-  workers.forShares(std::cref(computeShare));  // a copy would need memory
+  }
+  computeBatch(crowd, scratch);
 }
 
 void CrowdForces::sortShapes(const CrowdState& crowd) {
-  known_.resize(crowd.laws.size());
   for (std::size_t i = 0; i < known_.size(); ++i) {
     const ForceParameters* const parameters = crowd.laws[i].parameters;
+    if (parameters == nullptr || crowd.present[i] == 0) {
+      forces_[i] = Vec2::Zero();
+    }
     if (known_[i].parameters == parameters) {
       continue;
     }

@@ -64,7 +64,7 @@ class CrowdForces {
     int candidates = 0;
     void clear();
   };
-  struct Scratch {  // of one thread
+  struct alignas(64) Scratch {  // of one thread
     std::vector<float> x, y, vx, vy, fx, fy;
     std::vector<int> word, wordAt, slot, touching, doubtful;
     Batch batch;
@@ -78,6 +78,7 @@ class CrowdForces {
   bool fits(const SocialLaw& law, int shape, bool looksForWalls, const Batch& batch) const;
   CrowdReach::Disc discOf(const ForceParameters& parameters, int shape, double speed) const;
   CrowdLaw lawOf(const SocialLaw& law, bool looksForWalls) const;
+  void computeSlots(const CrowdState& crowd, std::size_t begin, std::size_t end, Scratch& scratch);
   void addToBatch(const CrowdState& crowd, std::size_t slot, Scratch& scratch);
   void computeBatch(const CrowdState& crowd, Scratch& scratch);
   void finish(const CrowdState& crowd, std::size_t receiver, Scratch& scratch);
@@ -91,7 +92,7 @@ class CrowdForces {
   std::vector<KnownLaw> known_;  // by person
   std::vector<CrowdReach> reaches_;
   std::size_t mostCandidates_ = 0;  // of a batch
-  std::vector<Scratch> scratches_;  // by share
+  std::vector<Scratch> scratches_;  // by thread
   std::vector<Vec2> forces_;
 };
 

@@ -77,6 +77,30 @@ base::Result<Flow> playCorridor(Stage& stage, double seconds) {
   return flow;
 }
 
+int peopleIn(const CorridorFlow& setting) {
+  return static_cast<int>(std::lround(setting.density * kLength * setting.width));
+}
+
+/// Fewer people than wanted when they do not fit.
+Stage corridorOf(const RealismRun& run, const CorridorFlow& setting) {
+  Stage stage(run, setting.dt);
+  addWalls(stage, setting.width);
+  const Box box{Vec2(0.0, kBody), Vec2(kLength, setting.width - kBody)};
+  const std::vector<Vec2> places = randomPlaces(run, peopleIn(setting), box, 2.0 * kBody, true);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool goesLeft = setting.isTwoWay && i % 2 == 1;
+    Stage::Actor actor;
+    actor.start = places[i];
+    actor.heading = goesLeft ? base::kPi : 0.0;
+    actor.speed = freeSpeed(run, static_cast<int>(i), setting.meanSpeed, setting.speedDeviation);
+    actor.target = endlessly(Vec2(goesLeft ? -1.0 : 1.0, 0.0));
+    actor.goal = endlessGoal(actor.start, goesLeft);
+    stage.add(actor);
+  }
+  stage.close(0.0, kLength);
+  return stage;
+}
+
 /// Mean distance to the Weidmann fit, largest overlap, largest specific flow, largest rise of
 /// speed.
 base::Result<std::vector<double>> fundamentalDiagram(const RealismRun& run,
@@ -122,18 +146,37 @@ base::Result<std::vector<double>> oneWayLongSteps(const RealismRun& run) {
   return oneWayWith(run, 0.1);
 }
 
-base::Result<std::vector<double>> rimea4(const RealismRun& run) {
+CorridorFlow corridorOfRimea4() {
   CorridorFlow setting;
   setting.width = 2.0;
   setting.seconds = 70.0;
   setting.meanSpeed = 1.3;
   setting.speedDeviation = 0.05;
+  return setting;
+}
+
+base::Result<std::vector<double>> rimea4(const RealismRun& run) {
   const base::Result<std::vector<double>> values =
-      fundamentalDiagram(run, {0.5, 1.0, 2.0, 3.0}, setting);
+      fundamentalDiagram(run, {0.5, 1.0, 2.0, 3.0}, corridorOfRimea4());
   if (!values) {
     return values.diagnostics();
   }
   return std::vector<double>{(*values)[0], (*values)[3]};
+}
+
+Stage singleFileOf(const RealismRun& run, int count) {
+  Stage stage(run);
+  addWalls(stage, 0.8);
+  for (int i = 0; i < count; ++i) {
+    Stage::Actor actor;
+    actor.start = Vec2(kLength * (i + 0.5) / count, 0.4);
+    actor.speed = freeSpeed(run, i, 1.24, 0.05);
+    actor.target = endlessly(Vec2(1.0, 0.0));
+    actor.goal = endlessGoal(actor.start, false);
+    stage.add(actor);
+  }
+  stage.close(0.0, kLength);
+  return stage;
 }
 
 /// Relative error of the headway law 0.36 m + 1.06 s · v (Seyfried et al. 2005), worst of all
@@ -142,16 +185,7 @@ base::Result<std::vector<double>> singleFile(const RealismRun& run) {
   double worst = std::numeric_limits<double>::quiet_NaN();
   double least = 1e9;
   for (const int count : {17, 20, 25, 30, 36, 42, 50}) {
-    Stage stage(run);
-    addWalls(stage, 0.8);
-    for (int i = 0; i < count; ++i) {
-      Stage::Actor actor;
-      actor.start = Vec2(kLength * (i + 0.5) / count, 0.4);
-      actor.speed = freeSpeed(run, i, 1.24, 0.05);
-      actor.target = endlessly(Vec2(1.0, 0.0));
-      stage.add(actor);
-    }
-    stage.close(0.0, kLength);
+    Stage stage = singleFileOf(run, count);
     const base::Result<Flow> flow = playCorridor(stage, 60.0);
     if (!flow) {
       return flow.diagnostics();
@@ -182,6 +216,30 @@ base::Result<std::vector<double>> lanes(const RealismRun& run) {
   return values;
 }
 
+Stage oneWayScene(const RealismRun& run) {
+  return corridorOf(run, {});
+}
+
+Stage longStepsScene(const RealismRun& run) {
+  CorridorFlow setting;
+  setting.dt = 0.1;
+  return corridorOf(run, setting);
+}
+
+Stage singleFileScene(const RealismRun& run) {
+  return singleFileOf(run, 30);
+}
+
+Stage lanesScene(const RealismRun& run) {
+  CorridorFlow setting;
+  setting.isTwoWay = true;
+  return corridorOf(run, setting);
+}
+
+Stage rimea4Scene(const RealismRun& run) {
+  return corridorOf(run, corridorOfRimea4());
+}
+
 }  // namespace
 
 double weidmannSpeed(double density) {
@@ -189,24 +247,10 @@ double weidmannSpeed(double density) {
 }
 
 base::Result<Flow> corridorFlow(const RealismRun& run, const CorridorFlow& setting) {
-  Stage stage(run, setting.dt);
-  addWalls(stage, setting.width);
-  const auto count = static_cast<int>(std::lround(setting.density * kLength * setting.width));
-  const Box box{Vec2(0.0, kBody), Vec2(kLength, setting.width - kBody)};
-  const std::vector<Vec2> places = randomPlaces(run, count, box, 2.0 * kBody, true);
-  if (static_cast<int>(places.size()) < count) {
+  Stage stage = corridorOf(run, setting);
+  if (static_cast<int>(stage.actors().size()) < peopleIn(setting)) {
     return base::makeError("so many people do not fit into the corridor");
   }
-  for (int i = 0; i < count; ++i) {
-    const bool goesLeft = setting.isTwoWay && i % 2 == 1;
-    Stage::Actor actor;
-    actor.start = places[static_cast<std::size_t>(i)];
-    actor.heading = goesLeft ? base::kPi : 0.0;
-    actor.speed = freeSpeed(run, i, setting.meanSpeed, setting.speedDeviation);
-    actor.target = endlessly(Vec2(goesLeft ? -1.0 : 1.0, 0.0));
-    stage.add(actor);
-  }
-  stage.close(0.0, kLength);
   return playCorridor(stage, setting.seconds);
 }
 
@@ -216,26 +260,30 @@ void addCorridorTests(std::vector<RealismTest>& tests) {
       {"bodies overlap", "", Summary::Largest, 0.0, 0.001},
       {"largest specific flow", "1/(m s)", Summary::Mean, 1.0, 1.5}};
   tests.push_back({"fd-one-way", "speed against density, 0.5 to 3 people per m², corridor 26 x 4 m",
-                   ofDiagram, oneWay});
-  tests.push_back({"fd-long-steps", "the same with steps of 0.1 s", ofDiagram, oneWayLongSteps});
+                   ofDiagram, oneWay, oneWayScene});
+  tests.push_back({"fd-long-steps", "the same with steps of 0.1 s", ofDiagram, oneWayLongSteps,
+                   longStepsScene});
   tests.push_back({"fd-single-file",
                    "headway against speed, ring of 26 m, no overtaking",
                    {{"error of headway", "", Summary::Largest, 0.0, 0.15},
                     {"speed when densest", "m/s", Summary::Mean, 0.0, 0.3}},
-                   singleFile});
+                   singleFile,
+                   singleFileScene});
   tests.push_back({"lanes",
                    "two-way flow, half and half, corridor 26 x 4 m",
                    {{"order at 1 per m²", "", Summary::Mean, 0.9, 1.0},
                     {"speed at 1 per m²", "m/s", Summary::Mean, 0.5},
                     {"order at 2 per m²", "", Summary::Mean, 0.9, 1.0},
                     {"speed at 2 per m²", "m/s", Summary::Mean, 0.2}},
-                   lanes});
+                   lanes,
+                   lanesScene});
   tests.push_back({"rimea-4",
                    "RiMEA 4: speed falls with density, corridor 26 x 2 m",
                    {{"distance to Weidmann", "m/s", Summary::Mean, 0.0, 0.10},
                     {"largest rise of speed", "m/s", Summary::Largest,
                      -std::numeric_limits<double>::infinity(), 0.0}},
-                   rimea4});
+                   rimea4,
+                   rimea4Scene});
 }
 
 }  // namespace sim2d

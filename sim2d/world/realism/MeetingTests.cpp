@@ -106,12 +106,22 @@ void addStep(const std::vector<Vec2>& places, Walked& walked) {
   walked.places = places;
 }
 
-/// Three people whose ways cross, for 10 s, with a step of `dt`.
-base::Result<Walked> walkedWithStep(const RealismRun& run, double dt) {
+/// Three people whose ways cross.
+Stage threeWays(const RealismRun& run, double dt) {
   Stage stage(run, dt);
   stage.add(walker(Vec2(-6.0, 0.0), Vec2(40.0, 0.0), 1.3));
   stage.add(walker(Vec2(0.5, -5.0), Vec2(0.5, 40.0), 1.2));
   stage.add(walker(Vec2(6.0, 0.4), Vec2(-40.0, 0.4), 1.1));
+  return stage;
+}
+
+Stage timeStepScene(const RealismRun& run) {
+  return threeWays(run, 0.05);
+}
+
+/// For 10 s, with a step of `dt`.
+base::Result<Walked> walkedWithStep(const RealismRun& run, double dt) {
+  Stage stage = threeWays(run, dt);
   Walked walked;
   for (const Stage::Actor& actor : stage.actors()) {
     walked.places.push_back(actor.start);
@@ -158,28 +168,47 @@ base::Result<std::vector<double>> timeStep(const RealismRun& run) {
   return values;
 }
 
-}  // namespace
-
-base::Result<Meeting> circle(const RealismRun& run, int count, double radius) {
+Stage circleOf(const RealismRun& run, int count, double radius) {
   Stage stage(run);
   for (int i = 0; i < count; ++i) {
     const Vec2 place = radius * base::directionOf(base::wrapToPi(2.0 * base::kPi * i / count));
     stage.add(walker(place, -place, 1.34));
   }
+  return stage;
+}
+
+Stage circleScene(const RealismRun& run) {
+  return circleOf(run, 16, 5.0);
+}
+
+Stage headOnScene(const RealismRun& run) {
+  Stage stage(run);
+  stage.add(walker(Vec2(-6.0, 0.0), Vec2(6.0, 0.0), 1.29));
+  stage.add(walker(Vec2(6.0, 0.0), Vec2(-6.0, 0.0), 1.29));
+  return stage;
+}
+
+Stage crossingScene(const RealismRun& run) {
+  Stage stage(run);
+  stage.add(walker(Vec2(-5.0, 0.0), Vec2(5.0, 0.0), 1.3));
+  stage.add(walker(Vec2(0.0, -5.0), Vec2(0.0, 5.0), 1.3));
+  return stage;
+}
+
+}  // namespace
+
+base::Result<Meeting> circle(const RealismRun& run, int count, double radius) {
+  Stage stage = circleOf(run, count, radius);
   return meet(stage, 2.0 * radius, 1.34);
 }
 
 base::Result<Meeting> headOn(const RealismRun& run) {
-  Stage stage(run);
-  stage.add(walker(Vec2(-6.0, 0.0), Vec2(6.0, 0.0), 1.29));
-  stage.add(walker(Vec2(6.0, 0.0), Vec2(-6.0, 0.0), 1.29));
+  Stage stage = headOnScene(run);
   return meet(stage, 12.0, 1.29);
 }
 
 base::Result<Meeting> crossing(const RealismRun& run) {
-  Stage stage(run);
-  stage.add(walker(Vec2(-5.0, 0.0), Vec2(5.0, 0.0), 1.3));
-  stage.add(walker(Vec2(0.0, -5.0), Vec2(0.0, 5.0), 1.3));
+  Stage stage = crossingScene(run);
   return meet(stage, 10.0, 1.3);
 }
 
@@ -191,18 +220,21 @@ void addMeetingTests(std::vector<RealismTest>& tests) {
                     {"least distance, 16", "m", Summary::Smallest, 0.4},
                     {"time over free time, 16", "", Summary::Largest, 1.0, 2.5}},
                    circles,
+                   circleScene,
                    false});
   tests.push_back({"head-on",
                    "two people exactly towards each other at 1.29 m/s",
                    {{"least distance", "m", Summary::Smallest, 0.44},
                     {"slowest", "m/s", Summary::Smallest, 1.0}},
                    headOnValues,
+                   headOnScene,
                    false});
   tests.push_back({"crossing",
                    "two people whose ways cross at 90 degrees",
                    {{"least distance", "m", Summary::Smallest, 0.4},
                     {"loss of speed", "", Summary::Largest, 0.0, 0.4}},
                    crossingValues,
+                   crossingScene,
                    false});
   tests.push_back({"time-step",
                    "places after 10 s with steps of 0.1, 0.05 and 0.02 s against 0.01 s",
@@ -211,6 +243,7 @@ void addMeetingTests(std::vector<RealismTest>& tests) {
                     {"distance, 0.02 s", "m", Summary::Largest, 0.0, 0.05},
                     {"change of ways and least distance", "", Summary::Largest, 0.0, 0.02}},
                    timeStep,
+                   timeStepScene,
                    false});
 }
 

@@ -8,8 +8,9 @@
 namespace sim2d {
 namespace {
 
-constexpr double kBody = 0.2;    // radius [m]
-constexpr double kInside = 0.3;  // [m]; farther in than the distance at which a target is reached
+constexpr double kBody = 0.2;      // radius [m]
+constexpr double kInside = 0.3;    // [m]; farther in than the distance at which a target is reached
+constexpr double kWideGoal = 2.0;  // [m], radius; a crowd arrives without a jam
 
 /// Times at which people pass a line across the x axis, each person once.
 class Gate {
@@ -90,6 +91,8 @@ void addCrowd(Stage& stage, const RealismRun& run, int count, const Box& box,
     actor.speed = freeSpeed(run, static_cast<int>(i));
     actor.target = target;
     actor.isDone = [leavesAt](const Vec2& place) { return place.x() > leavesAt; };
+    actor.goal = Vec2(leavesAt + kWideGoal, 0.0);
+    actor.goalRadius = kWideGoal;
     stage.add(actor);
   }
 }
@@ -99,16 +102,33 @@ struct Door {
   double longestGap = 0.0;    // [s]
   double left = 0.0;          // people who never got through
 };
-base::Result<Door> passDoor(const RealismRun& run, double width, double dt) {
-  constexpr int kPeople = 100;
+
+constexpr int kPeopleAtDoor = 100;
+constexpr double kDoorDepth = 0.4;  // [m]
+
+/// A room of 7 x 6 m full of people who want to leave.
+Stage roomWithDoor(const RealismRun& run, double width, double dt) {
   Stage stage(run, dt);
-  const Opening opening{0.0, 0.4, width / 2.0};
+  const Opening opening{0.0, kDoorDepth, width / 2.0};
   addRoom(stage, -7.2, 3.0, opening);
   stage.addWall({Vec2(-7.1, -3.1), Vec2(-7.1, 3.1)});
   addCrowd(
-      stage, run, kPeople, {Vec2(-6.8, -2.8), Vec2(-0.2, 2.8)},
+      stage, run, kPeopleAtDoor, {Vec2(-6.8, -2.8), Vec2(-0.2, 2.8)},
       [opening](const Vec2& place) { return throughOpening(opening, place); }, 4.0);
-  Gate gate(opening.x + opening.depth);
+  return stage;
+}
+
+Stage doorScene(const RealismRun& run) {
+  return roomWithDoor(run, 1.0, 0.05);
+}
+
+Stage doorLongStepsScene(const RealismRun& run) {
+  return roomWithDoor(run, 1.0, 0.1);
+}
+
+base::Result<Door> passDoor(const RealismRun& run, double width, double dt) {
+  Stage stage = roomWithDoor(run, width, dt);
+  Gate gate(kDoorDepth);
   const bool isPlayed = stage.play(200.0, [&](const World& world) {
     gate.look(world);
     return world.frame().humans.size() > 0;
@@ -116,8 +136,8 @@ base::Result<Door> passDoor(const RealismRun& run, double width, double dt) {
   if (!isPlayed) {
     return base::makeError(stage.problem());
   }
-  const auto left = static_cast<double>(kPeople) - static_cast<double>(gate.times().size());
-  return Door{gate.flow(10, 85) / width, gate.longestGap(kPeople), left};
+  const auto left = static_cast<double>(kPeopleAtDoor) - static_cast<double>(gate.times().size());
+  return Door{gate.flow(10, 85) / width, gate.longestGap(kPeopleAtDoor), left};
 }
 
 base::Result<std::vector<double>> passDoors(const RealismRun& run, double dt) {
@@ -149,7 +169,7 @@ base::Result<std::vector<double>> bottleneckLongSteps(const RealismRun& run) {
 }
 
 /// Two rooms of 10 x 10 m joined by a corridor of 5 x 1 m; the second has an exit of 1 m.
-base::Result<std::vector<double>> rimea12(const RealismRun& run) {
+Stage twoRooms(const RealismRun& run) {
   Stage stage(run);
   const Opening corridor{0.0, 5.0, 0.5};
   const Opening exit{15.0, 0.4, 0.5};
@@ -160,6 +180,11 @@ base::Result<std::vector<double>> rimea12(const RealismRun& run) {
       stage, run, 150, {Vec2(-9.8, -4.8), Vec2(-0.2, 4.8)},
       [=](const Vec2& place) { return throughOpening(place.x() < 5.0 ? corridor : exit, place); },
       18.0);
+  return stage;
+}
+
+base::Result<std::vector<double>> rimea12(const RealismRun& run) {
+  Stage stage = twoRooms(run);
   Gate end(5.0);
   Gate out(15.4);
   double most = 0.0;
@@ -179,19 +204,25 @@ base::Result<std::vector<double>> rimea12(const RealismRun& run) {
 }
 
 /// Twenty people round a left corner between walls 2 m apart.
-base::Result<std::vector<double>> corner(const RealismRun& run) {
+Stage cornerScene(const RealismRun& run) {
   Stage stage(run);
   stage.planWays();
   stage.addWall({Vec2(-2.0, 2.1), Vec2(9.9, 2.1), Vec2(9.9, 16.0)});
-  stage.addWall({Vec2(-2.0, -0.1), Vec2(12.1, -0.1), Vec2(12.1, 16.0)});
+  stage.addWall({Vec2(-2.0, 2.1), Vec2(-2.0, -0.1), Vec2(12.1, -0.1), Vec2(12.1, 16.0)});
   for (const Vec2& place : randomPlaces(run, 20, {Vec2(0.0, 0.2), Vec2(6.0, 1.8)}, 2.0 * kBody)) {
     Stage::Actor actor;
     actor.start = place;
     actor.speed = freeSpeed(run, static_cast<int>(stage.actors().size()));
     actor.target = always(Vec2(11.0, 15.0));
     actor.isDone = [](const Vec2& at) { return at.y() > 12.0; };
+    actor.goalRadius = 1.0;
     stage.add(actor);
   }
+  return stage;
+}
+
+base::Result<std::vector<double>> corner(const RealismRun& run) {
+  Stage stage = cornerScene(run);
   double inWall = 0.0;
   std::size_t left = stage.actors().size();
   const bool isPlayed = stage.play(60.0, [&](const World& world) {
@@ -208,14 +239,14 @@ base::Result<std::vector<double>> corner(const RealismRun& run) {
   return std::vector<double>{inWall, static_cast<double>(left)};
 }
 
-/// Time until a hundred people have passed a corridor 4 m wide: straight on for `length`, or round
-/// a corner with 10 m of inner wall on both sides of it.
-base::Result<double> timeThrough(const RealismRun& run, bool isCorner, double length) {
+/// A hundred people in a corridor 4 m wide: straight on for `length`, or round a corner with 10 m
+/// of inner wall on both sides of it.
+Stage wideCorridor(const RealismRun& run, bool isCorner, double length) {
   constexpr int kPeople = 100;
   Stage stage(run);
   const double end = isCorner ? 10.0 : length + 8.0;
-  std::vector<Vec2> leftWall = {Vec2(-17.0, 4.1), Vec2(end - kHalfWall, 4.1)};
-  std::vector<Vec2> rightWall = {Vec2(-17.0, -0.1), Vec2(end + 4.1, -0.1)};
+  std::vector<Vec2> leftWall = {Vec2(-17.1, 4.1), Vec2(end - kHalfWall, 4.1)};
+  std::vector<Vec2> rightWall = {Vec2(-17.1, 4.1), Vec2(-17.1, -0.1), Vec2(end + 4.1, -0.1)};
   if (isCorner) {
     stage.planWays();
     leftWall.emplace_back(end - kHalfWall, 22.0);
@@ -230,8 +261,19 @@ base::Result<double> timeThrough(const RealismRun& run, bool isCorner, double le
     actor.speed = freeSpeed(run, static_cast<int>(stage.actors().size()));
     actor.target = isCorner ? always(Vec2(12.0, 21.0)) : endlessly(Vec2(1.0, 0.0));
     actor.isDone = [=](const Vec2& at) { return isCorner ? at.y() > 14.0 : at.x() > length; };
+    actor.goalRadius = kWideGoal;
     stage.add(actor);
   }
+  return stage;
+}
+
+Stage rimea15Scene(const RealismRun& run) {
+  return wideCorridor(run, true, 0.0);
+}
+
+/// Until all have passed.
+base::Result<double> timeThrough(const RealismRun& run, bool isCorner, double length) {
+  Stage stage = wideCorridor(run, isCorner, length);
   double time = std::numeric_limits<double>::quiet_NaN();
   const bool isPlayed = stage.play(200.0, [&](const World& world) {
     time = world.frame().humans.size() == 0 ? world.time() : time;
@@ -264,25 +306,28 @@ void addPassageTests(std::vector<RealismTest>& tests) {
       {"least rise with width", "1/(m s)", Summary::Mean, 0.0},
       {"longest gap", "s", Summary::Largest, 0.0, 10.0},
       {"people left behind", "", Summary::Largest, 0.0, 0.0}};
-  tests.push_back(
-      {"bottleneck", "100 people through a door of 0.8, 1.0, 1.2 and 1.8 m", ofDoors, bottleneck});
-  tests.push_back(
-      {"bottleneck-long-steps", "the same with steps of 0.1 s", ofDoors, bottleneckLongSteps});
+  tests.push_back({"bottleneck", "100 people through a door of 0.8, 1.0, 1.2 and 1.8 m", ofDoors,
+                   bottleneck, doorScene});
+  tests.push_back({"bottleneck-long-steps", "the same with steps of 0.1 s", ofDoors,
+                   bottleneckLongSteps, doorLongStepsScene});
   tests.push_back({"corner",
                    "RiMEA 6: 20 people round a corner between walls 2 m apart",
                    {{"people seen in the wall", "", Summary::Largest, 0.0, 0.0},
                     {"people left behind", "", Summary::Largest, 0.0, 0.0}},
-                   corner});
+                   corner,
+                   cornerScene});
   tests.push_back({"rimea-12",
                    "RiMEA 12: 150 people, room, corridor of 1 m, room, exit of 1 m",
                    {{"flow of corridor less exit", "1/s", Summary::Mean, -0.05},
                     {"most people in the second room", "", Summary::Largest, 0.0, 25.0}},
-                   rimea12});
+                   rimea12,
+                   twoRooms});
   tests.push_back({"rimea-15",
                    "RiMEA 15 with 100 people: time round a corner against straight corridors",
                    {{"corner less inner length", "s", Summary::Mean, 0.0},
                     {"outer length less corner", "s", Summary::Mean, 0.0}},
-                   rimea15});
+                   rimea15,
+                   rimea15Scene});
 }
 
 }  // namespace sim2d

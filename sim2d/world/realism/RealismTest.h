@@ -28,10 +28,12 @@ struct Quantity {
 
 struct RealismTest {
   using Measure = base::Result<std::vector<double>> (*)(const RealismRun& run);
+  using Scene = Stage (*)(const RealismRun& run);
   std::string name;
   std::string description;
   std::vector<Quantity> quantities;
   Measure measure = nullptr;  // one value per quantity
+  Scene scene = nullptr;      // what it plays, or one of it; comes with the program as a file
   bool isSeeded = true;       // false: every seed gives the same
 };
 

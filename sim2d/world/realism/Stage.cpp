@@ -115,8 +115,37 @@ bool Stage::play(double seconds, const Look& look) {
   return true;
 }
 
+Scenario Stage::scenario(const std::string& name) const {
+  constexpr double kDuration = 20.0;  // [s]
+  Scenario result = scenario_;
+  result.yamlBaseName = name;
+  result.desktop.mapFile = "none";
+  result.desktop.duration = kDuration;
+  result.desktop.route = result.desktop.wrapX.empty() ? Route::Planned : Route::Direct;
+  for (std::size_t i = 0; i < actors_.size(); ++i) {
+    const Vec2 place = actors_[i].goal.value_or(actors_[i].target(actors_[i].start));
+    const auto known = std::find_if(result.goals.begin(), result.goals.end(),
+                                    [&](const GlobalGoal& goal) { return goal.position == place; });
+    const auto id = static_cast<int>(known - result.goals.begin()) + 1;
+    if (known == result.goals.end()) {
+      GlobalGoal goal;
+      goal.id = id;
+      goal.position = place;
+      result.goals.push_back(goal);
+    }
+    result.humans[i].goals = {id};
+    result.humans[i].goalRadius = actors_[i].goalRadius;
+  }
+  return result;
+}
+
 Stage::Target endlessly(const Vec2& direction) {
   return [direction](const Vec2& place) { return Vec2(place + 1000.0 * direction); };
+}
+
+Vec2 endlessGoal(const Vec2& place, bool goesLeft) {
+  constexpr double kRow = 0.5;  // [m]
+  return {goesLeft ? -20.0 : 46.0, (std::floor(place.y() / kRow) + 0.5) * kRow};
 }
 
 Stage::Target always(const Vec2& place) {

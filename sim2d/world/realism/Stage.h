@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ class Stage {
     int group = -1;
     Target target;
     std::function<bool(const Vec2& place)> isDone;  // leaves the world then; empty: never
+    std::optional<Vec2> goal;                       // in the file; none: the target at the start
+    double goalRadius = 0.3;                        // in the file [m]
   };
 
   explicit Stage(RealismRun run, double dt = 0.05);
@@ -47,6 +50,8 @@ class Stage {
   bool play(double seconds, const Look& look);
   const std::string& problem() const { return problem_; }
   double dt() const { return dt_; }
+  /// As a file to open and watch: people with goals and generated trees instead of targets.
+  Scenario scenario(const std::string& name) const;
 
  private:
   std::unique_ptr<World> build();
@@ -59,6 +64,9 @@ class Stage {
 };
 
 Stage::Target endlessly(const Vec2& direction);
+/// In the file, somebody who walks endlessly along the x axis heads there, as do neighbours: far
+/// enough behind the end of a corridor of 26 m that the way is nearly straight.
+Vec2 endlessGoal(const Vec2& place, bool goesLeft);
 Stage::Target always(const Vec2& place);
 
 /// Free speeds of adults: normal, 1.34 ± 0.26 m/s (Weidmann 1993), cut at 0.5 and 2.2.

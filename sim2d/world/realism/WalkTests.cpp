@@ -10,17 +10,25 @@
 namespace sim2d {
 namespace {
 
-/// Mean speed of one person over 40 m of a corridor 2 m wide [m/s].
-base::Result<double> speedAlone(const RealismRun& run, double desiredSpeed, double radius) {
-  constexpr double kLength = 40.0;
-  Stage stage(run);
-  stage.addWall({Vec2(-2.0, -1.1), Vec2(kLength + 4.0, -1.1)});
-  stage.addWall({Vec2(-2.0, 1.1), Vec2(kLength + 4.0, 1.1)});
+constexpr double kLength = 40.0;  // [m]
+
+/// A corridor of 2 m about y = `middle` with one person.
+void addCorridor(Stage& stage, double middle, double desiredSpeed, double radius) {
+  stage.addWall({Vec2(-2.0, middle - 1.1), Vec2(kLength + 4.0, middle - 1.1)});
+  stage.addWall({Vec2(-2.0, middle + 1.1), Vec2(kLength + 4.0, middle + 1.1)});
   Stage::Actor actor;
+  actor.start = Vec2(0.0, middle);
   actor.speed = desiredSpeed;
   actor.radius = radius;
   actor.target = endlessly(Vec2(1.0, 0.0));
+  actor.goal = Vec2(kLength, middle);
   stage.add(actor);
+}
+
+/// Mean speed of one person over the length of a corridor [m/s].
+base::Result<double> speedAlone(const RealismRun& run, double desiredSpeed, double radius) {
+  Stage stage(run);
+  addCorridor(stage, 0.0, desiredSpeed, radius);
   double time = std::numeric_limits<double>::quiet_NaN();
   const bool isPlayed = stage.play(400.0, [&](const World& world) {
     const bool isThrough = world.frame().humans.x[0] >= kLength;
@@ -33,6 +41,12 @@ base::Result<double> speedAlone(const RealismRun& run, double desiredSpeed, doub
   return kLength / time;
 }
 
+Stage rimea1Scene(const RealismRun& run) {
+  Stage stage(run);
+  addCorridor(stage, 0.0, 1.33, 0.2);
+  return stage;
+}
+
 base::Result<std::vector<double>> rimea1(const RealismRun& run) {
   const base::Result<double> speed = speedAlone(run, 1.33, 0.2);
   if (!speed) {
@@ -41,13 +55,26 @@ base::Result<std::vector<double>> rimea1(const RealismRun& run) {
   return std::vector<double>{40.0 / *speed};
 }
 
+constexpr std::array<PersonKind, 5> kKinds = {PersonKind::Adult, PersonKind::Child,
+                                              PersonKind::Elderly, PersonKind::Wheelchair,
+                                              PersonKind::Luggage};
+
+/// One of each kind, side by side.
+Stage rimea7Scene(const RealismRun& run) {
+  Stage stage(run);
+  for (std::size_t i = 0; i < kKinds.size(); ++i) {
+    addCorridor(stage, 3.0 * static_cast<double>(i), sampleSpeed(kKinds[i], run.seed, 0),
+                profileOf(kKinds[i]).radius);
+  }
+  return stage;
+}
+
 /// Fifty people of each kind, alone: how far outside the speeds of their kind the farthest is, and
 /// how far their mean lies from the kind's.
 base::Result<std::vector<double>> rimea7(const RealismRun& run) {
   double outside = 0.0;
   double off = 0.0;
-  for (const PersonKind kind : {PersonKind::Adult, PersonKind::Child, PersonKind::Elderly,
-                                PersonKind::Wheelchair, PersonKind::Luggage}) {
+  for (const PersonKind kind : kKinds) {
     const KindProfile& profile = profileOf(kind);
     constexpr int kPeople = 50;
     double sum = 0.0;
@@ -71,17 +98,30 @@ struct Shape {
   double abreast = 0.0;   // share of it across the way
 };
 
+void addGroup(Stage& stage, int group, int count, double side) {
+  for (int i = 0; i < count; ++i) {
+    Stage::Actor actor;
+    actor.start = Vec2(0.1 * i, side + 0.9 * i);
+    actor.speed = 1.3;
+    actor.group = group;
+    actor.target = endlessly(Vec2(1.0, 0.0));
+    actor.goal = Vec2(40.0, side);
+    actor.goalRadius = 3.0;
+    stage.add(actor);
+  }
+}
+
+Stage groupsScene(const RealismRun& run) {
+  Stage stage(run);
+  addGroup(stage, 1, 2, 0.0);
+  addGroup(stage, 2, 3, 15.0);
+  return stage;
+}
+
 /// A group of `count` on 30 m of open ground, the second half of it.
 base::Result<Shape> walkTogether(const RealismRun& run, int count) {
   Stage stage(run);
-  for (int i = 0; i < count; ++i) {
-    Stage::Actor actor;
-    actor.start = Vec2(0.1 * i, 0.9 * i);
-    actor.speed = 1.3;
-    actor.group = 1;
-    actor.target = endlessly(Vec2(1.0, 0.0));
-    stage.add(actor);
-  }
+  addGroup(stage, 1, count, 0.0);
   Shape shape;
   double samples = 0.0;
   const bool isPlayed = stage.play(25.0, [&](const World& world) {
@@ -153,9 +193,8 @@ double depthOfV(const HumanColumns& people, std::size_t first) {
   return (places[0].x() + places[2].x()) / 2.0 - places[1].x();
 }
 
-/// Groups of three among others, one person per m², in a closed corridor 4 m wide: depth of the V,
-/// share of the time in which a group is together.
-base::Result<std::vector<double>> groupsInCrowd(const RealismRun& run) {
+/// Groups of three among others, one person per m², in a closed corridor 4 m wide.
+Stage groupsInCrowdScene(const RealismRun& run) {
   constexpr int kPeople = 104;
   Stage stage(run);
   for (const double y : {-0.1, 4.1}) {
@@ -170,9 +209,16 @@ base::Result<std::vector<double>> groupsInCrowd(const RealismRun& run) {
     actor.group = person < 3 * kThrees ? 1 + person / 3 : -1;
     actor.speed = actor.group > 0 ? 1.3 : freeSpeed(run, person);
     actor.target = endlessly(Vec2(1.0, 0.0));
+    actor.goal = endlessGoal(actor.start, false);
     stage.add(actor);
   }
   stage.close(0.0, kRing);
+  return stage;
+}
+
+/// Depth of the V, share of the time in which a group is together.
+base::Result<std::vector<double>> groupsInCrowd(const RealismRun& run) {
+  Stage stage = groupsInCrowdScene(run);
   double depth = 0.0;
   double together = 0.0;
   double samples = 0.0;
@@ -198,12 +244,14 @@ void addWalkTests(std::vector<RealismTest>& tests) {
                    "RiMEA 1: 40 m of corridor alone at 1.33 m/s",
                    {{"time", "s", Summary::Mean, 26.0, 34.0}},
                    rimea1,
+                   rimea1Scene,
                    false});
   tests.push_back({"rimea-7",
                    "RiMEA 7: 50 people of each kind, alone",
                    {{"outside the kind's speeds", "m/s", Summary::Largest, 0.0, 0.0},
                     {"mean off the kind's", "", Summary::Mean, 0.0, 0.06}},
-                   rimea7});
+                   rimea7,
+                   rimea7Scene});
   tests.push_back({"groups",
                    "groups of two and three on 30 m of open ground",
                    {{"distance in a pair", "m", Summary::Mean, 0.4, 1.2},
@@ -212,12 +260,14 @@ void addWalkTests(std::vector<RealismTest>& tests) {
                     {"speed of a pair over alone", "", Summary::Mean, 0.85, 1.001},
                     {"speed of three over alone", "", Summary::Mean, 0.8, 1.001}},
                    groups,
+                   groupsScene,
                    false});
   tests.push_back({"groups-in-crowd",
                    "groups of three among others, 1 person per m²",
                    {{"middle one behind the outer two", "m", Summary::Mean, 0.0},
                     {"share of time together", "", Summary::Mean, 0.8, 1.0}},
-                   groupsInCrowd});
+                   groupsInCrowd,
+                   groupsInCrowdScene});
 }
 
 }  // namespace sim2d

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "metrics/MetricParameters.h"
+#include "metrics/Recording.h"
+
+namespace metrics {
+
+/// Of one sample alone; NaN = undefined there.
+using Term = double (*)(const Sample& sample, const MetricParameters& parameters);
+
+/// The terms of one sample, each worked out once for all metrics that ask.
+class TermMemory {
+ public:
+  void forget() { known_.clear(); }
+  double of(Term term, const Sample& sample, const MetricParameters& parameters);
+
+ private:
+  std::vector<std::pair<Term, double>> known_;
+};
+
+/// The newest sample of a run as metrics meet it, and what they may know of those before. At the
+/// end of a run it stands for the whole of it. Refers to what its maker holds.
+struct Instant {
+  const Course& course;
+  const MetricParameters& parameters;
+  const Sample& now;             // with a robot, Person::pair is known
+  const Sample* before;          // null at the first sample
+  std::size_t index = 0;         // of now, from 0
+  double begin = 0.0;            // time of the first sample [s]
+  bool keepsSeries = true;       // somebody wants one value per sample
+  TermMemory* memory = nullptr;  // null: terms are worked out again
+
+  std::size_t count() const { return index + 1; }                         // N up to here
+  double elapsed() const { return now.time - begin; }                     // T at the end [s]
+  double step() const { return before ? now.time - before->time : 0.0; }  // since the last [s]
+  double term(Term which) const;
+  bool isOriginal() const { return parameters.profile == Profile::Hunav2; }
+};
+
+/// One value per sample, kept where series are wanted.
+class SeriesColumn {
+ public:
+  void add(const Instant& at, double value) {
+    if (at.keepsSeries) {
+      values_.push_back(value);
+    }
+  }
+  const std::vector<double>& values() const { return values_; }
+
+ private:
+  std::vector<double> values_;
+};
+
+/// A sum over the samples with its terms.
+class SeriesSum {
+ public:
+  void add(const Instant& at, double term) {
+    sum_ += term;
+    terms_.add(at, term);
+  }
+  double sum() const { return sum_; }
+  const std::vector<double>& terms() const { return terms_.values(); }
+
+ private:
+  double sum_ = 0.0;
+  SeriesColumn terms_;
+};
+
+/// Sum of the intervals after the samples for which something holds; the last counts for none.
+class HeldTime {
+ public:
+  /// Once for each sample.
+  void add(const Instant& at, bool holds) {
+    time_ += held_ ? at.step() : 0.0;
+    held_ = holds;
+  }
+  double value() const { return time_; }  // [s]
+
+ private:
+  double time_ = 0.0;
+  bool held_ = false;  // at the sample before
+};
+
+}  // namespace metrics

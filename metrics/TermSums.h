@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "metrics/MetricRegistry.h"
+
+/// Accumulators over a term of the samples. A template per term, so that metrics of the same term
+/// share one.
+namespace metrics {
+
+double closestGapTerm(const Sample& sample, const MetricParameters& parameters);  // NaN: nobody
+/// Soonest collision with anybody [s]; NaN: on no collision course.
+double collisionTerm(const Sample& sample, const MetricParameters& parameters);
+
+/// Figures of the samples where a term is defined.
+class Figures : public Accumulator {
+ public:
+  double sum() const { return sum_; }
+  double count() const { return count_; }
+  double least() const { return least_; }      // NaN: nowhere defined
+  double largest() const { return largest_; }  // NaN: nowhere defined
+  /// Weighted with the time after each sample; NaN: no time.
+  double timeMean() const { return time_ > 0.0 ? integral_ / time_ : kNone; }
+  double integral() const { return integral_; }
+  double time() const { return time_; }  // [s] with the term
+  const std::vector<double>& series() const { return series_.values(); }
+
+ protected:
+  void take(const Instant& at, double term);
+
+ private:
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  double sum_ = 0.0, count_ = 0.0, least_ = kNone, largest_ = kNone;
+  double integral_ = 0.0, time_ = 0.0;
+  double before_ = kNone;  // term of the sample before
+  SeriesColumn series_;
+};
+
+template <Term kTerm>
+class FiguresOf : public Figures {
+ public:
+  void add(const Instant& at) override { take(at, at.term(kTerm)); }
+};
+
+/// A stream that reads the figures of a term.
+template <Term kTerm>
+Stream figuresOf(MetricValue (*read)(const Figures& figures, const Instant& last)) {
+  return streamOf<FiguresOf<kTerm>>(
+      [read](const Figures& figures, const Instant& last) { return read(figures, last); });
+}
+
+using TermTest = bool (*)(double term, const MetricParameters& parameters);
+
+/// Where a test of the term holds: for how many samples and how long.
+template <Term kTerm, TermTest kTest>
+class WhereTerm : public Accumulator {
+ public:
+  void add(const Instant& at) override {
+    const bool holds = kTest(at.term(kTerm), at.parameters);
+    samples_ += holds ? 1.0 : 0.0;
+    time_.add(at, holds);
+  }
+  MetricValue time(const Instant& /*last*/) const { return numberValue(time_.value()); }
+  MetricValue percent(const Instant& last) const {
+    return numberValue(100.0 * samples_ / static_cast<double>(last.count()));
+  }
+
+ private:
+  double samples_ = 0.0;
+  HeldTime time_;
+};
+
+}  // namespace metrics

@@ -1,0 +1,153 @@
+#include <algorithm>
+
+#include <QtTest>
+
+#include "MetricCases.h"
+#include "metrics/Expression.h"
+#include "metrics/LiveMetrics.h"
+#include "metrics/RunningEvaluation.h"
+#include "tests/AllocationCount.h"
+
+using namespace metrics;
+
+Q_DECLARE_METATYPE(metrics::Selection)
+
+/// What an evaluation holds while a run goes on.
+class StreamMemoryTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void totals_tenTimesTheSamples_holdNoMore_data();
+  void totals_tenTimesTheSamples_holdNoMore();
+  void series_growByTheirValuesAlone();
+  void wholeRecord_isKeptForWhoWantsIt();
+  void totals_equalThoseOfAllResults_data();
+  void totals_equalThoseOfAllResults();
+};
+
+namespace {
+
+constexpr double kStep = 0.05;  // [s]
+constexpr int kPeople = 5;
+
+/// Goes round and round, so that places and neighbours are those of the first round.
+sim2d::Frame frameAt(int step) {
+  sim2d::Frame frame = cases::frameAt(step % 200, kPeople, kStep);
+  frame.step = step;
+  frame.time = step * kStep;
+  return frame;
+}
+
+sim2d::Event eventOf(sim2d::EventKind kind, int id) {
+  sim2d::Event event;
+  event.kind = kind;
+  event.hasId = true;
+  event.id = id;
+  event.text = "a text that needs memory of its own, and so on";
+  return event;
+}
+
+Selection totals() {
+  Selection selection;
+  selection.series = false;
+  selection.behaviors = false;
+  return selection;
+}
+
+struct Held {
+  long few = 0, many = 0;  // [B] after some samples and ten times as many
+};
+
+Held heldBy(const Selection& selection, Profile profile) {
+  constexpr int kFew = 1000;
+  Held held;
+  FrameEvaluation evaluation(cases::header(kPeople, kStep), selection,
+                             cases::parametersOf(profile));
+  for (int step = 0; step <= 10 * kFew; ++step) {
+    const sim2d::Frame frame = frameAt(step);
+    evaluation.note(frame.time, eventOf(sim2d::EventKind::Replan, -1));
+    evaluation.note(frame.time, eventOf(sim2d::EventKind::Arrived, 1 + step % kPeople));
+    evaluation.append(frame);
+    (step <= kFew ? held.few : held.many) = bytesHeld;
+  }
+  return held;
+}
+
+}  // namespace
+
+void StreamMemoryTest::totals_tenTimesTheSamples_holdNoMore_data() {
+  QTest::addColumn<Selection>("selection");
+  QTest::addColumn<bool>("original");
+  QTest::newRow("corrected") << totals() << false;
+  QTest::newRow("hunav2") << totals() << true;
+  Selection perType = totals();
+  perType.behaviors = true;
+  perType.behaviorSeries = false;
+  QTest::newRow("per behaviour type") << perType << false;
+  Selection part = totals();
+  part.window.until = "time 20";
+  part.window.frequency = 4.0;
+  QTest::newRow("part of the run") << part << false;
+  Selection never = totals();
+  never.window.from = "event stuck";
+  QTest::newRow("a part that never begins") << never << false;
+  Selection formula = totals();
+  formula.own = {*entryOf({"close", "integral(gap < 1) / duration", "", "", Better::Lower})};
+  QTest::newRow("with a formula") << formula << false;
+}
+
+void StreamMemoryTest::totals_tenTimesTheSamples_holdNoMore() {
+  QFETCH(Selection, selection);
+  QFETCH(bool, original);
+  const Held held = heldBy(selection, original ? Profile::Hunav2 : Profile::Corrected);
+  constexpr long kNoise = 2048;  // [B] buffers of the newest samples; a number each is 72 000
+  QVERIFY2(held.many - held.few < kNoise, std::to_string(held.many - held.few).c_str());
+}
+
+/// One number per sample and column, at most twice while the vectors grow.
+void StreamMemoryTest::series_growByTheirValuesAlone() {
+  Selection selection;
+  selection.behaviors = false;
+  const auto results = evaluate(cases::trace(10, kPeople), selection, {});
+  const auto columns =
+      std::count_if(results->results.begin(), results->results.end(),
+                    [](const MetricResult& result) { return result.value.series.has_value(); });
+  const Held held = heldBy(selection, Profile::Corrected);
+  constexpr long kSamples = 9000;
+  const long column = kSamples * static_cast<long>(sizeof(double));
+  QVERIFY(held.many - held.few > column * columns / 2);
+  QVERIFY2(held.many - held.few < 2 * column * (columns + 20),
+           std::to_string(held.many - held.few).c_str());
+}
+
+void StreamMemoryTest::wholeRecord_isKeptForWhoWantsIt() {
+  Selection selection = totals();
+  selection.keys.emplace();
+  selection.own = {*entryOf({"fast", "sum(speed > mean(speed))", "", "", Better::Lower})};
+  const Held held = heldBy(selection, Profile::Corrected);
+  QVERIFY(held.many - held.few > 9000 * static_cast<long>(sizeof(Sample)));
+}
+
+void StreamMemoryTest::totals_equalThoseOfAllResults_data() {
+  QTest::addColumn<bool>("original");
+  QTest::newRow("corrected") << false;
+  QTest::newRow("hunav2") << true;
+}
+
+void StreamMemoryTest::totals_equalThoseOfAllResults() {
+  QFETCH(bool, original);
+  const MetricParameters parameters =
+      cases::parametersOf(original ? Profile::Hunav2 : Profile::Corrected);
+  const sim2d::Trace trace = cases::trace(300, 6);
+  const auto all = evaluate(trace, Selection{}, parameters);
+  const auto few = evaluate(trace, totals(), parameters);
+  QVERIFY(all && few);
+  const std::string problem = cases::difference(all->results, few->results, 0.0);
+  QVERIFY2(problem.empty(), problem.c_str());
+  QVERIFY(few->behaviors.empty() && few->times.empty());
+  for (const MetricResult& result : few->results) {
+    QVERIFY2(!result.value.series, result.info.key.c_str());
+  }
+}
+
+QTEST_APPLESS_MAIN(StreamMemoryTest)
+#include "tst_StreamMemory.moc"
