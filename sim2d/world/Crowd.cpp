@@ -233,6 +233,10 @@ void Crowd::addRobots(const Intent& intent, Situation& situation) const {
       addOther(robots_[i], courseOfRobot(robots_[i].velocity), situation);
       continue;
     }
+    const double far = kReach + robots_[i].radius + 1e-6;
+    if ((robots_[i].position - situation.self.position).squaredNorm() > far * far) {
+      continue;
+    }
     const Obstacles::Point point = nearestPointOf(
         world_->model.robots[i], world_->state.robots[i].pose, situation.self.position);
     if (point.distance < kReach) {

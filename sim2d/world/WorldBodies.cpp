@@ -11,6 +11,7 @@ namespace {
 constexpr double kNearWall = 0.1;   // [m]
 constexpr double kNearBody = 0.05;  // [m]; more than a touch takes to end
 constexpr double kNearRobot = 0.5;  // [m]
+constexpr int kPolygonSubSteps = 4;
 
 bool isNearWall(const MovingDisc& disc, double reach) {
   return std::any_of(disc.walls.begin(), disc.walls.end(), [reach](const Obstacles::Point& point) {
@@ -75,9 +76,19 @@ void World::State::moveBodies(const std::vector<base::Twist2>& commands) {
     physics.setLonely(static_cast<int>(body), nearness_[body] == Nearness::Nothing);
     physics.setVelocity(static_cast<int>(body), discs[body].velocity, omega);
   }
-  physics.step(model.dt, subSteps_);
+  physics.step(model.dt, subSteps());
   readPeople();
   readRobots(commands);
+}
+
+/// Polygons have no contact ahead of time.
+int World::State::subSteps() const {
+  for (std::size_t i = 0; i < model.robots.size(); ++i) {
+    if (!model.robots[i].footprint.empty() && nearness_[i] != Nearness::Nothing) {
+      return kPolygonSubSteps;
+    }
+  }
+  return 1;
 }
 
 /// Who meets nothing in this step. Small worlds leave all people to the solver.
@@ -94,7 +105,7 @@ void World::State::findNearness() {
     const double reach = disc.radius + disc.velocity.norm() * model.dt + kNearWall;
     nearness_[body] = isNearWall(disc, reach) ? Nearness::Solid : nearness_[body];
     for (std::size_t i = 0; i < state.robots.size(); ++i) {
-      const double near = reach + reachOf(model.robots[i]) + kNearRobot;
+      const double near = reach + robotReaches_[i] + kNearRobot;
       const Vec2 apart = state.robots[i].pose.position - disc.position;
       nearness_[body] = apart.squaredNorm() < near * near ? Nearness::Solid : nearness_[body];
     }
@@ -128,12 +139,15 @@ bool World::State::mayMeet(const DiscPair& pair) const {
 }
 
 /// The solver does not know a robot while nothing is near it, so that it cannot change the order in
-/// which the solver looks at people, and with it their last digits. Discs alone: who comes near a
-/// polygon is not looked up.
+/// which the solver looks at people, and with it their last digits. A polygon counts as the circle
+/// around it.
 bool World::State::meetsSomething(std::size_t robot) const {
   const MovingDisc& self = discs_[robot];
-  const double reach = self.radius + self.velocity.norm() * model.dt;
-  if (!model.robots[robot].footprint.empty() || isNearWall(self, reach + kNearWall)) {
+  const double reach = robotReaches_[robot] + self.velocity.norm() * model.dt;
+  const double wall = reach + kNearWall;
+  if (model.robots[robot].footprint.empty()
+          ? isNearWall(self, wall)
+          : surroundings.obstacles.clearance(self.position, wall) < wall) {
     return true;
   }
   for (std::size_t body = 0; body < owners.size(); ++body) {
@@ -144,7 +158,7 @@ bool World::State::meetsSomething(std::size_t robot) const {
     }
     const MovingDisc& disc = discs_[body];
     const double size =
-        owner.isRobot ? reachOf(model.robots[static_cast<std::size_t>(owner.index)]) : disc.radius;
+        owner.isRobot ? robotReaches_[static_cast<std::size_t>(owner.index)] : disc.radius;
     const double near = reach + size + disc.velocity.norm() * model.dt + kNearRobot;
     if ((disc.position - self.position).squaredNorm() < near * near) {
       return true;

@@ -9,8 +9,7 @@
 namespace sim2d {
 namespace {
 
-constexpr double kFastest = 1e3;     // [m/s]; beyond it a run has diverged
-constexpr int kPolygonSubSteps = 4;  // polygons have no contact ahead of time
+constexpr double kFastest = 1e3;  // [m/s]; beyond it a run has diverged
 
 /// Middle of the map, or of the people's starts: places are rounded relative to it, and a robot
 /// must not change how.
@@ -80,10 +79,10 @@ void World::State::addRobotBodies() {
     state.robots.push_back(start);
     const int body =
         physics.addBody({start.pose, robot.radius, robot.mass, robot.footprint}, false);
-    physics.setLonely(body, robot.footprint.empty());  // until it comes near something
+    physics.setLonely(body, true);  // until it comes near something
     physics.setPresent(body, true);
     owners.push_back({true, static_cast<int>(owners.size())});
-    subSteps_ = robot.footprint.empty() ? subSteps_ : kPolygonSubSteps;
+    robotReaches_.push_back(reachOf(robot));
   }
 }
 

@@ -65,6 +65,7 @@ struct World::State {
   void placeDiscs(const std::vector<base::Twist2>& commands);
   void findPairs();
   void findNearness();
+  int subSteps() const;
   bool meetsSomething(std::size_t robot) const;
   bool mayMeet(const DiscPair& pair) const;
   void readPeople();
@@ -81,7 +82,7 @@ struct World::State {
   std::vector<Nearness> nearness_;      // per body, in this step
   std::vector<Vec2> wantedVelocities_;  // per body, before contacts
   std::vector<Vec2> chords_;            // direction of each robot in the middle of the step
-  int subSteps_ = 1;
+  std::vector<double> robotReaches_;    // of the circle around each robot [m]
 };
 
 }  // namespace sim2d
