@@ -157,24 +157,35 @@ TreeSpec regularNavTree() {
   return regularTree({});
 }
 
-TreeFile makeTree(const sim2d::Scenario& scenario, const sim2d::Human& human,
-                  const NodeCatalogue& catalogue, const Compatibility& quirks) {
+namespace {
+
+/// Without the list of nodes, which takes longer to write than all the rest.
+TreeFile makeBareTree(const sim2d::Scenario& scenario, const sim2d::Human& human,
+                      const Compatibility& quirks) {
   ResolvedHuman resolved = sim2d::resolveHuman(scenario, human, scenario.desktop.seed.value_or(1));
   if (quirks.has(31)) {
     resolved.reactionSpeed = human.maxVel.value_or(2.0);
   }
   TreeFile file;
   file.mainTree = namesOf(resolved.behavior).tree;
-  file.model = modelBlock(catalogue);
   file.includes = {{kRegularNavFile, {}, 0}};
   file.trees = {treeOf(resolved, human.goals, quirks)};
+  return file;
+}
+
+}  // namespace
+
+TreeFile makeTree(const sim2d::Scenario& scenario, const sim2d::Human& human,
+                  const NodeCatalogue& catalogue, const Compatibility& quirks) {
+  TreeFile file = makeBareTree(scenario, human, quirks);
+  file.model = modelBlock(catalogue);
   file.order = {FilePart::Model, FilePart::Include, FilePart::Tree};
   return file;
 }
 
 TreeTable makeTable(const sim2d::Scenario& scenario, const sim2d::Human& human,
-                    const NodeCatalogue& catalogue, const Compatibility& quirks) {
-  TreeFile file = makeTree(scenario, human, catalogue, quirks);
+                    const Compatibility& quirks) {
+  TreeFile file = makeBareTree(scenario, human, quirks);
   TreeTable table;
   table.file = treeFileName(scenario.yamlBaseName.value_or("scenario"), human.id);
   table.mainTree = file.mainTree;

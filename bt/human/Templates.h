@@ -23,7 +23,7 @@ TreeFile makeTree(const sim2d::Scenario& scenario, const sim2d::Human& human,
                   const NodeCatalogue& catalogue, const sim2d::Compatibility& quirks = {});
 /// The same with the trees of its include, ready to be compiled.
 TreeTable makeTable(const sim2d::Scenario& scenario, const sim2d::Human& human,
-                    const NodeCatalogue& catalogue, const sim2d::Compatibility& quirks = {});
+                    const sim2d::Compatibility& quirks = {});
 /// The text of the file in either style.
 std::string makeTreeText(const sim2d::Scenario& scenario, const sim2d::Human& human,
                          TreeStyle style, const NodeCatalogue& catalogue);

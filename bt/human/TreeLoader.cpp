@@ -55,6 +55,15 @@ std::string joined(const std::vector<std::string>& keys) {
   return text;
 }
 
+/// Equal for generated trees that do the same.
+std::string contentOf(const TreeTable& table, const NodeCatalogue& catalogue) {
+  TreeFile file;
+  file.mainTree = table.mainTree;
+  file.trees = {table.entries.at(table.mainTree).tree};
+  file.order = {FilePart::Tree};
+  return writeTree(file, catalogue);
+}
+
 const sim2d::Human* prototypeOf(const sim2d::Scenario& scenario, const sim2d::Area& area) {
   const bool isSource = area.kind == sim2d::AreaKind::Source && area.listed && area.like;
   return isSource ? scenario.human(*area.like) : nullptr;
@@ -120,11 +129,12 @@ std::shared_ptr<const PersonProgram> TreeLoader::load(const sim2d::Human& human,
     }
     return loaded.program;
   }
-  TreeFile file = makeTree(scenario_, human, library_.catalogue(), quirks_);
-  std::shared_ptr<const PersonProgram>& program = generated_[writeTree(file, library_.catalogue())];
+  const TreeTable table = makeTable(scenario_, human, quirks_);
+  std::shared_ptr<const PersonProgram>& program =
+      generated_[contentOf(table, library_.catalogue())];
   if (!program) {
     // What it may lack, the scenario lacks: its check says so.
-    program = compileTable(makeTable(scenario_, human, library_.catalogue(), quirks_), diagnostics);
+    program = compileTable(table, diagnostics);
   }
   return program;
 }

@@ -176,10 +176,10 @@ void readGoals(MapView& agent, Human& human, LoaderReading& reading) {
 int LoaderReading::addGoal(const Vec2& position, UnknownKeys unknown, const YamlNode& at) {
   GlobalGoal goal;
   goal.key = newEntity(base::EntityKind::Goal, at);
-  goal.id = 1;
-  for (const GlobalGoal& other : scenario.goals) {
-    goal.id = std::max(goal.id, other.id + 1);
+  for (; goalsSeen_ < scenario.goals.size(); ++goalsSeen_) {
+    largestGoal_ = std::max(largestGoal_, scenario.goals[goalsSeen_].id);
   }
+  goal.id = largestGoal_ + 1;
   goal.position = position;
   goal.unknown = std::move(unknown);
   scenario.goals.push_back(goal);

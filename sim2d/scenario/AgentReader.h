@@ -26,6 +26,8 @@ struct LoaderReading {
 
  private:
   int lastKey_ = 0;
+  std::size_t goalsSeen_ = 0;  // of the scenario
+  int largestGoal_ = 0;        // among them
 };
 
 /// A map that could be an agent's block.

@@ -133,4 +133,25 @@ void convertFromA(Human& human, const YamlNode& at, ReadReport& report) {
   }
 }
 
+std::optional<std::string> suggestedSimulator(const Scenario& scenario) {
+  for (const Human& human : scenario.humans) {
+    if (!human.initZ) {
+      continue;
+    }
+    if (*human.initZ == 1.25) {
+      return "Gazebo Classic";
+    }
+    if (*human.initZ == 0.03) {
+      return "Gazebo Fortress";
+    }
+    if (*human.initZ == 0.01) {
+      return "Webots";
+    }
+    if (*human.initZ == 0.0) {
+      return "Isaac Sim";
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace sim2d

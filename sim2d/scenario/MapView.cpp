@@ -300,11 +300,12 @@ std::vector<int> MapView::integers(const std::string& key) {
 
 std::vector<std::string> MapView::names(const std::string& key) {
   std::vector<std::string> values;
+  std::set<std::string_view> seen;
   if (const YamlNode* found = list(key)) {
     for (const YamlNode& item : found->items) {
       if (!item.isScalar() || item.text.empty()) {
         report_.error(item, pathOf(key) + ": " + described(item) + " is not a name", entity_);
-      } else if (std::find(values.begin(), values.end(), item.text) != values.end()) {
+      } else if (!seen.insert(item.text).second) {
         report_.error(item, pathOf(key) + ": '" + item.text + "' is listed twice", entity_);
       } else {
         values.push_back(item.text);

@@ -37,6 +37,10 @@ std::optional<BehaviorType> behaviorFromName(const std::string& word) {
 }
 
 const GlobalGoal* Scenario::goal(int id) const {
+  const auto usual = static_cast<std::size_t>(id) - 1;  // most files count from 1
+  if (id >= 1 && usual < goals.size() && goals[usual].id == id) {
+    return &goals[usual];
+  }
   const auto found =
       std::find_if(goals.begin(), goals.end(), [id](const GlobalGoal& g) { return g.id == id; });
   return found == goals.end() ? nullptr : &*found;
@@ -49,6 +53,10 @@ const Human* Scenario::human(const std::string& name) const {
 }
 
 const Human* Scenario::humanById(int id) const {
+  const auto usual = static_cast<std::size_t>(id) - 1;
+  if (id >= 1 && usual < humans.size() && humans[usual].id == id && humans[usual].listed) {
+    return &humans[usual];
+  }
   const Human* unlisted = nullptr;
   for (const Human& human : humans) {
     if (human.id == id && human.listed) {

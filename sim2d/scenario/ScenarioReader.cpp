@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <map>
+#include <set>
 #include <tuple>
 
 #include "sim2d/base/Text.h"
@@ -97,6 +99,7 @@ class FileReader {
       return;
     }
     MapView goals(node, "global_goals", view.entity(), report());
+    std::set<int> numbers;
     for (const YamlNode& item : goals.node().items) {
       goals.know(item.key);
       const auto id = base::parseInt(item.key);
@@ -104,7 +107,7 @@ class FileReader {
         goals.error(item.key, "a goal needs a number from 1 on as its key");
         continue;
       }
-      if (scenario().goal(static_cast<int>(*id)) != nullptr) {
+      if (!numbers.insert(static_cast<int>(*id)).second) {
         goals.error(item.key, "this goal number stands here twice");
         continue;
       }
@@ -146,15 +149,19 @@ class FileReader {
   }
 
   void readAgents(MapView& view) {
+    std::map<std::string_view, const YamlNode*> blocks;
+    for (const YamlNode& item : view.node().items) {
+      blocks.emplace(item.key, &item);
+    }
     for (const std::string& name : agentNames(view)) {
-      const YamlNode* block = view.node().find(name);
+      const auto block = blocks.find(name);
       if (view.isKnown(name)) {
         view.error("agents", "'" + name + "' is the name of a key, not of an agent");
-      } else if (block == nullptr) {
+      } else if (block == blocks.end()) {
         view.error("agents", "agent '" + name + "' has no block");
       } else {
         view.know(name);
-        scenario().humans.push_back(readHuman(*block, true, loader_));
+        scenario().humans.push_back(readHuman(*block->second, true, loader_));
       }
     }
     for (const YamlNode& item : view.node().items) {
@@ -269,36 +276,6 @@ ScenarioReading readScenario(const std::string& path) {
     return reading;
   }
   return readScenarioText(*text, path);
-}
-
-void addLines(base::Diagnostics& diagnostics, const std::map<EntityId, int>& lines) {
-  for (base::Diagnostic& diagnostic : diagnostics) {
-    const auto found = lines.find(diagnostic.entity);
-    if (diagnostic.line == 0 && diagnostic.entity && found != lines.end()) {
-      diagnostic.line = found->second;
-    }
-  }
-}
-
-std::optional<std::string> suggestedSimulator(const Scenario& scenario) {
-  for (const Human& human : scenario.humans) {
-    if (!human.initZ) {
-      continue;
-    }
-    if (*human.initZ == 1.25) {
-      return "Gazebo Classic";
-    }
-    if (*human.initZ == 0.03) {
-      return "Gazebo Fortress";
-    }
-    if (*human.initZ == 0.01) {
-      return "Webots";
-    }
-    if (*human.initZ == 0.0) {
-      return "Isaac Sim";
-    }
-  }
-  return std::nullopt;
 }
 
 }  // namespace sim2d

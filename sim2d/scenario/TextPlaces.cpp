@@ -1,6 +1,9 @@
 #include "sim2d/scenario/TextPlaces.h"
 
+#include <algorithm>
+
 #include "sim2d/base/Text.h"
+#include "sim2d/scenario/ScenarioFile.h"
 #include "sim2d/scenario/YamlTree.h"
 
 namespace sim2d {
@@ -25,6 +28,15 @@ const YamlNode* findKey(const YamlNode& root, const std::string& dotted) {
 
 }  // namespace
 
+void addLines(base::Diagnostics& diagnostics, const std::map<EntityId, int>& lines) {
+  for (base::Diagnostic& diagnostic : diagnostics) {
+    const auto found = lines.find(diagnostic.entity);
+    if (diagnostic.line == 0 && diagnostic.entity && found != lines.end()) {
+      diagnostic.line = found->second;
+    }
+  }
+}
+
 void addColumns(base::Diagnostics& diagnostics, const std::string& path) {
   const base::Result<std::string> text = base::readTextFile(path);
   if (!text) {
@@ -41,6 +53,12 @@ void addColumns(base::Diagnostics& diagnostics, const std::string& path) {
 
 void addPlaceOfKey(base::Diagnostics& diagnostics, const std::string& path,
                    const std::vector<std::string>& keys) {
+  const bool hasNone = std::none_of(
+      diagnostics.begin(), diagnostics.end(),
+      [&path](const base::Diagnostic& said) { return said.file == path && said.line == 0; });
+  if (hasNone) {
+    return;  // to read a large file takes its time
+  }
   const base::Result<std::string> text = base::readTextFile(path);
   if (!text) {
     return;

@@ -6,12 +6,18 @@
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
+#include "sim2d/scenario/YamlSource.h"
+
 namespace sim2d {
 namespace {
 
 // YAML finds a key of up to 1024 characters; escapes make four of one when it is written.
 constexpr std::size_t kLongestKey = 200;
 
+// In a map: a block for each person, as many switched off, and what else there is.
+constexpr std::size_t kMostKeys = 5 * kMostPeople / 2;
+
+constexpr const char* kAgents = "agents";
 constexpr const char* kYamlTags = "tag:yaml.org,2002:";
 
 std::string shortTag(const std::string& tag) {
@@ -21,6 +27,9 @@ std::string shortTag(const std::string& tag) {
   }
   return tag;
 }
+
+/// Ends the parsing after a problem that was told.
+struct Stop {};
 
 /// Builds the tree from the parser's events.
 class TreeBuilder : public YAML::EventHandler {
@@ -63,6 +72,7 @@ class TreeBuilder : public YAML::EventHandler {
     YamlNode node;
     YamlNode key;
     bool hasKey = false;
+    bool isAgents = false;
     std::map<std::string, int> keyLines;
   };
 
@@ -86,6 +96,8 @@ class TreeBuilder : public YAML::EventHandler {
     entry.node = nodeAt(mark);
     entry.node.kind = kind;
     setTag(entry.node, tag);
+    entry.isAgents = kind == YamlNode::Kind::List && !open_.empty() && open_.back().hasKey &&
+                     open_.back().key.text == kAgents;
     open_.push_back(std::move(entry));
   }
   void close() {
@@ -99,6 +111,7 @@ class TreeBuilder : public YAML::EventHandler {
       return;
     }
     Open& parent = open_.back();
+    refuseMasses(parent, node);
     if (!parent.node.isMap()) {
       parent.node.items.push_back(std::move(node));
     } else if (!parent.hasKey) {
@@ -110,6 +123,21 @@ class TreeBuilder : public YAML::EventHandler {
       node.keyColumn = parent.key.column;
       parent.node.items.push_back(std::move(node));
       parent.hasKey = false;
+    }
+  }
+  /// Before a file of gigabytes has filled the memory.
+  void refuseMasses(const Open& parent, const YamlNode& next) {
+    const std::size_t count = parent.node.items.size();
+    const std::string people = std::to_string(kMostPeople) + " people";
+    if (parent.isAgents && count == kMostPeople) {
+      report(next.line, next.column, "more than " + people + " in agents: that is the most");
+      throw Stop();
+    }
+    if (parent.node.isMap() && count == kMostKeys) {
+      report(next.line, next.column,
+             "more than " + std::to_string(kMostKeys) + " keys in one map: a scenario has " +
+                 people + " at most");
+      throw Stop();
     }
   }
   void takeKey(Open& parent, YamlNode key) {
@@ -135,84 +163,20 @@ class TreeBuilder : public YAML::EventHandler {
   std::vector<Open> open_;
 };
 
-std::size_t sequenceLength(unsigned char lead) {
-  if (lead < 0x80) {
-    return 1;
-  }
-  if (lead >= 0xC2 && lead < 0xE0) {
-    return 2;
-  }
-  if (lead >= 0xE0 && lead < 0xF0) {
-    return 3;
-  }
-  return lead >= 0xF0 && lead < 0xF5 ? 4 : 0;
-}
-
-/// Line of the first byte that is not text in UTF-8; 0 = all is.
-int lineOfBinary(std::string_view text) {
-  int line = 1;
-  for (std::size_t i = 0; i < text.size();) {
-    const auto lead = static_cast<unsigned char>(text[i]);
-    const std::size_t length = sequenceLength(lead);
-    bool good = length > 0 && i + length <= text.size();
-    good = good && (lead >= 0x20 || lead == '\n' || lead == '\r' || lead == '\t');
-    for (std::size_t k = 1; good && k < length; ++k) {
-      good = (static_cast<unsigned char>(text[i + k]) & 0xC0) == 0x80;
-    }
-    if (!good) {
-      return line;
-    }
-    line += lead == '\n' ? 1 : 0;
-    i += length;
-  }
-  return 0;
-}
-
-void findTabs(std::string_view text, const std::string& file, base::Diagnostics& diagnostics) {
-  int line = 1;
-  for (std::size_t start = 0; start < text.size(); ++line) {
-    std::size_t end = text.find('\n', start);
-    end = end == std::string_view::npos ? text.size() : end;
-    const std::string_view content = text.substr(start, end - start);
-    const std::size_t word = content.find_first_not_of(" \t\r");
-    const std::size_t tab = content.find('\t');
-    if (word != std::string_view::npos && content[word] != '#' && tab < word) {
-      diagnostics.push_back(base::makeError("a tab in the indentation (YAML allows spaces only)",
-                                            file, line, static_cast<int>(tab) + 1));
-    }
-    start = end + 1;
-  }
-}
-
-/// Without byte order mark and carriage returns, so that columns are those of an editor.
-std::string normalised(std::string_view text) {
-  if (text.substr(0, 3) == "\xEF\xBB\xBF") {
-    text.remove_prefix(3);
-  }
-  std::string result;
-  result.reserve(text.size());
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '\r') {
-      result.push_back(text[i]);
-    } else if (i + 1 == text.size() || text[i + 1] != '\n') {
-      result.push_back('\n');
-    }
-  }
-  return result;
-}
-
 void parseInto(TreeBuilder& builder, const std::string& text, const std::string& file,
                base::Diagnostics& diagnostics) {
   try {
     std::istringstream stream(text);
     YAML::Parser parser(stream);
     parser.HandleNextDocument(builder);
-    YamlNode first = builder.root;
+    YamlNode first = std::move(builder.root);
     if (parser.HandleNextDocument(builder)) {
       diagnostics.push_back(base::makeError("a second document (---): only one is read", file,
                                             builder.root.line, builder.root.column));
     }
     builder.root = std::move(first);
+  } catch (const Stop&) {
+    builder.root = {};
   } catch (const YAML::Exception& problem) {
     // the library's word for lists in lists beyond its depth
     const bool deep = problem.msg == "bad file";

@@ -38,8 +38,11 @@ struct YamlNode {
 YamlNode scalarNode(std::string text);         // plain text as it stands (numbers, true, false)
 YamlNode stringNode(const std::string& text);  // quoted where YAML 1.1 would read something else
 
-/// The only document of a text. Problems (syntax, tabs, repeated keys, aliases, not UTF-8) go to
-/// `diagnostics`; with errors the tree must not be used.
+/// People that the list `agents` of a file may name; what is longer is not read to its end.
+constexpr std::size_t kMostPeople = 100000;
+
+/// The only document of a text. Problems (syntax, tabs, repeated keys, aliases, not UTF-8, too many
+/// people) go to `diagnostics`; with errors the tree must not be used.
 YamlNode parseYaml(std::string_view text, const std::string& file, base::Diagnostics& diagnostics);
 
 /// Block style, two spaces per level, lists indented under their key; no newline at the end.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "sim2d/base/Text.h"
 
@@ -34,22 +35,26 @@ void fit(Vec2& point, double radius, const std::string& what, EntityId entity, W
   }
 }
 
-/// The largest body that walks to the goal by a planned way; 0: none.
-double radiusFor(const WorldModel& model, int goalId) {
-  double radius = 0.0;
+/// The largest body that walks to each goal by a planned way, by the goal's number.
+std::map<int, double> radiiByGoal(const WorldModel& model) {
+  std::map<int, double> radii;
+  const auto include = [&radii](int goal, double radius) {
+    double& largest = radii[goal];
+    largest = std::max(largest, radius);
+  };
   for (const Person& person : model.people) {
-    const std::vector<int>& goals = person.definition->goals;
-    if (person.constants.route == Route::Planned &&
-        std::find(goals.begin(), goals.end(), goalId) != goals.end()) {
-      radius = std::max(radius, person.constants.radius);
+    if (person.constants.route == Route::Planned) {
+      for (const int goal : person.definition->goals) {
+        include(goal, person.constants.radius);
+      }
     }
   }
   for (const ResolvedRobot& robot : model.robots) {
-    if (std::find(robot.goalIds.begin(), robot.goalIds.end(), goalId) != robot.goalIds.end()) {
-      radius = std::max(radius, reachOf(robot));
+    for (const int goal : robot.goalIds) {
+      include(goal, reachOf(robot));
     }
   }
-  return radius;
+  return radii;
 }
 
 template <class Items, class IsReachable>
@@ -135,11 +140,12 @@ void checkPlaces(const WorldModel& model, base::Diagnostics& problems) {
 }
 
 void fitPlaces(WorldModel& model, Ways& ways, base::Diagnostics& problems) {
+  const std::map<int, double> radii = radiiByGoal(model);
   for (const GlobalGoal& goal : model.scenario->goals) {
-    const double radius = radiusFor(model, goal.id);
-    if (radius > 0.0) {
-      fit(model.globalGoals[goal.id], radius, "goal " + std::to_string(goal.id), goal.key, ways,
-          problems);
+    const auto radius = radii.find(goal.id);
+    if (radius != radii.end() && radius->second > 0.0) {
+      fit(model.globalGoals[goal.id], radius->second, "goal " + std::to_string(goal.id), goal.key,
+          ways, problems);
     }
   }
   for (Person& person : model.people) {

@@ -32,7 +32,18 @@ class PlacedStarts {
  public:
   explicit PlacedStarts(double largestRadius) : cell_(std::max(0.1, 2.0 * largestRadius)) {}
 
-  void add(const Start& start) { starts_[cellOf(*start.position)].push_back(start); }
+  /// Who takes no room that is not taken is left out, so that a heap of people in one place is not
+  /// looked through by each of them.
+  void add(const Start& start) {
+    std::vector<Start>& starts = starts_[cellOf(*start.position)];
+    const bool isHidden = std::any_of(starts.begin(), starts.end(), [&start](const Start& other) {
+      return *other.position == *start.position && other.radius >= start.radius &&
+             other.passesPeople == start.passesPeople;
+    });
+    if (!isHidden) {
+      starts.push_back(start);
+    }
+  }
 
   bool isFree(const Start& start, const Vec2& place) const {
     const Cell middle = cellOf(place);

@@ -49,6 +49,24 @@ class CheckProgramTest : public QObject {
     QVERIFY2(errors >= files.size() / 2, qPrintable(QString::number(errors)));
   }
 
+  void check_aMillionPeople_isRefusedWithOnePlace() {
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("many.yaml"));
+    QByteArray text = "hunav_loader:\n  ros__parameters:\n    agents:\n";
+    for (int i = 1; i <= 1000000; ++i) {
+      text += "      - agent" + QByteArray::number(i) + "\n";
+    }
+    outside::writeText(file, text);
+    for (const char* command : {"check", "run"}) {
+      const outside::Finished refused = outside::runProgram(
+          {QString::fromLatin1(command), file, QStringLiteral("--map"), QStringLiteral("none")});
+      QCOMPARE(refused.exitCode, 2);
+      QCOMPARE(refused.err.trimmed(),
+               file + QStringLiteral(":100004:9: error: more than 100000 people in agents: that is "
+                                     "the most"));
+    }
+  }
+
   /// Also what is wrong in meaning has line and column, and a missing map hides nothing.
   void check_meaning_hasPlaces() {
     QTemporaryDir folder;

@@ -53,6 +53,36 @@ class ScenarioErrorsTest : public QObject {
     QVERIFY(reading.scenario == Scenario{});
   }
 
+  void read_tooManyPeople_isOneErrorWithItsPlace_data() {
+    QTest::addColumn<QByteArray>("open");
+    QTest::addColumn<QByteArray>("line");
+    QTest::addColumn<int>("lines");
+    QTest::addColumn<QByteArray>("expected");
+    QTest::newRow("names") << QByteArray("    agents:\n") << QByteArray("      - a\n") << 100001
+                           << QByteArray(
+                                  "many.yaml:100004:9: error: more than 100000 people in agents: "
+                                  "that is the most\n");
+    QTest::newRow("blocks") << QByteArray() << QByteArray("    a#: {}\n") << 250001
+                            << QByteArray(
+                                   "many.yaml:250003:5: error: more than 250000 keys in one map: a "
+                                   "scenario has 100000 people at most\n");
+  }
+  /// What comes behind is not read: a file may be larger than the memory.
+  void read_tooManyPeople_isOneErrorWithItsPlace() {
+    QFETCH(QByteArray, open);
+    QFETCH(QByteArray, line);
+    QFETCH(int, lines);
+    QFETCH(QByteArray, expected);
+    QByteArray text = "hunav_loader:\n  ros__parameters:\n" + open;
+    for (int i = 0; i < lines; ++i) {
+      text += QByteArray(line).replace('#', QByteArray::number(i));
+    }
+    text += "    : : not YAML any more\n";
+    const ScenarioReading reading = readScenarioText(text.toStdString(), "many.yaml");
+    QCOMPARE(shown(reading.diagnostics), QString::fromUtf8(expected));
+    QVERIFY(reading.scenario == Scenario{});
+  }
+
   void read_anyPrefixOfFile_endsWithScenarioOrErrors() {
     const std::string text = textOf(dataFile("block.yaml"));
     for (std::size_t length = 0; length < text.size(); length += 7) {
