@@ -91,19 +91,8 @@ nlohmann::ordered_json inputJson(const std::string& path) {
   return json;
 }
 
-void PlanningTime::add(double seconds) {
-  ++steps;
-  const double change = seconds - mean;
-  mean += change / static_cast<double>(steps);
-  squares += change * (seconds - mean);
-}
-
-double PlanningTime::deviation() const {
-  return steps > 1 ? std::sqrt(squares / static_cast<double>(steps - 1)) : 0.0;
-}
-
 std::string runManifest(const Preparation& preparation, const sim2d::TraceHeader& header,
-                        const sim2d::RunResult& result, const PlanningTime& planning,
+                        const sim2d::RunResult& result, const metrics::PlanningTime& planning,
                         const std::vector<std::string>& commandLine) {
   const double simulated = static_cast<double>(result.steps) * header.dt;
   const sim2d::DesktopSettings& desktop = preparation.scenario->desktop;
@@ -126,9 +115,8 @@ std::string runManifest(const Preparation& preparation, const sim2d::TraceHeader
   json["wall_seconds"] = result.steppingSeconds;
   json["real_time_factor"] =
       result.steppingSeconds > 0.0 ? Json(simulated / result.steppingSeconds) : Json();
-  if (planning.steps > 0) {
-    json["planning_time_mean"] = planning.mean;
-    json["planning_time_std"] = planning.deviation();
+  for (const metrics::MetricResult& time : planning.results()) {
+    json[time.info.key] = time.value.value ? Json(*time.value.value) : Json();
   }
   json["humans"] = Json::array();
   for (const sim2d::TraceHuman& human : header.humans) {

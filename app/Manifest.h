@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/Preparation.h"
+#include "metrics/PlanningTime.h"
 #include "sim2d/trace/Trace.h"
 #include "sim2d/world/Runner.h"
 
@@ -14,19 +15,9 @@ namespace app {
 /// A file that was read, with its SHA-256.
 nlohmann::ordered_json inputJson(const std::string& path);
 
-/// Wall time that the robots took to decide, per step [s]. Told in the manifest alone: records hold
-/// nothing of the clock.
-struct PlanningTime {
-  std::int64_t steps = 0;
-  double mean = 0.0;
-  double squares = 0.0;  // sum of the squared deviations
-  void add(double seconds);
-  double deviation() const;  // 0 with less than two steps
-};
-
 /// manifest.json of a run: what it came from, what it was set to, how it ended.
 std::string runManifest(const Preparation& preparation, const sim2d::TraceHeader& header,
-                        const sim2d::RunResult& result, const PlanningTime& planning,
+                        const sim2d::RunResult& result, const metrics::PlanningTime& planning,
                         const std::vector<std::string>& commandLine);
 
 /// Makes the folder; an error if it cannot be made or written to.

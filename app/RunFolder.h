@@ -16,7 +16,7 @@ namespace app {
 struct FinishedRun {
   sim2d::TraceHeader header;
   sim2d::RunResult result;
-  PlanningTime planning;
+  metrics::PlanningTime planning;
   base::Result<metrics::Evaluation> evaluation;
   std::string effectsCsv;   // of the run without robots; empty = there was none
   bool totalsOnly = false;  // nothing per step is written

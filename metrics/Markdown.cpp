@@ -1,5 +1,6 @@
 #include "metrics/Counterfactual.h"
 #include "metrics/MetricRegistry.h"
+#include "metrics/PlanningTime.h"
 #include "sim2d/base/Text.h"
 
 namespace metrics {
@@ -72,18 +73,26 @@ at its key. Column rate: largest change when a record of smooth motion is sample
 as often, from 20 Hz on, as a share of the larger value, which counts as at least 0.1.
 )";
 
-std::string effectList() {
-  std::string text =
-      "\n## What the robot did to people\n\nOnly of `run --counterfactual`: the run beside one of "
-      "the same seed without robots. Lengths and\ntimes up to the last goal that both have in "
-      "common; `counterfactual.csv` has them per person.\n\n";
-  for (const MetricInfo& info : effectInfos()) {
+std::string listOf(const std::vector<MetricInfo>& infos) {
+  std::string text;
+  for (const MetricInfo& info : infos) {
     text += "- `" + info.key + "`: " + info.name + " [" + info.unit + "], " + info.formula + "; " +
             info.range + ", " + betterName(info.better) + " is better, source: " + info.source +
             "\n";
   }
   return text;
 }
+
+constexpr char kEffects[] =
+    "\n## What the robot did to people\n\nOnly of `run --counterfactual`: the run beside one of "
+    "the same seed without robots. Lengths and\ntimes up to the last goal that both have in "
+    "common; `counterfactual.csv` has them per person.\n\n";
+
+constexpr char kPlanning[] =
+    "\n## Measured by the clock\n\nDiffers from run to run, so it is in the table that `run` "
+    "prints "
+    "and in `manifest.json` (`null`\nwithout robot) and not among the metrics, which are those of "
+    "the record.\n\n";
 
 }  // namespace
 
@@ -92,7 +101,8 @@ std::string metricsMarkdown(const MetricRegistry& registry) {
   for (int category = 0; category < kCategories; ++category) {
     text += categoryTable(registry, static_cast<Category>(category));
   }
-  return text + effectList() + parameterTable();
+  return text + kEffects + listOf(effectInfos()) + kPlanning + listOf(planningInfos()) +
+         parameterTable();
 }
 
 }  // namespace metrics

@@ -29,7 +29,7 @@ FinishedRun simulate(sim2d::World& world, const sim2d::Scenario& scenario,
   sim2d::Recorder recorder(scenario.desktop.recordEvery.value_or(1), &writer);
   const double end = static_cast<double>(rule.maximumSteps) * world.dt();
   sim2d::StepTimes times;
-  PlanningTime planning;
+  metrics::PlanningTime planning;
   double planned = 0.0;  // [s] up to the step before
   if (!world.frame().robots.id.empty()) {
     world.measure(&times);
@@ -39,7 +39,7 @@ FinishedRun simulate(sim2d::World& world, const sim2d::Scenario& scenario,
     Progress progress(output.quiet);
     result = sim2d::run(world, rule, recorder, [&](const sim2d::Frame& frame) {
       const double now = times.seconds[static_cast<std::size_t>(sim2d::StepPhase::Robots)];
-      if (times.steps > planning.steps) {
+      if (times.steps > planning.steps()) {
         planning.add(now - planned);
         planned = now;
       }
@@ -109,12 +109,21 @@ std::string lastLine(const FinishedRun& run, double dt) {
          base::formatDecimals(std::round(wall * 1000.0) / 1000.0, 3) + " s)";
 }
 
+/// The table may differ from run to run, the files may not.
+metrics::Evaluation withPlanningTime(const FinishedRun& run) {
+  metrics::Evaluation evaluation = *run.evaluation;
+  for (metrics::MetricResult& time : run.planning.results()) {
+    evaluation.results.push_back(std::move(time));
+  }
+  return evaluation;
+}
+
 void show(const FinishedRun& run, double dt, const OutputOptions& output) {
   if (output.json && run.evaluation) {
     print(metrics::toJson(*run.evaluation));
   } else if (!output.quiet && !output.json) {
     if (run.evaluation) {
-      print(metrics::tableText(*run.evaluation));
+      print(metrics::tableText(withPlanningTime(run)));
     }
     printLine(lastLine(run, dt));
   }
