@@ -49,7 +49,7 @@ bool CsvReader::readField(CsvField& field) {
   if (position_ < text_.size() && text_[position_] == '"') {
     readQuoted(field.text);
   }
-  std::size_t end = text_.find_first_of(",\n", position_);
+  std::size_t end = text_.find_first_of(std::string_view(ends_.data(), ends_.size()), position_);
   if (end == std::string_view::npos) {
     end = text_.size();
     truncated_ = true;

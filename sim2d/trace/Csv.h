@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,7 +21,8 @@ using CsvRow = std::vector<CsvField>;
 /// the reader.
 class CsvReader {
  public:
-  explicit CsvReader(std::string_view text) : text_(text) {}
+  explicit CsvReader(std::string_view text, char separator = ',')
+      : text_(text), ends_{separator, '\n'} {}
   /// False at the end of the text. `row` is reused; empty lines are rows with one empty field.
   bool next(CsvRow& row);
   /// The last row was cut: no line end after it, or an open quote.
@@ -32,6 +34,7 @@ class CsvReader {
   void advance();
 
   std::string_view text_;
+  std::array<char, 2> ends_;  // of a field
   std::size_t position_ = 0;
   int line_ = 1;
   std::size_t lineStart_ = 0;

@@ -13,10 +13,23 @@ namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
+/// The first of them that the header holds.
+char separatorOf(std::string_view text) {
+  const std::string_view header = text.substr(0, text.find('\n'));
+  for (const char separator : {',', ';', '\t'}) {
+    if (header.find(separator) != std::string_view::npos) {
+      return separator;
+    }
+  }
+  return ',';
+}
+
 class CsvTracks {
  public:
   explicit CsvTracks(const ForeignInput& input)
-      : input_(input), words_(input.path, input.problems), reader_(input.text) {}
+      : input_(input),
+        words_(input.path, input.problems),
+        reader_(input.text, separatorOf(input.text)) {}
 
   TrackFile read() {
     if (!reader_.next(row_)) {
@@ -49,27 +62,37 @@ class CsvTracks {
         {"omega", &omega_}, {"group", &group_}, {"radius", &radius_}, {"kind", &kind_}};
     for (const auto& [name, column] : wanted) {
       const auto given = input_.options.columns.find(name);
-      const bool isGiven = given != input_.options.columns.end();
-      *column = columnNamed(isGiven ? given->second : name);
-      if (isGiven && *column == kNone) {
-        missing("there is no column '" + given->second + "'");
+      *column = columnNamed(isGiven(name) ? given->second : name);
+      if (isGiven(name) && *column == kNone) {
+        missing("there is no column '" + given->second + "'" + nearestTo(given->second));
       }
     }
-    if (time_ != kNone && input_.options.columns.count("frame") == 0) {
+    if (time_ != kNone && !isGiven("frame")) {
       frame_ = kNone;
     }
-    if (time_ == kNone && frame_ == kNone) {
+    if (time_ == kNone && frame_ == kNone && !isGiven("time") && !isGiven("frame")) {
       missing("no column of times (--columns time=NAME or frame=NAME)");
     }
     for (const auto& [name, column] :
          {std::pair<const char*, std::size_t>{"id", id_}, {"x", x_}, {"y", y_}}) {
-      if (column == kNone) {
+      if (column == kNone && !isGiven(name)) {
         missing("no column '" + std::string(name) + "' (--columns " + name + "=NAME)");
       }
     }
     if ((vx_ == kNone) != (vy_ == kNone)) {
       missing("vx and vy come together");
     }
+  }
+
+  bool isGiven(const std::string& name) const { return input_.options.columns.count(name) > 0; }
+
+  std::string nearestTo(const std::string& name) const {
+    std::vector<std::string> names;
+    for (const CsvField& field : row_) {
+      names.push_back(base::trimmed(field.text));
+    }
+    const std::optional<std::string> meant = base::nearestName(name, names);
+    return meant ? " (did you mean '" + *meant + "'?)" : std::string();
   }
 
   std::size_t columnNamed(const std::string& name) const {

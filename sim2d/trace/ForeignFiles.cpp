@@ -23,6 +23,12 @@ bool isNumberRow(const std::vector<Word>& row) {
                      [](const Word& word) { return base::parseDouble(word.text).has_value(); });
 }
 
+/// Without the byte order mark that some programs put before UTF-8.
+std::string withoutMark(const std::string& text) {
+  const std::string mark = "\xEF\xBB\xBF";
+  return text.compare(0, mark.size(), mark) == 0 ? text.substr(mark.size()) : text;
+}
+
 /// By the name, then by the first line: numbers only, how many.
 ForeignFormat formatOf(const std::string& path, const std::string& text) {
   if (endsWith(path, ".vsp")) {
@@ -103,8 +109,9 @@ base::Result<TrackFile> readForeign(const std::string& path, const ForeignOption
     return text.diagnostics();
   }
   base::Diagnostics problems;
-  const ForeignInput input{path, *text, options, problems};
-  TrackFile file = readAs(options.format.value_or(formatOf(path, *text)), input);
+  const std::string plain = withoutMark(*text);
+  const ForeignInput input{path, plain, options, problems};
+  TrackFile file = readAs(options.format.value_or(formatOf(path, plain)), input);
   file.file = path;
   if (base::hasErrors(problems)) {
     return problems;
