@@ -181,6 +181,8 @@ class CrowdForcesTest : public QObject {
   void compute_everyPath_givesTheSameBits_data();
   void compute_everyPath_givesTheSameBits();
   void compute_everyThreadCount_givesTheSameBits();
+  void compute_afterOtherSpeeds_givesTheSameBits();
+  void speedBound_steps_followsTheFastest();
   void compute_twoInOnePlace_partsThemAsOne();
   void compute_fewOrNobody_isFine();
   void compute_oneNeighbour_equalsThePair_data();
@@ -292,6 +294,43 @@ void CrowdForcesTest::compute_everyThreadCount_givesTheSameBits() {
   const std::vector<Vec2> one = fastForces(crowd);
   QVERIFY(areSameBits(one, fastForces(crowd, seesAll, fastestVectorPath(), 2)));
   QVERIFY(areSameBits(one, fastForces(crowd, seesAll, fastestVectorPath(), 8)));
+}
+
+/// What earlier steps left behind only says where nobody needs to be looked for.
+void CrowdForcesTest::compute_afterOtherSpeeds_givesTheSameBits() {
+  const Crowd start = developedCrowd(900);
+  CrowdForces forces;
+  WorkerPool workers(2);
+  const Sight isVisible = seesAll;
+  for (int step = 0; step < 160; ++step) {
+    Crowd crowd = start;
+    const double faster = step < 10 ? 0.1 * step : step < 120 ? 0.7 : 1.2;
+    for (Walker& walker : crowd.walkers) {
+      walker.velocity *= faster;
+    }
+    forces.compute({crowd.walkers, crowd.present, crowd.laws, crowd.room, isVisible}, workers);
+    if (step % 8 == 7) {
+      QVERIFY2(areSameBits(forces.forces(), fastForces(crowd)), qPrintable(QString::number(step)));
+    }
+  }
+}
+
+void CrowdForcesTest::speedBound_steps_followsTheFastest() {
+  SpeedBound bound;
+  QVERIFY(bound.update(1.0, 1000));
+  QVERIFY(bound.value() > 1.0);
+  QVERIFY(!bound.update(1.1, 1000));  // there is some room
+  const double wide = bound.value();
+  int changes = 0;
+  for (int step = 0; step < 200; ++step) {
+    const double fastest = step % 2 == 0 ? 0.9 : 1.0;
+    changes += bound.update(fastest, 1000) ? 1 : 0;
+    QVERIFY(bound.value() >= fastest);
+  }
+  QVERIFY(changes >= 1 && changes <= 2);  // becomes narrow and stays so
+  QVERIFY(bound.value() < std::min(wide, 1.1));
+  QVERIFY(bound.update(1.3, 1000));
+  QVERIFY(bound.value() >= 1.3);
 }
 
 void CrowdForcesTest::compute_twoInOnePlace_partsThemAsOne() {

@@ -24,8 +24,8 @@ class CrowdCells {
   std::size_t rowCount() const { return static_cast<std::size_t>(height_); }
 
   /// Appends the slots of the cells that a disc meets, a span per row at most; returns how many
-  /// slots these are.
-  int appendSpans(const Vec2& centre, double radius, std::vector<CrowdSpan>& spans) const;
+  /// slots these are. The place of the disc is as in the columns.
+  int appendSpans(float x, float y, float radius, std::vector<CrowdSpan>& spans) const;
 
  private:
   struct alignas(64) Extent {  // of the people that one thread looked at
@@ -47,6 +47,8 @@ class CrowdCells {
   Vec2 middle_ = Vec2::Zero();  // of the columns
   Vec2 cell_ = Vec2::Ones();    // size [m]
   int width_ = 0, height_ = 0;
+  float originX_ = 0.0F, originY_ = 0.0F;  // of the grid, as in the columns
+  float slack_ = 0.0F;                     // [m]; more than the columns are rounded
   double fastest_ = 0.0;
   std::vector<Extent> extents_;  // by thread
   std::vector<int> start_, next_, cellOf_;

@@ -30,50 +30,7 @@ class ZeroForTiny {
   unsigned before_;
 };
 
-CrowdKernel kernelOf(VectorPath path) {
-  switch (path) {
-    case VectorPath::Avx512:
-      return crowdKernelAvx512();
-    case VectorPath::Avx2:
-      return crowdKernelAvx2();
-    case VectorPath::Sse2:
-      break;
-  }
-  return crowdKernelSse2();
-}
-
 }  // namespace
-
-const char* vectorPathName(VectorPath path) {
-  switch (path) {
-    case VectorPath::Avx512:
-      return "AVX-512";
-    case VectorPath::Avx2:
-      return "AVX2";
-    case VectorPath::Sse2:
-      break;
-  }
-  return "SSE2";
-}
-
-bool hasVectorPath(VectorPath path) {
-  switch (path) {
-    case VectorPath::Avx512:
-      return __builtin_cpu_supports("avx512f") != 0;
-    case VectorPath::Avx2:
-      return __builtin_cpu_supports("avx2") != 0;
-    case VectorPath::Sse2:
-      break;
-  }
-  return true;
-}
-
-VectorPath fastestVectorPath() {
-  if (hasVectorPath(VectorPath::Avx512)) {
-    return VectorPath::Avx512;
-  }
-  return hasVectorPath(VectorPath::Avx2) ? VectorPath::Avx2 : VectorPath::Sse2;
-}
 
 void CrowdForces::Batch::clear() {
   slots.clear();
@@ -164,10 +121,7 @@ int CrowdForces::findShape(const ForceParameters& parameters) {
 
 /// One for each shape, as long as there are few of them.
 void CrowdForces::prepareReach() {
-  const bool areOld = std::any_of(reaches_.begin(), reaches_.end(), [&](const CrowdReach& reach) {
-    return !reach.isFor(cells_.fastest());
-  });
-  if (areOld) {
+  if (fastest_.update(cells_.fastest(), cells_.count())) {
     reaches_.clear();
     for (Shape& shape : shapes_) {
       shape.reach = -1;
@@ -185,7 +139,7 @@ void CrowdForces::prepareReach() {
     }
     shape.reach = static_cast<int>(found - reaches_.begin());
     if (found == reaches_.end()) {
-      reaches_.emplace_back(shape.parameters, cutOff_, cells_.fastest());
+      reaches_.emplace_back(shape.parameters, cutOff_, fastest_.value());
     }
   }
 }
@@ -212,13 +166,13 @@ bool CrowdForces::fits(const SocialLaw& law, int shape, bool looksForWalls,
                              law.parameters->epsilon == batch.parameters->epsilon);
 }
 
-CrowdLaw CrowdForces::lawOf(const SocialLaw& law, bool looksForWalls) const {
+CrowdLaw CrowdForces::lawOf(const ForceParameters& parameters, bool looksForWalls) const {
   CrowdLaw result;
-  result.lambda = static_cast<float>(law.parameters->lambda);
-  result.gamma = static_cast<float>(law.parameters->gamma);
-  result.n = static_cast<float>(law.parameters->n);
-  result.nPrime = static_cast<float>(law.parameters->nPrime);
-  result.epsilon = static_cast<float>(law.parameters->epsilon);
+  result.lambda = static_cast<float>(parameters.lambda);
+  result.gamma = static_cast<float>(parameters.gamma);
+  result.n = static_cast<float>(parameters.n);
+  result.nPrime = static_cast<float>(parameters.nPrime);
+  result.epsilon = static_cast<float>(parameters.epsilon);
   result.cutOff = static_cast<float>(cutOff_);
   result.leastLooked = static_cast<float>(kLeftOut);
   result.looksForWalls = looksForWalls;
@@ -227,9 +181,11 @@ CrowdLaw CrowdForces::lawOf(const SocialLaw& law, bool looksForWalls) const {
 
 void CrowdForces::addToBatch(const CrowdState& crowd, std::size_t slot, Scratch& scratch) {
   const std::size_t person = cells_.personIn(slot);
-  const Walker& walker = crowd.walkers[person];
   const SocialLaw& law = crowd.laws[person];
-  const double speed = walker.velocity.norm();
+  const CrowdColumns columns = cells_.columns();
+  const float vx = columns.vx[slot];
+  const float vy = columns.vy[slot];
+  const float speed = std::sqrt(vx * vx + vy * vy);
   const int shape = known_[person].shape;
   const CrowdReach::Disc disc = discOf(*law.parameters, shape, speed);
   const bool looks = !law.goesThroughWalls && crowd.room[person] < disc.ahead + disc.radius;
@@ -237,27 +193,24 @@ void CrowdForces::addToBatch(const CrowdState& crowd, std::size_t slot, Scratch&
   if (!fits(law, shape, looks, batch)) {
     computeBatch(crowd, scratch);
   }
-  const Vec2 ahead = speed > 0.0 ? Vec2(disc.ahead / speed * walker.velocity) : Vec2(Vec2::Zero());
-  const CrowdColumns columns = cells_.columns();
-  CrowdReceiver receiver{columns.x[slot],
-                         columns.y[slot],
-                         columns.vx[slot],
-                         columns.vy[slot],
-                         columns.room[slot],
-                         0,
-                         0};
-  const Vec2 middle = walker.position + ahead;
+  const float ahead = speed > 0.0F ? static_cast<float>(disc.ahead) / speed : 0.0F;  // [s]
+  CrowdReceiver receiver{columns.x[slot], columns.y[slot], vx, vy, columns.room[slot], 0, 0};
+  const float x = receiver.x + ahead * vx;
+  const float y = receiver.y + ahead * vy;
+  const auto radius = static_cast<float>(disc.radius);
   receiver.firstSpan = static_cast<int>(batch.spans.size());
-  int candidates = cells_.appendSpans(middle, disc.radius, batch.spans);
+  int candidates = cells_.appendSpans(x, y, radius, batch.spans);
   if (static_cast<std::size_t>(batch.candidates + candidates) > mostCandidates_) {
     batch.spans.resize(static_cast<std::size_t>(receiver.firstSpan));
     computeBatch(crowd, scratch);
     receiver.firstSpan = 0;
-    candidates = cells_.appendSpans(middle, disc.radius, batch.spans);
+    candidates = cells_.appendSpans(x, y, radius, batch.spans);
   }
   if (batch.slots.empty()) {
-    batch.law = lawOf(law, looks);
-    batch.parameters = law.parameters;
+    // Of a known shape all is near in memory.
+    batch.parameters =
+        shape == kOther ? law.parameters : &shapes_[static_cast<std::size_t>(shape)].parameters;
+    batch.law = lawOf(*batch.parameters, looks);
     batch.shape = shape;
   }
   receiver.lastSpan = static_cast<int>(batch.spans.size());

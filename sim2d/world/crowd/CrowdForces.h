@@ -1,22 +1,15 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <vector>
 
 #include "sim2d/world/SocialForce.h"
 #include "sim2d/world/WorkerPool.h"
 #include "sim2d/world/crowd/CrowdCells.h"
-#include "sim2d/world/crowd/CrowdKernel.h"
 #include "sim2d/world/crowd/CrowdReach.h"
+#include "sim2d/world/crowd/VectorPath.h"
 
 namespace sim2d {
-
-/// Instruction sets that the kernel is compiled for.
-enum class VectorPath : std::uint8_t { Sse2, Avx2, Avx512 };
-const char* vectorPathName(VectorPath path);
-bool hasVectorPath(VectorPath path);  // this processor
-VectorPath fastestVectorPath();
 
 /// The people of one instant. The vectors are as long as each other.
 struct CrowdState {
@@ -77,7 +70,7 @@ class CrowdForces {
   void prepareReach();
   bool fits(const SocialLaw& law, int shape, bool looksForWalls, const Batch& batch) const;
   CrowdReach::Disc discOf(const ForceParameters& parameters, int shape, double speed) const;
-  CrowdLaw lawOf(const SocialLaw& law, bool looksForWalls) const;
+  CrowdLaw lawOf(const ForceParameters& parameters, bool looksForWalls) const;
   void computeSlots(const CrowdState& crowd, std::size_t begin, std::size_t end, Scratch& scratch);
   void addToBatch(const CrowdState& crowd, std::size_t slot, Scratch& scratch);
   void computeBatch(const CrowdState& crowd, Scratch& scratch);
@@ -90,6 +83,7 @@ class CrowdForces {
   CrowdCells cells_;
   std::vector<Shape> shapes_;
   std::vector<KnownLaw> known_;  // by person
+  SpeedBound fastest_;
   std::vector<CrowdReach> reaches_;
   std::size_t mostCandidates_ = 0;  // of a batch
   std::vector<Scratch> scratches_;  // by thread

@@ -43,7 +43,7 @@ struct CrowdLaw {
 struct CrowdPairs {
   int* word = nullptr;    // per register of candidates with survivors: which lanes
   int* wordAt = nullptr;  // its first slot
-  float* x = nullptr;     // of the survivors, as in the columns
+  float* x = nullptr;     // of the survivors, from the receiver
   float* y = nullptr;
   float* vx = nullptr;
   float* vy = nullptr;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim2d/world/crowd/CrowdKernel.h"
-#include "sim2d/world/crowd/CrowdLanes.h"
+#include "sim2d/world/crowd/CrowdMath.h"
 
 /// The social forces on a batch of people: first the candidates of each are picked whose force can
 /// be above the cut-off, then the forces of all are computed. To be included once in the file of
@@ -71,8 +71,18 @@ inline int markStrong(const CrowdColumns& crowd, const Bound& bound, const Place
   return words;
 }
 
-/// Packs the chosen candidates one after the other from `first` on, and fills up the last register
-/// with pairs too far apart to feel anything. Returns the end of the chosen.
+/// Pairs too far apart to feel anything.
+inline void fillUp(const CrowdPairs& pairs, int first) {
+  for (int i = first; i < first + kCrowdLanes; i += kWidth) {
+    store(pairs.x + i, fill(1e6F));
+    store(pairs.y + i, fill(0.0F));
+    store(pairs.vx + i, fill(0.0F));
+    store(pairs.vy + i, fill(0.0F));
+  }
+}
+
+/// Packs the chosen candidates, as seen from the receiver, one after the other from `first` on, and
+/// fills up the last register. Returns the end of the chosen.
 template <bool kWithSlots>
 inline int pack(const CrowdColumns& crowd, const Place& self, int words, int first,
                 const CrowdPairs& pairs) {
@@ -81,21 +91,16 @@ inline int pack(const CrowdColumns& crowd, const Place& self, int words, int fir
     const auto bits = static_cast<Bits>(pairs.word[k]);
     const int i = pairs.wordAt[k];
     const Packing packing(bits);
-    packing.put(pairs.x + end, load(crowd.x + i));
-    packing.put(pairs.y + end, load(crowd.y + i));
-    packing.put(pairs.vx + end, load(crowd.vx + i));
-    packing.put(pairs.vy + end, load(crowd.vy + i));
+    packing.put(pairs.x + end, load(crowd.x + i) - self.x);
+    packing.put(pairs.y + end, load(crowd.y + i) - self.y);
+    packing.put(pairs.vx + end, self.vx - load(crowd.vx + i));
+    packing.put(pairs.vy + end, self.vy - load(crowd.vy + i));
     if constexpr (kWithSlots) {
       packing.putIndices(pairs.slot + end, i);
     }
     end += countOf(bits);
   }
-  for (int i = end; i < end + kCrowdLanes; i += kWidth) {
-    store(pairs.x + i, fill(1e6F));
-    store(pairs.y + i, self.y);
-    store(pairs.vx + i, self.vx);
-    store(pairs.vy + i, self.vy);
-  }
+  fillUp(pairs, end);
   return end;
 }
 
@@ -110,46 +115,47 @@ struct Law {
         epsilon(fill(law.epsilon)) {}
 
   struct Force {
-    Lanes x, y;
+    Group x, y;
     Bits touching;
   };
   /// Roots and the one division are the slowest here: lengths stay unscaled as long as possible.
-  Force of(Lanes dx, Lanes dy, Lanes dvx, Lanes dvy) const {
-    const Lanes d2 = dx * dx + dy * dy;
-    const Lanes d = squareRoot(d2);
-    const Lanes along = lambda * (dvx * dx + dvy * dy) + d;
-    const Lanes across = lambda * (dvx * dy - dvy * dx);
-    const Lanes length2 = along * along + across * across;  // of the interaction vector, times d2
-    const Lanes length = squareRoot(length2);
-    const Lanes inverse = fill(1.0F) / (d * length);
-    const Lanes perDistance = length * inverse;
-    const Lanes perLength = d * inverse;
-    const Lanes cosine =
+  Force of(Group dx, Group dy, Group dvx, Group dvy) const {
+    const Group d2 = dx * dx + dy * dy;
+    const Group d = squareRoot(d2);
+    const Group along = lambda * (dvx * dx + dvy * dy) + d;
+    const Group across = lambda * (dvx * dy - dvy * dx);
+    const Group length2 = along * along + across * across;  // of the interaction vector, times d2
+    const Group length = squareRoot(length2);
+    const Group inverse = fill(1.0F) / (d * length);
+    const Group perDistance = length * inverse;
+    const Group perLength = d * inverse;
+    const Group cosine =
         along * perLength;  // of the angle from the interaction vector to the other
-    const Lanes sine = across * perLength;
-    const Lanes reach = gamma * (length * perDistance);
-    const Lanes turn = reach * wrapped(angleOf(sine, cosine) + epsilon * reach);
-    const Lanes turn2 = turn * turn;
-    const Lanes fade = fading * (d2 * perLength);
-    const Lanes slowing = powerOfTwo(fade + forSpeed * turn2);
-    const Lanes turning = sided(powerOfTwo(fade + forTurn * turn2), turn);
-    const Lanes away = slowing * cosine + turning * sine;  // from the other, and to its left
-    const Lanes left = slowing * sine - turning * cosine;
-    const Mask isTouching = d2 <= fill(kCrowdTouching * kCrowdTouching);
-    const Mask acts = (fill(kCrowdTouching * kCrowdTouching) < d2) & (d2 * fill(1e-12F) <= length2);
-    const Lanes none = fill(0.0F);
+    const Group sine = across * perLength;
+    const Group reach = gamma * (length * perDistance);
+    const Group turn = reach * wrapped(angleOf(sine, cosine) + epsilon * reach);
+    const Group turn2 = turn * turn;
+    const Group fade = fading * (d2 * perLength);
+    const Group slowing = powerOfTwo(fade + forSpeed * turn2);
+    const Group turning = sided(powerOfTwo(fade + forTurn * turn2), turn);
+    const Group away = slowing * cosine + turning * sine;  // from the other, and to its left
+    const Group left = slowing * sine - turning * cosine;
+    const GroupMask isTouching = d2 <= fill(kCrowdTouching * kCrowdTouching);
+    const GroupMask acts =
+        (fill(kCrowdTouching * kCrowdTouching) < d2) & (d2 * fill(1e-12F) <= length2);
+    const Group none = fill(0.0F);
     return {choose(acts, none - (away * dx + left * dy) * perDistance, none),
             choose(acts, (left * dx - away * dy) * perDistance, none), bitsOf(isTouching)};
   }
 
-  static Lanes wrapped(Lanes angle) {
-    const Lanes turn = fill(6.28318531F);
-    const Lanes pi = fill(3.14159265F);
-    const Lanes lower = choose(pi < angle, angle - turn, angle);
+  static Group wrapped(Group angle) {
+    const Group turn = fill(6.28318531F);
+    const Group pi = fill(3.14159265F);
+    const Group lower = choose(pi < angle, angle - turn, angle);
     return choose(lower < fill(-3.14159265F), lower + turn, lower);
   }
   /// `amount` with the sign of `side`; zero without one.
-  static Lanes sided(Lanes amount, Lanes side) {
+  static Group sided(Group amount, Group side) {
     return choose(magnitude(side) <= fill(0.0F), fill(0.0F), withSign(amount, side));
   }
 
@@ -197,8 +203,8 @@ inline void sumPairs(const CrowdPairs& pairs, CrowdResult& result) {
 /// Whether a wall may stand between two people: the free discs round them do not meet.
 inline bool isDoubtful(const CrowdColumns& crowd, const CrowdReceiver& receiver,
                        const CrowdPairs& pairs, int pair) {
-  const float dx = pairs.x[pair] - receiver.x;
-  const float dy = pairs.y[pair] - receiver.y;
+  const float dx = pairs.x[pair];
+  const float dy = pairs.y[pair];
   const float reach = receiver.room + crowd.room[pairs.slot[pair]];
   return reach * reach <= dx * dx + dy * dy;
 }
@@ -207,12 +213,11 @@ inline bool isDoubtful(const CrowdColumns& crowd, const CrowdReceiver& receiver,
 /// dropped instead of being looked at.
 inline int findDoubtful(const CrowdColumns& crowd, const CrowdReceiver& receiver,
                         const CrowdResult& result, float leastLooked, const CrowdPairs& pairs) {
-  const Place self(receiver);
   const Lanes free2 = fill(receiver.room * receiver.room);
   int end = result.firstDoubtful;
   for (int first = result.first; first < result.last; first += kWidth) {
-    const Lanes dx = load(pairs.x + first) - self.x;
-    const Lanes dy = load(pairs.y + first) - self.y;
+    const Lanes dx = load(pairs.x + first);
+    const Lanes dy = load(pairs.y + first);
     Bits beyond = bitsOf(free2 <= dx * dx + dy * dy);
     for (int i = first; i < result.last && beyond != 0; ++i, beyond >>= 1U) {
       if ((beyond & 1U) == 0 || !isDoubtful(crowd, receiver, pairs, i)) {
@@ -230,8 +235,9 @@ inline int findDoubtful(const CrowdColumns& crowd, const CrowdReceiver& receiver
   return end;
 }
 
+/// Returns the end of the pairs of all.
 template <bool kWithSlots>
-inline void pickPairs(const CrowdColumns& crowd, const CrowdBatch& batch, const CrowdPairs& pairs) {
+inline int pickPairs(const CrowdColumns& crowd, const CrowdBatch& batch, const CrowdPairs& pairs) {
   const Bound bound(batch.law);
   int next = 0;
   for (int k = 0; k < batch.count; ++k) {
@@ -244,32 +250,32 @@ inline void pickPairs(const CrowdColumns& crowd, const CrowdBatch& batch, const 
     result.last = pack<kWithSlots>(crowd, self, words, next, pairs);
     next = (result.last + kCrowdLanes - 1) / kCrowdLanes * kCrowdLanes;
   }
+  fillUp(pairs, next);
+  return next;
 }
 
-inline void computePairs(const CrowdBatch& batch, const CrowdPairs& pairs) {
-  const Law law(batch.law);
-  for (int k = 0; k < batch.count; ++k) {
-    const Place self(batch.receivers[k]);
-    const CrowdResult& result = batch.results[k];
-    for (int i = result.first; i < result.last;) {
-      for (int part = 0; part < kCrowdLanes; part += kWidth, i += kWidth) {
-        const Law::Force force = law.of(load(pairs.x + i) - self.x, load(pairs.y + i) - self.y,
-                                        self.vx - load(pairs.vx + i), self.vy - load(pairs.vy + i));
-        store(pairs.fx + i, force.x);
-        store(pairs.fy + i, force.y);
-        pairs.touching[i / kWidth] = countOf(force.touching);
-      }
-    }
+/// A number per register.
+inline void storeTouching(int* to, Bits touching) {
+  for (int i = 0; i < kGroupWidth; i += kWidth, ++to) {
+    *to = countOf((touching >> static_cast<unsigned>(i)) & kAllLanes);
+  }
+}
+
+inline void computePairs(const CrowdLaw& parameters, int count, const CrowdPairs& pairs) {
+  const Law law(parameters);
+  for (int i = 0; i < count; i += kGroupWidth) {
+    const Law::Force force = law.of(loadGroup(pairs.x + i), loadGroup(pairs.y + i),
+                                    loadGroup(pairs.vx + i), loadGroup(pairs.vy + i));
+    storeGroup(pairs.fx + i, force.x);
+    storeGroup(pairs.fy + i, force.y);
+    storeTouching(pairs.touching + i / kWidth, force.touching);
   }
 }
 
 inline void forcesOf(const CrowdColumns& crowd, const CrowdBatch& batch, const CrowdPairs& pairs) {
-  if (batch.law.looksForWalls) {
-    pickPairs<true>(crowd, batch, pairs);
-  } else {
-    pickPairs<false>(crowd, batch, pairs);
-  }
-  computePairs(batch, pairs);
+  const int count = batch.law.looksForWalls ? pickPairs<true>(crowd, batch, pairs)
+                                            : pickPairs<false>(crowd, batch, pairs);
+  computePairs(batch.law, count, pairs);
   int doubtful = 0;
   for (int k = 0; k < batch.count; ++k) {
     CrowdResult& result = batch.results[k];

@@ -8,25 +8,43 @@
 namespace sim2d {
 namespace {
 
-constexpr int kDirections = 12;    // steps from straight ahead to straight back
-constexpr int kVelocities = 8;     // steps along each half axis of the others' velocities
-constexpr int kMiddles = 24;       // places tried for the middle of a disc
-constexpr double kMargin = 0.25;   // [m]; what lies between the steps
-constexpr double kSpare = 0.25;    // [m/s] faster than the fastest now, so that a table lasts
-constexpr double kTooWide = 0.75;  // [m/s]; above it a new table is worth its time
+constexpr int kDirections = 12;   // steps from straight ahead to straight back
+constexpr int kVelocities = 8;    // steps along each half axis of the others' velocities
+constexpr int kMiddles = 24;      // places tried for the middle of a disc
+constexpr double kMargin = 0.25;  // [m]; what lies between the steps
+
+// A bound of the speed:
+constexpr double kSpare = 0.25;         // [m/s] above the fastest while that may still grow
+constexpr double kSteadySpare = 0.03;   // [m/s] later
+constexpr double kTooWide = 0.08;       // [m/s] above the fastest
+constexpr std::size_t kWasted = 50000;  // people who felt too far; as long as a table takes
 
 }  // namespace
 
+bool SpeedBound::update(double fastest, std::size_t people) {
+  const double before = value_;
+  if (fastest > value_) {
+    value_ = fastest + kSpare;
+    wasted_ = 0;
+  } else if (fastest + kTooWide > value_) {
+    wasted_ = 0;
+  } else {
+    largest_ = wasted_ == 0 ? fastest : std::max(largest_, fastest);
+    wasted_ += people;
+    if (wasted_ > kWasted) {
+      value_ = largest_ + kSteadySpare;
+      wasted_ = 0;
+    }
+  }
+  return value_ != before;
+}
+
 CrowdReach::CrowdReach(const ForceParameters& parameters, double cutOff, double fastest)
-    : parameters_(parameters), cutOff_(cutOff), fastest_(fastest + kSpare) {
+    : parameters_(parameters), cutOff_(cutOff), fastest_(fastest) {
   for (std::size_t i = 0; i < kDiscs; ++i) {
     const double step = fastest_ / static_cast<double>(kDiscs);
     discs_[i] = discOver(step * static_cast<double>(i), step * static_cast<double>(i + 1));
   }
-}
-
-bool CrowdReach::isFor(double fastest) const {
-  return fastest <= fastest_ && fastest_ <= fastest + kTooWide;
 }
 
 const CrowdReach::Disc& CrowdReach::discOf(double speed) const {

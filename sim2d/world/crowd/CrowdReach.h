@@ -7,6 +7,20 @@
 
 namespace sim2d {
 
+/// Not less than the fastest of a crowd, and changed seldom: tables hang on it.
+class SpeedBound {
+ public:
+  /// Before a step of so many people; true: `value` has changed. It becomes smaller once that is
+  /// worth the time of new tables.
+  bool update(double fastest, std::size_t people);
+  double value() const { return value_; }  // [m/s]
+
+ private:
+  double value_ = -1.0;
+  double largest_ = 0.0;    // of the fastest since the bound became too wide
+  std::size_t wasted_ = 0;  // people since then, all steps together
+};
+
 /// Where those can be whom a walking person feels. Forces reach far towards people who come head
 /// on and hardly back, so the place is a disc with its middle ahead of the person.
 class CrowdReach {
@@ -16,12 +30,10 @@ class CrowdReach {
     double radius = 0.0;  // [m]
   };
 
-  /// For forces above `share` = exp(-cutOff) of k_s, nobody faster than `fastest` [m/s].
+  /// For forces above `share` = exp(-cutOff) of k_s, nobody faster than `fastest` [m/s], > 0.
   CrowdReach(const ForceParameters& parameters, double cutOff, double fastest);
 
   const ForceParameters& parameters() const { return parameters_; }
-  /// Holds for a crowd whose fastest has this speed, and is not much too wide for it.
-  bool isFor(double fastest) const;
   /// Of a person with this speed, at most the fastest [m/s].
   const Disc& discOf(double speed) const;
 
