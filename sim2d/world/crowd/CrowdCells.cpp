@@ -140,7 +140,7 @@ CrowdColumns CrowdCells::columns() const {
 }
 
 /// Four rows at a time.
-int CrowdCells::appendSpans(float x, float y, float radius, std::vector<CrowdSpan>& spans) const {
+CrowdSpan* CrowdCells::writeSpans(float x, float y, float radius, CrowdSpan* to, int& slots) const {
   const float right = x - originX_;
   const float up = y - originY_;
   const float reach = radius + slack_;
@@ -151,8 +151,7 @@ int CrowdCells::appendSpans(float x, float y, float radius, std::vector<CrowdSpa
   const __m128 middle = _mm_set1_ps(right * perWidth);
   const __m128 lastColumn = _mm_set1_ps(static_cast<float>(width_ - 1));
   const __m128 steps = _mm_mul_ps(_mm_set_ps(3.0F, 2.0F, 1.0F, 0.0F), _mm_set1_ps(height));
-  const std::size_t begin = spans.size();
-  int count = 0;
+  const CrowdSpan* const begin = to;
   for (int row = bottom; row <= top; row += kRowsAtOnce) {
     // From the disc's middle to the lower edge of the row, and to the row.
     const __m128 low = _mm_add_ps(_mm_set1_ps(static_cast<float>(row) * height - up), steps);
@@ -172,15 +171,16 @@ int CrowdCells::appendSpans(float x, float y, float radius, std::vector<CrowdSpa
     for (int i = 0; i < kRowsAtOnce && row + i <= top; ++i) {
       const int* const start = start_.data() + static_cast<std::ptrdiff_t>(row + i) * width_;
       const CrowdSpan span{start[first[i]], start[last[i] + 1]};
-      count += span.last - span.first;
-      if (spans.size() > begin && spans.back().last == span.first) {
-        spans.back().last = span.last;
+      slots += span.last - span.first;
+      if (to != begin && to[-1].last == span.first) {
+        to[-1].last = span.last;
       } else {
-        spans.push_back(span);
+        *to = span;
+        ++to;
       }
     }
   }
-  return count;
+  return to;
 }
 
 }  // namespace sim2d

@@ -23,9 +23,10 @@ class CrowdCells {
   double fastest() const { return fastest_; }  // [m/s]
   std::size_t rowCount() const { return static_cast<std::size_t>(height_); }
 
-  /// Appends the slots of the cells that a disc meets, a span per row at most; returns how many
-  /// slots these are. The place of the disc is as in the columns.
-  int appendSpans(float x, float y, float radius, std::vector<CrowdSpan>& spans) const;
+  /// Writes the slots of the cells that a disc meets, `rowCount` spans at most, and adds up how
+  /// many slots these are; returns the end of the spans. The place of the disc is as in the
+  /// columns.
+  CrowdSpan* writeSpans(float x, float y, float radius, CrowdSpan* to, int& slots) const;
 
  private:
   struct alignas(64) Extent {  // of the people that one thread looked at

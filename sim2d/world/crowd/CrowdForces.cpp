@@ -35,7 +35,7 @@ class ZeroForTiny {
 void CrowdForces::Batch::clear() {
   slots.clear();
   receivers.clear();
-  spans.clear();
+  spanCount = 0;
   candidates = 0;
 }
 
@@ -50,7 +50,7 @@ void CrowdForces::Scratch::resize(std::size_t most, std::size_t rows) {
   batch.slots.reserve(kBatch);
   batch.receivers.reserve(kBatch);
   batch.results.resize(kBatch);
-  batch.spans.reserve(kBatch * rows);
+  batch.spans.resize(std::max(batch.spans.size(), kBatch * rows));
 }
 
 CrowdPairs CrowdForces::Scratch::pairs() {
@@ -198,13 +198,18 @@ void CrowdForces::addToBatch(const CrowdState& crowd, std::size_t slot, Scratch&
   const float x = receiver.x + ahead * vx;
   const float y = receiver.y + ahead * vy;
   const auto radius = static_cast<float>(disc.radius);
-  receiver.firstSpan = static_cast<int>(batch.spans.size());
-  int candidates = cells_.appendSpans(x, y, radius, batch.spans);
+  const auto writeSpans = [&] {
+    CrowdSpan* const spans = batch.spans.data();
+    int candidates = 0;
+    receiver.firstSpan = batch.spanCount;
+    receiver.lastSpan = static_cast<int>(
+        cells_.writeSpans(x, y, radius, spans + batch.spanCount, candidates) - spans);
+    return candidates;
+  };
+  int candidates = writeSpans();
   if (static_cast<std::size_t>(batch.candidates + candidates) > mostCandidates_) {
-    batch.spans.resize(static_cast<std::size_t>(receiver.firstSpan));
     computeBatch(crowd, scratch);
-    receiver.firstSpan = 0;
-    candidates = cells_.appendSpans(x, y, radius, batch.spans);
+    candidates = writeSpans();
   }
   if (batch.slots.empty()) {
     // Of a known shape all is near in memory.
@@ -213,7 +218,7 @@ void CrowdForces::addToBatch(const CrowdState& crowd, std::size_t slot, Scratch&
     batch.law = lawOf(*batch.parameters, looks);
     batch.shape = shape;
   }
-  receiver.lastSpan = static_cast<int>(batch.spans.size());
+  batch.spanCount = receiver.lastSpan;
   batch.candidates += candidates;
   batch.slots.push_back(slot);
   batch.receivers.push_back(receiver);

@@ -54,7 +54,7 @@ class CrowdForces {
     std::vector<CrowdReceiver> receivers;
     std::vector<CrowdSpan> spans;
     std::vector<CrowdResult> results;
-    int candidates = 0;
+    int spanCount = 0, candidates = 0;
     void clear();
   };
   struct alignas(64) Scratch {  // of one thread

@@ -116,7 +116,7 @@ struct Law {
 
   struct Force {
     Group x, y;
-    Bits touching;
+    GroupMask touching;
   };
   /// Roots and the one division are the slowest here: lengths stay unscaled as long as possible.
   Force of(Group dx, Group dy, Group dvx, Group dvy) const {
@@ -145,7 +145,7 @@ struct Law {
         (fill(kCrowdTouching * kCrowdTouching) < d2) & (d2 * fill(1e-12F) <= length2);
     const Group none = fill(0.0F);
     return {choose(acts, none - (away * dx + left * dy) * perDistance, none),
-            choose(acts, (left * dx - away * dy) * perDistance, none), bitsOf(isTouching)};
+            choose(acts, (left * dx - away * dy) * perDistance, none), isTouching};
   }
 
   static Group wrapped(Group angle) {
@@ -250,15 +250,10 @@ inline int pickPairs(const CrowdColumns& crowd, const CrowdBatch& batch, const C
     result.last = pack<kWithSlots>(crowd, self, words, next, pairs);
     next = (result.last + kCrowdLanes - 1) / kCrowdLanes * kCrowdLanes;
   }
-  fillUp(pairs, next);
-  return next;
-}
-
-/// A number per register.
-inline void storeTouching(int* to, Bits touching) {
-  for (int i = 0; i < kGroupWidth; i += kWidth, ++to) {
-    *to = countOf((touching >> static_cast<unsigned>(i)) & kAllLanes);
+  for (int i = next; i < next + kGroupWidth; i += kCrowdLanes) {
+    fillUp(pairs, i);
   }
+  return next;
 }
 
 inline void computePairs(const CrowdLaw& parameters, int count, const CrowdPairs& pairs) {
@@ -268,7 +263,7 @@ inline void computePairs(const CrowdLaw& parameters, int count, const CrowdPairs
                                     loadGroup(pairs.vx + i), loadGroup(pairs.vy + i));
     storeGroup(pairs.fx + i, force.x);
     storeGroup(pairs.fy + i, force.y);
-    storeTouching(pairs.touching + i / kWidth, force.touching);
+    storeCounts(pairs.touching + i / kWidth, force.touching);
   }
 }
 

@@ -1,21 +1,10 @@
 #pragma once
 
-#include "sim2d/world/crowd/CrowdTwin.h"
+#include "sim2d/world/crowd/CrowdTriple.h"
 
-/// Powers and angles of a register, or of two, from the operations of CrowdLanes.h alone; counts of
-/// lanes.
+/// Powers and angles of a register, or of three, from the operations of CrowdLanes.h alone.
 namespace sim2d {
 namespace {
-
-constexpr Bits kAllLanes = (1U << static_cast<unsigned>(kWidth)) - 1U;
-
-inline int countOf(Bits bits) {
-  if constexpr (kWidth == 4) {
-    return static_cast<int>((0x4332322132212110U >> (bits * 4U)) & 0xFU);
-  } else {
-    return __builtin_popcount(bits);
-  }
-}
 
 using Quintic = float[6];  // coefficients, of the lowest power first
 
