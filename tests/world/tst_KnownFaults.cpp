@@ -9,7 +9,7 @@
 using namespace testworld;
 
 /// Faults of the forces that the original is known for, one test each: the numbers of the table in
-/// sim2d/world/README.md.
+/// sim2d/world/models/README.md.
 class KnownFaultsTest : public QObject {
   Q_OBJECT
 
