@@ -76,7 +76,6 @@ const std::vector<KnownFailure>& knownFailures() {
       {"orca", "bottleneck-long-steps", "specific flow, 1.0 m", kJams, false},
       {"orca", "bottleneck-long-steps", "specific flow, 1.8 m", kNoHeadway},
       {"orca", "rimea-12", "most people in the second room", kNoHeadway},
-      {"orca", "rimea-15", "corner less inner length", kNoHeadway},
       {"orca", "lanes", "order at 1 per m²", kNoLanes},
       {"orca", "lanes", "order at 2 per m²", kNoLanes},
       {"orca", "circle", "least distance, 16", kJams},
