@@ -1,5 +1,6 @@
 #include "app/commands/BenchScene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -14,6 +15,7 @@ using sim2d::Vec2;
 
 constexpr double kDensity = 0.5;       // [1/m²]
 constexpr double kSpeed = 1.3;         // [m/s]
+constexpr double kStep = 0.05;         // [s]
 constexpr double kFar = 100.0;         // [m]; goals beyond the square, nobody arrives
 constexpr double kRoomForRobot = 1.2;  // [m]
 constexpr int kSegmentsPerWall = 100;
@@ -100,7 +102,7 @@ Vec2 plainForce(const Vec2& apart, const Vec2& relative) {
 
 Scenario makeBenchScenario(const BenchScene& scene) {
   Scenario scenario;
-  scenario.desktop.dt = 0.05;
+  scenario.desktop.dt = kStep;
   scenario.desktop.seed = 1;
   const double size = std::sqrt(scene.people / kDensity);
   for (int row = 0; 10.0 * row <= size; ++row) {
@@ -145,6 +147,12 @@ base::Result<std::unique_ptr<sim2d::World>> makeBenchWorld(const BenchScene& sce
   setup.scenario = std::make_shared<const Scenario>(std::move(scenario));
   setup.threads = scene.threads;
   return sim2d::World::create(std::move(setup));
+}
+
+int crossingSteps(const BenchScene& scene) {
+  constexpr int kFewest = 30;
+  const double size = std::sqrt(scene.people / kDensity);
+  return std::max(kFewest, static_cast<int>(size / 7.0 / (kSpeed * kStep)));
 }
 
 std::string benchTreeText() {
@@ -198,9 +206,9 @@ double plainStepSeconds(const Scenario& scenario, double atLeastSeconds) {
       }
     }
     for (std::size_t i = 0; i < positions.size(); ++i) {
-      velocities[i] += 0.05 * forces[i];
+      velocities[i] += kStep * forces[i];
       velocities[i] *= std::min(1.0, kSpeed / std::max(velocities[i].norm(), 1e-9));
-      positions[i] += 0.05 * velocities[i];
+      positions[i] += kStep * velocities[i];
     }
     const double now = sim2d::secondsBy(sim2d::StepClock::Thread);
     fastest = std::min(fastest, now - before);

@@ -18,6 +18,9 @@ struct BenchScene {
 };
 sim2d::Scenario makeBenchScenario(const BenchScene& scene);
 base::Result<std::unique_ptr<sim2d::World>> makeBenchWorld(const BenchScene& scene);
+/// Steps from the start in which the streams have not yet left each other: nobody has walked more
+/// than a seventh of the square. Later steps cost less, the fewer people the sooner.
+int crossingSteps(const BenchScene& scene);
 
 /// A behaviour tree of twenty nodes of which most run in each step.
 std::string benchTreeText();
