@@ -89,6 +89,20 @@ void addWindow(CLI::App& root, Words& words) {
   root.add_option("--dock", window.docks, "Docks to show, by their names in the View menu");
 }
 
+/// `--dock issues events FILE`: all words behind the option are names of docks to it. The last is
+/// the scenario when there is none yet, and it names one.
+void takeScenarioFromDocks(Words& words) {
+  std::vector<std::string>& docks = words.window.docks;
+  if (docks.size() < 2 || !words.run.scenario.empty()) {
+    return;
+  }
+  const std::string file = scenarioFile(docks.back());
+  if (QFileInfo(QString::fromStdString(file)).isFile()) {
+    docks.pop_back();
+    words.run.scenario = file;
+  }
+}
+
 CLI::App* addRun(CLI::App& root, Words& words) {
   CLI::App* command = root.add_subcommand("run", "Simulate one scenario without a window");
   command
@@ -312,6 +326,7 @@ int runProgram(int argc, char** argv) {
     return root.exit(problem) == 0 ? kFine : kWrongCommandLine;
   }
 
+  takeScenarioFromDocks(given);
   const OutputOptions& output = given.output;
   if (run->parsed()) {
     return within<QCoreApplication>(argc, argv,

@@ -1,0 +1,47 @@
+#include <QImage>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "RunFiles.h"
+
+/// The window started from outside, with words of the command line.
+class WindowProgramTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void dock_beforeOrBehindTheScenario_showsItAndOpensTheFile_data() {
+    QTest::addColumn<QStringList>("words");
+    const QString demo = QStringLiteral("corner_cafe_agents");
+    const auto dock = QStringLiteral("--dock");
+    const auto issues = QStringLiteral("issues");
+    QTest::newRow("behind") << QStringList{demo, dock, issues};
+    QTest::newRow("before") << QStringList{dock, issues, demo};
+    QTest::newRow("two before") << QStringList{dock, issues, QStringLiteral("events"), demo};
+    QTest::newRow("with a sign") << QStringList{dock + QStringLiteral("=issues"), demo};
+  }
+  void dock_beforeOrBehindTheScenario_showsItAndOpensTheFile() {
+    QFETCH(QStringList, words);
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("a.png"));
+    words << QStringLiteral("--at") << QStringLiteral("0") << QStringLiteral("--theme")
+          << QStringLiteral("light") << QStringLiteral("--screenshot") << file;
+    const outside::Finished found = outside::runProgram(words);
+    QVERIFY2(found.exitCode == 0, qPrintable(found.err));
+    const QImage picture(file);
+    QCOMPARE(picture.size(), QSize(1280, 800));
+    // Properties stood at the right edge, and the start page is white there: now it is the canvas.
+    QCOMPARE(picture.pixelColor(1270, 300), QColor(0xEC, 0xEE, 0xF0));
+  }
+
+  void dock_unknown_isRefused() {
+    const outside::Finished found =
+        outside::runProgram({QStringLiteral("corner_cafe_agents"), QStringLiteral("--dock"),
+                             QStringLiteral("nothing"), QStringLiteral("--at"), QStringLiteral("0"),
+                             QStringLiteral("--screenshot"), QStringLiteral("/tmp/x.png")});
+    QCOMPARE(found.exitCode, 64);
+    QVERIFY2(found.err.contains(QStringLiteral("nothing")), qPrintable(found.err));
+  }
+};
+
+QTEST_GUILESS_MAIN(WindowProgramTest)
+#include "tst_WindowProgram.moc"
