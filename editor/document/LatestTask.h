@@ -50,6 +50,13 @@ class LatestTask {
       take();
     }
   }
+  /// The same, but no longer than this; what is not done by then is delivered later.
+  void finishWithin(std::chrono::milliseconds patience) {
+    const auto end = std::chrono::steady_clock::now() + patience;
+    while (running_.valid() && running_.wait_until(end) == std::future_status::ready) {
+      take();
+    }
+  }
 
  private:
   static constexpr int kPollMs = 8;

@@ -20,6 +20,7 @@ class LiveCheck {
   void start(const sim2d::Scenario& scenario, std::shared_ptr<const sim2d::OccupancyGrid> map,
              const QString& path, const std::map<base::EntityId, int>& lines);
   void finish() { task_.finish(); }
+  void finishWithin(std::chrono::milliseconds patience) { task_.finishWithin(patience); }
 
  private:
   LatestTask<base::Diagnostics> task_;

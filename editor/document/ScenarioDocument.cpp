@@ -1,5 +1,6 @@
 #include "editor/document/ScenarioDocument.h"
 
+#include <chrono>
 #include <utility>
 
 #include <QFileInfo>
@@ -14,6 +15,7 @@ namespace editor {
 namespace {
 
 constexpr int kCheckDelayMs = 200;
+constexpr std::chrono::milliseconds kCheckPatience(80);
 
 template <class List>
 EntitySlot exchangeIn(List& list, EntityId id, EntitySlot slot) {
@@ -251,6 +253,12 @@ void ScenarioDocument::checkNow() {
   checkTimer_.stop();
   startCheck();
   liveCheck_->finish();
+}
+
+void ScenarioDocument::checkSoon() {
+  checkTimer_.stop();
+  startCheck();
+  liveCheck_->finishWithin(kCheckPatience);
 }
 
 void ScenarioDocument::startCheck() {

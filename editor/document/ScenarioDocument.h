@@ -130,7 +130,8 @@ class ScenarioDocument : public QObject {
   // messages
   const base::Diagnostics& loadDiagnostics() const { return loadDiagnostics_; }
   base::Diagnostics issues() const;  // of loading, then of the live check
-  void checkNow();                   // without the pause that follows edits
+  void checkNow();                   // without the pause that follows edits, to its end
+  void checkSoon();                  // without that pause; waits a moment only
 
  Q_SIGNALS:
   void changed(editor::Change change);  // of one thing; more may follow at once

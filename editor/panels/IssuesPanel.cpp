@@ -198,7 +198,7 @@ void IssuesPanel::mend(const base::Diagnostic& issue) {
     return;
   }
   fix->apply(document_);
-  document_.checkNow();
+  document_.checkSoon();
 }
 
 void IssuesPanel::offerMenu(const QPoint& at) {
@@ -219,7 +219,7 @@ void IssuesPanel::offerMenu(const QPoint& at) {
     connect(menu->addAction(tr("%1: all %2").arg(words).arg(model_->countOf(words))),
             &QAction::triggered, this, [this, words] {
               applyToAll(document_, base::Diagnostics(model_->issues()), words);
-              document_.checkNow();
+              document_.checkSoon();
             });
   }
   menu->addSeparator();
