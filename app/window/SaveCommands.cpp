@@ -1,4 +1,5 @@
 // Saving, and the questions before something is lost.
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -55,8 +56,12 @@ bool FileCommands::save() {
 
 bool FileCommands::saveAs() {
   const editor::ScenarioDocument& document = workspace_.document();
+  const QFileInfo old(document.path());
   const QString proposal =
-      document.path().isEmpty() ? folder() + QStringLiteral("/scenario.yaml") : document.path();
+      document.path().isEmpty() ? folder() + QStringLiteral("/scenario.yaml")
+      : document.isReadOnly()
+          ? old.dir().filePath(old.completeBaseName() + QStringLiteral("_repaired.yaml"))
+          : document.path();
   QString path = QFileDialog::getSaveFileName(&window_, tr("Save the scenario"), proposal,
                                               tr("Scenarios (*.yaml)"));
   if (path.isEmpty()) {

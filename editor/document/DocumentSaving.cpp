@@ -154,15 +154,16 @@ std::vector<TreeQuestion> ScenarioDocument::treeQuestions(const QString& path) c
     const auto& human = plan.scenario.humans[static_cast<std::size_t>(indexOf(planned.human))];
     const std::optional<std::string> onDisk = textAt(planned.path);
     const KnownTree* known = disk_->known(planned.human);
-    const bool isKnown =
-        known != nullptr && known->path == planned.path && onDisk == known->content;
+    const bool wasRead = known != nullptr && known->path == planned.path;
+    const bool isKnown = wasRead && onDisk == known->content;
     TreeQuestion question{human.key, human.name, planned.path, {}, planned.content};
     if (onDisk && *onDisk != planned.content && !isKnown) {
       if (!there) {
         there = sim2d::readScenario(plan.path.toStdString());
       }
-      if (!isGeneratedTree(*onDisk, plan.scenario, human) &&
-          !isGeneratedForDisk(*onDisk, there->scenario, human.id)) {
+      // A file that was read and has changed since was changed by somebody, if only a comment.
+      if (wasRead || (!isGeneratedTree(*onDisk, plan.scenario, human) &&
+                      !isGeneratedForDisk(*onDisk, there->scenario, human.id))) {
         question.mine = *onDisk;
         questions.push_back(std::move(question));
         continue;

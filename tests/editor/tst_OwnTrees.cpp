@@ -107,6 +107,20 @@ class OwnTreesTest : public QObject {
                             *document.human({EntityKind::Human, 1})));
   }
 
+  void treeQuestions_onlyACommentAddedByAnotherProgram_asksAndKeepsIt() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("room.yaml"));
+    ScenarioDocument document;
+    document.load(small::scenario());
+    check(document.save(path));
+    const std::string theirs = treeText(folder, 1) + "<!-- not before Monday -->\n";
+    check(base::writeFileAtomically(treePath(folder, 1), theirs));
+    pushMove(document, {{EntityKind::Human, 1}}, Vec2(0.1, 0.0));
+    QCOMPARE(document.treeQuestions(path).size(), std::size_t(1));
+    check(document.save(path));
+    QVERIFY(treeText(folder, 1) == theirs);
+  }
+
   void saveAs_overAnOlderScenario_asksOnlyAboutTreesWrittenByHand() {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("room.yaml"));
