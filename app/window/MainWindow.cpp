@@ -9,6 +9,7 @@
 #include <QMimeData>
 #include <QUrl>
 
+#include "app/window/CanvasMenu.h"
 #include "app/window/DocumentGuard.h"
 #include "app/window/NoticeBar.h"
 #include "app/window/StatusLine.h"
@@ -163,6 +164,7 @@ void MainWindow::connectFiles() {
 }
 
 void MainWindow::connectView() {
+  new CanvasMenu(workspace_, *actions_, *docks_, this);
   connect(actions_->fullScreen, &QAction::toggled, this, &MainWindow::showFullScreenMap);
   connect(actions_->resetLayout, &QAction::triggered, docks_, &Docks::resetLayout);
   actions_->systemTheme->setChecked(followsSystem_);
@@ -234,7 +236,9 @@ void MainWindow::showTitle() {
   setWindowTitle(document.displayName() + QStringLiteral("[*] – HuNavSim Desktop"));
   setWindowModified(document.isDirty());
   setWindowFilePath(document.path());
-  saved_->setText(document.isDirty() ? tr("Not saved") : tr("Saved"));
+  saved_->setText(document.isDirty()      ? tr("Not saved")
+                  : document.isReadOnly() ? tr("Read only")
+                                          : tr("Saved"));
 }
 
 void MainWindow::setTheme(const editor::Theme& theme) {

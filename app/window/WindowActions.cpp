@@ -98,8 +98,10 @@ void WindowActions::makeEditActions() {
 }
 
 QAction* WindowActions::overlay(const QString& text, const QString& icon,
-                                const QKeySequence& shortcut, bool CanvasOptions::*option) {
-  QAction* action = make(text, icon, shortcut, tr("Show or hide on the map"));
+                                const QKeySequence& shortcut, bool CanvasOptions::*option,
+                                const QString& says) {
+  QAction* action =
+      make(text, icon, shortcut, says.isEmpty() ? tr("Show or hide on the map") : says);
   action->setCheckable(true);
   action->setChecked(workspace_.scene().options().*option);
   connect(action, &QAction::toggled, this, [this, option](bool on) {
@@ -131,11 +133,12 @@ void WindowActions::makeViewActions() {
                  &CanvasOptions::grid);
   rulers = overlay(tr("R&ulers"), {}, {}, &CanvasOptions::rulers);
   trails = overlay(tr("&Trails"), QStringLiteral("view-trails"), QKeySequence(Qt::Key_T),
-                   &CanvasOptions::trails);
+                   &CanvasOptions::trails, tr("Where people have been, in a run"));
   rings = overlay(tr("&Personal spaces"), QStringLiteral("view-rings"), QKeySequence(Qt::Key_X),
-                  &CanvasOptions::proxemics);
-  forces = overlay(tr("F&orces"), QStringLiteral("view-forces"),
-                   QKeySequence(Qt::SHIFT | Qt::Key_F), &CanvasOptions::forces);
+                  &CanvasOptions::proxemics, tr("Rings around the people that are selected"));
+  forces =
+      overlay(tr("F&orces"), QStringLiteral("view-forces"), QKeySequence(Qt::SHIFT | Qt::Key_F),
+              &CanvasOptions::forces, tr("What moves the people that are selected, in a run"));
   editor::MapView& view = workspace_.view();
   connect(zoomIn, &QAction::triggered, &view, &editor::MapView::zoomIn);
   connect(zoomOut, &QAction::triggered, &view, &editor::MapView::zoomOut);

@@ -32,7 +32,7 @@ class WindowActions : public QObject {
   QAction* make(const QString& text, const QString& icon, const QKeySequence& shortcut,
                 const QString& says);
   QAction* overlay(const QString& text, const QString& icon, const QKeySequence& shortcut,
-                   bool editor::CanvasOptions::*option);
+                   bool editor::CanvasOptions::*option, const QString& says = {});
   void makeFileActions();
   void makeEditActions();
   void makeViewActions();

@@ -33,15 +33,13 @@ std::vector<std::pair<int, int>> runsOf(const std::vector<EntityId>& ids, IsMean
 void EntityModel::follow() {
   std::array<std::vector<EntityId>, kGroupCount> changed;
   changed.swap(changed_);
+  const bool isOther = std::exchange(isOther_, false);
   isFollowing_ = true;
-  if (std::exchange(isOther_, false)) {
-    rebuild();
-  } else {
-    for (int group = 0; group < kGroupCount; ++group) {
-      const std::vector<EntityId>& ids = changed[static_cast<std::size_t>(group)];
-      if (!ids.empty()) {
-        followGroup(group, std::set<EntityId>(ids.begin(), ids.end()));
-      }
+  for (int group = 0; group < kGroupCount; ++group) {
+    const std::vector<EntityId> ids =
+        isOther ? idsOfGroup(group) : changed[static_cast<std::size_t>(group)];
+    if (isOther || !ids.empty()) {
+      followGroup(group, std::set<EntityId>(ids.begin(), ids.end()));
     }
   }
   isFollowing_ = false;

@@ -66,7 +66,9 @@ QString placeOf(const Entity& entity) {
 
 EntityModel::EntityModel(ScenarioDocument& document, const Theme& theme, QObject* parent)
     : QAbstractItemModel(parent), document_(document), theme_(theme) {
-  rebuild();
+  for (int group = 0; group < kGroupCount; ++group) {
+    rows_[static_cast<std::size_t>(group)] = idsOfGroup(group);
+  }
   connect(&document_, &ScenarioDocument::changed, this, &EntityModel::note);
   connect(&document_, &ScenarioDocument::settled, this, &EntityModel::follow);
 }
@@ -89,14 +91,6 @@ std::vector<EntityId> EntityModel::idsOfGroup(int group) const {
     ids.insert(ids.end(), more.begin(), more.end());
   }
   return ids;
-}
-
-void EntityModel::rebuild() {
-  beginResetModel();
-  for (int group = 0; group < kGroupCount; ++group) {
-    rows_[static_cast<std::size_t>(group)] = idsOfGroup(group);
-  }
-  endResetModel();
 }
 
 void EntityModel::note(const Change& change) {

@@ -59,13 +59,12 @@ class EntityModel : public QAbstractItemModel {
   void removeGone(int group, const std::vector<EntityId>& fresh);
   void orderLike(int group, const std::vector<EntityId>& fresh);
   void insertNew(int group, const std::vector<EntityId>& fresh);
-  void rebuild();
 
   ScenarioDocument& document_;
   Theme theme_;
   std::array<std::vector<EntityId>, kGroupCount> rows_;
   std::array<std::vector<EntityId>, kGroupCount> changed_;  // in the step that has not ended
-  bool isOther_ = false;                                    // scenario, in that step
+  bool isOther_ = false;                                    // the scenario itself, in that step
   bool isFollowing_ = false;
 };
 

@@ -167,10 +167,6 @@ ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme, QWi
   connect(delegate_, &EntityRowDelegate::eyeClicked, this, &ScenarioPanel::switchEye);
   connect(tree_, &QTreeView::customContextMenuRequested, this, &ScenarioPanel::offerMenu);
   connect(&document_, &ScenarioDocument::selectionChanged, this, &ScenarioPanel::takeSelection);
-  connect(filter_, &QAbstractItemModel::modelReset, this, [this] {
-    expandGroups();
-    takeSelection();
-  });
   connect(&document_, &ScenarioDocument::settled, this, &ScenarioPanel::showEmptiness);
   setTheme(theme);
   expandGroups();
@@ -239,8 +235,7 @@ void ScenarioPanel::takeSelection() {
 }
 
 void ScenarioPanel::offerMenu(const QPoint& at) {
-  const QModelIndex index = tree_->indexAt(at);
-  const EntityId id = filter_->idOf(index);
+  const EntityId id = filter_->idOf(tree_->indexAt(at));
   if (!id) {
     return;
   }
@@ -248,18 +243,7 @@ void ScenarioPanel::offerMenu(const QPoint& at) {
   menu->setAttribute(Qt::WA_DeleteOnClose);
   connect(menu->addAction(tr("Show on the map")), &QAction::triggered, this,
           [this, id] { Q_EMIT activated(id); });
-  connect(menu->addAction(tr("Rename")), &QAction::triggered, this,
-          [this, index] { tree_->edit(index); });
-  if (id.kind != EntityKind::Goal) {
-    const bool listed = index.data(EntityModel::ListedRole).toBool();
-    connect(menu->addAction(listed ? tr("Switch off") : tr("Switch on")), &QAction::triggered, this,
-            [this, listed] { pushListed(document_, document_.selection(), !listed); });
-  }
-  connect(menu->addAction(tr("Select all of the kind")), &QAction::triggered, this,
-          [this, id] { document_.setSelection(document_.entities(id.kind)); });
-  if (id.kind == EntityKind::Human) {
-    addPeopleActions(*menu);
-  }
+  fillMenu(*menu, id);
   menu->addSeparator();
   connect(menu->addAction(tr("Duplicate")), &QAction::triggered, this, [this] {
     document_.setSelection(pushDuplicate(document_, document_.selection(), Vec2(0.5, -0.5)));
@@ -267,6 +251,24 @@ void ScenarioPanel::offerMenu(const QPoint& at) {
   connect(menu->addAction(tr("Delete")), &QAction::triggered, this,
           [this] { pushRemove(document_, document_.selection()); });
   menu->popup(tree_->viewport()->mapToGlobal(at));
+}
+
+void ScenarioPanel::fillMenu(QMenu& menu, EntityId id) {
+  connect(menu.addAction(tr("Rename")), &QAction::triggered, this, [this, id] {
+    filterField_->clear();  // or the row may be hidden
+    tree_->setFocus();
+    tree_->edit(filter_->indexOf(id));
+  });
+  if (id.kind != EntityKind::Goal) {
+    const bool listed = model_->indexOf(id).data(EntityModel::ListedRole).toBool();
+    connect(menu.addAction(listed ? tr("Switch off") : tr("Switch on")), &QAction::triggered, this,
+            [this, listed] { pushListed(document_, document_.selection(), !listed); });
+  }
+  connect(menu.addAction(tr("Select all of the kind")), &QAction::triggered, this,
+          [this, id] { document_.setSelection(document_.entities(id.kind)); });
+  if (id.kind == EntityKind::Human) {
+    addPeopleActions(menu);
+  }
 }
 
 void ScenarioPanel::addPeopleActions(QMenu& menu) {

@@ -45,6 +45,8 @@ class ScenarioPanel : public QWidget {
   QTreeView& tree() const { return *tree_; }
   QLineEdit& filter() const { return *filterField_; }
   EntityModel& model() const { return *model_; }
+  /// Entries for one thing that is selected, alone or with others.
+  void fillMenu(QMenu& menu, EntityId id);
 
  Q_SIGNALS:
   void activated(editor::EntityId id);  // double click or return: go there on the map

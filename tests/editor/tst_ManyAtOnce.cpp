@@ -106,6 +106,18 @@ class ManyAtOnceTest : public QObject {
              (EntityId{EntityKind::Human, 6}));
   }
 
+  void anotherScenario_groupsOfTheListStayOpen() {
+    const QModelIndex goals = panel_.tree().model()->index(1, 0);
+    panel_.tree().expand(goals);
+    const QPersistentModelIndex kept(goals);
+    document_.load(crowd());
+    QVERIFY(kept.isValid());
+    QVERIFY(panel_.tree().isExpanded(kept));
+    QCOMPARE(model().rowCount(model().index(0, 0)), kPeople);
+    document_.clear();
+    QCOMPARE(model().rowCount(model().index(0, 0)), 0);
+  }
+
   void switchOn_everybody_keepsTheOrder() {
     pushListed(document_, document_.entities(EntityKind::Human), false);
     pushListed(document_, document_.entities(EntityKind::Human), true);
