@@ -11,6 +11,7 @@
 #include <QHeaderView>
 #include <QVBoxLayout>
 
+#include "editor/document/EditCommands.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/Form.h"
 
@@ -35,9 +36,11 @@ QString stateText(ExportPlan::State state) {
   return QObject::tr("stays as it is");
 }
 
-QString sentence(const base::Diagnostic& problem) {
+/// With a capital, unless it begins with a name.
+QString sentence(const base::Diagnostic& problem, const sim2d::Scenario& scenario) {
   QString text = QString::fromStdString(problem.message);
-  if (!text.isEmpty()) {
+  const std::string first = problem.message.substr(0, problem.message.find_first_of(" :,"));
+  if (!text.isEmpty() && !editor::isNameTaken(scenario, first)) {
     text[0] = text[0].toUpper();
   }
   return text;
@@ -141,8 +144,6 @@ QLayout* ExportDialog::makeForm() {
 void ExportDialog::fillTargets() {
   for (const sim2d::TargetInfo& target : sim2d::exportTargets()) {
     auto* item = new QListWidgetItem(QString::fromStdString(target.title), targets_);
-    item->setIcon(
-        editor::tintedIcon(QStringLiteral("start-room"), theme_.color(Role::TextSecondary)));
     item->setData(Qt::UserRole, QString::fromStdString(target.name));
     item->setSizeHint(QSize(0, 28));
     item->setToolTip(target.package.empty()
@@ -221,8 +222,8 @@ void ExportDialog::showReport() {
       editor::tintedIcon(QStringLiteral("warning"), theme_.color(Role::WarningMark)),
       editor::tintedIcon(QStringLiteral("error"), theme_.color(Role::Error))};
   for (const base::Diagnostic& problem : sorted) {
-    new QListWidgetItem(icons.at(static_cast<std::size_t>(problem.severity)), sentence(problem),
-                        report_);
+    new QListWidgetItem(icons.at(static_cast<std::size_t>(problem.severity)),
+                        sentence(problem, source_.scenario), report_);
   }
   reportTitle_->setText(sorted.empty() ? tr("Nothing is lost") : tr("Good to know"));
   report_->setVisible(!sorted.empty());

@@ -225,6 +225,8 @@ void ImageMapDialog::build() {
   QFormLayout* origin = newForm();
   origin->addRow(tr("X"), firstX_);
   origin->addRow(tr("Y"), firstY_);
+  origin->labelForField(firstX_)->setMinimumWidth(
+      form->labelForField(distance_)->sizeHint().width());  // one column of fields
   side->addLayout(origin);
   side->addSpacing(12);
   side->addWidget(size_);

@@ -138,8 +138,10 @@ void StartPage::addDemos(const std::vector<Demo>& demos) {
   auto* right = new QVBoxLayout;
   right->setSpacing(0);
   right->setContentsMargins(kGap / 3, 0, 0, 0);
-  right->addWidget(heading(tr("Demos"), bold));
-  right->addSpacing(12);
+  if (!demos.empty()) {
+    right->addWidget(heading(tr("Demos"), bold));
+    right->addSpacing(12);
+  }
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(kGap);
   grid->setVerticalSpacing(16);

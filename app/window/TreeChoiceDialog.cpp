@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QPushButton>
+#include <QScreen>
 #include <QVBoxLayout>
 
 #include "editor/look/Icons.h"
@@ -133,12 +134,21 @@ void TreeChoiceDialog::showDifferences(bool on) {
                            : tr("Show the differences (−%1 +%2 lines)")
                                  .arg(diff_->removedCount())
                                  .arg(diff_->addedCount()));
-  setMinimumSize(questions_.size() > 1 ? 680 : 480, on ? 460 : 272);
-  if (on) {
-    resize(std::max(width(), 860), std::max(height(), 600));
-  } else {
-    resize(minimumSize());
+  const bool several = questions_.size() > 1;
+  setMinimumSize(several ? 680 : 480, on ? 460 : several ? 272 : 204);
+  const QSize wanted = on ? QSize(std::max(width(), 860), std::max(height(), 600)) : minimumSize();
+  const QRect before = geometry();
+  resize(wanted.boundedTo(screen()->availableSize()));
+  if (isVisible()) {
+    moveOnScreen(before.center() - rect().center());
   }
+}
+
+/// The buttons must not leave the screen when the dialog grows.
+void TreeChoiceDialog::moveOnScreen(const QPoint& corner) {
+  const QRect room = screen()->availableGeometry();
+  move(std::clamp(corner.x(), room.left(), std::max(room.left(), room.right() - width())),
+       std::clamp(corner.y(), room.top(), std::max(room.top(), room.bottom() - height())));
 }
 
 void TreeChoiceDialog::take(TreeAnswer answer) {

@@ -25,6 +25,7 @@ class TreeChoiceDialog : public QDialog {
   editor::TreeAnswers answers() const;
   void choose(int question, editor::TreeAnswer answer);
   void showDifferences(bool on);
+  void moveOnScreen(const QPoint& corner);
 
   /// Nothing when cancelled.
   static std::optional<editor::TreeAnswers> ask(std::vector<editor::TreeQuestion> questions,

@@ -124,7 +124,9 @@ void paintForceLegend(QPainter& painter, const OverlayContext& context) {
     row.translate(0.0, kRow);
   };
   painter.setFont(theme.font(9.0, QFont::DemiBold));
-  write(QStringLiteral("Forces on %1").arg(QString::fromStdString(human->name)), {}, Role::Text);
+  const QString title = QStringLiteral("Forces on %1").arg(QString::fromStdString(human->name));
+  write(QFontMetrics(painter.font()).elidedText(title, Qt::ElideRight, int(row.width())), {},
+        Role::Text);
   painter.setFont(theme.figureFont(9.0));
   for (const ForceArrow& arrow : forces) {
     painter.setPen(QPen(theme.color(arrow.color), 2.2));

@@ -1,5 +1,6 @@
 #include "editor/look/HouseStyle.h"
 
+#include <QAbstractScrollArea>
 #include <QPainter>
 #include <QStyleOption>
 #include <QStyleOptionComboBox>
@@ -44,7 +45,13 @@ HouseStyle::HouseStyle(const Theme& theme) : QProxyStyle(QStringLiteral("Fusion"
 int HouseStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
                             const QWidget* widget) const {
   switch (metric) {
+    case PM_DefaultFrameWidth:  // of a list: on screens of 1.25 pixels per point what is in it
+                                // would cover parts of a line right beside it
+      return qobject_cast<const QAbstractScrollArea*>(widget) != nullptr
+                 ? 2
+                 : QProxyStyle::pixelMetric(metric, option, widget);
     case PM_ToolBarIconSize:
+    case PM_MessageBoxIconSize:
       return 24;
     case PM_SmallIconSize:
     case PM_ListViewIconSize:

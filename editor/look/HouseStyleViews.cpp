@@ -62,7 +62,7 @@ bool HouseStyle::drawFrame(PrimitiveElement element, const QStyleOption& option,
   }
   const bool isTip = element == PE_PanelTipLabel;  // else a list or a text
   painter.setPen(theme_.color(Role::FieldEdge));
-  painter.setBrush(isTip ? QBrush(theme_.color(Role::Panel)) : QBrush(Qt::NoBrush));
+  painter.setBrush(isTip ? QBrush(theme_.color(Role::Panel)) : option.palette.base());
   painter.drawRect(option.rect.adjusted(0, 0, -1, -1));
   return true;
 }

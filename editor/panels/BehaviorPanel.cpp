@@ -60,7 +60,8 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
       outline_(new TreeOutline(theme)),
       blockLinks_(new QWidget),
       blockForm_(new BlockForm(document)),
-      portForm_(new PortForm) {
+      portForm_(new PortForm),
+      hint_(emptyState(tr("Select a node above to see what it takes."), this)) {
   setMinimumWidth(300);
   auto* page = new QWidget(this);
   auto* layout = new QVBoxLayout(page);
@@ -81,6 +82,7 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
   forms->addWidget(blockLinks_);
   forms->addWidget(blockForm_);
   forms->addWidget(portForm_);
+  forms->addWidget(hint_);
   forms->addStretch(1);
   auto* splitter = new QSplitter(Qt::Vertical, page);
   splitter->addWidget(outline_);
@@ -222,6 +224,7 @@ void BehaviorPanel::showNode() {
   blockLinks_->setVisible(block >= 0);
   blockForm_->setVisible(block >= 0);
   portForm_->setVisible(node >= 0 && block < 0);
+  hint_->setVisible(node < 0);
   if (block >= 0) {
     const std::vector<bt::Block> blocks = bt::blocksOf(*tree_.mainTree());
     blockForm_->show(blocks[static_cast<std::size_t>(block)]);

@@ -68,6 +68,7 @@ class BehaviorPanel : public QWidget {
   QWidget* blockLinks_;
   BlockForm* blockForm_;
   PortForm* portForm_;
+  QLabel* hint_;  // while no node is chosen
 };
 
 }  // namespace editor

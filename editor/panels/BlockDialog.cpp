@@ -8,7 +8,6 @@
 #include "editor/canvas/FigurePainter.h"
 #include "editor/document/PersonLook.h"
 #include "editor/document/PersonTree.h"
-#include "editor/look/Icons.h"
 
 namespace editor {
 
@@ -36,8 +35,7 @@ BlockDialog::BlockDialog(ScenarioDocument& document, const Theme& theme, QWidget
   people_->setHint(tr("No people yet"));
   about_->setWordWrap(true);
   for (const bt::BlockKind& kind : bt::blockKinds()) {
-    new QListWidgetItem(tintedIcon(QStringLiteral("tree"), theme.color(Role::TextSecondary)),
-                        QString::fromStdString(kind.title), kinds_);
+    new QListWidgetItem(QString::fromStdString(kind.title), kinds_);
   }
   const FigurePainter painter(theme);
   for (const sim2d::Human& human : document.scenario().humans) {

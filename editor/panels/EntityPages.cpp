@@ -14,6 +14,7 @@ using sim2d::Obstacle;
 using sim2d::ObstacleKind;
 
 constexpr NumberField::Range kLength = {0.01, 1000.0, 2, 0.1};
+constexpr int kMostVisitors = 12;  // by name
 constexpr NumberField::Range kTime = {0.0, 86400.0, 1, 1.0};
 
 /// The corners of a shape as text; `least` of them make one.
@@ -49,23 +50,36 @@ GoalPage::GoalPage(ScenarioDocument& document, QWidget* parent) : PropertyPage(d
   });
   addRefresh([number](const std::vector<Entity>& shown) {
     number->setEnabled(shown.size() == 1);
-    number->show(std::get<sim2d::GlobalGoal>(shown.front()).id, false);
+    if (shown.size() == 1) {
+      number->show(std::get<sim2d::GlobalGoal>(shown.front()).id, false);
+    } else {
+      number->showMixed();
+    }
   });
   addNumberPair(section, tr("Position"), xKey(), yKey());
   auto* users = secondaryLabel({}, this);
   users->setWordWrap(true);
   section->addRow(tr("Visited by"), users);
   addRefresh([this, users](const std::vector<Entity>& shown) {
-    QStringList names;
-    const int id = std::get<sim2d::GlobalGoal>(shown.front()).id;
-    for (const sim2d::Human& human : this->document().scenario().humans) {
-      if (std::find(human.goals.begin(), human.goals.end(), id) != human.goals.end()) {
-        names.push_back(QString::fromStdString(human.name));
-      }
-    }
-    users->setText(names.isEmpty() ? tr("nobody yet") : names.join(QStringLiteral(", ")));
+    users->setText(shown.size() == 1 ? visitorsOf(std::get<sim2d::GlobalGoal>(shown.front()).id)
+                                     : tr("several goals are selected"));
   });
   finish();
+}
+
+QString GoalPage::visitorsOf(int goal) const {
+  QStringList names;
+  for (const sim2d::Human& human : document().scenario().humans) {
+    if (std::find(human.goals.begin(), human.goals.end(), goal) != human.goals.end()) {
+      names.push_back(QString::fromStdString(human.name));
+    }
+  }
+  const int more = static_cast<int>(names.size()) - kMostVisitors;
+  if (names.isEmpty()) {
+    return tr("nobody yet");
+  }
+  const QString first = names.mid(0, kMostVisitors).join(QStringLiteral(", "));
+  return more > 0 ? tr("%1 and %2 more").arg(first).arg(more) : first;
 }
 
 ObstaclePage::ObstaclePage(ScenarioDocument& document, QWidget* parent)

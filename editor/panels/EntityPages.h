@@ -19,6 +19,9 @@ class GoalPage : public PropertyPage {
   Q_OBJECT
  public:
   explicit GoalPage(ScenarioDocument& document, QWidget* parent = nullptr);
+
+ private:
+  QString visitorsOf(int goal) const;
 };
 
 class ObstaclePage : public PropertyPage {

@@ -144,7 +144,8 @@ void PropertyPanel::showHeading(const std::vector<EntityId>& ids) {
   if (ids.size() > 1) {
     name_->setText(ids.front().kind == EntityKind::Human
                        ? tr("%1 people").arg(ids.size())
-                       : tr("%1 × %2").arg(ids.size()).arg(kindName(ids.front().kind)));
+                       : counted(ids.size(), kindName(ids.front().kind),
+                                 kindName(ids.front().kind) + QLatin1Char('s')));
     about_->setText(tr("Changes go to all of them"));
   } else if (ids.front() == kSettingsId) {
     name_->setText(document_.displayName());

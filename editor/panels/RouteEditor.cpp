@@ -98,7 +98,7 @@ int RouteEditor::place(int width, bool apply) const {
   int x = 0;
   int y = 0;
   for (QWidget* part : parts_) {
-    const QSize size(part->sizeHint().width() + (part == parts_.back() ? 4 : 0), kChipHeight);
+    const QSize size(part->sizeHint().width(), kChipHeight);
     if (x > 0 && x + size.width() > width) {
       x = 0;
       y += kLineHeight;

@@ -28,9 +28,7 @@ HintList::HintList(const Theme& theme, const QString& name, QWidget* parent) : Q
   setAccessibleName(name);
   QPalette colors = palette();
   colors.setColor(QPalette::Base, theme.color(Role::Panel));
-  colors.setColor(QPalette::WindowText, theme.color(Role::FieldEdge));  // of the frame
   setPalette(colors);
-  setFrameStyle(QFrame::Box | QFrame::Plain);
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setUniformItemSizes(true);
