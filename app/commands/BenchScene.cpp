@@ -114,6 +114,7 @@ Scenario makeBenchScenario(const BenchScene& scene) {
   const double gap = size / side;
   const Vec2 middle(size / 2.0, size / 2.0);
   Jitter jitter;
+  scenario.humans.reserve(static_cast<std::size_t>(scene.people));
   for (int i = 0; i < scene.people; ++i) {
     const double x = (i % side + 0.25 + 0.5 * jitter.next()) * gap;
     const double y = (i / side + 0.25 + 0.5 * jitter.next()) * gap;

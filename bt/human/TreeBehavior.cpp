@@ -8,6 +8,7 @@
 
 #include "bt/human/HumanContext.h"
 #include "bt/human/TreeLoader.h"
+#include "sim2d/world/StepBuffers.h"
 
 namespace bt {
 
@@ -58,6 +59,7 @@ class TreeBehavior final : public sim2d::HumanBehavior {
   void takeTreeChanges(std::vector<TreeChange>& changes) override {
     std::swap(changes, changes_);  // the memory is used again
     changes_.clear();
+    sim2d::dropExcess(changes_, changes.size());
   }
   void takeDiagnostics(Diagnostics& found) override {
     found = std::move(society_.troubles);

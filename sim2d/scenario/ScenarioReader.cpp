@@ -153,7 +153,9 @@ class FileReader {
     for (const YamlNode& item : view.node().items) {
       blocks.emplace(item.key, &item);
     }
-    for (const std::string& name : agentNames(view)) {
+    const std::vector<std::string> names = agentNames(view);
+    scenario().humans.reserve(names.size());
+    for (const std::string& name : names) {
       const auto block = blocks.find(name);
       if (view.isKnown(name)) {
         view.error("agents", "'" + name + "' is the name of a key, not of an agent");

@@ -69,6 +69,9 @@ void Crowd::update(const FrozenWorld& world, const Ways& ways, const Intents& in
 }
 
 void Crowd::learnTraits(const std::deque<Person>& people) {
+  if (traits_.empty()) {
+    traits_.reserve(people.size());
+  }
   for (std::size_t i = traits_.size(); i < people.size(); ++i) {
     const Person& person = people[i];
     traits_.push_back({person.model.get(), person.model->socialLaw(), person.constants.radius,

@@ -29,4 +29,17 @@ void refill(std::vector<Item>& items, std::size_t count, const Item& value) {
   items.assign(count, value);
 }
 
+/// Gives back the memory that one unusual step, such as the first, has needed, once steps with
+/// `usual` items follow it.
+template <class Item>
+void dropExcess(std::vector<Item>& empty, std::size_t usual) {
+  constexpr std::size_t kWorthIt = 4096;
+  constexpr std::size_t kMuchMore = 16;
+  if (empty.capacity() > kWorthIt && empty.capacity() > kMuchMore * usual) {
+    std::vector<Item> smaller;
+    smaller.reserve(2 * usual);
+    empty.swap(smaller);
+  }
+}
+
 }  // namespace sim2d

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim2d/world/StepBuffers.h"
 #include "sim2d/world/WorldFrame.h"
 #include "sim2d/world/WorldHeader.h"
 
@@ -63,6 +64,11 @@ World::State::State(WorldParts parts, std::unique_ptr<HumanBehavior> minds)
     state.doorOpen.push_back(door->open.value_or(true) ? 1 : 0);
   }
   addRobotBodies();
+  for (std::vector<double>* column :
+       {&state.x, &state.y, &state.vx, &state.vy, &state.heading, &state.omega}) {
+    column->reserve(model.people.size());
+  }
+  state.controls.reserve(model.people.size());
   for (const Person& person : model.people) {
     state.append(person);
   }
@@ -172,6 +178,7 @@ bool World::State::step() {
   }
   StepWatch watch(times);
   state.events.clear();
+  dropExcess(state.events, frame.events.size());
   headingsBefore_ = state.heading;
   motion.expectWork();
   decide();

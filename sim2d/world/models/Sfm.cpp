@@ -29,11 +29,7 @@ ForceParameters parametersOf(const ResolvedHuman& person, Kind kind) {
 class Sfm : public PedestrianModel {
  public:
   Sfm(const ResolvedHuman& person, Kind kind)
-      : parameters_(parametersOf(person, kind)),
-        forMates_(parameters_),
-        isOriginal_(kind == Kind::Original) {
-    forMates_.turnWidth = isOriginal_ ? 0.0 : kMateTurnWidth;
-  }
+      : parameters_(parametersOf(person, kind)), isOriginal_(kind == Kind::Original) {}
 
   ForceTerms forces(const Situation& situation) const override {
     ForceTerms terms;
@@ -93,8 +89,13 @@ class Sfm : public PedestrianModel {
   /// side: for them it is a ramp.
   Vec2 changeByMates(const Situation& situation) const {
     Vec2 change = Vec2::Zero();
+    if (situation.group.empty()) {
+      return change;
+    }
+    ForceParameters forMates = parameters_;
+    forMates.turnWidth = isOriginal_ ? 0.0 : kMateTurnWidth;
     for (const Walker& mate : situation.group) {
-      const Vec2 turnsLess = socialForce(forMates_, situation.self, mate) -
+      const Vec2 turnsLess = socialForce(forMates, situation.self, mate) -
                              socialForce(parameters_, situation.self, mate);
       if (!turnsLess.isZero(0.0) &&
           (*situation.isVisible)(situation.self.position, mate.position)) {
@@ -105,7 +106,6 @@ class Sfm : public PedestrianModel {
   }
 
   ForceParameters parameters_;
-  ForceParameters forMates_;
   bool isOriginal_;
   double cutOff_ = cutOff(kNegligible);
 };
