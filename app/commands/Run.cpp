@@ -109,11 +109,13 @@ std::string lastLine(const FinishedRun& run, double dt) {
          base::formatDecimals(std::round(wall * 1000.0) / 1000.0, 3) + " s)";
 }
 
-/// The table may differ from run to run, the files may not.
+/// The table may differ from run to run, the files may not. Not beside metrics chosen by key.
 metrics::Evaluation withPlanningTime(const FinishedRun& run) {
   metrics::Evaluation evaluation = *run.evaluation;
   for (metrics::MetricResult& time : run.planning.results()) {
-    evaluation.results.push_back(std::move(time));
+    if (!evaluation.isSelection) {
+      evaluation.results.push_back(std::move(time));
+    }
   }
   return evaluation;
 }
