@@ -4,7 +4,6 @@
 
 #include "app/Manifest.h"
 #include "metrics/ReportFiles.h"
-#include "sim2d/base/GrowingFile.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -35,9 +34,8 @@ base::Diagnostics writeRunFolder(const std::string& folder, const FinishedRun& r
   }
   if (run.evaluation && !run.totalsOnly) {
     write("metrics.csv", metrics::metricsCsv(*run.evaluation));
-    base::GrowingFile steps((fs::path(folder) / "steps.csv").string());
-    metrics::writeSteps(*run.evaluation, [&steps](std::string_view rows) { steps.append(rows); });
-    base::append(problems, steps.finish());
+    base::append(problems, writer.writeSteps((fs::path(folder) / "steps.csv").string(),
+                                             run.evaluation->times));
   } else {
     remove({"metrics.csv", "steps.csv"});
   }

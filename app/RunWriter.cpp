@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "metrics/ReportFiles.h"
 #include "sim2d/trace/TraceRows.h"
 
 namespace app {
@@ -82,6 +83,36 @@ void RunWriter::take(const sim2d::RecordedStep& step) {
       trace_.frames.push_back(*step.frame);
     }
   }
+}
+
+base::Result<metrics::Evaluation> RunWriter::evaluation() {
+  return evaluation_.finish([this](const metrics::MetricInfo& info, const metrics::Series& series) {
+    Column& column = columns_.emplace_back();
+    column.key = info.key;
+    column.kind = series.kind;
+    for (const double value : series.values) {
+      column.values.add(value, &store_);
+    }
+  });
+}
+
+base::Diagnostics RunWriter::writeSteps(const std::string& path, const std::vector<double>& times) {
+  std::vector<metrics::StepColumn> columns;
+  for (const Column& column : columns_) {
+    if (column.values.size() == times.size()) {
+      columns.push_back({column.key, column.kind,
+                         [reader = metrics::StoredNumbersReader(column.values)]() mutable {
+                           return reader.next();
+                         }});
+    }
+  }
+  base::GrowingFile file(path);
+  metrics::writeSteps(times, std::move(columns),
+                      [&file](std::string_view rows) { file.append(rows); });
+  if (store_.hasFailed()) {
+    return {base::makeError("series in a temporary file could not be read back", path)};
+  }
+  return file.finish();
 }
 
 base::Diagnostics RunWriter::finish() {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "metrics/RunningEvaluation.h"
 #include "sim2d/base/GrowingFile.h"
@@ -12,7 +13,7 @@
 namespace app {
 
 /// Takes a run while it goes on: trajectory, events and tree changes go into the files of its
-/// folder, the metrics are fed. Of past steps nothing stays in memory but robots and series.
+/// folder, the metrics are fed. Of past steps nothing stays in memory but their times.
 class RunWriter : public sim2d::RecordSink {
  public:
   /// An empty folder: no files. The world must outlive the writer.
@@ -23,7 +24,10 @@ class RunWriter : public sim2d::RecordSink {
   void keepTrace() { keepsTrace_ = true; }
   const sim2d::Trace& trace() const { return trace_; }  // without header
 
-  base::Result<metrics::Evaluation> evaluation() const { return evaluation_.finish(); }
+  /// Once, at the end. Its results have no series: those are for writeSteps().
+  base::Result<metrics::Evaluation> evaluation();
+  /// steps.csv of the evaluation.
+  base::Diagnostics writeSteps(const std::string& path, const std::vector<double>& times);
   /// Puts the files in their places; nothing of them is there before.
   base::Diagnostics finish();
 
@@ -34,12 +38,19 @@ class RunWriter : public sim2d::RecordSink {
   };
   void meet(const sim2d::Frame& frame);
   void write(const sim2d::RecordedStep& step);
+  struct Column {
+    std::string key;
+    metrics::Kind kind = metrics::Kind::Number;
+    metrics::StoredNumbers values;
+  };
 
   const sim2d::World& world_;
   double dt_;
   std::unique_ptr<Files> files_;
   metrics::FrameEvaluation evaluation_;
   std::set<int> known_;  // people that the metrics have been told of
+  metrics::NumberStore store_;
+  std::vector<Column> columns_;  // in the store
   bool keepsTrace_ = false;
   sim2d::Trace trace_;
 };

@@ -143,7 +143,7 @@ class ExpressionParser {
   }
 
   Part parsePower(int depth) {
-    const Part base = parsePrimary(depth);
+    Part base = parsePrimary(depth);
     if (!hasFailed() && take("^")) {
       return joined(base, parseSigned(depth + 1),
                     [](double a, double b) { return std::pow(a, b); });

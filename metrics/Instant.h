@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "metrics/MetricParameters.h"
+#include "metrics/NumberStore.h"
 #include "metrics/Recording.h"
 
 namespace metrics {
@@ -31,6 +32,7 @@ struct Instant {
   std::size_t index = 0;         // of now, from 0
   double begin = 0.0;            // time of the first sample [s]
   bool keepsSeries = true;       // somebody wants one value per sample
+  NumberStore* store = nullptr;  // takes series; null: they stay in memory
   TermMemory* memory = nullptr;  // null: terms are worked out again
 
   std::size_t count() const { return index + 1; }                         // N up to here
@@ -45,13 +47,13 @@ class SeriesColumn {
  public:
   void add(const Instant& at, double value) {
     if (at.keepsSeries) {
-      values_.push_back(value);
+      values_.add(value, at.store);
     }
   }
-  const std::vector<double>& values() const { return values_; }
+  std::vector<double> values() const { return values_.all(); }
 
  private:
-  std::vector<double> values_;
+  StoredNumbers values_;
 };
 
 /// A sum over the samples with its terms.
@@ -62,7 +64,7 @@ class SeriesSum {
     terms_.add(at, term);
   }
   double sum() const { return sum_; }
-  const std::vector<double>& terms() const { return terms_.values(); }
+  std::vector<double> terms() const { return terms_.values(); }
 
  private:
   double sum_ = 0.0;

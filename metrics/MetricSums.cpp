@@ -75,14 +75,19 @@ MetricValue MetricSums::valueOf(const Item& item, const Instant& last, const Rec
 }
 
 std::vector<MetricResult> MetricSums::values(const Instant& last, const Recording* whole,
-                                             const std::vector<MetricResult>* all) const {
+                                             const std::vector<MetricResult>* all,
+                                             const SeriesSink& sink) const {
   std::vector<MetricResult> results;
   for (const Item& item : items_) {
     const bool isSame = all != nullptr && !looksAtPeople(item.entry.info);
     results.push_back({item.entry.info, isSame ? (*all)[results.size()].value
                                                : valueOf(item, last, whole, results)});
-    if (!last.keepsSeries) {
-      results.back().value.series.reset();
+    std::optional<Series>& series = results.back().value.series;
+    if (sink && series && last.keepsSeries) {
+      sink(item.entry.info, *series);
+    }
+    if (sink || !last.keepsSeries) {
+      series.reset();
     }
   }
   return results;
@@ -94,6 +99,7 @@ SampleFeed::SampleFeed(std::shared_ptr<const Course> course, const Selection& se
     : course_(std::move(course)),
       parameters_(parameters),
       keepsSeries_(selection.series),
+      store_(selection.seriesOnDisk ? std::make_unique<NumberStore>() : nullptr),
       sums_(selection, parameters, course_->hasRobot, registry, among),
       looks_(sums_.needsMap()) {
   if (sums_.needsRecord()) {
@@ -103,8 +109,8 @@ SampleFeed::SampleFeed(std::shared_ptr<const Course> course, const Selection& se
 }
 
 Instant SampleFeed::newestInstant(TermMemory* memory) const {
-  return {*course_,   parameters_, now_,         count_ > 1 ? &before_ : nullptr,
-          count_ - 1, begin_,      keepsSeries_, memory};
+  return {*course_,     parameters_,  now_,  count_ > 1 ? &before_ : nullptr, count_ - 1, begin_,
+          keepsSeries_, store_.get(), memory};
 }
 
 /// Those since the beginning; what was noted too early waits for the next sample.
@@ -136,8 +142,9 @@ void SampleFeed::add(Sample sample) {
   }
 }
 
-std::vector<MetricResult> SampleFeed::values(const std::vector<MetricResult>* all) const {
-  return sums_.values(newestInstant(nullptr), whole_.get(), all);
+std::vector<MetricResult> SampleFeed::values(const std::vector<MetricResult>* all,
+                                             const SeriesSink& sink) const {
+  return sums_.values(newestInstant(nullptr), whole_.get(), all, sink);
 }
 
 }  // namespace metrics

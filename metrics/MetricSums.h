@@ -8,6 +8,9 @@
 
 namespace metrics {
 
+/// Takes the series of results one by one, which then have none.
+using SeriesSink = std::function<void(const MetricInfo& info, const Series& series)>;
+
 /// Whose metrics are summed up.
 enum class Among { All, SomePeople };  // SomePeople: only what looks at people
 
@@ -21,7 +24,8 @@ class MetricSums {
   /// `whole`: the record, where needsRecord(). `all`: results among all people; those that do not
   /// look at people are taken over.
   std::vector<MetricResult> values(const Instant& last, const Recording* whole,
-                                   const std::vector<MetricResult>* all) const;
+                                   const std::vector<MetricResult>* all,
+                                   const SeriesSink& sink) const;
   /// Some metric wants the whole record at the end.
   bool needsRecord() const;
   bool needsMap() const;
@@ -53,7 +57,10 @@ class SampleFeed {
   void add(Sample sample);
   std::size_t size() const { return count_; }
   Sample& newest() { return now_; }
-  std::vector<MetricResult> values(const std::vector<MetricResult>* all = nullptr) const;
+  std::vector<MetricResult> values(const std::vector<MetricResult>* all = nullptr,
+                                   const SeriesSink& sink = {}) const;
+  /// Series put aside could not be read back.
+  bool hasLostSeries() const { return store_ && store_->hasFailed(); }
 
  private:
   void takeEvents();
@@ -62,6 +69,7 @@ class SampleFeed {
   std::shared_ptr<const Course> course_;
   MetricParameters parameters_;
   bool keepsSeries_;
+  std::unique_ptr<NumberStore> store_;  // null: series stay in memory
   MetricSums sums_;
   bool looks_;
   Sample now_, before_;

@@ -26,6 +26,7 @@ struct Selection {
   std::vector<std::pair<double, Vec2>> reference;  // Recording::reference; empty = shortest way
 
   bool series = true;          // results have their series
+  bool seriesOnDisk = false;   // meanwhile in a temporary file
   bool behaviors = true;       // results per behaviour type as well
   bool behaviorSeries = true;  // and those have their series
 

@@ -96,44 +96,22 @@ std::string floatText(double value) {
   return sign + digits.substr(0, whole) + "." + digits.substr(whole);
 }
 
-/// Names and columns of the series that have one value per sample.
-struct Column {
-  std::string key;
-  const Series* series;
-};
-std::vector<Column> columnsOf(const std::vector<MetricResult>& results, std::size_t samples) {
-  std::vector<Column> columns;
+/// The series that have one value per sample.
+std::vector<StepColumn> columnsOf(const std::vector<MetricResult>& results, std::size_t samples) {
+  std::vector<StepColumn> columns;
   for (const MetricResult& result : results) {
-    if (result.value.series && result.value.series->values.size() == samples) {
-      columns.push_back({result.info.key, &*result.value.series});
+    const std::optional<Series>& series = result.value.series;
+    if (series && series->values.size() == samples) {
+      columns.push_back({result.info.key, series->kind,
+                         [next = series->values.begin()]() mutable { return *next++; }});
     }
   }
   return columns;
 }
 
-void writeSteps(const std::vector<double>& times, const std::vector<Column>& columns,
-                const TextSink& to) {
+std::string stepsText(const std::vector<double>& times, std::vector<StepColumn> columns) {
   std::string text;
-  std::vector<std::string> cells = {"time_stamps"};
-  for (const Column& column : columns) {
-    cells.push_back(column.key);
-  }
-  appendRow(text, cells);
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    cells = {evaluatorNumber(times[i], Kind::Number)};
-    for (const Column& column : columns) {
-      cells.push_back(evaluatorNumber(column.series->values[i], column.series->kind));
-    }
-    to(text);
-    text.clear();
-    appendRow(text, cells);
-  }
-  to(text);
-}
-
-std::string stepsText(const std::vector<double>& times, const std::vector<Column>& columns) {
-  std::string text;
-  writeSteps(times, columns, [&text](std::string_view piece) { text += piece; });
+  writeSteps(times, std::move(columns), [&text](std::string_view piece) { text += piece; });
   return text;
 }
 
@@ -208,14 +186,13 @@ class FileSet {
       values.erase(values.begin() + 1);
     }
     appendResult(base_ + part, row(header), row(values));
-    std::vector<Column> columns = columnsOf(results, evaluation_.times.size());
-    Series activity;
+    std::vector<StepColumn> columns = columnsOf(results, evaluation_.times.size());
     if (active != nullptr) {
-      activity = {*active, Kind::Count};
-      columns.push_back({"behavior_active", &activity});
+      columns.push_back(
+          {"behavior_active", Kind::Count, [next = active->begin()]() mutable { return *next++; }});
     }
     put(base_ + part + "_steps_" + safeName(run) + extension(),
-        separated(stepsText(evaluation_.times, columns)));
+        separated(stepsText(evaluation_.times, std::move(columns))));
   }
 
   /// Adds the row to the first file of this name that has these columns or does not exist.
@@ -316,8 +293,24 @@ std::string stepsCsv(const Evaluation& evaluation) {
   return stepsText(evaluation.times, columnsOf(evaluation.results, evaluation.times.size()));
 }
 
-void writeSteps(const Evaluation& evaluation, const TextSink& to) {
-  writeSteps(evaluation.times, columnsOf(evaluation.results, evaluation.times.size()), to);
+void writeSteps(const std::vector<double>& times, std::vector<StepColumn> columns,
+                const TextSink& to) {
+  std::string text;
+  std::vector<std::string> cells = {"time_stamps"};
+  for (const StepColumn& column : columns) {
+    cells.push_back(column.key);
+  }
+  appendRow(text, cells);
+  for (const double time : times) {
+    cells = {evaluatorNumber(time, Kind::Number)};
+    for (StepColumn& column : columns) {
+      cells.push_back(evaluatorNumber(column.next(), column.kind));
+    }
+    to(text);
+    text.clear();
+    appendRow(text, cells);
+  }
+  to(text);
 }
 
 std::string tableText(const Evaluation& evaluation) {

@@ -16,9 +16,17 @@ std::string toJson(const Evaluation& evaluation);  // metrics.json
 std::string metricsCsv(const Evaluation& evaluation);
 /// time_stamps and one column per series; one row per sample.
 std::string stepsCsv(const Evaluation& evaluation);
+
+/// A column of that file; its values are asked for once each, in order.
+struct StepColumn {
+  std::string key;
+  Kind kind = Kind::Number;
+  std::function<double()> next;
+};
 /// The same in pieces, for a file that is written while they come.
 using TextSink = std::function<void(std::string_view piece)>;
-void writeSteps(const Evaluation& evaluation, const TextSink& to);
+void writeSteps(const std::vector<double>& times, std::vector<StepColumn> columns,
+                const TextSink& to);
 
 /// A number as the evaluator writes it: "4.0", "0.30000000000000004", "1e-07"; counts plain,
 /// booleans True and False, infinity "inf", undefined "".

@@ -16,6 +16,7 @@ std::shared_ptr<const Course> withReference(Course course, const Selection& sele
 
 Selection amongSome(Selection selection) {
   selection.series = selection.behaviorSeries;
+  selection.seriesOnDisk = false;
   return selection;
 }
 
@@ -135,7 +136,7 @@ void RunningEvaluation::add(Sample sample) {
   }
 }
 
-base::Result<Evaluation> RunningEvaluation::finish() const {
+base::Result<Evaluation> RunningEvaluation::finish(const SeriesSink& sink) const {
   if (!hasSamples_) {
     return base::makeError("the record has no samples, so there is nothing to measure");
   }
@@ -152,7 +153,10 @@ base::Result<Evaluation> RunningEvaluation::finish() const {
   evaluation.runId = selection_.runId;
   evaluation.isSelection = selection_.keys.has_value();
   evaluation.times = times_;
-  evaluation.results = all_.values();
+  evaluation.results = all_.values(nullptr, sink);
+  if (all_.hasLostSeries()) {
+    return base::makeError("series in a temporary file could not be read back");
+  }
   for (std::size_t k = 0; k < kBehaviors; ++k) {
     if (!behaviors_[k].feed || !behaviors_[k].isMet) {
       continue;

@@ -20,8 +20,9 @@ class RunningEvaluation {
   /// Events before the sample of their time, in order.
   void note(double time, const sim2d::Event& event);
   void add(Sample sample);
-  /// Error when the record or the window holds no sample.
-  base::Result<Evaluation> finish() const;
+  /// Error when the record or the window holds no sample. With `sink` the results among all people
+  /// have no series: it takes them.
+  base::Result<Evaluation> finish(const SeriesSink& sink = {}) const;
 
  private:
   static constexpr std::size_t kBehaviors = 6;
@@ -56,7 +57,9 @@ class FrameEvaluation {
   void addHumans(const std::vector<sim2d::TraceHuman>& humans) { builder_.addHumans(humans); }
   void note(double time, const sim2d::Event& event) { evaluation_.note(time, event); }
   void append(const sim2d::Frame& frame) { evaluation_.add(builder_.sampleOf(frame)); }
-  base::Result<Evaluation> finish() const { return evaluation_.finish(); }
+  base::Result<Evaluation> finish(const SeriesSink& sink = {}) const {
+    return evaluation_.finish(sink);
+  }
 
  private:
   RecordingBuilder builder_;

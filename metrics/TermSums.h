@@ -24,7 +24,7 @@ class Figures : public Accumulator {
   double timeMean() const { return time_ > 0.0 ? integral_ / time_ : kNone; }
   double integral() const { return integral_; }
   double time() const { return time_; }  // [s] with the term
-  const std::vector<double>& series() const { return series_.values(); }
+  std::vector<double> series() const { return series_.values(); }
 
  protected:
   void take(const Instant& at, double term);

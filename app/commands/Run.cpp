@@ -180,7 +180,7 @@ int conclude(const RunOptions& options, const OutputOptions& output, const Prepa
 void wantNoMore(const RunOptions& options, const OutputOptions& output,
                 metrics::Selection& selection) {
   const bool hasFiles = !options.totals && !options.output.empty();
-  selection.series = hasFiles;
+  selection.series = selection.seriesOnDisk = hasFiles;
   selection.behaviors = !options.totals && (hasFiles || output.json);
   selection.behaviorSeries = false;  // in none of the files
 }

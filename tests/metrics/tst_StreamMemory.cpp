@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include <QtTest>
 
@@ -19,6 +20,8 @@ class StreamMemoryTest : public QObject {
   void totals_tenTimesTheSamples_holdNoMore_data();
   void totals_tenTimesTheSamples_holdNoMore();
   void series_growByTheirValuesAlone();
+  void series_onDisk_growByTheTimesAlone();
+  void series_onDisk_areThoseInMemory();
   void wholeRecord_isKeptForWhoWantsIt();
   void totals_equalThoseOfAllResults_data();
   void totals_equalThoseOfAllResults();
@@ -117,6 +120,47 @@ void StreamMemoryTest::series_growByTheirValuesAlone() {
   QVERIFY(held.many - held.few > column * columns / 2);
   QVERIFY2(held.many - held.few < 2 * column * (columns + 20),
            std::to_string(held.many - held.few).c_str());
+}
+
+/// And by where their blocks lie.
+void StreamMemoryTest::series_onDisk_growByTheTimesAlone() {
+  Selection selection;
+  selection.behaviors = false;
+  selection.seriesOnDisk = true;
+  const Held held = heldBy(selection, Profile::Corrected);
+  constexpr long kTimes = 2 * 9000 * static_cast<long>(sizeof(double));
+  QVERIFY2(held.many - held.few < kTimes + 100000, std::to_string(held.many - held.few).c_str());
+}
+
+void StreamMemoryTest::series_onDisk_areThoseInMemory() {
+  const sim2d::Trace trace = cases::trace(1500, kPeople);
+  for (const Profile profile : {Profile::Corrected, Profile::Hunav2}) {
+    const auto inMemory = evaluate(trace, Selection{}, cases::parametersOf(profile));
+    Selection selection;
+    selection.seriesOnDisk = true;
+    FrameEvaluation evaluation(trace.header, selection, cases::parametersOf(profile));
+    for (const sim2d::Frame& frame : trace.frames) {
+      evaluation.append(frame);
+    }
+    std::map<std::string, std::vector<double>> taken;
+    const auto onDisk = evaluation.finish([&taken](const MetricInfo& info, const Series& series) {
+      taken[info.key] = series.values;
+    });
+    QVERIFY(inMemory && onDisk);
+    std::size_t columns = 0;
+    for (const MetricResult& result : inMemory->results) {
+      if (result.value.series) {
+        ++columns;
+        const std::vector<double>& values = taken[result.info.key];
+        QCOMPARE(values.size(), result.value.series->values.size());
+        QVERIFY2(std::equal(values.begin(), values.end(), result.value.series->values.begin(),
+                            [](double a, double b) { return a == b || (a != a && b != b); }),
+                 result.info.key.c_str());
+      }
+    }
+    QCOMPARE(taken.size(), columns);
+    QVERIFY(!onDisk->find("path_length")->value.series);
+  }
 }
 
 void StreamMemoryTest::wholeRecord_isKeptForWhoWantsIt() {

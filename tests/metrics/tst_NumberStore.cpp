@@ -1,0 +1,121 @@
+#include <csignal>
+#include <sys/resource.h>
+
+#include <QtTest>
+
+#include "metrics/NumberStore.h"
+
+using namespace metrics;
+
+namespace {
+
+double numberAt(std::size_t k) {
+  return 0.1 * static_cast<double>(k) - 7.0;
+}
+
+void check(const StoredNumbers& numbers, std::size_t count) {
+  QCOMPARE(numbers.size(), count);
+  const std::vector<double> all = numbers.all();
+  QCOMPARE(all.size(), count);
+  StoredNumbersReader reader(numbers);
+  for (std::size_t k = 0; k < count; ++k) {
+    QCOMPARE(all[k], numberAt(k));
+    QCOMPARE(reader.next(), numberAt(k));
+  }
+}
+
+/// No file of this process may grow while it lives.
+class FullDisk {
+ public:
+  FullDisk() {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit none{0, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &none);
+  }
+  ~FullDisk() { setrlimit(RLIMIT_FSIZE, &before_); }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+  FullDisk(FullDisk&&) = delete;
+  FullDisk& operator=(FullDisk&&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+}  // namespace
+
+/// Numbers that wait on the disk.
+class NumberStoreTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void add_manyNumbers_areReadBack_data();
+  void add_manyNumbers_areReadBack();
+  void add_twoLists_shareAStore();
+  void add_diskIsFull_staysInMemory();
+  void get_nothingThere_isAFailure();
+};
+
+void NumberStoreTest::add_manyNumbers_areReadBack_data() {
+  QTest::addColumn<int>("count");
+  QTest::addColumn<bool>("onDisk");
+  for (const int count : {0, 1, 511, 512, 513, 5000}) {
+    QTest::addRow("%d", count) << count << true;
+    QTest::addRow("%d, in memory", count) << count << false;
+  }
+}
+
+void NumberStoreTest::add_manyNumbers_areReadBack() {
+  QFETCH(int, count);
+  QFETCH(bool, onDisk);
+  NumberStore store;
+  StoredNumbers numbers;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+    numbers.add(numberAt(k), onDisk ? &store : nullptr);
+  }
+  check(numbers, static_cast<std::size_t>(count));
+  QVERIFY(!store.hasFailed());
+}
+
+void NumberStoreTest::add_twoLists_shareAStore() {
+  NumberStore store;
+  StoredNumbers first;
+  StoredNumbers second;
+  for (std::size_t k = 0; k < 2000; ++k) {
+    first.add(numberAt(k), &store);
+    if (k % 2 == 0) {
+      second.add(numberAt(k / 2), &store);
+    }
+  }
+  check(first, 2000);
+  check(second, 1000);
+}
+
+void NumberStoreTest::add_diskIsFull_staysInMemory() {
+  NumberStore store;
+  StoredNumbers numbers;
+  for (std::size_t k = 0; k < 600; ++k) {
+    numbers.add(numberAt(k), &store);
+  }
+  {
+    const FullDisk full;
+    for (std::size_t k = 600; k < 1800; ++k) {
+      numbers.add(numberAt(k), &store);
+    }
+  }
+  for (std::size_t k = 1800; k < 2500; ++k) {
+    numbers.add(numberAt(k), &store);
+  }
+  check(numbers, 2500);
+  QVERIFY(!store.hasFailed());
+}
+
+void NumberStoreTest::get_nothingThere_isAFailure() {
+  NumberStore store;
+  double number = 0.0;
+  QVERIFY(!store.get(8000, &number, 1));
+  QVERIFY(store.hasFailed());
+}
+
+QTEST_APPLESS_MAIN(NumberStoreTest)
+#include "tst_NumberStore.moc"
