@@ -91,23 +91,26 @@ int World::State::subSteps() const {
   return 1;
 }
 
+bool World::State::isNearWallOrRobot(const MovingDisc& person) const {
+  const double reach = person.radius + person.velocity.norm() * model.dt + kNearWall;
+  bool isNear = isNearWall(person, reach);
+  for (std::size_t i = 0; i < state.robots.size() && !isNear; ++i) {
+    const double near = reach + robotReaches_[i] + kNearRobot;
+    isNear = (state.robots[i].pose.position - person.position).squaredNorm() < near * near;
+  }
+  return isNear;
+}
+
 /// Who meets nothing in this step. Small worlds leave all people to the solver.
 void World::State::findNearness() {
   nearness_.assign(owners.size(), owners.size() - state.robots.size() > kSmallWorld
                                       ? Nearness::Nothing
                                       : Nearness::Solid);
   for (std::size_t body = 0; body < owners.size(); ++body) {
-    const MovingDisc& disc = discs_[body];
     if (owners[body].isRobot) {
       nearness_[body] = meetsSomething(body) ? Nearness::Solid : Nearness::Nothing;
-      continue;
-    }
-    const double reach = disc.radius + disc.velocity.norm() * model.dt + kNearWall;
-    nearness_[body] = isNearWall(disc, reach) ? Nearness::Solid : nearness_[body];
-    for (std::size_t i = 0; i < state.robots.size(); ++i) {
-      const double near = reach + robotReaches_[i] + kNearRobot;
-      const Vec2 apart = state.robots[i].pose.position - disc.position;
-      nearness_[body] = apart.squaredNorm() < near * near ? Nearness::Solid : nearness_[body];
+    } else if (isNearWallOrRobot(discs_[body])) {
+      nearness_[body] = Nearness::Solid;
     }
   }
   for (const DiscPair& pair : pairs_) {
@@ -223,7 +226,7 @@ void World::State::readPeople() {
 /// A person who passed an end of a closed corridor comes in at the other and looks for the way
 /// anew.
 Vec2 World::State::aroundTheRing(std::size_t human, const Pose2& pose) {
-  const Vec2 inside = model.ring.inside(pose.position);
+  Vec2 inside = model.ring.inside(pose.position);
   if (inside != pose.position) {
     physics.place(bodyOf(human), {inside, pose.heading});
     motion.forget(static_cast<int>(human));

@@ -65,6 +65,7 @@ struct World::State {
   void placeDiscs(const std::vector<base::Twist2>& commands);
   void findPairs();
   void findNearness();
+  bool isNearWallOrRobot(const MovingDisc& person) const;
   int subSteps() const;
   bool meetsSomething(std::size_t robot) const;
   bool mayMeet(const DiscPair& pair) const;
