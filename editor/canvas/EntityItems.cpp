@@ -16,7 +16,8 @@ constexpr double kNameZoomPx = 12.0;  // width of a figure from which names are 
 constexpr double kPinWidthPx = 18.0;
 constexpr double kPinHeightPx = 27.0;
 constexpr double kGoalRingMetres = 0.3;
-constexpr std::size_t kMostExact = 8;  // selected people that are not drawn from sprites
+constexpr std::size_t kMostExact = 8;    // selected people that are not drawn from sprites
+constexpr std::size_t kMostNamed = 100;  // selected people who are named at any zoom
 
 double degrees(double radians) {
   return radians * 180.0 / base::kPi;
@@ -71,7 +72,8 @@ std::vector<QRectF> PersonItem::solidParts() const {
 std::vector<Label> PersonItem::labels() const {
   const double radiusPx = radius_ * mapScene().pixelsPerMetre();
   const bool isChosen = isSelectedEntity();
-  const bool isAlways = isChosen || (2.0 * radiusPx >= kNameZoomPx && mapScene().options().names);
+  const bool isOneOfFew = isChosen && mapScene().document().selection().size() <= kMostNamed;
+  const bool isAlways = isOneOfFew || (2.0 * radiusPx >= kNameZoomPx && mapScene().options().names);
   if (!isAlways && !isHovered()) {
     return {};
   }

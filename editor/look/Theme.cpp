@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QFontDatabase>
+#include <QGuiApplication>
 
 namespace editor {
 
@@ -172,7 +172,7 @@ QPalette Theme::palette() const {
 }
 
 QFont Theme::font(double points, QFont::Weight weight) const {
-  QFont result = QFontDatabase::systemFont(QFontDatabase::GeneralFont);
+  QFont result = QGuiApplication::font();  // the system's; asking the system takes its time
   result.setPointSizeF(points);
   result.setWeight(weight);
   return result;
