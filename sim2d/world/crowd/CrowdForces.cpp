@@ -207,7 +207,8 @@ void CrowdForces::addToBatch(const CrowdState& crowd, std::size_t slot, Scratch&
     return candidates;
   };
   int candidates = writeSpans();
-  if (static_cast<std::size_t>(batch.candidates + candidates) > mostCandidates_) {
+  const int wanted = batch.candidates + candidates;
+  if (static_cast<std::size_t>(wanted) > mostCandidates_) {
     computeBatch(crowd, scratch);
     candidates = writeSpans();
   }

@@ -77,12 +77,12 @@ using GroupMask = TripleMask;
 constexpr int kGroupWidth = 3 * kWidth;
 
 inline Group loadGroup(const float* from) {
-  return {load(from), load(from + kWidth), load(from + 2 * kWidth)};
+  return {load(from), load(from + kWidth), load(from + kWidth + kWidth)};
 }
 inline void storeGroup(float* to, Group x) {
   store(to, x.a);
   store(to + kWidth, x.b);
-  store(to + 2 * kWidth, x.c);
+  store(to + kWidth + kWidth, x.c);
 }
 /// The number of chosen lanes of each register.
 inline void storeCounts(int* to, GroupMask mask) {
