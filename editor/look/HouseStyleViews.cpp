@@ -63,7 +63,8 @@ bool HouseStyle::drawFrame(PrimitiveElement element, const QStyleOption& option,
   const bool isTip = element == PE_PanelTipLabel;  // else a list or a text
   painter.setPen(theme_.color(Role::FieldEdge));
   painter.setBrush(isTip ? QBrush(theme_.color(Role::Panel)) : option.palette.base());
-  painter.drawRect(option.rect.adjusted(0, 0, -1, -1));
+  painter.setRenderHint(QPainter::Antialiasing);  // whole at 1.25 pixels per point, too
+  painter.drawRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5));
   return true;
 }
 

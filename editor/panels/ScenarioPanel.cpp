@@ -19,6 +19,8 @@ namespace editor {
 
 namespace {
 
+constexpr int kEmptyHeight = 72;  // two lines and their margins
+
 bool canBeOff(const QModelIndex& index) {
   const auto kind = static_cast<EntityKind>(index.data(EntityModel::IdKindRole).toInt());
   return index.parent().isValid() && kind != EntityKind::Goal;
@@ -151,6 +153,7 @@ ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme, QWi
   top->addWidget(filterField_);
   layout->addLayout(top);
   layout->addWidget(tree_, 1);
+  empty_->setMinimumHeight(kEmptyHeight);
   layout->addWidget(empty_);
   connect(filterField_, &QLineEdit::textChanged, this, [this](const QString& text) {
     filter_->setText(text);
