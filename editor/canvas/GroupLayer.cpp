@@ -129,11 +129,18 @@ void GroupLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   }
 }
 
-QRectF groupLegendBox(const OverlayContext& context) {
+namespace {
+
+struct LegendPlace {
+  QRectF box;
+  int corner = 0;
+};
+
+LegendPlace legendPlace(const OverlayContext& context) {
   const MapScene& scene = context.scene;
   const GroupMap groups = groupsOf(scene.document().scenario());
   if (groups.empty() || !scene.options().groups || !scene.options().people) {
-    return {};
+    return {{}, context.legendCorner};
   }
   const QFontMetricsF metrics(scene.theme().font(9.0));
   const QStringList rows = legendRows(scene.document().scenario(), groups);
@@ -147,24 +154,32 @@ QRectF groupLegendBox(const OverlayContext& context) {
       QPointF(room.right() - box.width(), room.bottom() - box.height()),
       QPointF(room.right() - box.width(), room.top()),
       QPointF(room.left(), room.bottom() - box.height() - 3.0 * kMarginPx)};  // above the scale
-  for (const QPointF& corner : corners) {
-    box.moveTopLeft(corner);
+  const auto count = static_cast<int>(corners.size());
+  for (int i = 0; i < count; ++i) {
+    const int corner = (context.legendCorner + i) % count;  // it does not jump without need
+    box.moveTopLeft(corners.at(static_cast<std::size_t>(corner)));
     const auto covers = [&](const sim2d::Human& human) {
       return box.adjusted(-kMarginPx, -kMarginPx, kMarginPx, kMarginPx)
           .contains(context.windowFromScene.map(MapScene::sceneFromWorld(human.initPose.position)));
     };
     const auto& people = scene.document().scenario().humans;
     if (std::none_of(people.begin(), people.end(), covers)) {
-      return box;
+      return {box, corner};
     }
   }
-  return {};  // people come first
+  return {{}, context.legendCorner};  // people come first
 }
 
-void paintGroupLegend(QPainter& painter, const OverlayContext& context) {
-  const QRectF box = groupLegendBox(context);
+}  // namespace
+
+QRectF groupLegendBox(const OverlayContext& context) {
+  return legendPlace(context).box;
+}
+
+int paintGroupLegend(QPainter& painter, const OverlayContext& context) {
+  const auto [box, corner] = legendPlace(context);
   if (box.isEmpty()) {
-    return;
+    return corner;
   }
   const Theme& theme = context.scene.theme();
   const sim2d::Scenario& scenario = context.scene.document().scenario();
@@ -188,6 +203,7 @@ void paintGroupLegend(QPainter& painter, const OverlayContext& context) {
                      words);
     row.translate(0.0, kRowPx);
   }
+  return corner;
 }
 
 }  // namespace editor

@@ -25,8 +25,8 @@ class GroupLayer : public FullLayer {
 };
 
 /// Ring, name and number of people of each group, in a corner where nobody stands; none without
-/// groups.
-void paintGroupLegend(QPainter& painter, const OverlayContext& context);
+/// groups. Gives the corner, which it leaves only when somebody comes there.
+int paintGroupLegend(QPainter& painter, const OverlayContext& context);
 /// Where that is [px]; empty when there is no legend.
 QRectF groupLegendBox(const OverlayContext& context);
 

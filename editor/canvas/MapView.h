@@ -67,6 +67,7 @@ class MapView : public QGraphicsView {
   QVariantAnimation fitAnimation_;
   ViewPlace animationFrom_, animationTo_;
   RestingPicture picture_;
+  int legendCorner_ = 0;
   QTimer settle_;  // runs while the view moves; then all is painted sharply again
   CanvasState state_ = CanvasState::Editing;
   QPoint panFrom_;

@@ -12,6 +12,7 @@ struct OverlayContext {
   QRectF window;
   QTransform windowFromScene;
   double pixelsPerMetre = 50.0;
+  int legendCorner = 0;  // in which the legend of groups stood last
 };
 
 constexpr int kRulerPx = 20;  // width of a ruler

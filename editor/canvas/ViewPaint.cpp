@@ -51,12 +51,13 @@ void MapView::drawForeground(QPainter* painter, const QRectF&) {
   painter->save();
   painter->resetTransform();
   const QRectF window = viewport()->rect();
-  const OverlayContext context{scene_, window, viewportTransform(), pixelsPerMetre()};
+  const OverlayContext context{scene_, window, viewportTransform(), pixelsPerMetre(),
+                               legendCorner_};
   if (scene_.options().rulers) {
     paintRulers(*painter, context);
   }
   paintScaleBar(*painter, context);
-  paintGroupLegend(*painter, context);
+  legendCorner_ = paintGroupLegend(*painter, context);
   paintForceLegend(*painter, context);
   if (state_ != CanvasState::Editing) {
     const Role role = state_ == CanvasState::Running  ? Role::Ok

@@ -146,6 +146,21 @@ class CanvasSignsTest : public QObject {
     }
   }
 
+  void legend_cornerIsFreeAgain_staysWhereItIs() {
+    ScenarioDocument document;
+    document.load(scenarioWithGroup());
+    const MapScene scene(document, Theme::light());
+    const QTransform nobodyHere = QTransform::fromTranslate(-5000.0, 0.0);
+    const QRectF window(0.0, 0.0, 600.0, 450.0);
+    const QRectF lower = groupLegendBox({scene, window, nobodyHere, 50.0});
+    const QRectF upper = groupLegendBox({scene, window, nobodyHere, 50.0, 1});
+    QVERIFY(lower.top() > window.center().y());
+    QVERIFY(upper.bottom() < window.center().y());
+    QImage image(window.size().toSize(), QImage::Format_RGB32);
+    QPainter painter(&image);
+    QCOMPARE(paintGroupLegend(painter, {scene, window, nobodyHere, 50.0, 1}), 1);
+  }
+
   void legend_withoutGroups_isNone() {
     ScenarioDocument document;
     document.load(small::scenario());
