@@ -171,7 +171,14 @@ void ToolLayer::paintTag(QPainter& painter) const {
   const PixelFrame frame(painter, MapScene::sceneFromWorld(tag_->first));
   const QFont font = theme().figureFont(9.0);
   const double width = QFontMetricsF(font).horizontalAdvance(tag_->second) + 14.0;
-  const QRectF box(16.0, 8.0, width, 22.0);
+  QRectF box(16.0, 8.0, width, 22.0);
+  const QPointF free = painter.window().bottomRight() - painter.worldTransform().map(QPointF());
+  if (box.right() > free.x()) {
+    box.moveRight(-box.left());
+  }
+  if (box.bottom() > free.y()) {
+    box.moveBottom(-box.top());
+  }
   painter.setPen(Qt::NoPen);
   painter.setBrush(theme().color(Role::Text, 0.92));
   painter.drawRoundedRect(box, 4.0, 4.0);

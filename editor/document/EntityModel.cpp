@@ -38,6 +38,14 @@ int groupOf(EntityKind kind) {
   return -1;
 }
 
+QString placeOf(const Entity& entity) {
+  const std::optional<Vec2> at = positionOf(entity);
+  return at ? QStringLiteral("%1, %2 m").arg(at->x(), 0, 'f', 1).arg(at->y(), 0, 'f', 1)
+            : QString();
+}
+
+}  // namespace
+
 QString shapeIcon(const Entity& entity) {
   const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity);
   if (obstacle == nullptr) {
@@ -55,14 +63,6 @@ QString shapeIcon(const Entity& entity) {
   }
   return QStringLiteral("tool-box");
 }
-
-QString placeOf(const Entity& entity) {
-  const std::optional<Vec2> at = positionOf(entity);
-  return at ? QStringLiteral("%1, %2 m").arg(at->x(), 0, 'f', 1).arg(at->y(), 0, 'f', 1)
-            : QString();
-}
-
-}  // namespace
 
 EntityModel::EntityModel(ScenarioDocument& document, const Theme& theme, QObject* parent)
     : QAbstractItemModel(parent), document_(document), theme_(theme) {

@@ -12,6 +12,9 @@
 
 namespace editor {
 
+/// Name of the icon of an obstacle's shape, or of a door.
+QString shapeIcon(const Entity& entity);
+
 /// The scenario as a tree: People, Goals, Robots, Obstacles (with doors), Areas. Columns: name,
 /// kind, behaviour or place. Names are editable, and rows can be dragged to another place among
 /// their kind (one undoable command each).

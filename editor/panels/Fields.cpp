@@ -202,19 +202,25 @@ TextField::TextField(QWidget* parent) : QLineEdit(parent) {
   connect(this, &QLineEdit::editingFinished, this, &TextField::commit);
 }
 
+void TextField::setHint(const QString& hint) {
+  hint_ = hint;
+  setToolTip(hint);
+}
+
 void TextField::show(const QString& text) {
   shown_ = text;
   if (this->text() != text) {
     setText(text);
+    setCursorPosition(hasFocus() ? cursorPosition() : 0);  // long texts show how they begin
   }
   setInvalid(*this, false);
-  setToolTip({});
+  setToolTip(hint_);
 }
 
 void TextField::judge() {
   const QString wrong = check_ && text() != shown_ ? check_(text()) : QString();
   setInvalid(*this, !wrong.isEmpty());
-  setToolTip(wrong);
+  setToolTip(wrong.isEmpty() ? hint_ : wrong);
 }
 
 void TextField::commit() {

@@ -87,6 +87,8 @@ class TextField : public QLineEdit {
   using Check = std::function<QString(const QString&)>;
   explicit TextField(QWidget* parent = nullptr);
   void setCheck(Check check) { check_ = std::move(check); }
+  /// The tooltip while nothing is wrong.
+  void setHint(const QString& hint);
   void show(const QString& text);
 
  Q_SIGNALS:
@@ -96,7 +98,7 @@ class TextField : public QLineEdit {
   void judge();
   void commit();
   Check check_;
-  QString shown_;
+  QString hint_, shown_;
 };
 
 }  // namespace editor

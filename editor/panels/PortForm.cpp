@@ -104,7 +104,7 @@ QWidget* PortForm::makeField(const bt::PortSpec& port, const std::string& text) 
     return field;
   }
   auto* field = new TextField(section_);
-  field->setToolTip(about);
+  field->setHint(about);
   field->setPlaceholderText(QString::fromStdString(port.defaultText.value_or("")));
   field->setCheck([port](const QString& typed) {
     const std::string word = typed.toStdString();

@@ -149,7 +149,7 @@ TextField* PropertyPage::addText(FormSection* section, const TextKey& key) {
   auto* field = new TextField(this);
   field->setPlaceholderText(key.placeholder);
   field->setCheck(key.check);
-  field->setToolTip(key.hint);
+  field->setHint(key.hint);
   connect(field, &TextField::edited, this, [this, key](const QString& text) {
     apply(tr("Change %1").arg(key.label.toLower()), [&](Entity& entity) { key.set(entity, text); });
   });

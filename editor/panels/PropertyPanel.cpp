@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "editor/canvas/FigurePainter.h"
+#include "editor/document/EntityModel.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/EntityPages.h"
 #include "editor/panels/PersonPage.h"
@@ -141,18 +142,23 @@ void PropertyPanel::showHeading(const std::vector<EntityId>& ids) {
     return;
   }
   picture_->setPixmap(picture(*first));
+  // A selection may have several kinds; the page has one of them.
+  const std::size_t all = document_.selection().size();
+  const std::size_t others = all > ids.size() ? all - ids.size() : 0;
+  const QString rest = counted(others, tr("other"), tr("others"));
   if (ids.size() > 1) {
     name_->setText(ids.front().kind == EntityKind::Human
                        ? tr("%1 people").arg(ids.size())
                        : counted(ids.size(), kindName(ids.front().kind),
                                  kindName(ids.front().kind) + QLatin1Char('s')));
-    about_->setText(tr("Changes go to all of them"));
+    about_->setText(others == 0 ? tr("Changes go to all of them")
+                                : tr("Changes go to these, not to %1").arg(rest));
   } else if (ids.front() == kSettingsId) {
     name_->setText(document_.displayName());
     about_->setText(tr("Scenario · nothing selected"));
   } else {
     name_->setText(displayName(*first));
-    about_->setText(aboutOne(*first));
+    about_->setText(others == 0 ? aboutOne(*first) : tr("%1 · and %2").arg(aboutOne(*first), rest));
   }
 }
 
@@ -175,10 +181,8 @@ QPixmap PropertyPanel::picture(const Entity& entity) const {
       icon = painter.goalIcon(QString::fromStdString(nameOf(entity)), kPictureSize);
       break;
     case EntityKind::Obstacle:
-      icon = themedIcon(QStringLiteral("tool-box"), theme_);
-      break;
     case EntityKind::Door:
-      icon = themedIcon(QStringLiteral("tool-door"), theme_);
+      icon = themedIcon(shapeIcon(entity), theme_);
       break;
     case EntityKind::Area:
       icon = themedIcon(QStringLiteral("tool-area"), theme_);

@@ -4,6 +4,7 @@
 #include "editor/panels/KeyAccess.h"
 #include "metrics/Recording.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/world/Runner.h"
 #include "sim2d/world/World.h"
 
 namespace editor {
@@ -91,6 +92,12 @@ void SettingsPage::addRunSection() {
   NumberKey duration = placedKey(
       tr("Duration"), tr("s"), {0.05, 86400.0, 1, 5.0}, 60.0,
       [](Entity & e) -> auto& { return desktop(e).duration; });
+  duration.fallback = [this](const Entity&) {
+    sim2d::Scenario plain;
+    plain.robots = this->document().scenario().robots;
+    plain.desktop.dt = 1.0;
+    return static_cast<double>(sim2d::stopRuleOf(plain).maximumSteps);
+  };
   duration.hint = tr("Left out: until the robot has arrived plus 1 s, at most 120 s");
   addNumber(section, duration);
   NumberKey step = placedKey(

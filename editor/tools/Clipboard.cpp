@@ -91,6 +91,8 @@ class Renaming {
     for (sim2d::Human human : copied.humans) {
       const std::string old = human.name;
       follow(human.goals);
+      // A number of another scenario would leave a gap before it.
+      human.id = std::min(human.id, names_.nextHuman());
       takeMoved(human);
       people_[old] = nameOf(values_.back());
       treeOwners_.push_back(old);

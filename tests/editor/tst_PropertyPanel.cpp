@@ -1,5 +1,6 @@
 #include <QtTest>
 
+#include "editor/document/EditCommands.h"
 #include "editor/look/HouseStyle.h"
 #include "editor/panels/PersonPage.h"
 #include "editor/panels/PropertyPanel.h"
@@ -215,6 +216,41 @@ class PropertyPanelTest : public QObject {
     QCOMPARE(document_->scenario().desktop.seed.value_or(0), 42LL);
     document_->undoStack().undo();
     QVERIFY(!document_->scenario().desktop.seed.has_value());
+  }
+
+  void settings_duration_leftOut_knowsTheRobot() {
+    document_->setSelection({});
+    auto* duration = field<NumberField>(QStringLiteral("Duration"));
+    QVERIFY(duration != nullptr);
+    QCOMPARE(duration->value(), 60.0);
+    sim2d::Robot robot;
+    robot.name = "rob";
+    robot.goal.point = editor::Vec2(3.0, 0.0);
+    editor::pushAdd(*document_, std::vector<editor::Entity>{robot}, QStringLiteral("Add"));
+    document_->setSelection({});
+    QCOMPARE(duration->value(), 120.0);
+  }
+
+  void hint_ofText_staysWhenShownAgain() {
+    document_->setSelection({});
+    auto* thresholds = field<editor::TextField>(QStringLiteral("Thresholds"));
+    QVERIFY(thresholds != nullptr);
+    const QString hint = thresholds->toolTip();
+    QVERIFY(!hint.isEmpty());
+    type(thresholds, QStringLiteral("nonsense"));
+    QVERIFY(thresholds->toolTip() != hint && !thresholds->toolTip().isEmpty());
+    QTest::keyClick(thresholds, Qt::Key_Return);
+    QCOMPARE(thresholds->toolTip(), hint);
+  }
+
+  void heading_severalKinds_tellsWhomChangesReach() {
+    document_->setSelection({document_->goalKey(1), key(0), key(1)});
+    QStringList words;
+    for (const QLabel* label : panel_->findChildren<QLabel*>()) {
+      words << label->text();
+    }
+    QVERIFY(words.contains(QStringLiteral("2 people")));
+    QVERIFY(words.contains(QStringLiteral("Changes go to these, not to 1 other")));
   }
 };
 

@@ -267,6 +267,7 @@ void ShapeEditingTest::clipboard_otherWindow_bringsGoalsTreesAndSources() {
   QCOMPARE(other.scenario().humans.size(), std::size_t{2});
   const sim2d::Human& copy = other.scenario().humans.back();
   QVERIFY(copy.name != "Ana");
+  QCOMPARE(copy.id, 2);
   QCOMPARE(*other.scenario().areas.front().like, copy.name);
   QCOMPARE(other.scenario().goals.size(), std::size_t{3});
   QCOMPARE(copy.goals.size(), std::size_t{2});
