@@ -1,5 +1,6 @@
 #include "app/window/StatusLine.h"
 
+#include <QCursor>
 #include <QPainter>
 #include <QStatusTipEvent>
 
@@ -52,7 +53,13 @@ StatusLine::StatusLine(QStatusBar& bar, Workspace& workspace)
   seed_ = addRight(56);
   speed_ = addRight(88);
   connect(&workspace_.view(), &editor::MapView::cursorMoved, this, &StatusLine::showPlace);
-  connect(&workspace_.view(), &editor::MapView::zoomChanged, this, &StatusLine::showNumbers);
+  connect(&workspace_.view(), &editor::MapView::zoomChanged, this, [this] {
+    const QWidget& canvas = *workspace_.view().viewport();
+    if (canvas.underMouse()) {  // the ground moves under a mouse that rests
+      showPlace(workspace_.view().worldAt(canvas.mapFromGlobal(QCursor::pos())));
+    }
+    showNumbers();
+  });
   connect(&workspace_.runner(), &SimulationRunner::stateChanged, this, &StatusLine::showState);
   connect(&workspace_.runner(), &SimulationRunner::lookingBackChanged, this,
           &StatusLine::showState);
@@ -131,13 +138,16 @@ void StatusLine::showPlace(const base::Vec2& world) {
   x_->setText(tr("x %1 m").arg(world.x(), 0, 'f', 2));
   y_->setText(tr("y %1 m").arg(world.y(), 0, 'f', 2));
   const std::shared_ptr<const sim2d::OccupancyGrid> map = workspace_.document().map();
-  if (workspace_.scene().isOpenPlane()) {
+  if (map == nullptr || workspace_.scene().isOpenPlane()) {
     ground_->setText(tr("open"));
     return;
   }
   const sim2d::Cell cell = map->worldToCell(world);
   const bool inside = map->contains(cell);
-  ground_->setText(!inside ? tr("outside") : map->isWall(cell) ? tr("wall") : tr("free"));
+  ground_->setText(!inside                ? tr("outside")
+                   : map->isWall(cell)    ? tr("wall")
+                   : map->isUnknown(cell) ? tr("unknown")
+                                          : tr("free"));
 }
 
 void StatusLine::showNumbers() {

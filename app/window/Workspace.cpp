@@ -1,5 +1,7 @@
 #include "app/window/Workspace.h"
 
+#include <QActionGroup>
+
 #include "editor/canvas/FrameLayer.h"
 #include "editor/tools/ToolOptionsBar.h"
 
@@ -18,6 +20,8 @@ Workspace::Workspace(const editor::Theme& theme, QObject* parent)
       feed_(document_, runner_),
       playback_(runner_, theme) {
   new editor::ToolOptionsBar(tools_, *view_);  // the view owns it
+  // The tool just chosen hears its keys, wherever the choice was made.
+  connect(&tools_.actions(), &QActionGroup::triggered, view_, [this] { view_->setFocus(); });
   runner_.setRequest([this] { return editor::runRequestOf(document_, runSettings_); });
   connect(&runner_, &SimulationRunner::frameShown, &scene_, &editor::MapScene::showFrame);
   connect(&runner_, &SimulationRunner::stateChanged, this, &Workspace::showState);

@@ -1,5 +1,9 @@
+#include <algorithm>
 #include <cmath>
 
+#include <QLabel>
+#include <QLineEdit>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -64,6 +68,33 @@ class MainWindowTest : public QObject {
     window_->actions().newRoom->trigger();
     QVERIFY(!window_->isOnStartPage());
     QVERIFY(view().isVisible());
+  }
+
+  void tool_chosen_hearsItsKeys() {
+    window_->actions().newRoom->trigger();
+    auto* filter = window_->findChild<QLineEdit*>();
+    QVERIFY(filter != nullptr);
+    filter->setFocus();
+    chooseTool(QStringLiteral("tool-area"));
+    QVERIFY(view().hasFocus());
+  }
+
+  void status_ground_tellsUnknownFromFree() {
+    window_->actions().newRoom->trigger();
+    std::vector<std::int8_t> cells(100, 0);
+    std::fill(cells.begin(), cells.begin() + 50, std::int8_t{-1});  // the lower half
+    document().setMap(
+        std::make_shared<sim2d::OccupancyGrid>(10, 10, 1.0, base::Pose2{}, std::move(cells)));
+    QTest::qWait(50);
+    const auto says = [this](const QString& word) {
+      const QList<QLabel*> labels = window_->statusBar()->findChildren<QLabel*>();
+      return std::any_of(labels.begin(), labels.end(),
+                         [&](const QLabel* label) { return label->text() == word; });
+    };
+    Q_EMIT view().cursorMoved(base::Vec2(5.0, 2.0));
+    QVERIFY(says(QStringLiteral("unknown")));
+    Q_EMIT view().cursorMoved(base::Vec2(5.0, 8.0));
+    QVERIFY(says(QStringLiteral("free")));
   }
 
   void mouse_personAndGoal_placedAssignedSavedReopened() {
