@@ -3,6 +3,7 @@
 #include <clocale>
 #include <cstdio>
 #include <functional>
+#include <map>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -103,7 +104,7 @@ void takeScenarioFromDocks(Words& words) {
   }
 }
 
-CLI::App* addRun(CLI::App& root, Words& words) {
+void addRun(CLI::App& root, Words& words) {
   CLI::App* command = root.add_subcommand("run", "Simulate one scenario without a window");
   command
       ->add_option("scenario", words.run.scenario, "Scenario: a file, or a name of list scenarios")
@@ -116,19 +117,17 @@ CLI::App* addRun(CLI::App& root, Words& words) {
   command->add_flag("--totals", words.run.totals,
                     "Only manifest.json and the totals of metrics.json, for many long runs");
   addOutputOptions(*command, words.output);
-  return command;
 }
 
-CLI::App* addCheck(CLI::App& root, Words& words) {
+void addCheck(CLI::App& root, Words& words) {
   CLI::App* command = root.add_subcommand("check", "Validate scenarios, trees, maps, experiments");
   command->add_option("files", words.check.files, "Files")->required();
   command->add_option("--map", words.check.map, "Map of the scenarios");
   command->add_option("--trees", words.check.trees, "Folder with their trees");
   addOutputOptions(*command, words.output);
-  return command;
 }
 
-CLI::App* addList(CLI::App& root, Words& words) {
+void addList(CLI::App& root, Words& words) {
   CLI::App* command = root.add_subcommand("list", "What there is to use");
   command
       ->add_option("what", words.list.what, "nodes, metrics, models, robots, planners, scenarios")
@@ -139,7 +138,6 @@ CLI::App* addList(CLI::App& root, Words& words) {
                    "text or json; xml for nodes, markdown for metrics")
       ->check(CLI::IsMember({"text", "json", "xml", "markdown"}));
   addOutputOptions(*command, words.output);
-  return command;
 }
 
 void addForeignOptions(CLI::App& command, EvaluateOptions& options) {
@@ -152,7 +150,7 @@ void addForeignOptions(CLI::App& command, EvaluateOptions& options) {
   command.add_option("--robot-goal", options.robotGoal, "\"X Y\" (m)");
 }
 
-CLI::App* addEvaluate(CLI::App& root, Words& words) {
+void addEvaluate(CLI::App& root, Words& words) {
   CLI::App* command = root.add_subcommand("evaluate", "Metrics of a recorded run or of a file");
   EvaluateOptions& options = words.evaluate;
   command->add_option("source", options.source, "Folder of a run, or a trajectory file")
@@ -168,28 +166,25 @@ CLI::App* addEvaluate(CLI::App& root, Words& words) {
                       "Run to compare the robot's way with: a folder, or a file with one body");
   addForeignOptions(*command, options);
   addOutputOptions(*command, words.output);
-  return command;
 }
 
-CLI::App* addRender(CLI::App& root, Words& words) {
+void addRender(CLI::App& root, Words& words) {
   CLI::App* command = root.add_subcommand("render", "Draw a recorded run");
   command->add_option("run", words.render.run, "Folder of the run")->required();
   command->add_option("-o,--output", words.render.output, "Picture (.png)")->required();
   addOutputOptions(*command, words.output);
-  return command;
 }
 
-CLI::App* addBatch(CLI::App& root, Words& words) {
+void addBatch(CLI::App& root, Words& words) {
   CLI::App* command = root.add_subcommand("batch", "Many runs: scenarios x values x seeds");
   command->add_option("experiment", words.batch.experiment, "Experiment file")->required();
   command->add_option("-o,--output", words.batch.output, "Folder for the results")->required();
   command->add_option("--jobs", words.batch.jobs, "Processes at a time (number of cores)")
       ->check(CLI::Range(1, 1024));
   addOutputOptions(*command, words.output);
-  return command;
 }
 
-CLI::App* addTrees(CLI::App& root, Words& words) {
+void addTrees(CLI::App& root, Words& words) {
   CLI::App* command = root.add_subcommand("trees", "Make people's behaviour trees, or play one");
   TreesOptions& trees = words.trees;
   CLI::Option* scenario =
@@ -211,10 +206,9 @@ CLI::App* addTrees(CLI::App& root, Words& words) {
   command->add_option("--compat", trees.compat, "hunav2, or quirks of the original: Q-20")
       ->needs(play);
   addOutputOptions(*command, words.output);
-  return command;
 }
 
-CLI::App* addConvert(CLI::App& root, Words& words) {
+void addConvert(CLI::App& root, Words& words) {
   CLI::App* command =
       root.add_subcommand("convert", "Write scenario, trees and map for another simulator");
   ConvertOptions& convert = words.convert;
@@ -237,7 +231,6 @@ CLI::App* addConvert(CLI::App& root, Words& words) {
   command->add_option("--map", convert.map, "Map to use instead of the scenario's");
   command->add_option("--trees", convert.trees, "Folder with the behaviour trees");
   addOutputOptions(*command, words.output);
-  return command;
 }
 
 /// Nothing = fine; otherwise what is wrong.
@@ -250,7 +243,7 @@ std::string isPictureFile(const std::string& path) {
   return file.absoluteDir().exists() ? std::string() : "there is no folder for '" + path + "'";
 }
 
-CLI::App* addBench(CLI::App& root, Words& words) {
+void addBench(CLI::App& root, Words& words) {
   CLI::App* command = root.add_subcommand("bench", "How fast this machine steps crowds");
   command->add_flag("--quick", words.bench.quick, "Up to 1000 people, in a few seconds");
   command->add_option("--threads", words.bench.threads, "Number of threads")
@@ -260,10 +253,9 @@ CLI::App* addBench(CLI::App& root, Words& words) {
   command->add_option("--picture", words.bench.picture, "Draws the table: FILE.png, .svg or .pdf")
       ->check(isPictureFile);
   addOutputOptions(*command, words.output);
-  return command;
 }
 
-CLI::App* addValidate(CLI::App& root, Words& words) {
+void addValidate(CLI::App& root, Words& words) {
   CLI::App* command =
       root.add_subcommand("validate", "Realism tests: people of the models against real ones");
   command->add_option("names", words.validate.names, "Realism tests (all)");
@@ -273,7 +265,6 @@ CLI::App* addValidate(CLI::App& root, Words& words) {
   command->add_option("--model", words.validate.models, "Models to test (sfm and das)")
       ->allow_extra_args(false);
   addOutputOptions(*command, words.output);
-  return command;
 }
 
 /// Numbers are read without a locale, whatever the user's is.
@@ -292,6 +283,37 @@ int drawOffscreen(int argc, char** argv, const std::function<int()>& action) {
   return within<Application>(argc, argv, action);
 }
 
+/// The command that was given; the window without one.
+int start(CLI::App& root, int argc, char** argv, Words& given) {
+  const std::vector<std::string> words(argv, argv + argc);
+  const OutputOptions& output = given.output;
+  const std::map<std::string, std::function<int()>> plain = {
+      {"run", [&] { return runCommand(given.run, output, words); }},
+      {"check", [&] { return checkCommand(given.check, output); }},
+      {"list", [&] { return listCommand(given.list, output); }},
+      {"batch", [&] { return batchCommand(given.batch, output); }},
+      {"trees", [&] { return treesCommand(given.trees, output); }},
+      {"convert", [&] { return convertCommand(given.convert, output); }},
+      {"validate", [&] { return validateCommand(given.validate, output); }},
+      {"evaluate", [&] { return evaluateCommand(given.evaluate, output); }},
+  };
+  for (const auto& [name, action] : plain) {
+    if (root.got_subcommand(name)) {
+      return within<QCoreApplication>(argc, argv, action);
+    }
+  }
+  if (root.got_subcommand("bench")) {
+    const auto action = [&] { return benchCommand(given.bench, output); };
+    return given.bench.picture.empty() ? within<QCoreApplication>(argc, argv, action)
+                                       : drawOffscreen<QApplication>(argc, argv, action);
+  }
+  if (root.got_subcommand("render")) {
+    return drawOffscreen<QGuiApplication>(argc, argv,
+                                          [&] { return renderCommand(given.render, output); });
+  }
+  return windowCommand(argc, argv, given.run, given.window);
+}
+
 }  // namespace
 
 /// What image libraries grumble is told by our own messages, with the file's name.
@@ -303,69 +325,30 @@ void withoutLibraryWords(QtMsgType type, const QMessageLogContext& context, cons
 
 int runProgram(int argc, char** argv) {
   qInstallMessageHandler(withoutLibraryWords);
-  const std::vector<std::string> words(argv, argv + argc);
+  keepAliveWhenFilesAreFull();
   Words given;
   CLI::App root{"HuNavSim Desktop: people and a robot on a map, drawn, simulated, measured"};
   root.name("hunavsim");
   root.set_version_flag("--version", "hunavsim " + programVersion() + " (" + programCommit() + ")");
   root.set_help_flag("--help", "Show this text");
   addWindow(root, given);
-  CLI::App* run = addRun(root, given);
-  CLI::App* check = addCheck(root, given);
-  CLI::App* list = addList(root, given);
-  CLI::App* render = addRender(root, given);
-  CLI::App* evaluate = addEvaluate(root, given);
-  CLI::App* batch = addBatch(root, given);
-  CLI::App* bench = addBench(root, given);
-  CLI::App* validate = addValidate(root, given);
-  CLI::App* trees = addTrees(root, given);
-  CLI::App* convert = addConvert(root, given);
+  addRun(root, given);
+  addCheck(root, given);
+  addList(root, given);
+  addRender(root, given);
+  addEvaluate(root, given);
+  addBatch(root, given);
+  addBench(root, given);
+  addValidate(root, given);
+  addTrees(root, given);
+  addConvert(root, given);
   try {
     root.parse(argc, argv);
   } catch (const CLI::ParseError& problem) {
     return root.exit(problem) == 0 ? kFine : kWrongCommandLine;
   }
-
   takeScenarioFromDocks(given);
-  const OutputOptions& output = given.output;
-  if (run->parsed()) {
-    return within<QCoreApplication>(argc, argv,
-                                    [&] { return runCommand(given.run, output, words); });
-  }
-  if (check->parsed()) {
-    return within<QCoreApplication>(argc, argv, [&] { return checkCommand(given.check, output); });
-  }
-  if (list->parsed()) {
-    return within<QCoreApplication>(argc, argv, [&] { return listCommand(given.list, output); });
-  }
-  if (batch->parsed()) {
-    return within<QCoreApplication>(argc, argv, [&] { return batchCommand(given.batch, output); });
-  }
-  if (trees->parsed()) {
-    return within<QCoreApplication>(argc, argv, [&] { return treesCommand(given.trees, output); });
-  }
-  if (convert->parsed()) {
-    return within<QCoreApplication>(argc, argv,
-                                    [&] { return convertCommand(given.convert, output); });
-  }
-  if (bench->parsed()) {
-    const auto action = [&] { return benchCommand(given.bench, output); };
-    return given.bench.picture.empty() ? within<QCoreApplication>(argc, argv, action)
-                                       : drawOffscreen<QApplication>(argc, argv, action);
-  }
-  if (validate->parsed()) {
-    return within<QCoreApplication>(argc, argv,
-                                    [&] { return validateCommand(given.validate, output); });
-  }
-  if (evaluate->parsed()) {
-    return within<QCoreApplication>(argc, argv,
-                                    [&] { return evaluateCommand(given.evaluate, output); });
-  }
-  if (render->parsed()) {
-    return drawOffscreen<QGuiApplication>(argc, argv,
-                                          [&] { return renderCommand(given.render, output); });
-  }
-  return windowCommand(argc, argv, given.run, given.window);
+  return start(root, argc, argv, given);
 }
 
 }  // namespace app

@@ -11,12 +11,16 @@ namespace app {
 
 namespace {
 
-volatile std::sig_atomic_t interruptFlag = 0;  // set by the signal handler only
+// Set by the signal handler only.
+volatile std::sig_atomic_t interruptFlag = 0;
+volatile std::sig_atomic_t hasCtrlC = 0;
 
+/// SIGTERM after Ctrl-C, as a terminal and a parent send them, is no second Ctrl-C.
 void onInterrupt(int signal) {
-  if (interruptFlag != 0) {
+  if (signal == SIGINT && hasCtrlC != 0) {
     std::_Exit(128 + signal);
   }
+  hasCtrlC = signal == SIGINT ? 1 : hasCtrlC;
   interruptFlag = 1;
 }
 
@@ -51,6 +55,16 @@ void catchInterrupts() {
   action.sa_handler = onInterrupt;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  struct sigaction before = {};
+  if (sigaction(SIGHUP, nullptr, &before) == 0 && before.sa_handler != SIG_IGN) {  // not nohup
+    sigaction(SIGHUP, &action, nullptr);
+  }
+}
+
+void keepAliveWhenFilesAreFull() {
+  struct sigaction action = {};
+  action.sa_handler = SIG_IGN;
+  sigaction(SIGXFSZ, &action, nullptr);
 }
 
 bool wasInterrupted() {

@@ -16,8 +16,11 @@ void printError(const std::string& line);  // to standard error
 void printDiagnostics(const base::Diagnostics& diagnostics,
                       base::Severity least = base::Severity::Info);
 
-/// From now on Ctrl-C and SIGTERM only set a flag (a second one ends the program at once).
+/// From now on Ctrl-C, SIGTERM and the end of the terminal only set a flag; a second Ctrl-C ends
+/// the program at once. Under nohup the end of the terminal stays without effect.
 void catchInterrupts();
+/// A file beyond the limit of its size is an error of the write, not the end of the program.
+void keepAliveWhenFilesAreFull();
 bool wasInterrupted();
 
 /// A line on standard error that is renewed in place; silent unless that is a terminal.
