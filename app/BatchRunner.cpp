@@ -1,7 +1,10 @@
 #include "app/BatchRunner.h"
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
+#include <sys/prctl.h>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
@@ -70,6 +73,19 @@ BatchRow readRow(const fs::path& folder) {
   return row;
 }
 
+/// Out of the reach of Ctrl-C in the terminal: the parent asks it to end, once. It does not outlive
+/// the parent.
+class Child : public QProcess {
+ public:
+  using QProcess::QProcess;
+
+ protected:
+  void setupChildProcess() override {
+    ::setpgid(0, 0);
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  }
+};
+
 }  // namespace
 
 BatchRunner::BatchRunner(const Experiment& experiment, std::string runsFolder, int jobs)
@@ -137,7 +153,7 @@ QStringList BatchRunner::arguments(std::size_t run) const {
 }
 
 void BatchRunner::start(std::size_t run) {
-  auto* process = new QProcess(this);
+  auto* process = new Child(this);
   process->setStandardInputFile(QProcess::nullDevice());
   process->setStandardOutputFile(QProcess::nullDevice());
   children_.push_back(process);
@@ -159,7 +175,8 @@ void BatchRunner::onFinished(QProcess* process, std::size_t run) {
   children_.erase(place);
   process->deleteLater();
   if (stopping_) {
-    return;  // cut short: not a result
+    removeFolder(run);  // cut short: not a result
+    return;
   }
   BatchRow row = readRow(folderOf(run));
   if (process->error() == QProcess::FailedToStart) {
@@ -189,9 +206,13 @@ void BatchRunner::keepOrRemove(std::size_t run, const BatchRow& row) const {
   const bool keep = experiment_.record == Experiment::Record::All ||
                     (experiment_.record == Experiment::Record::Failed && !row.ok);
   if (!keep) {
-    std::error_code ignored;  // a folder that stays does no harm to the results
-    fs::remove_all(folderOf(run), ignored);
+    removeFolder(run);
   }
+}
+
+void BatchRunner::removeFolder(std::size_t run) const {
+  std::error_code ignored;  // a folder that stays does no harm to the results
+  fs::remove_all(folderOf(run), ignored);
 }
 
 void BatchRunner::stopChildren() {

@@ -46,6 +46,7 @@ class BatchRunner : public QObject {
   QStringList arguments(std::size_t run) const;
   std::string folderOf(std::size_t run) const;
   void keepOrRemove(std::size_t run, const BatchRow& row) const;
+  void removeFolder(std::size_t run) const;
   void stopChildren();
 
   const Experiment& experiment_;
