@@ -8,45 +8,81 @@
 
 namespace app {
 
-base::Diagnostics writeRunFolder(const std::string& folder, const FinishedRun& run,
-                                 RunWriter& writer, const Preparation& preparation,
-                                 const std::vector<std::string>& commandLine) {
-  namespace fs = std::filesystem;
-  base::Diagnostics problems = writer.finish();
-  const auto write = [&](const char* name, const std::string& content) {
-    base::append(problems, base::writeFileAtomically((fs::path(folder) / name).string(), content));
-  };
-  const auto remove = [&](const std::vector<const char*>& names) {
-    for (const char* name : names) {
-      std::error_code ignored;  // not there: fine
-      fs::remove(fs::path(folder) / name, ignored);
-    }
-  };
-  if (run.evaluation) {
-    write("metrics.json", metrics::toJson(*run.evaluation));
-  } else {
-    remove({"metrics.json"});
+namespace {
+
+namespace fs = std::filesystem;
+
+class Folder {
+ public:
+  explicit Folder(const std::string& path) : path_(path) {}
+
+  std::string file(const char* name) const { return (path_ / name).string(); }
+  void write(const char* name, const std::string& content) {
+    note(base::writeFileAtomically(file(name), content));
   }
-  if (!run.totalsOnly) {
-    write("trace.json", sim2d::traceJson(run.header));
+  void remove(const std::vector<const char*>& names) {
+    for (const char* name : names) {
+      std::error_code error;
+      fs::remove(path_ / name, error);  // no error when it is not there
+      if (error) {
+        note({base::makeError("cannot remove the file: " + error.message(), file(name))});
+      }
+    }
+  }
+  void note(const base::Diagnostics& problems) { base::append(problems_, problems); }
+  bool isWhole() const { return !base::hasErrors(problems_); }
+  const base::Diagnostics& problems() const { return problems_; }
+
+ private:
+  fs::path path_;
+  base::Diagnostics problems_;
+};
+
+/// All but trace.json and manifest.json, which make the folder that of a run.
+void writeParts(Folder& folder, const FinishedRun& run, RunWriter& writer) {
+  folder.note(writer.finish());
+  if (run.totalsOnly) {
+    folder.remove({"trajectory.csv", "events.csv", "trees.csv"});
+  }
+  if (run.evaluation) {
+    folder.write("metrics.json", metrics::toJson(*run.evaluation));
   } else {
-    remove({"trajectory.csv", "events.csv", "trees.csv", "trace.json"});
+    folder.remove({"metrics.json"});
   }
   if (run.evaluation && !run.totalsOnly) {
-    write("metrics.csv", metrics::metricsCsv(*run.evaluation));
-    base::append(problems, writer.writeSteps((fs::path(folder) / "steps.csv").string(),
-                                             run.evaluation->times));
+    folder.write("metrics.csv", metrics::metricsCsv(*run.evaluation));
+    folder.note(writer.writeSteps(folder.file("steps.csv"), run.evaluation->times));
   } else {
-    remove({"metrics.csv", "steps.csv"});
+    folder.remove({"metrics.csv", "steps.csv"});
   }
   if (!run.effectsCsv.empty()) {
-    write("counterfactual.csv", run.effectsCsv);
+    folder.write("counterfactual.csv", run.effectsCsv);
   } else {
-    remove({"counterfactual.csv"});
+    folder.remove({"counterfactual.csv"});
   }
-  write("manifest.json",
-        runManifest(preparation, run.header, run.result, run.planning, commandLine));
-  return problems;
+}
+
+}  // namespace
+
+base::Diagnostics writeRunFolder(const std::string& path, const FinishedRun& run, RunWriter& writer,
+                                 const Preparation& preparation,
+                                 const std::vector<std::string>& commandLine) {
+  Folder folder(path);
+  folder.note(writer.complete());
+  if (folder.isWhole()) {  // until here a former run stays as it is
+    folder.remove({"manifest.json", "trace.json"});
+  }
+  if (folder.isWhole()) {
+    writeParts(folder, run, writer);
+  }
+  if (folder.isWhole() && !run.totalsOnly) {
+    folder.write("trace.json", sim2d::traceJson(run.header));
+  }
+  if (folder.isWhole()) {
+    folder.write("manifest.json",
+                 runManifest(preparation, run.header, run.result, run.planning, commandLine));
+  }
+  return folder.problems();
 }
 
 }  // namespace app

@@ -24,9 +24,10 @@ struct FinishedRun {
 
 /// The files of a run (FORMAT.md), each written beside and renamed; those of `writer` are put in
 /// their places. Files of a former run of the same names are replaced; metrics files are removed
-/// when this run could not be evaluated.
-base::Diagnostics writeRunFolder(const std::string& folder, const FinishedRun& run,
-                                 RunWriter& writer, const Preparation& preparation,
+/// when this run could not be evaluated. manifest.json and trace.json are taken away first and come
+/// last, only when all others were written: files of two runs never pass for one.
+base::Diagnostics writeRunFolder(const std::string& path, const FinishedRun& run, RunWriter& writer,
+                                 const Preparation& preparation,
                                  const std::vector<std::string>& commandLine);
 
 }  // namespace app

@@ -115,6 +115,21 @@ base::Diagnostics RunWriter::writeSteps(const std::string& path, const std::vect
   return file.finish();
 }
 
+bool RunWriter::hasFailed() const {
+  return files_ && (files_->trajectory.hasFailed() || files_->events.hasFailed() ||
+                    files_->trees.hasFailed());
+}
+
+base::Diagnostics RunWriter::complete() {
+  base::Diagnostics problems;
+  if (files_) {
+    base::append(problems, files_->trajectory.complete());
+    base::append(problems, files_->events.complete());
+    base::append(problems, files_->trees.complete());
+  }
+  return problems;
+}
+
 base::Diagnostics RunWriter::finish() {
   base::Diagnostics problems;
   if (files_) {

@@ -28,6 +28,10 @@ class RunWriter : public sim2d::RecordSink {
   base::Result<metrics::Evaluation> evaluation();
   /// steps.csv of the evaluation.
   base::Diagnostics writeSteps(const std::string& path, const std::vector<double>& times);
+  /// A file could not be written: there is no use in going on.
+  bool hasFailed() const;
+  /// All rows are on the disk, in files that are not in their places yet.
+  base::Diagnostics complete();
   /// Puts the files in their places; nothing of them is there before.
   base::Diagnostics finish();
 

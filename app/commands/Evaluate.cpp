@@ -86,6 +86,12 @@ base::Result<sim2d::Trace> readSource(const std::string& source,
                                       const sim2d::ForeignOptions& reading,
                                       const sim2d::TrackOptions& tracks) {
   if (isRunFolder(source)) {
+    std::error_code ignored;
+    if (fs::exists(fs::path(source) / "trajectory.csv", ignored) &&
+        !fs::exists(fs::path(source) / "trace.json", ignored)) {
+      return base::makeError("a run was not written to its end here: trace.json is missing",
+                             source);
+    }
     return sim2d::readTrace(source);
   }
   const base::Result<sim2d::TrackFile> file = sim2d::readForeign(source, reading);

@@ -46,7 +46,7 @@ FinishedRun simulate(sim2d::World& world, const sim2d::Scenario& scenario,
       if (progress.isDue()) {
         progress.show(oneDecimal(frame.time) + " / " + oneDecimal(end) + " s simulated");
       }
-      return wasInterrupted();
+      return wasInterrupted() || writer.hasFailed();
     });
   }
   world.measure(nullptr);
@@ -131,6 +131,10 @@ void show(const FinishedRun& run, double dt, const OutputOptions& output) {
   }
 }
 
+std::string simulatedText(const FinishedRun& run) {
+  return oneDecimal(static_cast<double>(run.result.steps) * run.header.dt) + " s";
+}
+
 int exitCodeOf(const FinishedRun& run, const std::string& scenario) {
   switch (run.result.status) {
     case sim2d::RunStatus::Finished:
@@ -139,9 +143,7 @@ int exitCodeOf(const FinishedRun& run, const std::string& scenario) {
       printDiagnostics({base::makeError("the run failed: " + run.result.reason, scenario)});
       return kRunFailed;
     case sim2d::RunStatus::Interrupted:
-      printError("interrupted after " +
-                 oneDecimal(static_cast<double>(run.result.steps) * run.header.dt) +
-                 " s: the part so far is kept");
+      printError("interrupted after " + simulatedText(run) + ": the part so far is kept");
       return kRunFailed;
   }
   return kRunFailed;
@@ -156,7 +158,7 @@ struct Outcome {
 int conclude(const RunOptions& options, const OutputOptions& output, const Preparation& preparation,
              const std::vector<std::string>& commandLine, const Outcome& outcome) {
   FinishedRun& run = outcome.run;
-  bool isCompared = true;
+  bool isCompared = true, isWritten = true;
   if (options.counterfactual && run.result.status == sim2d::RunStatus::Finished) {
     const base::Diagnostics told = compareWithoutRobots(preparation, options, outcome.writer, run);
     printDiagnostics(told);
@@ -166,11 +168,13 @@ int conclude(const RunOptions& options, const OutputOptions& output, const Prepa
     const base::Diagnostics problems =
         writeRunFolder(options.output, run, outcome.writer, preparation, commandLine);
     printDiagnostics(problems);
-    if (base::hasErrors(problems)) {
-      return kBadInput;
-    }
+    isWritten = !base::hasErrors(problems);
   }
   show(run, run.header.dt, output);
+  if (!isWritten) {
+    printError("after " + simulatedText(run) + " of the run: its files are not complete");
+    return kBadInput;
+  }
   const int code = exitCodeOf(run, options.scenario);
   return code == kFine && !isCompared ? kRunFailed : code;
 }

@@ -38,11 +38,16 @@ void GrowingFile::append(std::string_view content) {
   }
 }
 
-Diagnostics GrowingFile::finish() {
+const Diagnostics& GrowingFile::complete() {
   flush();
   if (problems_.empty() && part_) {
     note(part_->toDisk());
   }
+  return problems_;
+}
+
+Diagnostics GrowingFile::finish() {
+  complete();
   if (problems_.empty() && part_) {
     note(part_->putInPlace());
   }

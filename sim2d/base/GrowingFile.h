@@ -23,7 +23,11 @@ class GrowingFile {
   GrowingFile(GrowingFile&&) = delete;
   GrowingFile& operator=(GrowingFile&&) = delete;
 
-  void append(std::string_view content);  // problems are told by finish()
+  void append(std::string_view content);
+  /// Something could not be written: the rest is not tried, finish() tells why.
+  bool hasFailed() const { return !problems_.empty(); }
+  /// All that was appended is on the disk, still beside its place; what finish() would tell.
+  const Diagnostics& complete();
   /// Empty = the file is in its place.
   Diagnostics finish();
 

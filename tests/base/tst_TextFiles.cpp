@@ -27,6 +27,7 @@ class TextFilesTest : public QObject {
   void together_oneCannotBeWritten_nothingChanges_data();
   void together_oneCannotBeWritten_nothingChanges();
   void growing_pieces_areThereWhenFinished();
+  void growing_complete_isStillBesideItsPlace();
   void growing_notFinished_leavesTheOldFile();
   void growing_cannotBeWritten_isToldByFinish();
   void read_missingOrDirectory_isAnErrorNamingTheFile();
@@ -173,6 +174,18 @@ void TextFilesTest::growing_pieces_areThereWhenFinished() {
   QCOMPARE(fileCount(), 1);
 }
 
+void TextFilesTest::growing_complete_isStillBesideItsPlace() {
+  QVERIFY(base::writeFileAtomically(at("f"), "old").empty());
+  base::GrowingFile file(at("f"));
+  file.append("new");
+  QVERIFY(file.complete().empty());
+  QVERIFY(!file.hasFailed());
+  QVERIFY(*base::readTextFile(at("f")) == "old");
+  QVERIFY(file.finish().empty());
+  QVERIFY(*base::readTextFile(at("f")) == "new");
+  QCOMPARE(fileCount(), 1);
+}
+
 void TextFilesTest::growing_notFinished_leavesTheOldFile() {
   QVERIFY(base::writeFileAtomically(at("f"), "old").empty());
   {
@@ -186,6 +199,7 @@ void TextFilesTest::growing_notFinished_leavesTheOldFile() {
 
 void TextFilesTest::growing_cannotBeWritten_isToldByFinish() {
   base::GrowingFile folder(folder_->path().toStdString());
+  QVERIFY(folder.hasFailed());
   folder.append("x");
   QCOMPARE(folder.finish().size(), std::size_t{1});
   base::GrowingFile full("/dev/full/none");

@@ -1,0 +1,200 @@
+#include <csignal>
+
+#include <QDirIterator>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "tests/app/RunFiles.h"
+
+using outside::bytesOf;
+using outside::Finished;
+using outside::text;
+
+namespace {
+
+/// A program in a process group of its own, as a terminal starts it; `words[0]` is the program.
+class Group {
+ public:
+  explicit Group(const QStringList& words) {
+    process_.start(text("setsid"), words);
+    process_.waitForStarted();
+  }
+  ~Group() {
+    if (process_.state() != QProcess::NotRunning) {
+      ::kill(-pid(), SIGKILL);
+      process_.waitForFinished();
+    }
+  }
+  Group(const Group&) = delete;
+  Group& operator=(const Group&) = delete;
+
+  pid_t pid() const { return static_cast<pid_t>(process_.processId()); }
+  bool isRunning() const { return process_.state() == QProcess::Running; }
+  Finished wait() {
+    Finished finished;
+    if (process_.waitForFinished(50000) && process_.exitStatus() == QProcess::NormalExit) {
+      finished.exitCode = process_.exitCode();
+    }
+    finished.out = QString::fromUtf8(process_.readAllStandardOutput());
+    finished.err = QString::fromUtf8(process_.readAllStandardError());
+    return finished;
+  }
+
+ private:
+  QProcess process_;
+};
+
+QStringList halfWritten(const QString& folder) {
+  QStringList found;
+  QDirIterator files(folder, {text("*.new-*")}, QDir::Files, QDirIterator::Subdirectories);
+  while (files.hasNext()) {
+    found << files.next();
+  }
+  return found;
+}
+
+QStringList runWords(const char* duration, const QString& folder) {
+  return {text("run"), text("corner_cafe_agents"), text("--duration"), text(duration), text("-o"),
+          folder};
+}
+
+QString statusOf(const QString& folder) {
+  return QJsonDocument::fromJson(bytesOf(folder + text("/manifest.json")))
+      .object()
+      .value(text("status"))
+      .toString();
+}
+
+}  // namespace
+
+/// Runs that are cut short, and runs whose files cannot be written.
+class BrokenRunsTest : public QObject {
+  Q_OBJECT
+
+ private:
+  static QString program() { return text(HUNAVSIM_PROGRAM); }
+  static QString longExperiment(const QTemporaryDir& folder) {
+    const QString path = folder.filePath(text("long.yaml"));
+    outside::writeText(path,
+                       "hunavsim_experiment: 1\n"
+                       "scenarios: [corner_cafe_agents]\n"
+                       "seeds: 3\n"
+                       "duration: 20000.0\n"
+                       "record: all\n");
+    return path;
+  }
+
+ private Q_SLOTS:
+  void batch_ctrlCInTheTerminal_leavesNoHalfRun() {
+    QTemporaryDir folder;
+    const QString experiment = longExperiment(folder);
+    const QString out = folder.filePath(text("out"));
+    Group batch({program(), text("batch"), experiment, text("-o"), out, text("--jobs"), text("2")});
+    QTRY_VERIFY_WITH_TIMEOUT(halfWritten(out).size() >= 6, 30000);
+    QVERIFY(::kill(-batch.pid(), SIGINT) == 0);  // the whole group, as Ctrl-C does
+    const Finished found = batch.wait();
+    QVERIFY2(found.exitCode == 1, qPrintable(found.err));
+    QVERIFY2(found.err.contains(text("interrupted")), qPrintable(found.err));
+    QCOMPARE(halfWritten(out), QStringList());
+    QVERIFY(!QDir(out + text("/runs")).exists());
+    QCOMPARE(statusOf(out), text("interrupted"));
+    QCOMPARE(outside::readCsv(out + text("/results.csv")).size(), std::size_t{0});
+  }
+
+  void batch_killed_itsRunsEndToo() {
+    QTemporaryDir folder;
+    const QString out = folder.filePath(text("out"));
+    Group batch({program(), text("batch"), longExperiment(folder), text("-o"), out});
+    QTRY_VERIFY_WITH_TIMEOUT(halfWritten(out).size() >= 3, 30000);
+    QVERIFY(::kill(batch.pid(), SIGKILL) == 0);
+    batch.wait();
+    QTRY_COMPARE_WITH_TIMEOUT(statusOf(out + text("/runs/0")), text("interrupted"), 20000);
+  }
+
+  void run_signals_keepThePart_data() {
+    QTest::addColumn<int>("first");
+    QTest::addColumn<int>("second");
+    QTest::newRow("Ctrl-C") << SIGINT << 0;
+    QTest::newRow("Ctrl-C and the parent's request") << SIGINT << SIGTERM;
+    QTest::newRow("request") << SIGTERM << 0;
+    QTest::newRow("end of the terminal") << SIGHUP << SIGTERM;
+  }
+  void run_signals_keepThePart() {
+    QFETCH(int, first);
+    QFETCH(int, second);
+    QTemporaryDir folder;
+    const QString out = folder.filePath(text("out"));
+    Group run(QStringList{program()} + runWords("20000", out));
+    QTRY_VERIFY_WITH_TIMEOUT(halfWritten(out).size() >= 3, 30000);
+    QVERIFY(::kill(run.pid(), first) == 0);
+    if (second != 0) {
+      QVERIFY(::kill(run.pid(), second) == 0);
+    }
+    const Finished found = run.wait();
+    QVERIFY2(found.exitCode == 1, qPrintable(found.err));
+    QCOMPARE(halfWritten(out), QStringList());
+    QCOMPARE(statusOf(out), text("interrupted"));
+  }
+
+  void run_endOfTheTerminalUnderNohup_goesOn() {
+    QTemporaryDir folder;
+    const QString out = folder.filePath(text("out"));
+    Group run(QStringList{text("nohup"), program()} + runWords("20000", out));
+    QTRY_VERIFY_WITH_TIMEOUT(halfWritten(out).size() >= 3, 30000);
+    QVERIFY(::kill(run.pid(), SIGHUP) == 0);
+    QTest::qWait(500);
+    QVERIFY(run.isRunning());
+    QVERIFY(halfWritten(out).size() >= 3);
+  }
+
+  void run_fileThatCannotBeReplaced_leavesNoMixedRun() {
+    QTemporaryDir folder;
+    const QString out = folder.filePath(text("out"));
+    QCOMPARE(outside::runProgram(runWords("2", out)).exitCode, 0);
+    QVERIFY(QFile::remove(out + text("/metrics.csv")));
+    QVERIFY(QDir().mkpath(out + text("/metrics.csv/in_the_way")));
+    const Finished found = outside::runProgram(runWords("3", out));
+    QVERIFY2(found.exitCode == 2, qPrintable(found.err));
+    QVERIFY2(found.err.contains(text("metrics.csv")), qPrintable(found.err));
+    QVERIFY2(found.out.contains(text("path_length")), qPrintable(found.out));  // the table is shown
+    QVERIFY(!QFile::exists(out + text("/manifest.json")));
+    const Finished evaluated = outside::runProgram(
+        {text("evaluate"), out, text("-o"), folder.filePath(text("evaluated"))});
+    QCOMPARE(evaluated.exitCode, 2);
+    QVERIFY2(evaluated.err.contains(text("not written to its end")), qPrintable(evaluated.err));
+  }
+
+  void run_trajectoryThatCannotBeWritten_leavesTheFormerRun() {
+    QTemporaryDir folder;
+    const QString out = folder.filePath(text("out"));
+    QCOMPARE(outside::runProgram(runWords("2", out)).exitCode, 0);
+    const QByteArray manifest = bytesOf(out + text("/manifest.json"));
+    const QByteArray events = bytesOf(out + text("/events.csv"));
+    QVERIFY(QFile::rename(out + text("/trajectory.csv"), out + text("/kept.csv")));
+    QVERIFY(QDir().mkpath(out + text("/trajectory.csv")));
+    const Finished found = outside::runProgram(runWords("20000", out));  // ends at once
+    QVERIFY2(found.exitCode == 2, qPrintable(found.err));
+    QCOMPARE(bytesOf(out + text("/manifest.json")), manifest);
+    QCOMPARE(bytesOf(out + text("/events.csv")), events);
+    QCOMPARE(halfWritten(out), QStringList());
+  }
+
+  void run_diskFull_endsEarlyAndTellsTheMetrics() {
+    QTemporaryDir folder;
+    const QString out = folder.filePath(text("out"));
+    Group run(
+        QStringList{text("sh"), text("-c"), text("ulimit -f 400; exec \"$0\" \"$@\""), program()} +
+        runWords("20000", out) + QStringList{text("--json")});
+    const Finished found = run.wait();
+    QVERIFY2(found.exitCode == 2, qPrintable(found.err));
+    QVERIFY2(found.err.contains(text("trajectory.csv")), qPrintable(found.err));
+    QVERIFY2(found.err.contains(text("its files are not complete")), qPrintable(found.err));
+    const QJsonObject told = QJsonDocument::fromJson(found.out.toUtf8()).object();
+    QVERIFY(told.value(text("metrics")).toObject().contains(text("path_length")));
+    QCOMPARE(halfWritten(out), QStringList());
+    QVERIFY(!QFile::exists(out + text("/manifest.json")));
+  }
+};
+
+QTEST_GUILESS_MAIN(BrokenRunsTest)
+#include "tst_BrokenRuns.moc"
