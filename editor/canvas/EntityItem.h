@@ -19,6 +19,7 @@ struct Label {
   int priority = 0;
   bool isAbove = false;
   bool isOfHover = false;  // shown while the mouse is over it and not otherwise
+  bool isNeeded = false;   // covers bodies rather than being left out
 };
 
 /// Draws one entity. Positions are in scene coordinates (the item itself stays at the origin); what

@@ -77,10 +77,11 @@ std::vector<Label> PersonItem::labels() const {
   if (!isAlways && !isHovered()) {
     return {};
   }
+  const bool isNeeded = !isAlways || (isChosen && mapScene().document().selection().size() == 1);
   const double clearance = std::max(radiusPx, kLeastFigurePx) + (isChosen ? 12.0 : 4.0);
   return {{QString::fromStdString(human_.name), look_,
            MapScene::sceneFromWorld(human_.initPose.position), clearance, isChosen ? 3 : 1,
-           isChosen, !isAlways}};
+           isChosen, !isAlways, isNeeded}};
 }
 
 void PersonItem::paintSpaces(QPainter& painter) const {

@@ -89,8 +89,8 @@ void LabelLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option
     const QPointF centre = toPixels.map(label.centre);
     if (window.contains(centre)) {
       pictures.push_back(&pictureOf(label, ratio));
-      wishes.push_back(
-          {centre, label.clearancePx, pictures.back()->size, label.priority, label.isAbove});
+      wishes.push_back({centre, label.clearancePx, pictures.back()->size, label.priority,
+                        label.isAbove, label.isNeeded});
     }
   }
   if (wishes.empty()) {

@@ -79,18 +79,23 @@ std::vector<QRectF> layoutLabels(const std::vector<LabelWish>& wishes,
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return wishes[a].priority > wishes[b].priority;
   });
-  Occupied occupied;
+  Occupied bodies, labels;
   for (const QRectF& part : taken) {
-    occupied.add(part);
+    bodies.add(part);
   }
   std::vector<QRectF> result(wishes.size());
   for (const std::size_t i : order) {
     const Places places = placesFor(wishes[i]);
-    const auto found = std::find_if(places.begin(), places.end(),
-                                    [&](const QRectF& place) { return occupied.isFree(place); });
+    const auto isOffLabels = [&](const QRectF& place) { return labels.isFree(place); };
+    const auto* found = std::find_if(places.begin(), places.end(), [&](const QRectF& place) {
+      return bodies.isFree(place) && isOffLabels(place);
+    });
+    if (found == places.end() && wishes[i].isNeeded) {
+      found = std::find_if(places.begin(), places.end(), isOffLabels);
+    }
     if (found != places.end()) {
       result[i] = *found;
-      occupied.add(*found);
+      labels.add(*found);
     }
   }
   return result;

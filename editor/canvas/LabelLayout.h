@@ -11,8 +11,9 @@ struct LabelWish {
   QPointF centre;
   double clearance = 18.0;  // from the centre to the edge of the label
   QSizeF size;
-  int priority = 0;      // higher ones choose first
-  bool isAbove = false;  // would rather stand above than below
+  int priority = 0;       // higher ones choose first
+  bool isAbove = false;   // would rather stand above than below
+  bool isNeeded = false;  // where there is no room: on what is taken, off other labels alone
 };
 
 /// A rectangle for each wish, below, above, beside or askew of its centre; a null rectangle where

@@ -148,6 +148,17 @@ class CanvasTest : public QObject {
     QVERIFY(!places[1].isNull());
   }
 
+  void layoutLabels_noRoom_onlyTheNeededOneCoversBodies() {
+    const QRectF body(-200.0, -200.0, 400.0, 400.0);
+    LabelWish wish{QPointF(0.0, 0.0), 10.0, QSizeF(40.0, 12.0), 1, false};
+    LabelWish needed = wish;
+    needed.isNeeded = true;
+    const std::vector<QRectF> places = layoutLabels({wish, needed, needed}, {body});
+    QVERIFY(places[0].isNull());
+    QVERIFY(!places[1].isNull() && !places[2].isNull());
+    QVERIFY(!places[1].intersects(places[2]));
+  }
+
   void niceLength_anyZoom_isRound() {
     QCOMPARE(niceLength(50.0, 100.0), 2.0);
     QCOMPARE(niceLength(43.0, 100.0), 2.0);
