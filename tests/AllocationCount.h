@@ -33,6 +33,19 @@ void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   void* const memory = std::malloc(size == 0 ? 1 : size);
   return memory != nullptr ? counted(memory) : nullptr;
 }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  const auto step = static_cast<std::size_t>(alignment);
+  if (void* const memory = std::aligned_alloc(step, (size + step - 1) / step * step)) {
+    return counted(memory);
+  }
+  throw std::bad_alloc();
+}
+void operator delete(void* memory, std::align_val_t /*alignment*/) noexcept {
+  release(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t /*alignment*/) noexcept {
+  release(memory);
+}
 void operator delete(void* memory) noexcept {
   release(memory);
 }

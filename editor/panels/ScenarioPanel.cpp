@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <QAction>
+#include <QDockWidget>
 #include <QHeaderView>
 #include <QItemSelectionModel>
 #include <QMouseEvent>
@@ -256,12 +257,24 @@ void ScenarioPanel::offerMenu(const QPoint& at) {
   menu->popup(tree_->viewport()->mapToGlobal(at));
 }
 
+/// In its row, which has to be seen for that.
+void ScenarioPanel::rename(EntityId id) {
+  for (QWidget* widget = parentWidget(); widget != nullptr; widget = widget->parentWidget()) {
+    if (auto* dock = qobject_cast<QDockWidget*>(widget)) {
+      dock->show();
+      dock->raise();
+    }
+  }
+  if (!filter_->indexOf(id).isValid()) {
+    filterField_->clear();
+  }
+  tree_->scrollTo(filter_->indexOf(id));
+  tree_->setFocus();
+  tree_->edit(filter_->indexOf(id));
+}
+
 void ScenarioPanel::fillMenu(QMenu& menu, EntityId id) {
-  connect(menu.addAction(tr("Rename")), &QAction::triggered, this, [this, id] {
-    filterField_->clear();  // or the row may be hidden
-    tree_->setFocus();
-    tree_->edit(filter_->indexOf(id));
-  });
+  connect(menu.addAction(tr("Rename")), &QAction::triggered, this, [this, id] { rename(id); });
   if (id.kind != EntityKind::Goal) {
     const bool listed = model_->indexOf(id).data(EntityModel::ListedRole).toBool();
     connect(menu.addAction(listed ? tr("Switch off") : tr("Switch on")), &QAction::triggered, this,

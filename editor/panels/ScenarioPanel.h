@@ -53,6 +53,7 @@ class ScenarioPanel : public QWidget {
   void goalsWanted();                   // assign goals to who is selected
 
  private:
+  void rename(EntityId id);
   void takeSelection();
   void showEmptiness();
   void giveSelection();

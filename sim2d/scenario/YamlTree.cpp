@@ -128,15 +128,15 @@ class TreeBuilder : public YAML::EventHandler {
   /// Before a file of gigabytes has filled the memory.
   void refuseMasses(const Open& parent, const YamlNode& next) {
     const std::size_t count = parent.node.items.size();
-    const std::string people = std::to_string(kMostPeople) + " people";
     if (parent.isAgents && count == kMostPeople) {
-      report(next.line, next.column, "more than " + people + " in agents: that is the most");
+      report(next.line, next.column,
+             "more than " + std::to_string(kMostPeople) + " people in agents: that is the most");
       throw Stop();
     }
     if (parent.node.isMap() && count == kMostKeys) {
       report(next.line, next.column,
-             "more than " + std::to_string(kMostKeys) + " keys in one map: a scenario has " +
-                 people + " at most");
+             "more than " + std::to_string(kMostKeys) +
+                 " keys in one map: that is the most, of people " + std::to_string(kMostPeople));
       throw Stop();
     }
   }

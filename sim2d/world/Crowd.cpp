@@ -139,6 +139,9 @@ bool Crowd::sees(std::size_t self, std::size_t other) const {
   const Vec2& eye = walkers_[self].position;
   const Vec2 sight = walkers_[other].position - eye;
   const double distance = sight.norm();
+  if (ways_->isOpenBetween(eye, walkers_[other].position)) {
+    return true;
+  }
   double clear = room_[self];
   while (clear < distance - room_[other]) {
     const double more = ways_->clearance(eye + clear / distance * sight);
@@ -251,7 +254,8 @@ void Crowd::addRobots(const Intent& intent, Situation& situation) const {
 /// Within the free room round a person nothing can be in between.
 bool Crowd::isVisible(std::size_t human, const Vec2& point) const {
   const Vec2& eye = walkers_[human].position;
-  return (point - eye).norm() < room_[human] || world_->obstacles.isVisible(eye, point);
+  return (point - eye).norm() < room_[human] || ways_->isOpenBetween(eye, point) ||
+         world_->obstacles.isVisible(eye, point);
 }
 
 }  // namespace sim2d

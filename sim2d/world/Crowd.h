@@ -11,7 +11,8 @@
 
 namespace sim2d {
 
-/// The world as people see it during one step; nothing of it changes while they move.
+/// The world as people see it during one step; nothing of it changes while they move but
+/// the headings of those who turn on the spot, which nobody else reads.
 struct FrozenWorld {
   const WorldModel& model;
   const WorldState& state;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim2d/map/OpenBlocks.h"
 #include "sim2d/map/PathPlanner.h"
 
 namespace sim2d {
@@ -26,12 +27,17 @@ class Ways {
   std::optional<Vec2> nearestFit(double radius, const Vec2& point);
   /// At least this much room to the next wall [m], by the grid; large where nothing stands.
   double clearance(const Vec2& point) const;
+  /// True: surely no wall between the two; false: perhaps one.
+  bool isOpenBetween(const Vec2& from, const Vec2& to) const {
+    return blocks_ == nullptr || blocks_->areFree(from, to);
+  }
 
  private:
   PathPlanner& plannerFor(double radius);
 
   std::vector<Vec2> places_;
   std::shared_ptr<const DistanceField> field_;                  // null: nothing stands anywhere
+  std::unique_ptr<const OpenBlocks> blocks_;                    // of the field
   std::map<long long, std::unique_ptr<PathPlanner>> planners_;  // by radius [mm]
   int version_ = 0;
 };

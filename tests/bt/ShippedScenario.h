@@ -89,14 +89,18 @@ inline std::string troubles(const base::Diagnostics& diagnostics) {
   return text;
 }
 
-/// All frames of the run as the scenario says, step 0 first. Ends early when the world fails.
-inline std::vector<sim2d::Frame> framesOf(sim2d::World& world) {
+/// All frames of so many steps, step 0 first. Ends early when the world fails.
+inline std::vector<sim2d::Frame> framesOf(sim2d::World& world, std::int64_t steps) {
   std::vector<sim2d::Frame> frames = {world.frame()};
-  const std::int64_t steps = sim2d::stopRuleOf(world.view().scenario()).maximumSteps;
   while (world.stepIndex() < steps && world.step()) {
     frames.push_back(world.frame());
   }
   return frames;
+}
+
+/// As long as the scenario says.
+inline std::vector<sim2d::Frame> framesOf(sim2d::World& world) {
+  return framesOf(world, sim2d::stopRuleOf(world.view().scenario()).maximumSteps);
 }
 
 inline base::Pose2 poseOf(const sim2d::Frame& frame, std::size_t row = 0) {

@@ -64,8 +64,8 @@ class ScenarioErrorsTest : public QObject {
                                   "that is the most\n");
     QTest::newRow("blocks") << QByteArray() << QByteArray("    a#: {}\n") << 250001
                             << QByteArray(
-                                   "many.yaml:250003:5: error: more than 250000 keys in one map: a "
-                                   "scenario has 100000 people at most\n");
+                                   "many.yaml:250003:5: error: more than 250000 keys in one map: "
+                                   "that is the most, of people 100000\n");
   }
   /// What comes behind is not read: a file may be larger than the memory.
   void read_tooManyPeople_isOneErrorWithItsPlace() {

@@ -9,7 +9,7 @@
 using namespace sim2d;
 namespace fs = std::filesystem;
 
-/// What the realism tests play lies in maps/realism as well, to be opened and watched. The files
+/// Scenes of the realism tests lie in maps/realism as well, to be opened and watched. The files
 /// are written by this test: HUNAV_UPDATE=1.
 class RealismScenesTest : public QObject {
   Q_OBJECT
@@ -46,7 +46,7 @@ void RealismScenesTest::scene_onFile_isThatOfTheTest() {
   const RealismTest& test = realismTests()[static_cast<std::size_t>(index)];
   QVERIFY(test.scene != nullptr);
   const std::string name = nameOf(test);
-  const std::string text = writeScenario(test.scene({"das", 1, {}}).scenario(name));
+  const std::string text = writeScenario(test.scene({"das", 1, {}}).scenario(name, test.duration));
   const std::string path = folder() + name + ".yaml";
   if (qEnvironmentVariableIntValue("HUNAV_UPDATE") == 1) {
     fs::create_directories(folder());

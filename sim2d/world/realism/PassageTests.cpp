@@ -307,9 +307,9 @@ void addPassageTests(std::vector<RealismTest>& tests) {
       {"longest gap", "s", Summary::Largest, 0.0, 10.0},
       {"people left behind", "", Summary::Largest, 0.0, 0.0}};
   tests.push_back({"bottleneck", "100 people through a door of 0.8, 1.0, 1.2 and 1.8 m", ofDoors,
-                   bottleneck, doorScene});
+                   bottleneck, doorScene, true, 100.0});
   tests.push_back({"bottleneck-long-steps", "the same with steps of 0.1 s", ofDoors,
-                   bottleneckLongSteps, doorLongStepsScene});
+                   bottleneckLongSteps, doorLongStepsScene, true, 100.0});
   tests.push_back({"corner",
                    "RiMEA 6: 20 people round a corner between walls 2 m apart",
                    {{"people seen in the wall", "", Summary::Largest, 0.0, 0.0},
@@ -321,13 +321,17 @@ void addPassageTests(std::vector<RealismTest>& tests) {
                    {{"flow of corridor less exit", "1/s", Summary::Mean, -0.05},
                     {"most people in the second room", "", Summary::Largest, 0.0, 25.0}},
                    rimea12,
-                   twoRooms});
+                   twoRooms,
+                   true,
+                   100.0});
   tests.push_back({"rimea-15",
                    "RiMEA 15 with 100 people: time round a corner against straight corridors",
                    {{"corner less inner length", "s", Summary::Mean, 0.0},
                     {"outer length less corner", "s", Summary::Mean, 0.0}},
                    rimea15,
-                   rimea15Scene});
+                   rimea15Scene,
+                   true,
+                   80.0});
 }
 
 }  // namespace sim2d

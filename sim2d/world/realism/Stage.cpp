@@ -115,12 +115,11 @@ bool Stage::play(double seconds, const Look& look) {
   return true;
 }
 
-Scenario Stage::scenario(const std::string& name) const {
-  constexpr double kDuration = 20.0;  // [s]
+Scenario Stage::scenario(const std::string& name, double duration) const {
   Scenario result = scenario_;
   result.yamlBaseName = name;
   result.desktop.mapFile = "none";
-  result.desktop.duration = kDuration;
+  result.desktop.duration = duration;
   result.desktop.route = result.desktop.wrapX.empty() ? Route::Planned : Route::Direct;
   for (std::size_t i = 0; i < actors_.size(); ++i) {
     const Vec2 place = actors_[i].goal.value_or(actors_[i].target(actors_[i].start));

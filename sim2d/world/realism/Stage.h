@@ -51,7 +51,7 @@ class Stage {
   const std::string& problem() const { return problem_; }
   double dt() const { return dt_; }
   /// As a file to open and watch: people with goals and generated trees instead of targets.
-  Scenario scenario(const std::string& name) const;
+  Scenario scenario(const std::string& name, double duration) const;
 
  private:
   std::unique_ptr<World> build();

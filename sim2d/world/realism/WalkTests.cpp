@@ -251,7 +251,9 @@ void addWalkTests(std::vector<RealismTest>& tests) {
                    {{"outside the kind's speeds", "m/s", Summary::Largest, 0.0, 0.0},
                     {"mean off the kind's", "", Summary::Mean, 0.0, 0.06}},
                    rimea7,
-                   rimea7Scene});
+                   rimea7Scene,
+                   true,
+                   70.0});
   tests.push_back({"groups",
                    "groups of two and three on 30 m of open ground",
                    {{"distance in a pair", "m", Summary::Mean, 0.4, 1.2},
