@@ -144,7 +144,8 @@ PersonTree personTree(const ScenarioDocument& document, EntityId person) {
   }
   result.file = *read;
   result.table = tableOf(document, result.file);
-  result.isMadeWithBlocks = isMadeWithBlocks(document, *human, result.file);
+  result.isMadeWithBlocks = !hasOwnComments(*own, document.scenario(), *human) &&
+                            isMadeWithBlocks(document, *human, result.file);
   base::append(result.problems, bt::diagnosticsOf(bt::checkTrees(result.table, treeCatalogue())));
   base::append(result.problems,
                bt::checkAgentTree(result.table, *human, document.scenario(), treeCatalogue()));
@@ -236,7 +237,8 @@ std::optional<std::string> followedTree(const ScenarioDocument& document,
     return std::nullopt;
   }
   const base::Result<bt::TreeFile> file = bt::readTreeText(*own);
-  if (!file || !isMadeWithBlocks(document, *before, *file)) {
+  if (!file || hasOwnComments(*own, document.scenario(), *before) ||
+      !isMadeWithBlocks(document, *before, *file)) {
     return std::nullopt;
   }
   bt::TreeFile old = *file;

@@ -1,6 +1,9 @@
 #include "editor/document/TreeFiles.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <string_view>
+#include <vector>
 
 #include "bt/human/HumanNodes.h"
 #include "bt/human/Templates.h"
@@ -8,6 +11,36 @@
 #include "sim2d/base/Text.h"
 
 namespace editor {
+
+namespace {
+
+/// The words of all comments, without the blanks around and between them.
+std::vector<std::string> commentsIn(std::string_view xml) {
+  constexpr std::string_view kBegin = "<!--";
+  constexpr std::string_view kEnd = "-->";
+  std::vector<std::string> comments;
+  for (std::size_t at = xml.find(kBegin); at != std::string_view::npos; at = xml.find(kBegin, at)) {
+    const std::size_t begin = at + kBegin.size();
+    const std::size_t end = std::min(xml.find(kEnd, begin), xml.size());
+    std::string& words = comments.emplace_back();
+    for (const char c : xml.substr(begin, end - begin)) {
+      if (c != ' ' && c != '\t' && c != '\r' && c != '\n') {
+        words += c;
+      }
+    }
+    at = end;
+  }
+  std::sort(comments.begin(), comments.end());
+  return comments;
+}
+
+bool hasCommentsBeyond(std::string_view xml, std::string_view made) {
+  const std::vector<std::string> known = commentsIn(made);
+  const std::vector<std::string> found = commentsIn(xml);
+  return !std::includes(known.begin(), known.end(), found.begin(), found.end());
+}
+
+}  // namespace
 
 const bt::NodeCatalogue& treeCatalogue() {
   static const bt::NodeLibrary library = bt::humanNodes();
@@ -29,6 +62,11 @@ std::string generatedTree(const sim2d::Scenario& scenario, const sim2d::Human& h
   return bt::makeTreeText(scenario, human, style, treeCatalogue());
 }
 
+bool hasOwnComments(const std::string& xml, const sim2d::Scenario& scenario,
+                    const sim2d::Human& human) {
+  return hasCommentsBeyond(xml, generatedTree(scenario, human));
+}
+
 std::optional<bt::TreeStyle> generatedStyle(const std::string& xml, const sim2d::Scenario& scenario,
                                             const sim2d::Human& human) {
   const base::Result<bt::TreeFile> found = bt::readTreeText(xml);
@@ -36,9 +74,9 @@ std::optional<bt::TreeStyle> generatedStyle(const std::string& xml, const sim2d:
     return std::nullopt;  // broken: kept as it is, and told by whoever runs it
   }
   for (const bt::TreeStyle style : {bt::TreeStyle::Corrected, bt::TreeStyle::Hunav2}) {
-    const base::Result<bt::TreeFile> made =
-        bt::readTreeText(bt::makeTreeText(scenario, human, style, treeCatalogue()));
-    if (made && *made == *found) {
+    const std::string text = generatedTree(scenario, human, style);
+    const base::Result<bt::TreeFile> made = bt::readTreeText(text);
+    if (made && *made == *found && !hasCommentsBeyond(xml, text)) {
       return style;
     }
   }

@@ -21,7 +21,11 @@ std::string treeFileName(const std::string& base, int humanId);
 /// XML of the tree that the behaviour and goals of a person make.
 std::string generatedTree(const sim2d::Scenario& scenario, const sim2d::Human& human,
                           bt::TreeStyle style = bt::TreeStyle::Corrected);
-/// The generator (ours or the original's) whose tree of this person means the same as the text.
+/// Whether somebody wrote comments into the tree; the parsed tree does not have them.
+bool hasOwnComments(const std::string& xml, const sim2d::Scenario& scenario,
+                    const sim2d::Human& human);
+/// The generator (ours or the original's) whose tree of this person means the same as the text and
+/// has all of its comments.
 std::optional<bt::TreeStyle> generatedStyle(const std::string& xml, const sim2d::Scenario& scenario,
                                             const sim2d::Human& human);
 inline bool isGeneratedTree(const std::string& xml, const sim2d::Scenario& scenario,

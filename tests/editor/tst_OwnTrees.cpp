@@ -4,6 +4,7 @@
 
 #include "SmallScenario.h"
 #include "editor/document/EditCommands.h"
+#include "editor/document/PersonTree.h"
 #include "editor/document/TreeFiles.h"
 #include "sim2d/base/Text.h"
 
@@ -118,6 +119,32 @@ class OwnTreesTest : public QObject {
     pushMove(document, {{EntityKind::Human, 1}}, Vec2(0.1, 0.0));
     QCOMPARE(document.treeQuestions(path).size(), std::size_t(1));
     check(document.save(path));
+    QVERIFY(treeText(folder, 1) == theirs);
+  }
+
+  void open_commentInAGeneratedTree_isAskedForAndNotReplaced() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("room.yaml"));
+    ScenarioDocument document;
+    document.load(small::scenario());
+    check(document.save(path));
+    const std::string theirs = treeText(folder, 1) + "<!-- not before Monday -->\n";
+    check(base::writeFileAtomically(treePath(folder, 1), theirs));
+    ScenarioDocument again;
+    check(again.open(path));
+    const EntityId ana = again.entities(EntityKind::Human)[0];
+    QVERIFY(again.tree(ana) == theirs);
+    sim2d::Human brave = *again.human(ana);
+    brave.behavior.type = brave.behavior.type == sim2d::BehaviorType::Curious
+                              ? sim2d::BehaviorType::Scared
+                              : sim2d::BehaviorType::Curious;
+    QVERIFY(!followedTree(again, brave));
+    pushRoute(again, {ana}, {3});
+    const std::vector<TreeQuestion> questions = again.treeQuestions(path);
+    QCOMPARE(questions.size(), std::size_t(1));
+    QVERIFY(questions[0].why == TreeQuestion::Why::BehaviourChanged);
+    QVERIFY(questions[0].mine == theirs);
+    check(again.save(path));
     QVERIFY(treeText(folder, 1) == theirs);
   }
 
