@@ -63,6 +63,8 @@ class FileCommands : public QObject {
   void askExport();
   bool save();  // asks for a name when there is none; false when cancelled or failed
   bool saveAs();
+  QString nameForSaving() const;        // what `saveAs` proposes
+  bool saveUnder(const QString& path);  // what it does with the answer; never over a map
   /// Unsaved changes: save, discard or stay. True when the document may be replaced.
   bool mayLeave();
 
@@ -81,6 +83,7 @@ class FileCommands : public QObject {
   bool openScenario(const QString& path);
   bool giveTree(const QString& path, editor::EntityId under);
   bool mayWriteOver();
+  bool isMap(const QString& path) const;
   bool saveAsking(const QString& path);
 
   Workspace& workspace_;

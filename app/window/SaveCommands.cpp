@@ -6,8 +6,38 @@
 
 #include "app/window/FileCommands.h"
 #include "app/window/TreeChoiceDialog.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/map/MapReader.h"
 
 namespace app {
+
+namespace {
+
+/// Links lead to one file as well; a file need not be there.
+bool isSameFile(const QFileInfo& a, const QFileInfo& b) {
+  const QString real = a.canonicalFilePath();
+  return a.absoluteFilePath() == b.absoluteFilePath() ||
+         (!real.isEmpty() && real == b.canonicalFilePath());
+}
+
+/// Of the image of a map; empty when the map cannot be read.
+QString imageOf(const QString& map) {
+  const base::Result<std::string> text = base::readTextFile(map.toStdString());
+  const auto description = text ? sim2d::parseMapDescription(*text, map.toStdString())
+                                : base::Result<sim2d::MapDescription>(text.diagnostics());
+  return description ? QFileInfo(map).dir().filePath(QString::fromStdString(description->image))
+                     : QString();
+}
+
+/// A damaged map is one as well.
+bool isMapYaml(const QString& path) {
+  const base::Result<std::string> text = base::readTextFile(path.toStdString());
+  const auto has = [&text](const char* words) { return text->find(words) != std::string::npos; };
+  return text && (sim2d::parseMapDescription(*text, path.toStdString()) ||
+                  (has("image:") && has("resolution:") && !has("ros__parameters")));
+}
+
+}  // namespace
 
 bool FileCommands::saveTo(const QString& path, const editor::TreeAnswers& trees) {
   if (!tell(workspace_.document().save(path, trees))) {
@@ -54,21 +84,54 @@ bool FileCommands::save() {
   return mayWriteOver() && saveAsking(document.path());
 }
 
-bool FileCommands::saveAs() {
+QString FileCommands::nameForSaving() const {
   const editor::ScenarioDocument& document = workspace_.document();
   const QFileInfo old(document.path());
-  const QString proposal =
-      document.path().isEmpty() ? folder() + QStringLiteral("/scenario.yaml")
-      : document.isReadOnly()
-          ? old.dir().filePath(old.completeBaseName() + QStringLiteral("_repaired.yaml"))
-          : document.path();
-  QString path = QFileDialog::getSaveFileName(&window_, tr("Save the scenario"), proposal,
+  if (document.path().isEmpty()) {
+    const QString name =
+        document.mapPath().isEmpty()
+            ? QStringLiteral("scenario")
+            : QFileInfo(document.mapPath()).completeBaseName() + QStringLiteral("_agents");
+    return QDir(folder()).filePath(name + QStringLiteral(".yaml"));
+  }
+  return document.isReadOnly()
+             ? old.dir().filePath(old.completeBaseName() + QStringLiteral("_repaired.yaml"))
+             : document.path();
+}
+
+bool FileCommands::saveAs() {
+  QString path = QFileDialog::getSaveFileName(&window_, tr("Save the scenario"), nameForSaving(),
                                               tr("Scenarios (*.yaml)"));
   if (path.isEmpty()) {
     return false;
   }
   if (QFileInfo(path).suffix().isEmpty()) {
     path += QStringLiteral(".yaml");
+  }
+  return saveUnder(path);
+}
+
+/// The map in use, another one, or an image.
+bool FileCommands::isMap(const QString& path) const {
+  const QString map = workspace_.document().mapPath();
+  if (!map.isEmpty() && isSameFile(QFileInfo(path), QFileInfo(map))) {
+    return true;
+  }
+  if (!QFileInfo::exists(path)) {
+    return false;
+  }
+  return kindOf(path) == Kind::Image || isMapYaml(path) ||
+         (!map.isEmpty() && isSameFile(QFileInfo(path), QFileInfo(imageOf(map))));
+}
+
+bool FileCommands::saveUnder(const QString& path) {
+  if (isMap(path)) {
+    QMessageBox::warning(
+        &window_, tr("This file is a map"),
+        tr("%1 is a map or its image. Saving the scenario there would destroy it. Choose another "
+           "name, such as %2.")
+            .arg(QFileInfo(path).fileName(), QFileInfo(nameForSaving()).fileName()));
+    return false;
   }
   return saveAsking(path);
 }

@@ -88,6 +88,34 @@ class FileWindowTest : public QObject {
     QVERIFY(!document().isDirty());
   }
 
+  void saveAs_ontoAMap_isRefused_data() {
+    QTest::addColumn<QString>("name");
+    QTest::newRow("map in use") << QStringLiteral("cafe.yaml");
+    QTest::newRow("its image") << QStringLiteral("cafe.image");
+    QTest::newRow("a link to it") << QStringLiteral("link.yaml");
+    QTest::newRow("another map") << QStringLiteral("other.yaml");
+    QTest::newRow("a damaged map") << QStringLiteral("damaged.yaml");
+    QTest::newRow("an image") << QStringLiteral("other.pgm");
+  }
+  void saveAs_ontoAMap_isRefused() {
+    QFETCH(QString, name);
+    const QString map = mapWithNeighbours();
+    QVERIFY(window_->files().openNewFromMap(map));
+    QVERIFY(window_->files().nameForSaving().endsWith(QStringLiteral("/cafe_agents.yaml")));
+    const QString target = folder_->filePath(name);
+    const std::string before = *base::readTextFile(target.toStdString());
+    answerBox(QMessageBox::Ok);
+    QVERIFY(!window_->files().saveUnder(target));
+    QVERIFY2(boxText_.contains(name) && boxText_.contains(QStringLiteral("map")),
+             qPrintable(boxText_));
+    QVERIFY(*base::readTextFile(target.toStdString()) == before);
+    QVERIFY(window_->files().saveUnder(at("cafe_agents.yaml")));
+    QVERIFY(window_->files().saveUnder(at("cafe_agents.yaml")));  // over a scenario it may be
+    editor::ScenarioDocument again;
+    QVERIFY(!base::hasErrors(again.open(at("cafe_agents.yaml"))));
+    QVERIFY(!again.map()->isEmpty());
+  }
+
   void anotherProgramWrites_noticeOffersToReload() {
     const QString file = copyOfDemo();
     QVERIFY(window_->open(file));
@@ -353,6 +381,23 @@ class FileWindowTest : public QObject {
         box->button(button)->click();
       }
     });
+  }
+
+  /// The café as cafe.yaml with an image of an uncommon name, and other maps beside it.
+  QString mapWithNeighbours() const {
+    const QString source = QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe");
+    QFile::copy(source + QStringLiteral(".pgm"), at("cafe.image"));
+    QFile::copy(source + QStringLiteral(".pgm"), at("other.pgm"));
+    const std::string yaml = *base::readTextFile((source + QStringLiteral(".yaml")).toStdString());
+    std::string own = yaml;
+    const std::string image = "corner_cafe.pgm";
+    own.replace(own.find(image), image.size(), "cafe.image");
+    const bool isWritten =
+        base::writeFileAtomically(at("cafe.yaml").toStdString(), own).empty() &&
+        base::writeFileAtomically(at("other.yaml").toStdString(), yaml).empty() &&
+        base::writeFileAtomically(at("damaged.yaml").toStdString(), yaml + "x: [\n").empty();
+    QFile::link(at("cafe.yaml"), at("link.yaml"));
+    return isWritten ? at("cafe.yaml") : QString();
   }
 
   QString copyOfDemo() const {
