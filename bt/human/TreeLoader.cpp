@@ -84,30 +84,38 @@ TreeState PersonProgram::start(const ResolvedHuman& human) const {
 }
 
 base::Result<TreeTable> loadPersonTrees(const std::string& path) {
-  base::Result<TreeFile> file = readTree(path);
+  return loadPersonTrees(readTree(path));
+}
+
+base::Result<TreeTable> loadPersonTrees(base::Result<TreeFile> file) {
   if (!file) {
     return file.diagnostics();
   }
+  const std::string& path = file->path;
+  Diagnostics warnings = file.diagnostics();
   std::vector<Include>& includes = file->includes;
   const auto missing =
       std::find_if(includes.begin(), includes.end(),
                    [&path](const Include& include) { return isMissingRegularNav(include, path); });
-  if (missing == includes.end()) {
-    return loadTrees(path);
+  const bool isMissing = missing != includes.end();
+  if (isMissing) {
+    if (!path.empty()) {
+      warnings.push_back(base::makeWarning(
+          missing->path + " is not there; our own is taken (HuNavSim refuses this tree)", path,
+          missing->line));
+    }
+    includes.erase(missing);
   }
-  Diagnostics warnings = file.diagnostics();
-  warnings.push_back(base::makeWarning(
-      missing->path + " is not there; our own is taken (HuNavSim refuses this tree)", path,
-      missing->line));
-  includes.erase(missing);
   base::Result<TreeTable> table = resolveIncludes(*file);
   base::append(warnings, table.diagnostics());
   if (!table) {
     return warnings;
   }
-  TreeSpec regular = regularNavTree();
-  const std::string id = regular.id;
-  table->entries.emplace(id, TreeTable::Entry{std::move(regular), kRegularNavFile});
+  if (isMissing) {
+    TreeSpec regular = regularNavTree();
+    const std::string id = regular.id;
+    table->entries.emplace(id, TreeTable::Entry{std::move(regular), kRegularNavFile});
+  }
   return {*std::move(table), std::move(warnings)};
 }
 
@@ -120,7 +128,7 @@ std::shared_ptr<const PersonProgram> TreeLoader::load(const sim2d::Human& human,
   if (!path.empty()) {
     auto found = files_.find(path);
     if (found == files_.end()) {
-      found = files_.emplace(path, loadFile(path, diagnostics)).first;
+      found = files_.emplace(path, loadTable(loadPersonTrees(path), diagnostics)).first;
     }
     const Loaded& loaded = found->second;
     if (loaded.program) {
@@ -159,8 +167,13 @@ PersonPrograms TreeLoader::loadAll(const TreeFiles& files, Diagnostics& diagnost
   return programs;
 }
 
-TreeLoader::Loaded TreeLoader::loadFile(const std::string& path, Diagnostics& diagnostics) const {
-  base::Result<TreeTable> table = loadPersonTrees(path);
+TreeLoader::Loaded TreeLoader::loadText(const std::string& text, const std::string& path,
+                                        Diagnostics& diagnostics) const {
+  return loadTable(loadPersonTrees(readTreeText(text, path)), diagnostics);
+}
+
+TreeLoader::Loaded TreeLoader::loadTable(base::Result<TreeTable> table,
+                                         Diagnostics& diagnostics) const {
   base::append(diagnostics, table.diagnostics());
   if (!table) {
     return {};

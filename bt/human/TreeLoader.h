@@ -28,25 +28,33 @@ using PersonPrograms = std::map<std::string, std::shared_ptr<const PersonProgram
 /// A tree file with its includes. When the file that all generated trees include is not there, our
 /// own copy takes its place, with a warning.
 base::Result<TreeTable> loadPersonTrees(const std::string& path);
+/// The same for a file that was read already; one without a path lies beside no other, and is not
+/// warned of.
+base::Result<TreeTable> loadPersonTrees(base::Result<TreeFile> file);
 
 /// Loads and compiles; equal files and equal generated trees share their program.
 class TreeLoader {
  public:
+  struct Loaded {
+    TreeTable table;
+    std::shared_ptr<const PersonProgram> program;  // nullptr = broken
+  };
+
   explicit TreeLoader(const sim2d::Scenario& scenario, const sim2d::Compatibility& quirks = {});
 
   /// By the person's file, or generated when `path` is empty. nullptr and errors when broken.
   std::shared_ptr<const PersonProgram> load(const sim2d::Human& human, const std::string& path,
                                             base::Diagnostics& diagnostics);
 
+  /// A tree as an editor has it; its includes lie beside `path`. Nothing of it is kept.
+  Loaded loadText(const std::string& text, const std::string& path,
+                  base::Diagnostics& diagnostics) const;
+
   /// Of all listed people and of those that sources copy.
   PersonPrograms loadAll(const TreeFiles& files, base::Diagnostics& diagnostics);
 
  private:
-  struct Loaded {
-    TreeTable table;
-    std::shared_ptr<const PersonProgram> program;
-  };
-  Loaded loadFile(const std::string& path, base::Diagnostics& diagnostics) const;
+  Loaded loadTable(base::Result<TreeTable> table, base::Diagnostics& diagnostics) const;
   std::shared_ptr<const PersonProgram> compileTable(const TreeTable& table,
                                                     base::Diagnostics& diagnostics) const;
 

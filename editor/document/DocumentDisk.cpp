@@ -60,6 +60,22 @@ const KnownTree* DocumentDisk::known(EntityId human) const {
   return found == trees.end() ? nullptr : &found->second;
 }
 
+std::vector<WrittenTree> DocumentDisk::writtenTrees(
+    const sim2d::Scenario& scenario, const std::map<EntityId, std::string>& own) const {
+  std::vector<WrittenTree> written;
+  for (const sim2d::Human& human : scenario.humans) {
+    const KnownTree* before = known(human.key);
+    const std::string path = before == nullptr ? std::string() : before->path;
+    const auto text = own.find(human.key);
+    if (text != own.end()) {
+      written.push_back({human.key, path, text->second});
+    } else if (human.ours.tree && before == nullptr) {
+      written.push_back({human.key, path, std::nullopt});
+    }
+  }
+  return written;
+}
+
 std::map<EntityId, int> linesOf(const sim2d::Scenario& scenario,
                                 const sim2d::ScenarioReading& reading) {
   std::map<EntityId, int> result;

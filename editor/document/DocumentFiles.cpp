@@ -46,13 +46,20 @@ base::Diagnostics ScenarioDocument::open(const QString& path) {
   disk_->readOnly = !isWhole;
   loadDiagnostics_ = std::move(reading.diagnostics);
   disk_->readCount = loadDiagnostics_.size();
-  base::append(loadDiagnostics_, loadMapOf(scenario_, path_));
-  base::append(loadDiagnostics_, loadTrees());
+  const base::Diagnostics ofMap = loadMapOf(scenario_, path_);
+  const base::Diagnostics ofTrees = loadTrees();
+  base::Diagnostics told = loadDiagnostics_;
+  for (const base::Diagnostics& more : {ofMap, ofTrees}) {
+    base::append(loadDiagnostics_, more);
+  }
+  // a broken map is an error, but keeps no scenario shut; one that was asked for must be there
+  base::append(told, disk_->mapOption.empty() ? asWarnings(ofMap) : ofMap);
+  base::append(told, ofTrees);
   replaced();
   Q_EMIT pathChanged();
   Q_EMIT dirtyChanged(false);
   Q_EMIT issuesChanged(issues());
-  return loadDiagnostics_;
+  return told;
 }
 
 base::Diagnostics ScenarioDocument::loadMapOf(const sim2d::Scenario& scenario,
@@ -74,8 +81,8 @@ base::Diagnostics ScenarioDocument::loadMapOf(const sim2d::Scenario& scenario,
     }
   }
   exchangeMap({std::make_shared<sim2d::OccupancyGrid>(), {}, true});
-  // one that was asked for must be there
-  return disk_->mapOption.empty() ? asWarnings(std::move(problems)) : problems;
+  const bool isThere = bool(found);
+  return isThere || !disk_->mapOption.empty() ? problems : asWarnings(std::move(problems));
 }
 
 base::Diagnostics ScenarioDocument::openMap(const QString& yamlPath) {
@@ -99,9 +106,9 @@ base::Diagnostics ScenarioDocument::loadTrees() {
       continue;
     }
     const base::Result<std::string> text = base::readTextFile(file);
-    base::append(problems, text.diagnostics());
     if (!text) {
-      continue;
+      base::append(problems, human.listed ? base::Diagnostics() : text.diagnostics());
+      continue;  // that of someone who takes part is told by the live check, until it is there
     }
     disk_->note(QString::fromStdString(file), *text);
     KnownTree known{file, *text, bt::TreeStyle::Corrected, generatedTree(scenario_, human)};

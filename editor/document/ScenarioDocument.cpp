@@ -262,7 +262,9 @@ void ScenarioDocument::checkSoon() {
 }
 
 void ScenarioDocument::startCheck() {
-  liveCheck_->start(scenario_, map_, path_, disk_->lines);
+  liveCheck_->start(scenario_, map_,
+                    {disk_->writtenTrees(scenario_, trees_), disk_->places(path_, shippedMaps_)},
+                    disk_->lines);
 }
 
 void ScenarioDocument::replaceAll(sim2d::Scenario scenario) {

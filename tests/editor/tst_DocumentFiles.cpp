@@ -96,6 +96,25 @@ class DocumentFilesTest : public QObject {
     QVERIFY(!document.scenario().desktop.mapFile);
   }
 
+  void open_mapIsBroken_isAnErrorThatKeepsNothingShut() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("room.yaml"));
+    sim2d::Scenario scenario = small::scenario();
+    scenario.desktop.mapFile = "flat.yaml";
+    const std::string map = folder.filePath(QStringLiteral("flat.yaml")).toStdString();
+    check(base::writeFileAtomically(map, "image: flat.png\nresolution: 0\norigin: [0, 0, 0]\n"));
+    check(base::writeFileAtomically(path.toStdString(), sim2d::writeScenario(scenario)));
+    ScenarioDocument document;
+    check(document.open(path));
+    QCOMPARE(document.scenario().humans.size(), scenario.humans.size());
+    bool isError = false;
+    for (const base::Diagnostic& issue : document.issues()) {
+      isError = isError ||
+                (issue.severity == base::Severity::Error && issue.file == map && issue.line == 2);
+    }
+    QVERIFY(isError);
+  }
+
   void checkNow_startInWall_isTold() {
     ScenarioDocument document;
     document.load(small::scenario());

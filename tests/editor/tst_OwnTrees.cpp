@@ -1,8 +1,11 @@
+#include <algorithm>
+
 #include <QDir>
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include "SmallScenario.h"
+#include "bt/human/TreeBehavior.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/PersonTree.h"
 #include "editor/document/TreeFiles.h"
@@ -148,6 +151,83 @@ class OwnTreesTest : public QObject {
     QVERIFY(treeText(folder, 1) == theirs);
   }
 
+  void checkNow_treeFileIsWrong_issuesSayWhatTheRunWouldSay_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::newRow("cut off") << QByteArray(kOwnTree).left(70);
+    QTest::newRow("unknown node") << QByteArray(kOwnTree).replace("AlwaysSuccess", "Dance");
+    QTest::newRow("include is lost") << QByteArray(kOwnTree).replace(
+        "  <BehaviorTree", "  <include path='no.xml'/><BehaviorTree");
+    QTest::newRow("goals of others") << QByteArray(kOwnTree).replace(
+        "<AlwaysSuccess/>", "<SetGoal agent_id='{id}' goal_id='77'/>");
+  }
+
+  void checkNow_treeFileIsWrong_issuesSayWhatTheRunWouldSay() {
+    QFETCH(QByteArray, text);
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("room.yaml"));
+    ScenarioDocument document;
+    document.load(small::scenario());
+    check(document.save(path));
+    for (const int id : {1, 2}) {  // the same text in two files
+      check(base::writeFileAtomically(treePath(folder, id), text.toStdString()));
+    }
+    ScenarioDocument again;
+    check(again.open(path));
+    again.checkNow();
+    const std::vector<std::string> told = textsOf(again.issues());
+    for (const int id : {1, 2}) {
+      const base::Diagnostics wanted = bt::checkAgentTreeFile(
+          treePath(folder, id), *again.scenario().humanById(id), again.scenario());
+      QVERIFY(!wanted.empty());
+      for (const std::string& one : textsOf(wanted)) {
+        QVERIFY2(std::count(told.begin(), told.end(), one) > 0, one.c_str());
+      }
+    }
+    for (const EntityId id : again.entities(EntityKind::Human)) {
+      again.exchangeTree(id, std::nullopt);
+    }
+    again.checkNow();
+    for (const std::string& one : textsOf(again.issues())) {
+      QVERIFY2(one.find(".xml") == std::string::npos, one.c_str());
+    }
+  }
+
+  void checkNow_ownTreeOfANewScenario_isToldByItsPerson() {
+    ScenarioDocument document;
+    document.load(small::scenario());
+    const EntityId ana{EntityKind::Human, 1};
+    document.exchangeTree(ana, std::string("<root BTCPP_format='4'><Behav"));
+    document.checkNow();
+    int told = 0;
+    for (const base::Diagnostic& issue : document.issues()) {
+      const bool isXml = issue.message.find("not well-formed XML") != std::string::npos;
+      told += isXml && issue.entity == ana && issue.severity == base::Severity::Error ? 1 : 0;
+    }
+    QCOMPARE(told, 1);
+  }
+
+  void checkNow_namedTreeIsLost_isAnErrorUntilItIsThere() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("room.yaml"));
+    sim2d::Scenario scenario = small::scenario();
+    scenario.desktop.mapFile = "none";
+    scenario.humans[0].ours.tree = "lost.xml";
+    check(base::writeFileAtomically(path.toStdString(), sim2d::writeScenario(scenario)));
+    ScenarioDocument document;
+    check(document.open(path));
+    const std::string lost = folder.filePath(QStringLiteral("lost.xml")).toStdString();
+    const auto countLost = [&] {
+      document.checkNow();
+      const base::Diagnostics issues = document.issues();
+      return std::count_if(issues.begin(), issues.end(), [&](const base::Diagnostic& issue) {
+        return issue.file == lost && issue.severity == base::Severity::Error;
+      });
+    };
+    QCOMPARE(countLost(), std::ptrdiff_t(1));
+    check(base::writeFileAtomically(lost, kOwnTree));
+    QCOMPARE(countLost(), std::ptrdiff_t(0));
+  }
+
   void saveAs_overAnOlderScenario_asksOnlyAboutTreesWrittenByHand() {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("room.yaml"));
@@ -202,6 +282,14 @@ class OwnTreesTest : public QObject {
     return base::readTextFile(treePath(folder, id)).diagnostics().empty()
                ? *base::readTextFile(treePath(folder, id))
                : std::string();
+  }
+
+  static std::vector<std::string> textsOf(const base::Diagnostics& found) {
+    std::vector<std::string> texts;
+    for (const base::Diagnostic& diagnostic : found) {
+      texts.push_back(diagnostic.text());
+    }
+    return texts;
   }
 
   static void check(const base::Diagnostics& found) {
