@@ -28,12 +28,16 @@ bool FileCommands::tell(const base::Diagnostics& problems) {
   return fine;
 }
 
-/// By what stands in the file, for images by the name.
-FileCommands::Kind FileCommands::kindOf(const QString& path) const {
+bool FileCommands::isImage(const QString& path) {
   static const QStringList kImages = {QStringLiteral("png"), QStringLiteral("pgm"),
                                       QStringLiteral("bmp"), QStringLiteral("jpg"),
                                       QStringLiteral("jpeg")};
-  if (kImages.contains(QFileInfo(path).suffix().toLower())) {
+  return kImages.contains(QFileInfo(path).suffix().toLower());
+}
+
+/// By what stands in the file, for images by the name.
+FileCommands::Kind FileCommands::kindOf(const QString& path) const {
+  if (isImage(path)) {
     return Kind::Image;
   }
   const base::Result<std::string> text = base::readTextFile(path.toStdString());

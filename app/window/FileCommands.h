@@ -41,6 +41,7 @@ class FileCommands : public QObject {
   /// A scenario, a map for a new one, or a tree for the people that are selected. False: it could
   /// not be read, or only in part; the issues say why.
   bool openFile(const QString& path);
+  static bool isImage(const QString& path);  // by its name; opening it asks for its scale
   /// The same for a file that was dropped onto `under` (nothing = beside everything).
   bool dropFile(const QString& path, editor::EntityId under);
   bool reload();                        // the file of the document, as it is on the disk now

@@ -131,6 +131,12 @@ int windowCommand(int argc, char** argv, const RunOptions& run, const WindowOpti
                   kBadInput);
   }
   const bool picture = !options.screenshot.empty();
+  if (picture && FileCommands::isImage(QString::fromStdString(run.scenario))) {
+    return report({base::makeError("an image has no scale yet, so no picture is made of it (open "
+                                   "it in the window, or name a map YAML that uses it)",
+                                   run.scenario)},
+                  kBadInput);
+  }
   prepareScreen(options);
   QApplication application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");

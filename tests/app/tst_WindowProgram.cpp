@@ -33,6 +33,18 @@ class WindowProgramTest : public QObject {
     QCOMPARE(picture.pixelColor(1270, 300), QColor(0xEC, 0xEE, 0xF0));
   }
 
+  void image_asPicture_isRefusedAtOnce() {
+    const QTemporaryDir folder;
+    const QString picture = folder.filePath(QStringLiteral("a.png"));
+    const outside::Finished found = outside::runProgram(
+        {QStringLiteral(SOURCE_DIR "/maps/reactions/reactions.pgm"), QStringLiteral("--at"),
+         QStringLiteral("0"), QStringLiteral("--screenshot"), picture});
+    QCOMPARE(found.exitCode, 2);
+    QVERIFY2(found.err.contains(QStringLiteral("reactions.pgm: error: an image has no scale")),
+             qPrintable(found.err));
+    QVERIFY(!QFile::exists(picture));
+  }
+
   void dock_unknown_isRefused() {
     const outside::Finished found =
         outside::runProgram({QStringLiteral("corner_cafe_agents"), QStringLiteral("--dock"),
