@@ -102,7 +102,7 @@ void DocumentGuard::tellReadOnly() {
   }
   notices_.tell({readOnlyId(),
                  true,
-                 tr("%1 is damaged and shown as far as it could be read. It is not written over.")
+                 tr("%1 is damaged and shown as far as it could be read. It will not be overwritten.")
                      .arg(document_.displayName()),
                  {{tr("Save as…"), [this] { files_.saveAs(); }}}});
 }

@@ -8,6 +8,12 @@
 
 namespace app {
 
+namespace {
+
+constexpr const char* kExportKey = "files/export";  // a scenario and its folder
+
+}  // namespace
+
 /// The document as it is in the window, saved or not.
 ExportSource FileCommands::exportSource() const {
   const editor::ScenarioDocument& document = workspace_.document();
@@ -26,14 +32,18 @@ ExportSource FileCommands::exportSource() const {
   return source;
 }
 
+/// Where this scenario was exported last, else beside it.
+QString FileCommands::exportFolder() const {
+  const QString path = workspace_.document().path();
+  const QStringList last = memory_.value(kExportKey).toStringList();
+  const bool isOurs = last.size() == 2 && !path.isEmpty() && last.front() == path;
+  return isOurs ? last.back() : folder() + QStringLiteral("/export");
+}
+
 void FileCommands::askExport() {
-  constexpr const char* kFolderKey = "files/export";
-  const QString last = memory_.value(kFolderKey).toString();
-  ExportDialog dialog(exportSource(), last.isEmpty() ? folder() + QStringLiteral("/export") : last,
-                      workspace_.theme(), &window_);
-  if (dialog.exec() == QDialog::Accepted) {
-    memory_.setValue(kFolderKey, dialog.folder());
-    exportPlan(dialog.plan());
+  ExportDialog dialog(exportSource(), exportFolder(), workspace_.theme(), &window_);
+  if (dialog.exec() == QDialog::Accepted && exportPlan(dialog.plan())) {
+    memory_.setValue(kExportKey, QStringList{workspace_.document().path(), dialog.folder()});
   }
 }
 

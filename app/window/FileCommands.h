@@ -52,6 +52,7 @@ class FileCommands : public QObject {
   bool saveTo(const QString& path, const editor::TreeAnswers& trees = {});
   void fillRecentMenu(QMenu& menu);
   ExportSource exportSource() const;
+  QString exportFolder() const;                                    // what `askExport` proposes
   bool exportPlan(const ExportPlan& plan);                         // writes it
   const base::Diagnostics& problems() const { return problems_; }  // of the last command
 

@@ -64,10 +64,13 @@ bool FileCommands::mayWriteOver() {
                          .arg(document.displayName())
                          .arg(document.commentCount()));
   }
-  return losses.isEmpty() || QMessageBox::question(&window_, tr("Save over the file?"),
-                                                   losses.join(QStringLiteral("\n\n")),
-                                                   QMessageBox::Save | QMessageBox::Cancel,
-                                                   QMessageBox::Cancel) == QMessageBox::Save;
+  if (losses.isEmpty()) {
+    return true;
+  }
+  losses << tr("Save anyway?");
+  return QMessageBox::question(
+             &window_, tr("Save over the file?"), losses.join(QStringLiteral("\n\n")),
+             QMessageBox::Save | QMessageBox::Cancel, QMessageBox::Cancel) == QMessageBox::Save;
 }
 
 bool FileCommands::saveAsking(const QString& path) {

@@ -133,7 +133,7 @@ SavePlan ScenarioDocument::planSaving(const QString& path) const {
   plan.mapPath = mapPath_;
   if (isReadOnly() && plan.path == path_) {
     plan.problems.push_back(base::makeError(
-        "the file could only be read in part and is not written over (save under another name)",
+        "the file could only be read in part and will not be overwritten (save under another name)",
         path.toStdString()));
     return plan;
   }

@@ -81,6 +81,7 @@ class FileWindowTest : public QObject {
     answerBox(QMessageBox::Cancel);
     window_->actions().save->trigger();
     QVERIFY(boxText_.contains(QStringLiteral("comment")));
+    QVERIFY(boxText_.endsWith(QStringLiteral("Save anyway?")));
     QVERIFY(*base::readTextFile(file.toStdString()) == text);
     answerBox(QMessageBox::Save);
     window_->actions().save->trigger();
@@ -288,6 +289,29 @@ class FileWindowTest : public QObject {
     QVERIFY(other.files().topLevelItem(0)->text(1) == QStringLiteral("is replaced"));
   }
 
+  void export_folder_isThatOfTheScenarioUnlessItWasExported() {
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, at("settings"));
+    app::WindowSetup setup = quiet::setup();
+    setup.remembers = true;
+    window_ = std::make_unique<MainWindow>(setup);
+    window_->show();
+    app::FileCommands& files = window_->files();
+    const QString first = copyOfDemo();
+    QVERIFY(window_->open(first));
+    QCOMPARE(files.exportFolder(), at("export"));
+    exportTo(first + QStringLiteral("/no"));  // a file is no folder
+    QVERIFY(base::hasErrors(files.problems()));
+    QCOMPARE(files.exportFolder(), at("export"));
+    exportTo(at("elsewhere"));
+    QVERIFY(!base::hasErrors(files.problems()));
+    QCOMPARE(files.exportFolder(), at("elsewhere"));
+    QVERIFY(QDir().mkpath(at("other")));
+    QVERIFY(files.saveTo(at("other/other.yaml")));
+    QCOMPARE(files.exportFolder(), at("other/export"));
+    QVERIFY(window_->open(first));
+    QCOMPARE(files.exportFolder(), at("elsewhere"));
+  }
+
   void newRoom_size_isAMapWithWallsThatIsSaved() {
     window_->files().newOnMap(editor::emptyRoom(6.0, 4.0));
     QVERIFY(!window_->isOnStartPage());
@@ -381,6 +405,16 @@ class FileWindowTest : public QObject {
         box->button(button)->click();
       }
     });
+  }
+
+  void exportTo(const QString& target) {
+    QTimer::singleShot(100, this, [&target] {
+      if (auto* dialog = qobject_cast<app::ExportDialog*>(QApplication::activeModalWidget())) {
+        dialog->setFolder(target);
+        dialog->accept();
+      }
+    });
+    window_->files().askExport();
   }
 
   /// The café as cafe.yaml with an image of an uncommon name, and other maps beside it.
