@@ -46,7 +46,7 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme, QWi
       document_(document),
       theme_(theme),
       picture_(new QLabel(this)),
-      name_(new QLabel(this)),
+      name_(new ElidedLabel(this)),
       about_(secondaryLabel({}, this)),
       now_(new NowSection(this)),
       later_(secondaryLabel(tr("Changes count from the next start."), this)),
@@ -54,7 +54,6 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme, QWi
   setMinimumWidth(300);
   picture_->setFixedSize(kPictureSize, kPictureSize);
   name_->setFont(theme_.font(12.0, QFont::DemiBold));
-  name_->setTextFormat(Qt::PlainText);
   about_->setTextFormat(Qt::PlainText);
   auto* words = new QVBoxLayout;
   words->setSpacing(0);
@@ -147,17 +146,17 @@ void PropertyPanel::showHeading(const std::vector<EntityId>& ids) {
   const std::size_t others = all > ids.size() ? all - ids.size() : 0;
   const QString rest = counted(others, tr("other"), tr("others"));
   if (ids.size() > 1) {
-    name_->setText(ids.front().kind == EntityKind::Human
-                       ? tr("%1 people").arg(ids.size())
-                       : counted(ids.size(), kindName(ids.front().kind),
-                                 kindName(ids.front().kind) + QLatin1Char('s')));
+    name_->setWords(ids.front().kind == EntityKind::Human
+                        ? tr("%1 people").arg(ids.size())
+                        : counted(ids.size(), kindName(ids.front().kind),
+                                  kindName(ids.front().kind) + QLatin1Char('s')));
     about_->setText(others == 0 ? tr("Changes go to all of them")
                                 : tr("Changes go to these, not to %1").arg(rest));
   } else if (ids.front() == kSettingsId) {
-    name_->setText(document_.displayName());
+    name_->setWords(document_.displayName());
     about_->setText(tr("Scenario · nothing selected"));
   } else {
-    name_->setText(displayName(*first));
+    name_->setWords(displayName(*first));
     about_->setText(others == 0 ? aboutOne(*first) : tr("%1 · and %2").arg(aboutOne(*first), rest));
   }
 }

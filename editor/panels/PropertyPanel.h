@@ -6,6 +6,7 @@
 #include <QScrollArea>
 #include <QStackedWidget>
 
+#include "editor/panels/ElidedLabel.h"
 #include "editor/panels/NowSection.h"
 #include "editor/panels/PropertyPage.h"
 
@@ -35,7 +36,7 @@ class PropertyPanel : public QWidget {
   ScenarioDocument& document_;
   Theme theme_;
   QLabel* picture_;
-  QLabel* name_;
+  ElidedLabel* name_;
   QLabel* about_;
   NowSection* now_;
   QLabel* later_;

@@ -96,6 +96,32 @@ class PropertyPanelTest : public QObject {
     QCOMPARE(speed->value(), 1.0);
   }
 
+  void heading_longName_losesItsMiddleAndKeepsTheWholeInTheToolTip() {
+    document_->setSelection({key(0)});
+    editor::ElidedLabel* heading = nullptr;
+    for (QLabel* label : panel_->findChildren<QLabel*>()) {
+      heading = heading == nullptr ? dynamic_cast<editor::ElidedLabel*>(label) : heading;
+    }
+    QVERIFY(heading != nullptr);
+    QCOMPARE(heading->shownWords(), QStringLiteral("Ana"));
+    const QString name =
+        QStringLiteral("Ana ") + QString(200, QLatin1Char('n')) + QStringLiteral(" Z");
+    editor::pushChange<sim2d::Human>(
+        *document_, key(0), QStringLiteral("Name"),
+        [&name](sim2d::Human& person) { person.name = name.toStdString(); });
+    QCoreApplication::processEvents();
+    QCOMPARE(panel_->width(), 320);
+    QCOMPARE(heading->toolTip(), name);
+    const QString shown = heading->shownWords();
+    QVERIFY2(shown.contains(QChar(0x2026)) && shown.startsWith(QStringLiteral("Ana")) &&
+                 shown.endsWith(QLatin1Char('Z')),
+             qPrintable(shown));
+    QVERIFY(heading->fontMetrics().horizontalAdvance(shown) <= heading->width());
+    panel_->resize(2400, 700);
+    QCoreApplication::processEvents();
+    QVERIFY(heading->shownWords().size() > shown.size());
+  }
+
   void number_stepped_mergesIntoOneCommand() {
     document_->setSelection({key(0)});
     auto* heading = field<NumberField>(QStringLiteral("Heading"));
