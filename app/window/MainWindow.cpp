@@ -7,6 +7,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QScreen>
 #include <QUrl>
 
 #include "app/window/CanvasMenu.h"
@@ -61,7 +62,7 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
       saved_(new QLabel(this)) {
   setObjectName(QStringLiteral("window"));
   setMinimumSize(900, 600);
-  resize(1280, 800);
+  resize(usualSize().boundedTo(screen()->availableGeometry().size()));
   setAcceptDrops(true);
   setContextMenuPolicy(Qt::NoContextMenu);
   setWindowIcon(editor::themedIcon(QStringLiteral("app"), editor::Theme::light()));

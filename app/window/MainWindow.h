@@ -42,6 +42,8 @@ class MainWindow : public QMainWindow {
  public:
   explicit MainWindow(const WindowSetup& setup, QWidget* parent = nullptr);
   ~MainWindow() override;
+  /// Of the first start where the screen has room for it, and of pictures.
+  static QSize usualSize() { return {1280, 800}; }
 
   Workspace& workspace() { return workspace_; }
   Docks& docks() { return *docks_; }

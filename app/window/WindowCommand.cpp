@@ -1,8 +1,10 @@
 #include "app/window/WindowCommand.h"
 
+#include <algorithm>
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 
 #include <QApplication>
 #include <QFileInfo>
@@ -88,13 +90,18 @@ QString titleOf(std::string name) {
   return title;
 }
 
-/// For the start page: without the many scenes of the realism tests.
+/// For the start page: whole scenes first, then one per reaction; none of the many of the realism
+/// tests.
 std::vector<Demo> demos() {
+  std::vector<ShippedScenario> scenarios = shippedScenarios();
+  const auto begins = [](const char* with) {
+    return [with](const ShippedScenario& one) { return one.name.rfind(with, 0) == 0; };
+  };
+  scenarios.erase(std::remove_if(scenarios.begin(), scenarios.end(), begins("realism_")),
+                  scenarios.end());
+  std::stable_partition(scenarios.begin(), scenarios.end(), std::not_fn(begins("reaction_")));
   std::vector<Demo> result;
-  for (const ShippedScenario& scenario : shippedScenarios()) {
-    if (scenario.name.rfind("realism_", 0) == 0) {
-      continue;
-    }
+  for (const ShippedScenario& scenario : scenarios) {
     result.push_back({titleOf(scenario.name), QString::fromStdString(scenario.path)});
   }
   return result;
@@ -160,6 +167,8 @@ int windowCommand(int argc, char** argv, const RunOptions& run, const WindowOpti
   }
   if (const std::optional<QSize> size = sizeFromText(options.size)) {
     window.resize(*size);
+  } else if (picture) {
+    window.resize(MainWindow::usualSize());  // whatever the screen
   }
   window.show();
   bool opened = true;

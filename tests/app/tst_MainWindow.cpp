@@ -3,6 +3,7 @@
 
 #include <QLabel>
 #include <QLineEdit>
+#include <QScreen>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -68,6 +69,14 @@ class MainWindowTest : public QObject {
     window_->actions().newRoom->trigger();
     QVERIFY(!window_->isOnStartPage());
     QVERIFY(view().isVisible());
+  }
+
+  void start_sizeWithoutMemory_isNoLargerThanTheScreen() {
+    const MainWindow window(quiet::setup());
+    const QSize screen = window.screen()->availableGeometry().size();
+    QVERIFY(window.width() <= std::max(screen.width(), window.minimumWidth()));
+    QVERIFY(window.height() <= std::max(screen.height(), window.minimumHeight()));
+    QVERIFY(window.width() <= 1280 && window.height() <= 800);
   }
 
   void tool_chosen_hearsItsKeys() {
