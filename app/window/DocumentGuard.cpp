@@ -100,11 +100,12 @@ void DocumentGuard::tellReadOnly() {
     notices_.drop(readOnlyId());
     return;
   }
-  notices_.tell({readOnlyId(),
-                 true,
-                 tr("%1 is damaged and shown as far as it could be read. It will not be overwritten.")
-                     .arg(document_.displayName()),
-                 {{tr("Save as…"), [this] { files_.saveAs(); }}}});
+  notices_.tell(
+      {readOnlyId(),
+       true,
+       tr("%1 is damaged and shown as far as it could be read. It will not be overwritten.")
+           .arg(document_.displayName()),
+       {{tr("Save as…"), [this] { files_.saveAs(); }}}});
 }
 
 }  // namespace app
