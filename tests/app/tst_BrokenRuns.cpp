@@ -108,7 +108,7 @@ class BrokenRunsTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(halfWritten(out).size() >= 3, 30000);
     QVERIFY(::kill(batch.pid(), SIGKILL) == 0);
     batch.wait();
-    QTRY_COMPARE_WITH_TIMEOUT(statusOf(out + text("/runs/0")), text("interrupted"), 20000);
+    QTRY_COMPARE_WITH_TIMEOUT(statusOf(out + text("/runs/0")), text("interrupted"), 50000);
   }
 
   void run_signals_keepThePart_data() {
