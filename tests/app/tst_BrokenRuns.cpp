@@ -104,7 +104,8 @@ class BrokenRunsTest : public QObject {
   void batch_killed_itsRunsEndToo() {
     QTemporaryDir folder;
     const QString out = folder.filePath(text("out"));
-    Group batch({program(), text("batch"), longExperiment(folder), text("-o"), out});
+    Group batch({program(), text("batch"), longExperiment(folder), text("-o"), out, text("--jobs"),
+                 text("1")});  // with two, the other one might not listen yet
     QTRY_VERIFY_WITH_TIMEOUT(halfWritten(out).size() >= 3, 30000);
     QVERIFY(::kill(batch.pid(), SIGKILL) == 0);
     batch.wait();
