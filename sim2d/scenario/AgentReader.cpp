@@ -145,13 +145,19 @@ std::optional<int> goalOf(const YamlNode& item, MapView& agent, std::map<std::st
   if (isWord && base::parseDouble(item.text)) {
     const auto integral =
         readInteger(item, {agent.pathOf("goals"), agent.entity()}, reading.report);
-    return integral && *integral > 0 && *integral <= kLargestInt
-               ? std::optional<int>(static_cast<int>(*integral))
-               : std::nullopt;
+    if (!integral || (*integral > 0 && *integral <= kLargestInt)) {
+      return integral ? std::optional<int>(static_cast<int>(*integral)) : std::nullopt;
+    }
   }
   reading.report.error(item, agent.pathOf("goals") + ": goal '" + item.text + "' is not defined",
                        agent.entity());
   return std::nullopt;
+}
+
+/// Whether there is a value somewhere in it; empty maps and lists are not written again.
+bool saysAnything(const YamlNode& value) {
+  return value.isScalar() ? !value.text.empty()
+                          : std::any_of(value.items.begin(), value.items.end(), saysAnything);
 }
 
 void readGoals(MapView& agent, Human& human, LoaderReading& reading) {
@@ -196,13 +202,14 @@ bool looksLikeAgent(const YamlNode& block) {
   if (!block.isMap()) {
     return false;
   }
-  if (block.find("init_pose") != nullptr || block.find("behavior") != nullptr) {
-    return true;
-  }
+  const auto has = [&](const char* key) {
+    const YamlNode* value = block.find(key);
+    return value != nullptr && saysAnything(*value);
+  };
   static constexpr std::array<const char*, 6> kUsual = {"id",      "group_id", "skin",
                                                         "max_vel", "radius",   "goals"};
-  return std::count_if(kUsual.begin(), kUsual.end(),
-                       [&](const char* key) { return block.find(key) != nullptr; }) >= 2;
+  return has("init_pose") || has("behavior") ||
+         std::count_if(kUsual.begin(), kUsual.end(), has) >= 2;
 }
 
 Human readHuman(const YamlNode& block, bool listed, LoaderReading& reading) {

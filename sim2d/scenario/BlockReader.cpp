@@ -211,11 +211,14 @@ class BlockReader {
 
   void readGroups() {
     MapView groups = view_.map("groups");
+    std::set<long long> ids;  // 3 and 03 are one group
     for (const YamlNode& item : groups.node().items) {
       const auto id = base::parseInt(item.key);
       const auto name = groups.text(item.key);
       if (!id || *id < 0 || *id > kLargestInt) {
         groups.error(item.key, "a group needs a number as its key");
+      } else if (!ids.insert(*id).second) {
+        groups.error(item.key, "group " + std::to_string(*id) + " is named twice");
       } else if (name) {
         scenario_.desktop.groups.emplace_back(static_cast<int>(*id), *name);
       }

@@ -45,10 +45,7 @@ void setOptional(YamlNode& map, const std::string& key, const std::optional<doub
 
 Obstacle readObstacle(MapView view) {
   Obstacle obstacle;
-  if (view.node().find("kind") == nullptr) {
-    view.error("kind", "is missing");
-  }
-  const auto kind = view.choice("kind", obstacleKindWords());
+  const auto kind = view.requiredChoice("kind", obstacleKindWords());
   if (!kind) {
     return obstacle;  // told; its keys say nothing then
   }
@@ -89,11 +86,8 @@ Door readDoor(MapView view) {
 
 Area readArea(MapView view) {
   Area area;
-  if (view.node().find("kind") == nullptr) {
-    view.error("kind", "is missing");
-  }
   area.kind = static_cast<AreaKind>(
-      view.choice("kind", areaKindWords()).value_or(static_cast<int>(AreaKind::Wait)));
+      view.requiredChoice("kind", areaKindWords()).value_or(static_cast<int>(AreaKind::Wait)));
   area.points = readPoints(view, 3);
   area.like = view.text("like");
   area.rate = view.number("rate", kNotNegative);

@@ -334,12 +334,23 @@ std::optional<int> MapView::choice(const std::string& key, const std::vector<std
   return std::nullopt;
 }
 
-double MapView::required(const std::string& key, Range range) {
-  if (node_->find(key) == nullptr) {
-    error(key, "is missing");
-    know(key);
+bool MapView::demand(const std::string& key) {
+  const YamlNode* found = node_->find(key);
+  if (found != nullptr && !found->isNull()) {
+    return true;
   }
-  return number(key, range).value_or(0.0);
+  know(key);
+  error(key, "is missing");
+  return false;
+}
+
+double MapView::required(const std::string& key, Range range) {
+  return demand(key) ? number(key, range).value_or(0.0) : 0.0;
+}
+
+std::optional<int> MapView::requiredChoice(const std::string& key,
+                                           const std::vector<std::string>& words) {
+  return demand(key) ? choice(key, words) : std::nullopt;
 }
 
 void MapView::error(const std::string& key, const std::string& message) {

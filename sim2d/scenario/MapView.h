@@ -76,7 +76,9 @@ class MapView {
   std::vector<std::string> names(const std::string& key);
   /// Index of the word in `words`; another one is an error with the nearest.
   std::optional<int> choice(const std::string& key, const std::vector<std::string>& words);
+  /// As above; an error where the key or its value is missing.
   double required(const std::string& key, Range range = kAny);
+  std::optional<int> requiredChoice(const std::string& key, const std::vector<std::string>& words);
 
   void error(const std::string& key, const std::string& message);
   void warning(const std::string& key, const std::string& message);
@@ -87,6 +89,8 @@ class MapView {
   UnknownKeys takeUnknown();
 
  private:
+  /// Whether the key has a value; an error otherwise.
+  bool demand(const std::string& key);
   const YamlNode& place(const std::string& key) const;
   const YamlNode* list(const std::string& key);
 

@@ -87,8 +87,11 @@ class FileReader {
     readGlobalGoals(view);
     readAgents(view);
     scenario().unknown = view.takeUnknown();
-    if (loader_.undefinedNumber && parameters.find("global_goals") == nullptr) {
-      report().error(parameters, "agents have goals by number, but global_goals is missing");
+    const YamlNode* goals = parameters.find("global_goals");
+    if (loader_.undefinedNumber && (goals == nullptr || scenario().goals.empty())) {
+      report().error(goals == nullptr ? parameters : *goals,
+                     std::string("agents have goals by number, but global_goals is ") +
+                         (goals == nullptr ? "missing" : "empty"));
     }
     reportDialect(parameters);
   }

@@ -41,6 +41,10 @@ bool hasPlainShape(std::string_view text) {
   if (text.empty() || text.front() == ' ' || text.back() == ' ' || text.back() == ':') {
     return false;
   }
+  // at the start of a text of its own: end of the document, byte order mark
+  if (text.substr(0, 3) == "..." || text.substr(0, 3) == "\xEF\xBB\xBF") {
+    return false;
+  }
   static constexpr std::string_view kIndicators = "-?:,[]{}#&*!|>'\"%@`";
   if (kIndicators.find(text.front()) != std::string_view::npos) {
     return false;

@@ -1,3 +1,5 @@
+#include <QRegularExpression>
+
 #include "ScenarioTest.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 
@@ -91,6 +93,30 @@ class ScenarioErrorsTest : public QObject {
         const ScenarioReading again = readScenarioText(writeScenario(reading.scenario), "cut.yaml");
         QVERIFY2(again.ok(), qPrintable(shown(again.diagnostics)));
         QVERIFY(again.scenario == reading.scenario);
+      }
+    }
+  }
+
+  void read_anyValueReplaced_isErrorOrCanBeWritten_data() {
+    QTest::addColumn<QByteArray>("value");
+    for (const char* value : {"~", "''", "nan", "010", "-1", "5e-324", "...", "[]", "{}", "|"}) {
+      QTest::newRow(value) << QByteArray(value);
+    }
+  }
+  void read_anyValueReplaced_isErrorOrCanBeWritten() {
+    QFETCH(QByteArray, value);
+    static const QRegularExpression kValue(QStringLiteral("(?<=[:-] )[^\\s\\[{#][^\\s#]*"));
+    const QString text = QString::fromStdString(textOf(dataFile("block.yaml")));
+    for (auto found = kValue.globalMatch(text); found.hasNext();) {
+      const QRegularExpressionMatch match = found.next();
+      QString changed = text;
+      changed.replace(match.capturedStart(), match.capturedLength(), QString::fromUtf8(value));
+      const ScenarioReading reading = readScenarioText(changed.toStdString(), "odd.yaml");
+      if (reading.ok()) {
+        const std::string written = writeScenario(reading.scenario);
+        const ScenarioReading again = readScenarioText(written, "odd.yaml");
+        QVERIFY2(again.ok(), qPrintable(shown(again.diagnostics)));
+        QVERIFY2(again.scenario == withoutDefaults(reading.scenario), written.c_str());
       }
     }
   }

@@ -84,12 +84,19 @@ class ScenarioWriterTest : public QObject {
   void needsQuotes_yaml11_data() {
     QTest::addColumn<QByteArray>("text");
     QTest::addColumn<bool>("quotes");
-    for (const char* text :
-         {"on",   "Off",        "no",    "YES",   "y",   "N",    "true", "null", "~",    "1e3",
-          "010",  "0x1F",       "1_000", "12:30", "1.5", "-3",   "+1",   ".5",   ".inf", "-.INF",
-          ".nan", "2001-01-01", "",      " a",    "a ",  "a: b", "a #b", "#",    "- a",  "?",
-          "[a",   "{a",         "a, b",  "*a",    "&a",  "!a",   "|",    ">",    "'",    "\"",
-          "%",    "@",          "`",     "<<",    "=",   "a:",   "a\nb", "a\tb"}) {
+    for (const char* text : {"on",    "Off",        "no",   "YES",
+                             "y",     "N",          "true", "null",
+                             "~",     "1e3",        "010",  "0x1F",
+                             "1_000", "12:30",      "1.5",  "-3",
+                             "+1",    ".5",         ".inf", "-.INF",
+                             ".nan",  "2001-01-01", "",     " a",
+                             "a ",    "a: b",       "a #b", "#",
+                             "- a",   "?",          "[a",   "{a",
+                             "a, b",  "*a",         "&a",   "!a",
+                             "|",     ">",          "'",    "\"",
+                             "%",     "@",          "`",    "<<",
+                             "=",     "a:",         "a\nb", "a\tb",
+                             "...",   "... x",      "---",  "\xEF\xBB\xBFz"}) {
       QTest::newRow(qPrintable(QStringLiteral("<%1>").arg(QString::fromUtf8(text))))
           << QByteArray(text) << true;
     }
@@ -110,6 +117,10 @@ class ScenarioWriterTest : public QObject {
     const YamlNode read = parseYaml(emitYaml(map), "t", problems);
     QVERIFY(problems.empty());
     QCOMPARE(QByteArray::fromStdString(read.items.at(0).text), text);
+    // as the value of a key that is not ours, which is kept as a text of its own
+    const YamlNode alone = parseYaml(emitYaml(map.items.at(0)), "t", problems);
+    QVERIFY(problems.empty());
+    QCOMPARE(QByteArray::fromStdString(alone.text), text);
   }
 
   void suggestedSimulator_byHeight() {
