@@ -5,8 +5,11 @@ set -euo pipefail
 # shellcheck source=scripts/common.sh
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/common.sh"
 
+# The same inputs at every run, as many as fit into the time; --all draws new ones, without end but
+# for the time.
 fuzz_seconds=60
-fuzz_seed=1  # the same inputs at every run of the build server; --all draws new ones (0)
+fuzz_seed=1
+fuzz_runs=120000
 
 usage() {
   say "usage: scripts/test.sh [--all]"
@@ -35,10 +38,14 @@ fuzz() {
   local programs=() program corpus
   need_packages "${packages_to_fuzz[@]}"
   build_preset fuzz fuzzers
+  without_randomisation  # addresses steer the fuzzer
   mapfile -t programs < <(find "$build/fuzz/fuzzers" -maxdepth 1 -type f -name 'fuzz_*' -executable)
   [ "${#programs[@]}" -gt 0 ] || fail "tests/fuzz holds no fuzz_*.cpp"
   for program in "${programs[@]}"; do
     corpus=$build/fuzz/corpus/${program##*/}
+    if [ "$fuzz_runs" -gt 0 ]; then
+      rm -rf "$corpus"
+    fi
     mkdir -p "$corpus"
     local seeds=$root/tests/fuzz/corpus/${program##*/}
     local folders=("$corpus")
@@ -46,13 +53,15 @@ fuzz() {
       folders+=("$seeds")
     fi
     say "fuzzing with ${program##*/}"
-    logged "$logs/${program##*/}.log" "$program" -rss_limit_mb=4096 -timeout=10 -seed="$fuzz_seed" \
+    logged "$logs/${program##*/}.log" "${launcher[@]}" "$program" -rss_limit_mb=4096 -timeout=10 \
+      -seed="$fuzz_seed" -runs="$fuzz_runs" -reload=0 \
       -max_total_time=$((fuzz_seconds / ${#programs[@]} + 1)) \
       -artifact_prefix="$build/fuzz/" "${folders[@]}"
   done
+  launcher=()
 }
 
-# ThreadSanitizer of gcc 12 fails under the address randomisation of newer kernels.
+# Sets the launcher. ThreadSanitizer of gcc 12 fails under the address randomisation of newer kernels.
 without_randomisation() {
   if setarch "$(uname -m)" -R true 2>/dev/null; then
     launcher=(setarch "$(uname -m)" -R)
@@ -78,7 +87,7 @@ check_everything_else() {
 all=no
 for argument in "$@"; do
   case $argument in
-    --all) all=yes fuzz_seed=0 ;;
+    --all) all=yes fuzz_seed=0 fuzz_runs=-1 ;;
     *) usage ;;
   esac
 done
