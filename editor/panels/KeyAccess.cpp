@@ -29,19 +29,7 @@ SwitchKey listedKey() {
   key.label = QObject::tr("Takes part");
   key.words = QObject::tr("In the scenario");
   key.hint = QObject::tr("Off: kept in the file, but not in the run");
-  key.get = [](const Entity& entity) {
-    return std::visit(
-        [](const auto& value) {
-          using Value = std::decay_t<decltype(value)>;
-          if constexpr (std::is_same_v<Value, sim2d::GlobalGoal> ||
-                        std::is_same_v<Value, ScenarioSettings>) {
-            return true;
-          } else {
-            return value.listed;
-          }
-        },
-        entity);
-  };
+  key.get = isListed;
   key.set = [](Entity& entity, bool on) {
     std::visit(
         [on](auto& value) {

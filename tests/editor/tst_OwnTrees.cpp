@@ -13,49 +13,74 @@
 
 using namespace editor;
 
+namespace {
+
+void check(const base::Diagnostics& found) {
+  for (const base::Diagnostic& diagnostic : found) {
+    QVERIFY2(diagnostic.severity != base::Severity::Error, diagnostic.text().c_str());
+  }
+}
+
+/// The small scenario, to be saved in a folder of its own.
+struct Room {
+  QTemporaryDir folder;
+  QString path = folder.filePath(QStringLiteral("room.yaml"));
+  ScenarioDocument document;
+
+  Room() { document.load(small::scenario()); }
+
+  std::string treePath(int id) const {
+    return folder.filePath(QStringLiteral("room__agent_%1_bt.xml").arg(id)).toStdString();
+  }
+  std::string treeText(int id) const {
+    const auto text = base::readTextFile(treePath(id));
+    return text.diagnostics().empty() ? *text : std::string();
+  }
+};
+
+struct SavedRoom : Room {
+  SavedRoom() { check(document.save(path)); }
+};
+
+}  // namespace
+
 /// Trees that somebody wrote, when the scenario around them changes and is saved.
 class OwnTreesTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
   void save_goalsChanged_generatedTreeFollowsSilently() {
-    const QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("room.yaml"));
-    ScenarioDocument document;
-    document.load(small::scenario());
-    check(document.save(path));
-    const std::string before = treeText(folder, 1);
+    SavedRoom room;
+    ScenarioDocument& document = room.document;
+    const std::string before = room.treeText(1);
     pushRoute(document, {{EntityKind::Human, 1}}, {3});
-    QVERIFY(document.treeQuestions(path).empty());
-    check(document.save(path));
-    QVERIFY(treeText(folder, 1) != before);
-    QVERIFY(isGeneratedTree(treeText(folder, 1), document.scenario(),
+    QVERIFY(document.treeQuestions(room.path).empty());
+    check(document.save(room.path));
+    QVERIFY(room.treeText(1) != before);
+    QVERIFY(isGeneratedTree(room.treeText(1), document.scenario(),
                             *document.human({EntityKind::Human, 1})));
   }
 
   void save_treeOfTheOriginalsStyle_staysInItsStyle() {
-    const QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("room.yaml"));
-    ScenarioDocument document;
-    document.load(small::scenario());
-    check(document.save(path));
+    SavedRoom room;
+    ScenarioDocument& document = room.document;
     const EntityId chloe{EntityKind::Human, 3};
     const std::string theirs =
         generatedTree(document.scenario(), *document.human(chloe), bt::TreeStyle::Hunav2);
-    check(base::writeFileAtomically(treePath(folder, 3), theirs));
+    check(base::writeFileAtomically(room.treePath(3), theirs));
     ScenarioDocument again;
-    check(again.open(path));
+    check(again.open(room.path));
     const EntityId same = again.entities(EntityKind::Human)[2];
     QVERIFY(!again.tree(same));
     QVERIFY(again.treeToRun(same) == theirs);
-    check(again.save(path));
-    QVERIFY(treeText(folder, 3) == theirs);
+    check(again.save(room.path));
+    QVERIFY(room.treeText(3) == theirs);
     pushRoute(again, {same}, {2, 3});
-    QVERIFY(again.treeQuestions(path).empty());
-    check(again.save(path));
-    QVERIFY(generatedStyle(treeText(folder, 3), again.scenario(), *again.human(same)) ==
+    QVERIFY(again.treeQuestions(room.path).empty());
+    check(again.save(room.path));
+    QVERIFY(generatedStyle(room.treeText(3), again.scenario(), *again.human(same)) ==
             bt::TreeStyle::Hunav2);
-    QVERIFY(treeText(folder, 3) != theirs);
+    QVERIFY(room.treeText(3) != theirs);
   }
 
   void treeQuestions_goalsOfAnOwnTreeChanged_asksAndObeys_data() {
@@ -66,75 +91,65 @@ class OwnTreesTest : public QObject {
 
   void treeQuestions_goalsOfAnOwnTreeChanged_asksAndObeys() {
     QFETCH(bool, keeps);
-    const QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("room.yaml"));
-    ScenarioDocument document;
-    document.load(small::scenario());
+    Room room;
+    ScenarioDocument& document = room.document;
     const EntityId ana{EntityKind::Human, 1};
     document.undoStack().push(new EditTree(document, ana, kOwnTree, QStringLiteral("Tree")));
-    QVERIFY(document.treeQuestions(path).empty());
-    check(document.save(path));
+    QVERIFY(document.treeQuestions(room.path).empty());
+    check(document.save(room.path));
     pushRoute(document, {ana}, {3});
-    const std::vector<TreeQuestion> questions = document.treeQuestions(path);
+    const std::vector<TreeQuestion> questions = document.treeQuestions(room.path);
     QCOMPARE(questions.size(), std::size_t(1));
     QVERIFY(questions[0].human == ana);
     QVERIFY(questions[0].why == TreeQuestion::Why::BehaviourChanged);
     QVERIFY(questions[0].mine == kOwnTree);
     QVERIFY(questions[0].replacement == generatedTree(document.scenario(), *document.human(ana)));
-    check(document.save(path, {{ana, keeps ? TreeAnswer::KeepMine : TreeAnswer::TakeReplacement}}));
-    QVERIFY((treeText(folder, 1) == kOwnTree) == keeps);
+    check(document.save(room.path,
+                        {{ana, keeps ? TreeAnswer::KeepMine : TreeAnswer::TakeReplacement}}));
+    QVERIFY((room.treeText(1) == kOwnTree) == keeps);
     QVERIFY(document.tree(ana).has_value() == keeps);
-    QVERIFY(document.treeQuestions(path).empty());  // asked once per change
+    QVERIFY(document.treeQuestions(room.path).empty());  // asked once per change
     QVERIFY(!document.isDirty());
     document.undoStack().undo();
     QVERIFY(document.isDirty());
   }
 
   void treeQuestions_treeEditedByAnotherProgram_isNeverReplacedInSilence() {
-    const QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("room.yaml"));
-    ScenarioDocument document;
-    document.load(small::scenario());
-    check(document.save(path));
-    check(base::writeFileAtomically(treePath(folder, 1), kOwnTree));
+    SavedRoom room;
+    ScenarioDocument& document = room.document;
+    check(base::writeFileAtomically(room.treePath(1), kOwnTree));
     pushRoute(document, {{EntityKind::Human, 1}}, {3});
-    const std::vector<TreeQuestion> questions = document.treeQuestions(path);
+    const std::vector<TreeQuestion> questions = document.treeQuestions(room.path);
     QCOMPARE(questions.size(), std::size_t(1));
     QVERIFY(questions[0].why == TreeQuestion::Why::ChangedOnDisk);
     QVERIFY(questions[0].mine == kOwnTree);
-    check(document.save(path));  // no answer: what is there stays, and is the person's from now on
-    QVERIFY(treeText(folder, 1) == kOwnTree);
+    check(document.save(
+        room.path));  // no answer: what is there stays, and is the person's from now on
+    QVERIFY(room.treeText(1) == kOwnTree);
     QVERIFY(document.tree({EntityKind::Human, 1}) == kOwnTree);
     document.undoStack().undo();
-    check(document.save(path, {{{EntityKind::Human, 1}, TreeAnswer::TakeReplacement}}));
-    QVERIFY(isGeneratedTree(treeText(folder, 1), document.scenario(),
+    check(document.save(room.path, {{{EntityKind::Human, 1}, TreeAnswer::TakeReplacement}}));
+    QVERIFY(isGeneratedTree(room.treeText(1), document.scenario(),
                             *document.human({EntityKind::Human, 1})));
   }
 
   void treeQuestions_onlyACommentAddedByAnotherProgram_asksAndKeepsIt() {
-    const QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("room.yaml"));
-    ScenarioDocument document;
-    document.load(small::scenario());
-    check(document.save(path));
-    const std::string theirs = treeText(folder, 1) + "<!-- not before Monday -->\n";
-    check(base::writeFileAtomically(treePath(folder, 1), theirs));
+    SavedRoom room;
+    ScenarioDocument& document = room.document;
+    const std::string theirs = room.treeText(1) + "<!-- not before Monday -->\n";
+    check(base::writeFileAtomically(room.treePath(1), theirs));
     pushMove(document, {{EntityKind::Human, 1}}, Vec2(0.1, 0.0));
-    QCOMPARE(document.treeQuestions(path).size(), std::size_t(1));
-    check(document.save(path));
-    QVERIFY(treeText(folder, 1) == theirs);
+    QCOMPARE(document.treeQuestions(room.path).size(), std::size_t(1));
+    check(document.save(room.path));
+    QVERIFY(room.treeText(1) == theirs);
   }
 
   void open_commentInAGeneratedTree_isAskedForAndNotReplaced() {
-    const QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("room.yaml"));
-    ScenarioDocument document;
-    document.load(small::scenario());
-    check(document.save(path));
-    const std::string theirs = treeText(folder, 1) + "<!-- not before Monday -->\n";
-    check(base::writeFileAtomically(treePath(folder, 1), theirs));
+    SavedRoom room;
+    const std::string theirs = room.treeText(1) + "<!-- not before Monday -->\n";
+    check(base::writeFileAtomically(room.treePath(1), theirs));
     ScenarioDocument again;
-    check(again.open(path));
+    check(again.open(room.path));
     const EntityId ana = again.entities(EntityKind::Human)[0];
     QVERIFY(again.tree(ana) == theirs);
     sim2d::Human brave = *again.human(ana);
@@ -143,12 +158,12 @@ class OwnTreesTest : public QObject {
                               : sim2d::BehaviorType::Curious;
     QVERIFY(!followedTree(again, brave));
     pushRoute(again, {ana}, {3});
-    const std::vector<TreeQuestion> questions = again.treeQuestions(path);
+    const std::vector<TreeQuestion> questions = again.treeQuestions(room.path);
     QCOMPARE(questions.size(), std::size_t(1));
     QVERIFY(questions[0].why == TreeQuestion::Why::BehaviourChanged);
     QVERIFY(questions[0].mine == theirs);
-    check(again.save(path));
-    QVERIFY(treeText(folder, 1) == theirs);
+    check(again.save(room.path));
+    QVERIFY(room.treeText(1) == theirs);
   }
 
   void checkNow_treeFileIsWrong_issuesSayWhatTheRunWouldSay_data() {
@@ -163,21 +178,17 @@ class OwnTreesTest : public QObject {
 
   void checkNow_treeFileIsWrong_issuesSayWhatTheRunWouldSay() {
     QFETCH(QByteArray, text);
-    const QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("room.yaml"));
-    ScenarioDocument document;
-    document.load(small::scenario());
-    check(document.save(path));
+    SavedRoom room;
     for (const int id : {1, 2}) {  // the same text in two files
-      check(base::writeFileAtomically(treePath(folder, id), text.toStdString()));
+      check(base::writeFileAtomically(room.treePath(id), text.toStdString()));
     }
     ScenarioDocument again;
-    check(again.open(path));
+    check(again.open(room.path));
     again.checkNow();
     const std::vector<std::string> told = textsOf(again.issues());
     for (const int id : {1, 2}) {
       const base::Diagnostics wanted = bt::checkAgentTreeFile(
-          treePath(folder, id), *again.scenario().humanById(id), again.scenario());
+          room.treePath(id), *again.scenario().humanById(id), again.scenario());
       QVERIFY(!wanted.empty());
       for (const std::string& one : textsOf(wanted)) {
         QVERIFY2(std::count(told.begin(), told.end(), one) > 0, one.c_str());
@@ -207,15 +218,14 @@ class OwnTreesTest : public QObject {
   }
 
   void checkNow_namedTreeIsLost_isAnErrorUntilItIsThere() {
-    const QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("room.yaml"));
+    const Room room;
     sim2d::Scenario scenario = small::scenario();
     scenario.desktop.mapFile = "none";
     scenario.humans[0].ours.tree = "lost.xml";
-    check(base::writeFileAtomically(path.toStdString(), sim2d::writeScenario(scenario)));
+    check(base::writeFileAtomically(room.path.toStdString(), sim2d::writeScenario(scenario)));
     ScenarioDocument document;
-    check(document.open(path));
-    const std::string lost = folder.filePath(QStringLiteral("lost.xml")).toStdString();
+    check(document.open(room.path));
+    const std::string lost = room.folder.filePath(QStringLiteral("lost.xml")).toStdString();
     const auto countLost = [&] {
       document.checkNow();
       const base::Diagnostics issues = document.issues();
@@ -229,43 +239,41 @@ class OwnTreesTest : public QObject {
   }
 
   void saveAs_overAnOlderScenario_asksOnlyAboutTreesWrittenByHand() {
-    const QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("room.yaml"));
+    const Room room;
     {
       ScenarioDocument old;
       old.load(small::scenario());
       for (const EntityId id : old.entities(EntityKind::Human)) {
         pushRoute(old, {id}, {3, 2, 1});
       }
-      check(old.save(path));
-      check(base::writeFileAtomically(treePath(folder, 2), kOwnTree));
+      check(old.save(room.path));
+      check(base::writeFileAtomically(room.treePath(2), kOwnTree));
     }
     ScenarioDocument document;
     document.load(small::scenario());
-    const std::vector<TreeQuestion> questions = document.treeQuestions(path);
+    const std::vector<TreeQuestion> questions = document.treeQuestions(room.path);
     QCOMPARE(questions.size(), std::size_t(1));
     QCOMPARE(questions[0].name.c_str(), "Ben");
   }
 
   void saveAs_sharedTreeOfOneChanged_theOtherKeepsIt() {
-    const QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("room.yaml"));
-    check(base::writeFileAtomically(folder.filePath(QStringLiteral("both.xml")).toStdString(),
+    const Room room;
+    check(base::writeFileAtomically(room.folder.filePath(QStringLiteral("both.xml")).toStdString(),
                                     kOwnTree));
     sim2d::Scenario scenario = small::scenario();
     scenario.map = "none_here";
     scenario.yamlBaseName = "room";
     scenario.humans[0].ours.tree = "both.xml";
     scenario.humans[1].ours.tree = "both.xml";
-    check(base::writeFileAtomically(path.toStdString(), sim2d::writeScenario(scenario)));
+    check(base::writeFileAtomically(room.path.toStdString(), sim2d::writeScenario(scenario)));
     ScenarioDocument document;
-    check(document.open(path));
+    check(document.open(room.path));
     const std::vector<EntityId> people = document.entities(EntityKind::Human);
     const std::string changed = std::string(kOwnTree) + "<!-- more -->\n";
     document.undoStack().push(new EditTree(document, people[1], changed, QStringLiteral("Tree")));
-    check(document.save(path));
+    check(document.save(room.path));
     ScenarioDocument again;
-    check(again.open(path));
+    check(again.open(room.path));
     QVERIFY(again.tree(again.entities(EntityKind::Human)[0]) == kOwnTree);
     QVERIFY(again.tree(again.entities(EntityKind::Human)[1]) == changed);
   }
@@ -275,27 +283,12 @@ class OwnTreesTest : public QObject {
       "<root BTCPP_format=\"4\" main_tree_to_execute=\"Mine\">\n  <BehaviorTree ID=\"Mine\">\n"
       "    <AlwaysSuccess/>\n  </BehaviorTree>\n</root>\n";
 
-  static std::string treePath(const QTemporaryDir& folder, int id) {
-    return folder.filePath(QStringLiteral("room__agent_%1_bt.xml").arg(id)).toStdString();
-  }
-  static std::string treeText(const QTemporaryDir& folder, int id) {
-    return base::readTextFile(treePath(folder, id)).diagnostics().empty()
-               ? *base::readTextFile(treePath(folder, id))
-               : std::string();
-  }
-
   static std::vector<std::string> textsOf(const base::Diagnostics& found) {
     std::vector<std::string> texts;
     for (const base::Diagnostic& diagnostic : found) {
       texts.push_back(diagnostic.text());
     }
     return texts;
-  }
-
-  static void check(const base::Diagnostics& found) {
-    for (const base::Diagnostic& diagnostic : found) {
-      QVERIFY2(diagnostic.severity != base::Severity::Error, diagnostic.text().c_str());
-    }
   }
 };
 
