@@ -153,6 +153,7 @@ QStringList BatchRunner::arguments(std::size_t run) const {
 }
 
 void BatchRunner::start(std::size_t run) {
+  removeFolder(run);  // an earlier batch may have left one, and this run may fail before it writes
   auto* process = new Child(this);
   process->setStandardInputFile(QProcess::nullDevice());
   process->setStandardOutputFile(QProcess::nullDevice());

@@ -96,6 +96,27 @@ class BatchProgramTest : public QObject {
     QVERIFY(!rows[1].at(QStringLiteral("reason")).isEmpty());
   }
 
+  void batch_folderOfAnEarlierBatch_lendsNoValues() {
+    QTemporaryDir folder;
+    const QString experiment = folder.filePath(QStringLiteral("twice.yaml"));
+    const QString out = folder.filePath(QStringLiteral("out"));
+    const auto rowOf = [&](const char* places) {
+      outside::writeText(experiment, QByteArray("hunavsim_experiment: 1\n"
+                                                "scenarios: [corner_cafe_agents]\n"
+                                                "duration: 1.0\n"
+                                                "record: all\n"
+                                                "values:\n"
+                                                "  Ana.init_pose.x: ") +
+                                         places);
+      batch(experiment, out, 1);
+      return outside::readCsv(out + QStringLiteral("/results.csv")).back();
+    };
+    QVERIFY(!rowOf("[7.35, 7.3]\n").at(QStringLiteral("path_length")).isEmpty());
+    const auto failed = rowOf("[7.35, -40.0]\n");  // refused before it writes anything
+    QCOMPARE(failed.at(QStringLiteral("status")), QStringLiteral("failed"));
+    QVERIFY(failed.at(QStringLiteral("path_length")).isEmpty());
+  }
+
   void batch_wrongExperiment_saysEveryProblem() {
     QTemporaryDir folder;
     const QString experiment = folder.filePath(QStringLiteral("bad.yaml"));
