@@ -1,0 +1,86 @@
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <unistd.h>
+
+#include "metrics/Report.h"
+#include "sim2d/trace/ForeignFiles.h"
+#include "tests/fuzz/Require.h"
+
+/// Any bytes as ways of people; the first line names the format. Read, put on a time grid and
+/// measured with the first person as the robot.
+namespace {
+
+constexpr std::size_t kMostFrames = 2000;  // more of the same costs time
+
+/// A folder for one file, with the matrix that the format vsp wants beside it.
+class Folder {
+ public:
+  Folder() {
+    std::filesystem::create_directories(path_);
+    std::ofstream(path_ / "H.txt") << "0.02 0 0\n0 0.02 0\n0 0 1\n";
+  }
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  std::string write(const std::string& bytes) const {
+    const std::string path = (path_ / "ways").string();
+    std::ofstream file(path, std::ios::binary);
+    file << bytes;
+    file.close();
+    require(file.good(), "there is room for the file");
+    return path;
+  }
+
+ private:
+  std::filesystem::path path_ =
+      std::filesystem::temp_directory_path() / ("fuzz_Tracks." + std::to_string(getpid()));
+};
+
+void checkFrames(const sim2d::Trace& trace) {
+  double last = -1.0;
+  for (const sim2d::Frame& frame : trace.frames) {
+    require(frame.time > last, "time goes on");
+    last = frame.time;
+    for (std::size_t i = 0; i < frame.humans.size(); ++i) {
+      require(std::isfinite(frame.humans.x[i]) && std::isfinite(frame.humans.y[i]),
+              "people are somewhere");
+    }
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string all(reinterpret_cast<const char*>(data), size);
+  const std::size_t line = all.find('\n');
+  if (line == std::string::npos) {
+    return 0;
+  }
+  sim2d::ForeignOptions reading;
+  reading.format = sim2d::foreignFormatOf(all.substr(0, line));
+  static const Folder kFolder;
+  const base::Result<sim2d::TrackFile> tracks =
+      sim2d::readForeign(kFolder.write(all.substr(line + 1)), reading);
+  if (!tracks) {
+    require(base::hasErrors(tracks.diagnostics()), "what is not read has an error");
+    return 0;
+  }
+  sim2d::TrackOptions options;
+  if (!tracks->tracks.empty()) {
+    options.robotId = tracks->tracks.front().id;
+  }
+  const base::Result<sim2d::Trace> trace = sim2d::traceOfTracks(*tracks, options);
+  if (trace && trace->frames.size() < kMostFrames) {
+    checkFrames(*trace);
+    require(static_cast<bool>(metrics::evaluate(*trace, {}, {})), "a record can be measured");
+  }
+  return 0;
+}
