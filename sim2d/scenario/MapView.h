@@ -46,6 +46,8 @@ struct ValueContext {
   EntityId entity;
 };
 
+/// For messages: "a list", "'text'".
+std::string described(const YamlNode& node);
 std::optional<double> readNumber(const YamlNode& node, const ValueContext& context, Range range,
                                  ReadReport& report);
 std::optional<long long> readInteger(const YamlNode& node, const ValueContext& context,
