@@ -59,8 +59,9 @@ class Planner {
   }
 
  private:
-  void warn(const std::string& message, const std::string& file = {}) {
+  void warn(const std::string& message, const std::string& file = {}, base::EntityId about = {}) {
     plan_.report.push_back(base::makeWarning(message, file));
+    plan_.report.back().entity = about;
   }
 
   std::string baseName() const {
@@ -149,11 +150,12 @@ class Planner {
     if (changed > 0) {
       warn(human.name + ": " + std::to_string(changed) +
                " numbers of goals and people in the tree follow the new ones",
-           tree.path);
+           tree.path, human.key);
     }
     for (const std::string& node : bt::ownNodes(*read, library_.catalogue())) {
       if (!isNative_) {
-        warn(human.name + ": the tree uses " + node + ", which HuNavSim does not have", tree.path);
+        warn(human.name + ": the tree uses " + node + ", which HuNavSim does not have", tree.path,
+             human.key);
       }
     }
     copyIncluded(*read, tree);

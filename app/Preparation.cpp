@@ -34,9 +34,7 @@ bool readMapOf(Preparation& preparation, const sim2d::FilePlaces& places) {
   const sim2d::Scenario& scenario = *preparation.scenario;
   const base::Result<std::string> path = sim2d::findMap(scenario, places);
   base::Diagnostics problems = path.diagnostics();
-  sim2d::addPlaceOfKey(problems, places.scenarioPath,
-                       {"hunavsim_desktop.ros__parameters.map_file",
-                        "hunav_loader.ros__parameters.map", "hunav_loader.ros__parameters"});
+  sim2d::addPlaceOfMap(problems, places.scenarioPath);
   base::append(preparation.diagnostics, problems);
   if (!path || path->empty()) {
     return bool(path);

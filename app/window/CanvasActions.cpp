@@ -18,13 +18,13 @@ CanvasActions::CanvasActions(Workspace& workspace, QObject* parent)
              toggle(tr("&Obstacles and doors"), {}, says, &CanvasOptions::obstacles),
              toggle(tr("&Areas"), {}, says, &CanvasOptions::areas),
              toggle(tr("Gro&ups"), {}, says, &CanvasOptions::groups)};
-  snapping_ = {toggle(tr("Snap to &points"), QKeySequence(Qt::Key_S),
+  snapping_ = {toggle(tr("Snap to p&oints"), QKeySequence(Qt::Key_S),
                       tr("Corners, ends and centres of other things hold what is drawn"),
                       &CanvasOptions::snapToPoints),
                toggle(tr("Snap to &walls"), {},
                       tr("Corners and edges of the map's walls hold what is drawn"),
                       &CanvasOptions::snapToWalls),
-               toggle(tr("Snap to the &grid"), QKeySequence(Qt::SHIFT | Qt::Key_S),
+               toggle(tr("Snap to the gr&id"), QKeySequence(Qt::SHIFT | Qt::Key_S),
                       tr("What is drawn lies on half metres"), &CanvasOptions::snapToGrid)};
   makeArranging();
   connect(&workspace_.document(), &editor::ScenarioDocument::selectionChanged, this,

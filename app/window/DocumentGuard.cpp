@@ -1,8 +1,12 @@
 #include "app/window/DocumentGuard.h"
 
+#include <algorithm>
+
 #include <QFileInfo>
 
 #include "app/window/StartCards.h"
+#include "editor/document/MapEdit.h"
+#include "sim2d/scenario/ScenarioCheck.h"
 
 namespace app {
 
@@ -11,8 +15,21 @@ namespace {
 QString changedId() {
   return QStringLiteral("changed");
 }
+QString goneId() {
+  return QStringLiteral("gone");
+}
 QString readOnlyId() {
   return QStringLiteral("read-only");
+}
+
+QString mapId() {
+  return QStringLiteral("map");
+}
+QString notSavedId() {
+  return QStringLiteral("not-saved");
+}
+QString unreadId() {
+  return QStringLiteral("unread");
 }
 
 QString namesOf(const QStringList& files) {
@@ -20,21 +37,64 @@ QString namesOf(const QStringList& files) {
   return files.size() == 1 ? first : QObject::tr("%1 and %2 more").arg(first).arg(files.size() - 1);
 }
 
+QString namesOf(const base::Diagnostics& problems) {
+  QStringList files;
+  for (const base::Diagnostic& problem : problems) {
+    if (problem.severity == base::Severity::Error && !problem.file.empty()) {
+      files << QString::fromStdString(problem.file);
+    }
+  }
+  files.removeDuplicates();
+  return files.isEmpty() ? QString() : namesOf(files);
+}
+
+base::Diagnostic firstError(const base::Diagnostics& problems) {
+  return *std::find_if(problems.begin(), problems.end(), [](const base::Diagnostic& problem) {
+    return problem.severity == base::Severity::Error;
+  });
+}
+
+/// Which map is not there, or what is wrong with it.
+QString mapWords(const editor::ScenarioDocument& document) {
+  const sim2d::Scenario& scenario = document.scenario();
+  const base::Diagnostic problem = firstError(document.mapState().problems);
+  const QString file = QString::fromStdString(problem.file);
+  if (!file.isEmpty() && file != document.path()) {
+    return QObject::tr("Map file %1 cannot be used: %2.")
+        .arg(QFileInfo(file).fileName(), QString::fromStdString(problem.message));
+  }
+  const QString named = QString::fromStdString(
+      scenario.desktop.mapFile.value_or(sim2d::mapBaseName(scenario.map.value_or(""))));
+  if (named.isEmpty()) {
+    return QObject::tr("The scenario names no map.");
+  }
+  const bool isFile = scenario.desktop.mapFile.has_value();
+  return QObject::tr("Map file %1 not found.")
+      .arg(isFile ? named : named + QStringLiteral(".yaml"));
+}
+
 }  // namespace
 
 DocumentGuard::DocumentGuard(Workspace& workspace, FileCommands& files, NoticeBar& notices,
                              const QString& recoveryFolder, QObject* parent)
     : QObject(parent),
+      workspace_(workspace),
       document_(workspace.document()),
       files_(files),
       notices_(notices),
       recoveryFolder_(recoveryFolder),
       watch_(workspace.document()) {
   connect(&watch_, &FileWatch::changedOnDisk, this, &DocumentGuard::tellChanged);
+  connect(&watch_, &FileWatch::scenarioThere, this, &DocumentGuard::tellGone);
   connect(&document_, &editor::ScenarioDocument::pathChanged, this, [this] {
     notices_.drop(changedId());
+    notices_.drop(goneId());
+    notices_.drop(notSavedId());
+    notices_.drop(unreadId());
     tellReadOnly();
   });
+  connect(&document_, &editor::ScenarioDocument::mapChanged, this, &DocumentGuard::tellMap);
+  connect(&files_, &FileCommands::notSaved, this, &DocumentGuard::tellNotSaved);
   if (recoveryFolder.isEmpty()) {
     return;
   }
@@ -95,17 +155,86 @@ void DocumentGuard::tellChanged(const QStringList& changed) {
                   {tr("Keep mine"), [this] { document_.acceptDisk(); }}}});
 }
 
+void DocumentGuard::tellGone(bool isThere) {
+  if (isThere) {
+    notices_.drop(goneId());
+    return;
+  }
+  notices_.tell({goneId(),
+                 true,
+                 tr("%1 is no longer in its folder: another program has moved or removed it. It is "
+                    "still open here.")
+                     .arg(document_.displayName()),
+                 {{tr("Save it again"), [this] { files_.save(); }},
+                  {tr("Save as…"), [this] { files_.saveAs(); }}}});
+}
+
 void DocumentGuard::tellReadOnly() {
   if (!document_.isReadOnly()) {
     notices_.drop(readOnlyId());
     return;
   }
+  const bool isBlank = document_.scenario().humans.empty() && document_.scenario().goals.empty();
   notices_.tell(
       {readOnlyId(),
        true,
-       tr("%1 is damaged and shown as far as it could be read. It will not be overwritten.")
+       (isBlank
+            ? tr("%1 is damaged: nothing of it could be read. It will not be overwritten.")
+            : tr("%1 is damaged and shown as far as it could be read. It will not be overwritten."))
            .arg(document_.displayName()),
-       {{tr("Save as…"), [this] { files_.saveAs(); }}}});
+       {{tr("Save as…"), [this] {
+           files_.saveAs();
+           tellReadOnly();  // when it was not saved after all
+         }}}});
+}
+
+/// Once more when no map was chosen after all.
+void DocumentGuard::tellMap() {
+  if (!document_.mapState().isMissing) {
+    notices_.drop(mapId());
+    return;
+  }
+  notices_.tell({mapId(),
+                 true,
+                 mapWords(document_) + tr(" Until one is chosen there are no walls."),
+                 {{tr("Choose map…"),
+                   [this] {
+                     files_.askOtherMap();
+                     tellMap();
+                   }},
+                  {tr("Open plane"), [this] {
+                     workspace_.runner().reset();
+                     editor::pushOpenPlane(document_);
+                   }}}});
+}
+
+void DocumentGuard::tellNotSaved(const QString& name, const base::Diagnostics& problems) {
+  const base::Diagnostic problem = firstError(problems);
+  const QString files = namesOf(problems);
+  const QString reason = QString::fromStdString(problem.message);
+  notices_.tell({notSavedId(),
+                 true,
+                 tr("%1 was not saved: %2. Your changes are still here.")
+                     .arg(name, files.isEmpty() || files == name
+                                    ? reason
+                                    : QStringLiteral("%1 (%2)").arg(reason, files)),
+                 {{tr("Save as…"), [this, name, problems] {
+                     if (!files_.saveAs() && !notices_.isTold(notSavedId())) {
+                       tellNotSaved(name, problems);
+                     }
+                   }}}});
+}
+
+void DocumentGuard::tellUnread(const base::Diagnostics& problems) {
+  const base::Diagnostic problem = firstError(problems);
+  const QString reason = QString::fromStdString(problem.message);
+  notices_.tell({unreadId(),
+                 true,
+                 problem.file.empty()
+                     ? tr("The file cannot be opened: %1").arg(reason)
+                     : tr("%1 cannot be opened: %2")
+                           .arg(QFileInfo(QString::fromStdString(problem.file)).fileName(), reason),
+                 {}});
 }
 
 }  // namespace app

@@ -10,7 +10,7 @@
 namespace app {
 
 /// Keeps work from being lost: copies for a crash, what another program does to the files, files
-/// that could be read only in part. Tells by notices.
+/// that could be read only in part or not be written, maps that are not there. Tells by notices.
 class DocumentGuard : public QObject {
   Q_OBJECT
  public:
@@ -19,13 +19,18 @@ class DocumentGuard : public QObject {
                 const QString& recoveryFolder, QObject* parent = nullptr);
   editor::Autosave* autosave() const { return autosave_.get(); }
   FileWatch& watch() { return watch_; }
+  void tellUnread(const base::Diagnostics& problems);  // of a file that was to be opened
 
  private:
   void offerRecovery();
   void restore(const QString& folder);
   void tellChanged(const QStringList& changed);
+  void tellGone(bool isThere);
   void tellReadOnly();
+  void tellMap();
+  void tellNotSaved(const QString& name, const base::Diagnostics& problems);
 
+  Workspace& workspace_;
   editor::ScenarioDocument& document_;
   FileCommands& files_;
   NoticeBar& notices_;

@@ -3,17 +3,22 @@
 #include <algorithm>
 #include <array>
 
+#include <QClipboard>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
+#include <QFontDatabase>
 #include <QFormLayout>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QVBoxLayout>
 
+#include "app/ExportReport.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/Form.h"
+#include "sim2d/base/Text.h"
 
 namespace app {
 
@@ -34,6 +39,17 @@ QString stateText(ExportPlan::State state) {
       break;
   }
   return QObject::tr("stays as it is");
+}
+
+/// What is started, then its arguments: as a shell takes it.
+QString onTwoLines(const std::string& command) {
+  constexpr int kWords = 4;  // "ros2 launch package file"
+  const QStringList words = QString::fromStdString(command).split(QLatin1Char(' '));
+  if (words.size() <= kWords) {
+    return words.join(QLatin1Char(' '));
+  }
+  return words.mid(0, kWords).join(QLatin1Char(' ')) + QStringLiteral(" \\\n  ") +
+         words.mid(kWords).join(QLatin1Char(' '));
 }
 
 /// With a capital, unless it begins with a name.
@@ -61,7 +77,7 @@ ExportDialog::ExportDialog(ExportSource source, const QString& folder, const edi
       files_(new QTreeWidget(this)),
       reportTitle_(new QLabel(this)),
       report_(new QListWidget(this)),
-      command_(new QLineEdit(this)) {
+      command_(new QPlainTextEdit(this)) {
   setWindowTitle(tr("Export"));
   build();
   fillTargets();
@@ -102,9 +118,15 @@ void ExportDialog::build() {
   reportTitle_->setFont(theme_.font(9.5, QFont::DemiBold));
   right->addWidget(reportTitle_);
   report_->setWordWrap(true);
+  report_->setSpacing(2);
   report_->setSelectionMode(QAbstractItemView::NoSelection);
+  report_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   report_->setAccessibleName(tr("Remarks"));
   right->addWidget(report_, 2);
+  start_ = makeStart();
+  right->addWidget(start_);
+  setTabOrder(report_, copy_);
+  setTabOrder(copy_, command_);
   columns->addLayout(right, 1);
   rows->addLayout(columns, 1);
   rows->addSpacing(4);
@@ -125,20 +147,54 @@ QLayout* ExportDialog::makeForm() {
   place->setSpacing(8);
   folder_->setAccessibleName(tr("Folder"));
   place->addWidget(folder_, 1);
-  auto* choose = new QPushButton(tr("Choose…"), this);
+  auto* choose = new QPushButton(tr("C&hoose…"), this);
   choose->setAutoDefault(false);
   connect(choose, &QPushButton::clicked, this, &ExportDialog::browse);
   place->addWidget(choose);
+  setTabOrder(folder_, choose);
+  setTabOrder(choose, dialect_);
   form->addRow(tr("Folder"), place);
   dialect_->addItems(
       {tr("What the simulator's package reads"), tr("HuNavSim 2.0"), tr("HuNavSim of 2024")});
+  dialect_->setAccessibleName(tr("Format"));
   form->addRow(tr("Format"), dialect_);
   style_->addItems({tr("Corrected"), tr("As HuNavSim 2.0 makes them")});
+  style_->setAccessibleName(tr("Missing trees"));
   form->addRow(tr("Missing trees"), style_);
-  command_->setReadOnly(true);
-  command_->setAccessibleName(tr("Command that starts it there"));
-  form->addRow(tr("Start it with"), command_);
   return form;
+}
+
+/// The whole command is seen, and can be taken along.
+QWidget* ExportDialog::makeStart() {
+  auto* start = new QWidget(this);
+  auto* rows = new QVBoxLayout(start);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(4);
+  auto* heading = new QHBoxLayout;
+  auto* title = new QLabel(tr("Start it there with"), start);
+  title->setFont(theme_.font(9.5, QFont::DemiBold));
+  heading->addWidget(title);
+  heading->addStretch(1);
+  copy_ = new QPushButton(tr("Co&py"), start);
+  copy_->setAutoDefault(false);
+  connect(copy_, &QPushButton::clicked, this, &ExportDialog::copyStart);
+  heading->addWidget(copy_);
+  rows->addLayout(heading);
+  command_->setReadOnly(true);
+  command_->setTabChangesFocus(true);
+  command_->setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+  command_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  command_->setAccessibleName(tr("Command that starts it there"));
+  const int line = command_->fontMetrics().lineSpacing();
+  const int margin = static_cast<int>(command_->document()->documentMargin());
+  command_->setFixedHeight(2 * (line + margin + command_->frameWidth()) + 4);
+  rows->addWidget(command_);
+  return start;
+}
+
+void ExportDialog::copyStart() {
+  QGuiApplication::clipboard()->setText(QString::fromStdString(plan_.startCommand));
+  copy_->setText(tr("Copied"));
 }
 
 void ExportDialog::fillTargets() {
@@ -183,9 +239,9 @@ void ExportDialog::replan() {
   plan_ = planExport(source_, request);
   showFiles();
   showReport();
-  command_->setText(QString::fromStdString(plan_.startCommand));
-  command_->setCursorPosition(0);
-  command_->setEnabled(!plan_.startCommand.empty());
+  command_->setPlainText(onTwoLines(plan_.startCommand));
+  copy_->setText(tr("Co&py"));
+  start_->setVisible(!plan_.startCommand.empty());
   export_->setEnabled(!request.folder.empty() && !base::hasErrors(plan_.report));
 }
 
@@ -213,20 +269,21 @@ void ExportDialog::showFiles() {
 
 void ExportDialog::showReport() {
   report_->clear();
-  std::vector<base::Diagnostic> sorted = plan_.report;
-  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
-    return static_cast<int>(a.severity) > static_cast<int>(b.severity);
+  std::vector<ReportLine> lines = groupedByPeople(plan_.report);
+  std::stable_sort(lines.begin(), lines.end(), [](const ReportLine& a, const ReportLine& b) {
+    return static_cast<int>(a.said.severity) > static_cast<int>(b.said.severity);
   });
   const std::array<QIcon, 3> icons = {
       editor::tintedIcon(QStringLiteral("info"), theme_.color(Role::TextSecondary)),
       editor::tintedIcon(QStringLiteral("warning"), theme_.color(Role::WarningMark)),
       editor::tintedIcon(QStringLiteral("error"), theme_.color(Role::Error))};
-  for (const base::Diagnostic& problem : sorted) {
-    new QListWidgetItem(icons.at(static_cast<std::size_t>(problem.severity)),
-                        sentence(problem, source_.scenario), report_);
+  for (const ReportLine& line : lines) {
+    auto* item = new QListWidgetItem(icons.at(static_cast<std::size_t>(line.said.severity)),
+                                     sentence(line.said, source_.scenario), report_);
+    item->setToolTip(QString::fromStdString(base::join(line.people, ", ")));
   }
-  reportTitle_->setText(sorted.empty() ? tr("Nothing is lost") : tr("Good to know"));
-  report_->setVisible(!sorted.empty());
+  reportTitle_->setText(lines.empty() ? tr("Nothing is lost") : tr("Good to know"));
+  report_->setVisible(!lines.empty());
 }
 
 }  // namespace app

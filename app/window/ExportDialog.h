@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTreeWidget>
 
@@ -25,10 +26,13 @@ class ExportDialog : public QDialog {
   const ExportPlan& plan() const { return plan_; }
   QString folder() const { return folder_->text(); }
   QTreeWidget& files() const { return *files_; }
+  QListWidget& remarks() const { return *report_; }
 
  private:
   void build();
   QLayout* makeForm();
+  QWidget* makeStart();
+  void copyStart();
   void fillTargets();
   void replan();
   void showFiles();
@@ -46,7 +50,9 @@ class ExportDialog : public QDialog {
   QTreeWidget* files_;
   QLabel* reportTitle_;
   QListWidget* report_;
-  QLineEdit* command_;
+  QWidget* start_ = nullptr;  // the command that starts it there
+  QPlainTextEdit* command_;
+  QPushButton* copy_ = nullptr;
   QPushButton* export_ = nullptr;
 };
 

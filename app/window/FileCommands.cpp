@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QRegularExpression>
 #include <QStandardPaths>
@@ -16,7 +15,12 @@ namespace app {
 
 FileCommands::FileCommands(Workspace& workspace, editor::IssuesPanel& issues, Memory& memory,
                            QWidget& window)
-    : QObject(&window), workspace_(workspace), issues_(issues), memory_(memory), window_(window) {}
+    : QObject(&window),
+      workspace_(workspace),
+      issues_(issues),
+      memory_(memory),
+      window_(window),
+      dialogs_(memory, window) {}
 
 bool FileCommands::tell(const base::Diagnostics& problems) {
   problems_ = problems;
@@ -81,8 +85,9 @@ bool FileCommands::openScenario(const QString& path) {
   document.setSearch(isMeant ? QString::fromStdString(options_.map) : QString(),
                      isMeant ? QString::fromStdString(options_.trees) : QString());
   base::Diagnostics problems = document.open(path);
-  const bool isShown = !base::hasErrors(problems) || document.isReadOnly() ||
-                       (!options_.map.empty() && document.mapState().isMissing);
+  const bool isShown = document.path() == QFileInfo(path).absoluteFilePath() &&
+                       (!base::hasErrors(problems) || document.isReadOnly() ||
+                        (!options_.map.empty() && document.mapState().isMissing));
   if (!base::hasErrors(problems) && isMeant) {
     base::append(problems, applyRunOptions());
   }
@@ -193,8 +198,8 @@ QString FileCommands::folder() const {
 }
 
 void FileCommands::askOpen() {
-  const QString path = QFileDialog::getOpenFileName(
-      &window_, tr("Open a scenario or a map"), folder(),
+  const QString path = dialogs_.openFile(
+      tr("Open a scenario or a map"), folder(),
       tr("Scenarios, maps, images of maps (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)"));
   if (!path.isEmpty() && mayLeave()) {
     openFile(path);

@@ -8,6 +8,7 @@
 
 #include "app/Export.h"
 #include "app/RunOptions.h"
+#include "app/window/FileDialogs.h"
 #include "app/window/Workspace.h"
 #include "editor/panels/IssuesPanel.h"
 
@@ -74,6 +75,7 @@ class FileCommands : public QObject {
   void opened();  // a document is there to be edited
   void recentChanged();
   void issuesRaised();
+  void notSaved(const QString& name, const base::Diagnostics& problems);  // nothing was written
   void imageWanted(const QString& path);  // a picture to make a map of
 
  private:
@@ -92,6 +94,7 @@ class FileCommands : public QObject {
   editor::IssuesPanel& issues_;
   Memory& memory_;
   QWidget& window_;
+  FileDialogs dialogs_;
   RunOptions options_;
   sim2d::Compatibility compatibility_;
   base::Diagnostics problems_;

@@ -1,5 +1,7 @@
 #include "app/window/FileWatch.h"
 
+#include <utility>
+
 #include <QFileInfo>
 
 namespace app {
@@ -17,7 +19,10 @@ FileWatch::FileWatch(editor::ScenarioDocument& document, QObject* parent)
   connect(&watcher_, &QFileSystemWatcher::fileChanged, &pause_, qOverload<>(&QTimer::start));
   connect(&watcher_, &QFileSystemWatcher::directoryChanged, &pause_, qOverload<>(&QTimer::start));
   connect(&pause_, &QTimer::timeout, this, &FileWatch::lookNow);
-  connect(&document_, &editor::ScenarioDocument::pathChanged, this, &FileWatch::watch);
+  connect(&document_, &editor::ScenarioDocument::pathChanged, this, [this] {
+    isThere_ = true;
+    watch();
+  });
   connect(&document_, &editor::ScenarioDocument::mapChanged, this, &FileWatch::watch);
 }
 
@@ -43,6 +48,10 @@ void FileWatch::watch() {
 void FileWatch::lookNow() {
   const QStringList changed = document_.changedOnDisk();
   watch();
+  const bool isThere = document_.path().isEmpty() || QFileInfo::exists(document_.path());
+  if (std::exchange(isThere_, isThere) != isThere) {
+    Q_EMIT scenarioThere(isThere);
+  }
   if (!changed.isEmpty()) {
     Q_EMIT changedOnDisk(changed);
   }

@@ -16,12 +16,14 @@ class FileWatch : public QObject {
 
  Q_SIGNALS:
   void changedOnDisk(const QStringList& files);
+  void scenarioThere(bool isThere);  // its file has gone, or is back
 
  private:
   void watch();
 
   editor::ScenarioDocument& document_;
   QFileSystemWatcher watcher_;
+  bool isThere_ = true;
   QTimer pause_;  // until a program that writes several files is through
 };
 

@@ -6,12 +6,11 @@
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QMimeData>
 #include <QScreen>
-#include <QUrl>
 
 #include "app/window/CanvasMenu.h"
 #include "app/window/DocumentGuard.h"
+#include "app/window/FileDrop.h"
 #include "app/window/NoticeBar.h"
 #include "app/window/StatusLine.h"
 #include "app/window/ToolBars.h"
@@ -63,7 +62,6 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   setObjectName(QStringLiteral("window"));
   setMinimumSize(900, 600);
   resize(usualSize().boundedTo(screen()->availableGeometry().size()));
-  setAcceptDrops(true);
   setContextMenuPolicy(Qt::NoContextMenu);
   setWindowIcon(editor::themedIcon(QStringLiteral("app"), editor::Theme::light()));
   workspace_.document().setShippedMaps(setup.shippedMaps);
@@ -91,6 +89,7 @@ void MainWindow::placeParts(const WindowSetup& setup) {
   centre_->addWidget(startPage_);
   centre_->addWidget(&workspace_.view());
   workspace_.view().setAcceptDrops(false);  // files fall through to the window
+  new FileDrop(workspace_, *files_, *this);
   auto* middle = new QWidget(this);
   auto* rows = new QVBoxLayout(middle);
   rows->setContentsMargins(0, 0, 0, 0);
@@ -154,7 +153,10 @@ void MainWindow::connectFiles() {
     workspace_.view().fitAll(false);
   });
   connect(files, &FileCommands::issuesRaised, this, [this] {
-    showStart(false);
+    if (isOnStartPage()) {
+      guard_->tellUnread(files_->problems());
+      return;
+    }
     docks_->dock(QStringLiteral("issues"))->show();
     docks_->dock(QStringLiteral("issues"))->raise();
   });
@@ -320,26 +322,6 @@ void MainWindow::changeEvent(QEvent* event) {
   if (event->type() == QEvent::ThemeChange && followsSystem_) {
     setTheme(editor::Theme::fromSystem(QApplication::style()->standardPalette()));
   }
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  const QList<QUrl> urls = event->mimeData()->urls();
-  if (urls.size() == 1 && urls.front().isLocalFile()) {
-    event->acceptProposedAction();
-  }
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-  const QString path = event->mimeData()->urls().front().toLocalFile();
-  event->acceptProposedAction();
-  editor::EntityId under;
-  const editor::MapView& view = workspace_.view();
-  if (!isOnStartPage() &&
-      view.geometry().contains(view.parentWidget()->mapFrom(this, event->pos()))) {
-    const QPointF scene = view.mapToScene(view.viewport()->mapFrom(this, event->pos()));
-    under = workspace_.scene().entityAt(editor::MapScene::worldFromScene(scene));
-  }
-  files_->dropFile(path, under);
 }
 
 }  // namespace app

@@ -1,5 +1,4 @@
 // New scenarios: on an open plane, in a room, on a map, on an image.
-#include <QFileDialog>
 #include <QFileInfo>
 
 #include "app/window/FileCommands.h"
@@ -10,10 +9,7 @@
 namespace app {
 
 bool FileCommands::openNewFromMap(const QString& mapYaml) {
-  editor::ScenarioDocument& document = workspace_.document();
-  document.clear();
-  const base::Diagnostics problems = document.openMap(mapYaml);
-  if (!tell(problems)) {
+  if (!tell(workspace_.document().newOnMap(mapYaml))) {
     return false;
   }
   Q_EMIT opened();
@@ -46,9 +42,9 @@ void FileCommands::askNewRoom() {
 }
 
 void FileCommands::askNewFromMap() {
-  const QString path = QFileDialog::getOpenFileName(
-      &window_, tr("New scenario on a map"), folder(),
-      tr("Maps and images (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)"));
+  const QString path =
+      dialogs_.openFile(tr("New scenario on a map"), folder(),
+                        tr("Maps and images (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)"));
   if (path.isEmpty()) {
     return;
   }
@@ -77,9 +73,10 @@ void FileCommands::askMapOfImage(const QString& path) {
 }
 
 void FileCommands::askOtherMap() {
-  const QString path = QFileDialog::getOpenFileName(&window_, tr("Put a map under the scenario"),
-                                                    folder(), tr("Maps (*.yaml *.yml)"));
+  const QString path =
+      dialogs_.openFile(tr("Put a map under the scenario"), folder(), tr("Maps (*.yaml *.yml)"));
   if (!path.isEmpty()) {
+    workspace_.runner().reset();
     tell(workspace_.document().openMap(path));
   }
 }

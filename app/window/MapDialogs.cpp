@@ -1,14 +1,12 @@
 #include "app/window/MapDialogs.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QHBoxLayout>
-#include <QMouseEvent>
-#include <QPainter>
-#include <QPushButton>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include "editor/document/MapEdit.h"
@@ -16,11 +14,10 @@
 
 namespace app {
 
-using editor::Role;
-
 namespace {
 
-constexpr double kReach = 10.0;  // of a point that can be dragged [px]
+constexpr int kSideWidth = 272;
+constexpr int kLabelWidth = 96;
 
 QDoubleSpinBox* metres(double value, double least, double most, QWidget* parent) {
   auto* box = new QDoubleSpinBox(parent);
@@ -33,12 +30,15 @@ QDoubleSpinBox* metres(double value, double least, double most, QWidget* parent)
   return box;
 }
 
-QDialogButtonBox* buttonsFor(QDialog* dialog, const QString& accept) {
+/// The one that accepts, below all the rest.
+QPushButton* addButtons(QDialog* dialog, QVBoxLayout& rows, const QString& accept) {
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, dialog);
-  buttons->addButton(accept, QDialogButtonBox::AcceptRole)->setDefault(true);
+  QPushButton* button = buttons->addButton(accept, QDialogButtonBox::AcceptRole);
+  button->setDefault(true);
   QObject::connect(buttons, &QDialogButtonBox::accepted, dialog, &QDialog::accept);
   QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
-  return buttons;
+  rows.addWidget(buttons);
+  return button;
 }
 
 QFormLayout* newForm() {
@@ -73,7 +73,7 @@ RoomDialog::RoomDialog(const editor::Theme& theme, QWidget* parent)
   rows->addLayout(form);
   rows->addWidget(plane_);
   rows->addSpacing(8);
-  rows->addWidget(buttonsFor(this, tr("Create")));
+  addButtons(this, *rows, tr("Create"));
   walls_->setChecked(true);
   connect(walls_, &QRadioButton::toggled, width_, &QWidget::setEnabled);
   connect(walls_, &QRadioButton::toggled, height_, &QWidget::setEnabled);
@@ -87,153 +87,89 @@ QSizeF RoomDialog::size() const {
   return {width_->value(), height_->value()};
 }
 
-ScaleView::ScaleView(QImage image, const editor::Theme& theme, QWidget* parent)
-    : QWidget(parent), image_(std::move(image)), theme_(theme) {
-  setMinimumSize(320, 240);
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-  setCursor(Qt::CrossCursor);
-  setAccessibleName(tr("Image of the map"));
-}
-
-void ScaleView::setPoints(std::vector<QPointF> points) {
-  points_ = std::move(points);
-  update();
-  Q_EMIT pointsChanged();
-}
-
-QRectF ScaleView::imageRect() const {
-  const QSizeF size = QSizeF(image_.size()).scaled(QSizeF(this->size()), Qt::KeepAspectRatio);
-  return {QPointF((width() - size.width()) / 2.0, (height() - size.height()) / 2.0), size};
-}
-
-QPointF ScaleView::toImage(const QPointF& widget) const {
-  const QRectF rect = imageRect();
-  return {(widget.x() - rect.left()) / rect.width() * image_.width(),
-          (rect.bottom() - widget.y()) / rect.height() * image_.height()};
-}
-
-QPointF ScaleView::toWidget(const QPointF& image) const {
-  const QRectF rect = imageRect();
-  return {rect.left() + image.x() / image_.width() * rect.width(),
-          rect.bottom() - image.y() / image_.height() * rect.height()};
-}
-
-void ScaleView::mousePressEvent(QMouseEvent* event) {
-  held_ = -1;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const QPointF away = toWidget(points_[i]) - event->localPos();
-    if (std::hypot(away.x(), away.y()) <= kReach) {
-      held_ = static_cast<int>(i);
-      return;
-    }
-  }
-  if (imageRect().contains(event->localPos())) {
-    std::vector<QPointF> points = points_.size() == 2 ? std::vector<QPointF>() : points_;
-    points.push_back(toImage(event->localPos()));
-    held_ = static_cast<int>(points.size()) - 1;
-    setPoints(std::move(points));
-  }
-}
-
-void ScaleView::mouseMoveEvent(QMouseEvent* event) {
-  if (held_ >= 0 && event->buttons().testFlag(Qt::LeftButton)) {
-    const QRectF rect = imageRect();
-    const QPointF inside(std::clamp(event->localPos().x(), rect.left(), rect.right()),
-                         std::clamp(event->localPos().y(), rect.top(), rect.bottom()));
-    std::vector<QPointF> points = points_;
-    points[static_cast<std::size_t>(held_)] = toImage(inside);
-    setPoints(std::move(points));
-  }
-}
-
-void ScaleView::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  painter.fillRect(rect(), theme_.color(Role::CanvasOutside));
-  painter.setRenderHint(QPainter::SmoothPixmapTransform, imageRect().width() < image_.width());
-  painter.drawImage(imageRect(), image_);
-  painter.setRenderHint(QPainter::Antialiasing);
-  const QColor accent = theme_.color(Role::Accent);
-  if (points_.size() == 2) {
-    painter.setPen(QPen(Qt::white, 4.0));
-    painter.drawLine(toWidget(points_[0]), toWidget(points_[1]));
-    painter.setPen(QPen(accent, 2.0));
-    painter.drawLine(toWidget(points_[0]), toWidget(points_[1]));
-  }
-  int number = 1;
-  for (const QPointF& point : points_) {
-    const QPointF at = toWidget(point);
-    painter.setPen(QPen(Qt::white, 2.0));
-    painter.setBrush(accent);
-    painter.drawEllipse(at, 8.0, 8.0);
-    painter.setFont(theme_.font(8.0, QFont::Bold));
-    painter.drawText(QRectF(at - QPointF(8, 8), QSizeF(16, 16)), Qt::AlignCenter,
-                     QString::number(number++));
-  }
-}
-
 ImageMapDialog::ImageMapDialog(std::shared_ptr<const sim2d::OccupancyGrid> grid, QImage image,
                                const editor::Theme& theme, QWidget* parent)
     : QDialog(parent),
       grid_(std::move(grid)),
       theme_(theme),
       view_(new ScaleView(std::move(image), theme, this)),
+      byPoints_(new QRadioButton(tr("By two points of the image"), this)),
+      byNumber_(new QRadioButton(tr("By its resolution"), this)),
       distance_(metres(5.0, 0.01, 10000.0, this)),
       resolution_(metres(grid_->resolution(), 0.001, 10.0, this)),
       firstX_(metres(0.0, -100000.0, 100000.0, this)),
       firstY_(metres(0.0, -100000.0, 100000.0, this)),
-      hint_(new QLabel(this)),
+      hint_(editor::secondaryLabel(QString(), this)),
+      place_(new QLabel(this)),
       size_(editor::secondaryLabel(QString(), this)) {
   setWindowTitle(tr("Map from an image"));
+  resize(900, 560);
   resolution_->setDecimals(5);
   resolution_->setSingleStep(0.01);
   resolution_->setSuffix(tr(" m per pixel"));
-  build();
-  connect(view_, &ScaleView::pointsChanged, this, &ImageMapDialog::measure);
-  connect(distance_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
-          &ImageMapDialog::measure);
-  connect(resolution_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
-          &ImageMapDialog::showSize);
-  measure();
-}
-
-void ImageMapDialog::build() {
-  resize(900, 560);
+  byPoints_->setChecked(true);
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(16, 16, 16, 12);
   rows->setSpacing(12);
   auto* columns = new QHBoxLayout;
   columns->setSpacing(16);
   columns->addWidget(view_, 1);
+  columns->addLayout(makeSide());
+  rows->addLayout(columns, 1);
+  create_ = addButtons(this, *rows, tr("Create map"));
+  connect(view_, &ScaleView::pointsChanged, this, &ImageMapDialog::measure);
+  connect(byPoints_, &QRadioButton::toggled, this, &ImageMapDialog::measure);
+  for (QDoubleSpinBox* field : {distance_, resolution_}) {
+    connect(field, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+            &ImageMapDialog::measure);
+  }
+  measure();
+}
+
+QLayout* ImageMapDialog::makeSide() {
   auto* side = new QVBoxLayout;
   side->setSpacing(8);
   auto* title = new QLabel(tr("How large is it?"), this);
   title->setFont(theme_.font(12.0, QFont::DemiBold));
   side->addWidget(title);
+  const auto addFields = [&](const std::vector<std::pair<QString, QDoubleSpinBox*>>& fields) {
+    auto* form = new QGridLayout;
+    form->setHorizontalSpacing(8);
+    form->setVerticalSpacing(4);
+    form->setColumnMinimumWidth(0, kLabelWidth);
+    form->setColumnStretch(1, 1);
+    for (const auto& [words, field] : fields) {
+      auto* label = new QLabel(words, this);
+      label->setBuddy(field);
+      field->setAccessibleName(words);
+      form->addWidget(label, form->rowCount(), 0, Qt::AlignRight | Qt::AlignVCenter);
+      form->addWidget(field, form->rowCount() - 1, 1);
+    }
+    side->addLayout(form);
+  };
+  side->addWidget(byPoints_);
   hint_->setWordWrap(true);
-  hint_->setFixedWidth(260);
-  hint_->setMinimumHeight(52);
+  hint_->setFixedWidth(kSideWidth);
+  hint_->setMinimumHeight(3 * hint_->fontMetrics().lineSpacing());  // nothing moves with its words
   hint_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   side->addWidget(hint_);
-  QFormLayout* form = newForm();
-  form->addRow(tr("Distance 1 – 2"), distance_);
-  form->addRow(tr("Resolution"), resolution_);
-  side->addLayout(form);
-  side->addSpacing(12);
-  auto* place = new QLabel(tr("Where is point 1?"), this);
-  place->setFont(theme_.font(9.5, QFont::DemiBold));
-  side->addWidget(place);
-  QFormLayout* origin = newForm();
-  origin->addRow(tr("X"), firstX_);
-  origin->addRow(tr("Y"), firstY_);
-  origin->labelForField(firstX_)->setMinimumWidth(
-      form->labelForField(distance_)->sizeHint().width());  // one column of fields
-  side->addLayout(origin);
-  side->addSpacing(12);
+  addFields({{tr("Distance 1 – 2"), distance_}});
+  side->addSpacing(4);
+  side->addWidget(byNumber_);
+  addFields({{tr("Resolution"), resolution_}});
+  side->addSpacing(8);
+  place_->setFont(theme_.font(9.5, QFont::DemiBold));
+  side->addWidget(place_);
+  addFields({{tr("X"), firstX_}, {tr("Y"), firstY_}});
+  side->addSpacing(8);
   side->addWidget(size_);
   side->addStretch(1);
-  columns->addLayout(side);
-  rows->addLayout(columns, 1);
-  rows->addWidget(buttonsFor(this, tr("Create map")));
+  return side;
+}
+
+void ImageMapDialog::setResolution(double metresPerPixel) {
+  byNumber_->setChecked(true);
+  resolution_->setValue(metresPerPixel);
 }
 
 void ImageMapDialog::setFirstPoint(double x, double y) {
@@ -241,29 +177,44 @@ void ImageMapDialog::setFirstPoint(double x, double y) {
   firstY_->setValue(y);
 }
 
-void ImageMapDialog::measure() {
+double ImageMapDialog::pixels() const {
   const std::vector<QPointF>& points = view_->points();
-  distance_->setEnabled(points.size() == 2);
-  if (points.size() == 2) {
-    const QPointF way = points[1] - points[0];
-    const double pixels = std::hypot(way.x(), way.y());
-    if (pixels >= 1.0) {
-      resolution_->setValue(distance_->value() / pixels);
-    }
-    hint_->setText(tr("Type the distance between the two points. They can be dragged."));
-  } else {
-    hint_->setText(points.empty()
-                       ? tr("Click two points of the image whose distance you know, such as the "
-                            "ends of a wall; or type the resolution.")
-                       : tr("Now click the second point."));
+  if (points.size() < 2) {
+    return 0.0;
   }
-  showSize();
+  const QPointF way = points[1] - points[0];
+  return std::hypot(way.x(), way.y());
 }
 
-void ImageMapDialog::showSize() {
-  size_->setText(tr("The map is %1 × %2 m")
-                     .arg(grid_->width() * resolution_->value(), 0, 'f', 1)
-                     .arg(grid_->height() * resolution_->value(), 0, 'f', 1));
+bool ImageMapDialog::isMeasured() const {
+  return byNumber_->isChecked() || pixels() >= 1.0;
+}
+
+void ImageMapDialog::measure() {
+  if (byPoints_->isChecked() && isMeasured()) {
+    const QSignalBlocker quiet(resolution_);
+    resolution_->setValue(distance_->value() / pixels());
+  }
+  showState();
+}
+
+void ImageMapDialog::showState() {
+  const std::size_t count = view_->points().size();
+  const bool points = byPoints_->isChecked();
+  distance_->setEnabled(points && count == 2);
+  resolution_->setEnabled(!points);
+  create_->setEnabled(isMeasured());
+  hint_->setText(count == 0   ? tr("Click two points of the image whose distance you know, such as "
+                                     "the ends of a wall.")
+                 : count == 1 ? tr("Now click the second point.")
+                              : tr("Type the distance between the two points. They can be "
+                                   "dragged."));
+  hint_->setEnabled(points);
+  place_->setText(count == 0 ? tr("Where is the lower left corner?") : tr("Where is point 1?"));
+  size_->setText(isMeasured() ? tr("The map will be %1 × %2 m.")
+                                    .arg(grid_->width() * resolution_->value(), 0, 'f', 1)
+                                    .arg(grid_->height() * resolution_->value(), 0, 'f', 1)
+                              : QString());
 }
 
 std::shared_ptr<const sim2d::OccupancyGrid> ImageMapDialog::map() const {

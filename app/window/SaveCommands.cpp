@@ -1,6 +1,5 @@
 // Saving, and the questions before something is lost.
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 
@@ -40,9 +39,13 @@ bool isMapYaml(const QString& path) {
 }  // namespace
 
 bool FileCommands::saveTo(const QString& path, const editor::TreeAnswers& trees) {
-  if (!tell(workspace_.document().save(path, trees))) {
+  const base::Diagnostics problems = workspace_.document().save(path, trees);
+  if (base::hasErrors(problems)) {
+    problems_ = problems;
+    Q_EMIT notSaved(QFileInfo(path).fileName(), problems);
     return false;
   }
+  tell(problems);
   memory_.noteFile(path);
   Q_EMIT recentChanged();
   return true;
@@ -103,15 +106,9 @@ QString FileCommands::nameForSaving() const {
 }
 
 bool FileCommands::saveAs() {
-  QString path = QFileDialog::getSaveFileName(&window_, tr("Save the scenario"), nameForSaving(),
-                                              tr("Scenarios (*.yaml)"));
-  if (path.isEmpty()) {
-    return false;
-  }
-  if (QFileInfo(path).suffix().isEmpty()) {
-    path += QStringLiteral(".yaml");
-  }
-  return saveUnder(path);
+  const QString path = dialogs_.saveFile(tr("Save the scenario"), nameForSaving(),
+                                         tr("Scenarios (*.yaml)"), QStringLiteral("yaml"));
+  return !path.isEmpty() && saveUnder(path);
 }
 
 /// The map in use, another one, or an image.

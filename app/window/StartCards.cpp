@@ -15,6 +15,8 @@ using editor::Role;
 namespace {
 
 constexpr double kRadius = 8.0;
+constexpr int kWordsLeft = 78;
+constexpr int kKeysGap = 16;  // between the title and the shortcut
 
 QString homeRelative(const QString& folder) {
   const QString home = QDir::homePath();
@@ -51,6 +53,7 @@ QString agoText(const QDateTime& then, const QDateTime& now) {
 ActionCard::ActionCard(Words words, const editor::Theme& theme, QWidget* parent)
     : StartCard(theme, parent), words_(std::move(words)) {
   setAccessibleName(words_.title);
+  setToolTip(words_.shortcut);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
@@ -62,15 +65,28 @@ void ActionCard::paintEvent(QPaintEvent*) {
   painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), kRadius, kRadius);
   editor::tintedIcon(words_.icon, theme_.color(Role::Accent))
       .paint(&painter, QRect(24, 28, 32, 32));
+  const QRect room = rect().adjusted(kWordsLeft, 10, -14, -10);
   painter.setPen(theme_.color(Role::Text));
   painter.setFont(theme_.font(12.0, QFont::DemiBold));
-  painter.drawText(QRect(78, 22, width() - 90, 24), Qt::AlignVCenter | Qt::AlignLeft, words_.title);
-  painter.setPen(theme_.color(Role::TextSecondary));
+  const QFontMetrics titleMetrics = painter.fontMetrics();
   painter.setFont(theme_.font(9.5));
-  painter.drawText(QRect(78, 46, width() - 90, 20), Qt::AlignVCenter | Qt::AlignLeft, words_.line);
+  const int flags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+  const int lines = painter.fontMetrics().boundingRect(room, flags, words_.line).height();
+  const int titleHeight = titleMetrics.height() + 4;
+  QRect words(room.left(), room.center().y() - (titleHeight + lines) / 2, room.width(),
+              titleHeight + lines);
+  painter.setPen(theme_.color(Role::TextSecondary));
+  painter.drawText(words.adjusted(0, titleHeight, 0, 0), flags, words_.line);
   painter.setFont(theme_.font(9.0));
-  painter.drawText(QRect(0, 10, width() - 14, 18), Qt::AlignVCenter | Qt::AlignRight,
-                   words_.shortcut);
+  const int keys = painter.fontMetrics().horizontalAdvance(words_.shortcut) + kKeysGap;
+  if (titleMetrics.horizontalAdvance(words_.title) + keys <= words.width()) {  // else the tip says
+    painter.drawText(QRect(0, 10, width() - 14, 18), Qt::AlignVCenter | Qt::AlignRight,
+                     words_.shortcut);
+  }
+  painter.setPen(theme_.color(Role::Text));
+  painter.setFont(theme_.font(12.0, QFont::DemiBold));
+  painter.drawText(words, Qt::AlignLeft | Qt::AlignTop,
+                   titleMetrics.elidedText(words_.title, Qt::ElideRight, words.width()));
 }
 
 RecentRow::RecentRow(QString path, const editor::Theme& theme, QWidget* parent)

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kColumnWidth = 1120;
 constexpr int kGap = 24;
-constexpr double kFiner = 2.0;  // pins and lines are half as large as on the canvas
+constexpr double kFiner = 1.5;  // lines are finer than on the canvas
 
 /// The scenario as the canvas draws it, fitted into `size`.
 QPixmap thumbnailOf(const QString& path, const editor::Theme& theme, const QSize& size,
@@ -28,10 +28,11 @@ QPixmap thumbnailOf(const QString& path, const editor::Theme& theme, const QSize
   editor::CanvasOptions options;
   options.names = false;
   options.grid = false;
+  options.goals = false;  // pins are as large as people here; routes say where they go
   scene.setOptions(options);
   scene.routes().finish();
   const QRectF content = scene.contentRect();
-  const QSizeF large = QSizeF(size) * kFiner;  // pins and lines keep their size there
+  const QSizeF large = QSizeF(size) * kFiner;  // lines keep their size there
   const double margin = 10.0 * kFiner;
   const double scale = std::min((large.width() - 2.0 * margin) / content.width(),
                                 (large.height() - 2.0 * margin) / content.height());

@@ -3,6 +3,7 @@
 #include <QCursor>
 #include <QPainter>
 #include <QStatusTipEvent>
+#include <QTimer>
 
 #include "editor/panels/Form.h"
 
@@ -54,12 +55,18 @@ StatusLine::StatusLine(QStatusBar& bar, Workspace& workspace)
   speed_ = addRight(88);
   connect(&workspace_.view(), &editor::MapView::cursorMoved, this, &StatusLine::showPlace);
   connect(&workspace_.view(), &editor::MapView::zoomChanged, this, [this] {
-    const QWidget& canvas = *workspace_.view().viewport();
-    if (canvas.underMouse()) {  // the ground moves under a mouse that rests
-      showPlace(workspace_.view().worldAt(canvas.mapFromGlobal(QCursor::pos())));
+    if (workspace_.view().viewport()->underMouse()) {  // the ground moves, the mouse rests
+      showPlaceOfMouse();
     }
     showNumbers();
   });
+  connect(&workspace_.document(), &editor::ScenarioDocument::changed, this,
+          [this](const editor::Change& change) {
+            if (change.what == editor::Change::What::Everything) {  // of another ground
+              showPlaceOfMouse();
+              QTimer::singleShot(0, this, &StatusLine::showPlaceOfMouse);  // once it is fitted in
+            }
+          });
   connect(&workspace_.runner(), &SimulationRunner::stateChanged, this, &StatusLine::showState);
   connect(&workspace_.runner(), &SimulationRunner::lookingBackChanged, this,
           &StatusLine::showState);
@@ -148,6 +155,17 @@ void StatusLine::showPlace(const base::Vec2& world) {
                    : map->isWall(cell)    ? tr("wall")
                    : map->isUnknown(cell) ? tr("unknown")
                                           : tr("free"));
+}
+
+void StatusLine::showPlaceOfMouse() {
+  const QWidget& canvas = *workspace_.view().viewport();
+  if (canvas.underMouse()) {
+    showPlace(workspace_.view().worldAt(canvas.mapFromGlobal(QCursor::pos())));
+    return;
+  }
+  for (QLabel* label : {x_, y_, ground_}) {
+    label->clear();
+  }
 }
 
 void StatusLine::showNumbers() {

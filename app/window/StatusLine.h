@@ -24,6 +24,7 @@ class StatusLine : public QObject {
  private:
   void showState();
   void showPlace(const base::Vec2& world);
+  void showPlaceOfMouse();  // none while it is elsewhere
   void showNumbers();
   QLabel* addRight(int width);
 

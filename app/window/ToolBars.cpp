@@ -144,7 +144,7 @@ Menus makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& action
   QMenuBar& bar = *window.menuBar();
   QMenu* file = bar.addMenu(QObject::tr("&File"));
   file->addActions({actions.newRoom, actions.newWalledRoom, actions.newFromMap, actions.open});
-  menus.recent = file->addMenu(QObject::tr("Open &recent"));
+  menus.recent = file->addMenu(QObject::tr("Open recen&t"));
   file->addSeparator();
   file->addActions({actions.save, actions.saveAs, actions.exportTo});
   file->addSeparator();
@@ -156,7 +156,7 @@ Menus makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& action
   edit->addActions({actions.cut, actions.copy, actions.paste, actions.duplicate, actions.remove});
   edit->addSeparator();
   edit->addActions({actions.selectAll, actions.deselect, actions.next, actions.previous});
-  actions.canvas->fillArrangeMenu(*edit->addMenu(QObject::tr("&Arrange")));
+  actions.canvas->fillArrangeMenu(*edit->addMenu(QObject::tr("Arran&ge")));
   edit->addSeparator();
   for (QAction* snap : actions.canvas->snapping()) {
     edit->addAction(snap);

@@ -21,6 +21,9 @@ using editor::TreeQuestion;
 namespace {
 
 constexpr int kListWidth = 200;
+constexpr int kWidth = 560;   // the question fits on one line
+constexpr int kLinkEdge = 4;  // beside the words of a link
+constexpr int kDiffHeight = 460;
 constexpr int kRowHeight = 24;
 
 bool isOnDisk(const TreeQuestion& question) {
@@ -89,6 +92,7 @@ void TreeChoiceDialog::build() {
   right->addWidget(all_);
   right->addSpacing(4);
   auto* heading = new QHBoxLayout;
+  heading->setContentsMargins(-kLinkEdge, 0, 0, 0);  // its words in line with those above
   heading->addWidget(differences_);
   heading->addStretch(1);
   heading->addWidget(legend_);
@@ -134,8 +138,9 @@ void TreeChoiceDialog::showDifferences(bool on) {
                            : tr("Show the differences (−%1 +%2 lines)")
                                  .arg(diff_->removedCount())
                                  .arg(diff_->addedCount()));
-  const bool several = questions_.size() > 1;
-  setMinimumSize(several ? 680 : 480, on ? 460 : several ? 272 : 204);
+  const int least = questions_.size() > 1 ? kWidth + kListWidth : kWidth;
+  const int tall = layout()->totalHeightForWidth(least);
+  setMinimumSize(least, on ? std::max(kDiffHeight, tall) : tall);
   const QSize wanted = on ? QSize(std::max(width(), 860), std::max(height(), 600)) : minimumSize();
   const QRect before = geometry();
   resize(wanted.boundedTo(screen()->availableSize()));

@@ -71,23 +71,23 @@ void WindowActions::makeFileActions() {
 
 void WindowActions::makeEditActions() {
   QUndoStack& stack = workspace_.document().undoStack();
-  undo = stack.createUndoAction(this, tr("Undo"));
+  undo = stack.createUndoAction(this, tr("&Undo"));
   undo->setShortcut(QKeySequence::Undo);
-  redo = stack.createRedoAction(this, tr("Redo"));
+  redo = stack.createRedoAction(this, tr("&Redo"));
   redo->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
   icons_.emplace_back(undo, QStringLiteral("edit-undo"));
   icons_.emplace_back(redo, QStringLiteral("edit-redo"));
   cut = make(tr("Cu&t"), {}, QKeySequence::Cut, tr("Copy what is selected and remove it"));
   copy = make(tr("&Copy"), {}, QKeySequence::Copy, tr("Copy what is selected, as YAML text"));
   paste = make(tr("&Paste"), {}, QKeySequence::Paste, tr("Add what was copied beside it"));
-  duplicate = make(tr("D&uplicate"), QStringLiteral("edit-duplicate"),
+  duplicate = make(tr("Dup&licate"), QStringLiteral("edit-duplicate"),
                    QKeySequence(Qt::CTRL | Qt::Key_D), tr("A copy of what is selected"));
   remove = make(tr("&Delete"), QStringLiteral("edit-delete"), QKeySequence::Delete,
                 tr("Remove what is selected; routes follow"));
   selectAll = make(tr("Select &all"), {}, QKeySequence::SelectAll, tr("Everything on the map"));
   deselect = make(tr("Select &nothing"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A),
                   tr("Clear the selection"));
-  next = make(tr("&Next"), {}, QKeySequence(Qt::Key_PageDown),
+  next = make(tr("N&ext"), {}, QKeySequence(Qt::Key_PageDown),
               tr("The next person, or the next of the kind that is selected"));
   previous = make(tr("Pre&vious"), {}, QKeySequence(Qt::Key_PageUp),
                   tr("The previous person, or the previous of the kind that is selected"));
@@ -118,12 +118,12 @@ void WindowActions::makeViewActions() {
   zoomOut = make(tr("Zoom &out"), QStringLiteral("remove"), QKeySequence::ZoomOut, tr("Farther"));
   zoomFit = make(tr("&Fit"), QStringLiteral("view-fit"), QKeySequence(Qt::Key_F),
                  tr("The whole map in the window"));
-  fullScreen = make(tr("F&ull screen"), {}, QKeySequence(Qt::Key_F11), tr("Only the map"));
+  fullScreen = make(tr("Full scr&een"), {}, QKeySequence(Qt::Key_F11), tr("Only the map"));
   fullScreen->setCheckable(true);
-  resetLayout = make(tr("&Reset the layout"), {}, {}, tr("Docks as they were at first"));
+  resetLayout = make(tr("Reset the la&yout"), {}, {}, tr("Docks as they were at first"));
   switchTheme = make(tr("Light or dar&k"), QStringLiteral("view-theme"),
                      QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T), tr("Switch the colours"));
-  systemTheme = make(tr("Colours of the s&ystem"), {}, {}, tr("Follow the desktop's colours"));
+  systemTheme = make(tr("Colours of the &system"), {}, {}, tr("Follow the desktop's colours"));
   systemTheme->setCheckable(true);
   names = overlay(tr("&Names"), QStringLiteral("view-names"), QKeySequence(Qt::Key_N),
                   &CanvasOptions::names);
@@ -137,7 +137,7 @@ void WindowActions::makeViewActions() {
   rings = overlay(tr("&Personal spaces"), QStringLiteral("view-rings"), QKeySequence(Qt::Key_X),
                   &CanvasOptions::proxemics, tr("Rings around the people that are selected"));
   forces =
-      overlay(tr("F&orces"), QStringLiteral("view-forces"), QKeySequence(Qt::SHIFT | Qt::Key_F),
+      overlay(tr("For&ces"), QStringLiteral("view-forces"), QKeySequence(Qt::SHIFT | Qt::Key_F),
               &CanvasOptions::forces, tr("What moves the people that are selected, in a run"));
   editor::MapView& view = workspace_.view();
   connect(zoomIn, &QAction::triggered, &view, &editor::MapView::zoomIn);

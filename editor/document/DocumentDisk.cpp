@@ -116,6 +116,10 @@ void moveRelativePaths(sim2d::Scenario& scenario, const QString& from, const QSt
     return;
   }
   const QDir old = QFileInfo(from).absoluteDir();
+  if (scenario.desktop.mapFile && scenario.desktop.mapFile != "none") {
+    scenario.desktop.mapFile =
+        relativeTo(to, old.absoluteFilePath(QString::fromStdString(*scenario.desktop.mapFile)));
+  }
   for (sim2d::Human& human : scenario.humans) {
     if (human.ours.tree) {
       human.ours.tree =

@@ -11,6 +11,7 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"
 #include "sim2d/scenario/DamagedFile.h"
+#include "sim2d/scenario/TextPlaces.h"
 
 namespace editor {
 
@@ -26,13 +27,21 @@ bool isNothing(const sim2d::Scenario& scenario) {
          !scenario.map && !scenario.desktop.mapFile;
 }
 
+/// By its name, of one that is there.
+bool isYaml(const QString& path) {
+  const QString suffix = QFileInfo(path).suffix().toLower();
+  return QFileInfo(path).isReadable() &&
+         (suffix == QLatin1String("yaml") || suffix == QLatin1String("yml"));
+}
+
 }  // namespace
 
 base::Diagnostics ScenarioDocument::open(const QString& path) {
   sim2d::ScenarioReading reading = sim2d::readScenario(path.toStdString());
   if (!reading.ok() && isNothing(reading.scenario)) {
     reading = sim2d::readBeginning(path.toStdString());
-    if (isNothing(reading.scenario)) {
+    const bool isEmpty = isNothing(scenario_) && !isDirty();
+    if (isNothing(reading.scenario) && !(isEmpty && isYaml(path))) {
       return reading.diagnostics;
     }
   }
@@ -46,15 +55,15 @@ base::Diagnostics ScenarioDocument::open(const QString& path) {
   disk_->readOnly = !isWhole;
   loadDiagnostics_ = std::move(reading.diagnostics);
   disk_->readCount = loadDiagnostics_.size();
-  const base::Diagnostics ofMap = loadMapOf(scenario_, path_);
-  const base::Diagnostics ofTrees = loadTrees();
-  base::Diagnostics told = loadDiagnostics_;
-  for (const base::Diagnostics& more : {ofMap, ofTrees}) {
-    base::append(loadDiagnostics_, more);
+  if (isWhole || !isNothing(scenario_)) {
+    loadMap();
+  } else {
+    setMap(std::make_shared<sim2d::OccupancyGrid>());  // one problem is enough
   }
-  // a broken map is an error, but keeps no scenario shut; one that was asked for must be there
-  base::append(told, disk_->mapOption.empty() ? asWarnings(ofMap) : ofMap);
-  base::append(told, ofTrees);
+  base::append(loadDiagnostics_, loadTrees());
+  base::Diagnostics told = loadDiagnostics_;
+  // without its map a scenario can still be edited; one that was asked for must be there
+  base::append(told, disk_->mapOption.empty() ? asWarnings(mapProblems_) : mapProblems_);
   replaced();
   Q_EMIT pathChanged();
   Q_EMIT dirtyChanged(false);
@@ -62,39 +71,72 @@ base::Diagnostics ScenarioDocument::open(const QString& path) {
   return told;
 }
 
-base::Diagnostics ScenarioDocument::loadMapOf(const sim2d::Scenario& scenario,
-                                              const QString& path) {
+/// Also tells what keeps it from being there, as `check` does.
+void ScenarioDocument::loadMap() {
   const base::Result<std::string> found =
-      sim2d::findMap(scenario, disk_->places(path, shippedMaps_));
-  base::Diagnostics problems = found.diagnostics();
-  if (found && found->empty()) {
-    setMap(std::make_shared<sim2d::OccupancyGrid>());
-    return problems;
-  }
-  if (found) {
-    const base::Result<MapState> map =
-        readMapFile(QString::fromStdString(*found), *disk_, mapRuleOf(scenario));
-    base::append(problems, map.diagnostics());
-    if (map) {
-      exchangeMap(*map);
-      return problems;
+      sim2d::findMap(scenario_, disk_->places(path_, shippedMaps_));
+  MapState map{std::make_shared<sim2d::OccupancyGrid>(), {}, !found, found.diagnostics()};
+  sim2d::addPlaceOfMap(map.problems, path_.toStdString());
+  if (found && !found->empty()) {
+    base::Result<MapState> read =
+        readMapFile(QString::fromStdString(*found), *disk_, mapRuleOf(scenario_));
+    if (read) {
+      map = *std::move(read);
+    } else {
+      map.isMissing = true;
+      map.problems = read.diagnostics();
     }
   }
-  exchangeMap({std::make_shared<sim2d::OccupancyGrid>(), {}, true});
-  const bool isThere = bool(found);
-  return isThere || !disk_->mapOption.empty() ? problems : asWarnings(std::move(problems));
+  exchangeMap(std::move(map));
 }
 
 base::Diagnostics ScenarioDocument::openMap(const QString& yamlPath) {
-  const base::Result<MapState> map = readMapFile(yamlPath, *disk_, mapRuleOf(scenario_));
-  if (!map) {
-    return map.diagnostics();
+  base::Result<MapState> map = readMapFile(yamlPath, *disk_, mapRuleOf(scenario_));
+  const base::Diagnostics problems = map.diagnostics();
+  if (map) {
+    putMap(*std::move(map));
   }
+  return problems;
+}
+
+base::Diagnostics ScenarioDocument::newOnMap(const QString& yamlPath) {
+  DocumentDisk read;
+  base::Result<MapState> map = readMapFile(yamlPath, read, sim2d::MapRule::Humble);
+  const base::Diagnostics problems = map.diagnostics();
+  if (map) {
+    clear();
+    disk_->maps = std::move(read.maps);
+    disk_->hashes = std::move(read.hashes);
+    disk_->mapImage = read.mapImage;
+    putMap(*std::move(map));
+  }
+  return problems;
+}
+
+void ScenarioDocument::putMap(MapState map) {
   ScenarioSettings settings = std::get<ScenarioSettings>(*entity(kSettingsId));
-  settings.map = baseNameOf(yamlPath);
+  settings.map = baseNameOf(map.path);
   settings.desktop.mapFile.reset();
-  pushMap(*this, *map, std::move(settings), tr("Change map"));
-  return map.diagnostics();
+  pushMap(*this, std::move(map), std::move(settings), tr("Change map"));
+}
+
+void ScenarioDocument::setMap(std::shared_ptr<const sim2d::OccupancyGrid> map,
+                              const QString& path) {
+  exchangeMap({std::move(map), path, false, {}});
+}
+
+MapState ScenarioDocument::exchangeMap(MapState map) {
+  Q_ASSERT(map.grid != nullptr);
+  MapState old = mapState();
+  map_ = std::move(map.grid);
+  mapPath_ = map.path;
+  mapIsMissing_ = map.isMissing;
+  mapProblems_ = std::move(map.problems);
+  Q_EMIT mapChanged();
+  if (!mapProblems_.empty() || !old.problems.empty()) {
+    Q_EMIT issuesChanged(issues());
+  }
+  return old;
 }
 
 base::Diagnostics ScenarioDocument::loadTrees() {
@@ -138,25 +180,35 @@ DocumentSnapshot ScenarioDocument::snapshot() const {
   return result;
 }
 
+void ScenarioDocument::restoreMap(const DocumentSnapshot& snapshot) {
+  if (snapshot.map.isMissing) {
+    loadMap();  // it may be there by now
+    return;
+  }
+  exchangeMap(snapshot.map);
+  if (snapshot.map.path.isEmpty()) {
+    return;
+  }
+  base::Result<MapState> onDisk = readMapFile(snapshot.map.path, *disk_, mapRuleOf(scenario_));
+  if (!snapshot.mapIsInFile) {
+    mapPath_ =
+        onDisk ? mapPath_ : QString();  // what was under the paint is gone: a file of its own
+  } else if (onDisk) {
+    exchangeMap(*std::move(onDisk));
+  } else {
+    exchangeMap({std::make_shared<sim2d::OccupancyGrid>(), {}, true, onDisk.diagnostics()});
+  }
+}
+
 void ScenarioDocument::restore(DocumentSnapshot snapshot) {
   replaceAll(std::move(snapshot.scenario));
   path_ = snapshot.path;
   neverSaved_ = true;
   disk_->readOnly = snapshot.readOnly;
-  exchangeMap(snapshot.map);
+  restoreMap(snapshot);
   if (!path_.isEmpty()) {
     disk_->noteFile(path_);
     loadDiagnostics_ = loadTrees();
-  }
-  if (!snapshot.map.path.isEmpty()) {
-    const base::Result<MapState> onDisk =
-        readMapFile(snapshot.map.path, *disk_, mapRuleOf(scenario_));
-    if (snapshot.mapIsInFile) {
-      base::append(loadDiagnostics_, asWarnings(onDisk.diagnostics()));
-      exchangeMap(onDisk ? *onDisk : MapState{std::make_shared<sim2d::OccupancyGrid>(), {}, true});
-    } else if (!onDisk) {
-      mapPath_.clear();  // painted, and what was under the paint is gone: a file of its own
-    }
   }
   trees_ = std::move(snapshot.trees);
   for (const auto& [id, text] : trees_) {

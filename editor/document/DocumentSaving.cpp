@@ -275,6 +275,9 @@ void ScenarioDocument::takeSaved(SavePlan plan) {
     disk_->trees[human.key] = {written.path, written.content, style, std::move(generated)};
   }
   undoStack_.setClean();
+  if (mapIsMissing_) {
+    loadMap();  // it may be beside the new place, and lines have moved
+  }
   if (isChanged) {
     replaced();
   }

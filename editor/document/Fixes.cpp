@@ -6,6 +6,7 @@
 
 #include "editor/document/EditCommands.h"
 #include "editor/document/FixEdits.h"
+#include "editor/document/MapEdit.h"
 #include "sim2d/scenario/Defaults.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 
@@ -181,6 +182,10 @@ Fix aRobot(const ScenarioDocument&, EntityId, const Match&) {
   return {tr("Add a robot"), [](ScenarioDocument& document) { addRobot(document); }};
 }
 
+Fix openPlane(const ScenarioDocument&, EntityId, const Match&) {
+  return {tr("Open plane"), pushOpenPlane};
+}
+
 using Maker = Fix (*)(const ScenarioDocument&, EntityId, const Match&);
 
 struct Rule {
@@ -222,6 +227,9 @@ const std::vector<Rule>& rules() {
       rule(": 'until' is before 'from'", swapTimes),
       rule(": both ends are the same point", removeIt),
       rule("^map '.*' counts as", plainMapName),
+      rule("^no map '.*' found", openPlane),
+      rule("^map_file .* is (?:not there|a folder)", openPlane),
+      rule("^the scenario names no map", openPlane),
       rule("^there is no robot", aRobot),
   };
   return kRules;

@@ -122,6 +122,13 @@ void pushMap(ScenarioDocument& document, MapState map, ScenarioSettings settings
   document.undoStack().push(new EditMap(document, std::move(map), std::move(settings), text));
 }
 
+void pushOpenPlane(ScenarioDocument& document) {
+  ScenarioSettings settings = std::get<ScenarioSettings>(*document.entity(kSettingsId));
+  settings.desktop.mapFile = "none";
+  pushMap(document, {std::make_shared<sim2d::OccupancyGrid>(), {}, false, {}}, std::move(settings),
+          QObject::tr("Open plane"));
+}
+
 void pushStroke(ScenarioDocument& document, const MapStroke& stroke, const QString& text) {
   auto command = std::make_unique<PaintMap>(document, stroke, text);
   if (!command->isObsolete()) {
@@ -156,7 +163,8 @@ base::Result<MapState> readMapFile(const QString& yamlPath, DocumentDisk& disk,
   if (!map) {
     return map.diagnostics();
   }
-  MapState state{std::make_shared<sim2d::OccupancyGrid>(std::move(map->grid)), path, false};
+  MapState state{std::make_shared<sim2d::OccupancyGrid>(std::move(map->grid)), path, false,
+                 map.diagnostics()};
   disk.maps[path] = state.grid;
   disk.mapImage = QFileInfo(QString::fromStdString(map->imagePath)).absoluteFilePath();
   disk.noteFile(path);

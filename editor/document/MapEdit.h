@@ -71,6 +71,8 @@ class PaintMap : public QUndoCommand {
 
 void pushMap(ScenarioDocument& document, MapState map, ScenarioSettings settings,
              const QString& text);
+/// No map any more, and the scenario says so.
+void pushOpenPlane(ScenarioDocument& document);
 /// Nothing is pushed when no cell would change.
 void pushStroke(ScenarioDocument& document, const MapStroke& stroke, const QString& text);
 

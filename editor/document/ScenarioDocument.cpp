@@ -185,21 +185,6 @@ std::optional<std::string> ScenarioDocument::exchangeTree(EntityId human,
   return old;
 }
 
-void ScenarioDocument::setMap(std::shared_ptr<const sim2d::OccupancyGrid> map,
-                              const QString& path) {
-  exchangeMap({std::move(map), path, false});
-}
-
-MapState ScenarioDocument::exchangeMap(MapState map) {
-  Q_ASSERT(map.grid != nullptr);
-  MapState old = mapState();
-  map_ = std::move(map.grid);
-  mapPath_ = map.path;
-  mapIsMissing_ = map.isMissing;
-  Q_EMIT mapChanged();
-  return old;
-}
-
 bool ScenarioDocument::isSelected(EntityId id) const {
   return std::find(selection_.begin(), selection_.end(), id) != selection_.end();
 }
@@ -245,6 +230,7 @@ QString ScenarioDocument::displayName() const {
 
 base::Diagnostics ScenarioDocument::issues() const {
   base::Diagnostics all = loadDiagnostics_;
+  base::append(all, mapProblems_);
   base::append(all, checkIssues_);
   return all;
 }

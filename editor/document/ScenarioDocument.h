@@ -35,7 +35,8 @@ struct EntitySlot {
 struct MapState {
   std::shared_ptr<const sim2d::OccupancyGrid> grid;
   QString path;
-  bool isMissing = false;  // named by the scenario, but not found
+  bool isMissing = false;      // named by the scenario, but not found or not readable
+  base::Diagnostics problems;  // of finding and reading it
 };
 
 /// The scenario being edited, with its map, trees, undo stack and selection. GUI thread.
@@ -82,7 +83,7 @@ class ScenarioDocument : public QObject {
   std::shared_ptr<const sim2d::OccupancyGrid> map() const { return map_; }
   QString mapPath() const { return mapPath_; }  // of the YAML; empty: none, or not from a file
   void setMap(std::shared_ptr<const sim2d::OccupancyGrid> map, const QString& path = {});
-  MapState mapState() const { return {map_, mapPath_, mapIsMissing_}; }
+  MapState mapState() const { return {map_, mapPath_, mapIsMissing_, mapProblems_}; }
   MapState exchangeMap(MapState map);
 
   // undo
@@ -101,7 +102,8 @@ class ScenarioDocument : public QObject {
   void clear();                           // a new, empty scenario
   void load(sim2d::Scenario scenario);    // from code (templates, tests): new, unsaved
   /// With errors the document has not changed, unless it isReadOnly then: a damaged file is shown
-  /// as far as it can be read.
+  /// as far as it can be read. One of which nothing can be read takes the place of an empty
+  /// document only.
   base::Diagnostics open(const QString& path);
   /// Map and folder with trees in place of the scenario's, for the next files that are opened.
   void setSearch(const QString& map, const QString& trees);
@@ -117,6 +119,8 @@ class ScenarioDocument : public QObject {
   int commentCount() const { return commentCount_; }
   /// Read a nav2 map and remember its place in the scenario (one undoable command).
   base::Diagnostics openMap(const QString& yamlPath);
+  /// A new scenario on it; with errors the document has not changed.
+  base::Diagnostics newOnMap(const QString& yamlPath);
   void setShippedMaps(const QString& folder) { shippedMaps_ = folder; }
   /// Files that were read or written, and those of them that someone else has changed since.
   QStringList files() const;
@@ -128,8 +132,7 @@ class ScenarioDocument : public QObject {
   void restore(DocumentSnapshot snapshot);
 
   // messages
-  const base::Diagnostics& loadDiagnostics() const { return loadDiagnostics_; }
-  base::Diagnostics issues() const;  // of loading, then of the live check
+  base::Diagnostics issues() const;  // of loading, of the map, then of the live check
   void checkNow();                   // without the pause that follows edits, to its end
   void checkSoon();                  // without that pause; waits a moment only
 
@@ -146,7 +149,9 @@ class ScenarioDocument : public QObject {
   void replaceAll(sim2d::Scenario scenario);
   void replaced();  // by another file or nothing: tells of everything
   void endStep();
-  base::Diagnostics loadMapOf(const sim2d::Scenario& scenario, const QString& path);
+  void loadMap();
+  void putMap(MapState map);
+  void restoreMap(const DocumentSnapshot& snapshot);
   base::Diagnostics loadTrees();
   void startCheck();
   void placeMap(SavePlan& plan) const;
@@ -162,7 +167,7 @@ class ScenarioDocument : public QObject {
   QUndoStack undoStack_;
   std::vector<EntityId> selection_;
   QString path_, mapPath_, shippedMaps_;
-  base::Diagnostics loadDiagnostics_, checkIssues_;
+  base::Diagnostics loadDiagnostics_, mapProblems_, checkIssues_;
   QTimer checkTimer_;
   std::unique_ptr<LiveCheck> liveCheck_;
   std::unique_ptr<DocumentDisk> disk_;

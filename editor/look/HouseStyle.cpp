@@ -1,6 +1,7 @@
 #include "editor/look/HouseStyle.h"
 
 #include <QAbstractScrollArea>
+#include <QListView>
 #include <QPainter>
 #include <QStyleOption>
 #include <QStyleOptionComboBox>
@@ -122,6 +123,13 @@ int HouseStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWid
 
 QSize HouseStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
                                    const QWidget* widget) const {
+  const auto* row = qstyleoption_cast<const QStyleOptionViewItem*>(option);
+  if (row != nullptr && qobject_cast<const QListView*>(widget) != nullptr) {
+    QStyleOptionViewItem narrower = *row;  // its words wrap in what the inset leaves
+    narrower.rect.setWidth(std::max(0, row->rect.width() - kListInset));
+    return QProxyStyle::sizeFromContents(type, &narrower, size, widget)
+        .expandedTo(QSize(0, kRowHeight));
+  }
   QSize result = QProxyStyle::sizeFromContents(type, option, size, widget);
   switch (type) {
     case CT_ComboBox:

@@ -62,6 +62,7 @@ class HouseStyle : public QProxyStyle {
 };
 
 constexpr int kTableInset = 8;  // of the first column of tables [px]
+constexpr int kListInset = 6;   // of the rows of lists [px]
 /// A field with this property set to true is drawn with the edge of an error.
 constexpr const char* kInvalidProperty = "hunavInvalid";
 /// A tool button with this property draws its words as a link.

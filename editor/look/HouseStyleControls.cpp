@@ -85,8 +85,8 @@ void HouseStyle::drawCheckBox(QPainter& painter, const QStyleOption& option) con
 
 void HouseStyle::drawButton(QPainter& painter, const QStyleOption& option) const {
   const auto* button = qstyleoption_cast<const QStyleOptionButton*>(&option);
-  const bool isDefault =
-      button != nullptr && button->features.testFlag(QStyleOptionButton::DefaultButton);
+  const bool isDefault = button != nullptr && isEnabled(option) &&
+                         button->features.testFlag(QStyleOptionButton::DefaultButton);
   const bool down = option.state & (State_Sunken | State_On);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(theme_.color(isDefault || down ? Role::Accent : Role::FieldEdge), 1.0));

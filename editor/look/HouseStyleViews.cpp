@@ -2,6 +2,7 @@
 
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
+#include <QListView>
 #include <QPainter>
 #include <QStyleOption>
 #include <QTableView>
@@ -41,10 +42,12 @@ QRect HouseStyle::subElementRect(SubElement element, const QStyleOption* option,
     case SE_ItemViewItemText:
     case SE_ItemViewItemDecoration:
       if (const auto* item = qstyleoption_cast<const QStyleOptionViewItem*>(option);
-          item != nullptr && item->index.column() == 0 &&
-          qobject_cast<const QTableView*>(widget) != nullptr) {
-        return element == SE_ItemViewItemText ? rect.adjusted(kTableInset, 0, 0, 0)
-                                              : rect.translated(kTableInset, 0);
+          item != nullptr && item->index.column() == 0) {
+        const int inset = qobject_cast<const QTableView*>(widget) != nullptr  ? kTableInset
+                          : qobject_cast<const QListView*>(widget) != nullptr ? kListInset
+                                                                              : 0;
+        return element == SE_ItemViewItemText ? rect.adjusted(inset, 0, 0, 0)
+                                              : rect.translated(inset, 0);
       }
       return rect;
     default:

@@ -179,11 +179,10 @@ class Exporter {
   void checkWorld() {
     const std::string map = mapBaseName(scenario().map.value_or(""));
     if (map.empty()) {
-      note(base::Severity::Warning,
-           target_.title + " takes the world from the key map, which this scenario has not");
+      note(base::Severity::Warning, worldWithoutMap(target_));
       return;
     }
-    if (!map.empty() && scenario().map != map) {
+    if (scenario().map != map) {
       scenario().map = map;  // without folder and extension
     }
     const std::vector<std::string>& worlds = target_.worlds;

@@ -10,6 +10,8 @@ namespace sim2d {
 
 namespace {
 
+constexpr const char* kIsaacPlane = "empty_world";
+
 template <class T>
 void setDefault(std::optional<T>& value, T otherwise) {
   if (!value) {
@@ -150,9 +152,10 @@ void completeExported(const Scenario& scenario, Human& human, const TargetInfo& 
 std::string exportStartCommand(const Scenario& scenario, const TargetInfo& target) {
   const std::string map = mapBaseName(scenario.map.value_or(""));
   const std::string file = scenario.yamlBaseName.value_or("") + ".yaml";
+  const std::string world = map.empty() ? "" : " environment_name:=" + map;  // else its usual one
   switch (target.target) {
     case ExportTarget::GazeboClassic:
-      return "ros2 launch hunav_gazebo_wrapper simulation.launch.py environment_name:=" + map +
+      return "ros2 launch hunav_gazebo_wrapper simulation.launch.py" + world +
              " configuration_file:=" + file;
     case ExportTarget::GazeboFortress:
       return "ros2 launch hunav_gazebo_fortress_wrapper cafe_fortress_test.launch.py "
@@ -160,14 +163,27 @@ std::string exportStartCommand(const Scenario& scenario, const TargetInfo& targe
              file;
     case ExportTarget::Isaac:
       return "ros2 run hunav_isaac_wrapper hunav_isaac_launcher --config " + file + " --world " +
-             map + " --batch";
+             (map.empty() ? kIsaacPlane : map) + " --batch";
     case ExportTarget::Webots:
-      return "ros2 launch hunav_webots_wrapper hunavsim_webots.launch.py environment_name:=" + map +
+      return "ros2 launch hunav_webots_wrapper hunavsim_webots.launch.py" + world +
              " configuration_file:=" + file;
     case ExportTarget::Native:
       break;
   }
   return {};
+}
+
+std::string worldWithoutMap(const TargetInfo& target) {
+  if (target.target == ExportTarget::Isaac) {
+    return std::string("the scenario names no map: ") + target.title + " starts its world '" +
+           kIsaacPlane + "'";
+  }
+  const std::string usual = "the scenario names no map: " + target.title + " starts its world '" +
+                            target.worlds.front() + "'";
+  const std::vector<std::string> others(target.worlds.begin() + 1, target.worlds.end());
+  return others.empty() ? usual
+                        : usual + " (environment_name:=" + others.front() +
+                              " takes another; it has " + base::join(target.worlds, ", ") + ")";
 }
 
 }  // namespace sim2d

@@ -13,5 +13,7 @@ void addExportLosses(const Scenario& scenario, base::Diagnostics& report);
 void completeExported(const Scenario& scenario, Human& human, const TargetInfo& target,
                       base::Diagnostics& report);
 std::string exportStartCommand(const Scenario& scenario, const TargetInfo& target);
+/// Which world that command starts when the scenario has no map.
+std::string worldWithoutMap(const TargetInfo& target);
 
 }  // namespace sim2d

@@ -77,4 +77,10 @@ void addPlaceOfKey(base::Diagnostics& diagnostics, const std::string& path,
   }
 }
 
+void addPlaceOfMap(base::Diagnostics& diagnostics, const std::string& path) {
+  addPlaceOfKey(diagnostics, path,
+                {"hunavsim_desktop.ros__parameters.map_file", "hunav_loader.ros__parameters.map",
+                 "hunav_loader.ros__parameters"});
+}
+
 }  // namespace sim2d

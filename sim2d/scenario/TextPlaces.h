@@ -16,4 +16,7 @@ void addColumns(base::Diagnostics& diagnostics, const std::string& path);
 void addPlaceOfKey(base::Diagnostics& diagnostics, const std::string& path,
                    const std::vector<std::string>& keys);
 
+/// The same for what `findMap` says of the scenario in the file `path`: the key that names the map.
+void addPlaceOfMap(base::Diagnostics& diagnostics, const std::string& path);
+
 }  // namespace sim2d

@@ -26,6 +26,8 @@ class ConvertProgramTest : public QObject {
   void convert_gapsAndNames_areMended();
   void convert_ownTree_followsTheNewGoalNumbers();
   void convert_whatOnlyWeHave_isListed();
+  void convert_withoutMap_startsAWorldThatIsThere_data();
+  void convert_withoutMap_startsAWorldThatIsThere();
   void convert_again_saysWhatBecameOfEachFile();
   void convert_fileInTheWay_writesNothing();
   void convert_ontoItself_isRefused();
@@ -281,6 +283,44 @@ void ConvertProgramTest::convert_whatOnlyWeHave_isListed() {
   QCOMPARE(ours["robot1"]["goal"]["x"].as<double>(), 5.0);
   QCOMPARE(ours["Ana_Maria"]["start_time"].as<double>(), 3.0);
   QVERIFY(json[QStringLiteral("start")].toString().contains(QStringLiteral("odd.yaml")));
+}
+
+/// No argument without a value: what a launch file takes then is said.
+void ConvertProgramTest::convert_withoutMap_startsAWorldThatIsThere_data() {
+  QTest::addColumn<QByteArray>("target");
+  QTest::addColumn<QString>("start");
+  QTest::addColumn<QString>("world");
+  QTest::newRow("classic") << QByteArray("gazebo-classic")
+                           << utf8(
+                                  "ros2 launch hunav_gazebo_wrapper simulation.launch.py "
+                                  "configuration_file:=odd.yaml")
+                           << utf8("'cafe'");
+  QTest::newRow("webots") << QByteArray("webots")
+                          << utf8(
+                                 "ros2 launch hunav_webots_wrapper hunavsim_webots.launch.py "
+                                 "configuration_file:=odd.yaml")
+                          << utf8("'factory'");
+  QTest::newRow("isaac") << QByteArray("isaac")
+                         << utf8(
+                                "ros2 run hunav_isaac_wrapper hunav_isaac_launcher --config "
+                                "odd.yaml --world empty_world --batch")
+                         << utf8("'empty_world'");
+}
+
+void ConvertProgramTest::convert_withoutMap_startsAWorldThatIsThere() {
+  QFETCH(QByteArray, target);
+  QFETCH(QString, start);
+  QFETCH(QString, world);
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("odd.yaml"));
+  outside::writeText(path, QByteArray(kOdd).replace("    map: cafe.yaml\n", ""));
+  const Finished found = convert(path, folder.filePath(QStringLiteral("out")), target.constData(),
+                                 {QStringLiteral("--json")});
+  QVERIFY2(found.exitCode == 0, qPrintable(found.err));
+  const QJsonObject json = QJsonDocument::fromJson(found.out.toUtf8()).object();
+  QCOMPARE(json[QStringLiteral("start")].toString(), start);
+  QVERIFY2(found.err.contains(QStringLiteral("names no map: ")) && found.err.contains(world),
+           qPrintable(found.err));
 }
 
 void ConvertProgramTest::convert_again_saysWhatBecameOfEachFile() {

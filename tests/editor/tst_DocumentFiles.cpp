@@ -81,7 +81,39 @@ class DocumentFilesTest : public QObject {
     QVERIFY(document.scenario() == small::scenario());
   }
 
-  void open_scenarioWithoutItsMap_warnsAndOpens() {
+  void open_nothingReadable_isShownUnderItsNameUnlessAnotherIsOpen() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("wrong.yaml"));
+    check(base::writeFileAtomically(path.toStdString(), "agents: [\n"));
+    ScenarioDocument document;
+    QVERIFY(base::hasErrors(document.open(path)));
+    QCOMPARE(document.displayName(), QStringLiteral("wrong.yaml"));
+    QVERIFY(document.isReadOnly());
+    QVERIFY(base::hasErrors(document.issues()));
+    QVERIFY(base::hasErrors(document.save(path)));
+    ScenarioDocument busy;
+    busy.load(small::scenario());
+    QVERIFY(base::hasErrors(busy.open(path)));
+    QVERIFY(busy.scenario() == small::scenario());
+    QVERIFY(!busy.isReadOnly());
+  }
+
+  void newOnMap_brokenMap_changesNothing() {
+    const QTemporaryDir folder;
+    const QString map = folder.filePath(QStringLiteral("flat.yaml"));
+    check(base::writeFileAtomically(map.toStdString(), "image: flat.png\nresolution: 0\n"));
+    ScenarioDocument document;
+    document.load(small::scenario());
+    QVERIFY(base::hasErrors(document.newOnMap(map)));
+    QVERIFY(document.scenario() == small::scenario());
+    check(sim2d::writeMap(*small::room(), map.toStdString()));
+    check(document.newOnMap(map));
+    QVERIFY(document.scenario().humans.empty());
+    QVERIFY(*document.map() == *small::room());
+    QVERIFY(document.files().contains(map));  // and is watched
+  }
+
+  void open_scenarioWithoutItsMap_opensWithAnErrorUntilThereIsOne() {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("lost.yaml"));
     sim2d::Scenario scenario = small::scenario();
@@ -89,11 +121,70 @@ class DocumentFilesTest : public QObject {
     check(base::writeFileAtomically(path.toStdString(), sim2d::writeScenario(scenario)));
     ScenarioDocument document;
     check(document.open(path));
-    QVERIFY(!document.loadDiagnostics().empty());
+    QVERIFY(isMapLost(document));
     QVERIFY(document.map()->isEmpty());
     check(document.save(path));
     QVERIFY(document.scenario().map == std::string("no_such_map"));
     QVERIFY(!document.scenario().desktop.mapFile);
+    QVERIFY(isMapLost(document));
+    const QString map = folder.filePath(QStringLiteral("another.yaml"));
+    check(sim2d::writeMap(*small::room(), map.toStdString()));
+    check(document.openMap(map));
+    QVERIFY(!document.mapState().isMissing && !isMapLost(document));
+    document.undoStack().undo();
+    QVERIFY(document.mapState().isMissing && isMapLost(document));
+    pushOpenPlane(document);
+    QVERIFY(!document.mapState().isMissing && !isMapLost(document));
+    check(document.save(path));
+    QVERIFY(document.scenario().desktop.mapFile == std::string("none"));
+  }
+
+  void saveAs_besideTheMapThatWasMissing_findsIt() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a/lost.yaml"));
+    sim2d::Scenario scenario = small::scenario();
+    scenario.map = "hall";
+    check(base::writeFileAtomically(path.toStdString(), sim2d::writeScenario(scenario)));
+    check(sim2d::writeMap(*small::room(),
+                          folder.filePath(QStringLiteral("b/hall.yaml")).toStdString()));
+    ScenarioDocument document;
+    check(document.open(path));
+    QVERIFY(document.mapState().isMissing);
+    check(document.save(folder.filePath(QStringLiteral("b/found.yaml"))));
+    QVERIFY2(
+        !document.mapState().isMissing,
+        document.mapState().isMissing ? document.mapState().problems.front().text().c_str() : "");
+    QVERIFY(*document.map() == *small::room());
+  }
+
+  /// A crash in between makes no error a warning.
+  void restore_brokenMap_isTheSameErrorAsOpening() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("room.yaml"));
+    ScenarioDocument document;
+    document.load(small::scenario());
+    document.setMap(small::room());
+    check(document.save(path));
+    pushMove(document, {{EntityKind::Human, 1}}, Vec2(0.5, 0.0));
+    const QString copy = folder.filePath(QStringLiteral("copy"));
+    check(base::writeFilesTogether(snapshotFiles(document.snapshot(), copy)));
+    check(base::writeFileAtomically(document.mapPath().toStdString(), "image: x.pgm\n"));
+    for (const bool isLost : {false, true}) {
+      ScenarioDocument opened;
+      check(opened.open(path));
+      QVERIFY(opened.mapState().isMissing);
+      const base::Diagnostics asOpened = opened.mapState().problems;
+      QVERIFY(base::hasErrors(asOpened));
+      if (isLost) {  // already when the copy was made
+        check(base::writeFilesTogether(snapshotFiles(opened.snapshot(), copy)));
+      }
+      ScenarioDocument again;
+      again.restore(*readSnapshot(copy));
+      QVERIFY(again.mapState().isMissing);
+      QCOMPARE(again.mapState().problems.size(), asOpened.size());
+      QCOMPARE(again.mapState().problems.front().text(), asOpened.front().text());
+      QVERIFY(base::hasErrors(again.issues()));
+    }
   }
 
   void open_mapIsBroken_isAnErrorThatKeepsNothingShut() {
@@ -168,7 +259,9 @@ class DocumentFilesTest : public QObject {
   void open_damagedFile_isShownAndNeverWrittenOver() {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("room.yaml"));
-    std::string text = sim2d::writeScenario(small::scenario());
+    sim2d::Scenario scenario = small::scenario();
+    scenario.desktop.mapFile = "none";
+    std::string text = sim2d::writeScenario(scenario);
     text.replace(text.find("id: 1"), 5, "id: one");
     check(base::writeFileAtomically(path.toStdString(), text));
     ScenarioDocument document;
@@ -291,6 +384,14 @@ class DocumentFilesTest : public QObject {
 
   static std::string treePath(const QTemporaryDir& folder, int id) {
     return folder.filePath(QStringLiteral("room__agent_%1_bt.xml").arg(id)).toStdString();
+  }
+  /// As `check` tells it: an error at the key that names the map.
+  static bool isMapLost(const ScenarioDocument& document) {
+    const base::Diagnostics issues = document.issues();
+    return std::any_of(issues.begin(), issues.end(), [](const base::Diagnostic& issue) {
+      return issue.severity == base::Severity::Error && issue.line > 0 && issue.column > 0 &&
+             issue.message.rfind("no map 'no_such_map' found (tried ", 0) == 0;
+    });
   }
   /// Name and content of every file, temporary ones too.
   static std::map<QString, std::string> contentOf(const QTemporaryDir& folder) {

@@ -1,7 +1,9 @@
+#include <QTemporaryDir>
 #include <QtTest>
 
 #include "SmallScenario.h"
 #include "editor/document/Fixes.h"
+#include "sim2d/base/Text.h"
 
 using editor::Fix;
 using editor::ScenarioDocument;
@@ -160,6 +162,31 @@ class FixesTest : public QObject {
              problem->diagnostic.message.c_str());
     document.undoStack().undo();
     QVERIFY(document.scenario() == scenario);
+  }
+
+  void mapThatIsLost_canBeLeftOut_data() {
+    QTest::addColumn<Damage>("damage");
+    QTest::newRow("by its name") << Damage([](Scenario& s) { s.map = "no_such_map"; });
+    QTest::newRow("by its file") << Damage([](Scenario& s) { s.desktop.mapFile = "lost.yaml"; });
+    QTest::newRow("a folder") << Damage([](Scenario& s) { s.desktop.mapFile = "."; });
+    QTest::newRow("none is named") << Damage([](Scenario& s) { s.map.reset(); });
+  }
+  void mapThatIsLost_canBeLeftOut() {
+    QFETCH(Damage, damage);
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("room.yaml"));
+    Scenario scenario = small::scenario();
+    damage(scenario);
+    QVERIFY(base::writeFileAtomically(path.toStdString(), sim2d::writeScenario(scenario)).empty());
+    ScenarioDocument document;
+    QVERIFY(!base::hasErrors(document.open(path)));
+    QVERIFY(document.mapState().isMissing);
+    const std::optional<Problem> problem = problemWith(document, QStringLiteral("Open plane"));
+    QVERIFY(problem);
+    problem->fix.apply(document);
+    QVERIFY(!isToldStill(document, problem->diagnostic.message));
+    document.undoStack().undo();
+    QVERIFY(isToldStill(document, problem->diagnostic.message));
   }
 
   void personWithoutGoals_needsAHand() {

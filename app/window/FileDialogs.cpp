@@ -1,0 +1,67 @@
+#include "app/window/FileDialogs.h"
+
+#include <array>
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHeaderView>
+#include <QTreeView>
+
+#include "app/window/FileCommands.h"
+
+namespace app {
+
+namespace {
+
+constexpr const char* kStateKey = "files/dialog";
+constexpr const char* kSizeKey = "files/dialog-size";
+constexpr QSize kSize(920, 560);
+constexpr std::array<int, 4> kColumns = {380, 90, 100, 160};  // name, size, type, date
+
+/// The desktop's own dialogs see to themselves.
+void dress(QFileDialog& dialog, const Memory& memory) {
+  auto* list = dialog.findChild<QTreeView*>(QStringLiteral("treeView"));
+  if (list == nullptr) {
+    return;
+  }
+  const QSize size = memory.value(kSizeKey).toSize();
+  dialog.resize(size.isValid() ? size : kSize);
+  if (!dialog.restoreState(memory.value(kStateKey).toByteArray())) {
+    dialog.setViewMode(QFileDialog::Detail);
+    list->header()->setStretchLastSection(true);
+    for (int column = 0; column < static_cast<int>(kColumns.size()); ++column) {
+      list->header()->resizeSection(column, kColumns.at(static_cast<std::size_t>(column)));
+    }
+  }
+}
+
+QString ask(QFileDialog& dialog, Memory& memory) {
+  const QString folder = dialog.directory().absolutePath();
+  dress(dialog, memory);
+  dialog.setDirectory(folder);  // that of the last time would come back with the state
+  const bool isAccepted = dialog.exec() == QDialog::Accepted;
+  memory.setValue(kStateKey, dialog.saveState());
+  memory.setValue(kSizeKey, dialog.size());
+  return isAccepted ? dialog.selectedFiles().value(0) : QString();
+}
+
+}  // namespace
+
+QString FileDialogs::openFile(const QString& title, const QString& folder,
+                              const QString& filter) const {
+  QFileDialog dialog(&window_, title, folder, filter);
+  dialog.setFileMode(QFileDialog::ExistingFile);
+  return ask(dialog, memory_);
+}
+
+QString FileDialogs::saveFile(const QString& title, const QString& proposed, const QString& filter,
+                              const QString& suffix) const {
+  const QFileInfo file(proposed);
+  QFileDialog dialog(&window_, title, file.absolutePath(), filter);
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix(suffix);
+  dialog.selectFile(file.fileName());
+  return ask(dialog, memory_);
+}
+
+}  // namespace app

@@ -1,0 +1,295 @@
+#include <QClipboard>
+#include <QPlainTextEdit>
+#include <QScrollBar>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <QtTest>
+
+#include "app/ExportReport.h"
+#include "app/window/DocumentGuard.h"
+#include "app/window/ExportDialog.h"
+#include "app/window/MainWindow.h"
+#include "app/window/MapDialogs.h"
+#include "editor/document/EditCommands.h"
+#include "editor/document/MapEdit.h"
+#include "editor/panels/IssuesPanel.h"
+#include "sim2d/base/Text.h"
+#include "tests/app/QuietWindow.h"
+
+using app::MainWindow;
+
+namespace {
+
+QString utf8(const char* text) {
+  return QString::fromUtf8(text);
+}
+
+}  // namespace
+
+/// Files that are wrong, lost, or cannot be written: what the window tells and offers.
+class FileTroublesTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() { app::dressApplication(editor::Theme::light()); }
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    window_ = std::make_unique<MainWindow>(quiet::setup());
+    window_->resize(1280, 800);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+  }
+  void cleanup() {
+    document().undoStack().setClean();
+    window_.reset();
+  }
+
+  void open_mapIsLost_noticeOffersAWayOut() {
+    QVERIFY(window_->open(demoOnMap("nowhere")));
+    const app::Notice notice = told("map");
+    QVERIFY2(notice.text.startsWith(utf8("Map file nowhere.yaml not found.")),
+             qPrintable(notice.text));
+    QCOMPARE(notice.choices.size(), std::size_t(2));
+    QVERIFY(window_->docks().issues().hasErrors());
+    shoot("map-lost");
+    window_->setTheme(editor::Theme::dark());
+    shoot("map-lost-dark");
+    window_->setTheme(editor::Theme::light());
+    // a dialog that is cancelled leaves it as it was
+    QTimer::singleShot(100, this, [] {
+      if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
+        dialog->reject();
+      }
+    });
+    window_->notices().choose(utf8("map"), 0);
+    QVERIFY(window_->notices().isTold(utf8("map")));
+    window_->notices().choose(utf8("map"), 1);
+    QVERIFY(!window_->notices().isTold(utf8("map")));
+    QVERIFY(!window_->docks().issues().hasErrors());
+    document().undoStack().undo();
+    QVERIFY(window_->notices().isTold(utf8("map")));
+    window_->actions().newRoom->trigger();
+    QVERIFY(window_->notices().notices().empty());
+  }
+
+  void open_mapIsDamaged_noticeSaysWhatIsWrong() {
+    QVERIFY(
+        base::writeFileAtomically(at("flat.yaml").toStdString(),
+                                  "image: flat.png\nresolution: 0\norigin: [0, 0, 0]\nnegate: 0\n"
+                                  "occupied_thresh: 0.65\nfree_thresh: 0.196\n")
+            .empty());
+    QVERIFY(window_->open(demoOnMap("flat")));
+    const QString text = told("map").text;
+    QVERIFY2(text.startsWith(utf8("Map file flat.yaml cannot be used: ")), qPrintable(text));
+    QVERIFY2(text.contains(utf8("resolution")), qPrintable(text));
+    shoot("map-damaged");
+  }
+
+  void open_wrongYaml_isShownUnderItsNameAsReadOnly_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::newRow("syntax") << QByteArray("hunav_loader: [\n");
+    QTest::newRow("another kind") << QByteArray("services:\n  web: {build: x}\n");
+    QTest::newRow("no agents") << QByteArray("hunav_loader:\n  ros__parameters: {map: x}\n");
+    QTest::newRow("empty") << QByteArray();
+  }
+  void open_wrongYaml_isShownUnderItsNameAsReadOnly() {
+    QFETCH(QByteArray, text);
+    const QString file = at("wrong.yaml");
+    QVERIFY(base::writeFileAtomically(file.toStdString(), text.toStdString()).empty());
+    QVERIFY(!window_->open(file));
+    QVERIFY(!window_->isOnStartPage());
+    QVERIFY2(window_->windowTitle().startsWith(utf8("wrong.yaml")),
+             qPrintable(window_->windowTitle()));
+    QVERIFY(document().isReadOnly());
+    QVERIFY(window_->notices().isTold(utf8("read-only")));
+    QVERIFY(window_->docks().issues().hasErrors());
+    shoot("wrong-yaml");
+  }
+
+  void open_noScenarioAtAll_staysOnTheStartPageAndTells() {
+    const QString file = at("notes.txt");
+    QVERIFY(base::writeFileAtomically(file.toStdString(), "milk, bread").empty());
+    QVERIFY(!window_->open(file));
+    QVERIFY(window_->isOnStartPage());
+    QVERIFY(told("unread").text.startsWith(utf8("notes.txt cannot be opened: ")));
+    shoot("start-unread");
+    QVERIFY(window_->open(quiet::demoPath()));
+    QVERIFY(window_->notices().notices().empty());
+  }
+
+  void open_wrongYaml_keepsTheDocumentThatIsOpen() {
+    QVERIFY(window_->open(quiet::demoPath()));
+    const sim2d::Scenario before = document().scenario();
+    const QString file = at("wrong.yaml");
+    QVERIFY(base::writeFileAtomically(file.toStdString(), "hunav_loader: [\n").empty());
+    QVERIFY(!window_->open(file));
+    QVERIFY(document().scenario() == before);
+    QCOMPARE(document().path(), quiet::demoPath());
+    QVERIFY(window_->docks().issues().hasErrors());
+    QVERIFY(!window_->files().openNewFromMap(at("no_map.yaml")));
+    QVERIFY(document().scenario() == before);
+  }
+
+  void save_folderCannotBeWritten_isOneNoticeAndNothingIsLost() {
+    QVERIFY(window_->open(quiet::demoPath()));
+    editor::pushRemove(document(), {document().entities(base::EntityKind::Human).front()});
+    const sim2d::Scenario edited = document().scenario();
+    QVERIFY(base::writeFileAtomically(at("file").toStdString(), "no folder").empty());
+    QVERIFY(!window_->files().saveTo(at("file/cafe.yaml")));
+    const app::Notice notice = told("not-saved");
+    QVERIFY2(notice.text.startsWith(utf8("cafe.yaml was not saved: ")), qPrintable(notice.text));
+    QVERIFY(notice.text.endsWith(utf8("Your changes are still here.")));
+    QCOMPARE(window_->notices().notices().size(), std::size_t(1));
+    QVERIFY(!window_->docks().issues().hasErrors());
+    QVERIFY(document().isDirty());
+    QVERIFY(document().scenario() == edited);
+    shoot("not-saved");
+    QVERIFY(window_->files().saveTo(at("cafe.yaml")));
+    QVERIFY(window_->notices().notices().empty());
+    QVERIFY(!document().isDirty());
+  }
+
+  void anotherProgramRemovesTheFile_noticeOffersToSaveItAgain() {
+    const QString file = demoOnMap("nowhere");
+    QVERIFY(window_->open(file));
+    QVERIFY(QFile::rename(file, at("moved.yaml")));
+    QTRY_VERIFY(window_->notices().isTold(utf8("gone")));
+    QVERIFY(told("gone").text.startsWith(utf8("demo.yaml is no longer")));
+    QVERIFY(QFile::rename(at("moved.yaml"), file));
+    QTRY_VERIFY(!window_->notices().isTold(utf8("gone")));
+    QVERIFY(QFile::remove(file));
+    QTRY_VERIFY(window_->notices().isTold(utf8("gone")));
+    shoot("gone");
+    window_->notices().choose(utf8("gone"), 0);
+    QVERIFY(QFile::exists(file));
+    QVERIFY(!window_->notices().isTold(utf8("gone")));
+  }
+
+  void statusBar_newDocument_forgetsThePlaceOnTheOldOne() {
+    QVERIFY(window_->open(quiet::demoPath()));
+    editor::MapView& view = window_->workspace().view();
+    Q_EMIT view.cursorMoved(base::Vec2(1.25, 2.5));
+    QVERIFY(statusBarSays(utf8("x 1.25 m")));
+    window_->actions().newRoom->trigger();
+    QCoreApplication::processEvents();
+    QVERIFY(!statusBarSays(utf8("x 1.25 m")));
+  }
+
+  void imageMap_createsNothingBeforeItsSizeIsKnown() {
+    QImage image(400, 200, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QVERIFY(image.save(at("plan.png")));
+    const auto grid = editor::gridOfImage(at("plan.png"), 0.05);
+    app::ImageMapDialog dialog(*grid, image, editor::Theme::light());
+    QPushButton* create = nullptr;
+    for (QPushButton* button : dialog.findChildren<QPushButton*>()) {
+      create = button->isDefault() ? button : create;
+    }
+    QVERIFY(create != nullptr && !create->isEnabled());
+    dialog.show();
+    shootWidget(dialog, "image-empty");
+    dialog.view().setPoints({{0.0, 0.0}});
+    QVERIFY(!create->isEnabled());
+    shootWidget(dialog, "image-one");
+    dialog.view().setPoints({{0.0, 0.0}, {0.0, 0.0}});
+    QVERIFY(!create->isEnabled());  // both on one place
+    dialog.view().setPoints({{0.0, 0.0}, {400.0, 200.0}});
+    QVERIFY(create->isEnabled());
+    dialog.view().setPoints({});
+    QVERIFY(!create->isEnabled());
+    dialog.setResolution(0.1);
+    QVERIFY(create->isEnabled());
+    QCOMPARE(dialog.map()->resolution(), 0.1);
+    shootWidget(dialog, "image-number");
+  }
+
+  void exportReport_sameWordsOfSeveralPeople_areOneLine() {
+    const auto note = [](int person, const char* text) {
+      base::Diagnostic said = base::makeWarning(text);
+      said.entity = {base::EntityKind::Human, person};
+      return said;
+    };
+    const std::vector<app::ReportLine> lines = app::groupedByPeople(
+        {note(1, "Ana: mass is not known there"), base::makeWarning("the robot: stays"),
+         note(2, "Ben: mass is not known there"), note(3, "Chloe: route is not known there")});
+    QCOMPARE(lines.size(), std::size_t(3));
+    QCOMPARE(lines[0].said.message, std::string("2 people: mass is not known there"));
+    QCOMPARE(lines[0].people, (std::vector<std::string>{"Ana", "Ben"}));
+    QCOMPARE(lines[1].said.message, std::string("the robot: stays"));
+    QCOMPARE(lines[2].said.message, std::string("Chloe: route is not known there"));
+    QVERIFY(lines[2].people.empty());
+  }
+
+  void exportDialog_command_isSeenWholeAndCopied() {
+    QVERIFY(window_->open(quiet::demoPath()));
+    for (const char* target : {"gazebo-classic", "isaac", "native"}) {
+      for (const bool isDark : {false, true}) {
+        const editor::Theme theme = isDark ? editor::Theme::dark() : editor::Theme::light();
+        app::dressApplication(theme);
+        app::ExportDialog dialog(window_->files().exportSource(), at("out"), theme);
+        dialog.setTarget(utf8(target));
+        dialog.show();
+        shootWidget(dialog, QByteArray("export-") + target + (isDark ? "-dark" : ""));
+        auto* command = dialog.findChild<QPlainTextEdit*>();
+        QString shown = command->toPlainText();
+        QCOMPARE(shown.replace(utf8(" \\\n  "), utf8(" ")).toStdString(),
+                 dialog.plan().startCommand);
+        QVERIFY(!command->verticalScrollBar()->isVisible());  // all of it is seen
+        QCOMPARE(command->isVisible(), !dialog.plan().startCommand.empty());
+        for (QPushButton* button : dialog.findChildren<QPushButton*>()) {
+          if (command->isVisible() && button->text() == utf8("Co&py")) {
+            button->click();
+            QCOMPARE(QGuiApplication::clipboard()->text().toStdString(),
+                     dialog.plan().startCommand);
+          }
+        }
+      }
+    }
+    app::dressApplication(editor::Theme::light());
+  }
+
+ private:
+  editor::ScenarioDocument& document() { return window_->workspace().document(); }
+  QString at(const char* name) const { return folder_->filePath(QString::fromUtf8(name)); }
+
+  app::Notice told(const char* id) const {
+    for (const app::Notice& notice : window_->notices().notices()) {
+      if (notice.id == utf8(id)) {
+        return notice;
+      }
+    }
+    return {};
+  }
+
+  bool statusBarSays(const QString& words) const {
+    const QList<QLabel*> labels = window_->findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(),
+                       [&](const QLabel* label) { return label->text() == words; });
+  }
+
+  /// A copy of the café that names this map.
+  QString demoOnMap(const char* map) const {
+    sim2d::ScenarioReading demo = sim2d::readScenario(quiet::demoPath().toStdString());
+    demo.scenario.map = map;
+    demo.scenario.desktop.mapFile.reset();
+    const base::Diagnostics problems = base::writeFileAtomically(
+        at("demo.yaml").toStdString(), sim2d::writeScenario(demo.scenario));
+    return problems.empty() ? at("demo.yaml") : QString();
+  }
+
+  /// Pictures for people to look at, when a folder for them is named.
+  void shoot(const char* name) { shootWidget(*window_, name); }
+  static void shootWidget(QWidget& widget, const QByteArray& name) {
+    const QByteArray folder = qgetenv("HUNAV_PICTURES");
+    QCoreApplication::processEvents();
+    if (!folder.isEmpty()) {
+      QVERIFY(widget.grab().save(QString::fromLocal8Bit(folder + '/' + name + ".png")));
+    }
+  }
+
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+QTEST_MAIN(FileTroublesTest)
+#include "tst_FileTroubles.moc"
