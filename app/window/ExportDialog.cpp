@@ -187,7 +187,7 @@ QWidget* ExportDialog::makeStart() {
   command_->setAccessibleName(tr("Command that starts it there"));
   const int line = command_->fontMetrics().lineSpacing();
   const int margin = static_cast<int>(command_->document()->documentMargin());
-  command_->setFixedHeight(2 * (line + margin + command_->frameWidth()) + 4);
+  command_->setFixedHeight(3 * line + 2 * (margin + command_->frameWidth()));
   rows->addWidget(command_);
   return start;
 }

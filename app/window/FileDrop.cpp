@@ -2,6 +2,7 @@
 
 #include <QDragEnterEvent>
 #include <QMimeData>
+#include <QTimer>
 #include <QUrl>
 
 namespace app {
@@ -24,7 +25,10 @@ bool FileDrop::eventFilter(QObject* window, QEvent* event) {
   if (event->type() == QEvent::Drop) {
     auto* drop = static_cast<QDropEvent*>(event);
     drop->acceptProposedAction();
-    files_.dropFile(drop->mimeData()->urls().front().toLocalFile(), under(drop->pos()));
+    // later: the program that drags waits until this is through, and there may be questions
+    QTimer::singleShot(0, &files_,
+                       [this, path = drop->mimeData()->urls().front().toLocalFile(),
+                        person = under(drop->pos())] { files_.dropFile(path, person); });
     return true;
   }
   return QObject::eventFilter(window, event);

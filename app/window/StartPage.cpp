@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kColumnWidth = 1120;
 constexpr int kGap = 24;
-constexpr double kFiner = 1.5;  // lines are finer than on the canvas
+constexpr double kFiner = 1.75;  // lines are finer than on the canvas
 
 /// The scenario as the canvas draws it, fitted into `size`.
 QPixmap thumbnailOf(const QString& path, const editor::Theme& theme, const QSize& size,

@@ -50,6 +50,7 @@ void DocumentDisk::forgetFiles() {
   hashes.clear();
   maps.clear();
   mapImage.clear();
+  mapFile.reset();
   lines.clear();
   readCount = 0;
   readOnly = false;

@@ -30,7 +30,9 @@ struct DocumentDisk {
   std::map<QString, QByteArray> hashes;   // of all files, by absolute path
   std::map<QString, std::shared_ptr<const sim2d::OccupancyGrid>> maps;  // by path of the YAML
   QString mapImage;
-  std::map<EntityId, int> lines;  // of entities in the scenario file
+  std::optional<std::string> mapFile;  // of the scenario when it was read: an edited one counts
+                                       // from the next opening and is saved as it is
+  std::map<EntityId, int> lines;       // of entities in the scenario file
   std::string mapOption, treesOption;
   bool readOnly = false;
   std::size_t readCount = 0;  // load problems, the first ones, that are of the scenario file itself

@@ -51,6 +51,7 @@ base::Diagnostics ScenarioDocument::open(const QString& path) {
   neverSaved_ = false;
   commentCount_ = reading.commentCount;
   disk_->noteFile(path_);
+  disk_->mapFile = scenario_.desktop.mapFile;
   disk_->lines = std::move(reading.lines);
   disk_->readOnly = !isWhole;
   loadDiagnostics_ = std::move(reading.diagnostics);

@@ -66,15 +66,27 @@ void replaceFirst(base::Diagnostics& problems, std::size_t count, const base::Di
   problems.insert(problems.begin(), fresh.begin(), fresh.end());
 }
 
+bool isMapInFile(const DocumentDisk& disk, const MapState& map) {
+  const auto onDisk = disk.maps.find(map.path);
+  return !map.path.isEmpty() &&
+         (onDisk == disk.maps.end() || onDisk->second == map.grid || *onDisk->second == *map.grid);
+}
+
+/// Somebody has written the name of another file into the settings.
+bool wantsOtherMap(const DocumentDisk& disk, const sim2d::Scenario& scenario) {
+  return scenario.desktop.mapFile && scenario.desktop.mapFile != disk.mapFile;
+}
+
 }  // namespace
 
 void ScenarioDocument::placeMap(SavePlan& plan) const {
   if (mapIsMissing_) {
     return;
   }
-  const auto onDisk = disk_->maps.find(mapPath_);
-  const bool isInFile = !mapPath_.isEmpty() && (onDisk == disk_->maps.end() ||
-                                                onDisk->second == map_ || *onDisk->second == *map_);
+  const bool isInFile = isMapInFile(*disk_, mapState());
+  if (isInFile && wantsOtherMap(*disk_, scenario_)) {
+    return;
+  }
   if (!map_->isEmpty() && !isInFile) {  // drawn here: it gets files of its own
     const std::string name = baseNameOf(plan.path) + "_map";
     plan.mapPath = QDir(mapFolderOf(plan.path)).filePath(QString::fromStdString(name + ".yaml"));
@@ -228,6 +240,7 @@ base::Diagnostics ScenarioDocument::save(const QString& path, const TreeAnswers&
 
 void ScenarioDocument::takeSaved(SavePlan plan) {
   const bool isChanged = !(plan.scenario == scenario_);
+  const bool keepsMapFile = isMapInFile(*disk_, mapState()) && wantsOtherMap(*disk_, scenario_);
   scenario_ = std::move(plan.scenario);
   path_ = plan.path;
   mapPath_ = plan.mapPath;
@@ -235,6 +248,7 @@ void ScenarioDocument::takeSaved(SavePlan plan) {
   commentCount_ = 0;
   const DocumentDisk before = *disk_;
   disk_->forgetFiles();
+  disk_->mapFile = keepsMapFile ? before.mapFile : scenario_.desktop.mapFile;
   const std::string text = sim2d::writeScenario(scenario_);
   disk_->note(path_, text);
   const sim2d::ScenarioReading reading = sim2d::readScenarioText(text, path_.toStdString());

@@ -168,9 +168,29 @@ class FileWindowTest : public QObject {
     QVERIFY(enter.isAccepted());
     QDropEvent drop(place, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(window_.get(), &drop);
-    QVERIFY(document().tree(human.key) == kTree);
+    QTRY_VERIFY(document().tree(human.key) == kTree);
     document().undoStack().undo();
     QVERIFY(!document().tree(human.key));
+  }
+
+  void drop_mapOrImage_isANewScenarioOnIt() {
+    const QString map = mapWithNeighbours();
+    dropOnWindow(map);
+    QTRY_VERIFY(!window_->isOnStartPage());
+    QCOMPARE(document().mapPath(), map);
+    document().undoStack().setClean();
+    int asked = 0;
+    QTimer::singleShot(300, this, [&asked] {
+      if (auto* dialog = qobject_cast<app::ImageMapDialog*>(QApplication::activeModalWidget())) {
+        ++asked;
+        dialog->setResolution(0.02);
+        dialog->accept();
+      }
+    });
+    dropOnWindow(at("other.pgm"));
+    QTRY_COMPARE(asked, 1);
+    QTRY_VERIFY(document().mapPath().isEmpty());
+    QCOMPARE(document().map()->resolution(), 0.02);
   }
 
   void drop_treeBesideEverybody_goesByItsName() {
@@ -405,6 +425,15 @@ class FileWindowTest : public QObject {
         box->button(button)->click();
       }
     });
+  }
+
+  void dropOnWindow(const QString& file) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(file)});
+    QDragEnterEvent enter(QPoint(600, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(window_.get(), &enter);
+    QDropEvent drop(QPoint(600, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(window_.get(), &drop);
   }
 
   void exportTo(const QString& target) {

@@ -139,6 +139,32 @@ class DocumentFilesTest : public QObject {
     QVERIFY(document.scenario().desktop.mapFile == std::string("none"));
   }
 
+  /// What somebody writes into the settings is not written over by the map that is shown.
+  void save_mapFileOfTheSettings_isKeptAndCountsFromTheNextOpening() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("room.yaml"));
+    ScenarioDocument first;
+    first.load(small::scenario());
+    first.setMap(small::room());
+    check(first.save(path));
+    const auto other = std::make_shared<sim2d::OccupancyGrid>(20, 10, 0.1, sim2d::Pose2{},
+                                                              std::vector<std::int8_t>(200, 0));
+    check(sim2d::writeMap(*other, folder.filePath(QStringLiteral("other.yaml")).toStdString()));
+    for (const char* wanted : {"other.yaml", "none"}) {
+      ScenarioDocument document;
+      check(document.open(path));
+      pushChange<ScenarioSettings>(
+          document, kSettingsId, QStringLiteral("Map file"),
+          [wanted](ScenarioSettings& settings) { settings.desktop.mapFile = wanted; });
+      check(document.save(path));
+      check(document.save(path));  // once more changes nothing
+      ScenarioDocument again;
+      check(again.open(path));
+      QCOMPARE(*again.scenario().desktop.mapFile, std::string(wanted));
+      QCOMPARE(again.map()->width(), wanted == std::string("none") ? 0 : 20);
+    }
+  }
+
   void saveAs_besideTheMapThatWasMissing_findsIt() {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("a/lost.yaml"));
