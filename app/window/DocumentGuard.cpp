@@ -1,8 +1,10 @@
 #include "app/window/DocumentGuard.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include <QFileInfo>
+#include <QRegularExpression>
 
 #include "app/window/StartCards.h"
 #include "editor/document/MapEdit.h"
@@ -37,15 +39,14 @@ QString namesOf(const QStringList& files) {
   return files.size() == 1 ? first : QObject::tr("%1 and %2 more").arg(first).arg(files.size() - 1);
 }
 
-QString namesOf(const base::Diagnostics& problems) {
-  QStringList files;
-  for (const base::Diagnostic& problem : problems) {
-    if (problem.severity == base::Severity::Error && !problem.file.empty()) {
-      files << QString::fromStdString(problem.file);
-    }
-  }
-  files.removeDuplicates();
-  return files.isEmpty() ? QString() : namesOf(files);
+/// "No space left on device", with the file when it is one among others that could be written.
+QString reasonOf(const base::Diagnostics& errors, const QString& saved) {
+  static const QRegularExpression kWhat(QStringLiteral("^cannot [^:]*: "));
+  const QString file = QFileInfo(QString::fromStdString(errors.front().file)).fileName();
+  const QString reason = QString::fromStdString(errors.front().message).remove(kWhat);
+  return errors.size() > 1 || file.isEmpty() || file == saved
+             ? reason
+             : QStringLiteral("%1: %2").arg(file, reason);
 }
 
 base::Diagnostic firstError(const base::Diagnostics& problems) {
@@ -209,20 +210,18 @@ void DocumentGuard::tellMap() {
 }
 
 void DocumentGuard::tellNotSaved(const QString& name, const base::Diagnostics& problems) {
-  const base::Diagnostic problem = firstError(problems);
-  const QString files = namesOf(problems);
-  const QString reason = QString::fromStdString(problem.message);
-  notices_.tell({notSavedId(),
-                 true,
-                 tr("%1 was not saved: %2. Your changes are still here.")
-                     .arg(name, files.isEmpty() || files == name
-                                    ? reason
-                                    : QStringLiteral("%1 (%2)").arg(reason, files)),
-                 {{tr("Save as…"), [this, name, problems] {
-                     if (!files_.saveAs() && !notices_.isTold(notSavedId())) {
-                       tellNotSaved(name, problems);
-                     }
-                   }}}});
+  base::Diagnostics errors;
+  std::copy_if(problems.begin(), problems.end(), std::back_inserter(errors),
+               [](const base::Diagnostic& said) { return said.severity == base::Severity::Error; });
+  notices_.tell(
+      {notSavedId(),
+       true,
+       tr("%1 was not saved: %2. Your changes are still here.").arg(name, reasonOf(errors, name)),
+       {{tr("Save as…"), [this, name, problems] {
+           if (!files_.saveAs() && !notices_.isTold(notSavedId())) {
+             tellNotSaved(name, problems);
+           }
+         }}}});
 }
 
 void DocumentGuard::tellUnread(const base::Diagnostics& problems) {

@@ -5,6 +5,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHeaderView>
+#include <QSplitter>
 #include <QTreeView>
 
 #include "app/window/FileCommands.h"
@@ -16,7 +17,8 @@ namespace {
 constexpr const char* kStateKey = "files/dialog";
 constexpr const char* kSizeKey = "files/dialog-size";
 constexpr QSize kSize(920, 560);
-constexpr std::array<int, 4> kColumns = {380, 90, 100, 160};  // name, size, type, date
+constexpr int kPlaces = 150;                                  // the column of folders
+constexpr std::array<int, 4> kColumns = {330, 90, 100, 160};  // name, size, type, date
 
 /// The desktop's own dialogs see to themselves.
 void dress(QFileDialog& dialog, const Memory& memory) {
@@ -28,6 +30,9 @@ void dress(QFileDialog& dialog, const Memory& memory) {
   dialog.resize(size.isValid() ? size : kSize);
   if (!dialog.restoreState(memory.value(kStateKey).toByteArray())) {
     dialog.setViewMode(QFileDialog::Detail);
+    if (auto* sides = dialog.findChild<QSplitter*>(QStringLiteral("splitter"))) {
+      sides->setSizes({kPlaces, kSize.width() - kPlaces});
+    }
     list->header()->setStretchLastSection(true);
     for (int column = 0; column < static_cast<int>(kColumns.size()); ++column) {
       list->header()->resizeSection(column, kColumns.at(static_cast<std::size_t>(column)));

@@ -150,7 +150,7 @@ QLayout* ImageMapDialog::makeSide() {
   side->addWidget(byPoints_);
   hint_->setWordWrap(true);
   hint_->setFixedWidth(kSideWidth);
-  hint_->setMinimumHeight(3 * hint_->fontMetrics().lineSpacing());  // nothing moves with its words
+  hint_->setMinimumHeight(2 * hint_->fontMetrics().lineSpacing());  // nothing moves with its words
   hint_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   side->addWidget(hint_);
   addFields({{tr("Distance 1 – 2"), distance_}});
@@ -204,8 +204,8 @@ void ImageMapDialog::showState() {
   distance_->setEnabled(points && count == 2);
   resolution_->setEnabled(!points);
   create_->setEnabled(isMeasured());
-  hint_->setText(count == 0   ? tr("Click two points of the image whose distance you know, such as "
-                                     "the ends of a wall.")
+  hint_->setText(count == 0   ? tr("Click two points whose distance you know, such as the ends of "
+                                     "a wall.")
                  : count == 1 ? tr("Now click the second point.")
                               : tr("Type the distance between the two points. They can be "
                                    "dragged."));

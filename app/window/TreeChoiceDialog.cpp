@@ -21,8 +21,7 @@ using editor::TreeQuestion;
 namespace {
 
 constexpr int kListWidth = 200;
-constexpr int kWidth = 560;   // the question fits on one line
-constexpr int kLinkEdge = 4;  // beside the words of a link
+constexpr int kWidth = 560;  // the question fits on one line
 constexpr int kDiffHeight = 460;
 constexpr int kRowHeight = 24;
 
@@ -92,7 +91,6 @@ void TreeChoiceDialog::build() {
   right->addWidget(all_);
   right->addSpacing(4);
   auto* heading = new QHBoxLayout;
-  heading->setContentsMargins(-kLinkEdge, 0, 0, 0);  // its words in line with those above
   heading->addWidget(differences_);
   heading->addStretch(1);
   heading->addWidget(legend_);

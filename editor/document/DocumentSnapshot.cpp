@@ -103,7 +103,11 @@ base::Result<DocumentSnapshot> readSnapshot(const QString& folder) {
   if (!map) {
     return problems;
   }
-  base::append(problems, asWarnings(reading.diagnostics));
+  for (const base::Diagnostic& found : reading.diagnostics) {
+    if (found.severity == base::Severity::Error) {  // else it is about a file that nobody has
+      base::append(problems, asWarnings({found}));
+    }
+  }
   DocumentSnapshot result;
   result.scenario = std::move(reading.scenario);
   result.map = *std::move(map);

@@ -367,6 +367,7 @@ class DocumentFilesTest : public QObject {
 
     base::Result<DocumentSnapshot> read = readSnapshot(copy);
     QVERIFY(bool(read));
+    QVERIFY(read.diagnostics().empty());  // nothing about the name of the copy
     ScenarioDocument again;
     again.restore(*std::move(read));
     QVERIFY(again.isDirty());
