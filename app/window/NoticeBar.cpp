@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -18,6 +19,52 @@ namespace {
 
 constexpr int kRowHeight = 40;
 constexpr int kIcon = 18;
+constexpr int kWords = 320;  // that a line of them should have; else the buttons go below
+
+/// Icon, words, buttons and a cross on one line; where that is too narrow, the buttons are below.
+class NoticeRow : public QWidget {
+ public:
+  NoticeRow(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)), choices_(this) {
+    setMinimumHeight(kRowHeight);
+    setAutoFillBackground(true);
+    grid_->setContentsMargins(12, 4, 8, 4);
+    grid_->setHorizontalSpacing(8);
+    grid_->setVerticalSpacing(4);
+    grid_->setColumnStretch(kWordsColumn, 1);
+    buttons_ = new QHBoxLayout(&choices_);
+    buttons_->setContentsMargins(0, 0, 0, 0);
+    buttons_->setSpacing(8);
+    grid_->addWidget(&choices_, 0, kChoicesColumn);
+  }
+
+  void setIcon(QWidget* icon) { grid_->addWidget(icon, 0, kIconColumn); }
+  void setWords(QWidget* words) { grid_->addWidget(words, 0, kWordsColumn); }
+  void setCross(QWidget* cross) { grid_->addWidget(cross, 0, kCrossColumn); }
+  void addChoice(QWidget* button) { buttons_->addWidget(button); }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QWidget::resizeEvent(event);
+    const bool isNarrow = width() < kWords + choices_.sizeHint().width();
+    if (isNarrow == isNarrow_) {
+      return;
+    }
+    isNarrow_ = isNarrow;
+    grid_->removeWidget(&choices_);
+    if (isNarrow) {
+      grid_->addWidget(&choices_, 1, kWordsColumn, Qt::AlignLeft);
+    } else {
+      grid_->addWidget(&choices_, 0, kChoicesColumn);
+    }
+  }
+
+ private:
+  enum Column { kIconColumn, kWordsColumn, kChoicesColumn, kCrossColumn };
+  QGridLayout* grid_;
+  QHBoxLayout* buttons_ = nullptr;
+  QWidget choices_;
+  bool isNarrow_ = false;
+};
 
 }  // namespace
 
@@ -85,9 +132,7 @@ void NoticeBar::rebuild() {
 
 QWidget* NoticeBar::rowOf(const Notice& notice) {
   const Role mark = notice.isWarning ? Role::WarningMark : Role::Accent;
-  auto* row = new QWidget(this);
-  row->setMinimumHeight(kRowHeight);
-  row->setAutoFillBackground(true);
+  auto* row = new NoticeRow(this);
   QPalette palette = row->palette();
   const QColor panel = theme_.color(Role::Panel);
   const QColor tint = theme_.color(mark);
@@ -97,24 +142,21 @@ QWidget* NoticeBar::rowOf(const Notice& notice) {
                    QColor(mixed(panel.red(), tint.red()), mixed(panel.green(), tint.green()),
                           mixed(panel.blue(), tint.blue())));
   row->setPalette(palette);
-  auto* line = new QHBoxLayout(row);
-  line->setContentsMargins(12, 4, 8, 4);
-  line->setSpacing(8);
   auto* icon = new QLabel(row);
   icon->setPixmap(editor::tintedIcon(
                       notice.isWarning ? QStringLiteral("warning") : QStringLiteral("info"), tint)
                       .pixmap(kIcon, kIcon));
-  line->addWidget(icon);
+  row->setIcon(icon);
   auto* text = new QLabel(notice.text, row);
   text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   text->setWordWrap(true);
-  line->addWidget(text, 1);
+  row->setWords(text);
   for (std::size_t i = 0; i < notice.choices.size(); ++i) {
     auto* button = new QPushButton(notice.choices[i].text, row);
     connect(button, &QPushButton::clicked, this,
             [this, id = notice.id, i] { choose(id, static_cast<int>(i)); });
-    line->addWidget(button);
+    row->addChoice(button);
   }
   auto* close = new QToolButton(row);
   close->setIcon(editor::themedIcon(QStringLiteral("close"), theme_));
@@ -122,7 +164,7 @@ QWidget* NoticeBar::rowOf(const Notice& notice) {
   close->setToolTip(tr("Later"));
   close->setAccessibleName(tr("Later"));
   connect(close, &QToolButton::clicked, this, [this, id = notice.id] { drop(id); });
-  line->addWidget(close);
+  row->setCross(close);
   return row;
 }
 

@@ -72,6 +72,25 @@ class FileTroublesTest : public QObject {
     QVERIFY(window_->notices().notices().empty());
   }
 
+  /// All words of a notice are seen, however little room the canvas has.
+  void notice_inASmallWindow_isNotCut() {
+    QVERIFY(window_->open(demoOnMap("nowhere")));
+    for (const QSize& size : {QSize(1280, 800), QSize(900, 600), QSize(1600, 900)}) {
+      window_->resize(size);
+      QCoreApplication::processEvents();
+      for (const QLabel* label : window_->notices().findChildren<QLabel*>()) {
+        if (label->isVisible() && label->text().startsWith(utf8("Map file"))) {
+          QVERIFY(label->width() >= 200);
+          QVERIFY(label->height() >= label->heightForWidth(label->width()));
+        }
+      }
+      for (const QPushButton* button : window_->notices().findChildren<QPushButton*>()) {
+        QVERIFY(button->width() >= button->sizeHint().width());
+      }
+      shoot(size.width() == 900 ? "notice-small" : "notice-wide");
+    }
+  }
+
   void open_mapIsDamaged_noticeSaysWhatIsWrong() {
     QVERIFY(
         base::writeFileAtomically(at("flat.yaml").toStdString(),
