@@ -61,16 +61,16 @@ QString mapWords(const editor::ScenarioDocument& document) {
   const base::Diagnostic problem = firstError(document.mapState().problems);
   const QString file = QString::fromStdString(problem.file);
   if (!file.isEmpty() && file != document.path()) {
-    return QObject::tr("Map file %1 cannot be used: %2.")
+    return QObject::tr("Map file %1 cannot be used, so there are no walls: %2.")
         .arg(QFileInfo(file).fileName(), QString::fromStdString(problem.message));
   }
   const QString named = QString::fromStdString(
       scenario.desktop.mapFile.value_or(sim2d::mapBaseName(scenario.map.value_or(""))));
   if (named.isEmpty()) {
-    return QObject::tr("The scenario names no map.");
+    return QObject::tr("The scenario names no map, so there are no walls.");
   }
   const bool isFile = scenario.desktop.mapFile.has_value();
-  return QObject::tr("Map file %1 not found.")
+  return QObject::tr("Map file %1 not found, so there are no walls.")
       .arg(isFile ? named : named + QStringLiteral(".yaml"));
 }
 
@@ -197,7 +197,7 @@ void DocumentGuard::tellMap() {
   }
   notices_.tell({mapId(),
                  true,
-                 mapWords(document_) + tr(" Until one is chosen there are no walls."),
+                 mapWords(document_),
                  {{tr("Choose map…"),
                    [this] {
                      files_.askOtherMap();

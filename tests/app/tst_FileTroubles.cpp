@@ -47,7 +47,7 @@ class FileTroublesTest : public QObject {
   void open_mapIsLost_noticeOffersAWayOut() {
     QVERIFY(window_->open(demoOnMap("nowhere")));
     const app::Notice notice = told("map");
-    QVERIFY2(notice.text.startsWith(utf8("Map file nowhere.yaml not found.")),
+    QVERIFY2(notice.text.startsWith(utf8("Map file nowhere.yaml not found, ")),
              qPrintable(notice.text));
     QCOMPARE(notice.choices.size(), std::size_t(2));
     QVERIFY(window_->docks().issues().hasErrors());
@@ -99,7 +99,7 @@ class FileTroublesTest : public QObject {
             .empty());
     QVERIFY(window_->open(demoOnMap("flat")));
     const QString text = told("map").text;
-    QVERIFY2(text.startsWith(utf8("Map file flat.yaml cannot be used: ")), qPrintable(text));
+    QVERIFY2(text.startsWith(utf8("Map file flat.yaml cannot be used, ")), qPrintable(text));
     QVERIFY2(text.contains(utf8("resolution")), qPrintable(text));
     shoot("map-damaged");
   }
