@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <iterator>
 
+#include <QDesktopServices>
+#include <QDir>
 #include <QFileInfo>
 #include <QRegularExpression>
+#include <QUrl>
 
 #include "app/window/StartCards.h"
 #include "editor/document/MapEdit.h"
+#include "editor/panels/Form.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 
 namespace app {
@@ -30,6 +34,9 @@ QString mapId() {
 QString notSavedId() {
   return QStringLiteral("not-saved");
 }
+QString exportId() {
+  return QStringLiteral("export");
+}
 QString unreadId() {
   return QStringLiteral("unread");
 }
@@ -49,10 +56,15 @@ QString reasonOf(const base::Diagnostics& errors, const QString& saved) {
              : QStringLiteral("%1: %2").arg(file, reason);
 }
 
+base::Diagnostics errorsOf(const base::Diagnostics& problems) {
+  base::Diagnostics errors;
+  std::copy_if(problems.begin(), problems.end(), std::back_inserter(errors),
+               [](const base::Diagnostic& said) { return said.severity == base::Severity::Error; });
+  return errors;
+}
+
 base::Diagnostic firstError(const base::Diagnostics& problems) {
-  return *std::find_if(problems.begin(), problems.end(), [](const base::Diagnostic& problem) {
-    return problem.severity == base::Severity::Error;
-  });
+  return errorsOf(problems).front();
 }
 
 /// Which map is not there, or what is wrong with it.
@@ -92,10 +104,13 @@ DocumentGuard::DocumentGuard(Workspace& workspace, FileCommands& files, NoticeBa
     notices_.drop(goneId());
     notices_.drop(notSavedId());
     notices_.drop(unreadId());
+    notices_.drop(exportId());
     tellReadOnly();
   });
   connect(&document_, &editor::ScenarioDocument::mapChanged, this, &DocumentGuard::tellMap);
   connect(&files_, &FileCommands::notSaved, this, &DocumentGuard::tellNotSaved);
+  connect(&files_, &FileCommands::exported, this, &DocumentGuard::tellExported);
+  connect(&files_, &FileCommands::notExported, this, &DocumentGuard::tellNotExported);
   if (recoveryFolder.isEmpty()) {
     return;
   }
@@ -209,19 +224,33 @@ void DocumentGuard::tellMap() {
                    }}}});
 }
 
+void DocumentGuard::tellExported(const QString& folder, int files) {
+  notices_.tell({exportId(),
+                 false,
+                 tr("%1 were exported to %2.")
+                     .arg(editor::counted(static_cast<std::size_t>(files), tr("file"), tr("files")),
+                          QDir::toNativeSeparators(folder)),
+                 {{tr("Show the folder"),
+                   [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); }}}});
+}
+
+void DocumentGuard::tellNotExported(const base::Diagnostics& problems) {
+  notices_.tell({exportId(),
+                 true,
+                 tr("Nothing was exported: %1.").arg(reasonOf(errorsOf(problems), {})),
+                 {{tr("Export…"), [this] { files_.askExport(); }}}});
+}
+
 void DocumentGuard::tellNotSaved(const QString& name, const base::Diagnostics& problems) {
-  base::Diagnostics errors;
-  std::copy_if(problems.begin(), problems.end(), std::back_inserter(errors),
-               [](const base::Diagnostic& said) { return said.severity == base::Severity::Error; });
-  notices_.tell(
-      {notSavedId(),
-       true,
-       tr("%1 was not saved: %2. Your changes are still here.").arg(name, reasonOf(errors, name)),
-       {{tr("Save as…"), [this, name, problems] {
-           if (!files_.saveAs() && !notices_.isTold(notSavedId())) {
-             tellNotSaved(name, problems);
-           }
-         }}}});
+  notices_.tell({notSavedId(),
+                 true,
+                 tr("%1 was not saved: %2. Your changes are still here.")
+                     .arg(name, reasonOf(errorsOf(problems), name)),
+                 {{tr("Save as…"), [this, name, problems] {
+                     if (!files_.saveAs() && !notices_.isTold(notSavedId())) {
+                       tellNotSaved(name, problems);
+                     }
+                   }}}});
 }
 
 void DocumentGuard::tellUnread(const base::Diagnostics& problems) {

@@ -28,6 +28,8 @@ class DocumentGuard : public QObject {
   void tellGone(bool isThere);
   void tellReadOnly();
   void tellMap();
+  void tellExported(const QString& folder, int files);
+  void tellNotExported(const base::Diagnostics& problems);
   void tellNotSaved(const QString& name, const base::Diagnostics& problems);
 
   Workspace& workspace_;

@@ -1,4 +1,5 @@
 // File > Export…
+#include <QDir>
 #include <QFileInfo>
 
 #include "app/window/ExportDialog.h"
@@ -48,7 +49,15 @@ void FileCommands::askExport() {
 }
 
 bool FileCommands::exportPlan(const ExportPlan& plan) {
-  return tell(writeExport(plan));
+  problems_ = writeExport(plan);
+  if (base::hasErrors(problems_)) {
+    Q_EMIT notExported(problems_);
+    return false;
+  }
+  const QString scenario = QString::fromStdString(plan.files.front().content.path);
+  Q_EMIT exported(QDir::cleanPath(QFileInfo(scenario).absolutePath() + QStringLiteral("/..")),
+                  static_cast<int>(plan.files.size()));
+  return true;
 }
 
 }  // namespace app

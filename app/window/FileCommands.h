@@ -75,6 +75,8 @@ class FileCommands : public QObject {
   void opened();  // a document is there to be edited
   void recentChanged();
   void issuesRaised();
+  void exported(const QString& folder, int files);
+  void notExported(const base::Diagnostics& problems);
   void notSaved(const QString& name, const base::Diagnostics& problems);  // nothing was written
   void imageWanted(const QString& path);  // a picture to make a map of
 

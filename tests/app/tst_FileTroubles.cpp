@@ -168,6 +168,26 @@ class FileTroublesTest : public QObject {
     QVERIFY(!document().isDirty());
   }
 
+  void export_isToldInOneLine() {
+    QVERIFY(window_->open(quiet::demoPath()));
+    QVERIFY(base::writeFileAtomically(at("file").toStdString(), "no folder").empty());
+    app::ExportRequest request;
+    request.folder = at("file/out").toStdString();
+    QVERIFY(
+        !window_->files().exportPlan(app::planExport(window_->files().exportSource(), request)));
+    QVERIFY(told("export").isWarning);
+    QVERIFY2(told("export").text.startsWith(utf8("Nothing was exported: ")),
+             qPrintable(told("export").text));
+    shoot("not-exported");
+    request.folder = at("out").toStdString();
+    const app::ExportPlan plan = app::planExport(window_->files().exportSource(), request);
+    QVERIFY(window_->files().exportPlan(plan));
+    QCOMPARE(told("export").text,
+             utf8("%1 files were exported to %2.").arg(plan.files.size()).arg(at("out")));
+    shoot("exported");
+    QVERIFY(!window_->docks().issues().hasErrors());
+  }
+
   void anotherProgramRemovesTheFile_noticeOffersToSaveItAgain() {
     const QString file = demoOnMap("nowhere");
     QVERIFY(window_->open(file));
