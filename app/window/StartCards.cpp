@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kRadius = 8.0;
 constexpr int kWordsLeft = 78;
+constexpr int kNameLeft = 40;
 constexpr int kKeysGap = 16;  // between the title and the shortcut
 
 QString homeRelative(const QString& folder) {
@@ -112,19 +113,22 @@ void RecentRow::paintEvent(QPaintEvent*) {
               : editor::tintedIcon(QStringLiteral("warning"), theme_.color(Role::WarningMark));
   icon.paint(&painter, QRect(4, 18, 24, 24));
   const QFileInfo file(path_);
+  painter.setFont(theme_.font(9.0));
+  const int whenWidth = painter.fontMetrics().horizontalAdvance(when_);
+  painter.setPen(theme_.color(Role::TextSecondary));
+  painter.drawText(QRect(width() - whenWidth - 4, 10, whenWidth, 20),
+                   Qt::AlignVCenter | Qt::AlignRight, when_);
+  const int room = width() - kNameLeft - whenWidth - 12;
   painter.setFont(theme_.font(9.5, QFont::DemiBold));
   painter.setPen(theme_.color(exists_ ? Role::Text : Role::TextSecondary));
-  painter.drawText(
-      QRect(40, 10, width() - 130, 20), Qt::AlignVCenter | Qt::AlignLeft,
-      painter.fontMetrics().elidedText(file.fileName(), Qt::ElideMiddle, width() - 130));
+  painter.drawText(QRect(kNameLeft, 10, room, 20), Qt::AlignVCenter | Qt::AlignLeft,
+                   painter.fontMetrics().elidedText(file.fileName(), Qt::ElideMiddle, room));
   painter.setFont(theme_.font(9.0));
   painter.setPen(theme_.color(exists_ ? Role::TextSecondary : Role::Warning));
   const QString line = exists_ ? homeRelative(file.absolutePath())
                                : tr("File not found · %1").arg(homeRelative(file.absolutePath()));
-  painter.drawText(QRect(40, 30, width() - 52, 18), Qt::AlignVCenter | Qt::AlignLeft,
+  painter.drawText(QRect(kNameLeft, 30, width() - 52, 18), Qt::AlignVCenter | Qt::AlignLeft,
                    painter.fontMetrics().elidedText(line, Qt::ElideLeft, width() - 52));
-  painter.setPen(theme_.color(Role::TextSecondary));
-  painter.drawText(QRect(width() - 90, 10, 86, 20), Qt::AlignVCenter | Qt::AlignRight, when_);
   painter.fillRect(QRect(0, height() - 1, width(), 1), theme_.color(Role::Line));
 }
 
