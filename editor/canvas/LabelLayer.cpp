@@ -4,6 +4,7 @@
 
 #include "editor/canvas/LabelLayout.h"
 #include "editor/canvas/Layers.h"
+#include "editor/canvas/Overlays.h"
 #include "editor/canvas/PixelFrame.h"
 
 namespace editor {
@@ -14,7 +15,7 @@ constexpr double kMarkPx = 9.0;
 constexpr double kMarkGapPx = 5.0;
 constexpr double kHaloPx = 3.5;
 constexpr double kPadPx = 2.0;
-constexpr double kBeyondPx = 120.0;  // around the window: what stands there counts
+constexpr double kEdgePx = kHaloPx + 1.0;  // between a name and the edge of the window
 constexpr std::size_t kMostPictures = 4000;
 
 QFont labelFont(const Theme& theme) {
@@ -74,20 +75,20 @@ const LabelLayer::Picture& LabelLayer::pictureOf(const Label& label, double rati
   return picture;
 }
 
-void LabelLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
+void LabelLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) {
   if (pictures_.size() > kMostPictures) {
     pictures_.clear();
   }
   const double pixelsPerMetre = pixelsPerMetreOf(*painter);
   const double ratio = painter->device()->devicePixelRatioF();
   const QTransform toPixels = QTransform::fromScale(pixelsPerMetre, pixelsPerMetre);
-  const QRectF window =
-      toPixels.mapRect(option->exposedRect).adjusted(-kBeyondPx, -kBeyondPx, kBeyondPx, kBeyondPx);
+  const QRectF window = toPixels.mapRect(shownRect(*painter, *option, widget));
   std::vector<LabelWish> wishes;
   std::vector<const Picture*> pictures;
   for (const Label& label : mapScene().labels()) {
     const QPointF centre = toPixels.map(label.centre);
-    if (window.contains(centre)) {
+    const double reach = label.clearancePx;  // who is partly seen is named too
+    if (window.adjusted(-reach, -reach, reach, reach).contains(centre)) {
       pictures.push_back(&pictureOf(label, ratio));
       wishes.push_back({centre, label.clearancePx, pictures.back()->size, label.priority,
                         label.isAbove, label.isNeeded});
@@ -96,14 +97,15 @@ void LabelLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option
   if (wishes.empty()) {
     return;
   }
-  std::vector<QRectF> taken;
+  std::vector<QRectF> taken = overlayBoxes({mapScene(), window, toPixels, pixelsPerMetre});
   for (const QRectF& part : mapScene().solidParts()) {
     const QRectF inPixels = toPixels.mapRect(part);
     if (inPixels.intersects(window)) {
       taken.push_back(inPixels);
     }
   }
-  const std::vector<QRectF> places = layoutLabels(wishes, taken);
+  const std::vector<QRectF> places =
+      layoutLabels(wishes, taken, window.adjusted(kEdgePx, kEdgePx, -kEdgePx, -kEdgePx));
   const PixelFrame frame(*painter, {});
   for (std::size_t i = 0; i < wishes.size(); ++i) {
     if (!places[i].isNull()) {

@@ -13,22 +13,33 @@ namespace {
 
 using Places = std::array<QRectF, 8>;
 
-Places placesFor(const LabelWish& wish) {
+/// Where a length begins that would begin at `begin`, moved between `low` and `high`.
+double movedInto(double begin, double length, double low, double high) {
+  return high - low < length ? begin : std::clamp(begin, low, high - length);
+}
+
+Places placesFor(const LabelWish& wish, const QRectF& window) {
   const double width = wish.size.width();
   const double height = wish.size.height();
   const QPointF c = wish.centre;
-  const double middle = c.x() - 0.5 * width;
+  const double middle = movedInto(c.x() - 0.5 * width, width, window.left(), window.right());
   const double below = c.y() + wish.clearance;
   const double above = c.y() - wish.clearance - height;
   const double right = c.x() + wish.clearance;
   const double left = c.x() - wish.clearance - width;
   const double first = wish.isAbove ? above : below;
   const double second = wish.isAbove ? below : above;
-  const double beside = c.y() - 0.5 * height;
+  const double beside = movedInto(c.y() - 0.5 * height, height, window.top(), window.bottom());
   return {QRectF(middle, first, width, height), QRectF(middle, second, width, height),
           QRectF(right, beside, width, height), QRectF(left, beside, width, height),
           QRectF(right, first, width, height),  QRectF(left, first, width, height),
           QRectF(right, second, width, height), QRectF(left, second, width, height)};
+}
+
+/// What a label has to touch, so that it is seen whose name it is.
+QRectF aroundOf(const LabelWish& wish) {
+  const double reach = wish.clearance + 1.0;
+  return {wish.centre.x() - reach, wish.centre.y() - reach, 2.0 * reach, 2.0 * reach};
 }
 
 /// Rectangles by the tiles of the plane that they touch.
@@ -73,7 +84,7 @@ class Occupied {
 }  // namespace
 
 std::vector<QRectF> layoutLabels(const std::vector<LabelWish>& wishes,
-                                 const std::vector<QRectF>& taken) {
+                                 const std::vector<QRectF>& taken, const QRectF& window) {
   std::vector<std::size_t> order(wishes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -85,10 +96,13 @@ std::vector<QRectF> layoutLabels(const std::vector<LabelWish>& wishes,
   }
   std::vector<QRectF> result(wishes.size());
   for (const std::size_t i : order) {
-    const Places places = placesFor(wishes[i]);
-    const auto isOffLabels = [&](const QRectF& place) { return labels.isFree(place); };
+    const Places places = placesFor(wishes[i], window);
+    const QRectF near = aroundOf(wishes[i]);
+    const auto isOffLabels = [&](const QRectF& place) {
+      return window.contains(place) && near.intersects(place) && labels.isFree(place);
+    };
     const auto* found = std::find_if(places.begin(), places.end(), [&](const QRectF& place) {
-      return bodies.isFree(place) && isOffLabels(place);
+      return isOffLabels(place) && bodies.isFree(place);
     });
     if (found == places.end() && wishes[i].isNeeded) {
       found = std::find_if(places.begin(), places.end(), isOffLabels);

@@ -17,8 +17,9 @@ struct LabelWish {
 };
 
 /// A rectangle for each wish, below, above, beside or askew of its centre; a null rectangle where
-/// there is no room. Labels keep off each other and off `taken`.
+/// there is no room. Labels keep off each other and off `taken`, and stay wholly within `window`:
+/// near its edge they move along it, as long as they stay beside their centre.
 std::vector<QRectF> layoutLabels(const std::vector<LabelWish>& wishes,
-                                 const std::vector<QRectF>& taken);
+                                 const std::vector<QRectF>& taken, const QRectF& window);
 
 }  // namespace editor

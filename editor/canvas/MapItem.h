@@ -1,7 +1,7 @@
 #pragma once
 
+#include <map>
 #include <memory>
-#include <vector>
 
 #include <QGraphicsItem>
 #include <QPixmap>
@@ -22,13 +22,13 @@ class MapItem : public QGraphicsItem {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
-  const QPixmap& levelFor(double pixelsPerCell);
+  const QPixmap& levelOf(int side);
 
   std::shared_ptr<const sim2d::OccupancyGrid> grid_;
   QRectF bounds_;
   QTransform sceneFromPixel_;
-  QImage image_;                 // one pixel per cell, first row on top
-  std::vector<QPixmap> levels_;  // each half the size of the one before
+  Theme theme_ = Theme::light();
+  std::map<int, QPixmap> levels_;  // by the cells along the side of a pixel
 };
 
 /// An image with one pixel per cell; also for thumbnails.

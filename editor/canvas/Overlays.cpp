@@ -9,13 +9,52 @@ namespace editor {
 namespace {
 
 constexpr double kBarTargetPx = 100.0;
+constexpr double kBarLeftPx = 16.0;
+constexpr double kBarBottomPx = 14.0;
+constexpr double kBarHeightPx = 22.0;  // with its words
+constexpr double kLegendRowPx = 20.0;
+constexpr double kLegendWidthPx = 156.0;
+constexpr double kLegendEdgePx = 12.0;
 
 QString lengthText(double metres) {
   return metres < 1.0 ? QStringLiteral("%1 cm").arg(metres * 100.0)
                       : QStringLiteral("%1 m").arg(metres);
 }
 
+/// Whose forces are told: the one person of a run that is selected.
+const sim2d::Human* pushedPerson(const OverlayContext& context) {
+  const ScenarioDocument& document = context.scene.document();
+  const bool isOne = document.selection().size() == 1;
+  return isOne && context.scene.options().forces && context.scene.frame() != nullptr
+             ? document.human(document.selection().front())
+             : nullptr;
+}
+
+QRectF legendBox(const OverlayContext& context, std::size_t forces) {
+  return {context.window.right() - kLegendWidthPx - kLegendEdgePx,
+          context.window.top() + kLegendEdgePx, kLegendWidthPx,
+          (static_cast<double>(forces) + 2.0) * kLegendRowPx + 16.0};
+}
+
 }  // namespace
+
+std::vector<QRectF> overlayBoxes(const OverlayContext& context) {
+  const QRectF& window = context.window;
+  const bool hasRulers = context.scene.options().rulers;
+  const double bar =
+      niceLength(context.pixelsPerMetre, kBarTargetPx) * context.pixelsPerMetre + kBarLeftPx;
+  std::vector<QRectF> boxes = {QRectF(window.left() + (hasRulers ? kRulerPx : 0.0),
+                                      window.bottom() - kBarBottomPx - kBarHeightPx, bar + 4.0,
+                                      kBarBottomPx + kBarHeightPx)};
+  if (hasRulers) {
+    boxes.emplace_back(window.topLeft(), QSizeF(window.width(), kRulerPx));
+    boxes.emplace_back(window.topLeft(), QSizeF(kRulerPx, window.height()));
+  }
+  if (const sim2d::Human* human = pushedPerson(context)) {
+    boxes.push_back(legendBox(context, forcesOn(*context.scene.frame(), human->id).size()));
+  }
+  return boxes;
+}
 
 double niceLength(double pixelsPerMetre, double targetPx) {
   const double wanted = targetPx / pixelsPerMetre;
@@ -37,8 +76,8 @@ void paintScaleBar(QPainter& painter, const OverlayContext& context) {
   const Theme& theme = context.scene.theme();
   const double metres = niceLength(context.pixelsPerMetre, kBarTargetPx);
   const double length = metres * context.pixelsPerMetre;
-  const double left = 16.0 + (context.scene.options().rulers ? kRulerPx : 0.0);
-  const double bottom = context.window.bottom() - 14.0;
+  const double left = kBarLeftPx + (context.scene.options().rulers ? kRulerPx : 0.0);
+  const double bottom = context.window.bottom() - kBarBottomPx;
   const QPointF line[] = {
       {left, bottom - 6.0}, {left, bottom}, {left + length, bottom}, {left + length, bottom - 6.0}};
   painter.setRenderHint(QPainter::Antialiasing, false);
@@ -94,34 +133,27 @@ void paintRulers(QPainter& painter, const OverlayContext& context) {
 }
 
 void paintForceLegend(QPainter& painter, const OverlayContext& context) {
-  const ScenarioDocument& document = context.scene.document();
-  const sim2d::Frame* frame = context.scene.frame();
-  const sim2d::Human* human =
-      document.selection().size() == 1 ? document.human(document.selection().front()) : nullptr;
-  if (!context.scene.options().forces || frame == nullptr || human == nullptr) {
+  const sim2d::Human* human = pushedPerson(context);
+  if (human == nullptr) {
     return;
   }
-  const std::vector<ForceArrow> forces = forcesOn(*frame, human->id);
+  const std::vector<ForceArrow> forces = forcesOn(*context.scene.frame(), human->id);
   if (forces.empty()) {
     return;
   }
-  constexpr double kRow = 20.0;
-  constexpr double kWidth = 156.0;
   const Theme& theme = context.scene.theme();
-  const double rows = static_cast<double>(forces.size());
-  const QRectF box(context.window.right() - kWidth - 12.0, 12.0, kWidth,
-                   (rows + 2.0) * kRow + 16.0);
+  const QRectF box = legendBox(context, forces.size());
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(theme.color(Role::Line));
   painter.setBrush(theme.color(Role::Panel));
   painter.drawRoundedRect(box, 6.0, 6.0);
-  QRectF row(box.left() + 12.0, box.top() + 8.0, box.width() - 24.0, kRow);
+  QRectF row(box.left() + 12.0, box.top() + 8.0, box.width() - 24.0, kLegendRowPx);
   const auto write = [&](const QString& left, const QString& right, Role color) {
     painter.setPen(theme.color(Role::Text));
     painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter, left);
     painter.setPen(theme.color(color));
     painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, right);
-    row.translate(0.0, kRow);
+    row.translate(0.0, kLegendRowPx);
   };
   painter.setFont(theme.font(9.0, QFont::DemiBold));
   const QString title = QStringLiteral("Forces on %1").arg(QString::fromStdString(human->name));

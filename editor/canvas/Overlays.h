@@ -22,6 +22,9 @@ void paintRulers(QPainter& painter, const OverlayContext& context);
 /// Names, values and scale of the force arrows while one person of a run is selected.
 void paintForceLegend(QPainter& painter, const OverlayContext& context);
 
+/// What scale bar, rulers and legend of forces cover, where they are shown [px of the window].
+std::vector<QRectF> overlayBoxes(const OverlayContext& context);
+
 /// 1, 2 or 5 times a power of ten [m], about `targetPx` long on the screen.
 double niceLength(double pixelsPerMetre, double targetPx);
 /// The multiples of `step` from `low` to `high`.

@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <QStyleOptionGraphicsItem>
+#include <QWidget>
 
 namespace editor {
 
@@ -19,6 +20,14 @@ inline double pixelRatioOf(const QPainter& painter) {
 inline void makeCosmetic(QPen& pen, const QPainter& painter) {
   pen.setCosmetic(true);
   pen.setWidthF(pen.widthF() * pixelRatioOf(painter));
+}
+
+/// The part of the scene that the window shows, whole even when only some of it is painted anew.
+/// Without a widget it is what a picture shows.
+inline QRectF shownRect(const QPainter& painter, const QStyleOptionGraphicsItem& option,
+                        const QWidget* widget) {
+  return widget == nullptr ? option.exposedRect
+                           : painter.worldTransform().inverted().mapRect(QRectF(widget->rect()));
 }
 
 /// While it lives, the painter's unit is one pixel and its origin a point of the scene: for what

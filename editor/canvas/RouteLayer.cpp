@@ -17,6 +17,10 @@ constexpr double kSoftness = 0.6;      // [m]
 constexpr double kArrowSpacing = 1.5;  // [m]
 constexpr double kArrowPx = 7.0;
 constexpr double kNarrowestArrows = 34.0;  // px between two heads
+constexpr double kFewRoutes = 16.0;        // that may be seen at their full strength
+constexpr double kFaintest = 0.16;
+constexpr std::size_t kMostRounds = 6;    // people whose whole rounds are seen at once
+constexpr double kFaintestChosen = 0.45;  // stands out of the others at any number
 
 QPointF towards(const QPointF& from, const QPointF& to, double distance) {
   const QLineF line(from, to);
@@ -24,6 +28,11 @@ QPointF towards(const QPointF& from, const QPointF& to, double distance) {
 }
 
 }  // namespace
+
+double routeStrength(std::size_t inSight) {
+  const double count = std::max(1.0, static_cast<double>(inSight));
+  return std::clamp(std::sqrt(kFewRoutes / count), kFaintest, 1.0);
+}
 
 QPainterPath softPath(const std::vector<Vec2>& points, double softness) {
   QPainterPath path;
@@ -116,8 +125,7 @@ void RouteLayer::routesChanged() {
   update();
 }
 
-const RouteLayer::Line& RouteLayer::lineOf(EntityId id, std::size_t index, const RouteLeg& leg,
-                                           double pixelsPerMetre) {
+RouteLayer::Line& RouteLayer::lineOf(EntityId id, std::size_t index, const RouteLeg& leg) {
   std::vector<Line>& lines = lines_[id];
   if (lines.size() <= index) {
     lines.resize(index + 1);
@@ -126,17 +134,33 @@ const RouteLayer::Line& RouteLayer::lineOf(EntityId id, std::size_t index, const
   if (line.points != leg.points) {
     line.points = leg.points;
     line.path = softPath(leg.points, kSoftness);
-    line.bounds = line.path.controlPointRect();
+    // Straight legs have flat bounds, which intersect nothing.
+    line.bounds = line.path.controlPointRect().adjusted(-0.5, -0.5, 0.5, 0.5);
     line.gap = 0.0;
   }
+  return line;
+}
+
+void RouteLayer::placeHeads(Line& line, double spacing, double pixelsPerMetre) {
   // In steps: a slow zoom does not move all heads all the time.
-  const double steps = std::ceil(2.0 * std::log2(arrowGap(kArrowSpacing, pixelsPerMetre)));
+  const double steps = std::ceil(2.0 * std::log2(arrowGap(spacing, pixelsPerMetre)));
   const double gap = std::max(kArrowSpacing, std::exp2(0.5 * steps));
   if (line.gap != gap) {
     line.gap = gap;
     line.heads = arrowHeads(line.path, gap);
   }
-  return line;
+}
+
+/// Ways of people who are not selected, of which the window shows something.
+std::size_t RouteLayer::countInSight(const QRectF& shown) {
+  std::size_t count = 0;
+  for (const EntityId id : scene_.document().entities(EntityKind::Human)) {
+    const EntityRoute* route = scene_.routes().route(id);
+    if (route != nullptr && !route->legs.empty() && !scene_.document().isSelected(id)) {
+      count += lineOf(id, 0, route->legs.front()).bounds.intersects(shown) ? 1 : 0;
+    }
+  }
+  return count;
 }
 
 void RouteLayer::paintLeg(QPainter& painter, const Line& line, bool isReachable,
@@ -165,9 +189,9 @@ void RouteLayer::paintRoute(QPainter& painter, EntityId id, bool whole, const St
       whole ? route->legs.size() : std::min<std::size_t>(1, route->legs.size());
   for (std::size_t i = 0; i < count; ++i) {
     const RouteLeg& leg = route->legs[i];
-    const Line& line = lineOf(id, i, leg, pixelsPerMetreOf(painter));
-    // Straight legs have flat bounds, which intersect nothing.
-    if (line.bounds.adjusted(-0.5, -0.5, 0.5, 0.5).intersects(exposed_)) {
+    Line& line = lineOf(id, i, leg);
+    if (line.bounds.intersects(exposed_)) {
+      placeHeads(line, style.arrowSpacing, pixelsPerMetreOf(painter));
       paintLeg(painter, line, leg.isReachable, style);
     }
   }
@@ -185,9 +209,11 @@ void RouteLayer::paintPeople(QPainter& painter, bool selected) {
     Style style;
     style.color =
         scene_.theme().line(lookOfPerson(scene_.document(), std::get<sim2d::Human>(*value)));
-    style.widthPx = selected ? 2.6 : 1.8;
-    style.color.setAlphaF(selected ? 1.0 : 0.62);
-    paintRoute(painter, id, selected, style);
+    const double strength = selected ? chosenStrength_ : strength_;
+    style.widthPx = std::max(selected ? 1.6 : 1.0, (selected ? 2.6 : 1.8) * std::sqrt(strength));
+    style.color.setAlphaF((selected ? 1.0 : 0.62) * strength);
+    style.arrowSpacing = kArrowSpacing / strength;
+    paintRoute(painter, id, selected && showsRounds_, style);
   }
 }
 
@@ -200,9 +226,17 @@ void RouteLayer::paintRobots(QPainter& painter) {
   }
 }
 
-void RouteLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
+void RouteLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) {
   painter->setRenderHint(QPainter::Antialiasing);
   exposed_ = option->exposedRect;
+  const std::vector<EntityId>& selection = scene_.document().selection();
+  const auto chosen =
+      static_cast<std::size_t>(std::count_if(selection.begin(), selection.end(), [](EntityId id) {
+        return id.kind == EntityKind::Human;
+      }));
+  showsRounds_ = chosen <= kMostRounds;
+  chosenStrength_ = std::max(kFaintestChosen, routeStrength(showsRounds_ ? 1 : chosen));
+  strength_ = routeStrength(countInSight(shownRect(*painter, *option, widget)));
   if (scene_.options().routes) {
     paintPeople(*painter, false);
     paintRobots(*painter);

@@ -12,6 +12,10 @@
 
 namespace editor {
 
+/// How strong the ways of those are who are not selected, where so many are in sight: 1 for a few,
+/// less the more there are, never nothing.
+double routeStrength(std::size_t inSight);
+
 /// All routes beneath the figures: of everybody the way to the first goal, of the selected ones the
 /// whole round.
 class RouteLayer : public QGraphicsItem {
@@ -27,6 +31,7 @@ class RouteLayer : public QGraphicsItem {
     QColor color;
     double widthPx = 1.8;
     Qt::PenStyle dashes = Qt::SolidLine;
+    double arrowSpacing = 1.5;  // [m]
   };
   /// A leg ready to be painted.
   struct Line {
@@ -36,7 +41,9 @@ class RouteLayer : public QGraphicsItem {
     double gap = 0.0;                               // between arrow heads [m]
     std::vector<std::pair<QPointF, double>> heads;  // tips, degrees
   };
-  const Line& lineOf(EntityId id, std::size_t index, const RouteLeg& leg, double pixelsPerMetre);
+  Line& lineOf(EntityId id, std::size_t index, const RouteLeg& leg);
+  static void placeHeads(Line& line, double spacing, double pixelsPerMetre);
+  std::size_t countInSight(const QRectF& shown);
   void paintRoute(QPainter& painter, EntityId id, bool whole, const Style& style);
   void paintLeg(QPainter& painter, const Line& line, bool isReachable, const Style& style) const;
   void paintPeople(QPainter& painter, bool selected);
@@ -44,7 +51,10 @@ class RouteLayer : public QGraphicsItem {
 
   const MapScene& scene_;
   QRectF bounds_;
-  QRectF exposed_;  // of the current painting
+  QRectF exposed_;               // of the current painting
+  double strength_ = 1.0;        // of the ways of those who are not selected
+  double chosenStrength_ = 1.0;  // and of those who are
+  bool showsRounds_ = true;      // of those who are selected; else the way to the first goal
   std::map<EntityId, std::vector<Line>> lines_;
 };
 

@@ -6,6 +6,7 @@
 #include "editor/canvas/LabelLayout.h"
 #include "editor/canvas/MapView.h"
 #include "editor/canvas/Overlays.h"
+#include "editor/canvas/RouteLayer.h"
 #include "editor/canvas/RouteModel.h"
 #include "editor/document/EditCommands.h"
 #include "editor/tools/ToolManager.h"
@@ -13,6 +14,8 @@
 using namespace editor;
 
 namespace {
+
+const QRectF kEverywhere(-1e4, -1e4, 2e4, 2e4);
 
 sim2d::Frame frameOf(const sim2d::Scenario& scenario, double time) {
   sim2d::Frame frame;
@@ -121,6 +124,18 @@ class CanvasTest : public QObject {
     QVERIFY(throughGap);
   }
 
+  void routeStrength_manyRoutes_fadesButStays() {
+    QCOMPARE(editor::routeStrength(0), 1.0);
+    QCOMPARE(editor::routeStrength(12), 1.0);
+    double before = 1.0;
+    for (const std::size_t count : {20u, 60u, 100u, 300u}) {
+      QVERIFY(editor::routeStrength(count) < before);
+      before = editor::routeStrength(count);
+    }
+    QVERIFY(editor::routeStrength(100) < 0.45);
+    QVERIFY(editor::routeStrength(5000) > 0.1);
+  }
+
   void preview_ofAValue_isShownAndCleared() {
     sim2d::Human moved = *document_.human({EntityKind::Human, 1});
     moved.initPose.position = {5.0, 8.0};
@@ -136,7 +151,8 @@ class CanvasTest : public QObject {
     for (int i = 0; i < 30; ++i) {
       wishes.push_back({QPointF(i * 9.0, (i % 3) * 7.0), 10.0, QSizeF(40.0, 12.0), i % 2, false});
     }
-    const std::vector<QRectF> places = layoutLabels(wishes, {QRectF(0.0, 0.0, 20.0, 60.0)});
+    const std::vector<QRectF> places =
+        layoutLabels(wishes, {QRectF(0.0, 0.0, 20.0, 60.0)}, kEverywhere);
     int shown = 0;
     for (std::size_t a = 0; a < places.size(); ++a) {
       shown += places[a].isNull() ? 0 : 1;
@@ -148,12 +164,38 @@ class CanvasTest : public QObject {
     QVERIFY(!places[1].isNull());
   }
 
+  void layoutLabels_atTheEdge_staysWithinAndBeside_data() {
+    QTest::addColumn<QPointF>("centre");
+    QTest::addColumn<bool>("hasRoom");
+    QTest::newRow("left") << QPointF(3.0, 100.0) << true;
+    QTest::newRow("left, half seen") << QPointF(-6.0, 100.0) << true;
+    QTest::newRow("right") << QPointF(297.0, 100.0) << true;
+    QTest::newRow("top") << QPointF(150.0, 2.0) << true;
+    QTest::newRow("bottom") << QPointF(150.0, 198.0) << true;
+    QTest::newRow("corner") << QPointF(0.0, 200.0) << true;
+    QTest::newRow("far out") << QPointF(-80.0, 100.0) << false;
+  }
+
+  void layoutLabels_atTheEdge_staysWithinAndBeside() {
+    QFETCH(QPointF, centre);
+    const QRectF window(0.0, 0.0, 300.0, 200.0);
+    LabelWish wish{centre, 12.0, QSizeF(60.0, 14.0), 1};
+    wish.isNeeded = true;
+    const QRectF place = layoutLabels({wish}, {}, window).front();
+    QTEST(!place.isNull(), "hasRoom");
+    if (!place.isNull()) {
+      QVERIFY(window.contains(place));
+      const QRectF around(centre - QPointF(12.5, 12.5), QSizeF(25.0, 25.0));
+      QVERIFY2(place.intersects(around), "stands beside its person");
+    }
+  }
+
   void layoutLabels_noRoom_onlyTheNeededOneCoversBodies() {
     const QRectF body(-200.0, -200.0, 400.0, 400.0);
     LabelWish wish{QPointF(0.0, 0.0), 10.0, QSizeF(40.0, 12.0), 1, false};
     LabelWish needed = wish;
     needed.isNeeded = true;
-    const std::vector<QRectF> places = layoutLabels({wish, needed, needed}, {body});
+    const std::vector<QRectF> places = layoutLabels({wish, needed, needed}, {body}, kEverywhere);
     QVERIFY(places[0].isNull());
     QVERIFY(!places[1].isNull() && !places[2].isNull());
     QVERIFY(!places[1].intersects(places[2]));
