@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "editor/document/Tidy.h"
 #include "sim2d/map/Outlines.h"
 
 namespace editor {
@@ -98,7 +99,7 @@ std::optional<Extent> extentOf(const Entity& entity) {
 
 Entity rotated(Entity entity, const Vec2& centre, double angle) {
   const Pose2 turn{centre, angle};
-  const auto at = [&](const Vec2& point) { return turn.toWorld(point - centre); };
+  const auto at = [&](const Vec2& point) { return tidied(turn.toWorld(point - centre)); };
   if (std::vector<Vec2>* corners = cornersOf(entity)) {
     for (Vec2& corner : *corners) {
       corner = at(corner);

@@ -20,8 +20,8 @@ Vec2 cornerSign(int index) {
   return {signs[0], signs[1]};
 }
 
-double rounded(double value, double step, bool fine) {
-  return fine ? value : std::round(value / step) * step;
+double onCentimetres(double value, bool fine) {
+  return fine ? value : std::round(100.0 * value) / 100.0;
 }
 
 void addCorners(std::vector<Handle>& handles, const Pose2& pose, const Vec2& half) {
@@ -57,8 +57,8 @@ void resizeBox(sim2d::Obstacle& box, int corner, const Vec2& to, bool fine) {
   const Vec2 sign = cornerSign(corner);
   const Vec2 fixed = box.pose.toWorld(-0.5 * sign.cwiseProduct(Vec2(box.length, box.width)));
   const Vec2 diagonal = Pose2{fixed, box.pose.heading}.toLocal(to).cwiseProduct(sign);
-  box.length = std::max(kSmallest, rounded(diagonal.x(), 0.01, fine));
-  box.width = std::max(kSmallest, rounded(diagonal.y(), 0.01, fine));
+  box.length = std::max(kSmallest, onCentimetres(diagonal.x(), fine));
+  box.width = std::max(kSmallest, onCentimetres(diagonal.y(), fine));
   box.pose.position =
       Pose2{fixed, box.pose.heading}.toWorld(0.5 * sign.cwiseProduct(Vec2(box.length, box.width)));
 }
@@ -73,13 +73,13 @@ void resize(Entity& entity, int corner, const Vec2& to, bool fine) {
   if (auto* human = std::get_if<sim2d::Human>(&entity)) {
     const Vec2 offset = (to - human->initPose.position).cwiseAbs();
     human->radius =
-        std::clamp(rounded(offset.maxCoeff() / kFrame, 0.01, fine), kSmallest, kLargestBody);
+        std::clamp(onCentimetres(offset.maxCoeff() / kFrame, fine), kSmallest, kLargestBody);
   } else if (auto* obstacle = std::get_if<sim2d::Obstacle>(&entity)) {
     if (obstacle->kind == sim2d::ObstacleKind::Box) {
       resizeBox(*obstacle, corner, to, fine);
     } else {
       const Vec2 offset = (to - obstacle->pose.position).cwiseAbs();
-      obstacle->radius = std::max(kSmallest, rounded(offset.maxCoeff(), 0.01, fine));
+      obstacle->radius = std::max(kSmallest, onCentimetres(offset.maxCoeff(), fine));
     }
   }
 }
@@ -133,7 +133,9 @@ Entity pulled(const Entity& entity, const Handle& handle, const Vec2& to, bool f
   switch (handle.kind) {
     case Handle::Kind::Turn: {
       const Vec2 centre = *positionOf(entity);
-      const double heading = rounded(base::headingOf(to - centre), base::kPi / 180.0, fine);
+      constexpr double kDegree = base::kPi / 180.0;
+      const double exact = base::headingOf(to - centre);
+      const double heading = fine ? exact : std::round(exact / kDegree) * kDegree;
       return headingOf(entity) ? turned(std::move(result), heading)
                                : rotated(std::move(result), centre, heading - 0.5 * base::kPi);
     }

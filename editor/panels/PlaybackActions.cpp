@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "editor/look/ActionText.h"
 #include "editor/look/Icons.h"
 
 namespace editor {
@@ -22,9 +23,7 @@ QAction* makeAction(const QString& text, const QKeySequence& shortcut, const QSt
                     QObject* parent) {
   auto* action = new QAction(text, parent);
   action->setShortcut(shortcut);
-  action->setStatusTip(says);
-  action->setToolTip(
-      QStringLiteral("%1 (%2)\n%3").arg(text, shortcut.toString(QKeySequence::NativeText), says));
+  describe(*action, says);
   return action;
 }
 
@@ -82,6 +81,7 @@ void PlaybackActions::follow() {
   const bool running = state == SimulationRunner::State::Running;
   const bool editing = state == SimulationRunner::State::Editing;
   playPause_->setText(running ? tr("Pause") : tr("Play"));
+  describe(*playPause_, tr("Run or pause the simulation; Space on the map does the same"));
   playPause_->setCheckable(true);
   playPause_->setChecked(running);
   playPause_->setIcon(

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "editor/canvas/MapScene.h"
+#include "editor/document/Tidy.h"
 #include "editor/tools/WallSnap.h"
 #include "sim2d/map/Outlines.h"
 
@@ -13,7 +14,7 @@ namespace editor {
 namespace {
 
 double rounded(double value, double step) {
-  return std::round(value / step) * step + 0.0;  // 0, not -0
+  return tidied(std::round(value / step) * step);
 }
 
 Vec2 onAngle(const Vec2& anchor, const Vec2& world) {
@@ -91,7 +92,7 @@ Snapped pointNear(const MapScene& scene, const CanvasMouse& mouse, const SnapWis
 }  // namespace
 
 double snappedAngle(double heading) {
-  return base::wrapToPi(rounded(heading, kSnapAngle));
+  return base::wrapToPi(std::round(heading / kSnapAngle) * kSnapAngle + 0.0);
 }
 
 std::vector<Vec2> snapPointsOf(const Entity& entity) {

@@ -1,8 +1,12 @@
 #include "editor/tools/ToolManager.h"
 
 #include <QAction>
+#include <QCoreApplication>
+#include <QGuiApplication>
+#include <QKeyEvent>
 
 #include "editor/canvas/MapScene.h"
+#include "editor/look/ActionText.h"
 #include "editor/tools/AreaTool.h"
 #include "editor/tools/BoxTool.h"
 #include "editor/tools/BrushTool.h"
@@ -22,6 +26,35 @@
 #include "editor/tools/WallTool.h"
 
 namespace editor {
+
+namespace {
+
+/// Escape in a tool that is doing nothing goes back to the first one.
+class EscapeKey : public QObject {
+ public:
+  EscapeKey(ToolManager& tools, MapScene& scene) : QObject(&tools), tools_(tools) {
+    scene.installEventFilter(this);
+  }
+  bool eventFilter(QObject*, QEvent* event) override {
+    Tool* const tool = tools_.current();
+    if (event->type() != QEvent::KeyPress || tool == tools_.tools().front() ||
+        static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape) {
+      return false;
+    }
+    const QString before = tool->statusText();  // speaks of what is being drawn
+    tool->cancel();
+    if (before == tool->statusText() && QGuiApplication::mouseButtons() == Qt::NoButton) {
+      tools_.setCurrent(tools_.tools().front());
+    }
+    event->accept();
+    return true;
+  }
+
+ private:
+  ToolManager& tools_;
+};
+
+}  // namespace
 
 ToolManager::ToolManager(ScenarioDocument& document, MapScene& scene, QObject* parent)
     : QObject(parent), scene_(scene), group_(this) {
@@ -48,6 +81,7 @@ ToolManager::ToolManager(ScenarioDocument& document, MapScene& scene, QObject* p
     }
   });
   setCurrent(tools_.front());
+  new EscapeKey(*this, scene);
 }
 
 ToolManager::~ToolManager() {
@@ -60,10 +94,7 @@ void ToolManager::add(Tool* tool) {
   auto* action = new QAction(tool->name(), &group_);
   action->setCheckable(true);
   action->setShortcut(tool->shortcut());
-  action->setToolTip(QStringLiteral("%1 (%2)\n%3")
-                         .arg(tool->name(), tool->shortcut().toString(QKeySequence::NativeText),
-                              tool->statusText()));
-  action->setStatusTip(tool->statusText());
+  describe(*action, tool->statusText());
   action->setData(tool->iconName());
   connect(action, &QAction::triggered, this, [this, tool] { setCurrent(tool); });
   connect(tool, &Tool::statusTextChanged, this, [this, tool] {

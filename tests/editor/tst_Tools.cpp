@@ -56,6 +56,25 @@ class ToolsTest : public QObject, private CanvasTester {
     QCOMPARE(document_.undoStack().count(), 0);
   }
 
+  void escape_inAnIdleTool_goesBackToSelect() {
+    use("Wall");
+    click(Vec2(3.0, 7.5));
+    QTest::keyClick(window(), Qt::Key_Escape);  // drops the corner
+    QVERIFY(tools_.current()->name() == QStringLiteral("Wall"));
+    QTest::keyClick(window(), Qt::Key_Escape);
+    QVERIFY(tools_.current() == tools_.tools().front());
+    QVERIFY(document_.scenario() == small::scenario());
+  }
+
+  void select_nudgedByKeys_writesShortNumbers() {
+    document_.setSelection({person(1)});
+    for (int i = 0; i < 3; ++i) {
+      QTest::keyClick(window(), Qt::Key_Right);
+    }
+    QCOMPARE(document_.human(person(1))->initPose.position.x(), 2.3);  // not 2.3000000000000003
+    QCOMPARE(document_.undoStack().count(), 1);
+  }
+
   void select_click_selectsAndEmptyGroundClears() {
     click(Vec2(2.0, 2.0));
     QVERIFY(document_.selection() == std::vector<EntityId>{person(1)});
