@@ -1,5 +1,6 @@
 #include "app/window/CanvasActions.h"
 
+#include "editor/look/ActionText.h"
 #include "editor/look/Icons.h"
 #include "editor/tools/Arrange.h"
 #include "editor/tools/Snap.h"
@@ -38,12 +39,7 @@ QAction* CanvasActions::toggle(const QString& text, const QKeySequence& shortcut
                                const QString& says, bool CanvasOptions::*option) {
   auto* action = new QAction(text, this);
   action->setShortcut(shortcut);
-  action->setStatusTip(says);
-  QString bare = text;
-  bare.remove(QLatin1Char('&'));
-  const QString keys = shortcut.toString(QKeySequence::NativeText);
-  action->setToolTip(keys.isEmpty() ? bare + QLatin1Char('\n') + says
-                                    : QStringLiteral("%1 (%2)\n%3").arg(bare, keys, says));
+  editor::describe(*action, says);
   action->setCheckable(true);
   editor::MapScene& scene = workspace_.scene();
   action->setChecked(scene.options().*option);
@@ -60,7 +56,7 @@ QAction* CanvasActions::toggle(const QString& text, const QKeySequence& shortcut
 QAction* CanvasActions::arrange(const QString& text, const QString& says,
                                 const std::function<void()>& work) {
   auto* action = new QAction(text, this);
-  action->setStatusTip(says);
+  editor::describe(*action, says);
   connect(action, &QAction::triggered, this, work);
   return action;
 }
@@ -87,8 +83,8 @@ void CanvasActions::makeArranging() {
       arrange(tr("Distribute &up"), gaps,
               [&document] { editor::distributeSelection(document, editor::Distribute::Up); }),
       3);
-  const std::pair<QString, double> turns[] = {{tr("Rotate 15° left  ["), editor::kSnapAngle},
-                                              {tr("Rotate 15° right  ]"), -editor::kSnapAngle},
+  const std::pair<QString, double> turns[] = {{tr("Rotate 15° left\t["), editor::kSnapAngle},
+                                              {tr("Rotate 15° right\t]"), -editor::kSnapAngle},
                                               {tr("Rotate 90° left"), 0.5 * base::kPi},
                                               {tr("Rotate 90° right"), -0.5 * base::kPi}};
   for (const auto& [text, angle] : turns) {

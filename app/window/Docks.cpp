@@ -4,6 +4,7 @@
 #include <QToolBar>
 
 #include "app/window/DockTitle.h"
+#include "editor/look/ActionText.h"
 #include "editor/panels/BehaviorPanel.h"
 #include "editor/panels/EventsPanel.h"
 #include "editor/panels/IssuesPanel.h"
@@ -57,6 +58,7 @@ Docks::Docks(QMainWindow& window, Workspace& workspace)
   timelineBar_->setObjectName(QStringLiteral("timeline"));
   timelineBar_->setMovable(false);
   timelineBar_->toggleViewAction()->setEnabled(false);  // always seen
+  editor::describe(*timelineBar_->toggleViewAction(), tr("Always seen"));
   timelineBar_->addWidget(timeline_);
   window_.addToolBar(Qt::BottomToolBarArea, timelineBar_);
   connect(issues_, &editor::IssuesPanel::countChanged, this,
@@ -83,6 +85,7 @@ QDockWidget* Docks::add(Qt::DockWidgetArea area, const QString& title, QWidget* 
                         bool tabbed) {
   auto* dock = new QDockWidget(title, &window_);
   dock->setObjectName(title.toLower());
+  editor::describe(*dock->toggleViewAction(), tr("Show or hide this panel"));
   auto* heading = new DockTitle(*dock);
   dock->setTitleBarWidget(heading);
   headings_.push_back(heading);

@@ -181,6 +181,8 @@ void MainWindow::connectView() {
       setTheme(editor::Theme::fromSystem(QApplication::style()->standardPalette()));
     }
   });
+  connect(actions_->rename, &QAction::triggered, this,
+          [this] { docks_->scenario().rename(workspace_.document().selection().front()); });
   connect(&docks_->scenario(), &editor::ScenarioPanel::activated, &workspace_.view(),
           &editor::MapView::centerOnEntity);
   connect(&docks_->issues(), &editor::IssuesPanel::entityWanted, &workspace_.view(),

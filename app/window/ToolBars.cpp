@@ -7,6 +7,8 @@
 #include <QMenuBar>
 
 #include "editor/document/EditCommands.h"
+#include "editor/document/Reactions.h"
+#include "editor/look/ActionText.h"
 #include "editor/look/Icons.h"
 
 namespace app {
@@ -82,13 +84,16 @@ void addBehaviorMenu(QMenuBar& bar, Workspace& workspace) {
     const auto type = static_cast<sim2d::BehaviorType>(i);
     const QString name = editor::lookName(editor::lookOf(type));
     QAction* action = menu->addAction(name);
-    action->setStatusTip(QObject::tr("Make the people that are selected %1").arg(name.toLower()));
+    editor::describe(*action,
+                     QObject::tr("Make the people that are selected %1").arg(name.toLower()));
     QObject::connect(action, &QAction::triggered, &document, [&document, type, name] {
       std::vector<editor::Entity> people;
       for (const editor::EntityId id : document.selection()) {
         if (const sim2d::Human* human = document.human(id)) {
           people.emplace_back(*human);
-          std::get<sim2d::Human>(people.back()).behavior.type = type;
+          auto& person = std::get<sim2d::Human>(people.back());
+          person.behavior.type = type;
+          editor::completeReaction(document.scenario(), person);
         }
       }
       editor::pushEdit(document, std::move(people), QObject::tr("Make %1").arg(name.toLower()));
@@ -115,6 +120,7 @@ QToolBar* makeToolBar(QMainWindow& window, Workspace& workspace, WindowActions& 
   bar->setIconSize(QSize(24, 24));
   bar->setFixedHeight(kToolBarHeight);
   bar->toggleViewAction()->setEnabled(false);
+  editor::describe(*bar->toggleViewAction(), QObject::tr("Always seen"));
   bar->addWidget(spacer(8, bar));
   bar->addActions({actions.newRoom, actions.open, actions.save});
   bar->addSeparator();
@@ -153,7 +159,8 @@ Menus makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& action
   QMenu* edit = bar.addMenu(QObject::tr("&Edit"));
   edit->addActions({actions.undo, actions.redo});
   edit->addSeparator();
-  edit->addActions({actions.cut, actions.copy, actions.paste, actions.duplicate, actions.remove});
+  edit->addActions({actions.cut, actions.copy, actions.paste, actions.duplicate, actions.rename,
+                    actions.remove});
   edit->addSeparator();
   edit->addActions({actions.selectAll, actions.deselect, actions.next, actions.previous});
   actions.canvas->fillArrangeMenu(*edit->addMenu(QObject::tr("Arran&ge")));

@@ -5,6 +5,7 @@
 #include <QUndoStack>
 
 #include "editor/document/EditCommands.h"
+#include "editor/look/ActionText.h"
 #include "editor/look/Icons.h"
 #include "editor/tools/Clipboard.h"
 #include "editor/tools/SelectionActions.h"
@@ -29,12 +30,7 @@ QAction* WindowActions::make(const QString& text, const QString& icon, const QKe
                              const QString& says) {
   auto* action = new QAction(text, this);
   action->setShortcut(shortcut);
-  action->setStatusTip(says);
-  QString bare = text;
-  bare.remove(QLatin1Char('&')).remove(QStringLiteral("…"));
-  const QString keys = shortcut.toString(QKeySequence::NativeText);
-  action->setToolTip(keys.isEmpty() ? bare + QLatin1Char('\n') + says
-                                    : QStringLiteral("%1 (%2)\n%3").arg(bare, keys, says));
+  editor::describe(*action, says);
   if (!icon.isEmpty()) {
     icons_.emplace_back(action, icon);
   }
@@ -75,6 +71,12 @@ void WindowActions::makeEditActions() {
   undo->setShortcut(QKeySequence::Undo);
   redo = stack.createRedoAction(this, tr("&Redo"));
   redo->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
+  const auto tell = [this] {  // the names say what would be taken back
+    editor::describe(*undo, tr("Take the last change back"));
+    editor::describe(*redo, tr("Make the change again that was taken back"));
+  };
+  connect(&stack, &QUndoStack::indexChanged, this, tell);
+  tell();
   icons_.emplace_back(undo, QStringLiteral("edit-undo"));
   icons_.emplace_back(redo, QStringLiteral("edit-redo"));
   cut = make(tr("Cu&t"), {}, QKeySequence::Cut, tr("Copy what is selected and remove it"));
@@ -82,6 +84,8 @@ void WindowActions::makeEditActions() {
   paste = make(tr("&Paste"), {}, QKeySequence::Paste, tr("Add what was copied beside it"));
   duplicate = make(tr("Dup&licate"), QStringLiteral("edit-duplicate"),
                    QKeySequence(Qt::CTRL | Qt::Key_D), tr("A copy of what is selected"));
+  rename = make(tr("Re&name"), {}, QKeySequence(Qt::Key_F2),
+                tr("Another name for what is selected; what refers to it follows"));
   remove = make(tr("&Delete"), QStringLiteral("edit-delete"), QKeySequence::Delete,
                 tr("Remove what is selected; routes follow"));
   selectAll = make(tr("Select &all"), {}, QKeySequence::SelectAll, tr("Everything on the map"));
@@ -218,6 +222,7 @@ void WindowActions::followSelection() {
   cut->setEnabled(any && editing);
   copy->setEnabled(any);
   duplicate->setEnabled(any && editing);
+  rename->setEnabled(editing && workspace_.document().selection().size() == 1);
   remove->setEnabled(any && editing);
   paste->setEnabled(editing && editor::canPaste(QGuiApplication::clipboard()->mimeData()));
   openMap->setEnabled(editing);

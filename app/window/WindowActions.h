@@ -19,7 +19,7 @@ class WindowActions : public QObject {
 
   QAction *newRoom, *newFromMap, *open, *save, *saveAs, *exportTo, *close, *quit;
   QAction* newWalledRoom;
-  QAction *undo, *redo, *cut, *copy, *paste, *duplicate, *remove, *selectAll, *deselect;
+  QAction *undo, *redo, *cut, *copy, *paste, *duplicate, *rename, *remove, *selectAll, *deselect;
   QAction *next, *previous;  // person, or thing of the kind that is selected
   QAction *zoomIn, *zoomOut, *zoomFit, *fullScreen, *resetLayout, *switchTheme, *systemTheme;
   QAction *openMap, *assignGoals, *settings, *about;

@@ -71,12 +71,14 @@ class EntityModel : public QAbstractItemModel {
   bool isFollowing_ = false;
 };
 
-/// Keeps groups with a match; matches name, kind and behaviour, any case.
+/// Keeps groups with a match, with how many of theirs it is; matches name, kind and behaviour, any
+/// case.
 class EntityFilter : public QSortFilterProxyModel {
   Q_OBJECT
  public:
   explicit EntityFilter(EntityModel& model, QObject* parent = nullptr);
   void setText(const QString& text);
+  QVariant data(const QModelIndex& index, int role) const override;
   EntityId idOf(const QModelIndex& index) const;
   QModelIndex indexOf(EntityId id) const;
 

@@ -7,6 +7,7 @@
 #include "editor/document/EditCommands.h"
 #include "editor/document/FixEdits.h"
 #include "editor/document/MapEdit.h"
+#include "editor/document/Reactions.h"
 #include "sim2d/scenario/Defaults.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 
@@ -92,26 +93,11 @@ Fix clampSkin(const ScenarioDocument& document, EntityId id, const Match&) {
 
 Fix writeReaction(const ScenarioDocument& document, EntityId id, const Match&) {
   const sim2d::Human* human = document.human(id);
-  const sim2d::ResolvedHuman counts = human == nullptr
-                                          ? sim2d::ResolvedHuman()
-                                          : sim2d::resolveHuman(document.scenario(), *human, 0);
-  return edit<sim2d::Human>(tr("Write these values"), id, [counts](sim2d::Human& person) {
-    sim2d::Behavior& to = person.behavior;
-    const sim2d::BehaviorType type = counts.behavior;
-    to.dist = to.dist.value_or(counts.noticeDistance);
-    to.duration = to.duration.value_or(counts.reactionDuration);
-    to.once = to.once.value_or(counts.reactionOnce);
-    if (type == sim2d::BehaviorType::Scared || type == sim2d::BehaviorType::Curious) {
-      to.vel = to.vel.value_or(counts.reactionSpeed);
-    }
-    if (type == sim2d::BehaviorType::Scared) {
-      to.safeDistance = to.safeDistance.value_or(counts.safeDistance);
-    } else if (type == sim2d::BehaviorType::Curious) {
-      to.stopDist = to.stopDist.value_or(counts.stopDistance);
-    } else if (type == sim2d::BehaviorType::Threatening) {
-      to.frontDist = to.frontDist.value_or(counts.frontDistance);
-    }
-  });
+  sim2d::Human whole = human == nullptr ? sim2d::Human() : *human;
+  completeReaction(document.scenario(), whole);
+  return edit<sim2d::Human>(
+      tr("Write these values"), id,
+      [behavior = whole.behavior](sim2d::Human& person) { person.behavior = behavior; });
 }
 
 Fix writePose(const ScenarioDocument&, EntityId id, const Match&) {

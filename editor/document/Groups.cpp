@@ -26,10 +26,14 @@ void setNameOf(std::vector<std::pair<int, std::string>>& groups, int group,
 
 }  // namespace
 
+bool isInGroup(const sim2d::Human& human) {
+  return human.groupId.value_or(kAlone) != kAlone;
+}
+
 std::map<int, std::vector<EntityId>> groupsOf(const sim2d::Scenario& scenario) {
   std::map<int, std::vector<EntityId>> groups;
   for (const sim2d::Human& human : scenario.humans) {
-    if (human.groupId.value_or(kAlone) != kAlone) {
+    if (isInGroup(human)) {
       groups[*human.groupId].push_back(human.key);
     }
   }

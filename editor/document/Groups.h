@@ -8,6 +8,7 @@
 
 namespace editor {
 
+bool isInGroup(const sim2d::Human& human);
 /// Members of each group, in file order; people with -1 are in none.
 std::map<int, std::vector<EntityId>> groupsOf(const sim2d::Scenario& scenario);
 /// "family", or "Group 3" when nobody named it.

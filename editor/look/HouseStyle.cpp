@@ -198,8 +198,11 @@ bool HouseStyle::drawSimple(PrimitiveElement element, const QStyleOption& option
     case PE_PanelItemViewItem:
       drawRow(painter, option, widget);
       return true;
+    case PE_FrameTabBarBase:  // the line under the tabs goes on to the end of the bar
+      painter.fillRect(option.rect.left(), option.rect.top() - 1, option.rect.width(), 1,
+                       theme_.color(Role::Line));
+      return true;
     case PE_PanelItemViewRow:
-    case PE_FrameTabBarBase:
     case PE_PanelMenuBar:
     case PE_FrameStatusBarItem:
     case PE_IndicatorToolBarHandle:

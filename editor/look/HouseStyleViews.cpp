@@ -112,9 +112,12 @@ void HouseStyle::drawRow(QPainter& painter, const QStyleOption& option,
   using Place = QStyleOptionViewItem::ViewItemPosition;
   bool first = item->viewItemPosition != Place::Middle && item->viewItemPosition != Place::End;
   bool last = item->viewItemPosition != Place::Middle && item->viewItemPosition != Place::Beginning;
-  if (qobject_cast<const QTableView*>(widget) != nullptr && item->index.isValid()) {
-    first = item->index.column() == 0;
-    last = item->index.column() == item->index.model()->columnCount() - 1;
+  if (const auto* table = qobject_cast<const QTableView*>(widget);
+      table != nullptr && item->index.isValid()) {
+    const int column = item->index.column();
+    first = column == 0;
+    last =
+        column + table->columnSpan(item->index.row(), column) == item->index.model()->columnCount();
   }
   QRectF band(option.rect);
   const bool leaf = item->index.isValid() && !item->index.model()->hasChildren(item->index);

@@ -7,6 +7,7 @@
 
 #include "editor/document/PersonLook.h"
 #include "editor/panels/BlockDialog.h"
+#include "editor/panels/WholeRows.h"
 
 namespace editor {
 
@@ -15,6 +16,8 @@ namespace {
 // How outline and form share the height at first [px of 640].
 constexpr int kOutlineShare = 380;
 constexpr int kFormShare = 260;
+constexpr int kRowHeight = 24;
+constexpr int kHintHeight = 72;
 
 QWidget* scrolled(QWidget* widget, QWidget* parent) {
   auto* area = new QScrollArea(parent);
@@ -75,6 +78,7 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
     layout->addWidget(label);
   }
   makeLinks(*layout);
+  hint_->setMinimumHeight(kHintHeight);
   auto* below = new QWidget;
   auto* forms = new QVBoxLayout(below);
   forms->setContentsMargins(0, 0, 0, 0);
@@ -85,7 +89,7 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
   forms->addWidget(hint_);
   forms->addStretch(1);
   auto* splitter = new QSplitter(Qt::Vertical, page);
-  splitter->addWidget(outline_);
+  splitter->addWidget(new WholeRows(*outline_, kRowHeight, splitter));
   splitter->addWidget(scrolled(below, splitter));
   splitter->setStretchFactor(0, 3);
   splitter->setStretchFactor(1, 2);

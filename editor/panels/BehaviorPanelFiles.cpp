@@ -5,6 +5,7 @@
 #include "bt/tree/TreeXml.h"
 #include "editor/canvas/FigurePainter.h"
 #include "editor/document/EditCommands.h"
+#include "editor/document/Reactions.h"
 #include "editor/document/TreeFiles.h"
 #include "editor/panels/BehaviorPanel.h"
 #include "sim2d/base/Text.h"
@@ -55,8 +56,10 @@ void BehaviorPanel::takeTemplate(sim2d::BehaviorType type) {
   const QString text = tr("Take the tree of %1").arg(lookName(lookOf(type)));
   document_.undoStack().beginMacro(text);
   pushTreeText(document_, person_, std::nullopt, text);
-  pushChange<sim2d::Human>(document_, person_, text,
-                           [type](sim2d::Human& human) { human.behavior.type = type; });
+  pushChange<sim2d::Human>(document_, person_, text, [this, type](sim2d::Human& human) {
+    human.behavior.type = type;
+    completeReaction(document_.scenario(), human);
+  });
   document_.undoStack().endMacro();
 }
 

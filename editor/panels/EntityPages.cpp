@@ -108,13 +108,19 @@ void ObstaclePage::refresh() {
   if (shown.empty()) {
     return;
   }
-  const Obstacle& obstacle = std::get<Obstacle>(shown.front());
+  const ObstacleKind first = std::get<Obstacle>(shown.front()).kind;
+  const auto all = [&shown](const auto& holds) {
+    return std::all_of(shown.begin(), shown.end(),
+                       [&](const Entity& each) { return holds(std::get<Obstacle>(each).kind); });
+  };
   static const char* const kWords[] = {QT_TR_NOOP("box"), QT_TR_NOOP("circle"),
                                        QT_TR_NOOP("polygon"), QT_TR_NOOP("wall")};
-  section_->setNote(tr(kWords[static_cast<std::size_t>(obstacle.kind)]));
+  const bool isOneKind = all([first](ObstacleKind kind) { return kind == first; });
+  section_->setNote(isOneKind ? tr(kWords[static_cast<std::size_t>(first)]) : tr("several shapes"));
   for (const auto& [field, kinds] : rows_) {
-    const bool fits = std::find(kinds.begin(), kinds.end(), obstacle.kind) != kinds.end();
-    section_->setRowVisible(field, fits);
+    section_->setRowVisible(field, all([&of = kinds](ObstacleKind kind) {
+                              return std::find(of.begin(), of.end(), kind) != of.end();
+                            }));
   }
 }
 
@@ -209,7 +215,9 @@ void AreaPage::refresh() {
   PropertyPage::refresh();
   const std::vector<Entity> shown = values();
   source_->setVisible(!shown.empty() &&
-                      std::get<Area>(shown.front()).kind == sim2d::AreaKind::Source);
+                      std::all_of(shown.begin(), shown.end(), [](const Entity& each) {
+                        return std::get<Area>(each).kind == sim2d::AreaKind::Source;
+                      }));
 }
 
 }  // namespace editor

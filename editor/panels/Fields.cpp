@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QAbstractItemView>
 #include <QContextMenuEvent>
@@ -47,12 +48,32 @@ NumberField::NumberField(const Range& range, const QString& unit, QWidget* paren
                       QDoubleSpinBox::textFromValue(range.maximum), suffix()));
   connect(this, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double value) {
     if (!showing_) {
-      mixed_ = false;
-      default_ = false;
-      setPale(false);
-      Q_EMIT edited(value);
+      take(value);
     }
   });
+  connect(lineEdit(), &QLineEdit::textEdited, this, [this](const QString& text) {
+    overDash_ = std::exchange(mixed_, false) || overDash_;
+    QString typed = text;
+    int position = 0;
+    isTypedFine_ = validate(typed, position) == QValidator::Acceptable;
+  });
+  connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
+    if (!std::exchange(overDash_, false)) {
+      return;
+    }
+    isTypedFine_ ? take(value()) : showMixed();  // one of the values may be what was typed
+  });
+}
+
+/// What the user wants from now on.
+void NumberField::take(double value) {
+  overDash_ = false;
+  if (std::exchange(mixed_, false)) {
+    lineEdit()->setText(textFromValue(value) + suffix());
+  }
+  default_ = false;
+  setPale(false);
+  Q_EMIT edited(value);
 }
 
 void NumberField::show(double value, bool isDefault) {

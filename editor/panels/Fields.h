@@ -44,12 +44,15 @@ class NumberField : public QDoubleSpinBox {
   void focusOutEvent(QFocusEvent* event) override;
 
  private:
+  void take(double value);
   void noteValidity(bool valid) const;
   void setPale(bool pale);
   QString bare(const QString& text) const;
   void showUnit();
   QString unit_, unitOfOne_;
   bool mixed_ = false;
+  bool overDash_ = false;  // something is typed where several values are
+  bool isTypedFine_ = false;
   bool default_ = false;
   bool showing_ = false;
 };

@@ -64,6 +64,7 @@ FormSection::FormSection(const QString& title, QWidget* parent)
   heading_->setAutoRaise(true);
   heading_->setArrowType(Qt::DownArrow);
   heading_->setFixedHeight(32);
+  heading_->setToolTip(QObject::tr("Fold or unfold"));
   QFont bold = heading_->font();
   bold.setWeight(QFont::DemiBold);
   heading_->setFont(bold);

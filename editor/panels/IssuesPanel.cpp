@@ -13,8 +13,16 @@
 #include "editor/document/Fixes.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/Form.h"
+#include "editor/panels/WholeRows.h"
 
 namespace editor {
+
+namespace {
+
+constexpr int kRowHeight = 24;
+constexpr int kSentenceMargin = 44;  // icon and what keeps it off the text and the edges [px]
+
+}  // namespace
 
 QString issueSentence(const base::Diagnostic& issue) {
   QString text = QString::fromStdString(issue.message);
@@ -31,7 +39,8 @@ QString issueSentence(const base::Diagnostic& issue) {
   return text;
 }
 
-/// Columns: sentence with the icon of its severity, place, what mends it.
+/// Columns: sentence with the icon of its severity, place, what mends it. Where nothing does, the
+/// place stands at the end, and the sentence has the room of both.
 class IssuesModel : public QAbstractTableModel {
  public:
   enum Column { SentenceColumn, PlaceColumn, FixColumn, ColumnCount };
@@ -61,6 +70,12 @@ class IssuesModel : public QAbstractTableModel {
   const base::Diagnostics& issues() const { return issues_; }
   const base::Diagnostic& issue(int row) const { return issues_[static_cast<std::size_t>(row)]; }
   const QString& fixWords(int row) const { return fixes_[static_cast<std::size_t>(row)]; }
+  bool hasFix(int row) const { return !fixWords(row).isEmpty(); }
+  /// Columns that the sentence of a row covers.
+  int sentenceSpan(int row) const {
+    const bool hasPlace = !place(issue(row)).isEmpty();
+    return hasFix(row) ? (hasPlace ? 1 : 2) : (hasPlace ? 2 : 3);
+  }
   int countOf(const QString& words) const {
     return static_cast<int>(std::count(fixes_.begin(), fixes_.end(), words));
   }
@@ -76,19 +91,21 @@ class IssuesModel : public QAbstractTableModel {
     switch (role) {
       case Qt::DisplayRole:
         return index.column() == SentenceColumn ? issueSentence(issue)
-               : index.column() == PlaceColumn  ? place(issue)
-                                                : fixWords(index.row());
+               : index.column() == PlaceColumn  ? (hasFix(index.row()) ? place(issue) : QString())
+               : hasFix(index.row())            ? fixWords(index.row())
+                                                : place(issue);
       case Qt::ToolTipRole:
-        return index.column() == FixColumn ? fixWords(index.row())
-                                           : QString::fromStdString(issue.text());
+        return index.column() == FixColumn && hasFix(index.row())
+                   ? fixWords(index.row())
+                   : QString::fromStdString(issue.text());
       case Qt::DecorationRole:
         return index.column() == SentenceColumn
                    ? icons_.at(static_cast<std::size_t>(issue.severity))
                    : QVariant();
       case Qt::ForegroundRole:
-        return index.column() == PlaceColumn ? pale_
-               : index.column() == FixColumn ? link_
-                                             : QVariant();
+        return index.column() == SentenceColumn                     ? QVariant()
+               : index.column() == FixColumn && hasFix(index.row()) ? link_
+                                                                    : pale_;
       case Qt::TextAlignmentRole:
         return static_cast<int>(
             (index.column() == SentenceColumn ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
@@ -134,18 +151,16 @@ IssuesPanel::IssuesPanel(ScenarioDocument& document, const Theme& theme, QWidget
   stack_->addWidget(table_);
   connect(table_, &QTableView::clicked, this, [this](const QModelIndex& index) {
     const base::Diagnostic issue = model_->issue(index.row());
-    const bool fix =
-        index.column() == IssuesModel::FixColumn && !model_->fixWords(index.row()).isEmpty();
+    const bool fix = index.column() == IssuesModel::FixColumn && model_->hasFix(index.row());
     fix ? mend(issue) : jump(issue);
   });
   connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) {
-    if (index.column() != IssuesModel::FixColumn) {
+    if (index.column() != IssuesModel::FixColumn || !model_->hasFix(index.row())) {
       jump(base::Diagnostic(model_->issue(index.row())));
     }
   });
   connect(table_, &QTableView::entered, this, [this](const QModelIndex& index) {
-    const bool link =
-        index.column() == IssuesModel::FixColumn && !model_->fixWords(index.row()).isEmpty();
+    const bool link = index.column() == IssuesModel::FixColumn && model_->hasFix(index.row());
     table_->viewport()->setCursor(link ? Qt::PointingHandCursor : Qt::ArrowCursor);
   });
   connect(table_, &QTableView::customContextMenuRequested, this, &IssuesPanel::offerMenu);
@@ -170,7 +185,15 @@ void IssuesPanel::makeTable() {
   header->setSectionResizeMode(IssuesModel::PlaceColumn, QHeaderView::ResizeToContents);
   header->setSectionResizeMode(IssuesModel::FixColumn, QHeaderView::ResizeToContents);
   table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(24);
+  table_->verticalHeader()->setDefaultSectionSize(kRowHeight);
+  table_->setWordWrap(true);
+  table_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);  // rows differ in height
+  connect(header, &QHeaderView::sectionResized, this, [this] { fit_.start(); });
+  fit_.setSingleShot(true);
+  fit_.setInterval(0);
+  connect(&fit_, &QTimer::timeout, this, [this] {
+    fitRowHeights(*table_, IssuesModel::SentenceColumn, kSentenceMargin, kRowHeight);
+  });
   table_->viewport()->setAutoFillBackground(false);
   table_->setAccessibleName(tr("Issues"));
 }
@@ -259,6 +282,13 @@ void IssuesPanel::rebuild() {
                            .arg(counted(scenario.humans.size(), tr("person"), tr("people")),
                                 counted(scenario.goals.size(), tr("goal"), tr("goals"))));
   model_->set(std::move(all), document_);
+  table_->clearSpans();
+  for (int row = 0; row < model_->rowCount(); ++row) {
+    if (const int span = model_->sentenceSpan(row); span > 1) {
+      table_->setSpan(row, IssuesModel::SentenceColumn, 1, span);
+    }
+  }
+  fit_.start();
   stack_->setCurrentIndex(model_->rowCount() > 0 ? 1 : 0);
   Q_EMIT countChanged(count());
 }

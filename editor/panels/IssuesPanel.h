@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QStackedLayout>
 #include <QTableView>
+#include <QTimer>
 
 #include "editor/document/ScenarioDocument.h"
 #include "editor/look/Theme.h"
@@ -51,6 +52,7 @@ class IssuesPanel : public QWidget {
   QStackedLayout* stack_;
   QTableView* table_;
   QLabel* calm_;
+  QTimer fit_;  // of the rows to their texts, once for many changes
 };
 
 }  // namespace editor

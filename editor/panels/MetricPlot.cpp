@@ -9,6 +9,7 @@
 #include <qwt_plot_curve.h>
 #include <qwt_plot_grid.h>
 #include <qwt_plot_marker.h>
+#include <qwt_scale_div.h>
 #include <qwt_scale_draw.h>
 #include <qwt_scale_widget.h>
 
@@ -17,6 +18,8 @@
 namespace editor {
 
 namespace {
+
+constexpr int kLeastMargin = 12;  // at the right [px]
 
 class SecondsDraw : public QwtScaleDraw {
  public:
@@ -112,12 +115,26 @@ void MetricPlot::show(const metrics::MetricResult* result, const MetricCurve* cu
   const bool any = !points.isEmpty();
   const double end = curve != nullptr && !curve->times.empty() ? curve->times.back() : 1.0;
   plot_->setAxisScale(QwtPlot::xBottom, 0.0, std::max(end, 1.0));
+  reserveEnd();
   if (any) {
     plot_->setAxisAutoScale(QwtPlot::yLeft);
   } else {
     plot_->setAxisScale(QwtPlot::yLeft, 0.0, 1.0);
   }
   plot_->replot();
+}
+
+/// Half of the last time stands beyond the end of the axis.
+void MetricPlot::reserveEnd() {
+  plot_->updateAxes();
+  const QList<double> ticks = plot_->axisScaleDiv(QwtPlot::xBottom).ticks(QwtScaleDiv::MajorTick);
+  if (ticks.isEmpty()) {
+    return;
+  }
+  const QString last = plot_->axisScaleDraw(QwtPlot::xBottom)->label(ticks.back()).text();
+  const QFontMetrics metrics(plot_->axisFont(QwtPlot::xBottom));
+  plot_->setContentsMargins(0, 0, std::max(kLeastMargin, metrics.horizontalAdvance(last) / 2 + 4),
+                            0);
 }
 
 void MetricPlot::setCursor(double time) {

@@ -28,6 +28,7 @@ class MetricPlot : public QWidget {
 
  private:
   void layOut();
+  void reserveEnd();
   QLabel* title_;
   QLabel* unit_;
   QwtPlot* plot_;

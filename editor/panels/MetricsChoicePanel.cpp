@@ -89,6 +89,8 @@ MetricsChoicePanel::MetricsChoicePanel(ScenarioDocument& document, MetricsFeed& 
       tree_->doItemsLayout();
     }
   });
+  all_->setToolTip(tr("Measure all that the list shows"));
+  none_->setToolTip(tr("Measure nothing of what the list shows"));
   save_->setToolTip(tr("Write the choice into the metrics file of the scenario"));
   auto* links = new QHBoxLayout;
   links->setContentsMargins(12, 0, 12, 0);

@@ -8,13 +8,13 @@
 #include "editor/panels/Form.h"
 #include "editor/panels/MetricPlot.h"
 #include "editor/panels/MetricsModel.h"
+#include "editor/panels/WholeRows.h"
 
 namespace editor {
 
 namespace {
 
 constexpr int kRowHeight = 24;
-constexpr int kRowPadding = 6;
 constexpr int kCellPadding = 20;
 
 }  // namespace
@@ -49,11 +49,15 @@ MetricsDock::MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Them
   table_->setColumnWidth(MetricsModel::NowColumn, 60);
   table_->setColumnWidth(MetricsModel::UnitColumn, 48);
   table_->setColumnWidth(MetricsModel::CourseColumn, 76);
-  connect(header, &QHeaderView::sectionResized, this, [this](int column) {
-    if (column == MetricsModel::NameColumn) {
-      fitRows();
-    }
-  });
+  // Later: columns have their new widths only when all of them are told.
+  connect(
+      header, &QHeaderView::sectionResized, this,
+      [this](int column) {
+        if (column == MetricsModel::NameColumn) {
+          fitRows();
+        }
+      },
+      Qt::QueuedConnection);
   auto* both = new QSplitter(Qt::Horizontal, this);
   both->addWidget(table_);
   both->addWidget(plot_);
@@ -99,14 +103,8 @@ void MetricsDock::takeSnapshot() {
 
 /// Names that are longer than their column go on in further lines.
 void MetricsDock::fitRows() {
-  const QFontMetrics metrics(table_->font());
-  const int room = table_->columnWidth(MetricsModel::NameColumn) - kCellPadding;
   fittedRows_ = model_->rowCount();
-  for (int row = 0; row < fittedRows_; ++row) {
-    const QString name = model_->index(row, MetricsModel::NameColumn).data().toString();
-    const QRect letters = metrics.boundingRect(QRect(0, 0, room, 1000), Qt::TextWordWrap, name);
-    table_->setRowHeight(row, std::max(kRowHeight, letters.height() + kRowPadding));
-  }
+  fitRowHeights(*table_, MetricsModel::NameColumn, kCellPadding, kRowHeight);
 }
 
 std::string MetricsDock::selectedKey() const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "editor/canvas/FigurePainter.h"
+#include "editor/document/Reactions.h"
 #include "editor/panels/GoalAssignment.h"
 #include "editor/panels/PersonKeys.h"
 #include "editor/panels/Skins.h"
@@ -36,8 +37,9 @@ void PersonPage::addPersonSection() {
     behavior.words.push_back(lookName(lookOf(static_cast<BehaviorType>(i))));
   }
   behavior.get = [](const Entity& entity) { return static_cast<int>(behaviorOf(entity)) - 1; };
-  behavior.set = [](Entity& entity, int index) {
+  behavior.set = [this](Entity& entity, int index) {
     personOf(entity).behavior.type = static_cast<BehaviorType>(index + 1);
+    completeReaction(document().scenario(), personOf(entity));
   };
   behavior.hint = tr("How the person reacts to the robot");
   behavior_ = addChoice(section, behavior);

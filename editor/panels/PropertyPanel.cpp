@@ -18,17 +18,26 @@ namespace {
 
 constexpr int kPictureSize = 36;
 
-QString aboutPerson(const sim2d::Human& human) {
+QString aboutPerson(const sim2d::Scenario& scenario, const sim2d::Human& human) {
   const QString number = QObject::tr("Person %1").arg(human.id);
+  if (!human.listed) {
+    const auto source =
+        std::find_if(scenario.areas.begin(), scenario.areas.end(), [&](const sim2d::Area& area) {
+          return area.kind == sim2d::AreaKind::Source && area.like == human.name;
+        });
+    return source == scenario.areas.end() ? number + QObject::tr(" · switched off")
+                                          : QObject::tr("Pattern of those who come from %1")
+                                                .arg(QString::fromStdString(source->name));
+  }
   if (human.goals.empty()) {
     return number + QObject::tr(" · stands still");
   }
   return number + QObject::tr(" · walks to goal %1").arg(human.goals.front());
 }
 
-QString aboutOne(const Entity& entity) {
+QString aboutOne(const sim2d::Scenario& scenario, const Entity& entity) {
   if (const auto* human = std::get_if<sim2d::Human>(&entity)) {
-    return aboutPerson(*human);
+    return aboutPerson(scenario, *human);
   }
   if (const auto* robot = std::get_if<sim2d::Robot>(&entity)) {
     return QObject::tr("Robot · %1")
@@ -157,7 +166,8 @@ void PropertyPanel::showHeading(const std::vector<EntityId>& ids) {
     about_->setText(tr("Scenario · nothing selected"));
   } else {
     name_->setWords(displayName(*first));
-    about_->setText(others == 0 ? aboutOne(*first) : tr("%1 · and %2").arg(aboutOne(*first), rest));
+    const QString one = aboutOne(document_.scenario(), *first);
+    about_->setText(others == 0 ? one : tr("%1 · and %2").arg(one, rest));
   }
 }
 

@@ -12,15 +12,16 @@
 #include <QVBoxLayout>
 
 #include "editor/document/EditCommands.h"
-#include "editor/document/Groups.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/Form.h"
+#include "editor/panels/WholeRows.h"
 
 namespace editor {
 
 namespace {
 
 constexpr int kEmptyHeight = 72;  // two lines and their margins
+constexpr int kRowHeight = 24;
 
 bool canBeOff(const QModelIndex& index) {
   const auto kind = static_cast<EntityKind>(index.data(EntityModel::IdKindRole).toInt());
@@ -153,7 +154,7 @@ ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme, QWi
   top->setContentsMargins(12, 0, 12, 0);
   top->addWidget(filterField_);
   layout->addLayout(top);
-  layout->addWidget(tree_, 1);
+  layout->addWidget(new WholeRows(*tree_, kRowHeight, this), 1);
   empty_->setMinimumHeight(kEmptyHeight);
   layout->addWidget(empty_);
   connect(filterField_, &QLineEdit::textChanged, this, [this](const QString& text) {
@@ -238,25 +239,6 @@ void ScenarioPanel::takeSelection() {
   syncing_ = false;
 }
 
-void ScenarioPanel::offerMenu(const QPoint& at) {
-  const EntityId id = filter_->idOf(tree_->indexAt(at));
-  if (!id) {
-    return;
-  }
-  auto* menu = new QMenu(this);
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  connect(menu->addAction(tr("Show on the map")), &QAction::triggered, this,
-          [this, id] { Q_EMIT activated(id); });
-  fillMenu(*menu, id);
-  menu->addSeparator();
-  connect(menu->addAction(tr("Duplicate")), &QAction::triggered, this, [this] {
-    document_.setSelection(pushDuplicate(document_, document_.selection(), Vec2(0.5, -0.5)));
-  });
-  connect(menu->addAction(tr("Delete")), &QAction::triggered, this,
-          [this] { pushRemove(document_, document_.selection()); });
-  menu->popup(tree_->viewport()->mapToGlobal(at));
-}
-
 /// In its row, which has to be seen for that.
 void ScenarioPanel::rename(EntityId id) {
   for (QWidget* widget = parentWidget(); widget != nullptr; widget = widget->parentWidget()) {
@@ -271,32 +253,6 @@ void ScenarioPanel::rename(EntityId id) {
   tree_->scrollTo(filter_->indexOf(id));
   tree_->setFocus();
   tree_->edit(filter_->indexOf(id));
-}
-
-void ScenarioPanel::fillMenu(QMenu& menu, EntityId id) {
-  connect(menu.addAction(tr("Rename")), &QAction::triggered, this, [this, id] { rename(id); });
-  if (id.kind != EntityKind::Goal) {
-    const bool listed = model_->indexOf(id).data(EntityModel::ListedRole).toBool();
-    connect(menu.addAction(listed ? tr("Switch off") : tr("Switch on")), &QAction::triggered, this,
-            [this, listed] { pushListed(document_, document_.selection(), !listed); });
-  }
-  connect(menu.addAction(tr("Select all of the kind")), &QAction::triggered, this,
-          [this, id] { document_.setSelection(document_.entities(id.kind)); });
-  if (id.kind == EntityKind::Human) {
-    addPeopleActions(menu);
-  }
-}
-
-void ScenarioPanel::addPeopleActions(QMenu& menu) {
-  menu.addSeparator();
-  connect(menu.addAction(tr("Assign goals…")), &QAction::triggered, this,
-          &ScenarioPanel::goalsWanted);
-  QAction* group = menu.addAction(tr("Walk as a group"));
-  group->setEnabled(document_.selection().size() > 1);
-  connect(group, &QAction::triggered, this,
-          [this] { pushGroup(document_, document_.selection()); });
-  connect(menu.addAction(tr("Walk alone")), &QAction::triggered, this,
-          [this] { pushJoin(document_, document_.selection(), -1); });
 }
 
 void ScenarioPanel::switchEye(const QModelIndex& index) {

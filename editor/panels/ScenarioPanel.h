@@ -47,13 +47,14 @@ class ScenarioPanel : public QWidget {
   EntityModel& model() const { return *model_; }
   /// Entries for one thing that is selected, alone or with others.
   void fillMenu(QMenu& menu, EntityId id);
+  /// Lets its name be typed in its row.
+  void rename(EntityId id);
 
  Q_SIGNALS:
   void activated(editor::EntityId id);  // double click or return: go there on the map
   void goalsWanted();                   // assign goals to who is selected
 
  private:
-  void rename(EntityId id);
   void takeSelection();
   void showEmptiness();
   void giveSelection();

@@ -47,12 +47,22 @@ void paintMark(QPainter& painter, NodeStatus status, const Theme& theme) {
   }
 }
 
-/// Words for the rows of controls and decorators, where the ID alone says little.
+/// "RunOnce" -> "Run once"
+QString spaced(const QString& id) {
+  QString words;
+  for (int i = 0; i < id.size(); ++i) {
+    const bool starts = i > 0 && id[i].isUpper() && id[i - 1].isLower();
+    words += starts ? QLatin1Char(' ') + QString(id[i].toLower()) : QString(id[i]);
+  }
+  return words;
+}
+
+/// Words for the rows of controls and decorators, where the name alone says little.
 QString kindText(const bt::NodeSpec& node) {
   if (node.isSubTree()) {
     return QObject::tr("subtree");
   }
-  return node.name.empty() ? QString() : QString::fromStdString(node.id).toLower();
+  return node.name.empty() ? QString() : spaced(QString::fromStdString(node.id)).toLower();
 }
 
 QString unitOf(const bt::PortSpec& port) {
@@ -63,15 +73,7 @@ QString unitOf(const bt::PortSpec& port) {
 
 QString nodeTitle(const bt::NodeSpec& node) {
   const QString label = QString::fromStdString(node.label());
-  if (!node.name.empty() || node.isSubTree()) {
-    return label;
-  }
-  QString words;
-  for (int i = 0; i < label.size(); ++i) {
-    const bool starts = i > 0 && label[i].isUpper() && label[i - 1].isLower();
-    words += starts ? QLatin1Char(' ') + QString(label[i].toLower()) : QString(label[i]);
-  }
-  return words;
+  return node.name.empty() && !node.isSubTree() ? spaced(label) : label;
 }
 
 QString nodeValues(const bt::NodeSpec& node) {

@@ -15,6 +15,7 @@ namespace editor {
 namespace {
 
 constexpr int kKindCount = 4;
+constexpr int kPatternId = 0;  // those who walk themselves count from 1
 
 }  // namespace
 
@@ -103,6 +104,7 @@ void AreaTool::makeSource(sim2d::Area area) {
   }
   sim2d::Human visitor = newPerson();
   visitor.name = freeName(document().scenario(), "visitor");
+  visitor.id = kPatternId;
   visitor.listed = false;
   visitor.cyclicGoals = false;
   visitor.initPose.position = *positionOf(area);

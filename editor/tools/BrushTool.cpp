@@ -5,6 +5,7 @@
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
 #include "editor/document/EditCommands.h"
+#include "editor/document/Reactions.h"
 #include "editor/tools/CrowdOptions.h"
 #include "sim2d/base/Rng.h"
 
@@ -38,6 +39,7 @@ QWidget* BrushTool::makeOptions(QWidget* parent) {
 void BrushTool::lay(const Vec2& at, double heading) {
   const int index = nextDraw(document()) + drawn_;
   sim2d::Human human = drawnPerson(recipe_, index, document().scenario().goals);
+  completeReaction(document().scenario(), human);
   const base::AgentRng rng(static_cast<std::uint64_t>(recipe_.seed), kSideways,
                            static_cast<std::uint64_t>(index));
   ++drawn_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "editor/document/Reactions.h"
 #include "editor/tools/PersonTool.h"
 #include "sim2d/base/Rng.h"
 #include "sim2d/map/Outlines.h"
@@ -165,6 +166,7 @@ std::vector<sim2d::Human> fillCrowd(const std::vector<Vec2>& polygon, int count,
   const int first = nextDraw(document);
   for (int index = first; index < first + count; ++index) {
     sim2d::Human human = drawnPerson(recipe, index, document.scenario().goals);
+    completeReaction(document.scenario(), human);
     const AgentRng rng(static_cast<std::uint64_t>(recipe.seed), kPlaces,
                        static_cast<std::uint64_t>(index));
     for (std::uint32_t trial = 0; trial < kTrials; ++trial) {

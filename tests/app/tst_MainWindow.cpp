@@ -165,6 +165,20 @@ class MainWindowTest : public QObject {
     QVERIFY(!document().isDirty());
   }
 
+  void keys_f2OnTheMap_renamesInTheList() {
+    QVERIFY(window_->open(quiet::demoPath()));
+    QVERIFY(!window_->actions().rename->isEnabled());
+    document().setSelection({document().entities(base::EntityKind::Human).front()});
+    view().setFocus();
+    QTest::keyClick(view().window()->windowHandle(), Qt::Key_F2);
+    QWidget* const field = QApplication::focusWidget();
+    QVERIFY(qobject_cast<QLineEdit*>(field) != nullptr);
+    QTest::keyClicks(field, QStringLiteral("Zoe"));
+    QTest::keyClick(field, Qt::Key_Return);
+    QTRY_COMPARE(document().scenario().humans.front().name, std::string("Zoe"));
+    document().undoStack().undo();
+  }
+
   void open_brokenFile_tellsInTheIssues() {
     QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("broken.yaml"));

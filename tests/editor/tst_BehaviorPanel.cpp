@@ -8,6 +8,7 @@
 #include "editor/look/HouseStyle.h"
 #include "editor/panels/BehaviorPanel.h"
 #include "editor/panels/BlockDialog.h"
+#include "editor/panels/RowDelegate.h"
 #include "editor/run/DocumentWorld.h"
 
 using editor::BehaviorPanel;
@@ -88,6 +89,26 @@ class BehaviorPanelTest : public QObject {
     panel_.reset();
     runner_.reset();
     document_.reset();
+  }
+
+  void outline_namedControls_tellTheirKindInWords() {
+    select(2);  // a curious one, whose tree has a control with a name
+    QStringList kinds;
+    QTreeWidgetItemIterator each(&panel_->outline());
+    for (; *each != nullptr; ++each) {
+      kinds << (*each)->data(0, editor::kSideTextRole).toString();
+      QVERIFY2(!kinds.back().contains(QStringLiteral("runonce")), qPrintable(kinds.back()));
+    }
+    QVERIFY(kinds.contains(QStringLiteral("sequence")));
+  }
+
+  void outline_anyHeight_showsWholeRows() {
+    select(0);
+    for (const int height : {640, 647, 661}) {
+      panel_->resize(320, height);
+      const QRect row = panel_->outline().visualItemRect(panel_->outline().topLevelItem(0));
+      QCOMPARE(panel_->outline().viewport()->height() % row.height(), 0);
+    }
   }
 
   void person_selected_showsTheMadeTree() {

@@ -107,6 +107,8 @@ void CrowdToolsTest::fill_rectangle_holdsTheNumberApartFromEachOther() {
   const std::vector<sim2d::Human>& people = scenario().humans;
   QCOMPARE(people.size(), std::size_t{20});
   for (std::size_t i = 0; i < people.size(); ++i) {
+    const bool reacts = *people[i].behavior.type > sim2d::BehaviorType::Impassive;
+    QCOMPARE(people[i].behavior.dist.has_value(), reacts);  // what HuNavSim wants of them is there
     const Vec2& at = people[i].initPose.position;
     QVERIFY(at.x() > 6.4 && at.x() < 11.6 && at.y() > 0.4 && at.y() < 8.6);
     for (std::size_t k = 0; k < i; ++k) {

@@ -107,6 +107,25 @@ class IssuesPanelTest : public QObject {
     QCOMPARE(document.scenario().humans.front().goals, std::vector<int>{7});
   }
 
+  void sentence_longerThanItsRow_goesOnInAnotherLine() {
+    ScenarioDocument document;
+    IssuesPanel panel(document, editor::Theme::light());
+    panel.resize(420, 200);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    const QString words = QStringLiteral(
+        "The map has more pixels than can be shown at once, so that its finest "
+        "walls are only seen from near");
+    panel.setActionIssues({base::makeWarning("short"), base::makeWarning(words.toStdString())});
+    QTRY_VERIFY(panel.table().rowHeight(1) >= 40);
+    QVERIFY(panel.table().rowHeight(0) < 30);
+    const QModelIndex cell = panel.table().model()->index(1, 0);
+    QVERIFY(cell.data(Qt::ToolTipRole).toString().contains(words));
+    QVERIFY(panel.table().visualRect(cell).width() > 380);  // nothing else is in the row
+    panel.resize(1600, 200);
+    QTRY_VERIFY(panel.table().rowHeight(1) < 30);
+  }
+
   void missingGoals_linkAsksForTheDialog() {
     ScenarioDocument document;
     sim2d::Scenario scenario = personWithUnknownGoal();
@@ -152,8 +171,8 @@ class IssuesPanelTest : public QObject {
                            base::makeError("bad key", "/tmp/a.yaml", 12, 7)});
     QCOMPARE(panel.count(), 2);
     const QAbstractItemModel* model = panel.table().model();
-    QCOMPARE(model->index(0, 0).data().toString(), QStringLiteral("Bad key"));  // errors first
-    QCOMPARE(model->index(0, 1).data().toString(), QStringLiteral("a.yaml:12"));
+    QCOMPARE(model->index(0, 0).data().toString(), QStringLiteral("Bad key"));    // errors first
+    QCOMPARE(model->index(0, 2).data().toString(), QStringLiteral("a.yaml:12"));  // at the end
     QSignalSpy wanted(&panel, &IssuesPanel::fileWanted);
     clickRow(panel.table(), 0);
     QCOMPARE(wanted.count(), 1);

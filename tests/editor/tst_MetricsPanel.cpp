@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "editor/panels/EventsPanel.h"
+#include "editor/panels/MetricPlot.h"
 #include "editor/panels/MetricsDock.h"
 #include "editor/panels/PlaybackActions.h"
 #include "editor/panels/TimelineBar.h"
@@ -51,6 +52,30 @@ class MetricsPanelTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void plot_narrow_lastTimeIsWhole() {
+    editor::MetricPlot plot(editor::Theme::light());
+    plot.resize(180, 160);
+    plot.QWidget::show();
+    QVERIFY(QTest::qWaitForWindowExposed(&plot));
+    for (const double end : {5.0, 60.0, 1000.0}) {
+      editor::MetricCurve curve;
+      curve.times = {0.0, end};
+      curve.values = {0.0, 1.0};
+      plot.show(nullptr, &curve);
+      QCoreApplication::processEvents();
+      const QImage picture = plot.grab().toImage();
+      const QRgb ground = editor::Theme::light().color(editor::Role::Panel).rgb();
+      bool hasAxis = false;
+      for (int y = picture.height() - 24; y < picture.height() - 6; ++y) {
+        QCOMPARE(picture.pixel(picture.width() - 2, y), ground);  // nothing runs out of the plot
+        for (int x = 3 * picture.width() / 4; x < picture.width(); ++x) {
+          hasAxis = hasAxis || picture.pixel(x, y) != ground;
+        }
+      }
+      QVERIFY(hasAxis);
+    }
+  }
+
   void dock_afterARun_equalsEvaluate() {
     ScenarioDocument document;
     document.load(passing());
@@ -75,6 +100,12 @@ class MetricsPanelTest : public QObject {
       defined += expected.value.value ? 1 : 0;
     }
     QVERIFY(defined > 10);
+    dock.resize(900, 220);
+    dock.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&dock));
+    const auto* table = dock.findChild<QTableView*>();
+    QTRY_VERIFY(table->rowHeight(0) < 30);  // there is room for one line
+    QTRY_VERIFY(table->rowHeight(3) < 30);
     dock.selectMetric(QStringLiteral("path_length"));
     QVERIFY(!feed.snapshot().curves.at("path_length").times.empty());
   }

@@ -156,10 +156,34 @@ class PropertyPanelTest : public QObject {
     QTest::keyClick(speed, Qt::Key_Return);
     QCOMPARE(*human(0).maxVel, 1.2);
     QCOMPARE(*human(1).maxVel, 1.2);
+    QCOMPARE(speed->text(), QStringLiteral("1.20 m/s"));
     QCOMPARE(document_->undoStack().count(), 1);
     document_->undoStack().undo();
     QCOMPARE(*human(0).maxVel, 1.0);
     QCOMPARE(*human(1).maxVel, 1.5);
+    QVERIFY(speed->isMixed());
+  }
+
+  void several_oneOfTheValuesTyped_goesToAll() {
+    for (const QString& typed : {QStringLiteral("1.0"), QStringLiteral("1.5")}) {
+      document_->setSelection({key(0), key(1)});
+      auto* speed = field<NumberField>(QStringLiteral("Top speed"));
+      type(speed, typed);
+      QTest::keyClick(speed, Qt::Key_Return);
+      QCOMPARE(*human(0).maxVel, typed.toDouble());
+      QCOMPARE(*human(1).maxVel, typed.toDouble());
+      document_->undoStack().undo();
+    }
+  }
+
+  void several_nonsenseTyped_leavesThemAsTheyAre() {
+    document_->setSelection({key(0), key(1)});
+    auto* speed = field<NumberField>(QStringLiteral("Top speed"));
+    type(speed, QStringLiteral("99"));
+    QTest::keyClick(speed, Qt::Key_Tab);
+    QCOMPARE(document_->undoStack().count(), 0);
+    QVERIFY(speed->isMixed());
+    QVERIFY(speed->text().startsWith(QStringLiteral("–")));
   }
 
   void default_leftOut_isShownPaleAndStaysOut() {

@@ -59,6 +59,54 @@ class ScenarioPanelTest : public QObject {
     QVERIFY(rowOf({EntityKind::Human, 1}).isValid());
   }
 
+  void filter_typed_tellsHowManyOfAllAreSeen() {
+    const auto count = [this] {
+      const QAbstractItemModel& model = *panel_->tree().model();
+      return model.index(0, editor::EntityModel::BehaviorColumn).data().toString();
+    };
+    QCOMPARE(count(), QStringLiteral("6"));
+    panel_->filter().setText(QStringLiteral("scared"));
+    QCOMPARE(count(), QStringLiteral("1 of 6"));
+    panel_->filter().clear();
+    QCOMPARE(count(), QStringLiteral("6"));
+  }
+
+  void menu_walkAlone_isForThoseInAGroup() {
+    const EntityId ana{EntityKind::Human, 1};
+    const EntityId ben{EntityKind::Human, 2};
+    const auto entry = [&](const QString& text) {
+      auto menu = std::make_shared<QMenu>();
+      panel_->fillMenu(*menu, ana);
+      for (QAction* action : menu->actions()) {
+        if (action->text() == text) {
+          return std::pair(menu, action);
+        }
+      }
+      return std::pair(menu, static_cast<QAction*>(nullptr));
+    };
+    document_->setSelection({ana});
+    QVERIFY(!entry(QStringLiteral("Walk alone")).second->isEnabled());
+    QVERIFY(!entry(QStringLiteral("Walk as a group")).second->isEnabled());
+    QVERIFY(entry(QStringLiteral("Walk alone"))
+                .second->toolTip()
+                .contains(QStringLiteral("in no group")));
+    document_->setSelection({ana, ben});
+    const auto group = entry(QStringLiteral("Walk as a group"));
+    QVERIFY(group.second->isEnabled());
+    group.second->trigger();
+    const auto alone = entry(QStringLiteral("Walk alone"));
+    QVERIFY(alone.second->isEnabled());
+    alone.second->trigger();
+    QVERIFY(editor::groupsOf(scenario()).empty());
+  }
+
+  void list_anyHeight_showsWholeRows() {
+    for (const int height : {300, 311, 320}) {
+      panel_->resize(260, height);
+      QCOMPARE(panel_->tree().viewport()->height() % placeOf({EntityKind::Human, 1}).height(), 0);
+    }
+  }
+
   void name_typedInPlace_renamesAndUndoes() {
     QTreeView& tree = panel_->tree();
     const EntityId ben{EntityKind::Human, 2};
@@ -102,7 +150,7 @@ class ScenarioPanelTest : public QObject {
     QVERIFY(!scenario().humans.back().listed);
     tree.scrollTo(rowOf(ben));
     QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, eye());
-    QVERIFY(scenario().humans.back().listed);
+    QVERIFY(scenario() == small::scenario());  // back at the place that the number has
     document_->undoStack().undo();
     document_->undoStack().undo();
     QVERIFY(scenario() == small::scenario());

@@ -275,6 +275,11 @@ void ShapeToolsTest::source_withoutPeople_bringsAPattern() {
   QVERIFY(source.rate && *source.rate > 0.0);
   const sim2d::Human* pattern = scenario().human(source.like.value_or(std::string()));
   QVERIFY(pattern != nullptr && !pattern->listed);
+  use("Person");
+  click(Vec2(3.0, 3.0));
+  QCOMPARE(scenario().humans.front().id, 1);  // those who walk themselves count from 1
+  QCOMPARE(scenario().humans.front().name, std::string("agent1"));
+  undo();
   undo();
   QVERIFY(scenario() == sim2d::Scenario());
 }
