@@ -149,6 +149,7 @@ QSize HouseStyle::sizeFromContents(ContentsType type, const QStyleOption* option
       break;
     case CT_ItemViewItem:
       result.setHeight(std::max(result.height(), kRowHeight));
+      result.rwidth() += endsTableRow(option, widget) ? kTableInset : 0;
       break;
     case CT_ToolButton:
       if (widget != nullptr && widget->property(kLinkProperty).toBool()) {

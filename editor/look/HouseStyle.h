@@ -61,8 +61,10 @@ class HouseStyle : public QProxyStyle {
   Theme theme_;
 };
 
-constexpr int kTableInset = 8;  // of the first column of tables [px]
+constexpr int kTableInset = 8;  // before the first column of tables and after the last [px]
 constexpr int kListInset = 6;   // of the rows of lists [px]
+/// Whether an item of a view is the last of its row in a table.
+bool endsTableRow(const QStyleOption* option, const QWidget* widget);
 /// A field with this property set to true is drawn with the edge of an error.
 constexpr const char* kInvalidProperty = "hunavInvalid";
 /// A tool button with this property draws its words as a link.

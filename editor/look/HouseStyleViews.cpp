@@ -24,6 +24,17 @@ bool isHovered(const QStyleOption& option) {
 
 }  // namespace
 
+bool endsTableRow(const QStyleOption* option, const QWidget* widget) {
+  const auto* table = qobject_cast<const QTableView*>(widget);
+  const auto* item = qstyleoption_cast<const QStyleOptionViewItem*>(option);
+  if (table == nullptr || item == nullptr || !item->index.isValid()) {
+    return false;
+  }
+  const int column = item->index.column();
+  return column + table->columnSpan(item->index.row(), column) ==
+         item->index.model()->columnCount();
+}
+
 /// Marks keep their colour in selected rows.
 QPixmap HouseStyle::generatedIconPixmap(QIcon::Mode mode, const QPixmap& pixmap,
                                         const QStyleOption* option) const {
@@ -32,7 +43,7 @@ QPixmap HouseStyle::generatedIconPixmap(QIcon::Mode mode, const QPixmap& pixmap,
 
 QRect HouseStyle::subElementRect(SubElement element, const QStyleOption* option,
                                  const QWidget* widget) const {
-  const QRect rect = QProxyStyle::subElementRect(element, option, widget);
+  QRect rect = QProxyStyle::subElementRect(element, option, widget);
   switch (element) {
     case SE_LineEditContents: {
       const bool alone =
@@ -40,6 +51,8 @@ QRect HouseStyle::subElementRect(SubElement element, const QStyleOption* option,
       return alone ? rect.adjusted(4, 0, -2, 0) : rect;
     }
     case SE_ItemViewItemText:
+      rect.adjust(0, 0, endsTableRow(option, widget) ? -kTableInset : 0, 0);
+      [[fallthrough]];
     case SE_ItemViewItemDecoration:
       if (const auto* item = qstyleoption_cast<const QStyleOptionViewItem*>(option);
           item != nullptr && item->index.column() == 0) {
@@ -112,12 +125,9 @@ void HouseStyle::drawRow(QPainter& painter, const QStyleOption& option,
   using Place = QStyleOptionViewItem::ViewItemPosition;
   bool first = item->viewItemPosition != Place::Middle && item->viewItemPosition != Place::End;
   bool last = item->viewItemPosition != Place::Middle && item->viewItemPosition != Place::Beginning;
-  if (const auto* table = qobject_cast<const QTableView*>(widget);
-      table != nullptr && item->index.isValid()) {
-    const int column = item->index.column();
-    first = column == 0;
-    last =
-        column + table->columnSpan(item->index.row(), column) == item->index.model()->columnCount();
+  if (qobject_cast<const QTableView*>(widget) != nullptr && item->index.isValid()) {
+    first = item->index.column() == 0;
+    last = endsTableRow(&option, widget);
   }
   QRectF band(option.rect);
   const bool leaf = item->index.isValid() && !item->index.model()->hasChildren(item->index);

@@ -20,7 +20,7 @@ namespace editor {
 namespace {
 
 constexpr int kRowHeight = 24;
-constexpr int kSentenceMargin = 44;  // icon and what keeps it off the text and the edges [px]
+constexpr int kSentenceMargin = 52;  // icon and what keeps it off the text and the edges [px]
 
 }  // namespace
 
@@ -146,7 +146,6 @@ IssuesPanel::IssuesPanel(ScenarioDocument& document, const Theme& theme, QWidget
       table_(new QTableView(this)),
       calm_(emptyState(tr("Everything is in order."), this)) {
   makeTable();
-  stack_->setContentsMargins(0, 0, 8, 0);  // links end before the edge
   stack_->addWidget(calm_);
   stack_->addWidget(table_);
   connect(table_, &QTableView::clicked, this, [this](const QModelIndex& index) {
