@@ -1,8 +1,11 @@
 #pragma once
 
-#include <QString>
+#include <QTemporaryDir>
+#include <QtTest>
 
 #include "app/window/MainWindow.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/scenario/ScenarioFile.h"
 
 /// A window for tests: its theme and its memory do not depend on who runs them.
 namespace quiet {
@@ -17,6 +20,38 @@ inline app::WindowSetup setup() {
 
 inline QString demoPath() {
   return QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
+}
+
+inline std::unique_ptr<app::MainWindow> shownWindow(const app::WindowSetup& how = setup()) {
+  auto window = std::make_unique<app::MainWindow>(how);
+  window->resize(1280, 800);
+  window->show();
+  [&] { QVERIFY(QTest::qWaitForWindowExposed(window.get())); }();
+  return window;
+}
+
+/// Closes it without a question about changes.
+inline void leave(std::unique_ptr<app::MainWindow>& window) {
+  window->workspace().document().undoStack().setClean();
+  window.reset();
+}
+
+/// The café with its map found by name, as this file; empty when it cannot be written.
+inline QString copyOfDemo(const QString& file) {
+  sim2d::ScenarioReading demo = sim2d::readScenario(demoPath().toStdString());
+  demo.scenario.yamlBaseName = "demo";
+  const base::Diagnostics problems =
+      base::writeFileAtomically(file.toStdString(), sim2d::writeScenario(demo.scenario));
+  return problems.empty() ? file : QString();
+}
+
+/// Pictures for people to look at, when HUNAV_PICTURES names a folder for them.
+inline void shoot(QWidget& widget, const QByteArray& name) {
+  const QByteArray folder = qgetenv("HUNAV_PICTURES");
+  QCoreApplication::processEvents();
+  if (!folder.isEmpty()) {
+    QVERIFY(widget.grab().save(QString::fromLocal8Bit(folder + '/' + name + ".png")));
+  }
 }
 
 }  // namespace quiet

@@ -34,15 +34,9 @@ class FileTroublesTest : public QObject {
   void initTestCase() { app::dressApplication(editor::Theme::light()); }
   void init() {
     folder_ = std::make_unique<QTemporaryDir>();
-    window_ = std::make_unique<MainWindow>(quiet::setup());
-    window_->resize(1280, 800);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    window_ = quiet::shownWindow();
   }
-  void cleanup() {
-    document().undoStack().setClean();
-    window_.reset();
-  }
+  void cleanup() { quiet::leave(window_); }
 
   void open_mapIsLost_noticeOffersAWayOut() {
     QVERIFY(window_->open(demoOnMap("nowhere")));
@@ -51,9 +45,9 @@ class FileTroublesTest : public QObject {
              qPrintable(notice.text));
     QCOMPARE(notice.choices.size(), std::size_t(2));
     QVERIFY(window_->docks().issues().hasErrors());
-    shoot("map-lost");
+    quiet::shoot(*window_, "map-lost");
     window_->setTheme(editor::Theme::dark());
-    shoot("map-lost-dark");
+    quiet::shoot(*window_, "map-lost-dark");
     window_->setTheme(editor::Theme::light());
     // a dialog that is cancelled leaves it as it was
     QTimer::singleShot(100, this, [] {
@@ -87,7 +81,7 @@ class FileTroublesTest : public QObject {
       for (const QPushButton* button : window_->notices().findChildren<QPushButton*>()) {
         QVERIFY(button->width() >= button->sizeHint().width());
       }
-      shoot(size.width() == 900 ? "notice-small" : "notice-wide");
+      quiet::shoot(*window_, size.width() == 900 ? "notice-small" : "notice-wide");
     }
   }
 
@@ -101,7 +95,7 @@ class FileTroublesTest : public QObject {
     const QString text = told("map").text;
     QVERIFY2(text.startsWith(utf8("Map file flat.yaml cannot be used, ")), qPrintable(text));
     QVERIFY2(text.contains(utf8("resolution")), qPrintable(text));
-    shoot("map-damaged");
+    quiet::shoot(*window_, "map-damaged");
   }
 
   void open_wrongYaml_isShownUnderItsNameAsReadOnly_data() {
@@ -122,7 +116,7 @@ class FileTroublesTest : public QObject {
     QVERIFY(document().isReadOnly());
     QVERIFY(window_->notices().isTold(utf8("read-only")));
     QVERIFY(window_->docks().issues().hasErrors());
-    shoot("wrong-yaml");
+    quiet::shoot(*window_, "wrong-yaml");
   }
 
   void open_noScenarioAtAll_staysOnTheStartPageAndTells() {
@@ -131,7 +125,7 @@ class FileTroublesTest : public QObject {
     QVERIFY(!window_->open(file));
     QVERIFY(window_->isOnStartPage());
     QVERIFY(told("unread").text.startsWith(utf8("notes.txt cannot be opened: ")));
-    shoot("start-unread");
+    quiet::shoot(*window_, "start-unread");
     QVERIFY(window_->open(quiet::demoPath()));
     QVERIFY(window_->notices().notices().empty());
   }
@@ -162,7 +156,7 @@ class FileTroublesTest : public QObject {
     QVERIFY(!window_->docks().issues().hasErrors());
     QVERIFY(document().isDirty());
     QVERIFY(document().scenario() == edited);
-    shoot("not-saved");
+    quiet::shoot(*window_, "not-saved");
     QVERIFY(window_->files().saveTo(at("cafe.yaml")));
     QVERIFY(window_->notices().notices().empty());
     QVERIFY(!document().isDirty());
@@ -178,13 +172,13 @@ class FileTroublesTest : public QObject {
     QVERIFY(told("export").isWarning);
     QVERIFY2(told("export").text.startsWith(utf8("Nothing was exported: ")),
              qPrintable(told("export").text));
-    shoot("not-exported");
+    quiet::shoot(*window_, "not-exported");
     request.folder = at("out").toStdString();
     const app::ExportPlan plan = app::planExport(window_->files().exportSource(), request);
     QVERIFY(window_->files().exportPlan(plan));
     QCOMPARE(told("export").text,
              utf8("%1 files were exported to %2.").arg(plan.files.size()).arg(at("out")));
-    shoot("exported");
+    quiet::shoot(*window_, "exported");
     QVERIFY(!window_->docks().issues().hasErrors());
   }
 
@@ -198,7 +192,7 @@ class FileTroublesTest : public QObject {
     QTRY_VERIFY(!window_->notices().isTold(utf8("gone")));
     QVERIFY(QFile::remove(file));
     QTRY_VERIFY(window_->notices().isTold(utf8("gone")));
-    shoot("gone");
+    quiet::shoot(*window_, "gone");
     window_->notices().choose(utf8("gone"), 0);
     QVERIFY(QFile::exists(file));
     QVERIFY(!window_->notices().isTold(utf8("gone")));
@@ -226,10 +220,10 @@ class FileTroublesTest : public QObject {
     }
     QVERIFY(create != nullptr && !create->isEnabled());
     dialog.show();
-    shootWidget(dialog, "image-empty");
+    quiet::shoot(dialog, "image-empty");
     dialog.view().setPoints({{0.0, 0.0}});
     QVERIFY(!create->isEnabled());
-    shootWidget(dialog, "image-one");
+    quiet::shoot(dialog, "image-one");
     dialog.view().setPoints({{0.0, 0.0}, {0.0, 0.0}});
     QVERIFY(!create->isEnabled());  // both on one place
     dialog.view().setPoints({{0.0, 0.0}, {400.0, 200.0}});
@@ -239,7 +233,7 @@ class FileTroublesTest : public QObject {
     dialog.setResolution(0.1);
     QVERIFY(create->isEnabled());
     QCOMPARE(dialog.map()->resolution(), 0.1);
-    shootWidget(dialog, "image-number");
+    quiet::shoot(dialog, "image-number");
   }
 
   void exportReport_sameWordsOfSeveralPeople_areOneLine() {
@@ -268,7 +262,7 @@ class FileTroublesTest : public QObject {
         app::ExportDialog dialog(window_->files().exportSource(), at("out"), theme);
         dialog.setTarget(utf8(target));
         dialog.show();
-        shootWidget(dialog, QByteArray("export-") + target + (isDark ? "-dark" : ""));
+        quiet::shoot(dialog, QByteArray("export-") + target + (isDark ? "-dark" : ""));
         auto* command = dialog.findChild<QPlainTextEdit*>();
         QString shown = command->toPlainText();
         QCOMPARE(shown.replace(utf8(" \\\n  "), utf8(" ")).toStdString(),
@@ -314,16 +308,6 @@ class FileTroublesTest : public QObject {
     const base::Diagnostics problems = base::writeFileAtomically(
         at("demo.yaml").toStdString(), sim2d::writeScenario(demo.scenario));
     return problems.empty() ? at("demo.yaml") : QString();
-  }
-
-  /// Pictures for people to look at, when a folder for them is named.
-  void shoot(const char* name) { shootWidget(*window_, name); }
-  static void shootWidget(QWidget& widget, const QByteArray& name) {
-    const QByteArray folder = qgetenv("HUNAV_PICTURES");
-    QCoreApplication::processEvents();
-    if (!folder.isEmpty()) {
-      QVERIFY(widget.grab().save(QString::fromLocal8Bit(folder + '/' + name + ".png")));
-    }
   }
 
   std::unique_ptr<QTemporaryDir> folder_;

@@ -1,24 +1,20 @@
-#include <QMessageBox>
 #include <QMimeData>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QtTest>
 
-#include "app/window/DocumentGuard.h"
-#include "app/window/ExportDialog.h"
 #include "app/window/MainWindow.h"
 #include "app/window/MapDialogs.h"
-#include "app/window/TreeChoiceDialog.h"
+#include "app/window/NoticeBar.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
-#include "editor/document/TreeFiles.h"
 #include "editor/panels/IssuesPanel.h"
 #include "sim2d/base/Text.h"
 #include "tests/app/QuietWindow.h"
 
 using app::MainWindow;
 
-/// Files and the window: what is asked, told and refused.
+/// Files that the window opens, gets and watches.
 class FileWindowTest : public QObject {
   Q_OBJECT
 
@@ -26,15 +22,9 @@ class FileWindowTest : public QObject {
   void initTestCase() { app::dressApplication(editor::Theme::light()); }
   void init() {
     folder_ = std::make_unique<QTemporaryDir>();
-    window_ = std::make_unique<MainWindow>(quiet::setup());
-    window_->resize(1280, 800);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    window_ = quiet::shownWindow();
   }
-  void cleanup() {
-    document().undoStack().setClean();
-    window_.reset();
-  }
+  void cleanup() { quiet::leave(window_); }
 
   void open_damagedFile_isShownWithANoticeAndRefusesToBeSaved() {
     const QString file = copyOfDemo();
@@ -52,69 +42,7 @@ class FileWindowTest : public QObject {
     QVERIFY(window_->files().saveTo(at("whole.yaml")));
     QVERIFY(!window_->docks().issues().hasErrors());
     QVERIFY(!window_->notices().isTold(QStringLiteral("read-only")));
-    shoot("damaged");
-  }
-
-  void leave_withUnsavedChanges_asksAndObeys() {
-    const QString file = copyOfDemo();
-    QVERIFY(window_->open(file));
-    const std::string before = *base::readTextFile(file.toStdString());
-    editor::pushRemove(document(), {document().entities(base::EntityKind::Human).front()});
-    const sim2d::Scenario edited = document().scenario();
-    answerBox(QMessageBox::Cancel);
-    window_->actions().close->trigger();
-    QVERIFY(boxText_.contains(QStringLiteral("demo.yaml")));
-    QVERIFY(!window_->isOnStartPage());
-    QVERIFY(document().scenario() == edited);
-    answerBox(QMessageBox::Discard);
-    window_->actions().close->trigger();
-    QVERIFY(window_->isOnStartPage());
-    QVERIFY(*base::readTextFile(file.toStdString()) == before);
-  }
-
-  void save_overComments_asksAndObeys() {
-    const QString file = copyOfDemo();
-    const std::string text = "# by hand\n" + *base::readTextFile(file.toStdString());
-    QVERIFY(base::writeFileAtomically(file.toStdString(), text).empty());
-    QVERIFY(window_->open(file));
-    editor::pushRemove(document(), {document().entities(base::EntityKind::Human).front()});
-    answerBox(QMessageBox::Cancel);
-    window_->actions().save->trigger();
-    QVERIFY(boxText_.contains(QStringLiteral("comment")));
-    QVERIFY(boxText_.endsWith(QStringLiteral("Save anyway?")));
-    QVERIFY(*base::readTextFile(file.toStdString()) == text);
-    answerBox(QMessageBox::Save);
-    window_->actions().save->trigger();
-    QVERIFY(*base::readTextFile(file.toStdString()) != text);
-    QVERIFY(!document().isDirty());
-  }
-
-  void saveAs_ontoAMap_isRefused_data() {
-    QTest::addColumn<QString>("name");
-    QTest::newRow("map in use") << QStringLiteral("cafe.yaml");
-    QTest::newRow("its image") << QStringLiteral("cafe.image");
-    QTest::newRow("a link to it") << QStringLiteral("link.yaml");
-    QTest::newRow("another map") << QStringLiteral("other.yaml");
-    QTest::newRow("a damaged map") << QStringLiteral("damaged.yaml");
-    QTest::newRow("an image") << QStringLiteral("other.pgm");
-  }
-  void saveAs_ontoAMap_isRefused() {
-    QFETCH(QString, name);
-    const QString map = mapWithNeighbours();
-    QVERIFY(window_->files().openNewFromMap(map));
-    QVERIFY(window_->files().nameForSaving().endsWith(QStringLiteral("/cafe_agents.yaml")));
-    const QString target = folder_->filePath(name);
-    const std::string before = *base::readTextFile(target.toStdString());
-    answerBox(QMessageBox::Ok);
-    QVERIFY(!window_->files().saveUnder(target));
-    QVERIFY2(boxText_.contains(name) && boxText_.contains(QStringLiteral("map")),
-             qPrintable(boxText_));
-    QVERIFY(*base::readTextFile(target.toStdString()) == before);
-    QVERIFY(window_->files().saveUnder(at("cafe_agents.yaml")));
-    QVERIFY(window_->files().saveUnder(at("cafe_agents.yaml")));  // over a scenario it may be
-    editor::ScenarioDocument again;
-    QVERIFY(!base::hasErrors(again.open(at("cafe_agents.yaml"))));
-    QVERIFY(!again.map()->isEmpty());
+    quiet::shoot(*window_, "damaged");
   }
 
   void anotherProgramWrites_noticeOffersToReload() {
@@ -125,7 +53,7 @@ class FileWindowTest : public QObject {
     changed.humans.pop_back();
     QVERIFY(base::writeFileAtomically(file.toStdString(), sim2d::writeScenario(changed)).empty());
     QTRY_VERIFY(window_->notices().isTold(QStringLiteral("changed")));
-    shoot("changed");
+    quiet::shoot(*window_, "changed");
     window_->notices().choose(QStringLiteral("changed"), 0);
     QCOMPARE(document().scenario().humans.size(), people - 1);
     QVERIFY(window_->notices().notices().empty());
@@ -208,31 +136,6 @@ class FileWindowTest : public QObject {
     QVERIFY(!window_->files().dropFile(broken, {}));
   }
 
-  void save_treeOfAChangedPerson_asksAndSavesWhatIsChosen() {
-    const QString file = copyOfDemo();
-    QVERIFY(window_->open(file));
-    const editor::EntityId person = document().scenario().humanById(1)->key;
-    document().undoStack().push(
-        new editor::EditTree(document(), person, kTree, QStringLiteral("Tree")));
-    QVERIFY(window_->files().saveTo(file));
-    editor::pushChange<sim2d::Human>(
-        document(), person, QStringLiteral("Type"),
-        [](sim2d::Human& human) { human.behavior.type = sim2d::BehaviorType::Scared; });
-    int asked = 0;
-    QTimer::singleShot(0, this, [&asked] {
-      auto* dialog = qobject_cast<app::TreeChoiceDialog*>(QApplication::activeModalWidget());
-      if (dialog != nullptr) {
-        ++asked;
-        dialog->choose(0, editor::TreeAnswer::TakeReplacement);
-        dialog->accept();
-      }
-    });
-    QVERIFY(window_->files().save());
-    QCOMPARE(asked, 1);
-    QVERIFY(!document().tree(person));
-    QVERIFY(!document().isDirty());
-  }
-
   void options_mapAndTrees_countForTheFileBesideThem() {
     const QString file = copyOfDemo();
     QVERIFY(
@@ -265,71 +168,6 @@ class FileWindowTest : public QObject {
     QVERIFY(document().scenario().desktop.route == sim2d::Route::Direct);
     const editor::RunRequest request = editor::runRequestOf(document(), {hunav2, 2, true});
     QVERIFY(bool(request.makeWorld()));
-  }
-
-  void treeDialog_differences_areShown() {
-    const std::vector<editor::TreeQuestion> questions = questionsOfDemo();
-    for (const bool isDark : {false, true}) {
-      const editor::Theme theme = isDark ? editor::Theme::dark() : editor::Theme::light();
-      app::dressApplication(theme);
-      app::TreeChoiceDialog dialog(questions, theme);
-      dialog.show();
-      shootWidget(dialog, isDark ? "trees-short-dark" : "trees-short-light");
-      dialog.showDifferences(true);
-      dialog.choose(1, editor::TreeAnswer::TakeReplacement);
-      shootWidget(dialog, isDark ? "trees-dark" : "trees-light");
-      const editor::TreeAnswers answers = dialog.answers();
-      QCOMPARE(answers.size(), questions.size());
-      QVERIFY(answers.at(questions[0].human) == editor::TreeAnswer::KeepMine);
-      QVERIFY(answers.at(questions[1].human) == editor::TreeAnswer::TakeReplacement);
-    }
-    app::dressApplication(editor::Theme::light());
-  }
-
-  void exportDialog_target_listsTheFilesAndWritesThem() {
-    QVERIFY(window_->open(copyOfDemo()));
-    const QString out = at("out");
-    for (const bool isDark : {false, true}) {
-      const editor::Theme theme = isDark ? editor::Theme::dark() : editor::Theme::light();
-      app::dressApplication(theme);
-      app::ExportDialog dialog(window_->files().exportSource(), out, theme);
-      dialog.setTarget(QStringLiteral("webots"));
-      dialog.show();
-      shootWidget(dialog, isDark ? "export-dark" : "export-light");
-      QCOMPARE(dialog.files().topLevelItemCount(), static_cast<int>(dialog.plan().files.size()));
-      QVERIFY(dialog.plan().files.size() > 4);
-      const std::string first = dialog.files().topLevelItem(0)->text(1).toStdString();
-      QCOMPARE(first.c_str(), isDark ? "stays as it is" : "new");
-      QVERIFY(window_->files().exportPlan(dialog.plan()));
-    }
-    app::dressApplication(editor::Theme::light());
-    QVERIFY(QFile::exists(out + QStringLiteral("/scenarios/demo.yaml")));
-    app::ExportDialog other(window_->files().exportSource(), out, editor::Theme::light());
-    other.setTarget(QStringLiteral("isaac"));
-    QVERIFY(other.files().topLevelItem(0)->text(1) == QStringLiteral("is replaced"));
-  }
-
-  void export_folder_isThatOfTheScenarioUnlessItWasExported() {
-    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, at("settings"));
-    app::WindowSetup setup = quiet::setup();
-    setup.remembers = true;
-    window_ = std::make_unique<MainWindow>(setup);
-    window_->show();
-    app::FileCommands& files = window_->files();
-    const QString first = copyOfDemo();
-    QVERIFY(window_->open(first));
-    QCOMPARE(files.exportFolder(), at("export"));
-    exportTo(first + QStringLiteral("/no"));  // a file is no folder
-    QVERIFY(base::hasErrors(files.problems()));
-    QCOMPARE(files.exportFolder(), at("export"));
-    exportTo(at("elsewhere"));
-    QVERIFY(!base::hasErrors(files.problems()));
-    QCOMPARE(files.exportFolder(), at("elsewhere"));
-    QVERIFY(QDir().mkpath(at("other")));
-    QVERIFY(files.saveTo(at("other/other.yaml")));
-    QCOMPARE(files.exportFolder(), at("other/export"));
-    QVERIFY(window_->open(first));
-    QCOMPARE(files.exportFolder(), at("elsewhere"));
   }
 
   void newRoom_size_isAMapWithWallsThatIsSaved() {
@@ -367,7 +205,7 @@ class FileWindowTest : public QObject {
       dialog.view().setPoints({{40.0, 20.0}, {360.0, 20.0}});
       dialog.setDistance(16.0);
       dialog.setFirstPoint(1.0, 2.0);
-      shootWidget(dialog, isDark ? "image-dark" : "image-light");
+      quiet::shoot(dialog, isDark ? "image-dark" : "image-light");
       QVERIFY(std::abs(dialog.resolution() - 0.05) < 1e-9);
       const auto map = dialog.map();
       QVERIFY((map->origin().position - base::Vec2(1.0 - 2.0, 2.0 - 1.0)).norm() < 1e-9);
@@ -383,7 +221,7 @@ class FileWindowTest : public QObject {
       app::dressApplication(theme);
       app::RoomDialog dialog(theme);
       dialog.show();
-      shootWidget(dialog, isDark ? "room-dark" : "room-light");
+      quiet::shoot(dialog, isDark ? "room-dark" : "room-light");
       QVERIFY(dialog.hasWalls());
       QCOMPARE(dialog.size(), QSizeF(12.0, 9.0));
     }
@@ -401,9 +239,9 @@ class FileWindowTest : public QObject {
                              QStringLiteral("The program ended unexpectedly. Unsaved changes to "
                                             "cafe.yaml were kept (2 min ago)."),
                              {{QStringLiteral("Restore"), {}}, {QStringLiteral("Discard"), {}}}});
-    shoot("notices-dark");
+    quiet::shoot(*window_, "notices-dark");
     window_->setTheme(editor::Theme::light());
-    shoot("notices-light");
+    quiet::shoot(*window_, "notices-light");
   }
 
  private:
@@ -415,17 +253,7 @@ class FileWindowTest : public QObject {
 
   editor::ScenarioDocument& document() { return window_->workspace().document(); }
   QString at(const char* name) const { return folder_->filePath(QString::fromUtf8(name)); }
-
-  /// What the next message box is told; its text is kept.
-  void answerBox(QMessageBox::StandardButton button) {
-    boxText_.clear();
-    QTimer::singleShot(100, this, [this, button] {
-      if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
-        boxText_ = box->text();
-        box->button(button)->click();
-      }
-    });
-  }
+  QString copyOfDemo() const { return quiet::copyOfDemo(at("demo.yaml")); }
 
   void dropOnWindow(const QString& file) {
     QMimeData data;
@@ -434,16 +262,6 @@ class FileWindowTest : public QObject {
     QApplication::sendEvent(window_.get(), &enter);
     QDropEvent drop(QPoint(600, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(window_.get(), &drop);
-  }
-
-  void exportTo(const QString& target) {
-    QTimer::singleShot(100, this, [&target] {
-      if (auto* dialog = qobject_cast<app::ExportDialog*>(QApplication::activeModalWidget())) {
-        dialog->setFolder(target);
-        dialog->accept();
-      }
-    });
-    window_->files().askExport();
   }
 
   /// The café as cafe.yaml with an image of an uncommon name, and other maps beside it.
@@ -463,49 +281,6 @@ class FileWindowTest : public QObject {
     return isWritten ? at("cafe.yaml") : QString();
   }
 
-  QString copyOfDemo() const {
-    sim2d::ScenarioReading demo =
-        sim2d::readScenario(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
-    demo.scenario.yamlBaseName = "demo";
-    const base::Diagnostics problems = base::writeFileAtomically(
-        at("demo.yaml").toStdString(), sim2d::writeScenario(demo.scenario));
-    return problems.empty() ? at("demo.yaml") : QString();
-  }
-
-  static std::vector<editor::TreeQuestion> questionsOfDemo() {
-    const sim2d::ScenarioReading demo =
-        sim2d::readScenario(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
-    std::vector<editor::TreeQuestion> questions;
-    for (const sim2d::Human& human : demo.scenario.humans) {
-      editor::TreeQuestion question;
-      question.human = human.key;
-      question.name = human.name;
-      question.path = "scenarios/demo__agent_" + std::to_string(human.id) + "_bt.xml";
-      question.replacement = editor::generatedTree(demo.scenario, human);
-      question.mine = question.replacement;
-      const std::size_t at = question.mine.find("<SetGoal");
-      if (at != std::string::npos) {
-        question.mine.insert(at, "<SaySomething agent_id=\"{id}\" message=\"Good morning\"/>\n");
-      }
-      question.why = questions.empty() ? editor::TreeQuestion::Why::BehaviourChanged
-                                       : editor::TreeQuestion::Why::ChangedOnDisk;
-      questions.push_back(question);
-    }
-    return questions;
-  }
-
-  /// Pictures for people to look at, when a folder for them is named.
-  void shoot(const char* name) { shootWidget(*window_, name); }
-  static void shootWidget(QWidget& widget, const char* name) {
-    const QByteArray folder = qgetenv("HUNAV_PICTURES");
-    QCoreApplication::processEvents();
-    if (!folder.isEmpty()) {
-      QVERIFY(widget.grab().save(QString::fromLocal8Bit(folder) + QLatin1Char('/') +
-                                 QString::fromUtf8(name) + QStringLiteral(".png")));
-    }
-  }
-
-  QString boxText_;
   std::unique_ptr<QTemporaryDir> folder_;
   std::unique_ptr<MainWindow> window_;
 };

@@ -52,16 +52,8 @@ class MainWindowTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() { app::dressApplication(editor::Theme::light()); }
-  void init() {
-    window_ = std::make_unique<MainWindow>(quiet::setup());
-    window_->resize(1280, 800);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-  }
-  void cleanup() {
-    document().undoStack().setClean();
-    window_.reset();
-  }
+  void init() { window_ = quiet::shownWindow(); }
+  void cleanup() { quiet::leave(window_); }
 
   void start_showsTheStartPage() {
     QVERIFY(window_->isOnStartPage());

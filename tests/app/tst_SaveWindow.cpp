@@ -1,0 +1,257 @@
+#include <QMessageBox>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <QtTest>
+
+#include "app/window/ExportDialog.h"
+#include "app/window/MainWindow.h"
+#include "app/window/TreeChoiceDialog.h"
+#include "editor/document/EditCommands.h"
+#include "editor/document/TreeFiles.h"
+#include "sim2d/base/Text.h"
+#include "tests/app/QuietWindow.h"
+
+using app::MainWindow;
+
+/// Saving, exporting and leaving: what the window asks, tells and refuses.
+class SaveWindowTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() { app::dressApplication(editor::Theme::light()); }
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    window_ = quiet::shownWindow();
+  }
+  void cleanup() { quiet::leave(window_); }
+
+  void leave_withUnsavedChanges_asksAndObeys() {
+    const QString file = copyOfDemo();
+    QVERIFY(window_->open(file));
+    const std::string before = *base::readTextFile(file.toStdString());
+    editor::pushRemove(document(), {document().entities(base::EntityKind::Human).front()});
+    const sim2d::Scenario edited = document().scenario();
+    answerBox(QMessageBox::Cancel);
+    window_->actions().close->trigger();
+    QVERIFY(boxText_.contains(QStringLiteral("demo.yaml")));
+    QVERIFY(!window_->isOnStartPage());
+    QVERIFY(document().scenario() == edited);
+    answerBox(QMessageBox::Discard);
+    window_->actions().close->trigger();
+    QVERIFY(window_->isOnStartPage());
+    QVERIFY(*base::readTextFile(file.toStdString()) == before);
+  }
+
+  void save_overComments_asksAndObeys() {
+    const QString file = copyOfDemo();
+    const std::string text = "# by hand\n" + *base::readTextFile(file.toStdString());
+    QVERIFY(base::writeFileAtomically(file.toStdString(), text).empty());
+    QVERIFY(window_->open(file));
+    editor::pushRemove(document(), {document().entities(base::EntityKind::Human).front()});
+    answerBox(QMessageBox::Cancel);
+    window_->actions().save->trigger();
+    QVERIFY(boxText_.contains(QStringLiteral("comment")));
+    QVERIFY(boxText_.endsWith(QStringLiteral("Save anyway?")));
+    QVERIFY(*base::readTextFile(file.toStdString()) == text);
+    answerBox(QMessageBox::Save);
+    window_->actions().save->trigger();
+    QVERIFY(*base::readTextFile(file.toStdString()) != text);
+    QVERIFY(!document().isDirty());
+  }
+
+  void saveAs_ontoAMap_isRefused_data() {
+    QTest::addColumn<QString>("name");
+    QTest::newRow("map in use") << QStringLiteral("cafe.yaml");
+    QTest::newRow("its image") << QStringLiteral("cafe.image");
+    QTest::newRow("a link to it") << QStringLiteral("link.yaml");
+    QTest::newRow("another map") << QStringLiteral("other.yaml");
+    QTest::newRow("a damaged map") << QStringLiteral("damaged.yaml");
+    QTest::newRow("an image") << QStringLiteral("other.pgm");
+  }
+  void saveAs_ontoAMap_isRefused() {
+    QFETCH(QString, name);
+    const QString map = mapWithNeighbours();
+    QVERIFY(window_->files().openNewFromMap(map));
+    QVERIFY(window_->files().nameForSaving().endsWith(QStringLiteral("/cafe_agents.yaml")));
+    const QString target = folder_->filePath(name);
+    const std::string before = *base::readTextFile(target.toStdString());
+    answerBox(QMessageBox::Ok);
+    QVERIFY(!window_->files().saveUnder(target));
+    QVERIFY2(boxText_.contains(name) && boxText_.contains(QStringLiteral("map")),
+             qPrintable(boxText_));
+    QVERIFY(*base::readTextFile(target.toStdString()) == before);
+    QVERIFY(window_->files().saveUnder(at("cafe_agents.yaml")));
+    QVERIFY(window_->files().saveUnder(at("cafe_agents.yaml")));  // over a scenario it may be
+    editor::ScenarioDocument again;
+    QVERIFY(!base::hasErrors(again.open(at("cafe_agents.yaml"))));
+    QVERIFY(!again.map()->isEmpty());
+  }
+
+  void save_treeOfAChangedPerson_asksAndSavesWhatIsChosen() {
+    const QString file = copyOfDemo();
+    QVERIFY(window_->open(file));
+    const editor::EntityId person = document().scenario().humanById(1)->key;
+    document().undoStack().push(
+        new editor::EditTree(document(), person, kTree, QStringLiteral("Tree")));
+    QVERIFY(window_->files().saveTo(file));
+    editor::pushChange<sim2d::Human>(
+        document(), person, QStringLiteral("Type"),
+        [](sim2d::Human& human) { human.behavior.type = sim2d::BehaviorType::Scared; });
+    int asked = 0;
+    QTimer::singleShot(0, this, [&asked] {
+      auto* dialog = qobject_cast<app::TreeChoiceDialog*>(QApplication::activeModalWidget());
+      if (dialog != nullptr) {
+        ++asked;
+        dialog->choose(0, editor::TreeAnswer::TakeReplacement);
+        dialog->accept();
+      }
+    });
+    QVERIFY(window_->files().save());
+    QCOMPARE(asked, 1);
+    QVERIFY(!document().tree(person));
+    QVERIFY(!document().isDirty());
+  }
+
+  void treeDialog_differences_areShown() {
+    const std::vector<editor::TreeQuestion> questions = questionsOfDemo();
+    for (const bool isDark : {false, true}) {
+      const editor::Theme theme = isDark ? editor::Theme::dark() : editor::Theme::light();
+      app::dressApplication(theme);
+      app::TreeChoiceDialog dialog(questions, theme);
+      dialog.show();
+      quiet::shoot(dialog, isDark ? "trees-short-dark" : "trees-short-light");
+      dialog.showDifferences(true);
+      dialog.choose(1, editor::TreeAnswer::TakeReplacement);
+      quiet::shoot(dialog, isDark ? "trees-dark" : "trees-light");
+      const editor::TreeAnswers answers = dialog.answers();
+      QCOMPARE(answers.size(), questions.size());
+      QVERIFY(answers.at(questions[0].human) == editor::TreeAnswer::KeepMine);
+      QVERIFY(answers.at(questions[1].human) == editor::TreeAnswer::TakeReplacement);
+    }
+    app::dressApplication(editor::Theme::light());
+  }
+
+  void exportDialog_target_listsTheFilesAndWritesThem() {
+    QVERIFY(window_->open(copyOfDemo()));
+    const QString out = at("out");
+    for (const bool isDark : {false, true}) {
+      const editor::Theme theme = isDark ? editor::Theme::dark() : editor::Theme::light();
+      app::dressApplication(theme);
+      app::ExportDialog dialog(window_->files().exportSource(), out, theme);
+      dialog.setTarget(QStringLiteral("webots"));
+      dialog.show();
+      quiet::shoot(dialog, isDark ? "export-dark" : "export-light");
+      QCOMPARE(dialog.files().topLevelItemCount(), static_cast<int>(dialog.plan().files.size()));
+      QVERIFY(dialog.plan().files.size() > 4);
+      const std::string first = dialog.files().topLevelItem(0)->text(1).toStdString();
+      QCOMPARE(first.c_str(), isDark ? "stays as it is" : "new");
+      QVERIFY(window_->files().exportPlan(dialog.plan()));
+    }
+    app::dressApplication(editor::Theme::light());
+    QVERIFY(QFile::exists(out + QStringLiteral("/scenarios/demo.yaml")));
+    app::ExportDialog other(window_->files().exportSource(), out, editor::Theme::light());
+    other.setTarget(QStringLiteral("isaac"));
+    QVERIFY(other.files().topLevelItem(0)->text(1) == QStringLiteral("is replaced"));
+  }
+
+  void export_folder_isThatOfTheScenarioUnlessItWasExported() {
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, at("settings"));
+    app::WindowSetup setup = quiet::setup();
+    setup.remembers = true;
+    window_ = std::make_unique<MainWindow>(setup);
+    window_->show();
+    app::FileCommands& files = window_->files();
+    const QString first = copyOfDemo();
+    QVERIFY(window_->open(first));
+    QCOMPARE(files.exportFolder(), at("export"));
+    exportTo(first + QStringLiteral("/no"));  // a file is no folder
+    QVERIFY(base::hasErrors(files.problems()));
+    QCOMPARE(files.exportFolder(), at("export"));
+    exportTo(at("elsewhere"));
+    QVERIFY(!base::hasErrors(files.problems()));
+    QCOMPARE(files.exportFolder(), at("elsewhere"));
+    QVERIFY(QDir().mkpath(at("other")));
+    QVERIFY(files.saveTo(at("other/other.yaml")));
+    QCOMPARE(files.exportFolder(), at("other/export"));
+    QVERIFY(window_->open(first));
+    QCOMPARE(files.exportFolder(), at("elsewhere"));
+  }
+
+ private:
+  static constexpr const char* kTree =
+      "<root BTCPP_format=\"4\" main_tree_to_execute=\"Mine\">\n  <BehaviorTree ID=\"Mine\">\n"
+      "    <Sequence>\n      <GoTo agent_id=\"{id}\" goal_id=\"1\" time_step=\"{dt}\"/>\n"
+      "      <RegularNav agent_id=\"{id}\" time_step=\"{dt}\"/>\n    </Sequence>\n"
+      "  </BehaviorTree>\n</root>\n";
+
+  editor::ScenarioDocument& document() { return window_->workspace().document(); }
+  QString at(const char* name) const { return folder_->filePath(QString::fromUtf8(name)); }
+  QString copyOfDemo() const { return quiet::copyOfDemo(at("demo.yaml")); }
+
+  /// What the next message box is told; its text is kept.
+  void answerBox(QMessageBox::StandardButton button) {
+    boxText_.clear();
+    QTimer::singleShot(100, this, [this, button] {
+      if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+        boxText_ = box->text();
+        box->button(button)->click();
+      }
+    });
+  }
+
+  void exportTo(const QString& target) {
+    QTimer::singleShot(100, this, [&target] {
+      if (auto* dialog = qobject_cast<app::ExportDialog*>(QApplication::activeModalWidget())) {
+        dialog->setFolder(target);
+        dialog->accept();
+      }
+    });
+    window_->files().askExport();
+  }
+
+  /// The café as cafe.yaml with an image of an uncommon name, and other maps beside it.
+  QString mapWithNeighbours() const {
+    const QString source = QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe");
+    QFile::copy(source + QStringLiteral(".pgm"), at("cafe.image"));
+    QFile::copy(source + QStringLiteral(".pgm"), at("other.pgm"));
+    const std::string yaml = *base::readTextFile((source + QStringLiteral(".yaml")).toStdString());
+    std::string own = yaml;
+    const std::string image = "corner_cafe.pgm";
+    own.replace(own.find(image), image.size(), "cafe.image");
+    const bool isWritten =
+        base::writeFileAtomically(at("cafe.yaml").toStdString(), own).empty() &&
+        base::writeFileAtomically(at("other.yaml").toStdString(), yaml).empty() &&
+        base::writeFileAtomically(at("damaged.yaml").toStdString(), yaml + "x: [\n").empty();
+    QFile::link(at("cafe.yaml"), at("link.yaml"));
+    return isWritten ? at("cafe.yaml") : QString();
+  }
+
+  static std::vector<editor::TreeQuestion> questionsOfDemo() {
+    const sim2d::ScenarioReading demo =
+        sim2d::readScenario(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
+    std::vector<editor::TreeQuestion> questions;
+    for (const sim2d::Human& human : demo.scenario.humans) {
+      editor::TreeQuestion question;
+      question.human = human.key;
+      question.name = human.name;
+      question.path = "scenarios/demo__agent_" + std::to_string(human.id) + "_bt.xml";
+      question.replacement = editor::generatedTree(demo.scenario, human);
+      question.mine = question.replacement;
+      const std::size_t at = question.mine.find("<SetGoal");
+      if (at != std::string::npos) {
+        question.mine.insert(at, "<SaySomething agent_id=\"{id}\" message=\"Good morning\"/>\n");
+      }
+      question.why = questions.empty() ? editor::TreeQuestion::Why::BehaviourChanged
+                                       : editor::TreeQuestion::Why::ChangedOnDisk;
+      questions.push_back(question);
+    }
+    return questions;
+  }
+
+  QString boxText_;
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+QTEST_MAIN(SaveWindowTest)
+#include "tst_SaveWindow.moc"
