@@ -3,6 +3,7 @@
 #include <QTimer>
 #include <QtTest>
 
+#include "app/window/DocumentGuard.h"
 #include "app/window/MainWindow.h"
 #include "app/window/MapDialogs.h"
 #include "app/window/NoticeBar.h"
