@@ -200,7 +200,7 @@ bool HouseStyle::drawSimple(PrimitiveElement element, const QStyleOption& option
       drawRow(painter, option, widget);
       return true;
     case PE_FrameTabBarBase:  // the line under the tabs goes on to the end of the bar
-      painter.fillRect(option.rect.left(), option.rect.top() - 1, option.rect.width(), 1,
+      painter.fillRect(option.rect.left(), option.rect.bottom(), option.rect.width(), 1,
                        theme_.color(Role::Line));
       return true;
     case PE_PanelItemViewRow:
