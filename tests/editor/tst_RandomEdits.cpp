@@ -227,7 +227,7 @@ class RandomUser {
   }
 
   void otherMap() {
-    pushMap(document_, {emptyRoom(6.0 + whole(0, 4), 5.0, 0.2), {}, false},
+    pushMap(document_, {emptyRoom(6.0 + whole(0, 4), 5.0, 0.2), {}, false, {}},
             std::get<ScenarioSettings>(*document_.entity(kSettingsId)), QStringLiteral("Map"));
   }
 
