@@ -94,6 +94,7 @@ void HouseStyle::drawButton(QPainter& painter, const QStyleOption& option) const
                                 : isHovered(option) ? Role::RowHover
                                                     : Role::Field));
   painter.drawRoundedRect(onPixels(option.rect), kFieldRadius, kFieldRadius);
+  drawFocusRing(painter, option, QRectF(option.rect).adjusted(-1.0, -1.0, 1.0, 1.0));
 }
 
 void HouseStyle::drawComboLabel(QPainter& painter, const QStyleOption& option,
