@@ -162,8 +162,8 @@ const bt::Program& TreePlay::program() const {
 }
 
 base::Diagnostics TreePlay::fault() const {
-  const std::optional<bt::TreeFault>& fault = inside_->state.fault();
-  if (!fault) {
+  const bt::TreeFault* const fault = inside_->state.fault();
+  if (fault == nullptr) {
     return {};
   }
   const bt::TreeTable::Entry* tree = inside_->table.find(program().treeOf(fault->node));

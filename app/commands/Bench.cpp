@@ -43,6 +43,12 @@ double memoryOf(const char* key) {
   return base::parseDouble(text.substr(0, text.find(' '))).value_or(0.0);
 }
 
+/// From now on "VmHWM" is the largest memory since now.
+void forgetPeak() {
+  malloc_trim(0);  // what smaller scenes have left behind would be counted as nothing
+  std::ofstream("/proc/self/clear_refs") << "5";
+}
+
 struct Row {
   BenchScene scene;
   sim2d::StepTimes times;
@@ -50,8 +56,8 @@ struct Row {
   double recording = 0.0;  // of a step [s]
   double plain = 0.0;      // a step of the plain forces [s]; 0: not measured
   bool isScaled = false;   // `plain` is
-  double perPerson = 0.0;  // memory [kB]
-  double peak = 0.0;       // of the process so far [MB]
+  double perPerson = 0.0;  // what a person adds to the largest memory [kB]
+  double peak = 0.0;       // of the process during this scene [MB]
 
   double perStep(double seconds) const { return seconds / static_cast<double>(times.steps); }
   /// Step, scan and record [s].
@@ -87,6 +93,15 @@ base::Result<std::unique_ptr<sim2d::World>> makeWarmWorld(const BenchScene& scen
   return made;
 }
 
+/// What the square of a scene needs at most with one person [kB].
+double peakOfOne(BenchScene scene) {
+  scene.lonely = true;
+  forgetPeak();
+  const double before = memoryOf("VmRSS");
+  const base::Result<std::unique_ptr<sim2d::World>> made = makeWarmWorld(scene);
+  return memoryOf("VmHWM") - before;
+}
+
 /// Times of some steps; false when the run has failed.
 bool measureRound(sim2d::World& world, const sim2d::Surroundings& surroundings,
                   double atLeastSeconds, Row& row) {
@@ -118,13 +133,14 @@ base::Result<Row> measure(const BenchScene& scene, double atLeastSeconds) {
   Row row;
   row.scene = scene;
   row.times.clock = scene.threads == 1 ? sim2d::StepClock::Thread : sim2d::StepClock::Wall;
-  malloc_trim(0);  // what smaller scenes have left behind would be counted as nothing
+  const double ofOne = peakOfOne(scene);
+  forgetPeak();
   const double before = memoryOf("VmRSS");
   base::Result<std::unique_ptr<sim2d::World>> made = makeWarmWorld(scene);
   if (!made) {
     return made.diagnostics();
   }
-  row.perPerson = (memoryOf("VmRSS") - before) / scene.people;
+  row.perPerson = (memoryOf("VmHWM") - before - ofOne) / (scene.people - 1);
   const sim2d::Surroundings surroundings =
       sim2d::makeSurroundings(makeBenchScenario(scene), sim2d::OccupancyGrid{});
   Row best = row;
@@ -255,6 +271,8 @@ std::optional<std::vector<BenchPoint>> measureSizes(const BenchOptions& options,
 }  // namespace
 
 int benchCommand(const BenchOptions& options, const OutputOptions& output) {
+  // What is freed goes back to the system: scenes before leave no holes to be filled for nothing.
+  mallopt(M_MMAP_THRESHOLD, 128 * 1024);
   QTemporaryDir folder;
   const std::string tree = folder.filePath(QStringLiteral("walker.xml")).toStdString();
   if (!(std::ofstream(tree) << benchTreeText()).flush()) {
@@ -277,7 +295,8 @@ int benchCommand(const BenchOptions& options, const OutputOptions& output) {
         "Phases in ms per step of 0.05 s, in the fastest of 5 rounds; with one thread in time of "
         "the processor. sensing: a scan of 360 beams. plain: the same forces over all pairs in "
         "double precision, one thread; * scaled with the square. Measured while the streams cross: "
-        "people have walked a seventh of the square at most.");
+        "people have walked a seventh of the square at most. kB/person: by how much people raise "
+        "the largest memory, from the making of the scenario to the tenth step.");
   }
   const QString picture = QString::fromStdString(options.picture);
   if (!picture.isEmpty() && !drawBench(*points, QString::fromStdString(machineName()), picture)) {

@@ -98,6 +98,16 @@ Vec2 plainForce(const Vec2& apart, const Vec2& relative) {
   return 5.0 * (slowing * t + turning * Vec2(-t.y(), t.x()));
 }
 
+std::unique_ptr<sim2d::HumanBehavior> makeBehavior(const Scenario& scenario,
+                                                   const std::string& tree,
+                                                   base::Diagnostics& diagnostics) {
+  bt::TreeFiles trees;
+  for (const sim2d::Human& human : scenario.humans) {
+    trees[human.name] = tree;
+  }
+  return bt::makeTreeBehavior(scenario, trees, diagnostics);
+}
+
 }  // namespace
 
 Scenario makeBenchScenario(const BenchScene& scene) {
@@ -114,8 +124,9 @@ Scenario makeBenchScenario(const BenchScene& scene) {
   const double gap = size / side;
   const Vec2 middle(size / 2.0, size / 2.0);
   Jitter jitter;
-  scenario.humans.reserve(static_cast<std::size_t>(scene.people));
-  for (int i = 0; i < scene.people; ++i) {
+  const int people = scene.lonely ? 1 : scene.people;
+  scenario.humans.reserve(static_cast<std::size_t>(people));
+  for (int i = 0; i < people; ++i) {
     const double x = (i % side + 0.25 + 0.5 * jitter.next()) * gap;
     const double y = (i / side + 0.25 + 0.5 * jitter.next()) * gap;
     const bool isRight = jitter.next() < 0.5;
@@ -135,13 +146,9 @@ base::Result<std::unique_ptr<sim2d::World>> makeBenchWorld(const BenchScene& sce
   Scenario scenario = makeBenchScenario(scene);
   // Nobody has to look for a way: the streams are straight.
   scenario.desktop.route = sim2d::Route::Direct;
-  bt::TreeFiles trees;
-  for (const sim2d::Human& human : scenario.humans) {
-    trees[human.name] = scene.tree;
-  }
   base::Diagnostics diagnostics;
   sim2d::WorldSetup setup;
-  setup.behavior = bt::makeTreeBehavior(scenario, trees, diagnostics);
+  setup.behavior = makeBehavior(scenario, scene.tree, diagnostics);
   if (!setup.behavior) {
     return diagnostics;
   }

@@ -15,6 +15,7 @@ struct BenchScene {
   bool walls = false;  // a jagged wall of 100 segments along either side
   std::string tree;    // file that everybody runs
   int threads = 1;
+  bool lonely = false;  // the square with the first of the people alone
 };
 sim2d::Scenario makeBenchScenario(const BenchScene& scene);
 base::Result<std::unique_ptr<sim2d::World>> makeBenchWorld(const BenchScene& scene);

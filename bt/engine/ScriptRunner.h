@@ -15,13 +15,13 @@ constexpr double kScriptTolerance = 1.1920928955078125e-07;  // epsilon of float
 /// Runs a script on the slots of one agent. `stack` has at least Script::depth places.
 class ScriptRunner {
  public:
-  ScriptRunner(const Script& script, std::vector<Slot>& slots, std::vector<Value>& stack)
+  ScriptRunner(const Script& script, Slot* slots, Value* stack)
       : script_(script), slots_(slots), stack_(stack) {}
 
   /// False = it stopped with error().
   bool run();
   /// Value of the last statement, after run().
-  const Value& result() const { return stack_.front(); }
+  const Value& result() const { return *stack_; }
   /// The result as a condition; nothing = it is no number.
   std::optional<bool> truth() const;
   const std::string& error() const { return error_; }
@@ -45,8 +45,8 @@ class ScriptRunner {
   Value& top(std::size_t below = 0) { return stack_[size_ - 1 - below]; }
 
   const Script& script_;
-  std::vector<Slot>& slots_;
-  std::vector<Value>& stack_;
+  Slot* slots_;
+  Value* stack_;
   std::size_t size_ = 0;
   std::size_t next_ = 0;
   std::string error_;

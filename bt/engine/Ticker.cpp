@@ -186,14 +186,15 @@ base::NodeStatus Ticker::unexpected(int child, Status status) {
 base::NodeStatus Ticker::fault(int node, std::string message) {
   isFaulty_ = true;
   if (!state_.fault_) {
-    state_.fault_ = TreeFault{node, program_.path(node), std::move(message)};
+    state_.fault_ =
+        std::make_unique<TreeFault>(TreeFault{node, program_.path(node), std::move(message)});
   }
   return kFault;
 }
 
 bool Ticker::runScript(int node, int script) {
   const Script& code = program_.scripts()[static_cast<std::size_t>(script)];
-  ScriptRunner runner(code, state_.slots_, state_.stack_);
+  ScriptRunner runner(code, slots(), state_.stack_.get());
   if (!runner.run()) {
     fault(node, "script '" + code.source + "': " + runner.error());
     return false;
@@ -203,7 +204,7 @@ bool Ticker::runScript(int node, int script) {
 
 bool Ticker::truthOf(int node, int script, bool& truth) {
   const Script& code = program_.scripts()[static_cast<std::size_t>(script)];
-  ScriptRunner runner(code, state_.slots_, state_.stack_);
+  ScriptRunner runner(code, slots(), state_.stack_.get());
   if (!runner.run()) {
     fault(node, "script '" + code.source + "': " + runner.error());
     return false;
@@ -220,7 +221,7 @@ bool Ticker::truthOf(int node, int script, bool& truth) {
 const Value* Ticker::portValue(int node, int port) const {
   const PortBinding& binding = nodes_[node].ports[port];
   const bool isEntry = binding.kind == PortBinding::Kind::Entry;
-  const Slot* const column = isEntry ? state_.slots_.data() : program_.constants().data();
+  const Slot* const column = isEntry ? state_.slots_.get() : program_.constants().data();
   const Value& value = boundSlot(column, binding).value;
   return value.type == ValueType::Unset ? nullptr : &value;
 }

@@ -15,9 +15,9 @@ class Ticker {
         state_(state),
         input_(input),
         nodes_(program.nodes().data()),
-        stored_(state.stored_.data()),
-        returned_(state.returned_[state.now_ ? 1 : 0].data()),
-        isFaulty_(state.fault_.has_value()),
+        stored_(state.stored()),
+        returned_(state.returned()),
+        isFaulty_(state.fault_ != nullptr),
         leaf_(*this, input, 0) {}
 
   static NodeRunner runnerOf(NodeCode code);
@@ -34,9 +34,9 @@ class Ticker {
   static constexpr auto kFault = static_cast<base::NodeStatus>(5);
 
   void* memoryOf(int node) {
-    return reinterpret_cast<unsigned char*>(state_.memory_.data()) + program_.node(node).memory;
+    return reinterpret_cast<unsigned char*>(state_.memory_.get()) + program_.node(node).memory;
   }
-  Slot* slots() { return state_.slots_.data(); }
+  Slot* slots() { return state_.slots_.get(); }
   const Program& program() const { return program_; }
   const TickInput& input() const { return input_; }
 

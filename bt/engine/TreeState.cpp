@@ -9,13 +9,13 @@
 namespace bt {
 namespace {
 
-/// Room for three events of every stateful leaf; a tick seldom has more.
+/// Room for two events of every stateful leaf and some more; a tick seldom has more.
 std::size_t roomForEvents(const Program& program) {
   const auto count =
       std::count_if(program.nodes().begin(), program.nodes().end(), [](const Program::Node& node) {
         return node.code == NodeCode::Stateful || node.code == NodeCode::Sleep;
       });
-  return 3 * static_cast<std::size_t>(count);
+  return 2 * static_cast<std::size_t>(count) + 1;
 }
 
 std::size_t stackSize(const Program& program) {
@@ -30,33 +30,33 @@ std::size_t stackSize(const Program& program) {
 
 TreeState::TreeState(std::shared_ptr<const Program> program) : program_(std::move(program)) {
   assert(program_);
-  const auto nodes = static_cast<std::size_t>(program_->nodeCount());
-  stored_.resize(nodes);
-  returned_[0].resize(nodes);
-  returned_[1].resize(nodes);
-  memory_.resize(static_cast<std::size_t>(program_->memoryBytes()) / sizeof(std::uint64_t));
-  slots_ = program_->initialSlots();
-  changes_.reserve(nodes);
+  const std::size_t statusWords =
+      (2 * nodeCount() + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t);
+  memory_ = std::make_unique<std::uint64_t[]>(memoryWords() + statusWords);
+  std::fill_n(stored(), 2 * nodeCount(), base::NodeStatus::Idle);
+  slots_.reset(new Slot[program_->initialSlots().size()]);
+  copySlots();
   events_.reserve(roomForEvents(*program_));
-  stack_.resize(stackSize(*program_));
+  if (const std::size_t depth = stackSize(*program_); depth > 0) {
+    stack_.reset(new Value[depth]);
+  }
+}
+
+void TreeState::copySlots() {
+  std::copy(program_->initialSlots().begin(), program_->initialSlots().end(), slots_.get());
 }
 
 void TreeState::reset() {
-  std::fill(stored_.begin(), stored_.end(), base::NodeStatus::Idle);
-  clearReturned();
-  std::fill(memory_.begin(), memory_.end(), 0U);
-  slots_ = program_->initialSlots();
-  changes_.clear();
-  changesKnown_ = true;
+  std::fill_n(memory_.get(), memoryWords(), 0U);
+  std::fill_n(stored(), 2 * nodeCount(), base::NodeStatus::Idle);
+  copySlots();
   events_.clear();
   fault_.reset();
 }
 
 base::NodeStatus TreeState::tickOnce(const TickInput& input) {
   using base::NodeStatus;
-  now_ = !now_;
   clearReturned();
-  changesKnown_ = false;
   events_.clear();
   NodeStatus status = NodeStatus::Idle;
   if (!fault_) {
@@ -69,29 +69,10 @@ base::NodeStatus TreeState::tickOnce(const TickInput& input) {
       clearReturned();
       status = NodeStatus::Idle;
     } else if (status == NodeStatus::Success || status == NodeStatus::Failure) {
-      stored_[0] = NodeStatus::Idle;
+      *stored() = NodeStatus::Idle;
     }
   }
   return status;
-}
-
-void TreeState::clearReturned() {
-  std::vector<base::NodeStatus>& returned = returned_[now_ ? 1 : 0];
-  std::fill(returned.begin(), returned.end(), base::NodeStatus::Idle);
-}
-
-const std::vector<int>& TreeState::changes() {
-  if (!changesKnown_) {
-    changesKnown_ = true;
-    changes_.clear();
-    const std::vector<base::NodeStatus>& before = returned_[now_ ? 0 : 1];
-    for (std::size_t i = 0; i < before.size(); ++i) {
-      if (statuses()[i] != before[i]) {
-        changes_.push_back(static_cast<int>(i));
-      }
-    }
-  }
-  return changes_;
 }
 
 void TreeState::halt(const TickInput& input) {

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +29,24 @@ struct LeafEvent {
   Kind kind = Kind::Started;
 };
 
+/// Of all nodes of a program, in its order.
+class StatusList {
+ public:
+  StatusList(const base::NodeStatus* first, std::size_t count) : first_(first), count_(count) {}
+
+  const base::NodeStatus* begin() const { return first_; }
+  const base::NodeStatus* end() const { return first_ + count_; }
+  std::size_t size() const { return count_; }
+  base::NodeStatus operator[](std::size_t node) const { return first_[node]; }
+  friend bool operator==(const StatusList& a, const StatusList& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end());
+  }
+
+ private:
+  const base::NodeStatus* first_;
+  std::size_t count_;
+};
+
 class TreeState {
  public:
   explicit TreeState(std::shared_ptr<const Program> program);
@@ -45,13 +62,11 @@ class TreeState {
   const Program& program() const { return *program_; }
   const std::shared_ptr<const Program>& sharedProgram() const { return program_; }
 
-  /// What each node returned in the last tick; IDLE = it was not ticked.
-  const std::vector<base::NodeStatus>& statuses() const { return returned_[now_ ? 1 : 0]; }
-  /// Nodes for which that differs from the tick before, ascending.
-  const std::vector<int>& changes();
+  /// What each node returned in the last tick; IDLE = it was not ticked. Good until the next.
+  StatusList statuses() const { return {returned(), nodeCount()}; }
   /// Of the last tick (and of a halt() after it), in the order in which they happened.
   const std::vector<LeafEvent>& events() const { return events_; }
-  const std::optional<TreeFault>& fault() const { return fault_; }
+  const TreeFault* fault() const { return fault_.get(); }  // null: none
 
   /// Entries by slot (Program::findSlot, hostSlot). False = the value does not fit its type.
   bool set(int slot, int value) { return store(slotAt(slot), value); }
@@ -66,20 +81,25 @@ class TreeState {
 
  private:
   friend class Ticker;
-  void clearReturned();
+  static_assert(sizeof(base::NodeStatus) == 1);
+  std::size_t nodeCount() const { return static_cast<std::size_t>(program_->nodeCount()); }
+  std::size_t memoryWords() const {
+    return static_cast<std::size_t>(program_->memoryBytes()) / sizeof(std::uint64_t);
+  }
+  base::NodeStatus* stored() const {
+    return reinterpret_cast<base::NodeStatus*>(memory_.get() + memoryWords());
+  }
+  base::NodeStatus* returned() const { return stored() + nodeCount(); }
+  void copySlots();
+  void clearReturned() { std::fill_n(returned(), nodeCount(), base::NodeStatus::Idle); }
   Slot& slotAt(int slot) { return slots_[static_cast<std::size_t>(slot)]; }
 
   std::shared_ptr<const Program> program_;
-  std::vector<base::NodeStatus> stored_;
-  std::array<std::vector<base::NodeStatus>, 2> returned_;  // of this tick and the one before
-  bool now_ = false;                                       // which of them is of this one
-  std::vector<std::uint64_t> memory_;
-  std::vector<Slot> slots_;
-  std::vector<int> changes_;
-  bool changesKnown_ = true;  // they are looked for when somebody asks
+  std::unique_ptr<std::uint64_t[]> memory_;  // of the nodes; then what they keep, and returned
+  std::unique_ptr<Slot[]> slots_;
   std::vector<LeafEvent> events_;
-  std::vector<Value> stack_;  // of scripts
-  std::optional<TreeFault> fault_;
+  std::unique_ptr<Value[]> stack_;  // of scripts; null: there are none
+  std::unique_ptr<TreeFault> fault_;
 };
 
 }  // namespace bt

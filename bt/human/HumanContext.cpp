@@ -15,6 +15,19 @@ std::optional<int> HumanContext::knownById(LeafContext& leaf, int id) {
   return human;
 }
 
+Notes& HumanContext::notes(const LeafContext& leaf) {
+  for (auto& [node, notes] : mind().notes) {
+    if (node == leaf.node()) {
+      return notes;
+    }
+  }
+  return mind().notes.emplace_front(leaf.node(), Notes{}).second;
+}
+
+void HumanContext::dropNotes(const LeafContext& leaf) {
+  mind().notes.remove_if([&leaf](const auto& entry) { return entry.first == leaf.node(); });
+}
+
 std::optional<int> HumanContext::knownPerson(LeafContext& leaf, int port) {
   const std::optional<int> id = leaf.get<int>(port);
   if (!id) {

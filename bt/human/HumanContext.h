@@ -1,6 +1,7 @@
 #pragma once
 
-#include <map>
+#include <forward_list>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -51,9 +52,9 @@ struct QueuePlace {
 struct Mind {
   int visit = 0;  // how often the person has entered the world
   bool isFirstTick = true;
-  bool hasOwnGoals = false;    // the tree has replaced the goals of the scenario
-  std::map<int, Notes> notes;  // by node of the tree
-  std::optional<QueuePlace> queue;
+  bool hasOwnGoals = false;  // the tree has replaced the goals of the scenario
+  std::forward_list<std::pair<int, Notes>> notes;  // by node of the tree
+  std::unique_ptr<QueuePlace> queue;
 };
 
 /// What lasts from step to step for all people of a run.
@@ -106,8 +107,9 @@ class HumanContext {
   void setActive(int human) { intents_.of(human).active = true; }
   void noteGoalChange(int human) { society_.changedGoals[static_cast<std::size_t>(human)] = 1; }
 
-  Notes& notes(const LeafContext& leaf) { return mind().notes[leaf.node()]; }
-  void dropNotes(const LeafContext& leaf) { mind().notes.erase(leaf.node()); }
+  /// Empty at first; stay where they are until dropped.
+  Notes& notes(const LeafContext& leaf);
+  void dropNotes(const LeafContext& leaf);
 
   void emit(sim2d::EventKind kind, int human, std::string text);
   void emitHeard(int listener, int speaker, std::string text);

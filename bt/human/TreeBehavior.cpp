@@ -15,17 +15,17 @@ namespace bt {
 using base::Diagnostics;
 using base::NodeStatus;
 using sim2d::Intents;
-using sim2d::TreeChange;
+using sim2d::TreeChanges;
 using sim2d::WorldView;
 
 namespace {
 
 /// One person's tree and what was last told of it.
 struct Player {
-  std::shared_ptr<const PersonProgram> program;
+  const PersonProgram* program = nullptr;
   std::optional<TreeState> tree;
-  std::vector<NodeStatus> shown;  // per node
-  bool isTicking = false;         // ticked in the last step
+  std::unique_ptr<NodeStatus[]> shown;  // per node
+  bool isTicking = false;               // ticked in the last step
   bool hasEnded = false;
   bool isFaulty = false;
 };
@@ -56,10 +56,11 @@ class TreeBehavior final : public sim2d::HumanBehavior {
 
   void enter(int human, const WorldView& view) override;
   void decide(const WorldView& view, Intents& intents) override;
-  void takeTreeChanges(std::vector<TreeChange>& changes) override {
+  void takeTreeChanges(TreeChanges& changes) override {
     std::swap(changes, changes_);  // the memory is used again
     changes_.clear();
-    sim2d::dropExcess(changes_, changes.size());
+    changes_.forColumns(changes,
+                        [](auto& column, std::size_t usual) { sim2d::dropExcess(column, usual); });
   }
   void takeDiagnostics(Diagnostics& found) override {
     found = std::move(society_.troubles);
@@ -76,7 +77,7 @@ class TreeBehavior final : public sim2d::HumanBehavior {
   void handleFault(int human, HumanContext& context);
   bool isAtEnd(int human, NodeStatus status) const;
   void tellEvents(const TreeState& tree, std::size_t first, HumanContext& context);
-  void tellChanges(int human, const WorldView& view, const std::vector<NodeStatus>& now);
+  void tellChanges(int human, const WorldView& view, const StatusList& now);
   Player& player(int human) { return players_[static_cast<std::size_t>(human)]; }
 
   PersonPrograms programs_;
@@ -84,7 +85,7 @@ class TreeBehavior final : public sim2d::HumanBehavior {
   Society society_;
   std::vector<Player> players_;
   std::vector<int> order_;  // people by ascending id
-  std::vector<TreeChange> changes_;
+  TreeChanges changes_;
   std::vector<Retired> retired_;
 };
 
@@ -101,11 +102,7 @@ void TreeBehavior::enter(int human, const WorldView& view) {
   grow(std::max(view.humanCount(), human + 1));
   const sim2d::ResolvedHuman& constants = view.constants(human);
   Player& who = player(human);
-  const auto own = programs_.find(constants.name);
-  // Names of people from a source end in "_" and a number; the area has the program.
-  const std::string source = constants.name.substr(0, constants.name.rfind('_'));
-  const auto found = own != programs_.end() ? own : programs_.find(source);
-  who.program = found != programs_.end() ? found->second : nullptr;
+  who.program = programs_.find(constants);
   Mind& mind = society_.minds[static_cast<std::size_t>(human)];
   if (who.tree && who.isTicking && !who.isFaulty) {
     retired_.push_back({human, *std::move(who.tree), std::move(mind)});
@@ -113,7 +110,9 @@ void TreeBehavior::enter(int human, const WorldView& view) {
   who.tree.reset();
   if (who.program) {
     who.tree = who.program->start(constants);
-    who.shown.resize(static_cast<std::size_t>(who.program->program->nodeCount()), NodeStatus::Idle);
+    if (who.shown == nullptr) {
+      who.shown = std::make_unique<NodeStatus[]>(who.tree->statuses().size());  // IDLE
+    }
   }
   who.isTicking = false;
   who.hasEnded = false;
@@ -231,7 +230,8 @@ void TreeBehavior::stop(int human, const WorldView& view, Intents& intents) {
     who.tree->halt({view.step(), view.dt(), &context});
     tellEvents(*who.tree, told, context);
   }
-  tellChanges(human, view, std::vector<NodeStatus>(who.shown.size(), NodeStatus::Idle));
+  const std::vector<NodeStatus> idle(who.tree->statuses().size(), NodeStatus::Idle);
+  tellChanges(human, view, {idle.data(), idle.size()});
 }
 
 void TreeBehavior::tellEvents(const TreeState& tree, std::size_t first, HumanContext& context) {
@@ -246,17 +246,16 @@ void TreeBehavior::tellEvents(const TreeState& tree, std::size_t first, HumanCon
   }
 }
 
-void TreeBehavior::tellChanges(int human, const WorldView& view,
-                               const std::vector<NodeStatus>& now) {
+void TreeBehavior::tellChanges(int human, const WorldView& view, const StatusList& now) {
   Player& who = player(human);
-  if (now.empty() || std::memcmp(now.data(), who.shown.data(), now.size() * sizeof(now[0])) == 0) {
+  if (std::memcmp(now.begin(), who.shown.get(), now.size() * sizeof(NodeStatus)) == 0) {
     return;  // mostly
   }
   for (std::size_t node = 0; node < now.size(); ++node) {
     if (now[node] != who.shown[node]) {
       who.shown[node] = now[node];
-      changes_.push_back({view.constants(human).id, who.program->program->paths(),
-                          static_cast<int>(node), now[node]});
+      changes_.add(view.constants(human).id, who.program->program->paths(), static_cast<int>(node),
+                   now[node]);
     }
   }
 }

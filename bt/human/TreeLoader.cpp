@@ -83,6 +83,17 @@ TreeState PersonProgram::start(const ResolvedHuman& human) const {
   return state;
 }
 
+const PersonProgram* PersonPrograms::find(const ResolvedHuman& person) const {
+  const auto own =
+      std::lower_bound(ofPeople.begin(), ofPeople.end(), std::pair<int, std::size_t>(person.id, 0));
+  if (own != ofPeople.end() && own->first == person.id) {
+    return programs[own->second].get();
+  }
+  // Names of people from a source end in "_" and a number.
+  const auto source = ofSources.find(person.name.substr(0, person.name.rfind('_')));
+  return source != ofSources.end() ? programs[source->second].get() : nullptr;
+}
+
 base::Result<TreeTable> loadPersonTrees(const std::string& path) {
   return loadPersonTrees(readTree(path));
 }
@@ -148,23 +159,44 @@ std::shared_ptr<const PersonProgram> TreeLoader::load(const sim2d::Human& human,
 }
 
 PersonPrograms TreeLoader::loadAll(const TreeFiles& files, Diagnostics& diagnostics) {
-  PersonPrograms programs;
+  PersonPrograms result;
+  std::map<std::shared_ptr<const PersonProgram>, std::size_t> known;
   const auto loadOne = [&](const sim2d::Human& human) {
     const auto file = files.find(human.name);
-    return load(human, file == files.end() ? std::string() : file->second, diagnostics);
-  };
-  for (const sim2d::Human& human : scenario_.humans) {
-    if (human.listed) {
-      programs[human.name] = loadOne(human);
+    const auto [place, isNew] = known.emplace(
+        load(human, file == files.end() ? std::string() : file->second, diagnostics), known.size());
+    if (isNew) {
+      result.programs.push_back(place->first);
     }
-  }
+    return place->second;
+  };
+  std::map<std::string, std::size_t> patterns;  // of sources, by name
   for (const sim2d::Area& area : scenario_.areas) {
     if (const sim2d::Human* like = prototypeOf(scenario_, area)) {
-      const auto known = programs.find(like->name);
-      programs[area.name] = known != programs.end() ? known->second : loadOne(*like);
+      patterns.emplace(like->name, 0);
     }
   }
-  return programs;
+  result.ofPeople.reserve(scenario_.humans.size());
+  for (const sim2d::Human& human : scenario_.humans) {
+    const auto pattern = patterns.find(human.name);
+    if (!human.listed && pattern == patterns.end()) {
+      continue;
+    }
+    const std::size_t program = loadOne(human);
+    if (human.listed) {
+      result.ofPeople.emplace_back(human.id, program);
+    }
+    if (pattern != patterns.end()) {
+      pattern->second = program;
+    }
+  }
+  std::sort(result.ofPeople.begin(), result.ofPeople.end());
+  for (const sim2d::Area& area : scenario_.areas) {
+    if (const sim2d::Human* like = prototypeOf(scenario_, area)) {
+      result.ofSources[area.name] = patterns.at(like->name);
+    }
+  }
+  return result;
 }
 
 TreeLoader::Loaded TreeLoader::loadText(const std::string& text, const std::string& path,

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bt/engine/Program.h"
@@ -22,8 +23,15 @@ struct PersonProgram {
   TreeState start(const sim2d::ResolvedHuman& human) const;
 };
 
-/// By the name of the person, or of the source area whose people run it.
-using PersonPrograms = std::map<std::string, std::shared_ptr<const PersonProgram>>;
+/// Who runs which program.
+struct PersonPrograms {
+  std::vector<std::shared_ptr<const PersonProgram>> programs;  // each once
+  std::vector<std::pair<int, std::size_t>> ofPeople;           // by ascending id
+  std::map<std::string, std::size_t> ofSources;                // by the name of the area
+
+  /// Null when nothing is said of the person.
+  const PersonProgram* find(const sim2d::ResolvedHuman& person) const;
+};
 
 /// A tree file with its includes. When the file that all generated trees include is not there, our
 /// own copy takes its place, with a warning.

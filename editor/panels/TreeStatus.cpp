@@ -14,12 +14,13 @@ const std::vector<base::NodeStatus>& TreeStatus::at(int person, const FramePtr& 
     first_ = known ? frames.front() : nullptr;
   }
   for (; known && read_ < frames.size() && frames[read_]->step <= frame->step; ++read_) {
-    for (const sim2d::TreeChange& change : frames[read_]->treeChanges) {
-      if (change.id == person) {
-        statuses_.resize(change.paths->size(), base::NodeStatus::Idle);
-        statuses_[static_cast<std::size_t>(change.node)] = change.status;
-      }
-    }
+    frames[read_]->treeChanges.forEach(
+        [&](int id, const sim2d::TreeChanges::Paths& paths, int node, base::NodeStatus status) {
+          if (id == person) {
+            statuses_.resize(paths->size(), base::NodeStatus::Idle);
+            statuses_[static_cast<std::size_t>(node)] = status;
+          }
+        });
   }
   return statuses_;
 }

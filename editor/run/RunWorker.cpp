@@ -83,7 +83,7 @@ void RunWorker::publish(const sim2d::Frame& frame) {
   if (news_.newest != nullptr && news_.newest->step == frame.step) {
     return;  // the last state of an interrupted run
   }
-  skippedChanges_.insert(skippedChanges_.end(), frame.treeChanges.begin(), frame.treeChanges.end());
+  skippedChanges_.append(frame.treeChanges);
   if (frame.step % request_.recordEvery == 0) {
     copy->treeChanges = std::exchange(skippedChanges_, {});  // also of steps that are not recorded
     news_.recorded.push_back(copy);

@@ -73,7 +73,7 @@ class RunWorker {
   int stepsAllowed_ = 0;
   double speed_;
   RunNews news_;
-  std::vector<sim2d::TreeChange> skippedChanges_;  // since the last recorded frame
+  sim2d::TreeChanges skippedChanges_;  // since the last recorded frame
   // of the worker alone
   Clock::time_point wallStart_;
   double simulatedStart_ = 0.0;

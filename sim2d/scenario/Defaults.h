@@ -6,31 +6,31 @@ namespace sim2d {
 
 /// What counts for a person when keys are absent, presets and kinds applied, nothing sampled yet.
 struct ResolvedHuman {
-  int id = -1;
   std::string name;
+  int id = -1;
   int groupId = -1;
   double desiredSpeed = 1.0;  // v0 [m/s]
   double radius = 0.35;       // r [m]
   double mass = 80.0;         // [kg]
   double goalRadius = 0.3;    // rho [m]
-  bool cyclicGoals = true;
   Pose2 start;
+  bool cyclicGoals = true;
+  bool reactionOnce = false;
   BehaviorType behavior = BehaviorType::Regular;
   Configuration configuration = Configuration::Default;
+  PersonKind kind = PersonKind::Adult;
+  Route route = Route::Planned;
+  AtEnd atEnd = AtEnd::Stop;
   // reaction to the robot
-  double noticeDistance = 5.0;     // [m]
-  double reactionDuration = 40.0;  // [s]
-  bool reactionOnce = false;
+  double noticeDistance = 5.0;                                         // [m]
+  double reactionDuration = 40.0;                                      // [s]
   double reactionSpeed = 1.0;                                          // [m/s]; `vel`, else max_vel
   double safeDistance = 5.0, stopDistance = 1.5, frontDistance = 1.5;  // [m]
   // force factors
   double goalFactor = 2.0, obstacleFactor = 10.0, socialFactor = 5.0, otherFactor = 20.0;
   // ours
   double startTime = 0.0;  // [s]
-  PersonKind kind = PersonKind::Adult;
   std::string model = "sfm";
-  Route route = Route::Planned;
-  AtEnd atEnd = AtEnd::Stop;
   std::vector<double> wait;
 };
 
@@ -49,7 +49,7 @@ struct ResolvedRobot {
 
 /// The configuration modes and draws of social-force factors and reactions, by (seed, agent,
 /// parameter): the same on every machine.
-ResolvedHuman resolveHuman(const Scenario& scenario, const Human& human, long long seed);
+ResolvedHuman resolveHuman(const Scene& scenario, const Human& human, long long seed);
 ResolvedRobot resolveRobot(const Scenario& scenario, const Robot& robot, int id);
 
 /// What people of a kind are like: values for people that the program makes (brush, source). The

@@ -180,18 +180,22 @@ struct DesktopSettings {
   UnknownKeys unknown;
 };
 
-struct Scenario {
+/// A scenario but for its people: all that a running world keeps of it.
+struct Scene {
   std::optional<std::string> yamlBaseName, simulator, map;
   std::optional<bool> publishPeople;
   std::vector<GlobalGoal> goals;    // in file order
-  std::vector<Human> humans;        // listed ones first in list order, then the others
-  std::vector<Robot> robots;        // idem; ids -1, -2 … over the listed ones
+  std::vector<Robot> robots;        // listed ones first; ids -1, -2 … over them
   std::vector<Obstacle> obstacles;  // idem
   std::vector<Door> doors;
   std::vector<Area> areas;
   DesktopSettings desktop;
   UnknownKeys unknown;     // beside the known global keys of hunav_loader
   UnknownKeys otherNodes;  // further nodes of the file
+};
+
+struct Scenario : Scene {
+  std::vector<Human> humans;  // listed ones first in list order, then the others
 
   const GlobalGoal* goal(int id) const;
   const Human* human(const std::string& name) const;

@@ -43,7 +43,7 @@ struct RobotColumns {
 };
 
 /// Terms of the force on each person [m/s²] in the step that led to this state; the sum of the
-/// terms is what moved the person. Empty in step 0.
+/// terms is what moved the person. Empty in step 0 and after a step that failed.
 struct ForceColumns {
   std::vector<Vec2> goal, social, obstacle, group;
 };
@@ -81,12 +81,60 @@ struct Event {
   }
 };
 
-/// A node of a behaviour tree returned another status than in the step before.
-struct TreeChange {
-  int id = 0;                                             // of the person
-  std::shared_ptr<const std::vector<std::string>> paths;  // of all nodes of the tree
-  int node = 0;
-  base::NodeStatus status = base::NodeStatus::Idle;
+/// Nodes of behaviour trees that returned another status than in the step before. In the first step
+/// nearly all nodes of all people do, so that a change takes four bytes.
+class TreeChanges {
+ public:
+  /// Of all nodes of a tree, by the node's number.
+  using Paths = std::shared_ptr<const std::vector<std::string>>;
+
+  /// `id`: of the person whose tree it is.
+  void add(int id, const Paths& paths, int node, base::NodeStatus status) {
+    if (trees_.empty() || trees_.back().id != id || trees_.back().paths != paths) {
+      trees_.push_back({id, 0, paths});
+    }
+    nodes_.push_back(static_cast<std::uint32_t>(node) << kStatusBits |
+                     static_cast<std::uint32_t>(status));
+    trees_.back().end = static_cast<std::uint32_t>(nodes_.size());
+  }
+  void append(const TreeChanges& later) {
+    later.forEach([this](int id, const Paths& paths, int node, base::NodeStatus status) {
+      add(id, paths, node, status);
+    });
+  }
+  /// Calls visit(id, paths, node, status) in the order in which they were added.
+  template <class Visit>
+  void forEach(Visit visit) const {
+    std::uint32_t at = 0;
+    for (const Tree& tree : trees_) {
+      for (; at < tree.end; ++at) {
+        visit(tree.id, tree.paths, static_cast<int>(nodes_[at] >> kStatusBits),
+              static_cast<base::NodeStatus>(nodes_[at] & kStatusMask));
+      }
+    }
+  }
+  std::size_t size() const { return nodes_.size(); }
+  void clear() {
+    trees_.clear();
+    nodes_.clear();
+  }
+  /// Calls drop(column, items in that column of `usual`) for every column.
+  template <class Drop>
+  void forColumns(const TreeChanges& usual, Drop drop) {
+    drop(trees_, usual.trees_.size());
+    drop(nodes_, usual.nodes_.size());
+  }
+
+ private:
+  static constexpr std::uint32_t kStatusBits = 3;
+  static constexpr std::uint32_t kStatusMask = 7;
+  struct Tree {
+    int id = 0;
+    std::uint32_t end = 0;  // in nodes_
+    Paths paths;
+  };
+  std::vector<Tree> trees_;
+  std::vector<std::uint32_t> nodes_;
 };
 
 /// One instant: the state after step `step`. Immutable once published; what canvas, recorder and
@@ -98,7 +146,7 @@ struct Frame {
   RobotColumns robots;
   ForceColumns forces;
   std::vector<Event> events;                  // of this step, ordered by kind, then id
-  std::vector<TreeChange> treeChanges;        // of this step, by id, then node
+  TreeChanges treeChanges;                    // of this step, by id, then node
   std::vector<std::vector<Vec2>> robotPaths;  // what the planners follow now, per robot
   std::vector<char> doorOpen;
 };

@@ -22,9 +22,10 @@ void Recorder::append(const Frame& frame) {
   std::stable_sort(step.events.begin(), step.events.end(), [](const Event& a, const Event& b) {
     return std::tie(a.kind, a.id) < std::tie(b.kind, b.id);
   });
-  for (const TreeChange& change : frame.treeChanges) {
-    appendTreeRow(step.treeRows, frame.step, change);
-  }
+  frame.treeChanges.forEach([&](int id, const TreeChanges::Paths& paths, int node,
+                                base::NodeStatus status) {
+    appendTreeRow(step.treeRows, frame.step, id, paths->at(static_cast<std::size_t>(node)), status);
+  });
   if (sink_ != nullptr) {
     sink_->take(step);
   } else {

@@ -14,6 +14,7 @@ std::string treesHead();
 /// One row per body.
 void appendTrajectoryRows(std::string& to, const Frame& frame);
 void appendEventRow(std::string& to, std::int64_t step, double dt, const Event& event);
-void appendTreeRow(std::string& to, std::int64_t step, const TreeChange& change);
+void appendTreeRow(std::string& to, std::int64_t step, int id, const std::string& path,
+                   base::NodeStatus status);
 
 }  // namespace sim2d

@@ -103,14 +103,15 @@ void appendEventRow(std::string& to, std::int64_t step, double dt, const Event& 
   to += '\n';
 }
 
-void appendTreeRow(std::string& to, std::int64_t step, const TreeChange& change) {
+void appendTreeRow(std::string& to, std::int64_t step, int id, const std::string& path,
+                   base::NodeStatus status) {
   appendInt(to, step);
   to += ',';
-  appendInt(to, change.id);
+  appendInt(to, id);
   to += ',';
-  appendCsvField(to, change.paths->at(static_cast<std::size_t>(change.node)));
+  appendCsvField(to, path);
   to += ',';
-  to += base::nodeStatusName(change.status);
+  to += base::nodeStatusName(status);
   to += '\n';
 }
 

@@ -20,7 +20,8 @@ bool precedes(const Touch& a, const Touch& b) {
 }  // namespace
 
 void Contacts::update(Physics& physics, const std::vector<BodyOwner>& owners,
-                      const std::vector<Vec2>& wanted, const WorldModel& model, WorldState& state) {
+                      const std::function<Vec2(int)>& wanted, const WorldModel& model,
+                      WorldState& state) {
   std::swap(before_, touches_);
   touches_.reserve(owners.size());
   physics.touches(before_, touches_);
@@ -29,13 +30,13 @@ void Contacts::update(Physics& physics, const std::vector<BodyOwner>& owners,
       continue;
     }
     const auto body = static_cast<std::size_t>(touch.body);
-    Vec2 relative = wanted[body];
+    Vec2 relative = wanted(touch.body);
     Event event;
     event.kind = EventKind::Contact;
     event.id = idOf(owners[body], model);
     if (touch.other >= 0) {
       const auto other = static_cast<std::size_t>(touch.other);
-      relative -= wanted[other];
+      relative -= wanted(touch.other);
       event.other = idOf(owners[other], model);
       event.hasOther = true;
       const bool otherIsFirst = owners[other].isRobot == owners[body].isRobot

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ class Contacts {
 
   /// After a step. `wanted`: velocities of the bodies before contacts slowed them [m/s].
   void update(Physics& physics, const std::vector<BodyOwner>& owners,
-              const std::vector<Vec2>& wanted, const WorldModel& model, WorldState& state);
+              const std::function<Vec2(int)>& wanted, const WorldModel& model, WorldState& state);
 
  private:
   std::vector<std::string> partNames_;

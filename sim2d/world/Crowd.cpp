@@ -34,17 +34,18 @@ void Crowd::update(const FrozenWorld& world, const Ways& ways, const Intents& in
                    const std::vector<Vec2>& directions, WorkerPool& workers) {
   world_ = &world;
   ways_ = &ways;
+  directions_ = &directions;
   const WorldState& state = world.state;
   const std::size_t people = state.present.size();
   learnTraits(world.model.people);
   walkers_.resize(people);
-  courses_.resize(people);
+  courses_.resize(anyLooksAtCourses_ ? people : 0);
   room_.resize(people);
   laws_.resize(people);
   summaries_.assign(workers.threadCount(), Summary{});
   workers.forSlices(people, kSlice, [&](std::size_t thread, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      look(i, intents.of(static_cast<int>(i)), directions[i], summaries_[thread]);
+      look(i, intents.of(static_cast<int>(i)), summaries_[thread]);
     }
   });
   Summary all;
@@ -68,27 +69,36 @@ void Crowd::update(const FrozenWorld& world, const Ways& ways, const Intents& in
   }
 }
 
-void Crowd::learnTraits(const std::deque<Person>& people) {
+void Crowd::learnTraits(const std::vector<Person>& people) {
   if (traits_.empty()) {
     traits_.reserve(people.size());
   }
   for (std::size_t i = traits_.size(); i < people.size(); ++i) {
     const Person& person = people[i];
-    traits_.push_back({person.model.get(), person.model->socialLaw(), person.constants.radius,
-                       person.constants.desiredSpeed, person.constants.id,
+    const SocialLaw law = person.model->socialLaw();
+    traits_.push_back({person.model.get(), law.parameters, person.constants.radius,
+                       person.constants.desiredSpeed, person.constants.id, law.goesThroughWalls,
                        person.model->looksAtCourses()});
+    anyLooksAtCourses_ = anyLooksAtCourses_ || traits_.back().looksAtCourses;
   }
 }
 
-void Crowd::look(std::size_t human, const Intent& intent, const Vec2& direction, Summary& summary) {
+Course Crowd::courseOf(std::size_t human, const Intent& intent) const {
+  return {(*directions_)[human],
+          courseHeading(walkers_[human].velocity, world_->state.heading[human]),
+          desiredSpeedOf(human, intent), world_->state.controls[human].group};
+}
+
+void Crowd::look(std::size_t human, const Intent& intent, Summary& summary) {
   const WorldState& state = world_->state;
   const Traits& traits = traits_[human];
   const Walker& walker =
       walkers_[human] = {traits.id, state.position(human), state.velocity(human), traits.radius};
-  courses_[human] = {direction, courseHeading(walker.velocity, state.heading[human]),
-                     desiredSpeedOf(human, intent), state.controls[human].group};
-  const bool walks = intent.motion == Motion::Walk || intent.motion == Motion::Brake;
-  laws_[human] = walks ? traits.law : SocialLaw{};
+  if (anyLooksAtCourses_) {
+    courses_[human] = courseOf(human, intent);
+  }
+  laws_[human] =
+      isWalking(intent.motion) ? SocialLaw{traits.law, traits.goesThroughWalls} : SocialLaw{};
   room_[human] = 0.0;
   if (state.present[human] != 0) {
     room_[human] = ways_->clearance(walker.position);
@@ -158,9 +168,9 @@ bool Crowd::hasForce(std::size_t human) const {
 }
 
 void Crowd::fill(std::size_t human, const Intent& intent,
-                 const std::vector<Obstacles::Point>& walls, Situation& situation) const {
+                 const std::vector<Obstacles::Point>* walls, Situation& situation) const {
   situation.self = walkers_[human];
-  situation.course = courses_[human];
+  situation.course = courseOf(human, intent);
   situation.direction = situation.course.direction;
   situation.desiredSpeed = situation.course.desiredSpeed;
   situation.dt = world_->model.dt;
@@ -168,8 +178,8 @@ void Crowd::fill(std::size_t human, const Intent& intent,
   situation.obstacles.clear();
   if (world_->model.obstaclePoints == ObstaclePoints::Rays) {
     world_->obstacles.rayPoints(situation.self.position, situation.obstacles);
-  } else {
-    situation.obstacles = walls;
+  } else if (walls != nullptr) {
+    situation.obstacles = *walls;
   }
   situation.looksAtCourses = traits_[human].looksAtCourses;
   situation.others.clear();
@@ -204,10 +214,10 @@ Walker Crowd::imageOf(Walker other, const Walker& seenFrom) const {
   return other;
 }
 
-void Crowd::addOther(const Walker& other, const Course& course, Situation& situation) const {
-  situation.others.push_back(imageOf(other, situation.self));
+void Crowd::addPerson(std::size_t other, Situation& situation) const {
+  situation.others.push_back(imageOf(walkers_[other], situation.self));
   if (situation.looksAtCourses) {
-    situation.courses.push_back(course);
+    situation.courses.push_back(courses_[other]);
   }
 }
 
@@ -215,7 +225,7 @@ void Crowd::addOthers(std::size_t human, Situation& situation) const {
   if (isSmall()) {
     for (std::size_t i = 0; i < walkers_.size(); ++i) {
       if (i != human && world_->state.present[i] != 0) {
-        addOther(walkers_[i], courses_[i], situation);
+        addPerson(i, situation);
       }
     }
     return;
@@ -224,10 +234,10 @@ void Crowd::addOthers(std::size_t human, Situation& situation) const {
   const Ring& ring = world_->model.ring;
   ring.forEachImage(situation.self.position, [&](const Vec2& centre) {
     world_->grid.forEachNear(centre, range, [&](int other) {
-      const Walker& walker = walkers_[static_cast<std::size_t>(other)];
-      if (static_cast<std::size_t>(other) != human &&
-          ring.isNearestImage(walker.position, situation.self.position, centre)) {
-        addOther(walker, courses_[static_cast<std::size_t>(other)], situation);
+      const auto at = static_cast<std::size_t>(other);
+      if (at != human &&
+          ring.isNearestImage(walkers_[at].position, situation.self.position, centre)) {
+        addPerson(at, situation);
       }
     });
   });
@@ -236,7 +246,10 @@ void Crowd::addOthers(std::size_t human, Situation& situation) const {
 void Crowd::addRobots(const Intent& intent, Situation& situation) const {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     if (intent.robot == RobotTreatment::Pedestrian) {
-      addOther(robots_[i], courseOfRobot(robots_[i].velocity), situation);
+      situation.others.push_back(imageOf(robots_[i], situation.self));
+      if (situation.looksAtCourses) {
+        situation.courses.push_back(courseOfRobot(robots_[i].velocity));
+      }
       continue;
     }
     const double far = kReach + robots_[i].radius + 1e-6;

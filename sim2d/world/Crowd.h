@@ -23,7 +23,7 @@ struct FrozenWorld {
 /// The others as all people of a step see them. Filled anew in each step, the memory stays.
 class Crowd {
  public:
-  /// `directions`: of everybody's way. `world` and `ways` must live until the last call of this
+  /// `directions`: of everybody's way. It, `world` and `ways` must live until the last call of this
   /// step.
   void update(const FrozenWorld& world, const Ways& ways, const Intents& intents,
               const std::vector<Vec2>& directions, WorkerPool& workers);
@@ -32,7 +32,8 @@ class Crowd {
   void computeForces(WorkerPool& workers);
 
   /// What of the others, robots and walls acts on one person. All but `isVisible` is set anew.
-  void fill(std::size_t human, const Intent& intent, const std::vector<Obstacles::Point>& walls,
+  /// `walls`: null for none.
+  void fill(std::size_t human, const Intent& intent, const std::vector<Obstacles::Point>* walls,
             Situation& situation) const;
   bool isVisible(std::size_t human, const Vec2& point) const;
 
@@ -47,9 +48,10 @@ class Crowd {
   /// What of a person never changes and counts in every step, near each other in memory.
   struct Traits {
     const PedestrianModel* model = nullptr;
-    SocialLaw law;
+    const ForceParameters* law = nullptr;
     double radius = 0.0, desiredSpeed = 0.0;  // [m], [m/s]
     int id = 0;
+    bool goesThroughWalls = false;
     bool looksAtCourses = false;
   };
   struct alignas(64) Summary {  // of the people that one thread looked at
@@ -58,8 +60,9 @@ class Crowd {
     bool hasGroups = false;
   };
 
-  void learnTraits(const std::deque<Person>& people);
-  void look(std::size_t human, const Intent& intent, const Vec2& direction, Summary& summary);
+  void learnTraits(const std::vector<Person>& people);
+  void look(std::size_t human, const Intent& intent, Summary& summary);
+  Course courseOf(std::size_t human, const Intent& intent) const;
   void findGroups();
   double desiredSpeedOf(std::size_t human, const Intent& intent) const;
   bool isSmall() const;
@@ -67,7 +70,7 @@ class Crowd {
   /// From one free disc to the next along the line; where they get small the walls are asked.
   bool sees(std::size_t self, std::size_t other) const;
   void addOthers(std::size_t human, Situation& situation) const;
-  void addOther(const Walker& other, const Course& course, Situation& situation) const;
+  void addPerson(std::size_t other, Situation& situation) const;
   void addRobots(const Intent& intent, Situation& situation) const;
   void addGroup(std::size_t human, Situation& situation) const;
   /// Across the seam of a closed corridor.
@@ -75,9 +78,11 @@ class Crowd {
 
   const FrozenWorld* world_ = nullptr;
   const Ways* ways_ = nullptr;
+  const std::vector<Vec2>* directions_ = nullptr;
   std::vector<Traits> traits_;
+  bool anyLooksAtCourses_ = false;
   std::vector<Walker> walkers_;
-  std::vector<Course> courses_;  // beside them
+  std::vector<Course> courses_;  // beside them, while somebody looks at courses
   std::vector<double> room_;     // of each person to the next wall [m]
   std::vector<Walker> robots_;
   std::vector<std::pair<int, std::size_t>> groups_;  // members by group

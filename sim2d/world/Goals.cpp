@@ -63,11 +63,13 @@ void Goals::afterMotion(const WorldModel& model, WorldState& state, const Intent
     const GoalItem front = goals.front();
     const double distance = (front.position - state.position(human)).norm();
     const bool stayed =
-        progress.stands && progress.standsIn == front &&
+        progress.standsIn != nullptr && *progress.standsIn == front &&
         model.people[human].constants.cyclicGoals &&
         std::count(goals.begin(), goals.end(), front) == static_cast<std::ptrdiff_t>(goals.size());
     if (stayed) {  // a round of one goal leads to where the person stands
-      progress.stands = distance <= front.radius + kLeft;
+      if (distance > front.radius + kLeft) {
+        progress.standsIn = nullptr;
+      }
       continue;
     }
     if (distance > front.radius) {
@@ -84,8 +86,7 @@ void Goals::afterMotion(const WorldModel& model, WorldState& state, const Intent
 void Goals::reach(const WorldModel& model, WorldState& state, int human, const GoalItem& goal) {
   const auto at = static_cast<std::size_t>(human);
   const int personId = model.people[at].constants.id;
-  people_[at].stands = true;
-  people_[at].standsIn = goal;
+  people_[at].standsIn = std::make_unique<GoalItem>(goal);
   state.emit(EventKind::Goal, personId, goal.id > 0 ? std::to_string(goal.id) : "");
   note(model, state, human, goal.id);
   if (state.controls[at].goals.empty()) {
@@ -98,11 +99,11 @@ void Goals::note(const WorldModel& model, const WorldState& state, int human, in
   const Person& person = model.people[static_cast<std::size_t>(human)];
   Progress& progress = people_[static_cast<std::size_t>(human)];
   const std::optional<std::size_t> index =
-      indexAfter(person.definition->goals, goalId, progress.lastIndex, progress.hasReached);
+      indexAfter(person.plan->written, goalId, progress.lastIndex, progress.hasReached);
   if (!index) {
     return;
   }
-  progress.lastIndex = *index;
+  progress.lastIndex = static_cast<std::uint32_t>(*index);
   progress.hasReached = true;
   if (*index < person.constants.wait.size()) {
     progress.waitsUntil = state.time + person.constants.wait[*index];

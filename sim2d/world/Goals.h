@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "sim2d/world/WorldState.h"
@@ -25,11 +27,10 @@ class Goals {
 
  private:
   struct Progress {
-    std::size_t lastIndex = 0;  // of the goal last reached, in the scenario's list
+    std::unique_ptr<GoalItem> standsIn;  // reached and not left since; null: none
+    double waitsUntil = -1.0;            // [s]
+    std::uint32_t lastIndex = 0;         // of the goal last reached, in the scenario's list
     bool hasReached = false;
-    GoalItem standsIn;  // reached and not left since
-    bool stands = false;
-    double waitsUntil = -1.0;  // [s]
   };
   void reach(const WorldModel& model, WorldState& state, int human, const GoalItem& goal);
   void note(const WorldModel& model, const WorldState& state, int human, int goalId);

@@ -26,10 +26,6 @@ double turned(double heading, double towards, double most) {
   return base::wrapToPi(heading + std::clamp(turn, -most, most));
 }
 
-bool isWalking(const Intent& intent) {
-  return intent.motion == Motion::Walk || intent.motion == Motion::Brake;
-}
-
 /// How far outside of the shortest way somebody passes corners: each in a lane of the own, the more
 /// lanes the more people are near.
 double spreadOf(const FrozenWorld& world, std::size_t human) {
@@ -68,11 +64,13 @@ void PersonMotion::resize(std::size_t count) {
   routes_.resize(count);
   directions_.resize(count, Vec2::Zero());
   changes_.resize(count, 0);
-  wanted_.resize(count);
+  wanted_.resize(count, Vec2::Zero());
 }
 
 void PersonMotion::forget(int human) {
-  routes_[static_cast<std::size_t>(human)].reset();
+  if (RouteFollower* const route = routes_[static_cast<std::size_t>(human)].get()) {
+    route->reset();
+  }
 }
 
 void PersonMotion::enter(int human) {
@@ -81,17 +79,28 @@ void PersonMotion::enter(int human) {
 }
 
 void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, const Ways& ways,
-                           WorldState& state) {
+                           WorldState& state, ForceColumns& forces) {
   crowd_.update(world, ways, intents, directions_, workers_);
   crowd_.computeForces(workers_);
   desks_.resize(workers_.threadCount());
+  walls_.resize(ways.areOpen() ? 0 : wanted_.size());
+  for (std::vector<Vec2>* column :
+       {&forces.goal, &forces.social, &forces.obstacle, &forces.group}) {
+    column->resize(wanted_.size());
+  }
   const auto moveSlice = [&](std::size_t thread, std::size_t begin, std::size_t end) {
     for (std::size_t human = begin; human < end; ++human) {
       crowd_.expect(human + kAhead);
+      ForceTerms terms;
       if (state.present[human] != 0) {
-        move(human, world, intents, desks_[thread].situation);
-        turn(human, intents.of(static_cast<int>(human)), world.model.dt, state);
+        const Intent& intent = intents.of(static_cast<int>(human));
+        terms = move(human, world, intent, desks_[thread].situation);
+        turn(human, intent, world.model.dt, state);
       }
+      forces.goal[human] = terms.goal;
+      forces.social[human] = terms.social;
+      forces.obstacle[human] = terms.obstacle;
+      forces.group[human] = terms.group;
     }
   };
   workers_.forSlices(wanted_.size(), kSlice, moveSlice);
@@ -129,7 +138,7 @@ void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents, 
     request.time = state.time;
     request.route = person.route;
     request.spread = spreadOf(world, human);
-    const RouteFollower::Leg leg = routes_[human].follow(request, ways, world.obstacles);
+    const RouteFollower::Leg leg = legOf(human, request, world, ways);
     directions_[human] = leg.direction;
     changes_[human] = wasOnTheWay == leg.direction.isZero(0.0) ? 1 : 0;
     if (leg.replanned) {
@@ -137,39 +146,54 @@ void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents, 
     }
     if (leg.stuck) {
       state.emit(EventKind::Stuck, person.id);
-      routes_[human].goRound(request, standingNear(world, human), ways);
+      routes_[human]->goRound(request, standingNear(world, human), ways);
     }
   }
 }
 
-void PersonMotion::move(std::size_t human, const FrozenWorld& world, const Intents& intents,
-                        Situation& situation) {
-  const Intent& intent = intents.of(static_cast<int>(human));
+RouteFollower::Leg PersonMotion::legOf(std::size_t human, const RouteFollower::Request& request,
+                                       const FrozenWorld& world, Ways& ways) {
+  if (request.route == Route::Direct) {
+    return RouteFollower::straight(request);
+  }
+  if (routes_[human] == nullptr) {
+    routes_[human] = std::make_unique<RouteFollower>();
+  }
+  return routes_[human]->follow(request, ways, world.obstacles);
+}
+
+void PersonMotion::findWalls(std::size_t human, const FrozenWorld& world, const Intent& intent) {
+  walls_[human].clear();
   const Walker& walker = crowd_.walker(human);
-  WantedMotion& wanted = wanted_[human];
-  wanted.velocity = Vec2::Zero();
-  wanted.forces = ForceTerms{};
-  wanted.looksAhead = isWalking(intent);
-  wanted.walls.clear();
-  const bool wallsAct = isWalking(intent) && world.model.obstaclePoints == ObstaclePoints::Boundary;
+  const bool wallsAct =
+      isWalking(intent.motion) && world.model.obstaclePoints == ObstaclePoints::Boundary;
   const double range = wallsAct ? kReach : walker.radius + kTouching;
   if (crowd_.room(human) < range) {
-    world.obstacles.boundaryPoints(walker.position, wanted.walls, range);
+    world.obstacles.boundaryPoints(walker.position, walls_[human], range);
   }
-  if (!isWalking(intent)) {
-    return;
+}
+
+ForceTerms PersonMotion::move(std::size_t human, const FrozenWorld& world, const Intent& intent,
+                              Situation& situation) {
+  wanted_[human] = Vec2::Zero();
+  if (!walls_.empty()) {
+    findWalls(human, world, intent);
   }
-  crowd_.fill(human, intent, wanted.walls, situation);
+  if (!isWalking(intent.motion)) {
+    return {};
+  }
+  crowd_.fill(human, intent, wallsNear(human), situation);
   situation.pushTime = situation.dt * (changes_[human] != 0 ? 0.5 : 1.0);
   const std::function<bool(const Vec2&, const Vec2&)> isVisible =
       [&](const Vec2& /*own*/, const Vec2& other) { return crowd_.isVisible(human, other); };
   situation.isVisible = &isVisible;
   const PedestrianModel& model = crowd_.modelOf(human);
-  wanted.forces = model.forces(situation);
+  ForceTerms forces = model.forces(situation);
   if (intent.motion == Motion::Walk) {
-    wanted.forces.social += intent.extraForce;
+    forces.social += intent.extraForce;
   }
-  wanted.velocity = model.velocity(situation, wanted.forces);
+  wanted_[human] = model.velocity(situation, forces);
+  return forces;
 }
 
 double headingAfter(double heading, const Vec2& velocity, double dt) {

@@ -1,20 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "sim2d/world/Crowd.h"
 #include "sim2d/world/RouteFollower.h"
 
 namespace sim2d {
-
-/// What one person wants of the step.
-struct WantedMotion {
-  Vec2 velocity = Vec2::Zero();         // [m/s]
-  ForceTerms forces;                    // that led to it [m/s²]
-  bool looksAhead = false;              // the heading follows the velocity
-  std::vector<Obstacles::Point> walls;  // near the body
-};
 
 /// From intents to wanted velocities: ways, forces, the model of each person.
 class PersonMotion {
@@ -31,27 +24,36 @@ class PersonMotion {
   void chooseLegs(const FrozenWorld& world, const Intents& intents, Ways& ways, WorldState& state);
   /// `compute` comes soon: threads may wake up.
   void expectWork();
-  /// Then: fills `wanted` and turns those who turn on the spot.
+  /// Then: fills `wanted` and the forces of all people, which lead to it, and turns those who turn
+  /// on the spot.
   void compute(const FrozenWorld& world, const Intents& intents, const Ways& ways,
-               WorldState& state);
-  const std::vector<WantedMotion>& wanted() const { return wanted_; }
+               WorldState& state, ForceColumns& forces);
+  const std::vector<Vec2>& wanted() const { return wanted_; }  // velocities [m/s]
+  /// Near the body of a person; null: nothing stands anywhere.
+  const std::vector<Obstacles::Point>* wallsNear(std::size_t human) const {
+    return walls_.empty() ? nullptr : &walls_[human];
+  }
 
  private:
   struct alignas(64) Desk {  // what one thread works on; no line of memory is another's too
     Situation situation;
   };
 
-  void move(std::size_t human, const FrozenWorld& world, const Intents& intents,
-            Situation& situation);
+  ForceTerms move(std::size_t human, const FrozenWorld& world, const Intent& intent,
+                  Situation& situation);
+  void findWalls(std::size_t human, const FrozenWorld& world, const Intent& intent);
+  RouteFollower::Leg legOf(std::size_t human, const RouteFollower::Request& request,
+                           const FrozenWorld& world, Ways& ways);
   static void turn(std::size_t human, const Intent& intent, double dt, WorldState& state);
 
   WorkerPool workers_;
   Crowd crowd_;
-  std::vector<Desk> desks_;  // by thread
-  std::vector<RouteFollower> routes_;
+  std::vector<Desk> desks_;                             // by thread
+  std::vector<std::unique_ptr<RouteFollower>> routes_;  // null: straight ways so far
   std::vector<Vec2> directions_;
   std::vector<std::uint8_t> changes_;  // sets off or ends to walk in this step
-  std::vector<WantedMotion> wanted_;
+  std::vector<Vec2> wanted_;
+  std::vector<std::vector<Obstacles::Point>> walls_;
 };
 
 /// New heading of a person: towards `velocity` when it is not too slow to have a direction, at most

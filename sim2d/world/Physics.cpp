@@ -32,13 +32,19 @@ bool byKey(const Touch& a, const Touch& b) {
 
 struct Physics::World {
   struct Body {
-    b2Body* body = nullptr;
-    Pose2 pose;
+    Vec2 position = Vec2::Zero();
     Vec2 velocity = Vec2::Zero();
+    b2Body* body = nullptr;
+    double heading = 0.0;
     double omega = 0.0;
+    float radius = 0.0F, mass = 0.0F;  // of a person
+    bool isPerson = false;
+    bool passesItsKind = false;
     bool present = true;
     bool braked = false;
     bool lonely = false;
+
+    Pose2 pose() const { return {position, heading}; }
   };
 
   explicit World(const Vec2& centre) : world(b2Vec2(0.0F, 0.0F)), origin(centre) {
@@ -55,7 +61,10 @@ struct Physics::World {
   Body& at(int index) { return bodies[static_cast<std::size_t>(index)]; }
 
   void addLoop(const Outline& outline, int part, bool enabled);
-  void addFixtures(b2Body& body, const BodySpec& spec) const;
+  static void addFootprint(b2Body& body, const BodySpec& spec);
+  static void addDisc(b2Body& body, float radius, bool passesItsKind);
+  static void setMass(b2Body& body, float kilograms);
+  static void update(Body& body);
   void readBack(Body& body, double dt) const;
   static void moveAlone(Body& body, double dt);
   Touch touchOf(b2Contact& contact) const;
@@ -93,20 +102,23 @@ void Physics::World::addLoop(const Outline& outline, int part, bool enabled) {
   parts.back().push_back(walls->CreateFixture(&definition));
 }
 
-void Physics::World::addFixtures(b2Body& body, const BodySpec& spec) const {
+void Physics::World::addDisc(b2Body& body, float radius, bool passesItsKind) {
+  b2CircleShape circle;
+  circle.m_radius = radius;
+  b2FixtureDef definition;
+  definition.friction = 0.0F;
+  definition.density = 1.0F;
+  definition.filter.groupIndex = passesItsKind ? -1 : 0;
+  definition.shape = &circle;
+  body.CreateFixture(&definition);
+}
+
+void Physics::World::addFootprint(b2Body& body, const BodySpec& spec) {
   b2FixtureDef definition;
   definition.friction = 0.0F;
   definition.density = 1.0F;
   definition.filter.groupIndex = spec.passesItsKind ? -1 : 0;
-  if (spec.footprint.empty()) {
-    b2CircleShape circle;
-    circle.m_radius = static_cast<float>(spec.radius + kSkin);
-    definition.shape = &circle;
-    body.CreateFixture(&definition);
-  }
-  for (const std::vector<Vec2>& piece : spec.footprint.empty()
-                                            ? std::vector<std::vector<Vec2>>{}
-                                            : convexPieces(spec.footprint, b2_maxPolygonVertices)) {
+  for (const std::vector<Vec2>& piece : convexPieces(spec.footprint, b2_maxPolygonVertices)) {
     std::vector<b2Vec2> corners;
     corners.reserve(piece.size());
     for (const Vec2& point : piece) {
@@ -117,12 +129,29 @@ void Physics::World::addFixtures(b2Body& body, const BodySpec& spec) const {
     definition.shape = &polygon;
     body.CreateFixture(&definition);
   }
+}
+
+void Physics::World::setMass(b2Body& body, float kilograms) {
   b2MassData mass = {};
   body.GetMassData(&mass);
-  const float scale = mass.mass > 0.0F ? static_cast<float>(spec.mass) / mass.mass : 1.0F;
+  const float scale = mass.mass > 0.0F ? kilograms / mass.mass : 1.0F;
   mass.mass *= scale;
   mass.I *= scale;
   body.SetMassData(&mass);
+}
+
+/// Whether the solver knows a body. People have a shape only while it does: most need none.
+void Physics::World::update(Body& body) {
+  const bool isKnown = body.present && !body.lonely;
+  b2Fixture* const shape = body.body->GetFixtureList();
+  if (body.isPerson && isKnown && shape == nullptr) {
+    addDisc(*body.body, body.radius, body.passesItsKind);
+    setMass(*body.body, body.mass);
+  }
+  body.body->SetEnabled(isKnown);
+  if (body.isPerson && !isKnown && shape != nullptr) {
+    body.body->DestroyFixture(shape);
+  }
 }
 
 /// A body that no contact moved keeps its exact velocity and position; rounding is not taken over.
@@ -134,22 +163,22 @@ void Physics::World::readBack(Body& body, double dt) const {
   }
   const b2Vec2 moved = body.body->GetPosition();
   const Vec2 found = origin + Vec2(moved.x, moved.y);
-  const Vec2 exact = body.pose.position + body.velocity * dt;
-  body.pose.position = (found - exact).norm() <= kRounding ? exact : found;
+  const Vec2 exact = body.position + body.velocity * dt;
+  body.position = (found - exact).norm() <= kRounding ? exact : found;
   if (body.body->GetAngularVelocity() != static_cast<float>(body.omega)) {
     body.omega = static_cast<double>(body.body->GetAngularVelocity());
   }
-  const double turned = base::wrapToPi(body.pose.heading + body.omega * dt);
+  const double turned = base::wrapToPi(body.heading + body.omega * dt);
   const double angle = base::wrapToPi(static_cast<double>(body.body->GetAngle()));
-  body.pose.heading =
+  body.heading =
       body.body->IsFixedRotation() || std::fabs(base::angleDiff(angle, turned)) <= kRounding
           ? turned
           : angle;
 }
 
 void Physics::World::moveAlone(Body& body, double dt) {
-  body.pose.position += body.velocity * dt;
-  body.pose.heading = base::wrapToPi(body.pose.heading + body.omega * dt);
+  body.position += body.velocity * dt;
+  body.heading = base::wrapToPi(body.heading + body.omega * dt);
 }
 
 Touch Physics::World::touchOf(b2Contact& contact) const {
@@ -221,6 +250,10 @@ void Physics::setPartEnabled(int part, bool enabled) {
   }
 }
 
+void Physics::reserve(std::size_t bodies) {
+  world_->bodies.reserve(bodies);
+}
+
 int Physics::addBody(const BodySpec& spec, bool present) {
   const int index = static_cast<int>(world_->bodies.size());
   b2BodyDef definition;
@@ -228,14 +261,24 @@ int Physics::addBody(const BodySpec& spec, bool present) {
   definition.position = world_->toLocal(spec.pose.position);
   definition.angle = static_cast<float>(spec.pose.heading);
   definition.fixedRotation = spec.keepsHeading;
-  definition.enabled = present && !spec.lonely;
+  definition.enabled = false;
   definition.userData.pointer = static_cast<uintptr_t>(index);
   World::Body body;
   body.body = world_->world.CreateBody(&definition);
-  body.pose = spec.pose;
+  body.position = spec.pose.position;
+  body.heading = spec.pose.heading;
+  body.radius = static_cast<float>(spec.radius + kSkin);
+  body.mass = static_cast<float>(spec.mass);
+  body.isPerson = spec.keepsHeading && spec.footprint.empty();
+  body.passesItsKind = spec.passesItsKind;
   body.present = present;
   body.lonely = spec.lonely;
-  world_->addFixtures(*body.body, spec);
+  if (!body.isPerson) {
+    spec.footprint.empty() ? World::addDisc(*body.body, body.radius, body.passesItsKind)
+                           : World::addFootprint(*body.body, spec);
+    World::setMass(*body.body, body.mass);
+  }
+  World::update(body);
   world_->bodies.push_back(body);
   return index;
 }
@@ -243,12 +286,13 @@ int Physics::addBody(const BodySpec& spec, bool present) {
 void Physics::setPresent(int body, bool present) {
   World::Body& changed = world_->at(body);
   changed.present = present;
-  changed.body->SetEnabled(present && !changed.lonely);
+  World::update(changed);
 }
 
 void Physics::place(int body, const Pose2& pose) {
   World::Body& moved = world_->at(body);
-  moved.pose = pose;
+  moved.position = pose.position;
+  moved.heading = pose.heading;
   moved.velocity = Vec2::Zero();
   moved.omega = 0.0;
   moved.body->SetTransform(world_->toLocal(pose.position), static_cast<float>(pose.heading));
@@ -273,10 +317,10 @@ void Physics::setLonely(int body, bool lonely) {
   }
   changed.lonely = lonely;
   if (!lonely) {  // it went on alone
-    changed.body->SetTransform(world_->toLocal(changed.pose.position),
-                               static_cast<float>(changed.pose.heading));
+    changed.body->SetTransform(world_->toLocal(changed.position),
+                               static_cast<float>(changed.heading));
   }
-  changed.body->SetEnabled(changed.present && !lonely);
+  World::update(changed);
 }
 
 void Physics::setBraked(int body, bool braked) {
@@ -306,8 +350,8 @@ void Physics::step(double dt, int subSteps) {
   }
 }
 
-const Pose2& Physics::pose(int body) const {
-  return world_->at(body).pose;
+Pose2 Physics::pose(int body) const {
+  return world_->at(body).pose();
 }
 const Vec2& Physics::velocity(int body) const {
   return world_->at(body).velocity;

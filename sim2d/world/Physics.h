@@ -44,6 +44,7 @@ class Physics {
   void addPart(const std::vector<Outline>& outlines, bool enabled);
   void setPartEnabled(int part, bool enabled);
 
+  void reserve(std::size_t bodies);
   int addBody(const BodySpec& spec, bool present);
   void setPresent(int body, bool present);
   void place(int body, const Pose2& pose);
@@ -57,7 +58,7 @@ class Physics {
   /// More `subSteps` let fast bodies sink less into what they hit.
   void step(double dt, int subSteps = 1);
 
-  const Pose2& pose(int body) const;
+  Pose2 pose(int body) const;
   const Vec2& velocity(int body) const;  // after contacts [m/s]
   double omega(int body) const;          // [rad/s]
 

@@ -44,7 +44,7 @@ std::map<int, double> radiiByGoal(const WorldModel& model) {
   };
   for (const Person& person : model.people) {
     if (person.constants.route == Route::Planned) {
-      for (const int goal : person.definition->goals) {
+      for (const int goal : person.plan->written) {
         include(goal, person.constants.radius);
       }
     }
@@ -77,7 +77,7 @@ base::Diagnostic about(base::Diagnostic diagnostic, EntityId entity) {
 }
 
 EntityId keyOfRobot(const WorldModel& model, const ResolvedRobot& robot) {
-  for (const Robot& written : model.scenario->robots) {
+  for (const Robot& written : model.scene->robots) {
     if (written.listed && written.name == robot.name) {
       return written.key;
     }
@@ -108,14 +108,14 @@ void checkPlaces(const WorldModel& model, base::Diagnostics& problems) {
     const std::string who = "person '" + person.constants.name + "': ";
     if (!isUsable(person.constants.start.position) ||
         !std::isfinite(person.constants.start.heading)) {
-      problems.push_back(about(base::makeError(who + "init pose is not finite or beyond 1e6 m"),
-                               person.definition->key));
+      problems.push_back(
+          about(base::makeError(who + "init pose is not finite or beyond 1e6 m"), person.key));
     }
-    for (const int goal : person.definition->goals) {
+    for (const int goal : person.plan->written) {
       if (model.globalGoals.count(goal) == 0) {
         problems.push_back(about(
             base::makeError(who + "goal " + std::to_string(goal) + " is not among global_goals"),
-            person.definition->key));
+            person.key));
       }
     }
   }
@@ -130,7 +130,7 @@ void checkPlaces(const WorldModel& model, base::Diagnostics& problems) {
                                keyOfRobot(model, robot)));
     }
   }
-  for (const GlobalGoal& goal : model.scenario->goals) {
+  for (const GlobalGoal& goal : model.scene->goals) {
     if (!isUsable(goal.position)) {
       problems.push_back(about(
           base::makeError("goal " + std::to_string(goal.id) + " is not finite or beyond 1e6 m"),
@@ -141,7 +141,7 @@ void checkPlaces(const WorldModel& model, base::Diagnostics& problems) {
 
 void fitPlaces(WorldModel& model, Ways& ways, base::Diagnostics& problems) {
   const std::map<int, double> radii = radiiByGoal(model);
-  for (const GlobalGoal& goal : model.scenario->goals) {
+  for (const GlobalGoal& goal : model.scene->goals) {
     const auto radius = radii.find(goal.id);
     if (radius != radii.end() && radius->second > 0.0) {
       fit(model.globalGoals[goal.id], radius->second, "goal " + std::to_string(goal.id), goal.key,
@@ -150,7 +150,7 @@ void fitPlaces(WorldModel& model, Ways& ways, base::Diagnostics& problems) {
   }
   for (Person& person : model.people) {
     fit(person.constants.start.position, person.constants.radius,
-        "start of '" + person.constants.name + "'", person.definition->key, ways, problems);
+        "start of '" + person.constants.name + "'", person.key, ways, problems);
   }
   for (ResolvedRobot& robot : model.robots) {
     const EntityId key = keyOfRobot(model, robot);
@@ -171,7 +171,8 @@ void leaveOutUnreachable(WorldModel& model, Ways& ways, base::Diagnostics& probl
     if (person.constants.route == Route::Direct) {
       continue;
     }
-    keepReachable(person.goals, [&](const GoalItem& goal) {
+    GoalPlan plan = *person.plan;
+    keepReachable(plan.goals, [&](const GoalItem& goal) {
       if (ways.isReachable(person.constants.radius, person.constants.start.position,
                            goal.position)) {
         return true;
@@ -179,9 +180,12 @@ void leaveOutUnreachable(WorldModel& model, Ways& ways, base::Diagnostics& probl
       problems.push_back(
           about(base::makeWarning("person '" + person.constants.name + "': no way to goal " +
                                   std::to_string(goal.id) + ", it is left out"),
-                person.definition->key));
+                person.key));
       return false;
     });
+    if (plan.goals.size() < person.plan->goals.size()) {
+      person.plan = std::make_shared<GoalPlan>(std::move(plan));
+    }
   }
   for (ResolvedRobot& robot : model.robots) {
     std::vector<Vec2> goals;

@@ -46,13 +46,13 @@ bool isFree(const WorldModel& model, const WorldState& state, const Vec2& place,
   return true;
 }
 
-std::vector<GoalItem> goalItems(const WorldModel& model, const Human& definition,
-                                const ResolvedHuman& constants) {
+std::vector<GoalItem> goalItems(const WorldModel& model, const std::vector<int>& ids,
+                                double radius) {
   std::vector<GoalItem> items;
-  for (const int id : definition.goals) {
+  for (const int id : ids) {
     const auto found = model.globalGoals.find(id);
     if (found != model.globalGoals.end()) {
-      items.push_back({id, found->second, constants.goalRadius});
+      items.push_back({id, found->second, radius});
     }
   }
   return items;
@@ -69,12 +69,14 @@ Population::Population(const WorldModel& model) {
     }
     Source source;
     source.area = i;
-    source.like = model.scenario->human(*area.like);
+    const Human& like = model.patterns.at(*area.like);
+    const ResolvedHuman constants = resolvePerson(model, like);
+    source.like = &like;
+    source.plan = std::make_shared<GoalPlan>(
+        GoalPlan{like.goals, goalItems(model, like.goals, constants.goalRadius)});
     source.next = area.from.value_or(0.0);
-    if (source.like != nullptr) {
-      scheduleNext(model, source);
-      sources_.push_back(source);
-    }
+    scheduleNext(model, source);
+    sources_.push_back(source);
   }
 }
 
@@ -94,7 +96,8 @@ void Population::scheduleNext(const WorldModel& model, Source& source) const {
 bool Population::addCopy(Source& source, WorldModel& model, WorldState& state, Ways& ways) const {
   const Area& area = *model.areas[source.area];
   Person person;
-  person.definition = source.like;
+  person.key = source.like->key;
+  person.plan = source.plan;
   const int id = model.nextId;
   Human copy = *source.like;
   copy.id = id;
@@ -112,7 +115,6 @@ bool Population::addCopy(Source& source, WorldModel& model, WorldState& state, W
     person.constants.start.heading =
         rng.uniform(-base::kPi, base::kPi, base::Draw::Placement, 2 * kPlaceTrials);
     person.constants.startTime = state.time;
-    person.goals = goalItems(model, *source.like, person.constants);
     person.model = pedestrianModels().make(person.constants.model, person.constants);
     model.people.push_back(std::move(person));
     ++model.nextId;

@@ -21,8 +21,9 @@ class Population {
 
  private:
   struct Source {
-    std::size_t area = 0;  // in WorldModel::areas
-    const Human* like = nullptr;
+    std::size_t area = 0;         // in WorldModel::areas
+    const Human* like = nullptr;  // in WorldModel::patterns
+    std::shared_ptr<GoalPlan> plan;
     int arrived = 0;    // copies so far
     double next = 0.0;  // time of the next arrival [s]
   };
@@ -35,8 +36,8 @@ class Population {
 
 /// A body of this radius at `place` overlaps nobody present, people and robots.
 bool isFree(const WorldModel& model, const WorldState& state, const Vec2& place, double radius);
-/// Goals of a person, without those that nobody knows.
-std::vector<GoalItem> goalItems(const WorldModel& model, const Human& definition,
-                                const ResolvedHuman& constants);
+/// Goals by their ids, without those that nobody knows.
+std::vector<GoalItem> goalItems(const WorldModel& model, const std::vector<int>& ids,
+                                double radius);
 
 }  // namespace sim2d

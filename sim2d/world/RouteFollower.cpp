@@ -17,16 +17,24 @@ constexpr double kWalkingSpeed = 0.05;  // [m/s]; slower people cannot be stuck
 
 }  // namespace
 
+RouteFollower::Leg RouteFollower::straight(const Request& request) {
+  Leg leg;
+  const Vec2 toTarget = request.target.position - request.position;
+  if (toTarget.norm() > request.target.radius) {
+    leg.direction = toTarget.normalized();
+  }
+  return leg;
+}
+
 RouteFollower::Leg RouteFollower::follow(const Request& request, Ways& ways,
                                          const Obstacles& obstacles) {
+  if (request.route == Route::Direct) {
+    return straight(request);
+  }
   Leg leg;
   const Vec2 toTarget = request.target.position - request.position;
   if (toTarget.norm() <= request.target.radius) {
     progressAt_ = request.time;
-    return leg;
-  }
-  if (request.route == Route::Direct) {
-    leg.direction = toTarget.normalized();
     return leg;
   }
   if (!isForThisTarget(request, ways)) {

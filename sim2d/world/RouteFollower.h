@@ -28,6 +28,8 @@ class RouteFollower {
   };
 
   Leg follow(const Request& request, Ways& ways, const Obstacles& obstacles);
+  /// Of Route::Direct, for which nothing has to be kept.
+  static Leg straight(const Request& request);
   /// Of use after `stuck`: first to a place beside those who stand in the way, if there is room.
   void goRound(const Request& request, const std::vector<StandingBody>& standing, Ways& ways);
   void reset() { *this = RouteFollower{}; }

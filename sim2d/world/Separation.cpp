@@ -16,7 +16,10 @@ double excess(double closingSpeed, double gap, double dt) {
 
 bool stopAtWalls(MovingDisc& disc, double dt) {
   bool changed = false;
-  for (const Obstacles::Point& point : disc.walls) {
+  if (disc.walls == nullptr) {
+    return changed;
+  }
+  for (const Obstacles::Point& point : *disc.walls) {
     if (point.inside || point.distance < 1e-9) {
       continue;
     }
@@ -55,8 +58,9 @@ void keepApart(std::vector<MovingDisc>& discs, const std::vector<DiscPair>& pair
   for (int round = 0; round < kMostRounds && changed; ++round) {
     changed = false;
     for (const DiscPair& pair : pairs) {
-      changed |= stopAtEachOther(discs[static_cast<std::size_t>(pair.first)],
-                                 discs[static_cast<std::size_t>(pair.second)], pair.shift, dt);
+      changed |=
+          stopAtEachOther(discs[static_cast<std::size_t>(pair.first)],
+                          discs[static_cast<std::size_t>(pair.second)], Vec2(pair.shift, 0.0), dt);
     }
     for (MovingDisc& disc : discs) {
       changed |= stopAtWalls(disc, dt);

@@ -8,15 +8,15 @@ namespace sim2d {
 
 /// A disc on its way.
 struct MovingDisc {
-  Vec2 position = Vec2::Zero();         // [m]
-  Vec2 velocity = Vec2::Zero();         // wanted; what is left of it afterwards [m/s]
-  double radius = 0.35;                 // [m]
-  double mass = 80.0;                   // [kg]
-  std::vector<Obstacles::Point> walls;  // boundary points near the disc
+  Vec2 position = Vec2::Zero();  // [m]
+  Vec2 velocity = Vec2::Zero();  // wanted; what is left of it afterwards [m/s]
+  double radius = 0.35;          // [m]
+  double mass = 80.0;            // [kg]
+  const std::vector<Obstacles::Point>* walls = nullptr;  // boundary points near the disc
 };
 struct DiscPair {
   int first = 0, second = 0;
-  Vec2 shift = Vec2::Zero();  // of the second, to where it acts [m]
+  double shift = 0.0;  // of the second along x, to where it acts [m]
 };
 
 /// Takes from the velocities what would press discs into each other or into walls before the step

@@ -35,10 +35,14 @@ struct SocialLaw {
 
 /// A body that feels or causes forces.
 struct Walker {
-  int id = 0;
   Vec2 position = Vec2::Zero();  // [m]
   Vec2 velocity = Vec2::Zero();  // [m/s]
   double radius = 0.35;          // [m]
+  int id = 0;
+
+  Walker() = default;
+  Walker(int number, const Vec2& place, const Vec2& speed, double size)
+      : position(place), velocity(speed), radius(size), id(number) {}
 };
 
 /// Pull towards `direction` (unit vector) at `desiredSpeed` [m/s]. Direction zero: brakes, with the

@@ -128,7 +128,7 @@ void partStarts(WorldModel& model, Ways& ways, base::Diagnostics& problems) {
   for (Person& person : model.people) {
     if (person.constants.startTime <= 0.0) {
       put(placed,
-          {person.constants.name, person.definition->key, person.constants.radius,
+          {person.constants.name, person.key, person.constants.radius,
            &person.constants.start.position, model.peoplePass},
           ways, problems);
     }

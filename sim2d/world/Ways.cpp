@@ -33,6 +33,9 @@ void Ways::rebuild(const OccupancyGrid& map, const Obstacles& obstacles) {
   field_ = standsAnything(map, obstacles)
                ? std::make_shared<const DistanceField>(map, obstacles, places_)
                : nullptr;
+  if (field_ == nullptr) {
+    places_ = {};  // what may stand is known from the start
+  }
   blocks_ = field_ != nullptr ? std::make_unique<const OpenBlocks>(field_) : nullptr;
   ++version_;
 }

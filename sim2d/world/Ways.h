@@ -27,6 +27,8 @@ class Ways {
   std::optional<Vec2> nearestFit(double radius, const Vec2& point);
   /// At least this much room to the next wall [m], by the grid; large where nothing stands.
   double clearance(const Vec2& point) const;
+  /// Nothing stands anywhere.
+  bool areOpen() const { return field_ == nullptr; }
   /// True: surely no wall between the two; false: perhaps one.
   bool isOpenBetween(const Vec2& from, const Vec2& to) const {
     return blocks_ == nullptr || blocks_->areFree(from, to);

@@ -12,6 +12,7 @@ base::Result<std::unique_ptr<World>> World::create(WorldSetup setup) {
   if (!parts) {
     return parts.diagnostics();
   }
+  setup.scenario = nullptr;  // people need the memory, unless the caller still uses it
   auto state = std::make_unique<State>(std::move(**parts), std::move(setup.behavior));
   return {std::unique_ptr<World>(new World(std::move(state))), parts.diagnostics()};
 }

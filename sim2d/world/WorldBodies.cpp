@@ -14,9 +14,10 @@ constexpr double kNearRobot = 0.5;  // [m]
 constexpr int kPolygonSubSteps = 4;
 
 bool isNearWall(const MovingDisc& disc, double reach) {
-  return std::any_of(disc.walls.begin(), disc.walls.end(), [reach](const Obstacles::Point& point) {
-    return point.inside || point.distance < reach;
-  });
+  return disc.walls != nullptr && std::any_of(disc.walls->begin(), disc.walls->end(),
+                                              [reach](const Obstacles::Point& point) {
+                                                return point.inside || point.distance < reach;
+                                              });
 }
 
 }  // namespace
@@ -25,6 +26,7 @@ void World::State::placeDiscs(const std::vector<base::Twist2>& commands) {
   discs_.resize(owners.size());
   std::vector<MovingDisc>& discs = discs_;
   chords_.assign(commands.size(), Vec2::Zero());
+  robotWalls_.resize(commands.size());
   for (std::size_t i = 0; i < commands.size(); ++i) {
     const RobotState& robot = state.robots[i];
     const double middle = robot.pose.heading + commands[i].angular * model.dt / 2.0;
@@ -35,9 +37,10 @@ void World::State::placeDiscs(const std::vector<base::Twist2>& commands) {
     const bool stands = commands[i].linear == 0.0 && commands[i].angular == 0.0;
     discs[i].mass = model.robots[i].mass * (stands ? kBrakedMass : 1.0);
     physics.setBraked(static_cast<int>(i), stands);
-    discs[i].walls.clear();
+    robotWalls_[i].clear();
+    discs[i].walls = &robotWalls_[i];
     if (model.robots[i].footprint.empty()) {
-      surroundings.obstacles.boundaryPoints(robot.pose.position, discs[i].walls,
+      surroundings.obstacles.boundaryPoints(robot.pose.position, robotWalls_[i],
                                             discs[i].radius + 1.0);
     }
   }
@@ -50,22 +53,23 @@ void World::State::placeDiscs(const std::vector<base::Twist2>& commands) {
       continue;
     }
     MovingDisc& disc = discs[static_cast<std::size_t>(bodyOf(i))];
-    const WantedMotion& wanted = motion.wanted()[i];
     disc.position = state.position(i);
-    disc.velocity = wanted.velocity;
+    disc.velocity = motion.wanted()[i];
     disc.radius = model.people[i].constants.radius;
     disc.mass = model.people[i].constants.mass;
-    disc.walls = wanted.walls;
+    disc.walls = motion.wallsNear(i);
   }
+}
+
+Vec2 World::State::wantedVelocity(std::size_t body,
+                                  const std::vector<base::Twist2>& commands) const {
+  const auto at = static_cast<std::size_t>(owners[body].index);
+  return owners[body].isRobot ? Vec2(commands[at].linear * chords_[at]) : motion.wanted()[at];
 }
 
 void World::State::moveBodies(const std::vector<base::Twist2>& commands) {
   placeDiscs(commands);
   std::vector<MovingDisc>& discs = discs_;
-  wantedVelocities_.resize(discs.size(), Vec2::Zero());
-  for (std::size_t body = 0; body < discs.size(); ++body) {
-    wantedVelocities_[body] = discs[body].velocity;
-  }
   findPairs();
   keepApart(discs, pairs_, model.dt);
   findNearness();
@@ -133,7 +137,7 @@ bool World::State::mayMeet(const DiscPair& pair) const {
   }
   const MovingDisc& a = discs_[first];
   const MovingDisc& b = discs_[second];
-  const Vec2 apart = b.position + pair.shift - a.position;
+  const Vec2 apart = b.position + Vec2(pair.shift, 0.0) - a.position;
   const Vec2 travel = (b.velocity - a.velocity) * model.dt;
   const double nearest =
       std::clamp(-apart.dot(travel) / std::max(travel.squaredNorm(), 1e-12), 0.0, 1.0);
@@ -193,7 +197,7 @@ void World::State::findPairs() {
         const int other = bodyOf(static_cast<std::size_t>(human));
         const bool isDone = !owner.isRobot && (model.peoplePass || other <= static_cast<int>(body));
         if (!isDone) {
-          pairs.push_back({static_cast<int>(body), other, discs[body].position - centre});
+          pairs.push_back({static_cast<int>(body), other, discs[body].position.x() - centre.x()});
         }
       });
     });
@@ -216,7 +220,7 @@ void World::State::readPeople() {
     state.y[i] = position.y();
     state.vx[i] = velocity.x();
     state.vy[i] = velocity.y();
-    if (motion.wanted()[i].looksAhead) {
+    if (isWalking(intents.of(static_cast<int>(i)).motion)) {
       state.heading[i] = headingAfter(state.heading[i], velocity, model.dt);
     }
     state.omega[i] = base::angleDiff(state.heading[i], headingsBefore_[i]) / model.dt;

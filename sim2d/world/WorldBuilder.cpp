@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
+#include <tuple>
+#include <utility>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/world/Placement.h"
@@ -51,7 +53,23 @@ void checkPerson(const ResolvedHuman& person, EntityId key, base::Diagnostics& p
   }
 }
 
+/// People with the same goals, reached within the same radius, share a plan.
+class Plans {
+ public:
+  std::shared_ptr<GoalPlan> of(const std::vector<int>& goals, double radius) {
+    std::shared_ptr<GoalPlan>& plan = plans_[{goals, radius}];
+    if (plan == nullptr) {
+      plan = std::make_shared<GoalPlan>(GoalPlan{goals, {}});
+    }
+    return plan;
+  }
+
+ private:
+  std::map<std::pair<std::vector<int>, double>, std::shared_ptr<GoalPlan>> plans_;
+};
+
 void addPeople(const WorldSetup& setup, WorldModel& model, base::Diagnostics& problems) {
+  Plans plans;
   std::vector<const Human*> listed;
   for (const Human& human : setup.scenario->humans) {
     model.nextId = std::max(model.nextId, human.id + 1);
@@ -61,10 +79,12 @@ void addPeople(const WorldSetup& setup, WorldModel& model, base::Diagnostics& pr
   }
   std::stable_sort(listed.begin(), listed.end(),
                    [](const Human* a, const Human* b) { return a->id < b->id; });
+  model.people.reserve(listed.size());
   for (const Human* human : listed) {
     Person person;
-    person.definition = human;
+    person.key = human->key;
     person.constants = resolvePerson(model, *human);
+    person.plan = plans.of(human->goals, person.constants.goalRadius);
     checkPerson(person.constants, human->key, problems);
     if (!model.people.empty() && model.people.back().constants.id == human->id) {
       problems.push_back(
@@ -122,7 +142,7 @@ void addRobots(const Scenario& scenario, WorldParts& parts, base::Diagnostics& p
 }
 
 void addAreas(const Scenario& scenario, WorldModel& model, base::Diagnostics& problems) {
-  for (const Area& area : scenario.areas) {
+  for (const Area& area : model.scene->areas) {
     if (!area.listed) {
       continue;
     }
@@ -142,6 +162,7 @@ void addAreas(const Scenario& scenario, WorldModel& model, base::Diagnostics& pr
                 area.key));
     } else {
       checkPerson(resolvePerson(model, *like), like->key, problems);
+      model.patterns.emplace(like->name, *like);
     }
   }
 }
@@ -149,7 +170,7 @@ void addAreas(const Scenario& scenario, WorldModel& model, base::Diagnostics& pr
 void fillModel(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& problems) {
   const Scenario& scenario = *setup.scenario;
   WorldModel& model = parts.model;
-  model.scenario = setup.scenario;
+  model.scene = std::make_shared<const Scene>(scenario);
   model.compatibility = setup.compatibility;
   model.dt = scenario.desktop.dt.value_or(0.05);
   model.seed = static_cast<std::uint64_t>(scenario.desktop.seed.value_or(1));
@@ -165,7 +186,7 @@ void fillModel(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& pr
     model.ring.low = scenario.desktop.wrapX[0];
     model.ring.length = scenario.desktop.wrapX[1] - scenario.desktop.wrapX[0];
   }
-  for (const Door& door : scenario.doors) {
+  for (const Door& door : model.scene->doors) {
     if (door.listed) {
       model.doors.push_back(&door);
     }
@@ -177,6 +198,24 @@ void fillModel(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& pr
   addRobots(scenario, parts, problems);
   addAreas(scenario, model, problems);
 }
+
+/// A model serves all people for whom it would be made alike.
+class ModelsInUse {
+ public:
+  std::shared_ptr<const PedestrianModel> of(const ResolvedHuman& person) {
+    std::shared_ptr<const PedestrianModel>& model =
+        models_[{person.model, person.kind, person.goalFactor, person.obstacleFactor,
+                 person.socialFactor, person.otherFactor}];
+    if (model == nullptr) {
+      model = pedestrianModels().make(person.model, person);
+    }
+    return model;
+  }
+
+ private:
+  using Key = std::tuple<std::string, PersonKind, double, double, double, double>;
+  std::map<Key, std::shared_ptr<const PedestrianModel>> models_;
+};
 
 }  // namespace
 
@@ -198,9 +237,13 @@ base::Result<std::unique_ptr<WorldParts>> buildWorld(const WorldSetup& setup) {
   if (base::hasErrors(problems)) {
     return problems;
   }
+  ModelsInUse models;
   for (Person& person : parts->model.people) {
-    person.goals = goalItems(parts->model, *person.definition, person.constants);
-    person.model = pedestrianModels().make(person.constants.model, person.constants);
+    std::vector<GoalItem>& goals = person.plan->goals;
+    if (goals.empty()) {
+      goals = goalItems(parts->model, person.plan->written, person.constants.goalRadius);
+    }
+    person.model = models.of(person.constants);
   }
   leaveOutUnreachable(parts->model, *parts->ways, problems);
   return {std::move(parts), std::move(problems)};

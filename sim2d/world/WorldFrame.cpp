@@ -16,6 +16,20 @@ void clearAll(Columns&... columns) {
   (columns.clear(), ...);
 }
 
+template <class... Columns>
+void reserveAll(std::size_t count, Columns&... columns) {
+  (columns.reserve(count), ...);
+}
+
+/// Growing up by doubling would need up to three times the memory.
+void reserveFirst(std::size_t count, Frame& frame) {
+  HumanColumns& humans = frame.humans;
+  if (humans.id.capacity() == 0) {
+    reserveAll(count, humans.id, humans.x, humans.y, humans.heading, humans.vx, humans.vy,
+               humans.omega, humans.group, humans.state, humans.goal);
+  }
+}
+
 void clear(HumanColumns& humans) {
   clearAll(humans.id, humans.x, humans.y, humans.heading, humans.vx, humans.vy, humans.omega,
            humans.group, humans.state, humans.goal);
@@ -26,8 +40,17 @@ void clear(RobotColumns& robots) {
            robots.goal);
 }
 
-void clear(ForceColumns& forces) {
-  clearAll(forces.goal, forces.social, forces.obstacle, forces.group);
+/// Leaves those of people who are present; who came in after the step has none yet.
+void keepPresent(const std::vector<char>& present, std::vector<Vec2>& column) {
+  column.resize(present.size(), Vec2::Zero());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < present.size(); ++i) {
+    if (present[i] != 0) {
+      column[count] = column[i];
+      ++count;
+    }
+  }
+  column.resize(count);
 }
 
 void appendPerson(const WorldModel& model, const WorldState& state, std::size_t i,
@@ -60,24 +83,23 @@ void appendRobot(const ResolvedRobot& constants, const RobotState& robot, RobotC
 
 }  // namespace
 
-void fillFrame(const WorldModel& model, WorldState& state, const std::vector<WantedMotion>& wanted,
-               Frame& frame) {
+void fillFrame(const WorldModel& model, WorldState& state, Frame& frame) {
   frame.step = state.step;
   frame.time = state.time;
   clear(frame.humans);
   clear(frame.robots);
-  clear(frame.forces);
+  reserveFirst(model.people.size(), frame);
   for (std::size_t i = 0; i < model.people.size(); ++i) {
     if (state.present[i] == 0) {
       continue;
     }
     appendPerson(model, state, i, frame.humans);
-    if (state.step > 0) {
-      const ForceTerms& forces = wanted[i].forces;
-      frame.forces.goal.push_back(forces.goal);
-      frame.forces.social.push_back(forces.social);
-      frame.forces.obstacle.push_back(forces.obstacle);
-      frame.forces.group.push_back(forces.group);
+  }
+  if (state.step > 0) {
+    ForceColumns& forces = frame.forces;
+    for (std::vector<Vec2>* column :
+         {&forces.goal, &forces.social, &forces.obstacle, &forces.group}) {
+      keepPresent(state.present, *column);
     }
   }
   for (std::size_t i = 0; i < state.robots.size(); ++i) {

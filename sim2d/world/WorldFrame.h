@@ -1,15 +1,12 @@
 #pragma once
 
-#include <vector>
-
 #include "sim2d/world/PersonMotion.h"
 
 namespace sim2d {
 
-/// The state as a frame, but for the paths of robots and the changes of trees. `wanted`: of the
-/// step that led to it. The events are taken from the state and put in order. The memory of the
-/// frame is used again.
-void fillFrame(const WorldModel& model, WorldState& state, const std::vector<WantedMotion>& wanted,
-               Frame& frame);
+/// The state as a frame, but for the paths of robots and the changes of trees. It already has the
+/// forces of all people in the step that led to it. The events are taken from the state and put in
+/// order. The memory of the frame is used again.
+void fillFrame(const WorldModel& model, WorldState& state, Frame& frame);
 
 }  // namespace sim2d

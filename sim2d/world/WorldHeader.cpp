@@ -41,7 +41,7 @@ TraceHuman traceHuman(const Person& person) {
   human.behavior = static_cast<int>(constants.behavior);
   human.configuration = static_cast<int>(constants.configuration);
   human.cyclicGoals = constants.cyclicGoals;
-  for (const GoalItem& goal : person.goals) {
+  for (const GoalItem& goal : person.plan->goals) {
     human.goals.push_back({goal.id, goal.position, goal.radius});
   }
   human.parameters = parametersOf(constants);
@@ -84,7 +84,7 @@ TraceMetrics traceMetrics(const MetricsSettings& settings) {
 
 TraceHeader makeHeader(const WorldModel& model, const Surroundings& surroundings) {
   TraceHeader header;
-  const Scenario& scenario = *model.scenario;
+  const Scene& scenario = *model.scene;
   header.scenario = scenario.yamlBaseName.value_or("");
   header.dt = model.dt;
   header.recordEvery = scenario.desktop.recordEvery.value_or(1);
@@ -114,7 +114,7 @@ TraceHeader makeHeader(const WorldModel& model, const Surroundings& surroundings
   return header;
 }
 
-std::vector<std::string> partNames(const Scenario& scenario) {
+std::vector<std::string> partNames(const Scene& scenario) {
   std::vector<std::string> names = {"map"};
   for (const Obstacle& obstacle : scenario.obstacles) {
     if (obstacle.listed) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "sim2d/world/StepBuffers.h"
 #include "sim2d/world/WorldFrame.h"
@@ -31,7 +32,7 @@ Vec2 centreOf(const WorldModel& model, const OccupancyGrid& map) {
   return count > 0.0 ? Vec2(sum / count) : Vec2(Vec2::Zero());
 }
 
-std::vector<std::string> namesInContacts(const Scenario& scenario) {
+std::vector<std::string> namesInContacts(const Scene& scenario) {
   std::vector<std::string> names = partNames(scenario);
   names.front().clear();  // walls of the map have no name in events
   return names;
@@ -55,7 +56,7 @@ World::State::State(WorldParts parts, std::unique_ptr<HumanBehavior> minds)
       doors(model),
       population(model),
       robots(std::move(parts.controllers)),
-      contacts(namesInContacts(*model.scenario)) {
+      contacts(namesInContacts(*model.scene)) {
   const Obstacles& obstacles = surroundings.obstacles;
   for (int part = 0; part < obstacles.partCount(); ++part) {
     physics.addPart(obstacles.outlines(part), obstacles.isEnabled(part));
@@ -63,12 +64,15 @@ World::State::State(WorldParts parts, std::unique_ptr<HumanBehavior> minds)
   for (const Door* door : model.doors) {
     state.doorOpen.push_back(door->open.value_or(true) ? 1 : 0);
   }
+  owners.reserve(model.robots.size() + model.people.size());
+  physics.reserve(model.robots.size() + model.people.size());
   addRobotBodies();
   for (std::vector<double>* column :
        {&state.x, &state.y, &state.vx, &state.vy, &state.heading, &state.omega}) {
     column->reserve(model.people.size());
   }
   state.controls.reserve(model.people.size());
+  state.events.reserve(model.people.size());
   for (const Person& person : model.people) {
     state.append(person);
   }
@@ -129,7 +133,7 @@ void World::State::enter(int human) {
   state.heading[at] = start.heading;
   state.vx[at] = state.vy[at] = state.omega[at] = 0.0;
   state.active[at] = 0;
-  state.controls[at] = HumanControl{person.goals, false, person.constants.groupId};
+  state.controls[at] = HumanControl{person.plan->goals, false, person.constants.groupId};
   motion.enter(human);
   goals.enter(human);
   if (bodies_[at] < 0) {
@@ -188,9 +192,10 @@ bool World::State::step() {
   watch.lap(StepPhase::Robots);
   motion.chooseLegs(frozen, intents, *ways, state);
   watch.lap(StepPhase::Ways);
-  motion.compute(frozen, intents, *ways, state);
+  motion.compute(frozen, intents, *ways, state, frame.forces);
   failure = trouble(commands);
   if (!failure.empty()) {
+    frame.forces = {};  // they are of the step that failed
     return false;
   }
   watch.lap(StepPhase::Forces);
@@ -198,7 +203,10 @@ bool World::State::step() {
   watch.lap(StepPhase::Bodies);
   ++state.step;
   state.time = static_cast<double>(state.step) * model.dt;
-  contacts.update(physics, owners, wantedVelocities_, model, state);
+  const auto wanted = [&](int body) {
+    return wantedVelocity(static_cast<std::size_t>(body), commands);
+  };
+  contacts.update(physics, owners, std::cref(wanted), model, state);
   watch.lap(StepPhase::Contacts);
   afterMotion();
   applyInputs(watch);
@@ -231,7 +239,7 @@ std::string World::State::trouble(const std::vector<base::Twist2>& commands) con
   const std::string when = " in step " + std::to_string(state.step + 1);
   for (std::size_t i = 0; i < model.people.size(); ++i) {
     if (state.present[i] != 0 &&
-        !(isSound(motion.wanted()[i].velocity) && std::isfinite(state.heading[i]))) {
+        !(isSound(motion.wanted()[i]) && std::isfinite(state.heading[i]))) {
       const ResolvedHuman& person = model.people[i].constants;
       return "person '" + person.name + "' (id " + std::to_string(person.id) + ") diverged" + when +
              ": the velocity is not finite or above 1000 m/s";
@@ -247,7 +255,7 @@ std::string World::State::trouble(const std::vector<base::Twist2>& commands) con
 }
 
 void World::State::publish() {
-  fillFrame(model, state, motion.wanted(), frame);
+  fillFrame(model, state, frame);
   frame.robotPaths.resize(state.robots.size());
   for (std::size_t i = 0; i < state.robots.size(); ++i) {
     frame.robotPaths[i] = robots.path(i, model, state);

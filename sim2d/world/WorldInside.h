@@ -61,6 +61,8 @@ struct World::State {
   void decide();
   /// What a failed step says; empty: all numbers are fine.
   std::string trouble(const std::vector<base::Twist2>& commands) const;
+  /// Of a body, before contacts.
+  Vec2 wantedVelocity(std::size_t body, const std::vector<base::Twist2>& commands) const;
   void moveBodies(const std::vector<base::Twist2>& commands);
   void placeDiscs(const std::vector<base::Twist2>& commands);
   void findPairs();
@@ -80,10 +82,10 @@ struct World::State {
   std::vector<double> headingsBefore_;
   std::vector<MovingDisc> discs_;
   std::vector<DiscPair> pairs_;
-  std::vector<Nearness> nearness_;      // per body, in this step
-  std::vector<Vec2> wantedVelocities_;  // per body, before contacts
-  std::vector<Vec2> chords_;            // direction of each robot in the middle of the step
-  std::vector<double> robotReaches_;    // of the circle around each robot [m]
+  std::vector<Nearness> nearness_;    // per body, in this step
+  std::vector<Vec2> chords_;          // direction of each robot in the middle of the step
+  std::vector<double> robotReaches_;  // of the circle around each robot [m]
+  std::vector<std::vector<Obstacles::Point>> robotWalls_;  // near each robot
 };
 
 }  // namespace sim2d

@@ -25,7 +25,7 @@ void WorldState::append(const Person& person) {
   omega.push_back(0.0);
   active.push_back(0);
   HumanControl control;
-  control.goals = person.goals;
+  control.goals = person.plan->goals;
   control.group = person.constants.groupId;
   controls.push_back(std::move(control));
 }
@@ -41,7 +41,7 @@ void WorldState::emit(EventKind kind, int id, std::string text) {
 namespace {
 
 ResolvedHuman withoutModel(const WorldModel& model, const Human& human) {
-  const Scenario& scenario = *model.scenario;
+  const Scene& scenario = *model.scene;
   ResolvedHuman person = resolveHuman(scenario, human, static_cast<long long>(model.seed));
   if (!model.compatibility.hunav2()) {
     return person;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <map>
 #include <memory>
 #include <vector>
@@ -37,17 +36,23 @@ struct Ring {
   }
 };
 
-/// What stays the same for one person.
+/// Where people want to go, for all who want the same.
+struct GoalPlan {
+  std::vector<int> written;     // ids of goals, as in the scenario
+  std::vector<GoalItem> goals;  // at the start, without those that nobody knows or comes to
+};
+
+/// What stays the same for one person. Who is alike shares the model, and the plan.
 struct Person {
   ResolvedHuman constants;
-  const Human* definition = nullptr;
+  EntityId key;
   std::shared_ptr<const PedestrianModel> model;
-  std::vector<GoalItem> goals;  // at the start
+  std::shared_ptr<GoalPlan> plan;  // written to while the world is built alone
 };
 
 /// What stays the same during a run. People by ascending id; sources append to the end.
 struct WorldModel {
-  std::shared_ptr<const Scenario> scenario;
+  std::shared_ptr<const Scene> scene;
   Compatibility compatibility;
   double dt = 0.05;  // [s]
   std::uint64_t seed = 1;
@@ -56,11 +61,12 @@ struct WorldModel {
   bool peoplePass = false;  // through each other, as in the original
   Ring ring;
   ObstaclePoints obstaclePoints = ObstaclePoints::Boundary;
-  std::deque<Person> people;          // references stay valid
-  std::vector<ResolvedRobot> robots;  // -1, -2 …
-  std::map<int, Vec2> globalGoals;    // where a body fits
-  std::vector<const Door*> doors;     // listed ones
-  std::vector<const Area*> areas;     // listed ones
+  std::vector<Person> people;
+  std::vector<ResolvedRobot> robots;      // -1, -2 …
+  std::map<int, Vec2> globalGoals;        // where a body fits
+  std::vector<const Door*> doors;         // listed ones
+  std::vector<const Area*> areas;         // listed ones
+  std::map<std::string, Human> patterns;  // whom the people of sources are like, by name
 
   int nextId = 1;  // of the next person from a source
 };

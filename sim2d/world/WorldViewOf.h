@@ -17,7 +17,7 @@ class WorldViewOf : public WorldView {
   double time() const override { return state_.time; }
   double dt() const override { return model_.dt; }
   std::uint64_t seed() const override { return model_.seed; }
-  const Scenario& scenario() const override { return *model_.scenario; }
+  const Scene& scenario() const override { return *model_.scene; }
   const Compatibility& compatibility() const override { return model_.compatibility; }
 
   int humanCount() const override { return static_cast<int>(model_.people.size()); }
@@ -26,7 +26,6 @@ class WorldViewOf : public WorldView {
   const ResolvedHuman& constants(int human) const override {
     return model_.people[at(human)].constants;
   }
-  const Human* definition(int human) const override { return model_.people[at(human)].definition; }
   Pose2 pose(int human) const override { return state_.pose(at(human)); }
   Vec2 velocity(int human) const override { return state_.velocity(at(human)); }
   void near(int human, double range, std::vector<int>& found) const override;

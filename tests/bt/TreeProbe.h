@@ -161,6 +161,7 @@ class Run {
 
   NodeStatus tick() {
     log.calls.clear();
+    before.assign(state->statuses().begin(), state->statuses().end());
     return state->tickOnce(nextInput());
   }
   /// "a start -> RUNNING"
@@ -184,6 +185,7 @@ class Run {
   Log log;
   std::string problems;
   std::unique_ptr<bt::TreeState> state;
+  std::vector<NodeStatus> before;  // of the tick before the last
   std::int64_t step = 0;
   double dt = 0.1;
 

@@ -64,12 +64,14 @@ class Run {
   }
   /// Status that a node returned in the last step, as the changes tell it.
   QString shown(const std::string& path) {
-    for (const sim2d::TreeChange& change : changes) {
-      if ((*change.paths)[static_cast<std::size_t>(change.node)] == path) {
-        return QString::fromUtf8(base::nodeStatusName(change.status));
-      }
-    }
-    return {};
+    QString found;
+    changes.forEach(
+        [&](int, const sim2d::TreeChanges::Paths& paths, int node, base::NodeStatus status) {
+          if ((*paths)[static_cast<std::size_t>(node)] == path && found.isEmpty()) {
+            found = QString::fromUtf8(base::nodeStatusName(status));
+          }
+        });
+    return found;
   }
 
   sim2d::Scenario scenario;
@@ -81,7 +83,7 @@ class Run {
   std::unique_ptr<sim2d::Intents> intents;
   sim2d::Intent last;
   std::vector<sim2d::Event> events;
-  std::vector<sim2d::TreeChange> changes;
+  sim2d::TreeChanges changes;
 
  private:
   void enter(int index, const sim2d::Human& human) {

@@ -80,7 +80,7 @@ void RecorderTest::treesCsv_nodesWithCommas_areQuoted() {
   frame.step = 3;
   const auto paths = std::make_shared<const std::vector<std::string>>(
       std::vector<std::string>{"Main", "Main/Go, then stop"});
-  frame.treeChanges = {{5, paths, 1, base::NodeStatus::Running}};
+  frame.treeChanges.add(5, paths, 1, base::NodeStatus::Running);
   recorder.append(frame);
   QVERIFY(recorder.treesCsv() == "step,id,node,status\n3,5,\"Main/Go, then stop\",RUNNING\n");
 }
@@ -100,7 +100,7 @@ void RecorderTest::sink_takesAllAndNothingIsKept() {
     frame.robots.vx = frame.robots.vy = frame.robots.omega = {1.0};
     frame.robots.goal = {kNoGoal};
     frame.events = {makeEvent(EventKind::Say, step), makeEvent(EventKind::Goal, step)};
-    frame.treeChanges = {{1, paths, 0, base::NodeStatus::Success}};
+    frame.treeChanges.add(1, paths, 0, base::NodeStatus::Success);
     streamed.append(frame);
     kept.append(frame);
   }
@@ -120,7 +120,7 @@ void RecorderTest::finish_thenAppend_startsAnew() {
   Frame frame;
   const auto paths =
       std::make_shared<const std::vector<std::string>>(std::vector<std::string>{"Main"});
-  frame.treeChanges = {{1, paths, 0, base::NodeStatus::Success}};
+  frame.treeChanges.add(1, paths, 0, base::NodeStatus::Success);
   recorder.append(frame);
   QCOMPARE(recorder.finish(TraceHeader{}).frames.size(), std::size_t{1});
   QVERIFY(recorder.treesCsv() == "step,id,node,status\n0,1,Main,SUCCESS\n");

@@ -100,7 +100,8 @@ void WorldPartsTest::keepApart_chainAtAWall_stopsAll() {
   Obstacles::Point wall;
   wall.position = Vec2(2.0, 0.0);
   wall.distance = 0.4;
-  discs[2].walls.push_back(wall);
+  const std::vector<Obstacles::Point> walls = {wall};
+  discs[2].walls = &walls;
   keepApart(discs, {{0, 1}, {1, 2}}, 0.05);
   for (const MovingDisc& each : discs) {
     QVERIFY(each.velocity.x() < 0.25);

@@ -226,7 +226,7 @@ void WorldWaysTest::view_nearAndVisible_answerFromTheFrozenState() {
   view.near(0, 5.0, found);
   QVERIFY(found == (std::vector<int>{1, 2, 4}));  // 5 and 7 at one distance: by id
   QVERIFY(view.isVisible(Vec2(0.0, 0.0), Vec2(2.0, 0.0)));
-  QVERIFY(view.definition(4)->name == "person9");
+  QVERIFY(view.constants(4).name == "person9");
   QCOMPARE(view.nearestRobot(0), -1);
 }
 

@@ -31,14 +31,14 @@ bool isBefore(const HumanContext& context, const QueuePlace& a, const QueuePlace
 const QueuePlace* predecessor(const HumanContext& context, const QueuePlace& own) {
   const QueuePlace* last = nullptr;
   for (int i = 0; i < context.view().humanCount(); ++i) {
-    const std::optional<QueuePlace>& other = context.mindOf(i).queue;
+    const QueuePlace* const other = context.mindOf(i).queue.get();
     if (!other || other->human == own.human || other->number == 0 || other->head != own.head ||
         !context.view().isPresent(other->human)) {
       continue;
     }
     const bool isAhead = own.number == 0 || isBefore(context, *other, own);
     if (isAhead && (!last || isBefore(context, *last, *other))) {
-      last = &*other;
+      last = other;
     }
   }
   return last;
@@ -66,14 +66,15 @@ NodeStatus start(LeafContext& leaf) {
     return NodeStatus::Failure;
   }
   leaf.memory<Memory>() = memory;
-  context.mind().queue = QueuePlace{*human, place->position, 0, leaf.node()};
+  context.mind().queue =
+      std::make_unique<QueuePlace>(QueuePlace{*human, place->position, 0, leaf.node()});
   return NodeStatus::Running;
 }
 
 /// This node's place; not that of another WaitInQueue of the same tree.
 QueuePlace* ownPlace(LeafContext& leaf) {
-  std::optional<QueuePlace>& place = humanOf(leaf).mind().queue;
-  return place && place->node == leaf.node() ? &*place : nullptr;
+  QueuePlace* const place = humanOf(leaf).mind().queue.get();
+  return place != nullptr && place->node == leaf.node() ? place : nullptr;
 }
 
 void halt(LeafContext& leaf) {

@@ -10,9 +10,9 @@ namespace {
 constexpr double kLeftOut = 5e-5;  // of k_s
 constexpr std::size_t kMostReaches = 8;
 constexpr std::size_t kMostShapes = 64;
-constexpr std::size_t kBatch = 16;              // people
-constexpr std::size_t kSlice = 2 * kBatch;      // people a thread takes before it asks for more
-constexpr std::size_t kUsualCandidates = 8192;  // of a batch
+constexpr std::size_t kBatch = 16;             // people
+constexpr std::size_t kSlice = 2 * kBatch;     // people a thread takes before it asks for more
+constexpr std::size_t kMostCandidates = 8192;  // of a batch, but of one person more
 
 /// Numbers too small for a normal float count as zero, so that they cost no time.
 class ZeroForTiny {
@@ -39,18 +39,22 @@ void CrowdForces::Batch::clear() {
   candidates = 0;
 }
 
-void CrowdForces::Scratch::resize(std::size_t most, std::size_t rows) {
-  const std::size_t padded = most + (kBatch + rows) * static_cast<std::size_t>(kCrowdSpare);
-  for (std::vector<float>* column : {&x, &y, &vx, &vy, &fx, &fy}) {
-    column->resize(padded);
-  }
-  for (std::vector<int>* column : {&word, &wordAt, &slot, &touching, &doubtful}) {
-    column->resize(padded);
-  }
+void CrowdForces::Scratch::resize(std::size_t candidates, std::size_t rows) {
+  const std::size_t padded = candidates + (kBatch + rows) * static_cast<std::size_t>(kCrowdSpare);
   batch.slots.reserve(kBatch);
   batch.receivers.reserve(kBatch);
   batch.results.resize(kBatch);
   batch.spans.resize(std::max(batch.spans.size(), kBatch * rows));
+  if (padded <= size) {
+    return;
+  }
+  size = padded;
+  for (Column<float>* column : {&x, &y, &vx, &vy, &fx, &fy}) {
+    column->resize(size);
+  }
+  for (Column<int>* column : {&word, &wordAt, &slot, &touching, &doubtful}) {
+    column->resize(size);
+  }
 }
 
 CrowdPairs CrowdForces::Scratch::pairs() {
@@ -70,7 +74,6 @@ void CrowdForces::compute(const CrowdState& crowd, WorkerPool& workers) {
   sortShapes(crowd);
   prepareReach();
   scratches_.resize(workers.threadCount());
-  mostCandidates_ = std::max(cells_.count(), kUsualCandidates);
   workers.forSlices(cells_.count(), kSlice,
                     [&](std::size_t thread, std::size_t begin, std::size_t end) {
                       computeSlots(crowd, begin, end, scratches_[thread]);
@@ -80,7 +83,7 @@ void CrowdForces::compute(const CrowdState& crowd, WorkerPool& workers) {
 void CrowdForces::computeSlots(const CrowdState& crowd, std::size_t begin, std::size_t end,
                                Scratch& scratch) {
   const ZeroForTiny mode;
-  scratch.resize(mostCandidates_, cells_.rowCount());
+  scratch.resize(kMostCandidates, cells_.rowCount());
   for (std::size_t slot = begin; slot < end; ++slot) {
     if (crowd.laws[cells_.personIn(slot)].parameters != nullptr) {
       addToBatch(crowd, slot, scratch);
@@ -208,9 +211,10 @@ void CrowdForces::addToBatch(const CrowdState& crowd, std::size_t slot, Scratch&
   };
   int candidates = writeSpans();
   const int wanted = batch.candidates + candidates;
-  if (static_cast<std::size_t>(wanted) > mostCandidates_) {
+  if (static_cast<std::size_t>(wanted) > kMostCandidates) {
     computeBatch(crowd, scratch);
     candidates = writeSpans();
+    scratch.resize(static_cast<std::size_t>(candidates), cells_.rowCount());
   }
   if (batch.slots.empty()) {
     // Of a known shape all is near in memory.

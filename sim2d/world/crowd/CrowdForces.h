@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "sim2d/world/SocialForce.h"
@@ -57,11 +58,22 @@ class CrowdForces {
     int spanCount = 0, candidates = 0;
     void clear();
   };
+  /// Memory that is not written before it is used, as most of it never is.
+  template <class Item>
+  class Column {
+   public:
+    void resize(std::size_t count) { items_.reset(new Item[count]); }
+    Item* data() { return items_.get(); }
+
+   private:
+    std::unique_ptr<Item[]> items_;
+  };
   struct alignas(64) Scratch {  // of one thread
-    std::vector<float> x, y, vx, vy, fx, fy;
-    std::vector<int> word, wordAt, slot, touching, doubtful;
+    Column<float> x, y, vx, vy, fx, fy;
+    Column<int> word, wordAt, slot, touching, doubtful;
+    std::size_t size = 0;  // of the columns
     Batch batch;
-    void resize(std::size_t people, std::size_t rows);
+    void resize(std::size_t candidates, std::size_t rows);
     CrowdPairs pairs();
   };
 
@@ -85,7 +97,6 @@ class CrowdForces {
   std::vector<KnownLaw> known_;  // by person
   SpeedBound fastest_;
   std::vector<CrowdReach> reaches_;
-  std::size_t mostCandidates_ = 0;  // of a batch
   std::vector<Scratch> scratches_;  // by thread
   std::vector<Vec2> forces_;
 };

@@ -41,8 +41,9 @@ struct ForceTerms {
   Vec2 sum() const { return goal + social + obstacle + group; }
 };
 
-/// How people move. One instance serves one person; both functions are const and may run in
-/// parallel for different people.
+/// How people move. One instance serves all people with the same kind and the same factors of
+/// forces, so it is made of these alone; both functions are const and may run in parallel for
+/// different people.
 class PedestrianModel {
  public:
   virtual ~PedestrianModel() = default;
