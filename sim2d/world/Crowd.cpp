@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim2d/world/StepBuffers.h"
+
 namespace sim2d {
 namespace {
 
@@ -9,7 +11,7 @@ constexpr double kSlowestTurn = 0.07;    // [m/s]; slower people look where they
 constexpr double kReach = 5.0;           // [m]; robots as obstacles act up to here
 constexpr double kSmallDisc = 0.2;       // [m]; smaller steps along a line cost too much
 constexpr std::size_t kSmallCrowd = 64;  // up to here everybody feels everybody, in double
-constexpr std::size_t kSlice = 256;      // people a thread looks at before it asks for more
+constexpr std::size_t kSlice = 128;      // people a thread looks at before it asks for more
 
 Vec2 courseHeading(const Vec2& velocity, double heading) {
   const double speed = velocity.norm();
@@ -30,11 +32,11 @@ Course courseOfRobot(const Vec2& velocity) {
 
 }  // namespace
 
-void Crowd::update(const FrozenWorld& world, const Ways& ways, const Intents& intents,
-                   const std::vector<Vec2>& directions, WorkerPool& workers) {
+void Crowd::update(const FrozenWorld& world, const Ways& ways, const Goings& goings,
+                   WorkerPool& workers) {
   world_ = &world;
   ways_ = &ways;
-  directions_ = &directions;
+  goings_ = &goings;
   const WorldState& state = world.state;
   const std::size_t people = state.present.size();
   learnTraits(world.model.people);
@@ -45,7 +47,7 @@ void Crowd::update(const FrozenWorld& world, const Ways& ways, const Intents& in
   summaries_.assign(workers.threadCount(), Summary{});
   workers.forSlices(people, kSlice, [&](std::size_t thread, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      look(i, intents.of(static_cast<int>(i)), summaries_[thread]);
+      look(i, summaries_[thread]);
     }
   });
   Summary all;
@@ -77,50 +79,47 @@ void Crowd::learnTraits(const std::vector<Person>& people) {
     const Person& person = people[i];
     const SocialLaw law = person.model->socialLaw();
     traits_.push_back({person.model.get(), law.parameters, person.constants.radius,
-                       person.constants.desiredSpeed, person.constants.id, law.goesThroughWalls,
-                       person.model->looksAtCourses()});
+                       person.constants.id, law.goesThroughWalls, person.model->looksAtCourses()});
     anyLooksAtCourses_ = anyLooksAtCourses_ || traits_.back().looksAtCourses;
   }
 }
 
-Course Crowd::courseOf(std::size_t human, const Intent& intent) const {
-  return {(*directions_)[human],
-          courseHeading(walkers_[human].velocity, world_->state.heading[human]),
-          desiredSpeedOf(human, intent), world_->state.controls[human].group};
+Course Crowd::courseOf(std::size_t human) const {
+  const Going& going = goings_->steps[human];
+  return {goings_->directions[human],
+          courseHeading(walkers_[human].velocity, world_->state.heading[human]), going.speed,
+          going.group};
 }
 
-void Crowd::look(std::size_t human, const Intent& intent, Summary& summary) {
+void Crowd::look(std::size_t human, Summary& summary) {
   const WorldState& state = world_->state;
   const Traits& traits = traits_[human];
+  const Going& going = goings_->steps[human];
   const Walker& walker =
       walkers_[human] = {traits.id, state.position(human), state.velocity(human), traits.radius};
   if (anyLooksAtCourses_) {
-    courses_[human] = courseOf(human, intent);
+    courses_[human] = courseOf(human);
   }
-  laws_[human] =
-      isWalking(intent.motion) ? SocialLaw{traits.law, traits.goesThroughWalls} : SocialLaw{};
-  room_[human] = 0.0;
-  if (state.present[human] != 0) {
-    room_[human] = ways_->clearance(walker.position);
+  writeNew(laws_[human],
+           isWalking(going.motion) ? SocialLaw{traits.law, traits.goesThroughWalls} : SocialLaw{});
+  const bool isPresent = state.present[human] != 0;
+  writeNew(room_[human], isPresent ? ways_->clearance(walker.position) : 0.0);
+  if (isPresent) {
     ++summary.count;
     summary.fastest = std::max(summary.fastest, walker.velocity.norm());
-    summary.hasGroups = summary.hasGroups || state.controls[human].group >= 0;
+    summary.hasGroups = summary.hasGroups || going.group >= 0;
   }
 }
 
 void Crowd::findGroups() {
   const WorldState& state = world_->state;
   for (std::size_t i = 0; i < state.present.size(); ++i) {
-    if (state.present[i] != 0 && state.controls[i].group >= 0) {
-      groups_.emplace_back(state.controls[i].group, i);
+    const int group = goings_->steps[i].group;
+    if (state.present[i] != 0 && group >= 0) {
+      groups_.emplace_back(group, i);
     }
   }
   std::sort(groups_.begin(), groups_.end());
-}
-
-double Crowd::desiredSpeedOf(std::size_t human, const Intent& intent) const {
-  const double speed = intent.motion == Motion::Walk ? intent.speed : traits_[human].desiredSpeed;
-  return world_->state.controls[human].frozen ? 0.0 : speed < 0.0 ? 0.0 : speed;
 }
 
 void Crowd::expect(std::size_t human) const {
@@ -167,10 +166,10 @@ bool Crowd::hasForce(std::size_t human) const {
   return isAtOnce_ && laws_[human].parameters != nullptr;
 }
 
-void Crowd::fill(std::size_t human, const Intent& intent,
-                 const std::vector<Obstacles::Point>* walls, Situation& situation) const {
+void Crowd::fill(std::size_t human, const std::vector<Obstacles::Point>* walls,
+                 Situation& situation) const {
   situation.self = walkers_[human];
-  situation.course = courseOf(human, intent);
+  situation.course = courseOf(human);
   situation.direction = situation.course.direction;
   situation.desiredSpeed = situation.course.desiredSpeed;
   situation.dt = world_->model.dt;
@@ -190,13 +189,13 @@ void Crowd::fill(std::size_t human, const Intent& intent,
   } else {
     addOthers(human, situation);
   }
-  addRobots(intent, situation);
+  addRobots(goings_->steps[human].robot, situation);
   addGroup(human, situation);
 }
 
 void Crowd::addGroup(std::size_t human, Situation& situation) const {
   situation.group.clear();
-  const int group = world_->state.controls[human].group;
+  const int group = situation.course.group;
   if (group < 0) {
     return;
   }
@@ -243,9 +242,9 @@ void Crowd::addOthers(std::size_t human, Situation& situation) const {
   });
 }
 
-void Crowd::addRobots(const Intent& intent, Situation& situation) const {
+void Crowd::addRobots(RobotTreatment treatment, Situation& situation) const {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    if (intent.robot == RobotTreatment::Pedestrian) {
+    if (treatment == RobotTreatment::Pedestrian) {
       situation.others.push_back(imageOf(robots_[i], situation.self));
       if (situation.looksAtCourses) {
         situation.courses.push_back(courseOfRobot(robots_[i].velocity));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -20,20 +21,39 @@ struct FrozenWorld {
   const Obstacles& obstacles;
 };
 
+/// What one person does in this step: all that threads need to know of it, in few bytes, as lines
+/// of memory that go from one processor to another cost most of a short step.
+struct Going {
+  double speed = 0.0;  // desired [m/s], >= 0
+  int group = -1;
+  Motion motion = Motion::Stand;
+  RobotTreatment robot = RobotTreatment::Pedestrian;
+  bool changes = false;   // sets off or ends to walk
+  bool isPushed = false;  // by the extra force of the intent
+
+  friend bool operator==(const Going& a, const Going& b) {
+    return std::tie(a.speed, a.group, a.motion, a.robot, a.changes, a.isPushed) ==
+           std::tie(b.speed, b.group, b.motion, b.robot, b.changes, b.isPushed);
+  }
+};
+struct Goings {  // one entry per person
+  std::vector<Going> steps;
+  std::vector<Vec2> directions;  // unit vectors of the ways; zero: arrived, or there is none
+};
+
 /// The others as all people of a step see them. Filled anew in each step, the memory stays.
 class Crowd {
  public:
-  /// `directions`: of everybody's way. It, `world` and `ways` must live until the last call of this
-  /// step.
-  void update(const FrozenWorld& world, const Ways& ways, const Intents& intents,
-              const std::vector<Vec2>& directions, WorkerPool& workers);
+  /// `world`, `ways` and `goings` must live until the last call of this step.
+  void update(const FrozenWorld& world, const Ways& ways, const Goings& goings,
+              WorkerPool& workers);
   /// The social forces of large crowds, all at once, for models that have a `socialLaw`. Small
   /// crowds, exact runs and closed corridors go pair by pair in `fill`.
   void computeForces(WorkerPool& workers);
 
   /// What of the others, robots and walls acts on one person. All but `isVisible` is set anew.
   /// `walls`: null for none.
-  void fill(std::size_t human, const Intent& intent, const std::vector<Obstacles::Point>* walls,
+  void fill(std::size_t human, const std::vector<Obstacles::Point>* walls,
             Situation& situation) const;
   bool isVisible(std::size_t human, const Vec2& point) const;
 
@@ -49,7 +69,7 @@ class Crowd {
   struct Traits {
     const PedestrianModel* model = nullptr;
     const ForceParameters* law = nullptr;
-    double radius = 0.0, desiredSpeed = 0.0;  // [m], [m/s]
+    double radius = 0.0;  // [m]
     int id = 0;
     bool goesThroughWalls = false;
     bool looksAtCourses = false;
@@ -61,24 +81,23 @@ class Crowd {
   };
 
   void learnTraits(const std::vector<Person>& people);
-  void look(std::size_t human, const Intent& intent, Summary& summary);
-  Course courseOf(std::size_t human, const Intent& intent) const;
+  void look(std::size_t human, Summary& summary);
+  Course courseOf(std::size_t human) const;
   void findGroups();
-  double desiredSpeedOf(std::size_t human, const Intent& intent) const;
   bool isSmall() const;
   bool hasForce(std::size_t human) const;
   /// From one free disc to the next along the line; where they get small the walls are asked.
   bool sees(std::size_t self, std::size_t other) const;
   void addOthers(std::size_t human, Situation& situation) const;
   void addPerson(std::size_t other, Situation& situation) const;
-  void addRobots(const Intent& intent, Situation& situation) const;
+  void addRobots(RobotTreatment treatment, Situation& situation) const;
   void addGroup(std::size_t human, Situation& situation) const;
   /// Across the seam of a closed corridor.
   Walker imageOf(Walker other, const Walker& seenFrom) const;
 
   const FrozenWorld* world_ = nullptr;
   const Ways* ways_ = nullptr;
-  const std::vector<Vec2>* directions_ = nullptr;
+  const Goings* goings_ = nullptr;
   std::vector<Traits> traits_;
   bool anyLooksAtCourses_ = false;
   std::vector<Walker> walkers_;

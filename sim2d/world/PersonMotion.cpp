@@ -3,16 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim2d/world/StepBuffers.h"
+
 namespace sim2d {
 namespace {
 
 constexpr double kSlowestTurn = 0.07;    // [m/s]; slower people keep their heading
 constexpr double kTurnRate = base::kPi;  // [rad/s]
 constexpr double kReach = 5.0;           // [m]; obstacles act up to here
-constexpr std::size_t kSlice = 64;       // people a thread moves before it asks for more
+constexpr std::size_t kSlice = 16;       // people a thread moves before it asks for more
 constexpr std::size_t kAhead = 4;        // people whose memory is fetched ahead of their turn
 constexpr double kTouching = 1.0;        // [m]; walls nearer to the body can be run into
 
+constexpr double kFastest = 1e3;        // [m/s]; beyond it a run has diverged
 constexpr double kStanding = 0.1;       // [m/s]; slower bodies stand
 constexpr double kStandingReach = 3.0;  // [m]
 
@@ -62,8 +65,8 @@ std::vector<StandingBody> standingNear(const FrozenWorld& world, std::size_t hum
 
 void PersonMotion::resize(std::size_t count) {
   routes_.resize(count);
-  directions_.resize(count, Vec2::Zero());
-  changes_.resize(count, 0);
+  goings_.steps.resize(count);
+  goings_.directions.resize(count, Vec2::Zero());
   wanted_.resize(count, Vec2::Zero());
 }
 
@@ -75,12 +78,12 @@ void PersonMotion::forget(int human) {
 
 void PersonMotion::enter(int human) {
   forget(human);
-  directions_[static_cast<std::size_t>(human)] = Vec2::Zero();
+  goings_.directions[static_cast<std::size_t>(human)] = Vec2::Zero();
 }
 
 void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, const Ways& ways,
                            WorldState& state, ForceColumns& forces) {
-  crowd_.update(world, ways, intents, directions_, workers_);
+  crowd_.update(world, ways, goings_, workers_);
   crowd_.computeForces(workers_);
   desks_.resize(workers_.threadCount());
   walls_.resize(ways.areOpen() ? 0 : wanted_.size());
@@ -88,15 +91,23 @@ void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, con
        {&forces.goal, &forces.social, &forces.obstacle, &forces.group}) {
     column->resize(wanted_.size());
   }
+  for (Desk& desk : desks_) {
+    desk.isSound = true;
+  }
   const auto moveSlice = [&](std::size_t thread, std::size_t begin, std::size_t end) {
+    Desk& desk = desks_[thread];
     for (std::size_t human = begin; human < end; ++human) {
       crowd_.expect(human + kAhead);
       ForceTerms terms;
       if (state.present[human] != 0) {
-        const Intent& intent = intents.of(static_cast<int>(human));
-        terms = move(human, world, intent, desks_[thread].situation);
-        turn(human, intent, world.model.dt, state);
+        terms = move(human, world, intents, desk.situation);
+        if (goings_.steps[human].motion == Motion::Turn) {
+          turn(human, intents.of(static_cast<int>(human)), world.model.dt, state);
+        }
       }
+      desk.isSound =
+          desk.isSound && (state.present[human] == 0 ||
+                           (sim2d::isSound(wanted_[human]) && std::isfinite(state.heading[human])));
       forces.goal[human] = terms.goal;
       forces.social[human] = terms.social;
       forces.obstacle[human] = terms.obstacle;
@@ -106,6 +117,10 @@ void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, con
   workers_.forSlices(wanted_.size(), kSlice, moveSlice);
 }
 
+bool PersonMotion::isSound() const {
+  return std::all_of(desks_.begin(), desks_.end(), [](const Desk& desk) { return desk.isSound; });
+}
+
 void PersonMotion::expectWork() {
   if (wanted_.size() >= WorkerPool::kWorthThreads) {
     workers_.rouse();
@@ -113,34 +128,41 @@ void PersonMotion::expectWork() {
 }
 
 void PersonMotion::turn(std::size_t human, const Intent& intent, double dt, WorldState& state) {
-  if (intent.motion == Motion::Turn) {
-    state.heading[human] =
-        turned(state.heading[human], intent.heading, std::max(0.0, intent.turnRate) * dt);
-  }
+  state.heading[human] =
+      turned(state.heading[human], intent.heading, std::max(0.0, intent.turnRate) * dt);
 }
 
 void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents, Ways& ways,
                               WorldState& state) {
   for (std::size_t human = 0; human < wanted_.size(); ++human) {
     const Intent& intent = intents.of(static_cast<int>(human));
-    const bool wasOnTheWay = !directions_[human].isZero(0.0);
-    directions_[human] = Vec2::Zero();
-    changes_[human] = wasOnTheWay ? 1 : 0;
+    const HumanControl& control = state.controls[human];
+    const ResolvedHuman& person = world.model.people[human].constants;
+    const double speed = intent.motion == Motion::Walk ? intent.speed : person.desiredSpeed;
+    const bool wasOnTheWay = !goings_.directions[human].isZero(0.0);
+    Going going{control.frozen || speed < 0.0 ? 0.0 : speed,
+                control.group,
+                intent.motion,
+                intent.robot,
+                wasOnTheWay,
+                !intent.extraForce.isZero(0.0)};
     if (state.present[human] == 0 || intent.motion != Motion::Walk) {
+      goings_.directions[human] = Vec2::Zero();
+      writeNew(goings_.steps[human], going);
       continue;
     }
-    const ResolvedHuman& person = world.model.people[human].constants;
     RouteFollower::Request request;
     request.position = state.position(human);
     request.target = intent.target;
     request.radius = person.radius;
-    request.speed = state.controls[human].frozen ? 0.0 : intent.speed;
+    request.speed = control.frozen ? 0.0 : intent.speed;
     request.time = state.time;
     request.route = person.route;
     request.spread = spreadOf(world, human);
     const RouteFollower::Leg leg = legOf(human, request, world, ways);
-    directions_[human] = leg.direction;
-    changes_[human] = wasOnTheWay == leg.direction.isZero(0.0) ? 1 : 0;
+    goings_.directions[human] = leg.direction;
+    going.changes = wasOnTheWay == leg.direction.isZero(0.0);
+    writeNew(goings_.steps[human], going);
     if (leg.replanned) {
       state.emit(EventKind::Replan, person.id);
     }
@@ -162,38 +184,43 @@ RouteFollower::Leg PersonMotion::legOf(std::size_t human, const RouteFollower::R
   return routes_[human]->follow(request, ways, world.obstacles);
 }
 
-void PersonMotion::findWalls(std::size_t human, const FrozenWorld& world, const Intent& intent) {
+void PersonMotion::findWalls(std::size_t human, const FrozenWorld& world) {
   walls_[human].clear();
   const Walker& walker = crowd_.walker(human);
-  const bool wallsAct =
-      isWalking(intent.motion) && world.model.obstaclePoints == ObstaclePoints::Boundary;
+  const bool wallsAct = isWalking(goings_.steps[human].motion) &&
+                        world.model.obstaclePoints == ObstaclePoints::Boundary;
   const double range = wallsAct ? kReach : walker.radius + kTouching;
   if (crowd_.room(human) < range) {
     world.obstacles.boundaryPoints(walker.position, walls_[human], range);
   }
 }
 
-ForceTerms PersonMotion::move(std::size_t human, const FrozenWorld& world, const Intent& intent,
+ForceTerms PersonMotion::move(std::size_t human, const FrozenWorld& world, const Intents& intents,
                               Situation& situation) {
+  const Going& going = goings_.steps[human];
   wanted_[human] = Vec2::Zero();
   if (!walls_.empty()) {
-    findWalls(human, world, intent);
+    findWalls(human, world);
   }
-  if (!isWalking(intent.motion)) {
+  if (!isWalking(going.motion)) {
     return {};
   }
-  crowd_.fill(human, intent, wallsNear(human), situation);
-  situation.pushTime = situation.dt * (changes_[human] != 0 ? 0.5 : 1.0);
+  crowd_.fill(human, wallsNear(human), situation);
+  situation.pushTime = situation.dt * (going.changes ? 0.5 : 1.0);
   const std::function<bool(const Vec2&, const Vec2&)> isVisible =
       [&](const Vec2& /*own*/, const Vec2& other) { return crowd_.isVisible(human, other); };
   situation.isVisible = &isVisible;
   const PedestrianModel& model = crowd_.modelOf(human);
   ForceTerms forces = model.forces(situation);
-  if (intent.motion == Motion::Walk) {
-    forces.social += intent.extraForce;
+  if (going.motion == Motion::Walk && going.isPushed) {
+    forces.social += intents.of(static_cast<int>(human)).extraForce;
   }
   wanted_[human] = model.velocity(situation, forces);
   return forces;
+}
+
+bool isSound(const Vec2& velocity) {
+  return velocity.allFinite() && velocity.norm() <= kFastest;
 }
 
 double headingAfter(double heading, const Vec2& velocity, double dt) {

@@ -29,6 +29,8 @@ class PersonMotion {
   void compute(const FrozenWorld& world, const Intents& intents, const Ways& ways,
                WorldState& state, ForceColumns& forces);
   const std::vector<Vec2>& wanted() const { return wanted_; }  // velocities [m/s]
+  /// False: somebody's velocity or heading is not sound.
+  bool isSound() const;
   /// Near the body of a person; null: nothing stands anywhere.
   const std::vector<Obstacles::Point>* wallsNear(std::size_t human) const {
     return walls_.empty() ? nullptr : &walls_[human];
@@ -37,11 +39,12 @@ class PersonMotion {
  private:
   struct alignas(64) Desk {  // what one thread works on; no line of memory is another's too
     Situation situation;
+    bool isSound = true;
   };
 
-  ForceTerms move(std::size_t human, const FrozenWorld& world, const Intent& intent,
+  ForceTerms move(std::size_t human, const FrozenWorld& world, const Intents& intents,
                   Situation& situation);
-  void findWalls(std::size_t human, const FrozenWorld& world, const Intent& intent);
+  void findWalls(std::size_t human, const FrozenWorld& world);
   RouteFollower::Leg legOf(std::size_t human, const RouteFollower::Request& request,
                            const FrozenWorld& world, Ways& ways);
   static void turn(std::size_t human, const Intent& intent, double dt, WorldState& state);
@@ -50,12 +53,13 @@ class PersonMotion {
   Crowd crowd_;
   std::vector<Desk> desks_;                             // by thread
   std::vector<std::unique_ptr<RouteFollower>> routes_;  // null: straight ways so far
-  std::vector<Vec2> directions_;
-  std::vector<std::uint8_t> changes_;  // sets off or ends to walk in this step
+  Goings goings_;
   std::vector<Vec2> wanted_;
   std::vector<std::vector<Obstacles::Point>> walls_;
 };
 
+/// Finite, and not so fast that the run has diverged.
+bool isSound(const Vec2& velocity);
 /// New heading of a person: towards `velocity` when it is not too slow to have a direction, at most
 /// pi rad/s.
 double headingAfter(double heading, const Vec2& velocity, double dt);

@@ -31,6 +31,10 @@ struct ForceParameters {
 struct SocialLaw {
   const ForceParameters* parameters = nullptr;
   bool goesThroughWalls = false;
+
+  friend bool operator==(const SocialLaw& a, const SocialLaw& b) {
+    return a.parameters == b.parameters && a.goesThroughWalls == b.goesThroughWalls;
+  }
 };
 
 /// A body that feels or causes forces.

@@ -29,6 +29,15 @@ void refill(std::vector<Item>& items, std::size_t count, const Item& value) {
   items.assign(count, value);
 }
 
+/// Like an assignment, but leaves memory alone that has the value: what nobody writes stays in the
+/// caches of all processors.
+template <class Item>
+void writeNew(Item& place, const Item& value) {
+  if (!(place == value)) {
+    place = value;
+  }
+}
+
 /// Gives back the memory that one unusual step, such as the first, has needed, once steps with
 /// `usual` items follow it.
 template <class Item>

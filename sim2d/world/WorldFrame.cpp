@@ -45,10 +45,13 @@ void keepPresent(const std::vector<char>& present, std::vector<Vec2>& column) {
   column.resize(present.size(), Vec2::Zero());
   std::size_t count = 0;
   for (std::size_t i = 0; i < present.size(); ++i) {
-    if (present[i] != 0) {
-      column[count] = column[i];
-      ++count;
+    if (present[i] == 0) {
+      continue;
     }
+    if (count != i) {  // mostly nobody is missing
+      column[count] = column[i];
+    }
+    ++count;
   }
   column.resize(count);
 }

@@ -11,8 +11,6 @@
 namespace sim2d {
 namespace {
 
-constexpr double kFastest = 1e3;  // [m/s]; beyond it a run has diverged
-
 /// Middle of the map, or of the people's starts: places are rounded relative to it, and a robot
 /// must not change how.
 Vec2 centreOf(const WorldModel& model, const OccupancyGrid& map) {
@@ -36,10 +34,6 @@ std::vector<std::string> namesInContacts(const Scene& scenario) {
   std::vector<std::string> names = partNames(scenario);
   names.front().clear();  // walls of the map have no name in events
   return names;
-}
-
-bool isSound(const Vec2& velocity) {
-  return velocity.allFinite() && velocity.norm() <= kFastest;
 }
 
 }  // namespace
@@ -237,7 +231,7 @@ void World::State::decide() {
 
 std::string World::State::trouble(const std::vector<base::Twist2>& commands) const {
   const std::string when = " in step " + std::to_string(state.step + 1);
-  for (std::size_t i = 0; i < model.people.size(); ++i) {
+  for (std::size_t i = 0; !motion.isSound() && i < model.people.size(); ++i) {
     if (state.present[i] != 0 &&
         !(isSound(motion.wanted()[i]) && std::isfinite(state.heading[i]))) {
       const ResolvedHuman& person = model.people[i].constants;

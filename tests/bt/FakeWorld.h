@@ -234,7 +234,7 @@ class TreeBench {
   sim2d::HumanControl& control(int human = 0) { return controls_[static_cast<std::size_t>(human)]; }
   const std::vector<sim2d::Event>& events() const { return events_; }
   const bt::TreeState& tree(std::size_t index = 0) const { return trees_[index].second; }
-  bool isFaulty() const { return trees_.front().second.fault().has_value(); }
+  bool isFaulty() const { return trees_.front().second.fault() != nullptr; }
   const base::Diagnostics& troubles() const { return society_.troubles; }
   const base::Diagnostics& loadDiagnostics() const { return found_; }
   std::string entry(const std::string& key) const {

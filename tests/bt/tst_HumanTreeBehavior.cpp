@@ -229,7 +229,7 @@ class HumanTreeBehaviorTest : public QObject {
     QVERIFY(hasEnded);
     QCOMPARE(run.last.motion, Motion::Stand);
     QVERIFY((run.world.at(0).pose.position - base::Vec2(2.0, 0.0)).norm() <= 0.2);
-    QVERIFY(run.changes.empty());
+    QVERIFY(run.changes.size() == 0);
   }
 
   void loopTrees_off_navigationGoesOn() {
@@ -361,7 +361,7 @@ class HumanTreeBehaviorTest : public QObject {
     QVERIFY(run.hasEvent(EventKind::ActionEnd, "pause HALTED"));
     QCOMPARE(run.shown("pause"), QStringLiteral("IDLE"));
     run.step();
-    QVERIFY(run.changes.empty());
+    QVERIFY(run.changes.size() == 0);
   }
 
   void placeholdersOfVersion15_areFilled() {

@@ -130,7 +130,7 @@ void CrowdCells::fillColumns(const std::vector<Walker>& walkers, const std::vect
                         y_[slot] = static_cast<float>(walker.position.y() - middle_.y());
                         vx_[slot] = static_cast<float>(walker.velocity.x());
                         vy_[slot] = static_cast<float>(walker.velocity.y());
-                        room_[slot] = static_cast<float>(room[personIn(slot)]);
+                        writeNew(room_[slot], static_cast<float>(room[personIn(slot)]));
                       }
                     });
 }

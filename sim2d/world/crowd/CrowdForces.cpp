@@ -1,8 +1,11 @@
 #include "sim2d/world/crowd/CrowdForces.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <xmmintrin.h>
+
+#include "sim2d/world/StepBuffers.h"
 
 namespace sim2d {
 namespace {
@@ -12,6 +15,7 @@ constexpr std::size_t kMostReaches = 8;
 constexpr std::size_t kMostShapes = 64;
 constexpr std::size_t kBatch = 16;             // people
 constexpr std::size_t kSlice = 2 * kBatch;     // people a thread takes before it asks for more
+constexpr std::size_t kLookSlice = 256;        // people
 constexpr std::size_t kMostCandidates = 8192;  // of a batch, but of one person more
 
 /// Numbers too small for a normal float count as zero, so that they cost no time.
@@ -71,7 +75,9 @@ void CrowdForces::compute(const CrowdState& crowd, WorkerPool& workers) {
   if (cells_.count() == 0) {
     return;
   }
-  sortShapes(crowd);
+  if (hasNewLaws(crowd, workers)) {
+    sortShapes(crowd);
+  }
   prepareReach();
   scratches_.resize(workers.threadCount());
   workers.forSlices(cells_.count(), kSlice,
@@ -92,12 +98,29 @@ void CrowdForces::computeSlots(const CrowdState& crowd, std::size_t begin, std::
   computeBatch(crowd, scratch);
 }
 
+/// Also sets the forces of those who feel none.
+bool CrowdForces::hasNewLaws(const CrowdState& crowd, WorkerPool& workers) {
+  std::atomic<bool> hasNew{false};
+  workers.forSlices(known_.size(), kLookSlice,
+                    [&](std::size_t /*thread*/, std::size_t begin, std::size_t end) {
+                      bool isNew = false;
+                      for (std::size_t i = begin; i < end; ++i) {
+                        const ForceParameters* const parameters = crowd.laws[i].parameters;
+                        isNew = isNew || known_[i].parameters != parameters;
+                        if (parameters == nullptr || crowd.present[i] == 0) {
+                          writeNew(forces_[i], Vec2(Vec2::Zero()));
+                        }
+                      }
+                      if (isNew) {
+                        hasNew = true;
+                      }
+                    });
+  return hasNew;
+}
+
 void CrowdForces::sortShapes(const CrowdState& crowd) {
   for (std::size_t i = 0; i < known_.size(); ++i) {
     const ForceParameters* const parameters = crowd.laws[i].parameters;
-    if (parameters == nullptr || crowd.present[i] == 0) {
-      forces_[i] = Vec2::Zero();
-    }
     if (known_[i].parameters == parameters) {
       continue;
     }

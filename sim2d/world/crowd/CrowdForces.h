@@ -77,6 +77,7 @@ class CrowdForces {
     CrowdPairs pairs();
   };
 
+  bool hasNewLaws(const CrowdState& crowd, WorkerPool& workers);
   void sortShapes(const CrowdState& crowd);
   int findShape(const ForceParameters& parameters);
   void prepareReach();
