@@ -42,7 +42,8 @@ void checkRow() {
       return;
     }
     QCOMPARE(trace, step);
-    QVERIFY2(!run.state->fault(), run.state->fault()->message.c_str());
+    const bt::TreeFault* const fault = run.state->fault();
+    QVERIFY2(fault == nullptr, fault != nullptr ? fault->message.c_str() : "");
   }
 }
 

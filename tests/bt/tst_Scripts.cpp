@@ -37,7 +37,7 @@ class Bench {
   /// The result as text, "!…" when it fails.
   QString run() {
     std::vector<bt::Value> stack(static_cast<std::size_t>(script_->depth));
-    bt::ScriptRunner runner(*script_, slots_, stack);
+    bt::ScriptRunner runner(*script_, slots_.data(), stack.data());
     if (!runner.run()) {
       return QStringLiteral("!") + QString::fromStdString(runner.error());
     }
