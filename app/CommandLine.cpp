@@ -314,6 +314,23 @@ int start(CLI::App& root, int argc, char** argv, Words& given) {
   return windowCommand(argc, argv, given.run, given.window);
 }
 
+/// Words that no option takes; the library tells them last first.
+int tellExtras(const CLI::App& root, const std::string& firstWord) {
+  const std::vector<CLI::App*> given = root.get_subcommands();
+  std::string text = "not expected: " + base::join(root.remaining(true), " ");
+  std::vector<std::string> commands;
+  for (const CLI::App* command : root.get_subcommands(nullptr)) {
+    commands.push_back(command->get_name());
+  }
+  const std::optional<std::string> meant = base::nearestName(firstWord, commands);
+  if (given.empty() && meant) {
+    text += " (did you mean the command '" + *meant + "'?)";
+  }
+  printError(text);
+  printError("see hunavsim" + (given.empty() ? "" : " " + given.front()->get_name()) + " --help");
+  return kWrongCommandLine;
+}
+
 }  // namespace
 
 /// What image libraries grumble is told by our own messages, with the file's name.
@@ -344,6 +361,8 @@ int runProgram(int argc, char** argv) {
   addConvert(root, given);
   try {
     root.parse(argc, argv);
+  } catch (const CLI::ExtrasError&) {
+    return tellExtras(root, argv[1]);
   } catch (const CLI::ParseError& problem) {
     return root.exit(problem) == 0 ? kFine : kWrongCommandLine;
   }

@@ -92,6 +92,9 @@ class Planner {
                " of the file are not kept",
            source_.path);
     }
+    for (const base::Diagnostic& problem : source_.problems) {
+      warn(problem.message, problem.file);
+    }
     const base::Diagnostics meaning = sim2d::checkScenario(
         source_.scenario, sim2d::makeSurroundings(source_.scenario, {}), source_.path);
     for (const base::Diagnostic& problem : meaning) {

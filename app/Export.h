@@ -25,6 +25,7 @@ struct ExportSource {
   };
   std::map<std::string, Tree> trees;  // by name of the person; others are generated
   int comments = 0;                   // in the scenario file, lost
+  base::Diagnostics problems;         // of the map, for the report
 };
 
 struct ExportRequest {

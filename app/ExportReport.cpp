@@ -1,5 +1,6 @@
 #include "app/ExportReport.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -17,8 +18,10 @@ std::vector<ReportLine> groupedByPeople(const base::Diagnostics& report) {
     if (!isOfPerson || isNew) {
       lines.push_back({said, {}});
     }
-    if (isOfPerson) {
-      lines[place->second].people.push_back(said.message.substr(0, colon));
+    const std::string name = said.message.substr(0, isOfPerson ? colon : 0);
+    std::vector<std::string>& people = lines[place->second].people;
+    if (isOfPerson && std::find(people.begin(), people.end(), name) == people.end()) {
+      people.push_back(name);
     }
   }
   for (ReportLine& line : lines) {

@@ -178,7 +178,9 @@ int batchCommand(const BatchOptions& options, const OutputOptions& output) {
     return kBadInput;
   }
   base::Diagnostics problems = checkInputs(*experiment);
-  base::append(problems, checkWritableFolder(options.output));
+  if (!base::hasErrors(problems)) {  // else nothing will be written
+    base::append(problems, checkWritableFolder(options.output));
+  }
   printDiagnostics(problems);
   if (base::hasErrors(problems)) {
     return kBadInput;

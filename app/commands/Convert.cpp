@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
 #include "app/CommandLine.h"
@@ -19,6 +21,20 @@ Json reportJson(const base::Diagnostics& report) {
                    {"message", problem.message}});
   }
   return all;
+}
+
+/// What was not told yet.
+base::Diagnostics notIn(const base::Diagnostics& told, const base::Diagnostics& report) {
+  base::Diagnostics rest;
+  for (const base::Diagnostic& problem : report) {
+    const bool isTold = std::any_of(told.begin(), told.end(), [&](const base::Diagnostic& other) {
+      return other.text() == problem.text();
+    });
+    if (!isTold) {
+      rest.push_back(problem);
+    }
+  }
+  return rest;
 }
 
 void printPlan(const ExportPlan& plan, const base::Diagnostics& report,
@@ -64,7 +80,8 @@ int convertCommand(const ConvertOptions& options, const OutputOptions& output) {
   if (!options.dialect.empty()) {
     request.dialect = options.dialect == "B" ? sim2d::Dialect::B : sim2d::Dialect::C;
   }
-  const ExportPlan plan = planExport(*source, request);
+  ExportPlan plan = planExport(*source, request);
+  plan.report = notIn(source.diagnostics(), plan.report);
   printDiagnostics(plan.report, output.quiet ? base::Severity::Warning : base::Severity::Info);
   if (base::hasErrors(plan.report)) {
     return kBadInput;

@@ -215,7 +215,7 @@ int runCommand(const RunOptions& options, const OutputOptions& output,
   if (base::hasErrors(preparation.wrongWords)) {
     return kWrongCommandLine;
   }
-  if (!options.output.empty()) {
+  if (!options.output.empty() && preparation.ok()) {  // else nothing will be written
     base::append(preparation.diagnostics, checkWritableFolder(options.output));
   }
   printDiagnostics(preparation.diagnostics, base::Severity::Warning);  // hints are for check

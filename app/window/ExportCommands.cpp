@@ -25,6 +25,7 @@ ExportSource FileCommands::exportSource() const {
   const bool isInFile = document.snapshot().mapIsInFile;
   source.mapPath = isInFile ? document.mapPath().toStdString() : std::string();
   source.comments = document.commentCount();
+  source.problems = document.mapState().problems;
   for (const sim2d::Human& human : source.scenario.humans) {
     if (std::optional<std::string> tree = document.treeToRun(human.key)) {
       source.trees[human.name] = {*std::move(tree), source.path};

@@ -43,13 +43,11 @@ QString stateText(ExportPlan::State state) {
 
 /// What is started, then its arguments: as a shell takes it.
 QString onTwoLines(const std::string& command) {
-  constexpr int kWords = 4;  // "ros2 launch package file"
-  const QStringList words = QString::fromStdString(command).split(QLatin1Char(' '));
-  if (words.size() <= kWords) {
-    return words.join(QLatin1Char(' '));
-  }
-  return words.mid(0, kWords).join(QLatin1Char(' ')) + QStringLiteral(" \\\n  ") +
-         words.mid(kWords).join(QLatin1Char(' '));
+  constexpr int kWords = 4;  // "ros2 launch package file", never in quotes
+  const QString words = QString::fromStdString(command);
+  const QString head = words.section(QLatin1Char(' '), 0, kWords - 1);
+  const QString rest = words.section(QLatin1Char(' '), kWords);
+  return rest.isEmpty() ? words : head + QStringLiteral(" \\\n  ") + rest;
 }
 
 /// With a capital, unless it begins with a name.

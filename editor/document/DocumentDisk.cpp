@@ -112,19 +112,30 @@ base::Diagnostics asWarnings(base::Diagnostics found) {
   return found;
 }
 
+namespace {
+
+/// The path to the same file from the new folder; as it is when the file is missing and one of this
+/// name is there.
+std::string movedPath(const std::string& path, const QDir& old, const QString& to) {
+  const QString name = QString::fromStdString(path);
+  const QString target = old.absoluteFilePath(name);
+  const bool isBesideNew = QFileInfo(QFileInfo(to).absoluteDir(), name).exists();
+  return !QFileInfo::exists(target) && isBesideNew ? path : relativeTo(to, target);
+}
+
+}  // namespace
+
 void moveRelativePaths(sim2d::Scenario& scenario, const QString& from, const QString& to) {
   if (from.isEmpty() || QFileInfo(from).absoluteDir() == QFileInfo(to).absoluteDir()) {
     return;
   }
   const QDir old = QFileInfo(from).absoluteDir();
   if (scenario.desktop.mapFile && scenario.desktop.mapFile != "none") {
-    scenario.desktop.mapFile =
-        relativeTo(to, old.absoluteFilePath(QString::fromStdString(*scenario.desktop.mapFile)));
+    scenario.desktop.mapFile = movedPath(*scenario.desktop.mapFile, old, to);
   }
   for (sim2d::Human& human : scenario.humans) {
     if (human.ours.tree) {
-      human.ours.tree =
-          relativeTo(to, old.absoluteFilePath(QString::fromStdString(*human.ours.tree)));
+      human.ours.tree = movedPath(*human.ours.tree, old, to);
     }
   }
 }

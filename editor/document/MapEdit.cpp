@@ -87,8 +87,8 @@ EditMap::EditMap(ScenarioDocument& document, MapState map, ScenarioSettings sett
 }
 
 void EditMap::swap() {
-  map_ = document_.exchangeMap(std::move(map_));
   settings_ = document_.exchange(kSettingsId, std::move(settings_));
+  map_ = document_.exchangeMap(std::move(map_));  // who hears of it reads the settings
 }
 
 PaintMap::PaintMap(ScenarioDocument& document, const MapStroke& stroke, const QString& text)

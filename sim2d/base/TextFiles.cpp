@@ -3,6 +3,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -61,8 +62,13 @@ Diagnostics writeFileAtomically(const std::string& path, std::string_view conten
 Diagnostics writeFilesTogether(const std::vector<FileContent>& files) {
   Diagnostics problems;
   std::vector<std::unique_ptr<NewFile>> made;
+  std::set<std::string> told;  // a folder that cannot be made, once
   for (const FileContent& file : files) {
-    append(problems, prepare(file, made));
+    for (Diagnostic& problem : prepare(file, made)) {
+      if (told.insert(problem.text()).second) {
+        problems.push_back(std::move(problem));
+      }
+    }
   }
   if (!problems.empty()) {
     return problems;

@@ -187,12 +187,7 @@ class Exporter {
     }
     const std::vector<std::string>& worlds = target_.worlds;
     if (std::find(worlds.begin(), worlds.end(), map) == worlds.end()) {
-      std::string known;
-      for (const std::string& world : worlds) {
-        known += (known.empty() ? "" : ", ") + world;
-      }
-      note(base::Severity::Warning, "the 3-D world '" + map + "' must be there in " +
-                                        target_.package + " (it has: " + known + ")");
+      note(base::Severity::Warning, worldOfMap(map, target_));
     }
     const bool isNamed = std::any_of(worlds.begin(), worlds.end(), [&](const std::string& world) {
       return base::lowered(options_.baseName).find(world) != std::string::npos;

@@ -88,6 +88,20 @@ void completeBehavior(Human& human, const ResolvedHuman& counts, bool allKeys) {
   }
 }
 
+/// As one word of a shell's command.
+std::string shellWord(const std::string& text) {
+  static constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./:=-+,@%";
+  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) {
+    return text;
+  }
+  std::string quoted = "'";
+  for (const char c : text) {
+    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  }
+  return quoted + "'";
+}
+
 }  // namespace
 
 void addExportLosses(const Scenario& scenario, base::Diagnostics& report) {
@@ -152,25 +166,33 @@ void completeExported(const Scenario& scenario, Human& human, const TargetInfo& 
 std::string exportStartCommand(const Scenario& scenario, const TargetInfo& target) {
   const std::string map = mapBaseName(scenario.map.value_or(""));
   const std::string file = scenario.yamlBaseName.value_or("") + ".yaml";
-  const std::string world = map.empty() ? "" : " environment_name:=" + map;  // else its usual one
+  const std::string world =  // without: its usual one
+      map.empty() ? "" : " " + shellWord("environment_name:=" + map);
+  const std::string configuration = " " + shellWord("configuration_file:=" + file);
   switch (target.target) {
     case ExportTarget::GazeboClassic:
-      return "ros2 launch hunav_gazebo_wrapper simulation.launch.py" + world +
-             " configuration_file:=" + file;
+      return "ros2 launch hunav_gazebo_wrapper simulation.launch.py" + world + configuration;
     case ExportTarget::GazeboFortress:
-      return "ros2 launch hunav_gazebo_fortress_wrapper cafe_fortress_test.launch.py "
-             "configuration_file:=" +
-             file;
+      return "ros2 launch hunav_gazebo_fortress_wrapper cafe_fortress_test.launch.py" +
+             configuration;
     case ExportTarget::Isaac:
-      return "ros2 run hunav_isaac_wrapper hunav_isaac_launcher --config " + file + " --world " +
-             (map.empty() ? kIsaacPlane : map) + " --batch";
+      return "ros2 run hunav_isaac_wrapper hunav_isaac_launcher --config " + shellWord(file) +
+             " --world " + shellWord(map.empty() ? kIsaacPlane : map) + " --batch";
     case ExportTarget::Webots:
-      return "ros2 launch hunav_webots_wrapper hunavsim_webots.launch.py" + world +
-             " configuration_file:=" + file;
+      return "ros2 launch hunav_webots_wrapper hunavsim_webots.launch.py" + world + configuration;
     case ExportTarget::Native:
       break;
   }
   return {};
+}
+
+std::string worldOfMap(const std::string& map, const TargetInfo& target) {
+  if (target.target == ExportTarget::GazeboFortress) {
+    return std::string(target.title) + " starts its world '" + target.worlds.front() +
+           "' whatever the map is, here '" + map + "'";
+  }
+  return "the 3-D world '" + map + "' must be there in " + target.package +
+         " (it has: " + base::join(target.worlds, ", ") + ")";
 }
 
 std::string worldWithoutMap(const TargetInfo& target) {

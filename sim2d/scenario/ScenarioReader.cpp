@@ -90,8 +90,8 @@ class FileReader {
     const YamlNode* goals = parameters.find("global_goals");
     if (loader_.undefinedNumber && (goals == nullptr || scenario().goals.empty())) {
       report().error(goals == nullptr ? parameters : *goals,
-                     std::string("agents have goals by number, but global_goals is ") +
-                         (goals == nullptr ? "missing" : "empty"));
+                     std::string("agents have goals by number, but global_goals ") +
+                         (goals == nullptr ? "is missing" : "holds no goal"));
     }
     reportDialect(parameters);
   }

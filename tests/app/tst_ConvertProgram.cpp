@@ -28,6 +28,7 @@ class ConvertProgramTest : public QObject {
   void convert_whatOnlyWeHave_isListed();
   void convert_withoutMap_startsAWorldThatIsThere_data();
   void convert_withoutMap_startsAWorldThatIsThere();
+  void convert_blankInTheName_standsInQuotes();
   void convert_again_saysWhatBecameOfEachFile();
   void convert_fileInTheWay_writesNothing();
   void convert_ontoItself_isRefused();
@@ -300,6 +301,11 @@ void ConvertProgramTest::convert_withoutMap_startsAWorldThatIsThere_data() {
                                  "ros2 launch hunav_webots_wrapper hunavsim_webots.launch.py "
                                  "configuration_file:=odd.yaml")
                           << utf8("'factory'");
+  QTest::newRow("fortress") << QByteArray("gazebo-fortress")
+                            << utf8(
+                                   "ros2 launch hunav_gazebo_fortress_wrapper "
+                                   "cafe_fortress_test.launch.py configuration_file:=odd.yaml")
+                            << utf8("'cafe'");
   QTest::newRow("isaac") << QByteArray("isaac")
                          << utf8(
                                 "ros2 run hunav_isaac_wrapper hunav_isaac_launcher --config "
@@ -321,6 +327,20 @@ void ConvertProgramTest::convert_withoutMap_startsAWorldThatIsThere() {
   QCOMPARE(json[QStringLiteral("start")].toString(), start);
   QVERIFY2(found.err.contains(QStringLiteral("names no map: ")) && found.err.contains(world),
            qPrintable(found.err));
+}
+
+void ConvertProgramTest::convert_blankInTheName_standsInQuotes() {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("odd.yaml"));
+  outside::writeText(
+      path, QByteArray(kOdd).replace("    map: ", "    yaml_base_name: it's odd\n    map: "));
+  const Finished found = convert(path, folder.filePath(QStringLiteral("out")), "gazebo-fortress",
+                                 {QStringLiteral("--json")});
+  QVERIFY2(found.exitCode == 0, qPrintable(found.err));
+  const QJsonObject json = QJsonDocument::fromJson(found.out.toUtf8()).object();
+  QCOMPARE(json[QStringLiteral("start")].toString(),
+           utf8("ros2 launch hunav_gazebo_fortress_wrapper cafe_fortress_test.launch.py "
+                "'configuration_file:=it'\\''s odd.yaml'"));
 }
 
 void ConvertProgramTest::convert_again_saysWhatBecameOfEachFile() {

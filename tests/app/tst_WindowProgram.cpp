@@ -45,6 +45,15 @@ class WindowProgramTest : public QObject {
     QVERIFY(!QFile::exists(picture));
   }
 
+  void words_tooMany_areToldInOrderWithTheCommandThatWasMeant() {
+    const outside::Finished found =
+        outside::runProgram({QStringLiteral("chek"), QStringLiteral("a"), QStringLiteral("b")});
+    QCOMPARE(found.exitCode, 64);
+    QVERIFY2(
+        found.err.contains(QStringLiteral("not expected: a b (did you mean the command 'check'?)")),
+        qPrintable(found.err));
+  }
+
   void dock_unknown_isRefused() {
     const outside::Finished found =
         outside::runProgram({QStringLiteral("corner_cafe_agents"), QStringLiteral("--dock"),

@@ -165,11 +165,17 @@ class DocumentFilesTest : public QObject {
     }
   }
 
+  void saveAs_besideTheMapThatWasMissing_findsIt_data() {
+    QTest::addColumn<bool>("isFile");
+    QTest::newRow("map") << false;
+    QTest::newRow("map_file") << true;
+  }
   void saveAs_besideTheMapThatWasMissing_findsIt() {
+    QFETCH(bool, isFile);
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("a/lost.yaml"));
     sim2d::Scenario scenario = small::scenario();
-    scenario.map = "hall";
+    (isFile ? scenario.desktop.mapFile : scenario.map) = isFile ? "hall.yaml" : "hall";
     check(base::writeFileAtomically(path.toStdString(), sim2d::writeScenario(scenario)));
     check(sim2d::writeMap(*small::room(),
                           folder.filePath(QStringLiteral("b/hall.yaml")).toStdString()));
@@ -181,6 +187,24 @@ class DocumentFilesTest : public QObject {
         !document.mapState().isMissing,
         document.mapState().isMissing ? document.mapState().problems.front().text().c_str() : "");
     QVERIFY(*document.map() == *small::room());
+  }
+
+  /// Who hears of the map reads in the settings which one it is.
+  void editMap_undo_settingsAreThereFirst() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("lost.yaml"));
+    sim2d::Scenario scenario = small::scenario();
+    scenario.map = "nowhere";
+    check(base::writeFileAtomically(path.toStdString(), sim2d::writeScenario(scenario)));
+    ScenarioDocument document;
+    check(document.open(path));
+    QStringList heard;
+    connect(&document, &ScenarioDocument::mapChanged, this, [&] {
+      heard << QString::fromStdString(document.scenario().desktop.mapFile.value_or("named"));
+    });
+    pushOpenPlane(document);
+    document.undoStack().undo();
+    QCOMPARE(heard, (QStringList{QStringLiteral("none"), QStringLiteral("named")}));
   }
 
   /// A crash in between makes no error a warning.
