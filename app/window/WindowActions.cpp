@@ -84,7 +84,7 @@ void WindowActions::makeEditActions() {
   paste = make(tr("&Paste"), {}, QKeySequence::Paste, tr("Add what was copied beside it"));
   duplicate = make(tr("Dup&licate"), QStringLiteral("edit-duplicate"),
                    QKeySequence(Qt::CTRL | Qt::Key_D), tr("A copy of what is selected"));
-  rename = make(tr("Re&name"), {}, QKeySequence(Qt::Key_F2),
+  rename = make(tr("Rena&me"), {}, QKeySequence(Qt::Key_F2),
                 tr("Another name for what is selected; what refers to it follows"));
   remove = make(tr("&Delete"), QStringLiteral("edit-delete"), QKeySequence::Delete,
                 tr("Remove what is selected; routes follow"));
