@@ -1,5 +1,7 @@
 #include "app/window/Docks.h"
 
+#include <utility>
+
 #include <QTabBar>
 #include <QToolBar>
 
@@ -182,6 +184,9 @@ void Docks::setTheme(const editor::Theme& theme) {
 }
 
 void Docks::setShown(bool shown) {
+  if (!shown && shownBefore_.empty() && window_.isVisible()) {
+    layoutBefore_ = window_.saveState();
+  }
   for (QDockWidget* dock : docks_) {
     if (!shown) {
       shownBefore_.emplace(dock, !dock->isHidden());
@@ -190,10 +195,11 @@ void Docks::setShown(bool shown) {
       dock->setVisible(was->second);
     }
   }
+  timelineBar_->setVisible(shown);
   if (shown) {
     shownBefore_.clear();
+    window_.restoreState(std::exchange(layoutBefore_, {}));  // their sizes; refuses an empty one
   }
-  timelineBar_->setVisible(shown);
 }
 
 QWidget* Docks::timeline() const {

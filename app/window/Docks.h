@@ -60,6 +60,7 @@ class Docks : public QObject {
   std::vector<QDockWidget*> docks_;
   std::vector<DockTitle*> headings_;          // of these, which own them
   std::map<QDockWidget*, bool> shownBefore_;  // while all are hidden
+  QByteArray layoutBefore_;                   // with their sizes, once the window is seen
   editor::ScenarioPanel* scenario_;
   editor::MetricsChoicePanel* choice_;
   editor::PropertyPanel* properties_;

@@ -11,6 +11,7 @@
 
 #include "app/window/StartCards.h"
 #include "editor/document/MapEdit.h"
+#include "editor/document/Nothing.h"
 #include "editor/panels/Form.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 
@@ -190,11 +191,10 @@ void DocumentGuard::tellReadOnly() {
     notices_.drop(readOnlyId());
     return;
   }
-  const bool isBlank = document_.scenario().humans.empty() && document_.scenario().goals.empty();
   notices_.tell(
       {readOnlyId(),
        true,
-       (isBlank
+       (editor::isNothing(document_.scenario())
             ? tr("%1 is damaged: nothing of it could be read. It will not be overwritten.")
             : tr("%1 is damaged and shown as far as it could be read. It will not be overwritten."))
            .arg(document_.displayName()),

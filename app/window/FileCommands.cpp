@@ -20,9 +20,16 @@ FileCommands::FileCommands(Workspace& workspace, editor::IssuesPanel& issues, Me
       issues_(issues),
       memory_(memory),
       window_(window),
-      dialogs_(memory, window) {}
+      dialogs_(memory, window) {
+  connect(&workspace_.document(), &editor::ScenarioDocument::mapChanged, this, [this] {
+    if (mapRefused_) {
+      tell({});
+    }
+  });
+}
 
 bool FileCommands::tell(const base::Diagnostics& problems) {
+  mapRefused_ = false;
   problems_ = problems;
   issues_.setActionIssues(problems);
   const bool fine = !base::hasErrors(problems);

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include <QDateTime>
 #include <QMenu>
 #include <QObject>
 #include <QSettings>
@@ -20,7 +21,8 @@ class Memory {
  public:
   explicit Memory(bool remembers);
   QStringList recentFiles() const;
-  void noteFile(const QString& path);
+  void noteFile(const QString& path);          // opened or saved just now
+  QDateTime noted(const QString& path) const;  // when; invalid: not known
   void clearRecent();
   QVariant value(const char* key) const;
   void setValue(const char* key, const QVariant& value);
@@ -48,7 +50,8 @@ class FileCommands : public QObject {
   bool reload();                        // the file of the document, as it is on the disk now
   bool restore(const QString& folder);  // a copy of an earlier session that has crashed
   bool openNewFromMap(const QString& mapYaml);
-  void newRoom();  // an open plane
+  bool putOtherMap(const QString& mapYaml);  // under the scenario that is open
+  void newRoom();                            // an open plane
   void newOnMap(std::shared_ptr<const sim2d::OccupancyGrid> map);
   bool saveTo(const QString& path, const editor::TreeAnswers& trees = {});
   void fillRecentMenu(QMenu& menu);
@@ -68,7 +71,8 @@ class FileCommands : public QObject {
   bool saveAs();
   QString nameForSaving() const;        // what `saveAs` proposes
   bool saveUnder(const QString& path);  // what it does with the answer; never over a map
-  /// Unsaved changes: save, discard or stay. True when the document may be replaced.
+  bool isLost() const;  // another program has moved or removed the file of the document
+  /// Unsaved changes or a lost file: save, discard or stay. True when the document may be replaced.
   bool mayLeave();
 
  Q_SIGNALS:
@@ -100,6 +104,7 @@ class FileCommands : public QObject {
   RunOptions options_;
   sim2d::Compatibility compatibility_;
   base::Diagnostics problems_;
+  bool mapRefused_ = false;  // what they say ends with the next map
 };
 
 }  // namespace app

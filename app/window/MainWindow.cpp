@@ -33,6 +33,7 @@ constexpr int kLayoutVersion = 1;
 constexpr int kSavedWidth = 120;
 constexpr int kMenuHeight = 28;
 constexpr int kMessageMs = 8000;
+constexpr int kLeastMiddle = 160;  // whatever notices want: the canvas gives up room, no panel does
 
 }  // namespace
 
@@ -73,6 +74,7 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   connectRun();
   restoreGeometry(memory_.value(kGeometryKey).toByteArray());
   guard_ = new DocumentGuard(workspace_, *files_, *notices_, setup.recoveryFolder, this);
+  connect(&guard_->watch(), &FileWatch::scenarioThere, this, &MainWindow::showTitle);
   showStart(true);
   showTitle();
 }
@@ -96,6 +98,9 @@ void MainWindow::placeParts(const WindowSetup& setup) {
   rows->setSpacing(0);
   rows->addWidget(notices_);
   rows->addWidget(centre_, 1);
+  middle->setMinimumHeight(kLeastMiddle);
+  connect(notices_, &NoticeBar::keyboardFree, this,
+          [this] { centre_->currentWidget()->setFocus(); });
   setCentralWidget(middle);
 }
 
@@ -155,6 +160,7 @@ void MainWindow::connectFiles() {
   connect(files, &FileCommands::issuesRaised, this, [this] {
     if (isOnStartPage()) {
       guard_->tellUnread(files_->problems());
+      startPage_->fillRecent();  // it may have gone
       return;
     }
     docks_->dock(QStringLiteral("issues"))->show();
@@ -239,9 +245,10 @@ void MainWindow::showTitle() {
     return;
   }
   setWindowTitle(document.displayName() + QStringLiteral("[*] – HuNavSim Desktop"));
-  setWindowModified(document.isDirty());
+  const bool isOnlyHere = document.isDirty() || files_->isLost();
+  setWindowModified(isOnlyHere);
   setWindowFilePath(document.path());
-  saved_->setText(document.isDirty()      ? tr("Not saved")
+  saved_->setText(isOnlyHere              ? tr("Not saved")
                   : document.isReadOnly() ? tr("Read only")
                                           : tr("Saved"));
 }
@@ -265,9 +272,9 @@ void MainWindow::showFullScreenMap(bool on) {
     return;
   }
   menuBar()->setVisible(!on);
+  docks_->setShown(!on);  // first: it remembers the tool bar as well
   toolBar_->setVisible(!on);
   statusBar()->setVisible(!on);
-  docks_->setShown(!on);
   addAction(actions_->fullScreen);  // its key works without the menu bar
   on ? showFullScreen() : showNormal();
 }

@@ -76,9 +76,18 @@ void FileCommands::askOtherMap() {
   const QString path =
       dialogs_.openFile(tr("Put a map under the scenario"), folder(), tr("Maps (*.yaml *.yml)"));
   if (!path.isEmpty()) {
-    workspace_.runner().reset();
-    tell(workspace_.document().openMap(path));
+    putOtherMap(path);
   }
+}
+
+/// One that cannot be read leaves everything as it is, a run too.
+bool FileCommands::putOtherMap(const QString& path) {
+  const bool isFine = tell(workspace_.document().openMap(path));
+  if (isFine) {
+    workspace_.runner().reset();
+  }
+  mapRefused_ = !isFine;
+  return isFine;
 }
 
 }  // namespace app

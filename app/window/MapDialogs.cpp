@@ -18,6 +18,8 @@ namespace {
 
 constexpr int kSideWidth = 272;
 constexpr int kLabelWidth = 96;
+constexpr double kFinest = 0.001;  // [m] per pixel
+constexpr double kCoarsest = 10.0;
 
 QDoubleSpinBox* metres(double value, double least, double most, QWidget* parent) {
   auto* box = new QDoubleSpinBox(parent);
@@ -96,7 +98,7 @@ ImageMapDialog::ImageMapDialog(std::shared_ptr<const sim2d::OccupancyGrid> grid,
       byPoints_(new QRadioButton(tr("By two points of the image"), this)),
       byNumber_(new QRadioButton(tr("By its resolution"), this)),
       distance_(metres(5.0, 0.01, 10000.0, this)),
-      resolution_(metres(grid_->resolution(), 0.001, 10.0, this)),
+      resolution_(metres(grid_->resolution(), kFinest, kCoarsest, this)),
       firstX_(metres(0.0, -100000.0, 100000.0, this)),
       firstY_(metres(0.0, -100000.0, 100000.0, this)),
       hint_(editor::secondaryLabel(QString(), this)),
@@ -186,16 +188,38 @@ double ImageMapDialog::pixels() const {
   return std::hypot(way.x(), way.y());
 }
 
+double ImageMapDialog::resolution() const {
+  const bool isByPoints = byPoints_->isChecked() && pixels() >= 1.0;
+  return isByPoints ? distance_->value() / pixels() : resolution_->value();
+}
+
+bool ImageMapDialog::isInRange() const {
+  return resolution() >= kFinest && resolution() <= kCoarsest;
+}
+
 bool ImageMapDialog::isMeasured() const {
-  return byNumber_->isChecked() || pixels() >= 1.0;
+  return byNumber_->isChecked() || (pixels() >= 1.0 && isInRange());
 }
 
 void ImageMapDialog::measure() {
   if (byPoints_->isChecked() && isMeasured()) {
     const QSignalBlocker quiet(resolution_);
-    resolution_->setValue(distance_->value() / pixels());
+    resolution_->setValue(resolution());
   }
   showState();
+}
+
+QString ImageMapDialog::hint() const {
+  const std::size_t count = view_->points().size();
+  if (count < 2) {
+    return count == 0 ? tr("Click two points whose distance you know, such as the ends of a wall.")
+                      : tr("Now click the second point.");
+  }
+  return isInRange() ? tr("Type the distance between the two points. They can be dragged.")
+                     : tr("%1 m per pixel is not possible, only %2 to %3.")
+                           .arg(resolution(), 0, 'g', 3)
+                           .arg(kFinest)
+                           .arg(kCoarsest);
 }
 
 void ImageMapDialog::showState() {
@@ -204,21 +228,17 @@ void ImageMapDialog::showState() {
   distance_->setEnabled(points && count == 2);
   resolution_->setEnabled(!points);
   create_->setEnabled(isMeasured());
-  hint_->setText(count == 0   ? tr("Click two points whose distance you know, such as the ends of "
-                                     "a wall.")
-                 : count == 1 ? tr("Now click the second point.")
-                              : tr("Type the distance between the two points. They can be "
-                                   "dragged."));
+  hint_->setText(hint());
   hint_->setEnabled(points);
   place_->setText(count == 0 ? tr("Where is the lower left corner?") : tr("Where is point 1?"));
   size_->setText(isMeasured() ? tr("The map will be %1 × %2 m.")
-                                    .arg(grid_->width() * resolution_->value(), 0, 'f', 1)
-                                    .arg(grid_->height() * resolution_->value(), 0, 'f', 1)
+                                    .arg(grid_->width() * resolution(), 0, 'f', 1)
+                                    .arg(grid_->height() * resolution(), 0, 'f', 1)
                               : QString());
 }
 
 std::shared_ptr<const sim2d::OccupancyGrid> ImageMapDialog::map() const {
-  const double metresPerPixel = resolution_->value();
+  const double metresPerPixel = resolution();
   const QPointF first = view_->points().empty() ? QPointF(0.0, 0.0) : view_->points().front();
   const base::Vec2 origin(firstX_->value() - first.x() * metresPerPixel,
                           firstY_->value() - first.y() * metresPerPixel);

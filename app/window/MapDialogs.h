@@ -40,8 +40,8 @@ class ImageMapDialog : public QDialog {
   void setDistance(double metres) { distance_->setValue(metres); }
   void setResolution(double metresPerPixel);  // by number from now on
   void setFirstPoint(double x, double y);
-  double resolution() const { return resolution_->value(); }  // [m] per pixel
-  bool isMeasured() const;                                    // enough is said to make a map
+  double resolution() const;  // [m] per pixel, as measured
+  bool isMeasured() const;    // enough is said to make a map, and of a size that a map can have
   /// With the resolution and so placed that the first point has its coordinates; without points:
   /// the lower left corner of the image.
   std::shared_ptr<const sim2d::OccupancyGrid> map() const;
@@ -50,7 +50,9 @@ class ImageMapDialog : public QDialog {
   QLayout* makeSide();
   void measure();
   void showState();
-  double pixels() const;  // between the two points; 0: there are not two
+  double pixels() const;   // between the two points; 0: there are not two
+  bool isInRange() const;  // the resolution
+  QString hint() const;    // what to do with the points
 
   std::shared_ptr<const sim2d::OccupancyGrid> grid_;
   editor::Theme theme_;

@@ -8,6 +8,7 @@ namespace {
 
 constexpr int kRecentFiles = 8;
 constexpr const char* kRecentKey = "files/recent";
+constexpr const char* kNotedKey = "files/noted";  // when, by file
 
 }  // namespace
 
@@ -40,6 +41,16 @@ void Memory::noteFile(const QString& path) {
     files.removeLast();
   }
   setValue(kRecentKey, files);
+  const QVariantMap before = value(kNotedKey).toMap();
+  QVariantMap noted;
+  for (const QString& file : files) {
+    noted[file] = file == whole ? QDateTime::currentDateTime() : before.value(file);
+  }
+  setValue(kNotedKey, noted);
+}
+
+QDateTime Memory::noted(const QString& path) const {
+  return value(kNotedKey).toMap().value(path).toDateTime();
 }
 
 void Memory::clearRecent() {

@@ -119,6 +119,9 @@ void NoticeBar::setTheme(const editor::Theme& theme) {
 }
 
 void NoticeBar::rebuild() {
+  if (QWidget* focus = window()->focusWidget(); focus != nullptr && isAncestorOf(focus)) {
+    Q_EMIT keyboardFree();  // before Qt hands it to whatever is next
+  }
   while (QLayoutItem* item = rows_->takeAt(0)) {
     item->widget()->hide();
     item->widget()->deleteLater();  // it may be the one whose button was pressed

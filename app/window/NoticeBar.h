@@ -34,6 +34,9 @@ class NoticeBar : public QWidget {
   void choose(const QString& id, int choice);
   void setTheme(const editor::Theme& theme);
 
+ Q_SIGNALS:
+  void keyboardFree();  // it was on a button that goes now
+
  private:
   void rebuild();
   QWidget* rowOf(const Notice& notice);

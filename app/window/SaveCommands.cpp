@@ -136,14 +136,21 @@ bool FileCommands::saveUnder(const QString& path) {
   return saveAsking(path);
 }
 
+bool FileCommands::isLost() const {
+  const QString path = workspace_.document().path();
+  return !path.isEmpty() && !QFileInfo::exists(path);
+}
+
 bool FileCommands::mayLeave() {
   const editor::ScenarioDocument& document = workspace_.document();
-  if (!document.isDirty()) {
+  if (!document.isDirty() && !isLost()) {
     return true;
   }
   const auto answer = QMessageBox::question(
-      &window_, tr("Unsaved changes"),
-      tr("Save the changes to %1 first?").arg(document.displayName()),
+      &window_, document.isDirty() ? tr("Unsaved changes") : tr("The file is gone"),
+      (document.isDirty() ? tr("Save the changes to %1 first?")
+                          : tr("%1 is no longer in its folder. Save it again first?"))
+          .arg(document.displayName()),
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
 }

@@ -90,12 +90,13 @@ void ActionCard::paintEvent(QPaintEvent*) {
                    titleMetrics.elidedText(words_.title, Qt::ElideRight, words.width()));
 }
 
-RecentRow::RecentRow(QString path, const editor::Theme& theme, QWidget* parent)
+RecentRow::RecentRow(QString path, const QDateTime& used, const editor::Theme& theme,
+                     QWidget* parent)
     : StartCard(theme, parent), path_(std::move(path)), exists_(QFileInfo::exists(path_)) {
-  when_ =
-      exists_ ? agoText(QFileInfo(path_).lastModified(), QDateTime::currentDateTime()) : QString();
+  when_ = exists_ && used.isValid() ? agoText(used, QDateTime::currentDateTime()) : QString();
   setToolTip(path_);
   setAccessibleName(QFileInfo(path_).fileName());
+  setAccessibleDescription(exists_ ? when_ : tr("File not found"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setEnabled(exists_);
 }

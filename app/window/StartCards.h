@@ -43,11 +43,11 @@ class ActionCard : public StartCard {
   Words words_;
 };
 
-/// A recent file: name, folder, when; pale with a warning when it is gone.
+/// A recent file: name, folder, when it was used; pale with a warning when it is gone.
 class RecentRow : public StartCard {
   Q_OBJECT
  public:
-  RecentRow(QString path, const editor::Theme& theme, QWidget* parent);
+  RecentRow(QString path, const QDateTime& used, const editor::Theme& theme, QWidget* parent);
   QSize sizeHint() const override { return {357, 60}; }
 
  protected:

@@ -170,7 +170,7 @@ void StartPage::fillRecent() {
     delete item;
   }
   for (const QString& path : memory_.recentFiles()) {
-    auto* row = new RecentRow(path, workspace_.theme(), page_);
+    auto* row = new RecentRow(path, memory_.noted(path), workspace_.theme(), page_);
     connect(row, &QAbstractButton::clicked, this, [this, path] { Q_EMIT fileWanted(path); });
     recent_->addWidget(row);
   }
@@ -191,6 +191,7 @@ void StartPage::setTheme(const editor::Theme& theme) {
 
 void StartPage::showEvent(QShowEvent* event) {
   QScrollArea::showEvent(event);
+  fillRecent();  // files come and go meanwhile
   paintThumbnails();
 }
 

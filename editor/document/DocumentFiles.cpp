@@ -6,6 +6,7 @@
 #include "editor/document/DocumentSnapshot.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
+#include "editor/document/Nothing.h"
 #include "editor/document/QtImageLoader.h"
 #include "editor/document/TreeFiles.h"
 #include "sim2d/base/Text.h"
@@ -19,12 +20,6 @@ namespace {
 
 sim2d::MapRule mapRuleOf(const sim2d::Scenario& scenario) {
   return scenario.desktop.mapRule == "main" ? sim2d::MapRule::Main : sim2d::MapRule::Humble;
-}
-
-bool isNothing(const sim2d::Scenario& scenario) {
-  return scenario.humans.empty() && scenario.goals.empty() && scenario.robots.empty() &&
-         scenario.obstacles.empty() && scenario.doors.empty() && scenario.areas.empty() &&
-         !scenario.map && !scenario.desktop.mapFile;
 }
 
 /// By its name, of one that is there.

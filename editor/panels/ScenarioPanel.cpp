@@ -173,6 +173,12 @@ ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme, QWi
   connect(tree_, &QTreeView::customContextMenuRequested, this, &ScenarioPanel::offerMenu);
   connect(&document_, &ScenarioDocument::selectionChanged, this, &ScenarioPanel::takeSelection);
   connect(&document_, &ScenarioDocument::settled, this, &ScenarioPanel::showEmptiness);
+  connect(&document_, &ScenarioDocument::changed, this, [this](const Change& change) {
+    if (change.what == Change::What::Everything) {
+      // of another scenario, once its rows are there
+      QMetaObject::invokeMethod(tree_, &QTreeView::scrollToTop, Qt::QueuedConnection);
+    }
+  });
   setTheme(theme);
   expandGroups();
   showEmptiness();

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <QMessageBox>
+#include <QPushButton>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QtTest>
 
 #include "app/window/MainWindow.h"
+#include "app/window/NoticeBar.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
@@ -43,6 +47,37 @@ inline QString copyOfDemo(const QString& file) {
   const base::Diagnostics problems =
       base::writeFileAtomically(file.toStdString(), sim2d::writeScenario(demo.scenario));
   return problems.empty() ? file : QString();
+}
+
+/// A copy of the café that names this map.
+inline QString copyOnMap(const QString& file, const char* map) {
+  sim2d::ScenarioReading demo = sim2d::readScenario(demoPath().toStdString());
+  demo.scenario.map = map;
+  demo.scenario.desktop.mapFile.reset();
+  const base::Diagnostics problems =
+      base::writeFileAtomically(file.toStdString(), sim2d::writeScenario(demo.scenario));
+  return problems.empty() ? file : QString();
+}
+
+/// Without words: it is not told.
+inline app::Notice noticeOf(app::MainWindow& window, const char* id) {
+  for (const app::Notice& notice : window.notices().notices()) {
+    if (notice.id == QString::fromUtf8(id)) {
+      return notice;
+    }
+  }
+  return {};
+}
+
+/// The next message box is answered so, and its text is kept.
+inline void answerBox(QMessageBox::StandardButton button, QString& text) {
+  text.clear();
+  QTimer::singleShot(100, qApp, [button, &text] {
+    if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+      text = box->text();
+      box->button(button)->click();
+    }
+  });
 }
 
 /// Pictures for people to look at, when HUNAV_PICTURES names a folder for them.

@@ -66,23 +66,21 @@ class FileTroublesTest : public QObject {
     QVERIFY(window_->notices().notices().empty());
   }
 
-  /// All words of a notice are seen, however little room the canvas has.
-  void notice_inASmallWindow_isNotCut() {
-    QVERIFY(window_->open(demoOnMap("nowhere")));
-    for (const QSize& size : {QSize(1280, 800), QSize(900, 600), QSize(1600, 900)}) {
-      window_->resize(size);
-      QCoreApplication::processEvents();
-      for (const QLabel* label : window_->notices().findChildren<QLabel*>()) {
-        if (label->isVisible() && label->text().startsWith(utf8("Map file"))) {
-          QVERIFY(label->width() >= 200);
-          QVERIFY(label->height() >= label->heightForWidth(label->width()));
-        }
-      }
-      for (const QPushButton* button : window_->notices().findChildren<QPushButton*>()) {
-        QVERIFY(button->width() >= button->sizeHint().width());
-      }
-      quiet::shoot(*window_, size.width() == 900 ? "notice-small" : "notice-wide");
-    }
+  void open_damagedFile_onlyItsMapIsRead_isNotCalledNothing() {
+    QVERIFY(base::writeFileAtomically(at("damaged.yaml").toStdString(),
+                                      "hunav_loader:\n  ros__parameters:\n    map: nowhere\n"
+                                      "   agents: [x\n")
+                .empty());
+    QVERIFY(!window_->open(at("damaged.yaml")));
+    QVERIFY2(told("read-only").text.contains(utf8("as far as it could be read")),
+             qPrintable(told("read-only").text));
+    QVERIFY(told("map").text.startsWith(utf8("Map file nowhere.yaml not found")));
+    QVERIFY(
+        base::writeFileAtomically(at("nothing.yaml").toStdString(), "hunav_loader: [\n").empty());
+    window_->actions().close->trigger();
+    QVERIFY(!window_->open(at("nothing.yaml")));
+    QVERIFY(told("read-only").text.contains(utf8("nothing of it could be read")));
+    QVERIFY(!window_->notices().isTold(utf8("map")));
   }
 
   void open_mapIsDamaged_noticeSaysWhatIsWrong() {
@@ -202,10 +200,10 @@ class FileTroublesTest : public QObject {
     QVERIFY(window_->open(quiet::demoPath()));
     editor::MapView& view = window_->workspace().view();
     Q_EMIT view.cursorMoved(base::Vec2(1.25, 2.5));
-    QVERIFY(statusBarSays(utf8("x 1.25 m")));
+    QVERIFY(isSaid(utf8("x 1.25 m")));
     window_->actions().newRoom->trigger();
     QCoreApplication::processEvents();
-    QVERIFY(!statusBarSays(utf8("x 1.25 m")));
+    QVERIFY(!isSaid(utf8("x 1.25 m")));
   }
 
   void imageMap_createsNothingBeforeItsSizeIsKnown() {
@@ -228,6 +226,15 @@ class FileTroublesTest : public QObject {
     QVERIFY(!create->isEnabled());  // both on one place
     dialog.view().setPoints({{0.0, 0.0}, {400.0, 200.0}});
     QVERIFY(create->isEnabled());
+    dialog.setDistance(9000.0);
+    QVERIFY(!create->isEnabled());  // no map has cells as large as that
+    QVERIFY(!dialog.isMeasured());
+    quiet::shoot(dialog, "image-too-large");
+    dialog.setDistance(0.1);
+    QVERIFY(!create->isEnabled());
+    dialog.setDistance(7.0);
+    QVERIFY(create->isEnabled());
+    QCOMPARE(dialog.map()->resolution(), 7.0 / std::sqrt(400.0 * 400.0 + 200.0 * 200.0));
     dialog.view().setPoints({});
     QVERIFY(!create->isEnabled());
     dialog.setResolution(0.1);
@@ -255,6 +262,7 @@ class FileTroublesTest : public QObject {
 
   void exportDialog_command_isSeenWholeAndCopied() {
     QVERIFY(window_->open(quiet::demoPath()));
+    int commands = 0;
     for (const char* target : {"gazebo-classic", "isaac", "native"}) {
       for (const bool isDark : {false, true}) {
         const editor::Theme theme = isDark ? editor::Theme::dark() : editor::Theme::light();
@@ -269,15 +277,20 @@ class FileTroublesTest : public QObject {
                  dialog.plan().startCommand);
         QVERIFY(!command->verticalScrollBar()->isVisible());  // all of it is seen
         QCOMPARE(command->isVisible(), !dialog.plan().startCommand.empty());
+        int copies = 0;
         for (QPushButton* button : dialog.findChildren<QPushButton*>()) {
-          if (command->isVisible() && button->text() == utf8("Co&py")) {
+          if (button->isVisible() && button->text() == utf8("Co&py")) {
+            ++copies;
             button->click();
             QCOMPARE(QGuiApplication::clipboard()->text().toStdString(),
                      dialog.plan().startCommand);
           }
         }
+        QCOMPARE(copies, command->isVisible() ? 1 : 0);
+        commands += copies;
       }
     }
+    QVERIFY(commands > 0);
     app::dressApplication(editor::Theme::light());
   }
 
@@ -285,29 +298,13 @@ class FileTroublesTest : public QObject {
   editor::ScenarioDocument& document() { return window_->workspace().document(); }
   QString at(const char* name) const { return folder_->filePath(QString::fromUtf8(name)); }
 
-  app::Notice told(const char* id) const {
-    for (const app::Notice& notice : window_->notices().notices()) {
-      if (notice.id == utf8(id)) {
-        return notice;
-      }
-    }
-    return {};
-  }
+  app::Notice told(const char* id) const { return quiet::noticeOf(*window_, id); }
+  QString demoOnMap(const char* map) const { return quiet::copyOnMap(at("demo.yaml"), map); }
 
-  bool statusBarSays(const QString& words) const {
+  bool isSaid(const QString& words) const {
     const QList<QLabel*> labels = window_->findChildren<QLabel*>();
     return std::any_of(labels.begin(), labels.end(),
                        [&](const QLabel* label) { return label->text() == words; });
-  }
-
-  /// A copy of the café that names this map.
-  QString demoOnMap(const char* map) const {
-    sim2d::ScenarioReading demo = sim2d::readScenario(quiet::demoPath().toStdString());
-    demo.scenario.map = map;
-    demo.scenario.desktop.mapFile.reset();
-    const base::Diagnostics problems = base::writeFileAtomically(
-        at("demo.yaml").toStdString(), sim2d::writeScenario(demo.scenario));
-    return problems.empty() ? at("demo.yaml") : QString();
   }
 
   std::unique_ptr<QTemporaryDir> folder_;

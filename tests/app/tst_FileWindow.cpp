@@ -1,15 +1,19 @@
 #include <QMimeData>
+#include <QScrollBar>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <QTreeView>
 #include <QtTest>
 
 #include "app/window/DocumentGuard.h"
 #include "app/window/MainWindow.h"
 #include "app/window/MapDialogs.h"
 #include "app/window/NoticeBar.h"
+#include "app/window/StartCards.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
 #include "editor/panels/IssuesPanel.h"
+#include "editor/panels/ScenarioPanel.h"
 #include "sim2d/base/Text.h"
 #include "tests/app/QuietWindow.h"
 
@@ -216,6 +220,54 @@ class FileWindowTest : public QObject {
     app::dressApplication(editor::Theme::light());
   }
 
+  void recent_fileGoesAndComesBack_rowSaysSo() {
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, at("settings"));
+    app::WindowSetup setup = quiet::setup();
+    setup.remembers = true;
+    quiet::leave(window_);
+    window_ = quiet::shownWindow(setup);
+    const QString file = copyOfDemo();
+    QFile handle(file);
+    QVERIFY(handle.open(QIODevice::ReadWrite));
+    const QDateTime old = QDateTime::currentDateTime().addDays(-40);
+    QVERIFY(handle.setFileTime(old, QFileDevice::FileModificationTime));
+    handle.close();
+    QVERIFY(window_->open(file));
+    window_->actions().close->trigger();
+    QCOMPARE(recentRow()->accessibleDescription(), QStringLiteral("just now"));  // it was opened
+    QVERIFY(window_->open(file));
+    QVERIFY(QFile::rename(file, at("moved.yaml")));
+    document().clear();
+    window_->actions().close->trigger();
+    QVERIFY(!recentRow()->isEnabled());
+    QCOMPARE(recentRow()->accessibleDescription(), QStringLiteral("File not found"));
+    QVERIFY(QFile::rename(at("moved.yaml"), file));
+    window_->actions().newRoom->trigger();
+    window_->actions().close->trigger();
+    QVERIFY(recentRow()->isEnabled());
+    QVERIFY(QFile::remove(file));
+    recentRow()->click();  // gone since the page was shown
+    QVERIFY(window_->notices().isTold(QStringLiteral("unread")));
+    QVERIFY(!recentRow()->isEnabled());
+  }
+
+  void open_anotherScenario_listBeginsAtItsTop() {
+    const QString folder = QStringLiteral(SOURCE_DIR "/maps/realism/");
+    QVERIFY(window_->open(folder + QStringLiteral("realism_rimea_12_agents.yaml")));
+    auto* tree = window_->docks().scenario().findChild<QTreeView*>();
+    QVERIFY(tree != nullptr);
+    QCoreApplication::processEvents();
+    tree->expandAll();
+    tree->scrollToBottom();
+    QCoreApplication::processEvents();
+    QVERIFY(tree->verticalScrollBar()->value() > 0);
+    QVERIFY(window_->open(folder + QStringLiteral("realism_lanes_agents.yaml")));
+    tree->expandAll();
+    QCoreApplication::processEvents();
+    QVERIFY(tree->verticalScrollBar()->maximum() > 0);
+    QCOMPARE(tree->verticalScrollBar()->value(), 0);
+  }
+
   void roomDialog_looks() {
     for (const bool isDark : {false, true}) {
       const editor::Theme theme = isDark ? editor::Theme::dark() : editor::Theme::light();
@@ -255,6 +307,11 @@ class FileWindowTest : public QObject {
   editor::ScenarioDocument& document() { return window_->workspace().document(); }
   QString at(const char* name) const { return folder_->filePath(QString::fromUtf8(name)); }
   QString copyOfDemo() const { return quiet::copyOfDemo(at("demo.yaml")); }
+
+  app::RecentRow* recentRow() const {
+    const QList<app::RecentRow*> rows = window_->findChildren<app::RecentRow*>();
+    return rows.size() == 1 ? rows.front() : nullptr;
+  }
 
   void dropOnWindow(const QString& file) {
     QMimeData data;

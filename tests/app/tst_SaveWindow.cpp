@@ -188,16 +188,7 @@ class SaveWindowTest : public QObject {
   QString at(const char* name) const { return folder_->filePath(QString::fromUtf8(name)); }
   QString copyOfDemo() const { return quiet::copyOfDemo(at("demo.yaml")); }
 
-  /// What the next message box is told; its text is kept.
-  void answerBox(QMessageBox::StandardButton button) {
-    boxText_.clear();
-    QTimer::singleShot(100, this, [this, button] {
-      if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
-        boxText_ = box->text();
-        box->button(button)->click();
-      }
-    });
-  }
+  void answerBox(QMessageBox::StandardButton button) { quiet::answerBox(button, boxText_); }
 
   void exportTo(const QString& target) {
     QTimer::singleShot(100, this, [&target] {

@@ -1,0 +1,205 @@
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QToolBar>
+#include <QToolButton>
+#include <QtTest>
+
+#include "app/window/DocumentGuard.h"
+#include "app/window/MainWindow.h"
+#include "editor/panels/IssuesPanel.h"
+#include "editor/panels/ScenarioPanel.h"
+#include "sim2d/base/Text.h"
+#include "tests/app/QuietWindow.h"
+
+using app::MainWindow;
+
+namespace {
+
+QString utf8(const char* text) {
+  return QString::fromUtf8(text);
+}
+
+}  // namespace
+
+/// What notices and panels leave as it was: room, sizes, the keyboard, and work that is only here.
+class WindowStaysTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() { app::dressApplication(editor::Theme::light()); }
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    window_ = quiet::shownWindow();
+  }
+  void cleanup() { quiet::leave(window_); }
+
+  /// All words of a notice are seen, however little room the canvas has.
+  void notice_inASmallWindow_isNotCut() {
+    QVERIFY(window_->open(demoOnMap("nowhere")));
+    for (const QSize& size : {QSize(1280, 800), QSize(900, 600), QSize(1600, 900)}) {
+      window_->resize(size);
+      QCoreApplication::processEvents();
+      int seen = 0;
+      for (const QLabel* label : window_->notices().findChildren<QLabel*>()) {
+        if (label->isVisible() && label->text().startsWith(utf8("Map file"))) {
+          ++seen;
+          QVERIFY(label->width() >= 200);
+          QVERIFY(label->height() >= label->heightForWidth(label->width()));
+        }
+      }
+      QCOMPARE(seen, 1);
+      for (const QPushButton* button : window_->notices().findChildren<QPushButton*>()) {
+        seen += button->isVisible() ? 1 : 0;
+        QVERIFY(button->width() >= button->sizeHint().width());
+      }
+      QCOMPARE(seen, 3);  // the words and two buttons
+      quiet::shoot(*window_, size.width() == 900 ? "notice-small" : "notice-wide");
+    }
+  }
+
+  /// Else the next key would go to a field that happens to be near.
+  void notice_buttonIsPressed_mapHasTheKeyboard() {
+    QVERIFY(window_->open(demoOnMap("nowhere")));
+    QPushButton* plane = nullptr;
+    for (QPushButton* button : window_->notices().findChildren<QPushButton*>()) {
+      plane = button->isVisible() && button->text() == utf8("Open plane") ? button : plane;
+    }
+    QVERIFY(plane != nullptr);
+    window_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+    QTest::mouseClick(plane, Qt::LeftButton);
+    QVERIFY(!window_->notices().isTold(utf8("map")));
+    QVERIFY(window_->workspace().view().hasFocus());
+    document().undoStack().undo();
+    auto* cross = window_->notices().findChildren<QToolButton*>().back();
+    cross->setFocus();
+    QTest::keyClick(cross, Qt::Key_Space);
+    QVERIFY(!window_->notices().isTold(utf8("map")));
+    QVERIFY(window_->workspace().view().hasFocus());
+  }
+
+  void notices_several_onlyTheCanvasGivesUpRoom() {
+    QVERIFY(window_->open(quiet::demoPath()));
+    for (const QSize& size : {QSize(1280, 800), QSize(900, 600)}) {
+      window_->resize(size);
+      QCoreApplication::processEvents();
+      const std::vector<QSize> before = dockSizes();
+      for (const char* id : {"a", "b", "c"}) {
+        window_->notices().tell(
+            {utf8(id), true, utf8("Something that takes some words to say. ").repeated(4), {}});
+        QCoreApplication::processEvents();
+        QVERIFY(dockSizes() == before);
+      }
+      for (const char* id : {"a", "b", "c"}) {
+        window_->notices().drop(utf8(id));
+      }
+      QCoreApplication::processEvents();
+      QVERIFY(dockSizes() == before);
+    }
+  }
+
+  void closeAndOpen_again_panelsKeepTheirSizes() {
+    QVERIFY(window_->open(quiet::demoPath()));
+    QCoreApplication::processEvents();
+    const std::vector<QSize> before = dockSizes();
+    for (int i = 0; i < 3; ++i) {
+      window_->actions().close->trigger();
+      QCoreApplication::processEvents();
+      QVERIFY(window_->isOnStartPage());
+      QVERIFY(!window_->docks().scenario().isVisible());
+      QVERIFY(window_->open(quiet::demoPath()));
+      QCoreApplication::processEvents();
+      QVERIFY(dockSizes() == before);
+    }
+    window_->actions().fullScreen->trigger();
+    QVERIFY(!window_->docks().scenario().isVisible());
+    window_->actions().fullScreen->trigger();
+    for (const char* name : {"tools", "timeline"}) {
+      const auto* bar = window_->findChild<QToolBar*>(utf8(name));
+      QVERIFY2(bar != nullptr && bar->isVisible(), name);
+    }
+    QVERIFY(window_->docks().scenario().isVisible());
+  }
+
+  void openMap_cannotBeRead_runGoesOnAndTheWordsEndWithTheNextMap() {
+    QVERIFY(base::writeFileAtomically(at("notes.yaml").toStdString(), "milk: 2\n").empty());
+    const QString cafe = QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe.yaml");
+    editor::IssuesPanel& issues = window_->docks().issues();
+    QVERIFY(window_->open(quiet::copyOfDemo(at("demo.yaml"))));
+    editor::SimulationRunner& runner = window_->workspace().runner();
+    runner.stepOnce();
+    QTRY_VERIFY(runner.shownFrame() != nullptr);
+    QVERIFY(!window_->files().putOtherMap(at("notes.yaml")));
+    QVERIFY(runner.state() != editor::SimulationRunner::State::Editing);
+    QVERIFY(issues.hasErrors());
+    QVERIFY(window_->files().putOtherMap(cafe));
+    QVERIFY(runner.state() == editor::SimulationRunner::State::Editing);
+    QVERIFY(!issues.hasErrors());
+    document().undoStack().setClean();
+    QVERIFY(window_->open(demoOnMap("nowhere")));
+    QVERIFY(!window_->files().putOtherMap(at("notes.yaml")));
+    QVERIFY(base::hasErrors(window_->files().problems()));
+    window_->notices().choose(utf8("map"), 1);
+    QVERIFY(!issues.hasErrors());
+  }
+
+  void anotherProgramRemovesTheFile_isNotSavedAndAskedBeforeItIsLeft() {
+    const QString file = demoOnMap("nowhere");
+    QVERIFY(window_->open(file));
+    QVERIFY(isSaid(utf8("Saved")));
+    QVERIFY(QFile::remove(file));
+    window_->guard().watch().lookNow();
+    QVERIFY(isSaid(utf8("Not saved")));
+    QVERIFY(window_->isWindowModified());
+    answerBox(QMessageBox::Cancel);
+    window_->actions().close->trigger();
+    QVERIFY2(boxText_.startsWith(utf8("demo.yaml is no longer in its folder")),
+             qPrintable(boxText_));
+    QVERIFY(!window_->isOnStartPage());
+    answerBox(QMessageBox::Cancel);
+    QVERIFY(!window_->close());
+    QVERIFY(window_->isVisible());
+    answerBox(QMessageBox::Save);
+    window_->actions().close->trigger();
+    QVERIFY(window_->isOnStartPage());
+    QVERIFY(QFile::exists(file));
+    QVERIFY(window_->open(file));
+    QVERIFY(QFile::remove(file));
+    answerBox(QMessageBox::Discard);
+    window_->actions().close->trigger();
+    QVERIFY(!boxText_.isEmpty());
+    QVERIFY(window_->isOnStartPage());
+    QVERIFY(!QFile::exists(file));
+  }
+
+ private:
+  editor::ScenarioDocument& document() { return window_->workspace().document(); }
+  QString at(const char* name) const { return folder_->filePath(QString::fromUtf8(name)); }
+  QString demoOnMap(const char* map) const { return quiet::copyOnMap(at("demo.yaml"), map); }
+  void answerBox(QMessageBox::StandardButton button) { quiet::answerBox(button, boxText_); }
+
+  bool isSaid(const QString& words) const {
+    const QList<QLabel*> labels = window_->findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(),
+                       [&](const QLabel* label) { return label->text() == words; });
+  }
+
+  /// Of those in front: the ones behind them lie outside the window.
+  std::vector<QSize> dockSizes() const {
+    std::vector<QSize> sizes;
+    for (const QDockWidget* dock : window_->docks().all()) {
+      if (dock->isVisible() && window_->rect().contains(dock->geometry().center())) {
+        sizes.push_back(dock->size());
+      }
+    }
+    return sizes;
+  }
+
+  QString boxText_;
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+QTEST_MAIN(WindowStaysTest)
+#include "tst_WindowStays.moc"
