@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -88,5 +89,57 @@ inline void shoot(QWidget& widget, const QByteArray& name) {
     QVERIFY(widget.grab().save(QString::fromLocal8Bit(folder + '/' + name + ".png")));
   }
 }
+
+/// For tests of one window with files in a folder of their own, both made anew for each.
+class InFolder {
+ protected:
+  /// A tree of somebody's own.
+  static constexpr const char* kTree =
+      "<root BTCPP_format=\"4\" main_tree_to_execute=\"Mine\">\n  <BehaviorTree ID=\"Mine\">\n"
+      "    <Sequence>\n      <GoTo agent_id=\"{id}\" goal_id=\"1\" time_step=\"{dt}\"/>\n"
+      "      <RegularNav agent_id=\"{id}\" time_step=\"{dt}\"/>\n    </Sequence>\n"
+      "  </BehaviorTree>\n</root>\n";
+
+  void begin() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    window_ = shownWindow();
+  }
+  void end() { leave(window_); }
+
+  editor::ScenarioDocument& document() { return window_->workspace().document(); }
+  QString at(const char* name) const { return folder_->filePath(QString::fromUtf8(name)); }
+  QString copyOfDemo() const { return quiet::copyOfDemo(at("demo.yaml")); }
+  QString demoOnMap(const char* map) const { return copyOnMap(at("demo.yaml"), map); }
+
+  /// The café as cafe.yaml with an image of an uncommon name, and other maps beside it.
+  QString mapWithNeighbours() const {
+    const QString source = QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe");
+    QFile::copy(source + QStringLiteral(".pgm"), at("cafe.image"));
+    QFile::copy(source + QStringLiteral(".pgm"), at("other.pgm"));
+    const std::string yaml = *base::readTextFile((source + QStringLiteral(".yaml")).toStdString());
+    std::string own = yaml;
+    const std::string image = "corner_cafe.pgm";
+    own.replace(own.find(image), image.size(), "cafe.image");
+    const bool isWritten =
+        base::writeFileAtomically(at("cafe.yaml").toStdString(), own).empty() &&
+        base::writeFileAtomically(at("other.yaml").toStdString(), yaml).empty() &&
+        base::writeFileAtomically(at("damaged.yaml").toStdString(), yaml + "x: [\n").empty();
+    QFile::link(at("cafe.yaml"), at("link.yaml"));
+    return isWritten ? at("cafe.yaml") : QString();
+  }
+
+  app::Notice told(const char* id) const { return noticeOf(*window_, id); }
+  /// Somewhere in the window.
+  bool isSaid(const QString& words) const {
+    const QList<QLabel*> labels = window_->findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(),
+                       [&](const QLabel* label) { return label->text() == words; });
+  }
+  void answerBox(QMessageBox::StandardButton button) { quiet::answerBox(button, boxText_); }
+
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<app::MainWindow> window_;
+  QString boxText_;  // of the last box that was answered
+};
 
 }  // namespace quiet

@@ -27,16 +27,13 @@ QString utf8(const char* text) {
 }  // namespace
 
 /// Files that are wrong, lost, or cannot be written: what the window tells and offers.
-class FileTroublesTest : public QObject {
+class FileTroublesTest : public QObject, protected quiet::InFolder {
   Q_OBJECT
 
  private Q_SLOTS:
   void initTestCase() { app::dressApplication(editor::Theme::light()); }
-  void init() {
-    folder_ = std::make_unique<QTemporaryDir>();
-    window_ = quiet::shownWindow();
-  }
-  void cleanup() { quiet::leave(window_); }
+  void init() { begin(); }
+  void cleanup() { end(); }
 
   void open_mapIsLost_noticeOffersAWayOut() {
     QVERIFY(window_->open(demoOnMap("nowhere")));
@@ -293,22 +290,6 @@ class FileTroublesTest : public QObject {
     QVERIFY(commands > 0);
     app::dressApplication(editor::Theme::light());
   }
-
- private:
-  editor::ScenarioDocument& document() { return window_->workspace().document(); }
-  QString at(const char* name) const { return folder_->filePath(QString::fromUtf8(name)); }
-
-  app::Notice told(const char* id) const { return quiet::noticeOf(*window_, id); }
-  QString demoOnMap(const char* map) const { return quiet::copyOnMap(at("demo.yaml"), map); }
-
-  bool isSaid(const QString& words) const {
-    const QList<QLabel*> labels = window_->findChildren<QLabel*>();
-    return std::any_of(labels.begin(), labels.end(),
-                       [&](const QLabel* label) { return label->text() == words; });
-  }
-
-  std::unique_ptr<QTemporaryDir> folder_;
-  std::unique_ptr<MainWindow> window_;
 };
 
 QTEST_MAIN(FileTroublesTest)

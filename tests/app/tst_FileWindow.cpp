@@ -20,16 +20,13 @@
 using app::MainWindow;
 
 /// Files that the window opens, gets and watches.
-class FileWindowTest : public QObject {
+class FileWindowTest : public QObject, protected quiet::InFolder {
   Q_OBJECT
 
  private Q_SLOTS:
   void initTestCase() { app::dressApplication(editor::Theme::light()); }
-  void init() {
-    folder_ = std::make_unique<QTemporaryDir>();
-    window_ = quiet::shownWindow();
-  }
-  void cleanup() { quiet::leave(window_); }
+  void init() { begin(); }
+  void cleanup() { end(); }
 
   void open_damagedFile_isShownWithANoticeAndRefusesToBeSaved() {
     const QString file = copyOfDemo();
@@ -298,16 +295,6 @@ class FileWindowTest : public QObject {
   }
 
  private:
-  static constexpr const char* kTree =
-      "<root BTCPP_format=\"4\" main_tree_to_execute=\"Mine\">\n  <BehaviorTree ID=\"Mine\">\n"
-      "    <Sequence>\n      <GoTo agent_id=\"{id}\" goal_id=\"1\" time_step=\"{dt}\"/>\n"
-      "      <RegularNav agent_id=\"{id}\" time_step=\"{dt}\"/>\n    </Sequence>\n"
-      "  </BehaviorTree>\n</root>\n";
-
-  editor::ScenarioDocument& document() { return window_->workspace().document(); }
-  QString at(const char* name) const { return folder_->filePath(QString::fromUtf8(name)); }
-  QString copyOfDemo() const { return quiet::copyOfDemo(at("demo.yaml")); }
-
   app::RecentRow* recentRow() const {
     const QList<app::RecentRow*> rows = window_->findChildren<app::RecentRow*>();
     return rows.size() == 1 ? rows.front() : nullptr;
@@ -321,26 +308,6 @@ class FileWindowTest : public QObject {
     QDropEvent drop(QPoint(600, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(window_.get(), &drop);
   }
-
-  /// The café as cafe.yaml with an image of an uncommon name, and other maps beside it.
-  QString mapWithNeighbours() const {
-    const QString source = QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe");
-    QFile::copy(source + QStringLiteral(".pgm"), at("cafe.image"));
-    QFile::copy(source + QStringLiteral(".pgm"), at("other.pgm"));
-    const std::string yaml = *base::readTextFile((source + QStringLiteral(".yaml")).toStdString());
-    std::string own = yaml;
-    const std::string image = "corner_cafe.pgm";
-    own.replace(own.find(image), image.size(), "cafe.image");
-    const bool isWritten =
-        base::writeFileAtomically(at("cafe.yaml").toStdString(), own).empty() &&
-        base::writeFileAtomically(at("other.yaml").toStdString(), yaml).empty() &&
-        base::writeFileAtomically(at("damaged.yaml").toStdString(), yaml + "x: [\n").empty();
-    QFile::link(at("cafe.yaml"), at("link.yaml"));
-    return isWritten ? at("cafe.yaml") : QString();
-  }
-
-  std::unique_ptr<QTemporaryDir> folder_;
-  std::unique_ptr<MainWindow> window_;
 };
 
 QTEST_MAIN(FileWindowTest)

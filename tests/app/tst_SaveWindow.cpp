@@ -14,16 +14,13 @@
 using app::MainWindow;
 
 /// Saving, exporting and leaving: what the window asks, tells and refuses.
-class SaveWindowTest : public QObject {
+class SaveWindowTest : public QObject, protected quiet::InFolder {
   Q_OBJECT
 
  private Q_SLOTS:
   void initTestCase() { app::dressApplication(editor::Theme::light()); }
-  void init() {
-    folder_ = std::make_unique<QTemporaryDir>();
-    window_ = quiet::shownWindow();
-  }
-  void cleanup() { quiet::leave(window_); }
+  void init() { begin(); }
+  void cleanup() { end(); }
 
   void leave_withUnsavedChanges_asksAndObeys() {
     const QString file = copyOfDemo();
@@ -178,18 +175,6 @@ class SaveWindowTest : public QObject {
   }
 
  private:
-  static constexpr const char* kTree =
-      "<root BTCPP_format=\"4\" main_tree_to_execute=\"Mine\">\n  <BehaviorTree ID=\"Mine\">\n"
-      "    <Sequence>\n      <GoTo agent_id=\"{id}\" goal_id=\"1\" time_step=\"{dt}\"/>\n"
-      "      <RegularNav agent_id=\"{id}\" time_step=\"{dt}\"/>\n    </Sequence>\n"
-      "  </BehaviorTree>\n</root>\n";
-
-  editor::ScenarioDocument& document() { return window_->workspace().document(); }
-  QString at(const char* name) const { return folder_->filePath(QString::fromUtf8(name)); }
-  QString copyOfDemo() const { return quiet::copyOfDemo(at("demo.yaml")); }
-
-  void answerBox(QMessageBox::StandardButton button) { quiet::answerBox(button, boxText_); }
-
   void exportTo(const QString& target) {
     QTimer::singleShot(100, this, [&target] {
       if (auto* dialog = qobject_cast<app::ExportDialog*>(QApplication::activeModalWidget())) {
@@ -198,23 +183,6 @@ class SaveWindowTest : public QObject {
       }
     });
     window_->files().askExport();
-  }
-
-  /// The café as cafe.yaml with an image of an uncommon name, and other maps beside it.
-  QString mapWithNeighbours() const {
-    const QString source = QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe");
-    QFile::copy(source + QStringLiteral(".pgm"), at("cafe.image"));
-    QFile::copy(source + QStringLiteral(".pgm"), at("other.pgm"));
-    const std::string yaml = *base::readTextFile((source + QStringLiteral(".yaml")).toStdString());
-    std::string own = yaml;
-    const std::string image = "corner_cafe.pgm";
-    own.replace(own.find(image), image.size(), "cafe.image");
-    const bool isWritten =
-        base::writeFileAtomically(at("cafe.yaml").toStdString(), own).empty() &&
-        base::writeFileAtomically(at("other.yaml").toStdString(), yaml).empty() &&
-        base::writeFileAtomically(at("damaged.yaml").toStdString(), yaml + "x: [\n").empty();
-    QFile::link(at("cafe.yaml"), at("link.yaml"));
-    return isWritten ? at("cafe.yaml") : QString();
   }
 
   static std::vector<editor::TreeQuestion> questionsOfDemo() {
@@ -238,10 +206,6 @@ class SaveWindowTest : public QObject {
     }
     return questions;
   }
-
-  QString boxText_;
-  std::unique_ptr<QTemporaryDir> folder_;
-  std::unique_ptr<MainWindow> window_;
 };
 
 QTEST_MAIN(SaveWindowTest)

@@ -23,16 +23,13 @@ QString utf8(const char* text) {
 }  // namespace
 
 /// What notices and panels leave as it was: room, sizes, the keyboard, and work that is only here.
-class WindowStaysTest : public QObject {
+class WindowStaysTest : public QObject, protected quiet::InFolder {
   Q_OBJECT
 
  private Q_SLOTS:
   void initTestCase() { app::dressApplication(editor::Theme::light()); }
-  void init() {
-    folder_ = std::make_unique<QTemporaryDir>();
-    window_ = quiet::shownWindow();
-  }
-  void cleanup() { quiet::leave(window_); }
+  void init() { begin(); }
+  void cleanup() { end(); }
 
   /// All words of a notice are seen, however little room the canvas has.
   void notice_inASmallWindow_isNotCut() {
@@ -174,17 +171,6 @@ class WindowStaysTest : public QObject {
   }
 
  private:
-  editor::ScenarioDocument& document() { return window_->workspace().document(); }
-  QString at(const char* name) const { return folder_->filePath(QString::fromUtf8(name)); }
-  QString demoOnMap(const char* map) const { return quiet::copyOnMap(at("demo.yaml"), map); }
-  void answerBox(QMessageBox::StandardButton button) { quiet::answerBox(button, boxText_); }
-
-  bool isSaid(const QString& words) const {
-    const QList<QLabel*> labels = window_->findChildren<QLabel*>();
-    return std::any_of(labels.begin(), labels.end(),
-                       [&](const QLabel* label) { return label->text() == words; });
-  }
-
   /// Of those in front: the ones behind them lie outside the window.
   std::vector<QSize> dockSizes() const {
     std::vector<QSize> sizes;
@@ -195,10 +181,6 @@ class WindowStaysTest : public QObject {
     }
     return sizes;
   }
-
-  QString boxText_;
-  std::unique_ptr<QTemporaryDir> folder_;
-  std::unique_ptr<MainWindow> window_;
 };
 
 QTEST_MAIN(WindowStaysTest)

@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "DocumentChecks.h"
 #include "SmallScenario.h"
 #include "bt/human/TreeBehavior.h"
 #include "editor/document/EditCommands.h"
@@ -12,14 +13,10 @@
 #include "sim2d/base/Text.h"
 
 using namespace editor;
+using small::check;
+using small::kOwnTree;
 
 namespace {
-
-void check(const base::Diagnostics& found) {
-  for (const base::Diagnostic& diagnostic : found) {
-    QVERIFY2(diagnostic.severity != base::Severity::Error, diagnostic.text().c_str());
-  }
-}
 
 /// The small scenario, to be saved in a folder of its own.
 struct Room {
@@ -279,10 +276,6 @@ class OwnTreesTest : public QObject {
   }
 
  private:
-  static constexpr const char* kOwnTree =
-      "<root BTCPP_format=\"4\" main_tree_to_execute=\"Mine\">\n  <BehaviorTree ID=\"Mine\">\n"
-      "    <AlwaysSuccess/>\n  </BehaviorTree>\n</root>\n";
-
   static std::vector<std::string> textsOf(const base::Diagnostics& found) {
     std::vector<std::string> texts;
     for (const base::Diagnostic& diagnostic : found) {
