@@ -6,6 +6,7 @@
 #include "SmallScenario.h"
 #include "editor/document/DocumentSnapshot.h"
 #include "editor/document/EditCommands.h"
+#include "editor/document/MapEdit.h"
 #include "editor/document/TreeFiles.h"
 #include "sim2d/base/Text.h"
 
