@@ -2,8 +2,49 @@
 
 #include <algorithm>
 
+#include "sim2d/base/Problems.h"
+#include "sim2d/base/Text.h"
+
 namespace base {
 namespace {
+
+/// A hole of a text: {name}, or {name?shown only with a value, which stands at %}.
+struct Hole {
+  std::size_t begin = std::string_view::npos, end = 0;
+  std::string_view name;
+  std::string_view pattern = "%";
+};
+
+std::optional<Hole> nextHole(std::string_view text, std::size_t from) {
+  const auto isLower = [](char c) { return c >= 'a' && c <= 'z'; };
+  for (from = text.find('{', from); from != text.npos; from = text.find('{', from + 1)) {
+    std::size_t at = from + 1;
+    while (at < text.size() && isLower(text[at])) {
+      ++at;
+    }
+    const std::size_t end = text.find('}', at);
+    if (at > from + 1 && end != text.npos && (end == at || text[at] == '?')) {
+      Hole hole{from, end + 1, text.substr(from + 1, at - from - 1)};
+      if (end > at) {
+        hole.pattern = text.substr(at + 1, end - at - 1);
+      }
+      return hole;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string filled(const Hole& hole, const std::string& value) {
+  if (hole.name == "nearest" && hole.pattern == "%") {
+    return didYouMean(value.empty() ? std::nullopt : std::optional(value));
+  }
+  const std::size_t place = value.empty() ? hole.pattern.npos : hole.pattern.find('%');
+  if (place == hole.pattern.npos) {
+    return {};
+  }
+  return std::string(hole.pattern.substr(0, place)) + value +
+         std::string(hole.pattern.substr(place + 1));
+}
 
 Diagnostic make(Severity severity, std::string message, std::string file, int line, int column) {
   Diagnostic diagnostic;
@@ -50,6 +91,56 @@ void append(Diagnostics& to, const Diagnostics& more) {
   for (std::size_t i = 0; i < count; ++i) {
     to.push_back(more[i]);
   }
+}
+
+ProblemValue::ProblemValue(double value) : text(formatDouble(value)) {}
+
+std::string Diagnostic::value(std::string_view name) const {
+  for (const auto& [key, text] : values) {
+    if (key == name) {
+      return text;
+    }
+  }
+  return {};
+}
+
+Diagnostic problem(Severity severity, std::string_view code, ProblemValues values, std::string file,
+                   int line, int column) {
+  const ProblemText* known = problemText(code);
+  assert(known != nullptr && "no such problem in the catalogue");
+  Diagnostic made = make(severity, {}, std::move(file), line, column);
+  if (known == nullptr) {
+    return made;
+  }
+  made.code = known->id;
+  const std::string_view text = known->text;
+  auto next = values.begin();
+  std::size_t at = 0;
+  while (const std::optional<Hole> hole = nextHole(text, at)) {
+    made.message += text.substr(at, hole->begin - at);
+    at = hole->end;
+    const bool again = std::any_of(made.values.begin(), made.values.end(),
+                                   [&](const auto& value) { return value.first == hole->name; });
+    if (!again) {
+      assert(next != values.end() && "a hole without its value");
+      made.values.emplace_back(hole->name,
+                               next == values.end() ? std::string() : std::move((next++)->text));
+    }
+    made.message += filled(*hole, made.value(hole->name));
+  }
+  assert(next == values.end() && "a value without its hole");
+  made.message += text.substr(at);
+  return made;
+}
+
+Diagnostic error(std::string_view code, ProblemValues values, std::string file, int line,
+                 int column) {
+  return problem(Severity::Error, code, std::move(values), std::move(file), line, column);
+}
+
+Diagnostic warning(std::string_view code, ProblemValues values, std::string file, int line,
+                   int column) {
+  return problem(Severity::Warning, code, std::move(values), std::move(file), line, column);
 }
 
 Diagnostic makeError(std::string message, std::string file, int line, int column) {

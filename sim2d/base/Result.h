@@ -3,6 +3,8 @@
 #include <cassert>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -15,17 +17,45 @@ enum class Severity { Info, Warning, Error };
 
 struct Diagnostic {
   Severity severity = Severity::Error;
-  std::string file;     // as the user named it; empty = unknown
-  int line = 0;         // from 1; 0 = unknown
-  int column = 0;       // from 1; 0 = unknown
-  std::string message;  // one sentence, hint in brackets at the end
-  EntityId entity;      // what it is about, if anything
+  std::string file;            // as the user named it; empty = unknown
+  int line = 0;                // from 1; 0 = unknown
+  int column = 0;              // from 1; 0 = unknown
+  std::string message;         // one sentence, hint in brackets at the end: the text of `code`
+  EntityId entity;             // what it is about, if anything
+  std::string_view code = {};  // which problem: an id of Problems.cpp; programs go by this
+  std::vector<std::pair<std::string_view, std::string>> values = {};  // what fills the text's holes
+
+  /// The value of that name; empty when there is none.
+  std::string value(std::string_view name) const;
 
   /// "cafe.yaml:12:7: warning: unknown key 'max_vell' (did you mean 'max_vel'?)"; what is unknown
   /// is left out.
   std::string text() const;
 };
 using Diagnostics = std::vector<Diagnostic>;
+
+/// Fills one hole of a problem's text: words, or a number as files write it.
+struct ProblemValue {
+  ProblemValue(std::string value) : text(std::move(value)) {}                          // NOLINT
+  ProblemValue(std::string_view value) : text(value) {}                                // NOLINT
+  ProblemValue(const char* value) : text(value) {}                                     // NOLINT
+  ProblemValue(const std::optional<std::string>& value) : text(value.value_or("")) {}  // NOLINT
+  ProblemValue(double value);                                                          // NOLINT
+  template <class T, class = std::enable_if_t<std::is_integral_v<T> && (sizeof(T) > 1)>>
+  ProblemValue(T value) : text(std::to_string(value)) {}  // NOLINT
+
+  std::string text;
+};
+using ProblemValues = std::vector<ProblemValue>;
+
+/// A problem of the catalogue (Problems.cpp): `values` fill the holes of its text in the order in
+/// which they first stand there.
+Diagnostic error(std::string_view code, ProblemValues values = {}, std::string file = {},
+                 int line = 0, int column = 0);
+Diagnostic warning(std::string_view code, ProblemValues values = {}, std::string file = {},
+                   int line = 0, int column = 0);
+Diagnostic problem(Severity severity, std::string_view code, ProblemValues values = {},
+                   std::string file = {}, int line = 0, int column = 0);
 
 const char* severityName(Severity severity);  // "info", "warning", "error"
 bool hasErrors(const Diagnostics& diagnostics);

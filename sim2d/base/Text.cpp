@@ -135,6 +135,10 @@ std::optional<std::string> nearestName(std::string_view word,
   return nearest;
 }
 
+std::string didYouMean(const std::optional<std::string>& nearest) {
+  return nearest ? " (did you mean '" + *nearest + "'?)" : std::string();
+}
+
 std::string trimmed(std::string_view text) {
   while (!text.empty() && isSpace(text.front())) {
     text.remove_prefix(1);

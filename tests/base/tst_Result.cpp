@@ -1,8 +1,10 @@
 #include <memory>
+#include <set>
 #include <string>
 
 #include <QtTest>
 
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Result.h"
 
 using base::Diagnostic;
@@ -21,6 +23,9 @@ class ResultTest : public QObject {
   void result_value_carriesWarnings();
   void result_error_hasNoValue();
   void result_moveOnlyValue_canBeTaken();
+  void error_values_fillTheHolesInOrder();
+  void error_hintWithoutValue_isLeftOut();
+  void problemTexts_ids_areUniqueAndInAreas();
 };
 
 void ResultTest::text_places_areLeftOutWhenUnknown_data() {
@@ -89,6 +94,47 @@ void ResultTest::result_moveOnlyValue_canBeTaken() {
   Result<std::unique_ptr<int>> result(std::make_unique<int>(5));
   const std::unique_ptr<int> taken = *std::move(result);
   QCOMPARE(*taken, 5);
+}
+
+void ResultTest::error_values_fillTheHolesInOrder() {
+  const Diagnostic problem = base::error("scenario.id-twice", {"anna", 3, "{name}"}, "x.yaml", 2);
+  QCOMPARE(QByteArray::fromStdString(problem.text()),
+           QByteArray("x.yaml:2: error: anna: id 3 is that of {name} too"));
+  QVERIFY(problem.code == "scenario.id-twice");
+  QVERIFY(problem.value("id") == "3" && problem.value("other") == "{name}");
+  QVERIFY(problem.value("goal").empty());
+  const Diagnostic number = base::warning("person.vel-too-high", {"anna", 2.5});
+  QVERIFY(number.severity == base::Severity::Warning && number.value("found") == "2.5");
+}
+
+void ResultTest::error_hintWithoutValue_isLeftOut() {
+  const auto said = [](const std::optional<std::string>& nearest) {
+    return base::error("planner.unknown-parameter", {"bob.x", "pursuit", nearest}).message;
+  };
+  QVERIFY(said("lookahead") == "bob.x: unknown to 'pursuit' (did you mean 'lookahead'?)");
+  QVERIFY(said(std::nullopt) == "bob.x: unknown to 'pursuit'");
+  const auto word = [](const char* who, const char* nearest) {
+    return base::error("scenario.unknown-word", {who, "model", "sfn", nearest, "sfm, orca"})
+        .message;
+  };
+  QVERIFY(word("anna", "sfm") ==
+          "anna: model 'sfn' is unknown (did you mean 'sfm'? known: sfm, orca)");
+  QVERIFY(word("", "") == "model 'sfn' is unknown (known: sfm, orca)");
+}
+
+void ResultTest::problemTexts_ids_areUniqueAndInAreas() {
+  std::set<std::string_view> ids;
+  for (const base::ProblemText& each : base::problemTexts()) {
+    const QByteArray id(each.id.data(), static_cast<int>(each.id.size()));
+    QVERIFY2(ids.insert(each.id).second, id);
+    QVERIFY2(QRegularExpression(QStringLiteral("^[a-z]+\\.[a-z]+(-[a-z0-9]+)*$"))
+                 .match(QString::fromLatin1(id))
+                 .hasMatch(),
+             id);
+    QVERIFY2(!each.text.empty(), id);
+    QVERIFY2(base::problemText(each.id)->text == each.text, id);
+  }
+  QVERIFY(base::problemText("no.such-problem") == nullptr);
 }
 
 QTEST_APPLESS_MAIN(ResultTest)

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+/// The catalogue of everything that can be wrong. Who finds a problem names it by its id
+/// (base::error("people.no-goals", {name})); what is written here is what the user reads.
+namespace base {
+
+struct ProblemText {
+  std::string_view id;    // "area.what"; other programs go by it, so it stays
+  std::string_view text;  // one sentence with holes: {name}, {nearest} = " (did you mean '…'?)",
+                          // {name?words, shown only with a value, that stands at %}
+};
+
+const std::vector<ProblemText>& problemTexts();
+const ProblemText* problemText(std::string_view id);  // nullptr = no such problem
+
+}  // namespace base
