@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim2d/base/Types.h"
+#include "sim2d/trace/Inputs.h"
 
 namespace sim2d {
 
@@ -146,6 +147,7 @@ struct Frame {
   RobotColumns robots;
   ForceColumns forces;
   std::vector<Event> events;                  // of this step, ordered by kind, then id
+  StepInputs inputs;                          // that led to this state; nearly always none
   TreeChanges treeChanges;                    // of this step, by id, then node
   std::vector<std::vector<Vec2>> robotPaths;  // what the planners follow now, per robot
   std::vector<char> doorOpen;
