@@ -4,14 +4,14 @@
 #include <optional>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/scenario/YamlTree.h"
+#include "sim2d/base/yaml/YamlTree.h"
 
 namespace app {
 
 namespace {
 
 using base::NodeStatus;
-using sim2d::YamlNode;
+using base::YamlNode;
 
 constexpr const char* kStatuses = "SUCCESS, FAILURE or RUNNING";
 
@@ -29,7 +29,7 @@ class Reader {
   explicit Reader(const std::string& path) { script_.path = path; }
 
   base::Result<LeafScript> read(const std::string& text) {
-    const YamlNode root = sim2d::parseYaml(text, script_.path, problems_);
+    const YamlNode root = base::parseYaml(text, script_.path, problems_);
     if (!base::hasErrors(problems_)) {
       readRoot(root);
     }

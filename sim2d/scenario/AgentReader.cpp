@@ -19,7 +19,7 @@ std::optional<int> behaviorNumber(const std::string& text) {
                                                 : std::nullopt;
 }
 
-std::optional<Configuration> readConfiguration(MapView& view) {
+std::optional<Configuration> readConfiguration(YamlMap& view) {
   const auto number = view.bigInteger("configuration", -kLargestInt);
   if (!number) {
     return std::nullopt;
@@ -41,7 +41,7 @@ void warnForeign(const Behavior& behavior, const YamlNode& at, const std::string
   }
 }
 
-void readBehaviorMap(MapView view, Human& human, LoaderReading& reading) {
+void readBehaviorMap(YamlMap view, Human& human, LoaderReading& reading) {
   Behavior& to = human.behavior;
   bool numbered = false;
   const auto type = view.text("type");
@@ -69,7 +69,7 @@ void readBehaviorMap(MapView view, Human& human, LoaderReading& reading) {
   }
 }
 
-void readBehavior(MapView& agent, Human& human, LoaderReading& reading) {
+void readBehavior(YamlMap& agent, Human& human, LoaderReading& reading) {
   const YamlNode* node = agent.find("behavior");
   if (node == nullptr) {
     return;
@@ -86,13 +86,13 @@ void readBehavior(MapView& agent, Human& human, LoaderReading& reading) {
   }
 }
 
-void readPose(MapView& agent, Human& human) {
+void readPose(YamlMap& agent, Human& human) {
   const YamlNode* node = agent.find("init_pose");
   human.hasInitPose = node != nullptr && node->isMap();
   if (node == nullptr) {
     return;
   }
-  MapView view(node, agent.pathOf("init_pose"), human.key, agent.report());
+  YamlMap view(node, agent.pathOf("init_pose"), human.key, agent.report());
   human.initPose.position.x() = view.number("x").value_or(0.0);
   human.initPose.position.y() = view.number("y").value_or(0.0);
   human.initZ = view.number("z");
@@ -101,13 +101,13 @@ void readPose(MapView& agent, Human& human) {
 }
 
 /// The goal that an agent's own name stands for; 0 = there is none of that name.
-int namedGoal(MapView& agent, const std::string& name, LoaderReading& reading) {
+int namedGoal(YamlMap& agent, const std::string& name, LoaderReading& reading) {
   const YamlNode* node = agent.node().find(name);
   if (node == nullptr || !node->isMap()) {
     return 0;
   }
   agent.know(name);
-  MapView view(node, agent.pathOf(name), agent.entity(), agent.report());
+  YamlMap view(node, agent.pathOf(name), agent.entity(), agent.report());
   const Vec2 position(view.required("x"), view.required("y"));
   const auto heading = view.number("h");
   UnknownKeys unknown;
@@ -123,7 +123,7 @@ int namedGoal(MapView& agent, const std::string& name, LoaderReading& reading) {
 }
 
 /// The global goal that an item of the list `goals` means; nothing when it is not defined.
-std::optional<int> goalOf(const YamlNode& item, MapView& agent, std::map<std::string, int>& named,
+std::optional<int> goalOf(const YamlNode& item, YamlMap& agent, std::map<std::string, int>& named,
                           LoaderReading& reading) {
   const bool isWord = item.isScalar() && !item.text.empty();
   const auto number = isWord ? base::parseInt(item.text) : std::nullopt;
@@ -160,7 +160,7 @@ bool saysAnything(const YamlNode& value) {
                           : std::any_of(value.items.begin(), value.items.end(), saysAnything);
 }
 
-void readGoals(MapView& agent, Human& human, LoaderReading& reading) {
+void readGoals(YamlMap& agent, Human& human, LoaderReading& reading) {
   const YamlNode* list = agent.find("goals");
   if (list == nullptr) {
     return;
@@ -217,7 +217,7 @@ Human readHuman(const YamlNode& block, bool listed, LoaderReading& reading) {
   human.key = reading.newEntity(base::EntityKind::Human, block);
   human.name = block.key;
   human.listed = listed;
-  MapView view(&block, block.key, human.key, reading.report);
+  YamlMap view(&block, block.key, human.key, reading.report);
   human.id = view.integer("id", 0, kLargestInt).value_or(-1);
   human.groupId = view.integer("group_id", -kLargestInt, kLargestInt);
   human.skin = view.integer("skin", -kLargestInt, kLargestInt);

@@ -2,11 +2,18 @@
 
 #include <string>
 
-#include "sim2d/scenario/MapView.h"
+#include "sim2d/base/yaml/YamlMap.h"
 #include "sim2d/scenario/Scenario.h"
 
 /// Reading of the node `hunav_loader`, and what older dialects meant. Private to this folder.
 namespace sim2d {
+
+using base::kNotNegative;
+using base::kPositive;
+using base::Range;
+using base::ReadReport;
+using base::YamlMap;
+using base::YamlNode;
 
 /// The state of one reading of hunav_loader.
 struct LoaderReading {

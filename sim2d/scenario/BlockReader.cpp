@@ -11,13 +11,13 @@ namespace {
 constexpr long long kLargestInt = 2147483647;
 
 template <class Enum>
-std::optional<Enum> choiceOf(MapView& view, const std::string& key,
+std::optional<Enum> choiceOf(YamlMap& view, const std::string& key,
                              const std::vector<std::string>& words) {
   const auto index = view.choice(key, words);
   return index ? std::optional<Enum>(static_cast<Enum>(*index)) : std::nullopt;
 }
 
-void readPerson(MapView view, Human& human) {
+void readPerson(YamlMap view, Human& human) {
   PersonExtension& to = human.ours;
   to.startTime = view.number("start_time", kNotNegative);
   to.kind = choiceOf<PersonKind>(view, "kind", kindWords());
@@ -30,24 +30,24 @@ void readPerson(MapView view, Human& human) {
   to.unknown = view.takeUnknown();
 }
 
-Vec2 readPoint(MapView& view) {
+Vec2 readPoint(YamlMap& view) {
   return {view.required("x"), view.required("y")};
 }
 
 /// Maps inside an entity that have no place for keys of others.
-void refuseUnknown(MapView& view) {
+void refuseUnknown(YamlMap& view) {
   for (const UnknownKey& key : view.takeUnknown()) {
     view.warning(key.key, "is lost when the scenario is saved");
   }
 }
 
-void readRobotGoal(MapView& view, Robot& robot) {
+void readRobotGoal(YamlMap& view, Robot& robot) {
   const bool both = view.node().find("goal") != nullptr && view.node().find("goals") != nullptr;
   if (both) {
     view.error("goals", "a robot has either 'goal' or 'goals'");
   }
   if (view.find("goal") != nullptr) {
-    MapView point = view.map("goal");
+    YamlMap point = view.map("goal");
     robot.goal.point = readPoint(point);
     refuseUnknown(point);
   }
@@ -57,7 +57,7 @@ void readRobotGoal(MapView& view, Robot& robot) {
   }
 }
 
-void readFootprint(MapView& view, Robot& robot) {
+void readFootprint(YamlMap& view, Robot& robot) {
   robot.footprintX = view.numbers("footprint_x");
   robot.footprintY = view.numbers("footprint_y");
   if (robot.footprintX.size() != robot.footprintY.size()) {
@@ -67,8 +67,8 @@ void readFootprint(MapView& view, Robot& robot) {
   }
 }
 
-void readPlannerParameters(MapView& view, Robot& robot) {
-  MapView parameters = view.map("planner_parameters");
+void readPlannerParameters(YamlMap& view, Robot& robot) {
+  YamlMap parameters = view.map("planner_parameters");
   for (const YamlNode& item : parameters.node().items) {
     parameters.know(item.key);
     if (item.isScalar()) {
@@ -79,7 +79,7 @@ void readPlannerParameters(MapView& view, Robot& robot) {
   }
 }
 
-Robot readRobot(MapView view) {
+Robot readRobot(YamlMap view) {
   Robot robot;
   robot.type = view.text("type");
   robot.planner = view.text("planner");
@@ -87,7 +87,7 @@ Robot readRobot(MapView view) {
   if (view.find("start") == nullptr) {
     view.error("start", "is missing");
   } else {
-    MapView start = view.map("start");
+    YamlMap start = view.map("start");
     robot.start.position = readPoint(start);
     robot.start.heading = start.number("h").value_or(0.0);
     refuseUnknown(start);
@@ -107,7 +107,7 @@ Robot readRobot(MapView view) {
 }
 
 /// "goal", "time 5.0", "event contact": one of `words`, or one of these two with its argument.
-std::optional<std::string> readMoment(MapView& view, const std::string& key,
+std::optional<std::string> readMoment(YamlMap& view, const std::string& key,
                                       const std::vector<std::string>& words) {
   const auto written = view.text(key);
   if (!written) {
@@ -134,14 +134,14 @@ std::optional<std::string> readMoment(MapView& view, const std::string& key,
   return std::nullopt;
 }
 
-void readMetrics(MapView view, MetricsSettings& to) {
+void readMetrics(YamlMap view, MetricsSettings& to) {
   to.from = readMoment(view, "from", {"begin", "goal", "motion"});
   to.until = readMoment(view, "until", {"end", "arrival"});
   to.frequency = view.number("frequency", kNotNegative);
   to.tag = view.text("tag");
   to.runId = view.integer("run_id", -kLargestInt, kLargestInt);
   to.file = view.text("file");
-  MapView parameters = view.map("parameters");
+  YamlMap parameters = view.map("parameters");
   for (const YamlNode& item : parameters.node().items) {
     if (const auto value = parameters.number(item.key)) {
       to.parameters.emplace_back(item.key, *value);
@@ -210,7 +210,7 @@ class BlockReader {
   }
 
   void readGroups() {
-    MapView groups = view_.map("groups");
+    YamlMap groups = view_.map("groups");
     std::set<long long> ids;  // 3 and 03 are one group
     for (const YamlNode& item : groups.node().items) {
       const auto id = base::parseInt(item.key);
@@ -297,7 +297,7 @@ class BlockReader {
   void addEntity(const YamlNode& node, base::EntityKind kind, bool isListed) {
     view_.know(node.key);
     const EntityId entity = reading_.newEntity(kind, node);
-    MapView view(&node, node.key, entity, reading_.report);
+    YamlMap view(&node, node.key, entity, reading_.report);
     const auto keep = [&](auto value, auto& to) {
       value.key = entity;
       value.name = node.key;
@@ -322,7 +322,7 @@ class BlockReader {
 
   LoaderReading& reading_;
   Scenario& scenario_;
-  MapView view_;
+  YamlMap view_;
 };
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace sim2d {
 namespace {
 
-std::vector<Vec2> readPoints(MapView& view, std::size_t least) {
+std::vector<Vec2> readPoints(YamlMap& view, std::size_t least) {
   const std::vector<double> xs = view.numbers("xs");
   const std::vector<double> ys = view.numbers("ys");
   if (xs.size() != ys.size()) {
@@ -43,7 +43,7 @@ void setOptional(YamlNode& map, const std::string& key, const std::optional<doub
 
 }  // namespace
 
-Obstacle readObstacle(MapView view) {
+Obstacle readObstacle(YamlMap view) {
   Obstacle obstacle;
   const auto kind = view.requiredChoice("kind", obstacleKindWords());
   if (!kind) {
@@ -73,7 +73,7 @@ Obstacle readObstacle(MapView view) {
   return obstacle;
 }
 
-Door readDoor(MapView view) {
+Door readDoor(YamlMap view) {
   Door door;
   door.from = Vec2(view.required("x1"), view.required("y1"));
   door.to = Vec2(view.required("x2"), view.required("y2"));
@@ -84,7 +84,7 @@ Door readDoor(MapView view) {
   return door;
 }
 
-Area readArea(MapView view) {
+Area readArea(YamlMap view) {
   Area area;
   area.kind = static_cast<AreaKind>(
       view.requiredChoice("kind", areaKindWords()).value_or(static_cast<int>(AreaKind::Wait)));

@@ -170,7 +170,7 @@ void takeFootprint(ResolvedRobot& to, const Robot& from) {
 
 }  // namespace
 
-ResolvedHuman resolveHuman(const Scene& scenario, const Human& human, long long seed) {
+ResolvedHuman resolveHuman(const Environment& scenario, const Human& human, long long seed) {
   ResolvedHuman result;
   result.id = human.id;
   result.name = human.name;

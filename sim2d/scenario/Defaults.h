@@ -49,7 +49,7 @@ struct ResolvedRobot {
 
 /// The configuration modes and draws of social-force factors and reactions, by (seed, agent,
 /// parameter): the same on every machine.
-ResolvedHuman resolveHuman(const Scene& scenario, const Human& human, long long seed);
+ResolvedHuman resolveHuman(const Environment& scenario, const Human& human, long long seed);
 ResolvedRobot resolveRobot(const Scenario& scenario, const Robot& robot, int id);
 
 /// What people of a kind are like: values for people that the program makes (brush, source). The

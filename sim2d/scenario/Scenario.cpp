@@ -78,10 +78,6 @@ int Scenario::nextKey() const {
   return largestKey(areas, largest) + 1;
 }
 
-bool operator==(const UnknownKey& a, const UnknownKey& b) {
-  return a.key == b.key && a.yaml == b.yaml;
-}
-
 bool operator==(const Behavior& a, const Behavior& b) {
   const auto content = [](const Behavior& v) {
     return std::tie(v.type, v.foreignType, v.configuration, v.dist, v.duration, v.once, v.vel,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim2d/base/Types.h"
+#include "sim2d/base/yaml/UnknownKey.h"
 
 /// The scenario as written in a file: plain values, compared by content (EntityIds are identity
 /// within one document, not content, and are left out of comparisons). What a file leaves out is
@@ -16,14 +17,9 @@ namespace sim2d {
 
 using base::EntityId;
 using base::Pose2;
+using base::UnknownKey;
+using base::UnknownKeys;
 using base::Vec2;
-
-/// A key that we do not know, kept as YAML text (block style, not indented), in the order found.
-struct UnknownKey {
-  std::string key;
-  std::string yaml;
-};
-using UnknownKeys = std::vector<UnknownKey>;
 
 enum class Dialect { A, B, C };  // 2022-2023, 2024 to mid 2025, HuNavSim 2.0
 enum class BehaviorType { Regular = 1, Impassive, Surprised, Scared, Curious, Threatening };
@@ -181,7 +177,7 @@ struct DesktopSettings {
 };
 
 /// A scenario but for its people: all that a running world keeps of it.
-struct Scene {
+struct Environment {
   std::optional<std::string> yamlBaseName, simulator, map;
   std::optional<bool> publishPeople;
   std::vector<GlobalGoal> goals;    // in file order
@@ -194,7 +190,7 @@ struct Scene {
   UnknownKeys otherNodes;  // further nodes of the file
 };
 
-struct Scenario : Scene {
+struct Scenario : Environment {
   std::vector<Human> humans;  // listed ones first in list order, then the others
 
   const GlobalGoal* goal(int id) const;
@@ -205,7 +201,6 @@ struct Scenario : Scene {
 };
 
 // Comparison by content.
-bool operator==(const UnknownKey& a, const UnknownKey& b);
 bool operator==(const PersonExtension& a, const PersonExtension& b);
 bool operator==(const RobotGoal& a, const RobotGoal& b);
 bool operator==(const MetricsSettings& a, const MetricsSettings& b);

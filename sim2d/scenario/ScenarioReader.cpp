@@ -78,7 +78,7 @@ class FileReader {
   }
 
   void readLoader(const YamlNode& parameters) {
-    MapView view(&parameters, "", {base::EntityKind::Scenario, 0}, report());
+    YamlMap view(&parameters, "", {base::EntityKind::Scenario, 0}, report());
     report().lines[view.entity()] = parameters.keyLine;
     scenario().yamlBaseName = view.text("yaml_base_name");
     scenario().simulator = view.text("simulator");
@@ -96,12 +96,12 @@ class FileReader {
     reportDialect(parameters);
   }
 
-  void readGlobalGoals(MapView& view) {
+  void readGlobalGoals(YamlMap& view) {
     const YamlNode* node = view.find("global_goals");
     if (node == nullptr) {
       return;
     }
-    MapView goals(node, "global_goals", view.entity(), report());
+    YamlMap goals(node, "global_goals", view.entity(), report());
     std::set<int> numbers;
     for (const YamlNode& item : goals.node().items) {
       goals.know(item.key);
@@ -117,7 +117,7 @@ class FileReader {
       GlobalGoal goal;
       goal.id = static_cast<int>(*id);
       goal.key = loader_.newEntity(base::EntityKind::Goal, item);
-      MapView point(&item, goals.pathOf(item.key), goal.key, report());
+      YamlMap point(&item, goals.pathOf(item.key), goal.key, report());
       goal.position = Vec2(point.required("x"), point.required("y"));
       point.know("h");  // kept from older dialects
       if (const YamlNode* heading = item.find("h")) {
@@ -130,7 +130,7 @@ class FileReader {
     }
   }
 
-  std::vector<std::string> agentNames(MapView& view) {
+  std::vector<std::string> agentNames(YamlMap& view) {
     view.know("agents");
     const YamlNode* list = view.node().find("agents");
     if (list != nullptr && list->isNull()) {
@@ -151,7 +151,7 @@ class FileReader {
     return {};
   }
 
-  void readAgents(MapView& view) {
+  void readAgents(YamlMap& view) {
     std::map<std::string_view, const YamlNode*> blocks;
     for (const YamlNode& item : view.node().items) {
       blocks.emplace(item.key, &item);
@@ -269,7 +269,7 @@ ScenarioReading readScenarioText(const std::string& text, const std::string& fil
   base::append(reading.diagnostics, tree.report.diagnostics);
   reading.lines = std::move(tree.report.lines);
   reading.dialect = tree.dialect;
-  reading.commentCount = countComments(text);
+  reading.commentCount = base::countComments(text);
   return reading;
 }
 

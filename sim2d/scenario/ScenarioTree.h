@@ -3,14 +3,17 @@
 #include <set>
 #include <string>
 
+#include "sim2d/base/yaml/YamlMap.h"
+#include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/scenario/AgentReader.h"
-#include "sim2d/scenario/MapView.h"
 #include "sim2d/scenario/Scenario.h"
 #include "sim2d/scenario/ScenarioFile.h"
-#include "sim2d/scenario/YamlTree.h"
 
 /// A scenario to and from the tree of its file. Private to this folder.
 namespace sim2d {
+
+using base::scalarNode;
+using base::stringNode;
 
 constexpr const char* kLoaderNode = "hunav_loader";
 constexpr const char* kBlockNode = "hunavsim_desktop";

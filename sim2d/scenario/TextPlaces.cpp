@@ -3,10 +3,13 @@
 #include <algorithm>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/scenario/ScenarioFile.h"
-#include "sim2d/scenario/YamlTree.h"
 
 namespace sim2d {
+
+using base::YamlNode;
+
 namespace {
 
 /// From 1; behind the dashes of list entries.

@@ -46,7 +46,7 @@ class WorldView {
   virtual double time() const = 0;        // at the start of the step [s]
   virtual double dt() const = 0;
   virtual std::uint64_t seed() const = 0;
-  virtual const Scene& scenario() const = 0;
+  virtual const Environment& scenario() const = 0;
   virtual const Compatibility& compatibility() const = 0;
 
   virtual int humanCount() const = 0;

@@ -77,7 +77,7 @@ base::Diagnostic about(base::Diagnostic diagnostic, EntityId entity) {
 }
 
 EntityId keyOfRobot(const WorldModel& model, const ResolvedRobot& robot) {
-  for (const Robot& written : model.scene->robots) {
+  for (const Robot& written : model.environment->robots) {
     if (written.listed && written.name == robot.name) {
       return written.key;
     }
@@ -130,7 +130,7 @@ void checkPlaces(const WorldModel& model, base::Diagnostics& problems) {
                                keyOfRobot(model, robot)));
     }
   }
-  for (const GlobalGoal& goal : model.scene->goals) {
+  for (const GlobalGoal& goal : model.environment->goals) {
     if (!isUsable(goal.position)) {
       problems.push_back(about(
           base::makeError("goal " + std::to_string(goal.id) + " is not finite or beyond 1e6 m"),
@@ -141,7 +141,7 @@ void checkPlaces(const WorldModel& model, base::Diagnostics& problems) {
 
 void fitPlaces(WorldModel& model, Ways& ways, base::Diagnostics& problems) {
   const std::map<int, double> radii = radiiByGoal(model);
-  for (const GlobalGoal& goal : model.scene->goals) {
+  for (const GlobalGoal& goal : model.environment->goals) {
     const auto radius = radii.find(goal.id);
     if (radius != radii.end() && radius->second > 0.0) {
       fit(model.globalGoals[goal.id], radius->second, "goal " + std::to_string(goal.id), goal.key,

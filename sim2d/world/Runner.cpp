@@ -43,7 +43,7 @@ void appendLast(Frame frame, const std::string& reason, Recorder& recorder) {
 
 }  // namespace
 
-StopRule stopRuleOf(const Scene& scenario) {
+StopRule stopRuleOf(const Environment& scenario) {
   const double dt = scenario.desktop.dt.value_or(0.05);
   if (scenario.desktop.duration) {
     return {std::llround(*scenario.desktop.duration / dt), false};

@@ -24,7 +24,7 @@ struct StopRule {
 };
 /// The rule of a scenario: its duration is run to its end; else arrival + 1 s, at most 120 s; 60 s
 /// without a robot that moves.
-StopRule stopRuleOf(const Scene& scenario);
+StopRule stopRuleOf(const Environment& scenario);
 
 /// Steps until the rule holds, `wantsStop` says so, or the world fails. The recorder gets every
 /// frame from step 0 on; the last one carries the event `stop`.

@@ -142,7 +142,7 @@ void addRobots(const Scenario& scenario, WorldParts& parts, base::Diagnostics& p
 }
 
 void addAreas(const Scenario& scenario, WorldModel& model, base::Diagnostics& problems) {
-  for (const Area& area : model.scene->areas) {
+  for (const Area& area : model.environment->areas) {
     if (!area.listed) {
       continue;
     }
@@ -170,7 +170,7 @@ void addAreas(const Scenario& scenario, WorldModel& model, base::Diagnostics& pr
 void fillModel(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& problems) {
   const Scenario& scenario = *setup.scenario;
   WorldModel& model = parts.model;
-  model.scene = std::make_shared<const Scene>(scenario);
+  model.environment = std::make_shared<const Environment>(scenario);
   model.compatibility = setup.compatibility;
   model.dt = scenario.desktop.dt.value_or(0.05);
   model.seed = static_cast<std::uint64_t>(scenario.desktop.seed.value_or(1));
@@ -186,7 +186,7 @@ void fillModel(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& pr
     model.ring.low = scenario.desktop.wrapX[0];
     model.ring.length = scenario.desktop.wrapX[1] - scenario.desktop.wrapX[0];
   }
-  for (const Door& door : model.scene->doors) {
+  for (const Door& door : model.environment->doors) {
     if (door.listed) {
       model.doors.push_back(&door);
     }

@@ -84,7 +84,7 @@ TraceMetrics traceMetrics(const MetricsSettings& settings) {
 
 TraceHeader makeHeader(const WorldModel& model, const Surroundings& surroundings) {
   TraceHeader header;
-  const Scene& scenario = *model.scene;
+  const Environment& scenario = *model.environment;
   header.scenario = scenario.yamlBaseName.value_or("");
   header.dt = model.dt;
   header.recordEvery = scenario.desktop.recordEvery.value_or(1);
@@ -114,7 +114,7 @@ TraceHeader makeHeader(const WorldModel& model, const Surroundings& surroundings
   return header;
 }
 
-std::vector<std::string> partNames(const Scene& scenario) {
+std::vector<std::string> partNames(const Environment& scenario) {
   std::vector<std::string> names = {"map"};
   for (const Obstacle& obstacle : scenario.obstacles) {
     if (obstacle.listed) {

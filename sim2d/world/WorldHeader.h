@@ -11,6 +11,6 @@ namespace sim2d {
 TraceHeader makeHeader(const WorldModel& model, const Surroundings& surroundings);
 
 /// Names of the parts of the surroundings: "map", then listed obstacles, then listed doors.
-std::vector<std::string> partNames(const Scene& scenario);
+std::vector<std::string> partNames(const Environment& scenario);
 
 }  // namespace sim2d

@@ -30,7 +30,7 @@ Vec2 centreOf(const WorldModel& model, const OccupancyGrid& map) {
   return count > 0.0 ? Vec2(sum / count) : Vec2(Vec2::Zero());
 }
 
-std::vector<std::string> namesInContacts(const Scene& scenario) {
+std::vector<std::string> namesInContacts(const Environment& scenario) {
   std::vector<std::string> names = partNames(scenario);
   names.front().clear();  // walls of the map have no name in events
   return names;
@@ -50,7 +50,7 @@ World::State::State(WorldParts parts, std::unique_ptr<HumanBehavior> minds)
       doors(model),
       population(model),
       robots(std::move(parts.controllers)),
-      contacts(namesInContacts(*model.scene)) {
+      contacts(namesInContacts(*model.environment)) {
   const Obstacles& obstacles = surroundings.obstacles;
   for (int part = 0; part < obstacles.partCount(); ++part) {
     physics.addPart(obstacles.outlines(part), obstacles.isEnabled(part));

@@ -41,7 +41,7 @@ void WorldState::emit(EventKind kind, int id, std::string text) {
 namespace {
 
 ResolvedHuman withoutModel(const WorldModel& model, const Human& human) {
-  const Scene& scenario = *model.scene;
+  const Environment& scenario = *model.environment;
   ResolvedHuman person = resolveHuman(scenario, human, static_cast<long long>(model.seed));
   if (!model.compatibility.hunav2()) {
     return person;

@@ -52,7 +52,7 @@ struct Person {
 
 /// What stays the same during a run. People by ascending id; sources append to the end.
 struct WorldModel {
-  std::shared_ptr<const Scene> scene;
+  std::shared_ptr<const Environment> environment;
   Compatibility compatibility;
   double dt = 0.05;  // [s]
   std::uint64_t seed = 1;

@@ -17,7 +17,7 @@ class WorldViewOf : public WorldView {
   double time() const override { return state_.time; }
   double dt() const override { return model_.dt; }
   std::uint64_t seed() const override { return model_.seed; }
-  const Scene& scenario() const override { return *model_.scene; }
+  const Environment& scenario() const override { return *model_.environment; }
   const Compatibility& compatibility() const override { return model_.compatibility; }
 
   int humanCount() const override { return static_cast<int>(model_.people.size()); }

@@ -2,9 +2,10 @@
 
 #include "RandomScenario.h"
 #include "ScenarioTest.h"
-#include "sim2d/scenario/YamlTree.h"
+#include "sim2d/base/yaml/YamlTree.h"
 
 using namespace sim2d;
+using base::YamlNode;
 using namespace scenariotest;
 
 class ScenarioWriterTest : public QObject {
@@ -109,10 +110,10 @@ class ScenarioWriterTest : public QObject {
   void needsQuotes_yaml11() {
     QFETCH(QByteArray, text);
     QFETCH(bool, quotes);
-    QCOMPARE(needsQuotes(text.toStdString()), quotes);
+    QCOMPARE(base::needsQuotes(text.toStdString()), quotes);
     base::Diagnostics problems;
     YamlNode map;
-    map.child("key") = stringNode(text.toStdString());
+    map.child("key") = base::stringNode(text.toStdString());
     map.items.back().key = "key";
     const YamlNode read = parseYaml(emitYaml(map), "t", problems);
     QVERIFY(problems.empty());

@@ -1,44 +1,33 @@
 #pragma once
 
-#include <array>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "sim2d/base/ParameterSpec.h"
 #include "sim2d/base/Result.h"
-#include "sim2d/scenario/Scenario.h"
-#include "sim2d/scenario/YamlTree.h"
+#include "sim2d/base/Types.h"
+#include "sim2d/base/yaml/UnknownKey.h"
+#include "sim2d/base/yaml/YamlTree.h"
 
-/// Typed reading of maps of a YAML tree; every problem is reported with its place. Private to this
-/// folder.
-namespace sim2d {
+/// Typed reading of maps of a YAML tree; every problem is reported with its place. The one layer
+/// for all YAML files of the program.
+namespace base {
 
 /// What one reading gathers beside the values.
 struct ReadReport {
   std::string file;
-  base::Diagnostics diagnostics;
+  Diagnostics diagnostics;
   std::set<std::string> knownPaths;  // dotted, below ros__parameters
   std::map<EntityId, int> lines;
 
   void error(const YamlNode& at, const std::string& message, EntityId entity = {});
   void warning(const YamlNode& at, const std::string& message, EntityId entity = {});
   void info(const YamlNode& at, const std::string& message, EntityId entity = {});
-  void add(base::Severity severity, const YamlNode& at, const std::string& message,
-           EntityId entity);
+  void add(Severity severity, const YamlNode& at, const std::string& message, EntityId entity);
 };
-
-/// Allowed values of a number, ends included unless `above`: then `low` itself is refused.
-struct Range {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool above = false;
-};
-constexpr Range kAny{};
-constexpr Range kNotNegative{0.0};
-constexpr Range kPositive{0.0, std::numeric_limits<double>::infinity(), true};
 
 /// One value in a report: where it is called what, and of which entity.
 struct ValueContext {
@@ -54,10 +43,10 @@ std::optional<long long> readInteger(const YamlNode& node, const ValueContext& c
                                      ReadReport& report);
 
 /// A map of which each key is asked for once by type; what nobody asked for is unknown.
-class MapView {
+class YamlMap {
  public:
   /// `node` null or absent counts as an empty map; neither map nor null is an error.
-  MapView(const YamlNode* node, std::string path, EntityId entity, ReadReport& report);
+  YamlMap(const YamlNode* node, std::string path, EntityId entity, ReadReport& report);
 
   /// The value, and the key is known from now on. Null counts as absent, with a warning.
   const YamlNode* find(const std::string& key);
@@ -66,20 +55,20 @@ class MapView {
   EntityId entity() const { return entity_; }
   ReadReport& report() { return report_; }
   std::string pathOf(const std::string& key) const;
-  MapView map(const std::string& key);
+  YamlMap map(const std::string& key);
 
-  std::optional<double> number(const std::string& key, Range range = kAny);
+  std::optional<double> number(const std::string& key, Range range = kAnyNumber);
   std::optional<int> integer(const std::string& key, long long low, long long high);
   std::optional<long long> bigInteger(const std::string& key, long long low);
   std::optional<bool> boolean(const std::string& key);
   std::optional<std::string> text(const std::string& key);
-  std::vector<double> numbers(const std::string& key, Range range = kAny);
+  std::vector<double> numbers(const std::string& key, Range range = kAnyNumber);
   std::vector<int> integers(const std::string& key);
   std::vector<std::string> names(const std::string& key);
   /// Index of the word in `words`; another one is an error with the nearest.
   std::optional<int> choice(const std::string& key, const std::vector<std::string>& words);
   /// As above; an error where the key or its value is missing.
-  double required(const std::string& key, Range range = kAny);
+  double required(const std::string& key, Range range = kAnyNumber);
   std::optional<int> requiredChoice(const std::string& key, const std::vector<std::string>& words);
 
   void error(const std::string& key, const std::string& message);
@@ -106,4 +95,4 @@ class MapView {
 /// The keys of a map as text, without a word about them.
 UnknownKey unknownKey(const YamlNode& value);
 
-}  // namespace sim2d
+}  // namespace base

@@ -1,21 +1,21 @@
 #include <cmath>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/scenario/MapView.h"
+#include "sim2d/base/yaml/YamlMap.h"
 
-namespace sim2d {
+namespace base {
 namespace {
 
 std::string limitsText(const Range& range) {
-  const std::string low = base::formatDouble(range.low);
+  const std::string low = formatDouble(range.low);
   if (range.above && !std::isinf(range.high)) {
-    return "must be above " + low + " and at most " + base::formatDouble(range.high);
+    return "must be above " + low + " and at most " + formatDouble(range.high);
   }
   if (!std::isinf(range.low) && !std::isinf(range.high)) {
-    return "must be from " + low + " to " + base::formatDouble(range.high);
+    return "must be from " + low + " to " + formatDouble(range.high);
   }
   if (!std::isinf(range.high)) {
-    return "must be at most " + base::formatDouble(range.high);
+    return "must be at most " + formatDouble(range.high);
   }
   return (range.above ? "must be above " : "must be at least ") + low;
 }
@@ -29,7 +29,7 @@ std::optional<long long> prefixedInteger(const std::string& text) {
     return std::nullopt;
   }
   const bool hex = text[start + 1] == 'x' || text[start + 1] == 'X';
-  const std::string digits = base::lowered(text.substr(start + (hex ? 2 : 1)));
+  const std::string digits = lowered(text.substr(start + (hex ? 2 : 1)));
   static constexpr std::string_view kDigits = "0123456789abcdef";
   const std::size_t base = hex ? 16 : 8;
   if (digits.empty() || digits.size() > 15) {
@@ -65,8 +65,8 @@ NumberText parseNumber(const YamlNode& node, const ValueContext& context, ReadRe
     result.number = static_cast<double>(*result.integer);
     return result;
   }
-  result.integer = base::parseInt(node.text);
-  result.number = base::parseDouble(node.text);
+  result.integer = parseInt(node.text);
+  result.number = parseDouble(node.text);
   if (node.quoted && result.number) {
     report.warning(node, context.path + ": a number in quotes, ROS 2 takes it for a string",
                    context.entity);
@@ -88,7 +88,7 @@ std::optional<double> readNumber(const YamlNode& node, const ValueContext& conte
     report.error(node, context.path + ": " + node.text + " is not a finite number", context.entity);
     return std::nullopt;
   }
-  if (value < range.low || value > range.high || (range.above && value == range.low)) {
+  if (!range.contains(value)) {
     report.error(node, context.path + ": " + node.text + " " + limitsText(range), context.entity);
     return std::nullopt;
   }
@@ -114,4 +114,4 @@ std::optional<long long> readInteger(const YamlNode& node, const ValueContext& c
   return std::nullopt;
 }
 
-}  // namespace sim2d
+}  // namespace base

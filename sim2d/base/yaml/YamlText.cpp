@@ -3,9 +3,9 @@
 #include <cctype>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/scenario/YamlTree.h"
+#include "sim2d/base/yaml/YamlTree.h"
 
-namespace sim2d {
+namespace base {
 namespace {
 
 bool isDigit(char c) {
@@ -16,7 +16,7 @@ bool isDigit(char c) {
 bool isReservedWord(std::string_view text) {
   static constexpr std::array<std::string_view, 12> kWords = {
       "~", "null", "y", "n", "yes", "no", "true", "false", "on", "off", "<<", "="};
-  const std::string lower = base::lowered(text);
+  const std::string lower = lowered(text);
   return std::find(kWords.begin(), kWords.end(), lower) != kWords.end();
 }
 
@@ -26,7 +26,7 @@ bool looksLikeNumber(std::string_view text) {
   if (!text.empty() && (text.front() == '-' || text.front() == '+')) {
     text.remove_prefix(1);
   }
-  const std::string lower = base::lowered(text);
+  const std::string lower = lowered(text);
   if (lower == ".inf" || lower == ".nan" || lower == "inf" || lower == "nan" ||
       lower == "infinity") {
     return true;
@@ -95,7 +95,7 @@ std::string keyText(const YamlNode& node) {
   const std::string& key = node.key;
   // numbers of goals and the coordinate are plain in every file of HuNavSim
   const bool plain =
-      key == "y" || base::parseInt(key).has_value() || (node.keyIsPlain && hasPlainShape(key));
+      key == "y" || parseInt(key).has_value() || (node.keyIsPlain && hasPlainShape(key));
   return needsQuotes(key) && !plain ? quotedText(key) : key;
 }
 
@@ -145,7 +145,7 @@ class CommentCounter {
     }
     blockIndent_ = -1;
     const std::size_t end = contentEnd(text);
-    const std::string content = base::trimmed(text.substr(0, end));
+    const std::string content = trimmed(text.substr(0, end));
     if (quote_ == 0 && startsBlockScalar(content)) {
       blockIndent_ = static_cast<int>(word);
     }
@@ -217,4 +217,4 @@ int countComments(std::string_view text) {
   return counter.count();
 }
 
-}  // namespace sim2d
+}  // namespace base

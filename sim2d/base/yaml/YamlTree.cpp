@@ -1,4 +1,4 @@
-#include "sim2d/scenario/YamlTree.h"
+#include "sim2d/base/yaml/YamlTree.h"
 
 #include <map>
 #include <sstream>
@@ -6,9 +6,9 @@
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
-#include "sim2d/scenario/YamlSource.h"
+#include "sim2d/base/yaml/YamlSource.h"
 
-namespace sim2d {
+namespace base {
 namespace {
 
 // YAML finds a key of up to 1024 characters; escapes make four of one when it is written.
@@ -34,7 +34,7 @@ struct Stop {};
 /// Builds the tree from the parser's events.
 class TreeBuilder : public YAML::EventHandler {
  public:
-  TreeBuilder(const std::string& file, base::Diagnostics& diagnostics)
+  TreeBuilder(const std::string& file, Diagnostics& diagnostics)
       : file_(file), diagnostics_(diagnostics) {}
 
   YamlNode root;
@@ -89,7 +89,7 @@ class TreeBuilder : public YAML::EventHandler {
     }
   }
   void report(int line, int column, const std::string& message) {
-    diagnostics_.push_back(base::makeError(message, file_, line, column));
+    diagnostics_.push_back(makeError(message, file_, line, column));
   }
   void open(const YAML::Mark& mark, const std::string& tag, YamlNode::Kind kind) {
     Open entry;
@@ -159,20 +159,20 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   const std::string& file_;
-  base::Diagnostics& diagnostics_;
+  Diagnostics& diagnostics_;
   std::vector<Open> open_;
 };
 
 void parseInto(TreeBuilder& builder, const std::string& text, const std::string& file,
-               base::Diagnostics& diagnostics) {
+               Diagnostics& diagnostics) {
   try {
     std::istringstream stream(text);
     YAML::Parser parser(stream);
     parser.HandleNextDocument(builder);
     YamlNode first = std::move(builder.root);
     if (parser.HandleNextDocument(builder)) {
-      diagnostics.push_back(base::makeError("a second document (---): only one is read", file,
-                                            builder.root.line, builder.root.column));
+      diagnostics.push_back(makeError("a second document (---): only one is read", file,
+                                      builder.root.line, builder.root.column));
     }
     builder.root = std::move(first);
   } catch (const Stop&) {
@@ -180,9 +180,8 @@ void parseInto(TreeBuilder& builder, const std::string& text, const std::string&
   } catch (const YAML::Exception& problem) {
     // the library's word for lists in lists beyond its depth
     const bool deep = problem.msg == "bad file";
-    diagnostics.push_back(
-        base::makeError("not valid YAML: " + (deep ? "nested too deeply" : problem.msg), file,
-                        problem.mark.line + 1, problem.mark.column + 1));
+    diagnostics.push_back(makeError("not valid YAML: " + (deep ? "nested too deeply" : problem.msg),
+                                    file, problem.mark.line + 1, problem.mark.column + 1));
   }
 }
 
@@ -230,10 +229,10 @@ YamlNode stringNode(const std::string& text) {
   return node;
 }
 
-YamlNode parseYaml(std::string_view text, const std::string& file, base::Diagnostics& diagnostics) {
+YamlNode parseYaml(std::string_view text, const std::string& file, Diagnostics& diagnostics) {
   const std::string clean = normalised(text);
   if (const int line = lineOfBinary(clean); line > 0) {
-    diagnostics.push_back(base::makeError("not a text file in UTF-8", file, line));
+    diagnostics.push_back(makeError("not a text file in UTF-8", file, line));
     return {};
   }
   const std::size_t before = diagnostics.size();
@@ -246,4 +245,4 @@ YamlNode parseYaml(std::string_view text, const std::string& file, base::Diagnos
   return std::move(builder.root);
 }
 
-}  // namespace sim2d
+}  // namespace base

@@ -1,6 +1,6 @@
-#include "sim2d/scenario/YamlSource.h"
+#include "sim2d/base/yaml/YamlSource.h"
 
-namespace sim2d {
+namespace base {
 namespace {
 
 std::size_t sequenceLength(unsigned char lead) {
@@ -37,7 +37,7 @@ int lineOfBinary(std::string_view text) {
   return 0;
 }
 
-void findTabs(std::string_view text, const std::string& file, base::Diagnostics& diagnostics) {
+void findTabs(std::string_view text, const std::string& file, Diagnostics& diagnostics) {
   int line = 1;
   for (std::size_t start = 0; start < text.size(); ++line) {
     std::size_t end = text.find('\n', start);
@@ -46,8 +46,8 @@ void findTabs(std::string_view text, const std::string& file, base::Diagnostics&
     const std::size_t word = content.find_first_not_of(" \t\r");
     const std::size_t tab = content.find('\t');
     if (word != std::string_view::npos && content[word] != '#' && tab < word) {
-      diagnostics.push_back(base::makeError("a tab in the indentation (YAML allows spaces only)",
-                                            file, line, static_cast<int>(tab) + 1));
+      diagnostics.push_back(makeError("a tab in the indentation (YAML allows spaces only)", file,
+                                      line, static_cast<int>(tab) + 1));
     }
     start = end + 1;
   }
@@ -69,4 +69,4 @@ std::string normalised(std::string_view text) {
   return result;
 }
 
-}  // namespace sim2d
+}  // namespace base

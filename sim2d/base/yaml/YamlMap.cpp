@@ -1,10 +1,10 @@
-#include "sim2d/scenario/MapView.h"
+#include "sim2d/base/yaml/YamlMap.h"
 
 #include <algorithm>
 
 #include "sim2d/base/Text.h"
 
-namespace sim2d {
+namespace base {
 namespace {
 
 const YamlNode& emptyMap() {
@@ -32,24 +32,24 @@ std::string described(const YamlNode& node) {
   return "'" + node.text + "'";
 }
 
-void ReadReport::add(base::Severity severity, const YamlNode& at, const std::string& message,
+void ReadReport::add(Severity severity, const YamlNode& at, const std::string& message,
                      EntityId entity) {
   diagnostics.push_back({severity, file, at.line, at.column, message, entity});
 }
 
 void ReadReport::error(const YamlNode& at, const std::string& message, EntityId entity) {
-  add(base::Severity::Error, at, message, entity);
+  add(Severity::Error, at, message, entity);
 }
 
 void ReadReport::warning(const YamlNode& at, const std::string& message, EntityId entity) {
-  add(base::Severity::Warning, at, message, entity);
+  add(Severity::Warning, at, message, entity);
 }
 
 void ReadReport::info(const YamlNode& at, const std::string& message, EntityId entity) {
-  add(base::Severity::Info, at, message, entity);
+  add(Severity::Info, at, message, entity);
 }
 
-MapView::MapView(const YamlNode* node, std::string path, EntityId entity, ReadReport& report)
+YamlMap::YamlMap(const YamlNode* node, std::string path, EntityId entity, ReadReport& report)
     : node_(node != nullptr && node->isMap() ? node : &emptyMap()),
       path_(std::move(path)),
       entity_(entity),
@@ -59,21 +59,21 @@ MapView::MapView(const YamlNode* node, std::string path, EntityId entity, ReadRe
   }
 }
 
-std::string MapView::pathOf(const std::string& key) const {
+std::string YamlMap::pathOf(const std::string& key) const {
   return path_.empty() ? key : path_ + "." + key;
 }
 
-void MapView::know(const std::string& key) {
+void YamlMap::know(const std::string& key) {
   known_.insert(key);
   report_.knownPaths.insert(pathOf(key));
 }
 
-const YamlNode& MapView::place(const std::string& key) const {
+const YamlNode& YamlMap::place(const std::string& key) const {
   const YamlNode* found = node_->find(key);
   return found != nullptr ? *found : *node_;
 }
 
-const YamlNode* MapView::find(const std::string& key) {
+const YamlNode* YamlMap::find(const std::string& key) {
   know(key);
   const YamlNode* found = node_->find(key);
   if (found != nullptr && found->isNull()) {
@@ -83,17 +83,17 @@ const YamlNode* MapView::find(const std::string& key) {
   return found;
 }
 
-MapView MapView::map(const std::string& key) {
+YamlMap YamlMap::map(const std::string& key) {
   return {find(key), pathOf(key), entity_, report_};
 }
 
-std::optional<double> MapView::number(const std::string& key, Range range) {
+std::optional<double> YamlMap::number(const std::string& key, Range range) {
   const YamlNode* found = find(key);
   return found == nullptr ? std::nullopt
                           : readNumber(*found, {pathOf(key), entity_}, range, report_);
 }
 
-std::optional<long long> MapView::bigInteger(const std::string& key, long long low) {
+std::optional<long long> YamlMap::bigInteger(const std::string& key, long long low) {
   const YamlNode* found = find(key);
   if (found == nullptr) {
     return std::nullopt;
@@ -106,7 +106,7 @@ std::optional<long long> MapView::bigInteger(const std::string& key, long long l
   return value;
 }
 
-std::optional<int> MapView::integer(const std::string& key, long long low, long long high) {
+std::optional<int> YamlMap::integer(const std::string& key, long long low, long long high) {
   const YamlNode* found = find(key);
   if (found == nullptr) {
     return std::nullopt;
@@ -123,13 +123,13 @@ std::optional<int> MapView::integer(const std::string& key, long long low, long 
   return static_cast<int>(*value);
 }
 
-std::optional<bool> MapView::boolean(const std::string& key) {
+std::optional<bool> YamlMap::boolean(const std::string& key) {
   const YamlNode* found = find(key);
   if (found == nullptr) {
     return std::nullopt;
   }
   if (found->isScalar()) {
-    const std::string word = base::lowered(found->text);
+    const std::string word = lowered(found->text);
     static const std::set<std::string> kTrue = {"true", "yes", "on", "y", "1"};
     static const std::set<std::string> kFalse = {"false", "no", "off", "n", "0"};
     if (kTrue.count(word) != 0) {
@@ -143,7 +143,7 @@ std::optional<bool> MapView::boolean(const std::string& key) {
   return std::nullopt;
 }
 
-std::optional<std::string> MapView::text(const std::string& key) {
+std::optional<std::string> YamlMap::text(const std::string& key) {
   const YamlNode* found = find(key);
   if (found == nullptr) {
     return std::nullopt;
@@ -155,7 +155,7 @@ std::optional<std::string> MapView::text(const std::string& key) {
   return found->text;
 }
 
-const YamlNode* MapView::list(const std::string& key) {
+const YamlNode* YamlMap::list(const std::string& key) {
   const YamlNode* found = find(key);
   if (found != nullptr && !found->isList()) {
     error(key, "must be a list, found " + described(*found));
@@ -164,7 +164,7 @@ const YamlNode* MapView::list(const std::string& key) {
   return found;
 }
 
-std::vector<double> MapView::numbers(const std::string& key, Range range) {
+std::vector<double> YamlMap::numbers(const std::string& key, Range range) {
   std::vector<double> values;
   if (const YamlNode* found = list(key)) {
     for (const YamlNode& item : found->items) {
@@ -176,7 +176,7 @@ std::vector<double> MapView::numbers(const std::string& key, Range range) {
   return values;
 }
 
-std::vector<int> MapView::integers(const std::string& key) {
+std::vector<int> YamlMap::integers(const std::string& key) {
   std::vector<int> values;
   if (const YamlNode* found = list(key)) {
     for (const YamlNode& item : found->items) {
@@ -191,7 +191,7 @@ std::vector<int> MapView::integers(const std::string& key) {
   return values;
 }
 
-std::vector<std::string> MapView::names(const std::string& key) {
+std::vector<std::string> YamlMap::names(const std::string& key) {
   std::vector<std::string> values;
   std::set<std::string_view> seen;
   if (const YamlNode* found = list(key)) {
@@ -208,7 +208,7 @@ std::vector<std::string> MapView::names(const std::string& key) {
   return values;
 }
 
-std::optional<int> MapView::choice(const std::string& key, const std::vector<std::string>& words) {
+std::optional<int> YamlMap::choice(const std::string& key, const std::vector<std::string>& words) {
   const auto word = text(key);
   if (!word) {
     return std::nullopt;
@@ -221,13 +221,13 @@ std::optional<int> MapView::choice(const std::string& key, const std::vector<std
   for (const std::string& each : words) {
     all += (all.empty() ? "" : ", ") + each;
   }
-  const auto near = base::nearestName(*word, words);
+  const auto near = nearestName(*word, words);
   error(key, "'" + *word + "' is unknown (" +
                  (near ? "did you mean '" + *near + "'? " : std::string()) + "one of " + all + ")");
   return std::nullopt;
 }
 
-bool MapView::demand(const std::string& key) {
+bool YamlMap::demand(const std::string& key) {
   const YamlNode* found = node_->find(key);
   if (found != nullptr && !found->isNull()) {
     return true;
@@ -237,20 +237,20 @@ bool MapView::demand(const std::string& key) {
   return false;
 }
 
-double MapView::required(const std::string& key, Range range) {
+double YamlMap::required(const std::string& key, Range range) {
   return demand(key) ? number(key, range).value_or(0.0) : 0.0;
 }
 
-std::optional<int> MapView::requiredChoice(const std::string& key,
+std::optional<int> YamlMap::requiredChoice(const std::string& key,
                                            const std::vector<std::string>& words) {
   return demand(key) ? choice(key, words) : std::nullopt;
 }
 
-void MapView::error(const std::string& key, const std::string& message) {
+void YamlMap::error(const std::string& key, const std::string& message) {
   report_.error(place(key), pathOf(key) + ": " + message, entity_);
 }
 
-void MapView::warning(const std::string& key, const std::string& message) {
+void YamlMap::warning(const std::string& key, const std::string& message) {
   report_.warning(place(key), pathOf(key) + ": " + message, entity_);
 }
 
@@ -258,13 +258,13 @@ UnknownKey unknownKey(const YamlNode& value) {
   return {value.key, emitYaml(value)};
 }
 
-UnknownKeys MapView::takeUnknown() {
+UnknownKeys YamlMap::takeUnknown() {
   UnknownKeys unknown;
   for (const YamlNode& item : node_->items) {
     if (isKnown(item.key)) {
       continue;
     }
-    const auto near = base::nearestName(item.key, {known_.begin(), known_.end()});
+    const auto near = nearestName(item.key, {known_.begin(), known_.end()});
     YamlNode at;
     at.line = item.keyLine;
     at.column = item.keyColumn;
@@ -278,4 +278,4 @@ UnknownKeys MapView::takeUnknown() {
   return unknown;
 }
 
-}  // namespace sim2d
+}  // namespace base

@@ -9,7 +9,7 @@
 /// YAML as a plain tree that keeps what the scenario files need and a YAML library throws away:
 /// order and repetition of keys, places, the text of numbers, quotes. For the readers of the
 /// program.
-namespace sim2d {
+namespace base {
 
 struct YamlNode {
   enum class Kind { Null, Scalar, List, Map };
@@ -43,7 +43,7 @@ constexpr std::size_t kMostPeople = 100000;
 
 /// The only document of a text. Problems (syntax, tabs, repeated keys, aliases, not UTF-8, too many
 /// people) go to `diagnostics`; with errors the tree must not be used.
-YamlNode parseYaml(std::string_view text, const std::string& file, base::Diagnostics& diagnostics);
+YamlNode parseYaml(std::string_view text, const std::string& file, Diagnostics& diagnostics);
 
 /// Block style, two spaces per level, lists indented under their key; no newline at the end.
 std::string emitYaml(const YamlNode& node);
@@ -54,4 +54,4 @@ bool needsQuotes(std::string_view text);
 /// Number of comments, those inside quotes and block scalars not counted.
 int countComments(std::string_view text);
 
-}  // namespace sim2d
+}  // namespace base
