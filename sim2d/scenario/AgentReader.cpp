@@ -31,16 +31,6 @@ std::optional<Configuration> readConfiguration(YamlMap& view) {
   return static_cast<Configuration>(*number);
 }
 
-void warnForeign(const Behavior& behavior, const YamlNode& at, const std::string& path,
-                 EntityId entity, ReadReport& report) {
-  if (!behavior.foreignType.empty()) {
-    report.warning(at,
-                   path + ": '" + behavior.foreignType +
-                       "' is no behaviour of HuNavSim (walks as Regular, the word is kept)",
-                   entity);
-  }
-}
-
 void readBehaviorMap(YamlMap view, Human& human, LoaderReading& reading) {
   Behavior& to = human.behavior;
   bool numbered = false;
@@ -230,6 +220,16 @@ Human readHuman(const YamlNode& block, bool listed, LoaderReading& reading) {
   readGoals(view, human, reading);
   human.unknown = view.takeUnknown();
   return human;
+}
+
+void warnForeign(const Behavior& behavior, const YamlNode& at, const std::string& path,
+                 EntityId entity, ReadReport& report) {
+  if (!behavior.foreignType.empty()) {
+    report.warning(at,
+                   path + ": '" + behavior.foreignType +
+                       "' is no behaviour of HuNavSim (walks as Regular, the word is kept)",
+                   entity);
+  }
 }
 
 void setBehaviorType(Behavior& behavior, const std::string& text) {

@@ -45,6 +45,10 @@ Human readHuman(const YamlNode& block, bool listed, LoaderReading& reading);
 /// Word, or number of the older dialects; anything else counts as Regular and is kept as text.
 void setBehaviorType(Behavior& behavior, const std::string& text);
 
+/// Tells of a type that is none of HuNavSim's.
+void warnForeign(const Behavior& behavior, const YamlNode& at, const std::string& path,
+                 EntityId entity, ReadReport& report);
+
 /// Dialect A had a number and no parameters: what the program of that time did, as parameters.
 void convertFromA(Human& human, const YamlNode& at, ReadReport& report);
 /// Dialect B: `dist` had another meaning for some types, configuration 0 overruled the file.

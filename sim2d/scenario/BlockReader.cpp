@@ -30,17 +30,6 @@ void readPerson(YamlMap view, Human& human) {
   to.unknown = view.takeUnknown();
 }
 
-Vec2 readPoint(YamlMap& view) {
-  return {view.required("x"), view.required("y")};
-}
-
-/// Maps inside an entity that have no place for keys of others.
-void refuseUnknown(YamlMap& view) {
-  for (const UnknownKey& key : view.takeUnknown()) {
-    view.warning(key.key, "is lost when the scenario is saved");
-  }
-}
-
 void readRobotGoal(YamlMap& view, Robot& robot) {
   const bool both = view.node().find("goal") != nullptr && view.node().find("goals") != nullptr;
   if (both) {
@@ -326,6 +315,17 @@ class BlockReader {
 };
 
 }  // namespace
+
+Vec2 readPoint(YamlMap& view) {
+  return {view.required("x"), view.required("y")};
+}
+
+/// Maps inside an entity that have no place for keys of others.
+void refuseUnknown(YamlMap& view) {
+  for (const UnknownKey& key : view.takeUnknown()) {
+    view.warning(key.key, "is lost when the scenario is saved");
+  }
+}
 
 void readBlock(const YamlNode& parameters, LoaderReading& reading) {
   BlockReader(parameters, reading).read();

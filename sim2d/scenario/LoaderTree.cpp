@@ -239,6 +239,20 @@ YamlNode decimalList(const std::vector<double>& values) {
   return list;
 }
 
+YamlNode integerList(const std::vector<int>& values) {
+  YamlNode list;
+  list.kind = YamlNode::Kind::List;
+  for (const int value : values) {
+    list.items.push_back(number(value));
+  }
+  return list;
+}
+
+void setPoint(YamlNode& map, const Vec2& point) {
+  setChild(map, "x", decimals(point.x()));
+  setChild(map, "y", decimals(point.y()));
+}
+
 void setChild(YamlNode& map, const std::string& key, YamlNode value) {
   value.key = key;
   map.child(key) = std::move(value);

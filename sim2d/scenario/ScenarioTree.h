@@ -57,6 +57,12 @@ YamlNode number(long long value);
 YamlNode flag(bool value);
 YamlNode decimalList(const std::vector<double>& values);
 void setChild(YamlNode& map, const std::string& key, YamlNode value);
+YamlNode integerList(const std::vector<int>& values);
+void setPoint(YamlNode& map, const Vec2& point);  // x, y
 void setUnknown(YamlNode& map, const UnknownKeys& unknown);
+
+Vec2 readPoint(YamlMap& view);  // x, y
+/// Maps inside an entity that have no place for keys of others.
+void refuseUnknown(YamlMap& view);
 
 }  // namespace sim2d

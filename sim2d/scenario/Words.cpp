@@ -10,11 +10,6 @@ const std::vector<std::string>& kindWords() {
   return kWords;
 }
 
-const std::vector<std::string>& routeWords() {
-  static const std::vector<std::string> kWords = {"planned", "direct"};
-  return kWords;
-}
-
 const std::vector<std::string>& atEndWords() {
   static const std::vector<std::string> kWords = {"stop", "leave", "restart"};
   return kWords;

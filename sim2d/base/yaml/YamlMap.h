@@ -67,6 +67,8 @@ class YamlMap {
   std::vector<std::string> names(const std::string& key);
   /// Index of the word in `words`; another one is an error with the nearest.
   std::optional<int> choice(const std::string& key, const std::vector<std::string>& words);
+  /// Whether the key has a value; an error otherwise.
+  bool demand(const std::string& key);
   /// As above; an error where the key or its value is missing.
   double required(const std::string& key, Range range = kAnyNumber);
   std::optional<int> requiredChoice(const std::string& key, const std::vector<std::string>& words);
@@ -80,8 +82,6 @@ class YamlMap {
   UnknownKeys takeUnknown();
 
  private:
-  /// Whether the key has a value; an error otherwise.
-  bool demand(const std::string& key);
   const YamlNode& place(const std::string& key) const;
   const YamlNode* list(const std::string& key);
 

@@ -1,0 +1,90 @@
+#include "sim2d/scenario/FieldTables.h"
+
+#include <algorithm>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include "sim2d/scenario/ScenarioTree.h"
+
+namespace sim2d {
+namespace {
+
+constexpr double kLargestInt = 2147483647.0;
+
+base::ParameterValue readInteger(YamlMap& view, const base::ParameterSpec& spec, bool isWide) {
+  const auto low = static_cast<long long>(std::max(spec.range.low, -kLargestInt));
+  if (isWide) {
+    const auto value = view.bigInteger(spec.key, low);
+    return value ? base::ParameterValue(*value) : base::ParameterValue();
+  }
+  const auto high = static_cast<long long>(std::min(spec.range.high, kLargestInt));
+  const auto value = view.integer(spec.key, low, high);
+  return value ? base::ParameterValue(static_cast<long long>(*value)) : base::ParameterValue();
+}
+
+template <class T>
+base::ParameterValue valueOrNone(std::optional<T> value) {
+  return value ? base::ParameterValue(std::move(*value)) : base::ParameterValue();
+}
+
+template <class T>
+base::ParameterValue valueOrNone(std::vector<T> values) {
+  return values.empty() ? base::ParameterValue() : base::ParameterValue(std::move(values));
+}
+
+}  // namespace
+
+const FieldTables& fieldTables() {
+  static const FieldTables kTables(environmentFields(), humanFields(), behaviorFields(),
+                                   personFields(), robotFields(), obstacleFields(), doorFields(),
+                                   areaFields(), settingsFields(), metricsFields());
+  return kTables;
+}
+
+base::ParameterValue readValue(YamlMap& view, const base::ParameterSpec& spec, bool isWide) {
+  switch (spec.type) {
+    case base::ParameterType::Boolean:
+      return valueOrNone(view.boolean(spec.key));
+    case base::ParameterType::Integer:
+      return readInteger(view, spec, isWide);
+    case base::ParameterType::Number:
+      return valueOrNone(view.number(spec.key, spec.range));
+    case base::ParameterType::Numbers:
+      return valueOrNone(view.numbers(spec.key, spec.range));
+    case base::ParameterType::Integers:
+      return valueOrNone(view.integers(spec.key));
+    case base::ParameterType::Choice:
+    case base::ParameterType::Text:
+      break;
+  }
+  if (spec.choices.empty()) {
+    return valueOrNone(view.text(spec.key));
+  }
+  const auto index = view.choice(spec.key, spec.choices);
+  return index ? base::ParameterValue(spec.choices[static_cast<std::size_t>(*index)])
+               : base::ParameterValue();
+}
+
+base::ParameterValue readRequired(YamlMap& view, const base::ParameterSpec& spec, bool isWide) {
+  return view.demand(spec.key) ? readValue(view, spec, isWide) : base::ParameterValue();
+}
+
+void writeValue(YamlNode& tree, const base::ParameterSpec& spec, const base::ParameterValue& value,
+                int digits) {
+  if (const auto* flagged = std::get_if<bool>(&value)) {
+    setChild(tree, spec.key, flag(*flagged));
+  } else if (const auto* integer = std::get_if<long long>(&value)) {
+    setChild(tree, spec.key, number(*integer));
+  } else if (const auto* real = std::get_if<double>(&value)) {
+    setChild(tree, spec.key, decimals(*real, digits));
+  } else if (const auto* text = std::get_if<std::string>(&value)) {
+    setChild(tree, spec.key, stringNode(*text));
+  } else if (const auto* reals = std::get_if<std::vector<double>>(&value)) {
+    setChild(tree, spec.key, decimalList(*reals));
+  } else if (const auto* integers = std::get_if<std::vector<int>>(&value)) {
+    setChild(tree, spec.key, integerList(*integers));
+  }
+}
+
+}  // namespace sim2d

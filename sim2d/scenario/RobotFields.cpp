@@ -1,0 +1,172 @@
+#include "sim2d/scenario/FieldMaking.h"
+#include "sim2d/scenario/FieldTables.h"
+#include "sim2d/scenario/ScenarioTree.h"
+
+namespace sim2d {
+namespace {
+
+void readPlannerParameters(YamlMap& view, Robot& robot) {
+  YamlMap parameters = view.map("planner_parameters");
+  for (const YamlNode& item : parameters.node().items) {
+    parameters.know(item.key);
+    if (item.isScalar()) {
+      robot.plannerParameters.emplace_back(item.key, emitYaml(item));
+    } else {
+      parameters.error(item.key, "must be one value");
+    }
+  }
+}
+
+void writePlannerParameters(YamlNode& tree, const Robot& robot) {
+  UnknownKeys parameters;
+  for (const auto& parameter : robot.plannerParameters) {
+    parameters.push_back({parameter.first, parameter.second});
+  }
+  if (!parameters.empty()) {
+    setUnknown(tree.child("planner_parameters"), parameters);
+  }
+}
+
+void readStart(YamlMap& view, Robot& robot) {
+  if (view.find("start") == nullptr) {
+    view.error("start", "is missing");
+    return;
+  }
+  YamlMap start = view.map("start");
+  robot.start.position = readPoint(start);
+  robot.start.heading = start.number("h").value_or(0.0);
+  refuseUnknown(start);
+}
+
+void writeStart(YamlNode& tree, const Robot& robot) {
+  YamlNode& start = tree.child("start");
+  setPoint(start, robot.start.position);
+  setChild(start, "h", decimals(robot.start.heading));
+}
+
+void readGoal(YamlMap& view, Robot& robot) {
+  if (view.find("goal") != nullptr) {
+    YamlMap point = view.map("goal");
+    robot.goal.point = readPoint(point);
+    refuseUnknown(point);
+  }
+}
+
+void writeGoal(YamlNode& tree, const Robot& robot) {
+  if (robot.goal.point) {
+    setPoint(tree.child("goal"), *robot.goal.point);
+  }
+}
+
+void readGoals(YamlMap& view, Robot& robot) {
+  const bool both = view.node().find("goal") != nullptr && view.node().find("goals") != nullptr;
+  if (both) {
+    view.error("goals", "a robot has either 'goal' or 'goals'");
+  }
+  robot.goal.goals = view.integers("goals");
+  if (both) {
+    robot.goal.goals.clear();
+  }
+}
+
+void writeGoals(YamlNode& tree, const Robot& robot) {
+  if (!robot.goal.point && !robot.goal.goals.empty()) {
+    setChild(tree, "goals", integerList(robot.goal.goals));
+  }
+}
+
+void readFootprint(YamlMap& view, Robot& robot) {
+  robot.footprintY = view.numbers("footprint_y");
+  if (robot.footprintX.size() != robot.footprintY.size()) {
+    view.error("footprint_y", "must have as many numbers as footprint_x");
+  } else if (!robot.footprintX.empty() && robot.footprintX.size() < 3) {
+    view.error("footprint_x", "a footprint needs at least 3 corners");
+  }
+}
+
+/// Limits and body are the type's; those of another type than the usual one are not known here.
+FieldOf<Robot> limit(std::string key, std::optional<double> Robot::*member,
+                     double ResolvedRobot::*resolved, std::string help) {
+  return field(std::move(key), member, std::move(help))
+      .within(base::kPositive)
+      .resolvedTo(resolved)
+      .orElseBy([resolved](const Robot& robot, const DesktopSettings& /*desktop*/) {
+        const ResolvedRobot usual;
+        return robot.type.value_or(usual.type) == usual.type ? base::ParameterValue(usual.*resolved)
+                                                             : base::ParameterValue();
+      });
+}
+
+Fields<Robot> body() {
+  using Resolved = ResolvedRobot;
+  return {
+      limit("radius", &Robot::radius, &Resolved::radius, "Of the disc that the robot is")
+          .in("m")
+          .within({0.0, 100.0, true})
+          .form("Radius", 2, 0.01, 1.0),
+      limit("mass", &Robot::mass, &Resolved::mass, "Of the robot").in("kg").form("Mass", 1, 1.0),
+      limit("max_vel", &Robot::maxVel, &Resolved::maxVel, "Its speed at the most")
+          .in("m/s")
+          .within({0.0, 100.0, true})
+          .form("Top speed", 2, 0.05, 2.0),
+      limit("max_acc", &Robot::maxAcc, &Resolved::maxAcc, "How fast its speed changes")
+          .in("m/s²")
+          .form("Acceleration", 2, 0.1, 3.0),
+      limit("max_omega", &Robot::maxOmega, &Resolved::maxOmega, "Its turn rate at the most")
+          .in("rad/s")
+          .form("Turn speed"),
+      limit("max_alpha", &Robot::maxAlpha, &Resolved::maxAlpha, "How fast its turn rate changes")
+          .in("rad/s²")
+          .form("Turn accel."),
+      field("footprint_x", &Robot::footprintX,
+            "Corners in the robot's frame, instead of the disc: their x")
+          .in("m")
+          .form("Footprint"),
+      field("footprint_y", &Robot::footprintY, "Their y, as many").in("m").readBy(readFootprint)};
+}
+
+}  // namespace
+
+Fields<Robot> robotFields() {
+  Fields<Robot> all = {
+      field("type", &Robot::type, "Kind of robot").resolvedTo(&ResolvedRobot::type).form("Type"),
+      field("planner", &Robot::planner, "What drives it to its goals")
+          .resolvedTo(&ResolvedRobot::planner)
+          .form("Planner"),
+      FieldOf<Robot>("planner_parameters", "Of the planner: name and value of each")
+          .madeBy(readPlannerParameters, writePlannerParameters,
+                  [](const Robot& a, const Robot& b) {
+                    return a.plannerParameters == b.plannerParameters;
+                  })
+          .form("Parameters"),
+      FieldOf<Robot>("start", "Where it begins: x, y and heading h")
+          .required()
+          .madeBy(readStart, writeStart,
+                  [](const Robot& a, const Robot& b) { return a.start == b.start; })
+          .form("Position"),
+      FieldOf<Robot>("goal", "Where it drives to: x and y")
+          .madeBy(readGoal, writeGoal,
+                  [](const Robot& a, const Robot& b) { return a.goal.point == b.goal.point; })
+          .form("Point"),
+      FieldOf<Robot>("goals", "Numbers of global goals in order, instead of `goal`")
+          .keptAt([](auto& of) -> auto& { return of.goal.goals; })
+          .readBy(readGoals)
+          .writtenBy(writeGoals)
+          .form("Or route"),
+      field("goal_radius", &Robot::goalRadius, "A goal is reached when the robot is this near")
+          .in("m")
+          .within(base::kPositive)
+          .resolvedTo(&ResolvedRobot::goalRadius)
+          .form("Arrival radius", 2, 0.05),
+      field("start_time", &Robot::startTime, "When it sets off")
+          .in("s")
+          .within(base::kNotNegative)
+          .resolvedTo(&ResolvedRobot::startTime)
+          .form("Sets off at", 1, 1.0)};
+  for (Field<Robot>& each : body()) {
+    all.push_back(std::move(each));
+  }
+  return all;
+}
+
+}  // namespace sim2d

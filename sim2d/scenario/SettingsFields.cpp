@@ -1,0 +1,207 @@
+#include <algorithm>
+#include <set>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/scenario/FieldMaking.h"
+#include "sim2d/scenario/FieldTables.h"
+#include "sim2d/scenario/ScenarioTree.h"
+
+namespace sim2d {
+namespace {
+
+constexpr double kLargestInt = 2147483647.0;
+
+void readWrap(YamlMap& view, DesktopSettings& to) {
+  to.wrapX = view.numbers("wrap_x");
+  if (!to.wrapX.empty() && (to.wrapX.size() != 2 || to.wrapX[0] >= to.wrapX[1])) {
+    view.error("wrap_x", "needs two numbers, the smaller one first");
+    to.wrapX.clear();
+  }
+}
+
+void readGroups(YamlMap& view, DesktopSettings& to) {
+  YamlMap groups = view.map("groups");
+  std::set<long long> ids;  // 3 and 03 are one group
+  for (const YamlNode& item : groups.node().items) {
+    const auto id = base::parseInt(item.key);
+    const auto name = groups.text(item.key);
+    if (!id || *id < 0 || static_cast<double>(*id) > kLargestInt) {
+      groups.error(item.key, "a group needs a number as its key");
+    } else if (!ids.insert(*id).second) {
+      groups.error(item.key, "group " + std::to_string(*id) + " is named twice");
+    } else if (name) {
+      to.groups.emplace_back(static_cast<int>(*id), *name);
+    }
+  }
+}
+
+void writeGroups(YamlNode& tree, const DesktopSettings& desktop) {
+  for (const auto& group : desktop.groups) {
+    setChild(tree.child("groups"), std::to_string(group.first), stringNode(group.second));
+  }
+}
+
+/// "goal", "time 5.0", "event contact": one of `words`, or one of these two with its argument.
+std::optional<std::string> readMoment(YamlMap& view, const std::string& key,
+                                      const std::vector<std::string>& words) {
+  const auto written = view.text(key);
+  if (!written) {
+    return std::nullopt;
+  }
+  const std::string text = base::trimmed(*written);
+  const std::size_t space = text.find(' ');
+  const std::string argument =
+      space == std::string::npos ? std::string() : base::trimmed(text.substr(space + 1));
+  const std::string first = text.substr(0, space);
+  const bool simple =
+      argument.empty() && std::find(words.begin(), words.end(), first) != words.end();
+  const double time = base::parseDouble(argument).value_or(-1.0);
+  const bool timed = first == "time" && time >= 0.0 && time < 1e9;
+  const bool event = first == "event" && !argument.empty();
+  if (simple || event || timed) {
+    return text;
+  }
+  view.error(key, "'" + *written + "' is unknown (one of " + base::join(words, ", ") +
+                      ", time T, event KIND)");
+  return std::nullopt;
+}
+
+FieldOf<MetricsSettings> moment(std::string key,
+                                std::optional<std::string> MetricsSettings::*member,
+                                std::vector<std::string> words, std::string help) {
+  const std::string usual = words.front();
+  return field(key, member, std::move(help))
+      .orElse(usual)
+      .readBy([key, member, words = std::move(words)](YamlMap& view, MetricsSettings& to) {
+        to.*member = readMoment(view, key, words);
+      });
+}
+
+void readThresholds(YamlMap& view, MetricsSettings& to) {
+  YamlMap parameters = view.map("parameters");
+  for (const YamlNode& item : parameters.node().items) {
+    if (const auto value = parameters.number(item.key)) {
+      to.parameters.emplace_back(item.key, *value);
+    }
+  }
+}
+
+void writeThresholds(YamlNode& tree, const MetricsSettings& metrics) {
+  for (const auto& parameter : metrics.parameters) {
+    setChild(tree.child("parameters"), parameter.first, decimals(parameter.second));
+  }
+}
+
+Fields<DesktopSettings> mapAndRun() {
+  using Settings = DesktopSettings;
+  return {
+      field("map_file", &Settings::mapFile,
+            "Relative to the scenario, `none` is the open plane; absent: searched")
+          .form("Map file"),
+      field("map_rule", &Settings::mapRule, "Which nav2 decides how grey pixels are read")
+          .words({"humble", "main"})
+          .orElse(std::string("humble"))
+          .form("Map rule"),
+      field("seed", &Settings::seed, "The same seed gives the same run")
+          .within(base::kNotNegative)
+          .orElse(1)
+          .form("Seed", 0, 1.0),
+      field("duration", &Settings::duration,
+            "Length of a run; absent: until the robot has arrived plus 1 s, at most 120 s")
+          .in("s")
+          .within({0.0, 1e6, true})
+          .form("Duration", 1, 5.0),
+      field("dt", &Settings::dt, "Time step")
+          .in("s")
+          .within({0.001, 0.1})
+          .orElse(0.05)
+          .form("Time step", 3, 0.005),
+      field("record_every", &Settings::recordEvery, "Steps from one recorded sample to the next")
+          .within({1.0, kLargestInt})
+          .orElse(1)
+          .form("Record every", 0, 1.0)};
+}
+
+Fields<DesktopSettings> people() {
+  using Settings = DesktopSettings;
+  return {field("model", &Settings::model, "How people move among others")
+              .orElse(ResolvedHuman().model)
+              .form("Model"),
+          field("route", &Settings::route, "Ways round walls, or straight on as the original")
+              .words(routeWords())
+              .orElse(Route::Planned)
+              .form("Routes"),
+          field("obstacle_points", &Settings::obstaclePoints,
+                "People feel nearest points of walls, or rays as of a laser")
+              .words({"boundary", "rays"})
+              .orElse(ObstaclePoints::Boundary)
+              .form("Feel walls by"),
+          field("loop_trees", &Settings::loopTrees, "A tree that has ended starts again")
+              .orElse(true)
+              .form("Trees"),
+          field("wrap_x", &Settings::wrapX,
+                "A corridor that closes on itself: who passes the second x comes in at the first")
+              .in("m")
+              .readBy(readWrap)
+              .form("Corridor"),
+          FieldOf<Settings>("groups", "Names of groups by their numbers")
+              .madeBy(readGroups, writeGroups,
+                      [](const Settings& a, const Settings& b) { return a.groups == b.groups; })};
+}
+
+}  // namespace
+
+const std::vector<std::string>& routeWords() {
+  static const std::vector<std::string> kWords = {"planned", "direct"};
+  return kWords;
+}
+
+Fields<Environment> environmentFields() {
+  return {
+      field("yaml_base_name", &Environment::yamlBaseName, "The file's name; trees are found by it"),
+      field("simulator", &Environment::simulator, "The simulator that HuNavSim runs the file in")
+          .form("Simulator"),
+      field("map", &Environment::map, "Name of the map, no folder, no extension").form("Map name"),
+      field("publish_people", &Environment::publishPeople, "Publish people as ROS topics")
+          .orElse(true)
+          .form("ROS topics")};
+}
+
+Fields<DesktopSettings> settingsFields() {
+  Fields<DesktopSettings> all = mapAndRun();
+  for (Field<DesktopSettings>& each : people()) {
+    all.push_back(std::move(each));
+  }
+  return all;
+}
+
+Fields<MetricsSettings> metricsFields() {
+  using Settings = MetricsSettings;
+  return {
+      moment("from", &Settings::from, {"begin", "goal", "motion"},
+             "begin, goal, motion, time 5.0 or event contact")
+          .form("From"),
+      moment("until", &Settings::until, {"end", "arrival"},
+             "end, arrival, time 20.0 or event contact")
+          .form("Until"),
+      field("frequency", &Settings::frequency, "0 takes every recorded sample")
+          .in("Hz")
+          .within(base::kNotNegative)
+          .orElse(0.0)
+          .form("Frequency", 1, 1.0),
+      field("tag", &Settings::tag, "Of the experiment, in the results")
+          .orElse(std::string("exp_1"))
+          .form("Tag"),
+      field("run_id", &Settings::runId, "Number of the run, in the results")
+          .orElse(0)
+          .form("Run number", 0, 1.0),
+      field("file", &Settings::file,
+            "Which metrics are measured; relative to the scenario; absent: all")
+          .form("Metrics file"),
+      FieldOf<Settings>("parameters", "Thresholds of metrics: name and number of each")
+          .madeBy(readThresholds, writeThresholds,
+                  [](const Settings& a, const Settings& b) { return a.parameters == b.parameters; })
+          .form("Thresholds")};
+}
+
+}  // namespace sim2d
