@@ -1,5 +1,6 @@
-#include "app/CommandLine.h"
+#include "app/cli/CommandLine.h"
+#include "app/window/WindowCommand.h"
 
 int main(int argc, char** argv) {
-  return app::runProgram(argc, argv);
+  return app::runProgram(argc, argv, app::windowCommand);
 }

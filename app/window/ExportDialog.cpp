@@ -14,7 +14,7 @@
 #include <QHeaderView>
 #include <QVBoxLayout>
 
-#include "app/ExportReport.h"
+#include "app/run/ExportReport.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/Form.h"

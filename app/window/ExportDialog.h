@@ -9,7 +9,7 @@
 #include <QPushButton>
 #include <QTreeWidget>
 
-#include "app/Export.h"
+#include "app/run/Export.h"
 #include "editor/look/Theme.h"
 
 namespace app {

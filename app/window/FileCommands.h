@@ -7,8 +7,8 @@
 #include <QObject>
 #include <QSettings>
 
-#include "app/Export.h"
-#include "app/RunOptions.h"
+#include "app/run/Export.h"
+#include "app/run/RunOptions.h"
 #include "app/window/FileDialogs.h"
 #include "app/window/Workspace.h"
 #include "editor/panels/IssuesPanel.h"

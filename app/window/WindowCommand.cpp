@@ -10,7 +10,7 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
-#include "app/DataPaths.h"
+#include "app/run/DataPaths.h"
 #include "app/window/MainWindow.h"
 #include "app/window/Screenshot.h"
 

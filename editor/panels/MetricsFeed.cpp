@@ -101,8 +101,8 @@ metrics::Selection MetricsFeed::selection() const {
   if (selection_) {
     return *selection_;
   }
-  const base::Result<MetricsSetup> setup =
-      metricsSetupOf(document_.scenario(), document_.path().toStdString());
+  const base::Result<app::MetricsSetup> setup =
+      app::metricsSetupOf(document_.scenario(), document_.path().toStdString());
   return setup ? setup->selection : metrics::Selection();
 }
 
@@ -151,8 +151,8 @@ void MetricsFeed::takeTrace(const TracePtr& trace) {
   }
   traceWanted_ = false;
   if (!work_) {
-    const base::Result<MetricsSetup> setup =
-        metricsSetupOf(document_.scenario(), document_.path().toStdString());
+    const base::Result<app::MetricsSetup> setup =
+        app::metricsSetupOf(document_.scenario(), document_.path().toStdString());
     if (!setup) {
       traceWanted_ = true;  // not asked for again: the settings are wrong for this run
       Q_EMIT failed(setup.diagnostics());

@@ -8,8 +8,8 @@
 
 #include <QObject>
 
+#include "app/run/MetricsSetup.h"
 #include "editor/document/LatestTask.h"
-#include "editor/document/MetricsSetup.h"
 #include "editor/document/ScenarioDocument.h"
 #include "editor/run/SimulationRunner.h"
 #include "metrics/LiveMetrics.h"

@@ -2,7 +2,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "app/Preparation.h"
+#include "app/run/Preparation.h"
 #include "editor/document/QtImageLoader.h"
 #include "sim2d/map/MapReader.h"
 #include "sim2d/scenario/ScenarioFile.h"
@@ -22,7 +22,7 @@ int valueOf(const QImage& image, const char* rule, const char* format = "png") {
   file.write(yaml.toUtf8());
   file.close();
   image.save(folder.filePath(QStringLiteral("map.") + QString::fromLatin1(format)), format);
-  const auto map = app::readMapFile(file.fileName().toStdString(), rule);
+  const auto map = app::readMapFile(file.fileName().toStdString(), rule, editor::loadMapImage);
   return map ? map->grid.valueAt({0, 0}) : -100;
 }
 
@@ -77,8 +77,8 @@ class MapImagesTest : public QObject {
     if (!QDir(root).exists()) {
       QSKIP("the files of the original are not here (HUNAV_INTEROP_DIR)");
     }
-    const auto map =
-        app::readMapFile((root + QStringLiteral("maps/warehouse.yaml")).toStdString(), "humble");
+    const auto map = app::readMapFile((root + QStringLiteral("maps/warehouse.yaml")).toStdString(),
+                                      "humble", editor::loadMapImage);
     QVERIFY(map);
     int free = 0, occupied = 0, unknown = 0;
     for (const std::int8_t value : map->grid.cells()) {

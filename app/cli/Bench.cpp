@@ -1,0 +1,310 @@
+#include <cmath>
+#include <fstream>
+#include <malloc.h>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QTemporaryDir>
+
+#include "app/cli/BenchPicture.h"
+#include "app/cli/BenchScene.h"
+#include "app/cli/CommandLine.h"
+#include "app/cli/Commands.h"
+#include "app/cli/Console.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/scenario/ScenarioCheck.h"
+#include "sim2d/trace/Recorder.h"
+#include "sim2d/world/Sensing.h"
+#include "sim2d/world/crowd/CrowdForces.h"
+
+namespace app {
+namespace {
+
+constexpr int kBeams = 360;
+constexpr int kRounds = 5;
+constexpr int kLargestPlain = 10000;  // people; beyond it the plain sum is scaled with N²
+
+/// The value of the first line "<key> : <value>" of a file of the kernel; empty when absent.
+std::string valueIn(const char* file, const std::string& key) {
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    const std::size_t colon = line.find(':');
+    if (colon != std::string::npos && base::trimmed(line.substr(0, colon)) == key) {
+      return base::trimmed(line.substr(colon + 1));
+    }
+  }
+  return {};
+}
+
+/// A size of this process, "VmRSS" or "VmHWM" [kB]; 0 when the system does not tell.
+double memoryOf(const char* key) {
+  const std::string text = valueIn("/proc/self/status", key);
+  return base::parseDouble(text.substr(0, text.find(' '))).value_or(0.0);
+}
+
+/// From now on "VmHWM" is the largest memory since now.
+void forgetPeak() {
+  malloc_trim(0);  // what smaller scenes have left behind would be counted as nothing
+  std::ofstream("/proc/self/clear_refs") << "5";
+}
+
+struct Row {
+  BenchScene scene;
+  sim2d::StepTimes times;
+  double sensing = 0.0;    // a scan of the robot [s]
+  double recording = 0.0;  // of a step [s]
+  double plain = 0.0;      // a step of the plain forces [s]; 0: not measured
+  bool isScaled = false;   // `plain` is
+  double perPerson = 0.0;  // what a person adds to the largest memory [kB]
+  double peak = 0.0;       // of the process during this scene [MB]
+
+  double perStep(double seconds) const { return seconds / static_cast<double>(times.steps); }
+  /// Step, scan and record [s].
+  double whole() const { return perStep(times.sum()) + sensing + recording; }
+  double realTimeFactor() const { return 0.05 / whole(); }
+  double forces() const {
+    return perStep(times.seconds[static_cast<std::size_t>(sim2d::StepPhase::Forces)]);
+  }
+};
+
+double scanSeconds(const sim2d::World& world, const sim2d::Surroundings& surroundings,
+                   sim2d::StepClock clock) {
+  const sim2d::Frame& frame = world.frame();
+  std::vector<sim2d::SeenBody> bodies;
+  for (std::size_t i = 0; i < frame.humans.size(); ++i) {
+    bodies.push_back({frame.humans.id[i],
+                      {frame.humans.x[i], frame.humans.y[i]},
+                      {frame.humans.vx[i], frame.humans.vy[i]},
+                      0.25});
+  }
+  const double begin = sim2d::secondsBy(clock);
+  sim2d::scan(world.view().robotPose(0), surroundings.obstacles, bodies, kBeams);
+  return sim2d::secondsBy(clock) - begin;
+}
+
+/// A world in which people have come up to speed.
+base::Result<std::unique_ptr<sim2d::World>> makeWarmWorld(const BenchScene& scene) {
+  constexpr int kWarmUp = 10;
+  base::Result<std::unique_ptr<sim2d::World>> made = makeBenchWorld(scene);
+  for (int i = 0; made && i < kWarmUp; ++i) {
+    (*made)->step();
+  }
+  return made;
+}
+
+/// What the square of a scene needs at most with one person [kB].
+double peakOfOne(BenchScene scene) {
+  scene.lonely = true;
+  forgetPeak();
+  const double before = memoryOf("VmRSS");
+  const base::Result<std::unique_ptr<sim2d::World>> made = makeWarmWorld(scene);
+  return memoryOf("VmHWM") - before;
+}
+
+/// Times of some steps; false when the run has failed.
+bool measureRound(sim2d::World& world, const sim2d::Surroundings& surroundings,
+                  double atLeastSeconds, Row& row) {
+  constexpr int kFewestSteps = 2;
+  const int lastStep = crossingSteps(row.scene);
+  const sim2d::StepClock clock = row.times.clock;
+  world.measure(&row.times);
+  sim2d::Recorder recorder;
+  double recording = 0.0;
+  const double end = sim2d::secondsBy(clock) + atLeastSeconds;
+  while (row.times.steps < kFewestSteps ||
+         (world.stepIndex() < lastStep && sim2d::secondsBy(clock) < end)) {
+    if (!world.step()) {
+      return false;
+    }
+    row.sensing += scanSeconds(world, surroundings, clock);
+    const double record = sim2d::secondsBy(clock);
+    recorder.append(world.frame());
+    recording += sim2d::secondsBy(clock) - record;
+  }
+  world.measure(nullptr);
+  row.sensing = row.perStep(row.sensing);
+  row.recording = row.perStep(recording);
+  return true;
+}
+
+/// The fastest of some rounds: other work on the machine only ever slows one down.
+base::Result<Row> measure(const BenchScene& scene, double atLeastSeconds) {
+  Row row;
+  row.scene = scene;
+  row.times.clock = scene.threads == 1 ? sim2d::StepClock::Thread : sim2d::StepClock::Wall;
+  const double ofOne = peakOfOne(scene);
+  forgetPeak();
+  const double before = memoryOf("VmRSS");
+  base::Result<std::unique_ptr<sim2d::World>> made = makeWarmWorld(scene);
+  if (!made) {
+    return made.diagnostics();
+  }
+  row.perPerson = (memoryOf("VmHWM") - before - ofOne) / (scene.people - 1);
+  const sim2d::Surroundings surroundings =
+      sim2d::makeSurroundings(makeBenchScenario(scene), sim2d::OccupancyGrid{});
+  Row best = row;
+  for (int round = 0; round < kRounds; ++round) {
+    if ((*made)->stepIndex() > crossingSteps(scene) / 2) {
+      made->reset();  // two worlds at once would count as peak memory
+      made = makeWarmWorld(scene);
+    }
+    if (!made) {
+      return made.diagnostics();
+    }
+    Row now = row;
+    if (!measureRound(**made, surroundings, atLeastSeconds / kRounds, now)) {
+      return base::makeError((*made)->failure());
+    }
+    best = round == 0 || now.whole() < best.whole() ? now : best;
+  }
+  best.peak = memoryOf("VmHWM") / 1024.0;
+  return best;
+}
+
+std::string fixed(double value, int digits) {
+  const double factor = std::pow(10.0, digits);
+  return base::formatDouble(std::round(value * factor) / factor);
+}
+
+/// Three significant digits.
+std::string rounded(double value) {
+  if (value == 0.0) {
+    return "0";
+  }
+  const int digits = 2 - static_cast<int>(std::floor(std::log10(std::fabs(value))));
+  return fixed(value, std::max(0, digits));
+}
+
+std::vector<std::string> headline() {
+  std::vector<std::string> names = {"people", "scene", "x real time", "ns/person"};
+  for (std::size_t i = 0; i < sim2d::kStepPhaseCount; ++i) {
+    names.emplace_back(sim2d::stepPhaseName(static_cast<sim2d::StepPhase>(i)));
+  }
+  for (const char* name :
+       {"sensing", "recording", "plain", "plain/forces", "plain/step", "kB/person", "peak MB"}) {
+    names.emplace_back(name);
+  }
+  return names;
+}
+
+/// Times of phases in ms per step.
+std::vector<std::string> cellsOf(const Row& row) {
+  std::vector<std::string> cells = {
+      std::to_string(row.scene.people), row.scene.walls ? "200 walls" : "open",
+      rounded(row.realTimeFactor()), rounded(row.whole() / row.scene.people * 1e9)};
+  for (const double seconds : row.times.seconds) {
+    cells.push_back(rounded(row.perStep(seconds) * 1e3));
+  }
+  cells.push_back(rounded(row.sensing * 1e3));
+  cells.push_back(rounded(row.recording * 1e3));
+  cells.push_back(rounded(row.plain * 1e3) + (row.isScaled ? "*" : ""));
+  cells.push_back(rounded(row.plain / row.forces()));
+  cells.push_back(rounded(row.plain / row.whole()));
+  cells.push_back(rounded(row.perPerson));
+  cells.push_back(rounded(row.peak));
+  return cells;
+}
+
+std::string textLine(const std::vector<std::string>& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::size_t width = i == 2 || i > 12 ? 13 : 10;
+    line += std::string(cells[i].size() < width ? width - cells[i].size() : 1, ' ') + cells[i];
+  }
+  return line;
+}
+
+std::string csvLine(const std::vector<std::string>& cells, const std::string& machine) {
+  std::string line = "\"" + machine + "\"";
+  for (const std::string& cell : cells) {
+    line += "," + cell;
+  }
+  return line;
+}
+
+BenchPoint pointOf(const Row& row) {
+  return {row.scene.people, row.whole() * 1e3, row.forces() * 1e3, row.plain * 1e3, row.isScaled};
+}
+
+std::string machineName() {
+  const std::string processor = valueIn("/proc/cpuinfo", "model name");
+  return (processor.empty() ? std::string("unknown processor") : processor) + ", " +
+         sim2d::vectorPathName(sim2d::fastestVectorPath());
+}
+
+void printRow(const Row& row, bool isCsv, const std::string& machine) {
+  printLine(isCsv ? csvLine(cellsOf(row), machine) : textLine(cellsOf(row)));
+}
+
+/// Measures and prints all sizes, without and with walls; nothing when a run has failed.
+std::optional<std::vector<BenchPoint>> measureSizes(const BenchOptions& options,
+                                                    const std::string& tree) {
+  const std::vector<int> sizes = options.quick ? std::vector<int>{10, 100, 1000}
+                                               : std::vector<int>{10, 100, 1000, 10000, 100000};
+  const double atLeast = options.quick ? 0.3 : 2.0;
+  double plain = 0.0;
+  peakOfOne({sizes.front(), true, tree, options.threads});  // program code comes into memory once
+  std::vector<BenchPoint> points;
+  for (const int people : sizes) {
+    BenchScene scene{people, false, tree, options.threads};
+    const bool isScaled = people > kLargestPlain;
+    plain = isScaled ? plain * std::pow(static_cast<double>(people) / kLargestPlain, 2.0)
+                     : plainStepSeconds(makeBenchScenario(scene), atLeast / 4.0);
+    for (const bool walls : {false, true}) {
+      scene.walls = walls;
+      base::Result<Row> row = measure(scene, atLeast);
+      if (!row) {
+        printDiagnostics(row.diagnostics());
+        return std::nullopt;
+      }
+      row->plain = plain;
+      row->isScaled = isScaled;
+      printRow(*row, options.format == "csv", machineName());
+      if (!walls) {
+        points.push_back(pointOf(*row));
+      }
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+int benchCommand(const BenchOptions& options, const OutputOptions& output) {
+  // What is freed goes back to the system: scenes before leave no holes to be filled for nothing.
+  mallopt(M_MMAP_THRESHOLD, 128 * 1024);
+  QTemporaryDir folder;
+  const std::string tree = folder.filePath(QStringLiteral("walker.xml")).toStdString();
+  if (!(std::ofstream(tree) << benchTreeText()).flush()) {
+    printError("cannot write " + tree);
+    return kRunFailed;
+  }
+  const bool isCsv = options.format == "csv";
+  if (isCsv) {
+    printLine(csvLine(headline(), "machine"));
+  } else {
+    printLine(machineName() + ", threads: " + std::to_string(options.threads));
+    printLine(textLine(headline()));
+  }
+  const std::optional<std::vector<BenchPoint>> points = measureSizes(options, tree);
+  if (!points) {
+    return kRunFailed;
+  }
+  if (!isCsv && !output.quiet) {
+    printLine(
+        "Phases in ms per step of 0.05 s, in the fastest of 5 rounds; with one thread in time of "
+        "the processor. sensing: a scan of 360 beams. plain: the same forces over all pairs in "
+        "double precision, one thread; * scaled with the square. Measured while the streams cross: "
+        "people have walked a seventh of the square at most. kB/person: by how much people raise "
+        "the largest memory, from the making of the scenario to the tenth step.");
+  }
+  const QString picture = QString::fromStdString(options.picture);
+  if (!picture.isEmpty() && !drawBench(*points, QString::fromStdString(machineName()), picture)) {
+    printError("cannot write " + options.picture);
+    return kRunFailed;
+  }
+  return kFine;
+}
+
+}  // namespace app

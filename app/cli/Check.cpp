@@ -1,0 +1,143 @@
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "app/cli/CommandLine.h"
+#include "app/cli/Commands.h"
+#include "app/cli/Console.h"
+#include "app/run/DataPaths.h"
+#include "app/run/Experiment.h"
+#include "app/run/Preparation.h"
+#include "bt/engine/Program.h"
+#include "bt/human/HumanNodes.h"
+#include "bt/tree/TreeXml.h"
+#include "editor/document/QtImageLoader.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/world/World.h"
+
+namespace app {
+
+namespace {
+
+enum class FileKind { Scenario, Tree, Map, Experiment };
+
+/// By what stands in the file, not by its name.
+FileKind kindOf(const std::string& text) {
+  const std::size_t first = text.find_first_not_of("\xEF\xBB\xBF \t\r\n");
+  if (first != std::string::npos && text[first] == '<') {
+    return FileKind::Tree;
+  }
+  if (text.find("hunavsim_experiment") != std::string::npos) {
+    return FileKind::Experiment;
+  }
+  const bool isAgents = text.find("ros__parameters") != std::string::npos;
+  return !isAgents && text.find("image:") != std::string::npos ? FileKind::Map : FileKind::Scenario;
+}
+
+base::Diagnostics checkScenarioFile(const std::string& path, const CheckOptions& options) {
+  RunOptions run;
+  run.scenario = path;
+  run.map = options.map;
+  run.trees = options.trees;
+  Preparation preparation = prepare(run, {}, editor::loadMapImage);
+  if (preparation.ok()) {
+    base::append(preparation.diagnostics, makeWorld(preparation, run).diagnostics());
+  }
+  return preparation.diagnostics;
+}
+
+/// What has not been said; the compiler checks once more on its own.
+void appendNew(base::Diagnostics& to, const base::Diagnostics& more) {
+  const base::Diagnostics before = to;
+  for (const base::Diagnostic& diagnostic : more) {
+    const bool isKnown = std::any_of(
+        before.begin(), before.end(),
+        [&diagnostic](const base::Diagnostic& known) { return known.text() == diagnostic.text(); });
+    if (!isKnown) {
+      to.push_back(diagnostic);
+    }
+  }
+}
+
+/// A tree by itself: its nodes, ports and references, and whether the engine takes it.
+base::Diagnostics checkTree(const std::string& path) {
+  const base::Result<bt::TreeTable> table = bt::loadTrees(path);
+  base::Diagnostics found = table.diagnostics();
+  if (!table) {
+    return found;
+  }
+  const bt::NodeLibrary library = bt::humanNodes();
+  base::append(found, bt::diagnosticsOf(bt::checkTable(*table, library.catalogue())));
+  if (!base::hasErrors(found)) {
+    appendNew(found, bt::compile(*table, library).diagnostics());
+  }
+  return found;
+}
+
+base::Diagnostics checkFile(const std::string& path, const CheckOptions& options) {
+  const base::Result<std::string> text = base::readTextFile(path);
+  if (!text) {
+    return text.diagnostics();
+  }
+  switch (kindOf(*text)) {
+    case FileKind::Tree:
+      return checkTree(path);
+    case FileKind::Map:
+      return readMapFile(path, "humble", editor::loadMapImage).diagnostics();
+    case FileKind::Experiment:
+      return readExperiment(path).diagnostics();
+    case FileKind::Scenario:
+      break;
+  }
+  return checkScenarioFile(path, options);
+}
+
+void printJson(const base::Diagnostics& diagnostics) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const base::Diagnostic& diagnostic : diagnostics) {
+    const auto known = [](int number) {
+      return number > 0 ? nlohmann::ordered_json(number) : nlohmann::ordered_json();
+    };
+    all.push_back({{"file", diagnostic.file},
+                   {"line", known(diagnostic.line)},
+                   {"column", known(diagnostic.column)},
+                   {"severity", base::severityName(diagnostic.severity)},
+                   {"message", diagnostic.message}});
+  }
+  printLine(all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
+
+std::string summary(std::size_t files, const base::Diagnostics& diagnostics) {
+  std::size_t errors = 0;
+  std::size_t warnings = 0;
+  for (const base::Diagnostic& diagnostic : diagnostics) {
+    errors += diagnostic.severity == base::Severity::Error ? 1 : 0;
+    warnings += diagnostic.severity == base::Severity::Warning ? 1 : 0;
+  }
+  const auto count = [](std::size_t number, const std::string& noun) {
+    return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
+  };
+  return count(files, "file") + " checked: " + count(errors, "error") + ", " +
+         count(warnings, "warning");
+}
+
+}  // namespace
+
+int checkCommand(const CheckOptions& options, const OutputOptions& output) {
+  base::Diagnostics all;
+  for (const std::string& file : options.files) {
+    const base::Diagnostics found = checkFile(file, options);
+    if (!output.json) {
+      printDiagnostics(found);
+    }
+    base::append(all, found);
+  }
+  if (output.json) {
+    printJson(all);
+  } else if (!output.quiet) {
+    printLine(summary(options.files.size(), all));
+  }
+  return base::hasErrors(all) ? kBadInput : kFine;
+}
+
+}  // namespace app

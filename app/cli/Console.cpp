@@ -1,0 +1,108 @@
+#include "app/cli/Console.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <iostream>
+#include <unistd.h>
+
+namespace app {
+
+namespace {
+
+// Set by the signal handler only.
+volatile std::sig_atomic_t interruptFlag = 0;
+volatile std::sig_atomic_t hasCtrlC = 0;
+
+/// SIGTERM after Ctrl-C, as a terminal and a parent send them, is no second Ctrl-C.
+void onInterrupt(int signal) {
+  if (signal == SIGINT && hasCtrlC != 0) {
+    std::_Exit(128 + signal);
+  }
+  hasCtrlC = signal == SIGINT ? 1 : hasCtrlC;
+  interruptFlag = 1;
+}
+
+std::int64_t nowMs() {
+  using Clock = std::chrono::steady_clock;
+  return std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now().time_since_epoch())
+      .count();
+}
+
+}  // namespace
+
+void print(const std::string& text) {
+  std::cout << text << std::flush;
+}
+void printLine(const std::string& line) {
+  std::cout << line << '\n' << std::flush;
+}
+void printError(const std::string& line) {
+  std::cerr << line << '\n';
+}
+
+void printDiagnostics(const base::Diagnostics& diagnostics, base::Severity least) {
+  for (const base::Diagnostic& diagnostic : diagnostics) {
+    if (diagnostic.severity >= least) {
+      printError(diagnostic.text());
+    }
+  }
+}
+
+void catchInterrupts() {
+  struct sigaction action = {};
+  action.sa_handler = onInterrupt;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  struct sigaction before = {};
+  if (sigaction(SIGHUP, nullptr, &before) == 0 && before.sa_handler != SIG_IGN) {  // not nohup
+    sigaction(SIGHUP, &action, nullptr);
+  }
+}
+
+void keepAliveWhenFilesAreFull() {
+  struct sigaction action = {};
+  action.sa_handler = SIG_IGN;
+  sigaction(SIGXFSZ, &action, nullptr);
+}
+
+bool wasInterrupted() {
+  return interruptFlag != 0;
+}
+
+Progress::Progress(bool quiet) : visible_(!quiet && isatty(STDERR_FILENO) != 0) {}
+
+Progress::~Progress() {
+  if (width_ > 0) {
+    std::cerr << '\r' << std::string(width_, ' ') << '\r' << std::flush;
+  }
+}
+
+bool Progress::isDue() const {
+  return visible_ && nowMs() - lastMs_ >= 100;
+}
+
+void Progress::show(const std::string& text, bool always) {
+  if (!visible_ || (!always && !isDue())) {
+    return;
+  }
+  lastMs_ = nowMs();
+  const std::size_t padding = width_ > text.size() ? width_ - text.size() : 0;
+  std::cerr << '\r' << text << std::string(padding, ' ') << std::flush;
+  width_ = text.size();
+}
+
+std::string durationText(double seconds) {
+  const long long whole = std::llround(std::max(0.0, seconds));
+  const auto two = [](long long value) { return (value < 10 ? "0" : "") + std::to_string(value); };
+  if (whole < 60) {
+    return std::to_string(whole) + " s";
+  }
+  if (whole < 3600) {
+    return std::to_string(whole / 60) + " min " + two(whole % 60) + " s";
+  }
+  return std::to_string(whole / 3600) + " h " + two(whole % 3600 / 60) + " min";
+}
+
+}  // namespace app

@@ -1,0 +1,171 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "app/cli/CommandLine.h"
+#include "app/cli/Commands.h"
+#include "app/cli/Console.h"
+#include "app/run/DataPaths.h"
+#include "bt/human/HumanNodes.h"
+#include "bt/tree/TreeXml.h"
+#include "metrics/MetricRegistry.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/world/World.h"
+
+namespace app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What `list` knows of one thing: its name and further columns.
+struct Entry {
+  std::string name;
+  std::vector<std::string> columns;
+  Json details = Json::object();
+};
+
+std::vector<Entry> plainEntries(const std::vector<std::string>& names) {
+  std::vector<Entry> entries;
+  for (const std::string& name : names) {
+    entries.push_back({name, {}, {}});
+  }
+  return entries;
+}
+
+Json portJson(const bt::PortSpec& port) {
+  Json json = {{"name", port.name},
+               {"direction", bt::portDirectionTag(port.direction)},
+               {"type", bt::portTypeName(port.type)},
+               {"required", port.required}};
+  json["default"] = port.defaultText ? Json(*port.defaultText) : Json();
+  json["unit"] = port.unit;
+  json["minimum"] = port.min ? Json(*port.min) : Json();
+  json["maximum"] = port.max ? Json(*port.max) : Json();
+  json["description"] = port.description;
+  return json;
+}
+
+std::vector<Entry> nodeEntries(const bt::NodeCatalogue& catalogue) {
+  std::vector<Entry> entries;
+  for (const bt::NodeManifest& node : catalogue.all()) {
+    Entry entry;
+    entry.name = node.id;
+    std::string ports;
+    entry.details["kind"] = bt::nodeKindName(node.kind);
+    entry.details["category"] = node.category;
+    entry.details["origin"] = bt::nodeOriginName(node.origin);
+    entry.details["description"] = node.description;
+    entry.details["ports"] = Json::array();
+    for (const bt::PortSpec& port : node.ports) {
+      ports += (ports.empty() ? "" : ", ") + port.name;
+      entry.details["ports"].push_back(portJson(port));
+    }
+    entry.columns = {bt::nodeKindName(node.kind), ports};
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+std::vector<Entry> metricEntries() {
+  std::vector<Entry> entries;
+  for (const metrics::MetricEntry& metric : metrics::standardRegistry().entries()) {
+    const metrics::MetricInfo& info = metric.info;
+    Entry entry;
+    entry.name = info.key;
+    entry.columns = {info.unit.empty() ? "-" : info.unit, info.range,
+                     metrics::betterName(info.better), info.source};
+    entry.details = {
+        {"unit", info.unit},         {"category", metrics::categoryName(info.category)},
+        {"range", info.range},       {"better", metrics::betterName(info.better)},
+        {"formula", info.formula},   {"source", info.source},
+        {"hunav_number", info.hunav}};
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+std::vector<Entry> scenarioEntries() {
+  std::vector<Entry> entries;
+  for (const ShippedScenario& scenario : shippedScenarios()) {
+    entries.push_back({scenario.name, {scenario.path}, {{"path", scenario.path}}});
+  }
+  return entries;
+}
+
+void printText(const std::vector<Entry>& entries) {
+  std::vector<std::size_t> widths;
+  for (const Entry& entry : entries) {
+    widths.resize(std::max(widths.size(), entry.columns.size() + 1), 0);
+    widths[0] = std::max(widths[0], entry.name.size());
+    for (std::size_t k = 0; k < entry.columns.size(); ++k) {
+      widths[k + 1] = std::max(widths[k + 1], entry.columns[k].size());
+    }
+  }
+  for (const Entry& entry : entries) {
+    std::string line = entry.name;
+    std::size_t column = widths.empty() ? 0 : widths[0];
+    for (std::size_t k = 0; k < entry.columns.size(); ++k) {
+      line.resize(std::max(line.size(), column), ' ');
+      line += "  " + entry.columns[k];
+      column += 2 + widths[k + 1];
+    }
+    printLine(base::trimmed(line));
+  }
+}
+
+void printJson(const std::vector<Entry>& entries) {
+  Json all = Json::array();
+  for (const Entry& entry : entries) {
+    Json json = {{"name", entry.name}};
+    if (entry.details.is_object()) {
+      json.update(entry.details);
+    }
+    all.push_back(std::move(json));
+  }
+  printLine(all.dump(2));
+}
+
+}  // namespace
+
+int listCommand(const ListOptions& options, const OutputOptions& output) {
+  const bool json = output.json || options.format == "json";
+  if (options.format == "xml") {
+    if (options.what != "nodes") {
+      printError("--format xml is for nodes alone (text and json are for all)");
+      return kWrongCommandLine;
+    }
+    const bt::NodeLibrary library = bt::humanNodes();
+    print(bt::writeModel(library.catalogue()));
+    return kFine;
+  }
+  if (options.format == "markdown") {
+    if (options.what != "metrics") {
+      printError("--format markdown is for metrics alone (text and json are for all)");
+      return kWrongCommandLine;
+    }
+    print(metrics::metricsMarkdown(metrics::standardRegistry()));
+    return kFine;
+  }
+  std::vector<Entry> entries;
+  if (options.what == "nodes") {
+    const bt::NodeLibrary library = bt::humanNodes();
+    entries = nodeEntries(library.catalogue());
+  } else if (options.what == "metrics") {
+    entries = metricEntries();
+  } else if (options.what == "models") {
+    entries = plainEntries(sim2d::modelNames());
+  } else if (options.what == "robots") {
+    entries = plainEntries(sim2d::robotTypeNames());
+  } else if (options.what == "planners") {
+    entries = plainEntries(sim2d::plannerNames());
+  } else {
+    entries = scenarioEntries();
+  }
+  json ? printJson(entries) : printText(entries);
+  return kFine;
+}
+
+}  // namespace app

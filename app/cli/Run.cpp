@@ -1,0 +1,248 @@
+#include <cmath>
+
+#include "app/cli/CommandLine.h"
+#include "app/cli/Commands.h"
+#include "app/cli/Console.h"
+#include "app/run/Manifest.h"
+#include "app/run/MetricsChoice.h"
+#include "app/run/MetricsSetup.h"
+#include "app/run/Preparation.h"
+#include "app/run/RunFolder.h"
+#include "editor/document/QtImageLoader.h"
+#include "metrics/Counterfactual.h"
+#include "metrics/ReportFiles.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/trace/Recorder.h"
+#include "sim2d/world/Runner.h"
+
+namespace app {
+
+namespace {
+
+std::string oneDecimal(double value) {
+  return base::formatDecimals(std::round(value * 10.0) / 10.0, 1);
+}
+
+FinishedRun simulate(sim2d::World& world, const sim2d::Scenario& scenario,
+                     const MetricsSetup& scenarioSetup, RunWriter& writer,
+                     const OutputOptions& output) {
+  const sim2d::StopRule rule = sim2d::stopRuleOf(scenario);
+  sim2d::Recorder recorder(scenario.desktop.recordEvery.value_or(1), &writer);
+  const double end = static_cast<double>(rule.maximumSteps) * world.dt();
+  sim2d::StepTimes times;
+  metrics::PlanningTime planning;
+  double planned = 0.0;  // [s] up to the step before
+  if (!world.frame().robots.id.empty()) {
+    world.measure(&times);
+  }
+  sim2d::RunResult result;
+  {
+    Progress progress(output.quiet);
+    result = sim2d::run(world, rule, recorder, [&](const sim2d::Frame& frame) {
+      const double now = times.seconds[static_cast<std::size_t>(sim2d::StepPhase::Robots)];
+      if (times.steps > planning.steps()) {
+        planning.add(now - planned);
+        planned = now;
+      }
+      if (progress.isDue()) {
+        progress.show(oneDecimal(frame.time) + " / " + oneDecimal(end) + " s simulated");
+      }
+      return wasInterrupted() || writer.hasFailed();
+    });
+  }
+  world.measure(nullptr);
+  sim2d::TraceHeader header = recorder.finish(world.header()).header;
+  noteMetricsFile(scenarioSetup, header);
+  return {std::move(header), std::move(result), planning, writer.evaluation(), {}, false};
+}
+
+/// The same people with the same draws, alone; as many steps as the run had.
+base::Result<sim2d::Trace> simulateWithoutRobots(const Preparation& preparation,
+                                                 const RunOptions& options, std::int64_t steps) {
+  Preparation alone = preparation;
+  auto scenario = std::make_shared<sim2d::Scenario>(*preparation.scenario);
+  for (sim2d::Robot& robot : scenario->robots) {
+    robot.listed = false;
+  }
+  alone.scenario = scenario;
+  const base::Result<std::unique_ptr<sim2d::World>> world = makeWorld(alone, options);
+  if (!world) {
+    return world.diagnostics();
+  }
+  sim2d::Recorder recorder(scenario->desktop.recordEvery.value_or(1));
+  const sim2d::RunResult result = sim2d::run(**world, {steps, false}, recorder,
+                                             [](const sim2d::Frame&) { return wasInterrupted(); });
+  if (result.status != sim2d::RunStatus::Finished) {
+    return base::makeError("the run without robots ended early: " + result.reason,
+                           options.scenario);
+  }
+  return recorder.finish((*world)->header());
+}
+
+/// Adds the sums to the metrics and makes the table of people.
+base::Diagnostics compareWithoutRobots(const Preparation& preparation, const RunOptions& options,
+                                       const RunWriter& writer, FinishedRun& run) {
+  if (run.header.robots.empty()) {
+    return {base::makeWarning("--counterfactual: the scenario has no robot", options.scenario)};
+  }
+  const base::Result<sim2d::Trace> alone =
+      simulateWithoutRobots(preparation, options, run.result.steps);
+  if (!alone) {
+    return alone.diagnostics();
+  }
+  sim2d::Trace with = writer.trace();
+  with.header = run.header;
+  const std::vector<metrics::PersonEffect> effects = metrics::personEffects(with, *alone);
+  run.effectsCsv = metrics::effectsCsv(effects);
+  if (run.evaluation) {
+    const std::vector<metrics::MetricResult> sums = metrics::effectSums(effects);
+    run.evaluation->results.insert(run.evaluation->results.end(), sums.begin(), sums.end());
+  }
+  return alone.diagnostics();
+}
+
+std::string lastLine(const FinishedRun& run, double dt) {
+  const double simulated = static_cast<double>(run.result.steps) * dt;
+  const double wall = run.result.steppingSeconds;
+  const std::string factor =
+      wall > 0.0 ? base::formatDecimals(std::round(simulated / wall), 0) + "x real time" : "-";
+  return factor + " (" + oneDecimal(simulated) + " s simulated in " +
+         base::formatDecimals(std::round(wall * 1000.0) / 1000.0, 3) + " s)";
+}
+
+/// The table may differ from run to run, the files may not. Not beside metrics chosen by key.
+metrics::Evaluation withPlanningTime(const FinishedRun& run) {
+  metrics::Evaluation evaluation = *run.evaluation;
+  for (metrics::MetricResult& time : run.planning.results()) {
+    if (!evaluation.isSelection) {
+      evaluation.results.push_back(std::move(time));
+    }
+  }
+  return evaluation;
+}
+
+void show(const FinishedRun& run, double dt, const OutputOptions& output) {
+  if (output.json && run.evaluation) {
+    print(metrics::toJson(*run.evaluation));
+  } else if (!output.quiet && !output.json) {
+    if (run.evaluation) {
+      print(metrics::tableText(withPlanningTime(run)));
+    }
+    printLine(lastLine(run, dt));
+  }
+}
+
+std::string simulatedText(const FinishedRun& run) {
+  return oneDecimal(static_cast<double>(run.result.steps) * run.header.dt) + " s";
+}
+
+int exitCodeOf(const FinishedRun& run, const std::string& scenario) {
+  switch (run.result.status) {
+    case sim2d::RunStatus::Finished:
+      return kFine;
+    case sim2d::RunStatus::Failed:
+      printDiagnostics({base::makeError("the run failed: " + run.result.reason, scenario)});
+      return kRunFailed;
+    case sim2d::RunStatus::Interrupted:
+      printError("interrupted after " + simulatedText(run) + ": the part so far is kept");
+      return kRunFailed;
+  }
+  return kRunFailed;
+}
+
+struct Outcome {
+  RunWriter& writer;
+  FinishedRun& run;
+};
+
+/// Comparison, files and table of a run; returns the exit code.
+int conclude(const RunOptions& options, const OutputOptions& output, const Preparation& preparation,
+             const std::vector<std::string>& commandLine, const Outcome& outcome) {
+  FinishedRun& run = outcome.run;
+  bool isCompared = true, isWritten = true;
+  if (options.counterfactual && run.result.status == sim2d::RunStatus::Finished) {
+    const base::Diagnostics told = compareWithoutRobots(preparation, options, outcome.writer, run);
+    printDiagnostics(told);
+    isCompared = !base::hasErrors(told);
+  }
+  if (!options.output.empty()) {
+    const base::Diagnostics problems =
+        writeRunFolder(options.output, run, outcome.writer, preparation, commandLine);
+    printDiagnostics(problems);
+    isWritten = !base::hasErrors(problems);
+  }
+  show(run, run.header.dt, output);
+  if (!isWritten) {
+    printError("after " + simulatedText(run) + " of the run: its files are not complete");
+    return kBadInput;
+  }
+  const int code = exitCodeOf(run, options.scenario);
+  return code == kFine && !isCompared ? kRunFailed : code;
+}
+
+/// Of the metrics what nobody will read is not worked out: per sample only for the files, per
+/// behaviour type for them and for JSON.
+void wantNoMore(const RunOptions& options, const OutputOptions& output,
+                metrics::Selection& selection) {
+  const bool hasFiles = !options.totals && !options.output.empty();
+  selection.series = selection.seriesOnDisk = hasFiles;
+  selection.behaviors = !options.totals && (hasFiles || output.json);
+  selection.behaviorSeries = false;  // in none of the files
+}
+
+}  // namespace
+
+int runCommand(const RunOptions& options, const OutputOptions& output,
+               const std::vector<std::string>& commandLine) {
+  const base::Diagnostics wrong = checkOptions(options);
+  const base::Result<sim2d::Compatibility> compatibility =
+      options.compat.empty() ? base::Result<sim2d::Compatibility>(sim2d::Compatibility())
+                             : sim2d::Compatibility::parse(options.compat);
+  printDiagnostics(wrong);
+  printDiagnostics(compatibility.diagnostics());
+  if (!wrong.empty() || !compatibility) {
+    return kWrongCommandLine;
+  }
+  Preparation preparation = prepare(options, *compatibility, editor::loadMapImage);
+  base::Result<MetricsSetup> setup = metricsSetupOf(*preparation.scenario, options.scenario);
+  base::append(preparation.diagnostics, setup.diagnostics());
+  const MetricsSetup scenarioSetup = setup ? *setup : MetricsSetup();
+  if (setup) {
+    base::append(preparation.diagnostics, chooseMetrics({options.metrics, options.metricsProfile},
+                                                        *setup, preparation.wrongWords));
+  }
+  printDiagnostics(preparation.wrongWords);
+  if (base::hasErrors(preparation.wrongWords)) {
+    return kWrongCommandLine;
+  }
+  if (!options.output.empty() && preparation.ok()) {  // else nothing will be written
+    base::append(preparation.diagnostics, checkWritableFolder(options.output));
+  }
+  printDiagnostics(preparation.diagnostics, base::Severity::Warning);  // hints are for check
+  if (!preparation.ok()) {
+    return kBadInput;
+  }
+  const base::Result<std::unique_ptr<sim2d::World>> world = makeWorld(preparation, options);
+  printDiagnostics(world.diagnostics());
+  if (!world) {
+    return kBadInput;
+  }
+  catchInterrupts();
+  wantNoMore(options, output, setup->selection);
+  RunWriter writer(options.totals ? std::string() : options.output, **world, setup->selection,
+                   setup->parameters);
+  if (options.counterfactual) {
+    writer.keepTrace();
+  }
+  FinishedRun run = simulate(**world, *preparation.scenario, scenarioSetup, writer, output);
+  run.totalsOnly = options.totals;
+  base::Diagnostics troubles;
+  (*world)->behavior().takeDiagnostics(troubles);
+  printDiagnostics(troubles);
+  if (!run.evaluation) {
+    printDiagnostics(run.evaluation.diagnostics());
+  }
+  return conclude(options, output, preparation, commandLine, {writer, run});
+}
+
+}  // namespace app

@@ -1,0 +1,249 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "app/cli/CommandLine.h"
+#include "app/cli/Commands.h"
+#include "app/cli/Console.h"
+#include "app/run/TreePlay.h"
+#include "bt/human/HumanNodes.h"
+#include "bt/human/Templates.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/scenario/ScenarioFile.h"
+
+namespace app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr auto kReplaceBadText = Json::error_handler_t::replace;
+
+/// A tree file that was made: of a person, or the one that all include.
+struct MadeFile {
+  std::string name;
+  std::optional<int> agent;
+  std::string text;
+};
+
+std::vector<MadeFile> makeFiles(const sim2d::Scenario& scenario, const std::string& base,
+                                bt::TreeStyle style) {
+  const bt::NodeLibrary library = bt::humanNodes();
+  std::vector<MadeFile> files;
+  for (const sim2d::Human& human : scenario.humans) {
+    if (human.listed) {
+      files.push_back({bt::treeFileName(base, human.id), human.id,
+                       bt::makeTreeText(scenario, human, style, library.catalogue())});
+    }
+  }
+  files.push_back({bt::kRegularNavFile, std::nullopt, bt::regularNavText(library.catalogue())});
+  return files;
+}
+
+/// File names are made of the base name and the ids: they must not lead out of the folder or meet.
+base::Diagnostics checkNames(const std::string& base, const std::vector<MadeFile>& files,
+                             const std::string& scenario) {
+  if (base.empty() || base.find('/') != std::string::npos || base.find('\0') != std::string::npos) {
+    return {base::makeError("'" + base + "' cannot begin the names of files (yaml_base_name)",
+                            scenario)};
+  }
+  base::Diagnostics problems;
+  std::set<std::string> seen;
+  for (const MadeFile& file : files) {
+    if (!seen.insert(file.name).second) {
+      problems.push_back(base::makeError(
+          "two people have the id " + std::to_string(file.agent.value_or(0)), scenario));
+    }
+  }
+  return problems;
+}
+
+Json agentJson(const MadeFile& file) {
+  return file.agent ? Json(*file.agent) : Json();
+}
+
+void printFiles(const std::vector<MadeFile>& files, const OutputOptions& output) {
+  Json all = Json::array();
+  for (const MadeFile& file : files) {
+    if (output.json) {
+      all.push_back({{"file", file.name}, {"agent", agentJson(file)}, {"text", file.text}});
+    } else {
+      print("==> " + file.name + " <==\n" + file.text + (file.agent ? "\n" : ""));
+    }
+  }
+  if (output.json) {
+    printLine(all.dump(2, ' ', false, kReplaceBadText));
+  }
+}
+
+/// Each file beside itself, then renamed; says for each what became of it.
+int writeFiles(const std::vector<MadeFile>& files, const std::string& folder,
+               const OutputOptions& output) {
+  Json all = Json::array();
+  base::Diagnostics problems;
+  for (const MadeFile& file : files) {
+    const std::string path = (fs::path(folder) / file.name).string();
+    std::error_code ignored;
+    const bool exists = fs::exists(path, ignored);
+    const base::Result<std::string> present = base::readTextFile(path);
+    const bool isSame = present && *present == file.text;
+    const base::Diagnostics failed =
+        isSame ? base::Diagnostics() : base::writeFileAtomically(path, file.text);
+    base::append(problems, failed);
+    if (!failed.empty()) {
+      continue;
+    }
+    const std::string state = isSame ? "unchanged" : exists ? "replaced" : "written";
+    all.push_back({{"file", path}, {"agent", agentJson(file)}, {"state", state}});
+    if (!output.json && !output.quiet) {
+      printLine(state + std::string(10 - state.size(), ' ') + path);
+    }
+  }
+  if (output.json) {
+    printLine(all.dump(2, ' ', false, kReplaceBadText));
+  }
+  printDiagnostics(problems);
+  return base::hasErrors(problems) ? kBadInput : kFine;
+}
+
+int generate(const TreesOptions& options, const OutputOptions& output) {
+  const sim2d::ScenarioReading reading = sim2d::readScenario(options.scenario);
+  printDiagnostics(reading.diagnostics, base::Severity::Warning);
+  if (!reading.ok()) {
+    return kBadInput;
+  }
+  const std::string base =
+      reading.scenario.yamlBaseName.value_or(fs::path(options.scenario).stem().string());
+  const bt::TreeStyle style =
+      options.style == "hunav2" ? bt::TreeStyle::Hunav2 : bt::TreeStyle::Corrected;
+  const std::vector<MadeFile> files = makeFiles(reading.scenario, base, style);
+  const base::Diagnostics problems = checkNames(base, files, options.scenario);
+  if (!problems.empty()) {
+    printDiagnostics(problems);
+    return kBadInput;
+  }
+  if (options.output.empty()) {
+    printFiles(files, output);
+    return kFine;
+  }
+  return writeFiles(files, options.output, output);
+}
+
+const char* statusText(const LeafCall& call) {
+  return call.isHalt ? "HALTED" : base::nodeStatusName(call.status);
+}
+
+std::string padded(std::string text, std::size_t width) {
+  text.resize(std::max(text.size(), width), ' ');
+  return text + "  ";
+}
+
+/// Shows a play tick by tick, as a table or, at the end, as JSON.
+class PlayPrinter {
+ public:
+  PlayPrinter(const TreePlay& play, const TreesOptions& options, const OutputOptions& output)
+      : play_(play), options_(options), output_(output) {
+    width_ = std::max(std::string("tick").size(), std::to_string(options.ticks).size());
+    if (isTable()) {
+      printLine(padded("tick", width_) + padded("root", kStatusWidth) + "leaves");
+    }
+  }
+
+  void show(int tick, base::NodeStatus root) {
+    if (output_.json) {
+      ticks_.push_back(jsonOf(tick, root));
+    } else if (isTable()) {
+      std::string line =
+          padded(std::to_string(tick), width_) + padded(base::nodeStatusName(root), kStatusWidth);
+      const char* comma = "";
+      for (const LeafCall& call : play_.calls()) {
+        line += comma + play_.program().label(call.node) + " " + statusText(call);
+        comma = ", ";
+      }
+      printLine(line.substr(0, line.find_last_not_of(' ') + 1));
+    }
+  }
+
+  void finish() const {
+    if (output_.json) {
+      printLine(ticks_.dump(2, ' ', false, kReplaceBadText));
+    }
+  }
+
+ private:
+  static constexpr std::size_t kStatusWidth = 7;
+
+  bool isTable() const { return !output_.json && !output_.quiet; }
+
+  Json jsonOf(int tick, base::NodeStatus root) const {
+    Json leaves = Json::array();
+    for (const LeafCall& call : play_.calls()) {
+      const bt::Program& program = play_.program();
+      leaves.push_back({{"name", program.label(call.node)},
+                        {"id", program.manifest(call.node).id},
+                        {"path", program.path(call.node)},
+                        {"status", statusText(call)}});
+    }
+    return {{"tick", tick},
+            {"time", tick * options_.dt},
+            {"root", base::nodeStatusName(root)},
+            {"leaves", std::move(leaves)}};
+  }
+
+  const TreePlay& play_;
+  const TreesOptions& options_;
+  const OutputOptions& output_;
+  std::size_t width_ = 0;
+  Json ticks_ = Json::array();
+};
+
+int play(const TreesOptions& options, const OutputOptions& output) {
+  PlaySetup setup;
+  setup.tree = options.play;
+  setup.script = options.script;
+  setup.dt = options.dt;
+  setup.seed = static_cast<std::uint64_t>(options.seed);
+  if (!options.compat.empty()) {
+    const base::Result<sim2d::Compatibility> chosen = sim2d::Compatibility::parse(options.compat);
+    printDiagnostics(chosen.diagnostics());
+    if (!chosen) {
+      return kWrongCommandLine;
+    }
+    setup.compatibility = *chosen;
+  }
+  const base::Result<std::unique_ptr<TreePlay>> made = TreePlay::create(setup);
+  printDiagnostics(made.diagnostics(), base::Severity::Warning);
+  if (!made) {
+    return kBadInput;
+  }
+  TreePlay& tree = **made;
+  PlayPrinter printer(tree, options, output);
+  base::Diagnostics fault;
+  for (int tick = 1; tick <= options.ticks && fault.empty(); ++tick) {
+    printer.show(tick, tree.tick());
+    fault = tree.fault();
+  }
+  printer.finish();
+  printDiagnostics(fault);
+  return fault.empty() ? kFine : kRunFailed;
+}
+
+}  // namespace
+
+int treesCommand(const TreesOptions& options, const OutputOptions& output) {
+  if (options.scenario.empty() == options.play.empty()) {
+    printError("trees needs a scenario, or a tree to play: --play FILE");
+    return kWrongCommandLine;
+  }
+  if (!std::isfinite(options.dt) || options.dt <= 0.0 || options.dt > 10.0) {
+    printError("--dt is a number of seconds above 0, 10 at most");
+    return kWrongCommandLine;
+  }
+  return options.play.empty() ? generate(options, output) : play(options, output);
+}
+
+}  // namespace app

@@ -1,0 +1,74 @@
+#include "app/run/DataPaths.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "sim2d/base/Text.h"
+
+namespace app {
+
+namespace fs = std::filesystem;
+
+std::string programPath() {
+  std::error_code error;
+  const fs::path path = fs::read_symlink("/proc/self/exe", error);
+  return error ? std::string() : path.string();
+}
+
+std::string shippedMapsFolder() {
+  const fs::path folder = fs::path(programPath()).parent_path();
+  for (const char* place : {"../share/hunavsim/maps", "../../maps"}) {
+    std::error_code error;
+    const fs::path maps = (folder / place).lexically_normal();
+    if (fs::is_directory(maps, error)) {
+      return maps.string();
+    }
+  }
+  return {};
+}
+
+std::vector<ShippedScenario> shippedScenarios() {
+  std::vector<ShippedScenario> found;
+  std::error_code error;
+  const std::string maps = shippedMapsFolder();
+  if (maps.empty()) {
+    return found;
+  }
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(maps, error)) {
+    if (entry.path().extension() != ".yaml") {
+      continue;
+    }
+    const base::Result<std::string> text = base::readTextFile(entry.path().string());
+    if (text && text->find("hunav_loader:") != std::string::npos) {
+      found.push_back({entry.path().stem().string(), entry.path().string()});
+    }
+  }
+  std::sort(found.begin(), found.end(),
+            [](const ShippedScenario& a, const ShippedScenario& b) { return a.name < b.name; });
+  return found;
+}
+
+std::string scenarioFile(const std::string& fileOrName) {
+  std::error_code ignored;
+  if (!fs::exists(fileOrName, ignored)) {
+    for (const ShippedScenario& shipped : shippedScenarios()) {
+      if (shipped.name == fileOrName) {
+        return shipped.path;
+      }
+    }
+  }
+  return fileOrName;
+}
+
+std::string demoScenarioPath() {
+  return (fs::path(shippedMapsFolder()) / "corner_cafe" / "corner_cafe_agents.yaml").string();
+}
+
+std::string programVersion() {
+  return HUNAVSIM_VERSION;
+}
+std::string programCommit() {
+  return HUNAVSIM_COMMIT;
+}
+
+}  // namespace app

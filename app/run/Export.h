@@ -1,0 +1,62 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bt/human/Templates.h"
+#include "sim2d/base/FileSet.h"
+#include "sim2d/map/MapReader.h"
+#include "sim2d/scenario/Export.h"
+
+namespace app {
+
+/// A scenario that is handed to another simulator, with its map and trees.
+struct ExportSource {
+  sim2d::Scenario scenario;
+  std::string path;                                 // of the scenario file; empty: not saved
+  std::string mapPath;                              // of the map's YAML; empty: none, or only drawn
+  std::shared_ptr<const sim2d::OccupancyGrid> map;  // null or empty: no map
+  struct Tree {
+    std::string text;
+    std::string path;  // for what it includes; empty: not in a file
+  };
+  std::map<std::string, Tree> trees;  // by name of the person; others are generated
+  int comments = 0;                   // in the scenario file, lost
+  base::Diagnostics problems;         // of the map, for the report
+};
+
+struct ExportRequest {
+  std::string target = "native";
+  std::optional<sim2d::Dialect> dialect;
+  bt::TreeStyle style = bt::TreeStyle::Corrected;  // of trees that are generated
+  std::string folder;
+  std::string baseName;  // empty: the scenario's
+};
+
+/// What an export would write; nothing is written yet.
+struct ExportPlan {
+  enum class State { New, Replaced, Unchanged };
+  struct File {
+    base::FileContent content;
+    State state = State::New;
+  };
+  std::vector<File> files;
+  base::Diagnostics report;  // errors: it cannot be done
+  std::string startCommand;
+};
+
+const char* stateName(ExportPlan::State state);  // "written", "replaced", "unchanged"
+
+ExportPlan planExport(const ExportSource& source, const ExportRequest& request);
+/// All files or none.
+base::Diagnostics writeExport(const ExportPlan& plan);
+
+/// A scenario file with what belongs to it: `map` and `trees` as the options of `run`.
+base::Result<ExportSource> readExportSource(const std::string& scenario, const std::string& map,
+                                            const std::string& trees,
+                                            const sim2d::ImageLoader& loader);
+
+}  // namespace app

@@ -1,0 +1,110 @@
+#include "app/run/LeafScript.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/base/yaml/YamlTree.h"
+
+namespace app {
+
+namespace {
+
+using base::NodeStatus;
+using base::YamlNode;
+
+constexpr const char* kStatuses = "SUCCESS, FAILURE or RUNNING";
+
+std::optional<NodeStatus> statusOf(const std::string& word) {
+  for (const NodeStatus status : {NodeStatus::Success, NodeStatus::Failure, NodeStatus::Running}) {
+    if (word == base::nodeStatusName(status)) {
+      return status;
+    }
+  }
+  return std::nullopt;
+}
+
+class Reader {
+ public:
+  explicit Reader(const std::string& path) { script_.path = path; }
+
+  base::Result<LeafScript> read(const std::string& text) {
+    const YamlNode root = base::parseYaml(text, script_.path, problems_);
+    if (!base::hasErrors(problems_)) {
+      readRoot(root);
+    }
+    if (base::hasErrors(problems_)) {
+      return problems_;
+    }
+    return {std::move(script_), std::move(problems_)};
+  }
+
+ private:
+  void readRoot(const YamlNode& root) {
+    if (root.isNull()) {
+      return;  // nothing is said: every leaf succeeds
+    }
+    if (!root.isMap()) {
+      error(root, "a script is a map: name of a leaf -> list of statuses");
+      return;
+    }
+    for (const YamlNode& item : root.items) {
+      readEntry(item);
+    }
+  }
+
+  void readEntry(const YamlNode& item) {
+    LeafScript::Entry entry;
+    entry.leaf = item.key;
+    entry.line = item.keyLine;
+    entry.column = item.keyColumn;
+    if (item.isList()) {
+      for (const YamlNode& word : item.items) {
+        readStatus(word, entry);
+      }
+    } else {
+      readStatus(item, entry);
+    }
+    if (item.isList() && item.items.empty()) {
+      error(item, "the list of '" + item.key + "' is empty (one status at least)");
+    }
+    script_.entries.push_back(std::move(entry));
+  }
+
+  void readStatus(const YamlNode& word, LeafScript::Entry& entry) {
+    const std::optional<NodeStatus> status = word.isScalar() ? statusOf(word.text) : std::nullopt;
+    if (status) {
+      entry.statuses.push_back(*status);
+      return;
+    }
+    const std::string what = word.isScalar() ? "'" + word.text + "' is" : "this is";
+    error(word, what + " no status of a leaf (" + kStatuses + ")");
+  }
+
+  void error(const YamlNode& node, const std::string& message) {
+    const bool isValue = !node.isNull() || node.keyLine == 0;  // nothing stands behind its key
+    problems_.push_back(base::makeError(message, script_.path, isValue ? node.line : node.keyLine,
+                                        isValue ? node.column : node.keyColumn));
+  }
+
+  LeafScript script_;
+  base::Diagnostics problems_;
+};
+
+}  // namespace
+
+const LeafScript::Entry* LeafScript::find(const std::string& leaf) const {
+  const auto found = std::find_if(entries.begin(), entries.end(),
+                                  [&leaf](const Entry& entry) { return entry.leaf == leaf; });
+  return found == entries.end() ? nullptr : &*found;
+}
+
+base::Result<LeafScript> readLeafScript(const std::string& path) {
+  const base::Result<std::string> text = base::readTextFile(path);
+  if (!text) {
+    return text.diagnostics();
+  }
+  return Reader(path).read(*text);
+}
+
+}  // namespace app

@@ -1,0 +1,140 @@
+#include "app/run/Manifest.h"
+
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/run/DataPaths.h"
+#include "app/run/Sha256.h"
+#include "bt/tree/TreeXml.h"
+
+namespace app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+const char* statusName(sim2d::RunStatus status) {
+  switch (status) {
+    case sim2d::RunStatus::Finished:
+      return "finished";
+    case sim2d::RunStatus::Failed:
+      return "failed";
+    case sim2d::RunStatus::Interrupted:
+      return "interrupted";
+  }
+  return "";
+}
+
+/// The files that were read, those that trees include too, each once.
+std::vector<std::string> allInputs(const Preparation& preparation) {
+  std::vector<std::string> inputs;
+  std::set<fs::path> seen;
+  const auto add = [&](const std::string& path) {
+    std::error_code ignored;  // as it is named, if it is gone by now
+    const fs::path real = fs::weakly_canonical(path, ignored);
+    if (seen.insert(real.empty() ? fs::path(path) : real).second) {
+      inputs.push_back(path);
+    }
+  };
+  for (const std::string& path : preparation.inputs) {
+    add(path);
+  }
+  for (const auto& [person, path] : preparation.treePaths) {
+    const base::Result<bt::TreeTable> trees =
+        path.empty() ? base::Result<bt::TreeTable>(bt::TreeTable()) : bt::loadTrees(path);
+    if (!trees) {
+      continue;  // told when it was loaded for the run
+    }
+    for (const auto& [id, entry] : trees->entries) {
+      add(fs::path(entry.file).lexically_normal().string());
+    }
+  }
+  return inputs;
+}
+
+Json humanJson(const sim2d::TraceHuman& human) {
+  Json json = {{"id", human.id}, {"name", human.name}, {"model", human.model}};
+  for (const auto& [key, value] : human.parameters) {
+    json[key] = value;
+  }
+  return json;
+}
+
+Json robotJson(const sim2d::TraceRobot& robot) {
+  return {{"id", robot.id},
+          {"name", robot.name},
+          {"type", robot.type},
+          {"planner", robot.planner},
+          {"radius", robot.radius},
+          {"mass", robot.mass},
+          {"max_vel", robot.maxVel},
+          {"max_acc", robot.maxAcc},
+          {"max_omega", robot.maxOmega},
+          {"max_alpha", robot.maxAlpha},
+          {"start_time", robot.startTime}};
+}
+
+Json inputJson(const std::string& path) {
+  const std::optional<std::string> hash = sha256OfFile(path);
+  return {{"path", path}, {"sha256", hash ? Json(*hash) : Json()}};
+}
+
+}  // namespace
+
+std::string runManifest(const Preparation& preparation, const sim2d::TraceHeader& header,
+                        const sim2d::RunResult& result, const metrics::PlanningTime& planning,
+                        const std::vector<std::string>& commandLine) {
+  const double simulated = static_cast<double>(result.steps) * header.dt;
+  const sim2d::DesktopSettings& desktop = preparation.scenario->desktop;
+  Json json;
+  json["program"] = {{"version", programVersion()}, {"commit", programCommit()}};
+  json["command_line"] = commandLine;
+  json["status"] = statusName(result.status);
+  json["reason"] = result.reason;
+  json["inputs"] = Json::array();
+  for (const std::string& path : allInputs(preparation)) {
+    json["inputs"].push_back(inputJson(path));
+  }
+  json["seed"] = header.seed;
+  json["dt"] = header.dt;
+  json["model"] = desktop.model.value_or("sfm");
+  json["compat"] = preparation.compatibility.names();
+  json["record_every"] = header.recordEvery;
+  json["steps"] = result.steps;
+  json["simulated_seconds"] = simulated;
+  json["wall_seconds"] = result.steppingSeconds;
+  json["real_time_factor"] =
+      result.steppingSeconds > 0.0 ? Json(simulated / result.steppingSeconds) : Json();
+  for (const metrics::MetricResult& time : planning.results()) {
+    json[time.info.key] = time.value.value ? Json(*time.value.value) : Json();
+  }
+  json["humans"] = Json::array();
+  for (const sim2d::TraceHuman& human : header.humans) {
+    json["humans"].push_back(humanJson(human));
+  }
+  json["robots"] = Json::array();
+  for (const sim2d::TraceRobot& robot : header.robots) {
+    json["robots"].push_back(robotJson(robot));
+  }
+  return json.dump(2) + "\n";
+}
+
+base::Diagnostics checkWritableFolder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder)) {
+    return {base::makeError(
+        "cannot make the folder" + (error ? ": " + error.message() : std::string()), folder)};
+  }
+  if (access(folder.c_str(), W_OK) != 0) {
+    return {base::makeError("cannot write into the folder (no permission)", folder)};
+  }
+  return {};
+}
+
+}  // namespace app

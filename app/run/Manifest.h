@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/run/Preparation.h"
+#include "metrics/PlanningTime.h"
+#include "sim2d/trace/Trace.h"
+#include "sim2d/world/Runner.h"
+
+namespace app {
+
+/// manifest.json of a run: what it came from, what it was set to, how it ended.
+std::string runManifest(const Preparation& preparation, const sim2d::TraceHeader& header,
+                        const sim2d::RunResult& result, const metrics::PlanningTime& planning,
+                        const std::vector<std::string>& commandLine);
+
+/// Makes the folder; an error if it cannot be made or written to.
+base::Diagnostics checkWritableFolder(const std::string& folder);
+
+}  // namespace app

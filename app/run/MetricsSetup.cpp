@@ -1,0 +1,97 @@
+#include "app/run/MetricsSetup.h"
+
+#include <filesystem>
+
+#include "sim2d/base/Text.h"
+
+namespace app {
+
+namespace {
+
+base::Diagnostics readParameters(const std::vector<std::pair<std::string, double>>& settings,
+                                 metrics::MetricParameters& parameters, const std::string& file) {
+  base::Diagnostics problems;
+  for (const auto& [name, value] : settings) {
+    if (const metrics::ParameterInfo* info = metrics::findParameter(name)) {
+      parameters.*(info->member) = value;
+      continue;
+    }
+    std::vector<std::string> known;
+    for (const metrics::ParameterInfo& info : metrics::parameterInfos()) {
+      known.push_back(info.name);
+    }
+    const std::optional<std::string> meant = base::nearestName(name, known);
+    problems.push_back(
+        base::makeError("unknown metric parameter '" + name + "'" +
+                            (meant ? " (did you mean '" + *meant + "'?)" : std::string()),
+                        file));
+  }
+  return problems;
+}
+
+}  // namespace
+
+base::Result<MetricsSetup> metricsSetupOf(const sim2d::Scenario& scenario,
+                                          const std::string& scenarioPath) {
+  const sim2d::MetricsSettings& settings = scenario.desktop.metrics;
+  MetricsSetup setup;
+  base::Diagnostics problems = readParameters(settings.parameters, setup.parameters, scenarioPath);
+  if (settings.file) {
+    namespace fs = std::filesystem;
+    const fs::path path = fs::path(scenarioPath).parent_path() / *settings.file;
+    const base::Result<metrics::MetricsFile> file = metrics::readMetricsFile(path.string());
+    base::append(problems, file.diagnostics());
+    if (file) {
+      setup.selection = file->selection;
+      setup.hasFile = true;
+    }
+  }
+  metrics::Selection& selection = setup.selection;
+  selection.window.from = settings.from.value_or(selection.window.from);
+  selection.window.until = settings.until.value_or(selection.window.until);
+  selection.window.frequency = settings.frequency.value_or(selection.window.frequency);
+  selection.tag = settings.tag.value_or(selection.tag);
+  selection.runId = settings.runId.value_or(selection.runId);
+  if (const std::string wrong = metrics::windowProblem(selection.window); !wrong.empty()) {
+    problems.push_back(base::makeError(wrong, scenarioPath));
+  }
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  return {setup, problems};
+}
+
+base::Diagnostics readMetricsSetup(const sim2d::TraceHeader& header, MetricsSetup& setup) {
+  const char file[] = "trace.json";
+  const sim2d::TraceMetrics& told = header.metrics;
+  base::Diagnostics problems = readParameters(told.parameters, setup.parameters, file);
+  if (!told.selection.empty()) {
+    const base::Result<metrics::MetricsFile> selection =
+        metrics::parseMetricsFile(told.selection, file);
+    base::append(problems, selection.diagnostics());
+    if (selection) {
+      setup.selection = selection->selection;
+      setup.hasFile = true;
+    }
+  }
+  metrics::Selection& selection = setup.selection;
+  selection.window = {told.from, told.until, told.frequency};
+  selection.tag = told.tag;
+  selection.runId = told.runId;
+  if (const std::string wrong = metrics::windowProblem(selection.window); !wrong.empty()) {
+    problems.push_back(base::makeError(wrong, file));
+  }
+  return problems;
+}
+
+void noteMetricsFile(const MetricsSetup& setup, sim2d::TraceHeader& header) {
+  if (!setup.hasFile) {
+    return;
+  }
+  header.metrics.selection = metrics::writeMetricsFile({setup.selection, "metrics", true});
+  header.metrics.frequency = setup.selection.window.frequency;
+  header.metrics.tag = setup.selection.tag;
+  header.metrics.runId = setup.selection.runId;
+}
+
+}  // namespace app

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "metrics/Report.h"
+#include "sim2d/scenario/Scenario.h"
+
+namespace app {
+
+/// What of a run is measured, and how.
+struct MetricsSetup {
+  metrics::Selection selection;
+  metrics::MetricParameters parameters;
+  bool hasFile = false;  // the scenario names a metrics file
+};
+
+/// The settings under `metrics` of a scenario; its file is relative to `scenarioPath`. Problems:
+/// a file that cannot be read, an unknown parameter, a wrong window.
+base::Result<MetricsSetup> metricsSetupOf(const sim2d::Scenario& scenario,
+                                          const std::string& scenarioPath);
+
+/// The same of a record. Problems as above.
+base::Diagnostics readMetricsSetup(const sim2d::TraceHeader& header, MetricsSetup& setup);
+/// Puts what a metrics file of the scenario said into the header of the record (the world fills in
+/// the rest), so that the record alone gives the same numbers.
+void noteMetricsFile(const MetricsSetup& setup, sim2d::TraceHeader& header);
+
+}  // namespace app

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/run/Manifest.h"
+#include "app/run/Preparation.h"
+#include "app/run/RunWriter.h"
+#include "metrics/Report.h"
+#include "sim2d/trace/Trace.h"
+#include "sim2d/world/Runner.h"
+
+namespace app {
+
+/// All that is known after a run, beside the files that were written while it went on.
+struct FinishedRun {
+  sim2d::TraceHeader header;
+  sim2d::RunResult result;
+  metrics::PlanningTime planning;
+  base::Result<metrics::Evaluation> evaluation;
+  std::string effectsCsv;   // of the run without robots; empty = there was none
+  bool totalsOnly = false;  // nothing per step is written
+};
+
+/// The files of a run (FORMAT.md), each written beside and renamed; those of `writer` are put in
+/// their places. Files of a former run of the same names are replaced; metrics files are removed
+/// when this run could not be evaluated. manifest.json and trace.json are taken away first and come
+/// last, only when all others were written: files of two runs never pass for one.
+base::Diagnostics writeRunFolder(const std::string& path, const FinishedRun& run, RunWriter& writer,
+                                 const Preparation& preparation,
+                                 const std::vector<std::string>& commandLine);
+
+}  // namespace app

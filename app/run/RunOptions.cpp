@@ -1,0 +1,171 @@
+#include "app/run/RunOptions.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/scenario/ScenarioFile.h"
+#include "sim2d/world/World.h"
+
+namespace app {
+
+namespace {
+
+bool isTaken(const sim2d::Scenario& scenario, const std::string& name) {
+  const auto has = [&name](const auto& entities) {
+    return std::any_of(entities.begin(), entities.end(),
+                       [&name](const auto& entity) { return entity.name == name; });
+  };
+  return has(scenario.humans) || has(scenario.robots) || has(scenario.obstacles) ||
+         has(scenario.doors) || has(scenario.areas);
+}
+
+sim2d::Robot& firstRobot(sim2d::Scenario& scenario) {
+  for (sim2d::Robot& robot : scenario.robots) {
+    if (robot.listed) {
+      return robot;
+    }
+  }
+  sim2d::Robot robot;
+  robot.key = {base::EntityKind::Robot, scenario.nextKey()};
+  robot.name = "robot1";
+  for (int number = 2; isTaken(scenario, robot.name); ++number) {
+    robot.name = "robot" + std::to_string(number);
+  }
+  return *scenario.robots.insert(scenario.robots.begin(), robot);
+}
+
+bool hasRobot(const sim2d::Scenario& scenario) {
+  for (const sim2d::Robot& robot : scenario.robots) {
+    if (robot.listed) {
+      return true;
+    }
+  }
+  return false;
+}
+
+base::Diagnostics applyRobot(sim2d::Scenario& scenario, const RunOptions& options) {
+  if (!options.robotStart && !options.robotGoal && !options.robot && !options.planner) {
+    return {};
+  }
+  if (!hasRobot(scenario) && !options.robotStart) {
+    return {base::makeError("the scenario has no robot: give --robot-start \"X Y HEADING\" too",
+                            options.scenario)};
+  }
+  const base::Diagnostics wrong = checkOptions(options);
+  if (!wrong.empty()) {
+    return wrong;
+  }
+  sim2d::Robot& robot = firstRobot(scenario);
+  if (options.robotStart) {
+    const std::vector<double> pose = *parseNumbers(*options.robotStart, 3);
+    robot.start = {{pose[0], pose[1]}, base::wrapToPi(pose[2])};
+  }
+  if (options.robotGoal) {
+    const std::vector<double> point = *parseNumbers(*options.robotGoal, 2);
+    robot.goal = sim2d::RobotGoal{};
+    robot.goal.point = sim2d::Vec2(point[0], point[1]);
+  }
+  if (options.robot) {
+    robot.type = options.robot;
+  }
+  if (options.planner) {
+    robot.planner = options.planner;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<std::vector<double>> parseNumbers(const std::string& text, std::size_t count) {
+  std::string spaced = text;
+  for (char& letter : spaced) {
+    letter = letter == ',' ? ' ' : letter;
+  }
+  std::istringstream words(spaced);
+  std::vector<double> values;
+  for (std::string word; words >> word;) {
+    const std::optional<double> value = base::parseDouble(word);
+    if (!value || !(*value >= -1e6 && *value <= 1e6)) {
+      return std::nullopt;
+    }
+    values.push_back(*value);
+  }
+  return values.size() == count ? std::make_optional(values) : std::nullopt;
+}
+
+base::Diagnostics checkNames(const RunOptions& options) {
+  base::Diagnostics wrong;
+  const auto check = [&wrong](const char* option, const std::optional<std::string>& name,
+                              const std::vector<std::string>& known) {
+    if (name && std::find(known.begin(), known.end(), *name) == known.end()) {
+      wrong.push_back(base::makeError(std::string(option) + ": there is no '" + *name +
+                                      "' (known: " + base::join(known, ", ") + ")"));
+    }
+  };
+  check("--model", options.model, sim2d::modelNames());
+  check("--planner", options.planner, sim2d::plannerNames());
+  check("--robot", options.robot, sim2d::robotTypeNames());
+  return wrong;
+}
+
+base::Diagnostics checkOptions(const RunOptions& options) {
+  base::Diagnostics wrong = checkNames(options);
+  const auto refuse = [&wrong](const std::string& message) {
+    wrong.push_back(base::makeError(message));
+  };
+  if (options.robotStart && !parseNumbers(*options.robotStart, 3)) {
+    refuse("--robot-start takes three numbers of at most 1e6: \"X Y HEADING\" (m, m, rad), not \"" +
+           *options.robotStart + "\"");
+  }
+  if (options.robotGoal && !parseNumbers(*options.robotGoal, 2)) {
+    refuse("--robot-goal takes two numbers of at most 1e6: \"X Y\" (m), not \"" +
+           *options.robotGoal + "\"");
+  }
+  if (options.seed && *options.seed < 0) {
+    refuse("--seed takes a whole number >= 0");
+  }
+  if (options.duration && !(*options.duration > 0.0 && *options.duration <= 1e6)) {
+    refuse("--duration takes seconds above 0, at most 1000000");
+  }
+  if (options.dt && !(*options.dt >= 0.001 && *options.dt <= 0.1)) {
+    refuse("--dt takes a step of 0.001 to 0.1 s");
+  }
+  if (options.recordEvery && *options.recordEvery < 1) {
+    refuse("--record-every takes a number of steps >= 1");
+  }
+  if (options.threads < 1 || options.threads > 256) {
+    refuse("--threads takes a number from 1 to 256");
+  }
+  for (const std::string& pair : options.set) {
+    const std::size_t equals = pair.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      refuse("--set takes PATH=VALUE, not \"" + pair + "\"");
+    }
+  }
+  return wrong;
+}
+
+base::Diagnostics applyOptions(sim2d::Scenario& scenario, const RunOptions& options,
+                               const sim2d::Compatibility& compatibility) {
+  base::Diagnostics problems;
+  for (const std::string& pair : options.set) {
+    const std::size_t equals = pair.find('=');
+    base::append(problems,
+                 sim2d::setValue(scenario, pair.substr(0, equals), pair.substr(equals + 1)));
+  }
+  sim2d::DesktopSettings& desktop = scenario.desktop;
+  if (compatibility.hunav2()) {
+    desktop.route = sim2d::Route::Direct;
+    desktop.model = "sfm-hunav2";
+  }
+  desktop.seed = options.seed ? options.seed : desktop.seed;
+  desktop.duration = options.duration ? options.duration : desktop.duration;
+  desktop.dt = options.dt ? options.dt : desktop.dt;
+  desktop.model = options.model ? options.model : desktop.model;
+  desktop.recordEvery = options.recordEvery ? options.recordEvery : desktop.recordEvery;
+  base::append(problems, applyRobot(scenario, options));
+  return problems;
+}
+
+}  // namespace app

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/run/LeafScript.h"
+#include "bt/engine/TreeState.h"
+#include "sim2d/world/Compatibility.h"
+
+/// One behaviour tree by itself, ticked against scripted leaves: for looking at what it does.
+namespace app {
+
+struct PlaySetup {
+  std::string tree;    // file
+  std::string script;  // file; empty = every leaf succeeds
+  double dt = 0.05;    // [s]
+  std::uint64_t seed = 1;
+  sim2d::Compatibility compatibility;
+};
+
+/// A leaf of people's trees was called, or halted while it was RUNNING.
+struct LeafCall {
+  int node = 0;
+  base::NodeStatus status = base::NodeStatus::Idle;
+  bool isHalt = false;
+};
+
+class TreePlay {
+ public:
+  /// Loads and compiles; every problem of tree and script, also names that no leaf has (warnings).
+  static base::Result<std::unique_ptr<TreePlay>> create(const PlaySetup& setup);
+  ~TreePlay();
+  TreePlay(const TreePlay&) = delete;
+  TreePlay& operator=(const TreePlay&) = delete;
+
+  /// One step, the first one is number 1.
+  base::NodeStatus tick();
+  const std::vector<LeafCall>& calls() const;  // of the last tick, in order
+  /// What stopped the tree for good (a failing script of the tree …); none = it goes on.
+  base::Diagnostics fault() const;
+  const bt::Program& program() const;
+
+ private:
+  struct Inside;
+  explicit TreePlay(std::unique_ptr<Inside> inside);
+  std::unique_ptr<Inside> inside_;
+};
+
+}  // namespace app

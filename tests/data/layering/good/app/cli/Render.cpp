@@ -1,0 +1,2 @@
+#include "app/run/Bundle.h"
+#include "editor/View.h"
