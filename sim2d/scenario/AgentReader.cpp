@@ -10,8 +10,6 @@ namespace sim2d {
 namespace {
 
 constexpr long long kLargestInt = 2147483647;
-constexpr Range kSpeed{0.0, 100.0};
-constexpr Range kBodyRadius{0.0, 100.0, true};
 
 std::optional<int> behaviorNumber(const std::string& text) {
   const auto number = base::parseInt(text);
@@ -19,41 +17,11 @@ std::optional<int> behaviorNumber(const std::string& text) {
                                                 : std::nullopt;
 }
 
-std::optional<Configuration> readConfiguration(YamlMap& view) {
-  const auto number = view.bigInteger("configuration", -kLargestInt);
-  if (!number) {
-    return std::nullopt;
-  }
-  if (*number < 0 || *number > 3) {
-    view.warning("configuration", std::to_string(*number) + " is none of 0 to 3 (taken as 0)");
-    return Configuration::Default;
-  }
-  return static_cast<Configuration>(*number);
-}
-
 void readBehaviorMap(YamlMap view, Human& human, LoaderReading& reading) {
-  Behavior& to = human.behavior;
-  bool numbered = false;
-  const auto type = view.text("type");
-  if (type && !type->empty()) {
-    setBehaviorType(to, *type);
-    numbered = behaviorNumber(*type).has_value();
-    warnForeign(to, *view.node().find("type"), view.pathOf("type"), human.key, reading.report);
-  }
-  to.configuration = readConfiguration(view);
-  to.dist = view.number("dist", kNotNegative);
-  to.duration = view.number("duration", kNotNegative);
-  to.once = view.boolean("once");
-  to.vel = view.number("vel", kSpeed);
-  to.safeDistance = view.number("safe_distance", kNotNegative);
-  to.stopDist = view.number("stop_dist", kNotNegative);
-  to.frontDist = view.number("front_dist", kNotNegative);
-  to.goalForceFactor = view.number("goal_force_factor");
-  to.obstacleForceFactor = view.number("obstacle_force_factor");
-  to.socialForceFactor = view.number("social_force_factor");
-  to.otherForceFactor = view.number("other_force_factor");
-  to.unknown = view.takeUnknown();
-  if (numbered) {
+  readFields(view, human.behavior, reading.tables);
+  human.behavior.unknown = view.takeUnknown();
+  const YamlNode* type = view.node().find("type");
+  if (type != nullptr && behaviorNumber(type->text)) {
     reading.numberedType = true;
     convertFromB(human, view.node(), reading.report);
   }
@@ -172,10 +140,10 @@ void readGoals(YamlMap& agent, Human& human, LoaderReading& reading) {
 int LoaderReading::addGoal(const Vec2& position, UnknownKeys unknown, const YamlNode& at) {
   GlobalGoal goal;
   goal.key = newEntity(base::EntityKind::Goal, at);
-  for (; goalsSeen_ < scenario.goals.size(); ++goalsSeen_) {
-    largestGoal_ = std::max(largestGoal_, scenario.goals[goalsSeen_].id);
+  for (; goalsSeen < scenario.goals.size(); ++goalsSeen) {
+    largestGoal = std::max(largestGoal, scenario.goals[goalsSeen].id);
   }
-  goal.id = largestGoal_ + 1;
+  goal.id = largestGoal + 1;
   goal.position = position;
   goal.unknown = std::move(unknown);
   scenario.goals.push_back(goal);
@@ -183,7 +151,7 @@ int LoaderReading::addGoal(const Vec2& position, UnknownKeys unknown, const Yaml
 }
 
 EntityId LoaderReading::newEntity(base::EntityKind kind, const YamlNode& at) {
-  const EntityId entity{kind, ++lastKey_};
+  const EntityId entity{kind, ++lastKey};
   report.lines[entity] = at.keyLine > 0 ? at.keyLine : at.line;
   return entity;
 }
@@ -208,13 +176,7 @@ Human readHuman(const YamlNode& block, bool listed, LoaderReading& reading) {
   human.name = block.key;
   human.listed = listed;
   YamlMap view(&block, block.key, human.key, reading.report);
-  human.id = view.integer("id", 0, kLargestInt).value_or(-1);
-  human.groupId = view.integer("group_id", -kLargestInt, kLargestInt);
-  human.skin = view.integer("skin", -kLargestInt, kLargestInt);
-  human.maxVel = view.number("max_vel", kSpeed);
-  human.radius = view.number("radius", kBodyRadius);
-  human.goalRadius = view.number("goal_radius", kNotNegative);
-  human.cyclicGoals = view.boolean("cyclic_goals");
+  readFields(view, human, reading.tables);
   readPose(view, human);
   readBehavior(view, human, reading);
   readGoals(view, human, reading);

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "sim2d/base/yaml/YamlMap.h"
+#include "sim2d/scenario/FieldTables.h"
 #include "sim2d/scenario/Scenario.h"
 
 /// Reading of the node `hunav_loader`, and what older dialects meant. Private to this folder.
@@ -17,11 +18,9 @@ using base::YamlNode;
 
 /// The state of one reading of hunav_loader.
 struct LoaderReading {
-  LoaderReading(Scenario& readScenario, ReadReport& readReport)
-      : scenario(readScenario), report(readReport) {}
-
   Scenario& scenario;
   ReadReport& report;
+  const FieldTables& tables;
   bool scalarBehavior = false;   // dialect A
   bool numberedType = false;     // dialect B
   bool namedGoals = false;       // dialects A, B
@@ -31,10 +30,9 @@ struct LoaderReading {
   int addGoal(const Vec2& position, UnknownKeys unknown, const YamlNode& at);
   EntityId newEntity(base::EntityKind kind, const YamlNode& at);
 
- private:
-  int lastKey_ = 0;
-  std::size_t goalsSeen_ = 0;  // of the scenario
-  int largestGoal_ = 0;        // among them
+  int lastKey = 0;
+  std::size_t goalsSeen = 0;  // of the scenario
+  int largestGoal = 0;        // among them
 };
 
 /// A map that could be an agent's block.

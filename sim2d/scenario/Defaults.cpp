@@ -7,7 +7,7 @@
 #include "sim2d/base/Rng.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/Outlines.h"
-#include "sim2d/scenario/ScenarioTree.h"
+#include "sim2d/scenario/Fields.h"
 
 namespace sim2d {
 namespace {
@@ -54,11 +54,10 @@ class Sampler {
 };
 
 void takeFactors(ResolvedHuman& to, const Behavior& from, ObstaclePoints points) {
-  to.otherFactor = from.otherForceFactor.value_or(20.0);
   if (to.configuration == Configuration::Custom) {
-    to.goalFactor = from.goalForceFactor.value_or(2.0);
-    to.obstacleFactor = from.obstacleForceFactor.value_or(10.0);
-    to.socialFactor = from.socialForceFactor.value_or(5.0);
+    to.goalFactor = from.goalForceFactor.value_or(to.goalFactor);
+    to.obstacleFactor = from.obstacleForceFactor.value_or(to.obstacleFactor);
+    to.socialFactor = from.socialForceFactor.value_or(to.socialFactor);
     return;
   }
   // each rule of obstacle points has factors made for it
@@ -108,28 +107,6 @@ void drawReaction(ResolvedHuman& to, const Sampler& sampler) {
   }
 }
 
-/// What HuNavSim's tree generator puts in the place of absent keys.
-void takeReaction(ResolvedHuman& to, const Human& human) {
-  const Behavior& from = human.behavior;
-  to.noticeDistance = from.dist.value_or(5.0);
-  to.reactionDuration = from.duration.value_or(40.0);
-  to.reactionOnce = from.once.value_or(false);
-  to.reactionSpeed = from.vel ? *from.vel : human.maxVel.value_or(2.0);
-  to.safeDistance = from.safeDistance.value_or(5.0);
-  to.stopDistance = from.stopDist.value_or(1.5);
-  to.frontDistance = from.frontDist.value_or(1.5);
-}
-
-void takeOurs(ResolvedHuman& to, const PersonExtension& from, const DesktopSettings& desktop) {
-  to.startTime = from.startTime.value_or(0.0);
-  to.kind = from.kind.value_or(PersonKind::Adult);
-  to.mass = from.mass ? *from.mass : massOf(to.kind);
-  to.model = from.model ? *from.model : desktop.model.value_or("sfm");
-  to.route = from.route ? *from.route : desktop.route.value_or(Route::Planned);
-  to.atEnd = from.atEnd.value_or(AtEnd::Stop);
-  to.wait = from.wait;
-}
-
 std::optional<double> parameterValue(const std::string& text) {
   const std::string word = base::lowered(text);
   if (word == "true" || word == "false") {
@@ -174,19 +151,21 @@ ResolvedHuman resolveHuman(const Environment& scenario, const Human& human, long
   ResolvedHuman result;
   result.id = human.id;
   result.name = human.name;
-  result.groupId = human.groupId.value_or(-1);
-  result.desiredSpeed = human.maxVel.value_or(1.0);
-  result.radius = human.radius.value_or(0.35);
   const double goalRadius = human.goalRadius.value_or(0.0);
   result.goalRadius = goalRadius > 0.0 ? goalRadius : 0.1;  // what SetGoal takes then
-  result.cyclicGoals = human.cyclicGoals.value_or(true);
   result.start = {human.initPose.position, base::wrapToPi(human.initPose.heading)};
   result.behavior = human.behavior.type.value_or(BehaviorType::Regular);
   result.configuration = human.behavior.configuration.value_or(Configuration::Default);
-  takeReaction(result, human);
+  resolveFields(human, result);
+  resolveFields(human.behavior, result);
+  resolveFields(human.ours, result);
+  result.reactionSpeed = human.behavior.vel.value_or(human.maxVel.value_or(2.0));
+  result.mass = human.ours.mass.value_or(massOf(result.kind));
+  result.model = human.ours.model ? *human.ours.model : scenario.desktop.model.value_or("sfm");
+  result.route =
+      human.ours.route ? *human.ours.route : scenario.desktop.route.value_or(Route::Planned);
   takeFactors(result, human.behavior,
               scenario.desktop.obstaclePoints.value_or(ObstaclePoints::Boundary));
-  takeOurs(result, human.ours, scenario.desktop);
   if (result.configuration == Configuration::Normal ||
       result.configuration == Configuration::Uniform) {
     const Sampler sampler(seed, human.id, result.configuration);
@@ -200,8 +179,6 @@ ResolvedRobot resolveRobot(const Scenario& scenario, const Robot& robot, int id)
   ResolvedRobot result;
   result.id = id;
   result.name = robot.name;
-  result.type = robot.type.value_or(result.type);
-  result.planner = robot.planner.value_or(result.planner);
   for (const auto& parameter : robot.plannerParameters) {
     if (const auto value = parameterValue(parameter.second)) {
       result.plannerParameters.emplace_back(parameter.first, *value);
@@ -209,15 +186,8 @@ ResolvedRobot resolveRobot(const Scenario& scenario, const Robot& robot, int id)
   }
   result.start = {robot.start.position, base::wrapToPi(robot.start.heading)};
   takeRobotGoals(result, robot.goal, scenario);
-  result.goalRadius = robot.goalRadius.value_or(result.goalRadius);
-  result.startTime = robot.startTime.value_or(result.startTime);
-  result.radius = robot.radius.value_or(result.radius);
+  resolveFields(robot, result);
   takeFootprint(result, robot);
-  result.mass = robot.mass.value_or(result.mass);
-  result.maxVel = robot.maxVel.value_or(result.maxVel);
-  result.maxAcc = robot.maxAcc.value_or(result.maxAcc);
-  result.maxOmega = robot.maxOmega.value_or(result.maxOmega);
-  result.maxAlpha = robot.maxAlpha.value_or(result.maxAlpha);
   return result;
 }
 
@@ -253,7 +223,7 @@ double massOf(PersonKind kind) {
 }
 
 const char* personKindName(PersonKind kind) {
-  return kindWords()[static_cast<std::size_t>(kind)].c_str();
+  return fieldOf<PersonExtension>("kind")->spec.choices[static_cast<std::size_t>(kind)].c_str();
 }
 
 }  // namespace sim2d

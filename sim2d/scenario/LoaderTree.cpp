@@ -1,33 +1,11 @@
+#include <algorithm>
+#include <set>
+
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioTree.h"
 
 namespace sim2d {
 namespace {
-
-void setDecimals(YamlNode& map, const std::string& key, const std::optional<double>& value,
-                 int digits = 1) {
-  if (value) {
-    setChild(map, key, decimals(*value, digits));
-  }
-}
-
-void setNumber(YamlNode& map, const std::string& key, const std::optional<int>& value) {
-  if (value) {
-    setChild(map, key, number(*value));
-  }
-}
-
-void setText(YamlNode& map, const std::string& key, const std::optional<std::string>& value) {
-  if (value) {
-    setChild(map, key, stringNode(*value));
-  }
-}
-
-void setFlag(YamlNode& map, const std::string& key, const std::optional<bool>& value) {
-  if (value) {
-    setChild(map, key, flag(*value));
-  }
-}
 
 YamlNode goalsTree(const std::vector<GlobalGoal>& goals) {
   YamlNode tree;
@@ -40,74 +18,45 @@ YamlNode goalsTree(const std::vector<GlobalGoal>& goals) {
   return tree;
 }
 
-/// Digits after the point differ from type to type, as in HuNavSim's own editor.
-YamlNode behaviorTree(const Behavior& behavior) {
-  const BehaviorType type = behavior.type.value_or(BehaviorType::Regular);
+YamlNode behaviorTree(const Behavior& behavior, const FieldTables& tables) {
   YamlNode tree;
-  if (behavior.type) {
-    // a number that we do not know stays a string for ROS
-    setChild(tree, "type",
-             stringNode(behavior.foreignType.empty() ? behaviorName(type) : behavior.foreignType));
-  }
-  setDecimals(tree, "dist", behavior.dist, type == BehaviorType::Surprised ? 3 : 2);
-  setDecimals(tree, "duration", behavior.duration, type == BehaviorType::Threatening ? 2 : 1);
-  setFlag(tree, "once", behavior.once);
-  setDecimals(tree, "vel", behavior.vel, type == BehaviorType::Scared ? 3 : 2);
-  if (type == BehaviorType::Scared) {
-    setDecimals(tree, "other_force_factor", behavior.otherForceFactor);
-  }
-  setDecimals(tree, "safe_distance", behavior.safeDistance);
-  setDecimals(tree, "stop_dist", behavior.stopDist, 2);
-  setDecimals(tree, "front_dist", behavior.frontDist, 2);
-  if (behavior.configuration) {
-    setChild(tree, "configuration", number(static_cast<int>(*behavior.configuration)));
-  }
-  setDecimals(tree, "goal_force_factor", behavior.goalForceFactor);
-  setDecimals(tree, "obstacle_force_factor", behavior.obstacleForceFactor);
-  setDecimals(tree, "social_force_factor", behavior.socialForceFactor);
-  if (type != BehaviorType::Scared) {
-    setDecimals(tree, "other_force_factor", behavior.otherForceFactor);
+  writeFields(tree, behavior, tables);
+  if (behavior.type == BehaviorType::Scared) {  // as HuNavSim's editor writes them
+    static const std::set<std::string> kFirst = {"type", "dist", "duration",
+                                                 "once", "vel",  "other_force_factor"};
+    std::stable_partition(tree.items.begin(), tree.items.end(),
+                          [](const YamlNode& item) { return kFirst.count(item.key) != 0; });
   }
   setUnknown(tree, behavior.unknown);
   return tree;
 }
 
 /// Keys before `behavior`; every dialect has them.
-YamlNode bodyTree(const Human& human) {
+YamlNode bodyTree(const Human& human, const FieldTables& tables) {
   YamlNode tree;
   tree.kind = YamlNode::Kind::Map;
-  if (human.id != -1) {
-    setChild(tree, "id", number(human.id));
-  }
-  setNumber(tree, "group_id", human.groupId);
-  setNumber(tree, "skin", human.skin);
-  setDecimals(tree, "max_vel", human.maxVel);
-  setDecimals(tree, "radius", human.radius);
-  setDecimals(tree, "goal_radius", human.goalRadius);
-  setFlag(tree, "cyclic_goals", human.cyclicGoals);
+  writeFields(tree, human, tables);
   if (human.hasInitPose) {
     YamlNode& pose = tree.child("init_pose");
     setChild(pose, "x", decimals(human.initPose.position.x(), 3));
     setChild(pose, "y", decimals(human.initPose.position.y(), 3));
-    setDecimals(pose, "z", human.initZ, 3);
+    if (human.initZ) {
+      setChild(pose, "z", decimals(*human.initZ, 3));
+    }
     setChild(pose, "h", decimals(human.initPose.heading, 3));
     setUnknown(pose, human.initPoseUnknown);
   }
   return tree;
 }
 
-YamlNode humanTree(const Human& human) {
-  YamlNode tree = bodyTree(human);
-  YamlNode behavior = behaviorTree(human.behavior);
+YamlNode humanTree(const Human& human, const FieldTables& tables) {
+  YamlNode tree = bodyTree(human, tables);
+  YamlNode behavior = behaviorTree(human.behavior, tables);
   if (!behavior.isNull()) {
     setChild(tree, "behavior", std::move(behavior));
   }
   if (!human.goals.empty()) {
-    YamlNode& goals = tree.child("goals");
-    goals.kind = YamlNode::Kind::List;
-    for (const int goal : human.goals) {
-      goals.items.push_back(number(goal));
-    }
+    setChild(tree, "goals", integerList(human.goals));
   }
   setUnknown(tree, human.unknown);
   return tree;
@@ -173,7 +122,7 @@ YamlNode behaviorTreeB(const Human& human, base::Diagnostics& losses) {
 }
 
 YamlNode humanTreeB(const Scenario& scenario, const Human& human, base::Diagnostics& losses) {
-  YamlNode tree = bodyTree(human);
+  YamlNode tree = bodyTree(human, fieldTables());
   setChild(tree, "behavior", behaviorTreeB(human, losses));
   YamlNode& names = tree.child("goals");
   names.kind = YamlNode::Kind::List;
@@ -269,12 +218,9 @@ void setUnknown(YamlNode& map, const UnknownKeys& unknown) {
   }
 }
 
-YamlNode loaderTree(const Scenario& scenario) {
+YamlNode loaderTree(const Scenario& scenario, const FieldTables& tables) {
   YamlNode tree;
-  setText(tree, "yaml_base_name", scenario.yamlBaseName);
-  setText(tree, "simulator", scenario.simulator);
-  setText(tree, "map", scenario.map);
-  setFlag(tree, "publish_people", scenario.publishPeople);
+  writeFields<Environment>(tree, scenario, tables);
   if (!scenario.goals.empty()) {
     setChild(tree, "global_goals", goalsTree(scenario.goals));
   }
@@ -282,7 +228,7 @@ YamlNode loaderTree(const Scenario& scenario) {
   for (const bool listed : {true, false}) {
     for (const Human& human : scenario.humans) {
       if (human.listed == listed) {
-        setChild(tree, human.name, humanTree(human));
+        setChild(tree, human.name, humanTree(human, tables));
       }
     }
   }
@@ -290,10 +236,10 @@ YamlNode loaderTree(const Scenario& scenario) {
   return tree;
 }
 
-YamlNode fileTree(const Scenario& scenario) {
+YamlNode fileTree(const Scenario& scenario, const FieldTables& tables) {
   YamlNode tree;
-  setChild(tree, kLoaderNode, oneNode(loaderTree(scenario)));
-  YamlNode block = blockTree(scenario);
+  setChild(tree, kLoaderNode, oneNode(loaderTree(scenario, tables)));
+  YamlNode block = blockTree(scenario, tables);
   if (!block.isNull()) {
     setChild(tree, kBlockNode, oneNode(std::move(block)));
   }
@@ -307,8 +253,10 @@ std::string writeScenario(const Scenario& scenario) {
 
 std::string writeScenarioB(const Scenario& scenario, base::Diagnostics& losses) {
   YamlNode parameters;
-  setText(parameters, "map", scenario.map);
-  setFlag(parameters, "publish_people", scenario.publishPeople);
+  for (const char* key : {"map", "publish_people"}) {
+    const Field<Environment>& field = *fieldOf<Environment>(key);
+    writeValue(parameters, field.spec, field.value(scenario), field.digits);
+  }
   setChild(parameters, "agents", agentList(scenario));
   for (const bool listed : {true, false}) {
     for (const Human& human : scenario.humans) {

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/scenario/Fields.h"
 
 namespace sim2d {
 namespace {
@@ -18,6 +19,12 @@ int largestKey(const std::vector<T>& all, int atLeast) {
     atLeast = std::max(atLeast, entity.key.key);
   }
   return atLeast;
+}
+
+/// Of two drawn things or robots.
+template <class T>
+bool areSame(const T& a, const T& b) {
+  return a.name == b.name && a.listed == b.listed && haveSameValues(a, b) && a.unknown == b.unknown;
 }
 
 }  // namespace
@@ -79,12 +86,7 @@ int Scenario::nextKey() const {
 }
 
 bool operator==(const Behavior& a, const Behavior& b) {
-  const auto content = [](const Behavior& v) {
-    return std::tie(v.type, v.foreignType, v.configuration, v.dist, v.duration, v.once, v.vel,
-                    v.safeDistance, v.stopDist, v.frontDist, v.goalForceFactor,
-                    v.obstacleForceFactor, v.socialForceFactor, v.otherForceFactor, v.unknown);
-  };
-  return content(a) == content(b);
+  return haveSameValues(a, b) && a.unknown == b.unknown;
 }
 
 bool operator==(const GlobalGoal& a, const GlobalGoal& b) {
@@ -92,20 +94,15 @@ bool operator==(const GlobalGoal& a, const GlobalGoal& b) {
 }
 
 bool operator==(const PersonExtension& a, const PersonExtension& b) {
-  const auto content = [](const PersonExtension& v) {
-    return std::tie(v.startTime, v.kind, v.mass, v.model, v.route, v.atEnd, v.wait, v.tree,
-                    v.unknown);
-  };
-  return content(a) == content(b);
+  return haveSameValues(a, b) && a.unknown == b.unknown;
 }
 
 bool operator==(const Human& a, const Human& b) {
-  const auto content = [](const Human& v) {
-    return std::tie(v.name, v.id, v.listed, v.groupId, v.skin, v.maxVel, v.radius, v.goalRadius,
-                    v.cyclicGoals, v.initPose, v.hasInitPose, v.initZ, v.initPoseUnknown,
+  const auto rest = [](const Human& v) {
+    return std::tie(v.name, v.listed, v.initPose, v.hasInitPose, v.initZ, v.initPoseUnknown,
                     v.behavior, v.goals, v.unknown, v.ours);
   };
-  return content(a) == content(b);
+  return haveSameValues(a, b) && rest(a) == rest(b);
 }
 
 bool operator==(const RobotGoal& a, const RobotGoal& b) {
@@ -113,58 +110,35 @@ bool operator==(const RobotGoal& a, const RobotGoal& b) {
 }
 
 bool operator==(const Robot& a, const Robot& b) {
-  const auto content = [](const Robot& v) {
-    return std::tie(v.name, v.listed, v.type, v.planner, v.plannerParameters, v.start, v.goal,
-                    v.goalRadius, v.startTime, v.radius, v.mass, v.maxVel, v.maxAcc, v.maxOmega,
-                    v.maxAlpha, v.footprintX, v.footprintY, v.unknown);
-  };
-  return content(a) == content(b);
+  return areSame(a, b);
 }
 
 bool operator==(const Obstacle& a, const Obstacle& b) {
-  const auto content = [](const Obstacle& v) {
-    return std::tie(v.name, v.listed, v.kind, v.pose, v.length, v.width, v.radius, v.points,
-                    v.thickness, v.unknown);
-  };
-  return content(a) == content(b);
+  return areSame(a, b);
 }
 
 bool operator==(const Door& a, const Door& b) {
-  const auto content = [](const Door& v) {
-    return std::tie(v.name, v.listed, v.from, v.to, v.thickness, v.open, v.toggles, v.unknown);
-  };
-  return content(a) == content(b);
+  return areSame(a, b);
 }
 
 bool operator==(const Area& a, const Area& b) {
-  const auto content = [](const Area& v) {
-    return std::tie(v.name, v.listed, v.kind, v.points, v.like, v.rate, v.from, v.until, v.count,
-                    v.unknown);
-  };
-  return content(a) == content(b);
+  return areSame(a, b);
 }
 
 bool operator==(const MetricsSettings& a, const MetricsSettings& b) {
-  const auto content = [](const MetricsSettings& v) {
-    return std::tie(v.from, v.until, v.frequency, v.tag, v.runId, v.file, v.parameters, v.unknown);
-  };
-  return content(a) == content(b);
+  return haveSameValues(a, b) && a.unknown == b.unknown;
 }
 
 bool operator==(const DesktopSettings& a, const DesktopSettings& b) {
-  const auto content = [](const DesktopSettings& v) {
-    return std::tie(v.mapFile, v.mapRule, v.seed, v.duration, v.dt, v.recordEvery, v.model, v.route,
-                    v.obstaclePoints, v.loopTrees, v.wrapX, v.groups, v.metrics, v.unknown);
-  };
-  return content(a) == content(b);
+  return haveSameValues(a, b) && a.metrics == b.metrics && a.unknown == b.unknown;
 }
 
 bool operator==(const Scenario& a, const Scenario& b) {
-  const auto content = [](const Scenario& v) {
-    return std::tie(v.yamlBaseName, v.simulator, v.map, v.publishPeople, v.goals, v.humans,
-                    v.robots, v.obstacles, v.doors, v.areas, v.desktop, v.unknown, v.otherNodes);
+  const auto rest = [](const Scenario& v) {
+    return std::tie(v.goals, v.humans, v.robots, v.obstacles, v.doors, v.areas, v.desktop,
+                    v.unknown, v.otherNodes);
   };
-  return content(a) == content(b);
+  return haveSameValues<Environment>(a, b) && rest(a) == rest(b);
 }
 
 }  // namespace sim2d

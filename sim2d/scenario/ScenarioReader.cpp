@@ -19,8 +19,8 @@ std::string fileStem(const std::string& path) {
 /// Reads one file: the loader's node, ours, the rest.
 class FileReader {
  public:
-  FileReader(const YamlNode& root, const std::string& fileName)
-      : root_(root), loader_(result_.scenario, result_.report) {
+  FileReader(const YamlNode& root, const std::string& fileName, const FieldTables& tables)
+      : root_(root), loader_{result_.scenario, result_.report, tables} {
     result_.report.file = fileName;
   }
 
@@ -45,7 +45,7 @@ class FileReader {
     readOurs();
     result_.blockPaths = std::move(report().knownPaths);
     keepOthers(node);
-    result_.scenario = withoutDefaults(result_.scenario);
+    result_.scenario = withoutDefaults(std::move(result_.scenario), loader_.tables);
     base::Diagnostics& all = report().diagnostics;
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
       return std::tie(a.line, a.column) < std::tie(b.line, b.column);
@@ -80,10 +80,7 @@ class FileReader {
   void readLoader(const YamlNode& parameters) {
     YamlMap view(&parameters, "", {base::EntityKind::Scenario, 0}, report());
     report().lines[view.entity()] = parameters.keyLine;
-    scenario().yamlBaseName = view.text("yaml_base_name");
-    scenario().simulator = view.text("simulator");
-    scenario().map = view.text("map");
-    scenario().publishPeople = view.boolean("publish_people");
+    readFields<Environment>(view, scenario(), loader_.tables);
     readGlobalGoals(view);
     readAgents(view);
     scenario().unknown = view.takeUnknown();
@@ -254,8 +251,8 @@ class FileReader {
 
 }  // namespace
 
-TreeReading readTree(const YamlNode& root, const std::string& fileName) {
-  return FileReader(root, fileName).read();
+TreeReading readTree(const YamlNode& root, const std::string& fileName, const FieldTables& tables) {
+  return FileReader(root, fileName, tables).read();
 }
 
 ScenarioReading readScenarioText(const std::string& text, const std::string& fileName) {

@@ -27,23 +27,21 @@ struct TreeReading {
   std::set<std::string> loaderPaths, blockPaths;  // keys that exist, below ros__parameters
 };
 
-TreeReading readTree(const YamlNode& root, const std::string& fileName);
-YamlNode loaderTree(const Scenario& scenario);  // the map below ros__parameters
+TreeReading readTree(const YamlNode& root, const std::string& fileName,
+                     const FieldTables& tables = fieldTables());
+/// The map below ros__parameters.
+YamlNode loaderTree(const Scenario& scenario, const FieldTables& tables = fieldTables());
 /// Null when the block would hold nothing but its format.
-YamlNode blockTree(const Scenario& scenario);
-YamlNode fileTree(const Scenario& scenario);
+YamlNode blockTree(const Scenario& scenario, const FieldTables& tables = fieldTables());
+YamlNode fileTree(const Scenario& scenario, const FieldTables& tables = fieldTables());
+Scenario withoutDefaults(Scenario scenario, const FieldTables& tables);
+base::Diagnostics setValue(Scenario& scenario, const std::string& path, const std::string& value,
+                           const FieldTables& tables);
 
 /// Reads the parameters of our block into `reading.scenario`.
 void readBlock(const YamlNode& parameters, LoaderReading& reading);
 
-/// Value of a known key out of a list of words: index = enumerator.
-const std::vector<std::string>& kindWords();
 const std::vector<std::string>& routeWords();
-const std::vector<std::string>& atEndWords();
-const std::vector<std::string>& obstacleKindWords();
-const std::vector<std::string>& areaKindWords();
-const std::vector<std::string>& obstaclePointWords();
-const std::vector<std::string>& mapRuleWords();
 
 /// Keys of each node: names that are taken.
 const std::set<std::string>& loaderKeys();
@@ -64,5 +62,14 @@ void setUnknown(YamlNode& map, const UnknownKeys& unknown);
 Vec2 readPoint(YamlMap& view);  // x, y
 /// Maps inside an entity that have no place for keys of others.
 void refuseUnknown(YamlMap& view);
+
+/// The keys of one thing, those that we do not know last; null when there are none.
+template <class T>
+YamlNode fieldTree(const T& of, const FieldTables& tables) {
+  YamlNode tree;
+  writeFields(tree, of, tables);
+  setUnknown(tree, of.unknown);
+  return tree;
+}
 
 }  // namespace sim2d

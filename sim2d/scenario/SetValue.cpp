@@ -126,12 +126,13 @@ bool isNumberedType(const std::string& path, const YamlNode& value) {
 
 /// Reads the tree with the value put into one of the nodes; nothing if the node has no such key.
 std::optional<TreeReading> readWith(const YamlNode& tree, const char* node,
-                                    const std::vector<Path>& paths, const YamlNode& value) {
+                                    const std::vector<Path>& paths, const YamlNode& value,
+                                    const FieldTables& tables) {
   YamlNode changed = tree;
   for (const Path& path : paths) {
     put(changed, node, path, value);
   }
-  TreeReading reading = readTree(changed, {});
+  TreeReading reading = readTree(changed, {}, tables);
   const bool loader = std::string_view(node) == kLoaderNode;
   if (!knowsAll(loader ? reading.loaderPaths : reading.blockPaths, paths)) {
     return std::nullopt;
@@ -142,6 +143,11 @@ std::optional<TreeReading> readWith(const YamlNode& tree, const char* node,
 }  // namespace
 
 base::Diagnostics setValue(Scenario& scenario, const std::string& path, const std::string& value) {
+  return setValue(scenario, path, value, fieldTables());
+}
+
+base::Diagnostics setValue(Scenario& scenario, const std::string& path, const std::string& value,
+                           const FieldTables& tables) {
   base::Diagnostics problems;
   YamlNode node = parseYaml(value, {}, problems);
   if (base::hasErrors(problems) || node.isNull()) {
@@ -151,18 +157,18 @@ base::Diagnostics setValue(Scenario& scenario, const std::string& path, const st
   if (isNumberedType(path, node)) {
     return {base::makeError(path + ": '" + value + "' is not the name of a behaviour")};
   }
-  const YamlNode tree = fileTree(scenario);
-  const TreeReading before = readTree(tree, {});
+  const YamlNode tree = fileTree(scenario, tables);
+  const TreeReading before = readTree(tree, {}, tables);
   const std::vector<Path> paths = expanded(scenario, path);
   if (paths.empty()) {
     return {base::makeError(path + ": nobody is listed in agents")};
   }
   std::optional<TreeReading> after;
   if (belongsToLoader(scenario, paths.front().front())) {
-    after = readWith(tree, kLoaderNode, paths, node);
+    after = readWith(tree, kLoaderNode, paths, node, tables);
   }
   if (!after) {
-    after = readWith(tree, kBlockNode, paths, node);
+    after = readWith(tree, kBlockNode, paths, node, tables);
   }
   if (!after) {
     return unknownPath(path, before);

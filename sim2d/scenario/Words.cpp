@@ -4,49 +4,27 @@
 
 namespace sim2d {
 
-const std::vector<std::string>& kindWords() {
-  static const std::vector<std::string> kWords = {"adult", "child", "elderly", "wheelchair",
-                                                  "luggage"};
-  return kWords;
+namespace {
+
+template <class T>
+std::set<std::string> keysWith(std::set<std::string> keys) {
+  for (const Field<T>& field : fieldsOf<T>()) {
+    keys.insert(field.spec.key);
+  }
+  return keys;
 }
 
-const std::vector<std::string>& atEndWords() {
-  static const std::vector<std::string> kWords = {"stop", "leave", "restart"};
-  return kWords;
-}
-
-const std::vector<std::string>& obstacleKindWords() {
-  static const std::vector<std::string> kWords = {"box", "circle", "polygon", "wall"};
-  return kWords;
-}
-
-const std::vector<std::string>& areaKindWords() {
-  static const std::vector<std::string> kWords = {"source", "sink", "wait", "exit"};
-  return kWords;
-}
-
-const std::vector<std::string>& obstaclePointWords() {
-  static const std::vector<std::string> kWords = {"boundary", "rays"};
-  return kWords;
-}
-
-const std::vector<std::string>& mapRuleWords() {
-  static const std::vector<std::string> kWords = {"humble", "main"};
-  return kWords;
-}
+}  // namespace
 
 const std::set<std::string>& loaderKeys() {
-  static const std::set<std::string> kKeys = {"yaml_base_name", "simulator",    "map",
-                                              "publish_people", "global_goals", "agents"};
+  static const std::set<std::string> kKeys = keysWith<Environment>({"global_goals", "agents"});
   return kKeys;
 }
 
 const std::set<std::string>& blockKeys() {
   // "map": a menu of HuNavSim searches the whole text for that key
-  static const std::set<std::string> kKeys = {
-      "format", "map",    "map_file",   "map_rule", "seed",   "duration",        "dt",
-      "model",  "route",  "loop_trees", "wrap_x",   "areas",  "obstacle_points", "record_every",
-      "groups", "robots", "obstacles",  "doors",    "metrics"};
+  static const std::set<std::string> kKeys = keysWith<DesktopSettings>(
+      {"format", "map", "robots", "obstacles", "doors", "areas", "metrics"});
   return kKeys;
 }
 
