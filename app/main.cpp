@@ -2,5 +2,5 @@
 #include "app/window/WindowCommand.h"
 
 int main(int argc, char** argv) {
-  return app::runProgram(argc, argv, app::windowCommand);
+  return app::runProgram(argc, argv, app::addWindow);
 }

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
-
-#include <yaml-cpp/yaml.h>
 
 #include "app/run/DataPaths.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/scenario/ScenarioFile.h"
 #include "sim2d/world/World.h"
 
@@ -16,6 +14,7 @@ namespace app {
 namespace {
 
 namespace fs = std::filesystem;
+using base::YamlNode;
 
 constexpr long long kMaximumRuns = 10'000'000;
 
@@ -35,11 +34,9 @@ class Reader {
     if (!text) {
       return text.diagnostics();
     }
-    try {
-      readRoot(YAML::Load(*text));
-    } catch (const YAML::Exception& problem) {
-      errors_.push_back(base::makeError(problem.msg, experiment_.path, problem.mark.line + 1,
-                                        problem.mark.column + 1));
+    const YamlNode root = base::parseYaml(*text, experiment_.path, errors_);
+    if (!base::hasErrors(errors_)) {
+      readRoot(root);
     }
     if (base::hasErrors(errors_)) {
       return errors_;
@@ -48,71 +45,63 @@ class Reader {
   }
 
  private:
-  void error(const YAML::Node& node, const std::string& message) {
-    const YAML::Mark mark = node.Mark();
-    errors_.push_back(base::makeError(message, experiment_.path, mark.is_null() ? 0 : mark.line + 1,
-                                      mark.is_null() ? 0 : mark.column + 1));
+  void error(const YamlNode& node, const std::string& message) {
+    errors_.push_back(base::makeError(message, experiment_.path, node.line, node.column));
   }
 
-  void readRoot(const YAML::Node& root) {
-    if (!root.IsMap()) {
+  void readRoot(const YamlNode& root) {
+    if (!root.isMap()) {
       error(root, "an experiment is a map that begins with hunavsim_experiment: 1");
       return;
     }
     checkKeys(root);
-    const YAML::Node format = root["hunavsim_experiment"];
-    if (!format) {
+    const YamlNode* format = root.find("hunavsim_experiment");
+    if (format == nullptr) {
       error(root, "the key hunavsim_experiment is missing (write hunavsim_experiment: 1)");
-    } else if (base::parseInt(scalar(format)) != 1) {
-      error(format, "this program reads experiments of format 1, not '" + scalar(format) + "'");
+    } else if (base::parseInt(format->text) != 1) {
+      error(*format, "this program reads experiments of format 1, not '" + format->text + "'");
     }
     readScenarios(root);
-    readSeeds(root["seeds"]);
-    readNumber(root["duration"], "duration", 0.0, 1e6, experiment_.duration);
-    readNumber(root["dt"], "dt", 0.000999, 0.1, experiment_.dt);
-    readName(root["model"], "model", sim2d::modelNames(), experiment_.model);
-    readName(root["robot"], "robot", sim2d::robotTypeNames(), experiment_.robot);
-    readName(root["planner"], "planner", sim2d::plannerNames(), experiment_.planner);
-    readWord(root["metrics_profile"], "metrics_profile", experiment_.metricsProfile);
+    readSeeds(root.find("seeds"));
+    readNumber(root.find("duration"), "duration", 0.0, 1e6, experiment_.duration);
+    readNumber(root.find("dt"), "dt", 0.000999, 0.1, experiment_.dt);
+    readName(root.find("model"), "model", sim2d::modelNames(), experiment_.model);
+    readName(root.find("robot"), "robot", sim2d::robotTypeNames(), experiment_.robot);
+    readName(root.find("planner"), "planner", sim2d::plannerNames(), experiment_.planner);
+    readWord(root.find("metrics_profile"), "metrics_profile", experiment_.metricsProfile);
     if (experiment_.metricsProfile && *experiment_.metricsProfile != "corrected" &&
         *experiment_.metricsProfile != "hunav2") {
-      error(root["metrics_profile"], "metrics_profile is corrected or hunav2");
+      error(*root.find("metrics_profile"), "metrics_profile is corrected or hunav2");
     }
-    readValues(root["values"]);
-    readRecord(root["record"]);
+    readValues(root.find("values"));
+    readRecord(root.find("record"));
   }
 
-  void checkKeys(const YAML::Node& root) {
-    std::set<std::string> seen;
-    for (const auto& pair : root) {
-      const std::string key = scalar(pair.first);
-      const std::vector<std::string>& known = knownKeys();
-      if (std::find(known.begin(), known.end(), key) == known.end()) {
-        const std::optional<std::string> meant = base::nearestName(key, known);
-        error(pair.first, "unknown key '" + key + "'" +
-                              (meant ? " (did you mean '" + *meant + "'?)" : std::string()));
-      } else if (!seen.insert(key).second) {
-        error(pair.first, "the key '" + key + "' stands twice");
+  void checkKeys(const YamlNode& root) {
+    const std::vector<std::string>& known = knownKeys();
+    for (const YamlNode& item : root.items) {
+      if (std::find(known.begin(), known.end(), item.key) == known.end()) {
+        const std::optional<std::string> meant = base::nearestName(item.key, known);
+        errors_.push_back(
+            base::makeError("unknown key '" + item.key + "'" +
+                                (meant ? " (did you mean '" + *meant + "'?)" : std::string()),
+                            experiment_.path, item.keyLine, item.keyColumn));
       }
     }
   }
 
-  static std::string scalar(const YAML::Node& node) {
-    return node.IsScalar() ? node.Scalar() : std::string();
-  }
-
-  void readScenarios(const YAML::Node& root) {
-    const YAML::Node list = root["scenarios"];
-    if (!list || !list.IsSequence() || list.size() == 0) {
-      error(list ? list : root, "scenarios is a list of at least one file or shipped name");
+  void readScenarios(const YamlNode& root) {
+    const YamlNode* list = root.find("scenarios");
+    if (list == nullptr || !list->isList() || list->items.empty()) {
+      error(list ? *list : root, "scenarios is a list of at least one file or shipped name");
       return;
     }
-    for (const YAML::Node& item : list) {
-      if (!item.IsScalar() || scalar(item).empty()) {
+    for (const YamlNode& item : list->items) {
+      if (item.text.empty()) {
         error(item, "a scenario is the name of a file or of a shipped scenario");
         continue;
       }
-      experiment_.scenarios.push_back(scalar(item));
+      experiment_.scenarios.push_back(item.text);
       experiment_.scenarioPaths.push_back(locate(item));
       sim2d::ScenarioReading reading = sim2d::readScenario(experiment_.scenarioPaths.back());
       if (reading.ok()) {
@@ -121,8 +110,8 @@ class Reader {
     }
   }
 
-  std::string locate(const YAML::Node& item) {
-    const std::string name = scalar(item);
+  std::string locate(const YamlNode& item) {
+    const std::string& name = item.text;
     const fs::path beside = fs::path(experiment_.path).parent_path() / name;
     std::error_code ignored;
     if (fs::is_regular_file(beside, ignored)) {
@@ -137,70 +126,63 @@ class Reader {
     return {};
   }
 
-  void readSeeds(const YAML::Node& node) {
-    if (!node) {
+  void readSeeds(const YamlNode* node) {
+    if (node == nullptr) {
       experiment_.seeds = {1};
       return;
     }
-    if (node.IsScalar()) {
-      const std::optional<long long> count = base::parseInt(scalar(node));
-      if (!count || *count < 1 || *count > kMaximumRuns) {
-        error(node, "seeds is a number of seeds >= 1 or a list of seeds");
-        return;
-      }
-      for (long long seed = 1; seed <= *count; ++seed) {
+    if (node->isScalar()) {
+      const std::optional<long long> count = base::parseInt(node->text);
+      for (long long seed = 1; count && *count <= kMaximumRuns && seed <= *count; ++seed) {
         experiment_.seeds.push_back(seed);
       }
-      return;
     }
-    for (const YAML::Node& item : node) {
-      const std::optional<long long> seed = base::parseInt(scalar(item));
+    const std::size_t before = errors_.size();
+    for (const YamlNode& item : node->items) {
+      const std::optional<long long> seed = base::parseInt(item.text);
       if (!seed || *seed < 0) {
         error(item, "a seed is a whole number >= 0");
       } else {
         experiment_.seeds.push_back(*seed);
       }
     }
-    if (experiment_.seeds.empty()) {
-      error(node, "seeds is a number of seeds >= 1 or a list of seeds");
+    if (experiment_.seeds.empty() && errors_.size() == before) {
+      error(*node, "seeds is a number of seeds >= 1 or a list of seeds");
     }
   }
 
-  void readNumber(const YAML::Node& node, const std::string& key, double above, double maximum,
+  void readNumber(const YamlNode* node, const std::string& key, double above, double maximum,
                   std::optional<std::string>& value) {
-    if (!node) {
+    if (node == nullptr) {
       return;
     }
-    const std::optional<double> number = base::parseDouble(scalar(node));
+    const std::optional<double> number = base::parseDouble(node->text);
     if (!number || !(*number > above && *number <= maximum)) {
-      error(node, key + " is not a number in its range");
+      error(*node, key + " is not a number in its range");
       return;
     }
     value = base::formatDouble(*number);
   }
 
-  void readWord(const YAML::Node& node, const std::string& key, std::optional<std::string>& value) {
-    if (!node) {
-      return;
+  void readWord(const YamlNode* node, const std::string& key, std::optional<std::string>& value) {
+    if (node != nullptr && node->text.empty()) {
+      error(*node, key + " is a word");
+    } else if (node != nullptr) {
+      value = node->text;
     }
-    if (!node.IsScalar() || scalar(node).empty()) {
-      error(node, key + " is a word");
-      return;
-    }
-    value = scalar(node);
   }
 
-  void readName(const YAML::Node& node, const std::string& key,
-                const std::vector<std::string>& known, std::optional<std::string>& value) {
+  void readName(const YamlNode* node, const std::string& key, const std::vector<std::string>& known,
+                std::optional<std::string>& value) {
     readWord(node, key, value);
     if (value && std::find(known.begin(), known.end(), *value) == known.end()) {
-      error(node,
+      error(*node,
             "there is no " + key + " '" + *value + "' (known: " + base::join(known, ", ") + ")");
     }
   }
 
   /// A path or a value that one of the scenarios does not take, before anything runs.
-  void tryValue(const std::string& path, const YAML::Node& item) {
+  void tryValue(const std::string& path, const YamlNode& item) {
     for (const sim2d::Scenario& scenario : readable_) {
       sim2d::Scenario changed = scenario;
       const base::Diagnostics problems = sim2d::setValue(changed, path, textOf(item));
@@ -211,50 +193,60 @@ class Reader {
     }
   }
 
-  void readValues(const YAML::Node& node) {
-    if (!node) {
+  void readValues(const YamlNode* node) {
+    if (node == nullptr) {
       return;
     }
-    if (!node.IsMap()) {
-      error(node, "values is a map: path of --set -> list of values");
+    if (!node->isMap()) {
+      error(*node, "values is a map: path of --set -> list of values");
       return;
     }
-    for (const auto& pair : node) {
+    for (const YamlNode& dimension : node->items) {
       std::vector<std::string> texts;
-      if (pair.second.IsSequence()) {
-        for (const YAML::Node& item : pair.second) {
+      if (dimension.isList()) {
+        for (const YamlNode& item : dimension.items) {
           texts.push_back(textOf(item));
-          tryValue(scalar(pair.first), item);
+          tryValue(dimension.key, item);
         }
       }
       if (texts.empty()) {
-        error(pair.second, "the values of '" + scalar(pair.first) + "' are not a list");
+        error(dimension, "the values of '" + dimension.key + "' are not a list");
       }
-      experiment_.values.emplace_back(scalar(pair.first), std::move(texts));
+      experiment_.values.emplace_back(dimension.key, std::move(texts));
     }
   }
 
-  static std::string textOf(const YAML::Node& node) {
-    if (node.IsScalar()) {
-      return scalar(node);
-    }
-    YAML::Emitter emitter;  // a list or map as value: in flow style, so that it stays one line
-    emitter.SetSeqFormat(YAML::Flow);
-    emitter.SetMapFormat(YAML::Flow);
-    emitter << node;
-    return emitter.c_str();
+  static std::string textOf(const YamlNode& node) {
+    return node.isScalar() ? node.text : inOneLine(node);
   }
 
-  void readRecord(const YAML::Node& node) {
-    if (!node || scalar(node) == "metrics") {
+  /// A list or map as value: in flow style.
+  static std::string inOneLine(const YamlNode& node) {
+    if (node.isNull()) {
+      return "~";
+    }
+    if (node.isScalar()) {
+      return base::emitYaml(node);
+    }
+    std::vector<std::string> parts;
+    for (const YamlNode& item : node.items) {
+      const std::string key = node.isMap() ? base::emitYaml(base::stringNode(item.key)) + ": " : "";
+      parts.push_back(key + inOneLine(item));
+    }
+    const std::string inside = base::join(parts, ", ");
+    return node.isMap() ? "{" + inside + "}" : "[" + inside + "]";
+  }
+
+  void readRecord(const YamlNode* node) {
+    if (node == nullptr || node->text == "metrics") {
       return;
     }
-    if (scalar(node) == "failed") {
+    if (node->text == "failed") {
       experiment_.record = Experiment::Record::Failed;
-    } else if (scalar(node) == "all") {
+    } else if (node->text == "all") {
       experiment_.record = Experiment::Record::All;
     } else {
-      error(node, "record is metrics, failed or all");
+      error(*node, "record is metrics, failed or all");
     }
   }
 

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <set>
 
+#include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
-#include "app/run/Preparation.h"
 #include "bt/human/HumanNodes.h"
 #include "bt/human/TreeExport.h"
 #include "bt/tree/TreeXml.h"

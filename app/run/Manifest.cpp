@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/run/DataPaths.h"
-#include "app/run/Sha256.h"
+#include "app/run/InputJson.h"
 #include "bt/tree/TreeXml.h"
 
 namespace app {
@@ -31,7 +31,7 @@ const char* statusName(sim2d::RunStatus status) {
 }
 
 /// The files that were read, those that trees include too, each once.
-std::vector<std::string> allInputs(const Preparation& preparation) {
+std::vector<std::string> allInputs(const Bundle& bundle) {
   std::vector<std::string> inputs;
   std::set<fs::path> seen;
   const auto add = [&](const std::string& path) {
@@ -41,12 +41,12 @@ std::vector<std::string> allInputs(const Preparation& preparation) {
       inputs.push_back(path);
     }
   };
-  for (const std::string& path : preparation.inputs) {
+  for (const std::string& path : bundle.inputs) {
     add(path);
   }
-  for (const auto& [person, path] : preparation.treePaths) {
+  for (const auto& [person, tree] : bundle.trees) {
     const base::Result<bt::TreeTable> trees =
-        path.empty() ? base::Result<bt::TreeTable>(bt::TreeTable()) : bt::loadTrees(path);
+        tree.path.empty() ? base::Result<bt::TreeTable>(bt::TreeTable()) : bt::loadTrees(tree.path);
     if (!trees) {
       continue;  // told when it was loaded for the run
     }
@@ -79,31 +79,26 @@ Json robotJson(const sim2d::TraceRobot& robot) {
           {"start_time", robot.startTime}};
 }
 
-Json inputJson(const std::string& path) {
-  const std::optional<std::string> hash = sha256OfFile(path);
-  return {{"path", path}, {"sha256", hash ? Json(*hash) : Json()}};
-}
-
 }  // namespace
 
-std::string runManifest(const Preparation& preparation, const sim2d::TraceHeader& header,
+std::string runManifest(const Bundle& bundle, const sim2d::TraceHeader& header,
                         const sim2d::RunResult& result, const metrics::PlanningTime& planning,
                         const std::vector<std::string>& commandLine) {
   const double simulated = static_cast<double>(result.steps) * header.dt;
-  const sim2d::DesktopSettings& desktop = preparation.scenario->desktop;
+  const sim2d::DesktopSettings& desktop = bundle.scenario->desktop;
   Json json;
   json["program"] = {{"version", programVersion()}, {"commit", programCommit()}};
   json["command_line"] = commandLine;
   json["status"] = statusName(result.status);
   json["reason"] = result.reason;
   json["inputs"] = Json::array();
-  for (const std::string& path : allInputs(preparation)) {
+  for (const std::string& path : allInputs(bundle)) {
     json["inputs"].push_back(inputJson(path));
   }
   json["seed"] = header.seed;
   json["dt"] = header.dt;
   json["model"] = desktop.model.value_or("sfm");
-  json["compat"] = preparation.compatibility.names();
+  json["compat"] = bundle.settings.compatibility.names();
   json["record_every"] = header.recordEvery;
   json["steps"] = result.steps;
   json["simulated_seconds"] = simulated;

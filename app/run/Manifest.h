@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/run/Preparation.h"
+#include "app/run/Bundle.h"
 #include "metrics/PlanningTime.h"
 #include "sim2d/trace/Trace.h"
 #include "sim2d/world/Runner.h"
@@ -11,7 +11,7 @@
 namespace app {
 
 /// manifest.json of a run: what it came from, what it was set to, how it ended.
-std::string runManifest(const Preparation& preparation, const sim2d::TraceHeader& header,
+std::string runManifest(const Bundle& bundle, const sim2d::TraceHeader& header,
                         const sim2d::RunResult& result, const metrics::PlanningTime& planning,
                         const std::vector<std::string>& commandLine);
 

@@ -65,7 +65,7 @@ void writeParts(Folder& folder, const FinishedRun& run, RunWriter& writer) {
 }  // namespace
 
 base::Diagnostics writeRunFolder(const std::string& path, const FinishedRun& run, RunWriter& writer,
-                                 const Preparation& preparation,
+                                 const Bundle& bundle,
                                  const std::vector<std::string>& commandLine) {
   Folder folder(path);
   folder.note(writer.complete());
@@ -80,7 +80,7 @@ base::Diagnostics writeRunFolder(const std::string& path, const FinishedRun& run
   }
   if (folder.isWhole()) {
     folder.write("manifest.json",
-                 runManifest(preparation, run.header, run.result, run.planning, commandLine));
+                 runManifest(bundle, run.header, run.result, run.planning, commandLine));
   }
   return folder.problems();
 }

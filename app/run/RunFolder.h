@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "app/run/Bundle.h"
 #include "app/run/Manifest.h"
-#include "app/run/Preparation.h"
 #include "app/run/RunWriter.h"
 #include "metrics/Report.h"
 #include "sim2d/trace/Trace.h"
@@ -27,7 +27,6 @@ struct FinishedRun {
 /// when this run could not be evaluated. manifest.json and trace.json are taken away first and come
 /// last, only when all others were written: files of two runs never pass for one.
 base::Diagnostics writeRunFolder(const std::string& path, const FinishedRun& run, RunWriter& writer,
-                                 const Preparation& preparation,
-                                 const std::vector<std::string>& commandLine);
+                                 const Bundle& bundle, const std::vector<std::string>& commandLine);
 
 }  // namespace app

@@ -146,6 +146,18 @@ base::Diagnostics checkOptions(const RunOptions& options) {
   return wrong;
 }
 
+base::Result<RunSettings> runSettingsOf(const RunOptions& options) {
+  base::Diagnostics wrong = checkOptions(options);
+  const base::Result<sim2d::Compatibility> compatibility =
+      options.compat.empty() ? base::Result<sim2d::Compatibility>(sim2d::Compatibility())
+                             : sim2d::Compatibility::parse(options.compat);
+  base::append(wrong, compatibility.diagnostics());
+  if (base::hasErrors(wrong)) {
+    return wrong;
+  }
+  return {RunSettings{*compatibility, options.threads, options.exact}, std::move(wrong)};
+}
+
 base::Diagnostics applyOptions(sim2d::Scenario& scenario, const RunOptions& options,
                                const sim2d::Compatibility& compatibility) {
   base::Diagnostics problems;

@@ -10,12 +10,6 @@
 
 namespace app {
 
-/// Where results go and how they are shown; of every command.
-struct OutputOptions {
-  bool quiet = false;  // no progress, no table
-  bool json = false;   // machine-readable standard output
-};
-
 /// The options of `run`, as given; also of the window.
 struct RunOptions {
   std::string scenario;
@@ -34,6 +28,15 @@ struct RunOptions {
   std::string compat;
   bool totals = false;  // manifest.json and metrics.json alone, nothing per step or behaviour type
 };
+
+/// How a run is computed, beside what the scenario says.
+struct RunSettings {
+  sim2d::Compatibility compatibility;
+  int threads = 1;
+  bool exact = false;
+};
+/// Errors: what is wrong with the words of the command line (exit code 64).
+base::Result<RunSettings> runSettingsOf(const RunOptions& options);
 
 /// "X Y HEADING": exactly `count` numbers between blanks (commas are taken too).
 std::optional<std::vector<double>> parseNumbers(const std::string& text, std::size_t count);

@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <clocale>
-#include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <memory>
+
+#include <CLI/CLI.hpp>
 
 #include <QApplication>
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include "app/cli/Console.h"
+#include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
 #include "app/window/MainWindow.h"
 #include "app/window/Screenshot.h"
@@ -18,13 +22,8 @@ namespace app {
 
 namespace {
 
-constexpr int kBadInput = 2;
-constexpr int kWrongWords = 64;
-
 int report(const base::Diagnostics& problems, int code) {
-  for (const base::Diagnostic& problem : problems) {
-    std::fprintf(stderr, "%s\n", problem.text().c_str());
-  }
+  printDiagnostics(problems, base::Severity::Warning);
   return base::hasErrors(problems) ? code : 0;
 }
 
@@ -119,16 +118,19 @@ base::Diagnostics checkDocks(const MainWindow& window, const std::vector<std::st
   return problems;
 }
 
-}  // namespace
+/// What a run of the file would say, when the window shows it in part.
+base::Diagnostics whyNotOpened(MainWindow& window) {
+  const editor::ScenarioDocument& document = window.workspace().document();
+  base::Diagnostics problems =
+      document.path().isEmpty() ? base::Diagnostics() : check(document.bundle()).problems;
+  return base::hasErrors(problems) ? problems : window.files().problems();
+}
 
 int windowCommand(int argc, char** argv, const RunOptions& run, const WindowOptions& options) {
   base::Diagnostics wrongWords = checkWords(options);
-  base::append(wrongWords, checkOptions(run));
-  const base::Result<sim2d::Compatibility> compatibility =
-      run.compat.empty() ? base::Result<sim2d::Compatibility>(sim2d::Compatibility())
-                         : sim2d::Compatibility::parse(run.compat);
-  base::append(wrongWords, compatibility.diagnostics());
-  if (const int code = report(wrongWords, kWrongWords)) {
+  const base::Result<RunSettings> settings = runSettingsOf(run);
+  base::append(wrongWords, settings.diagnostics());
+  if (const int code = report(wrongWords, kWrongCommandLine)) {
     return code;
   }
   if (!run.scenario.empty() && !QFileInfo::exists(QString::fromStdString(run.scenario))) {
@@ -155,14 +157,14 @@ int windowCommand(int argc, char** argv, const RunOptions& run, const WindowOpti
   setup.shippedMaps = QString::fromStdString(shippedMapsFolder());
   setup.demos = demos();
   setup.options = run;
-  setup.compatibility = *compatibility;
+  setup.compatibility = settings->compatibility;
   if (!picture) {
     setup.recoveryFolder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
                            QStringLiteral("/recovery");
   }
   dressApplication(setup.theme);
   MainWindow window(setup);
-  if (const int code = report(checkDocks(window, options.docks), kWrongWords)) {
+  if (const int code = report(checkDocks(window, options.docks), kWrongCommandLine)) {
     return code;
   }
   if (const std::optional<QSize> size = sizeFromText(options.size)) {
@@ -179,9 +181,51 @@ int windowCommand(int argc, char** argv, const RunOptions& run, const WindowOpti
     return QApplication::exec();
   }
   if (!opened) {
-    return report(window.files().problems(), kBadInput);
+    return report(whyNotOpened(window), kBadInput);
   }
   return report(takeScreenshot(window, options), kBadInput);
+}
+
+/// All words of the window.
+struct WindowWords {
+  RunOptions run;
+  WindowOptions window;
+};
+
+/// `--dock issues events FILE`: all words behind the option are names of docks to it. The last is
+/// the scenario when there is none yet, and it names one.
+void takeScenarioFromDocks(WindowWords& words) {
+  std::vector<std::string>& docks = words.window.docks;
+  if (docks.size() < 2 || !words.run.scenario.empty()) {
+    return;
+  }
+  const std::string file = scenarioFile(docks.back());
+  if (QFileInfo(QString::fromStdString(file)).isFile()) {
+    docks.pop_back();
+    words.run.scenario = file;
+  }
+}
+
+}  // namespace
+
+void addWindow(CommandRegistry& commands) {
+  const auto words = std::make_shared<WindowWords>();
+  commands.setDefault([words](const Invocation& given) {
+    takeScenarioFromDocks(*words);
+    return windowCommand(given.argc, given.argv, words->run, words->window);
+  });
+  CLI::App& root = commands.root();
+  root.add_option("scenario", words->run.scenario, "Scenario to open in the window")
+      ->transform(scenarioFile);
+  addRunOptions(root, words->run);
+  WindowOptions& window = words->window;
+  root.add_option("--screenshot", window.screenshot, "Save a picture of the window and leave");
+  root.add_option("--at", window.at, "Simulated time of the picture [s]");
+  root.add_option("--size", window.size, "Size of the window, WxH");
+  root.add_option("--scale", window.scale, "Pixels per point");
+  root.add_option("--theme", window.theme, "light or dark")
+      ->check(CLI::IsMember({"light", "dark"}));
+  root.add_option("--dock", window.docks, "Docks to show, by their names in the View menu");
 }
 
 }  // namespace app

@@ -2,7 +2,9 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "sim2d/base/Result.h"
 #include "sim2d/scenario/Scenario.h"
@@ -10,11 +12,22 @@
 
 namespace bt {
 
-/// Name of a person -> tree file; an empty path or no entry = the generated tree.
-using TreeFiles = std::map<std::string, std::string>;
+/// Where the tree of a person comes from. Neither path nor text: the generated tree.
+struct TreeSource {
+  TreeSource(std::string file = {}) : path(std::move(file)) {}  // NOLINT: meant to convert
+  TreeSource(std::string xml, std::string file, std::string besides)
+      : path(std::move(file)), text(std::move(xml)), folder(std::move(besides)) {}
+
+  std::string path;                 // of its file, which names it in messages
+  std::optional<std::string> text;  // none: what the file says
+  std::string folder;               // of what it includes, when it is in no file yet
+  bool isGenerated() const { return path.empty() && !text; }
+};
+/// Name of a person -> their tree; no entry = the generated one.
+using TreeFiles = std::map<std::string, TreeSource>;
 
 /// People who decide by behaviour trees, one per person, ticked once per step by ascending id with
-/// the entries `id` and `dt`. Trees of the same file are compiled once. People of a source area
+/// the entries `id` and `dt`. Equal trees of one folder are compiled once. People of a source area
 /// run the tree of the person they are like.
 ///
 /// A tree that goes wrong while it runs (missing input, bad script) is halted for good with one
@@ -22,7 +35,7 @@ using TreeFiles = std::map<std::string, std::string>;
 /// one in which the root succeeds without moving them or taking a goal off their list: a round of
 /// navigation is no end.
 ///
-/// nullptr and errors among `diagnostics` when a file is missing or broken. `scenario` is not kept.
+/// nullptr and errors among `diagnostics` when a tree is missing or broken. `scenario` is not kept.
 /// Of the quirks those of generated trees count here; the others act in the run.
 std::unique_ptr<sim2d::HumanBehavior> makeTreeBehavior(const sim2d::Scenario& scenario,
                                                        const TreeFiles& files,

@@ -9,6 +9,7 @@
 #include "bt/human/HumanNodes.h"
 #include "bt/human/Templates.h"
 #include "bt/tree/TreeXml.h"
+#include "sim2d/base/Text.h"
 
 namespace bt {
 
@@ -62,6 +63,27 @@ std::string contentOf(const TreeTable& table, const NodeCatalogue& catalogue) {
   file.trees = {table.entries.at(table.mainTree).tree};
   file.order = {FilePart::Tree};
   return writeTree(file, catalogue);
+}
+
+Diagnostics renamed(Diagnostics found, const std::string& from, const std::string& to) {
+  for (base::Diagnostic& diagnostic : found) {
+    diagnostic.file = diagnostic.file == from ? to : diagnostic.file;
+  }
+  return found;
+}
+
+/// A tree that is in no file is found by its person.
+Diagnostics toldByPerson(const sim2d::Human& human, Diagnostics found) {
+  for (base::Diagnostic& diagnostic : found) {
+    diagnostic.entity = human.key;
+    diagnostic.message = "tree of " + human.name + ": " + diagnostic.message;
+  }
+  return found;
+}
+
+/// A name for a tree that saving would put into this folder.
+std::string placeOfNew(const std::string& folder) {
+  return (std::filesystem::path(folder) / "own.xml").string();
 }
 
 const sim2d::Human* prototypeOf(const sim2d::Scenario& scenario, const sim2d::Area& area) {
@@ -134,19 +156,10 @@ TreeLoader::TreeLoader(const sim2d::Scenario& scenario, const sim2d::Compatibili
     : scenario_(scenario), quirks_(quirks), library_(humanNodes()) {}
 
 std::shared_ptr<const PersonProgram> TreeLoader::load(const sim2d::Human& human,
-                                                      const std::string& path,
+                                                      const TreeSource& source,
                                                       Diagnostics& diagnostics) {
-  if (!path.empty()) {
-    auto found = files_.find(path);
-    if (found == files_.end()) {
-      found = files_.emplace(path, loadTable(loadPersonTrees(path), diagnostics)).first;
-    }
-    const Loaded& loaded = found->second;
-    if (loaded.program) {
-      base::append(diagnostics,
-                   checkAgentTree(loaded.table, human, scenario_, library_.catalogue()));
-    }
-    return loaded.program;
+  if (!source.isGenerated()) {
+    return loadWritten(human, source, diagnostics);
   }
   const TreeTable table = makeTable(scenario_, human, quirks_);
   std::shared_ptr<const PersonProgram>& program =
@@ -158,13 +171,62 @@ std::shared_ptr<const PersonProgram> TreeLoader::load(const sim2d::Human& human,
   return program;
 }
 
+std::shared_ptr<const PersonProgram> TreeLoader::loadWritten(const sim2d::Human& human,
+                                                             const TreeSource& source,
+                                                             Diagnostics& diagnostics) {
+  const std::string& path = source.path;
+  const std::string* text = source.text ? &*source.text : nullptr;
+  if (text == nullptr) {
+    auto file = files_.find(path);
+    const bool isNew = file == files_.end();
+    if (isNew) {
+      file = files_.emplace(path, base::readTextFile(path)).first;
+    }
+    if (!file->second) {
+      base::append(diagnostics, isNew ? file->second.diagnostics() : Diagnostics());
+      return nullptr;
+    }
+    text = &*file->second;
+  }
+  const bool isInNone = path.empty();
+  const Loaded& loaded =
+      look(*text, isInNone && !source.folder.empty() ? placeOfNew(source.folder) : path);
+  if (isInNone) {
+    base::append(diagnostics, toldByPerson(human, renamed(loaded.found, loaded.path, path)));
+  } else if (told_.insert(path).second) {
+    base::append(diagnostics, renamed(loaded.found, loaded.path, path));
+  }
+  if (loaded.program) {
+    base::append(diagnostics,
+                 renamed(checkAgentTree(loaded.table, human, scenario_, library_.catalogue()),
+                         loaded.path, path));
+  }
+  return loaded.program;
+}
+
+const TreeLoader::Loaded& TreeLoader::look(const std::string& text, const std::string& path) {
+  const auto [place, isNew] =
+      texts_.try_emplace({std::filesystem::path(path).parent_path().string(), text});
+  Loaded& loaded = place->second;
+  if (isNew) {
+    loaded.path = path;
+    base::Result<TreeTable> table = loadPersonTrees(readTreeText(text, path));
+    loaded.found = table.diagnostics();
+    if (table) {
+      loaded.table = *std::move(table);
+      loaded.program = compileTable(loaded.table, loaded.found);
+    }
+  }
+  return loaded;
+}
+
 PersonPrograms TreeLoader::loadAll(const TreeFiles& files, Diagnostics& diagnostics) {
   PersonPrograms result;
   std::map<std::shared_ptr<const PersonProgram>, std::size_t> known;
   const auto loadOne = [&](const sim2d::Human& human) {
     const auto file = files.find(human.name);
     const auto [place, isNew] = known.emplace(
-        load(human, file == files.end() ? std::string() : file->second, diagnostics), known.size());
+        load(human, file == files.end() ? TreeSource() : file->second, diagnostics), known.size());
     if (isNew) {
       result.programs.push_back(place->first);
     }
@@ -197,21 +259,6 @@ PersonPrograms TreeLoader::loadAll(const TreeFiles& files, Diagnostics& diagnost
     }
   }
   return result;
-}
-
-TreeLoader::Loaded TreeLoader::loadText(const std::string& text, const std::string& path,
-                                        Diagnostics& diagnostics) const {
-  return loadTable(loadPersonTrees(readTreeText(text, path)), diagnostics);
-}
-
-TreeLoader::Loaded TreeLoader::loadTable(base::Result<TreeTable> table,
-                                         Diagnostics& diagnostics) const {
-  base::append(diagnostics, table.diagnostics());
-  if (!table) {
-    return {};
-  }
-  std::shared_ptr<const PersonProgram> program = compileTable(*table, diagnostics);
-  return {*std::move(table), std::move(program)};
 }
 
 std::shared_ptr<const PersonProgram> TreeLoader::compileTable(const TreeTable& table,

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,36 +41,40 @@ base::Result<TreeTable> loadPersonTrees(const std::string& path);
 /// warned of.
 base::Result<TreeTable> loadPersonTrees(base::Result<TreeFile> file);
 
-/// Loads and compiles; equal files and equal generated trees share their program.
+/// Loads and compiles; equal texts in one folder and equal generated trees share their program.
 class TreeLoader {
  public:
-  struct Loaded {
-    TreeTable table;
-    std::shared_ptr<const PersonProgram> program;  // nullptr = broken
-  };
-
   explicit TreeLoader(const sim2d::Scenario& scenario, const sim2d::Compatibility& quirks = {});
 
-  /// By the person's file, or generated when `path` is empty. nullptr and errors when broken.
-  std::shared_ptr<const PersonProgram> load(const sim2d::Human& human, const std::string& path,
+  /// nullptr and errors when broken. What is wrong with a file is told once, what does not fit the
+  /// person for each; a tree that is in no file is told by its person.
+  std::shared_ptr<const PersonProgram> load(const sim2d::Human& human, const TreeSource& source,
                                             base::Diagnostics& diagnostics);
-
-  /// A tree as an editor has it; its includes lie beside `path`. Nothing of it is kept.
-  Loaded loadText(const std::string& text, const std::string& path,
-                  base::Diagnostics& diagnostics) const;
 
   /// Of all listed people and of those that sources copy.
   PersonPrograms loadAll(const TreeFiles& files, base::Diagnostics& diagnostics);
 
  private:
-  Loaded loadTable(base::Result<TreeTable> table, base::Diagnostics& diagnostics) const;
+  /// A text, under the name of the first file that has it.
+  struct Loaded {
+    std::string path;
+    TreeTable table;
+    std::shared_ptr<const PersonProgram> program;  // nullptr = broken
+    base::Diagnostics found;
+  };
+  std::shared_ptr<const PersonProgram> loadWritten(const sim2d::Human& human,
+                                                   const TreeSource& source,
+                                                   base::Diagnostics& diagnostics);
+  const Loaded& look(const std::string& text, const std::string& path);
   std::shared_ptr<const PersonProgram> compileTable(const TreeTable& table,
                                                     base::Diagnostics& diagnostics) const;
 
   const sim2d::Scenario& scenario_;
   sim2d::Compatibility quirks_;
   NodeLibrary library_;
-  std::map<std::string, Loaded> files_;                                    // by path
+  std::map<std::string, base::Result<std::string>> files_;                 // by path
+  std::map<std::pair<std::string, std::string>, Loaded> texts_;            // by folder and text
+  std::set<std::string> told_;                                             // paths
   std::map<std::string, std::shared_ptr<const PersonProgram>> generated_;  // by content
 };
 

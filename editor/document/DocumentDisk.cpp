@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include "app/run/Bundle.h"
 #include "editor/document/TreeFiles.h"
 
 namespace editor {
@@ -59,22 +60,6 @@ void DocumentDisk::forgetFiles() {
 const KnownTree* DocumentDisk::known(EntityId human) const {
   const auto found = trees.find(human);
   return found == trees.end() ? nullptr : &found->second;
-}
-
-std::vector<WrittenTree> DocumentDisk::writtenTrees(
-    const sim2d::Scenario& scenario, const std::map<EntityId, std::string>& own) const {
-  std::vector<WrittenTree> written;
-  for (const sim2d::Human& human : scenario.humans) {
-    const KnownTree* before = known(human.key);
-    const std::string path = before == nullptr ? std::string() : before->path;
-    const auto text = own.find(human.key);
-    if (text != own.end()) {
-      written.push_back({human.key, path, text->second});
-    } else if (human.ours.tree && before == nullptr) {
-      written.push_back({human.key, path, std::nullopt});
-    }
-  }
-  return written;
 }
 
 std::map<EntityId, int> linesOf(const sim2d::Scenario& scenario,
@@ -202,6 +187,33 @@ std::optional<std::string> ScenarioDocument::treeToRun(EntityId id) const {
     return std::nullopt;  // means the same as the generator's
   }
   return wantedTree(scenario_, *person);
+}
+
+app::Bundle ScenarioDocument::bundle() const {
+  app::Bundle bundle;
+  bundle.path = path_.toStdString();
+  bundle.scenario = std::make_shared<const sim2d::Scenario>(scenario_);
+  bundle.isWhole = !disk_->readOnly;
+  bundle.map = mapIsMissing_ ? nullptr : map_;
+  bundle.lines = disk_->lines;
+  bundle.remarks = loadDiagnostics_;
+  base::append(bundle.remarks, mapProblems_);
+  if (isReadOnly() && !base::hasErrors(bundle.remarks)) {  // what was wrong is told no more
+    bundle.remarks.push_back(base::makeError(
+        "the file could only be read in part: save it under another name to run what is there",
+        bundle.path));
+  }
+  const std::string folder = path_.isEmpty() ? std::string() : treeFolderOf(bundle.path);
+  const sim2d::FilePlaces places = disk_->places(path_, shippedMaps_);
+  for (const sim2d::Human& human : scenario_.humans) {
+    const KnownTree* known = disk_->known(human.key);
+    if (std::optional<std::string> text = treeToRun(human.key)) {
+      bundle.trees[human.name] = {*std::move(text), known ? known->path : std::string(), folder};
+    } else if (human.ours.tree && known == nullptr) {  // it could not be read
+      bundle.trees[human.name] = sim2d::findTree(scenario_, human, places);
+    }
+  }
+  return bundle;
 }
 
 }  // namespace editor

@@ -9,8 +9,8 @@
 #include <QString>
 
 #include "bt/human/Templates.h"
+#include "bt/human/TreeBehavior.h"
 #include "editor/document/ScenarioDocument.h"
-#include "editor/document/TreeIssues.h"
 #include "sim2d/base/FileSet.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 
@@ -44,9 +44,6 @@ struct DocumentDisk {
   void noteFile(const QString& file);  // as it is now
   void forgetFiles();                  // of the document before
   const KnownTree* known(EntityId human) const;
-  /// Trees that are not the generator's: `own` ones, and files that people name and we do not have.
-  std::vector<WrittenTree> writtenTrees(const sim2d::Scenario& scenario,
-                                        const std::map<EntityId, std::string>& own) const;
 };
 
 /// Where the entities of a document stand in a file that holds it; the two may differ in keys.

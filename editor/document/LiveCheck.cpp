@@ -1,23 +1,20 @@
 #include "editor/document/LiveCheck.h"
 
-#include "sim2d/scenario/ScenarioCheck.h"
-#include "sim2d/scenario/ScenarioFile.h"
-#include "sim2d/world/World.h"
-
 namespace editor {
 
-void LiveCheck::start(const sim2d::Scenario& scenario,
-                      std::shared_ptr<const sim2d::OccupancyGrid> map, LiveTrees trees,
-                      const std::map<base::EntityId, int>& lines) {
-  task_.start([scenario, map = std::move(map), trees = std::move(trees), lines] {
-    sim2d::KnownNames names;
-    names.models = sim2d::modelNames();
-    names.planners = sim2d::plannerNames();
-    names.robotTypes = sim2d::robotTypeNames();
-    base::Diagnostics found = sim2d::checkScenario(
-        scenario, sim2d::makeSurroundings(scenario, *map), trees.places.scenarioPath, names);
-    sim2d::addLines(found, lines);
-    base::append(found, treeIssues(scenario, trees.trees, trees.places));
+namespace {
+
+constexpr std::int64_t kMostCells = 4'000'000;  // of larger maps the world is made by a run alone
+
+}  // namespace
+
+void LiveCheck::start(app::Bundle bundle) {
+  task_.start([bundle = std::move(bundle)] {
+    const bool isLarge =
+        bundle.map && std::int64_t{bundle.map->width()} * bundle.map->height() > kMostCells;
+    base::Diagnostics found =
+        app::check(bundle, isLarge ? app::CheckDepth::Meaning : app::CheckDepth::World).problems;
+    found.erase(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(bundle.remarks.size()));
     return found;
   });
 }

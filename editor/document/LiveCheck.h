@@ -1,31 +1,16 @@
 #pragma once
 
-#include <map>
-#include <memory>
-
-#include <QString>
-
+#include "app/run/Bundle.h"
 #include "editor/document/LatestTask.h"
-#include "editor/document/TreeIssues.h"
-#include "sim2d/base/Result.h"
-#include "sim2d/map/OccupancyGrid.h"
-#include "sim2d/scenario/Scenario.h"
 
 namespace editor {
 
-/// What trees the check looks at, and where their files are.
-struct LiveTrees {
-  std::vector<WrittenTree> trees;
-  sim2d::FilePlaces places;  // with the scenario's own path
-};
-
-/// Checks the meaning of a scenario and its trees beside the GUI thread, because walls of a large
-/// map take long to trace. `lines`: where entities stand in the file.
+/// Checks a scenario with its map and trees beside the GUI thread, as every run of it would: walls
+/// of a large map take long to trace. What was said while it was read is not told again.
 class LiveCheck {
  public:
   explicit LiveCheck(std::function<void(base::Diagnostics)> deliver) : task_(std::move(deliver)) {}
-  void start(const sim2d::Scenario& scenario, std::shared_ptr<const sim2d::OccupancyGrid> map,
-             LiveTrees trees, const std::map<base::EntityId, int>& lines);
+  void start(app::Bundle bundle);
   void finish() { task_.finish(); }
   void finishWithin(std::chrono::milliseconds patience) { task_.finishWithin(patience); }
 

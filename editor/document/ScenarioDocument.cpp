@@ -248,9 +248,7 @@ void ScenarioDocument::checkSoon() {
 }
 
 void ScenarioDocument::startCheck() {
-  liveCheck_->start(scenario_, map_,
-                    {disk_->writtenTrees(scenario_, trees_), disk_->places(path_, shippedMaps_)},
-                    disk_->lines);
+  liveCheck_->start(bundle());
 }
 
 void ScenarioDocument::replaceAll(sim2d::Scenario scenario) {

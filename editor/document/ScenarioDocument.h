@@ -17,6 +17,10 @@
 #include "sim2d/map/OccupancyGrid.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
+namespace app {
+struct Bundle;
+}
+
 namespace editor {
 
 class LiveCheck;
@@ -78,6 +82,9 @@ class ScenarioDocument : public QObject {
   /// The tree that a run uses: the person's own, else that of the file while it still says what
   /// the person does, else one in the style of the file; none = the generator's.
   std::optional<std::string> treeToRun(EntityId human) const;
+
+  /// All that a run takes, as it is now, saved or not.
+  app::Bundle bundle() const;
 
   // map; never null, an empty grid is the open plane
   std::shared_ptr<const sim2d::OccupancyGrid> map() const { return map_; }

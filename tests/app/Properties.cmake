@@ -11,3 +11,4 @@ endif()
 set_tests_properties(app.tst_Extremes PROPERTIES TIMEOUT 300)
 # Cuts long runs short, which then write what they have.
 set_tests_properties(app.tst_BrokenRuns PROPERTIES TIMEOUT 300)
+set_tests_properties(app.tst_OneVerdict PROPERTIES TIMEOUT 300)

@@ -2,7 +2,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "app/run/Preparation.h"
+#include "app/run/Bundle.h"
 #include "editor/document/QtImageLoader.h"
 #include "sim2d/map/MapReader.h"
 #include "sim2d/scenario/ScenarioFile.h"

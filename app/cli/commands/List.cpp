@@ -1,11 +1,12 @@
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/CommandLine.h"
-#include "app/cli/Commands.h"
+#include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/run/DataPaths.h"
 #include "bt/human/HumanNodes.h"
@@ -17,6 +18,11 @@
 namespace app {
 
 namespace {
+
+struct ListOptions {
+  std::string what;             // nodes, metrics, models, robots, planners, scenarios
+  std::string format = "text";  // text, json; xml for nodes, markdown for metrics
+};
 
 using Json = nlohmann::ordered_json;
 
@@ -128,8 +134,6 @@ void printJson(const std::vector<Entry>& entries) {
   printLine(all.dump(2));
 }
 
-}  // namespace
-
 int listCommand(const ListOptions& options, const OutputOptions& output) {
   const bool json = output.json || options.format == "json";
   if (options.format == "xml") {
@@ -166,6 +170,21 @@ int listCommand(const ListOptions& options, const OutputOptions& output) {
   }
   json ? printJson(entries) : printText(entries);
   return kFine;
+}
+
+}  // namespace
+
+void addList(CommandRegistry& commands) {
+  const auto options = std::make_shared<ListOptions>();
+  CLI::App& command = commands.add(
+      "list", "What there is to use",
+      [options](const Invocation& given) { return listCommand(*options, given.output); });
+  command.add_option("what", options->what, "nodes, metrics, models, robots, planners, scenarios")
+      ->required()
+      ->check(CLI::IsMember({"nodes", "metrics", "models", "robots", "planners", "scenarios"}));
+  command
+      .add_option("--format", options->format, "text or json; xml for nodes, markdown for metrics")
+      ->check(CLI::IsMember({"text", "json", "xml", "markdown"}));
 }
 
 }  // namespace app

@@ -1,13 +1,15 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <set>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/CommandLine.h"
-#include "app/cli/Commands.h"
+#include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/run/DataPaths.h"
 #include "app/run/TreePlay.h"
 #include "bt/human/HumanNodes.h"
 #include "bt/human/Templates.h"
@@ -17,6 +19,18 @@
 namespace app {
 
 namespace {
+
+struct TreesOptions {
+  std::string scenario;             // whose trees are made, or empty
+  std::string output;               // -o; empty: printed
+  std::string style = "corrected";  // corrected, hunav2
+  std::string play;                 // tree file to play, or empty
+  std::string script;               // what its leaves answer; empty: SUCCESS
+  int ticks = 10;
+  double dt = 0.05;  // [s]
+  long long seed = 1;
+  std::string compat;  // quirks of the original while playing
+};
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
@@ -232,8 +246,6 @@ int play(const TreesOptions& options, const OutputOptions& output) {
   return fault.empty() ? kFine : kRunFailed;
 }
 
-}  // namespace
-
 int treesCommand(const TreesOptions& options, const OutputOptions& output) {
   if (options.scenario.empty() == options.play.empty()) {
     printError("trees needs a scenario, or a tree to play: --play FILE");
@@ -244,6 +256,34 @@ int treesCommand(const TreesOptions& options, const OutputOptions& output) {
     return kWrongCommandLine;
   }
   return options.play.empty() ? generate(options, output) : play(options, output);
+}
+
+}  // namespace
+
+void addTrees(CommandRegistry& commands) {
+  const auto options = std::make_shared<TreesOptions>();
+  CLI::App& command = commands.add(
+      "trees", "Make people's behaviour trees, or play one",
+      [options](const Invocation& given) { return treesCommand(*options, given.output); });
+  CLI::Option* scenario =
+      command.add_option("scenario", options->scenario, "Scenario file")->transform(scenarioFile);
+  CLI::Option* output =
+      command.add_option("-o,--output", options->output, "Folder for the trees; none: print them");
+  CLI::Option* style = command.add_option("--style", options->style, "corrected or hunav2");
+  style->check(CLI::IsMember({"corrected", "hunav2"}));
+  CLI::Option* play = command.add_option("--play", options->play, "Tree file to tick by itself");
+  play->excludes(scenario)->excludes(output)->excludes(style);
+  command.add_option("--script", options->script, "YAML: leaf -> statuses of its calls")
+      ->needs(play);
+  command.add_option("--ticks", options->ticks, "Number of ticks (10)")
+      ->needs(play)
+      ->check(CLI::Range(1, 1000000));
+  command.add_option("--dt", options->dt, "Time step [s] (0.05)")->needs(play);
+  command.add_option("--seed", options->seed, "Seed of the tree's draws (1)")
+      ->needs(play)
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--compat", options->compat, "hunav2, or quirks of the original: Q-20")
+      ->needs(play);
 }
 
 }  // namespace app

@@ -1,13 +1,14 @@
 #include <algorithm>
+#include <memory>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/CommandLine.h"
-#include "app/cli/Commands.h"
+#include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
 #include "app/run/Experiment.h"
-#include "app/run/Preparation.h"
 #include "bt/engine/Program.h"
 #include "bt/human/HumanNodes.h"
 #include "bt/tree/TreeXml.h"
@@ -18,6 +19,11 @@
 namespace app {
 
 namespace {
+
+struct CheckOptions {
+  std::vector<std::string> files;
+  std::string map, trees;
+};
 
 enum class FileKind { Scenario, Tree, Map, Experiment };
 
@@ -39,11 +45,9 @@ base::Diagnostics checkScenarioFile(const std::string& path, const CheckOptions&
   run.scenario = path;
   run.map = options.map;
   run.trees = options.trees;
-  Preparation preparation = prepare(run, {}, editor::loadMapImage);
-  if (preparation.ok()) {
-    base::append(preparation.diagnostics, makeWorld(preparation, run).diagnostics());
-  }
-  return preparation.diagnostics;
+  Verdict verdict = check(readBundle(run, {}, editor::loadMapImage));
+  base::append(verdict.problems, verdict.worldRemarks);
+  return verdict.problems;
 }
 
 /// What has not been said; the compiler checks once more on its own.
@@ -121,8 +125,6 @@ std::string summary(std::size_t files, const base::Diagnostics& diagnostics) {
          count(warnings, "warning");
 }
 
-}  // namespace
-
 int checkCommand(const CheckOptions& options, const OutputOptions& output) {
   base::Diagnostics all;
   for (const std::string& file : options.files) {
@@ -138,6 +140,18 @@ int checkCommand(const CheckOptions& options, const OutputOptions& output) {
     printLine(summary(options.files.size(), all));
   }
   return base::hasErrors(all) ? kBadInput : kFine;
+}
+
+}  // namespace
+
+void addCheck(CommandRegistry& commands) {
+  const auto options = std::make_shared<CheckOptions>();
+  CLI::App& command = commands.add(
+      "check", "Validate scenarios, trees, maps, experiments",
+      [options](const Invocation& given) { return checkCommand(*options, given.output); });
+  command.add_option("files", options->files, "Files")->required();
+  command.add_option("--map", options->map, "Map of the scenarios");
+  command.add_option("--trees", options->trees, "Folder with their trees");
 }
 
 }  // namespace app

@@ -1,12 +1,13 @@
 #include <cmath>
+#include <memory>
 
-#include "app/cli/CommandLine.h"
-#include "app/cli/Commands.h"
+#include <CLI/CLI.hpp>
+
+#include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/run/Bundle.h"
+#include "app/run/DataPaths.h"
 #include "app/run/Manifest.h"
-#include "app/run/MetricsChoice.h"
-#include "app/run/MetricsSetup.h"
-#include "app/run/Preparation.h"
 #include "app/run/RunFolder.h"
 #include "editor/document/QtImageLoader.h"
 #include "metrics/Counterfactual.h"
@@ -57,36 +58,33 @@ FinishedRun simulate(sim2d::World& world, const sim2d::Scenario& scenario,
 }
 
 /// The same people with the same draws, alone; as many steps as the run had.
-base::Result<sim2d::Trace> simulateWithoutRobots(const Preparation& preparation,
-                                                 const RunOptions& options, std::int64_t steps) {
-  Preparation alone = preparation;
-  auto scenario = std::make_shared<sim2d::Scenario>(*preparation.scenario);
+base::Result<sim2d::Trace> simulateWithoutRobots(const Bundle& bundle, std::int64_t steps) {
+  Bundle alone = bundle;
+  auto scenario = std::make_shared<sim2d::Scenario>(*bundle.scenario);
   for (sim2d::Robot& robot : scenario->robots) {
     robot.listed = false;
   }
   alone.scenario = scenario;
-  const base::Result<std::unique_ptr<sim2d::World>> world = makeWorld(alone, options);
-  if (!world) {
-    return world.diagnostics();
+  const Verdict verdict = check(alone);
+  if (!verdict.world) {
+    return verdict.problems;
   }
   sim2d::Recorder recorder(scenario->desktop.recordEvery.value_or(1));
-  const sim2d::RunResult result = sim2d::run(**world, {steps, false}, recorder,
+  const sim2d::RunResult result = sim2d::run(*verdict.world, {steps, false}, recorder,
                                              [](const sim2d::Frame&) { return wasInterrupted(); });
   if (result.status != sim2d::RunStatus::Finished) {
-    return base::makeError("the run without robots ended early: " + result.reason,
-                           options.scenario);
+    return base::makeError("the run without robots ended early: " + result.reason, bundle.path);
   }
-  return recorder.finish((*world)->header());
+  return recorder.finish(verdict.world->header());
 }
 
 /// Adds the sums to the metrics and makes the table of people.
-base::Diagnostics compareWithoutRobots(const Preparation& preparation, const RunOptions& options,
-                                       const RunWriter& writer, FinishedRun& run) {
+base::Diagnostics compareWithoutRobots(const Bundle& bundle, const RunWriter& writer,
+                                       FinishedRun& run) {
   if (run.header.robots.empty()) {
-    return {base::makeWarning("--counterfactual: the scenario has no robot", options.scenario)};
+    return {base::makeWarning("--counterfactual: the scenario has no robot", bundle.path)};
   }
-  const base::Result<sim2d::Trace> alone =
-      simulateWithoutRobots(preparation, options, run.result.steps);
+  const base::Result<sim2d::Trace> alone = simulateWithoutRobots(bundle, run.result.steps);
   if (!alone) {
     return alone.diagnostics();
   }
@@ -156,18 +154,18 @@ struct Outcome {
 };
 
 /// Comparison, files and table of a run; returns the exit code.
-int conclude(const RunOptions& options, const OutputOptions& output, const Preparation& preparation,
+int conclude(const RunOptions& options, const OutputOptions& output, const Bundle& bundle,
              const std::vector<std::string>& commandLine, const Outcome& outcome) {
   FinishedRun& run = outcome.run;
   bool isCompared = true, isWritten = true;
   if (options.counterfactual && run.result.status == sim2d::RunStatus::Finished) {
-    const base::Diagnostics told = compareWithoutRobots(preparation, options, outcome.writer, run);
+    const base::Diagnostics told = compareWithoutRobots(bundle, outcome.writer, run);
     printDiagnostics(told);
     isCompared = !base::hasErrors(told);
   }
   if (!options.output.empty()) {
     const base::Diagnostics problems =
-        writeRunFolder(options.output, run, outcome.writer, preparation, commandLine);
+        writeRunFolder(options.output, run, outcome.writer, bundle, commandLine);
     printDiagnostics(problems);
     isWritten = !base::hasErrors(problems);
   }
@@ -190,59 +188,64 @@ void wantNoMore(const RunOptions& options, const OutputOptions& output,
   selection.behaviorSeries = false;  // in none of the files
 }
 
-}  // namespace
-
 int runCommand(const RunOptions& options, const OutputOptions& output,
                const std::vector<std::string>& commandLine) {
-  const base::Diagnostics wrong = checkOptions(options);
-  const base::Result<sim2d::Compatibility> compatibility =
-      options.compat.empty() ? base::Result<sim2d::Compatibility>(sim2d::Compatibility())
-                             : sim2d::Compatibility::parse(options.compat);
-  printDiagnostics(wrong);
-  printDiagnostics(compatibility.diagnostics());
-  if (!wrong.empty() || !compatibility) {
+  const base::Result<RunSettings> settings = runSettingsOf(options);
+  printDiagnostics(settings.diagnostics());
+  if (!settings) {
     return kWrongCommandLine;
   }
-  Preparation preparation = prepare(options, *compatibility, editor::loadMapImage);
-  base::Result<MetricsSetup> setup = metricsSetupOf(*preparation.scenario, options.scenario);
-  base::append(preparation.diagnostics, setup.diagnostics());
-  const MetricsSetup scenarioSetup = setup ? *setup : MetricsSetup();
-  if (setup) {
-    base::append(preparation.diagnostics, chooseMetrics({options.metrics, options.metricsProfile},
-                                                        *setup, preparation.wrongWords));
-  }
-  printDiagnostics(preparation.wrongWords);
-  if (base::hasErrors(preparation.wrongWords)) {
+  const Bundle bundle = readBundle(options, *settings, editor::loadMapImage);
+  Verdict verdict = check(bundle);
+  printDiagnostics(verdict.wrongWords);
+  if (base::hasErrors(verdict.wrongWords)) {
     return kWrongCommandLine;
   }
-  if (!options.output.empty() && preparation.ok()) {  // else nothing will be written
-    base::append(preparation.diagnostics, checkWritableFolder(options.output));
+  if (!options.output.empty() && verdict.ok()) {  // else nothing will be written
+    base::append(verdict.problems, checkWritableFolder(options.output));
   }
-  printDiagnostics(preparation.diagnostics, base::Severity::Warning);  // hints are for check
-  if (!preparation.ok()) {
+  printDiagnostics(verdict.problems, base::Severity::Warning);  // hints are for check
+  printDiagnostics(verdict.worldRemarks);
+  if (!verdict.ok()) {
     return kBadInput;
   }
-  const base::Result<std::unique_ptr<sim2d::World>> world = makeWorld(preparation, options);
-  printDiagnostics(world.diagnostics());
-  if (!world) {
-    return kBadInput;
-  }
+  sim2d::World& world = *verdict.world;
   catchInterrupts();
-  wantNoMore(options, output, setup->selection);
-  RunWriter writer(options.totals ? std::string() : options.output, **world, setup->selection,
-                   setup->parameters);
+  wantNoMore(options, output, verdict.metrics.selection);
+  RunWriter writer(options.totals ? std::string() : options.output, world,
+                   verdict.metrics.selection, verdict.metrics.parameters);
   if (options.counterfactual) {
     writer.keepTrace();
   }
-  FinishedRun run = simulate(**world, *preparation.scenario, scenarioSetup, writer, output);
+  FinishedRun run = simulate(world, *bundle.scenario, verdict.scenarioMetrics, writer, output);
   run.totalsOnly = options.totals;
   base::Diagnostics troubles;
-  (*world)->behavior().takeDiagnostics(troubles);
+  world.behavior().takeDiagnostics(troubles);
   printDiagnostics(troubles);
   if (!run.evaluation) {
     printDiagnostics(run.evaluation.diagnostics());
   }
-  return conclude(options, output, preparation, commandLine, {writer, run});
+  return conclude(options, output, bundle, commandLine, {writer, run});
+}
+
+}  // namespace
+
+void addRun(CommandRegistry& commands) {
+  const auto options = std::make_shared<RunOptions>();
+  CLI::App& command = commands.add("run", "Simulate one scenario without a window",
+                                   [options](const Invocation& given) {
+                                     return runCommand(*options, given.output, given.words());
+                                   });
+  command
+      .add_option("scenario", options->scenario, "Scenario: a file, or a name of list scenarios")
+      ->required()
+      ->transform(scenarioFile);
+  command.add_option("-o,--output", options->output, "Folder for the files of the run");
+  addRunOptions(command, *options);
+  command.add_flag("--counterfactual", options->counterfactual,
+                   "The same seed again without robots: what they did to people");
+  command.add_flag("--totals", options->totals,
+                   "Only manifest.json and the totals of metrics.json, for many long runs");
 }
 
 }  // namespace app

@@ -1,16 +1,20 @@
 #include <cmath>
 #include <fstream>
 #include <malloc.h>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
+#include <QDir>
+#include <QFileInfo>
 #include <QTemporaryDir>
 
 #include "app/cli/BenchPicture.h"
 #include "app/cli/BenchScene.h"
-#include "app/cli/CommandLine.h"
-#include "app/cli/Commands.h"
+#include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioCheck.h"
@@ -20,6 +24,13 @@
 
 namespace app {
 namespace {
+
+struct BenchOptions {
+  bool quick = false;  // small crowds, short
+  int threads = 1;
+  std::string format = "text";  // text, csv
+  std::string picture;          // file to draw it into, or empty
+};
 
 constexpr int kBeams = 360;
 constexpr int kRounds = 5;
@@ -269,8 +280,6 @@ std::optional<std::vector<BenchPoint>> measureSizes(const BenchOptions& options,
   return points;
 }
 
-}  // namespace
-
 int benchCommand(const BenchOptions& options, const OutputOptions& output) {
   // What is freed goes back to the system: scenes before leave no holes to be filled for nothing.
   mallopt(M_MMAP_THRESHOLD, 128 * 1024);
@@ -305,6 +314,32 @@ int benchCommand(const BenchOptions& options, const OutputOptions& output) {
     return kRunFailed;
   }
   return kFine;
+}
+
+/// Nothing = fine; otherwise what is wrong.
+std::string isPictureFile(const std::string& path) {
+  const QFileInfo file(QString::fromStdString(path));
+  const QStringList endings = {QStringLiteral("png"), QStringLiteral("svg"), QStringLiteral("pdf")};
+  if (!endings.contains(file.suffix())) {
+    return "'" + path + "' ends neither in .png nor in .svg nor in .pdf";
+  }
+  return file.absoluteDir().exists() ? std::string() : "there is no folder for '" + path + "'";
+}
+
+}  // namespace
+
+void addBench(CommandRegistry& commands) {
+  const auto options = std::make_shared<BenchOptions>();
+  CLI::App& command = commands.add(
+      "bench", "How fast this machine steps crowds",
+      [options](const Invocation& given) { return benchCommand(*options, given.output); },
+      [options] { return options->picture.empty() ? Drawing::None : Drawing::Widgets; });
+  command.add_flag("--quick", options->quick, "Up to 1000 people, in a few seconds");
+  command.add_option("--threads", options->threads, "Number of threads")->check(CLI::Range(1, 256));
+  command.add_option("--format", options->format, "text or csv")
+      ->check(CLI::IsMember({"text", "csv"}));
+  command.add_option("--picture", options->picture, "Draws the table: FILE.png, .svg or .pdf")
+      ->check(isPictureFile);
 }
 
 }  // namespace app

@@ -1,11 +1,13 @@
 #include <filesystem>
+#include <memory>
+
+#include <CLI/CLI.hpp>
 
 #include <QImage>
 #include <QImageWriter>
 #include <QSaveFile>
 
-#include "app/cli/CommandLine.h"
-#include "app/cli/Commands.h"
+#include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/cli/RunPicture.h"
 #include "sim2d/base/Text.h"
@@ -13,6 +15,11 @@
 namespace app {
 
 namespace {
+
+struct RenderOptions {
+  std::string run;     // folder of a run
+  std::string output;  // picture
+};
 
 namespace fs = std::filesystem;
 
@@ -29,8 +36,6 @@ base::Diagnostics saveImage(const QImage& image, const std::string& path) {
   }
   return {};
 }
-
-}  // namespace
 
 int renderCommand(const RenderOptions& options, const OutputOptions& output) {
   const std::string ending = base::lowered(fs::path(options.output).extension().string());
@@ -54,6 +59,18 @@ int renderCommand(const RenderOptions& options, const OutputOptions& output) {
     printLine(options.output);
   }
   return kFine;
+}
+
+}  // namespace
+
+void addRender(CommandRegistry& commands) {
+  const auto options = std::make_shared<RenderOptions>();
+  CLI::App& command = commands.add(
+      "render", "Draw a recorded run",
+      [options](const Invocation& given) { return renderCommand(*options, given.output); },
+      [] { return Drawing::Pictures; });
+  command.add_option("run", options->run, "Folder of the run")->required();
+  command.add_option("-o,--output", options->output, "Picture (.png)")->required();
 }
 
 }  // namespace app

@@ -1,11 +1,13 @@
 #include <filesystem>
+#include <memory>
 
-#include "app/cli/CommandLine.h"
-#include "app/cli/Commands.h"
+#include <CLI/CLI.hpp>
+
+#include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/run/Bundle.h"
 #include "app/run/Manifest.h"
 #include "app/run/MetricsChoice.h"
-#include "app/run/Preparation.h"
 #include "editor/document/QtImageLoader.h"
 #include "metrics/ReportFiles.h"
 #include "sim2d/base/Text.h"
@@ -14,6 +16,22 @@
 namespace app {
 
 namespace {
+
+struct EvaluateOptions {
+  std::string source;  // folder of a run, or a file of another program
+  std::string output;
+  std::string map;  // instead of the record's; "none" = open plane
+  std::string metrics, metricsProfile = "corrected";
+  std::optional<std::string> tag;
+  std::optional<int> runId;
+  std::string layout;     // hunav2 (v2), hunav1 (v1): the evaluator's own files too
+  std::string reference;  // run to compare the robot's way with: folder, or a file with one body
+  // of files of other programs
+  std::string format, columns;
+  std::optional<double> framesPerSecond, step;
+  std::optional<int> robot;
+  std::optional<std::string> robotGoal;
+};
 
 namespace fs = std::filesystem;
 
@@ -182,8 +200,6 @@ class ResultFolder {
   base::Diagnostics problems_;
 };
 
-}  // namespace
-
 int evaluateCommand(const EvaluateOptions& options, const OutputOptions& output) {
   base::Diagnostics wrong =
       isRunFolder(options.source) ? foreignWords(options) : base::Diagnostics();
@@ -239,6 +255,37 @@ int evaluateCommand(const EvaluateOptions& options, const OutputOptions& output)
     print(metrics::tableText(*evaluation));
   }
   return kFine;
+}
+
+void addForeignOptions(CLI::App& command, EvaluateOptions& options) {
+  command.add_option("--format", options.format, "Of a file of another program (by its name)")
+      ->check(CLI::IsMember({"csv", "eth", "vsp", "trajnet", "socnavbench"}));
+  command.add_option("--columns", options.columns, "Names of its columns: time=t,id=ped,x=px");
+  command.add_option("--fps", options.framesPerSecond, "Frames per second of its frame numbers");
+  command.add_option("--dt", options.step, "Step of the samples made of it [s]");
+  command.add_option("--robot", options.robot, "The person with this id is the robot");
+  command.add_option("--robot-goal", options.robotGoal, "\"X Y\" (m)");
+}
+
+}  // namespace
+
+void addEvaluate(CommandRegistry& commands) {
+  const auto options = std::make_shared<EvaluateOptions>();
+  CLI::App& command = commands.add(
+      "evaluate", "Metrics of a recorded run or of a file",
+      [options](const Invocation& given) { return evaluateCommand(*options, given.output); });
+  command.add_option("source", options->source, "Folder of a run, or a trajectory file")
+      ->required();
+  command.add_option("-o,--output", options->output, "Folder for the results")->required();
+  command.add_option("--map", options->map, "Map instead of the recorded; none = open plane");
+  addMetricsOptions(command, options->metrics, options->metricsProfile);
+  command.add_option("--tag", options->tag, "Tag in the result files");
+  command.add_option("--run-id", options->runId, "Number of the run in the result files");
+  command.add_option("--layout", options->layout, "Also the files of HuNavSim's evaluator")
+      ->check(CLI::IsMember({"hunav2", "hunav1"}));
+  command.add_option("--reference", options->reference,
+                     "Run to compare the robot's way with: a folder, or a file with one body");
+  addForeignOptions(command, *options);
 }
 
 }  // namespace app

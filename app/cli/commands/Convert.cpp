@@ -1,16 +1,27 @@
 #include <algorithm>
+#include <memory>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/CommandLine.h"
-#include "app/cli/Commands.h"
+#include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/run/DataPaths.h"
 #include "app/run/Export.h"
 #include "editor/document/QtImageLoader.h"
 
 namespace app {
 
 namespace {
+
+struct ConvertOptions {
+  std::string scenario;
+  std::string output;               // folder
+  std::string target;               // name of exportTargets()
+  std::string dialect;              // B, C; empty: the target's
+  std::string style = "corrected";  // of trees that are made: corrected, hunav2
+  std::string map, trees;
+};
 
 using Json = nlohmann::ordered_json;
 
@@ -65,8 +76,6 @@ void printPlan(const ExportPlan& plan, const base::Diagnostics& report,
   }
 }
 
-}  // namespace
-
 int convertCommand(const ConvertOptions& options, const OutputOptions& output) {
   const base::Result<ExportSource> source =
       readExportSource(options.scenario, options.map, options.trees, editor::loadMapImage);
@@ -96,6 +105,33 @@ int convertCommand(const ConvertOptions& options, const OutputOptions& output) {
   base::append(report, plan.report);
   printPlan(plan, report, options, output);
   return kFine;
+}
+
+}  // namespace
+
+void addConvert(CommandRegistry& commands) {
+  const auto options = std::make_shared<ConvertOptions>();
+  CLI::App& command = commands.add(
+      "convert", "Write scenario, trees and map for another simulator",
+      [options](const Invocation& given) { return convertCommand(*options, given.output); });
+  std::vector<std::string> targets;
+  for (const sim2d::TargetInfo& target : sim2d::exportTargets()) {
+    targets.push_back(target.name);
+  }
+  command.add_option("scenario", options->scenario, "Scenario file, of any dialect")
+      ->required()
+      ->transform(scenarioFile);
+  command.add_option("-o,--output", options->output, "Folder for scenarios, behavior_trees, maps")
+      ->required();
+  command.add_option("--target", options->target, "Simulator that is to read it")
+      ->required()
+      ->check(CLI::IsMember(targets));
+  command.add_option("--dialect", options->dialect, "B or C instead of what the target reads")
+      ->check(CLI::IsMember({"B", "C"}));
+  command.add_option("--style", options->style, "Of trees that are missing: corrected or hunav2")
+      ->check(CLI::IsMember({"corrected", "hunav2"}));
+  command.add_option("--map", options->map, "Map to use instead of the scenario's");
+  command.add_option("--trees", options->trees, "Folder with the behaviour trees");
 }
 
 }  // namespace app

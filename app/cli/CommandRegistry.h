@@ -1,0 +1,74 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/run/RunOptions.h"
+
+namespace CLI {
+class App;
+}
+
+namespace app {
+
+/// Exit codes of the program.
+enum ExitCode { kFine = 0, kRunFailed = 1, kBadInput = 2, kWrongCommandLine = 64 };
+
+/// Where results go and how they are shown; of every command.
+struct OutputOptions {
+  bool quiet = false;  // no progress, no table
+  bool json = false;   // machine-readable standard output
+};
+
+/// What Qt a command needs: none but its core, pictures, or pictures of widgets. Pictures need no
+/// display.
+enum class Drawing { None, Pictures, Widgets };
+
+/// The words that the program was started with.
+struct Invocation {
+  int argc = 0;
+  char** argv = nullptr;
+  OutputOptions output;
+  std::vector<std::string> words() const { return {argv, argv + argc}; }
+};
+
+/// The commands of the program. Each file of app/cli/commands adds its own; the options are those
+/// of CLI11 and belong to the command.
+class CommandRegistry {
+ public:
+  using Action = std::function<int(const Invocation&)>;  // returns an exit code
+
+  explicit CommandRegistry(CLI::App& root) : root_(root) {}
+  CLI::App& root() const { return root_; }
+
+  /// `drawing` is asked when the options are known.
+  CLI::App& add(
+      const std::string& name, const std::string& help, Action action,
+      std::function<Drawing()> drawing = [] { return Drawing::None; });
+  /// What is done without a command; it makes its application itself.
+  void setDefault(Action action) { default_ = std::move(action); }
+
+  /// --quiet and --json behind the options of each command.
+  void addOutputOptions();
+  /// Does what was given.
+  int start(Invocation given) const;
+
+ private:
+  struct Command {
+    Action action;
+    std::function<Drawing()> drawing;
+  };
+  CLI::App& root_;
+  std::map<std::string, Command> commands_;
+  Action default_;
+  OutputOptions output_;
+};
+
+/// The options of `run`, which the window has too.
+void addRunOptions(CLI::App& command, RunOptions& options);
+/// Those of them that choose metrics.
+void addMetricsOptions(CLI::App& command, std::string& metrics, std::string& profile);
+
+}  // namespace app

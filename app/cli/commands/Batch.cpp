@@ -1,0 +1,117 @@
+#include "app/run/Batch.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/CommandRegistry.h"
+#include "app/cli/Console.h"
+#include "app/run/Manifest.h"
+#include "editor/document/QtImageLoader.h"
+#include "sim2d/base/Text.h"
+
+namespace app {
+
+namespace {
+
+struct BatchOptions {
+  std::string experiment;
+  std::string output;
+  int jobs = 0;  // 0 = number of cores
+};
+
+namespace fs = std::filesystem;
+
+std::string progressText(std::size_t finished, std::size_t total, double seconds) {
+  std::string text = std::to_string(finished) + " / " + std::to_string(total) + " runs";
+  if (finished > 0 && seconds > 0.0) {
+    const double rate = static_cast<double>(finished) / seconds;
+    text += ", " + base::formatDecimals(std::round(rate * 10.0) / 10.0, 1) + " runs/s, " +
+            durationText(static_cast<double>(total - finished) / rate) + " left";
+  }
+  return text;
+}
+
+int report(const Experiment& experiment, const BatchRows& rows, const BatchOptions& options,
+           const OutputOptions& output) {
+  const BatchCount count = countOf(rows);
+  const bool complete = count.finished == rows.size();
+  const std::string manifest = batchManifest(experiment, rows);
+  const fs::path folder = options.output;
+  base::Diagnostics problems =
+      base::writeFileAtomically((folder / "results.csv").string(), resultsCsv(experiment, rows));
+  base::append(problems, base::writeFileAtomically((folder / "manifest.json").string(), manifest));
+  printDiagnostics(problems);
+  if (base::hasErrors(problems)) {
+    return kBadInput;
+  }
+  if (output.json) {
+    print(manifest);
+  } else if (!output.quiet) {
+    printLine(std::to_string(count.finished) + " of " + std::to_string(rows.size()) +
+              " runs finished, " + std::to_string(count.failed) +
+              " failed: " + (folder / "results.csv").string());
+  }
+  if (!complete) {
+    printError("interrupted: the finished runs are kept");
+  }
+  return complete && count.failed == 0 ? kFine : kRunFailed;
+}
+
+int batchCommand(const BatchOptions& options, const OutputOptions& output) {
+  const base::Result<Experiment> experiment = readExperiment(options.experiment);
+  printDiagnostics(experiment.diagnostics());
+  if (!experiment) {
+    return kBadInput;
+  }
+  base::Diagnostics problems = checkExperiment(*experiment, editor::loadMapImage);
+  if (!base::hasErrors(problems)) {  // else nothing will be written
+    base::append(problems, checkWritableFolder(options.output));
+  }
+  printDiagnostics(problems);
+  if (base::hasErrors(problems)) {
+    return kBadInput;
+  }
+  catchInterrupts();
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  const std::string runs = (fs::path(options.output) / "runs").string();
+  const auto start = std::chrono::steady_clock::now();
+  BatchRows rows;
+  {
+    Progress progress(output.quiet);
+    const std::size_t total = experiment->runCount();
+    progress.show(progressText(0, total, 0.0), true);
+    BatchJob job;
+    job.runsFolder = runs;
+    job.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(cores);
+    job.wantsStop = wasInterrupted;
+    job.onProgress = [&](std::size_t finished) {
+      const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+      progress.show(progressText(finished, total, elapsed.count()));
+    };
+    rows = runBatch(*experiment, job);
+  }
+  std::error_code ignored;  // the folder stays when runs are kept in it
+  fs::remove(runs, ignored);
+  return report(*experiment, rows, options, output);
+}
+
+}  // namespace
+
+void addBatch(CommandRegistry& commands) {
+  const auto options = std::make_shared<BatchOptions>();
+  CLI::App& command = commands.add(
+      "batch", "Many runs: scenarios x values x seeds",
+      [options](const Invocation& given) { return batchCommand(*options, given.output); });
+  command.add_option("experiment", options->experiment, "Experiment file")->required();
+  command.add_option("-o,--output", options->output, "Folder for the results")->required();
+  command.add_option("--jobs", options->jobs, "Processes at a time (number of cores)")
+      ->check(CLI::Range(1, 1024));
+}
+
+}  // namespace app

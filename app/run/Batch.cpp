@@ -1,0 +1,394 @@
+#include "app/run/Batch.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <fcntl.h>
+#include <filesystem>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/run/Bundle.h"
+#include "app/run/DataPaths.h"
+#include "app/run/InputJson.h"
+#include "metrics/MetricRegistry.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/trace/Csv.h"
+
+namespace app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+constexpr int kPollMs = 100;
+constexpr std::chrono::seconds kPatience{3};  // for children to end after they were asked to
+constexpr int kNotStarted = 127;              // exit code of a child that is not the program
+
+std::string fieldOf(const Json& value) {
+  if (value.is_null()) {
+    return {};
+  }
+  if (value.is_boolean()) {
+    return value.get<bool>() ? "True" : "False";
+  }
+  if (value.is_number_float()) {
+    return base::formatDouble(value.get<double>());
+  }
+  return value.dump();
+}
+
+Json readJson(const fs::path& path) {
+  const base::Result<std::string> text = base::readTextFile(path.string());
+  return text ? Json::parse(*text, nullptr, false) : Json();
+}
+
+/// The first line that says what went wrong.
+std::string firstError(const std::string& output) {
+  for (const std::string& line : base::split(output, '\n')) {
+    const std::size_t at = line.find("error: ");
+    if (at != std::string::npos) {
+      return base::trimmed(line.substr(at + 7));
+    }
+  }
+  return {};
+}
+
+BatchRow readRow(const fs::path& folder) {
+  BatchRow row;
+  const Json manifest = readJson(folder / "manifest.json");
+  const Json metrics = readJson(folder / "metrics.json");
+  if (manifest.is_object()) {
+    row.ok = manifest.value("status", "") == "finished";
+    row.reason = row.ok ? std::string() : manifest.value("reason", "");
+    if (manifest.contains("simulated_seconds")) {
+      row.simulated = fieldOf(manifest["simulated_seconds"]);
+    }
+  }
+  if (metrics.is_object() && metrics.contains("metrics")) {
+    for (const auto& [key, entry] : metrics["metrics"].items()) {
+      row.metrics[key] = fieldOf(entry.value("value", Json()));
+    }
+  }
+  return row;
+}
+
+std::vector<std::string> wordsOf(const Experiment& experiment, std::size_t run,
+                                 const std::string& folder) {
+  const Experiment::Run values = experiment.run(run);
+  std::vector<std::string> words = {programPath(), "run", experiment.scenarioPaths[values.scenario],
+                                    "--quiet",     "-o",  folder};
+  if (experiment.record == Experiment::Record::Metrics) {
+    words.emplace_back("--totals");  // nothing else of the folder is looked at
+  }
+  const auto add = [&words](const char* option, const std::optional<std::string>& value) {
+    if (value) {
+      words.insert(words.end(), {option, *value});
+    }
+  };
+  add("--seed", std::to_string(values.seed));
+  add("--duration", experiment.duration);
+  add("--dt", experiment.dt);
+  add("--model", experiment.model);
+  add("--robot", experiment.robot);
+  add("--planner", experiment.planner);
+  add("--metrics-profile", experiment.metricsProfile);
+  for (std::size_t k = 0; k < experiment.values.size(); ++k) {
+    add("--set", experiment.values[k].first + "=" + values.values[k]);
+  }
+  return words;
+}
+
+/// A run in a process of its own; what it says on standard error is kept.
+struct Child {
+  std::size_t run = 0;
+  pid_t process = -1;
+  int said = -1;  // pipe from its standard error
+  std::string errors;
+};
+
+/// In the new process. Out of the reach of Ctrl-C in the terminal: the parent asks it to end, once.
+/// It does not outlive the parent.
+[[noreturn]] void becomeProgram(char* const* words, int errors) {
+  ::setpgid(0, 0);
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  const int nowhere = ::open("/dev/null", O_RDWR);
+  ::dup2(nowhere, STDIN_FILENO);
+  ::dup2(nowhere, STDOUT_FILENO);
+  ::dup2(errors, STDERR_FILENO);
+  ::execv(words[0], words);
+  ::_exit(kNotStarted);
+}
+
+/// process -1: there is none.
+Child startChild(std::size_t run, std::vector<std::string> words) {
+  std::vector<char*> pointers;
+  for (std::string& word : words) {
+    pointers.push_back(word.data());
+  }
+  pointers.push_back(nullptr);
+  Child child;
+  child.run = run;
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0) {
+    return child;
+  }
+  child.process = ::fork();
+  if (child.process == 0) {
+    becomeProgram(pointers.data(), ends[1]);
+  }
+  ::close(ends[1]);
+  child.said = ends[0];
+  return child;
+}
+
+/// What it said since; false when it will say no more.
+bool listen(Child& child) {
+  char bytes[4096];
+  const ssize_t count = ::read(child.said, bytes, sizeof bytes);
+  if (count > 0) {
+    child.errors.append(bytes, static_cast<std::size_t>(count));
+  }
+  return count > 0 || (count < 0 && errno == EINTR);
+}
+
+/// How it ended, as waitpid tells.
+int waitFor(Child& child) {
+  int status = 0;
+  while (::waitpid(child.process, &status, 0) < 0 && errno == EINTR) {
+  }
+  ::close(child.said);
+  return status;
+}
+
+class Batch {
+ public:
+  Batch(const Experiment& experiment, const BatchJob& job)
+      : experiment_(experiment), job_(job), rows_(experiment.runCount()) {}
+
+  BatchRows run() {
+    startMore();
+    while (!children_.empty()) {
+      if (!stopping_ && job_.wantsStop && job_.wantsStop()) {
+        stopping_ = true;
+        deadline_ = Clock::now() + kPatience;
+        signalAll(SIGTERM);
+      } else if (stopping_ && Clock::now() > deadline_) {
+        signalAll(SIGKILL);
+      }
+      listenToAll();
+    }
+    return std::move(rows_);
+  }
+
+ private:
+  std::string folderOf(std::size_t run) const {
+    return (fs::path(job_.runsFolder) / std::to_string(run)).string();
+  }
+
+  void removeFolder(std::size_t run) const {
+    std::error_code ignored;  // a folder that stays does no harm to the results
+    fs::remove_all(folderOf(run), ignored);
+  }
+
+  void startMore() {
+    while (!stopping_ && next_ < rows_.size() &&
+           children_.size() < static_cast<std::size_t>(job_.jobs)) {
+      const std::size_t run = next_++;
+      removeFolder(run);  // an earlier batch may have left one, and this run may fail before it
+                          // writes
+      Child child = startChild(run, wordsOf(experiment_, run, folderOf(run)));
+      if (child.process > 0) {
+        children_.push_back(std::move(child));
+      } else {
+        finish(run, {false, "the process could not be started", {}, {}});
+      }
+    }
+  }
+
+  void signalAll(int signal) const {
+    for (const Child& child : children_) {
+      ::kill(child.process, signal);
+    }
+  }
+
+  void listenToAll() {
+    std::vector<pollfd> pipes;
+    for (const Child& child : children_) {
+      pipes.push_back({child.said, POLLIN, 0});
+    }
+    if (::poll(pipes.data(), pipes.size(), kPollMs) <= 0) {
+      return;
+    }
+    for (std::size_t k = pipes.size(); k-- > 0;) {
+      if (pipes[k].revents != 0 && !listen(children_[k])) {
+        Child child = std::move(children_[k]);
+        children_.erase(children_.begin() + static_cast<std::ptrdiff_t>(k));
+        const int status = waitFor(child);
+        if (stopping_) {
+          removeFolder(child.run);  // cut short: not a result
+        } else {
+          finish(child.run, rowOf(child, status));
+        }
+      }
+    }
+    startMore();
+  }
+
+  BatchRow rowOf(const Child& child, int status) const {
+    BatchRow row = readRow(folderOf(child.run));
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    if (!WIFEXITED(status)) {
+      row.ok = false;
+      row.reason = "the process crashed";
+    } else if (code == kNotStarted) {
+      row.ok = false;
+      row.reason = "the process could not be started";
+    } else if (code != 0) {
+      row.ok = false;
+      row.reason = row.reason.empty() ? firstError(child.errors) : row.reason;
+    }
+    if (!row.ok && row.reason.empty()) {
+      row.reason = "exit code " + std::to_string(code);
+    }
+    return row;
+  }
+
+  void finish(std::size_t run, BatchRow row) {
+    const bool isKept = experiment_.record == Experiment::Record::All ||
+                        (experiment_.record == Experiment::Record::Failed && !row.ok);
+    if (!isKept) {
+      removeFolder(run);
+    }
+    rows_[run] = std::move(row);
+    ++finished_;
+    if (job_.onProgress) {
+      job_.onProgress(finished_);
+    }
+  }
+
+  const Experiment& experiment_;
+  const BatchJob& job_;
+  BatchRows rows_;
+  std::vector<Child> children_;
+  std::size_t next_ = 0, finished_ = 0;
+  bool stopping_ = false;
+  Clock::time_point deadline_;
+};
+
+/// Keys of the selection, in the order of the registry; every finished run has the same.
+std::vector<std::string> metricColumns(const BatchRows& rows) {
+  std::vector<std::string> columns;
+  for (const std::string& key : metrics::standardRegistry().keys()) {
+    if (std::any_of(rows.begin(), rows.end(), [&key](const std::optional<BatchRow>& row) {
+          return row && row->metrics.count(key) != 0;
+        })) {
+      columns.push_back(key);
+    }
+  }
+  return columns;
+}
+
+}  // namespace
+
+base::Diagnostics checkExperiment(const Experiment& experiment, const sim2d::ImageLoader& loader) {
+  base::Diagnostics problems;
+  for (const std::string& scenario : experiment.scenarioPaths) {
+    RunOptions options;
+    options.scenario = scenario;
+    for (const auto& [path, texts] : experiment.values) {
+      options.set.push_back(path + "=" + texts.front());
+    }
+    options.model = experiment.model;
+    options.planner = experiment.planner;
+    options.robot = experiment.robot;
+    const Verdict verdict = check(readBundle(options, {}, loader));
+    for (base::Diagnostic diagnostic : verdict.wrongWords) {
+      diagnostic.file = diagnostic.file.empty() ? experiment.path : diagnostic.file;
+      problems.push_back(std::move(diagnostic));
+    }
+    for (const base::Diagnostic& diagnostic : verdict.problems) {
+      if (diagnostic.severity == base::Severity::Error) {
+        problems.push_back(diagnostic);
+      }
+    }
+  }
+  return problems;
+}
+
+BatchRows runBatch(const Experiment& experiment, const BatchJob& job) {
+  return Batch(experiment, job).run();
+}
+
+BatchCount countOf(const BatchRows& rows) {
+  BatchCount count;
+  for (const std::optional<BatchRow>& row : rows) {
+    count.finished += row ? 1 : 0;
+    count.failed += row && !row->ok ? 1 : 0;
+  }
+  return count;
+}
+
+std::string resultsCsv(const Experiment& experiment, const BatchRows& rows) {
+  const std::vector<std::string> keys = metricColumns(rows);
+  std::string text = "run,scenario,seed";
+  const auto add = [&text](const std::string& field) {
+    text += ',';
+    sim2d::appendCsvField(text, field);
+  };
+  for (const auto& [path, texts] : experiment.values) {
+    add(path);
+  }
+  text += ",status,reason,simulated";
+  for (const std::string& key : keys) {
+    add(key);
+  }
+  text += '\n';
+  for (std::size_t index = 0; index < rows.size(); ++index) {
+    const std::optional<BatchRow>& row = rows[index];
+    if (!row) {
+      continue;
+    }
+    const Experiment::Run run = experiment.run(index);
+    text += std::to_string(index);
+    add(experiment.scenarios[run.scenario]);
+    add(std::to_string(run.seed));
+    for (const std::string& value : run.values) {
+      add(value);
+    }
+    add(row->ok ? "ok" : "failed");
+    add(row->reason);
+    add(row->simulated);
+    for (const std::string& key : keys) {
+      const auto found = row->metrics.find(key);
+      add(found == row->metrics.end() ? std::string() : found->second);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string batchManifest(const Experiment& experiment, const BatchRows& rows) {
+  const BatchCount count = countOf(rows);
+  Json json;
+  json["program"] = {{"version", programVersion()}, {"commit", programCommit()}};
+  json["inputs"] = Json::array();
+  json["inputs"].push_back(inputJson(experiment.path));
+  for (const std::string& path : experiment.scenarioPaths) {
+    json["inputs"].push_back(inputJson(path));
+  }
+  json["status"] = count.finished == rows.size() ? "finished" : "interrupted";
+  json["runs"] = rows.size();
+  json["finished"] = count.finished;
+  json["failed"] = count.failed;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace app

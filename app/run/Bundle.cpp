@@ -1,0 +1,183 @@
+#include "app/run/Bundle.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/run/DataPaths.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/scenario/ScenarioCheck.h"
+#include "sim2d/scenario/ScenarioFile.h"
+#include "sim2d/scenario/TextPlaces.h"
+
+namespace app {
+
+namespace {
+
+sim2d::FilePlaces placesOf(const RunOptions& options) {
+  sim2d::FilePlaces places;
+  places.scenarioPath = options.scenario;
+  places.mapOption = options.map;
+  places.treesOption = options.trees;
+  places.shippedMaps = shippedMapsFolder();
+  return places;
+}
+
+sim2d::KnownNames knownNames() {
+  sim2d::KnownNames names;
+  names.models = sim2d::modelNames();
+  names.planners = sim2d::plannerNames();
+  names.robotTypes = sim2d::robotTypeNames();
+  return names;
+}
+
+void readMapOf(Bundle& bundle, const sim2d::FilePlaces& places, const sim2d::ImageLoader& loader) {
+  const sim2d::Scenario& scenario = *bundle.scenario;
+  const base::Result<std::string> path = sim2d::findMap(scenario, places);
+  base::Diagnostics problems = path.diagnostics();
+  sim2d::addPlaceOfMap(problems, places.scenarioPath);
+  base::append(bundle.remarks, problems);
+  if (path && path->empty()) {
+    bundle.map = std::make_shared<const sim2d::OccupancyGrid>();
+  }
+  if (!path || path->empty()) {
+    return;
+  }
+  base::Result<sim2d::MapFile> file =
+      readMapFile(*path, scenario.desktop.mapRule.value_or("humble"), loader);
+  base::append(bundle.remarks, file.diagnostics());
+  if (file) {
+    bundle.inputs.insert(bundle.inputs.end(), {file->path, file->imagePath});
+    bundle.map = std::make_shared<const sim2d::OccupancyGrid>(std::move(file->grid));
+  }
+}
+
+/// People without a tree file get that of their behaviour; the reader is told.
+void tellGenerated(Bundle& bundle, const std::vector<std::string>& names) {
+  if (names.empty()) {
+    return;
+  }
+  constexpr std::size_t kNamed = 3;
+  std::vector<std::string> first(names.begin(), names.begin() + std::min(kNamed, names.size()));
+  const std::string more = names.size() > kNamed ? " …" : "";
+  base::Diagnostics told = {base::makeWarning("no tree file for " + std::to_string(names.size()) +
+                                                  (names.size() == 1 ? " person (" : " people (") +
+                                                  base::join(first, ", ") + more +
+                                                  "): the tree of the behaviour is generated",
+                                              bundle.path)};
+  sim2d::addPlaceOfKey(told, bundle.path, {"hunav_loader.ros__parameters.agents"});
+  base::append(bundle.remarks, told);
+}
+
+bool hasTreesFolder(Bundle& bundle, const std::string& folder) {
+  std::error_code ignored;
+  if (folder.empty() || std::filesystem::is_directory(folder, ignored)) {
+    return true;
+  }
+  bundle.remarks.push_back(base::makeError("--trees: this is no folder", folder));
+  return false;
+}
+
+void findTrees(Bundle& bundle, const sim2d::FilePlaces& places) {
+  std::vector<std::string> generated;
+  for (const sim2d::Human& human : bundle.scenario->humans) {
+    if (!human.listed) {
+      continue;
+    }
+    const std::string path = sim2d::findTree(*bundle.scenario, human, places);
+    bundle.trees[human.name] = path;
+    if (path.empty()) {
+      generated.push_back(human.name);
+    } else {
+      bundle.inputs.push_back(path);
+    }
+  }
+  if (hasTreesFolder(bundle, places.treesOption)) {
+    tellGenerated(bundle, generated);
+  }
+}
+
+/// What the file says wrongly, and what the scenario then means.
+base::Diagnostics checkMeaning(const Bundle& bundle) {
+  // Without the map, and for places that were wrong in the file and stand somewhere else now, there
+  // are no walls to be in.
+  const sim2d::Surroundings surroundings =
+      bundle.map && bundle.isWhole ? sim2d::makeSurroundings(*bundle.scenario, *bundle.map)
+                                   : sim2d::Surroundings();
+  base::Diagnostics found =
+      sim2d::checkScenario(*bundle.scenario, surroundings, bundle.path, knownNames());
+  sim2d::addLines(found, bundle.lines);
+  sim2d::addColumns(found, bundle.path);
+  return found;
+}
+
+void checkMetrics(const Bundle& bundle, Verdict& verdict) {
+  const base::Result<MetricsSetup> setup = metricsSetupOf(*bundle.scenario, bundle.path);
+  base::append(verdict.problems, setup.diagnostics());
+  if (setup) {
+    verdict.scenarioMetrics = *setup;
+    verdict.metrics = *setup;
+    base::append(verdict.problems,
+                 chooseMetrics(bundle.metrics, verdict.metrics, verdict.wrongWords));
+  }
+}
+
+}  // namespace
+
+base::Result<sim2d::MapFile> readMapFile(const std::string& path, const std::string& rule,
+                                         const sim2d::ImageLoader& loader) {
+  return sim2d::readMap(path, loader,
+                        rule == "main" ? sim2d::MapRule::Main : sim2d::MapRule::Humble);
+}
+
+Bundle readBundle(const RunOptions& options, const RunSettings& settings,
+                  const sim2d::ImageLoader& loader) {
+  Bundle bundle;
+  bundle.path = options.scenario;
+  bundle.metrics = {options.metrics, options.metricsProfile};
+  bundle.settings = settings;
+  bundle.inputs.push_back(options.scenario);
+  sim2d::ScenarioReading reading = sim2d::readScenario(options.scenario);
+  bundle.remarks = reading.diagnostics;
+  bundle.isWhole = reading.ok();
+  bundle.lines = std::move(reading.lines);
+  if (bundle.isWhole) {
+    bundle.wrongWords = applyOptions(reading.scenario, options, settings.compatibility);
+  }
+  bundle.scenario = std::make_shared<const sim2d::Scenario>(std::move(reading.scenario));
+  if (bundle.hasScenario() && !base::hasErrors(bundle.wrongWords)) {
+    const sim2d::FilePlaces places = placesOf(options);
+    readMapOf(bundle, places, loader);
+    findTrees(bundle, places);
+  }
+  return bundle;
+}
+
+Verdict check(const Bundle& bundle, CheckDepth depth) {
+  Verdict verdict;
+  verdict.problems = bundle.remarks;
+  verdict.wrongWords = bundle.wrongWords;
+  if (!bundle.hasScenario() || base::hasErrors(bundle.wrongWords)) {
+    return verdict;
+  }
+  base::append(verdict.problems, checkMeaning(bundle));
+  sim2d::WorldSetup setup;
+  setup.behavior = bt::makeTreeBehavior(*bundle.scenario, bundle.trees, verdict.problems,
+                                        bundle.settings.compatibility);
+  checkMetrics(bundle, verdict);
+  if (depth == CheckDepth::Meaning || !verdict.ok()) {
+    return verdict;
+  }
+  setup.scenario = bundle.scenario;
+  setup.map = bundle.map ? *bundle.map : sim2d::OccupancyGrid();
+  setup.compatibility = bundle.settings.compatibility;
+  setup.threads = bundle.settings.threads;
+  setup.exact = bundle.settings.exact;
+  base::Result<std::unique_ptr<sim2d::World>> world = sim2d::World::create(std::move(setup));
+  base::append(world ? verdict.worldRemarks : verdict.problems, world.diagnostics());
+  if (world) {
+    verdict.world = *std::move(world);
+  }
+  return verdict;
+}
+
+}  // namespace app

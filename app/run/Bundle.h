@@ -1,0 +1,59 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/run/MetricsChoice.h"
+#include "app/run/RunOptions.h"
+#include "bt/human/TreeBehavior.h"
+#include "sim2d/map/MapReader.h"
+#include "sim2d/world/World.h"
+
+namespace app {
+
+/// A scenario with all that a run of it takes, in memory: read from files, or as the window has it.
+struct Bundle {
+  std::string path;  // of the scenario's file, which names it in messages; empty = in none
+  std::shared_ptr<const sim2d::Scenario> scenario;
+  bool isWhole = true;                              // false: the file could be read in part only
+  std::shared_ptr<const sim2d::OccupancyGrid> map;  // null: there should be one; empty: open plane
+  bt::TreeFiles trees;
+  MetricsWords metrics;
+  RunSettings settings;
+  std::map<base::EntityId, int> lines;  // where entities stand in the file
+  std::vector<std::string> inputs;      // files that were read, for the manifest
+  base::Diagnostics wrongWords;         // options that do not fit: the command line is wrong
+  base::Diagnostics remarks;            // of reading it all
+  bool hasScenario() const { return isWhole || !scenario->humans.empty(); }
+};
+
+/// The scenario of `options` with its map and trees, and the options written into it. `loader`
+/// reads map images other than PGM.
+Bundle readBundle(const RunOptions& options, const RunSettings& settings,
+                  const sim2d::ImageLoader& loader);
+
+/// What is said of a bundle, and the run that it makes.
+struct Verdict {
+  base::Diagnostics problems;      // the bundle's remarks first; with errors there is no run
+  base::Diagnostics worldRemarks;  // of the world: what stands elsewhere than written …
+  base::Diagnostics wrongWords;    // also unknown metrics of the command line
+  MetricsSetup scenarioMetrics, metrics;
+  std::unique_ptr<sim2d::World> world;  // null: there is no run
+  bool ok() const { return !base::hasErrors(problems) && !base::hasErrors(wrongWords); }
+};
+
+/// How far a check goes.
+enum class CheckDepth { Meaning, World };
+
+/// Meaning of the scenario, trees, metrics; at last the world, when nothing is wrong until then.
+/// Every way to run, and every list of problems, comes from here. Any thread; reads metrics files
+/// and what trees in files hold.
+Verdict check(const Bundle& bundle, CheckDepth depth = CheckDepth::World);
+
+/// The map at `path` by the rule of nav2 of this name.
+base::Result<sim2d::MapFile> readMapFile(const std::string& path, const std::string& rule,
+                                         const sim2d::ImageLoader& loader);
+
+}  // namespace app

@@ -1,0 +1,131 @@
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "app/run/Bundle.h"
+#include "sim2d/base/Text.h"
+
+namespace {
+
+const char kStands[] = R"(<root BTCPP_format="4">
+  <BehaviorTree ID="Main"><AlwaysSuccess/></BehaviorTree>
+</root>
+)";
+
+sim2d::Human person(int id, const std::string& name) {
+  sim2d::Human human;
+  human.key = {base::EntityKind::Human, id};
+  human.id = id;
+  human.name = name;
+  human.start = {{2.0 * id, 0.0}, 0.0};
+  human.goals = {1};
+  return human;
+}
+
+/// Two people on the open plane, in no file.
+app::Bundle bundleOf(const std::function<void(sim2d::Scenario&)>& change = {}) {
+  sim2d::Scenario scenario;
+  sim2d::GlobalGoal goal;
+  goal.key = {base::EntityKind::Goal, 9};
+  goal.id = 1;
+  goal.position = {10.0, 0.0};
+  scenario.goals = {goal};
+  scenario.humans = {person(1, "anna"), person(2, "ben")};
+  if (change) {
+    change(scenario);
+  }
+  app::Bundle bundle;
+  bundle.scenario = std::make_shared<const sim2d::Scenario>(std::move(scenario));
+  bundle.map = std::make_shared<const sim2d::OccupancyGrid>();
+  return bundle;
+}
+
+std::string textOf(const base::Diagnostics& problems) {
+  std::string text;
+  for (const base::Diagnostic& problem : problems) {
+    text += problem.text() + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+/// Runs from memory, without Qt behind them.
+class BundleTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void check_fromMemory_makesAWorld() {
+    const app::Verdict verdict = app::check(bundleOf());
+    QVERIFY2(verdict.world != nullptr, textOf(verdict.problems).c_str());
+    QVERIFY(verdict.world->step());
+    QVERIFY(verdict.world->frame().humans.vx[0] > 0.0);
+  }
+
+  void check_treeFromMemory_isRun() {
+    app::Bundle bundle = bundleOf();
+    bundle.trees["anna"] = {kStands, "", ""};
+    const app::Verdict verdict = app::check(bundle);
+    QVERIFY2(verdict.world != nullptr, textOf(verdict.problems).c_str());
+    for (int step = 0; step < 10; ++step) {
+      QVERIFY(verdict.world->step());
+    }
+    const sim2d::HumanColumns& people = verdict.world->frame().humans;
+    QVERIFY(people.x[0] < 2.1);
+    QVERIFY(people.x[1] > 4.1);
+  }
+
+  void check_treeFromMemory_includesWhatLiesInItsFolder() {
+    const QTemporaryDir folder;
+    const std::string included = folder.filePath(QStringLiteral("more.xml")).toStdString();
+    QVERIFY(base::writeFileAtomically(included, kStands).empty());
+    app::Bundle bundle = bundleOf();
+    bundle.trees["anna"] = {R"(<root BTCPP_format="4" main_tree_to_execute="Own">
+  <include path="more.xml"/>
+  <BehaviorTree ID="Own"><SubTree ID="Main"/></BehaviorTree>
+</root>)",
+                            "", folder.path().toStdString()};
+    const app::Verdict verdict = app::check(bundle);
+    QVERIFY2(verdict.world != nullptr, textOf(verdict.problems).c_str());
+  }
+
+  void check_brokenTreeInNoFile_isToldByItsPerson() {
+    app::Bundle bundle = bundleOf();
+    bundle.trees["ben"] = {"<root BTCPP_format='4'><Behav", "", ""};
+    const app::Verdict verdict = app::check(bundle);
+    QVERIFY(verdict.world == nullptr);
+    QVERIFY2(textOf(verdict.problems).find("error: tree of ben: ") != std::string::npos,
+             textOf(verdict.problems).c_str());
+  }
+
+  void check_equalTextsOfTwoFiles_areToldOfEach() {
+    app::Bundle bundle = bundleOf();
+    const std::string broken =
+        "<root BTCPP_format='4'><BehaviorTree ID='A'><Dance/></BehaviorTree></root>";
+    bundle.trees["anna"] = {broken, "a/anna.xml", ""};
+    bundle.trees["ben"] = {broken, "a/ben.xml", ""};
+    const std::string told = textOf(app::check(bundle).problems);
+    QVERIFY2(told.find("a/anna.xml:1: error: ") != std::string::npos, told.c_str());
+    QVERIFY2(told.find("a/ben.xml:1: error: ") != std::string::npos, told.c_str());
+  }
+
+  void check_errorInTheScenario_makesNoWorld() {
+    const app::Verdict verdict = app::check(bundleOf([](sim2d::Scenario& scenario) {
+      sim2d::Door door;
+      door.key = {base::EntityKind::Door, 20};
+      door.name = "gate";
+      scenario.doors = {door};
+    }));
+    QVERIFY(verdict.world == nullptr);
+    QVERIFY2(textOf(verdict.problems).find("both ends are the same point") != std::string::npos,
+             textOf(verdict.problems).c_str());
+  }
+
+  void check_ofTheMeaning_makesNoWorld() {
+    const app::Verdict verdict = app::check(bundleOf(), app::CheckDepth::Meaning);
+    QVERIFY(verdict.world == nullptr);
+    QVERIFY2(verdict.ok(), textOf(verdict.problems).c_str());
+  }
+};
+
+QTEST_APPLESS_MAIN(BundleTest)
+#include "tst_Bundle.moc"
