@@ -82,9 +82,14 @@ std::optional<V> valueTo(const base::ParameterValue& value, const base::Paramete
 template <class T>
 class FieldOf {
  public:
-  FieldOf(std::string key, std::string help) {
-    field_.spec.key = std::move(key);
-    field_.spec.help = std::move(help);
+  FieldOf(std::string key, std::string help, base::FormHints form = {}, std::string unit = {},
+          base::Range range = {}) {
+    base::ParameterSpec& spec = field_.spec;
+    spec.key = std::move(key);
+    spec.help = std::move(help);
+    spec.form = std::move(form);
+    spec.unit = std::move(unit);
+    spec.range = range;
   }
   operator Field<T>() && { return std::move(field_); }  // NOLINT: meant to convert
 
@@ -127,35 +132,6 @@ class FieldOf {
     };
     return std::move(*this).orElse(Resolved().*member);
   }
-  /// Structures: read and written by functions of their own.
-  FieldOf&& madeBy(std::function<void(base::YamlMap&, T&)> read,
-                   std::function<void(base::YamlNode&, const T&)> write,
-                   std::function<bool(const T&, const T&)> equal) && {
-    field_.read = std::move(read);
-    field_.write = std::move(write);
-    field_.equal = std::move(equal);
-    return std::move(*this);
-  }
-  FieldOf&& readBy(std::function<void(base::YamlMap&, T&)> read) && {
-    field_.read = std::move(read);
-    return std::move(*this);
-  }
-  FieldOf&& writtenBy(std::function<void(base::YamlNode&, const T&)> write) && {
-    field_.write = std::move(write);
-    return std::move(*this);
-  }
-  FieldOf&& in(std::string unit) && {
-    field_.spec.unit = std::move(unit);
-    return std::move(*this);
-  }
-  FieldOf&& within(base::Range range) && {
-    field_.spec.range = range;
-    return std::move(*this);
-  }
-  FieldOf&& typed(base::ParameterType type) && {
-    field_.spec.type = type;
-    return std::move(*this);
-  }
   /// The number that stands for nothing.
   FieldOf&& noneAt(long long none) && {
     field_.get = [get = field_.get, none](const T& of, const base::ParameterSpec& spec) {
@@ -168,29 +144,15 @@ class FieldOf {
     };
     return std::move(*this);
   }
-  FieldOf&& required() && {
-    field_.required = true;
-    return std::move(*this);
+  /// Structures: read and written by functions of their own.
+  FieldOf&& madeBy(decltype(Field<T>::read) read, decltype(Field<T>::write) write,
+                   decltype(Field<T>::equal) equal) && {
+    field_.equal = std::move(equal);
+    return std::move(*this).with(&Field<T>::read, read).with(&Field<T>::write, write);
   }
   FieldOf&& words(std::vector<std::string> words) && {
     field_.spec.type = base::ParameterType::Choice;
     field_.spec.choices = std::move(words);
-    return std::move(*this);
-  }
-  FieldOf&& form(std::string label, int decimals = 2, double step = 0.1, double sliderTo = 0.0) && {
-    field_.spec.form = {std::move(label), decimals, step, sliderTo};
-    return std::move(*this);
-  }
-  FieldOf&& digits(int digits) && {
-    field_.digits = digits;
-    return std::move(*this);
-  }
-  FieldOf&& digits(std::function<int(const T&)> of) && {
-    field_.digitsOf = std::move(of);
-    return std::move(*this);
-  }
-  FieldOf&& only(std::function<bool(const T&)> applies) && {
-    field_.applies = std::move(applies);
     return std::move(*this);
   }
   template <class V>
@@ -198,9 +160,16 @@ class FieldOf {
     field_.spec.fallback = valueFrom(value, field_.spec);
     return std::move(*this);
   }
-  FieldOf&& orElseBy(
-      std::function<base::ParameterValue(const T&, const DesktopSettings&)> fallback) && {
-    field_.fallbackOf = std::move(fallback);
+  FieldOf&& required() && { return std::move(*this).with(&Field<T>::required, true); }
+  FieldOf&& digits(int digits) && { return std::move(*this).with(&Field<T>::digits, digits); }
+  /// Whatever else differs from the usual.
+  template <class M, class V>
+  FieldOf&& with(M Field<T>::*member, V value) && {
+    field_.*member = std::move(value);
+    return std::move(*this);
+  }
+  FieldOf&& typed(base::ParameterType type) && {
+    field_.spec.type = type;
     return std::move(*this);
   }
 
@@ -210,10 +179,10 @@ class FieldOf {
 
 /// A key kept in one member.
 template <class T, class M>
-FieldOf<T> field(std::string key, M T::*member, std::string help) {
-  return FieldOf<T>(std::move(key), std::move(help)).keptAt([member](auto& of) -> auto& {
-    return of.*member;
-  });
+FieldOf<T> field(std::string key, M T::*member, std::string help, base::FormHints form = {},
+                 std::string unit = {}, base::Range range = {}) {
+  return FieldOf<T>(std::move(key), std::move(help), std::move(form), std::move(unit), range)
+      .keptAt([member](auto& of) -> auto& { return of.*member; });
 }
 
 }  // namespace sim2d

@@ -50,153 +50,128 @@ std::function<int(const Behavior&)> digitsWith(BehaviorType type, int digits, in
 }
 
 FieldOf<Behavior> distance(std::string key, std::optional<double> Behavior::*member,
-                           double ResolvedHuman::*resolved, std::string help) {
-  return field(std::move(key), member, std::move(help))
-      .in("m")
-      .within(base::kNotNegative)
+                           double ResolvedHuman::*resolved, std::string help,
+                           base::FormHints form) {
+  return field(std::move(key), member, std::move(help), std::move(form), "m", base::kNotNegative)
       .resolvedTo(resolved)
       .digits(2);
 }
 
-FieldOf<Behavior> factor(std::string key, std::optional<double> Behavior::*member, double usual,
-                         std::string help) {
-  return field(std::move(key), member, std::move(help)).orElse(usual);
+FieldOf<Behavior> factor(std::string key, std::optional<double> Behavior::*member,
+                         double ResolvedHuman::*resolved, std::string help, base::FormHints form) {
+  return field(std::move(key), member, std::move(help), std::move(form))
+      .orElse(ResolvedHuman().*resolved);
 }
 
 }  // namespace
 
 Fields<Human> humanFields() {
-  return {
-      FieldOf<Human>("id", "Number of the person; names the tree file")
-          .keptAt([](auto& of) -> auto& { return of.id; })
-          .within({0.0, 2147483647.0})
-          .noneAt(-1)
-          .form("Number", 0, 1.0),
-      field("group_id", &Human::groupId, "People of one group keep together; -1 is alone")
-          .resolvedTo(&ResolvedHuman::groupId)
-          .form("Walks with", 0, 1.0),
-      field("skin", &Human::skin, "How the simulator dresses the person").form("Figure", 0, 1.0),
-      field("max_vel", &Human::maxVel, "The speed the person wants to walk at")
-          .in("m/s")
-          .within(kSpeed)
-          .resolvedTo(&ResolvedHuman::desiredSpeed)
-          .form("Top speed", 2, 0.05, 2.0),
-      field("radius", &Human::radius, "Of the disc that the body is")
-          .in("m")
-          .within(kBodyRadius)
-          .resolvedTo(&ResolvedHuman::radius)
-          .form("Radius", 2, 0.01, 0.8),
-      field("goal_radius", &Human::goalRadius,
-            "A goal is reached when the person is this near; 0 counts as 0.1")
-          .in("m")
-          .within(base::kNotNegative)
-          .orElse(0.1)
-          .form("Arrival radius", 2, 0.05),
-      field("cyclic_goals", &Human::cyclicGoals, "Start again after the last goal")
-          .resolvedTo(&ResolvedHuman::cyclicGoals)
-          .form("Repeat")};
+  using Resolved = ResolvedHuman;
+  return {field("id", &Human::id, "Number of the person; names the tree file", {"Number", 0, 1.0},
+                {}, {0.0, 2147483647.0})
+              .noneAt(-1),
+          field("group_id", &Human::groupId, "People of one group keep together; -1 is alone",
+                {"Walks with", 0, 1.0})
+              .resolvedTo(&Resolved::groupId),
+          field("skin", &Human::skin, "How the simulator dresses the person", {"Figure", 0, 1.0}),
+          field("max_vel", &Human::maxVel, "The speed the person wants to walk at",
+                {"Top speed", 2, 0.05, 2.0}, "m/s", kSpeed)
+              .resolvedTo(&Resolved::desiredSpeed),
+          field("radius", &Human::radius, "Of the disc that the body is", {"Radius", 2, 0.01, 0.8},
+                "m", kBodyRadius)
+              .resolvedTo(&Resolved::radius),
+          field("goal_radius", &Human::goalRadius,
+                "A goal is reached when the person is this near; 0 counts as 0.1",
+                {"Arrival radius", 2, 0.05}, "m", base::kNotNegative)
+              .orElse(0.1),
+          field("cyclic_goals", &Human::cyclicGoals, "Start again after the last goal", {"Repeat"})
+              .resolvedTo(&Resolved::cyclicGoals)};
 }
 
 Fields<Behavior> behaviorFields() {
   using Resolved = ResolvedHuman;
-  return {FieldOf<Behavior>("type", "How the person reacts to the robot")
-              .madeBy(readType, writeType,
-                      [](const Behavior& a, const Behavior& b) {
-                        return a.type == b.type && a.foreignType == b.foreignType;
-                      })
+  const auto sameType = [](const Behavior& a, const Behavior& b) {
+    return a.type == b.type && a.foreignType == b.foreignType;
+  };
+  const auto sameConfiguration = [](const Behavior& a, const Behavior& b) {
+    return a.configuration == b.configuration;
+  };
+  return {FieldOf<Behavior>("type", "How the person reacts to the robot", {"Behaviour"})
+              .madeBy(readType, writeType, sameType)
               .words({"Regular", "Impassive", "Surprised", "Scared", "Curious", "Threatening"})
-              .orElse(std::string("Regular"))
-              .form("Behaviour"),
+              .orElse(std::string("Regular")),
           distance("dist", &Behavior::dist, &Resolved::noticeDistance,
-                   "The robot is noticed within this distance")
-              .digits(digitsWith(BehaviorType::Surprised, 3, 2))
-              .form("Sees within", 2, 0.5, 15.0),
-          field("duration", &Behavior::duration, "How long the reaction goes on")
-              .in("s")
-              .within(base::kNotNegative)
+                   "The robot is noticed within this distance", {"Sees within", 2, 0.5, 15.0})
+              .with(&Field<Behavior>::digitsOf, digitsWith(BehaviorType::Surprised, 3, 2)),
+          field("duration", &Behavior::duration, "How long the reaction goes on",
+                {"Lasts", 1, 1.0, 80.0}, "s", base::kNotNegative)
               .resolvedTo(&Resolved::reactionDuration)
-              .digits(digitsWith(BehaviorType::Threatening, 2, 1))
-              .form("Lasts", 1, 1.0, 80.0),
-          field("once", &Behavior::once, "React only once")
-              .resolvedTo(&Resolved::reactionOnce)
-              .form("Only once"),
-          field("vel", &Behavior::vel, "Speed while reacting; absent: `max_vel`, 2.0 without it")
-              .in("m/s")
-              .within(kSpeed)
-              .digits(digitsWith(BehaviorType::Scared, 3, 2))
-              .form("Speed", 2, 0.1, 2.0),
+              .with(&Field<Behavior>::digitsOf, digitsWith(BehaviorType::Threatening, 2, 1)),
+          field("once", &Behavior::once, "React only once", {"Only once"})
+              .resolvedTo(&Resolved::reactionOnce),
+          field("vel", &Behavior::vel, "Speed while reacting; absent: `max_vel`, 2.0 without it",
+                {"Speed", 2, 0.1, 2.0}, "m/s", kSpeed)
+              .with(&Field<Behavior>::digitsOf, digitsWith(BehaviorType::Scared, 3, 2)),
           distance("safe_distance", &Behavior::safeDistance, &Resolved::safeDistance,
-                   "Distance at which the person feels safe again")
-              .digits(1)
-              .form("Keeps away", 2, 0.5, 10.0),
+                   "Distance at which the person feels safe again", {"Keeps away", 2, 0.5, 10.0})
+              .digits(1),
           distance("stop_dist", &Behavior::stopDist, &Resolved::stopDistance,
-                   "How near the person comes to the robot")
-              .form("Stops at", 2, 0.1, 3.0),
+                   "How near the person comes to the robot", {"Stops at", 2, 0.1, 3.0}),
           distance("front_dist", &Behavior::frontDist, &Resolved::frontDistance,
-                   "How far before the robot the person stands")
-              .form("Blocks at", 2, 0.1, 3.0),
-          FieldOf<Behavior>("configuration", "Whose force factors count: 0 to 3, see below")
-              .madeBy(readConfiguration, writeConfiguration,
-                      [](const Behavior& a, const Behavior& b) {
-                        return a.configuration == b.configuration;
-                      })
+                   "How far before the robot the person stands", {"Blocks at", 2, 0.1, 3.0}),
+          FieldOf<Behavior>("configuration", "Whose force factors count, see below",
+                            {"Strength", 0, 1.0}, {}, {0.0, 3.0})
+              .madeBy(readConfiguration, writeConfiguration, sameConfiguration)
               .typed(base::ParameterType::Integer)
-              .within({0.0, 3.0})
-              .orElse(0)
-              .form("Strength", 0, 1.0),
-          factor("goal_force_factor", &Behavior::goalForceFactor, 2.0, "Pull of the goal")
-              .form("Goal", 2, 0.5, 10.0),
-          factor("obstacle_force_factor", &Behavior::obstacleForceFactor, 10.0, "Push of walls")
-              .form("Obstacles", 2, 0.5, 50.0),
-          factor("social_force_factor", &Behavior::socialForceFactor, 5.0, "Push of other people")
-              .form("People", 2, 0.5, 20.0),
-          factor("other_force_factor", &Behavior::otherForceFactor, 20.0,
-                 "Push away from the robot while scared; never drawn")
-              .resolvedTo(&Resolved::otherFactor)
-              .form("Robot", 2, 1.0, 25.0)};
+              .orElse(0),
+          factor("goal_force_factor", &Behavior::goalForceFactor, &Resolved::goalFactor,
+                 "Pull of the goal", {"Goal", 2, 0.5, 10.0}),
+          factor("obstacle_force_factor", &Behavior::obstacleForceFactor, &Resolved::obstacleFactor,
+                 "Push of walls", {"Obstacles", 2, 0.5, 50.0}),
+          factor("social_force_factor", &Behavior::socialForceFactor, &Resolved::socialFactor,
+                 "Push of other people", {"People", 2, 0.5, 20.0}),
+          factor("other_force_factor", &Behavior::otherForceFactor, &Resolved::otherFactor,
+                 "Push away from the robot while scared; never drawn", {"Robot", 2, 1.0, 25.0})
+              .resolvedTo(&Resolved::otherFactor)};
 }
 
 Fields<PersonExtension> personFields() {
   using Ours = PersonExtension;
-  return {
-      field("start_time", &Ours::startTime, "Enters the world at this time")
-          .in("s")
-          .within(base::kNotNegative)
-          .resolvedTo(&ResolvedHuman::startTime)
-          .form("Comes at", 1, 1.0),
-      field("kind", &Ours::kind, "Gives the mass and the figure on the map")
-          .words({"adult", "child", "elderly", "wheelchair", "luggage"})
-          .resolvedTo(&ResolvedHuman::kind)
-          .form("Body"),
-      field("mass", &Ours::mass, "Absent: by kind 80, 32, 75, 100, 100")
-          .in("kg")
-          .within(base::kPositive)
-          .orElseBy([](const Ours& of, const DesktopSettings& /*desktop*/) {
-            return massOf(of.kind.value_or(PersonKind::Adult));
-          })
-          .form("Mass", 1, 1.0),
-      field("model", &Ours::model, "How the person moves among others; absent: the scenario's")
-          .orElseBy([](const Ours& /*of*/, const DesktopSettings& desktop) {
-            return desktop.model.value_or(ResolvedHuman().model);
-          })
-          .form("Model"),
-      field("route", &Ours::route, "Ways round walls, or straight on; absent: the scenario's")
-          .words(routeWords())
-          .orElseBy([](const Ours& /*of*/, const DesktopSettings& desktop) {
-            return routeWords()[static_cast<std::size_t>(desktop.route.value_or(Route::Planned))];
-          })
-          .form("Routes"),
-      field("at_end", &Ours::atEnd, "After the last goal of a route that does not repeat")
-          .words({"stop", "leave", "restart"})
-          .resolvedTo(&ResolvedHuman::atEnd)
-          .form("At the end"),
-      field("wait", &Ours::wait, "One time for each goal of the route")
-          .in("s")
-          .within(base::kNotNegative)
-          .resolvedTo(&ResolvedHuman::wait)
-          .form("Waits"),
-      field("tree", &Ours::tree, "Relative to the scenario; may be shared by several people")
-          .form("Tree file")};
+  using Resolved = ResolvedHuman;
+  const auto massByKind = [](const Ours& of, const DesktopSettings& /*desktop*/) {
+    return massOf(of.kind.value_or(PersonKind::Adult));
+  };
+  const auto modelOf = [](const Ours& /*of*/, const DesktopSettings& desktop) {
+    return desktop.model.value_or(Resolved().model);
+  };
+  const auto routeOf = [](const Ours& /*of*/, const DesktopSettings& desktop) {
+    return routeWords()[static_cast<std::size_t>(desktop.route.value_or(Route::Planned))];
+  };
+  return {field("start_time", &Ours::startTime, "Enters the world at this time",
+                {"Comes at", 1, 1.0}, "s", base::kNotNegative)
+              .resolvedTo(&Resolved::startTime),
+          field("kind", &Ours::kind, "Gives the mass and the figure on the map", {"Body"})
+              .words({"adult", "child", "elderly", "wheelchair", "luggage"})
+              .resolvedTo(&Resolved::kind),
+          field("mass", &Ours::mass, "Absent: by kind 80, 32, 75, 100, 100", {"Mass", 1, 1.0}, "kg",
+                base::kPositive)
+              .with(&Field<Ours>::fallbackOf, massByKind),
+          field("model", &Ours::model, "How the person moves among others; absent: the scenario's",
+                {"Model"})
+              .with(&Field<Ours>::fallbackOf, modelOf),
+          field("route", &Ours::route, "Ways round walls, or straight on; absent: the scenario's",
+                {"Routes"})
+              .words(routeWords())
+              .with(&Field<Ours>::fallbackOf, routeOf),
+          field("at_end", &Ours::atEnd, "After the last goal of a route that does not repeat",
+                {"At the end"})
+              .words({"stop", "leave", "restart"})
+              .resolvedTo(&Resolved::atEnd),
+          field("wait", &Ours::wait, "One time for each goal of the route", {"Waits"}, "s",
+                base::kNotNegative)
+              .resolvedTo(&Resolved::wait),
+          field("tree", &Ours::tree, "Relative to the scenario; may be shared by several people",
+                {"Tree file"})};
 }
 
 }  // namespace sim2d

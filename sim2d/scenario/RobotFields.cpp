@@ -86,87 +86,67 @@ void readFootprint(YamlMap& view, Robot& robot) {
 
 /// Limits and body are the type's; those of another type than the usual one are not known here.
 FieldOf<Robot> limit(std::string key, std::optional<double> Robot::*member,
-                     double ResolvedRobot::*resolved, std::string help) {
-  return field(std::move(key), member, std::move(help))
-      .within(base::kPositive)
+                     double ResolvedRobot::*resolved, std::string help, base::FormHints form,
+                     std::string unit, base::Range range = base::kPositive) {
+  const auto ofUsualType = [resolved](const Robot& robot, const DesktopSettings& /*desktop*/) {
+    const ResolvedRobot usual;
+    return robot.type.value_or(usual.type) == usual.type ? base::ParameterValue(usual.*resolved)
+                                                         : base::ParameterValue();
+  };
+  return field(std::move(key), member, std::move(help), std::move(form), std::move(unit), range)
       .resolvedTo(resolved)
-      .orElseBy([resolved](const Robot& robot, const DesktopSettings& /*desktop*/) {
-        const ResolvedRobot usual;
-        return robot.type.value_or(usual.type) == usual.type ? base::ParameterValue(usual.*resolved)
-                                                             : base::ParameterValue();
-      });
+      .with(&Field<Robot>::fallbackOf, ofUsualType);
 }
 
-Fields<Robot> body() {
-  using Resolved = ResolvedRobot;
-  return {
-      limit("radius", &Robot::radius, &Resolved::radius, "Of the disc that the robot is")
-          .in("m")
-          .within({0.0, 100.0, true})
-          .form("Radius", 2, 0.01, 1.0),
-      limit("mass", &Robot::mass, &Resolved::mass, "Of the robot").in("kg").form("Mass", 1, 1.0),
-      limit("max_vel", &Robot::maxVel, &Resolved::maxVel, "Its speed at the most")
-          .in("m/s")
-          .within({0.0, 100.0, true})
-          .form("Top speed", 2, 0.05, 2.0),
-      limit("max_acc", &Robot::maxAcc, &Resolved::maxAcc, "How fast its speed changes")
-          .in("m/s²")
-          .form("Acceleration", 2, 0.1, 3.0),
-      limit("max_omega", &Robot::maxOmega, &Resolved::maxOmega, "Its turn rate at the most")
-          .in("rad/s")
-          .form("Turn speed"),
-      limit("max_alpha", &Robot::maxAlpha, &Resolved::maxAlpha, "How fast its turn rate changes")
-          .in("rad/s²")
-          .form("Turn accel."),
-      field("footprint_x", &Robot::footprintX,
-            "Corners in the robot's frame, instead of the disc: their x")
-          .in("m")
-          .form("Footprint"),
-      field("footprint_y", &Robot::footprintY, "Their y, as many").in("m").readBy(readFootprint)};
+/// Equal in one part.
+template <class Part>
+std::function<bool(const Robot&, const Robot&)> sameIn(Part part) {
+  return [part](const Robot& a, const Robot& b) { return part(a) == part(b); };
 }
 
 }  // namespace
 
 Fields<Robot> robotFields() {
-  Fields<Robot> all = {
-      field("type", &Robot::type, "Kind of robot").resolvedTo(&ResolvedRobot::type).form("Type"),
-      field("planner", &Robot::planner, "What drives it to its goals")
-          .resolvedTo(&ResolvedRobot::planner)
-          .form("Planner"),
-      FieldOf<Robot>("planner_parameters", "Of the planner: name and value of each")
+  using Resolved = ResolvedRobot;
+  constexpr base::Range kBodyRadius{0.0, 100.0, true};
+  constexpr base::Range kSpeed{0.0, 100.0, true};
+  return {
+      field("type", &Robot::type, "Kind of robot", {"Type"}).resolvedTo(&Resolved::type),
+      field("planner", &Robot::planner, "What drives it to its goals", {"Planner"})
+          .resolvedTo(&Resolved::planner),
+      FieldOf<Robot>("planner_parameters", "Of the planner: name and value of each", {"Parameters"})
           .madeBy(readPlannerParameters, writePlannerParameters,
-                  [](const Robot& a, const Robot& b) {
-                    return a.plannerParameters == b.plannerParameters;
-                  })
-          .form("Parameters"),
-      FieldOf<Robot>("start", "Where it begins: x, y and heading h")
+                  sameIn([](auto& of) -> auto& { return of.plannerParameters; })),
+      FieldOf<Robot>("start", "Where it begins: `x`, `y` and heading `h`", {"Position"})
           .required()
-          .madeBy(readStart, writeStart,
-                  [](const Robot& a, const Robot& b) { return a.start == b.start; })
-          .form("Position"),
-      FieldOf<Robot>("goal", "Where it drives to: x and y")
-          .madeBy(readGoal, writeGoal,
-                  [](const Robot& a, const Robot& b) { return a.goal.point == b.goal.point; })
-          .form("Point"),
-      FieldOf<Robot>("goals", "Numbers of global goals in order, instead of `goal`")
+          .madeBy(readStart, writeStart, sameIn([](auto& of) -> auto& { return of.start; })),
+      FieldOf<Robot>("goal", "Where it drives to: `x` and `y`", {"Point"})
+          .madeBy(readGoal, writeGoal, sameIn([](auto& of) -> auto& { return of.goal.point; })),
+      FieldOf<Robot>("goals", "Numbers of global goals in order, instead of `goal`", {"Or route"})
           .keptAt([](auto& of) -> auto& { return of.goal.goals; })
-          .readBy(readGoals)
-          .writtenBy(writeGoals)
-          .form("Or route"),
-      field("goal_radius", &Robot::goalRadius, "A goal is reached when the robot is this near")
-          .in("m")
-          .within(base::kPositive)
-          .resolvedTo(&ResolvedRobot::goalRadius)
-          .form("Arrival radius", 2, 0.05),
-      field("start_time", &Robot::startTime, "When it sets off")
-          .in("s")
-          .within(base::kNotNegative)
-          .resolvedTo(&ResolvedRobot::startTime)
-          .form("Sets off at", 1, 1.0)};
-  for (Field<Robot>& each : body()) {
-    all.push_back(std::move(each));
-  }
-  return all;
+          .with(&Field<Robot>::read, readGoals)
+          .with(&Field<Robot>::write, writeGoals),
+      field("goal_radius", &Robot::goalRadius, "A goal is reached when the robot is this near",
+            {"Arrival radius", 2, 0.05}, "m", base::kPositive)
+          .resolvedTo(&Resolved::goalRadius),
+      field("start_time", &Robot::startTime, "When it sets off", {"Sets off at", 1, 1.0}, "s",
+            base::kNotNegative)
+          .resolvedTo(&Resolved::startTime),
+      limit("radius", &Robot::radius, &Resolved::radius, "Of the disc that the robot is",
+            {"Radius", 2, 0.01, 1.0}, "m", kBodyRadius),
+      limit("mass", &Robot::mass, &Resolved::mass, "Of the robot", {"Mass", 1, 1.0}, "kg"),
+      limit("max_vel", &Robot::maxVel, &Resolved::maxVel, "Its speed at the most",
+            {"Top speed", 2, 0.05, 2.0}, "m/s", kSpeed),
+      limit("max_acc", &Robot::maxAcc, &Resolved::maxAcc, "How fast its speed changes",
+            {"Acceleration", 2, 0.1, 3.0}, "m/s²"),
+      limit("max_omega", &Robot::maxOmega, &Resolved::maxOmega, "Its turn rate at the most",
+            {"Turn speed"}, "rad/s"),
+      limit("max_alpha", &Robot::maxAlpha, &Resolved::maxAlpha, "How fast its turn rate changes",
+            {"Turn accel."}, "rad/s²"),
+      field("footprint_x", &Robot::footprintX,
+            "Corners in the robot's frame, instead of the disc: their x", {"Footprint"}, "m"),
+      field("footprint_y", &Robot::footprintY, "Their y, as many", {}, "m")
+          .with(&Field<Robot>::read, readFootprint)};
 }
 
 }  // namespace sim2d

@@ -68,11 +68,11 @@ std::optional<std::string> readMoment(YamlMap& view, const std::string& key,
 
 FieldOf<MetricsSettings> moment(std::string key,
                                 std::optional<std::string> MetricsSettings::*member,
-                                std::vector<std::string> words, std::string help) {
-  const std::string usual = words.front();
-  return field(key, member, std::move(help))
-      .orElse(usual)
-      .readBy([key, member, words = std::move(words)](YamlMap& view, MetricsSettings& to) {
+                                const std::vector<std::string>& words, std::string help,
+                                std::string label) {
+  return field(key, member, std::move(help), {std::move(label)})
+      .orElse(words.front())
+      .with(&Field<MetricsSettings>::read, [key, member, words](YamlMap& view, auto& to) {
         to.*member = readMoment(view, key, words);
       });
 }
@@ -92,63 +92,6 @@ void writeThresholds(YamlNode& tree, const MetricsSettings& metrics) {
   }
 }
 
-Fields<DesktopSettings> mapAndRun() {
-  using Settings = DesktopSettings;
-  return {
-      field("map_file", &Settings::mapFile,
-            "Relative to the scenario, `none` is the open plane; absent: searched")
-          .form("Map file"),
-      field("map_rule", &Settings::mapRule, "Which nav2 decides how grey pixels are read")
-          .words({"humble", "main"})
-          .orElse(std::string("humble"))
-          .form("Map rule"),
-      field("seed", &Settings::seed, "The same seed gives the same run")
-          .within(base::kNotNegative)
-          .orElse(1)
-          .form("Seed", 0, 1.0),
-      field("duration", &Settings::duration,
-            "Length of a run; absent: until the robot has arrived plus 1 s, at most 120 s")
-          .in("s")
-          .within({0.0, 1e6, true})
-          .form("Duration", 1, 5.0),
-      field("dt", &Settings::dt, "Time step")
-          .in("s")
-          .within({0.001, 0.1})
-          .orElse(0.05)
-          .form("Time step", 3, 0.005),
-      field("record_every", &Settings::recordEvery, "Steps from one recorded sample to the next")
-          .within({1.0, kLargestInt})
-          .orElse(1)
-          .form("Record every", 0, 1.0)};
-}
-
-Fields<DesktopSettings> people() {
-  using Settings = DesktopSettings;
-  return {field("model", &Settings::model, "How people move among others")
-              .orElse(ResolvedHuman().model)
-              .form("Model"),
-          field("route", &Settings::route, "Ways round walls, or straight on as the original")
-              .words(routeWords())
-              .orElse(Route::Planned)
-              .form("Routes"),
-          field("obstacle_points", &Settings::obstaclePoints,
-                "People feel nearest points of walls, or rays as of a laser")
-              .words({"boundary", "rays"})
-              .orElse(ObstaclePoints::Boundary)
-              .form("Feel walls by"),
-          field("loop_trees", &Settings::loopTrees, "A tree that has ended starts again")
-              .orElse(true)
-              .form("Trees"),
-          field("wrap_x", &Settings::wrapX,
-                "A corridor that closes on itself: who passes the second x comes in at the first")
-              .in("m")
-              .readBy(readWrap)
-              .form("Corridor"),
-          FieldOf<Settings>("groups", "Names of groups by their numbers")
-              .madeBy(readGroups, writeGroups,
-                      [](const Settings& a, const Settings& b) { return a.groups == b.groups; })};
-}
-
 }  // namespace
 
 const std::vector<std::string>& routeWords() {
@@ -159,49 +102,76 @@ const std::vector<std::string>& routeWords() {
 Fields<Environment> environmentFields() {
   return {
       field("yaml_base_name", &Environment::yamlBaseName, "The file's name; trees are found by it"),
-      field("simulator", &Environment::simulator, "The simulator that HuNavSim runs the file in")
-          .form("Simulator"),
-      field("map", &Environment::map, "Name of the map, no folder, no extension").form("Map name"),
-      field("publish_people", &Environment::publishPeople, "Publish people as ROS topics")
-          .orElse(true)
-          .form("ROS topics")};
+      field("simulator", &Environment::simulator, "The simulator that HuNavSim runs the file in",
+            {"Simulator"}),
+      field("map", &Environment::map, "Name of the map, no folder, no extension", {"Map name"}),
+      field("publish_people", &Environment::publishPeople, "Publish people as ROS topics",
+            {"ROS topics"})
+          .orElse(true)};
 }
 
 Fields<DesktopSettings> settingsFields() {
-  Fields<DesktopSettings> all = mapAndRun();
-  for (Field<DesktopSettings>& each : people()) {
-    all.push_back(std::move(each));
-  }
-  return all;
+  using Settings = DesktopSettings;
+  return {
+      field("map_file", &Settings::mapFile,
+            "Relative to the scenario, `none` is the open plane; absent: searched", {"Map file"}),
+      field("map_rule", &Settings::mapRule, "Which nav2 decides how grey pixels are read",
+            {"Map rule"})
+          .words({"humble", "main"})
+          .orElse(std::string("humble")),
+      field("seed", &Settings::seed, "The same seed gives the same run", {"Seed", 0, 1.0}, {},
+            base::kNotNegative)
+          .orElse(1),
+      field("duration", &Settings::duration,
+            "Length of a run; absent: until the robot has arrived plus 1 s, at most 120 s",
+            {"Duration", 1, 5.0}, "s", {0.0, 1e6, true}),
+      field("dt", &Settings::dt, "Time step", {"Time step", 3, 0.005}, "s", {0.001, 0.1})
+          .orElse(0.05),
+      field("record_every", &Settings::recordEvery, "Steps from one recorded sample to the next",
+            {"Record every", 0, 1.0}, {}, {1.0, kLargestInt})
+          .orElse(1),
+      field("model", &Settings::model, "How people move among others, see `list models`", {"Model"})
+          .orElse(ResolvedHuman().model),
+      field("route", &Settings::route, "Ways round walls, or straight on as the original",
+            {"Routes"})
+          .words(routeWords())
+          .orElse(Route::Planned),
+      field("obstacle_points", &Settings::obstaclePoints,
+            "People feel nearest points of walls, or rays as of a laser", {"Feel walls by"})
+          .words({"boundary", "rays"})
+          .orElse(ObstaclePoints::Boundary),
+      field("loop_trees", &Settings::loopTrees, "A tree that has ended starts again", {"Trees"})
+          .orElse(true),
+      field("wrap_x", &Settings::wrapX,
+            "A corridor that closes on itself: who passes the second x comes in at the first",
+            {"Corridor"}, "m")
+          .with(&Field<Settings>::read, readWrap),
+      FieldOf<Settings>("groups", "Names of groups by their numbers")
+          .madeBy(readGroups, writeGroups,
+                  [](const Settings& a, const Settings& b) { return a.groups == b.groups; })};
 }
 
 Fields<MetricsSettings> metricsFields() {
   using Settings = MetricsSettings;
   return {
       moment("from", &Settings::from, {"begin", "goal", "motion"},
-             "begin, goal, motion, time 5.0 or event contact")
-          .form("From"),
+             "begin, goal, motion, time 5.0 or event contact", "From"),
       moment("until", &Settings::until, {"end", "arrival"},
-             "end, arrival, time 20.0 or event contact")
-          .form("Until"),
-      field("frequency", &Settings::frequency, "0 takes every recorded sample")
-          .in("Hz")
-          .within(base::kNotNegative)
-          .orElse(0.0)
-          .form("Frequency", 1, 1.0),
-      field("tag", &Settings::tag, "Of the experiment, in the results")
-          .orElse(std::string("exp_1"))
-          .form("Tag"),
-      field("run_id", &Settings::runId, "Number of the run, in the results")
-          .orElse(0)
-          .form("Run number", 0, 1.0),
+             "end, arrival, time 20.0 or event contact", "Until"),
+      field("frequency", &Settings::frequency, "0 takes every recorded sample",
+            {"Frequency", 1, 1.0}, "Hz", base::kNotNegative)
+          .orElse(0.0),
+      field("tag", &Settings::tag, "Of the experiment, in the results", {"Tag"})
+          .orElse(std::string("exp_1")),
+      field("run_id", &Settings::runId, "Number of the run, in the results", {"Run number", 0, 1.0})
+          .orElse(0),
       field("file", &Settings::file,
-            "Which metrics are measured; relative to the scenario; absent: all")
-          .form("Metrics file"),
-      FieldOf<Settings>("parameters", "Thresholds of metrics: name and number of each")
-          .madeBy(readThresholds, writeThresholds,
-                  [](const Settings& a, const Settings& b) { return a.parameters == b.parameters; })
-          .form("Thresholds")};
+            "Which metrics are measured; relative to the scenario; absent: all", {"Metrics file"}),
+      FieldOf<Settings>("parameters", "Thresholds of metrics: name and number of each",
+                        {"Thresholds"})
+          .madeBy(readThresholds, writeThresholds, [](const Settings& a, const Settings& b) {
+            return a.parameters == b.parameters;
+          })};
 }
 
 }  // namespace sim2d

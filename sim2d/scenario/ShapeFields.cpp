@@ -37,26 +37,33 @@ std::function<void(YamlNode&, const T&)> writeAxis(int axis) {
 /// Corners: the lists `xs` and `ys`, which are read together.
 template <class T>
 FieldOf<T> xs(std::function<void(YamlMap&, T&)> readBoth) {
-  return FieldOf<T>("xs", "Its corners: their x")
+  return FieldOf<T>("xs", "Its corners: their x", {"Corners"}, "m")
       .madeBy(std::move(readBoth), writeAxis<T>(0),
               [](const T& a, const T& b) { return a.points == b.points; })
-      .required()
-      .in("m")
-      .form("Corners");
+      .typed(base::ParameterType::Numbers)
+      .required();
 }
 
 template <class T>
 FieldOf<T> ys() {
-  return FieldOf<T>("ys", "Their y, as many")
+  return FieldOf<T>("ys", "Their y, as many", {}, "m")
       .madeBy([](YamlMap&, T&) {}, writeAxis<T>(1), [](const T&, const T&) { return true; })
-      .required()
-      .in("m");
+      .typed(base::ParameterType::Numbers)
+      .required();
 }
 
-/// A coordinate or a length that must be there.
+/// A coordinate that must be there.
 template <class T, class Access>
-FieldOf<T> length(std::string key, std::string help, Access access) {
-  return FieldOf<T>(std::move(key), std::move(help)).keptAt(access).required().in("m");
+FieldOf<T> place(std::string key, std::string help, std::string label, Access access) {
+  return FieldOf<T>(std::move(key), std::move(help), {std::move(label)}, "m")
+      .keptAt(access)
+      .required();
+}
+
+FieldOf<Obstacle> length(std::string key, double Obstacle::*member, std::string help,
+                         std::string label) {
+  return field(std::move(key), member, std::move(help), {std::move(label)}, "m", base::kPositive)
+      .required();
 }
 
 std::function<bool(const Obstacle&)> oneOf(std::vector<ObstacleKind> kinds) {
@@ -67,106 +74,74 @@ std::function<bool(const Obstacle&)> oneOf(std::vector<ObstacleKind> kinds) {
 
 template <class T>
 FieldOf<T> thickness(double usual, double step) {
-  return field("thickness", &T::thickness, "How thick it is")
-      .in("m")
-      .within(base::kPositive)
-      .orElse(usual)
-      .form("Thickness", 2, step);
+  return field("thickness", &T::thickness, "How thick it is", {"Thickness", 2, step}, "m",
+               base::kPositive)
+      .orElse(usual);
 }
 
 }  // namespace
 
 Fields<Obstacle> obstacleFields() {
-  const auto box = oneOf({ObstacleKind::Box});
+  const auto only = &Field<Obstacle>::applies;
   const auto placed = oneOf({ObstacleKind::Box, ObstacleKind::Circle});
+  const auto box = oneOf({ObstacleKind::Box});
   const auto corners = oneOf({ObstacleKind::Polygon, ObstacleKind::Wall});
+  const auto readCorners = [](YamlMap& view, Obstacle& to) {
+    readPoints(view, to, to.kind == ObstacleKind::Wall ? 2 : 3);
+  };
   return {field("kind", &Obstacle::kind, "Its shape; the other keys belong to some shapes")
               .words({"box", "circle", "polygon", "wall"})
               .required(),
-          length<Obstacle>(
-              "x", "Its centre", [](auto& of) -> auto& { return of.pose.position.x(); })
-              .only(placed)
-              .form("X"),
-          length<Obstacle>(
-              "y", "Its centre", [](auto& of) -> auto& { return of.pose.position.y(); })
-              .only(placed)
-              .form("Y"),
-          FieldOf<Obstacle>("h", "Where its length points to")
+          place<Obstacle>(
+              "x", "Its centre", "X", [](auto& of) -> auto& { return of.pose.position.x(); })
+              .with(only, placed),
+          place<Obstacle>(
+              "y", "Its centre", "Y", [](auto& of) -> auto& { return of.pose.position.y(); })
+              .with(only, placed),
+          FieldOf<Obstacle>("h", "Where its length points to", {"Heading"}, "rad")
               .keptAt([](auto& of) -> auto& { return of.pose.heading; })
-              .in("rad")
               .orElse(0.0)
-              .only(box)
-              .form("Heading"),
-          field("length", &Obstacle::length, "Along its heading")
-              .required()
-              .in("m")
-              .within(base::kPositive)
-              .only(box)
-              .form("Length"),
-          field("width", &Obstacle::width, "Across its heading")
-              .required()
-              .in("m")
-              .within(base::kPositive)
-              .only(box)
-              .form("Width"),
-          field("radius", &Obstacle::radius, "Of the circle")
-              .required()
-              .in("m")
-              .within(base::kPositive)
-              .only(oneOf({ObstacleKind::Circle}))
-              .form("Radius"),
-          xs<Obstacle>([](YamlMap& view, Obstacle& to) {
-            readPoints(view, to, to.kind == ObstacleKind::Wall ? 2 : 3);
-          }).only(corners),
-          ys<Obstacle>().only(corners),
-          thickness<Obstacle>(0.1, 0.05).only(oneOf({ObstacleKind::Wall}))};
+              .with(only, box),
+          length("length", &Obstacle::length, "Along its heading", "Length").with(only, box),
+          length("width", &Obstacle::width, "Across its heading", "Width").with(only, box),
+          length("radius", &Obstacle::radius, "Of the circle", "Radius")
+              .with(only, oneOf({ObstacleKind::Circle})),
+          xs<Obstacle>(readCorners).with(only, corners),
+          ys<Obstacle>().with(only, corners),
+          thickness<Obstacle>(0.1, 0.05).with(only, oneOf({ObstacleKind::Wall}))};
 }
 
 Fields<Door> doorFields() {
-  return {length<Door>(
-              "x1", "One end", [](auto& of) -> auto& { return of.from.x(); })
-              .form("From X"),
-          length<Door>(
-              "y1", "One end", [](auto& of) -> auto& { return of.from.y(); })
-              .form("From Y"),
-          length<Door>(
-              "x2", "The other end", [](auto& of) -> auto& { return of.to.x(); })
-              .form("To X"),
-          length<Door>(
-              "y2", "The other end", [](auto& of) -> auto& { return of.to.y(); })
-              .form("To Y"),
+  return {place<Door>(
+              "x1", "One end", "From X", [](auto& of) -> auto& { return of.from.x(); }),
+          place<Door>(
+              "y1", "One end", "From Y", [](auto& of) -> auto& { return of.from.y(); }),
+          place<Door>(
+              "x2", "The other end", "To X", [](auto& of) -> auto& { return of.to.x(); }),
+          place<Door>(
+              "y2", "The other end", "To Y", [](auto& of) -> auto& { return of.to.y(); }),
           thickness<Door>(0.05, 0.01),
-          field("open", &Door::open, "Open at the start").orElse(true).form("At the start"),
-          field("toggles", &Door::toggles, "It opens or closes at each of these times")
-              .in("s")
-              .within(base::kNotNegative)
-              .form("Changes at")};
+          field("open", &Door::open, "Open at the start", {"At the start"}).orElse(true),
+          field("toggles", &Door::toggles, "It opens or closes at each of these times",
+                {"Changes at"}, "s", base::kNotNegative)};
 }
 
 Fields<Area> areaFields() {
-  return {field("kind", &Area::kind, "What it is for")
+  return {field("kind", &Area::kind, "What it is for", {"Kind"})
               .words({"source", "sink", "wait", "exit"})
-              .required()
-              .form("Kind"),
+              .required(),
           xs<Area>([](YamlMap& view, Area& to) { readPoints(view, to, 3); }),
           ys<Area>(),
-          field("like", &Area::like, "Source: the person it copies").form("Like"),
-          field("rate", &Area::rate, "Source: people per second")
-              .in("1/s")
-              .within(base::kNotNegative)
-              .form("Rate", 3, 0.05),
-          field("from", &Area::from, "Source: people come from this time on")
-              .in("s")
-              .within(base::kNotNegative)
-              .orElse(0.0)
-              .form("From", 1, 1.0),
-          field("until", &Area::until, "Source: nobody comes after this time")
-              .in("s")
-              .within(base::kNotNegative)
-              .form("Until", 1, 1.0),
-          field("count", &Area::count, "Source: at most so many people")
-              .within({0.0, 1000000.0})
-              .form("At most", 0, 1.0)};
+          field("like", &Area::like, "Source: the person it copies", {"Like"}),
+          field("rate", &Area::rate, "Source: people per second", {"Rate", 3, 0.05}, "1/s",
+                base::kNotNegative),
+          field("from", &Area::from, "Source: people come from this time on", {"From", 1, 1.0}, "s",
+                base::kNotNegative)
+              .orElse(0.0),
+          field("until", &Area::until, "Source: nobody comes after this time", {"Until", 1, 1.0},
+                "s", base::kNotNegative),
+          field("count", &Area::count, "Source: at most so many people", {"At most", 0, 1.0}, {},
+                {0.0, 1000000.0})};
 }
 
 }  // namespace sim2d

@@ -106,6 +106,20 @@ class ListProgramTest : public QObject {
     }
   }
 
+  void markdown_keys_isWhatIsCommitted() {
+    const outside::Finished written =
+        outside::runProgram({QStringLiteral("list"), QStringLiteral("keys"),
+                             QStringLiteral("--format"), QStringLiteral("markdown")});
+    QCOMPARE(written.exitCode, 0);
+    const QByteArray committed =
+        outside::bytesOf(QStringLiteral(SOURCE_DIR "/sim2d/scenario/FORMAT.md"));
+    QVERIFY(committed.contains("markdown -->\n" + written.out.toUtf8() + "<!-- end -->"));
+    const outside::Finished listed = outside::runProgram(
+        {QStringLiteral("list"), QStringLiteral("keys"), QStringLiteral("--json")});
+    const QJsonArray keys = QJsonDocument::fromJson(listed.out.toUtf8()).array();
+    QCOMPARE(written.out.count(QStringLiteral("\n| `")), keys.size());
+  }
+
   void markdown_ofOtherThings_isAWrongWord() {
     const outside::Finished wrong =
         outside::runProgram({QStringLiteral("list"), QStringLiteral("robots"),

@@ -13,6 +13,7 @@
 #include "bt/tree/TreeXml.h"
 #include "metrics/MetricRegistry.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/scenario/KeyTables.h"
 #include "sim2d/world/World.h"
 
 namespace app {
@@ -20,7 +21,7 @@ namespace app {
 namespace {
 
 struct ListOptions {
-  std::string what;             // nodes, metrics, models, robots, planners, scenarios
+  std::string what;             // nodes, metrics, models, robots, planners, keys, scenarios
   std::string format = "text";  // text, json; xml for nodes, markdown for metrics
 };
 
@@ -93,6 +94,23 @@ std::vector<Entry> metricEntries() {
   return entries;
 }
 
+std::vector<Entry> keyEntries() {
+  std::vector<Entry> entries;
+  for (const sim2d::KeyTable& table : sim2d::keyTables()) {
+    for (const sim2d::KeyRow& row : table.rows) {
+      const auto shown = [](const std::string& text) { return text.empty() ? "-" : text; };
+      entries.push_back({table.path + row.key,
+                         {row.values, shown(row.unit), shown(row.fallback)},
+                         {{"of", table.title},
+                          {"values", row.values},
+                          {"unit", row.unit},
+                          {"default", row.fallback},
+                          {"description", row.help}}});
+    }
+  }
+  return entries;
+}
+
 std::vector<Entry> scenarioEntries() {
   std::vector<Entry> entries;
   for (const ShippedScenario& scenario : shippedScenarios()) {
@@ -146,11 +164,12 @@ int listCommand(const ListOptions& options, const OutputOptions& output) {
     return kFine;
   }
   if (options.format == "markdown") {
-    if (options.what != "metrics") {
-      printError("--format markdown is for metrics alone (text and json are for all)");
+    if (options.what != "metrics" && options.what != "keys") {
+      printError("--format markdown is for metrics and keys alone (text and json are for all)");
       return kWrongCommandLine;
     }
-    print(metrics::metricsMarkdown(metrics::standardRegistry()));
+    print(options.what == "keys" ? sim2d::keysMarkdown()
+                                 : metrics::metricsMarkdown(metrics::standardRegistry()));
     return kFine;
   }
   std::vector<Entry> entries;
@@ -159,6 +178,8 @@ int listCommand(const ListOptions& options, const OutputOptions& output) {
     entries = nodeEntries(library.catalogue());
   } else if (options.what == "metrics") {
     entries = metricEntries();
+  } else if (options.what == "keys") {
+    entries = keyEntries();
   } else if (options.what == "models") {
     entries = plainEntries(sim2d::modelNames());
   } else if (options.what == "robots") {
@@ -179,9 +200,12 @@ void addList(CommandRegistry& commands) {
   CLI::App& command = commands.add(
       "list", "What there is to use",
       [options](const Invocation& given) { return listCommand(*options, given.output); });
-  command.add_option("what", options->what, "nodes, metrics, models, robots, planners, scenarios")
+  command
+      .add_option("what", options->what,
+                  "nodes, metrics, models, robots, planners, keys, scenarios")
       ->required()
-      ->check(CLI::IsMember({"nodes", "metrics", "models", "robots", "planners", "scenarios"}));
+      ->check(
+          CLI::IsMember({"nodes", "metrics", "models", "robots", "planners", "keys", "scenarios"}));
   command
       .add_option("--format", options->format, "text or json; xml for nodes, markdown for metrics")
       ->check(CLI::IsMember({"text", "json", "xml", "markdown"}));
