@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "metrics/Recording.h"
+#include "metrics/Samples.h"
 
 /// Neighbours and cells of points, for the crowd measures.
 namespace metrics {

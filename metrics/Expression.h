@@ -18,7 +18,7 @@ class Expression {
   static base::Result<Expression> parse(const std::string& text);
 
   /// Undefined where the formula is (0/0, nobody there). Sees at least one sample.
-  MetricValue evaluate(const Recording& recording, const MetricParameters& parameters) const;
+  MetricValue evaluate(const SampledRun& recording, const MetricParameters& parameters) const;
   /// Sample by sample, with the same values. Not for those that need the record.
   Stream stream() const;
   const Needs& needs() const { return needs_; }

@@ -67,7 +67,7 @@ void addSampleNames(std::vector<VariableName>& to) {
   gap.needsRobot = gap.needsPeople = true;
   to.push_back(gap);
   VariableName goal = ofSample("goal_distance", [](const Place& p) {
-    const double distance = distanceToGoals(p.at.course, p.at.now.robot.position);
+    const double distance = distanceToGoals(p.at.context, p.at.now.robot.position);
     return std::isinf(distance) ? kNaN : distance;
   });
   goal.needsRobot = true;

@@ -5,7 +5,7 @@
 
 #include "metrics/MetricParameters.h"
 #include "metrics/NumberStore.h"
-#include "metrics/Recording.h"
+#include "metrics/Samples.h"
 
 namespace metrics {
 
@@ -25,7 +25,7 @@ class TermMemory {
 /// The newest sample of a run as metrics meet it, and what they may know of those before. At the
 /// end of a run it stands for the whole of it. Refers to what its maker holds.
 struct Instant {
-  const Course& course;
+  const RunContext& context;
   const MetricParameters& parameters;
   const Sample& now;             // with a robot, Person::pair is known
   const Sample* before;          // null at the first sample

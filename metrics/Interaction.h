@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "metrics/MetricParameters.h"
-#include "metrics/Recording.h"
+#include "metrics/Samples.h"
 
 /// How two bodies act on each other: forces, collision courses, sight.
 namespace metrics {

@@ -7,14 +7,14 @@
 namespace metrics {
 
 struct LiveMetrics::State {
-  RecordingBuilder builder;
+  SampleBuilder builder;
   SampleFeed feed;
 };
 
 LiveMetrics::LiveMetrics(const sim2d::TraceHeader& header, const Selection& selection,
                          const MetricParameters& parameters, const MetricRegistry& registry) {
-  RecordingBuilder builder(header, selection.robotId);
-  SampleFeed feed(std::make_shared<const Course>(builder.course()), selection, parameters,
+  SampleBuilder builder(header, selection.robotId);
+  SampleFeed feed(std::make_shared<const RunContext>(builder.context()), selection, parameters,
                   registry);
   state_ = std::make_unique<State>(State{std::move(builder), std::move(feed)});
 }

@@ -72,7 +72,7 @@ MetricValue meanOver(MetricValue sum, std::size_t samples);  // divided, without
 
 /// A metric that wants the whole record at once, which is kept for it to the end. Sees at least one
 /// sample, and a robot if it needs one.
-using MetricFunction = std::function<MetricValue(const Recording&, const MetricParameters&)>;
+using MetricFunction = std::function<MetricValue(const SampledRun&, const MetricParameters&)>;
 
 /// A metric worked out sample by sample, without the samples that are past. What it holds must not
 /// grow with them, but for series.
@@ -87,7 +87,8 @@ class Accumulator {
   /// Once for each sample, in order.
   virtual void add(const Instant& at) = 0;
   /// An event of the record, before the sample of its time; `elapsed` since the first sample [s].
-  virtual void note(const Course& /*course*/, double /*elapsed*/, const sim2d::Event& /*event*/) {}
+  virtual void note(const RunContext& /*context*/, double /*elapsed*/,
+                    const sim2d::Event& /*event*/) {}
 };
 using AccumulatorFactory =
     std::function<std::unique_ptr<Accumulator>(const MetricParameters& parameters)>;

@@ -37,9 +37,9 @@ MetricSums::MetricSums(const Selection& selection, const MetricParameters& param
   }
 }
 
-void MetricSums::note(const Course& course, double elapsed, const sim2d::Event& event) {
+void MetricSums::note(const RunContext& context, double elapsed, const sim2d::Event& event) {
   for (const std::unique_ptr<Accumulator>& sum : sums_) {
-    sum->note(course, elapsed, event);
+    sum->note(context, elapsed, event);
   }
 }
 
@@ -59,7 +59,7 @@ bool MetricSums::needsMap() const {
                      [](const Item& item) { return item.entry.info.needs.map; });
 }
 
-MetricValue MetricSums::valueOf(const Item& item, const Instant& last, const Recording* whole,
+MetricValue MetricSums::valueOf(const Item& item, const Instant& last, const SampledRun* whole,
                                 const std::vector<MetricResult>& before) const {
   const MetricEntry& entry = item.entry;
   if (entry.info.needs.robot && !hasRobot_) {
@@ -74,7 +74,7 @@ MetricValue MetricSums::valueOf(const Item& item, const Instant& last, const Rec
   return entry.compute(*whole, last.parameters);
 }
 
-std::vector<MetricResult> MetricSums::values(const Instant& last, const Recording* whole,
+std::vector<MetricResult> MetricSums::values(const Instant& last, const SampledRun* whole,
                                              const std::vector<MetricResult>* all,
                                              const SeriesSink& sink) const {
   std::vector<MetricResult> results;
@@ -93,23 +93,23 @@ std::vector<MetricResult> MetricSums::values(const Instant& last, const Recordin
   return results;
 }
 
-SampleFeed::SampleFeed(std::shared_ptr<const Course> course, const Selection& selection,
+SampleFeed::SampleFeed(std::shared_ptr<const RunContext> context, const Selection& selection,
                        const MetricParameters& parameters, const MetricRegistry& registry,
                        Among among)
-    : course_(std::move(course)),
+    : context_(std::move(context)),
       parameters_(parameters),
       keepsSeries_(selection.series),
       store_(selection.seriesOnDisk ? std::make_unique<NumberStore>() : nullptr),
-      sums_(selection, parameters, course_->hasRobot, registry, among),
+      sums_(selection, parameters, context_->hasRobot, registry, among),
       looks_(sums_.needsMap()) {
   if (sums_.needsRecord()) {
-    whole_ = std::make_unique<Recording>();
-    static_cast<Course&>(*whole_) = *course_;
+    whole_ = std::make_unique<SampledRun>();
+    static_cast<RunContext&>(*whole_) = *context_;
   }
 }
 
 Instant SampleFeed::newestInstant(TermMemory* memory) const {
-  return {*course_,     parameters_,  now_,  count_ > 1 ? &before_ : nullptr, count_ - 1, begin_,
+  return {*context_,    parameters_,  now_,  count_ > 1 ? &before_ : nullptr, count_ - 1, begin_,
           keepsSeries_, store_.get(), memory};
 }
 
@@ -120,7 +120,7 @@ void SampleFeed::takeEvents() {
                                   [now](const auto& noted) { return noted.first > now; });
   for (auto noted = noted_.begin(); noted != later; ++noted) {
     if (noted->first >= begin_ - kTimeSlack) {
-      sums_.note(*course_, noted->first - begin_, noted->second);
+      sums_.note(*context_, noted->first - begin_, noted->second);
     }
   }
   noted_.erase(noted_.begin(), later);
@@ -131,8 +131,8 @@ void SampleFeed::add(Sample sample) {
   now_ = std::move(sample);
   begin_ = count_ == 0 ? now_.time : begin_;
   ++count_;
-  if (course_->hasRobot) {
-    workOutPairs(now_, looks_ ? &course_->map : nullptr, parameters_);
+  if (context_->hasRobot) {
+    workOutPairs(now_, looks_ ? &context_->map : nullptr, parameters_);
   }
   takeEvents();
   terms_.forget();

@@ -19,11 +19,11 @@ class MetricSums {
  public:
   MetricSums(const Selection& selection, const MetricParameters& parameters, bool hasRobot,
              const MetricRegistry& registry, Among among);
-  void note(const Course& course, double elapsed, const sim2d::Event& event);
+  void note(const RunContext& context, double elapsed, const sim2d::Event& event);
   void add(const Instant& at);
   /// `whole`: the record, where needsRecord(). `all`: results among all people; those that do not
   /// look at people are taken over.
-  std::vector<MetricResult> values(const Instant& last, const Recording* whole,
+  std::vector<MetricResult> values(const Instant& last, const SampledRun* whole,
                                    const std::vector<MetricResult>* all,
                                    const SeriesSink& sink) const;
   /// Some metric wants the whole record at the end.
@@ -35,7 +35,7 @@ class MetricSums {
     MetricEntry entry;
     const Accumulator* sum = nullptr;  // one of sums_
   };
-  MetricValue valueOf(const Item& item, const Instant& last, const Recording* whole,
+  MetricValue valueOf(const Item& item, const Instant& last, const SampledRun* whole,
                       const std::vector<MetricResult>& before) const;
 
   bool hasRobot_;
@@ -47,7 +47,7 @@ class MetricSums {
 /// wants them all. One thread at a time.
 class SampleFeed {
  public:
-  SampleFeed(std::shared_ptr<const Course> course, const Selection& selection,
+  SampleFeed(std::shared_ptr<const RunContext> context, const Selection& selection,
              const MetricParameters& parameters, const MetricRegistry& registry,
              Among among = Among::All);
   /// Events before the sample of their time, in order.
@@ -66,7 +66,7 @@ class SampleFeed {
   void takeEvents();
   Instant newestInstant(TermMemory* memory) const;
 
-  std::shared_ptr<const Course> course_;
+  std::shared_ptr<const RunContext> context_;
   MetricParameters parameters_;
   bool keepsSeries_;
   std::unique_ptr<NumberStore> store_;  // null: series stay in memory
@@ -77,7 +77,7 @@ class SampleFeed {
   double begin_ = 0.0;  // [s]
   TermMemory terms_;
   std::vector<std::pair<double, sim2d::Event>> noted_;  // since the newest sample
-  std::unique_ptr<Recording> whole_;                    // null: nobody wants it
+  std::unique_ptr<SampledRun> whole_;                   // null: nobody wants it
 };
 
 }  // namespace metrics

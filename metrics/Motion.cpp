@@ -6,28 +6,28 @@
 
 namespace metrics {
 
-bool isInGoalRegion(const Course& course, const Vec2& position,
+bool isInGoalRegion(const RunContext& context, const Vec2& position,
                     const MetricParameters& parameters) {
-  return std::any_of(course.goals.begin(), course.goals.end(), [&](const Goal& goal) {
+  return std::any_of(context.goals.begin(), context.goals.end(), [&](const Goal& goal) {
     return lengthOf(position - goal.position) - goal.radius < parameters.goalTolerance;
   });
 }
 
 bool isCompleted(const Instant& last) {
-  return isInGoalRegion(last.course, last.now.robot.position, last.parameters);
+  return isInGoalRegion(last.context, last.now.robot.position, last.parameters);
 }
 
-double distanceToGoals(const Course& course, const Vec2& position) {
+double distanceToGoals(const RunContext& context, const Vec2& position) {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Goal& goal : course.goals) {
+  for (const Goal& goal : context.goals) {
     nearest = std::min(nearest, lengthOf(position - goal.position));
   }
   return nearest;
 }
 
-std::vector<Vec2> shortestPath(const Course& course, const Vec2& from, const Vec2& to) {
-  if (course.routes) {
-    return course.routes->shortest(from, to);
+std::vector<Vec2> shortestPath(const RunContext& context, const Vec2& from, const Vec2& to) {
+  if (context.routes) {
+    return context.routes->shortest(from, to);
   }
   return {from, to};
 }

@@ -8,13 +8,14 @@
 /// Quantities of the robot's run that several metrics use.
 namespace metrics {
 
-bool isInGoalRegion(const Course& course, const Vec2& position, const MetricParameters& parameters);
+bool isInGoalRegion(const RunContext& context, const Vec2& position,
+                    const MetricParameters& parameters);
 /// At the last sample.
 bool isCompleted(const Instant& last);
-double distanceToGoals(const Course& course, const Vec2& position);  // nearest goal; inf: none
+double distanceToGoals(const RunContext& context, const Vec2& position);  // nearest goal; inf: none
 
 /// Ways on the map or straight.
-std::vector<Vec2> shortestPath(const Course& course, const Vec2& from, const Vec2& to);
+std::vector<Vec2> shortestPath(const RunContext& context, const Vec2& from, const Vec2& to);
 
 /// The way that the robot made.
 class RobotWay : public Accumulator {

@@ -59,14 +59,14 @@ double timeOfEvent(const std::pair<double, sim2d::Event>& event) {
 
 }  // namespace
 
-MetricValue valueOf(const MetricEntry& entry, const Recording& recording,
+MetricValue valueOf(const MetricEntry& entry, const SampledRun& recording,
                     const MetricParameters& parameters, const MetricRegistry& registry) {
   Selection selection;
   if (const MetricEntry* sum = registry.find(entry.meanOf)) {
     selection.own.push_back(*sum);
   }
   selection.own.push_back(entry);
-  SampleFeed feed(std::make_shared<const Course>(recording), selection, parameters, {});
+  SampleFeed feed(std::make_shared<const RunContext>(recording), selection, parameters, {});
   std::size_t next = 0;
   for (const Sample& sample : recording.samples) {
     noteUntil(sample.time, recording.events, next, timeOfEvent, feed);
@@ -75,7 +75,7 @@ MetricValue valueOf(const MetricEntry& entry, const Recording& recording,
   return feed.values().back().value;
 }
 
-base::Result<Evaluation> evaluate(const Recording& recording, const Selection& selection,
+base::Result<Evaluation> evaluate(const SampledRun& recording, const Selection& selection,
                                   const MetricParameters& parameters,
                                   const MetricRegistry& registry) {
   RunningEvaluation evaluation(recording, selection, parameters, registry);

@@ -23,7 +23,7 @@ struct Selection {
   std::string tag = "exp_1";
   int runId = 0;
   int robotId = -1;
-  std::vector<std::pair<double, Vec2>> reference;  // Recording::reference; empty = shortest way
+  std::vector<std::pair<double, Vec2>> reference;  // SampledRun::reference; empty = shortest way
 
   bool series = true;          // results have their series
   bool seriesOnDisk = false;   // meanwhile in a temporary file
@@ -82,14 +82,14 @@ struct Evaluation {
 };
 
 /// One metric of a record with samples.
-MetricValue valueOf(const MetricEntry& entry, const Recording& recording,
+MetricValue valueOf(const MetricEntry& entry, const SampledRun& recording,
                     const MetricParameters& parameters,
                     const MetricRegistry& registry = standardRegistry());
 
 /// Error when the record or the window holds no sample.
 base::Result<Evaluation> evaluate(const sim2d::Trace& trace, const Selection& selection,
                                   const MetricParameters& parameters);
-base::Result<Evaluation> evaluate(const Recording& recording, const Selection& selection,
+base::Result<Evaluation> evaluate(const SampledRun& recording, const Selection& selection,
                                   const MetricParameters& parameters,
                                   const MetricRegistry& registry = standardRegistry());
 

@@ -7,11 +7,11 @@ namespace metrics {
 
 namespace {
 
-std::shared_ptr<const Course> withReference(Course course, const Selection& selection) {
+std::shared_ptr<const RunContext> withReference(RunContext context, const Selection& selection) {
   if (!selection.reference.empty()) {
-    course.reference = selection.reference;
+    context.reference = selection.reference;
   }
-  return std::make_shared<const Course>(std::move(course));
+  return std::make_shared<const RunContext>(std::move(context));
 }
 
 Selection amongSome(Selection selection) {
@@ -65,15 +65,15 @@ void fillLeftOvers(std::vector<MetricResult>& results, const std::vector<MetricR
 
 }  // namespace
 
-RunningEvaluation::RunningEvaluation(const Course& course, const Selection& selection,
+RunningEvaluation::RunningEvaluation(const RunContext& context, const Selection& selection,
                                      const MetricParameters& parameters,
                                      const MetricRegistry& registry)
-    : course_(withReference(course, selection)),
+    : context_(withReference(context, selection)),
       selection_(selection),
       parameters_(parameters),
       registry_(registry),
-      gate_(selection.window, course),
-      all_(course_, selection, parameters, registry) {
+      gate_(selection.window, context),
+      all_(context_, selection, parameters, registry) {
   if (selection.behaviors) {
     beginBehaviors();
   }
@@ -83,8 +83,8 @@ RunningEvaluation::RunningEvaluation(const Course& course, const Selection& sele
 void RunningEvaluation::beginBehaviors() {
   const Selection selection = amongSome(selection_);
   for (Behavior& behavior : behaviors_) {
-    behavior.feed =
-        std::make_unique<SampleFeed>(course_, selection, parameters_, registry_, Among::SomePeople);
+    behavior.feed = std::make_unique<SampleFeed>(context_, selection, parameters_, registry_,
+                                                 Among::SomePeople);
   }
 }
 
@@ -173,6 +173,6 @@ base::Result<Evaluation> RunningEvaluation::finish(const SeriesSink& sink) const
 
 FrameEvaluation::FrameEvaluation(const sim2d::TraceHeader& header, const Selection& selection,
                                  const MetricParameters& parameters)
-    : builder_(header, selection.robotId), evaluation_(builder_.course(), selection, parameters) {}
+    : builder_(header, selection.robotId), evaluation_(builder_.context(), selection, parameters) {}
 
 }  // namespace metrics

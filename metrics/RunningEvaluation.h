@@ -14,7 +14,7 @@ namespace metrics {
 class RunningEvaluation {
  public:
   /// A wrong window is told by finish().
-  RunningEvaluation(const Course& course, const Selection& selection,
+  RunningEvaluation(const RunContext& context, const Selection& selection,
                     const MetricParameters& parameters,
                     const MetricRegistry& registry = standardRegistry());
   /// Events before the sample of their time, in order.
@@ -35,7 +35,7 @@ class RunningEvaluation {
   void addToBehaviors(Sample& sample);
   bool isOriginal() const { return parameters_.profile == Profile::Hunav2; }
 
-  std::shared_ptr<const Course> course_;
+  std::shared_ptr<const RunContext> context_;
   Selection selection_;
   MetricParameters parameters_;
   const MetricRegistry& registry_;
@@ -62,7 +62,7 @@ class FrameEvaluation {
   }
 
  private:
-  RecordingBuilder builder_;
+  SampleBuilder builder_;
   RunningEvaluation evaluation_;
 };
 

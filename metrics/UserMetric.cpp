@@ -13,7 +13,7 @@ MetricValue Expression::valueOf(const Instant& last, const std::vector<double>& 
   return std::isinf(value) ? infiniteValue("the formula has no finite value") : numberValue(value);
 }
 
-MetricValue Expression::evaluate(const Recording& recording,
+MetricValue Expression::evaluate(const SampledRun& recording,
                                  const MetricParameters& parameters) const {
   const std::vector<Sample>& samples = recording.samples;
   const auto instantAt = [&](std::size_t i) {
@@ -41,7 +41,7 @@ class Expression::Sums : public Accumulator {
 
   void add(const Instant& at) override {
     if (at.before != nullptr) {
-      const Instant then{at.course, at.parameters, *at.before, nullptr, at.index - 1, at.begin};
+      const Instant then{at.context, at.parameters, *at.before, nullptr, at.index - 1, at.begin};
       take(then, at.step(), collected_);
     }
   }
@@ -98,7 +98,7 @@ base::Result<MetricEntry> entryOf(const UserMetric& metric) {
     entry.stream.shared = "formula " + metric.key;
     return entry;
   }
-  entry.compute = [formula = *expression](const Recording& recording,
+  entry.compute = [formula = *expression](const SampledRun& recording,
                                           const MetricParameters& parameters) {
     return formula.evaluate(recording, parameters);
   };

@@ -3,7 +3,7 @@
 #include <limits>
 #include <utility>
 
-#include "metrics/Recording.h"
+#include "metrics/Samples.h"
 #include "sim2d/base/Text.h"
 
 namespace metrics {
@@ -67,16 +67,16 @@ std::string windowProblem(const Window& window) {
   return "";
 }
 
-WindowGate::WindowGate(Window window, const Course& course)
+WindowGate::WindowGate(Window window, const RunContext& context)
     : window_(std::move(window)),
-      robotId_(course.robotId),
+      robotId_(context.robotId),
       begin_(toldTime(window_.from)),
       end_(toldTime(window_.until)),
       next_(-kNever) {
   if (window_.from == "begin") {
     begin_ = -kNever;
   } else if (window_.from == "goal") {
-    begin_ = course.robotStartTime;
+    begin_ = context.robotStartTime;
   }
   end_ = window_.until == "end" ? kNever : end_;
 }
@@ -133,8 +133,8 @@ bool WindowGate::takes(const Sample& sample) {
   return true;
 }
 
-Recording cut(const Recording& recording, const Window& window) {
-  Recording part = recording;
+SampledRun cut(const SampledRun& recording, const Window& window) {
+  SampledRun part = recording;
   part.samples.clear();
   WindowGate gate(window, recording);
   auto event = recording.events.begin();

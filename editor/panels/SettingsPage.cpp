@@ -2,7 +2,7 @@
 
 #include "editor/panels/EntityPages.h"
 #include "editor/panels/KeyAccess.h"
-#include "metrics/Recording.h"
+#include "metrics/Samples.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/world/Runner.h"
 #include "sim2d/world/World.h"

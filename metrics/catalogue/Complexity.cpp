@@ -70,8 +70,8 @@ class Winding : public Accumulator {
 class Replans : public Accumulator {
  public:
   void add(const Instant& /*at*/) override {}
-  void note(const Course& course, double /*elapsed*/, const sim2d::Event& event) override {
-    const bool isOurs = event.hasId && event.id == course.robotId;
+  void note(const RunContext& context, double /*elapsed*/, const sim2d::Event& event) override {
+    const bool isOurs = event.hasId && event.id == context.robotId;
     count_ += isOurs && event.kind == sim2d::EventKind::Replan ? 1.0 : 0.0;
   }
   MetricValue value(const Instant& /*last*/) const { return countValue(count_); }
@@ -84,7 +84,7 @@ class Replans : public Accumulator {
 class Arrivals : public Accumulator {
  public:
   void add(const Instant& /*at*/) override {}
-  void note(const Course& /*course*/, double elapsed, const sim2d::Event& event) override {
+  void note(const RunContext& /*context*/, double elapsed, const sim2d::Event& event) override {
     if (event.kind == sim2d::EventKind::Arrived && event.hasId) {
       times_.emplace(event.id, elapsed);
     }
@@ -115,12 +115,12 @@ class StoppedDistance : public Accumulator {
     }
     if (at.elapsed() >= window &&
         lengthOf(place - places_.front().second) < at.parameters.stoppedDistance) {
-      sum_ += distanceToGoals(at.course, place);
+      sum_ += distanceToGoals(at.context, place);
       count_ += 1.0;
     }
   }
   MetricValue mean(const Instant& last) const {
-    if (last.course.goals.empty()) {
+    if (last.context.goals.empty()) {
       return undefinedValue("there is no goal");
     }
     return count_ > 0.0 ? numberValue(sum_ / count_) : undefinedValue("the robot never stops");

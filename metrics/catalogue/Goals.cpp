@@ -13,7 +13,7 @@ constexpr char kNoGoal[] = "the robot has no goal";
 class GoalStay : public Accumulator {
  public:
   void add(const Instant& at) override {
-    if (!isInGoalRegion(at.course, at.now.robot.position, at.parameters)) {
+    if (!isInGoalRegion(at.context, at.now.robot.position, at.parameters)) {
       since_.reset();
     } else if (!since_) {
       since_ = at.elapsed();
@@ -23,7 +23,7 @@ class GoalStay : public Accumulator {
     if (last.isOriginal()) {
       return numberValue(last.elapsed());
     }
-    if (last.course.goals.empty()) {
+    if (last.context.goals.empty()) {
       return undefinedValue(kNoGoal);
     }
     return since_ ? numberValue(*since_) : undefinedValue("the goal was not reached");
@@ -38,7 +38,7 @@ MetricValue completed(const Instant& last) {
 }
 
 MetricValue goalDistance(double distance, const Instant& last) {
-  if (!last.course.goals.empty()) {
+  if (!last.context.goals.empty()) {
     return numberValue(distance);
   }
   return last.isOriginal() ? infiniteValue(kNoGoal) : undefinedValue(kNoGoal);
@@ -47,7 +47,7 @@ MetricValue goalDistance(double distance, const Instant& last) {
 class NearestGoal : public Accumulator {
  public:
   void add(const Instant& at) override {
-    nearest_ = std::min(nearest_, distanceToGoals(at.course, at.now.robot.position));
+    nearest_ = std::min(nearest_, distanceToGoals(at.context, at.now.robot.position));
   }
   MetricValue value(const Instant& last) const { return goalDistance(nearest_, last); }
 
@@ -56,7 +56,7 @@ class NearestGoal : public Accumulator {
 };
 
 MetricValue finalDistance(const Instant& last) {
-  return goalDistance(distanceToGoals(last.course, last.now.robot.position), last);
+  return goalDistance(distanceToGoals(last.context, last.now.robot.position), last);
 }
 
 }  // namespace

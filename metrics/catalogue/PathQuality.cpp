@@ -18,11 +18,11 @@ double ratioToBest(double best, double actual) {
 }
 
 double shortestToGoal(const RobotWay& way, const Instant& last) {
-  return lengthOf(shortestPath(last.course, way.start(), last.course.goals.front().position));
+  return lengthOf(shortestPath(last.context, way.start(), last.context.goals.front().position));
 }
 
 MetricValue successByLength(const RobotWay& way, const Instant& last) {
-  if (last.course.goals.empty()) {
+  if (last.context.goals.empty()) {
     return undefinedValue(kNoGoal);
   }
   return numberValue(isCompleted(last) ? ratioToBest(shortestToGoal(way, last), way.length())
@@ -30,10 +30,10 @@ MetricValue successByLength(const RobotWay& way, const Instant& last) {
 }
 
 MetricValue successByTime(const RobotWay& way, const Instant& last) {
-  if (last.course.goals.empty()) {
+  if (last.context.goals.empty()) {
     return undefinedValue(kNoGoal);
   }
-  const double fastest = last.course.robotMaxSpeed;
+  const double fastest = last.context.robotMaxSpeed;
   if (!(fastest > 0.0)) {
     return undefinedValue("the robot has no largest speed");
   }
@@ -42,7 +42,7 @@ MetricValue successByTime(const RobotWay& way, const Instant& last) {
 }
 
 std::vector<Vec2> shortestToEnd(const RobotWay& way, const Instant& last) {
-  return shortestPath(last.course, way.start(), last.now.robot.position);
+  return shortestPath(last.context, way.start(), last.now.robot.position);
 }
 
 MetricValue pathEfficiency(const RobotWay& way, const Instant& last) {

@@ -11,20 +11,20 @@ constexpr double kSamePlace = 1e-9;  // [m]
 class GoalProgress : public Accumulator {
  public:
   void add(const Instant& at) override {
-    if (at.course.goals.empty()) {
+    if (at.context.goals.empty()) {
       return;
     }
-    const double now = lengthOf(at.now.robot.position - at.course.goals.front().position);
+    const double now = lengthOf(at.now.robot.position - at.context.goals.front().position);
     first_ = at.before == nullptr ? now : first_;
     const bool isWorse = now > before_ + at.parameters.progressTolerance;
     worse_ += at.before != nullptr && isWorse ? 1.0 : 0.0;
     before_ = now;
   }
   MetricValue failures(const Instant& last) const {
-    return last.course.goals.empty() ? undefinedValue(kNoGoal) : countValue(worse_);
+    return last.context.goals.empty() ? undefinedValue(kNoGoal) : countValue(worse_);
   }
   MetricValue ratioLeft(const Instant& last) const {
-    if (last.course.goals.empty()) {
+    if (last.context.goals.empty()) {
       return undefinedValue(kNoGoal);
     }
     return first_ > kSamePlace ? numberValue(before_ / first_)
@@ -48,10 +48,10 @@ class StalledTime : public Accumulator {
 };
 
 MetricValue finalDistanceOverLength(const RobotWay& way, const Instant& last) {
-  if (last.course.goals.empty()) {
+  if (last.context.goals.empty()) {
     return undefinedValue(kNoGoal);
   }
-  const double distance = distanceToGoals(last.course, last.now.robot.position);
+  const double distance = distanceToGoals(last.context, last.now.robot.position);
   return way.length() > 0.0 ? numberValue(distance / way.length())
                             : undefinedValue("the robot did not move");
 }

@@ -14,18 +14,18 @@ namespace {
 constexpr char kNoGoal[] = "there is no goal and no reference";
 constexpr std::size_t kMostPoints = 800;  // of a comparison of all with all, the last aside
 
-bool hasReference(const Course& course) {
-  return !course.reference.empty() || !course.goals.empty();
+bool hasReference(const RunContext& context) {
+  return !context.reference.empty() || !context.goals.empty();
 }
 
 /// Empty without reference. `first`: the sample with which the run begins.
-std::vector<Vec2> referencePath(const Course& course, const Sample& first) {
+std::vector<Vec2> referencePath(const RunContext& context, const Sample& first) {
   std::vector<Vec2> path;
-  for (const auto& [time, place] : course.reference) {
+  for (const auto& [time, place] : context.reference) {
     path.push_back(place);
   }
-  if (path.empty() && !course.goals.empty()) {
-    path = shortestPath(course, first.robot.position, course.goals.front().position);
+  if (path.empty() && !context.goals.empty()) {
+    path = shortestPath(context, first.robot.position, context.goals.front().position);
   }
   return path;
 }
@@ -55,7 +55,7 @@ Vec2 recordedPlace(const std::vector<std::pair<double, Vec2>>& reference, double
 }
 
 MetricValue meanOf(const SeriesSum& sum, const Instant& last) {
-  return hasReference(last.course)
+  return hasReference(last.context)
              ? withSeries(numberValue(sum.sum() / static_cast<double>(last.count())), sum.terms())
              : undefinedValue(kNoGoal);
 }
@@ -65,20 +65,20 @@ class Displacement : public Accumulator {
  public:
   void add(const Instant& at) override {
     if (at.before == nullptr) {
-      path_ = referencePath(at.course, at.now);
+      path_ = referencePath(at.context, at.now);
     }
     if (path_.empty()) {
       return;
     }
-    const Vec2 place = at.course.reference.empty()
-                           ? pointAt(path_, at.course.robotMaxSpeed * at.elapsed())
-                           : recordedPlace(at.course.reference, at.elapsed());
+    const Vec2 place = at.context.reference.empty()
+                           ? pointAt(path_, at.context.robotMaxSpeed * at.elapsed())
+                           : recordedPlace(at.context.reference, at.elapsed());
     newest_ = lengthOf(at.now.robot.position - place);
     sum_.add(at, newest_);
   }
   MetricValue mean(const Instant& last) const { return meanOf(sum_, last); }
   MetricValue final(const Instant& last) const {
-    return hasReference(last.course) ? numberValue(newest_) : undefinedValue(kNoGoal);
+    return hasReference(last.context) ? numberValue(newest_) : undefinedValue(kNoGoal);
   }
 
  private:
@@ -103,7 +103,7 @@ class Deviation : public Accumulator {
  public:
   void add(const Instant& at) override {
     if (at.before == nullptr) {
-      path_ = referencePath(at.course, at.now);
+      path_ = referencePath(at.context, at.now);
     }
     if (!path_.empty()) {
       sum_.add(at, distanceToPath(path_, at.now.robot.position));
@@ -178,7 +178,7 @@ class Warping : public Accumulator {
  public:
   void add(const Instant& at) override {
     if (at.before == nullptr) {
-      path_ = referencePath(at.course, at.now);
+      path_ = referencePath(at.context, at.now);
     }
     way_.add(at.index, at.now.robot.position);
   }

@@ -41,7 +41,7 @@ class SurpriseSum : public PersonCosts {
   SurpriseSum() : PersonCosts(kCosts) {}
 
   MetricValue valueOf(std::size_t cost, const Instant& last) const {
-    if (last.isOriginal() && last.course.map.isEmpty()) {
+    if (last.isOriginal() && last.context.map.isEmpty()) {
       return undefinedValue("there is no map");
     }
     if (last.isOriginal() && cost != kVisibility && last.count() < 2) {
@@ -61,7 +61,7 @@ class SurpriseSum : public PersonCosts {
     const double half = at.parameters.fieldOfView / 2.0;
     const double angle = person.pair.viewAngle;
     const bool unseen = angle > half || (at.isOriginal() && angle == 0.0);
-    if (unseen || (at.isOriginal() && at.course.map.isEmpty())) {
+    if (unseen || (at.isOriginal() && at.context.map.isEmpty())) {
       return true;
     }
     const Sight sight = person.pair.sight;

@@ -92,7 +92,7 @@ void MetricsBench::tell(double seconds, double& first) {
 void MetricsBench::evaluate_all() {
   QFETCH(int, people);
   QFETCH(int, steps);
-  const Recording recording = recordingOf(crowd(people, steps));
+  const SampledRun recording = sampledRunOf(crowd(people, steps));
   tell(processorTime([&recording] { QVERIFY(evaluate(recording, {}, {})); }), firstOfSamples_);
 }
 

@@ -13,8 +13,8 @@ namespace handmade {
 using metrics::MetricEntry;
 using metrics::MetricParameters;
 using metrics::Person;
-using metrics::Recording;
 using metrics::Sample;
+using metrics::SampledRun;
 using metrics::Vec2;
 
 inline Person personAt(int id, double x, double y, double vx = 0.0, double vy = 0.0) {
@@ -39,14 +39,14 @@ inline Sample sampleAt(double time, double x, double y, double speed = 0.0) {
   return sample;
 }
 
-inline Recording recordingOfSamples(std::vector<Sample> samples) {
-  Recording recording;
+inline SampledRun recordingOfSamples(std::vector<Sample> samples) {
+  SampledRun recording;
   recording.hasRobot = true;
   recording.samples = std::move(samples);
   return recording;
 }
 
-inline double valueOf(const Recording& recording, const char* key,
+inline double valueOf(const SampledRun& recording, const char* key,
                       const MetricParameters& parameters = {}) {
   const MetricEntry* entry = metrics::standardRegistry().find(key);
   return entry == nullptr

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "metrics/Recording.h"
+#include "metrics/Samples.h"
 
 /// Test vectors of metrics: inputs and expected values as JSON.
 namespace vectors {
@@ -73,8 +73,8 @@ inline metrics::Sample sampleOf(const Json& step) {
   return sample;
 }
 
-inline metrics::Recording recordingOf(const Json& file) {
-  metrics::Recording recording;
+inline metrics::SampledRun sampledRunOf(const Json& file) {
+  metrics::SampledRun recording;
   recording.hasRobot = true;
   recording.map = mapOf(file["map"]);
   for (const Json& step : file["steps"]) {

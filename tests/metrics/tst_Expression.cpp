@@ -10,8 +10,8 @@ using namespace metrics;
 namespace {
 
 /// Robot at 0, 1, 3 m at 0, 1, 3 s; a person at (1, 2), at the last sample another at (3, 1).
-Recording threeSamples() {
-  Recording recording;
+SampledRun threeSamples() {
+  SampledRun recording;
   recording.hasRobot = true;
   recording.goals = {{Vec2(5.0, 0.0), 0.2}};
   for (const double t : {0.0, 1.0, 3.0}) {
@@ -118,7 +118,7 @@ void ExpressionTest::evaluate_undefined_hasNoValue() {
     QVERIFY2(!value.value && !value.why.empty(), text);
   }
   // Samples without a value are passed over.
-  Recording recording = threeSamples();
+  SampledRun recording = threeSamples();
   recording.samples[0].robot.obstacleDistance = 1.25;
   QCOMPARE(*Expression::parse("mean(clearance)")->evaluate(recording, {}).value, 1.0);
 }
@@ -168,7 +168,7 @@ void ExpressionTest::metricsFile_formulas_areMetrics() {
   QVERIFY(result != nullptr);
   QCOMPARE(*result->value.value, 2.0);
   QVERIFY(result->info.unit == "s" && result->info.better == Better::Lower);
-  Recording alone = threeSamples();
+  SampledRun alone = threeSamples();
   alone.hasRobot = false;
   const Evaluation people = *evaluate(alone, file->selection, MetricParameters{});
   QVERIFY(!people.find("fast_time")->value.value);
@@ -226,7 +226,7 @@ void ExpressionTest::stream_formula_equalsTheWholeRecord() {
   QFETCH(QString, text);
   const Expression formula = *Expression::parse(text.toStdString());
   QVERIFY(!formula.needsRecord());
-  Recording recording = recordingOf(cases::trace(60, 5));
+  SampledRun recording = sampledRunOf(cases::trace(60, 5));
   const MetricParameters parameters;
   MetricEntry entry;
   entry.stream = formula.stream();

@@ -85,7 +85,7 @@ std::string resultsProblem(const std::vector<MetricResult>& results, const Json&
 Evaluation evaluated(const Json& file, Profile profile) {
   MetricParameters parameters;
   parameters.profile = profile;
-  return *metrics::evaluate(vectors::recordingOf(file), metrics::Selection{}, parameters);
+  return *metrics::evaluate(vectors::sampledRunOf(file), metrics::Selection{}, parameters);
 }
 
 /// The first line that differs; empty when the bytes are equal.
@@ -198,7 +198,7 @@ void GoldenVectorsTest::writeEvaluatorFiles_publishedRuns_haveTheSameBytes() {
     selection.runId = run.id;
     selection.keys.emplace();
     Evaluation evaluation =
-        *metrics::evaluate(vectors::recordingOf(file), selection, MetricParameters{});
+        *metrics::evaluate(vectors::sampledRunOf(file), selection, MetricParameters{});
     evaluation.behaviors.clear();
     QVERIFY(metrics::writeEvaluatorFiles(evaluation, folder.path().toStdString() + "/metrics",
                                          metrics::Layout::Hunav2));

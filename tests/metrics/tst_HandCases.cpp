@@ -58,7 +58,7 @@ void HandCasesTest::facing_narrowAndWideCones() {
   samples[1].people[0].heading = (-135.0 + 30.0) / 180.0 * base::kPi;
   samples[2].people = {personAt(1, -2, 0)};
   samples[2].people[0].heading = base::kPi;
-  const Recording recording = recordingOfSamples(samples);
+  const SampledRun recording = recordingOfSamples(samples);
   QCOMPARE(valueOf(recording, "time_facing_people"), 1.0);
   QCOMPARE(valueOf(recording, "time_facing_people_60"), 3.0);
   QCOMPARE(valueOf(recording, "time_seen_by_people"), 1.0);
@@ -71,7 +71,7 @@ void HandCasesTest::gaussianSpace_extremesAndTimeAbove() {
   for (Sample& sample : samples) {
     sample.people = {personAt(1, 0, 0)};
   }
-  const Recording recording = recordingOfSamples(samples);
+  const SampledRun recording = recordingOfSamples(samples);
   const double mean = 100.0 * (std::exp(-1.0) + 2.0 * std::exp(-0.5)) / 3.0;
   QVERIFY(isNear(valueOf(recording, "personal_space_intrusion_gaussian"), mean));
   QVERIFY(
@@ -86,7 +86,7 @@ void HandCasesTest::discomfort_meanOfCloseGaps() {
   samples[0].people = {personAt(1, 0.6, 0)};
   samples[1].people = {personAt(1, 0, 0.65), personAt(2, 9, 0)};
   samples[2].people = {personAt(1, 1.5, 0)};
-  const Recording recording = recordingOfSamples(samples);
+  const SampledRun recording = recordingOfSamples(samples);
   QVERIFY(isNear(valueOf(recording, "discomfort_distance_avg"), 0.125));
   QVERIFY(isNear(valueOf(recording, "discomfort_frequency"), 200.0 / 3.0));
 }
@@ -100,7 +100,7 @@ void HandCasesTest::zoneEntries_byWhoClosesIn() {
     sample.people = {personAt(1, gaps[k] + 0.5, 0), personAt(2, 0, k < 3 ? 5.5 : 0.8, 0, -3.0)};
     samples.push_back(sample);
   }
-  const Recording recording = recordingOfSamples(samples);
+  const SampledRun recording = recordingOfSamples(samples);
   for (const char* zone : {"intimate", "personal"}) {
     const std::string key = std::string(zone) + "_zone_entries";
     QCOMPARE(valueOf(recording, key.c_str()), 2.0);
@@ -122,7 +122,7 @@ void HandCasesTest::obstacles_contactsAndTimeTooClose() {
   samples[1].robot.obstacleDistance = 0.5;
   samples[2].robot.obstacleDistance = 0.25;
   samples[4].robot.obstacleDistance = 0.2;
-  const Recording recording = recordingOfSamples(samples);
+  const SampledRun recording = recordingOfSamples(samples);
   QCOMPARE(valueOf(recording, "obstacle_safety"), 40.0);
   QCOMPARE(valueOf(recording, "obstacle_collisions"), 2.0);
   QVERIFY(isNear(valueOf(recording, "clearing_distance_min"), -0.05));
@@ -130,7 +130,7 @@ void HandCasesTest::obstacles_contactsAndTimeTooClose() {
 }
 
 void HandCasesTest::finalDistance_perMetreDriven() {
-  Recording recording =
+  SampledRun recording =
       recordingOfSamples({sampleAt(0, 0, 0), sampleAt(1, 3, 0), sampleAt(2, 3, 4)});
   recording.goals = {{Vec2(3, 6), 0.2}};
   QVERIFY(isNear(valueOf(recording, "targ_dist_norm"), 2.0 / 7.0));
@@ -138,7 +138,7 @@ void HandCasesTest::finalDistance_perMetreDriven() {
 
 void HandCasesTest::crowd_densestLook() {
   // Alone: a circle of 2 m; then two in one place share it.
-  Recording recording;
+  SampledRun recording;
   Sample alone;
   alone.people = {personAt(1, 0, 0)};
   Sample pair;
@@ -167,7 +167,7 @@ void HandCasesTest::responsibility_ofBothSides() {
   const double aside = std::sin(0.1) + 0.05;
   const double ahead = std::cos(0.1);
   const double byPerson = 4.0 * aside / std::sqrt(ahead * ahead + aside * aside) - byRobot;
-  const Recording recording = recordingOfSamples(samples);
+  const SampledRun recording = recordingOfSamples(samples);
   QVERIFY(isNear(valueOf(recording, "responsibility"), 100.0 * byRobot / (byRobot + byPerson)));
   QVERIFY(isNear(valueOf(recording, "engagement"), byRobot / 1.0));
   samples[0].people[0].position = samples[1].people[0].position = Vec2(-4, 0);

@@ -23,7 +23,7 @@ class CrowdSize : public Accumulator {
 };
 
 /// The same, of the whole record.
-MetricValue crowdSize(const Recording& recording, const MetricParameters& /*parameters*/) {
+MetricValue crowdSize(const SampledRun& recording, const MetricParameters& /*parameters*/) {
   double sum = 0.0;
   for (const Sample& sample : recording.samples) {
     sum += static_cast<double>(sample.people.size());
@@ -59,7 +59,7 @@ const MetricRegistry& extended() {
 }
 
 Evaluation evaluation() {
-  return *evaluate(recordingOf(cases::trace(9, 4)), Selection{}, MetricParameters{}, extended());
+  return *evaluate(sampledRunOf(cases::trace(9, 4)), Selection{}, MetricParameters{}, extended());
 }
 
 bool contains(const std::string& text, const std::string& part) {

@@ -48,7 +48,7 @@ void MoreMetricsTest::registry_measures_areAtLeast64() {
 
 void MoreMetricsTest::headingDisturbance_handCase() {
   // The robot comes from ahead, 2 m away, aims 0.14 m beside the person at half the speed.
-  Recording recording = recordingOfSamples({sampleAt(0, 2, 0.14), sampleAt(1, 2, 0.14)});
+  SampledRun recording = recordingOfSamples({sampleAt(0, 2, 0.14), sampleAt(1, 2, 0.14)});
   for (Sample& sample : recording.samples) {
     sample.robot.heading = base::kPi;
     sample.robot.speed = 0.275;
@@ -68,7 +68,7 @@ void MoreMetricsTest::headingDisturbance_handCase() {
 
 void MoreMetricsTest::formationSpace_handCase() {
   // Two at (-1, 0) and (1, 0), radius 0.25: spans 2.5 and 0.5, deviations 0.625 and 0.125.
-  Recording recording = recordingOfSamples({sampleAt(0, 0.625, 0), sampleAt(2, 0, 0.125)});
+  SampledRun recording = recordingOfSamples({sampleAt(0, 0.625, 0), sampleAt(2, 0, 0.125)});
   for (Sample& sample : recording.samples) {
     sample.people = {personAt(1, -1, 0), personAt(2, 1, 0)};
     sample.people[0].group = sample.people[1].group = 3;
@@ -107,7 +107,7 @@ void MoreMetricsTest::groupCrossings_throughATriangle_isOne() {
 
 void MoreMetricsTest::reference_besideTheStraightWay() {
   // To (2, 0) at 1 m/s; the robot is 0.3 beside the way, the last second late.
-  Recording recording = recordingOfSamples(
+  SampledRun recording = recordingOfSamples(
       {sampleAt(0, 0, 0), sampleAt(1, 1, 0.3), sampleAt(2, 1, 0.3), sampleAt(3, 2, 0)});
   recording.goals = {{Vec2(2, 0), 0.2}};
   const double late = std::sqrt(1.0 + 0.09);
@@ -125,7 +125,7 @@ void MoreMetricsTest::reference_besideTheStraightWay() {
 
 void MoreMetricsTest::reference_recordedRun_isUsed() {
   // The reference goes up 1 m in 2 s and then 1 m to the right in 1 s; the robot cuts the corner.
-  Recording recording = recordingOfSamples(
+  SampledRun recording = recordingOfSamples(
       {sampleAt(5, 0, 0), sampleAt(6, 0.4, 0.5), sampleAt(7, 1, 1), sampleAt(9, 1.5, 1)});
   recording.reference = {{0.0, Vec2(0, 0)}, {2.0, Vec2(0, 1)}, {3.0, Vec2(1, 1)}};
   QVERIFY(isNear(valueOf(recording, "ade"), (0.0 + 0.4 + 1.0 + 0.5) / 4.0));
@@ -144,7 +144,7 @@ void MoreMetricsTest::reference_longRun_isThinned() {
     samples.push_back(sampleAt(step, 0.01 * step, 1));
   }
   const auto warpedUpTo = [&samples](std::size_t count) {
-    Recording recording =
+    SampledRun recording =
         recordingOfSamples({samples.begin(), samples.begin() + static_cast<long>(count)});
     const double end = 0.01 * static_cast<double>(count - 1);
     recording.reference = {{0.0, Vec2(0, 0)}, {1.0, Vec2(end, 0)}};
@@ -168,7 +168,7 @@ void MoreMetricsTest::topologicalComplexity_onceAround_isOneTurn() {
 }
 
 void MoreMetricsTest::events_replansAndArrivals_areCounted() {
-  Recording recording = recordingOfSamples({sampleAt(2, 0, 0), sampleAt(10, 1, 0)});
+  SampledRun recording = recordingOfSamples({sampleAt(2, 0, 0), sampleAt(10, 1, 0)});
   const auto add = [&recording](double time, sim2d::EventKind kind, int id) {
     sim2d::Event event;
     event.kind = kind;
@@ -187,7 +187,7 @@ void MoreMetricsTest::events_replansAndArrivals_areCounted() {
 }
 
 void MoreMetricsTest::stoppedDistance_standing_isDistance() {
-  Recording recording = recordingOfSamples(
+  SampledRun recording = recordingOfSamples(
       {sampleAt(0, 0, 0), sampleAt(1, 1, 0), sampleAt(2, 1.02, 0), sampleAt(3, 2, 0)});
   recording.goals = {{Vec2(5, 0), 0.2}};
   QVERIFY(isNear(valueOf(recording, "mean_dist_to_target_not_moving"), 3.98));
@@ -197,7 +197,7 @@ void MoreMetricsTest::stoppedDistance_standing_isDistance() {
 
 void MoreMetricsTest::timeToCollision_headOn_handCase() {
   // 1 m/s each towards the other, gap 6, 3.5 and 1 m: 3, 1.75 and 0.5 s.
-  Recording recording = recordingOfSamples(
+  SampledRun recording = recordingOfSamples(
       {sampleAt(0, 0, 0, 1), sampleAt(1.25, 1.25, 0, 1), sampleAt(2.5, 2.5, 0, 1)});
   for (Sample& sample : recording.samples) {
     sample.people = {personAt(1, 6.5 - sample.time, 0, -1)};
@@ -208,7 +208,7 @@ void MoreMetricsTest::timeToCollision_headOn_handCase() {
 }
 
 void MoreMetricsTest::passing_distanceAndApproach() {
-  Recording recording = recordingOfSamples({sampleAt(0, 0, 0, 0.5), sampleAt(1, 1, 0, 0.5)});
+  SampledRun recording = recordingOfSamples({sampleAt(0, 0, 0, 0.5), sampleAt(1, 1, 0, 0.5)});
   recording.samples[0].people = {personAt(1, 1.5, 0, -0.25), personAt(2, 0, 30)};
   recording.samples[1].people = {personAt(1, 1.0, 2.5), personAt(2, 0, 3.5)};
   recording.samples[1].robot.omega = -2.0;
@@ -221,7 +221,7 @@ void MoreMetricsTest::passing_distanceAndApproach() {
 
 void MoreMetricsTest::crowd_gridOfPeople_handCase() {
   // 21 x 21 people, 1 m apart: cells of 1 m2 inside; the middle one has 12 others within 2 m.
-  Recording recording;
+  SampledRun recording;
   Sample sample;
   for (int k = 0; k < 441; ++k) {
     sample.people.push_back(personAt(k, k % 21, k / 21, 0.5));
@@ -251,7 +251,7 @@ void MoreMetricsTest::crowd_gridOfPeople_handCase() {
 }
 
 void MoreMetricsTest::crowd_lanes_ordered() {
-  Recording recording;
+  SampledRun recording;
   Sample sample;
   for (int k = 0; k < 10; ++k) {
     sample.people.push_back(personAt(k, k, k < 5 ? 0.0 : 3.0, k < 5 ? 1.0 : -1.0));
@@ -266,7 +266,7 @@ void MoreMetricsTest::crowd_lanes_ordered() {
 }
 
 void MoreMetricsTest::line_crossings_countedWithinTheEnds() {
-  Recording recording;
+  SampledRun recording;
   for (int k = 0; k < 5; ++k) {
     Sample sample;
     sample.time = k;

@@ -1,4 +1,4 @@
-#include "metrics/Recording.h"
+#include "metrics/Samples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,8 +41,8 @@ const Person* findPerson(const Sample& sample, int id) {
   return nullptr;
 }
 
-Recording withBehavior(const Recording& recording, int behavior) {
-  Recording part = recording;
+SampledRun withBehavior(const SampledRun& recording, int behavior) {
+  SampledRun part = recording;
   for (Sample& sample : part.samples) {
     sample.people.erase(
         std::remove_if(sample.people.begin(), sample.people.end(),

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "metrics/Recording.h"
+#include "metrics/Samples.h"
 
 namespace metrics {
 
@@ -41,7 +41,7 @@ const sim2d::TraceRobot* robotOf(const sim2d::TraceHeader& header, int id) {
 
 }  // namespace
 
-RecordingBuilder::RecordingBuilder(const sim2d::TraceHeader& header, int robotId)
+SampleBuilder::SampleBuilder(const sim2d::TraceHeader& header, int robotId)
     : robotId_(robotId), header_(header) {
   addHumans(header.humans);
   header_.humans.clear();
@@ -62,35 +62,35 @@ RecordingBuilder::RecordingBuilder(const sim2d::TraceHeader& header, int robotId
   drawn_.build();
 }
 
-void RecordingBuilder::addHumans(const std::vector<sim2d::TraceHuman>& humans) {
+void SampleBuilder::addHumans(const std::vector<sim2d::TraceHuman>& humans) {
   for (const sim2d::TraceHuman& human : humans) {
     humans_[human.id] = human;
   }
 }
 
-Course RecordingBuilder::course() const {
-  Course course;
-  course.map = header_.map;
+RunContext SampleBuilder::context() const {
+  RunContext context;
+  context.map = header_.map;
   const sim2d::TraceRobot* robot = robotOf(header_, robotId_);
   if (robot == nullptr) {
-    return course;
+    return context;
   }
-  course.hasRobot = true;
-  course.robotId = robotId_;
-  course.robotStartTime = robot->startTime;
-  course.robotMaxSpeed = robot->maxVel;
+  context.hasRobot = true;
+  context.robotId = robotId_;
+  context.robotStartTime = robot->startTime;
+  context.robotMaxSpeed = robot->maxVel;
   for (const sim2d::TraceGoal& goal : robot->goals) {
-    course.goals.push_back({goal.position, goal.radius});
+    context.goals.push_back({goal.position, goal.radius});
   }
   sim2d::Obstacles standing = all_;
   for (const Door& door : doors_) {
     standing.setEnabled(door.part, false);
   }
-  course.routes = std::make_shared<Routes>(header_.map, std::move(standing), robot->radius);
-  return course;
+  context.routes = std::make_shared<Routes>(header_.map, std::move(standing), robot->radius);
+  return context;
 }
 
-void RecordingBuilder::setDoors(double time) {
+void SampleBuilder::setDoors(double time) {
   constexpr double kLimit = 1e-9;  // times are reached this much early
   for (const Door& door : doors_) {
     const auto passed = std::count_if(door.toggles.begin(), door.toggles.end(),
@@ -101,7 +101,7 @@ void RecordingBuilder::setDoors(double time) {
   }
 }
 
-void RecordingBuilder::addObstaclePoints(Body& body) {
+void SampleBuilder::addObstaclePoints(Body& body) {
   buffer_.clear();
   if (header_.obstaclePoints == "rays") {
     all_.rayPoints(body.position, buffer_);
@@ -114,7 +114,7 @@ void RecordingBuilder::addObstaclePoints(Body& body) {
   }
 }
 
-Sample RecordingBuilder::sampleOf(const sim2d::Frame& frame) {
+Sample SampleBuilder::sampleOf(const sim2d::Frame& frame) {
   setDoors(frame.time);
   Sample sample;
   sample.time = frame.time;
@@ -149,10 +149,10 @@ Sample RecordingBuilder::sampleOf(const sim2d::Frame& frame) {
   return sample;
 }
 
-Recording recordingOf(const sim2d::Trace& trace, int robotId) {
-  RecordingBuilder builder(trace.header, robotId);
-  Recording recording;
-  static_cast<Course&>(recording) = builder.course();
+SampledRun sampledRunOf(const sim2d::Trace& trace, int robotId) {
+  SampleBuilder builder(trace.header, robotId);
+  SampledRun recording;
+  static_cast<RunContext&>(recording) = builder.context();
   recording.samples.reserve(trace.frames.size());
   for (const sim2d::Frame& frame : trace.frames) {
     recording.samples.push_back(builder.sampleOf(frame));

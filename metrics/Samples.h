@@ -67,7 +67,7 @@ struct Robot : Body {
 /// All bodies at one time.
 struct Sample {
   double time = 0.0;  // [s]
-  Robot robot;        // meaningful when Recording::hasRobot
+  Robot robot;        // meaningful when SampledRun::hasRobot
   std::vector<Person> people;
 };
 
@@ -77,7 +77,7 @@ struct Goal {
 };
 
 /// What holds for a whole run, one robot at most.
-struct Course {
+struct RunContext {
   bool hasRobot = false;
   int robotId = -1;
   double robotStartTime = 0.0;     // it sets off then [s]
@@ -90,7 +90,7 @@ struct Course {
 };
 
 /// A run with all its samples, in time order.
-struct Recording : Course {
+struct SampledRun : RunContext {
   std::vector<Sample> samples;
   std::vector<std::pair<double, sim2d::Event>> events;  // time [s], all events of the run
 
@@ -99,13 +99,13 @@ struct Recording : Course {
 
 /// Turns frames into samples: radii and behaviours from the header, obstacle points from its
 /// outlines by the function that the world uses.
-class RecordingBuilder {
+class SampleBuilder {
  public:
   /// The robot with this id, by default the first; no such robot: people only.
-  explicit RecordingBuilder(const sim2d::TraceHeader& header, int robotId = -1);
+  explicit SampleBuilder(const sim2d::TraceHeader& header, int robotId = -1);
   /// People that arrived after the header was made.
   void addHumans(const std::vector<sim2d::TraceHuman>& humans);
-  Course course() const;
+  RunContext context() const;
   Sample sampleOf(const sim2d::Frame& frame);
 
  private:
@@ -127,7 +127,7 @@ class RecordingBuilder {
   std::vector<sim2d::Obstacles::Point> buffer_;
 };
 
-Recording recordingOf(const sim2d::Trace& trace, int robotId = -1);
+SampledRun sampledRunOf(const sim2d::Trace& trace, int robotId = -1);
 
 /// The part that a window selects; the events stay.
 struct Window {
@@ -140,7 +140,7 @@ std::string windowProblem(const Window& window);
 /// Tells sample by sample what a window takes.
 class WindowGate {
  public:
-  WindowGate(Window window, const Course& course);
+  WindowGate(Window window, const RunContext& context);
   /// An event of a time up to that of the next sample; in order.
   void note(double time, const sim2d::Event& event);
   bool takes(const Sample& sample);
@@ -158,9 +158,9 @@ class WindowGate {
   double first_ = 0.0, next_;          // of the grid of `frequency` [s]
   long long taken_ = 0;
 };
-Recording cut(const Recording& recording, const Window& window);
+SampledRun cut(const SampledRun& recording, const Window& window);
 /// Only people of one behaviour type.
-Recording withBehavior(const Recording& recording, int behavior);
+SampledRun withBehavior(const SampledRun& recording, int behavior);
 
 // Geometry that most metrics share.
 double lengthOf(const Vec2& vector);  // rounded correctly, unlike a root of squares
