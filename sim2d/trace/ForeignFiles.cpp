@@ -10,13 +10,8 @@ namespace sim2d {
 
 namespace {
 
-constexpr std::array<const char*, 5> kNames = {"csv", "eth", "vsp", "trajnet", "socnavbench"};
 constexpr std::array<const char*, 12> kColumns = {
     "time", "frame", "id", "x", "y", "heading", "vx", "vy", "omega", "group", "radius", "kind"};
-
-bool endsWith(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
 
 bool isNumberRow(const std::vector<Word>& row) {
   return std::all_of(row.begin(), row.end(),
@@ -29,55 +24,53 @@ std::string withoutMark(const std::string& text) {
   return text.compare(0, mark.size(), mark) == 0 ? text.substr(mark.size()) : text;
 }
 
-/// By the name, then by the first line: numbers only, how many.
-ForeignFormat formatOf(const std::string& path, const std::string& text) {
-  if (endsWith(path, ".vsp")) {
-    return ForeignFormat::Vsp;
-  }
-  if (endsWith(path, ".ndjson")) {
-    return ForeignFormat::Trajnet;
-  }
-  std::vector<Word> first;
-  TextRows(text).next(first);
-  if (endsWith(path, ".csv")) {
-    return isNumberRow(first) && first.size() > kColumns.size() ? ForeignFormat::Socnavbench
-                                                                : ForeignFormat::Csv;
-  }
-  if (first.size() == 8 && isNumberRow(first)) {
-    return ForeignFormat::Eth;
-  }
-  const bool isJson = !first.empty() && first.front().text.front() == '{';
-  return isJson || (first.size() == 4 && isNumberRow(first)) ? ForeignFormat::Trajnet
-                                                             : ForeignFormat::Csv;
-}
-
-TrackFile readAs(ForeignFormat format, const ForeignInput& input) {
-  switch (format) {
-    case ForeignFormat::Eth:
-      return readObsmat(input);
-    case ForeignFormat::Vsp:
-      return readVsp(input);
-    case ForeignFormat::Trajnet:
-      return readTrajnet(input);
-    case ForeignFormat::Socnavbench:
-      return readSocnavbench(input);
-    case ForeignFormat::Csv:
-      break;
-  }
-  return readCsvTracks(input);
-}
-
 }  // namespace
 
-const char* foreignFormatName(ForeignFormat format) {
-  return kNames[static_cast<std::size_t>(format)];
+void addAllTrackFormats(TrackFormats& to);  // written by CMake
+
+const TrackFormats& standardTrackFormats() {
+  static const TrackFormats kFormats = [] {
+    TrackFormats formats;
+    addAllTrackFormats(formats);
+    return formats;
+  }();
+  return kFormats;
 }
 
-std::optional<ForeignFormat> foreignFormatOf(std::string_view name) {
-  const auto* const found = std::find(kNames.begin(), kNames.end(), name);
-  return found == kNames.end()
-             ? std::nullopt
-             : std::make_optional(static_cast<ForeignFormat>(found - kNames.begin()));
+std::vector<std::string> trackFormatNames() {
+  return standardTrackFormats().names();
+}
+
+const TrackFormat* TrackFormats::find(const std::string& name) const {
+  const auto found = std::find_if(formats_.begin(), formats_.end(),
+                                  [&](const TrackFormat& each) { return each.name == name; });
+  return found == formats_.end() ? nullptr : &*found;
+}
+
+const TrackFormat* TrackFormats::formatOf(const std::string& path, const std::string& text) const {
+  FirstLook look{path, {}, false};
+  TextRows(text).next(look.row);
+  look.isNumbers = isNumberRow(look.row);
+  const TrackFormat* best = nullptr;
+  Claim highest = Claim::None;
+  for (const TrackFormat& format : formats_) {
+    if (const Claim claim = format.claim(look); claim > highest) {
+      best = &format;
+      highest = claim;
+    }
+  }
+  return best;
+}
+
+std::vector<std::string> TrackFormats::names() const {
+  std::vector<TrackFormat> sorted = formats_;
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const TrackFormat& a, const TrackFormat& b) { return a.order < b.order; });
+  std::vector<std::string> names;
+  for (const TrackFormat& format : sorted) {
+    names.push_back(format.name);
+  }
+  return names;
 }
 
 base::Result<std::map<std::string, std::string>> parseColumns(const std::string& text) {
@@ -103,7 +96,8 @@ base::Result<std::map<std::string, std::string>> parseColumns(const std::string&
   return columns;
 }
 
-base::Result<TrackFile> readForeign(const std::string& path, const ForeignOptions& options) {
+base::Result<TrackFile> readForeign(const std::string& path, const ForeignOptions& options,
+                                    const TrackFormats& formats) {
   const base::Result<std::string> text = base::readTextFile(path);
   if (!text) {
     return text.diagnostics();
@@ -111,7 +105,12 @@ base::Result<TrackFile> readForeign(const std::string& path, const ForeignOption
   base::Diagnostics problems;
   const std::string plain = withoutMark(*text);
   const ForeignInput input{path, plain, options, problems};
-  TrackFile file = readAs(options.format.value_or(formatOf(path, plain)), input);
+  const TrackFormat* format =
+      options.format.empty() ? formats.formatOf(path, plain) : formats.find(options.format);
+  if (format == nullptr) {
+    return base::makeError("is in no format that can be read", path);
+  }
+  TrackFile file = format->read(input);
   file.file = path;
   if (base::hasErrors(problems)) {
     return problems;
@@ -173,6 +172,15 @@ void readGroupsBeside(const ForeignInput& input, TrackFile& file) {
       }
     }
   }
+}
+
+std::optional<int> idOf(WordReader& words, const Word& word) {
+  const std::optional<long long> id = words.whole(word, "the id");
+  if (id && *id < 0) {
+    words.error(word, "an id must not be negative");
+    return std::nullopt;
+  }
+  return id ? std::make_optional(static_cast<int>(*id)) : std::nullopt;
 }
 
 }  // namespace sim2d

@@ -6,7 +6,7 @@
 #include "sim2d/trace/ForeignFiles.h"
 #include "sim2d/trace/TextRows.h"
 
-/// One function per format; for the sources of this folder. Problems are added.
+/// What the readers of the formats share, and where they register. Problems are added.
 namespace sim2d {
 
 struct ForeignInput {
@@ -16,12 +16,40 @@ struct ForeignInput {
   base::Diagnostics& problems;
 };
 
-TrackFile readCsvTracks(const ForeignInput& input);
-TrackFile readObsmat(const ForeignInput& input);   // ETH, UCY
-TrackFile readVsp(const ForeignInput& input);      // UCY
-TrackFile readTrajnet(const ForeignInput& input);  // rows or ndjson
-TrackFile readTrajnetJson(const ForeignInput& input);
-TrackFile readSocnavbench(const ForeignInput& input);
+/// What can be told of a file at a glance.
+struct FirstLook {
+  const std::string& path;
+  std::vector<Word> row;   // the first that is not empty
+  bool isNumbers = false;  // nothing else in it
+
+  bool endsWith(std::string_view end) const {
+    return path.size() >= end.size() &&
+           path.compare(path.size() - end.size(), end.size(), end) == 0;
+  }
+};
+
+/// How surely a file is of a format; the highest claim wins.
+enum class Claim { None, Fallback, ByContent, ByName };
+
+struct TrackFormat {
+  std::string name;  // of --format
+  int order = 0;     // in the list of names
+  Claim (*claim)(const FirstLook& look) = nullptr;
+  TrackFile (*read)(const ForeignInput& input) = nullptr;
+};
+
+/// The formats that can be read. A file Foo.cpp in formats/ defines addFoo(TrackFormats&).
+class TrackFormats {
+ public:
+  void add(TrackFormat format) { formats_.push_back(std::move(format)); }
+  const TrackFormat* find(const std::string& name) const;  // null: there is none
+  /// Null: nobody claims it.
+  const TrackFormat* formatOf(const std::string& path, const std::string& text) const;
+  std::vector<std::string> names() const;
+
+ private:
+  std::vector<TrackFormat> formats_;
+};
 
 constexpr double kAnnotationStep = 0.4;  // [s] of the ETH, UCY and TrajNet sets
 
@@ -44,5 +72,25 @@ void framesToSeconds(TrackFile& file, double framesPerSecond);
 std::string besideFile(const std::string& path, const std::string& name);
 /// Ids of a group per line, if the file is there; groups are numbered from 1.
 void readGroupsBeside(const ForeignInput& input, TrackFile& file);
+
+/// An id that is not negative.
+std::optional<int> idOf(WordReader& words, const Word& word);
+
+/// Calls `take` with the words of each row that has `width` of them.
+template <class Take>
+void forEachRow(const ForeignInput& input, std::size_t width, const char* columns, Take take) {
+  WordReader words(input.path, input.problems);
+  TextRows rows(input.text);
+  std::vector<Word> row;
+  while (rows.next(row)) {
+    if (row.size() == width) {
+      take(words, row);
+    } else {
+      words.error(row.back(), "the line has " + std::to_string(row.size()) +
+                                  " numbers instead of " + std::to_string(width) + " (" + columns +
+                                  ")");
+    }
+  }
+}
 
 }  // namespace sim2d

@@ -11,7 +11,6 @@
 /// Files of other programs, written for a test.
 namespace foreign {
 
-using sim2d::ForeignFormat;
 using sim2d::ForeignOptions;
 using sim2d::Trace;
 using sim2d::Track;

@@ -1,5 +1,6 @@
 #include <QtTest>
 
+#include "sim2d/trace/ForeignReaders.h"
 #include "tests/trace/ForeignTest.h"
 
 using namespace foreign;
@@ -15,7 +16,33 @@ class ForeignFilesTest : public QObject {
   void trace_writtenAndRead_isEqual();
   void badInput_isToldWithItsPlace_data();
   void badInput_isToldWithItsPlace();
+  void format_ofSomebodyElse_isReadLikeOurs();
 };
+
+namespace {
+
+/// Lines "id x y" between lines "frame".
+sim2d::TrackFile readFilm(const sim2d::ForeignInput& input) {
+  sim2d::FrameTracks tracks;
+  sim2d::WordReader words(input.path, input.problems);
+  sim2d::TextRows rows(input.text);
+  long long frame = -1;
+  for (std::vector<sim2d::Word> row; rows.next(row);) {
+    frame += row.size() == 1 ? 1 : 0;
+    const auto id = row.size() == 3 ? sim2d::idOf(words, row[0]) : std::nullopt;
+    if (id) {
+      const base::Vec2 place(*words.finite(row[1], "x"), *words.finite(row[2], "y"));
+      tracks.add(*id, frame, place, row[0].line, row[0].column);
+    }
+  }
+  return tracks.finish(input.path, input.options.framesPerSecond);
+}
+
+sim2d::Claim claimFilm(const sim2d::FirstLook& look) {
+  return look.endsWith(".film") ? sim2d::Claim::ByName : sim2d::Claim::None;
+}
+
+}  // namespace
 
 void ForeignFilesTest::obsmat_rows_giveFramesAndVelocities() {
   Written files;
@@ -95,7 +122,7 @@ void ForeignFilesTest::socnavbench_fourLines_areColumns() {
   Written files;
   const std::string path = files.add("a.csv", "0,10,0,10\n1,1,2,2\n0.0,1.0,5,5\n0,0,2,3\n");
   ForeignOptions options;
-  options.format = ForeignFormat::Socnavbench;
+  options.format = "socnavbench";
   const auto trace = traceOf(path, options);
   QVERIFY(trace);
   QCOMPARE(trace->header.dt, 0.4);  // ten of 25 frames a second
@@ -166,6 +193,26 @@ void ForeignFilesTest::badInput_isToldWithItsPlace() {
     all += diagnostic.text() + "\n";
   }
   QVERIFY2(all.find(problem.toStdString()) != std::string::npos, all.c_str());
+}
+
+void ForeignFilesTest::format_ofSomebodyElse_isReadLikeOurs() {
+  sim2d::TrackFormats formats = sim2d::standardTrackFormats();
+  const std::size_t ours = formats.names().size();
+  formats.add({"film", 9, claimFilm, readFilm});
+  QCOMPARE(formats.names().size(), ours + 1);
+  QVERIFY(formats.names().back() == "film");
+  Written files;
+  const std::string path = files.add("a.film", "frame\n1 0 0\n2 5 5\nframe\n1 1 0\n");
+  ForeignOptions options;
+  options.framesPerSecond = 2.0;
+  const base::Result<TrackFile> read = sim2d::readForeign(path, options, formats);
+  QVERIFY(read);
+  QCOMPARE(trackOf(*read, 1)->points.size(), std::size_t{2});
+  QCOMPARE(trackOf(*read, 1)->points[1].time, 0.5);
+  options.format = "film";
+  const std::string other = files.add("b.txt", "frame\n1 0 0\n2 5 5\nframe\n1 1 0\n");
+  QVERIFY(sim2d::readForeign(other, options, formats));
+  QVERIFY(!sim2d::readForeign(other, options));  // ours do not know the name
 }
 
 QTEST_APPLESS_MAIN(ForeignFilesTest)

@@ -67,9 +67,7 @@ struct ForeignWords {
 base::Result<ForeignWords> foreignOptionsOf(const EvaluateOptions& options) {
   ForeignWords words;
   base::Diagnostics wrong;
-  if (!options.format.empty()) {
-    words.reading.format = sim2d::foreignFormatOf(options.format);  // checked by the parser
-  }
+  words.reading.format = options.format;  // checked by the parser
   if (!options.columns.empty()) {
     const auto columns = sim2d::parseColumns(options.columns);
     base::append(wrong, columns.diagnostics());
@@ -259,7 +257,7 @@ int evaluateCommand(const EvaluateOptions& options, const OutputOptions& output)
 
 void addForeignOptions(CLI::App& command, EvaluateOptions& options) {
   command.add_option("--format", options.format, "Of a file of another program (by its name)")
-      ->check(CLI::IsMember({"csv", "eth", "vsp", "trajnet", "socnavbench"}));
+      ->check(CLI::IsMember(sim2d::trackFormatNames()));
   command.add_option("--columns", options.columns, "Names of its columns: time=t,id=ped,x=px");
   command.add_option("--fps", options.framesPerSecond, "Frames per second of its frame numbers");
   command.add_option("--dt", options.step, "Step of the samples made of it [s]");

@@ -1,0 +1,235 @@
+#include "sim2d/trace/Csv.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/trace/ForeignReaders.h"
+
+/// Tables with a header line; which column is what can be told.
+namespace sim2d {
+
+namespace {
+
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+/// The first of them that the header holds.
+char separatorOf(std::string_view text) {
+  const std::string_view header = text.substr(0, text.find('\n'));
+  for (const char separator : {',', ';', '\t'}) {
+    if (header.find(separator) != std::string_view::npos) {
+      return separator;
+    }
+  }
+  return ',';
+}
+
+class CsvTracks {
+ public:
+  explicit CsvTracks(const ForeignInput& input)
+      : input_(input),
+        words_(input.path, input.problems),
+        reader_(input.text, separatorOf(input.text)) {}
+
+  TrackFile read() {
+    if (!reader_.next(row_)) {
+      input_.problems.push_back(base::makeError("is empty", input_.path));
+      return {};
+    }
+    findColumns();
+    if (base::hasErrors(input_.problems)) {
+      return {};
+    }
+    const std::size_t width = row_.size();
+    while (reader_.next(row_)) {
+      const bool isEmpty = row_.size() == 1 && base::trimmed(row_.front().text).empty();
+      if (!isEmpty && row_.size() != width) {
+        words_.error(wordOf(row_.size() - 1), "the line has " + std::to_string(row_.size()) +
+                                                  " fields instead of " + std::to_string(width));
+      } else if (!isEmpty) {
+        readRow();
+      }
+    }
+    return finish();
+  }
+
+ private:
+  /// Columns of the quantities by the names given, else by their own.
+  void findColumns() {
+    const std::map<std::string, std::size_t*> wanted = {
+        {"time", &time_},   {"frame", &frame_}, {"id", &id_},         {"x", &x_},
+        {"y", &y_},         {"vx", &vx_},       {"vy", &vy_},         {"heading", &heading_},
+        {"omega", &omega_}, {"group", &group_}, {"radius", &radius_}, {"kind", &kind_}};
+    for (const auto& [name, column] : wanted) {
+      const auto given = input_.options.columns.find(name);
+      *column = columnNamed(isGiven(name) ? given->second : name);
+      if (isGiven(name) && *column == kNone) {
+        missing("there is no column '" + given->second + "'" + nearestTo(given->second));
+      }
+    }
+    if (time_ != kNone && !isGiven("frame")) {
+      frame_ = kNone;
+    }
+    if (time_ == kNone && frame_ == kNone && !isGiven("time") && !isGiven("frame")) {
+      missing("no column of times (--columns time=NAME or frame=NAME)");
+    }
+    for (const auto& [name, column] :
+         {std::pair<const char*, std::size_t>{"id", id_}, {"x", x_}, {"y", y_}}) {
+      if (column == kNone && !isGiven(name)) {
+        missing("no column '" + std::string(name) + "' (--columns " + name + "=NAME)");
+      }
+    }
+    if ((vx_ == kNone) != (vy_ == kNone)) {
+      missing("vx and vy come together");
+    }
+  }
+
+  bool isGiven(const std::string& name) const { return input_.options.columns.count(name) > 0; }
+
+  std::string nearestTo(const std::string& name) const {
+    std::vector<std::string> names;
+    for (const CsvField& field : row_) {
+      names.push_back(base::trimmed(field.text));
+    }
+    const std::optional<std::string> meant = base::nearestName(name, names);
+    return meant ? " (did you mean '" + *meant + "'?)" : std::string();
+  }
+
+  std::size_t columnNamed(const std::string& name) const {
+    for (std::size_t k = 0; k < row_.size(); ++k) {
+      if (base::trimmed(row_[k].text) == name) {
+        return k;
+      }
+    }
+    return kNone;
+  }
+
+  void missing(const std::string& message) {
+    input_.problems.push_back(base::makeError(message, input_.path, 1, 1));
+  }
+
+  Word wordOf(std::size_t column) const {
+    const CsvField& field = row_[column];
+    std::string_view text = field.text;
+    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) {
+      text.remove_prefix(1);
+    }
+    while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) {
+      text.remove_suffix(1);
+    }
+    return {text, field.line, field.column};
+  }
+
+  /// Of a column that may be missing or empty.
+  bool readOptional(std::size_t column, const char* name, std::optional<double>& value) {
+    if (column == kNone || wordOf(column).text.empty()) {
+      return true;
+    }
+    value = words_.finite(wordOf(column), name);
+    return value.has_value();
+  }
+
+  void readRow() {
+    TrackPoint point;
+    Track body;
+    const bool isPlaced = readPlace(point, body);
+    if (!readMotion(point) || !isPlaced || !readBody(body)) {
+      return;
+    }
+    if (body.id < 0 && !body.isRobot) {
+      words_.error(wordOf(id_), "a person's id must not be negative");
+      return;
+    }
+    Track& track = tracks_[{body.isRobot, body.id}];
+    body.points = std::move(track.points);
+    track = std::move(body);
+    track.points.push_back(point);
+  }
+
+  bool readPlace(TrackPoint& point, Track& body) {
+    const bool byFrame = frame_ != kNone;
+    const Word timeWord = wordOf(byFrame ? frame_ : time_);
+    const std::optional<long long> id = words_.whole(wordOf(id_), "the id");
+    const std::optional<double> time = words_.finite(timeWord, byFrame ? "the frame" : "the time");
+    const std::optional<double> x = words_.finite(wordOf(x_), "x");
+    const std::optional<double> y = words_.finite(wordOf(y_), "y");
+    if (!id || !time || !x || !y) {
+      return false;
+    }
+    body.id = static_cast<int>(*id);
+    point.time = *time;
+    point.position = Vec2(*x, *y);
+    point.line = timeWord.line;
+    point.column = timeWord.column;
+    return true;
+  }
+
+  bool readMotion(TrackPoint& point) {
+    std::optional<double> vx;
+    std::optional<double> vy;
+    bool good = readOptional(heading_, "the heading", point.heading);
+    good = readOptional(omega_, "omega", point.angularSpeed) && good;
+    good = readOptional(vx_, "vx", vx) && readOptional(vy_, "vy", vy) && good;
+    if (vx && vy) {
+      point.velocity = Vec2(*vx, *vy);
+    }
+    return good;
+  }
+
+  bool readBody(Track& body) {
+    std::optional<double> group;
+    std::optional<double> radius;
+    bool good = readOptional(group_, "the group", group);
+    good = readOptional(radius_, "the radius", radius) && good;
+    if (radius && !(*radius > 0.0)) {
+      words_.error(wordOf(radius_), "the radius must be above 0");
+      good = false;
+    }
+    body.radius = radius.value_or(body.radius);
+    body.group = group ? static_cast<int>(std::clamp(*group, -1.0, 1e9)) : body.group;
+    return readKind(body.isRobot) && good;
+  }
+
+  bool readKind(bool& isRobot) {
+    if (kind_ == kNone) {
+      return true;
+    }
+    const std::string kind = base::lowered(wordOf(kind_).text);
+    isRobot = kind == "robot";
+    if (!isRobot && kind != "human" && kind != "person" && kind != "pedestrian") {
+      words_.error(wordOf(kind_), "kind must be human or robot, not '" + kind + "'");
+      return false;
+    }
+    return true;
+  }
+
+  TrackFile finish() {
+    TrackFile file;
+    for (auto& [key, track] : tracks_) {
+      file.tracks.push_back(std::move(track));
+    }
+    if (frame_ != kNone) {
+      framesToSeconds(file, input_.options.framesPerSecond);
+    }
+    return file;
+  }
+
+  const ForeignInput& input_;
+  WordReader words_;
+  CsvReader reader_;
+  CsvRow row_;
+  std::map<std::pair<bool, int>, Track> tracks_;
+  std::size_t time_ = kNone, frame_ = kNone, id_ = kNone, x_ = kNone, y_ = kNone, vx_ = kNone,
+              vy_ = kNone, heading_ = kNone, omega_ = kNone, group_ = kNone, radius_ = kNone,
+              kind_ = kNone;
+};
+
+}  // namespace
+
+void addCsv(TrackFormats& to) {
+  to.add({"csv", 0, [](const FirstLook&) { return Claim::Fallback; },
+          [](const ForeignInput& input) { return CsvTracks(input).read(); }});
+}
+
+}  // namespace sim2d

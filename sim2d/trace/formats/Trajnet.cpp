@@ -1,0 +1,147 @@
+#include <cmath>
+#include <limits>
+
+#include <nlohmann/json.hpp>
+
+#include "sim2d/trace/ForeignReaders.h"
+
+/// TrajNet++: rows of numbers, or one JSON object per line, scenes and observations.
+namespace sim2d {
+
+namespace {
+
+using Json = nlohmann::json;
+
+class TrajnetReader {
+ public:
+  explicit TrajnetReader(const ForeignInput& input) : input_(input) {}
+
+  TrackFile read() {
+    std::size_t begin = 0;
+    for (int line = 1; begin < input_.text.size(); ++line) {
+      const std::size_t end = std::min(input_.text.find('\n', begin), input_.text.size());
+      readLine(input_.text.substr(begin, end - begin), line);
+      begin = end + 1;
+    }
+    const double rate = input_.options.framesPerSecond;
+    TrackFile file = tracks_.finish(input_.path, rate);
+    if (rate <= 0.0 && sceneRate_ > 0.0) {  // observations per second, not frames
+      for (Track& track : file.tracks) {
+        for (TrackPoint& point : track.points) {
+          point.time *= 1.0 / (sceneRate_ * file.step);
+        }
+      }
+      file.step = 1.0 / sceneRate_;
+    }
+    return file;
+  }
+
+ private:
+  void error(int line, int column, const std::string& message) {
+    input_.problems.push_back(base::makeError(message, input_.path, line, column));
+  }
+
+  void readLine(const std::string& text, int line) {
+    if (text.find_first_not_of(" \t\r") == std::string::npos) {
+      return;
+    }
+    try {
+      const Json json = Json::parse(text);
+      if (json.is_object() && json.contains("track")) {
+        readTrack(json["track"], line);
+      } else if (json.is_object() && json.contains("scene")) {
+        readScene(json["scene"], line);
+      } else {
+        error(line, 1, "neither a scene nor a track");
+      }
+    } catch (const Json::parse_error& problem) {
+      error(line, static_cast<int>(problem.byte), "not valid JSON (cut or damaged file?)");
+    } catch (const Json::exception&) {
+      error(line, 1, "a number is out of range");
+    }
+  }
+
+  void readScene(const Json& scene, int line) {
+    if (!scene.is_object()) {
+      error(line, 1, "a scene is an object");
+    } else if (scene.contains("fps")) {
+      const double rate = scene["fps"].is_number() ? scene["fps"].get<double>() : 0.0;
+      if (!(rate > 0.0) || !std::isfinite(rate)) {
+        error(line, 1, "fps of a scene must be a number above 0");
+      } else if (sceneRate_ > 0.0 && rate != sceneRate_) {
+        error(line, 1, "the scenes have different fps (give --fps)");
+      }
+      sceneRate_ = rate;
+    }
+  }
+
+  void readTrack(const Json& track, int line) {
+    const bool isWhole = track.is_object() && isInteger(track, "f") && isInteger(track, "p") &&
+                         isNumber(track, "x") && isNumber(track, "y");
+    if (!isWhole) {
+      error(line, 1, "a track needs whole numbers f and p and finite numbers x and y");
+      return;
+    }
+    if (track.contains("prediction_number") && !track["prediction_number"].is_null()) {
+      return;  // what a model guessed
+    }
+    if (track["p"].get<long long>() < 0) {
+      error(line, 1, "an id must not be negative");
+      return;
+    }
+    tracks_.add(track["p"].get<int>(), track["f"].get<long long>(),
+                Vec2(track["x"].get<double>(), track["y"].get<double>()), line, 1);
+  }
+
+  static bool isInteger(const Json& object, const char* key) {
+    constexpr double kLargest = 2e9;
+    return object.contains(key) && object[key].is_number_integer() &&
+           std::fabs(object[key].get<double>()) <= kLargest;
+  }
+  static bool isNumber(const Json& object, const char* key) {
+    return object.contains(key) && object[key].is_number() &&
+           std::isfinite(object[key].get<double>());
+  }
+
+  const ForeignInput& input_;
+  FrameTracks tracks_;
+  double sceneRate_ = 0.0;
+};
+
+TrackFile readTrajnetRows(const ForeignInput& input) {
+  FrameTracks tracks;
+  forEachRow(input, 4, "frame id x y", [&](WordReader& words, const std::vector<Word>& row) {
+    const std::optional<long long> frame = words.whole(row[0], "the frame");
+    const std::optional<int> id = idOf(words, row[1]);
+    const std::optional<double> x = words.finite(row[2], "x");
+    const std::optional<double> y = words.finite(row[3], "y");
+    if (frame && id && x && y) {
+      tracks.add(*id, *frame, Vec2(*x, *y), row[0].line, row[0].column);
+    }
+  });
+  return tracks.finish(input.path, input.options.framesPerSecond);
+}
+
+TrackFile readTrajnet(const ForeignInput& input) {
+  const std::size_t first = input.text.find_first_not_of(" \t\r\n");
+  const bool isJson = first != std::string::npos && input.text[first] == '{';
+  return isJson ? TrajnetReader(input).read() : readTrajnetRows(input);
+}
+
+Claim claim(const FirstLook& look) {
+  if (look.endsWith(".ndjson")) {
+    return Claim::ByName;
+  }
+  const bool isJson = !look.row.empty() && look.row.front().text.front() == '{';
+  return (isJson || (look.isNumbers && look.row.size() == 4)) && !look.endsWith(".csv")
+             ? Claim::ByContent
+             : Claim::None;
+}
+
+}  // namespace
+
+void addTrajnet(TrackFormats& to) {
+  to.add({"trajnet", 3, claim, readTrajnet});
+}
+
+}  // namespace sim2d

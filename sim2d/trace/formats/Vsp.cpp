@@ -1,0 +1,166 @@
+#include <array>
+#include <cmath>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/trace/ForeignReaders.h"
+
+/// Splines of the UCY crowds, in pixels of the film.
+namespace sim2d {
+
+namespace {
+
+constexpr double kUsualRate = 25.0;                        // [1/s]
+constexpr double kHalfWidth = 360.0, kHalfHeight = 288.0;  // [pixel] of the films of this set
+
+using Matrix3 = std::array<std::array<double, 3>, 3>;
+
+std::optional<Matrix3> readHomography(const ForeignInput& input) {
+  const std::string path = besideFile(input.path, "H.txt");
+  const base::Result<std::string> text = base::readTextFile(path);
+  if (!text) {
+    base::append(input.problems, text.diagnostics());
+    input.problems.push_back(base::makeError(
+        "pixels become metres by the matrix of H.txt beside this file", input.path));
+    return std::nullopt;
+  }
+  WordReader words(path, input.problems);
+  TextRows rows(*text);
+  Matrix3 matrix{};
+  std::vector<Word> row;
+  std::size_t count = 0;
+  for (; rows.next(row); ++count) {
+    for (std::size_t k = 0; k < row.size() && k < 3 && count < 3; ++k) {
+      matrix[count][k] = words.finite(row[k], "an element of the matrix").value_or(0.0);
+    }
+    if (row.size() != 3 || count >= 3) {
+      words.error(row.front(), "the matrix has three lines of three numbers");
+      return std::nullopt;
+    }
+  }
+  if (count != 3) {
+    input.problems.push_back(base::makeError("the matrix has three lines of three numbers", path));
+    return std::nullopt;
+  }
+  return matrix;
+}
+
+/// Pixels from the centre, y up, to the world by row and column of the film.
+Vec2 toWorld(const Matrix3& matrix, double x, double y) {
+  const std::array<double, 3> pixel = {kHalfHeight - y, x + kHalfWidth, 1.0};
+  std::array<double, 3> world{};
+  for (std::size_t r = 0; r < 3; ++r) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      world[r] += matrix[r][k] * pixel[k];
+    }
+  }
+  return {world[0] / world[2], world[1] / world[2]};
+}
+
+class VspReader {
+ public:
+  VspReader(const ForeignInput& input, const Matrix3& matrix)
+      : input_(input), matrix_(matrix), words_(input.path, input.problems), rows_(input.text, '-') {
+    const double rate = input.options.framesPerSecond;
+    rate_ = rate > 0.0 ? rate : kUsualRate;
+  }
+
+  TrackFile read() {
+    TrackFile file;
+    file.step = kAnnotationStep;
+    file.isSparse = true;
+    const std::optional<long long> count = readCount("the number of splines");
+    for (long long k = 1; count && k <= *count; ++k) {
+      Track track;
+      track.id = static_cast<int>(k);
+      const bool whole = readSpline(track);
+      if (!track.points.empty()) {
+        file.tracks.push_back(std::move(track));
+      }
+      if (!whole) {
+        break;
+      }
+    }
+    readGroupsBeside(input_, file);
+    return file;
+  }
+
+ private:
+  bool nextRow(const char* what) {
+    if (rows_.next(row_)) {
+      return true;
+    }
+    input_.problems.push_back(
+        base::makeError(std::string("ends before ") + what + " (cut file?)", input_.path));
+    return false;
+  }
+
+  std::optional<long long> readCount(const char* what) {
+    if (!nextRow(what)) {
+      return std::nullopt;
+    }
+    const std::optional<long long> count = words_.whole(row_.front(), what);
+    if (count && *count < 0) {
+      words_.error(row_.front(), std::string(what) + " is negative");
+      return std::nullopt;
+    }
+    return count;
+  }
+
+  bool readSpline(Track& track) {
+    const std::optional<long long> count = readCount("the number of control points");
+    for (long long k = 0; count && k < *count; ++k) {
+      if (!nextRow("a control point")) {
+        return false;
+      }
+      if (row_.size() != 4) {
+        words_.error(row_.back(), "a control point has four numbers: x y frame gaze");
+        return false;
+      }
+      const std::optional<double> x = words_.finite(row_[0], "x");
+      const std::optional<double> y = words_.finite(row_[1], "y");
+      const std::optional<double> frame = words_.finite(row_[2], "the frame");
+      words_.finite(row_[3], "the gaze");
+      if (x && y && frame) {
+        addPoint(track, *frame, toWorld(matrix_, *x, *y));
+      }
+    }
+    return count.has_value();
+  }
+
+  void addPoint(Track& track, double frame, const Vec2& position) {
+    TrackPoint point;
+    point.time = frame / rate_;
+    point.position = position;
+    point.line = row_.front().line;
+    point.column = row_.front().column;
+    if (!position.allFinite()) {
+      words_.error(row_.front(), "the matrix puts this point nowhere");
+      return;
+    }
+    track.points.push_back(point);
+  }
+
+  const ForeignInput& input_;
+  const Matrix3& matrix_;
+  WordReader words_;
+  TextRows rows_;
+  std::vector<Word> row_;
+  double rate_ = kUsualRate;
+};
+
+TrackFile readVsp(const ForeignInput& input) {
+  const std::optional<Matrix3> matrix = readHomography(input);
+  return matrix ? VspReader(input, *matrix).read() : TrackFile();
+}
+
+Claim claim(const FirstLook& look) {
+  return look.endsWith(".vsp") ? Claim::ByName : Claim::None;
+}
+
+}  // namespace
+
+void addVsp(TrackFormats& to) {
+  to.add({"vsp", 2, claim, readVsp});
+}
+
+}  // namespace sim2d
