@@ -25,10 +25,11 @@ void LiveMetrics::addHumans(const std::vector<sim2d::TraceHuman>& humans) {
   state_->builder.addHumans(humans);
 }
 
+void LiveMetrics::note(double time, const sim2d::Event& event) {
+  state_->feed.note(time, event);
+}
+
 void LiveMetrics::append(const sim2d::Frame& frame) {
-  for (const sim2d::Event& event : frame.events) {
-    state_->feed.note(frame.time, event);
-  }
   state_->feed.add(state_->builder.sampleOf(frame));
 }
 

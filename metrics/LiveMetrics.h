@@ -22,6 +22,8 @@ class LiveMetrics {
 
   /// People that arrived since the header was made; before the first frame with them.
   void addHumans(const std::vector<sim2d::TraceHuman>& humans);
+  /// Events before the first frame of their time or a later one, in order.
+  void note(double time, const sim2d::Event& event);
   void append(const sim2d::Frame& frame);
   std::size_t size() const;  // frames so far
   /// Empty before the first frame.

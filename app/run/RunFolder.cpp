@@ -40,9 +40,13 @@ class Folder {
 
 /// All but trace.json and manifest.json, which make the folder that of a run.
 void writeParts(Folder& folder, const FinishedRun& run, RunWriter& writer) {
+  const bool hasInputs = writer.hasInputs();
   folder.note(writer.finish());
   if (run.totalsOnly) {
     folder.remove({"trajectory.csv", "events.csv", "trees.csv"});
+  }
+  if (!hasInputs) {
+    folder.remove({"inputs.csv"});
   }
   if (run.evaluation) {
     folder.write("metrics.json", metrics::toJson(*run.evaluation));

@@ -16,13 +16,22 @@ std::string pathIn(const std::string& folder, const char* name) {
 
 }  // namespace
 
-RunWriter::Files::Files(const std::string& folder)
-    : trajectory(pathIn(folder, "trajectory.csv")),
+RunWriter::Files::Files(const std::string& path)
+    : folder(path),
+      trajectory(pathIn(folder, "trajectory.csv")),
       events(pathIn(folder, "events.csv")),
       trees(pathIn(folder, "trees.csv")) {
-  trajectory.append(sim2d::trajectoryHead());
-  events.append(sim2d::eventsHead());
-  trees.append(sim2d::treesHead());
+  trajectory.append(sim2d::headLine(sim2d::kTrajectoryColumns));
+  events.append(sim2d::headLine(sim2d::kEventColumns));
+  trees.append(sim2d::headLine(sim2d::kTreeColumns));
+}
+
+std::vector<base::GrowingFile*> RunWriter::Files::all() {
+  std::vector<base::GrowingFile*> files = {&trajectory, &events, &trees};
+  if (inputs) {
+    files.push_back(&*inputs);
+  }
+  return files;
 }
 
 RunWriter::RunWriter(const std::string& folder, const sim2d::World& world,
@@ -32,7 +41,9 @@ RunWriter::RunWriter(const std::string& folder, const sim2d::World& world,
       dt_(world.dt()),
       files_(folder.empty() ? nullptr : std::make_unique<Files>(folder)),
       evaluation_(world.header(), selection, parameters) {
-  for (const sim2d::TraceHuman& human : world.header().humans) {
+  const sim2d::TraceHeader header = world.header();
+  recordEvery_ = header.recordEvery;
+  for (const sim2d::TraceHuman& human : header.humans) {
     known_.insert(human.id);
   }
 }
@@ -50,38 +61,45 @@ void RunWriter::meet(const sim2d::Frame& frame) {
   }
 }
 
-void RunWriter::write(const sim2d::RecordedStep& step) {
+void RunWriter::write(const sim2d::Frame& frame, bool isRecorded) {
   std::string rows;
-  if (step.frame != nullptr) {
-    sim2d::appendTrajectoryRows(rows, *step.frame);
+  if (isRecorded) {
+    sim2d::appendTrajectoryRows(rows, frame);
     files_->trajectory.append(rows);
   }
   rows.clear();
-  for (const sim2d::Event& event : step.events) {
-    sim2d::appendEventRow(rows, step.step, dt_, event);
+  for (const sim2d::Event& event : frame.events) {
+    sim2d::appendEventRow(rows, frame.step, dt_, event);
   }
   files_->events.append(rows);
-  files_->trees.append(step.treeRows);
+  rows.clear();
+  sim2d::appendTreeRows(rows, frame.step, frame.treeChanges);
+  files_->trees.append(rows);
+  if (!frame.inputs.empty() && !files_->inputs) {
+    files_->inputs.emplace(pathIn(files_->folder, "inputs.csv"));
+    files_->inputs->append(sim2d::inputsHead());
+  }
+  for (const sim2d::Input& input : frame.inputs) {
+    rows.clear();
+    sim2d::appendInputRow(rows, frame.step, input);
+    files_->inputs->append(rows);
+  }
 }
 
-void RunWriter::take(const sim2d::RecordedStep& step) {
-  for (const sim2d::Event& event : step.events) {
-    evaluation_.note(static_cast<double>(step.step) * dt_, event);
+void RunWriter::append(const sim2d::Frame& frame) {
+  const bool isRecorded = frame.step % recordEvery_ == 0;
+  for (const sim2d::Event& event : frame.events) {
+    evaluation_.note(static_cast<double>(frame.step) * dt_, event);
   }
-  if (step.frame != nullptr) {
-    meet(*step.frame);
-    evaluation_.append(*step.frame);
+  if (isRecorded) {
+    meet(frame);
+    evaluation_.append(frame);
   }
   if (files_) {
-    write(step);
+    write(frame, isRecorded);
   }
-  if (keepsTrace_) {
-    for (const sim2d::Event& event : step.events) {
-      trace_.events.emplace_back(step.step, event);
-    }
-    if (step.frame != nullptr) {
-      trace_.frames.push_back(*step.frame);
-    }
+  if (kept_) {
+    kept_->append(frame);
   }
 }
 
@@ -116,28 +134,28 @@ base::Diagnostics RunWriter::writeSteps(const std::string& path, const std::vect
 }
 
 bool RunWriter::hasFailed() const {
-  return files_ && (files_->trajectory.hasFailed() || files_->events.hasFailed() ||
-                    files_->trees.hasFailed());
+  if (!files_) {
+    return false;
+  }
+  const std::vector<base::GrowingFile*> files = files_->all();
+  return std::any_of(files.begin(), files.end(),
+                     [](const base::GrowingFile* file) { return file->hasFailed(); });
 }
 
 base::Diagnostics RunWriter::complete() {
   base::Diagnostics problems;
-  if (files_) {
-    base::append(problems, files_->trajectory.complete());
-    base::append(problems, files_->events.complete());
-    base::append(problems, files_->trees.complete());
+  for (base::GrowingFile* file : files_ ? files_->all() : std::vector<base::GrowingFile*>()) {
+    base::append(problems, file->complete());
   }
   return problems;
 }
 
 base::Diagnostics RunWriter::finish() {
   base::Diagnostics problems;
-  if (files_) {
-    base::append(problems, files_->trajectory.finish());
-    base::append(problems, files_->events.finish());
-    base::append(problems, files_->trees.finish());
-    files_.reset();
+  for (base::GrowingFile* file : files_ ? files_->all() : std::vector<base::GrowingFile*>()) {
+    base::append(problems, file->finish());
   }
+  files_.reset();
   return problems;
 }
 

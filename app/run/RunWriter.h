@@ -1,33 +1,35 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "metrics/RunningEvaluation.h"
 #include "sim2d/base/GrowingFile.h"
-#include "sim2d/trace/Recorder.h"
+#include "sim2d/trace/Recording.h"
 #include "sim2d/world/World.h"
 
 namespace app {
 
 /// Takes a run while it goes on: trajectory, events and tree changes go into the files of its
 /// folder, the metrics are fed. Of past steps nothing stays in memory but their times.
-class RunWriter : public sim2d::RecordSink {
+class RunWriter : public sim2d::FrameSink {
  public:
   /// An empty folder: no files. The world must outlive the writer.
   RunWriter(const std::string& folder, const sim2d::World& world,
             const metrics::Selection& selection, const metrics::MetricParameters& parameters);
-  void take(const sim2d::RecordedStep& step) override;
+  void append(const sim2d::Frame& frame) override;
   /// From now on the record is kept as well, to be compared with another.
-  void keepTrace() { keepsTrace_ = true; }
-  const sim2d::Trace& trace() const { return trace_; }  // without header
+  void keepRecording() { kept_ = std::make_unique<sim2d::Recording>(recordEvery_); }
+  const sim2d::Recording* recording() const { return kept_.get(); }
 
   /// Once, at the end. Its results have no series: those are for writeSteps().
   base::Result<metrics::Evaluation> evaluation();
   /// steps.csv of the evaluation.
   base::Diagnostics writeSteps(const std::string& path, const std::vector<double>& times);
+  bool hasInputs() const { return files_ && files_->inputs; }  // something came from outside
   /// A file could not be written: there is no use in going on.
   bool hasFailed() const;
   /// All rows are on the disk, in files that are not in their places yet.
@@ -37,11 +39,14 @@ class RunWriter : public sim2d::RecordSink {
 
  private:
   struct Files {
-    explicit Files(const std::string& folder);
+    explicit Files(const std::string& path);
+    std::vector<base::GrowingFile*> all();
+    const std::string folder;
     base::GrowingFile trajectory, events, trees;
+    std::optional<base::GrowingFile> inputs;  // once there were some
   };
   void meet(const sim2d::Frame& frame);
-  void write(const sim2d::RecordedStep& step);
+  void write(const sim2d::Frame& frame, bool isRecorded);
   struct Column {
     std::string key;
     metrics::Kind kind = metrics::Kind::Number;
@@ -50,13 +55,13 @@ class RunWriter : public sim2d::RecordSink {
 
   const sim2d::World& world_;
   double dt_;
+  int recordEvery_ = 1;
   std::unique_ptr<Files> files_;
   metrics::FrameEvaluation evaluation_;
   std::set<int> known_;  // people that the metrics have been told of
   metrics::NumberStore store_;
   std::vector<Column> columns_;  // in the store
-  bool keepsTrace_ = false;
-  sim2d::Trace trace_;
+  std::unique_ptr<sim2d::Recording> kept_;
 };
 
 }  // namespace app

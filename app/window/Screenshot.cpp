@@ -39,9 +39,31 @@ bool waitFor(const std::function<bool()>& done) {
   return true;
 }
 
+/// Trails grow by what is shown.
+void showStates(Workspace& workspace, const sim2d::Recording& recording, std::size_t count) {
+  for (std::size_t k = 0; k < count; ++k) {
+    workspace.scene().showFrame(recording.frame(k));
+  }
+}
+
+base::Diagnostics playTo(Workspace& workspace, double time) {
+  SimulationRunner& runner = workspace.runner();
+  const sim2d::Recording& recording = *runner.recording();
+  const std::size_t index = recording.indexAtTime(time);
+  showStates(workspace, recording, index);
+  runner.seek(recording.stepOf(index));
+  if (!waitFor([&] { return workspace.feed().isCurrent(); })) {
+    return {base::makeError("the run cannot be measured")};
+  }
+  return {};
+}
+
 /// Exactly so many steps, as fast as possible; then paused at that moment.
 base::Diagnostics runTo(Workspace& workspace, double time) {
   SimulationRunner& runner = workspace.runner();
+  if (runner.isRecorded()) {
+    return playTo(workspace, time);
+  }
   base::Diagnostics problems;
   QObject listener;
   QObject::connect(&runner, &SimulationRunner::notStarted, &listener,
@@ -64,8 +86,8 @@ base::Diagnostics runTo(Workspace& workspace, double time) {
   if (!there || !waitFor([&] { return workspace.feed().isCurrent(); })) {
     return {base::makeError("the simulation did not get to that time")};
   }
-  for (const editor::FramePtr& frame : runner.history()) {
-    workspace.scene().showFrame(frame);  // trails grow by what is shown
+  if (const editor::RecordingPtr recording = runner.recording()) {
+    showStates(workspace, *recording, recording->size());
   }
   return {};
 }

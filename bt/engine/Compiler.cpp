@@ -9,22 +9,6 @@
 namespace bt {
 namespace {
 
-/// Names of the children, equal ones numbered from 1.
-std::vector<std::string> namesOf(const std::vector<NodeSpec>& children) {
-  std::map<std::string, int> total;
-  for (const NodeSpec& child : children) {
-    ++total[child.label()];
-  }
-  std::map<std::string, int> seen;
-  std::vector<std::string> names;
-  names.reserve(children.size());
-  for (const NodeSpec& child : children) {
-    const std::string& label = child.label();
-    names.push_back(total[label] == 1 ? label : label + "[" + std::to_string(++seen[label]) + "]");
-  }
-  return names;
-}
-
 NodeCode codeOf(NodeFunctions::Kind kind) {
   switch (kind) {
     case NodeFunctions::Kind::Stateful:
@@ -132,7 +116,7 @@ void Compiler::close(int index) {
 }
 
 void Compiler::addChildren(const NodeSpec& spec, int node, const Place& place) {
-  const std::vector<std::string> names = namesOf(spec.children);
+  const std::vector<std::string> names = siblingNames(spec.children);
   Place below = place;
   ++below.depth;
   for (std::size_t i = 0; i < spec.children.size() && !full_; ++i) {

@@ -214,4 +214,19 @@ std::optional<std::string> referencedKey(std::string_view text, std::string_view
   return key == "=" ? std::string(portName) : key;
 }
 
+std::vector<std::string> siblingNames(const std::vector<NodeSpec>& children) {
+  std::map<std::string, int> total;
+  for (const NodeSpec& child : children) {
+    ++total[child.label()];
+  }
+  std::map<std::string, int> seen;
+  std::vector<std::string> names;
+  names.reserve(children.size());
+  for (const NodeSpec& child : children) {
+    const std::string& label = child.label();
+    names.push_back(total[label] == 1 ? label : label + "[" + std::to_string(++seen[label]) + "]");
+  }
+  return names;
+}
+
 }  // namespace bt

@@ -162,4 +162,7 @@ TreeIssues checkTable(const TreeTable& table, const NodeCatalogue& catalogue);
 /// {stopdist}, {frontdist}, {safe_distance}) that the trees read; names without braces.
 std::vector<std::string> placeholdersIn(const TreeTable& table);
 
+/// Labels of the children of a node, equal ones numbered from 1: "SetGoal[2]".
+std::vector<std::string> siblingNames(const std::vector<NodeSpec>& children);
+
 }  // namespace bt

@@ -158,6 +158,24 @@ std::vector<OutlineNode> outlineOf(const PersonTree& tree) {
   return Outline(tree).take();
 }
 
+std::vector<std::string> recordedNames(const std::vector<OutlineNode>& nodes) {
+  std::vector<std::string> names;
+  for (const OutlineNode& node : nodes) {
+    if (node.parent < 0) {
+      names.push_back(node.node->label());
+      continue;
+    }
+    const auto parent = static_cast<std::size_t>(node.parent);
+    const bt::NodeSpec& above = *nodes[parent].node;
+    names.push_back(
+        names[parent] + "/" +
+        (above.isSubTree()
+             ? node.node->label()
+             : bt::siblingNames(above.children)[static_cast<std::size_t>(node.path.back())]));
+  }
+  return names;
+}
+
 void pushTreeText(ScenarioDocument& document, EntityId person, std::optional<std::string> xml,
                   const QString& text) {
   if (document.tree(person) != xml) {

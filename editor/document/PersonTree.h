@@ -36,6 +36,8 @@ struct OutlineNode {
   bool isEditable = false;  // it stands in the person's own file, not in an included one
 };
 std::vector<OutlineNode> outlineOf(const PersonTree& tree);
+/// The names by which records know them: "MainFallback/SetGoals/RunOnce[2]".
+std::vector<std::string> recordedNames(const std::vector<OutlineNode>& nodes);
 
 /// Each is one command and makes the tree the person's own, or back again when it is what behaviour
 /// and goals make.

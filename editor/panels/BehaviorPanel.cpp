@@ -55,7 +55,7 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
     : QWidget(parent),
       document_(document),
       theme_(theme),
-      status_(runner),
+      runner_(runner),
       stack_(new QStackedLayout(this)),
       name_(new QLabel),
       about_(secondaryLabel({})),
@@ -279,10 +279,10 @@ void BehaviorPanel::showFrame(const FramePtr& frame) {
 
 void BehaviorPanel::showStatus() {
   const sim2d::Human* human = document_.human(person_);
-  if (frame_ == nullptr || human == nullptr) {
+  if (frame_ == nullptr || human == nullptr || runner_.recording() == nullptr) {
     outline_->showStatus({});
   } else if (isVisible()) {
-    outline_->showStatus(status_.at(human->id, frame_));
+    outline_->showStatus(runner_.recording()->treeAt(human->id, frame_->step));
   }
 }
 

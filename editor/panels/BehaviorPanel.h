@@ -10,7 +10,7 @@
 #include "editor/panels/BlockForm.h"
 #include "editor/panels/PortForm.h"
 #include "editor/panels/TreeOutline.h"
-#include "editor/panels/TreeStatus.h"
+#include "editor/run/SimulationRunner.h"
 
 namespace editor {
 
@@ -55,7 +55,7 @@ class BehaviorPanel : public QWidget {
 
   ScenarioDocument& document_;
   Theme theme_;
-  TreeStatus status_;
+  const SimulationRunner& runner_;
   EntityId person_;
   PersonTree tree_;
   FramePtr frame_;

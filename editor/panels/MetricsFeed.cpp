@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace editor {
 
@@ -10,6 +11,7 @@ namespace {
 
 constexpr double kLeastGap = 0.25;  // of points of a curve [s]
 constexpr double kGapShare = 1.0 / 80.0;
+constexpr std::size_t kMostFrames = 500;  // until the panel is told
 
 int decimalsOf(const std::string& unit) {
   if (unit == "s" || unit == "%") {
@@ -42,10 +44,18 @@ QString metricText(const metrics::MetricResult& result) {
 /// Used by one thread at a time: by the worker while it is busy, else by the GUI thread.
 struct MetricsFeed::Work {
   std::unique_ptr<metrics::LiveMetrics> live;
-  std::vector<sim2d::TraceHuman> newcomers;  // to be told before the next frames
-  std::vector<double> times;                 // of all frames [s]
+  std::set<int> known;        // people that the metrics have been told of
+  std::size_t events = 0;     // of the recording, that they have been told
+  std::vector<double> times;  // of all frames [s]
   std::map<std::string, MetricCurve> tracks;
   double nextPoint = 0.0;
+
+  void meet(const std::vector<sim2d::TraceHuman>& humans) {
+    live->addHumans(humans);
+    for (const sim2d::TraceHuman& human : humans) {
+      known.insert(human.id);
+    }
+  }
 
   void note(double time, const std::vector<metrics::MetricResult>& results) {
     for (const metrics::MetricResult& result : results) {
@@ -56,19 +66,30 @@ struct MetricsFeed::Work {
     nextPoint = time + std::max(kLeastGap, time * kGapShare);
   }
 
-  MetricSnapshot append(const std::vector<FramePtr>& frames) {
-    if (!newcomers.empty()) {
-      live->addHumans(newcomers);
-      newcomers.clear();
+  void take(const sim2d::Recording& recording, std::size_t index) {
+    const FramePtr frame = recording.frame(index);
+    const std::vector<int>& ids = frame->humans.id;
+    if (!std::all_of(ids.begin(), ids.end(), [this](int id) { return known.count(id) > 0; })) {
+      meet(recording.header()->humans);  // somebody came from a source
+    }
+    const std::size_t happened = recording.events().size();
+    for (; events < happened && recording.events()[events].first <= frame->step; ++events) {
+      const auto& [step, event] = recording.events()[events];
+      live->note(static_cast<double>(step) * recording.header()->dt, event);
+    }
+    live->append(*frame);
+    times.push_back(frame->time);
+    if (frame->time >= nextPoint - 1e-9) {
+      note(frame->time, live->values());
+    }
+  }
+
+  MetricSnapshot append(const sim2d::Recording& recording) {
+    const std::size_t end = std::min(recording.size(), times.size() + kMostFrames);
+    while (times.size() < end) {
+      take(recording, times.size());
     }
     MetricSnapshot snapshot;
-    for (const FramePtr& frame : frames) {
-      live->append(*frame);
-      times.push_back(frame->time);
-      if (frame->time >= nextPoint - 1e-9) {
-        note(frame->time, live->values());
-      }
-    }
     snapshot.time = times.empty() ? 0.0 : times.back();
     snapshot.frames = times.size();
     snapshot.results = live->values();
@@ -90,119 +111,76 @@ MetricsFeed::MetricsFeed(const ScenarioDocument& document, SimulationRunner& run
       task_([this](MetricSnapshot snapshot) { deliver(std::move(snapshot)); }) {
   connect(&runner_, &SimulationRunner::frameShown, this, &MetricsFeed::follow);
   connect(&runner_, &SimulationRunner::stateChanged, this, &MetricsFeed::follow);
-  connect(&runner_, &SimulationRunner::traceReady, this, &MetricsFeed::takeTrace);
 }
 
 MetricsFeed::~MetricsFeed() {
   task_.finish();
 }
 
+/// A recorded run tells itself how it is measured.
+base::Result<app::MetricsSetup> MetricsFeed::setup() const {
+  if (!runner_.isRecorded()) {
+    return app::metricsSetupOf(document_.scenario(), document_.path().toStdString());
+  }
+  app::MetricsSetup setup;
+  base::Diagnostics problems = app::readMetricsSetup(*runner_.recording()->header(), setup);
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  return {std::move(setup), std::move(problems)};
+}
+
 metrics::Selection MetricsFeed::selection() const {
   if (selection_) {
     return *selection_;
   }
-  const base::Result<app::MetricsSetup> setup =
-      app::metricsSetupOf(document_.scenario(), document_.path().toStdString());
-  return setup ? setup->selection : metrics::Selection();
+  const base::Result<app::MetricsSetup> found = setup();
+  return found ? found->selection : metrics::Selection();
 }
 
 void MetricsFeed::setSelection(std::optional<metrics::Selection> selection) {
   selection_ = std::move(selection);
-  if (first_) {
+  if (recording_) {
     begin();
     follow();
   }
 }
 
 bool MetricsFeed::isCurrent() const {
-  return snapshot_.frames == runner_.history().size() && !task_.isBusy();
+  return !task_.isBusy() && (!work_ || snapshot_.frames == recording_->size());
 }
 
 void MetricsFeed::begin() {
-  task_.finish();
   work_.reset();
-  known_.clear();
-  fed_ = 0;
+  task_.finish();
   snapshot_ = MetricSnapshot();
-  traceWanted_ = false;
   Q_EMIT cleared();
+  if (recording_ == nullptr) {
+    return;
+  }
+  const base::Result<app::MetricsSetup> found = setup();
+  if (!found) {
+    Q_EMIT failed(found.diagnostics());
+    return;
+  }
+  const std::shared_ptr<const sim2d::TraceHeader> header = recording_->header();
+  work_ = std::make_shared<Work>();
+  work_->live = std::make_unique<metrics::LiveMetrics>(*header, selection(), found->parameters);
+  work_->meet(header->humans);
 }
 
 void MetricsFeed::follow() {
-  const std::vector<FramePtr>& frames = runner_.history();
-  const FramePtr first = frames.empty() ? FramePtr() : frames.front();
-  if (first != first_) {
-    first_ = first;
+  if (runner_.recording() != recording_) {
+    recording_ = runner_.recording();
     begin();
   }
-  if (!first) {
-    return;
-  }
-  if (!work_ && !traceWanted_) {
-    traceWanted_ = true;
-    runner_.requestTrace();
-  }
   pump();
-}
-
-void MetricsFeed::takeTrace(const TracePtr& trace) {
-  if (!trace || !first_ || !traceWanted_) {
-    return;
-  }
-  traceWanted_ = false;
-  if (!work_) {
-    const base::Result<app::MetricsSetup> setup =
-        app::metricsSetupOf(document_.scenario(), document_.path().toStdString());
-    if (!setup) {
-      traceWanted_ = true;  // not asked for again: the settings are wrong for this run
-      Q_EMIT failed(setup.diagnostics());
-      return;
-    }
-    work_ = std::make_shared<Work>();
-    work_->live =
-        std::make_unique<metrics::LiveMetrics>(trace->header, selection(), setup->parameters);
-  } else {
-    task_.finish();
-    for (const sim2d::TraceHuman& human : trace->header.humans) {
-      if (known_.count(human.id) == 0) {
-        work_->newcomers.push_back(human);
-      }
-    }
-  }
-  for (const sim2d::TraceHuman& human : trace->header.humans) {
-    known_.insert(human.id);
-  }
-  pump();
-}
-
-std::vector<FramePtr> MetricsFeed::nextFrames() {
-  const std::vector<FramePtr>& frames = runner_.history();
-  std::vector<FramePtr> next;
-  for (; fed_ < frames.size(); ++fed_) {
-    const std::vector<int>& ids = frames[fed_]->humans.id;
-    const bool stranger =
-        std::any_of(ids.begin(), ids.end(), [this](int id) { return known_.count(id) == 0; });
-    if (stranger) {  // somebody came from a source: ask who it is
-      if (!traceWanted_) {
-        traceWanted_ = true;
-        runner_.requestTrace();
-      }
-      break;
-    }
-    next.push_back(frames[fed_]);
-  }
-  return next;
 }
 
 void MetricsFeed::pump() {
-  if (!work_ || task_.isBusy()) {
-    return;
+  if (work_ && !task_.isBusy() && snapshot_.frames < recording_->size()) {
+    task_.start([work = work_, recording = recording_] { return work->append(*recording); });
   }
-  std::vector<FramePtr> frames = nextFrames();
-  if (frames.empty()) {
-    return;
-  }
-  task_.start([work = work_, frames = std::move(frames)] { return work->append(frames); });
 }
 
 void MetricsFeed::deliver(MetricSnapshot snapshot) {

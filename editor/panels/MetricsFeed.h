@@ -2,7 +2,6 @@
 
 #include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -54,19 +53,15 @@ class MetricsFeed : public QObject {
   struct Work;
   void follow();
   void begin();
-  void takeTrace(const TracePtr& trace);
   void pump();
-  std::vector<FramePtr> nextFrames();
+  base::Result<app::MetricsSetup> setup() const;
   void deliver(MetricSnapshot snapshot);
 
   const ScenarioDocument& document_;
   SimulationRunner& runner_;
   std::optional<metrics::Selection> selection_;
   std::shared_ptr<Work> work_;
-  std::set<int> known_;  // people that the metrics have been told of
-  FramePtr first_;
-  std::size_t fed_ = 0;
-  bool traceWanted_ = false;
+  RecordingPtr recording_;
   MetricSnapshot snapshot_;
   LatestTask<MetricSnapshot> task_;
 };

@@ -11,19 +11,19 @@ RunEvents::RunEvents(const ScenarioDocument& document, SimulationRunner& runner,
 }
 
 void RunEvents::follow() {
-  const std::vector<FramePtr>& frames = runner_.history();
-  const FramePtr first = frames.empty() ? FramePtr() : frames.front();
-  if (first != first_ || frames.size() < framesRead_) {
-    first_ = first;
-    framesRead_ = 0;
+  if (runner_.recording() != recording_) {
+    recording_ = runner_.recording();
+    read_ = 0;
     events_.clear();
     Q_EMIT cleared();
   }
   const std::size_t before = events_.size();
-  for (; framesRead_ < frames.size(); ++framesRead_) {
-    const sim2d::Frame& frame = *frames[framesRead_];
-    for (const sim2d::Event& event : frame.events) {
-      events_.push_back({frame.step, frame.time, event, textOf(event)});
+  const std::size_t there = recording_ == nullptr ? 0 : recording_->events().size();
+  for (; read_ < there; ++read_) {
+    const auto& [step, event] = recording_->events()[read_];
+    if (event.kind != EventKind::Stop) {  // the state of the run tells it
+      const double time = static_cast<double>(step) * recording_->header()->dt;
+      events_.push_back({step, time, event, textOf(event)});
     }
   }
   if (events_.size() > before) {

@@ -38,8 +38,8 @@ class RunEvents : public QObject {
   const ScenarioDocument& document_;
   SimulationRunner& runner_;
   std::vector<RunEvent> events_;
-  std::size_t framesRead_ = 0;
-  FramePtr first_;  // tells one run from the next
+  RecordingPtr recording_;
+  std::size_t read_ = 0;  // events of the recording
 };
 
 /// How an event is marked: by shape as well as colour.

@@ -158,15 +158,11 @@ void TimelineBar::paintMarks(QPainter& painter) const {
 }
 
 void TimelineBar::seekTo(double x) {
-  const std::vector<FramePtr>& frames = runner_.history();
-  if (frames.empty()) {
-    return;
+  const RecordingPtr recording = runner_.recording();
+  if (recording != nullptr && recording->size() > 0) {
+    const double time = std::min(timeAt(x), newestTime());
+    runner_.seek(recording->stepOf(recording->indexAtTime(time)));
   }
-  const double time = std::min(timeAt(x), newestTime());
-  const auto after =
-      std::upper_bound(frames.begin(), frames.end(), time + 1e-9,
-                       [](double wanted, const FramePtr& frame) { return wanted < frame->time; });
-  runner_.seek(after == frames.begin() ? frames.front()->step : (*std::prev(after))->step);
 }
 
 void TimelineBar::mousePressEvent(QMouseEvent* event) {
@@ -187,7 +183,7 @@ void TimelineBar::keyPressEvent(QKeyEvent* event) {
       runner_.stepBack();
       break;
     case Qt::Key_Right:
-      if (runner_.isLookingBack()) {
+      if (runner_.isLookingBack() || runner_.isRecorded()) {
         runner_.stepOnce();
       }
       break;

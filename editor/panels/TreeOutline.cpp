@@ -1,5 +1,7 @@
 #include "editor/panels/TreeOutline.h"
 
+#include <algorithm>
+
 #include <QHeaderView>
 #include <QPainter>
 
@@ -121,6 +123,7 @@ void TreeOutline::showTree(const PersonTree& tree) {
   clear();
   tree_ = tree;
   nodes_ = outlineOf(tree_);
+  names_ = recordedNames(nodes_);
   rows_.clear();
   statuses_.clear();
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -143,15 +146,29 @@ void TreeOutline::showTree(const PersonTree& tree) {
   selectNode(current);
 }
 
-void TreeOutline::showStatus(const std::vector<NodeStatus>& statuses) {
-  const bool fits = statuses.empty() || statuses.size() == nodes_.size();
-  const std::vector<NodeStatus> before =
-      std::exchange(statuses_, fits ? statuses : std::vector<NodeStatus>());
+void TreeOutline::showStatus(const sim2d::TreeState& state) {
+  const std::vector<NodeStatus> before = std::exchange(statuses_, statusesOf(state));
   for (std::size_t node = 0; node < nodes_.size(); ++node) {
     if (before.size() != statuses_.size() || (!before.empty() && before[node] != statuses_[node])) {
       paintRow(node);
     }
   }
+}
+
+/// A record of a file names those only that were ticked. Empty: it is of another tree.
+std::vector<NodeStatus> TreeOutline::statusesOf(const sim2d::TreeState& state) const {
+  if (state.paths == nullptr || *state.paths == names_) {
+    return state.statuses;
+  }
+  std::vector<NodeStatus> statuses(names_.size(), NodeStatus::Idle);
+  for (std::size_t k = 0; k < state.statuses.size(); ++k) {
+    const auto name = std::find(names_.begin(), names_.end(), (*state.paths)[k]);
+    if (name == names_.end()) {
+      return {};
+    }
+    statuses[static_cast<std::size_t>(name - names_.begin())] = state.statuses[k];
+  }
+  return statuses;
 }
 
 NodeStatus TreeOutline::statusOf(int node) const {

@@ -7,6 +7,7 @@
 
 #include "editor/document/PersonTree.h"
 #include "editor/look/Theme.h"
+#include "sim2d/trace/Recording.h"
 
 namespace editor {
 
@@ -20,8 +21,8 @@ class TreeOutline : public QTreeWidget {
   void setTheme(const Theme& theme);
 
   void showTree(const PersonTree& tree);
-  /// In the order of the nodes; empty: no run is shown.
-  void showStatus(const std::vector<base::NodeStatus>& statuses);
+  /// By the names of the nodes; without nodes: no run is shown.
+  void showStatus(const sim2d::TreeState& state);
   int currentNode() const;  // place in nodes(), -1 = none
   void selectNode(int node);
   const std::vector<OutlineNode>& nodes() const { return nodes_; }
@@ -29,11 +30,13 @@ class TreeOutline : public QTreeWidget {
 
  private:
   void paintRow(std::size_t node);
+  std::vector<base::NodeStatus> statusesOf(const sim2d::TreeState& state) const;
   QIcon markOf(base::NodeStatus status) const;
 
   Theme theme_;
   PersonTree tree_;  // keeps what the nodes point to
   std::vector<OutlineNode> nodes_;
+  std::vector<std::string> names_;  // of the nodes, as records give them
   std::vector<QTreeWidgetItem*> rows_;
   std::vector<base::NodeStatus> statuses_;
 };

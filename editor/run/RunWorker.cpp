@@ -1,6 +1,8 @@
 #include "editor/run/RunWorker.h"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace editor {
 
@@ -37,12 +39,6 @@ void RunWorker::setSpeed(double factor) {
   changed_.notify_all();
 }
 
-void RunWorker::requestTrace() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  wantsTrace_ = true;
-  changed_.notify_all();
-}
-
 void RunWorker::stop() {
   const std::lock_guard<std::mutex> lock(mutex_);
   stop_ = true;
@@ -54,6 +50,61 @@ RunNews RunWorker::takeNews() {
   return std::exchange(news_, RunNews());
 }
 
+/// Records each state as soon as it is there, for whoever watches; the runner hands them on later,
+/// when it knows which is the last.
+class RunWorker::Publisher : public sim2d::FrameSink {
+ public:
+  Publisher(RunWorker& worker, const sim2d::World& world)
+      : worker_(worker),
+        world_(world),
+        recording_(std::make_shared<sim2d::Recording>(worker.request_.recordEvery)) {
+    recording_->setHeader(world.header());
+    const std::lock_guard<std::mutex> lock(worker_.mutex_);
+    worker_.news_.recording = recording_;
+  }
+
+  void publish(const sim2d::Frame& frame) {
+    if (frame.humans.id != present_) {
+      present_ = frame.humans.id;
+      meet();
+    }
+    recording_->append(frame);
+    newest_ = frame.step;
+    auto copy = std::make_shared<const sim2d::Frame>(frame);
+    const std::lock_guard<std::mutex> lock(worker_.mutex_);
+    worker_.news_.newest = std::move(copy);
+  }
+
+  void append(const sim2d::Frame& frame) override {
+    if (frame.step > newest_) {
+      publish(frame);
+    } else if (!frame.events.empty() && frame.events.back().kind == sim2d::EventKind::Stop) {
+      recording_->addEvent(frame.step, frame.events.back());
+    }
+  }
+
+ private:
+  /// People from sources are in the header as well.
+  void meet() {
+    const auto isKnown = [this](int id) { return known_.count(id) > 0; };
+    if (std::all_of(present_.begin(), present_.end(), isKnown)) {
+      return;
+    }
+    sim2d::TraceHeader header = world_.header();
+    for (const sim2d::TraceHuman& human : header.humans) {
+      known_.insert(human.id);
+    }
+    recording_->setHeader(std::move(header));
+  }
+
+  RunWorker& worker_;
+  const sim2d::World& world_;
+  std::shared_ptr<sim2d::Recording> recording_;
+  std::vector<int> present_;
+  std::set<int> known_;  // people of the header
+  std::int64_t newest_ = -1;
+};
+
 void RunWorker::work() {
   base::Result<std::unique_ptr<sim2d::World>> made = request_.makeWorld();
   {
@@ -64,44 +115,20 @@ void RunWorker::work() {
     }
   }
   sim2d::World& world = **made;
-  sim2d::Recorder recorder(request_.recordEvery);
+  Publisher publisher(*this, world);
   const sim2d::RunResult result =
-      sim2d::run(world, request_.rule, recorder, [&](const sim2d::Frame& frame) {
-        publish(frame);
-        return waitForTurn(world, recorder);
+      sim2d::run(world, request_.rule, publisher, [&](const sim2d::Frame& frame) {
+        publisher.publish(frame);
+        return waitForTurn(world);
       });
-  publish(world.frame());
-  auto trace = std::make_shared<const sim2d::Trace>(recorder.finish(world.header()));
   const std::lock_guard<std::mutex> lock(mutex_);
-  news_.trace = std::move(trace);
   news_.result = result;
 }
 
-void RunWorker::publish(const sim2d::Frame& frame) {
-  auto copy = std::make_shared<sim2d::Frame>(frame);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (news_.newest != nullptr && news_.newest->step == frame.step) {
-    return;  // the last state of an interrupted run
-  }
-  skippedChanges_.append(frame.treeChanges);
-  if (frame.step % request_.recordEvery == 0) {
-    copy->treeChanges = std::exchange(skippedChanges_, {});  // also of steps that are not recorded
-    news_.recorded.push_back(copy);
-  }
-  if (!frame.events.empty()) {
-    news_.events.push_back({frame.time, frame.events});
-  }
-  news_.newest = std::move(copy);
-}
-
-bool RunWorker::waitForTurn(const sim2d::World& world, const sim2d::Recorder& recorder) {
+bool RunWorker::waitForTurn(const sim2d::World& world) {
   std::unique_lock<std::mutex> lock(mutex_);
   while (!stop_) {
-    if (std::exchange(wantsTrace_, false)) {
-      lock.unlock();
-      answerTrace(world, recorder);
-      lock.lock();
-    } else if (stepsAllowed_ > 0) {
+    if (stepsAllowed_ > 0) {
       --stepsAllowed_;
       return false;
     } else if (paused_) {
@@ -118,14 +145,6 @@ bool RunWorker::waitForTurn(const sim2d::World& world, const sim2d::Recorder& re
     }
   }
   return true;
-}
-
-void RunWorker::answerTrace(const sim2d::World& world, const sim2d::Recorder& recorder) {
-  sim2d::Recorder soFar = recorder;  // it has not got the present state yet
-  soFar.append(world.frame());
-  auto trace = std::make_shared<const sim2d::Trace>(soFar.finish(world.header()));
-  const std::lock_guard<std::mutex> lock(mutex_);
-  news_.trace = std::move(trace);
 }
 
 void RunWorker::restartClock(double time) {

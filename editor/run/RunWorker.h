@@ -8,14 +8,14 @@
 #include <utility>
 #include <vector>
 
-#include "sim2d/trace/Recorder.h"
+#include "sim2d/trace/Recording.h"
 #include "sim2d/world/Runner.h"
 
 namespace editor {
 
 using WorldMaker = std::function<base::Result<std::unique_ptr<sim2d::World>>()>;
-using FramePtr = std::shared_ptr<const sim2d::Frame>;
-using TracePtr = std::shared_ptr<const sim2d::Trace>;
+using sim2d::FramePtr;
+using RecordingPtr = std::shared_ptr<const sim2d::Recording>;
 
 struct RunRequest {
   WorldMaker makeWorld;  // called in the worker thread, so it holds copies of all it needs
@@ -23,20 +23,12 @@ struct RunRequest {
   int recordEvery = 1;
 };
 
-/// What happened in one step, also in one that is not recorded or shown.
-struct StepEvents {
-  double time = 0.0;  // [s]
-  std::vector<sim2d::Event> events;
-};
-
 /// What the worker has to tell, collected until the GUI thread looks.
 struct RunNews {
   std::optional<base::Diagnostics> remarks;  // of making the world; errors: it could not be made
+  RecordingPtr recording;                    // of this run, once there is a world; it grows
   FramePtr newest;
-  std::vector<FramePtr> recorded;
-  std::vector<StepEvents> events;
   std::optional<double> measuredSpeed;
-  TracePtr trace;
   std::optional<sim2d::RunResult> result;  // the run is over
 };
 
@@ -52,14 +44,12 @@ class RunWorker {
   void setPaused(bool paused);
   void allowStep();  // one step although paused
   void setSpeed(double factor);
-  void requestTrace();
   void stop();
   RunNews takeNews();
 
  private:
-  bool waitForTurn(const sim2d::World& world, const sim2d::Recorder& recorder);
-  void answerTrace(const sim2d::World& world, const sim2d::Recorder& recorder);
-  void publish(const sim2d::Frame& frame);
+  class Publisher;
+  bool waitForTurn(const sim2d::World& world);
   void measure(double time);
   bool isDue(double time, double dt);
   Clock::time_point dueTime(double time, double dt) const;
@@ -69,11 +59,10 @@ class RunWorker {
   std::mutex mutex_;
   std::condition_variable changed_;
   // guarded by the mutex
-  bool paused_, stop_ = false, wantsTrace_ = false, restartClock_ = true;
+  bool paused_, stop_ = false, restartClock_ = true;
   int stepsAllowed_ = 0;
   double speed_;
   RunNews news_;
-  sim2d::TreeChanges skippedChanges_;  // since the last recorded frame
   // of the worker alone
   Clock::time_point wallStart_;
   double simulatedStart_ = 0.0;

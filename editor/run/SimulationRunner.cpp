@@ -8,6 +8,7 @@ namespace editor {
 namespace {
 
 constexpr int kDisplayMs = 16;
+constexpr double kFastest = 64.0;  // at which a recorded run is played
 
 }  // namespace
 
@@ -30,7 +31,6 @@ void SimulationRunner::setState(State state) {
 
 void SimulationRunner::start(bool paused) {
   Q_ASSERT(request_);
-  trace_.reset();
   measuredSpeed_ = 0.0;
   worker_ = std::make_unique<RunWorker>(request_(), paused, speed_);
   thread_ = std::thread([worker = worker_.get()] { worker->work(); });
@@ -50,6 +50,15 @@ void SimulationRunner::play() {
   if (state_ == State::Running) {
     return;
   }
+  if (isRecorded_) {
+    if (shown_->step == newest_->step) {
+      show(recording_->frame(0), false);
+    }
+    startClock();
+    timer_.start();
+    setState(State::Running);
+    return;
+  }
   if (finished_) {
     reset();
   }
@@ -64,7 +73,7 @@ void SimulationRunner::play() {
 
 void SimulationRunner::pause() {
   if (state_ == State::Running) {
-    worker_->setPaused(true);
+    isRecorded_ ? timer_.stop() : worker_->setPaused(true);
     setState(State::Paused);
   }
 }
@@ -76,12 +85,12 @@ void SimulationRunner::stepOnce() {
     pause();
     return;
   }
-  if (lookingBack_) {
-    const std::size_t next = shownIndex() + 1;
-    if (next + 1 >= history_.size()) {
+  if (lookingBack_ || isRecorded_) {
+    const std::size_t next = recording_->indexAt(shown_->step) + 1;
+    if (next + 1 >= recording_->size()) {
       seekNewest();
     } else {
-      show(history_[next], true);
+      show(recording_->frame(next), !isRecorded_);
     }
   } else if (!finished_) {
     worker_->allowStep();
@@ -93,10 +102,12 @@ void SimulationRunner::reset() {
     return;
   }
   stopWorker();
-  poll();  // the last words of the worker
+  if (worker_ != nullptr) {
+    poll();  // the last words of the worker
+  }
   worker_.reset();
-  finished_ = false;
-  history_.clear();
+  finished_ = isRecorded_ = false;
+  recording_.reset();
   newest_.reset();
   show(nullptr, false);
   setState(State::Editing);
@@ -107,19 +118,42 @@ void SimulationRunner::setSpeed(double factor) {
   speed_ = factor;
   if (worker_ != nullptr) {
     worker_->setSpeed(factor);
+  } else if (isRecorded_) {
+    startClock();
   }
 }
 
-std::size_t SimulationRunner::shownIndex() const {
-  const std::int64_t step = shown_ == nullptr ? 0 : shown_->step;
-  const auto after = std::upper_bound(
-      history_.begin(), history_.end(), step,
-      [](std::int64_t wanted, const FramePtr& frame) { return wanted < frame->step; });
-  return after == history_.begin() ? 0 : static_cast<std::size_t>(after - history_.begin()) - 1;
+void SimulationRunner::openRecorded(RecordingPtr recording) {
+  Q_ASSERT(recording != nullptr && recording->size() > 0);
+  reset();
+  recording_ = std::move(recording);
+  newest_ = recording_->frame(recording_->size() - 1);
+  isRecorded_ = finished_ = true;
+  show(recording_->frame(0), false);
+  setState(State::Paused);
+}
+
+void SimulationRunner::startClock() {
+  playing_.start();
+  playedFrom_ = shown_->time;
+  measuredSpeed_ = std::min(speed_, kFastest);
+  Q_EMIT speedMeasured(measuredSpeed_);
+}
+
+void SimulationRunner::playOn() {
+  const double passed = 0.001 * static_cast<double>(playing_.elapsed());
+  const double time = playedFrom_ + passed * measuredSpeed_;
+  const std::size_t index = recording_->indexAtTime(time);
+  if (recording_->stepOf(index) > shown_->step) {
+    show(recording_->frame(index), false);
+  }
+  if (shown_->step == newest_->step) {
+    pause();
+  }
 }
 
 void SimulationRunner::seek(std::int64_t step) {
-  if (history_.empty()) {
+  if (recording_ == nullptr || recording_->size() == 0) {
     return;
   }
   pause();
@@ -127,10 +161,7 @@ void SimulationRunner::seek(std::int64_t step) {
     seekNewest();
     return;
   }
-  const auto after = std::upper_bound(
-      history_.begin(), history_.end(), step,
-      [](std::int64_t wanted, const FramePtr& frame) { return wanted < frame->step; });
-  show(after == history_.begin() ? history_.front() : *std::prev(after), true);
+  show(recording_->frame(recording_->indexAt(step)), !isRecorded_);
 }
 
 void SimulationRunner::stepBack() {
@@ -140,7 +171,7 @@ void SimulationRunner::stepBack() {
 }
 
 void SimulationRunner::seekNewest() {
-  if (lookingBack_) {
+  if (lookingBack_ || isRecorded_) {
     show(newest_, false);
   }
 }
@@ -154,15 +185,11 @@ void SimulationRunner::show(FramePtr frame, bool lookingBack) {
   Q_EMIT frameShown(shown_);
 }
 
-void SimulationRunner::requestTrace() {
-  if (finished_ && trace_ != nullptr) {
-    Q_EMIT traceReady(trace_);
-  } else if (worker_ != nullptr) {
-    worker_->requestTrace();
-  }
-}
-
 void SimulationRunner::poll() {
+  if (isRecorded_) {
+    playOn();
+    return;
+  }
   RunNews news = worker_->takeNews();
   if (news.remarks && base::hasErrors(*news.remarks)) {
     const base::Diagnostics errors = *news.remarks;
@@ -175,32 +202,21 @@ void SimulationRunner::poll() {
   if (news.remarks && !news.remarks->empty()) {
     Q_EMIT warned(*news.remarks);
   }
-  takeFrames(news);
-  if (news.measuredSpeed) {
-    measuredSpeed_ = *news.measuredSpeed;
-    Q_EMIT speedMeasured(measuredSpeed_);
-  }
-  if (news.trace != nullptr) {
-    trace_ = news.trace;
-  }
-  if (news.result) {
-    takeEnd(news);
-  }
-  if (news.trace != nullptr) {
-    Q_EMIT traceReady(trace_);
-  }
-}
-
-void SimulationRunner::takeFrames(RunNews& news) {
-  history_.insert(history_.end(), news.recorded.begin(), news.recorded.end());
-  for (const StepEvents& events : news.events) {
-    Q_EMIT eventsHappened(events);
+  if (news.recording != nullptr) {
+    recording_ = news.recording;
   }
   if (news.newest != nullptr) {
     newest_ = std::move(news.newest);
     if (!lookingBack_) {
       show(newest_, false);
     }
+  }
+  if (news.measuredSpeed) {
+    measuredSpeed_ = *news.measuredSpeed;
+    Q_EMIT speedMeasured(measuredSpeed_);
+  }
+  if (news.result) {
+    takeEnd(news);
   }
 }
 

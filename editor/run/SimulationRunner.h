@@ -4,20 +4,19 @@
 #include <functional>
 #include <memory>
 #include <thread>
-#include <vector>
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 
 #include "editor/run/RunWorker.h"
-#include "sim2d/trace/Frame.h"
-#include "sim2d/trace/Trace.h"
 
 namespace editor {
 
 /// A simulation beside the window. Lives in the GUI thread and owns one worker thread with the
-/// world; commands go in through a locked queue and are used between steps, frames come out through
-/// a mailbox that keeps the newest. What is recorded equals a headless run byte for byte.
+/// world; commands go in through a locked queue and are used between steps. States come out through
+/// the recording, which is there to be read while it grows and equals that of a headless run; a run
+/// that was recorded before is played from its recording in the same way.
 class SimulationRunner : public QObject {
   Q_OBJECT
  public:
@@ -42,26 +41,25 @@ class SimulationRunner : public QObject {
   void reset();                  // ends the run, back to Editing
   void setSpeed(double factor);  // > 0; infinity = as fast as possible
 
+  /// Shows a recorded run from its beginning; it holds states. reset() leaves it.
+  void openRecorded(RecordingPtr recording);
+  bool isRecorded() const { return isRecorded_; }
+
   // the past
+  /// Of the run, growing while it goes on; null: there is none.
+  RecordingPtr recording() const { return recording_; }
   FramePtr newestFrame() const { return newest_; }
   FramePtr shownFrame() const { return shown_; }
-  const std::vector<FramePtr>& history() const { return history_; }  // every recorded step so far
   bool isLookingBack() const { return lookingBack_; }
   void seek(std::int64_t step);  // shows the nearest recorded frame at or before; pauses
   void stepBack();
   void seekNewest();
 
-  /// The run so far, or the whole of it after the end; comes by `traceReady`.
-  void requestTrace();
-  TracePtr trace() const { return trace_; }  // the last one that came; may be null
-
  Q_SIGNALS:
   void stateChanged(editor::SimulationRunner::State state);
   void frameShown(std::shared_ptr<const sim2d::Frame> frame);  // at display rate; null: cleared
-  void eventsHappened(const editor::StepEvents& events);       // of every step that had some
   void lookingBackChanged(bool lookingBack);
   void speedMeasured(double factor);
-  void traceReady(std::shared_ptr<const sim2d::Trace> trace);
   void finished(const sim2d::RunResult& result);
   void failed(const QString& reason);                     // the world stopped; last state stays
   void notStarted(const base::Diagnostics& diagnostics);  // the world could not be made
@@ -70,12 +68,12 @@ class SimulationRunner : public QObject {
  private:
   void start(bool paused);
   void poll();
-  void takeFrames(RunNews& news);
   void takeEnd(const RunNews& news);
   void setState(State state);
   void show(FramePtr frame, bool lookingBack);
   void stopWorker();
-  std::size_t shownIndex() const;  // in the history
+  void playOn();
+  void startClock();
 
   std::function<RunRequest()> request_;
   std::unique_ptr<RunWorker> worker_;
@@ -85,13 +83,14 @@ class SimulationRunner : public QObject {
   bool finished_ = false, lookingBack_ = false;
   double speed_ = 1.0, measuredSpeed_ = 0.0;
   FramePtr newest_, shown_;
-  std::vector<FramePtr> history_;
-  TracePtr trace_;
+  RecordingPtr recording_;
+  bool isRecorded_ = false;
+  QElapsedTimer playing_;    // a recorded run
+  double playedFrom_ = 0.0;  // [s], when `playing_` began
 };
 
 }  // namespace editor
 
 Q_DECLARE_METATYPE(std::shared_ptr<const sim2d::Frame>)
-Q_DECLARE_METATYPE(std::shared_ptr<const sim2d::Trace>)
 Q_DECLARE_METATYPE(base::Diagnostics)
 Q_DECLARE_METATYPE(sim2d::RunResult)

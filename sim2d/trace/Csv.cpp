@@ -1,5 +1,7 @@
 #include "sim2d/trace/Csv.h"
 
+#include <cmath>
+
 namespace sim2d {
 
 void appendCsvField(std::string& to, std::string_view field) {
@@ -80,6 +82,50 @@ bool CsvReader::next(CsvRow& row) {
     more = readField(row[count++]);
   }
   row.resize(count);
+  return true;
+}
+
+void CsvTable::error(const CsvField& field, const std::string& message) {
+  problems_.push_back(base::makeError(message, file_, field.line, field.column));
+}
+
+bool CsvTable::readColumns(const std::string& columns) {
+  CsvRow names;
+  std::string found;
+  if (reader_.next(names)) {
+    for (const CsvField& name : names) {
+      found += (found.empty() ? "" : ",") + name.text;
+    }
+  }
+  if (found != columns) {
+    problems_.push_back(base::makeError("the first line must be " + columns, file_, 1, 1));
+    return false;
+  }
+  width_ = names.size();
+  return true;
+}
+
+bool CsvTable::next(CsvRow& row) {
+  while (reader_.next(row)) {
+    if (reader_.isTruncated()) {
+      error(row.back(), "the file ends inside this line (cut?)");
+    } else if (row.size() != width_) {
+      error(row.back(), "the line has " + std::to_string(row.size()) + " fields instead of " +
+                            std::to_string(width_));
+    } else {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool CsvTable::readFinite(const CsvField& field, const char* name, double& value) {
+  const std::optional<double> parsed = base::parseDouble(field.text);
+  if (!parsed || !std::isfinite(*parsed)) {
+    error(field, std::string(name) + " is not a finite number: '" + field.text + "'");
+    return false;
+  }
+  value = *parsed;
   return true;
 }
 

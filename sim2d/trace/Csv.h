@@ -1,9 +1,14 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
+
+#include "sim2d/base/Result.h"
+#include "sim2d/base/Text.h"
 
 namespace sim2d {
 
@@ -39,6 +44,37 @@ class CsvReader {
   int line_ = 1;
   std::size_t lineStart_ = 0;
   bool truncated_ = false;
+};
+
+/// One of our own CSV files: rows, typed fields, problems with their place.
+class CsvTable {
+ public:
+  CsvTable(const std::string& text, std::string file, base::Diagnostics& problems)
+      : reader_(text), file_(std::move(file)), problems_(problems) {}
+
+  void error(const CsvField& field, const std::string& message);
+  /// False when the first line is not the one of this file.
+  bool readColumns(const std::string& columns);
+  /// The next row with the right number of fields; rows with another number are noted and left out.
+  bool next(CsvRow& row);
+  bool readFinite(const CsvField& field, const char* name, double& value);
+  template <class Integer>
+  bool readInt(const CsvField& field, const char* name, Integer& value) {
+    const std::optional<long long> parsed = base::parseInt(field.text);
+    if (!parsed || *parsed < std::numeric_limits<Integer>::min() ||
+        *parsed > std::numeric_limits<Integer>::max()) {
+      error(field, std::string(name) + " is not a whole number: '" + field.text + "'");
+      return false;
+    }
+    value = static_cast<Integer>(*parsed);
+    return true;
+  }
+
+ private:
+  CsvReader reader_;
+  std::string file_;
+  base::Diagnostics& problems_;
+  std::size_t width_ = 0;
 };
 
 }  // namespace sim2d

@@ -1,93 +1,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Csv.h"
 #include "sim2d/trace/Trace.h"
-#include "sim2d/trace/TraceColumns.h"
 #include "sim2d/trace/TraceJson.h"
+#include "sim2d/trace/TraceRows.h"
 
 namespace sim2d {
 
 namespace {
 
 constexpr std::int64_t kLongestGap = 10000000;  // instants without anybody
-
-/// One CSV file of a run: rows, typed fields, problems with their place.
-class Table {
- public:
-  Table(const std::string& text, std::string file, base::Diagnostics& problems)
-      : reader_(text), file_(std::move(file)), problems_(problems) {}
-
-  void error(const CsvField& field, const std::string& message) {
-    problems_.push_back(base::makeError(message, file_, field.line, field.column));
-  }
-
-  /// False when the first line is not the one of this file.
-  bool readColumns(const std::string& columns) {
-    CsvRow names;
-    std::string found;
-    if (reader_.next(names)) {
-      for (const CsvField& name : names) {
-        found += (found.empty() ? "" : ",") + name.text;
-      }
-    }
-    if (found != columns) {
-      problems_.push_back(base::makeError("the first line must be " + columns, file_, 1, 1));
-      return false;
-    }
-    width_ = names.size();
-    return true;
-  }
-
-  /// The next row with the right number of fields; rows with another number are noted and left out.
-  bool next(CsvRow& row) {
-    while (reader_.next(row)) {
-      if (reader_.isTruncated()) {
-        error(row.back(), "the file ends inside this line (cut?)");
-      } else if (row.size() != width_) {
-        error(row.back(), "the line has " + std::to_string(row.size()) + " fields instead of " +
-                              std::to_string(width_));
-      } else {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  template <class Integer>
-  bool readInt(const CsvField& field, const char* name, Integer& value) {
-    const std::optional<long long> parsed = base::parseInt(field.text);
-    if (!parsed || *parsed < std::numeric_limits<Integer>::min() ||
-        *parsed > std::numeric_limits<Integer>::max()) {
-      error(field, std::string(name) + " is not a whole number: '" + field.text + "'");
-      return false;
-    }
-    value = static_cast<Integer>(*parsed);
-    return true;
-  }
-
-  bool readFinite(const CsvField& field, const char* name, double& value) {
-    const std::optional<double> parsed = base::parseDouble(field.text);
-    if (!parsed || !std::isfinite(*parsed)) {
-      error(field, std::string(name) + " is not a finite number: '" + field.text + "'");
-      return false;
-    }
-    value = *parsed;
-    return true;
-  }
-
-  const std::string& file() const { return file_; }
-
- private:
-  CsvReader reader_;
-  std::string file_;
-  base::Diagnostics& problems_;
-  std::size_t width_ = 0;
-};
 
 struct Row {
   std::int64_t step = 0;
@@ -102,7 +28,7 @@ struct Row {
 
 class TrajectoryReader {
  public:
-  TrajectoryReader(Table& table, Trace& trace) : table_(table), trace_(trace) {
+  TrajectoryReader(CsvTable& table, Trace& trace) : table_(table), trace_(trace) {
     for (const TraceHuman& human : trace.header.humans) {
       humanIds_.insert(human.id);
     }
@@ -228,13 +154,13 @@ class TrajectoryReader {
     frame.humans.state.push_back(row.state);
   }
 
-  Table& table_;
+  CsvTable& table_;
   Trace& trace_;
   std::set<int> humanIds_, robotIds_;
   CsvField last_;
 };
 
-void readEvents(Table& table, Trace& trace) {
+void readEvents(CsvTable& table, Trace& trace) {
   if (!table.readColumns(kEventColumns)) {
     return;
   }
@@ -313,9 +239,9 @@ base::Result<Trace> readTrace(const std::string& directory) {
     return problems;  // the rows mean nothing without it
   }
   trace.header = *std::move(header);
-  Table rows(trajectory, trajectoryFile, problems);
+  CsvTable rows(trajectory, trajectoryFile, problems);
   TrajectoryReader(rows, trace).read();
-  Table eventRows(events, eventsFile, problems);
+  CsvTable eventRows(events, eventsFile, problems);
   readEvents(eventRows, trace);
   if (!base::hasErrors(problems)) {
     checkEnd(trace, trajectoryFile, problems);

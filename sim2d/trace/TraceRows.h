@@ -4,17 +4,18 @@
 
 #include "sim2d/trace/Frame.h"
 
-/// The files of a run row by row, for records that are written while they are made.
+/// The files of a run: row by row, for records that are written while they are made.
 namespace sim2d {
 
-std::string trajectoryHead();  // first lines, with their ends
-std::string eventsHead();
-std::string treesHead();
+/// First lines of the files.
+constexpr char kTrajectoryColumns[] = "step,time,id,kind,x,y,heading,vx,vy,omega,group,state,goal";
+constexpr char kEventColumns[] = "step,time,kind,id,other,text";
+constexpr char kTreeColumns[] = "step,id,node,status";
+std::string headLine(const char* columns);  // with its end
 
 /// One row per body.
 void appendTrajectoryRows(std::string& to, const Frame& frame);
 void appendEventRow(std::string& to, std::int64_t step, double dt, const Event& event);
-void appendTreeRow(std::string& to, std::int64_t step, int id, const std::string& path,
-                   base::NodeStatus status);
+void appendTreeRows(std::string& to, std::int64_t step, const TreeChanges& changes);
 
 }  // namespace sim2d

@@ -3,7 +3,6 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Csv.h"
 #include "sim2d/trace/Trace.h"
-#include "sim2d/trace/TraceColumns.h"
 #include "sim2d/trace/TraceRows.h"
 
 namespace sim2d {
@@ -66,16 +65,8 @@ std::uint64_t fnv1a(const std::string& bytes, std::uint64_t hash) {
 
 }  // namespace
 
-std::string trajectoryHead() {
-  return std::string(kTrajectoryColumns) + '\n';
-}
-
-std::string eventsHead() {
-  return std::string(kEventColumns) + '\n';
-}
-
-std::string treesHead() {
-  return "step,id,node,status\n";
+std::string headLine(const char* columns) {
+  return std::string(columns) + '\n';
 }
 
 void appendTrajectoryRows(std::string& to, const Frame& frame) {
@@ -103,20 +94,21 @@ void appendEventRow(std::string& to, std::int64_t step, double dt, const Event& 
   to += '\n';
 }
 
-void appendTreeRow(std::string& to, std::int64_t step, int id, const std::string& path,
-                   base::NodeStatus status) {
-  appendInt(to, step);
-  to += ',';
-  appendInt(to, id);
-  to += ',';
-  appendCsvField(to, path);
-  to += ',';
-  to += base::nodeStatusName(status);
-  to += '\n';
+void appendTreeRows(std::string& to, std::int64_t step, const TreeChanges& changes) {
+  const std::string stamp = std::to_string(step) + ',';
+  changes.forEach([&](int id, const TreeChanges::Paths& paths, int node, base::NodeStatus status) {
+    to += stamp;
+    appendInt(to, id);
+    to += ',';
+    appendCsvField(to, paths->at(static_cast<std::size_t>(node)));
+    to += ',';
+    to += base::nodeStatusName(status);
+    to += '\n';
+  });
 }
 
 std::string trajectoryCsv(const Trace& trace) {
-  std::string text = trajectoryHead();
+  std::string text = headLine(kTrajectoryColumns);
   for (const Frame& frame : trace.frames) {
     appendTrajectoryRows(text, frame);
   }
@@ -124,7 +116,7 @@ std::string trajectoryCsv(const Trace& trace) {
 }
 
 std::string eventsCsv(const Trace& trace) {
-  std::string text = eventsHead();
+  std::string text = headLine(kEventColumns);
   for (const auto& [step, event] : trace.events) {
     appendEventRow(text, step, trace.header.dt, event);
   }

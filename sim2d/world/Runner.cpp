@@ -32,13 +32,13 @@ std::string reasonToStop(const World& world, const StopRule& rule,
   return wantsStop && wantsStop(world.frame()) ? "interrupted" : "";
 }
 
-void appendLast(Frame frame, const std::string& reason, Recorder& recorder) {
+void appendLast(Frame frame, const std::string& reason, FrameSink& sink) {
   Event stop;
   stop.kind = EventKind::Stop;
   stop.hasId = false;
   stop.text = reason;
   frame.events.push_back(std::move(stop));
-  recorder.append(frame);
+  sink.append(frame);
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ StopRule stopRuleOf(const Environment& scenario) {
   return {std::llround((hasMovingRobot ? kWithRobot : kWithoutRobot) / dt), hasMovingRobot};
 }
 
-RunResult run(World& world, const StopRule& rule, Recorder& recorder,
+RunResult run(World& world, const StopRule& rule, FrameSink& sink,
               const std::function<bool(const Frame&)>& wantsStop) {
   using Clock = std::chrono::steady_clock;
   RunResult result;
@@ -67,7 +67,7 @@ RunResult run(World& world, const StopRule& rule, Recorder& recorder,
       result.reason = world.failure();
       break;
     }
-    recorder.append(last);
+    sink.append(last);
     last = world.frame();
     result.reason = reasonToStop(world, rule, wantsStop);
   }
@@ -75,7 +75,7 @@ RunResult run(World& world, const StopRule& rule, Recorder& recorder,
     result.status = RunStatus::Interrupted;
   }
   result.steps = world.stepIndex();
-  appendLast(std::move(last), result.reason, recorder);
+  appendLast(std::move(last), result.reason, sink);
   return result;
 }
 

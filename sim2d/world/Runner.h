@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "sim2d/trace/Recorder.h"
+#include "sim2d/trace/Recording.h"
 #include "sim2d/world/World.h"
 
 namespace sim2d {
@@ -26,9 +26,9 @@ struct StopRule {
 /// without a robot that moves.
 StopRule stopRuleOf(const Environment& scenario);
 
-/// Steps until the rule holds, `wantsStop` says so, or the world fails. The recorder gets every
-/// frame from step 0 on; the last one carries the event `stop`.
-RunResult run(World& world, const StopRule& rule, Recorder& recorder,
+/// Steps until the rule holds, `wantsStop` says so, or the world fails. The sink gets every state
+/// from step 0 on, each when the next one is there; the last one carries the event `stop`.
+RunResult run(World& world, const StopRule& rule, FrameSink& sink,
               const std::function<bool(const Frame&)>& wantsStop = {});
 
 }  // namespace sim2d

@@ -87,12 +87,12 @@ std::string hashOfRun(const std::string& path, int threads) {
   if (!world) {
     return {};
   }
-  sim2d::Recorder recorder(loaded.scenario->desktop.recordEvery.value_or(1));
-  const sim2d::RunResult result = sim2d::run(*world, stopRuleOf(loaded), recorder);
+  sim2d::Recording recording(loaded.scenario->desktop.recordEvery.value_or(1));
+  const sim2d::RunResult result = sim2d::run(*world, stopRuleOf(loaded), recording);
   if (result.status != sim2d::RunStatus::Finished) {
     return result.reason;
   }
-  return QByteArray::number(qulonglong(sim2d::hashOf(recorder.finish(world->header()))), 16)
+  return QByteArray::number(qulonglong(sim2d::hashOf(recording.trace(world->header()))), 16)
       .toStdString();
 }
 
@@ -154,7 +154,7 @@ void ShippedScenariosTest::scenario_loaded_saysNothing() {
     if (entry.path().filename().string().rfind(file.stem().string() + "__agent_", 0) == 0) {
       const bool isUsed =
           std::any_of(loaded.trees.begin(), loaded.trees.end(), [&](const auto& tree) {
-            return fs::path(tree.second).filename() == entry.path().filename();
+            return fs::path(tree.second.path).filename() == entry.path().filename();
           });
       QVERIFY2(isUsed, entry.path().c_str());
     }

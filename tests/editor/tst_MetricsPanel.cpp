@@ -89,8 +89,7 @@ class MetricsPanelTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(runner.isFinished() || notStarted.count() > 0, 20000);
     QCOMPARE(notStarted.count(), 0);
     QTRY_VERIFY_WITH_TIMEOUT(feed.isCurrent(), 20000);
-    QTRY_VERIFY_WITH_TIMEOUT(runner.trace() != nullptr, 20000);
-    const auto evaluation = metrics::evaluate(*runner.trace(), feed.selection(), {});
+    const auto evaluation = metrics::evaluate(runner.recording()->trace(), feed.selection(), {});
     QVERIFY(bool(evaluation));
     QCOMPARE(feed.snapshot().results.size(), evaluation->results.size());
     int defined = 0;

@@ -52,9 +52,9 @@ class SimulationRunnerTest : public QObject {
   void record_asFastAsPossible_equalsTheHeadlessRun() {
     auto world = makeWorld();
     QVERIFY(bool(world));
-    sim2d::Recorder recorder;
-    const sim2d::RunResult expected = sim2d::run(**world, {200, true}, recorder);
-    const sim2d::Trace headless = recorder.finish((*world)->header());
+    sim2d::Recording recording;
+    const sim2d::RunResult expected = sim2d::run(**world, {200, true}, recording);
+    const sim2d::Trace headless = recording.trace((*world)->header());
 
     SimulationRunner runner;
     runner.setRequest([] { return request(200); });
@@ -63,21 +63,20 @@ class SimulationRunnerTest : public QObject {
     runner.play();
     QTest::qWait(20);
     runner.pause();
-    runner.requestTrace();
     runner.stepOnce();
     runner.play();
     QVERIFY(finished.wait(20000));
     QVERIFY(runner.isFinished());
     QCOMPARE(runner.state(), SimulationRunner::State::Paused);
-    const TracePtr trace = runner.trace();
-    QVERIFY(trace != nullptr);
-    QVERIFY(sim2d::trajectoryCsv(*trace) == sim2d::trajectoryCsv(headless));
-    QVERIFY(sim2d::eventsCsv(*trace) == sim2d::eventsCsv(headless));
-    QVERIFY(sim2d::traceJson(trace->header) == sim2d::traceJson(headless.header));
+    const sim2d::Trace trace = runner.recording()->trace();
+    QVERIFY(sim2d::trajectoryCsv(trace) == sim2d::trajectoryCsv(headless));
+    QVERIFY(sim2d::eventsCsv(trace) == sim2d::eventsCsv(headless));
+    QVERIFY(sim2d::traceJson(trace.header) == sim2d::traceJson(headless.header));
+    QVERIFY(runner.recording()->treesCsv() == recording.treesCsv());
     const auto result = finished.front().front().value<sim2d::RunResult>();
     QCOMPARE(result.steps, expected.steps);
     QVERIFY(result.reason == expected.reason);
-    QCOMPARE(runner.history().size(), static_cast<std::size_t>(expected.steps) + 1);
+    QCOMPARE(runner.recording()->size(), static_cast<std::size_t>(expected.steps) + 1);
   }
 
   void stepOnce_fromEditing_makesOneStep() {
@@ -118,7 +117,7 @@ class SimulationRunnerTest : public QObject {
     runner.setRequest([] { return request(1000); });
     runner.setSpeed(20.0);
     runner.play();
-    QTRY_VERIFY(runner.history().size() > 20);
+    QTRY_VERIFY(runner.newestFrame() != nullptr && runner.newestFrame()->step > 20);
     runner.seek(7);
     QCOMPARE(runner.state(), SimulationRunner::State::Paused);
     QCOMPARE(runner.shownFrame()->step, std::int64_t{7});
@@ -127,18 +126,54 @@ class SimulationRunnerTest : public QObject {
     QCOMPARE(runner.state(), SimulationRunner::State::Running);
   }
 
-  void reset_duringARun_clearsAndKeepsTheTrace() {
+  void reset_duringARun_clearsAndLeavesTheRecording() {
     SimulationRunner runner;
     runner.setRequest([] { return request(1000); });
     runner.play();
     QTRY_VERIFY(runner.newestFrame() != nullptr && runner.newestFrame()->step > 0);
+    const editor::RecordingPtr kept = runner.recording();
     runner.reset();
     QCOMPARE(runner.state(), SimulationRunner::State::Editing);
     QVERIFY(runner.shownFrame() == nullptr);
-    QVERIFY(runner.trace() != nullptr);
-    QVERIFY(runner.trace()->events.back().second.text == "interrupted");
+    QVERIFY(runner.recording() == nullptr);
+    QVERIFY(kept->events()[kept->events().size() - 1].second.text == "interrupted");
     runner.play();
     QTRY_VERIFY(runner.shownFrame() != nullptr);
+  }
+
+  void openRecorded_playsScrubsAndIsLeft() {
+    auto world = makeWorld();
+    QVERIFY(bool(world));
+    auto recording = std::make_shared<sim2d::Recording>();
+    sim2d::run(**world, {100, false}, *recording);
+    recording->setHeader((*world)->header());
+    SimulationRunner runner;
+    runner.openRecorded(recording);
+    QVERIFY(runner.isRecorded() && runner.isFinished() && !runner.isLookingBack());
+    QCOMPARE(runner.state(), SimulationRunner::State::Paused);
+    QCOMPARE(runner.shownFrame()->step, std::int64_t{0});
+    QCOMPARE(runner.newestFrame()->step, std::int64_t{100});
+    runner.stepOnce();
+    runner.stepOnce();
+    runner.stepBack();
+    QCOMPARE(runner.shownFrame()->step, std::int64_t{1});
+    runner.setSpeed(2.0);
+    runner.play();
+    QTRY_VERIFY(runner.shownFrame()->step > 5);
+    runner.pause();
+    QCOMPARE(runner.state(), SimulationRunner::State::Paused);
+    runner.seek(40);
+    QVERIFY(runner.shownFrame()->humans == recording->frame(40)->humans);
+    QVERIFY(!runner.isLookingBack());
+    runner.setSpeed(std::numeric_limits<double>::infinity());
+    runner.play();
+    QTRY_COMPARE(runner.state(), SimulationRunner::State::Paused);  // at its end
+    QCOMPARE(runner.shownFrame()->step, std::int64_t{100});
+    runner.play();  // once more
+    QVERIFY(runner.shownFrame()->step < 100);
+    runner.reset();
+    QVERIFY(!runner.isRecorded() && runner.recording() == nullptr);
+    QCOMPARE(runner.state(), SimulationRunner::State::Editing);
   }
 
   void makeWorld_withErrors_isToldAndLeavesEditing() {

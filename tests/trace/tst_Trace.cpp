@@ -2,7 +2,7 @@
 #include <QtTest>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/trace/Recorder.h"
+#include "sim2d/trace/Recording.h"
 #include "sim2d/trace/Trace.h"
 
 using namespace sim2d;
@@ -84,7 +84,7 @@ Event makeEvent(EventKind kind, int id, const std::string& text) {
 }
 
 Trace sampleTrace(int recordEvery = 1) {
-  Recorder recorder(recordEvery);
+  Recording recording(recordEvery);
   for (int step = 0; step <= 4; ++step) {
     Frame frame = frameAt(step, 0.1);
     if (step == 1) {
@@ -98,9 +98,9 @@ Trace sampleTrace(int recordEvery = 1) {
       stop.hasId = false;
       frame.events = {stop};
     }
-    recorder.append(frame);
+    recording.append(frame);
   }
-  return recorder.finish(sampleHeader());
+  return recording.trace(sampleHeader());
 }
 
 void writeRun(const Trace& trace, const std::string& folder) {

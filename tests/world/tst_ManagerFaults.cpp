@@ -3,7 +3,7 @@
 
 #include <QtTest>
 
-#include "sim2d/trace/Recorder.h"
+#include "sim2d/trace/Recording.h"
 #include "sim2d/world/Runner.h"
 #include "tests/world/TestWorld.h"
 
@@ -94,9 +94,9 @@ void ManagerFaultsTest::d05_secondRun_knowsNothingOfTheFirst() {
     base::Result<std::unique_ptr<World>> world = World::create(std::move(setup));
     QVERIFY(world);
     begins.push_back((*world)->frame());
-    Recorder recorder;
-    run(**world, {400, false}, recorder);
-    traces.push_back(recorder.finish((*world)->header()));
+    Recording recording;
+    run(**world, {400, false}, recording);
+    traces.push_back(recording.trace((*world)->header()));
   }
   QCOMPARE(begins[0].humans.x, (std::vector<double>{0.0, 4.0}));
   QVERIFY(begins[1].humans.x == begins[0].humans.x);

@@ -42,9 +42,9 @@ Scenario crossing() {
 
 Trace traceOf(const Scenario& scenario, std::int64_t steps) {
   const std::unique_ptr<World> world = make(scenario);
-  Recorder recorder;
-  run(*world, {steps, false}, recorder);
-  return recorder.finish(world->header());
+  Recording recording;
+  run(*world, {steps, false}, recording);
+  return recording.trace(world->header());
 }
 
 }  // namespace
@@ -75,8 +75,8 @@ void RunnerTest::run_robotArrives_endsOneSecondLater() {
   Scenario scenario;
   addRobot(scenario, Vec2::Zero(), Vec2(2.0, 0.0));
   const std::unique_ptr<World> world = make(scenario);
-  Recorder recorder;
-  const RunResult result = run(*world, stopRuleOf(scenario), recorder);
+  Recording recording;
+  const RunResult result = run(*world, stopRuleOf(scenario), recording);
   QVERIFY(result.status == RunStatus::Finished && result.reason == "arrived");
   QVERIFY(std::fabs(world->time() - *world->arrivedAt() - 1.0) < 1e-9);
   QCOMPARE(result.steps, world->stepIndex());
@@ -84,11 +84,11 @@ void RunnerTest::run_robotArrives_endsOneSecondLater() {
 
 void RunnerTest::run_interrupted_keepsWhatIsDone() {
   const std::unique_ptr<World> world = make(crossing());
-  Recorder recorder;
+  Recording recording;
   const RunResult result =
-      run(*world, {100, false}, recorder, [](const Frame& frame) { return frame.step == 12; });
+      run(*world, {100, false}, recording, [](const Frame& frame) { return frame.step == 12; });
   QVERIFY(result.status == RunStatus::Interrupted);
-  QCOMPARE(recorder.finish(world->header()).frames.size(), std::size_t{13});
+  QCOMPARE(recording.trace(world->header()).frames.size(), std::size_t{13});
 }
 
 void RunnerTest::run_diverged_failsWithTheReason() {
@@ -96,11 +96,11 @@ void RunnerTest::run_diverged_failsWithTheReason() {
       make(crossing(), [](const WorldView& view, Intents& intents) {
         intents.of(2).speed = view.step() > 9 ? std::nan("") : 1.0;
       });
-  Recorder recorder;
-  const RunResult result = run(*world, {100, false}, recorder);
+  Recording recording;
+  const RunResult result = run(*world, {100, false}, recording);
   QVERIFY(result.status == RunStatus::Failed);
   QVERIFY(result.reason.find("person2") != std::string::npos);
-  const Trace trace = recorder.finish(world->header());
+  const Trace trace = recording.trace(world->header());
   QCOMPARE(trace.frames.size(), std::size_t{10});
   QVERIFY(trace.events.back().second.text == result.reason);
 }
@@ -145,9 +145,9 @@ void RunnerTest::run_threads_giveEqualTraces() {
     setup.threads = threads;
     base::Result<std::unique_ptr<World>> world = World::create(std::move(setup));
     QVERIFY(world);
-    Recorder recorder;
-    run(**world, {40, false}, recorder);
-    hashes.push_back(hashOf(recorder.finish((*world)->header())));
+    Recording recording;
+    run(**world, {40, false}, recording);
+    hashes.push_back(hashOf(recording.trace((*world)->header())));
   }
   QCOMPARE(hashes[1], hashes[0]);
   QCOMPARE(hashes[2], hashes[0]);

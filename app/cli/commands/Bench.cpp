@@ -18,7 +18,7 @@
 #include "app/cli/Console.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioCheck.h"
-#include "sim2d/trace/Recorder.h"
+#include "sim2d/trace/Recording.h"
 #include "sim2d/world/Sensing.h"
 #include "sim2d/world/crowd/CrowdForces.h"
 
@@ -120,7 +120,7 @@ bool measureRound(sim2d::World& world, const sim2d::Surroundings& surroundings,
   const int lastStep = crossingSteps(row.scene);
   const sim2d::StepClock clock = row.times.clock;
   world.measure(&row.times);
-  sim2d::Recorder recorder;
+  sim2d::Recording recorded;
   double recording = 0.0;
   const double end = sim2d::secondsBy(clock) + atLeastSeconds;
   while (row.times.steps < kFewestSteps ||
@@ -130,7 +130,7 @@ bool measureRound(sim2d::World& world, const sim2d::Surroundings& surroundings,
     }
     row.sensing += scanSeconds(world, surroundings, clock);
     const double record = sim2d::secondsBy(clock);
-    recorder.append(world.frame());
+    recorded.append(world.frame());
     recording += sim2d::secondsBy(clock) - record;
   }
   world.measure(nullptr);

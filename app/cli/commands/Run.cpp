@@ -13,7 +13,6 @@
 #include "metrics/Counterfactual.h"
 #include "metrics/ReportFiles.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/trace/Recorder.h"
 #include "sim2d/world/Runner.h"
 
 namespace app {
@@ -28,7 +27,6 @@ FinishedRun simulate(sim2d::World& world, const sim2d::Scenario& scenario,
                      const MetricsSetup& scenarioSetup, RunWriter& writer,
                      const OutputOptions& output) {
   const sim2d::StopRule rule = sim2d::stopRuleOf(scenario);
-  sim2d::Recorder recorder(scenario.desktop.recordEvery.value_or(1), &writer);
   const double end = static_cast<double>(rule.maximumSteps) * world.dt();
   sim2d::StepTimes times;
   metrics::PlanningTime planning;
@@ -39,7 +37,7 @@ FinishedRun simulate(sim2d::World& world, const sim2d::Scenario& scenario,
   sim2d::RunResult result;
   {
     Progress progress(output.quiet);
-    result = sim2d::run(world, rule, recorder, [&](const sim2d::Frame& frame) {
+    result = sim2d::run(world, rule, writer, [&](const sim2d::Frame& frame) {
       const double now = times.seconds[static_cast<std::size_t>(sim2d::StepPhase::Robots)];
       if (times.steps > planning.steps()) {
         planning.add(now - planned);
@@ -52,7 +50,7 @@ FinishedRun simulate(sim2d::World& world, const sim2d::Scenario& scenario,
     });
   }
   world.measure(nullptr);
-  sim2d::TraceHeader header = recorder.finish(world.header()).header;
+  sim2d::TraceHeader header = world.header();
   noteMetricsFile(scenarioSetup, header);
   return {std::move(header), std::move(result), planning, writer.evaluation(), {}, false};
 }
@@ -69,13 +67,13 @@ base::Result<sim2d::Trace> simulateWithoutRobots(const Bundle& bundle, std::int6
   if (!verdict.world) {
     return verdict.problems;
   }
-  sim2d::Recorder recorder(scenario->desktop.recordEvery.value_or(1));
-  const sim2d::RunResult result = sim2d::run(*verdict.world, {steps, false}, recorder,
+  sim2d::Recording recording(scenario->desktop.recordEvery.value_or(1));
+  const sim2d::RunResult result = sim2d::run(*verdict.world, {steps, false}, recording,
                                              [](const sim2d::Frame&) { return wasInterrupted(); });
   if (result.status != sim2d::RunStatus::Finished) {
     return base::makeError("the run without robots ended early: " + result.reason, bundle.path);
   }
-  return recorder.finish(verdict.world->header());
+  return recording.trace(verdict.world->header());
 }
 
 /// Adds the sums to the metrics and makes the table of people.
@@ -88,9 +86,8 @@ base::Diagnostics compareWithoutRobots(const Bundle& bundle, const RunWriter& wr
   if (!alone) {
     return alone.diagnostics();
   }
-  sim2d::Trace with = writer.trace();
-  with.header = run.header;
-  const std::vector<metrics::PersonEffect> effects = metrics::personEffects(with, *alone);
+  const std::vector<metrics::PersonEffect> effects =
+      metrics::personEffects(writer.recording()->trace(run.header), *alone);
   run.effectsCsv = metrics::effectsCsv(effects);
   if (run.evaluation) {
     const std::vector<metrics::MetricResult> sums = metrics::effectSums(effects);
@@ -215,7 +212,7 @@ int runCommand(const RunOptions& options, const OutputOptions& output,
   RunWriter writer(options.totals ? std::string() : options.output, world,
                    verdict.metrics.selection, verdict.metrics.parameters);
   if (options.counterfactual) {
-    writer.keepTrace();
+    writer.keepRecording();
   }
   FinishedRun run = simulate(world, *bundle.scenario, verdict.scenarioMetrics, writer, output);
   run.totalsOnly = options.totals;

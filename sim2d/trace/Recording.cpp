@@ -1,0 +1,208 @@
+#include "sim2d/trace/Recording.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "sim2d/trace/FramePack.h"
+#include "sim2d/trace/TraceRows.h"
+
+namespace sim2d {
+
+namespace {
+
+constexpr std::size_t kKeyEvery = 64;         // states
+constexpr std::size_t kChangesPerNode = 4;    // between two keys of the trees
+constexpr std::size_t kFewestChanges = 1000;  // idem
+
+/// To all trees, or to that of one person.
+void apply(const TreeChanges& changes, std::map<int, TreeState>& trees,
+           std::optional<int> only = std::nullopt) {
+  int last = 0;
+  TreeState* tree = nullptr;
+  changes.forEach([&](int id, const TreeChanges::Paths& paths, int node, base::NodeStatus status) {
+    if (only && id != *only) {
+      return;
+    }
+    if (tree == nullptr || id != last) {
+      tree = &trees[id];
+      last = id;
+    }
+    if (tree->paths != paths) {
+      tree->paths = paths;
+      tree->statuses.resize(paths->size(), base::NodeStatus::Idle);
+    }
+    tree->statuses[static_cast<std::size_t>(node)] = status;
+  });
+}
+
+}  // namespace
+
+Recording::Recording(int recordEvery, std::size_t mostInMemory)
+    : recordEvery_(recordEvery), memoryLeft_(mostInMemory) {}
+
+void Recording::append(const Frame& frame) {
+  if (frame.treeChanges.size() > 0) {
+    addTreeChanges(frame.step, frame.treeChanges);
+  }
+  for (const Input& input : frame.inputs) {
+    addInput(frame.step, input);
+  }
+  std::vector<Event> events = frame.events;
+  std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) {
+    return std::tie(a.kind, a.id) < std::tie(b.kind, b.id);
+  });
+  for (Event& event : events) {
+    addEvent(frame.step, std::move(event));
+  }
+  if (frame.step % recordEvery_ == 0) {  // last: who reads it finds what belongs to it
+    addState(frame);
+  }
+}
+
+void Recording::addState(const Frame& frame) {
+  const bool isKey = states_.size() % kKeyEvery == 0;
+  State state{frame.step, frame.time, packFrame(frame, isKey ? Frame() : key_), {}};
+  if (isKey) {
+    key_ = frame;
+  }
+  if (state.bytes.size() > memoryLeft_) {
+    if (const auto piece = file_.append(state.bytes)) {
+      state.piece = *piece;
+      state.bytes = std::string();
+    }
+  }
+  memoryLeft_ -= std::min(memoryLeft_, state.bytes.size());
+  states_.append(std::move(state));
+}
+
+void Recording::addEvent(std::int64_t step, Event event) {
+  events_.append({step, std::move(event)});
+}
+
+void Recording::addInput(std::int64_t step, Input input) {
+  inputs_.append({step, std::move(input)});
+}
+
+void Recording::addTreeChanges(std::int64_t step, const TreeChanges& changes) {
+  TreeStep entry{step, changes, nullptr};
+  const std::size_t most = kFewestChanges + kChangesPerNode * nodes_;
+  if (trees_.size() % kFewestChanges == 0 || changesSinceKey_ > most) {
+    entry.before = std::make_shared<const TreeStates>(treesNow_);
+    changesSinceKey_ = 0;
+    nodes_ = 0;
+    for (const auto& [id, tree] : treesNow_) {
+      nodes_ += tree.statuses.size();
+    }
+  }
+  changesSinceKey_ += changes.size();
+  trees_.append(std::move(entry));
+  apply(changes, treesNow_);
+}
+
+void Recording::setHeader(TraceHeader header) {
+  header.recordEvery = recordEvery_;
+  headers_.append(std::make_shared<const TraceHeader>(std::move(header)));
+}
+
+std::size_t Recording::indexAt(std::int64_t step) const {
+  const std::size_t upTo = states_.count([step](const State& state) { return state.step <= step; });
+  return upTo == 0 ? 0 : upTo - 1;
+}
+
+std::size_t Recording::indexAtTime(double time) const {
+  constexpr double kLimit = 1e-9;  // times are reached this much early
+  const std::size_t upTo =
+      states_.count([time](const State& state) { return state.time <= time + kLimit; });
+  return upTo == 0 ? 0 : upTo - 1;
+}
+
+Frame Recording::unpack(std::size_t index, const Frame& key) const {
+  const State& state = states_[index];
+  if (!state.bytes.empty()) {
+    return unpackFrame(state.bytes, key);
+  }
+  if (const std::optional<std::string> bytes = file_.read(state.piece)) {
+    return unpackFrame(*bytes, key);
+  }
+  Frame nobody;
+  nobody.step = state.step;
+  nobody.time = state.time;
+  return nobody;
+}
+
+FramePtr Recording::frame(std::size_t index) const {
+  const std::size_t keyIndex = index - index % kKeyEvery;
+  Frame key = unpack(keyIndex, Frame());
+  return std::make_shared<const Frame>(index == keyIndex ? std::move(key) : unpack(index, key));
+}
+
+std::shared_ptr<const TraceHeader> Recording::header() const {
+  const std::size_t count = headers_.size();
+  return count > 0 ? headers_[count - 1] : std::make_shared<const TraceHeader>();
+}
+
+template <class Begin, class Change>
+void Recording::replayTrees(std::int64_t step, Begin begin, Change change) const {
+  const std::size_t end = trees_.count([step](const TreeStep& each) { return each.step <= step; });
+  if (end == 0) {
+    return;
+  }
+  std::size_t from = end - 1;
+  while (!trees_[from].before) {
+    --from;
+  }
+  begin(*trees_[from].before);
+  for (; from < end; ++from) {
+    change(trees_[from].changes);
+  }
+}
+
+std::map<int, TreeState> Recording::treesAt(std::int64_t step) const {
+  TreeStates trees;
+  replayTrees(
+      step, [&](const TreeStates& before) { trees = before; },
+      [&](const TreeChanges& changes) { apply(changes, trees); });
+  return trees;
+}
+
+TreeState Recording::treeAt(int person, std::int64_t step) const {
+  TreeStates trees;
+  replayTrees(
+      step,
+      [&](const TreeStates& before) {
+        if (const auto found = before.find(person); found != before.end()) {
+          trees.insert(*found);
+        }
+      },
+      [&](const TreeChanges& changes) { apply(changes, trees, person); });
+  return trees[person];
+}
+
+Trace Recording::trace(TraceHeader header) const {
+  Trace trace;
+  trace.header = std::move(header);
+  trace.header.recordEvery = recordEvery_;
+  const std::size_t states = size();
+  Frame key;
+  for (std::size_t k = 0; k < states; ++k) {
+    const bool isKey = k % kKeyEvery == 0;
+    trace.frames.push_back(unpack(k, isKey ? Frame() : key));
+    key = isKey ? trace.frames.back() : std::move(key);
+  }
+  const std::size_t events = events_.size();
+  for (std::size_t k = 0; k < events; ++k) {
+    trace.events.push_back(events_[k]);
+  }
+  return trace;
+}
+
+std::string Recording::treesCsv() const {
+  std::string rows = headLine(kTreeColumns);
+  const std::size_t steps = trees_.size();
+  for (std::size_t k = 0; k < steps; ++k) {
+    appendTreeRows(rows, trees_[k].step, trees_[k].changes);
+  }
+  return rows;
+}
+
+}  // namespace sim2d

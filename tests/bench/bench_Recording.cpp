@@ -1,0 +1,86 @@
+#include <cmath>
+
+#include <QtTest>
+
+#include "sim2d/trace/Recording.h"
+
+using namespace sim2d;
+
+/// A run of 10 minutes with 100 people whose trees have 20 nodes: the way to any state and to the
+/// trees at any step. Limit: 1 ms each, in memory and on the disk.
+class RecordingBench : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void jump_data();
+  void jump();
+};
+
+namespace {
+
+constexpr int kPeople = 100, kNodes = 20;
+constexpr std::int64_t kSteps = 12000;  // of 0.05 s
+
+Frame frameAt(std::int64_t step, const TreeChanges::Paths& names) {
+  Frame frame;
+  frame.step = step;
+  frame.time = 0.05 * static_cast<double>(step);
+  HumanColumns& humans = frame.humans;
+  for (int id = 1; id <= kPeople; ++id) {
+    const double phase = 0.01 * static_cast<double>(step) + id;
+    humans.id.push_back(id);
+    humans.x.push_back(std::cos(phase));
+    humans.y.push_back(std::sin(phase));
+    humans.heading.push_back(phase);
+    humans.vx.push_back(-std::sin(phase));
+    humans.vy.push_back(std::cos(phase));
+    humans.omega.push_back(0.2);
+    humans.group.push_back(-1);
+    humans.state.push_back(0);
+    humans.goal.push_back(1);
+    for (std::vector<Vec2>* forces :
+         {&frame.forces.goal, &frame.forces.social, &frame.forces.obstacle, &frame.forces.group}) {
+      forces->emplace_back(phase, -phase);
+    }
+    for (int node = 0; node < kNodes; ++node) {
+      if (step == 1 || (step + 7 * id + node) % 40 == 0) {
+        const auto status = static_cast<base::NodeStatus>((step / 40 + node) % 4);
+        frame.treeChanges.add(id, names, node, status);
+      }
+    }
+  }
+  return frame;
+}
+
+}  // namespace
+
+void RecordingBench::jump_data() {
+  QTest::addColumn<qulonglong>("memory");
+  QTest::newRow("memory") << (qulonglong{1} << 32);
+  QTest::newRow("disk") << qulonglong{0};
+}
+
+void RecordingBench::jump() {
+  QFETCH(qulonglong, memory);
+  Recording recording(1, memory);
+  const auto names = std::make_shared<const std::vector<std::string>>(kNodes, "Main");
+  for (std::int64_t step = 0; step <= kSteps; ++step) {
+    recording.append(frameAt(step, names));
+  }
+  std::size_t people = 0, jumps = 0;
+  double slowest = 0.0, total = 0.0;
+  for (std::size_t index = 0; jumps < 2000; index = (index + 7919) % recording.size(), ++jumps) {
+    QElapsedTimer clock;
+    clock.start();
+    people += recording.frame(index)->humans.size();
+    people += recording.treesAt(recording.stepOf(index)).size();
+    const double taken = 1e-6 * static_cast<double>(clock.nsecsElapsed());
+    slowest = std::max(slowest, taken);
+    total += taken;
+  }
+  QVERIFY(people > 0);
+  qInfo("%.3f ms per jump, slowest %.3f ms", total / static_cast<double>(jumps), slowest);
+  QTest::setBenchmarkResult(total / static_cast<double>(jumps), QTest::WalltimeMilliseconds);
+}
+
+QTEST_APPLESS_MAIN(RecordingBench)
+#include "bench_Recording.moc"
