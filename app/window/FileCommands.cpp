@@ -26,6 +26,7 @@ FileCommands::FileCommands(Workspace& workspace, editor::IssuesPanel& issues, Me
       tell({});
     }
   });
+  connect(&workspace_, &Workspace::recordedRunLeft, this, &FileCommands::leaveRun);
 }
 
 bool FileCommands::tell(const base::Diagnostics& problems) {
@@ -48,6 +49,9 @@ bool FileCommands::isImage(const QString& path) {
 
 /// By what stands in the file, for images by the name.
 FileCommands::Kind FileCommands::kindOf(const QString& path) const {
+  if (QFileInfo(path).isDir()) {
+    return Kind::Run;
+  }
   if (isImage(path)) {
     return Kind::Image;
   }
@@ -72,6 +76,8 @@ bool FileCommands::openFile(const QString& path) {
       return true;
     case Kind::Tree:
       return giveTree(path, {});
+    case Kind::Run:
+      return openRun(path);
     case Kind::Scenario:
       break;
   }

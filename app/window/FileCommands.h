@@ -41,8 +41,8 @@ class FileCommands : public QObject {
     options_ = options;
     compatibility_ = compatibility;
   }
-  /// A scenario, a map for a new one, or a tree for the people that are selected. False: it could
-  /// not be read, or only in part; the issues say why.
+  /// A scenario, a map for a new one, the folder of a recorded run, or a tree for the people that
+  /// are selected. False: it could not be read, or only in part; the issues say why.
   bool openFile(const QString& path);
   static bool isImage(const QString& path);  // by its name; opening it asks for its scale
   /// The same for a file that was dropped onto `under` (nothing = beside everything).
@@ -62,6 +62,7 @@ class FileCommands : public QObject {
 
   // with dialogs
   void askOpen();
+  void askOpenRun();
   void askNewFromMap();
   void askNewRoom();
   void askMapOfImage(const QString& path);
@@ -76,7 +77,8 @@ class FileCommands : public QObject {
   bool mayLeave();
 
  Q_SIGNALS:
-  void opened();  // a document is there to be edited
+  void opened();  // a document is there to be edited, or a recorded run to be seen
+  void closed();  // nothing is there any more
   void recentChanged();
   void issuesRaised();
   void exported(const QString& folder, int files);
@@ -85,12 +87,14 @@ class FileCommands : public QObject {
   void imageWanted(const QString& path);  // a picture to make a map of
 
  private:
-  enum class Kind { Scenario, Map, Image, Tree };
+  enum class Kind { Scenario, Map, Image, Tree, Run };
   bool tell(const base::Diagnostics& problems);
   base::Diagnostics applyRunOptions();
   QString folder() const;
   Kind kindOf(const QString& path) const;
   bool openScenario(const QString& path);
+  bool openRun(const QString& path);
+  void leaveRun();
   bool giveTree(const QString& path, editor::EntityId under);
   bool mayWriteOver();
   bool isMap(const QString& path) const;
@@ -104,7 +108,8 @@ class FileCommands : public QObject {
   RunOptions options_;
   sim2d::Compatibility compatibility_;
   base::Diagnostics problems_;
-  bool mapRefused_ = false;  // what they say ends with the next map
+  QString beforeRun_, scenarioOfRun_;  // files; a recorded run is shown
+  bool mapRefused_ = false;            // what they say ends with the next map
 };
 
 }  // namespace app

@@ -59,6 +59,12 @@ QString FileDialogs::openFile(const QString& title, const QString& folder,
   return ask(dialog, memory_);
 }
 
+QString FileDialogs::openFolder(const QString& title, const QString& folder) const {
+  QFileDialog dialog(&window_, title, folder);
+  dialog.setFileMode(QFileDialog::Directory);
+  return ask(dialog, memory_);
+}
+
 QString FileDialogs::saveFile(const QString& title, const QString& proposed, const QString& filter,
                               const QString& suffix) const {
   const QFileInfo file(proposed);

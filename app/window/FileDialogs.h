@@ -14,6 +14,7 @@ class FileDialogs {
   FileDialogs(Memory& memory, QWidget& window) : memory_(memory), window_(window) {}
 
   QString openFile(const QString& title, const QString& folder, const QString& filter) const;
+  QString openFolder(const QString& title, const QString& folder) const;
   /// `proposed`: a whole path. Asks before a file is replaced; a name without an ending gets
   /// `suffix`.
   QString saveFile(const QString& title, const QString& proposed, const QString& filter,

@@ -132,6 +132,7 @@ void MainWindow::connectFiles() {
   });
   connect(actions_->newFromMap, &QAction::triggered, files, &FileCommands::askNewFromMap);
   connect(actions_->open, &QAction::triggered, files, &FileCommands::askOpen);
+  connect(actions_->openRun, &QAction::triggered, files, &FileCommands::askOpenRun);
   connect(actions_->openMap, &QAction::triggered, files, &FileCommands::askOtherMap);
   connect(actions_->save, &QAction::triggered, files, &FileCommands::save);
   connect(actions_->saveAs, &QAction::triggered, files, &FileCommands::saveAs);
@@ -157,6 +158,7 @@ void MainWindow::connectFiles() {
     showStart(false);
     workspace_.view().fitAll(false);
   });
+  connect(files, &FileCommands::closed, this, [this] { showStart(true); });
   connect(files, &FileCommands::issuesRaised, this, [this] {
     if (isOnStartPage()) {
       guard_->tellUnread(files_->problems());
@@ -204,6 +206,10 @@ void MainWindow::connectView() {
 
 void MainWindow::connectRun() {
   SimulationRunner& runner = workspace_.runner();
+  connect(&runner, &SimulationRunner::stateChanged, this, &MainWindow::followState);
+  connect(&workspace_, &Workspace::editRefused, this, [this] {
+    statusBar()->showMessage(tr("A recorded run is not edited: Ctrl+R leaves it"), kMessageMs);
+  });
   const auto raise = [this](const base::Diagnostics& problems) {
     docks_->issues().setActionIssues(problems);
     docks_->dock(QStringLiteral("issues"))->show();
@@ -217,15 +223,23 @@ void MainWindow::connectRun() {
           [this](const base::Diagnostics& remarks) { docks_->issues().setActionIssues(remarks); });
 }
 
+void MainWindow::followState() {
+  const bool isRecorded = workspace_.runner().isRecorded();
+  for (QAction* action : {actions_->save, actions_->saveAs, actions_->exportTo}) {
+    action->setEnabled(!isOnStartPage() && !isRecorded);
+  }
+  actions_->openMap->setEnabled(!isOnStartPage() &&
+                                workspace_.runner().state() == SimulationRunner::State::Editing);
+  actions_->close->setEnabled(!isOnStartPage());
+  showTitle();
+}
+
 void MainWindow::showStart(bool start) {
   centre_->setCurrentWidget(start ? static_cast<QWidget*>(startPage_) : &workspace_.view());
   docks_->setShown(!start);
   toolBar_->setVisible(!start);
   status_->setIdle(start);
-  for (QAction* action :
-       {actions_->save, actions_->saveAs, actions_->exportTo, actions_->close, actions_->openMap}) {
-    action->setEnabled(!start);
-  }
+  followState();
   if (!start) {
     workspace_.view().setFocus();
     if (!placed_) {
@@ -233,7 +247,6 @@ void MainWindow::showStart(bool start) {
       recallDocks();
     }
   }
-  showTitle();
 }
 
 void MainWindow::showTitle() {
@@ -242,6 +255,12 @@ void MainWindow::showTitle() {
     setWindowTitle(tr("HuNavSim Desktop"));
     setWindowModified(false);
     saved_->clear();
+    return;
+  }
+  if (workspace_.runner().isRecorded()) {
+    setWindowTitle(tr("%1 (recorded run) – HuNavSim Desktop").arg(workspace_.recordedName()));
+    setWindowModified(false);
+    saved_->setText(tr("Recorded run"));
     return;
   }
   setWindowTitle(document.displayName() + QStringLiteral("[*] – HuNavSim Desktop"));

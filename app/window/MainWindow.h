@@ -67,6 +67,7 @@ class MainWindow : public QMainWindow {
   void connectRun();
   void showStart(bool start);
   void showTitle();
+  void followState();
   void showFullScreenMap(bool on);
   void tellAbout();
   void showFile(const QString& file, int line);

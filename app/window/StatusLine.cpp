@@ -121,6 +121,10 @@ void StatusLine::showState() {
   if (idle_) {
     words = tr("Ready");
     hint = tr("Click a demo to open it · Space runs it");
+  } else if (runner.isRecorded()) {
+    color = Role::Past;
+    words = tr("Recorded run");
+    hint = tr("Space plays and pauses · . and , step · Ctrl+R leaves it");
   } else if (runner.isLookingBack()) {
     color = Role::Past;
     words = tr("Looking back");

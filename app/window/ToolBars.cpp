@@ -149,7 +149,8 @@ Menus makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& action
   Menus menus;
   QMenuBar& bar = *window.menuBar();
   QMenu* file = bar.addMenu(QObject::tr("&File"));
-  file->addActions({actions.newRoom, actions.newWalledRoom, actions.newFromMap, actions.open});
+  file->addActions(
+      {actions.newRoom, actions.newWalledRoom, actions.newFromMap, actions.open, actions.openRun});
   menus.recent = file->addMenu(QObject::tr("Open recen&t"));
   file->addSeparator();
   file->addActions({actions.save, actions.saveAs, actions.exportTo});

@@ -17,7 +17,7 @@ class WindowActions : public QObject {
   explicit WindowActions(Workspace& workspace, QObject* parent = nullptr);
   void setTheme(const editor::Theme& theme);
 
-  QAction *newRoom, *newFromMap, *open, *save, *saveAs, *exportTo, *close, *quit;
+  QAction *newRoom, *newFromMap, *open, *openRun, *save, *saveAs, *exportTo, *close, *quit;
   QAction* newWalledRoom;
   QAction *undo, *redo, *cut, *copy, *paste, *duplicate, *rename, *remove, *selectAll, *deselect;
   QAction *next, *previous;  // person, or thing of the kind that is selected

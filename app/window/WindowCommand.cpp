@@ -177,11 +177,12 @@ int windowCommand(int argc, char** argv, const RunOptions& run, const WindowOpti
   if (!run.scenario.empty()) {
     opened = window.open(QString::fromStdString(run.scenario));
   }
+  const bool isFolder = QFileInfo(QString::fromStdString(run.scenario)).isDir();
+  if (!opened && (picture || isFolder)) {  // broken scenarios are for the window
+    return report(whyNotOpened(window), kBadInput);
+  }
   if (!picture) {
     return QApplication::exec();
-  }
-  if (!opened) {
-    return report(whyNotOpened(window), kBadInput);
   }
   return report(takeScreenshot(window, options), kBadInput);
 }

@@ -27,16 +27,43 @@ Workspace::Workspace(const editor::Theme& theme, QObject* parent)
   connect(&runner_, &SimulationRunner::stateChanged, this, &Workspace::showState);
   connect(&runner_, &SimulationRunner::lookingBackChanged, this, &Workspace::showState);
   connect(&events_, &editor::RunEvents::added, this, &Workspace::hearEvents);
+  connect(&runner_, &SimulationRunner::stateChanged, this, &Workspace::followRecorded);
+  connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &Workspace::refuseEdits,
+          Qt::QueuedConnection);
   connect(view_, &editor::MapView::spaceTapped, playback_.playPause(), &QAction::trigger);
   connect(&document_, &editor::ScenarioDocument::changed, this,
           [this](const editor::Change& change) {
             if (change.what == editor::Change::What::Everything) {
+              isReplaced_ = true;
               runner_.reset();  // a run of another file
+              isReplaced_ = false;
             }
           });
 }
 
 Workspace::~Workspace() = default;
+
+void Workspace::openRecorded(editor::RecordingPtr recording, const QString& name) {
+  recordedName_ = name;
+  runner_.openRecorded(std::move(recording));
+}
+
+void Workspace::followRecorded() {
+  if (!recordedName_.isEmpty() && runner_.state() == SimulationRunner::State::Editing) {
+    recordedName_.clear();
+    if (!isReplaced_) {
+      Q_EMIT recordedRunLeft();
+    }
+  }
+}
+
+/// Forms and lists stay in use, to look at people and trees; what they change is taken back.
+void Workspace::refuseEdits() {
+  if (runner_.isRecorded() && document_.undoStack().canUndo()) {
+    document_.undoStack().undo();
+    Q_EMIT editRefused();
+  }
+}
 
 void Workspace::setTheme(const editor::Theme& theme) {
   theme_ = theme;

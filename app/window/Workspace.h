@@ -32,15 +32,22 @@ class Workspace : public QObject {
   editor::PlaybackActions& playback() { return playback_; }
   const editor::Theme& theme() const { return theme_; }
   void setTheme(const editor::Theme& theme);
+  /// Shows a run that was recorded before instead of the document; nothing is edited meanwhile.
+  void openRecorded(editor::RecordingPtr recording, const QString& name);
+  QString recordedName() const { return recordedName_; }
   /// Of the runs that begin from now on.
   void setRunSettings(const editor::RunSettings& settings) { runSettings_ = settings; }
 
  Q_SIGNALS:
   void themeChanged();
+  void recordedRunLeft();  // by the user: the document before is wanted
+  void editRefused();      // a recorded run is shown
 
  private:
   void showState();
   void hearEvents(int first, int last);
+  void followRecorded();
+  void refuseEdits();
 
   editor::Theme theme_;
   editor::RunSettings runSettings_;
@@ -52,6 +59,8 @@ class Workspace : public QObject {
   editor::RunEvents events_;
   editor::MetricsFeed feed_;
   editor::PlaybackActions playback_;
+  QString recordedName_;  // of the recorded run that is shown
+  bool isReplaced_ = false;
 };
 
 }  // namespace app

@@ -43,7 +43,6 @@ QRectF around(const QPointF& centre, double reach) {
 void FrameLayer::begin() {
   agents_.clear();
   trails_.clear();
-  speeches_.clear();
   const sim2d::Scenario& scenario = scene_.document().scenario();
   const long long seed = scenario.desktop.seed.value_or(1);
   for (const sim2d::Human& human : scenario.humans) {
@@ -78,6 +77,7 @@ void FrameLayer::begin() {
 
 void FrameLayer::end() {
   frame_.reset();
+  speeches_.clear();
   updateBounds();
 }
 

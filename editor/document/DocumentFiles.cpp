@@ -196,10 +196,10 @@ void ScenarioDocument::restoreMap(const DocumentSnapshot& snapshot) {
   }
 }
 
-void ScenarioDocument::restore(DocumentSnapshot snapshot) {
+void ScenarioDocument::restore(DocumentSnapshot snapshot, bool isSaved) {
   replaceAll(std::move(snapshot.scenario));
   path_ = snapshot.path;
-  neverSaved_ = true;
+  neverSaved_ = !isSaved;
   disk_->readOnly = snapshot.readOnly;
   restoreMap(snapshot);
   if (!path_.isEmpty()) {
@@ -214,7 +214,7 @@ void ScenarioDocument::restore(DocumentSnapshot snapshot) {
   }
   replaced();
   Q_EMIT pathChanged();
-  Q_EMIT dirtyChanged(true);
+  Q_EMIT dirtyChanged(!isSaved);
   Q_EMIT issuesChanged(issues());
 }
 

@@ -134,9 +134,9 @@ class ScenarioDocument : public QObject {
   QStringList changedOnDisk() const;
   void acceptDisk();  // they count as known from now on; what is edited stays
 
-  // all that is not saved, for another start of the program; it comes back unsaved
+  // all that is not saved, for another start of the program; it comes back unsaved, or as if saved
   DocumentSnapshot snapshot() const;
-  void restore(DocumentSnapshot snapshot);
+  void restore(DocumentSnapshot snapshot, bool isSaved = false);
 
   // messages
   base::Diagnostics issues() const;  // of loading, of the map, then of the live check

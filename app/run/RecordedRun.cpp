@@ -1,0 +1,240 @@
+#include "app/run/RecordedRun.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "app/run/Sha256.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/scenario/Defaults.h"
+
+namespace app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using base::EntityKind;
+using sim2d::Vec2;
+
+/// The first input of the manifest; a path is from where the run was started, or beside the folder.
+std::string findScenario(const fs::path& folder, base::Diagnostics& problems) {
+  const fs::path manifest = folder / "manifest.json";
+  std::error_code none;
+  if (!fs::exists(manifest, none)) {
+    return {};  // a record made by `evaluate`
+  }
+  const base::Result<std::string> text = base::readTextFile(manifest.string());
+  base::append(problems, text.diagnostics());
+  const auto json = nlohmann::json::parse(text ? *text : "", nullptr, false);
+  const auto inputs = json.is_object() ? json.find("inputs") : json.end();
+  const bool isWhole = json.is_object() && inputs != json.end() && inputs->is_array() &&
+                       !inputs->empty() && inputs->front().is_object() &&
+                       inputs->front().value("path", nlohmann::json()).is_string();
+  if (!isWhole) {
+    problems.push_back(base::makeError("is no manifest of a run (damaged?)", manifest.string()));
+    return {};
+  }
+  const fs::path named = inputs->front()["path"].get<std::string>();
+  for (const fs::path& path : {named, folder / named, folder / ".." / named}) {
+    const std::optional<std::string> found = sha256OfFile(path.string());
+    if (found && inputs->front().value("sha256", nlohmann::json()) == *found) {
+      return fs::weakly_canonical(path, none).string();
+    }
+  }
+  problems.push_back(
+      base::makeWarning("the scenario of this run is not there any more, or has changed: people, "
+                        "robots and walls are shown as they were recorded",
+                        named.string()));
+  return {};
+}
+
+class ScenarioMaker {
+ public:
+  ScenarioMaker(const sim2d::Recording& recording, sim2d::Scenario scenario)
+      : recording_(recording),
+        header_(*recording.header()),
+        scenario_(std::move(scenario)),
+        isMadeAnew_(scenario_.humans.empty() && scenario_.robots.empty()),
+        key_(scenario_.nextKey()) {}
+
+  sim2d::Scenario make() {
+    if (scenario_.desktop.seed.value_or(1) != header_.seed) {
+      scenario_.desktop.seed = header_.seed;
+    }
+    for (const sim2d::TraceHuman& human : header_.humans) {
+      addHuman(human);
+    }
+    for (std::size_t k = 0; k < scenario_.robots.size(); ++k) {
+      scenario_.robots[k].listed = scenario_.robots[k].listed && k < header_.robots.size();
+    }
+    for (std::size_t k = 0; k < header_.robots.size(); ++k) {
+      setRobot(k);
+    }
+    for (const sim2d::TraceObstacle& obstacle : header_.obstacles) {
+      if (isMadeAnew_ && obstacle.name != "map") {
+        obstacle.isDoor ? addDoor(obstacle) : addObstacle(obstacle);
+      }
+    }
+    return std::move(scenario_);
+  }
+
+ private:
+  base::EntityId newKey(EntityKind kind) { return {kind, key_++}; }
+
+  void addHuman(const sim2d::TraceHuman& recorded) {
+    const auto there =
+        std::find_if(scenario_.humans.begin(), scenario_.humans.end(),
+                     [&](const sim2d::Human& human) { return human.id == recorded.id; });
+    if (there != scenario_.humans.end()) {
+      if (sim2d::resolveHuman(scenario_, *there, header_.seed).radius != recorded.radius) {
+        there->radius = recorded.radius;
+      }
+    } else if (isMadeAnew_) {  // else from a source
+      scenario_.humans.push_back(humanOf(recorded));
+    }
+  }
+
+  sim2d::Human humanOf(const sim2d::TraceHuman& recorded) {
+    sim2d::Human human;
+    human.key = newKey(EntityKind::Human);
+    human.name = recorded.name;
+    human.id = recorded.id;
+    human.radius = recorded.radius;
+    human.maxVel = recorded.desiredSpeed;
+    human.groupId = recorded.group;
+    human.cyclicGoals = recorded.cyclicGoals;
+    human.behavior.type = static_cast<sim2d::BehaviorType>(std::clamp(recorded.behavior, 1, 6));
+    human.behavior.configuration =
+        static_cast<sim2d::Configuration>(std::clamp(recorded.configuration, 0, 3));
+    for (const sim2d::PersonKind kind :
+         {sim2d::PersonKind::Adult, sim2d::PersonKind::Child, sim2d::PersonKind::Elderly,
+          sim2d::PersonKind::Wheelchair, sim2d::PersonKind::Luggage}) {
+      if (recorded.kind == sim2d::personKindName(kind)) {
+        human.ours.kind = kind;
+      }
+    }
+    for (const sim2d::TraceGoal& goal : recorded.goals) {
+      addGoal(human, goal);
+    }
+    placeAtStart(recording_.frame(0)->humans, recorded.id, human.initPose);
+    return human;
+  }
+
+  void addGoal(sim2d::Human& human, const sim2d::TraceGoal& recorded) {
+    human.goalRadius = recorded.radius;
+    human.goals.push_back(recorded.id);
+    if (scenario_.goal(recorded.id) == nullptr) {
+      sim2d::GlobalGoal goal;
+      goal.key = newKey(EntityKind::Goal);
+      goal.id = recorded.id;
+      goal.position = recorded.position;
+      scenario_.goals.push_back(goal);
+    }
+  }
+
+  template <class Columns>
+  static void placeAtStart(const Columns& columns, int id, base::Pose2& pose) {
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      if (columns.id[k] == id) {
+        pose = {Vec2(columns.x[k], columns.y[k]), columns.heading[k]};
+      }
+    }
+  }
+
+  /// The one in this place of the list, or a new one.
+  void setRobot(std::size_t place) {
+    const sim2d::TraceRobot& recorded = header_.robots[place];
+    if (place == scenario_.robots.size()) {
+      sim2d::Robot robot;
+      robot.key = newKey(EntityKind::Robot);
+      robot.name = recorded.name;
+      placeAtStart(recording_.frame(0)->robots, recorded.id, robot.start);
+      if (!recorded.goals.empty()) {
+        robot.goal.point = recorded.goals.front().position;
+      }
+      scenario_.robots.push_back(std::move(robot));
+    }
+    sim2d::Robot& robot = scenario_.robots[place];
+    const sim2d::ResolvedRobot now = sim2d::resolveRobot(scenario_, robot, recorded.id);
+    if (now.radius != recorded.radius) {
+      robot.radius = recorded.radius;
+    }
+    if (now.footprint != recorded.footprint) {
+      robot.footprintX.clear();
+      robot.footprintY.clear();
+      for (const Vec2& corner : recorded.footprint) {
+        robot.footprintX.push_back(corner.x());
+        robot.footprintY.push_back(corner.y());
+      }
+    }
+  }
+
+  void addObstacle(const sim2d::TraceObstacle& recorded) {
+    for (const sim2d::Outline& outline : recorded.outlines) {
+      sim2d::Obstacle obstacle;
+      obstacle.key = newKey(EntityKind::Obstacle);
+      obstacle.name = recorded.name;
+      obstacle.kind = sim2d::ObstacleKind::Polygon;
+      obstacle.points = outline.points;
+      scenario_.obstacles.push_back(std::move(obstacle));
+    }
+  }
+
+  void addDoor(const sim2d::TraceObstacle& recorded) {
+    sim2d::Door door;
+    door.key = newKey(EntityKind::Door);
+    door.name = recorded.name;
+    door.open = recorded.open;
+    door.toggles = recorded.toggles;
+    if (recorded.outlines.empty() || recorded.outlines.front().points.size() != 4) {
+      return;
+    }
+    const std::vector<Vec2>& corners = recorded.outlines.front().points;
+    const bool isAlong = (corners[1] - corners[0]).norm() >= (corners[2] - corners[1]).norm();
+    const std::size_t first = isAlong ? 0 : 1;  // of a long side
+    const auto corner = [&](std::size_t k) { return corners[(first + k) % 4]; };
+    door.from = 0.5 * (corner(0) + corner(3));
+    door.to = 0.5 * (corner(1) + corner(2));
+    door.thickness = (corner(3) - corner(0)).norm();
+    scenario_.doors.push_back(std::move(door));
+  }
+
+  const sim2d::Recording& recording_;
+  const sim2d::TraceHeader& header_;
+  sim2d::Scenario scenario_;
+  bool isMadeAnew_;
+  int key_;
+};
+
+}  // namespace
+
+base::Result<RecordedRun> readRecordedRun(const std::string& folder) {
+  std::error_code none;
+  if (!fs::exists(fs::path(folder) / "trace.json", none)) {
+    return base::makeError(fs::exists(fs::path(folder) / "trajectory.csv", none)
+                               ? "a run was not written to its end here: trace.json is missing"
+                               : "is no folder of a run: trace.json is missing",
+                           folder);
+  }
+  const auto recording = sim2d::readRecording(folder);
+  base::Diagnostics problems = recording.diagnostics();
+  if (recording && (*recording)->size() == 0) {
+    problems.push_back(base::makeError("the record has no states", folder));
+  }
+  RecordedRun run;
+  run.scenario = findScenario(folder, problems);
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  run.recording = *recording;
+  return {std::move(run), std::move(problems)};
+}
+
+sim2d::Scenario scenarioOf(const sim2d::Recording& recording, sim2d::Scenario read) {
+  return ScenarioMaker(recording, std::move(read)).make();
+}
+
+}  // namespace app

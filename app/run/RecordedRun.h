@@ -1,0 +1,24 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "sim2d/scenario/Scenario.h"
+#include "sim2d/trace/Recording.h"
+
+namespace app {
+
+/// The folder of a run, as it is shown.
+struct RecordedRun {
+  std::shared_ptr<const sim2d::Recording> recording;  // at least one state
+  std::string scenario;  // the file that was run; empty: it is gone or has changed since
+};
+
+/// All problems, with their places; warnings tell when the scenario is not there any more.
+base::Result<RecordedRun> readRecordedRun(const std::string& folder);
+
+/// The scenario of a record: people, robots, walls and doors as far as it tells. With `read`, the
+/// scenario that was run: what its options had made different.
+sim2d::Scenario scenarioOf(const sim2d::Recording& recording, sim2d::Scenario read = {});
+
+}  // namespace app

@@ -1,0 +1,183 @@
+#include <QCryptographicHash>
+#include <QImage>
+#include <QtTest>
+
+#include "QuietWindow.h"
+#include "RunFiles.h"
+#include "editor/canvas/MapScene.h"
+#include "editor/document/EditCommands.h"
+
+using app::MainWindow;
+using outside::text;
+
+namespace {
+
+constexpr int kInstants = 20;
+constexpr std::int64_t kStepsBetween = 10;
+
+/// The demo, run for 10.5 s by the program; empty when that failed.
+QString runOfDemo(const QTemporaryDir& folder, const QString& scenario = quiet::demoPath()) {
+  const QString path = folder.filePath(text("run"));
+  const outside::Finished run = outside::runProgram(
+      {text("run"), scenario, text("-o"), path, text("--duration"), text("10.5"), text("--quiet")});
+  return run.exitCode == 0 ? path : QString();
+}
+
+/// The canvas with everything that a folder records, as if all states so far had been shown.
+QByteArray pictureAt(MainWindow& window, std::int64_t step) {
+  app::Workspace& workspace = window.workspace();
+  const sim2d::Recording& recording = *workspace.runner().recording();
+  const std::size_t last = recording.indexAt(step);
+  for (std::size_t k = 0; k <= last; ++k) {
+    workspace.scene().showFrame(recording.frame(k));
+  }
+  QTest::qWait(5);
+  const QImage picture =
+      workspace.view().viewport()->grab().toImage().convertToFormat(QImage::Format_RGB32);
+  return QCryptographicHash::hash(
+      QByteArray(reinterpret_cast<const char*>(picture.constBits()), int(picture.sizeInBytes())),
+      QCryptographicHash::Sha1);
+}
+
+/// What the nodes returned, by person and name; those not ticked yet are left out.
+std::map<std::string, base::NodeStatus> treesAt(MainWindow& window, std::int64_t step) {
+  std::map<std::string, base::NodeStatus> statuses;
+  for (const auto& [person, tree] : window.workspace().runner().recording()->treesAt(step)) {
+    for (std::size_t k = 0; k < tree.statuses.size(); ++k) {
+      if (tree.statuses[k] != base::NodeStatus::Idle) {
+        statuses[std::to_string(person) + "/" + (*tree.paths)[k]] = tree.statuses[k];
+      }
+    }
+  }
+  return statuses;
+}
+
+QStringList eventsUpTo(MainWindow& window, std::int64_t step) {
+  QStringList texts;
+  for (const editor::RunEvent& event : window.workspace().events().events()) {
+    if (event.step <= step) {
+      texts << QString::number(event.step) + QLatin1Char(' ') + event.text;
+    }
+  }
+  return texts;
+}
+
+void hideWhatIsNotRecorded(MainWindow& window) {
+  editor::CanvasOptions options = window.workspace().scene().options();
+  options.robotPath = options.forces = false;
+  window.workspace().scene().setOptions(options);
+}
+
+}  // namespace
+
+/// The folder of a run in the window.
+class RecordedRunTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void canvas_atTwentyInstants_showsWhatTheLiveRunShowed() {
+    const QTemporaryDir folder;
+    const QString path = runOfDemo(folder);
+    QVERIFY(!path.isEmpty());
+    auto live = quiet::shownWindow();
+    QVERIFY(live->open(quiet::demoPath()));
+    hideWhatIsNotRecorded(*live);
+    auto recorded = quiet::shownWindow();
+    QVERIFY(recorded->open(path));
+    hideWhatIsNotRecorded(*recorded);
+    editor::SimulationRunner& runner = live->workspace().runner();
+    QSet<QByteArray> pictures;
+    for (int instant = 1; instant <= kInstants; ++instant) {
+      const std::int64_t step = instant * kStepsBetween;
+      for (int k = 0; k < kStepsBetween; ++k) {
+        runner.stepOnce();
+      }
+      QTRY_VERIFY_WITH_TIMEOUT(runner.newestFrame() && runner.newestFrame()->step == step, 20000);
+      recorded->workspace().runner().seek(step);
+      QCOMPARE(recorded->workspace().runner().shownFrame()->step, step);
+      const QByteArray expected = pictureAt(*live, step);
+      QVERIFY2(pictureAt(*recorded, step) == expected, qPrintable(QString::number(step)));
+      pictures.insert(expected);
+      QVERIFY(treesAt(*recorded, step) == treesAt(*live, step));
+      QCOMPARE(eventsUpTo(*recorded, step), eventsUpTo(*live, step));
+    }
+    QCOMPARE(pictures.size(), kInstants);  // something moved
+    QTRY_VERIFY_WITH_TIMEOUT(recorded->workspace().feed().isCurrent(), 20000);
+    QCOMPARE(recorded->workspace().feed().snapshot().frames, std::size_t{211});
+    quiet::leave(live);
+    quiet::leave(recorded);
+  }
+
+  void scenario_goneOrChanged_isShownAsRecorded() {
+    const QTemporaryDir folder;
+    const QString scenario = quiet::copyOfDemo(folder.filePath(text("demo.yaml")));
+    const QString path = runOfDemo(folder, scenario);
+    QVERIFY(!path.isEmpty());
+    QVERIFY(QFile::remove(scenario));
+    auto window = quiet::shownWindow();
+    QVERIFY(window->open(path));
+    QCOMPARE(window->files().problems().size(), std::size_t{1});
+    QVERIFY(window->files().problems()[0].severity == base::Severity::Warning);
+    const sim2d::Scenario& shown = window->workspace().document().scenario();
+    const sim2d::ScenarioReading demo = sim2d::readScenario(quiet::demoPath().toStdString());
+    QCOMPARE(shown.humans.size(), demo.scenario.humans.size());
+    QCOMPARE(shown.robots.size(), demo.scenario.robots.size());
+    QVERIFY(shown.humans[0].name == demo.scenario.humans[0].name);
+    QVERIFY(!window->workspace().document().map()->isEmpty());
+    QVERIFY(!window->workspace().document().isDirty());
+    window->workspace().runner().reset();  // nothing to go back to
+    QVERIFY(window->isOnStartPage());
+    quiet::leave(window);
+  }
+
+  void run_overADocument_isNotEditedAndLeavesItAsItWas() {
+    const QTemporaryDir folder;
+    const QString path = runOfDemo(folder);
+    const QString before = quiet::copyOfDemo(folder.filePath(text("before.yaml")));
+    auto window = quiet::shownWindow();
+    QVERIFY(window->open(before));
+    QVERIFY(window->open(path));
+    app::Workspace& workspace = window->workspace();
+    QVERIFY(workspace.runner().isRecorded());
+    QVERIFY(window->windowTitle().startsWith(text("run (recorded run)")));
+    QVERIFY(!window->actions().save->isEnabled() && !window->actions().exportTo->isEnabled());
+    const sim2d::Scenario shown = workspace.document().scenario();
+    const base::EntityId person = shown.humans.front().key;
+    workspace.document().undoStack().push(
+        new editor::EditTree(workspace.document(), person, std::string("<root/>"), text("tree")));
+    QTRY_VERIFY(!workspace.document().undoStack().canUndo());
+    workspace.view().setFocus();
+    QTest::keyClick(workspace.view().viewport(), Qt::Key_Space);
+    QTRY_VERIFY(workspace.runner().shownFrame()->step > 2);
+    QCOMPARE(workspace.runner().state(), editor::SimulationRunner::State::Running);
+    QTest::keyClick(workspace.view().viewport(), Qt::Key_Space);
+    QCOMPARE(workspace.runner().state(), editor::SimulationRunner::State::Paused);
+    workspace.playback().reset()->trigger();
+    QCOMPARE(workspace.document().path(), before);
+    QVERIFY(!workspace.document().isDirty() && window->actions().save->isEnabled());
+    QVERIFY(workspace.runner().recording() == nullptr);
+    quiet::leave(window);
+  }
+
+  void program_onAFolder_makesAPictureOrTellsWhatIsWrong() {
+    const QTemporaryDir folder;
+    const QString path = runOfDemo(folder);
+    const QString picture = folder.filePath(text("a.png"));
+    const QStringList words = {path, text("--at"), text("4"), text("--screenshot"), picture};
+    const outside::Finished good = outside::runProgram(words);
+    QVERIFY2(good.exitCode == 0, qPrintable(good.err));
+    QCOMPARE(QImage(picture).size(), QSize(1280, 800));
+    const QByteArray trajectory = outside::bytesOf(path + text("/trajectory.csv"));
+    outside::writeText(path + text("/trajectory.csv"), trajectory.left(trajectory.size() / 2));
+    const outside::Finished cut = outside::runProgram(words);
+    QCOMPARE(cut.exitCode, 2);
+    QVERIFY2(cut.err.contains(text("(cut?)")), qPrintable(cut.err));
+    QCOMPARE(outside::runProgram({path}).exitCode, 2);  // without a picture as well
+    const outside::Finished none = outside::runProgram({folder.path()});
+    QCOMPARE(none.exitCode, 2);
+    QVERIFY2(none.err.contains(text("is no folder of a run")), qPrintable(none.err));
+  }
+};
+
+QTEST_MAIN(RecordedRunTest)
+#include "tst_RecordedRun.moc"
