@@ -113,8 +113,8 @@ void dropDefaults(T& from, const DesktopSettings& desktop,
     if (field.isStructure() || field.required) {
       continue;
     }
-    const base::ParameterValue fallback = field.fallback(from, desktop);
-    if (fallback != base::ParameterValue() && field.value(from) == fallback) {
+    const base::ParameterValue value = field.value(from);
+    if (value != base::ParameterValue() && value == field.fallback(from, desktop)) {
       field.assign(from, {});
     }
   }
