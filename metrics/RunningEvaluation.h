@@ -48,7 +48,7 @@ class RunningEvaluation {
   std::array<Behavior, kBehaviors> behaviors_;  // of types 1..6; no feed: not wanted
 };
 
-/// The same from frames as the world makes them.
+/// The same from frames, as the world makes them or as a recording gives them.
 class FrameEvaluation {
  public:
   FrameEvaluation(const sim2d::TraceHeader& header, const Selection& selection,
@@ -59,6 +59,11 @@ class FrameEvaluation {
   void append(const sim2d::Frame& frame) { evaluation_.add(builder_.sampleOf(frame)); }
   base::Result<Evaluation> finish(const SeriesSink& sink = {}) const {
     return evaluation_.finish(sink);
+  }
+  /// So far; empty before the first sample.
+  std::vector<MetricResult> values() const {
+    base::Result<Evaluation> evaluation = finish();
+    return evaluation ? std::move(evaluation->results) : std::vector<MetricResult>();
   }
 
  private:

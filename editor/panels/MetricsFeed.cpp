@@ -43,7 +43,7 @@ QString metricText(const metrics::MetricResult& result) {
 
 /// Used by one thread at a time: by the worker while it is busy, else by the GUI thread.
 struct MetricsFeed::Work {
-  std::unique_ptr<metrics::LiveMetrics> live;
+  std::unique_ptr<metrics::FrameEvaluation> live;
   std::set<int> known;        // people that the metrics have been told of
   std::size_t events = 0;     // of the recording, that they have been told
   std::vector<double> times;  // of all frames [s]
@@ -165,7 +165,10 @@ void MetricsFeed::begin() {
   }
   const std::shared_ptr<const sim2d::TraceHeader> header = recording_->header();
   work_ = std::make_shared<Work>();
-  work_->live = std::make_unique<metrics::LiveMetrics>(*header, selection(), found->parameters);
+  metrics::Selection wanted = selection();
+  wanted.window = {};  // values so far, of everybody
+  wanted.behaviors = false;
+  work_->live = std::make_unique<metrics::FrameEvaluation>(*header, wanted, found->parameters);
   work_->meet(header->humans);
 }
 

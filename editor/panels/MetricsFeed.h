@@ -11,7 +11,7 @@
 #include "editor/document/LatestTask.h"
 #include "editor/document/ScenarioDocument.h"
 #include "editor/run/SimulationRunner.h"
-#include "metrics/LiveMetrics.h"
+#include "metrics/RunningEvaluation.h"
 
 namespace editor {
 

@@ -3,7 +3,7 @@
 #include "MetricCases.h"
 #include "metrics/Expression.h"
 #include "metrics/Interaction.h"
-#include "metrics/LiveMetrics.h"
+#include "metrics/RunningEvaluation.h"
 
 using namespace metrics;
 
@@ -250,7 +250,7 @@ void ExpressionTest::liveMetrics_formulas_equalEvaluation() {
   Selection selection = *selectionOfKeys({"path_length"});
   selection.own = {*entryOf({"close", "integral(gap < 1)", "", "s", Better::Lower})};
   const sim2d::Trace trace = cases::trace(40, 5);
-  LiveMetrics live(trace.header, selection, MetricParameters{});
+  FrameEvaluation live(trace.header, selection, MetricParameters{});
   for (const sim2d::Frame& frame : trace.frames) {
     live.append(frame);
   }

@@ -1,7 +1,7 @@
 #include <QtTest>
 
 #include "MetricCases.h"
-#include "metrics/LiveMetrics.h"
+#include "metrics/RunningEvaluation.h"
 
 using namespace metrics;
 
@@ -68,7 +68,7 @@ void LiveMetricsTest::values_atEveryFrame_equalOffline() {
   sim2d::Trace trace = cases::trace(60, 6);
   const std::vector<sim2d::Frame> frames = std::move(trace.frames);
   trace.frames.clear();
-  LiveMetrics live(trace.header, Selection{}, parameters);
+  FrameEvaluation live(trace.header, Selection{}, parameters);
   QVERIFY(live.values().empty());
   for (const sim2d::Frame& frame : frames) {
     live.append(frame);
@@ -80,7 +80,7 @@ void LiveMetricsTest::values_atEveryFrame_equalOffline() {
       QVERIFY2(problem.empty(), problem.c_str());
     }
   }
-  QCOMPARE(live.size(), std::size_t{61});
+  QCOMPARE(live.finish()->times.size(), std::size_t{61});
 }
 
 void LiveMetricsTest::evaluate_movedWorld_givesTheSame() {

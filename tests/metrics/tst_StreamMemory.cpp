@@ -5,7 +5,6 @@
 
 #include "MetricCases.h"
 #include "metrics/Expression.h"
-#include "metrics/LiveMetrics.h"
 #include "metrics/RunningEvaluation.h"
 #include "tests/AllocationCount.h"
 
