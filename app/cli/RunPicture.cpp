@@ -7,7 +7,7 @@
 #include <QPainter>
 #include <QPainterPath>
 
-#include "editor/canvas/FigurePainter.h"
+#include "editor/look/FigurePainter.h"
 #include "editor/look/Theme.h"
 
 namespace app {

@@ -1,9 +1,9 @@
 #include "app/window/CanvasActions.h"
 
+#include "editor/canvas/Snap.h"
 #include "editor/look/ActionText.h"
 #include "editor/look/Icons.h"
 #include "editor/tools/Arrange.h"
-#include "editor/tools/Snap.h"
 
 namespace app {
 

@@ -12,7 +12,7 @@
 #include "app/window/StartCards.h"
 #include "editor/document/MapEdit.h"
 #include "editor/document/Nothing.h"
-#include "editor/panels/Form.h"
+#include "editor/look/Form.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 
 namespace app {

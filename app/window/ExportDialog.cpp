@@ -16,8 +16,8 @@
 
 #include "app/run/ExportReport.h"
 #include "editor/document/EditCommands.h"
+#include "editor/look/Form.h"
 #include "editor/look/Icons.h"
-#include "editor/panels/Form.h"
 #include "sim2d/base/Text.h"
 
 namespace app {

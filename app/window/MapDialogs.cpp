@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 
 #include "editor/document/MapEdit.h"
-#include "editor/panels/Form.h"
+#include "editor/look/Form.h"
 
 namespace app {
 

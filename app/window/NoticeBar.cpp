@@ -8,8 +8,8 @@
 #include <QPushButton>
 #include <QToolButton>
 
+#include "editor/look/Form.h"
 #include "editor/look/Icons.h"
-#include "editor/panels/Form.h"
 
 namespace app {
 

@@ -6,7 +6,7 @@
 
 #include "app/window/StartCards.h"
 #include "editor/canvas/RouteModel.h"
-#include "editor/panels/Form.h"
+#include "editor/look/Form.h"
 
 namespace app {
 

@@ -5,7 +5,7 @@
 #include <QStatusTipEvent>
 #include <QTimer>
 
-#include "editor/panels/Form.h"
+#include "editor/look/Form.h"
 
 namespace app {
 

@@ -9,8 +9,8 @@
 #include <QScreen>
 #include <QVBoxLayout>
 
+#include "editor/look/Form.h"
 #include "editor/look/Icons.h"
-#include "editor/panels/Form.h"
 
 namespace app {
 

@@ -5,8 +5,8 @@
 
 #include <QGraphicsItem>
 
-#include "editor/canvas/FigurePainter.h"
 #include "editor/canvas/MapScene.h"
+#include "editor/look/FigurePainter.h"
 
 namespace editor {
 

@@ -13,7 +13,7 @@
 #include "editor/canvas/MapItem.h"
 #include "editor/canvas/RouteLayer.h"
 #include "editor/canvas/SpriteAtlas.h"
-#include "editor/tools/Tool.h"
+#include "editor/canvas/Tool.h"
 #include "sim2d/scenario/Defaults.h"
 
 namespace editor {

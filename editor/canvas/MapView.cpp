@@ -7,7 +7,7 @@
 #include <QScrollBar>
 #include <QWheelEvent>
 
-#include "editor/tools/Tool.h"
+#include "editor/canvas/Tool.h"
 
 namespace editor {
 

@@ -5,9 +5,9 @@
 #include <iterator>
 #include <limits>
 
-#include "editor/canvas/FigurePainter.h"
 #include "editor/canvas/PixelFrame.h"
 #include "editor/document/PersonLook.h"
+#include "editor/look/FigurePainter.h"
 
 namespace editor {
 

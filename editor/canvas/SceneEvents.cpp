@@ -6,8 +6,8 @@
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
 #include "editor/canvas/RouteLayer.h"
+#include "editor/canvas/Tool.h"
 #include "editor/document/EntityLists.h"
-#include "editor/tools/Tool.h"
 #include "sim2d/scenario/Defaults.h"
 
 // The part of MapScene that has to do with tools, runs and what the layers ask for.

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "editor/canvas/AreaGlyph.h"
 #include "editor/canvas/EntityItems.h"
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/PixelFrame.h"
+#include "editor/look/AreaGlyph.h"
 
 namespace editor {
 

@@ -7,7 +7,7 @@
 #include <QPainter>
 #include <QPixmap>
 
-#include "editor/canvas/FigurePainter.h"
+#include "editor/look/FigurePainter.h"
 
 namespace editor {
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "editor/canvas/AreaGlyph.h"
-#include "editor/canvas/FigurePainter.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/PersonLook.h"
+#include "editor/look/AreaGlyph.h"
+#include "editor/look/FigurePainter.h"
 #include "editor/look/Icons.h"
 
 namespace editor {

@@ -3,10 +3,10 @@
 #include <QMenu>
 
 #include "bt/tree/TreeXml.h"
-#include "editor/canvas/FigurePainter.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/Reactions.h"
 #include "editor/document/TreeFiles.h"
+#include "editor/look/FigurePainter.h"
 #include "editor/panels/BehaviorPanel.h"
 #include "sim2d/base/Text.h"
 

@@ -5,9 +5,9 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include "editor/canvas/FigurePainter.h"
 #include "editor/document/PersonLook.h"
 #include "editor/document/PersonTree.h"
+#include "editor/look/FigurePainter.h"
 
 namespace editor {
 

@@ -7,8 +7,8 @@
 
 #include "bt/human/Blocks.h"
 #include "editor/document/ScenarioDocument.h"
-#include "editor/panels/Fields.h"
-#include "editor/panels/Form.h"
+#include "editor/look/Fields.h"
+#include "editor/look/Form.h"
 
 namespace editor {
 

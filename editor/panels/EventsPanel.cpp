@@ -6,8 +6,8 @@
 #include <QHeaderView>
 #include <QScrollBar>
 
+#include "editor/look/Form.h"
 #include "editor/panels/EventMarks.h"
-#include "editor/panels/Form.h"
 #include "editor/panels/PlaybackActions.h"
 
 namespace editor {

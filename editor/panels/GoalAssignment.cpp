@@ -6,10 +6,10 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
-#include "editor/canvas/FigurePainter.h"
 #include "editor/document/PersonLook.h"
+#include "editor/look/FigurePainter.h"
+#include "editor/look/Form.h"
 #include "editor/look/Icons.h"
-#include "editor/panels/Form.h"
 #include "editor/panels/RowDelegate.h"
 
 namespace editor {

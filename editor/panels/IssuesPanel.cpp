@@ -11,8 +11,8 @@
 #include <QMenu>
 
 #include "editor/document/Fixes.h"
+#include "editor/look/Form.h"
 #include "editor/look/Icons.h"
-#include "editor/panels/Form.h"
 #include "editor/panels/WholeRows.h"
 
 namespace editor {

@@ -13,7 +13,7 @@
 #include <qwt_scale_draw.h>
 #include <qwt_scale_widget.h>
 
-#include "editor/panels/Form.h"
+#include "editor/look/Form.h"
 
 namespace editor {
 

@@ -11,8 +11,8 @@
 #include <QVBoxLayout>
 
 #include "editor/document/EditCommands.h"
+#include "editor/look/Form.h"
 #include "editor/look/Icons.h"
-#include "editor/panels/Form.h"
 #include "sim2d/base/Text.h"
 
 namespace editor {

@@ -5,7 +5,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 
-#include "editor/panels/Form.h"
+#include "editor/look/Form.h"
 #include "editor/panels/MetricPlot.h"
 #include "editor/panels/MetricsModel.h"
 #include "editor/panels/WholeRows.h"

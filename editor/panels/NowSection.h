@@ -4,7 +4,7 @@
 
 #include <QLabel>
 
-#include "editor/panels/Form.h"
+#include "editor/look/Form.h"
 #include "editor/run/SimulationRunner.h"
 
 namespace editor {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "editor/canvas/FigurePainter.h"
 #include "editor/document/Reactions.h"
+#include "editor/look/FigurePainter.h"
 #include "editor/panels/GoalAssignment.h"
 #include "editor/panels/PersonKeys.h"
 #include "editor/panels/Skins.h"

@@ -2,7 +2,7 @@
 
 #include "bt/tree/TextValue.h"
 #include "editor/document/TreeFiles.h"
-#include "editor/panels/Fields.h"
+#include "editor/look/Fields.h"
 #include "sim2d/base/Text.h"
 
 namespace editor {

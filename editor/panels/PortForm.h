@@ -7,7 +7,7 @@
 
 #include "bt/tree/NodeCatalogue.h"
 #include "bt/tree/TreeSpec.h"
-#include "editor/panels/Form.h"
+#include "editor/look/Form.h"
 
 namespace editor {
 

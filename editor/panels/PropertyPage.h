@@ -8,9 +8,9 @@
 #include <QVBoxLayout>
 
 #include "editor/document/EditCommands.h"
+#include "editor/look/Fields.h"
+#include "editor/look/Form.h"
 #include "editor/look/Theme.h"
-#include "editor/panels/Fields.h"
-#include "editor/panels/Form.h"
 
 namespace editor {
 

@@ -6,8 +6,8 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
-#include "editor/canvas/FigurePainter.h"
 #include "editor/document/EntityModel.h"
+#include "editor/look/FigurePainter.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/EntityPages.h"
 #include "editor/panels/PersonPage.h"

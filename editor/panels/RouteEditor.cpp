@@ -7,7 +7,7 @@
 #include <QPainter>
 #include <QToolButton>
 
-#include "editor/panels/Form.h"
+#include "editor/look/Form.h"
 
 namespace editor {
 

@@ -8,7 +8,7 @@
 #include <QMimeData>
 #include <QPainter>
 
-#include "editor/canvas/FigurePainter.h"
+#include "editor/look/FigurePainter.h"
 #include "editor/panels/RowDelegate.h"
 
 namespace editor {

@@ -12,8 +12,8 @@
 #include <QVBoxLayout>
 
 #include "editor/document/EditCommands.h"
+#include "editor/look/Form.h"
 #include "editor/look/Icons.h"
-#include "editor/panels/Form.h"
 #include "editor/panels/WholeRows.h"
 
 namespace editor {

@@ -11,7 +11,7 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
-#include "editor/panels/Form.h"
+#include "editor/look/Form.h"
 #include "sim2d/base/Text.h"
 
 namespace editor {

@@ -4,7 +4,7 @@
 
 #include "editor/canvas/MapScene.h"
 #include "editor/document/EditCommands.h"
-#include "editor/panels/Fields.h"
+#include "editor/look/Fields.h"
 #include "editor/tools/OptionsRow.h"
 #include "editor/tools/PersonTool.h"
 #include "editor/tools/SpanTool.h"

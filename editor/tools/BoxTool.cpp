@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "editor/canvas/MapScene.h"
+#include "editor/canvas/Snap.h"
 #include "editor/tools/CornerTool.h"
-#include "editor/tools/Snap.h"
 
 namespace editor {
 

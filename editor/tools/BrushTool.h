@@ -1,7 +1,7 @@
 #pragma once
 
+#include "editor/canvas/Tool.h"
 #include "editor/tools/Crowd.h"
-#include "editor/tools/Tool.h"
 
 namespace editor {
 

@@ -4,7 +4,7 @@
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
-#include "editor/tools/Snap.h"
+#include "editor/canvas/Snap.h"
 #include "sim2d/map/Outlines.h"
 
 namespace editor {

@@ -9,7 +9,7 @@
 #include <QPainter>
 #include <QWidgetAction>
 
-#include "editor/canvas/FigurePainter.h"
+#include "editor/look/FigurePainter.h"
 
 namespace editor {
 

@@ -6,7 +6,7 @@
 #include <QToolButton>
 
 #include "editor/canvas/MapScene.h"
-#include "editor/panels/Fields.h"
+#include "editor/look/Fields.h"
 #include "editor/tools/Crowd.h"
 #include "editor/tools/OptionsRow.h"
 

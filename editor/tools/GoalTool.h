@@ -1,6 +1,6 @@
 #pragma once
 
-#include "editor/tools/Tool.h"
+#include "editor/canvas/Tool.h"
 
 namespace editor {
 

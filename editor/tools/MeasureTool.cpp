@@ -2,7 +2,7 @@
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
-#include "editor/tools/Snap.h"
+#include "editor/canvas/Snap.h"
 
 namespace editor {
 

@@ -2,7 +2,7 @@
 
 #include <QComboBox>
 
-#include "editor/panels/Form.h"
+#include "editor/look/Form.h"
 
 namespace editor {
 

@@ -1,9 +1,9 @@
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
+#include "editor/canvas/Snap.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/Geometry.h"
 #include "editor/tools/SelectTool.h"
-#include "editor/tools/Snap.h"
 
 // What SelectTool does with handles and corners.
 namespace editor {

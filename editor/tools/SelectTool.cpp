@@ -5,11 +5,11 @@
 #include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
+#include "editor/canvas/Snap.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/Geometry.h"
 #include "editor/tools/Arrange.h"
 #include "editor/tools/SelectionActions.h"
-#include "editor/tools/Snap.h"
 
 namespace editor {
 

@@ -2,9 +2,9 @@
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
+#include "editor/canvas/Snap.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/FreeNames.h"
-#include "editor/tools/Snap.h"
 
 namespace editor {
 

@@ -4,7 +4,7 @@
 
 #include <QActionGroup>
 
-#include "editor/tools/Tool.h"
+#include "editor/canvas/Tool.h"
 
 namespace editor {
 

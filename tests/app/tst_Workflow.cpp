@@ -2,8 +2,8 @@
 #include <QtTest>
 
 #include "Hands.h"
+#include "editor/look/Fields.h"
 #include "editor/look/Theme.h"
-#include "editor/panels/Fields.h"
 #include "editor/panels/GoalAssignment.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/PropertyPage.h"

@@ -1,8 +1,8 @@
 #include "CanvasTester.h"
-#include "editor/canvas/AreaGlyph.h"
 #include "editor/canvas/GroupLayer.h"
 #include "editor/canvas/PixelFrame.h"
 #include "editor/document/Groups.h"
+#include "editor/look/AreaGlyph.h"
 
 using namespace editor;
 

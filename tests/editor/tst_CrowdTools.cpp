@@ -1,7 +1,7 @@
 #include <QtTest>
 
 #include "CanvasTester.h"
-#include "editor/panels/Fields.h"
+#include "editor/look/Fields.h"
 #include "editor/tools/BrushTool.h"
 #include "editor/tools/FillTool.h"
 #include "editor/tools/MeasureTool.h"

@@ -3,7 +3,7 @@
 #include "editor/canvas/MapScene.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
-#include "editor/panels/Fields.h"
+#include "editor/look/Fields.h"
 #include "editor/tools/MapPaintTool.h"
 
 using namespace editor;

@@ -1,7 +1,7 @@
 #include <QtTest>
 
 #include "CanvasTester.h"
-#include "editor/tools/WallSnap.h"
+#include "editor/canvas/WallSnap.h"
 
 using namespace editor;
 

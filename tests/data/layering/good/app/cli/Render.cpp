@@ -1,2 +1,2 @@
 #include "app/run/Bundle.h"
-#include "editor/View.h"
+#include "editor/canvas/View.h"

@@ -1,4 +1,4 @@
-#include "editor/tools/WallSnap.h"
+#include "editor/canvas/WallSnap.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "editor/panels/Form.h"
+#include "editor/look/Form.h"
 
 #include <QHBoxLayout>
 #include <QVBoxLayout>

@@ -1,4 +1,4 @@
-#include "editor/canvas/AreaGlyph.h"
+#include "editor/look/AreaGlyph.h"
 
 namespace editor {
 

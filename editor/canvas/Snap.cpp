@@ -1,12 +1,12 @@
-#include "editor/tools/Snap.h"
+#include "editor/canvas/Snap.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "editor/canvas/MapScene.h"
+#include "editor/canvas/WallSnap.h"
 #include "editor/document/Tidy.h"
-#include "editor/tools/WallSnap.h"
 #include "sim2d/map/Outlines.h"
 
 namespace editor {

@@ -1,4 +1,4 @@
-#include "editor/panels/Fields.h"
+#include "editor/look/Fields.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "editor/canvas/MarkPath.h"
+#include "editor/look/MarkPath.h"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
-#include "editor/tools/Tool.h"
+#include "editor/canvas/Tool.h"
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
-#include "editor/tools/Snap.h"
+#include "editor/canvas/Snap.h"
 
 namespace editor {
 

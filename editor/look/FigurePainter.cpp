@@ -1,11 +1,11 @@
-#include "editor/canvas/FigurePainter.h"
+#include "editor/look/FigurePainter.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <QPainterPath>
 
-#include "editor/canvas/MarkPath.h"
+#include "editor/look/MarkPath.h"
 
 namespace editor {
 

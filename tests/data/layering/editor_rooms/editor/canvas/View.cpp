@@ -1,0 +1,2 @@
+#include "editor/document/Document.h"
+#include "editor/tools/Tool.h"
