@@ -1,7 +1,6 @@
 #include "app/window/CanvasMenu.h"
 
 #include "editor/panels/ScenarioPanel.h"
-#include "editor/tools/SelectTool.h"
 
 namespace app {
 
@@ -14,7 +13,7 @@ CanvasMenu::CanvasMenu(Workspace& workspace, WindowActions& actions, Docks& dock
 
 void CanvasMenu::offer(const QPoint& at) {
   const bool editing = workspace_.runner().state() == editor::SimulationRunner::State::Editing;
-  if (!editing || dynamic_cast<editor::SelectTool*>(workspace_.tools().current()) == nullptr) {
+  if (!editing || !workspace_.tools().isSelecting()) {
     return;
   }
   editor::MapView& view = workspace_.view();
@@ -31,7 +30,7 @@ void CanvasMenu::offer(const QPoint& at) {
 }
 
 void CanvasMenu::fillForThing(QMenu& menu, base::EntityId id) {
-  docks_.scenario().fillMenu(menu, id);
+  docks_.panel<editor::ScenarioPanel>().fillMenu(menu, id);
   actions_.canvas->fillArrangeMenu(*menu.addMenu(tr("Arrange")));
   menu.addSeparator();
   menu.addActions({actions_.cut, actions_.copy, actions_.duplicate, actions_.remove});

@@ -7,13 +7,6 @@
 
 #include "app/window/DockTitle.h"
 #include "editor/look/ActionText.h"
-#include "editor/panels/BehaviorPanel.h"
-#include "editor/panels/EventsPanel.h"
-#include "editor/panels/IssuesPanel.h"
-#include "editor/panels/MetricsChoicePanel.h"
-#include "editor/panels/MetricsDock.h"
-#include "editor/panels/PropertyPanel.h"
-#include "editor/panels/ScenarioPanel.h"
 #include "editor/panels/TimelineBar.h"
 
 namespace app {
@@ -29,51 +22,22 @@ constexpr int kBottomRunning = 232;
 
 }  // namespace
 
-Docks::Docks(QMainWindow& window, Workspace& workspace)
+Docks::Docks(QMainWindow& window, Workspace& workspace, const editor::PanelRegistry& panels)
     : QObject(&window),
       window_(window),
       workspace_(workspace),
-      scenario_(new editor::ScenarioPanel(workspace.document(), workspace.theme())),
-      choice_(new editor::MetricsChoicePanel(workspace.document(), workspace.feed(),
-                                             workspace.theme())),
-      properties_(new editor::PropertyPanel(workspace.document(), workspace.theme())),
-      behavior_(
-          new editor::BehaviorPanel(workspace.document(), workspace.runner(), workspace.theme())),
-      issues_(new editor::IssuesPanel(workspace.document(), workspace.theme())),
-      metrics_(new editor::MetricsDock(workspace.feed(), workspace.runner(), workspace.theme())),
-      events_(new editor::EventsPanel(workspace.events(), workspace.runner(), workspace.theme())),
-      timeline_(new editor::TimelineBar(workspace.document(), workspace.events(),
-                                        workspace.runner(), workspace.theme())) {
+      context_(workspace.view(), workspace.document(), workspace.runner(), workspace.events(),
+               workspace.feed()) {
   window_.setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
   window_.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   window_.setDocumentMode(true);
   window_.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   window_.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  add(Qt::LeftDockWidgetArea, tr("Scenario"), scenario_, false);
-  add(Qt::LeftDockWidgetArea, tr("Measure"), choice_, false);
-  add(Qt::RightDockWidgetArea, tr("Properties"), properties_, true);
-  add(Qt::RightDockWidgetArea, tr("Behaviour"), behavior_, true);
-  add(Qt::BottomDockWidgetArea, tr("Issues"), issues_, true);
-  add(Qt::BottomDockWidgetArea, tr("Metrics"), metrics_, true);
-  add(Qt::BottomDockWidgetArea, tr("Events"), events_, true);
-  timelineBar_ = new QToolBar(tr("Timeline"), &window_);
-  timelineBar_->setObjectName(QStringLiteral("timeline"));
-  timelineBar_->setMovable(false);
-  timelineBar_->toggleViewAction()->setEnabled(false);  // always seen
-  editor::describe(*timelineBar_->toggleViewAction(), tr("Always seen"));
-  timelineBar_->addWidget(timeline_);
-  window_.addToolBar(Qt::BottomToolBarArea, timelineBar_);
-  connect(issues_, &editor::IssuesPanel::countChanged, this,
-          [this](int count) { showCount(dock(QStringLiteral("issues")), tr("Issues"), count); });
-  connect(events_, &editor::EventsPanel::countChanged, this,
-          [this](int count) { showCount(dock(QStringLiteral("events")), tr("Events"), count); });
-  connect(&workspace_.runner(), &editor::SimulationRunner::frameShown, properties_,
-          &editor::PropertyPanel::showFrame);
-  connect(&workspace_.runner(), &editor::SimulationRunner::frameShown, behavior_,
-          &editor::BehaviorPanel::showFrame);
-  connect(behavior_, &editor::BehaviorPanel::told, issues_, &editor::IssuesPanel::setActionIssues);
-  connect(choice_, &editor::MetricsChoicePanel::saved, issues_,
-          &editor::IssuesPanel::setActionIssues);
+  connect(&context_, &editor::PanelContext::counted, this, &Docks::showCount);
+  for (const editor::PanelRegistry::Entry& entry : panels.entries()) {
+    add(entry);
+  }
+  addTimeline();
   connect(&workspace_.runner(), &editor::SimulationRunner::stateChanged, this,
           [this](editor::SimulationRunner::State state) {
             if (state != editor::SimulationRunner::State::Editing) {
@@ -83,8 +47,20 @@ Docks::Docks(QMainWindow& window, Workspace& workspace)
   resetLayout();
 }
 
-QDockWidget* Docks::add(Qt::DockWidgetArea area, const QString& title, QWidget* panel,
-                        bool tabbed) {
+void Docks::addTimeline() {
+  timeline_ = new editor::TimelineBar(workspace_.document(), workspace_.events(),
+                                      workspace_.runner(), workspace_.theme());
+  timelineBar_ = new QToolBar(tr("Timeline"), &window_);
+  timelineBar_->setObjectName(QStringLiteral("timeline"));
+  timelineBar_->setMovable(false);
+  timelineBar_->toggleViewAction()->setEnabled(false);  // always seen
+  editor::describe(*timelineBar_->toggleViewAction(), tr("Always seen"));
+  timelineBar_->addWidget(timeline_);
+  window_.addToolBar(Qt::BottomToolBarArea, timelineBar_);
+}
+
+void Docks::add(const editor::PanelRegistry::Entry& entry) {
+  const auto& [order, title, area, isTab] = entry.info;
   auto* dock = new QDockWidget(title, &window_);
   dock->setObjectName(title.toLower());
   editor::describe(*dock->toggleViewAction(), tr("Show or hide this panel"));
@@ -96,12 +72,12 @@ QDockWidget* Docks::add(Qt::DockWidgetArea area, const QString& title, QWidget* 
       each->follow();
     }
   });
-  dock->setWidget(panel);
+  dock->setWidget(entry.make(context_));
   dock->setAutoFillBackground(true);
   dock->setBackgroundRole(QPalette::Light);
   QDockWidget* neighbour = nullptr;
   for (QDockWidget* other : docks_) {
-    if (tabbed && window_.dockWidgetArea(other) == area) {
+    if (isTab && window_.dockWidgetArea(other) == area) {
       neighbour = other;
     }
   }
@@ -110,7 +86,6 @@ QDockWidget* Docks::add(Qt::DockWidgetArea area, const QString& title, QWidget* 
     window_.tabifyDockWidget(neighbour, dock);
   }
   docks_.push_back(dock);
-  return dock;
 }
 
 QDockWidget* Docks::dock(const QString& name) const {
@@ -167,19 +142,18 @@ void Docks::grow() {
   }
 }
 
-void Docks::showCount(QDockWidget* dock, const QString& title, int count) {
-  dock->setWindowTitle(count > 0 ? QStringLiteral("%1  %2").arg(title).arg(count) : title);
-  dock->toggleViewAction()->setText(title);
+void Docks::showCount(const QWidget* panel, int count) {
+  for (QDockWidget* dock : docks_) {
+    if (dock->widget() == panel) {
+      const QString title = dock->toggleViewAction()->text();
+      dock->setWindowTitle(count > 0 ? QStringLiteral("%1  %2").arg(title).arg(count) : title);
+      dock->toggleViewAction()->setText(title);
+    }
+  }
 }
 
 void Docks::setTheme(const editor::Theme& theme) {
-  scenario_->setTheme(theme);
-  choice_->setTheme(theme);
-  properties_->setTheme(theme);
-  behavior_->setTheme(theme);
-  issues_->setTheme(theme);
-  metrics_->setTheme(theme);
-  events_->setTheme(theme);
+  Q_EMIT context_.themeChanged(theme);
   timeline_->setTheme(theme);
 }
 
@@ -200,10 +174,6 @@ void Docks::setShown(bool shown) {
     shownBefore_.clear();
     window_.restoreState(std::exchange(layoutBefore_, {}));  // their sizes; refuses an empty one
   }
-}
-
-QWidget* Docks::timeline() const {
-  return timeline_;
 }
 
 }  // namespace app

@@ -49,14 +49,14 @@ void dressApplication(const editor::Theme& theme) {
 
 MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
     : QMainWindow(parent),
-      workspace_(setup.theme),
+      workspace_(setup.theme, setup.tools),
       memory_(setup.remembers),
       followsSystem_(setup.followsSystem),
       actions_(new WindowActions(workspace_, this)),
       notices_(new NoticeBar(setup.theme, this)),
       centre_(new QStackedWidget(this)),
-      docks_(new Docks(*this, workspace_)),
-      files_(new FileCommands(workspace_, docks_->issues(), memory_, *this)),
+      docks_(new Docks(*this, workspace_, setup.panels)),
+      files_(new FileCommands(workspace_, docks_->panel<editor::IssuesPanel>(), memory_, *this)),
       status_(new StatusLine(*statusBar(), workspace_)),
       toolBar_(makeToolBar(*this, workspace_, *actions_)),
       saved_(new QLabel(this)) {
@@ -189,19 +189,15 @@ void MainWindow::connectView() {
       setTheme(editor::Theme::fromSystem(QApplication::style()->standardPalette()));
     }
   });
-  connect(actions_->rename, &QAction::triggered, this,
-          [this] { docks_->scenario().rename(workspace_.document().selection().front()); });
-  connect(&docks_->scenario(), &editor::ScenarioPanel::activated, &workspace_.view(),
-          &editor::MapView::centerOnEntity);
-  connect(&docks_->issues(), &editor::IssuesPanel::entityWanted, &workspace_.view(),
-          &editor::MapView::centerOnEntity);
-  connect(&docks_->issues(), &editor::IssuesPanel::fileWanted, this, &MainWindow::showFile);
+  connect(actions_->rename, &QAction::triggered, this, [this] {
+    docks_->panel<editor::ScenarioPanel>().rename(workspace_.document().selection().front());
+  });
+  connect(&docks_->context(), &editor::PanelContext::fileWanted, this, &MainWindow::showFile);
   const auto assign = [this] {
     editor::openGoalAssignment(workspace_.document(), workspace_.theme(), this);
   };
   connect(actions_->assignGoals, &QAction::triggered, this, assign);
-  connect(&docks_->scenario(), &editor::ScenarioPanel::goalsWanted, this, assign);
-  connect(&docks_->issues(), &editor::IssuesPanel::goalsWanted, this, assign);
+  connect(&docks_->context(), &editor::PanelContext::goalsWanted, this, assign);
 }
 
 void MainWindow::connectRun() {
@@ -211,7 +207,7 @@ void MainWindow::connectRun() {
     statusBar()->showMessage(tr("A recorded run is not edited: Ctrl+R leaves it"), kMessageMs);
   });
   const auto raise = [this](const base::Diagnostics& problems) {
-    docks_->issues().setActionIssues(problems);
+    Q_EMIT docks_->context().problemsFound(problems);
     docks_->dock(QStringLiteral("issues"))->show();
     docks_->dock(QStringLiteral("issues"))->raise();
   };
@@ -219,8 +215,9 @@ void MainWindow::connectRun() {
   connect(&workspace_.feed(), &editor::MetricsFeed::failed, this, raise);
   connect(&runner, &SimulationRunner::failed, this,
           [raise](const QString& reason) { raise({base::makeError(reason.toStdString())}); });
-  connect(&runner, &SimulationRunner::warned, this,
-          [this](const base::Diagnostics& remarks) { docks_->issues().setActionIssues(remarks); });
+  connect(&runner, &SimulationRunner::warned, this, [this](const base::Diagnostics& remarks) {
+    Q_EMIT docks_->context().problemsFound(remarks);
+  });
 }
 
 void MainWindow::followState() {

@@ -32,7 +32,9 @@ struct WindowSetup {
   std::vector<Demo> demos;
   RunOptions options;
   sim2d::Compatibility compatibility;  // of the options
-  QString recoveryFolder;              // for copies of unsaved work; empty: none are kept
+  editor::ToolRegistry tools = editor::standardTools();
+  editor::PanelRegistry panels = editor::standardPanels();
+  QString recoveryFolder;  // for copies of unsaved work; empty: none are kept
 };
 
 /// Wires the parts together and asks before changes are lost. Closed windows keep the document

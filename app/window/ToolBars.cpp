@@ -1,6 +1,7 @@
 #include "app/window/ToolBars.h"
 
 #include <algorithm>
+#include <map>
 
 #include <QAction>
 #include <QComboBox>
@@ -29,32 +30,18 @@ QWidget* spacer(int width, QWidget* parent) {
   return gap;
 }
 
-/// Tools of one kind share a button.
+/// Tools of one kind share a button, at the place of the first of them.
 void addTools(QToolBar& bar, Workspace& workspace) {
-  const std::vector<QStringList> groups = {
-      {QStringLiteral("tool-brush"), QStringLiteral("tool-fill")},
-      {QStringLiteral("tool-wall"), QStringLiteral("tool-box"), QStringLiteral("tool-polygon"),
-       QStringLiteral("tool-circle")}};
-  std::vector<std::vector<QAction*>> members(groups.size());
-  const QList<QAction*> tools = workspace.tools().actions().actions();
-  const auto groupOf = [&groups](const QAction* action) {
-    return std::find_if(groups.begin(), groups.end(),
-                        [action](const QStringList& names) {
-                          return names.contains(action->data().toString());
-                        }) -
-           groups.begin();
-  };
-  for (QAction* action : tools) {
-    if (const auto group = static_cast<std::size_t>(groupOf(action)); group < groups.size()) {
-      members[group].push_back(action);
-    }
+  std::map<QString, std::vector<QAction*>> buttons;
+  for (const editor::ToolManager::Entry& entry : workspace.tools().entries()) {
+    buttons[entry.info.button].push_back(entry.action);
   }
-  for (QAction* action : tools) {
-    const auto group = static_cast<std::size_t>(groupOf(action));
-    if (group == groups.size()) {
-      bar.addAction(action);
-    } else if (action == members[group].front()) {
-      bar.addWidget(makeToolGroup(members[group], &bar));
+  for (const editor::ToolManager::Entry& entry : workspace.tools().entries()) {
+    const std::vector<QAction*>& shared = buttons[entry.info.button];
+    if (entry.info.button.isEmpty()) {
+      bar.addAction(entry.action);
+    } else if (entry.action == shared.front()) {
+      bar.addWidget(makeToolGroup(shared, &bar));
     }
   }
 }

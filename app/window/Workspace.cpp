@@ -10,12 +10,12 @@ namespace app {
 using editor::CanvasState;
 using editor::SimulationRunner;
 
-Workspace::Workspace(const editor::Theme& theme, QObject* parent)
+Workspace::Workspace(const editor::Theme& theme, const editor::ToolRegistry& tools, QObject* parent)
     : QObject(parent),
       theme_(theme),
       scene_(document_, theme),
       view_(new editor::MapView(scene_)),
-      tools_(document_, scene_),
+      tools_(document_, scene_, tools),
       events_(document_, runner_),
       feed_(document_, runner_),
       playback_(runner_, theme) {

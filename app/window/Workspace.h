@@ -19,7 +19,9 @@ namespace app {
 class Workspace : public QObject {
   Q_OBJECT
  public:
-  explicit Workspace(const editor::Theme& theme, QObject* parent = nullptr);
+  explicit Workspace(const editor::Theme& theme,
+                     const editor::ToolRegistry& tools = editor::standardTools(),
+                     QObject* parent = nullptr);
   ~Workspace() override;
 
   editor::ScenarioDocument& document() { return document_; }

@@ -28,9 +28,6 @@ class Tool : public QObject {
  public:
   Tool(ScenarioDocument& document, MapScene& scene, QObject* parent);
 
-  virtual QString name() const = 0;      // "Person"
-  virtual QString iconName() const = 0;  // "tool-person", of resources/icons
-  virtual QKeySequence shortcut() const = 0;
   virtual QString statusText() const = 0;  // what the mouse does now, one line
   virtual QCursor cursor() const { return Qt::CrossCursor; }
 

@@ -7,6 +7,7 @@
 
 #include "editor/document/PersonLook.h"
 #include "editor/panels/BlockDialog.h"
+#include "editor/panels/PanelRegistry.h"
 #include "editor/panels/WholeRows.h"
 
 namespace editor {
@@ -284,6 +285,17 @@ void BehaviorPanel::showStatus() {
   } else if (isVisible()) {
     outline_->showStatus(runner_.recording()->treeAt(human->id, frame_->step));
   }
+}
+
+void addBehaviorPanel(PanelRegistry& to) {
+  to.add({40, QObject::tr("Behaviour"), Qt::RightDockWidgetArea}, [](PanelContext& context) {
+    auto* panel = new BehaviorPanel(context.document, context.runner, context.theme());
+    QObject::connect(&context, &PanelContext::themeChanged, panel, &BehaviorPanel::setTheme);
+    QObject::connect(&context.runner, &SimulationRunner::frameShown, panel,
+                     &BehaviorPanel::showFrame);
+    QObject::connect(panel, &BehaviorPanel::told, &context, &PanelContext::problemsFound);
+    return panel;
+  });
 }
 
 }  // namespace editor

@@ -8,6 +8,7 @@
 
 #include "editor/look/Form.h"
 #include "editor/panels/EventMarks.h"
+#include "editor/panels/PanelRegistry.h"
 #include "editor/panels/PlaybackActions.h"
 
 namespace editor {
@@ -120,6 +121,16 @@ void EventsPanel::setTheme(const Theme& theme) {
 void EventsPanel::updateState() {
   stack_->setCurrentIndex(model_->rowCount() > 0 ? 1 : 0);
   Q_EMIT countChanged(model_->rowCount());
+}
+
+void addEventsPanel(PanelRegistry& to) {
+  to.add({70, QObject::tr("Events"), Qt::BottomDockWidgetArea}, [](PanelContext& context) {
+    auto* panel = new EventsPanel(context.happened, context.runner, context.theme());
+    QObject::connect(&context, &PanelContext::themeChanged, panel, &EventsPanel::setTheme);
+    QObject::connect(panel, &EventsPanel::countChanged, &context,
+                     [&context, panel](int count) { Q_EMIT context.counted(panel, count); });
+    return panel;
+  });
 }
 
 }  // namespace editor

@@ -13,6 +13,7 @@
 #include "editor/document/Fixes.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
+#include "editor/panels/PanelRegistry.h"
 #include "editor/panels/WholeRows.h"
 
 namespace editor {
@@ -300,6 +301,20 @@ int IssuesPanel::count() const {
 
 bool IssuesPanel::hasErrors() const {
   return base::hasErrors(model_->issues());
+}
+
+void addIssuesPanel(PanelRegistry& to) {
+  to.add({50, QObject::tr("Issues"), Qt::BottomDockWidgetArea}, [](PanelContext& context) {
+    auto* panel = new IssuesPanel(context.document, context.theme());
+    QObject::connect(&context, &PanelContext::themeChanged, panel, &IssuesPanel::setTheme);
+    QObject::connect(panel, &IssuesPanel::countChanged, &context,
+                     [&context, panel](int count) { Q_EMIT context.counted(panel, count); });
+    QObject::connect(panel, &IssuesPanel::entityWanted, &context.view, &MapView::centerOnEntity);
+    QObject::connect(panel, &IssuesPanel::fileWanted, &context, &PanelContext::fileWanted);
+    QObject::connect(panel, &IssuesPanel::goalsWanted, &context, &PanelContext::goalsWanted);
+    QObject::connect(&context, &PanelContext::problemsFound, panel, &IssuesPanel::setActionIssues);
+    return panel;
+  });
 }
 
 }  // namespace editor

@@ -13,6 +13,7 @@
 #include "editor/document/EditCommands.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
+#include "editor/panels/PanelRegistry.h"
 #include "sim2d/base/Text.h"
 
 namespace editor {
@@ -293,6 +294,15 @@ base::Diagnostics MetricsChoicePanel::save() {
         [&](ScenarioSettings& settings) { settings.desktop.metrics.file = name.toStdString(); });
   }
   return problems;
+}
+
+void addMetricsChoicePanel(PanelRegistry& to) {
+  to.add({20, QObject::tr("Measure"), Qt::LeftDockWidgetArea, false}, [](PanelContext& context) {
+    auto* panel = new MetricsChoicePanel(context.document, context.feed, context.theme());
+    QObject::connect(&context, &PanelContext::themeChanged, panel, &MetricsChoicePanel::setTheme);
+    QObject::connect(panel, &MetricsChoicePanel::saved, &context, &PanelContext::problemsFound);
+    return panel;
+  });
 }
 
 }  // namespace editor

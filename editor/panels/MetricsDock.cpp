@@ -8,6 +8,7 @@
 #include "editor/look/Form.h"
 #include "editor/panels/MetricPlot.h"
 #include "editor/panels/MetricsModel.h"
+#include "editor/panels/PanelRegistry.h"
 #include "editor/panels/WholeRows.h"
 
 namespace editor {
@@ -129,6 +130,14 @@ void MetricsDock::selectMetric(const QString& key) {
   if (row >= 0) {
     table_->selectRow(row);
   }
+}
+
+void addMetricsDock(PanelRegistry& to) {
+  to.add({60, QObject::tr("Metrics"), Qt::BottomDockWidgetArea}, [](PanelContext& context) {
+    auto* panel = new MetricsDock(context.feed, context.runner, context.theme());
+    QObject::connect(&context, &PanelContext::themeChanged, panel, &MetricsDock::setTheme);
+    return panel;
+  });
 }
 
 }  // namespace editor

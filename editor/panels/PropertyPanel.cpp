@@ -10,6 +10,7 @@
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/EntityPages.h"
+#include "editor/panels/PanelRegistry.h"
 #include "editor/panels/PersonPage.h"
 
 namespace editor {
@@ -235,6 +236,16 @@ std::optional<int> PropertyPanel::agentOf(EntityId id) const {
 void PropertyPanel::showNow() {
   const std::vector<EntityId>& ids = document_.selection();
   now_->show(frame_.get(), ids.size() == 1 ? agentOf(ids.front()) : std::nullopt);
+}
+
+void addPropertyPanel(PanelRegistry& to) {
+  to.add({30, QObject::tr("Properties"), Qt::RightDockWidgetArea}, [](PanelContext& context) {
+    auto* panel = new PropertyPanel(context.document, context.theme());
+    QObject::connect(&context, &PanelContext::themeChanged, panel, &PropertyPanel::setTheme);
+    QObject::connect(&context.runner, &SimulationRunner::frameShown, panel,
+                     &PropertyPanel::showFrame);
+    return panel;
+  });
 }
 
 }  // namespace editor

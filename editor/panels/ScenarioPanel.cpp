@@ -14,6 +14,7 @@
 #include "editor/document/EditCommands.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
+#include "editor/panels/PanelRegistry.h"
 #include "editor/panels/WholeRows.h"
 
 namespace editor {
@@ -267,6 +268,16 @@ void ScenarioPanel::switchEye(const QModelIndex& index) {
   const bool whole = document_.isSelected(id);  // one of several that are selected
   std::vector<EntityId> ids = whole ? document_.selection() : std::vector<EntityId>{id};
   pushListed(document_, ids, !listed);
+}
+
+void addScenarioPanel(PanelRegistry& to) {
+  to.add({10, QObject::tr("Scenario"), Qt::LeftDockWidgetArea, false}, [](PanelContext& context) {
+    auto* panel = new ScenarioPanel(context.document, context.theme());
+    QObject::connect(&context, &PanelContext::themeChanged, panel, &ScenarioPanel::setTheme);
+    QObject::connect(panel, &ScenarioPanel::activated, &context.view, &MapView::centerOnEntity);
+    QObject::connect(panel, &ScenarioPanel::goalsWanted, &context, &PanelContext::goalsWanted);
+    return panel;
+  });
 }
 
 }  // namespace editor

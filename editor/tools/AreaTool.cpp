@@ -5,9 +5,10 @@
 #include "editor/canvas/MapScene.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/Fields.h"
+#include "editor/tools/Crowd.h"
+#include "editor/tools/DragDrawing.h"
 #include "editor/tools/OptionsRow.h"
-#include "editor/tools/PersonTool.h"
-#include "editor/tools/SpanTool.h"
+#include "editor/tools/ToolRegistry.h"
 #include "sim2d/map/Outlines.h"
 
 namespace editor {
@@ -47,7 +48,7 @@ bool AreaTool::keyPress(const QKeyEvent& event) {
     setKind(static_cast<sim2d::AreaKind>(index));
     return true;
   }
-  return CornerTool::keyPress(event);
+  return CornerDrawing::keyPress(event);
 }
 
 QWidget* AreaTool::makeOptions(QWidget* parent) {
@@ -116,6 +117,10 @@ void AreaTool::makeSource(sim2d::Area area) {
   const std::vector<EntityId> ids =
       pushAdd(document(), std::vector<Entity>{visitor, area}, tr("Add source"));
   document().setSelection({ids.back()});
+}
+
+void addAreaTool(ToolRegistry& to) {
+  to.add<AreaTool>({120, QObject::tr("Area"), QStringLiteral("tool-area"), Qt::Key_A});
 }
 
 }  // namespace editor

@@ -1,20 +1,17 @@
 #pragma once
 
-#include "editor/tools/CornerTool.h"
+#include "editor/tools/CornerDrawing.h"
 
 namespace editor {
 
 /// Areas: sources, sinks, waiting areas and exits. A drag makes a rectangle, clicks any polygon;
 /// 1 to 4 choose the kind. A source needs somebody whom its people are like: the selected person,
 /// else the first one; without people it brings a pattern of its own that takes no part itself.
-class AreaTool : public CornerTool {
+class AreaTool : public CornerDrawing {
   Q_OBJECT
  public:
-  using CornerTool::CornerTool;
+  using CornerDrawing::CornerDrawing;
 
-  QString name() const override { return tr("Area"); }
-  QString iconName() const override { return QStringLiteral("tool-area"); }
-  QKeySequence shortcut() const override { return QKeySequence(Qt::Key_A); }
   bool keyPress(const QKeyEvent& event) override;
   QWidget* makeOptions(QWidget* parent) override;
 

@@ -1,13 +1,31 @@
-#include "editor/tools/BoxTool.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "editor/canvas/MapScene.h"
 #include "editor/canvas/Snap.h"
-#include "editor/tools/CornerTool.h"
+#include "editor/tools/CornerDrawing.h"
+#include "editor/tools/DragDrawing.h"
+#include "editor/tools/ToolRegistry.h"
 
 namespace editor {
+
+namespace {
+
+/// Boxes from corner to corner; with Shift squares.
+class BoxTool : public DragDrawing {
+ public:
+  using DragDrawing::DragDrawing;
+
+  QString statusText() const override {
+    return tr("Drag a box from corner to corner · Shift makes a square");
+  }
+
+ protected:
+  std::optional<Entity> spanned(const Vec2& from, const Vec2& to) const override;
+  Vec2 endFor(const Vec2& from, const CanvasMouse& mouse) const override;
+  QString tagFor(const Vec2& from, const Vec2& to) const override;
+  QString undoText() const override { return tr("Add box"); }
+};
 
 std::optional<Entity> BoxTool::spanned(const Vec2& from, const Vec2& to) const {
   const Vec2 size = (to - from).cwiseAbs();
@@ -37,6 +55,13 @@ Vec2 BoxTool::endFor(const Vec2& from, const CanvasMouse& mouse) const {
 QString BoxTool::tagFor(const Vec2& from, const Vec2& to) const {
   const Vec2 size = (to - from).cwiseAbs();
   return QStringLiteral("%1 × %2 m").arg(size.x(), 0, 'f', 2).arg(size.y(), 0, 'f', 2);
+}
+
+}  // namespace
+
+void addBoxTool(ToolRegistry& to) {
+  to.add<BoxTool>(
+      {80, QObject::tr("Box"), QStringLiteral("tool-box"), Qt::Key_O, QStringLiteral("shape")});
 }
 
 }  // namespace editor

@@ -7,6 +7,7 @@
 #include "editor/document/EditCommands.h"
 #include "editor/document/Reactions.h"
 #include "editor/tools/CrowdOptions.h"
+#include "editor/tools/ToolRegistry.h"
 #include "sim2d/base/Rng.h"
 
 namespace editor {
@@ -112,6 +113,11 @@ void BrushTool::cancel() {
   drawn_ = 0;
   scene().toolLayer().clear();
   Q_EMIT statusTextChanged();
+}
+
+void addBrushTool(ToolRegistry& to) {
+  to.add<BrushTool>(
+      {30, QObject::tr("Brush"), QStringLiteral("tool-brush"), Qt::Key_K, QStringLiteral("crowd")});
 }
 
 }  // namespace editor

@@ -12,9 +12,6 @@ class BrushTool : public Tool {
  public:
   using Tool::Tool;
 
-  QString name() const override { return tr("Brush"); }
-  QString iconName() const override { return QStringLiteral("tool-brush"); }
-  QKeySequence shortcut() const override { return QKeySequence(Qt::Key_K); }
   QString statusText() const override;
   QWidget* makeOptions(QWidget* parent) override;
   void press(const CanvasMouse& mouse) override;

@@ -1,10 +1,27 @@
-#include "editor/tools/CircleTool.h"
-
 #include <cmath>
 
-#include "editor/tools/CornerTool.h"
+#include "editor/tools/CornerDrawing.h"
+#include "editor/tools/DragDrawing.h"
+#include "editor/tools/ToolRegistry.h"
 
 namespace editor {
+
+namespace {
+
+/// Round obstacles: pressed at the centre, dragged to the rim.
+class CircleTool : public DragDrawing {
+ public:
+  using DragDrawing::DragDrawing;
+
+  QString statusText() const override {
+    return tr("Press at the centre of the circle, drag to its rim");
+  }
+
+ protected:
+  std::optional<Entity> spanned(const Vec2& from, const Vec2& to) const override;
+  QString tagFor(const Vec2& from, const Vec2& to) const override;
+  QString undoText() const override { return tr("Add circle"); }
+};
 
 std::optional<Entity> CircleTool::spanned(const Vec2& from, const Vec2& to) const {
   const double radius = std::round((to - from).norm() * 100.0) / 100.0;
@@ -22,6 +39,13 @@ std::optional<Entity> CircleTool::spanned(const Vec2& from, const Vec2& to) cons
 
 QString CircleTool::tagFor(const Vec2& from, const Vec2& to) const {
   return tr("radius %1 m").arg((to - from).norm(), 0, 'f', 2);
+}
+
+}  // namespace
+
+void addCircleTool(ToolRegistry& to) {
+  to.add<CircleTool>({100, QObject::tr("Circle"), QStringLiteral("tool-circle"), Qt::Key_C,
+                      QStringLiteral("shape")});
 }
 
 }  // namespace editor

@@ -123,6 +123,23 @@ bool FreeGround::isFree(const Vec2& place, double radius) const {
   return isOffWalls(place, radius) && obstacles_.clearance(place) > radius;
 }
 
+sim2d::Human newPerson() {
+  sim2d::Human human;
+  human.groupId = -1;
+  human.skin = 0;
+  human.maxVel = 1.3;
+  human.radius = 0.35;
+  human.goalRadius = 0.3;
+  human.cyclicGoals = true;
+  human.behavior.type = sim2d::BehaviorType::Regular;
+  human.behavior.configuration = sim2d::Configuration::Default;
+  human.behavior.goalForceFactor = 2.0;
+  human.behavior.obstacleForceFactor = 10.0;
+  human.behavior.socialForceFactor = 5.0;
+  human.behavior.otherForceFactor = 20.0;
+  return human;
+}
+
 QString peopleText(int count) {
   return count == 1 ? QStringLiteral("1 person") : QStringLiteral("%1 people").arg(count);
 }

@@ -50,6 +50,9 @@ sim2d::Human drawnPerson(const CrowdRecipe& recipe, int index,
 std::vector<sim2d::Human> fillCrowd(const std::vector<Vec2>& polygon, int count,
                                     const CrowdRecipe& recipe, const ScenarioDocument& document);
 
+/// A person with the values of a new one, all written out so that other programs read them too.
+sim2d::Human newPerson();
+
 QString peopleText(int count);  // "1 person", "20 people"
 
 constexpr double kPersonGap = 0.1;   // kept free between bodies [m]

@@ -1,4 +1,5 @@
-#include "editor/tools/DoorTool.h"
+#include "editor/tools/DragDrawing.h"
+#include "editor/tools/ToolRegistry.h"
 
 namespace editor {
 
@@ -6,7 +7,20 @@ namespace {
 
 constexpr double kNarrowest = 0.2;  // [m]
 
-}  // namespace
+/// Doors: from the hinge to the other jamb, open at the start.
+class DoorTool : public DragDrawing {
+ public:
+  using DragDrawing::DragDrawing;
+
+  QString statusText() const override {
+    return tr("Drag a door from its hinge to the other jamb · Shift: 15° steps");
+  }
+
+ protected:
+  std::optional<Entity> spanned(const Vec2& from, const Vec2& to) const override;
+
+  QString undoText() const override { return tr("Add door"); }
+};
 
 std::optional<Entity> DoorTool::spanned(const Vec2& from, const Vec2& to) const {
   if ((to - from).norm() < kNarrowest) {
@@ -18,6 +32,12 @@ std::optional<Entity> DoorTool::spanned(const Vec2& from, const Vec2& to) const 
   door.from = from;
   door.to = to;
   return door;
+}
+
+}  // namespace
+
+void addDoorTool(ToolRegistry& to) {
+  to.add<DoorTool>({110, QObject::tr("Door"), QStringLiteral("tool-door"), Qt::Key_D});
 }
 
 }  // namespace editor

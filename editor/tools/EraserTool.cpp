@@ -1,10 +1,10 @@
-#include "editor/tools/EraserTool.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "editor/canvas/MapScene.h"
+#include "editor/canvas/Tool.h"
 #include "editor/document/EditCommands.h"
+#include "editor/tools/ToolRegistry.h"
 
 namespace editor {
 
@@ -12,7 +12,27 @@ namespace {
 
 constexpr double kStepPx = 4.0;  // between the spots looked at in a sweep
 
-}  // namespace
+/// Removes what is clicked, or all that a sweep crosses, with one command; routes and sources
+/// follow. Areas lie under everything and go by a click only.
+class EraserTool : public Tool {
+ public:
+  using Tool::Tool;
+
+  QString statusText() const override;
+  void press(const CanvasMouse& mouse) override;
+  void move(const CanvasMouse& mouse) override;
+  void release(const CanvasMouse& mouse) override;
+  void cancel() override;
+
+ private:
+  void sweepTo(const Vec2& world);
+  void take(EntityId id);
+  std::vector<EntityId> taken_;
+  std::optional<EntityId> pressedOn_;  // while the button is down; may be none
+  Vec2 from_ = Vec2::Zero();           // of the gesture
+  Vec2 at_ = Vec2::Zero();             // as far as swept
+  bool sweeping_ = false;
+};
 
 QString EraserTool::statusText() const {
   if (pressedOn_) {
@@ -91,6 +111,12 @@ void EraserTool::cancel() {
   scene().setFaded({});
   scene().setHovered({});
   Q_EMIT statusTextChanged();
+}
+
+}  // namespace
+
+void addEraserTool(ToolRegistry& to) {
+  to.add<EraserTool>({160, QObject::tr("Eraser"), QStringLiteral("tool-eraser"), Qt::Key_E});
 }
 
 }  // namespace editor

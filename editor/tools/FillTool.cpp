@@ -4,6 +4,7 @@
 #include "editor/canvas/MapScene.h"
 #include "editor/document/EditCommands.h"
 #include "editor/tools/CrowdOptions.h"
+#include "editor/tools/ToolRegistry.h"
 
 namespace editor {
 
@@ -48,6 +49,11 @@ void FillTool::make(const Corners& corners) {
         pushAdd(document(), std::move(people), tr("Add %1").arg(peopleText(made))));
   }
   Q_EMIT statusTextChanged();
+}
+
+void addFillTool(ToolRegistry& to) {
+  to.add<FillTool>(
+      {40, QObject::tr("Fill"), QStringLiteral("tool-fill"), Qt::Key_L, QStringLiteral("crowd")});
 }
 
 }  // namespace editor

@@ -1,20 +1,17 @@
 #pragma once
 
-#include "editor/tools/CornerTool.h"
+#include "editor/tools/CornerDrawing.h"
 #include "editor/tools/Crowd.h"
 
 namespace editor {
 
 /// Fills a polygon with people; as many as fit when there is too little room. The people are shown
 /// while the polygon grows.
-class FillTool : public CornerTool {
+class FillTool : public CornerDrawing {
   Q_OBJECT
  public:
-  using CornerTool::CornerTool;
+  using CornerDrawing::CornerDrawing;
 
-  QString name() const override { return tr("Fill"); }
-  QString iconName() const override { return QStringLiteral("tool-fill"); }
-  QKeySequence shortcut() const override { return QKeySequence(Qt::Key_L); }
   QWidget* makeOptions(QWidget* parent) override;
 
   int count() const { return count_; }

@@ -1,8 +1,8 @@
-#include "editor/tools/GoalTool.h"
-
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
+#include "editor/canvas/Tool.h"
 #include "editor/document/EditCommands.h"
+#include "editor/tools/ToolRegistry.h"
 
 namespace editor {
 
@@ -10,7 +10,27 @@ namespace {
 
 constexpr EntityId kGhost{EntityKind::Goal, -1};
 
-}  // namespace
+/// Click adds a goal; a click on a goal picks it up and the next one drops it, a drag moves it.
+class GoalTool : public Tool {
+ public:
+  using Tool::Tool;
+
+  QString statusText() const override;
+  void press(const CanvasMouse& mouse) override;
+  void move(const CanvasMouse& mouse) override;
+  void release(const CanvasMouse& mouse) override;
+  void cancel() override;
+
+ private:
+  void preview(const Vec2& at);
+  void drop(const Vec2& at);
+  Vec2 placeOf(CanvasMouse mouse) const;
+  std::optional<sim2d::GlobalGoal> held_;  // without a key in the document: a new one
+  Vec2 from_ = Vec2::Zero();
+  Vec2 grip_ = Vec2::Zero();  // from the cursor to the tip of the pin
+  bool pressed_ = false;
+  bool justPicked_ = false;
+};
 
 QString GoalTool::statusText() const {
   if (held_ && held_->key != kGhost) {
@@ -97,6 +117,12 @@ void GoalTool::cancel() {
   scene().toolLayer().clear();
   scene().setHovered({});
   Q_EMIT statusTextChanged();
+}
+
+}  // namespace
+
+void addGoalTool(ToolRegistry& to) {
+  to.add<GoalTool>({50, QObject::tr("Goal"), QStringLiteral("tool-goal"), Qt::Key_G});
 }
 
 }  // namespace editor

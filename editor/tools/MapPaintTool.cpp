@@ -6,6 +6,7 @@
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
 #include "editor/tools/CrowdOptions.h"
+#include "editor/tools/ToolRegistry.h"
 #include "sim2d/base/Math.h"
 
 namespace editor {
@@ -134,6 +135,10 @@ void MapPaintTool::cancel() {
   stroke_.reset();
   way_.clear();
   scene().toolLayer().clear();
+}
+
+void addMapPaintTool(ToolRegistry& to) {
+  to.add<MapPaintTool>({140, QObject::tr("Paint map"), QStringLiteral("tool-map"), Qt::Key_I});
 }
 
 }  // namespace editor

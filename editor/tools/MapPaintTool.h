@@ -13,9 +13,6 @@ class MapPaintTool : public Tool {
  public:
   using Tool::Tool;
 
-  QString name() const override { return tr("Paint map"); }
-  QString iconName() const override { return QStringLiteral("tool-map"); }
-  QKeySequence shortcut() const override { return QKeySequence(Qt::Key_I); }
   QString statusText() const override;
   void press(const CanvasMouse& mouse) override;
   void move(const CanvasMouse& mouse) override;

@@ -3,6 +3,7 @@
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
 #include "editor/canvas/Snap.h"
+#include "editor/tools/ToolRegistry.h"
 
 namespace editor {
 
@@ -64,6 +65,10 @@ void MeasureTool::cancel() {
   pressed_ = false;
   scene().toolLayer().clear();
   Q_EMIT statusTextChanged();
+}
+
+void addMeasureTool(ToolRegistry& to) {
+  to.add<MeasureTool>({150, QObject::tr("Measure"), QStringLiteral("tool-measure"), Qt::Key_M});
 }
 
 }  // namespace editor

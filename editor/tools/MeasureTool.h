@@ -10,9 +10,6 @@ class MeasureTool : public Tool {
  public:
   using Tool::Tool;
 
-  QString name() const override { return tr("Measure"); }
-  QString iconName() const override { return QStringLiteral("tool-measure"); }
-  QKeySequence shortcut() const override { return QKeySequence(Qt::Key_M); }
   QString statusText() const override;
   void press(const CanvasMouse& mouse) override;
   void move(const CanvasMouse& mouse) override;

@@ -1,8 +1,28 @@
-#include "editor/tools/PanTool.h"
-
 #include "editor/canvas/MapView.h"
+#include "editor/canvas/Tool.h"
+#include "editor/tools/ToolRegistry.h"
 
 namespace editor {
+
+namespace {
+
+/// The left button moves the map. The views do the work.
+class PanTool : public Tool {
+ public:
+  using Tool::Tool;
+
+  QString statusText() const override { return tr("Drag to move the map · Wheel zooms"); }
+  QCursor cursor() const override { return Qt::OpenHandCursor; }
+  void activate() override { setHandPan(true); }
+  void deactivate() override { setHandPan(false); }
+  void press(const CanvasMouse&) override {}
+  void move(const CanvasMouse&) override {}
+  void release(const CanvasMouse&) override {}
+  void cancel() override {}
+
+ private:
+  void setHandPan(bool on);
+};
 
 void PanTool::setHandPan(bool on) {
   for (QGraphicsView* view : scene().views()) {
@@ -10,6 +30,12 @@ void PanTool::setHandPan(bool on) {
       mapView->setHandPan(on);
     }
   }
+}
+
+}  // namespace
+
+void addPanTool(ToolRegistry& to) {
+  to.add<PanTool>({170, QObject::tr("Pan"), QStringLiteral("tool-pan"), Qt::Key_H});
 }
 
 }  // namespace editor

@@ -1,10 +1,11 @@
-#include "editor/tools/PersonTool.h"
-
 #include <cmath>
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
+#include "editor/canvas/Tool.h"
 #include "editor/document/EditCommands.h"
+#include "editor/tools/Crowd.h"
+#include "editor/tools/ToolRegistry.h"
 
 namespace editor {
 
@@ -21,27 +22,23 @@ double headingTo(const Vec2& from, const CanvasMouse& mouse) {
   return base::wrapToPi(std::round(heading / step) * step + 0.0);  // 0, not -0
 }
 
-}  // namespace
+/// Press places a person, drag turns it.
+class PersonTool : public Tool {
+ public:
+  using Tool::Tool;
 
-sim2d::Human newPerson() {
-  sim2d::Human human;
-  human.groupId = -1;
-  human.skin = 0;
-  human.maxVel = 1.3;
-  human.radius = 0.35;
-  human.goalRadius = 0.3;
-  human.cyclicGoals = true;
-  human.behavior.type = sim2d::BehaviorType::Regular;
-  human.behavior.configuration = sim2d::Configuration::Default;
-  human.behavior.goalForceFactor = 2.0;
-  human.behavior.obstacleForceFactor = 10.0;
-  human.behavior.socialForceFactor = 5.0;
-  human.behavior.otherForceFactor = 20.0;
-  return human;
-}
+  QString statusText() const override;
+  void press(const CanvasMouse& mouse) override;
+  void move(const CanvasMouse& mouse) override;
+  void release(const CanvasMouse& mouse) override;
+  void cancel() override;
 
-PersonTool::PersonTool(ScenarioDocument& document, MapScene& scene, QObject* parent)
-    : Tool(document, scene, parent), prototype_(newPerson()) {}
+ private:
+  void preview();
+  double heading_ = 0.0;  // of the next person: as the last one looks
+  std::optional<sim2d::Human> placing_;
+  Vec2 from_ = Vec2::Zero();
+};
 
 QString PersonTool::statusText() const {
   return placing_ ? tr("Drag to where the person looks · Esc drops it")
@@ -53,9 +50,9 @@ void PersonTool::press(const CanvasMouse& mouse) {
     return;
   }
   from_ = snapToGrid(mouse);
-  placing_ = prototype_;
+  placing_ = newPerson();
   placing_->key = kGhost;
-  placing_->initPose.position = from_;
+  placing_->initPose = {from_, heading_};
   placing_->hasInitPose = true;
   preview();
   Q_EMIT statusTextChanged();
@@ -79,7 +76,7 @@ void PersonTool::release(const CanvasMouse& mouse) {
     placing_->initPose.heading = headingTo(from_, mouse);
   }
   sim2d::Human human = *placing_;
-  prototype_.initPose.heading = human.initPose.heading;
+  heading_ = human.initPose.heading;
   cancel();
   human.name.clear();
   human.id = -1;
@@ -95,6 +92,12 @@ void PersonTool::cancel() {
   scene().clearPreview();
   scene().toolLayer().clear();
   Q_EMIT statusTextChanged();
+}
+
+}  // namespace
+
+void addPersonTool(ToolRegistry& to) {
+  to.add<PersonTool>({20, QObject::tr("Person"), QStringLiteral("tool-person"), Qt::Key_P});
 }
 
 }  // namespace editor

@@ -1,7 +1,7 @@
-#include "editor/tools/PolygonTool.h"
-
 #include "editor/canvas/MapScene.h"
-#include "editor/tools/SpanTool.h"
+#include "editor/tools/CornerDrawing.h"
+#include "editor/tools/DragDrawing.h"
+#include "editor/tools/ToolRegistry.h"
 #include "sim2d/map/Outlines.h"
 
 namespace editor {
@@ -16,7 +16,18 @@ sim2d::Obstacle polygonOf(const std::vector<Vec2>& corners) {
   return polygon;
 }
 
-}  // namespace
+/// Obstacles of any outline; a drag makes a rectangle along the axes.
+class PolygonTool : public CornerDrawing {
+ public:
+  using CornerDrawing::CornerDrawing;
+
+ protected:
+  QString idleText() const override {
+    return tr("Click the corners of an obstacle; the first one again closes it");
+  }
+  void preview(const Corners& corners) override;
+  void make(const Corners& corners) override;
+};
 
 void PolygonTool::preview(const Corners& corners) {
   scene().setPreview({polygonOf(corners)});
@@ -24,6 +35,13 @@ void PolygonTool::preview(const Corners& corners) {
 
 void PolygonTool::make(const Corners& corners) {
   addDrawn(document(), polygonOf(corners), "polygon", tr("Add polygon"));
+}
+
+}  // namespace
+
+void addPolygonTool(ToolRegistry& to) {
+  to.add<PolygonTool>({90, QObject::tr("Polygon"), QStringLiteral("tool-polygon"), Qt::Key_Y,
+                       QStringLiteral("shape")});
 }
 
 }  // namespace editor

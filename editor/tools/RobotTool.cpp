@@ -1,10 +1,10 @@
-#include "editor/tools/RobotTool.h"
-
 #include <cmath>
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
+#include "editor/canvas/Tool.h"
 #include "editor/document/EditCommands.h"
+#include "editor/tools/ToolRegistry.h"
 
 namespace editor {
 
@@ -18,7 +18,27 @@ double headingTo(const Vec2& from, const CanvasMouse& mouse) {
   return base::wrapToPi(std::round(heading / step) * step + 0.0);  // 0, not -0
 }
 
-}  // namespace
+/// Press and drag sets where the robot starts and looks; the next click is its goal (a point, or a
+/// goal of the map). Changes the selected robot, else the first one; Shift makes another.
+class RobotTool : public Tool {
+ public:
+  using Tool::Tool;
+
+  QString statusText() const override;
+  void activate() override { waitsForGoal_ = {}; }
+  void press(const CanvasMouse& mouse) override;
+  void move(const CanvasMouse& mouse) override;
+  void release(const CanvasMouse& mouse) override;
+  void cancel() override;
+
+ private:
+  sim2d::Robot robotFor(const CanvasMouse& mouse) const;
+  void setGoal(const CanvasMouse& mouse);
+  void endGesture();
+  std::optional<sim2d::Robot> placing_;
+  EntityId waitsForGoal_;  // the robot whose start was just set
+  Vec2 from_ = Vec2::Zero();
+};
 
 QString RobotTool::statusText() const {
   if (document().contains(waitsForGoal_) && waitsForGoal_) {
@@ -115,6 +135,12 @@ void RobotTool::endGesture() {
 void RobotTool::cancel() {
   waitsForGoal_ = {};
   endGesture();
+}
+
+}  // namespace
+
+void addRobotTool(ToolRegistry& to) {
+  to.add<RobotTool>({130, QObject::tr("Robot"), QStringLiteral("tool-robot"), Qt::Key_B});
 }
 
 }  // namespace editor

@@ -1,10 +1,10 @@
-#include "editor/tools/RouteTool.h"
-
 #include <algorithm>
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
+#include "editor/canvas/Tool.h"
 #include "editor/document/EditCommands.h"
+#include "editor/tools/ToolRegistry.h"
 
 namespace editor {
 
@@ -14,7 +14,28 @@ bool isWalker(EntityId id) {
   return id.kind == EntityKind::Human || id.kind == EntityKind::Robot;
 }
 
-}  // namespace
+/// Click goals in the order in which the selected people are to visit them. Enter, a double click
+/// or another tool takes the route over; Escape drops it, Backspace takes the last goal back.
+class RouteTool : public Tool {
+ public:
+  using Tool::Tool;
+
+  QString statusText() const override;
+  void activate() override { cancel(); }
+  void deactivate() override { commit(); }
+  void press(const CanvasMouse& mouse) override;
+  void move(const CanvasMouse& mouse) override;
+  void release(const CanvasMouse&) override {}
+  void doubleClick(const CanvasMouse&) override { commit(); }
+  void cancel() override;
+  bool keyPress(const QKeyEvent& event) override;
+
+ private:
+  std::vector<EntityId> walkers() const;  // selected people and robots
+  void preview();
+  void commit();
+  std::vector<int> goals_;
+};
 
 std::vector<EntityId> RouteTool::walkers() const {
   std::vector<EntityId> ids = document().selection();
@@ -123,6 +144,12 @@ void RouteTool::cancel() {
   scene().toolLayer().clear();
   scene().setHovered({});
   Q_EMIT statusTextChanged();
+}
+
+}  // namespace
+
+void addRouteTool(ToolRegistry& to) {
+  to.add<RouteTool>({60, QObject::tr("Route"), QStringLiteral("tool-route"), Qt::Key_R});
 }
 
 }  // namespace editor

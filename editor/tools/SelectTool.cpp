@@ -10,6 +10,7 @@
 #include "editor/document/Geometry.h"
 #include "editor/tools/Arrange.h"
 #include "editor/tools/SelectionActions.h"
+#include "editor/tools/ToolRegistry.h"
 
 namespace editor {
 
@@ -292,6 +293,10 @@ bool SelectTool::keyPress(const QKeyEvent& event) {
     return nudge(event);
   }
   return true;
+}
+
+void addSelectTool(ToolRegistry& to) {
+  to.add<SelectTool>({10, QObject::tr("Select"), QStringLiteral("tool-select"), Qt::Key_V});
 }
 
 }  // namespace editor

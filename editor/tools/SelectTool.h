@@ -12,9 +12,6 @@ class SelectTool : public Tool {
  public:
   using Tool::Tool;
 
-  QString name() const override { return tr("Select"); }
-  QString iconName() const override { return QStringLiteral("tool-select"); }
-  QKeySequence shortcut() const override { return QKeySequence(Qt::Key_V); }
   QString statusText() const override;
   QCursor cursor() const override { return cursor_; }
   void deactivate() override;  // the selection stays for the next tool

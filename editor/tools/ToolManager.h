@@ -4,7 +4,7 @@
 
 #include <QActionGroup>
 
-#include "editor/canvas/Tool.h"
+#include "editor/tools/ToolRegistry.h"
 
 namespace editor {
 
@@ -13,17 +13,21 @@ namespace editor {
 class ToolManager : public QObject {
   Q_OBJECT
  public:
-  /// Makes the standard tools.
-  ToolManager(ScenarioDocument& document, MapScene& scene, QObject* parent = nullptr);
+  struct Entry {
+    ToolInfo info;
+    Tool* tool;
+    QAction* action;  // data() = name of the icon, set by the window
+  };
+
+  ToolManager(ScenarioDocument& document, MapScene& scene,
+              const ToolRegistry& registry = standardTools(), QObject* parent = nullptr);
   ~ToolManager() override;
   Q_DISABLE_COPY_MOVE(ToolManager)
 
-  void add(Tool* tool);  // takes it as a child; further tools may be added by others
-  const std::vector<Tool*>& tools() const { return tools_; }
-  QAction* action(const Tool* tool) const;
-  QActionGroup& actions() { return group_; }  // data() = name of the icon, set by the window
+  const std::vector<Entry>& entries() const { return entries_; }
+  QActionGroup& actions() { return group_; }
   Tool* current() const { return current_; }
-  void setCurrent(Tool* tool);
+  bool isSelecting() const { return current_ == entries_.front().tool; }
   /// Tools rest while a simulation runs; the select tool still selects.
   void setEditingEnabled(bool enabled);
 
@@ -31,10 +35,17 @@ class ToolManager : public QObject {
   void currentChanged(editor::Tool* tool);
   void statusTextChanged(const QString& text);
 
+ protected:
+  /// Escape in a tool that is doing nothing goes back to the first one.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
+  void add(const ToolRegistry::Entry& entry, ScenarioDocument& document);
+  void setCurrent(const Entry& entry);
+
   MapScene& scene_;
   QActionGroup group_;
-  std::vector<Tool*> tools_;
+  std::vector<Entry> entries_;
   Tool* current_ = nullptr;
   bool editingEnabled_ = true;
 };

@@ -1,7 +1,7 @@
-#include "editor/tools/WallTool.h"
-
 #include "editor/canvas/MapScene.h"
-#include "editor/tools/SpanTool.h"
+#include "editor/tools/CornerDrawing.h"
+#include "editor/tools/DragDrawing.h"
+#include "editor/tools/ToolRegistry.h"
 
 namespace editor {
 
@@ -15,7 +15,21 @@ sim2d::Obstacle wallAlong(const std::vector<Vec2>& corners) {
   return wall;
 }
 
-}  // namespace
+/// Walls as polylines, 0.1 m thick; a drag makes one straight wall.
+class WallTool : public CornerDrawing {
+ public:
+  using CornerDrawing::CornerDrawing;
+
+ protected:
+  QString idleText() const override {
+    return tr("Drag a wall, or click its corners one by one · Shift: 15° steps");
+  }
+  bool isClosed() const override { return false; }
+  QString problemOf(const Corners& corners) const override;
+  void preview(const Corners& corners) override;
+  void make(const Corners& corners) override;
+  Corners dragged(const Vec2& from, const Vec2& to) const override { return {from, to}; }
+};
 
 QString WallTool::problemOf(const Corners& corners) const {
   if (corners.size() < 2) {
@@ -34,6 +48,13 @@ void WallTool::preview(const Corners& corners) {
 
 void WallTool::make(const Corners& corners) {
   addDrawn(document(), wallAlong(corners), "wall", tr("Add wall"));
+}
+
+}  // namespace
+
+void addWallTool(ToolRegistry& to) {
+  to.add<WallTool>(
+      {70, QObject::tr("Wall"), QStringLiteral("tool-wall"), Qt::Key_W, QStringLiteral("shape")});
 }
 
 }  // namespace editor

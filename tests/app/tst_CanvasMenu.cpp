@@ -54,7 +54,7 @@ class CanvasMenuTest : public QObject {
 
   void menu_withAnotherTool_doesNotOpen() {
     editor::ToolManager& tools = window_->workspace().tools();
-    tools.setCurrent(tools.tools()[3]);
+    tools.entries()[3].action->trigger();
     QVERIFY(menuAt(base::Vec2(-2.0, -2.0)) == nullptr);
   }
 

@@ -5,6 +5,7 @@
 
 #include "app/window/MainWindow.h"
 #include "editor/document/EditCommands.h"
+#include "editor/panels/IssuesPanel.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"
 #include "sim2d/scenario/ScenarioFile.h"
@@ -132,7 +133,7 @@ class ExtremesTest : public QObject {
     editor::SimulationRunner& runner = window.workspace().runner();
     QTest::keyClick(&window.workspace().view(), Qt::Key_Space);
     const auto shows = [&window] { return window.workspace().scene().frame() != nullptr; };
-    const auto says = [&window] { return window.docks().issues().hasErrors(); };
+    const auto says = [&window] { return window.docks().panel<editor::IssuesPanel>().hasErrors(); };
     QTRY_VERIFY_WITH_TIMEOUT(shows() || says(), 60000);
     runner.reset();
     QTRY_VERIFY(!shows());

@@ -41,7 +41,7 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
     QVERIFY2(notice.text.startsWith(utf8("Map file nowhere.yaml not found, ")),
              qPrintable(notice.text));
     QCOMPARE(notice.choices.size(), std::size_t(2));
-    QVERIFY(window_->docks().issues().hasErrors());
+    QVERIFY(window_->docks().panel<editor::IssuesPanel>().hasErrors());
     quiet::shoot(*window_, "map-lost");
     window_->setTheme(editor::Theme::dark());
     quiet::shoot(*window_, "map-lost-dark");
@@ -56,7 +56,7 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
     QVERIFY(window_->notices().isTold(utf8("map")));
     window_->notices().choose(utf8("map"), 1);
     QVERIFY(!window_->notices().isTold(utf8("map")));
-    QVERIFY(!window_->docks().issues().hasErrors());
+    QVERIFY(!window_->docks().panel<editor::IssuesPanel>().hasErrors());
     document().undoStack().undo();
     QVERIFY(window_->notices().isTold(utf8("map")));
     window_->actions().newRoom->trigger();
@@ -110,7 +110,7 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
              qPrintable(window_->windowTitle()));
     QVERIFY(document().isReadOnly());
     QVERIFY(window_->notices().isTold(utf8("read-only")));
-    QVERIFY(window_->docks().issues().hasErrors());
+    QVERIFY(window_->docks().panel<editor::IssuesPanel>().hasErrors());
     quiet::shoot(*window_, "wrong-yaml");
   }
 
@@ -133,7 +133,7 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
     QVERIFY(!window_->open(file));
     QVERIFY(document().scenario() == before);
     QCOMPARE(document().path(), quiet::demoPath());
-    QVERIFY(window_->docks().issues().hasErrors());
+    QVERIFY(window_->docks().panel<editor::IssuesPanel>().hasErrors());
     QVERIFY(!window_->files().openNewFromMap(at("no_map.yaml")));
     QVERIFY(document().scenario() == before);
   }
@@ -148,7 +148,7 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
     QVERIFY2(notice.text.startsWith(utf8("cafe.yaml was not saved: ")), qPrintable(notice.text));
     QVERIFY(notice.text.endsWith(utf8("Your changes are still here.")));
     QCOMPARE(window_->notices().notices().size(), std::size_t(1));
-    QVERIFY(!window_->docks().issues().hasErrors());
+    QVERIFY(!window_->docks().panel<editor::IssuesPanel>().hasErrors());
     QVERIFY(document().isDirty());
     QVERIFY(document().scenario() == edited);
     quiet::shoot(*window_, "not-saved");
@@ -174,7 +174,7 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
     QCOMPARE(told("export").text,
              utf8("%1 files were exported to %2.").arg(plan.files.size()).arg(at("out")));
     quiet::shoot(*window_, "exported");
-    QVERIFY(!window_->docks().issues().hasErrors());
+    QVERIFY(!window_->docks().panel<editor::IssuesPanel>().hasErrors());
   }
 
   void anotherProgramRemovesTheFile_noticeOffersToSaveItAgain() {

@@ -38,11 +38,11 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     QVERIFY(!document().scenario().humans.empty());
     QVERIFY(document().isReadOnly());
     QVERIFY(window_->notices().isTold(QStringLiteral("read-only")));
-    QVERIFY(window_->docks().issues().hasErrors());
+    QVERIFY(window_->docks().panel<editor::IssuesPanel>().hasErrors());
     QVERIFY(!window_->files().saveTo(file));
     QVERIFY(*base::readTextFile(file.toStdString()) == text);
     QVERIFY(window_->files().saveTo(at("whole.yaml")));
-    QVERIFY(!window_->docks().issues().hasErrors());
+    QVERIFY(!window_->docks().panel<editor::IssuesPanel>().hasErrors());
     QVERIFY(!window_->notices().isTold(QStringLiteral("read-only")));
     quiet::shoot(*window_, "damaged");
   }
@@ -132,7 +132,7 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     const QString nobody = at("nobody.xml");
     QVERIFY(base::writeFileAtomically(nobody.toStdString(), kTree).empty());
     QVERIFY(!window_->files().dropFile(nobody, {}));
-    QVERIFY(window_->docks().issues().hasErrors());
+    QVERIFY(window_->docks().panel<editor::IssuesPanel>().hasErrors());
     const QString broken = at("x__agent_1_bt.xml");
     QVERIFY(base::writeFileAtomically(broken.toStdString(), "<root><").empty());
     QVERIFY(!window_->files().dropFile(broken, {}));
@@ -157,7 +157,7 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     options.map = "/not/there.yaml";
     window_->files().setOptions(options, {});
     QVERIFY(!window_->open(file));
-    QVERIFY(window_->docks().issues().hasErrors());
+    QVERIFY(window_->docks().panel<editor::IssuesPanel>().hasErrors());
   }
 
   void options_compat_isThatOfTheRuns() {
@@ -251,7 +251,7 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
   void open_anotherScenario_listBeginsAtItsTop() {
     const QString folder = QStringLiteral(SOURCE_DIR "/maps/realism/");
     QVERIFY(window_->open(folder + QStringLiteral("realism_rimea_12_agents.yaml")));
-    auto* tree = window_->docks().scenario().findChild<QTreeView*>();
+    auto* tree = window_->docks().panel<editor::ScenarioPanel>().findChild<QTreeView*>();
     QVERIFY(tree != nullptr);
     QCoreApplication::processEvents();
     tree->expandAll();

@@ -179,8 +179,8 @@ class MainWindowTest : public QObject {
     broken.write("hunav_loader:\n  ros__parameters:\n    agents: [a\n");
     broken.close();
     QVERIFY(!window_->open(file));
-    QVERIFY(window_->docks().issues().hasErrors());
-    QVERIFY(window_->docks().issues().isVisible());
+    QVERIFY(window_->docks().panel<editor::IssuesPanel>().hasErrors());
+    QVERIFY(window_->docks().panel<editor::IssuesPanel>().isVisible());
   }
 
   void theme_switched_changesAtOnce() {

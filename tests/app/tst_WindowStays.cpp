@@ -104,25 +104,25 @@ class WindowStaysTest : public QObject, protected quiet::InFolder {
       window_->actions().close->trigger();
       QCoreApplication::processEvents();
       QVERIFY(window_->isOnStartPage());
-      QVERIFY(!window_->docks().scenario().isVisible());
+      QVERIFY(!window_->docks().panel<editor::ScenarioPanel>().isVisible());
       QVERIFY(window_->open(quiet::demoPath()));
       QCoreApplication::processEvents();
       QVERIFY(dockSizes() == before);
     }
     window_->actions().fullScreen->trigger();
-    QVERIFY(!window_->docks().scenario().isVisible());
+    QVERIFY(!window_->docks().panel<editor::ScenarioPanel>().isVisible());
     window_->actions().fullScreen->trigger();
     for (const char* name : {"tools", "timeline"}) {
       const auto* bar = window_->findChild<QToolBar*>(utf8(name));
       QVERIFY2(bar != nullptr && bar->isVisible(), name);
     }
-    QVERIFY(window_->docks().scenario().isVisible());
+    QVERIFY(window_->docks().panel<editor::ScenarioPanel>().isVisible());
   }
 
   void openMap_cannotBeRead_runGoesOnAndTheWordsEndWithTheNextMap() {
     QVERIFY(base::writeFileAtomically(at("notes.yaml").toStdString(), "milk: 2\n").empty());
     const QString cafe = QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe.yaml");
-    editor::IssuesPanel& issues = window_->docks().issues();
+    editor::IssuesPanel& issues = window_->docks().panel<editor::IssuesPanel>();
     QVERIFY(window_->open(quiet::copyOfDemo(at("demo.yaml"))));
     editor::SimulationRunner& runner = window_->workspace().runner();
     runner.stepOnce();

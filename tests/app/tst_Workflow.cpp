@@ -174,8 +174,10 @@ class WorkflowTest : public QObject {
     hands_->clickMap({8.0, 4.15});  // the pin of goal 3 stands above its place
     QCOMPARE(document().selection().size(), std::size_t(1));
     editor::NumberField* y = nullptr;
-    for (auto* field :
-         window_->docks().properties().currentPage()->findChildren<editor::NumberField*>()) {
+    for (auto* field : window_->docks()
+                           .panel<editor::PropertyPanel>()
+                           .currentPage()
+                           ->findChildren<editor::NumberField*>()) {
       y = field->accessibleName() == QLatin1String("Y") ? field : y;
     }
     QVERIFY(y != nullptr);
@@ -254,9 +256,9 @@ class WorkflowTest : public QObject {
 
   void issue_ofAFile_isShownInTheViewer() {
     openMap();
-    window_->docks().issues().setActionIssues(
+    window_->docks().panel<editor::IssuesPanel>().setActionIssues(
         {base::makeError("odd", path(QStringLiteral("maps/hall.yaml")).toStdString(), 3, 1)});
-    QTableView& table = window_->docks().issues().table();
+    QTableView& table = window_->docks().panel<editor::IssuesPanel>().table();
     QTRY_VERIFY(table.isVisible());
     hands_->clickOn(*table.viewport(), table.visualRect(table.model()->index(0, 0)).center());
     QVERIFY(window_->viewer() != nullptr);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include <QAction>
 #include <QApplication>
 #include <QWindow>
@@ -70,19 +72,20 @@ class CanvasTester {
   void key(Qt::Key which, Qt::KeyboardModifiers modifiers = {}) {
     QTest::keyClick(window(), which, modifiers);
   }
+  std::vector<editor::ToolManager::Entry>::const_iterator entry(const char* name) {
+    return std::find_if(tools_.entries().begin(), tools_.entries().end(), [name](const auto& each) {
+      return each.info.name == QString::fromUtf8(name);
+    });
+  }
   editor::Tool* tool(const char* name) {
-    for (editor::Tool* each : tools_.tools()) {
-      if (each->name() == QString::fromUtf8(name)) {
-        return each;
-      }
-    }
-    return nullptr;
+    const auto found = entry(name);
+    return found == tools_.entries().end() ? nullptr : found->tool;
   }
   void use(const char* name) {
-    editor::Tool* wanted = tool(name);
-    QVERIFY2(wanted != nullptr, name);
-    tools_.action(wanted)->trigger();
-    QCOMPARE(tools_.current(), wanted);
+    const auto wanted = entry(name);
+    QVERIFY2(wanted != tools_.entries().end(), name);
+    wanted->action->trigger();
+    QCOMPARE(tools_.current(), wanted->tool);
   }
   const sim2d::Scenario& scenario() const { return document_.scenario(); }
   int undoCount() { return document_.undoStack().count(); }

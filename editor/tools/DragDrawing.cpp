@@ -1,4 +1,4 @@
-#include "editor/tools/SpanTool.h"
+#include "editor/tools/DragDrawing.h"
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
@@ -18,13 +18,13 @@ void addDrawn(ScenarioDocument& document, Entity value, const std::string& stem,
   document.setSelection(pushAdd(document, std::vector<Entity>{std::move(value)}, undoText));
 }
 
-Vec2 SpanTool::endFor(const Vec2& from, const CanvasMouse& mouse) const {
+Vec2 DragDrawing::endFor(const Vec2& from, const CanvasMouse& mouse) const {
   SnapWish wish;
   wish.anchor = from;
   return snap(mouse, wish);
 }
 
-void SpanTool::press(const CanvasMouse& mouse) {
+void DragDrawing::press(const CanvasMouse& mouse) {
   if (mouse.button != Qt::LeftButton) {
     cancel();
     return;
@@ -34,7 +34,7 @@ void SpanTool::press(const CanvasMouse& mouse) {
   Q_EMIT statusTextChanged();
 }
 
-void SpanTool::move(const CanvasMouse& mouse) {
+void DragDrawing::move(const CanvasMouse& mouse) {
   if (!from_) {
     snap(mouse, {});
     return;
@@ -51,7 +51,7 @@ void SpanTool::move(const CanvasMouse& mouse) {
   scene().toolLayer().setTag(mouse.world, tagFor(*from_, to));
 }
 
-void SpanTool::release(const CanvasMouse& mouse) {
+void DragDrawing::release(const CanvasMouse& mouse) {
   if (mouse.button != Qt::LeftButton || !from_) {
     return;
   }
@@ -64,7 +64,7 @@ void SpanTool::release(const CanvasMouse& mouse) {
   }
 }
 
-void SpanTool::cancel() {
+void DragDrawing::cancel() {
   from_.reset();
   scene().clearPreview();
   scene().toolLayer().clear();

@@ -6,7 +6,7 @@ namespace editor {
 
 /// Base of the tools that make something from one point to another by a drag. A click without a
 /// drag makes nothing, Escape or the right button drops the gesture.
-class SpanTool : public Tool {
+class DragDrawing : public Tool {
   Q_OBJECT
  public:
   using Tool::Tool;
@@ -23,7 +23,6 @@ class SpanTool : public Tool {
   virtual Vec2 endFor(const Vec2& from, const CanvasMouse& mouse) const;
   virtual QString tagFor(const Vec2& from, const Vec2& to) const { return legText(from, to); }
   virtual QString undoText() const = 0;
-  bool isDragging() const { return from_.has_value(); }
 
  private:
   std::optional<Vec2> from_;

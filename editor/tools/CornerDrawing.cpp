@@ -1,4 +1,4 @@
-#include "editor/tools/CornerTool.h"
+#include "editor/tools/CornerDrawing.h"
 
 #include <cmath>
 
@@ -19,7 +19,7 @@ bool isSame(const Vec2& a, const Vec2& b) {
 
 }  // namespace
 
-QString CornerTool::statusText() const {
+QString CornerDrawing::statusText() const {
   if (!problem_.isEmpty()) {
     return tr("%1 · Backspace takes the last corner back · Esc drops it").arg(problem_);
   }
@@ -31,7 +31,7 @@ QString CornerTool::statusText() const {
       "Esc drops it");
 }
 
-QString CornerTool::problemOf(const Corners& corners) const {
+QString CornerDrawing::problemOf(const Corners& corners) const {
   if (corners.size() < 3) {
     return tr("Three corners or more are needed");
   }
@@ -41,11 +41,11 @@ QString CornerTool::problemOf(const Corners& corners) const {
   return std::abs(sim2d::signedArea(corners)) < kLeastArea ? tr("Too small") : QString();
 }
 
-CornerTool::Corners CornerTool::dragged(const Vec2& from, const Vec2& to) const {
+CornerDrawing::Corners CornerDrawing::dragged(const Vec2& from, const Vec2& to) const {
   return {from, Vec2(to.x(), from.y()), to, Vec2(from.x(), to.y())};
 }
 
-Vec2 CornerTool::cursorFor(const CanvasMouse& mouse) const {
+Vec2 CornerDrawing::cursorFor(const CanvasMouse& mouse) const {
   SnapWish wish;
   if (!corners_.empty()) {
     wish.anchor = corners_.back();
@@ -54,17 +54,17 @@ Vec2 CornerTool::cursorFor(const CanvasMouse& mouse) const {
   return snap(mouse, wish);
 }
 
-bool CornerTool::isOnFirst(const Vec2& point, double pixelsPerMetre) const {
+bool CornerDrawing::isOnFirst(const Vec2& point, double pixelsPerMetre) const {
   return corners_.size() > 2 && (point - corners_.front()).norm() * pixelsPerMetre <= kSnapReachPx;
 }
 
-void CornerTool::addCorner(const Vec2& point) {
+void CornerDrawing::addCorner(const Vec2& point) {
   if (corners_.empty() || !isSame(corners_.back(), point)) {
     corners_.push_back(point);
   }
 }
 
-void CornerTool::press(const CanvasMouse& mouse) {
+void CornerDrawing::press(const CanvasMouse& mouse) {
   if (mouse.button == Qt::RightButton) {
     finish(corners_);
     return;
@@ -88,14 +88,14 @@ void CornerTool::press(const CanvasMouse& mouse) {
   show();
 }
 
-void CornerTool::move(const CanvasMouse& mouse) {
+void CornerDrawing::move(const CanvasMouse& mouse) {
   cursor_ = cursorFor(mouse);
   if (!corners_.empty()) {
     show();
   }
 }
 
-void CornerTool::release(const CanvasMouse& mouse) {
+void CornerDrawing::release(const CanvasMouse& mouse) {
   if (mouse.button != Qt::LeftButton || !pressed_) {
     return;
   }
@@ -112,7 +112,7 @@ void CornerTool::release(const CanvasMouse& mouse) {
   }
 }
 
-bool CornerTool::keyPress(const QKeyEvent& event) {
+bool CornerDrawing::keyPress(const QKeyEvent& event) {
   if (corners_.empty()) {
     return false;
   }
@@ -129,7 +129,7 @@ bool CornerTool::keyPress(const QKeyEvent& event) {
   return false;
 }
 
-void CornerTool::show() {
+void CornerDrawing::show() {
   Corners shape = corners_;
   if (pressed_ && corners_.size() == 1 && !isSame(cursor_, corners_.front())) {
     shape = dragged(corners_.front(), cursor_);
@@ -151,7 +151,7 @@ void CornerTool::show() {
   Q_EMIT statusTextChanged();
 }
 
-void CornerTool::finish(Corners corners) {
+void CornerDrawing::finish(Corners corners) {
   if (corners.empty()) {
     return;
   }
@@ -166,7 +166,7 @@ void CornerTool::finish(Corners corners) {
   }
 }
 
-void CornerTool::cancel() {
+void CornerDrawing::cancel() {
   corners_.clear();
   problem_.clear();
   pressed_ = false;

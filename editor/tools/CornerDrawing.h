@@ -8,7 +8,7 @@ namespace editor {
 /// button or a click on the first corner ends the shape, Backspace takes the last corner back,
 /// Escape drops all. A drag from the first corner makes the simplest shape at once. With Shift,
 /// legs run at multiples of 15 degrees.
-class CornerTool : public Tool {
+class CornerDrawing : public Tool {
   Q_OBJECT
  public:
   using Tool::Tool;

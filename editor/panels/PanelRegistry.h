@@ -1,0 +1,66 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <QWidget>
+
+#include "editor/canvas/MapView.h"
+#include "editor/panels/MetricsFeed.h"
+#include "editor/panels/RunEvents.h"
+#include "editor/run/SimulationRunner.h"
+
+namespace editor {
+
+/// What panels show and steer, and what they tell each other and the window. GUI thread.
+class PanelContext : public QObject {
+  Q_OBJECT
+ public:
+  PanelContext(MapView& canvas, ScenarioDocument& edited, SimulationRunner& run, RunEvents& events,
+               MetricsFeed& metrics)
+      : view(canvas), document(edited), runner(run), happened(events), feed(metrics) {}
+  const Theme& theme() const { return view.mapScene().theme(); }
+
+  MapView& view;
+  ScenarioDocument& document;
+  SimulationRunner& runner;
+  RunEvents& happened;
+  MetricsFeed& feed;
+
+ Q_SIGNALS:
+  void themeChanged(const editor::Theme& theme);
+  void problemsFound(const base::Diagnostics& problems);  // by an action; for the list of issues
+  void counted(QWidget* panel, int count);                // told behind its title
+  void fileWanted(const QString& file, int line);         // is to be shown
+  void goalsWanted();                                     // for the people who are selected
+};
+
+/// Where a panel is found.
+struct PanelInfo {
+  int order = 0;  // ascending in the menu and in its area
+  QString title;  // in lower case also its name for --dock
+  Qt::DockWidgetArea area = Qt::RightDockWidgetArea;
+  bool isTab = true;  // one of the tabs of its area; else below what is there
+};
+
+/// The panels that there are, in their order. Each file `panels/<Name>Panel.cpp` adds its own by a
+/// function void add<Name>Panel(PanelRegistry&), which CMake finds.
+class PanelRegistry {
+ public:
+  using Make = std::function<QWidget*(PanelContext&)>;
+  struct Entry {
+    PanelInfo info;
+    Make make;
+  };
+
+  void add(PanelInfo info, Make make);
+  const std::vector<Entry>& entries() const { return entries_; }
+
+ private:
+  std::vector<Entry> entries_;
+};
+
+/// All panels of this folder.
+PanelRegistry standardPanels();
+
+}  // namespace editor

@@ -1,0 +1,73 @@
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenuBar>
+
+#include "QuietWindow.h"
+#include "editor/panels/IssuesPanel.h"
+#include "editor/panels/PanelRegistry.h"
+
+namespace {
+
+void addHeadcountPanel(editor::PanelRegistry& to) {
+  to.add({45, QStringLiteral("Headcount"), Qt::RightDockWidgetArea}, [](auto& context) {
+    auto* panel = new QLabel;
+    panel->setObjectName(QStringLiteral("headcount"));
+    const auto follow = [&context, panel] {
+      const auto people = static_cast<int>(context.document.scenario().humans.size());
+      panel->setText(QString::number(people));
+      Q_EMIT context.counted(panel, people);
+    };
+    QObject::connect(&context.document, &editor::ScenarioDocument::settled, panel, follow);
+    QObject::connect(&context, &editor::PanelContext::themeChanged, panel,
+                     [panel](const editor::Theme& theme) { panel->setPalette(theme.palette()); });
+    return panel;
+  });
+}
+
+}  // namespace
+
+/// All that a panel needs is in this file.
+class MadeUpPanelTest : public QObject {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<app::MainWindow> window_;
+
+ private Q_SLOTS:
+  void init() {
+    app::WindowSetup setup = quiet::setup();
+    addHeadcountPanel(setup.panels);
+    window_ = quiet::shownWindow(setup);
+    QVERIFY(window_->open(quiet::demoPath()));
+  }
+  void cleanup() { quiet::leave(window_); }
+
+  void panel_ofARegistry_isADockWithANameAndAMenuEntry() {
+    QCOMPARE(window_->docks().names().indexOf(QStringLiteral("headcount")), 4);
+    QDockWidget* dock = window_->docks().dock(QStringLiteral("Headcount"));
+    QVERIFY(dock != nullptr);
+    QCOMPARE(window_->dockWidgetArea(dock), Qt::RightDockWidgetArea);
+    QCOMPARE(window_->tabifiedDockWidgets(dock).size(), 2);
+    window_->docks().show({QStringLiteral("headcount")});  // as --dock does
+    QVERIFY(dock->isVisible());
+    QVERIFY(!window_->docks().panel<editor::IssuesPanel>().isVisible());
+    bool isInMenu = false;
+    for (const QAction* each : window_->menuBar()->actions()) {
+      isInMenu |= each->menu()->actions().contains(dock->toggleViewAction());
+    }
+    QVERIFY(isInMenu);
+  }
+
+  void panel_withItsContext_followsDocumentAndTheme() {
+    QDockWidget* dock = window_->docks().dock(QStringLiteral("headcount"));
+    QCOMPARE(window_->findChild<QLabel*>(QStringLiteral("headcount"))->text(), QStringLiteral("8"));
+    QCOMPARE(dock->windowTitle(), QStringLiteral("Headcount  8"));
+    QCOMPARE(dock->toggleViewAction()->text(), QStringLiteral("Headcount"));
+    window_->setTheme(editor::Theme::dark());
+    QCOMPARE(dock->widget()->palette().color(QPalette::Base),
+             editor::Theme::dark().palette().color(QPalette::Base));
+  }
+};
+
+QTEST_MAIN(MadeUpPanelTest)
+#include "tst_MadeUpPanel.moc"
