@@ -3,7 +3,7 @@
 #include "editor/canvas/Snap.h"
 #include "editor/look/ActionText.h"
 #include "editor/look/Icons.h"
-#include "editor/tools/Arrange.h"
+#include "editor/tools/SelectionActions.h"
 
 namespace app {
 

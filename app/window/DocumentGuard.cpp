@@ -10,8 +10,8 @@
 #include <QUrl>
 
 #include "app/window/StartCards.h"
+#include "editor/document/EntityLists.h"
 #include "editor/document/MapEdit.h"
-#include "editor/document/Nothing.h"
 #include "editor/look/Form.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 
@@ -194,7 +194,7 @@ void DocumentGuard::tellReadOnly() {
   notices_.tell(
       {readOnlyId(),
        true,
-       (editor::isNothing(document_.scenario())
+       (editor::isBlank(document_.scenario())
             ? tr("%1 is damaged: nothing of it could be read. It will not be overwritten.")
             : tr("%1 is damaged and shown as far as it could be read. It will not be overwritten."))
            .arg(document_.displayName()),

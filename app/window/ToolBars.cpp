@@ -7,8 +7,8 @@
 #include <QComboBox>
 #include <QMenuBar>
 
+#include "editor/document/BehaviorValues.h"
 #include "editor/document/EditCommands.h"
-#include "editor/document/Reactions.h"
 #include "editor/look/ActionText.h"
 #include "editor/look/Icons.h"
 

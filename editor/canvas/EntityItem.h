@@ -55,5 +55,19 @@ class EntityItem : public QGraphicsItem {
 };
 
 std::unique_ptr<EntityItem> makeEntityItem(const MapScene& scene, EntityId id);
+std::unique_ptr<EntityItem> makePersonItem(const MapScene& scene, EntityId id);
+std::unique_ptr<EntityItem> makeRobotItem(const MapScene& scene, EntityId id);
+std::unique_ptr<EntityItem> makeGoalItem(const MapScene& scene, EntityId id);
+/// Obstacles, doors and areas: outlines in the plane.
+std::unique_ptr<EntityItem> makeShapeItem(const MapScene& scene, EntityId id);
+
+/// Marker of a robot's own goal point, in pixels around the painter's origin.
+void paintRobotGoal(QPainter& painter, const Theme& theme);
+constexpr double kRobotGoalPx = 10.0;   // its radius
+constexpr double kLeastFigurePx = 5.0;  // radius of the smallest figure
+QRectF around(const QPointF& centre, double reach);
+inline double degrees(double radians) {
+  return radians * 180.0 / base::kPi;
+}
 
 }  // namespace editor

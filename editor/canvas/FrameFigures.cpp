@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "editor/canvas/EntityItems.h"
+#include "editor/canvas/EntityItem.h"
 #include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/MapScene.h"
 #include "editor/canvas/PixelFrame.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "editor/canvas/EntityItem.h"
-#include "editor/canvas/EntityItems.h"
 #include "editor/canvas/MapScene.h"
 #include "editor/canvas/PixelFrame.h"
 #include "editor/canvas/RouteLayer.h"
@@ -22,20 +21,12 @@ constexpr double kStandingSpeed = 0.05;  // [m/s]
 constexpr double kNameZoomPx = 12.0;     // width of a figure from which names are shown
 constexpr std::size_t kMostNames = 120;
 
-double degrees(double radians) {
-  return radians * 180.0 / base::kPi;
-}
-
 base::Vec2 positionAt(const sim2d::HumanColumns& people, std::size_t i) {
   return {people.x[i], people.y[i]};
 }
 
 base::Vec2 positionAt(const sim2d::RobotColumns& robots, std::size_t i) {
   return {robots.x[i], robots.y[i]};
-}
-
-QRectF around(const QPointF& centre, double reach) {
-  return {centre.x() - reach, centre.y() - reach, 2.0 * reach, 2.0 * reach};
 }
 
 }  // namespace

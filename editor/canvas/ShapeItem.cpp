@@ -1,10 +1,11 @@
 #include <algorithm>
 #include <limits>
 
-#include "editor/canvas/EntityItems.h"
+#include "editor/canvas/EntityItem.h"
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/PixelFrame.h"
 #include "editor/look/AreaGlyph.h"
+#include "sim2d/map/Outlines.h"
 
 namespace editor {
 
@@ -54,181 +55,199 @@ QPen cosmetic(const QPainter& painter, const QColor& color, double widthPx,
   return pen;
 }
 
+/// Obstacles, doors and areas: outlines in the plane.
+class ShapeItem : public EntityItem {
+ public:
+  using EntityItem::EntityItem;
+  double distanceTo(const Vec2& world) const override {
+    double nearest = std::numeric_limits<double>::max();
+    for (const sim2d::Outline& outline : outlines_) {
+      if (outline.points.size() > 2 && sim2d::isInside(outline.points, world)) {
+        return 0.0;
+      }
+      nearest = std::min(nearest, distanceToOutline(world, outline));
+    }
+    return nearest;
+  }
+
+  std::vector<Label> labels() const override {
+    const auto* area = std::get_if<sim2d::Area>(&value_);
+    const bool isShown =
+        isSelectedEntity() || isHovered() || (area != nullptr && mapScene().options().names);
+    if (!isShown) {
+      return {};
+    }
+    if (area != nullptr) {
+      return {areaLabel(*area)};
+    }
+    const QRectF box = path_.boundingRect();
+    return {{displayName(value_), std::nullopt, box.center(),
+             0.5 * box.height() * mapScene().pixelsPerMetre() + 4.0, 0, false}};
+  }
+
+  /// Names keep off the signs of areas.
+  std::vector<QRectF> solidParts() const override {
+    if (kindOf(value_) != EntityKind::Area) {
+      return {};
+    }
+    const double side = metres(kSignPx);
+    const QPointF sign = signPlace(mapScene().pixelsPerMetre());
+    return {QRectF(sign.x() - 0.5 * side, sign.y() - 0.5 * side, side, side)};
+  }
+
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    painter->setRenderHint(QPainter::Antialiasing);
+    switch (kindOf(value_)) {
+      case EntityKind::Door:
+        paintDoor(*painter);
+        break;
+      case EntityKind::Area:
+        paintArea(*painter);
+        break;
+      default:
+        painter->setPen(cosmetic(*painter, theme().color(Role::ObstacleEdge), 1.2));
+        painter->setBrush(theme().color(Role::ObstacleFill));
+        painter->drawPath(path_);
+    }
+    if (isHovered() && !isSelectedEntity()) {
+      painter->setBrush(Qt::NoBrush);
+      painter->setPen(cosmetic(*painter, theme().color(Role::Accent, 0.6), 1.5));
+      painter->drawPath(path_);
+    }
+  }
+
+ protected:
+  void take(const Entity& value) override {
+    value_ = value;
+    outlines_.clear();
+    bool listed = true;
+    if (const auto* obstacle = std::get_if<sim2d::Obstacle>(&value_)) {
+      outlines_ = outlinesOf(*obstacle);
+      listed = obstacle->listed;
+    } else if (const auto* door = std::get_if<sim2d::Door>(&value_)) {
+      outlines_ =
+          sim2d::wallOutlines({door->from, door->to}, door->thickness.value_or(kDefaultDoor));
+      listed = door->listed;
+    } else if (const auto* area = std::get_if<sim2d::Area>(&value_)) {
+      outlines_ = {sim2d::polygonOutline(area->points)};
+      listed = area->listed;
+    }
+    path_ = QPainterPath();
+    path_.setFillRule(Qt::WindingFill);
+    for (const sim2d::Outline& outline : outlines_) {
+      QPolygonF polygon;
+      for (const Vec2& point : outline.points) {
+        polygon << MapScene::sceneFromWorld(point);
+      }
+      path_.addPolygon(polygon);
+      path_.closeSubpath();
+    }
+    if (outlines_.size() > 1) {
+      path_ = path_.simplified();
+    }
+    setOpacity(listed ? 1.0 : 0.4);
+  }
+
+  QRectF bounds(double pixelsPerMetre) const override {
+    const double margin = 4.0 / pixelsPerMetre;
+    return path_.boundingRect().adjusted(-margin, -margin, margin, margin);
+  }
+
+ private:
+  void paintDoor(QPainter& painter) const {
+    const auto& door = std::get<sim2d::Door>(value_);
+    const bool open = mapScene().isDoorOpen(id(), door);
+    if (!open) {
+      painter.setPen(cosmetic(painter, theme().color(Role::ObstacleEdge), 1.0));
+      painter.setBrush(theme().color(Role::WarningMark));
+      painter.drawPath(path_);
+      return;
+    }
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(cosmetic(painter, theme().color(Role::ObstacleEdge), 1.5, Qt::DashLine));
+    painter.drawLine(MapScene::sceneFromWorld(door.from), MapScene::sceneFromWorld(door.to));
+    // The leaf stands open, with the arc that it swung through.
+    const Vec2 across = door.to - door.from;
+    const Vec2 leaf = door.from + Vec2(-across.y(), across.x());
+    painter.setPen(cosmetic(painter, theme().color(Role::ObstacleEdge), 2.0));
+    painter.drawLine(MapScene::sceneFromWorld(door.from), MapScene::sceneFromWorld(leaf));
+    const double length = across.norm();
+    const QPointF hinge = MapScene::sceneFromWorld(door.from);
+    const double startDeg = base::headingOf(across) * 180.0 / base::kPi;
+    QPainterPath arc;
+    const QRectF box(hinge.x() - length, hinge.y() - length, 2.0 * length, 2.0 * length);
+    arc.arcMoveTo(box, startDeg);
+    arc.arcTo(box, startDeg, 90.0);
+    painter.setPen(cosmetic(painter, theme().color(Role::ObstacleEdge, 0.6), 1.0, Qt::DotLine));
+    painter.drawPath(arc);
+  }
+
+  void paintArea(QPainter& painter) const {
+    const bool strong = isHovered() || isSelectedEntity();
+    painter.setPen(
+        cosmetic(painter, theme().color(Role::ObstacleEdge), strong ? 1.5 : 1.0, Qt::DashLine));
+    painter.setBrush(theme().color(Role::Accent, strong ? 0.10 : 0.05));
+    painter.drawPath(path_);
+    paintSign(painter);
+  }
+
+  void paintSign(QPainter& painter) const {
+    const double pixelsPerMetre = pixelsPerMetreOf(painter);
+    const QRectF box = path_.boundingRect();
+    const double sidePx = std::min(box.width(), box.height()) * pixelsPerMetre;
+    if (sidePx < kLeastSignPx) {
+      return;
+    }
+    const PixelFrame frame(painter, signPlace(pixelsPerMetre));
+    paintAreaGlyph(painter, std::get<sim2d::Area>(value_).kind, QPointF(),
+                   std::min(kSignPx, sidePx), theme());
+  }
+
+  /// scene
+  /// The middle of the sign: in the upper left corner, or in the middle where it is narrow.
+  QPointF signPlace(double pixelsPerMetre) const {
+    const QRectF box = path_.boundingRect();
+    const double inset = kSignInsetPx / pixelsPerMetre;
+    const QPointF corner(box.width() > 2.0 * inset ? box.left() + inset : box.center().x(),
+                         box.height() > 2.0 * inset ? box.top() + inset : box.center().y());
+    return path_.contains(corner) ? corner : box.center();
+  }
+
+  /// In the area, after its sign, at the top or else at the bottom; below it when it has no room.
+  /// The kind is said in words as well where they fit.
+  Label areaLabel(const sim2d::Area& area) const {
+    const QString name = displayName(value_);
+    const QString kind = areaKindName(area.kind);
+    const QRectF box = path_.boundingRect();
+    const double pixelsPerMetre = mapScene().pixelsPerMetre();
+    const double width = box.width() * pixelsPerMetre - 2.0 * kSignInsetPx - kLabelGapPx;
+    const double height = box.height() * pixelsPerMetre;
+    Label label{kind, std::nullopt, box.center(), 0.5 * height + 4.0, 0, false};
+    if (!area.name.empty()) {
+      label.text = name.startsWith(kind) ? name : QStringLiteral("%1 · %2").arg(name, kind);
+      label.text = labelSize(theme(), label).width() > width ? name : label.text;
+    }
+    const QSizeF size = labelSize(theme(), label);
+    const QPointF sign = signPlace(pixelsPerMetre);
+    const bool isAside = sign.x() < box.center().x() && size.width() < width;
+    if (isAside && size.height() < height) {
+      label.centre.setX(sign.x() + metres(0.5 * kSignPx + 2.0 + 0.5 * size.width()));
+      label.clearancePx =
+          std::max(0.5 * height - size.height() - kLabelGapPx, -0.5 * size.height());
+      label.isAbove = true;
+    }
+    return label;
+  }
+
+  Entity value_;
+  std::vector<sim2d::Outline> outlines_;
+  QPainterPath path_;  // scene
+};
+
 }  // namespace
 
-void ShapeItem::take(const Entity& value) {
-  value_ = value;
-  outlines_.clear();
-  bool listed = true;
-  if (const auto* obstacle = std::get_if<sim2d::Obstacle>(&value_)) {
-    outlines_ = outlinesOf(*obstacle);
-    listed = obstacle->listed;
-  } else if (const auto* door = std::get_if<sim2d::Door>(&value_)) {
-    outlines_ = sim2d::wallOutlines({door->from, door->to}, door->thickness.value_or(kDefaultDoor));
-    listed = door->listed;
-  } else if (const auto* area = std::get_if<sim2d::Area>(&value_)) {
-    outlines_ = {sim2d::polygonOutline(area->points)};
-    listed = area->listed;
-  }
-  path_ = QPainterPath();
-  path_.setFillRule(Qt::WindingFill);
-  for (const sim2d::Outline& outline : outlines_) {
-    QPolygonF polygon;
-    for (const Vec2& point : outline.points) {
-      polygon << MapScene::sceneFromWorld(point);
-    }
-    path_.addPolygon(polygon);
-    path_.closeSubpath();
-  }
-  if (outlines_.size() > 1) {
-    path_ = path_.simplified();
-  }
-  setOpacity(listed ? 1.0 : 0.4);
-}
-
-QRectF ShapeItem::bounds(double pixelsPerMetre) const {
-  const double margin = 4.0 / pixelsPerMetre;
-  return path_.boundingRect().adjusted(-margin, -margin, margin, margin);
-}
-
-double ShapeItem::distanceTo(const Vec2& world) const {
-  double nearest = std::numeric_limits<double>::max();
-  for (const sim2d::Outline& outline : outlines_) {
-    if (outline.points.size() > 2 && sim2d::isInside(outline.points, world)) {
-      return 0.0;
-    }
-    nearest = std::min(nearest, distanceToOutline(world, outline));
-  }
-  return nearest;
-}
-
-std::vector<Label> ShapeItem::labels() const {
-  const auto* area = std::get_if<sim2d::Area>(&value_);
-  const bool isShown =
-      isSelectedEntity() || isHovered() || (area != nullptr && mapScene().options().names);
-  if (!isShown) {
-    return {};
-  }
-  if (area != nullptr) {
-    return {areaLabel(*area)};
-  }
-  const QRectF box = path_.boundingRect();
-  return {{displayName(value_), std::nullopt, box.center(),
-           0.5 * box.height() * mapScene().pixelsPerMetre() + 4.0, 0, false}};
-}
-
-/// In the area, after its sign, at the top or else at the bottom; below it when it has no room. The
-/// kind is said in words as well where they fit.
-Label ShapeItem::areaLabel(const sim2d::Area& area) const {
-  const QString name = displayName(value_);
-  const QString kind = areaKindName(area.kind);
-  const QRectF box = path_.boundingRect();
-  const double pixelsPerMetre = mapScene().pixelsPerMetre();
-  const double width = box.width() * pixelsPerMetre - 2.0 * kSignInsetPx - kLabelGapPx;
-  const double height = box.height() * pixelsPerMetre;
-  Label label{kind, std::nullopt, box.center(), 0.5 * height + 4.0, 0, false};
-  if (!area.name.empty()) {
-    label.text = name.startsWith(kind) ? name : QStringLiteral("%1 · %2").arg(name, kind);
-    label.text = labelSize(theme(), label).width() > width ? name : label.text;
-  }
-  const QSizeF size = labelSize(theme(), label);
-  const QPointF sign = signPlace(pixelsPerMetre);
-  const bool isAside = sign.x() < box.center().x() && size.width() < width;
-  if (isAside && size.height() < height) {
-    label.centre.setX(sign.x() + metres(0.5 * kSignPx + 2.0 + 0.5 * size.width()));
-    label.clearancePx = std::max(0.5 * height - size.height() - kLabelGapPx, -0.5 * size.height());
-    label.isAbove = true;
-  }
-  return label;
-}
-
-/// The middle of the sign: in the upper left corner, or in the middle where it is narrow.
-QPointF ShapeItem::signPlace(double pixelsPerMetre) const {
-  const QRectF box = path_.boundingRect();
-  const double inset = kSignInsetPx / pixelsPerMetre;
-  const QPointF corner(box.width() > 2.0 * inset ? box.left() + inset : box.center().x(),
-                       box.height() > 2.0 * inset ? box.top() + inset : box.center().y());
-  return path_.contains(corner) ? corner : box.center();
-}
-
-/// Names keep off the signs of areas.
-std::vector<QRectF> ShapeItem::solidParts() const {
-  if (kindOf(value_) != EntityKind::Area) {
-    return {};
-  }
-  const double side = metres(kSignPx);
-  const QPointF sign = signPlace(mapScene().pixelsPerMetre());
-  return {QRectF(sign.x() - 0.5 * side, sign.y() - 0.5 * side, side, side)};
-}
-
-void ShapeItem::paintDoor(QPainter& painter) const {
-  const auto& door = std::get<sim2d::Door>(value_);
-  const bool open = mapScene().isDoorOpen(id(), door);
-  if (!open) {
-    painter.setPen(cosmetic(painter, theme().color(Role::ObstacleEdge), 1.0));
-    painter.setBrush(theme().color(Role::WarningMark));
-    painter.drawPath(path_);
-    return;
-  }
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(cosmetic(painter, theme().color(Role::ObstacleEdge), 1.5, Qt::DashLine));
-  painter.drawLine(MapScene::sceneFromWorld(door.from), MapScene::sceneFromWorld(door.to));
-  // The leaf stands open, with the arc that it swung through.
-  const Vec2 across = door.to - door.from;
-  const Vec2 leaf = door.from + Vec2(-across.y(), across.x());
-  painter.setPen(cosmetic(painter, theme().color(Role::ObstacleEdge), 2.0));
-  painter.drawLine(MapScene::sceneFromWorld(door.from), MapScene::sceneFromWorld(leaf));
-  const double length = across.norm();
-  const QPointF hinge = MapScene::sceneFromWorld(door.from);
-  const double startDeg = base::headingOf(across) * 180.0 / base::kPi;
-  QPainterPath arc;
-  const QRectF box(hinge.x() - length, hinge.y() - length, 2.0 * length, 2.0 * length);
-  arc.arcMoveTo(box, startDeg);
-  arc.arcTo(box, startDeg, 90.0);
-  painter.setPen(cosmetic(painter, theme().color(Role::ObstacleEdge, 0.6), 1.0, Qt::DotLine));
-  painter.drawPath(arc);
-}
-
-void ShapeItem::paintArea(QPainter& painter) const {
-  const bool strong = isHovered() || isSelectedEntity();
-  painter.setPen(
-      cosmetic(painter, theme().color(Role::ObstacleEdge), strong ? 1.5 : 1.0, Qt::DashLine));
-  painter.setBrush(theme().color(Role::Accent, strong ? 0.10 : 0.05));
-  painter.drawPath(path_);
-  paintSign(painter);
-}
-
-void ShapeItem::paintSign(QPainter& painter) const {
-  const double pixelsPerMetre = pixelsPerMetreOf(painter);
-  const QRectF box = path_.boundingRect();
-  const double sidePx = std::min(box.width(), box.height()) * pixelsPerMetre;
-  if (sidePx < kLeastSignPx) {
-    return;
-  }
-  const PixelFrame frame(painter, signPlace(pixelsPerMetre));
-  paintAreaGlyph(painter, std::get<sim2d::Area>(value_).kind, QPointF(), std::min(kSignPx, sidePx),
-                 theme());
-}
-
-void ShapeItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-  painter->setRenderHint(QPainter::Antialiasing);
-  switch (kindOf(value_)) {
-    case EntityKind::Door:
-      paintDoor(*painter);
-      break;
-    case EntityKind::Area:
-      paintArea(*painter);
-      break;
-    default:
-      painter->setPen(cosmetic(*painter, theme().color(Role::ObstacleEdge), 1.2));
-      painter->setBrush(theme().color(Role::ObstacleFill));
-      painter->drawPath(path_);
-  }
-  if (isHovered() && !isSelectedEntity()) {
-    painter->setBrush(Qt::NoBrush);
-    painter->setPen(cosmetic(*painter, theme().color(Role::Accent, 0.6), 1.5));
-    painter->drawPath(path_);
-  }
+std::unique_ptr<EntityItem> makeShapeItem(const MapScene& scene, EntityId id) {
+  return std::make_unique<ShapeItem>(scene, id);
 }
 
 }  // namespace editor

@@ -6,7 +6,7 @@
 
 #include "editor/canvas/MapScene.h"
 #include "editor/canvas/WallSnap.h"
-#include "editor/document/Tidy.h"
+#include "editor/document/Geometry.h"
 #include "sim2d/map/Outlines.h"
 
 namespace editor {
@@ -14,7 +14,7 @@ namespace editor {
 namespace {
 
 double rounded(double value, double step) {
-  return tidied(std::round(value / step) * step);
+  return rounded(std::round(value / step) * step);
 }
 
 Vec2 onAngle(const Vec2& anchor, const Vec2& world) {

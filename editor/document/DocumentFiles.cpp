@@ -5,8 +5,8 @@
 #include "editor/document/DocumentDisk.h"
 #include "editor/document/DocumentSnapshot.h"
 #include "editor/document/EditCommands.h"
+#include "editor/document/EntityLists.h"
 #include "editor/document/MapEdit.h"
-#include "editor/document/Nothing.h"
 #include "editor/document/QtImageLoader.h"
 #include "editor/document/TreeFiles.h"
 #include "sim2d/base/Text.h"
@@ -33,10 +33,10 @@ bool isYaml(const QString& path) {
 
 base::Diagnostics ScenarioDocument::open(const QString& path) {
   sim2d::ScenarioReading reading = sim2d::readScenario(path.toStdString());
-  if (!reading.ok() && isNothing(reading.scenario)) {
+  if (!reading.ok() && isBlank(reading.scenario)) {
     reading = sim2d::readBeginning(path.toStdString());
-    const bool isEmpty = isNothing(scenario_) && !isDirty();
-    if (isNothing(reading.scenario) && !(isEmpty && isYaml(path))) {
+    const bool isEmpty = isBlank(scenario_) && !isDirty();
+    if (isBlank(reading.scenario) && !(isEmpty && isYaml(path))) {
       return reading.diagnostics;
     }
   }
@@ -51,7 +51,7 @@ base::Diagnostics ScenarioDocument::open(const QString& path) {
   disk_->readOnly = !isWhole;
   loadDiagnostics_ = std::move(reading.diagnostics);
   disk_->readCount = loadDiagnostics_.size();
-  if (isWhole || !isNothing(scenario_)) {
+  if (isWhole || !isBlank(scenario_)) {
     loadMap();
   } else {
     setMap(std::make_shared<sim2d::OccupancyGrid>());  // one problem is enough

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "editor/document/Tidy.h"
+#include "editor/document/Geometry.h"
 
 namespace editor {
 
@@ -30,7 +30,7 @@ Vec2 centreOf(const std::vector<Vec2>& points) {
 
 void shift(std::vector<Vec2>& points, const Vec2& delta) {
   for (Vec2& point : points) {
-    point = tidied(point + delta);
+    point = rounded(point + delta);
   }
 }
 
@@ -153,26 +153,26 @@ std::optional<double> headingOf(const Entity& entity) {
 Entity moved(Entity entity, const Vec2& delta, bool withGoal) {
   std::visit(
       Overloaded{[&](sim2d::Human& human) {
-                   human.initPose.position = tidied(human.initPose.position + delta);
+                   human.initPose.position = rounded(human.initPose.position + delta);
                    human.hasInitPose = true;
                  },
                  [&](sim2d::Robot& robot) {
-                   robot.start.position = tidied(robot.start.position + delta);
+                   robot.start.position = rounded(robot.start.position + delta);
                    if (withGoal && robot.goal.point) {
-                     *robot.goal.point = tidied(*robot.goal.point + delta);
+                     *robot.goal.point = rounded(*robot.goal.point + delta);
                    }
                  },
-                 [&](sim2d::GlobalGoal& goal) { goal.position = tidied(goal.position + delta); },
+                 [&](sim2d::GlobalGoal& goal) { goal.position = rounded(goal.position + delta); },
                  [&](sim2d::Obstacle& obstacle) {
                    if (hasPoints(obstacle.kind)) {
                      shift(obstacle.points, delta);
                    } else {
-                     obstacle.pose.position = tidied(obstacle.pose.position + delta);
+                     obstacle.pose.position = rounded(obstacle.pose.position + delta);
                    }
                  },
                  [&](sim2d::Door& door) {
-                   door.from = tidied(door.from + delta);
-                   door.to = tidied(door.to + delta);
+                   door.from = rounded(door.from + delta);
+                   door.to = rounded(door.to + delta);
                  },
                  [&](sim2d::Area& area) { shift(area.points, delta); }, [](ScenarioSettings&) {}},
       entity);

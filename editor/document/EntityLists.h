@@ -58,4 +58,12 @@ int positionIn(const List& list, EntityId id) {
   return found == list.end() ? -1 : static_cast<int>(found - list.begin());
 }
 
+/// Nobody and nothing stands in it, and it names no map: what is left of a file of which nothing
+/// could be read.
+inline bool isBlank(const sim2d::Scenario& scenario) {
+  return scenario.humans.empty() && scenario.goals.empty() && scenario.robots.empty() &&
+         scenario.obstacles.empty() && scenario.doors.empty() && scenario.areas.empty() &&
+         !scenario.map && !scenario.desktop.mapFile;
+}
+
 }  // namespace editor

@@ -4,10 +4,10 @@
 
 #include <QRegularExpression>
 
+#include "editor/document/BehaviorValues.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/FixEdits.h"
 #include "editor/document/MapEdit.h"
-#include "editor/document/Reactions.h"
 #include "sim2d/scenario/Defaults.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "editor/document/Tidy.h"
 #include "sim2d/map/Outlines.h"
 
 namespace editor {
@@ -99,7 +98,7 @@ std::optional<Extent> extentOf(const Entity& entity) {
 
 Entity rotated(Entity entity, const Vec2& centre, double angle) {
   const Pose2 turn{centre, angle};
-  const auto at = [&](const Vec2& point) { return tidied(turn.toWorld(point - centre)); };
+  const auto at = [&](const Vec2& point) { return rounded(turn.toWorld(point - centre)); };
   if (std::vector<Vec2>* corners = cornersOf(entity)) {
     for (Vec2& corner : *corners) {
       corner = at(corner);
@@ -117,6 +116,15 @@ Entity rotated(Entity entity, const Vec2& centre, double angle) {
     entity = moved(std::move(entity), at(*place) - *place);
   }
   return heading ? turned(std::move(entity), *heading + angle) : entity;
+}
+
+double rounded(double metres) {
+  constexpr double kPerMetre = 1e6;
+  return std::round(metres * kPerMetre) / kPerMetre + 0.0;  // 0, not -0
+}
+
+Vec2 rounded(const Vec2& point) {
+  return {rounded(point.x()), rounded(point.y())};
 }
 
 }  // namespace editor

@@ -25,4 +25,8 @@ std::size_t fewestCorners(const Entity& entity);
 std::optional<std::size_t> edgeNear(const Entity& entity, const Vec2& point, double reach);
 bool hasOpenLine(const Entity& entity);  // a wall: its ends are not joined
 
+/// To the micrometre: sums of steps would otherwise be written as 12.629999999999999.
+double rounded(double metres);
+Vec2 rounded(const Vec2& point);
+
 }  // namespace editor

@@ -3,8 +3,8 @@
 #include <QMenu>
 
 #include "bt/tree/TreeXml.h"
+#include "editor/document/BehaviorValues.h"
 #include "editor/document/EditCommands.h"
-#include "editor/document/Reactions.h"
 #include "editor/document/TreeFiles.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/panels/BehaviorPanel.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "editor/document/Reactions.h"
+#include "editor/document/BehaviorValues.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/panels/GoalAssignment.h"
 #include "editor/panels/PersonKeys.h"

@@ -3,7 +3,7 @@
 
 #include <QHBoxLayout>
 
-#include "editor/document/Sampling.h"
+#include "editor/document/BehaviorValues.h"
 #include "editor/panels/PersonKeys.h"
 #include "editor/panels/PersonPage.h"
 #include "sim2d/world/World.h"

@@ -4,8 +4,8 @@
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
+#include "editor/document/BehaviorValues.h"
 #include "editor/document/EditCommands.h"
-#include "editor/document/Reactions.h"
 #include "editor/tools/CrowdOptions.h"
 #include "editor/tools/ToolRegistry.h"
 #include "sim2d/base/Rng.h"

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "editor/document/Reactions.h"
-#include "editor/tools/PersonTool.h"
+#include "editor/document/BehaviorValues.h"
 #include "sim2d/base/Rng.h"
 #include "sim2d/map/Outlines.h"
 #include "sim2d/scenario/Defaults.h"

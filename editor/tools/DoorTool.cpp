@@ -17,22 +17,20 @@ class DoorTool : public DragDrawing {
   }
 
  protected:
-  std::optional<Entity> spanned(const Vec2& from, const Vec2& to) const override;
+  std::optional<Entity> spanned(const Vec2& from, const Vec2& to) const override {
+    if ((to - from).norm() < kNarrowest) {
+      return std::nullopt;
+    }
+    sim2d::Door door;
+    door.key = ghostOf(EntityKind::Door);
+    door.name = "door";
+    door.from = from;
+    door.to = to;
+    return door;
+  }
 
   QString undoText() const override { return tr("Add door"); }
 };
-
-std::optional<Entity> DoorTool::spanned(const Vec2& from, const Vec2& to) const {
-  if ((to - from).norm() < kNarrowest) {
-    return std::nullopt;
-  }
-  sim2d::Door door;
-  door.key = ghostOf(EntityKind::Door);
-  door.name = "door";
-  door.from = from;
-  door.to = to;
-  return door;
-}
 
 }  // namespace
 

@@ -15,109 +15,100 @@ class GoalTool : public Tool {
  public:
   using Tool::Tool;
 
-  QString statusText() const override;
-  void press(const CanvasMouse& mouse) override;
-  void move(const CanvasMouse& mouse) override;
-  void release(const CanvasMouse& mouse) override;
-  void cancel() override;
+  QString statusText() const override {
+    if (held_ && held_->key != kGhost) {
+      return tr("Click to drop goal %1 · Esc leaves it where it was").arg(held_->id);
+    }
+    return tr("Click to add a goal · Click or drag a goal to move it");
+  }
+
+  void press(const CanvasMouse& mouse) override {
+    if (mouse.button != Qt::LeftButton) {
+      return;
+    }
+    pressed_ = true;
+    from_ = mouse.world;
+    justPicked_ = false;
+    if (held_) {  // picked up by the click before
+      preview(placeOf(mouse));
+      return;
+    }
+    grip_ = Vec2::Zero();
+    const sim2d::GlobalGoal* goal = document().goal(scene().entityAt(mouse.world));
+    if (goal != nullptr) {
+      held_ = *goal;
+      grip_ = goal->position - mouse.world;
+      justPicked_ = true;
+      document().setSelection({goal->key});
+    } else {
+      held_ = sim2d::GlobalGoal();
+      held_->key = kGhost;
+      held_->id = freeGoalId(document().scenario());
+      preview(placeOf(mouse));
+    }
+    Q_EMIT statusTextChanged();
+  }
+
+  void move(const CanvasMouse& mouse) override {
+    if (!held_) {
+      scene().setHovered(scene().entityAt(mouse.world));
+      return;
+    }
+    if (!pressed_ || isDrag(from_, mouse)) {
+      preview(placeOf(mouse));
+    }
+  }
+
+  void release(const CanvasMouse& mouse) override {
+    if (mouse.button != Qt::LeftButton || !pressed_) {
+      return;
+    }
+    pressed_ = false;
+    if (!held_ || (justPicked_ && !isDrag(from_, mouse))) {
+      return;  // picked up by a click: follows the mouse until the next one
+    }
+    drop(placeOf(mouse));
+  }
+
+  void cancel() override {
+    held_.reset();
+    pressed_ = false;
+    scene().clearPreview();
+    scene().toolLayer().clear();
+    scene().setHovered({});
+    Q_EMIT statusTextChanged();
+  }
 
  private:
-  void preview(const Vec2& at);
-  void drop(const Vec2& at);
-  Vec2 placeOf(CanvasMouse mouse) const;
+  void preview(const Vec2& at) {
+    sim2d::GlobalGoal shown = *held_;
+    shown.position = at;
+    scene().setPreview({shown});
+    scene().toolLayer().setTag(at, placeText(at));
+  }
+
+  void drop(const Vec2& at) {
+    sim2d::GlobalGoal goal = *held_;
+    cancel();
+    goal.position = at;
+    if (goal.key == kGhost) {
+      document().setSelection({pushAdd(document(), goal)});
+    } else {
+      pushEdit(document(), {goal}, tr("Move goal %1").arg(goal.id));
+    }
+  }
+
+  Vec2 placeOf(CanvasMouse mouse) const {
+    mouse.world += grip_;
+    return snapToGrid(mouse);
+  }
+
   std::optional<sim2d::GlobalGoal> held_;  // without a key in the document: a new one
   Vec2 from_ = Vec2::Zero();
   Vec2 grip_ = Vec2::Zero();  // from the cursor to the tip of the pin
   bool pressed_ = false;
   bool justPicked_ = false;
 };
-
-QString GoalTool::statusText() const {
-  if (held_ && held_->key != kGhost) {
-    return tr("Click to drop goal %1 · Esc leaves it where it was").arg(held_->id);
-  }
-  return tr("Click to add a goal · Click or drag a goal to move it");
-}
-
-void GoalTool::press(const CanvasMouse& mouse) {
-  if (mouse.button != Qt::LeftButton) {
-    return;
-  }
-  pressed_ = true;
-  from_ = mouse.world;
-  justPicked_ = false;
-  if (held_) {  // picked up by the click before
-    preview(placeOf(mouse));
-    return;
-  }
-  grip_ = Vec2::Zero();
-  const sim2d::GlobalGoal* goal = document().goal(scene().entityAt(mouse.world));
-  if (goal != nullptr) {
-    held_ = *goal;
-    grip_ = goal->position - mouse.world;
-    justPicked_ = true;
-    document().setSelection({goal->key});
-  } else {
-    held_ = sim2d::GlobalGoal();
-    held_->key = kGhost;
-    held_->id = freeGoalId(document().scenario());
-    preview(placeOf(mouse));
-  }
-  Q_EMIT statusTextChanged();
-}
-
-void GoalTool::move(const CanvasMouse& mouse) {
-  if (!held_) {
-    scene().setHovered(scene().entityAt(mouse.world));
-    return;
-  }
-  if (!pressed_ || isDrag(from_, mouse)) {
-    preview(placeOf(mouse));
-  }
-}
-
-void GoalTool::release(const CanvasMouse& mouse) {
-  if (mouse.button != Qt::LeftButton || !pressed_) {
-    return;
-  }
-  pressed_ = false;
-  if (!held_ || (justPicked_ && !isDrag(from_, mouse))) {
-    return;  // picked up by a click: follows the mouse until the next one
-  }
-  drop(placeOf(mouse));
-}
-
-Vec2 GoalTool::placeOf(CanvasMouse mouse) const {
-  mouse.world += grip_;
-  return snapToGrid(mouse);
-}
-
-void GoalTool::drop(const Vec2& at) {
-  sim2d::GlobalGoal goal = *held_;
-  cancel();
-  goal.position = at;
-  if (goal.key == kGhost) {
-    document().setSelection({pushAdd(document(), goal)});
-  } else {
-    pushEdit(document(), {goal}, tr("Move goal %1").arg(goal.id));
-  }
-}
-
-void GoalTool::preview(const Vec2& at) {
-  sim2d::GlobalGoal shown = *held_;
-  shown.position = at;
-  scene().setPreview({shown});
-  scene().toolLayer().setTag(at, placeText(at));
-}
-
-void GoalTool::cancel() {
-  held_.reset();
-  pressed_ = false;
-  scene().clearPreview();
-  scene().toolLayer().clear();
-  scene().setHovered({});
-  Q_EMIT statusTextChanged();
-}
 
 }  // namespace
 

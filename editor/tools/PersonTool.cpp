@@ -27,72 +27,63 @@ class PersonTool : public Tool {
  public:
   using Tool::Tool;
 
-  QString statusText() const override;
-  void press(const CanvasMouse& mouse) override;
-  void move(const CanvasMouse& mouse) override;
-  void release(const CanvasMouse& mouse) override;
-  void cancel() override;
+  QString statusText() const override {
+    return placing_ ? tr("Drag to where the person looks · Esc drops it")
+                    : tr("Press to place a person, drag to turn it");
+  }
+
+  void press(const CanvasMouse& mouse) override {
+    if (mouse.button != Qt::LeftButton) {
+      return;
+    }
+    from_ = snapToGrid(mouse);
+    placing_ = newPerson();
+    placing_->key = kGhost;
+    placing_->initPose = {from_, heading_};
+    placing_->hasInitPose = true;
+    preview();
+    Q_EMIT statusTextChanged();
+  }
+
+  void move(const CanvasMouse& mouse) override {
+    if (!placing_ || !isDrag(from_, mouse)) {
+      return;
+    }
+    placing_->initPose.heading = headingTo(from_, mouse);
+    preview();
+    scene().toolLayer().setArrow(from_, mouse.world);
+    scene().toolLayer().setTag(mouse.world, headingText(placing_->initPose.heading));
+  }
+
+  void release(const CanvasMouse& mouse) override {
+    if (mouse.button != Qt::LeftButton || !placing_) {
+      return;
+    }
+    if (isDrag(from_, mouse)) {
+      placing_->initPose.heading = headingTo(from_, mouse);
+    }
+    sim2d::Human human = *placing_;
+    heading_ = human.initPose.heading;
+    cancel();
+    human.name.clear();
+    human.id = -1;
+    document().setSelection({pushAdd(document(), std::move(human))});
+  }
+
+  void cancel() override {
+    placing_.reset();
+    scene().clearPreview();
+    scene().toolLayer().clear();
+    Q_EMIT statusTextChanged();
+  }
 
  private:
-  void preview();
+  void preview() { scene().setPreview({*placing_}); }
+
   double heading_ = 0.0;  // of the next person: as the last one looks
   std::optional<sim2d::Human> placing_;
   Vec2 from_ = Vec2::Zero();
 };
-
-QString PersonTool::statusText() const {
-  return placing_ ? tr("Drag to where the person looks · Esc drops it")
-                  : tr("Press to place a person, drag to turn it");
-}
-
-void PersonTool::press(const CanvasMouse& mouse) {
-  if (mouse.button != Qt::LeftButton) {
-    return;
-  }
-  from_ = snapToGrid(mouse);
-  placing_ = newPerson();
-  placing_->key = kGhost;
-  placing_->initPose = {from_, heading_};
-  placing_->hasInitPose = true;
-  preview();
-  Q_EMIT statusTextChanged();
-}
-
-void PersonTool::move(const CanvasMouse& mouse) {
-  if (!placing_ || !isDrag(from_, mouse)) {
-    return;
-  }
-  placing_->initPose.heading = headingTo(from_, mouse);
-  preview();
-  scene().toolLayer().setArrow(from_, mouse.world);
-  scene().toolLayer().setTag(mouse.world, headingText(placing_->initPose.heading));
-}
-
-void PersonTool::release(const CanvasMouse& mouse) {
-  if (mouse.button != Qt::LeftButton || !placing_) {
-    return;
-  }
-  if (isDrag(from_, mouse)) {
-    placing_->initPose.heading = headingTo(from_, mouse);
-  }
-  sim2d::Human human = *placing_;
-  heading_ = human.initPose.heading;
-  cancel();
-  human.name.clear();
-  human.id = -1;
-  document().setSelection({pushAdd(document(), std::move(human))});
-}
-
-void PersonTool::preview() {
-  scene().setPreview({*placing_});
-}
-
-void PersonTool::cancel() {
-  placing_.reset();
-  scene().clearPreview();
-  scene().toolLayer().clear();
-  Q_EMIT statusTextChanged();
-}
 
 }  // namespace
 

@@ -25,13 +25,10 @@ class PolygonTool : public CornerDrawing {
   QString idleText() const override {
     return tr("Click the corners of an obstacle; the first one again closes it");
   }
-  void preview(const Corners& corners) override;
+  void preview(const Corners& corners) override { scene().setPreview({polygonOf(corners)}); }
+
   void make(const Corners& corners) override;
 };
-
-void PolygonTool::preview(const Corners& corners) {
-  scene().setPreview({polygonOf(corners)});
-}
 
 void PolygonTool::make(const Corners& corners) {
   addDrawn(document(), polygonOf(corners), "polygon", tr("Add polygon"));

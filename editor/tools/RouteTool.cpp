@@ -20,131 +20,123 @@ class RouteTool : public Tool {
  public:
   using Tool::Tool;
 
-  QString statusText() const override;
+  QString statusText() const override {
+    if (walkers().empty()) {
+      return tr("Click the person whose route it is (Shift adds more)");
+    }
+    if (goals_.empty()) {
+      return tr("Click the goals in the order of visiting");
+    }
+    QStringList numbers;
+    for (const int goal : goals_) {
+      numbers << QString::number(goal);
+    }
+    return tr("Route %1 · Enter takes it · Backspace takes one back · Esc drops it")
+        .arg(numbers.join(QStringLiteral(" → ")));
+  }
+
   void activate() override { cancel(); }
   void deactivate() override { commit(); }
-  void press(const CanvasMouse& mouse) override;
-  void move(const CanvasMouse& mouse) override;
+  void press(const CanvasMouse& mouse) override {
+    if (mouse.button == Qt::RightButton) {
+      commit();
+      return;
+    }
+    if (mouse.button != Qt::LeftButton) {
+      return;
+    }
+    const EntityId hit = scene().entityAt(mouse.world);
+    if (isWalker(hit)) {
+      if (mouse.modifiers.testFlag(Qt::ShiftModifier)) {
+        document().toggleSelected(hit);
+      } else {
+        commit();
+        document().setSelection({hit});
+      }
+    } else if (const sim2d::GlobalGoal* goal = document().goal(hit)) {
+      if (!walkers().empty() && (goals_.empty() || goals_.back() != goal->id)) {
+        goals_.push_back(goal->id);
+      }
+    }
+    preview();
+  }
+
+  void move(const CanvasMouse& mouse) override {
+    scene().setHovered(scene().entityAt(mouse.world));
+    if (goals_.empty()) {
+      return;
+    }
+    if (const sim2d::GlobalGoal* last = document().scenario().goal(goals_.back())) {
+      scene().toolLayer().setLine({last->position, mouse.world});
+    }
+  }
+
   void release(const CanvasMouse&) override {}
   void doubleClick(const CanvasMouse&) override { commit(); }
-  void cancel() override;
-  bool keyPress(const QKeyEvent& event) override;
+  void cancel() override {
+    goals_.clear();
+    scene().clearPreview();
+    scene().toolLayer().clear();
+    scene().setHovered({});
+    Q_EMIT statusTextChanged();
+  }
+
+  bool keyPress(const QKeyEvent& event) override {
+    switch (event.key()) {
+      case Qt::Key_Return:
+      case Qt::Key_Enter:
+        commit();
+        return true;
+      case Qt::Key_Backspace:
+        if (!goals_.empty()) {
+          goals_.pop_back();
+          preview();
+        }
+        return true;
+      default:
+        return false;
+    }
+  }
 
  private:
-  std::vector<EntityId> walkers() const;  // selected people and robots
-  void preview();
-  void commit();
+  /// selected people and robots
+  std::vector<EntityId> walkers() const {
+    std::vector<EntityId> ids = document().selection();
+    ids.erase(std::remove_if(ids.begin(), ids.end(), [](EntityId id) { return !isWalker(id); }),
+              ids.end());
+    return ids;
+  }
+
+  void preview() {
+    std::vector<Entity> values;
+    for (const EntityId id : walkers()) {
+      std::optional<Entity> value = document().entity(id);
+      if (!value || goals_.empty()) {
+        continue;
+      }
+      if (auto* human = std::get_if<sim2d::Human>(&*value)) {
+        human->goals = goals_;
+      } else if (auto* robot = std::get_if<sim2d::Robot>(&*value)) {
+        robot->goal.point.reset();
+        robot->goal.goals = goals_;
+      }
+      values.push_back(*std::move(value));
+    }
+    scene().setPreview(values);
+    scene().toolLayer().clear();
+    Q_EMIT statusTextChanged();
+  }
+
+  void commit() {
+    const std::vector<int> goals = goals_;
+    cancel();
+    if (!goals.empty()) {
+      pushRoute(document(), walkers(), goals);
+    }
+  }
+
   std::vector<int> goals_;
 };
-
-std::vector<EntityId> RouteTool::walkers() const {
-  std::vector<EntityId> ids = document().selection();
-  ids.erase(std::remove_if(ids.begin(), ids.end(), [](EntityId id) { return !isWalker(id); }),
-            ids.end());
-  return ids;
-}
-
-QString RouteTool::statusText() const {
-  if (walkers().empty()) {
-    return tr("Click the person whose route it is (Shift adds more)");
-  }
-  if (goals_.empty()) {
-    return tr("Click the goals in the order of visiting");
-  }
-  QStringList numbers;
-  for (const int goal : goals_) {
-    numbers << QString::number(goal);
-  }
-  return tr("Route %1 · Enter takes it · Backspace takes one back · Esc drops it")
-      .arg(numbers.join(QStringLiteral(" → ")));
-}
-
-void RouteTool::press(const CanvasMouse& mouse) {
-  if (mouse.button == Qt::RightButton) {
-    commit();
-    return;
-  }
-  if (mouse.button != Qt::LeftButton) {
-    return;
-  }
-  const EntityId hit = scene().entityAt(mouse.world);
-  if (isWalker(hit)) {
-    if (mouse.modifiers.testFlag(Qt::ShiftModifier)) {
-      document().toggleSelected(hit);
-    } else {
-      commit();
-      document().setSelection({hit});
-    }
-  } else if (const sim2d::GlobalGoal* goal = document().goal(hit)) {
-    if (!walkers().empty() && (goals_.empty() || goals_.back() != goal->id)) {
-      goals_.push_back(goal->id);
-    }
-  }
-  preview();
-}
-
-void RouteTool::move(const CanvasMouse& mouse) {
-  scene().setHovered(scene().entityAt(mouse.world));
-  if (goals_.empty()) {
-    return;
-  }
-  if (const sim2d::GlobalGoal* last = document().scenario().goal(goals_.back())) {
-    scene().toolLayer().setLine({last->position, mouse.world});
-  }
-}
-
-bool RouteTool::keyPress(const QKeyEvent& event) {
-  switch (event.key()) {
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-      commit();
-      return true;
-    case Qt::Key_Backspace:
-      if (!goals_.empty()) {
-        goals_.pop_back();
-        preview();
-      }
-      return true;
-    default:
-      return false;
-  }
-}
-
-void RouteTool::preview() {
-  std::vector<Entity> values;
-  for (const EntityId id : walkers()) {
-    std::optional<Entity> value = document().entity(id);
-    if (!value || goals_.empty()) {
-      continue;
-    }
-    if (auto* human = std::get_if<sim2d::Human>(&*value)) {
-      human->goals = goals_;
-    } else if (auto* robot = std::get_if<sim2d::Robot>(&*value)) {
-      robot->goal.point.reset();
-      robot->goal.goals = goals_;
-    }
-    values.push_back(*std::move(value));
-  }
-  scene().setPreview(values);
-  scene().toolLayer().clear();
-  Q_EMIT statusTextChanged();
-}
-
-void RouteTool::commit() {
-  const std::vector<int> goals = goals_;
-  cancel();
-  if (!goals.empty()) {
-    pushRoute(document(), walkers(), goals);
-  }
-}
-
-void RouteTool::cancel() {
-  goals_.clear();
-  scene().clearPreview();
-  scene().toolLayer().clear();
-  scene().setHovered({});
-  Q_EMIT statusTextChanged();
-}
 
 }  // namespace
 

@@ -8,7 +8,6 @@
 #include "editor/canvas/Snap.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/Geometry.h"
-#include "editor/tools/Arrange.h"
 #include "editor/tools/SelectionActions.h"
 #include "editor/tools/ToolRegistry.h"
 

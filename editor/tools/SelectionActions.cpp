@@ -1,6 +1,9 @@
 #include "editor/tools/SelectionActions.h"
 
+#include <algorithm>
+
 #include "editor/document/EditCommands.h"
+#include "editor/document/Geometry.h"
 
 namespace editor {
 
@@ -21,6 +24,105 @@ void selectAll(ScenarioDocument& document) {
     all.insert(all.end(), ids.begin(), ids.end());
   }
   document.setSelection(std::move(all));
+}
+
+namespace {
+
+struct Piece {
+  Entity value;
+  Extent extent;
+};
+
+std::vector<Piece> piecesOf(const ScenarioDocument& document) {
+  std::vector<Piece> pieces;
+  for (const EntityId id : document.selection()) {
+    const std::optional<Entity> value = document.entity(id);
+    const std::optional<Extent> extent = value ? extentOf(*value) : std::nullopt;
+    if (extent) {
+      pieces.push_back({*value, *extent});
+    }
+  }
+  return pieces;
+}
+
+Extent wholeOf(const std::vector<Piece>& pieces) {
+  Extent whole = pieces.front().extent;
+  for (const Piece& piece : pieces) {
+    whole.include(piece.extent);
+  }
+  return whole;
+}
+
+Vec2 offsetFor(Align how, const Extent& piece, const Extent& whole) {
+  switch (how) {
+    case Align::Left:
+      return {whole.low.x() - piece.low.x(), 0.0};
+    case Align::CentreX:
+      return {whole.centre().x() - piece.centre().x(), 0.0};
+    case Align::Right:
+      return {whole.high.x() - piece.high.x(), 0.0};
+    case Align::Top:
+      return {0.0, whole.high.y() - piece.high.y()};
+    case Align::CentreY:
+      return {0.0, whole.centre().y() - piece.centre().y()};
+    case Align::Bottom:
+      break;
+  }
+  return {0.0, whole.low.y() - piece.low.y()};
+}
+
+}  // namespace
+
+void alignSelection(ScenarioDocument& document, Align how) {
+  const std::vector<Piece> pieces = piecesOf(document);
+  if (pieces.size() < 2) {
+    return;
+  }
+  const Extent whole = wholeOf(pieces);
+  std::vector<Entity> values;
+  for (const Piece& piece : pieces) {
+    values.push_back(moved(piece.value, offsetFor(how, piece.extent, whole)));
+  }
+  pushEdit(document, std::move(values), QObject::tr("Align"));
+}
+
+void distributeSelection(ScenarioDocument& document, Distribute how) {
+  std::vector<Piece> pieces = piecesOf(document);
+  if (pieces.size() < 3) {
+    return;
+  }
+  const int axis = how == Distribute::Across ? 0 : 1;
+  std::stable_sort(pieces.begin(), pieces.end(), [axis](const Piece& a, const Piece& b) {
+    return a.extent.centre()(axis) < b.extent.centre()(axis);
+  });
+  const Extent whole = wholeOf(pieces);
+  double room = whole.high(axis) - whole.low(axis);
+  for (const Piece& piece : pieces) {
+    room -= piece.extent.high(axis) - piece.extent.low(axis);
+  }
+  const double gap = room / double(pieces.size() - 1);
+  std::vector<Entity> values;
+  double at = whole.low(axis);
+  for (const Piece& piece : pieces) {
+    Vec2 offset = Vec2::Zero();
+    offset(axis) = at - piece.extent.low(axis);
+    at += piece.extent.high(axis) - piece.extent.low(axis) + gap;
+    values.push_back(moved(piece.value, offset));
+  }
+  pushEdit(document, std::move(values), QObject::tr("Distribute"));
+}
+
+void rotateSelection(ScenarioDocument& document, double angle) {
+  const std::vector<Piece> pieces = piecesOf(document);
+  if (pieces.empty()) {
+    return;
+  }
+  const Vec2 centre = wholeOf(pieces).centre();
+  std::vector<Entity> values;
+  for (const Piece& piece : pieces) {
+    values.push_back(rotated(piece.value, centre, angle));
+  }
+  pushEdit(document, std::move(values), QObject::tr("Rotate"));
 }
 
 }  // namespace editor

@@ -25,30 +25,25 @@ class WallTool : public CornerDrawing {
     return tr("Drag a wall, or click its corners one by one · Shift: 15° steps");
   }
   bool isClosed() const override { return false; }
-  QString problemOf(const Corners& corners) const override;
-  void preview(const Corners& corners) override;
-  void make(const Corners& corners) override;
+  QString problemOf(const Corners& corners) const override {
+    if (corners.size() < 2) {
+      return tr("Two corners or more are needed");
+    }
+    double length = 0.0;
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+      length += (corners[i] - corners[i - 1]).norm();
+    }
+    return length < kLeastLength ? tr("Too short") : QString();
+  }
+
+  void preview(const Corners& corners) override { scene().setPreview({wallAlong(corners)}); }
+
+  void make(const Corners& corners) override {
+    addDrawn(document(), wallAlong(corners), "wall", tr("Add wall"));
+  }
+
   Corners dragged(const Vec2& from, const Vec2& to) const override { return {from, to}; }
 };
-
-QString WallTool::problemOf(const Corners& corners) const {
-  if (corners.size() < 2) {
-    return tr("Two corners or more are needed");
-  }
-  double length = 0.0;
-  for (std::size_t i = 1; i < corners.size(); ++i) {
-    length += (corners[i] - corners[i - 1]).norm();
-  }
-  return length < kLeastLength ? tr("Too short") : QString();
-}
-
-void WallTool::preview(const Corners& corners) {
-  scene().setPreview({wallAlong(corners)});
-}
-
-void WallTool::make(const Corners& corners) {
-  addDrawn(document(), wallAlong(corners), "wall", tr("Add wall"));
-}
 
 }  // namespace
 

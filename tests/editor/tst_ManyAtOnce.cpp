@@ -4,7 +4,6 @@
 #include "editor/document/EditCommands.h"
 #include "editor/document/EntityModel.h"
 #include "editor/panels/ScenarioPanel.h"
-#include "editor/tools/Arrange.h"
 #include "editor/tools/SelectionActions.h"
 
 using namespace editor;

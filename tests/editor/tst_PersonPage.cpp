@@ -2,8 +2,8 @@
 #include <QtTest>
 
 #include "SmallScenario.h"
+#include "editor/document/BehaviorValues.h"
 #include "editor/document/EditCommands.h"
-#include "editor/document/Sampling.h"
 #include "editor/look/Fields.h"
 #include "editor/look/HouseStyle.h"
 #include "editor/panels/PropertyPanel.h"

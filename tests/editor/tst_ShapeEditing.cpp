@@ -3,8 +3,8 @@
 #include "CanvasTester.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/Geometry.h"
-#include "editor/tools/Arrange.h"
 #include "editor/tools/Clipboard.h"
+#include "editor/tools/SelectionActions.h"
 #include "sim2d/map/Outlines.h"
 
 using namespace editor;
