@@ -14,7 +14,7 @@ namespace editor {
 namespace {
 
 double rounded(double value, double step) {
-  return rounded(std::round(value / step) * step);
+  return editor::rounded(std::round(value / step) * step);
 }
 
 Vec2 onAngle(const Vec2& anchor, const Vec2& world) {

@@ -5,7 +5,7 @@
 #include <QFile>
 #include <QFileInfo>
 
-#include "app/run/Bundle.h"
+#include "editor/document/SavePlan.h"
 #include "editor/document/TreeFiles.h"
 
 namespace editor {
@@ -60,6 +60,47 @@ void DocumentDisk::forgetFiles() {
 const KnownTree* DocumentDisk::known(EntityId human) const {
   const auto found = trees.find(human);
   return found == trees.end() ? nullptr : &found->second;
+}
+
+bool DocumentDisk::holds(const MapState& map) const {
+  const auto onDisk = maps.find(map.path);
+  return !map.path.isEmpty() &&
+         (onDisk == maps.end() || onDisk->second == map.grid || *onDisk->second == *map.grid);
+}
+
+bool DocumentDisk::isOtherMapWanted(const sim2d::Scenario& scenario) const {
+  return scenario.desktop.mapFile && scenario.desktop.mapFile != mapFile;
+}
+
+void DocumentDisk::noteMapFiles(const SavePlan& plan, const DocumentDisk& before) {
+  if (plan.mapFiles.empty()) {
+    mapImage = before.mapImage;
+    for (const QString& file : {plan.mapPath, before.mapImage}) {
+      const auto known = before.hashes.find(file);
+      if (known != before.hashes.end()) {
+        hashes.insert(*known);
+      }
+    }
+  } else {
+    mapImage = QString::fromStdString(plan.mapFiles.front().path);
+    for (const base::FileContent& file : plan.mapFiles) {
+      note(QString::fromStdString(file.path), file.content);
+    }
+  }
+}
+
+void DocumentDisk::noteTree(const PlannedTree& written, bool isOwn, std::string generated,
+                            const KnownTree* before) {
+  note(QString::fromStdString(written.path), written.content);
+  if (isOwn) {
+    bases[written.human] = generated;
+  }
+  std::optional<bt::TreeStyle> style;
+  if (!isOwn) {
+    style = written.content == generated || before == nullptr ? bt::TreeStyle::Corrected
+                                                              : before->style;
+  }
+  trees[written.human] = {written.path, written.content, style, std::move(generated)};
 }
 
 std::map<EntityId, int> linesOf(const sim2d::Scenario& scenario,
@@ -123,97 +164,6 @@ void moveRelativePaths(sim2d::Scenario& scenario, const QString& from, const QSt
       human.ours.tree = movedPath(*human.ours.tree, old, to);
     }
   }
-}
-
-void ScenarioDocument::setSearch(const QString& map, const QString& trees) {
-  disk_->mapOption = map.toStdString();
-  disk_->treesOption = trees.toStdString();
-}
-
-bool ScenarioDocument::isReadOnly() const {
-  return disk_->readOnly;
-}
-
-QStringList ScenarioDocument::files() const {
-  QStringList files;
-  for (const auto& [file, hash] : disk_->hashes) {
-    files << file;
-  }
-  return files;
-}
-
-QStringList ScenarioDocument::changedOnDisk() const {
-  QStringList changed;
-  for (const auto& [file, hash] : disk_->hashes) {
-    const QByteArray now = hashOfFile(file);
-    if (!now.isEmpty() && now != hash) {  // a file that is gone comes back by saving
-      changed << file;
-    }
-  }
-  return changed;
-}
-
-void ScenarioDocument::acceptDisk() {
-  for (const QString& file : changedOnDisk()) {
-    disk_->noteFile(file);
-  }
-}
-
-std::string ScenarioDocument::wantedTree(const sim2d::Scenario& scenario,
-                                         const sim2d::Human& human) const {
-  if (std::optional<std::string> own = tree(human.key)) {
-    return *std::move(own);
-  }
-  const KnownTree* known = disk_->known(human.key);
-  std::string generated = generatedTree(scenario, human);
-  if (known == nullptr || !known->style) {
-    return generated;
-  }
-  if (known->generated == generated) {
-    return known->content;  // layout and style as in the file
-  }
-  return *known->style == bt::TreeStyle::Corrected ? generated
-                                                   : generatedTree(scenario, human, *known->style);
-}
-
-std::optional<std::string> ScenarioDocument::treeToRun(EntityId id) const {
-  std::optional<std::string> own = tree(id);
-  const KnownTree* known = disk_->known(id);
-  const sim2d::Human* person = human(id);
-  if (own || person == nullptr || known == nullptr || !known->style) {
-    return own;
-  }
-  if (*known->style == bt::TreeStyle::Corrected) {
-    return std::nullopt;  // means the same as the generator's
-  }
-  return wantedTree(scenario_, *person);
-}
-
-app::Bundle ScenarioDocument::bundle() const {
-  app::Bundle bundle;
-  bundle.path = path_.toStdString();
-  bundle.scenario = std::make_shared<const sim2d::Scenario>(scenario_);
-  bundle.isWhole = !disk_->readOnly;
-  bundle.map = mapIsMissing_ ? nullptr : map_;
-  bundle.lines = disk_->lines;
-  bundle.remarks = loadDiagnostics_;
-  base::append(bundle.remarks, mapProblems_);
-  if (isReadOnly() && !base::hasErrors(bundle.remarks)) {  // what was wrong is told no more
-    bundle.remarks.push_back(base::makeError(
-        "the file could only be read in part: save it under another name to run what is there",
-        bundle.path));
-  }
-  const std::string folder = path_.isEmpty() ? std::string() : treeFolderOf(bundle.path);
-  const sim2d::FilePlaces places = disk_->places(path_, shippedMaps_);
-  for (const sim2d::Human& human : scenario_.humans) {
-    const KnownTree* known = disk_->known(human.key);
-    if (std::optional<std::string> text = treeToRun(human.key)) {
-      bundle.trees[human.name] = {*std::move(text), known ? known->path : std::string(), folder};
-    } else if (human.ours.tree && known == nullptr) {  // it could not be read
-      bundle.trees[human.name] = sim2d::findTree(scenario_, human, places);
-    }
-  }
-  return bundle;
 }
 
 }  // namespace editor

@@ -11,7 +11,6 @@
 #include "bt/human/Templates.h"
 #include "bt/human/TreeBehavior.h"
 #include "editor/document/ScenarioDocument.h"
-#include "sim2d/base/FileSet.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 
 /// What a document knows of its files on the disk. Private to this folder.
@@ -23,6 +22,9 @@ struct KnownTree {
   std::optional<bt::TreeStyle> style;  // of the generator that made it; none: someone wrote it
   std::string generated;               // what the generator made of the person then
 };
+
+struct PlannedTree;
+struct SavePlan;
 
 struct DocumentDisk {
   std::map<EntityId, KnownTree> trees;
@@ -44,6 +46,12 @@ struct DocumentDisk {
   void noteFile(const QString& file);  // as it is now
   void forgetFiles();                  // of the document before
   const KnownTree* known(EntityId human) const;
+  bool holds(const MapState& map) const;  // the cells are those of its file
+  /// Somebody has written the name of another file into the settings.
+  bool isOtherMapWanted(const sim2d::Scenario& scenario) const;
+  void noteMapFiles(const SavePlan& plan, const DocumentDisk& before);
+  void noteTree(const PlannedTree& written, bool isOwn, std::string generated,
+                const KnownTree* before);
 };
 
 /// Where the entities of a document stand in a file that holds it; the two may differ in keys.
@@ -52,22 +60,6 @@ std::map<EntityId, int> linesOf(const sim2d::Scenario& scenario,
 
 /// Hash of a file's content; empty when it cannot be read.
 QByteArray hashOfFile(const QString& file);
-
-/// A tree that saving writes.
-struct PlannedTree {
-  EntityId human;
-  std::string path, content;
-};
-
-/// All that saving would do; nothing is done yet.
-struct SavePlan {
-  QString path;  // of the scenario
-  sim2d::Scenario scenario;
-  QString mapPath;
-  std::vector<base::FileContent> mapFiles;
-  std::vector<PlannedTree> trees;
-  base::Diagnostics problems;
-};
 
 // Helpers of the functions on files.
 std::string baseNameOf(const QString& path);

@@ -1,13 +1,15 @@
+#include <algorithm>
 #include <filesystem>
 
 #include <QFileInfo>
 
-#include "editor/document/DocumentDisk.h"
+#include "app/run/Bundle.h"
 #include "editor/document/DocumentSnapshot.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/EntityLists.h"
 #include "editor/document/MapEdit.h"
 #include "editor/document/QtImageLoader.h"
+#include "editor/document/SavePlan.h"
 #include "editor/document/TreeFiles.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"
@@ -27,6 +29,13 @@ bool isYaml(const QString& path) {
   const QString suffix = QFileInfo(path).suffix().toLower();
   return QFileInfo(path).isReadable() &&
          (suffix == QLatin1String("yaml") || suffix == QLatin1String("yml"));
+}
+
+/// What was wrong with the file that was opened is not wrong with the one that was saved.
+void replaceFirst(base::Diagnostics& problems, std::size_t count, const base::Diagnostics& fresh) {
+  const auto begin = problems.begin();
+  problems.erase(begin, begin + static_cast<std::ptrdiff_t>(count));
+  problems.insert(problems.begin(), fresh.begin(), fresh.end());
 }
 
 }  // namespace
@@ -216,6 +225,171 @@ void ScenarioDocument::restore(DocumentSnapshot snapshot, bool isSaved) {
   Q_EMIT pathChanged();
   Q_EMIT dirtyChanged(!isSaved);
   Q_EMIT issuesChanged(issues());
+}
+
+SavePlanner ScenarioDocument::planner() const {
+  return {*this, *disk_, shippedMaps_};
+}
+
+std::vector<TreeQuestion> ScenarioDocument::treeQuestions(const QString& path) const {
+  return planner().questions(path);
+}
+
+/// What is decided about trees can be undone like any other edit.
+void ScenarioDocument::answerTrees(const QString& path, const TreeAnswers& answers) {
+  for (const TreeQuestion& question : treeQuestions(path)) {
+    const auto answer = answers.find(question.human);
+    const bool keeps = answer == answers.end() || answer->second == TreeAnswer::KeepMine;
+    if (question.why == TreeQuestion::Why::ChangedOnDisk && keeps) {
+      undoStack_.push(new EditTree(*this, question.human, question.mine,
+                                   tr("Keep the tree of %1 that is in its file")
+                                       .arg(QString::fromStdString(question.name))));
+    } else if (question.why == TreeQuestion::Why::BehaviourChanged && !keeps) {
+      undoStack_.push(new EditTree(
+          *this, question.human, std::nullopt,
+          tr("Take the generated tree of %1").arg(QString::fromStdString(question.name))));
+    }
+  }
+}
+
+base::Diagnostics ScenarioDocument::save(const QString& path, const TreeAnswers& answers) {
+  answerTrees(path, answers);
+  SavePlan plan = planner().plan(path);
+  if (base::hasErrors(plan.problems)) {
+    return plan.problems;
+  }
+  std::vector<base::FileContent> files = plan.mapFiles;
+  for (const PlannedTree& tree : plan.trees) {
+    files.push_back({tree.path, tree.content});
+  }
+  if (!plan.scenario.humans.empty()) {
+    if (auto included = missingIncludedTree(treeFolderOf(plan.path.toStdString()))) {
+      files.push_back(*std::move(included));
+    }
+  }
+  files.push_back({plan.path.toStdString(), sim2d::writeScenario(plan.scenario)});
+  files.erase(std::remove_if(
+                  files.begin(), files.end(),
+                  [](const base::FileContent& file) { return textAt(file.path) == file.content; }),
+              files.end());
+  base::append(plan.problems, base::writeFilesTogether(files));
+  const base::Diagnostics problems = plan.problems;
+  if (!base::hasErrors(problems)) {
+    takeSaved(std::move(plan));
+  }
+  return problems;
+}
+
+void ScenarioDocument::takeSaved(SavePlan plan) {
+  const bool isChanged = !(plan.scenario == scenario_);
+  const bool keepsMapFile = disk_->holds(mapState()) && disk_->isOtherMapWanted(scenario_);
+  scenario_ = std::move(plan.scenario);
+  path_ = plan.path;
+  mapPath_ = plan.mapPath;
+  neverSaved_ = false;
+  commentCount_ = 0;
+  const DocumentDisk before = *disk_;
+  disk_->forgetFiles();
+  disk_->mapFile = keepsMapFile ? before.mapFile : scenario_.desktop.mapFile;
+  const std::string text = sim2d::writeScenario(scenario_);
+  disk_->note(path_, text);
+  const sim2d::ScenarioReading reading = sim2d::readScenarioText(text, path_.toStdString());
+  disk_->lines = linesOf(scenario_, reading);
+  replaceFirst(loadDiagnostics_, before.readCount, reading.diagnostics);
+  disk_->readCount = reading.diagnostics.size();
+  if (!mapPath_.isEmpty()) {
+    disk_->maps[mapPath_] = map_;
+  }
+  disk_->noteMapFiles(plan, before);
+  for (const PlannedTree& written : plan.trees) {
+    disk_->noteTree(written, tree(written.human).has_value(),
+                    generatedTree(scenario_, *human(written.human)), before.known(written.human));
+  }
+  undoStack_.setClean();
+  if (mapIsMissing_) {
+    loadMap();  // it may be beside the new place, and lines have moved
+  }
+  if (isChanged) {
+    replaced();
+  }
+  Q_EMIT pathChanged();
+  Q_EMIT dirtyChanged(false);
+  Q_EMIT issuesChanged(issues());
+  checkTimer_.start();
+}
+
+std::optional<std::string> ScenarioDocument::treeToRun(EntityId id) const {
+  std::optional<std::string> own = tree(id);
+  const KnownTree* known = disk_->known(id);
+  const sim2d::Human* person = human(id);
+  if (own || person == nullptr || known == nullptr || !known->style) {
+    return own;
+  }
+  if (*known->style == bt::TreeStyle::Corrected) {
+    return std::nullopt;  // means the same as the generator's
+  }
+  return planner().wantedTree(scenario_, *person);
+}
+
+app::Bundle ScenarioDocument::bundle() const {
+  app::Bundle bundle;
+  bundle.path = path_.toStdString();
+  bundle.scenario = std::make_shared<const sim2d::Scenario>(scenario_);
+  bundle.isWhole = !disk_->readOnly;
+  bundle.map = mapIsMissing_ ? nullptr : map_;
+  bundle.lines = disk_->lines;
+  bundle.remarks = loadDiagnostics_;
+  base::append(bundle.remarks, mapProblems_);
+  if (isReadOnly() && !base::hasErrors(bundle.remarks)) {  // what was wrong is told no more
+    bundle.remarks.push_back(base::makeError(
+        "the file could only be read in part: save it under another name to run what is there",
+        bundle.path));
+  }
+  const std::string folder = path_.isEmpty() ? std::string() : treeFolderOf(bundle.path);
+  const sim2d::FilePlaces places = disk_->places(path_, shippedMaps_);
+  for (const sim2d::Human& human : scenario_.humans) {
+    const KnownTree* known = disk_->known(human.key);
+    if (std::optional<std::string> text = treeToRun(human.key)) {
+      bundle.trees[human.name] = {*std::move(text), known ? known->path : std::string(), folder};
+    } else if (human.ours.tree && known == nullptr) {  // it could not be read
+      bundle.trees[human.name] = sim2d::findTree(scenario_, human, places);
+    }
+  }
+  return bundle;
+}
+
+void ScenarioDocument::setSearch(const QString& map, const QString& trees) {
+  disk_->mapOption = map.toStdString();
+  disk_->treesOption = trees.toStdString();
+}
+
+bool ScenarioDocument::isReadOnly() const {
+  return disk_->readOnly;
+}
+
+QStringList ScenarioDocument::files() const {
+  QStringList files;
+  for (const auto& [file, hash] : disk_->hashes) {
+    files << file;
+  }
+  return files;
+}
+
+QStringList ScenarioDocument::changedOnDisk() const {
+  QStringList changed;
+  for (const auto& [file, hash] : disk_->hashes) {
+    const QByteArray now = hashOfFile(file);
+    if (!now.isEmpty() && now != hash) {  // a file that is gone comes back by saving
+      changed << file;
+    }
+  }
+  return changed;
+}
+
+void ScenarioDocument::acceptDisk() {
+  for (const QString& file : changedOnDisk()) {
+    disk_->noteFile(file);
+  }
 }
 
 }  // namespace editor

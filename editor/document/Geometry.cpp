@@ -1,6 +1,7 @@
 #include "editor/document/Geometry.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim2d/map/Outlines.h"
 

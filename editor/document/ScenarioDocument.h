@@ -24,6 +24,7 @@ struct Bundle;
 namespace editor {
 
 class LiveCheck;
+class SavePlanner;
 struct DocumentDisk;
 struct DocumentSnapshot;
 struct SavePlan;
@@ -161,10 +162,7 @@ class ScenarioDocument : public QObject {
   void restoreMap(const DocumentSnapshot& snapshot);
   base::Diagnostics loadTrees();
   void startCheck();
-  void placeMap(SavePlan& plan) const;
-  void planTrees(SavePlan& plan) const;
-  std::string wantedTree(const sim2d::Scenario& scenario, const sim2d::Human& human) const;
-  SavePlan planSaving(const QString& path) const;
+  SavePlanner planner() const;
   void answerTrees(const QString& path, const TreeAnswers& answers);
   void takeSaved(SavePlan plan);
 
