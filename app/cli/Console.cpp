@@ -42,6 +42,23 @@ void printError(const std::string& line) {
   std::cerr << line << '\n';
 }
 
+void printTable(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths;
+  for (const std::vector<std::string>& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()), 0);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      widths[i] = std::max(widths[i], row[i].size());
+    }
+  }
+  for (const std::vector<std::string>& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      line += row[i] + std::string(widths[i] - row[i].size() + 2, ' ');
+    }
+    printLine(line.substr(0, line.find_last_not_of(' ') + 1));
+  }
+}
+
 void printDiagnostics(const base::Diagnostics& diagnostics, base::Severity least) {
   for (const base::Diagnostic& diagnostic : diagnostics) {
     if (diagnostic.severity >= least) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "sim2d/base/Result.h"
 
@@ -12,6 +13,8 @@ namespace app {
 void print(const std::string& text);       // to standard output
 void printLine(const std::string& line);   // idem, with a line end
 void printError(const std::string& line);  // to standard error
+/// Columns two blanks apart, to standard output.
+void printTable(const std::vector<std::vector<std::string>>& rows);
 /// A line each, to standard error; of `least` severity and above.
 void printDiagnostics(const base::Diagnostics& diagnostics,
                       base::Severity least = base::Severity::Info);

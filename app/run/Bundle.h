@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/run/MetricsChoice.h"
+#include "app/run/MetricsSetup.h"
 #include "app/run/RunOptions.h"
 #include "bt/human/TreeBehavior.h"
 #include "sim2d/map/MapReader.h"

@@ -25,4 +25,13 @@ base::Diagnostics readMetricsSetup(const sim2d::TraceHeader& header, MetricsSetu
 /// the rest), so that the record alone gives the same numbers.
 void noteMetricsFile(const MetricsSetup& setup, sim2d::TraceHeader& header);
 
+/// The words of the command line about metrics.
+struct MetricsWords {
+  std::string metrics;                // a file, or keys with commas; empty = what the scenario says
+  std::string profile = "corrected";  // or "hunav2"
+};
+/// Puts the words over the setup. Returns the problems of the file; unknown keys are `wrongWords`.
+base::Diagnostics chooseMetrics(const MetricsWords& words, MetricsSetup& setup,
+                                base::Diagnostics& wrongWords);
+
 }  // namespace app

@@ -16,7 +16,7 @@ sim2d::Human person(int id, const std::string& name) {
   human.key = {base::EntityKind::Human, id};
   human.id = id;
   human.name = name;
-  human.start = {{2.0 * id, 0.0}, 0.0};
+  human.initPose = {{2.0 * id, 0.0}, 0.0};
   human.goals = {1};
   return human;
 }

@@ -7,7 +7,7 @@
 #include "app/cli/Console.h"
 #include "app/run/Bundle.h"
 #include "app/run/Manifest.h"
-#include "app/run/MetricsChoice.h"
+#include "app/run/MetricsSetup.h"
 #include "editor/document/QtImageLoader.h"
 #include "metrics/ReportFiles.h"
 #include "sim2d/base/Text.h"

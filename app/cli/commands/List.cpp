@@ -120,24 +120,12 @@ std::vector<Entry> scenarioEntries() {
 }
 
 void printText(const std::vector<Entry>& entries) {
-  std::vector<std::size_t> widths;
+  std::vector<std::vector<std::string>> rows;
   for (const Entry& entry : entries) {
-    widths.resize(std::max(widths.size(), entry.columns.size() + 1), 0);
-    widths[0] = std::max(widths[0], entry.name.size());
-    for (std::size_t k = 0; k < entry.columns.size(); ++k) {
-      widths[k + 1] = std::max(widths[k + 1], entry.columns[k].size());
-    }
+    rows.push_back({entry.name});
+    rows.back().insert(rows.back().end(), entry.columns.begin(), entry.columns.end());
   }
-  for (const Entry& entry : entries) {
-    std::string line = entry.name;
-    std::size_t column = widths.empty() ? 0 : widths[0];
-    for (std::size_t k = 0; k < entry.columns.size(); ++k) {
-      line.resize(std::max(line.size(), column), ' ');
-      line += "  " + entry.columns[k];
-      column += 2 + widths[k + 1];
-    }
-    printLine(base::trimmed(line));
-  }
+  printTable(rows);
 }
 
 void printJson(const std::vector<Entry>& entries) {

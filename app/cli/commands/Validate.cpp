@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -47,27 +48,6 @@ std::vector<std::string> cellsOf(const ValidationRow& row) {
           limitText(row.quantity),
           row.quantity.unit,
           row.problem};
-}
-
-void printTable(const std::vector<ValidationRow>& rows) {
-  std::vector<std::vector<std::string>> lines = {
-      {"", "test", "model", "quantity", "value", "limit", "unit", ""}};
-  std::vector<std::size_t> widths(lines[0].size(), 0);
-  for (const ValidationRow& row : rows) {
-    lines.push_back(cellsOf(row));
-  }
-  for (const std::vector<std::string>& line : lines) {
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      widths[i] = std::max(widths[i], line[i].size());
-    }
-  }
-  for (const std::vector<std::string>& line : lines) {
-    std::string text;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      text += line[i] + std::string(widths[i] - line[i].size() + 2, ' ');
-    }
-    printLine(text.substr(0, text.find_last_not_of(' ') + 1));
-  }
 }
 
 bool choose(const ValidateOptions& options, std::vector<const RealismTest*>& tests,
@@ -128,7 +108,10 @@ int validateCommand(const ValidateOptions& options, const OutputOptions& output)
   if (output.json) {
     printLine(validationJson(rows));
   } else if (!output.quiet) {
-    printTable(rows);
+    std::vector<std::vector<std::string>> table = {
+        {"", "test", "model", "quantity", "value", "limit", "unit", ""}};
+    std::transform(rows.begin(), rows.end(), std::back_inserter(table), cellsOf);
+    printTable(table);
   }
   if (!options.output.empty()) {
     const base::Diagnostics problems = writeValidation(options.output, rows);
