@@ -22,14 +22,6 @@ sim2d::FilePlaces placesOf(const RunOptions& options) {
   return places;
 }
 
-sim2d::KnownNames knownNames() {
-  sim2d::KnownNames names;
-  names.models = sim2d::modelNames();
-  names.planners = sim2d::plannerNames();
-  names.robotTypes = sim2d::robotTypeNames();
-  return names;
-}
-
 void readMapOf(Bundle& bundle, const sim2d::FilePlaces& places, const sim2d::ImageLoader& loader) {
   const sim2d::Scenario& scenario = *bundle.scenario;
   const base::Result<std::string> path = sim2d::findMap(scenario, places);
@@ -96,15 +88,21 @@ void findTrees(Bundle& bundle, const sim2d::FilePlaces& places) {
   }
 }
 
-/// What the file says wrongly, and what the scenario then means.
-base::Diagnostics checkMeaning(const Bundle& bundle) {
+std::shared_ptr<const sim2d::Surroundings> surroundingsOf(const Bundle& bundle) {
+  if (bundle.surroundings != nullptr) {
+    return bundle.surroundings;
+  }
   // Without the map, and for places that were wrong in the file and stand somewhere else now, there
   // are no walls to be in.
-  const sim2d::Surroundings surroundings =
+  return std::make_shared<const sim2d::Surroundings>(
       bundle.map && bundle.isWhole ? sim2d::makeSurroundings(*bundle.scenario, *bundle.map)
-                                   : sim2d::Surroundings();
-  base::Diagnostics found =
-      sim2d::checkScenario(*bundle.scenario, surroundings, bundle.path, knownNames());
+                                   : sim2d::Surroundings());
+}
+
+/// What the file says wrongly, and what the scenario then means.
+base::Diagnostics checkMeaning(const Bundle& bundle, const sim2d::Surroundings& surroundings) {
+  base::Diagnostics found = sim2d::checkScenario(*bundle.scenario, surroundings, bundle.path,
+                                                 sim2d::knownNames(sim2d::programRegistries()));
   sim2d::addLines(found, bundle.lines);
   sim2d::addColumns(found, bundle.path);
   return found;
@@ -148,6 +146,7 @@ Bundle readBundle(const RunOptions& options, const RunSettings& settings,
     const sim2d::FilePlaces places = placesOf(options);
     readMapOf(bundle, places, loader);
     findTrees(bundle, places);
+    bundle.surroundings = surroundingsOf(bundle);
   }
   return bundle;
 }
@@ -159,8 +158,9 @@ Verdict check(const Bundle& bundle, CheckDepth depth) {
   if (!bundle.hasScenario() || base::hasErrors(bundle.wrongWords)) {
     return verdict;
   }
-  base::append(verdict.problems, checkMeaning(bundle));
   sim2d::WorldSetup setup;
+  setup.surroundings = surroundingsOf(bundle);
+  base::append(verdict.problems, checkMeaning(bundle, *setup.surroundings));
   setup.behavior = bt::makeTreeBehavior(*bundle.scenario, bundle.trees, verdict.problems,
                                         bundle.settings.compatibility);
   checkMetrics(bundle, verdict);
@@ -168,7 +168,6 @@ Verdict check(const Bundle& bundle, CheckDepth depth) {
     return verdict;
   }
   setup.scenario = bundle.scenario;
-  setup.map = bundle.map ? *bundle.map : sim2d::OccupancyGrid();
   setup.compatibility = bundle.settings.compatibility;
   setup.threads = bundle.settings.threads;
   setup.exact = bundle.settings.exact;

@@ -19,6 +19,8 @@ struct Bundle {
   std::shared_ptr<const sim2d::Scenario> scenario;
   bool isWhole = true;                              // false: the file could be read in part only
   std::shared_ptr<const sim2d::OccupancyGrid> map;  // null: there should be one; empty: open plane
+  std::shared_ptr<const sim2d::Surroundings>
+      surroundings;  // of both; null: each check makes its own
   bt::TreeFiles trees;
   MetricsWords metrics;
   RunSettings settings;

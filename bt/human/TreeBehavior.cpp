@@ -103,6 +103,9 @@ void TreeBehavior::enter(int human, const WorldView& view) {
   const sim2d::ResolvedHuman& constants = view.constants(human);
   Player& who = player(human);
   who.program = programs_.find(constants);
+  if (who.program == nullptr && view.copiedFrom(human) >= 0) {
+    who.program = programs_.find(view.constants(view.copiedFrom(human)));
+  }
   Mind& mind = society_.minds[static_cast<std::size_t>(human)];
   if (who.tree && who.isTicking && !who.isFaulty) {
     retired_.push_back({human, *std::move(who.tree), std::move(mind)});

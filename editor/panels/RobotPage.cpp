@@ -2,8 +2,9 @@
 
 #include "editor/panels/EntityPages.h"
 #include "editor/panels/KeyAccess.h"
+#include "sim2d/base/Text.h"
 #include "sim2d/scenario/Defaults.h"
-#include "sim2d/world/World.h"
+#include "sim2d/world/Registries.h"
 
 namespace editor {
 
@@ -26,6 +27,19 @@ NumberKey robotNumber(const QString& label, const QString& unit, const NumberFie
   return key;
 }
 
+/// "lookahead=0.6, stop_distance=0.5"
+QString exampleParameters() {
+  const sim2d::Registries all = sim2d::programRegistries();
+  const std::vector<base::ParameterSpec>& specs =
+      all.planners.find(sim2d::ResolvedRobot{}.planner)->parameters;
+  QStringList examples;
+  for (const base::ParameterSpec& spec : {specs.front(), specs.back()}) {
+    examples += QString::fromStdString(spec.key + "=" +
+                                       base::formatDouble(std::get<double>(spec.fallback)));
+  }
+  return examples.join(QStringLiteral(", "));
+}
+
 }  // namespace
 
 RobotPage::RobotPage(ScenarioDocument& document, QWidget* parent) : PropertyPage(document, parent) {
@@ -41,7 +55,7 @@ RobotPage::RobotPage(ScenarioDocument& document, QWidget* parent) : PropertyPage
   TextKey parameters;
   parameters.label = tr("Parameters");
   parameters.placeholder = tr("the planner's");
-  parameters.hint = tr("Of the planner, such as lookahead=0.6, stop_distance=0.5");
+  parameters.hint = tr("Of the planner, such as %1").arg(exampleParameters());
   parameters.get = [](const Entity& e) { return pairsText(robotOf(e).plannerParameters); };
   parameters.set = [](Entity& e, const QString& text) {
     std::get<Robot>(e).plannerParameters = *pairsFromText(text);

@@ -25,12 +25,17 @@ OccupancyGrid::OccupancyGrid(int width, int height, double resolution, Pose2 ori
       height_(height),
       resolution_(resolution),
       origin_(std::move(origin)),
-      cells_(std::move(cells)) {
+      cells_(std::make_shared<const std::vector<std::int8_t>>(std::move(cells))) {
   assert(width > 0 && height > 0 && resolution > 0.0);
-  assert(cells_.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  assert(cells_->size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   if (origin_.heading != 0.0) {
     axis_ = origin_.direction();
   }
+}
+
+const std::vector<std::int8_t>& OccupancyGrid::cells() const {
+  static const std::vector<std::int8_t> kNone;
+  return cells_ != nullptr ? *cells_ : kNone;
 }
 
 Vec2 OccupancyGrid::worldToCorner(const Vec2& point) const {
@@ -54,7 +59,7 @@ Vec2 OccupancyGrid::cornerToWorld(double column, double row) const {
 
 bool operator==(const OccupancyGrid& a, const OccupancyGrid& b) {
   return a.width_ == b.width_ && a.height_ == b.height_ && a.resolution_ == b.resolution_ &&
-         a.origin_ == b.origin_ && a.cells_ == b.cells_;
+         a.origin_ == b.origin_ && (a.cells_ == b.cells_ || a.cells() == b.cells());
 }
 
 }  // namespace sim2d

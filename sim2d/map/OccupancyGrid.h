@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,7 +25,7 @@ struct Cell {
 
 /// A nav2 occupancy grid. Values: 100 occupied, 0 free, -1 unknown, 1..99 probability. Row-major
 /// from the lower left. A grid without cells is the open plane: free everywhere. Outside the cells
-/// nothing stands. Immutable after reading; safe to share between threads.
+/// nothing stands. Immutable after reading; safe to share between threads; copies share the cells.
 class OccupancyGrid {
  public:
   OccupancyGrid() = default;  // open plane
@@ -37,14 +38,14 @@ class OccupancyGrid {
   int height() const { return height_; }
   double resolution() const { return resolution_; }
   const Pose2& origin() const { return origin_; }
-  bool isEmpty() const { return cells_.empty(); }
-  const std::vector<std::int8_t>& cells() const { return cells_; }
+  bool isEmpty() const { return width_ == 0; }
+  const std::vector<std::int8_t>& cells() const;
 
   bool contains(Cell cell) const {
     return cell.column >= 0 && cell.row >= 0 && cell.column < width_ && cell.row < height_;
   }
   std::int8_t valueAt(Cell cell) const {  // outside: 0
-    return contains(cell) ? cells_[indexOf(cell)] : std::int8_t{0};
+    return contains(cell) ? (*cells_)[indexOf(cell)] : std::int8_t{0};
   }
   bool isWall(Cell cell) const { return valueAt(cell) > 50; }
   bool isUnknown(Cell cell) const { return valueAt(cell) < 0; }
@@ -67,8 +68,8 @@ class OccupancyGrid {
   int height_ = 0;
   double resolution_ = 0.05;  // [m]
   Pose2 origin_;
-  Vec2 axis_ = Vec2::UnitX();  // direction of growing columns
-  std::vector<std::int8_t> cells_;
+  Vec2 axis_ = Vec2::UnitX();                              // direction of growing columns
+  std::shared_ptr<const std::vector<std::int8_t>> cells_;  // null: none
 };
 
 }  // namespace sim2d

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdint>
 #include <memory>
+#include <mutex>
 #include <utility>
 
-#include "sim2d/map/OpenParts.h"
 #include "sim2d/map/WalkSpace.h"
 
 namespace sim2d {
@@ -85,6 +86,44 @@ class CellWay {
   std::vector<int> unknownUpTo_;   // unknown places among those up to each
 };
 
+/// Which open cells of a terrain hang together: ways exist within a part and nowhere else. A
+/// diagonal step passes two open cells, so cells hang together by their sides.
+class OpenParts {
+ public:
+  explicit OpenParts(const Terrain& terrain) : parts_(terrain.size(), 0) {
+    std::int32_t part = 0;
+    for (Terrain::Index index = 0; index < static_cast<Terrain::Index>(parts_.size()); ++index) {
+      if (terrain.isOpen(index) && partOf(index) == 0) {
+        fill(terrain, index, ++part);
+      }
+    }
+  }
+  /// The part of a cell, from 1; 0 for closed cells.
+  std::int32_t partOf(Terrain::Index index) const {
+    return parts_[static_cast<std::size_t>(index)];
+  }
+
+ private:
+  /// The closed cells all round a terrain keep the search inside.
+  void fill(const Terrain& terrain, Terrain::Index from, std::int32_t part) {
+    std::vector<Terrain::Index> waiting{from};
+    parts_[static_cast<std::size_t>(from)] = part;
+    while (!waiting.empty()) {
+      const Terrain::Index at = waiting.back();
+      waiting.pop_back();
+      for (const Terrain::Index next :
+           {at - 1, at + 1, at - terrain.stride(), at + terrain.stride()}) {
+        if (terrain.isOpen(next) && partOf(next) == 0) {
+          parts_[static_cast<std::size_t>(next)] = part;
+          waiting.push_back(next);
+        }
+      }
+    }
+  }
+
+  std::vector<std::int32_t> parts_;
+};
+
 }  // namespace
 
 double Path::length() const {
@@ -140,6 +179,7 @@ struct PathPlanner::Search {
   }
 
   WalkSpace space;
+  std::mutex mutex;                                // of what follows
   std::vector<std::unique_ptr<GoalField>> fields;  // last used first
   std::unique_ptr<OpenParts> parts;
 };
@@ -167,6 +207,7 @@ Path PathPlanner::plan(const Vec2& start, const Vec2& goal) {
   if (space.lineKeeps(from->place, to->place, comfortable, false)) {
     path.points = {from->place, to->place};
   } else {
+    const std::lock_guard<std::mutex> lock(search_->mutex);
     GoalField& field = search_->fieldOf(to->cell);
     if (!field.reach(space.terrain().indexOf(from->cell))) {
       return {};
@@ -183,6 +224,7 @@ bool PathPlanner::isReachable(const Vec2& start, const Vec2& goal) {
   const WalkSpace& space = search_->space;
   const std::optional<WalkSpace::Anchor> from = space.anchorOf(start);
   const std::optional<WalkSpace::Anchor> to = space.anchorOf(goal);
+  const std::lock_guard<std::mutex> lock(search_->mutex);
   const auto partOf = [this, &space](const WalkSpace::Anchor& anchor) {
     return search_->openParts().partOf(space.terrain().indexOf(anchor.cell));
   };

@@ -22,7 +22,7 @@ struct Path {
 /// wider clearance is preferred up to 0.3 m more; unknown cells are entered only where there is no
 /// other way. Paths are pulled straight where the line keeps the clearance, which holds to a
 /// centimetre. Beyond a map nothing is open; beyond the grid of an open plane all is. The result
-/// depends on the arguments alone, not on earlier calls. Not thread safe.
+/// depends on the arguments alone, not on earlier calls. Thread: any.
 class PathPlanner {
  public:
   PathPlanner(std::shared_ptr<const DistanceField> field, double radius);

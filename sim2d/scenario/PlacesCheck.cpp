@@ -1,12 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <set>
 #include <tuple>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/map/PathPlanner.h"
 #include "sim2d/scenario/CheckParts.h"
 #include "sim2d/scenario/Defaults.h"
 
@@ -43,6 +41,7 @@ class PlacesCheck {
       : scenario_(scenario),
         grid_(surroundings.grid),
         obstacles_(surroundings.obstacles),
+        layers_(*surroundings.layers),
         report_(report) {
     openDoors(surroundings.firstDoorPart);
   }
@@ -59,7 +58,7 @@ class PlacesCheck {
         points.push_back(goal.point);
       }
     }
-    field_ = std::make_shared<DistanceField>(grid_, obstacles_, points);
+    layer_ = layers_.of(grid_, obstacles_, points);
     for (const Round& round : rounds) {
       checkRound(round);
     }
@@ -176,17 +175,9 @@ class PlacesCheck {
     return round;
   }
 
-  PathPlanner& plannerFor(double radius) {
-    std::unique_ptr<PathPlanner>& planner = planners_[radius];
-    if (!planner) {
-      planner = std::make_unique<PathPlanner>(field_, radius);
-    }
-    return *planner;
-  }
-
   /// Where the body will stand; told once per place and radius.
   std::optional<Vec2> fit(const Place& place, double radius) {
-    std::optional<Vec2> taken = plannerFor(radius).nearestFit(place.point);
+    std::optional<Vec2> taken = layer_->plannerFor(radius).nearestFit(place.point);
     const auto told = told_.insert(std::make_tuple(place.entity, place.what, radius));
     if (!told.second) {
       return taken;
@@ -214,7 +205,7 @@ class PlacesCheck {
     for (const Place& goal : round.goals) {
       const std::optional<Vec2> point = fit(goal, round.radius);
       if (start && point && round.planned &&
-          !plannerFor(round.radius).isReachable(*start, *point) &&
+          !layer_->plannerFor(round.radius).isReachable(*start, *point) &&
           unreachable.insert(goal.what).second) {
         report_.warning(round.entity, round.name + ": there is no way from the start to " +
                                           goal.what + " " + pointText(goal.point) +
@@ -244,9 +235,9 @@ class PlacesCheck {
   const Scenario& scenario_;
   const OccupancyGrid& grid_;
   Obstacles obstacles_;
+  NavigationLayers& layers_;
   CheckReport& report_;
-  std::shared_ptr<const DistanceField> field_;
-  std::map<double, std::unique_ptr<PathPlanner>> planners_;
+  std::shared_ptr<const NavigationLayer> layer_;
   std::set<std::tuple<EntityId, std::string, double>> told_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <type_traits>
@@ -10,6 +11,7 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/map/Outlines.h"
 #include "sim2d/scenario/CheckParts.h"
+#include "sim2d/scenario/Defaults.h"
 #include "sim2d/scenario/ScenarioTree.h"
 
 namespace sim2d {
@@ -107,20 +109,46 @@ void checkName(const std::optional<std::string>& name, const std::vector<std::st
                            "known: " + all + ")");
 }
 
-void checkPursuit(const Robot& robot, CheckReport& report) {
-  static const std::vector<std::string> kKnown = {"lookahead", "slow_distance", "stop_distance"};
-  if (robot.planner.value_or("pursuit") != "pursuit") {
+/// "a distance", "a number above 0", "a number from 0 to 1"
+std::string expectedOf(const base::ParameterSpec& spec) {
+  constexpr double kNoEnd = std::numeric_limits<double>::infinity();
+  const base::Range& range = spec.range;
+  if (spec.unit == "m" && range.low == 0.0 && range.high == kNoEnd) {
+    return "a distance";
+  }
+  const std::string low = base::formatDouble(range.low);
+  if (range.high < kNoEnd) {
+    return "a number from " + low + " to " + base::formatDouble(range.high);
+  }
+  return range.low == -kNoEnd
+             ? "a number"
+             : "a number " + (range.above ? "above " + low : "of " + low + " or more");
+}
+
+void checkPlannerParameters(const Robot& robot, const KnownNames& names, CheckReport& report) {
+  const std::string planner = robot.planner.value_or(ResolvedRobot{}.planner);
+  const auto specs = names.plannerParameters.find(planner);
+  if (specs == names.plannerParameters.end()) {
     return;
   }
-  for (const auto& parameter : robot.plannerParameters) {
-    const std::string what = robot.name + ".planner_parameters." + parameter.first;
-    const double value = base::parseDouble(parameter.second).value_or(-1.0);
-    if (std::find(kKnown.begin(), kKnown.end(), parameter.first) == kKnown.end()) {
-      const auto near = base::nearestName(parameter.first, kKnown);
-      report.warning(robot.key, what + ": unknown to 'pursuit'" +
+  std::vector<std::string> known;
+  for (const base::ParameterSpec& spec : specs->second) {
+    known.push_back(spec.key);
+  }
+  for (const auto& [key, text] : robot.plannerParameters) {
+    const std::string what = robot.name + ".planner_parameters." + key;
+    const auto found = std::find(known.begin(), known.end(), key);
+    if (found == known.end()) {
+      const auto near = base::nearestName(key, known);
+      report.warning(robot.key, what + ": unknown to '" + planner + "'" +
                                     (near ? " (did you mean '" + *near + "'?)" : std::string()));
-    } else if (!(value >= 0.0) || !std::isfinite(value)) {
-      report.error(robot.key, what + ": '" + parameter.second + "' is not a distance");
+      continue;
+    }
+    const base::ParameterSpec& spec =
+        specs->second[static_cast<std::size_t>(found - known.begin())];
+    const std::optional<double> value = base::parseDouble(text);
+    if (!value || !std::isfinite(*value) || !spec.range.contains(*value)) {
+      report.error(robot.key, what + ": '" + text + "' is not " + expectedOf(spec));
     }
   }
 }
@@ -191,7 +219,7 @@ void checkReferences(const Scenario& scenario, const KnownNames& names, CheckRep
       checkName(robot.type, names.robotTypes, robot.name + ": type", robot.key, report);
       checkName(robot.planner, names.planners, robot.name + ": planner", robot.key, report);
       checkGoalIds(robot.goal.goals, scenario, robot.key, robot.name, report);
-      checkPursuit(robot, report);
+      checkPlannerParameters(robot, names, report);
     }
   }
   for (const Area& area : scenario.areas) {

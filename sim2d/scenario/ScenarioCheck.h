@@ -1,12 +1,14 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "sim2d/base/ParameterSpec.h"
 #include "sim2d/base/Result.h"
 #include "sim2d/map/MapReader.h"
-#include "sim2d/map/Obstacles.h"
+#include "sim2d/map/NavigationMap.h"
 #include "sim2d/scenario/Scenario.h"
 
 namespace sim2d {
@@ -26,10 +28,11 @@ base::Result<std::string> findMap(const Scenario& scenario, const FilePlaces& pl
 std::string findTree(const Scenario& scenario, const Human& human, const FilePlaces& places);
 
 /// All that stands in the way, as switchable parts: part 0 = map, then listed obstacles in order,
-/// then listed doors in order (closed ones enabled).
+/// then listed doors in order (closed ones enabled). Copies share what is worked out for routes.
 struct Surroundings {
   OccupancyGrid grid;
   Obstacles obstacles;
+  std::shared_ptr<NavigationLayers> layers = std::make_shared<NavigationLayers>();
   int firstObstaclePart = 1;
   int firstDoorPart = 1;
 };
@@ -40,6 +43,7 @@ struct KnownNames {
   std::vector<std::string> models = {"sfm", "sfm-hunav2", "das", "orca"};
   std::vector<std::string> planners = {"pursuit"};
   std::vector<std::string> robotTypes = {"generic"};
+  std::map<std::string, std::vector<base::ParameterSpec>> plannerParameters;  // by planner
 };
 
 /// Meaning: starts and goals in walls, unreachable goals, ids and names twice, models, planners and

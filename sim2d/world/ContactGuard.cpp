@@ -30,8 +30,8 @@ struct Bounds {
 
 /// The one who sees more of the other ahead gives way.
 bool givesWay(const Pedestrian& self, const Pedestrian& other, const Vec2& apart) {
-  const double ofOther = self.course.direction.dot(apart);
-  const double ofSelf = -other.course.direction.dot(apart);
+  const double ofOther = self.desired.direction.dot(apart);
+  const double ofSelf = -other.desired.direction.dot(apart);
   if (std::fabs(ofOther - ofSelf) <= kTie) {
     return self.body.id > other.body.id;
   }

@@ -13,35 +13,35 @@ constexpr double kSmallDisc = 0.2;       // [m]; smaller steps along a line cost
 constexpr std::size_t kSmallCrowd = 64;  // up to here everybody feels everybody, in double
 constexpr std::size_t kSlice = 128;      // people a thread looks at before it asks for more
 
-Vec2 courseHeading(const Vec2& velocity, double heading) {
+Vec2 lookingAlong(const Vec2& velocity, double heading) {
   const double speed = velocity.norm();
   return speed < kSlowestTurn ? base::directionOf(heading) : Vec2(velocity / speed);
 }
 
 /// A robot goes where it moves; one that stands has no goal.
-Course courseOfRobot(const Vec2& velocity) {
-  Course course;
-  course.isRobot = true;
-  course.desiredSpeed = velocity.norm();
-  if (course.desiredSpeed >= kSlowestTurn) {
-    course.heading = velocity / course.desiredSpeed;
-    course.direction = course.heading;
+DesiredMotion desiredOfRobot(const Vec2& velocity) {
+  DesiredMotion desired;
+  desired.isRobot = true;
+  desired.desiredSpeed = velocity.norm();
+  if (desired.desiredSpeed >= kSlowestTurn) {
+    desired.heading = velocity / desired.desiredSpeed;
+    desired.direction = desired.heading;
   }
-  return course;
+  return desired;
 }
 
 }  // namespace
 
-void Crowd::update(const FrozenWorld& world, const Ways& ways, const Goings& goings,
-                   WorkerPool& workers) {
+void Crowd::update(const FrozenWorld& world, const NavigationMap& navigation,
+                   const StepPlans& plans, WorkerPool& workers) {
   world_ = &world;
-  ways_ = &ways;
-  goings_ = &goings;
+  navigation_ = &navigation;
+  plans_ = &plans;
   const WorldState& state = world.state;
   const std::size_t people = state.present.size();
   learnTraits(world.model.people);
   walkers_.resize(people);
-  courses_.resize(anyLooksAtCourses_ ? people : 0);
+  desires_.resize(anyLooksAtDesires_ ? people : 0);
   room_.resize(people);
   laws_.resize(people);
   summaries_.assign(workers.threadCount(), Summary{});
@@ -79,42 +79,42 @@ void Crowd::learnTraits(const std::vector<Person>& people) {
     const Person& person = people[i];
     const SocialLaw law = person.model->socialLaw();
     traits_.push_back({person.model.get(), law.parameters, person.constants.radius,
-                       person.constants.id, law.goesThroughWalls, person.model->looksAtCourses()});
-    anyLooksAtCourses_ = anyLooksAtCourses_ || traits_.back().looksAtCourses;
+                       person.constants.id, law.goesThroughWalls, person.model->looksAtDesires()});
+    anyLooksAtDesires_ = anyLooksAtDesires_ || traits_.back().looksAtDesires;
   }
 }
 
-Course Crowd::courseOf(std::size_t human) const {
-  const Going& going = goings_->steps[human];
-  return {goings_->directions[human],
-          courseHeading(walkers_[human].velocity, world_->state.heading[human]), going.speed,
-          going.group};
+DesiredMotion Crowd::desiredOf(std::size_t human) const {
+  const StepPlan& plan = plans_->steps[human];
+  return {plans_->directions[human],
+          lookingAlong(walkers_[human].velocity, world_->state.heading[human]), plan.speed,
+          plan.group};
 }
 
 void Crowd::look(std::size_t human, Summary& summary) {
   const WorldState& state = world_->state;
   const Traits& traits = traits_[human];
-  const Going& going = goings_->steps[human];
+  const StepPlan& plan = plans_->steps[human];
   const Walker& walker =
       walkers_[human] = {traits.id, state.position(human), state.velocity(human), traits.radius};
-  if (anyLooksAtCourses_) {
-    courses_[human] = courseOf(human);
+  if (anyLooksAtDesires_) {
+    desires_[human] = desiredOf(human);
   }
   writeNew(laws_[human],
-           isWalking(going.motion) ? SocialLaw{traits.law, traits.goesThroughWalls} : SocialLaw{});
+           isWalking(plan.motion) ? SocialLaw{traits.law, traits.goesThroughWalls} : SocialLaw{});
   const bool isPresent = state.present[human] != 0;
-  writeNew(room_[human], isPresent ? ways_->clearance(walker.position) : 0.0);
+  writeNew(room_[human], isPresent ? navigation_->clearance(walker.position) : 0.0);
   if (isPresent) {
     ++summary.count;
     summary.fastest = std::max(summary.fastest, walker.velocity.norm());
-    summary.hasGroups = summary.hasGroups || going.group >= 0;
+    summary.hasGroups = summary.hasGroups || plan.group >= 0;
   }
 }
 
 void Crowd::findGroups() {
   const WorldState& state = world_->state;
   for (std::size_t i = 0; i < state.present.size(); ++i) {
-    const int group = goings_->steps[i].group;
+    const int group = plans_->steps[i].group;
     if (state.present[i] != 0 && group >= 0) {
       groups_.emplace_back(group, i);
     }
@@ -148,12 +148,12 @@ bool Crowd::sees(std::size_t self, std::size_t other) const {
   const Vec2& eye = walkers_[self].position;
   const Vec2 sight = walkers_[other].position - eye;
   const double distance = sight.norm();
-  if (ways_->isOpenBetween(eye, walkers_[other].position)) {
+  if (navigation_->isOpenBetween(eye, walkers_[other].position)) {
     return true;
   }
   double clear = room_[self];
   while (clear < distance - room_[other]) {
-    const double more = ways_->clearance(eye + clear / distance * sight);
+    const double more = navigation_->clearance(eye + clear / distance * sight);
     if (more < kSmallDisc) {
       return world_->obstacles.isVisible(eye, walkers_[other].position);
     }
@@ -169,9 +169,9 @@ bool Crowd::hasForce(std::size_t human) const {
 void Crowd::fill(std::size_t human, const std::vector<Obstacles::Point>* walls,
                  Situation& situation) const {
   situation.self = walkers_[human];
-  situation.course = courseOf(human);
-  situation.direction = situation.course.direction;
-  situation.desiredSpeed = situation.course.desiredSpeed;
+  situation.desired = desiredOf(human);
+  situation.direction = situation.desired.direction;
+  situation.desiredSpeed = situation.desired.desiredSpeed;
   situation.dt = world_->model.dt;
   situation.exact = world_->model.exact;
   situation.obstacles.clear();
@@ -180,22 +180,22 @@ void Crowd::fill(std::size_t human, const std::vector<Obstacles::Point>* walls,
   } else if (walls != nullptr) {
     situation.obstacles = *walls;
   }
-  situation.looksAtCourses = traits_[human].looksAtCourses;
+  situation.looksAtDesires = traits_[human].looksAtDesires;
   situation.others.clear();
-  situation.courses.clear();
+  situation.desires.clear();
   situation.ofCrowd.reset();
   if (hasForce(human)) {
     situation.ofCrowd = forces_.forces()[human];
   } else {
     addOthers(human, situation);
   }
-  addRobots(goings_->steps[human].robot, situation);
+  addRobots(plans_->steps[human].robot, situation);
   addGroup(human, situation);
 }
 
 void Crowd::addGroup(std::size_t human, Situation& situation) const {
   situation.group.clear();
-  const int group = situation.course.group;
+  const int group = situation.desired.group;
   if (group < 0) {
     return;
   }
@@ -215,8 +215,8 @@ Walker Crowd::imageOf(Walker other, const Walker& seenFrom) const {
 
 void Crowd::addPerson(std::size_t other, Situation& situation) const {
   situation.others.push_back(imageOf(walkers_[other], situation.self));
-  if (situation.looksAtCourses) {
-    situation.courses.push_back(courses_[other]);
+  if (situation.looksAtDesires) {
+    situation.desires.push_back(desires_[other]);
   }
 }
 
@@ -246,8 +246,8 @@ void Crowd::addRobots(RobotTreatment treatment, Situation& situation) const {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     if (treatment == RobotTreatment::Pedestrian) {
       situation.others.push_back(imageOf(robots_[i], situation.self));
-      if (situation.looksAtCourses) {
-        situation.courses.push_back(courseOfRobot(robots_[i].velocity));
+      if (situation.looksAtDesires) {
+        situation.desires.push_back(desiredOfRobot(robots_[i].velocity));
       }
       continue;
     }
@@ -266,7 +266,7 @@ void Crowd::addRobots(RobotTreatment treatment, Situation& situation) const {
 /// Within the free room round a person nothing can be in between.
 bool Crowd::isVisible(std::size_t human, const Vec2& point) const {
   const Vec2& eye = walkers_[human].position;
-  return (point - eye).norm() < room_[human] || ways_->isOpenBetween(eye, point) ||
+  return (point - eye).norm() < room_[human] || navigation_->isOpenBetween(eye, point) ||
          world_->obstacles.isVisible(eye, point);
 }
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "sim2d/map/NavigationMap.h"
 #include "sim2d/world/NeighborGrid.h"
-#include "sim2d/world/Ways.h"
 #include "sim2d/world/WorldState.h"
 #include "sim2d/world/crowd/CrowdForces.h"
 
@@ -23,7 +23,7 @@ struct FrozenWorld {
 
 /// What one person does in this step: all that threads need to know of it, in few bytes, as lines
 /// of memory that go from one processor to another cost most of a short step.
-struct Going {
+struct StepPlan {
   double speed = 0.0;  // desired [m/s], >= 0
   int group = -1;
   Motion motion = Motion::Stand;
@@ -31,21 +31,21 @@ struct Going {
   bool changes = false;   // sets off or ends to walk
   bool isPushed = false;  // by the extra force of the intent
 
-  friend bool operator==(const Going& a, const Going& b) {
+  friend bool operator==(const StepPlan& a, const StepPlan& b) {
     return std::tie(a.speed, a.group, a.motion, a.robot, a.changes, a.isPushed) ==
            std::tie(b.speed, b.group, b.motion, b.robot, b.changes, b.isPushed);
   }
 };
-struct Goings {  // one entry per person
-  std::vector<Going> steps;
+struct StepPlans {  // one entry per person
+  std::vector<StepPlan> steps;
   std::vector<Vec2> directions;  // unit vectors of the ways; zero: arrived, or there is none
 };
 
 /// The others as all people of a step see them. Filled anew in each step, the memory stays.
 class Crowd {
  public:
-  /// `world`, `ways` and `goings` must live until the last call of this step.
-  void update(const FrozenWorld& world, const Ways& ways, const Goings& goings,
+  /// `world`, `navigation` and `plans` must live until the last call of this step.
+  void update(const FrozenWorld& world, const NavigationMap& navigation, const StepPlans& plans,
               WorkerPool& workers);
   /// The social forces of large crowds, all at once, for models that have a `socialLaw`. Small
   /// crowds, exact runs and closed corridors go pair by pair in `fill`.
@@ -72,7 +72,7 @@ class Crowd {
     double radius = 0.0;  // [m]
     int id = 0;
     bool goesThroughWalls = false;
-    bool looksAtCourses = false;
+    bool looksAtDesires = false;
   };
   struct alignas(64) Summary {  // of the people that one thread looked at
     std::size_t count = 0;
@@ -82,7 +82,7 @@ class Crowd {
 
   void learnTraits(const std::vector<Person>& people);
   void look(std::size_t human, Summary& summary);
-  Course courseOf(std::size_t human) const;
+  DesiredMotion desiredOf(std::size_t human) const;
   void findGroups();
   bool isSmall() const;
   bool hasForce(std::size_t human) const;
@@ -96,13 +96,13 @@ class Crowd {
   Walker imageOf(Walker other, const Walker& seenFrom) const;
 
   const FrozenWorld* world_ = nullptr;
-  const Ways* ways_ = nullptr;
-  const Goings* goings_ = nullptr;
+  const NavigationMap* navigation_ = nullptr;
+  const StepPlans* plans_ = nullptr;
   std::vector<Traits> traits_;
-  bool anyLooksAtCourses_ = false;
+  bool anyLooksAtDesires_ = false;
   std::vector<Walker> walkers_;
-  std::vector<Course> courses_;  // beside them, while somebody looks at courses
-  std::vector<double> room_;     // of each person to the next wall [m]
+  std::vector<DesiredMotion> desires_;  // beside them, while somebody looks at desires
+  std::vector<double> room_;            // of each person to the next wall [m]
   std::vector<Walker> robots_;
   std::vector<std::pair<int, std::size_t>> groups_;  // members by group
   std::size_t count_ = 0;

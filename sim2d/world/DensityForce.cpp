@@ -35,7 +35,7 @@ struct Seen {
 };
 
 std::vector<Seen> seenBy(const Pedestrian& self, const std::vector<Pedestrian>& others) {
-  const Vec2& way = self.course.direction;
+  const Vec2& way = self.desired.direction;
   std::vector<Seen> seen;
   seen.reserve(others.size());
   for (const Pedestrian& other : others) {
@@ -47,9 +47,9 @@ std::vector<Seen> seenBy(const Pedestrian& self, const std::vector<Pedestrian>& 
     }
     item.ahead = item.apart.dot(way);
     item.left = base::cross(way, item.apart);
-    item.hasGoal = !other.course.direction.isZero(0.0);
-    item.alike = item.hasGoal ? other.course.heading.dot(way) : 0.0;
-    item.isMate = self.course.group >= 0 && other.course.group == self.course.group;
+    item.hasGoal = !other.desired.direction.isZero(0.0);
+    item.alike = item.hasGoal ? other.desired.heading.dot(way) : 0.0;
+    item.isMate = self.desired.group >= 0 && other.desired.group == self.desired.group;
     seen.push_back(item);
   }
   return seen;
@@ -86,7 +86,7 @@ Crowd crowdOf(const DensityParameters& parameters, const std::vector<Seen>& seen
 
 double speedCapOf(const DensityParameters& parameters, const Pedestrian& self,
                   const std::vector<Seen>& seen) {
-  double cap = self.course.desiredSpeed;
+  double cap = self.desired.desiredSpeed;
   for (const Seen& other : seen) {
     if (other.isMate || other.ahead <= 0.0 || other.distance >= kCapRange) {
       continue;
@@ -107,14 +107,14 @@ double speedCapOf(const DensityParameters& parameters, const Pedestrian& self,
 
 /// The velocity that others react to: partly the wanted one.
 Vec2 intendedVelocity(const DensityParameters& parameters, const Pedestrian& who) {
-  const Vec2 wanted = who.course.desiredSpeed * who.course.direction;
+  const Vec2 wanted = who.desired.desiredSpeed * who.desired.direction;
   return who.body.velocity + parameters.intentShare * (wanted - who.body.velocity);
 }
 
 Vec2 forceOfStranger(const DensityParameters& parameters, const Walker& intending,
                      const Vec2& direction, const Seen& other, double activation) {
   Walker stranger = other.who.body;
-  if (other.hasGoal && !other.who.course.isRobot) {
+  if (other.hasGoal && !other.who.desired.isRobot) {
     stranger.velocity = intendedVelocity(parameters, other.who);
   }
   const Vec2 closing = intending.velocity - stranger.velocity;
@@ -140,7 +140,7 @@ Vec2 socialSum(const DensityParameters& parameters, const Pedestrian& self,
   for (const Seen& other : seen) {
     sum += other.isMate
                ? socialForce(forMates, self.body, other.who.body)
-               : forceOfStranger(parameters, intending, self.course.direction, other, activation);
+               : forceOfStranger(parameters, intending, self.desired.direction, other, activation);
   }
   return sum;
 }
@@ -151,7 +151,7 @@ double narrowness(const Pedestrian& self, const std::vector<Obstacles::Point>& p
   double left = kWideWay;
   for (const Obstacles::Point& point : points) {
     const Vec2 apart = point.position - self.body.position;
-    const double across = base::cross(self.course.direction, apart);
+    const double across = base::cross(self.desired.direction, apart);
     if (!point.inside && std::fabs(across) > kBeside * apart.norm()) {
       double& side = across > 0.0 ? left : right;
       side = std::min(side, std::fabs(across));
@@ -164,9 +164,45 @@ double narrowness(const Pedestrian& self, const std::vector<Obstacles::Point>& p
 
 }  // namespace
 
+ParameterTable<DensityParameters> densityTable() {
+  using P = DensityParameters;
+  constexpr base::Range kShare{0.0, 1.0};
+  ParameterTable<DensityParameters> table;
+  table.include(&P::social, forceTable())
+      .add(&P::timeGap, "time_gap", "s", base::kPositive, "T: to whoever is straight ahead.",
+           "Tordeux, Chraibi & Seyfried 2016")
+      .add(&P::capWidth, "cap_width", "", base::kPositive,
+           "Tangent of the angle to the way that counts as ahead.")
+      .add(&P::coMovingWeight, "co_moving_weight", "", kShare,
+           "Share of the force between people of one velocity.")
+      .add(&P::fullWeightAt, "full_weight_at", "m/s", base::kPositive,
+           "Relative speed from which the force between people counts fully.")
+      .add(&P::intentShare, "intent_share", "", kShare,
+           "Share of the wanted velocity in what people react to.")
+      .add(&P::laneFactor, "lane_factor", "m/s²", base::kNotNegative,
+           "Strength of sorting into lanes in counter-flow.")
+      .add(&P::fileShare, "file_share", "", kShare,
+           "Share of those who walk the same way in the lane force.")
+      .add(&P::crowdScale, "crowd_scale", "", base::kPositive,
+           "Crowding ahead at which what acts in crowds alone acts by half.")
+      .add(&P::brakingShare, "braking_share", "", kShare,
+           "Share of the braking for oncoming people that a crowd keeps.")
+      .add(&P::yieldSpeed, "yield_speed", "m/s", base::kNotNegative,
+           "Speed with which touching people part.")
+      .add(&P::yieldGap, "yield_gap", "m", base::kNotNegative,
+           "Gap up to which neighbours count as touching.")
+      .add(&P::pushBackLimit, "push_back_limit", "", base::kNotNegative,
+           "Most that walls push back, as a share of the goal force.")
+      .add(&P::crowdWallShare, "crowd_wall_share", "", kShare,
+           "Share of the push of walls beside narrow ways that a crowd keeps.")
+      .add(&P::mateTurnWidth, "mate_turn_width", "rad", base::kNotNegative,
+           "Angle below which mates side by side turn aside less.");
+  return table;
+}
+
 DensityForce densityForce(const DensityParameters& parameters, const Pedestrian& self,
                           const std::vector<Pedestrian>& others) {
-  const Vec2& way = self.course.direction;
+  const Vec2& way = self.desired.direction;
   const std::vector<Seen> seen = seenBy(self, others);
   const Crowd crowd = crowdOf(parameters, seen);
   DensityForce force;
@@ -182,7 +218,7 @@ DensityForce densityForce(const DensityParameters& parameters, const Pedestrian&
 
 Vec2 limitedObstacleForce(const DensityParameters& parameters, const Pedestrian& self,
                           const std::vector<Obstacles::Point>& points, double activation) {
-  const Vec2& way = self.course.direction;
+  const Vec2& way = self.desired.direction;
   const double relief = (1.0 - parameters.crowdWallShare) * activation * narrowness(self, points);
   Vec2 force = obstacleForce(parameters.social, self.body, points);
   for (const Obstacles::Point& point : points) {
@@ -196,7 +232,7 @@ Vec2 limitedObstacleForce(const DensityParameters& parameters, const Pedestrian&
   }
   const double against = -force.dot(way);
   const double most = parameters.pushBackLimit * parameters.social.goalFactor *
-                      self.course.desiredSpeed / parameters.social.relaxationTime;
+                      self.desired.desiredSpeed / parameters.social.relaxationTime;
   return against <= most ? force : Vec2(force + (against - most) * way);
 }
 

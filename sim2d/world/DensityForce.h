@@ -29,8 +29,10 @@ struct DensityParameters {
   double mateTurnWidth = 0.1;   // [rad]; mates side by side do not circle round each other
 };
 
+ParameterTable<DensityParameters> densityTable();
+
 /// What `sfm` has no use for: where somebody wants to go and how fast.
-struct Course {
+struct DesiredMotion {
   Vec2 direction = Vec2::Zero();  // unit vector of the way to go; zero: no goal
   Vec2 heading = Vec2(1.0, 0.0);  // unit vector
   double desiredSpeed = 0.0;      // v0 [m/s]
@@ -40,7 +42,7 @@ struct Course {
 
 struct Pedestrian {
   Walker body;
-  Course course;
+  DesiredMotion desired;
 };
 
 constexpr double kDensityRange = 5.0;  // [m]; neighbours farther away do not count

@@ -45,7 +45,8 @@ const StandingBody* firstInTheWay(const std::vector<StandingBody>& standing, dou
 }  // namespace
 
 std::optional<Vec2> placeBeside(const std::vector<StandingBody>& standing, double radius,
-                                const Vec2& from, const Vec2& next, Ways& ways) {
+                                const Vec2& from, const Vec2& next,
+                                const NavigationMap& navigation) {
   const StandingBody* const body = firstInTheWay(standing, radius, from, next);
   if (!body) {
     return std::nullopt;
@@ -61,8 +62,8 @@ std::optional<Vec2> placeBeside(const std::vector<StandingBody>& standing, doubl
     const bool isWay = std::all_of(standing.begin(), standing.end(), [&](const StandingBody& each) {
       return isFree(each, radius, from, place);
     });
-    if (length < shortest && isWay && ways.isClear(radius, from, place) &&
-        ways.isReachable(radius, place, next)) {
+    if (length < shortest && isWay && navigation.isClear(radius, from, place) &&
+        navigation.isReachable(radius, place, next)) {
       shortest = length;
       best = place;
     }

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim2d/world/Ways.h"
+#include "sim2d/map/NavigationMap.h"
 
 namespace sim2d {
 
@@ -17,6 +17,7 @@ struct StandingBody {
 /// ways know walls alone. The shortest one that a body of this radius can walk to and on from;
 /// nothing when nobody stands there or there is no room.
 std::optional<Vec2> placeBeside(const std::vector<StandingBody>& standing, double radius,
-                                const Vec2& from, const Vec2& next, Ways& ways);
+                                const Vec2& from, const Vec2& next,
+                                const NavigationMap& navigation);
 
 }  // namespace sim2d

@@ -53,6 +53,11 @@ class WorldView {
   virtual bool isPresent(int human) const = 0;
   virtual int indexOf(int humanId) const = 0;  // -1 = no such person
   virtual const ResolvedHuman& constants(int human) const = 0;
+  /// The person (index) of whom an input made a copy; -1: this one is in the scenario.
+  virtual int copiedFrom(int human) const {
+    static_cast<void>(human);
+    return -1;
+  }
   virtual Pose2 pose(int human) const = 0;
   virtual Vec2 velocity(int human) const = 0;
   /// Present people whose centre is within `range`, by ascending distance, then id; without

@@ -65,8 +65,8 @@ std::vector<StandingBody> standingNear(const FrozenWorld& world, std::size_t hum
 
 void PersonMotion::resize(std::size_t count) {
   routes_.resize(count);
-  goings_.steps.resize(count);
-  goings_.directions.resize(count, Vec2::Zero());
+  plans_.steps.resize(count);
+  plans_.directions.resize(count, Vec2::Zero());
   wanted_.resize(count, Vec2::Zero());
 }
 
@@ -78,35 +78,36 @@ void PersonMotion::forget(int human) {
 
 void PersonMotion::enter(int human) {
   forget(human);
-  goings_.directions[static_cast<std::size_t>(human)] = Vec2::Zero();
+  plans_.directions[static_cast<std::size_t>(human)] = Vec2::Zero();
 }
 
-void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, const Ways& ways,
-                           WorldState& state, ForceColumns& forces) {
-  crowd_.update(world, ways, goings_, workers_);
+void PersonMotion::compute(const FrozenWorld& world, const Intents& intents,
+                           const NavigationMap& navigation, WorldState& state,
+                           ForceColumns& forces) {
+  crowd_.update(world, navigation, plans_, workers_);
   crowd_.computeForces(workers_);
-  desks_.resize(workers_.threadCount());
-  walls_.resize(ways.areOpen() ? 0 : wanted_.size());
+  workspaces_.resize(workers_.threadCount());
+  walls_.resize(navigation.isOpenPlane() ? 0 : wanted_.size());
   for (std::vector<Vec2>* column :
        {&forces.goal, &forces.social, &forces.obstacle, &forces.group}) {
     column->resize(wanted_.size());
   }
-  for (Desk& desk : desks_) {
-    desk.isSound = true;
+  for (Workspace& workspace : workspaces_) {
+    workspace.isSound = true;
   }
   const auto moveSlice = [&](std::size_t thread, std::size_t begin, std::size_t end) {
-    Desk& desk = desks_[thread];
+    Workspace& workspace = workspaces_[thread];
     for (std::size_t human = begin; human < end; ++human) {
       crowd_.expect(human + kAhead);
       ForceTerms terms;
       if (state.present[human] != 0) {
-        terms = move(human, world, intents, desk.situation);
-        if (goings_.steps[human].motion == Motion::Turn) {
+        terms = move(human, world, intents, workspace.situation);
+        if (plans_.steps[human].motion == Motion::Turn) {
           turn(human, intents.of(static_cast<int>(human)), world.model.dt, state);
         }
       }
-      desk.isSound =
-          desk.isSound && (state.present[human] == 0 ||
+      workspace.isSound = workspace.isSound &&
+                          (state.present[human] == 0 ||
                            (sim2d::isSound(wanted_[human]) && std::isfinite(state.heading[human])));
       forces.goal[human] = terms.goal;
       forces.social[human] = terms.social;
@@ -118,7 +119,8 @@ void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, con
 }
 
 bool PersonMotion::isSound() const {
-  return std::all_of(desks_.begin(), desks_.end(), [](const Desk& desk) { return desk.isSound; });
+  return std::all_of(workspaces_.begin(), workspaces_.end(),
+                     [](const Workspace& workspace) { return workspace.isSound; });
 }
 
 void PersonMotion::expectWork() {
@@ -132,23 +134,23 @@ void PersonMotion::turn(std::size_t human, const Intent& intent, double dt, Worl
       turned(state.heading[human], intent.heading, std::max(0.0, intent.turnRate) * dt);
 }
 
-void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents, Ways& ways,
-                              WorldState& state) {
+void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents,
+                              const NavigationMap& navigation, WorldState& state) {
   for (std::size_t human = 0; human < wanted_.size(); ++human) {
     const Intent& intent = intents.of(static_cast<int>(human));
     const HumanControl& control = state.controls[human];
     const ResolvedHuman& person = world.model.people[human].constants;
     const double speed = intent.motion == Motion::Walk ? intent.speed : person.desiredSpeed;
-    const bool wasOnTheWay = !goings_.directions[human].isZero(0.0);
-    Going going{control.frozen || speed < 0.0 ? 0.0 : speed,
-                control.group,
-                intent.motion,
-                intent.robot,
-                wasOnTheWay,
-                !intent.extraForce.isZero(0.0)};
+    const bool wasOnTheWay = !plans_.directions[human].isZero(0.0);
+    StepPlan plan{control.frozen || speed < 0.0 ? 0.0 : speed,
+                  control.group,
+                  intent.motion,
+                  intent.robot,
+                  wasOnTheWay,
+                  !intent.extraForce.isZero(0.0)};
     if (state.present[human] == 0 || intent.motion != Motion::Walk) {
-      goings_.directions[human] = Vec2::Zero();
-      writeNew(goings_.steps[human], going);
+      plans_.directions[human] = Vec2::Zero();
+      writeNew(plans_.steps[human], plan);
       continue;
     }
     RouteFollower::Request request;
@@ -159,35 +161,35 @@ void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents, 
     request.time = state.time;
     request.route = person.route;
     request.spread = spreadOf(world, human);
-    const RouteFollower::Leg leg = legOf(human, request, world, ways);
-    goings_.directions[human] = leg.direction;
-    going.changes = wasOnTheWay == leg.direction.isZero(0.0);
-    writeNew(goings_.steps[human], going);
+    const RouteFollower::Leg leg = legOf(human, request, world, navigation);
+    plans_.directions[human] = leg.direction;
+    plan.changes = wasOnTheWay == leg.direction.isZero(0.0);
+    writeNew(plans_.steps[human], plan);
     if (leg.replanned) {
       state.emit(EventKind::Replan, person.id);
     }
     if (leg.stuck) {
       state.emit(EventKind::Stuck, person.id);
-      routes_[human]->goRound(request, standingNear(world, human), ways);
+      routes_[human]->goRound(request, standingNear(world, human), navigation);
     }
   }
 }
 
 RouteFollower::Leg PersonMotion::legOf(std::size_t human, const RouteFollower::Request& request,
-                                       const FrozenWorld& world, Ways& ways) {
+                                       const FrozenWorld& world, const NavigationMap& navigation) {
   if (request.route == Route::Direct) {
     return RouteFollower::straight(request);
   }
   if (routes_[human] == nullptr) {
     routes_[human] = std::make_unique<RouteFollower>();
   }
-  return routes_[human]->follow(request, ways, world.obstacles);
+  return routes_[human]->follow(request, navigation, world.obstacles);
 }
 
 void PersonMotion::findWalls(std::size_t human, const FrozenWorld& world) {
   walls_[human].clear();
   const Walker& walker = crowd_.walker(human);
-  const bool wallsAct = isWalking(goings_.steps[human].motion) &&
+  const bool wallsAct = isWalking(plans_.steps[human].motion) &&
                         world.model.obstaclePoints == ObstaclePoints::Boundary;
   const double range = wallsAct ? kReach : walker.radius + kTouching;
   if (crowd_.room(human) < range) {
@@ -197,22 +199,22 @@ void PersonMotion::findWalls(std::size_t human, const FrozenWorld& world) {
 
 ForceTerms PersonMotion::move(std::size_t human, const FrozenWorld& world, const Intents& intents,
                               Situation& situation) {
-  const Going& going = goings_.steps[human];
+  const StepPlan& plan = plans_.steps[human];
   wanted_[human] = Vec2::Zero();
   if (!walls_.empty()) {
     findWalls(human, world);
   }
-  if (!isWalking(going.motion)) {
+  if (!isWalking(plan.motion)) {
     return {};
   }
   crowd_.fill(human, wallsNear(human), situation);
-  situation.pushTime = situation.dt * (going.changes ? 0.5 : 1.0);
+  situation.pushTime = situation.dt * (plan.changes ? 0.5 : 1.0);
   const std::function<bool(const Vec2&, const Vec2&)> isVisible =
       [&](const Vec2& /*own*/, const Vec2& other) { return crowd_.isVisible(human, other); };
   situation.isVisible = &isVisible;
   const PedestrianModel& model = crowd_.modelOf(human);
   ForceTerms forces = model.forces(situation);
-  if (going.motion == Motion::Walk && going.isPushed) {
+  if (plan.motion == Motion::Walk && plan.isPushed) {
     forces.social += intents.of(static_cast<int>(human)).extraForce;
   }
   wanted_[human] = model.velocity(situation, forces);

@@ -21,14 +21,17 @@ class PersonMotion {
   void enter(int human);   // somebody who comes in and stands
 
   /// Where everybody heads. Emits `replan` and `stuck`.
-  void chooseLegs(const FrozenWorld& world, const Intents& intents, Ways& ways, WorldState& state);
+  void chooseLegs(const FrozenWorld& world, const Intents& intents, const NavigationMap& navigation,
+                  WorldState& state);
   /// `compute` comes soon: threads may wake up.
   void expectWork();
   /// Then: fills `wanted` and the forces of all people, which lead to it, and turns those who turn
   /// on the spot.
-  void compute(const FrozenWorld& world, const Intents& intents, const Ways& ways,
+  void compute(const FrozenWorld& world, const Intents& intents, const NavigationMap& navigation,
                WorldState& state, ForceColumns& forces);
   const std::vector<Vec2>& wanted() const { return wanted_; }  // velocities [m/s]
+  /// Instead of what the person wants in this step [m/s].
+  void steer(std::size_t human, const Vec2& velocity) { wanted_[human] = velocity; }
   /// False: somebody's velocity or heading is not sound.
   bool isSound() const;
   /// Near the body of a person; null: nothing stands anywhere.
@@ -37,7 +40,7 @@ class PersonMotion {
   }
 
  private:
-  struct alignas(64) Desk {  // what one thread works on; no line of memory is another's too
+  struct alignas(64) Workspace {  // what one thread works on; no line of memory is another's too
     Situation situation;
     bool isSound = true;
   };
@@ -46,14 +49,14 @@ class PersonMotion {
                   Situation& situation);
   void findWalls(std::size_t human, const FrozenWorld& world);
   RouteFollower::Leg legOf(std::size_t human, const RouteFollower::Request& request,
-                           const FrozenWorld& world, Ways& ways);
+                           const FrozenWorld& world, const NavigationMap& navigation);
   static void turn(std::size_t human, const Intent& intent, double dt, WorldState& state);
 
   WorkerPool workers_;
   Crowd crowd_;
-  std::vector<Desk> desks_;                             // by thread
+  std::vector<Workspace> workspaces_;                   // by thread
   std::vector<std::unique_ptr<RouteFollower>> routes_;  // null: straight ways so far
-  Goings goings_;
+  StepPlans plans_;
   std::vector<Vec2> wanted_;
   std::vector<std::vector<Obstacles::Point>> walls_;
 };

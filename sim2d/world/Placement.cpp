@@ -17,9 +17,9 @@ bool isUsable(const Vec2& point) {
 }
 
 /// Moves the point where a body of this radius fits; `what` names it in messages.
-void fit(Vec2& point, double radius, const std::string& what, EntityId entity, Ways& ways,
-         base::Diagnostics& problems) {
-  const std::optional<Vec2> place = ways.nearestFit(radius, point);
+void fit(Vec2& point, double radius, const std::string& what, EntityId entity,
+         const NavigationMap& navigation, base::Diagnostics& problems) {
+  const std::optional<Vec2> place = navigation.nearestFit(radius, point);
   if (!place) {
     problems.push_back(about(
         base::makeError(what + " " + shown(point) + ": the body does not fit here nor within 1 m"),
@@ -139,42 +139,45 @@ void checkPlaces(const WorldModel& model, base::Diagnostics& problems) {
   }
 }
 
-void fitPlaces(WorldModel& model, Ways& ways, base::Diagnostics& problems) {
+void fitPlaces(WorldModel& model, const NavigationMap& navigation, base::Diagnostics& problems) {
   const std::map<int, double> radii = radiiByGoal(model);
   for (const GlobalGoal& goal : model.environment->goals) {
     const auto radius = radii.find(goal.id);
     if (radius != radii.end() && radius->second > 0.0) {
       fit(model.globalGoals[goal.id], radius->second, "goal " + std::to_string(goal.id), goal.key,
-          ways, problems);
+          navigation, problems);
     }
   }
   for (Person& person : model.people) {
     fit(person.constants.start.position, person.constants.radius,
-        "start of '" + person.constants.name + "'", person.key, ways, problems);
+        "start of '" + person.constants.name + "'", person.key, navigation, problems);
   }
   for (ResolvedRobot& robot : model.robots) {
     const EntityId key = keyOfRobot(model, robot);
-    fit(robot.start.position, reachOf(robot), "start of '" + robot.name + "'", key, ways, problems);
+    fit(robot.start.position, reachOf(robot), "start of '" + robot.name + "'", key, navigation,
+        problems);
     for (std::size_t i = 0; i < robot.goals.size(); ++i) {
       if (robot.goalIds[i] > 0) {
         robot.goals[i] = model.globalGoals.at(robot.goalIds[i]);
       } else {
-        fit(robot.goals[i], reachOf(robot), "goal of '" + robot.name + "'", key, ways, problems);
+        fit(robot.goals[i], reachOf(robot), "goal of '" + robot.name + "'", key, navigation,
+            problems);
       }
     }
   }
-  partStarts(model, ways, problems);
+  partStarts(model, navigation, problems);
 }
 
-void leaveOutUnreachable(WorldModel& model, Ways& ways, base::Diagnostics& problems) {
+void leaveOutUnreachable(WorldModel& model, const NavigationMap& navigation,
+                         base::Diagnostics& problems) {
   for (Person& person : model.people) {
     if (person.constants.route == Route::Direct) {
       continue;
     }
     GoalPlan plan = *person.plan;
     keepReachable(plan.goals, [&](const GoalItem& goal) {
-      if (ways.isReachable(person.constants.radius, person.constants.start.position,
-                           goal.position)) {
+      if (navigation.isReachable(person.constants.radius, person.constants.start.position,
+                                 goal.position)) {
         return true;
       }
       problems.push_back(
@@ -191,7 +194,7 @@ void leaveOutUnreachable(WorldModel& model, Ways& ways, base::Diagnostics& probl
     std::vector<Vec2> goals;
     std::vector<int> ids;
     for (std::size_t i = 0; i < robot.goals.size(); ++i) {
-      if (ways.isReachable(reachOf(robot), robot.start.position, robot.goals[i])) {
+      if (navigation.isReachable(reachOf(robot), robot.start.position, robot.goals[i])) {
         goals.push_back(robot.goals[i]);
         ids.push_back(robot.goalIds[i]);
       } else {

@@ -93,7 +93,8 @@ void Population::scheduleNext(const WorldModel& model, Source& source) const {
   }
 }
 
-bool Population::addCopy(Source& source, WorldModel& model, WorldState& state, Ways& ways) const {
+bool Population::addCopy(Source& source, WorldModel& model, WorldState& state,
+                         const NavigationMap& navigation) const {
   const Area& area = *model.areas[source.area];
   Person person;
   person.key = source.like->key;
@@ -108,14 +109,14 @@ bool Population::addCopy(Source& source, WorldModel& model, WorldState& state, W
     const Vec2 place = drawnPlace(area, rng, 2 * trial);
     const double radius = person.constants.radius;
     if (!isInside(area.points, place) || !isFree(model, state, place, radius) ||
-        ways.clearance(place) < radius) {
+        navigation.clearance(place) < radius) {
       continue;
     }
     person.constants.start.position = place;
     person.constants.start.heading =
         rng.uniform(-base::kPi, base::kPi, base::Draw::Placement, 2 * kPlaceTrials);
     person.constants.startTime = state.time;
-    person.model = pedestrianModels().make(person.constants.model, person.constants);
+    person.model = model.registries->models.find(person.constants.model)->make(person.constants);
     model.people.push_back(std::move(person));
     ++model.nextId;
     state.append(model.people.back());
@@ -124,7 +125,8 @@ bool Population::addCopy(Source& source, WorldModel& model, WorldState& state, W
   return false;
 }
 
-std::vector<int> Population::dueNow(WorldModel& model, WorldState& state, Ways& ways) {
+std::vector<int> Population::dueNow(WorldModel& model, WorldState& state,
+                                    const NavigationMap& navigation) {
   std::vector<int> due;
   std::vector<int> later;
   std::sort(waiting_.begin(), waiting_.end());
@@ -142,7 +144,7 @@ std::vector<int> Population::dueNow(WorldModel& model, WorldState& state, Ways& 
   }
   waiting_ = std::move(later);
   for (Source& source : sources_) {
-    while (source.next <= state.time + kTick && addCopy(source, model, state, ways)) {
+    while (source.next <= state.time + kTick && addCopy(source, model, state, navigation)) {
       ++source.arrived;
       state.present.back() = 1;
       due.push_back(static_cast<int>(model.people.size()) - 1);

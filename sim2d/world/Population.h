@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim2d/world/Ways.h"
+#include "sim2d/map/NavigationMap.h"
 #include "sim2d/world/WorldState.h"
 
 namespace sim2d {
@@ -15,7 +15,7 @@ class Population {
 
   /// People (indices) for whom it is time and whose place is free; they leave the queue. Copies
   /// from sources are appended to model and state first.
-  std::vector<int> dueNow(WorldModel& model, WorldState& state, Ways& ways);
+  std::vector<int> dueNow(WorldModel& model, WorldState& state, const NavigationMap& navigation);
   /// The person comes (again) as soon as the place is free.
   void enqueue(int human) { waiting_.push_back(human); }
 
@@ -28,7 +28,8 @@ class Population {
     double next = 0.0;  // time of the next arrival [s]
   };
   void scheduleNext(const WorldModel& model, Source& source) const;
-  bool addCopy(Source& source, WorldModel& model, WorldState& state, Ways& ways) const;
+  bool addCopy(Source& source, WorldModel& model, WorldState& state,
+               const NavigationMap& navigation) const;
 
   std::vector<Source> sources_;
   std::vector<int> waiting_;

@@ -16,11 +16,6 @@ struct HalfPlane {
   double violation(const Vec2& velocity) const;
 };
 
-struct AvoidanceHorizon {
-  double people = 2.0;     // tau [s]
-  double obstacles = 1.0;  // [s]
-};
-
 /// `self` takes half of what keeps the two apart for `horizon` seconds; bodies that overlap part
 /// within `dt`. For something that does not give way `share` is 1.
 HalfPlane avoidBody(const Walker& self, const Walker& other, double horizon, double dt,

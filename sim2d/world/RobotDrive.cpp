@@ -36,7 +36,8 @@ double limited(double wanted, double now, double most, double mostChange) {
 
 }  // namespace
 
-const std::vector<base::Twist2>& RobotDrive::command(const FrozenWorld& world, Ways& ways,
+const std::vector<base::Twist2>& RobotDrive::command(const FrozenWorld& world,
+                                                     const NavigationMap& navigation,
                                                      WorldState& state) {
   commands_.assign(state.robots.size(), base::Twist2{});
   const double dt = world.model.dt;
@@ -44,7 +45,9 @@ const std::vector<base::Twist2>& RobotDrive::command(const FrozenWorld& world, W
     const ResolvedRobot& robot = world.model.robots[i];
     const RobotState& now = state.robots[i];
     base::Twist2 wanted;
-    if (drives(robot, now, state.time)) {
+    if (const auto steered = steered_.find(i); steered != steered_.end()) {
+      wanted = steered->second;
+    } else if (drives(robot, now, state.time)) {
       Observation& observation = observation_;
       observation.pose = now.pose;
       observation.linear = now.linear;
@@ -56,7 +59,7 @@ const std::vector<base::Twist2>& RobotDrive::command(const FrozenWorld& world, W
       observation.dt = dt;
       findBodies(world, i, observation.bodies);
       observation.obstacles = &world.obstacles;
-      observation.ways = &ways;
+      observation.navigation = &navigation;
       wanted = controllers_[i]->command(observation);
       if (controllers_[i]->takeReplanned()) {
         state.emit(EventKind::Replan, robot.id);
@@ -65,6 +68,7 @@ const std::vector<base::Twist2>& RobotDrive::command(const FrozenWorld& world, W
     commands_[i].linear = limited(wanted.linear, now.linear, robot.maxVel, robot.maxAcc * dt);
     commands_[i].angular = limited(wanted.angular, now.omega, robot.maxOmega, robot.maxAlpha * dt);
   }
+  steered_.clear();
   return commands_;
 }
 

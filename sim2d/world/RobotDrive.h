@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -14,8 +15,11 @@ class RobotDrive {
   explicit RobotDrive(std::vector<std::shared_ptr<RobotController>> controllers)
       : controllers_(std::move(controllers)) {}
 
+  /// In the next `command` instead of what the planner says.
+  void steer(std::size_t robot, const base::Twist2& command) { steered_[robot] = command; }
   /// Commands of this step, within the limits of speed and acceleration. Emits `replan`.
-  const std::vector<base::Twist2>& command(const FrozenWorld& world, Ways& ways, WorldState& state);
+  const std::vector<base::Twist2>& command(const FrozenWorld& world,
+                                           const NavigationMap& navigation, WorldState& state);
   /// After the step: goals reached, arrivals.
   static void afterMotion(const WorldModel& model, WorldState& state);
 
@@ -24,6 +28,7 @@ class RobotDrive {
  private:
   std::vector<std::shared_ptr<RobotController>> controllers_;
   std::vector<base::Twist2> commands_;
+  std::map<std::size_t, base::Twist2> steered_;
   Observation observation_;  // its memory is used again
 };
 

@@ -26,7 +26,7 @@ RouteFollower::Leg RouteFollower::straight(const Request& request) {
   return leg;
 }
 
-RouteFollower::Leg RouteFollower::follow(const Request& request, Ways& ways,
+RouteFollower::Leg RouteFollower::follow(const Request& request, const NavigationMap& navigation,
                                          const Obstacles& obstacles) {
   if (request.route == Route::Direct) {
     return straight(request);
@@ -37,9 +37,9 @@ RouteFollower::Leg RouteFollower::follow(const Request& request, Ways& ways,
     progressAt_ = request.time;
     return leg;
   }
-  if (!isForThisTarget(request, ways)) {
-    leg.replanned = version_ >= 0 && version_ != ways.version();
-    plan(request, ways);
+  if (!isForThisTarget(request, navigation)) {
+    leg.replanned = version_ >= 0 && version_ != navigation.version();
+    plan(request, navigation);
     clearAt_ = progressAt_ = request.time;
     bestRest_ = 1e300;
   } else if (!path_.empty() && request.target.position != target_) {
@@ -50,45 +50,46 @@ RouteFollower::Leg RouteFollower::follow(const Request& request, Ways& ways,
   }
   const bool looks = request.time - lookedAt_ >= kBetweenLooks - 1e-9;
   lookedAt_ = looks ? request.time : lookedAt_;
-  passWayPoints(request, ways, looks);
+  passWayPoints(request, navigation, looks);
   leg.stuck = isStuck(request);
-  if (leg.stuck || (looks && isLost(request, ways, obstacles))) {
-    plan(request, ways);
-    passWayPoints(request, ways, true);
+  if (leg.stuck || (looks && isLost(request, navigation, obstacles))) {
+    plan(request, navigation);
+    passWayPoints(request, navigation, true);
     leg.replanned = true;
   }
   if (!path_.empty()) {
-    beside_ = looks ? besideCorner(request, ways) : beside_;
+    beside_ = looks ? besideCorner(request, navigation) : beside_;
     const Vec2 toNext = path_[next_] + beside_ - request.position;
     leg.direction = toNext.norm() > 1e-9 ? toNext.normalized() : toTarget.normalized();
   }
   return leg;
 }
 
-bool RouteFollower::isForThisTarget(const Request& request, const Ways& ways) const {
-  return version_ == ways.version() && (request.target.position - target_).norm() <= kTargetMoved;
+bool RouteFollower::isForThisTarget(const Request& request, const NavigationMap& navigation) const {
+  return version_ == navigation.version() &&
+         (request.target.position - target_).norm() <= kTargetMoved;
 }
 
-void RouteFollower::plan(const Request& request, Ways& ways) {
-  path_ = ways.plan(request.radius, request.position, request.target.position);
+void RouteFollower::plan(const Request& request, const NavigationMap& navigation) {
+  path_ = navigation.plan(request.radius, request.position, request.target.position);
   if (!path_.empty()) {
     path_.back() = request.target.position;
   }
   next_ = path_.size() > 1 ? 1 : 0;
   target_ = request.target.position;
-  version_ = ways.version();
+  version_ = navigation.version();
   plannedAt_ = clearAt_ = request.time;
   beside_ = Vec2::Zero();
   isRound_ = false;
 }
 
 void RouteFollower::goRound(const Request& request, const std::vector<StandingBody>& standing,
-                            Ways& ways) {
+                            const NavigationMap& navigation) {
   if (path_.empty()) {
     return;
   }
   const std::optional<Vec2> place =
-      placeBeside(standing, request.radius, request.position, path_[next_], ways);
+      placeBeside(standing, request.radius, request.position, path_[next_], navigation);
   if (place) {
     path_.insert(path_.begin() + static_cast<std::ptrdiff_t>(next_), *place);
     isRound_ = true;
@@ -96,7 +97,7 @@ void RouteFollower::goRound(const Request& request, const std::vector<StandingBo
 }
 
 /// Away from the inside of the turn, as far as wanted or half or a quarter of it.
-Vec2 RouteFollower::besideCorner(const Request& request, Ways& ways) const {
+Vec2 RouteFollower::besideCorner(const Request& request, const NavigationMap& navigation) const {
   if (request.spread <= 0.0 || isRound_ || next_ == 0 || next_ + 1 >= path_.size()) {
     return Vec2::Zero();
   }
@@ -110,8 +111,8 @@ Vec2 RouteFollower::besideCorner(const Request& request, Ways& ways) const {
   for (const double share : {1.0, 0.5, 0.25}) {
     const Vec2 beside = share * request.spread / turn * outside;
     const Vec2 place = corner + beside;
-    if (ways.isClear(request.radius, corner, place) &&
-        ways.isClear(request.radius, request.position, place)) {
+    if (navigation.isClear(request.radius, corner, place) &&
+        navigation.isClear(request.radius, request.position, place)) {
       return beside;
     }
   }
@@ -123,22 +124,24 @@ bool RouteFollower::hasPassed(const Vec2& position) const {
          (path_[next_] + beside_ - position).norm() < kPassed;
 }
 
-void RouteFollower::passWayPoints(const Request& request, Ways& ways, bool looks) {
-  while (
-      next_ + 1 < path_.size() &&
-      (hasPassed(request.position) ||
-       (looks && !isRound_ && ways.isClear(request.radius, request.position, path_[next_ + 1])))) {
+void RouteFollower::passWayPoints(const Request& request, const NavigationMap& navigation,
+                                  bool looks) {
+  while (next_ + 1 < path_.size() &&
+         (hasPassed(request.position) ||
+          (looks && !isRound_ &&
+           navigation.isClear(request.radius, request.position, path_[next_ + 1])))) {
     ++next_;
     isRound_ = false;
     beside_ = Vec2::Zero();
   }
 }
 
-bool RouteFollower::isLost(const Request& request, Ways& ways, const Obstacles& obstacles) {
+bool RouteFollower::isLost(const Request& request, const NavigationMap& navigation,
+                           const Obstacles& obstacles) {
   if (path_.empty()) {
     return request.time - plannedAt_ >= kStuckAfter;  // a way may have opened
   }
-  if (ways.isClear(request.radius, request.position, path_[next_])) {
+  if (navigation.isClear(request.radius, request.position, path_[next_])) {
     clearAt_ = request.time;
     return false;
   }

@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "sim2d/map/NavigationMap.h"
 #include "sim2d/world/Detour.h"
 #include "sim2d/world/HumanBehavior.h"
-#include "sim2d/world/Ways.h"
 
 namespace sim2d {
 
@@ -27,22 +27,23 @@ class RouteFollower {
     bool stuck = false;
   };
 
-  Leg follow(const Request& request, Ways& ways, const Obstacles& obstacles);
+  Leg follow(const Request& request, const NavigationMap& navigation, const Obstacles& obstacles);
   /// Of Route::Direct, for which nothing has to be kept.
   static Leg straight(const Request& request);
   /// Of use after `stuck`: first to a place beside those who stand in the way, if there is room.
-  void goRound(const Request& request, const std::vector<StandingBody>& standing, Ways& ways);
+  void goRound(const Request& request, const std::vector<StandingBody>& standing,
+               const NavigationMap& navigation);
   void reset() { *this = RouteFollower{}; }
   /// Rest of the path, for display.
   const std::vector<Vec2>& path() const { return path_; }
 
  private:
-  bool isForThisTarget(const Request& request, const Ways& ways) const;
-  void plan(const Request& request, Ways& ways);
-  void passWayPoints(const Request& request, Ways& ways, bool looks);
-  bool isLost(const Request& request, Ways& ways, const Obstacles& obstacles);
+  bool isForThisTarget(const Request& request, const NavigationMap& navigation) const;
+  void plan(const Request& request, const NavigationMap& navigation);
+  void passWayPoints(const Request& request, const NavigationMap& navigation, bool looks);
+  bool isLost(const Request& request, const NavigationMap& navigation, const Obstacles& obstacles);
   bool isStuck(const Request& request);
-  Vec2 besideCorner(const Request& request, Ways& ways) const;
+  Vec2 besideCorner(const Request& request, const NavigationMap& navigation) const;
   bool hasPassed(const Vec2& position) const;
   double restLength(const Vec2& position) const;
 
@@ -51,7 +52,7 @@ class RouteFollower {
   bool isRound_ = false;        // the next way point leads round somebody: it is not left out
   Vec2 beside_ = Vec2::Zero();  // from the next way point to where it is passed [m]
   Vec2 target_ = Vec2::Zero();
-  int version_ = -1;         // of the ways; -1: no path yet
+  int version_ = -1;         // of the navigation map; -1: no path yet
   double plannedAt_ = -1e9;  // [s]
   double lookedAt_ = -1e9;   // lines were last tested [s]
   double clearAt_ = 0.0;     // the next way point was last clear [s]

@@ -39,6 +39,35 @@ double sideOf(double theta, double width) {
 
 }  // namespace
 
+ParameterTable<ForceParameters> forceTable() {
+  using P = ForceParameters;
+  const std::string walls = "Helbing & Molnár 1995";
+  const std::string people = "Moussaïd et al. 2009";
+  const std::string groups = "Moussaïd et al. 2010";
+  ParameterTable<ForceParameters> table;
+  table
+      .add(&P::relaxationTime, "relaxation_time", "s", base::kPositive,
+           "tau: time in which the velocity comes near the wanted one.", walls)
+      .add(&P::obstacleRange, "obstacle_range", "m", base::kPositive,
+           "sigma: distance over which the force of walls falls to 1/e.", walls)
+      .add(&P::lambda, "lambda", "s/m", base::kNotNegative,
+           "Weight of the relative velocity in the direction of an interaction.", people)
+      .add(&P::gamma, "gamma", "m", base::kPositive,
+           "Range of an interaction per length of its vector.", people)
+      .add(&P::n, "n", "1/m", base::kNotNegative, "Angular width of turning aside.", people)
+      .add(&P::nPrime, "n_prime", "1/m", base::kNotNegative, "Angular width of slowing down.",
+           people)
+      .add(&P::epsilon, "epsilon", "rad/m", base::kAnyNumber,
+           "Side to which people give way who meet head on.", people)
+      .add(&P::gazeFactor, "gaze_factor", "", base::kNotNegative,
+           "Weight of turning back for members of the group behind.", groups)
+      .add(&P::coherenceFactor, "coherence_factor", "", base::kNotNegative,
+           "Weight of the pull to the middle of the group.", groups)
+      .add(&P::repulsionFactor, "repulsion_factor", "", base::kNotNegative,
+           "Weight of keeping apart inside the group.", groups);
+  return table;
+}
+
 Vec2 goalForce(const ForceParameters& parameters, const Vec2& velocity, const Vec2& direction,
                double desiredSpeed) {
   if (direction.isZero(0.0)) {

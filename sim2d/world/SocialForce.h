@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sim2d/map/Obstacles.h"
+#include "sim2d/world/Registry.h"
 
 /// The social force model as pure functions. Forces are accelerations [m/s²], world frame. Sources:
 /// Helbing & Molnár 1995 (goal, walls), Moussaïd et al. 2009 (between people) and 2010 (groups), in
@@ -25,6 +26,9 @@ struct ForceParameters {
   double coherenceFactor = 2.0;  // k_gc
   double repulsionFactor = 1.0;  // k_gr
 };
+
+/// Without the factors that are keys of a person.
+ParameterTable<ForceParameters> forceTable();
 
 /// How one person feels the others in a crowd. Without parameters the person is felt, but feels
 /// nothing.

@@ -89,13 +89,14 @@ double largestRadius(const WorldModel& model) {
 }
 
 /// The nearest free place that can be seen from the start, on rings round it.
-std::optional<Vec2> nearestFree(const PlacedStarts& placed, const Start& start, Ways& ways) {
+std::optional<Vec2> nearestFree(const PlacedStarts& placed, const Start& start,
+                                const NavigationMap& navigation) {
   for (double distance = kRing; distance <= kReach; distance += kRing) {
     for (int k = 0; k < kPlacesOnRing; ++k) {
       const double angle = 2.0 * base::kPi * k / kPlacesOnRing;
       const Vec2 place = *start.position + distance * Vec2(base::cos(angle), base::sin(angle));
-      if (placed.isFree(start, place) && ways.clearance(place) >= start.radius &&
-          ways.isClear(start.radius, *start.position, place)) {
+      if (placed.isFree(start, place) && navigation.clearance(place) >= start.radius &&
+          navigation.isClear(start.radius, *start.position, place)) {
         return place;
       }
     }
@@ -103,10 +104,11 @@ std::optional<Vec2> nearestFree(const PlacedStarts& placed, const Start& start, 
   return std::nullopt;
 }
 
-void put(PlacedStarts& placed, const Start& start, Ways& ways, base::Diagnostics& problems) {
+void put(PlacedStarts& placed, const Start& start, const NavigationMap& navigation,
+         base::Diagnostics& problems) {
   if (!placed.isFree(start, *start.position)) {
     const std::string who = "start of '" + start.name + "' " + shown(*start.position);
-    if (const std::optional<Vec2> place = nearestFree(placed, start, ways)) {
+    if (const std::optional<Vec2> place = nearestFree(placed, start, navigation)) {
       *start.position = *place;
       problems.push_back(
           about(base::makeWarning(who + " is taken by another body, " + shown(*place) + " is used"),
@@ -123,20 +125,20 @@ void put(PlacedStarts& placed, const Start& start, Ways& ways, base::Diagnostics
 
 }  // namespace
 
-void partStarts(WorldModel& model, Ways& ways, base::Diagnostics& problems) {
+void partStarts(WorldModel& model, const NavigationMap& navigation, base::Diagnostics& problems) {
   PlacedStarts placed(largestRadius(model));
   for (Person& person : model.people) {
     if (person.constants.startTime <= 0.0) {
       put(placed,
           {person.constants.name, person.key, person.constants.radius,
            &person.constants.start.position, model.peoplePass},
-          ways, problems);
+          navigation, problems);
     }
   }
   for (ResolvedRobot& robot : model.robots) {
     put(placed,
-        {robot.name, keyOfRobot(model, robot), reachOf(robot), &robot.start.position, false}, ways,
-        problems);
+        {robot.name, keyOfRobot(model, robot), reachOf(robot), &robot.start.position, false},
+        navigation, problems);
   }
 }
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "sim2d/world/WorldHeader.h"
 #include "sim2d/world/WorldInside.h"
+#include "sim2d/world/WorldRecord.h"
 
 namespace sim2d {
 
@@ -20,8 +20,11 @@ base::Result<std::unique_ptr<World>> World::create(WorldSetup setup) {
 World::World(std::unique_ptr<State> state) : state_(std::move(state)) {}
 World::~World() = default;
 
-bool World::step() {
-  return state_->step();
+bool World::step(const StepInputs& inputs) {
+  return state_->step(inputs);
+}
+const base::Diagnostics& World::refused() const {
+  return state_->refused;
 }
 void World::measure(StepTimes* times) {
   state_->times = times;
@@ -65,16 +68,6 @@ const WorldView& World::view() const {
 }
 HumanBehavior& World::behavior() {
   return *state_->behavior;
-}
-
-std::vector<std::string> modelNames() {
-  return pedestrianModels().names();
-}
-std::vector<std::string> plannerNames() {
-  return robotPlanners().names();
-}
-std::vector<std::string> robotTypeNames() {
-  return {"generic"};
 }
 
 }  // namespace sim2d

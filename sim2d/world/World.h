@@ -13,6 +13,7 @@
 #include "sim2d/trace/Trace.h"
 #include "sim2d/world/Compatibility.h"
 #include "sim2d/world/HumanBehavior.h"
+#include "sim2d/world/Registries.h"
 #include "sim2d/world/StepTimes.h"
 
 namespace sim2d {
@@ -21,7 +22,10 @@ namespace sim2d {
 /// dt, model …) are written into `scenario` before.
 struct WorldSetup {
   std::shared_ptr<const Scenario> scenario;
-  OccupancyGrid map;
+  OccupancyGrid map;  // without `surroundings`
+  /// Of this scenario on its map. Worlds that share them share what is worked out for routes.
+  std::shared_ptr<const Surroundings> surroundings;
+  std::shared_ptr<const Registries> registries;  // null: the program's
   Compatibility compatibility;
   int threads = 1;
   bool exact = false;
@@ -29,8 +33,9 @@ struct WorldSetup {
 };
 
 /// The running world. One step (fixed dt):
-///  1 inputs whose time has come (doors that toggle, people who start, sources); they are seen in
-///    the frame of that very time
+///  1 inputs from outside; then those of the scenario whose time has come (doors that toggle,
+///  people
+///    who start, sources), which are seen in the frame of that very time already
 ///  2 neighbour grid from the frozen state
 ///  3 HumanBehavior::decide in id order -> intents
 ///  4 robots: observation -> controller -> Twist2
@@ -51,10 +56,13 @@ class World {
   World(World&&) = delete;
   World& operator=(World&&) = delete;
 
+  /// `inputs` act before anybody decides, in their order; they are in the frame of the step.
   /// False when the run has failed (diverged): `failure` says who and why; the last good state
   /// stays.
-  bool step();
+  bool step(const StepInputs& inputs = {});
   const std::string& failure() const;
+  /// Inputs of the last step that could not be (nobody has that id, no such door …), left out.
+  const base::Diagnostics& refused() const;
   /// From now on every step adds its times to `times`; nullptr: no more.
   void measure(StepTimes* times);
 
@@ -73,10 +81,5 @@ class World {
   explicit World(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
-
-/// Names for `list` and checks.
-std::vector<std::string> modelNames();
-std::vector<std::string> plannerNames();
-std::vector<std::string> robotTypeNames();
 
 }  // namespace sim2d

@@ -34,7 +34,8 @@ bool isNotNegative(double value) {
   return std::isfinite(value) && value >= 0.0;
 }
 
-void checkPerson(const ResolvedHuman& person, EntityId key, base::Diagnostics& problems) {
+void checkPerson(const WorldModel& model, const ResolvedHuman& person, EntityId key,
+                 base::Diagnostics& problems) {
   const std::string who = "person '" + person.name + "': ";
   if (person.id < 0) {
     problems.push_back(about(base::makeError(who + "id must be 0 or more"), key));
@@ -46,10 +47,10 @@ void checkPerson(const ResolvedHuman& person, EntityId key, base::Diagnostics& p
     problems.push_back(
         about(base::makeError(who + "max_vel must be 0 or more, goal_radius above 0"), key));
   }
-  const std::vector<std::string> known = pedestrianModels().names();
-  if (std::find(known.begin(), known.end(), person.model) == known.end()) {
-    problems.push_back(
-        about(base::makeError(who + unknownName("model", person.model, known)), key));
+  if (model.registries->models.find(person.model) == nullptr) {
+    problems.push_back(about(
+        base::makeError(who + unknownName("model", person.model, model.registries->models.names())),
+        key));
   }
 }
 
@@ -85,7 +86,7 @@ void addPeople(const WorldSetup& setup, WorldModel& model, base::Diagnostics& pr
     person.key = human->key;
     person.constants = resolvePerson(model, *human);
     person.plan = plans.of(human->goals, person.constants.goalRadius);
-    checkPerson(person.constants, human->key, problems);
+    checkPerson(model, person.constants, human->key, problems);
     if (!model.people.empty() && model.people.back().constants.id == human->id) {
       problems.push_back(
           about(base::makeError("person '" + human->name + "': id " + std::to_string(human->id) +
@@ -96,11 +97,13 @@ void addPeople(const WorldSetup& setup, WorldModel& model, base::Diagnostics& pr
   }
 }
 
-void checkRobot(const ResolvedRobot& robot, EntityId key, base::Diagnostics& problems) {
+void checkRobot(const Registries& registries, const ResolvedRobot& robot, EntityId key,
+                base::Diagnostics& problems) {
   const std::string who = "robot '" + robot.name + "': ";
-  const std::vector<std::string> types = robotTypeNames();
-  if (std::find(types.begin(), types.end(), robot.type) == types.end()) {
-    problems.push_back(about(base::makeError(who + unknownName("type", robot.type, types)), key));
+  if (registries.robotTypes.find(robot.type) == nullptr) {
+    problems.push_back(
+        about(base::makeError(who + unknownName("type", robot.type, registries.robotTypes.names())),
+              key));
   }
   const bool hasBody =
       robot.footprint.empty()
@@ -120,6 +123,31 @@ void checkRobot(const ResolvedRobot& robot, EntityId key, base::Diagnostics& pro
   }
 }
 
+base::Result<std::shared_ptr<RobotController>> makeController(const PlannerRegistry& planners,
+                                                              const ResolvedRobot& robot) {
+  const std::string who = "robot '" + robot.name + "': ";
+  const auto* const planner = planners.find(robot.planner);
+  if (planner == nullptr) {
+    return base::makeError(who + unknownName("planner", robot.planner, planners.names()));
+  }
+  std::vector<std::string> known;
+  for (const base::ParameterSpec& spec : planner->parameters) {
+    known.push_back(spec.key);
+  }
+  base::Diagnostics problems;
+  for (const auto& parameter : robot.plannerParameters) {
+    if (std::find(known.begin(), known.end(), parameter.first) == known.end()) {
+      problems.push_back(base::makeError(who + "planner '" + planner->name +
+                                         "' has no parameter '" + parameter.first + "' (it has " +
+                                         base::join(known, ", ") + ")"));
+    }
+  }
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  return planner->make(robot);
+}
+
 void addRobots(const Scenario& scenario, WorldParts& parts, base::Diagnostics& problems) {
   for (const Robot& robot : scenario.robots) {
     if (!robot.listed) {
@@ -127,9 +155,9 @@ void addRobots(const Scenario& scenario, WorldParts& parts, base::Diagnostics& p
     }
     const int id = -1 - static_cast<int>(parts.model.robots.size());
     parts.model.robots.push_back(resolveRobot(scenario, robot, id));
-    checkRobot(parts.model.robots.back(), robot.key, problems);
+    checkRobot(*parts.model.registries, parts.model.robots.back(), robot.key, problems);
     base::Result<std::shared_ptr<RobotController>> controller =
-        robotPlanners().make(parts.model.robots.back());
+        makeController(parts.model.registries->planners, parts.model.robots.back());
     for (const base::Diagnostic& diagnostic : controller.diagnostics()) {
       problems.push_back(about(diagnostic, robot.key));
     }
@@ -161,7 +189,7 @@ void addAreas(const Scenario& scenario, WorldModel& model, base::Diagnostics& pr
                                 (area.like ? ": '" + *area.like + "'" : "")),
                 area.key));
     } else {
-      checkPerson(resolvePerson(model, *like), like->key, problems);
+      checkPerson(model, resolvePerson(model, *like), like->key, problems);
       model.patterns.emplace(like->name, *like);
     }
   }
@@ -171,6 +199,9 @@ void fillModel(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& pr
   const Scenario& scenario = *setup.scenario;
   WorldModel& model = parts.model;
   model.environment = std::make_shared<const Environment>(scenario);
+  model.registries = setup.registries != nullptr
+                         ? setup.registries
+                         : std::make_shared<const Registries>(programRegistries());
   model.compatibility = setup.compatibility;
   model.dt = scenario.desktop.dt.value_or(0.05);
   model.seed = static_cast<std::uint64_t>(scenario.desktop.seed.value_or(1));
@@ -202,18 +233,21 @@ void fillModel(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& pr
 /// A model serves all people for whom it would be made alike.
 class ModelsInUse {
  public:
+  explicit ModelsInUse(const ModelRegistry& models) : known_(models) {}
+
   std::shared_ptr<const PedestrianModel> of(const ResolvedHuman& person) {
     std::shared_ptr<const PedestrianModel>& model =
         models_[{person.model, person.kind, person.goalFactor, person.obstacleFactor,
                  person.socialFactor, person.otherFactor}];
     if (model == nullptr) {
-      model = pedestrianModels().make(person.model, person);
+      model = known_.find(person.model)->make(person);
     }
     return model;
   }
 
  private:
   using Key = std::tuple<std::string, PersonKind, double, double, double, double>;
+  const ModelRegistry& known_;
   std::map<Key, std::shared_ptr<const PedestrianModel>> models_;
 };
 
@@ -230,14 +264,17 @@ base::Result<std::unique_ptr<WorldParts>> buildWorld(const WorldSetup& setup) {
   if (base::hasErrors(problems)) {
     return problems;
   }
-  parts->surroundings = makeSurroundings(*setup.scenario, setup.map);
-  parts->ways = std::make_unique<Ways>(parts->surroundings.grid, parts->surroundings.obstacles,
-                                       placesOf(parts->model));
-  fitPlaces(parts->model, *parts->ways, problems);
+  parts->surroundings = setup.surroundings != nullptr
+                            ? *setup.surroundings
+                            : makeSurroundings(*setup.scenario, setup.map);
+  parts->navigation =
+      std::make_unique<NavigationMap>(parts->surroundings.grid, parts->surroundings.obstacles,
+                                      placesOf(parts->model), parts->surroundings.layers);
+  fitPlaces(parts->model, *parts->navigation, problems);
   if (base::hasErrors(problems)) {
     return problems;
   }
-  ModelsInUse models;
+  ModelsInUse models(parts->model.registries->models);
   for (Person& person : parts->model.people) {
     std::vector<GoalItem>& goals = person.plan->goals;
     if (goals.empty()) {
@@ -245,7 +282,7 @@ base::Result<std::unique_ptr<WorldParts>> buildWorld(const WorldSetup& setup) {
     }
     person.model = models.of(person.constants);
   }
-  leaveOutUnreachable(parts->model, *parts->ways, problems);
+  leaveOutUnreachable(parts->model, *parts->navigation, problems);
   return {std::move(parts), std::move(problems)};
 }
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "sim2d/world/Ways.h"
+#include "sim2d/map/NavigationMap.h"
 #include "sim2d/world/World.h"
 #include "sim2d/world/WorldState.h"
 #include "sim2d/world/planners/RobotController.h"
@@ -14,7 +14,7 @@ namespace sim2d {
 struct WorldParts {
   WorldModel model;
   Surroundings surroundings;
-  std::unique_ptr<Ways> ways;
+  std::unique_ptr<NavigationMap> navigation;
   std::vector<std::shared_ptr<RobotController>> controllers;  // one per robot
 };
 

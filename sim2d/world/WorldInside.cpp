@@ -5,8 +5,7 @@
 #include <functional>
 
 #include "sim2d/world/StepBuffers.h"
-#include "sim2d/world/WorldFrame.h"
-#include "sim2d/world/WorldHeader.h"
+#include "sim2d/world/WorldRecord.h"
 
 namespace sim2d {
 namespace {
@@ -41,13 +40,12 @@ std::vector<std::string> namesInContacts(const Environment& scenario) {
 World::State::State(WorldParts parts, std::unique_ptr<HumanBehavior> minds)
     : model(std::move(parts.model)),
       surroundings(std::move(parts.surroundings)),
-      ways(std::move(parts.ways)),
+      navigation(std::move(parts.navigation)),
       physics(centreOf(model, surroundings.grid)),
-      view(model, state, grid, surroundings.obstacles, *ways),
+      view(model, state, grid, surroundings.obstacles, *navigation),
       intents(state.controls),
       behavior(std::move(minds)),
       motion(model.threads),
-      doors(model),
       population(model),
       robots(std::move(parts.controllers)),
       contacts(namesInContacts(*model.environment)) {
@@ -58,6 +56,7 @@ World::State::State(WorldParts parts, std::unique_ptr<HumanBehavior> minds)
   for (const Door* door : model.doors) {
     state.doorOpen.push_back(door->open.value_or(true) ? 1 : 0);
   }
+  toggled_.resize(model.doors.size(), 0);
   owners.reserve(model.robots.size() + model.people.size());
   physics.reserve(model.robots.size() + model.people.size());
   addRobotBodies();
@@ -90,30 +89,59 @@ void World::State::addRobotBodies() {
   }
 }
 
+/// Their times come so much early that rounding does not delay them.
+void World::State::toggleDoors() {
+  constexpr double kTick = 1e-9;  // [s]
+  for (std::size_t door = 0; door < model.doors.size(); ++door) {
+    std::vector<double> toggles = model.doors[door]->toggles;
+    std::sort(toggles.begin(), toggles.end());
+    for (std::size_t& next = toggled_[door];
+         next < toggles.size() && toggles[next] <= state.time + kTick; ++next) {
+      setDoor(door, state.doorOpen[door] == 0);
+    }
+  }
+}
+
+void World::State::setDoor(std::size_t door, bool open) {
+  state.doorOpen[door] = open ? 1 : 0;
+  const int part = surroundings.firstDoorPart + static_cast<int>(door);
+  surroundings.obstacles.setEnabled(part, !open);
+  physics.setPartEnabled(part, !open);
+  doorsChanged_ = true;
+  Event event;
+  event.kind = EventKind::Door;
+  event.hasId = false;
+  event.text = model.doors[door]->name + (open ? " open" : " closed");
+  state.events.push_back(std::move(event));
+}
+
+void World::State::updateNavigation() {
+  if (doorsChanged_) {
+    navigation->update(surroundings.grid, surroundings.obstacles);
+    doorsChanged_ = false;
+  }
+}
+
 void World::State::applyInputs(StepWatch& watch) {
-  const std::vector<int> switched = doors.advance(model, state);
-  for (const int door : switched) {
-    const int part = surroundings.firstDoorPart + door;
-    const bool isClosed = state.doorOpen[static_cast<std::size_t>(door)] == 0;
-    surroundings.obstacles.setEnabled(part, isClosed);
-    physics.setPartEnabled(part, isClosed);
-  }
-  if (!switched.empty()) {
-    ways->rebuild(surroundings.grid, surroundings.obstacles);
-  }
-  const std::vector<int> due = population.dueNow(model, state, *ways);
-  motion.resize(model.people.size());
-  goals.resize(model.people.size());
-  bodies_.resize(model.people.size(), -1);
+  toggleDoors();
+  updateNavigation();
+  const std::vector<int> due = population.dueNow(model, state, *navigation);
+  place(due);
   intents.reset();
-  for (const int human : due) {
-    enter(human);
-  }
   watch.lap(StepPhase::Goals);
   grid.rebuild(state.x, state.y, state.present);
   watch.lap(StepPhase::Grid);
   for (const int human : due) {
     behavior->enter(human, view);
+  }
+}
+
+void World::State::place(const std::vector<int>& newcomers) {
+  motion.resize(model.people.size());
+  goals.resize(model.people.size());
+  bodies_.resize(model.people.size(), -1);
+  for (const int human : newcomers) {
+    enter(human);
   }
 }
 
@@ -170,27 +198,33 @@ void World::State::finishRounds() {
   }
 }
 
-bool World::State::step() {
+bool World::State::step(const StepInputs& inputs) {
   if (!failure.empty()) {
     return false;
   }
   StepWatch watch(times);
   state.events.clear();
   dropExcess(state.events, frame.events.size());
+  take(inputs);
   headingsBefore_ = state.heading;
   motion.expectWork();
   decide();
   watch.lap(StepPhase::Trees);
   const FrozenWorld frozen{model, state, grid, surroundings.obstacles};
-  const std::vector<base::Twist2>& commands = robots.command(frozen, *ways, state);
+  const std::vector<base::Twist2>& commands = robots.command(frozen, *navigation, state);
   watch.lap(StepPhase::Robots);
-  motion.chooseLegs(frozen, intents, *ways, state);
+  motion.chooseLegs(frozen, intents, *navigation, state);
   watch.lap(StepPhase::Ways);
-  motion.compute(frozen, intents, *ways, state, frame.forces);
+  motion.compute(frozen, intents, *navigation, state, frame.forces);
   failure = trouble(commands);
   if (!failure.empty()) {
     frame.forces = {};  // they are of the step that failed
     return false;
+  }
+  for (const Steering& steering : steerings_) {
+    const Vec2& own = motion.wanted()[steering.human];
+    motion.steer(steering.human,
+                 steering.isBeside ? Vec2(own + steering.velocity) : steering.velocity);
   }
   watch.lap(StepPhase::Forces);
   moveBodies(commands);
@@ -250,6 +284,7 @@ std::string World::State::trouble(const std::vector<base::Twist2>& commands) con
 
 void World::State::publish() {
   fillFrame(model, state, frame);
+  std::swap(frame.inputs, taken_);
   frame.robotPaths.resize(state.robots.size());
   for (std::size_t i = 0; i < state.robots.size(); ++i) {
     frame.robotPaths[i] = robots.path(i, model, state);

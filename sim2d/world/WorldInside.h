@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "sim2d/world/Contacts.h"
-#include "sim2d/world/Doors.h"
 #include "sim2d/world/Goals.h"
 #include "sim2d/world/PersonMotion.h"
 #include "sim2d/world/Population.h"
@@ -24,11 +23,11 @@ constexpr std::size_t kSmallWorld = 65;  // people; so few are all left to the s
 struct World::State {
   State(WorldParts parts, std::unique_ptr<HumanBehavior> minds);
 
-  bool step();
+  bool step(const StepInputs& inputs);
 
   WorldModel model;
   Surroundings surroundings;
-  std::unique_ptr<Ways> ways;
+  std::unique_ptr<NavigationMap> navigation;
   WorldState state;
   NeighborGrid grid;
   Physics physics;
@@ -38,12 +37,12 @@ struct World::State {
   std::unique_ptr<HumanBehavior> behavior;
   PersonMotion motion;
   Goals goals;
-  Doors doors;
   Population population;
   RobotDrive robots;
   Contacts contacts;
   Frame frame;
   std::string failure;
+  base::Diagnostics refused;   // inputs of the last step
   StepTimes* times = nullptr;  // null: nobody measures
 
  private:
@@ -51,8 +50,19 @@ struct World::State {
   enum class Nearness : std::uint8_t { Nothing, Person, Solid };
 
   void addRobotBodies();
+  /// Inputs from outside; `taken_` has those that were possible.
+  void take(const StepInputs& inputs);
+  /// What is wrong with the input; empty: it acts.
+  std::string take(Input& input);
+  std::string takeForPerson(const Input& input);
+  std::string addCopy(Input& input);
   /// Doors and people whose time has come; the grid afterwards.
   void applyInputs(StepWatch& watch);
+  void toggleDoors();
+  void setDoor(std::size_t door, bool open);
+  void updateNavigation();
+  void place(const std::vector<int>& newcomers);
+  void put(std::size_t human, const Pose2& pose, const Vec2& velocity);
   void enter(int human);
   void leave(int human);
   void finishRounds();
@@ -78,7 +88,17 @@ struct World::State {
 
   int bodyOf(std::size_t human) const { return bodies_[human]; }
 
-  std::vector<int> bodies_;  // of the people; -1: never present
+  struct Steering {  // of a person by an input
+    std::size_t human = 0;
+    Vec2 velocity = Vec2::Zero();  // [m/s]
+    bool isBeside = false;         // what the person wants
+  };
+  std::vector<Steering> steerings_;   // in this step
+  StepInputs taken_;                  // idem
+  std::vector<int> newcomers_;        // by inputs of this step
+  std::vector<std::size_t> toggled_;  // times of each door that are over
+  bool doorsChanged_ = false;         // since the navigation map was updated
+  std::vector<int> bodies_;           // of the people; -1: never present
   std::vector<double> headingsBefore_;
   std::vector<MovingDisc> discs_;
   std::vector<DiscPair> pairs_;

@@ -57,10 +57,10 @@ ResolvedHuman withoutModel(const WorldModel& model, const Human& human) {
 
 }  // namespace
 
-ResolvedHuman resolvePerson(const WorldModel& model, const Human& human) {
-  ResolvedHuman person = withoutModel(model, human);
-  if (const auto walks = pedestrianModels().make(person.model, person)) {
-    person.radius = walks->bodyRadius(person);
+ResolvedHuman resolvePerson(const WorldModel& world, const Human& human) {
+  ResolvedHuman person = withoutModel(world, human);
+  if (const auto* const model = world.registries->models.find(person.model)) {
+    person.radius = model->make(person)->bodyRadius(person);
   }
   return person;
 }

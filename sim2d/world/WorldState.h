@@ -7,7 +7,7 @@
 
 #include "sim2d/scenario/ScenarioCheck.h"
 #include "sim2d/world/HumanBehavior.h"
-#include "sim2d/world/models/PedestrianModel.h"
+#include "sim2d/world/Registries.h"
 
 namespace sim2d {
 
@@ -48,11 +48,13 @@ struct Person {
   EntityId key;
   std::shared_ptr<const PedestrianModel> model;
   std::shared_ptr<GoalPlan> plan;  // written to while the world is built alone
+  int copiedFrom = -1;             // index of the person of whom an input made this copy
 };
 
 /// What stays the same during a run. People by ascending id; sources append to the end.
 struct WorldModel {
   std::shared_ptr<const Environment> environment;
+  std::shared_ptr<const Registries> registries;
   Compatibility compatibility;
   double dt = 0.05;  // [s]
   std::uint64_t seed = 1;

@@ -67,7 +67,7 @@ bool WorldViewOf::isVisible(const Vec2& from, const Vec2& to) const {
 bool WorldViewOf::isReachable(int human, const Vec2& point) const {
   const ResolvedHuman& person = constants(human);
   return person.route == Route::Direct ||
-         ways_.isReachable(person.radius, state_.position(at(human)), point);
+         navigation_.isReachable(person.radius, state_.position(at(human)), point);
 }
 
 std::optional<double> WorldViewOf::wayLength(int human, const Vec2& point) const {
@@ -75,7 +75,7 @@ std::optional<double> WorldViewOf::wayLength(int human, const Vec2& point) const
   if (person.route == Route::Direct) {
     return (point - state_.position(at(human))).norm();
   }
-  const Path path{ways_.plan(person.radius, state_.position(at(human)), point)};
+  const Path path{navigation_.plan(person.radius, state_.position(at(human)), point)};
   return path.points.empty() ? std::nullopt : std::optional<double>(path.length());
 }
 

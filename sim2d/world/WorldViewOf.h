@@ -1,7 +1,7 @@
 #pragma once
 
+#include "sim2d/map/NavigationMap.h"
 #include "sim2d/world/NeighborGrid.h"
-#include "sim2d/world/Ways.h"
 #include "sim2d/world/WorldState.h"
 
 namespace sim2d {
@@ -10,8 +10,8 @@ namespace sim2d {
 class WorldViewOf : public WorldView {
  public:
   WorldViewOf(const WorldModel& model, const WorldState& state, const NeighborGrid& grid,
-              const Obstacles& obstacles, Ways& ways)
-      : model_(model), state_(state), grid_(grid), obstacles_(obstacles), ways_(ways) {}
+              const Obstacles& obstacles, const NavigationMap& navigation)
+      : model_(model), state_(state), grid_(grid), obstacles_(obstacles), navigation_(navigation) {}
 
   std::int64_t step() const override { return state_.step + 1; }
   double time() const override { return state_.time; }
@@ -26,6 +26,7 @@ class WorldViewOf : public WorldView {
   const ResolvedHuman& constants(int human) const override {
     return model_.people[at(human)].constants;
   }
+  int copiedFrom(int human) const override { return model_.people[at(human)].copiedFrom; }
   Pose2 pose(int human) const override { return state_.pose(at(human)); }
   Vec2 velocity(int human) const override { return state_.velocity(at(human)); }
   void near(int human, double range, std::vector<int>& found) const override;
@@ -49,7 +50,7 @@ class WorldViewOf : public WorldView {
   const WorldState& state_;
   const NeighborGrid& grid_;
   const Obstacles& obstacles_;
-  Ways& ways_;
+  const NavigationMap& navigation_;
 };
 
 }  // namespace sim2d

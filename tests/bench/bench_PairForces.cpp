@@ -32,7 +32,7 @@ std::vector<Pedestrian> neighbours(int count) {
     const Vec2 way(i % 2 == 0 ? 1.0 : -1.0, 0.0);
     Pedestrian other;
     other.body = {i + 1, distance * Vec2(std::cos(angle), std::sin(angle)), 1.2 * way, 0.2};
-    other.course = {way, way, 1.3, -1, false};
+    other.desired = {way, way, 1.3, -1, false};
     found.push_back(other);
   }
   return found;
@@ -67,7 +67,7 @@ void PairForcesBench::densityForce_perNeighbour() {
   const DensityParameters parameters;
   Pedestrian self;
   self.body = {0, Vec2::Zero(), Vec2(1.2, 0.1), 0.2};
-  self.course = {Vec2(1.0, 0.0), Vec2(1.0, 0.0), 1.3, -1, false};
+  self.desired = {Vec2(1.0, 0.0), Vec2(1.0, 0.0), 1.3, -1, false};
   Vec2 sum = Vec2::Zero();
   const double das =
       nanosecondsOf([&] { sum += densityForce(parameters, self, others).social; }) / count;

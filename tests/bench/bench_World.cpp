@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QElapsedTimer>
 #include <QtTest>
 
+#include "sim2d/map/MapReader.h"
+#include "sim2d/scenario/ScenarioFile.h"
 #include "tests/world/TestWorld.h"
 
 using namespace testworld;
@@ -15,6 +18,8 @@ class WorldBench : public QObject {
   void step_hallWithShelves_fivePeopleAndARobot();
   void step_openPlane_crowd_data();
   void step_openPlane_crowd();
+  void create_sameSurroundings_sharesTheMapWork_data();
+  void create_sameSurroundings_sharesTheMapWork();
 };
 
 namespace {
@@ -75,6 +80,50 @@ void WorldBench::step_openPlane_crowd() {
   QBENCHMARK_ONCE {
     advance(**world, 100);
   }
+}
+
+void WorldBench::create_sameSurroundings_sharesTheMapWork_data() {
+  QTest::addColumn<QString>("place");
+  QTest::newRow("corner_cafe") << "corner_cafe/corner_cafe";
+  QTest::newRow("hall") << "";
+}
+
+/// The first world of a place and the ones after it; the fastest of some rounds.
+void WorldBench::create_sameSurroundings_sharesTheMapWork() {
+  QFETCH(QString, place);
+  auto scenario = std::make_shared<Scenario>();
+  OccupancyGrid grid = hall();
+  if (!place.isEmpty()) {
+    const std::string base = SOURCE_DIR "/maps/" + place.toStdString();
+    *scenario = readScenario(base + "_agents.yaml").scenario;
+    const base::Result<MapFile> file = readMap(base + ".yaml", {});
+    QVERIFY(file);
+    grid = file->grid;
+  }
+  for (int i = 0; i < 40 && place.isEmpty(); ++i) {
+    addGoal(*scenario, i + 1, -22.0 + i, -22.0);
+    addPerson(*scenario, i, Vec2(-22.0 + i, 20.0), {i + 1});
+  }
+  double first = 1e9;
+  double again = 1e9;
+  for (int round = 0; round < 5; ++round) {
+    std::shared_ptr<const Surroundings> surroundings;
+    for (double* const best : {&first, &again}) {
+      QElapsedTimer timer;
+      timer.start();
+      if (surroundings == nullptr) {
+        surroundings = std::make_shared<const Surroundings>(makeSurroundings(*scenario, grid));
+      }
+      WorldSetup setup;
+      setup.scenario = scenario;
+      setup.surroundings = surroundings;
+      setup.behavior = std::make_unique<ScriptedBehavior>();
+      QVERIFY(World::create(std::move(setup)));
+      *best = std::min(*best, static_cast<double>(timer.nsecsElapsed()) * 1e-6);
+    }
+  }
+  qInfo("first %.2f ms, again %.2f ms", first, again);
+  QTest::setBenchmarkResult(again, QTest::WalltimeMilliseconds);
 }
 
 QTEST_APPLESS_MAIN(WorldBench)

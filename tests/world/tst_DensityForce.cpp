@@ -21,9 +21,9 @@ DensityParameters standard() {
 Pedestrian pedestrian(int id, const Vec2& position, const Vec2& velocity, const Vec2& goal) {
   Pedestrian who;
   who.body = {id, position, velocity, 0.2};
-  who.course.direction = goal;
-  who.course.heading = goal.isZero(0.0) ? Vec2(1.0, 0.0) : goal;
-  who.course.desiredSpeed = 1.3;
+  who.desired.direction = goal;
+  who.desired.heading = goal.isZero(0.0) ? Vec2(1.0, 0.0) : goal;
+  who.desired.desiredSpeed = 1.3;
   return who;
 }
 
@@ -33,12 +33,12 @@ Vec2 stepped(const DensityParameters& parameters, const Pedestrian& self,
              const std::vector<Obstacles::Point>& points = {},
              const std::vector<Walker>& mates = {}) {
   const DensityForce force = densityForce(parameters, self, others);
-  const Vec2 group = groupForce(parameters.social, self.body, self.course.direction, mates).sum();
+  const Vec2 group = groupForce(parameters.social, self.body, self.desired.direction, mates).sum();
   const Vec2 sum = force.goal + force.social + force.lane + group +
                    limitedObstacleForce(parameters, self, points);
   Vec2 velocity = self.body.velocity + sum * kDt;
-  if (velocity.norm() > self.course.desiredSpeed) {
-    velocity *= self.course.desiredSpeed / velocity.norm();
+  if (velocity.norm() > self.desired.desiredSpeed) {
+    velocity *= self.desired.desiredSpeed / velocity.norm();
   }
   return guardContacts(parameters, self, others, points, velocity, kDt);
 }
@@ -132,7 +132,7 @@ void DensityForceTest::guardContacts_wallAhead_stopsAtIt() {
 void DensityForceTest::densityForce_mate_feelsThePlainPairAndTheGroup() {
   Pedestrian self = pedestrian(0, Vec2::Zero(), Vec2(1.2, 0.0), Vec2(1.0, 0.0));
   Pedestrian mate = pedestrian(1, Vec2(0.5, 0.3), Vec2(1.0, 0.0), Vec2(1.0, 0.0));
-  self.course.group = mate.course.group = 7;
+  self.desired.group = mate.desired.group = 7;
   const DensityForce force = densityForce(standard(), self, {mate});
   QVERIFY(std::fabs(force.speedCap - 1.3) <= kRounding);
   QVERIFY(isNear(force.goal, Vec2(0.4, 0.0)));
@@ -194,7 +194,7 @@ void DensityForceTest::densityForce_twoMatesAbreast_settleAsInThePlainModel() {
   std::vector<Pedestrian> pair = {pedestrian(1, Vec2(0.0, 0.45), Vec2(1.3, 0.0), Vec2(1.0, 0.0)),
                                   pedestrian(2, Vec2(0.0, -0.45), Vec2(1.3, 0.0), Vec2(1.0, 0.0))};
   for (Pedestrian& who : pair) {
-    who.course.group = 3;
+    who.desired.group = 3;
     who.body.radius = 0.4;
   }
   for (int step = 0; step < 2000; ++step) {
@@ -223,7 +223,7 @@ void DensityForceTest::guardContacts_crowdPressed_neverOverlaps() {
     std::vector<Pedestrian> after = crowd;
     for (std::size_t i = 0; i < crowd.size(); ++i) {
       Pedestrian& self = crowd[i];
-      self.course.direction = -self.body.position.normalized();
+      self.desired.direction = -self.body.position.normalized();
     }
     for (std::size_t i = 0; i < crowd.size(); ++i) {
       std::vector<Pedestrian> others = crowd;

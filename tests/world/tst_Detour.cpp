@@ -34,15 +34,15 @@ struct Place {
       obstacles.add(wallOutlines(wall, 0.1));
     }
     obstacles.build();
-    ways =
-        std::make_unique<Ways>(OccupancyGrid(), obstacles,
-                               std::vector<Vec2>{kFrom - Vec2(2.0, 2.0), kNext + Vec2(2.0, 2.0)});
+    navigation = std::make_unique<NavigationMap>(
+        OccupancyGrid(), obstacles,
+        std::vector<Vec2>{kFrom - Vec2(2.0, 2.0), kNext + Vec2(2.0, 2.0)});
   }
   std::optional<Vec2> beside(const std::vector<StandingBody>& standing) {
-    return placeBeside(standing, kRadius, kFrom, kNext, *ways);
+    return placeBeside(standing, kRadius, kFrom, kNext, *navigation);
   }
   Obstacles obstacles;
-  std::unique_ptr<Ways> ways;
+  std::unique_ptr<NavigationMap> navigation;
 };
 
 }  // namespace
@@ -101,10 +101,10 @@ void DetourTest::follower_goesRoundAndOn() {
   bool wasStuck = false;
   for (int step = 0; step < 300; ++step) {
     request.time = 0.05 * step;
-    const RouteFollower::Leg leg = follower.follow(request, *plane.ways, plane.obstacles);
+    const RouteFollower::Leg leg = follower.follow(request, *plane.navigation, plane.obstacles);
     if (leg.stuck) {
       wasStuck = true;
-      follower.goRound(request, {robot}, *plane.ways);
+      follower.goRound(request, {robot}, *plane.navigation);
       continue;
     }
     request.position += 0.05 * leg.direction;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,7 +15,7 @@
 #include "metrics/MetricRegistry.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/KeyTables.h"
-#include "sim2d/world/World.h"
+#include "sim2d/world/Registries.h"
 
 namespace app {
 
@@ -34,10 +35,29 @@ struct Entry {
   Json details = Json::object();
 };
 
-std::vector<Entry> plainEntries(const std::vector<std::string>& names) {
+Json parameterJson(const base::ParameterSpec& spec) {
+  const double* const fallback = std::get_if<double>(&spec.fallback);
+  const auto end = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
+  return {{"name", spec.key},
+          {"default", fallback != nullptr ? Json(*fallback) : Json()},
+          {"unit", spec.unit},
+          {"minimum", end(spec.range.low)},
+          {"maximum", end(spec.range.high)},
+          {"description", spec.help},
+          {"source", spec.source}};
+}
+
+template <class Maker>
+std::vector<Entry> registeredEntries(const sim2d::Registry<Maker>& registry) {
   std::vector<Entry> entries;
-  for (const std::string& name : names) {
-    entries.push_back({name, {}, {}});
+  for (const auto& each : registry.entries()) {
+    Entry entry;
+    entry.name = each.name;
+    entry.details["parameters"] = Json::array();
+    for (const base::ParameterSpec& spec : each.parameters) {
+      entry.details["parameters"].push_back(parameterJson(spec));
+    }
+    entries.push_back(std::move(entry));
   }
   return entries;
 }
@@ -169,11 +189,11 @@ int listCommand(const ListOptions& options, const OutputOptions& output) {
   } else if (options.what == "keys") {
     entries = keyEntries();
   } else if (options.what == "models") {
-    entries = plainEntries(sim2d::modelNames());
+    entries = registeredEntries(sim2d::programRegistries().models);
   } else if (options.what == "robots") {
-    entries = plainEntries(sim2d::robotTypeNames());
+    entries = registeredEntries(sim2d::programRegistries().robotTypes);
   } else if (options.what == "planners") {
-    entries = plainEntries(sim2d::plannerNames());
+    entries = registeredEntries(sim2d::programRegistries().planners);
   } else {
     entries = scenarioEntries();
   }

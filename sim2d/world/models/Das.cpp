@@ -9,9 +9,14 @@ constexpr double kBodyRadius = 0.20;     // [m]; people in dense crowds turn the
 constexpr double kGuardRange = 2.0;      // [m]; bodies farther away cannot be touched in a step
 constexpr double kStandingSpeed = 1e-3;  // [m/s]; who brakes below this stands
 
-DensityParameters parametersOf(const ResolvedHuman& person) {
+DensityParameters defaultParameters() {
   DensityParameters parameters;
   parameters.social.epsilon = 0.01;
+  return parameters;
+}
+
+DensityParameters parametersOf(const ResolvedHuman& person) {
+  DensityParameters parameters = defaultParameters();
   parameters.social.goalFactor = person.goalFactor;
   parameters.social.obstacleFactor = person.obstacleFactor;
   parameters.social.socialFactor = person.socialFactor;
@@ -24,7 +29,7 @@ class Das : public PedestrianModel {
   explicit Das(const ResolvedHuman& person) : parameters_(parametersOf(person)) {}
 
   ForceTerms forces(const Situation& situation) const override {
-    const Pedestrian self{situation.self, situation.course};
+    const Pedestrian self{situation.self, situation.desired};
     const DensityForce force =
         densityForce(parameters_, self, neighborsOf(situation, kDensityRange));
     ForceTerms terms;
@@ -45,12 +50,12 @@ class Das : public PedestrianModel {
     } else if (situation.direction.isZero(0.0) && speed < kStandingSpeed) {
       wanted = Vec2::Zero();
     }
-    return guardContacts(parameters_, {situation.self, situation.course},
+    return guardContacts(parameters_, {situation.self, situation.desired},
                          neighborsOf(situation, kGuardRange), situation.obstacles, wanted,
                          situation.dt);
   }
 
-  bool looksAtCourses() const override { return true; }
+  bool looksAtDesires() const override { return true; }
   bool spreadsAtCorners() const override { return true; }
 
   double bodyRadius(const ResolvedHuman& person) const override {
@@ -69,7 +74,7 @@ class Das : public PedestrianModel {
       const Vec2& place = situation.self.position;
       if ((other.position - place).squaredNorm() < range * range &&
           (*situation.isVisible)(place, other.position)) {
-        found.push_back({other, situation.courses[i]});
+        found.push_back({other, situation.desires[i]});
       }
     }
     std::sort(found.begin(), found.end(),
@@ -84,7 +89,8 @@ class Das : public PedestrianModel {
 
 void addDas(ModelRegistry& to);
 void addDas(ModelRegistry& to) {
-  to.add("das", [](const ResolvedHuman& person) { return std::make_unique<Das>(person); });
+  to.add("das", densityTable().specs(defaultParameters()),
+         [](const ResolvedHuman& person) { return std::make_unique<Das>(person); });
 }
 
 }  // namespace sim2d

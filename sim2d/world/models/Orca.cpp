@@ -7,12 +7,34 @@
 namespace sim2d {
 namespace {
 
-constexpr double kRange = 8.0;              // [m]
 constexpr std::size_t kMostNeighbors = 12;  // nearest ones that count
-constexpr double kBrakingTime = 0.5;        // [s], without a goal
-constexpr double kSidePreference = 0.05;    // [rad] to the right when the way is not free
 constexpr double kRobotShare = 1.0;         // robots do not give way by this rule
 constexpr double kPersonShare = 0.5;
+
+struct OrcaParameters {
+  double horizon = 2.0;          // tau [s]
+  double obstacleHorizon = 1.0;  // [s]
+  double range = 8.0;            // [m]
+  double brakingTime = 0.5;      // [s], without a goal
+  double sidePreference = 0.05;  // [rad]
+};
+
+ParameterTable<OrcaParameters> orcaTable() {
+  using P = OrcaParameters;
+  const std::string source = "van den Berg et al. 2011";
+  ParameterTable<OrcaParameters> table;
+  table
+      .add(&P::horizon, "horizon", "s", base::kPositive,
+           "tau: velocities keep people apart for so long.", source)
+      .add(&P::obstacleHorizon, "obstacle_horizon", "s", base::kPositive, "The same for walls.",
+           source)
+      .add(&P::range, "range", "m", base::kPositive, "People farther away do not count.", source)
+      .add(&P::brakingTime, "braking_time", "s", base::kPositive,
+           "In which people without a goal come to a stand.")
+      .add(&P::sidePreference, "side_preference", "rad", base::kAnyNumber,
+           "Turn of the wanted velocity to the right where the way is not free.");
+  return table;
+}
 
 /// Optimal reciprocal collision avoidance: of the velocities that keep everybody apart the one
 /// nearest to the wanted. Walls come in as their boundary points. There are no group forces.
@@ -34,18 +56,18 @@ class Orca : public PedestrianModel {
                                           : velocity;
   }
 
-  bool looksAtCourses() const override { return true; }
-  double range(double /*fastest*/, double /*ownSpeed*/) const override { return kRange; }
+  bool looksAtDesires() const override { return true; }
+  double range(double /*fastest*/, double /*ownSpeed*/) const override { return parameters_.range; }
 
  private:
-  static Vec2 wantedVelocity(const Situation& situation) {
+  Vec2 wantedVelocity(const Situation& situation) const {
     if (situation.direction.isZero(0.0)) {
-      return situation.self.velocity * std::max(0.0, 1.0 - situation.dt / kBrakingTime);
+      return situation.self.velocity * std::max(0.0, 1.0 - situation.dt / parameters_.brakingTime);
     }
     return situation.desiredSpeed * situation.direction;
   }
 
-  static Vec2 chosenVelocity(const Situation& situation, const Vec2& wanted) {
+  Vec2 chosenVelocity(const Situation& situation, const Vec2& wanted) const {
     std::vector<HalfPlane> planes = planesOfWalls(situation);
     const std::size_t fixed = planes.size();
     addPlanesOfOthers(situation, planes);
@@ -55,30 +77,32 @@ class Orca : public PedestrianModel {
     if (isFree) {
       return wanted;
     }
-    const double cosine = base::cos(kSidePreference);
-    const double sine = base::sin(kSidePreference);
+    const double cosine = base::cos(parameters_.sidePreference);
+    const double sine = base::sin(parameters_.sidePreference);
     const Vec2 aside(cosine * wanted.x() + sine * wanted.y(),
                      cosine * wanted.y() - sine * wanted.x());
     return nearestAllowed(planes, fixed, aside, situation.desiredSpeed);
   }
 
-  static std::vector<HalfPlane> planesOfWalls(const Situation& situation) {
-    const AvoidanceHorizon horizon;
-    const double near = situation.self.radius + situation.desiredSpeed * horizon.obstacles;
+  std::vector<HalfPlane> planesOfWalls(const Situation& situation) const {
+    const double near =
+        situation.self.radius + situation.desiredSpeed * parameters_.obstacleHorizon;
     std::vector<HalfPlane> planes;
     for (const Obstacles::Point& point : situation.obstacles) {
       if (point.inside || point.distance <= near) {
-        planes.push_back(avoidPoint(situation.self, point, horizon.obstacles, situation.dt));
+        planes.push_back(
+            avoidPoint(situation.self, point, parameters_.obstacleHorizon, situation.dt));
       }
     }
     return planes;
   }
 
-  static void addPlanesOfOthers(const Situation& situation, std::vector<HalfPlane>& planes) {
+  void addPlanesOfOthers(const Situation& situation, std::vector<HalfPlane>& planes) const {
     const Vec2& place = situation.self.position;
     std::vector<std::size_t> near;
     for (std::size_t i = 0; i < situation.others.size(); ++i) {
-      if ((situation.others[i].position - place).squaredNorm() < kRange * kRange) {
+      if ((situation.others[i].position - place).squaredNorm() <
+          parameters_.range * parameters_.range) {
         near.push_back(i);
       }
     }
@@ -89,7 +113,6 @@ class Orca : public PedestrianModel {
       const double farther = (second.position - place).squaredNorm();
       return nearer < farther || (nearer == farther && first.id < second.id);
     });
-    const AvoidanceHorizon horizon;
     std::size_t count = 0;
     for (const std::size_t i : near) {
       const Walker& other = situation.others[i];
@@ -97,19 +120,23 @@ class Orca : public PedestrianModel {
         break;
       }
       if ((*situation.isVisible)(place, other.position)) {
-        const double share = situation.courses[i].isRobot ? kRobotShare : kPersonShare;
-        planes.push_back(avoidBody(situation.self, other, horizon.people, situation.dt, share));
+        const double share = situation.desires[i].isRobot ? kRobotShare : kPersonShare;
+        planes.push_back(
+            avoidBody(situation.self, other, parameters_.horizon, situation.dt, share));
         ++count;
       }
     }
   }
+
+  OrcaParameters parameters_;
 };
 
 }  // namespace
 
 void addOrca(ModelRegistry& to);
 void addOrca(ModelRegistry& to) {
-  to.add("orca", [](const ResolvedHuman& /*person*/) { return std::make_unique<Orca>(); });
+  to.add("orca", orcaTable().specs(),
+         [](const ResolvedHuman& /*person*/) { return std::make_unique<Orca>(); });
 }
 
 }  // namespace sim2d

@@ -8,6 +8,7 @@
 
 #include "sim2d/scenario/Defaults.h"
 #include "sim2d/world/DensityForce.h"
+#include "sim2d/world/Registry.h"
 
 namespace sim2d {
 
@@ -25,9 +26,9 @@ struct Situation {
   /// The social force of all people, when it was computed for the whole crowd at once: then only
   /// robots are in `others` [m/s²].
   std::optional<Vec2> ofCrowd;
-  Course course;                // of the person
-  std::vector<Course> courses;  // beside `others`, filled when `looksAtCourses`
-  bool looksAtCourses = false;
+  DesiredMotion desired;               // of the person
+  std::vector<DesiredMotion> desires;  // beside `others`, filled when `looksAtDesires`
+  bool looksAtDesires = false;
   std::vector<Walker> group;  // the other members of the person's group
   std::vector<Obstacles::Point> obstacles;
   /// Nothing solid between two points.
@@ -54,7 +55,7 @@ class PedestrianModel {
   /// large crowds it then gets the sum as `ofCrowd`. The parameters live as long as the model.
   virtual SocialLaw socialLaw() const { return {}; }
   /// The model wants to know where others are heading.
-  virtual bool looksAtCourses() const { return false; }
+  virtual bool looksAtDesires() const { return false; }
   /// In a crowd such people use the whole width of a way round a corner.
   virtual bool spreadsAtCorners() const { return false; }
   /// Radius that counts for this person instead of the one of the scenario [m].
@@ -63,27 +64,8 @@ class PedestrianModel {
   virtual double range(double fastest, double ownSpeed) const = 0;
 };
 
-/// The models by name. A file in this folder registers its own in `add<File>`.
-class ModelRegistry {
- public:
-  using Maker = std::function<std::unique_ptr<PedestrianModel>(const ResolvedHuman& person)>;
-
-  void add(std::string name, Maker maker) {
-    entries_.push_back({std::move(name), std::move(maker)});
-  }
-  std::vector<std::string> names() const;
-  /// Null when there is no such model.
-  std::unique_ptr<PedestrianModel> make(const std::string& name, const ResolvedHuman& person) const;
-
- private:
-  struct Entry {
-    std::string name;
-    Maker maker;
-  };
-  std::vector<Entry> entries_;
-};
-
-/// All models of this program.
-const ModelRegistry& pedestrianModels();
+/// Makes the model of people like this one. A file in this folder registers its own in `add<File>`.
+using ModelMaker = std::function<std::unique_ptr<PedestrianModel>(const ResolvedHuman& person)>;
+using ModelRegistry = Registry<ModelMaker>;
 
 }  // namespace sim2d

@@ -114,9 +114,11 @@ class Sfm : public PedestrianModel {
 
 void addSfm(ModelRegistry& to);
 void addSfm(ModelRegistry& to) {
-  to.add("sfm",
+  ForceParameters original;
+  original.epsilon = 0.0;
+  to.add("sfm", forceTable().specs(),
          [](const ResolvedHuman& person) { return std::make_unique<Sfm>(person, Kind::Mended); });
-  to.add("sfm-hunav2",
+  to.add("sfm-hunav2", forceTable().specs(original),
          [](const ResolvedHuman& person) { return std::make_unique<Sfm>(person, Kind::Original); });
 }
 

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "sim2d/base/Math.h"
-#include "sim2d/base/Text.h"
 #include "sim2d/world/planners/RobotController.h"
 
 namespace sim2d {
@@ -18,6 +17,18 @@ struct PursuitParameters {
   double slowDistance = 1.5;  // [m], gap to whoever is ahead
   double stopDistance = 0.5;  // [m]
 };
+
+ParameterTable<PursuitParameters> pursuitTable() {
+  ParameterTable<PursuitParameters> table;
+  table
+      .add(&PursuitParameters::lookahead, "lookahead", "m", base::kPositive,
+           "Distance along the path to the point that the robot steers to.", "Coulter 1992")
+      .add(&PursuitParameters::slowDistance, "slow_distance", "m", base::kNotNegative,
+           "Gap to somebody ahead below which the robot slows down.")
+      .add(&PursuitParameters::stopDistance, "stop_distance", "m", base::kNotNegative,
+           "Gap to somebody ahead at which the robot stops.");
+  return table;
+}
 
 /// A* path, pure pursuit (Coulter 1992), slower for people ahead.
 class Pursuit : public RobotController {
@@ -55,7 +66,7 @@ class Pursuit : public RobotController {
 
  private:
   bool needsPlan(const Observation& observation) {
-    if (version_ != observation.ways->version() || observation.goal != goal_) {
+    if (version_ != observation.navigation->version() || observation.goal != goal_) {
       return true;
     }
     if (observation.time - plannedAt_ < kBetweenPlans) {
@@ -67,10 +78,10 @@ class Pursuit : public RobotController {
 
   void plan(const Observation& observation) {
     replanned_ = version_ >= 0 && observation.goal == goal_;
-    path_ =
-        observation.ways->plan(observation.bodyRadius, observation.pose.position, observation.goal);
+    path_ = observation.navigation->plan(observation.bodyRadius, observation.pose.position,
+                                         observation.goal);
     goal_ = observation.goal;
-    version_ = observation.ways->version();
+    version_ = observation.navigation->version();
     plannedAt_ = observation.time;
   }
 
@@ -151,38 +162,19 @@ class Pursuit : public RobotController {
   double maxVel_, maxAcc_, maxOmega_, maxAlpha_;
   std::vector<Vec2> path_;
   Vec2 goal_ = Vec2::Zero();
-  int version_ = -1;  // of the ways; -1: never planned
+  int version_ = -1;  // of the navigation map; -1: never planned
   double plannedAt_ = -1e9;
   bool replanned_ = false;
 };
 
 base::Result<std::shared_ptr<RobotController>> makePursuit(const ResolvedRobot& robot) {
   PursuitParameters parameters;
-  const std::vector<std::pair<std::string, double*>> known = {
-      {"lookahead", &parameters.lookahead},
-      {"slow_distance", &parameters.slowDistance},
-      {"stop_distance", &parameters.stopDistance}};
-  base::Diagnostics problems;
-  for (const auto& [name, value] : robot.plannerParameters) {
-    const std::string wanted = name;
-    const auto found = std::find_if(known.begin(), known.end(),
-                                    [&](const auto& entry) { return entry.first == wanted; });
-    if (found == known.end()) {
-      problems.push_back(base::makeError("robot '" + robot.name +
-                                         "': planner 'pursuit' has no parameter '" + name +
-                                         "' (it has lookahead, slow_distance, stop_distance)"));
-    } else {
-      *found->second = value;
-    }
-  }
+  pursuitTable().set(parameters, robot.plannerParameters);
   if (parameters.lookahead <= 0.0 || parameters.stopDistance < 0.0 ||
       parameters.slowDistance < parameters.stopDistance) {
-    problems.push_back(
-        base::makeError("robot '" + robot.name +
-                        "': pursuit wants lookahead > 0 and slow_distance >= stop_distance >= 0"));
-  }
-  if (base::hasErrors(problems)) {
-    return problems;
+    return base::makeError(
+        "robot '" + robot.name +
+        "': pursuit wants lookahead > 0 and slow_distance >= stop_distance >= 0");
   }
   return std::shared_ptr<RobotController>(std::make_shared<Pursuit>(robot, parameters));
 }
@@ -191,7 +183,7 @@ base::Result<std::shared_ptr<RobotController>> makePursuit(const ResolvedRobot& 
 
 void addPursuit(PlannerRegistry& to);
 void addPursuit(PlannerRegistry& to) {
-  to.add("pursuit", makePursuit);
+  to.add("pursuit", pursuitTable().specs(), makePursuit);
 }
 
 }  // namespace sim2d

@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "sim2d/base/Result.h"
+#include "sim2d/map/NavigationMap.h"
 #include "sim2d/scenario/Defaults.h"
+#include "sim2d/world/Registry.h"
 #include "sim2d/world/Sensing.h"
-#include "sim2d/world/Ways.h"
 
 namespace sim2d {
 
@@ -22,7 +23,7 @@ struct Observation {
   double time = 0.0, dt = 0.05;        // [s]
   std::vector<SeenBody> bodies;        // people and other robots, by id; also hidden ones
   const Obstacles* obstacles = nullptr;
-  Ways* ways = nullptr;
+  const NavigationMap* navigation = nullptr;
 };
 
 /// A local planner of one robot. The world limits speeds and accelerations to the robot's own.
@@ -36,27 +37,10 @@ class RobotController {
   virtual bool takeReplanned() { return false; }
 };
 
-/// The planners by name. A file in this folder registers its own in `add<File>`.
-class PlannerRegistry {
- public:
-  /// Unknown names among the parameters are the maker's to report.
-  using Maker = std::function<base::Result<std::shared_ptr<RobotController>>(const ResolvedRobot&)>;
-
-  void add(std::string name, Maker maker) {
-    entries_.push_back({std::move(name), std::move(maker)});
-  }
-  std::vector<std::string> names() const;
-  base::Result<std::shared_ptr<RobotController>> make(const ResolvedRobot& robot) const;
-
- private:
-  struct Entry {
-    std::string name;
-    Maker maker;
-  };
-  std::vector<Entry> entries_;
-};
-
-/// All planners of this program.
-const PlannerRegistry& robotPlanners();
+/// A planner of one robot; errors name the robot. A file in this folder registers its own in
+/// `add<File>`.
+using PlannerMaker =
+    std::function<base::Result<std::shared_ptr<RobotController>>(const ResolvedRobot&)>;
+using PlannerRegistry = Registry<PlannerMaker>;
 
 }  // namespace sim2d

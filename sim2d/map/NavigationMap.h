@@ -1,0 +1,85 @@
+#pragma once
+
+#include <list>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "sim2d/map/OpenBlocks.h"
+#include "sim2d/map/PathPlanner.h"
+
+namespace sim2d {
+
+/// What routes take of a map and all that stands on it, for one state of its doors. Made once and
+/// shared by all who plan there; planners come as radii are asked for. Thread: any.
+class NavigationLayer {
+ public:
+  /// `places`: starts and goals; they bound the plane where there is no map.
+  NavigationLayer(const OccupancyGrid& map, const Obstacles& obstacles,
+                  const std::vector<Vec2>& places);
+
+  const DistanceField* field() const { return field_.get(); }  // null: nothing stands anywhere
+  const OpenBlocks* blocks() const { return blocks_.get(); }   // idem
+  PathPlanner& plannerFor(double radius) const;                // where something stands
+
+ private:
+  std::shared_ptr<const DistanceField> field_;
+  std::unique_ptr<const OpenBlocks> blocks_;
+  mutable std::mutex mutex_;
+  mutable std::map<double, std::unique_ptr<PathPlanner>> planners_;  // by radius [m]
+};
+
+/// The layers of one map and what stands on it, by the state of the doors; the last ones are kept.
+/// Thread: any.
+class NavigationLayers {
+ public:
+  std::shared_ptr<const NavigationLayer> of(const OccupancyGrid& map, const Obstacles& obstacles,
+                                            const std::vector<Vec2>& places);
+
+ private:
+  struct Entry {
+    std::vector<char> enabled;  // by part
+    std::vector<Vec2> places;   // without a map
+    std::shared_ptr<const NavigationLayer> layer;
+  };
+  std::mutex mutex_;
+  std::list<Entry> entries_;  // last used first
+};
+
+/// Routes round walls for bodies of every radius, over what stands now. Thread: one at a time.
+class NavigationMap {
+ public:
+  /// `layers`: of this map and these obstacles; null: its own.
+  NavigationMap(const OccupancyGrid& map, const Obstacles& obstacles, std::vector<Vec2> places,
+                std::shared_ptr<NavigationLayers> layers = nullptr);
+  /// After doors were switched.
+  void update(const OccupancyGrid& map, const Obstacles& obstacles);
+  /// Counts the calls of `update`; routes from before are out of date.
+  int version() const { return version_; }
+
+  /// From start to goal; empty when there is none.
+  std::vector<Vec2> plan(double radius, const Vec2& start, const Vec2& goal) const;
+  bool isReachable(double radius, const Vec2& start, const Vec2& goal) const;
+  bool isClear(double radius, const Vec2& from, const Vec2& to) const;
+  std::optional<Vec2> nearestFit(double radius, const Vec2& point) const;
+  /// At least this much room to the next wall [m], by the grid; large where nothing stands.
+  double clearance(const Vec2& point) const;
+  /// Nothing stands anywhere.
+  bool isOpenPlane() const { return layer_->field() == nullptr; }
+  /// True: surely no wall between the two; false: perhaps one.
+  bool isOpenBetween(const Vec2& from, const Vec2& to) const {
+    return isOpenPlane() || layer_->blocks()->areFree(from, to);
+  }
+
+ private:
+  PathPlanner& plannerFor(double radius) const;
+
+  std::vector<Vec2> places_;
+  std::shared_ptr<NavigationLayers> layers_;
+  std::shared_ptr<const NavigationLayer> layer_;
+  int version_ = 0;
+};
+
+}  // namespace sim2d

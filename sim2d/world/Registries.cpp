@@ -1,0 +1,38 @@
+#include "sim2d/world/Registries.h"
+
+namespace sim2d {
+
+// Written by CMake, from the files of models/ and planners/.
+void addAllModels(ModelRegistry& to);
+void addAllPlanners(PlannerRegistry& to);
+
+Registries programRegistries() {
+  Registries all;
+  addAllPlanners(all.planners);
+  addAllModels(all.models);
+  all.robotTypes.add("generic", {}, {});
+  return all;
+}
+
+KnownNames knownNames(const Registries& registries) {
+  KnownNames names;
+  names.models = registries.models.names();
+  names.planners = registries.planners.names();
+  names.robotTypes = registries.robotTypes.names();
+  for (const auto& planner : registries.planners.entries()) {
+    names.plannerParameters[planner.name] = planner.parameters;
+  }
+  return names;
+}
+
+std::vector<std::string> modelNames() {
+  return programRegistries().models.names();
+}
+std::vector<std::string> plannerNames() {
+  return programRegistries().planners.names();
+}
+std::vector<std::string> robotTypeNames() {
+  return programRegistries().robotTypes.names();
+}
+
+}  // namespace sim2d

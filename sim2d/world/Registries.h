@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim2d/scenario/ScenarioCheck.h"
+#include "sim2d/world/models/PedestrianModel.h"
+#include "sim2d/world/planners/RobotController.h"
+
+namespace sim2d {
+
+/// What a world can be made of. Each world is handed its own; thread: read only, any.
+struct Registries {
+  PlannerRegistry planners;
+  ModelRegistry models;
+  Registry<std::monostate> robotTypes;  // their numbers are keys of the robot
+};
+/// All of this program.
+Registries programRegistries();
+KnownNames knownNames(const Registries& registries);
+
+/// Names of this program, for lists.
+std::vector<std::string> modelNames();
+std::vector<std::string> plannerNames();
+std::vector<std::string> robotTypeNames();
+
+}  // namespace sim2d

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim2d/base/ParameterSpec.h"
+
+namespace sim2d {
+
+/// What can be chosen by name, in the order of registration: planners, models, types of robots.
+template <class Maker>
+class Registry {
+ public:
+  struct Entry {
+    std::string name;
+    std::vector<base::ParameterSpec> parameters;  // what can be set of it
+    Maker make;
+  };
+
+  void add(std::string name, std::vector<base::ParameterSpec> parameters, Maker make) {
+    entries_.push_back({std::move(name), std::move(parameters), std::move(make)});
+  }
+  const std::vector<Entry>& entries() const { return entries_; }
+  std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (const Entry& entry : entries_) {
+      names.push_back(entry.name);
+    }
+    return names;
+  }
+  /// Null when there is no such name.
+  const Entry* find(const std::string& name) const {
+    const auto found = std::find_if(entries_.begin(), entries_.end(),
+                                    [&](const Entry& entry) { return entry.name == name; });
+    return found == entries_.end() ? nullptr : &*found;
+  }
+
+ private:
+  std::vector<Entry> entries_;
+};
+
+/// The parameters of a planner or model that lie in a struct `Values`: each is described here and
+/// nowhere else; its default is the member's.
+template <class Values>
+class ParameterTable {
+ public:
+  ParameterTable& add(double Values::*member, std::string key, std::string unit, base::Range range,
+                      std::string help, std::string source = {}) {
+    base::ParameterSpec spec;
+    spec.key = std::move(key);
+    spec.unit = std::move(unit);
+    spec.range = range;
+    spec.help = std::move(help);
+    spec.source = std::move(source);
+    rows_.push_back(
+        {[member](Values& values) -> double& { return values.*member; }, std::move(spec)});
+    return *this;
+  }
+  /// Those of a struct inside.
+  template <class Inner>
+  ParameterTable& include(Inner Values::*member, const ParameterTable<Inner>& inner) {
+    for (const auto& row : inner.rows()) {
+      rows_.push_back(
+          {[member, at = row.at](Values& values) -> double& { return at(values.*member); },
+           row.spec});
+    }
+    return *this;
+  }
+
+  struct Row {
+    std::function<double&(Values&)> at;
+    base::ParameterSpec spec;
+  };
+  const std::vector<Row>& rows() const { return rows_; }
+
+  std::vector<base::ParameterSpec> specs(Values defaults = {}) const {
+    std::vector<base::ParameterSpec> specs;
+    for (const Row& row : rows_) {
+      specs.push_back(row.spec);
+      specs.back().fallback = row.at(defaults);
+    }
+    return specs;
+  }
+  /// Sets what is given by name; names that the table does not know are left alone.
+  void set(Values& values, const std::vector<std::pair<std::string, double>>& given) const {
+    for (const auto& [name, value] : given) {
+      for (const Row& row : rows_) {
+        if (row.spec.key == name) {
+          row.at(values) = value;
+        }
+      }
+    }
+  }
+
+ private:
+  std::vector<Row> rows_;
+};
+
+}  // namespace sim2d

@@ -1,0 +1,203 @@
+#include <set>
+
+#include <QtTest>
+
+#include "tests/world/TestWorld.h"
+
+using namespace testworld;
+
+/// Planners and models that a world is handed, and the parameters that they declare.
+class RegistriesTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void create_ownPlannerAndModel_moveRobotAndPeople();
+  void create_worldsOfDifferentRegistries_liveSideBySide();
+  void table_oneRow_isInSpecsValuesAndCheck();
+  void specs_ofTheProgram_areDescribed();
+  void create_sharedSurroundings_giveTheSameWorld();
+};
+
+namespace {
+
+struct CircleParameters {
+  double speed = 0.5;  // [m/s]
+  double turn = 0.2;   // [rad/s]
+};
+
+ParameterTable<CircleParameters> circleTable() {
+  ParameterTable<CircleParameters> table;
+  table.add(&CircleParameters::speed, "speed", "m/s", {0.0, 1.0}, "Along the circle.")
+      .add(&CircleParameters::turn, "turn", "rad/s", base::kAnyNumber, "How fast it turns.");
+  return table;
+}
+
+class Circle : public RobotController {
+ public:
+  explicit Circle(const CircleParameters& parameters) : parameters_(parameters) {}
+  base::Twist2 command(const Observation& /*observation*/) override {
+    return {parameters_.speed, parameters_.turn};
+  }
+
+ private:
+  CircleParameters parameters_;
+};
+
+class Drift : public PedestrianModel {
+ public:
+  ForceTerms forces(const Situation& /*situation*/) const override { return {}; }
+  Vec2 velocity(const Situation& /*situation*/, const ForceTerms& /*forces*/) const override {
+    return {0.0, 0.25};
+  }
+  double range(double /*fastest*/, double /*ownSpeed*/) const override { return 0.0; }
+};
+
+std::shared_ptr<const Registries> ownRegistries() {
+  auto own = std::make_shared<Registries>(programRegistries());
+  own->planners.add(
+      "circle", circleTable().specs(),
+      [](const ResolvedRobot& robot) -> base::Result<std::shared_ptr<RobotController>> {
+        CircleParameters parameters;
+        circleTable().set(parameters, robot.plannerParameters);
+        return std::shared_ptr<RobotController>(std::make_shared<Circle>(parameters));
+      });
+  own->models.add("drift", {},
+                  [](const ResolvedHuman& /*person*/) { return std::make_unique<Drift>(); });
+  return own;
+}
+
+Scenario driftingScenario() {
+  Scenario scenario;
+  scenario.desktop.model = "drift";
+  addGoal(scenario, 1, 5.0, 0.0);
+  addPerson(scenario, 1, {0.0, 0.0}, {1});
+  Robot& robot = addRobot(scenario, {-5.0, 0.0}, {-9.0, 0.0});
+  robot.planner = "circle";
+  robot.plannerParameters = {{"turn", "0.4"}};
+  return scenario;
+}
+
+base::Result<std::unique_ptr<World>> worldOf(const Scenario& scenario,
+                                             std::shared_ptr<const Registries> registries) {
+  WorldSetup setup;
+  setup.scenario = std::make_shared<const Scenario>(scenario);
+  setup.registries = std::move(registries);
+  setup.behavior = std::make_unique<ScriptedBehavior>();
+  return World::create(std::move(setup));
+}
+
+}  // namespace
+
+void RegistriesTest::create_ownPlannerAndModel_moveRobotAndPeople() {
+  const base::Result<std::unique_ptr<World>> world = worldOf(driftingScenario(), ownRegistries());
+  QVERIFY(world);
+  advance(**world, 40);
+  QVERIFY((positionOf((*world)->frame(), 0) - Vec2(0.0, 0.5)).norm() < 1e-9);
+  const RobotColumns& robots = (*world)->frame().robots;
+  QCOMPARE(Vec2(robots.vx[0], robots.vy[0]).norm(), 0.5);
+  QCOMPARE(robots.omega[0], 0.4);
+}
+
+void RegistriesTest::create_worldsOfDifferentRegistries_liveSideBySide() {
+  const base::Result<std::unique_ptr<World>> own = worldOf(driftingScenario(), ownRegistries());
+  QVERIFY(own);
+  const base::Result<std::unique_ptr<World>> program = worldOf(driftingScenario(), nullptr);
+  QVERIFY(!program);
+  QCOMPARE(program.diagnostics().size(), std::size_t{2});
+  Scenario usual = driftingScenario();
+  usual.desktop.model = std::nullopt;
+  usual.robots[0].planner = std::nullopt;
+  usual.robots[0].plannerParameters.clear();
+  const base::Result<std::unique_ptr<World>> beside = worldOf(usual, nullptr);
+  const base::Result<std::unique_ptr<World>> alone = worldOf(usual, ownRegistries());
+  QVERIFY(beside && alone);
+  for (int i = 0; i < 100; ++i) {
+    QVERIFY((*own)->step() && (*beside)->step() && (*alone)->step());
+  }
+  QVERIFY((*beside)->frame().humans == (*alone)->frame().humans);
+  QVERIFY((*beside)->frame().robots == (*alone)->frame().robots);
+}
+
+void RegistriesTest::table_oneRow_isInSpecsValuesAndCheck() {
+  const KnownNames names = knownNames(*ownRegistries());
+  const std::vector<base::ParameterSpec>& specs = names.plannerParameters.at("circle");
+  QCOMPARE(specs.size(), std::size_t{2});
+  QCOMPARE(specs[0].key, std::string("speed"));
+  QCOMPARE(std::get<double>(specs[0].fallback), 0.5);
+  CircleParameters values;
+  circleTable().set(values, {{"speed", 0.75}, {"other", 3.0}});
+  QCOMPARE(values.speed, 0.75);
+  QCOMPARE(values.turn, 0.2);
+
+  Scenario scenario = driftingScenario();
+  scenario.robots[0].plannerParameters = {{"speed", "1.5"}, {"trun", "1.0"}, {"turn", "no"}};
+  std::vector<std::string> told;
+  for (const base::Diagnostic& each :
+       checkScenario(scenario, makeSurroundings(scenario, {}), "circle.yaml", names)) {
+    if (each.message.find("planner_parameters") != std::string::npos) {
+      told.push_back(each.message);
+    }
+  }
+  QVERIFY((told == std::vector<std::string>{
+                       "robot1.planner_parameters.speed: '1.5' is not a number from 0 to 1",
+                       "robot1.planner_parameters.trun: unknown to 'circle' (did you mean 'turn'?)",
+                       "robot1.planner_parameters.turn: 'no' is not a number"}));
+}
+
+void RegistriesTest::specs_ofTheProgram_areDescribed() {
+  const Registries all = programRegistries();
+  const auto check = [](const std::string& owner, const std::vector<base::ParameterSpec>& specs) {
+    std::set<std::string> keys;
+    for (const base::ParameterSpec& spec : specs) {
+      const bool isDescribed = !spec.help.empty() &&
+                               std::get<double>(spec.fallback) == std::get<double>(spec.fallback) &&
+                               spec.range.contains(std::get<double>(spec.fallback)) &&
+                               keys.insert(spec.key).second;
+      QVERIFY2(isDescribed, (owner + "." + spec.key).c_str());
+    }
+  };
+  for (const auto& planner : all.planners.entries()) {
+    check(planner.name, planner.parameters);
+  }
+  for (const auto& model : all.models.entries()) {
+    QVERIFY(!model.parameters.empty());
+    check(model.name, model.parameters);
+  }
+  QVERIFY(all.planners.find("pursuit")->parameters.size() >= 3);
+  QVERIFY(all.planners.find("persuit") == nullptr);
+}
+
+void RegistriesTest::create_sharedSurroundings_giveTheSameWorld() {
+  Scenario scenario;
+  addRoom(scenario, {-5.0, -3.0}, {5.0, 3.0});
+  addWall(scenario, {{0.0, -3.0}, {0.0, -1.0}});
+  addWall(scenario, {{0.0, 1.0}, {0.0, 3.0}});
+  addDoor(scenario, {0.0, -1.0}, {0.0, 1.0}, true, {1.0, 4.0});
+  addGoal(scenario, 1, 3.0, 0.5);
+  addGoal(scenario, 2, -3.0, 0.5);
+  addPerson(scenario, 4, {-3.0, 0.0}, {1, 2});
+  addPerson(scenario, 7, {3.0, -2.0}, {2, 1});
+  addRobot(scenario, {3.0, 2.0}, {-1.5, -2.0});
+  const auto shared = std::make_shared<const Surroundings>(makeSurroundings(scenario, {}));
+  std::vector<std::unique_ptr<World>> worlds;
+  for (int i = 0; i < 3; ++i) {
+    WorldSetup setup;
+    setup.scenario = std::make_shared<const Scenario>(scenario);
+    setup.surroundings = i < 2 ? shared : nullptr;
+    setup.behavior = std::make_unique<ScriptedBehavior>();
+    base::Result<std::unique_ptr<World>> world = World::create(std::move(setup));
+    QVERIFY(world);
+    worlds.push_back(*std::move(world));
+  }
+  advance(*worlds[0], 90);  // the others find what it has planned, and doors that it has not
+  advance(*worlds[1], 200);
+  advance(*worlds[2], 200);
+  advance(*worlds[0], 110);
+  for (const std::unique_ptr<World>& world : worlds) {
+    QVERIFY(world->frame().humans == worlds[2]->frame().humans);
+    QVERIFY(world->frame().robots == worlds[2]->frame().robots);
+  }
+}
+
+QTEST_APPLESS_MAIN(RegistriesTest)
+#include "tst_Registries.moc"

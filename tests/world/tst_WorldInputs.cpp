@@ -1,0 +1,216 @@
+#include <QtTest>
+
+#include "sim2d/trace/Recording.h"
+#include "tests/world/TestWorld.h"
+
+using namespace testworld;
+
+/// A world that somebody outside acts on.
+class WorldInputsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void step_robotCommand_replacesThePlannersForThatStep();
+  void step_doorOpened_letsPeopleThrough();
+  void step_personMoved_goesOnFromThere();
+  void step_personAdded_isACopyWithAnIdOfItsOwn();
+  void step_personSet_movesAsTold();
+  void step_personPushed_leavesTheWay();
+  void step_impossibleInputs_areRefusedAndNotRecorded();
+  void step_recordedInputs_giveTheSameBytes();
+};
+
+namespace {
+
+Input inputOf(InputKind kind, int id) {
+  Input input;
+  input.kind = kind;
+  input.id = id;
+  return input;
+}
+Input placing(InputKind kind, int id, const Vec2& place) {
+  Input input = inputOf(kind, id);
+  input.pose = {place, 0.0};
+  return input;
+}
+Input naming(InputKind kind, const std::string& name) {
+  Input input = inputOf(kind, 0);
+  input.name = name;
+  return input;
+}
+
+/// Two rooms with a closed door between them; a walker on either side and a robot.
+Scenario twoRooms() {
+  Scenario scenario;
+  addRoom(scenario, {-5.0, -3.0}, {5.0, 3.0});
+  addWall(scenario, {{0.0, -3.0}, {0.0, -1.0}});
+  addWall(scenario, {{0.0, 1.0}, {0.0, 3.0}});
+  addDoor(scenario, {0.0, -1.0}, {0.0, 1.0}, false, {});
+  addGoal(scenario, 1, 3.0, 0.5);
+  addGoal(scenario, 2, -3.0, 0.5);
+  addPerson(scenario, 4, {-3.0, 0.0}, {2});
+  addPerson(scenario, 7, {3.0, -2.0}, {1});
+  addRobot(scenario, {3.0, 2.0}, {1.5, -2.0});
+  return scenario;
+}
+
+}  // namespace
+
+void WorldInputsTest::step_robotCommand_replacesThePlannersForThatStep() {
+  Scenario scenario;
+  addRobot(scenario, {0.0, 0.0}, {9.0, 0.0});
+  const std::unique_ptr<World> world = make(scenario);
+  QVERIFY(world != nullptr);
+  Input back = inputOf(InputKind::Robot, -1);
+  back.velocity.x() = -9.0;
+  back.omega = 0.4;
+  for (int i = 0; i < 40; ++i) {
+    QVERIFY(world->step({back}));
+  }
+  const RobotColumns robots = world->frame().robots;
+  QCOMPARE(Vec2(robots.vx[0], robots.vy[0]).norm(), 1.0);  // the robot's own limit
+  QCOMPARE(robots.omega[0], 0.4);
+  QVERIFY(robots.x[0] < -1.0);
+  advance(*world, 40);
+  QVERIFY(world->frame().robots.x[0] > robots.x[0]);
+  QVERIFY(world->frame().inputs.empty());
+}
+
+void WorldInputsTest::step_doorOpened_letsPeopleThrough() {
+  Scenario scenario = twoRooms();
+  scenario.humans[0].goals = {2, 1};
+  scenario.doors[0].open = true;
+  const std::unique_ptr<World> world = make(scenario);
+  QVERIFY(world != nullptr);
+  QVERIFY(world->step({naming(InputKind::Close, "door1")}));
+  QCOMPARE(world->frame().doorOpen.front(), char{0});
+  QVERIFY(ofKind(advance(*world, 200), EventKind::Arrived).size() < 2);
+  QVERIFY(world->step({naming(InputKind::Open, "door1"), naming(InputKind::Open, "door1")}));
+  const auto isDoor = [](const Event& event) { return event.kind == EventKind::Door; };
+  const std::vector<Event>& events = world->frame().events;
+  QCOMPARE(std::count_if(events.begin(), events.end(), isDoor), std::ptrdiff_t{1});
+  advance(*world, 300);
+  QVERIFY(positionOf(world->frame(), 0).x() > 2.0);
+}
+
+void WorldInputsTest::step_personMoved_goesOnFromThere() {
+  const std::unique_ptr<World> world = make(twoRooms());
+  advance(*world, 20);
+  QVERIFY(world->step({placing(InputKind::Move, 7, {2.0, -2.5})}));
+  QVERIFY((positionOf(world->frame(), 1) - Vec2(2.0, -2.5)).norm() < 0.1);
+  const auto reached = ofKind(advance(*world, 200), EventKind::Goal);
+  QVERIFY(std::any_of(reached.begin(), reached.end(),
+                      [](const Recorded& recorded) { return recorded.event.id == 7; }));
+}
+
+void WorldInputsTest::step_personAdded_isACopyWithAnIdOfItsOwn() {
+  const std::unique_ptr<World> world = make(twoRooms());
+  advance(*world, 5);
+  Input add = placing(InputKind::Add, 0, {1.0, -2.0});
+  add.name = "person7";
+  QVERIFY(world->step({add}));
+  const Frame& frame = world->frame();
+  QCOMPARE(frame.humans.id.back(), 8);
+  QCOMPARE(frame.inputs.front().id, 8);
+  QCOMPARE(frame.events.front().kind, EventKind::Enter);
+  QCOMPARE(world->view().constants(2).name, std::string("person7_8"));
+  QCOMPARE(world->view().copiedFrom(2), 1);
+  add.name = "person7_8";
+  add.pose.position = {1.0, 0.0};
+  QVERIFY(world->step({add}));
+  QCOMPARE(world->view().copiedFrom(3), 1);
+  advance(*world, 300);
+  QVERIFY((positionOf(world->frame(), 2) - Vec2(3.0, 0.5)).norm() < 1.5);
+  QCOMPARE(world->header().humans.size(), std::size_t{4});
+}
+
+void WorldInputsTest::step_personSet_movesAsTold() {
+  const std::unique_ptr<World> world = make(twoRooms());
+  Input set = placing(InputKind::Set, 4, {-4.0, -2.0});
+  set.velocity = {1.0, 0.0};
+  set.desiredVelocity = {0.0, 2.0};
+  QVERIFY(world->step({set}));
+  QVERIFY((positionOf(world->frame(), 0) - Vec2(-4.0, -1.9)).norm() < 1e-12);
+  QCOMPARE(world->frame().humans.vy[0], 2.0);
+  advance(*world, 100);
+  QVERIFY((positionOf(world->frame(), 0) - Vec2(-3.0, 0.5)).norm() < 0.5);  // again by itself
+}
+
+void WorldInputsTest::step_personPushed_leavesTheWay() {
+  const std::unique_ptr<World> pushed = make(twoRooms());
+  const std::unique_ptr<World> other = make(twoRooms());
+  Input push = inputOf(InputKind::Push, 7);
+  push.velocity = {0.0, 1.0};
+  QVERIFY(pushed->step({push}));
+  QVERIFY(other->step());
+  QCOMPARE(positionOf(pushed->frame(), 1).y() - positionOf(other->frame(), 1).y(), 0.05);
+  QCOMPARE(positionOf(pushed->frame(), 0), positionOf(other->frame(), 0));
+}
+
+void WorldInputsTest::step_impossibleInputs_areRefusedAndNotRecorded() {
+  const std::unique_ptr<World> world = make(twoRooms());
+  Input nowhere = placing(InputKind::Move, 4, {std::nan(""), 0.0});
+  Input again = placing(InputKind::Add, 7, {-1.0, 0.0});
+  again.name = "person4";
+  const StepInputs inputs = {nowhere,
+                             again,
+                             placing(InputKind::Move, 5, {0.0, 0.0}),
+                             inputOf(InputKind::Robot, -2),
+                             naming(InputKind::Open, "gate"),
+                             naming(InputKind::Add, "nobody")};
+  QVERIFY(world->step(inputs));
+  QCOMPARE(world->refused().size(), inputs.size());
+  QVERIFY(world->frame().inputs.empty());
+  const std::unique_ptr<World> other = make(twoRooms());
+  QVERIFY(other->step());
+  QVERIFY(world->frame().humans == other->frame().humans);
+  QVERIFY(world->step());
+  QVERIFY(world->refused().empty());
+}
+
+void WorldInputsTest::step_recordedInputs_giveTheSameBytes() {
+  std::map<std::int64_t, StepInputs> script;
+  Input add = placing(InputKind::Add, 0, {-2.0, -2.0});
+  add.name = "person4";
+  Input push = inputOf(InputKind::Push, 7);
+  push.velocity = {-0.3, 1.0 / 3.0};
+  Input drive = inputOf(InputKind::Robot, -1);
+  drive.velocity.x() = 0.7;
+  drive.omega = -0.9;
+  script[1] = {add};
+  script[10] = {push, drive, naming(InputKind::Open, "door1")};
+  script[60] = {placing(InputKind::Move, 8, {2.0, 1.0 / 7.0}), naming(InputKind::Close, "door1")};
+  script[90] = {placing(InputKind::Set, 4, {-1.0, -2.0})};
+  const auto record = [](const std::map<std::int64_t, StepInputs>& inputs, std::string& rows) {
+    const std::unique_ptr<World> world = make(twoRooms());
+    Recording recording;
+    recording.append(world->frame());
+    for (std::int64_t step = 1; step <= 200; ++step) {
+      const auto now = inputs.find(step);
+      world->step(now != inputs.end() ? now->second : StepInputs{});
+      for (const Input& input : world->frame().inputs) {
+        appendInputRow(rows, step, input);
+      }
+      recording.append(world->frame());
+    }
+    const Trace trace = recording.trace(world->header());
+    return trajectoryCsv(trace) + eventsCsv(trace) + traceJson(trace.header);
+  };
+  std::string rows = inputsHead();
+  const std::string first = record(script, rows);
+  const base::Result<RecordedInputs> read = parseInputs(rows, "inputs.csv");
+  QVERIFY(read);
+  QCOMPARE(read->size(), std::size_t{7});
+  std::map<std::int64_t, StepInputs> replayed;
+  for (const auto& [step, input] : *read) {
+    replayed[step].push_back(input);
+  }
+  std::string again = inputsHead();
+  QVERIFY(record(replayed, again) == first);
+  QCOMPARE(QString::fromStdString(again), QString::fromStdString(rows));
+  std::string none;
+  QVERIFY(record({}, none) != first);
+}
+
+QTEST_APPLESS_MAIN(WorldInputsTest)
+#include "tst_WorldInputs.moc"
