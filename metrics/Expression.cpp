@@ -6,6 +6,7 @@
 
 #include "metrics/ExpressionNames.h"
 #include "metrics/ExpressionOperators.h"
+#include "sim2d/base/Lexer.h"
 #include "sim2d/base/Text.h"
 
 namespace metrics {
@@ -15,6 +16,7 @@ namespace {
 constexpr int kDeepest = 100;           // brackets in brackets
 constexpr std::size_t kLongest = 4000;  // [characters]
 
+using base::Token;
 using Place = Expression::Place;
 using Value = Expression::Value;
 
@@ -25,11 +27,15 @@ struct Part {
   bool isOfEnd = false;  // known when the run is over
 };
 
-bool isLetter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool isDigit(char c) {
-  return c >= '0' && c <= '9';
+const base::LexerRules& formulaWords() {
+  static const base::LexerRules kRules = {
+      {"<=", ">=", "==", "!=", "<", ">", "+", "-", "*", "/", "^", "(", ")", ","},
+      "",
+      ".",
+      false,
+      false,
+      true};
+  return kRules;
 }
 
 }  // namespace
@@ -37,7 +43,8 @@ bool isDigit(char c) {
 /// Recursive descent; stops at the first problem.
 class ExpressionParser {
  public:
-  explicit ExpressionParser(const std::string& text) : text_(text) {}
+  explicit ExpressionParser(const std::string& text)
+      : text_(text), tokens_(base::tokensOf(text, formulaWords())) {}
 
   base::Result<Expression> parse() {
     expression_.needs_ = {false};
@@ -45,9 +52,8 @@ class ExpressionParser {
       fail(0, "the formula is too long");
     }
     const Part part = parseAny(0);
-    skipBlanks();
-    if (!hasFailed() && at_ < text_.size()) {
-      fail(at_, "something is left over: '" + text_.substr(at_) + "'");
+    if (!hasFailed() && token().kind != Token::Kind::End) {
+      fail(at(), "something is left over: '" + text_.substr(at()) + "'");
     }
     if (!hasFailed() && part.scope != Scope::Run) {
       fail(
@@ -70,25 +76,15 @@ class ExpressionParser {
     return {[](const Place&) { return 0.0; }, Scope::Run};
   }
 
-  void skipBlanks() {
-    while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\n')) {
-      ++at_;
-    }
-  }
+  const Token& token() const { return tokens_[next_]; }
+  std::size_t at() const { return static_cast<std::size_t>(token().column) - 1; }
 
-  /// Takes the sign if it stands here; words only as whole words.
-  bool take(const std::string& sign) {
-    skipBlanks();
-    if (text_.compare(at_, sign.size(), sign) != 0) {
-      return false;
-    }
-    const std::size_t end = at_ + sign.size();
-    if (isLetter(sign.front()) && end < text_.size() &&
-        (isLetter(text_[end]) || isDigit(text_[end]) || text_[end] == '.')) {
-      return false;
-    }
-    at_ = end;
-    return true;
+  /// Takes the sign or word if it stands here.
+  bool take(std::string_view word) {
+    const bool stands = (token().kind == Token::Kind::Sign || token().kind == Token::Kind::Name) &&
+                        token().text == word;
+    next_ += stands ? 1 : 0;
+    return stands;
   }
 
   static Part joined(const Part& a, const Part& b, double (*apply)(double, double)) {
@@ -115,7 +111,7 @@ class ExpressionParser {
   }
 
   Part parseAny(int depth) {
-    return depth > kDeepest ? fail(at_, "too many brackets in brackets")
+    return depth > kDeepest ? fail(at(), "too many brackets in brackets")
                             : chain(kOr, &ExpressionParser::parseAnd, depth);
   }
   Part parseAnd(int depth) { return chain(kAnd, &ExpressionParser::parseCompare, depth); }
@@ -125,7 +121,7 @@ class ExpressionParser {
 
   Part parseSigned(int depth) {
     if (depth > kDeepest) {
-      return fail(at_, "too many signs");
+      return fail(at(), "too many signs");
     }
     if (take("not")) {
       const Part part = parseSigned(depth + 1);
@@ -152,47 +148,28 @@ class ExpressionParser {
   }
 
   Part parsePrimary(int depth) {
-    skipBlanks();
     if (take("(")) {
       const Part inner = parseAny(depth + 1);
-      return take(")") || hasFailed() ? inner : fail(at_, "')' is missing");
+      return take(")") || hasFailed() ? inner : fail(at(), "')' is missing");
     }
-    if (at_ < text_.size() && (isDigit(text_[at_]) || text_[at_] == '.')) {
-      return parseNumber();
+    if (token().kind == Token::Kind::Number) {
+      return {[value = tokens_[next_++].number](const Place&) { return value; }, Scope::Run};
     }
-    if (at_ < text_.size() && isLetter(text_[at_])) {
+    if (token().kind == Token::Kind::Name) {
       return parseName(depth);
     }
-    return fail(at_, at_ < text_.size() ? "a number or a name is expected here"
-                                        : "the formula ends too early");
-  }
-
-  Part parseNumber() {
-    const std::size_t begin = at_;
-    while (at_ < text_.size() && (isDigit(text_[at_]) || text_[at_] == '.' || isExponent(begin))) {
-      ++at_;
+    if (token().kind == Token::Kind::End) {
+      return fail(at(), "the formula ends too early");
     }
-    const std::string word = text_.substr(begin, at_ - begin);
-    const std::optional<double> number = base::parseDouble(word);
-    if (!number) {
-      return fail(begin, "'" + word + "' is not a number");
-    }
-    return {[value = *number](const Place&) { return value; }, Scope::Run};
-  }
-  bool isExponent(std::size_t begin) const {
-    const char c = text_[at_];
-    const char before = at_ > begin ? text_[at_ - 1] : ' ';
-    return (at_ > begin && (c == 'e' || c == 'E')) ||
-           ((c == '-' || c == '+') && (before == 'e' || before == 'E'));
+    const char first = token().text.front();
+    const bool isNumber = first == '.' || (first >= '0' && first <= '9');
+    return fail(at(), isNumber ? "'" + token().text + "' is not a number"
+                               : "a number or a name is expected here");
   }
 
   Part parseName(int depth) {
-    const std::size_t begin = at_;
-    while (at_ < text_.size() &&
-           (isLetter(text_[at_]) || isDigit(text_[at_]) || text_[at_] == '.')) {
-      ++at_;
-    }
-    const std::string name = text_.substr(begin, at_ - begin);
+    const std::size_t begin = at();
+    const std::string name = tokens_[next_++].text;
     if (take("(")) {
       return parseCall(name, begin, depth + 1);
     }
@@ -221,7 +198,7 @@ class ExpressionParser {
       arguments.push_back(parseAny(depth));
     } while (!hasFailed() && take(","));
     if (!hasFailed() && !take(")")) {
-      fail(at_, "')' is missing");
+      fail(at(), "')' is missing");
     }
     return arguments;
   }
@@ -302,7 +279,8 @@ class ExpressionParser {
   }
 
   const std::string& text_;
-  std::size_t at_ = 0;
+  std::vector<Token> tokens_;
+  std::size_t next_ = 0;
   base::Diagnostics problem_;
   Expression expression_;
 };

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
-#include "bt/engine/ScriptLexer.h"
+#include "sim2d/base/Lexer.h"
 
 namespace bt {
 namespace {
 
+using base::Token;
 using Code = ScriptInstruction::Code;
 using Operators = std::map<std::string_view, Code>;
 
@@ -35,10 +37,22 @@ constexpr std::size_t kComparisonLevel = 2;
 
 constexpr int kMaxScriptNesting = 100;
 
+const base::LexerRules& scriptWords() {
+  static const base::LexerRules kRules = {
+      {":=", "+=", "-=", "*=", "/=", "==", "!=", "<=", ">=", "&&", "||", "..", "=", "<", ">",
+       "+",  "-",  "*",  "/",  "|",  "&",  "^",  "~",  "!",  "?",  ":",  ";",  "(", ")"},
+      "@",
+      "",
+      true,
+      true,
+      false};
+  return kRules;
+}
+
 /// Recursive descent; one function per level of the grammar.
 class ScriptCompiler {
  public:
-  ScriptCompiler(std::string_view source, std::vector<ScriptToken> tokens,
+  ScriptCompiler(std::string_view source, std::vector<Token> tokens,
                  const std::function<int(const std::string&)>& slotOf)
       : tokens_(std::move(tokens)), slotOf_(slotOf) {
     script_.source = source;
@@ -47,9 +61,9 @@ class ScriptCompiler {
   base::Result<Script> run();
 
  private:
-  const ScriptToken& token() const { return tokens_[position_]; }
+  const Token& token() const { return tokens_[position_]; }
   bool isSign(std::string_view sign) const {
-    return token().kind == ScriptToken::Kind::Sign && token().text == sign;
+    return token().kind == Token::Kind::Sign && token().text == sign;
   }
   bool take(std::string_view sign);
   void fail(const std::string& message);
@@ -70,7 +84,7 @@ class ScriptCompiler {
   void unary();
   void primary();
 
-  std::vector<ScriptToken> tokens_;
+  std::vector<Token> tokens_;
   const std::function<int(const std::string&)>& slotOf_;
   Script script_;
   std::size_t position_ = 0;
@@ -107,14 +121,14 @@ int ScriptCompiler::slot(const std::string& key, std::vector<int>& list) {
 void ScriptCompiler::statements() {
   while (take(";")) {
   }
-  while (token().kind != ScriptToken::Kind::End) {
+  while (token().kind != Token::Kind::End) {
     assignment();
-    if (token().kind != ScriptToken::Kind::End && !isSign(";")) {
+    if (token().kind != Token::Kind::End && !isSign(";")) {
       fail("operator or ';' expected");
     }
     while (take(";")) {
     }
-    if (token().kind != ScriptToken::Kind::End) {
+    if (token().kind != Token::Kind::End) {
       emit(Code::Drop);
       pop();
     }
@@ -122,10 +136,10 @@ void ScriptCompiler::statements() {
 }
 
 void ScriptCompiler::assignment() {
-  const bool named = token().kind == ScriptToken::Kind::Name;
-  const ScriptToken& next = tokens_[std::min(position_ + 1, tokens_.size() - 1)];
+  const bool named = token().kind == Token::Kind::Name;
+  const Token& next = tokens_[std::min(position_ + 1, tokens_.size() - 1)];
   const auto found =
-      next.kind == ScriptToken::Kind::Sign ? assignments().find(next.text) : assignments().end();
+      next.kind == Token::Kind::Sign ? assignments().find(next.text) : assignments().end();
   if (!named || found == assignments().end()) {
     conditional();
     return;
@@ -175,7 +189,7 @@ void ScriptCompiler::binary(std::size_t level) {
   }
   binary(level + 1);
   const Operators& operators = binaryLevels()[level];
-  while (token().kind == ScriptToken::Kind::Sign) {
+  while (token().kind == Token::Kind::Sign) {
     const auto found = operators.find(token().text);
     if (found == operators.end()) {
       return;
@@ -192,7 +206,7 @@ std::optional<Script::Comparison> ScriptCompiler::takeComparison() {
   static const std::map<std::string_view, Comparison> kTable = {
       {"==", Comparison::Equal},  {"!=", Comparison::NotEqual},  {"<", Comparison::Less},
       {">", Comparison::Greater}, {"<=", Comparison::LessEqual}, {">=", Comparison::GreaterEqual}};
-  if (token().kind != ScriptToken::Kind::Sign) {
+  if (token().kind != Token::Kind::Sign) {
     return std::nullopt;
   }
   const auto found = kTable.find(token().text);
@@ -220,8 +234,7 @@ void ScriptCompiler::comparison() {
 void ScriptCompiler::unary() {
   static const std::map<std::string_view, Code> kTable = {
       {"-", Code::Negate}, {"~", Code::BitNot}, {"!", Code::Not}};
-  const auto found =
-      token().kind == ScriptToken::Kind::Sign ? kTable.find(token().text) : kTable.end();
+  const auto found = token().kind == Token::Kind::Sign ? kTable.find(token().text) : kTable.end();
   if (found == kTable.end()) {
     primary();
     return;
@@ -237,24 +250,25 @@ void ScriptCompiler::unary() {
 
 void ScriptCompiler::primary() {
   switch (token().kind) {
-    case ScriptToken::Kind::Number:
+    case Token::Kind::Number:
       emit(Code::Number, 0, token().number);
       push();
       ++position_;
       return;
-    case ScriptToken::Kind::Text:
+    case Token::Kind::Text:
       emit(Code::Text, static_cast<int>(script_.texts.size()));
       script_.texts.push_back(token().text);
       push();
       ++position_;
       return;
-    case ScriptToken::Kind::Name:
+    case Token::Kind::Name:
       emit(Code::Load, slot(token().text, script_.read));
       push();
       ++position_;
       return;
-    case ScriptToken::Kind::Sign:
-    case ScriptToken::Kind::End:
+    case Token::Kind::Sign:
+    case Token::Kind::Unreadable:
+    case Token::Kind::End:
       break;
   }
   if (!take("(")) {
@@ -287,12 +301,18 @@ base::Result<Script> ScriptCompiler::run() {
 
 base::Result<Script> compileScript(std::string_view source,
                                    const std::function<int(const std::string& key)>& slotOf) {
-  base::Result<std::vector<ScriptToken>> tokens = tokensOf(source);
-  if (!tokens) {
-    return base::makeError("script '" + std::string(source) + "' " +
-                           tokens.diagnostics().front().message);
+  std::vector<Token> tokens = base::tokensOf(source, scriptWords());
+  for (Token& token : tokens) {
+    if (token.kind == Token::Kind::Unreadable) {
+      return base::makeError("script '" + std::string(source) + "' cannot be read from column " +
+                             std::to_string(token.column) + " on");
+    }
+    if (token.kind == Token::Kind::Name && (token.text == "true" || token.text == "false")) {
+      token.number = token.text == "true" ? 1.0 : 0.0;
+      token.kind = Token::Kind::Number;
+    }
   }
-  return ScriptCompiler(source, *std::move(tokens), slotOf).run();
+  return ScriptCompiler(source, std::move(tokens), slotOf).run();
 }
 
 }  // namespace bt
