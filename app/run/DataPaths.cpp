@@ -30,17 +30,14 @@ std::string shippedMapsFolder() {
 std::vector<ShippedScenario> shippedScenarios() {
   std::vector<ShippedScenario> found;
   std::error_code error;
-  const std::string maps = shippedMapsFolder();
-  if (maps.empty()) {
-    return found;
-  }
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(maps, error)) {
-    if (entry.path().extension() != ".yaml") {
-      continue;
-    }
-    const base::Result<std::string> text = base::readTextFile(entry.path().string());
-    if (text && text->find("hunav_loader:") != std::string::npos) {
-      found.push_back({entry.path().stem().string(), entry.path().string()});
+  const fs::path generated = fs::path(programPath()).parent_path() / "maps";
+  for (const fs::path& maps : {fs::path(shippedMapsFolder()), generated}) {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(maps, error)) {
+      const bool mayBe = entry.path().extension() == ".yaml";
+      const auto text = mayBe ? base::readTextFile(entry.path().string()) : std::string();
+      if (text && text->find("hunav_loader:") != std::string::npos) {
+        found.push_back({entry.path().stem().string(), entry.path().string()});
+      }
     }
   }
   std::sort(found.begin(), found.end(),

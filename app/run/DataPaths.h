@@ -9,7 +9,8 @@ namespace app {
 /// build folder, or <prefix>/share/hunavsim after an installation. Empty when there are none.
 std::string shippedMapsFolder();
 
-/// A scenario that comes with the program.
+/// A scenario that comes with the program: stored in the folder above, or made by the build and in
+/// `maps` beside the program.
 struct ShippedScenario {
   std::string name;  // file name without .yaml
   std::string path;

@@ -249,7 +249,7 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
   }
 
   void open_anotherScenario_listBeginsAtItsTop() {
-    const QString folder = QStringLiteral(SOURCE_DIR "/maps/realism/");
+    const QString folder = QStringLiteral(GENERATED_MAPS "/realism/");
     QVERIFY(window_->open(folder + QStringLiteral("realism_rimea_12_agents.yaml")));
     auto* tree = window_->docks().panel<editor::ScenarioPanel>().findChild<QTreeView*>();
     QVERIFY(tree != nullptr);

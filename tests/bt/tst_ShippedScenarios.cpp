@@ -10,7 +10,8 @@
 using namespace shipped;
 namespace fs = std::filesystem;
 
-/// Whatever lies in maps/ must work out of the box, and run as it did before.
+/// Whatever lies in maps/ or is made by the build must work out of the box, and run as it did
+/// before.
 class ShippedScenariosTest : public QObject {
   Q_OBJECT
 
@@ -37,11 +38,13 @@ constexpr double kLongestRun = 20.0;  // [s] of a large crowd
 /// Name -> path.
 std::map<std::string, std::string> scenarios() {
   std::map<std::string, std::string> found;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(mapsFolder())) {
-    const base::Result<std::string> text = base::readTextFile(entry.path().string());
-    if (entry.path().extension() == ".yaml" && text &&
-        text->find("hunav_loader:") != std::string::npos) {
-      found[entry.path().stem().string()] = entry.path().string();
+  for (const std::string& folder : {mapsFolder(), std::string(GENERATED_MAPS)}) {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+      const base::Result<std::string> text = base::readTextFile(entry.path().string());
+      if (entry.path().extension() == ".yaml" && text &&
+          text->find("hunav_loader:") != std::string::npos) {
+        found[entry.path().stem().string()] = entry.path().string();
+      }
     }
   }
   return found;

@@ -1,69 +1,58 @@
 #include <filesystem>
+#include <set>
 
+#include <QTemporaryDir>
 #include <QtTest>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
-#include "sim2d/world/realism/RealismTest.h"
+#include "sim2d/world/realism/SceneFiles.h"
 
 using namespace sim2d;
 namespace fs = std::filesystem;
 
-/// Scenes of the realism tests lie in maps/realism as well, to be opened and watched. The files
-/// are written by this test: HUNAV_UPDATE=1.
+/// Scenes of the realism tests come with the program as well, to be opened and watched: the build
+/// writes them.
 class RealismScenesTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void scene_onFile_isThatOfTheTest_data();
-  void scene_onFile_isThatOfTheTest();
-  void folder_holdsNothingElse();
+  void scene_ofTheBuild_isThatOfTheTest_data();
+  void scene_ofTheBuild_isThatOfTheTest();
+  void writeScenes_oldFiles_areRemoved();
 };
 
-namespace {
-
-std::string folder() {
-  return SOURCE_DIR "/maps/realism/";
-}
-
-std::string nameOf(const RealismTest& test) {
-  std::string name = "realism_" + test.name + "_agents";
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-}
-
-}  // namespace
-
-void RealismScenesTest::scene_onFile_isThatOfTheTest_data() {
+void RealismScenesTest::scene_ofTheBuild_isThatOfTheTest_data() {
   QTest::addColumn<int>("index");
   for (std::size_t i = 0; i < realismTests().size(); ++i) {
     QTest::newRow(realismTests()[i].name.c_str()) << static_cast<int>(i);
   }
 }
 
-void RealismScenesTest::scene_onFile_isThatOfTheTest() {
+void RealismScenesTest::scene_ofTheBuild_isThatOfTheTest() {
   QFETCH(int, index);
   const RealismTest& test = realismTests()[static_cast<std::size_t>(index)];
   QVERIFY(test.scene != nullptr);
-  const std::string name = nameOf(test);
-  const std::string text = writeScenario(test.scene({"das", 1, {}}).scenario(name, test.duration));
-  const std::string path = folder() + name + ".yaml";
-  if (qEnvironmentVariableIntValue("HUNAV_UPDATE") == 1) {
-    fs::create_directories(folder());
-    QVERIFY(base::writeFileAtomically(path, text).empty());
-  }
-  const base::Result<std::string> onFile = base::readTextFile(path);
-  QVERIFY(onFile);
-  QVERIFY(*onFile == text);
+  const Scenario scene = sceneOf(test);
+  const ScenarioReading read = readScenario(GENERATED_MAPS "/realism/" + sceneName(test) + ".yaml");
+  QVERIFY(read.diagnostics.empty());
+  QVERIFY(!scene.humans.empty());
+  QCOMPARE(read.scenario.humans.size(), scene.humans.size());
+  QVERIFY(writeScenario(read.scenario) == writeScenario(scene));
 }
 
-void RealismScenesTest::folder_holdsNothingElse() {
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder())) {
-    const std::string stem = entry.path().stem().string();
-    const bool isKnown = std::any_of(realismTests().begin(), realismTests().end(),
-                                     [&](const RealismTest& test) { return nameOf(test) == stem; });
-    QVERIFY2(isKnown, stem.c_str());
+void RealismScenesTest::writeScenes_oldFiles_areRemoved() {
+  const QTemporaryDir place;
+  const std::string folder = place.filePath(QStringLiteral("scenes")).toStdString();
+  QVERIFY(fs::create_directory(folder));
+  QVERIFY(base::writeFileAtomically(folder + "/realism_of_before_agents.yaml", "x").empty());
+  QVERIFY(writeScenes(folder).empty());
+  std::set<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    names.insert(entry.path().stem().string());
   }
+  QCOMPARE(names.size(), realismTests().size());
+  QVERIFY(names.count("realism_lanes_agents") == 1);
 }
 
 QTEST_APPLESS_MAIN(RealismScenesTest)
