@@ -50,7 +50,7 @@ void addRunNames(std::vector<VariableName>& to) {
   to.push_back(
       ofEnd("samples", [](const Place& p) { return static_cast<double>(p.last.count()); }));
   for (const ParameterInfo& info : parameterInfos()) {
-    to.push_back(ofRun(info.name,
+    to.push_back(ofRun(info.spec.key,
                        [member = info.member](const Place& p) { return p.at.parameters.*member; }));
   }
 }

@@ -45,10 +45,9 @@ std::string categoryTable(const MetricRegistry& registry, Category category) {
 std::string parameterTable() {
   std::string text = "\n## Parameters\n\n" + row({"name", "default", "unit", "meaning"});
   text += "|---|---|---|---|\n";
-  const MetricParameters defaults;
-  for (const ParameterInfo& info : parameterInfos()) {
-    text += row({"`" + info.name + "`", base::formatDouble(defaults.*info.member),
-                 cellOf(info.unit), cellOf(info.text)});
+  for (const auto& [spec, member] : parameterInfos()) {
+    text += row({"`" + spec.key + "`", base::formatDouble(std::get<double>(spec.fallback)),
+                 cellOf(spec.unit), cellOf(spec.help)});
   }
   return text;
 }

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sim2d/base/ParameterSpec.h"
+
 namespace metrics {
 
 /// Corrected: the formulas as published, without the known defects of HuNavSim's evaluator.
@@ -75,11 +77,10 @@ struct MetricParameters {
   double flowLineX1 = 0.0, flowLineY1 = 0.0, flowLineX2 = 0.0, flowLineY2 = 0.0;
 };
 
+/// One of them as people set it; its fallback is the member's default above.
 struct ParameterInfo {
-  std::string name;  // "goal_tolerance"
+  base::ParameterSpec spec;
   double MetricParameters::*member;
-  std::string unit;  // "" for switches and numbers
-  std::string text;
 };
 const std::vector<ParameterInfo>& parameterInfos();
 const ParameterInfo* findParameter(std::string_view name);

@@ -44,7 +44,7 @@ Json resultsJson(const std::vector<MetricResult>& results) {
 Json parametersJson(const MetricParameters& parameters) {
   Json json = Json::object();
   for (const ParameterInfo& info : parameterInfos()) {
-    json[info.name] = parameters.*info.member;
+    json[info.spec.key] = parameters.*info.member;
   }
   return json;
 }

@@ -18,7 +18,7 @@ base::Diagnostics readParameters(const std::vector<std::pair<std::string, double
     }
     std::vector<std::string> known;
     for (const metrics::ParameterInfo& info : metrics::parameterInfos()) {
-      known.push_back(info.name);
+      known.push_back(info.spec.key);
     }
     const std::optional<std::string> meant = base::nearestName(name, known);
     problems.push_back(

@@ -129,8 +129,8 @@ void MetricRegistryTest::addedMetric_isOnOnlyWhenListed() {
 void MetricRegistryTest::parameterInfos_names_areUniqueAndFindable() {
   std::set<std::string> names;
   for (const ParameterInfo& info : parameterInfos()) {
-    QVERIFY2(names.insert(info.name).second, info.name.c_str());
-    QCOMPARE(findParameter(info.name), &info);
+    QVERIFY2(names.insert(info.spec.key).second, info.spec.key.c_str());
+    QCOMPARE(findParameter(info.spec.key), &info);
   }
   QVERIFY(findParameter("goal_tolerrance") == nullptr);
 }
