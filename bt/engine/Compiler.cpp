@@ -81,8 +81,7 @@ int Compiler::addNode(const NodeSpec& spec, const std::string& path, const Place
   Program::Node node;
   node.index = index;
   node.children = spec.isSubTree() ? 1 : static_cast<int>(spec.children.size());
-  program_->origins_.push_back(
-      {spec.label(), place.tree->tree.id, spec.line, spec.uid, manifestOf(spec)});
+  program_->origins_.push_back({spec.label(), place.tree->tree.id, spec.line, manifestOf(spec)});
   paths_.push_back(path);
   setCode(spec, node, place);
   bindPorts(spec, place);

@@ -21,10 +21,6 @@ int Program::lineOf(int node) const {
   return origins_[static_cast<std::size_t>(node)].line;
 }
 
-int Program::uidOf(int node) const {
-  return origins_[static_cast<std::size_t>(node)].uid;
-}
-
 int Program::findSlot(std::string_view key) const {
   const auto place = std::find_if(entries_.begin(), entries_.end(),
                                   [key](const Entry& entry) { return entry.key == key; });

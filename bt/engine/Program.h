@@ -120,7 +120,6 @@ class Program {
   /// Where the node stands in the file, for an editor: tree, place in it, line.
   const std::string& treeOf(int node) const;
   int lineOf(int node) const;
-  int uidOf(int node) const;
 
   /// Slot of an entry of the root blackboard; -1 = no node uses it.
   int findSlot(std::string_view key) const;
@@ -146,7 +145,6 @@ class Program {
     std::string label;
     std::string tree;
     int line = 0;
-    int uid = 0;
     int manifest = 0;
   };
 

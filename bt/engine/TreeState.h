@@ -60,7 +60,6 @@ class TreeState {
   void reset();
 
   const Program& program() const { return *program_; }
-  const std::shared_ptr<const Program>& sharedProgram() const { return program_; }
 
   /// What each node returned in the last tick; IDLE = it was not ticked. Good until the next.
   StatusList statuses() const { return {returned(), nodeCount()}; }

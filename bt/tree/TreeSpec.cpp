@@ -7,50 +7,6 @@
 #include "sim2d/base/Text.h"
 
 namespace bt {
-namespace {
-
-/// The first `count` steps of a path.
-NodePath head(const NodePath& path, std::size_t count) {
-  return {path.begin(), path.begin() + static_cast<std::ptrdiff_t>(count)};
-}
-
-bool startsWith(const NodePath& path, const NodePath& beginning) {
-  return path.size() >= beginning.size() &&
-         std::equal(beginning.begin(), beginning.end(), path.begin());
-}
-
-/// Where `path` leads once the node at `removed` is gone.
-NodePath afterRemoval(NodePath path, const NodePath& removed) {
-  const std::size_t last = removed.size() - 1;
-  if (path.size() > last && startsWith(path, head(removed, last)) && path[last] > removed[last]) {
-    --path[last];
-  }
-  return path;
-}
-
-template <class Visit>
-void forEachNode(NodeSpec& node, const Visit& visit) {
-  visit(node);
-  for (NodeSpec& child : node.children) {
-    forEachNode(child, visit);
-  }
-}
-
-bool findUidBelow(const NodeSpec& node, int uid, NodePath& path) {
-  if (node.uid == uid) {
-    return true;
-  }
-  for (std::size_t i = 0; i < node.children.size(); ++i) {
-    path.push_back(static_cast<int>(i));
-    if (findUidBelow(node.children[i], uid, path)) {
-      return true;
-    }
-    path.pop_back();
-  }
-  return false;
-}
-
-}  // namespace
 
 const std::string* findText(const Attributes& attributes, std::string_view name) {
   const auto place = std::find_if(attributes.begin(), attributes.end(),
@@ -139,67 +95,6 @@ const NodeSpec* nodeAt(const TreeSpec& tree, const NodePath& path) {
 
 NodeSpec* nodeAt(TreeSpec& tree, const NodePath& path) {
   return const_cast<NodeSpec*>(nodeAt(std::as_const(tree), path));
-}
-
-bool insertNode(TreeSpec& tree, const NodePath& parent, int index, NodeSpec node) {
-  if (tree.root.id.empty() && parent.empty()) {
-    tree.root = std::move(node);
-    return true;
-  }
-  NodeSpec* const to = nodeAt(tree, parent);
-  if (!to) {
-    return false;
-  }
-  const int place = std::clamp(index, 0, static_cast<int>(to->children.size()));
-  to->children.insert(to->children.begin() + place, std::move(node));
-  return true;
-}
-
-std::optional<NodeSpec> removeNode(TreeSpec& tree, const NodePath& path) {
-  if (!nodeAt(tree, path)) {
-    return std::nullopt;
-  }
-  if (path.empty()) {
-    return std::exchange(tree.root, NodeSpec());
-  }
-  std::vector<NodeSpec>& siblings = nodeAt(tree, head(path, path.size() - 1))->children;
-  const auto place = siblings.begin() + path.back();
-  NodeSpec removed = std::move(*place);
-  siblings.erase(place);
-  return removed;
-}
-
-bool moveNode(TreeSpec& tree, const NodePath& from, const NodePath& parent, int index) {
-  if (from.empty() || startsWith(parent, from) || !nodeAt(tree, from) || !nodeAt(tree, parent)) {
-    return false;
-  }
-  NodePath place = parent;
-  place.push_back(index);
-  place = afterRemoval(std::move(place), from);
-  NodeSpec node = *removeNode(tree, from);
-  return insertNode(tree, head(place, place.size() - 1), place.back(), std::move(node));
-}
-
-void assignUids(TreeFile& file) {
-  int largest = 0;
-  for (TreeSpec& tree : file.trees) {
-    forEachNode(tree.root, [&](const NodeSpec& node) { largest = std::max(largest, node.uid); });
-  }
-  for (TreeSpec& tree : file.trees) {
-    forEachNode(tree.root, [&](NodeSpec& node) {
-      if (node.uid == 0) {
-        node.uid = ++largest;
-      }
-    });
-  }
-}
-
-std::optional<NodePath> findUid(const TreeSpec& tree, int uid) {
-  NodePath path;
-  if (tree.root.id.empty() || !findUidBelow(tree.root, uid, path)) {
-    return std::nullopt;
-  }
-  return path;
 }
 
 std::optional<std::string> referencedKey(std::string_view text, std::string_view portName) {

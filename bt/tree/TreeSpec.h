@@ -38,7 +38,6 @@ struct NodeSpec {
 
   int line = 0;                   // in its file, 0 = unknown; not compared
   bool explicitNotation = false;  // <Action ID="GoTo"/> instead of <GoTo/>; not compared
-  int uid = 0;  // identity while edited, see assignUids(); not compared, not written
 
   bool isSubTree() const { return id == "SubTree"; }
   /// The name, else the ID (of the tree that it runs, for a SubTree).
@@ -122,16 +121,6 @@ using NodePath = std::vector<int>;
 
 const NodeSpec* nodeAt(const TreeSpec& tree, const NodePath& path);  // nullptr = no such node
 NodeSpec* nodeAt(TreeSpec& tree, const NodePath& path);
-/// Puts `node` at `index` (clamped) among the children of `parent`; in a tree without nodes it
-/// becomes the root. False = no such parent, nothing done.
-bool insertNode(TreeSpec& tree, const NodePath& parent, int index, NodeSpec node);
-/// Takes the node and all below it out of the tree.
-std::optional<NodeSpec> removeNode(TreeSpec& tree, const NodePath& path);
-/// `parent` and `index` as they are before the move. False = not possible (into itself, unknown).
-bool moveNode(TreeSpec& tree, const NodePath& from, const NodePath& parent, int index);
-/// Numbers the nodes that have no uid yet, above the largest one in use.
-void assignUids(TreeFile& file);
-std::optional<NodePath> findUid(const TreeSpec& tree, int uid);
 
 /// "{key}" -> "key", "{=}" or "=" -> `portName`; nothing for constants.
 std::optional<std::string> referencedKey(std::string_view text, std::string_view portName);

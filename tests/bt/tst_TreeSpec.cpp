@@ -8,14 +8,7 @@ class TreeSpecTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void insertNode_intoEmptyTree_becomesRoot();
-  void insertNode_index_isClamped();
-  void removeNode_child_givesItBack();
-  void removeNode_root_emptiesTree();
-  void moveNode_table_data();
-  void moveNode_table();
   void equal_lineAndNotation_doNotCount();
-  void assignUids_keepsThoseInUse();
   void referencedKey_table_data();
   void referencedKey_table();
   void textValues_table_data();
@@ -42,99 +35,13 @@ bt::TreeSpec sample() {
   return tree;
 }
 
-QString shape(const bt::NodeSpec& spec) {
-  QString text = QString::fromStdString(spec.id);
-  QStringList children;
-  for (const bt::NodeSpec& child : spec.children) {
-    children << shape(child);
-  }
-  return children.isEmpty()
-             ? text
-             : text + QLatin1Char('(') + children.join(QLatin1Char(' ')) + QLatin1Char(')');
-}
-
-bt::NodePath path(const QString& digits) {
-  bt::NodePath result;
-  for (const QChar digit : digits) {
-    result.push_back(digit.digitValue());
-  }
-  return result;
-}
-
 }  // namespace
-
-void TreeSpecTest::insertNode_intoEmptyTree_becomesRoot() {
-  bt::TreeSpec tree;
-  QVERIFY(bt::insertNode(tree, {}, 0, node("a")));
-  QCOMPARE(shape(tree.root), QStringLiteral("a"));
-  QVERIFY(bt::insertNode(tree, {}, 0, node("b")));
-  QCOMPARE(shape(tree.root), QStringLiteral("a(b)"));
-  QVERIFY(!bt::insertNode(tree, {5}, 0, node("c")));
-}
-
-void TreeSpecTest::insertNode_index_isClamped() {
-  bt::TreeSpec tree = sample();
-  QVERIFY(bt::insertNode(tree, {0}, 99, node("z")));
-  QVERIFY(bt::insertNode(tree, {0}, -3, node("w")));
-  QVERIFY(bt::insertNode(tree, {}, 1, node("m")));
-  QCOMPARE(shape(tree.root), QStringLiteral("r(a(w x y z) m b c)"));
-}
-
-void TreeSpecTest::removeNode_child_givesItBack() {
-  bt::TreeSpec tree = sample();
-  const std::optional<bt::NodeSpec> removed = bt::removeNode(tree, {0});
-  QVERIFY(removed);
-  QCOMPARE(shape(*removed), QStringLiteral("a(x y)"));
-  QCOMPARE(shape(tree.root), QStringLiteral("r(b c)"));
-  QVERIFY(!bt::removeNode(tree, {7}));
-}
-
-void TreeSpecTest::removeNode_root_emptiesTree() {
-  bt::TreeSpec tree = sample();
-  QVERIFY(bt::removeNode(tree, {}));
-  QVERIFY(tree.root.id.empty());
-  QVERIFY(!bt::removeNode(tree, {}));
-}
-
-void TreeSpecTest::moveNode_table_data() {
-  QTest::addColumn<QString>("from");
-  QTest::addColumn<QString>("parent");
-  QTest::addColumn<int>("index");
-  QTest::addColumn<QString>("result");  // empty = refused
-  const auto row = [](const char* name, const char* from, const char* parent, int index,
-                      const char* result) {
-    QTest::newRow(name) << QString::fromUtf8(from) << QString::fromUtf8(parent) << index
-                        << QString::fromUtf8(result);
-  };
-  row("up", "2", "", 0, "r(c a(x y) b)");
-  row("down", "0", "", 2, "r(b a(x y) c)");
-  row("to the end", "0", "", 3, "r(b c a(x y))");
-  row("same place", "1", "", 1, "r(a(x y) b c)");
-  row("into a later parent", "0", "2", 0, "r(b c(a(x y)))");
-  row("out of its parent", "00", "", 3, "r(a(y) b c x)");
-  row("among siblings below", "01", "0", 0, "r(a(y x) b c)");
-  row("into itself", "0", "0", 0, "");
-  row("below itself", "0", "01", 0, "");
-  row("root", "", "0", 0, "");
-  row("unknown", "7", "0", 0, "");
-}
-
-void TreeSpecTest::moveNode_table() {
-  QFETCH(QString, from);
-  QFETCH(QString, parent);
-  QFETCH(int, index);
-  QFETCH(QString, result);
-  bt::TreeSpec tree = sample();
-  QCOMPARE(bt::moveNode(tree, path(from), path(parent), index), !result.isEmpty());
-  QCOMPARE(shape(tree.root), result.isEmpty() ? QStringLiteral("r(a(x y) b c)") : result);
-}
 
 void TreeSpecTest::equal_lineAndNotation_doNotCount() {
   bt::TreeSpec a = sample();
   bt::TreeSpec b = sample();
   b.root.line = 9;
   b.root.children[0].explicitNotation = true;
-  b.root.children[1].uid = 4;
   QVERIFY(a == b);
   b.root.children[1].name = "n";
   QVERIFY(!(a == b));
@@ -143,18 +50,6 @@ void TreeSpecTest::equal_lineAndNotation_doNotCount() {
   QVERIFY(!(a == b));
   bt::removeText(b.root.ports, "p");
   QVERIFY(a == b);
-}
-
-void TreeSpecTest::assignUids_keepsThoseInUse() {
-  bt::TreeFile file;
-  file.trees = {sample(), sample()};
-  file.trees[1].root.uid = 30;
-  bt::assignUids(file);
-  QCOMPARE(file.trees[1].root.uid, 30);
-  QCOMPARE(file.trees[0].root.uid, 31);
-  const int uid = file.trees[0].root.children[0].children[1].uid;
-  QVERIFY(bt::findUid(file.trees[0], uid) == std::optional<bt::NodePath>(bt::NodePath{0, 1}));
-  QVERIFY(!bt::findUid(file.trees[1], uid));
 }
 
 void TreeSpecTest::referencedKey_table_data() {

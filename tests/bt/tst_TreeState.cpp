@@ -17,7 +17,6 @@ class TreeStateTest : public QObject {
   void context_memory_survivesRestart();
   void library_withLeaves_replacesAddedOnes();
   void library_withLeaves_callsConditionsInEveryTick();
-  void editing_uid_isKeptInProgram();
 };
 
 namespace {
@@ -240,17 +239,6 @@ void TreeStateTest::library_withLeaves_callsConditionsInEveryTick() {
   QCOMPARE(state.tickOnce({1, 0.1, &log}), NodeStatus::Running);
   QCOMPARE(state.tickOnce({2, 0.1, &log}), NodeStatus::Running);
   QVERIFY((log.calls == std::vector<std::string>{"S", "St", "S", "St"}));
-}
-
-void TreeStateTest::editing_uid_isKeptInProgram() {
-  base::Result<bt::TreeFile> file =
-      bt::readTreeText(probe::fileOf("<Sequence><S/><F/></Sequence>"));
-  QVERIFY(file);
-  bt::assignUids(*file);
-  const auto program = bt::compile(*file, probe::library());
-  QVERIFY(program);
-  QCOMPARE((*program)->uidOf(2), file->trees[0].root.children[1].uid);
-  QVERIFY((*program)->uidOf(2) > 0);
 }
 
 QTEST_APPLESS_MAIN(TreeStateTest)
