@@ -1,5 +1,7 @@
 #include "metrics/Routes.h"
 
+#include <utility>
+
 #include "sim2d/map/DistanceField.h"
 #include "sim2d/map/PathPlanner.h"
 

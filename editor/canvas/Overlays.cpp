@@ -1,5 +1,6 @@
 #include "editor/canvas/Overlays.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "editor/canvas/FrameLayer.h"

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include <QComboBox>
 #include <QDoubleSpinBox>

@@ -1,5 +1,7 @@
 #include "editor/look/HouseStyle.h"
 
+#include <algorithm>
+
 #include <QAbstractScrollArea>
 #include <QListView>
 #include <QPainter>

@@ -1,5 +1,6 @@
 #include "sim2d/trace/TextRows.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim2d/base/Text.h"

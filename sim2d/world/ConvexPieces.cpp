@@ -1,6 +1,7 @@
 #include "sim2d/world/ConvexPieces.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sim2d {
 namespace {

@@ -138,7 +138,10 @@ double timeOf(std::size_t trees, const TickAll& tickAll) {
 /// dt is written before every tick, as in a simulation.
 double timeOfOurs(const std::shared_ptr<const bt::Program>& program, std::size_t count,
                   Counter& counter) {
-  std::vector<bt::TreeState> trees(count, bt::TreeState(program));
+  std::vector<bt::TreeState> trees;
+  for (std::size_t i = 0; i < count; ++i) {
+    trees.emplace_back(program);
+  }
   const int id = program->hostSlot(0);
   const int dt = program->hostSlot(1);
   for (bt::TreeState& tree : trees) {
