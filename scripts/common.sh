@@ -9,6 +9,7 @@ logs=$build/logs
 jobs=$(nproc 2>/dev/null || echo 2)
 export CCACHE_DIR=${CCACHE_DIR:-$build/ccache}
 export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}  # as precompiled headers need it
+launcher=()  # words before a command, such as setarch
 export CCACHE_TEMPDIR=${CCACHE_TEMPDIR:-$build/ccache/tmp}
 
 packages_to_run=(
@@ -99,7 +100,7 @@ build_preset() {
     # Presets are looked up in the current folder.
     logged "$logs/configure-$preset.log" env -C "$root" cmake --preset "$preset"
   fi
-  local command=(cmake --build "$folder" --parallel "$jobs")
+  local command=("${launcher[@]}" cmake --build "$folder" --parallel "$jobs")
   if [ $# -gt 0 ]; then
     command+=(--target "$@")
   fi

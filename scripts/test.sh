@@ -72,9 +72,9 @@ check_everything_else() {
   need_packages "${packages_to_tidy[@]}"
   build_preset asan
   run_tests asan
-  build_preset tsan core_tests
-  without_randomisation
-  run_tests tsan -L '^core$'
+  without_randomisation  # the build runs a program of its own as well
+  build_preset tsan core_tests thread_tests
+  run_tests tsan -L '^(core|threads)$'
   launcher=()
   build_preset tidy
   build_preset bench benchmarks
@@ -87,12 +87,11 @@ check_everything_else() {
 all=no
 for argument in "$@"; do
   case $argument in
-    --all) all=yes fuzz_seed=0 fuzz_runs=-1 ;;
+    --all) all=yes fuzz_seed=0 fuzz_runs=-1 && export HUNAV_ALL_TESTS=1 ;;
     *) usage ;;
   esac
 done
 
-launcher=()
 lock_build
 need_packages "${packages_to_run[@]}" "${packages_to_test[@]}"
 check_format
