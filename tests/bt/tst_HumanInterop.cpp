@@ -8,14 +8,9 @@
 #include "bt/human/TreeBehavior.h"
 #include "bt/human/TreeLoader.h"
 #include "sim2d/scenario/ScenarioFile.h"
+#include "tests/support/Interop.h"
 
 namespace {
-
-QString interopFolder() {
-  const QByteArray given = qgetenv("HUNAV_INTEROP_DIR");
-  return given.isEmpty() ? QString::fromUtf8(SOURCE_DIR "/../shared/interop")
-                         : QString::fromLocal8Bit(given);
-}
 
 /// The model block documents nodes and is ours; everything behind it is to be equal.
 QByteArray behindTheModel(const QByteArray& text) {
@@ -31,6 +26,7 @@ class HumanInteropTest : public QObject {
  private Q_SLOTS:
   void goalsOfTheTree_areThoseOfTheScenario_data() {
     QTest::addColumn<QString>("scenario");
+    QTest::newRow("own") << QStringLiteral("own/scenarios/agents_yard.yaml");
     QTest::newRow("isaac") << QStringLiteral("isaac/scenarios/warehouse_agents.yaml");
     for (const char* name : {"cafe", "house", "warehouse"}) {
       QTest::newRow(name)
@@ -40,8 +36,8 @@ class HumanInteropTest : public QObject {
   }
   void goalsOfTheTree_areThoseOfTheScenario() {
     QFETCH(QString, scenario);
-    const QString path = interopFolder() + QStringLiteral("/hunavsim2/") + scenario;
-    if (!QFile::exists(path)) {
+    const QString path = interopFile(QStringLiteral("hunavsim2/") + scenario);
+    if (path.isEmpty()) {
       QSKIP("the interoperability files are not here");
     }
     const sim2d::ScenarioReading reading = sim2d::readScenario(path.toStdString());
@@ -73,8 +69,8 @@ class HumanInteropTest : public QObject {
   }
   void hunav2Tree_ofAnInteropScenario_isTheOneShipped() {
     QFETCH(QString, scenario);
-    const QString path = interopFolder() + QStringLiteral("/hunavsim2/") + scenario;
-    if (!QFile::exists(path)) {
+    const QString path = interopFile(QStringLiteral("hunavsim2/") + scenario);
+    if (path.isEmpty()) {
       QSKIP("the interoperability files are not here");
     }
     const sim2d::ScenarioReading reading = sim2d::readScenario(path.toStdString());

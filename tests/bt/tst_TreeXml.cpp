@@ -6,6 +6,7 @@
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Text.h"
 #include "tests/bt/TreeProbe.h"
+#include "tests/support/Interop.h"
 
 using probe::textOf;
 
@@ -40,11 +41,6 @@ class TreeXmlTest : public QObject {
 };
 
 namespace {
-
-QString interopFolder() {
-  const QString named = QString::fromLocal8Bit(qgetenv("HUNAV_INTEROP_DIR"));
-  return named.isEmpty() ? QString::fromUtf8(SOURCE_DIR "/../shared/interop") : named;
-}
 
 bt::TreeFile parsed(const std::string& xml) {
   const base::Result<bt::TreeFile> file = bt::readTreeText(xml, "t.xml");
@@ -83,24 +79,18 @@ std::string root(const std::string& body, const char* attributes = "BTCPP_format
 
 void TreeXmlTest::writeRead_interopFile_isEqual_data() {
   QTest::addColumn<QString>("path");
-  QDirIterator files(interopFolder(), {QStringLiteral("*.xml")}, QDir::Files,
-                     QDirIterator::Subdirectories);
-  bool any = false;
-  while (files.hasNext()) {
-    const QString path = files.next();
-    QTest::newRow(qPrintable(path.section(QLatin1Char('/'), -3))) << path;
-    any = true;
-  }
-  if (!any) {
-    QTest::newRow("none") << QString();
+  for (const QString& folder : {QStringLiteral(TEST_DATA_DIR "/interop"), interopFolder()}) {
+    QDirIterator files(folder, {QStringLiteral("*.xml")}, QDir::Files,
+                       QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+      const QString path = files.next();
+      QTest::newRow(qPrintable(path.section(QLatin1Char('/'), -3))) << path;
+    }
   }
 }
 
 void TreeXmlTest::writeRead_interopFile_isEqual() {
   QFETCH(QString, path);
-  if (path.isEmpty()) {
-    QSKIP("the interop set is not there (HUNAV_INTEROP_DIR)");
-  }
   const base::Result<bt::TreeFile> file = bt::readTree(path.toStdString());
   QVERIFY2(file, textOf(file.diagnostics()).c_str());
   const std::string text = bt::writeTree(*file, bt::builtinNodes());

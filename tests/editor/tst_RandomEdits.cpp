@@ -12,6 +12,7 @@
 #include "editor/document/PersonTree.h"
 #include "editor/tools/Clipboard.h"
 #include "sim2d/base/Text.h"
+#include "tests/support/Interop.h"
 
 using namespace editor;
 
@@ -254,13 +255,6 @@ class RandomUser {
   std::mt19937 random_;
 };
 
-QString interop() {
-  const QByteArray given = qgetenv("HUNAV_INTEROP_DIR");
-  return (given.isEmpty() ? QStringLiteral(SOURCE_DIR "/../shared/interop")
-                          : QString::fromLocal8Bit(given)) +
-         QStringLiteral("/hunavsim2");
-}
-
 bool copyFolder(const QString& from, const QString& to) {
   QDirIterator files(from, QDir::Files, QDirIterator::Subdirectories);
   bool fine = QDir().mkpath(to);
@@ -320,26 +314,20 @@ class RandomEditsTest : public QObject {
 
   void interopScenario_onePersonMoved_onlyTheirPoseDiffers_data() {
     QTest::addColumn<QString>("file");
-    QDirIterator files(interop(), {QStringLiteral("*.yaml")}, QDir::Files,
-                       QDirIterator::Subdirectories);
-    bool any = false;
-    while (files.hasNext()) {
-      const QString file = files.next();
-      const base::Result<std::string> text = base::readTextFile(file.toStdString());
-      if (text && text->find("init_pose") != std::string::npos) {
-        QTest::newRow(qPrintable(file.mid(interop().size() + 1))) << file;
-        any = true;
+    for (const QString& folder : {QStringLiteral(TEST_DATA_DIR "/interop"), interopFolder()}) {
+      QDirIterator files(folder + QStringLiteral("/hunavsim2"), {QStringLiteral("*.yaml")},
+                         QDir::Files, QDirIterator::Subdirectories);
+      while (files.hasNext()) {
+        const QString file = files.next();
+        const base::Result<std::string> text = base::readTextFile(file.toStdString());
+        if (text && text->find("init_pose") != std::string::npos) {
+          QTest::newRow(qPrintable(file.mid(folder.size() + 11))) << file;
+        }
       }
-    }
-    if (!any) {
-      QTest::newRow("none") << QString();
     }
   }
   void interopScenario_onePersonMoved_onlyTheirPoseDiffers() {
     QFETCH(QString, file);
-    if (file.isEmpty()) {
-      QSKIP("the stored scenarios of HuNavSim are not here");
-    }
     const QTemporaryDir folder;
     const QString top = QFileInfo(QFileInfo(file).path()).path();  // with its trees and maps
     QVERIFY(copyFolder(top, folder.filePath(QStringLiteral("all"))));

@@ -8,6 +8,7 @@
 
 #include "sim2d/map/MapReader.h"
 #include "tests/map/WrittenFiles.h"
+#include "tests/support/Interop.h"
 
 using namespace sim2d;
 using written::contains;
@@ -30,13 +31,6 @@ MapImage pixel(std::uint16_t r, std::uint16_t g, std::uint16_t b, std::uint16_t 
   image.hasAlpha = hasAlpha;
   image.rgba = {r, g, b, a};
   return image;
-}
-
-QString interopMaps() {
-  const QByteArray folder = qgetenv("HUNAV_INTEROP_DIR");
-  const QString root = folder.isEmpty() ? QStringLiteral(SOURCE_DIR "/../shared/interop")
-                                        : QString::fromLocal8Bit(folder);
-  return root + QStringLiteral("/hunavsim2/");
 }
 
 }  // namespace
@@ -344,6 +338,7 @@ void MapReaderTest::readMap_shippedMaps_countCells_data() {
   const auto row = [](const char* name, int free, int occupied) {
     QTest::newRow(name) << QString::fromUtf8(name) << free << occupied;
   };
+  row("own/maps/yard.yaml", 1064, 136);
   row("gazebo_classic/maps/cafe.yaml", 87994, 3102);
   row("gazebo_classic/maps/house.yaml", 79462, 3788);
   row("gazebo_classic/maps/warehouse.yaml", 111434, 5746);
@@ -357,8 +352,8 @@ void MapReaderTest::readMap_shippedMaps_countCells() {
   QFETCH(const QString, file);
   QFETCH(const int, free);
   QFETCH(const int, occupied);
-  const QString path = interopMaps() + file;
-  if (!QFile::exists(path)) {
+  const QString path = interopFile(QStringLiteral("hunavsim2/") + file);
+  if (path.isEmpty()) {
     QSKIP("maps of HuNavSim are not here (set HUNAV_INTEROP_DIR)");
   }
   const auto map = readMap(path.toStdString(), nullptr);
@@ -370,13 +365,9 @@ void MapReaderTest::readMap_shippedMaps_countCells() {
 }
 
 void MapReaderTest::readMap_shippedMap_withoutImage() {
-  const QString path = interopMaps() + QStringLiteral("hunav_sim_v1/maps/cafe.yaml");
-  if (!QFile::exists(path)) {
-    QSKIP("maps of HuNavSim are not here (set HUNAV_INTEROP_DIR)");
-  }
-  const auto map = readMap(path.toStdString(), nullptr);
+  const auto map = readMap(TEST_DATA_DIR "/interop/hunavsim2/own/maps/bare.yaml", nullptr);
   QVERIFY(!map);
-  QVERIFY(contains(map.diagnostics(), "cafe.yaml:1:8: error: image '"));
+  QVERIFY(contains(map.diagnostics(), "bare.yaml:1:8: error: image '"));
 }
 
 QTEST_APPLESS_MAIN(MapReaderTest)

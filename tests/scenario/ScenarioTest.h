@@ -6,6 +6,7 @@
 
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
+#include "tests/support/Interop.h"
 
 /// What the tests of scenarios share.
 namespace scenariotest {
@@ -27,14 +28,9 @@ inline QString shown(const base::Diagnostics& diagnostics) {
   return all;
 }
 
-/// Folder of the real files of HuNavSim; empty = not there.
-inline std::string interopFolder() {
-  const QByteArray given = qgetenv("HUNAV_INTEROP_DIR");
-  const QString folder = given.isEmpty() ? QStringLiteral(SOURCE_DIR "/../shared/interop")
-                                         : QString::fromLocal8Bit(given);
-  return QFileInfo::exists(folder + QStringLiteral("/hunavsim2"))
-             ? (folder + QStringLiteral("/hunavsim2/")).toStdString()
-             : std::string();
+/// A real file of HuNavSim, or one of ours; empty = not there.
+inline std::string hunavFile(const QByteArray& name) {
+  return interopFile(QStringLiteral("hunavsim2/") + QString::fromUtf8(name)).toStdString();
 }
 
 }  // namespace scenariotest

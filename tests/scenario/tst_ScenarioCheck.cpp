@@ -326,6 +326,7 @@ class ScenarioCheckTest : public QObject {
     };
     const char* cafe = "gazebo_classic/maps/cafe.yaml";
     const char* first = "hunav_sim_v1/maps/map_cafe2.yaml";
+    row("own/scenarios/agents_yard.yaml", "own/maps/yard.yaml", 0);
     row("gazebo_classic/scenarios/agents_cafe.yaml", cafe, 0);
     row("gazebo_classic/scenarios/agents_house.yaml", "gazebo_classic/maps/house.yaml", 0);
     row("gazebo_classic/scenarios/agents_warehouse.yaml", "gazebo_classic/maps/warehouse.yaml", 0);
@@ -343,11 +344,12 @@ class ScenarioCheckTest : public QObject {
     QFETCH(QByteArray, file);
     QFETCH(QByteArray, map);
     QFETCH(int, notFree);
-    if (interopFolder().empty()) {
+    const std::string path = hunavFile(file);
+    if (path.empty()) {
       QSKIP("the real files of HuNavSim are not here");
     }
-    const ScenarioReading reading = readScenario(interopFolder() + file.toStdString());
-    const auto read = readMap(interopFolder() + map.toStdString(), {});
+    const ScenarioReading reading = readScenario(path);
+    const auto read = readMap(hunavFile(map), {});
     QVERIFY2(read, qPrintable(shown(read.diagnostics())));
     int occupied = 0;
     const auto look = [&](const Vec2& point) {

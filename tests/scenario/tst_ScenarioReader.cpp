@@ -1,6 +1,5 @@
-#include <clocale>
-
 #include "ScenarioTest.h"
+#include "tests/support/CommaLocale.h"
 
 using namespace sim2d;
 using namespace scenariotest;
@@ -249,17 +248,16 @@ class ScenarioReaderTest : public QObject {
 
   void read_commaLocale_sameScenario() {
     const Scenario expected = readScenario(dataFile("block.yaml")).scenario;
-    const std::string before = std::setlocale(LC_ALL, nullptr);
-    bool comma = false;
-    for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "es_ES.UTF-8"}) {
-      comma = comma || std::setlocale(LC_ALL, name) != nullptr;
+    Scenario scenario;
+    std::string text;
+    {
+      const CommaLocale locale;
+      if (!locale.active()) {
+        QSKIP("no locale that writes 1,5");
+      }
+      scenario = readScenario(dataFile("block.yaml")).scenario;
+      text = writeScenario(scenario);
     }
-    if (!comma) {
-      QSKIP("no locale with a decimal comma is installed");
-    }
-    const Scenario scenario = readScenario(dataFile("block.yaml")).scenario;
-    const std::string text = writeScenario(scenario);
-    std::setlocale(LC_ALL, before.c_str());
     QVERIFY(scenario == expected);
     QCOMPARE(QString::fromStdString(text), QString::fromStdString(textOf(dataFile("block.yaml"))));
   }
@@ -302,6 +300,7 @@ class ScenarioReaderTest : public QObject {
                           << goals;
     };
     const char* first = "agent1 1 3,agent2 2 3,agent7 3 3,agent4 4 3,agent5 5 3";
+    row("own/scenarios/agents_yard.yaml", Dialect::C, "agent1 1 2,agent2 2 2", 3);
     row("isaac/scenarios/warehouse_agents.yaml", Dialect::C,
         "agent1 1 5,agent2 2 5,agent3 3 5,agent4 4 6,agent5 5 8", 11);
     row("isaac_docker_branch/config/agents_warehouse.yaml", Dialect::B,
@@ -330,10 +329,11 @@ class ScenarioReaderTest : public QObject {
     QFETCH(int, dialect);
     QFETCH(QByteArray, listed);
     QFETCH(int, goals);
-    if (interopFolder().empty()) {
+    const std::string path = hunavFile(file);
+    if (path.empty()) {
       QSKIP("the real files of HuNavSim are not here");
     }
-    const ScenarioReading reading = readScenario(interopFolder() + file.toStdString());
+    const ScenarioReading reading = readScenario(path);
     QVERIFY2(reading.ok(), qPrintable(shown(reading.diagnostics)));
     QCOMPARE(static_cast<int>(reading.dialect), dialect);
     QCOMPARE(static_cast<int>(reading.scenario.goals.size()), goals);
@@ -359,18 +359,18 @@ class ScenarioReaderTest : public QObject {
   void write_panelFiles_sameBytesButSpeedDigits_data() {
     QTest::addColumn<QByteArray>("file");
     for (const char* file :
-         {"isaac/scenarios/warehouse_agents.yaml", "gazebo_classic/scenarios/agents_cafe.yaml",
-          "gazebo_classic/scenarios/agents_house.yaml",
+         {"own/scenarios/agents_yard.yaml", "isaac/scenarios/warehouse_agents.yaml",
+          "gazebo_classic/scenarios/agents_cafe.yaml", "gazebo_classic/scenarios/agents_house.yaml",
           "gazebo_classic/scenarios/agents_warehouse.yaml"}) {
       QTest::newRow(file) << QByteArray(file);
     }
   }
   void write_panelFiles_sameBytesButSpeedDigits() {
     QFETCH(QByteArray, file);
-    if (interopFolder().empty()) {
+    const std::string path = hunavFile(file);
+    if (path.empty()) {
       QSKIP("the real files of HuNavSim are not here");
     }
-    const std::string path = interopFolder() + file.toStdString();
     QString original = QString::fromStdString(textOf(path));
     const QString written = QString::fromStdString(writeScenario(readScenario(path).scenario));
     const QRegularExpression speed(QStringLiteral("max_vel: ([0-9.]+)"));

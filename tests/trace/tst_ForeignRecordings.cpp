@@ -1,21 +1,11 @@
-#include <QDir>
 #include <QtTest>
 
+#include "tests/support/Interop.h"
 #include "tests/trace/ForeignTest.h"
 
 using namespace foreign;
 
-namespace {
-
-QString recordings() {
-  const QString folder =
-      qEnvironmentVariable("HUNAV_INTEROP_DIR", QStringLiteral(SOURCE_DIR "/../shared/interop"));
-  return QDir(folder).absoluteFilePath(QStringLiteral("trajectories"));
-}
-
-}  // namespace
-
-/// Real recordings of people; they need not be there.
+/// Recordings of people: real ones, which need not be there, and one of ours.
 class ForeignRecordingsTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -25,8 +15,9 @@ class ForeignRecordingsTest : public QObject {
 };
 
 void ForeignRecordingsTest::recordings_zara_splinesLieOnTheAnnotations() {
-  const std::string folder = (recordings() + QStringLiteral("/zara01/")).toStdString();
-  if (!QFile::exists(QString::fromStdString(folder))) {
+  const QString found = interopFile(QStringLiteral("trajectories/zara01"));
+  const std::string folder = found.toStdString() + "/";
+  if (found.isEmpty()) {
     QSKIP("the recordings are not here (HUNAV_INTEROP_DIR)");
   }
   const auto splines = sim2d::readForeign(folder + "annotation.vsp", {});
@@ -63,14 +54,16 @@ void ForeignRecordingsTest::recordings_zara_splinesLieOnTheAnnotations() {
 
 void ForeignRecordingsTest::recordings_obsmat_instantsAreTheRows_data() {
   QTest::addColumn<QString>("set");
+  QTest::newRow("own") << QStringLiteral("own");
   QTest::newRow("eth") << QStringLiteral("eth");
   QTest::newRow("hotel") << QStringLiteral("hotel");
 }
 
 void ForeignRecordingsTest::recordings_obsmat_instantsAreTheRows() {
   QFETCH(QString, set);
-  const std::string path = (recordings() + QLatin1Char('/') + set).toStdString() + "/obsmat.txt";
-  if (!QFile::exists(QString::fromStdString(path))) {
+  const std::string path =
+      interopFile(QStringLiteral("trajectories/%1/obsmat.txt").arg(set)).toStdString();
+  if (path.empty()) {
     QSKIP("the recordings are not here (HUNAV_INTEROP_DIR)");
   }
   const auto trace = traceOf(path);
