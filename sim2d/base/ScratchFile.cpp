@@ -1,6 +1,7 @@
 #include "sim2d/base/ScratchFile.h"
 
 #include <unistd.h>
+#include <utility>
 
 namespace base {
 
