@@ -1,2 +1,2 @@
 # Runs each scenario that comes with the program three times, some of them crowds.
-set_tests_properties(bt.tst_ShippedScenarios PROPERTIES TIMEOUT 600)
+set_tests_properties(bt.tst_ShippedScenarios PROPERTIES TIMEOUT 600 COST 100)

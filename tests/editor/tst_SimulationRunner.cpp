@@ -104,12 +104,11 @@ class SimulationRunnerTest : public QObject {
     QTRY_VERIFY(runner.newestFrame() != nullptr);
     QElapsedTimer timer;
     timer.start();
-    QTest::qWait(600);
+    QTRY_VERIFY_WITH_TIMEOUT(runner.newestFrame()->time >= 0.5, 50000);  // however slow the machine
     runner.pause();
     const double wall = 0.001 * static_cast<double>(timer.elapsed());
     QTest::qWait(60);
-    QVERIFY(runner.newestFrame()->time <= wall + 0.3);
-    QVERIFY(runner.newestFrame()->time > 0.0);
+    QVERIFY(runner.newestFrame()->time <= wall + 0.3);  // but never ahead of the clock
   }
 
   void seek_duringARun_pausesAndShowsThePast() {

@@ -1,3 +1,5 @@
+#include <cmath>
+#include <limits>
 #include <set>
 
 #include <QtTest>
@@ -7,107 +9,89 @@
 
 using namespace sim2d;
 
-/// Every realism test with seed 1 and every model. What a model is known to miss is expected to
-/// fail, with the reason, so that nothing changes unseen, for worse or for better.
+/// Every realism test with seed 1. What a model is known to miss must be missed, between known
+/// values, so that nothing changes unseen, for worse or for better. The large crowds of models
+/// other than das take minutes: with HUNAV_ALL_TESTS alone (scripts/test.sh --all).
 class RealismSeedOneTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
   void measure_seedOne_isWithinTheLimits_data();
   void measure_seedOne_isWithinTheLimits();
-  void knownFailures_areOfQuantitiesThatExist();
+  void knownMisses_areOfQuantitiesThatExist();
 };
 
 namespace {
 
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* kNoHeadway = "knows no distance to keep while walking: crowds do not slow";
 constexpr const char* kNoLanes = "nothing sorts a dense crowd into lanes";
 constexpr const char* kJams = "people who all avoid each other stop each other";
 constexpr const char* kSlowOne = "lets a slow one wait at the door of 0.8 m";
 constexpr const char* kNoShape = "groups keep their shape in the mean only, or have none";
-constexpr const char* kSlowCorner = "a corner costs about as much as the outer length";
-constexpr const char* kNarrow = "walls cost speed in a crowded corridor of 2 m";
 constexpr const char* kGrazes = "keeps bodies apart, but no more than that";
 
-struct KnownFailure {
+/// A limit that seed 1 misses, and between which values it does so: those of seeds 1 to 10 as in
+/// sim2d/world/realism/FIGURES.md. Outside of them it has become better or worse.
+struct KnownMiss {
   const char* model;
   const char* test;
   const char* quantity;
   const char* reason;
-  bool isSure = true;  // false: near the limit, so it is missed in some crowds and not in others
+  double low, high;
 };
 
-const std::vector<KnownFailure>& knownFailures() {
-  static const std::vector<KnownFailure> kKnown = {
-      {"sfm", "fd-one-way", "distance to Weidmann", kNoHeadway},
-      {"sfm", "fd-one-way", "largest specific flow", kNoHeadway},
-      {"sfm", "fd-long-steps", "distance to Weidmann", kNoHeadway},
-      {"sfm", "fd-long-steps", "largest specific flow", kNoHeadway},
-      {"sfm", "fd-single-file", "error of headway", kNoHeadway},
-      {"sfm", "fd-single-file", "speed when densest", kNoHeadway},
-      {"sfm", "rimea-4", "distance to Weidmann", kNoHeadway},
-      {"sfm", "bottleneck", "specific flow, 0.8 m", kNoHeadway},
-      {"sfm", "bottleneck", "specific flow, 1.0 m", kNoHeadway},
-      {"sfm", "bottleneck", "specific flow, 1.2 m", kNoHeadway},
-      {"sfm", "bottleneck", "specific flow, 1.8 m", kNoHeadway},
-      {"sfm", "bottleneck", "least rise with width", kNoHeadway},
-      {"sfm", "bottleneck", "longest gap", kSlowOne, false},
-      {"sfm", "bottleneck-long-steps", "specific flow, 0.8 m", kNoHeadway},
-      {"sfm", "bottleneck-long-steps", "specific flow, 1.0 m", kNoHeadway},
-      {"sfm", "bottleneck-long-steps", "specific flow, 1.2 m", kNoHeadway},
-      {"sfm", "bottleneck-long-steps", "specific flow, 1.8 m", kNoHeadway},
-      {"sfm", "bottleneck-long-steps", "least rise with width", kNoHeadway},
-      {"sfm", "bottleneck-long-steps", "longest gap", kSlowOne, false},
-      {"sfm", "rimea-12", "most people in the second room", kNoHeadway},
-      {"sfm", "lanes", "order at 2 per m²", kNoLanes, false},
-      {"orca", "fd-one-way", "distance to Weidmann", kNoHeadway},
-      {"orca", "fd-one-way", "largest specific flow", kNoHeadway},
-      {"orca", "fd-long-steps", "distance to Weidmann", kNoHeadway},
-      {"orca", "fd-long-steps", "largest specific flow", kNoHeadway},
-      {"orca", "fd-long-steps", "bodies overlap", kNoHeadway, false},
-      {"orca", "fd-single-file", "error of headway", kNoHeadway},
-      {"orca", "fd-single-file", "speed when densest", kNoHeadway},
-      {"orca", "rimea-4", "distance to Weidmann", kNoHeadway},
-      {"orca", "rimea-4", "largest rise of speed", kNoHeadway, false},
-      {"orca", "bottleneck", "specific flow, 0.8 m", kJams},
-      {"orca", "bottleneck", "specific flow, 1.0 m", kJams, false},
-      {"orca", "bottleneck", "specific flow, 1.8 m", kNoHeadway},
-      {"orca", "bottleneck-long-steps", "specific flow, 0.8 m", kJams, false},
-      {"orca", "bottleneck-long-steps", "specific flow, 1.0 m", kJams, false},
-      {"orca", "bottleneck-long-steps", "specific flow, 1.8 m", kNoHeadway},
-      {"orca", "rimea-12", "most people in the second room", kNoHeadway},
-      {"orca", "lanes", "order at 1 per m²", kNoLanes},
-      {"orca", "lanes", "order at 2 per m²", kNoLanes},
-      {"orca", "circle", "least distance, 16", kJams},
-      {"orca", "circle", "time over free time, 16", kJams},
-      {"orca", "head-on", "least distance", kGrazes},
-      {"orca", "time-step", "change of ways and least distance", kGrazes},
-      {"sfm", "bottleneck", "people left behind", kSlowOne, false},
-      {"orca", "bottleneck", "longest gap", kJams, false},
-      {"orca", "bottleneck", "people left behind", kJams, false},
-      {"sfm", "bottleneck-long-steps", "people left behind", kSlowOne, false},
-      {"orca", "bottleneck-long-steps", "longest gap", kJams, false},
-      {"orca", "bottleneck-long-steps", "people left behind", kJams, false},
-      {"sfm", "fd-one-way", "bodies overlap", kNoHeadway, false},
-      {"sfm", "fd-long-steps", "bodies overlap", kNoHeadway, false},
-      {"orca", "fd-one-way", "bodies overlap", kNoHeadway, false},
-      {"orca", "bottleneck-long-steps", "specific flow, 1.2 m", kJams, false},
-      {"orca", "bottleneck-long-steps", "least rise with width", kJams, false},
-      {"sfm", "lanes", "order at 1 per m²", kNoLanes, false},
-      {"sfm", "groups-in-crowd", "middle one behind the outer two", kNoShape, false},
-      {"orca", "groups-in-crowd", "middle one behind the outer two", kNoShape, false},
-      {"orca", "groups-in-crowd", "share of time together", kNoShape, false},
-      {"orca", "lanes", "speed at 2 per m²", kJams, false},
-      {"das", "rimea-15", "outer length less corner", kSlowCorner, false},
-      {"das", "rimea-4", "distance to Weidmann", kNarrow, false},
-      {"das", "lanes", "order at 2 per m²", kNoLanes, false},
+const std::vector<KnownMiss>& knownMisses() {
+  static const std::vector<KnownMiss> kKnown = {
+      {"sfm", "fd-one-way", "distance to Weidmann", kNoHeadway, 0.448, 0.516},
+      {"sfm", "fd-one-way", "largest specific flow", kNoHeadway, 3.43, 3.75},
+      {"sfm", "fd-long-steps", "distance to Weidmann", kNoHeadway, 0.452, 0.515},
+      {"sfm", "fd-long-steps", "largest specific flow", kNoHeadway, 3.41, 3.73},
+      {"sfm", "fd-single-file", "error of headway", kNoHeadway, kUndefined, kUndefined},
+      {"sfm", "fd-single-file", "speed when densest", kNoHeadway, 1.13, 1.21},
+      {"sfm", "rimea-4", "distance to Weidmann", kNoHeadway, 0.412, 0.441},
+      {"sfm", "bottleneck", "specific flow, 0.8 m", kNoHeadway, 3.14, 3.77},
+      {"sfm", "bottleneck", "specific flow, 1.0 m", kNoHeadway, 3.31, 4.19},
+      {"sfm", "bottleneck", "specific flow, 1.2 m", kNoHeadway, 3.52, 4.18},
+      {"sfm", "bottleneck", "specific flow, 1.8 m", kNoHeadway, 3.15, 3.86},
+      {"sfm", "bottleneck", "least rise with width", kNoHeadway, -0.712, -0.052},
+      {"sfm", "bottleneck-long-steps", "specific flow, 0.8 m", kNoHeadway, 3.06, 3.72},
+      {"sfm", "bottleneck-long-steps", "specific flow, 1.0 m", kNoHeadway, 3.47, 4.07},
+      {"sfm", "bottleneck-long-steps", "specific flow, 1.2 m", kNoHeadway, 3.53, 4.23},
+      {"sfm", "bottleneck-long-steps", "specific flow, 1.8 m", kNoHeadway, 3.07, 4.02},
+      {"sfm", "bottleneck-long-steps", "least rise with width", kNoHeadway, -0.607, 0.0925},
+      {"sfm", "bottleneck-long-steps", "longest gap", kSlowOne, 2.67, 11.8},
+      {"sfm", "rimea-12", "most people in the second room", kNoHeadway, 46.2, 62.8},
+      {"sfm", "lanes", "order at 2 per m²", kNoLanes, 0.482, 1.03},
+      {"orca", "fd-one-way", "distance to Weidmann", kNoHeadway, 0.451, 0.546},
+      {"orca", "fd-one-way", "largest specific flow", kNoHeadway, 3.33, 3.69},
+      {"orca", "fd-long-steps", "distance to Weidmann", kNoHeadway, 0.442, 0.534},
+      {"orca", "fd-long-steps", "largest specific flow", kNoHeadway, 3.31, 3.64},
+      {"orca", "fd-long-steps", "bodies overlap", kNoHeadway, 6.38e-05, 0.00161},
+      {"orca", "fd-single-file", "error of headway", kNoHeadway, kUndefined, kUndefined},
+      {"orca", "fd-single-file", "speed when densest", kNoHeadway, 1.12, 1.21},
+      {"orca", "rimea-4", "distance to Weidmann", kNoHeadway, 0.447, 0.485},
+      {"orca", "bottleneck", "specific flow, 0.8 m", kJams, 0.682, 0.868},
+      {"orca", "bottleneck", "specific flow, 1.8 m", kNoHeadway, 2.48, 3.2},
+      {"orca", "bottleneck-long-steps", "specific flow, 0.8 m", kJams, 0.555, 0.786},
+      {"orca", "bottleneck-long-steps", "specific flow, 1.0 m", kJams, 0.754, 1.27},
+      {"orca", "bottleneck-long-steps", "specific flow, 1.8 m", kNoHeadway, 2.27, 2.67},
+      {"orca", "rimea-12", "most people in the second room", kNoHeadway, 22.2, 50.8},
+      {"orca", "lanes", "order at 1 per m²", kNoLanes, 0.593, 0.906},
+      {"orca", "lanes", "order at 2 per m²", kNoLanes, 0.446, 0.937},
+      {"orca", "circle", "least distance, 16", kJams, 0.389, 0.409},
+      {"orca", "circle", "time over free time, 16", kJams, 3.32, 3.5},
+      {"orca", "head-on", "least distance", kGrazes, 0.408, 0.429},
+      {"orca", "time-step", "change of ways and least distance", kGrazes, 0.0386, 0.0406},
+      {"orca", "bottleneck-long-steps", "longest gap", kJams, 2.5, 17.5},
+      {"orca", "groups-in-crowd", "middle one behind the outer two", kNoShape, -0.463, 0.359},
   };
   return kKnown;
 }
 
-const KnownFailure* findKnown(const std::string& model, const std::string& test,
-                              const std::string& quantity) {
-  for (const KnownFailure& known : knownFailures()) {
+const KnownMiss* findKnown(const std::string& model, const std::string& test,
+                           const std::string& quantity) {
+  for (const KnownMiss& known : knownMisses()) {
     if (known.model == model && known.test == test && known.quantity == quantity) {
       return &known;
     }
@@ -130,6 +114,10 @@ void RealismSeedOneTest::measure_seedOne_isWithinTheLimits_data() {
   QTest::addColumn<int>("index");
   for (const char* model : {"sfm", "das", "orca"}) {
     for (std::size_t i = 0; i < realismTests().size(); ++i) {
+      const bool isMinutes = isLarge(realismTests()[i].name) && std::string(model) != "das";
+      if (isMinutes && !qEnvironmentVariableIsSet("HUNAV_ALL_TESTS")) {
+        continue;
+      }
       QTest::addRow("%s %s", model, realismTests()[i].name.c_str())
           << QString::fromUtf8(model) << static_cast<int>(i);
     }
@@ -150,18 +138,19 @@ void RealismSeedOneTest::measure_seedOne_isWithinTheLimits() {
   QCOMPARE(values->size(), test.quantities.size());
   for (std::size_t i = 0; i < values->size(); ++i) {
     const Quantity& quantity = test.quantities[i];
-    const std::string text = quantity.name + " " + std::to_string((*values)[i]);
-    const bool passes = quantity.passes((*values)[i]);
-    const KnownFailure* const known = findKnown(run.model, test.name, quantity.name);
-    if (known != nullptr && (known->isSure || !passes)) {
-      QEXPECT_FAIL("", known->reason, Continue);
+    const double value = (*values)[i];
+    const std::string text = quantity.name + " " + std::to_string(value);
+    const KnownMiss* const known = findKnown(run.model, test.name, quantity.name);
+    QVERIFY2(quantity.passes(value) == (known == nullptr), text.c_str());
+    if (known != nullptr) {
+      const bool isUndefined = std::isnan(value) && std::isnan(known->low);
+      QVERIFY2(isUndefined || (value >= known->low && value <= known->high), text.c_str());
     }
-    QVERIFY2(passes, text.c_str());
   }
 }
 
-void RealismSeedOneTest::knownFailures_areOfQuantitiesThatExist() {
-  for (const KnownFailure& known : knownFailures()) {
+void RealismSeedOneTest::knownMisses_areOfQuantitiesThatExist() {
+  for (const KnownMiss& known : knownMisses()) {
     bool exists = false;
     for (const RealismTest& test : realismTests()) {
       for (const Quantity& quantity : test.quantities) {
