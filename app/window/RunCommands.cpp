@@ -46,8 +46,8 @@ bool FileCommands::openRun(const QString& path) {
   const QDir folder(path);  // with or without a slash at its end
   memory_.noteFile(folder.absolutePath());
   Q_EMIT recentChanged();
+  Q_EMIT opened();  // first: the view fits what is drawn while nothing runs
   workspace_.openRecorded(run->recording, folder.dirName());
-  Q_EMIT opened();
   return tell(run.diagnostics());
 }
 
