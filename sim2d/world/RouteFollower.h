@@ -1,12 +1,25 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "sim2d/map/NavigationMap.h"
-#include "sim2d/world/Detour.h"
 #include "sim2d/world/HumanBehavior.h"
 
 namespace sim2d {
+
+/// A body that stands in the way.
+struct StandingBody {
+  Vec2 position = Vec2::Zero();
+  double radius = 0.35;  // [m]
+};
+
+/// A place beside those who stand on the line from `from` to `next`, to be passed first: planned
+/// ways know walls alone. The shortest one that a body of this radius can walk to and on from;
+/// nothing when nobody stands there or there is no room.
+std::optional<Vec2> placeBeside(const std::vector<StandingBody>& standing, double radius,
+                                const Vec2& from, const Vec2& next,
+                                const NavigationMap& navigation);
 
 /// Where one person heads on the way to a target: keeps the path, drops way points that are passed,
 /// plans anew when the person was pushed off or does not get on.

@@ -2,7 +2,6 @@
 
 #include <QtTest>
 
-#include "sim2d/world/Detour.h"
 #include "sim2d/world/RouteFollower.h"
 
 using namespace sim2d;

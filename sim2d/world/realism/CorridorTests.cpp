@@ -4,7 +4,6 @@
 #include "sim2d/base/Math.h"
 #include "sim2d/world/WorldState.h"
 #include "sim2d/world/realism/RealismTest.h"
-#include "sim2d/world/realism/TestList.h"
 
 namespace sim2d {
 namespace {
@@ -23,7 +22,7 @@ struct Sums {
 };
 
 /// What one person sees of the others: bodies too near, companions in the own lane.
-void addPerson(const HumanColumns& people, const Stage& stage, std::size_t self, Sums& sums) {
+void addPerson(const HumanColumns& people, const TestScene& stage, std::size_t self, Sums& sums) {
   const Ring ring{0.0, kLength};
   const Vec2 place(people.x[self], people.y[self]);
   const bool goesLeft = stage.actors()[self].heading != 0.0;
@@ -50,13 +49,13 @@ void addPerson(const HumanColumns& people, const Stage& stage, std::size_t self,
   }
 }
 
-void addWalls(Stage& stage, double width) {
+void addWalls(TestScene& stage, double width) {
   for (const double y : {-0.1, width + 0.1}) {
     stage.addWall({Vec2(-kBeyond, y), Vec2(kLength + kBeyond, y)});
   }
 }
 
-base::Result<Flow> playCorridor(Stage& stage, double seconds) {
+base::Result<Flow> playCorridor(TestScene& stage, double seconds) {
   Sums sums;
   const auto every = std::max<std::int64_t>(1, std::llround(kSampleEvery / stage.dt()));
   const bool isPlayed = stage.play(seconds, [&](const World& world) {
@@ -82,14 +81,14 @@ int peopleIn(const CorridorFlow& setting) {
 }
 
 /// Fewer people than wanted when they do not fit.
-Stage corridorOf(const RealismRun& run, const CorridorFlow& setting) {
-  Stage stage(run, setting.dt);
+TestScene corridorOf(const RealismRun& run, const CorridorFlow& setting) {
+  TestScene stage(run, setting.dt);
   addWalls(stage, setting.width);
   const Box box{Vec2(0.0, kBody), Vec2(kLength, setting.width - kBody)};
   const std::vector<Vec2> places = randomPlaces(run, peopleIn(setting), box, 2.0 * kBody, true);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const bool goesLeft = setting.isTwoWay && i % 2 == 1;
-    Stage::Actor actor;
+    TestScene::Actor actor;
     actor.start = places[i];
     actor.heading = goesLeft ? base::kPi : 0.0;
     actor.speed = freeSpeed(run, static_cast<int>(i), setting.meanSpeed, setting.speedDeviation);
@@ -164,11 +163,11 @@ base::Result<std::vector<double>> rimea4(const RealismRun& run) {
   return std::vector<double>{(*values)[0], (*values)[3]};
 }
 
-Stage singleFileOf(const RealismRun& run, int count) {
-  Stage stage(run);
+TestScene singleFileOf(const RealismRun& run, int count) {
+  TestScene stage(run);
   addWalls(stage, 0.8);
   for (int i = 0; i < count; ++i) {
-    Stage::Actor actor;
+    TestScene::Actor actor;
     actor.start = Vec2(kLength * (i + 0.5) / count, 0.4);
     actor.speed = freeSpeed(run, i, 1.24, 0.05);
     actor.target = endlessly(Vec2(1.0, 0.0));
@@ -185,7 +184,7 @@ base::Result<std::vector<double>> singleFile(const RealismRun& run) {
   double worst = std::numeric_limits<double>::quiet_NaN();
   double least = 1e9;
   for (const int count : {17, 20, 25, 30, 36, 42, 50}) {
-    Stage stage = singleFileOf(run, count);
+    TestScene stage = singleFileOf(run, count);
     const base::Result<Flow> flow = playCorridor(stage, 60.0);
     if (!flow) {
       return flow.diagnostics();
@@ -216,27 +215,27 @@ base::Result<std::vector<double>> lanes(const RealismRun& run) {
   return values;
 }
 
-Stage oneWayScene(const RealismRun& run) {
+TestScene oneWayScene(const RealismRun& run) {
   return corridorOf(run, {});
 }
 
-Stage longStepsScene(const RealismRun& run) {
+TestScene longStepsScene(const RealismRun& run) {
   CorridorFlow setting;
   setting.dt = 0.1;
   return corridorOf(run, setting);
 }
 
-Stage singleFileScene(const RealismRun& run) {
+TestScene singleFileScene(const RealismRun& run) {
   return singleFileOf(run, 30);
 }
 
-Stage lanesScene(const RealismRun& run) {
+TestScene lanesScene(const RealismRun& run) {
   CorridorFlow setting;
   setting.isTwoWay = true;
   return corridorOf(run, setting);
 }
 
-Stage rimea4Scene(const RealismRun& run) {
+TestScene rimea4Scene(const RealismRun& run) {
   return corridorOf(run, corridorOfRimea4());
 }
 
@@ -247,13 +246,14 @@ double weidmannSpeed(double density) {
 }
 
 base::Result<Flow> corridorFlow(const RealismRun& run, const CorridorFlow& setting) {
-  Stage stage = corridorOf(run, setting);
+  TestScene stage = corridorOf(run, setting);
   if (static_cast<int>(stage.actors().size()) < peopleIn(setting)) {
     return base::makeError("so many people do not fit into the corridor");
   }
   return playCorridor(stage, setting.seconds);
 }
 
+void addCorridorTests(std::vector<RealismTest>& tests);
 void addCorridorTests(std::vector<RealismTest>& tests) {
   const std::vector<Quantity> ofDiagram = {
       {"distance to Weidmann", "m/s", Summary::Mean, 0.0, 0.07},

@@ -4,7 +4,6 @@
 
 #include "sim2d/base/Math.h"
 #include "sim2d/world/realism/RealismTest.h"
-#include "sim2d/world/realism/TestList.h"
 
 namespace sim2d {
 namespace {
@@ -13,8 +12,8 @@ constexpr double kArrived = 0.3;   // [m] from the goal
 constexpr double kStarted = 2.0;   // [s]; speeds count from here on
 constexpr double kPatience = 6.0;  // times the time of a straight walk
 
-Stage::Actor walker(const Vec2& start, const Vec2& goal, double speed) {
-  Stage::Actor actor;
+TestScene::Actor walker(const Vec2& start, const Vec2& goal, double speed) {
+  TestScene::Actor actor;
   actor.start = start;
   actor.heading = base::headingOf(goal - start);
   actor.speed = speed;
@@ -36,7 +35,7 @@ void look(const HumanColumns& people, double time, Meeting& meeting) {
 }
 
 /// All walk the same length; who never arrives makes the ratio NaN.
-base::Result<Meeting> meet(Stage& stage, double length, double speed) {
+base::Result<Meeting> meet(TestScene& stage, double length, double speed) {
   Meeting meeting;
   meeting.leastDistance = meeting.slowest = 1e9;
   meeting.timeRatio = std::numeric_limits<double>::quiet_NaN();
@@ -107,23 +106,23 @@ void addStep(const std::vector<Vec2>& places, Walked& walked) {
 }
 
 /// Three people whose ways cross.
-Stage threeWays(const RealismRun& run, double dt) {
-  Stage stage(run, dt);
+TestScene threeWays(const RealismRun& run, double dt) {
+  TestScene stage(run, dt);
   stage.add(walker(Vec2(-6.0, 0.0), Vec2(40.0, 0.0), 1.3));
   stage.add(walker(Vec2(0.5, -5.0), Vec2(0.5, 40.0), 1.2));
   stage.add(walker(Vec2(6.0, 0.4), Vec2(-40.0, 0.4), 1.1));
   return stage;
 }
 
-Stage timeStepScene(const RealismRun& run) {
+TestScene timeStepScene(const RealismRun& run) {
   return threeWays(run, 0.05);
 }
 
 /// For 10 s, with a step of `dt`.
 base::Result<Walked> walkedWithStep(const RealismRun& run, double dt) {
-  Stage stage = threeWays(run, dt);
+  TestScene stage = threeWays(run, dt);
   Walked walked;
-  for (const Stage::Actor& actor : stage.actors()) {
+  for (const TestScene::Actor& actor : stage.actors()) {
     walked.places.push_back(actor.start);
   }
   walked.numbers.assign(walked.places.size(), 0.0);
@@ -168,8 +167,8 @@ base::Result<std::vector<double>> timeStep(const RealismRun& run) {
   return values;
 }
 
-Stage circleOf(const RealismRun& run, int count, double radius) {
-  Stage stage(run);
+TestScene circleOf(const RealismRun& run, int count, double radius) {
+  TestScene stage(run);
   for (int i = 0; i < count; ++i) {
     const Vec2 place = radius * base::directionOf(base::wrapToPi(2.0 * base::kPi * i / count));
     stage.add(walker(place, -place, 1.34));
@@ -177,19 +176,19 @@ Stage circleOf(const RealismRun& run, int count, double radius) {
   return stage;
 }
 
-Stage circleScene(const RealismRun& run) {
+TestScene circleScene(const RealismRun& run) {
   return circleOf(run, 16, 5.0);
 }
 
-Stage headOnScene(const RealismRun& run) {
-  Stage stage(run);
+TestScene headOnScene(const RealismRun& run) {
+  TestScene stage(run);
   stage.add(walker(Vec2(-6.0, 0.0), Vec2(6.0, 0.0), 1.29));
   stage.add(walker(Vec2(6.0, 0.0), Vec2(-6.0, 0.0), 1.29));
   return stage;
 }
 
-Stage crossingScene(const RealismRun& run) {
-  Stage stage(run);
+TestScene crossingScene(const RealismRun& run) {
+  TestScene stage(run);
   stage.add(walker(Vec2(-5.0, 0.0), Vec2(5.0, 0.0), 1.3));
   stage.add(walker(Vec2(0.0, -5.0), Vec2(0.0, 5.0), 1.3));
   return stage;
@@ -198,20 +197,21 @@ Stage crossingScene(const RealismRun& run) {
 }  // namespace
 
 base::Result<Meeting> circle(const RealismRun& run, int count, double radius) {
-  Stage stage = circleOf(run, count, radius);
+  TestScene stage = circleOf(run, count, radius);
   return meet(stage, 2.0 * radius, 1.34);
 }
 
 base::Result<Meeting> headOn(const RealismRun& run) {
-  Stage stage = headOnScene(run);
+  TestScene stage = headOnScene(run);
   return meet(stage, 12.0, 1.29);
 }
 
 base::Result<Meeting> crossing(const RealismRun& run) {
-  Stage stage = crossingScene(run);
+  TestScene stage = crossingScene(run);
   return meet(stage, 10.0, 1.3);
 }
 
+void addMeetingTests(std::vector<RealismTest>& tests);
 void addMeetingTests(std::vector<RealismTest>& tests) {
   tests.push_back({"circle",
                    "8 and 16 people who change places across a circle of 4 and 5 m",

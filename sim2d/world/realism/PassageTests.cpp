@@ -3,7 +3,6 @@
 #include <map>
 
 #include "sim2d/world/realism/RealismTest.h"
-#include "sim2d/world/realism/TestList.h"
 
 namespace sim2d {
 namespace {
@@ -71,7 +70,7 @@ constexpr double kHalfWall = 0.1;  // [m]
 
 /// The walls of a room beside y = -half and y = half from x = `from` on, and the one with the
 /// opening, where it ends.
-void addRoom(Stage& stage, double from, double half, const Opening& opening) {
+void addRoom(TestScene& stage, double from, double half, const Opening& opening) {
   for (const double sense : {-1.0, 1.0}) {
     const double side = sense * (half + kHalfWall);
     const double jamb = sense * (opening.halfWidth + kHalfWall);
@@ -82,11 +81,11 @@ void addRoom(Stage& stage, double from, double half, const Opening& opening) {
   }
 }
 
-void addCrowd(Stage& stage, const RealismRun& run, int count, const Box& box,
-              const Stage::Target& target, double leavesAt) {
+void addCrowd(TestScene& stage, const RealismRun& run, int count, const Box& box,
+              const TestScene::Target& target, double leavesAt) {
   const std::vector<Vec2> places = randomPlaces(run, count, box, 2.0 * kBody);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    Stage::Actor actor;
+    TestScene::Actor actor;
     actor.start = places[i];
     actor.speed = freeSpeed(run, static_cast<int>(i));
     actor.target = target;
@@ -107,8 +106,8 @@ constexpr int kPeopleAtDoor = 100;
 constexpr double kDoorDepth = 0.4;  // [m]
 
 /// A room of 7 x 6 m full of people who want to leave.
-Stage roomWithDoor(const RealismRun& run, double width, double dt) {
-  Stage stage(run, dt);
+TestScene roomWithDoor(const RealismRun& run, double width, double dt) {
+  TestScene stage(run, dt);
   const Opening opening{0.0, kDoorDepth, width / 2.0};
   addRoom(stage, -7.2, 3.0, opening);
   stage.addWall({Vec2(-7.1, -3.1), Vec2(-7.1, 3.1)});
@@ -118,16 +117,16 @@ Stage roomWithDoor(const RealismRun& run, double width, double dt) {
   return stage;
 }
 
-Stage doorScene(const RealismRun& run) {
+TestScene doorScene(const RealismRun& run) {
   return roomWithDoor(run, 1.0, 0.05);
 }
 
-Stage doorLongStepsScene(const RealismRun& run) {
+TestScene doorLongStepsScene(const RealismRun& run) {
   return roomWithDoor(run, 1.0, 0.1);
 }
 
 base::Result<Door> passDoor(const RealismRun& run, double width, double dt) {
-  Stage stage = roomWithDoor(run, width, dt);
+  TestScene stage = roomWithDoor(run, width, dt);
   Gate gate(kDoorDepth);
   const bool isPlayed = stage.play(200.0, [&](const World& world) {
     gate.look(world);
@@ -169,8 +168,8 @@ base::Result<std::vector<double>> bottleneckLongSteps(const RealismRun& run) {
 }
 
 /// Two rooms of 10 x 10 m joined by a corridor of 5 x 1 m; the second has an exit of 1 m.
-Stage twoRooms(const RealismRun& run) {
-  Stage stage(run);
+TestScene twoRooms(const RealismRun& run) {
+  TestScene stage(run);
   const Opening corridor{0.0, 5.0, 0.5};
   const Opening exit{15.0, 0.4, 0.5};
   addRoom(stage, -10.2, 5.0, corridor);
@@ -184,7 +183,7 @@ Stage twoRooms(const RealismRun& run) {
 }
 
 base::Result<std::vector<double>> rimea12(const RealismRun& run) {
-  Stage stage = twoRooms(run);
+  TestScene stage = twoRooms(run);
   Gate end(5.0);
   Gate out(15.4);
   double most = 0.0;
@@ -204,13 +203,13 @@ base::Result<std::vector<double>> rimea12(const RealismRun& run) {
 }
 
 /// Twenty people round a left corner between walls 2 m apart.
-Stage cornerScene(const RealismRun& run) {
-  Stage stage(run);
+TestScene cornerScene(const RealismRun& run) {
+  TestScene stage(run);
   stage.planWays();
   stage.addWall({Vec2(-2.0, 2.1), Vec2(9.9, 2.1), Vec2(9.9, 16.0)});
   stage.addWall({Vec2(-2.0, 2.1), Vec2(-2.0, -0.1), Vec2(12.1, -0.1), Vec2(12.1, 16.0)});
   for (const Vec2& place : randomPlaces(run, 20, {Vec2(0.0, 0.2), Vec2(6.0, 1.8)}, 2.0 * kBody)) {
-    Stage::Actor actor;
+    TestScene::Actor actor;
     actor.start = place;
     actor.speed = freeSpeed(run, static_cast<int>(stage.actors().size()));
     actor.target = always(Vec2(11.0, 15.0));
@@ -222,7 +221,7 @@ Stage cornerScene(const RealismRun& run) {
 }
 
 base::Result<std::vector<double>> corner(const RealismRun& run) {
-  Stage stage = cornerScene(run);
+  TestScene stage = cornerScene(run);
   double inWall = 0.0;
   std::size_t left = stage.actors().size();
   const bool isPlayed = stage.play(60.0, [&](const World& world) {
@@ -241,9 +240,9 @@ base::Result<std::vector<double>> corner(const RealismRun& run) {
 
 /// A hundred people in a corridor 4 m wide: straight on for `length`, or round a corner with 10 m
 /// of inner wall on both sides of it.
-Stage wideCorridor(const RealismRun& run, bool isCorner, double length) {
+TestScene wideCorridor(const RealismRun& run, bool isCorner, double length) {
   constexpr int kPeople = 100;
-  Stage stage(run);
+  TestScene stage(run);
   const double end = isCorner ? 10.0 : length + 8.0;
   std::vector<Vec2> leftWall = {Vec2(-17.1, 4.1), Vec2(end - kHalfWall, 4.1)};
   std::vector<Vec2> rightWall = {Vec2(-17.1, 4.1), Vec2(-17.1, -0.1), Vec2(end + 4.1, -0.1)};
@@ -256,7 +255,7 @@ Stage wideCorridor(const RealismRun& run, bool isCorner, double length) {
   stage.addWall(rightWall);
   const Box box{Vec2(-15.0, 0.2), Vec2(0.0, 3.8)};
   for (const Vec2& place : randomPlaces(run, kPeople, box, 2.0 * kBody)) {
-    Stage::Actor actor;
+    TestScene::Actor actor;
     actor.start = place;
     actor.speed = freeSpeed(run, static_cast<int>(stage.actors().size()));
     actor.target = isCorner ? always(Vec2(12.0, 21.0)) : endlessly(Vec2(1.0, 0.0));
@@ -267,13 +266,13 @@ Stage wideCorridor(const RealismRun& run, bool isCorner, double length) {
   return stage;
 }
 
-Stage rimea15Scene(const RealismRun& run) {
+TestScene rimea15Scene(const RealismRun& run) {
   return wideCorridor(run, true, 0.0);
 }
 
 /// Until all have passed.
 base::Result<double> timeThrough(const RealismRun& run, bool isCorner, double length) {
-  Stage stage = wideCorridor(run, isCorner, length);
+  TestScene stage = wideCorridor(run, isCorner, length);
   double time = std::numeric_limits<double>::quiet_NaN();
   const bool isPlayed = stage.play(200.0, [&](const World& world) {
     time = world.frame().humans.size() == 0 ? world.time() : time;
@@ -297,6 +296,7 @@ base::Result<std::vector<double>> rimea15(const RealismRun& run) {
 
 }  // namespace
 
+void addPassageTests(std::vector<RealismTest>& tests);
 void addPassageTests(std::vector<RealismTest>& tests) {
   const std::vector<Quantity> ofDoors = {
       {"specific flow, 0.8 m", "1/(m s)", Summary::Mean, 1.2, 2.1},

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim2d/base/Result.h"
-#include "sim2d/world/realism/Stage.h"
+#include "sim2d/world/realism/TestScene.h"
 
 /// Tests that hold simulated people against what is known of real ones. A test plays small scenes
 /// with one model and one seed and measures some quantities; a quantity passes when its summary
@@ -32,7 +32,7 @@ struct Quantity {
 
 struct RealismTest {
   using Measure = base::Result<std::vector<double>> (*)(const RealismRun& run);
-  using Scene = Stage (*)(const RealismRun& run);
+  using Scene = TestScene (*)(const RealismRun& run);
   std::string name;
   std::string description;
   std::vector<Quantity> quantities;

@@ -5,7 +5,6 @@
 #include "sim2d/scenario/Defaults.h"
 #include "sim2d/world/WorldState.h"
 #include "sim2d/world/realism/RealismTest.h"
-#include "sim2d/world/realism/TestList.h"
 
 namespace sim2d {
 namespace {
@@ -13,10 +12,10 @@ namespace {
 constexpr double kLength = 40.0;  // [m]
 
 /// A corridor of 2 m about y = `middle` with one person.
-void addCorridor(Stage& stage, double middle, double desiredSpeed, double radius) {
+void addCorridor(TestScene& stage, double middle, double desiredSpeed, double radius) {
   stage.addWall({Vec2(-2.0, middle - 1.1), Vec2(kLength + 4.0, middle - 1.1)});
   stage.addWall({Vec2(-2.0, middle + 1.1), Vec2(kLength + 4.0, middle + 1.1)});
-  Stage::Actor actor;
+  TestScene::Actor actor;
   actor.start = Vec2(0.0, middle);
   actor.speed = desiredSpeed;
   actor.radius = radius;
@@ -27,7 +26,7 @@ void addCorridor(Stage& stage, double middle, double desiredSpeed, double radius
 
 /// Mean speed of one person over the length of a corridor [m/s].
 base::Result<double> speedAlone(const RealismRun& run, double desiredSpeed, double radius) {
-  Stage stage(run);
+  TestScene stage(run);
   addCorridor(stage, 0.0, desiredSpeed, radius);
   double time = std::numeric_limits<double>::quiet_NaN();
   const bool isPlayed = stage.play(400.0, [&](const World& world) {
@@ -41,8 +40,8 @@ base::Result<double> speedAlone(const RealismRun& run, double desiredSpeed, doub
   return kLength / time;
 }
 
-Stage rimea1Scene(const RealismRun& run) {
-  Stage stage(run);
+TestScene rimea1Scene(const RealismRun& run) {
+  TestScene stage(run);
   addCorridor(stage, 0.0, 1.33, 0.2);
   return stage;
 }
@@ -60,8 +59,8 @@ constexpr std::array<PersonKind, 5> kKinds = {PersonKind::Adult, PersonKind::Chi
                                               PersonKind::Luggage};
 
 /// One of each kind, side by side.
-Stage rimea7Scene(const RealismRun& run) {
-  Stage stage(run);
+TestScene rimea7Scene(const RealismRun& run) {
+  TestScene stage(run);
   for (std::size_t i = 0; i < kKinds.size(); ++i) {
     addCorridor(stage, 3.0 * static_cast<double>(i), sampleSpeed(kKinds[i], run.seed, 0),
                 profileOf(kKinds[i]).radius);
@@ -98,9 +97,9 @@ struct Shape {
   double abreast = 0.0;   // share of it across the way
 };
 
-void addGroup(Stage& stage, int group, int count, double side) {
+void addGroup(TestScene& stage, int group, int count, double side) {
   for (int i = 0; i < count; ++i) {
-    Stage::Actor actor;
+    TestScene::Actor actor;
     actor.start = Vec2(0.1 * i, side + 0.9 * i);
     actor.speed = 1.3;
     actor.group = group;
@@ -111,8 +110,8 @@ void addGroup(Stage& stage, int group, int count, double side) {
   }
 }
 
-Stage groupsScene(const RealismRun& run) {
-  Stage stage(run);
+TestScene groupsScene(const RealismRun& run) {
+  TestScene stage(run);
   addGroup(stage, 1, 2, 0.0);
   addGroup(stage, 2, 3, 15.0);
   return stage;
@@ -120,7 +119,7 @@ Stage groupsScene(const RealismRun& run) {
 
 /// A group of `count` on 30 m of open ground, the second half of it.
 base::Result<Shape> walkTogether(const RealismRun& run, int count) {
-  Stage stage(run);
+  TestScene stage(run);
   addGroup(stage, 1, count, 0.0);
   Shape shape;
   double samples = 0.0;
@@ -194,16 +193,16 @@ double depthOfV(const HumanColumns& people, std::size_t first) {
 }
 
 /// Groups of three among others, one person per m², in a closed corridor 4 m wide.
-Stage groupsInCrowdScene(const RealismRun& run) {
+TestScene groupsInCrowdScene(const RealismRun& run) {
   constexpr int kPeople = 104;
-  Stage stage(run);
+  TestScene stage(run);
   for (const double y : {-0.1, 4.1}) {
     stage.addWall({Vec2(-8.0, y), Vec2(kRing + 8.0, y)});
   }
   const std::vector<Vec2> places = placesByThrees(
       randomPlaces(run, kPeople, {Vec2(0.0, 0.2), Vec2(kRing, 3.8)}, 0.4, true), kThrees);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    Stage::Actor actor;
+    TestScene::Actor actor;
     const auto person = static_cast<int>(i);
     actor.start = places[i];
     actor.group = person < 3 * kThrees ? 1 + person / 3 : -1;
@@ -218,7 +217,7 @@ Stage groupsInCrowdScene(const RealismRun& run) {
 
 /// Depth of the V, share of the time in which a group is together.
 base::Result<std::vector<double>> groupsInCrowd(const RealismRun& run) {
-  Stage stage = groupsInCrowdScene(run);
+  TestScene stage = groupsInCrowdScene(run);
   double depth = 0.0;
   double together = 0.0;
   double samples = 0.0;
@@ -239,6 +238,7 @@ base::Result<std::vector<double>> groupsInCrowd(const RealismRun& run) {
 
 }  // namespace
 
+void addWalkTests(std::vector<RealismTest>& tests);
 void addWalkTests(std::vector<RealismTest>& tests) {
   tests.push_back({"rimea-1",
                    "RiMEA 1: 40 m of corridor alone at 1.33 m/s",

@@ -1,4 +1,4 @@
-#include "sim2d/world/realism/Stage.h"
+#include "sim2d/world/realism/TestScene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +13,12 @@ constexpr int kMostTries = 20000;  // for one random place
 /// Everybody walks to the target of the own actor.
 class Directions : public HumanBehavior {
  public:
-  explicit Directions(const std::vector<Stage::Actor>& actors) : actors_(actors) {}
+  explicit Directions(const std::vector<TestScene::Actor>& actors) : actors_(actors) {}
 
   void enter(int /*human*/, const WorldView& /*view*/) override {}
   void decide(const WorldView& view, Intents& intents) override {
     for (int human = 0; human < view.humanCount(); ++human) {
-      const Stage::Actor& actor = actors_[static_cast<std::size_t>(human)];
+      const TestScene::Actor& actor = actors_[static_cast<std::size_t>(human)];
       const Vec2 place = view.pose(human).position;
       Intent& intent = intents.of(human);
       intent.motion = Motion::Walk;
@@ -34,19 +34,19 @@ class Directions : public HumanBehavior {
   }
 
  private:
-  const std::vector<Stage::Actor>& actors_;
+  const std::vector<TestScene::Actor>& actors_;
 };
 
 }  // namespace
 
-Stage::Stage(RealismRun run, double dt) : run_(std::move(run)), dt_(dt) {
+TestScene::TestScene(RealismRun run, double dt) : run_(std::move(run)), dt_(dt) {
   scenario_.desktop.model = run_.model;
   scenario_.desktop.seed = run_.seed;
   scenario_.desktop.dt = dt_;
   scenario_.desktop.route = Route::Direct;
 }
 
-void Stage::add(Actor actor) {
+void TestScene::add(Actor actor) {
   Human human;
   human.id = static_cast<int>(actors_.size()) + 1;
   human.name = "walker" + std::to_string(human.id);
@@ -60,7 +60,7 @@ void Stage::add(Actor actor) {
   actors_.push_back(std::move(actor));
 }
 
-void Stage::addWall(const std::vector<Vec2>& line) {
+void TestScene::addWall(const std::vector<Vec2>& line) {
   Obstacle wall;
   wall.name = "wall" + std::to_string(scenario_.obstacles.size() + 1);
   wall.kind = ObstacleKind::Wall;
@@ -69,15 +69,15 @@ void Stage::addWall(const std::vector<Vec2>& line) {
   scenario_.obstacles.push_back(std::move(wall));
 }
 
-void Stage::close(double low, double high) {
+void TestScene::close(double low, double high) {
   scenario_.desktop.wrapX = {low, high};
 }
 
-void Stage::planWays() {
+void TestScene::planWays() {
   scenario_.desktop.route = Route::Planned;
 }
 
-std::unique_ptr<World> Stage::build() {
+std::unique_ptr<World> TestScene::build() {
   WorldSetup setup;
   setup.scenario = std::make_shared<const Scenario>(scenario_);
   setup.behavior = std::make_unique<Directions>(actors_);
@@ -93,7 +93,7 @@ std::unique_ptr<World> Stage::build() {
   return *std::move(world);
 }
 
-bool Stage::play(double seconds, const Look& look) {
+bool TestScene::play(double seconds, const Look& look) {
   const std::unique_ptr<World> world = build();
   if (world == nullptr) {
     return false;
@@ -115,7 +115,7 @@ bool Stage::play(double seconds, const Look& look) {
   return true;
 }
 
-Scenario Stage::scenario(const std::string& name, double duration) const {
+Scenario TestScene::scenario(const std::string& name, double duration) const {
   Scenario result = scenario_;
   result.yamlBaseName = name;
   result.desktop.mapFile = "none";
@@ -138,7 +138,7 @@ Scenario Stage::scenario(const std::string& name, double duration) const {
   return result;
 }
 
-Stage::Target endlessly(const Vec2& direction) {
+TestScene::Target endlessly(const Vec2& direction) {
   return [direction](const Vec2& place) { return Vec2(place + 1000.0 * direction); };
 }
 
@@ -147,7 +147,7 @@ Vec2 endlessGoal(const Vec2& place, bool goesLeft) {
   return {goesLeft ? -20.0 : 46.0, (std::floor(place.y() / kRow) + 0.5) * kRow};
 }
 
-Stage::Target always(const Vec2& place) {
+TestScene::Target always(const Vec2& place) {
   return [place](const Vec2& /*from*/) { return place; };
 }
 

@@ -19,7 +19,7 @@ struct RealismRun {
 };
 
 /// A small world made in code: walls, people who know where to go, nothing else. SI, world frame.
-class Stage {
+class TestScene {
  public:
   /// Where somebody who stands at `place` heads for; the way there is straight or planned.
   using Target = std::function<Vec2(const Vec2& place)>;
@@ -36,7 +36,7 @@ class Stage {
     double goalRadius = 0.3;                        // in the file [m]
   };
 
-  explicit Stage(RealismRun run, double dt = 0.05);
+  explicit TestScene(RealismRun run, double dt = 0.05);
 
   void add(Actor actor);
   void addWall(const std::vector<Vec2>& line);  // 0.2 m thick
@@ -63,11 +63,11 @@ class Stage {
   std::string problem_;
 };
 
-Stage::Target endlessly(const Vec2& direction);
+TestScene::Target endlessly(const Vec2& direction);
 /// In the file, somebody who walks endlessly along the x axis heads there, as do neighbours: far
 /// enough behind the end of a corridor of 26 m that the way is nearly straight.
 Vec2 endlessGoal(const Vec2& place, bool goesLeft);
-Stage::Target always(const Vec2& place);
+TestScene::Target always(const Vec2& place);
 
 /// Free speeds of adults: normal, 1.34 ± 0.26 m/s (Weidmann 1993), cut at 0.5 and 2.2.
 double freeSpeed(const RealismRun& run, int person, double mean = 1.34, double deviation = 0.26);
