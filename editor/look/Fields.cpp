@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <QAbstractItemView>
@@ -18,6 +19,14 @@ namespace editor {
 namespace {
 
 constexpr int kSliderSteps = 1000;
+constexpr int kExact = 20;        // digits after the point that a value keeps
+constexpr int kMostDecimals = 6;  // that are shown
+constexpr double kLong = 1e15;    // shown with an exponent from here on
+constexpr int kWidest = 130;      // [px]
+
+double rounded(double value, int decimals) {
+  return QString::number(value, 'f', decimals).toDouble();
+}
 
 QString spaced(const QString& unit) {
   return unit.isEmpty() || unit == QStringLiteral("°") ? unit : QStringLiteral(" ") + unit;
@@ -33,19 +42,18 @@ void setInvalid(QWidget& widget, bool invalid) {
 }  // namespace
 
 NumberField::NumberField(const Range& range, const QString& unit, QWidget* parent)
-    : QDoubleSpinBox(parent), unit_(unit) {
+    : QDoubleSpinBox(parent), range_(range), unit_(unit) {
+  constexpr double kLargest = std::numeric_limits<double>::max();
   setLocale(QLocale::c());
-  setDecimals(range.decimals);
-  setRange(range.minimum, range.maximum);
+  setDecimals(range.decimals == 0 ? 0 : kExact);
+  setRange(std::max(range.minimum, -kLargest), std::min(range.maximum, kLargest));
   setSingleStep(range.step);
   setSuffix(spaced(unit));
   setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   setKeyboardTracking(false);
   setAccelerated(true);
   setFocusPolicy(Qt::StrongFocus);
-  setToolTip(tr("%1 to %2%3")
-                 .arg(QDoubleSpinBox::textFromValue(range.minimum),
-                      QDoubleSpinBox::textFromValue(range.maximum), suffix()));
+  setToolTip(rangeText());
   connect(this, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double value) {
     if (!showing_) {
       take(value);
@@ -65,6 +73,37 @@ NumberField::NumberField(const Range& range, const QString& unit, QWidget* paren
   });
 }
 
+/// "0.00 to 5.00 m", "above 0.00 m"; nothing when any number is allowed.
+QString NumberField::rangeText() const {
+  const bool hasLow = std::isfinite(range_.minimum);
+  const QString low = QString::number(range_.minimum, 'f', range_.decimals);
+  const QString high = QString::number(range_.maximum, 'f', range_.decimals);
+  if (!std::isfinite(range_.maximum)) {
+    return hasLow ? (range_.above ? tr("above %1%2") : tr("at least %1%2")).arg(low, suffix())
+                  : QString();
+  }
+  return !hasLow        ? tr("at most %1%2").arg(high, suffix())
+         : range_.above ? tr("above %1, at most %2%3").arg(low, high, suffix())
+                        : tr("%1 to %2%3").arg(low, high, suffix());
+}
+
+/// Counts end at 0 for them, also where files may have less.
+double NumberField::lowest() const {
+  const double low = range_.above ? range_.minimum + std::pow(10.0, -range_.decimals) : minimum();
+  return range_.decimals == 0 && low < 0.0 && maximum() > 0.0 ? 0.0 : low;
+}
+
+QAbstractSpinBox::StepEnabled NumberField::stepEnabled() const {
+  return (value() > lowest() ? StepDownEnabled : StepNone) |
+         (value() < maximum() ? StepUpEnabled : StepNone);
+}
+
+/// Long ranges do not widen the form.
+QSize NumberField::sizeHint() const {
+  const QSize usual = QDoubleSpinBox::sizeHint();
+  return {std::min(usual.width(), kWidest), usual.height()};
+}
+
 /// What the user wants from now on.
 void NumberField::take(double value) {
   overDash_ = false;
@@ -79,10 +118,10 @@ void NumberField::take(double value) {
 void NumberField::show(double value, bool isDefault) {
   showing_ = true;
   const bool wasMixed = std::exchange(mixed_, false);
-  default_ = isDefault;
-  if (wasMixed || this->value() != value) {
+  const bool wasDefault = std::exchange(default_, isDefault);
+  if (wasMixed || this->value() != value || wasDefault != isDefault) {
     setValue(value);
-    if (wasMixed) {
+    if (wasMixed || wasDefault != isDefault) {
       lineEdit()->setText(textFromValue(value) + suffix());
     }
   }
@@ -125,7 +164,8 @@ QValidator::State NumberField::validate(QString& text, int&) const {
   const QString word = bare(text);
   const std::optional<double> number = base::parseDouble(word.toStdString());
   const bool finite = number && std::isfinite(*number);
-  const bool valid = finite && *number >= minimum() && *number <= maximum();
+  const bool valid = finite && *number >= minimum() && *number <= maximum() &&
+                     (!range_.above || *number > range_.minimum);
   noteValidity(valid);
   return valid ? QValidator::Acceptable : QValidator::Intermediate;
 }
@@ -135,17 +175,39 @@ void NumberField::noteValidity(bool valid) const {
 }
 
 QString NumberField::textFromValue(double value) const {
-  return mixed_ ? QStringLiteral("–") : QDoubleSpinBox::textFromValue(value);
+  if (mixed_) {
+    return QStringLiteral("–");
+  }
+  if (range_.decimals > 0 && std::abs(value) >= kLong) {
+    return QString::fromStdString(base::formatDouble(value));
+  }
+  int decimals = range_.decimals;
+  const double shown = rounded(value, kMostDecimals);
+  while (!default_ && decimals > 0 && decimals < kMostDecimals &&
+         rounded(value, decimals) != shown) {
+    ++decimals;
+  }
+  return QString::number(value, 'f', decimals);
 }
 
 double NumberField::valueFromText(const QString& text) const {
-  const std::optional<double> number = base::parseDouble(bare(text).toStdString());
+  const QString word = bare(text);
+  if (word == textFromValue(value())) {
+    return value();  // with the digits that are not shown
+  }
+  const std::optional<double> number = base::parseDouble(word.toStdString());
   return number && std::isfinite(*number) ? *number : value();
 }
 
 void NumberField::stepBy(int steps) {
   mixed_ = false;
-  QDoubleSpinBox::stepBy(steps);
+  QString text = lineEdit()->text();
+  int position = 0;
+  const double from =
+      validate(text, position) == QValidator::Acceptable ? valueFromText(text) : value();
+  const double to = rounded(from + steps * singleStep(), kMostDecimals);
+  setValue(std::clamp(to, std::min(from, lowest()), maximum()));
+  selectAll();
 }
 
 void NumberField::focusOutEvent(QFocusEvent* event) {
@@ -182,8 +244,11 @@ void NumberField::wheelEvent(QWheelEvent* event) {
   }
 }
 
-LinkedSlider::LinkedSlider(NumberField& field, double minimum, double maximum, QWidget* parent)
-    : QSlider(Qt::Horizontal, parent), field_(field), minimum_(minimum), maximum_(maximum) {
+LinkedSlider::LinkedSlider(NumberField& field, double maximum, QWidget* parent)
+    : QSlider(Qt::Horizontal, parent),
+      field_(field),
+      minimum_(std::max(field.lowest(), 0.0)),
+      maximum_(maximum) {
   setRange(0, kSliderSteps);
   setFocusPolicy(Qt::NoFocus);
   const auto follow = [this](double value) {
@@ -198,9 +263,8 @@ LinkedSlider::LinkedSlider(NumberField& field, double minimum, double maximum, Q
 }
 
 double LinkedSlider::valueAt(int position) const {
-  const double value = minimum_ + (maximum_ - minimum_) * position / kSliderSteps;
-  const double step = std::pow(10.0, -std::min(field_.decimals(), 2));
-  return std::round(value / step) * step;
+  return rounded(minimum_ + (maximum_ - minimum_) * position / kSliderSteps,
+                 std::min(field_.shownDecimals(), 2));
 }
 
 void LinkedSlider::wheelEvent(QWheelEvent* event) {

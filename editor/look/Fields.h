@@ -12,15 +12,17 @@
 namespace editor {
 
 /// A number with its unit in the field. What is typed is checked at once: a number outside of the
-/// range has a red edge and is never taken over. A value that the scenario leaves out is shown in
-/// the secondary colour; a dash stands for several values.
+/// range has a red edge and is never taken over. A number of the file keeps all its digits: six
+/// after the point are shown, if it has them. A value that the scenario leaves out is shown in the
+/// secondary colour; a dash stands for several values.
 class NumberField : public QDoubleSpinBox {
   Q_OBJECT
  public:
   struct Range {
-    double minimum = 0.0, maximum = 1.0;
-    int decimals = 2;
+    double minimum = 0.0, maximum = 1.0;  // may be infinite
+    int decimals = 2;                     // at least shown
     double step = 0.1;
+    bool above = false;  // the minimum itself is refused
   };
   NumberField(const Range& range, const QString& unit, QWidget* parent = nullptr);
   void setUnitOfOne(const QString& unit) { unitOfOne_ = unit; }  // "1 step", but "2 steps"
@@ -29,17 +31,22 @@ class NumberField : public QDoubleSpinBox {
   void show(double value, bool isDefault);
   void showMixed();
   bool isMixed() const { return mixed_; }
+  int shownDecimals() const { return range_.decimals; }
+  double lowest() const;  // that the arrows and a slider reach
 
   QValidator::State validate(QString& text, int& position) const override;
   QString textFromValue(double value) const override;
   double valueFromText(const QString& text) const override;
   void stepBy(int steps) override;
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return sizeHint(); }
 
  Q_SIGNALS:
   void edited(double value);
   void defaultWanted();
 
  protected:
+  StepEnabled stepEnabled() const override;
   void contextMenuEvent(QContextMenuEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
@@ -50,6 +57,8 @@ class NumberField : public QDoubleSpinBox {
   void setPale(bool pale);
   QString bare(const QString& text) const;
   void showUnit();
+  QString rangeText() const;
+  const Range range_;
   QString unit_, unitOfOne_;
   bool mixed_ = false;
   bool overDash_ = false;  // something is typed where several values are
@@ -62,7 +71,7 @@ class NumberField : public QDoubleSpinBox {
 class LinkedSlider : public QSlider {
   Q_OBJECT
  public:
-  LinkedSlider(NumberField& field, double minimum, double maximum, QWidget* parent = nullptr);
+  LinkedSlider(NumberField& field, double maximum, QWidget* parent = nullptr);
 
  protected:
   void wheelEvent(QWheelEvent* event) override;

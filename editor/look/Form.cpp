@@ -123,29 +123,51 @@ void FormSection::addRow(const QString& label, QWidget* left, QWidget* right) {
   addRow(label, both);
 }
 
-void FormSection::addWide(QWidget* widget) {
-  const int row = grid_->rowCount();
-  grid_->addWidget(widget, row, 0, 1, 2);
+int FormSection::rowOf(const QWidget* field) const {
+  for (const QWidget* widget = field; widget != nullptr; widget = widget->parentWidget()) {
+    const int index = grid_->indexOf(const_cast<QWidget*>(widget));
+    if (index >= 0) {
+      int row = 0;
+      int column = 0;
+      int rowSpan = 0;
+      int columnSpan = 0;
+      grid_->getItemPosition(index, &row, &column, &rowSpan, &columnSpan);
+      return row;
+    }
+  }
+  return -1;
+}
+
+void FormSection::moveLastRow(const QWidget* field) {
+  const int wanted = rowOf(field) + 1;
+  const auto take = [this](int row, int column) {
+    QLayoutItem* item = grid_->itemAtPosition(row, column);
+    grid_->removeItem(item);
+    return item;
+  };
+  for (int row = grid_->rowCount() - 1; row > wanted; --row) {
+    for (int column = 0; column < 2; ++column) {
+      QLayoutItem* moved = take(row, column);
+      if (QLayoutItem* other = grid_->itemAtPosition(row - 1, column)) {
+        grid_->removeItem(other);
+        grid_->addItem(other, row, column, 1, 1, other->alignment());
+      }
+      grid_->addItem(moved, row - 1, column, 1, 1, moved->alignment());
+    }
+  }
 }
 
 void FormSection::setRowVisible(const QWidget* field, bool visible) {
-  for (const QWidget* widget = field; widget != nullptr; widget = widget->parentWidget()) {
-    const int index = grid_->indexOf(const_cast<QWidget*>(widget));
-    if (index < 0) {
-      continue;
-    }
-    int row = 0;
-    int column = 0;
-    int rowSpan = 0;
-    int columnSpan = 0;
-    grid_->getItemPosition(index, &row, &column, &rowSpan, &columnSpan);
-    grid_->setRowMinimumHeight(row, visible ? kRowHeight : 0);
-    for (int c = 0; c < 2; ++c) {
-      if (QLayoutItem* item = grid_->itemAtPosition(row, c); item != nullptr && item->widget()) {
-        item->widget()->setVisible(visible);
-      }
-    }
+  const int row = rowOf(field);
+  if (row < 0) {
     return;
+  }
+  grid_->setRowMinimumHeight(row, visible ? kRowHeight : 0);
+  for (int column = 0; column < 2; ++column) {
+    if (QLayoutItem* item = grid_->itemAtPosition(row, column);
+        item != nullptr && item->widget() != nullptr) {
+      item->widget()->setVisible(visible);
+    }
   }
 }
 

@@ -19,13 +19,15 @@ class FormSection : public QWidget {
   void addRow(const QString& label, QWidget* field);
   /// A slider or other short control left of the field, or two fields side by side.
   void addRow(const QString& label, QWidget* left, QWidget* right);
-  void addWide(QWidget* widget);
+  /// Moves the row added last to the place after that of `field`; null: to the top.
+  void moveLastRow(const QWidget* field);
   void setRowVisible(const QWidget* field, bool visible);
   bool isOpen() const { return open_; }
   void setOpen(bool open);
 
  private:
   QLabel* makeLabel(const QString& text, QWidget* buddy);
+  int rowOf(const QWidget* field) const;  // -1 = none
   QToolButton* heading_;
   QLabel* note_;
   QWidget* body_;

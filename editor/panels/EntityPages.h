@@ -8,11 +8,11 @@ namespace editor {
 class RobotPage : public PropertyPage {
   Q_OBJECT
  public:
-  explicit RobotPage(ScenarioDocument& document, QWidget* parent = nullptr);
+  explicit RobotPage(ScenarioDocument& document, QWidget* parent = nullptr,
+                     const sim2d::FieldTables& tables = sim2d::fieldTables());
 
  private:
   void addGoalSection();
-  void addLimitSection();
 };
 
 class GoalPage : public PropertyPage {
@@ -32,7 +32,6 @@ class ObstaclePage : public PropertyPage {
 
  private:
   FormSection* section_ = nullptr;
-  std::vector<std::pair<QWidget*, std::vector<sim2d::ObstacleKind>>> rows_;
 };
 
 class DoorPage : public PropertyPage {

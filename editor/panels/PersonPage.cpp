@@ -5,14 +5,14 @@
 #include "editor/document/BehaviorValues.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/panels/GoalAssignment.h"
-#include "editor/panels/PersonKeys.h"
+#include "editor/panels/ListText.h"
 #include "editor/panels/Skins.h"
 
 namespace editor {
 
 using sim2d::BehaviorType;
 using sim2d::Human;
-using sim2d::ResolvedHuman;
+using sim2d::PersonExtension;
 
 PersonPage::PersonPage(ScenarioDocument& document, const Theme& theme, QWidget* parent)
     : PropertyPage(document, parent), theme_(theme) {
@@ -24,6 +24,9 @@ PersonPage::PersonPage(ScenarioDocument& document, const Theme& theme, QWidget* 
   addGroupSection();
   addAppearanceSection();
   addMoreSection();
+  addNewFields<Human>({"id", "group_id", "skin"});
+  addNewFields<sim2d::Behavior>();
+  addNewFields<PersonExtension>();
   finish();
   setTheme(theme);
 }
@@ -31,48 +34,30 @@ PersonPage::PersonPage(ScenarioDocument& document, const Theme& theme, QWidget* 
 void PersonPage::addPersonSection() {
   FormSection* section = addSection(tr("Person"));
   addName(section);
-  ChoiceKey behavior;
-  behavior.label = tr("Behaviour");
-  for (int i = 1; i <= 6; ++i) {
-    behavior.words.push_back(lookName(lookOf(static_cast<BehaviorType>(i))));
-  }
-  behavior.get = [](const Entity& entity) { return static_cast<int>(behaviorOf(entity)) - 1; };
-  behavior.set = [this](Entity& entity, int index) {
-    personOf(entity).behavior.type = static_cast<BehaviorType>(index + 1);
+  EntityField behavior;
+  behavior.spec = sim2d::fieldOf<sim2d::Behavior>("type")->spec;
+  behavior.get = [](const Entity& entity) { return sim2d::behaviorName(behaviorOf(entity)); };
+  behavior.set = [this](Entity& entity, const base::ParameterValue& value) {
+    personOf(entity).behavior.type = sim2d::behaviorFromName(std::get<std::string>(value));
     completeReaction(document().scenario(), personOf(entity));
   };
-  behavior.hint = tr("How the person reacts to the robot");
-  behavior_ = addChoice(section, behavior);
-  ChoiceKey kind;
-  kind.label = tr("Body");
-  kind.words =
-      QStringList{tr("Adult"), tr("Child"), tr("Elderly"), tr("Wheelchair"), tr("With luggage")};
-  kind.get = [](const Entity& entity) {
-    return static_cast<int>(personOf(entity).ours.kind.value_or(sim2d::PersonKind::Adult));
-  };
-  kind.set = [](Entity& entity, int index) {
-    const auto value = static_cast<sim2d::PersonKind>(index);
-    personOf(entity).ours.kind =
-        value == sim2d::PersonKind::Adult ? std::nullopt : std::optional(value);
-  };
-  kind.hint = tr("Gives the mass and the figure on the map");
-  addChoice(section, kind);
-  addSwitch(section, listedKey());
+  QStringList looks;
+  for (int i = 1; i <= 6; ++i) {
+    looks.push_back(lookName(lookOf(static_cast<BehaviorType>(i))));
+  }
+  behavior_ = static_cast<ChoiceField*>(addRow(section, behavior, inWords(looks)));
+  addField<PersonExtension>(
+      section, "kind",
+      inWords({tr("Adult"), tr("Child"), tr("Elderly"), tr("Wheelchair"), tr("With luggage")}));
+  addListed(section);
 }
 
 void PersonPage::addBodySection() {
   FormSection* section = addSection(tr("Pose and body"));
-  addNumberPair(section, tr("Position"), xKey(), yKey());
-  addNumber(section, headingKey());
-  NumberKey radius = numberKey(tr("Radius"), tr("m"), {0.1, 1.0, 2, 0.01}, &Human::radius, 0.0);
-  radius.fallback = resolvedOf(document(), &ResolvedHuman::radius);
-  radius.sliderTo = 0.8;
-  addNumber(section, radius);
-  NumberKey speed = numberKey(tr("Top speed"), tr("m/s"), {0.0, 3.0, 2, 0.05}, &Human::maxVel, 0.0);
-  speed.fallback = resolvedOf(document(), &ResolvedHuman::desiredSpeed);
-  speed.sliderTo = 2.0;
-  speed.hint = tr("The speed the person wants to walk at");
-  addNumber(section, speed);
+  addNumberPair(section, tr("Position"), xField(), yField());
+  addRow(section, headingField());
+  addField<Human>(section, "radius");
+  addField<Human>(section, "max_vel");
 }
 
 void PersonPage::addGoalSection() {
@@ -96,46 +81,21 @@ void PersonPage::addGoalSection() {
                     : first.size() > 1 ? tr("visited in order")
                                        : QString());
   });
-  SwitchKey repeat;
-  repeat.label = tr("Repeat");
-  repeat.words = tr("Start again after the last");
-  repeat.get = [](const Entity& entity) { return personOf(entity).cyclicGoals.value_or(true); };
-  repeat.set = [](Entity& entity, bool on) { personOf(entity).cyclicGoals = on; };
-  addSwitch(goals_, repeat);
-  NumberKey radius =
-      numberKey(tr("Arrival radius"), tr("m"), {0.05, 5.0, 2, 0.05}, &Human::goalRadius, 0.0);
-  radius.fallback = resolvedOf(document(), &ResolvedHuman::goalRadius);
-  radius.hint = tr("A goal is reached when the person is this near");
-  addNumber(goals_, radius);
-  TextKey waits;
-  waits.label = tr("Waits");
-  waits.placeholder = tr("seconds at each goal");
-  waits.hint = tr("One time for each goal of the route, such as 0, 5, 2.5");
-  waits.get = [](const Entity& entity) { return listText(personOf(entity).ours.wait); };
-  waits.set = [](Entity& entity, const QString& text) {
-    personOf(entity).ours.wait = listFromText(text).value_or(std::vector<double>());
-  };
-  waits.check = [this](const QString& text) {
-    const auto times = listFromText(text);
-    const std::vector<Entity> shown = values();
-    const bool fits = times && (times->empty() ||
-                                std::all_of(shown.begin(), shown.end(), [&](const Entity& each) {
-                                  return personOf(each).goals.size() == times->size();
-                                }));
-    return fits && std::all_of(times->begin(), times->end(), [](double t) { return t >= 0.0; })
-               ? QString()
-               : tr("One time in seconds for each goal, with commas between them");
-  };
-  addText(goals_, waits);
-}
-
-void PersonPage::showRowsOf(BehaviorType type) {
-  const bool reacts = type != BehaviorType::Regular && type != BehaviorType::Impassive;
-  reaction_->setVisible(reacts);
-  reaction_->setNote(lookName(lookOf(type)));
-  for (const auto& [field, types] : reactionRows_) {
-    reaction_->setRowVisible(field, std::find(types.begin(), types.end(), type) != types.end());
-  }
+  addField<Human>(goals_, "cyclic_goals", inWords({tr("Start again after the last")}));
+  addField<Human>(goals_, "goal_radius");
+  addField<PersonExtension>(
+      goals_, "wait", emptyAs(tr("seconds at each goal"), [this](const QString& text) {
+        const auto times = listFromText(text);
+        const std::vector<Entity> shown = values();
+        const bool fits =
+            times &&
+            (times->empty() || std::all_of(shown.begin(), shown.end(), [&](const Entity& each) {
+               return personOf(each).goals.size() == times->size();
+             }));
+        return fits && std::all_of(times->begin(), times->end(), [](double t) { return t >= 0.0; })
+                   ? QString()
+                   : tr("One time in seconds for each goal, with commas between them");
+      }));
 }
 
 void PersonPage::refresh() {
@@ -144,16 +104,15 @@ void PersonPage::refresh() {
   if (shown.empty()) {
     return;
   }
-  showRowsOf(behaviorOf(shown.front()));
+  const BehaviorType type = behaviorOf(shown.front());
+  reaction_->setVisible(type != BehaviorType::Regular && type != BehaviorType::Impassive);
+  reaction_->setNote(lookName(lookOf(type)));
   const auto mode =
       personOf(shown.front()).behavior.configuration.value_or(sim2d::Configuration::Default);
   static const char* const kNotes[] = {QT_TR_NOOP("Default mix"), QT_TR_NOOP("Own mix"),
                                        QT_TR_NOOP("Drawn by the seed"),
                                        QT_TR_NOOP("Drawn by the seed")};
   forces_->setNote(tr(kNotes[static_cast<std::size_t>(mode)]));
-  for (QWidget* field : forceFields_) {
-    field->setEnabled(mode == sim2d::Configuration::Custom);
-  }
   showDraws(shown);
 }
 

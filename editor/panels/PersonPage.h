@@ -9,6 +9,14 @@
 
 namespace editor {
 
+inline const sim2d::Human& personOf(const Entity& entity) {
+  return std::get<sim2d::Human>(entity);
+}
+inline sim2d::Human& personOf(Entity& entity) {
+  return std::get<sim2d::Human>(entity);
+}
+sim2d::BehaviorType behaviorOf(const Entity& entity);  // Regular when left out
+
 /// One person, or several at once.
 class PersonPage : public PropertyPage {
   Q_OBJECT
@@ -30,9 +38,7 @@ class PersonPage : public PropertyPage {
   void addFileRows(FormSection* section);
   void freeze();
   void showDraws(const std::vector<Entity>& shown);
-  long long seed() const;  // whose draws are shown
-  void addReactionNumber(const NumberKey& key, std::vector<sim2d::BehaviorType> of);
-  void showRowsOf(sim2d::BehaviorType type);
+  long long seed() const override;
 
   Theme theme_;
   ChoiceField* behavior_ = nullptr;
@@ -40,9 +46,6 @@ class PersonPage : public PropertyPage {
   FormSection* reaction_ = nullptr;
   FormSection* forces_ = nullptr;
   RouteEditor* route_ = nullptr;
-  std::vector<std::pair<QWidget*, std::vector<sim2d::BehaviorType>>> reactionRows_;
-  std::vector<QWidget*> forceFields_;
-  std::vector<QWidget*> drawnFields_;  // numbers of the reaction that a random mix draws
   NumberField* seed_ = nullptr;
   QWidget* drawLinks_ = nullptr;
   QToolButton* keepSeed_ = nullptr;

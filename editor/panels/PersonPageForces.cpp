@@ -4,121 +4,74 @@
 #include <QHBoxLayout>
 
 #include "editor/document/BehaviorValues.h"
-#include "editor/panels/PersonKeys.h"
 #include "editor/panels/PersonPage.h"
 #include "sim2d/world/World.h"
 
 namespace editor {
 
 using sim2d::BehaviorType;
-using sim2d::ResolvedHuman;
 
 BehaviorType behaviorOf(const Entity& entity) {
   return personOf(entity).behavior.type.value_or(BehaviorType::Regular);
 }
 
-NumberKey behaviorKey(const QString& label, const QString& unit, const NumberField::Range& range,
-                      std::optional<double> sim2d::Behavior::*member) {
-  NumberKey key;
-  key.label = label;
-  key.unit = unit;
-  key.range = range;
-  key.get = [member](const Entity& entity) { return personOf(entity).behavior.*member; };
-  key.set = [member](Entity& entity, std::optional<double> value) {
-    personOf(entity).behavior.*member = value;
-  };
-  return key;
-}
-
-std::function<double(const Entity&)> resolvedOf(const ScenarioDocument& document,
-                                                double ResolvedHuman::*member,
-                                                std::function<long long()> seed) {
-  return [&document, member, seed = std::move(seed)](const Entity& entity) {
-    const sim2d::Scenario& scenario = document.scenario();
-    const long long count = seed ? seed() : scenario.desktop.seed.value_or(1);
-    return sim2d::resolveHuman(scenario, personOf(entity), count).*member;
-  };
-}
-
-void PersonPage::addReactionNumber(const NumberKey& key, std::vector<BehaviorType> of) {
-  reactionRows_.emplace_back(addNumber(reaction_, key), std::move(of));
-}
-
 void PersonPage::addReactionSection() {
-  using Behavior = sim2d::Behavior;
   const std::vector<BehaviorType> all = {BehaviorType::Surprised, BehaviorType::Scared,
                                          BehaviorType::Curious, BehaviorType::Threatening};
   reaction_ = addSection(tr("Reaction to the robot"));
-  const auto add = [this](NumberKey key, double ResolvedHuman::*member, double sliderTo,
-                          const QString& hint, const std::vector<BehaviorType>& of) {
-    key.fallback = resolvedOf(document(), member, [this] { return seed(); });
-    key.get = [own = key.get](const Entity& entity) {
-      return isDrawn(personOf(entity)) ? std::nullopt : own(entity);
+  const auto add = [this](const char* key, std::vector<BehaviorType> types) {
+    FieldLook look;
+    look.visible = [types = std::move(types)](const std::vector<Entity>& shown) {
+      return std::count(types.begin(), types.end(), behaviorOf(shown.front())) > 0;
     };
-    key.sliderTo = sliderTo;
-    key.hint = hint;
-    addReactionNumber(key, of);
-    drawnFields_.push_back(reactionRows_.back().first->parentWidget());
+    if (key == std::string("once")) {
+      look.words = QStringList{tr("Then walks on")};
+    } else {  // a number that a random mix draws
+      look.counts = [](const Entity& entity) { return !isDrawn(personOf(entity)); };
+      look.enabled = [](const std::vector<Entity>& shown) {
+        return std::none_of(shown.begin(), shown.end(),
+                            [](const Entity& each) { return isDrawn(personOf(each)); });
+      };
+    }
+    addField<sim2d::Behavior>(reaction_, key, look);
   };
-  add(behaviorKey(tr("Sees within"), tr("m"), {0.1, 50.0, 2, 0.5}, &Behavior::dist),
-      &ResolvedHuman::noticeDistance, 15.0, tr("The robot is noticed within this distance"), all);
-  add(behaviorKey(tr("Lasts"), tr("s"), {0.1, 3600.0, 1, 1.0}, &Behavior::duration),
-      &ResolvedHuman::reactionDuration, 80.0, tr("How long the reaction goes on"), all);
-  add(behaviorKey(tr("Speed"), tr("m/s"), {0.0, 3.0, 2, 0.1}, &Behavior::vel),
-      &ResolvedHuman::reactionSpeed, 2.0, tr("Speed while reacting"),
-      {BehaviorType::Scared, BehaviorType::Curious});
-  add(behaviorKey(tr("Keeps away"), tr("m"), {0.1, 20.0, 2, 0.5}, &Behavior::safeDistance),
-      &ResolvedHuman::safeDistance, 10.0, tr("Distance at which the person feels safe again"),
-      {BehaviorType::Scared});
-  add(behaviorKey(tr("Stops at"), tr("m"), {0.1, 10.0, 2, 0.1}, &Behavior::stopDist),
-      &ResolvedHuman::stopDistance, 3.0, tr("How near the person comes to the robot"),
-      {BehaviorType::Curious});
-  add(behaviorKey(tr("Blocks at"), tr("m"), {0.1, 10.0, 2, 0.1}, &Behavior::frontDist),
-      &ResolvedHuman::frontDistance, 3.0, tr("How far before the robot the person stands"),
-      {BehaviorType::Threatening});
-  SwitchKey once;
-  once.label = tr("Only once");
-  once.words = tr("Then walks on");
-  once.get = [](const Entity& entity) { return personOf(entity).behavior.once.value_or(false); };
-  once.set = [](Entity& entity, bool on) { personOf(entity).behavior.once = on; };
-  reactionRows_.emplace_back(addSwitch(reaction_, once), all);
+  add("dist", all);
+  add("duration", all);
+  add("vel", {BehaviorType::Scared, BehaviorType::Curious});
+  add("safe_distance", {BehaviorType::Scared});
+  add("stop_dist", {BehaviorType::Curious});
+  add("front_dist", {BehaviorType::Threatening});
+  add("once", all);
 }
 
 void PersonPage::addForceSection() {
-  using Behavior = sim2d::Behavior;
   forces_ = addSection(tr("Forces"));
-  ChoiceKey mode;
-  mode.label = tr("Strength");
-  mode.words =
-      QStringList{tr("Default"), tr("Own numbers"), tr("Random, normal"), tr("Random, uniform")};
-  mode.get = [](const Entity& entity) {
-    return static_cast<int>(
-        personOf(entity).behavior.configuration.value_or(sim2d::Configuration::Default));
+  EntityField mode;
+  mode.spec.form.label = "Strength";
+  mode.spec.help = "Random strengths depend on the seed and the person alone";
+  mode.spec.choices = {"Default", "Own numbers", "Random, normal", "Random, uniform"};
+  mode.get = [choices = mode.spec.choices](const Entity& entity) {
+    const auto own = personOf(entity).behavior.configuration;
+    return choices[static_cast<std::size_t>(own.value_or(sim2d::Configuration::Default))];
   };
-  mode.set = [](Entity& entity, int index) {
-    personOf(entity).behavior.configuration = static_cast<sim2d::Configuration>(index);
+  mode.set = [choices = mode.spec.choices](Entity& entity, const base::ParameterValue& value) {
+    const auto word = std::find(choices.begin(), choices.end(), std::get<std::string>(value));
+    personOf(entity).behavior.configuration =
+        static_cast<sim2d::Configuration>(word - choices.begin());
   };
-  mode.hint = tr("Random strengths depend on the seed and the person alone");
-  addChoice(forces_, mode);
-  const auto add = [this](const QString& label, std::optional<double> Behavior::*member,
-                          double ResolvedHuman::*what, double sliderTo) {
-    NumberKey key = behaviorKey(label, {}, {0.0, 100.0, 2, 0.5}, member);
-    key.fallback = resolvedOf(document(), what, [this] { return seed(); });
-    key.get = [member](const Entity& entity) -> std::optional<double> {
-      const bool own = personOf(entity).behavior.configuration == sim2d::Configuration::Custom;
-      return own ? personOf(entity).behavior.*member : std::nullopt;
-    };
-    key.sliderTo = sliderTo;
-    forceFields_.push_back(addNumber(forces_, key)->parentWidget());
+  mode.spec.type = base::ParameterType::Choice;
+  addRow(forces_, mode);
+  FieldLook factor;
+  factor.counts = [](const Entity& entity) {
+    return personOf(entity).behavior.configuration == sim2d::Configuration::Custom;
   };
-  add(tr("Goal"), &Behavior::goalForceFactor, &ResolvedHuman::goalFactor, 10.0);
-  add(tr("Obstacles"), &Behavior::obstacleForceFactor, &ResolvedHuman::obstacleFactor, 50.0);
-  add(tr("People"), &Behavior::socialForceFactor, &ResolvedHuman::socialFactor, 20.0);
-  NumberKey robot = behaviorKey(tr("Robot"), {}, {0.0, 100.0, 2, 1.0}, &Behavior::otherForceFactor);
-  robot.fallback = resolvedOf(document(), &ResolvedHuman::otherFactor);
-  robot.sliderTo = 25.0;
-  robot.hint = tr("Push away from the robot while scared; never drawn");
-  addNumber(forces_, robot);
+  factor.enabled = [counts = factor.counts](const std::vector<Entity>& shown) {
+    return counts(shown.front());
+  };
+  for (const char* key : {"goal_force_factor", "obstacle_force_factor", "social_force_factor"}) {
+    addField<sim2d::Behavior>(forces_, key, factor);
+  }
+  addField<sim2d::Behavior>(forces_, "other_force_factor");
   addDrawRows();
 }
 
@@ -179,9 +132,6 @@ void PersonPage::showDraws(const std::vector<Entity>& shown) {
   forces_->setRowVisible(drawLinks_, drawn);
   seed_->show(static_cast<double>(seed()), !ownSeed_);
   keepSeed_->setVisible(drawn && ownSeed_.has_value());
-  for (QWidget* field : drawnFields_) {
-    field->setEnabled(!drawn);
-  }
 }
 
 }  // namespace editor

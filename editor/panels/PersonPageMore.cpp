@@ -3,71 +3,27 @@
 #include <QHBoxLayout>
 
 #include "editor/document/Groups.h"
-#include "editor/panels/PersonKeys.h"
 #include "editor/panels/PersonPage.h"
 #include "editor/panels/Skins.h"
 #include "sim2d/world/World.h"
 
 namespace editor {
 
-using sim2d::ResolvedHuman;
-
 void PersonPage::addMoreSection() {
   FormSection* section = addSection(tr("More"));
-  NumberKey start;
-  start.label = tr("Comes at");
-  start.unit = tr("s");
-  start.range = {0.0, 86400.0, 1, 1.0};
-  start.hint = tr("Enters the world at this time");
-  start.get = [](const Entity& entity) { return personOf(entity).ours.startTime; };
-  start.set = [](Entity& entity, std::optional<double> value) {
-    personOf(entity).ours.startTime = value;
-  };
-  addNumber(section, start);
-  NumberKey mass;
-  mass.label = tr("Mass");
-  mass.unit = tr("kg");
-  mass.range = {1.0, 500.0, 1, 1.0};
-  mass.get = [](const Entity& entity) { return personOf(entity).ours.mass; };
-  mass.set = [](Entity& entity, std::optional<double> value) {
-    personOf(entity).ours.mass = value;
-  };
-  mass.fallback = resolvedOf(document(), &ResolvedHuman::mass);
-  addNumber(section, mass);
-  ChoiceKey model = nameChoice(
-      tr("Model"), tr("The scenario's"), sim2d::modelNames(),
-      [](Entity & entity) -> auto& { return personOf(entity).ours.model; });
-  model.hint = tr("How the person moves among others");
-  addChoice(section, model);
-  ChoiceKey route;
-  route.label = tr("Routes");
-  route.words = QStringList{tr("The scenario's"), tr("Around walls"), tr("Straight")};
-  route.get = [](const Entity& entity) {
-    const std::optional<sim2d::Route>& own = personOf(entity).ours.route;
-    return own ? static_cast<int>(*own) + 1 : 0;
-  };
-  route.set = [](Entity& entity, int index) {
-    personOf(entity).ours.route =
-        index == 0 ? std::nullopt : std::optional(static_cast<sim2d::Route>(index - 1));
-  };
-  addChoice(section, route);
-  ChoiceKey end;
-  end.label = tr("At the end");
-  end.words = QStringList{tr("Stops"), tr("Leaves"), tr("Starts over")};
-  end.get = [](const Entity& entity) {
-    return static_cast<int>(personOf(entity).ours.atEnd.value_or(sim2d::AtEnd::Stop));
-  };
-  end.set = [](Entity& entity, int index) {
-    personOf(entity).ours.atEnd = static_cast<sim2d::AtEnd>(index);
-  };
-  end.hint = tr("After the last goal of a route that does not repeat");
-  addChoice(section, end);
+  using Ours = sim2d::PersonExtension;
+  addField<Ours>(section, "start_time");
+  addField<Ours>(section, "mass");
+  addField<Ours>(section, "model", oneOf(sim2d::modelNames(), tr("The scenario's")));
+  addField<Ours>(section, "route",
+                 inWords({tr("Around walls"), tr("Straight")}, tr("The scenario's")));
+  addField<Ours>(section, "at_end", inWords({tr("Stops"), tr("Leaves"), tr("Starts over")}));
   addFileRows(section);
 }
 
 /// What only the file and the simulators of HuNavSim care for.
 void PersonPage::addFileRows(FormSection* section) {
-  auto* id = new NumberField({0.0, 999999.0, 0, 1.0}, {}, this);
+  auto* id = new NumberField({0.0, 2147483647.0, 0, 1.0}, {}, this);
   id->setToolTip(tr("Number of the person; names the tree file"));
   section->addRow(tr("Number"), id);
   connect(id, &NumberField::edited, this, [this](double value) {
@@ -83,21 +39,13 @@ void PersonPage::addFileRows(FormSection* section) {
     id->setEnabled(shown.size() == 1);
     shown.size() == 1 ? id->show(personOf(shown.front()).id, false) : id->showMixed();
   });
-  NumberKey height =
-      numberKey(tr("Height z"), tr("m"), {-1000.0, 1000.0, 3, 0.1}, &sim2d::Human::initZ, 0.0);
-  height.hint = tr("Of the model in a 3D simulator; no meaning here");
-  addNumber(section, height);
-  TextKey tree;
-  tree.label = tr("Tree file");
-  tree.placeholder = tr("looked for");
-  tree.hint = tr("Relative to the scenario; may be shared by several people");
-  tree.get = [](const Entity& entity) {
-    return QString::fromStdString(personOf(entity).ours.tree.value_or(std::string()));
-  };
-  tree.set = [](Entity& entity, const QString& text) {
-    personOf(entity).ours.tree = text.isEmpty() ? std::nullopt : std::optional(text.toStdString());
-  };
-  addText(section, tree);
+  EntityField height = numberField(
+      tr("Height z"), tr("m"), [](const Entity& entity) { return personOf(entity).initZ; },
+      [](Entity& entity, std::optional<double> z) { personOf(entity).initZ = z; });
+  height.spec.form.decimals = 3;
+  height.spec.help = "Of the model in a 3D simulator; no meaning here";
+  addRow(section, height);
+  addField<sim2d::PersonExtension>(section, "tree", emptyAs(tr("looked for")));
 }
 
 void PersonPage::addGroupSection() {

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include <QCheckBox>
@@ -11,51 +14,34 @@
 #include "editor/look/Fields.h"
 #include "editor/look/Form.h"
 #include "editor/look/Theme.h"
+#include "editor/panels/EntityFields.h"
 
 namespace editor {
 
-/// A number of an entity: how it is shown, where it is kept and what counts when it is left out.
-struct NumberKey {
-  QString label, unit;
-  NumberField::Range range;
-  std::function<std::optional<double>(const Entity&)> get;
-  std::function<void(Entity&, std::optional<double>)> set;
-  std::function<double(const Entity&)> fallback;  // what counts when `get` gives nothing; absent: 0
-  double sliderTo = 0.0;                          // > 0: a slider from the minimum to here
-  QString hint;                                   // tooltip: what it does
-  QString unitOfOne;                              // "step" when `unit` is "steps"
+/// How a form shows a key: what its description does not say.
+struct FieldLook {
+  QStringList words;                 // of a choice, in the order of the table; beside a switch
+  std::vector<std::string> names{};  // a text that is one of these
+  QString none{};                    // first word of a choice: nothing of one's own
+  QString placeholder{};             // of a text
+  TextField::Check check{};          // of a text, also of a list
+  QString unit{}, unitOfOne{};
+  std::function<double(const Entity&)> fallback{};
+  std::function<bool(const Entity&)> counts{};  // false: the value of the file is not used
+  std::function<bool(const std::vector<Entity>&)> enabled{}, visible{};
 };
+FieldLook inWords(const QStringList& words, const QString& none = {});
+FieldLook oneOf(std::vector<std::string> names, const QString& none);
+FieldLook emptyAs(const QString& placeholder, TextField::Check check = {});
 
-/// One of a few words.
-struct ChoiceKey {
-  QString label;
-  QStringList words;
-  std::function<int(const Entity&)> get;  // index
-  std::function<void(Entity&, int)> set;
-  QString hint;
-};
-
-struct SwitchKey {
-  QString label, words;
-  std::function<bool(const Entity&)> get;
-  std::function<void(Entity&, bool)> set;
-  QString hint;
-};
-
-struct TextKey {
-  QString label, placeholder;
-  std::function<QString(const Entity&)> get;
-  std::function<void(Entity&, const QString&)> set;
-  TextField::Check check;
-  QString hint;
-};
-
-/// The properties of one kind of entity: rows made from keys, showing one or several entities. Each
-/// edit is one command on all of them; edits of the same row merge.
+/// The properties of one kind of entity: rows made from the tables of the scenario's keys and from
+/// keys of its own, showing one or several entities. Each edit is one command on all of them; edits
+/// of the same row merge.
 class PropertyPage : public QWidget {
   Q_OBJECT
  public:
-  PropertyPage(ScenarioDocument& document, QWidget* parent = nullptr);
+  PropertyPage(ScenarioDocument& document, QWidget* parent = nullptr,
+               const sim2d::FieldTables& tables = sim2d::fieldTables());
 
   void setTargets(const std::vector<EntityId>& targets);
   const std::vector<EntityId>& targets() const { return targets_; }
@@ -64,47 +50,71 @@ class PropertyPage : public QWidget {
 
  protected:
   ScenarioDocument& document() const { return document_; }
+  virtual long long seed() const;  // whose draws are shown
   std::vector<Entity> values() const;
   void apply(const QString& text, const std::function<void(Entity&)>& edit);
 
   FormSection* addSection(const QString& title);
-  NumberField* addNumber(FormSection* section, const NumberKey& key);
-  void addNumberPair(FormSection* section, const QString& label, const NumberKey& first,
-                     const NumberKey& second);
-  ChoiceField* addChoice(FormSection* section, const ChoiceKey& key);
-  QCheckBox* addSwitch(FormSection* section, const SwitchKey& key);
-  TextField* addText(FormSection* section, const TextKey& key);
+  /// A row made from the table of T.
+  template <class T>
+  void addField(FormSection* section, const std::string& key, const FieldLook& look = {}) {
+    const sim2d::Field<T>* field = sim2d::fieldOf<T>(key, tables_);
+    places_[&field->spec] = {
+        section, addRow(section, entityField(*field, document_, [this] { return seed(); }), look)};
+  }
+  /// The other keys of the table, each after its neighbour, without those that the page shows in
+  /// its own way. After all rows.
+  template <class T>
+  void addNewFields(const std::set<std::string>& shown = {}) {
+    Place place = {sections_.front(), nullptr};
+    for (const sim2d::Field<T>& field : sim2d::fieldsOf<T>(tables_)) {
+      const auto known = places_.find(&field.spec);
+      if (known != places_.end()) {
+        place = known->second;
+      } else if (!field.isStructure() && shown.count(field.spec.key) == 0) {
+        addField<T>(place.section, field.spec.key);
+        QWidget* added = places_.at(&field.spec).row;
+        place.section->moveLastRow(place.row);
+        if (place.row != nullptr) {
+          QWidget::setTabOrder(place.row, added);
+        }
+        place.row = added;
+      }
+    }
+  }
+  /// A row made from its description; returns what the user edits.
+  QWidget* addRow(FormSection* section, const EntityField& field, const FieldLook& look = {});
+  void addNumberPair(FormSection* section, const QString& label, const EntityField& first,
+                     const EntityField& second);
+  void addListed(FormSection* section);
   /// The name of the entity; only for one at a time, checked for being free.
   TextField* addName(FormSection* section);
   void addRefresh(std::function<void(const std::vector<Entity>&)> refresh);
   void finish();  // after the last section
 
  private:
-  NumberField* makeNumber(const NumberKey& key);
+  struct Place {
+    FormSection* section;
+    QWidget* row;
+  };
+  NumberField* makeNumber(const EntityField& field, const FieldLook& look = {});
+  QWidget* makeChoice(const EntityField& field, const FieldLook& look);
+  QWidget* makeSwitch(const EntityField& field, const FieldLook& look);
+  QWidget* makeText(const EntityField& field, const FieldLook& look);
+  void change(const EntityField& field, const base::ParameterValue& value);
   QString nameProblem(const QString& name) const;
 
   ScenarioDocument& document_;
+  const sim2d::FieldTables& tables_;
   std::vector<EntityId> targets_;
   std::vector<std::function<void(const std::vector<Entity>&)>> refreshers_;
+  std::vector<FormSection*> sections_;
+  std::map<const base::ParameterSpec*, Place> places_;  // of keys of the tables
   QVBoxLayout* layout_;
 };
 
-/// Accessors of a member: NumberKey{…, memberOf(&sim2d::Human::radius), intoMember(…)}.
-template <class T>
-auto memberOf(std::optional<double> T::*member) {
-  return [member](const Entity& entity) { return std::get<T>(entity).*member; };
-}
-template <class T>
-auto intoMember(std::optional<double> T::*member) {
-  return [member](Entity& entity, std::optional<double> value) {
-    std::get<T>(entity).*member = value;
-  };
-}
-
-constexpr double kDegree = base::kPi / 180.0;
-/// Position on the map and heading, for all kinds that have them.
-NumberKey xKey();
-NumberKey yKey();
-NumberKey headingKey();
+/// What people read about a key: its label, its sentence without signs of markup.
+QString labelOf(const base::ParameterSpec& spec);
+QString helpOf(const base::ParameterSpec& spec);
 
 }  // namespace editor

@@ -1,9 +1,8 @@
 #include <algorithm>
 
 #include "editor/panels/EntityPages.h"
-#include "editor/panels/KeyAccess.h"
+#include "editor/panels/ListText.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/scenario/Defaults.h"
 #include "sim2d/world/Registries.h"
 
 namespace editor {
@@ -12,19 +11,8 @@ namespace {
 
 using sim2d::Robot;
 
-constexpr NumberField::Range kTime = {0.0, 86400.0, 1, 1.0};
-
 const Robot& robotOf(const Entity& entity) {
   return std::get<Robot>(entity);
-}
-
-NumberKey robotNumber(const QString& label, const QString& unit, const NumberField::Range& range,
-                      std::optional<double> Robot::*member, double sim2d::ResolvedRobot::*what) {
-  NumberKey key = numberKey(label, unit, range, member, 0.0);
-  key.fallback = [what](const Entity& entity) {
-    return sim2d::resolveRobot({}, robotOf(entity), -1).*what;
-  };
-  return key;
 }
 
 /// "lookahead=0.6, stop_distance=0.5"
@@ -40,64 +28,97 @@ QString exampleParameters() {
   return examples.join(QStringLiteral(", "));
 }
 
+EntityField footprintField() {
+  return textField(
+      QObject::tr("Footprint"),
+      QObject::tr("Corners x y in the robot's frame, such as 0.3 0.2; -0.3 0.2; -0.3 -0.2"),
+      [](const Entity& entity) {
+        const Robot& robot = robotOf(entity);
+        std::vector<Vec2> corners;
+        for (std::size_t i = 0; i < std::min(robot.footprintX.size(), robot.footprintY.size());
+             ++i) {
+          corners.emplace_back(robot.footprintX[i], robot.footprintY[i]);
+        }
+        return pointsText(corners);
+      },
+      [](Entity& entity, const QString& text) {
+        Robot& robot = std::get<Robot>(entity);
+        robot.footprintX.clear();
+        robot.footprintY.clear();
+        const auto corners = pointsFromText(text);
+        for (const Vec2& corner : corners.value()) {
+          robot.footprintX.push_back(corner.x());
+          robot.footprintY.push_back(corner.y());
+        }
+      });
+}
+
+QString footprintProblem(const QString& text) {
+  const auto corners = pointsFromText(text);
+  return corners && (corners->empty() || corners->size() >= 3)
+             ? QString()
+             : QObject::tr("At least three corners x y, with semicolons between them");
+}
+
+/// A coordinate of the goal point; the first one given takes the other from the start.
+EntityField goalField(const QString& label, int axis) {
+  EntityField field = numberField(
+      label, QStringLiteral("m"),
+      [axis](const Entity& entity) -> std::optional<double> {
+        const std::optional<Vec2>& point = robotOf(entity).goal.point;
+        return point ? std::optional((*point)(axis)) : std::nullopt;
+      },
+      [axis](Entity& entity, std::optional<double> value) {
+        Robot& robot = std::get<Robot>(entity);
+        robot.goal.goals.clear();
+        if (!value) {
+          robot.goal.point.reset();
+          return;
+        }
+        Vec2 point = robot.goal.point.value_or(robot.start.position);
+        point(axis) = *value;
+        robot.goal.point = point;
+      });
+  field.fallback = [axis](const Entity& entity) { return robotOf(entity).start.position(axis); };
+  return field;
+}
+
 }  // namespace
 
-RobotPage::RobotPage(ScenarioDocument& document, QWidget* parent) : PropertyPage(document, parent) {
+RobotPage::RobotPage(ScenarioDocument& document, QWidget* parent, const sim2d::FieldTables& tables)
+    : PropertyPage(document, parent, tables) {
   FormSection* section = addSection(tr("Robot"));
   addName(section);
-  addSwitch(section, listedKey());
-  addChoice(section, nameChoice(
-                         tr("Type"), tr("generic (default)"), sim2d::robotTypeNames(),
-                         [](Entity & e) -> auto& { return std::get<Robot>(e).type; }));
-  addChoice(section, nameChoice(
-                         tr("Planner"), tr("pursuit (default)"), sim2d::plannerNames(),
-                         [](Entity & e) -> auto& { return std::get<Robot>(e).planner; }));
-  TextKey parameters;
-  parameters.label = tr("Parameters");
-  parameters.placeholder = tr("the planner's");
-  parameters.hint = tr("Of the planner, such as %1").arg(exampleParameters());
-  parameters.get = [](const Entity& e) { return pairsText(robotOf(e).plannerParameters); };
-  parameters.set = [](Entity& e, const QString& text) {
-    std::get<Robot>(e).plannerParameters = *pairsFromText(text);
-  };
-  parameters.check = [](const QString& text) {
-    return pairsFromText(text) ? QString() : tr("name=value, with commas between them");
-  };
-  addText(section, parameters);
+  addListed(section);
+  addField<Robot>(section, "type", oneOf(sim2d::robotTypeNames(), tr("generic (default)")));
+  addField<Robot>(section, "planner", oneOf(sim2d::plannerNames(), tr("pursuit (default)")));
+  addRow(section,
+         textField(
+             tr("Parameters"), tr("Of the planner, such as %1").arg(exampleParameters()),
+             [](const Entity& e) { return pairsText(robotOf(e).plannerParameters); },
+             [](Entity& e, const QString& text) {
+               std::get<Robot>(e).plannerParameters = *pairsFromText(text);
+             }),
+         emptyAs(tr("the planner's"), [](const QString& text) {
+           return pairsFromText(text) ? QString() : tr("name=value, with commas between them");
+         }));
   FormSection* start = addSection(tr("Start"));
-  addNumberPair(start, tr("Position"), xKey(), yKey());
-  addNumber(start, headingKey());
-  addNumber(start, robotNumber(tr("Sets off at"), tr("s"), kTime, &Robot::startTime,
-                               &sim2d::ResolvedRobot::startTime));
+  addNumberPair(start, tr("Position"), xField(), yField());
+  addRow(start, headingField());
+  addField<Robot>(start, "start_time");
   addGoalSection();
-  addLimitSection();
+  FormSection* body = addSection(tr("Body and limits"));
+  for (const char* key : {"radius", "mass", "max_vel", "max_acc", "max_omega", "max_alpha"}) {
+    addField<Robot>(body, key);
+  }
+  addRow(body, footprintField(), emptyAs(tr("a disc of the radius"), footprintProblem));
+  addNewFields<Robot>({"goals", "footprint_x", "footprint_y"});
   finish();
 }
 
 void RobotPage::addGoalSection() {
   FormSection* section = addSection(tr("Goal"));
-  const auto pointKey = [](const QString& label, int axis) {
-    NumberKey key = xKey();
-    key.label = label;
-    key.get = [axis](const Entity& entity) -> std::optional<double> {
-      const std::optional<Vec2>& point = robotOf(entity).goal.point;
-      return point ? std::optional((*point)(axis)) : std::nullopt;
-    };
-    key.set = [axis](Entity& entity, std::optional<double> value) {
-      Robot& robot = std::get<Robot>(entity);
-      robot.goal.goals.clear();
-      if (!value) {
-        robot.goal.point.reset();
-        return;
-      }
-      Vec2 point = robot.goal.point.value_or(robot.start.position);
-      point(axis) = *value;
-      robot.goal.point = point;
-    };
-    key.fallback = [axis](const Entity& entity) { return robotOf(entity).start.position(axis); };
-    return key;
-  };
-  addNumberPair(section, tr("Point"), pointKey(tr("Goal X"), 0), pointKey(tr("Goal Y"), 1));
+  addNumberPair(section, tr("Point"), goalField(tr("Goal X"), 0), goalField(tr("Goal Y"), 1));
   auto* route = new RouteEditor(document(), this);
   route->setToolTip(tr("Global goals in order, instead of a point"));
   section->addRow(tr("Or route"), route);
@@ -113,57 +134,7 @@ void RobotPage::addGoalSection() {
     route->show(goal.goals);
     section->setNote(goal.point || !goal.goals.empty() ? QString() : tr("stands still"));
   });
-  addNumber(section, robotNumber(tr("Arrival radius"), tr("m"), {0.01, 5.0, 2, 0.05},
-                                 &Robot::goalRadius, &sim2d::ResolvedRobot::goalRadius));
-}
-
-void RobotPage::addLimitSection() {
-  using Resolved = sim2d::ResolvedRobot;
-  FormSection* section = addSection(tr("Body and limits"));
-  const auto add = [&](const QString& label, const QString& unit, NumberField::Range range,
-                       std::optional<double> Robot::*member, double Resolved::*what,
-                       double sliderTo) {
-    NumberKey key = robotNumber(label, unit, range, member, what);
-    key.sliderTo = sliderTo;
-    addNumber(section, key);
-  };
-  add(tr("Radius"), tr("m"), {0.05, 3.0, 2, 0.01}, &Robot::radius, &Resolved::radius, 1.0);
-  add(tr("Mass"), tr("kg"), {0.1, 5000.0, 1, 1.0}, &Robot::mass, &Resolved::mass, 0.0);
-  add(tr("Top speed"), tr("m/s"), {0.0, 5.0, 2, 0.05}, &Robot::maxVel, &Resolved::maxVel, 2.0);
-  add(tr("Acceleration"), tr("m/s²"), {0.01, 20.0, 2, 0.1}, &Robot::maxAcc, &Resolved::maxAcc, 3.0);
-  add(tr("Turn speed"), tr("rad/s"), {0.01, 20.0, 2, 0.1}, &Robot::maxOmega, &Resolved::maxOmega,
-      0.0);
-  add(tr("Turn accel."), tr("rad/s²"), {0.01, 50.0, 2, 0.1}, &Robot::maxAlpha, &Resolved::maxAlpha,
-      0.0);
-  TextKey footprint;
-  footprint.label = tr("Footprint");
-  footprint.placeholder = tr("a disc of the radius");
-  footprint.hint = tr("Corners x y in the robot's frame, such as 0.3 0.2; -0.3 0.2; -0.3 -0.2");
-  footprint.get = [](const Entity& entity) {
-    const Robot& robot = robotOf(entity);
-    std::vector<Vec2> corners;
-    for (std::size_t i = 0; i < std::min(robot.footprintX.size(), robot.footprintY.size()); ++i) {
-      corners.emplace_back(robot.footprintX[i], robot.footprintY[i]);
-    }
-    return pointsText(corners);
-  };
-  footprint.set = [](Entity& entity, const QString& text) {
-    Robot& robot = std::get<Robot>(entity);
-    robot.footprintX.clear();
-    robot.footprintY.clear();
-    const auto corners = pointsFromText(text);
-    for (const Vec2& corner : corners.value()) {
-      robot.footprintX.push_back(corner.x());
-      robot.footprintY.push_back(corner.y());
-    }
-  };
-  footprint.check = [](const QString& text) {
-    const auto corners = pointsFromText(text);
-    return corners && (corners->empty() || corners->size() >= 3)
-               ? QString()
-               : tr("At least three corners x y, with semicolons between them");
-  };
-  addText(section, footprint);
+  addField<Robot>(section, "goal_radius");
 }
 
 }  // namespace editor

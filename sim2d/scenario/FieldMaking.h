@@ -130,7 +130,16 @@ class FieldOf {
         to.*member = *value;
       }
     };
-    return std::move(*this).orElse(Resolved().*member);
+    return std::move(*this).countsAs(member).orElse(Resolved().*member);
+  }
+  /// What counts in a run and is made from more than this key.
+  template <class R>
+  FieldOf&& countsAs(R Resolving<T>::Type::*member) && {
+    field_.resolved = [member](const typename Resolving<T>::Type& from,
+                               const base::ParameterSpec& spec) {
+      return valueFrom(from.*member, spec);
+    };
+    return std::move(*this);
   }
   /// The number that stands for nothing.
   FieldOf&& noneAt(long long none) && {

@@ -51,6 +51,10 @@ struct Field {
   std::function<void(T&, const base::ParameterValue&, const base::ParameterSpec&)> set;
   std::function<bool(const T&, const T&)> equal;
   std::function<void(const T&, typename Resolving<T>::Type&, const base::ParameterSpec&)> resolve;
+  // the value that counts in a run; null: a run has no member for it
+  std::function<base::ParameterValue(const typename Resolving<T>::Type&,
+                                     const base::ParameterSpec&)>
+      resolved;
 
   // What differs from field to field; null = as usual.
   std::function<bool(const T&)> applies;  // the key belongs to such a T

@@ -60,6 +60,7 @@ FieldOf<Behavior> distance(std::string key, std::optional<double> Behavior::*mem
 FieldOf<Behavior> factor(std::string key, std::optional<double> Behavior::*member,
                          double ResolvedHuman::*resolved, std::string help, base::FormHints form) {
   return field(std::move(key), member, std::move(help), std::move(form))
+      .countsAs(resolved)
       .orElse(ResolvedHuman().*resolved);
 }
 
@@ -83,6 +84,7 @@ Fields<Human> humanFields() {
           field("goal_radius", &Human::goalRadius,
                 "A goal is reached when the person is this near; 0 counts as 0.1",
                 {"Arrival radius", 2, 0.05}, "m", base::kNotNegative)
+              .countsAs(&Resolved::goalRadius)
               .orElse(0.1),
           field("cyclic_goals", &Human::cyclicGoals, "Start again after the last goal", {"Repeat"})
               .resolvedTo(&Resolved::cyclicGoals)};
@@ -111,6 +113,7 @@ Fields<Behavior> behaviorFields() {
               .resolvedTo(&Resolved::reactionOnce),
           field("vel", &Behavior::vel, "Speed while reacting; absent: `max_vel`, 2.0 without it",
                 {"Speed", 2, 0.1, 2.0}, "m/s", kSpeed)
+              .countsAs(&Resolved::reactionSpeed)
               .with(&Field<Behavior>::digitsOf, digitsWith(BehaviorType::Scared, 3, 2)),
           distance("safe_distance", &Behavior::safeDistance, &Resolved::safeDistance,
                    "Distance at which the person feels safe again", {"Keeps away", 2, 0.5, 10.0})
@@ -155,6 +158,7 @@ Fields<PersonExtension> personFields() {
               .resolvedTo(&Resolved::kind),
           field("mass", &Ours::mass, "Absent: by kind 80, 32, 75, 100, 100", {"Mass", 1, 1.0}, "kg",
                 base::kPositive)
+              .countsAs(&Resolved::mass)
               .with(&Field<Ours>::fallbackOf, massByKind),
           field("model", &Ours::model, "How the person moves among others; absent: the scenario's",
                 {"Model"})

@@ -1,4 +1,6 @@
-#include "editor/panels/KeyAccess.h"
+#include "editor/panels/ListText.h"
+
+#include <QStringList>
 
 #include "sim2d/base/Text.h"
 
@@ -22,26 +24,6 @@ std::optional<std::vector<double>> listFromText(const QString& text) {
     values.push_back(*value);
   }
   return values;
-}
-
-SwitchKey listedKey() {
-  SwitchKey key;
-  key.label = QObject::tr("Takes part");
-  key.words = QObject::tr("In the scenario");
-  key.hint = QObject::tr("Off: kept in the file, but not in the run");
-  key.get = isListed;
-  key.set = [](Entity& entity, bool on) {
-    std::visit(
-        [on](auto& value) {
-          using Value = std::decay_t<decltype(value)>;
-          if constexpr (!std::is_same_v<Value, sim2d::GlobalGoal> &&
-                        !std::is_same_v<Value, ScenarioSettings>) {
-            value.listed = on;
-          }
-        },
-        entity);
-  };
-  return key;
 }
 
 QString pairsText(const std::vector<std::pair<std::string, std::string>>& pairs) {

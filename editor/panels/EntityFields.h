@@ -1,0 +1,87 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "editor/document/ScenarioDocument.h"
+#include "sim2d/scenario/Fields.h"
+
+namespace editor {
+
+/// One key of the tables, over the entities of a document.
+struct EntityField {
+  base::ParameterSpec spec;
+  bool isWide = false;                                     // an integer of 64 bits
+  std::function<base::ParameterValue(const Entity&)> get;  // monostate: left out
+  std::function<void(Entity&, const base::ParameterValue&)> set;
+  std::function<base::ParameterValue(const Entity&)> fallback;  // what counts when left out
+  std::function<bool(const Entity&)> belongs;
+};
+
+/// The part of an entity that has the keys of T.
+template <class T, class AnyEntity>
+decltype(auto) partOf(AnyEntity& entity) {
+  if constexpr (std::is_same_v<T, sim2d::Behavior>) {
+    return (std::get<sim2d::Human>(entity).behavior);
+  } else if constexpr (std::is_same_v<T, sim2d::PersonExtension>) {
+    return (std::get<sim2d::Human>(entity).ours);
+  } else if constexpr (std::is_same_v<T, sim2d::DesktopSettings>) {
+    return (std::get<ScenarioSettings>(entity).desktop);
+  } else if constexpr (std::is_same_v<T, sim2d::MetricsSettings>) {
+    return (std::get<ScenarioSettings>(entity).desktop.metrics);
+  } else if constexpr (std::is_same_v<T, sim2d::Environment>) {
+    const auto& from = std::get<ScenarioSettings>(entity);
+    sim2d::Environment head;
+    head.yamlBaseName = from.yamlBaseName;
+    head.simulator = from.simulator;
+    head.map = from.map;
+    head.publishPeople = from.publishPeople;
+    return head;
+  } else {
+    return (std::get<T>(entity));
+  }
+}
+
+template <class T>
+void assign(Entity& entity, const sim2d::Field<T>& field, const base::ParameterValue& value) {
+  if constexpr (std::is_same_v<T, sim2d::Environment>) {
+    sim2d::Environment head = partOf<T>(entity);
+    field.assign(head, value);
+    auto& to = std::get<ScenarioSettings>(entity);
+    to = {head.yamlBaseName, head.simulator, head.map, head.publishPeople, to.desktop};
+  } else {
+    field.assign(partOf<T>(entity), value);
+  }
+}
+
+/// `seed` is asked for what is drawn.
+template <class T>
+EntityField entityField(const sim2d::Field<T>& field, const ScenarioDocument& document,
+                        std::function<long long()> seed) {
+  using Resolved = typename sim2d::Resolving<T>::Type;
+  EntityField result;
+  result.spec = field.spec;
+  result.isWide = field.isWide;
+  result.get = [&field](const Entity& entity) { return field.value(partOf<T>(entity)); };
+  result.set = [&field](Entity& entity, const base::ParameterValue& value) {
+    assign(entity, field, value);
+  };
+  result.belongs = [&field](const Entity& entity) { return field.belongsTo(partOf<T>(entity)); };
+  result.fallback = [&field, &document, seed = std::move(seed)](const Entity& entity) {
+    if constexpr (std::is_same_v<Resolved, sim2d::ResolvedHuman>) {
+      if (field.resolved) {
+        const auto& person = std::get<sim2d::Human>(entity);
+        return field.resolved(sim2d::resolveHuman(document.scenario(), person, seed()), field.spec);
+      }
+    } else if constexpr (std::is_same_v<Resolved, sim2d::ResolvedRobot>) {
+      if (field.resolved) {
+        return field.resolved(sim2d::resolveRobot({}, std::get<sim2d::Robot>(entity), -1),
+                              field.spec);
+      }
+    }
+    return field.fallback(partOf<T>(entity), document.scenario().desktop);
+  };
+  return result;
+}
+
+}  // namespace editor

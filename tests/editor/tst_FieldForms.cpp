@@ -1,0 +1,293 @@
+#include <QtTest>
+
+#include "SmallScenario.h"
+#include "editor/document/EditCommands.h"
+#include "editor/panels/EntityPages.h"
+#include "editor/panels/PropertyPanel.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/scenario/FieldMaking.h"
+
+using base::ParameterType;
+using editor::Entity;
+using editor::EntityKind;
+using editor::NumberField;
+using editor::ScenarioDocument;
+
+namespace {
+
+/// A number of a key, written into an entity of its kind.
+struct Case {
+  EntityKind kind = EntityKind::None;
+  std::string key;
+  double value = 0.0;
+  std::function<void(Entity&)> write;
+};
+
+template <class T>
+EntityKind kindOfKeys() {
+  using Settings = std::tuple<sim2d::Environment, sim2d::DesktopSettings, sim2d::MetricsSettings>;
+  if constexpr (std::is_same_v<T, sim2d::Robot>) {
+    return EntityKind::Robot;
+  } else if constexpr (std::is_same_v<T, sim2d::Obstacle>) {
+    return EntityKind::Obstacle;
+  } else if constexpr (std::is_same_v<T, sim2d::Door>) {
+    return EntityKind::Door;
+  } else if constexpr (std::is_same_v<T, sim2d::Area>) {
+    return EntityKind::Area;
+  } else {
+    return std::is_same_v<T, std::tuple_element_t<0, Settings>> ||
+                   std::is_same_v<T, std::tuple_element_t<1, Settings>> ||
+                   std::is_same_v<T, std::tuple_element_t<2, Settings>>
+               ? EntityKind::Scenario
+               : EntityKind::Human;
+  }
+}
+
+/// Both ends of the range, or what is near and far where it has none, and something inside.
+std::vector<double> samples(const base::ParameterSpec& spec, bool isWide) {
+  const base::Range& range = spec.range;
+  if (spec.type == ParameterType::Integer) {
+    const double most = isWide ? 9007199254740991.0 : 2147483647.0;
+    return {std::max(range.low, -2147483647.0), std::min(range.high, most),
+            range.contains(17.0) ? 17.0 : 2.0};
+  }
+  const double low = std::isfinite(range.low) ? range.low : -12345.75;
+  const double high = std::isfinite(range.high) ? range.high : 987654.5;
+  const double inside = range.contains(4.5) ? 4.5 : 0.5 * (low + high);
+  return {range.above ? low + 0.000125 : low, high, inside,
+          range.contains(0.015625) ? 0.015625 : low};
+}
+
+/// Those that the pages show in their own way.
+const std::set<std::string>& shownOtherwise() {
+  static const std::set<std::string> kKeys = {
+      "id", "group_id", "skin", "goals", "footprint_x", "footprint_y", "x",
+      "y",  "h",        "x1",   "y1",    "x2",          "y2",          "yaml_base_name"};
+  return kKeys;
+}
+
+template <class T>
+void addCases(std::vector<Case>& cases) {
+  for (const sim2d::Field<T>& field : sim2d::fieldsOf<T>()) {
+    const bool isInteger = field.spec.type == ParameterType::Integer;
+    if (field.isStructure() || shownOtherwise().count(field.spec.key) > 0 ||
+        (!isInteger && field.spec.type != ParameterType::Number)) {
+      continue;
+    }
+    for (const double value : samples(field.spec, field.isWide)) {
+      cases.push_back(
+          {kindOfKeys<T>(), field.spec.key, value, [&field, value, isInteger](Entity& e) {
+             editor::assign<T>(e, field,
+                               isInteger ? base::ParameterValue(static_cast<long long>(value))
+                                         : base::ParameterValue(value));
+           }});
+    }
+  }
+}
+
+std::vector<Case> allCases() {
+  std::vector<Case> cases;
+  addCases<sim2d::Human>(cases);
+  addCases<sim2d::Behavior>(cases);
+  addCases<sim2d::PersonExtension>(cases);
+  addCases<sim2d::Robot>(cases);
+  addCases<sim2d::Obstacle>(cases);
+  addCases<sim2d::Door>(cases);
+  addCases<sim2d::Area>(cases);
+  addCases<sim2d::DesktopSettings>(cases);
+  addCases<sim2d::MetricsSettings>(cases);
+  return cases;
+}
+
+/// One of each kind.
+sim2d::Scenario oneOfEach() {
+  sim2d::Scenario scenario;
+  sim2d::Human ana;
+  ana.key = {EntityKind::Human, 1};
+  ana.name = "Ana";
+  ana.id = 1;
+  ana.behavior.configuration = sim2d::Configuration::Custom;
+  scenario.humans = {ana};
+  sim2d::Robot robot;
+  robot.key = {EntityKind::Robot, 2};
+  robot.name = "robot";
+  scenario.robots = {robot};
+  sim2d::Obstacle box;
+  box.key = {EntityKind::Obstacle, 3};
+  box.name = "box";
+  scenario.obstacles = {box};
+  sim2d::Door door;
+  door.key = {EntityKind::Door, 4};
+  door.name = "door";
+  door.to = base::Vec2(1.0, 0.0);
+  scenario.doors = {door};
+  sim2d::Area area;
+  area.key = {EntityKind::Area, 5};
+  area.name = "area";
+  area.kind = sim2d::AreaKind::Source;
+  area.points = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}};
+  scenario.areas = {area};
+  return scenario;
+}
+
+editor::EntityId idOfKind(EntityKind kind) {
+  switch (kind) {
+    case EntityKind::Human:
+      return {kind, 1};
+    case EntityKind::Robot:
+      return {kind, 2};
+    case EntityKind::Obstacle:
+      return {kind, 3};
+    case EntityKind::Door:
+      return {kind, 4};
+    case EntityKind::Area:
+      return {kind, 5};
+    default:
+      return editor::kSettingsId;
+  }
+}
+
+}  // namespace
+
+/// Forms made from the tables of keys.
+class FieldFormsTest : public QObject {
+  Q_OBJECT
+
+ private:
+  ScenarioDocument document_;
+  std::unique_ptr<editor::PropertyPanel> panel_;
+
+  template <class T>
+  void findRows(QStringList& missing, QStringList& withoutHelp) {
+    const editor::PropertyPage* page = panel_->page(kindOfKeys<T>());
+    for (const sim2d::Field<T>& field : sim2d::fieldsOf<T>()) {
+      const QString key = QString::fromStdString(field.spec.key);
+      if (field.spec.help.empty()) {
+        withoutHelp << key;
+      }
+      const bool isOther = field.isStructure() || shownOtherwise().count(field.spec.key) > 0 ||
+                           (std::is_same_v<T, sim2d::Obstacle> && key == QLatin1String("kind"));
+      const auto* row = page->findChild<QWidget*>(key);
+      if (!isOther && (row == nullptr || !row->toolTip().contains(editor::helpOf(field.spec)))) {
+        missing << key;
+      }
+    }
+  }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    document_.load(oneOfEach());
+    panel_ = std::make_unique<editor::PropertyPanel>(document_, editor::Theme::light());
+    panel_->show();
+  }
+  void cleanupTestCase() { panel_.reset(); }
+
+  void key_ofATable_hasARowWithItsHelp() {
+    QStringList missing;
+    QStringList withoutHelp;
+    findRows<sim2d::Environment>(missing, withoutHelp);
+    findRows<sim2d::Human>(missing, withoutHelp);
+    findRows<sim2d::Behavior>(missing, withoutHelp);
+    findRows<sim2d::PersonExtension>(missing, withoutHelp);
+    findRows<sim2d::Robot>(missing, withoutHelp);
+    findRows<sim2d::Obstacle>(missing, withoutHelp);
+    findRows<sim2d::Door>(missing, withoutHelp);
+    findRows<sim2d::Area>(missing, withoutHelp);
+    findRows<sim2d::DesktopSettings>(missing, withoutHelp);
+    findRows<sim2d::MetricsSettings>(missing, withoutHelp);
+    QCOMPARE(missing.join(QStringLiteral(" ")), QString());
+    QCOMPARE(withoutHelp.join(QStringLiteral(" ")), QString());
+  }
+
+  void number_ofTheFile_isShownAsItIs_data() {
+    QTest::addColumn<int>("index");
+    const std::vector<Case> cases = allCases();
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      QTest::addRow("%d %s %s", static_cast<int>(cases[i].kind), cases[i].key.c_str(),
+                    base::formatDouble(cases[i].value).c_str())
+          << static_cast<int>(i);
+    }
+  }
+  void number_ofTheFile_isShownAsItIs() {
+    static const std::vector<Case> kCases = allCases();
+    QFETCH(int, index);
+    const Case& test = kCases[static_cast<std::size_t>(index)];
+    const editor::EntityId id = idOfKind(test.kind);
+    document_.load(oneOfEach());
+    Entity entity = *document_.entity(id);
+    test.write(entity);
+    editor::pushEdit(document_, {entity}, QStringLiteral("Write"), editor::Merge::Never);
+    document_.setSelection({});
+    if (id != editor::kSettingsId) {
+      document_.setSelection({id});
+    }
+    auto* field = panel_->currentPage()->findChild<NumberField*>(QString::fromStdString(test.key));
+    QVERIFY(field != nullptr);
+    QCOMPARE(field->value(), test.value);
+    const QString digits = field->text().section(QLatin1Char(' '), 0, 0);
+    QCOMPARE(base::parseDouble(digits.toStdString()).value_or(-1.0), test.value);
+    const int steps = document_.undoStack().count();
+    field->setFocus();
+    QTest::keyClick(field, Qt::Key_Return);
+    QCOMPARE(document_.undoStack().count(), steps);
+    QVERIFY(*document_.entity(id) == entity);
+  }
+
+  void key_newInTheTable_isInTheForm() {
+    sim2d::FieldTables tables = sim2d::fieldTables();
+    auto& keys = std::get<sim2d::Fields<sim2d::Robot>>(tables);
+    const auto after = std::find_if(keys.begin(), keys.end(),
+                                    [](const auto& each) { return each.spec.key == "max_vel"; });
+    keys.insert(after + 1,
+                sim2d::field("wheel_base", &sim2d::Robot::mass, "Distance between its `wheels`",
+                             {"Wheels", 3, 0.05, 1.0}, "m", {0.1, 2.0})
+                    .orElse(0.75));
+    keys.push_back(sim2d::field("tow_hook", &sim2d::Robot::planner, "What it pulls"));
+    sim2d::Scenario scenario = oneOfEach();
+    document_.load(scenario);
+    editor::RobotPage page(document_, nullptr, tables);
+    page.setTargets({scenario.robots[0].key});
+    page.resize(320, 900);
+    page.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&page));
+    auto* wheels = page.findChild<NumberField*>(QStringLiteral("wheel_base"));
+    QVERIFY(wheels != nullptr);
+    QCOMPARE(wheels->accessibleName(), QStringLiteral("Wheels"));
+    QCOMPARE(wheels->text(), QStringLiteral("0.750 m"));
+    QCOMPARE(wheels->toolTip(), QStringLiteral("Distance between its wheels\n0.100 to 2.000 m"));
+    const auto heightOf = [&page](const char* key) {
+      const auto* row = page.findChild<QWidget*>(QLatin1String(key));
+      return row->mapTo(&page, QPoint()).y();
+    };
+    QVERIFY(heightOf("max_vel") < heightOf("wheel_base"));
+    QVERIFY(heightOf("wheel_base") < heightOf("max_acc"));
+    auto* hook = page.findChild<editor::TextField*>(QStringLiteral("tow_hook"));
+    QVERIFY(hook != nullptr);
+    QCOMPARE(hook->accessibleName(), QStringLiteral("Tow hook"));
+    wheels->setFocus();
+    wheels->selectAll();
+    QTest::keyClicks(wheels, QStringLiteral("1.25"));
+    QTest::keyClick(wheels, Qt::Key_Return);
+    QCOMPARE(document_.scenario().robots[0].mass, std::optional(1.25));
+    wheels->selectAll();
+    QTest::keyClicks(wheels, QStringLiteral("2.25"));
+    QTest::keyClick(wheels, Qt::Key_Tab);
+    QCOMPARE(document_.scenario().robots[0].mass, std::optional(1.25));
+  }
+
+  void arrows_atAnOpenEnd_stayInside() {
+    NumberField field({0.0, 100.0, 2, 0.1, true}, QStringLiteral("m"));
+    field.show(0.25, false);
+    field.stepBy(-1);
+    QCOMPARE(field.value(), 0.15);
+    field.stepBy(-3);
+    QCOMPARE(field.value(), 0.01);
+    QString zero = QStringLiteral("0");
+    int position = 0;
+    QVERIFY(field.validate(zero, position) != QValidator::Acceptable);
+    QVERIFY(field.toolTip().startsWith(QStringLiteral("above 0.00")));
+  }
+};
+
+QTEST_MAIN(FieldFormsTest)
+#include "tst_FieldForms.moc"
