@@ -49,6 +49,18 @@ QHBoxLayout* rowOf(std::initializer_list<QWidget*> widgets) {
   return row;
 }
 
+QWidget* columnOf(std::initializer_list<QWidget*> widgets) {
+  auto* column = new QWidget;
+  auto* layout = new QVBoxLayout(column);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  for (QWidget* widget : widgets) {
+    layout->addWidget(widget);
+  }
+  layout->addStretch(1);
+  return column;
+}
+
 }  // namespace
 
 BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runner,
@@ -80,15 +92,7 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
   }
   makeLinks(*layout);
   hint_->setMinimumHeight(kHintHeight);
-  auto* below = new QWidget;
-  auto* forms = new QVBoxLayout(below);
-  forms->setContentsMargins(0, 0, 0, 0);
-  forms->setSpacing(0);
-  forms->addWidget(blockLinks_);
-  forms->addWidget(blockForm_);
-  forms->addWidget(portForm_);
-  forms->addWidget(hint_);
-  forms->addStretch(1);
+  QWidget* below = columnOf({blockLinks_, blockForm_, portForm_, hint_});
   auto* splitter = new QSplitter(Qt::Vertical, page);
   splitter->addWidget(new WholeRows(*outline_, kRowHeight, splitter));
   splitter->addWidget(scrolled(below, splitter));

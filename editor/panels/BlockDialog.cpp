@@ -19,6 +19,16 @@ QLabel* heading(const QString& text, const Theme& theme, QWidget* parent) {
   return label;
 }
 
+void addPeople(QListWidget& list, const ScenarioDocument& document, const Theme& theme) {
+  const FigurePainter painter(theme);
+  for (const sim2d::Human& human : document.scenario().humans) {
+    auto* item = new QListWidgetItem(painter.markIcon(lookOfPerson(document, human)),
+                                     QString::fromStdString(human.name), &list);
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
+    item->setCheckState(document.isSelected(human.key) ? Qt::Checked : Qt::Unchecked);
+  }
+}
+
 }  // namespace
 
 BlockDialog::BlockDialog(ScenarioDocument& document, const Theme& theme, QWidget* parent)
@@ -37,13 +47,7 @@ BlockDialog::BlockDialog(ScenarioDocument& document, const Theme& theme, QWidget
   for (const bt::BlockKind& kind : bt::blockKinds()) {
     new QListWidgetItem(QString::fromStdString(kind.title), kinds_);
   }
-  const FigurePainter painter(theme);
-  for (const sim2d::Human& human : document.scenario().humans) {
-    auto* item = new QListWidgetItem(painter.markIcon(lookOfPerson(document, human)),
-                                     QString::fromStdString(human.name), people_);
-    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
-    item->setCheckState(document.isSelected(human.key) ? Qt::Checked : Qt::Unchecked);
-  }
+  addPeople(*people_, document, theme);
   auto* middle = new QWidget(this);
   auto* words = new QVBoxLayout(middle);
   words->setContentsMargins(0, 0, 0, 0);

@@ -8,15 +8,33 @@
 
 namespace editor {
 
-/// One key of the tables, over the entities of a document.
+/// One key over the entities of a document: of the tables, or a page's own.
 struct EntityField {
   base::ParameterSpec spec;
-  bool isWide = false;                                     // an integer of 64 bits
   std::function<base::ParameterValue(const Entity&)> get;  // monostate: left out
   std::function<void(Entity&, const base::ParameterValue&)> set;
-  std::function<base::ParameterValue(const Entity&)> fallback;  // what counts when left out
-  std::function<bool(const Entity&)> belongs;
+  std::function<base::ParameterValue(const Entity&)> fallback{};  // what counts when left out
+  std::function<bool(const Entity&)> belongs{};                   // null: to every one
+  bool isWide = false;                                            // an integer of 64 bits
 };
+
+std::optional<double> numberIn(const base::ParameterValue& value);
+
+// Keys that are no plain field of a table.
+EntityField numberField(const QString& label, const QString& unit,
+                        std::function<std::optional<double>(const Entity&)> get,
+                        std::function<void(Entity&, std::optional<double>)> set);
+EntityField textField(const QString& label, const QString& help,
+                      std::function<QString(const Entity&)> get,
+                      std::function<void(Entity&, const QString&)> set);
+/// A coordinate [m], where it is; it cannot be left out.
+EntityField coordinateField(const QString& label, std::function<double&(Entity&)> place);
+/// Position on the map and heading, for all kinds that have them.
+EntityField xField();
+EntityField yField();
+EntityField headingField();
+/// Whether an entity takes part in the run, for all kinds that can be switched off.
+EntityField listedField();
 
 /// The part of an entity that has the keys of T.
 template <class T, class AnyEntity>

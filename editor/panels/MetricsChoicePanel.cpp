@@ -55,6 +55,27 @@ class NameDelegate : public QStyledItemDelegate {
   const QTreeWidget& tree_;
 };
 
+void styleTree(QTreeWidget& tree) {
+  tree.setColumnCount(2);
+  tree.setHeaderHidden(true);
+  tree.setFrameShape(QFrame::NoFrame);
+  tree.setWordWrap(true);
+  tree.setIndentation(kIndent);
+  tree.setItemDelegate(new NameDelegate(&tree));
+  tree.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  tree.viewport()->setAutoFillBackground(false);
+  tree.setAccessibleName(QObject::tr("Metrics to measure"));
+  tree.header()->setStretchLastSection(false);
+  tree.header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  tree.header()->setSectionResizeMode(1, QHeaderView::Fixed);
+  tree.header()->resizeSection(1, kUnitWidth);
+  QObject::connect(tree.header(), &QHeaderView::sectionResized, &tree, [&tree](int column) {
+    if (column == 0) {
+      tree.doItemsLayout();
+    }
+  });
+}
+
 }  // namespace
 
 MetricsChoicePanel::MetricsChoicePanel(ScenarioDocument& document, MetricsFeed& feed,
@@ -72,24 +93,7 @@ MetricsChoicePanel::MetricsChoicePanel(ScenarioDocument& document, MetricsFeed& 
   search_->setClearButtonEnabled(true);
   search_->setAccessibleName(tr("Find a metric"));
   searchMark_ = search_->addAction(QIcon(), QLineEdit::LeadingPosition);
-  tree_->setColumnCount(2);
-  tree_->setHeaderHidden(true);
-  tree_->setFrameShape(QFrame::NoFrame);
-  tree_->setWordWrap(true);
-  tree_->setIndentation(kIndent);
-  tree_->setItemDelegate(new NameDelegate(tree_));
-  tree_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  tree_->viewport()->setAutoFillBackground(false);
-  tree_->setAccessibleName(tr("Metrics to measure"));
-  tree_->header()->setStretchLastSection(false);
-  tree_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-  tree_->header()->setSectionResizeMode(1, QHeaderView::Fixed);
-  tree_->header()->resizeSection(1, kUnitWidth);
-  connect(tree_->header(), &QHeaderView::sectionResized, tree_, [this](int column) {
-    if (column == 0) {
-      tree_->doItemsLayout();
-    }
-  });
+  styleTree(*tree_);
   all_->setToolTip(tr("Measure all that the list shows"));
   none_->setToolTip(tr("Measure nothing of what the list shows"));
   save_->setToolTip(tr("Write the choice into the metrics file of the scenario"));

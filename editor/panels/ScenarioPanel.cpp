@@ -51,6 +51,27 @@ QItemSelection runsOf(QModelIndexList rows) {
   return runs;
 }
 
+void styleTree(QTreeView& tree) {
+  tree.setHeaderHidden(true);
+  tree.setFrameShape(QFrame::NoFrame);
+  tree.setUniformRowHeights(true);
+  tree.setSelectionMode(QAbstractItemView::ExtendedSelection);
+  tree.setEditTriggers(QAbstractItemView::EditKeyPressed);
+  tree.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  tree.setContextMenuPolicy(Qt::CustomContextMenu);
+  tree.setIndentation(16);
+  tree.setMouseTracking(true);
+  tree.setDragDropMode(QAbstractItemView::DragDrop);
+  tree.setDefaultDropAction(Qt::MoveAction);
+  tree.setDropIndicatorShown(true);
+  tree.viewport()->setAutoFillBackground(false);
+  tree.setAccessibleName(QObject::tr("Scenario"));
+  for (int column = 1; column < EntityModel::ColumnCount; ++column) {
+    tree.hideColumn(column);
+  }
+  tree.header()->setStretchLastSection(true);
+}
+
 }  // namespace
 
 EntityRowDelegate::EntityRowDelegate(const Theme& theme, QObject* parent)
@@ -130,24 +151,7 @@ ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme, QWi
   searchMark_ = filterField_->addAction(QIcon(), QLineEdit::LeadingPosition);
   tree_->setModel(filter_);
   tree_->setItemDelegate(delegate_);
-  tree_->setHeaderHidden(true);
-  tree_->setFrameShape(QFrame::NoFrame);
-  tree_->setUniformRowHeights(true);
-  tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  tree_->setEditTriggers(QAbstractItemView::EditKeyPressed);
-  tree_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  tree_->setContextMenuPolicy(Qt::CustomContextMenu);
-  tree_->setIndentation(16);
-  tree_->setMouseTracking(true);
-  tree_->setDragDropMode(QAbstractItemView::DragDrop);
-  tree_->setDefaultDropAction(Qt::MoveAction);
-  tree_->setDropIndicatorShown(true);
-  tree_->viewport()->setAutoFillBackground(false);
-  tree_->setAccessibleName(tr("Scenario"));
-  for (int column = 1; column < EntityModel::ColumnCount; ++column) {
-    tree_->hideColumn(column);
-  }
-  tree_->header()->setStretchLastSection(true);
+  styleTree(*tree_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
