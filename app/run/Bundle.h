@@ -17,7 +17,8 @@ namespace app {
 struct Bundle {
   std::string path;  // of the scenario's file, which names it in messages; empty = in none
   std::shared_ptr<const sim2d::Scenario> scenario;
-  bool isWhole = true;                              // false: the file could be read in part only
+  bool isWhole = true;       // false: the file could be read in part only
+  bool isBeginning = false;  // of a damaged file: what that means alone would mislead
   std::shared_ptr<const sim2d::OccupancyGrid> map;  // null: there should be one; empty: open plane
   std::shared_ptr<const sim2d::Surroundings>
       surroundings;  // of both; null: each check makes its own
@@ -28,7 +29,7 @@ struct Bundle {
   std::vector<std::string> inputs;      // files that were read, for the manifest
   base::Diagnostics wrongWords;         // options that do not fit: the command line is wrong
   base::Diagnostics remarks;            // of reading it all
-  bool hasScenario() const { return isWhole || !scenario->humans.empty(); }
+  bool hasScenario() const { return isWhole || (!isBeginning && !scenario->humans.empty()); }
 };
 
 /// The scenario of `options` with its map and trees, and the options written into it. `loader`

@@ -55,6 +55,7 @@ void DocumentDisk::forgetFiles() {
   lines.clear();
   readCount = 0;
   readOnly = false;
+  isBeginning = false;
 }
 
 const KnownTree* DocumentDisk::known(EntityId human) const {

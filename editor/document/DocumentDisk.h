@@ -37,6 +37,7 @@ struct DocumentDisk {
   std::map<EntityId, int> lines;       // of entities in the scenario file
   std::string mapOption, treesOption;
   bool readOnly = false;
+  bool isBeginning = false;   // of a damaged file
   std::size_t readCount = 0;  // load problems, the first ones, that are of the scenario file itself
 
   sim2d::FilePlaces places(const QString& scenario, const QString& shippedMaps) const {

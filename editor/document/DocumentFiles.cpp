@@ -42,7 +42,8 @@ void replaceFirst(base::Diagnostics& problems, std::size_t count, const base::Di
 
 base::Diagnostics ScenarioDocument::open(const QString& path) {
   sim2d::ScenarioReading reading = sim2d::readScenario(path.toStdString());
-  if (!reading.ok() && isBlank(reading.scenario)) {
+  const bool isBeginning = !reading.ok() && isBlank(reading.scenario);
+  if (isBeginning) {
     reading = sim2d::readBeginning(path.toStdString());
     const bool isEmpty = isBlank(scenario_) && !isDirty();
     if (isBlank(reading.scenario) && !(isEmpty && isYaml(path))) {
@@ -58,10 +59,12 @@ base::Diagnostics ScenarioDocument::open(const QString& path) {
   disk_->mapFile = scenario_.desktop.mapFile;
   disk_->lines = std::move(reading.lines);
   disk_->readOnly = !isWhole;
+  disk_->isBeginning = isBeginning;
   loadDiagnostics_ = std::move(reading.diagnostics);
   disk_->readCount = loadDiagnostics_.size();
   if (isWhole || !isBlank(scenario_)) {
     loadMap();
+    mapProblems_ = isBeginning ? base::Diagnostics() : mapProblems_;  // it may be named further on
   } else {
     setMap(std::make_shared<sim2d::OccupancyGrid>());  // one problem is enough
   }
@@ -336,6 +339,7 @@ app::Bundle ScenarioDocument::bundle() const {
   bundle.path = path_.toStdString();
   bundle.scenario = std::make_shared<const sim2d::Scenario>(scenario_);
   bundle.isWhole = !disk_->readOnly;
+  bundle.isBeginning = disk_->isBeginning;
   bundle.map = mapIsMissing_ ? nullptr : map_;
   bundle.lines = disk_->lines;
   bundle.remarks = loadDiagnostics_;

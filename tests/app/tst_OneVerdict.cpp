@@ -180,7 +180,7 @@ hunavsim_desktop:
       tag: exp_2
       run_id: 3
       parameters:
-        personal_space: 1.25
+        personal_distance: 1.25
 )";
 
 struct Row {
@@ -252,6 +252,9 @@ class OneVerdictTest : public QObject {
       const QByteArray key = lines[at].left(colon);
       for (const char* value : {"abc", "[[1]]", "-1000000000.0", ".nan", ""}) {
         QList<QByteArray> changed = lines;
+        if (*value == '\0' && key.trimmed() == "map_file") {
+          continue;  // what is searched then depends on where the program lies
+        }
         if (*value == '\0') {
           changed.removeAt(at);
         } else {
