@@ -1,5 +1,7 @@
 #include "editor/panels/ListText.h"
 
+#include <algorithm>
+
 #include <QStringList>
 
 #include "sim2d/base/Text.h"
