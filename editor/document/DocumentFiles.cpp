@@ -64,7 +64,6 @@ base::Diagnostics ScenarioDocument::open(const QString& path) {
   disk_->readCount = loadDiagnostics_.size();
   if (isWhole || !isBlank(scenario_)) {
     loadMap();
-    mapProblems_ = isBeginning ? base::Diagnostics() : mapProblems_;  // it may be named further on
   } else {
     setMap(std::make_shared<sim2d::OccupancyGrid>());  // one problem is enough
   }
@@ -343,7 +342,7 @@ app::Bundle ScenarioDocument::bundle() const {
   bundle.map = mapIsMissing_ ? nullptr : map_;
   bundle.lines = disk_->lines;
   bundle.remarks = loadDiagnostics_;
-  base::append(bundle.remarks, mapProblems_);
+  base::append(bundle.remarks, disk_->isBeginning ? base::Diagnostics() : mapProblems_);
   if (isReadOnly() && !base::hasErrors(bundle.remarks)) {  // what was wrong is told no more
     bundle.remarks.push_back(base::makeError(
         "the file could only be read in part: save it under another name to run what is there",

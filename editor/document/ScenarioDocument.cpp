@@ -230,7 +230,9 @@ QString ScenarioDocument::displayName() const {
 
 base::Diagnostics ScenarioDocument::issues() const {
   base::Diagnostics all = loadDiagnostics_;
-  base::append(all, mapProblems_);
+  if (!disk_->isBeginning) {  // else it may be named further on
+    base::append(all, mapProblems_);
+  }
   base::append(all, checkIssues_);
   return all;
 }
