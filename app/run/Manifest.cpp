@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
+#include <type_traits>
 #include <unistd.h>
 
 #include <nlohmann/json.hpp>
@@ -65,18 +66,16 @@ Json humanJson(const sim2d::TraceHuman& human) {
   return json;
 }
 
+/// Its names and numbers.
 Json robotJson(const sim2d::TraceRobot& robot) {
-  return {{"id", robot.id},
-          {"name", robot.name},
-          {"type", robot.type},
-          {"planner", robot.planner},
-          {"radius", robot.radius},
-          {"mass", robot.mass},
-          {"max_vel", robot.maxVel},
-          {"max_acc", robot.maxAcc},
-          {"max_omega", robot.maxOmega},
-          {"max_alpha", robot.maxAlpha},
-          {"start_time", robot.startTime}};
+  Json json;
+  sim2d::forEachMember(robot, [&json](const char* name, const auto& member) {
+    using Member = std::decay_t<decltype(member)>;
+    if constexpr (std::is_arithmetic_v<Member> || std::is_same_v<Member, std::string>) {
+      json[name] = member;
+    }
+  });
+  return json;
 }
 
 }  // namespace

@@ -12,6 +12,22 @@
 
 namespace sim2d {
 
+/// The parts of trace.json list their members once, with their names there, in order: comparison,
+/// reader, writer and manifest are made from these lists.
+/// visit(name, member) for each.
+template <class T, class Visit>
+void forEachMember(T& of, Visit visit) {
+  std::apply([&](const auto&... each) { (visit(each.first, of.*each.second), ...); },
+             std::decay_t<T>::members());
+}
+
+template <class T, class = decltype(T::members())>
+bool operator==(const T& a, const T& b) {
+  return std::apply(
+      [&](const auto&... each) { return ((a.*each.second == b.*each.second) && ...); },
+      T::members());
+}
+
 struct TraceGoal {
   int id = 0;  // of the global goal, 0 = a plain point
   Vec2 position = Vec2::Zero();
@@ -31,11 +47,16 @@ struct TraceHuman {
   bool cyclicGoals = true;
   std::vector<TraceGoal> goals;
   std::vector<std::pair<std::string, double>> parameters;  // all resolved numbers, by their keys
-  friend bool operator==(const TraceHuman& a, const TraceHuman& b) {
-    return std::tie(a.id, a.name, a.kind, a.model, a.radius, a.mass, a.desiredSpeed, a.group,
-                    a.behavior, a.configuration, a.cyclicGoals, a.goals, a.parameters) ==
-           std::tie(b.id, b.name, b.kind, b.model, b.radius, b.mass, b.desiredSpeed, b.group,
-                    b.behavior, b.configuration, b.cyclicGoals, b.goals, b.parameters);
+
+  static constexpr auto members() {
+    using T = TraceHuman;
+    return std::make_tuple(
+        std::pair("id", &T::id), std::pair("name", &T::name), std::pair("kind", &T::kind),
+        std::pair("model", &T::model), std::pair("radius", &T::radius), std::pair("mass", &T::mass),
+        std::pair("desired_speed", &T::desiredSpeed), std::pair("group", &T::group),
+        std::pair("behavior", &T::behavior), std::pair("configuration", &T::configuration),
+        std::pair("cyclic_goals", &T::cyclicGoals), std::pair("goals", &T::goals),
+        std::pair("parameters", &T::parameters));
   }
 };
 
@@ -47,11 +68,16 @@ struct TraceRobot {
   double startTime = 0.0;
   std::vector<TraceGoal> goals;
   std::vector<Vec2> footprint;  // robot frame; empty = disc
-  friend bool operator==(const TraceRobot& a, const TraceRobot& b) {
-    return std::tie(a.id, a.name, a.type, a.planner, a.radius, a.mass, a.maxVel, a.maxAcc,
-                    a.maxOmega, a.maxAlpha, a.startTime, a.goals, a.footprint) ==
-           std::tie(b.id, b.name, b.type, b.planner, b.radius, b.mass, b.maxVel, b.maxAcc,
-                    b.maxOmega, b.maxAlpha, b.startTime, b.goals, b.footprint);
+
+  static constexpr auto members() {
+    using T = TraceRobot;
+    return std::make_tuple(
+        std::pair("id", &T::id), std::pair("name", &T::name), std::pair("type", &T::type),
+        std::pair("planner", &T::planner), std::pair("radius", &T::radius),
+        std::pair("mass", &T::mass), std::pair("max_vel", &T::maxVel),
+        std::pair("max_acc", &T::maxAcc), std::pair("max_omega", &T::maxOmega),
+        std::pair("max_alpha", &T::maxAlpha), std::pair("start_time", &T::startTime),
+        std::pair("goals", &T::goals), std::pair("footprint", &T::footprint));
   }
 };
 
@@ -61,9 +87,12 @@ struct TraceObstacle {
   bool open = false;              // door at the start
   std::vector<double> toggles;    // [s]
   std::vector<Outline> outlines;  // solid on the left
-  friend bool operator==(const TraceObstacle& a, const TraceObstacle& b) {
-    return std::tie(a.name, a.isDoor, a.open, a.toggles, a.outlines) ==
-           std::tie(b.name, b.isDoor, b.open, b.toggles, b.outlines);
+
+  static constexpr auto members() {
+    using T = TraceObstacle;
+    return std::make_tuple(std::pair("name", &T::name), std::pair("door", &T::isDoor),
+                           std::pair("open", &T::open), std::pair("toggles", &T::toggles),
+                           std::pair("outlines", &T::outlines));
   }
 };
 
@@ -75,9 +104,13 @@ struct TraceMetrics {
   int runId = 0;
   std::string selection;  // text of a metrics.yaml; empty = all metrics
   std::vector<std::pair<std::string, double>> parameters;
-  friend bool operator==(const TraceMetrics& a, const TraceMetrics& b) {
-    return std::tie(a.from, a.until, a.frequency, a.tag, a.runId, a.selection, a.parameters) ==
-           std::tie(b.from, b.until, b.frequency, b.tag, b.runId, b.selection, b.parameters);
+
+  static constexpr auto members() {
+    using T = TraceMetrics;
+    return std::make_tuple(std::pair("from", &T::from), std::pair("until", &T::until),
+                           std::pair("frequency", &T::frequency), std::pair("tag", &T::tag),
+                           std::pair("run_id", &T::runId), std::pair("selection", &T::selection),
+                           std::pair("parameters", &T::parameters));
   }
 };
 
@@ -93,12 +126,17 @@ struct TraceHeader {
   std::vector<TraceObstacle> obstacles;
   std::string obstaclePoints = "boundary";
   OccupancyGrid map;
-  TraceMetrics metrics;
-  friend bool operator==(const TraceHeader& a, const TraceHeader& b) {
-    return std::tie(a.format, a.scenario, a.dt, a.recordEvery, a.seed, a.humans, a.robots,
-                    a.obstacles, a.obstaclePoints, a.map, a.metrics) ==
-           std::tie(b.format, b.scenario, b.dt, b.recordEvery, b.seed, b.humans, b.robots,
-                    b.obstacles, b.obstaclePoints, b.map, b.metrics);
+  TraceMetrics metrics;  // absent in the file: as here
+
+  static constexpr auto members() {
+    using T = TraceHeader;
+    return std::make_tuple(std::pair("format", &T::format), std::pair("scenario", &T::scenario),
+                           std::pair("dt", &T::dt), std::pair("record_every", &T::recordEvery),
+                           std::pair("seed", &T::seed),
+                           std::pair("obstacle_points", &T::obstaclePoints),
+                           std::pair("humans", &T::humans), std::pair("robots", &T::robots),
+                           std::pair("obstacles", &T::obstacles), std::pair("map", &T::map),
+                           std::pair("metrics", &T::metrics));
   }
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "sim2d/trace/JsonFields.h"
 
@@ -18,9 +19,22 @@ void requirePositive(JsonFields& fields, const std::string& path, double value) 
   }
 }
 
-void readGoals(JsonFields& fields, const Json& json, const std::string& path,
-               std::vector<TraceGoal>& goals) {
-  fields.objects(json, path, "goals", goals, [&](const Json& item, const std::string& where) {
+/// Points as lists of two numbers, and whatever JsonFields knows.
+template <class T>
+void readMember(JsonFields& fields, const Json& json, const std::string& path, const char* key,
+                T& to) {
+  if constexpr (std::is_same_v<T, std::vector<Vec2>>) {
+    fields.points(json, path, key, to);
+  } else if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>) {
+    fields.readInt(json, path, key, to);
+  } else {
+    fields.read(json, path, key, to);
+  }
+}
+
+void readMember(JsonFields& fields, const Json& json, const std::string& path, const char* key,
+                std::vector<TraceGoal>& goals) {
+  fields.objects(json, path, key, goals, [&](const Json& item, const std::string& where) {
     TraceGoal goal;
     fields.readInt(item, where, "id", goal.id);
     fields.read(item, where, "x", goal.position.x());
@@ -30,17 +44,28 @@ void readGoals(JsonFields& fields, const Json& json, const std::string& path,
   });
 }
 
-void readParameters(JsonFields& fields, const Json& json, const std::string& path,
-                    std::vector<std::pair<std::string, double>>& to) {
-  const Json* parameters = fields.member(json, path, "parameters");
+void readMember(JsonFields& fields, const Json& json, const std::string& path, const char* key,
+                std::vector<double>& to) {
+  fields.forEach(json, path, key, [&](const Json& item, const std::string& where) {
+    double value = 0.0;
+    if (!JsonFields::finite(item, value)) {
+      fields.error(where, "must be a finite number");
+    }
+    to.push_back(value);
+  });
+}
+
+void readMember(JsonFields& fields, const Json& json, const std::string& path, const char* name,
+                std::vector<std::pair<std::string, double>>& to) {
+  const Json* parameters = fields.member(json, path, name);
   if (parameters == nullptr) {
     return;
   }
   if (!parameters->is_object()) {
-    fields.error(path + "parameters", "must be an object");
+    fields.error(path + name, "must be an object");
     return;
   }
-  const std::string where = path + "parameters.";
+  const std::string where = path + name + ".";
   for (const auto& [key, value] : parameters->items()) {
     double number = 0.0;
     if (value == "inf" || value == "-inf") {
@@ -54,68 +79,19 @@ void readParameters(JsonFields& fields, const Json& json, const std::string& pat
   }
 }
 
-TraceHuman readHuman(JsonFields& fields, const Json& json, const std::string& path) {
-  TraceHuman human;
-  fields.readInt(json, path, "id", human.id);
-  fields.read(json, path, "name", human.name);
-  fields.read(json, path, "kind", human.kind);
-  fields.read(json, path, "model", human.model);
-  fields.read(json, path, "radius", human.radius);
-  fields.read(json, path, "mass", human.mass);
-  fields.read(json, path, "desired_speed", human.desiredSpeed);
-  fields.readInt(json, path, "group", human.group);
-  fields.readInt(json, path, "behavior", human.behavior);
-  fields.readInt(json, path, "configuration", human.configuration);
-  fields.read(json, path, "cyclic_goals", human.cyclicGoals);
-  readGoals(fields, json, path, human.goals);
-  readParameters(fields, json, path, human.parameters);
-  requirePositive(fields, path + "radius", human.radius);
-  return human;
-}
-
-TraceRobot readRobot(JsonFields& fields, const Json& json, const std::string& path) {
-  TraceRobot robot;
-  fields.readInt(json, path, "id", robot.id);
-  fields.read(json, path, "name", robot.name);
-  fields.read(json, path, "type", robot.type);
-  fields.read(json, path, "planner", robot.planner);
-  fields.read(json, path, "radius", robot.radius);
-  fields.read(json, path, "mass", robot.mass);
-  fields.read(json, path, "max_vel", robot.maxVel);
-  fields.read(json, path, "max_acc", robot.maxAcc);
-  fields.read(json, path, "max_omega", robot.maxOmega);
-  fields.read(json, path, "max_alpha", robot.maxAlpha);
-  fields.read(json, path, "start_time", robot.startTime);
-  readGoals(fields, json, path, robot.goals);
-  fields.points(json, path, "footprint", robot.footprint);
-  requirePositive(fields, path + "radius", robot.radius);
-  return robot;
-}
-
-TraceObstacle readObstacle(JsonFields& fields, const Json& json, const std::string& path) {
-  TraceObstacle obstacle;
-  fields.read(json, path, "name", obstacle.name);
-  fields.read(json, path, "door", obstacle.isDoor);
-  fields.read(json, path, "open", obstacle.open);
-  fields.forEach(json, path, "toggles", [&](const Json& item, const std::string& where) {
-    double time = 0.0;
-    if (!JsonFields::finite(item, time)) {
-      fields.error(where, "must be a finite number");
-    }
-    obstacle.toggles.push_back(time);
-  });
-  const Json* outlines = fields.member(json, path, "outlines");
+void readMember(JsonFields& fields, const Json& json, const std::string& path, const char* name,
+                std::vector<Outline>& to) {
+  const Json* outlines = fields.member(json, path, name);
   if (outlines != nullptr && outlines->is_array()) {
     for (std::size_t k = 0; k < outlines->size(); ++k) {
       const std::string key = std::to_string(k);
       Outline outline;
-      fields.points(Json{{key, (*outlines)[k]}}, path + "outlines.", key.c_str(), outline.points);
-      obstacle.outlines.push_back(std::move(outline));
+      fields.points(Json{{key, (*outlines)[k]}}, path + name + ".", key.c_str(), outline.points);
+      to.push_back(std::move(outline));
     }
   } else if (outlines != nullptr) {
-    fields.error(path + "outlines", "must be a list");
+    fields.error(path + name, "must be a list");
   }
-  return obstacle;
 }
 
 /// Undoes the run lengths; never grows beyond `count`, whatever the file claims.
@@ -137,8 +113,9 @@ bool expandCells(const Json& json, std::size_t count, std::vector<std::int8_t>& 
   return cells.size() == count;
 }
 
-void readMap(JsonFields& fields, const Json& root, OccupancyGrid& map) {
-  const Json* json = fields.member(root, "", "map");
+void readMember(JsonFields& fields, const Json& root, const std::string& path, const char* name,
+                OccupancyGrid& map) {
+  const Json* json = fields.member(root, path, name);
   if (json == nullptr) {
     return;
   }
@@ -169,51 +146,51 @@ void readMap(JsonFields& fields, const Json& root, OccupancyGrid& map) {
   }
 }
 
-/// Scenarios that say nothing about metrics have no such member.
-void readMetrics(JsonFields& fields, const Json& root, TraceMetrics& metrics) {
-  const auto found = root.find("metrics");
-  if (found == root.end()) {
-    return;
-  }
-  if (!found->is_object()) {
-    fields.error("metrics", "must be an object");
-    return;
-  }
-  const std::string path = "metrics.";
-  fields.read(*found, path, "from", metrics.from);
-  fields.read(*found, path, "until", metrics.until);
-  fields.read(*found, path, "frequency", metrics.frequency);
-  fields.read(*found, path, "tag", metrics.tag);
-  fields.readInt(*found, path, "run_id", metrics.runId);
-  fields.read(*found, path, "selection", metrics.selection);
-  readParameters(fields, *found, path, metrics.parameters);
+template <class T>
+T readPart(JsonFields& fields, const Json& json, const std::string& path);
+
+template <class T, class = decltype(T::members())>
+void readMember(JsonFields& fields, const Json& json, const std::string& path, const char* key,
+                std::vector<T>& to) {
+  fields.objects(json, path, key, to, [&](const Json& item, const std::string& where) {
+    return readPart<T>(fields, item, where);
+  });
 }
 
-TraceHeader readHeader(JsonFields& fields, const Json& root) {
-  TraceHeader header;
-  fields.readInt(root, "", "format", header.format);
+/// Scenarios that say nothing about metrics have no such member.
+void readMember(JsonFields& fields, const Json& root, const std::string& path, const char* key,
+                TraceMetrics& metrics) {
+  const auto found = root.find(key);
+  if (found != root.end() && !found->is_object()) {
+    fields.error(path + key, "must be an object");
+  } else if (found != root.end()) {
+    metrics = readPart<TraceMetrics>(fields, *found, path + key + ".");
+  }
+}
+
+void check(JsonFields& fields, const std::string& path, const TraceHuman& human) {
+  requirePositive(fields, path + "radius", human.radius);
+}
+void check(JsonFields& fields, const std::string& path, const TraceRobot& robot) {
+  requirePositive(fields, path + "radius", robot.radius);
+}
+void check(JsonFields& fields, const std::string& path, const TraceHeader& header) {
   if (header.format > kFormat) {
     fields.error("format", "is newer than this program knows (" + std::to_string(kFormat) + ")");
   }
-  fields.read(root, "", "scenario", header.scenario);
-  fields.read(root, "", "dt", header.dt);
-  fields.readInt(root, "", "record_every", header.recordEvery);
-  fields.readInt(root, "", "seed", header.seed);
-  fields.read(root, "", "obstacle_points", header.obstaclePoints);
-  fields.objects(root, "", "humans", header.humans, [&](const Json& json, const std::string& path) {
-    return readHuman(fields, json, path);
-  });
-  fields.objects(root, "", "robots", header.robots, [&](const Json& json, const std::string& path) {
-    return readRobot(fields, json, path);
-  });
-  fields.objects(
-      root, "", "obstacles", header.obstacles,
-      [&](const Json& json, const std::string& path) { return readObstacle(fields, json, path); });
-  readMap(fields, root, header.map);
-  readMetrics(fields, root, header.metrics);
-  requirePositive(fields, "dt", header.dt);
-  requirePositive(fields, "record_every", header.recordEvery);
-  return header;
+  requirePositive(fields, path + "dt", header.dt);
+  requirePositive(fields, path + "record_every", header.recordEvery);
+}
+template <class T>
+void check(JsonFields& /*fields*/, const std::string& /*path*/, const T& /*part*/) {}
+
+template <class T>
+T readPart(JsonFields& fields, const Json& json, const std::string& path) {
+  T part;
+  forEachMember(
+      part, [&](const char* name, auto& member) { readMember(fields, json, path, name, member); });
+  check(fields, path, part);
+  return part;
 }
 
 base::Diagnostic syntaxError(const std::string& text, std::size_t byte, const std::string& file) {
@@ -246,7 +223,7 @@ base::Result<TraceHeader> parseTraceJson(const std::string& text, const std::str
     return base::makeError("must be a JSON object", file, 1, 1);
   }
   JsonFields fields(file, problems);
-  TraceHeader header = readHeader(fields, root);
+  auto header = readPart<TraceHeader>(fields, root, "");
   if (base::hasErrors(problems)) {
     return problems;
   }

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <type_traits>
 
 #include <nlohmann/json.hpp>
 
@@ -18,75 +19,25 @@ Json number(double value) {
   return std::isnan(value) ? "nan" : (value > 0 ? "inf" : "-inf");
 }
 
-Json pointsJson(const std::vector<Vec2>& points) {
-  Json list = Json::array();
-  for (const Vec2& point : points) {
-    list.push_back({number(point.x()), number(point.y())});
-  }
-  return list;
+// toJson: each type of a member as it stands in the file.
+Json toJson(double value) {
+  return number(value);
 }
-
-Json goalsJson(const std::vector<TraceGoal>& goals) {
-  Json list = Json::array();
-  for (const TraceGoal& goal : goals) {
-    list.push_back({{"id", goal.id},
-                    {"x", number(goal.position.x())},
-                    {"y", number(goal.position.y())},
-                    {"radius", number(goal.radius)}});
-  }
-  return list;
+Json toJson(const Vec2& point) {
+  return {number(point.x()), number(point.y())};
 }
-
-Json humanJson(const TraceHuman& human) {
-  Json parameters = Json::object();
-  for (const auto& [key, value] : human.parameters) {
-    parameters[key] = number(value);
-  }
-  return {{"id", human.id},
-          {"name", human.name},
-          {"kind", human.kind},
-          {"model", human.model},
-          {"radius", number(human.radius)},
-          {"mass", number(human.mass)},
-          {"desired_speed", number(human.desiredSpeed)},
-          {"group", human.group},
-          {"behavior", human.behavior},
-          {"configuration", human.configuration},
-          {"cyclic_goals", human.cyclicGoals},
-          {"goals", goalsJson(human.goals)},
-          {"parameters", parameters}};
+Json toJson(const TraceGoal& goal) {
+  return {{"id", goal.id},
+          {"x", number(goal.position.x())},
+          {"y", number(goal.position.y())},
+          {"radius", number(goal.radius)}};
 }
-
-Json robotJson(const TraceRobot& robot) {
-  return {{"id", robot.id},
-          {"name", robot.name},
-          {"type", robot.type},
-          {"planner", robot.planner},
-          {"radius", number(robot.radius)},
-          {"mass", number(robot.mass)},
-          {"max_vel", number(robot.maxVel)},
-          {"max_acc", number(robot.maxAcc)},
-          {"max_omega", number(robot.maxOmega)},
-          {"max_alpha", number(robot.maxAlpha)},
-          {"start_time", number(robot.startTime)},
-          {"goals", goalsJson(robot.goals)},
-          {"footprint", pointsJson(robot.footprint)}};
-}
-
-Json obstacleJson(const TraceObstacle& obstacle) {
-  Json toggles = Json::array();
-  for (const double toggle : obstacle.toggles) {
-    toggles.push_back(number(toggle));
+Json toJson(const std::vector<std::pair<std::string, double>>& parameters) {
+  Json json = Json::object();
+  for (const auto& [key, value] : parameters) {
+    json[key] = number(value);
   }
-  Json outlines = Json::array();
-  for (const Outline& outline : obstacle.outlines) {
-    outlines.push_back(pointsJson(outline.points));
-  }
-  return {{"name", obstacle.name},
-          {"door", obstacle.isDoor},
-          {"open", obstacle.open},
-          {"toggles", toggles},
-          {"outlines", outlines}};
+  return json;
 }
 
 /// Value and number of repetitions in turn, row by row from the lower left.
@@ -104,7 +55,7 @@ Json runLengths(const std::vector<std::int8_t>& cells) {
   return list;
 }
 
-Json mapJson(const OccupancyGrid& map) {
+Json toJson(const OccupancyGrid& map) {
   return {{"width", map.width()},
           {"height", map.height()},
           {"resolution", number(map.resolution())},
@@ -114,22 +65,26 @@ Json mapJson(const OccupancyGrid& map) {
           {"cells", runLengths(map.cells())}};
 }
 
-Json metricsJson(const TraceMetrics& metrics) {
-  Json parameters = Json::object();
-  for (const auto& [key, value] : metrics.parameters) {
-    parameters[key] = number(value);
+template <class T>
+Json toJson(const std::vector<T>& values);
+
+/// A part by its members; texts, numbers and flags as they are.
+template <class T>
+Json toJson(const T& value) {
+  if constexpr (std::is_same_v<T, Outline>) {
+    return toJson(value.points);
+  } else if constexpr (std::is_class_v<T> && !std::is_same_v<T, std::string>) {
+    Json json = Json::object();
+    forEachMember(value,
+                  [&json](const char* name, const auto& member) { json[name] = toJson(member); });
+    return json;
+  } else {
+    return value;
   }
-  return {{"from", metrics.from},
-          {"until", metrics.until},
-          {"frequency", number(metrics.frequency)},
-          {"tag", metrics.tag},
-          {"run_id", metrics.runId},
-          {"selection", metrics.selection},
-          {"parameters", parameters}};
 }
 
-template <class T, class ToJson>
-Json listJson(const std::vector<T>& values, ToJson toJson) {
+template <class T>
+Json toJson(const std::vector<T>& values) {
   Json list = Json::array();
   for (const T& value : values) {
     list.push_back(toJson(value));
@@ -156,18 +111,9 @@ std::string memberText(const Json& value) {
 }  // namespace
 
 std::string traceJson(const TraceHeader& header) {
-  Json root = {{"format", header.format},
-               {"scenario", header.scenario},
-               {"dt", number(header.dt)},
-               {"record_every", header.recordEvery},
-               {"seed", header.seed},
-               {"obstacle_points", header.obstaclePoints},
-               {"humans", listJson(header.humans, humanJson)},
-               {"robots", listJson(header.robots, robotJson)},
-               {"obstacles", listJson(header.obstacles, obstacleJson)},
-               {"map", mapJson(header.map)}};
-  if (!(header.metrics == TraceMetrics())) {
-    root["metrics"] = metricsJson(header.metrics);
+  Json root = toJson(header);
+  if (header.metrics == TraceMetrics()) {
+    root.erase("metrics");
   }
   std::string text = "{";
   for (const auto& [key, value] : root.items()) {
