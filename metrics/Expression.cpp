@@ -49,16 +49,14 @@ class ExpressionParser {
   base::Result<Expression> parse() {
     expression_.needs_ = {false};
     if (text_.size() > kLongest) {
-      fail(0, "the formula is too long");
+      fail(0, "formula.too-long");
     }
     const Part part = parseAny(0);
     if (!hasFailed() && token().kind != Token::Kind::End) {
-      fail(at(), "something is left over: '" + text_.substr(at()) + "'");
+      fail(at(), "formula.left-over", {text_.substr(at())});
     }
     if (!hasFailed() && part.scope != Scope::Run) {
-      fail(
-          0,
-          "differs from sample to sample: put it into min(), max(), mean(), sum(), integral() ...");
+      fail(0, "formula.of-samples");
     }
     if (hasFailed()) {
       return problem_;
@@ -69,9 +67,9 @@ class ExpressionParser {
 
  private:
   bool hasFailed() const { return !problem_.empty(); }
-  Part fail(std::size_t at, const std::string& message) {
+  Part fail(std::size_t at, const char* code, base::ProblemValues values = {}) {
     if (!hasFailed()) {
-      problem_.push_back(base::makeError(message, "", 1, static_cast<int>(at) + 1));
+      problem_.push_back(base::error(code, std::move(values), "", 1, static_cast<int>(at) + 1));
     }
     return {[](const Place&) { return 0.0; }, Scope::Run};
   }
@@ -111,7 +109,7 @@ class ExpressionParser {
   }
 
   Part parseAny(int depth) {
-    return depth > kDeepest ? fail(at(), "too many brackets in brackets")
+    return depth > kDeepest ? fail(at(), "formula.too-many-brackets")
                             : chain(kOr, &ExpressionParser::parseAnd, depth);
   }
   Part parseAnd(int depth) { return chain(kAnd, &ExpressionParser::parseCompare, depth); }
@@ -121,7 +119,7 @@ class ExpressionParser {
 
   Part parseSigned(int depth) {
     if (depth > kDeepest) {
-      return fail(at(), "too many signs");
+      return fail(at(), "formula.too-many-signs");
     }
     if (take("not")) {
       const Part part = parseSigned(depth + 1);
@@ -150,7 +148,7 @@ class ExpressionParser {
   Part parsePrimary(int depth) {
     if (take("(")) {
       const Part inner = parseAny(depth + 1);
-      return take(")") || hasFailed() ? inner : fail(at(), "')' is missing");
+      return take(")") || hasFailed() ? inner : fail(at(), "formula.no-bracket");
     }
     if (token().kind == Token::Kind::Number) {
       return {[value = tokens_[next_++].number](const Place&) { return value; }, Scope::Run};
@@ -159,12 +157,12 @@ class ExpressionParser {
       return parseName(depth);
     }
     if (token().kind == Token::Kind::End) {
-      return fail(at(), "the formula ends too early");
+      return fail(at(), "formula.ends-early");
     }
     const char first = token().text.front();
     const bool isNumber = first == '.' || (first >= '0' && first <= '9');
-    return fail(at(), isNumber ? "'" + token().text + "' is not a number"
-                               : "a number or a name is expected here");
+    return isNumber ? fail(at(), "formula.no-number", {token().text})
+                    : fail(at(), "formula.no-value");
   }
 
   Part parseName(int depth) {
@@ -184,12 +182,7 @@ class ExpressionParser {
     for (const VariableName& variable : variableNames()) {
       known.push_back(variable.name);
     }
-    return fail(begin, "unknown name '" + name + "'" + hint(name, known));
-  }
-
-  static std::string hint(const std::string& name, const std::vector<std::string>& known) {
-    const std::optional<std::string> meant = base::nearestName(name, known);
-    return meant ? " (did you mean '" + *meant + "'?)" : std::string();
+    return fail(begin, "formula.unknown-name", {name, base::nearestName(name, known)});
   }
 
   std::vector<Part> parseArguments(int depth) {
@@ -198,7 +191,7 @@ class ExpressionParser {
       arguments.push_back(parseAny(depth));
     } while (!hasFailed() && take(","));
     if (!hasFailed() && !take(")")) {
-      fail(at(), "')' is missing");
+      fail(at(), "formula.no-bracket");
     }
     return arguments;
   }
@@ -227,13 +220,13 @@ class ExpressionParser {
       }
       known.push_back(total.name);
     }
-    return fail(begin, "unknown function '" + name + "'" + hint(name, known));
+    return fail(begin, "formula.unknown-function", {name, base::nearestName(name, known)});
   }
 
   Part callOf(const FunctionName& function, const std::vector<Part>& arguments, std::size_t begin) {
     if (arguments.size() != function.arguments) {
-      return fail(begin, function.name + " takes " + std::to_string(function.arguments) +
-                             " values, not " + std::to_string(arguments.size()));
+      return fail(begin, "formula.value-count",
+                  {function.name, function.arguments, arguments.size()});
     }
     Part part;
     for (const Part& argument : arguments) {
@@ -252,11 +245,10 @@ class ExpressionParser {
 
   Part totalOf(const TotalName& total, const std::vector<Part>& arguments, std::size_t begin) {
     if (arguments.size() != 1) {
-      return fail(begin, total.name + " takes one value");
+      return fail(begin, "formula.one-value", {total.name});
     }
     if (arguments.front().scope == Scope::Person) {
-      return fail(begin,
-                  "differs from person to person: put it into people_min(), people_sum() ...");
+      return fail(begin, "formula.of-people");
     }
     expression_.needsRecord_ = expression_.needsRecord_ || arguments.front().isOfEnd;
     expression_.totals_.push_back({total.result, arguments.front().value});
@@ -269,7 +261,7 @@ class ExpressionParser {
   Part peopleTotalOf(const TotalName& total, const std::vector<Part>& arguments,
                      std::size_t begin) {
     if (arguments.size() != 1) {
-      return fail(begin, total.name + " takes one value");
+      return fail(begin, "formula.one-value", {total.name});
     }
     expression_.needs_.people = true;
     return {[result = total.result, term = arguments.front().value](const Place& place) {

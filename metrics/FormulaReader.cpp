@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include <yaml-cpp/yaml.h>
 
@@ -9,16 +10,12 @@
 
 namespace metrics {
 
-std::string nearestHint(const std::string& key, const std::vector<std::string>& known) {
-  const std::optional<std::string> nearest = base::nearestName(key, known);
-  return nearest ? " (did you mean '" + *nearest + "'?)" : "";
-}
-
-base::Diagnostic diagnosticAt(const YAML::Node& node, base::Severity severity,
-                              const std::string& file, const std::string& message) {
+base::Diagnostic placed(base::Diagnostic problem, const YAML::Node& node, const std::string& file) {
   const YAML::Mark mark = node.Mark();
-  return {severity, file, mark.is_null() ? 0 : mark.line + 1, mark.is_null() ? 0 : mark.column + 1,
-          message,  {}};
+  problem.file = file;
+  problem.line = mark.is_null() ? 0 : mark.line + 1;
+  problem.column = mark.is_null() ? 0 : mark.column + 1;
+  return problem;
 }
 
 namespace {
@@ -32,21 +29,22 @@ bool isKey(const std::string& key) {
 
 }  // namespace
 
-void FormulaReader::error(const YAML::Node& node, const std::string& message) {
-  problems_.push_back(diagnosticAt(node, base::Severity::Error, name_, message));
+void FormulaReader::error(const YAML::Node& node, std::string_view code,
+                          base::ProblemValues values) {
+  problems_.push_back(placed(base::error(code, std::move(values)), node, name_));
 }
 
 void FormulaReader::readText(const YAML::Node& value, std::string& to) {
   if (value.IsScalar()) {
     to = value.Scalar();
   } else {
-    error(value, "must be a text");
+    error(value, "metrics.no-text");
   }
 }
 
 void FormulaReader::read(const YAML::Node& metrics, const YAML::Node& place) {
   if (!metrics.IsDefined() || !metrics.IsMap()) {
-    error(place, "no map of formulas (hunavsim_metrics: ros__parameters: <key>: ...)");
+    error(place, "metrics.no-formulas");
     return;
   }
   for (const auto& entry : metrics) {
@@ -56,9 +54,9 @@ void FormulaReader::read(const YAML::Node& metrics, const YAML::Node& place) {
                            return other.info.key == key;
                          });
     if (isTaken) {
-      error(entry.first, "there is a metric '" + key + "' already");
+      error(entry.first, "metrics.name-taken", {key});
     } else if (!isKey(key)) {
-      error(entry.first, "a key is made of a-z, 0-9 and _, and begins with a letter");
+      error(entry.first, "metrics.bad-key");
     } else {
       readFormula(key, entry.first, entry.second);
     }
@@ -70,7 +68,7 @@ void FormulaReader::readFormula(const std::string& key, const YAML::Node& place,
   UserMetric metric;
   metric.key = key;
   if (!value.IsMap() || !value["expression"] || !value["expression"].IsScalar()) {
-    error(place, "'" + key + "' needs an expression");
+    error(place, "metrics.no-expression", {key});
     return;
   }
   for (const auto& entry : value) {
@@ -84,10 +82,10 @@ void FormulaReader::readFormula(const std::string& key, const YAML::Node& place,
     } else if (name == "better") {
       readBetter(entry.second, metric.better);
     } else {
-      problems_.push_back(
-          diagnosticAt(entry.first, base::Severity::Warning, name_,
-                       "unknown key '" + name + "'" +
-                           nearestHint(name, {"expression", "name", "unit", "better"})));
+      problems_.push_back(placed(
+          base::warning("metrics.unknown-key",
+                        {name, base::nearestName(name, {"expression", "name", "unit", "better"})}),
+          entry.first, name_));
     }
   }
   addFormula(metric, value["expression"]);
@@ -100,7 +98,7 @@ void FormulaReader::readBetter(const YAML::Node& value, Better& better) {
       return;
     }
   }
-  error(value, "better is lower, higher or neutral");
+  error(value, "metrics.bad-better");
 }
 
 /// Problems get the place in this file: formulas stand on one line, in quotes or not.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "metrics/Expression.h"
@@ -21,7 +22,7 @@ class FormulaReader {
   void read(const YAML::Node& metrics, const YAML::Node& place);
 
  private:
-  void error(const YAML::Node& node, const std::string& message);
+  void error(const YAML::Node& node, std::string_view code, base::ProblemValues values = {});
   void readText(const YAML::Node& value, std::string& to);
   void readFormula(const std::string& key, const YAML::Node& place, const YAML::Node& value);
   void readBetter(const YAML::Node& value, Better& better);
@@ -33,9 +34,7 @@ class FormulaReader {
   base::Diagnostics& problems_;
 };
 
-base::Diagnostic diagnosticAt(const YAML::Node& node, base::Severity severity,
-                              const std::string& file, const std::string& message);
-/// " (did you mean 'x'?)" or nothing.
-std::string nearestHint(const std::string& key, const std::vector<std::string>& known);
+/// The problem with the place of the node.
+base::Diagnostic placed(base::Diagnostic problem, const YAML::Node& node, const std::string& file);
 
 }  // namespace metrics

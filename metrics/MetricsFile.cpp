@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <yaml-cpp/yaml.h>
 
@@ -56,7 +57,7 @@ class FileReader {
     }
     const YAML::Node parameters = find(root);
     if (!parameters.IsMap()) {
-      error(root, "no map of parameters (hunav_evaluator_node: ros__parameters: ...)");
+      error(root, "metrics.no-parameters");
       return problems_;
     }
     for (const auto& entry : parameters) {
@@ -73,11 +74,11 @@ class FileReader {
     return {std::move(file_), std::move(problems_)};
   }
 
-  void note(base::Severity severity, const YAML::Node& node, const std::string& message) {
-    problems_.push_back(diagnosticAt(node, severity, name_, message));
+  void error(const YAML::Node& node, std::string_view code, base::ProblemValues values = {}) {
+    problems_.push_back(placed(base::error(code, std::move(values)), node, name_));
   }
-  void error(const YAML::Node& node, const std::string& message) {
-    note(base::Severity::Error, node, message);
+  void warn(const YAML::Node& node, std::string_view code, base::ProblemValues values) {
+    problems_.push_back(placed(base::warning(code, std::move(values)), node, name_));
   }
 
   /// Parameters of the node; a file may also hold them without the two outer keys.
@@ -108,9 +109,9 @@ class FileReader {
     } else if (key == "run_id") {
       file_.selection.runId = static_cast<int>(base::parseInt(value.Scalar()).value_or(0));
     } else if (!isIgnored(key)) {
-      note(base::Severity::Warning, value,
-           "unknown key '" + key + "'" +
-               nearestHint(key, {"metrics", "frequency", "result_file", "experiment_tag"}));
+      warn(
+          value, "metrics.unknown-key",
+          {key, base::nearestName(key, {"metrics", "frequency", "result_file", "experiment_tag"})});
     }
   }
 
@@ -125,7 +126,7 @@ class FileReader {
     if (value.IsScalar()) {
       to = value.Scalar();
     } else {
-      error(value, "must be a text");
+      error(value, "metrics.no-text");
     }
   }
 
@@ -133,7 +134,7 @@ class FileReader {
     const std::optional<double> frequency =
         value.IsScalar() ? base::parseDouble(value.Scalar()) : std::nullopt;
     if (!frequency || !std::isfinite(*frequency) || *frequency < 0.0) {
-      error(value, "frequency must be 0 or greater [Hz]");
+      error(value, "metrics.bad-frequency");
       return;
     }
     file_.selection.window.frequency = *frequency;
@@ -144,7 +145,7 @@ class FileReader {
     if (text == "true" || text == "false") {
       return text == "true";
     }
-    error(value, key + " must be true or false");
+    error(value, "metrics.no-boolean", {key});
     return false;
   }
 
@@ -159,14 +160,14 @@ class FileReader {
       return;
     }
     if (!value.IsMap()) {
-      error(value, "metrics must map keys to true or false");
+      error(value, "metrics.no-map");
       return;
     }
     std::set<std::string> seen;
     for (const auto& entry : value) {
       const auto key = entry.first.as<std::string>("");
       if (!seen.insert(key).second) {
-        error(entry.first, "key '" + key + "' stands here twice");
+        error(entry.first, "metrics.key-twice", {key});
       }
       turnKey(entry.first, key, readBool(entry.second, key));
     }
@@ -175,8 +176,8 @@ class FileReader {
   void turnKey(const YAML::Node& place, const std::string& key, bool on) {
     const MetricEntry* entry = registry_.find(key);
     if (entry == nullptr || !entry->info.partOf.empty()) {
-      note(base::Severity::Warning, place,
-           "unknown metric '" + key + "'" + nearestHint(key, selectableKeys(registry_)));
+      warn(place, "metrics.unknown-metric",
+           {key, base::nearestName(key, selectableKeys(registry_))});
       return;
     }
     turnOn(entry->info, on, *file_.selection.keys);
@@ -201,8 +202,8 @@ base::Result<Selection> selectionOfKeys(const std::vector<std::string>& keys,
   for (const std::string& key : keys) {
     const MetricEntry* entry = registry.find(key);
     if (entry == nullptr || !entry->info.partOf.empty()) {
-      problems.push_back(base::makeError("unknown metric '" + key + "'" +
-                                         nearestHint(key, selectableKeys(registry))));
+      problems.push_back(base::error("metrics.unknown-metric",
+                                     {key, base::nearestName(key, selectableKeys(registry))}));
       continue;
     }
     turnOn(entry->info, true, *selection.keys);
@@ -219,10 +220,10 @@ base::Result<MetricsFile> parseMetricsFile(const std::string& text, const std::s
     return FileReader(name, registry).read(YAML::Load(text));
   } catch (const YAML::ParserException& exception) {
     const bool known = !exception.mark.is_null();
-    return base::makeError(exception.msg, name, known ? exception.mark.line + 1 : 0,
-                           known ? exception.mark.column + 1 : 0);
+    return base::error("metrics.not-yaml", {exception.msg}, name,
+                       known ? exception.mark.line + 1 : 0, known ? exception.mark.column + 1 : 0);
   } catch (const YAML::Exception& exception) {
-    return base::makeError(exception.msg, name);
+    return base::error("metrics.not-yaml", {exception.msg}, name);
   }
 }
 

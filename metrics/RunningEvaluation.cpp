@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim2d/base/Problems.h"
+
 namespace metrics {
 
 namespace {
@@ -138,14 +140,13 @@ void RunningEvaluation::add(Sample sample) {
 
 base::Result<Evaluation> RunningEvaluation::finish(const SeriesSink& sink) const {
   if (!hasSamples_) {
-    return base::makeError("the record has no samples, so there is nothing to measure");
+    return base::error("metrics.no-samples");
   }
-  if (const std::string problem = windowProblem(selection_.window); !problem.empty()) {
-    return base::makeError("metrics: " + problem);
+  if (const std::optional<base::Diagnostic> wrong = windowProblem(selection_.window)) {
+    return base::within("metrics", *wrong);
   }
   if (all_.size() == 0) {
-    return base::makeError("no sample lies between '" + selection_.window.from + "' and '" +
-                           selection_.window.until + "'");
+    return base::error("metrics.empty-window", {selection_.window.from, selection_.window.until});
   }
   Evaluation evaluation;
   evaluation.parameters = parameters_;
@@ -155,7 +156,7 @@ base::Result<Evaluation> RunningEvaluation::finish(const SeriesSink& sink) const
   evaluation.times = times_;
   evaluation.results = all_.values(nullptr, sink);
   if (all_.hasLostSeries()) {
-    return base::makeError("series in a temporary file could not be read back");
+    return base::error("metrics.series-lost");
   }
   for (std::size_t k = 0; k < kBehaviors; ++k) {
     if (!behaviors_[k].feed || !behaviors_[k].isMet) {

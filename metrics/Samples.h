@@ -135,8 +135,8 @@ struct Window {
   std::string until = "end";   // end | arrival | time T | event KIND
   double frequency = 0.0;      // [Hz], 0 = every sample
 };
-/// Says what is wrong with the texts of a window; empty = nothing.
-std::string windowProblem(const Window& window);
+/// What is wrong with the texts of a window, if anything.
+std::optional<base::Diagnostic> windowProblem(const Window& window);
 /// Tells sample by sample what a window takes.
 class WindowGate {
  public:

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "metrics/Samples.h"
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 
 namespace metrics {
@@ -20,22 +21,21 @@ std::string argumentOf(const std::string& text, const std::string& word) {
   return text.compare(0, start.size(), start) == 0 ? base::trimmed(text.substr(start.size())) : "";
 }
 
-std::string boundProblem(const std::string& text, const std::vector<std::string>& words) {
+std::optional<base::Diagnostic> boundProblem(const std::string& text,
+                                             const std::vector<std::string>& words) {
   if (std::find(words.begin(), words.end(), text) != words.end()) {
-    return "";
+    return std::nullopt;
   }
   if (const std::string time = argumentOf(text, "time"); !time.empty()) {
     const std::optional<double> value = base::parseDouble(time);
-    return value && std::isfinite(*value) ? "" : "'" + time + "' is not a time";
+    return value && std::isfinite(*value) ? std::nullopt
+                                          : std::optional(base::error("metrics.no-time", {time}));
   }
   if (const std::string kind = argumentOf(text, "event"); !kind.empty()) {
-    return sim2d::eventKindOf(kind) ? "" : "unknown kind of event '" + kind + "'";
+    return sim2d::eventKindOf(kind) ? std::nullopt
+                                    : std::optional(base::error("metrics.unknown-event", {kind}));
   }
-  std::string known;
-  for (const std::string& word : words) {
-    known += word + ", ";
-  }
-  return "'" + text + "' is none of " + known + "time T, event KIND";
+  return base::error("metrics.unknown-bound", {text, base::join(words, ", ")});
 }
 
 /// Kind of "event KIND".
@@ -52,19 +52,17 @@ std::optional<double> toldTime(const std::string& text) {
 
 }  // namespace
 
-std::string windowProblem(const Window& window) {
-  if (const std::string problem = boundProblem(window.from, {"begin", "goal", "motion"});
-      !problem.empty()) {
-    return "from: " + problem;
+std::optional<base::Diagnostic> windowProblem(const Window& window) {
+  if (auto wrong = boundProblem(window.from, {"begin", "goal", "motion"})) {
+    return base::within("from", *std::move(wrong));
   }
-  if (const std::string problem = boundProblem(window.until, {"end", "arrival"});
-      !problem.empty()) {
-    return "until: " + problem;
+  if (auto wrong = boundProblem(window.until, {"end", "arrival"})) {
+    return base::within("until", *std::move(wrong));
   }
   if (!(window.frequency >= 0.0) || std::isinf(window.frequency)) {
-    return "frequency must be 0 or greater";
+    return base::error("metrics.negative-frequency");
   }
-  return "";
+  return std::nullopt;
 }
 
 WindowGate::WindowGate(Window window, const RunContext& context)

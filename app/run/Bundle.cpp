@@ -51,11 +51,10 @@ void tellGenerated(Bundle& bundle, const std::vector<std::string>& names) {
   constexpr std::size_t kNamed = 3;
   std::vector<std::string> first(names.begin(), names.begin() + std::min(kNamed, names.size()));
   const std::string more = names.size() > kNamed ? " …" : "";
-  base::Diagnostics told = {base::makeWarning("no tree file for " + std::to_string(names.size()) +
-                                                  (names.size() == 1 ? " person (" : " people (") +
-                                                  base::join(first, ", ") + more +
-                                                  "): the tree of the behaviour is generated",
-                                              bundle.path)};
+  const char* const people = names.size() == 1 ? " person" : " people";
+  base::Diagnostics told = {base::warning(
+      "run.no-tree-files", {std::to_string(names.size()) + people, base::join(first, ", ") + more},
+      bundle.path)};
   sim2d::addPlaceOfKey(told, bundle.path, {"hunav_loader.ros__parameters.agents"});
   base::append(bundle.remarks, told);
 }
@@ -65,7 +64,7 @@ bool hasTreesFolder(Bundle& bundle, const std::string& folder) {
   if (folder.empty() || std::filesystem::is_directory(folder, ignored)) {
     return true;
   }
-  bundle.remarks.push_back(base::makeError("--trees: this is no folder", folder));
+  bundle.remarks.push_back(base::error("option.no-trees-folder", {}, folder));
   return false;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "app/run/DataPaths.h"
 #include "sim2d/base/Text.h"
@@ -45,21 +46,27 @@ class Reader {
   }
 
  private:
-  void error(const YamlNode& node, const std::string& message) {
-    errors_.push_back(base::makeError(message, experiment_.path, node.line, node.column));
+  void error(const YamlNode& node, base::Diagnostic problem) {
+    problem.file = experiment_.path;
+    problem.line = node.line;
+    problem.column = node.column;
+    errors_.push_back(std::move(problem));
+  }
+  void error(const YamlNode& node, const char* code, base::ProblemValues values = {}) {
+    error(node, base::error(code, std::move(values)));
   }
 
   void readRoot(const YamlNode& root) {
     if (!root.isMap()) {
-      error(root, "an experiment is a map that begins with hunavsim_experiment: 1");
+      error(root, "experiment.no-map");
       return;
     }
     checkKeys(root);
     const YamlNode* format = root.find("hunavsim_experiment");
     if (format == nullptr) {
-      error(root, "the key hunavsim_experiment is missing (write hunavsim_experiment: 1)");
+      error(root, "experiment.no-format");
     } else if (base::parseInt(format->text) != 1) {
-      error(*format, "this program reads experiments of format 1, not '" + format->text + "'");
+      error(*format, "experiment.other-format", {format->text});
     }
     readScenarios(root);
     readSeeds(root.find("seeds"));
@@ -71,7 +78,7 @@ class Reader {
     readWord(root.find("metrics_profile"), "metrics_profile", experiment_.metricsProfile);
     if (experiment_.metricsProfile && *experiment_.metricsProfile != "corrected" &&
         *experiment_.metricsProfile != "hunav2") {
-      error(*root.find("metrics_profile"), "metrics_profile is corrected or hunav2");
+      error(*root.find("metrics_profile"), "experiment.bad-profile");
     }
     readValues(root.find("values"));
     readRecord(root.find("record"));
@@ -81,11 +88,9 @@ class Reader {
     const std::vector<std::string>& known = knownKeys();
     for (const YamlNode& item : root.items) {
       if (std::find(known.begin(), known.end(), item.key) == known.end()) {
-        const std::optional<std::string> meant = base::nearestName(item.key, known);
-        errors_.push_back(
-            base::makeError("unknown key '" + item.key + "'" +
-                                (meant ? " (did you mean '" + *meant + "'?)" : std::string()),
-                            experiment_.path, item.keyLine, item.keyColumn));
+        errors_.push_back(base::error("experiment.unknown-key",
+                                      {item.key, base::nearestName(item.key, known)},
+                                      experiment_.path, item.keyLine, item.keyColumn));
       }
     }
   }
@@ -93,12 +98,12 @@ class Reader {
   void readScenarios(const YamlNode& root) {
     const YamlNode* list = root.find("scenarios");
     if (list == nullptr || !list->isList() || list->items.empty()) {
-      error(list ? *list : root, "scenarios is a list of at least one file or shipped name");
+      error(list ? *list : root, "experiment.no-scenarios");
       return;
     }
     for (const YamlNode& item : list->items) {
       if (item.text.empty()) {
-        error(item, "a scenario is the name of a file or of a shipped scenario");
+        error(item, "experiment.bad-scenario");
         continue;
       }
       experiment_.scenarios.push_back(item.text);
@@ -121,8 +126,7 @@ class Reader {
     if (shipped != name) {
       return shipped;
     }
-    error(item, "there is no scenario '" + name + "' (looked for " + beside.string() +
-                    " and among the shipped scenarios)");
+    error(item, "experiment.unknown-scenario", {name, beside.string()});
     return {};
   }
 
@@ -141,13 +145,13 @@ class Reader {
     for (const YamlNode& item : node->items) {
       const std::optional<long long> seed = base::parseInt(item.text);
       if (!seed || *seed < 0) {
-        error(item, "a seed is a whole number >= 0");
+        error(item, "experiment.bad-seed");
       } else {
         experiment_.seeds.push_back(*seed);
       }
     }
     if (experiment_.seeds.empty() && errors_.size() == before) {
-      error(*node, "seeds is a number of seeds >= 1 or a list of seeds");
+      error(*node, "experiment.bad-seeds");
     }
   }
 
@@ -158,7 +162,7 @@ class Reader {
     }
     const std::optional<double> number = base::parseDouble(node->text);
     if (!number || !(*number > above && *number <= maximum)) {
-      error(*node, key + " is not a number in its range");
+      error(*node, "experiment.out-of-range", {key});
       return;
     }
     value = base::formatDouble(*number);
@@ -166,7 +170,7 @@ class Reader {
 
   void readWord(const YamlNode* node, const std::string& key, std::optional<std::string>& value) {
     if (node != nullptr && node->text.empty()) {
-      error(*node, key + " is a word");
+      error(*node, "experiment.no-word", {key});
     } else if (node != nullptr) {
       value = node->text;
     }
@@ -176,8 +180,7 @@ class Reader {
                 std::optional<std::string>& value) {
     readWord(node, key, value);
     if (value && std::find(known.begin(), known.end(), *value) == known.end()) {
-      error(*node,
-            "there is no " + key + " '" + *value + "' (known: " + base::join(known, ", ") + ")");
+      error(*node, "experiment.unknown-name", {key, *value, base::join(known, ", ")});
     }
   }
 
@@ -187,7 +190,7 @@ class Reader {
       sim2d::Scenario changed = scenario;
       const base::Diagnostics problems = sim2d::setValue(changed, path, textOf(item));
       if (base::hasErrors(problems)) {
-        error(item, problems.front().message);
+        error(item, problems.front());
         return;
       }
     }
@@ -198,7 +201,7 @@ class Reader {
       return;
     }
     if (!node->isMap()) {
-      error(*node, "values is a map: path of --set -> list of values");
+      error(*node, "experiment.bad-values");
       return;
     }
     for (const YamlNode& dimension : node->items) {
@@ -210,7 +213,7 @@ class Reader {
         }
       }
       if (texts.empty()) {
-        error(dimension, "the values of '" + dimension.key + "' are not a list");
+        error(dimension, "experiment.values-no-list", {dimension.key});
       }
       experiment_.values.emplace_back(dimension.key, std::move(texts));
     }
@@ -246,7 +249,7 @@ class Reader {
     } else if (node->text == "all") {
       experiment_.record = Experiment::Record::All;
     } else {
-      error(*node, "record is metrics, failed or all");
+      error(*node, "experiment.bad-record");
     }
   }
 

@@ -8,6 +8,7 @@
 #include "bt/human/HumanNodes.h"
 #include "bt/human/TreeExport.h"
 #include "bt/tree/TreeXml.h"
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapFiles.h"
 #include "sim2d/map/MapReader.h"
@@ -59,9 +60,9 @@ class Planner {
   }
 
  private:
-  void warn(const std::string& message, const std::string& file = {}, base::EntityId about = {}) {
-    plan_.report.push_back(base::makeWarning(message, file));
-    plan_.report.back().entity = about;
+  void warn(const sim2d::Human& human, base::Diagnostic said) {
+    said.entity = human.key;
+    plan_.report.push_back(base::within(human.name, std::move(said)));
   }
 
   std::string baseName() const {
@@ -84,16 +85,19 @@ class Planner {
   void checkSource() {
     if (base_.empty() || base_ == "." || base_ == ".." || base_.find('/') != std::string::npos ||
         base_.find('\0') != std::string::npos) {
-      plan_.report.push_back(base::makeError(
-          "'" + base_ + "' cannot begin the names of files (yaml_base_name)", source_.path));
+      plan_.report.push_back(base::error("option.bad-base-name", {base_}, source_.path));
     }
     if (source_.comments > 0) {
-      warn(std::to_string(source_.comments) + (source_.comments == 1 ? " comment" : " comments") +
-               " of the file are not kept",
-           source_.path);
+      plan_.report.push_back(base::warning(
+          "export.comments-lost",
+          {std::to_string(source_.comments) + (source_.comments == 1 ? " comment" : " comments")},
+          source_.path));
     }
-    for (const base::Diagnostic& problem : source_.problems) {
-      warn(problem.message, problem.file);
+    for (base::Diagnostic problem : source_.problems) {
+      problem.severity = base::Severity::Warning;
+      problem.line = problem.column = 0;
+      problem.entity = {};
+      plan_.report.push_back(std::move(problem));
     }
     const base::Diagnostics meaning = sim2d::checkScenario(
         source_.scenario, sim2d::makeSurroundings(source_.scenario, {}), source_.path);
@@ -151,14 +155,11 @@ class Planner {
     addFile(file, bt::renumbered(*read, tree.text, {exported_.goals, exported_.people},
                                  library_.catalogue(), changed));
     if (changed > 0) {
-      warn(human.name + ": " + std::to_string(changed) +
-               " numbers of goals and people in the tree follow the new ones",
-           tree.path, human.key);
+      warn(human, base::warning("export.tree-renumbered", {changed}, tree.path));
     }
     for (const std::string& node : bt::ownNodes(*read, library_.catalogue())) {
       if (!isNative_) {
-        warn(human.name + ": the tree uses " + node + ", which HuNavSim does not have", tree.path,
-             human.key);
+        warn(human, base::warning("export.own-node", {node}, tree.path));
       }
     }
     copyIncluded(*read, tree);
@@ -172,7 +173,8 @@ class Planner {
       const base::Result<std::string> text =
           base::readTextFile((fs::path(source.path).parent_path() / include.path).string());
       if (!text || include.path.find('/') != std::string::npos) {
-        warn("the tree includes " + include.path + ", which is not copied", source.path);
+        plan_.report.push_back(
+            base::warning("export.include-not-copied", {include.path}, source.path));
         continue;
       }
       addFile("behavior_trees/" + include.path, *text);
@@ -224,8 +226,7 @@ class Planner {
       const bool isSource = file.state == ExportPlan::State::Replaced && !source_.path.empty() &&
                             fs::equivalent(file.content.path, source_.path, ignored);
       if (isSource) {
-        plan_.report.push_back(base::makeError(
-            "the scenario itself would be replaced (give another folder)", file.content.path));
+        plan_.report.push_back(base::error("export.over-source", {}, file.content.path));
       }
     }
   }

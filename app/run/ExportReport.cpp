@@ -2,25 +2,30 @@
 
 #include <algorithm>
 #include <map>
-#include <utility>
+#include <string_view>
+#include <tuple>
+
+#include "sim2d/base/Problems.h"
 
 namespace app {
 
 std::vector<ReportLine> groupedByPeople(const base::Diagnostics& report) {
   std::vector<ReportLine> lines;
-  std::map<std::pair<base::Severity, std::string>, std::size_t> known;  // words without the name
+  using Said = std::tuple<base::Severity, std::string_view, decltype(base::Diagnostic::values)>;
+  std::map<Said, std::size_t> known;  // of people, without the name
   for (const base::Diagnostic& said : report) {
-    const std::size_t colon = said.message.find(": ");
-    const bool isOfPerson =
-        said.entity.kind == base::EntityKind::Human && colon != std::string::npos;
-    const std::string words = isOfPerson ? said.message.substr(colon) : std::string();
-    const auto [place, isNew] = known.try_emplace({said.severity, words}, lines.size());
-    if (!isOfPerson || isNew) {
+    const std::string name = said.value("where");
+    if (said.entity.kind != base::EntityKind::Human || name.empty()) {
+      lines.push_back({said, {}});
+      continue;
+    }
+    const auto [place, isNew] = known.try_emplace(
+        {said.severity, said.code, base::elsewhere({}, said).values}, lines.size());
+    if (isNew) {
       lines.push_back({said, {}});
     }
-    const std::string name = said.message.substr(0, isOfPerson ? colon : 0);
     std::vector<std::string>& people = lines[place->second].people;
-    if (isOfPerson && std::find(people.begin(), people.end(), name) == people.end()) {
+    if (std::find(people.begin(), people.end(), name) == people.end()) {
       people.push_back(name);
     }
   }
@@ -29,8 +34,7 @@ std::vector<ReportLine> groupedByPeople(const base::Diagnostics& report) {
       line.people.clear();
       continue;
     }
-    line.said.message = std::to_string(line.people.size()) + " people" +
-                        line.said.message.substr(line.said.message.find(": "));
+    line.said = base::elsewhere(std::to_string(line.people.size()) + " people", line.said);
     line.said.entity = {};
   }
   return lines;

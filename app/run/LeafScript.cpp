@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlTree.h"
@@ -45,7 +46,7 @@ class Reader {
       return;  // nothing is said: every leaf succeeds
     }
     if (!root.isMap()) {
-      error(root, "a script is a map: name of a leaf -> list of statuses");
+      error(root, "script.no-map");
       return;
     }
     for (const YamlNode& item : root.items) {
@@ -66,7 +67,7 @@ class Reader {
       readStatus(item, entry);
     }
     if (item.isList() && item.items.empty()) {
-      error(item, "the list of '" + item.key + "' is empty (one status at least)");
+      error(item, "script.empty-list", {item.key});
     }
     script_.entries.push_back(std::move(entry));
   }
@@ -78,13 +79,14 @@ class Reader {
       return;
     }
     const std::string what = word.isScalar() ? "'" + word.text + "' is" : "this is";
-    error(word, what + " no status of a leaf (" + kStatuses + ")");
+    error(word, "script.no-status", {what, kStatuses});
   }
 
-  void error(const YamlNode& node, const std::string& message) {
+  void error(const YamlNode& node, std::string_view code, base::ProblemValues values = {}) {
     const bool isValue = !node.isNull() || node.keyLine == 0;  // nothing stands behind its key
-    problems_.push_back(base::makeError(message, script_.path, isValue ? node.line : node.keyLine,
-                                        isValue ? node.column : node.keyColumn));
+    problems_.push_back(base::error(code, std::move(values), script_.path,
+                                    isValue ? node.line : node.keyLine,
+                                    isValue ? node.column : node.keyColumn));
   }
 
   LeafScript script_;

@@ -122,11 +122,11 @@ base::Diagnostics checkWritableFolder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder)) {
-    return {base::makeError(
-        "cannot make the folder" + (error ? ": " + error.message() : std::string()), folder)};
+    return {
+        base::error("file.cannot-make-folder", {error ? error.message() : std::string()}, folder)};
   }
   if (access(folder.c_str(), W_OK) != 0) {
-    return {base::makeError("cannot write into the folder (no permission)", folder)};
+    return {base::error("file.no-permission", {}, folder)};
   }
   return {};
 }

@@ -20,13 +20,18 @@ base::Diagnostics readParameters(const std::vector<std::pair<std::string, double
     for (const metrics::ParameterInfo& info : metrics::parameterInfos()) {
       known.push_back(info.spec.key);
     }
-    const std::optional<std::string> meant = base::nearestName(name, known);
     problems.push_back(
-        base::makeError("unknown metric parameter '" + name + "'" +
-                            (meant ? " (did you mean '" + *meant + "'?)" : std::string()),
-                        file));
+        base::error("metrics.unknown-parameter", {name, base::nearestName(name, known)}, file));
   }
   return problems;
+}
+
+void addWindowProblem(const metrics::Window& window, const std::string& file,
+                      base::Diagnostics& problems) {
+  if (std::optional<base::Diagnostic> wrong = metrics::windowProblem(window)) {
+    wrong->file = file;
+    problems.push_back(*std::move(wrong));
+  }
 }
 
 }  // namespace
@@ -52,9 +57,7 @@ base::Result<MetricsSetup> metricsSetupOf(const sim2d::Scenario& scenario,
   selection.window.frequency = settings.frequency.value_or(selection.window.frequency);
   selection.tag = settings.tag.value_or(selection.tag);
   selection.runId = settings.runId.value_or(selection.runId);
-  if (const std::string wrong = metrics::windowProblem(selection.window); !wrong.empty()) {
-    problems.push_back(base::makeError(wrong, scenarioPath));
-  }
+  addWindowProblem(selection.window, scenarioPath, problems);
   if (base::hasErrors(problems)) {
     return problems;
   }
@@ -78,9 +81,7 @@ base::Diagnostics readMetricsSetup(const sim2d::TraceHeader& header, MetricsSetu
   selection.window = {told.from, told.until, told.frequency};
   selection.tag = told.tag;
   selection.runId = told.runId;
-  if (const std::string wrong = metrics::windowProblem(selection.window); !wrong.empty()) {
-    problems.push_back(base::makeError(wrong, file));
-  }
+  addWindowProblem(selection.window, file, problems);
   return problems;
 }
 

@@ -34,7 +34,7 @@ std::string findScenario(const fs::path& folder, base::Diagnostics& problems) {
                        !inputs->empty() && inputs->front().is_object() &&
                        inputs->front().value("path", nlohmann::json()).is_string();
   if (!isWhole) {
-    problems.push_back(base::makeError("is no manifest of a run (damaged?)", manifest.string()));
+    problems.push_back(base::error("trace.bad-manifest", {}, manifest.string()));
     return {};
   }
   const fs::path named = inputs->front()["path"].get<std::string>();
@@ -44,10 +44,7 @@ std::string findScenario(const fs::path& folder, base::Diagnostics& problems) {
       return fs::weakly_canonical(path, none).string();
     }
   }
-  problems.push_back(
-      base::makeWarning("the scenario of this run is not there any more, or has changed: people, "
-                        "robots and walls are shown as they were recorded",
-                        named.string()));
+  problems.push_back(base::warning("trace.scenario-gone", {}, named.string()));
   return {};
 }
 
@@ -214,15 +211,13 @@ class ScenarioMaker {
 base::Result<RecordedRun> readRecordedRun(const std::string& folder) {
   std::error_code none;
   if (!fs::exists(fs::path(folder) / "trace.json", none)) {
-    return base::makeError(fs::exists(fs::path(folder) / "trajectory.csv", none)
-                               ? "a run was not written to its end here: trace.json is missing"
-                               : "is no folder of a run: trace.json is missing",
-                           folder);
+    const bool isCut = fs::exists(fs::path(folder) / "trajectory.csv", none);
+    return base::error(isCut ? "trace.unfinished" : "trace.no-run", {}, folder);
   }
   const auto recording = sim2d::readRecording(folder);
   base::Diagnostics problems = recording.diagnostics();
   if (recording && (*recording)->size() == 0) {
-    problems.push_back(base::makeError("the record has no states", folder));
+    problems.push_back(base::error("trace.no-states", {}, folder));
   }
   RecordedRun run;
   run.scenario = findScenario(folder, problems);

@@ -25,7 +25,7 @@ class Folder {
       std::error_code error;
       fs::remove(path_ / name, error);  // no error when it is not there
       if (error) {
-        note({base::makeError("cannot remove the file: " + error.message(), file(name))});
+        note({base::error("file.cannot-remove", {error.message()}, file(name))});
       }
     }
   }

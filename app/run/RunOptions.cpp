@@ -49,8 +49,7 @@ base::Diagnostics applyRobot(sim2d::Scenario& scenario, const RunOptions& option
     return {};
   }
   if (!hasRobot(scenario) && !options.robotStart) {
-    return {base::makeError("the scenario has no robot: give --robot-start \"X Y HEADING\" too",
-                            options.scenario)};
+    return {base::error("option.no-robot", {}, options.scenario)};
   }
   const base::Diagnostics wrong = checkOptions(options);
   if (!wrong.empty()) {
@@ -99,8 +98,7 @@ base::Diagnostics checkNames(const RunOptions& options) {
   const auto check = [&wrong](const char* option, const std::optional<std::string>& name,
                               const std::vector<std::string>& known) {
     if (name && std::find(known.begin(), known.end(), *name) == known.end()) {
-      wrong.push_back(base::makeError(std::string(option) + ": there is no '" + *name +
-                                      "' (known: " + base::join(known, ", ") + ")"));
+      wrong.push_back(base::error("option.unknown-name", {option, *name, base::join(known, ", ")}));
     }
   };
   check("--model", options.model, sim2d::modelNames());
@@ -111,36 +109,34 @@ base::Diagnostics checkNames(const RunOptions& options) {
 
 base::Diagnostics checkOptions(const RunOptions& options) {
   base::Diagnostics wrong = checkNames(options);
-  const auto refuse = [&wrong](const std::string& message) {
-    wrong.push_back(base::makeError(message));
+  const auto refuse = [&wrong](const char* code, base::ProblemValues values = {}) {
+    wrong.push_back(base::error(code, std::move(values)));
   };
   if (options.robotStart && !parseNumbers(*options.robotStart, 3)) {
-    refuse("--robot-start takes three numbers of at most 1e6: \"X Y HEADING\" (m, m, rad), not \"" +
-           *options.robotStart + "\"");
+    refuse("option.robot-start", {*options.robotStart});
   }
   if (options.robotGoal && !parseNumbers(*options.robotGoal, 2)) {
-    refuse("--robot-goal takes two numbers of at most 1e6: \"X Y\" (m), not \"" +
-           *options.robotGoal + "\"");
+    refuse("option.robot-goal", {*options.robotGoal});
   }
   if (options.seed && *options.seed < 0) {
-    refuse("--seed takes a whole number >= 0");
+    refuse("option.seed");
   }
   if (options.duration && !(*options.duration > 0.0 && *options.duration <= 1e6)) {
-    refuse("--duration takes seconds above 0, at most 1000000");
+    refuse("option.duration");
   }
   if (options.dt && !(*options.dt >= 0.001 && *options.dt <= 0.1)) {
-    refuse("--dt takes a step of 0.001 to 0.1 s");
+    refuse("option.dt");
   }
   if (options.recordEvery && *options.recordEvery < 1) {
-    refuse("--record-every takes a number of steps >= 1");
+    refuse("option.record-every");
   }
   if (options.threads < 1 || options.threads > 256) {
-    refuse("--threads takes a number from 1 to 256");
+    refuse("option.threads");
   }
   for (const std::string& pair : options.set) {
     const std::size_t equals = pair.find('=');
     if (equals == std::string::npos || equals == 0) {
-      refuse("--set takes PATH=VALUE, not \"" + pair + "\"");
+      refuse("option.set", {pair});
     }
   }
   return wrong;

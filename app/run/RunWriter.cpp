@@ -128,7 +128,7 @@ base::Diagnostics RunWriter::writeSteps(const std::string& path, const std::vect
   metrics::writeSteps(times, std::move(columns),
                       [&file](std::string_view rows) { file.append(rows); });
   if (store_.hasFailed()) {
-    return {base::makeError("series in a temporary file could not be read back", path)};
+    return {base::error("metrics.series-lost", {}, path)};
   }
   return file.finish();
 }

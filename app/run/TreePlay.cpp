@@ -6,6 +6,7 @@
 #include "bt/human/HumanContext.h"
 #include "bt/human/HumanNodes.h"
 #include "bt/tree/TreeXml.h"
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -81,11 +82,9 @@ base::Diagnostics unusedNames(const bt::Program& program, const LeafScript& scri
   base::Diagnostics found;
   for (const LeafScript::Entry& entry : script.entries) {
     if (std::find(names.begin(), names.end(), entry.leaf) == names.end()) {
-      const std::optional<std::string> meant = base::nearestName(entry.leaf, names);
-      found.push_back(
-          base::makeWarning("the tree has no leaf '" + entry.leaf + "' that is scripted" +
-                                (meant ? " (did you mean '" + *meant + "'?)" : std::string()),
-                            script.path, entry.line, entry.column));
+      found.push_back(base::warning("run.unknown-leaf",
+                                    {entry.leaf, base::nearestName(entry.leaf, names)}, script.path,
+                                    entry.line, entry.column));
     }
   }
   return found;
@@ -167,8 +166,9 @@ base::Diagnostics TreePlay::fault() const {
     return {};
   }
   const bt::TreeTable::Entry* tree = inside_->table.find(program().treeOf(fault->node));
-  return {base::makeError(fault->path + ": " + fault->message + " (the tree stops)",
-                          tree ? tree->file : std::string(), program().lineOf(fault->node))};
+  return {base::within(
+      fault->path, base::error("run.tree-stops", {fault->message},
+                               tree ? tree->file : std::string(), program().lineOf(fault->node)))};
 }
 
 }  // namespace app

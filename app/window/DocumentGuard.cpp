@@ -6,7 +6,6 @@
 #include <QDesktopServices>
 #include <QDir>
 #include <QFileInfo>
-#include <QRegularExpression>
 #include <QUrl>
 
 #include "app/window/StartCards.h"
@@ -49,9 +48,9 @@ QString namesOf(const QStringList& files) {
 
 /// "No space left on device", with the file when it is one among others that could be written.
 QString reasonOf(const base::Diagnostics& errors, const QString& saved) {
-  static const QRegularExpression kWhat(QStringLiteral("^cannot [^:]*: "));
   const QString file = QFileInfo(QString::fromStdString(errors.front().file)).fileName();
-  const QString reason = QString::fromStdString(errors.front().message).remove(kWhat);
+  const std::string why = errors.front().value("reason");
+  const QString reason = QString::fromStdString(why.empty() ? errors.front().message : why);
   return errors.size() > 1 || file.isEmpty() || file == saved
              ? reason
              : QStringLiteral("%1: %2").arg(file, reason);

@@ -53,8 +53,7 @@ QString onTwoLines(const std::string& command) {
 /// With a capital, unless it begins with a name.
 QString sentence(const base::Diagnostic& problem, const sim2d::Scenario& scenario) {
   QString text = QString::fromStdString(problem.message);
-  const std::string first = problem.message.substr(0, problem.message.find_first_of(" :,"));
-  if (!text.isEmpty() && !editor::isNameTaken(scenario, first)) {
+  if (!text.isEmpty() && !editor::isNameTaken(scenario, problem.value("where"))) {
     text[0] = text[0].toUpper();
   }
   return text;

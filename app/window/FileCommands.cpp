@@ -159,9 +159,7 @@ bool FileCommands::giveTree(const QString& path, editor::EntityId under) {
     }
   }
   if (people.empty()) {
-    problems.push_back(
-        base::makeError("nobody to give the tree to (drop it onto a person, or select people)",
-                        path.toStdString()));
+    problems.push_back(base::error("document.nobody-for-tree", {}, path.toStdString()));
   }
   if (!tell(problems)) {
     return false;

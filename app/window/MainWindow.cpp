@@ -213,8 +213,9 @@ void MainWindow::connectRun() {
   };
   connect(&runner, &SimulationRunner::notStarted, this, raise);
   connect(&workspace_.feed(), &editor::MetricsFeed::failed, this, raise);
-  connect(&runner, &SimulationRunner::failed, this,
-          [raise](const QString& reason) { raise({base::makeError(reason.toStdString())}); });
+  connect(&runner, &SimulationRunner::failed, this, [raise](const QString& reason) {
+    raise({base::error("run.failed", {reason.toStdString()})});
+  });
   connect(&runner, &SimulationRunner::warned, this, [this](const base::Diagnostics& remarks) {
     Q_EMIT docks_->context().problemsFound(remarks);
   });

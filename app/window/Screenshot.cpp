@@ -53,7 +53,7 @@ base::Diagnostics playTo(Workspace& workspace, double time) {
   showStates(workspace, recording, index);
   runner.seek(recording.stepOf(index));
   if (!waitFor([&] { return workspace.feed().isCurrent(); })) {
-    return {base::makeError("the run cannot be measured")};
+    return {base::error("run.not-measured")};
   }
   return {};
 }
@@ -69,7 +69,7 @@ base::Diagnostics runTo(Workspace& workspace, double time) {
   QObject::connect(&runner, &SimulationRunner::notStarted, &listener,
                    [&](const base::Diagnostics& found) { base::append(problems, found); });
   QObject::connect(&runner, &SimulationRunner::failed, &listener, [&](const QString& reason) {
-    problems.push_back(base::makeError(reason.toStdString()));
+    problems.push_back(base::error("run.failed", {reason.toStdString()}));
   });
   const double dt = workspace.document().scenario().desktop.dt.value_or(kDefaultStep);
   const long long steps = std::llround(time / dt);
@@ -84,7 +84,7 @@ base::Diagnostics runTo(Workspace& workspace, double time) {
     return problems;
   }
   if (!there || !waitFor([&] { return workspace.feed().isCurrent(); })) {
-    return {base::makeError("the simulation did not get to that time")};
+    return {base::error("run.too-slow")};
   }
   if (const editor::RecordingPtr recording = runner.recording()) {
     showStates(workspace, *recording, recording->size());
@@ -97,7 +97,7 @@ base::Diagnostics save(const QPixmap& picture, const std::string& file) {
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
   if (!picture.save(&buffer, "PNG")) {
-    return {base::makeError("the picture cannot be encoded", file)};
+    return {base::error("option.picture-not-made", {}, file)};
   }
   return base::writeFileAtomically(file,
                                    {bytes.constData(), static_cast<std::size_t>(bytes.size())});

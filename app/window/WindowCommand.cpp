@@ -52,20 +52,20 @@ void prepareScreen(const WindowOptions& options) {
 base::Diagnostics checkWords(const WindowOptions& options) {
   base::Diagnostics problems;
   if (!options.size.empty() && !sizeFromText(options.size)) {
-    problems.push_back(base::makeError("--size takes WIDTHxHEIGHT, such as 1280x800"));
+    problems.push_back(base::error("option.size"));
   }
   if (!(options.scale >= 0.5 && options.scale <= 8.0)) {
-    problems.push_back(base::makeError("--scale takes a number from 0.5 to 8"));
+    problems.push_back(base::error("option.scale"));
   }
   if (!(options.at >= 0.0 && options.at <= 86400.0)) {
-    problems.push_back(base::makeError("--at takes a time in seconds"));
+    problems.push_back(base::error("option.at"));
   }
   const bool isPicture = !options.screenshot.empty();
   if (isPicture && !QString::fromStdString(options.screenshot).endsWith(QLatin1String(".png"))) {
-    problems.push_back(base::makeError("--screenshot takes a name that ends in .png"));
+    problems.push_back(base::error("option.screenshot"));
   }
   if (!options.theme.empty() && options.theme != "light" && options.theme != "dark") {
-    problems.push_back(base::makeError("--theme takes light or dark"));
+    problems.push_back(base::error("option.theme"));
   }
   return problems;
 }
@@ -111,8 +111,8 @@ base::Diagnostics checkDocks(const MainWindow& window, const std::vector<std::st
   const QStringList known = const_cast<MainWindow&>(window).docks().names();
   for (const std::string& name : wanted) {
     if (!known.contains(QString::fromStdString(name).toLower())) {
-      problems.push_back(base::makeError("there is no dock '" + name + "' (known: " +
-                                         known.join(QStringLiteral(", ")).toStdString() + ")"));
+      problems.push_back(base::error("option.unknown-dock",
+                                     {name, known.join(QStringLiteral(", ")).toStdString()}));
     }
   }
   return problems;
@@ -134,17 +134,11 @@ int windowCommand(int argc, char** argv, const RunOptions& run, const WindowOpti
     return code;
   }
   if (!run.scenario.empty() && !QFileInfo::exists(QString::fromStdString(run.scenario))) {
-    return report({base::makeError("there is no such file, and no command or shipped scenario of "
-                                   "this name",
-                                   run.scenario)},
-                  kBadInput);
+    return report({base::error("file.not-there", {}, run.scenario)}, kBadInput);
   }
   const bool picture = !options.screenshot.empty();
   if (picture && FileCommands::isImage(QString::fromStdString(run.scenario))) {
-    return report({base::makeError("an image has no scale yet, so no picture is made of it (open "
-                                   "it in the window, or name a map YAML that uses it)",
-                                   run.scenario)},
-                  kBadInput);
+    return report({base::error("option.picture-of-image", {}, run.scenario)}, kBadInput);
   }
   prepareScreen(options);
   QApplication application(argc, argv);

@@ -4,6 +4,7 @@
 
 #include "bt/engine/Ticker.h"
 #include "bt/tree/TreeXml.h"
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 
 namespace bt {
@@ -34,9 +35,10 @@ Compiler::Compiler(const TreeTable& table, const NodeLibrary& library)
   }
 }
 
-void Compiler::error(const NodeSpec& spec, const Place& place, const std::string& message) {
-  problems_.push_back(base::makeError(place.tree->tree.id + ": " + spec.label() + ": " + message,
-                                      place.tree->file, spec.line));
+void Compiler::error(const NodeSpec& spec, const Place& place, base::Diagnostic problem) {
+  problem.file = place.tree->file;
+  problem.line = spec.line;
+  problems_.push_back(base::within(place.tree->tree.id + ": " + spec.label(), std::move(problem)));
 }
 
 void Compiler::addHostEntries(const std::vector<HostEntry>& entries) {
@@ -72,7 +74,7 @@ int Compiler::addNode(const NodeSpec& spec, const std::string& path, const Place
   if (full_ || program_->nodeCount() >= kMaxProgramNodes || place.depth > kMaxProgramDepth ||
       pathBytes_ > kMaxPathBytes) {
     if (!full_) {
-      error(spec, place, "the tree is too large once its SubTrees are put in place");
+      error(spec, place, base::error("tree.too-large"));
     }
     full_ = true;
     return -1;
@@ -162,7 +164,7 @@ void Compiler::applyModel(const NodeSpec& spec, Attributes& mapping, const Place
     if (const std::string* const text = findText(port.attributes, "default")) {
       mapping.push_back({*name, *text});
     } else {
-      error(spec, place, "port '" + *name + "' of the SubTree's model is missing");
+      error(spec, place, base::error("tree.model-port-missing", {*name}));
     }
   }
 }
@@ -214,9 +216,7 @@ void Compiler::setDetail(const NodeSpec& spec, Program::Node& node, const Place&
 void Compiler::warnUnwritten() {
   for (const Scopes::Use& use : scopes_.uses()) {
     if (use.read && !use.written) {
-      problems_.push_back(
-          base::makeWarning("nothing writes " + use.firstRead + ", so reading it stops the tree",
-                            use.file, use.line));
+      problems_.push_back(base::warning("tree.never-written", {use.firstRead}, use.file, use.line));
     }
   }
 }
@@ -249,19 +249,17 @@ namespace {
 base::Diagnostics templateWarnings(const TreeTable& table) {
   base::Diagnostics warnings;
   for (const TreeTable::TemplateText& text : table.templates) {
-    warnings.push_back(base::makeWarning("{GOAL_SEQUENCE} is left over and ignored: a template",
-                                         text.file, text.line));
+    warnings.push_back(base::warning("tree.template-ignored", {}, text.file, text.line));
   }
   return warnings;
 }
 
 std::optional<base::Diagnostic> problemOfMainTree(const TreeTable& table, const std::string& id) {
   if (id.empty()) {
-    return base::makeError("which tree is to run is not said (set main_tree_to_execute)",
-                           table.file);
+    return base::error("tree.main-not-said", {}, table.file);
   }
   if (!table.find(id)) {
-    return base::makeError("there is no tree '" + id + "' to run", table.file);
+    return base::error("tree.main-unknown", {id, ""}, table.file);
   }
   return std::nullopt;
 }

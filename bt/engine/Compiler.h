@@ -52,7 +52,7 @@ class Compiler {
 
   void noteRead(int slot, const NodeSpec& spec, const std::string& key, const Place& place);
   void warnUnwritten();
-  void error(const NodeSpec& spec, const Place& place, const std::string& message);
+  void error(const NodeSpec& spec, const Place& place, base::Diagnostic problem);
   void takeOver();
 
   const TreeTable& table_;

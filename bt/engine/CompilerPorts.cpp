@@ -122,9 +122,8 @@ int Compiler::bindEntry(const NodeSpec& spec, const PortSpec& port, const std::s
     use.firstTyped = spec.label() + "." + port.name;
   } else if (entry.type != port.type && !adaptLiteral(slot, port.type)) {
     error(spec, place,
-          "port '" + port.name + "' is " + shownType(port.type) + ", but {" + key + "} is " +
-              shownType(entry.type) +
-              (use.firstTyped.empty() ? std::string() : " (by " + use.firstTyped + ")"));
+          base::error("tree.key-type", {port.name, shownType(port.type), "{" + key + "}",
+                                        shownType(entry.type), use.firstTyped}));
   }
   return slot;
 }
@@ -144,7 +143,7 @@ int Compiler::addScript(const NodeSpec& spec, const std::string& source, const P
   const base::Result<Script> script = compileScript(
       source, [&](const std::string& key) { return scopes_.slotOf(place.scope, key); });
   if (!script) {
-    error(spec, place, script.diagnostics().front().message);
+    error(spec, place, script.diagnostics().front());
     return -1;
   }
   for (const int slot : script->written) {
@@ -160,7 +159,7 @@ int Compiler::scriptOfPort(const NodeSpec& spec, const char* port, const Place& 
     return -1;  // a missing port is a fault when it is reached
   }
   if (referencedKey(*text, port)) {
-    error(spec, place, "the script in '" + std::string(port) + "' must be written out");
+    error(spec, place, base::error("tree.script-not-constant", {port}));
     return -1;
   }
   return addScript(spec, *text, place);
@@ -210,8 +209,7 @@ void Compiler::checkQueue(const NodeSpec& spec, const Place& place) {
   const PortType type = elementType(spec.id);
   for (const std::string& element : base::split(*text, ';')) {
     if (!isConvertible(element, type)) {
-      error(spec, place,
-            "element '" + element + "' of 'queue' is no " + std::string(portTypeName(type)));
+      error(spec, place, base::error("tree.queue-element", {element, portTypeName(type)}));
     }
   }
 }

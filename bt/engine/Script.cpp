@@ -292,7 +292,7 @@ base::Result<Script> ScriptCompiler::run() {
     error_ = "it is empty";
   }
   if (error_) {
-    return base::makeError("script '" + script_.source + "': " + *error_);
+    return base::error("tree.bad-script", {script_.source, *error_});
   }
   return std::move(script_);
 }
@@ -304,8 +304,7 @@ base::Result<Script> compileScript(std::string_view source,
   std::vector<Token> tokens = base::tokensOf(source, scriptWords());
   for (Token& token : tokens) {
     if (token.kind == Token::Kind::Unreadable) {
-      return base::makeError("script '" + std::string(source) + "' cannot be read from column " +
-                             std::to_string(token.column) + " on");
+      return base::error("tree.script-not-read", {source, token.column});
     }
     if (token.kind == Token::Kind::Name && (token.text == "true" || token.text == "false")) {
       token.number = token.text == "true" ? 1.0 : 0.0;

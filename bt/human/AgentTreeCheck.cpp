@@ -10,6 +10,7 @@
 #include "bt/human/Formation.h"
 #include "bt/human/Weights.h"
 #include "bt/tree/TextValue.h"
+#include "sim2d/base/Problems.h"
 
 namespace bt {
 
@@ -80,13 +81,13 @@ class Checker {
     if (isPerson || port.name == "non_main_agent_ids") {
       for (const int id : parseIds(port.text).value_or(std::vector<int>{})) {
         if (!scenario_.humanById(id)) {
-          warn(node, file, "there is no person with the id " + std::to_string(id));
+          warn(node, file, "tree.no-person", {id});
         }
       }
     } else if (port.name == "goal_id") {
       const std::optional<int> id = intFromText(port.text);
       if (id && !scenario_.goal(*id)) {
-        warn(node, file, "there is no global goal " + std::to_string(*id));
+        warn(node, file, "tree.no-goal", {*id});
       }
     } else if (port.name == "area") {
       checkArea(node, port.text, file);
@@ -98,23 +99,23 @@ class Checker {
   void checkWeights(const NodeSpec& node, const std::string& text, const std::string& file) {
     const std::optional<std::vector<double>> weights = parseWeights(text);
     if (!weights) {
-      warn(node, file, "the weights '" + text + "' are no numbers with ';' between");
+      warn(node, file, "tree.weights-not-numbers", {text});
     } else if (weights->size() != node.children.size()) {
-      warn(node, file,
-           "it has " + std::to_string(node.children.size()) + " children and " +
-               std::to_string(weights->size()) + " weights");
+      warn(node, file, "tree.weights-count", {node.children.size(), weights->size()});
     }
   }
 
   void checkArea(const NodeSpec& node, const std::string& name, const std::string& file) {
     const auto hasName = [&name](const sim2d::Area& area) { return area.name == name; };
     if (!name.empty() && std::none_of(scenario_.areas.begin(), scenario_.areas.end(), hasName)) {
-      warn(node, file, "there is no area '" + name + "'");
+      warn(node, file, "tree.no-area", {name});
     }
   }
 
-  void warn(const NodeSpec& node, const std::string& file, const std::string& message) {
-    found_.push_back(base::makeWarning(node.label() + ": " + message, file, node.line));
+  void warn(const NodeSpec& node, const std::string& file, std::string_view code,
+            base::ProblemValues values) {
+    found_.push_back(
+        base::within(node.label(), base::warning(code, std::move(values), file, node.line)));
   }
 
   const sim2d::Scenario& scenario_;
@@ -153,10 +154,8 @@ Diagnostics checkAgentTree(const TreeTable& table, const sim2d::Human& human,
   Diagnostics found = checker.take();
   const std::vector<int> goals = goalsOfTree(table);
   if (!goals.empty() && goals != human.goals) {
-    found.push_back(base::makeWarning("the tree of " + human.name + " sets the goals " +
-                                          listText(goals) + ", the scenario " +
-                                          listText(human.goals) + " (the tree's count)",
-                                      table.file));
+    found.push_back(base::warning(
+        "tree.other-goals", {human.name, listText(goals), listText(human.goals)}, table.file));
   }
   for (base::Diagnostic& diagnostic : found) {
     diagnostic.entity = human.key;

@@ -1,5 +1,7 @@
 #include "bt/human/HumanContext.h"
 
+#include "sim2d/base/Problems.h"
+
 namespace bt {
 
 using sim2d::EventKind;
@@ -9,7 +11,7 @@ using sim2d::Intent;
 std::optional<int> HumanContext::knownById(LeafContext& leaf, int id) {
   const int human = id == idOf(self_) ? self_ : view_.indexOf(id);
   if (human < 0) {
-    warn(leaf, "there is no person with the id " + std::to_string(id));
+    warn(leaf, "tree.runs-without-person", {id});
     return std::nullopt;
   }
   return human;
@@ -59,7 +61,7 @@ std::optional<GoalItem> HumanContext::place(LeafContext& leaf, int goalPort) {
   }
   const std::optional<base::Vec2> position = view_.globalGoal(*id);
   if (!position) {
-    warn(leaf, "there is no global goal " + std::to_string(*id));
+    warn(leaf, "tree.runs-without-goal", {*id});
     return std::nullopt;
   }
   item.id = *id;
@@ -67,11 +69,12 @@ std::optional<GoalItem> HumanContext::place(LeafContext& leaf, int goalPort) {
   return item;
 }
 
-void HumanContext::warn(const LeafContext& leaf, const std::string& message) {
-  const std::string text =
-      view_.constants(self_).name + ": " + leaf.path() + ": " + message + " (the node fails)";
-  if (society_.told.insert(text).second) {
-    society_.troubles.push_back(base::makeWarning(text));
+void HumanContext::warn(const LeafContext& leaf, std::string_view code,
+                        base::ProblemValues values) {
+  base::Diagnostic trouble = base::within(view_.constants(self_).name + ": " + leaf.path(),
+                                          base::warning(code, std::move(values)));
+  if (society_.told.insert(trouble.message).second) {
+    society_.troubles.push_back(std::move(trouble));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -98,7 +99,7 @@ class HumanContext {
   /// and one warning for an unknown goal. The radius is not set.
   std::optional<sim2d::GoalItem> place(LeafContext& leaf, int goalPort);
   /// Said once for the run.
-  void warn(const LeafContext& leaf, const std::string& message);
+  void warn(const LeafContext& leaf, std::string_view code, base::ProblemValues values);
 
   /// The person's motion of this step, or nothing when another mover was first. A person moved by
   /// the tree of somebody else, or by a group node, obeys that.

@@ -8,6 +8,7 @@
 
 #include "bt/human/HumanContext.h"
 #include "bt/human/TreeLoader.h"
+#include "sim2d/base/Problems.h"
 #include "sim2d/world/StepBuffers.h"
 
 namespace bt {
@@ -208,9 +209,8 @@ void TreeBehavior::handleFault(int human, HumanContext& context) {
   Player& who = player(human);
   who.isFaulty = true;
   const TreeFault& fault = *who.tree->fault();
-  society_.troubles.push_back(base::makeWarning(context.view().constants(human).name + ": " +
-                                                fault.path + ": " + fault.message +
-                                                " (the tree is stopped, the person brakes)"));
+  society_.troubles.push_back(base::within(context.view().constants(human).name + ": " + fault.path,
+                                           base::warning("tree.fault", {fault.message})));
   sim2d::Intent brake;
   brake.motion = sim2d::Motion::Brake;
   if (society_.movers[static_cast<std::size_t>(human)] != Mover::Group) {

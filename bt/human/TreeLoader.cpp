@@ -9,6 +9,7 @@
 #include "bt/human/HumanNodes.h"
 #include "bt/human/Templates.h"
 #include "bt/tree/TreeXml.h"
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 
 namespace bt {
@@ -75,8 +76,8 @@ Diagnostics renamed(Diagnostics found, const std::string& from, const std::strin
 /// A tree that is in no file is found by its person.
 Diagnostics toldByPerson(const sim2d::Human& human, Diagnostics found) {
   for (base::Diagnostic& diagnostic : found) {
+    diagnostic = base::within("tree of " + human.name, std::move(diagnostic));
     diagnostic.entity = human.key;
-    diagnostic.message = "tree of " + human.name + ": " + diagnostic.message;
   }
   return found;
 }
@@ -133,9 +134,8 @@ base::Result<TreeTable> loadPersonTrees(base::Result<TreeFile> file) {
   const bool isMissing = missing != includes.end();
   if (isMissing) {
     if (!path.empty()) {
-      warnings.push_back(base::makeWarning(
-          missing->path + " is not there; our own is taken (HuNavSim refuses this tree)", path,
-          missing->line));
+      warnings.push_back(
+          base::warning("tree.regular-nav-missing", {missing->path}, path, missing->line));
     }
     includes.erase(missing);
   }
@@ -266,10 +266,8 @@ std::shared_ptr<const PersonProgram> TreeLoader::compileTable(const TreeTable& t
   auto made = std::make_shared<PersonProgram>();
   made->placeholders = placeholdersIn(table);
   if (!made->placeholders.empty()) {
-    diagnostics.push_back(base::makeWarning(
-        "a tree of HuNavSim 1.5: " + joined(made->placeholders) +
-            " are filled from the behaviour of each person (HuNavSim 2.0 does not fill them)",
-        table.file));
+    diagnostics.push_back(
+        base::warning("tree.placeholders-filled", {joined(made->placeholders)}, table.file));
   }
   base::Result<std::shared_ptr<const Program>> program =
       compile(table, library_, optionsFor(made->placeholders));

@@ -42,8 +42,7 @@ void RecursionFinder::visit(const TreeTable::Entry& entry) {
   }
   if (depth_ >= kMaxSubTreeDepth) {
     issues_.push_back(
-        {base::makeError("SubTrees are nested deeper than " + std::to_string(kMaxSubTreeDepth),
-                         entry.file, entry.tree.line),
+        {base::error("tree.subtrees-too-deep", {kMaxSubTreeDepth}, entry.file, entry.tree.line),
          entry.tree.id,
          {}});
     return;
@@ -61,9 +60,8 @@ void RecursionFinder::visit(const NodeSpec& node, const TreeTable::Entry& entry,
   if (node.isSubTree()) {
     const TreeTable::Entry* const called = table_.find(node.subTree);
     if (called && open_.count(node.subTree) > 0) {
-      issues_.push_back({base::makeError("tree '" + node.subTree + "' contains itself (in tree '" +
-                                             entry.tree.id + "')",
-                                         entry.file, node.line),
+      issues_.push_back({base::error("tree.contains-itself", {node.subTree, entry.tree.id},
+                                     entry.file, node.line),
                          entry.tree.id, path});
     } else if (called) {
       visit(*called);
@@ -99,7 +97,7 @@ void collectKeys(const NodeSpec& node, std::set<std::string>& read,
   }
 }
 
-/// " (there are: 'A', 'B')"
+/// "'A', 'B'"
 std::string treesOf(const TreeTable& table) {
   constexpr std::size_t kShown = 5;
   std::string list;
@@ -111,22 +109,19 @@ std::string treesOf(const TreeTable& table) {
     }
     list += (list.empty() ? "'" : ", '") + id + "'";
   }
-  return list.empty() ? list : " (there are: " + list + ")";
+  return list;
 }
 
 base::Diagnostics fileProblems(const TreeTable& table) {
   base::Diagnostics problems;
   if (table.mainTree.empty()) {
-    problems.push_back(
-        base::makeError("which tree is to run is not said (set main_tree_to_execute)", table.file));
+    problems.push_back(base::error("tree.main-not-said", {}, table.file));
   } else if (!table.find(table.mainTree)) {
-    problems.push_back(base::makeError(
-        "there is no tree '" + table.mainTree + "' to run" + treesOf(table), table.file));
+    problems.push_back(
+        base::error("tree.main-unknown", {table.mainTree, treesOf(table)}, table.file));
   }
   for (const TreeTable::TemplateText& text : table.templates) {
-    problems.push_back(base::makeError(
-        "{GOAL_SEQUENCE} is left over: a template, not a tree (generate the tree from it)",
-        text.file, text.line));
+    problems.push_back(base::error("tree.is-template", {}, text.file, text.line));
   }
   const std::vector<std::string> placeholders = placeholdersIn(table);
   if (!placeholders.empty()) {
@@ -134,9 +129,7 @@ base::Diagnostics fileProblems(const TreeTable& table) {
     for (const std::string& name : placeholders) {
       list += (list.empty() ? "{" : ", {") + name + "}";
     }
-    problems.push_back(base::makeWarning(
-        "a tree of HuNavSim 1.5, which expects " + list + " from the behaviour of the agent",
-        table.file));
+    problems.push_back(base::warning("tree.placeholders", {list}, table.file));
   }
   return problems;
 }

@@ -1,19 +1,17 @@
 #include <algorithm>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "bt/tree/TextValue.h"
 #include "bt/tree/TreeSpec.h"
 #include "bt/tree/TreeXmlV3.h"
 #include "bt/tree/XmlText.h"
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 
 namespace bt {
 namespace {
-
-std::string meant(const std::optional<std::string>& name) {
-  return name ? " (did you mean '" + *name + "'?)" : std::string();
-}
 
 constexpr std::size_t kShownLabel = 80;         // characters of a name in a message
 constexpr std::size_t kMaxIssues = 500;         // of one tree; nobody reads more
@@ -35,15 +33,14 @@ class Checker {
   TreeIssues run();
 
  private:
-  void report(base::Severity severity, int line, const std::string& message) {
-    TreeIssue issue{{severity, fileName_, line, 0, message, {}}, tree_.id, path_};
-    issues_.push_back(std::move(issue));
+  void report(base::Diagnostic problem) {
+    issues_.push_back({std::move(problem), tree_.id, path_});
   }
-  void error(const NodeSpec& node, const std::string& message) {
-    report(base::Severity::Error, node.line, where() + message);
+  void error(const NodeSpec& node, std::string_view code, base::ProblemValues values = {}) {
+    report(base::within(where(), base::error(code, std::move(values), fileName_, node.line)));
   }
-  void warn(const NodeSpec& node, const std::string& message) {
-    report(base::Severity::Warning, node.line, where() + message);
+  void warn(const NodeSpec& node, std::string_view code, base::ProblemValues values = {}) {
+    report(base::within(where(), base::warning(code, std::move(values), fileName_, node.line)));
   }
   std::string where() const;
   void visit(const NodeSpec& node);
@@ -68,18 +65,17 @@ class Checker {
 
 TreeIssues Checker::run() {
   if (catalogue_.find(tree_.id)) {
-    report(base::Severity::Error, tree_.line,
-           "tree ID '" + tree_.id + "' is the name of a node (choose another ID)");
+    report(base::error("tree.id-is-node", {tree_.id}, fileName_, tree_.line));
   }
   if (tree_.root.id.empty()) {
-    report(base::Severity::Error, tree_.line, "tree '" + tree_.id + "' has no node (put one in)");
+    report(base::error("tree.empty", {tree_.id}, fileName_, tree_.line));
   } else {
     visit(tree_.root);
   }
   return std::move(issues_);
 }
 
-/// "Tree/Fallback/Sequence: ", the way down to the node.
+/// "Tree/Fallback/Sequence", the way down to the node.
 std::string Checker::where() const {
   std::string text = tree_.id;
   const std::size_t shown = 8;  // of a deep tree only the end
@@ -88,7 +84,7 @@ std::string Checker::where() const {
   for (std::size_t i = first; i < parents_.size(); ++i) {
     text += "/" + parents_[i]->label().substr(0, kShownLabel);
   }
-  return text + ": ";
+  return text;
 }
 
 void Checker::visit(const NodeSpec& node) {
@@ -118,22 +114,20 @@ void Checker::visit(const NodeSpec& node) {
 
 void Checker::checkUnknown(const NodeSpec& node) {
   if (isVersion3Name(node.id)) {
-    error(node, "node '" + node.id + "' is of format 3 (remove BTCPP_format=\"4\" to convert it)");
-    return;
+    error(node, "tree.node-of-format-three", {node.id});
+  } else if (treeIds_.count(node.id) > 0) {
+    error(node, "tree.node-is-tree", {node.id});
+  } else {
+    error(node, "tree.unknown-node", {node.id, catalogue_.nearest(node.id)});
   }
-  const bool isTree = treeIds_.count(node.id) > 0;
-  const std::string hint = isTree ? " (write <SubTree ID=\"" + node.id + "\"/> to run that tree)"
-                                  : meant(catalogue_.nearest(node.id));
-  error(node, "unknown node '" + node.id + "'" + hint);
 }
 
 void Checker::checkSubTree(const NodeSpec& node) {
   if (treeIds_.count(node.subTree) == 0) {
-    error(node,
-          "there is no tree '" + node.subTree + "'" + meant(nearestTree(node.subTree, treeIds_)));
+    error(node, "tree.unknown-subtree", {node.subTree, nearestTree(node.subTree, treeIds_)});
   }
   if (!node.name.empty() && !subTreeNames_.insert(node.name).second) {
-    error(node, "two SubTrees of this tree have the name '" + node.name + "' (rename one)");
+    error(node, "tree.subtree-name-twice", {node.name});
   }
 }
 
@@ -148,15 +142,15 @@ void Checker::checkChildren(const NodeSpec& node, const NodeManifest& manifest) 
     } else if (most != least) {
       wanted += " to " + std::to_string(most);
     }
-    error(node, "'" + node.id + "' has " + std::to_string(count) +
-                    (count == 1 ? " child" : " children") + " (needs " + wanted + ")");
+    error(node, "tree.child-count",
+          {node.id, std::to_string(count) + (count == 1 ? " child" : " children"), wanted});
   }
   if (node.id == "ReactiveSequence") {
     const auto asynchronous =
         std::count_if(node.children.begin(), node.children.end(),
                       [](const NodeSpec& child) { return child.id == "AsyncSequence"; });
     if (asynchronous > 1) {
-      error(node, "a ReactiveSequence can hold one AsyncSequence only (use Sequence)");
+      error(node, "tree.async-twice");
     }
   }
 }
@@ -171,13 +165,13 @@ void Checker::checkPorts(const NodeSpec& node, const NodeManifest& manifest) {
     for (const PortSpec& port : manifest.ports) {
       names.push_back(port.name);
     }
-    warn(node, "'" + node.id + "' has no port '" + given.name + "'" +
-                   meant(base::nearestName(given.name, names)));
+    warn(node, "tree.unknown-port", {node.id, given.name, base::nearestName(given.name, names)});
   }
   for (const PortSpec& port : manifest.ports) {
     if (isLacking(node, port)) {
-      warn(node, "port '" + port.name + "' of '" + node.id + "' is missing (" +
-                     (port.suggested.empty() ? port.description : "e.g. " + port.suggested) + ")");
+      warn(node, "tree.port-missing",
+           {port.name, node.id,
+            port.suggested.empty() ? port.description : "e.g. " + port.suggested});
     }
   }
 }
@@ -196,18 +190,15 @@ void Checker::checkPort(const NodeSpec& node, const Attribute& given, const Port
     return;
   }
   if (port.direction == PortDirection::Output) {
-    warn(node, "output port '" + given.name + "' is '" + given.text +
-                   "', so nothing is written (use {key})");
+    warn(node, "tree.output-not-key", {given.name, given.text, "{key}"});
     return;
   }
   if (!isConvertible(given.text, port.type)) {
-    error(node, "port '" + given.name + "' is '" + given.text + "', which is no " +
-                    portTypeName(port.type));
+    error(node, "tree.port-type", {given.name, given.text, portTypeName(port.type)});
     return;
   }
   if (const std::optional<double> read = cutNumber(given.text, port.type)) {
-    warn(node,
-         "port '" + given.name + "' is '" + given.text + "', read as " + base::formatDouble(*read));
+    warn(node, "tree.number-cut", {given.name, given.text, *read});
   }
   checkRange(node, given, port);
 }
@@ -220,11 +211,9 @@ void Checker::checkRange(const NodeSpec& node, const Attribute& given, const Por
   }
   const double value = *doubleFromText(given.text);
   if (port.min && value < *port.min) {
-    warn(node, "port '" + given.name + "' is " + given.text + ", less than " +
-                   base::formatDouble(*port.min));
+    warn(node, "tree.port-too-low", {given.name, given.text, *port.min});
   } else if (port.max && value > *port.max) {
-    warn(node, "port '" + given.name + "' is " + given.text + ", more than " +
-                   base::formatDouble(*port.max));
+    warn(node, "tree.port-too-high", {given.name, given.text, *port.max});
   }
 }
 
@@ -236,7 +225,7 @@ void Checker::checkOthers(const NodeSpec& node) {
   for (const Attribute& other : node.others) {
     const std::optional<std::string> near = base::nearestName(other.name, names);
     if (near) {
-      warn(node, "attribute '" + other.name + "' has no meaning" + meant(near));
+      warn(node, "tree.unknown-attribute", {other.name, near});
     }
   }
 }

@@ -25,8 +25,9 @@ class Includer {
   std::optional<std::string> pathOf(const TreeFile& from, const Include& include);
   const TreeFile* read(const std::string& path, const TreeFile& from, const Include& include);
   void addModels(const TreeFile& file);
-  void error(const TreeFile& from, const Include& include, const std::string& message) {
-    problems_.push_back(base::makeError(message, from.path, include.line));
+  void error(const TreeFile& from, const Include& include, std::string_view code,
+             base::ProblemValues values = {}) {
+    problems_.push_back(base::error(code, std::move(values), from.path, include.line));
   }
 
   TreeTable& table_;
@@ -61,7 +62,7 @@ void Includer::add(const TreeFile& file, int depth) {
 void Includer::follow(const TreeFile& from, const Include& include, int depth) {
   if (++count_ > kMaxIncludes) {
     if (count_ == kMaxIncludes + 1) {
-      error(from, include, "more than " + std::to_string(kMaxIncludes) + " includes");
+      error(from, include, "tree.too-many-includes", {kMaxIncludes});
     }
     return;
   }
@@ -70,12 +71,11 @@ void Includer::follow(const TreeFile& from, const Include& include, int depth) {
     return;
   }
   if (depth > kMaxIncludeDepth) {
-    error(from, include,
-          "files are included deeper than " + std::to_string(kMaxIncludeDepth) + " levels");
+    error(from, include, "tree.includes-too-deep", {kMaxIncludeDepth});
     return;
   }
   if (std::find(open_.begin(), open_.end(), normalPath(*path)) != open_.end()) {
-    error(from, include, "'" + include.path + "' includes itself");
+    error(from, include, "tree.includes-itself", {include.path});
     return;
   }
   if (const TreeFile* const file = read(*path, from, include)) {
@@ -86,7 +86,7 @@ void Includer::follow(const TreeFile& from, const Include& include, int depth) {
 std::optional<std::string> Includer::pathOf(const TreeFile& from, const Include& include) {
   const fs::path path = include.path;
   if (include.path.empty()) {
-    error(from, include, "<include> without path");
+    error(from, include, "tree.include-without-path");
     return std::nullopt;
   }
   if (path.is_absolute()) {
@@ -95,8 +95,7 @@ std::optional<std::string> Includer::pathOf(const TreeFile& from, const Include&
   if (!include.rosPackage.empty()) {
     const std::string folder = packages_ ? packages_(include.rosPackage) : std::string();
     if (folder.empty()) {
-      error(from, include,
-            "the folder of the ROS package '" + include.rosPackage + "' is not known");
+      error(from, include, "tree.unknown-package", {include.rosPackage});
       return std::nullopt;
     }
     return (fs::path(folder) / path).string();
@@ -114,7 +113,7 @@ const TreeFile* Includer::read(const std::string& path, const TreeFile& from,
   base::Result<TreeFile> file = readTree(path);
   base::append(problems_, file.diagnostics());
   if (!file) {
-    error(from, include, "the included file '" + include.path + "' cannot be used");
+    error(from, include, "tree.include-unusable", {include.path});
     return nullptr;
   }
   return &files_.emplace(key, *std::move(file)).first->second;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "bt/tree/TreeSpec.h"
@@ -21,8 +22,9 @@ class TreeReader {
   base::Diagnostics& problems() { return problems_; }
 
  private:
-  void error(const tinyxml2::XMLElement& at, std::string message);
-  void warn(const tinyxml2::XMLElement& at, std::string message);
+  void error(const tinyxml2::XMLElement& at, std::string_view code,
+             base::ProblemValues values = {});
+  void warn(const tinyxml2::XMLElement& at, std::string_view code, base::ProblemValues values = {});
   void readFormat(const tinyxml2::XMLElement& root);
   void readPart(const tinyxml2::XMLElement& element, bool needsId);
   void readInclude(const tinyxml2::XMLElement& element);

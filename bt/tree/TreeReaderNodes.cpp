@@ -31,8 +31,7 @@ NodeSpec TreeReader::readNode(const XMLElement& element, int depth) {
   NodeSpec node;
   node.line = element.GetLineNum();
   if (depth > kMaxNesting) {
-    error(element,
-          "nodes are nested deeper than " + std::to_string(kMaxNesting) + " (use SubTrees)");
+    error(element, "tree.too-nested", {kMaxNesting});
     return node;
   }
   checkAttributes(element);
@@ -55,11 +54,9 @@ void TreeReader::readIdentity(const XMLElement& element, NodeSpec& node) {
   const char* const id = element.Attribute("ID");
   const bool isExplicit = isExplicitTag(tag);
   if (isExplicit && (!id || *id == '\0')) {
-    error(element, "<" + tag + "> without ID");
+    error(element, "tree.without-id", {tag});
   } else if (!isExplicit && id) {
-    error(element, "<" + tag +
-                       "> must not have an ID (only <Action>, <Condition>, <Control>, "
-                       "<Decorator> and <SubTree> have one)");
+    error(element, "tree.id-not-allowed", {tag});
   }
   if (isSubTreeTag(tag)) {
     node.id = tag;
@@ -84,7 +81,7 @@ void TreeReader::readAttribute(const XMLElement& element, const Attribute& attri
   } else if (name == "_autoremap" && isSubTreeTag(element.Name())) {
     const std::optional<bool> value = boolFromText(attribute.text);
     if (!value) {
-      error(element, "_autoremap is '" + attribute.text + "', not true or false");
+      error(element, "tree.not-boolean", {attribute.text});
     }
     node.autoRemap = value.value_or(false);
   } else if (std::isalpha(static_cast<unsigned char>(name[0])) == 0) {
@@ -99,15 +96,14 @@ void TreeReader::checkAttributes(const XMLElement& element) {
   std::set<std::string> seen;
   for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a; a = a->Next()) {
     if (!seen.insert(a->Name()).second) {
-      error(element, "attribute '" + std::string(a->Name()) + "' is given twice");
+      error(element, "tree.attribute-twice", {a->Name()});
     }
   }
 }
 
 void TreeReader::checkName(const XMLElement& element, const std::string& name, const char* what) {
   if (const char bad = forbiddenCharacter(name)) {
-    error(element, std::string(what) + " '" + name + "' holds the character '" + bad +
-                       "', which is not allowed there");
+    error(element, "tree.bad-character", {what, name, std::string(1, bad)});
   }
 }
 

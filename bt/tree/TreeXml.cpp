@@ -48,17 +48,17 @@ XmlBlock blockOf(const XMLElement& element) {
 
 }  // namespace
 
-void TreeReader::error(const XMLElement& at, std::string message) {
-  problems_.push_back(base::makeError(std::move(message), file_.path, at.GetLineNum()));
+void TreeReader::error(const XMLElement& at, std::string_view code, base::ProblemValues values) {
+  problems_.push_back(base::error(code, std::move(values), file_.path, at.GetLineNum()));
 }
 
-void TreeReader::warn(const XMLElement& at, std::string message) {
-  problems_.push_back(base::makeWarning(std::move(message), file_.path, at.GetLineNum()));
+void TreeReader::warn(const XMLElement& at, std::string_view code, base::ProblemValues values) {
+  problems_.push_back(base::warning(code, std::move(values), file_.path, at.GetLineNum()));
 }
 
 void TreeReader::readRoot(const XMLElement& root) {
   if (std::string(root.Name()) != "root") {
-    error(root, "the document element is <" + std::string(root.Name()) + ">, not <root>");
+    error(root, "tree.not-root", {root.Name()});
     return;
   }
   checkAttributes(root);
@@ -72,7 +72,7 @@ void TreeReader::readRoot(const XMLElement& root) {
     readPart(*c, several);
   }
   if (file_.trees.empty() && file_.includes.empty() && !file_.model) {
-    error(root, "the file holds no <BehaviorTree>");
+    error(root, "tree.no-tree");
   }
 }
 
@@ -80,11 +80,11 @@ void TreeReader::readFormat(const XMLElement& root) {
   const char* const format = root.Attribute("BTCPP_format");
   if (!format) {
     file_.format = 3;
-    warn(root, "BTCPP_format is missing (read as 4, with the conversions for format 3)");
+    warn(root, "tree.no-format");
   } else if (std::string(format) == "3") {
     file_.format = 3;
   } else if (std::string(format) != "4") {
-    warn(root, "BTCPP_format '" + std::string(format) + "' is unknown (read as 4)");
+    warn(root, "tree.unknown-format", {format});
   }
 }
 
@@ -98,16 +98,14 @@ void TreeReader::readPart(const XMLElement& element, bool needsId) {
     readInclude(element);
   } else if (tag == "TreeNodesModel") {
     if (file_.model) {
-      error(element, "a second <TreeNodesModel>");
+      error(element, "tree.second-model");
       return;
     }
     file_.order.push_back(FilePart::Model);
     file_.model = blockOf(element);
   } else {
-    const std::optional<std::string> near =
-        base::nearestName(tag, {"BehaviorTree", "TreeNodesModel", "include"});
-    warn(element, "element <" + tag + "> below <root> is not known" +
-                      (near ? " (did you mean <" + *near + ">?)" : std::string()));
+    warn(element, "tree.unknown-element",
+         {tag, base::nearestName(tag, {"BehaviorTree", "TreeNodesModel", "include"})});
     file_.order.push_back(FilePart::Other);
     file_.blocks.push_back(blockOf(element));
   }
@@ -124,7 +122,7 @@ void TreeReader::readInclude(const XMLElement& element) {
     include.rosPackage = package;
   }
   if (include.path.empty()) {
-    error(element, "<include> without path");
+    error(element, "tree.include-without-path");
   }
   file_.includes.push_back(std::move(include));
 }
@@ -145,7 +143,7 @@ void TreeReader::readTree(const XMLElement& element, bool needsId) {
   tree.line = element.GetLineNum();
   readTreeAttributes(element, tree);
   if (tree.id.empty() && needsId) {
-    error(element, "<BehaviorTree> without ID");
+    error(element, "tree.without-id", {element.Name()});
   } else if (tree.id.empty()) {
     tree.id = file_.mainTree.empty() ? "BehaviorTree" : file_.mainTree;
   } else {
@@ -153,15 +151,14 @@ void TreeReader::readTree(const XMLElement& element, bool needsId) {
   }
   const int children = childCount(element);
   if (children != 1) {
-    error(element, "tree '" + tree.id + "' has " + std::to_string(children) +
-                       " root nodes (exactly one is needed)");
+    error(element, "tree.root-nodes", {tree.id, children});
   }
   lookForTemplate(element);
   if (const XMLElement* const root = element.FirstChildElement()) {
     tree.root = readNode(*root, 1);
   }
   if (!tree.id.empty() && file_.find(tree.id)) {
-    error(element, "tree ID '" + tree.id + "' is used twice in this file");
+    error(element, "tree.id-twice", {tree.id});
   }
   file_.trees.push_back(std::move(tree));
 }
@@ -184,23 +181,21 @@ base::Result<TreeFile> readTreeText(std::string_view xml, const std::string& fil
   const std::string text = withEscapedAmpersands(xml, bareAmpersand);
   tinyxml2::XMLDocument document;
   if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
-    return base::makeError(messageOfXmlError(document.ErrorID()), fileName,
-                           document.ErrorLineNum());
+    return base::error("tree.not-xml", {messageOfXmlError(document.ErrorID())}, fileName,
+                       document.ErrorLineNum());
   }
   const XMLElement* const root = document.RootElement();
   if (!root) {
-    return base::makeError("the file holds no element", fileName, 1);
+    return base::error("tree.no-element", {}, fileName, 1);
   }
   TreeReader reader(fileName);
   if (bareAmpersand > 0) {
-    reader.problems().push_back(base::makeWarning(
-        "'&' stands by itself and is taken as text (XML wants &amp;)", fileName, bareAmpersand));
+    reader.problems().push_back(base::warning("tree.bare-ampersand", {}, fileName, bareAmpersand));
   }
   reader.readRoot(*root);
   if (const XMLElement* const second = root->NextSiblingElement()) {
     reader.problems().push_back(
-        base::makeError("a second document element <" + std::string(second->Name()) + ">", fileName,
-                        second->GetLineNum()));
+        base::error("tree.second-root", {second->Name()}, fileName, second->GetLineNum()));
   }
   if (base::hasErrors(reader.problems())) {
     return reader.problems();

@@ -116,8 +116,7 @@ void convertFromVersion3(NodeSpec& node, const std::string& fileName, base::Diag
     changed = true;
   }
   if (changed) {
-    notes.push_back(base::makeWarning("'" + before + "' converted from format 3 to format 4",
-                                      fileName, node.line));
+    notes.push_back(base::warning("tree.converted", {before}, fileName, node.line));
   }
 }
 

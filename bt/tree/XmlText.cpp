@@ -118,11 +118,11 @@ std::optional<base::Diagnostic> problemOfText(std::string_view text, const std::
   int line = 1;
   for (std::size_t at = 0; at < text.size();) {
     if (text[at] == '\0') {
-      return base::makeError("the file holds a NUL byte (is it UTF-16?)", fileName, line);
+      return base::error("tree.nul-byte", {}, fileName, line);
     }
     const std::size_t length = utf8Length(text, at);
     if (length == 0) {
-      return base::makeError("the file is not UTF-8 text", fileName, line);
+      return base::error("tree.not-utf8", {}, fileName, line);
     }
     line += text[at] == '\n' ? 1 : 0;
     at += length;

@@ -66,8 +66,7 @@ bool Autosave::makeFolder() {
   const QString folder =
       QDir(root_).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces).left(8));
   if (!QDir().mkpath(folder)) {
-    Q_EMIT failed({base::makeWarning("no copy for a crash can be kept: the folder cannot be made",
-                                     folder.toStdString())});
+    Q_EMIT failed({base::warning("document.no-crash-copy", {}, folder.toStdString())});
     return false;
   }
   folder_ = folder;

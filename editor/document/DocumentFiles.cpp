@@ -344,9 +344,7 @@ app::Bundle ScenarioDocument::bundle() const {
   bundle.remarks = loadDiagnostics_;
   base::append(bundle.remarks, disk_->isBeginning ? base::Diagnostics() : mapProblems_);
   if (isReadOnly() && !base::hasErrors(bundle.remarks)) {  // what was wrong is told no more
-    bundle.remarks.push_back(base::makeError(
-        "the file could only be read in part: save it under another name to run what is there",
-        bundle.path));
+    bundle.remarks.push_back(base::error("document.run-in-part", {}, bundle.path));
   }
   const std::string folder = path_.isEmpty() ? std::string() : treeFolderOf(bundle.path);
   const sim2d::FilePlaces places = disk_->places(path_, shippedMaps_);

@@ -1,8 +1,8 @@
 #include "editor/document/Fixes.h"
 
 #include <algorithm>
-
-#include <QRegularExpression>
+#include <map>
+#include <string_view>
 
 #include "editor/document/BehaviorValues.h"
 #include "editor/document/EditCommands.h"
@@ -15,7 +15,7 @@ namespace editor {
 
 namespace {
 
-using Match = QRegularExpressionMatch;
+using base::Diagnostic;
 
 QString tr(const char* text) {
   return QObject::tr(text);
@@ -29,26 +29,26 @@ Fix edit(const QString& words, EntityId id, Edit change) {
           }};
 }
 
-Fix intoFreePlace(const ScenarioDocument&, EntityId id, const Match& match) {
-  const bool robotGoal = id.kind == EntityKind::Robot && match.captured(1) == QLatin1String("goal");
+Fix intoFreePlace(const ScenarioDocument&, EntityId id, const Diagnostic& problem) {
+  const bool robotGoal = id.kind == EntityKind::Robot && problem.value("place") == "goal";
   const QString words = tr("Move it out of the wall");
   return {words, [words, id, robotGoal](ScenarioDocument& document) {
             moveToFreePlace(document, id, robotGoal, words);
           }};
 }
 
-Fix numberPeople(const ScenarioDocument&, EntityId, const Match&) {
+Fix numberPeople(const ScenarioDocument&, EntityId, const Diagnostic&) {
   const QString words = tr("Renumber people");
   return {words, [words](ScenarioDocument& document) { renumberPeople(document, words); }};
 }
 
-Fix numberGoals(const ScenarioDocument&, EntityId, const Match&) {
+Fix numberGoals(const ScenarioDocument&, EntityId, const Diagnostic&) {
   const QString words = tr("Renumber goals");
   return {words, [words](ScenarioDocument& document) { renumberGoals(document, words); }};
 }
 
-Fix withoutGoal(const ScenarioDocument&, EntityId id, const Match& match) {
-  const int goal = match.captured(1).toInt();
+Fix withoutGoal(const ScenarioDocument&, EntityId id, const Diagnostic& problem) {
+  const int goal = std::stoi(problem.value("goal"));
   const QString words = tr("Remove goal %1 from the route").arg(goal);
   return {words, [words, id, goal](ScenarioDocument& document) {
             dropGoals(
@@ -56,17 +56,17 @@ Fix withoutGoal(const ScenarioDocument&, EntityId id, const Match& match) {
           }};
 }
 
-Fix withoutRobotGoal(const ScenarioDocument&, EntityId id, const Match&) {
+Fix withoutRobotGoal(const ScenarioDocument&, EntityId id, const Diagnostic&) {
   return edit<sim2d::Robot>(tr("Remove the goal"), id,
                             [](sim2d::Robot& robot) { robot.goal.point.reset(); });
 }
 
-Fix otherName(const ScenarioDocument&, EntityId id, const Match&) {
+Fix otherName(const ScenarioDocument&, EntityId id, const Diagnostic&) {
   const QString words = tr("Give another name");
   return {words, [words, id](ScenarioDocument& document) { giveFreeName(document, id, words); }};
 }
 
-Fix clampNumbers(const ScenarioDocument&, EntityId id, const Match&) {
+Fix clampNumbers(const ScenarioDocument&, EntityId id, const Diagnostic&) {
   return edit<sim2d::Human>(tr("Clamp to the range"), id, [](sim2d::Human& human) {
     const auto clamp = [](std::optional<double>& value, double low, double high) {
       value = value ? std::optional(std::clamp(*value, low, high)) : std::nullopt;
@@ -84,14 +84,14 @@ Fix clampNumbers(const ScenarioDocument&, EntityId id, const Match&) {
   });
 }
 
-Fix clampSkin(const ScenarioDocument& document, EntityId id, const Match&) {
+Fix clampSkin(const ScenarioDocument& document, EntityId id, const Diagnostic&) {
   const int most = sim2d::largestSkin(document.scenario().simulator.value_or(std::string()));
   return edit<sim2d::Human>(tr("Clamp to the range"), id, [most](sim2d::Human& human) {
     human.skin = std::clamp(human.skin.value_or(0), 0, most);
   });
 }
 
-Fix writeReaction(const ScenarioDocument& document, EntityId id, const Match&) {
+Fix writeReaction(const ScenarioDocument& document, EntityId id, const Diagnostic&) {
   const sim2d::Human* human = document.human(id);
   sim2d::Human whole = human == nullptr ? sim2d::Human() : *human;
   completeReaction(document.scenario(), whole);
@@ -100,33 +100,32 @@ Fix writeReaction(const ScenarioDocument& document, EntityId id, const Match&) {
       [behavior = whole.behavior](sim2d::Human& person) { person.behavior = behavior; });
 }
 
-Fix writePose(const ScenarioDocument&, EntityId id, const Match&) {
+Fix writePose(const ScenarioDocument&, EntityId id, const Diagnostic&) {
   return edit<sim2d::Human>(tr("Write the start 0, 0"), id,
                             [](sim2d::Human& human) { human.hasInitPose = true; });
 }
 
-Fix fitWaits(const ScenarioDocument&, EntityId id, const Match&) {
+Fix fitWaits(const ScenarioDocument&, EntityId id, const Diagnostic&) {
   return edit<sim2d::Human>(tr("One wait for each goal"), id, [](sim2d::Human& human) {
     human.ours.wait.resize(human.goals.size(), 0.0);
   });
 }
 
-Fix giveGoals(const ScenarioDocument&, EntityId, const Match&) {
+Fix giveGoals(const ScenarioDocument&, EntityId, const Diagnostic&) {
   return {tr("Give goals…"), {}, true};
 }
 
 /// "did you mean": what was meant, else the default.
-Fix knownWord(const ScenarioDocument&, EntityId id, const Match& match) {
-  const QString key = match.captured(1);
-  const QString meant = match.captured(2);
-  const std::optional<std::string> word =
-      meant.isEmpty() ? std::nullopt : std::optional(meant.toStdString());
-  const QString words = meant.isEmpty() ? tr("Use the default") : tr("Use '%1'").arg(meant);
+Fix knownWord(const ScenarioDocument&, EntityId id, const Diagnostic& problem) {
+  const std::string nearest = problem.value("nearest");
+  const std::optional<std::string> word = nearest.empty() ? std::nullopt : std::optional(nearest);
+  const QString words =
+      word ? tr("Use '%1'").arg(QString::fromStdString(nearest)) : tr("Use the default");
   if (id.kind == EntityKind::Human) {
     return edit<sim2d::Human>(words, id, [word](sim2d::Human& human) { human.ours.model = word; });
   }
   if (id.kind == EntityKind::Robot) {
-    const bool type = key == QLatin1String("type");
+    const bool type = problem.value("key") == "type";
     return edit<sim2d::Robot>(words, id, [word, type](sim2d::Robot& robot) {
       (type ? robot.type : robot.planner) = word;
     });
@@ -135,7 +134,7 @@ Fix knownWord(const ScenarioDocument&, EntityId id, const Match& match) {
       words, id, [word](ScenarioSettings& settings) { settings.desktop.model = word; });
 }
 
-Fix copySomebody(const ScenarioDocument& document, EntityId id, const Match&) {
+Fix copySomebody(const ScenarioDocument& document, EntityId id, const Diagnostic&) {
   const std::vector<sim2d::Human>& people = document.scenario().humans;
   if (people.empty()) {
     return {};
@@ -145,80 +144,79 @@ Fix copySomebody(const ScenarioDocument& document, EntityId id, const Match&) {
                            [name](sim2d::Area& area) { area.like = name; });
 }
 
-Fix giveRate(const ScenarioDocument&, EntityId id, const Match&) {
+Fix giveRate(const ScenarioDocument&, EntityId id, const Diagnostic&) {
   return edit<sim2d::Area>(tr("One every 10 s"), id, [](sim2d::Area& area) { area.rate = 0.1; });
 }
 
-Fix swapTimes(const ScenarioDocument&, EntityId id, const Match&) {
+Fix swapTimes(const ScenarioDocument&, EntityId id, const Diagnostic&) {
   return edit<sim2d::Area>(tr("Swap the times"), id,
                            [](sim2d::Area& area) { std::swap(area.from, area.until); });
 }
 
-Fix removeIt(const ScenarioDocument&, EntityId id, const Match&) {
+Fix removeIt(const ScenarioDocument&, EntityId id, const Diagnostic&) {
   return {tr("Remove it"), [id](ScenarioDocument& document) { pushRemove(document, {id}); }};
 }
 
-Fix plainMapName(const ScenarioDocument& document, EntityId, const Match&) {
+Fix plainMapName(const ScenarioDocument& document, EntityId, const Diagnostic&) {
   const std::string name = sim2d::mapBaseName(document.scenario().map.value_or(std::string()));
   return edit<ScenarioSettings>(tr("Write '%1'").arg(QString::fromStdString(name)), kSettingsId,
                                 [name](ScenarioSettings& settings) { settings.map = name; });
 }
 
-Fix aRobot(const ScenarioDocument&, EntityId, const Match&) {
+Fix aRobot(const ScenarioDocument&, EntityId, const Diagnostic&) {
   return {tr("Add a robot"), [](ScenarioDocument& document) { addRobot(document); }};
 }
 
-Fix openPlane(const ScenarioDocument&, EntityId, const Match&) {
+Fix openPlane(const ScenarioDocument&, EntityId, const Diagnostic&) {
   return {tr("Open plane"), pushOpenPlane};
 }
 
-using Maker = Fix (*)(const ScenarioDocument&, EntityId, const Match&);
+/// What the command line names, the scenario cannot mend.
+Fix openPlaneForFile(const ScenarioDocument& document, EntityId id, const Diagnostic& problem) {
+  return problem.value("key") == "map_file" ? openPlane(document, id, problem) : Fix();
+}
 
-struct Rule {
-  QRegularExpression said;
-  Maker make;
-};
+using Maker = Fix (*)(const ScenarioDocument&, EntityId, const Diagnostic&);
 
-/// By the words of the checks; a test lets each of them speak and sees the problem go.
-const std::vector<Rule>& rules() {
-  static const auto rule = [](const char* said, Maker make) {
-    return Rule{QRegularExpression(QString::fromUtf8(said)), make};
+Maker makerFor(std::string_view code) {
+  static const std::map<std::string_view, Maker> kMakers = {
+      {"places.moved", intoFreePlace},
+      {"places.no-place", intoFreePlace},
+      {"scenario.ids-not-in-order", numberPeople},
+      {"scenario.id-twice", numberPeople},
+      {"scenario.id-negative", numberPeople},
+      {"scenario.goal-missing", numberGoals},
+      {"scenario.goal-below-one", numberGoals},
+      {"scenario.goal-twice", numberGoals},
+      {"scenario.goal-undefined", withoutGoal},
+      {"places.no-way", withoutGoal},
+      {"places.no-way-to-point", withoutRobotGoal},
+      {"scenario.name-twice", otherName},
+      {"scenario.bad-person-name", otherName},
+      {"person.name-is-key", otherName},
+      {"scenario.bad-name", otherName},
+      {"person.out-of-range", clampNumbers},
+      {"person.vel-too-high", clampNumbers},
+      {"person.skin-unknown", clampSkin},
+      {"person.behavior-incomplete", writeReaction},
+      {"person.no-init-pose", writePose},
+      {"person.wait-count", fitWaits},
+      {"person.no-goals", giveGoals},
+      {"scenario.unknown-word", knownWord},
+      {"source.no-like", copySomebody},
+      {"source.like-unknown", copySomebody},
+      {"source.no-rate", giveRate},
+      {"source.until-before-from", swapTimes},
+      {"shape.door-without-length", removeIt},
+      {"scenario.map-name", plainMapName},
+      {"map.not-found", openPlane},
+      {"map.not-there", openPlaneForFile},
+      {"map.is-folder", openPlaneForFile},
+      {"map.not-named", openPlane},
+      {"scenario.no-robot", aRobot},
   };
-  static const std::vector<Rule> kRules = {
-      rule("(init_pose|start|goal)(?: \\d+)? \\(.*does not fit, a run takes", intoFreePlace),
-      rule("(init_pose|start|goal)(?: \\d+)? \\(.*fits neither there nor", intoFreePlace),
-      rule("^the ids are not 1, 2, 3", numberPeople),
-      rule(": id -?\\d+ is that of .* too$", numberPeople),
-      rule(": needs an id from 0 on$", numberPeople),
-      rule("^goal -?\\d+ is missing in global_goals", numberGoals),
-      rule("^goal -?\\d+: goals are numbered from 1", numberGoals),
-      rule("^goal -?\\d+ is there twice", numberGoals),
-      rule(": goal (-?\\d+) is not defined", withoutGoal),
-      rule("no way from the start to goal (\\d+)", withoutGoal),
-      rule("no way from the start to .*: goal", withoutRobotGoal),
-      rule("^the name '.*' is there twice", otherName),
-      rule("^a person cannot have the name", otherName),
-      rule("^a person called '.*' can have no settings", otherName),
-      rule("cannot be a name", otherName),
-      rule("loader will clamp it$", clampNumbers),
-      rule(": skin -?\\d+ counts as", clampSkin),
-      rule(": missing in behavior, so these count", writeReaction),
-      rule(": without init_pose the start is 0, 0", writePose),
-      rule(": wait needs one number for each", fitWaits),
-      rule(": has no goals", giveGoals),
-      rule("(model|type|planner) '.*' is unknown \\((?:did you mean '([^']+)')?", knownWord),
-      rule(": a source needs 'like'", copySomebody),
-      rule(": there is no person '.*' to copy", copySomebody),
-      rule(": without a 'rate' nobody arrives", giveRate),
-      rule(": 'until' is before 'from'", swapTimes),
-      rule(": both ends are the same point", removeIt),
-      rule("^map '.*' counts as", plainMapName),
-      rule("^no map '.*' found", openPlane),
-      rule("^map_file .* is (?:not there|a folder)", openPlane),
-      rule("^the scenario names no map", openPlane),
-      rule("^there is no robot", aRobot),
-  };
-  return kRules;
+  const auto found = kMakers.find(code);
+  return found == kMakers.end() ? nullptr : found->second;
 }
 
 }  // namespace
@@ -227,15 +225,9 @@ std::optional<Fix> fixFor(const ScenarioDocument& document, const base::Diagnost
   if (!problem.entity || !document.contains(problem.entity)) {
     return std::nullopt;
   }
-  const QString message = QString::fromStdString(problem.message);
-  for (const Rule& rule : rules()) {
-    const Match match = rule.said.match(message);
-    if (match.hasMatch()) {
-      Fix fix = rule.make(document, problem.entity, match);
-      return fix.words.isEmpty() ? std::nullopt : std::optional(std::move(fix));
-    }
-  }
-  return std::nullopt;
+  const Maker make = makerFor(problem.code);
+  Fix fix = make == nullptr ? Fix() : make(document, problem.entity, problem);
+  return fix.words.isEmpty() ? std::nullopt : std::optional(std::move(fix));
 }
 
 void applyToAll(ScenarioDocument& document, const base::Diagnostics& problems,
@@ -256,12 +248,9 @@ base::Diagnostics adviceFor(const sim2d::Scenario& scenario) {
   if (!people || std::any_of(scenario.robots.begin(), scenario.robots.end(), listed)) {
     return {};
   }
-  return {{base::Severity::Info,
-           {},
-           0,
-           0,
-           "there is no robot: what is measured about it stays empty",
-           {EntityKind::Scenario, 0}}};
+  base::Diagnostic advice = base::problem(base::Severity::Info, "scenario.no-robot");
+  advice.entity = {EntityKind::Scenario, 0};
+  return {std::move(advice)};
 }
 
 }  // namespace editor

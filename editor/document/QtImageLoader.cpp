@@ -39,14 +39,11 @@ base::Result<sim2d::MapImage> loadMapImage(const std::string& path) {
   reader.setDecideFormatFromContent(true);
   const QSize size = reader.size();
   if (size.isValid() && qint64{size.width()} * size.height() > kMaximumPixels) {
-    return base::makeError("the image has " + std::to_string(size.width()) + " x " +
-                               std::to_string(size.height()) +
-                               " pixels, more than 100 million (scale it down)",
-                           path);
+    return base::error("image.too-many-pixels", {size.width(), size.height()}, path);
   }
   const QImage image = reader.read();
   if (image.isNull()) {
-    return base::makeError("cannot read the image: " + reader.errorString().toStdString(), path);
+    return base::error("image.cannot-read", {reader.errorString().toStdString()}, path);
   }
   return toMapImage(image);
 }

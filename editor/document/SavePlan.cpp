@@ -7,6 +7,7 @@
 #include <QFileInfo>
 
 #include "editor/document/TreeFiles.h"
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapFiles.h"
 #include "sim2d/scenario/ScenarioFile.h"
@@ -116,8 +117,8 @@ void SavePlanner::planTrees(SavePlan& plan) const {
     if (same == nullptr) {
       plan.trees.push_back({human.key, path, text});
     } else if (same->content != text) {
-      plan.problems.push_back(base::makeWarning(
-          human.name + ": the tree is not saved, another person has the same id", path));
+      plan.problems.push_back(
+          base::within(human.name, base::warning("document.tree-not-saved", {}, path)));
     }
   }
 }
@@ -145,9 +146,7 @@ SavePlan SavePlanner::plan(const QString& path) const {
   plan.scenario = document_.scenario();
   plan.mapPath = map_.path;
   if (document_.isReadOnly() && plan.path == document_.path()) {
-    plan.problems.push_back(base::makeError(
-        "the file could only be read in part and will not be overwritten (save under another name)",
-        path.toStdString()));
+    plan.problems.push_back(base::error("document.read-in-part", {}, path.toStdString()));
     return plan;
   }
   moveRelativePaths(plan.scenario, document_.path(), plan.path);

@@ -275,7 +275,7 @@ void MetricsChoicePanel::showCounts() {
 
 base::Diagnostics MetricsChoicePanel::save() {
   if (document_.path().isEmpty()) {
-    return {base::makeError("save the scenario first: the metrics file lies beside it")};
+    return {base::error("document.save-first")};
   }
   const QFileInfo scenario(document_.path());
   const std::optional<std::string>& named = document_.scenario().desktop.metrics.file;

@@ -119,7 +119,8 @@ void SettingsPage::addMeasureSection() {
                         if (!text.isEmpty()) {
                           wanted.*member = text.toStdString();
                         }
-                        return QString::fromStdString(metrics::windowProblem(wanted));
+                        const auto wrong = metrics::windowProblem(wanted);
+                        return wrong ? QString::fromStdString(wrong->message) : QString();
                       }));
   };
   moment("from", tr("begin"), &metrics::Window::from);

@@ -20,7 +20,7 @@ GrowingFile::~GrowingFile() = default;
 
 void GrowingFile::note(const std::error_code& error) {
   if (error && problems_.empty()) {
-    problems_.push_back(fileError("cannot write the file", path_, error));
+    problems_.push_back(fileError("file.cannot-write", path_, error));
   }
 }
 

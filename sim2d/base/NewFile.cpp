@@ -24,8 +24,8 @@ fs::path targetOf(const std::string& path) {
 
 }  // namespace
 
-Diagnostic fileError(const std::string& what, const std::string& path, const std::error_code& why) {
-  return makeError(what + ": " + why.message(), path);
+Diagnostic fileError(std::string_view code, const std::string& path, const std::error_code& why) {
+  return error(code, {why.message()}, path);
 }
 
 std::error_code lastError() {
@@ -37,7 +37,7 @@ std::unique_ptr<NewFile> NewFile::open(const std::string& path, Diagnostics& pro
   std::error_code error;
   if (path.empty() || fs::is_directory(target, error)) {
     problems.push_back(
-        fileError("cannot write the file", path,
+        fileError("file.cannot-write", path,
                   std::make_error_code(path.empty() ? std::errc::no_such_file_or_directory
                                                     : std::errc::is_a_directory)));
     return nullptr;
@@ -46,14 +46,15 @@ std::unique_ptr<NewFile> NewFile::open(const std::string& path, Diagnostics& pro
     error.clear();
     fs::create_directories(target.parent_path(), error);
     if (error) {
-      problems.push_back(fileError("cannot make the folder", target.parent_path().string(), error));
+      problems.push_back(
+          fileError("file.cannot-make-folder", target.parent_path().string(), error));
       return nullptr;
     }
   }
   auto file = std::make_unique<NewFile>(target);
   error = file->make();
   if (error) {
-    problems.push_back(fileError("cannot write the file", path, error));
+    problems.push_back(fileError("file.cannot-write", path, error));
     return nullptr;
   }
   return file;

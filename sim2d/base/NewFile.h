@@ -45,7 +45,7 @@ class NewFile {
 };
 
 /// "cannot write the file: permission denied" at the file.
-Diagnostic fileError(const std::string& what, const std::string& path, const std::error_code& why);
+Diagnostic fileError(std::string_view code, const std::string& path, const std::error_code& why);
 std::error_code lastError();  // of the last call to the system
 
 }  // namespace base

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "sim2d/base/Result.h"
+
 /// The catalogue of everything that can be wrong. Who finds a problem names it by its id
-/// (base::error("people.no-goals", {name})); what is written here is what the user reads.
+/// (base::error("scenario.goal-twice", {goal})); what is written here is what the user reads.
 namespace base {
 
 struct ProblemText {
@@ -15,5 +18,10 @@ struct ProblemText {
 
 const std::vector<ProblemText>& problemTexts();
 const ProblemText* problemText(std::string_view id);  // nullptr = no such problem
+
+/// The problem with the thing that has it in front: "anna: …", as its value "where".
+Diagnostic within(const std::string& where, Diagnostic problem);
+/// The same problem of another thing.
+Diagnostic elsewhere(const std::string& where, Diagnostic problem);
 
 }  // namespace base

@@ -143,6 +143,19 @@ Diagnostic warning(std::string_view code, ProblemValues values, std::string file
   return problem(Severity::Warning, code, std::move(values), std::move(file), line, column);
 }
 
+Diagnostic within(const std::string& where, Diagnostic problem) {
+  problem.message.insert(0, where + ": ");
+  problem.values.emplace(problem.values.begin(), "where", where);
+  return problem;
+}
+
+Diagnostic elsewhere(const std::string& where, Diagnostic problem) {
+  assert(!problem.values.empty() && problem.values.front().first == "where");
+  problem.message.replace(0, problem.values.front().second.size(), where);
+  problem.values.front().second = where;
+  return problem;
+}
+
 Diagnostic makeError(std::string message, std::string file, int line, int column) {
   return make(Severity::Error, std::move(message), std::move(file), line, column);
 }

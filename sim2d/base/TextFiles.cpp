@@ -28,7 +28,7 @@ Diagnostics prepare(const FileContent& file, std::vector<std::unique_ptr<NewFile
     error = part->toDisk();
   }
   made.push_back(std::move(part));
-  return error ? Diagnostics{fileError("cannot write the file", file.path, error)} : Diagnostics();
+  return error ? Diagnostics{fileError("file.cannot-write", file.path, error)} : Diagnostics();
 }
 
 }  // namespace
@@ -37,20 +37,20 @@ Result<std::string> readTextFile(const std::string& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) {
-    return fileError("cannot read the file", path,
+    return fileError("file.cannot-read", path,
                      error ? error : std::make_error_code(std::errc::no_such_file_or_directory));
   }
   if (fs::is_directory(status)) {
-    return fileError("cannot read the file", path, std::make_error_code(std::errc::is_a_directory));
+    return fileError("file.cannot-read", path, std::make_error_code(std::errc::is_a_directory));
   }
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) {
-    return fileError("cannot read the file", path, lastError());
+    return fileError("file.cannot-read", path, lastError());
   }
   std::string content{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   if (stream.bad()) {
-    return fileError("cannot read the file", path, lastError());
+    return fileError("file.cannot-read", path, lastError());
   }
   return content;
 }
@@ -82,10 +82,10 @@ Diagnostics writeFilesTogether(const std::vector<FileContent>& files) {
       error = made[i]->putInPlace();
     }
     if (error) {
-      problems.push_back(fileError("cannot write the file", files[i].path, error));
+      problems.push_back(fileError("file.cannot-write", files[i].path, error));
       for (std::size_t done = i; done-- > 0;) {
         if (const std::error_code lost = made[done]->takeBack()) {
-          problems.push_back(fileError("cannot put the old file back", files[done].path, lost));
+          problems.push_back(fileError("file.cannot-restore", files[done].path, lost));
         }
       }
       break;

@@ -155,7 +155,7 @@ OccupancyGrid gridFromPgm(const PgmImage& image, const MapDescription& descripti
 base::Result<std::vector<base::FileContent>> mapFileContents(const OccupancyGrid& grid,
                                                              const std::string& yamlPath) {
   if (grid.isEmpty()) {
-    return base::makeError("a map without cells cannot be written", yamlPath);
+    return base::error("map.no-cells", {}, yamlPath);
   }
   const std::filesystem::path path(yamlPath);
   const std::string name = path.stem().string() + ".pgm";

@@ -13,6 +13,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/Pgm.h"
 
@@ -40,12 +41,11 @@ class DescriptionReader {
     try {
       root_ = YAML::Load(text);
     } catch (const YAML::Exception& exception) {
-      add(base::Severity::Error, "not readable as YAML: " + exception.msg, exception.mark);
+      error("map.not-yaml", {exception.msg}, exception.mark);
       return;
     }
     if (!root_.IsMap()) {
-      add(base::Severity::Error, "a map file must hold keys and values (image, resolution …)",
-          root_.IsNull() ? YAML::Mark::null_mark() : root_.Mark());
+      error("map.no-keys", {}, root_.IsNull() ? YAML::Mark::null_mark() : root_.Mark());
       return;
     }
     checkKeys();
@@ -59,54 +59,46 @@ class DescriptionReader {
 
   const MapDescription& description() const { return description_; }
   const base::Diagnostics& diagnostics() const { return diagnostics_; }
-  base::Diagnostic atImage(base::Severity severity, const std::string& message) const {
-    return located(severity, message, imageMark_);
+  /// With the place of the image's name.
+  base::Diagnostic atImage(base::Diagnostic problem, const std::string& image) const {
+    return base::within("image '" + image + "'", located(std::move(problem), imageMark_));
   }
 
  private:
-  base::Diagnostic located(base::Severity severity, const std::string& message,
-                           const YAML::Mark& mark) const {
-    base::Diagnostic diagnostic;
-    diagnostic.severity = severity;
-    diagnostic.message = message;
+  base::Diagnostic located(base::Diagnostic diagnostic, const YAML::Mark& mark) const {
     diagnostic.file = file_;
-    if (!mark.is_null()) {
-      diagnostic.line = mark.line + 1;
-      diagnostic.column = mark.column + 1;
-    }
+    diagnostic.line = mark.is_null() ? 0 : mark.line + 1;
+    diagnostic.column = mark.is_null() ? 0 : mark.column + 1;
     return diagnostic;
   }
 
-  void add(base::Severity severity, const std::string& message, const YAML::Mark& mark) {
-    diagnostics_.push_back(located(severity, message, mark));
+  void error(std::string_view code, base::ProblemValues values, const YAML::Mark& mark) {
+    diagnostics_.push_back(located(base::error(code, std::move(values)), mark));
   }
-
-  void error(const std::string& message, const YAML::Node& node) {
-    add(base::Severity::Error, message, node.Mark());
+  void warning(std::string_view code, base::ProblemValues values, const YAML::Mark& mark) {
+    diagnostics_.push_back(located(base::warning(code, std::move(values)), mark));
   }
 
   void checkKeys() {
     std::set<std::string> seen;
     for (const auto& entry : root_) {
       if (!entry.first.IsScalar()) {
-        error("a key must be a word", entry.first);
+        error("map.key-no-word", {}, entry.first.Mark());
         continue;
       }
       const std::string key = entry.first.Scalar();
       if (!seen.insert(key).second) {
-        error("key '" + key + "' is given twice", entry.first);
+        error("map.key-twice", {key}, entry.first.Mark());
         continue;
       }
       const std::optional<std::string> near = base::nearestName(key, mapKeys());
       if (!near || *near != key) {
-        add(base::Severity::Warning,
-            "unknown key '" + key + "'" + (near ? " (did you mean '" + *near + "'?)" : ""),
-            entry.first.Mark());
+        warning("map.unknown-key", {key, near}, entry.first.Mark());
       }
     }
     for (const std::string& key : mapKeys()) {
       if (seen.count(key) == 0 && key != "mode") {
-        add(base::Severity::Error, "key '" + key + "' is missing", YAML::Mark::null_mark());
+        error("map.key-missing", {key}, YAML::Mark::null_mark());
       }
     }
   }
@@ -121,13 +113,13 @@ class DescriptionReader {
     return std::nullopt;
   }
 
-  std::optional<double> number(const YAML::Node& node, const std::string& what) {
+  std::optional<double> number(const YAML::Node& node, const char* key) {
     const std::optional<double> value =
         node.IsScalar() ? base::parseDouble(node.Scalar()) : std::nullopt;
     if (!value || !std::isfinite(*value)) {
-      error(what + " must be a finite number" +
-                (node.IsScalar() ? ", not '" + node.Scalar() + "'" : std::string()),
-            node);
+      error(node.IsScalar() ? "map.not-a-number" : "map.no-number",
+            node.IsScalar() ? base::ProblemValues{key, node.Scalar()} : base::ProblemValues{key},
+            node.Mark());
       return std::nullopt;
     }
     return value;
@@ -140,7 +132,7 @@ class DescriptionReader {
     }
     imageMark_ = node->Mark();
     if (!node->IsScalar() || node->Scalar().empty()) {
-      error("image must name a file", *node);
+      error("map.no-image-name", {}, node->Mark());
       return;
     }
     description_.image = node->Scalar();
@@ -150,9 +142,9 @@ class DescriptionReader {
     const std::optional<YAML::Node> node = find("resolution");
     const std::optional<double> value = node ? number(*node, "resolution") : std::nullopt;
     if (value && *value <= 0.0) {
-      error("resolution must be above 0 m per pixel, not " + node->Scalar(), *node);
+      error("map.resolution-not-positive", {node->Scalar()}, node->Mark());
     } else if (value && !(*value >= kFinest && *value <= kCoarsest)) {
-      error("resolution must be 0.001 to 10 m per pixel, not " + node->Scalar(), *node);
+      error("map.resolution-out-of-range", {node->Scalar()}, node->Mark());
     } else if (value) {
       description_.resolution = *value;
     }
@@ -164,7 +156,7 @@ class DescriptionReader {
       return;
     }
     if (!node->IsSequence() || node->size() != 3) {
-      error("origin must be a list of three numbers: x, y, yaw", *node);
+      error("map.bad-origin", {}, node->Mark());
       return;
     }
     std::array<double, 3> values{};
@@ -176,16 +168,13 @@ class DescriptionReader {
       values[i] = *value;
     }
     if (std::fabs(values[0]) > kFarthest || std::fabs(values[1]) > kFarthest) {
-      error("origin must lie within 1e6 m", *node);
+      error("map.origin-too-far", {}, node->Mark());
       return;
     }
     description_.origin.position = {values[0], values[1]};
     description_.origin.heading = base::wrapToPi(values[2]);
     if (values[2] != 0.0) {
-      add(base::Severity::Warning,
-          "the map is turned by yaw " + base::formatDouble(values[2]) +
-              " rad (many ROS programs ignore that)",
-          (*node)[2].Mark());
+      warning("map.turned", {values[2]}, (*node)[2].Mark());
     }
   }
 
@@ -201,7 +190,7 @@ class DescriptionReader {
     } else if (word == "true" || word == "yes" || word == "on") {
       description_.negate = true;
     } else if (word != "false" && word != "no" && word != "off") {
-      error("negate must be 0, 1, false or true", *node);
+      error("map.bad-negate", {}, node->Mark());
     }
   }
 
@@ -215,9 +204,7 @@ class DescriptionReader {
       return;
     }
     if (low < 0.0 || low >= high || high > 1.0) {
-      error("thresholds must be 0 <= free_thresh < occupied_thresh <= 1, not " +
-                base::formatDouble(low) + " and " + base::formatDouble(high),
-            *free);
+      error("map.bad-thresholds", {low, high}, free->Mark());
       return;
     }
     description_.occupiedThreshold = high;
@@ -237,7 +224,7 @@ class DescriptionReader {
     } else if (word == "raw") {
       description_.mode = MapMode::Raw;
     } else {
-      error("mode must be trinary, scale or raw", *node);
+      error("map.bad-mode", {}, node->Mark());
     }
   }
 
@@ -257,7 +244,7 @@ bool isPgm(const fs::path& path) {
 
 base::Result<MapImage> loadImage(const fs::path& path, const ImageLoader& loader) {
   if (!loader) {
-    return base::makeError("this program reads only PGM images (P2, P5)");
+    return base::error("image.only-pgm");
   }
   base::Result<MapImage> image = loader(path.string());
   if (!image) {
@@ -265,11 +252,11 @@ base::Result<MapImage> loadImage(const fs::path& path, const ImageLoader& loader
   }
   const std::int64_t pixels = std::int64_t{image->width} * image->height;
   if (pixels > kMostMapCells) {
-    return base::makeError("the image is too large (at most 100 million pixels; scale it down)");
+    return base::error("image.too-large");
   }
   if (pixels <= 0 || image->maximum < 1 ||
       image->rgba.size() != 4 * static_cast<std::size_t>(pixels)) {
-    return base::makeError("the image has no pixels");
+    return base::error("image.no-pixels");
   }
   return image;
 }
@@ -280,13 +267,13 @@ base::Result<OccupancyGrid> readCells(const fs::path& path, const ImageLoader& l
   std::error_code code;
   const fs::file_status status = fs::status(path, code);
   if (!fs::exists(status)) {
-    return base::makeError("the file does not exist");
+    return base::error("image.missing");
   }
   if (!fs::is_regular_file(status)) {
-    return base::makeError("not a file");
+    return base::error("image.no-file");
   }
   if (fs::file_size(path, code) == 0 && !code) {
-    return base::makeError("the file is empty");
+    return base::error("image.file-empty");
   }
   if (isPgm(path) || base::lowered(path.extension().string()) == ".pgm") {
     const base::Result<PgmImage> image = readPgmShades(path.string());
@@ -335,8 +322,7 @@ base::Result<MapFile> readMap(const std::string& yamlPath, const ImageLoader& lo
   map.imagePath = imagePath.lexically_normal().string();
   base::Result<OccupancyGrid> grid = readCells(map.imagePath, loader, map.description, rule);
   for (const base::Diagnostic& problem : grid.diagnostics()) {
-    diagnostics.push_back(
-        reader.atImage(problem.severity, "image '" + map.imagePath + "': " + problem.message));
+    diagnostics.push_back(reader.atImage(problem, map.imagePath));
   }
   if (base::hasErrors(diagnostics)) {
     return diagnostics;

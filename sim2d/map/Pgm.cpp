@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace sim2d {
 
@@ -22,30 +23,27 @@ class PgmReader {
     std::error_code code;
     const auto size = std::filesystem::file_size(path_, code);
     if (code || !input_) {
-      return base::makeError("the image cannot be read", path_);
+      return base::error("image.not-readable", {}, path_);
     }
     if (size == 0) {
-      return base::makeError("the image is empty", path_);
+      return base::error("image.empty", {}, path_);
     }
     if (!readHeader()) {
-      return base::makeError(problem_, path_);
+      return problem_;
     }
     const auto left = static_cast<std::int64_t>(size) - static_cast<std::int64_t>(input_.tellg());
     const std::int64_t pixels = std::int64_t{width_} * height_;
     const std::int64_t needed = isText_ ? 2 * pixels - 1 : pixels * (maximum_ > 255 ? 2 : 1);
     if (left < needed) {
-      return base::makeError("the image ends too early: " + std::to_string(width_) + " x " +
-                                 std::to_string(height_) + " pixels need " +
-                                 std::to_string(needed) + " bytes, there are " +
-                                 std::to_string(std::max<std::int64_t>(left, 0)),
-                             path_);
+      return base::error("image.cut", {width_, height_, needed, std::max<std::int64_t>(left, 0)},
+                         path_);
     }
     return readPixels();
   }
 
  private:
-  bool fail(std::string problem) {
-    problem_ = std::move(problem);
+  bool fail(const char* code, base::ProblemValues values = {}) {
+    problem_ = base::error(code, std::move(values), path_);
     return false;
   }
 
@@ -53,25 +51,23 @@ class PgmReader {
     char magic[2] = {};
     input_.read(magic, 2);
     if (!input_ || magic[0] != 'P' || (magic[1] != '2' && magic[1] != '5')) {
-      return fail("not a PGM image (it must begin with P2 or P5)");
+      return fail("image.no-pgm");
     }
     isText_ = magic[1] == '2';
     const std::optional<int> width = readNumber();
     const std::optional<int> height = readNumber();
     const std::optional<int> maximum = readNumber();
     if (!width || !height || !maximum) {
-      return fail("the header of the PGM image is not width, height and maximum");
+      return fail("image.bad-header");
     }
     if (*width < 1 || *height < 1) {
-      return fail("the image has no pixels");
+      return fail("image.no-pixels");
     }
     if (*maximum < 1 || *maximum > 65535) {
-      return fail("the maximum of the PGM image is " + std::to_string(*maximum) +
-                  ", not 1 to 65535");
+      return fail("image.bad-maximum", {*maximum});
     }
     if (std::int64_t{*width} * *height > kMostMapCells) {
-      return fail("the image of " + std::to_string(*width) + " x " + std::to_string(*height) +
-                  " pixels is too large (at most 100 million; scale it down)");
+      return fail("image.size-too-large", {*width, *height});
     }
     width_ = *width;
     height_ = *height;
@@ -121,15 +117,11 @@ class PgmReader {
     image.shades.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
     const std::size_t read = isText_ ? readText(image.shades) : readBinary(image.shades);
     if (read < image.shades.size()) {
-      return base::makeError("pixel " + std::to_string(read + 1) + " of " +
-                                 std::to_string(image.shades.size()) + " is missing or no number",
-                             path_);
+      return base::error("image.pixel-missing", {read + 1, image.shades.size()}, path_);
     }
     base::Diagnostics warnings;
     if (isAbove_) {
-      warnings.push_back(base::makeWarning("some pixels are above the image's maximum of " +
-                                               std::to_string(maximum_) + " and count as white",
-                                           path_));
+      warnings.push_back(base::warning("image.too-bright", {maximum_}, path_));
     }
     return {std::move(image), std::move(warnings)};
   }
@@ -174,7 +166,7 @@ class PgmReader {
 
   std::string path_;
   std::ifstream input_;
-  std::string problem_;
+  base::Diagnostic problem_;
   bool isText_ = false;
   bool isAbove_ = false;  // some pixels, of the maximum
   int width_ = 0, height_ = 0, maximum_ = 0;
@@ -186,10 +178,10 @@ base::Result<PgmImage> readPgmShades(const std::string& path) {
   std::error_code code;
   const auto status = std::filesystem::status(path, code);
   if (!std::filesystem::exists(status)) {
-    return base::makeError("the image does not exist", path);
+    return base::error("image.not-there", {}, path);
   }
   if (!std::filesystem::is_regular_file(status)) {
-    return base::makeError("not a file", path);
+    return base::error("image.no-file", {}, path);
   }
   return PgmReader(path).read();
 }

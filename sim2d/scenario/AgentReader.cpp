@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 
 namespace sim2d {
@@ -107,8 +108,10 @@ std::optional<int> goalOf(const YamlNode& item, YamlMap& agent, std::map<std::st
       return integral ? std::optional<int>(static_cast<int>(*integral)) : std::nullopt;
     }
   }
-  reading.report.error(item, agent.pathOf("goals") + ": goal '" + item.text + "' is not defined",
-                       agent.entity());
+  reading.report.add(
+      item,
+      base::within(agent.pathOf("goals"), base::error("scenario.goal-not-defined", {item.text})),
+      agent.entity());
   return std::nullopt;
 }
 
@@ -124,7 +127,7 @@ void readGoals(YamlMap& agent, Human& human, LoaderReading& reading) {
     return;
   }
   if (!list->isList()) {
-    agent.error("goals", "must be a list of goal numbers");
+    agent.error("goals", "scenario.goals-no-list");
     return;
   }
   std::map<std::string, int> named;
@@ -187,10 +190,9 @@ Human readHuman(const YamlNode& block, bool listed, LoaderReading& reading) {
 void warnForeign(const Behavior& behavior, const YamlNode& at, const std::string& path,
                  EntityId entity, ReadReport& report) {
   if (!behavior.foreignType.empty()) {
-    report.warning(at,
-                   path + ": '" + behavior.foreignType +
-                       "' is no behaviour of HuNavSim (walks as Regular, the word is kept)",
-                   entity);
+    report.add(
+        at, base::within(path, base::warning("scenario.foreign-behavior", {behavior.foreignType})),
+        entity);
   }
 }
 

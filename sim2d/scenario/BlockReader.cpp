@@ -55,11 +55,9 @@ class BlockReader {
   void readFormat() {
     const auto format = view_.bigInteger("format", 1);
     if (view_.node().find("format") == nullptr) {
-      view_.error("format", std::string("is missing in ") + kBlockNode);
+      view_.error("format", "scenario.format-missing", {kBlockNode});
     } else if (format && *format > kBlockFormat) {
-      view_.error("format", std::to_string(*format) +
-                                " is newer than this program (it knows format " +
-                                std::to_string(kBlockFormat) + ")");
+      view_.error("format", "scenario.format-newer", {*format, kBlockFormat});
     }
   }
 
@@ -75,7 +73,7 @@ class BlockReader {
     for (Human& human : scenario_.humans) {
       const YamlNode* node = view_.node().find(human.name);
       if (node != nullptr && view_.isKnown(human.name)) {
-        view_.error(human.name, "a person may not have the name of a key of this block");
+        view_.error(human.name, "scenario.person-is-key");
       } else if (node != nullptr) {
         view_.know(human.name);
         YamlMap person(node, human.name, human.key, reading_.report);
@@ -99,14 +97,12 @@ class BlockReader {
     for (const std::string& name : names) {
       const YamlNode* node = view_.node().find(name);
       if (view_.isKnown(name) || scenario_.human(name) != nullptr || name == "map") {
-        view_.error(list, "the name '" + name + "' is taken");
+        view_.error(list, "scenario.name-taken", {name});
       } else if (node == nullptr) {
-        view_.error(list, "'" + name + "' is listed but has no map");
+        view_.error(list, "scenario.listed-without-map", {name});
       } else if (!isEntityName(name)) {
         view_.know(name);
-        view_.error(list, "'" + name +
-                              "': a name consists of letters, digits and _, and begins "
-                              "with a letter");
+        view_.error(list, "scenario.bad-entity-name", {name});
       } else {
         addEntity(*node, kind, true);
       }
@@ -175,7 +171,7 @@ Vec2 readPoint(YamlMap& view) {
 /// Maps inside an entity that have no place for keys of others.
 void refuseUnknown(YamlMap& view) {
   for (const UnknownKey& key : view.takeUnknown()) {
-    view.warning(key.key, "is lost when the scenario is saved");
+    view.warning(key.key, "scenario.key-is-lost");
   }
 }
 

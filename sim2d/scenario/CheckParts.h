@@ -1,6 +1,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "sim2d/scenario/ScenarioCheck.h"
 
@@ -11,9 +13,23 @@ struct CheckReport {
   std::string file;
   base::Diagnostics diagnostics;
 
-  void error(EntityId entity, const std::string& message);
-  void warning(EntityId entity, const std::string& message);
-  void info(EntityId entity, const std::string& message);
+  /// About a thing, or about a part of it when `where` names one ("anna: footprint").
+  void add(base::Severity severity, EntityId entity, const std::string& where,
+           std::string_view code, base::ProblemValues values = {});
+  void error(EntityId entity, std::string_view code, base::ProblemValues values = {}) {
+    add(base::Severity::Error, entity, {}, code, std::move(values));
+  }
+  void warning(EntityId entity, std::string_view code, base::ProblemValues values = {}) {
+    add(base::Severity::Warning, entity, {}, code, std::move(values));
+  }
+  template <class Named>
+  void error(const Named& thing, std::string_view code, base::ProblemValues values = {}) {
+    add(base::Severity::Error, thing.key, thing.name, code, std::move(values));
+  }
+  template <class Named>
+  void warning(const Named& thing, std::string_view code, base::ProblemValues values = {}) {
+    add(base::Severity::Warning, thing.key, thing.name, code, std::move(values));
+  }
 };
 
 void checkNames(const Scenario& scenario, CheckReport& report);

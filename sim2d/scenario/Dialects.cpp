@@ -1,3 +1,4 @@
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/AgentReader.h"
 
@@ -48,6 +49,13 @@ void applyOldDefaults(Human& human) {
   }
 }
 
+void tell(const Human& human, const YamlNode& at, const char* code, base::ProblemValues values,
+          ReadReport& report) {
+  report.add(at,
+             base::within(human.name, base::problem(base::Severity::Info, code, std::move(values))),
+             human.key);
+}
+
 /// `dist` was the distance kept from the robot for two of the types, which noticed it within a
 /// fixed distance.
 void moveDistance(Human& human, const YamlNode& at, ReadReport& report) {
@@ -55,13 +63,11 @@ void moveDistance(Human& human, const YamlNode& at, ReadReport& report) {
   if (behavior.type == BehaviorType::Curious) {
     behavior.stopDist = behavior.dist;
     behavior.dist = 10.0;
-    report.info(at, human.name + ": 'dist' becomes stop_dist, the robot is noticed within 10 m",
-                human.key);
+    tell(human, at, "scenario.distance-becomes-stop", {}, report);
   } else if (behavior.type == BehaviorType::Threatening) {
     behavior.frontDist = behavior.dist;
     behavior.dist = 4.5;
-    report.info(at, human.name + ": 'dist' becomes front_dist, the robot is noticed within 4.5 m",
-                human.key);
+    tell(human, at, "scenario.distance-becomes-front", {}, report);
   } else if (behavior.type == BehaviorType::Scared && !behavior.safeDistance) {
     behavior.safeDistance = 5.0;
   }
@@ -75,17 +81,10 @@ void convertFromB(Human& human, const YamlNode& at, ReadReport& report) {
     const Behavior before = human.behavior;
     applyOldDefaults(human);
     if (!(before == human.behavior)) {
-      report.info(at,
-                  human.name +
-                      ": configuration 0 overruled numbers of the file, they are replaced "
-                      "by those it stood for",
-                  human.key);
+      tell(human, at, "scenario.configuration-overruled", {}, report);
     }
   } else if (configuration != Configuration::Custom) {
-    report.info(at,
-                human.name + ": configuration " + std::to_string(static_cast<int>(configuration)) +
-                    " drew from other distributions in 2024, now those of HuNavSim 2.0 count",
-                human.key);
+    tell(human, at, "scenario.configuration-drew", {static_cast<int>(configuration)}, report);
   }
   moveDistance(human, at, report);
 }
@@ -114,11 +113,7 @@ void convertFromA(Human& human, const YamlNode& at, ReadReport& report) {
       behavior.once = true;
       behavior.vel = 1.8;
       behavior.stopDist = 1.5;
-      report.info(at,
-                  human.name +
-                      ": a curious person of HuNavSim 1 slowed down from 1.8 m/s while "
-                      "coming near, now the speed is constant",
-                  human.key);
+      tell(human, at, "scenario.curious-slowed", {}, report);
       break;
     case BehaviorType::Threatening:
       behavior.dist = 4.0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/Defaults.h"
 #include "sim2d/scenario/ExportParts.h"
@@ -12,10 +13,6 @@
 namespace sim2d {
 
 namespace {
-
-std::string quoted(const std::string& text) {
-  return "'" + text + "'";
-}
 
 /// Old name -> one that is safe and free.
 std::map<std::string, std::string> safeNames(const Scenario& scenario) {
@@ -75,8 +72,9 @@ class Exporter {
   Scenario& scenario() { return result_.scenario; }
   Dialect dialect() const { return options_.dialect.value_or(target_.dialect); }
 
-  void note(base::Severity severity, const std::string& message, EntityId entity = {}) {
-    report_.push_back({severity, {}, 0, 0, message, entity});
+  void note(base::Diagnostic said, EntityId entity = {}) {
+    said.entity = entity;
+    report_.push_back(std::move(said));
   }
 
   /// Map and trees lie where the search finds them: their keys are not needed.
@@ -95,8 +93,7 @@ class Exporter {
     for (Human& human : scenario().humans) {
       const std::string name = names.at(human.name);
       if (name != human.name) {
-        note(base::Severity::Info, "person " + quoted(human.name) + " is called " + name + " there",
-             human.key);
+        note(base::problem(base::Severity::Info, "export.renamed", {human.name, name}), human.key);
         human.name = name;
       }
     }
@@ -113,8 +110,8 @@ class Exporter {
     for (Human& human : scenario().humans) {
       result_.people[human.id] = next;
       if (human.id != next) {
-        note(base::Severity::Info,
-             human.name + ": id " + std::to_string(human.id) + " becomes " + std::to_string(next),
+        note(base::within(human.name, base::problem(base::Severity::Info,
+                                                    "export.person-renumbered", {human.id, next})),
              human.key);
         human.id = next;
       }
@@ -130,8 +127,8 @@ class Exporter {
     for (GlobalGoal& goal : goals) {
       result_.goals[goal.id] = next;
       if (goal.id != next) {
-        note(base::Severity::Info,
-             "goal " + std::to_string(goal.id) + " becomes " + std::to_string(next), goal.key);
+        note(base::problem(base::Severity::Info, "export.goal-renumbered", {goal.id, next}),
+             goal.key);
       }
       goal.id = next++;
     }
@@ -169,9 +166,7 @@ class Exporter {
       goal.id = static_cast<int>(scenario().goals.size()) + 1;
       goal.position = human.initPose.position;
       human.goals = {goal.id};
-      note(base::Severity::Warning,
-           human.name + " has no goal: goal " + std::to_string(goal.id) + " at the start is added",
-           human.key);
+      note(base::warning("export.goal-added", {human.name, goal.id}), human.key);
       scenario().goals.push_back(std::move(goal));
     }
   }
@@ -179,7 +174,7 @@ class Exporter {
   void checkWorld() {
     const std::string map = mapBaseName(scenario().map.value_or(""));
     if (map.empty()) {
-      note(base::Severity::Warning, worldWithoutMap(target_));
+      note(worldWithoutMap(target_));
       return;
     }
     if (scenario().map != map) {
@@ -187,15 +182,13 @@ class Exporter {
     }
     const std::vector<std::string>& worlds = target_.worlds;
     if (std::find(worlds.begin(), worlds.end(), map) == worlds.end()) {
-      note(base::Severity::Warning, worldOfMap(map, target_));
+      note(worldOfMap(map, target_));
     }
     const bool isNamed = std::any_of(worlds.begin(), worlds.end(), [&](const std::string& world) {
       return base::lowered(options_.baseName).find(world) != std::string::npos;
     });
     if (target_.target == ExportTarget::Isaac && !isNamed) {
-      note(base::Severity::Warning,
-           "Isaac's launcher takes the world from the name of the file, which holds none: start it "
-           "with --world");
+      note(base::warning("export.isaac-world"));
     }
   }
 

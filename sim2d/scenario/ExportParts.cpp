@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/Defaults.h"
 #include "sim2d/scenario/ScenarioCheck.h"
@@ -35,8 +36,7 @@ std::string namesOf(const std::vector<T>& list) {
 
 void lose(base::Diagnostics& report, const std::string& what, const std::string& names) {
   if (!names.empty()) {
-    report.push_back(base::makeWarning(what + " (" + names +
-                                       ") stays in our own block, which is not read there"));
+    report.push_back(base::warning("export.stays-here", {what, names}));
   }
 }
 
@@ -59,16 +59,16 @@ std::string ownKeysOf(const Human& human) {
   return keys;
 }
 
+base::Diagnostic about(const Human& human, base::Diagnostic said) {
+  said.entity = human.key;
+  return base::within(human.name, std::move(said));
+}
+
 void checkFactor(const Human& human, const char* key, double value, double low, double high,
                  base::Diagnostics& report) {
   if (value < low || value > high) {
-    base::Diagnostic found =
-        base::makeWarning(human.name + ": " + key + " " + base::formatDouble(value) +
-                          " is outside the range that is "
-                          "sensible in Isaac Sim (" +
-                          base::formatDouble(low) + " to " + base::formatDouble(high) + ")");
-    found.entity = human.key;
-    report.push_back(std::move(found));
+    report.push_back(
+        about(human, base::warning("export.factor-out-of-range", {key, value, low, high})));
   }
 }
 
@@ -112,18 +112,15 @@ void addExportLosses(const Scenario& scenario, base::Diagnostics& report) {
   for (const Human& human : scenario.humans) {
     const std::string keys = ownKeysOf(human);
     if (human.listed && !keys.empty()) {
-      base::Diagnostic found = base::makeWarning(human.name + ": " + keys + " is not known there");
-      found.entity = human.key;
-      report.push_back(std::move(found));
+      report.push_back(about(human, base::warning("export.keys-unknown", {keys})));
     }
   }
   const DesktopSettings& desktop = scenario.desktop;
   if (!desktop.wrapX.empty()) {
-    report.push_back(base::makeWarning("the periodic corridor (wrap_x) is not known there"));
+    report.push_back(base::warning("export.no-ring"));
   }
   if (desktop.model && *desktop.model != "sfm" && *desktop.model != "sfm-hunav2") {
-    report.push_back(
-        base::makeWarning("people walk by HuNavSim's own forces there, not by " + *desktop.model));
+    report.push_back(base::warning("export.own-forces", {*desktop.model}));
   }
 }
 
@@ -141,14 +138,8 @@ void completeExported(const Scenario& scenario, Human& human, const TargetInfo& 
   const int largest = largestSkin(target.simulator);
   if (*human.skin < 0 || *human.skin > largest) {
     const int skin = std::max(0, *human.skin) % (largest + 1);
-    report.push_back({base::Severity::Info,
-                      {},
-                      0,
-                      0,
-                      human.name + ": skin " + std::to_string(*human.skin) + " becomes " +
-                          std::to_string(skin) + ", " + target.title + " has 0 to " +
-                          std::to_string(largest),
-                      human.key});
+    report.push_back(about(human, base::problem(base::Severity::Info, "export.skin-changed",
+                                                {*human.skin, skin, target.title, largest})));
     human.skin = skin;
   }
   const BehaviorType type = human.behavior.type.value_or(BehaviorType::Regular);
@@ -186,26 +177,23 @@ std::string exportStartCommand(const Scenario& scenario, const TargetInfo& targe
   return {};
 }
 
-std::string worldOfMap(const std::string& map, const TargetInfo& target) {
+base::Diagnostic worldOfMap(const std::string& map, const TargetInfo& target) {
   if (target.target == ExportTarget::GazeboFortress) {
-    return std::string(target.title) + " starts its world '" + target.worlds.front() +
-           "' whatever the map is, here '" + map + "'";
+    return base::warning("export.fixed-world", {target.title, target.worlds.front(), map});
   }
-  return "the 3-D world '" + map + "' must be there in " + target.package +
-         " (it has: " + base::join(target.worlds, ", ") + ")";
+  return base::warning("export.world-needed",
+                       {map, target.package, base::join(target.worlds, ", ")});
 }
 
-std::string worldWithoutMap(const TargetInfo& target) {
+base::Diagnostic worldWithoutMap(const TargetInfo& target) {
   if (target.target == ExportTarget::Isaac) {
-    return std::string("the scenario names no map: ") + target.title + " starts its world '" +
-           kIsaacPlane + "'";
+    return base::warning("export.no-map", {target.title, kIsaacPlane});
   }
-  const std::string usual = "the scenario names no map: " + target.title + " starts its world '" +
-                            target.worlds.front() + "'";
-  const std::vector<std::string> others(target.worlds.begin() + 1, target.worlds.end());
-  return others.empty() ? usual
-                        : usual + " (environment_name:=" + others.front() +
-                              " takes another; it has " + base::join(target.worlds, ", ") + ")";
+  const std::vector<std::string>& worlds = target.worlds;
+  return worlds.size() == 1
+             ? base::warning("export.no-map", {target.title, worlds.front()})
+             : base::warning("export.no-map-other-worlds",
+                             {target.title, worlds.front(), worlds[1], base::join(worlds, ", ")});
 }
 
 }  // namespace sim2d

@@ -14,8 +14,8 @@ void completeExported(const Scenario& scenario, Human& human, const TargetInfo& 
                       base::Diagnostics& report);
 std::string exportStartCommand(const Scenario& scenario, const TargetInfo& target);
 /// Which world that command starts when the scenario has no map.
-std::string worldWithoutMap(const TargetInfo& target);
+base::Diagnostic worldWithoutMap(const TargetInfo& target);
 /// The same for a map that is none of its worlds.
-std::string worldOfMap(const std::string& map, const TargetInfo& target);
+base::Diagnostic worldOfMap(const std::string& map, const TargetInfo& target);
 
 }  // namespace sim2d

@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <system_error>
+#include <utility>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioCheck.h"
@@ -22,26 +25,20 @@ std::string tidy(const fs::path& path) {
   return path.lexically_normal().string();
 }
 
-base::Diagnostic noMap(const FilePlaces& places, const std::string& what,
-                       const std::vector<fs::path>& tried) {
-  std::string message = what;
-  for (std::size_t i = 0; i < tried.size(); ++i) {
-    message += (i == 0 ? " (tried " : ", ") + tidy(tried[i]);
-  }
-  message += tried.empty() ? "" : ")";
-  base::Diagnostic problem = base::makeError(message, places.scenarioPath);
+base::Diagnostic noMap(const FilePlaces& places, const char* code, base::ProblemValues values) {
+  base::Diagnostic problem = base::error(code, std::move(values), places.scenarioPath);
   problem.entity = {base::EntityKind::Scenario, 0};
   return problem;
 }
 
-base::Result<std::string> onlyPlace(const FilePlaces& places, const std::string& what,
-                                    const fs::path& path) {
+base::Result<std::string> onlyPlace(const FilePlaces& places, const char* key,
+                                    const std::string& name, const fs::path& path) {
   if (isFile(path)) {
     return tidy(path);
   }
   std::error_code ignored;
   const bool isFolder = fs::is_directory(path, ignored);
-  return noMap(places, what + (isFolder ? " is a folder, not a file" : " is not there"), {path});
+  return noMap(places, isFolder ? "map.is-folder" : "map.not-there", {key, name, tidy(path)});
 }
 
 std::string treeName(const Scenario& scenario, const Human& human, const FilePlaces& places) {
@@ -68,16 +65,16 @@ base::Result<std::string> findMap(const Scenario& scenario, const FilePlaces& pl
     return std::string();
   }
   if (!places.mapOption.empty()) {
-    return onlyPlace(places, "map " + places.mapOption, places.mapOption);
+    return onlyPlace(places, "map", places.mapOption, places.mapOption);
   }
   if (scenario.desktop.mapFile) {
     const std::string& file = *scenario.desktop.mapFile;
     return file == "none" ? base::Result<std::string>(std::string())
-                          : onlyPlace(places, "map_file " + file, folderOf(places) / file);
+                          : onlyPlace(places, "map_file", file, folderOf(places) / file);
   }
   const std::string name = mapBaseName(scenario.map.value_or(""));
   if (name.empty()) {
-    return noMap(places, "the scenario names no map (keys map, map_file; none = open plane)", {});
+    return noMap(places, "map.not-named", {});
   }
   std::vector<fs::path> tried;
   if (!places.scenarioPath.empty()) {
@@ -92,7 +89,9 @@ base::Result<std::string> findMap(const Scenario& scenario, const FilePlaces& pl
       return tidy(path);
     }
   }
-  return noMap(places, "no map '" + name + "' found", tried);
+  std::vector<std::string> paths;
+  std::transform(tried.begin(), tried.end(), std::back_inserter(paths), tidy);
+  return noMap(places, "map.not-found", {name, base::join(paths, ", ")});
 }
 
 std::string findTree(const Scenario& scenario, const Human& human, const FilePlaces& places) {

@@ -30,15 +30,12 @@ void checkLimits(const Human& human, CheckReport& report) {
   const bool custom = behavior.configuration == Configuration::Custom;
   for (const Limits& limits : factors) {
     if (!custom && limits.value && (*limits.value < limits.low || *limits.value > limits.high)) {
-      report.warning(human.key,
-                     human.name + ": " + limits.key + " " + base::formatDouble(*limits.value) +
-                         " is outside " + base::formatDouble(limits.low) + " to " +
-                         base::formatDouble(limits.high) + ", HuNavSim's loader will clamp it");
+      report.warning(human, "person.out-of-range",
+                     {limits.key, *limits.value, limits.low, limits.high});
     }
   }
   if (behavior.vel && *behavior.vel > 1.8) {
-    report.warning(human.key, human.name + ": vel " + base::formatDouble(*behavior.vel) +
-                                  " is above 1.8, HuNavSim's loader will clamp it");
+    report.warning(human, "person.vel-too-high", {*behavior.vel});
   }
 }
 
@@ -74,7 +71,7 @@ void checkReaction(const Scenario& scenario, const Human& human, CheckReport& re
     needNumber(behavior.frontDist, "front_dist", counts.frontDistance);
   }
   if (!missing.empty()) {
-    report.warning(human.key, human.name + ": missing in behavior, so these count: " + missing);
+    report.warning(human, "person.behavior-incomplete", {missing});
   }
 }
 
@@ -83,32 +80,28 @@ void checkPerson(const Scenario& scenario, const Human& human, CheckReport& repo
   checkReaction(scenario, human, report);
   const int most = largestSkin(scenario.simulator.value_or(""));
   if (human.skin && *human.skin != -1 && (*human.skin < 0 || *human.skin > most)) {
-    report.warning(human.key, human.name + ": skin " + std::to_string(*human.skin) + " counts as " +
-                                  std::to_string(std::clamp(*human.skin, 0, most)) + " (0 to " +
-                                  std::to_string(most) + " with " +
-                                  scenario.simulator.value_or("no simulator named") + ")");
+    report.warning(human, "person.skin-unknown",
+                   {*human.skin, std::clamp(*human.skin, 0, most), most,
+                    scenario.simulator.value_or("no simulator named")});
   }
   if (!human.hasInitPose) {
-    report.warning(human.key, human.name + ": without init_pose the start is 0, 0");
+    report.warning(human, "person.no-init-pose");
   }
   if (human.goals.empty()) {
-    report.warning(human.key, human.name + ": has no goals (HuNavSim's loader refuses that)");
+    report.warning(human, "person.no-goals");
   }
   if (!human.ours.wait.empty() && human.ours.wait.size() != human.goals.size()) {
-    report.error(human.key, human.name + ": wait needs one number for each of the " +
-                                std::to_string(human.goals.size()) + " goals, has " +
-                                std::to_string(human.ours.wait.size()));
+    report.error(human, "person.wait-count", {human.goals.size(), human.ours.wait.size()});
   }
   if (!(human.ours == PersonExtension{}) && blockKeys().count(human.name) != 0) {
-    report.error(human.key, "a person called '" + human.name +
-                                "' can have no settings of ours: that is a key of the block");
+    report.error(human.key, "person.name-is-key", {human.name});
   }
 }
 
 void checkPolygon(const std::vector<Vec2>& points, const std::string& name, EntityId entity,
                   CheckReport& report) {
   if (points.size() >= 3 && !isSimple(points)) {
-    report.error(entity, name + ": the sides of the polygon cross");
+    report.add(base::Severity::Error, entity, name, "shape.sides-cross");
   }
 }
 
@@ -119,10 +112,7 @@ class CoordinateCheck {
   void point(const Vec2& point, EntityId entity, const std::string& what) {
     const bool good = std::fabs(point.x()) <= kFarthest && std::fabs(point.y()) <= kFarthest;
     if (!good) {
-      report_.error(entity, what + ": " + base::formatDouble(point.x()) + ", " +
-                                base::formatDouble(point.y()) +
-                                " is beyond a million metres or no number");
-      good_ = false;
+      refuse(entity, what, "shape.too-far", {point.x(), point.y()});
     }
   }
   void points(const std::vector<Vec2>& all, EntityId entity, const std::string& what) {
@@ -132,13 +122,18 @@ class CoordinateCheck {
   }
   void heading(double angle, EntityId entity, const std::string& what) {
     if (!(std::fabs(angle) <= kFarthest)) {
-      report_.error(entity, what + ": the heading " + base::formatDouble(angle) + " is no angle");
-      good_ = false;
+      refuse(entity, what, "shape.no-angle", {angle});
     }
   }
   bool good() const { return good_; }
 
  private:
+  void refuse(EntityId entity, const std::string& what, std::string_view code,
+              base::ProblemValues values) {
+    report_.add(base::Severity::Error, entity, what, code, std::move(values));
+    good_ = false;
+  }
+
   CheckReport& report_;
   bool good_ = true;
 };
@@ -155,7 +150,7 @@ void checkPeople(const Scenario& scenario, CheckReport& report) {
     return std::any_of(all.begin(), all.end(), [](const auto& each) { return each.listed; });
   };
   if (!anyone(scenario.humans) && !anyone(scenario.robots)) {
-    report.warning(kScenario, "there is nobody in this scenario");
+    report.warning(kScenario, "scenario.nobody");
   }
 }
 
@@ -178,7 +173,7 @@ void checkShapes(const Scenario& scenario, CheckReport& report) {
   }
   for (const Door& door : scenario.doors) {
     if (door.listed && door.from == door.to) {
-      report.error(door.key, door.name + ": both ends are the same point");
+      report.error(door, "shape.door-without-length");
     }
   }
 }

@@ -11,7 +11,7 @@ constexpr base::Range kBodyRadius{0.0, 100.0, true};
 void readConfiguration(YamlMap& view, Behavior& behavior) {
   const auto number = view.bigInteger("configuration", -2147483647);
   if (number && (*number < 0 || *number > 3)) {
-    view.warning("configuration", std::to_string(*number) + " is none of 0 to 3 (taken as 0)");
+    view.warning("configuration", "scenario.bad-configuration", {*number});
     behavior.configuration = Configuration::Default;
   } else if (number) {
     behavior.configuration = static_cast<Configuration>(*number);

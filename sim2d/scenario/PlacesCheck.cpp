@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -21,8 +22,10 @@ std::string pointText(const Vec2& point) {
 /// A place that a body is to stand at.
 struct Place {
   Vec2 point = Vec2::Zero();
-  std::string what;  // "anna: init_pose", "goal 3"
+  std::string what;   // "init_pose", "goal 3"
+  std::string owner;  // "anna"; empty for the goals of the scenario
   EntityId entity;
+  std::optional<int> goal = {};  // its number, if it is one of the scenario
 };
 
 /// The way of one person or robot: where it starts and the goals in order.
@@ -32,7 +35,7 @@ struct Round {
   double radius = 0.0;
   bool planned = true;
   std::string name;
-  EntityId entity;
+  EntityId key;
 };
 
 class PlacesCheck {
@@ -115,9 +118,7 @@ class PlacesCheck {
     if (size.x() * size.y() <= 4e5) {
       return false;
     }
-    report_.warning({base::EntityKind::Scenario, 0},
-                    "starts, goals and obstacles lie too far apart to check for ways round "
-                    "obstacles without a map");
+    report_.warning(EntityId{base::EntityKind::Scenario, 0}, "places.too-wide");
     return true;
   }
 
@@ -137,17 +138,17 @@ class PlacesCheck {
   }
 
   Place placeOf(const GlobalGoal& goal) const {
-    return {goal.position, "goal " + std::to_string(goal.id), goal.key};
+    return {goal.position, "goal " + std::to_string(goal.id), {}, goal.key, goal.id};
   }
 
   Round roundOf(const Human& human) const {
     const ResolvedHuman resolved = resolveHuman(scenario_, human, 0);
     Round round;
-    round.start = {resolved.start.position, human.name + ": init_pose", human.key};
+    round.start = {resolved.start.position, "init_pose", human.name, human.key};
     round.radius = resolved.radius;
     round.planned = resolved.route == Route::Planned;
     round.name = human.name;
-    round.entity = human.key;
+    round.key = human.key;
     for (const int id : human.goals) {
       if (const GlobalGoal* goal = scenario_.goal(id)) {
         round.goals.push_back(placeOf(*goal));
@@ -159,12 +160,12 @@ class PlacesCheck {
   Round roundOf(const Robot& robot) const {
     const ResolvedRobot resolved = resolveRobot(scenario_, robot, -1);
     Round round;
-    round.start = {resolved.start.position, robot.name + ": start", robot.key};
+    round.start = {resolved.start.position, "start", robot.name, robot.key};
     round.radius = resolved.radius;
     round.name = robot.name;
-    round.entity = robot.key;
+    round.key = robot.key;
     if (robot.goal.point) {
-      round.goals.push_back({*robot.goal.point, robot.name + ": goal", robot.key});
+      round.goals.push_back({*robot.goal.point, "goal", robot.name, robot.key});
       return round;
     }
     for (const int id : robot.goal.goals) {
@@ -178,21 +179,19 @@ class PlacesCheck {
   /// Where the body will stand; told once per place and radius.
   std::optional<Vec2> fit(const Place& place, double radius) {
     std::optional<Vec2> taken = layer_->plannerFor(radius).nearestFit(place.point);
-    const auto told = told_.insert(std::make_tuple(place.entity, place.what, radius));
-    if (!told.second) {
+    if (!told_.insert(std::make_tuple(place.entity, place.what, radius)).second) {
       return taken;
     }
-    const std::string body = "a body of radius " + base::formatDouble(radius);
+    const auto tell = [&](base::Severity severity, const char* code, base::ProblemValues values) {
+      values.insert(values.begin(), {place.what, pointText(place.point)});
+      report_.add(severity, place.entity, place.owner, code, std::move(values));
+    };
     if (!taken) {
-      report_.error(place.entity, place.what + " " + pointText(place.point) + ": " + body +
-                                      " fits neither there nor anywhere within 1 m");
+      tell(base::Severity::Error, "places.no-place", {radius});
     } else if (*taken != place.point) {
-      report_.warning(place.entity, place.what + " " + pointText(place.point) + ": " + body +
-                                        " does not fit, a run takes " + pointText(*taken));
+      tell(base::Severity::Warning, "places.moved", {radius, pointText(*taken)});
     } else if (!grid_.isEmpty() && grid_.isUnknown(grid_.worldToCell(place.point))) {
-      report_.warning(place.entity, place.what + " " + pointText(place.point) +
-                                        ": the map does not know "
-                                        "this place");
+      tell(base::Severity::Warning, "places.unknown-ground", {});
     }
     return taken;
   }
@@ -207,28 +206,39 @@ class PlacesCheck {
       if (start && point && round.planned &&
           !layer_->plannerFor(round.radius).isReachable(*start, *point) &&
           unreachable.insert(goal.what).second) {
-        report_.warning(round.entity, round.name + ": there is no way from the start to " +
-                                          goal.what + " " + pointText(goal.point) +
-                                          ", it is left out");
+        tellUnreachable(round, goal);
       }
       if (start && point && blocked.empty() && !obstacles_.isVisible(from->point, goal.point)) {
-        blocked = goal.what;
+        blocked = nameOf(goal);
       }
       from = &goal;
     }
     tellBlocked(round, blocked);
   }
 
+  static std::string nameOf(const Place& place) {
+    return place.owner + (place.owner.empty() ? "" : ": ") + place.what;
+  }
+
+  void tellUnreachable(const Round& round, const Place& goal) {
+    const std::string point = pointText(goal.point);
+    if (goal.goal) {
+      report_.warning(round, "places.no-way", {*goal.goal, point});
+    } else {
+      report_.warning(round, "places.no-way-to-point", {nameOf(goal), point});
+    }
+  }
+
   /// HuNavSim's people walk straight from goal to goal.
   void tellBlocked(const Round& round, const std::string& goal) {
-    if (goal.empty() || round.entity.kind != base::EntityKind::Human) {
+    if (goal.empty() || round.key.kind != base::EntityKind::Human) {
       return;
     }
-    const std::string message = round.name + ": a wall stands in the straight line to " + goal;
     if (round.planned) {
-      report_.info(round.entity, message + " (HuNavSim's people walk straight)");
+      report_.add(base::Severity::Info, round.key, round.name, "places.wall-on-planned-way",
+                  {goal});
     } else {
-      report_.warning(round.entity, message);
+      report_.warning(round, "places.wall-on-way", {goal});
     }
   }
 

@@ -12,7 +12,7 @@ void readPlannerParameters(YamlMap& view, Robot& robot) {
     if (item.isScalar()) {
       robot.plannerParameters.emplace_back(item.key, emitYaml(item));
     } else {
-      parameters.error(item.key, "must be one value");
+      parameters.error(item.key, "scenario.no-single-value");
     }
   }
 }
@@ -29,7 +29,7 @@ void writePlannerParameters(YamlNode& tree, const Robot& robot) {
 
 void readStart(YamlMap& view, Robot& robot) {
   if (view.find("start") == nullptr) {
-    view.error("start", "is missing");
+    view.error("start", "yaml.missing");
     return;
   }
   YamlMap start = view.map("start");
@@ -61,7 +61,7 @@ void writeGoal(YamlNode& tree, const Robot& robot) {
 void readGoals(YamlMap& view, Robot& robot) {
   const bool both = view.node().find("goal") != nullptr && view.node().find("goals") != nullptr;
   if (both) {
-    view.error("goals", "a robot has either 'goal' or 'goals'");
+    view.error("goals", "scenario.two-goals");
   }
   robot.goal.goals = view.integers("goals");
   if (both) {
@@ -78,9 +78,9 @@ void writeGoals(YamlNode& tree, const Robot& robot) {
 void readFootprint(YamlMap& view, Robot& robot) {
   robot.footprintY = view.numbers("footprint_y");
   if (robot.footprintX.size() != robot.footprintY.size()) {
-    view.error("footprint_y", "must have as many numbers as footprint_x");
+    view.error("footprint_y", "scenario.footprint-uneven");
   } else if (!robot.footprintX.empty() && robot.footprintX.size() < 3) {
-    view.error("footprint_x", "a footprint needs at least 3 corners");
+    view.error("footprint_x", "scenario.footprint-too-small");
   }
 }
 

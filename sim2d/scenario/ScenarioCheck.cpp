@@ -8,6 +8,7 @@
 #include <set>
 #include <type_traits>
 
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/Outlines.h"
 #include "sim2d/scenario/CheckParts.h"
@@ -25,15 +26,13 @@ void collectNames(const std::vector<T>& entities, std::set<std::string>& seen,
   for (const T& entity : entities) {
     if constexpr (std::is_same_v<T, Human>) {
       if (entity.name.empty() || loaderKeys().count(entity.name) != 0) {
-        report.error(entity.key, "a person cannot have the name '" + entity.name + "'");
+        report.error(entity.key, "scenario.bad-person-name", {entity.name});
       }
     } else if (!isEntityName(entity.name) || blockKeys().count(entity.name) != 0) {
-      report.error(entity.key, "'" + entity.name +
-                                   "' cannot be a name (letters, digits and _, a letter first, no "
-                                   "key of the file)");
+      report.error(entity.key, "scenario.bad-name", {entity.name});
     }
     if (!seen.insert(entity.name).second) {
-      report.error(entity.key, "the name '" + entity.name + "' is there twice");
+      report.error(entity.key, "scenario.name-twice", {entity.name});
     }
   }
 }
@@ -48,19 +47,16 @@ void checkIds(const Scenario& scenario, CheckReport& report) {
     }
     inOrder = inOrder && human.id == ++position;
     if (human.id < 0) {
-      report.error(human.key, human.name + ": needs an id from 0 on");
+      report.error(human, "scenario.id-negative");
       continue;
     }
     const auto added = owners.emplace(human.id, human.name);
     if (!added.second) {
-      report.error(human.key, human.name + ": id " + std::to_string(human.id) + " is that of " +
-                                  added.first->second + " too");
+      report.error(human, "scenario.id-twice", {human.id, added.first->second});
     }
   }
   if (!inOrder) {
-    report.warning(kScenario,
-                   "the ids are not 1, 2, 3 … in the order of agents: HuNavSim's Isaac "
-                   "wrapper cannot run that");
+    report.warning(kScenario, "scenario.ids-not-in-order");
   }
 }
 
@@ -68,45 +64,38 @@ void checkGoalNumbers(const Scenario& scenario, CheckReport& report) {
   std::set<int> ids;
   for (const GlobalGoal& goal : scenario.goals) {
     if (goal.id < 1) {
-      report.error(goal.key, "goal " + std::to_string(goal.id) + ": goals are numbered from 1");
+      report.error(goal.key, "scenario.goal-below-one", {goal.id});
     }
     if (!ids.insert(goal.id).second) {
-      report.error(goal.key, "goal " + std::to_string(goal.id) + " is there twice");
+      report.error(goal.key, "scenario.goal-twice", {goal.id});
     }
   }
   int expected = 0;
   for (const int id : ids) {
     if (id != ++expected) {
-      report.warning(kScenario, "goal " + std::to_string(expected) +
-                                    " is missing in global_goals: HuNavSim stops counting there");
+      report.warning(kScenario, "scenario.goal-missing", {expected});
       return;
     }
   }
 }
 
-void checkGoalIds(const std::vector<int>& goals, const Scenario& scenario, EntityId entity,
-                  const std::string& name, CheckReport& report) {
+template <class Traveller>
+void checkGoalIds(const std::vector<int>& goals, const Scenario& scenario,
+                  const Traveller& traveller, CheckReport& report) {
   std::set<int> told;
   for (const int id : goals) {
     if (scenario.goal(id) == nullptr && told.insert(id).second) {
-      report.error(entity, name + ": goal " + std::to_string(id) + " is not defined");
+      report.error(traveller, "scenario.goal-undefined", {id});
     }
   }
 }
 
 void checkName(const std::optional<std::string>& name, const std::vector<std::string>& known,
-               const std::string& what, EntityId entity, CheckReport& report) {
-  if (!name || std::find(known.begin(), known.end(), *name) != known.end()) {
-    return;
+               const char* key, EntityId entity, const std::string& where, CheckReport& report) {
+  if (name && std::find(known.begin(), known.end(), *name) == known.end()) {
+    report.add(base::Severity::Error, entity, where, "scenario.unknown-word",
+               {key, *name, base::nearestName(*name, known), base::join(known, ", ")});
   }
-  std::string all;
-  for (const std::string& each : known) {
-    all += (all.empty() ? "" : ", ") + each;
-  }
-  const auto near = base::nearestName(*name, known);
-  report.error(entity, what + " '" + *name + "' is unknown (" +
-                           (near ? "did you mean '" + *near + "'? " : std::string()) +
-                           "known: " + all + ")");
 }
 
 /// "a distance", "a number above 0", "a number from 0 to 1"
@@ -136,19 +125,19 @@ void checkPlannerParameters(const Robot& robot, const KnownNames& names, CheckRe
     known.push_back(spec.key);
   }
   for (const auto& [key, text] : robot.plannerParameters) {
-    const std::string what = robot.name + ".planner_parameters." + key;
+    const std::string path = robot.name + ".planner_parameters." + key;
     const auto found = std::find(known.begin(), known.end(), key);
     if (found == known.end()) {
-      const auto near = base::nearestName(key, known);
-      report.warning(robot.key, what + ": unknown to '" + planner + "'" +
-                                    (near ? " (did you mean '" + *near + "'?)" : std::string()));
+      report.add(base::Severity::Warning, robot.key, path, "planner.unknown-parameter",
+                 {planner, base::nearestName(key, known)});
       continue;
     }
     const base::ParameterSpec& spec =
         specs->second[static_cast<std::size_t>(found - known.begin())];
     const std::optional<double> value = base::parseDouble(text);
     if (!value || !std::isfinite(*value) || !spec.range.contains(*value)) {
-      report.error(robot.key, what + ": '" + text + "' is not " + expectedOf(spec));
+      report.add(base::Severity::Error, robot.key, path, "planner.bad-value",
+                 {text, expectedOf(spec)});
     }
   }
 }
@@ -158,30 +147,26 @@ void checkSource(const Area& area, const Scenario& scenario, CheckReport& report
     return;
   }
   if (!area.like) {
-    report.error(area.key, area.name + ": a source needs 'like', the person it copies");
+    report.error(area, "source.no-like");
   } else if (scenario.human(*area.like) == nullptr) {
-    report.error(area.key, area.name + ": there is no person '" + *area.like + "' to copy");
+    report.error(area, "source.like-unknown", {*area.like});
   }
   if (!area.rate || *area.rate == 0.0) {
-    report.warning(area.key, area.name + ": without a 'rate' nobody arrives");
+    report.warning(area, "source.no-rate");
   }
   if (area.until && *area.until < area.from.value_or(0.0)) {
-    report.warning(area.key, area.name + ": 'until' is before 'from', nobody arrives");
+    report.warning(area, "source.until-before-from");
   }
 }
 
 }  // namespace
 
-void CheckReport::error(EntityId entity, const std::string& message) {
-  diagnostics.push_back({base::Severity::Error, file, 0, 0, message, entity});
-}
-
-void CheckReport::warning(EntityId entity, const std::string& message) {
-  diagnostics.push_back({base::Severity::Warning, file, 0, 0, message, entity});
-}
-
-void CheckReport::info(EntityId entity, const std::string& message) {
-  diagnostics.push_back({base::Severity::Info, file, 0, 0, message, entity});
+void CheckReport::add(base::Severity severity, EntityId entity, const std::string& where,
+                      std::string_view code, base::ProblemValues values) {
+  base::Diagnostic problem = base::problem(severity, code, std::move(values), file);
+  problem.entity = entity;
+  diagnostics.push_back(where.empty() ? std::move(problem)
+                                      : base::within(where, std::move(problem)));
 }
 
 int largestSkin(const std::string& simulator) {
@@ -201,24 +186,23 @@ void checkNames(const Scenario& scenario, CheckReport& report) {
   checkIds(scenario, report);
   checkGoalNumbers(scenario, report);
   if (scenario.map && mapBaseName(*scenario.map) != *scenario.map) {
-    report.warning(kScenario, "map '" + *scenario.map + "' counts as '" +
-                                  mapBaseName(*scenario.map) + "' (no folder, no extension)");
+    report.warning(kScenario, "scenario.map-name", {*scenario.map, mapBaseName(*scenario.map)});
   }
 }
 
 void checkReferences(const Scenario& scenario, const KnownNames& names, CheckReport& report) {
-  checkName(scenario.desktop.model, names.models, "model", kScenario, report);
+  checkName(scenario.desktop.model, names.models, "model", kScenario, {}, report);
   for (const Human& human : scenario.humans) {
     if (human.listed) {
-      checkName(human.ours.model, names.models, human.name + ": model", human.key, report);
-      checkGoalIds(human.goals, scenario, human.key, human.name, report);
+      checkName(human.ours.model, names.models, "model", human.key, human.name, report);
+      checkGoalIds(human.goals, scenario, human, report);
     }
   }
   for (const Robot& robot : scenario.robots) {
     if (robot.listed) {
-      checkName(robot.type, names.robotTypes, robot.name + ": type", robot.key, report);
-      checkName(robot.planner, names.planners, robot.name + ": planner", robot.key, report);
-      checkGoalIds(robot.goal.goals, scenario, robot.key, robot.name, report);
+      checkName(robot.type, names.robotTypes, "type", robot.key, robot.name, report);
+      checkName(robot.planner, names.planners, "planner", robot.key, robot.name, report);
+      checkGoalIds(robot.goal.goals, scenario, robot, report);
       checkPlannerParameters(robot, names, report);
     }
   }

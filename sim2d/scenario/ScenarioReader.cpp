@@ -26,16 +26,15 @@ class FileReader {
 
   TreeReading read() {
     if (!root_.isMap()) {
-      report().error(root_, root_.isNull()
-                                ? std::string("the file is empty: no node hunav_loader")
-                                : std::string("no scenario: the file holds no node hunav_loader"));
+      report().add(root_,
+                   base::error(root_.isNull() ? "scenario.file-empty" : "scenario.no-loader-node"));
       return std::move(result_);
     }
     const YamlNode* node = loaderNode();
     if (node != nullptr) {
       const YamlNode* parameters = node->find(kParameters);
       if (parameters == nullptr || !parameters->isMap()) {
-        report().error(*node, "no map ros__parameters under " + node->key);
+        report().add(*node, base::error("scenario.no-parameters", {node->key}));
       } else {
         readLoader(*parameters);
       }
@@ -70,10 +69,10 @@ class FileReader {
       }
     }
     if (candidates == 1) {
-      report().warning(*only, "no node hunav_loader: '" + only->key + "' is read instead");
+      report().add(*only, base::warning("scenario.other-node", {only->key}));
       return only;
     }
-    report().error(root_, "no node hunav_loader");
+    report().add(root_, base::error("scenario.no-node"));
     return nullptr;
   }
 
@@ -86,9 +85,9 @@ class FileReader {
     scenario().unknown = view.takeUnknown();
     const YamlNode* goals = parameters.find("global_goals");
     if (loader_.undefinedNumber && (goals == nullptr || scenario().goals.empty())) {
-      report().error(goals == nullptr ? parameters : *goals,
-                     std::string("agents have goals by number, but global_goals ") +
-                         (goals == nullptr ? "is missing" : "holds no goal"));
+      report().add(
+          goals == nullptr ? parameters : *goals,
+          base::error(goals == nullptr ? "scenario.goals-missing" : "scenario.goals-empty"));
     }
     reportDialect(parameters);
   }
@@ -104,11 +103,11 @@ class FileReader {
       goals.know(item.key);
       const auto id = base::parseInt(item.key);
       if (!id || *id < 1 || *id > 1000000) {
-        goals.error(item.key, "a goal needs a number from 1 on as its key");
+        goals.error(item.key, "scenario.goal-no-number");
         continue;
       }
       if (!numbers.insert(static_cast<int>(*id)).second) {
-        goals.error(item.key, "this goal number stands here twice");
+        goals.error(item.key, "scenario.goal-number-twice");
         continue;
       }
       GlobalGoal goal;
@@ -131,7 +130,7 @@ class FileReader {
     view.know("agents");
     const YamlNode* list = view.node().find("agents");
     if (list != nullptr && list->isNull()) {
-      view.warning("agents", "nobody is listed");
+      view.warning("agents", "scenario.nobody-listed");
       return {};
     }
     if (list != nullptr && list->isList()) {
@@ -143,8 +142,8 @@ class FileReader {
         candidates += (candidates.empty() ? "" : ", ") + item.key;
       }
     }
-    view.error("agents", std::string(list == nullptr ? "the list is missing" : "must be a list") +
-                             (candidates.empty() ? "" : " (agents could be: " + candidates + ")"));
+    view.error("agents", list == nullptr ? "scenario.agents-missing" : "scenario.agents-no-list",
+               {candidates});
     return {};
   }
 
@@ -158,9 +157,9 @@ class FileReader {
     for (const std::string& name : names) {
       const auto block = blocks.find(name);
       if (view.isKnown(name)) {
-        view.error("agents", "'" + name + "' is the name of a key, not of an agent");
+        view.error("agents", "scenario.agent-is-key", {name});
       } else if (block == blocks.end()) {
-        view.error("agents", "agent '" + name + "' has no block");
+        view.error("agents", "scenario.agent-without-block", {name});
       } else {
         view.know(name);
         scenario().humans.push_back(readHuman(*block->second, true, loader_));
@@ -178,27 +177,22 @@ class FileReader {
     const std::string stem = fileStem(report().file);
     if (!loader_.scalarBehavior && !loader_.numberedType && !loader_.namedGoals) {
       if (scenario().yamlBaseName && !stem.empty() && *scenario().yamlBaseName != stem) {
-        report().warning(*parameters.find("yaml_base_name"),
-                         "yaml_base_name '" + *scenario().yamlBaseName +
-                             "' is not the name of the file: HuNavSim finds the trees by it");
+        report().add(*parameters.find("yaml_base_name"),
+                     base::warning("scenario.base-name", {*scenario().yamlBaseName}));
       }
       return;
     }
     result_.dialect = loader_.scalarBehavior ? Dialect::A : Dialect::B;
     const bool first = result_.dialect == Dialect::A;
-    report().info(parameters,
-                  std::string("imported from the format of ") +
-                      (first ? "HuNavSim 1 (2022): reactions and force factors are those of that "
-                               "program"
-                             : "2024: goals are numbered anew, reactions converted"));
+    report().add(parameters,
+                 base::problem(base::Severity::Info,
+                               first ? "scenario.format-of-first" : "scenario.format-of-second"));
     if (!scenario().yamlBaseName) {
       scenario().yamlBaseName = stem;
     }
     if (!scenario().simulator) {
-      const auto guess = suggestedSimulator(scenario());
-      report().info(parameters,
-                    "no simulator is named" +
-                        (guess ? " (the start heights suggest " + *guess + ")" : std::string()));
+      report().add(parameters, base::problem(base::Severity::Info, "scenario.no-simulator",
+                                             {suggestedSimulator(scenario())}));
     }
   }
 
@@ -210,12 +204,12 @@ class FileReader {
     }
     const YamlNode* parameters = node->find(kParameters);
     if (parameters == nullptr || !parameters->isMap()) {
-      report().error(*node, std::string("no map ros__parameters under ") + kBlockNode);
+      report().add(*node, base::error("scenario.no-parameters", {kBlockNode}));
       return;
     }
     for (const YamlNode& item : node->items) {
       if (item.key != kParameters) {
-        report().error(item, std::string("only ros__parameters may stand under ") + kBlockNode);
+        report().add(item, base::error("scenario.only-parameters", {kBlockNode}));
       }
     }
     readBlock(*parameters, loader_);
@@ -232,8 +226,7 @@ class FileReader {
     if (loader != nullptr && loader->find(kParameters) != nullptr) {
       for (const YamlNode& item : loader->items) {
         if (item.key != kParameters) {
-          report().warning(item, "only ros__parameters is read under " + loader->key + ": '" +
-                                     item.key + "' is lost when saved");
+          report().add(item, base::warning("scenario.others-lost", {loader->key, item.key}));
         }
       }
     }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioTree.h"
 
@@ -55,13 +56,14 @@ bool knowsAll(const std::set<std::string>& known, const std::vector<Path>& paths
 
 /// What the new reading says beyond the old one.
 base::Diagnostics added(const base::Diagnostics& before, const base::Diagnostics& after) {
-  std::map<std::string, int> old;
+  using Problem = std::pair<std::string_view, decltype(base::Diagnostic::values)>;
+  std::map<Problem, int> old;
   for (const base::Diagnostic& diagnostic : before) {
-    ++old[diagnostic.message];
+    ++old[{diagnostic.code, diagnostic.values}];
   }
   base::Diagnostics result;
   for (const base::Diagnostic& diagnostic : after) {
-    if (--old[diagnostic.message] < 0) {
+    if (--old[{diagnostic.code, diagnostic.values}] < 0) {
       result.push_back(diagnostic);
       result.back().line = 0;
       result.back().column = 0;
@@ -111,9 +113,7 @@ base::Diagnostics unknownPath(const std::string& path, const TreeReading& readin
       break;  // all people have the same keys
     }
   }
-  const auto near = base::nearestName(path, known);
-  return {base::makeError("unknown path '" + path + "'" +
-                          (near ? " (did you mean '" + *near + "'?)" : std::string()))};
+  return {base::error("set.unknown-path", {path, base::nearestName(path, known)})};
 }
 
 /// In dialect C a type is a word; a number would bring in what older formats meant by it.
@@ -151,17 +151,17 @@ base::Diagnostics setValue(Scenario& scenario, const std::string& path, const st
   base::Diagnostics problems;
   YamlNode node = parseYaml(value, {}, problems);
   if (base::hasErrors(problems) || node.isNull()) {
-    return {base::makeError(path + ": '" + value + "' is no value")};
+    return {base::within(path, base::error("set.no-value", {value}))};
   }
   node.line = node.column = 0;
   if (isNumberedType(path, node)) {
-    return {base::makeError(path + ": '" + value + "' is not the name of a behaviour")};
+    return {base::within(path, base::error("set.no-behavior", {value}))};
   }
   const YamlNode tree = fileTree(scenario, tables);
   const TreeReading before = readTree(tree, {}, tables);
   const std::vector<Path> paths = expanded(scenario, path);
   if (paths.empty()) {
-    return {base::makeError(path + ": nobody is listed in agents")};
+    return {base::within(path, base::error("set.nobody"))};
   }
   std::optional<TreeReading> after;
   if (belongsToLoader(scenario, paths.front().front())) {

@@ -14,7 +14,7 @@ constexpr double kLargestInt = 2147483647.0;
 void readWrap(YamlMap& view, DesktopSettings& to) {
   to.wrapX = view.numbers("wrap_x");
   if (!to.wrapX.empty() && (to.wrapX.size() != 2 || to.wrapX[0] >= to.wrapX[1])) {
-    view.error("wrap_x", "needs two numbers, the smaller one first");
+    view.error("wrap_x", "scenario.bad-wrap");
     to.wrapX.clear();
   }
 }
@@ -26,9 +26,9 @@ void readGroups(YamlMap& view, DesktopSettings& to) {
     const auto id = base::parseInt(item.key);
     const auto name = groups.text(item.key);
     if (!id || *id < 0 || static_cast<double>(*id) > kLargestInt) {
-      groups.error(item.key, "a group needs a number as its key");
+      groups.error(item.key, "scenario.group-no-number");
     } else if (!ids.insert(*id).second) {
-      groups.error(item.key, "group " + std::to_string(*id) + " is named twice");
+      groups.error(item.key, "scenario.group-twice", {*id});
     } else if (name) {
       to.groups.emplace_back(static_cast<int>(*id), *name);
     }
@@ -61,8 +61,7 @@ std::optional<std::string> readMoment(YamlMap& view, const std::string& key,
   if (simple || event || timed) {
     return text;
   }
-  view.error(key, "'" + *written + "' is unknown (one of " + base::join(words, ", ") +
-                      ", time T, event KIND)");
+  view.error(key, "scenario.unknown-moment", {*written, base::join(words, ", ")});
   return std::nullopt;
 }
 

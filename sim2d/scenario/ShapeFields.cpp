@@ -10,11 +10,11 @@ void readPoints(YamlMap& view, T& to, std::size_t least) {
   const std::vector<double> xs = view.numbers("xs");
   const std::vector<double> ys = view.numbers("ys");
   if (xs.size() != ys.size()) {
-    view.error("ys", "must have as many numbers as xs");
+    view.error("ys", "scenario.points-uneven");
     return;
   }
   if (xs.size() < least) {
-    view.error("xs", "needs at least " + std::to_string(least) + " points");
+    view.error("xs", "scenario.too-few-points", {least});
   }
   for (std::size_t i = 0; i < xs.size(); ++i) {
     to.points.emplace_back(xs[i], ys[i]);

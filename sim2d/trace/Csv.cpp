@@ -85,8 +85,8 @@ bool CsvReader::next(CsvRow& row) {
   return true;
 }
 
-void CsvTable::error(const CsvField& field, const std::string& message) {
-  problems_.push_back(base::makeError(message, file_, field.line, field.column));
+void CsvTable::error(const CsvField& field, std::string_view code, base::ProblemValues values) {
+  problems_.push_back(base::error(code, std::move(values), file_, field.line, field.column));
 }
 
 bool CsvTable::readColumns(const std::string& columns) {
@@ -98,7 +98,7 @@ bool CsvTable::readColumns(const std::string& columns) {
     }
   }
   if (found != columns) {
-    problems_.push_back(base::makeError("the first line must be " + columns, file_, 1, 1));
+    problems_.push_back(base::error("trace.first-line", {columns}, file_, 1, 1));
     return false;
   }
   width_ = names.size();
@@ -108,10 +108,9 @@ bool CsvTable::readColumns(const std::string& columns) {
 bool CsvTable::next(CsvRow& row) {
   while (reader_.next(row)) {
     if (reader_.isTruncated()) {
-      error(row.back(), "the file ends inside this line (cut?)");
+      error(row.back(), "trace.cut-line");
     } else if (row.size() != width_) {
-      error(row.back(), "the line has " + std::to_string(row.size()) + " fields instead of " +
-                            std::to_string(width_));
+      error(row.back(), "trace.field-count", {row.size(), width_});
     } else {
       return true;
     }
@@ -122,7 +121,7 @@ bool CsvTable::next(CsvRow& row) {
 bool CsvTable::readFinite(const CsvField& field, const char* name, double& value) {
   const std::optional<double> parsed = base::parseDouble(field.text);
   if (!parsed || !std::isfinite(*parsed)) {
-    error(field, std::string(name) + " is not a finite number: '" + field.text + "'");
+    error(field, "trace.not-finite", {name, field.text});
     return false;
   }
   value = *parsed;

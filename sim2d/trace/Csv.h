@@ -52,7 +52,7 @@ class CsvTable {
   CsvTable(const std::string& text, std::string file, base::Diagnostics& problems)
       : reader_(text), file_(std::move(file)), problems_(problems) {}
 
-  void error(const CsvField& field, const std::string& message);
+  void error(const CsvField& field, std::string_view code, base::ProblemValues values = {});
   /// False when the first line is not the one of this file.
   bool readColumns(const std::string& columns);
   /// The next row with the right number of fields; rows with another number are noted and left out.
@@ -63,7 +63,7 @@ class CsvTable {
     const std::optional<long long> parsed = base::parseInt(field.text);
     if (!parsed || *parsed < std::numeric_limits<Integer>::min() ||
         *parsed > std::numeric_limits<Integer>::max()) {
-      error(field, std::string(name) + " is not a whole number: '" + field.text + "'");
+      error(field, "trace.not-whole", {name, field.text});
       return false;
     }
     value = static_cast<Integer>(*parsed);

@@ -81,13 +81,12 @@ base::Result<std::map<std::string, std::string>> parseColumns(const std::string&
     const std::size_t equals = pair.find('=');
     const std::string name = base::trimmed(pair.substr(0, equals));
     if (equals == std::string::npos || name.empty() || equals + 1 == pair.size()) {
-      problems.push_back(base::makeError("columns are written NAME=THEIRS, not '" + pair + "'"));
+      problems.push_back(base::error("tracks.bad-columns", {pair}));
     } else if (std::find(known.begin(), known.end(), name) == known.end()) {
-      const std::optional<std::string> meant = base::nearestName(name, known);
-      problems.push_back(base::makeError("unknown column '" + name + "'" +
-                                         (meant ? " (did you mean '" + *meant + "'?)" : "")));
+      problems.push_back(
+          base::error("tracks.unknown-quantity", {name, base::nearestName(name, known)}));
     } else if (!columns.emplace(name, base::trimmed(pair.substr(equals + 1))).second) {
-      problems.push_back(base::makeError("the column '" + name + "' is given twice"));
+      problems.push_back(base::error("tracks.quantity-twice", {name}));
     }
   }
   if (!problems.empty()) {
@@ -108,7 +107,7 @@ base::Result<TrackFile> readForeign(const std::string& path, const ForeignOption
   const TrackFormat* format =
       options.format.empty() ? formats.formatOf(path, plain) : formats.find(options.format);
   if (format == nullptr) {
-    return base::makeError("is in no format that can be read", path);
+    return base::error("tracks.unknown-format", {}, path);
   }
   TrackFile file = format->read(input);
   file.file = path;
@@ -177,7 +176,7 @@ void readGroupsBeside(const ForeignInput& input, TrackFile& file) {
 std::optional<int> idOf(WordReader& words, const Word& word) {
   const std::optional<long long> id = words.whole(word, "the id");
   if (id && *id < 0) {
-    words.error(word, "an id must not be negative");
+    words.error(word, "tracks.negative-id");
     return std::nullopt;
   }
   return id ? std::make_optional(static_cast<int>(*id)) : std::nullopt;

@@ -86,9 +86,7 @@ void forEachRow(const ForeignInput& input, std::size_t width, const char* column
     if (row.size() == width) {
       take(words, row);
     } else {
-      words.error(row.back(), "the line has " + std::to_string(row.size()) +
-                                  " numbers instead of " + std::to_string(width) + " (" + columns +
-                                  ")");
+      words.error(row.back(), "tracks.number-count", {row.size(), width, columns});
     }
   }
 }

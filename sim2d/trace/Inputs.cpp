@@ -29,7 +29,7 @@ void readRow(CsvTable& table, const CsvRow& row, RecordedInputs& inputs) {
   table.readInt(row[0], "step", step);
   const auto kind = std::find(kNames.begin(), kNames.end(), row[1].text);
   if (kind == kNames.end()) {
-    table.error(row[1], "unknown input '" + row[1].text + "'");
+    table.error(row[1], "trace.unknown-input", {row[1].text});
   }
   input.kind = static_cast<InputKind>(kind - kNames.begin());
   table.readInt(row[2], "id", input.id);
@@ -38,13 +38,13 @@ void readRow(CsvTable& table, const CsvRow& row, RecordedInputs& inputs) {
   for (double* const number : numbersOf(input)) {
     const std::optional<double> value = base::parseDouble(row[column].text);
     if (!value || !std::isfinite(*value)) {
-      table.error(row[column], "not a finite number: '" + row[column].text + "'");
+      table.error(row[column], "trace.no-finite-number", {row[column].text});
     }
     *number = value.value_or(0.0);
     ++column;
   }
   if (!inputs.empty() && step < inputs.back().first) {
-    table.error(row[0], "steps run backwards");
+    table.error(row[0], "trace.steps-backwards");
   }
   inputs.emplace_back(step, std::move(input));
 }

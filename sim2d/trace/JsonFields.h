@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Result.h"
 
 /// For the sources of this folder only: it shows a third-party type.
@@ -22,14 +24,14 @@ class JsonFields {
   JsonFields(std::string file, base::Diagnostics& problems)
       : file_(std::move(file)), problems_(problems) {}
 
-  void error(const std::string& path, const std::string& what) {
-    problems_.push_back(base::makeError(path + ": " + what, file_));
+  void error(const std::string& path, std::string_view code, base::ProblemValues values = {}) {
+    problems_.push_back(base::within(path, base::error(code, std::move(values), file_)));
   }
 
   const Json* member(const Json& object, const std::string& path, const char* key) {
     const auto found = object.find(key);
     if (found == object.end()) {
-      error(path + key, "is missing");
+      error(path + key, "trace.missing");
       return nullptr;
     }
     return &*found;
@@ -38,7 +40,7 @@ class JsonFields {
   void read(const Json& object, const std::string& path, const char* key, std::string& value) {
     const Json* json = member(object, path, key);
     if (json != nullptr && !json->is_string()) {
-      error(path + key, "must be a text");
+      error(path + key, "trace.no-text");
     } else if (json != nullptr) {
       value = json->get<std::string>();
     }
@@ -47,7 +49,7 @@ class JsonFields {
   void read(const Json& object, const std::string& path, const char* key, bool& value) {
     const Json* json = member(object, path, key);
     if (json != nullptr && !json->is_boolean()) {
-      error(path + key, "must be true or false");
+      error(path + key, "trace.no-boolean");
     } else if (json != nullptr) {
       value = json->get<bool>();
     }
@@ -56,7 +58,7 @@ class JsonFields {
   void read(const Json& object, const std::string& path, const char* key, double& value) {
     const Json* json = member(object, path, key);
     if (json != nullptr && !finite(*json, value)) {
-      error(path + key, "must be a finite number");
+      error(path + key, "trace.no-number");
     }
   }
 
@@ -72,7 +74,7 @@ class JsonFields {
                           : json->is_number_integer() &&
                                 json->get<std::int64_t>() >= std::numeric_limits<Integer>::min();
     if (!fits) {
-      error(path + key, "must be a whole number in range");
+      error(path + key, "trace.no-integer");
     } else {
       value = json->get<Integer>();
     }
@@ -94,7 +96,7 @@ class JsonFields {
       return;
     }
     if (!json->is_array()) {
-      error(path + key, "must be a list");
+      error(path + key, "trace.no-list");
       return;
     }
     for (std::size_t k = 0; k < json->size(); ++k) {
@@ -108,7 +110,7 @@ class JsonFields {
                Each each) {
     forEach(object, path, key, [&](const Json& json, const std::string& where) {
       if (!json.is_object()) {
-        error(where, "must be an object");
+        error(where, "trace.no-object");
         return;
       }
       to.push_back(each(json, where + "."));
@@ -122,7 +124,7 @@ class JsonFields {
           finite(json[1], point.y())) {
         to.push_back(point);
       } else {
-        error(where, "must be a list of two finite numbers");
+        error(where, "trace.no-point");
       }
     });
   }

@@ -63,9 +63,9 @@ class TreesReader {
         kStatuses.begin(), kStatuses.end(),
         [&](base::NodeStatus each) { return fields[3].text == base::nodeStatusName(each); });
     if (status == kStatuses.end()) {
-      table_.error(fields[3], "unknown status '" + fields[3].text + "'");
+      table_.error(fields[3], "trace.unknown-status", {fields[3].text});
     } else if (isGood && row.step < (rows_.empty() ? 0 : rows_.back().step)) {
-      table_.error(fields[0], "step runs backwards");
+      table_.error(fields[0], "trace.step-backwards");
     } else if (isGood) {
       Tree& tree = trees_[row.id];
       const auto [node, isNew] =

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sim2d/base/Text.h"
 
@@ -54,14 +55,14 @@ bool TextRows::next(std::vector<Word>& row) {
   return !row.empty();
 }
 
-void WordReader::error(const Word& at, const std::string& message) {
-  problems_.push_back(base::makeError(message, file_, at.line, at.column));
+void WordReader::error(const Word& at, std::string_view code, base::ProblemValues values) {
+  problems_.push_back(base::error(code, std::move(values), file_, at.line, at.column));
 }
 
 std::optional<double> WordReader::finite(const Word& word, const char* name) {
   const std::optional<double> value = base::parseDouble(word.text);
   if (!value || !std::isfinite(*value)) {
-    error(word, std::string(name) + " is not a finite number: '" + std::string(word.text) + "'");
+    error(word, "trace.not-finite", {name, word.text});
     return std::nullopt;
   }
   return value;
@@ -71,7 +72,7 @@ std::optional<long long> WordReader::whole(const Word& word, const char* name) {
   constexpr double kLargest = 2e9;
   const std::optional<double> value = base::parseDouble(word.text);
   if (!value || !(std::fabs(*value) <= kLargest) || *value != std::floor(*value)) {
-    error(word, std::string(name) + " is not a whole number: '" + std::string(word.text) + "'");
+    error(word, "trace.not-whole", {name, word.text});
     return std::nullopt;
   }
   return static_cast<long long>(*value);

@@ -38,7 +38,7 @@ class WordReader {
   WordReader(std::string file, base::Diagnostics& problems)
       : file_(std::move(file)), problems_(problems) {}
 
-  void error(const Word& at, const std::string& message);
+  void error(const Word& at, std::string_view code, base::ProblemValues values = {});
   std::optional<double> finite(const Word& word, const char* name);
   /// Also written with a point or an exponent: "12.0", "7.8e+02".
   std::optional<long long> whole(const Word& word, const char* name);

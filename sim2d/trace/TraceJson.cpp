@@ -15,7 +15,7 @@ constexpr int kFormat = 1;  // newest known
 
 void requirePositive(JsonFields& fields, const std::string& path, double value) {
   if (value <= 0.0) {
-    fields.error(path, "must be greater than 0");
+    fields.error(path, "trace.not-positive");
   }
 }
 
@@ -49,7 +49,7 @@ void readMember(JsonFields& fields, const Json& json, const std::string& path, c
   fields.forEach(json, path, key, [&](const Json& item, const std::string& where) {
     double value = 0.0;
     if (!JsonFields::finite(item, value)) {
-      fields.error(where, "must be a finite number");
+      fields.error(where, "trace.no-number");
     }
     to.push_back(value);
   });
@@ -62,7 +62,7 @@ void readMember(JsonFields& fields, const Json& json, const std::string& path, c
     return;
   }
   if (!parameters->is_object()) {
-    fields.error(path + name, "must be an object");
+    fields.error(path + name, "trace.no-object");
     return;
   }
   const std::string where = path + name + ".";
@@ -74,7 +74,7 @@ void readMember(JsonFields& fields, const Json& json, const std::string& path, c
     } else if (JsonFields::finite(value, number)) {
       to.emplace_back(key, number);
     } else {
-      fields.error(where + key, "must be a number");
+      fields.error(where + key, "trace.no-parameter");
     }
   }
 }
@@ -90,7 +90,7 @@ void readMember(JsonFields& fields, const Json& json, const std::string& path, c
       to.push_back(std::move(outline));
     }
   } else if (outlines != nullptr) {
-    fields.error(path + name, "must be a list");
+    fields.error(path + name, "trace.no-list");
   }
 }
 
@@ -120,7 +120,7 @@ void readMember(JsonFields& fields, const Json& root, const std::string& path, c
     return;
   }
   if (!json->is_object()) {
-    fields.error("map", "must be an object");
+    fields.error("map", "trace.no-object");
     return;
   }
   int width = 0;
@@ -140,7 +140,7 @@ void readMember(JsonFields& fields, const Json& root, const std::string& path, c
   const std::size_t count =
       sized ? static_cast<std::size_t>(width) * static_cast<std::size_t>(height) : 0;
   if (!sized || runs == nullptr || !expandCells(*runs, count, cells)) {
-    fields.error("map.cells", "must be pairs of value and repetitions that fill width * height");
+    fields.error("map.cells", "trace.bad-cells");
   } else if (!cells.empty() && resolution > 0.0) {
     map = OccupancyGrid(width, height, resolution, origin, std::move(cells));
   }
@@ -162,7 +162,7 @@ void readMember(JsonFields& fields, const Json& root, const std::string& path, c
                 TraceMetrics& metrics) {
   const auto found = root.find(key);
   if (found != root.end() && !found->is_object()) {
-    fields.error(path + key, "must be an object");
+    fields.error(path + key, "trace.no-object");
   } else if (found != root.end()) {
     metrics = readPart<TraceMetrics>(fields, *found, path + key + ".");
   }
@@ -176,7 +176,7 @@ void check(JsonFields& fields, const std::string& path, const TraceRobot& robot)
 }
 void check(JsonFields& fields, const std::string& path, const TraceHeader& header) {
   if (header.format > kFormat) {
-    fields.error("format", "is newer than this program knows (" + std::to_string(kFormat) + ")");
+    fields.error("format", "trace.newer", {kFormat});
   }
   requirePositive(fields, path + "dt", header.dt);
   requirePositive(fields, path + "record_every", header.recordEvery);
@@ -203,8 +203,7 @@ base::Diagnostic syntaxError(const std::string& text, std::size_t byte, const st
       lineStart = k + 1;
     }
   }
-  return base::makeError("not valid JSON (cut or damaged file?)", file, line,
-                         static_cast<int>(end - lineStart) + 1);
+  return base::error("trace.not-json", {}, file, line, static_cast<int>(end - lineStart) + 1);
 }
 
 }  // namespace
@@ -216,11 +215,11 @@ base::Result<TraceHeader> parseTraceJson(const std::string& text, const std::str
   } catch (const Json::parse_error& error) {
     return syntaxError(text, error.byte, file);
   } catch (const Json::exception& error) {  // a number out of range
-    return base::makeError(error.what(), file);
+    return base::error("trace.number-too-large", {error.what()}, file);
   }
   base::Diagnostics problems;
   if (!root.is_object()) {
-    return base::makeError("must be a JSON object", file, 1, 1);
+    return base::error("trace.no-json-object", {}, file, 1, 1);
   }
   JsonFields fields(file, problems);
   auto header = readPart<TraceHeader>(fields, root, "");

@@ -60,7 +60,7 @@ class TrajectoryReader {
     good = table_.readInt(fields[2], "id", row.id) && good;
     row.isRobot = fields[3].text == "robot";
     if (!row.isRobot && fields[3].text != "human") {
-      table_.error(fields[3], "kind must be human or robot, not '" + fields[3].text + "'");
+      table_.error(fields[3], "trace.bad-kind", {fields[3].text});
       good = false;
     }
     for (std::size_t k = 0; k < kNames.size(); ++k) {
@@ -78,15 +78,15 @@ class TrajectoryReader {
     const std::int64_t before = trace_.frames.empty() ? -1 : trace_.frames.back().step;
     const double time = static_cast<double>(row.step) * header.dt;
     if (row.step < std::max<std::int64_t>(before, 0)) {
-      table_.error(fields[0], "step and time run backwards");
+      table_.error(fields[0], "trace.backwards");
     } else if (row.step % header.recordEvery != 0) {
-      table_.error(fields[0], "step is not a multiple of record_every");
+      table_.error(fields[0], "trace.off-step");
     } else if (std::fabs(row.time - time) > 1e-9 * std::max(1.0, time)) {
-      table_.error(fields[1], "time is not step * dt");
+      table_.error(fields[1], "trace.time-off-step");
     } else if (const auto& ids = row.isRobot ? robotIds_ : humanIds_; ids.count(row.id) == 0) {
-      table_.error(fields[2], "id " + std::to_string(row.id) + " is not in trace.json");
+      table_.error(fields[2], "trace.unknown-id", {row.id});
     } else if (row.step == before && !isInOrder(row)) {
-      table_.error(fields[2], "rows of a step must go by the people's id, then robots -1, -2 ...");
+      table_.error(fields[2], "trace.bad-order");
     } else {
       return fillGap(fields, row.step, before);
     }
@@ -109,9 +109,9 @@ class TrajectoryReader {
     }
     checkRobots(last_);
     if (step > expected && !robotIds_.empty()) {
-      table_.error(fields[0], "rows of step " + std::to_string(expected) + " are missing");
+      table_.error(fields[0], "trace.rows-missing", {expected});
     } else if ((step - expected) / trace_.header.recordEvery > kLongestGap) {
-      table_.error(fields[0], "step is too far from the one before");
+      table_.error(fields[0], "trace.gap");
       return false;
     }
     for (std::int64_t k = robotIds_.empty() ? expected : step; k <= step;
@@ -125,8 +125,7 @@ class TrajectoryReader {
 
   void checkRobots(const CsvField& place) {
     if (!trace_.frames.empty() && trace_.frames.back().robots.size() < robotIds_.size()) {
-      table_.error(place, "step " + std::to_string(trace_.frames.back().step) +
-                              " lacks a robot (cut file?)");
+      table_.error(place, "trace.no-robot", {trace_.frames.back().step});
     }
   }
 
@@ -173,7 +172,7 @@ void readEvents(CsvTable& table, Trace& trace) {
     good = table.readFinite(fields[1], "time", time) && good;
     const std::optional<EventKind> kind = eventKindOf(fields[2].text);
     if (!kind) {
-      table.error(fields[2], "unknown kind of event '" + fields[2].text + "'");
+      table.error(fields[2], "trace.unknown-event", {fields[2].text});
       continue;
     }
     event.kind = *kind;
@@ -183,7 +182,7 @@ void readEvents(CsvTable& table, Trace& trace) {
     good = (!event.hasOther || table.readInt(fields[4], "other", event.other)) && good;
     event.text = fields[5].text;
     if (good && step < (trace.events.empty() ? 0 : trace.events.back().first)) {
-      table.error(fields[0], "step and time run backwards");
+      table.error(fields[0], "trace.backwards");
     } else if (good) {
       trace.events.emplace_back(step, std::move(event));
     }
@@ -200,8 +199,7 @@ void checkEnd(Trace& trace, const std::string& file, base::Diagnostics& problems
   const std::int64_t end = trace.events.back().first / every * every;
   std::int64_t step = trace.frames.empty() ? 0 : trace.frames.back().step + every;
   if (step <= end && (!trace.header.robots.empty() || (end - step) / every > kLongestGap)) {
-    problems.push_back(base::makeError(
-        "ends before step " + std::to_string(end) + ", where the run stopped (cut file?)", file));
+    problems.push_back(base::error("trace.ends-early", {end}, file));
     return;
   }
   for (; step <= end; step += every) {

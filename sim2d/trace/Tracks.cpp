@@ -70,8 +70,8 @@ class TraceMaker {
   }
 
  private:
-  void error(const TrackPoint& point, const std::string& message) {
-    problems_.push_back(base::makeError(message, file_.file, point.line, point.column));
+  void error(const TrackPoint& point, std::string_view code, base::ProblemValues values = {}) {
+    problems_.push_back(base::error(code, std::move(values), file_.file, point.line, point.column));
   }
 
   void checkTimes() {
@@ -80,12 +80,12 @@ class TraceMaker {
       isEmpty = isEmpty && track.points.empty();
       for (std::size_t k = 1; k < track.points.size(); ++k) {
         if (track.points[k].time <= track.points[k - 1].time) {
-          error(track.points[k], "time does not advance for id " + std::to_string(track.id));
+          error(track.points[k], "tracks.backwards", {track.id});
         }
       }
     }
     if (isEmpty) {
-      problems_.push_back(base::makeError("holds no positions", file_.file));
+      problems_.push_back(base::error("tracks.empty", {}, file_.file));
     }
   }
 
@@ -95,16 +95,14 @@ class TraceMaker {
       if (chosen && robot_ == nullptr && !track.points.empty()) {
         robot_ = &track;
       } else if (chosen && robot_ != nullptr) {
-        error(track.points.front(), "a second robot (choose one by its id)");
+        error(track.points.front(), "tracks.second-robot");
       }
     }
     if (options_.robotId && robot_ == nullptr) {
-      problems_.push_back(base::makeError(
-          "nobody has the id " + std::to_string(*options_.robotId) + " of the robot", file_.file));
+      problems_.push_back(base::error("tracks.nobody", {*options_.robotId}, file_.file));
     }
     if (options_.robotGoal && robot_ == nullptr && !options_.robotId) {
-      problems_.push_back(
-          base::makeError("a goal without a robot (choose a person as the robot)", file_.file));
+      problems_.push_back(base::error("tracks.goal-without-robot", {}, file_.file));
     }
   }
 
@@ -130,10 +128,8 @@ class TraceMaker {
       last = std::max(last, static_cast<double>(first_));  // seen between two instants only
     }
     if (!(last <= kMostInstants)) {
-      problems_.push_back(base::makeError("the times span more than " +
-                                              std::to_string(static_cast<int>(kMostInstants)) +
-                                              " steps (wrong unit of time?)",
-                                          file_.file));
+      problems_.push_back(
+          base::error("tracks.too-long", {static_cast<int>(kMostInstants)}, file_.file));
       return false;
     }
     const auto count = static_cast<std::size_t>(last) - first_ + 1;

@@ -67,11 +67,10 @@ base::Result<Compatibility> Compatibility::parse(const std::string& text) {
   for (const std::string& name : base::split(text, ',')) {
     const std::optional<int> quirk = numberOf(name);
     if (!quirk) {
-      problems.push_back(base::makeError("'" + base::trimmed(name) +
-                                         "' is no quirk (hunav2, or a list such as Q-13,Q-20)"));
+      problems.push_back(base::error("world.no-quirk", {base::trimmed(name)}));
     } else if (!isSwitchable(*quirk)) {
-      problems.push_back(base::makeError(nameOf(*quirk) + " cannot be switched on (only " +
-                                         switchableNames() + ")"));
+      problems.push_back(
+          base::error("world.quirk-not-switchable", {nameOf(*quirk), switchableNames()}));
     } else {
       result.set(*quirk);
     }

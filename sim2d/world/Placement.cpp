@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 
 namespace sim2d {
@@ -20,17 +21,13 @@ bool isUsable(const Vec2& point) {
 void fit(Vec2& point, double radius, const std::string& what, EntityId entity,
          const NavigationMap& navigation, base::Diagnostics& problems) {
   const std::optional<Vec2> place = navigation.nearestFit(radius, point);
+  const std::string where = what + " " + shown(point);
   if (!place) {
-    problems.push_back(about(
-        base::makeError(what + " " + shown(point) + ": the body does not fit here nor within 1 m"),
-        entity));
+    problems.push_back(about(base::error("world.body-does-not-fit"), entity, where));
     return;
   }
   if ((*place - point).norm() > kSamePlace) {
-    problems.push_back(
-        about(base::makeWarning(what + " " + shown(point) + ": the body does not fit, " +
-                                shown(*place) + " is used"),
-              entity));
+    problems.push_back(about(base::warning("world.body-moved", {shown(*place)}), entity, where));
     point = *place;
   }
 }
@@ -71,9 +68,9 @@ std::string shown(const Vec2& point) {
          base::formatDouble(std::round(point.y() * 1000.0) / 1000.0) + ")";
 }
 
-base::Diagnostic about(base::Diagnostic diagnostic, EntityId entity) {
+base::Diagnostic about(base::Diagnostic diagnostic, EntityId entity, const std::string& where) {
   diagnostic.entity = entity;
-  return diagnostic;
+  return where.empty() ? diagnostic : base::within(where, std::move(diagnostic));
 }
 
 EntityId keyOfRobot(const WorldModel& model, const ResolvedRobot& robot) {
@@ -105,17 +102,14 @@ std::vector<Vec2> placesOf(const WorldModel& model) {
 
 void checkPlaces(const WorldModel& model, base::Diagnostics& problems) {
   for (const Person& person : model.people) {
-    const std::string who = "person '" + person.constants.name + "': ";
+    const std::string who = "person '" + person.constants.name + "'";
     if (!isUsable(person.constants.start.position) ||
         !std::isfinite(person.constants.start.heading)) {
-      problems.push_back(
-          about(base::makeError(who + "init pose is not finite or beyond 1e6 m"), person.key));
+      problems.push_back(about(base::error("world.pose-too-far"), person.key, who));
     }
     for (const int goal : person.plan->written) {
       if (model.globalGoals.count(goal) == 0) {
-        problems.push_back(about(
-            base::makeError(who + "goal " + std::to_string(goal) + " is not among global_goals"),
-            person.key));
+        problems.push_back(about(base::error("world.goal-unknown", {goal}), person.key, who));
       }
     }
   }
@@ -125,16 +119,13 @@ void checkPlaces(const WorldModel& model, base::Diagnostics& problems) {
       isFine = isFine && isUsable(goal);
     }
     if (!isFine) {
-      problems.push_back(about(base::makeError("robot '" + robot.name +
-                                               "': start or goal is not finite or beyond 1e6 m"),
-                               keyOfRobot(model, robot)));
+      problems.push_back(about(base::error("world.robot-too-far"), keyOfRobot(model, robot),
+                               "robot '" + robot.name + "'"));
     }
   }
   for (const GlobalGoal& goal : model.environment->goals) {
     if (!isUsable(goal.position)) {
-      problems.push_back(about(
-          base::makeError("goal " + std::to_string(goal.id) + " is not finite or beyond 1e6 m"),
-          goal.key));
+      problems.push_back(about(base::error("world.goal-too-far", {goal.id}), goal.key));
     }
   }
 }
@@ -180,10 +171,8 @@ void leaveOutUnreachable(WorldModel& model, const NavigationMap& navigation,
                                  goal.position)) {
         return true;
       }
-      problems.push_back(
-          about(base::makeWarning("person '" + person.constants.name + "': no way to goal " +
-                                  std::to_string(goal.id) + ", it is left out"),
-                person.key));
+      problems.push_back(about(base::warning("world.goal-out-of-reach", {goal.id}), person.key,
+                               "person '" + person.constants.name + "'"));
       return false;
     });
     if (plan.goals.size() < person.plan->goals.size()) {
@@ -198,9 +187,8 @@ void leaveOutUnreachable(WorldModel& model, const NavigationMap& navigation,
         goals.push_back(robot.goals[i]);
         ids.push_back(robot.goalIds[i]);
       } else {
-        problems.push_back(about(base::makeWarning("robot '" + robot.name + "': no way to " +
-                                                   shown(robot.goals[i]) + ", it is left out"),
-                                 keyOfRobot(model, robot)));
+        problems.push_back(about(base::warning("world.point-out-of-reach", {shown(robot.goals[i])}),
+                                 keyOfRobot(model, robot), "robot '" + robot.name + "'"));
       }
     }
     robot.goals = std::move(goals);

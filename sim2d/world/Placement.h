@@ -27,7 +27,7 @@ void leaveOutUnreachable(WorldModel& model, const NavigationMap& navigation,
 
 // For their messages.
 std::string shown(const Vec2& point);  // "(1.5, -2)", to the millimetre
-base::Diagnostic about(base::Diagnostic diagnostic, EntityId entity);
+base::Diagnostic about(base::Diagnostic diagnostic, EntityId entity, const std::string& where = {});
 EntityId keyOfRobot(const WorldModel& model, const ResolvedRobot& robot);
 
 }  // namespace sim2d

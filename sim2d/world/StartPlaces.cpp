@@ -107,17 +107,13 @@ std::optional<Vec2> nearestFree(const PlacedStarts& placed, const Start& start,
 void put(PlacedStarts& placed, const Start& start, const NavigationMap& navigation,
          base::Diagnostics& problems) {
   if (!placed.isFree(start, *start.position)) {
-    const std::string who = "start of '" + start.name + "' " + shown(*start.position);
-    if (const std::optional<Vec2> place = nearestFree(placed, start, navigation)) {
-      *start.position = *place;
+    const std::string place = "start of '" + start.name + "' " + shown(*start.position);
+    if (const std::optional<Vec2> taken = nearestFree(placed, start, navigation)) {
+      *start.position = *taken;
       problems.push_back(
-          about(base::makeWarning(who + " is taken by another body, " + shown(*place) + " is used"),
-                start.key));
+          about(base::warning("world.start-taken", {place, shown(*taken)}), start.key));
     } else {
-      problems.push_back(about(
-          base::makeWarning(who + " is taken by another body and no place is free within 1 m; they "
-                                  "are pushed apart"),
-          start.key));
+      problems.push_back(about(base::warning("world.start-crowded", {place}), start.key));
     }
   }
   placed.add(start);

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/world/Placement.h"
 #include "sim2d/world/Population.h"
@@ -14,18 +15,6 @@ namespace sim2d {
 namespace {
 
 constexpr double kSmallestFootprint = 1e-4;  // [m²]
-
-base::Diagnostic about(base::Diagnostic diagnostic, EntityId entity) {
-  diagnostic.entity = entity;
-  return diagnostic;
-}
-
-std::string unknownName(const char* what, const std::string& name,
-                        const std::vector<std::string>& known) {
-  const std::optional<std::string> nearest = base::nearestName(name, known);
-  return std::string("unknown ") + what + " '" + name + "'" +
-         (nearest ? " (did you mean '" + *nearest + "'?)" : std::string());
-}
 
 bool isPositive(double value) {
   return std::isfinite(value) && value > 0.0;
@@ -36,21 +25,22 @@ bool isNotNegative(double value) {
 
 void checkPerson(const WorldModel& model, const ResolvedHuman& person, EntityId key,
                  base::Diagnostics& problems) {
-  const std::string who = "person '" + person.name + "': ";
+  const std::string who = "person '" + person.name + "'";
   if (person.id < 0) {
-    problems.push_back(about(base::makeError(who + "id must be 0 or more"), key));
+    problems.push_back(about(base::error("world.bad-id"), key, who));
   }
   if (!isPositive(person.radius) || !isPositive(person.mass)) {
-    problems.push_back(about(base::makeError(who + "radius and mass must be above 0"), key));
+    problems.push_back(about(base::error("world.bad-body"), key, who));
   }
   if (!isNotNegative(person.desiredSpeed) || !isPositive(person.goalRadius)) {
-    problems.push_back(
-        about(base::makeError(who + "max_vel must be 0 or more, goal_radius above 0"), key));
+    problems.push_back(about(base::error("world.bad-speed"), key, who));
   }
-  if (model.registries->models.find(person.model) == nullptr) {
-    problems.push_back(about(
-        base::makeError(who + unknownName("model", person.model, model.registries->models.names())),
-        key));
+  const auto& models = model.registries->models;
+  if (models.find(person.model) == nullptr) {
+    problems.push_back(
+        about(base::error("world.unknown-model",
+                          {person.model, base::nearestName(person.model, models.names())}),
+              key, who));
   }
 }
 
@@ -89,9 +79,8 @@ void addPeople(const WorldSetup& setup, WorldModel& model, base::Diagnostics& pr
     checkPerson(model, person.constants, human->key, problems);
     if (!model.people.empty() && model.people.back().constants.id == human->id) {
       problems.push_back(
-          about(base::makeError("person '" + human->name + "': id " + std::to_string(human->id) +
-                                " is taken by '" + model.people.back().constants.name + "'"),
-                human->key));
+          about(base::error("world.id-taken", {human->id, model.people.back().constants.name}),
+                human->key, "person '" + human->name + "'"));
     }
     model.people.push_back(std::move(person));
   }
@@ -99,36 +88,37 @@ void addPeople(const WorldSetup& setup, WorldModel& model, base::Diagnostics& pr
 
 void checkRobot(const Registries& registries, const ResolvedRobot& robot, EntityId key,
                 base::Diagnostics& problems) {
-  const std::string who = "robot '" + robot.name + "': ";
-  if (registries.robotTypes.find(robot.type) == nullptr) {
+  const std::string who = "robot '" + robot.name + "'";
+  const auto& types = registries.robotTypes;
+  if (types.find(robot.type) == nullptr) {
     problems.push_back(
-        about(base::makeError(who + unknownName("type", robot.type, registries.robotTypes.names())),
-              key));
+        about(base::error("world.unknown-type",
+                          {robot.type, base::nearestName(robot.type, types.names())}),
+              key, who));
   }
   const bool hasBody =
       robot.footprint.empty()
           ? isPositive(robot.radius)
           : isSimple(robot.footprint) && signedArea(robot.footprint) > kSmallestFootprint;
   if (!hasBody) {
-    problems.push_back(about(
-        base::makeError(who + "needs a radius above 0, or a simple counter-clockwise footprint"),
-        key));
+    problems.push_back(about(base::error("world.bad-robot-body"), key, who));
   }
   const bool canMove = isPositive(robot.mass) && isNotNegative(robot.maxVel) &&
                        isPositive(robot.maxAcc) && isNotNegative(robot.maxOmega) &&
                        isPositive(robot.maxAlpha) && isPositive(robot.goalRadius);
   if (!canMove) {
-    problems.push_back(
-        about(base::makeError(who + "mass, limits and goal_radius must be above 0"), key));
+    problems.push_back(about(base::error("world.bad-robot-limits"), key, who));
   }
 }
 
 base::Result<std::shared_ptr<RobotController>> makeController(const PlannerRegistry& planners,
                                                               const ResolvedRobot& robot) {
-  const std::string who = "robot '" + robot.name + "': ";
+  const std::string who = "robot '" + robot.name + "'";
   const auto* const planner = planners.find(robot.planner);
   if (planner == nullptr) {
-    return base::makeError(who + unknownName("planner", robot.planner, planners.names()));
+    return base::within(
+        who, base::error("world.unknown-planner",
+                         {robot.planner, base::nearestName(robot.planner, planners.names())}));
   }
   std::vector<std::string> known;
   for (const base::ParameterSpec& spec : planner->parameters) {
@@ -137,9 +127,9 @@ base::Result<std::shared_ptr<RobotController>> makeController(const PlannerRegis
   base::Diagnostics problems;
   for (const auto& parameter : robot.plannerParameters) {
     if (std::find(known.begin(), known.end(), parameter.first) == known.end()) {
-      problems.push_back(base::makeError(who + "planner '" + planner->name +
-                                         "' has no parameter '" + parameter.first + "' (it has " +
-                                         base::join(known, ", ") + ")"));
+      problems.push_back(base::within(
+          who, base::error("world.unknown-parameter",
+                           {planner->name, parameter.first, base::join(known, ", ")})));
     }
   }
   if (base::hasErrors(problems)) {
@@ -164,8 +154,7 @@ void addRobots(const Scenario& scenario, WorldParts& parts, base::Diagnostics& p
     parts.controllers.push_back(controller ? *controller : nullptr);
   }
   if (!parts.model.robots.empty() && parts.model.ring.isClosed()) {
-    problems.push_back(base::makeWarning(
-        "wrap_x moves people alone: robots do not pass from one end of the corridor to the other"));
+    problems.push_back(base::warning("world.robot-on-ring"));
   }
 }
 
@@ -176,18 +165,16 @@ void addAreas(const Scenario& scenario, WorldModel& model, base::Diagnostics& pr
     }
     model.areas.push_back(&area);
     if (area.points.size() < 3) {
-      problems.push_back(about(
-          base::makeError("area '" + area.name + "': needs three corners or more"), area.key));
+      problems.push_back(
+          about(base::error("world.bad-area"), area.key, "area '" + area.name + "'"));
     }
     if (area.kind != AreaKind::Source) {
       continue;
     }
     const Human* const like = area.like ? scenario.human(*area.like) : nullptr;
     if (like == nullptr) {
-      problems.push_back(
-          about(base::makeError("source '" + area.name + "': `like` names no person" +
-                                (area.like ? ": '" + *area.like + "'" : "")),
-                area.key));
+      problems.push_back(about(base::error("world.source-copies-nobody", {area.like}), area.key,
+                               "source '" + area.name + "'"));
     } else {
       checkPerson(model, resolvePerson(model, *like), like->key, problems);
       model.patterns.emplace(like->name, *like);
@@ -210,8 +197,7 @@ void fillModel(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& pr
   model.peoplePass = setup.compatibility.hunav2();
   model.obstaclePoints = scenario.desktop.obstaclePoints.value_or(ObstaclePoints::Boundary);
   if (!(model.dt >= 0.001 && model.dt <= 0.1)) {
-    problems.push_back(
-        base::makeError("dt must be 0.001 to 0.1 s, not " + base::formatDouble(model.dt)));
+    problems.push_back(base::error("world.bad-dt", {model.dt}));
   }
   if (scenario.desktop.wrapX.size() == 2) {
     model.ring.low = scenario.desktop.wrapX[0];
@@ -256,7 +242,7 @@ class ModelsInUse {
 base::Result<std::unique_ptr<WorldParts>> buildWorld(const WorldSetup& setup) {
   base::Diagnostics problems;
   if (setup.scenario == nullptr || setup.behavior == nullptr) {
-    return base::makeError("a world needs a scenario and a behaviour");
+    return base::error("world.no-scenario");
   }
   auto parts = std::make_unique<WorldParts>();
   fillModel(setup, *parts, problems);

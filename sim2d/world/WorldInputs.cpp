@@ -35,8 +35,7 @@ void World::State::take(const StepInputs& inputs) {
     if (problem.empty()) {
       taken_.push_back(std::move(input));
     } else {
-      refused.push_back(
-          base::makeError(std::string("input ") + inputKindName(input.kind) + ": " + problem));
+      refused.push_back(base::error("world.refused-input", {inputKindName(input.kind), problem}));
     }
   }
   updateNavigation();

@@ -13,6 +13,7 @@
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
 #include "editor/panels/IssuesPanel.h"
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "tests/app/QuietWindow.h"
 
@@ -241,18 +242,19 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
   }
 
   void exportReport_sameWordsOfSeveralPeople_areOneLine() {
-    const auto note = [](int person, const char* text) {
-      base::Diagnostic said = base::makeWarning(text);
+    const auto note = [](int person, const char* name, const char* keys) {
+      base::Diagnostic said = base::within(name, base::warning("export.keys-unknown", {keys}));
       said.entity = {base::EntityKind::Human, person};
       return said;
     };
-    const std::vector<app::ReportLine> lines = app::groupedByPeople(
-        {note(1, "Ana: mass is not known there"), base::makeWarning("the robot: stays"),
-         note(2, "Ben: mass is not known there"), note(3, "Chloe: route is not known there")});
+    const std::vector<app::ReportLine> lines =
+        app::groupedByPeople({note(1, "Ana", "mass"), base::warning("export.no-ring"),
+                              note(2, "Ben", "mass"), note(3, "Chloe", "route")});
     QCOMPARE(lines.size(), std::size_t(3));
     QCOMPARE(lines[0].said.message, std::string("2 people: mass is not known there"));
     QCOMPARE(lines[0].people, (std::vector<std::string>{"Ana", "Ben"}));
-    QCOMPARE(lines[1].said.message, std::string("the robot: stays"));
+    QCOMPARE(lines[1].said.message,
+             std::string("the periodic corridor (wrap_x) is not known there"));
     QCOMPARE(lines[2].said.message, std::string("Chloe: route is not known there"));
     QVERIFY(lines[2].people.empty());
   }

@@ -256,8 +256,8 @@ class WorkflowTest : public QObject {
 
   void issue_ofAFile_isShownInTheViewer() {
     openMap();
-    window_->docks().panel<editor::IssuesPanel>().setActionIssues(
-        {base::makeError("odd", path(QStringLiteral("maps/hall.yaml")).toStdString(), 3, 1)});
+    window_->docks().panel<editor::IssuesPanel>().setActionIssues({base::error(
+        "run.failed", {"odd"}, path(QStringLiteral("maps/hall.yaml")).toStdString(), 3, 1)});
     QTableView& table = window_->docks().panel<editor::IssuesPanel>().table();
     QTRY_VERIFY(table.isVisible());
     hands_->clickOn(*table.viewport(), table.visualRect(table.model()->index(0, 0)).center());

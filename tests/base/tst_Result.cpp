@@ -1,5 +1,4 @@
 #include <memory>
-#include <set>
 #include <string>
 
 #include <QtTest>
@@ -25,7 +24,7 @@ class ResultTest : public QObject {
   void result_moveOnlyValue_canBeTaken();
   void error_values_fillTheHolesInOrder();
   void error_hintWithoutValue_isLeftOut();
-  void problemTexts_ids_areUniqueAndInAreas();
+  void within_anyProblem_namesWhereItIs();
 };
 
 void ResultTest::text_places_areLeftOutWhenUnknown_data() {
@@ -48,7 +47,7 @@ void ResultTest::text_places_areLeftOutWhenUnknown() {
   QFETCH(int, line);
   QFETCH(int, column);
   QFETCH(QByteArray, text);
-  const Diagnostic warning = base::makeWarning("odd", file.toStdString(), line, column);
+  const Diagnostic warning = base::warning("run.failed", {"odd"}, file.toStdString(), line, column);
   QCOMPARE(QByteArray::fromStdString(warning.text()), text);
 }
 
@@ -59,33 +58,34 @@ void ResultTest::severityName_eachSeverity_isNamed() {
 }
 
 void ResultTest::hasErrors_warningsOnly_isFalse() {
-  Diagnostics list = {base::makeWarning("a"), base::makeWarning("b")};
+  Diagnostics list = {base::warning("run.failed", {"a"}), base::warning("run.failed", {"b"})};
   QVERIFY(!base::hasErrors(list));
   QVERIFY(!base::hasErrors({}));
-  list.push_back(base::makeError("c"));
+  list.push_back(base::error("run.failed", {"c"}));
   QVERIFY(base::hasErrors(list));
 }
 
 void ResultTest::append_listToItself_doublesIt() {
-  Diagnostics list = {base::makeWarning("a"), base::makeError("b")};
+  Diagnostics list = {base::warning("run.failed", {"a"}), base::error("run.failed", {"b"})};
   base::append(list, list);
   QCOMPARE(list.size(), std::size_t{4});
   QVERIFY(list[2].message == "a" && list[3].message == "b");
 }
 
 void ResultTest::result_value_carriesWarnings() {
-  const Result<int> result(3, {base::makeWarning("odd")});
+  const Result<int> result(3, {base::warning("run.failed", {"odd"})});
   QVERIFY(static_cast<bool>(result));
   QCOMPARE(*result, 3);
   QCOMPARE(result.diagnostics().size(), std::size_t{1});
 }
 
 void ResultTest::result_error_hasNoValue() {
-  const Result<int> one = base::makeError("broken", "x.yaml", 2);
+  const Result<int> one = base::error("run.failed", {"broken"}, "x.yaml", 2);
   QVERIFY(!one);
   QCOMPARE(QByteArray::fromStdString(one.diagnostics().front().text()),
            QByteArray("x.yaml:2: error: broken"));
-  const Result<int> many = Diagnostics{base::makeWarning("a"), base::makeError("b")};
+  const Result<int> many =
+      Diagnostics{base::warning("run.failed", {"a"}), base::error("run.failed", {"b"})};
   QVERIFY(!many);
   QCOMPARE(many.diagnostics().size(), std::size_t{2});
 }
@@ -97,44 +97,36 @@ void ResultTest::result_moveOnlyValue_canBeTaken() {
 }
 
 void ResultTest::error_values_fillTheHolesInOrder() {
-  const Diagnostic problem = base::error("scenario.id-twice", {"anna", 3, "{name}"}, "x.yaml", 2);
+  const Diagnostic problem = base::error("scenario.id-twice", {3, "{id}"}, "x.yaml", 2);
   QCOMPARE(QByteArray::fromStdString(problem.text()),
-           QByteArray("x.yaml:2: error: anna: id 3 is that of {name} too"));
+           QByteArray("x.yaml:2: error: id 3 is that of {id} too"));
   QVERIFY(problem.code == "scenario.id-twice");
-  QVERIFY(problem.value("id") == "3" && problem.value("other") == "{name}");
+  QVERIFY(problem.value("id") == "3" && problem.value("other") == "{id}");
   QVERIFY(problem.value("goal").empty());
-  const Diagnostic number = base::warning("person.vel-too-high", {"anna", 2.5});
+  const Diagnostic number = base::warning("person.vel-too-high", {2.5});
   QVERIFY(number.severity == base::Severity::Warning && number.value("found") == "2.5");
 }
 
 void ResultTest::error_hintWithoutValue_isLeftOut() {
   const auto said = [](const std::optional<std::string>& nearest) {
-    return base::error("planner.unknown-parameter", {"bob.x", "pursuit", nearest}).message;
+    return base::error("planner.unknown-parameter", {"pursuit", nearest}).message;
   };
-  QVERIFY(said("lookahead") == "bob.x: unknown to 'pursuit' (did you mean 'lookahead'?)");
-  QVERIFY(said(std::nullopt) == "bob.x: unknown to 'pursuit'");
-  const auto word = [](const char* who, const char* nearest) {
-    return base::error("scenario.unknown-word", {who, "model", "sfn", nearest, "sfm, orca"})
-        .message;
+  QVERIFY(said("lookahead") == "unknown to 'pursuit' (did you mean 'lookahead'?)");
+  QVERIFY(said(std::nullopt) == "unknown to 'pursuit'");
+  const auto word = [](const char* nearest) {
+    return base::error("scenario.unknown-word", {"model", "sfn", nearest, "sfm, orca"}).message;
   };
-  QVERIFY(word("anna", "sfm") ==
-          "anna: model 'sfn' is unknown (did you mean 'sfm'? known: sfm, orca)");
-  QVERIFY(word("", "") == "model 'sfn' is unknown (known: sfm, orca)");
+  QVERIFY(word("sfm") == "model 'sfn' is unknown (did you mean 'sfm'? known: sfm, orca)");
+  QVERIFY(word("") == "model 'sfn' is unknown (known: sfm, orca)");
 }
 
-void ResultTest::problemTexts_ids_areUniqueAndInAreas() {
-  std::set<std::string_view> ids;
-  for (const base::ProblemText& each : base::problemTexts()) {
-    const QByteArray id(each.id.data(), static_cast<int>(each.id.size()));
-    QVERIFY2(ids.insert(each.id).second, id);
-    QVERIFY2(QRegularExpression(QStringLiteral("^[a-z]+\\.[a-z]+(-[a-z0-9]+)*$"))
-                 .match(QString::fromLatin1(id))
-                 .hasMatch(),
-             id);
-    QVERIFY2(!each.text.empty(), id);
-    QVERIFY2(base::problemText(each.id)->text == each.text, id);
-  }
-  QVERIFY(base::problemText("no.such-problem") == nullptr);
+void ResultTest::within_anyProblem_namesWhereItIs() {
+  const Diagnostic problem = base::within("anna", base::warning("person.vel-too-high", {2.5}));
+  QVERIFY(problem.message == "anna: vel 2.5 is above 1.8, HuNavSim's loader will clamp it");
+  QVERIFY(problem.value("where") == "anna" && problem.value("found") == "2.5");
+  const Diagnostic moved = base::elsewhere("2 people", problem);
+  QVERIFY(moved.message == "2 people: vel 2.5 is above 1.8, HuNavSim's loader will clamp it");
+  QVERIFY(moved.value("where") == "2 people" && moved.code == problem.code);
 }
 
 QTEST_APPLESS_MAIN(ResultTest)

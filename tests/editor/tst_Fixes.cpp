@@ -29,11 +29,12 @@ std::optional<Problem> problemWith(const ScenarioDocument& document, const QStri
   return std::nullopt;
 }
 
-bool isToldStill(const ScenarioDocument& document, const std::string& message) {
+bool isToldStill(const ScenarioDocument& document, const base::Diagnostic& problem) {
   base::Diagnostics all = document.issues();
   base::append(all, editor::adviceFor(document.scenario()));
-  return std::any_of(all.begin(), all.end(),
-                     [&](const base::Diagnostic& each) { return each.message == message; });
+  return std::any_of(all.begin(), all.end(), [&](const base::Diagnostic& each) {
+    return each.code == problem.code && each.values == problem.values;
+  });
 }
 
 }  // namespace
@@ -158,8 +159,7 @@ class FixesTest : public QObject {
     problem->fix.apply(document);
     QCOMPARE(document.undoStack().count(), 1);
     document.checkNow();
-    QVERIFY2(!isToldStill(document, problem->diagnostic.message),
-             problem->diagnostic.message.c_str());
+    QVERIFY2(!isToldStill(document, problem->diagnostic), problem->diagnostic.message.c_str());
     document.undoStack().undo();
     QVERIFY(document.scenario() == scenario);
   }
@@ -184,9 +184,9 @@ class FixesTest : public QObject {
     const std::optional<Problem> problem = problemWith(document, QStringLiteral("Open plane"));
     QVERIFY(problem);
     problem->fix.apply(document);
-    QVERIFY(!isToldStill(document, problem->diagnostic.message));
+    QVERIFY(!isToldStill(document, problem->diagnostic));
     document.undoStack().undo();
-    QVERIFY(isToldStill(document, problem->diagnostic.message));
+    QVERIFY(isToldStill(document, problem->diagnostic));
   }
 
   void personWithoutGoals_needsAHand() {
@@ -229,10 +229,10 @@ class FixesTest : public QObject {
   void problemWithoutFix_hasNone() {
     ScenarioDocument document;
     load(document, small::scenario());
-    QVERIFY(!editor::fixFor(document, base::makeError("bad key", "a.yaml", 3, 1)));
-    QVERIFY(!editor::fixFor(
-        document,
-        {base::Severity::Error, {}, 0, 0, "some riddle", document.scenario().humans[0].key}));
+    QVERIFY(!editor::fixFor(document, base::error("scenario.nobody", {}, "a.yaml", 3, 1)));
+    base::Diagnostic riddle = base::error("places.unknown-ground", {"start", "(1, 1)"});
+    riddle.entity = document.scenario().humans[0].key;
+    QVERIFY(!editor::fixFor(document, riddle));
   }
 };
 

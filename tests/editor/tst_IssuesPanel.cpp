@@ -54,7 +54,7 @@ class IssuesPanelTest : public QObject {
   void sentence_keysAndNames_stayAsWritten() {
     QFETCH(QString, message);
     QFETCH(QString, shown);
-    QCOMPARE(editor::issueSentence(base::makeError(message.toStdString())), shown);
+    QCOMPARE(editor::issueSentence(base::error("run.failed", {message.toStdString()})), shown);
   }
 
   void live_unknownGoal_isToldAndSelectsThePerson() {
@@ -116,7 +116,8 @@ class IssuesPanelTest : public QObject {
     const QString words = QStringLiteral(
         "The map has more pixels than can be shown at once, so that its finest "
         "walls are only seen from near");
-    panel.setActionIssues({base::makeWarning("short"), base::makeWarning(words.toStdString())});
+    panel.setActionIssues({base::warning("run.failed", {"short"}),
+                           base::warning("run.failed", {words.toStdString()})});
     QTRY_VERIFY(panel.table().rowHeight(1) >= 40);
     QVERIFY(panel.table().rowHeight(0) < 30);
     const QModelIndex cell = panel.table().model()->index(1, 0);
@@ -167,8 +168,8 @@ class IssuesPanelTest : public QObject {
     panel.resize(600, 200);
     panel.show();
     QVERIFY(QTest::qWaitForWindowExposed(&panel));
-    panel.setActionIssues({base::makeWarning("odd", "a.yaml", 3, 1),
-                           base::makeError("bad key", "/tmp/a.yaml", 12, 7)});
+    panel.setActionIssues({base::warning("run.failed", {"odd"}, "a.yaml", 3, 1),
+                           base::error("run.failed", {"bad key"}, "/tmp/a.yaml", 12, 7)});
     QCOMPARE(panel.count(), 2);
     const QAbstractItemModel* model = panel.table().model();
     QCOMPARE(model->index(0, 0).data().toString(), QStringLiteral("Bad key"));    // errors first

@@ -180,7 +180,7 @@ class SimulationRunnerTest : public QObject {
     runner.setRequest([] {
       RunRequest broken;
       broken.makeWorld = []() -> base::Result<std::unique_ptr<sim2d::World>> {
-        return base::makeError("no place for Ana");
+        return base::error("run.failed", {"no place for Ana"});
       };
       return broken;
     });

@@ -306,7 +306,7 @@ void MapReaderTest::readMap_loader_isUsed() {
       yaml, [](const std::string&) -> base::Result<MapImage> { return pixel(0, 0, 0, 255, true); });
   QVERIFY(good && good->grid.isWall({0, 0}));
   const auto bad = readMap(yaml, [](const std::string& path) -> base::Result<MapImage> {
-    return base::makeError("no picture", path);
+    return base::error("run.failed", {"no picture"}, path);
   });
   QVERIFY(!bad && contains(bad.diagnostics(), "m.yaml:1:8: error: image"));
   QVERIFY(contains(bad.diagnostics(), "no picture"));

@@ -268,7 +268,7 @@ class ScenarioReaderTest : public QObject {
     QVERIFY(anna.key.kind == base::EntityKind::Human && anna.key.key > 0);
     QCOMPARE(reading.lines.at(anna.key), 24);
     QVERIFY(reading.scenario.nextKey() > reading.scenario.areas.back().key.key);
-    base::Diagnostics about = {base::makeWarning("something")};
+    base::Diagnostics about = {base::warning("run.failed", {"something"})};
     about[0].entity = anna.key;
     addLines(about, reading.lines);
     QCOMPARE(about[0].line, 24);

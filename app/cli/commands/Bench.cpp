@@ -165,7 +165,7 @@ base::Result<Row> measure(const BenchScene& scene, double atLeastSeconds) {
     }
     Row now = row;
     if (!measureRound(**made, surroundings, atLeastSeconds / kRounds, now)) {
-      return base::makeError((*made)->failure());
+      return base::error("run.failed", {(*made)->failure()});
     }
     best = round == 0 || now.whole() < best.whole() ? now : best;
   }

@@ -106,6 +106,7 @@ void printJson(const base::Diagnostics& diagnostics) {
                    {"line", known(diagnostic.line)},
                    {"column", known(diagnostic.column)},
                    {"severity", base::severityName(diagnostic.severity)},
+                   {"code", diagnostic.code},
                    {"message", diagnostic.message}});
   }
   printLine(all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));

@@ -30,6 +30,7 @@ Json reportJson(const base::Diagnostics& report) {
   for (const base::Diagnostic& problem : report) {
     all.push_back({{"severity", base::severityName(problem.severity)},
                    {"file", problem.file},
+                   {"code", problem.code},
                    {"message", problem.message}});
   }
   return all;

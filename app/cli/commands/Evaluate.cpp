@@ -45,9 +45,7 @@ base::Diagnostics foreignWords(const EvaluateOptions& options) {
   base::Diagnostics wrong;
   const auto refuse = [&](bool given, const char* word) {
     if (given) {
-      wrong.push_back(base::makeError(std::string(word) +
-                                      " is for files of other programs, not for the folder of a "
-                                      "run"));
+      wrong.push_back(base::error("option.only-foreign", {word}));
     }
   };
   refuse(!options.format.empty(), "--format");
@@ -77,7 +75,7 @@ base::Result<ForeignWords> foreignOptionsOf(const EvaluateOptions& options) {
   }
   const auto positive = [&wrong](const std::optional<double>& value, const char* word) {
     if (value && !(*value > 0.0 && *value <= 1e6)) {
-      wrong.push_back(base::makeError(std::string(word) + " takes a number above 0"));
+      wrong.push_back(base::error("option.not-positive", {word}));
     }
     return value.value_or(0.0);
   };
@@ -89,8 +87,7 @@ base::Result<ForeignWords> foreignOptionsOf(const EvaluateOptions& options) {
     if (goal) {
       words.tracks.robotGoal = base::Vec2((*goal)[0], (*goal)[1]);
     } else {
-      wrong.push_back(base::makeError("--robot-goal takes two numbers: \"X Y\" (m), not \"" +
-                                      *options.robotGoal + "\""));
+      wrong.push_back(base::error("option.evaluate-goal", {*options.robotGoal}));
     }
   }
   if (!wrong.empty()) {
@@ -106,8 +103,7 @@ base::Result<sim2d::Trace> readSource(const std::string& source,
     std::error_code ignored;
     if (fs::exists(fs::path(source) / "trajectory.csv", ignored) &&
         !fs::exists(fs::path(source) / "trace.json", ignored)) {
-      return base::makeError("a run was not written to its end here: trace.json is missing",
-                             source);
+      return base::error("trace.unfinished", {}, source);
     }
     return sim2d::readTrace(source);
   }
@@ -147,11 +143,11 @@ base::Result<std::vector<std::pair<double, base::Vec2>>> readReference(
     } else if (humans.size() == 1) {
       way.emplace_back(frame.time, base::Vec2(humans.x[0], humans.y[0]));
     } else if (humans.size() > 1) {
-      return base::makeError("a reference has a robot or one body, not several people", source);
+      return base::error("option.reference-people", {}, source);
     }
   }
   if (way.empty()) {
-    return base::makeError("there is no robot in the reference", source);
+    return base::error("option.reference-empty", {}, source);
   }
   for (std::size_t k = way.size(); k > 0; --k) {
     way[k - 1].first -= way.front().first;

@@ -28,11 +28,11 @@ base::Diagnostics saveImage(const QImage& image, const std::string& path) {
   fs::create_directories(fs::path(path).parent_path(), ignored);
   QSaveFile file(QString::fromStdString(path));
   if (!file.open(QIODevice::WriteOnly)) {
-    return {base::makeError("cannot write: " + file.errorString().toStdString(), path)};
+    return {base::error("file.cannot-write-picture", {file.errorString().toStdString()}, path)};
   }
   QImageWriter writer(&file, "png");
   if (!writer.write(image) || !file.commit()) {
-    return {base::makeError("cannot write: " + writer.errorString().toStdString(), path)};
+    return {base::error("file.cannot-write-picture", {writer.errorString().toStdString()}, path)};
   }
   return {};
 }
@@ -40,9 +40,7 @@ base::Diagnostics saveImage(const QImage& image, const std::string& path) {
 int renderCommand(const RenderOptions& options, const OutputOptions& output) {
   const std::string ending = base::lowered(fs::path(options.output).extension().string());
   if (ending != ".png") {
-    printError(base::makeError("cannot draw '" + ending + "' files (use a name that ends in .png)",
-                               options.output)
-                   .text());
+    printError(base::error("option.picture-format", {ending}, options.output).text());
     return kWrongCommandLine;
   }
   const base::Result<sim2d::Trace> trace = sim2d::readTrace(options.run);

@@ -71,7 +71,7 @@ base::Result<sim2d::Trace> simulateWithoutRobots(const Bundle& bundle, std::int6
   const sim2d::RunResult result = sim2d::run(*verdict.world, {steps, false}, recording,
                                              [](const sim2d::Frame&) { return wasInterrupted(); });
   if (result.status != sim2d::RunStatus::Finished) {
-    return base::makeError("the run without robots ended early: " + result.reason, bundle.path);
+    return base::error("run.ended-without-robots", {result.reason}, bundle.path);
   }
   return recording.trace(verdict.world->header());
 }
@@ -80,7 +80,7 @@ base::Result<sim2d::Trace> simulateWithoutRobots(const Bundle& bundle, std::int6
 base::Diagnostics compareWithoutRobots(const Bundle& bundle, const RunWriter& writer,
                                        FinishedRun& run) {
   if (run.header.robots.empty()) {
-    return {base::makeWarning("--counterfactual: the scenario has no robot", bundle.path)};
+    return {base::warning("run.nothing-to-compare", {}, bundle.path)};
   }
   const base::Result<sim2d::Trace> alone = simulateWithoutRobots(bundle, run.result.steps);
   if (!alone) {
@@ -136,7 +136,7 @@ int exitCodeOf(const FinishedRun& run, const std::string& scenario) {
     case sim2d::RunStatus::Finished:
       return kFine;
     case sim2d::RunStatus::Failed:
-      printDiagnostics({base::makeError("the run failed: " + run.result.reason, scenario)});
+      printDiagnostics({base::error("run.ended", {run.result.reason}, scenario)});
       return kRunFailed;
     case sim2d::RunStatus::Interrupted:
       printError("interrupted after " + simulatedText(run) + ": the part so far is kept");

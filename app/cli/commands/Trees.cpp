@@ -62,15 +62,13 @@ std::vector<MadeFile> makeFiles(const sim2d::Scenario& scenario, const std::stri
 base::Diagnostics checkNames(const std::string& base, const std::vector<MadeFile>& files,
                              const std::string& scenario) {
   if (base.empty() || base.find('/') != std::string::npos || base.find('\0') != std::string::npos) {
-    return {base::makeError("'" + base + "' cannot begin the names of files (yaml_base_name)",
-                            scenario)};
+    return {base::error("option.bad-base-name", {base}, scenario)};
   }
   base::Diagnostics problems;
   std::set<std::string> seen;
   for (const MadeFile& file : files) {
     if (!seen.insert(file.name).second) {
-      problems.push_back(base::makeError(
-          "two people have the id " + std::to_string(file.agent.value_or(0)), scenario));
+      problems.push_back(base::error("option.id-twice", {file.agent.value_or(0)}, scenario));
     }
   }
   return problems;

@@ -45,7 +45,7 @@ std::optional<double> sideOf(LeafContext& leaf) {
   if (side == "left" || side == "right") {
     return side == "left" ? 1.0 : -1.0;
   }
-  humanOf(leaf).warn(leaf, "side is left or right, not '" + std::string(side) + "'");
+  humanOf(leaf).warn(leaf, "tree.runs-on-no-side", {side});
   return std::nullopt;
 }
 

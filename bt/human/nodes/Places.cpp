@@ -103,7 +103,7 @@ const sim2d::Area* areaOf(LeafContext& leaf, int port) {
   const std::string name(leaf.require<std::string_view>(port));
   const sim2d::Area* area = context.view().area(name);
   if (!area || area->points.size() < 3) {
-    context.warn(leaf, "there is no area '" + name + "'");
+    context.warn(leaf, "tree.runs-without-area", {name});
     return nullptr;
   }
   return area;

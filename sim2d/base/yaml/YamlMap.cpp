@@ -1,7 +1,9 @@
 #include "sim2d/base/yaml/YamlMap.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 
 namespace base {
@@ -32,21 +34,12 @@ std::string described(const YamlNode& node) {
   return "'" + node.text + "'";
 }
 
-void ReadReport::add(Severity severity, const YamlNode& at, const std::string& message,
-                     EntityId entity) {
-  diagnostics.push_back({severity, file, at.line, at.column, message, entity});
-}
-
-void ReadReport::error(const YamlNode& at, const std::string& message, EntityId entity) {
-  add(Severity::Error, at, message, entity);
-}
-
-void ReadReport::warning(const YamlNode& at, const std::string& message, EntityId entity) {
-  add(Severity::Warning, at, message, entity);
-}
-
-void ReadReport::info(const YamlNode& at, const std::string& message, EntityId entity) {
-  add(Severity::Info, at, message, entity);
+void ReadReport::add(const YamlNode& at, Diagnostic problem, EntityId entity) {
+  problem.file = file;
+  problem.line = at.line;
+  problem.column = at.column;
+  problem.entity = entity;
+  diagnostics.push_back(std::move(problem));
 }
 
 YamlMap::YamlMap(const YamlNode* node, std::string path, EntityId entity, ReadReport& report)
@@ -55,7 +48,7 @@ YamlMap::YamlMap(const YamlNode* node, std::string path, EntityId entity, ReadRe
       entity_(entity),
       report_(report) {
   if (node != nullptr && !node->isMap() && !node->isNull()) {
-    report.error(*node, path_ + ": must be a map, found " + described(*node), entity);
+    report.add(*node, within(path_, base::error("yaml.no-map", {described(*node)})), entity);
   }
 }
 
@@ -77,7 +70,7 @@ const YamlNode* YamlMap::find(const std::string& key) {
   know(key);
   const YamlNode* found = node_->find(key);
   if (found != nullptr && found->isNull()) {
-    report_.warning(*found, pathOf(key) + ": no value (taken as absent)", entity_);
+    warning(key, "yaml.no-value");
     return nullptr;
   }
   return found;
@@ -100,7 +93,7 @@ std::optional<long long> YamlMap::bigInteger(const std::string& key, long long l
   }
   const auto value = readInteger(*found, {pathOf(key), entity_}, report_);
   if (value && *value < low) {
-    error(key, found->text + " must be at least " + std::to_string(low));
+    error(key, "yaml.too-low", {found->text, low});
     return std::nullopt;
   }
   return value;
@@ -116,8 +109,7 @@ std::optional<int> YamlMap::integer(const std::string& key, long long low, long 
     return std::nullopt;
   }
   if (*value < low || *value > high) {
-    error(key,
-          found->text + " must be from " + std::to_string(low) + " to " + std::to_string(high));
+    error(key, "yaml.out-of-range", {found->text, low, high});
     return std::nullopt;
   }
   return static_cast<int>(*value);
@@ -139,7 +131,7 @@ std::optional<bool> YamlMap::boolean(const std::string& key) {
       return false;
     }
   }
-  error(key, described(*found) + " is neither true nor false");
+  error(key, "yaml.not-boolean", {described(*found)});
   return std::nullopt;
 }
 
@@ -149,7 +141,7 @@ std::optional<std::string> YamlMap::text(const std::string& key) {
     return std::nullopt;
   }
   if (!found->isScalar()) {
-    error(key, "must be a text, found " + described(*found));
+    error(key, "yaml.no-text", {described(*found)});
     return std::nullopt;
   }
   return found->text;
@@ -158,7 +150,7 @@ std::optional<std::string> YamlMap::text(const std::string& key) {
 const YamlNode* YamlMap::list(const std::string& key) {
   const YamlNode* found = find(key);
   if (found != nullptr && !found->isList()) {
-    error(key, "must be a list, found " + described(*found));
+    error(key, "yaml.no-list", {described(*found)});
     return nullptr;
   }
   return found;
@@ -184,7 +176,7 @@ std::vector<int> YamlMap::integers(const std::string& key) {
       if (value && *value == static_cast<int>(*value)) {
         values.push_back(static_cast<int>(*value));
       } else if (value) {
-        report_.error(item, pathOf(key) + ": " + item.text + " is too large", entity_);
+        add(item, key, base::error("yaml.too-large", {item.text}));
       }
     }
   }
@@ -197,9 +189,9 @@ std::vector<std::string> YamlMap::names(const std::string& key) {
   if (const YamlNode* found = list(key)) {
     for (const YamlNode& item : found->items) {
       if (!item.isScalar() || item.text.empty()) {
-        report_.error(item, pathOf(key) + ": " + described(item) + " is not a name", entity_);
+        add(item, key, base::error("yaml.not-name", {described(item)}));
       } else if (!seen.insert(item.text).second) {
-        report_.error(item, pathOf(key) + ": '" + item.text + "' is listed twice", entity_);
+        add(item, key, base::error("yaml.listed-twice", {item.text}));
       } else {
         values.push_back(item.text);
       }
@@ -217,13 +209,7 @@ std::optional<int> YamlMap::choice(const std::string& key, const std::vector<std
   if (found != words.end()) {
     return static_cast<int>(found - words.begin());
   }
-  std::string all;
-  for (const std::string& each : words) {
-    all += (all.empty() ? "" : ", ") + each;
-  }
-  const auto near = nearestName(*word, words);
-  error(key, "'" + *word + "' is unknown (" +
-                 (near ? "did you mean '" + *near + "'? " : std::string()) + "one of " + all + ")");
+  error(key, "yaml.unknown-word", {*word, nearestName(*word, words), join(words, ", ")});
   return std::nullopt;
 }
 
@@ -233,7 +219,7 @@ bool YamlMap::demand(const std::string& key) {
     return true;
   }
   know(key);
-  error(key, "is missing");
+  error(key, "yaml.missing");
   return false;
 }
 
@@ -246,12 +232,16 @@ std::optional<int> YamlMap::requiredChoice(const std::string& key,
   return demand(key) ? choice(key, words) : std::nullopt;
 }
 
-void YamlMap::error(const std::string& key, const std::string& message) {
-  report_.error(place(key), pathOf(key) + ": " + message, entity_);
+void YamlMap::add(const YamlNode& at, const std::string& key, Diagnostic problem) {
+  report_.add(at, within(pathOf(key), std::move(problem)), entity_);
 }
 
-void YamlMap::warning(const std::string& key, const std::string& message) {
-  report_.warning(place(key), pathOf(key) + ": " + message, entity_);
+void YamlMap::error(const std::string& key, std::string_view code, ProblemValues values) {
+  add(place(key), key, base::error(code, std::move(values)));
+}
+
+void YamlMap::warning(const std::string& key, std::string_view code, ProblemValues values) {
+  add(place(key), key, base::warning(code, std::move(values)));
 }
 
 UnknownKey unknownKey(const YamlNode& value) {
@@ -268,11 +258,10 @@ UnknownKeys YamlMap::takeUnknown() {
     YamlNode at;
     at.line = item.keyLine;
     at.column = item.keyColumn;
-    report_.warning(at,
-                    "unknown key '" + item.key + "'" +
-                        (path_.empty() ? std::string() : " in " + path_) +
-                        (near ? " (did you mean '" + *near + "'?)" : " (kept)"),
-                    entity_);
+    report_.add(at,
+                near ? base::warning("yaml.unknown-key", {item.key, path_, near})
+                     : base::warning("yaml.unknown-key-kept", {item.key, path_}),
+                entity_);
     unknown.push_back(unknownKey(item));
   }
   return unknown;

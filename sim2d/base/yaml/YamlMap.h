@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim2d/base/ParameterSpec.h"
@@ -23,10 +24,8 @@ struct ReadReport {
   std::set<std::string> knownPaths;  // dotted, below ros__parameters
   std::map<EntityId, int> lines;
 
-  void error(const YamlNode& at, const std::string& message, EntityId entity = {});
-  void warning(const YamlNode& at, const std::string& message, EntityId entity = {});
-  void info(const YamlNode& at, const std::string& message, EntityId entity = {});
-  void add(Severity severity, const YamlNode& at, const std::string& message, EntityId entity);
+  /// The problem of a value, with its place in the file.
+  void add(const YamlNode& at, Diagnostic problem, EntityId entity = {});
 };
 
 /// One value in a report: where it is called what, and of which entity.
@@ -73,8 +72,8 @@ class YamlMap {
   double required(const std::string& key, Range range = kAnyNumber);
   std::optional<int> requiredChoice(const std::string& key, const std::vector<std::string>& words);
 
-  void error(const std::string& key, const std::string& message);
-  void warning(const std::string& key, const std::string& message);
+  void error(const std::string& key, std::string_view code, ProblemValues values = {});
+  void warning(const std::string& key, std::string_view code, ProblemValues values = {});
   /// Asked for: not reported and not kept by takeUnknown.
   void know(const std::string& key);
   bool isKnown(const std::string& key) const { return known_.count(key) != 0; }
@@ -83,6 +82,7 @@ class YamlMap {
 
  private:
   const YamlNode& place(const std::string& key) const;
+  void add(const YamlNode& at, const std::string& key, Diagnostic problem);
   const YamlNode* list(const std::string& key);
 
   const YamlNode* node_;

@@ -1,23 +1,22 @@
 #include <cmath>
 
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlMap.h"
 
 namespace base {
 namespace {
 
-std::string limitsText(const Range& range) {
-  const std::string low = formatDouble(range.low);
-  if (range.above && !std::isinf(range.high)) {
-    return "must be above " + low + " and at most " + formatDouble(range.high);
+Diagnostic outOfRange(const std::string& found, const Range& range) {
+  const bool isBounded = !std::isinf(range.high);
+  if (isBounded && range.above) {
+    return error("yaml.out-of-half-open-range", {found, range.low, range.high});
   }
-  if (!std::isinf(range.low) && !std::isinf(range.high)) {
-    return "must be from " + low + " to " + formatDouble(range.high);
+  if (isBounded) {
+    return std::isinf(range.low) ? error("yaml.too-high", {found, range.high})
+                                 : error("yaml.out-of-range", {found, range.low, range.high});
   }
-  if (!std::isinf(range.high)) {
-    return "must be at most " + formatDouble(range.high);
-  }
-  return (range.above ? "must be above " : "must be at least ") + low;
+  return error(range.above ? "yaml.not-above" : "yaml.too-low", {found, range.low});
 }
 
 /// Integers in the way of ROS 2's parser (C's strtol with base 0): a leading 0 means octal, 0x
@@ -46,6 +45,11 @@ std::optional<long long> prefixedInteger(const std::string& text) {
   return negative ? -value : value;
 }
 
+void tell(const YamlNode& node, const ValueContext& context, Diagnostic problem,
+          ReadReport& report) {
+  report.add(node, within(context.path, std::move(problem)), context.entity);
+}
+
 struct NumberText {
   std::optional<long long> integer;
   std::optional<double> number;
@@ -58,18 +62,14 @@ NumberText parseNumber(const YamlNode& node, const ValueContext& context, ReadRe
   }
   result.integer = prefixedInteger(node.text);
   if (result.integer) {
-    report.warning(node,
-                   context.path + ": " + node.text + " is read as " +
-                       std::to_string(*result.integer) + ", as ROS 2 does (a leading 0 is octal)",
-                   context.entity);
+    tell(node, context, warning("yaml.octal", {node.text, *result.integer}), report);
     result.number = static_cast<double>(*result.integer);
     return result;
   }
   result.integer = parseInt(node.text);
   result.number = parseDouble(node.text);
   if (node.quoted && result.number) {
-    report.warning(node, context.path + ": a number in quotes, ROS 2 takes it for a string",
-                   context.entity);
+    tell(node, context, warning("yaml.quoted-number"), report);
   }
   return result;
 }
@@ -80,16 +80,16 @@ std::optional<double> readNumber(const YamlNode& node, const ValueContext& conte
                                  ReadReport& report) {
   const NumberText parsed = parseNumber(node, context, report);
   if (!parsed.number) {
-    report.error(node, context.path + ": " + described(node) + " is not a number", context.entity);
+    tell(node, context, error("yaml.not-number", {described(node)}), report);
     return std::nullopt;
   }
   const double value = *parsed.number;
   if (!std::isfinite(value)) {
-    report.error(node, context.path + ": " + node.text + " is not a finite number", context.entity);
+    tell(node, context, error("yaml.not-finite", {node.text}), report);
     return std::nullopt;
   }
   if (!range.contains(value)) {
-    report.error(node, context.path + ": " + node.text + " " + limitsText(range), context.entity);
+    tell(node, context, outOfRange(node.text, range), report);
     return std::nullopt;
   }
   return value;
@@ -104,13 +104,10 @@ std::optional<long long> readInteger(const YamlNode& node, const ValueContext& c
   constexpr double kExact = 9007199254740992.0;  // 2^53
   if (parsed.number && std::fabs(*parsed.number) < kExact &&
       std::floor(*parsed.number) == *parsed.number) {
-    report.warning(node,
-                   context.path + ": " + node.text + " is written as a double, ROS 2 wants " +
-                       "an integer here",
-                   context.entity);
+    tell(node, context, warning("yaml.double-for-integer", {node.text}), report);
     return static_cast<long long>(*parsed.number);
   }
-  report.error(node, context.path + ": " + described(node) + " is not an integer", context.entity);
+  tell(node, context, error("yaml.not-integer", {described(node)}), report);
   return std::nullopt;
 }
 

@@ -46,8 +46,7 @@ void findTabs(std::string_view text, const std::string& file, Diagnostics& diagn
     const std::size_t word = content.find_first_not_of(" \t\r");
     const std::size_t tab = content.find('\t');
     if (word != std::string_view::npos && content[word] != '#' && tab < word) {
-      diagnostics.push_back(makeError("a tab in the indentation (YAML allows spaces only)", file,
-                                      line, static_cast<int>(tab) + 1));
+      diagnostics.push_back(error("yaml.tab", {}, file, line, static_cast<int>(tab) + 1));
     }
     start = end + 1;
   }

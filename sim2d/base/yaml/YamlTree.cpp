@@ -88,8 +88,8 @@ class TreeBuilder : public YAML::EventHandler {
       node.quoted = node.quoted || node.tag == "!!str";
     }
   }
-  void report(int line, int column, const std::string& message) {
-    diagnostics_.push_back(makeError(message, file_, line, column));
+  void report(int line, int column, std::string_view code, ProblemValues values = {}) {
+    diagnostics_.push_back(error(code, std::move(values), file_, line, column));
   }
   void open(const YAML::Mark& mark, const std::string& tag, YamlNode::Kind kind) {
     Open entry;
@@ -129,29 +129,23 @@ class TreeBuilder : public YAML::EventHandler {
   void refuseMasses(const Open& parent, const YamlNode& next) {
     const std::size_t count = parent.node.items.size();
     if (parent.isAgents && count == kMostPeople) {
-      report(next.line, next.column,
-             "more than " + std::to_string(kMostPeople) + " people in agents: that is the most");
+      report(next.line, next.column, "yaml.too-many-people", {kMostPeople});
       throw Stop();
     }
     if (parent.node.isMap() && count == kMostKeys) {
-      report(next.line, next.column,
-             "more than " + std::to_string(kMostKeys) +
-                 " keys in one map: that is the most, of people " + std::to_string(kMostPeople));
+      report(next.line, next.column, "yaml.too-many-keys", {kMostKeys, kMostPeople});
       throw Stop();
     }
   }
   void takeKey(Open& parent, YamlNode key) {
     if (key.isMap() || key.isList()) {
-      report(key.line, key.column, "a list or map as a key");
+      report(key.line, key.column, "yaml.key-no-word");
     } else if (key.text.size() > kLongestKey) {
-      report(key.line, key.column,
-             "a key of " + std::to_string(key.text.size()) + " characters (is a quote missing?)");
+      report(key.line, key.column, "yaml.key-too-long", {key.text.size()});
     } else {
       const auto found = parent.keyLines.emplace(key.text, key.line);
       if (!found.second) {
-        report(key.line, key.column,
-               "key '" + key.text + "' stands here twice (first on line " +
-                   std::to_string(found.first->second) + ")");
+        report(key.line, key.column, "yaml.key-twice", {key.text, found.first->second});
       }
     }
     parent.key = std::move(key);
@@ -171,8 +165,8 @@ void parseInto(TreeBuilder& builder, const std::string& text, const std::string&
     parser.HandleNextDocument(builder);
     YamlNode first = std::move(builder.root);
     if (parser.HandleNextDocument(builder)) {
-      diagnostics.push_back(makeError("a second document (---): only one is read", file,
-                                      builder.root.line, builder.root.column));
+      diagnostics.push_back(
+          error("yaml.second-document", {}, file, builder.root.line, builder.root.column));
     }
     builder.root = std::move(first);
   } catch (const Stop&) {
@@ -180,8 +174,8 @@ void parseInto(TreeBuilder& builder, const std::string& text, const std::string&
   } catch (const YAML::Exception& problem) {
     // the library's word for lists in lists beyond its depth
     const bool deep = problem.msg == "bad file";
-    diagnostics.push_back(makeError("not valid YAML: " + (deep ? "nested too deeply" : problem.msg),
-                                    file, problem.mark.line + 1, problem.mark.column + 1));
+    diagnostics.push_back(error("yaml.not-valid", {deep ? "nested too deeply" : problem.msg}, file,
+                                problem.mark.line + 1, problem.mark.column + 1));
   }
 }
 
@@ -232,7 +226,7 @@ YamlNode stringNode(const std::string& text) {
 YamlNode parseYaml(std::string_view text, const std::string& file, Diagnostics& diagnostics) {
   const std::string clean = normalised(text);
   if (const int line = lineOfBinary(clean); line > 0) {
-    diagnostics.push_back(makeError("not a text file in UTF-8", file, line));
+    diagnostics.push_back(error("yaml.not-text", {}, file, line));
     return {};
   }
   const std::size_t before = diagnostics.size();

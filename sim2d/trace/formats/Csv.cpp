@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/ForeignReaders.h"
@@ -34,7 +35,7 @@ class CsvTracks {
 
   TrackFile read() {
     if (!reader_.next(row_)) {
-      input_.problems.push_back(base::makeError("is empty", input_.path));
+      input_.problems.push_back(base::error("tracks.file-empty", {}, input_.path));
       return {};
     }
     findColumns();
@@ -45,8 +46,7 @@ class CsvTracks {
     while (reader_.next(row_)) {
       const bool isEmpty = row_.size() == 1 && base::trimmed(row_.front().text).empty();
       if (!isEmpty && row_.size() != width) {
-        words_.error(wordOf(row_.size() - 1), "the line has " + std::to_string(row_.size()) +
-                                                  " fields instead of " + std::to_string(width));
+        words_.error(wordOf(row_.size() - 1), "trace.field-count", {row_.size(), width});
       } else if (!isEmpty) {
         readRow();
       }
@@ -65,35 +65,34 @@ class CsvTracks {
       const auto given = input_.options.columns.find(name);
       *column = columnNamed(isGiven(name) ? given->second : name);
       if (isGiven(name) && *column == kNone) {
-        missing("there is no column '" + given->second + "'" + nearestTo(given->second));
+        missing("tracks.unknown-column", {given->second, nearestTo(given->second)});
       }
     }
     if (time_ != kNone && !isGiven("frame")) {
       frame_ = kNone;
     }
     if (time_ == kNone && frame_ == kNone && !isGiven("time") && !isGiven("frame")) {
-      missing("no column of times (--columns time=NAME or frame=NAME)");
+      missing("tracks.no-times");
     }
     for (const auto& [name, column] :
          {std::pair<const char*, std::size_t>{"id", id_}, {"x", x_}, {"y", y_}}) {
       if (column == kNone && !isGiven(name)) {
-        missing("no column '" + std::string(name) + "' (--columns " + name + "=NAME)");
+        missing("tracks.no-column", {name});
       }
     }
     if ((vx_ == kNone) != (vy_ == kNone)) {
-      missing("vx and vy come together");
+      missing("tracks.half-velocity");
     }
   }
 
   bool isGiven(const std::string& name) const { return input_.options.columns.count(name) > 0; }
 
-  std::string nearestTo(const std::string& name) const {
+  std::optional<std::string> nearestTo(const std::string& name) const {
     std::vector<std::string> names;
     for (const CsvField& field : row_) {
       names.push_back(base::trimmed(field.text));
     }
-    const std::optional<std::string> meant = base::nearestName(name, names);
-    return meant ? " (did you mean '" + *meant + "'?)" : std::string();
+    return base::nearestName(name, names);
   }
 
   std::size_t columnNamed(const std::string& name) const {
@@ -105,8 +104,8 @@ class CsvTracks {
     return kNone;
   }
 
-  void missing(const std::string& message) {
-    input_.problems.push_back(base::makeError(message, input_.path, 1, 1));
+  void missing(const char* code, base::ProblemValues values = {}) {
+    input_.problems.push_back(base::error(code, std::move(values), input_.path, 1, 1));
   }
 
   Word wordOf(std::size_t column) const {
@@ -138,7 +137,7 @@ class CsvTracks {
       return;
     }
     if (body.id < 0 && !body.isRobot) {
-      words_.error(wordOf(id_), "a person's id must not be negative");
+      words_.error(wordOf(id_), "tracks.negative-person-id");
       return;
     }
     Track& track = tracks_[{body.isRobot, body.id}];
@@ -183,7 +182,7 @@ class CsvTracks {
     bool good = readOptional(group_, "the group", group);
     good = readOptional(radius_, "the radius", radius) && good;
     if (radius && !(*radius > 0.0)) {
-      words_.error(wordOf(radius_), "the radius must be above 0");
+      words_.error(wordOf(radius_), "tracks.bad-radius");
       good = false;
     }
     body.radius = radius.value_or(body.radius);
@@ -198,7 +197,7 @@ class CsvTracks {
     const std::string kind = base::lowered(wordOf(kind_).text);
     isRobot = kind == "robot";
     if (!isRobot && kind != "human" && kind != "person" && kind != "pedestrian") {
-      words_.error(wordOf(kind_), "kind must be human or robot, not '" + kind + "'");
+      words_.error(wordOf(kind_), "trace.bad-kind", {kind});
       return false;
     }
     return true;

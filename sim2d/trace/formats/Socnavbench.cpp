@@ -14,9 +14,7 @@ std::size_t rowOf(const ForeignInput& input, const char* name, std::size_t usual
   }
   const std::optional<long long> row = base::parseInt(found->second);
   if (!row || *row < 1 || *row > 4) {
-    input.problems.push_back(base::makeError(std::string("the column ") + name +
-                                             " of this format is a row, 1 to 4, not '" +
-                                             found->second + "'"));
+    input.problems.push_back(base::error("tracks.bad-row", {name, found->second}));
     return usual;
   }
   return static_cast<std::size_t>(*row) - 1;
@@ -34,8 +32,7 @@ TrackFile readSocnavbench(const ForeignInput& input) {
   const bool fits = rows.size() == 4 && rows[1].size() == rows[0].size() &&
                     rows[2].size() == rows[0].size() && rows[3].size() == rows[0].size();
   if (!fits) {
-    input.problems.push_back(
-        base::makeError("needs four lines of as many numbers each: frames, ids, x, y", input.path));
+    input.problems.push_back(base::error("tracks.four-lines", {}, input.path));
     return {};
   }
   const std::size_t frameRow = rowOf(input, "frame", 0);

@@ -38,8 +38,8 @@ class TrajnetReader {
   }
 
  private:
-  void error(int line, int column, const std::string& message) {
-    input_.problems.push_back(base::makeError(message, input_.path, line, column));
+  void error(int line, int column, const char* code) {
+    input_.problems.push_back(base::error(code, {}, input_.path, line, column));
   }
 
   void readLine(const std::string& text, int line) {
@@ -53,24 +53,24 @@ class TrajnetReader {
       } else if (json.is_object() && json.contains("scene")) {
         readScene(json["scene"], line);
       } else {
-        error(line, 1, "neither a scene nor a track");
+        error(line, 1, "tracks.no-scene");
       }
     } catch (const Json::parse_error& problem) {
-      error(line, static_cast<int>(problem.byte), "not valid JSON (cut or damaged file?)");
+      error(line, static_cast<int>(problem.byte), "trace.not-json");
     } catch (const Json::exception&) {
-      error(line, 1, "a number is out of range");
+      error(line, 1, "tracks.out-of-range");
     }
   }
 
   void readScene(const Json& scene, int line) {
     if (!scene.is_object()) {
-      error(line, 1, "a scene is an object");
+      error(line, 1, "tracks.bad-scene");
     } else if (scene.contains("fps")) {
       const double rate = scene["fps"].is_number() ? scene["fps"].get<double>() : 0.0;
       if (!(rate > 0.0) || !std::isfinite(rate)) {
-        error(line, 1, "fps of a scene must be a number above 0");
+        error(line, 1, "tracks.bad-rate");
       } else if (sceneRate_ > 0.0 && rate != sceneRate_) {
-        error(line, 1, "the scenes have different fps (give --fps)");
+        error(line, 1, "tracks.rates-differ");
       }
       sceneRate_ = rate;
     }
@@ -80,14 +80,14 @@ class TrajnetReader {
     const bool isWhole = track.is_object() && isInteger(track, "f") && isInteger(track, "p") &&
                          isNumber(track, "x") && isNumber(track, "y");
     if (!isWhole) {
-      error(line, 1, "a track needs whole numbers f and p and finite numbers x and y");
+      error(line, 1, "tracks.bad-track");
       return;
     }
     if (track.contains("prediction_number") && !track["prediction_number"].is_null()) {
       return;  // what a model guessed
     }
     if (track["p"].get<long long>() < 0) {
-      error(line, 1, "an id must not be negative");
+      error(line, 1, "tracks.negative-id");
       return;
     }
     tracks_.add(track["p"].get<int>(), track["f"].get<long long>(),

@@ -19,8 +19,7 @@ std::optional<Matrix3> readHomography(const ForeignInput& input) {
   const base::Result<std::string> text = base::readTextFile(path);
   if (!text) {
     base::append(input.problems, text.diagnostics());
-    input.problems.push_back(base::makeError(
-        "pixels become metres by the matrix of H.txt beside this file", input.path));
+    input.problems.push_back(base::error("tracks.no-matrix", {}, input.path));
     return std::nullopt;
   }
   WordReader words(path, input.problems);
@@ -33,12 +32,12 @@ std::optional<Matrix3> readHomography(const ForeignInput& input) {
       matrix[count][k] = words.finite(row[k], "an element of the matrix").value_or(0.0);
     }
     if (row.size() != 3 || count >= 3) {
-      words.error(row.front(), "the matrix has three lines of three numbers");
+      words.error(row.front(), "tracks.bad-matrix");
       return std::nullopt;
     }
   }
   if (count != 3) {
-    input.problems.push_back(base::makeError("the matrix has three lines of three numbers", path));
+    input.problems.push_back(base::error("tracks.bad-matrix", {}, path));
     return std::nullopt;
   }
   return matrix;
@@ -89,8 +88,7 @@ class VspReader {
     if (rows_.next(row_)) {
       return true;
     }
-    input_.problems.push_back(
-        base::makeError(std::string("ends before ") + what + " (cut file?)", input_.path));
+    input_.problems.push_back(base::error("tracks.cut", {what}, input_.path));
     return false;
   }
 
@@ -100,7 +98,7 @@ class VspReader {
     }
     const std::optional<long long> count = words_.whole(row_.front(), what);
     if (count && *count < 0) {
-      words_.error(row_.front(), std::string(what) + " is negative");
+      words_.error(row_.front(), "tracks.negative-count", {what});
       return std::nullopt;
     }
     return count;
@@ -113,7 +111,7 @@ class VspReader {
         return false;
       }
       if (row_.size() != 4) {
-        words_.error(row_.back(), "a control point has four numbers: x y frame gaze");
+        words_.error(row_.back(), "tracks.bad-control-point");
         return false;
       }
       const std::optional<double> x = words_.finite(row_[0], "x");
@@ -134,7 +132,7 @@ class VspReader {
     point.line = row_.front().line;
     point.column = row_.front().column;
     if (!position.allFinite()) {
-      words_.error(row_.front(), "the matrix puts this point nowhere");
+      words_.error(row_.front(), "tracks.nowhere");
       return;
     }
     track.points.push_back(point);

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "sim2d/base/Math.h"
+#include "sim2d/base/Problems.h"
 #include "sim2d/world/planners/RobotController.h"
 
 namespace sim2d {
@@ -172,9 +173,7 @@ base::Result<std::shared_ptr<RobotController>> makePursuit(const ResolvedRobot& 
   pursuitTable().set(parameters, robot.plannerParameters);
   if (parameters.lookahead <= 0.0 || parameters.stopDistance < 0.0 ||
       parameters.slowDistance < parameters.stopDistance) {
-    return base::makeError(
-        "robot '" + robot.name +
-        "': pursuit wants lookahead > 0 and slow_distance >= stop_distance >= 0");
+    return base::within("robot '" + robot.name + "'", base::error("world.bad-pursuit"));
   }
   return std::shared_ptr<RobotController>(std::make_shared<Pursuit>(robot, parameters));
 }

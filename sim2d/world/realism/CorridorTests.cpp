@@ -67,7 +67,7 @@ base::Result<Flow> playCorridor(TestScene& stage, double seconds) {
     return true;
   });
   if (!isPlayed) {
-    return base::makeError(stage.problem());
+    return base::error("run.not-played", {stage.problem()});
   }
   Flow flow;
   flow.speed = sums.speed / sums.people;
@@ -248,7 +248,7 @@ double weidmannSpeed(double density) {
 base::Result<Flow> corridorFlow(const RealismRun& run, const CorridorFlow& setting) {
   TestScene stage = corridorOf(run, setting);
   if (static_cast<int>(stage.actors().size()) < peopleIn(setting)) {
-    return base::makeError("so many people do not fit into the corridor");
+    return base::error("run.corridor-too-small");
   }
   return playCorridor(stage, setting.seconds);
 }

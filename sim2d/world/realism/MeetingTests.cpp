@@ -49,7 +49,7 @@ base::Result<Meeting> meet(TestScene& stage, double length, double speed) {
     return true;
   });
   if (!isPlayed) {
-    return base::makeError(stage.problem());
+    return base::error("run.not-played", {stage.problem()});
   }
   return meeting;
 }
@@ -137,7 +137,7 @@ base::Result<Walked> walkedWithStep(const RealismRun& run, double dt) {
     return true;
   });
   if (!isPlayed) {
-    return base::makeError(stage.problem());
+    return base::error("run.not-played", {stage.problem()});
   }
   return walked;
 }

@@ -133,7 +133,7 @@ base::Result<Door> passDoor(const RealismRun& run, double width, double dt) {
     return world.frame().humans.size() > 0;
   });
   if (!isPlayed) {
-    return base::makeError(stage.problem());
+    return base::error("run.not-played", {stage.problem()});
   }
   const auto left = static_cast<double>(kPeopleAtDoor) - static_cast<double>(gate.times().size());
   return Door{gate.flow(10, 85) / width, gate.longestGap(kPeopleAtDoor), left};
@@ -197,7 +197,7 @@ base::Result<std::vector<double>> rimea12(const RealismRun& run) {
     return out.times().size() < 120;
   });
   if (!isPlayed) {
-    return base::makeError(stage.problem());
+    return base::error("run.not-played", {stage.problem()});
   }
   return std::vector<double>{end.flow(20, 110) - out.flow(20, 110), most};
 }
@@ -233,7 +233,7 @@ base::Result<std::vector<double>> corner(const RealismRun& run) {
     return left > 0;
   });
   if (!isPlayed) {
-    return base::makeError(stage.problem());
+    return base::error("run.not-played", {stage.problem()});
   }
   return std::vector<double>{inWall, static_cast<double>(left)};
 }
@@ -279,7 +279,7 @@ base::Result<double> timeThrough(const RealismRun& run, bool isCorner, double le
     return world.frame().humans.size() > 0;
   });
   if (!isPlayed) {
-    return base::makeError(stage.problem());
+    return base::error("run.not-played", {stage.problem()});
   }
   return time;
 }
@@ -289,7 +289,7 @@ base::Result<std::vector<double>> rimea15(const RealismRun& run) {
   const base::Result<double> corner = timeThrough(run, true, 0.0);
   const base::Result<double> longer = timeThrough(run, false, 28.0);
   if (!shorter || !corner || !longer) {
-    return base::makeError("the corridors could not be played");
+    return base::error("run.corridors-not-played");
   }
   return std::vector<double>{*corner - *shorter, *longer - *corner};
 }

@@ -35,7 +35,7 @@ base::Result<double> speedAlone(const RealismRun& run, double desiredSpeed, doub
     return !isThrough;
   });
   if (!isPlayed) {
-    return base::makeError(stage.problem());
+    return base::error("run.not-played", {stage.problem()});
   }
   return kLength / time;
 }
@@ -140,7 +140,7 @@ base::Result<Shape> walkTogether(const RealismRun& run, int count) {
     return people.x[0] < 30.0;
   });
   if (!isPlayed) {
-    return base::makeError(stage.problem());
+    return base::error("run.not-played", {stage.problem()});
   }
   return Shape{shape.speed / samples, shape.distance / samples, shape.abreast / samples};
 }
@@ -150,7 +150,7 @@ base::Result<std::vector<double>> groups(const RealismRun& run) {
   const base::Result<Shape> pair = walkTogether(run, 2);
   const base::Result<Shape> three = walkTogether(run, 3);
   if (!alone || !pair || !three) {
-    return base::makeError("the groups could not be played");
+    return base::error("run.groups-not-played");
   }
   return std::vector<double>{pair->distance, pair->abreast, three->abreast,
                              pair->speed / alone->speed, three->speed / alone->speed};
@@ -231,7 +231,7 @@ base::Result<std::vector<double>> groupsInCrowd(const RealismRun& run) {
     return true;
   });
   if (!isPlayed) {
-    return base::makeError(stage.problem());
+    return base::error("run.not-played", {stage.problem()});
   }
   return std::vector<double>{depth / together, together / samples};
 }
