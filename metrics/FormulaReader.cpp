@@ -4,17 +4,15 @@
 #include <optional>
 #include <utility>
 
-#include <yaml-cpp/yaml.h>
-
 #include "sim2d/base/Text.h"
 
 namespace metrics {
 
-base::Diagnostic placed(base::Diagnostic problem, const YAML::Node& node, const std::string& file) {
-  const YAML::Mark mark = node.Mark();
+base::Diagnostic placed(base::Diagnostic problem, const base::YamlNode& node,
+                        const std::string& file) {
   problem.file = file;
-  problem.line = mark.is_null() ? 0 : mark.line + 1;
-  problem.column = mark.is_null() ? 0 : mark.column + 1;
+  problem.line = node.line;
+  problem.column = node.column;
   return problem;
 }
 
@@ -29,71 +27,72 @@ bool isKey(const std::string& key) {
 
 }  // namespace
 
-void FormulaReader::error(const YAML::Node& node, std::string_view code,
+void FormulaReader::error(const base::YamlNode& node, std::string_view code,
                           base::ProblemValues values) {
   problems_.push_back(placed(base::error(code, std::move(values)), node, name_));
 }
 
-void FormulaReader::readText(const YAML::Node& value, std::string& to) {
-  if (value.IsScalar()) {
-    to = value.Scalar();
+void FormulaReader::readText(const base::YamlNode& value, std::string& to) {
+  if (value.isScalar()) {
+    to = value.text;
   } else {
     error(value, "metrics.no-text");
   }
 }
 
-void FormulaReader::read(const YAML::Node& metrics, const YAML::Node& place) {
-  if (!metrics.IsDefined() || !metrics.IsMap()) {
+void FormulaReader::read(const base::YamlNode* metrics, const base::YamlNode& place) {
+  if (metrics == nullptr || !metrics->isMap()) {
     error(place, "metrics.no-formulas");
     return;
   }
-  for (const auto& entry : metrics) {
-    const auto key = entry.first.as<std::string>("");
+  for (const base::YamlNode& entry : metrics->items) {
+    const std::string& key = entry.key;
     const bool isTaken = registry_.find(key) != nullptr ||
                          std::any_of(own_.begin(), own_.end(), [&key](const MetricEntry& other) {
                            return other.info.key == key;
                          });
     if (isTaken) {
-      error(entry.first, "metrics.name-taken", {key});
+      error(keyNode(entry), "metrics.name-taken", {key});
     } else if (!isKey(key)) {
-      error(entry.first, "metrics.bad-key");
+      error(keyNode(entry), "metrics.bad-key");
     } else {
-      readFormula(key, entry.first, entry.second);
+      readFormula(key, keyNode(entry), entry);
     }
   }
 }
 
-void FormulaReader::readFormula(const std::string& key, const YAML::Node& place,
-                                const YAML::Node& value) {
+void FormulaReader::readFormula(const std::string& key, const base::YamlNode& place,
+                                const base::YamlNode& value) {
   UserMetric metric;
   metric.key = key;
-  if (!value.IsMap() || !value["expression"] || !value["expression"].IsScalar()) {
+  const base::YamlNode* expression = value.find("expression");
+  if (expression == nullptr || !expression->isScalar()) {
     error(place, "metrics.no-expression", {key});
     return;
   }
-  for (const auto& entry : value) {
-    const auto name = entry.first.as<std::string>("");
+  for (const base::YamlNode& entry : value.items) {
+    const std::string& name = entry.key;
     if (name == "expression") {
-      metric.expression = entry.second.Scalar();
+      metric.expression = entry.text;
     } else if (name == "name") {
-      readText(entry.second, metric.name);
+      readText(entry, metric.name);
     } else if (name == "unit") {
-      readText(entry.second, metric.unit);
+      readText(entry, metric.unit);
     } else if (name == "better") {
-      readBetter(entry.second, metric.better);
+      readBetter(entry, metric.better);
     } else {
       problems_.push_back(placed(
           base::warning("metrics.unknown-key",
                         {name, base::nearestName(name, {"expression", "name", "unit", "better"})}),
-          entry.first, name_));
+          keyNode(entry), name_));
     }
   }
-  addFormula(metric, value["expression"]);
+  addFormula(metric, *expression);
 }
 
-void FormulaReader::readBetter(const YAML::Node& value, Better& better) {
+void FormulaReader::readBetter(const base::YamlNode& value, Better& better) {
   for (const Better candidate : {Better::Lower, Better::Higher, Better::Neutral}) {
-    if (value.IsScalar() && value.Scalar() == betterName(candidate)) {
+    if (value.isScalar() && value.text == betterName(candidate)) {
       better = candidate;
       return;
     }
@@ -102,17 +101,16 @@ void FormulaReader::readBetter(const YAML::Node& value, Better& better) {
 }
 
 /// Problems get the place in this file: formulas stand on one line, in quotes or not.
-void FormulaReader::addFormula(const UserMetric& metric, const YAML::Node& text) {
+void FormulaReader::addFormula(const UserMetric& metric, const base::YamlNode& text) {
   const base::Result<MetricEntry> entry = entryOf(metric);
   if (entry) {
     own_.push_back(*entry);
   }
-  const YAML::Mark mark = text.Mark();
-  const int quote = text.Tag() == "!" ? 1 : 0;
+  const int quote = text.quoted && text.tag.empty() ? 1 : 0;
   for (base::Diagnostic problem : entry.diagnostics()) {
     problem.file = name_;
-    problem.line = mark.line + 1;
-    problem.column += mark.column + quote;
+    problem.line = text.line;
+    problem.column += text.column - 1 + quote;
     problems_.push_back(problem);
   }
 }

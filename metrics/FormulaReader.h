@@ -5,10 +5,7 @@
 #include <vector>
 
 #include "metrics/Expression.h"
-
-namespace YAML {
-class Node;
-}
+#include "sim2d/base/yaml/YamlTree.h"
 
 namespace metrics {
 
@@ -19,14 +16,15 @@ class FormulaReader {
                 base::Diagnostics& problems)
       : name_(std::move(file)), registry_(registry), own_(own), problems_(problems) {}
   /// `place`: where a missing map is told.
-  void read(const YAML::Node& metrics, const YAML::Node& place);
+  void read(const base::YamlNode* metrics, const base::YamlNode& place);
 
  private:
-  void error(const YAML::Node& node, std::string_view code, base::ProblemValues values = {});
-  void readText(const YAML::Node& value, std::string& to);
-  void readFormula(const std::string& key, const YAML::Node& place, const YAML::Node& value);
-  void readBetter(const YAML::Node& value, Better& better);
-  void addFormula(const UserMetric& metric, const YAML::Node& text);
+  void error(const base::YamlNode& node, std::string_view code, base::ProblemValues values = {});
+  void readText(const base::YamlNode& value, std::string& to);
+  void readFormula(const std::string& key, const base::YamlNode& place,
+                   const base::YamlNode& value);
+  void readBetter(const base::YamlNode& value, Better& better);
+  void addFormula(const UserMetric& metric, const base::YamlNode& text);
 
   std::string name_;
   const MetricRegistry& registry_;
@@ -35,6 +33,7 @@ class FormulaReader {
 };
 
 /// The problem with the place of the node.
-base::Diagnostic placed(base::Diagnostic problem, const YAML::Node& node, const std::string& file);
+base::Diagnostic placed(base::Diagnostic problem, const base::YamlNode& node,
+                        const std::string& file);
 
 }  // namespace metrics

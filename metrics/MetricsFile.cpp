@@ -3,8 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include <yaml-cpp/yaml.h>
-
 #include "metrics/FormulaReader.h"
 #include "metrics/Report.h"
 #include "sim2d/base/Text.h"
@@ -12,6 +10,8 @@
 namespace metrics {
 
 namespace {
+
+using base::YamlNode;
 
 constexpr char kOwnNode[] = "hunavsim_metrics";
 
@@ -45,23 +45,23 @@ class FileReader {
     file_.selection.keys.emplace();
   }
 
-  base::Result<MetricsFile> read(const YAML::Node& root) {
-    const bool hasOwn = root.IsMap() && root[kOwnNode];
-    if (hasOwn) {
+  base::Result<MetricsFile> read(const YamlNode& root) {
+    const YamlNode* own = root.find(kOwnNode);
+    if (own != nullptr) {
       FormulaReader(name_, registry_, file_.selection.own, problems_)
-          .read(root[kOwnNode]["ros__parameters"], root[kOwnNode]);
+          .read(own->find("ros__parameters"), *own);
     }
-    if (hasOwn && root.size() == 1) {
+    if (own != nullptr && root.items.size() == 1) {
       file_.selection.keys.reset();
       return finished();
     }
-    const YAML::Node parameters = find(root);
-    if (!parameters.IsMap()) {
+    const YamlNode& parameters = find(root);
+    if (!parameters.isMap()) {
       error(root, "metrics.no-parameters");
       return problems_;
     }
-    for (const auto& entry : parameters) {
-      readEntry(entry.first.as<std::string>(""), entry.second);
+    for (const YamlNode& entry : parameters.items) {
+      readEntry(entry.key, entry);
     }
     return finished();
   }
@@ -74,28 +74,25 @@ class FileReader {
     return {std::move(file_), std::move(problems_)};
   }
 
-  void error(const YAML::Node& node, std::string_view code, base::ProblemValues values = {}) {
+  void error(const YamlNode& node, std::string_view code, base::ProblemValues values = {}) {
     problems_.push_back(placed(base::error(code, std::move(values)), node, name_));
   }
-  void warn(const YAML::Node& node, std::string_view code, base::ProblemValues values) {
+  void warn(const YamlNode& node, std::string_view code, base::ProblemValues values) {
     problems_.push_back(placed(base::warning(code, std::move(values)), node, name_));
   }
 
   /// Parameters of the node; a file may also hold them without the two outer keys.
-  static YAML::Node find(const YAML::Node& root) {
-    if (!root.IsMap()) {
-      return root;
-    }
-    for (const auto& entry : root) {
-      const bool isOwn = entry.first.IsScalar() && entry.first.Scalar() == kOwnNode;
-      if (!isOwn && entry.second.IsMap() && entry.second["ros__parameters"]) {
-        return entry.second["ros__parameters"];
+  static const YamlNode& find(const YamlNode& root) {
+    for (const YamlNode& entry : root.items) {
+      const YamlNode* parameters = entry.find("ros__parameters");
+      if (root.isMap() && entry.key != kOwnNode && parameters != nullptr) {
+        return *parameters;
       }
     }
     return root;
   }
 
-  void readEntry(const std::string& key, const YAML::Node& value) {
+  void readEntry(const std::string& key, const YamlNode& value) {
     if (key == "metrics") {
       readMetrics(value);
     } else if (key == "frequency") {
@@ -107,7 +104,7 @@ class FileReader {
     } else if (key == "use_sim_time") {
       file_.useSimTime = readBool(value, key);
     } else if (key == "run_id") {
-      file_.selection.runId = static_cast<int>(base::parseInt(value.Scalar()).value_or(0));
+      file_.selection.runId = static_cast<int>(base::parseInt(value.text).value_or(0));
     } else if (!isIgnored(key)) {
       warn(
           value, "metrics.unknown-key",
@@ -122,17 +119,17 @@ class FileReader {
                        [&key](const char* known) { return key == known; });
   }
 
-  void readText(const YAML::Node& value, std::string& to) {
-    if (value.IsScalar()) {
-      to = value.Scalar();
+  void readText(const YamlNode& value, std::string& to) {
+    if (value.isScalar()) {
+      to = value.text;
     } else {
       error(value, "metrics.no-text");
     }
   }
 
-  void readFrequency(const YAML::Node& value) {
+  void readFrequency(const YamlNode& value) {
     const std::optional<double> frequency =
-        value.IsScalar() ? base::parseDouble(value.Scalar()) : std::nullopt;
+        value.isScalar() ? base::parseDouble(value.text) : std::nullopt;
     if (!frequency || !std::isfinite(*frequency) || *frequency < 0.0) {
       error(value, "metrics.bad-frequency");
       return;
@@ -140,8 +137,8 @@ class FileReader {
     file_.selection.window.frequency = *frequency;
   }
 
-  bool readBool(const YAML::Node& value, const std::string& key) {
-    const std::string text = value.IsScalar() ? base::lowered(value.Scalar()) : "";
+  bool readBool(const YamlNode& value, const std::string& key) {
+    const std::string text = value.isScalar() ? base::lowered(value.text) : "";
     if (text == "true" || text == "false") {
       return text == "true";
     }
@@ -149,31 +146,31 @@ class FileReader {
     return false;
   }
 
-  void readMetrics(const YAML::Node& value) {
-    if (value.IsSequence()) {  // the first version listed the names
+  void readMetrics(const YamlNode& value) {
+    if (value.isList()) {  // the first version listed the names
       for (const MetricEntry& entry : registry_.entries()) {
         turnOn(entry.info, false, *file_.selection.keys);
       }
-      for (const auto& item : value) {
-        turnKey(item, item.IsScalar() ? item.Scalar() : "", true);
+      for (const YamlNode& item : value.items) {
+        turnKey(item, item.isScalar() ? item.text : "", true);
       }
       return;
     }
-    if (!value.IsMap()) {
+    if (!value.isMap()) {
       error(value, "metrics.no-map");
       return;
     }
     std::set<std::string> seen;
-    for (const auto& entry : value) {
-      const auto key = entry.first.as<std::string>("");
+    for (const YamlNode& entry : value.items) {
+      const std::string& key = entry.key;
       if (!seen.insert(key).second) {
-        error(entry.first, "metrics.key-twice", {key});
+        error(keyNode(entry), "metrics.key-twice", {key});
       }
-      turnKey(entry.first, key, readBool(entry.second, key));
+      turnKey(keyNode(entry), key, readBool(entry, key));
     }
   }
 
-  void turnKey(const YAML::Node& place, const std::string& key, bool on) {
+  void turnKey(const YamlNode& place, const std::string& key, bool on) {
     const MetricEntry* entry = registry_.find(key);
     if (entry == nullptr || !entry->info.partOf.empty()) {
       warn(place, "metrics.unknown-metric",
@@ -216,15 +213,18 @@ base::Result<Selection> selectionOfKeys(const std::vector<std::string>& keys,
 
 base::Result<MetricsFile> parseMetricsFile(const std::string& text, const std::string& name,
                                            const MetricRegistry& registry) {
-  try {
-    return FileReader(name, registry).read(YAML::Load(text));
-  } catch (const YAML::ParserException& exception) {
-    const bool known = !exception.mark.is_null();
-    return base::error("metrics.not-yaml", {exception.msg}, name,
-                       known ? exception.mark.line + 1 : 0, known ? exception.mark.column + 1 : 0);
-  } catch (const YAML::Exception& exception) {
-    return base::error("metrics.not-yaml", {exception.msg}, name);
+  base::Diagnostics problems;
+  const YamlNode root = base::parseYaml(text, name, problems);
+  for (const base::Diagnostic& problem : problems) {
+    // a second document is not read, repeated keys are told where they matter
+    if (problem.code != "yaml.second-document" && problem.code != "yaml.key-twice" &&
+        problem.code != "yaml.key-no-word") {
+      const std::string reason = problem.value("reason");
+      return base::error("metrics.not-yaml", {reason.empty() ? problem.message : reason}, name,
+                         problem.line, problem.column);
+    }
   }
+  return FileReader(name, registry).read(root);
 }
 
 base::Result<MetricsFile> readMetricsFile(const std::string& path, const MetricRegistry& registry) {

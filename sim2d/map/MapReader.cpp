@@ -11,10 +11,9 @@
 #include <system_error>
 #include <utility>
 
-#include <yaml-cpp/yaml.h>
-
 #include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/map/Pgm.h"
 
 namespace sim2d {
@@ -25,6 +24,7 @@ constexpr double kFinest = 0.001, kCoarsest = 10.0;  // [m/pixel]
 constexpr double kFarthest = 1e6;                    // [m]
 
 namespace fs = std::filesystem;
+using base::YamlNode;
 
 const std::vector<std::string>& mapKeys() {
   static const std::vector<std::string> keys = {
@@ -38,14 +38,14 @@ class DescriptionReader {
   explicit DescriptionReader(std::string file) : file_(std::move(file)) {}
 
   void read(const std::string& text) {
-    try {
-      root_ = YAML::Load(text);
-    } catch (const YAML::Exception& exception) {
-      error("map.not-yaml", {exception.msg}, exception.mark);
+    base::Diagnostics problems;
+    root_ = base::parseYaml(text, file_, problems);
+    takeProblems(problems);
+    if (!isReadable_) {
       return;
     }
-    if (!root_.IsMap()) {
-      error("map.no-keys", {}, root_.IsNull() ? YAML::Mark::null_mark() : root_.Mark());
+    if (!root_.isMap()) {
+      error("map.no-keys", {}, root_.isNull() ? YamlNode() : root_);
       return;
     }
     checkKeys();
@@ -61,142 +61,144 @@ class DescriptionReader {
   const base::Diagnostics& diagnostics() const { return diagnostics_; }
   /// With the place of the image's name.
   base::Diagnostic atImage(base::Diagnostic problem, const std::string& image) const {
-    return base::within("image '" + image + "'", located(std::move(problem), imageMark_));
+    return base::within("image '" + image + "'", located(std::move(problem), imagePlace_));
   }
 
  private:
-  base::Diagnostic located(base::Diagnostic diagnostic, const YAML::Mark& mark) const {
+  base::Diagnostic located(base::Diagnostic diagnostic, const YamlNode& at) const {
     diagnostic.file = file_;
-    diagnostic.line = mark.is_null() ? 0 : mark.line + 1;
-    diagnostic.column = mark.is_null() ? 0 : mark.column + 1;
+    diagnostic.line = at.line;
+    diagnostic.column = at.column;
     return diagnostic;
   }
 
-  void error(std::string_view code, base::ProblemValues values, const YAML::Mark& mark) {
-    diagnostics_.push_back(located(base::error(code, std::move(values)), mark));
+  void error(std::string_view code, base::ProblemValues values, const YamlNode& at) {
+    diagnostics_.push_back(located(base::error(code, std::move(values)), at));
   }
-  void warning(std::string_view code, base::ProblemValues values, const YAML::Mark& mark) {
-    diagnostics_.push_back(located(base::warning(code, std::move(values)), mark));
+  void warning(std::string_view code, base::ProblemValues values, const YamlNode& at) {
+    diagnostics_.push_back(located(base::warning(code, std::move(values)), at));
+  }
+
+  /// What is wrong with the text, in the words of map files. A second document is not read.
+  void takeProblems(const base::Diagnostics& problems) {
+    for (const base::Diagnostic& problem : problems) {
+      YamlNode at;
+      at.line = problem.line;
+      at.column = problem.column;
+      if (problem.code == "yaml.key-no-word") {
+        error("map.key-no-word", {}, at);
+      } else if (problem.code != "yaml.key-twice" && problem.code != "yaml.second-document") {
+        const std::string reason = problem.value("reason");
+        error("map.not-yaml", {reason.empty() ? problem.message : reason}, at);
+        isReadable_ = false;
+      }
+    }
   }
 
   void checkKeys() {
     std::set<std::string> seen;
-    for (const auto& entry : root_) {
-      if (!entry.first.IsScalar()) {
-        error("map.key-no-word", {}, entry.first.Mark());
+    for (const YamlNode& item : root_.items) {
+      const YamlNode at = keyNode(item);
+      if (!seen.insert(item.key).second) {
+        error("map.key-twice", {item.key}, at);
         continue;
       }
-      const std::string key = entry.first.Scalar();
-      if (!seen.insert(key).second) {
-        error("map.key-twice", {key}, entry.first.Mark());
-        continue;
-      }
-      const std::optional<std::string> near = base::nearestName(key, mapKeys());
-      if (!near || *near != key) {
-        warning("map.unknown-key", {key, near}, entry.first.Mark());
+      const std::optional<std::string> near = base::nearestName(item.key, mapKeys());
+      if (!item.key.empty() && (!near || *near != item.key)) {
+        warning("map.unknown-key", {item.key, near}, at);
       }
     }
     for (const std::string& key : mapKeys()) {
       if (seen.count(key) == 0 && key != "mode") {
-        error("map.key-missing", {key}, YAML::Mark::null_mark());
+        error("map.key-missing", {key}, {});
       }
     }
   }
 
-  /// The value of a key; none when it is missing, which checkKeys has said.
-  std::optional<YAML::Node> find(const std::string& key) const {
-    for (const auto& entry : root_) {
-      if (entry.first.IsScalar() && entry.first.Scalar() == key) {
-        return entry.second;
-      }
-    }
-    return std::nullopt;
-  }
-
-  std::optional<double> number(const YAML::Node& node, const char* key) {
+  std::optional<double> number(const YamlNode& node, const char* key) {
     const std::optional<double> value =
-        node.IsScalar() ? base::parseDouble(node.Scalar()) : std::nullopt;
+        node.isScalar() ? base::parseDouble(node.text) : std::nullopt;
     if (!value || !std::isfinite(*value)) {
-      error(node.IsScalar() ? "map.not-a-number" : "map.no-number",
-            node.IsScalar() ? base::ProblemValues{key, node.Scalar()} : base::ProblemValues{key},
-            node.Mark());
+      error(node.isScalar() ? "map.not-a-number" : "map.no-number",
+            node.isScalar() ? base::ProblemValues{key, node.text} : base::ProblemValues{key}, node);
       return std::nullopt;
     }
     return value;
   }
 
   void readImage() {
-    const std::optional<YAML::Node> node = find("image");
+    const YamlNode* node = root_.find("image");
     if (!node) {
       return;
     }
-    imageMark_ = node->Mark();
-    if (!node->IsScalar() || node->Scalar().empty()) {
-      error("map.no-image-name", {}, node->Mark());
+    imagePlace_.line = node->line;
+    imagePlace_.column = node->column;
+    if (!node->isScalar() || node->text.empty()) {
+      error("map.no-image-name", {}, *node);
       return;
     }
-    description_.image = node->Scalar();
+    description_.image = node->text;
   }
 
   void readResolution() {
-    const std::optional<YAML::Node> node = find("resolution");
+    const YamlNode* node = root_.find("resolution");
     const std::optional<double> value = node ? number(*node, "resolution") : std::nullopt;
     if (value && *value <= 0.0) {
-      error("map.resolution-not-positive", {node->Scalar()}, node->Mark());
+      error("map.resolution-not-positive", {node->text}, *node);
     } else if (value && !(*value >= kFinest && *value <= kCoarsest)) {
-      error("map.resolution-out-of-range", {node->Scalar()}, node->Mark());
+      error("map.resolution-out-of-range", {node->text}, *node);
     } else if (value) {
       description_.resolution = *value;
     }
   }
 
   void readOrigin() {
-    const std::optional<YAML::Node> node = find("origin");
+    const YamlNode* node = root_.find("origin");
     if (!node) {
       return;
     }
-    if (!node->IsSequence() || node->size() != 3) {
-      error("map.bad-origin", {}, node->Mark());
+    if (!node->isList() || node->items.size() != 3) {
+      error("map.bad-origin", {}, *node);
       return;
     }
     std::array<double, 3> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const std::optional<double> value = number((*node)[i], "origin");
+      const std::optional<double> value = number(node->items[i], "origin");
       if (!value) {
         return;
       }
       values[i] = *value;
     }
     if (std::fabs(values[0]) > kFarthest || std::fabs(values[1]) > kFarthest) {
-      error("map.origin-too-far", {}, node->Mark());
+      error("map.origin-too-far", {}, *node);
       return;
     }
     description_.origin.position = {values[0], values[1]};
     description_.origin.heading = base::wrapToPi(values[2]);
     if (values[2] != 0.0) {
-      warning("map.turned", {values[2]}, (*node)[2].Mark());
+      warning("map.turned", {values[2]}, node->items[2]);
     }
   }
 
   void readNegate() {
-    const std::optional<YAML::Node> node = find("negate");
+    const YamlNode* node = root_.find("negate");
     if (!node) {
       return;
     }
-    const std::string word = node->IsScalar() ? base::lowered(node->Scalar()) : std::string();
+    const std::string word = node->isScalar() ? base::lowered(node->text) : std::string();
     const std::optional<long long> value = base::parseInt(word);
     if (value) {
       description_.negate = *value != 0;
     } else if (word == "true" || word == "yes" || word == "on") {
       description_.negate = true;
     } else if (word != "false" && word != "no" && word != "off") {
-      error("map.bad-negate", {}, node->Mark());
+      error("map.bad-negate", {}, *node);
     }
   }
 
   void readThresholds() {
-    const std::optional<YAML::Node> occupied = find("occupied_thresh");
-    const std::optional<YAML::Node> free = find("free_thresh");
+    const YamlNode* occupied = root_.find("occupied_thresh");
+    const YamlNode* free = root_.find("free_thresh");
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     const double high = occupied ? number(*occupied, "occupied_thresh").value_or(kNone) : kNone;
     const double low = free ? number(*free, "free_thresh").value_or(kNone) : kNone;
@@ -204,7 +206,7 @@ class DescriptionReader {
       return;
     }
     if (low < 0.0 || low >= high || high > 1.0) {
-      error("map.bad-thresholds", {low, high}, free->Mark());
+      error("map.bad-thresholds", {low, high}, *free);
       return;
     }
     description_.occupiedThreshold = high;
@@ -212,11 +214,11 @@ class DescriptionReader {
   }
 
   void readMode() {
-    const std::optional<YAML::Node> node = find("mode");
+    const YamlNode* node = root_.find("mode");
     if (!node) {
       return;
     }
-    const std::string word = node->IsScalar() ? base::lowered(node->Scalar()) : std::string();
+    const std::string word = node->isScalar() ? base::lowered(node->text) : std::string();
     if (word == "trinary") {
       description_.mode = MapMode::Trinary;
     } else if (word == "scale") {
@@ -224,13 +226,14 @@ class DescriptionReader {
     } else if (word == "raw") {
       description_.mode = MapMode::Raw;
     } else {
-      error("map.bad-mode", {}, node->Mark());
+      error("map.bad-mode", {}, *node);
     }
   }
 
   std::string file_;
-  YAML::Node root_;
-  YAML::Mark imageMark_ = YAML::Mark::null_mark();
+  YamlNode root_;
+  YamlNode imagePlace_;
+  bool isReadable_ = true;
   MapDescription description_;
   base::Diagnostics diagnostics_;
 };

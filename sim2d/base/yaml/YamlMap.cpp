@@ -255,10 +255,7 @@ UnknownKeys YamlMap::takeUnknown() {
       continue;
     }
     const auto near = nearestName(item.key, {known_.begin(), known_.end()});
-    YamlNode at;
-    at.line = item.keyLine;
-    at.column = item.keyColumn;
-    report_.add(at,
+    report_.add(keyNode(item),
                 near ? base::warning("yaml.unknown-key", {item.key, path_, near})
                      : base::warning("yaml.unknown-key-kept", {item.key, path_}),
                 entity_);

@@ -210,6 +210,13 @@ YamlNode& YamlNode::child(const std::string& name) {
   return items.back();
 }
 
+YamlNode keyNode(const YamlNode& value) {
+  YamlNode node = scalarNode(value.key);
+  node.line = value.keyLine;
+  node.column = value.keyColumn;
+  return node;
+}
+
 YamlNode scalarNode(std::string text) {
   YamlNode node;
   node.kind = YamlNode::Kind::Scalar;

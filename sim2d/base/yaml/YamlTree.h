@@ -35,6 +35,8 @@ struct YamlNode {
   YamlNode& child(const std::string& name);
 };
 
+/// The key of a value of a map, as a node at its place.
+YamlNode keyNode(const YamlNode& value);
 YamlNode scalarNode(std::string text);         // plain text as it stands (numbers, true, false)
 YamlNode stringNode(const std::string& text);  // quoted where YAML 1.1 would read something else
 
