@@ -488,6 +488,7 @@ constexpr ProblemText kTexts[] = {
     {"yaml.too-many-people", "more than {most} people in agents: that is the most"},
     {"yaml.too-many-keys",
      "more than {most} keys in one map: that is the most, of people {people}"},
+    {"yaml.alias", "an alias (*name): ROS 2 does not read them, write the value"},
     {"yaml.key-no-word", "a list or map as a key"},
     {"yaml.key-too-long", "a key of {length} characters (is a quote missing?)"},
     {"yaml.key-twice", "key '{key}' stands here twice (first on line {line})"},

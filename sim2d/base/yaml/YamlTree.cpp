@@ -44,7 +44,7 @@ class TreeBuilder : public YAML::EventHandler {
   void OnNull(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) override { add(nodeAt(mark)); }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) override {
     YamlNode node = nodeAt(mark);
-    report(node.line, node.column, "an alias (*name): ROS 2 does not read them, write the value");
+    report(node.line, node.column, "yaml.alias");
     add(std::move(node));
   }
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t /*anchor*/,
