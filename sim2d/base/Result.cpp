@@ -156,12 +156,4 @@ Diagnostic elsewhere(const std::string& where, Diagnostic problem) {
   return problem;
 }
 
-Diagnostic makeError(std::string message, std::string file, int line, int column) {
-  return make(Severity::Error, std::move(message), std::move(file), line, column);
-}
-
-Diagnostic makeWarning(std::string message, std::string file, int line, int column) {
-  return make(Severity::Warning, std::move(message), std::move(file), line, column);
-}
-
 }  // namespace base

@@ -60,8 +60,6 @@ Diagnostic problem(Severity severity, std::string_view code, ProblemValues value
 const char* severityName(Severity severity);  // "info", "warning", "error"
 bool hasErrors(const Diagnostics& diagnostics);
 void append(Diagnostics& to, const Diagnostics& more);
-Diagnostic makeError(std::string message, std::string file = {}, int line = 0, int column = 0);
-Diagnostic makeWarning(std::string message, std::string file = {}, int line = 0, int column = 0);
 
 /// A value with warnings, or no value with at least one error.
 template <class T>
