@@ -6,6 +6,23 @@
 using namespace sim2d;
 using namespace scenariotest;
 
+namespace {
+
+/// The scenario knows no planners; the world hands in what they declare.
+KnownNames knownNames() {
+  KnownNames names;
+  for (const char* key : {"lookahead", "slow_distance", "stop_distance"}) {
+    base::ParameterSpec spec;
+    spec.key = key;
+    spec.unit = "m";
+    spec.range = base::kNotNegative;
+    names.plannerParameters["pursuit"].push_back(spec);
+  }
+  return names;
+}
+
+}  // namespace
+
 /// Every file of data/scenario/bad has its diagnostics beside it, line by line: what the reader
 /// says and, if it could read, what the check of the meaning says.
 class ScenarioErrorsTest : public QObject {
@@ -26,7 +43,8 @@ class ScenarioErrorsTest : public QObject {
     base::Diagnostics said = reading.diagnostics;
     if (reading.ok()) {
       const Surroundings surroundings = makeSurroundings(reading.scenario, OccupancyGrid());
-      base::append(said, checkScenario(reading.scenario, surroundings, name.toStdString()));
+      base::append(said,
+                   checkScenario(reading.scenario, surroundings, name.toStdString(), knownNames()));
     }
     addLines(said, reading.lines);
     const QString expected =
