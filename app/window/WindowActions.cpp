@@ -48,7 +48,7 @@ void WindowActions::makeFileActions() {
                     tr("A new scenario on a map of the navigation stack"));
   open = make(tr("&Open…"), QStringLiteral("file-open"), QKeySequence::Open,
               tr("Open a scenario or a map"));
-  openRun = make(tr("Open &run…"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O),
+  openRun = make(tr("Open r&un…"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O),
                  tr("Look at a recorded run: the folder that `run` has written"));
   save = make(tr("&Save"), QStringLiteral("file-save"), QKeySequence::Save,
               tr("Save the scenario and its behaviour trees"));

@@ -342,7 +342,7 @@ app::Bundle ScenarioDocument::bundle() const {
   bundle.map = mapIsMissing_ ? nullptr : map_;
   bundle.lines = disk_->lines;
   bundle.remarks = loadDiagnostics_;
-  base::append(bundle.remarks, disk_->isBeginning ? base::Diagnostics() : mapProblems_);
+  base::append(bundle.remarks, mapProblemsToTell());
   if (isReadOnly() && !base::hasErrors(bundle.remarks)) {  // what was wrong is told no more
     bundle.remarks.push_back(base::error("document.run-in-part", {}, bundle.path));
   }

@@ -228,11 +228,15 @@ QString ScenarioDocument::displayName() const {
   return path_.isEmpty() ? tr("Untitled") : QFileInfo(path_).fileName();
 }
 
+base::Diagnostics ScenarioDocument::mapProblemsToTell() const {
+  // in a file that was read in part the map may be named further on
+  const bool isScenario = !disk_->readOnly || (!disk_->isBeginning && !scenario_.humans.empty());
+  return isScenario ? mapProblems_ : base::Diagnostics();
+}
+
 base::Diagnostics ScenarioDocument::issues() const {
   base::Diagnostics all = loadDiagnostics_;
-  if (!disk_->isBeginning) {  // else it may be named further on
-    base::append(all, mapProblems_);
-  }
+  base::append(all, mapProblemsToTell());
   base::append(all, checkIssues_);
   return all;
 }

@@ -154,6 +154,7 @@ class ScenarioDocument : public QObject {
   void issuesChanged(const base::Diagnostics& issues);
 
  private:
+  base::Diagnostics mapProblemsToTell() const;
   void replaceAll(sim2d::Scenario scenario);
   void replaced();  // by another file or nothing: tells of everything
   void endStep();

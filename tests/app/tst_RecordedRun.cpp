@@ -1,4 +1,3 @@
-#include <QCryptographicHash>
 #include <QImage>
 #include <QtTest>
 
@@ -24,7 +23,7 @@ QString runOfDemo(const QTemporaryDir& folder, const QString& scenario = quiet::
 }
 
 /// The canvas with everything that a folder records, as if all states so far had been shown.
-QByteArray pictureAt(MainWindow& window, std::int64_t step) {
+QImage pictureAt(MainWindow& window, std::int64_t step) {
   app::Workspace& workspace = window.workspace();
   const sim2d::Recording& recording = *workspace.runner().recording();
   const std::size_t last = recording.indexAt(step);
@@ -32,11 +31,27 @@ QByteArray pictureAt(MainWindow& window, std::int64_t step) {
     workspace.scene().showFrame(recording.frame(k));
   }
   QTest::qWait(5);
-  const QImage picture =
-      workspace.view().viewport()->grab().toImage().convertToFormat(QImage::Format_RGB32);
-  return QCryptographicHash::hash(
-      QByteArray(reinterpret_cast<const char*>(picture.constBits()), int(picture.sizeInBytes())),
-      QCryptographicHash::Sha1);
+  return workspace.view().viewport()->grab().toImage().convertToFormat(QImage::Format_RGB32);
+}
+
+constexpr int kRounding = 6;  // of 255, where names blend with what is below them
+
+/// The same to the eye.
+bool isSamePicture(const QImage& a, const QImage& b) {
+  if (a.size() != b.size()) {
+    return false;
+  }
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) {
+      const QRgb one = a.pixel(x, y), other = b.pixel(x, y);
+      if (std::abs(qRed(one) - qRed(other)) > kRounding ||
+          std::abs(qGreen(one) - qGreen(other)) > kRounding ||
+          std::abs(qBlue(one) - qBlue(other)) > kRounding) {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 /// What the nodes returned, by person and name; those not ticked yet are left out.
@@ -86,7 +101,7 @@ class RecordedRunTest : public QObject {
     QVERIFY(recorded->open(path));
     hideWhatIsNotRecorded(*recorded);
     editor::SimulationRunner& runner = live->workspace().runner();
-    QSet<QByteArray> pictures;
+    QImage before;
     for (int instant = 1; instant <= kInstants; ++instant) {
       const std::int64_t step = instant * kStepsBetween;
       for (int k = 0; k < kStepsBetween; ++k) {
@@ -95,13 +110,14 @@ class RecordedRunTest : public QObject {
       QTRY_VERIFY_WITH_TIMEOUT(runner.newestFrame() && runner.newestFrame()->step == step, 20000);
       recorded->workspace().runner().seek(step);
       QCOMPARE(recorded->workspace().runner().shownFrame()->step, step);
-      const QByteArray expected = pictureAt(*live, step);
-      QVERIFY2(pictureAt(*recorded, step) == expected, qPrintable(QString::number(step)));
-      pictures.insert(expected);
+      const QImage expected = pictureAt(*live, step);
+      QVERIFY2(isSamePicture(pictureAt(*recorded, step), expected),
+               qPrintable(QString::number(step)));
+      QVERIFY(!isSamePicture(before, expected));  // something moved
+      before = expected;
       QVERIFY(treesAt(*recorded, step) == treesAt(*live, step));
       QCOMPARE(eventsUpTo(*recorded, step), eventsUpTo(*live, step));
     }
-    QCOMPARE(pictures.size(), kInstants);  // something moved
     QTRY_VERIFY_WITH_TIMEOUT(recorded->workspace().feed().isCurrent(), 20000);
     QCOMPARE(recorded->workspace().feed().snapshot().frames, std::size_t{211});
     quiet::leave(live);

@@ -189,7 +189,7 @@ class HumanTreeBehaviorTest : public QObject {
   void q08_d06_missingFile_isAnErrorBeforeTheFirstTick() {
     Run run;
     run.add(1, {1});
-    run.files["agent1"] = "/does/not/exist.xml";
+    run.files["agent1"] = std::string("/does/not/exist.xml");
     QVERIFY(!run.start());
   }
 
