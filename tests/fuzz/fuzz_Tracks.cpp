@@ -8,6 +8,7 @@
 
 #include "metrics/Report.h"
 #include "sim2d/trace/ForeignFiles.h"
+#include "sim2d/trace/ForeignReaders.h"
 #include "tests/fuzz/Require.h"
 
 /// Any bytes as ways of people; the first line names the format. Read, put on a time grid and
