@@ -11,7 +11,7 @@ namespace {
 constexpr double kSmall = 1e-9;       // [m] or [1]
 constexpr double kSmallAngle = 1e-6;  // [rad] a smaller one is noise around 0
 constexpr int kHighestFree = 50;      // value of a cell
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -53,7 +53,7 @@ Vec2 socialForceOf(const Meeting& pair, double factor, const MetricParameters& p
     return Vec2::Zero();
   }
   if (pair.isUndefined) {
-    return {kNaN, kNaN};
+    return {kUnknown, kUnknown};
   }
   double theta = base::wrapToPi(std::atan2(pair.towards.y(), pair.towards.x()) -
                                 std::atan2(pair.direction.y(), pair.direction.x()));
@@ -162,10 +162,10 @@ namespace {
 /// Calls `isFree(cell)` for the cells of a Bresenham line until one is not; both ends included.
 template <class IsFree>
 bool allOnLine(sim2d::Cell from, sim2d::Cell to, IsFree isFree) {
-  constexpr int kLongest = 1000000;  // beyond any map
+  constexpr int kMostCells = 1000000;  // beyond any map
   const long long width = std::llabs(static_cast<long long>(to.column) - from.column);
   const long long height = std::llabs(static_cast<long long>(to.row) - from.row);
-  if (width > kLongest || height > kLongest) {
+  if (width > kMostCells || height > kMostCells) {
     return false;
   }
   const int stepX = from.column < to.column ? 1 : -1;

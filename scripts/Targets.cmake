@@ -41,12 +41,17 @@ function(hunav_library target)
   set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX)
   target_link_libraries(${target} PUBLIC hunav_flags ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   hunav_precompile(${target} ${ARG_PUBLIC} ${ARG_PRIVATE})
+  if(HUNAV_FAST)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  endif()
 endfunction()
 
-# Headers that nearly every file reads, parsed once per target: half the time of a cold build. A file
-# that forgets one of them is told by layering.standard_includes; of Qt by presets without them.
+# Headers that nearly every file reads, parsed once per target, and eight files of a folder as one
+# unit: a quarter of the time of a cold build. A file that forgets an include is told by
+# layering.standard_includes, and by the presets without HUNAV_FAST (debug, tidy).
 function(hunav_precompile target)
-  if(NOT HUNAV_PRECOMPILED)
+  if(NOT HUNAV_FAST)
     return()
   endif()
   set(headers <algorithm> <cmath> <functional> <map> <memory> <optional> <string> <string_view>
@@ -63,7 +68,8 @@ endfunction()
 
 # hunav_collect(<target> <namespace> <argument type> <header of that type> <files…>): each file
 # Foo.cpp defines void <namespace>::addFoo(<argument type>&); writes the function addAll<Suffix>
-# that calls them all, in order of the file names. So one new file is all that a new entry needs.
+# that calls them all, in order of the file names. So one new file is all that a new entry needs;
+# each is a unit of its own, so that no two can meet in a name.
 function(hunav_collect target namespace function type header)
   if(NOT EXISTS ${PROJECT_SOURCE_DIR}/${header})
     return()
@@ -75,6 +81,8 @@ function(hunav_collect target namespace function type header)
     string(APPEND declarations "void add${name}(${type}& to);\n")
     string(APPEND calls "  add${name}(to);\n")
   endforeach()
+  set_source_files_properties(${ARGN} TARGET_DIRECTORY ${target}
+                              PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   set(output ${CMAKE_CURRENT_BINARY_DIR}/${target}_${function}.cpp)
   file(CONFIGURE OUTPUT ${output} @ONLY CONTENT
 "// Written by CMake (scripts/Targets.cmake).

@@ -20,7 +20,7 @@ namespace {
 
 using editor::Role;
 
-constexpr double kStep = 50.0;                 // [ms] of simulated time
+constexpr double kTickMs = 50.0;               // [ms] of simulated time
 constexpr int kDotsPerInch = 144;              // twice the size of the text on a screen
 const QSizeF kMillimetres = {254.0, 142.875};  // 1440 x 810 dots
 
@@ -102,7 +102,7 @@ void addRealTime(QwtPlot& plot, const editor::Theme& theme) {
   auto* line = new QwtPlotMarker;
   line->setLineStyle(QwtPlotMarker::HLine);
   line->setLinePen(theme.color(Role::TextSecondary), 1.0, Qt::DotLine);
-  line->setYValue(kStep);
+  line->setYValue(kTickMs);
   line->setLabel(
       titled(QStringLiteral("real time"), theme.font(8.5), theme.color(Role::TextSecondary)));
   line->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);

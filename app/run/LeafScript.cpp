@@ -25,9 +25,9 @@ std::optional<NodeStatus> statusOf(const std::string& word) {
   return std::nullopt;
 }
 
-class Reader {
+class ScriptReader {
  public:
-  explicit Reader(const std::string& path) { script_.path = path; }
+  explicit ScriptReader(const std::string& path) { script_.path = path; }
 
   base::Result<LeafScript> read(const std::string& text) {
     const YamlNode root = base::parseYaml(text, script_.path, problems_);
@@ -106,7 +106,7 @@ base::Result<LeafScript> readLeafScript(const std::string& path) {
   if (!text) {
     return text.diagnostics();
   }
-  return Reader(path).read(*text);
+  return ScriptReader(path).read(*text);
 }
 
 }  // namespace app

@@ -17,9 +17,9 @@ using base::NodeStatus;
 
 /// The host of a played tree. Decorators and controls of people's trees take it for the context of
 /// a person, which it is.
-class Player : public bt::HumanContext {
+class TreePlayer : public bt::HumanContext {
  public:
-  Player(bt::Society& society, const PlayView& view, sim2d::Intents& intents)
+  TreePlayer(bt::Society& society, const PlayView& view, sim2d::Intents& intents)
       : HumanContext(society, view, intents, 0) {}
 
   void prepare(const bt::Program& program, const LeafScript& script) {
@@ -54,8 +54,8 @@ class Player : public bt::HumanContext {
   std::vector<LeafCall> calls_;
 };
 
-Player& playerOf(bt::LeafContext& leaf) {
-  return static_cast<Player&>(bt::humanOf(leaf));
+TreePlayer& playerOf(bt::LeafContext& leaf) {
+  return static_cast<TreePlayer&>(bt::humanOf(leaf));
 }
 
 NodeStatus answer(bt::LeafContext& leaf) {
@@ -115,7 +115,7 @@ struct TreePlay::Inside {
   bt::Society society;
   std::vector<sim2d::HumanControl> controls;
   sim2d::Intents intents;
-  Player player;
+  TreePlayer player;
   bt::TreeState state;
 };
 

@@ -27,9 +27,9 @@ const char* summaryName(sim2d::Summary summary) {
 }
 
 /// Plays tests one after the other.
-class Player {
+class TrackPlayer {
  public:
-  explicit Player(const ValidationJob& job) : job_(job) {
+  explicit TrackPlayer(const ValidationJob& job) : job_(job) {
     for (const RealismTest* test : job.tests) {
       all_ += job.models.size() * seedCount(*test);
     }
@@ -92,7 +92,7 @@ std::string csvOf(const std::vector<ValidationRow>& rows) {
 
 Validation runValidation(const ValidationJob& job) {
   Validation validation;
-  Player player(job);
+  TrackPlayer player(job);
   for (const RealismTest* test : job.tests) {
     for (const std::string& model : job.models) {
       if (!player.play(*test, model, validation.rows)) {

@@ -27,7 +27,7 @@ using editor::SimulationRunner;
 namespace {
 
 constexpr const char* kGeometryKey = "window/geometry";
-constexpr const char* kStateKey = "window/state";
+constexpr const char* kWindowStateKey = "window/state";
 constexpr const char* kThemeKey = "window/theme";
 constexpr int kLayoutVersion = 1;
 constexpr int kSavedWidth = 120;
@@ -320,7 +320,7 @@ void MainWindow::showFile(const QString& file, int line) {
 void MainWindow::remember() {
   memory_.setValue(kGeometryKey, saveGeometry());
   if (!isOnStartPage()) {
-    memory_.setValue(kStateKey, saveState(kLayoutVersion));
+    memory_.setValue(kWindowStateKey, saveState(kLayoutVersion));
   }
   memory_.setValue(kThemeKey, followsSystem_                ? QStringLiteral("system")
                               : workspace_.theme().isDark() ? QStringLiteral("dark")
@@ -329,7 +329,7 @@ void MainWindow::remember() {
 
 /// When the docks are first seen: as they were last time, else as designed.
 void MainWindow::recallDocks() {
-  if (!restoreState(memory_.value(kStateKey).toByteArray(), kLayoutVersion)) {
+  if (!restoreState(memory_.value(kWindowStateKey).toByteArray(), kLayoutVersion)) {
     docks_->placeFirst();
   }
 }

@@ -14,7 +14,7 @@ namespace {
 constexpr double kRingGapPx = 3.0;
 constexpr double kLeastRingPx = 7.0;
 constexpr double kRowPx = 20.0;
-constexpr double kPadPx = 10.0;
+constexpr double kBoxPadPx = 10.0;
 constexpr double kSamplePx = 18.0;  // ring and gap before the name
 constexpr double kMarginPx = 12.0;
 constexpr std::size_t kMostRows = 6;
@@ -148,7 +148,7 @@ LegendPlace legendPlace(const OverlayContext& context) {
   for (const QString& row : rows) {
     width = std::max(width, metrics.horizontalAdvance(row));
   }
-  QRectF box(0.0, 0.0, width + kSamplePx + 2.0 * kPadPx, rows.size() * kRowPx + kPadPx);
+  QRectF box(0.0, 0.0, width + kSamplePx + 2.0 * kBoxPadPx, rows.size() * kRowPx + kBoxPadPx);
   const QRectF room = context.window.adjusted(kMarginPx, kMarginPx, -kMarginPx, -kMarginPx);
   const std::array<QPointF, 3> corners = {
       QPointF(room.right() - box.width(), room.bottom() - box.height()),
@@ -189,7 +189,8 @@ int paintGroupLegend(QPainter& painter, const OverlayContext& context) {
   painter.setBrush(theme.color(Role::Panel));
   painter.drawRoundedRect(box, 6.0, 6.0);
   painter.setFont(theme.font(9.0));
-  QRectF row(box.left() + kPadPx, box.top() + 0.5 * kPadPx, box.width() - 2.0 * kPadPx, kRowPx);
+  QRectF row(box.left() + kBoxPadPx, box.top() + 0.5 * kBoxPadPx, box.width() - 2.0 * kBoxPadPx,
+             kRowPx);
   auto group = groups.begin();
   for (const QString& words : legendRows(scenario, groups)) {
     if (static_cast<std::size_t>(std::distance(groups.begin(), group)) < kMostRows) {

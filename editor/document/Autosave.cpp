@@ -4,12 +4,13 @@
 #include <QDir>
 #include <QUuid>
 
+#include "editor/document/DocumentSnapshot.h"
+
 namespace editor {
 
 namespace {
 
 constexpr const char* kLockFile = "lock";
-constexpr const char* kNotesFile = "recovery.json";
 
 QString lockOf(const QString& folder) {
   return QDir(folder).filePath(QString::fromLatin1(kLockFile));

@@ -18,7 +18,6 @@ namespace {
 
 constexpr const char* kScenarioFile = "scenario.yaml";
 constexpr const char* kMapFile = "map.yaml";
-constexpr const char* kNotesFile = "recovery.json";
 
 std::string in(const QString& folder, const QString& name) {
   return QDir(folder).filePath(name).toStdString();

@@ -22,6 +22,9 @@ struct DocumentSnapshot {
   QDateTime when;
 };
 
+/// What a snapshot holds beside the scenario; a folder with it holds one.
+constexpr const char* kNotesFile = "recovery.json";
+
 /// The files of a snapshot in a folder: scenario.yaml, tree_<number>.xml, map.yaml, map.pgm and
 /// recovery.json.
 std::vector<base::FileContent> snapshotFiles(const DocumentSnapshot& snapshot,

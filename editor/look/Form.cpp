@@ -13,7 +13,7 @@ namespace {
 constexpr int kLabelEnd = 112;  // from the left edge of the dock [px]
 constexpr int kGap = 12;
 constexpr int kHalfField = 88;
-constexpr int kRowHeight = 28;
+constexpr int kFormRowHeight = 28;
 
 }  // namespace
 
@@ -104,7 +104,7 @@ QLabel* FormSection::makeLabel(const QString& text, QWidget* buddy) {
 
 void FormSection::addRow(const QString& label, QWidget* field) {
   const int row = grid_->rowCount();
-  grid_->setRowMinimumHeight(row, kRowHeight);
+  grid_->setRowMinimumHeight(row, kFormRowHeight);
   grid_->addWidget(makeLabel(label, field), row, 0);
   grid_->addWidget(field, row, 1, Qt::AlignVCenter);
 }
@@ -162,7 +162,7 @@ void FormSection::setRowVisible(const QWidget* field, bool visible) {
   if (row < 0) {
     return;
   }
-  grid_->setRowMinimumHeight(row, visible ? kRowHeight : 0);
+  grid_->setRowMinimumHeight(row, visible ? kFormRowHeight : 0);
   for (int column = 0; column < 2; ++column) {
     if (QLayoutItem* item = grid_->itemAtPosition(row, column);
         item != nullptr && item->widget() != nullptr) {

@@ -17,7 +17,7 @@ namespace {
 constexpr double kRowRadius = 4.0;
 constexpr double kFocusRingPx = 1.5;
 
-bool isHovered(const QStyleOption& option) {
+bool isUnderMouse(const QStyleOption& option) {
   return option.state.testFlag(QStyle::State_Enabled) &&
          option.state.testFlag(QStyle::State_MouseOver);
 }
@@ -109,7 +109,7 @@ void HouseStyle::drawTab(QPainter& painter, const QStyleOption& option) const {
     painter.drawRoundedRect(
         QRectF(option.rect.left() + 10, option.rect.bottom() - 1.5, option.rect.width() - 20, 2.5),
         1.2, 1.2);
-  } else if (isHovered(option)) {
+  } else if (isUnderMouse(option)) {
     painter.fillRect(option.rect.adjusted(0, 0, 0, -1), theme_.color(Role::RowHover));
   }
 }
@@ -118,7 +118,7 @@ void HouseStyle::drawRow(QPainter& painter, const QStyleOption& option,
                          const QWidget* widget) const {
   const auto* item = qstyleoption_cast<const QStyleOptionViewItem*>(&option);
   const bool selected = option.state.testFlag(State_Selected);
-  if (item == nullptr || (!selected && !isHovered(option))) {
+  if (item == nullptr || (!selected && !isUnderMouse(option))) {
     return;
   }
   // One band over all columns, rounded only at its ends. Tables do not say where a cell is.
@@ -153,7 +153,7 @@ void HouseStyle::drawScrollBar(QPainter& painter, const QStyleOptionComplex& opt
   handle.adjust(inset, inset, -inset, -inset);
   const double radius = std::min(handle.width(), handle.height()) / 2.0;
   painter.setPen(Qt::NoPen);
-  painter.setBrush(theme_.color(isHovered(option) ? Role::ObstacleEdge : Role::FieldEdge));
+  painter.setBrush(theme_.color(isUnderMouse(option) ? Role::ObstacleEdge : Role::FieldEdge));
   painter.drawRoundedRect(handle, radius, radius);
 }
 

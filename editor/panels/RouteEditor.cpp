@@ -14,7 +14,7 @@ namespace editor {
 namespace {
 
 constexpr int kChipHeight = 24;
-constexpr int kGap = 4;
+constexpr int kRowGap = 4;
 constexpr int kLineHeight = 28;
 
 }  // namespace
@@ -106,7 +106,7 @@ int RouteEditor::place(int width, bool apply) const {
     if (apply) {
       part->setGeometry(QRect(QPoint(x, y + 2), size));
     }
-    x += size.width() + kGap;
+    x += size.width() + kRowGap;
   }
   return y + kLineHeight;
 }

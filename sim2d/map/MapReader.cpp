@@ -199,9 +199,9 @@ class DescriptionReader {
   void readThresholds() {
     const YamlNode* occupied = root_.find("occupied_thresh");
     const YamlNode* free = root_.find("free_thresh");
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    const double high = occupied ? number(*occupied, "occupied_thresh").value_or(kNone) : kNone;
-    const double low = free ? number(*free, "free_thresh").value_or(kNone) : kNone;
+    constexpr double unset = std::numeric_limits<double>::quiet_NaN();
+    const double high = occupied ? number(*occupied, "occupied_thresh").value_or(unset) : unset;
+    const double low = free ? number(*free, "free_thresh").value_or(unset) : unset;
     if (std::isnan(high) || std::isnan(low)) {
       return;
     }

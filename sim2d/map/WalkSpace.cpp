@@ -11,8 +11,8 @@ namespace sim2d {
 
 namespace {
 
-constexpr double kMoveLimit = 1.0;  // [m] from a closed start or goal to an open cell
-constexpr double kSlack = 1e-3;     // [m] of the clearance between centres of cells
+constexpr double kMoveLimit = 1.0;        // [m] from a closed start or goal to an open cell
+constexpr double kClearanceSlack = 1e-3;  // [m] of the clearance between centres of cells
 
 }  // namespace
 
@@ -43,7 +43,7 @@ bool WalkSpace::isInWorld(const Vec2& point) const {
 }
 
 bool WalkSpace::fits(const Vec2& point) const {
-  return isInWorld(point) && field_->distanceAt(point) >= bodyRadius_ - kSlack;
+  return isInWorld(point) && field_->distanceAt(point) >= bodyRadius_ - kClearanceSlack;
 }
 
 /// [m] to the nearest unknown cell, to one cell; 0 inside, infinite where there is none.
@@ -63,7 +63,7 @@ bool WalkSpace::lineKeeps(const Vec2& from, const Vec2& to, double clearance,
   for (double at = 0.0;;) {
     const Vec2 point = from + at * along;
     double room = field_->distanceAt(point) - clearance;
-    if (room < -kSlack || !isInWorld(point)) {
+    if (room < -kClearanceSlack || !isInWorld(point)) {
       return false;
     }
     if (!mayEnterUnknown) {

@@ -9,7 +9,7 @@ namespace sim2d {
 
 namespace {
 
-constexpr double kSlack = 1e-9;  // [cells]
+constexpr double kCellSlack = 1e-9;  // [cells]
 
 /// Marks cells in the grid's own coordinates.
 class Rasteriser {
@@ -67,19 +67,20 @@ class Rasteriser {
   void markAlong(const Vec2& a, const Vec2& b) {
     const double lowY = std::min(a.y(), b.y());
     const double highY = std::max(a.y(), b.y());
-    const int firstRow = cellOf(lowY + kSlack);
-    const int lastRow = std::min(std::max(cellOf(highY - kSlack), firstRow), grid_.height() - 1);
+    const int firstRow = cellOf(lowY + kCellSlack);
+    const int lastRow =
+        std::min(std::max(cellOf(highY - kCellSlack), firstRow), grid_.height() - 1);
     for (int row = std::max(firstRow, 0); row <= lastRow; ++row) {
       double x[2] = {a.x(), b.x()};
-      if (highY - lowY > kSlack) {
+      if (highY - lowY > kCellSlack) {
         const double slope = (b.x() - a.x()) / (b.y() - a.y());
         for (int end = 0; end < 2; ++end) {
           x[end] =
               a.x() + slope * (std::clamp(static_cast<double>(row + end), lowY, highY) - a.y());
         }
       }
-      const int first = cellOf(std::min(x[0], x[1]) + kSlack);
-      const int last = std::max(cellOf(std::max(x[0], x[1]) - kSlack), first);
+      const int first = cellOf(std::min(x[0], x[1]) + kCellSlack);
+      const int last = std::max(cellOf(std::max(x[0], x[1]) - kCellSlack), first);
       for (int column = std::max(first, 0); column <= std::min(last, grid_.width() - 1); ++column) {
         if (!isBesideMapWall({column, row})) {
           mark({column, row});

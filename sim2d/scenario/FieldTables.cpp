@@ -10,15 +10,15 @@
 namespace sim2d {
 namespace {
 
-constexpr double kLargestInt = 2147483647.0;
+constexpr double kLargestInteger = 2147483647.0;
 
 base::ParameterValue readInteger(YamlMap& view, const base::ParameterSpec& spec, bool isWide) {
-  const auto low = static_cast<long long>(std::max(spec.range.low, -kLargestInt));
+  const auto low = static_cast<long long>(std::max(spec.range.low, -kLargestInteger));
   if (isWide) {
     const auto value = view.bigInteger(spec.key, low);
     return value ? base::ParameterValue(*value) : base::ParameterValue();
   }
-  const auto high = static_cast<long long>(std::min(spec.range.high, kLargestInt));
+  const auto high = static_cast<long long>(std::min(spec.range.high, kLargestInteger));
   const auto value = view.integer(spec.key, low, high);
   return value ? base::ParameterValue(static_cast<long long>(*value)) : base::ParameterValue();
 }

@@ -8,10 +8,10 @@ namespace sim2d {
 namespace {
 
 std::string rangeText(const base::Range& range) {
-  constexpr double kLargestInt = 2147483647.0;  // says nothing to people
+  constexpr double largestInt = 2147483647.0;  // says nothing to people
   const std::string low = base::formatDouble(range.low);
   const std::string high = base::formatDouble(range.high);
-  if (range.high >= kLargestInt) {
+  if (range.high >= largestInt) {
     return std::isinf(range.low) ? "" : (range.above ? "> " : "≥ ") + low;
   }
   return (range.above ? "above " : "") + low + " to " + high;

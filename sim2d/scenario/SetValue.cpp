@@ -8,9 +8,9 @@
 namespace sim2d {
 namespace {
 
-using Path = std::vector<std::string>;
+using KeyPath = std::vector<std::string>;
 
-std::string joined(const Path& path) {
+std::string joined(const KeyPath& path) {
   std::string text;
   for (const std::string& part : path) {
     text += (text.empty() ? "" : ".") + part;
@@ -19,12 +19,12 @@ std::string joined(const Path& path) {
 }
 
 /// The paths meant: `*` stands for each listed person. Nothing = there is none.
-std::vector<Path> expanded(const Scenario& scenario, const std::string& text) {
-  const Path path = base::split(text, '.');
+std::vector<KeyPath> expanded(const Scenario& scenario, const std::string& text) {
+  const KeyPath path = base::split(text, '.');
   if (path.front() != "*") {
     return {path};
   }
-  std::vector<Path> all;
+  std::vector<KeyPath> all;
   for (const Human& human : scenario.humans) {
     if (human.listed) {
       all.push_back(path);
@@ -38,7 +38,7 @@ bool belongsToLoader(const Scenario& scenario, const std::string& first) {
   return loaderKeys().count(first) != 0 || scenario.human(first) != nullptr;
 }
 
-void put(YamlNode& root, const char* node, const Path& path, const YamlNode& value) {
+void put(YamlNode& root, const char* node, const KeyPath& path, const YamlNode& value) {
   YamlNode* at = &root.child(node).child(kParameters);
   if (std::string_view(node) == kBlockNode && at->find("format") == nullptr) {
     setChild(*at, "format", number(kBlockFormat));
@@ -49,9 +49,9 @@ void put(YamlNode& root, const char* node, const Path& path, const YamlNode& val
   setChild(*at, path.back(), value);
 }
 
-bool knowsAll(const std::set<std::string>& known, const std::vector<Path>& paths) {
+bool knowsAll(const std::set<std::string>& known, const std::vector<KeyPath>& paths) {
   return std::all_of(paths.begin(), paths.end(),
-                     [&](const Path& path) { return known.count(joined(path)) != 0; });
+                     [&](const KeyPath& path) { return known.count(joined(path)) != 0; });
 }
 
 /// What the new reading says beyond the old one.
@@ -126,10 +126,10 @@ bool isNumberedType(const std::string& path, const YamlNode& value) {
 
 /// Reads the tree with the value put into one of the nodes; nothing if the node has no such key.
 std::optional<TreeReading> readWith(const YamlNode& tree, const char* node,
-                                    const std::vector<Path>& paths, const YamlNode& value,
+                                    const std::vector<KeyPath>& paths, const YamlNode& value,
                                     const FieldTables& tables) {
   YamlNode changed = tree;
-  for (const Path& path : paths) {
+  for (const KeyPath& path : paths) {
     put(changed, node, path, value);
   }
   TreeReading reading = readTree(changed, {}, tables);
@@ -159,7 +159,7 @@ base::Diagnostics setValue(Scenario& scenario, const std::string& path, const st
   }
   const YamlNode tree = fileTree(scenario, tables);
   const TreeReading before = readTree(tree, {}, tables);
-  const std::vector<Path> paths = expanded(scenario, path);
+  const std::vector<KeyPath> paths = expanded(scenario, path);
   if (paths.empty()) {
     return {base::within(path, base::error("set.nobody"))};
   }

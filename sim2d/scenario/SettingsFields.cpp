@@ -9,7 +9,7 @@
 namespace sim2d {
 namespace {
 
-constexpr double kLargestInt = 2147483647.0;
+constexpr double kLargestId = 2147483647.0;
 
 void readWrap(YamlMap& view, DesktopSettings& to) {
   to.wrapX = view.numbers("wrap_x");
@@ -25,7 +25,7 @@ void readGroups(YamlMap& view, DesktopSettings& to) {
   for (const YamlNode& item : groups.node().items) {
     const auto id = base::parseInt(item.key);
     const auto name = groups.text(item.key);
-    if (!id || *id < 0 || static_cast<double>(*id) > kLargestInt) {
+    if (!id || *id < 0 || static_cast<double>(*id) > kLargestId) {
       groups.error(item.key, "scenario.group-no-number");
     } else if (!ids.insert(*id).second) {
       groups.error(item.key, "scenario.group-twice", {*id});
@@ -127,7 +127,7 @@ Fields<DesktopSettings> settingsFields() {
       field("dt", &Settings::dt, "Time step", {"Time step", 3, 0.005}, "s", {0.001, 0.1})
           .orElse(0.05),
       field("record_every", &Settings::recordEvery, "Steps from one recorded sample to the next",
-            {"Record every", 0, 1.0}, {}, {1.0, kLargestInt})
+            {"Record every", 0, 1.0}, {}, {1.0, kLargestId})
           .orElse(1),
       field("model", &Settings::model, "How people move among others, see `list models`", {"Model"})
           .orElse(ResolvedHuman().model),

@@ -10,7 +10,7 @@
 namespace sim2d {
 namespace {
 
-constexpr char kColumns[] = "step,input,id,name,x,y,heading,vx,vy,omega,desired_vx,desired_vy";
+constexpr char kInputColumns[] = "step,input,id,name,x,y,heading,vx,vy,omega,desired_vx,desired_vy";
 constexpr std::size_t kFirstNumber = 4;
 constexpr std::array<const char*, 7> kNames = {"robot", "open", "close", "move",
                                                "add",   "set",  "push"};
@@ -56,7 +56,7 @@ const char* inputKindName(InputKind kind) {
 }
 
 std::string inputsHead() {
-  return std::string(kColumns) + '\n';
+  return std::string(kInputColumns) + '\n';
 }
 
 void appendInputRow(std::string& to, std::int64_t step, const Input& input) {
@@ -73,7 +73,7 @@ base::Result<RecordedInputs> parseInputs(const std::string& text, const std::str
   base::Diagnostics problems;
   RecordedInputs inputs;
   CsvTable table(text, file, problems);
-  if (table.readColumns(kColumns)) {
+  if (table.readColumns(kInputColumns)) {
     for (CsvRow row; table.next(row);) {
       readRow(table, row, inputs);
     }

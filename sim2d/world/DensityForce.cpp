@@ -56,15 +56,15 @@ std::vector<Seen> seenBy(const Pedestrian& self, const std::vector<Pedestrian>& 
 }
 
 /// Those ahead who have a goal, weighted by nearness.
-struct Crowd {
+struct CrowdAround {
   double activation = 0.0;  // 0 with a single neighbour, towards 1 in a crowd
   double weight = 0.0;      // W
   double oncoming = 0.0;    // O
   double side = 0.0;        // S: > 0 the way is freer on the left
 };
 
-Crowd crowdOf(const DensityParameters& parameters, const std::vector<Seen>& seen) {
-  Crowd crowd;
+CrowdAround crowdOf(const DensityParameters& parameters, const std::vector<Seen>& seen) {
+  CrowdAround crowd;
   double largest = 0.0;
   for (const Seen& other : seen) {
     if (other.isMate || !other.hasGoal || other.ahead <= 0.0 || other.ahead >= kCrowdRange) {
@@ -204,7 +204,7 @@ DensityForce densityForce(const DensityParameters& parameters, const Pedestrian&
                           const std::vector<Pedestrian>& others) {
   const Vec2& way = self.desired.direction;
   const std::vector<Seen> seen = seenBy(self, others);
-  const Crowd crowd = crowdOf(parameters, seen);
+  const CrowdAround crowd = crowdOf(parameters, seen);
   DensityForce force;
   force.activation = crowd.activation;
   force.speedCap = speedCapOf(parameters, self, seen);

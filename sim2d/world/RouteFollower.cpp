@@ -17,8 +17,8 @@ constexpr double kStuckAfter = 4.0;    // [s] without progress
 constexpr double kProgress = 0.1;      // [m]
 constexpr double kWalkingSpeed = 0.05;  // [m/s]; slower people cannot be stuck
 
-constexpr double kRoom = 0.15;  // [m] between the bodies when they pass
-constexpr double kAhead = 2.5;  // [m]; who stands farther away does not count yet
+constexpr double kRoom = 0.15;       // [m] between the bodies when they pass
+constexpr double kSightAhead = 2.5;  // [m]; who stands farther away does not count yet
 constexpr double kTouch =
     0.1;  // [m]; bodies slide along each other, so a line may lead so much nearer
 
@@ -38,7 +38,7 @@ bool isFree(const StandingBody& body, double radius, const Vec2& from, const Vec
 const StandingBody* firstInTheWay(const std::vector<StandingBody>& standing, double radius,
                                   const Vec2& from, const Vec2& next) {
   const Vec2 ahead = next - from;
-  const Vec2 end = from + ahead * std::min(1.0, kAhead / std::max(ahead.norm(), 1e-9));
+  const Vec2 end = from + ahead * std::min(1.0, kSightAhead / std::max(ahead.norm(), 1e-9));
   const StandingBody* first = nullptr;
   for (const StandingBody& body : standing) {
     const Vec2 towards = body.position - from;

@@ -13,10 +13,10 @@ namespace {
 constexpr double kLeftOut = 5e-5;  // of k_s
 constexpr std::size_t kMostReaches = 8;
 constexpr std::size_t kMostShapes = 64;
-constexpr std::size_t kBatch = 16;             // people
-constexpr std::size_t kSlice = 2 * kBatch;     // people a thread takes before it asks for more
-constexpr std::size_t kLookSlice = 256;        // people
-constexpr std::size_t kMostCandidates = 8192;  // of a batch, but of one person more
+constexpr std::size_t kBatch = 16;               // people
+constexpr std::size_t kForceSlice = 2 * kBatch;  // people a thread takes before it asks for more
+constexpr std::size_t kLookSlice = 256;          // people
+constexpr std::size_t kMostCandidates = 8192;    // of a batch, but of one person more
 
 /// Numbers too small for a normal float count as zero, so that they cost no time.
 class ZeroForTiny {
@@ -80,7 +80,7 @@ void CrowdForces::compute(const CrowdState& crowd, WorkerPool& workers) {
   }
   prepareReach();
   scratches_.resize(workers.threadCount());
-  workers.forSlices(cells_.count(), kSlice,
+  workers.forSlices(cells_.count(), kForceSlice,
                     [&](std::size_t thread, std::size_t begin, std::size_t end) {
                       computeSlots(crowd, begin, end, scratches_[thread]);
                     });
