@@ -1,4 +1,4 @@
-#include "app/cli/CommandLine.h"
+#include "app/cli/CommandRegistry.h"
 #include "app/window/WindowCommand.h"
 
 int main(int argc, char** argv) {

@@ -98,16 +98,6 @@ Vec2 plainForce(const Vec2& apart, const Vec2& relative) {
   return 5.0 * (slowing * t + turning * Vec2(-t.y(), t.x()));
 }
 
-std::unique_ptr<sim2d::HumanBehavior> makeBehavior(const Scenario& scenario,
-                                                   const std::string& tree,
-                                                   base::Diagnostics& diagnostics) {
-  bt::TreeFiles trees;
-  for (const sim2d::Human& human : scenario.humans) {
-    trees[human.name] = tree;
-  }
-  return bt::makeTreeBehavior(scenario, trees, diagnostics);
-}
-
 }  // namespace
 
 Scenario makeBenchScenario(const BenchScene& scene) {
@@ -146,9 +136,13 @@ base::Result<std::unique_ptr<sim2d::World>> makeBenchWorld(const BenchScene& sce
   Scenario scenario = makeBenchScenario(scene);
   // Nobody has to look for a way: the streams are straight.
   scenario.desktop.route = sim2d::Route::Direct;
+  bt::TreeFiles trees;
+  for (const sim2d::Human& human : scenario.humans) {
+    trees[human.name] = scene.tree;
+  }
   base::Diagnostics diagnostics;
   sim2d::WorldSetup setup;
-  setup.behavior = makeBehavior(scenario, scene.tree, diagnostics);
+  setup.behavior = bt::makeTreeBehavior(scenario, trees, diagnostics);
   if (!setup.behavior) {
     return diagnostics;
   }

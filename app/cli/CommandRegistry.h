@@ -71,4 +71,7 @@ void addRunOptions(CLI::App& command, RunOptions& options);
 /// Those of them that choose metrics.
 void addMetricsOptions(CLI::App& command, std::string& metrics, std::string& profile);
 
+/// Reads the words and does what they say. `addWindow` adds what is done without a command.
+int runProgram(int argc, char** argv, void (*addWindow)(CommandRegistry&));
+
 }  // namespace app

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <csignal>
 #include <iostream>
+#include <iterator>
 #include <unistd.h>
 
 namespace app {
@@ -59,12 +60,22 @@ void printTable(const std::vector<std::vector<std::string>>& rows) {
   }
 }
 
-void printDiagnostics(const base::Diagnostics& diagnostics, base::Severity least) {
+bool printDiagnostics(const base::Diagnostics& diagnostics, base::Severity least) {
   for (const base::Diagnostic& diagnostic : diagnostics) {
     if (diagnostic.severity >= least) {
       printError(diagnostic.text());
     }
   }
+  return !base::hasErrors(diagnostics);
+}
+
+base::Diagnostics notYetTold(const base::Diagnostics& told, const base::Diagnostics& more) {
+  base::Diagnostics rest;
+  std::copy_if(more.begin(), more.end(), std::back_inserter(rest), [&](const auto& problem) {
+    return std::none_of(told.begin(), told.end(),
+                        [&](const auto& other) { return other.text() == problem.text(); });
+  });
+  return rest;
 }
 
 void catchInterrupts() {

@@ -15,9 +15,13 @@ void printLine(const std::string& line);   // idem, with a line end
 void printError(const std::string& line);  // to standard error
 /// Columns two blanks apart, to standard output.
 void printTable(const std::vector<std::vector<std::string>>& rows);
-/// A line each, to standard error; of `least` severity and above.
-void printDiagnostics(const base::Diagnostics& diagnostics,
+/// A line each, to standard error; of `least` severity and above. False when an error is among
+/// them.
+bool printDiagnostics(const base::Diagnostics& diagnostics,
                       base::Severity least = base::Severity::Info);
+
+/// Those of `more` whose lines are not among the `told`.
+base::Diagnostics notYetTold(const base::Diagnostics& told, const base::Diagnostics& more);
 
 /// From now on Ctrl-C, SIGTERM and the end of the terminal only set a flag; a second Ctrl-C ends
 /// the program at once. Under nohup the end of the terminal stays without effect.

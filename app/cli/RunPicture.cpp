@@ -145,22 +145,14 @@ class RunPainter {
     }
   }
 
-  const sim2d::TraceHuman* person(int id) const {
-    for (const sim2d::TraceHuman& human : trace_.header.humans) {
-      if (human.id == id) {
-        return &human;
-      }
-    }
-    return nullptr;
+  template <class Body>
+  static const Body* find(const std::vector<Body>& bodies, int id) {
+    const auto found = std::find_if(bodies.begin(), bodies.end(),
+                                    [id](const Body& body) { return body.id == id; });
+    return found == bodies.end() ? nullptr : &*found;
   }
-  const sim2d::TraceRobot* robot(int id) const {
-    for (const sim2d::TraceRobot& robot : trace_.header.robots) {
-      if (robot.id == id) {
-        return &robot;
-      }
-    }
-    return nullptr;
-  }
+  const sim2d::TraceHuman* person(int id) const { return find(trace_.header.humans, id); }
+  const sim2d::TraceRobot* robot(int id) const { return find(trace_.header.robots, id); }
   editor::Look lookOfPerson(int id) const {
     const sim2d::TraceHuman* human = person(id);
     return editor::lookOf(human ? static_cast<sim2d::BehaviorType>(human->behavior)

@@ -43,19 +43,17 @@ int report(const Experiment& experiment, const BatchRows& rows, const BatchOptio
   const bool complete = count.finished == rows.size();
   const std::string manifest = batchManifest(experiment, rows);
   const fs::path folder = options.output;
-  base::Diagnostics problems =
-      base::writeFileAtomically((folder / "results.csv").string(), resultsCsv(experiment, rows));
+  const std::string results = (folder / "results.csv").string();
+  base::Diagnostics problems = base::writeFileAtomically(results, resultsCsv(experiment, rows));
   base::append(problems, base::writeFileAtomically((folder / "manifest.json").string(), manifest));
-  printDiagnostics(problems);
-  if (base::hasErrors(problems)) {
+  if (!printDiagnostics(problems)) {
     return kBadInput;
   }
   if (output.json) {
     print(manifest);
   } else if (!output.quiet) {
     printLine(std::to_string(count.finished) + " of " + std::to_string(rows.size()) +
-              " runs finished, " + std::to_string(count.failed) +
-              " failed: " + (folder / "results.csv").string());
+              " runs finished, " + std::to_string(count.failed) + " failed: " + results);
   }
   if (!complete) {
     printError("interrupted: the finished runs are kept");
@@ -65,20 +63,18 @@ int report(const Experiment& experiment, const BatchRows& rows, const BatchOptio
 
 int batchCommand(const BatchOptions& options, const OutputOptions& output) {
   const base::Result<Experiment> experiment = readExperiment(options.experiment);
-  printDiagnostics(experiment.diagnostics());
-  if (!experiment) {
+  if (!printDiagnostics(experiment.diagnostics())) {
     return kBadInput;
   }
   base::Diagnostics problems = checkExperiment(*experiment, editor::loadMapImage);
   if (!base::hasErrors(problems)) {  // else nothing will be written
     base::append(problems, checkWritableFolder(options.output));
   }
-  printDiagnostics(problems);
-  if (base::hasErrors(problems)) {
+  if (!printDiagnostics(problems)) {
     return kBadInput;
   }
   catchInterrupts();
-  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const std::string runs = (fs::path(options.output) / "runs").string();
   const auto start = std::chrono::steady_clock::now();
   BatchRows rows;
@@ -88,7 +84,7 @@ int batchCommand(const BatchOptions& options, const OutputOptions& output) {
     progress.show(progressText(0, total, 0.0), true);
     BatchJob job;
     job.runsFolder = runs;
-    job.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(cores);
+    job.jobs = options.jobs > 0 ? options.jobs : cores;
     job.wantsStop = wasInterrupted;
     job.onProgress = [&](std::size_t finished) {
       const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

@@ -173,18 +173,14 @@ base::Result<Row> measure(const BenchScene& scene, double atLeastSeconds) {
   return best;
 }
 
-std::string fixed(double value, int digits) {
-  const double factor = std::pow(10.0, digits);
-  return base::formatDouble(std::round(value * factor) / factor);
-}
-
 /// Three significant digits.
 std::string rounded(double value) {
   if (value == 0.0) {
     return "0";
   }
   const int digits = 2 - static_cast<int>(std::floor(std::log10(std::fabs(value))));
-  return fixed(value, std::max(0, digits));
+  const double factor = std::pow(10.0, std::max(0, digits));
+  return base::formatDouble(std::round(value * factor) / factor);
 }
 
 std::vector<std::string> headline() {
@@ -192,10 +188,8 @@ std::vector<std::string> headline() {
   for (std::size_t i = 0; i < sim2d::kStepPhaseCount; ++i) {
     names.emplace_back(sim2d::stepPhaseName(static_cast<sim2d::StepPhase>(i)));
   }
-  for (const char* name :
-       {"sensing", "recording", "plain", "plain/forces", "plain/step", "kB/person", "peak MB"}) {
-    names.emplace_back(name);
-  }
+  names.insert(names.end(), {"sensing", "recording", "plain", "plain/forces", "plain/step",
+                             "kB/person", "peak MB"});
   return names;
 }
 
@@ -207,13 +201,10 @@ std::vector<std::string> cellsOf(const Row& row) {
   for (const double seconds : row.times.seconds) {
     cells.push_back(rounded(row.perStep(seconds) * 1e3));
   }
-  cells.push_back(rounded(row.sensing * 1e3));
-  cells.push_back(rounded(row.recording * 1e3));
-  cells.push_back(rounded(row.plain * 1e3) + (row.isScaled ? "*" : ""));
-  cells.push_back(rounded(row.plain / row.forces()));
-  cells.push_back(rounded(row.plain / row.whole()));
-  cells.push_back(rounded(row.perPerson));
-  cells.push_back(rounded(row.peak));
+  cells.insert(cells.end(), {rounded(row.sensing * 1e3), rounded(row.recording * 1e3),
+                             rounded(row.plain * 1e3) + (row.isScaled ? "*" : ""),
+                             rounded(row.plain / row.forces()), rounded(row.plain / row.whole()),
+                             rounded(row.perPerson), rounded(row.peak)});
   return cells;
 }
 
@@ -227,25 +218,13 @@ std::string textLine(const std::vector<std::string>& cells) {
 }
 
 std::string csvLine(const std::vector<std::string>& cells, const std::string& machine) {
-  std::string line = "\"" + machine + "\"";
-  for (const std::string& cell : cells) {
-    line += "," + cell;
-  }
-  return line;
-}
-
-BenchPoint pointOf(const Row& row) {
-  return {row.scene.people, row.whole() * 1e3, row.forces() * 1e3, row.plain * 1e3, row.isScaled};
+  return "\"" + machine + "\"," + base::join(cells, ",");
 }
 
 std::string machineName() {
   const std::string processor = valueIn("/proc/cpuinfo", "model name");
   return (processor.empty() ? std::string("unknown processor") : processor) + ", " +
          sim2d::vectorPathName(sim2d::fastestVectorPath());
-}
-
-void printRow(const Row& row, bool isCsv, const std::string& machine) {
-  printLine(isCsv ? csvLine(cellsOf(row), machine) : textLine(cellsOf(row)));
 }
 
 /// Measures and prints all sizes, without and with walls; nothing when a run has failed.
@@ -271,9 +250,10 @@ std::optional<std::vector<BenchPoint>> measureSizes(const BenchOptions& options,
       }
       row->plain = plain;
       row->isScaled = isScaled;
-      printRow(*row, options.format == "csv", machineName());
+      const std::vector<std::string> cells = cellsOf(*row);
+      printLine(options.format == "csv" ? csvLine(cells, machineName()) : textLine(cells));
       if (!walls) {
-        points.push_back(pointOf(*row));
+        points.push_back({people, row->whole() * 1e3, row->forces() * 1e3, plain * 1e3, isScaled});
       }
     }
   }

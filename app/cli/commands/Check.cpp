@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -50,19 +49,6 @@ base::Diagnostics checkScenarioFile(const std::string& path, const CheckOptions&
   return verdict.problems;
 }
 
-/// What has not been said; the compiler checks once more on its own.
-void appendNew(base::Diagnostics& to, const base::Diagnostics& more) {
-  const base::Diagnostics before = to;
-  for (const base::Diagnostic& diagnostic : more) {
-    const bool isKnown = std::any_of(
-        before.begin(), before.end(),
-        [&diagnostic](const base::Diagnostic& known) { return known.text() == diagnostic.text(); });
-    if (!isKnown) {
-      to.push_back(diagnostic);
-    }
-  }
-}
-
 /// A tree by itself: its nodes, ports and references, and whether the engine takes it.
 base::Diagnostics checkTree(const std::string& path) {
   const base::Result<bt::TreeTable> table = bt::loadTrees(path);
@@ -72,8 +58,8 @@ base::Diagnostics checkTree(const std::string& path) {
   }
   const bt::NodeLibrary library = bt::humanNodes();
   base::append(found, bt::diagnosticsOf(bt::checkTable(*table, library.catalogue())));
-  if (!base::hasErrors(found)) {
-    appendNew(found, bt::compile(*table, library).diagnostics());
+  if (!base::hasErrors(found)) {  // the compiler checks once more on its own
+    base::append(found, notYetTold(found, bt::compile(*table, library).diagnostics()));
   }
   return found;
 }

@@ -42,18 +42,18 @@ bool isRunFolder(const std::string& source) {
 
 /// Words that only mean something for files of other programs.
 base::Diagnostics foreignWords(const EvaluateOptions& options) {
+  const std::pair<const char*, bool> given[] = {{"--format", !options.format.empty()},
+                                                {"--columns", !options.columns.empty()},
+                                                {"--fps", options.framesPerSecond.has_value()},
+                                                {"--dt", options.step.has_value()},
+                                                {"--robot", options.robot.has_value()},
+                                                {"--robot-goal", options.robotGoal.has_value()}};
   base::Diagnostics wrong;
-  const auto refuse = [&](bool given, const char* word) {
-    if (given) {
+  for (const auto& [word, isGiven] : given) {
+    if (isGiven) {
       wrong.push_back(base::error("option.only-foreign", {word}));
     }
-  };
-  refuse(!options.format.empty(), "--format");
-  refuse(!options.columns.empty(), "--columns");
-  refuse(options.framesPerSecond.has_value(), "--fps");
-  refuse(options.step.has_value(), "--dt");
-  refuse(options.robot.has_value(), "--robot");
-  refuse(options.robotGoal.has_value(), "--robot-goal");
+  }
   return wrong;
 }
 
@@ -155,52 +155,39 @@ base::Result<std::vector<std::pair<double, base::Vec2>>> readReference(
   return way;
 }
 
-bool isSecondLayout(const EvaluateOptions& options) {
-  return options.layout == "hunav2";
+base::Diagnostics writeResults(const EvaluateOptions& options, const sim2d::Trace& trace,
+                               const metrics::Evaluation& evaluation) {
+  const fs::path folder = options.output;
+  base::Diagnostics problems;
+  const auto write = [&](const char* name, const std::string& content) {
+    base::append(problems, base::writeFileAtomically((folder / name).string(), content));
+  };
+  const bool isSecond = options.layout == "hunav2";
+  write("metrics.json", metrics::toJson(evaluation));
+  if (!isSecond) {  // else rows are added to the table of this name
+    write("metrics.csv", metrics::metricsCsv(evaluation));
+  }
+  write("steps.csv", metrics::stepsCsv(evaluation));
+  if (!isRunFolder(options.source)) {  // as a run, so that it can be drawn and measured again
+    write("trajectory.csv", sim2d::trajectoryCsv(trace));
+    write("events.csv", sim2d::eventsCsv(trace));
+    write("trace.json", sim2d::traceJson(trace.header));
+  }
+  if (!options.layout.empty() && problems.empty()) {
+    const auto files =
+        metrics::writeEvaluatorFiles(evaluation, (folder / "metrics").string(),
+                                     isSecond ? metrics::Layout::Hunav2 : metrics::Layout::Hunav1);
+    base::append(problems, files.diagnostics());
+  }
+  return problems;
 }
-
-class ResultFolder {
- public:
-  explicit ResultFolder(std::string folder) : folder_(std::move(folder)) {}
-
-  void write(const char* name, const std::string& content) {
-    base::append(problems_,
-                 base::writeFileAtomically((fs::path(folder_) / name).string(), content));
-  }
-  base::Diagnostics writeAll(const EvaluateOptions& options, const sim2d::Trace& trace,
-                             const metrics::Evaluation& evaluation) {
-    write("metrics.json", metrics::toJson(evaluation));
-    if (!isSecondLayout(options)) {  // else rows are added to the table of this name
-      write("metrics.csv", metrics::metricsCsv(evaluation));
-    }
-    write("steps.csv", metrics::stepsCsv(evaluation));
-    if (!isRunFolder(options.source)) {  // as a run, so that it can be drawn and measured again
-      write("trajectory.csv", sim2d::trajectoryCsv(trace));
-      write("events.csv", sim2d::eventsCsv(trace));
-      write("trace.json", sim2d::traceJson(trace.header));
-    }
-    if (!options.layout.empty() && problems_.empty()) {
-      const metrics::Layout layout =
-          isSecondLayout(options) ? metrics::Layout::Hunav2 : metrics::Layout::Hunav1;
-      const auto files = metrics::writeEvaluatorFiles(
-          evaluation, (fs::path(folder_) / "metrics").string(), layout);
-      base::append(problems_, files.diagnostics());
-    }
-    return problems_;
-  }
-
- private:
-  std::string folder_;
-  base::Diagnostics problems_;
-};
 
 int evaluateCommand(const EvaluateOptions& options, const OutputOptions& output) {
   base::Diagnostics wrong =
       isRunFolder(options.source) ? foreignWords(options) : base::Diagnostics();
   const base::Result<ForeignWords> words = foreignOptionsOf(options);
   base::append(wrong, words.diagnostics());
-  if (base::hasErrors(wrong)) {
-    printDiagnostics(wrong);
+  if (!printDiagnostics(wrong)) {
     return kWrongCommandLine;
   }
   base::Result<sim2d::Trace> trace = readSource(options.source, words->reading, words->tracks);
@@ -213,8 +200,7 @@ int evaluateCommand(const EvaluateOptions& options, const OutputOptions& output)
     base::append(problems, readMetricsSetup(trace->header, setup));
   }
   base::append(problems, chooseMetrics({options.metrics, options.metricsProfile}, setup, wrong));
-  if (base::hasErrors(wrong)) {
-    printDiagnostics(wrong);
+  if (!printDiagnostics(wrong)) {
     return kWrongCommandLine;
   }
   if (!options.reference.empty()) {
@@ -225,22 +211,17 @@ int evaluateCommand(const EvaluateOptions& options, const OutputOptions& output)
     }
   }
   base::append(problems, checkWritableFolder(options.output));
-  printDiagnostics(problems, base::Severity::Warning);
-  if (base::hasErrors(problems)) {
+  if (!printDiagnostics(problems, base::Severity::Warning)) {
     return kBadInput;
   }
   setup.selection.tag = options.tag.value_or(setup.selection.tag);
   setup.selection.runId = options.runId.value_or(setup.selection.runId);
   const base::Result<metrics::Evaluation> evaluation =
       metrics::evaluate(*trace, setup.selection, setup.parameters);
-  printDiagnostics(evaluation.diagnostics());
-  if (!evaluation) {
+  if (!printDiagnostics(evaluation.diagnostics())) {
     return kBadInput;
   }
-  const base::Diagnostics unwritten =
-      ResultFolder(options.output).writeAll(options, *trace, *evaluation);
-  printDiagnostics(unwritten);
-  if (base::hasErrors(unwritten)) {
+  if (!printDiagnostics(writeResults(options, *trace, *evaluation))) {
     return kBadInput;
   }
   if (output.json) {

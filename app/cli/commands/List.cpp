@@ -51,47 +51,44 @@ template <class Maker>
 std::vector<Entry> registeredEntries(const sim2d::Registry<Maker>& registry) {
   std::vector<Entry> entries;
   for (const auto& each : registry.entries()) {
-    Entry entry;
-    entry.name = each.name;
-    entry.details["parameters"] = Json::array();
+    Json parameters = Json::array();
     for (const base::ParameterSpec& spec : each.parameters) {
-      entry.details["parameters"].push_back(parameterJson(spec));
+      parameters.push_back(parameterJson(spec));
     }
-    entries.push_back(std::move(entry));
+    entries.push_back({each.name, {}, {{"parameters", parameters}}});
   }
   return entries;
 }
 
 Json portJson(const bt::PortSpec& port) {
-  Json json = {{"name", port.name},
-               {"direction", bt::portDirectionTag(port.direction)},
-               {"type", bt::portTypeName(port.type)},
-               {"required", port.required}};
-  json["default"] = port.defaultText ? Json(*port.defaultText) : Json();
-  json["unit"] = port.unit;
-  json["minimum"] = port.min ? Json(*port.min) : Json();
-  json["maximum"] = port.max ? Json(*port.max) : Json();
-  json["description"] = port.description;
-  return json;
+  const auto known = [](const auto& value) { return value ? Json(*value) : Json(); };
+  return {{"name", port.name},
+          {"direction", bt::portDirectionTag(port.direction)},
+          {"type", bt::portTypeName(port.type)},
+          {"required", port.required},
+          {"default", known(port.defaultText)},
+          {"unit", port.unit},
+          {"minimum", known(port.min)},
+          {"maximum", known(port.max)},
+          {"description", port.description}};
 }
 
 std::vector<Entry> nodeEntries(const bt::NodeCatalogue& catalogue) {
   std::vector<Entry> entries;
   for (const bt::NodeManifest& node : catalogue.all()) {
-    Entry entry;
-    entry.name = node.id;
-    std::string ports;
-    entry.details["kind"] = bt::nodeKindName(node.kind);
-    entry.details["category"] = node.category;
-    entry.details["origin"] = bt::nodeOriginName(node.origin);
-    entry.details["description"] = node.description;
-    entry.details["ports"] = Json::array();
+    std::vector<std::string> names;
+    Json ports = Json::array();
     for (const bt::PortSpec& port : node.ports) {
-      ports += (ports.empty() ? "" : ", ") + port.name;
-      entry.details["ports"].push_back(portJson(port));
+      names.push_back(port.name);
+      ports.push_back(portJson(port));
     }
-    entry.columns = {bt::nodeKindName(node.kind), ports};
-    entries.push_back(std::move(entry));
+    entries.push_back({node.id,
+                       {bt::nodeKindName(node.kind), base::join(names, ", ")},
+                       {{"kind", bt::nodeKindName(node.kind)},
+                        {"category", node.category},
+                        {"origin", bt::nodeOriginName(node.origin)},
+                        {"description", node.description},
+                        {"ports", ports}}});
   }
   return entries;
 }
@@ -100,16 +97,16 @@ std::vector<Entry> metricEntries() {
   std::vector<Entry> entries;
   for (const metrics::MetricEntry& metric : metrics::standardRegistry().entries()) {
     const metrics::MetricInfo& info = metric.info;
-    Entry entry;
-    entry.name = info.key;
-    entry.columns = {info.unit.empty() ? "-" : info.unit, info.range,
-                     metrics::betterName(info.better), info.source};
-    entry.details = {
-        {"unit", info.unit},         {"category", metrics::categoryName(info.category)},
-        {"range", info.range},       {"better", metrics::betterName(info.better)},
-        {"formula", info.formula},   {"source", info.source},
-        {"hunav_number", info.hunav}};
-    entries.push_back(std::move(entry));
+    const char* const better = metrics::betterName(info.better);
+    entries.push_back({info.key,
+                       {info.unit.empty() ? "-" : info.unit, info.range, better, info.source},
+                       {{"unit", info.unit},
+                        {"category", metrics::categoryName(info.category)},
+                        {"range", info.range},
+                        {"better", better},
+                        {"formula", info.formula},
+                        {"source", info.source},
+                        {"hunav_number", info.hunav}}});
   }
   return entries;
 }
@@ -139,6 +136,17 @@ std::vector<Entry> scenarioEntries() {
   return entries;
 }
 
+std::vector<Entry> entriesOf(const std::string& what) {
+  const sim2d::Registries& known = sim2d::programRegistries();
+  return what == "nodes"      ? nodeEntries(bt::humanNodes().catalogue())
+         : what == "metrics"  ? metricEntries()
+         : what == "keys"     ? keyEntries()
+         : what == "models"   ? registeredEntries(known.models)
+         : what == "robots"   ? registeredEntries(known.robotTypes)
+         : what == "planners" ? registeredEntries(known.planners)
+                              : scenarioEntries();
+}
+
 void printText(const std::vector<Entry>& entries) {
   std::vector<std::vector<std::string>> rows;
   for (const Entry& entry : entries) {
@@ -152,23 +160,19 @@ void printJson(const std::vector<Entry>& entries) {
   Json all = Json::array();
   for (const Entry& entry : entries) {
     Json json = {{"name", entry.name}};
-    if (entry.details.is_object()) {
-      json.update(entry.details);
-    }
+    json.update(entry.details);
     all.push_back(std::move(json));
   }
   printLine(all.dump(2));
 }
 
 int listCommand(const ListOptions& options, const OutputOptions& output) {
-  const bool json = output.json || options.format == "json";
   if (options.format == "xml") {
     if (options.what != "nodes") {
       printError("--format xml is for nodes alone (text and json are for all)");
       return kWrongCommandLine;
     }
-    const bt::NodeLibrary library = bt::humanNodes();
-    print(bt::writeModel(library.catalogue()));
+    print(bt::writeModel(bt::humanNodes().catalogue()));
     return kFine;
   }
   if (options.format == "markdown") {
@@ -180,24 +184,8 @@ int listCommand(const ListOptions& options, const OutputOptions& output) {
                                  : metrics::metricsMarkdown(metrics::standardRegistry()));
     return kFine;
   }
-  std::vector<Entry> entries;
-  if (options.what == "nodes") {
-    const bt::NodeLibrary library = bt::humanNodes();
-    entries = nodeEntries(library.catalogue());
-  } else if (options.what == "metrics") {
-    entries = metricEntries();
-  } else if (options.what == "keys") {
-    entries = keyEntries();
-  } else if (options.what == "models") {
-    entries = registeredEntries(sim2d::programRegistries().models);
-  } else if (options.what == "robots") {
-    entries = registeredEntries(sim2d::programRegistries().robotTypes);
-  } else if (options.what == "planners") {
-    entries = registeredEntries(sim2d::programRegistries().planners);
-  } else {
-    entries = scenarioEntries();
-  }
-  json ? printJson(entries) : printText(entries);
+  const std::vector<Entry> entries = entriesOf(options.what);
+  output.json || options.format == "json" ? printJson(entries) : printText(entries);
   return kFine;
 }
 

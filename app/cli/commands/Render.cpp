@@ -44,13 +44,11 @@ int renderCommand(const RenderOptions& options, const OutputOptions& output) {
     return kWrongCommandLine;
   }
   const base::Result<sim2d::Trace> trace = sim2d::readTrace(options.run);
-  printDiagnostics(trace.diagnostics());
-  if (!trace) {
+  if (!printDiagnostics(trace.diagnostics())) {
     return kBadInput;
   }
   const base::Diagnostics problems = saveImage(drawRun(*trace), options.output);
-  printDiagnostics(problems);
-  if (base::hasErrors(problems)) {
+  if (!printDiagnostics(problems)) {
     return kBadInput;
   }
   if (!output.quiet) {

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -60,22 +61,19 @@ bool choose(const ValidateOptions& options, std::vector<const RealismTest*>& tes
       isFine = false;
     }
   }
-  std::string names;
+  std::vector<std::string> names;
+  std::map<std::string, const RealismTest*> byName;
   for (const RealismTest& test : sim2d::realismTests()) {
-    names += (names.empty() ? "" : ", ") + test.name;
-    if (options.names.empty()) {
-      tests.push_back(&test);
-    }
+    names.push_back(test.name);
+    byName[test.name] = &test;
   }
-  for (const std::string& name : options.names) {
-    const auto& all = sim2d::realismTests();
-    const auto found = std::find_if(all.begin(), all.end(),
-                                    [&](const RealismTest& test) { return test.name == name; });
-    if (found == all.end()) {
-      printError("no realism test '" + name + "' (there are " + names + ")");
+  for (const std::string& name : options.names.empty() ? names : options.names) {
+    const auto found = byName.find(name);
+    if (found == byName.end()) {
+      printError("no realism test '" + name + "' (there are " + base::join(names, ", ") + ")");
       isFine = false;
     } else {
-      tests.push_back(&*found);
+      tests.push_back(found->second);
     }
   }
   return isFine;
@@ -115,8 +113,7 @@ int validateCommand(const ValidateOptions& options, const OutputOptions& output)
   }
   if (!options.output.empty()) {
     const base::Diagnostics problems = writeValidation(options.output, rows);
-    printDiagnostics(problems);
-    if (base::hasErrors(problems)) {
+    if (!printDiagnostics(problems)) {
       return kBadInput;
     }
   }
