@@ -26,12 +26,15 @@ RunWriter::Files::Files(const std::string& path)
   trees.append(sim2d::headLine(sim2d::kTreeColumns));
 }
 
-std::vector<base::GrowingFile*> RunWriter::Files::all() {
-  std::vector<base::GrowingFile*> files = {&trajectory, &events, &trees};
-  if (inputs) {
-    files.push_back(&*inputs);
+std::vector<base::GrowingFile*> RunWriter::files() const {
+  if (!files_) {
+    return {};
   }
-  return files;
+  std::vector<base::GrowingFile*> all = {&files_->trajectory, &files_->events, &files_->trees};
+  if (files_->inputs) {
+    all.push_back(&*files_->inputs);
+  }
+  return all;
 }
 
 RunWriter::RunWriter(const std::string& folder, const sim2d::World& world,
@@ -98,9 +101,6 @@ void RunWriter::append(const sim2d::Frame& frame) {
   if (files_) {
     write(frame, isRecorded);
   }
-  if (kept_) {
-    kept_->append(frame);
-  }
 }
 
 base::Result<metrics::Evaluation> RunWriter::evaluation() {
@@ -134,17 +134,14 @@ base::Diagnostics RunWriter::writeSteps(const std::string& path, const std::vect
 }
 
 bool RunWriter::hasFailed() const {
-  if (!files_) {
-    return false;
-  }
-  const std::vector<base::GrowingFile*> files = files_->all();
-  return std::any_of(files.begin(), files.end(),
+  const std::vector<base::GrowingFile*> all = files();
+  return std::any_of(all.begin(), all.end(),
                      [](const base::GrowingFile* file) { return file->hasFailed(); });
 }
 
 base::Diagnostics RunWriter::complete() {
   base::Diagnostics problems;
-  for (base::GrowingFile* file : files_ ? files_->all() : std::vector<base::GrowingFile*>()) {
+  for (base::GrowingFile* file : files()) {
     base::append(problems, file->complete());
   }
   return problems;
@@ -152,7 +149,7 @@ base::Diagnostics RunWriter::complete() {
 
 base::Diagnostics RunWriter::finish() {
   base::Diagnostics problems;
-  for (base::GrowingFile* file : files_ ? files_->all() : std::vector<base::GrowingFile*>()) {
+  for (base::GrowingFile* file : files()) {
     base::append(problems, file->finish());
   }
   files_.reset();

@@ -21,9 +21,6 @@ class RunWriter : public sim2d::FrameSink {
   RunWriter(const std::string& folder, const sim2d::World& world,
             const metrics::Selection& selection, const metrics::MetricParameters& parameters);
   void append(const sim2d::Frame& frame) override;
-  /// From now on the record is kept as well, to be compared with another.
-  void keepRecording() { kept_ = std::make_unique<sim2d::Recording>(recordEvery_); }
-  const sim2d::Recording* recording() const { return kept_.get(); }
 
   /// Once, at the end. Its results have no series: those are for writeSteps().
   base::Result<metrics::Evaluation> evaluation();
@@ -40,11 +37,11 @@ class RunWriter : public sim2d::FrameSink {
  private:
   struct Files {
     explicit Files(const std::string& path);
-    std::vector<base::GrowingFile*> all();
     const std::string folder;
     base::GrowingFile trajectory, events, trees;
     std::optional<base::GrowingFile> inputs;  // once there were some
   };
+  std::vector<base::GrowingFile*> files() const;  // all that are open
   void meet(const sim2d::Frame& frame);
   void write(const sim2d::Frame& frame, bool isRecorded);
   struct Column {
@@ -61,7 +58,6 @@ class RunWriter : public sim2d::FrameSink {
   std::set<int> known_;  // people that the metrics have been told of
   metrics::NumberStore store_;
   std::vector<Column> columns_;  // in the store
-  std::unique_ptr<sim2d::Recording> kept_;
 };
 
 }  // namespace app

@@ -19,7 +19,7 @@ SimulationRunner::SimulationRunner(QObject* parent) : QObject(parent) {
 }
 
 SimulationRunner::~SimulationRunner() {
-  stopWorker();
+  stopSession();
 }
 
 void SimulationRunner::setState(State state) {
@@ -32,16 +32,22 @@ void SimulationRunner::setState(State state) {
 void SimulationRunner::start(bool paused) {
   Q_ASSERT(request_);
   measuredSpeed_ = 0.0;
-  worker_ = std::make_unique<RunWorker>(request_(), paused, speed_);
-  thread_ = std::thread([worker = worker_.get()] { worker->work(); });
+  RunRequest request = request_();
+  session_ = std::make_unique<app::Session>(request.rule);
+  session_->keepHistory(request.recordEvery);
+  session_->setPaused(paused);
+  session_->setSpeed(speed_);
+  thread_ = std::thread([session = session_.get(), makeWorld = std::move(request.makeWorld)] {
+    session->run(makeWorld);
+  });
   timer_.start();
   setState(paused ? State::Paused : State::Running);
 }
 
-void SimulationRunner::stopWorker() {
+void SimulationRunner::stopSession() {
   timer_.stop();
   if (thread_.joinable()) {
-    worker_->stop();
+    session_->stop();
     thread_.join();
   }
 }
@@ -67,13 +73,13 @@ void SimulationRunner::play() {
     return;
   }
   seekNewest();
-  worker_->setPaused(false);
+  session_->setPaused(false);
   setState(State::Running);
 }
 
 void SimulationRunner::pause() {
   if (state_ == State::Running) {
-    isRecorded_ ? timer_.stop() : worker_->setPaused(true);
+    isRecorded_ ? timer_.stop() : session_->setPaused(true);
     setState(State::Paused);
   }
 }
@@ -93,7 +99,7 @@ void SimulationRunner::stepOnce() {
       show(recording_->frame(next), !isRecorded_);
     }
   } else if (!finished_) {
-    worker_->allowStep();
+    session_->allowStep();
   }
 }
 
@@ -101,11 +107,11 @@ void SimulationRunner::reset() {
   if (state_ == State::Editing) {
     return;
   }
-  stopWorker();
-  if (worker_ != nullptr) {
-    poll();  // the last words of the worker
+  stopSession();
+  if (session_ != nullptr) {
+    poll();  // the last words of the session
   }
-  worker_.reset();
+  session_.reset();
   finished_ = isRecorded_ = false;
   recording_.reset();
   newest_.reset();
@@ -116,8 +122,8 @@ void SimulationRunner::reset() {
 void SimulationRunner::setSpeed(double factor) {
   Q_ASSERT(factor > 0.0);
   speed_ = factor;
-  if (worker_ != nullptr) {
-    worker_->setSpeed(factor);
+  if (session_ != nullptr) {
+    session_->setSpeed(factor);
   } else if (isRecorded_) {
     startClock();
   }
@@ -190,11 +196,11 @@ void SimulationRunner::poll() {
     playOn();
     return;
   }
-  RunNews news = worker_->takeNews();
+  app::SessionNews news = session_->takeNews();
   if (news.remarks && base::hasErrors(*news.remarks)) {
     const base::Diagnostics errors = *news.remarks;
-    stopWorker();
-    worker_.reset();
+    stopSession();
+    session_.reset();
     setState(State::Editing);
     Q_EMIT notStarted(errors);
     return;
@@ -202,8 +208,8 @@ void SimulationRunner::poll() {
   if (news.remarks && !news.remarks->empty()) {
     Q_EMIT warned(*news.remarks);
   }
-  if (news.recording != nullptr) {
-    recording_ = news.recording;
+  if (news.history != nullptr) {
+    recording_ = news.history;
   }
   if (news.newest != nullptr) {
     newest_ = std::move(news.newest);
@@ -216,21 +222,21 @@ void SimulationRunner::poll() {
     Q_EMIT speedMeasured(measuredSpeed_);
   }
   if (news.result) {
-    takeEnd(news);
+    takeEnd(*news.result);
   }
 }
 
-void SimulationRunner::takeEnd(const RunNews& news) {
+void SimulationRunner::takeEnd(const sim2d::RunResult& result) {
   timer_.stop();
   if (thread_.joinable()) {
     thread_.join();
   }
   finished_ = true;
   setState(State::Paused);
-  if (news.result->status == sim2d::RunStatus::Failed) {
-    Q_EMIT failed(QString::fromStdString(news.result->reason));
+  if (result.status == sim2d::RunStatus::Failed) {
+    Q_EMIT failed(QString::fromStdString(result.reason));
   }
-  Q_EMIT finished(*news.result);
+  Q_EMIT finished(result);
 }
 
 }  // namespace editor

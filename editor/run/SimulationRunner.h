@@ -9,14 +9,24 @@
 #include <QObject>
 #include <QTimer>
 
-#include "editor/run/RunWorker.h"
+#include "app/run/Session.h"
 
 namespace editor {
 
-/// A simulation beside the window. Lives in the GUI thread and owns one worker thread with the
-/// world; commands go in through a locked queue and are used between steps. States come out through
-/// the recording, which is there to be read while it grows and equals that of a headless run; a run
-/// that was recorded before is played from its recording in the same way.
+using app::RecordingPtr;
+using sim2d::FramePtr;
+
+/// A run to be started.
+struct RunRequest {
+  app::WorldMaker makeWorld;  // called in the worker thread, so it holds copies of all it needs
+  sim2d::StopRule rule;
+  int recordEvery = 1;
+};
+
+/// A simulation beside the window. Lives in the GUI thread and owns one worker thread with
+/// the session. States come out through its history, which is there to be read while it grows and
+/// equals that of a headless run; a run that was recorded before is played from its recording in
+/// the same way.
 class SimulationRunner : public QObject {
   Q_OBJECT
  public:
@@ -68,15 +78,15 @@ class SimulationRunner : public QObject {
  private:
   void start(bool paused);
   void poll();
-  void takeEnd(const RunNews& news);
+  void takeEnd(const sim2d::RunResult& result);
   void setState(State state);
   void show(FramePtr frame, bool lookingBack);
-  void stopWorker();
+  void stopSession();
   void playOn();
   void startClock();
 
   std::function<RunRequest()> request_;
-  std::unique_ptr<RunWorker> worker_;
+  std::unique_ptr<app::Session> session_;
   std::thread thread_;
   QTimer timer_;
   State state_ = State::Editing;

@@ -53,14 +53,16 @@ StopRule stopRuleOf(const Environment& scenario) {
 }
 
 RunResult run(World& world, const StopRule& rule, FrameSink& sink,
-              const std::function<bool(const Frame&)>& wantsStop) {
+              const std::function<bool(const Frame&)>& wantsStop,
+              const std::function<StepInputs()>& takeInputs) {
   using Clock = std::chrono::steady_clock;
   RunResult result;
   Frame last = world.frame();
   result.reason = reasonToStop(world, rule, wantsStop);
   while (result.reason.empty()) {
+    const StepInputs inputs = takeInputs ? takeInputs() : StepInputs();
     const Clock::time_point begin = Clock::now();
-    const bool isFine = world.step();
+    const bool isFine = world.step(inputs);
     result.steppingSeconds += std::chrono::duration<double>(Clock::now() - begin).count();
     if (!isFine) {
       result.status = RunStatus::Failed;

@@ -28,7 +28,9 @@ StopRule stopRuleOf(const Environment& scenario);
 
 /// Steps until the rule holds, `wantsStop` says so, or the world fails. The sink gets every state
 /// from step 0 on, each when the next one is there; the last one carries the event `stop`.
+/// `takeInputs` is asked before each step for what comes from outside.
 RunResult run(World& world, const StopRule& rule, FrameSink& sink,
-              const std::function<bool(const Frame&)>& wantsStop = {});
+              const std::function<bool(const Frame&)>& wantsStop = {},
+              const std::function<StepInputs()>& takeInputs = {});
 
 }  // namespace sim2d

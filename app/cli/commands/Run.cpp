@@ -9,11 +9,11 @@
 #include "app/run/DataPaths.h"
 #include "app/run/Manifest.h"
 #include "app/run/RunFolder.h"
+#include "app/run/Session.h"
 #include "editor/document/QtImageLoader.h"
 #include "metrics/Counterfactual.h"
 #include "metrics/ReportFiles.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/world/Runner.h"
 
 namespace app {
 
@@ -23,11 +23,9 @@ std::string oneDecimal(double value) {
   return base::formatDecimals(std::round(value * 10.0) / 10.0, 1);
 }
 
-FinishedRun simulate(sim2d::World& world, const sim2d::Scenario& scenario,
-                     const MetricsSetup& scenarioSetup, RunWriter& writer,
-                     const OutputOptions& output) {
-  const sim2d::StopRule rule = sim2d::stopRuleOf(scenario);
-  const double end = static_cast<double>(rule.maximumSteps) * world.dt();
+FinishedRun simulate(Session& session, sim2d::World& world, const MetricsSetup& scenarioSetup,
+                     RunWriter& writer, const OutputOptions& output) {
+  const double end = static_cast<double>(session.rule().maximumSteps) * world.dt();
   sim2d::StepTimes times;
   metrics::PlanningTime planning;
   double planned = 0.0;  // [s] up to the step before
@@ -37,7 +35,7 @@ FinishedRun simulate(sim2d::World& world, const sim2d::Scenario& scenario,
   sim2d::RunResult result;
   {
     Progress progress(output.quiet);
-    result = sim2d::run(world, rule, writer, [&](const sim2d::Frame& frame) {
+    result = session.run(world, &writer, [&](const sim2d::Frame& frame) {
       const double now = times.seconds[static_cast<std::size_t>(sim2d::StepPhase::Robots)];
       if (times.steps > planning.steps()) {
         planning.add(now - planned);
@@ -46,7 +44,9 @@ FinishedRun simulate(sim2d::World& world, const sim2d::Scenario& scenario,
       if (progress.isDue()) {
         progress.show(oneDecimal(frame.time) + " / " + oneDecimal(end) + " s simulated");
       }
-      return wasInterrupted() || writer.hasFailed();
+      if (wasInterrupted() || writer.hasFailed()) {
+        session.stop();
+      }
     });
   }
   world.measure(nullptr);
@@ -56,28 +56,31 @@ FinishedRun simulate(sim2d::World& world, const sim2d::Scenario& scenario,
 }
 
 /// The same people with the same draws, alone; as many steps as the run had.
-base::Result<sim2d::Trace> simulateWithoutRobots(const Bundle& bundle, std::int64_t steps) {
-  Bundle alone = bundle;
+base::Result<sim2d::Trace> simulateWithoutRobots(Bundle bundle, std::int64_t steps) {
   auto scenario = std::make_shared<sim2d::Scenario>(*bundle.scenario);
   for (sim2d::Robot& robot : scenario->robots) {
     robot.listed = false;
   }
-  alone.scenario = scenario;
-  const Verdict verdict = check(alone);
+  bundle.scenario = scenario;
+  const Verdict verdict = check(bundle);
   if (!verdict.world) {
     return verdict.problems;
   }
-  sim2d::Recording recording(scenario->desktop.recordEvery.value_or(1));
-  const sim2d::RunResult result = sim2d::run(*verdict.world, {steps, false}, recording,
-                                             [](const sim2d::Frame&) { return wasInterrupted(); });
+  Session session({steps, false});
+  session.keepHistory(scenario->desktop.recordEvery.value_or(1));
+  const sim2d::RunResult result = session.run(*verdict.world, nullptr, [&](const sim2d::Frame&) {
+    if (wasInterrupted()) {
+      session.stop();
+    }
+  });
   if (result.status != sim2d::RunStatus::Finished) {
     return base::error("run.ended-without-robots", {result.reason}, bundle.path);
   }
-  return recording.trace(verdict.world->header());
+  return session.history()->trace(verdict.world->header());
 }
 
 /// Adds the sums to the metrics and makes the table of people.
-base::Diagnostics compareWithoutRobots(const Bundle& bundle, const RunWriter& writer,
+base::Diagnostics compareWithoutRobots(const Bundle& bundle, const Session& session,
                                        FinishedRun& run) {
   if (run.header.robots.empty()) {
     return {base::warning("run.nothing-to-compare", {}, bundle.path)};
@@ -87,7 +90,7 @@ base::Diagnostics compareWithoutRobots(const Bundle& bundle, const RunWriter& wr
     return alone.diagnostics();
   }
   const std::vector<metrics::PersonEffect> effects =
-      metrics::personEffects(writer.recording()->trace(run.header), *alone);
+      metrics::personEffects(session.history()->trace(run.header), *alone);
   run.effectsCsv = metrics::effectsCsv(effects);
   if (run.evaluation) {
     const std::vector<metrics::MetricResult> sums = metrics::effectSums(effects);
@@ -145,34 +148,19 @@ int exitCodeOf(const FinishedRun& run, const std::string& scenario) {
   return kRunFailed;
 }
 
-struct Outcome {
-  RunWriter& writer;
-  FinishedRun& run;
-};
-
-/// Comparison, files and table of a run; returns the exit code.
+/// Files and table of a run; returns the exit code.
 int conclude(const RunOptions& options, const OutputOptions& output, const Bundle& bundle,
-             const std::vector<std::string>& commandLine, const Outcome& outcome) {
-  FinishedRun& run = outcome.run;
-  bool isCompared = true, isWritten = true;
-  if (options.counterfactual && run.result.status == sim2d::RunStatus::Finished) {
-    const base::Diagnostics told = compareWithoutRobots(bundle, outcome.writer, run);
-    printDiagnostics(told);
-    isCompared = !base::hasErrors(told);
-  }
-  if (!options.output.empty()) {
-    const base::Diagnostics problems =
-        writeRunFolder(options.output, run, outcome.writer, bundle, commandLine);
-    printDiagnostics(problems);
-    isWritten = !base::hasErrors(problems);
-  }
+             const std::vector<std::string>& commandLine, RunWriter& writer,
+             const FinishedRun& run) {
+  const bool isWritten =
+      options.output.empty() ||
+      printDiagnostics(writeRunFolder(options.output, run, writer, bundle, commandLine));
   show(run, run.header.dt, output);
   if (!isWritten) {
     printError("after " + simulatedText(run) + " of the run: its files are not complete");
     return kBadInput;
   }
-  const int code = exitCodeOf(run, options.scenario);
-  return code == kFine && !isCompared ? kRunFailed : code;
+  return exitCodeOf(run, options.scenario);
 }
 
 /// Of the metrics what nobody will read is not worked out: per sample only for the files, per
@@ -188,14 +176,12 @@ void wantNoMore(const RunOptions& options, const OutputOptions& output,
 int runCommand(const RunOptions& options, const OutputOptions& output,
                const std::vector<std::string>& commandLine) {
   const base::Result<RunSettings> settings = runSettingsOf(options);
-  printDiagnostics(settings.diagnostics());
-  if (!settings) {
+  if (!printDiagnostics(settings.diagnostics())) {
     return kWrongCommandLine;
   }
   const Bundle bundle = readBundle(options, *settings, editor::loadMapImage);
   Verdict verdict = check(bundle);
-  printDiagnostics(verdict.wrongWords);
-  if (base::hasErrors(verdict.wrongWords)) {
+  if (!printDiagnostics(verdict.wrongWords)) {
     return kWrongCommandLine;
   }
   if (!options.output.empty() && verdict.ok()) {  // else nothing will be written
@@ -211,10 +197,11 @@ int runCommand(const RunOptions& options, const OutputOptions& output,
   wantNoMore(options, output, verdict.metrics.selection);
   RunWriter writer(options.totals ? std::string() : options.output, world,
                    verdict.metrics.selection, verdict.metrics.parameters);
+  Session session(sim2d::stopRuleOf(*bundle.scenario));
   if (options.counterfactual) {
-    writer.keepRecording();
+    session.keepHistory(bundle.scenario->desktop.recordEvery.value_or(1));
   }
-  FinishedRun run = simulate(world, *bundle.scenario, verdict.scenarioMetrics, writer, output);
+  FinishedRun run = simulate(session, world, verdict.scenarioMetrics, writer, output);
   run.totalsOnly = options.totals;
   base::Diagnostics troubles;
   world.behavior().takeDiagnostics(troubles);
@@ -222,7 +209,12 @@ int runCommand(const RunOptions& options, const OutputOptions& output,
   if (!run.evaluation) {
     printDiagnostics(run.evaluation.diagnostics());
   }
-  return conclude(options, output, bundle, commandLine, {writer, run});
+  bool isCompared = true;
+  if (options.counterfactual && run.result.status == sim2d::RunStatus::Finished) {
+    isCompared = printDiagnostics(compareWithoutRobots(bundle, session, run));
+  }
+  const int code = conclude(options, output, bundle, commandLine, writer, run);
+  return code == kFine && !isCompared ? kRunFailed : code;
 }
 
 }  // namespace

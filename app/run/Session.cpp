@@ -1,0 +1,206 @@
+#include "app/run/Session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace app {
+
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+
+constexpr double kMostLag = 0.1;  // [s] of wall time that are caught up with
+constexpr double kMeasureSeconds = 0.5;
+
+}  // namespace
+
+/// Hands the states on. The history gets each as soon as it is there, for whoever watches; the
+/// runner tells them later, when it knows which is the last.
+class Session::Feed : public sim2d::FrameSink {
+ public:
+  Feed(Session& session, const sim2d::World& world, sim2d::FrameSink* sink)
+      : session_(session), world_(world), sink_(sink) {
+    if (session_.history_) {
+      session_.history_->setHeader(world.header());
+      const std::lock_guard<std::mutex> lock(session_.mutex_);
+      session_.news_.history = session_.history_;
+    }
+  }
+
+  void publish(const sim2d::Frame& frame) {
+    if (!session_.history_) {
+      return;
+    }
+    if (frame.humans.id != present_) {
+      present_ = frame.humans.id;
+      meet();
+    }
+    session_.history_->append(frame);
+    newest_ = frame.step;
+    auto copy = std::make_shared<const sim2d::Frame>(frame);
+    const std::lock_guard<std::mutex> lock(session_.mutex_);
+    session_.news_.newest = std::move(copy);
+  }
+
+  void append(const sim2d::Frame& frame) override {
+    if (frame.step > newest_) {
+      publish(frame);
+    } else if (!frame.events.empty() && frame.events.back().kind == sim2d::EventKind::Stop) {
+      session_.history_->addEvent(frame.step, frame.events.back());
+    }
+    if (sink_ != nullptr) {
+      sink_->append(frame);
+    }
+  }
+
+ private:
+  /// People from sources are in the header as well.
+  void meet() {
+    const auto isKnown = [this](int id) { return known_.count(id) > 0; };
+    if (std::all_of(present_.begin(), present_.end(), isKnown)) {
+      return;
+    }
+    sim2d::TraceHeader header = world_.header();
+    for (const sim2d::TraceHuman& human : header.humans) {
+      known_.insert(human.id);
+    }
+    session_.history_->setHeader(std::move(header));
+  }
+
+  Session& session_;
+  const sim2d::World& world_;
+  sim2d::FrameSink* const sink_;
+  std::vector<int> present_;
+  std::set<int> known_;  // people of the header
+  std::int64_t newest_ = -1;
+};
+
+void Session::keepHistory(int recordEvery) {
+  history_ = std::make_shared<sim2d::Recording>(recordEvery);
+}
+
+sim2d::RunResult Session::run(sim2d::World& world, sim2d::FrameSink* sink, const Watcher& watch) {
+  Feed feed(*this, world, sink);
+  const auto wantsStop = [&](const sim2d::Frame& frame) {
+    feed.publish(frame);
+    if (watch) {
+      watch(frame);
+    }
+    return waitForTurn(world);
+  };
+  return sim2d::run(world, rule_, feed, wantsStop, [this] {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return std::exchange(inputs_, {});
+  });
+}
+
+void Session::run(const WorldMaker& makeWorld) {
+  const base::Result<std::unique_ptr<sim2d::World>> made = makeWorld();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    news_.remarks = made.diagnostics();
+  }
+  if (made) {
+    const sim2d::RunResult result = run(**made);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    news_.result = result;
+  }
+}
+
+template <class Change>
+void Session::order(Change change) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  change();
+  changed_.notify_all();
+}
+
+void Session::setPaused(bool paused) {
+  order([&] {
+    paused_ = paused;
+    stepsAllowed_ = 0;
+    restartClock_ = true;
+  });
+}
+
+void Session::allowStep() {
+  order([&] { ++stepsAllowed_; });
+}
+
+void Session::setSpeed(double factor) {
+  order([&] {
+    speed_ = factor;
+    restartClock_ = true;
+  });
+}
+
+void Session::stop() {
+  order([&] { stop_ = true; });
+}
+
+void Session::add(sim2d::Input input) {
+  order([&] { inputs_.push_back(std::move(input)); });
+}
+
+SessionNews Session::takeNews() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::exchange(news_, SessionNews());
+}
+
+/// True: the run is to end instead.
+bool Session::waitForTurn(const sim2d::World& world) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!stop_) {
+    if (stepsAllowed_ > 0) {
+      --stepsAllowed_;
+      return false;
+    } else if (paused_) {
+      changed_.wait(lock);
+    } else {
+      if (std::exchange(restartClock_, false)) {
+        restartClock(world.time());
+      }
+      measure(world.time());
+      if (isDue(world.time(), world.dt())) {
+        return false;
+      }
+      changed_.wait_until(lock, dueTime(world.time(), world.dt()));
+    }
+  }
+  return true;
+}
+
+void Session::restartClock(double time) {
+  wallStart_ = measureStart_ = Clock::now();
+  simulatedStart_ = measuredFrom_ = time;
+}
+
+Session::Clock::time_point Session::dueTime(double time, double dt) const {
+  const Seconds wall((time + dt - simulatedStart_) / speed_);
+  return wallStart_ + std::chrono::duration_cast<Clock::duration>(wall);
+}
+
+bool Session::isDue(double time, double dt) {
+  if (std::isinf(speed_)) {
+    return true;
+  }
+  const double late = Seconds(Clock::now() - dueTime(time, dt)).count();
+  if (late > kMostLag) {  // too slow for this speed: do not hurry for ever to catch up
+    wallStart_ = Clock::now();
+    simulatedStart_ = time;
+  }
+  return late >= 0.0;
+}
+
+void Session::measure(double time) {
+  const double wall = Seconds(Clock::now() - measureStart_).count();
+  if (wall >= kMeasureSeconds) {
+    news_.measuredSpeed = (time - measuredFrom_) / wall;
+    measureStart_ = Clock::now();
+    measuredFrom_ = time;
+  }
+}
+
+}  // namespace app

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "sim2d/trace/Recording.h"
+#include "sim2d/world/Runner.h"
+
+namespace app {
+
+using WorldMaker = std::function<base::Result<std::unique_ptr<sim2d::World>>()>;
+using RecordingPtr = std::shared_ptr<const sim2d::Recording>;
+
+/// What a session has to tell, collected until somebody looks.
+struct SessionNews {
+  std::optional<base::Diagnostics> remarks;  // of making the world; errors: it could not be made
+  RecordingPtr history;                      // of this run, once there is a world; it grows
+  sim2d::FramePtr newest;
+  std::optional<double> measuredSpeed;     // [simulated s / wall s]
+  std::optional<sim2d::RunResult> result;  // the run is over
+};
+
+/// One run of a world, the same for the commands and the window: it is stepped until its rule is
+/// fulfilled, at the pace that is asked for, with inputs from outside, and remembered if wanted.
+/// One thread runs it; others give orders and inputs, which are heeded between two steps.
+class Session {
+ public:
+  using Watcher = std::function<void(const sim2d::Frame&)>;
+
+  explicit Session(const sim2d::StopRule& rule) : rule_(rule) {}
+  const sim2d::StopRule& rule() const { return rule_; }
+
+  // the thread that runs
+  /// From now on the past can be looked at: each state is recorded as soon as it is there, and the
+  /// newest one is news.
+  void keepHistory(int recordEvery);
+  /// Null without; complete when the run is over.
+  RecordingPtr history() const { return history_; }
+  /// Once. `watch` sees each state before the next step and may give orders; `sink` gets all of
+  /// them, the last with the event `stop`.
+  sim2d::RunResult run(sim2d::World& world, sim2d::FrameSink* sink = nullptr,
+                       const Watcher& watch = {});
+  /// The same with a world that is made first; all that comes of it is news.
+  void run(const WorldMaker& makeWorld);
+
+  // any thread
+  void setPaused(bool paused);
+  void allowStep();              // one step although paused
+  void setSpeed(double factor);  // > 0; infinity = as fast as possible, which it is at first
+  void stop();
+  void add(sim2d::Input input);  // acts in the next step
+  SessionNews takeNews();
+
+ private:
+  class Feed;
+  using Clock = std::chrono::steady_clock;
+  template <class Change>
+  void order(Change change);
+  bool waitForTurn(const sim2d::World& world);
+  void measure(double time);
+  bool isDue(double time, double dt);
+  Clock::time_point dueTime(double time, double dt) const;
+  void restartClock(double time);
+
+  const sim2d::StopRule rule_;
+  std::shared_ptr<sim2d::Recording> history_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  // guarded by the mutex
+  bool paused_ = false, stop_ = false, restartClock_ = true;
+  int stepsAllowed_ = 0;
+  double speed_ = std::numeric_limits<double>::infinity();
+  sim2d::StepInputs inputs_;
+  SessionNews news_;
+  // of the thread that runs alone
+  Clock::time_point wallStart_;
+  double simulatedStart_ = 0.0;
+  Clock::time_point measureStart_;
+  double measuredFrom_ = 0.0;
+};
+
+}  // namespace app
