@@ -13,15 +13,6 @@ namespace app {
 
 namespace {
 
-sim2d::FilePlaces placesOf(const RunOptions& options) {
-  sim2d::FilePlaces places;
-  places.scenarioPath = options.scenario;
-  places.mapOption = options.map;
-  places.treesOption = options.trees;
-  places.shippedMaps = shippedMapsFolder();
-  return places;
-}
-
 void readMapOf(Bundle& bundle, const sim2d::FilePlaces& places, const sim2d::ImageLoader& loader) {
   const sim2d::Scenario& scenario = *bundle.scenario;
   const base::Result<std::string> path = sim2d::findMap(scenario, places);
@@ -39,6 +30,7 @@ void readMapOf(Bundle& bundle, const sim2d::FilePlaces& places, const sim2d::Ima
   base::append(bundle.remarks, file.diagnostics());
   if (file) {
     bundle.inputs.insert(bundle.inputs.end(), {file->path, file->imagePath});
+    bundle.mapPath = file->path;
     bundle.map = std::make_shared<const sim2d::OccupancyGrid>(std::move(file->grid));
   }
 }
@@ -91,6 +83,9 @@ std::shared_ptr<const sim2d::Surroundings> surroundingsOf(const Bundle& bundle) 
   if (bundle.surroundings != nullptr) {
     return bundle.surroundings;
   }
+  if (bundle.known != nullptr && bundle.map && bundle.isWhole) {
+    return bundle.known->of(bundle);
+  }
   // Without the map, and for places that were wrong in the file and stand somewhere else now, there
   // are no walls to be in.
   return std::make_shared<const sim2d::Surroundings>(
@@ -120,6 +115,20 @@ void checkMetrics(const Bundle& bundle, Verdict& verdict) {
 
 }  // namespace
 
+std::shared_ptr<const sim2d::Surroundings> KnownSurroundings::of(const Bundle& bundle) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const bool isKnown = surroundings_ != nullptr && map_ == bundle.map &&
+                       scenario_->obstacles == bundle.scenario->obstacles &&
+                       scenario_->doors == bundle.scenario->doors;
+  if (!isKnown) {
+    surroundings_ = std::make_shared<const sim2d::Surroundings>(
+        sim2d::makeSurroundings(*bundle.scenario, *bundle.map));
+    map_ = bundle.map;
+    scenario_ = bundle.scenario;
+  }
+  return surroundings_;
+}
+
 base::Result<sim2d::MapFile> readMapFile(const std::string& path, const std::string& rule,
                                          const sim2d::ImageLoader& loader) {
   return sim2d::readMap(path, loader,
@@ -136,13 +145,15 @@ Bundle readBundle(const RunOptions& options, const RunSettings& settings,
   sim2d::ScenarioReading reading = sim2d::readScenario(options.scenario);
   bundle.remarks = reading.diagnostics;
   bundle.isWhole = reading.ok();
+  bundle.comments = reading.commentCount;
   bundle.lines = std::move(reading.lines);
   if (bundle.isWhole) {
     bundle.wrongWords = applyOptions(reading.scenario, options, settings.compatibility);
   }
   bundle.scenario = std::make_shared<const sim2d::Scenario>(std::move(reading.scenario));
   if (bundle.hasScenario() && !base::hasErrors(bundle.wrongWords)) {
-    const sim2d::FilePlaces places = placesOf(options);
+    const sim2d::FilePlaces places{options.scenario, options.map, options.trees,
+                                   shippedMapsFolder()};
     readMapOf(bundle, places, loader);
     findTrees(bundle, places);
     bundle.surroundings = surroundingsOf(bundle);

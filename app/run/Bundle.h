@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,21 @@
 
 namespace app {
 
+struct Bundle;
+
+/// Surroundings of the bundles of one document, worked out anew only when map, obstacles or doors
+/// are others. Thread: any.
+class KnownSurroundings {
+ public:
+  std::shared_ptr<const sim2d::Surroundings> of(const Bundle& bundle);
+
+ private:
+  std::mutex mutex_;
+  std::shared_ptr<const sim2d::OccupancyGrid> map_;
+  std::shared_ptr<const sim2d::Scenario> scenario_;
+  std::shared_ptr<const sim2d::Surroundings> surroundings_;
+};
+
 /// A scenario with all that a run of it takes, in memory: read from files, or as the window has it.
 struct Bundle {
   std::string path;  // of the scenario's file, which names it in messages; empty = in none
@@ -21,7 +37,10 @@ struct Bundle {
   bool isBeginning = false;  // of a damaged file: what that means alone would mislead
   std::shared_ptr<const sim2d::OccupancyGrid> map;  // null: there should be one; empty: open plane
   std::shared_ptr<const sim2d::Surroundings>
-      surroundings;  // of both; null: each check makes its own
+      surroundings;                          // of both; null: each check makes its own
+  std::shared_ptr<KnownSurroundings> known;  // or takes them from here
+  std::string mapPath;                       // of the map's YAML; empty: in none
+  int comments = 0;                          // in the scenario file
   bt::TreeFiles trees;
   MetricsWords metrics;
   RunSettings settings;

@@ -1,10 +1,13 @@
 #include "app/run/Export.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
+#include <string_view>
+#include <tuple>
+#include <utility>
 
 #include "app/run/Bundle.h"
-#include "app/run/DataPaths.h"
 #include "bt/human/HumanNodes.h"
 #include "bt/human/TreeExport.h"
 #include "bt/tree/TreeXml.h"
@@ -13,7 +16,6 @@
 #include "sim2d/map/MapFiles.h"
 #include "sim2d/map/MapReader.h"
 #include "sim2d/scenario/ScenarioCheck.h"
-#include "sim2d/scenario/ScenarioFile.h"
 
 namespace app {
 
@@ -113,11 +115,7 @@ class Planner {
     if (!paths_.insert(path).second) {
       return;
     }
-    const base::Result<std::string> present = base::readTextFile(path);
-    std::error_code ignored;
-    const ExportPlan::State state = !present && !fs::exists(path, ignored) ? ExportPlan::State::New
-                                    : present && *present == content ? ExportPlan::State::Unchanged
-                                                                     : ExportPlan::State::Replaced;
+    const ExportPlan::State state = stateOf(path, content);
     plan_.files.push_back({{path, std::move(content)}, state});
   }
 
@@ -243,16 +241,17 @@ class Planner {
 
 }  // namespace
 
+ExportPlan::State stateOf(const std::string& path, const std::string& content) {
+  const base::Result<std::string> present = base::readTextFile(path);
+  std::error_code ignored;
+  return !present && !fs::exists(path, ignored) ? ExportPlan::State::New
+         : present && *present == content       ? ExportPlan::State::Unchanged
+                                                : ExportPlan::State::Replaced;
+}
+
 const char* stateName(ExportPlan::State state) {
-  switch (state) {
-    case ExportPlan::State::New:
-      return "written";
-    case ExportPlan::State::Replaced:
-      return "replaced";
-    case ExportPlan::State::Unchanged:
-      break;
-  }
-  return "unchanged";
+  constexpr const char* kNames[] = {"written", "replaced", "unchanged"};
+  return kNames[static_cast<int>(state)];
 }
 
 ExportPlan planExport(const ExportSource& source, const ExportRequest& request) {
@@ -269,52 +268,76 @@ base::Diagnostics writeExport(const ExportPlan& plan) {
   return base::writeFilesTogether(files);
 }
 
-base::Result<ExportSource> readExportSource(const std::string& scenario, const std::string& map,
-                                            const std::string& trees,
+base::Result<ExportSource> readExportSource(const RunOptions& options,
                                             const sim2d::ImageLoader& loader) {
-  sim2d::ScenarioReading reading = sim2d::readScenario(scenario);
-  base::Diagnostics problems = reading.diagnostics;
-  if (!reading.ok()) {
-    return problems;
+  Bundle bundle = readBundle(options, {}, loader);
+  base::Diagnostics told;
+  for (base::Diagnostic remark : std::exchange(bundle.remarks, {})) {
+    // without its map a scenario can still be handed on; one that was asked for must be there
+    const bool isOfMap = bundle.isWhole && remark.code != "option.no-trees-folder";
+    if (isOfMap && options.map.empty() && remark.severity == base::Severity::Error) {
+      remark.severity = base::Severity::Warning;
+    }
+    if (remark.code != "run.no-tree-files") {  // they are made here
+      told.push_back(std::move(remark));
+    }
+  }
+  for (const base::Diagnostic& problem : check(bundle, CheckDepth::Meaning).problems) {
+    if (problem.severity == base::Severity::Error) {  // of the rest the export tells its own
+      told.push_back(problem);
+    }
+  }
+  if (base::hasErrors(told)) {
+    return told;
   }
   ExportSource source;
-  source.path = scenario;
-  source.comments = reading.commentCount;
-  source.scenario = std::move(reading.scenario);
-  const sim2d::FilePlaces places{scenario, map, trees, shippedMapsFolder()};
-  // without its map a scenario can still be handed on; one that was asked for must be there
-  const auto addMapProblems = [&](const base::Diagnostics& found) {
-    for (base::Diagnostic problem : found) {
-      problem.severity = map.empty() ? base::Severity::Warning : problem.severity;
-      problems.push_back(std::move(problem));
+  source.path = bundle.path;
+  source.comments = bundle.comments;
+  source.scenario = *bundle.scenario;
+  source.mapPath = bundle.mapPath;
+  source.map = bundle.map;
+  for (const auto& [person, tree] : bundle.trees) {
+    const base::Result<std::string> text =
+        tree.isGenerated() ? base::Result<std::string>("") : base::readTextFile(tree.path);
+    if (!text) {
+      return text.diagnostics();
     }
-  };
-  const base::Result<std::string> mapPath = sim2d::findMap(source.scenario, places);
-  if (mapPath && !mapPath->empty()) {
-    base::Result<sim2d::MapFile> file =
-        readMapFile(*mapPath, source.scenario.desktop.mapRule.value_or("humble"), loader);
-    addMapProblems(file.diagnostics());
-    if (file) {
-      source.mapPath = file->path;
-      source.map = std::make_shared<sim2d::OccupancyGrid>(std::move(file->grid));
-    }
-  } else {
-    addMapProblems(mapPath.diagnostics());
-  }
-  for (const sim2d::Human& human : source.scenario.humans) {
-    const std::string path = sim2d::findTree(source.scenario, human, places);
-    if (!path.empty() && human.listed) {
-      const base::Result<std::string> text = base::readTextFile(path);
-      base::append(problems, text.diagnostics());
-      if (text) {
-        source.trees[human.name] = {*text, path};
-      }
+    if (!tree.isGenerated()) {
+      source.trees[person] = {*text, tree.path};
     }
   }
-  if (base::hasErrors(problems)) {
-    return problems;
+  return {std::move(source), std::move(told)};
+}
+
+std::vector<ReportLine> groupedByPeople(const base::Diagnostics& report) {
+  std::vector<ReportLine> lines;
+  using Said = std::tuple<base::Severity, std::string_view, decltype(base::Diagnostic::values)>;
+  std::map<Said, std::size_t> known;  // of people, without the name
+  for (const base::Diagnostic& said : report) {
+    const std::string name = said.value("where");
+    if (said.entity.kind != base::EntityKind::Human || name.empty()) {
+      lines.push_back({said, {}});
+      continue;
+    }
+    const auto [place, isNew] = known.try_emplace(
+        {said.severity, said.code, base::elsewhere({}, said).values}, lines.size());
+    if (isNew) {
+      lines.push_back({said, {}});
+    }
+    std::vector<std::string>& people = lines[place->second].people;
+    if (std::find(people.begin(), people.end(), name) == people.end()) {
+      people.push_back(name);
+    }
   }
-  return {std::move(source), std::move(problems)};
+  for (ReportLine& line : lines) {
+    if (line.people.size() < 2) {
+      line.people.clear();
+      continue;
+    }
+    line.said = base::elsewhere(std::to_string(line.people.size()) + " people", line.said);
+    line.said.entity = {};
+  }
+  return lines;
 }
 
 }  // namespace app

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/run/RunOptions.h"
 #include "bt/human/Templates.h"
 #include "sim2d/base/FileSet.h"
 #include "sim2d/map/MapReader.h"
@@ -48,15 +49,25 @@ struct ExportPlan {
   std::string startCommand;
 };
 
+/// What becomes of the file at `path` when it gets this content.
+ExportPlan::State stateOf(const std::string& path, const std::string& content);
 const char* stateName(ExportPlan::State state);  // "written", "replaced", "unchanged"
 
 ExportPlan planExport(const ExportSource& source, const ExportRequest& request);
 /// All files or none.
 base::Diagnostics writeExport(const ExportPlan& plan);
 
-/// A scenario file with what belongs to it: `map` and `trees` as the options of `run`.
-base::Result<ExportSource> readExportSource(const std::string& scenario, const std::string& map,
-                                            const std::string& trees,
+/// The scenario of `options` with what belongs to it. What a check refuses is not handed on, but
+/// for a map that is lost.
+base::Result<ExportSource> readExportSource(const RunOptions& options,
                                             const sim2d::ImageLoader& loader);
+
+/// The report as a person reads it: what is said of several people in the same words is one line,
+/// "7 people: start_time is not known there".
+struct ReportLine {
+  base::Diagnostic said;
+  std::vector<std::string> people;  // whom it is about, when they are several
+};
+std::vector<ReportLine> groupedByPeople(const base::Diagnostics& report);
 
 }  // namespace app

@@ -14,7 +14,6 @@
 #include <QHeaderView>
 #include <QVBoxLayout>
 
-#include "app/run/ExportReport.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"

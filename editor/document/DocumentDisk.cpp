@@ -47,6 +47,7 @@ void DocumentDisk::noteFile(const QString& file) {
 
 void DocumentDisk::forgetFiles() {
   trees.clear();
+  unreadTrees.clear();
   bases.clear();
   hashes.clear();
   maps.clear();

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include <QByteArray>
@@ -28,6 +29,7 @@ struct SavePlan;
 
 struct DocumentDisk {
   std::map<EntityId, KnownTree> trees;
+  std::set<EntityId> unreadTrees;         // people whose tree file could not be read
   std::map<EntityId, std::string> bases;  // what the generator made when an own tree was written
   std::map<QString, QByteArray> hashes;   // of all files, by absolute path
   std::map<QString, std::shared_ptr<const sim2d::OccupancyGrid>> maps;  // by path of the YAML

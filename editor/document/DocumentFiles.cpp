@@ -156,6 +156,7 @@ base::Diagnostics ScenarioDocument::loadTrees() {
     }
     const base::Result<std::string> text = base::readTextFile(file);
     if (!text) {
+      disk_->unreadTrees.insert(human.key);
       base::append(problems, human.listed ? base::Diagnostics() : text.diagnostics());
       continue;  // that of someone who takes part is told by the live check, until it is there
     }
@@ -340,6 +341,7 @@ app::Bundle ScenarioDocument::bundle() const {
   bundle.isWhole = !disk_->readOnly;
   bundle.isBeginning = disk_->isBeginning;
   bundle.map = mapIsMissing_ ? nullptr : map_;
+  bundle.known = surroundings_;
   bundle.lines = disk_->lines;
   bundle.remarks = loadDiagnostics_;
   base::append(bundle.remarks, mapProblemsToTell());
@@ -352,7 +354,7 @@ app::Bundle ScenarioDocument::bundle() const {
     const KnownTree* known = disk_->known(human.key);
     if (std::optional<std::string> text = treeToRun(human.key)) {
       bundle.trees[human.name] = {*std::move(text), known ? known->path : std::string(), folder};
-    } else if (human.ours.tree && known == nullptr) {  // it could not be read
+    } else if (known == nullptr && (human.ours.tree || disk_->unreadTrees.count(human.key) > 0)) {
       bundle.trees[human.name] = sim2d::findTree(scenario_, human, places);
     }
   }

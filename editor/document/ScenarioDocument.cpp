@@ -65,6 +65,7 @@ Change::What whatHappened(bool before, bool after) {
 ScenarioDocument::ScenarioDocument(QObject* parent)
     : QObject(parent),
       map_(std::make_shared<sim2d::OccupancyGrid>()),
+      surroundings_(std::make_shared<app::KnownSurroundings>()),
       liveCheck_(std::make_unique<LiveCheck>([this](base::Diagnostics found) {
         checkIssues_ = std::move(found);
         Q_EMIT issuesChanged(issues());

@@ -19,6 +19,7 @@
 
 namespace app {
 struct Bundle;
+class KnownSurroundings;
 }
 
 namespace editor {
@@ -175,6 +176,7 @@ class ScenarioDocument : public QObject {
   QString path_, mapPath_, shippedMaps_;
   base::Diagnostics loadDiagnostics_, mapProblems_, checkIssues_;
   QTimer checkTimer_;
+  const std::shared_ptr<app::KnownSurroundings> surroundings_;
   std::unique_ptr<LiveCheck> liveCheck_;
   std::unique_ptr<DocumentDisk> disk_;
   int nextKey_ = 1;

@@ -5,7 +5,7 @@
 #include <QTimer>
 #include <QtTest>
 
-#include "app/run/ExportReport.h"
+#include "app/run/Export.h"
 #include "app/window/DocumentGuard.h"
 #include "app/window/ExportDialog.h"
 #include "app/window/MainWindow.h"

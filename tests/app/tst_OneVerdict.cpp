@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <unistd.h>
 
 #include <QRegularExpression>
 #include <QTemporaryDir>
@@ -363,6 +364,31 @@ class OneVerdictTest : public QObject {
     QCOMPARE(verdicts_[rows_.back().file], QStringList());
   }
 
+  /// One in its place beside the scenario, of nobody's choice.
+  void unreadableTree_besideTheScenario_isRefusedByAll() {
+    if (::geteuid() == 0) {
+      QSKIP("the superuser may read everything");
+    }
+    add("tree is unreadable", kScenario, {{text("s__agent_1_bt.xml"), "<root/>"}});
+    const QString file = rows_.back().file;
+    const QString tree = QFileInfo(file).path() + text("/s__agent_1_bt.xml");
+    QVERIFY(QFile::setPermissions(tree, QFile::WriteOwner));
+    const QStringList wanted = verdictOf(file);
+    QCOMPARE(wanted.size(), 1);
+    verdicts_[file] = wanted;
+    editor::ScenarioDocument document;
+    document.open(file);
+    document.checkNow();
+    QCOMPARE(errorLines(document.issues()), wanted);
+    QCOMPARE(errorLines(editor::runRequestOf(document).makeWorld().diagnostics()), wanted);
+    const QString out = folder_.filePath(text("converted"));
+    const Finished converted = outside::runProgram(
+        {text("convert"), file, text("-o"), out, text("--target"), text("native")});
+    QCOMPARE(converted.exitCode, 2);
+    QCOMPARE(errorLines(converted.err), wanted);
+    QVERIFY(!QDir(out).exists());
+  }
+
   void window_issuesAndPlay_sayTheSame_data() {
     QTest::addColumn<QString>("file");
     for (const Row& row : rows_) {
@@ -408,6 +434,18 @@ class OneVerdictTest : public QObject {
     QCOMPARE(found.exitCode, 2);
     QCOMPARE(errorLines(found.err), allErrors());
     QVERIFY(!QDir(out).exists());
+  }
+
+  /// But for a map that is lost: without it a scenario can still be handed on.
+  void convert_ofSome_refusesTheSame() {
+    for (const Row& row : someBroken(12)) {
+      const QString out = folder_.filePath(text("converted"));
+      const Finished found = outside::runProgram(
+          {text("convert"), row.file, text("-o"), out, text("--target"), text("native")});
+      const bool isOfMap = row.name.contains("map") || row.name.contains("image");
+      QVERIFY2(isOfMap || found.exitCode == 2, row.name.constData());
+      QVERIFY2(isOfMap || errorLines(found.err) == verdicts_.at(row.file), row.name.constData());
+    }
   }
 
   void runAndScreenshot_ofSome_sayTheSame() {

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -15,12 +14,11 @@ namespace app {
 namespace {
 
 struct ConvertOptions {
-  std::string scenario;
+  RunOptions source;                // scenario, map, trees
   std::string output;               // folder
   std::string target;               // name of exportTargets()
   std::string dialect;              // B, C; empty: the target's
   std::string style = "corrected";  // of trees that are made: corrected, hunav2
-  std::string map, trees;
 };
 
 using Json = nlohmann::ordered_json;
@@ -34,20 +32,6 @@ Json reportJson(const base::Diagnostics& report) {
                    {"message", problem.message}});
   }
   return all;
-}
-
-/// What was not told yet.
-base::Diagnostics notIn(const base::Diagnostics& told, const base::Diagnostics& report) {
-  base::Diagnostics rest;
-  for (const base::Diagnostic& problem : report) {
-    const bool isTold = std::any_of(told.begin(), told.end(), [&](const base::Diagnostic& other) {
-      return other.text() == problem.text();
-    });
-    if (!isTold) {
-      rest.push_back(problem);
-    }
-  }
-  return rest;
 }
 
 void printPlan(const ExportPlan& plan, const base::Diagnostics& report,
@@ -78,10 +62,8 @@ void printPlan(const ExportPlan& plan, const base::Diagnostics& report,
 }
 
 int convertCommand(const ConvertOptions& options, const OutputOptions& output) {
-  const base::Result<ExportSource> source =
-      readExportSource(options.scenario, options.map, options.trees, editor::loadMapImage);
-  printDiagnostics(source.diagnostics(), base::Severity::Warning);
-  if (!source) {
+  const base::Result<ExportSource> source = readExportSource(options.source, editor::loadMapImage);
+  if (!printDiagnostics(source.diagnostics(), base::Severity::Warning)) {
     return kBadInput;
   }
   ExportRequest request;
@@ -92,14 +74,13 @@ int convertCommand(const ConvertOptions& options, const OutputOptions& output) {
     request.dialect = options.dialect == "B" ? sim2d::Dialect::B : sim2d::Dialect::C;
   }
   ExportPlan plan = planExport(*source, request);
-  plan.report = notIn(source.diagnostics(), plan.report);
+  plan.report = notYetTold(source.diagnostics(), plan.report);
   printDiagnostics(plan.report, output.quiet ? base::Severity::Warning : base::Severity::Info);
   if (base::hasErrors(plan.report)) {
     return kBadInput;
   }
   const base::Diagnostics problems = writeExport(plan);
-  printDiagnostics(problems);
-  if (base::hasErrors(problems)) {
+  if (!printDiagnostics(problems)) {
     return kBadInput;
   }
   base::Diagnostics report = source.diagnostics();
@@ -119,7 +100,7 @@ void addConvert(CommandRegistry& commands) {
   for (const sim2d::TargetInfo& target : sim2d::exportTargets()) {
     targets.push_back(target.name);
   }
-  command.add_option("scenario", options->scenario, "Scenario file, of any dialect")
+  command.add_option("scenario", options->source.scenario, "Scenario file, of any dialect")
       ->required()
       ->transform(scenarioFile);
   command.add_option("-o,--output", options->output, "Folder for scenarios, behavior_trees, maps")
@@ -131,8 +112,8 @@ void addConvert(CommandRegistry& commands) {
       ->check(CLI::IsMember({"B", "C"}));
   command.add_option("--style", options->style, "Of trees that are missing: corrected or hunav2")
       ->check(CLI::IsMember({"corrected", "hunav2"}));
-  command.add_option("--map", options->map, "Map to use instead of the scenario's");
-  command.add_option("--trees", options->trees, "Folder with the behaviour trees");
+  command.add_option("--map", options->source.map, "Map to use instead of the scenario's");
+  command.add_option("--trees", options->source.trees, "Folder with the behaviour trees");
 }
 
 }  // namespace app

@@ -10,6 +10,7 @@
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/run/DataPaths.h"
+#include "app/run/Export.h"
 #include "app/run/TreePlay.h"
 #include "bt/human/HumanNodes.h"
 #include "bt/human/Templates.h"
@@ -99,33 +100,30 @@ int writeFiles(const std::vector<MadeFile>& files, const std::string& folder,
   base::Diagnostics problems;
   for (const MadeFile& file : files) {
     const std::string path = (fs::path(folder) / file.name).string();
-    std::error_code ignored;
-    const bool exists = fs::exists(path, ignored);
-    const base::Result<std::string> present = base::readTextFile(path);
-    const bool isSame = present && *present == file.text;
-    const base::Diagnostics failed =
-        isSame ? base::Diagnostics() : base::writeFileAtomically(path, file.text);
+    const ExportPlan::State state = stateOf(path, file.text);
+    const base::Diagnostics failed = state == ExportPlan::State::Unchanged
+                                         ? base::Diagnostics()
+                                         : base::writeFileAtomically(path, file.text);
     base::append(problems, failed);
     if (!failed.empty()) {
       continue;
     }
-    const std::string state = isSame ? "unchanged" : exists ? "replaced" : "written";
-    all.push_back({{"file", path}, {"agent", agentJson(file)}, {"state", state}});
+    all.push_back({{"file", path}, {"agent", agentJson(file)}, {"state", stateName(state)}});
     if (!output.json && !output.quiet) {
-      printLine(state + std::string(10 - state.size(), ' ') + path);
+      std::string line = stateName(state);
+      line.resize(10, ' ');
+      printLine(line + path);
     }
   }
   if (output.json) {
     printLine(all.dump(2, ' ', false, kReplaceBadText));
   }
-  printDiagnostics(problems);
-  return base::hasErrors(problems) ? kBadInput : kFine;
+  return printDiagnostics(problems) ? kFine : kBadInput;
 }
 
 int generate(const TreesOptions& options, const OutputOptions& output) {
   const sim2d::ScenarioReading reading = sim2d::readScenario(options.scenario);
-  printDiagnostics(reading.diagnostics, base::Severity::Warning);
-  if (!reading.ok()) {
+  if (!printDiagnostics(reading.diagnostics, base::Severity::Warning)) {
     return kBadInput;
   }
   const std::string base =
@@ -133,9 +131,7 @@ int generate(const TreesOptions& options, const OutputOptions& output) {
   const bt::TreeStyle style =
       options.style == "hunav2" ? bt::TreeStyle::Hunav2 : bt::TreeStyle::Corrected;
   const std::vector<MadeFile> files = makeFiles(reading.scenario, base, style);
-  const base::Diagnostics problems = checkNames(base, files, options.scenario);
-  if (!problems.empty()) {
-    printDiagnostics(problems);
+  if (!printDiagnostics(checkNames(base, files, options.scenario))) {
     return kBadInput;
   }
   if (options.output.empty()) {
@@ -154,64 +150,58 @@ std::string padded(std::string text, std::size_t width) {
   return text + "  ";
 }
 
-/// Shows a play tick by tick, as a table or, at the end, as JSON.
-class PlayPrinter {
- public:
-  PlayPrinter(const TreePlay& play, const TreesOptions& options, const OutputOptions& output)
-      : play_(play), options_(options), output_(output) {
-    width_ = std::max(std::string("tick").size(), std::to_string(options.ticks).size());
-    if (isTable()) {
-      printLine(padded("tick", width_) + padded("root", kStatusWidth) + "leaves");
-    }
+Json jsonOf(const TreePlay& play, int tick, double dt, base::NodeStatus root) {
+  Json leaves = Json::array();
+  for (const LeafCall& call : play.calls()) {
+    const bt::Program& program = play.program();
+    leaves.push_back({{"name", program.label(call.node)},
+                      {"id", program.manifest(call.node).id},
+                      {"path", program.path(call.node)},
+                      {"status", statusText(call)}});
   }
+  return {{"tick", tick},
+          {"time", tick * dt},
+          {"root", base::nodeStatusName(root)},
+          {"leaves", std::move(leaves)}};
+}
 
-  void show(int tick, base::NodeStatus root) {
-    if (output_.json) {
-      ticks_.push_back(jsonOf(tick, root));
-    } else if (isTable()) {
-      std::string line =
-          padded(std::to_string(tick), width_) + padded(base::nodeStatusName(root), kStatusWidth);
-      const char* comma = "";
-      for (const LeafCall& call : play_.calls()) {
-        line += comma + play_.program().label(call.node) + " " + statusText(call);
-        comma = ", ";
-      }
-      printLine(line.substr(0, line.find_last_not_of(' ') + 1));
-    }
+std::string leavesText(const TreePlay& play) {
+  std::vector<std::string> leaves;
+  for (const LeafCall& call : play.calls()) {
+    leaves.push_back(play.program().label(call.node) + " " + statusText(call));
   }
+  return base::join(leaves, ", ");
+}
 
-  void finish() const {
-    if (output_.json) {
-      printLine(ticks_.dump(2, ' ', false, kReplaceBadText));
-    }
+/// Ticks it and shows each tick, as a table or, at the end, as JSON; returns what stopped it.
+base::Diagnostics tickAll(TreePlay& tree, const TreesOptions& options,
+                          const OutputOptions& output) {
+  const bool isTable = !output.json && !output.quiet;
+  const std::size_t width = std::max<std::size_t>(4, std::to_string(options.ticks).size());
+  const auto printRow = [width](const std::string& tick, const char* root,
+                                const std::string& leaves) {
+    const std::string line = padded(tick, width) + padded(root, 7) + leaves;
+    printLine(line.substr(0, line.find_last_not_of(' ') + 1));
+  };
+  if (isTable) {
+    printRow("tick", "root", "leaves");
   }
-
- private:
-  static constexpr std::size_t kStatusWidth = 7;
-
-  bool isTable() const { return !output_.json && !output_.quiet; }
-
-  Json jsonOf(int tick, base::NodeStatus root) const {
-    Json leaves = Json::array();
-    for (const LeafCall& call : play_.calls()) {
-      const bt::Program& program = play_.program();
-      leaves.push_back({{"name", program.label(call.node)},
-                        {"id", program.manifest(call.node).id},
-                        {"path", program.path(call.node)},
-                        {"status", statusText(call)}});
+  Json ticks = Json::array();
+  base::Diagnostics fault;
+  for (int tick = 1; tick <= options.ticks && fault.empty(); ++tick) {
+    const base::NodeStatus root = tree.tick();
+    if (output.json) {
+      ticks.push_back(jsonOf(tree, tick, options.dt, root));
+    } else if (isTable) {
+      printRow(std::to_string(tick), base::nodeStatusName(root), leavesText(tree));
     }
-    return {{"tick", tick},
-            {"time", tick * options_.dt},
-            {"root", base::nodeStatusName(root)},
-            {"leaves", std::move(leaves)}};
+    fault = tree.fault();
   }
-
-  const TreePlay& play_;
-  const TreesOptions& options_;
-  const OutputOptions& output_;
-  std::size_t width_ = 0;
-  Json ticks_ = Json::array();
-};
+  if (output.json) {
+    printLine(ticks.dump(2, ' ', false, kReplaceBadText));
+  }
+  return fault;
+}
 
 int play(const TreesOptions& options, const OutputOptions& output) {
   PlaySetup setup;
@@ -221,25 +211,16 @@ int play(const TreesOptions& options, const OutputOptions& output) {
   setup.seed = static_cast<std::uint64_t>(options.seed);
   if (!options.compat.empty()) {
     const base::Result<sim2d::Compatibility> chosen = sim2d::Compatibility::parse(options.compat);
-    printDiagnostics(chosen.diagnostics());
-    if (!chosen) {
+    if (!printDiagnostics(chosen.diagnostics())) {
       return kWrongCommandLine;
     }
     setup.compatibility = *chosen;
   }
   const base::Result<std::unique_ptr<TreePlay>> made = TreePlay::create(setup);
-  printDiagnostics(made.diagnostics(), base::Severity::Warning);
-  if (!made) {
+  if (!printDiagnostics(made.diagnostics(), base::Severity::Warning)) {
     return kBadInput;
   }
-  TreePlay& tree = **made;
-  PlayPrinter printer(tree, options, output);
-  base::Diagnostics fault;
-  for (int tick = 1; tick <= options.ticks && fault.empty(); ++tick) {
-    printer.show(tick, tree.tick());
-    fault = tree.fault();
-  }
-  printer.finish();
+  const base::Diagnostics fault = tickAll(**made, options, output);
   printDiagnostics(fault);
   return fault.empty() ? kFine : kRunFailed;
 }
