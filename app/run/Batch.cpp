@@ -15,7 +15,6 @@
 
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
-#include "app/run/InputJson.h"
 #include "metrics/MetricRegistry.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Csv.h"
@@ -31,6 +30,7 @@ using Clock = std::chrono::steady_clock;
 constexpr int kPollMs = 100;
 constexpr std::chrono::seconds kPatience{3};  // for children to end after they were asked to
 constexpr int kNotStarted = 127;              // exit code of a child that is not the program
+constexpr const char* kCannotStart = "the process could not be started";
 
 std::string fieldOf(const Json& value) {
   if (value.is_null()) {
@@ -88,20 +88,21 @@ std::vector<std::string> wordsOf(const Experiment& experiment, std::size_t run,
   if (experiment.record == Experiment::Record::Metrics) {
     words.emplace_back("--totals");  // nothing else of the folder is looked at
   }
-  const auto add = [&words](const char* option, const std::optional<std::string>& value) {
+  const std::pair<const char*, std::optional<std::string>> options[] = {
+      {"--seed", std::to_string(values.seed)},
+      {"--duration", experiment.duration},
+      {"--dt", experiment.dt},
+      {"--model", experiment.model},
+      {"--robot", experiment.robot},
+      {"--planner", experiment.planner},
+      {"--metrics-profile", experiment.metricsProfile}};
+  for (const auto& [option, value] : options) {
     if (value) {
       words.insert(words.end(), {option, *value});
     }
-  };
-  add("--seed", std::to_string(values.seed));
-  add("--duration", experiment.duration);
-  add("--dt", experiment.dt);
-  add("--model", experiment.model);
-  add("--robot", experiment.robot);
-  add("--planner", experiment.planner);
-  add("--metrics-profile", experiment.metricsProfile);
+  }
   for (std::size_t k = 0; k < experiment.values.size(); ++k) {
-    add("--set", experiment.values[k].first + "=" + values.values[k]);
+    words.insert(words.end(), {"--set", experiment.values[k].first + "=" + values.values[k]});
   }
   return words;
 }
@@ -202,13 +203,12 @@ class Batch {
     while (!stopping_ && next_ < rows_.size() &&
            children_.size() < static_cast<std::size_t>(job_.jobs)) {
       const std::size_t run = next_++;
-      removeFolder(run);  // an earlier batch may have left one, and this run may fail before it
-                          // writes
+      removeFolder(run);  // of an earlier batch: this run may fail before it writes
       Child child = startChild(run, wordsOf(experiment_, run, folderOf(run)));
       if (child.process > 0) {
         children_.push_back(std::move(child));
       } else {
-        finish(run, {false, "the process could not be started", {}, {}});
+        finish(run, {false, kCannotStart, {}, {}});
       }
     }
   }
@@ -245,15 +245,13 @@ class Batch {
   BatchRow rowOf(const Child& child, int status) const {
     BatchRow row = readRow(folderOf(child.run));
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    row.ok = row.ok && code == 0;
     if (!WIFEXITED(status)) {
-      row.ok = false;
       row.reason = "the process crashed";
     } else if (code == kNotStarted) {
-      row.ok = false;
-      row.reason = "the process could not be started";
-    } else if (code != 0) {
-      row.ok = false;
-      row.reason = row.reason.empty() ? firstError(child.errors) : row.reason;
+      row.reason = kCannotStart;
+    } else if (code != 0 && row.reason.empty()) {
+      row.reason = firstError(child.errors);
     }
     if (!row.ok && row.reason.empty()) {
       row.reason = "exit code " + std::to_string(code);
@@ -373,22 +371,6 @@ std::string resultsCsv(const Experiment& experiment, const BatchRows& rows) {
     text += '\n';
   }
   return text;
-}
-
-std::string batchManifest(const Experiment& experiment, const BatchRows& rows) {
-  const BatchCount count = countOf(rows);
-  Json json;
-  json["program"] = {{"version", programVersion()}, {"commit", programCommit()}};
-  json["inputs"] = Json::array();
-  json["inputs"].push_back(inputJson(experiment.path));
-  for (const std::string& path : experiment.scenarioPaths) {
-    json["inputs"].push_back(inputJson(path));
-  }
-  json["status"] = count.finished == rows.size() ? "finished" : "interrupted";
-  json["runs"] = rows.size();
-  json["finished"] = count.finished;
-  json["failed"] = count.failed;
-  return json.dump(2) + "\n";
 }
 
 }  // namespace app

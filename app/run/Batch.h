@@ -43,8 +43,7 @@ struct BatchCount {
 };
 BatchCount countOf(const BatchRows& rows);
 
-/// results.csv and manifest.json; nothing of them depends on the number of jobs or the clock.
+/// results.csv; nothing of it depends on the number of jobs or the clock.
 std::string resultsCsv(const Experiment& experiment, const BatchRows& rows);
-std::string batchManifest(const Experiment& experiment, const BatchRows& rows);
 
 }  // namespace app

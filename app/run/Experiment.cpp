@@ -19,13 +19,6 @@ using base::YamlNode;
 
 constexpr long long kMaximumRuns = 10'000'000;
 
-const std::vector<std::string>& knownKeys() {
-  static const std::vector<std::string> keys = {
-      "hunavsim_experiment", "scenarios", "seeds", "duration", "dt", "model", "robot", "planner",
-      "metrics_profile",     "values",    "record"};
-  return keys;
-}
-
 class Reader {
  public:
   explicit Reader(std::string path) { experiment_.path = std::move(path); }
@@ -85,7 +78,9 @@ class Reader {
   }
 
   void checkKeys(const YamlNode& root) {
-    const std::vector<std::string>& known = knownKeys();
+    const std::vector<std::string> known = {
+        "hunavsim_experiment", "scenarios", "seeds", "duration", "dt", "model", "robot", "planner",
+        "metrics_profile",     "values",    "record"};
     for (const YamlNode& item : root.items) {
       if (std::find(known.begin(), known.end(), item.key) == known.end()) {
         errors_.push_back(base::error("experiment.unknown-key",

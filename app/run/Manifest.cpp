@@ -1,6 +1,5 @@
 #include "app/run/Manifest.h"
 
-#include <cmath>
 #include <filesystem>
 #include <set>
 #include <type_traits>
@@ -9,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/run/DataPaths.h"
-#include "app/run/InputJson.h"
+#include "app/run/Sha256.h"
 #include "bt/tree/TreeXml.h"
 
 namespace app {
@@ -19,16 +18,20 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-const char* statusName(sim2d::RunStatus status) {
-  switch (status) {
-    case sim2d::RunStatus::Finished:
-      return "finished";
-    case sim2d::RunStatus::Failed:
-      return "failed";
-    case sim2d::RunStatus::Interrupted:
-      return "interrupted";
+constexpr const char* kStatusNames[] = {"finished", "failed", "interrupted"};  // of RunStatus
+
+Json programJson() {
+  return {{"version", programVersion()}, {"commit", programCommit()}};
+}
+
+/// Files that were read, with their SHA-256.
+Json inputsJson(const std::vector<std::string>& paths) {
+  Json inputs = Json::array();
+  for (const std::string& path : paths) {
+    const std::optional<std::string> hash = sha256OfFile(path);
+    inputs.push_back({{"path", path}, {"sha256", hash ? Json(*hash) : Json()}});
   }
-  return "";
+  return inputs;
 }
 
 /// The files that were read, those that trees include too, each once.
@@ -86,14 +89,11 @@ std::string runManifest(const Bundle& bundle, const sim2d::TraceHeader& header,
   const double simulated = static_cast<double>(result.steps) * header.dt;
   const sim2d::DesktopSettings& desktop = bundle.scenario->desktop;
   Json json;
-  json["program"] = {{"version", programVersion()}, {"commit", programCommit()}};
+  json["program"] = programJson();
   json["command_line"] = commandLine;
-  json["status"] = statusName(result.status);
+  json["status"] = kStatusNames[static_cast<int>(result.status)];
   json["reason"] = result.reason;
-  json["inputs"] = Json::array();
-  for (const std::string& path : allInputs(bundle)) {
-    json["inputs"].push_back(inputJson(path));
-  }
+  json["inputs"] = inputsJson(allInputs(bundle));
   json["seed"] = header.seed;
   json["dt"] = header.dt;
   json["model"] = desktop.model.value_or("sfm");
@@ -118,10 +118,23 @@ std::string runManifest(const Bundle& bundle, const sim2d::TraceHeader& header,
   return json.dump(2) + "\n";
 }
 
+std::string batchManifest(const Experiment& experiment, const BatchRows& rows) {
+  const BatchCount count = countOf(rows);
+  std::vector<std::string> inputs = {experiment.path};
+  inputs.insert(inputs.end(), experiment.scenarioPaths.begin(), experiment.scenarioPaths.end());
+  const Json json = {{"program", programJson()},
+                     {"inputs", inputsJson(inputs)},
+                     {"status", count.finished == rows.size() ? "finished" : "interrupted"},
+                     {"runs", rows.size()},
+                     {"finished", count.finished},
+                     {"failed", count.failed}};
+  return json.dump(2) + "\n";
+}
+
 base::Diagnostics checkWritableFolder(const std::string& folder) {
   std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder)) {
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder)) {
     return {
         base::error("file.cannot-make-folder", {error ? error.message() : std::string()}, folder)};
   }

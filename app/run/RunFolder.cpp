@@ -29,6 +29,10 @@ class Folder {
       }
     }
   }
+  /// Without content there is no such file.
+  void writeOrRemove(const char* name, const std::string& content) {
+    content.empty() ? remove({name}) : write(name, content);
+  }
   void note(const base::Diagnostics& problems) { base::append(problems_, problems); }
   bool isWhole() const { return !base::hasErrors(problems_); }
   const base::Diagnostics& problems() const { return problems_; }
@@ -48,22 +52,14 @@ void writeParts(Folder& folder, const FinishedRun& run, RunWriter& writer) {
   if (!hasInputs) {
     folder.remove({"inputs.csv"});
   }
-  if (run.evaluation) {
-    folder.write("metrics.json", metrics::toJson(*run.evaluation));
-  } else {
-    folder.remove({"metrics.json"});
-  }
+  folder.writeOrRemove("metrics.json", run.evaluation ? metrics::toJson(*run.evaluation) : "");
   if (run.evaluation && !run.totalsOnly) {
     folder.write("metrics.csv", metrics::metricsCsv(*run.evaluation));
     folder.note(writer.writeSteps(folder.file("steps.csv"), run.evaluation->times));
   } else {
     folder.remove({"metrics.csv", "steps.csv"});
   }
-  if (!run.effectsCsv.empty()) {
-    folder.write("counterfactual.csv", run.effectsCsv);
-  } else {
-    folder.remove({"counterfactual.csv"});
-  }
+  folder.writeOrRemove("counterfactual.csv", run.effectsCsv);
 }
 
 }  // namespace

@@ -20,12 +20,14 @@ bool isTaken(const sim2d::Scenario& scenario, const std::string& name) {
          has(scenario.doors) || has(scenario.areas);
 }
 
-sim2d::Robot& firstRobot(sim2d::Scenario& scenario) {
-  for (sim2d::Robot& robot : scenario.robots) {
-    if (robot.listed) {
-      return robot;
-    }
-  }
+/// The first that takes part; null: none does.
+sim2d::Robot* firstRobot(sim2d::Scenario& scenario) {
+  const auto found = std::find_if(scenario.robots.begin(), scenario.robots.end(),
+                                  [](const sim2d::Robot& robot) { return robot.listed; });
+  return found == scenario.robots.end() ? nullptr : &*found;
+}
+
+sim2d::Robot& addRobot(sim2d::Scenario& scenario) {
   sim2d::Robot robot;
   robot.key = {base::EntityKind::Robot, scenario.nextKey()};
   robot.name = "robot1";
@@ -35,27 +37,19 @@ sim2d::Robot& firstRobot(sim2d::Scenario& scenario) {
   return *scenario.robots.insert(scenario.robots.begin(), robot);
 }
 
-bool hasRobot(const sim2d::Scenario& scenario) {
-  for (const sim2d::Robot& robot : scenario.robots) {
-    if (robot.listed) {
-      return true;
-    }
-  }
-  return false;
-}
-
 base::Diagnostics applyRobot(sim2d::Scenario& scenario, const RunOptions& options) {
   if (!options.robotStart && !options.robotGoal && !options.robot && !options.planner) {
     return {};
   }
-  if (!hasRobot(scenario) && !options.robotStart) {
+  sim2d::Robot* const present = firstRobot(scenario);
+  if (present == nullptr && !options.robotStart) {
     return {base::error("option.no-robot", {}, options.scenario)};
   }
   const base::Diagnostics wrong = checkOptions(options);
   if (!wrong.empty()) {
     return wrong;
   }
-  sim2d::Robot& robot = firstRobot(scenario);
+  sim2d::Robot& robot = present != nullptr ? *present : addRobot(scenario);
   if (options.robotStart) {
     const std::vector<double> pose = *parseNumbers(*options.robotStart, 3);
     robot.start = {{pose[0], pose[1]}, base::wrapToPi(pose[2])};
@@ -109,35 +103,24 @@ base::Diagnostics checkNames(const RunOptions& options) {
 
 base::Diagnostics checkOptions(const RunOptions& options) {
   base::Diagnostics wrong = checkNames(options);
-  const auto refuse = [&wrong](const char* code, base::ProblemValues values = {}) {
-    wrong.push_back(base::error(code, std::move(values)));
+  const auto want = [&wrong](bool isFine, const char* code, base::ProblemValues values = {}) {
+    if (!isFine) {
+      wrong.push_back(base::error(code, std::move(values)));
+    }
   };
-  if (options.robotStart && !parseNumbers(*options.robotStart, 3)) {
-    refuse("option.robot-start", {*options.robotStart});
-  }
-  if (options.robotGoal && !parseNumbers(*options.robotGoal, 2)) {
-    refuse("option.robot-goal", {*options.robotGoal});
-  }
-  if (options.seed && *options.seed < 0) {
-    refuse("option.seed");
-  }
-  if (options.duration && !(*options.duration > 0.0 && *options.duration <= 1e6)) {
-    refuse("option.duration");
-  }
-  if (options.dt && !(*options.dt >= 0.001 && *options.dt <= 0.1)) {
-    refuse("option.dt");
-  }
-  if (options.recordEvery && *options.recordEvery < 1) {
-    refuse("option.record-every");
-  }
-  if (options.threads < 1 || options.threads > 256) {
-    refuse("option.threads");
-  }
+  const std::string start = options.robotStart.value_or("0 0 0");
+  const std::string goal = options.robotGoal.value_or("0 0");
+  const double duration = options.duration.value_or(1.0), dt = options.dt.value_or(0.05);
+  want(parseNumbers(start, 3).has_value(), "option.robot-start", {start});
+  want(parseNumbers(goal, 2).has_value(), "option.robot-goal", {goal});
+  want(options.seed.value_or(0) >= 0, "option.seed");
+  want(duration > 0.0 && duration <= 1e6, "option.duration");
+  want(dt >= 0.001 && dt <= 0.1, "option.dt");
+  want(options.recordEvery.value_or(1) >= 1, "option.record-every");
+  want(options.threads >= 1 && options.threads <= 256, "option.threads");
   for (const std::string& pair : options.set) {
     const std::size_t equals = pair.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      refuse("option.set", {pair});
-    }
+    want(equals != std::string::npos && equals != 0, "option.set", {pair});
   }
   return wrong;
 }

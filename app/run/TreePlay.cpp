@@ -1,19 +1,169 @@
 #include "app/run/TreePlay.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
-#include "app/run/PlayView.h"
 #include "bt/human/HumanContext.h"
 #include "bt/human/HumanNodes.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/base/yaml/YamlTree.h"
+#include "sim2d/world/HumanBehavior.h"
 
 namespace app {
 
 namespace {
 
 using base::NodeStatus;
+using base::YamlNode;
+
+/// What leaves answer while a tree is played.
+struct LeafScript {
+  struct Entry {
+    std::string leaf;
+    std::vector<base::NodeStatus> statuses;  // never empty; SUCCESS, FAILURE or RUNNING
+    int line = 0, column = 0;
+  };
+  std::string path;
+  std::vector<Entry> entries;  // in the order of the file
+
+  const Entry* find(const std::string& leaf) const {  // nullptr = not in the script
+    const auto found = std::find_if(entries.begin(), entries.end(),
+                                    [&leaf](const Entry& entry) { return entry.leaf == leaf; });
+    return found == entries.end() ? nullptr : &*found;
+  }
+};
+
+constexpr const char* kStatuses = "SUCCESS, FAILURE or RUNNING";
+
+std::optional<NodeStatus> statusOf(const std::string& word) {
+  for (const NodeStatus status : {NodeStatus::Success, NodeStatus::Failure, NodeStatus::Running}) {
+    if (word == base::nodeStatusName(status)) {
+      return status;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Every problem of a script with file, line and column.
+class ScriptReader {
+ public:
+  explicit ScriptReader(const std::string& path) { script_.path = path; }
+
+  base::Result<LeafScript> read() {
+    const base::Result<std::string> text = base::readTextFile(script_.path);
+    if (!text) {
+      return text.diagnostics();
+    }
+    const YamlNode root = base::parseYaml(*text, script_.path, problems_);
+    if (!base::hasErrors(problems_)) {
+      readRoot(root);
+    }
+    if (base::hasErrors(problems_)) {
+      return problems_;
+    }
+    return {std::move(script_), std::move(problems_)};
+  }
+
+ private:
+  void readRoot(const YamlNode& root) {
+    if (root.isNull()) {
+      return;  // nothing is said: every leaf succeeds
+    }
+    if (!root.isMap()) {
+      error(root, "script.no-map");
+      return;
+    }
+    for (const YamlNode& item : root.items) {
+      readEntry(item);
+    }
+  }
+
+  void readEntry(const YamlNode& item) {
+    LeafScript::Entry entry;
+    entry.leaf = item.key;
+    entry.line = item.keyLine;
+    entry.column = item.keyColumn;
+    if (item.isList()) {
+      for (const YamlNode& word : item.items) {
+        readStatus(word, entry);
+      }
+    } else {
+      readStatus(item, entry);
+    }
+    if (item.isList() && item.items.empty()) {
+      error(item, "script.empty-list", {item.key});
+    }
+    script_.entries.push_back(std::move(entry));
+  }
+
+  void readStatus(const YamlNode& word, LeafScript::Entry& entry) {
+    const std::optional<NodeStatus> status = word.isScalar() ? statusOf(word.text) : std::nullopt;
+    if (status) {
+      entry.statuses.push_back(*status);
+      return;
+    }
+    const std::string what = word.isScalar() ? "'" + word.text + "' is" : "this is";
+    error(word, "script.no-status", {what, kStatuses});
+  }
+
+  void error(const YamlNode& node, std::string_view code, base::ProblemValues values = {}) {
+    const bool isValue = !node.isNull() || node.keyLine == 0;  // nothing stands behind its key
+    problems_.push_back(base::error(code, std::move(values), script_.path,
+                                    isValue ? node.line : node.keyLine,
+                                    isValue ? node.column : node.keyColumn));
+  }
+
+  LeafScript script_;
+  base::Diagnostics problems_;
+};
+
+/// The world of a tree that is played alone: one person at the origin, nobody and nothing else.
+class PlayView final : public sim2d::WorldView {
+ public:
+  PlayView(double dt, std::uint64_t seed, const sim2d::Compatibility& compatibility)
+      : dt_(dt), seed_(seed), compatibility_(compatibility) {
+    person_.id = 1;
+    person_.name = "agent1";
+  }
+  void beginStep() { ++step_; }
+
+  std::int64_t step() const override { return step_; }
+  double time() const override { return static_cast<double>(step_ - 1) * dt_; }
+  double dt() const override { return dt_; }
+  std::uint64_t seed() const override { return seed_; }
+  const sim2d::Scenario& scenario() const override { return scenario_; }
+  const sim2d::Compatibility& compatibility() const override { return compatibility_; }
+
+  int humanCount() const override { return 1; }
+  bool isPresent(int) const override { return true; }
+  int indexOf(int humanId) const override { return humanId == person_.id ? 0 : -1; }
+  const sim2d::ResolvedHuman& constants(int) const override { return person_; }
+  base::Pose2 pose(int) const override { return {}; }
+  base::Vec2 velocity(int) const override { return base::Vec2::Zero(); }
+  void near(int, double, std::vector<int>& found) const override { found.clear(); }
+
+  int robotCount() const override { return 0; }
+  base::Pose2 robotPose(int) const override { return {}; }
+  base::Vec2 robotVelocity(int) const override { return base::Vec2::Zero(); }
+  double robotRadius(int) const override { return 0.0; }
+  int nearestRobot(int) const override { return -1; }
+
+  std::optional<base::Vec2> globalGoal(int) const override { return std::nullopt; }
+  const sim2d::Area* area(const std::string&) const override { return nullptr; }
+  bool isVisible(const base::Vec2&, const base::Vec2&) const override { return true; }
+  bool isReachable(int, const base::Vec2&) const override { return true; }
+
+ private:
+  std::int64_t step_ = 0;
+  double dt_;
+  std::uint64_t seed_;
+  sim2d::Compatibility compatibility_;
+  sim2d::Scenario scenario_;
+  sim2d::ResolvedHuman person_;
+};
 
 /// The host of a played tree. Decorators and controls of people's trees take it for the context of
 /// a person, which it is.
@@ -127,7 +277,7 @@ base::Result<std::unique_ptr<TreePlay>> TreePlay::create(const PlaySetup& setup)
   base::Diagnostics problems = table.diagnostics();
   base::Result<LeafScript> script = LeafScript();
   if (!setup.script.empty()) {
-    script = readLeafScript(setup.script);
+    script = ScriptReader(setup.script).read();
     base::append(problems, script.diagnostics());
   }
   if (!table) {

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "app/run/LeafScript.h"
 #include "bt/engine/TreeState.h"
 #include "sim2d/world/Compatibility.h"
 
@@ -12,9 +11,12 @@
 namespace app {
 
 struct PlaySetup {
-  std::string tree;    // file
-  std::string script;  // file; empty = every leaf succeeds
-  double dt = 0.05;    // [s]
+  std::string tree;  // file
+  /// YAML file of what leaves answer, `IsRobotVisible: [FAILURE, SUCCESS]`. A key is the name of a
+  /// leaf or the ID of leaves; the statuses are those of its calls in order, the last one repeats.
+  /// One status alone needs no list. Empty: every leaf succeeds.
+  std::string script;
+  double dt = 0.05;  // [s]
   std::uint64_t seed = 1;
   sim2d::Compatibility compatibility;
 };
