@@ -20,7 +20,7 @@
 namespace app {
 struct Bundle;
 class KnownSurroundings;
-}
+}  // namespace app
 
 namespace editor {
 
