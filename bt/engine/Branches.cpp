@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "bt/engine/ScriptRunner.h"
 #include "bt/engine/Ticker.h"
 #include "sim2d/base/Text.h"
 
@@ -120,12 +119,17 @@ base::NodeStatus Ticker::switchCase(int node) {
   return status;
 }
 
-base::NodeStatus Ticker::tryCatch(int node) {
-  stored(node) = Status::Running;
+int Ticker::lastChild(int node) const {
   int last = node + 1;
   while (endOf(last) < endOf(node)) {
     last = endOf(last);
   }
+  return last;
+}
+
+base::NodeStatus Ticker::tryCatch(int node) {
+  stored(node) = Status::Running;
+  const int last = lastChild(node);
   if (memory<TryCatchMemory>(node).catching) {
     return catchChild(node, last);
   }
@@ -183,10 +187,7 @@ void Ticker::haltTryCatch(int node) {
   if (!trying || !catches || isFaulty()) {
     return;
   }
-  int last = node + 1;
-  while (endOf(last) < endOf(node)) {
-    last = endOf(last);
-  }
+  const int last = lastChild(node);
   tickChild(last);
   resetChild(last);
 }

@@ -8,23 +8,6 @@
 #include "sim2d/base/Text.h"
 
 namespace bt {
-namespace {
-
-NodeCode codeOf(NodeFunctions::Kind kind) {
-  switch (kind) {
-    case NodeFunctions::Kind::Stateful:
-      return NodeCode::Stateful;
-    case NodeFunctions::Kind::Decorator:
-      return NodeCode::Decorator;
-    case NodeFunctions::Kind::Control:
-      return NodeCode::Control;
-    case NodeFunctions::Kind::Synchronous:
-      break;
-  }
-  return NodeCode::Synchronous;
-}
-
-}  // namespace
 
 Compiler::Compiler(const TreeTable& table, const NodeLibrary& library)
     : table_(table), library_(library) {
@@ -85,7 +68,7 @@ int Compiler::addNode(const NodeSpec& spec, const std::string& path, const Place
   node.children = spec.isSubTree() ? 1 : static_cast<int>(spec.children.size());
   program_->origins_.push_back({spec.label(), place.tree->tree.id, spec.line, manifestOf(spec)});
   paths_.push_back(path);
-  setCode(spec, node, place);
+  setCode(spec, node);
   bindPorts(spec, place);
   setDetail(spec, node, place);
   node.conditions = bindConditions(spec, place);
@@ -169,20 +152,16 @@ void Compiler::applyModel(const NodeSpec& spec, Attributes& mapping, const Place
   }
 }
 
-void Compiler::setCode(const NodeSpec& spec, Program::Node& node, const Place&) {
-  int bytes = 0;
-  if (const NodeFunctions* const functions = library_.functions(spec.id)) {
-    node.code = codeOf(functions->kind);
-    node.detail = functionsOf(spec.id);
-    bytes = (functions->memoryBytes + 7) / 8 * 8;
-  } else {
-    node.code = *builtinCode(spec.id);
-    bytes = memoryBytesOf(node.code, node.children);
-  }
-  node.run = Ticker::runnerOf(node.code);
+void Compiler::setCode(const NodeSpec& spec, Program::Node& node) {
+  const NodeFunctions* const functions = library_.functions(spec.id);
+  const BuiltinNode how = functions ? Ticker::libraryNode(*functions) : *Ticker::builtin(spec.id);
+  node.code = how.code;
+  node.detail = functions ? functionsOf(spec.id) : -1;
+  node.run = how.run;
   node.hasOneChild = hasOneChild(node.code);
   node.memory = program_->memoryBytes_;
-  program_->memoryBytes_ += bytes;
+  const bool hasBits = node.code == NodeCode::Parallel || node.code == NodeCode::ParallelAll;
+  program_->memoryBytes_ += hasBits ? parallelBytes(node.children) : wholeWords(how.memory);
 }
 
 void Compiler::setDetail(const NodeSpec& spec, Program::Node& node, const Place& place) {
@@ -244,28 +223,6 @@ base::Result<std::shared_ptr<const Program>> Compiler::run(const CompileOptions&
   return {std::shared_ptr<const Program>(std::move(program_)), std::move(problems_)};
 }
 
-namespace {
-
-base::Diagnostics templateWarnings(const TreeTable& table) {
-  base::Diagnostics warnings;
-  for (const TreeTable::TemplateText& text : table.templates) {
-    warnings.push_back(base::warning("tree.template-ignored", {}, text.file, text.line));
-  }
-  return warnings;
-}
-
-std::optional<base::Diagnostic> problemOfMainTree(const TreeTable& table, const std::string& id) {
-  if (id.empty()) {
-    return base::error("tree.main-not-said", {}, table.file);
-  }
-  if (!table.find(id)) {
-    return base::error("tree.main-unknown", {id, ""}, table.file);
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
 base::Result<std::shared_ptr<const Program>> compile(const TreeTable& table,
                                                      const NodeLibrary& library,
                                                      const CompileOptions& options) {
@@ -274,10 +231,14 @@ base::Result<std::shared_ptr<const Program>> compile(const TreeTable& table,
     chosen.mainTree = table.mainTree;
   }
   base::Diagnostics problems = diagnosticsOf(checkTrees(table, library.catalogue()));
-  if (const std::optional<base::Diagnostic> bad = problemOfMainTree(table, chosen.mainTree)) {
-    problems.push_back(*bad);
+  if (chosen.mainTree.empty()) {
+    problems.push_back(base::error("tree.main-not-said", {}, table.file));
+  } else if (!table.find(chosen.mainTree)) {
+    problems.push_back(base::error("tree.main-unknown", {chosen.mainTree, ""}, table.file));
   }
-  base::append(problems, templateWarnings(table));
+  for (const TreeTable::TemplateText& text : table.templates) {
+    problems.push_back(base::warning("tree.template-ignored", {}, text.file, text.line));
+  }
   if (base::hasErrors(problems)) {
     return problems;
   }

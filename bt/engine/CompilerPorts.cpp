@@ -1,10 +1,11 @@
 #include <utility>
 
 #include "bt/engine/Compiler.h"
+#include "bt/engine/Ticker.h"
 #include "bt/tree/TextValue.h"
 #include "sim2d/base/Text.h"
 
-/// The part of the compiler that binds ports, entries and scripts.
+/// The part of the compiler that knows blackboards and binds ports, entries and scripts.
 namespace bt {
 namespace {
 
@@ -13,10 +14,6 @@ PortType elementType(const std::string& loop) {
          : loop == "LoopDouble" ? PortType::Double
          : loop == "LoopBool"   ? PortType::Bool
                                 : PortType::String;
-}
-
-bool isStrong(PortType type) {
-  return type != PortType::Any;
 }
 
 const char* shownType(PortType type) {
@@ -30,6 +27,74 @@ bool isKeyPort(const NodeSpec& spec, const PortSpec& port) {
 }
 
 }  // namespace
+
+Scopes::Scopes() : scopes_(1) {}
+
+int Scopes::add(int parent, bool autoRemap, const std::string& path) {
+  constexpr std::size_t kShownPath = 300;  // the end of a longer one tells more than its beginning
+  Scope scope;
+  scope.parent = parent;
+  scope.autoRemap = autoRemap;
+  scope.path = path.size() > kShownPath ? path.substr(path.size() - kShownPath) : path;
+  scopes_.push_back(std::move(scope));
+  return static_cast<int>(scopes_.size()) - 1;
+}
+
+void Scopes::remap(int scope, const std::string& key, const std::string& parentKey) {
+  scopes_[static_cast<std::size_t>(scope)].remaps[key] = parentKey;
+}
+
+/// Whole numbers become Int, other numbers Double, the rest text.
+void Scopes::setConstant(int scope, const std::string& key, const std::string& text) {
+  const int index = addSlot(scope, key);
+  Slot& target = slot(index);
+  if (const std::optional<long long> whole = base::parseInt(text); whole && intFromText(text)) {
+    target.type = PortType::Int;
+    target.value = Value::of(static_cast<std::int64_t>(*whole));
+  } else if (const std::optional<double> number = base::parseDouble(text)) {
+    target.type = PortType::Double;
+    target.value = Value::of(*number);
+  } else {
+    target.type = PortType::String;
+    target.value = Value::of(std::string_view(text));
+  }
+  target.exists = true;
+  use(index).literal = true;
+  use(index).written = true;
+}
+
+int Scopes::addSlot(int scope, const std::string& key) {
+  Scope& owner = scopes_[static_cast<std::size_t>(scope)];
+  const int index = static_cast<int>(slots_.size());
+  owner.slots[key] = index;
+  slots_.emplace_back();
+  uses_.emplace_back();
+  entries_.push_back({owner.path.empty() ? key : owner.path + "/" + key, index});
+  return index;
+}
+
+int Scopes::slotOf(int scope, const std::string& key) {
+  if (!key.empty() && key[0] == '@') {
+    return slotOf(0, key.substr(1));
+  }
+  const Scope& own = scopes_[static_cast<std::size_t>(scope)];
+  const auto known = own.slots.find(key);
+  if (known != own.slots.end()) {
+    return known->second;
+  }
+  const auto remapped = own.remaps.find(key);
+  const bool isPrivate = !key.empty() && key[0] == '_';
+  int index = -1;
+  if (remapped != own.remaps.end()) {
+    index = slotOf(own.parent, remapped->second);
+  } else if (own.autoRemap && own.parent >= 0 && !isPrivate) {
+    index = slotOf(own.parent, key);
+  } else {
+    return addSlot(scope, key);
+  }
+  scopes_[static_cast<std::size_t>(scope)].slots[key] = index;
+  return index;
+}
 
 void Compiler::bindPorts(const NodeSpec& spec, const Place& place) {
   firstPorts_.push_back(program_->bindings_.size());
@@ -46,7 +111,7 @@ PortBinding Compiler::bindPort(const NodeSpec& spec, const PortSpec& port, const
   const std::string* const given = findText(spec.ports, port.name);
   PortBinding missing;
   missing.type = port.type;
-  if (isKeyPort(spec, port) && builtinCode(spec.id)) {
+  if (isKeyPort(spec, port) && Ticker::builtin(spec.id)) {
     return missing;
   }
   if (!given && !port.defaultText) {
@@ -68,19 +133,14 @@ PortBinding Compiler::bindPort(const NodeSpec& spec, const PortSpec& port, const
 
 PortBinding Compiler::constantPort(const std::string& text, PortType type, bool isDefault) {
   PortBinding binding;
-  binding.kind = PortBinding::Kind::Constant;
   binding.isDefault = isDefault;
   binding.type = type;
-  binding.offset = offsetOf(program_->constants_.size());
-  const Value written = Value::of(std::string_view(text));
-  const std::optional<Value> converted = convertTo(written, type);
-  if (!converted) {  // only a default: checkTrees() refuses a given text
-    binding.kind = PortBinding::Kind::Missing;
-    binding.offset = 0;
-    return binding;
+  // Only a default may not fit: checkTrees() refuses a given text.
+  if (const std::optional<Value> value = convertTo(Value::of(std::string_view(text)), type)) {
+    binding.kind = PortBinding::Kind::Constant;
+    binding.offset = offsetOf(program_->constants_.size());
+    program_->constants_.emplace_back().value = *value;
   }
-  program_->constants_.emplace_back();
-  program_->constants_.back().value = *converted;
   return binding;
 }
 
@@ -114,7 +174,7 @@ int Compiler::bindEntry(const NodeSpec& spec, const PortSpec& port, const std::s
     entry.exists = true;
   }
   const bool typed = entry.type != PortType::Any;
-  if (!isStrong(port.type) || (typed && entry.type == PortType::String)) {
+  if (port.type == PortType::Any || (typed && entry.type == PortType::String)) {
     return slot;
   }
   if (!typed) {

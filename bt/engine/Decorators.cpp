@@ -1,43 +1,10 @@
+#include <algorithm>
+
 #include "bt/engine/Ticker.h"
 
 /// Decorators, after BehaviorTree.CPP 4.10 but with simulated time. A child that is done is reset
 /// by tickNode().
 namespace bt {
-
-NodeRunner Ticker::decoratorRunner(NodeCode code) {
-  switch (code) {
-    case NodeCode::Inverter:
-      return &call<&Ticker::inverter>;
-    case NodeCode::ForceSuccess:
-      return [](Ticker& t, int node) { return t.force(node, Status::Success); };
-    case NodeCode::ForceFailure:
-      return [](Ticker& t, int node) { return t.force(node, Status::Failure); };
-    case NodeCode::Repeat:
-      return &call<&Ticker::repeat>;
-    case NodeCode::RetryUntilSuccessful:
-      return &call<&Ticker::retry>;
-    case NodeCode::KeepRunningUntilFailure:
-      return &call<&Ticker::keepRunning>;
-    case NodeCode::Delay:
-      return &call<&Ticker::delay>;
-    case NodeCode::Timeout:
-      return &call<&Ticker::timeout>;
-    case NodeCode::RunOnce:
-      return &call<&Ticker::runOnce>;
-    case NodeCode::Precondition:
-      return &call<&Ticker::precondition>;
-    case NodeCode::Loop:
-      return &call<&Ticker::loop>;
-    case NodeCode::SkipUnlessUpdated:
-      return [](Ticker& t, int node) { return t.ifUpdated(node, Status::Skipped); };
-    case NodeCode::WaitValueUpdate:
-      return [](Ticker& t, int node) { return t.ifUpdated(node, Status::Running); };
-    case NodeCode::SubTree:
-      return &call<&Ticker::subTree>;
-    default:
-      return &call<&Ticker::customDecorator>;
-  }
-}
 
 base::NodeStatus Ticker::inverter(int node) {
   stored(node) = Status::Running;
@@ -51,7 +18,8 @@ base::NodeStatus Ticker::inverter(int node) {
   return status == Status::Idle ? unexpected(node + 1, status) : status;
 }
 
-base::NodeStatus Ticker::force(int node, Status result) {
+template <base::NodeStatus result>
+base::NodeStatus Ticker::force(int node) {
   stored(node) = Status::Running;
   const Status status = tickNode(node + 1);
   if (status == Status::Success || status == Status::Failure) {
@@ -60,75 +28,45 @@ base::NodeStatus Ticker::force(int node, Status result) {
   return status == Status::Idle ? unexpected(node + 1, status) : status;
 }
 
+/// Repeat (`again` = SUCCESS) and RetryUntilSuccessful (FAILURE): the child as often as it ends so.
+template <base::NodeStatus again>
 base::NodeStatus Ticker::repeat(int node) {
-  const std::optional<int> cycles = need<int>(node, 0);
-  if (!cycles) {
+  constexpr bool kIsRetry = again == Status::Failure;
+  std::optional<int> limit = need<int>(node, 0);
+  if (!limit && !kIsRetry) {
     return kFault;
   }
   auto& own = memory<CountMemory>(node);
   const int child = node + 1;
   stored(node) = Status::Running;
-  while (own.count < *cycles || *cycles == -1) {
+  while (limit && (own.count < *limit || *limit == -1)) {
     const Status before = stored(child);
     const Status status = tickNode(child);
     if (status == Status::Running) {
       return status;
     }
-    if (status == Status::Failure) {
+    if (isDone(status) && status != again) {
       own.count = 0;
       return status;
     }
-    if (status == Status::Skipped) {
-      resetChild(child);
-      return status;
-    }
-    if (status != Status::Success) {
+    if (!isDone(status) && status != Status::Skipped) {
       return unexpected(child, status);
     }
     resetChild(child);
-    own.count = *cycles == -1 ? 0 : own.count + 1;
-    if (before == Status::Idle && (own.count < *cycles || *cycles == -1)) {
-      return Status::Running;
-    }
-  }
-  own.count = 0;
-  return Status::Success;
-}
-
-base::NodeStatus Ticker::retry(int node) {
-  std::optional<int> attempts = need<int>(node, 0);
-  auto& own = memory<CountMemory>(node);
-  const int child = node + 1;
-  stored(node) = Status::Running;
-  while (attempts && (own.count < *attempts || *attempts == -1)) {
-    const Status before = stored(child);
-    const Status status = tickNode(child);
-    if (status == Status::Running) {
-      return status;
-    }
-    if (status == Status::Success) {
-      own.count = 0;
-      return status;
-    }
     if (status == Status::Skipped) {
-      resetChild(child);
       return status;
     }
-    if (status != Status::Failure) {
-      return unexpected(child, status);
-    }
-    resetChild(child);
-    attempts = need<int>(node, 0);  // the child may have changed it
-    if (!attempts) {
+    limit = kIsRetry ? need<int>(node, 0) : limit;  // the child may have changed it
+    if (!limit) {
       return kFault;
     }
-    own.count = *attempts == -1 ? 0 : own.count + 1;
-    if (before == Status::Idle && (own.count < *attempts || *attempts == -1)) {
+    own.count = *limit == -1 ? 0 : own.count + 1;
+    if (before == Status::Idle && (own.count < *limit || *limit == -1)) {
       return Status::Running;
     }
   }
   own.count = 0;
-  return attempts ? Status::Failure : kFault;
+  return limit ? again : kFault;
 }
 
 base::NodeStatus Ticker::keepRunning(int node) {
@@ -214,6 +152,116 @@ base::NodeStatus Ticker::customDecorator(int node) {
     return kFault;
   }
   return status == Status::Idle ? fault(node, "it returned IDLE") : status;
+}
+
+base::NodeStatus Ticker::precondition(int node) {
+  auto& own = memory<RunningMemory>(node);
+  if (!own.running) {
+    const int script = program_.node(node).detail;
+    if (script < 0) {
+      return fault(node, "input 'if' is missing");
+    }
+    bool truth = false;
+    if (!truthOf(node, script, truth)) {
+      return kFault;
+    }
+    if (!truth) {
+      const std::optional<Status> otherwise = need<Status>(node, 1);
+      return otherwise ? *otherwise : kFault;
+    }
+  }
+  stored(node) = Status::Running;
+  const Status status = tickNode(node + 1);
+  if (status == Status::Idle) {
+    return unexpected(node + 1, status);
+  }
+  own.running = status == Status::Running;
+  return status;
+}
+
+/// Writes one element to the port `value`; false = a fault was noted.
+bool Ticker::storeElement(int node, std::string_view element) {
+  const PortBinding& binding = nodes_[node].ports[2];
+  if (binding.kind != PortBinding::Kind::Entry) {
+    return true;  // nobody wants it
+  }
+  const std::optional<Value> value = convertTo(Value::of(element), binding.type);
+  if (!value || !store(boundSlot(slots(), binding), *value)) {
+    fault(node, "element '" + std::string(element) + "' of 'queue' does not fit 'value'");
+    return false;
+  }
+  return true;
+}
+
+/// Takes the next element of the list: of a constant by counting, of an entry by cutting it off.
+bool Ticker::takeElement(int node, bool& taken) {
+  taken = false;
+  const PortBinding& binding = nodes_[node].ports[0];
+  const Value* const list = portValue(node, 0);
+  if (!list || list->text.empty()) {
+    return true;
+  }
+  auto& own = memory<LoopMemory>(node);
+  std::string_view rest = list->text;
+  const bool constant = binding.kind == PortBinding::Kind::Constant;
+  for (int i = 0; constant && i < own.taken; ++i) {
+    const std::size_t separator = rest.find(';');
+    if (separator == std::string_view::npos) {
+      return true;
+    }
+    rest.remove_prefix(separator + 1);
+  }
+  const std::size_t length = std::min(rest.find(';'), rest.size());
+  if (!storeElement(node, rest.substr(0, length))) {
+    return false;
+  }
+  taken = true;
+  if (constant) {
+    ++own.taken;
+  } else {
+    Slot& slot = boundSlot(slots(), binding);
+    slot.value.text.erase(0, length + 1);
+    ++slot.version;
+  }
+  return true;
+}
+
+base::NodeStatus Ticker::loop(int node) {
+  auto& own = memory<LoopMemory>(node);
+  if (stored(node) == Status::Idle) {
+    own.running = false;
+  }
+  if (!own.running) {
+    bool taken = false;
+    if (!takeElement(node, taken)) {
+      return kFault;
+    }
+    if (!taken) {
+      const std::optional<Status> atEnd = need<Status>(node, 1);
+      return atEnd ? *atEnd : kFault;
+    }
+  }
+  stored(node) = Status::Running;
+  const Status status = tickNode(node + 1);
+  if (status == Status::Idle || status == kFault) {
+    return unexpected(node + 1, status);
+  }
+  own.running = status == Status::Running;
+  return status == Status::Failure ? status : Status::Running;
+}
+
+template <base::NodeStatus otherwise>
+base::NodeStatus Ticker::ifUpdated(int node) {
+  auto& own = memory<UpdateMemory>(node);
+  if (!own.running && !wasUpdated(node, own)) {
+    return isFaulty() ? kFault : otherwise;
+  }
+  const Status status = tickNode(node + 1);
+  if (status == Status::Idle) {
+    return unexpected(node + 1, status);
+  }
+  own.running = status == Status::Running;
+  return status;
 }
 
 }  // namespace bt

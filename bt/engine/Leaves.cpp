@@ -3,32 +3,9 @@
 /// Leaves of BehaviorTree.CPP, and calls of the library's functions.
 namespace bt {
 
-NodeRunner Ticker::leafRunner(NodeCode code) {
-  switch (code) {
-    case NodeCode::Synchronous:
-      return [](Ticker& t, int node) {
-        const Program::Node& here = t.nodes_[node];
-        return t.synchronous(here, node, t.program_.functions(here.detail).tick);
-      };
-    case NodeCode::Stateful:
-      return &call<&Ticker::stateful>;
-    case NodeCode::AlwaysSuccess:
-      return [](Ticker&, int) { return Status::Success; };
-    case NodeCode::AlwaysFailure:
-      return [](Ticker&, int) { return Status::Failure; };
-    case NodeCode::SetBlackboard:
-      return &call<&Ticker::setBlackboard>;
-    case NodeCode::UnsetBlackboard:
-      return &call<&Ticker::unsetBlackboard>;
-    case NodeCode::Script:
-      return &call<&Ticker::script>;
-    case NodeCode::ScriptCondition:
-      return &call<&Ticker::scriptCondition>;
-    case NodeCode::Sleep:
-      return &call<&Ticker::sleep>;
-    default:
-      return &call<&Ticker::wasEntryUpdated>;
-  }
+base::NodeStatus Ticker::librarySynchronous(int node) {
+  const Program::Node& here = nodes_[node];
+  return synchronous(here, node, program_.functions(here.detail).tick);
 }
 
 base::NodeStatus Ticker::script(int node) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -8,8 +9,13 @@
 /// What the engine keeps per node and agent, and which names it runs itself.
 namespace bt {
 
-/// Nothing for nodes that a library runs.
-std::optional<NodeCode> builtinCode(std::string_view id);
+/// A kind of node and how it is run.
+struct BuiltinNode {
+  std::string_view id;  // in XML; empty of those that a library runs
+  NodeCode code;
+  std::size_t memory;  // [bytes] of its struct below
+  NodeRunner run;
+};
 
 inline bool hasOneChild(NodeCode code) {
   return (code >= NodeCode::Inverter && code <= NodeCode::SubTree) || code == NodeCode::Decorator;
@@ -17,13 +23,12 @@ inline bool hasOneChild(NodeCode code) {
 inline bool hasChildren(NodeCode code) {
   return code <= NodeCode::SubTree || code >= NodeCode::Decorator;
 }
-inline bool isControl(NodeCode code) {
-  return code < NodeCode::Inverter || code == NodeCode::Control;
+
+inline int wholeWords(std::size_t bytes) {
+  return static_cast<int>((bytes + 7) / 8 * 8);
 }
 
-/// Bytes of the node's memory; all zero in a new tree.
-int memoryBytesOf(NodeCode code, int children);
-
+/// What nodes keep; all zero in a new tree.
 struct SequenceMemory {
   std::int32_t next = 0;  // node to go on with; 0 = the first child
   std::int32_t skipped = 0;
@@ -38,6 +43,11 @@ struct ParallelMemory {
   std::int32_t successes = 0;
   std::int32_t failures = 0;
 };
+/// Of a Parallel with its bits.
+inline int parallelBytes(int children) {
+  return wholeWords(sizeof(ParallelMemory)) +
+         wholeWords((static_cast<std::size_t>(children) + 7) / 8);
+}
 struct BranchMemory {
   std::int32_t branch = 0;  // node of the chosen child; 0 = none yet
 };

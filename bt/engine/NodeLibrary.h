@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -15,8 +17,8 @@
 ///   void addIsRobotClose(NodeLibrary& to) {           // bt/human/nodes/IsRobotClose.cpp
 ///     NodeManifest m;
 ///     m.id = "IsRobotClose";
-///     m.ports = {{"agent_id", PortType::Int, PortDirection::Input, std::nullopt, true},
-///                {"threshold", PortType::Double, PortDirection::Input, "1.0", false, "m"}};
+///     m.ports = {PortSpec("agent_id", PortType::Int, "", "Whose.").needed(),
+///                PortSpec("threshold", PortType::Double, "m", "Near.").byDefault("1.0")};
 ///     to.addCondition(m, [](LeafContext& leaf) {
 ///       const int agent = leaf.require<int>(0);
 ///       const double threshold = leaf.require<double>(1);
@@ -73,46 +75,53 @@ struct NodeFunctions {
   enum class Kind : unsigned char { Synchronous, Stateful, Decorator, Control };
   Kind kind = Kind::Synchronous;
   LeafFunction tick = nullptr;  // Synchronous: must return SUCCESS or FAILURE
-  StatefulFunctions stateful;
-  DecoratorFunctions decorator;
-  ControlFunctions control;
+  StatefulFunctions stateful = {};
+  DecoratorFunctions decorator = {};
+  ControlFunctions control = {};
   bool isCalledWhenDone = false;  // Stateful: started anew although its last result still stands
   int memoryBytes = 0;            // per node and agent
 };
 
 class NodeLibrary {
+  struct NoMemory {};
+
  public:
   NodeLibrary();  // the nodes of BehaviorTree.CPP are in it
 
   /// Kind, and the number of children of a decorator, are set here; everything else is taken from
   /// the manifest. A control has one child at least, as many as it likes where the manifest does
   /// not say. A node of the same id is replaced.
-  void addCondition(NodeManifest manifest, LeafFunction tick, int memoryBytes = 0);
-  void addAction(NodeManifest manifest, LeafFunction tick, int memoryBytes = 0);
-  /// A stateful action, or a stateful condition when manifest.kind says so.
-  void addStateful(NodeManifest manifest, StatefulFunctions functions, int memoryBytes = 0);
-  void addDecorator(NodeManifest manifest, DecoratorFunctions functions, int memoryBytes = 0);
-  void addControl(NodeManifest manifest, ControlFunctions functions, int memoryBytes = 0);
-
-  template <class Memory>
+  /// `Memory`: what the node keeps per agent, see LeafContext::memory().
+  template <class Memory = NoMemory>
   void addCondition(NodeManifest manifest, LeafFunction tick) {
-    addCondition(std::move(manifest), tick, sizeOf<Memory>());
+    manifest.kind = NodeKind::Condition;
+    add<Memory>(std::move(manifest), {NodeFunctions::Kind::Synchronous, tick});
   }
-  template <class Memory>
+  template <class Memory = NoMemory>
   void addAction(NodeManifest manifest, LeafFunction tick) {
-    addAction(std::move(manifest), tick, sizeOf<Memory>());
+    manifest.kind = NodeKind::Action;
+    add<Memory>(std::move(manifest), {NodeFunctions::Kind::Synchronous, tick});
   }
-  template <class Memory>
+  /// A stateful action, or a stateful condition when manifest.kind says so.
+  template <class Memory = NoMemory>
   void addStateful(NodeManifest manifest, StatefulFunctions functions) {
-    addStateful(std::move(manifest), functions, sizeOf<Memory>());
+    const bool isCondition = manifest.kind == NodeKind::Condition;
+    manifest.kind = isCondition ? NodeKind::Condition : NodeKind::Action;
+    add<Memory>(std::move(manifest), {NodeFunctions::Kind::Stateful, nullptr, functions});
   }
-  template <class Memory>
+  template <class Memory = NoMemory>
   void addDecorator(NodeManifest manifest, DecoratorFunctions functions) {
-    addDecorator(std::move(manifest), functions, sizeOf<Memory>());
+    manifest.kind = NodeKind::Decorator;
+    manifest.minChildren = 1;
+    manifest.maxChildren = 1;
+    add<Memory>(std::move(manifest), {NodeFunctions::Kind::Decorator, nullptr, {}, functions});
   }
-  template <class Memory>
+  template <class Memory = NoMemory>
   void addControl(NodeManifest manifest, ControlFunctions functions) {
-    addControl(std::move(manifest), functions, sizeOf<Memory>());
+    manifest.kind = NodeKind::Control;
+    manifest.minChildren = std::max(manifest.minChildren, 1);
+    manifest.maxChildren = manifest.maxChildren == 0 ? -1 : manifest.maxChildren;
+    add<Memory>(std::move(manifest), {NodeFunctions::Kind::Control, nullptr, {}, {}, functions});
   }
 
   const NodeCatalogue& catalogue() const { return catalogue_; }
@@ -126,11 +135,12 @@ class NodeLibrary {
 
  private:
   template <class Memory>
-  static constexpr int sizeOf() {
+  void add(NodeManifest manifest, NodeFunctions functions) {
     static_assert(std::is_trivially_copyable_v<Memory> && alignof(Memory) <= 8);
-    return static_cast<int>(sizeof(Memory));
+    functions.memoryBytes = std::is_same_v<Memory, NoMemory> ? 0 : static_cast<int>(sizeof(Memory));
+    addNode(std::move(manifest), functions);
   }
-  void add(NodeManifest manifest, NodeFunctions functions);
+  void addNode(NodeManifest manifest, const NodeFunctions& functions);
 
   NodeCatalogue catalogue_;
   std::map<std::string, NodeFunctions, std::less<>> functions_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -115,14 +116,20 @@ class Program {
   /// recorder can keep them without the program.
   const std::shared_ptr<const std::vector<std::string>>& paths() const { return paths_; }
   const std::string& path(int node) const { return (*paths_)[static_cast<std::size_t>(node)]; }
-  const std::string& label(int node) const;  // instance name, else ID
-  const NodeManifest& manifest(int node) const;
-  /// Where the node stands in the file, for an editor: tree, place in it, line.
-  const std::string& treeOf(int node) const;
-  int lineOf(int node) const;
+  const std::string& label(int node) const { return origin(node).label; }  // name, else ID
+  const NodeManifest& manifest(int node) const {
+    return manifests_[static_cast<std::size_t>(origin(node).manifest)];
+  }
+  /// Where the node stands in the file, for an editor: tree, line.
+  const std::string& treeOf(int node) const { return origin(node).tree; }
+  int lineOf(int node) const { return origin(node).line; }
 
   /// Slot of an entry of the root blackboard; -1 = no node uses it.
-  int findSlot(std::string_view key) const;
+  int findSlot(std::string_view key) const {
+    const auto place = std::find_if(entries_.begin(), entries_.end(),
+                                    [key](const Entry& entry) { return entry.key == key; });
+    return place == entries_.end() ? -1 : place->slot;
+  }
   /// Slot of CompileOptions::hostEntries[index]; always there.
   int hostSlot(int index) const { return hostSlots_[static_cast<std::size_t>(index)]; }
   const std::vector<Entry>& entries() const { return entries_; }  // all scopes, root first
@@ -147,6 +154,7 @@ class Program {
     int line = 0;
     int manifest = 0;
   };
+  const Origin& origin(int node) const { return origins_[static_cast<std::size_t>(node)]; }
 
   std::vector<Node> nodes_;
   std::vector<PortBinding> bindings_;

@@ -1,7 +1,6 @@
-#include "bt/engine/ScriptRunner.h"
-
 #include <cmath>
 
+#include "bt/engine/Script.h"
 #include "bt/tree/TextValue.h"
 
 namespace bt {

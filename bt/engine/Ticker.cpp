@@ -2,16 +2,8 @@
 
 #include <utility>
 
-#include "bt/engine/ScriptRunner.h"
-
 /// Ticking, halting and conditions, common to all nodes.
 namespace bt {
-NodeRunner Ticker::runnerOf(NodeCode code) {
-  if (isControl(code)) {
-    return controlRunner(code);
-  }
-  return hasOneChild(code) ? decoratorRunner(code) : leafRunner(code);
-}
 
 base::NodeStatus Ticker::tickNode(int node) {
   return tickChild(node);
@@ -81,8 +73,12 @@ void Ticker::resetChildren(int node) {
   if (nodes_[node].hasOnlyInstants) {
     return;
   }
+  resetFrom(node + 1, node);
+}
+
+void Ticker::resetFrom(int first, int node) {
   const int end = endOf(node);
-  for (int child = node + 1; child < end; child = endOf(child)) {
+  for (int child = first; child < end; child = endOf(child)) {
     resetChild(child);
   }
 }
@@ -192,29 +188,22 @@ base::NodeStatus Ticker::fault(int node, std::string message) {
   return kFault;
 }
 
-bool Ticker::runScript(int node, int script) {
+bool Ticker::runScript(int node, int script, bool* truth) {
   const Script& code = program_.scripts()[static_cast<std::size_t>(script)];
   ScriptRunner runner(code, slots(), state_.stack_.get());
   if (!runner.run()) {
     fault(node, "script '" + code.source + "': " + runner.error());
     return false;
   }
-  return true;
-}
-
-bool Ticker::truthOf(int node, int script, bool& truth) {
-  const Script& code = program_.scripts()[static_cast<std::size_t>(script)];
-  ScriptRunner runner(code, slots(), state_.stack_.get());
-  if (!runner.run()) {
-    fault(node, "script '" + code.source + "': " + runner.error());
-    return false;
+  if (!truth) {
+    return true;
   }
   const std::optional<bool> result = runner.truth();
   if (!result) {
     fault(node, "script '" + code.source + "' gives text, not true or false");
     return false;
   }
-  truth = *result;
+  *truth = *result;
   return true;
 }
 

@@ -20,7 +20,9 @@ class Ticker {
         isFaulty_(state.fault_ != nullptr),
         leaf_(*this, input, 0) {}
 
-  static NodeRunner runnerOf(NodeCode code);
+  /// Nullptr for nodes that a library runs.
+  static const BuiltinNode* builtin(std::string_view id);
+  static BuiltinNode libraryNode(const NodeFunctions& functions);
   /// Of a control or decorator whose children are instant; nullptr = such a node is not.
   static NodeRunner instantRunner(NodeCode code);
   /// The whole tick of a node: conditions, its code, book-keeping.
@@ -49,14 +51,16 @@ class Ticker {
   Status& stored(int node) { return stored_[node]; }
   int endOf(int node) const { return nodes_[node].end; }
   void resetChildren(int node);
+  void resetFrom(int first, int node);  // the children of `node` from `first` on
   void resetOthers(int node, int kept);
 
-  static NodeRunner controlRunner(NodeCode code);
-  static NodeRunner decoratorRunner(NodeCode code);
-  static NodeRunner leafRunner(NodeCode code);
   template <Status (Ticker::*function)(int)>
   static Status call(Ticker& ticker, int node) {
     return (ticker.*function)(node);
+  }
+  template <Status result>
+  static Status always(Ticker&, int) {
+    return result;
   }
   Status tickWithConditions(int node);
   Status preCondition(const Program::Conditions& conditions, int node);
@@ -67,9 +71,8 @@ class Ticker {
   /// For what a parent cannot go on with: IDLE of a child is a fault.
   [[gnu::cold]] Status unexpected(int child, Status status);
 
-  Status sequence(int node, Status stop, bool yields);
-  Status finishSequence(int node, SequenceMemory& memory, Status stop);
-  Status sequenceWithMemory(int node);
+  template <Status stop, bool yields = false, bool remembers = false>
+  Status sequence(int node);
   template <Status stop>
   Status reactive(int node);
   Status parallel(int node);
@@ -83,15 +86,17 @@ class Ticker {
   Status switchCase(int node);
   int selectedCase(int node);
   Status customControl(int node);
+  int lastChild(int node) const;
   Status tryCatch(int node);
   Status tryChildren(int node, int last);
   Status catchChild(int node, int last);
   void haltTryCatch(int node);
 
   Status inverter(int node);
-  Status force(int node, Status result);
+  template <Status result>
+  Status force(int node);
+  template <Status again>
   Status repeat(int node);
-  Status retry(int node);
   Status keepRunning(int node);
   Status delay(int node);
   Status timeout(int node);
@@ -100,7 +105,8 @@ class Ticker {
   Status loop(int node);
   bool takeElement(int node, bool& taken);
   bool storeElement(int node, std::string_view element);
-  Status ifUpdated(int node, Status otherwise);
+  template <Status otherwise>
+  Status ifUpdated(int node);
   Status subTree(int node);
   Status customDecorator(int node);
 
@@ -142,6 +148,7 @@ class Ticker {
   static bool isDone(Status status) {
     return status == Status::Success || status == Status::Failure;
   }
+  Status librarySynchronous(int node);
   Status stateful(int node);
   Status script(int node);
   Status scriptCondition(int node);
@@ -152,9 +159,9 @@ class Ticker {
   bool wasUpdated(int node, UpdateMemory& memory);
   void note(int node, LeafEvent::Kind kind);
 
-  /// The result of a script as a condition; false with a fault when it fails.
-  bool truthOf(int node, int script, bool& truth);
-  bool runScript(int node, int script);
+  /// False with a fault when it fails. `truth` takes the result as a condition.
+  bool runScript(int node, int script, bool* truth = nullptr);
+  bool truthOf(int node, int script, bool& truth) { return runScript(node, script, &truth); }
 
   /// Ports of nodes that the engine runs; nothing = a fault was noted.
   template <class T>

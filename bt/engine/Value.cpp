@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "bt/tree/TextValue.h"
 #include "sim2d/base/Text.h"
@@ -163,15 +164,23 @@ std::optional<Value> convertTo(const Value& value, PortType type) {
   return std::nullopt;
 }
 
-bool store(Slot& slot, const Value& value) {
-  const std::optional<Value> converted = convertTo(value, slot.type);
-  if (!converted) {
-    return false;
-  }
-  slot.value = *converted;
+namespace {
+
+bool noteWrite(Slot& slot) {
   slot.exists = true;
   ++slot.version;
   return true;
+}
+
+}  // namespace
+
+bool store(Slot& slot, const Value& value) {
+  std::optional<Value> converted = convertTo(value, slot.type);
+  if (!converted) {
+    return false;
+  }
+  slot.value = *std::move(converted);
+  return noteWrite(slot);
 }
 
 bool store(Slot& slot, double value) {
@@ -181,9 +190,7 @@ bool store(Slot& slot, double value) {
   slot.value.type = ValueType::Double;
   slot.value.real = value;
   slot.value.text.clear();
-  slot.exists = true;
-  ++slot.version;
-  return true;
+  return noteWrite(slot);
 }
 
 bool store(Slot& slot, int value) {
@@ -193,9 +200,7 @@ bool store(Slot& slot, int value) {
   slot.value.type = ValueType::Int;
   slot.value.integer = value;
   slot.value.text.clear();
-  slot.exists = true;
-  ++slot.version;
-  return true;
+  return noteWrite(slot);
 }
 
 }  // namespace bt

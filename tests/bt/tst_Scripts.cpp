@@ -2,7 +2,6 @@
 #include <map>
 
 #include "bt/engine/Script.h"
-#include "bt/engine/ScriptRunner.h"
 
 /// Values of scripts. The numbers were worked out by hand.
 class ScriptsTest : public QObject {
