@@ -1,14 +1,12 @@
 #include "bt/human/AgentTreeCheck.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <set>
 #include <string_view>
 #include <utility>
 
-#include "bt/human/Formation.h"
-#include "bt/human/Weights.h"
+#include "bt/human/Ports.h"
 #include "bt/tree/TextValue.h"
 #include "sim2d/base/Problems.h"
 
@@ -17,9 +15,6 @@ namespace bt {
 using base::Diagnostics;
 
 namespace {
-
-constexpr std::array<std::string_view, 5> kPersonPorts = {
-    "agent_id", "observer_id", "target_agent_id", "target_id", "main_agent_id"};
 
 using Visit = std::function<void(const NodeSpec& node, const std::string& file)>;
 
@@ -76,9 +71,7 @@ class Checker {
 
  private:
   void checkPort(const NodeSpec& node, const Attribute& port, const std::string& file) {
-    const bool isPerson =
-        std::find(kPersonPorts.begin(), kPersonPorts.end(), port.name) != kPersonPorts.end();
-    if (isPerson || port.name == "non_main_agent_ids") {
+    if (isPersonPort(port.name)) {
       for (const int id : parseIds(port.text).value_or(std::vector<int>{})) {
         if (!scenario_.humanById(id)) {
           warn(node, file, "tree.no-person", {id});

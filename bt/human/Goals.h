@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "bt/human/HumanContext.h"
 
-/// The list of goals of a person, as nodes change it.
+/// Goals and groups of people, as nodes change them.
 namespace bt {
 
 /// A goal counts as reached this far outside its radius [m].
@@ -24,5 +27,14 @@ bool isStillThere(const HumanContext& context, const SavedPerson& saved);
 void restoreGoals(HumanContext& context, const SavedPerson& saved);
 /// Tells the change by the event `group`.
 void setGroup(HumanContext& context, int human, int group);
+
+/// The main person and the others, in order, nobody twice. Nothing when somebody does not exist or
+/// is not in the world (the node fails) or the list is no list (the tree is faulty).
+std::optional<std::vector<int>> membersOf(LeafContext& leaf, int mainPort, int othersPort);
+
+/// Places on a circle of 0.5 m + 0.2 m for each member after the first, evenly spread from the
+/// direction in which the first member looks; the closest pairs of person and place first.
+std::vector<Spot> circleSpots(const sim2d::WorldView& view, const std::vector<int>& members,
+                              const base::Vec2& centre);
 
 }  // namespace bt

@@ -92,21 +92,15 @@ bool HumanContext::move(int human, const Intent& intent, Mover mover) {
   return true;
 }
 
-void HumanContext::emit(EventKind kind, int human, std::string text) {
+void HumanContext::emit(EventKind kind, int human, std::string text, int other) {
   sim2d::Event event;
   event.kind = kind;
   event.id = idOf(human);
   event.text = std::move(text);
-  intents_.emit(std::move(event));
-}
-
-void HumanContext::emitHeard(int listener, int speaker, std::string text) {
-  sim2d::Event event;
-  event.kind = EventKind::Heard;
-  event.id = idOf(listener);
-  event.other = idOf(speaker);
-  event.hasOther = true;
-  event.text = std::move(text);
+  if (other >= 0) {
+    event.other = idOf(other);
+    event.hasOther = true;
+  }
   intents_.emit(std::move(event));
 }
 

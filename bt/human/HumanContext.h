@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <forward_list>
 #include <memory>
 #include <optional>
@@ -112,8 +113,8 @@ class HumanContext {
   Notes& notes(const LeafContext& leaf);
   void dropNotes(const LeafContext& leaf);
 
-  void emit(sim2d::EventKind kind, int human, std::string text);
-  void emitHeard(int listener, int speaker, std::string text);
+  /// `other`: the second person of the event; -1 = there is none.
+  void emit(sim2d::EventKind kind, int human, std::string text, int other = -1);
 
  private:
   std::optional<int> knownById(LeafContext& leaf, int id);
@@ -127,12 +128,25 @@ class HumanContext {
   int self_;
 };
 
-/// Shorthand in leaves.
+// Pieces that the nodes share.
+using base::NodeStatus;
+
 inline HumanContext& humanOf(LeafContext& leaf) {
   return leaf.host<HumanContext>();
 }
-inline base::NodeStatus successIf(bool condition) {
-  return condition ? base::NodeStatus::Success : base::NodeStatus::Failure;
+inline NodeStatus successIf(bool condition) {
+  return condition ? NodeStatus::Success : NodeStatus::Failure;
+}
+
+/// A stateful action ends with SUCCESS after `duration` [s]; 0 and less mean never.
+inline NodeStatus byDuration(const LeafContext& leaf, std::int64_t startStep, double duration) {
+  return duration > 0.0 && leaf.hasElapsed(startStep, duration) ? NodeStatus::Success
+                                                                : NodeStatus::Running;
+}
+
+/// A stateful condition that did not hold in this step: it waits for `duration` [s], then fails.
+inline NodeStatus untilDuration(const LeafContext& leaf, std::int64_t startStep, double duration) {
+  return leaf.hasElapsed(startStep, duration) ? NodeStatus::Failure : NodeStatus::Running;
 }
 
 }  // namespace bt

@@ -25,34 +25,32 @@ double robotDistance(const WorldView& view, int human) {
   return (view.robotPose(robot).position - view.pose(human).position).norm();
 }
 
+namespace {
+
+bool isVisible(const WorldView& view, int observer, const Vec2& place, double distance,
+               double halfView) {
+  const Pose2 pose = view.pose(observer);
+  return (place - pose.position).norm() <= distance &&
+         std::fabs(bearingOf(place, pose)) <= halfView && view.isVisible(pose.position, place);
+}
+
+}  // namespace
+
 bool isRobotVisible(const WorldView& view, int human, double distance) {
   const int robot = view.nearestRobot(human);
-  if (robot < 0) {
-    return false;
-  }
-  const Pose2 pose = view.pose(human);
-  const Vec2 place = view.robotPose(robot).position;
-  return (place - pose.position).norm() <= distance &&
-         std::fabs(bearingOf(place, pose)) <= kNaturalHalfView &&
-         view.isVisible(pose.position, place);
+  return robot >= 0 &&
+         isVisible(view, human, view.robotPose(robot).position, distance, kNaturalHalfView);
 }
 
 bool isPersonVisible(const WorldView& view, int observer, int target, double distance,
                      double halfView) {
-  const Pose2 pose = view.pose(observer);
-  const Vec2 place = view.pose(target).position;
-  return (place - pose.position).norm() <= distance &&
-         std::fabs(bearingOf(place, pose)) <= halfView && view.isVisible(pose.position, place);
+  return isVisible(view, observer, view.pose(target).position, distance, halfView);
 }
 
 bool isRobotFacing(const WorldView& view, int human) {
   const int robot = view.nearestRobot(human);
   return robot >= 0 &&
          std::fabs(bearingOf(view.pose(human).position, view.robotPose(robot))) < kFacingAngle;
-}
-
-bool isLookingAt(const WorldView& view, int observer, int target, double distance, double angle) {
-  return isPersonVisible(view, observer, target, distance, angle);
 }
 
 bool isAudible(const WorldView& view, int listener, int speaker, double distance) {

@@ -20,13 +20,10 @@ double bearingOf(const base::Vec2& point, const base::Pose2& observer);
 double robotDistance(const sim2d::WorldView& view, int human);
 
 bool isRobotVisible(const sim2d::WorldView& view, int human, double distance);
-/// `halfView` [rad]: pi = all around.
+/// `halfView` [rad]: pi = all around, little = the observer looks at the target.
 bool isPersonVisible(const sim2d::WorldView& view, int observer, int target, double distance,
                      double halfView);
 bool isRobotFacing(const sim2d::WorldView& view, int human);
-/// `observer` looks at `target`: near enough, heading within `angle` of the direction, free sight.
-bool isLookingAt(const sim2d::WorldView& view, int observer, int target, double distance,
-                 double angle);
 /// A voice at `speaker` reaches `listener`.
 bool isAudible(const sim2d::WorldView& view, int listener, int speaker, double distance);
 

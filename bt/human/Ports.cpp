@@ -1,118 +1,121 @@
 #include "bt/human/Ports.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "bt/tree/TextValue.h"
+#include "sim2d/base/Text.h"
 #include "sim2d/base/Types.h"
 
 namespace bt {
 
-Port& Port::byDefault(const char* text) {
-  spec_.defaultText = text;
-  if (spec_.suggested.empty()) {
-    spec_.suggested = text;
+std::optional<std::vector<int>> parseIds(const std::string& text) {
+  std::vector<int> ids;
+  for (const std::string& part : base::split(text, ',')) {
+    const std::string token = base::trimmed(part);
+    if (token.empty()) {
+      continue;
+    }
+    const std::optional<int> id = intFromText(token);
+    if (!id) {
+      return std::nullopt;
+    }
+    ids.push_back(*id);
   }
-  return *this;
+  return ids;
 }
 
-Port& Port::suggest(const char* text) {
-  spec_.suggested = text;
-  return *this;
+std::optional<std::vector<double>> parseWeights(std::string_view text) {
+  std::vector<double> weights;
+  double sum = 0.0;
+  for (const std::string& token : base::split(text, ';')) {
+    const std::optional<double> weight = base::parseDouble(base::trimmed(token));
+    if (!weight || !(*weight >= 0.0)) {
+      return std::nullopt;
+    }
+    weights.push_back(*weight);
+    sum += *weight;
+  }
+  const bool isUsable = sum > 0.0 && std::isfinite(sum);
+  return isUsable ? std::optional<std::vector<double>>(std::move(weights)) : std::nullopt;
 }
 
-Port& Port::range(double min, double max) {
-  spec_.min = min;
-  spec_.max = max;
-  return *this;
-}
-
-Port& Port::atMost(double max) {
-  spec_.min.reset();
-  spec_.max = max;
-  return *this;
-}
-
-Port& Port::orElse(const char* first, const char* second) {
-  spec_.replacedBy = {first, second};
-  return *this;
-}
-
-Port& Port::required() {
-  spec_.required = true;
-  return *this;
-}
-
-Port& Port::output() {
-  spec_.direction = PortDirection::Output;
-  return *this;
+bool isPersonPort(std::string_view name) {
+  constexpr std::array<std::string_view, 6> kPorts = {"agent_id",      "target_agent_id",
+                                                      "target_id",     "observer_id",
+                                                      "main_agent_id", "non_main_agent_ids"};
+  return std::find(kPorts.begin(), kPorts.end(), name) != kPorts.end();
 }
 
 namespace port {
 
-Port person(const char* name, const char* description, const char* suggested) {
-  return Port(name, PortType::Int, "", description).required().suggest(suggested);
+PortSpec person(const char* name, const char* description, const char* suggested) {
+  return PortSpec(name, PortType::Int, "", description).needed().suggest(suggested);
 }
 
-Port agent() {
+PortSpec agent() {
   return person("agent_id", "Id of the person who acts or perceives.");
 }
 
-Port timeStep() {
-  return Port("time_step", PortType::Double, "s",
-              "Step length for HuNavSim; here the step of the simulation counts.")
+PortSpec timeStep() {
+  return PortSpec("time_step", PortType::Double, "s",
+                  "Step length for HuNavSim; here the step of the simulation counts.")
       .suggest("{dt}");
 }
 
-Port length(const char* name, const char* description) {
-  return Port(name, PortType::Double, "m", description).range(0.0, 1000.0);
+PortSpec length(const char* name, const char* description) {
+  return PortSpec(name, PortType::Double, "m", description).range(0.0, 1000.0);
 }
 
-Port speed(const char* name, const char* description) {
-  return Port(name, PortType::Double, "m/s", description).range(0.0, 10.0);
+PortSpec speed(const char* name, const char* description) {
+  return PortSpec(name, PortType::Double, "m/s", description).range(0.0, 10.0);
 }
 
-Port duration(const char* name, const char* description) {
-  return Port(name, PortType::Double, "s", description).range(0.0, 36000.0);
+PortSpec duration(const char* name, const char* description) {
+  return PortSpec(name, PortType::Double, "s", description).range(0.0, 36000.0);
 }
 
-Port openDuration(const char* name, const char* description) {
+PortSpec openDuration(const char* name, const char* description) {
   return duration(name, description).atMost(36000.0);
 }
 
-Port lasting() {
+PortSpec lasting() {
   return openDuration("duration", "Ends after this time; 0 = goes on.")
       .byDefault("0.0")
       .suggest("5.0");
 }
 
-Port angle(const char* name, const char* description) {
-  return Port(name, PortType::Double, "rad", description).range(0.0, base::kPi);
+PortSpec angle(const char* name, const char* description) {
+  return PortSpec(name, PortType::Double, "rad", description).range(0.0, base::kPi);
 }
 
-Port goal(const char* description, const char* x, const char* y) {
-  return Port("goal_id", PortType::Int, "", description).suggest("1").orElse(x, y);
+PortSpec goal(const char* description, const char* x, const char* y) {
+  return PortSpec("goal_id", PortType::Int, "", description).suggest("1").orElse(x, y);
 }
 
-Port oldX(const char* name) {
-  return Port(name, PortType::Double, "m", "x of a point, when no goal_id is given.");
+PortSpec oldX(const char* name) {
+  return PortSpec(name, PortType::Double, "m", "x of a point, when no goal_id is given.");
 }
 
-Port oldY(const char* name) {
-  return Port(name, PortType::Double, "m", "y of a point, when no goal_id is given.");
+PortSpec oldY(const char* name) {
+  return PortSpec(name, PortType::Double, "m", "y of a point, when no goal_id is given.");
 }
 
-Port others() {
-  return Port("non_main_agent_ids", PortType::Any, "",
-              "Ids of the other members, with commas between them.");
+PortSpec others() {
+  return PortSpec("non_main_agent_ids", PortType::Any, "",
+                  "Ids of the other members, with commas between them.");
 }
 
-Port unused(const char* name, PortType type, const char* unit) {
-  return Port(name, type, unit, "Accepted for existing files; has no effect.");
+PortSpec unused(const char* name, PortType type, const char* unit) {
+  return PortSpec(name, type, unit, "Accepted for existing files; has no effect.");
 }
 
 }  // namespace port
 
-namespace {
-
-NodeManifest makeManifest(const char* id, const char* category, const char* description,
-                          std::initializer_list<PortSpec> ports, NodeKind kind) {
+NodeManifest ownNode(const char* id, const char* category, const char* description,
+                     std::initializer_list<PortSpec> ports, NodeKind kind) {
   NodeManifest manifest;
   manifest.id = id;
   manifest.kind = kind;
@@ -122,18 +125,11 @@ NodeManifest makeManifest(const char* id, const char* category, const char* desc
   return manifest;
 }
 
-}  // namespace
-
 NodeManifest humanNode(const char* id, const char* category, const char* description,
                        std::initializer_list<PortSpec> ports, NodeKind kind) {
-  NodeManifest manifest = makeManifest(id, category, description, ports, kind);
+  NodeManifest manifest = ownNode(id, category, description, ports, kind);
   manifest.origin = NodeOrigin::HuNavSim;
   return manifest;
-}
-
-NodeManifest ownNode(const char* id, const char* category, const char* description,
-                     std::initializer_list<PortSpec> ports, NodeKind kind) {
-  return makeManifest(id, category, description, ports, kind);
 }
 
 }  // namespace bt

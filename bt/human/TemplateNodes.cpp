@@ -44,21 +44,4 @@ NodeSpec setGoalsBlock(const std::vector<int>& goals) {
   return block;
 }
 
-std::vector<NodeSpec> navigationNodes() {
-  NodeSpec walk =
-      branchNode("Sequence", "RegularNavigation",
-                 {around("Inverter", leafNode("IsGoalReached", {{"agent_id", "{id}"}})),
-                  leafNode("RegularNav", {{"agent_id", "{id}"}, {"time_step", "{dt}"}})});
-  return {std::move(walk), leafNode("UpdateGoal", {{"agent_id", "{id}"}})};
-}
-
-NodeSpec regularNavCall() {
-  NodeSpec call = leafNode("SubTree", {{"id", "{agentid}"}, {"dt", "{timestep}"}});
-  call.subTree = "RegularNavTree";
-  return branchNode("Sequence", "RegNav",
-                    {leafNode("SetBlackboard", {{"output_key", "agentid"}, {"value", "{id}"}}),
-                     leafNode("SetBlackboard", {{"output_key", "timestep"}, {"value", "{dt}"}}),
-                     std::move(call)});
-}
-
 }  // namespace bt

@@ -17,9 +17,5 @@ std::string shortNumber(double value);
 
 /// Sequence SetGoals: appends the goals in the first tick and fails then, is skipped later.
 NodeSpec setGoalsBlock(const std::vector<int>& goals);
-/// To the goals, in order: the last two branches of the regular tree.
-std::vector<NodeSpec> navigationNodes();
-/// Sequence RegNav: the included tree with the ids handed over.
-NodeSpec regularNavCall();
 
 }  // namespace bt

@@ -2,9 +2,8 @@
 
 #include <utility>
 
-#include "bt/human/PanelTemplates.h"
+#include "bt/human/OriginalTemplates.h"
 #include "bt/human/TemplateNodes.h"
-#include "bt/human/WrapperTemplates.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/scenario/Defaults.h"
 
@@ -95,6 +94,25 @@ NodeSpec reactionBlock(const ResolvedHuman& human, const Compatibility& quirks) 
     block.children = {std::move(visible), std::move(reaction)};
   }
   return block;
+}
+
+/// To the goals, in order: the last two branches of the regular tree.
+std::vector<NodeSpec> navigationNodes() {
+  NodeSpec walk =
+      branchNode("Sequence", "RegularNavigation",
+                 {around("Inverter", leafNode("IsGoalReached", {{"agent_id", "{id}"}})),
+                  leafNode("RegularNav", {{"agent_id", "{id}"}, {"time_step", "{dt}"}})});
+  return {std::move(walk), leafNode("UpdateGoal", {{"agent_id", "{id}"}})};
+}
+
+/// Sequence RegNav: the included tree with the ids handed over.
+NodeSpec regularNavCall() {
+  NodeSpec call = leafNode("SubTree", {{"id", "{agentid}"}, {"dt", "{timestep}"}});
+  call.subTree = "RegularNavTree";
+  return branchNode("Sequence", "RegNav",
+                    {leafNode("SetBlackboard", {{"output_key", "agentid"}, {"value", "{id}"}}),
+                     leafNode("SetBlackboard", {{"output_key", "timestep"}, {"value", "{dt}"}}),
+                     std::move(call)});
 }
 
 TreeSpec regularTree(std::vector<NodeSpec> first) {

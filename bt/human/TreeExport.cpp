@@ -1,8 +1,8 @@
 #include "bt/human/TreeExport.h"
 
 #include <algorithm>
-#include <set>
 
+#include "bt/human/Ports.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Text.h"
 
@@ -12,13 +12,6 @@ namespace {
 
 bool isGoalPort(const std::string& name) {
   return name == "goal_id";
-}
-
-bool isPersonPort(const std::string& name) {
-  static const std::set<std::string> kPorts = {"agent_id",      "target_agent_id",
-                                               "target_id",     "observer_id",
-                                               "main_agent_id", "non_main_agent_ids"};
-  return kPorts.count(name) != 0;
 }
 
 /// One number, or several between commas; anything else (a key in braces) stays.

@@ -6,35 +6,11 @@ namespace bt {
 namespace {
 
 PortSpec input(std::string name, PortType type, std::string description) {
-  PortSpec port;
-  port.name = std::move(name);
-  port.type = type;
-  port.required = true;
-  port.description = std::move(description);
-  return port;
-}
-
-PortSpec withDefault(PortSpec port, const std::string& text) {
-  port.defaultText = text;
-  port.suggested = text;
-  port.required = false;
-  return port;
-}
-
-PortSpec suggesting(PortSpec port, const std::string& text) {
-  port.suggested = text;
-  return port;
+  return PortSpec(std::move(name), type, "", std::move(description)).needed();
 }
 
 PortSpec milliseconds(const std::string& name, std::string description) {
-  PortSpec port = suggesting(input(name, PortType::Unsigned, std::move(description)), "1000");
-  port.unit = "ms";
-  return port;
-}
-
-PortSpec directed(PortSpec port, PortDirection direction) {
-  port.direction = direction;
-  return port;
+  return PortSpec(name, PortType::Unsigned, "ms", std::move(description)).needed().suggest("1000");
 }
 
 NodeManifest builtin(const char* id, NodeKind kind, const char* category, const char* description,
@@ -102,18 +78,16 @@ void addSwitches(NodeCatalogue& to) {
 
 void addControls(NodeCatalogue& to) {
   addSequences(to);
-  to.add(control("Parallel",
-                 "Runs all children in every step until enough have succeeded or failed.",
-                 {withDefault(input("success_count", PortType::Int,
-                                    "Successes that are enough; negative counts from all (-1)."),
-                              "-1"),
-                  withDefault(input("failure_count", PortType::Int,
-                                    "Failures that end it; negative counts from all (-1)."),
-                              "1")}));
+  to.add(control(
+      "Parallel", "Runs all children in every step until enough have succeeded or failed.",
+      {input("success_count", PortType::Int,
+             "Successes that are enough; negative counts from all (-1).")
+           .byDefault("-1"),
+       input("failure_count", PortType::Int, "Failures that end it; negative counts from all (-1).")
+           .byDefault("1")}));
   to.add(control("ParallelAll", "Runs all children and ends when every one of them is done.",
-                 {withDefault(input("max_failures", PortType::Int,
-                                    "It fails with this many failures or more."),
-                              "1")}));
+                 {input("max_failures", PortType::Int, "It fails with this many failures or more.")
+                      .byDefault("1")}));
   to.add(withChildren(control("IfThenElse",
                               "First child: condition, asked once; second: if it "
                               "succeeds; third: if not."),
@@ -125,9 +99,9 @@ void addControls(NodeCatalogue& to) {
   addSwitches(to);
   to.add(withChildren(
       control("TryCatch", "Runs all but the last child as a sequence; when it fails, the last one.",
-              {withDefault(input("catch_on_halt", PortType::Bool,
-                                 "The last child also gets one step when it is halted."),
-                           "false")}),
+              {input("catch_on_halt", PortType::Bool,
+                     "The last child also gets one step when it is halted.")
+                   .byDefault("false")}),
       2, -1));
 }
 
@@ -136,16 +110,15 @@ void addStatusDecorators(NodeCatalogue& to) {
   to.add(decorator("ForceSuccess", "Succeeds however the child ends."));
   to.add(decorator("ForceFailure", "Fails however the child ends."));
   to.add(decorator("KeepRunningUntilFailure", "Runs the child again and again until it fails."));
-  to.add(decorator(
-      "Repeat", "Runs the child several times, until it fails.",
-      {suggesting(input("num_cycles", PortType::Int, "How often; -1 = for ever."), "3")}));
-  to.add(decorator(
-      "RetryUntilSuccessful", "Runs the child again when it fails.",
-      {suggesting(input("num_attempts", PortType::Int, "How often; -1 = for ever."), "3")}));
+  to.add(decorator("Repeat", "Runs the child several times, until it fails.",
+                   {input("num_cycles", PortType::Int, "How often; -1 = for ever.").suggest("3")}));
+  to.add(
+      decorator("RetryUntilSuccessful", "Runs the child again when it fails.",
+                {input("num_attempts", PortType::Int, "How often; -1 = for ever.").suggest("3")}));
   to.add(decorator("RunOnce", "Runs the child to its end once in the life of the tree.",
-                   {withDefault(input("then_skip", PortType::Bool,
-                                      "Afterwards: true = skipped, false = the same result again."),
-                                "true")}));
+                   {input("then_skip", PortType::Bool,
+                          "Afterwards: true = skipped, false = the same result again.")
+                        .byDefault("true")}));
   to.add(decorator("Delay", "Waits before the child is run.",
                    {milliseconds("delay_msec", "How long, in simulated time.")}));
   to.add(decorator("Timeout", "Fails when the child takes longer.",
@@ -155,27 +128,27 @@ void addStatusDecorators(NodeCatalogue& to) {
 void addDataDecorators(NodeCatalogue& to) {
   to.add(decorator(
       "Precondition", "Runs the child only if a script is true.",
-      {suggesting(input("if", PortType::String, "The script."), "true"),
-       withDefault(input("else", PortType::Status, "Result when it is false."), "FAILURE")}));
+      {input("if", PortType::String, "The script.").suggest("true"),
+       input("else", PortType::Status, "Result when it is false.").byDefault("FAILURE")}));
   const auto loop = [&to](const char* id, PortType type) {
-    PortSpec value = directed(input("value", type, "The element."), PortDirection::Output);
+    PortSpec value = input("value", type, "The element.").directed(PortDirection::Output);
     value.required = false;
-    to.add(decorator(
-        id, "Runs the child once for each element of a list.",
-        {directed(suggesting(input("queue", PortType::Queue, "The elements with ';' between them."),
-                             "1;2;3"),
-                  PortDirection::InOut),
-         withDefault(input("if_empty", PortType::Status, "Result at the end."), "SUCCESS"),
-         suggesting(value, "{value}")}));
+    to.add(
+        decorator(id, "Runs the child once for each element of a list.",
+                  {input("queue", PortType::Queue, "The elements with ';' between them.")
+                       .suggest("1;2;3")
+                       .directed(PortDirection::InOut),
+                   input("if_empty", PortType::Status, "Result at the end.").byDefault("SUCCESS"),
+                   value.suggest("{value}")}));
   };
   loop("LoopInt", PortType::Int);
   loop("LoopBool", PortType::Bool);
   loop("LoopDouble", PortType::Double);
   loop("LoopString", PortType::String);
   to.add(decorator("SkipUnlessUpdated", "Skips the child unless the entry was written.",
-                   {suggesting(input("entry", PortType::Any, "The entry."), "{key}")}));
+                   {input("entry", PortType::Any, "The entry.").suggest("{key}")}));
   to.add(decorator("WaitValueUpdate", "Waits until the entry was written, then runs the child.",
-                   {suggesting(input("entry", PortType::Any, "The entry."), "{key}")}));
+                   {input("entry", PortType::Any, "The entry.").suggest("{key}")}));
 }
 
 void addLeaves(NodeCatalogue& to) {
@@ -187,19 +160,20 @@ void addLeaves(NodeCatalogue& to) {
   leaf("AlwaysSuccess", NodeKind::Action, "Succeeds.");
   leaf("AlwaysFailure", NodeKind::Action, "Fails.");
   leaf("SetBlackboard", NodeKind::Action, "Writes an entry of the blackboard.",
-       {suggesting(input("value", PortType::Any, "Text, or {key} of the entry to copy."), "1"),
-        directed(suggesting(input("output_key", PortType::Any, "Name of the entry."), "key"),
-                 PortDirection::InOut)});
+       {input("value", PortType::Any, "Text, or {key} of the entry to copy.").suggest("1"),
+        input("output_key", PortType::Any, "Name of the entry.")
+            .suggest("key")
+            .directed(PortDirection::InOut)});
   leaf("UnsetBlackboard", NodeKind::Action, "Removes an entry of the blackboard.",
-       {suggesting(input("key", PortType::String, "Name of the entry."), "key")});
+       {input("key", PortType::String, "Name of the entry.").suggest("key")});
   leaf("Script", NodeKind::Action, "Runs a script.",
-       {suggesting(input("code", PortType::String, "The script."), "x := 1")});
+       {input("code", PortType::String, "The script.").suggest("x := 1")});
   leaf("ScriptCondition", NodeKind::Condition, "Succeeds if a script is true.",
-       {suggesting(input("code", PortType::String, "The script."), "x == 1")});
+       {input("code", PortType::String, "The script.").suggest("x == 1")});
   leaf("Sleep", NodeKind::Action, "Waits.", {milliseconds("msec", "How long, in simulated time.")});
   leaf("WasEntryUpdated", NodeKind::Condition,
        "Succeeds if the entry was written since last asked.",
-       {suggesting(input("entry", PortType::Any, "The entry."), "{key}")});
+       {input("entry", PortType::Any, "The entry.").suggest("{key}")});
 }
 
 }  // namespace

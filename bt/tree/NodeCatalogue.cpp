@@ -1,70 +1,81 @@
 #include "bt/tree/NodeCatalogue.h"
 
+#include <array>
 #include <utility>
 
 #include "sim2d/base/Text.h"
 
 namespace bt {
 
+namespace {
+
+/// The name at the place of the enumerator.
+template <class Enum, std::size_t count>
+const char* nameOf(Enum value, const std::array<const char*, count>& names) {
+  return names.at(static_cast<std::size_t>(value));
+}
+
+}  // namespace
+
 const char* nodeKindName(NodeKind kind) {
-  switch (kind) {
-    case NodeKind::Condition:
-      return "Condition";
-    case NodeKind::Action:
-      return "Action";
-    case NodeKind::Control:
-      return "Control";
-    case NodeKind::Decorator:
-      return "Decorator";
-    case NodeKind::SubTree:
-      return "SubTree";
-  }
-  return "";
+  return nameOf(kind, std::array{"Condition", "Action", "Control", "Decorator", "SubTree"});
 }
 
 const char* portDirectionTag(PortDirection direction) {
-  switch (direction) {
-    case PortDirection::Input:
-      return "input_port";
-    case PortDirection::Output:
-      return "output_port";
-    case PortDirection::InOut:
-      return "inout_port";
-  }
-  return "";
+  return nameOf(direction, std::array{"input_port", "output_port", "inout_port"});
 }
 
 const char* portTypeName(PortType type) {
-  switch (type) {
-    case PortType::Int:
-      return "int";
-    case PortType::Unsigned:
-      return "unsigned int";
-    case PortType::Double:
-      return "double";
-    case PortType::Bool:
-      return "bool";
-    case PortType::Status:
-      return "NodeStatus";
-    case PortType::String:
-    case PortType::Queue:
-      return "std::string";
-    case PortType::Any:
-      return "";
-  }
-  return "";
+  return nameOf(type, std::array{"int", "unsigned int", "double", "bool", "std::string",
+                                 "NodeStatus", "std::string", ""});
 }
 
 const char* nodeOriginName(NodeOrigin origin) {
-  switch (origin) {
-    case NodeOrigin::BehaviorTreeCpp:
-      return "BehaviorTree.CPP";
-    case NodeOrigin::HuNavSim:
-      return "HuNavSim";
-    case NodeOrigin::Ours:
-      return "HuNavSim Desktop";
-  }
-  return "";
+  return nameOf(origin, std::array{"BehaviorTree.CPP", "HuNavSim", "HuNavSim Desktop"});
+}
+
+PortSpec::PortSpec(std::string itsName, PortType itsType, std::string itsUnit, std::string text)
+    : name(std::move(itsName)),
+      type(itsType),
+      unit(std::move(itsUnit)),
+      description(std::move(text)) {}
+
+PortSpec& PortSpec::byDefault(const std::string& text) {
+  defaultText = text;
+  required = false;
+  return suggested.empty() ? suggest(text) : *this;
+}
+
+PortSpec& PortSpec::suggest(std::string text) {
+  suggested = std::move(text);
+  return *this;
+}
+
+PortSpec& PortSpec::range(double least, double most) {
+  min = least;
+  max = most;
+  return *this;
+}
+
+PortSpec& PortSpec::atMost(double most) {
+  min.reset();
+  max = most;
+  return *this;
+}
+
+PortSpec& PortSpec::orElse(const char* first, const char* second) {
+  replacedBy = {first, second};
+  return *this;
+}
+
+PortSpec& PortSpec::needed() {
+  required = true;
+  return *this;
+}
+
+PortSpec& PortSpec::directed(PortDirection way) {
+  direction = way;
+  return *this;
 }
 
 int NodeManifest::portIndex(std::string_view name) const {

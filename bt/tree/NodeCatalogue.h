@@ -35,6 +35,17 @@ struct PortSpec {
   std::optional<double> min, max;          // sensible range of numbers, both ends included
   std::string suggested;                   // text that an editor writes into a new node
   std::string description;                 // one sentence for people
+
+  PortSpec() = default;
+  PortSpec(std::string itsName, PortType itsType, std::string itsUnit, std::string text);
+  /// For a port in the making: PortSpec("distance", PortType::Double, "m", "…").byDefault("5.0")
+  PortSpec& byDefault(const std::string& text);  // also suggested, unless something else is
+  PortSpec& suggest(std::string text);
+  PortSpec& range(double least, double most);
+  PortSpec& atMost(double most);  // negative numbers have a meaning of their own
+  PortSpec& orElse(const char* first, const char* second);  // these two make it dispensable
+  PortSpec& needed();
+  PortSpec& directed(PortDirection way);
 };
 
 struct NodeManifest {

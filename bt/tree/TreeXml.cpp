@@ -1,10 +1,13 @@
 #include "bt/tree/TreeXml.h"
 
+#include <cctype>
+#include <set>
 #include <utility>
 
 #include <tinyxml2.h>
 
-#include "bt/tree/TreeReader.h"
+#include "bt/tree/TextValue.h"
+#include "bt/tree/TreeXmlV3.h"
 #include "bt/tree/XmlText.h"
 #include "sim2d/base/Text.h"
 
@@ -33,20 +36,55 @@ std::string ownText(const XMLElement& element) {
   return base::trimmed(text);
 }
 
+Attributes attributesOf(const XMLElement& element) {
+  Attributes attributes;
+  for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a; a = a->Next()) {
+    attributes.push_back({a->Name(), a->Value()});
+  }
+  return attributes;
+}
+
 XmlBlock blockOf(const XMLElement& element) {
   XmlBlock block;
   block.tag = element.Name();
   block.text = ownText(element);
-  for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a; a = a->Next()) {
-    block.attributes.push_back({a->Name(), a->Value()});
-  }
+  block.attributes = attributesOf(element);
   for (const XMLElement* c = element.FirstChildElement(); c; c = c->NextSiblingElement()) {
     block.children.push_back(blockOf(*c));
   }
   return block;
 }
 
-}  // namespace
+bool isSubTreeTag(const std::string& tag) {
+  return tag == "SubTree" || tag == "SubTreePlus";
+}
+
+/// Turns the elements of one document into a TreeFile and gathers every problem on the way.
+class TreeReader {
+ public:
+  explicit TreeReader(const std::string& fileName) { file_.path = fileName; }
+
+  void readRoot(const XMLElement& root);
+  TreeFile takeFile() { return std::move(file_); }
+  base::Diagnostics& problems() { return problems_; }
+
+ private:
+  void error(const XMLElement& at, std::string_view code, base::ProblemValues values = {});
+  void warn(const XMLElement& at, std::string_view code, base::ProblemValues values = {});
+  void readFormat(const XMLElement& root);
+  void readPart(const XMLElement& element, bool needsId);
+  void readInclude(const XMLElement& element);
+  void readTree(const XMLElement& element, bool needsId);
+  NodeSpec readNode(const XMLElement& element, int depth);
+  void readIdentity(const XMLElement& element, NodeSpec& node);
+  void readAttribute(const XMLElement& element, const Attribute& attribute, NodeSpec& node);
+  void checkAttributes(const XMLElement& element);
+  void checkName(const XMLElement& element, const std::string& name, const char* what);
+  void lookForTemplate(const XMLElement& element);
+
+  TreeFile file_;
+  base::Diagnostics problems_;
+};
 
 void TreeReader::error(const XMLElement& at, std::string_view code, base::ProblemValues values) {
   problems_.push_back(base::error(code, std::move(values), file_.path, at.GetLineNum()));
@@ -127,21 +165,15 @@ void TreeReader::readInclude(const XMLElement& element) {
   file_.includes.push_back(std::move(include));
 }
 
-void TreeReader::readTreeAttributes(const XMLElement& element, TreeSpec& tree) {
-  for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a; a = a->Next()) {
-    if (std::string(a->Name()) == "ID") {
-      tree.id = a->Value();
-    } else {
-      tree.others.push_back({a->Name(), a->Value()});
-    }
-  }
-}
-
 void TreeReader::readTree(const XMLElement& element, bool needsId) {
   checkAttributes(element);
   TreeSpec tree;
   tree.line = element.GetLineNum();
-  readTreeAttributes(element, tree);
+  tree.others = attributesOf(element);
+  if (const std::string* const id = findText(tree.others, "ID")) {
+    tree.id = *id;
+    removeText(tree.others, "ID");
+  }
   if (tree.id.empty() && needsId) {
     error(element, "tree.without-id", {element.Name()});
   } else if (tree.id.empty()) {
@@ -172,6 +204,90 @@ void TreeReader::lookForTemplate(const XMLElement& element) {
     }
   }
 }
+
+NodeSpec TreeReader::readNode(const XMLElement& element, int depth) {
+  NodeSpec node;
+  node.line = element.GetLineNum();
+  if (depth > kMaxNesting) {
+    error(element, "tree.too-nested", {kMaxNesting});
+    return node;
+  }
+  checkAttributes(element);
+  readIdentity(element, node);
+  for (const Attribute& attribute : attributesOf(element)) {
+    readAttribute(element, attribute, node);
+  }
+  lookForTemplate(element);
+  for (const XMLElement* c = element.FirstChildElement(); c; c = c->NextSiblingElement()) {
+    node.children.push_back(readNode(*c, depth + 1));
+  }
+  if (file_.format == 3) {
+    convertFromVersion3(node, file_.path, problems_);
+  }
+  return node;
+}
+
+void TreeReader::readIdentity(const XMLElement& element, NodeSpec& node) {
+  const std::string tag = element.Name();
+  const char* const id = element.Attribute("ID");
+  const bool isSubTree = isSubTreeTag(tag);
+  const bool isExplicit =
+      isSubTree || tag == "Action" || tag == "Condition" || tag == "Control" || tag == "Decorator";
+  if (isExplicit && (!id || *id == '\0')) {
+    error(element, "tree.without-id", {tag});
+  } else if (!isExplicit && id) {
+    error(element, "tree.id-not-allowed", {tag});
+  }
+  if (isSubTree) {
+    node.id = tag;
+    node.subTree = id ? id : "";
+  } else {
+    node.id = isExplicit && id ? id : tag;
+    node.explicitNotation = isExplicit;
+  }
+  checkName(element, isSubTree ? node.subTree : node.id, "node ID");
+}
+
+void TreeReader::readAttribute(const XMLElement& element, const Attribute& attribute,
+                               NodeSpec& node) {
+  const std::string& name = attribute.name;
+  if (name == "ID") {
+    return;
+  }
+  if (name == "name") {
+    node.name = attribute.text;
+  } else if (isConditionName(name)) {
+    node.conditions.push_back(attribute);
+  } else if (name == "_autoremap" && isSubTreeTag(element.Name())) {
+    const std::optional<bool> value = boolFromText(attribute.text);
+    if (!value) {
+      error(element, "tree.not-boolean", {attribute.text});
+    }
+    node.autoRemap = value.value_or(false);
+  } else if (std::isalpha(static_cast<unsigned char>(name[0])) == 0) {
+    node.others.push_back(attribute);
+  } else {
+    checkName(element, name, "port name");
+    node.ports.push_back(attribute);
+  }
+}
+
+void TreeReader::checkAttributes(const XMLElement& element) {
+  std::set<std::string> seen;
+  for (const Attribute& attribute : attributesOf(element)) {
+    if (!seen.insert(attribute.name).second) {
+      error(element, "tree.attribute-twice", {attribute.name});
+    }
+  }
+}
+
+void TreeReader::checkName(const XMLElement& element, const std::string& name, const char* what) {
+  if (const char bad = forbiddenCharacter(name)) {
+    error(element, "tree.bad-character", {what, name, std::string(1, bad)});
+  }
+}
+
+}  // namespace
 
 base::Result<TreeFile> readTreeText(std::string_view xml, const std::string& fileName) {
   if (const std::optional<base::Diagnostic> bad = problemOfText(xml, fileName)) {

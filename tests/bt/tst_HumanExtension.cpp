@@ -1,6 +1,6 @@
 #include <QtTest>
 
-#include "bt/human/Leaves.h"
+#include "bt/human/HumanContext.h"
 #include "bt/human/Perception.h"
 #include "bt/human/Ports.h"
 #include "tests/bt/FakeWorld.h"

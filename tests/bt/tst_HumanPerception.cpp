@@ -2,9 +2,10 @@
 
 #include <QtTest>
 
-#include "bt/human/Formation.h"
+#include "bt/human/Goals.h"
 #include "bt/human/Motions.h"
 #include "bt/human/Perception.h"
+#include "bt/human/Ports.h"
 #include "bt/human/SpeechBus.h"
 #include "tests/bt/FakeWorld.h"
 
@@ -50,11 +51,11 @@ class HumanPerceptionTest : public QObject {
     world.addRobot(1.0, 0.0);
     QVERIFY(bt::isRobotVisible(world, 0, 5.0));
     QVERIFY(bt::isAudible(world, 0, 1, 5.0));
-    QVERIFY(bt::isLookingAt(world, 1, 0, 5.0, 0.2));
+    QVERIFY(bt::isPersonVisible(world, 1, 0, 5.0, 0.2));
     world.isDark = true;
     QVERIFY(!bt::isRobotVisible(world, 0, 5.0));
     QVERIFY(!bt::isPersonVisible(world, 0, 1, 5.0, base::kPi));
-    QVERIFY(!bt::isLookingAt(world, 1, 0, 5.0, 0.2));
+    QVERIFY(!bt::isPersonVisible(world, 1, 0, 5.0, 0.2));
     QVERIFY(!bt::isAudible(world, 0, 1, 5.0));
   }
 

@@ -1,6 +1,5 @@
-#include "bt/human/Formation.h"
 #include "bt/human/Goals.h"
-#include "bt/human/Leaves.h"
+#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
 #include "bt/human/Ports.h"
 

@@ -1,9 +1,9 @@
-#include "bt/human/Leaves.h"
+#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
 #include "bt/human/Perception.h"
 #include "bt/human/Ports.h"
 
-/// Nodes about the people around that the original does not have.
+/// Nodes about the people around; but for FindNearestAgent the original does not have them.
 namespace bt {
 
 namespace {
@@ -105,13 +105,24 @@ NodeStatus runFlee(LeafContext& leaf) {
   return byDuration(leaf, memory.startStep, memory.duration);
 }
 
+NodeStatus findNearest(LeafContext& leaf) {
+  HumanContext& context = humanOf(leaf);
+  const std::optional<int> human = context.person(leaf, 0);
+  const int nearest = human ? nearestPerson(context.view(), *human) : -1;
+  if (nearest < 0) {
+    return NodeStatus::Failure;
+  }
+  leaf.set(1, context.idOf(nearest));
+  return NodeStatus::Success;
+}
+
 }  // namespace
 
 void addCrowd(NodeLibrary& to) {
   to.addCondition(
       ownNode("IsCrowded", "Perception", "At least so many other people are near.",
               {port::agent(), port::length("distance", "Near means within this.").byDefault("2.0"),
-               Port("count", PortType::Int, "", "Number of other people.")
+               PortSpec("count", PortType::Int, "", "Number of other people.")
                    .byDefault("3")
                    .range(1, 1000)},
               NodeKind::Condition),
@@ -138,6 +149,13 @@ void addCrowd(NodeLibrary& to) {
            port::lasting().suggest("0.0"),
            port::speed("speed", "Speed of the flight.").byDefault("1.5")}),
       {startFlee, runFlee, nullptr});
+  to.addAction(humanNode("FindNearestAgent", "People",
+                         "Writes the id of the nearest other person; fails when there is nobody.",
+                         {port::agent(), PortSpec("target_agent_id", PortType::Int, "",
+                                                  "Takes the id of the nearest person.")
+                                             .directed(PortDirection::Output)
+                                             .suggest("{target_agent_id}")}),
+               findNearest);
 }
 
 }  // namespace bt

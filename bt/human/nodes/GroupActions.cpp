@@ -1,6 +1,5 @@
-#include "bt/human/Formation.h"
 #include "bt/human/Goals.h"
-#include "bt/human/Leaves.h"
+#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
 #include "bt/human/Ports.h"
 
@@ -86,10 +85,10 @@ NodeStatus run(LeafContext& leaf) {
 
 void addGroupActions(NodeLibrary& to) {
   to.addAction(humanNode("SetGroupId", "Groups", "Puts the person into a group.",
-                         {port::agent(),
-                          Port("group_id", PortType::Int, "", "Number of the group, -1 = alone.")
-                              .required()
-                              .suggest("5")}),
+                         {port::agent(), PortSpec("group_id", PortType::Int, "",
+                                                  "Number of the group, -1 = alone.")
+                                             .needed()
+                                             .suggest("5")}),
                setGroupId);
   to.addStateful<Memory>(
       humanNode("SetGroupWalk", "Groups",

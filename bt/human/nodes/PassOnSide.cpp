@@ -1,5 +1,5 @@
 
-#include "bt/human/Leaves.h"
+#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
 #include "bt/human/Perception.h"
 #include "bt/human/Ports.h"
@@ -97,7 +97,7 @@ void addPassOnSide(NodeLibrary& to) {
       ownNode("PassOnSide", "Reactions",
               "Passes the robot ahead at the person's own left or right; fails when none is ahead.",
               {port::agent(),
-               Port("side", PortType::String, "", "left or right, as the person walks.")
+               PortSpec("side", PortType::String, "", "left or right, as the person walks.")
                    .byDefault("right"),
                port::length("distance", "Begins within this distance.").byDefault("4.0"),
                port::length("clearance", "Distance beside the robot.").byDefault("1.0")}),

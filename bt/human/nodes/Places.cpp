@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "bt/human/Leaves.h"
+#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
 #include "bt/human/Ports.h"
 #include "sim2d/base/Rng.h"
@@ -223,10 +223,11 @@ NodeStatus runUse(LeafContext& leaf) {
 
 void addPlaces(NodeLibrary& to) {
   to.addStateful<Memory>(
-      ownNode("WanderInArea", "Walking", "Walks from one random point of an area to the next.",
-              {port::agent(),
-               Port("area", PortType::String, "", "Name of the area.").required().suggest("area1"),
-               port::lasting().suggest("0.0")}),
+      ownNode(
+          "WanderInArea", "Walking", "Walks from one random point of an area to the next.",
+          {port::agent(),
+           PortSpec("area", PortType::String, "", "Name of the area.").needed().suggest("area1"),
+           port::lasting().suggest("0.0")}),
       {startWander, runWander, nullptr});
   to.addStateful<Memory>(
       ownNode("GoToNearestExit", "Walking",

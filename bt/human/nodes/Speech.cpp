@@ -1,4 +1,4 @@
-#include "bt/human/Leaves.h"
+#include "bt/human/HumanContext.h"
 #include "bt/human/Perception.h"
 #include "bt/human/Ports.h"
 
@@ -72,7 +72,7 @@ NodeStatus run(LeafContext& leaf) {
     return untilDuration(leaf, memory.startStep, memory.duration);
   }
   memory.lastHeard = words->serial;
-  context.emitHeard(memory.human, words->speaker, words->text);
+  context.emit(sim2d::EventKind::Heard, memory.human, words->text, words->speaker);
   if (memory.target < 0) {
     leaf.set(4, context.idOf(words->speaker));
   }
@@ -105,16 +105,16 @@ NodeManifest listener(const char* id, const char* description, const char* durat
 
 void addSpeech(NodeLibrary& to) {
   to.addAction(humanNode("SaySomething", "Speech", "Says a sentence, once.",
-                         {port::agent(), Port("message", PortType::String, "", "The words.")
-                                             .required()
+                         {port::agent(), PortSpec("message", PortType::String, "", "The words.")
+                                             .needed()
                                              .suggest("Hello, I am here!")}),
                say);
   to.addStateful<Memory>(
       listener("IsAnyoneSpeaking",
                "Listens until somebody near is heard; walls stop voices. The last speaker counts.",
                "5.0",
-               Port("speaker_id", PortType::Int, "", "Takes the id of the speaker.")
-                   .output()
+               PortSpec("speaker_id", PortType::Int, "", "Takes the id of the speaker.")
+                   .directed(PortDirection::Output)
                    .suggest("{speaker_id}")),
       {startAnyone, run, nullptr});
   to.addStateful<Memory>(

@@ -1,4 +1,4 @@
-#include "bt/human/Leaves.h"
+#include "bt/human/HumanContext.h"
 #include "bt/human/Ports.h"
 
 namespace bt {

@@ -1,6 +1,6 @@
 #include <tuple>
 
-#include "bt/human/Leaves.h"
+#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
 #include "bt/human/Ports.h"
 

@@ -1,4 +1,4 @@
-#include "bt/human/PanelTemplates.h"
+#include "bt/human/OriginalTemplates.h"
 
 #include <utility>
 #include <vector>
@@ -79,26 +79,23 @@ Template templateOf(const sim2d::Human& human) {
   return {"RegularNavTree", "RegularNavFallback", ""};
 }
 
-/// Without goals the panel asks for goal 1 and forgets the inverter.
-std::string goalSequence(const std::vector<int>& goals) {
-  const std::string indent(12, ' ');
-  const std::string inner(16, ' ');
-  std::string text = "<Sequence name=\"SetGoals\">\n";
-  const auto add = [&text](const std::string& margin, int goal) {
-    text += margin + "<RunOnce>\n" + margin + "    <SetGoal agent_id=\"{id}\" goal_id=\"" +
-            std::to_string(goal) + "\"/>\n" + margin + "</RunOnce>\n";
+/// RunOnce around SetGoal for each goal; the last one fails once, so that the fallback goes on in
+/// the first tick. Without goals they ask for goal 1 and forget the inverter.
+std::string goalNodes(const std::vector<int>& goals, const std::string& margin,
+                      const std::string& step) {
+  const auto once = [&step](const std::string& before, int goal) {
+    return before + "<RunOnce>\n" + before + step + "<SetGoal agent_id=\"{id}\" goal_id=\"" +
+           std::to_string(goal) + "\"/>\n" + before + "</RunOnce>\n";
   };
-  for (std::size_t i = 0; i + 1 < goals.size(); ++i) {
-    add(inner, goals[i]);
-  }
   if (goals.empty()) {
-    add(inner, 1);
-  } else {
-    text += inner + "<Inverter>\n";
-    add(inner + "    ", goals.back());
-    text += inner + "</Inverter>\n";
+    return once(margin, 1);
   }
-  return text + indent + "</Sequence>";
+  std::string text;
+  for (std::size_t i = 0; i + 1 < goals.size(); ++i) {
+    text += once(margin, goals[i]);
+  }
+  return text + margin + "<Inverter>\n" + once(margin + step, goals.back()) + margin +
+         "</Inverter>\n";
 }
 
 void replaceAll(std::string& text, const std::string& what, const std::string& by) {
@@ -108,14 +105,16 @@ void replaceAll(std::string& text, const std::string& what, const std::string& b
   }
 }
 
-}  // namespace
-
+/// What the panel puts for {dist}, {duration} … of this person; "{GOAL_SEQUENCE}" too.
 std::string fillPlaceholders(std::string text, const sim2d::Human& human) {
   const sim2d::Behavior& behavior = human.behavior;
   const auto number = [](const std::optional<double>& value, double otherwise) {
     return shortNumber(value.value_or(otherwise));
   };
-  replaceAll(text, "{GOAL_SEQUENCE}", goalSequence(human.goals));
+  replaceAll(text, "{GOAL_SEQUENCE}",
+             "<Sequence name=\"SetGoals\">\n" +
+                 goalNodes(human.goals, std::string(16, ' '), "    ") + std::string(12, ' ') +
+                 "</Sequence>");
   replaceAll(text, "{dist}", number(behavior.dist, 5.0));
   replaceAll(text, "{duration}", number(behavior.duration, 40.0));
   replaceAll(text, "{once}", behavior.once.value_or(false) ? "true" : "false");
@@ -127,15 +126,77 @@ std::string fillPlaceholders(std::string text, const sim2d::Human& human) {
   return text;
 }
 
+/// "<TreeNodesModel>…</TreeNodesModel>" of a file.
 std::string modelElement(const std::string& file) {
-  constexpr const char* kEnd = "</TreeNodesModel>";
+  constexpr const char* kClosing = "</TreeNodesModel>";
   const std::size_t begin = file.find("<TreeNodesModel");
-  const std::size_t end = file.find(kEnd);
+  const std::size_t end = file.find(kClosing);
   if (begin == std::string::npos || end == std::string::npos) {
     return "<TreeNodesModel/>";
   }
-  return file.substr(begin, end + std::string(kEnd).size() - begin);
+  return file.substr(begin, end + std::string(kClosing).size() - begin);
 }
+
+constexpr const char* kWrapperRegular = R"(    <!-- Navigation loop -->
+    <Sequence name="RegularNavigation">
+      <Inverter>
+        <IsGoalReached agent_id="{id}"/>
+      </Inverter>
+      <RegularNav agent_id="{id}" time_step="{dt}"/>
+    </Sequence>
+    <!-- Update Goal -->
+    <UpdateGoal agent_id="{id}"/>
+)";
+constexpr const char* kWrapperRegularCall = R"(    <Sequence name="RegNav">
+      <SetBlackboard output_key="agentid" value="{id}"/>
+      <SetBlackboard output_key="timestep" value="{dt}"/>
+      <SubTree ID="RegularNavTree" id="{agentid}" dt="{timestep}"/>
+    </Sequence>
+)";
+constexpr const char* kWrapperThreatening = R"(    <Sequence name="ThreatNav">
+      <IsRobotVisible agent_id="{id}" distance="{dist}"/>
+      <Sequence name="ThreatTimerNav">
+        <Inverter>
+          <TimeExpiredCondition seconds="{duration}" ts="{dt}" only_once="{once}"/>
+        </Inverter>
+        <ThreateningNav agent_id="{id}" time_step="{dt}" goal_dist="{frontdist}"/>
+      </Sequence>
+    </Sequence>
+)";
+
+/// While the robot is visible and the time is not up.
+std::string timedReaction(const std::string& name, const std::string& node) {
+  return "    <Sequence name=\"" + name +
+         "\">\n"
+         "      <IsRobotVisible agent_id=\"{id}\" distance=\"{dist}\"/>\n"
+         "      <Inverter>\n"
+         "        <TimeExpiredCondition seconds=\"{duration}\" ts=\"{dt}\" only_once=\"{once}\"/>\n"
+         "      </Inverter>\n"
+         "      <" +
+         node + "/>\n    </Sequence>\n";
+}
+
+std::string reactionOf(BehaviorType type) {
+  switch (type) {
+    case BehaviorType::Surprised:
+      return timedReaction("SurNav", R"(SurprisedNav agent_id="{id}" time_step="{dt}")");
+    case BehaviorType::Scared:
+      return timedReaction("ScaNav",
+                           R"(ScaredNav agent_id="{id}" time_step="{dt}" )"
+                           R"(runaway_vel="{maxvel}" scary_force_factor="{forcefactor}")");
+    case BehaviorType::Curious:
+      return timedReaction("CurNav", R"(CuriousNav agent_id="{id}" time_step="{dt}" )"
+                                     R"(stop_distance="{stopdist}" agent_vel="{maxvel}")");
+    case BehaviorType::Threatening:
+      return kWrapperThreatening;
+    case BehaviorType::Regular:
+    case BehaviorType::Impassive:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
 
 std::string panelTreeText(const sim2d::Human& human, const std::string& modelFile) {
   const Template parts = templateOf(human);
@@ -147,6 +208,32 @@ std::string panelTreeText(const sim2d::Human& human, const std::string& modelFil
   return std::string("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<root main_tree_to_execute=\"") +
          parts.tree + "\" BTCPP_format=\"4\">\n\n  " + modelElement(modelFile) +
          "\n  <include path=\"BTRegularNav.xml\" />\n\n" + fillPlaceholders(std::move(body), human);
+}
+
+bool hasWrapperTrees(const sim2d::Scenario& scenario) {
+  const std::string simulator = scenario.simulator.value_or("");
+  return simulator == "Gazebo Classic" || simulator == "Gazebo Fortress" ||
+         simulator == "Isaac Sim";
+}
+
+std::string wrapperTreeText(const sim2d::Human& human, const std::string& modelFile) {
+  const BehaviorType type = human.behavior.type.value_or(BehaviorType::Regular);
+  const std::string name = sim2d::behaviorName(type);
+  const std::string reaction = reactionOf(type);
+  const bool reacts = !reaction.empty();
+  std::string body = "\n<include path=\"BTRegularNav.xml\" />\n\n\n";
+  if (reacts) {
+    body += "<!--<BehaviorTree ID=\"" + name + "NavTree\">-->\n";
+  }
+  body += "<BehaviorTree ID=\"DefaultTree\">\n  <Fallback name=\"" +
+          (reacts ? name + "Fallback" : "MainFallback") + "\">\n" +
+          "    <!-- Goal setting Sequence -->\n    <Sequence name=\"SetGoals\">\n" +
+          goalNodes(human.goals, std::string(8, ' '), "  ") + "\n    </Sequence>\n" +
+          (reacts ? reaction + kWrapperRegularCall : kWrapperRegular) +
+          "  </Fallback>\n</BehaviorTree>\n\n\n\n</root>\n\n";
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+         "<root main_tree_to_execute=\"DefaultTree\" BTCPP_format=\"4\">\n  " +
+         modelElement(modelFile) + "\n" + fillPlaceholders(std::move(body), human);
 }
 
 }  // namespace bt

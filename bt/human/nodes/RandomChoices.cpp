@@ -1,13 +1,22 @@
-#include "bt/human/Leaves.h"
+#include "bt/human/HumanContext.h"
 #include "bt/human/Ports.h"
-#include "bt/human/Weights.h"
 #include "sim2d/base/Rng.h"
 
+/// Drawing by chance: a control (ours) and a condition.
 namespace bt {
 
 namespace {
 
 constexpr std::uint32_t kNodeBits = 18;  // of kMaxProgramNodes
+
+/// In [0, 1), the same for the same person, step and `number`.
+double drawn(LeafContext& leaf, std::uint32_t number) {
+  const HumanContext& context = humanOf(leaf);
+  const sim2d::WorldView& view = context.view();
+  const base::AgentRng random(view.seed(), context.idOf(context.self()),
+                              static_cast<std::uint64_t>(view.step()));
+  return random.uniform01(base::Draw::NodeChance, number);
+}
 
 struct Memory {
   std::int64_t drawStep;  // of the last draw
@@ -36,11 +45,7 @@ double draw(ControlContext& leaf) {
   Memory& memory = leaf.memory<Memory>();
   memory.draws = memory.drawStep == leaf.step() ? memory.draws + 1 : 0;
   memory.drawStep = leaf.step();
-  const HumanContext& context = humanOf(leaf);
-  const base::AgentRng random(context.view().seed(), context.idOf(context.self()),
-                              static_cast<std::uint64_t>(context.view().step()));
-  return random.uniform01(base::Draw::NodeChance,
-                          static_cast<std::uint32_t>(leaf.node()) + (memory.draws << kNodeBits));
+  return drawn(leaf, static_cast<std::uint32_t>(leaf.node()) + (memory.draws << kNodeBits));
 }
 
 int choose(const std::vector<double>& weights, double random) {
@@ -82,17 +87,32 @@ void halt(ControlContext& leaf) {
   leaf.memory<Memory>().chosen = 0;
 }
 
+NodeStatus isLucky(LeafContext& leaf) {
+  const double draw = drawn(leaf, static_cast<std::uint32_t>(leaf.node()));
+  return successIf(draw < leaf.require<double>(0));
+}
+
 }  // namespace
 
-void addProbabilityChoice(NodeLibrary& to) {
+void addRandomChoices(NodeLibrary& to) {
   to.addControl<Memory>(
       ownNode("ProbabilityChoice", "Timing",
               "Draws one of its children when it is reached and runs that one to its end.",
-              {Port("weights", PortType::Queue, "",
-                    "One number per child, how often it is drawn; left out: all alike.")
+              {PortSpec("weights", PortType::Queue, "",
+                        "One number per child, how often it is drawn; left out: all alike.")
                    .suggest("3;1")},
               NodeKind::Control),
       {tick, halt});
+  to.addCondition(
+      humanNode("RandomChanceCondition", "Timing",
+                "Holds with the given probability; drawn anew in every tick that reaches it, so "
+                "over n ticks the chance is 1 - (1 - p)^n.",
+                {PortSpec("probability", PortType::Double, "", "Chance per tick.")
+                     .byDefault("0.3")
+                     .range(0.0, 1.0),
+                 port::unused("agent_id", PortType::Int)},
+                NodeKind::Condition),
+      isLucky);
 }
 
 }  // namespace bt
