@@ -28,14 +28,14 @@ struct Bound {
   Mask isAbove(Lanes dx, Lanes dy, Lanes dvx, Lanes dvy) const {
     const Lanes none = fill(0.0F);
     const Lanes apart2 = dx * dx + dy * dy;
-    const Lanes d2 = larger(fill(kCrowdTouching * kCrowdTouching), apart2);
+    const Lanes d2 = max(fill(kCrowdTouching * kCrowdTouching), apart2);
     const Lanes guess = guessInverseRoot(d2);
     const Lanes scale = guess * (moreLambda - halfLambda * d2 * guess * guess);  // lambda / d
     const Lanes along = (dvx * dx + dvy * dy) * scale + fill(1.0F);
     const Lanes across = (dvx * dy - dvy * dx) * scale;
     const Lanes across2 = across * across;
     const Lanes length2 = along * along + across2;
-    const Lanes turned = choose(along < none, behind * length2, sideways * across2);
+    const Lanes turned = select(along < none, behind * length2, sideways * across2);
     const Lanes rest = reach - turned;
     return (d2 <= length2 * (rest * rest)) & (none < rest);
   }
@@ -121,11 +121,11 @@ struct Law {
   /// Roots and the one division are the slowest here: lengths stay unscaled as long as possible.
   Force of(Group dx, Group dy, Group dvx, Group dvy) const {
     const Group d2 = dx * dx + dy * dy;
-    const Group d = squareRoot(d2);
+    const Group d = sqrt(d2);
     const Group along = lambda * (dvx * dx + dvy * dy) + d;
     const Group across = lambda * (dvx * dy - dvy * dx);
     const Group length2 = along * along + across * across;  // of the interaction vector, times d2
-    const Group length = squareRoot(length2);
+    const Group length = sqrt(length2);
     const Group inverse = fill(1.0F) / (d * length);
     const Group perDistance = length * inverse;
     const Group perLength = d * inverse;
@@ -144,19 +144,19 @@ struct Law {
     const GroupMask acts =
         (fill(kCrowdTouching * kCrowdTouching) < d2) & (d2 * fill(1e-12F) <= length2);
     const Group none = fill(0.0F);
-    return {choose(acts, none - (away * dx + left * dy) * perDistance, none),
-            choose(acts, (left * dx - away * dy) * perDistance, none), isTouching};
+    return {select(acts, none - (away * dx + left * dy) * perDistance, none),
+            select(acts, (left * dx - away * dy) * perDistance, none), isTouching};
   }
 
   static Group wrapped(Group angle) {
     const Group turn = fill(6.28318531F);
     const Group pi = fill(3.14159265F);
-    const Group lower = choose(pi < angle, angle - turn, angle);
-    return choose(lower < fill(-3.14159265F), lower + turn, lower);
+    const Group lower = select(pi < angle, angle - turn, angle);
+    return select(lower < fill(-3.14159265F), lower + turn, lower);
   }
   /// `amount` with the sign of `side`; zero without one.
   static Group sided(Group amount, Group side) {
-    return choose(magnitude(side) <= fill(0.0F), fill(0.0F), withSign(amount, side));
+    return select(abs(side) <= fill(0.0F), fill(0.0F), withSign(amount, side));
   }
 
   static constexpr float kPerLn = 1.44269504F;  // to powers of two

@@ -1,10 +1,110 @@
 #pragma once
 
-#include "sim2d/world/crowd/CrowdTriple.h"
+#include "sim2d/world/crowd/CrowdLanes.h"
 
-/// Powers and angles of a register, or of three, from the operations of CrowdLanes.h alone.
+/// Three registers that go through the same formula side by side: the pairs' formula is a long
+/// chain in which each operation waits for the one before, and the processor looks ahead over less
+/// than two such chains. Then powers and angles of a register, or of three.
 namespace sim2d {
 namespace {
+
+constexpr Bits kAllLanes = (1U << static_cast<unsigned>(kWidth)) - 1U;
+
+inline int countOf(Bits bits) {
+  if constexpr (kWidth == 4) {
+    return static_cast<int>((0x4332322132212110U >> (bits * 4U)) & 0xFU);
+  } else {
+    return __builtin_popcount(bits);
+  }
+}
+
+struct Triple {
+  Triple(Lanes all) : a(all), b(all), c(all) {}  // constants stand beside triples in formulae
+  Triple(Lanes first, Lanes second, Lanes third) : a(first), b(second), c(third) {}
+  Lanes a, b, c;
+};
+struct TripleMask {
+  Mask a, b, c;
+};
+
+inline Triple operator+(Triple x, Triple y) {
+  return {x.a + y.a, x.b + y.b, x.c + y.c};
+}
+inline Triple operator-(Triple x, Triple y) {
+  return {x.a - y.a, x.b - y.b, x.c - y.c};
+}
+inline Triple operator*(Triple x, Triple y) {
+  return {x.a * y.a, x.b * y.b, x.c * y.c};
+}
+inline Triple operator/(Triple x, Triple y) {
+  return {x.a / y.a, x.b / y.b, x.c / y.c};
+}
+inline Triple sqrt(Triple x) {
+  return {sqrt(x.a), sqrt(x.b), sqrt(x.c)};
+}
+inline Triple min(Triple x, Triple y) {
+  return {min(x.a, y.a), min(x.b, y.b), min(x.c, y.c)};
+}
+inline Triple max(Triple x, Triple y) {
+  return {max(x.a, y.a), max(x.b, y.b), max(x.c, y.c)};
+}
+inline TripleMask operator<(Triple x, Triple y) {
+  return {x.a < y.a, x.b < y.b, x.c < y.c};
+}
+inline TripleMask operator<=(Triple x, Triple y) {
+  return {x.a <= y.a, x.b <= y.b, x.c <= y.c};
+}
+inline TripleMask operator&(TripleMask x, TripleMask y) {
+  return {x.a & y.a, x.b & y.b, x.c & y.c};
+}
+inline Triple select(TripleMask mask, Triple yes, Triple no) {
+  return {select(mask.a, yes.a, no.a), select(mask.b, yes.b, no.b), select(mask.c, yes.c, no.c)};
+}
+inline Triple abs(Triple x) {
+  return {abs(x.a), abs(x.b), abs(x.c)};
+}
+inline Triple withSign(Triple x, Triple sign) {
+  return {withSign(x.a, sign.a), withSign(x.b, sign.b), withSign(x.c, sign.c)};
+}
+inline Triple scaled(Triple x, Triple power) {
+  return {scaled(x.a, power.a), scaled(x.b, power.b), scaled(x.c, power.c)};
+}
+
+/// What goes through the formula of the pairs at once. SSE2 has too few registers for three.
+#if defined(__AVX2__)
+using Group = Triple;
+using GroupMask = TripleMask;
+constexpr int kGroupWidth = 3 * kWidth;
+
+inline Group loadGroup(const float* from) {
+  return {load(from), load(from + kWidth), load(from + kWidth + kWidth)};
+}
+inline void storeGroup(float* to, Group x) {
+  store(to, x.a);
+  store(to + kWidth, x.b);
+  store(to + kWidth + kWidth, x.c);
+}
+/// The number of chosen lanes of each register.
+inline void storeCounts(int* to, GroupMask mask) {
+  to[0] = countOf(bitsOf(mask.a));
+  to[1] = countOf(bitsOf(mask.b));
+  to[2] = countOf(bitsOf(mask.c));
+}
+#else
+using Group = Lanes;
+using GroupMask = Mask;
+constexpr int kGroupWidth = kWidth;
+
+inline Group loadGroup(const float* from) {
+  return load(from);
+}
+inline void storeGroup(float* to, Group x) {
+  store(to, x);
+}
+inline void storeCounts(int* to, GroupMask mask) {
+  *to = countOf(bitsOf(mask));
+}
+#endif
 
 using Quintic = float[6];  // coefficients, of the lowest power first
 
@@ -23,7 +123,7 @@ template <class T>
 inline T powerOfTwo(T x) {
   constexpr Quintic kPower = {1.00000012F,   0.693146944F,   0.240221202F,
                               0.0555071309F, 0.00967554096F, 0.00132764725F};  // own fit
-  const T limited = larger(x, fill(-127.0F));
+  const T limited = max(x, fill(-127.0F));
   const T power = limited + fill(kWhole);
   const T rest = limited - (power - fill(kWhole));
   return scaled(polynomial(rest, kPower), power);
@@ -34,13 +134,13 @@ template <class T>
 inline T angleOf(T y, T x) {
   constexpr Quintic kArcSine = {0.166641086F,  0.0757668838F,  0.0366140120F,
                                 0.0692970380F, -0.0696123019F, 0.110461451F};  // own fit
-  const T ax = magnitude(x);
-  const T ay = magnitude(y);
-  const T sine = smaller(ax, ay);  // of the angle to the nearest axis
+  const T ax = abs(x);
+  const T ay = abs(y);
+  const T sine = min(ax, ay);  // of the angle to the nearest axis
   const T z = sine * sine;
   const T toAxis = sine + sine * z * polynomial(z, kArcSine);
-  const T quarter = choose(ax < ay, fill(1.57079633F) - toAxis, toAxis);
-  const T half = choose(x < fill(0.0F), fill(3.14159265F) - quarter, quarter);
+  const T quarter = select(ax < ay, fill(1.57079633F) - toAxis, toAxis);
+  const T half = select(x < fill(0.0F), fill(3.14159265F) - quarter, quarter);
   return withSign(half, y);
 }
 
