@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include "sim2d/world/realism/SceneFiles.h"
+#include "sim2d/world/realism/RealismTest.h"
 
 /// Writes the scenes of the realism tests into the folder it is given. Part of the build.
 int main(int count, char** words) {

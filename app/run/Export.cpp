@@ -13,7 +13,6 @@
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/map/MapFiles.h"
 #include "sim2d/map/MapReader.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 

@@ -9,7 +9,6 @@
 
 #include "editor/document/DocumentDisk.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/map/MapFiles.h"
 #include "sim2d/map/MapReader.h"
 
 namespace editor {

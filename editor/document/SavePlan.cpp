@@ -9,7 +9,7 @@
 #include "editor/document/TreeFiles.h"
 #include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/map/MapFiles.h"
+#include "sim2d/map/MapReader.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
 namespace editor {

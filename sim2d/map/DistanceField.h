@@ -22,8 +22,6 @@ class DistanceField {
   bool isOpenPlane() const { return isOpenPlane_; }    // there was no map: free beyond the grid
   double distanceAt(Cell cell) const;          // outside the grid: to the nearest wall of the grid
   double distanceAt(const Vec2& point) const;  // bilinear
-  Vec2 gradientAt(
-      const Vec2& point) const;  // unit vector away from the nearest wall; zero where flat
 
  private:
   double outsideDistance(const Vec2& corner) const;

@@ -13,7 +13,6 @@ constexpr std::uint32_t kStraight = 12;  // 17 / 12 is the root of two to 0.2 %
 constexpr std::uint32_t kDiagonal = 17;
 constexpr std::uint32_t kUnknownFactor = 16;
 constexpr double kCheapest = 6.0;
-constexpr double kWantedClearance = 0.3;  // [m] beyond the radius
 
 }  // namespace
 

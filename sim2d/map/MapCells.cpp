@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/map/MapFiles.h"
 #include "sim2d/map/Pgm.h"
 
 namespace sim2d {
@@ -73,6 +72,23 @@ class PixelRule {
   bool isMain_;
 };
 
+/// The first row of pixels is the last of cells. `cellOf(pixel)` counts pixels from the upper left.
+template <class CellOf>
+OccupancyGrid gridOf(int columns, int rows, [[maybe_unused]] std::size_t pixels,
+                     const MapDescription& description, CellOf cellOf) {
+  const auto width = static_cast<std::size_t>(columns);
+  const auto height = static_cast<std::size_t>(rows);
+  assert(columns > 0 && rows > 0 && pixels == width * height);
+  std::vector<std::int8_t> cells(width * height);
+  for (std::size_t row = 0; row < height; ++row) {
+    const std::size_t first = width * (height - 1 - row);
+    for (std::size_t column = 0; column < width; ++column) {
+      cells[row * width + column] = cellOf(first + column);
+    }
+  }
+  return OccupancyGrid(columns, rows, description.resolution, description.origin, std::move(cells));
+}
+
 /// As a YAML scalar that every reader takes for a string.
 std::string quoted(const std::string& text) {
   std::string result = "\"";
@@ -115,25 +131,13 @@ std::string pgmText(const OccupancyGrid& grid) {
 
 OccupancyGrid gridFromImage(const MapImage& image, const MapDescription& description,
                             MapRule rule) {
-  const auto width = static_cast<std::size_t>(image.width);
-  const auto height = static_cast<std::size_t>(image.height);
-  assert(image.width > 0 && image.height > 0 && image.rgba.size() == 4 * width * height);
+  assert(image.rgba.size() % 4 == 0);
   const PixelRule pixels(image.maximum, image.hasAlpha, description, rule);
-  std::vector<std::int8_t> cells(width * height);
-  for (std::size_t row = 0; row < height; ++row) {
-    const std::uint16_t* pixel = image.rgba.data() + 4 * width * (height - 1 - row);
-    for (std::size_t column = 0; column < width; ++column, pixel += 4) {
-      cells[row * width + column] = pixels.cellOf(pixel);
-    }
-  }
-  return OccupancyGrid(image.width, image.height, description.resolution, description.origin,
-                       std::move(cells));
+  return gridOf(image.width, image.height, image.rgba.size() / 4, description,
+                [&](std::size_t pixel) { return pixels.cellOf(image.rgba.data() + 4 * pixel); });
 }
 
 OccupancyGrid gridFromPgm(const PgmImage& image, const MapDescription& description, MapRule rule) {
-  const auto width = static_cast<std::size_t>(image.width);
-  const auto height = static_cast<std::size_t>(image.height);
-  assert(image.width > 0 && image.height > 0 && image.shades.size() == width * height);
   const PixelRule pixels(image.maximum, false, description, rule);
   std::vector<std::int8_t> cellOf;  // by shade
   for (int value = 0; value <= image.maximum; ++value) {
@@ -141,15 +145,8 @@ OccupancyGrid gridFromPgm(const PgmImage& image, const MapDescription& descripti
     const std::uint16_t rgba[] = {shade, shade, shade, static_cast<std::uint16_t>(image.maximum)};
     cellOf.push_back(pixels.cellOf(rgba));
   }
-  std::vector<std::int8_t> cells(width * height);
-  for (std::size_t row = 0; row < height; ++row) {
-    const std::uint16_t* shade = image.shades.data() + width * (height - 1 - row);
-    for (std::size_t column = 0; column < width; ++column) {
-      cells[row * width + column] = cellOf[shade[column]];
-    }
-  }
-  return OccupancyGrid(image.width, image.height, description.resolution, description.origin,
-                       std::move(cells));
+  return gridOf(image.width, image.height, image.shades.size(), description,
+                [&](std::size_t pixel) { return cellOf[image.shades[pixel]]; });
 }
 
 base::Result<std::vector<base::FileContent>> mapFileContents(const OccupancyGrid& grid,

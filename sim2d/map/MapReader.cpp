@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <system_error>
@@ -49,12 +49,20 @@ class DescriptionReader {
       return;
     }
     checkKeys();
-    readImage();
-    readResolution();
-    readOrigin();
-    readNegate();
-    readThresholds();
-    readMode();
+    using Reader = void (DescriptionReader::*)(const YamlNode&);
+    constexpr std::pair<const char*, Reader> kReaders[] = {
+        {"image", &DescriptionReader::readImage},
+        {"resolution", &DescriptionReader::readResolution},
+        {"origin", &DescriptionReader::readOrigin},
+        {"negate", &DescriptionReader::readNegate},
+        {"occupied_thresh", &DescriptionReader::readOccupiedThreshold},
+        {"free_thresh", &DescriptionReader::readFreeThreshold},
+        {"mode", &DescriptionReader::readMode}};
+    for (const auto& [key, reader] : kReaders) {
+      if (const YamlNode* const node = root_.find(key)) {
+        (this->*reader)(*node);
+      }
+    }
   }
 
   const MapDescription& description() const { return description_; }
@@ -126,113 +134,94 @@ class DescriptionReader {
     return value;
   }
 
-  void readImage() {
-    const YamlNode* node = root_.find("image");
-    if (!node) {
+  void readImage(const YamlNode& node) {
+    imagePlace_.line = node.line;
+    imagePlace_.column = node.column;
+    if (!node.isScalar() || node.text.empty()) {
+      error("map.no-image-name", {}, node);
       return;
     }
-    imagePlace_.line = node->line;
-    imagePlace_.column = node->column;
-    if (!node->isScalar() || node->text.empty()) {
-      error("map.no-image-name", {}, *node);
-      return;
-    }
-    description_.image = node->text;
+    description_.image = node.text;
   }
 
-  void readResolution() {
-    const YamlNode* node = root_.find("resolution");
-    const std::optional<double> value = node ? number(*node, "resolution") : std::nullopt;
+  void readResolution(const YamlNode& node) {
+    const std::optional<double> value = number(node, "resolution");
     if (value && *value <= 0.0) {
-      error("map.resolution-not-positive", {node->text}, *node);
+      error("map.resolution-not-positive", {node.text}, node);
     } else if (value && !(*value >= kFinest && *value <= kCoarsest)) {
-      error("map.resolution-out-of-range", {node->text}, *node);
+      error("map.resolution-out-of-range", {node.text}, node);
     } else if (value) {
       description_.resolution = *value;
     }
   }
 
-  void readOrigin() {
-    const YamlNode* node = root_.find("origin");
-    if (!node) {
-      return;
-    }
-    if (!node->isList() || node->items.size() != 3) {
-      error("map.bad-origin", {}, *node);
+  void readOrigin(const YamlNode& node) {
+    if (!node.isList() || node.items.size() != 3) {
+      error("map.bad-origin", {}, node);
       return;
     }
     std::array<double, 3> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const std::optional<double> value = number(node->items[i], "origin");
+      const std::optional<double> value = number(node.items[i], "origin");
       if (!value) {
         return;
       }
       values[i] = *value;
     }
     if (std::fabs(values[0]) > kFarthest || std::fabs(values[1]) > kFarthest) {
-      error("map.origin-too-far", {}, *node);
+      error("map.origin-too-far", {}, node);
       return;
     }
     description_.origin.position = {values[0], values[1]};
     description_.origin.heading = base::wrapToPi(values[2]);
     if (values[2] != 0.0) {
-      warning("map.turned", {values[2]}, node->items[2]);
+      warning("map.turned", {values[2]}, node.items[2]);
     }
   }
 
-  void readNegate() {
-    const YamlNode* node = root_.find("negate");
-    if (!node) {
-      return;
-    }
-    const std::string word = node->isScalar() ? base::lowered(node->text) : std::string();
+  void readNegate(const YamlNode& node) {
+    const std::string word = node.isScalar() ? base::lowered(node.text) : std::string();
     const std::optional<long long> value = base::parseInt(word);
     if (value) {
       description_.negate = *value != 0;
     } else if (word == "true" || word == "yes" || word == "on") {
       description_.negate = true;
     } else if (word != "false" && word != "no" && word != "off") {
-      error("map.bad-negate", {}, *node);
+      error("map.bad-negate", {}, node);
     }
   }
 
-  void readThresholds() {
-    const YamlNode* occupied = root_.find("occupied_thresh");
-    const YamlNode* free = root_.find("free_thresh");
-    constexpr double unset = std::numeric_limits<double>::quiet_NaN();
-    const double high = occupied ? number(*occupied, "occupied_thresh").value_or(unset) : unset;
-    const double low = free ? number(*free, "free_thresh").value_or(unset) : unset;
-    if (std::isnan(high) || std::isnan(low)) {
+  void readOccupiedThreshold(const YamlNode& node) { high_ = number(node, "occupied_thresh"); }
+
+  /// The later one: both together.
+  void readFreeThreshold(const YamlNode& node) {
+    const std::optional<double> low = number(node, "free_thresh");
+    if (!high_ || !low) {
       return;
     }
-    if (low < 0.0 || low >= high || high > 1.0) {
-      error("map.bad-thresholds", {low, high}, *free);
+    if (*low < 0.0 || *low >= *high_ || *high_ > 1.0) {
+      error("map.bad-thresholds", {*low, *high_}, node);
       return;
     }
-    description_.occupiedThreshold = high;
-    description_.freeThreshold = low;
+    description_.occupiedThreshold = *high_;
+    description_.freeThreshold = *low;
   }
 
-  void readMode() {
-    const YamlNode* node = root_.find("mode");
-    if (!node) {
-      return;
-    }
-    const std::string word = node->isScalar() ? base::lowered(node->text) : std::string();
-    if (word == "trinary") {
-      description_.mode = MapMode::Trinary;
-    } else if (word == "scale") {
-      description_.mode = MapMode::Scale;
-    } else if (word == "raw") {
-      description_.mode = MapMode::Raw;
+  void readMode(const YamlNode& node) {
+    static const std::map<std::string, MapMode> kModes = {
+        {"trinary", MapMode::Trinary}, {"scale", MapMode::Scale}, {"raw", MapMode::Raw}};
+    const auto mode = node.isScalar() ? kModes.find(base::lowered(node.text)) : kModes.end();
+    if (mode == kModes.end()) {
+      error("map.bad-mode", {}, node);
     } else {
-      error("map.bad-mode", {}, *node);
+      description_.mode = mode->second;
     }
   }
 
   std::string file_;
   YamlNode root_;
   YamlNode imagePlace_;
+  std::optional<double> high_;  // of the thresholds
   bool isReadable_ = true;
   MapDescription description_;
   base::Diagnostics diagnostics_;

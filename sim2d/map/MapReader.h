@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim2d/base/Result.h"
+#include "sim2d/base/FileSet.h"
 #include "sim2d/map/OccupancyGrid.h"
 
 namespace sim2d {
@@ -58,5 +58,8 @@ base::Result<MapImage> readPgm(const std::string& path);
 /// Writes `<path>.yaml`-style text, and the image as PGM (P5: 254 free, 0 occupied, 205 unknown;
 /// thresholds 0.65 and 0.196, trinary). Empty = written.
 base::Diagnostics writeMap(const OccupancyGrid& grid, const std::string& yamlPath);
+/// What writeMap would write: the image, then the YAML. An error for the open plane.
+base::Result<std::vector<base::FileContent>> mapFileContents(const OccupancyGrid& grid,
+                                                             const std::string& yamlPath);
 
 }  // namespace sim2d

@@ -87,14 +87,6 @@ void Obstacles::setEnabled(int part, bool enabled) {
   enabled_.at(static_cast<std::size_t>(part)) = enabled ? 1 : 0;
 }
 
-bool Obstacles::isEnabled(int part) const {
-  return enabled_.at(static_cast<std::size_t>(part)) != 0;
-}
-
-int Obstacles::partCount() const {
-  return static_cast<int>(parts_.size());
-}
-
 const std::vector<Outline>& Obstacles::outlines(int part) const {
   return parts_.at(static_cast<std::size_t>(part));
 }

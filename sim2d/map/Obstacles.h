@@ -17,8 +17,8 @@ class Obstacles {
   int add(std::vector<Outline> outlines, bool enabled = true);
   void build();  // after the last add
   void setEnabled(int part, bool enabled);
-  bool isEnabled(int part) const;
-  int partCount() const;
+  bool isEnabled(int part) const { return enabled_.at(static_cast<std::size_t>(part)) != 0; }
+  int partCount() const { return static_cast<int>(parts_.size()); }
   const std::vector<Outline>& outlines(int part) const;
 
   /// Points by which obstacles act on a body at `position` (rule "boundary"): on each outline the

@@ -13,7 +13,6 @@ namespace sim2d {
 
 namespace {
 
-constexpr double kWantedClearance = 0.3;  // [m] beyond the radius
 constexpr std::size_t kCacheBytes = std::size_t{128} << 20U;
 constexpr std::size_t kMostFields = 64;
 

@@ -31,7 +31,6 @@ class SegmentGrid {
   bool isEmpty() const { return width_ == 0; }
   int width() const { return width_; }
   int height() const { return height_; }
-  double bucketSize() const { return size_; }
   bool contains(Bucket bucket) const;
   Bucket bucketAt(const Vec2& point) const;  // may lie outside
   Vec2 centreOf(Bucket bucket) const;

@@ -7,11 +7,9 @@
 namespace sim2d {
 namespace {
 
-constexpr double kSlowestTurn = 0.07;    // [m/s]; slower people look where they look
-constexpr double kReach = 5.0;           // [m]; robots as obstacles act up to here
 constexpr double kSmallDisc = 0.2;       // [m]; smaller steps along a line cost too much
 constexpr std::size_t kSmallCrowd = 64;  // up to here everybody feels everybody, in double
-constexpr std::size_t kSlice = 128;      // people a thread looks at before it asks for more
+constexpr std::size_t kLookSlice = 128;  // people a thread looks at before it asks for more
 
 Vec2 lookingAlong(const Vec2& velocity, double heading) {
   const double speed = velocity.norm();
@@ -45,11 +43,12 @@ void Crowd::update(const FrozenWorld& world, const NavigationMap& navigation,
   room_.resize(people);
   laws_.resize(people);
   summaries_.assign(workers.threadCount(), Summary{});
-  workers.forSlices(people, kSlice, [&](std::size_t thread, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      look(i, summaries_[thread]);
-    }
-  });
+  workers.forSlices(people, kLookSlice,
+                    [&](std::size_t thread, std::size_t begin, std::size_t end) {
+                      for (std::size_t i = begin; i < end; ++i) {
+                        look(i, summaries_[thread]);
+                      }
+                    });
   Summary all;
   for (const Summary& summary : summaries_) {
     all.count += summary.count;
@@ -251,13 +250,13 @@ void Crowd::addRobots(RobotTreatment treatment, Situation& situation) const {
       }
       continue;
     }
-    const double far = kReach + robots_[i].radius + 1e-6;
+    const double far = kObstacleReach + robots_[i].radius + 1e-6;
     if ((robots_[i].position - situation.self.position).squaredNorm() > far * far) {
       continue;
     }
     const Obstacles::Point point = nearestPointOf(
         world_->model.robots[i], world_->state.robots[i].pose, situation.self.position);
-    if (point.distance < kReach) {
+    if (point.distance < kObstacleReach) {
       situation.obstacles.push_back(point);
     }
   }

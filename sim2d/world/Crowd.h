@@ -12,6 +12,9 @@
 
 namespace sim2d {
 
+constexpr double kSlowestTurn = 0.07;   // [m/s]; slower people keep their heading
+constexpr double kObstacleReach = 5.0;  // [m]; walls, and robots as obstacles, act up to here
+
 /// The world as people see it during one step; nothing of it changes while they move but
 /// the headings of those who turn on the spot, which nobody else reads.
 struct FrozenWorld {

@@ -8,8 +8,7 @@
 namespace sim2d {
 namespace {
 
-constexpr double kLeft = 0.5;   // [m] outside the radius: the goal was left (room to brake)
-constexpr double kTick = 1e-9;  // [s]; a limit is reached so much before it
+constexpr double kLeft = 0.5;  // [m] outside the radius: the goal was left (room to brake)
 
 /// Index in the person's written goals of the next one with this id after `last`.
 std::optional<std::size_t> indexAfter(const std::vector<int>& goals, int id, std::size_t last,

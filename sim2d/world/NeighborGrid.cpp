@@ -36,28 +36,19 @@ void NeighborGrid::rebuild(const std::vector<double>& x, const std::vector<doubl
   origin_ = low;
   width_ = count == 0 ? 0 : static_cast<int>(size.x() / cell_) + 1;
   height_ = count == 0 ? 0 : static_cast<int>(size.y() / cell_) + 1;
-  refill(start_, static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) + 1, 0);
   cellOf_.assign(x.size(), -1);
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (present[i] != 0) {
       cellOf_[i] = clampedCell((y[i] - low.y()) / cell_, height_) * width_ +
                    clampedCell((x[i] - low.x()) / cell_, width_);
-      ++start_[static_cast<std::size_t>(cellOf_[i]) + 1];
     }
   }
-  for (std::size_t cell = 1; cell < start_.size(); ++cell) {
-    start_[cell] += start_[cell - 1];
-  }
-  items_.resize(count);
+  sortByCell(cellOf_, static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), start_,
+             next_, items_);
   points_.resize(count, Vec2::Zero());
-  refill(next_, start_.size(), 0);
-  std::copy(start_.begin(), start_.end(), next_.begin());
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (present[i] != 0) {
-      const auto slot = static_cast<std::size_t>(next_[static_cast<std::size_t>(cellOf_[i])]++);
-      items_[slot] = static_cast<int>(i);
-      points_[slot] = Vec2(x[i], y[i]);
-    }
+  for (std::size_t slot = 0; slot < count; ++slot) {
+    const auto item = static_cast<std::size_t>(items_[slot]);
+    points_[slot] = Vec2(x[item], y[item]);
   }
 }
 

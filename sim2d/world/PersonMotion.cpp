@@ -8,14 +8,11 @@
 namespace sim2d {
 namespace {
 
-constexpr double kSlowestTurn = 0.07;    // [m/s]; slower people keep their heading
 constexpr double kTurnRate = base::kPi;  // [rad/s]
-constexpr double kReach = 5.0;           // [m]; obstacles act up to here
 constexpr std::size_t kSlice = 16;       // people a thread moves before it asks for more
 constexpr std::size_t kAhead = 4;        // people whose memory is fetched ahead of their turn
 constexpr double kTouching = 1.0;        // [m]; walls nearer to the body can be run into
 
-constexpr double kFastest = 1e3;        // [m/s]; beyond it a run has diverged
 constexpr double kStanding = 0.1;       // [m/s]; slower bodies stand
 constexpr double kStandingReach = 3.0;  // [m]
 
@@ -103,7 +100,9 @@ void PersonMotion::compute(const FrozenWorld& world, const Intents& intents,
       if (state.present[human] != 0) {
         terms = move(human, world, intents, workspace.situation);
         if (plans_.steps[human].motion == Motion::Turn) {
-          turn(human, intents.of(static_cast<int>(human)), world.model.dt, state);
+          const Intent& intent = intents.of(static_cast<int>(human));
+          const double most = std::max(0.0, intent.turnRate) * world.model.dt;
+          state.heading[human] = turned(state.heading[human], intent.heading, most);
         }
       }
       workspace.isSound = workspace.isSound &&
@@ -127,11 +126,6 @@ void PersonMotion::expectWork() {
   if (wanted_.size() >= WorkerPool::kWorthThreads) {
     workers_.rouse();
   }
-}
-
-void PersonMotion::turn(std::size_t human, const Intent& intent, double dt, WorldState& state) {
-  state.heading[human] =
-      turned(state.heading[human], intent.heading, std::max(0.0, intent.turnRate) * dt);
 }
 
 void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents,
@@ -191,7 +185,7 @@ void PersonMotion::findWalls(std::size_t human, const FrozenWorld& world) {
   const Walker& walker = crowd_.walker(human);
   const bool wallsAct = isWalking(plans_.steps[human].motion) &&
                         world.model.obstaclePoints == ObstaclePoints::Boundary;
-  const double range = wallsAct ? kReach : walker.radius + kTouching;
+  const double range = wallsAct ? kObstacleReach : walker.radius + kTouching;
   if (crowd_.room(human) < range) {
     world.obstacles.boundaryPoints(walker.position, walls_[human], range);
   }

@@ -50,7 +50,6 @@ class PersonMotion {
   void findWalls(std::size_t human, const FrozenWorld& world);
   RouteFollower::Leg legOf(std::size_t human, const RouteFollower::Request& request,
                            const FrozenWorld& world, const NavigationMap& navigation);
-  static void turn(std::size_t human, const Intent& intent, double dt, WorldState& state);
 
   WorkerPool workers_;
   Crowd crowd_;

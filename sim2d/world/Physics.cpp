@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <functional>
 
 #include <box2d/b2_distance.h>
 #include <box2d/box2d.h>
@@ -19,14 +19,6 @@ constexpr double kSkin = b2_linearSlop / 2.0F;  // [m] of discs: Box2D lets them
 constexpr double kApart = 0.02;                 // [m]; a touch ends beyond
 constexpr double kRounding = 2e-5;              // [m]; what single precision may be off
 constexpr float kShortestEdge = 0.0075F;  // Box2D wants more than its slop between corners [m]
-
-std::tuple<int, int, int> keyOf(const Touch& touch) {
-  return {touch.body, touch.other, touch.part};
-}
-
-bool byKey(const Touch& a, const Touch& b) {
-  return keyOf(a) < keyOf(b);
-}
 
 }  // namespace
 
@@ -365,14 +357,14 @@ void Physics::touches(const std::vector<Touch>& before, std::vector<Touch>& foun
   for (b2Contact* contact = world_->world.GetContactList(); contact != nullptr;
        contact = contact->GetNext()) {
     Touch touch = world_->touchOf(*contact);
-    const bool wasTouching = std::binary_search(before.begin(), before.end(), touch, byKey);
+    const bool wasTouching = std::binary_search(before.begin(), before.end(), touch);
     if (World::isTouching(*contact, wasTouching, touch)) {
       found.push_back(touch);
     }
   }
-  sortStably(found, byKey);
+  sortStably(found, std::less<>());
   const auto end = std::unique(found.begin(), found.end(),
-                               [](const Touch& a, const Touch& b) { return keyOf(a) == keyOf(b); });
+                               [](const Touch& a, const Touch& b) { return !(a < b); });
   found.erase(end, found.end());
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <tuple>
 #include <vector>
 
 #include "sim2d/map/Outlines.h"
@@ -24,6 +25,10 @@ struct Touch {
   int other = -1;              // body, or -1
   int part = -1;               // part of the surroundings, or -1
   Vec2 normal = Vec2::Zero();  // unit vector from `body` to the other
+
+  friend bool operator<(const Touch& a, const Touch& b) {
+    return std::tie(a.body, a.other, a.part) < std::tie(b.body, b.other, b.part);
+  }
 };
 
 constexpr double kBrakedMass = 1000.0;  // times the mass of a body that holds its place

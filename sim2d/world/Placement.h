@@ -17,10 +17,8 @@ std::vector<Vec2> placesOf(const WorldModel& model);
 void checkPlaces(const WorldModel& model, base::Diagnostics& problems);
 /// Moves starts and goals to the nearest place within 1 m where the body fits, with a warning that
 /// names both points; there is none: error. Goals of people who walk straight stay where they are.
+/// Then parts starts that would stand in each other.
 void fitPlaces(WorldModel& model, const NavigationMap& navigation, base::Diagnostics& problems);
-/// Of starts that would stand in each other the later one (robots come after people) is moved to
-/// the nearest free place within 1 m, with a warning that names both points.
-void partStarts(WorldModel& model, const NavigationMap& navigation, base::Diagnostics& problems);
 /// Takes goals without a way to them off the lists, each with a warning.
 void leaveOutUnreachable(WorldModel& model, const NavigationMap& navigation,
                          base::Diagnostics& problems);

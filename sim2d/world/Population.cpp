@@ -8,9 +8,8 @@
 namespace sim2d {
 namespace {
 
-constexpr double kStartSlack = 1e-9;  // [s]
-constexpr int kPlaceTrials = 60;      // draws for a free place in a source per step
-constexpr double kNever = 1e300;      // [s]
+constexpr int kPlaceTrials = 60;  // draws for a free place in a source per step
+constexpr double kNever = 1e300;  // [s]
 
 /// The agent number of a source in the random counter; below all robots.
 int counterOf(std::size_t area) {
@@ -133,7 +132,7 @@ std::vector<int> Population::dueNow(WorldModel& model, WorldState& state,
   for (const int human : waiting_) {
     const auto at = static_cast<std::size_t>(human);
     const ResolvedHuman& person = model.people[at].constants;
-    const bool isTime = person.startTime <= state.time + kStartSlack;
+    const bool isTime = person.startTime <= state.time + kTick;
     const bool isAtStart = state.step == 0;  // all together; overlaps were told about
     if (isTime && (isAtStart || isFree(model, state, person.start.position, person.radius))) {
       state.present[at] = 1;
@@ -144,7 +143,7 @@ std::vector<int> Population::dueNow(WorldModel& model, WorldState& state,
   }
   waiting_ = std::move(later);
   for (Source& source : sources_) {
-    while (source.next <= state.time + kStartSlack && addCopy(source, model, state, navigation)) {
+    while (source.next <= state.time + kTick && addCopy(source, model, state, navigation)) {
       ++source.arrived;
       state.present.back() = 1;
       due.push_back(static_cast<int>(model.people.size()) - 1);

@@ -5,8 +5,6 @@
 namespace sim2d {
 namespace {
 
-constexpr double kTimeSlack = 1e-9;  // [s]
-
 /// People and the other robots, people first.
 void findBodies(const FrozenWorld& world, std::size_t self, std::vector<SeenBody>& bodies) {
   bodies.clear();
@@ -27,7 +25,7 @@ void findBodies(const FrozenWorld& world, std::size_t self, std::vector<SeenBody
 }
 
 bool drives(const ResolvedRobot& robot, const RobotState& state, double time) {
-  return state.goal < robot.goals.size() && time >= robot.startTime - kTimeSlack;
+  return state.goal < robot.goals.size() && time >= robot.startTime - kTick;
 }
 
 double limited(double wanted, double now, double most, double mostChange) {

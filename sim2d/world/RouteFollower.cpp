@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim2d/base/Math.h"
+#include "sim2d/map/Segments.h"
 
 namespace sim2d {
 namespace {
@@ -22,17 +23,11 @@ constexpr double kSightAhead = 2.5;  // [m]; who stands farther away does not co
 constexpr double kTouch =
     0.1;  // [m]; bodies slide along each other, so a line may lead so much nearer
 
-Vec2 nearestOn(const Vec2& from, const Vec2& to, const Vec2& point) {
-  const Vec2 leg = to - from;
-  const double share = (point - from).dot(leg) / std::max(leg.squaredNorm(), 1e-18);
-  return from + std::clamp(share, 0.0, 1.0) * leg;
-}
-
 /// The line leads past the body, or away from it.
 bool isFree(const StandingBody& body, double radius, const Vec2& from, const Vec2& to) {
   const Vec2 towards = body.position - from;
   const double least = std::min(body.radius + radius, towards.norm()) - kTouch;
-  return (nearestOn(from, to, body.position) - body.position).norm() >= least;
+  return distanceToSegment({from, to}, body.position) >= least;
 }
 
 const StandingBody* firstInTheWay(const std::vector<StandingBody>& standing, double radius,
@@ -43,8 +38,8 @@ const StandingBody* firstInTheWay(const std::vector<StandingBody>& standing, dou
   for (const StandingBody& body : standing) {
     const Vec2 towards = body.position - from;
     const double room = body.radius + radius + kRoom;
-    const bool isInTheWay = towards.dot(ahead) > 0.0 &&
-                            (nearestOn(from, end, body.position) - body.position).norm() < room;
+    const bool isInTheWay =
+        towards.dot(ahead) > 0.0 && distanceToSegment({from, end}, body.position) < room;
     if (isInTheWay && (!first || towards.norm() < (first->position - from).norm())) {
       first = &body;
     }

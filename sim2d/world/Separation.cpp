@@ -6,7 +6,7 @@ namespace sim2d {
 namespace {
 
 constexpr double kClearance = 0.0005;  // [m]; less than the skin that discs have in the physics
-constexpr double kSmall = 1e-6;        // [m/s]
+constexpr double kSmallExcess = 1e-6;  // [m/s]
 constexpr int kMostRounds = 20;
 
 /// Closing speed beyond what the gap allows [m/s].
@@ -25,7 +25,7 @@ bool stopAtWalls(MovingDisc& disc, double dt) {
     }
     const Vec2 toWall = (point.position - disc.position) / point.distance;
     const double tooFast = excess(disc.velocity.dot(toWall), point.distance - disc.radius, dt);
-    if (tooFast > kSmall) {
+    if (tooFast > kSmallExcess) {
       disc.velocity -= tooFast * toWall;
       changed = true;
     }
@@ -42,7 +42,7 @@ bool stopAtEachOther(MovingDisc& first, MovingDisc& second, const Vec2& shift, d
   const Vec2 normal = apart / distance;
   const double closing = (first.velocity - second.velocity).dot(normal);
   const double tooFast = excess(closing, distance - first.radius - second.radius, dt);
-  if (tooFast <= kSmall) {
+  if (tooFast <= kSmallExcess) {
     return false;
   }
   const double share = second.mass / (first.mass + second.mass);

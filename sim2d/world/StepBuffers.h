@@ -29,6 +29,30 @@ void refill(std::vector<Item>& items, std::size_t count, const Item& value) {
   items.assign(count, value);
 }
 
+/// Sorts what lies in cells, in the order of its numbers inside each: `order` has those of cell c
+/// from `start[c]` up to before `start[c + 1]`. Cell -1: left out. `next` is memory to work in.
+inline void sortByCell(const std::vector<int>& cellOf, std::size_t cells, std::vector<int>& start,
+                       std::vector<int>& next, std::vector<int>& order) {
+  refill(start, cells + 1, 0);
+  for (const int cell : cellOf) {
+    if (cell >= 0) {
+      ++start[static_cast<std::size_t>(cell) + 1];
+    }
+  }
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    start[cell + 1] += start[cell];
+  }
+  refill(next, start.size(), 0);
+  std::copy(start.begin(), start.end(), next.begin());
+  order.resize(static_cast<std::size_t>(start.back()));
+  for (std::size_t i = 0; i < cellOf.size(); ++i) {
+    if (cellOf[i] >= 0) {
+      const auto cell = static_cast<std::size_t>(cellOf[i]);
+      order[static_cast<std::size_t>(next[cell]++)] = static_cast<int>(i);
+    }
+  }
+}
+
 /// Like an assignment, but leaves memory alone that has the value: what nobody writes stays in the
 /// caches of all processors.
 template <class Item>

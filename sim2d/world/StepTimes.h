@@ -1,8 +1,11 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <ctime>
+#include <numeric>
 
 namespace sim2d {
 
@@ -19,21 +22,32 @@ enum class StepPhase : std::uint8_t {
   Frame,     // the picture of the step
 };
 constexpr std::size_t kStepPhaseCount = 9;
-const char* stepPhaseName(StepPhase phase);
+inline const char* stepPhaseName(StepPhase phase) {
+  constexpr std::array<const char*, kStepPhaseCount> kNames = {
+      "trees", "robots", "ways", "forces", "bodies", "contacts", "goals", "grid", "frame"};
+  return kNames[static_cast<std::size_t>(phase)];
+}
 
 enum class StepClock : std::uint8_t {
   Wall,
   Thread  // only while the calling thread runs: what else the machine does counts less
 };
 /// Seconds since some moment that stays the same.
-double secondsBy(StepClock clock);
+inline double secondsBy(StepClock clock) {
+  if (clock == StepClock::Thread) {
+    timespec time = {};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 /// Time of each phase, summed over the steps [s].
 struct StepTimes {
   StepClock clock = StepClock::Wall;
   std::array<double, kStepPhaseCount> seconds = {};
   std::int64_t steps = 0;
-  double sum() const;
+  double sum() const { return std::accumulate(seconds.begin(), seconds.end(), 0.0); }
 };
 
 /// Splits the time of a step into phases. Without a place for the times it does nothing.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim2d/base/Text.h"
 #include "sim2d/world/WorldInside.h"
 
 /// How one step moves the bodies: kept apart ahead of time, then by the solver, which is asked only
@@ -250,6 +251,47 @@ void World::State::readRobots(const std::vector<base::Twist2>& commands) {
     robot.linear = std::clamp(robot.velocity.dot(chords_[i]), std::min(commanded, 0.0),
                               std::max(commanded, 0.0));
     robot.omega = physics.omega(body);
+  }
+}
+
+int World::State::idOf(const BodyOwner& owner) const {
+  const auto at = static_cast<std::size_t>(owner.index);
+  return owner.isRobot ? model.robots[at].id : model.people[at].constants.id;
+}
+
+/// When two bodies, or a body and an obstacle, begin to touch: one event per pair until they have
+/// parted, with the speed at which contacts stopped them.
+void World::State::tellContacts(const std::vector<base::Twist2>& commands) {
+  std::swap(touchesBefore_, touches_);
+  touches_.reserve(owners.size());
+  physics.touches(touchesBefore_, touches_);
+  for (const Touch& touch : touches_) {
+    if (std::binary_search(touchesBefore_.begin(), touchesBefore_.end(), touch)) {
+      continue;
+    }
+    const auto body = static_cast<std::size_t>(touch.body);
+    Vec2 relative = wantedVelocity(body, commands);
+    Event event;
+    event.kind = EventKind::Contact;
+    event.id = idOf(owners[body]);
+    if (touch.other >= 0) {
+      const auto other = static_cast<std::size_t>(touch.other);
+      relative -= wantedVelocity(other, commands);
+      event.other = idOf(owners[other]);
+      event.hasOther = true;
+      const bool otherIsFirst = owners[other].isRobot == owners[body].isRobot
+                                    ? event.other < event.id && !owners[body].isRobot
+                                    : owners[other].isRobot;
+      if (otherIsFirst) {
+        std::swap(event.id, event.other);
+      }
+    }
+    event.text = base::formatDouble(std::max(0.0, relative.dot(touch.normal)));
+    const auto part = static_cast<std::size_t>(std::max(touch.part, 0));
+    if (part > 0 && !partNames_[part].empty()) {  // walls of the map have no name in events
+      event.text += " " + partNames_[part];
+    }
+    state.events.push_back(std::move(event));
   }
 }
 

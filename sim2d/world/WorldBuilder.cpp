@@ -1,5 +1,3 @@
-#include "sim2d/world/WorldBuilder.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,7 +7,7 @@
 #include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/world/Placement.h"
-#include "sim2d/world/Population.h"
+#include "sim2d/world/WorldInside.h"
 
 namespace sim2d {
 namespace {
@@ -23,25 +21,39 @@ bool isNotNegative(double value) {
   return std::isfinite(value) && value >= 0.0;
 }
 
+/// What holds for one thing, or is told.
+class Checks {
+ public:
+  Checks(std::string who, EntityId key, base::Diagnostics& problems)
+      : who_(std::move(who)), key_(key), problems_(problems) {}
+
+  void need(bool holds, const char* code, base::ProblemValues values = {}) {
+    if (!holds) {
+      problems_.push_back(about(base::error(code, std::move(values)), key_, who_));
+    }
+  }
+  /// `name` is one of the registry.
+  template <class Maker>
+  void needKnown(const std::string& name, const Registry<Maker>& registry, const char* code) {
+    if (registry.find(name) == nullptr) {
+      need(false, code, {name, base::nearestName(name, registry.names())});
+    }
+  }
+
+ private:
+  std::string who_;
+  EntityId key_;
+  base::Diagnostics& problems_;
+};
+
 void checkPerson(const WorldModel& model, const ResolvedHuman& person, EntityId key,
                  base::Diagnostics& problems) {
-  const std::string who = "person '" + person.name + "'";
-  if (person.id < 0) {
-    problems.push_back(about(base::error("world.bad-id"), key, who));
-  }
-  if (!isPositive(person.radius) || !isPositive(person.mass)) {
-    problems.push_back(about(base::error("world.bad-body"), key, who));
-  }
-  if (!isNotNegative(person.desiredSpeed) || !isPositive(person.goalRadius)) {
-    problems.push_back(about(base::error("world.bad-speed"), key, who));
-  }
-  const auto& models = model.registries->models;
-  if (models.find(person.model) == nullptr) {
-    problems.push_back(
-        about(base::error("world.unknown-model",
-                          {person.model, base::nearestName(person.model, models.names())}),
-              key, who));
-  }
+  Checks checks("person '" + person.name + "'", key, problems);
+  checks.need(person.id >= 0, "world.bad-id");
+  checks.need(isPositive(person.radius) && isPositive(person.mass), "world.bad-body");
+  checks.need(isNotNegative(person.desiredSpeed) && isPositive(person.goalRadius),
+              "world.bad-speed");
+  checks.needKnown(person.model, model.registries->models, "world.unknown-model");
 }
 
 /// People with the same goals, reached within the same radius, share a plan.
@@ -88,27 +100,16 @@ void addPeople(const WorldSetup& setup, WorldModel& model, base::Diagnostics& pr
 
 void checkRobot(const Registries& registries, const ResolvedRobot& robot, EntityId key,
                 base::Diagnostics& problems) {
-  const std::string who = "robot '" + robot.name + "'";
-  const auto& types = registries.robotTypes;
-  if (types.find(robot.type) == nullptr) {
-    problems.push_back(
-        about(base::error("world.unknown-type",
-                          {robot.type, base::nearestName(robot.type, types.names())}),
-              key, who));
-  }
-  const bool hasBody =
-      robot.footprint.empty()
-          ? isPositive(robot.radius)
-          : isSimple(robot.footprint) && signedArea(robot.footprint) > kSmallestFootprint;
-  if (!hasBody) {
-    problems.push_back(about(base::error("world.bad-robot-body"), key, who));
-  }
-  const bool canMove = isPositive(robot.mass) && isNotNegative(robot.maxVel) &&
-                       isPositive(robot.maxAcc) && isNotNegative(robot.maxOmega) &&
-                       isPositive(robot.maxAlpha) && isPositive(robot.goalRadius);
-  if (!canMove) {
-    problems.push_back(about(base::error("world.bad-robot-limits"), key, who));
-  }
+  Checks checks("robot '" + robot.name + "'", key, problems);
+  checks.needKnown(robot.type, registries.robotTypes, "world.unknown-type");
+  checks.need(robot.footprint.empty()
+                  ? isPositive(robot.radius)
+                  : isSimple(robot.footprint) && signedArea(robot.footprint) > kSmallestFootprint,
+              "world.bad-robot-body");
+  checks.need(isPositive(robot.mass) && isNotNegative(robot.maxVel) && isPositive(robot.maxAcc) &&
+                  isNotNegative(robot.maxOmega) && isPositive(robot.maxAlpha) &&
+                  isPositive(robot.goalRadius),
+              "world.bad-robot-limits");
 }
 
 base::Result<std::shared_ptr<RobotController>> makeController(const PlannerRegistry& planners,

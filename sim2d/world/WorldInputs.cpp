@@ -7,9 +7,6 @@
 namespace sim2d {
 namespace {
 
-constexpr double kFarthest = 1e6;  // [m]
-constexpr double kFastest = 1e3;   // [m/s]; beyond it a run counts as diverged
-
 bool isUsable(const Input& input) {
   const auto isSmall = [](const Vec2& value, double most) {
     return value.allFinite() && value.cwiseAbs().maxCoeff() <= most;

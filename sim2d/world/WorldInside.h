@@ -5,19 +5,47 @@
 #include <string>
 #include <vector>
 
-#include "sim2d/world/Contacts.h"
 #include "sim2d/world/Goals.h"
 #include "sim2d/world/PersonMotion.h"
+#include "sim2d/world/Physics.h"
 #include "sim2d/world/Population.h"
 #include "sim2d/world/RobotDrive.h"
 #include "sim2d/world/Separation.h"
 #include "sim2d/world/World.h"
-#include "sim2d/world/WorldBuilder.h"
 #include "sim2d/world/WorldViewOf.h"
 
 namespace sim2d {
 
+/// What a world is made of, checked.
+struct WorldParts {
+  WorldModel model;
+  Surroundings surroundings;
+  std::unique_ptr<NavigationMap> navigation;
+  std::vector<std::shared_ptr<RobotController>> controllers;  // one per robot
+};
+
+/// Resolves the scenario, moves starts and goals to where bodies fit, and leaves out goals that
+/// nobody can reach. Gathers every problem.
+base::Result<std::unique_ptr<WorldParts>> buildWorld(const WorldSetup& setup);
+
+/// The state as a frame, but for the paths of robots, inputs and the changes of trees. It already
+/// has the forces of all people in the step that led to it. The events are taken from the state and
+/// put in order. The memory of the frame is used again.
+void fillFrame(const WorldModel& model, WorldState& state, Frame& frame);
+
+/// Everybody so far with all resolved numbers, outlines, map.
+TraceHeader makeHeader(const WorldModel& model, const Surroundings& surroundings);
+
+/// Names of the parts of the surroundings: "map", then listed obstacles, then listed doors.
+std::vector<std::string> partNames(const Environment& scenario);
+
 constexpr std::size_t kSmallWorld = 65;  // people; so few are all left to the solver
+
+/// A body of the physics: a person (index) or a robot (index).
+struct BodyOwner {
+  bool isRobot = false;
+  int index = 0;
+};
 
 /// What is behind World: the parts and the order of the step.
 struct World::State {
@@ -39,7 +67,6 @@ struct World::State {
   Goals goals;
   Population population;
   RobotDrive robots;
-  Contacts contacts;
   Frame frame;
   std::string failure;
   base::Diagnostics refused;   // inputs of the last step
@@ -81,11 +108,13 @@ struct World::State {
   int subSteps() const;
   bool meetsSomething(std::size_t robot) const;
   bool mayMeet(const DiscPair& pair) const;
+  void tellContacts(const std::vector<base::Twist2>& commands);
   void readPeople();
   Vec2 aroundTheRing(std::size_t human, const Pose2& pose);
   void readRobots(const std::vector<base::Twist2>& commands);
   void publish();
 
+  int idOf(const BodyOwner& owner) const;
   int bodyOf(std::size_t human) const { return bodies_[human]; }
 
   struct Steering {  // of a person by an input
@@ -100,6 +129,8 @@ struct World::State {
   bool doorsChanged_ = false;         // since the navigation map was updated
   std::vector<int> bodies_;           // of the people; -1: never present
   std::vector<double> headingsBefore_;
+  std::vector<Touch> touches_, touchesBefore_;
+  std::vector<std::string> partNames_;
   std::vector<MovingDisc> discs_;
   std::vector<DiscPair> pairs_;
   std::vector<Nearness> nearness_;    // per body, in this step

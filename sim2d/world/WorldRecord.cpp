@@ -1,8 +1,7 @@
-#include "sim2d/world/WorldRecord.h"
-
 #include <tuple>
 
 #include "sim2d/world/StepBuffers.h"
+#include "sim2d/world/WorldInside.h"
 
 namespace sim2d {
 namespace {
@@ -11,33 +10,19 @@ bool precedes(const Event& a, const Event& b) {
   return std::make_tuple(a.kind, a.hasId ? a.id : 0) < std::make_tuple(b.kind, b.hasId ? b.id : 0);
 }
 
-template <class... Columns>
-void clearAll(Columns&... columns) {
-  (columns.clear(), ...);
+auto columnsOf(HumanColumns& humans) {
+  return std::tie(humans.id, humans.x, humans.y, humans.heading, humans.vx, humans.vy, humans.omega,
+                  humans.group, humans.state, humans.goal);
 }
 
-template <class... Columns>
-void reserveAll(std::size_t count, Columns&... columns) {
-  (columns.reserve(count), ...);
+auto columnsOf(RobotColumns& robots) {
+  return std::tie(robots.id, robots.x, robots.y, robots.heading, robots.vx, robots.vy, robots.omega,
+                  robots.goal);
 }
 
-/// Growing up by doubling would need up to three times the memory.
-void reserveFirst(std::size_t count, Frame& frame) {
-  HumanColumns& humans = frame.humans;
-  if (humans.id.capacity() == 0) {
-    reserveAll(count, humans.id, humans.x, humans.y, humans.heading, humans.vx, humans.vy,
-               humans.omega, humans.group, humans.state, humans.goal);
-  }
-}
-
-void clear(HumanColumns& humans) {
-  clearAll(humans.id, humans.x, humans.y, humans.heading, humans.vx, humans.vy, humans.omega,
-           humans.group, humans.state, humans.goal);
-}
-
-void clear(RobotColumns& robots) {
-  clearAll(robots.id, robots.x, robots.y, robots.heading, robots.vx, robots.vy, robots.omega,
-           robots.goal);
+template <class Columns>
+void clear(Columns& columns) {
+  std::apply([](auto&... column) { (column.clear(), ...); }, columnsOf(columns));
 }
 
 /// Leaves those of people who are present; who came in after the step has none yet.
@@ -168,7 +153,11 @@ void fillFrame(const WorldModel& model, WorldState& state, Frame& frame) {
   frame.time = state.time;
   clear(frame.humans);
   clear(frame.robots);
-  reserveFirst(model.people.size(), frame);
+  if (frame.humans.id.capacity() ==
+      0) {  // growing up by doubling would need three times the memory
+    std::apply([&](auto&... column) { (column.reserve(model.people.size()), ...); },
+               columnsOf(frame.humans));
+  }
   for (std::size_t i = 0; i < model.people.size(); ++i) {
     if (state.present[i] == 0) {
       continue;

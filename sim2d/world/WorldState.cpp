@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim2d/map/Segments.h"
+
 namespace sim2d {
 
 Vec2 Ring::inside(const Vec2& place) const {
@@ -84,10 +86,8 @@ Obstacles::Point nearestPointOf(const ResolvedRobot& robot, const Pose2& pose, c
   } else {
     double best = 1e300;
     for (std::size_t i = 0; i < robot.footprint.size(); ++i) {
-      const Vec2& a = robot.footprint[i];
-      const Vec2 edge = robot.footprint[(i + 1) % robot.footprint.size()] - a;
-      const double length = std::max(edge.squaredNorm(), 1e-18);
-      const Vec2 foot = a + std::clamp((local - a).dot(edge) / length, 0.0, 1.0) * edge;
+      const Vec2& next = robot.footprint[(i + 1) % robot.footprint.size()];
+      const Vec2 foot = closestOnSegment({robot.footprint[i], next}, local);
       if ((foot - local).squaredNorm() < best) {
         best = (foot - local).squaredNorm();
         nearest.position = pose.toWorld(foot);

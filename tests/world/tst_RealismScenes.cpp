@@ -6,7 +6,7 @@
 
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
-#include "sim2d/world/realism/SceneFiles.h"
+#include "sim2d/world/realism/RealismTest.h"
 
 using namespace sim2d;
 namespace fs = std::filesystem;

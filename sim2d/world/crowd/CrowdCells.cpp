@@ -86,35 +86,14 @@ void CrowdCells::rebuild(const std::vector<Walker>& walkers, const std::vector<c
                         cellOf_[i] = present[i] != 0 ? cellAt(walkers[i].position) : -1;
                       }
                     });
-  sortByCell();
+  sortByCell(cellOf_, static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), start_,
+             next_, order_);
   fillColumns(walkers, room, workers);
 }
 
 int CrowdCells::cellAt(const Vec2& position) const {
   const Vec2 place = (position - origin_).cwiseQuotient(cell_);
   return clampedCell(place.y(), height_) * width_ + clampedCell(place.x(), width_);
-}
-
-void CrowdCells::sortByCell() {
-  const auto cells = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
-  refill(start_, cells + 1, 0);
-  for (const int cell : cellOf_) {
-    if (cell >= 0) {
-      ++start_[static_cast<std::size_t>(cell) + 1];
-    }
-  }
-  for (std::size_t cell = 0; cell < cells; ++cell) {
-    start_[cell + 1] += start_[cell];
-  }
-  refill(next_, start_.size(), 0);
-  std::copy(start_.begin(), start_.end(), next_.begin());
-  order_.resize(static_cast<std::size_t>(start_.back()));
-  for (std::size_t i = 0; i < cellOf_.size(); ++i) {
-    if (cellOf_[i] >= 0) {
-      order_[static_cast<std::size_t>(next_[static_cast<std::size_t>(cellOf_[i])]++)] =
-          static_cast<int>(i);
-    }
-  }
 }
 
 void CrowdCells::fillColumns(const std::vector<Walker>& walkers, const std::vector<double>& room,

@@ -40,7 +40,6 @@ class CrowdCells {
                   WorkerPool& workers);
   void placeGrid(const Extent& all, std::size_t people);
   int cellAt(const Vec2& position) const;
-  void sortByCell();
   void fillColumns(const std::vector<Walker>& walkers, const std::vector<double>& room,
                    WorkerPool& workers);
 

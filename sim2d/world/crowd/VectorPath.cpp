@@ -1,29 +1,19 @@
 #include "sim2d/world/crowd/VectorPath.h"
 
+#include <array>
+#include <cstddef>
+
 namespace sim2d {
 
 const char* vectorPathName(VectorPath path) {
-  switch (path) {
-    case VectorPath::Avx512:
-      return "AVX-512";
-    case VectorPath::Avx2:
-      return "AVX2";
-    case VectorPath::Sse2:
-      break;
-  }
-  return "SSE2";
+  constexpr std::array<const char*, 3> kNames = {"SSE2", "AVX2", "AVX-512"};
+  return kNames[static_cast<std::size_t>(path)];
 }
 
 bool hasVectorPath(VectorPath path) {
-  switch (path) {
-    case VectorPath::Avx512:
-      return __builtin_cpu_supports("avx512f") != 0;
-    case VectorPath::Avx2:
-      return __builtin_cpu_supports("avx2") != 0;
-    case VectorPath::Sse2:
-      break;
-  }
-  return true;
+  const std::array<bool, 3> isThere = {true, __builtin_cpu_supports("avx2") != 0,
+                                       __builtin_cpu_supports("avx512f") != 0};
+  return isThere[static_cast<std::size_t>(path)];
 }
 
 VectorPath fastestVectorPath() {
@@ -34,15 +24,9 @@ VectorPath fastestVectorPath() {
 }
 
 CrowdKernel kernelOf(VectorPath path) {
-  switch (path) {
-    case VectorPath::Avx512:
-      return crowdKernelAvx512();
-    case VectorPath::Avx2:
-      return crowdKernelAvx2();
-    case VectorPath::Sse2:
-      break;
-  }
-  return crowdKernelSse2();
+  constexpr std::array<CrowdKernel (*)(), 3> kKernels = {crowdKernelSse2, crowdKernelAvx2,
+                                                         crowdKernelAvx512};
+  return kKernels[static_cast<std::size_t>(path)]();
 }
 
 }  // namespace sim2d

@@ -3,6 +3,7 @@
 
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Problems.h"
+#include "sim2d/map/Segments.h"
 #include "sim2d/world/planners/RobotController.h"
 
 namespace sim2d {
@@ -95,10 +96,7 @@ class Pursuit : public RobotController {
     Foot best{0, path_.front()};
     double least = (path_.front() - position).norm();
     for (std::size_t i = 0; i + 1 < path_.size(); ++i) {
-      const Vec2 leg = path_[i + 1] - path_[i];
-      const double squared = std::max(leg.squaredNorm(), 1e-18);
-      const double share = std::clamp((position - path_[i]).dot(leg) / squared, 0.0, 1.0);
-      const Vec2 foot = path_[i] + share * leg;
+      const Vec2 foot = closestOnSegment({path_[i], path_[i + 1]}, position);
       const double distance = (foot - position).norm();
       if (distance <= least) {
         least = distance;

@@ -66,14 +66,11 @@ base::Result<Flow> playCorridor(TestScene& stage, double seconds) {
     }
     return true;
   });
-  if (!isPlayed) {
-    return base::error("run.not-played", {stage.problem()});
-  }
   Flow flow;
   flow.speed = sums.speed / sums.people;
   flow.overlap = sums.overlapping / sums.people;
   flow.order = sums.ordered > 0.0 ? sums.order / sums.ordered : 0.0;
-  return flow;
+  return stage.orProblem(isPlayed, flow);
 }
 
 int peopleIn(const CorridorFlow& setting) {
@@ -135,14 +132,6 @@ base::Result<std::vector<double>> oneWayWith(const RealismRun& run, double dt) {
     values->pop_back();
   }
   return values;
-}
-
-base::Result<std::vector<double>> oneWay(const RealismRun& run) {
-  return oneWayWith(run, 0.05);
-}
-
-base::Result<std::vector<double>> oneWayLongSteps(const RealismRun& run) {
-  return oneWayWith(run, 0.1);
 }
 
 CorridorFlow corridorOfRimea4() {
@@ -215,28 +204,16 @@ base::Result<std::vector<double>> lanes(const RealismRun& run) {
   return values;
 }
 
-TestScene oneWayScene(const RealismRun& run) {
-  return corridorOf(run, {});
-}
-
 TestScene longStepsScene(const RealismRun& run) {
   CorridorFlow setting;
   setting.dt = 0.1;
   return corridorOf(run, setting);
 }
 
-TestScene singleFileScene(const RealismRun& run) {
-  return singleFileOf(run, 30);
-}
-
 TestScene lanesScene(const RealismRun& run) {
   CorridorFlow setting;
   setting.isTwoWay = true;
   return corridorOf(run, setting);
-}
-
-TestScene rimea4Scene(const RealismRun& run) {
-  return corridorOf(run, corridorOfRimea4());
 }
 
 }  // namespace
@@ -260,15 +237,16 @@ void addCorridorTests(std::vector<RealismTest>& tests) {
       {"bodies overlap", "", Summary::Largest, 0.0, 0.001},
       {"largest specific flow", "1/(m s)", Summary::Mean, 1.0, 1.5}};
   tests.push_back({"fd-one-way", "speed against density, 0.5 to 3 people per m², corridor 26 x 4 m",
-                   ofDiagram, oneWay, oneWayScene});
-  tests.push_back({"fd-long-steps", "the same with steps of 0.1 s", ofDiagram, oneWayLongSteps,
-                   longStepsScene});
+                   ofDiagram, [](const RealismRun& run) { return oneWayWith(run, 0.05); },
+                   [](const RealismRun& run) { return corridorOf(run, {}); }});
+  tests.push_back({"fd-long-steps", "the same with steps of 0.1 s", ofDiagram,
+                   [](const RealismRun& run) { return oneWayWith(run, 0.1); }, longStepsScene});
   tests.push_back({"fd-single-file",
                    "headway against speed, ring of 26 m, no overtaking",
                    {{"error of headway", "", Summary::Largest, 0.0, 0.15},
                     {"speed when densest", "m/s", Summary::Mean, 0.0, 0.3}},
                    singleFile,
-                   singleFileScene});
+                   [](const RealismRun& run) { return singleFileOf(run, 30); }});
   tests.push_back({"lanes",
                    "two-way flow, half and half, corridor 26 x 4 m",
                    {{"order at 1 per m²", "", Summary::Mean, 0.9, 1.0},
@@ -283,7 +261,7 @@ void addCorridorTests(std::vector<RealismTest>& tests) {
                     {"largest rise of speed", "m/s", Summary::Largest,
                      -std::numeric_limits<double>::infinity(), 0.0}},
                    rimea4,
-                   rimea4Scene});
+                   [](const RealismRun& run) { return corridorOf(run, corridorOfRimea4()); }});
 }
 
 }  // namespace sim2d

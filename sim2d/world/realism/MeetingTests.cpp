@@ -48,10 +48,7 @@ base::Result<Meeting> meet(TestScene& stage, double length, double speed) {
     look(world.frame().humans, world.time(), meeting);
     return true;
   });
-  if (!isPlayed) {
-    return base::error("run.not-played", {stage.problem()});
-  }
-  return meeting;
+  return stage.orProblem(isPlayed, meeting);
 }
 
 base::Result<std::vector<double>> circles(const RealismRun& run) {
@@ -114,10 +111,6 @@ TestScene threeWays(const RealismRun& run, double dt) {
   return stage;
 }
 
-TestScene timeStepScene(const RealismRun& run) {
-  return threeWays(run, 0.05);
-}
-
 /// For 10 s, with a step of `dt`.
 base::Result<Walked> walkedWithStep(const RealismRun& run, double dt) {
   TestScene stage = threeWays(run, dt);
@@ -136,10 +129,7 @@ base::Result<Walked> walkedWithStep(const RealismRun& run, double dt) {
     addStep(places, walked);
     return true;
   });
-  if (!isPlayed) {
-    return base::error("run.not-played", {stage.problem()});
-  }
-  return walked;
+  return stage.orProblem(isPlayed, walked);
 }
 
 base::Result<std::vector<double>> timeStep(const RealismRun& run) {
@@ -174,10 +164,6 @@ TestScene circleOf(const RealismRun& run, int count, double radius) {
     stage.add(walker(place, -place, 1.34));
   }
   return stage;
-}
-
-TestScene circleScene(const RealismRun& run) {
-  return circleOf(run, 16, 5.0);
 }
 
 TestScene headOnScene(const RealismRun& run) {
@@ -220,7 +206,7 @@ void addMeetingTests(std::vector<RealismTest>& tests) {
                     {"least distance, 16", "m", Summary::Smallest, 0.4},
                     {"time over free time, 16", "", Summary::Largest, 1.0, 2.5}},
                    circles,
-                   circleScene,
+                   [](const RealismRun& run) { return circleOf(run, 16, 5.0); },
                    false});
   tests.push_back({"head-on",
                    "two people exactly towards each other at 1.29 m/s",
@@ -243,7 +229,7 @@ void addMeetingTests(std::vector<RealismTest>& tests) {
                     {"distance, 0.02 s", "m", Summary::Largest, 0.0, 0.05},
                     {"change of ways and least distance", "", Summary::Largest, 0.0, 0.02}},
                    timeStep,
-                   timeStepScene,
+                   [](const RealismRun& run) { return threeWays(run, 0.05); },
                    false});
 }
 

@@ -117,14 +117,6 @@ TestScene roomWithDoor(const RealismRun& run, double width, double dt) {
   return stage;
 }
 
-TestScene doorScene(const RealismRun& run) {
-  return roomWithDoor(run, 1.0, 0.05);
-}
-
-TestScene doorLongStepsScene(const RealismRun& run) {
-  return roomWithDoor(run, 1.0, 0.1);
-}
-
 base::Result<Door> passDoor(const RealismRun& run, double width, double dt) {
   TestScene stage = roomWithDoor(run, width, dt);
   Gate gate(kDoorDepth);
@@ -132,11 +124,9 @@ base::Result<Door> passDoor(const RealismRun& run, double width, double dt) {
     gate.look(world);
     return world.frame().humans.size() > 0;
   });
-  if (!isPlayed) {
-    return base::error("run.not-played", {stage.problem()});
-  }
   const auto left = static_cast<double>(kPeopleAtDoor) - static_cast<double>(gate.times().size());
-  return Door{gate.flow(10, 85) / width, gate.longestGap(kPeopleAtDoor), left};
+  return stage.orProblem(isPlayed,
+                         Door{gate.flow(10, 85) / width, gate.longestGap(kPeopleAtDoor), left});
 }
 
 base::Result<std::vector<double>> passDoors(const RealismRun& run, double dt) {
@@ -157,14 +147,6 @@ base::Result<std::vector<double>> passDoors(const RealismRun& run, double dt) {
   }
   values.insert(values.end(), {rise, gap, left});
   return values;
-}
-
-base::Result<std::vector<double>> bottleneck(const RealismRun& run) {
-  return passDoors(run, 0.05);
-}
-
-base::Result<std::vector<double>> bottleneckLongSteps(const RealismRun& run) {
-  return passDoors(run, 0.1);
 }
 
 /// Two rooms of 10 x 10 m joined by a corridor of 5 x 1 m; the second has an exit of 1 m.
@@ -196,10 +178,8 @@ base::Result<std::vector<double>> rimea12(const RealismRun& run) {
     most = std::max(most, static_cast<double>(inside));
     return out.times().size() < 120;
   });
-  if (!isPlayed) {
-    return base::error("run.not-played", {stage.problem()});
-  }
-  return std::vector<double>{end.flow(20, 110) - out.flow(20, 110), most};
+  return stage.orProblem(isPlayed,
+                         std::vector<double>{end.flow(20, 110) - out.flow(20, 110), most});
 }
 
 /// Twenty people round a left corner between walls 2 m apart.
@@ -232,10 +212,7 @@ base::Result<std::vector<double>> corner(const RealismRun& run) {
     left = people.size();
     return left > 0;
   });
-  if (!isPlayed) {
-    return base::error("run.not-played", {stage.problem()});
-  }
-  return std::vector<double>{inWall, static_cast<double>(left)};
+  return stage.orProblem(isPlayed, std::vector<double>{inWall, static_cast<double>(left)});
 }
 
 /// A hundred people in a corridor 4 m wide: straight on for `length`, or round a corner with 10 m
@@ -266,10 +243,6 @@ TestScene wideCorridor(const RealismRun& run, bool isCorner, double length) {
   return stage;
 }
 
-TestScene rimea15Scene(const RealismRun& run) {
-  return wideCorridor(run, true, 0.0);
-}
-
 /// Until all have passed.
 base::Result<double> timeThrough(const RealismRun& run, bool isCorner, double length) {
   TestScene stage = wideCorridor(run, isCorner, length);
@@ -278,10 +251,7 @@ base::Result<double> timeThrough(const RealismRun& run, bool isCorner, double le
     time = world.frame().humans.size() == 0 ? world.time() : time;
     return world.frame().humans.size() > 0;
   });
-  if (!isPlayed) {
-    return base::error("run.not-played", {stage.problem()});
-  }
-  return time;
+  return stage.orProblem(isPlayed, time);
 }
 
 base::Result<std::vector<double>> rimea15(const RealismRun& run) {
@@ -307,9 +277,12 @@ void addPassageTests(std::vector<RealismTest>& tests) {
       {"longest gap", "s", Summary::Largest, 0.0, 10.0},
       {"people left behind", "", Summary::Largest, 0.0, 0.0}};
   tests.push_back({"bottleneck", "100 people through a door of 0.8, 1.0, 1.2 and 1.8 m", ofDoors,
-                   bottleneck, doorScene, true, 100.0});
+                   [](const RealismRun& run) { return passDoors(run, 0.05); },
+                   [](const RealismRun& run) { return roomWithDoor(run, 1.0, 0.05); }, true,
+                   100.0});
   tests.push_back({"bottleneck-long-steps", "the same with steps of 0.1 s", ofDoors,
-                   bottleneckLongSteps, doorLongStepsScene, true, 100.0});
+                   [](const RealismRun& run) { return passDoors(run, 0.1); },
+                   [](const RealismRun& run) { return roomWithDoor(run, 1.0, 0.1); }, true, 100.0});
   tests.push_back({"corner",
                    "RiMEA 6: 20 people round a corner between walls 2 m apart",
                    {{"people seen in the wall", "", Summary::Largest, 0.0, 0.0},
@@ -329,7 +302,7 @@ void addPassageTests(std::vector<RealismTest>& tests) {
                    {{"corner less inner length", "s", Summary::Mean, 0.0},
                     {"outer length less corner", "s", Summary::Mean, 0.0}},
                    rimea15,
-                   rimea15Scene,
+                   [](const RealismRun& run) { return wideCorridor(run, true, 0.0); },
                    true,
                    80.0});
 }

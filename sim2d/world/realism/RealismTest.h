@@ -44,6 +44,14 @@ struct RealismTest {
 
 const std::vector<RealismTest>& realismTests();
 
+// A scene of each test as a scenario to open and watch, with seed 1 and model `das`. The build
+// writes them beside the program.
+std::string sceneName(const RealismTest& test);  // "realism_fd_one_way_agents"
+Scenario sceneOf(const RealismTest& test);
+
+/// `<folder>/<sceneName>.yaml` of each test; files of tests that are no more are removed.
+base::Diagnostics writeScenes(const std::string& folder);
+
 /// Parts of tests that can be used alone.
 struct Flow {
   double speed = 0.0;    // mean along the way [m/s]

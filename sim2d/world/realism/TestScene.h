@@ -45,10 +45,17 @@ class TestScene {
   const std::vector<Actor>& actors() const { return actors_; }
 
   /// Steps for `seconds` and calls `look` after each step, until it returns false. False when the
-  /// run was stopped, failed, or could not begin: then `problem` says why.
+  /// run was stopped, failed, or could not begin: then `orProblem` says why.
   using Look = std::function<bool(const World& world)>;
   bool play(double seconds, const Look& look);
-  const std::string& problem() const { return problem_; }
+  /// What was measured, or why the scene could not be played.
+  template <class Value>
+  base::Result<Value> orProblem(bool isPlayed, Value value) const {
+    if (!isPlayed) {
+      return base::error("run.not-played", {problem_});
+    }
+    return value;
+  }
   double dt() const { return dt_; }
   /// As a file to open and watch: people with goals and generated trees instead of targets.
   Scenario scenario(const std::string& name, double duration) const;

@@ -34,10 +34,7 @@ base::Result<double> speedAlone(const RealismRun& run, double desiredSpeed, doub
     time = isThrough ? world.time() : time;
     return !isThrough;
   });
-  if (!isPlayed) {
-    return base::error("run.not-played", {stage.problem()});
-  }
-  return kLength / time;
+  return stage.orProblem(isPlayed, kLength / time);
 }
 
 TestScene rimea1Scene(const RealismRun& run) {
@@ -139,10 +136,8 @@ base::Result<Shape> walkTogether(const RealismRun& run, int count) {
     samples += 1.0;
     return people.x[0] < 30.0;
   });
-  if (!isPlayed) {
-    return base::error("run.not-played", {stage.problem()});
-  }
-  return Shape{shape.speed / samples, shape.distance / samples, shape.abreast / samples};
+  return stage.orProblem(
+      isPlayed, Shape{shape.speed / samples, shape.distance / samples, shape.abreast / samples});
 }
 
 base::Result<std::vector<double>> groups(const RealismRun& run) {
@@ -230,10 +225,7 @@ base::Result<std::vector<double>> groupsInCrowd(const RealismRun& run) {
     }
     return true;
   });
-  if (!isPlayed) {
-    return base::error("run.not-played", {stage.problem()});
-  }
-  return std::vector<double>{depth / together, together / samples};
+  return stage.orProblem(isPlayed, std::vector<double>{depth / together, together / samples});
 }
 
 }  // namespace
