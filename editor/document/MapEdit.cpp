@@ -180,7 +180,7 @@ base::Result<std::shared_ptr<const sim2d::OccupancyGrid>> gridOfImage(const QStr
     return std::make_shared<const sim2d::OccupancyGrid>(std::move(grid));
   };
   if (imagePath.endsWith(QLatin1String(".pgm"), Qt::CaseInsensitive)) {
-    const base::Result<sim2d::PgmImage> image = sim2d::readPgmShades(imagePath.toStdString());
+    const base::Result<sim2d::PgmImage> image = sim2d::readPgm(imagePath.toStdString());
     if (!image) {
       return image.diagnostics();
     }

@@ -268,7 +268,7 @@ base::Result<OccupancyGrid> readCells(const fs::path& path, const ImageLoader& l
     return base::error("image.file-empty");
   }
   if (isPgm(path) || base::lowered(path.extension().string()) == ".pgm") {
-    const base::Result<PgmImage> image = readPgmShades(path.string());
+    const base::Result<PgmImage> image = readPgm(path.string());
     return image ? base::Result<OccupancyGrid>(gridFromPgm(*image, description, rule),
                                                image.diagnostics())
                  : image.diagnostics();

@@ -53,7 +53,6 @@ base::Result<MapFile> readMap(const std::string& yamlPath, const ImageLoader& lo
 base::Result<MapDescription> parseMapDescription(const std::string& text, const std::string& file);
 /// The image must hold width * height > 0 pixels. First row on top becomes the last row of cells.
 OccupancyGrid gridFromImage(const MapImage& image, const MapDescription& description, MapRule rule);
-base::Result<MapImage> readPgm(const std::string& path);
 
 /// Writes `<path>.yaml`-style text, and the image as PGM (P5: 254 free, 0 occupied, 205 unknown;
 /// thresholds 0.65 and 0.196, trinary). Empty = written.

@@ -174,7 +174,7 @@ class PgmReader {
 
 }  // namespace
 
-base::Result<PgmImage> readPgmShades(const std::string& path) {
+base::Result<PgmImage> readPgm(const std::string& path) {
   std::error_code code;
   const auto status = std::filesystem::status(path, code);
   if (!std::filesystem::exists(status)) {
@@ -184,23 +184,6 @@ base::Result<PgmImage> readPgmShades(const std::string& path) {
     return base::error("image.no-file", {}, path);
   }
   return PgmReader(path).read();
-}
-
-base::Result<MapImage> readPgm(const std::string& path) {
-  const base::Result<PgmImage> grey = readPgmShades(path);
-  if (!grey) {
-    return grey.diagnostics();
-  }
-  MapImage image;
-  image.width = grey->width;
-  image.height = grey->height;
-  image.maximum = grey->maximum;
-  image.rgba.reserve(4 * grey->shades.size());
-  for (const std::uint16_t shade : grey->shades) {
-    image.rgba.insert(image.rgba.end(),
-                      {shade, shade, shade, static_cast<std::uint16_t>(grey->maximum)});
-  }
-  return {std::move(image), grey.diagnostics()};
 }
 
 }  // namespace sim2d

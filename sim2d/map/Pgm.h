@@ -15,8 +15,8 @@ struct PgmImage {
   std::vector<std::uint16_t> shades;  // 0..maximum
 };
 
-/// All that readPgm reads, with its messages.
-base::Result<PgmImage> readPgmShades(const std::string& path);
+/// P2 and P5, 8 and 16 bit, comments.
+base::Result<PgmImage> readPgm(const std::string& path);
 /// The grid that gridFromImage makes of the same image.
 OccupancyGrid gridFromPgm(const PgmImage& image, const MapDescription& description, MapRule rule);
 

@@ -87,9 +87,6 @@ RouteFollower::Leg RouteFollower::straight(const Request& request) {
 
 RouteFollower::Leg RouteFollower::follow(const Request& request, const NavigationMap& navigation,
                                          const Obstacles& obstacles) {
-  if (request.route == Route::Direct) {
-    return straight(request);
-  }
   Leg leg;
   const Vec2 toTarget = request.target.position - request.position;
   if (toTarget.norm() <= request.target.radius) {

@@ -47,8 +47,6 @@ class RouteFollower {
   void goRound(const Request& request, const std::vector<StandingBody>& standing,
                const NavigationMap& navigation);
   void reset() { *this = RouteFollower{}; }
-  /// Rest of the path, for display.
-  const std::vector<Vec2>& path() const { return path_; }
 
  private:
   bool isForThisTarget(const Request& request, const NavigationMap& navigation) const;

@@ -85,12 +85,11 @@ TestScene corridorOf(const RealismRun& run, const CorridorFlow& setting) {
   const std::vector<Vec2> places = randomPlaces(run, peopleIn(setting), box, 2.0 * kBody, true);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const bool goesLeft = setting.isTwoWay && i % 2 == 1;
-    TestScene::Actor actor;
-    actor.start = places[i];
+    const double speed =
+        freeSpeed(run, static_cast<int>(i), setting.meanSpeed, setting.speedDeviation);
+    TestScene::Actor actor{places[i], speed, endlessly(Vec2(goesLeft ? -1.0 : 1.0, 0.0)),
+                           endlessGoal(places[i], goesLeft)};
     actor.heading = goesLeft ? base::kPi : 0.0;
-    actor.speed = freeSpeed(run, static_cast<int>(i), setting.meanSpeed, setting.speedDeviation);
-    actor.target = endlessly(Vec2(goesLeft ? -1.0 : 1.0, 0.0));
-    actor.goal = endlessGoal(actor.start, goesLeft);
     stage.add(actor);
   }
   stage.close(0.0, kLength);
@@ -156,12 +155,9 @@ TestScene singleFileOf(const RealismRun& run, int count) {
   TestScene stage(run);
   addWalls(stage, 0.8);
   for (int i = 0; i < count; ++i) {
-    TestScene::Actor actor;
-    actor.start = Vec2(kLength * (i + 0.5) / count, 0.4);
-    actor.speed = freeSpeed(run, i, 1.24, 0.05);
-    actor.target = endlessly(Vec2(1.0, 0.0));
-    actor.goal = endlessGoal(actor.start, false);
-    stage.add(actor);
+    const Vec2 start(kLength * (i + 0.5) / count, 0.4);
+    stage.add({start, freeSpeed(run, i, 1.24, 0.05), endlessly(Vec2(1.0, 0.0)),
+               endlessGoal(start, false)});
   }
   stage.close(0.0, kLength);
   return stage;

@@ -13,11 +13,8 @@ constexpr double kStarted = 2.0;   // [s]; speeds count from here on
 constexpr double kPatience = 6.0;  // times the time of a straight walk
 
 TestScene::Actor walker(const Vec2& start, const Vec2& goal, double speed) {
-  TestScene::Actor actor;
-  actor.start = start;
+  TestScene::Actor actor{start, speed, always(goal)};
   actor.heading = base::headingOf(goal - start);
-  actor.speed = speed;
-  actor.target = always(goal);
   actor.isDone = [goal](const Vec2& place) { return (place - goal).norm() < kArrived; };
   return actor;
 }

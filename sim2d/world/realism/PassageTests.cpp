@@ -85,14 +85,9 @@ void addCrowd(TestScene& stage, const RealismRun& run, int count, const Box& box
               const TestScene::Target& target, double leavesAt) {
   const std::vector<Vec2> places = randomPlaces(run, count, box, 2.0 * kBody);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    TestScene::Actor actor;
-    actor.start = places[i];
-    actor.speed = freeSpeed(run, static_cast<int>(i));
-    actor.target = target;
-    actor.isDone = [leavesAt](const Vec2& place) { return place.x() > leavesAt; };
-    actor.goal = Vec2(leavesAt + kWideGoal, 0.0);
-    actor.goalRadius = kWideGoal;
-    stage.add(actor);
+    stage.add({places[i], freeSpeed(run, static_cast<int>(i)), target,
+               Vec2(leavesAt + kWideGoal, 0.0), kWideGoal,
+               [leavesAt](const Vec2& place) { return place.x() > leavesAt; }});
   }
 }
 
@@ -189,13 +184,9 @@ TestScene cornerScene(const RealismRun& run) {
   stage.addWall({Vec2(-2.0, 2.1), Vec2(9.9, 2.1), Vec2(9.9, 16.0)});
   stage.addWall({Vec2(-2.0, 2.1), Vec2(-2.0, -0.1), Vec2(12.1, -0.1), Vec2(12.1, 16.0)});
   for (const Vec2& place : randomPlaces(run, 20, {Vec2(0.0, 0.2), Vec2(6.0, 1.8)}, 2.0 * kBody)) {
-    TestScene::Actor actor;
-    actor.start = place;
-    actor.speed = freeSpeed(run, static_cast<int>(stage.actors().size()));
-    actor.target = always(Vec2(11.0, 15.0));
-    actor.isDone = [](const Vec2& at) { return at.y() > 12.0; };
-    actor.goalRadius = 1.0;
-    stage.add(actor);
+    stage.add({place, freeSpeed(run, static_cast<int>(stage.actors().size())),
+               always(Vec2(11.0, 15.0)), std::nullopt, 1.0,
+               [](const Vec2& at) { return at.y() > 12.0; }});
   }
   return stage;
 }
@@ -232,13 +223,10 @@ TestScene wideCorridor(const RealismRun& run, bool isCorner, double length) {
   stage.addWall(rightWall);
   const Box box{Vec2(-15.0, 0.2), Vec2(0.0, 3.8)};
   for (const Vec2& place : randomPlaces(run, kPeople, box, 2.0 * kBody)) {
-    TestScene::Actor actor;
-    actor.start = place;
-    actor.speed = freeSpeed(run, static_cast<int>(stage.actors().size()));
-    actor.target = isCorner ? always(Vec2(12.0, 21.0)) : endlessly(Vec2(1.0, 0.0));
-    actor.isDone = [=](const Vec2& at) { return isCorner ? at.y() > 14.0 : at.x() > length; };
-    actor.goalRadius = kWideGoal;
-    stage.add(actor);
+    stage.add({place, freeSpeed(run, static_cast<int>(stage.actors().size())),
+               isCorner ? always(Vec2(12.0, 21.0)) : endlessly(Vec2(1.0, 0.0)), std::nullopt,
+               kWideGoal,
+               [=](const Vec2& at) { return isCorner ? at.y() > 14.0 : at.x() > length; }});
   }
   return stage;
 }

@@ -26,14 +26,15 @@ class TestScene {
 
   struct Actor {
     Vec2 start = Vec2::Zero();
+    double speed = 1.34;  // v0 [m/s]
+    Target target;
+    std::optional<Vec2> goal = {};  // in the file; none: the target at the start
+    double goalRadius = 0.3;        // in the file [m]
+    /// Leaves the world then; empty: never.
+    std::function<bool(const Vec2& place)> isDone = {};
     double heading = 0.0;  // [rad]
-    double speed = 1.34;   // v0 [m/s]
     double radius = 0.2;   // [m]
     int group = -1;
-    Target target;
-    std::function<bool(const Vec2& place)> isDone;  // leaves the world then; empty: never
-    std::optional<Vec2> goal;                       // in the file; none: the target at the start
-    double goalRadius = 0.3;                        // in the file [m]
   };
 
   explicit TestScene(RealismRun run, double dt = 0.05);

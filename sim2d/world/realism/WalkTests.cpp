@@ -15,12 +15,9 @@ constexpr double kLength = 40.0;  // [m]
 void addCorridor(TestScene& stage, double middle, double desiredSpeed, double radius) {
   stage.addWall({Vec2(-2.0, middle - 1.1), Vec2(kLength + 4.0, middle - 1.1)});
   stage.addWall({Vec2(-2.0, middle + 1.1), Vec2(kLength + 4.0, middle + 1.1)});
-  TestScene::Actor actor;
-  actor.start = Vec2(0.0, middle);
-  actor.speed = desiredSpeed;
+  TestScene::Actor actor{Vec2(0.0, middle), desiredSpeed, endlessly(Vec2(1.0, 0.0)),
+                         Vec2(kLength, middle)};
   actor.radius = radius;
-  actor.target = endlessly(Vec2(1.0, 0.0));
-  actor.goal = Vec2(kLength, middle);
   stage.add(actor);
 }
 
@@ -96,13 +93,9 @@ struct Shape {
 
 void addGroup(TestScene& stage, int group, int count, double side) {
   for (int i = 0; i < count; ++i) {
-    TestScene::Actor actor;
-    actor.start = Vec2(0.1 * i, side + 0.9 * i);
-    actor.speed = 1.3;
+    TestScene::Actor actor{Vec2(0.1 * i, side + 0.9 * i), 1.3, endlessly(Vec2(1.0, 0.0)),
+                           Vec2(40.0, side), 3.0};
     actor.group = group;
-    actor.target = endlessly(Vec2(1.0, 0.0));
-    actor.goal = Vec2(40.0, side);
-    actor.goalRadius = 3.0;
     stage.add(actor);
   }
 }
@@ -197,13 +190,11 @@ TestScene groupsInCrowdScene(const RealismRun& run) {
   const std::vector<Vec2> places = placesByThrees(
       randomPlaces(run, kPeople, {Vec2(0.0, 0.2), Vec2(kRing, 3.8)}, 0.4, true), kThrees);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    TestScene::Actor actor;
     const auto person = static_cast<int>(i);
-    actor.start = places[i];
-    actor.group = person < 3 * kThrees ? 1 + person / 3 : -1;
-    actor.speed = actor.group > 0 ? 1.3 : freeSpeed(run, person);
-    actor.target = endlessly(Vec2(1.0, 0.0));
-    actor.goal = endlessGoal(actor.start, false);
+    const bool isInGroup = person < 3 * kThrees;
+    TestScene::Actor actor{places[i], isInGroup ? 1.3 : freeSpeed(run, person),
+                           endlessly(Vec2(1.0, 0.0)), endlessGoal(places[i], false)};
+    actor.group = isInGroup ? 1 + person / 3 : -1;
     stage.add(actor);
   }
   stage.close(0.0, kRing);
