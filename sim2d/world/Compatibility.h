@@ -15,7 +15,6 @@ class Compatibility {
 
   bool has(int quirk) const { return quirks_.test(static_cast<std::size_t>(quirk)); }
   void set(int quirk) { quirks_.set(static_cast<std::size_t>(quirk)); }
-  bool any() const { return quirks_.any(); }
   bool hunav2() const { return hunav2_; }
   std::vector<std::string> names() const;  // "Q-13", …; "hunav2" first when all are meant
 
