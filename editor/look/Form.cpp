@@ -33,6 +33,17 @@ QToolButton* linkButton(const QString& text, QWidget* parent) {
   return button;
 }
 
+QScrollArea* scrollArea(QWidget* content, QWidget* parent) {
+  auto* area = new QScrollArea(parent);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setWidgetResizable(true);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidget(content);
+  area->viewport()->setAutoFillBackground(false);
+  content->setAutoFillBackground(false);
+  return area;
+}
+
 QWidget* dividerLine(QWidget* parent) {
   auto* line = new QWidget(parent);
   line->setFixedHeight(1);

@@ -2,6 +2,7 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QToolButton>
 #include <QWidget>
 
@@ -39,6 +40,8 @@ class FormSection : public QWidget {
 QLabel* secondaryLabel(const QString& text, QWidget* parent = nullptr);
 /// A button of words that looks like a link.
 QToolButton* linkButton(const QString& text, QWidget* parent = nullptr);
+/// Lets what is too high for its panel be scrolled; both show the ground of the panel.
+QScrollArea* scrollArea(QWidget* content, QWidget* parent);
 /// A line over the whole width.
 QWidget* dividerLine(QWidget* parent = nullptr);
 /// "1 person", "3 people".

@@ -2,13 +2,24 @@
 
 #include <algorithm>
 
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QHBoxLayout>
+#include <QMenu>
+#include <QSplitter>
 #include <QVBoxLayout>
 
+#include "bt/tree/TreeXml.h"
+#include "editor/document/BehaviorValues.h"
+#include "editor/document/EditCommands.h"
 #include "editor/document/PersonLook.h"
+#include "editor/document/TreeFiles.h"
+#include "editor/look/FigurePainter.h"
 #include "editor/panels/BlockDialog.h"
 #include "editor/panels/PanelRegistry.h"
-#include "editor/panels/WholeRows.h"
+#include "editor/panels/PortForm.h"
+#include "editor/panels/RowDelegate.h"
+#include "sim2d/base/Text.h"
 
 namespace editor {
 
@@ -17,26 +28,7 @@ namespace {
 // How outline and form share the height at first [px of 640].
 constexpr int kOutlineShare = 380;
 constexpr int kFormShare = 260;
-constexpr int kRowHeight = 24;
 constexpr int kHintHeight = 72;
-
-QWidget* scrolled(QWidget* widget, QWidget* parent) {
-  auto* area = new QScrollArea(parent);
-  area->setFrameShape(QFrame::NoFrame);
-  area->setWidgetResizable(true);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setWidget(widget);
-  area->viewport()->setAutoFillBackground(false);
-  widget->setAutoFillBackground(false);
-  return area;
-}
-
-QToolButton* link(const QString& text, const QString& says, QWidget* parent) {
-  QToolButton* button = linkButton(text, parent);
-  button->setToolTip(says);
-  button->setAccessibleName(says);
-  return button;
-}
 
 QHBoxLayout* rowOf(std::initializer_list<QWidget*> widgets) {
   auto* row = new QHBoxLayout;
@@ -79,11 +71,28 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
       portForm_(new PortForm),
       hint_(emptyState(tr("Select a node above to see what it takes."), this)) {
   setMinimumWidth(300);
+  stack_->addWidget(emptyState(tr("Select a person to see the behaviour tree."), this));
+  stack_->addWidget(makePage());
+  connect(outline_, &QTreeWidget::currentItemChanged, this, &BehaviorPanel::showNode);
+  connect(blockForm_, &BlockForm::edited, this, &BehaviorPanel::editBlock);
+  connect(portForm_, &PortForm::edited, this, [this](const QString& port, const QString& text) {
+    if (const OutlineNode* node = outline_->current()) {
+      pushPort(document_, person_, *node, port.toStdString(), text.toStdString());
+    }
+  });
+  connect(&document_, &ScenarioDocument::selectionChanged, this, &BehaviorPanel::follow);
+  connect(&document_, &ScenarioDocument::settled, this,
+          [this] { isVisible() ? rebuild() : (void)(stale_ = true); });
+  setTheme(theme);
+  follow();
+}
+
+QWidget* BehaviorPanel::makePage() {
   auto* page = new QWidget(this);
   auto* layout = new QVBoxLayout(page);
   layout->setContentsMargins(0, 12, 0, 0);
   layout->setSpacing(4);
-  name_->setFont(theme.font(12.0, QFont::DemiBold));
+  name_->setFont(theme_.font(12.0, QFont::DemiBold));
   for (QLabel* label : {name_, about_, problem_}) {
     label->setContentsMargins(12, 0, 12, 0);
     label->setTextFormat(Qt::PlainText);
@@ -94,60 +103,45 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
   hint_->setMinimumHeight(kHintHeight);
   QWidget* below = columnOf({blockLinks_, blockForm_, portForm_, hint_});
   auto* splitter = new QSplitter(Qt::Vertical, page);
-  splitter->addWidget(new WholeRows(*outline_, kRowHeight, splitter));
-  splitter->addWidget(scrolled(below, splitter));
+  splitter->addWidget(new WholeRows(*outline_, splitter));
+  splitter->addWidget(scrollArea(below, splitter));
   splitter->setStretchFactor(0, 3);
   splitter->setStretchFactor(1, 2);
   splitter->setChildrenCollapsible(false);
   splitter->setSizes({kOutlineShare, kFormShare});
   layout->addWidget(dividerLine(page));
   layout->addWidget(splitter, 1);
-  stack_->addWidget(emptyState(tr("Select a person to see the behaviour tree."), this));
-  stack_->addWidget(page);
-  connect(outline_, &QTreeWidget::currentItemChanged, this, &BehaviorPanel::showNode);
-  connect(blockForm_, &BlockForm::edited, this, &BehaviorPanel::editBlock);
-  connect(portForm_, &PortForm::edited, this, [this](const QString& port, const QString& text) {
-    const int node = outline_->currentNode();
-    if (node >= 0) {
-      pushPort(document_, person_, outline_->nodes()[static_cast<std::size_t>(node)],
-               port.toStdString(), text.toStdString());
-    }
-  });
-  connect(&document_, &ScenarioDocument::selectionChanged, this, &BehaviorPanel::follow);
-  connect(&document_, &ScenarioDocument::settled, this,
-          [this] { isVisible() ? rebuild() : (void)(stale_ = true); });
-  setTheme(theme);
-  follow();
+  return page;
 }
 
 void BehaviorPanel::makeLinks(QVBoxLayout& layout) {
-  add_ = link(tr("+ Block…"), tr("Add a block of behaviour"), this);
-  open_ = link(tr("Open…"), tr("Take a tree from a file"), this);
-  save_ = link(tr("Save…"), tr("Write the tree into a file"), this);
-  template_ = link(tr("Template…"), tr("Begin from the tree of a behaviour"), this);
-  anew_ = link(tr("Make anew"), tr("Back to the tree that behaviour and goals make"), this);
-  takeRoute_ = link(tr("Put the route into the tree"), tr("Put the route into the tree"), this);
-  earlier_ = link(tr("Earlier"), tr("Before the block above"), this);
-  later_ = link(tr("Later"), tr("Behind the block below"), this);
-  remove_ = link(tr("Remove"), tr("Remove the block"), this);
-  layout.addLayout(rowOf({add_, template_, anew_}));
-  layout.addLayout(rowOf({open_, save_, takeRoute_}));
-  blockLinks_->setLayout(rowOf({earlier_, later_, remove_}));
-  connect(add_, &QToolButton::clicked, this, [this] {
+  const auto link = [this](const QString& text, const QString& says, const auto& slot) {
+    QToolButton* button = linkButton(text, this);
+    button->setToolTip(says);
+    button->setAccessibleName(says);
+    connect(button, &QToolButton::clicked, this, slot);
+    return button;
+  };
+  add_ = link(tr("+ Block…"), tr("Add a block of behaviour"), [this] {
     auto* dialog = new BlockDialog(document_, theme_, window());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
   });
-  connect(template_, &QToolButton::clicked, this, &BehaviorPanel::offerTemplates);
-  connect(open_, &QToolButton::clicked, this, &BehaviorPanel::askForTree);
-  connect(save_, &QToolButton::clicked, this, &BehaviorPanel::askForFile);
-  connect(anew_, &QToolButton::clicked, this,
-          [this] { pushTreeText(document_, person_, std::nullopt, tr("Make the tree anew")); });
-  connect(takeRoute_, &QToolButton::clicked, this,
-          [this] { pushGoalsOfRoute(document_, person_); });
-  connect(earlier_, &QToolButton::clicked, this, [this] { moveBlock(-1); });
-  connect(later_, &QToolButton::clicked, this, [this] { moveBlock(1); });
-  connect(remove_, &QToolButton::clicked, this, [this] { moveBlock(0); });
+  QToolButton* open = link(tr("Open…"), tr("Take a tree from a file"), [this] { askForTree(); });
+  QToolButton* save = link(tr("Save…"), tr("Write the tree into a file"), [this] { askForFile(); });
+  template_ =
+      link(tr("Template…"), tr("Begin from the tree of a behaviour"), [this] { offerTemplates(); });
+  anew_ = link(tr("Make anew"), tr("Back to the tree that behaviour and goals make"), [this] {
+    pushTreeText(document_, person_, std::nullopt, tr("Make the tree anew"));
+  });
+  takeRoute_ = link(tr("Put the route into the tree"), tr("Put the route into the tree"),
+                    [this] { pushGoalsOfRoute(document_, person_); });
+  earlier_ = link(tr("Earlier"), tr("Before the block above"), [this] { moveBlock(-1); });
+  later_ = link(tr("Later"), tr("Behind the block below"), [this] { moveBlock(1); });
+  QToolButton* remove = link(tr("Remove"), tr("Remove the block"), [this] { moveBlock(0); });
+  layout.addLayout(rowOf({add_, template_, anew_}));
+  layout.addLayout(rowOf({open, save, takeRoute_}));
+  blockLinks_->setLayout(rowOf({earlier_, later_, remove}));
 }
 
 void BehaviorPanel::setTheme(const Theme& theme) {
@@ -159,11 +153,10 @@ void BehaviorPanel::setTheme(const Theme& theme) {
 }
 
 void BehaviorPanel::follow() {
-  EntityId wanted;
+  person_ = {};
   for (const EntityId id : document_.selection()) {
-    wanted = id.kind == EntityKind::Human ? id : wanted;
+    person_ = id.kind == EntityKind::Human ? id : person_;
   }
-  person_ = wanted;
   rebuild();
 }
 
@@ -212,36 +205,31 @@ void BehaviorPanel::showWords() {
 }
 
 int BehaviorPanel::currentBlock() const {
-  const int node = outline_->currentNode();
-  if (node < 0 || tree_.mainTree() == nullptr) {
-    return -1;
-  }
-  const OutlineNode& chosen = outline_->nodes()[static_cast<std::size_t>(node)];
-  if (chosen.tree != tree_.mainTree()->id || chosen.path.size() != 1 ||
-      !bt::readBlock(*chosen.node)) {
+  const OutlineNode* chosen = outline_->current();
+  if (chosen == nullptr || tree_.mainTree() == nullptr || chosen->tree != tree_.mainTree()->id ||
+      chosen->path.size() != 1 || !bt::readBlock(*chosen->node)) {
     return -1;
   }
   const std::vector<bt::NodeSpec>& children = tree_.mainTree()->root.children;
   return static_cast<int>(
-      std::count_if(children.begin(), children.begin() + chosen.path.front(),
+      std::count_if(children.begin(), children.begin() + chosen->path.front(),
                     [](const bt::NodeSpec& each) { return bt::readBlock(each).has_value(); }));
 }
 
 void BehaviorPanel::showNode() {
-  const int node = outline_->currentNode();
+  const OutlineNode* node = outline_->current();
   const int block = currentBlock();
   blockLinks_->setVisible(block >= 0);
   blockForm_->setVisible(block >= 0);
-  portForm_->setVisible(node >= 0 && block < 0);
-  hint_->setVisible(node < 0);
+  portForm_->setVisible(node != nullptr && block < 0);
+  hint_->setVisible(node == nullptr);
   if (block >= 0) {
     const std::vector<bt::Block> blocks = bt::blocksOf(*tree_.mainTree());
     blockForm_->show(blocks[static_cast<std::size_t>(block)]);
     earlier_->setEnabled(block > 0);
     later_->setEnabled(block + 1 < static_cast<int>(blocks.size()));
-  } else if (node >= 0) {
-    const OutlineNode& chosen = outline_->nodes()[static_cast<std::size_t>(node)];
-    portForm_->show(*chosen.node, chosen.isEditable);
+  } else if (node != nullptr) {
+    portForm_->show(*node->node, node->isEditable);
   }
 }
 
@@ -266,7 +254,7 @@ void BehaviorPanel::moveBlock(int by) {
   } else if (to >= 0 && to < static_cast<int>(blocks.size())) {
     std::swap(blocks[static_cast<std::size_t>(place)], blocks[static_cast<std::size_t>(to)]);
   }
-  const OutlineNode chosen = outline_->nodes()[static_cast<std::size_t>(outline_->currentNode())];
+  const OutlineNode chosen = *outline_->current();
   pushBlocks(document_, person_, blocks);
   for (std::size_t i = 0; i < outline_->nodes().size(); ++i) {
     const OutlineNode& node = outline_->nodes()[i];
@@ -300,6 +288,69 @@ void addBehaviorPanel(PanelRegistry& to) {
     QObject::connect(panel, &BehaviorPanel::told, &context, &PanelContext::problemsFound);
     return panel;
   });
+}
+
+base::Diagnostics BehaviorPanel::takeTreeFrom(const QString& path) {
+  const base::Result<std::string> text = base::readTextFile(path.toStdString());
+  if (!text) {
+    return text.diagnostics();
+  }
+  const base::Result<bt::TreeFile> file = bt::readTreeText(*text, path.toStdString());
+  if (file) {
+    pushTreeText(document_, person_, *text, tr("Take the tree %1").arg(QFileInfo(path).fileName()));
+  }
+  return file.diagnostics();
+}
+
+base::Diagnostics BehaviorPanel::saveTreeTo(const QString& path) const {
+  base::Diagnostics problems =
+      base::writeFileAtomically(path.toStdString(), treeText(document_, person_));
+  base::append(problems, writeIncludedTrees(QFileInfo(path).absolutePath().toStdString()));
+  return problems;
+}
+
+void BehaviorPanel::askForTree() {
+  const QString path = QFileDialog::getOpenFileName(window(), tr("Take a behaviour tree"),
+                                                    QFileInfo(document_.path()).absolutePath(),
+                                                    tr("Behaviour trees (*.xml);;All files (*)"));
+  if (!path.isEmpty()) {
+    Q_EMIT told(takeTreeFrom(path));
+  }
+}
+
+void BehaviorPanel::askForFile() {
+  const sim2d::Human* human = document_.human(person_);
+  const QString name = QString::fromStdString(
+      treeFileName(document_.scenario().yamlBaseName.value_or("scenario"), human->id));
+  const QString path = QFileDialog::getSaveFileName(
+      window(), tr("Save the behaviour tree"),
+      QFileInfo(document_.path()).absoluteDir().filePath(name), tr("Behaviour trees (*.xml)"));
+  if (!path.isEmpty()) {
+    Q_EMIT told(saveTreeTo(path));
+  }
+}
+
+void BehaviorPanel::takeTemplate(sim2d::BehaviorType type) {
+  const QString text = tr("Take the tree of %1").arg(lookName(lookOf(type)));
+  document_.undoStack().beginMacro(text);
+  pushTreeText(document_, person_, std::nullopt, text);
+  pushChange<sim2d::Human>(document_, person_, text, [this, type](sim2d::Human& human) {
+    human.behavior.type = type;
+    completeReaction(document_.scenario(), human);
+  });
+  document_.undoStack().endMacro();
+}
+
+void BehaviorPanel::offerTemplates() {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  const FigurePainter painter(theme_);
+  for (int i = 1; i <= 6; ++i) {
+    const auto type = static_cast<sim2d::BehaviorType>(i);
+    menu->addAction(painter.markIcon(lookOf(type)), lookName(lookOf(type)), this,
+                    [this, type] { takeTemplate(type); });
+  }
+  menu->popup(template_->mapToGlobal(QPoint(0, template_->height())));
 }
 
 }  // namespace editor

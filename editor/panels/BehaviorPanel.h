@@ -1,18 +1,18 @@
 #pragma once
 
 #include <QLabel>
-#include <QScrollArea>
-#include <QSplitter>
 #include <QStackedLayout>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include "editor/document/PersonTree.h"
-#include "editor/panels/BlockForm.h"
-#include "editor/panels/PortForm.h"
 #include "editor/panels/TreeOutline.h"
 #include "editor/run/SimulationRunner.h"
 
 namespace editor {
+
+class BlockForm;
+class PortForm;
 
 /// The right dock's second tab: the behaviour tree of the person who is selected, as an outline,
 /// with the values of the node or block that is chosen below it. Follows a run.
@@ -40,6 +40,7 @@ class BehaviorPanel : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
+  QWidget* makePage();
   void makeLinks(QVBoxLayout& layout);
   void follow();
   void rebuild();
@@ -62,8 +63,7 @@ class BehaviorPanel : public QWidget {
   bool stale_ = false;  // the document has changed while this was hidden
   QStackedLayout* stack_;
   QLabel *name_, *about_, *problem_;
-  QToolButton *add_, *open_, *save_, *template_, *anew_, *takeRoute_;
-  QToolButton *earlier_, *later_, *remove_;
+  QToolButton *add_, *template_, *anew_, *takeRoute_, *earlier_, *later_;
   TreeOutline* outline_;
   QWidget* blockLinks_;
   BlockForm* blockForm_;

@@ -7,9 +7,9 @@
 #include <QScrollBar>
 
 #include "editor/look/Form.h"
-#include "editor/panels/EventMarks.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/PlaybackActions.h"
+#include "editor/panels/RowDelegate.h"
 
 namespace editor {
 
@@ -77,20 +77,11 @@ EventsPanel::EventsPanel(RunEvents& events, SimulationRunner& runner, const Them
       model_(new EventsModel(events, this)),
       stack_(new QStackedLayout(this)),
       table_(new QTableView(this)) {
-  table_->setModel(model_);
-  table_->setFrameShape(QFrame::NoFrame);
-  table_->setShowGrid(false);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  styleTable(*table_, *model_, tr("Events"));
   table_->horizontalHeader()->hide();
   table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Fixed);
   table_->setColumnWidth(0, 72);
   table_->horizontalHeader()->setStretchLastSection(true);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(24);
-  table_->viewport()->setAutoFillBackground(false);
-  table_->setAccessibleName(tr("Events"));
   stack_->addWidget(emptyState(tr("Nothing has happened yet: press Space to run."), this));
   stack_->addWidget(table_);
   const auto seek = [this, &runner](const QModelIndex& index) {

@@ -82,12 +82,14 @@ GoalAssignment::GoalAssignment(ScenarioDocument& document, const Theme& theme, Q
   showRoute();
 }
 
-QPushButton* GoalAssignment::moveButton(const QString& icon, const QString& says) {
+QPushButton* GoalAssignment::moveButton(const QString& icon, const QString& says,
+                                        const std::function<void()>& action) {
   auto* button = new QPushButton(themedIcon(icon, theme_), {}, this);
   button->setToolTip(says);
   button->setAccessibleName(says);
   button->setFixedSize(36, 28);
   button->setAutoDefault(false);
+  connect(button, &QPushButton::clicked, this, action);
   return button;
 }
 
@@ -96,22 +98,22 @@ QWidget* GoalAssignment::makeMiddle() {
   auto* layout = new QVBoxLayout(middle);
   layout->setContentsMargins(0, 24, 0, 0);
   layout->setSpacing(4);
-  add_ = moveButton(QStringLiteral("chevron-right"), tr("Add to the end of the route (Return)"));
-  remove_ = moveButton(QStringLiteral("remove"), tr("Remove from the route (Del)"));
-  earlier_ = moveButton(QStringLiteral("chevron-up"), tr("Earlier (Alt+Up)"));
-  later_ = moveButton(QStringLiteral("chevron-down"), tr("Later (Alt+Down)"));
+  const auto addSelected = [this] { add(goals_->selectedGoals(), route_->count()); };
+  add_ = moveButton(QStringLiteral("chevron-right"), tr("Add to the end of the route (Return)"),
+                    addSelected);
+  remove_ = moveButton(QStringLiteral("remove"), tr("Remove from the route (Del)"),
+                       [this] { route_->removeSelected(); });
+  earlier_ = moveButton(QStringLiteral("chevron-up"), tr("Earlier (Alt+Up)"),
+                        [this] { route_->moveSelected(-1); });
+  later_ = moveButton(QStringLiteral("chevron-down"), tr("Later (Alt+Down)"),
+                      [this] { route_->moveSelected(1); });
   layout->addStretch();
   for (QPushButton* button : {add_, remove_, earlier_, later_}) {
     layout->addWidget(button);
   }
   layout->addStretch();
-  const auto addSelected = [this] { add(goals_->selectedGoals(), route_->count()); };
-  connect(add_, &QPushButton::clicked, this, addSelected);
   connect(goals_, &GoalList::wanted, this, addSelected);
   connect(goals_, &QListWidget::itemDoubleClicked, this, addSelected);
-  connect(remove_, &QPushButton::clicked, route_, &RouteList::removeSelected);
-  connect(earlier_, &QPushButton::clicked, this, [this] { route_->moveSelected(-1); });
-  connect(later_, &QPushButton::clicked, this, [this] { route_->moveSelected(1); });
   connect(goals_, &QListWidget::itemSelectionChanged, this,
           [this] { add_->setEnabled(!chosen().empty() && !goals_->selectedGoals().empty()); });
   return middle;
@@ -185,10 +187,8 @@ void GoalAssignment::takeSelection() {
 
 std::vector<EntityId> GoalAssignment::chosen() const {
   std::vector<EntityId> result;
-  for (int row = 0; row < people_->count(); ++row) {
-    if (people_->item(row)->isSelected()) {
-      result.push_back(plan_.people()[static_cast<std::size_t>(row)]);
-    }
+  for (const int row : people_->selectedRows()) {
+    result.push_back(plan_.people()[static_cast<std::size_t>(row)]);
   }
   return result;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include <QCheckBox>
 #include <QDialog>
 #include <QLabel>
@@ -34,7 +36,8 @@ class GoalAssignment : public QDialog {
   void showPeople();
   void add(const std::vector<int>& goals, int row);
   std::vector<EntityId> chosen() const;
-  QPushButton* moveButton(const QString& icon, const QString& says);
+  QPushButton* moveButton(const QString& icon, const QString& says,
+                          const std::function<void()>& action);
 
   ScenarioDocument& document_;
   Theme theme_;

@@ -14,13 +14,12 @@
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/PanelRegistry.h"
-#include "editor/panels/WholeRows.h"
+#include "editor/panels/RowDelegate.h"
 
 namespace editor {
 
 namespace {
 
-constexpr int kRowHeight = 24;
 constexpr int kSentenceMargin = 52;  // icon and what keeps it off the text and the edges [px]
 
 }  // namespace
@@ -72,10 +71,13 @@ class IssuesModel : public QAbstractTableModel {
   const base::Diagnostic& issue(int row) const { return issues_[static_cast<std::size_t>(row)]; }
   const QString& fixWords(int row) const { return fixes_[static_cast<std::size_t>(row)]; }
   bool hasFix(int row) const { return !fixWords(row).isEmpty(); }
+  bool isLink(const QModelIndex& index) const {
+    return index.column() == FixColumn && hasFix(index.row());
+  }
   /// Columns that the sentence of a row covers.
   int sentenceSpan(int row) const {
     const bool hasPlace = !place(issue(row)).isEmpty();
-    return hasFix(row) ? (hasPlace ? 1 : 2) : (hasPlace ? 2 : 3);
+    return 3 - (hasFix(row) ? 1 : 0) - (hasPlace ? 1 : 0);
   }
   int countOf(const QString& words) const {
     return static_cast<int>(std::count(fixes_.begin(), fixes_.end(), words));
@@ -96,17 +98,13 @@ class IssuesModel : public QAbstractTableModel {
                : hasFix(index.row())            ? fixWords(index.row())
                                                 : place(issue);
       case Qt::ToolTipRole:
-        return index.column() == FixColumn && hasFix(index.row())
-                   ? fixWords(index.row())
-                   : QString::fromStdString(issue.text());
+        return isLink(index) ? fixWords(index.row()) : QString::fromStdString(issue.text());
       case Qt::DecorationRole:
         return index.column() == SentenceColumn
                    ? icons_.at(static_cast<std::size_t>(issue.severity))
                    : QVariant();
       case Qt::ForegroundRole:
-        return index.column() == SentenceColumn                     ? QVariant()
-               : index.column() == FixColumn && hasFix(index.row()) ? link_
-                                                                    : pale_;
+        return index.column() == SentenceColumn ? QVariant() : isLink(index) ? link_ : pale_;
       case Qt::TextAlignmentRole:
         return static_cast<int>(
             (index.column() == SentenceColumn ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
@@ -141,7 +139,6 @@ class IssuesModel : public QAbstractTableModel {
 IssuesPanel::IssuesPanel(ScenarioDocument& document, const Theme& theme, QWidget* parent)
     : QWidget(parent),
       document_(document),
-      theme_(theme),
       model_(new IssuesModel(this)),
       stack_(new QStackedLayout(this)),
       table_(new QTableView(this)),
@@ -151,17 +148,15 @@ IssuesPanel::IssuesPanel(ScenarioDocument& document, const Theme& theme, QWidget
   stack_->addWidget(table_);
   connect(table_, &QTableView::clicked, this, [this](const QModelIndex& index) {
     const base::Diagnostic issue = model_->issue(index.row());
-    const bool fix = index.column() == IssuesModel::FixColumn && model_->hasFix(index.row());
-    fix ? mend(issue) : jump(issue);
+    model_->isLink(index) ? mend(issue) : jump(issue);
   });
   connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) {
-    if (index.column() != IssuesModel::FixColumn || !model_->hasFix(index.row())) {
+    if (!model_->isLink(index)) {
       jump(base::Diagnostic(model_->issue(index.row())));
     }
   });
   connect(table_, &QTableView::entered, this, [this](const QModelIndex& index) {
-    const bool link = index.column() == IssuesModel::FixColumn && model_->hasFix(index.row());
-    table_->viewport()->setCursor(link ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    table_->viewport()->setCursor(model_->isLink(index) ? Qt::PointingHandCursor : Qt::ArrowCursor);
   });
   connect(table_, &QTableView::customContextMenuRequested, this, &IssuesPanel::offerMenu);
   connect(&document_, &ScenarioDocument::issuesChanged, this, &IssuesPanel::rebuild);
@@ -170,13 +165,8 @@ IssuesPanel::IssuesPanel(ScenarioDocument& document, const Theme& theme, QWidget
 }
 
 void IssuesPanel::makeTable() {
-  table_->setModel(model_);
-  table_->setFrameShape(QFrame::NoFrame);
-  table_->setShowGrid(false);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  styleTable(*table_, *model_, tr("Issues"));
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
   table_->setMouseTracking(true);
   QHeaderView* header = table_->horizontalHeader();
@@ -184,26 +174,20 @@ void IssuesPanel::makeTable() {
   header->setSectionResizeMode(IssuesModel::SentenceColumn, QHeaderView::Stretch);
   header->setSectionResizeMode(IssuesModel::PlaceColumn, QHeaderView::ResizeToContents);
   header->setSectionResizeMode(IssuesModel::FixColumn, QHeaderView::ResizeToContents);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(kRowHeight);
   table_->setWordWrap(true);
   table_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);  // rows differ in height
   connect(header, &QHeaderView::sectionResized, this, [this] { fit_.start(); });
   fit_.setSingleShot(true);
   fit_.setInterval(0);
-  connect(&fit_, &QTimer::timeout, this, [this] {
-    fitRowHeights(*table_, IssuesModel::SentenceColumn, kSentenceMargin, kRowHeight);
-  });
-  table_->viewport()->setAutoFillBackground(false);
-  table_->setAccessibleName(tr("Issues"));
+  connect(&fit_, &QTimer::timeout, this,
+          [this] { fitRowHeights(*table_, IssuesModel::SentenceColumn, kSentenceMargin); });
 }
 
 void IssuesPanel::jump(const base::Diagnostic& issue) {
-  const bool inFile = !issue.file.empty() && issue.line > 0;
   if (issue.entity && document_.contains(issue.entity)) {
     document_.setSelection({issue.entity});
     Q_EMIT entityWanted(issue.entity);
-  } else if (inFile || !issue.file.empty()) {
+  } else if (!issue.file.empty()) {
     Q_EMIT fileWanted(QString::fromStdString(issue.file), issue.line);
   }
 }
@@ -233,26 +217,25 @@ void IssuesPanel::offerMenu(const QPoint& at) {
   const QString words = model_->fixWords(index.row());
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  connect(menu->addAction(tr("Show")), &QAction::triggered, this, [this, issue] { jump(issue); });
+  menu->addAction(tr("Show"), this, [this, issue] { jump(issue); });
   if (!words.isEmpty()) {
-    connect(menu->addAction(words), &QAction::triggered, this, [this, issue] { mend(issue); });
+    menu->addAction(words, this, [this, issue] { mend(issue); });
   }
   const std::optional<Fix> fix = fixFor(document_, issue);
   if (fix && fix->apply && model_->countOf(words) > 1) {
-    connect(menu->addAction(tr("%1: all %2").arg(words).arg(model_->countOf(words))),
-            &QAction::triggered, this, [this, words] {
-              applyToAll(document_, base::Diagnostics(model_->issues()), words);
-              document_.checkSoon();
-            });
+    menu->addAction(tr("%1: all %2").arg(words).arg(model_->countOf(words)), this, [this, words] {
+      applyToAll(document_, base::Diagnostics(model_->issues()), words);
+      document_.checkSoon();
+    });
   }
   menu->addSeparator();
-  connect(menu->addAction(tr("Copy the text")), &QAction::triggered, this,
-          [issue] { QGuiApplication::clipboard()->setText(QString::fromStdString(issue.text())); });
+  menu->addAction(tr("Copy the text"), this, [issue] {
+    QGuiApplication::clipboard()->setText(QString::fromStdString(issue.text()));
+  });
   menu->popup(table_->viewport()->mapToGlobal(at));
 }
 
 void IssuesPanel::setTheme(const Theme& theme) {
-  theme_ = theme;
   model_->setTheme(theme);
   rebuild();
 }

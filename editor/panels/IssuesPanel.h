@@ -46,7 +46,6 @@ class IssuesPanel : public QWidget {
   void offerMenu(const QPoint& at);
 
   ScenarioDocument& document_;
-  Theme theme_;
   base::Diagnostics action_;
   IssuesModel* model_;
   QStackedLayout* stack_;

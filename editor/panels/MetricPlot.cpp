@@ -33,9 +33,9 @@ MetricPlot::MetricPlot(const Theme& theme, QWidget* parent)
       title_(new QLabel(this)),
       unit_(secondaryLabel({}, this)),
       plot_(new QwtPlot(this)),
-      grid_(std::make_unique<QwtPlotGrid>()),
-      curve_(std::make_unique<QwtPlotCurve>()),
-      cursor_(std::make_unique<QwtPlotMarker>()) {
+      grid_(new QwtPlotGrid),
+      curve_(new QwtPlotCurve),
+      cursor_(new QwtPlotMarker) {
   auto* top = new QHBoxLayout;
   top->setContentsMargins(12, 6, 12, 0);
   title_->setWordWrap(true);
@@ -51,18 +51,9 @@ MetricPlot::MetricPlot(const Theme& theme, QWidget* parent)
   setMinimumWidth(180);
 }
 
-MetricPlot::~MetricPlot() {
-  for (QwtPlotItem* item :
-       {static_cast<QwtPlotItem*>(grid_.get()), static_cast<QwtPlotItem*>(curve_.get()),
-        static_cast<QwtPlotItem*>(cursor_.get())}) {
-    item->detach();
-  }
-}
-
 void MetricPlot::layOut() {
   plot_->setMinimumSize(120, 60);
   plot_->setFrameShape(QFrame::NoFrame);
-  plot_->setAutoDelete(false);
   static_cast<QwtPlotCanvas*>(plot_->canvas())->setFrameStyle(QFrame::NoFrame);
   plot_->setAxisScaleDraw(QwtPlot::xBottom, new SecondsDraw);
   plot_->setAxisMaxMajor(QwtPlot::xBottom, 5);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include <QLabel>
 #include <QWidget>
 
@@ -20,7 +18,6 @@ class MetricPlot : public QWidget {
   Q_OBJECT
  public:
   explicit MetricPlot(const Theme& theme, QWidget* parent = nullptr);
-  ~MetricPlot() override;
   void setTheme(const Theme& theme);
   void show(const metrics::MetricResult* result, const MetricCurve* curve);
   void setCursor(double time);  // [s]
@@ -32,9 +29,9 @@ class MetricPlot : public QWidget {
   QLabel* title_;
   QLabel* unit_;
   QwtPlot* plot_;
-  std::unique_ptr<QwtPlotGrid> grid_;
-  std::unique_ptr<QwtPlotCurve> curve_;
-  std::unique_ptr<QwtPlotMarker> cursor_;
+  QwtPlotGrid* grid_;  // these belong to the plot
+  QwtPlotCurve* curve_;
+  QwtPlotMarker* cursor_;
 };
 
 }  // namespace editor

@@ -14,6 +14,7 @@
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/PanelRegistry.h"
+#include "editor/panels/RowDelegate.h"
 #include "sim2d/base/Text.h"
 
 namespace editor {
@@ -23,19 +24,17 @@ namespace {
 constexpr int kKeyRole = Qt::UserRole;
 constexpr int kUnitWidth = 56;
 constexpr int kIndent = 16;
-constexpr int kRowHeight = 24;
-constexpr int kRowPadding = 6;
 
 /// Rows as tall as their name needs: one line, or more when the panel is narrow.
 class NameDelegate : public QStyledItemDelegate {
  public:
   explicit NameDelegate(QTreeWidget* tree) : QStyledItemDelegate(tree), tree_(*tree) {}
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    int height = kRowHeight;
+    int height = kListRowHeight;
     if (index.column() == 0 && index.parent().isValid()) {
       const QRect letters = option.fontMetrics.boundingRect(
           QRect(0, 0, room(index), 1000), Qt::TextWordWrap, index.data(Qt::DisplayRole).toString());
-      height = std::max(height, letters.height() + kRowPadding);
+      height = std::max(height, letters.height() + kListRowPadding);
     }
     return {QStyledItemDelegate::sizeHint(option, index).width(), height};
   }
@@ -47,7 +46,7 @@ class NameDelegate : public QStyledItemDelegate {
     initStyleOption(&row, index);
     row.widget = &tree_;
     row.text = QString(200, QLatin1Char('m'));  // as much as there is
-    row.rect = QRect(0, 0, tree_.columnWidth(0) - 2 * kIndent, kRowHeight);
+    row.rect = QRect(0, 0, tree_.columnWidth(0) - 2 * kIndent, kListRowHeight);
     const QStyle& style = *tree_.style();
     const int margin = style.pixelMetric(QStyle::PM_FocusFrameHMargin, &row, &tree_) + 1;
     return style.subElementRect(QStyle::SE_ItemViewItemText, &row, &tree_).width() - 2 * margin;
@@ -55,16 +54,13 @@ class NameDelegate : public QStyledItemDelegate {
   const QTreeWidget& tree_;
 };
 
-void styleTree(QTreeWidget& tree) {
+void styleChoices(QTreeWidget& tree) {
+  styleList(tree, QObject::tr("Metrics to measure"));
   tree.setColumnCount(2);
   tree.setHeaderHidden(true);
-  tree.setFrameShape(QFrame::NoFrame);
   tree.setWordWrap(true);
   tree.setIndentation(kIndent);
   tree.setItemDelegate(new NameDelegate(&tree));
-  tree.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  tree.viewport()->setAutoFillBackground(false);
-  tree.setAccessibleName(QObject::tr("Metrics to measure"));
   tree.header()->setStretchLastSection(false);
   tree.header()->setSectionResizeMode(0, QHeaderView::Stretch);
   tree.header()->setSectionResizeMode(1, QHeaderView::Fixed);
@@ -93,7 +89,7 @@ MetricsChoicePanel::MetricsChoicePanel(ScenarioDocument& document, MetricsFeed& 
   search_->setClearButtonEnabled(true);
   search_->setAccessibleName(tr("Find a metric"));
   searchMark_ = search_->addAction(QIcon(), QLineEdit::LeadingPosition);
-  styleTree(*tree_);
+  styleChoices(*tree_);
   all_->setToolTip(tr("Measure all that the list shows"));
   none_->setToolTip(tr("Measure nothing of what the list shows"));
   save_->setToolTip(tr("Write the choice into the metrics file of the scenario"));
@@ -118,7 +114,7 @@ MetricsChoicePanel::MetricsChoicePanel(ScenarioDocument& document, MetricsFeed& 
   connect(all_, &QToolButton::clicked, this, [this] { chooseAll(true); });
   connect(none_, &QToolButton::clicked, this, [this] { chooseAll(false); });
   connect(save_, &QToolButton::clicked, this, [this] { Q_EMIT saved(save()); });
-  connect(tree_, &QTreeWidget::itemChanged, this, [this] { giveSelection(); });
+  connect(tree_, &QTreeWidget::itemChanged, this, &MetricsChoicePanel::giveSelection);
   connect(&document_, &ScenarioDocument::pathChanged, this, [this] {
     feed_.setSelection(std::nullopt);  // that of the new file
     takeSelection();
@@ -129,18 +125,17 @@ MetricsChoicePanel::MetricsChoicePanel(ScenarioDocument& document, MetricsFeed& 
 
 void MetricsChoicePanel::setTheme(const Theme& theme) {
   searchMark_->setIcon(tintedIcon(QStringLiteral("search"), theme.color(Role::TextSecondary)));
-  taking_ = true;
+  const QSignalBlocker quiet(tree_);
   for (int i = 0; i < tree_->topLevelItemCount(); ++i) {
     tree_->topLevelItem(i)->setForeground(1, theme.color(Role::TextSecondary));
   }
   for (QTreeWidgetItem* row : rows()) {
     row->setForeground(1, theme.color(Role::TextSecondary));
   }
-  taking_ = false;
 }
 
 void MetricsChoicePanel::build() {
-  taking_ = true;
+  const QSignalBlocker quiet(tree_);
   QFont bold = font();
   bold.setWeight(QFont::DemiBold);
   for (int i = 0; i < metrics::kCategories; ++i) {
@@ -166,7 +161,6 @@ void MetricsChoicePanel::build() {
       row->setCheckState(0, Qt::Unchecked);
     }
   }
-  taking_ = false;
 }
 
 std::vector<QTreeWidgetItem*> MetricsChoicePanel::rows() const {
@@ -181,7 +175,7 @@ std::vector<QTreeWidgetItem*> MetricsChoicePanel::rows() const {
 }
 
 void MetricsChoicePanel::takeSelection() {
-  taking_ = true;
+  const QSignalBlocker quiet(tree_);
   const metrics::Selection selection = feed_.selection();
   for (QTreeWidgetItem* row : rows()) {
     const std::string key = row->data(0, kKeyRole).toString().toStdString();
@@ -189,7 +183,6 @@ void MetricsChoicePanel::takeSelection() {
     row->setCheckState(
         0, entry != nullptr && selection.selects(entry->info) ? Qt::Checked : Qt::Unchecked);
   }
-  taking_ = false;
   showCounts();
 }
 
@@ -213,10 +206,8 @@ metrics::Selection MetricsChoicePanel::selection() const {
 }
 
 void MetricsChoicePanel::giveSelection() {
-  if (!taking_) {
-    showCounts();
-    feed_.setSelection(selection());
-  }
+  showCounts();
+  feed_.setSelection(selection());
 }
 
 void MetricsChoicePanel::setChosen(const QString& key, bool chosen) {
@@ -228,13 +219,12 @@ void MetricsChoicePanel::setChosen(const QString& key, bool chosen) {
 }
 
 void MetricsChoicePanel::chooseAll(bool chosen) {
-  taking_ = true;
+  const QSignalBlocker quiet(tree_);
   for (QTreeWidgetItem* row : rows()) {
     if (!row->isHidden()) {
       row->setCheckState(0, chosen ? Qt::Checked : Qt::Unchecked);
     }
   }
-  taking_ = false;
   giveSelection();
 }
 
@@ -255,7 +245,7 @@ void MetricsChoicePanel::filter(const QString& text) {
 }
 
 void MetricsChoicePanel::showCounts() {
-  taking_ = true;
+  const QSignalBlocker quiet(tree_);
   int chosen = 0;
   int total = 0;
   for (int i = 0; i < tree_->topLevelItemCount(); ++i) {
@@ -270,7 +260,6 @@ void MetricsChoicePanel::showCounts() {
   }
   count_->setText(tr("%1 of %2").arg(chosen).arg(total));
   count_->setToolTip(tr("%1 of %2 metrics are chosen").arg(chosen).arg(total));
-  taking_ = false;
 }
 
 base::Diagnostics MetricsChoicePanel::save() {

@@ -45,7 +45,6 @@ class MetricsChoicePanel : public QWidget {
   QLabel* count_;
   QToolButton *all_, *none_, *save_;
   QTreeWidget* tree_;
-  bool taking_ = false;
 };
 
 }  // namespace editor

@@ -128,11 +128,10 @@ void RouteEditor::offerGoals(QWidget* button) {
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   for (const sim2d::GlobalGoal& goal : document_.scenario().goals) {
-    QAction* action =
-        menu->addAction(tr("Goal %1").arg(goal.id) + QStringLiteral("   %1, %2 m")
-                                                         .arg(goal.position.x(), 0, 'f', 1)
-                                                         .arg(goal.position.y(), 0, 'f', 1));
-    connect(action, &QAction::triggered, this, [this, id = goal.id] {
+    const QString place = QStringLiteral("   %1, %2 m")
+                              .arg(goal.position.x(), 0, 'f', 1)
+                              .arg(goal.position.y(), 0, 'f', 1);
+    menu->addAction(tr("Goal %1").arg(goal.id) + place, this, [this, id = goal.id] {
       std::vector<int> route = goals_;
       route.push_back(id);
       Q_EMIT edited(route);
@@ -149,19 +148,17 @@ void RouteEditor::offerMoves(QWidget* chip, int index) {
   menu->setAttribute(Qt::WA_DeleteOnClose);
   const int id = goals_[static_cast<std::size_t>(index)];
   const int last = static_cast<int>(goals_.size()) - 1;
-  connect(menu->addAction(tr("Select goal %1").arg(id)), &QAction::triggered, this, [this, id] {
+  menu->addAction(tr("Select goal %1").arg(id), this, [this, id] {
     if (const EntityId goal = document_.goalKey(id)) {
       document_.setSelection({goal});
     }
   });
   menu->addSeparator();
-  QAction* earlier = menu->addAction(tr("Earlier"));
-  earlier->setEnabled(index > 0);
-  connect(earlier, &QAction::triggered, this, [this, index] { moveGoal(index, index - 1); });
-  QAction* later = menu->addAction(tr("Later"));
-  later->setEnabled(index < last);
-  connect(later, &QAction::triggered, this, [this, index] { moveGoal(index, index + 1); });
-  connect(menu->addAction(tr("Remove from the route")), &QAction::triggered, this, [this, index] {
+  menu->addAction(tr("Earlier"), this, [this, index] { moveGoal(index, index - 1); })
+      ->setEnabled(index > 0);
+  menu->addAction(tr("Later"), this, [this, index] { moveGoal(index, index + 1); })
+      ->setEnabled(index < last);
+  menu->addAction(tr("Remove from the route"), this, [this, index] {
     std::vector<int> route = goals_;
     route.erase(route.begin() + index);
     Q_EMIT edited(route);

@@ -40,6 +40,16 @@ void HintList::setHint(const QString& hint) {
   viewport()->update();
 }
 
+std::vector<int> HintList::selectedRows() const {
+  std::vector<int> rows;
+  for (int row = 0; row < count(); ++row) {
+    if (item(row)->isSelected()) {
+      rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
 void HintList::paintEvent(QPaintEvent* event) {
   QListWidget::paintEvent(event);
   if (count() == 0) {
@@ -68,10 +78,8 @@ void GoalList::addGoal(const sim2d::GlobalGoal* goal, int number, const QString&
 
 std::vector<int> GoalList::selectedGoals() const {
   std::vector<int> result;
-  for (int row = 0; row < count(); ++row) {
-    if (item(row)->isSelected()) {
-      result.push_back(item(row)->data(kGoalRole).toInt());
-    }
+  for (const int row : selectedRows()) {
+    result.push_back(item(row)->data(kGoalRole).toInt());
   }
   return result;
 }
@@ -123,16 +131,6 @@ void RouteList::showRoute(const std::vector<int>& route, const sim2d::Scenario& 
   for (std::size_t i = 0; i < route.size(); ++i) {
     addGoal(scenario.goal(route[i]), route[i], QStringLiteral("%1.").arg(i + 1));
   }
-}
-
-std::vector<int> RouteList::selectedRows() const {
-  std::vector<int> rows;
-  for (int row = 0; row < count(); ++row) {
-    if (item(row)->isSelected()) {
-      rows.push_back(row);
-    }
-  }
-  return rows;
 }
 
 void RouteList::removeSelected() {

@@ -16,6 +16,7 @@ class HintList : public QListWidget {
   HintList(const Theme& theme, const QString& name, QWidget* parent = nullptr);
   void setHint(const QString& hint);
   QString hint() const { return hint_; }
+  std::vector<int> selectedRows() const;  // from top to bottom
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -62,7 +63,6 @@ class RouteList : public GoalList {
 
  private:
   int rowAt(const QPoint& position) const;
-  std::vector<int> selectedRows() const;
   void moveRows(const std::vector<int>& rows, int before);
 };
 

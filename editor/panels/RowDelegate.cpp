@@ -2,14 +2,24 @@
 
 #include <algorithm>
 
+#include <QHeaderView>
 #include <QPainter>
 
 namespace editor {
 
 namespace {
 
-constexpr int kRowHeight = 24;
 constexpr int kGap = 8;
+
+constexpr int kFarBelow = 10000;
+
+int widthOf(const QTableView& table, int row, int column) {
+  int width = 0;
+  for (int i = 0; i < table.columnSpan(row, column); ++i) {
+    width += table.columnWidth(column + i);
+  }
+  return width;
+}
 
 }  // namespace
 
@@ -21,7 +31,7 @@ QString RowDelegate::sideText(const QModelIndex& index) const {
 }
 
 QSize RowDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
-  return {QStyledItemDelegate::sizeHint(option, index).width(), kRowHeight};
+  return {QStyledItemDelegate::sizeHint(option, index).width(), kListRowHeight};
 }
 
 void RowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -55,6 +65,51 @@ void RowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   painter->drawText(option.rect.adjusted(0, 0, -margin, 0), Qt::AlignRight | Qt::AlignVCenter,
                     side);
   painter->restore();
+}
+
+WholeRows::WholeRows(QAbstractItemView& list, QWidget* parent) : QWidget(parent), list_(list) {
+  list_.setParent(this);
+  setFocusProxy(&list_);
+}
+
+void WholeRows::resizeEvent(QResizeEvent*) {
+  const int whole = height() - height() % kListRowHeight;
+  list_.setGeometry(0, 0, width(), std::max(whole, kListRowHeight));
+}
+
+void styleList(QAbstractItemView& list, const QString& name) {
+  list.setFrameShape(QFrame::NoFrame);
+  list.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list.viewport()->setAutoFillBackground(false);
+  list.setAccessibleName(name);
+}
+
+void styleTable(QTableView& table, QAbstractItemModel& model, const QString& name) {
+  styleList(table, name);
+  table.setModel(&model);
+  table.setShowGrid(false);
+  table.setSelectionBehavior(QAbstractItemView::SelectRows);
+  table.setSelectionMode(QAbstractItemView::SingleSelection);
+  table.verticalHeader()->hide();
+  table.verticalHeader()->setDefaultSectionSize(kListRowHeight);
+}
+
+void fitRowHeights(QTableView& table, int column, int margin) {
+  const QAbstractItemModel& model = *table.model();
+  const QFontMetrics metrics(table.font());
+  for (int row = 0; row < model.rowCount(); ++row) {
+    const int room = std::max(1, widthOf(table, row, column) - margin);
+    const QString text = model.index(row, column).data().toString();
+    int height = kListRowHeight;
+    if (metrics.horizontalAdvance(text) > room) {
+      const QRect lines(0, 0, room, kFarBelow);
+      height = std::max(
+          height, metrics.boundingRect(lines, Qt::TextWordWrap, text).height() + kListRowPadding);
+    }
+    if (table.rowHeight(row) != height) {
+      table.setRowHeight(row, height);
+    }
+  }
 }
 
 }  // namespace editor

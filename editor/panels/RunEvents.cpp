@@ -1,8 +1,64 @@
 #include "editor/panels/RunEvents.h"
 
+#include <map>
+
+#include <QPainterPath>
+
 namespace editor {
 
 using sim2d::EventKind;
+
+namespace {
+
+/// How a kind of event is shown: %1 = who, %2 = the other one or what the event says.
+struct Telling {
+  EventMark mark;
+  const char* words;
+};
+
+const Telling& tellingOf(EventKind kind) {
+  static const std::map<EventKind, Telling> kTellings = {
+      {EventKind::Enter, {EventMark::Ring, QT_TR_NOOP("%1 enters")}},
+      {EventKind::Leave, {EventMark::Ring, QT_TR_NOOP("%1 leaves")}},
+      {EventKind::Goal, {EventMark::Pin, QT_TR_NOOP("%1 reached goal %2")}},
+      {EventKind::Arrived, {EventMark::Pin, QT_TR_NOOP("%1 has arrived")}},
+      {EventKind::Contact, {EventMark::Cross, QT_TR_NOOP("%1 touches %2")}},
+      {EventKind::Say, {EventMark::Bubble, QT_TR_NOOP("%1: “%2”")}},
+      {EventKind::Heard, {EventMark::Bubble, QT_TR_NOOP("%1 hears %2")}},
+      {EventKind::Action, {EventMark::Diamond, QT_TR_NOOP("%1 starts %2")}},
+      {EventKind::ActionEnd, {EventMark::Diamond, QT_TR_NOOP("%1 ends %2")}},
+      {EventKind::Group, {EventMark::Ring, QT_TR_NOOP("%1 joins group %2")}},
+      {EventKind::Replan, {EventMark::None, QT_TR_NOOP("%1 plans a new way")}},
+      {EventKind::Stuck, {EventMark::Triangle, QT_TR_NOOP("%1 is stuck")}},
+      {EventKind::Door, {EventMark::Ring, QT_TR_NOOP("Door %2")}},
+      {EventKind::Stop, {EventMark::None, QT_TR_NOOP("The run ends: %2")}}};
+  return kTellings.at(kind);
+}
+
+void fillShape(QPainter& painter, const QPainterPath& path, const QColor& color) {
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(color);
+  painter.drawPath(path);
+}
+
+QPainterPath pinPath() {
+  QPainterPath path(QPointF(0.0, 6.0));
+  path.cubicTo(-1.5, 3.0, -4.0, 1.5, -4.0, -1.0);
+  path.arcTo(QRectF(-4.0, -5.0, 8.0, 8.0), 180.0, -180.0);
+  path.cubicTo(4.0, 1.5, 1.5, 3.0, 0.0, 6.0);
+  return path;
+}
+
+QPainterPath bubblePath() {
+  QPainterPath path;
+  path.addRoundedRect(QRectF(-5.0, -4.5, 10.0, 7.5), 2.0, 2.0);
+  QPainterPath tail(QPointF(-2.5, 2.0));
+  tail.lineTo(-2.5, 5.5);
+  tail.lineTo(1.0, 2.0);
+  return path.united(tail);
+}
+
+}  // namespace
 
 RunEvents::RunEvents(const ScenarioDocument& document, SimulationRunner& runner, QObject* parent)
     : QObject(parent), document_(document), runner_(runner) {
@@ -51,65 +107,73 @@ QString RunEvents::textOf(const sim2d::Event& event) const {
   const QString who = event.hasId ? nameOfAgent(event.id) : QString();
   const QString other = event.hasOther ? nameOfAgent(event.other) : QString();
   const QString text = QString::fromStdString(event.text);
-  switch (event.kind) {
-    case EventKind::Enter:
-      return tr("%1 enters").arg(who);
-    case EventKind::Leave:
-      return tr("%1 leaves").arg(who);
-    case EventKind::Goal:
-      return tr("%1 reached goal %2").arg(who, text);
-    case EventKind::Arrived:
-      return tr("%1 has arrived").arg(who);
-    case EventKind::Contact:
-      return event.hasOther ? tr("%1 touches %2").arg(who, other)
-                            : tr("%1 touches a wall").arg(who);
-    case EventKind::Say:
-      return tr("%1: “%2”").arg(who, text);
-    case EventKind::Heard:
-      return tr("%1 hears %2").arg(who, other);
-    case EventKind::Action:
-      return tr("%1 starts %2").arg(who, text);
-    case EventKind::ActionEnd:
-      return tr("%1 ends %2").arg(who, text);
-    case EventKind::Group:
-      return tr("%1 joins group %2").arg(who, text);
-    case EventKind::Replan:
-      return tr("%1 plans a new way").arg(who);
-    case EventKind::Stuck:
-      return tr("%1 is stuck").arg(who);
-    case EventKind::Door:
-      return tr("Door %1").arg(text);
-    case EventKind::Stop:
-      return tr("The run ends: %1").arg(text);
+  if (event.kind == EventKind::Contact && !event.hasOther) {
+    return tr("%1 touches a wall").arg(who);
   }
-  return text;
+  const bool isOfTwo = event.kind == EventKind::Contact || event.kind == EventKind::Heard;
+  const QString what = isOfTwo ? other : text;
+  const QString words = tr(tellingOf(event.kind).words);
+  return !words.contains(QLatin1String("%1"))   ? words.arg(what)
+         : !words.contains(QLatin1String("%2")) ? words.arg(who)
+                                                : words.arg(who, what);
 }
 
 EventMark markOfEvent(EventKind kind) {
-  switch (kind) {
-    case EventKind::Goal:
-    case EventKind::Arrived:
-      return EventMark::Pin;
-    case EventKind::Say:
-    case EventKind::Heard:
-      return EventMark::Bubble;
-    case EventKind::Action:
-    case EventKind::ActionEnd:
-      return EventMark::Diamond;
-    case EventKind::Stuck:
-      return EventMark::Triangle;
-    case EventKind::Contact:
-      return EventMark::Cross;
-    case EventKind::Door:
-    case EventKind::Group:
-    case EventKind::Enter:
-    case EventKind::Leave:
-      return EventMark::Ring;
-    case EventKind::Replan:
-    case EventKind::Stop:
-      return EventMark::None;
+  return tellingOf(kind).mark;
+}
+
+void paintEventMark(QPainter& painter, EventMark mark, const QPointF& centre, const Theme& theme) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.translate(centre);
+  QPainterPath path;
+  switch (mark) {
+    case EventMark::Pin:
+      fillShape(painter, pinPath(), theme.color(Role::Ok));
+      break;
+    case EventMark::Bubble:
+      fillShape(painter, bubblePath(), theme.color(Role::TextSecondary));
+      break;
+    case EventMark::Diamond:
+      path.addPolygon(QPolygonF({{0.0, -5.0}, {5.0, 0.0}, {0.0, 5.0}, {-5.0, 0.0}}));
+      fillShape(painter, path, theme.line(Look::Curious));
+      break;
+    case EventMark::Triangle:
+      path.addPolygon(QPolygonF({{0.0, -5.0}, {5.0, 4.0}, {-5.0, 4.0}}));
+      fillShape(painter, path, theme.color(Role::WarningMark));
+      break;
+    case EventMark::Cross:
+      painter.setPen(QPen(theme.color(Role::Error), 2.4, Qt::SolidLine, Qt::RoundCap));
+      painter.drawLine(QPointF(-3.5, -3.5), QPointF(3.5, 3.5));
+      painter.drawLine(QPointF(-3.5, 3.5), QPointF(3.5, -3.5));
+      break;
+    case EventMark::Ring:
+      painter.setPen(QPen(theme.color(Role::TextSecondary), 1.6));
+      painter.setBrush(Qt::NoBrush);
+      painter.drawEllipse(QPointF(), 3.5, 3.5);
+      break;
+    case EventMark::None:
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(theme.color(Role::TextSecondary));
+      painter.drawEllipse(QPointF(), 1.8, 1.8);
+      break;
   }
-  return EventMark::None;
+  painter.restore();
+}
+
+QIcon eventIcon(EventMark mark, const Theme& theme) {
+  constexpr int kSize = 16;
+  QIcon icon;
+  for (const int ratio : {1, 2, 3}) {
+    QPixmap pixmap(kSize * ratio, kSize * ratio);
+    pixmap.setDevicePixelRatio(ratio);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    paintEventMark(painter, mark, QPointF(kSize / 2.0, kSize / 2.0), theme);
+    painter.end();
+    icon.addPixmap(pixmap);
+  }
+  return icon;
 }
 
 }  // namespace editor

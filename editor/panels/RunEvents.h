@@ -3,10 +3,13 @@
 #include <cstdint>
 #include <vector>
 
+#include <QIcon>
 #include <QObject>
+#include <QPainter>
 #include <QString>
 
 #include "editor/document/ScenarioDocument.h"
+#include "editor/look/Theme.h"
 #include "editor/run/SimulationRunner.h"
 
 namespace editor {
@@ -45,5 +48,9 @@ class RunEvents : public QObject {
 /// How an event is marked: by shape as well as colour.
 enum class EventMark { Pin, Bubble, Diamond, Triangle, Cross, Ring, None };
 EventMark markOfEvent(sim2d::EventKind kind);
+
+/// Draws the mark about `centre`, some 10 px wide.
+void paintEventMark(QPainter& painter, EventMark mark, const QPointF& centre, const Theme& theme);
+QIcon eventIcon(EventMark mark, const Theme& theme);
 
 }  // namespace editor

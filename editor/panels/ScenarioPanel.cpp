@@ -1,6 +1,7 @@
 #include "editor/panels/ScenarioPanel.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include <QAction>
@@ -12,17 +13,17 @@
 #include <QVBoxLayout>
 
 #include "editor/document/EditCommands.h"
+#include "editor/document/Groups.h"
+#include "editor/look/ActionText.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/PanelRegistry.h"
-#include "editor/panels/WholeRows.h"
 
 namespace editor {
 
 namespace {
 
 constexpr int kEmptyHeight = 72;  // two lines and their margins
-constexpr int kRowHeight = 24;
 
 bool canBeOff(const QModelIndex& index) {
   const auto kind = static_cast<EntityKind>(index.data(EntityModel::IdKindRole).toInt());
@@ -31,6 +32,10 @@ bool canBeOff(const QModelIndex& index) {
 
 bool isOff(const QModelIndex& index) {
   return canBeOff(index) && !index.data(EntityModel::ListedRole).toBool();
+}
+
+bool showsEye(const QStyleOptionViewItem& option, const QModelIndex& index) {
+  return isOff(index) || (option.state.testFlag(QStyle::State_MouseOver) && canBeOff(index));
 }
 
 /// Rows that follow each other as one range: a selection of thousands of ranges is slow.
@@ -52,24 +57,28 @@ QItemSelection runsOf(QModelIndexList rows) {
 }
 
 void styleTree(QTreeView& tree) {
+  styleList(tree, QObject::tr("Scenario"));
   tree.setHeaderHidden(true);
-  tree.setFrameShape(QFrame::NoFrame);
   tree.setUniformRowHeights(true);
   tree.setSelectionMode(QAbstractItemView::ExtendedSelection);
   tree.setEditTriggers(QAbstractItemView::EditKeyPressed);
-  tree.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   tree.setContextMenuPolicy(Qt::CustomContextMenu);
   tree.setIndentation(16);
   tree.setMouseTracking(true);
   tree.setDragDropMode(QAbstractItemView::DragDrop);
   tree.setDefaultDropAction(Qt::MoveAction);
   tree.setDropIndicatorShown(true);
-  tree.viewport()->setAutoFillBackground(false);
-  tree.setAccessibleName(QObject::tr("Scenario"));
   for (int column = 1; column < EntityModel::ColumnCount; ++column) {
     tree.hideColumn(column);
   }
   tree.header()->setStretchLastSection(true);
+}
+
+QAction& offer(QMenu& menu, const QString& text, const QString& says,
+               const std::function<void()>& action) {
+  QAction* offered = menu.addAction(text, action);
+  describe(*offered, says);
+  return *offered;
 }
 
 }  // namespace
@@ -91,9 +100,8 @@ QRect EntityRowDelegate::eyeOf(const QRect& row) {
 
 void EntityRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                               const QModelIndex& index) const {
-  const bool hovered = option.state.testFlag(QStyle::State_MouseOver) && canBeOff(index);
   RowDelegate::paint(painter, option, index);
-  if (isOff(index) || hovered) {
+  if (showsEye(option, index)) {
     (isOff(index) ? eyeOff_ : eye_).paint(painter, eyeOf(option.rect));
   }
 }
@@ -116,8 +124,7 @@ bool EntityRowDelegate::editorEvent(QEvent* event, QAbstractItemModel*,
 
 int EntityRowDelegate::rightMargin(const QStyleOptionViewItem& option,
                                    const QModelIndex& index) const {
-  const bool hovered = option.state.testFlag(QStyle::State_MouseOver) && canBeOff(index);
-  return isOff(index) || hovered ? 32 : 12;
+  return showsEye(option, index) ? 32 : 12;
 }
 
 bool EntityRowDelegate::isPale(const QModelIndex& index) const {
@@ -137,7 +144,6 @@ bool EntityRowDelegate::isHeading(const QModelIndex& index) const {
 ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme, QWidget* parent)
     : QWidget(parent),
       document_(document),
-      theme_(theme),
       model_(new EntityModel(document, theme, this)),
       filter_(new EntityFilter(*model_, this)),
       filterField_(new QLineEdit(this)),
@@ -159,7 +165,7 @@ ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme, QWi
   top->setContentsMargins(12, 0, 12, 0);
   top->addWidget(filterField_);
   layout->addLayout(top);
-  layout->addWidget(new WholeRows(*tree_, kRowHeight, this), 1);
+  layout->addWidget(new WholeRows(*tree_, this), 1);
   empty_->setMinimumHeight(kEmptyHeight);
   layout->addWidget(empty_);
   connect(filterField_, &QLineEdit::textChanged, this, [this](const QString& text) {
@@ -194,7 +200,6 @@ void ScenarioPanel::showEmptiness() {
 }
 
 void ScenarioPanel::setTheme(const Theme& theme) {
-  theme_ = theme;
   delegate_->setTheme(theme);
   model_->setTheme(theme);
   searchMark_->setIcon(tintedIcon(QStringLiteral("search"), theme.color(Role::TextSecondary)));
@@ -282,6 +287,71 @@ void addScenarioPanel(PanelRegistry& to) {
     QObject::connect(panel, &ScenarioPanel::goalsWanted, &context, &PanelContext::goalsWanted);
     return panel;
   });
+}
+
+void ScenarioPanel::offerMenu(const QPoint& at) {
+  const EntityId id = filter_->idOf(tree_->indexAt(at));
+  if (!id) {
+    return;
+  }
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  offer(*menu, tr("Show on the map"), tr("Move the map there"),
+        [this, id] { Q_EMIT activated(id); });
+  fillMenu(*menu, id);
+  menu->addSeparator();
+  offer(*menu, tr("Duplicate"), tr("A copy of what is selected"), [this] {
+    document_.setSelection(pushDuplicate(document_, document_.selection(), Vec2(0.5, -0.5)));
+  });
+  offer(*menu, tr("Delete"), tr("Remove what is selected; routes follow"),
+        [this] { pushRemove(document_, document_.selection()); });
+  menu->popup(tree_->viewport()->mapToGlobal(at));
+}
+
+void ScenarioPanel::fillMenu(QMenu& menu, EntityId id) {
+  menu.setToolTipsVisible(true);
+  offer(menu, tr("Rename"),
+        id.kind == EntityKind::Goal ? tr("Give the goal another number")
+                                    : tr("Give it another name; what refers to it follows"),
+        [this, id] { rename(id); });
+  if (id.kind != EntityKind::Goal) {
+    const bool listed = model_->indexOf(id).data(EntityModel::ListedRole).toBool();
+    offer(menu, listed ? tr("Switch off") : tr("Switch on"),
+          listed ? tr("Kept in the file, left out of the simulation")
+                 : tr("Part of the simulation again"),
+          [this, listed] { pushListed(document_, document_.selection(), !listed); });
+  }
+  offer(menu, tr("Select all of the kind"),
+        tr("Everything of this kind, for changes of all at once"),
+        [this, id] { document_.setSelection(document_.entities(id.kind)); });
+  if (id.kind == EntityKind::Human) {
+    addPeopleActions(menu);
+  }
+}
+
+void ScenarioPanel::addPeopleActions(QMenu& menu) {
+  int people = 0;
+  int grouped = 0;
+  for (const EntityId id : document_.selection()) {
+    if (const sim2d::Human* human = document_.human(id)) {
+      ++people;
+      grouped += isInGroup(*human) ? 1 : 0;
+    }
+  }
+  menu.addSeparator();
+  offer(menu, tr("Assign goals…"), tr("Which people visit which goals, in which order"),
+        [this] { Q_EMIT goalsWanted(); });
+  offer(menu, tr("Walk as a group"),
+        people > 1 ? tr("These people keep together as one group")
+                   : tr("A group takes two or more: select more people"),
+        [this] { pushGroup(document_, document_.selection()); })
+      .setEnabled(people > 1);
+  offer(menu, tr("Walk alone"),
+        grouped > 0   ? tr("Leave the group")
+        : people == 1 ? tr("This person is in no group")
+                      : tr("None of these people is in a group"),
+        [this] { pushJoin(document_, document_.selection(), -1); })
+      .setEnabled(grouped > 0);
 }
 
 }  // namespace editor

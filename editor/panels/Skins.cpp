@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <QObject>
+#include <QPainter>
 #include <QPainterPath>
 
 namespace editor {
@@ -105,11 +105,14 @@ const Skin& skinFor(const std::string& simulator, int number) {
   return skins[static_cast<std::size_t>(counts)];
 }
 
-void paintSkin(QPainter& painter, const Skin& skin, const QRectF& place, const Theme& theme) {
-  painter.save();
+QIcon skinIcon(const Skin& skin, const Theme& theme) {
+  constexpr int kSize = 24;
+  constexpr int kRatio = 3;
+  QPixmap picture(kSize * kRatio, kSize * kRatio);
+  picture.setDevicePixelRatio(kRatio);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.translate(place.topLeft());
-  painter.scale(place.width() / 24.0, place.height() / 24.0);
   painter.setPen(QPen(theme.color(Role::Line), 0.6));
   if (skin.head == Head::LongHair) {
     painter.setBrush(skin.hair);
@@ -123,16 +126,7 @@ void paintSkin(QPainter& painter, const Skin& skin, const QRectF& place, const T
   painter.setBrush(skin.clothes);
   painter.drawPath(shoulders);
   paintHead(painter, skin);
-  painter.restore();
-}
-
-QIcon skinIcon(const Skin& skin, const Theme& theme, int sizePx) {
-  constexpr int kRatio = 3;
-  QPixmap picture(sizePx * kRatio, sizePx * kRatio);
-  picture.setDevicePixelRatio(kRatio);
-  picture.fill(Qt::transparent);
-  QPainter painter(&picture);
-  paintSkin(painter, skin, QRectF(0, 0, sizePx, sizePx), theme);
+  painter.end();
   return QIcon(picture);
 }
 

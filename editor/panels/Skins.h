@@ -4,7 +4,6 @@
 #include <vector>
 
 #include <QIcon>
-#include <QPainter>
 
 #include "editor/look/Theme.h"
 
@@ -26,7 +25,6 @@ const std::vector<Skin>& skinsOf(const std::string& simulator);
 /// What counts for a number: outside of the range Webots takes the first, the others the last.
 const Skin& skinFor(const std::string& simulator, int number);
 
-void paintSkin(QPainter& painter, const Skin& skin, const QRectF& place, const Theme& theme);
-QIcon skinIcon(const Skin& skin, const Theme& theme, int sizePx = 24);
+QIcon skinIcon(const Skin& skin, const Theme& theme);  // 24 px
 
 }  // namespace editor

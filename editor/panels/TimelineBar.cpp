@@ -8,8 +8,8 @@
 #include <QPainter>
 #include <QToolTip>
 
-#include "editor/panels/EventMarks.h"
 #include "editor/panels/PlaybackActions.h"
+#include "editor/panels/RunEvents.h"
 #include "sim2d/world/Runner.h"
 
 namespace editor {
@@ -51,16 +51,6 @@ TimelineBar::TimelineBar(const ScenarioDocument& document, RunEvents& events,
 void TimelineBar::setTheme(const Theme& theme) {
   theme_ = theme;
   update();
-}
-
-double TimelineBar::newestTime() const {
-  const FramePtr frame = runner_.newestFrame();
-  return frame ? frame->time : 0.0;
-}
-
-double TimelineBar::shownTime() const {
-  const FramePtr frame = runner_.shownFrame();
-  return frame ? frame->time : 0.0;
 }
 
 double TimelineBar::plannedLength() const {

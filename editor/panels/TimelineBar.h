@@ -30,8 +30,9 @@ class TimelineBar : public QWidget {
  private:
   void seekTo(double x);
   double plannedLength() const;
-  double newestTime() const;
-  double shownTime() const;
+  double newestTime() const { return timeOf(runner_.newestFrame()); }
+  double shownTime() const { return timeOf(runner_.shownFrame()); }
+  static double timeOf(const FramePtr& frame) { return frame ? frame->time : 0.0; }
   void paintClock(QPainter& painter) const;
   void paintTicks(QPainter& painter) const;
   void paintGroove(QPainter& painter) const;

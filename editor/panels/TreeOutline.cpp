@@ -49,6 +49,17 @@ void paintMark(QPainter& painter, NodeStatus status, const Theme& theme) {
   }
 }
 
+QIcon markOf(NodeStatus status, const Theme& theme) {
+  constexpr int kRatio = 3;
+  QPixmap picture(kMarkSize * kRatio, kMarkSize * kRatio);
+  picture.setDevicePixelRatio(kRatio);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  paintMark(painter, status, theme);
+  return QIcon(picture);
+}
+
 /// "RunOnce" -> "Run once"
 QString spaced(const QString& id) {
   QString words;
@@ -99,14 +110,11 @@ QString nodeValues(const bt::NodeSpec& node) {
 
 TreeOutline::TreeOutline(const Theme& theme, QWidget* parent) : QTreeWidget(parent), theme_(theme) {
   setColumnCount(1);
+  styleList(*this, tr("Behaviour tree"));
   header()->hide();
-  setFrameShape(QFrame::NoFrame);
   setIndentation(14);
   setUniformRowHeights(true);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setItemDelegate(new RowDelegate(theme, this));
-  viewport()->setAutoFillBackground(false);
-  setAccessibleName(tr("Behaviour tree"));
 }
 
 void TreeOutline::setTheme(const Theme& theme) {
@@ -180,7 +188,7 @@ void TreeOutline::paintRow(std::size_t node) {
   QTreeWidgetItem& row = *rows_[node];
   const bool shown = node < statuses_.size();
   const NodeStatus status = shown ? statuses_[node] : NodeStatus::Idle;
-  row.setIcon(0, shown ? markOf(status) : QIcon());
+  row.setIcon(0, shown ? markOf(status, theme_) : QIcon());
   const bool running = shown && status == NodeStatus::Running;
   QFont font = this->font();
   font.setWeight(running ? QFont::DemiBold : QFont::Normal);
@@ -191,20 +199,14 @@ void TreeOutline::paintRow(std::size_t node) {
                                             : Role::Text));
 }
 
-QIcon TreeOutline::markOf(NodeStatus status) const {
-  constexpr int kRatio = 3;
-  QPixmap picture(kMarkSize * kRatio, kMarkSize * kRatio);
-  picture.setDevicePixelRatio(kRatio);
-  picture.fill(Qt::transparent);
-  QPainter painter(&picture);
-  painter.setRenderHint(QPainter::Antialiasing);
-  paintMark(painter, status, theme_);
-  return QIcon(picture);
-}
-
 int TreeOutline::currentNode() const {
   const QTreeWidgetItem* row = currentItem();
   return row == nullptr ? -1 : row->data(0, kNodeRole).toInt();
+}
+
+const OutlineNode* TreeOutline::current() const {
+  const int node = currentNode();
+  return node < 0 ? nullptr : &nodes_[static_cast<std::size_t>(node)];
 }
 
 void TreeOutline::selectNode(int node) {

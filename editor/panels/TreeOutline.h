@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include <QIcon>
 #include <QTreeWidget>
 
 #include "editor/document/PersonTree.h"
@@ -23,15 +22,15 @@ class TreeOutline : public QTreeWidget {
   void showTree(const PersonTree& tree);
   /// By the names of the nodes; without nodes: no run is shown.
   void showStatus(const sim2d::TreeState& state);
-  int currentNode() const;  // place in nodes(), -1 = none
+  const OutlineNode* current() const;  // null = none
   void selectNode(int node);
   const std::vector<OutlineNode>& nodes() const { return nodes_; }
   base::NodeStatus statusOf(int node) const;
 
  private:
+  int currentNode() const;  // place in nodes(), -1 = none
   void paintRow(std::size_t node);
   std::vector<base::NodeStatus> statusesOf(const sim2d::TreeState& state) const;
-  QIcon markOf(base::NodeStatus status) const;
 
   Theme theme_;
   PersonTree tree_;  // keeps what the nodes point to
