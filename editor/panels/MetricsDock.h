@@ -41,6 +41,8 @@ class MetricsDock : public QWidget {
   QTableView* table_;
   MetricPlot* plot_;
   int fittedRows_ = 0;
+  std::string chosen_;       // key of the metric that the user wants to see
+  bool isChoosing_ = false;  // this, not the user
 };
 
 }  // namespace editor

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 
 #include <QtTest>
@@ -107,6 +108,46 @@ class MetricsPanelTest : public QObject {
     QTRY_VERIFY(table->rowHeight(3) < 30);
     dock.selectMetric(QStringLiteral("path_length"));
     QVERIFY(!feed.snapshot().curves.at("path_length").times.empty());
+  }
+
+  /// However often the table was told of the run meanwhile.
+  void selection_atAMoment_dependsOnTheRunAlone() {
+    const auto shownAfter = [](double seconds, bool slowly) {
+      ScenarioDocument document;
+      document.load(passing());
+      SimulationRunner runner;
+      runner.setRequest([&] { return editor::runRequestOf(document); });
+      MetricsFeed feed(document, runner);
+      MetricsDock dock(feed, runner, editor::Theme::light());
+      const auto steps = static_cast<std::int64_t>(std::llround(seconds / 0.05));
+      const auto isAt = [&](std::int64_t step) {
+        return QTest::qWaitFor([&] {
+          return runner.newestFrame() && runner.newestFrame()->step >= step && feed.isCurrent();
+        });
+      };
+      bool isFine = true;
+      for (std::int64_t step = 1; step <= steps; ++step) {
+        runner.stepOnce();
+        isFine = isFine && (!slowly || isAt(step));
+      }
+      isFine = isFine && isAt(steps);
+      const QModelIndexList rows = dock.table().selectionModel()->selectedRows();
+      const QString shown =
+          isFine && rows.size() == 1 ? rows.front().data(Qt::UserRole).toString() : QString();
+      dock.selectMetric(QStringLiteral("path_length"));  // of the user: it stays
+      runner.stepOnce();
+      isFine = isFine && isAt(steps + 1);
+      const QModelIndexList kept = dock.table().selectionModel()->selectedRows();
+      return isFine && kept.size() == 1 &&
+                     kept.front().data(Qt::UserRole) == QLatin1String("path_length")
+                 ? shown
+                 : QString();
+    };
+    for (const double seconds : {0.5, 2.5}) {
+      const QString atOnce = shownAfter(seconds, false);
+      QVERIFY(!atOnce.isEmpty());
+      QCOMPARE(shownAfter(seconds, true), atOnce);
+    }
   }
 
   void text_ofValues_hasSteadyDecimals() {
