@@ -61,6 +61,7 @@ class ScenarioMaker {
     if (scenario_.desktop.seed.value_or(1) != header_.seed) {
       scenario_.desktop.seed = header_.seed;
     }
+    scenario_.desktop.duration = recording_.frame(recording_.size() - 1)->time;
     for (const sim2d::TraceHuman& human : header_.humans) {
       addHuman(human);
     }

@@ -1,9 +1,13 @@
 #include "editor/panels/PropertyPanel.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include <QHBoxLayout>
+#include <QPainter>
+#include <QTextDocument>
 #include <QVBoxLayout>
 
 #include "editor/document/EntityModel.h"
@@ -12,6 +16,7 @@
 #include "editor/panels/EntityPages.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/PersonPage.h"
+#include "sim2d/base/Types.h"
 
 namespace editor {
 
@@ -50,6 +55,106 @@ QString aboutOne(const sim2d::Scenario& scenario, const Entity& entity) {
 }
 
 }  // namespace
+
+ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
+  setTextFormat(Qt::PlainText);
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+}
+
+void ElidedLabel::setWords(const QString& words) {
+  setText(words);
+  setToolTip(Qt::mightBeRichText(words) ? QStringLiteral("<p>%1</p>").arg(words.toHtmlEscaped())
+                                        : words);
+}
+
+QString ElidedLabel::shownWords() const {
+  return fontMetrics().elidedText(text(), Qt::ElideMiddle, contentsRect().width());
+}
+
+void ElidedLabel::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setPen(palette().color(foregroundRole()));
+  painter.drawText(contentsRect(), int(alignment()) | Qt::TextSingleLine, shownWords());
+}
+
+/// How a person or robot is doing in the frame that is shown: place, heading, speed, goal and the
+/// distance to the robot. Hidden while there is no run.
+class NowSection : public QWidget {
+ public:
+  explicit NowSection(QWidget* parent)
+      : QWidget(parent), section_(new FormSection(tr("Now"), this)) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(section_);
+    section_->addRow(tr("Position"), position_);
+    section_->addRow(tr("Heading"), heading_);
+    section_->addRow(tr("Speed"), speed_);
+    section_->addRow(tr("Goal"), goal_);
+    section_->addRow(tr("Robot"), robot_);
+    hide();
+  }
+
+  /// `agent` as in frames: people by id, robots negative.
+  void show(const sim2d::Frame* frame, std::optional<int> agent) {
+    const bool shown =
+        frame != nullptr && agent && (showPerson(*frame, *agent) || showRobot(*frame, *agent));
+    setVisible(shown);
+  }
+
+ private:
+  /// What people and robots have in common; the place in the columns, none = not in the frame.
+  template <class Columns>
+  std::optional<std::size_t> showBody(const Columns& bodies, int id) {
+    const auto found = std::find(bodies.id.begin(), bodies.id.end(), id);
+    if (found == bodies.id.end()) {
+      return std::nullopt;
+    }
+    const auto i = static_cast<std::size_t>(found - bodies.id.begin());
+    const double speed = std::sqrt(bodies.vx[i] * bodies.vx[i] + bodies.vy[i] * bodies.vy[i]);
+    const double degrees = bodies.heading[i] * 180.0 / base::kPi;
+    position_->setText(
+        QStringLiteral("%1, %2 m").arg(bodies.x[i], 0, 'f', 2).arg(bodies.y[i], 0, 'f', 2));
+    heading_->setText(QStringLiteral("%1°").arg(degrees, 0, 'f', 1));
+    speed_->setText(QStringLiteral("%1 m/s").arg(speed, 0, 'f', 2));
+    goal_->setText(bodies.goal[i] == sim2d::kNoGoal ? tr("none") : QString::number(bodies.goal[i]));
+    return i;
+  }
+
+  bool showPerson(const sim2d::Frame& frame, int id) {
+    const sim2d::HumanColumns& people = frame.humans;
+    const std::optional<std::size_t> index = showBody(people, id);
+    if (!index) {
+      return false;
+    }
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < frame.robots.size(); ++i) {
+      const double dx = frame.robots.x[i] - people.x[*index];
+      const double dy = frame.robots.y[i] - people.y[*index];
+      nearest = std::min(nearest, std::sqrt(dx * dx + dy * dy));
+    }
+    section_->setNote(people.state[*index] != 0 ? tr("reacting") : QString());
+    section_->setRowVisible(robot_, frame.robots.size() > 0);
+    robot_->setText(tr("%1 m away").arg(nearest, 0, 'f', 2));
+    return true;
+  }
+
+  bool showRobot(const sim2d::Frame& frame, int id) {
+    const std::optional<std::size_t> index = showBody(frame.robots, id);
+    if (index && frame.robots.goal[*index] == 0) {
+      goal_->setText(tr("its point"));
+    }
+    section_->setNote({});
+    section_->setRowVisible(robot_, false);
+    return index.has_value();
+  }
+
+  FormSection* section_;
+  QLabel* position_ = new QLabel(this);
+  QLabel* heading_ = new QLabel(this);
+  QLabel* speed_ = new QLabel(this);
+  QLabel* goal_ = new QLabel(this);
+  QLabel* robot_ = new QLabel(this);
+};
 
 PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme, QWidget* parent)
     : QWidget(parent),
@@ -102,13 +207,7 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme, QWi
 }
 
 void PropertyPanel::addPage(EntityKind kind, PropertyPage* page) {
-  auto* area = new QScrollArea(stack_);
-  area->setFrameShape(QFrame::NoFrame);
-  area->setWidgetResizable(true);
-  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setWidget(page);
-  area->viewport()->setAutoFillBackground(false);
-  page->setAutoFillBackground(false);
+  QScrollArea* area = scrollArea(page, stack_);
   stack_->addWidget(area);
   pages_[kind] = page;
   areas_[kind] = area;
@@ -175,34 +274,31 @@ void PropertyPanel::showHeading(const std::vector<EntityId>& ids) {
 QPixmap PropertyPanel::picture(const Entity& entity) const {
   const FigurePainter painter(theme_);
   const QSize size(kPictureSize, kPictureSize);
-  QIcon icon;
-  switch (kindOf(entity)) {
-    case EntityKind::Human:
-      icon = painter.personIcon(document_.tree(idOf(entity))
-                                    ? Look::CustomTree
-                                    : lookOf(std::get<sim2d::Human>(entity).behavior.type.value_or(
-                                          sim2d::BehaviorType::Regular)),
-                                kPictureSize);
-      break;
-    case EntityKind::Robot:
-      icon = painter.robotIcon(kPictureSize);
-      break;
-    case EntityKind::Goal:
-      icon = painter.goalIcon(QString::fromStdString(nameOf(entity)), kPictureSize);
-      break;
-    case EntityKind::Obstacle:
-    case EntityKind::Door:
-      icon = themedIcon(shapeIcon(entity), theme_);
-      break;
-    case EntityKind::Area:
-      icon = themedIcon(QStringLiteral("tool-area"), theme_);
-      break;
-    case EntityKind::Scenario:
-    case EntityKind::None:
-      icon = themedIcon(QStringLiteral("file"), theme_);
-      break;
-  }
-  return icon.pixmap(window()->windowHandle(), size);
+  const auto icon = [&] {
+    switch (kindOf(entity)) {
+      case EntityKind::Human: {
+        const auto type = std::get<sim2d::Human>(entity).behavior.type;
+        return painter.personIcon(document_.tree(idOf(entity))
+                                      ? Look::CustomTree
+                                      : lookOf(type.value_or(sim2d::BehaviorType::Regular)),
+                                  kPictureSize);
+      }
+      case EntityKind::Robot:
+        return painter.robotIcon(kPictureSize);
+      case EntityKind::Goal:
+        return painter.goalIcon(QString::fromStdString(nameOf(entity)), kPictureSize);
+      case EntityKind::Obstacle:
+      case EntityKind::Door:
+        return themedIcon(shapeIcon(entity), theme_);
+      case EntityKind::Area:
+        return themedIcon(QStringLiteral("tool-area"), theme_);
+      case EntityKind::Scenario:
+      case EntityKind::None:
+        break;
+    }
+    return themedIcon(QStringLiteral("file"), theme_);
+  };
+  return icon().pixmap(window()->windowHandle(), size);
 }
 
 void PropertyPanel::setTheme(const Theme& theme) {
@@ -213,9 +309,12 @@ void PropertyPanel::setTheme(const Theme& theme) {
   follow();
 }
 
-void PropertyPanel::showFrame(const FramePtr& frame) {
+void PropertyPanel::showFrame(const FramePtr& frame, bool isRecorded) {
   frame_ = frame;
-  later_->setVisible(frame_ != nullptr);
+  later_->setVisible(frame_ != nullptr && !isRecorded);
+  for (const auto& [kind, page] : pages_) {
+    page->setEnabled(!isRecorded);
+  }
   showNow();
 }
 
@@ -243,7 +342,9 @@ void addPropertyPanel(PanelRegistry& to) {
     auto* panel = new PropertyPanel(context.document, context.theme());
     QObject::connect(&context, &PanelContext::themeChanged, panel, &PropertyPanel::setTheme);
     QObject::connect(&context.runner, &SimulationRunner::frameShown, panel,
-                     &PropertyPanel::showFrame);
+                     [panel, &runner = context.runner](const FramePtr& frame) {
+                       panel->showFrame(frame, runner.isRecorded());
+                     });
     return panel;
   });
 }

@@ -6,11 +6,24 @@
 #include <QScrollArea>
 #include <QStackedWidget>
 
-#include "editor/panels/ElidedLabel.h"
-#include "editor/panels/NowSection.h"
 #include "editor/panels/PropertyPage.h"
+#include "editor/run/SimulationRunner.h"
 
 namespace editor {
+
+/// One line that asks for no width of its own: what does not fit loses its middle, and the tool tip
+/// has the whole. `text` stays whole.
+class ElidedLabel : public QLabel {
+ public:
+  explicit ElidedLabel(QWidget* parent = nullptr);
+  void setWords(const QString& words);
+  QString shownWords() const;  // as they fit now
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+};
+
+class NowSection;
 
 /// The right dock: properties of what is selected; of the scenario when nothing is.
 class PropertyPanel : public QWidget {
@@ -21,8 +34,8 @@ class PropertyPanel : public QWidget {
   PropertyPage* page(EntityKind kind) const { return pages_.at(kind); }
   PropertyPage* currentPage() const;
   /// The moment of a run that is shown; none ends it. What is edited then counts from the next
-  /// start.
-  void showFrame(const FramePtr& frame);
+  /// start; of a recorded run nothing can be edited.
+  void showFrame(const FramePtr& frame, bool isRecorded = false);
 
  private:
   void addPage(EntityKind kind, PropertyPage* page);

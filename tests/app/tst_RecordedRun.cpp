@@ -141,6 +141,8 @@ class RecordedRunTest : public QObject {
     QVERIFY(shown.humans[0].name == demo.scenario.humans[0].name);
     QVERIFY(!window->workspace().document().map()->isEmpty());
     QVERIFY(!window->workspace().document().isDirty());
+    const double length = window->workspace().runner().newestFrame()->time;
+    QVERIFY(shown.desktop.duration == std::optional(length));  // not that of the file
     window->workspace().runner().reset();  // nothing to go back to
     QVERIFY(window->isOnStartPage());
     quiet::leave(window);

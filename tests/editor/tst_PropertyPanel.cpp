@@ -2,8 +2,8 @@
 
 #include "editor/document/EditCommands.h"
 #include "editor/look/HouseStyle.h"
-#include "editor/panels/PersonPage.h"
 #include "editor/panels/PropertyPanel.h"
+#include "editor/panels/RouteEditor.h"
 
 using editor::EntityId;
 using editor::NumberField;
@@ -120,6 +120,26 @@ class PropertyPanelTest : public QObject {
     panel_->resize(2400, 700);
     QCoreApplication::processEvents();
     QVERIFY(heading->shownWords().size() > shown.size());
+  }
+
+  void page_ofARecordedRun_isReadOnly() {
+    document_->setSelection({key(0)});
+    auto* speed = field<NumberField>(QStringLiteral("Top speed"));
+    const auto later = [this] {
+      const QList<QLabel*> labels = panel_->findChildren<QLabel*>();
+      return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+        return label->isVisible() && label->text().startsWith(QStringLiteral("Changes count"));
+      });
+    };
+    const auto frame = std::make_shared<const sim2d::Frame>();
+    panel_->showFrame(frame);
+    QVERIFY(speed->isEnabled() && later());
+    panel_->showFrame(frame, true);
+    QVERIFY(!speed->isEnabled() && !later());
+    document_->setSelection({key(1)});
+    QVERIFY(!speed->isEnabled());
+    panel_->showFrame(nullptr);
+    QVERIFY(speed->isEnabled() && !later());
   }
 
   void number_stepped_mergesIntoOneCommand() {
