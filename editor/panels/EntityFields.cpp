@@ -1,9 +1,13 @@
 #include "editor/panels/EntityFields.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include <QStringList>
+
 #include "editor/document/EditCommands.h"
+#include "sim2d/base/Text.h"
 
 namespace editor {
 
@@ -11,20 +15,13 @@ namespace {
 
 constexpr double kDegree = base::kPi / 180.0;
 
-EntityField positionField(const QString& label, int axis) {
-  return numberField(
-      label, QStringLiteral("m"),
-      [axis](const Entity& entity) -> std::optional<double> {
-        const std::optional<Vec2> at = positionOf(entity);
-        return at ? std::optional((*at)(axis)) : std::nullopt;
-      },
-      [axis](Entity& entity, std::optional<double> value) {
-        if (const std::optional<Vec2> at = positionOf(entity); at && value) {
-          Vec2 delta = Vec2::Zero();
-          delta(axis) = *value - (*at)(axis);
-          entity = moved(std::move(entity), delta);
-        }
-      });
+template <class Item, class ToText>
+QString joined(const std::vector<Item>& items, const QString& between, const ToText& toText) {
+  QStringList words;
+  for (const Item& item : items) {
+    words << QString::fromStdString(toText(item));
+  }
+  return words.join(between);
 }
 
 }  // namespace
@@ -81,11 +78,20 @@ EntityField coordinateField(const QString& label, std::function<double&(Entity&)
       });
 }
 
-EntityField xField() {
-  return positionField(QStringLiteral("X"), 0);
-}
-EntityField yField() {
-  return positionField(QStringLiteral("Y"), 1);
+EntityField positionField(const QString& label, int axis) {
+  return numberField(
+      label, QStringLiteral("m"),
+      [axis](const Entity& entity) -> std::optional<double> {
+        const std::optional<Vec2> at = positionOf(entity);
+        return at ? std::optional((*at)(axis)) : std::nullopt;
+      },
+      [axis](Entity& entity, std::optional<double> value) {
+        if (const std::optional<Vec2> at = positionOf(entity); at && value) {
+          Vec2 delta = Vec2::Zero();
+          delta(axis) = *value - (*at)(axis);
+          entity = moved(std::move(entity), delta);
+        }
+      });
 }
 
 EntityField headingField() {
@@ -122,6 +128,64 @@ EntityField listedField() {
         entity);
   };
   return field;
+}
+
+QString listText(const std::vector<double>& values) {
+  return joined(values, QStringLiteral(", "), base::formatDouble);
+}
+
+std::optional<std::vector<double>> listFromText(const QString& text) {
+  std::vector<double> values;
+  for (const QString& word : text.split(QLatin1Char(','), Qt::SkipEmptyParts)) {
+    const std::optional<double> value = base::parseDouble(word.trimmed().toStdString());
+    if (!value) {
+      return std::nullopt;
+    }
+    values.push_back(*value);
+  }
+  return values;
+}
+
+QString pairsText(const std::vector<std::pair<std::string, std::string>>& pairs) {
+  return joined(pairs, QStringLiteral(", "),
+                [](const auto& pair) { return pair.first + "=" + pair.second; });
+}
+
+std::optional<std::vector<std::pair<std::string, std::string>>> pairsFromText(const QString& text) {
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (const QString& part : text.split(QLatin1Char(','), Qt::SkipEmptyParts)) {
+    const int sign = part.indexOf(QLatin1Char('='));
+    const QString name = part.left(std::max(sign, 0)).trimmed();
+    const QString value = part.mid(sign + 1).trimmed();
+    if (sign < 0 || name.isEmpty() || value.isEmpty()) {
+      return std::nullopt;
+    }
+    pairs.emplace_back(name.toStdString(), value.toStdString());
+  }
+  return pairs;
+}
+
+QString pointsText(const std::vector<Vec2>& points) {
+  return joined(points, QStringLiteral("; "), [](const Vec2& point) {
+    return base::formatDouble(point.x()) + " " + base::formatDouble(point.y());
+  });
+}
+
+std::optional<std::vector<Vec2>> pointsFromText(const QString& text) {
+  std::vector<Vec2> points;
+  for (const QString& part : text.split(QLatin1Char(';'), Qt::SkipEmptyParts)) {
+    const QStringList words = part.simplified().split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    if (words.size() != 2) {
+      return std::nullopt;
+    }
+    const std::optional<double> x = base::parseDouble(words[0].toStdString());
+    const std::optional<double> y = base::parseDouble(words[1].toStdString());
+    if (!x || !y) {
+      return std::nullopt;
+    }
+    points.emplace_back(*x, *y);
+  }
+  return points;
 }
 
 }  // namespace editor

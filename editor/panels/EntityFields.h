@@ -2,6 +2,11 @@
 
 #include <functional>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <QString>
 
 #include "editor/document/ScenarioDocument.h"
 #include "sim2d/scenario/Fields.h"
@@ -30,11 +35,25 @@ EntityField textField(const QString& label, const QString& help,
 /// A coordinate [m], where it is; it cannot be left out.
 EntityField coordinateField(const QString& label, std::function<double&(Entity&)> place);
 /// Position on the map and heading, for all kinds that have them.
-EntityField xField();
-EntityField yField();
+EntityField positionField(const QString& label, int axis);
 EntityField headingField();
 /// Whether an entity takes part in the run, for all kinds that can be switched off.
 EntityField listedField();
+
+// Lists as texts that people type.
+/// "lookahead=0.6, stop_distance=0.5"
+QString pairsText(const std::vector<std::pair<std::string, std::string>>& pairs);
+/// Nothing when a part has no name or no value.
+std::optional<std::vector<std::pair<std::string, std::string>>> pairsFromText(const QString& text);
+/// "0.3 0.2; -0.3 0.2; -0.3 -0.2"
+QString pointsText(const std::vector<Vec2>& points);
+/// Nothing when a point is not two numbers.
+std::optional<std::vector<Vec2>> pointsFromText(const QString& text);
+
+/// Times or numbers in a list, as text: "2.0, 7.5".
+QString listText(const std::vector<double>& values);
+/// Nothing when a word is no number.
+std::optional<std::vector<double>> listFromText(const QString& text);
 
 /// The part of an entity that has the keys of T.
 template <class T, class AnyEntity>

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
-#include "editor/panels/ListText.h"
+#include "editor/panels/RouteEditor.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/world/Registries.h"
 
 namespace editor {
 
@@ -39,27 +41,125 @@ QString cornersProblem(const QString& text, std::size_t least) {
              : QObject::tr("At least %1 corners x y, with semicolons between them").arg(least);
 }
 
+using sim2d::Robot;
+
+const Robot& robotOf(const Entity& entity) {
+  return std::get<Robot>(entity);
+}
+
+using Parameters = std::vector<std::pair<std::string, std::string>>;
+
+const std::string& plannerOf(const Entity& entity) {
+  static const std::string kUsual = sim2d::ResolvedRobot{}.planner;
+  const std::optional<std::string>& own = robotOf(entity).planner;
+  return own ? *own : kUsual;
+}
+
+/// Its robot's value of a parameter that a planner declares; written as text, as files have it.
+EntityField plannerField(const std::string& planner, const base::ParameterSpec& spec) {
+  EntityField field;
+  field.spec = spec;
+  field.belongs = [planner](const Entity& entity) { return plannerOf(entity) == planner; };
+  field.fallback = [usual = spec.fallback](const Entity&) { return usual; };
+  const auto isKey = [key = spec.key](const auto& each) { return each.first == key; };
+  field.get = [isKey](const Entity& entity) -> base::ParameterValue {
+    const Parameters& all = robotOf(entity).plannerParameters;
+    const auto own = std::find_if(all.begin(), all.end(), isKey);
+    const auto value = own == all.end() ? std::nullopt : base::parseDouble(own->second);
+    return value ? base::ParameterValue(*value) : base::ParameterValue();
+  };
+  field.set = [isKey, key = spec.key](Entity& entity, const base::ParameterValue& value) {
+    Parameters& all = std::get<Robot>(entity).plannerParameters;
+    const auto own = std::find_if(all.begin(), all.end(), isKey);
+    const std::optional<double> number = numberIn(value);
+    if (!number) {
+      all.erase(std::remove_if(all.begin(), all.end(), isKey), all.end());
+    } else if (own != all.end()) {
+      own->second = base::formatDouble(*number);
+    } else {
+      all.emplace_back(key, base::formatDouble(*number));
+    }
+  };
+  return field;
+}
+
+/// What the file sets and no row shows: names that the planner does not declare, values that are
+/// no numbers.
+Parameters otherParameters(const sim2d::PlannerRegistry& planners, const Entity& entity) {
+  const auto* planner = planners.find(plannerOf(entity));
+  Parameters others = robotOf(entity).plannerParameters;
+  const auto hasRow = [planner](const auto& parameter) {
+    return planner != nullptr && base::parseDouble(parameter.second) &&
+           std::any_of(planner->parameters.begin(), planner->parameters.end(),
+                       [&](const auto& spec) { return spec.key == parameter.first; });
+  };
+  others.erase(std::remove_if(others.begin(), others.end(), hasRow), others.end());
+  return others;
+}
+
+EntityField footprintField() {
+  return textField(
+      QObject::tr("Footprint"),
+      QObject::tr("Corners x y in the robot's frame, such as 0.3 0.2; -0.3 0.2; -0.3 -0.2"),
+      [](const Entity& entity) {
+        const Robot& robot = robotOf(entity);
+        std::vector<Vec2> corners;
+        for (std::size_t i = 0; i < std::min(robot.footprintX.size(), robot.footprintY.size());
+             ++i) {
+          corners.emplace_back(robot.footprintX[i], robot.footprintY[i]);
+        }
+        return pointsText(corners);
+      },
+      [](Entity& entity, const QString& text) {
+        Robot& robot = std::get<Robot>(entity);
+        robot.footprintX.clear();
+        robot.footprintY.clear();
+        const auto corners = pointsFromText(text);
+        for (const Vec2& corner : corners.value()) {
+          robot.footprintX.push_back(corner.x());
+          robot.footprintY.push_back(corner.y());
+        }
+      });
+}
+
+QString footprintProblem(const QString& text) {
+  const auto corners = pointsFromText(text);
+  return corners && (corners->empty() || corners->size() >= 3)
+             ? QString()
+             : QObject::tr("At least three corners x y, with semicolons between them");
+}
+
+/// A coordinate of the goal point; the first one given takes the other from the start.
+EntityField goalField(const QString& label, int axis) {
+  EntityField field = numberField(
+      label, QStringLiteral("m"),
+      [axis](const Entity& entity) -> std::optional<double> {
+        const std::optional<Vec2>& point = robotOf(entity).goal.point;
+        return point ? std::optional((*point)(axis)) : std::nullopt;
+      },
+      [axis](Entity& entity, std::optional<double> value) {
+        Robot& robot = std::get<Robot>(entity);
+        robot.goal.goals.clear();
+        if (!value) {
+          robot.goal.point.reset();
+          return;
+        }
+        Vec2 point = robot.goal.point.value_or(robot.start.position);
+        point(axis) = *value;
+        robot.goal.point = point;
+      });
+  field.fallback = [axis](const Entity& entity) { return robotOf(entity).start.position(axis); };
+  return field;
+}
+
 }  // namespace
 
 GoalPage::GoalPage(ScenarioDocument& document, QWidget* parent) : PropertyPage(document, parent) {
   FormSection* section = addSection(tr("Goal"));
-  auto* number = new NumberField({1.0, 2147483647.0, 0, 1.0}, {}, this);
-  section->addRow(tr("Number"), number);
-  connect(number, &NumberField::edited, this, [this, number](double value) {
-    if (targets().size() == 1 &&
-        !pushGoalNumber(this->document(), targets().front(), static_cast<int>(value))) {
-      refresh();
-    }
-  });
-  addRefresh([number](const std::vector<Entity>& shown) {
-    number->setEnabled(shown.size() == 1);
-    if (shown.size() == 1) {
-      number->show(std::get<sim2d::GlobalGoal>(shown.front()).id, false);
-    } else {
-      number->showMixed();
-    }
-  });
-  addNumberPair(section, tr("Position"), xField(), yField());
+  addOwnNumber(
+      section, {}, 1, [](const Entity& goal) { return std::get<sim2d::GlobalGoal>(goal).id; },
+      [this](int number) { return pushGoalNumber(this->document(), targets().front(), number); });
+  addPosition(section);
   auto* users = secondaryLabel({}, this);
   users->setWordWrap(true);
   section->addRow(tr("Visited by"), users);
@@ -87,17 +187,17 @@ QString GoalPage::visitorsOf(int goal) const {
 
 ObstaclePage::ObstaclePage(ScenarioDocument& document, QWidget* parent)
     : PropertyPage(document, parent) {
-  section_ = addSection(tr("Obstacle"));
-  addName(section_);
-  addListed(section_);
-  addNumberPair(section_, tr("Position"), xField(), yField());
+  FormSection* section = addSection(tr("Obstacle"));
+  addName(section);
+  addListed(section);
+  addPosition(section);
   FieldLook ofBox;
   ofBox.visible = [](const std::vector<Entity>& shown) {
     return areOf(shown, {ObstacleKind::Box});
   };
-  addRow(section_, headingField(), ofBox);
+  addRow(section, headingField(), ofBox);
   for (const char* key : {"length", "width", "radius", "thickness"}) {
-    addField<Obstacle>(section_, key);
+    addField<Obstacle>(section, key);
   }
   FieldLook corners = emptyAs({}, [this](const QString& text) {
     return cornersProblem(text, areOf(values(), {ObstacleKind::Wall}) ? 2 : 3);
@@ -105,19 +205,13 @@ ObstaclePage::ObstaclePage(ScenarioDocument& document, QWidget* parent)
   corners.visible = [](const std::vector<Entity>& shown) {
     return areOf(shown, {ObstacleKind::Polygon, ObstacleKind::Wall});
   };
-  addRow(section_, cornersField<Obstacle>(), corners);
+  addRow(section, cornersField<Obstacle>(), corners);
   addNewFields<Obstacle>({"kind", "x", "y", "h"});
+  addRefresh([section](const std::vector<Entity>& shown) {
+    const ObstacleKind first = std::get<Obstacle>(shown.front()).kind;
+    section->setNote(areOf(shown, {first}) ? obstacleKindName(first) : tr("several shapes"));
+  });
   finish();
-}
-
-void ObstaclePage::refresh() {
-  PropertyPage::refresh();
-  const std::vector<Entity> shown = values();
-  if (shown.empty()) {
-    return;
-  }
-  const ObstacleKind first = std::get<Obstacle>(shown.front()).kind;
-  section_->setNote(areOf(shown, {first}) ? obstacleKindName(first) : tr("several shapes"));
 }
 
 DoorPage::DoorPage(ScenarioDocument& document, QWidget* parent) : PropertyPage(document, parent) {
@@ -151,37 +245,113 @@ AreaPage::AreaPage(ScenarioDocument& document, QWidget* parent) : PropertyPage(d
   addField<Area>(section, "kind",
                  inWords({tr("Source: people come in"), tr("Sink: people leave"),
                           tr("Waiting area"), tr("Exit")}));
-  addNumberPair(section, tr("Position"), xField(), yField());
+  addPosition(section);
   addRow(section, cornersField<Area>(),
          emptyAs({}, [](const QString& text) { return cornersProblem(text, 3); }));
-  source_ = addSection(tr("Who comes in"));
-  addField<Area>(source_, "like", emptyAs(tr("name of a person"), [this](const QString& text) {
+  FormSection* source = addSection(tr("Who comes in"));
+  addField<Area>(source, "like", emptyAs(tr("name of a person"), [this](const QString& text) {
                    const sim2d::Scenario& scenario = this->document().scenario();
                    const bool known =
                        text.isEmpty() || scenario.human(text.toStdString()) != nullptr;
                    return known ? QString() : tr("No person has this name");
                  }));
-  addField<Area>(source_, "rate");
-  addField<Area>(source_, "from");
+  addField<Area>(source, "rate");
+  addField<Area>(source, "from");
   FieldLook until;
   until.fallback = [](const Entity&) { return 86400.0; };
-  addField<Area>(source_, "until", until);
+  addField<Area>(source, "until", until);
   FieldLook count;
   count.unit = tr("people");
   count.unitOfOne = tr("person");
   count.fallback = [](const Entity&) { return 100000.0; };
-  addField<Area>(source_, "count", count);
+  addField<Area>(source, "count", count);
   addNewFields<Area>();
+  addRefresh([source](const std::vector<Entity>& shown) {
+    source->setVisible(std::all_of(shown.begin(), shown.end(), [](const Entity& each) {
+      return std::get<Area>(each).kind == sim2d::AreaKind::Source;
+    }));
+  });
   finish();
 }
 
-void AreaPage::refresh() {
-  PropertyPage::refresh();
-  const std::vector<Entity> shown = values();
-  source_->setVisible(!shown.empty() &&
-                      std::all_of(shown.begin(), shown.end(), [](const Entity& each) {
-                        return std::get<Area>(each).kind == sim2d::AreaKind::Source;
-                      }));
+RobotPage::RobotPage(ScenarioDocument& document, QWidget* parent, const sim2d::FieldTables& tables,
+                     const sim2d::PlannerRegistry& planners)
+    : PropertyPage(document, parent, tables) {
+  FormSection* section = addSection(tr("Robot"));
+  addName(section);
+  addListed(section);
+  addField<Robot>(section, "type", oneOf(sim2d::robotTypeNames(), tr("generic (default)")));
+  addField<Robot>(section, "planner", oneOf(planners.names(), tr("pursuit (default)")));
+  addPlannerRows(section, planners);
+  FormSection* start = addSection(tr("Start"));
+  addPosition(start);
+  addRow(start, headingField());
+  addField<Robot>(start, "start_time");
+  addGoalSection();
+  FormSection* body = addSection(tr("Body and limits"));
+  for (const char* key : {"radius", "mass", "max_vel", "max_acc", "max_omega", "max_alpha"}) {
+    addField<Robot>(body, key);
+  }
+  addRow(body, footprintField(), emptyAs(tr("a disc of the radius"), footprintProblem));
+  addNewFields<Robot>({"goals", "footprint_x", "footprint_y"});
+  finish();
+}
+
+void RobotPage::addPlannerRows(FormSection* section, const sim2d::PlannerRegistry& planners) {
+  for (const auto& planner : planners.entries()) {
+    for (const base::ParameterSpec& spec : planner.parameters) {
+      QWidget* row = addRow(section, plannerField(planner.name, spec));
+      row->setObjectName(QString::fromStdString(planner.name + "." + spec.key));
+    }
+  }
+  FieldLook look = emptyAs(tr("none"), [](const QString& text) {
+    return pairsFromText(text) ? QString() : tr("name=value, with commas between them");
+  });
+  look.visible = [planners](const std::vector<Entity>& shown) {
+    return std::any_of(shown.begin(), shown.end(), [&](const Entity& each) {
+      return !otherParameters(planners, each).empty();
+    });
+  };
+  QWidget* row = addRow(
+      section,
+      textField(
+          tr("Unknown"), tr("Parameters that the planner does not have or that are no numbers"),
+          [planners](const Entity& e) { return pairsText(otherParameters(planners, e)); },
+          [planners](Entity& e, const QString& text) {
+            Parameters& all = std::get<Robot>(e).plannerParameters;
+            const Parameters others = otherParameters(planners, e);
+            const Parameters wanted = pairsFromText(text).value_or(Parameters());
+            const auto isReplaced = [&](const auto& each) {
+              return std::find(others.begin(), others.end(), each) != others.end() ||
+                     std::any_of(wanted.begin(), wanted.end(),
+                                 [&](const auto& other) { return other.first == each.first; });
+            };
+            all.erase(std::remove_if(all.begin(), all.end(), isReplaced), all.end());
+            all.insert(all.end(), wanted.begin(), wanted.end());
+          }),
+      look);
+  row->setObjectName(QStringLiteral("other_parameters"));
+}
+
+void RobotPage::addGoalSection() {
+  FormSection* section = addSection(tr("Goal"));
+  addNumberPair(section, tr("Point"), goalField(tr("Goal X"), 0), goalField(tr("Goal Y"), 1));
+  auto* route = new RouteEditor(document(), this);
+  route->setToolTip(tr("Global goals in order, instead of a point"));
+  section->addRow(tr("Or route"), route);
+  connect(route, &RouteEditor::edited, this, [this](const std::vector<int>& goals) {
+    apply(tr("Change the robot's route"), [&](Entity& entity) {
+      Robot& robot = std::get<Robot>(entity);
+      robot.goal.point.reset();
+      robot.goal.goals = goals;
+    });
+  });
+  addRefresh([route, section](const std::vector<Entity>& shown) {
+    const sim2d::RobotGoal& goal = robotOf(shown.front()).goal;
+    route->show(goal.goals);
+    section->setNote(goal.point || !goal.goals.empty() ? QString() : tr("stands still"));
+  });
+  addField<Robot>(section, "goal_radius");
 }
 
 }  // namespace editor

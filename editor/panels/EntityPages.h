@@ -1,22 +1,23 @@
 #pragma once
 
 #include "editor/panels/PropertyPage.h"
-#include "editor/panels/RouteEditor.h"
+#include "sim2d/world/Registries.h"
 
 namespace editor {
 
+/// The parameters of a planner have rows while a robot that has this planner is shown.
 class RobotPage : public PropertyPage {
-  Q_OBJECT
  public:
   explicit RobotPage(ScenarioDocument& document, QWidget* parent = nullptr,
-                     const sim2d::FieldTables& tables = sim2d::fieldTables());
+                     const sim2d::FieldTables& tables = sim2d::fieldTables(),
+                     const sim2d::PlannerRegistry& planners = sim2d::programRegistries().planners);
 
  private:
+  void addPlannerRows(FormSection* section, const sim2d::PlannerRegistry& planners);
   void addGoalSection();
 };
 
 class GoalPage : public PropertyPage {
-  Q_OBJECT
  public:
   explicit GoalPage(ScenarioDocument& document, QWidget* parent = nullptr);
 
@@ -25,34 +26,22 @@ class GoalPage : public PropertyPage {
 };
 
 class ObstaclePage : public PropertyPage {
-  Q_OBJECT
  public:
   explicit ObstaclePage(ScenarioDocument& document, QWidget* parent = nullptr);
-  void refresh() override;
-
- private:
-  FormSection* section_ = nullptr;
 };
 
 class DoorPage : public PropertyPage {
-  Q_OBJECT
  public:
   explicit DoorPage(ScenarioDocument& document, QWidget* parent = nullptr);
 };
 
 class AreaPage : public PropertyPage {
-  Q_OBJECT
  public:
   explicit AreaPage(ScenarioDocument& document, QWidget* parent = nullptr);
-  void refresh() override;
-
- private:
-  FormSection* source_ = nullptr;
 };
 
 /// What belongs to the scenario as a whole; shown when nothing is selected.
 class SettingsPage : public PropertyPage {
-  Q_OBJECT
  public:
   explicit SettingsPage(ScenarioDocument& document, QWidget* parent = nullptr);
 

@@ -1,12 +1,17 @@
 #include "editor/panels/PersonPage.h"
 
 #include <algorithm>
+#include <random>
+
+#include <QHBoxLayout>
 
 #include "editor/document/BehaviorValues.h"
+#include "editor/document/Groups.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/panels/GoalAssignment.h"
-#include "editor/panels/ListText.h"
+#include "editor/panels/RouteEditor.h"
 #include "editor/panels/Skins.h"
+#include "sim2d/world/World.h"
 
 namespace editor {
 
@@ -14,10 +19,29 @@ using sim2d::BehaviorType;
 using sim2d::Human;
 using sim2d::PersonExtension;
 
+namespace {
+
+const Human& personOf(const Entity& entity) {
+  return std::get<Human>(entity);
+}
+Human& personOf(Entity& entity) {
+  return std::get<Human>(entity);
+}
+
+BehaviorType behaviorOf(const Entity& entity) {
+  return personOf(entity).behavior.type.value_or(BehaviorType::Regular);
+}
+
+}  // namespace
+
 PersonPage::PersonPage(ScenarioDocument& document, const Theme& theme, QWidget* parent)
     : PropertyPage(document, parent), theme_(theme) {
   addPersonSection();
-  addBodySection();
+  FormSection* body = addSection(tr("Pose and body"));
+  addPosition(body);
+  addRow(body, headingField());
+  addField<Human>(body, "radius");
+  addField<Human>(body, "max_vel");
   addGoalSection();
   addReactionSection();
   addForceSection();
@@ -27,6 +51,7 @@ PersonPage::PersonPage(ScenarioDocument& document, const Theme& theme, QWidget* 
   addNewFields<Human>({"id", "group_id", "skin"});
   addNewFields<sim2d::Behavior>();
   addNewFields<PersonExtension>();
+  addRefresh([this](const std::vector<Entity>& shown) { showBehavior(shown); });
   finish();
   setTheme(theme);
 }
@@ -52,39 +77,29 @@ void PersonPage::addPersonSection() {
   addListed(section);
 }
 
-void PersonPage::addBodySection() {
-  FormSection* section = addSection(tr("Pose and body"));
-  addNumberPair(section, tr("Position"), xField(), yField());
-  addRow(section, headingField());
-  addField<Human>(section, "radius");
-  addField<Human>(section, "max_vel");
-}
-
 void PersonPage::addGoalSection() {
-  goals_ = addSection(tr("Goals"));
-  route_ = new RouteEditor(document(), this);
-  goals_->addRow(tr("Route"), route_);
-  connect(route_, &RouteEditor::edited, this,
+  FormSection* section = addSection(tr("Goals"));
+  auto* editor = new RouteEditor(document(), this);
+  section->addRow(tr("Route"), editor);
+  connect(editor, &RouteEditor::edited, this,
           [this](const std::vector<int>& goals) { pushRoute(document(), targets(), goals); });
   QToolButton* assign = linkButton(tr("Assign goals…"), this);
   assign->setToolTip(tr("Goals of several people at once, in order by drag (Ctrl+G)"));
-  goals_->addRow(QString(), assign);
+  section->addRow(QString(), assign);
   connect(assign, &QToolButton::clicked, this,
           [this] { openGoalAssignment(document(), theme_, this); });
-  addRefresh([this](const std::vector<Entity>& shown) {
-    const std::vector<int>& first = personOf(shown.front()).goals;
-    const bool same = std::all_of(shown.begin(), shown.end(), [&](const Entity& value) {
-      return personOf(value).goals == first;
-    });
-    route_->show(same ? first : std::vector<int>());
-    goals_->setNote(!same              ? tr("different routes")
-                    : first.size() > 1 ? tr("visited in order")
-                                       : QString());
+  addRefresh([=](const std::vector<Entity>& shown) {
+    const auto route =
+        commonValue(shown, [](const Entity& value) { return personOf(value).goals; });
+    editor->show(route.value_or(std::vector<int>()));
+    section->setNote(!route              ? tr("different routes")
+                     : route->size() > 1 ? tr("visited in order")
+                                         : QString());
   });
-  addField<Human>(goals_, "cyclic_goals", inWords({tr("Start again after the last")}));
-  addField<Human>(goals_, "goal_radius");
+  addField<Human>(section, "cyclic_goals", inWords({tr("Start again after the last")}));
+  addField<Human>(section, "goal_radius");
   addField<PersonExtension>(
-      goals_, "wait", emptyAs(tr("seconds at each goal"), [this](const QString& text) {
+      section, "wait", emptyAs(tr("seconds at each goal"), [this](const QString& text) {
         const auto times = listFromText(text);
         const std::vector<Entity> shown = values();
         const bool fits =
@@ -98,12 +113,7 @@ void PersonPage::addGoalSection() {
       }));
 }
 
-void PersonPage::refresh() {
-  PropertyPage::refresh();
-  const std::vector<Entity> shown = values();
-  if (shown.empty()) {
-    return;
-  }
+void PersonPage::showBehavior(const std::vector<Entity>& shown) {
   const BehaviorType type = behaviorOf(shown.front());
   reaction_->setVisible(type != BehaviorType::Regular && type != BehaviorType::Impassive);
   reaction_->setNote(lookName(lookOf(type)));
@@ -113,7 +123,12 @@ void PersonPage::refresh() {
                                        QT_TR_NOOP("Drawn by the seed"),
                                        QT_TR_NOOP("Drawn by the seed")};
   forces_->setNote(tr(kNotes[static_cast<std::size_t>(mode)]));
-  showDraws(shown);
+  const bool drawn = std::any_of(shown.begin(), shown.end(),
+                                 [](const Entity& each) { return isDrawn(personOf(each)); });
+  forces_->setRowVisible(seed_, drawn);
+  forces_->setRowVisible(drawLinks_, drawn);
+  seed_->show(static_cast<double>(seed()), !ownSeed_);
+  keepSeed_->setVisible(drawn && ownSeed_.has_value());
 }
 
 void PersonPage::setTheme(const Theme& theme) {
@@ -122,6 +137,232 @@ void PersonPage::setTheme(const Theme& theme) {
   for (int i = 0; i < behavior_->count(); ++i) {
     behavior_->setItemIcon(i, painter.markIcon(lookOf(static_cast<BehaviorType>(i + 1))));
   }
+}
+
+void PersonPage::addReactionSection() {
+  const std::vector<BehaviorType> all = {BehaviorType::Surprised, BehaviorType::Scared,
+                                         BehaviorType::Curious, BehaviorType::Threatening};
+  reaction_ = addSection(tr("Reaction to the robot"));
+  const auto add = [this](const char* key, std::vector<BehaviorType> types) {
+    FieldLook look;
+    look.visible = [types = std::move(types)](const std::vector<Entity>& shown) {
+      return std::count(types.begin(), types.end(), behaviorOf(shown.front())) > 0;
+    };
+    if (key == std::string("once")) {
+      look.words = QStringList{tr("Then walks on")};
+    } else {  // a number that a random mix draws
+      look.counts = [](const Entity& entity) { return !isDrawn(personOf(entity)); };
+      look.enabled = [](const std::vector<Entity>& shown) {
+        return std::none_of(shown.begin(), shown.end(),
+                            [](const Entity& each) { return isDrawn(personOf(each)); });
+      };
+    }
+    addField<sim2d::Behavior>(reaction_, key, look);
+  };
+  add("dist", all);
+  add("duration", all);
+  add("vel", {BehaviorType::Scared, BehaviorType::Curious});
+  add("safe_distance", {BehaviorType::Scared});
+  add("stop_dist", {BehaviorType::Curious});
+  add("front_dist", {BehaviorType::Threatening});
+  add("once", all);
+}
+
+void PersonPage::addForceSection() {
+  forces_ = addSection(tr("Forces"));
+  EntityField mode;
+  mode.spec.form.label = "Strength";
+  mode.spec.help = "Random strengths depend on the seed and the person alone";
+  mode.spec.choices = {"Default", "Own numbers", "Random, normal", "Random, uniform"};
+  mode.get = [choices = mode.spec.choices](const Entity& entity) {
+    const auto own = personOf(entity).behavior.configuration;
+    return choices[static_cast<std::size_t>(own.value_or(sim2d::Configuration::Default))];
+  };
+  mode.set = [choices = mode.spec.choices](Entity& entity, const base::ParameterValue& value) {
+    const auto word = std::find(choices.begin(), choices.end(), std::get<std::string>(value));
+    personOf(entity).behavior.configuration =
+        static_cast<sim2d::Configuration>(word - choices.begin());
+  };
+  mode.spec.type = base::ParameterType::Choice;
+  addRow(forces_, mode);
+  FieldLook factor;
+  factor.counts = [](const Entity& entity) {
+    return personOf(entity).behavior.configuration == sim2d::Configuration::Custom;
+  };
+  factor.enabled = [counts = factor.counts](const std::vector<Entity>& shown) {
+    return counts(shown.front());
+  };
+  for (const char* key : {"goal_force_factor", "obstacle_force_factor", "social_force_factor"}) {
+    addField<sim2d::Behavior>(forces_, key, factor);
+  }
+  addField<sim2d::Behavior>(forces_, "other_force_factor");
+  addDrawRows();
+}
+
+/// What a random mix draws can be tried out with other seeds, and written down.
+void PersonPage::addDrawRows() {
+  seed_ = new NumberField({0.0, 2147483647.0, 0, 1.0}, {}, this);
+  seed_->setToolTip(tr("The draws of a run with this seed; the scenario keeps its own"));
+  QToolButton* sample = linkButton(tr("Sample"), this);
+  sample->setToolTip(tr("Draw again with another seed"));
+  forces_->addRow(tr("Seed"), sample, seed_);
+  drawLinks_ = new QWidget(this);
+  auto* links = new QHBoxLayout(drawLinks_);
+  links->setContentsMargins(0, 0, 0, 0);
+  links->setSpacing(8);
+  QToolButton* freezing = linkButton(tr("Freeze"), drawLinks_);
+  freezing->setToolTip(tr("Write these numbers down as own numbers"));
+  keepSeed_ = linkButton(tr("Use this seed"), drawLinks_);
+  keepSeed_->setToolTip(tr("Make it the seed of the scenario"));
+  links->addWidget(freezing);
+  links->addWidget(keepSeed_);
+  links->addStretch();
+  forces_->addRow(QString(), drawLinks_);
+  connect(seed_, &NumberField::edited, this, [this](double value) {
+    ownSeed_ = static_cast<long long>(value);
+    refresh();
+  });
+  connect(sample, &QToolButton::clicked, this, [this] {
+    ownSeed_ = static_cast<long long>(std::random_device{}() & 0x7fffffffU) % 1000000;
+    refresh();
+  });
+  connect(freezing, &QToolButton::clicked, this, [this] {
+    const sim2d::Scenario scenario = document().scenario();
+    apply(tr("Freeze drawn numbers"), [&](Entity& entity) {
+      personOf(entity).behavior = frozenBehavior(scenario, personOf(entity), seed());
+    });
+  });
+  connect(keepSeed_, &QToolButton::clicked, this, [this] {
+    const long long wanted = seed();
+    ownSeed_.reset();
+    pushChange<ScenarioSettings>(
+        document(), kSettingsId, tr("Change seed"),
+        [wanted](ScenarioSettings& settings) { settings.desktop.seed = wanted; });
+    refresh();
+  });
+}
+
+long long PersonPage::seed() const {
+  return ownSeed_.value_or(PropertyPage::seed());
+}
+
+void PersonPage::addMoreSection() {
+  FormSection* section = addSection(tr("More"));
+  using Ours = PersonExtension;
+  addField<Ours>(section, "start_time");
+  addField<Ours>(section, "mass");
+  addField<Ours>(section, "model", oneOf(sim2d::modelNames(), tr("The scenario's")));
+  addField<Ours>(section, "route",
+                 inWords({tr("Around walls"), tr("Straight")}, tr("The scenario's")));
+  addField<Ours>(section, "at_end", inWords({tr("Stops"), tr("Leaves"), tr("Starts over")}));
+  // What only the file and the simulators of HuNavSim care for.
+  addOwnNumber(
+      section, tr("Number of the person; names the tree file"), 0,
+      [](const Entity& entity) { return personOf(entity).id; },
+      [this](int wanted) {
+        const bool free = document().scenario().humanById(wanted) == nullptr;
+        if (free) {
+          apply(tr("Change number"), [wanted](Entity& entity) { personOf(entity).id = wanted; });
+        }
+        return free;
+      });
+  EntityField height = numberField(
+      tr("Height z"), tr("m"), [](const Entity& entity) { return personOf(entity).initZ; },
+      [](Entity& entity, std::optional<double> z) { personOf(entity).initZ = z; });
+  height.spec.form.decimals = 3;
+  height.spec.help = "Of the model in a 3D simulator; no meaning here";
+  addRow(section, height);
+  addField<Ours>(section, "tree", emptyAs(tr("looked for")));
+}
+
+void PersonPage::addGroupSection() {
+  FormSection* section = addSection(tr("Group"));
+  auto* choice = new ChoiceField(this);
+  choice->setToolTip(tr("People of one group keep together while they walk"));
+  section->addRow(tr("Walks with"), choice);
+  constexpr int kNewGroup = -2;
+  connect(choice, qOverload<int>(&QComboBox::activated), this, [this, choice](int index) {
+    const int group = choice->itemData(index).toInt();
+    group == kNewGroup ? (void)pushGroup(document(), targets())
+                       : pushJoin(document(), targets(), group);
+  });
+  auto* name = new TextField(this);
+  name->setPlaceholderText(tr("name of the group"));
+  section->addRow(tr("Called"), name);
+  connect(name, &TextField::edited, this, [this, choice](const QString& text) {
+    pushGroupName(document(), choice->currentData().toInt(), text.trimmed().toStdString());
+  });
+  auto* members = secondaryLabel({}, this);
+  members->setWordWrap(true);
+  section->addRow(tr("Members"), members);
+  QToolButton* dissolve = linkButton(tr("Dissolve"), this);
+  dissolve->setToolTip(tr("Everybody of the group walks alone"));
+  section->addRow(QString(), dissolve);
+  connect(dissolve, &QToolButton::clicked, this,
+          [this, choice] { pushDissolve(document(), choice->currentData().toInt()); });
+  addRefresh([=](const std::vector<Entity>& shown) {
+    const sim2d::Scenario& scenario = document().scenario();
+    const auto groups = groupsOf(scenario);
+    choice->clear();
+    choice->addItem(tr("Nobody"), -1);
+    for (const auto& [number, people] : groups) {
+      QPixmap swatch(12, 12);
+      swatch.fill(groupColor(number, theme_));
+      choice->addItem(QIcon(swatch), groupName(scenario, number), number);
+    }
+    choice->addItem(shown.size() > 1 ? tr("Each other: a new group") : tr("A new group"),
+                    kNewGroup);
+    const std::optional<int> group =
+        commonValue(shown, [](const Entity& each) { return personOf(each).groupId.value_or(-1); });
+    choice->setCurrentIndex(group ? choice->findData(*group) : -1);
+    const bool grouped = group.value_or(-1) >= 0;
+    QStringList names;
+    for (const EntityId id : grouped ? groups.at(*group) : std::vector<EntityId>()) {
+      names << QString::fromStdString(document().human(id)->name);
+    }
+    members->setText(names.join(QStringLiteral(", ")));
+    const auto& named = scenario.desktop.groups;
+    const auto own = std::find_if(named.begin(), named.end(),
+                                  [group](const auto& each) { return each.first == group; });
+    name->show(own == named.end() ? QString() : QString::fromStdString(own->second));
+    for (QWidget* widget : std::initializer_list<QWidget*>{name, members, dissolve}) {
+      section->setRowVisible(widget, grouped);
+    }
+    section->setNote(!group ? tr("different groups") : QString());
+  });
+}
+
+void PersonPage::addAppearanceSection() {
+  FormSection* section = addSection(tr("Appearance"));
+  auto* choice = new ChoiceField(this);
+  choice->setIconSize(QSize(20, 20));
+  choice->setToolTip(tr("How the simulator of the scenario dresses the person"));
+  section->addRow(tr("Figure"), choice);
+  auto* elsewhere = secondaryLabel({}, this);
+  elsewhere->setWordWrap(true);
+  section->addRow(tr("Elsewhere"), elsewhere);
+  connect(choice, qOverload<int>(&QComboBox::activated), this, [this, choice](int index) {
+    const int skin = choice->itemData(index).toInt();
+    apply(tr("Change appearance"), [skin](Entity& entity) { personOf(entity).skin = skin; });
+  });
+  addRefresh([=](const std::vector<Entity>& shown) {
+    const std::string simulator = document().scenario().simulator.value_or(std::string());
+    choice->clear();
+    for (const Skin& skin : skinsOf(simulator)) {
+      choice->addItem(skinIcon(skin, theme_), skin.name, skin.number);
+    }
+    const std::optional<int> worn =
+        commonValue(shown, [](const Entity& each) { return personOf(each).skin.value_or(0); });
+    choice->setCurrentIndex(worn ? choice->findData(skinFor(simulator, *worn).number) : -1);
+    section->setNote(simulator.empty() ? tr("as in Gazebo") : QString::fromStdString(simulator));
+    QStringList others;
+    for (const char* other : {"Gazebo Classic", "Isaac Sim", "Webots"}) {
+      if (worn && &skinsOf(other) != &skinsOf(simulator)) {
+        others << QString::fromLatin1(other) + QStringLiteral(": ") + skinFor(other, *worn).name;
+      }
+    }
+    elsewhere->setText(others.join(QLatin1Char('\n')));
+  });
 }
 
 }  // namespace editor

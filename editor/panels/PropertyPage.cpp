@@ -6,6 +6,91 @@
 
 namespace editor {
 
+namespace {
+
+using base::ParameterType;
+using base::ParameterValue;
+
+template <class T>
+T valueOr(const ParameterValue& value, T otherwise) {
+  const T* own = std::get_if<T>(&value);
+  return own == nullptr ? otherwise : *own;
+}
+
+/// "1/s" reads "/s" after a number.
+QString unitOf(const base::ParameterSpec& spec) {
+  const QString unit = QString::fromStdString(spec.unit);
+  return unit.startsWith(QStringLiteral("1/")) ? unit.mid(1) : unit;
+}
+
+NumberField::Range rangeOf(const base::ParameterSpec& spec, bool isWide) {
+  NumberField::Range range = {spec.range.low, spec.range.high, spec.form.decimals, spec.form.step,
+                              spec.range.above};
+  if (spec.type == ParameterType::Integer) {
+    constexpr double kLargest = 2147483647.0;
+    constexpr double kLargestWide = 9223372036854774784.0;  // that a double and 64 bits hold
+    range.decimals = 0;
+    range.step = 1.0;
+    range.minimum = std::max(range.minimum, -kLargest);
+    range.maximum = std::min(range.maximum, isWide ? kLargestWide : kLargest);
+  }
+  return range;
+}
+
+/// The words of a choice and the values they stand for.
+struct Choices {
+  QStringList words;
+  std::vector<ParameterValue> values;
+};
+
+Choices choicesOf(const base::ParameterSpec& spec, const FieldLook& look) {
+  Choices choices;
+  if (!look.none.isEmpty()) {
+    choices.words << look.none;
+    choices.values.emplace_back();
+  }
+  const std::vector<std::string>& values = spec.choices.empty() ? look.names : spec.choices;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const int index = static_cast<int>(i);
+    choices.words << (index < look.words.size() ? look.words[index]
+                                                : QString::fromStdString(values[i]));
+    choices.values.emplace_back(values[i]);
+  }
+  return choices;
+}
+
+QString textOf(const ParameterValue& value) {
+  if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
+    return listText(*numbers);
+  }
+  if (const auto* integers = std::get_if<std::vector<int>>(&value)) {
+    return listText({integers->begin(), integers->end()});
+  }
+  return QString::fromStdString(valueOr<std::string>(value, {}));
+}
+
+ParameterValue valueFromText(ParameterType type, const QString& text) {
+  if (text.isEmpty()) {
+    return {};
+  }
+  if (type == ParameterType::Text) {
+    return text.toStdString();
+  }
+  const auto numbers = listFromText(text).value_or(std::vector<double>());
+  return type == ParameterType::Numbers
+             ? ParameterValue(numbers)
+             : ParameterValue(std::vector<int>(numbers.begin(), numbers.end()));
+}
+
+QString listProblem(const base::Range& range, const QString& text) {
+  const auto values = listFromText(text);
+  const bool fits = values && std::all_of(values->begin(), values->end(),
+                                          [&](double value) { return range.contains(value); });
+  return fits ? QString() : QObject::tr("Numbers with commas between them");
+}
+
+}  // namespace
+
 PropertyPage::PropertyPage(ScenarioDocument& document, QWidget* parent,
                            const sim2d::FieldTables& tables)
     : QWidget(parent), document_(document), tables_(tables), layout_(new QVBoxLayout(this)) {
@@ -81,7 +166,7 @@ QString PropertyPage::nameProblem(const QString& name) const {
                                                                : QString();
 }
 
-TextField* PropertyPage::addName(FormSection* section) {
+void PropertyPage::addName(FormSection* section) {
   auto* field = new TextField(this);
   field->setCheck([this](const QString& name) { return nameProblem(name); });
   connect(field, &TextField::edited, this, [this](const QString& name) {
@@ -96,7 +181,195 @@ TextField* PropertyPage::addName(FormSection* section) {
                     : tr("%1 selected").arg(shown.size()));
   });
   section->addRow(tr("Name"), field);
-  return field;
+}
+
+void PropertyPage::addOwnNumber(FormSection* section, const QString& help, int least,
+                                std::function<int(const Entity&)> get,
+                                std::function<bool(int)> take) {
+  auto* number = new NumberField({double(least), 2147483647.0, 0, 1.0}, {}, this);
+  if (!help.isEmpty()) {
+    number->setToolTip(help);
+  }
+  section->addRow(tr("Number"), number);
+  connect(number, &NumberField::edited, this, [this, take = std::move(take)](double value) {
+    if (targets_.size() != 1 || !take(static_cast<int>(value))) {
+      refresh();
+    }
+  });
+  addRefresh([number, get = std::move(get)](const std::vector<Entity>& shown) {
+    number->setEnabled(shown.size() == 1);
+    shown.size() == 1 ? number->show(get(shown.front()), false) : number->showMixed();
+  });
+}
+
+FieldLook inWords(const QStringList& words, const QString& none) {
+  FieldLook look;
+  look.words = words;
+  look.none = none;
+  return look;
+}
+
+FieldLook oneOf(std::vector<std::string> names, const QString& none) {
+  FieldLook look;
+  look.names = std::move(names);
+  look.none = none;
+  return look;
+}
+
+FieldLook emptyAs(const QString& placeholder, TextField::Check check) {
+  FieldLook look;
+  look.placeholder = placeholder;
+  look.check = std::move(check);
+  return look;
+}
+
+QString labelOf(const base::ParameterSpec& spec) {
+  if (!spec.form.label.empty()) {
+    return QString::fromStdString(spec.form.label);
+  }
+  QString label = QString::fromStdString(spec.key).replace(QLatin1Char('_'), QLatin1Char(' '));
+  label[0] = label[0].toUpper();
+  return label;
+}
+
+QString helpOf(const base::ParameterSpec& spec) {
+  return QString::fromStdString(spec.help).remove(QLatin1Char('`'));
+}
+
+QWidget* PropertyPage::addRow(FormSection* section, const EntityField& field,
+                              const FieldLook& look) {
+  const base::ParameterSpec& spec = field.spec;
+  const bool isNumber = spec.type == ParameterType::Number || spec.type == ParameterType::Integer;
+  QWidget* row = isNumber                                     ? makeNumber(field, look)
+                 : spec.type == ParameterType::Boolean        ? makeSwitch(field, look)
+                 : spec.choices.empty() && look.names.empty() ? makeText(field, look)
+                                                              : makeChoice(field, look);
+  row->setObjectName(QString::fromStdString(spec.key));
+  if (spec.form.sliderTo > 0.0) {
+    auto* number = static_cast<NumberField*>(row);
+    section->addRow(labelOf(spec), new LinkedSlider(*number, spec.form.sliderTo, this), row);
+  } else {
+    section->addRow(labelOf(spec), row);
+  }
+  QWidget* whole = spec.form.sliderTo > 0.0 ? row->parentWidget() : row;
+  addRefresh([=](const std::vector<Entity>& shown) {
+    const bool belongs = !field.belongs || std::all_of(shown.begin(), shown.end(), field.belongs);
+    section->setRowVisible(row, belongs && (!look.visible || look.visible(shown)));
+    whole->setEnabled(!look.enabled || look.enabled(shown));
+  });
+  return row;
+}
+
+void PropertyPage::addListed(FormSection* section) {
+  addRow(section, listedField(), inWords({tr("In the scenario")}));
+}
+
+void PropertyPage::addPosition(FormSection* section) {
+  addNumberPair(section, tr("Position"), positionField(QStringLiteral("X"), 0),
+                positionField(QStringLiteral("Y"), 1));
+}
+
+void PropertyPage::addNumberPair(FormSection* section, const QString& label,
+                                 const EntityField& first, const EntityField& second) {
+  NumberField* left = makeNumber(first);
+  NumberField* right = makeNumber(second);
+  section->addRow(label, left, right);
+  left->setAccessibleName(labelOf(first.spec));
+  right->setAccessibleName(labelOf(second.spec));
+}
+
+NumberField* PropertyPage::makeNumber(const EntityField& field, const FieldLook& look) {
+  const bool isInteger = field.spec.type == ParameterType::Integer;
+  auto* number = new NumberField(rangeOf(field.spec, field.isWide),
+                                 look.unit.isEmpty() ? unitOf(field.spec) : look.unit, this);
+  number->setUnitOfOne(look.unitOfOne);
+  QStringList hints = {helpOf(field.spec), number->toolTip()};
+  hints.removeAll(QString());
+  number->setToolTip(hints.join(QLatin1Char('\n')));
+  connect(number, &NumberField::edited, this, [=](double value) {
+    change(field, isInteger ? ParameterValue(static_cast<long long>(value)) : value);
+  });
+  connect(number, &NumberField::defaultWanted, this, [=] { change(field, {}); });
+  addRefresh([=](const std::vector<Entity>& shown) {
+    const auto own = [&](const Entity& entity) {
+      return !look.counts || look.counts(entity) ? numberIn(field.get(entity)) : std::nullopt;
+    };
+    const auto value = commonValue(shown, [&](const Entity& entity) {
+      const auto otherwise = [&] {
+        return look.fallback    ? look.fallback(entity)
+               : field.fallback ? numberIn(field.fallback(entity)).value_or(0.0)
+                                : 0.0;
+      };
+      const std::optional<double> written = own(entity);
+      return written ? *written : otherwise();
+    });
+    value ? number->show(*value, !own(shown.front())) : number->showMixed();
+  });
+  return number;
+}
+
+/// The word of the default is chosen by leaving the key out, where no word stands for that.
+QWidget* PropertyPage::makeChoice(const EntityField& field, const FieldLook& look) {
+  const Choices choices = choicesOf(field.spec, look);
+  const bool hasNone = !look.none.isEmpty();
+  auto* box = new ChoiceField(this);
+  box->addItems(choices.words);
+  box->setToolTip(helpOf(field.spec));
+  connect(box, qOverload<int>(&QComboBox::activated), this, [=](int index) {
+    const ParameterValue& value = choices.values[static_cast<std::size_t>(index)];
+    apply(tr("Change %1").arg(labelOf(field.spec).toLower()), [&](Entity& entity) {
+      const bool isUsual = !hasNone && field.fallback && value == field.fallback(entity);
+      field.set(entity, isUsual ? ParameterValue() : value);
+    });
+  });
+  addRefresh([=](const std::vector<Entity>& shown) {
+    const auto index = commonValue(shown, [&](const Entity& entity) {
+      const ParameterValue own = field.get(entity);
+      const bool isOwn = own != ParameterValue() || hasNone || !field.fallback;
+      const auto found = std::find(choices.values.begin(), choices.values.end(),
+                                   isOwn ? own : field.fallback(entity));
+      return found == choices.values.end() ? 0 : static_cast<int>(found - choices.values.begin());
+    });
+    box->setCurrentIndex(index.value_or(-1));
+  });
+  return box;
+}
+
+QWidget* PropertyPage::makeSwitch(const EntityField& field, const FieldLook& look) {
+  auto* box = new QCheckBox(look.words.isEmpty() ? tr("Yes") : look.words.front(), this);
+  box->setToolTip(helpOf(field.spec));
+  connect(box, &QCheckBox::clicked, this, [=](bool on) { change(field, on); });
+  addRefresh([=](const std::vector<Entity>& shown) {
+    const std::optional<bool> on = commonValue(shown, [&](const Entity& entity) {
+      const ParameterValue own = field.get(entity);
+      return valueOr(own == ParameterValue() && field.fallback ? field.fallback(entity) : own,
+                     false);
+    });
+    box->setTristate(!on);
+    box->setCheckState(!on ? Qt::PartiallyChecked : *on ? Qt::Checked : Qt::Unchecked);
+  });
+  return box;
+}
+
+/// A text, or a list as text.
+QWidget* PropertyPage::makeText(const EntityField& field, const FieldLook& look) {
+  auto* line = new TextField(this);
+  line->setPlaceholderText(look.placeholder);
+  line->setHint(helpOf(field.spec));
+  line->setCheck(
+      look.check || field.spec.type == ParameterType::Text
+          ? look.check
+          : [range = field.spec.range](const QString& text) { return listProblem(range, text); });
+  connect(line, &TextField::edited, this, [=](const QString& text) {
+    apply(tr("Change %1").arg(labelOf(field.spec).toLower()),
+          [&](Entity& entity) { field.set(entity, valueFromText(field.spec.type, text)); });
+  });
+  addRefresh([=](const std::vector<Entity>& shown) {
+    const auto text =
+        commonValue(shown, [&](const Entity& entity) { return textOf(field.get(entity)); });
+    line->show(text.value_or(QString()));
+  });
+  return line;
 }
 
 }  // namespace editor

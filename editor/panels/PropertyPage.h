@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <optional>
@@ -34,6 +35,16 @@ FieldLook inWords(const QStringList& words, const QString& none = {});
 FieldLook oneOf(std::vector<std::string> names, const QString& none);
 FieldLook emptyAs(const QString& placeholder, TextField::Check check = {});
 
+/// Where all that are shown give the same, that; else nothing.
+template <class Get>
+auto commonValue(const std::vector<Entity>& shown, const Get& get)
+    -> std::optional<std::decay_t<decltype(get(shown.front()))>> {
+  auto first = get(shown.front());
+  const bool same = std::all_of(shown.begin(), shown.end(),
+                                [&](const Entity& value) { return get(value) == first; });
+  return same ? std::optional(std::move(first)) : std::nullopt;
+}
+
 /// The properties of one kind of entity: rows made from the tables of the scenario's keys and from
 /// keys of its own, showing one or several entities. Each edit is one command on all of them; edits
 /// of the same row merge.
@@ -45,7 +56,7 @@ class PropertyPage : public QWidget {
 
   void setTargets(const std::vector<EntityId>& targets);
   const std::vector<EntityId>& targets() const { return targets_; }
-  virtual void refresh();
+  void refresh();
   virtual void setTheme(const Theme&) {}
 
  protected:
@@ -87,8 +98,13 @@ class PropertyPage : public QWidget {
   void addNumberPair(FormSection* section, const QString& label, const EntityField& first,
                      const EntityField& second);
   void addListed(FormSection* section);
+  void addPosition(FormSection* section);
+  /// A whole number that each entity has for itself: only for one at a time. `take` tells whether
+  /// it took what was typed.
+  void addOwnNumber(FormSection* section, const QString& help, int least,
+                    std::function<int(const Entity&)> get, std::function<bool(int)> take);
   /// The name of the entity; only for one at a time, checked for being free.
-  TextField* addName(FormSection* section);
+  void addName(FormSection* section);
   void addRefresh(std::function<void(const std::vector<Entity>&)> refresh);
   void finish();  // after the last section
 

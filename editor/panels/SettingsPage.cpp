@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "editor/panels/EntityPages.h"
-#include "editor/panels/ListText.h"
 #include "metrics/Samples.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/world/Runner.h"

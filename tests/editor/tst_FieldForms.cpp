@@ -6,6 +6,7 @@
 #include "editor/panels/PropertyPanel.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/FieldMaking.h"
+#include "sim2d/scenario/ScenarioFile.h"
 
 using base::ParameterType;
 using editor::Entity;
@@ -273,6 +274,90 @@ class FieldFormsTest : public QObject {
     QTest::keyClicks(wheels, QStringLiteral("2.25"));
     QTest::keyClick(wheels, Qt::Key_Tab);
     QCOMPARE(document_.scenario().robots[0].mass, std::optional(1.25));
+  }
+
+  /// A planner that nobody knows declares a parameter: the row, the command line and the check are
+  /// made from its description.
+  void parameter_ofAMadeUpPlanner_isARowOfTheForm() {
+    sim2d::Registries registries = sim2d::programRegistries();
+    base::ParameterSpec spec;
+    spec.key = "tail_wag";
+    spec.unit = "1/s";
+    spec.range = {0.0, 8.0};
+    spec.fallback = 2.5;
+    spec.help = "How often its `tail` goes";
+    registries.planners.add("dog", {spec}, [](const sim2d::ResolvedRobot&) {
+      return base::Result<std::shared_ptr<sim2d::RobotController>>(base::Diagnostics{});
+    });
+    const QString rowName = QStringLiteral("dog.tail_wag");
+    sim2d::Scenario scenario = oneOfEach();
+    document_.load(scenario);
+    editor::RobotPage page(document_, nullptr, sim2d::fieldTables(), registries.planners);
+    page.setTargets({scenario.robots[0].key});
+    page.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&page));
+    auto* wag = page.findChild<NumberField*>(rowName);
+    auto* ahead = page.findChild<NumberField*>(QStringLiteral("pursuit.lookahead"));
+    QVERIFY(wag != nullptr && ahead != nullptr);
+    QVERIFY(ahead->isVisible() && !wag->isVisible());  // the usual planner is pursuit
+    QCOMPARE(ahead->text(), QStringLiteral("0.60 m"));
+    const auto robot = [this]() -> const sim2d::Robot& { return document_.scenario().robots[0]; };
+    const auto change = [&](const std::function<void(sim2d::Robot&)>& edit) {
+      editor::pushChange<sim2d::Robot>(document_, robot().key, QStringLiteral("Change"), edit);
+      page.refresh();
+    };
+    change([](sim2d::Robot& each) { each.planner = "dog"; });
+    QVERIFY(wag->isVisible() && !ahead->isVisible());
+    QCOMPARE(wag->accessibleName(), QStringLiteral("Tail wag"));
+    QCOMPARE(wag->text(), QStringLiteral("2.50 /s"));
+    QCOMPARE(wag->toolTip(), QStringLiteral("How often its tail goes\n0.00 to 8.00 /s"));
+    const auto type = [wag](const char* digits) {
+      wag->setFocus();
+      wag->selectAll();
+      QTest::keyClicks(wag, QLatin1String(digits));
+      QTest::keyClick(wag, Qt::Key_Return);
+    };
+    type("9");  // out of its range
+    QVERIFY(robot().plannerParameters.empty());
+    type("4.25");
+    using Pairs = std::vector<std::pair<std::string, std::string>>;
+    QVERIFY(robot().plannerParameters == Pairs({{"tail_wag", "4.25"}}));
+    const auto problems = [&] {
+      QStringList texts;
+      for (const auto& each : sim2d::checkScenario(
+               document_.scenario(), sim2d::makeSurroundings(document_.scenario(), {}), {},
+               sim2d::knownNames(registries))) {
+        if (each.message.find("planner_parameters") != std::string::npos) {
+          texts << QString::fromStdString(each.message);
+        }
+      }
+      return texts;
+    };
+    QCOMPARE(problems(), QStringList());
+    sim2d::Scenario set = document_.scenario();
+    QVERIFY(sim2d::setValue(set, "robot.planner_parameters.tail_wag", "1.5").empty());
+    document_.load(set);
+    page.refresh();
+    QCOMPARE(wag->value(), 1.5);
+    auto* others = page.findChild<editor::TextField*>(QStringLiteral("other_parameters"));
+    QVERIFY(others != nullptr && !others->isVisible());
+    change([](sim2d::Robot& each) {
+      each.plannerParameters = {{"tail_wag", "12"}, {"tial_wag", "3"}, {"bark", "yes"}};
+    });
+    QCOMPARE(problems().size(), 3);
+    QVERIFY(others->isVisible());
+    QCOMPARE(others->text(), QStringLiteral("tial_wag=3, bark=yes"));
+    others->setFocus();
+    others->selectAll();
+    QTest::keyClick(others, Qt::Key_Delete);
+    QTest::keyClick(others, Qt::Key_Return);
+    QVERIFY(robot().plannerParameters == Pairs({{"tail_wag", "12"}}));
+    page.refresh();
+    QVERIFY(!others->isVisible());
+    Q_EMIT wag->defaultWanted();
+    QVERIFY(robot().plannerParameters.empty());
+    page.refresh();
+    QCOMPARE(wag->value(), 2.5);
   }
 
   void arrows_atAnOpenEnd_stayInside() {
