@@ -143,7 +143,7 @@ class RecordedRunTest : public QObject {
     QVERIFY(!window->workspace().document().isDirty());
     const double length = window->workspace().runner().newestFrame()->time;
     QVERIFY(shown.desktop.duration == std::optional(length));  // not that of the file
-    window->workspace().runner().reset();  // nothing to go back to
+    window->workspace().runner().reset();                      // nothing to go back to
     QVERIFY(window->isOnStartPage());
     quiet::leave(window);
   }
