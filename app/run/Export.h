@@ -8,7 +8,7 @@
 
 #include "app/run/RunOptions.h"
 #include "bt/human/Templates.h"
-#include "sim2d/base/FileSet.h"
+#include "sim2d/base/Files.h"
 #include "sim2d/map/MapReader.h"
 #include "sim2d/scenario/Export.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "metrics/RunningEvaluation.h"
-#include "sim2d/base/GrowingFile.h"
+#include "sim2d/base/Files.h"
 #include "sim2d/trace/Recording.h"
 #include "sim2d/world/World.h"
 

@@ -6,7 +6,7 @@
 #include <QDateTime>
 
 #include "editor/document/ScenarioDocument.h"
-#include "sim2d/base/FileSet.h"
+#include "sim2d/base/Files.h"
 
 namespace editor {
 

@@ -7,7 +7,7 @@
 
 #include "editor/document/DocumentDisk.h"
 #include "editor/document/TreeQuestion.h"
-#include "sim2d/base/FileSet.h"
+#include "sim2d/base/Files.h"
 
 /// What saving a document writes where. Private to this folder.
 namespace editor {

@@ -5,7 +5,7 @@
 
 #include "bt/human/Templates.h"
 #include "bt/tree/NodeCatalogue.h"
-#include "sim2d/base/FileSet.h"
+#include "sim2d/base/Files.h"
 #include "sim2d/scenario/Scenario.h"
 
 namespace editor {

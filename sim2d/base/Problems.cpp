@@ -210,6 +210,8 @@ constexpr ProblemText kTexts[] = {
     {"world.no-quirk", "'{found}' is no quirk (hunav2, or a list such as Q-13,Q-20)"},
     {"world.quirk-not-switchable", "{found} cannot be switched on (only {known})"},
     {"world.unknown-parameter", "planner '{planner}' has no parameter '{found}' (it has {known})"},
+    {"world.unknown-model-parameter",
+     "model '{model}' has no parameter '{found}' (it has {known})"},
     {"world.bad-pursuit", "pursuit wants lookahead > 0 and slow_distance >= stop_distance >= 0"},
     {"world.refused-input", "input {input}: {reason}"},
 

@@ -1,6 +1,7 @@
 #include "sim2d/base/Result.h"
 
 #include <algorithm>
+#include <array>
 
 #include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
@@ -46,16 +47,6 @@ std::string filled(const Hole& hole, const std::string& value) {
          std::string(hole.pattern.substr(place + 1));
 }
 
-Diagnostic make(Severity severity, std::string message, std::string file, int line, int column) {
-  Diagnostic diagnostic;
-  diagnostic.severity = severity;
-  diagnostic.file = std::move(file);
-  diagnostic.line = line;
-  diagnostic.column = column;
-  diagnostic.message = std::move(message);
-  return diagnostic;
-}
-
 }  // namespace
 
 std::string Diagnostic::text() const {
@@ -69,15 +60,8 @@ std::string Diagnostic::text() const {
 }
 
 const char* severityName(Severity severity) {
-  switch (severity) {
-    case Severity::Info:
-      return "info";
-    case Severity::Warning:
-      return "warning";
-    case Severity::Error:
-      return "error";
-  }
-  return "error";
+  static constexpr std::array<const char*, 3> kNames = {"info", "warning", "error"};
+  return kNames.at(static_cast<std::size_t>(severity));
 }
 
 bool hasErrors(const Diagnostics& diagnostics) {
@@ -108,7 +92,7 @@ Diagnostic problem(Severity severity, std::string_view code, ProblemValues value
                    int line, int column) {
   const ProblemText* known = problemText(code);
   assert(known != nullptr && "no such problem in the catalogue");
-  Diagnostic made = make(severity, {}, std::move(file), line, column);
+  Diagnostic made{severity, std::move(file), line, column, {}, {}};
   if (known == nullptr) {
     return made;
   }

@@ -1,5 +1,6 @@
 #include "sim2d/base/Types.h"
 
+#include <array>
 #include <cmath>
 
 #include "sim2d/base/Math.h"
@@ -39,19 +40,9 @@ Vec2 Pose2::toLocal(const Vec2& pointInWorld) const {
 }
 
 const char* nodeStatusName(NodeStatus status) {
-  switch (status) {
-    case NodeStatus::Idle:
-      return "IDLE";
-    case NodeStatus::Running:
-      return "RUNNING";
-    case NodeStatus::Success:
-      return "SUCCESS";
-    case NodeStatus::Failure:
-      return "FAILURE";
-    case NodeStatus::Skipped:
-      return "SKIPPED";
-  }
-  return "IDLE";
+  static constexpr std::array<const char*, 5> kNames = {"IDLE", "RUNNING", "SUCCESS", "FAILURE",
+                                                        "SKIPPED"};
+  return kNames.at(static_cast<std::size_t>(status));
 }
 
 }  // namespace base

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim2d/base/FileSet.h"
+#include "sim2d/base/Files.h"
 #include "sim2d/map/OccupancyGrid.h"
 
 namespace sim2d {

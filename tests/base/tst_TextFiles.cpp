@@ -5,8 +5,7 @@
 
 #include <QtTest>
 
-#include "sim2d/base/FileSet.h"
-#include "sim2d/base/GrowingFile.h"
+#include "sim2d/base/Files.h"
 #include "sim2d/base/Text.h"
 
 class TextFilesTest : public QObject {
