@@ -2,13 +2,23 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/ForeignReaders.h"
 
 namespace sim2d {
-
 namespace {
+
+bool isBlank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == ',';
+}
+
+bool beginsNumber(std::string_view text, std::size_t minus) {
+  const char next = minus + 1 < text.size() ? text[minus + 1] : ' ';
+  return (next >= '0' && next <= '9') || next == '.';
+}
 
 constexpr std::array<const char*, 12> kColumns = {
     "time", "frame", "id", "x", "y", "heading", "vx", "vy", "omega", "group", "radius", "kind"};
@@ -24,7 +34,74 @@ std::string withoutMark(const std::string& text) {
   return text.compare(0, mark.size(), mark) == 0 ? text.substr(mark.size()) : text;
 }
 
+/// An id that is not negative.
+std::optional<int> idOf(WordReader& words, const Word& word) {
+  const std::optional<long long> id = words.whole(word, "the id");
+  if (id && *id < 0) {
+    words.error(word, "tracks.negative-id");
+    return std::nullopt;
+  }
+  return id ? std::make_optional(static_cast<int>(*id)) : std::nullopt;
+}
+
 }  // namespace
+
+std::string_view TextRows::withoutComment(std::string_view line) const {
+  for (std::size_t k = line.find(comment_); k != std::string_view::npos;
+       k = line.find(comment_, k + 1)) {
+    const bool inWord =
+        comment_ == '-' && (beginsNumber(line, k) || (k > 0 && !isBlank(line[k - 1])));
+    if (!inWord) {
+      return line.substr(0, k);
+    }
+  }
+  return line;
+}
+
+bool TextRows::next(std::vector<Word>& row) {
+  row.clear();
+  while (row.empty() && position_ < text_.size()) {
+    const std::size_t end = std::min(text_.find('\n', position_), text_.size());
+    const std::string_view line = withoutComment(text_.substr(position_, end - position_));
+    position_ = end + 1;
+    ++line_;
+    for (std::size_t k = 0; k < line.size();) {
+      if (isBlank(line[k])) {
+        ++k;
+        continue;
+      }
+      const std::size_t begin = k;
+      while (k < line.size() && !isBlank(line[k])) {
+        ++k;
+      }
+      row.push_back({line.substr(begin, k - begin), line_, static_cast<int>(begin) + 1});
+    }
+  }
+  return !row.empty();
+}
+
+void WordReader::error(const Word& at, std::string_view code, base::ProblemValues values) {
+  problems_.push_back(base::error(code, std::move(values), file_, at.line, at.column));
+}
+
+std::optional<double> WordReader::finite(const Word& word, const char* name) {
+  const std::optional<double> value = base::parseDouble(word.text);
+  if (!value || !std::isfinite(*value)) {
+    error(word, "trace.not-finite", {name, word.text});
+    return std::nullopt;
+  }
+  return value;
+}
+
+std::optional<long long> WordReader::whole(const Word& word, const char* name) {
+  constexpr double kLargest = 2e9;
+  const std::optional<double> value = base::parseDouble(word.text);
+  if (!value || !(std::fabs(*value) <= kLargest) || *value != std::floor(*value)) {
+    error(word, "trace.not-whole", {name, word.text});
+    return std::nullopt;
+  }
+  return static_cast<long long>(*value);
+}
 
 void addAllTrackFormats(TrackFormats& to);  // written by CMake
 
@@ -128,6 +205,16 @@ TrackPoint& FrameTracks::add(int id, long long frame, const Vec2& position, int 
   return point;
 }
 
+TrackPoint* FrameTracks::add(WordReader& words, const Word& frame, const Word& id, const Word& x,
+                             const Word& y) {
+  const std::optional<long long> itsFrame = words.whole(frame, "the frame");
+  const std::optional<int> itsId = idOf(words, id);
+  const std::optional<double> itsX = words.finite(x, "x");
+  const std::optional<double> itsY = words.finite(y, "y");
+  const bool isWhole = itsFrame && itsId && itsX && itsY;
+  return isWhole ? &add(*itsId, *itsFrame, {*itsX, *itsY}, frame.line, frame.column) : nullptr;
+}
+
 TrackFile FrameTracks::finish(const std::string& path, double framesPerSecond) {
   TrackFile file;
   file.file = path;
@@ -171,15 +258,6 @@ void readGroupsBeside(const ForeignInput& input, TrackFile& file) {
       }
     }
   }
-}
-
-std::optional<int> idOf(WordReader& words, const Word& word) {
-  const std::optional<long long> id = words.whole(word, "the id");
-  if (id && *id < 0) {
-    words.error(word, "tracks.negative-id");
-    return std::nullopt;
-  }
-  return id ? std::make_optional(static_cast<int>(*id)) : std::nullopt;
 }
 
 }  // namespace sim2d

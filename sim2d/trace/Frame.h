@@ -17,29 +17,37 @@ using base::Vec2;
 
 constexpr int kNoGoal = -1;  // column `goal` when there is none (written empty)
 
-/// State of the people in the world, by ascending id. World frame; [m], [rad], [m/s], [rad/s].
-struct HumanColumns {
+/// State of the robots: -1, -2 … or, as part of theirs, of the people in the world, by ascending
+/// id. World frame; [m], [rad], [m/s], [rad/s].
+struct BodyColumns {
   std::vector<int> id;
   std::vector<double> x, y, heading, vx, vy, omega;
-  std::vector<int> group;           // -1 = none
-  std::vector<std::uint8_t> state;  // 1 while a reaction or social action runs
-  std::vector<int> goal;            // id of the current global goal or kNoGoal
-  std::size_t size() const { return id.size(); }
-  friend bool operator==(const HumanColumns& a, const HumanColumns& b) {
-    return std::tie(a.id, a.x, a.y, a.heading, a.vx, a.vy, a.omega, a.group, a.state, a.goal) ==
-           std::tie(b.id, b.x, b.y, b.heading, b.vx, b.vy, b.omega, b.group, b.state, b.goal);
-  }
-};
+  std::vector<int> goal;  // id of the current global goal or kNoGoal
 
-/// State of the robots: -1, -2 …
-struct RobotColumns {
-  std::vector<int> id;
-  std::vector<double> x, y, heading, vx, vy, omega;
-  std::vector<int> goal;
   std::size_t size() const { return id.size(); }
-  friend bool operator==(const RobotColumns& a, const RobotColumns& b) {
+  void add(int body, const base::Pose2& pose, const Vec2& velocity, double turning, int itsGoal) {
+    id.push_back(body);
+    x.push_back(pose.position.x());
+    y.push_back(pose.position.y());
+    heading.push_back(pose.heading);
+    vx.push_back(velocity.x());
+    vy.push_back(velocity.y());
+    omega.push_back(turning);
+    goal.push_back(itsGoal);
+  }
+  friend bool operator==(const BodyColumns& a, const BodyColumns& b) {
     return std::tie(a.id, a.x, a.y, a.heading, a.vx, a.vy, a.omega, a.goal) ==
            std::tie(b.id, b.x, b.y, b.heading, b.vx, b.vy, b.omega, b.goal);
+  }
+};
+using RobotColumns = BodyColumns;
+
+struct HumanColumns : BodyColumns {
+  std::vector<int> group;           // -1 = none
+  std::vector<std::uint8_t> state;  // 1 while a reaction or social action runs
+  friend bool operator==(const HumanColumns& a, const HumanColumns& b) {
+    const BodyColumns& body = a;
+    return body == b && std::tie(a.group, a.state) == std::tie(b.group, b.state);
   }
 };
 

@@ -152,6 +152,8 @@ struct Trace {
 std::string trajectoryCsv(const Trace& trace);
 std::string eventsCsv(const Trace& trace);
 std::string traceJson(const TraceHeader& header);
+/// Reads the text of trace.json; `file` is named in the problems.
+base::Result<TraceHeader> parseTraceJson(const std::string& text, const std::string& file);
 /// Reads trajectory.csv, events.csv and trace.json of a run folder.
 base::Result<Trace> readTrace(const std::string& directory);
 /// FNV-1a over the bytes of trajectory.csv and events.csv.

@@ -6,7 +6,6 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Csv.h"
 #include "sim2d/trace/Trace.h"
-#include "sim2d/trace/TraceJson.h"
 #include "sim2d/trace/TraceRows.h"
 
 namespace sim2d {
@@ -20,11 +19,19 @@ struct Row {
   double time = 0.0;
   int id = 0;
   bool isRobot = false;
-  std::array<double, 6> motion{};  // x, y, heading, vx, vy, omega
+  base::Pose2 pose;
+  Vec2 velocity = Vec2::Zero();
+  double omega = 0.0;
   int group = -1;
   std::uint8_t state = 0;
   int goal = kNoGoal;
 };
+
+void addInstant(Trace& trace, std::int64_t step) {
+  Frame& frame = trace.frames.emplace_back();
+  frame.step = step;
+  frame.time = static_cast<double>(step) * trace.header.dt;
+}
 
 class TrajectoryReader {
  public:
@@ -54,7 +61,8 @@ class TrajectoryReader {
 
  private:
   bool parse(const CsvRow& fields, Row& row) {
-    static constexpr std::array<const char*, 6> kNames = {"x", "y", "heading", "vx", "vy", "omega"};
+    static constexpr std::array<const char*, 6> kMotion = {"x",  "y",  "heading",
+                                                           "vx", "vy", "omega"};
     bool good = table_.readInt(fields[0], "step", row.step);
     good = table_.readFinite(fields[1], "time", row.time) && good;
     good = table_.readInt(fields[2], "id", row.id) && good;
@@ -63,8 +71,11 @@ class TrajectoryReader {
       table_.error(fields[3], "trace.bad-kind", {fields[3].text});
       good = false;
     }
-    for (std::size_t k = 0; k < kNames.size(); ++k) {
-      good = table_.readFinite(fields[4 + k], kNames[k], row.motion[k]) && good;
+    const std::array<double*, 6> numbers = {&row.pose.position.x(), &row.pose.position.y(),
+                                            &row.pose.heading,      &row.velocity.x(),
+                                            &row.velocity.y(),      &row.omega};
+    for (std::size_t k = 0; k < kMotion.size(); ++k) {
+      good = table_.readFinite(fields[4 + k], kMotion[k], *numbers[k]) && good;
     }
     good = table_.readInt(fields[10], "group", row.group) && good;
     good = table_.readInt(fields[11], "state", row.state) && good;
@@ -116,9 +127,7 @@ class TrajectoryReader {
     }
     for (std::int64_t k = robotIds_.empty() ? expected : step; k <= step;
          k += trace_.header.recordEvery) {
-      trace_.frames.emplace_back();
-      trace_.frames.back().step = k;
-      trace_.frames.back().time = static_cast<double>(k) * trace_.header.dt;
+      addInstant(trace_, k);
     }
     return true;
   }
@@ -129,28 +138,15 @@ class TrajectoryReader {
     }
   }
 
-  template <class Columns>
-  static void appendMotion(Columns& columns, const Row& row) {
-    columns.id.push_back(row.id);
-    columns.x.push_back(row.motion[0]);
-    columns.y.push_back(row.motion[1]);
-    columns.heading.push_back(row.motion[2]);
-    columns.vx.push_back(row.motion[3]);
-    columns.vy.push_back(row.motion[4]);
-    columns.omega.push_back(row.motion[5]);
-    columns.goal.push_back(row.goal);
-  }
-
   void append(const Row& row) {
     Frame& frame = trace_.frames.back();
     frame.time = row.time;
-    if (row.isRobot) {
-      appendMotion(frame.robots, row);
-      return;
+    BodyColumns& bodies = row.isRobot ? frame.robots : static_cast<BodyColumns&>(frame.humans);
+    bodies.add(row.id, row.pose, row.velocity, row.omega, row.goal);
+    if (!row.isRobot) {
+      frame.humans.group.push_back(row.group);
+      frame.humans.state.push_back(row.state);
     }
-    appendMotion(frame.humans, row);
-    frame.humans.group.push_back(row.group);
-    frame.humans.state.push_back(row.state);
   }
 
   CsvTable& table_;
@@ -203,9 +199,7 @@ void checkEnd(Trace& trace, const std::string& file, base::Diagnostics& problems
     return;
   }
   for (; step <= end; step += every) {
-    trace.frames.emplace_back();
-    trace.frames.back().step = step;
-    trace.frames.back().time = static_cast<double>(step) * trace.header.dt;
+    addInstant(trace, step);
   }
 }
 

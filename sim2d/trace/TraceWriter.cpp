@@ -1,56 +1,40 @@
 #include <algorithm>
+#include <array>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Csv.h"
+#include "sim2d/trace/Frame.h"
 #include "sim2d/trace/Trace.h"
 #include "sim2d/trace/TraceRows.h"
 
 namespace sim2d {
-
 namespace {
+
+constexpr std::array<const char*, kEventKinds> kEventNames = {
+    "enter",  "leave",      "goal",  "arrived", "contact", "say",  "heard",
+    "action", "action_end", "group", "replan",  "stuck",   "door", "stop"};
 
 void appendInt(std::string& to, long long value) {
   to += std::to_string(value);
 }
 
-void appendNumbers(std::string& to, std::initializer_list<double> values) {
-  for (const double value : values) {
-    to += base::formatDouble(value);
-    to += ',';
-  }
-}
-
-void appendGoal(std::string& to, int goal) {
-  if (goal != kNoGoal) {
-    appendInt(to, goal);
-  }
-}
-
-void appendHumans(std::string& to, const std::string& stamp, const HumanColumns& humans) {
-  for (std::size_t k = 0; k < humans.size(); ++k) {
+/// `ofPerson`: writes the group and state of a row.
+template <class OfPerson>
+void appendBodies(std::string& to, const std::string& stamp, const BodyColumns& bodies,
+                  const char* kind, OfPerson ofPerson) {
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
     to += stamp;
-    appendInt(to, humans.id[k]);
-    to += ",human,";
-    appendNumbers(to, {humans.x[k], humans.y[k], humans.heading[k], humans.vx[k], humans.vy[k],
-                       humans.omega[k]});
-    appendInt(to, humans.group[k]);
-    to += ',';
-    appendInt(to, humans.state[k]);
-    to += ',';
-    appendGoal(to, humans.goal[k]);
-    to += '\n';
-  }
-}
-
-void appendRobots(std::string& to, const std::string& stamp, const RobotColumns& robots) {
-  for (std::size_t k = 0; k < robots.size(); ++k) {
-    to += stamp;
-    appendInt(to, robots.id[k]);
-    to += ",robot,";
-    appendNumbers(to, {robots.x[k], robots.y[k], robots.heading[k], robots.vx[k], robots.vy[k],
-                       robots.omega[k]});
-    to += "-1,0,";
-    appendGoal(to, robots.goal[k]);
+    appendInt(to, bodies.id[k]);
+    to += kind;
+    for (const double value : {bodies.x[k], bodies.y[k], bodies.heading[k], bodies.vx[k],
+                               bodies.vy[k], bodies.omega[k]}) {
+      to += base::formatDouble(value);
+      to += ',';
+    }
+    ofPerson(k);
+    if (bodies.goal[k] != kNoGoal) {
+      appendInt(to, bodies.goal[k]);
+    }
     to += '\n';
   }
 }
@@ -65,14 +49,32 @@ std::uint64_t fnv1a(const std::string& bytes, std::uint64_t hash) {
 
 }  // namespace
 
+const char* eventKindName(EventKind kind) {
+  return kEventNames[static_cast<std::size_t>(kind)];
+}
+
+std::optional<EventKind> eventKindOf(std::string_view name) {
+  for (std::size_t k = 0; k < kEventNames.size(); ++k) {
+    if (name == kEventNames[k]) {
+      return static_cast<EventKind>(k);
+    }
+  }
+  return std::nullopt;
+}
+
 std::string headLine(const char* columns) {
   return std::string(columns) + '\n';
 }
 
 void appendTrajectoryRows(std::string& to, const Frame& frame) {
   const std::string stamp = std::to_string(frame.step) + ',' + base::formatDouble(frame.time) + ',';
-  appendHumans(to, stamp, frame.humans);
-  appendRobots(to, stamp, frame.robots);
+  appendBodies(to, stamp, frame.humans, ",human,", [&](std::size_t k) {
+    appendInt(to, frame.humans.group[k]);
+    to += ',';
+    appendInt(to, frame.humans.state[k]);
+    to += ',';
+  });
+  appendBodies(to, stamp, frame.robots, ",robot,", [&](std::size_t) { to += "-1,0,"; });
 }
 
 void appendEventRow(std::string& to, std::int64_t step, double dt, const Event& event) {

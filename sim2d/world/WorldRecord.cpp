@@ -44,29 +44,17 @@ void keepPresent(const std::vector<char>& present, std::vector<Vec2>& column) {
 void appendPerson(const WorldModel& model, const WorldState& state, std::size_t i,
                   HumanColumns& humans) {
   const HumanControl& control = state.controls[i];
-  humans.id.push_back(model.people[i].constants.id);
-  humans.x.push_back(state.x[i]);
-  humans.y.push_back(state.y[i]);
-  humans.heading.push_back(state.heading[i]);
-  humans.vx.push_back(state.vx[i]);
-  humans.vy.push_back(state.vy[i]);
-  humans.omega.push_back(state.omega[i]);
+  const bool hasGoal = !control.goals.empty() && control.goals.front().id > 0;
+  humans.add(model.people[i].constants.id, {{state.x[i], state.y[i]}, state.heading[i]},
+             {state.vx[i], state.vy[i]}, state.omega[i],
+             hasGoal ? control.goals.front().id : kNoGoal);
   humans.group.push_back(control.group >= 0 ? control.group : -1);
   humans.state.push_back(static_cast<std::uint8_t>(state.active[i]));
-  const bool hasGoal = !control.goals.empty() && control.goals.front().id > 0;
-  humans.goal.push_back(hasGoal ? control.goals.front().id : kNoGoal);
 }
 
 void appendRobot(const ResolvedRobot& constants, const RobotState& robot, RobotColumns& robots) {
-  robots.id.push_back(constants.id);
-  robots.x.push_back(robot.pose.position.x());
-  robots.y.push_back(robot.pose.position.y());
-  robots.heading.push_back(robot.pose.heading);
-  robots.vx.push_back(robot.velocity.x());
-  robots.vy.push_back(robot.velocity.y());
-  robots.omega.push_back(robot.omega);
   const int goal = robot.goal < constants.goals.size() ? constants.goalIds[robot.goal] : 0;
-  robots.goal.push_back(goal > 0 ? goal : kNoGoal);
+  robots.add(constants.id, robot.pose, robot.velocity, robot.omega, goal > 0 ? goal : kNoGoal);
 }
 
 std::vector<std::pair<std::string, double>> parametersOf(const ResolvedHuman& person) {
@@ -89,6 +77,9 @@ std::vector<std::pair<std::string, double>> parametersOf(const ResolvedHuman& pe
       {"other_force_factor", person.otherFactor}};
   for (std::size_t i = 0; i < person.wait.size(); ++i) {
     parameters.emplace_back("wait_" + std::to_string(i), person.wait[i]);
+  }
+  for (const auto& [name, value] : person.modelParameters) {
+    parameters.emplace_back("model_parameters." + name, value);
   }
   return parameters;
 }

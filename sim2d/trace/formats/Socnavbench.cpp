@@ -40,14 +40,7 @@ TrackFile readSocnavbench(const ForeignInput& input) {
   const std::size_t xRow = rowOf(input, "x", 2);
   const std::size_t yRow = rowOf(input, "y", 3);
   for (std::size_t k = 0; k < rows[0].size(); ++k) {
-    const std::optional<long long> frame = words.whole(rows[frameRow][k], "the frame");
-    const std::optional<int> id = idOf(words, rows[idRow][k]);
-    const std::optional<double> x = words.finite(rows[xRow][k], "x");
-    const std::optional<double> y = words.finite(rows[yRow][k], "y");
-    if (frame && id && x && y) {
-      const Word& place = rows[frameRow][k];
-      tracks.add(*id, *frame, Vec2(*x, *y), place.line, place.column);
-    }
+    tracks.add(words, rows[frameRow][k], rows[idRow][k], rows[xRow][k], rows[yRow][k]);
   }
   const double rate = input.options.framesPerSecond;
   return tracks.finish(input.path, rate > 0.0 ? rate : kUsualRate);

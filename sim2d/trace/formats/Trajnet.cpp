@@ -112,13 +112,7 @@ class TrajnetReader {
 TrackFile readTrajnetRows(const ForeignInput& input) {
   FrameTracks tracks;
   forEachRow(input, 4, "frame id x y", [&](WordReader& words, const std::vector<Word>& row) {
-    const std::optional<long long> frame = words.whole(row[0], "the frame");
-    const std::optional<int> id = idOf(words, row[1]);
-    const std::optional<double> x = words.finite(row[2], "x");
-    const std::optional<double> y = words.finite(row[3], "y");
-    if (frame && id && x && y) {
-      tracks.add(*id, *frame, Vec2(*x, *y), row[0].line, row[0].column);
-    }
+    tracks.add(words, row[0], row[1], row[2], row[3]);
   });
   return tracks.finish(input.path, input.options.framesPerSecond);
 }
