@@ -7,7 +7,6 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 #include "sim2d/scenario/ScenarioFile.h"
-#include "sim2d/scenario/TextPlaces.h"
 
 namespace app {
 

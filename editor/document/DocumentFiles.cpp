@@ -13,8 +13,7 @@
 #include "editor/document/TreeFiles.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"
-#include "sim2d/scenario/DamagedFile.h"
-#include "sim2d/scenario/TextPlaces.h"
+#include "sim2d/scenario/ScenarioFile.h"
 
 namespace editor {
 

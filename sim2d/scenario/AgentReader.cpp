@@ -1,14 +1,132 @@
-#include "sim2d/scenario/AgentReader.h"
-
 #include <algorithm>
 #include <array>
 #include <map>
 
 #include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/scenario/ScenarioTree.h"
 
 namespace sim2d {
 namespace {
+
+void setDefaultFactors(Behavior& behavior) {
+  behavior.goalForceFactor = 2.0;
+  behavior.obstacleForceFactor = 10.0;
+  behavior.socialForceFactor = 5.0;
+}
+
+bool reacts(const Behavior& behavior) {
+  return behavior.type && *behavior.type != BehaviorType::Regular &&
+         *behavior.type != BehaviorType::Impassive;
+}
+
+/// What the loader of 2024 put in the place of the file's numbers with configuration 0; `dist` in
+/// the meaning of that time.
+void applyOldDefaults(Human& human) {
+  Behavior& behavior = human.behavior;
+  setDefaultFactors(behavior);
+  if (!reacts(behavior)) {
+    return;
+  }
+  behavior.once = true;
+  behavior.duration = 40.0;
+  switch (*behavior.type) {
+    case BehaviorType::Surprised:
+      behavior.duration = 30.0;
+      behavior.dist = 4.0;
+      break;
+    case BehaviorType::Scared:
+      behavior.vel = 0.6;
+      behavior.dist = 3.0;
+      behavior.otherForceFactor = 20.0;
+      break;
+    case BehaviorType::Curious:
+      behavior.vel = human.maxVel;
+      behavior.dist = 1.5;
+      break;
+    case BehaviorType::Threatening:
+      behavior.dist = 1.4;
+      break;
+    case BehaviorType::Regular:
+    case BehaviorType::Impassive:
+      break;
+  }
+}
+
+void tell(const Human& human, const YamlNode& at, const char* code, base::ProblemValues values,
+          ReadReport& report) {
+  report.add(at,
+             base::within(human.name, base::problem(base::Severity::Info, code, std::move(values))),
+             human.key);
+}
+
+/// `dist` was the distance kept from the robot for two of the types, which noticed it within a
+/// fixed distance.
+void moveDistance(Human& human, const YamlNode& at, ReadReport& report) {
+  Behavior& behavior = human.behavior;
+  if (behavior.type == BehaviorType::Curious) {
+    behavior.stopDist = behavior.dist;
+    behavior.dist = 10.0;
+    tell(human, at, "scenario.distance-becomes-stop", {}, report);
+  } else if (behavior.type == BehaviorType::Threatening) {
+    behavior.frontDist = behavior.dist;
+    behavior.dist = 4.5;
+    tell(human, at, "scenario.distance-becomes-front", {}, report);
+  } else if (behavior.type == BehaviorType::Scared && !behavior.safeDistance) {
+    behavior.safeDistance = 5.0;
+  }
+}
+
+/// Dialect B: `dist` had another meaning for some types, configuration 0 overruled the file.
+void convertFromB(Human& human, const YamlNode& at, ReadReport& report) {
+  const Configuration configuration = human.behavior.configuration.value_or(Configuration::Default);
+  if (configuration == Configuration::Default) {
+    const Behavior before = human.behavior;
+    applyOldDefaults(human);
+    if (!(before == human.behavior)) {
+      tell(human, at, "scenario.configuration-overruled", {}, report);
+    }
+  } else if (configuration != Configuration::Custom) {
+    tell(human, at, "scenario.configuration-drew", {static_cast<int>(configuration)}, report);
+  }
+  moveDistance(human, at, report);
+}
+
+struct FirstReaction {
+  double dist, duration;
+  bool once = true;
+  double vel = 0.0;
+  std::optional<double> Behavior::*kept = nullptr;  // the distance from the robot, with `vel`
+  double keptAt = 0.0;
+};
+
+/// Dialect A had a number and no parameters: what the program of that time did, as parameters.
+void convertFromA(Human& human, const YamlNode& at, ReadReport& report) {
+  Behavior& behavior = human.behavior;
+  behavior.configuration = Configuration::Default;
+  setDefaultFactors(behavior);
+  behavior.otherForceFactor = 20.0;
+  static const std::map<BehaviorType, FirstReaction> kFirstReactions = {
+      {BehaviorType::Surprised, {4.0, 30.0}},
+      {BehaviorType::Scared, {3.0, 40.0, false, 0.6, &Behavior::safeDistance, 5.0}},
+      {BehaviorType::Curious, {10.0, 30.0, true, 1.8, &Behavior::stopDist, 1.5}},
+      {BehaviorType::Threatening, {4.0, 40.0, true, 2.0, &Behavior::frontDist, 1.1}}};
+  const auto found = kFirstReactions.find(behavior.type.value_or(BehaviorType::Regular));
+  if (found == kFirstReactions.end()) {
+    return;
+  }
+  const FirstReaction& reaction = found->second;
+  behavior.dist = reaction.dist;
+  behavior.duration = reaction.duration;
+  behavior.once = reaction.once;
+  if (reaction.kept != nullptr) {
+    behavior.vel = reaction.vel;
+    behavior.*reaction.kept = reaction.keptAt;
+  }
+  if (behavior.type == BehaviorType::Curious) {
+    tell(human, at, "scenario.curious-slowed", {}, report);
+  }
+}
 
 constexpr long long kLargestInt = 2147483647;
 
@@ -121,7 +239,7 @@ bool saysAnything(const YamlNode& value) {
                           : std::any_of(value.items.begin(), value.items.end(), saysAnything);
 }
 
-void readGoals(YamlMap& agent, Human& human, LoaderReading& reading) {
+void readGoalList(YamlMap& agent, Human& human, LoaderReading& reading) {
   const YamlNode* list = agent.find("goals");
   if (list == nullptr) {
     return;
@@ -182,7 +300,7 @@ Human readHuman(const YamlNode& block, bool listed, LoaderReading& reading) {
   readFields(view, human, reading.tables);
   readPose(view, human);
   readBehavior(view, human, reading);
-  readGoals(view, human, reading);
+  readGoalList(view, human, reading);
   human.unknown = view.takeUnknown();
   return human;
 }

@@ -168,6 +168,26 @@ Vec2 readPoint(YamlMap& view) {
   return {view.required("x"), view.required("y")};
 }
 
+ParameterTexts readParameters(YamlMap& view, const std::string& key) {
+  ParameterTexts texts;
+  YamlMap parameters = view.map(key);
+  for (const YamlNode& item : parameters.node().items) {
+    parameters.know(item.key);
+    if (item.isScalar()) {
+      texts.emplace_back(item.key, emitYaml(item));
+    } else {
+      parameters.error(item.key, "scenario.no-single-value");
+    }
+  }
+  return texts;
+}
+
+void writeParameters(YamlNode& tree, const std::string& key, const ParameterTexts& parameters) {
+  for (const auto& [name, text] : parameters) {
+    setUnknown(tree.child(key), {{name, text}});
+  }
+}
+
 /// Maps inside an entity that have no place for keys of others.
 void refuseUnknown(YamlMap& view) {
   for (const UnknownKey& key : view.takeUnknown()) {

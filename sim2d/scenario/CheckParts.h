@@ -32,9 +32,15 @@ struct CheckReport {
   }
 };
 
-void checkNames(const Scenario& scenario, CheckReport& report);
-void checkReferences(const Scenario& scenario, const KnownNames& names, CheckReport& report);
-void checkPeople(const Scenario& scenario, CheckReport& report);
+template <class T, class Visit>
+void forEachListed(const std::vector<T>& all, Visit visit) {
+  for (const T& each : all) {
+    if (each.listed) {
+      visit(each);
+    }
+  }
+}
+
 void checkShapes(const Scenario& scenario, CheckReport& report);
 /// False when a coordinate is not finite or beyond a million metres: no planning with those.
 bool checkCoordinates(const Scenario& scenario, CheckReport& report);

@@ -115,6 +115,17 @@ std::optional<double> parameterValue(const std::string& text) {
   return base::parseDouble(text);
 }
 
+/// What is no number is left out; the check tells.
+std::vector<std::pair<std::string, double>> numbersOf(const ParameterTexts& parameters) {
+  std::vector<std::pair<std::string, double>> numbers;
+  for (const auto& [name, text] : parameters) {
+    if (const auto value = parameterValue(text)) {
+      numbers.emplace_back(name, *value);
+    }
+  }
+  return numbers;
+}
+
 void takeRobotGoals(ResolvedRobot& to, const RobotGoal& from, const Scenario& scenario) {
   if (from.point) {
     to.goals.push_back(*from.point);
@@ -162,6 +173,7 @@ ResolvedHuman resolveHuman(const Environment& scenario, const Human& human, long
   result.reactionSpeed = human.behavior.vel.value_or(human.maxVel.value_or(2.0));
   result.mass = human.ours.mass.value_or(massOf(result.kind));
   result.model = human.ours.model ? *human.ours.model : scenario.desktop.model.value_or("sfm");
+  result.modelParameters = modelParametersOf(scenario, result.model);
   result.route =
       human.ours.route ? *human.ours.route : scenario.desktop.route.value_or(Route::Planned);
   takeFactors(result, human.behavior,
@@ -179,16 +191,22 @@ ResolvedRobot resolveRobot(const Scenario& scenario, const Robot& robot, int id)
   ResolvedRobot result;
   result.id = id;
   result.name = robot.name;
-  for (const auto& parameter : robot.plannerParameters) {
-    if (const auto value = parameterValue(parameter.second)) {
-      result.plannerParameters.emplace_back(parameter.first, *value);
-    }
-  }
+  result.plannerParameters = numbersOf(robot.plannerParameters);
   result.start = {robot.start.position, base::wrapToPi(robot.start.heading)};
   takeRobotGoals(result, robot.goal, scenario);
   resolveFields(robot, result);
   takeFootprint(result, robot);
   return result;
+}
+
+std::vector<std::pair<std::string, double>> modelParametersOf(const Environment& scenario,
+                                                              const std::string& model) {
+  for (const auto& [name, parameters] : scenario.desktop.modelParameters) {
+    if (name == model) {
+      return numbersOf(parameters);
+    }
+  }
+  return {};
 }
 
 const KindProfile& profileOf(PersonKind kind) {

@@ -31,6 +31,7 @@ struct ResolvedHuman {
   // ours
   double startTime = 0.0;  // [s]
   std::string model = "sfm";
+  std::vector<std::pair<std::string, double>> modelParameters;  // of it, as far as they are given
   std::vector<double> wait;
 };
 
@@ -51,6 +52,10 @@ struct ResolvedRobot {
 /// parameter): the same on every machine.
 ResolvedHuman resolveHuman(const Environment& scenario, const Human& human, long long seed);
 ResolvedRobot resolveRobot(const Scenario& scenario, const Robot& robot, int id);
+
+/// The numbers that the scenario gives for a pedestrian model.
+std::vector<std::pair<std::string, double>> modelParametersOf(const Environment& scenario,
+                                                              const std::string& model);
 
 /// What people of a kind are like: values for people that the program makes (brush, source). The
 /// free speeds are normal, cut at both ends.

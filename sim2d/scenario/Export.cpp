@@ -254,10 +254,15 @@ const TargetInfo* exportTarget(const std::string& name) {
   return found == all.end() ? nullptr : &*found;
 }
 
-bool ExportedScenario::isRenumbered() const {
-  const auto isMoved = [](const auto& pair) { return pair.first != pair.second; };
-  return std::any_of(goals.begin(), goals.end(), isMoved) ||
-         std::any_of(people.begin(), people.end(), isMoved);
+std::optional<std::string> suggestedSimulator(const Scenario& scenario) {
+  for (const Human& human : scenario.humans) {
+    for (const TargetInfo& target : exportTargets()) {
+      if (human.initZ && human.initZ == target.startHeight) {
+        return target.simulator;
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 ExportedScenario exportScenario(const Scenario& scenario, const ExportOptions& options) {

@@ -41,7 +41,6 @@ struct ExportedScenario {
   std::map<int, int> people;  // old id -> new one, of all people
   base::Diagnostics report;   // what was changed, what the target cannot express
   std::string startCommand;   // how to run it there; empty for native
-  bool isRenumbered() const;
 };
 
 /// A scenario as the target takes it: its dialect, simulator and start height, ids 1…N in list

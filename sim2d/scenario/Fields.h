@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <string>
 #include <string_view>
 #include <tuple>
 #include <vector>
@@ -133,5 +134,22 @@ void resolveFields(const T& from, typename Resolving<T>::Type& to) {
     }
   }
 }
+
+// The keys as people read about them: `list keys` and FORMAT.md.
+struct KeyRow {
+  std::string key;
+  std::string values;    // "> 0", "planned, direct", "text" …
+  std::string unit;      // may be empty
+  std::string fallback;  // what counts when it is absent; "required"; empty = nothing does
+  std::string help;
+};
+struct KeyTable {
+  std::string title;  // "A robot"
+  std::string path;   // before the key in `--set`: "ROBOT."
+  std::vector<KeyRow> rows;
+};
+
+std::vector<KeyTable> keyTables(const FieldTables& tables = fieldTables());
+std::string keysMarkdown(const FieldTables& tables = fieldTables());
 
 }  // namespace sim2d

@@ -1,8 +1,8 @@
-#include "sim2d/scenario/KeyTables.h"
-
+#include <array>
 #include <cmath>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/scenario/Fields.h"
 
 namespace sim2d {
 namespace {
@@ -17,29 +17,14 @@ std::string rangeText(const base::Range& range) {
   return (range.above ? "above " : "") + low + " to " + high;
 }
 
-std::string typeName(base::ParameterType type) {
-  switch (type) {
-    case base::ParameterType::Boolean:
-      return "true, false";
-    case base::ParameterType::Integer:
-      return "integer";
-    case base::ParameterType::Number:
-      return "number";
-    case base::ParameterType::Numbers:
-      return "numbers";
-    case base::ParameterType::Integers:
-      return "integers";
-    case base::ParameterType::Text:
-    case base::ParameterType::Choice:
-      break;
-  }
-  return "text";
-}
-
 std::string valuesText(const base::ParameterSpec& spec) {
+  static constexpr std::array<const char*, 7> kTypes = {
+      // in the order of ParameterType
+      "true, false", "integer", "number", "text", "text", "numbers", "integers"};
   const std::string range = rangeText(spec.range);
-  return !spec.choices.empty() ? base::join(spec.choices, ", ")
-                               : typeName(spec.type) + (range.empty() ? "" : " " + range);
+  return !spec.choices.empty()
+             ? base::join(spec.choices, ", ")
+             : kTypes.at(static_cast<std::size_t>(spec.type)) + (range.empty() ? "" : " " + range);
 }
 
 std::string valueText(const base::ParameterValue& value) {

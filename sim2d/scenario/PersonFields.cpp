@@ -1,5 +1,4 @@
 #include "sim2d/scenario/FieldMaking.h"
-#include "sim2d/scenario/FieldTables.h"
 #include "sim2d/scenario/ScenarioTree.h"
 
 namespace sim2d {

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/map/Outlines.h"
 #include "sim2d/scenario/CheckParts.h"
 #include "sim2d/scenario/Defaults.h"
 
@@ -18,6 +19,48 @@ std::string pointText(const Vec2& point) {
   };
   return "(" + rounded(point.x()) + ", " + rounded(point.y()) + ")";
 }
+
+constexpr double kFarthest = 1e6;  // [m]
+
+void checkPolygon(const std::vector<Vec2>& points, const std::string& name, EntityId entity,
+                  CheckReport& report) {
+  if (points.size() >= 3 && !isSimple(points)) {
+    report.add(base::Severity::Error, entity, name, "shape.sides-cross");
+  }
+}
+
+class CoordinateCheck {
+ public:
+  explicit CoordinateCheck(CheckReport& report) : report_(report) {}
+
+  void point(const Vec2& point, EntityId entity, const std::string& what) {
+    const bool good = std::fabs(point.x()) <= kFarthest && std::fabs(point.y()) <= kFarthest;
+    if (!good) {
+      refuse(entity, what, "shape.too-far", {point.x(), point.y()});
+    }
+  }
+  void points(const std::vector<Vec2>& all, EntityId entity, const std::string& what) {
+    for (const Vec2& each : all) {
+      point(each, entity, what);
+    }
+  }
+  void heading(double angle, EntityId entity, const std::string& what) {
+    if (!(std::fabs(angle) <= kFarthest)) {
+      refuse(entity, what, "shape.no-angle", {angle});
+    }
+  }
+  bool good() const { return good_; }
+
+ private:
+  void refuse(EntityId entity, const std::string& what, std::string_view code,
+              base::ProblemValues values) {
+    report_.add(base::Severity::Error, entity, what, code, std::move(values));
+    good_ = false;
+  }
+
+  CheckReport& report_;
+  bool good_ = true;
+};
 
 /// A place that a body is to stand at.
 struct Place {
@@ -70,14 +113,12 @@ class PlacesCheck {
  private:
   /// A door that will be open some time does not cut anybody off.
   void openDoors(int part) {
-    for (const Door& door : scenario_.doors) {
-      if (door.listed) {
-        if (!door.toggles.empty() && part < obstacles_.partCount()) {  // else without walls
-          obstacles_.setEnabled(part, false);
-        }
-        ++part;
+    forEachListed(scenario_.doors, [&](const Door& door) {
+      if (!door.toggles.empty() && part < obstacles_.partCount()) {  // else without walls
+        obstacles_.setEnabled(part, false);
       }
-    }
+      ++part;
+    });
   }
 
   bool nothingStands() const {
@@ -124,16 +165,8 @@ class PlacesCheck {
 
   std::vector<Round> allRounds() const {
     std::vector<Round> rounds;
-    for (const Human& human : scenario_.humans) {
-      if (human.listed) {
-        rounds.push_back(roundOf(human));
-      }
-    }
-    for (const Robot& robot : scenario_.robots) {
-      if (robot.listed) {
-        rounds.push_back(roundOf(robot));
-      }
-    }
+    forEachListed(scenario_.humans, [&](const Human& human) { rounds.push_back(roundOf(human)); });
+    forEachListed(scenario_.robots, [&](const Robot& robot) { rounds.push_back(roundOf(robot)); });
     return rounds;
   }
 
@@ -252,6 +285,53 @@ class PlacesCheck {
 };
 
 }  // namespace
+
+void checkShapes(const Scenario& scenario, CheckReport& report) {
+  for (const Obstacle& obstacle : scenario.obstacles) {
+    if (obstacle.listed && obstacle.kind == ObstacleKind::Polygon) {
+      checkPolygon(obstacle.points, obstacle.name, obstacle.key, report);
+    }
+  }
+  forEachListed(scenario.areas,
+                [&](const Area& area) { checkPolygon(area.points, area.name, area.key, report); });
+  forEachListed(scenario.robots, [&](const Robot& robot) {
+    checkPolygon(resolveRobot(scenario, robot, -1).footprint, robot.name + ": footprint", robot.key,
+                 report);
+  });
+  for (const Door& door : scenario.doors) {
+    if (door.listed && door.from == door.to) {
+      report.error(door, "shape.door-without-length");
+    }
+  }
+}
+
+bool checkCoordinates(const Scenario& scenario, CheckReport& report) {
+  CoordinateCheck check(report);
+  for (const GlobalGoal& goal : scenario.goals) {
+    check.point(goal.position, goal.key, "goal " + std::to_string(goal.id));
+  }
+  forEachListed(scenario.humans, [&](const Human& human) {
+    check.point(human.initPose.position, human.key, human.name + ": init_pose");
+    check.heading(human.initPose.heading, human.key, human.name + ": init_pose");
+  });
+  forEachListed(scenario.robots, [&](const Robot& robot) {
+    check.point(robot.start.position, robot.key, robot.name + ": start");
+    check.heading(robot.start.heading, robot.key, robot.name + ": start");
+    check.point(robot.goal.point.value_or(Vec2::Zero()), robot.key, robot.name + ": goal");
+  });
+  forEachListed(scenario.obstacles, [&](const Obstacle& obstacle) {
+    check.point(obstacle.pose.position, obstacle.key, obstacle.name);
+    check.points({{obstacle.length, obstacle.width}, {obstacle.radius, 0.0}}, obstacle.key,
+                 obstacle.name + ": size");
+    check.points(obstacle.points, obstacle.key, obstacle.name);
+  });
+  forEachListed(scenario.doors, [&](const Door& door) {
+    check.points({door.from, door.to}, door.key, door.name);
+  });
+  forEachListed(scenario.areas,
+                [&](const Area& area) { check.points(area.points, area.key, area.name); });
+  return check.good();
+}
 
 void checkPlaces(const Scenario& scenario, const Surroundings& surroundings, CheckReport& report) {
   PlacesCheck(scenario, surroundings, report).check();

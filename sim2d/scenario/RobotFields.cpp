@@ -1,30 +1,15 @@
 #include "sim2d/scenario/FieldMaking.h"
-#include "sim2d/scenario/FieldTables.h"
 #include "sim2d/scenario/ScenarioTree.h"
 
 namespace sim2d {
 namespace {
 
 void readPlannerParameters(YamlMap& view, Robot& robot) {
-  YamlMap parameters = view.map("planner_parameters");
-  for (const YamlNode& item : parameters.node().items) {
-    parameters.know(item.key);
-    if (item.isScalar()) {
-      robot.plannerParameters.emplace_back(item.key, emitYaml(item));
-    } else {
-      parameters.error(item.key, "scenario.no-single-value");
-    }
-  }
+  robot.plannerParameters = readParameters(view, "planner_parameters");
 }
 
 void writePlannerParameters(YamlNode& tree, const Robot& robot) {
-  UnknownKeys parameters;
-  for (const auto& parameter : robot.plannerParameters) {
-    parameters.push_back({parameter.first, parameter.second});
-  }
-  if (!parameters.empty()) {
-    setUnknown(tree.child("planner_parameters"), parameters);
-  }
+  writeParameters(tree, "planner_parameters", robot.plannerParameters);
 }
 
 void readStart(YamlMap& view, Robot& robot) {

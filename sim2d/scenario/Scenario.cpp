@@ -13,14 +13,6 @@ namespace {
 constexpr std::array<const char*, 6> kBehaviorNames = {"Regular", "Impassive", "Surprised",
                                                        "Scared",  "Curious",   "Threatening"};
 
-template <class T>
-int largestKey(const std::vector<T>& all, int atLeast) {
-  for (const T& entity : all) {
-    atLeast = std::max(atLeast, entity.key.key);
-  }
-  return atLeast;
-}
-
 /// Of two drawn things or robots.
 template <class T>
 bool areSame(const T& a, const T& b) {
@@ -77,12 +69,19 @@ const Human* Scenario::humanById(int id) const {
 }
 
 int Scenario::nextKey() const {
-  int largest = largestKey(goals, 0);
-  largest = largestKey(humans, largest);
-  largest = largestKey(robots, largest);
-  largest = largestKey(obstacles, largest);
-  largest = largestKey(doors, largest);
-  return largestKey(areas, largest) + 1;
+  int largest = 0;
+  const auto look = [&largest](const auto& all) {
+    for (const auto& entity : all) {
+      largest = std::max(largest, entity.key.key);
+    }
+  };
+  look(goals);
+  look(humans);
+  look(robots);
+  look(obstacles);
+  look(doors);
+  look(areas);
+  return largest + 1;
 }
 
 bool operator==(const Behavior& a, const Behavior& b) {

@@ -94,12 +94,15 @@ struct RobotGoal {  // at most one of the two
   std::vector<int> goals;  // ids of global goals, in order
 };
 
+/// Parameters of a planner or model by their names: YAML scalars as text.
+using ParameterTexts = std::vector<std::pair<std::string, std::string>>;
+
 struct Robot {
   EntityId key;
   std::string name;
   bool listed = true;
   std::optional<std::string> type, planner;
-  std::vector<std::pair<std::string, std::string>> plannerParameters;  // YAML scalars as text
+  ParameterTexts plannerParameters;
   Pose2 start;
   RobotGoal goal;
   std::optional<double> goalRadius, startTime, radius, mass, maxVel, maxAcc, maxOmega, maxAlpha;
@@ -167,6 +170,7 @@ struct DesktopSettings {
   std::optional<double> duration, dt;
   std::optional<int> recordEvery;
   std::optional<std::string> model;
+  std::vector<std::pair<std::string, ParameterTexts>> modelParameters;  // by model
   std::optional<Route> route;
   std::optional<ObstaclePoints> obstaclePoints;
   std::optional<bool> loopTrees;

@@ -10,7 +10,6 @@
 
 #include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/map/Outlines.h"
 #include "sim2d/scenario/CheckParts.h"
 #include "sim2d/scenario/Defaults.h"
 #include "sim2d/scenario/ScenarioTree.h"
@@ -114,29 +113,31 @@ std::string expectedOf(const base::ParameterSpec& spec) {
              : "a number " + (range.above ? "above " + low : "of " + low + " or more");
 }
 
-void checkPlannerParameters(const Robot& robot, const KnownNames& names, CheckReport& report) {
-  const std::string planner = robot.planner.value_or(ResolvedRobot{}.planner);
-  const auto specs = names.plannerParameters.find(planner);
-  if (specs == names.plannerParameters.end()) {
+/// Of a planner or model, called `owner`.
+void checkParameters(const ParameterTexts& given, const std::string& owner,
+                     const std::map<std::string, std::vector<base::ParameterSpec>>& all,
+                     EntityId entity, const std::string& where, CheckReport& report) {
+  const auto specs = all.find(owner);
+  if (specs == all.end()) {
     return;
   }
   std::vector<std::string> known;
   for (const base::ParameterSpec& spec : specs->second) {
     known.push_back(spec.key);
   }
-  for (const auto& [key, text] : robot.plannerParameters) {
-    const std::string path = robot.name + ".planner_parameters." + key;
+  for (const auto& [key, text] : given) {
+    const std::string path = where + "." + key;
     const auto found = std::find(known.begin(), known.end(), key);
     if (found == known.end()) {
-      report.add(base::Severity::Warning, robot.key, path, "planner.unknown-parameter",
-                 {planner, base::nearestName(key, known)});
+      report.add(base::Severity::Warning, entity, path, "planner.unknown-parameter",
+                 {owner, base::nearestName(key, known)});
       continue;
     }
     const base::ParameterSpec& spec =
         specs->second[static_cast<std::size_t>(found - known.begin())];
     const std::optional<double> value = base::parseDouble(text);
     if (!value || !std::isfinite(*value) || !spec.range.contains(*value)) {
-      report.add(base::Severity::Error, robot.key, path, "planner.bad-value",
+      report.add(base::Severity::Error, entity, path, "planner.bad-value",
                  {text, expectedOf(spec)});
     }
   }
@@ -159,21 +160,89 @@ void checkSource(const Area& area, const Scenario& scenario, CheckReport& report
   }
 }
 
-}  // namespace
+struct Limits {
+  const char* key;
+  std::optional<double> value;
+  double low, high;
+};
 
-void CheckReport::add(base::Severity severity, EntityId entity, const std::string& where,
-                      std::string_view code, base::ProblemValues values) {
-  base::Diagnostic problem = base::problem(severity, code, std::move(values), file);
-  problem.entity = entity;
-  diagnostics.push_back(where.empty() ? std::move(problem)
-                                      : base::within(where, std::move(problem)));
+void checkLimits(const Human& human, CheckReport& report) {
+  const Behavior& behavior = human.behavior;
+  const std::vector<Limits> factors = {
+      {"goal_force_factor", behavior.goalForceFactor, 2.0, 5.0},
+      {"obstacle_force_factor", behavior.obstacleForceFactor, 2.0, 50.0},
+      {"social_force_factor", behavior.socialForceFactor, 5.0, 20.0},
+      {"other_force_factor", behavior.otherForceFactor, 0.0, 25.0},
+  };
+  const bool custom = behavior.configuration == Configuration::Custom;
+  for (const Limits& limits : factors) {
+    if (!custom && limits.value && (*limits.value < limits.low || *limits.value > limits.high)) {
+      report.warning(human, "person.out-of-range",
+                     {limits.key, *limits.value, limits.low, limits.high});
+    }
+  }
+  if (behavior.vel && *behavior.vel > 1.8) {
+    report.warning(human, "person.vel-too-high", {*behavior.vel});
+  }
 }
 
-int largestSkin(const std::string& simulator) {
-  if (simulator == "Webots") {
-    return 3;
+/// Keys that a reaction needs and the file leaves out, with the value that counts.
+void checkReaction(const Scenario& scenario, const Human& human, CheckReport& report) {
+  const Behavior& behavior = human.behavior;
+  const BehaviorType type = behavior.type.value_or(BehaviorType::Regular);
+  if (type == BehaviorType::Regular || type == BehaviorType::Impassive) {
+    return;
   }
-  return simulator.compare(0, 6, "Gazebo") == 0 ? 8 : 11;
+  const ResolvedHuman counts = resolveHuman(scenario, human, 0);
+  const bool drawn = behavior.configuration == Configuration::Normal ||
+                     behavior.configuration == Configuration::Uniform;
+  std::string missing;
+  const auto need = [&](bool present, const char* key, const std::string& value, bool isDrawn) {
+    if (!present && !(drawn && isDrawn)) {
+      missing += (missing.empty() ? "" : ", ") + std::string(key) + " " + value;
+    }
+  };
+  const auto needNumber = [&](const std::optional<double>& value, const char* key, double used) {
+    need(value.has_value(), key, base::formatDouble(used), true);
+  };
+  needNumber(behavior.dist, "dist", counts.noticeDistance);
+  needNumber(behavior.duration, "duration", counts.reactionDuration);
+  need(behavior.once.has_value(), "once", "false", false);
+  if (type == BehaviorType::Scared) {
+    needNumber(behavior.vel, "vel", counts.reactionSpeed);
+    needNumber(behavior.safeDistance, "safe_distance", counts.safeDistance);
+  } else if (type == BehaviorType::Curious) {
+    needNumber(behavior.vel, "vel", counts.reactionSpeed);
+    needNumber(behavior.stopDist, "stop_dist", counts.stopDistance);
+  } else if (type == BehaviorType::Threatening) {
+    needNumber(behavior.frontDist, "front_dist", counts.frontDistance);
+  }
+  if (!missing.empty()) {
+    report.warning(human, "person.behavior-incomplete", {missing});
+  }
+}
+
+void checkPerson(const Scenario& scenario, const Human& human, CheckReport& report) {
+  checkLimits(human, report);
+  checkReaction(scenario, human, report);
+  const int most = largestSkin(scenario.simulator.value_or(""));
+  if (human.skin && *human.skin != -1 && (*human.skin < 0 || *human.skin > most)) {
+    report.warning(human, "person.skin-unknown",
+                   {*human.skin, std::clamp(*human.skin, 0, most), most,
+                    scenario.simulator.value_or("no simulator named")});
+  }
+  if (!human.hasInitPose) {
+    report.warning(human, "person.no-init-pose");
+  }
+  if (human.goals.empty()) {
+    report.warning(human, "person.no-goals");
+  }
+  if (!human.ours.wait.empty() && human.ours.wait.size() != human.goals.size()) {
+    report.error(human, "person.wait-count", {human.goals.size(), human.ours.wait.size()});
+  }
+  if (!(human.ours == PersonExtension{}) && blockKeys().count(human.name) != 0) {
+    report.error(human.key, "person.name-is-key", {human.name});
+  }
 }
 
 void checkNames(const Scenario& scenario, CheckReport& report) {
@@ -192,25 +261,50 @@ void checkNames(const Scenario& scenario, CheckReport& report) {
 
 void checkReferences(const Scenario& scenario, const KnownNames& names, CheckReport& report) {
   checkName(scenario.desktop.model, names.models, "model", kScenario, {}, report);
-  for (const Human& human : scenario.humans) {
-    if (human.listed) {
-      checkName(human.ours.model, names.models, "model", human.key, human.name, report);
-      checkGoalIds(human.goals, scenario, human, report);
-    }
+  for (const auto& [model, parameters] : scenario.desktop.modelParameters) {
+    checkName(model, names.models, "model", kScenario, "model_parameters", report);
+    checkParameters(parameters, model, names.modelParameters, kScenario,
+                    "model_parameters." + model, report);
   }
-  for (const Robot& robot : scenario.robots) {
-    if (robot.listed) {
-      checkName(robot.type, names.robotTypes, "type", robot.key, robot.name, report);
-      checkName(robot.planner, names.planners, "planner", robot.key, robot.name, report);
-      checkGoalIds(robot.goal.goals, scenario, robot, report);
-      checkPlannerParameters(robot, names, report);
-    }
+  forEachListed(scenario.humans, [&](const Human& human) {
+    checkName(human.ours.model, names.models, "model", human.key, human.name, report);
+    checkGoalIds(human.goals, scenario, human, report);
+  });
+  forEachListed(scenario.robots, [&](const Robot& robot) {
+    checkName(robot.type, names.robotTypes, "type", robot.key, robot.name, report);
+    checkName(robot.planner, names.planners, "planner", robot.key, robot.name, report);
+    checkGoalIds(robot.goal.goals, scenario, robot, report);
+    checkParameters(robot.plannerParameters, robot.planner.value_or(ResolvedRobot{}.planner),
+                    names.plannerParameters, robot.key, robot.name + ".planner_parameters", report);
+  });
+  forEachListed(scenario.areas, [&](const Area& area) { checkSource(area, scenario, report); });
+}
+
+void checkPeople(const Scenario& scenario, CheckReport& report) {
+  forEachListed(scenario.humans, [&](const Human& human) { checkPerson(scenario, human, report); });
+  const auto anyone = [](const auto& all) {
+    return std::any_of(all.begin(), all.end(), [](const auto& each) { return each.listed; });
+  };
+  if (!anyone(scenario.humans) && !anyone(scenario.robots)) {
+    report.warning(kScenario, "scenario.nobody");
   }
-  for (const Area& area : scenario.areas) {
-    if (area.listed) {
-      checkSource(area, scenario, report);
-    }
+}
+
+}  // namespace
+
+void CheckReport::add(base::Severity severity, EntityId entity, const std::string& where,
+                      std::string_view code, base::ProblemValues values) {
+  base::Diagnostic problem = base::problem(severity, code, std::move(values), file);
+  problem.entity = entity;
+  diagnostics.push_back(where.empty() ? std::move(problem)
+                                      : base::within(where, std::move(problem)));
+}
+
+int largestSkin(const std::string& simulator) {
+  if (simulator == "Webots") {
+    return 3;
   }
+  return simulator.compare(0, 6, "Gazebo") == 0 ? 8 : 11;
 }
 
 base::Diagnostics checkScenario(const Scenario& scenario, const Surroundings& surroundings,

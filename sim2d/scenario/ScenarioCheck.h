@@ -43,6 +43,7 @@ struct KnownNames {
   std::vector<std::string> models = {"sfm", "sfm-hunav2", "das", "orca"};
   std::vector<std::string> planners = {"pursuit"};
   std::vector<std::string> robotTypes = {"generic"};
+  std::map<std::string, std::vector<base::ParameterSpec>> modelParameters;    // by model
   std::map<std::string, std::vector<base::ParameterSpec>> plannerParameters;  // by planner
 };
 

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim2d/base/Result.h"
 #include "sim2d/scenario/Scenario.h"
@@ -22,9 +23,23 @@ struct ScenarioReading {
 
 ScenarioReading readScenario(const std::string& path);
 ScenarioReading readScenarioText(const std::string& text, const std::string& fileName);
+/// For an editor, when readScenario gives nothing because the syntax breaks: the same diagnostics,
+/// and what stands before that place. Never to be run or written over the file.
+ScenarioReading readBeginning(const std::string& path);
 
 /// Gives diagnostics about an entity that have no line the line of its block.
 void addLines(base::Diagnostics& diagnostics, const std::map<EntityId, int>& lines);
+
+/// Gives what is said about lines of the file `path` the column at which the line's key begins.
+void addColumns(base::Diagnostics& diagnostics, const std::string& path);
+
+/// Gives what is said about the file `path` without a line the place of the first of these keys
+/// that is there, dotted from the top: "hunav_loader.ros__parameters.map".
+void addPlaceOfKey(base::Diagnostics& diagnostics, const std::string& path,
+                   const std::vector<std::string>& keys);
+
+/// The same for what `findMap` says of the scenario in the file `path`: the key that names the map.
+void addPlaceOfMap(base::Diagnostics& diagnostics, const std::string& path);
 
 /// The scenario without the keys of our block that stand at their default, as a file holds it:
 /// readScenarioText(writeScenario(s)) gives withoutDefaults(s).

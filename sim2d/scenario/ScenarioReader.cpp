@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <tuple>
@@ -8,13 +9,6 @@
 
 namespace sim2d {
 namespace {
-
-std::string fileStem(const std::string& path) {
-  const std::size_t slash = path.find_last_of('/');
-  const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
-  const std::size_t dot = name.find_last_of('.');
-  return dot == std::string::npos || dot == 0 ? name : name.substr(0, dot);
-}
 
 /// Reads one file: the loader's node, ours, the rest.
 class FileReader {
@@ -136,14 +130,14 @@ class FileReader {
     if (list != nullptr && list->isList()) {
       return view.names("agents");
     }
-    std::string candidates;
+    std::vector<std::string> candidates;
     for (const YamlNode& item : view.node().items) {
       if (looksLikeAgent(item)) {
-        candidates += (candidates.empty() ? "" : ", ") + item.key;
+        candidates.push_back(item.key);
       }
     }
     view.error("agents", list == nullptr ? "scenario.agents-missing" : "scenario.agents-no-list",
-               {candidates});
+               {base::join(candidates, ", ")});
     return {};
   }
 
@@ -174,7 +168,7 @@ class FileReader {
   }
 
   void reportDialect(const YamlNode& parameters) {
-    const std::string stem = fileStem(report().file);
+    const std::string stem = std::filesystem::path(report().file).stem().string();
     if (!loader_.scalarBehavior && !loader_.numberedType && !loader_.namedGoals) {
       if (scenario().yamlBaseName && !stem.empty() && *scenario().yamlBaseName != stem) {
         report().add(*parameters.find("yaml_base_name"),
@@ -242,6 +236,23 @@ class FileReader {
   LoaderReading loader_;
 };
 
+int firstErrorLine(const base::Diagnostics& diagnostics) {
+  for (const base::Diagnostic& diagnostic : diagnostics) {
+    if (diagnostic.severity == base::Severity::Error && diagnostic.line > 0) {
+      return diagnostic.line;
+    }
+  }
+  return 0;
+}
+
+std::string_view firstLines(std::string_view text, int count) {
+  std::size_t end = 0;
+  for (int line = 0; line < count && end < text.size(); ++line) {
+    end = std::min(text.find('\n', end), text.size() - 1) + 1;
+  }
+  return text.substr(0, end);
+}
+
 }  // namespace
 
 TreeReading readTree(const YamlNode& root, const std::string& fileName, const FieldTables& tables) {
@@ -271,6 +282,29 @@ ScenarioReading readScenario(const std::string& path) {
     return reading;
   }
   return readScenarioText(*text, path);
+}
+
+ScenarioReading readBeginning(const std::string& path) {
+  constexpr int kMostTries = 16;
+  ScenarioReading reading = readScenario(path);
+  const base::Result<std::string> text = base::readTextFile(path);
+  if (reading.ok() || !text) {
+    return reading;
+  }
+  int lines = firstErrorLine(reading.diagnostics) - 1;
+  for (int attempt = 0; attempt < kMostTries && lines > 0; ++attempt) {
+    base::Diagnostics ignored;  // of the part alone they would mislead
+    const YamlNode root = parseYaml(firstLines(*text, lines), path, ignored);
+    if (!base::hasErrors(ignored)) {
+      TreeReading tree = readTree(root, path);
+      reading.scenario = std::move(tree.scenario);
+      reading.lines = std::move(tree.report.lines);
+      reading.dialect = tree.dialect;
+      return reading;
+    }
+    lines -= 1 << std::min(attempt / 4, 8);
+  }
+  return reading;
 }
 
 }  // namespace sim2d

@@ -5,20 +5,108 @@
 
 #include "sim2d/base/yaml/YamlMap.h"
 #include "sim2d/base/yaml/YamlTree.h"
-#include "sim2d/scenario/AgentReader.h"
+#include "sim2d/scenario/Fields.h"
 #include "sim2d/scenario/Scenario.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
-/// A scenario to and from the tree of its file. Private to this folder.
+/// A scenario to and from the tree of its file, and what older dialects meant. Private to this
+/// folder.
 namespace sim2d {
 
+using base::kNotNegative;
+using base::kPositive;
+using base::Range;
+using base::ReadReport;
 using base::scalarNode;
 using base::stringNode;
+using base::YamlMap;
+using base::YamlNode;
 
 constexpr const char* kLoaderNode = "hunav_loader";
 constexpr const char* kBlockNode = "hunavsim_desktop";
 constexpr const char* kParameters = "ros__parameters";
 constexpr int kBlockFormat = 1;
+
+// The tables, one function each, and reading and writing by them.
+Fields<Environment> environmentFields();
+Fields<Human> humanFields();
+Fields<Behavior> behaviorFields();
+Fields<PersonExtension> personFields();
+Fields<Robot> robotFields();
+Fields<Obstacle> obstacleFields();
+Fields<Door> doorFields();
+Fields<Area> areaFields();
+Fields<DesktopSettings> settingsFields();
+Fields<MetricsSettings> metricsFields();
+
+/// The value of one key, checked by its type and range; what is wrong with it is reported.
+base::ParameterValue readValue(YamlMap& view, const base::ParameterSpec& spec, bool isWide);
+/// A required key that is missing is reported too.
+base::ParameterValue readRequired(YamlMap& view, const base::ParameterSpec& spec, bool isWide);
+/// Nothing is written for monostate.
+void writeValue(YamlNode& tree, const base::ParameterSpec& spec, const base::ParameterValue& value,
+                int digits);
+
+template <class T>
+void readFields(YamlMap& view, T& to, const FieldTables& tables) {
+  for (const Field<T>& field : fieldsOf<T>(tables)) {
+    if (!field.belongsTo(to)) {
+      continue;
+    }
+    if (field.read) {
+      field.read(view, to);
+    } else {
+      field.assign(to, field.required ? readRequired(view, field.spec, field.isWide)
+                                      : readValue(view, field.spec, field.isWide));
+    }
+  }
+}
+
+template <class T>
+void writeFields(YamlNode& tree, const T& of, const FieldTables& tables) {
+  for (const Field<T>& field : fieldsOf<T>(tables)) {
+    if (!field.belongsTo(of)) {
+      continue;
+    }
+    if (field.write) {
+      field.write(tree, of);
+    } else {
+      const int digits = field.digitsOf ? field.digitsOf(of) : field.digits;
+      writeValue(tree, field.spec, field.value(of), digits);
+    }
+  }
+}
+
+/// The state of one reading of hunav_loader.
+struct LoaderReading {
+  Scenario& scenario;
+  ReadReport& report;
+  const FieldTables& tables;
+  bool scalarBehavior = false;   // dialect A
+  bool numberedType = false;     // dialect B
+  bool namedGoals = false;       // dialects A, B
+  bool undefinedNumber = false;  // a goal number that global_goals lacks
+
+  /// Numbers a goal that an agent had under a name of its own.
+  int addGoal(const Vec2& position, UnknownKeys unknown, const YamlNode& at);
+  EntityId newEntity(base::EntityKind kind, const YamlNode& at);
+
+  int lastKey = 0;
+  std::size_t goalsSeen = 0;  // of the scenario
+  int largestGoal = 0;        // among them
+};
+
+/// A map that could be an agent's block.
+bool looksLikeAgent(const YamlNode& block);
+
+Human readHuman(const YamlNode& block, bool listed, LoaderReading& reading);
+
+/// Word, or number of the older dialects; anything else counts as Regular and is kept as text.
+void setBehaviorType(Behavior& behavior, const std::string& text);
+
+/// Tells of a type that is none of HuNavSim's.
+void warnForeign(const Behavior& behavior, const YamlNode& at, const std::string& path,
+                 EntityId entity, ReadReport& report);
 
 struct TreeReading {
   Scenario scenario;
@@ -29,10 +117,6 @@ struct TreeReading {
 
 TreeReading readTree(const YamlNode& root, const std::string& fileName,
                      const FieldTables& tables = fieldTables());
-/// The map below ros__parameters.
-YamlNode loaderTree(const Scenario& scenario, const FieldTables& tables = fieldTables());
-/// Null when the block would hold nothing but its format.
-YamlNode blockTree(const Scenario& scenario, const FieldTables& tables = fieldTables());
 YamlNode fileTree(const Scenario& scenario, const FieldTables& tables = fieldTables());
 Scenario withoutDefaults(Scenario scenario, const FieldTables& tables);
 base::Diagnostics setValue(Scenario& scenario, const std::string& path, const std::string& value,
@@ -56,10 +140,13 @@ YamlNode flag(bool value);
 YamlNode decimalList(const std::vector<double>& values);
 void setChild(YamlNode& map, const std::string& key, YamlNode value);
 YamlNode integerList(const std::vector<int>& values);
-void setPoint(YamlNode& map, const Vec2& point);  // x, y
+void setPoint(YamlNode& map, const Vec2& point, int digits = 1);  // x, y
 void setUnknown(YamlNode& map, const UnknownKeys& unknown);
 
 Vec2 readPoint(YamlMap& view);  // x, y
+/// A map of names and single values.
+ParameterTexts readParameters(YamlMap& view, const std::string& key);
+void writeParameters(YamlNode& tree, const std::string& key, const ParameterTexts& parameters);
 /// Maps inside an entity that have no place for keys of others.
 void refuseUnknown(YamlMap& view);
 

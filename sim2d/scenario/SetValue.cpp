@@ -10,14 +10,6 @@ namespace {
 
 using KeyPath = std::vector<std::string>;
 
-std::string joined(const KeyPath& path) {
-  std::string text;
-  for (const std::string& part : path) {
-    text += (text.empty() ? "" : ".") + part;
-  }
-  return text;
-}
-
 /// The paths meant: `*` stands for each listed person. Nothing = there is none.
 std::vector<KeyPath> expanded(const Scenario& scenario, const std::string& text) {
   const KeyPath path = base::split(text, '.');
@@ -51,7 +43,7 @@ void put(YamlNode& root, const char* node, const KeyPath& path, const YamlNode& 
 
 bool knowsAll(const std::set<std::string>& known, const std::vector<KeyPath>& paths) {
   return std::all_of(paths.begin(), paths.end(),
-                     [&](const KeyPath& path) { return known.count(joined(path)) != 0; });
+                     [&](const KeyPath& path) { return known.count(base::join(path, ".")) != 0; });
 }
 
 /// What the new reading says beyond the old one.
@@ -78,11 +70,7 @@ void takeKeys(std::vector<T>& to, const std::vector<T>& from, Same same, int& ne
   for (T& entity : to) {
     const auto found =
         std::find_if(from.begin(), from.end(), [&](const T& other) { return same(entity, other); });
-    if (found == from.end()) {
-      entity.key.key = next++;
-    } else {
-      entity.key = found->key;
-    }
+    entity.key.key = found == from.end() ? next++ : found->key.key;
   }
 }
 
@@ -102,15 +90,13 @@ void takeAllKeys(Scenario& to, const Scenario& from) {
 base::Diagnostics unknownPath(const std::string& path, const TreeReading& reading) {
   std::vector<std::string> known(reading.loaderPaths.begin(), reading.loaderPaths.end());
   known.insert(known.end(), reading.blockPaths.begin(), reading.blockPaths.end());
-  if (path.compare(0, 2, "*.") == 0) {
-    for (const auto& human : reading.scenario.humans) {
-      const std::string prefix = human.name + ".";
-      for (const std::string& each : std::vector<std::string>(known)) {
-        if (each.compare(0, prefix.size(), prefix) == 0) {
-          known.push_back("*." + each.substr(prefix.size()));
-        }
+  const std::vector<Human>& people = reading.scenario.humans;
+  if (path.compare(0, 2, "*.") == 0 && !people.empty()) {  // all people have the same keys
+    const std::string prefix = people.front().name + ".";
+    for (const std::string& each : std::vector<std::string>(known)) {
+      if (each.compare(0, prefix.size(), prefix) == 0) {
+        known.push_back("*." + each.substr(prefix.size()));
       }
-      break;  // all people have the same keys
     }
   }
   return {base::error("set.unknown-path", {path, base::nearestName(path, known)})};

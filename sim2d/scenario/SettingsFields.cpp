@@ -3,7 +3,6 @@
 
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/FieldMaking.h"
-#include "sim2d/scenario/FieldTables.h"
 #include "sim2d/scenario/ScenarioTree.h"
 
 namespace sim2d {
@@ -38,6 +37,22 @@ void readGroups(YamlMap& view, DesktopSettings& to) {
 void writeGroups(YamlNode& tree, const DesktopSettings& desktop) {
   for (const auto& group : desktop.groups) {
     setChild(tree.child("groups"), std::to_string(group.first), stringNode(group.second));
+  }
+}
+
+void readModelParameters(YamlMap& view, DesktopSettings& to) {
+  YamlMap models = view.map("model_parameters");
+  for (const YamlNode& item : models.node().items) {
+    ParameterTexts parameters = readParameters(models, item.key);
+    if (!parameters.empty()) {
+      to.modelParameters.emplace_back(item.key, std::move(parameters));
+    }
+  }
+}
+
+void writeModelParameters(YamlNode& tree, const DesktopSettings& desktop) {
+  for (const auto& [model, parameters] : desktop.modelParameters) {
+    writeParameters(tree.child("model_parameters"), model, parameters);
   }
 }
 
@@ -131,6 +146,12 @@ Fields<DesktopSettings> settingsFields() {
           .orElse(1),
       field("model", &Settings::model, "How people move among others, see `list models`", {"Model"})
           .orElse(ResolvedHuman().model),
+      FieldOf<Settings>("model_parameters",
+                        "Of models, below the name of each: see `list models --format json`")
+          .madeBy(readModelParameters, writeModelParameters,
+                  [](const Settings& a, const Settings& b) {
+                    return a.modelParameters == b.modelParameters;
+                  }),
       field("route", &Settings::route, "Ways round walls, or straight on as the original",
             {"Routes"})
           .words(routeWords())

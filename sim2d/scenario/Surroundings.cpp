@@ -1,3 +1,10 @@
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+#include "sim2d/base/Text.h"
 #include "sim2d/map/Outlines.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 
@@ -30,6 +37,42 @@ std::vector<Outline> outlinesOf(const Door& door) {
   return wallOutlines({door.from, door.to}, door.thickness.value_or(0.05));
 }
 
+namespace fs = std::filesystem;
+
+bool isFile(const fs::path& path) {
+  std::error_code ignored;  // not there, not readable: no file for us
+  return fs::is_regular_file(path.lexically_normal(), ignored);
+}
+
+fs::path folderOf(const FilePlaces& places) {
+  return fs::path(places.scenarioPath).parent_path();
+}
+
+std::string tidy(const fs::path& path) {
+  return path.lexically_normal().string();
+}
+
+base::Diagnostic noMap(const FilePlaces& places, const char* code, base::ProblemValues values) {
+  base::Diagnostic problem = base::error(code, std::move(values), places.scenarioPath);
+  problem.entity = {base::EntityKind::Scenario, 0};
+  return problem;
+}
+
+base::Result<std::string> onlyPlace(const FilePlaces& places, const char* key,
+                                    const std::string& name, const fs::path& path) {
+  if (isFile(path)) {
+    return tidy(path);
+  }
+  std::error_code ignored;
+  const bool isFolder = fs::is_directory(path, ignored);
+  return noMap(places, isFolder ? "map.is-folder" : "map.not-there", {key, name, tidy(path)});
+}
+
+std::string treeName(const Scenario& scenario, const Human& human, const FilePlaces& places) {
+  const std::string stem = fs::path(places.scenarioPath).stem().string();
+  return scenario.yamlBaseName.value_or(stem) + "__agent_" + std::to_string(human.id) + "_bt.xml";
+}
+
 }  // namespace
 
 Surroundings makeSurroundings(const Scenario& scenario, OccupancyGrid grid) {
@@ -49,6 +92,73 @@ Surroundings makeSurroundings(const Scenario& scenario, OccupancyGrid grid) {
   }
   result.obstacles.build();
   return result;
+}
+
+std::string mapBaseName(const std::string& map) {
+  const fs::path name = fs::path(map).filename();
+  static const std::vector<std::string> kExtensions = {".yaml", ".yml", ".pgm", ".png", ".bmp"};
+  const std::string extension = base::lowered(name.extension().string());
+  for (const std::string& known : kExtensions) {
+    if (extension == known) {
+      return name.stem().string();
+    }
+  }
+  return name.string();
+}
+
+base::Result<std::string> findMap(const Scenario& scenario, const FilePlaces& places) {
+  if (places.mapOption == "none") {
+    return std::string();
+  }
+  if (!places.mapOption.empty()) {
+    return onlyPlace(places, "map", places.mapOption, places.mapOption);
+  }
+  if (scenario.desktop.mapFile) {
+    const std::string& file = *scenario.desktop.mapFile;
+    return file == "none" ? base::Result<std::string>(std::string())
+                          : onlyPlace(places, "map_file", file, folderOf(places) / file);
+  }
+  const std::string name = mapBaseName(scenario.map.value_or(""));
+  if (name.empty()) {
+    return noMap(places, "map.not-named", {});
+  }
+  std::vector<fs::path> tried;
+  if (!places.scenarioPath.empty()) {
+    tried.push_back(folderOf(places) / (name + ".yaml"));
+    tried.push_back(folderOf(places) / ".." / "maps" / (name + ".yaml"));
+  }
+  if (!places.shippedMaps.empty()) {
+    tried.push_back(fs::path(places.shippedMaps) / name / (name + ".yaml"));
+  }
+  for (const fs::path& path : tried) {
+    if (isFile(path)) {
+      return tidy(path);
+    }
+  }
+  std::vector<std::string> paths;
+  std::transform(tried.begin(), tried.end(), std::back_inserter(paths), tidy);
+  return noMap(places, "map.not-found", {name, base::join(paths, ", ")});
+}
+
+std::string findTree(const Scenario& scenario, const Human& human, const FilePlaces& places) {
+  if (human.ours.tree) {
+    return tidy(folderOf(places) / *human.ours.tree);  // named: must be there, its reader tells
+  }
+  const std::string name = treeName(scenario, human, places);
+  std::vector<fs::path> folders;
+  if (!places.treesOption.empty()) {
+    folders.emplace_back(places.treesOption);
+  }
+  if (!places.scenarioPath.empty()) {
+    folders.push_back(folderOf(places));
+    folders.push_back(folderOf(places) / ".." / "behavior_trees");
+  }
+  for (const fs::path& folder : folders) {
+    if (isFile(folder / name)) {
+      return tidy(folder / name);
+    }
+  }
+  return {};
 }
 
 }  // namespace sim2d

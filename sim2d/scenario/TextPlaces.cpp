@@ -1,10 +1,10 @@
-#include "sim2d/scenario/TextPlaces.h"
-
 #include <algorithm>
+#include <string_view>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/scenario/ScenarioFile.h"
+#include "sim2d/scenario/ScenarioTree.h"
 
 namespace sim2d {
 

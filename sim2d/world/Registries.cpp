@@ -22,6 +22,9 @@ KnownNames knownNames(const Registries& registries) {
   for (const auto& planner : registries.planners.entries()) {
     names.plannerParameters[planner.name] = planner.parameters;
   }
+  for (const auto& model : registries.models.entries()) {
+    names.modelParameters[model.name] = model.parameters;
+  }
   return names;
 }
 

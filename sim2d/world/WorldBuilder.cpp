@@ -98,6 +98,41 @@ void addPeople(const WorldSetup& setup, WorldModel& model, base::Diagnostics& pr
   }
 }
 
+bool hasParameter(const std::vector<base::ParameterSpec>& specs, const std::string& name) {
+  return std::any_of(specs.begin(), specs.end(),
+                     [&](const base::ParameterSpec& spec) { return spec.key == name; });
+}
+
+std::string namesOf(const std::vector<base::ParameterSpec>& specs) {
+  std::vector<std::string> names;
+  for (const base::ParameterSpec& spec : specs) {
+    names.push_back(spec.key);
+  }
+  return base::join(names, ", ");
+}
+
+/// Of the models that people of this world may have.
+void checkModelParameters(const WorldModel& model, base::Diagnostics& problems) {
+  constexpr EntityId kScenario{base::EntityKind::Scenario, 0};
+  const auto& models = model.registries->models;
+  for (const auto& [name, texts] : model.environment->desktop.modelParameters) {
+    const auto* const entry = models.find(name);
+    if (entry == nullptr) {
+      problems.push_back(
+          about(base::error("world.unknown-model", {name, base::nearestName(name, models.names())}),
+                kScenario, "model_parameters"));
+      continue;
+    }
+    for (const auto& [key, text] : texts) {
+      if (!hasParameter(entry->parameters, key)) {
+        problems.push_back(about(
+            base::error("world.unknown-model-parameter", {name, key, namesOf(entry->parameters)}),
+            kScenario));
+      }
+    }
+  }
+}
+
 void checkRobot(const Registries& registries, const ResolvedRobot& robot, EntityId key,
                 base::Diagnostics& problems) {
   Checks checks("robot '" + robot.name + "'", key, problems);
@@ -121,16 +156,12 @@ base::Result<std::shared_ptr<RobotController>> makeController(const PlannerRegis
         who, base::error("world.unknown-planner",
                          {robot.planner, base::nearestName(robot.planner, planners.names())}));
   }
-  std::vector<std::string> known;
-  for (const base::ParameterSpec& spec : planner->parameters) {
-    known.push_back(spec.key);
-  }
   base::Diagnostics problems;
-  for (const auto& parameter : robot.plannerParameters) {
-    if (std::find(known.begin(), known.end(), parameter.first) == known.end()) {
-      problems.push_back(base::within(
-          who, base::error("world.unknown-parameter",
-                           {planner->name, parameter.first, base::join(known, ", ")})));
+  for (const auto& [name, value] : robot.plannerParameters) {
+    if (!hasParameter(planner->parameters, name)) {
+      problems.push_back(
+          base::within(who, base::error("world.unknown-parameter",
+                                        {planner->name, name, namesOf(planner->parameters)})));
     }
   }
   if (base::hasErrors(problems)) {
@@ -212,6 +243,7 @@ void fillModel(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& pr
   for (const GlobalGoal& goal : scenario.goals) {
     model.globalGoals.emplace(goal.id, goal.position);
   }
+  checkModelParameters(model, problems);
   addPeople(setup, model, problems);
   addRobots(scenario, parts, problems);
   addAreas(scenario, model, problems);

@@ -50,6 +50,7 @@ ResolvedHuman withoutModel(const WorldModel& model, const Human& human) {
   }
   if (!scenario.desktop.model && !human.ours.model) {
     person.model = "sfm-hunav2";
+    person.modelParameters = modelParametersOf(scenario, person.model);
   }
   if (!scenario.desktop.route && !human.ours.route) {
     person.route = Route::Direct;

@@ -255,6 +255,10 @@ class RandomScenario {
       to.wrapX = {-size(), size()};
     }
     if (flip()) {
+      to.modelParameters = {{"orca", {{"horizon", "2.50"}, {"range", "4.0"}}},
+                            {"das", {{"a", "1"}}}};
+    }
+    if (flip()) {
       to.groups = {{upTo(3), word()}, {5, word()}};
     }
     sim2d::MetricsSettings& metrics = to.metrics;

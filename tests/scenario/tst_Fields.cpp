@@ -3,7 +3,7 @@
 
 #include "ScenarioTest.h"
 #include "sim2d/scenario/FieldMaking.h"
-#include "sim2d/scenario/KeyTables.h"
+#include "sim2d/scenario/Fields.h"
 #include "sim2d/scenario/ScenarioTree.h"
 
 using namespace sim2d;

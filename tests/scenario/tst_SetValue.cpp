@@ -28,6 +28,7 @@ class SetValueTest : public QObject {
     row("global_goals.3.x", "-1.25", "        x: -1.250\n");
     row("robot1.planner_parameters.lookahead", "0.9", "        lookahead: 0.9\n");
     row("robot1.planner_parameters.other", "true", "        other: true\n");
+    row("model_parameters.orca.horizon", "3", "      orca:\n        horizon: 3\n");
     row("robot1.start.h", "1", "        h: 1.0\n");
     row("robot1.planner", "dwa", "      planner: dwa\n");
     row("gate.open", "true", "      thickness: 0.08\n      toggles:\n");

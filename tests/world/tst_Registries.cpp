@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <set>
 
 #include <QtTest>
@@ -14,6 +15,7 @@ class RegistriesTest : public QObject {
   void create_ownPlannerAndModel_moveRobotAndPeople();
   void create_worldsOfDifferentRegistries_liveSideBySide();
   void table_oneRow_isInSpecsValuesAndCheck();
+  void modelParameters_setByPath_countInTheRunAndAreChecked();
   void specs_ofTheProgram_areDescribed();
   void create_sharedSurroundings_giveTheSameWorld();
 };
@@ -142,6 +144,37 @@ void RegistriesTest::table_oneRow_isInSpecsValuesAndCheck() {
                        "robot1.planner_parameters.speed: '1.5' is not a number from 0 to 1",
                        "robot1.planner_parameters.trun: unknown to 'circle' (did you mean 'turn'?)",
                        "robot1.planner_parameters.turn: 'no' is not a number"}));
+}
+
+void RegistriesTest::modelParameters_setByPath_countInTheRunAndAreChecked() {
+  Scenario scenario = driftingScenario();
+  scenario.desktop.model = "orca";
+  scenario.robots.clear();
+  QVERIFY(setValue(scenario, "model_parameters.orca.horizon", "3").empty());
+  QVERIFY(setValue(scenario, "model_parameters.das.time_gap", "0.9").empty());
+  const base::Result<std::unique_ptr<World>> world = worldOf(scenario, nullptr);
+  QVERIFY(world);
+  const auto parameters = (*world)->header().humans.front().parameters;
+  QVERIFY(std::find(parameters.begin(), parameters.end(),
+                    std::make_pair(std::string("model_parameters.horizon"), 3.0)) !=
+          parameters.end());
+
+  QVERIFY(setValue(scenario, "model_parameters.orca.range", "-1").empty());
+  QVERIFY(setValue(scenario, "model_parameters.orca.horizn", "1").empty());
+  std::vector<std::string> told;
+  for (const base::Diagnostic& each : checkScenario(scenario, makeSurroundings(scenario, {}),
+                                                    "orca.yaml", knownNames(programRegistries()))) {
+    if (each.message.find("model_parameters") != std::string::npos) {
+      told.push_back(each.message);
+    }
+  }
+  QVERIFY(
+      (told == std::vector<std::string>{
+                   "model_parameters.orca.range: '-1' is not a distance",
+                   "model_parameters.orca.horizn: unknown to 'orca' (did you mean 'horizon'?)"}));
+  const base::Result<std::unique_ptr<World>> refused = worldOf(scenario, nullptr);
+  QVERIFY(!refused);
+  QCOMPARE(refused.diagnostics().front().code, std::string_view("world.unknown-model-parameter"));
 }
 
 void RegistriesTest::specs_ofTheProgram_areDescribed() {

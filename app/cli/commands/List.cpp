@@ -14,7 +14,7 @@
 #include "bt/tree/TreeXml.h"
 #include "metrics/MetricRegistry.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/scenario/KeyTables.h"
+#include "sim2d/scenario/Fields.h"
 #include "sim2d/world/Registries.h"
 
 namespace app {

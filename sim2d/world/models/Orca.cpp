@@ -40,6 +40,11 @@ ParameterTable<OrcaParameters> orcaTable() {
 /// nearest to the wanted. Walls come in as their boundary points. There are no group forces.
 class Orca : public PedestrianModel {
  public:
+  explicit Orca(const ResolvedHuman& person) {
+    static const ParameterTable<OrcaParameters> kTable = orcaTable();
+    kTable.set(parameters_, person.modelParameters);
+  }
+
   /// Accelerations that lead to the chosen velocity: `social` is what avoiding changes.
   ForceTerms forces(const Situation& situation) const override {
     const Vec2 wanted = wantedVelocity(situation);
@@ -136,7 +141,7 @@ class Orca : public PedestrianModel {
 void addOrca(ModelRegistry& to);
 void addOrca(ModelRegistry& to) {
   to.add("orca", orcaTable().specs(),
-         [](const ResolvedHuman& /*person*/) { return std::make_unique<Orca>(); });
+         [](const ResolvedHuman& person) { return std::make_unique<Orca>(person); });
 }
 
 }  // namespace sim2d

@@ -22,6 +22,8 @@ ForceParameters parametersOf(const ResolvedHuman& person, Kind kind) {
   parameters.goalFactor = person.goalFactor;
   parameters.obstacleFactor = person.obstacleFactor;
   parameters.socialFactor = person.socialFactor;
+  static const ParameterTable<ForceParameters> kTable = forceTable();
+  kTable.set(parameters, person.modelParameters);
   return parameters;
 }
 

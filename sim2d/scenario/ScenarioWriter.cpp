@@ -7,12 +7,43 @@
 namespace sim2d {
 namespace {
 
+template <class T, class Make>
+YamlNode listOf(const std::vector<T>& values, Make make) {
+  YamlNode list;
+  list.kind = YamlNode::Kind::List;
+  std::transform(values.begin(), values.end(), std::back_inserter(list.items), make);
+  return list;
+}
+
+template <class T>
+YamlNode listedNames(const std::vector<T>& entities) {
+  YamlNode list;
+  list.kind = YamlNode::Kind::List;
+  for (const T& entity : entities) {
+    if (entity.listed) {
+      list.items.push_back(stringNode(entity.name));
+    }
+  }
+  return list;
+}
+
+/// Those switched off last.
+template <class T, class Visit>
+void forEachListedFirst(const std::vector<T>& entities, Visit visit) {
+  for (const bool listed : {true, false}) {
+    for (const T& entity : entities) {
+      if (entity.listed == listed) {
+        visit(entity);
+      }
+    }
+  }
+}
+
 YamlNode goalsTree(const std::vector<GlobalGoal>& goals) {
   YamlNode tree;
   for (const GlobalGoal& goal : goals) {
     YamlNode& point = tree.child(std::to_string(goal.id));
-    setChild(point, "x", decimals(goal.position.x(), 3));
-    setChild(point, "y", decimals(goal.position.y(), 3));
+    setPoint(point, goal.position, 3);
     setUnknown(point, goal.unknown);
   }
   return tree;
@@ -38,8 +69,7 @@ YamlNode bodyTree(const Human& human, const FieldTables& tables) {
   writeFields(tree, human, tables);
   if (human.hasInitPose) {
     YamlNode& pose = tree.child("init_pose");
-    setChild(pose, "x", decimals(human.initPose.position.x(), 3));
-    setChild(pose, "y", decimals(human.initPose.position.y(), 3));
+    setPoint(pose, human.initPose.position, 3);
     if (human.initZ) {
       setChild(pose, "z", decimals(*human.initZ, 3));
     }
@@ -62,23 +92,13 @@ YamlNode humanTree(const Human& human, const FieldTables& tables) {
   return tree;
 }
 
-YamlNode agentList(const Scenario& scenario) {
-  YamlNode list;
-  list.kind = YamlNode::Kind::List;
-  for (const Human& human : scenario.humans) {
-    if (human.listed) {
-      list.items.push_back(stringNode(human.name));
-    }
-  }
-  return list;
+void addLoss(base::Diagnostics& losses, const Human& human, const std::string& message) {
+  losses.push_back({base::Severity::Warning, {}, 0, 0, human.name + ": " + message, human.key});
 }
 
 /// What was the parameter `dist` in dialect B, and what gets lost.
 void setOldDistance(YamlNode& tree, const Human& human, base::Diagnostics& losses) {
   const Behavior& behavior = human.behavior;
-  const auto lost = [&](const std::string& message) {
-    losses.push_back({base::Severity::Warning, {}, 0, 0, human.name + ": " + message, human.key});
-  };
   const double noticed = behavior.dist.value_or(5.0);
   if (behavior.type == BehaviorType::Curious || behavior.type == BehaviorType::Threatening) {
     const bool curious = behavior.type == BehaviorType::Curious;
@@ -86,8 +106,9 @@ void setOldDistance(YamlNode& tree, const Human& human, base::Diagnostics& losse
     setChild(tree, "dist",
              decimals((curious ? behavior.stopDist : behavior.frontDist).value_or(1.5)));
     if (noticed != fixed) {
-      lost("dist " + base::formatDouble(noticed) + " is lost, this format notices the robot at " +
-           base::formatDouble(fixed) + " m");
+      addLoss(losses, human,
+              "dist " + base::formatDouble(noticed) +
+                  " is lost, this format notices the robot at " + base::formatDouble(fixed) + " m");
     }
     return;
   }
@@ -95,8 +116,9 @@ void setOldDistance(YamlNode& tree, const Human& human, base::Diagnostics& losse
       behavior.type == BehaviorType::Surprised || behavior.type == BehaviorType::Scared;
   setChild(tree, "dist", decimals(behavior.dist.value_or(reacts ? 5.0 : 0.0)));
   if (behavior.type == BehaviorType::Scared && behavior.safeDistance.value_or(5.0) != 5.0) {
-    lost("safe_distance " + base::formatDouble(*behavior.safeDistance) +
-         " is lost, this format has none");
+    addLoss(losses, human,
+            "safe_distance " + base::formatDouble(*behavior.safeDistance) +
+                " is lost, this format has none");
   }
 }
 
@@ -124,40 +146,79 @@ YamlNode behaviorTreeB(const Human& human, base::Diagnostics& losses) {
 YamlNode humanTreeB(const Scenario& scenario, const Human& human, base::Diagnostics& losses) {
   YamlNode tree = bodyTree(human, fieldTables());
   setChild(tree, "behavior", behaviorTreeB(human, losses));
-  YamlNode& names = tree.child("goals");
-  names.kind = YamlNode::Kind::List;
-  YamlNode places;
+  tree.child("goals").kind = YamlNode::Kind::List;
   int count = 0;
   for (const int id : human.goals) {
     const GlobalGoal* goal = scenario.goal(id);
     if (goal == nullptr) {
-      losses.push_back({base::Severity::Warning,
-                        {},
-                        0,
-                        0,
-                        human.name + ": goal " + std::to_string(id) + " is not defined, left out",
-                        human.key});
+      addLoss(losses, human, "goal " + std::to_string(id) + " is not defined, left out");
       continue;
     }
     const std::string name = "g" + std::to_string(count++);
-    names.items.push_back(stringNode(name));
-    YamlNode& place = places.child(name);
-    setChild(place, "x", decimals(goal->position.x(), 3));
-    setChild(place, "y", decimals(goal->position.y(), 3));
+    tree.child("goals").items.push_back(stringNode(name));
+    YamlNode& place = tree.child(name);
+    setPoint(place, goal->position, 3);
     setChild(place, "h", decimals(0.0, 1));
-  }
-  for (YamlNode& place : places.items) {
-    const std::string name = place.key;
-    setChild(tree, name, std::move(place));
   }
   setUnknown(tree, human.unknown);
   return tree;
 }
 
-YamlNode oneNode(YamlNode parameters) {
-  YamlNode node;
-  setChild(node, kParameters, std::move(parameters));
-  return node;
+/// Ends the loader's map: the list, then each as `make` gives it, then what we do not know.
+template <class Make>
+void setPeople(YamlNode& tree, const Scenario& scenario, Make make) {
+  setChild(tree, "agents", listedNames(scenario.humans));
+  forEachListedFirst(scenario.humans,
+                     [&](const Human& human) { setChild(tree, human.name, make(human)); });
+  setUnknown(tree, scenario.unknown);
+}
+
+/// The list of names and the maps beside it.
+template <class T>
+void setEntities(YamlNode& tree, const std::string& key, const std::vector<T>& entities,
+                 const FieldTables& tables) {
+  YamlNode names = listedNames(entities);
+  if (!names.items.empty()) {
+    setChild(tree, key, std::move(names));
+  }
+  forEachListedFirst(entities,
+                     [&](const T& each) { setChild(tree, each.name, fieldTree(each, tables)); });
+}
+
+/// Null when the block would hold nothing but its format.
+YamlNode blockTree(const Scenario& given, const FieldTables& tables) {
+  const Scenario scenario = withoutDefaults(given, tables);
+  YamlNode tree;
+  setChild(tree, "format", number(kBlockFormat));
+  writeFields(tree, scenario.desktop, tables);
+  forEachListedFirst(scenario.humans, [&](const Human& human) {
+    YamlNode person = fieldTree(human.ours, tables);
+    if (!person.isNull()) {
+      setChild(tree, human.name, std::move(person));
+    }
+  });
+  setEntities(tree, "robots", scenario.robots, tables);
+  setEntities(tree, "obstacles", scenario.obstacles, tables);
+  setEntities(tree, "doors", scenario.doors, tables);
+  setEntities(tree, "areas", scenario.areas, tables);
+  YamlNode metrics = fieldTree(scenario.desktop.metrics, tables);
+  if (!metrics.isNull()) {
+    setChild(tree, "metrics", std::move(metrics));
+  }
+  setUnknown(tree, scenario.desktop.unknown);
+  return tree.items.size() > 1 ? tree : YamlNode();
+}
+
+/// Of what is below ros__parameters of the loader's node.
+YamlNode fileOf(YamlNode loader, const Scenario& scenario, const FieldTables& tables) {
+  YamlNode tree;
+  setChild(tree.child(kLoaderNode), kParameters, std::move(loader));
+  YamlNode block = blockTree(scenario, tables);
+  if (!block.isNull()) {
+    setChild(tree.child(kBlockNode), kParameters, std::move(block));
+  }
+  setUnknown(tree, scenario.otherNodes);
+  return tree;
 }
 
 std::string fileText(const YamlNode& tree) {
@@ -180,26 +241,16 @@ YamlNode flag(bool value) {
 }
 
 YamlNode decimalList(const std::vector<double>& values) {
-  YamlNode list;
-  list.kind = YamlNode::Kind::List;
-  for (const double value : values) {
-    list.items.push_back(decimals(value));
-  }
-  return list;
+  return listOf(values, [](double value) { return decimals(value); });
 }
 
 YamlNode integerList(const std::vector<int>& values) {
-  YamlNode list;
-  list.kind = YamlNode::Kind::List;
-  for (const int value : values) {
-    list.items.push_back(number(value));
-  }
-  return list;
+  return listOf(values, number);
 }
 
-void setPoint(YamlNode& map, const Vec2& point) {
-  setChild(map, "x", decimals(point.x()));
-  setChild(map, "y", decimals(point.y()));
+void setPoint(YamlNode& map, const Vec2& point, int digits) {
+  setChild(map, "x", decimals(point.x(), digits));
+  setChild(map, "y", decimals(point.y(), digits));
 }
 
 void setChild(YamlNode& map, const std::string& key, YamlNode value) {
@@ -218,33 +269,37 @@ void setUnknown(YamlNode& map, const UnknownKeys& unknown) {
   }
 }
 
-YamlNode loaderTree(const Scenario& scenario, const FieldTables& tables) {
-  YamlNode tree;
-  writeFields<Environment>(tree, scenario, tables);
-  if (!scenario.goals.empty()) {
-    setChild(tree, "global_goals", goalsTree(scenario.goals));
-  }
-  setChild(tree, "agents", agentList(scenario));
-  for (const bool listed : {true, false}) {
-    for (const Human& human : scenario.humans) {
-      if (human.listed == listed) {
-        setChild(tree, human.name, humanTree(human, tables));
-      }
+Scenario withoutDefaults(Scenario scenario, const FieldTables& tables) {
+  const DesktopSettings desktop = scenario.desktop;
+  const auto drop = [&](auto& entities) {
+    for (auto& entity : entities) {
+      dropDefaults(entity, desktop, tables);
     }
+  };
+  for (Human& human : scenario.humans) {
+    dropDefaults(human.ours, desktop, tables);
   }
-  setUnknown(tree, scenario.unknown);
-  return tree;
+  drop(scenario.robots);
+  drop(scenario.obstacles);
+  drop(scenario.doors);
+  drop(scenario.areas);
+  dropDefaults(scenario.desktop, desktop, tables);
+  dropDefaults(scenario.desktop.metrics, desktop, tables);
+  return scenario;
+}
+
+Scenario withoutDefaults(const Scenario& scenario) {
+  return withoutDefaults(scenario, fieldTables());
 }
 
 YamlNode fileTree(const Scenario& scenario, const FieldTables& tables) {
-  YamlNode tree;
-  setChild(tree, kLoaderNode, oneNode(loaderTree(scenario, tables)));
-  YamlNode block = blockTree(scenario, tables);
-  if (!block.isNull()) {
-    setChild(tree, kBlockNode, oneNode(std::move(block)));
+  YamlNode loader;
+  writeFields<Environment>(loader, scenario, tables);
+  if (!scenario.goals.empty()) {
+    setChild(loader, "global_goals", goalsTree(scenario.goals));
   }
-  setUnknown(tree, scenario.otherNodes);
-  return tree;
+  setPeople(loader, scenario, [&](const Human& human) { return humanTree(human, tables); });
+  return fileOf(std::move(loader), scenario, tables);
 }
 
 std::string writeScenario(const Scenario& scenario) {
@@ -252,28 +307,14 @@ std::string writeScenario(const Scenario& scenario) {
 }
 
 std::string writeScenarioB(const Scenario& scenario, base::Diagnostics& losses) {
-  YamlNode parameters;
+  YamlNode loader;
   for (const char* key : {"map", "publish_people"}) {
     const Field<Environment>& field = *fieldOf<Environment>(key);
-    writeValue(parameters, field.spec, field.value(scenario), field.digits);
+    writeValue(loader, field.spec, field.value(scenario), field.digits);
   }
-  setChild(parameters, "agents", agentList(scenario));
-  for (const bool listed : {true, false}) {
-    for (const Human& human : scenario.humans) {
-      if (human.listed == listed) {
-        setChild(parameters, human.name, humanTreeB(scenario, human, losses));
-      }
-    }
-  }
-  setUnknown(parameters, scenario.unknown);
-  YamlNode tree;
-  setChild(tree, kLoaderNode, oneNode(std::move(parameters)));
-  YamlNode block = blockTree(scenario);
-  if (!block.isNull()) {
-    setChild(tree, kBlockNode, oneNode(std::move(block)));
-  }
-  setUnknown(tree, scenario.otherNodes);
-  return fileText(tree);
+  setPeople(loader, scenario,
+            [&](const Human& human) { return humanTreeB(scenario, human, losses); });
+  return fileText(fileOf(std::move(loader), scenario, fieldTables()));
 }
 
 }  // namespace sim2d
