@@ -3,6 +3,7 @@
 
 #include <QtTest>
 
+#include "sim2d/scenario/ScenarioFile.h"
 #include "tests/world/TestWorld.h"
 
 using namespace testworld;
