@@ -34,16 +34,6 @@ std::string withoutMark(const std::string& text) {
   return text.compare(0, mark.size(), mark) == 0 ? text.substr(mark.size()) : text;
 }
 
-/// An id that is not negative.
-std::optional<int> idOf(WordReader& words, const Word& word) {
-  const std::optional<long long> id = words.whole(word, "the id");
-  if (id && *id < 0) {
-    words.error(word, "tracks.negative-id");
-    return std::nullopt;
-  }
-  return id ? std::make_optional(static_cast<int>(*id)) : std::nullopt;
-}
-
 }  // namespace
 
 std::string_view TextRows::withoutComment(std::string_view line) const {
@@ -203,6 +193,15 @@ TrackPoint& FrameTracks::add(int id, long long frame, const Vec2& position, int 
   point.line = line;
   point.column = column;
   return point;
+}
+
+std::optional<int> idOf(WordReader& words, const Word& word) {
+  const std::optional<long long> id = words.whole(word, "the id");
+  if (id && *id < 0) {
+    words.error(word, "tracks.negative-id");
+    return std::nullopt;
+  }
+  return id ? std::make_optional(static_cast<int>(*id)) : std::nullopt;
 }
 
 TrackPoint* FrameTracks::add(WordReader& words, const Word& frame, const Word& id, const Word& x,

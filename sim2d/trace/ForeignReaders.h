@@ -118,6 +118,9 @@ std::string besideFile(const std::string& path, const std::string& name);
 /// Ids of a group per line, if the file is there; groups are numbered from 1.
 void readGroupsBeside(const ForeignInput& input, TrackFile& file);
 
+/// An id that is not negative.
+std::optional<int> idOf(WordReader& words, const Word& word);
+
 /// Calls `take` with the words of each row that has `width` of them.
 template <class Take>
 void forEachRow(const ForeignInput& input, std::size_t width, const char* columns, Take take) {
