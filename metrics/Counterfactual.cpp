@@ -134,17 +134,9 @@ std::vector<PersonEffect> personEffects(const sim2d::Trace& with, const sim2d::T
 std::vector<MetricInfo> effectInfos() {
   std::vector<MetricInfo> infos;
   for (const Column& column : kColumns) {
-    MetricInfo info;
-    info.key = std::string("counterfactual_") + column.name;
-    info.name = column.title;
-    info.unit = column.unit;
-    info.category = Category::Social;
-    info.better = Better::Lower;
-    info.needs = {true, true};
-    info.formula = std::string("sum over people of ") + column.formula;
-    info.source = "ours";
-    info.range = column.range;
-    infos.push_back(std::move(info));
+    infos.push_back({std::string("counterfactual_") + column.name, column.title, column.unit,
+                     Category::Social, Better::Lower, Needs{true, true},
+                     std::string("sum over people of ") + column.formula, "ours", column.range});
   }
   return infos;
 }

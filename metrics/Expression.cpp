@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "metrics/ExpressionNames.h"
-#include "metrics/ExpressionOperators.h"
 #include "sim2d/base/Lexer.h"
 #include "sim2d/base/Text.h"
 
@@ -26,6 +26,40 @@ struct Part {
   Scope scope = Scope::Run;
   bool isOfEnd = false;  // known when the run is over
 };
+
+double truth(bool holds) {
+  return holds ? 1.0 : 0.0;
+}
+
+/// Comparisons and logic give 1 or 0; undefined stays undefined.
+template <class Holds>
+double test(double a, double b) {
+  return std::isnan(a) || std::isnan(b) ? a + b : truth(Holds{}(a, b));
+}
+
+/// Between two values of a formula.
+struct Operator {
+  const char* sign;
+  double (*apply)(double, double);
+};
+
+/// From those that bind least to those that bind most; longer signs first: "<=" before "<".
+const std::vector<std::vector<Operator>>& operatorLevels() {
+  static const std::vector<std::vector<Operator>> kLevels = {
+      {{"or", test<std::logical_or<>>}},
+      {{"and", test<std::logical_and<>>}},
+      {{"<=", test<std::less_equal<>>},
+       {">=", test<std::greater_equal<>>},
+       {"==", test<std::equal_to<>>},
+       {"!=", test<std::not_equal_to<>>},
+       {"<", test<std::less<>>},
+       {">", test<std::greater<>>}},
+      {{"+", [](double a, double b) { return a + b; }},
+       {"-", [](double a, double b) { return a - b; }}},
+      {{"*", [](double a, double b) { return a * b; }},
+       {"/", [](double a, double b) { return b == 0.0 ? std::nan("") : a / b; }}}};
+  return kLevels;
+}
 
 const base::LexerRules& formulaWords() {
   static const base::LexerRules kRules = {
@@ -91,31 +125,26 @@ class ExpressionParser {
         std::max(a.scope, b.scope), a.isOfEnd || b.isOfEnd};
   }
 
-  using Rule = Part (ExpressionParser::*)(int);
-  template <std::size_t kCount>
-  Part chain(const std::array<Operator, kCount>& operators, Rule next, int depth) {
-    Part part = (this->*next)(depth);
-    for (bool found = true; found && !hasFailed();) {
-      found = false;
-      for (const Operator& candidate : operators) {
-        if (take(candidate.sign)) {
-          part = joined(part, (this->*next)(depth), candidate.apply);
-          found = true;
-          break;
-        }
+  Part parseAny(int depth) {
+    return depth > kDeepest ? fail(at(), "formula.too-many-brackets") : parseLevel(0, depth);
+  }
+
+  Part parseLevel(std::size_t level, int depth) {
+    if (level == operatorLevels().size()) {
+      return parseSigned(depth);
+    }
+    const std::vector<Operator>& operators = operatorLevels()[level];
+    Part part = parseLevel(level + 1, depth);
+    while (!hasFailed()) {
+      const auto found = std::find_if(operators.begin(), operators.end(),
+                                      [this](const Operator& one) { return take(one.sign); });
+      if (found == operators.end()) {
+        break;
       }
+      part = joined(part, parseLevel(level + 1, depth), found->apply);
     }
     return part;
   }
-
-  Part parseAny(int depth) {
-    return depth > kDeepest ? fail(at(), "formula.too-many-brackets")
-                            : chain(kOr, &ExpressionParser::parseAnd, depth);
-  }
-  Part parseAnd(int depth) { return chain(kAnd, &ExpressionParser::parseCompare, depth); }
-  Part parseCompare(int depth) { return chain(kCompare, &ExpressionParser::parseSum, depth); }
-  Part parseSum(int depth) { return chain(kAdd, &ExpressionParser::parseProduct, depth); }
-  Part parseProduct(int depth) { return chain(kMultiply, &ExpressionParser::parseSigned, depth); }
 
   Part parseSigned(int depth) {
     if (depth > kDeepest) {

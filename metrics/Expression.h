@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -37,9 +36,8 @@ class Expression {
 
   /// Sum, count and extremes of the defined values of a term.
   struct Collected {
-    static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     double sum = 0.0, integral = 0.0, count = 0.0, holding = 0.0;
-    double least = kNone, largest = kNone, first = kNone, last = kNone;
+    double least = kNaN, largest = kNaN, first = kNaN, last = kNaN;
 
     void take(double value, double weight);
   };

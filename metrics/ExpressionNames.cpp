@@ -15,8 +15,6 @@ using Place = Expression::Place;
 using Value = Expression::Value;
 using Collected = Expression::Collected;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 const Sample& sampleAt(const Place& place) {
   return place.at.now;
 }

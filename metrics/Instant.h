@@ -16,7 +16,14 @@ using Term = double (*)(const Sample& sample, const MetricParameters& parameters
 class TermMemory {
  public:
   void forget() { known_.clear(); }
-  double of(Term term, const Sample& sample, const MetricParameters& parameters);
+  double of(Term term, const Sample& sample, const MetricParameters& parameters) {
+    for (const auto& [known, value] : known_) {
+      if (known == term) {
+        return value;
+      }
+    }
+    return known_.emplace_back(term, term(sample, parameters)).second;
+  }
 
  private:
   std::vector<std::pair<Term, double>> known_;
@@ -38,7 +45,9 @@ struct Instant {
   std::size_t count() const { return index + 1; }                         // N up to here
   double elapsed() const { return now.time - begin; }                     // T at the end [s]
   double step() const { return before ? now.time - before->time : 0.0; }  // since the last [s]
-  double term(Term which) const;
+  double term(Term which) const {
+    return memory != nullptr ? memory->of(which, now, parameters) : which(now, parameters);
+  }
   bool isOriginal() const { return parameters.profile == Profile::Hunav2; }
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace metrics {
 
@@ -11,11 +10,6 @@ namespace {
 constexpr double kSmall = 1e-9;       // [m] or [1]
 constexpr double kSmallAngle = 1e-6;  // [rad] a smaller one is noise around 0
 constexpr int kHighestFree = 50;      // value of a cell
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
-
-namespace {
 
 /// What the forces of a pair on each other have in common, up to the sign.
 struct Meeting {
@@ -53,7 +47,7 @@ Vec2 socialForceOf(const Meeting& pair, double factor, const MetricParameters& p
     return Vec2::Zero();
   }
   if (pair.isUndefined) {
-    return {kUnknown, kUnknown};
+    return {kNaN, kNaN};
   }
   double theta = base::wrapToPi(std::atan2(pair.towards.y(), pair.towards.x()) -
                                 std::atan2(pair.direction.y(), pair.direction.x()));

@@ -80,7 +80,8 @@ struct MetricParameters {
 /// One of them as people set it; its fallback is the member's default above.
 struct ParameterInfo {
   base::ParameterSpec spec;
-  double MetricParameters::*member;
+  double MetricParameters::*member = nullptr;
+  std::string usedBy;  // how keys of metrics begin that use it without naming it in the formula
 };
 const std::vector<ParameterInfo>& parameterInfos();
 const ParameterInfo* findParameter(std::string_view name);

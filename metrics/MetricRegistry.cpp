@@ -4,6 +4,9 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstring>
+
+#include "sim2d/base/Text.h"
 
 namespace metrics {
 
@@ -82,6 +85,19 @@ MetricValue meanOver(MetricValue sum, std::size_t samples) {
 
 namespace {
 
+/// The word stands in the text, and not as a part of a longer one.
+bool hasWord(const std::string& text, const std::string& word) {
+  constexpr char kLetters[] = "abcdefghijklmnopqrstuvwxyz0123456789_";
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    const std::size_t end = text.find_first_not_of(kLetters, at);
+    const bool isBegin = at == 0 || std::strchr(kLetters, text[at - 1]) == nullptr;
+    if (isBegin && std::min(end, text.size()) == at + word.size()) {
+      return true;
+    }
+  }
+  return false;
+}
+
 class Nothing : public Accumulator {
  public:
   void add(const Instant& /*at*/) override {}
@@ -151,6 +167,23 @@ std::vector<std::string> MetricRegistry::keys() const {
     keys.push_back(entry.info.key);
   }
   return keys;
+}
+
+std::vector<base::ParameterSpec> MetricRegistry::parametersOf(const MetricInfo& info) const {
+  if (const MetricEntry* sum = find(info.partOf)) {
+    return parametersOf(sum->info);
+  }
+  std::vector<base::ParameterSpec> parameters;
+  for (const ParameterInfo& parameter : parameterInfos()) {
+    const std::vector<std::string> users = base::split(parameter.usedBy, ' ');
+    const bool isUser = std::any_of(users.begin(), users.end(), [&info](const std::string& begin) {
+      return !begin.empty() && info.key.compare(0, begin.size(), begin) == 0;
+    });
+    if (isUser || hasWord(info.formula, parameter.spec.key)) {
+      parameters.push_back(parameter.spec);
+    }
+  }
+  return parameters;
 }
 
 const MetricRegistry& standardRegistry() {

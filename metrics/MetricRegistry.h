@@ -40,10 +40,10 @@ struct MetricInfo {
   Needs needs;
   std::string formula;  // as text, corrected profile
   std::string source;
-  std::string range;  // "[0, 100]"
+  std::string range = "[0, inf)";
   Kind kind = Kind::Number;
-  int hunav = 0;       // number among HuNavSim's 34 keys; 0 = ours
-  std::string partOf;  // selected together with that key; empty = on its own
+  int hunav = 0;         // number among HuNavSim's 34 keys; 0 = ours
+  std::string partOf{};  // selected together with that key; empty = on its own
   /// Largest change when a record of smooth motion is sampled twice as often (from 20 Hz on), as a
   /// share of the larger value, which counts as at least 0.1.
   double rateBound = 0.02;
@@ -122,6 +122,8 @@ class MetricRegistry {
   const std::vector<MetricEntry>& entries() const { return entries_; }
   const MetricEntry* find(std::string_view key) const;
   std::vector<std::string> keys() const;
+  /// Those that the value of a metric depends on.
+  std::vector<base::ParameterSpec> parametersOf(const MetricInfo& info) const;
 
  private:
   std::vector<MetricEntry> entries_;

@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
-#include "metrics/FormulaReader.h"
+#include "metrics/Expression.h"
 #include "metrics/Report.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/base/yaml/YamlMap.h"
 
 namespace metrics {
 
@@ -27,29 +27,33 @@ std::vector<std::string> selectableKeys(const MetricRegistry& registry) {
 }
 
 void turnOn(const MetricInfo& info, bool on, Selection::Keys& keys) {
-  if (info.hunav > 0 && !on) {
-    keys.off.insert(info.key);
-  } else if (info.hunav > 0) {
-    keys.off.erase(info.key);
-  } else if (on) {
-    keys.on.insert(info.key);
+  const bool isHunav = info.hunav > 0;
+  std::set<std::string>& listed = isHunav ? keys.off : keys.on;
+  if (on != isHunav) {
+    listed.insert(info.key);
   } else {
-    keys.on.erase(info.key);
+    listed.erase(info.key);
   }
+}
+
+bool isKey(const std::string& key) {
+  const auto isLetter = [](char c) { return c >= 'a' && c <= 'z'; };
+  return !key.empty() && isLetter(key.front()) && std::all_of(key.begin(), key.end(), [&](char c) {
+    return isLetter(c) || (c >= '0' && c <= '9') || c == '_';
+  });
 }
 
 class FileReader {
  public:
-  FileReader(std::string name, const MetricRegistry& registry)
-      : name_(std::move(name)), registry_(registry) {
+  FileReader(const std::string& name, const MetricRegistry& registry) : registry_(registry) {
+    report_.file = name;
     file_.selection.keys.emplace();
   }
 
   base::Result<MetricsFile> read(const YamlNode& root) {
     const YamlNode* own = root.find(kOwnNode);
     if (own != nullptr) {
-      FormulaReader(name_, registry_, file_.selection.own, problems_)
-          .read(own->find("ros__parameters"), *own);
+      readFormulas(own->find("ros__parameters"), *own);
     }
     if (own != nullptr && root.items.size() == 1) {
       file_.selection.keys.reset();
@@ -58,7 +62,7 @@ class FileReader {
     const YamlNode& parameters = find(root);
     if (!parameters.isMap()) {
       error(root, "metrics.no-parameters");
-      return problems_;
+      return report_.diagnostics;
     }
     for (const YamlNode& entry : parameters.items) {
       readEntry(entry.key, entry);
@@ -68,17 +72,17 @@ class FileReader {
 
  private:
   base::Result<MetricsFile> finished() {
-    if (base::hasErrors(problems_)) {
-      return problems_;
+    if (base::hasErrors(report_.diagnostics)) {
+      return report_.diagnostics;
     }
-    return {std::move(file_), std::move(problems_)};
+    return {std::move(file_), std::move(report_.diagnostics)};
   }
 
   void error(const YamlNode& node, std::string_view code, base::ProblemValues values = {}) {
-    problems_.push_back(placed(base::error(code, std::move(values)), node, name_));
+    report_.add(node, base::error(code, std::move(values)));
   }
   void warn(const YamlNode& node, std::string_view code, base::ProblemValues values) {
-    problems_.push_back(placed(base::warning(code, std::move(values)), node, name_));
+    report_.add(node, base::warning(code, std::move(values)));
   }
 
   /// Parameters of the node; a file may also hold them without the two outer keys.
@@ -113,10 +117,7 @@ class FileReader {
   }
 
   static bool isIgnored(const std::string& key) {  // of the first version, without effect on values
-    static constexpr std::array<const char*, 3> kKeys = {"mode", "use_navgoal_to_start",
-                                                         "use_nav_goal_to_start"};
-    return std::any_of(kKeys.begin(), kKeys.end(),
-                       [&key](const char* known) { return key == known; });
+    return key == "mode" || key == "use_navgoal_to_start" || key == "use_nav_goal_to_start";
   }
 
   void readText(const YamlNode& value, std::string& to) {
@@ -180,11 +181,110 @@ class FileReader {
     turnOn(entry->info, on, *file_.selection.keys);
   }
 
-  std::string name_;
+  /// `place`: where a missing map is told.
+  void readFormulas(const YamlNode* metrics, const YamlNode& place) {
+    if (metrics == nullptr || !metrics->isMap()) {
+      error(place, "metrics.no-formulas");
+      return;
+    }
+    for (const YamlNode& entry : metrics->items) {
+      const std::string& key = entry.key;
+      const bool isTaken =
+          registry_.find(key) != nullptr ||
+          std::any_of(file_.selection.own.begin(), file_.selection.own.end(),
+                      [&key](const MetricEntry& other) { return other.info.key == key; });
+      if (isTaken) {
+        error(keyNode(entry), "metrics.name-taken", {key});
+      } else if (!isKey(key)) {
+        error(keyNode(entry), "metrics.bad-key");
+      } else {
+        readFormula(key, keyNode(entry), entry);
+      }
+    }
+  }
+
+  void readFormula(const std::string& key, const YamlNode& place, const YamlNode& value) {
+    UserMetric metric;
+    metric.key = key;
+    const YamlNode* expression = value.find("expression");
+    if (expression == nullptr || !expression->isScalar()) {
+      error(place, "metrics.no-expression", {key});
+      return;
+    }
+    for (const YamlNode& entry : value.items) {
+      const std::string& name = entry.key;
+      if (name == "expression") {
+        metric.expression = entry.text;
+      } else if (name == "name") {
+        readText(entry, metric.name);
+      } else if (name == "unit") {
+        readText(entry, metric.unit);
+      } else if (name == "better") {
+        readBetter(entry, metric.better);
+      } else {
+        warn(keyNode(entry), "metrics.unknown-key",
+             {name, base::nearestName(name, {"expression", "name", "unit", "better"})});
+      }
+    }
+    addFormula(metric, *expression);
+  }
+
+  void readBetter(const YamlNode& value, Better& better) {
+    for (const Better candidate : {Better::Lower, Better::Higher, Better::Neutral}) {
+      if (value.isScalar() && value.text == betterName(candidate)) {
+        better = candidate;
+        return;
+      }
+    }
+    error(value, "metrics.bad-better");
+  }
+
+  /// Problems get the place in this file: formulas stand on one line, in quotes or not.
+  void addFormula(const UserMetric& metric, const YamlNode& text) {
+    const base::Result<MetricEntry> entry = entryOf(metric);
+    if (entry) {
+      file_.selection.own.push_back(*entry);
+    }
+    const int quote = text.quoted && text.tag.empty() ? 1 : 0;
+    for (base::Diagnostic problem : entry.diagnostics()) {
+      problem.file = report_.file;
+      problem.line = text.line;
+      problem.column += text.column - 1 + quote;
+      report_.diagnostics.push_back(problem);
+    }
+  }
+
   const MetricRegistry& registry_;
   MetricsFile file_;
-  base::Diagnostics problems_;
+  base::ReadReport report_;
 };
+
+/// A text that YAML reads back as a text.
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) {
+    result += c == '\'' ? "''" : std::string(1, c);
+  }
+  return result + "'";
+}
+
+std::string ownText(const std::vector<MetricEntry>& own) {
+  std::string text;
+  for (const MetricEntry& entry : own) {
+    const MetricInfo& info = entry.info;
+    text += text.empty() ? std::string("hunavsim_metrics:\n  ros__parameters:\n") : std::string();
+    text += "    " + info.key + ":\n";
+    text += "      expression: " + quoted(info.formula) + "\n";
+    text += "      name: " + quoted(info.name) + "\n";
+    text += "      unit: " + quoted(info.unit) + "\n";
+    text += std::string("      better: ") + betterName(info.better) + "\n";
+  }
+  return text;
+}
+
+const char* boolText(bool value) {
+  return value ? "true" : "false";
+}
 
 }  // namespace
 
@@ -233,6 +333,23 @@ base::Result<MetricsFile> readMetricsFile(const std::string& path, const MetricR
     return text.diagnostics();
   }
   return parseMetricsFile(*text, path, registry);
+}
+
+std::string writeMetricsFile(const MetricsFile& file, const MetricRegistry& registry) {
+  const Selection& selection = file.selection;
+  std::string text = "hunav_evaluator_node:\n  ros__parameters:\n";
+  text += std::string("    use_sim_time: ") + boolText(file.useSimTime) + "\n";
+  text += "    frequency: " + base::formatDecimals(selection.window.frequency, 1) + "\n";
+  text += "    result_file: " + quoted(file.resultFile) + "\n";
+  text += "    metrics:\n";
+  for (const MetricEntry& entry : registry.entries()) {
+    const bool on = selection.selects(entry.info);
+    const bool listed = entry.info.partOf.empty() && (entry.info.hunav > 0 || on);
+    if (listed) {
+      text += "      " + entry.info.key + ": " + boolText(on) + "\n";
+    }
+  }
+  return text + ownText(selection.own);
 }
 
 }  // namespace metrics

@@ -69,4 +69,50 @@ void ObstacleContacts::add(const Robot& robot) {
   touched_ = touches;
 }
 
+namespace {
+
+constexpr double kEqualSpeeds = 1e-6;  // [m/s]
+
+/// gap < limit; the squares settle it for whoever is clearly farther away.
+bool isWithin(const Robot& robot, const Person& person, double limit) {
+  const double reach = limit + robot.radius + person.radius + 1e-6;
+  return (robot.position - person.position).squaredNorm() <= reach * reach &&
+         gap(robot, person) < limit;
+}
+
+}  // namespace
+
+/// The velocities before the sample, as the contact may have stopped the bodies already.
+void ContactEvents::addEntry(const Instant& at, const Person& person, Culprits& to) {
+  const Robot& robot = at.now.robot;
+  const Person* personBefore = at.before != nullptr ? findPerson(*at.before, person.id) : nullptr;
+  const Vec2 between = person.position - robot.position;
+  const double separation = lengthOf(between);
+  const Vec2 normal = separation > 0.0 ? Vec2(between / separation) : Vec2(0.0, 0.0);
+  const Vec2& robotVelocity = at.before != nullptr ? at.before->robot.velocity : robot.velocity;
+  const Vec2& personVelocity = personBefore != nullptr ? personBefore->velocity : person.velocity;
+  const double byRobot = robotVelocity.dot(normal);
+  const double byPerson = -personVelocity.dot(normal);
+  to.robot += byRobot > byPerson - kEqualSpeeds ? 1.0 : 0.0;
+  to.person += byPerson > byRobot - kEqualSpeeds ? 1.0 : 0.0;
+}
+
+void ContactEvents::add(const Instant& at) {
+  Culprits culprits;
+  touchingNow_.clear();
+  for (const Person& person : at.now.people) {
+    if (!isWithin(at.now.robot, person, limit_)) {
+      continue;
+    }
+    touchingNow_.push_back(person.id);
+    if (std::find(touching_.begin(), touching_.end(), person.id) == touching_.end()) {
+      addEntry(at, person, culprits);
+      count_ += 1.0;
+    }
+  }
+  byRobot_.add(at, culprits.robot);
+  byPerson_.add(at, culprits.person);
+  touching_.swap(touchingNow_);
+}
+
 }  // namespace metrics

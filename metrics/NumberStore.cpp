@@ -10,38 +10,25 @@ constexpr std::size_t kBlock = 512;  // numbers
 
 }  // namespace
 
-NumberStore::NumberStore() : file_(std::tmpfile()) {}
-
-std::optional<NumberStore::Place> NumberStore::put(const double* numbers, std::size_t count) {
-  if (!file_ || std::fseek(file_.get(), end_, SEEK_SET) != 0 ||
-      std::fwrite(numbers, sizeof(double), count, file_.get()) != count ||
-      std::fflush(file_.get()) != 0) {
-    return std::nullopt;
-  }
-  const Place place = end_;
-  end_ += static_cast<Place>(count * sizeof(double));
-  return place;
+std::optional<NumberStore::Place> NumberStore::put(const std::vector<double>& numbers) {
+  const auto* const bytes = reinterpret_cast<const char*>(numbers.data());
+  return file_.append({bytes, numbers.size() * sizeof(double)});
 }
 
-bool NumberStore::get(Place place, double* numbers, std::size_t count) {
-  const bool isRead = file_ && std::fseek(file_.get(), place, SEEK_SET) == 0 &&
-                      std::fread(numbers, sizeof(double), count, file_.get()) == count;
+bool NumberStore::get(const Place& place, double* numbers) {
+  const bool isRead = file_.read(place, reinterpret_cast<char*>(numbers));
   failed_ = failed_ || !isRead;
   return isRead;
 }
 
 void StoredNumbers::add(double number, NumberStore* store) {
   newest_.push_back(number);
-  if (store != nullptr && newest_.size() % kBlock == 0) {
-    putAside(*store);
+  if (store == nullptr || newest_.size() % kBlock != 0) {
+    return;
   }
-}
-
-void StoredNumbers::putAside(NumberStore& store) {
-  const std::optional<NumberStore::Place> place = store.put(newest_.data(), newest_.size());
-  if (place) {
-    store_ = &store;
-    blocks_.push_back({*place, newest_.size()});
+  if (const std::optional<NumberStore::Place> place = store->put(newest_)) {
+    store_ = store;
+    blocks_.push_back(*place);
     stored_ += newest_.size();
     newest_.clear();
   }
@@ -50,9 +37,9 @@ void StoredNumbers::putAside(NumberStore& store) {
 std::vector<double> StoredNumbers::all() const {
   std::vector<double> numbers(stored_, std::numeric_limits<double>::quiet_NaN());
   std::size_t at = 0;
-  for (const Block& block : blocks_) {
-    store_->get(block.place, numbers.data() + at, block.count);
-    at += block.count;
+  for (const NumberStore::Place& block : blocks_) {
+    store_->get(block, numbers.data() + at);
+    at += block.size / sizeof(double);
   }
   numbers.insert(numbers.end(), newest_.begin(), newest_.end());
   return numbers;
@@ -62,9 +49,9 @@ double StoredNumbersReader::next() {
   if (at_ == block_.size()) {
     at_ = 0;
     if (nextBlock_ < numbers_.blocks_.size()) {
-      const StoredNumbers::Block& block = numbers_.blocks_[nextBlock_];
-      block_.assign(block.count, std::numeric_limits<double>::quiet_NaN());
-      numbers_.store_->get(block.place, block_.data(), block.count);
+      const NumberStore::Place& block = numbers_.blocks_[nextBlock_];
+      block_.assign(block.size / sizeof(double), std::numeric_limits<double>::quiet_NaN());
+      numbers_.store_->get(block, block_.data());
     } else {
       block_ = numbers_.newest_;
     }

@@ -1,37 +1,24 @@
 #pragma once
 
-#include <cstdio>
-#include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
+
+#include "sim2d/base/ScratchFile.h"
 
 namespace metrics {
 
-/// Numbers put aside on the disk, in a temporary file that is gone with the store. One thread at a
-/// time.
+/// A temporary file for numbers that is gone with the store. One thread at a time.
 class NumberStore {
  public:
-  using Place = long;  // [B] in the file
-  NumberStore();
-  NumberStore(const NumberStore&) = delete;
-  NumberStore& operator=(const NumberStore&) = delete;
-  NumberStore(NumberStore&&) = delete;
-  NumberStore& operator=(NumberStore&&) = delete;
-  ~NumberStore() = default;
-
+  using Place = base::ScratchFile::Piece;
   /// None when the disk takes no more.
-  std::optional<Place> put(const double* numbers, std::size_t count);
+  std::optional<Place> put(const std::vector<double>& numbers);
   /// False when they cannot be read back; hasFailed() from then on.
-  bool get(Place place, double* numbers, std::size_t count);
+  bool get(const Place& place, double* numbers);
   bool hasFailed() const { return failed_; }
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  std::unique_ptr<std::FILE, Close> file_;  // null: none could be made
-  Place end_ = 0;
+  base::ScratchFile file_;
   bool failed_ = false;
 };
 
@@ -46,14 +33,9 @@ class StoredNumbers {
 
  private:
   friend class StoredNumbersReader;
-  struct Block {
-    NumberStore::Place place = 0;
-    std::size_t count = 0;
-  };
-  void putAside(NumberStore& store);
 
   std::vector<double> newest_;
-  std::vector<Block> blocks_;
+  std::vector<NumberStore::Place> blocks_;
   std::size_t stored_ = 0;  // in blocks
   NumberStore* store_ = nullptr;
 };

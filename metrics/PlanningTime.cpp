@@ -4,22 +4,6 @@
 
 namespace metrics {
 
-namespace {
-
-MetricInfo infoOf(const char* key, const char* name, const char* formula) {
-  MetricInfo info;
-  info.key = key;
-  info.name = name;
-  info.unit = "s";
-  info.better = Better::Lower;
-  info.formula = formula;
-  info.source = "MRPB; SRPB";
-  info.range = "[0, inf)";
-  return info;
-}
-
-}  // namespace
-
 void PlanningTime::add(double seconds) {
   ++steps_;
   const double change = seconds - mean_;
@@ -28,10 +12,12 @@ void PlanningTime::add(double seconds) {
 }
 
 std::vector<MetricInfo> planningInfos() {
-  return {infoOf("planning_time_mean", "Mean time of deciding",
-                 "mean over steps of the wall time in which all robots decide what to do"),
-          infoOf("planning_time_std", "Deviation of the time of deciding",
-                 "sample standard deviation of the same")};
+  const char source[] = "MRPB; SRPB";
+  return {
+      {"planning_time_mean", "Mean time of deciding", "s", Category::Navigation, Better::Lower,
+       Needs{}, "mean over steps of the wall time in which all robots decide what to do", source},
+      {"planning_time_std", "Deviation of the time of deciding", "s", Category::Navigation,
+       Better::Lower, Needs{}, "sample standard deviation of the same", source}};
 }
 
 std::vector<MetricResult> PlanningTime::results() const {

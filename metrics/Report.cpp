@@ -42,8 +42,6 @@ const MetricResult* findResult(const std::vector<MetricResult>& results, std::st
 
 namespace {
 
-constexpr double kTimeSlack = 1e-9;  // [s]
-
 /// Feeds the events up to a time; `next` = the first one that was not fed.
 template <class Evaluation, class Event, class TimeOf>
 void noteUntil(double time, const std::vector<Event>& events, std::size_t& next, TimeOf timeOf,

@@ -1,6 +1,8 @@
 #include "metrics/ReportFiles.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -57,43 +59,15 @@ void appendRow(std::string& to, const std::vector<std::string>& cells) {
   to += '\n';
 }
 
-/// "1.5" and "2e+20" to the digits "15", "2" and the place of the point behind the first digit.
-std::pair<std::string, int> digitsAndExponent(const std::string& text) {
-  const std::size_t e = text.find('e');
-  const std::string mantissa = text.substr(0, e);
-  int exponent = e == std::string::npos ? 0 : static_cast<int>(*base::parseInt(text.substr(e + 1)));
-  const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
-  std::string digits = mantissa;
-  digits.erase(std::remove(digits.begin(), digits.end(), '.'), digits.end());
-  exponent += static_cast<int>(point) - 1;
-  const std::size_t first = digits.find_first_not_of('0');
-  if (first == std::string::npos) {
-    return {"0", 0};
-  }
-  digits.erase(0, first);
-  exponent -= static_cast<int>(first);
-  digits.erase(digits.find_last_not_of('0') + 1);
-  return {digits, exponent};
-}
-
 /// Shortest digits, laid out with a point always and an exponent below 1e-4 and from 1e16 on.
 std::string floatText(double value) {
-  const std::string sign = std::signbit(value) ? "-" : "";
-  auto [digits, exponent] = digitsAndExponent(base::formatDouble(std::fabs(value)));
-  const int count = static_cast<int>(digits.size());
-  if (exponent < -4 || exponent >= 16) {
-    const std::string power = std::to_string(std::abs(exponent));
-    return sign + digits.substr(0, 1) + (count > 1 ? "." + digits.substr(1) : "") + "e" +
-           (exponent < 0 ? "-" : "+") + (power.size() < 2 ? "0" : "") + power;
-  }
-  if (exponent < 0) {
-    return sign + "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
-  }
-  if (count <= exponent + 1) {
-    return sign + digits + std::string(static_cast<std::size_t>(exponent + 1 - count), '0') + ".0";
-  }
-  const auto whole = static_cast<std::size_t>(exponent) + 1;
-  return sign + digits.substr(0, whole) + "." + digits.substr(whole);
+  const double size = std::fabs(value);
+  const bool hasExponent = size >= 1e16 || (size > 0.0 && size < 1e-4);
+  const auto layout = hasExponent ? std::chars_format::scientific : std::chars_format::fixed;
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, layout).ptr;
+  const std::string text(digits.data(), end);
+  return hasExponent || text.find('.') != std::string::npos ? text : text + ".0";
 }
 
 /// The series that have one value per sample.

@@ -1,24 +1,10 @@
 #include "metrics/Routes.h"
 
-#include <utility>
-
 #include "sim2d/map/DistanceField.h"
-#include "sim2d/map/PathPlanner.h"
 
 namespace metrics {
 
 using base::Vec2;
-
-struct Routes::Planner {
-  explicit Planner(std::shared_ptr<const sim2d::DistanceField> field, double radius)
-      : paths(std::move(field), radius) {}
-  sim2d::PathPlanner paths;
-};
-
-Routes::Routes(sim2d::OccupancyGrid map, sim2d::Obstacles obstacles, double robotRadius)
-    : map_(std::move(map)), obstacles_(std::move(obstacles)), robotRadius_(robotRadius) {}
-
-Routes::~Routes() = default;
 
 std::vector<Vec2> Routes::shortest(const Vec2& from, const Vec2& to) {
   if (obstacles_.isVisible(from, to)) {
@@ -26,11 +12,11 @@ std::vector<Vec2> Routes::shortest(const Vec2& from, const Vec2& to) {
   }
   if (!planner_) {
     const std::vector<Vec2> bounds = {from, to};
-    planner_ = std::make_unique<Planner>(
+    planner_ = std::make_unique<sim2d::PathPlanner>(
         std::make_shared<const sim2d::DistanceField>(map_, obstacles_, bounds), robotRadius_);
   }
   // The field of distances is kept per goal, and it is the start that stays the same.
-  std::vector<Vec2> points = planner_->paths.plan(to, from).points;
+  std::vector<Vec2> points = planner_->plan(to, from).points;
   if (points.empty()) {
     return {from, to};
   }

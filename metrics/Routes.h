@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "sim2d/map/Obstacles.h"
+#include "sim2d/map/PathPlanner.h"
 
 namespace metrics {
 
@@ -13,22 +15,17 @@ namespace metrics {
 class Routes {
  public:
   /// `obstacles` hold the walls of the map too.
-  Routes(sim2d::OccupancyGrid map, sim2d::Obstacles obstacles, double robotRadius);
-  ~Routes();
-  Routes(const Routes&) = delete;
-  Routes& operator=(const Routes&) = delete;
-  Routes(Routes&&) = delete;
-  Routes& operator=(Routes&&) = delete;
+  Routes(sim2d::OccupancyGrid map, sim2d::Obstacles obstacles, double robotRadius)
+      : map_(std::move(map)), obstacles_(std::move(obstacles)), robotRadius_(robotRadius) {}
 
   /// Corner points, both ends included; the straight line when no way is found.
   std::vector<base::Vec2> shortest(const base::Vec2& from, const base::Vec2& to);
 
  private:
-  struct Planner;
   sim2d::OccupancyGrid map_;
   sim2d::Obstacles obstacles_;
   double robotRadius_;
-  std::unique_ptr<Planner> planner_;
+  std::unique_ptr<sim2d::PathPlanner> planner_;
 };
 
 double lengthOf(const std::vector<base::Vec2>& path);

@@ -3,11 +3,16 @@
 #include <algorithm>
 #include <utility>
 
+#include "metrics/Interaction.h"
 #include "sim2d/base/Problems.h"
 
 namespace metrics {
 
 namespace {
+
+bool looksAtPeople(const MetricInfo& info) {
+  return info.needs.people || info.needs.groups;
+}
 
 std::shared_ptr<const RunContext> withReference(RunContext context, const Selection& selection) {
   if (!selection.reference.empty()) {
@@ -67,26 +72,123 @@ void fillLeftOvers(std::vector<MetricResult>& results, const std::vector<MetricR
 
 }  // namespace
 
+SampleFeed::SampleFeed(std::shared_ptr<const RunContext> context, const Selection& selection,
+                       const MetricParameters& parameters, const MetricRegistry& registry,
+                       Among among)
+    : context_(std::move(context)),
+      parameters_(parameters),
+      keepsSeries_(selection.series),
+      store_(selection.seriesOnDisk ? std::make_unique<NumberStore>() : nullptr) {
+  for (MetricEntry& entry : selection.entries(registry)) {
+    addItem(std::move(entry), among);
+  }
+}
+
+void SampleFeed::addItem(MetricEntry entry, Among among) {
+  Item item{std::move(entry), nullptr};
+  const MetricInfo& info = item.entry.info;
+  const Stream& stream = item.entry.stream;
+  const bool isAsked = among == Among::All || looksAtPeople(info);
+  if (stream.make && isAsked && (context_->hasRobot || !info.needs.robot)) {
+    std::unique_ptr<Accumulator>& sum = sums_[stream.shared];
+    if (!sum) {
+      sum = stream.make(parameters_);
+    }
+    item.sum = sum.get();
+  }
+  needsMap_ = needsMap_ || info.needs.map;
+  if (item.entry.compute && !whole_) {
+    whole_ = std::make_unique<SampledRun>();
+    static_cast<RunContext&>(*whole_) = *context_;
+  }
+  items_.push_back(std::move(item));
+}
+
+Instant SampleFeed::newestInstant(TermMemory* memory) const {
+  return {*context_,    parameters_,  now_,  count_ > 1 ? &before_ : nullptr, count_ - 1, begin_,
+          keepsSeries_, store_.get(), memory};
+}
+
+/// Those since the beginning; what was noted too early waits for the next sample.
+void SampleFeed::takeEvents() {
+  const double now = now_.time + kTimeSlack;
+  const auto later = std::find_if(noted_.begin(), noted_.end(),
+                                  [now](const auto& noted) { return noted.first > now; });
+  for (auto noted = noted_.begin(); noted != later; ++noted) {
+    if (noted->first >= begin_ - kTimeSlack) {
+      for (const auto& [shared, sum] : sums_) {
+        sum->note(*context_, noted->first - begin_, noted->second);
+      }
+    }
+  }
+  noted_.erase(noted_.begin(), later);
+}
+
+void SampleFeed::add(Sample sample) {
+  before_ = std::move(now_);
+  now_ = std::move(sample);
+  begin_ = count_ == 0 ? now_.time : begin_;
+  ++count_;
+  if (context_->hasRobot) {
+    workOutPairs(now_, needsMap_ ? &context_->map : nullptr, parameters_);
+  }
+  takeEvents();
+  terms_.forget();
+  const Instant newest = newestInstant(&terms_);
+  for (const auto& [shared, sum] : sums_) {
+    sum->add(newest);
+  }
+  if (whole_) {
+    whole_->samples.push_back(now_);
+  }
+}
+
+MetricValue SampleFeed::valueOf(const Item& item, const Instant& last,
+                                const std::vector<MetricResult>& before) const {
+  const MetricEntry& entry = item.entry;
+  if (entry.info.needs.robot && !context_->hasRobot) {
+    return undefinedValue("there is no robot");
+  }
+  if (item.sum != nullptr) {
+    return entry.stream.read(*item.sum, last);
+  }
+  if (const MetricResult* sum = findResult(before, entry.meanOf)) {
+    return meanOver(sum->value, last.count());
+  }
+  return entry.compute(*whole_, parameters_);
+}
+
+std::vector<MetricResult> SampleFeed::values(const std::vector<MetricResult>* all,
+                                             const SeriesSink& sink) const {
+  const Instant last = newestInstant(nullptr);
+  std::vector<MetricResult> results;
+  for (const Item& item : items_) {
+    const bool isSame = all != nullptr && !looksAtPeople(item.entry.info);
+    results.push_back(
+        {item.entry.info, isSame ? (*all)[results.size()].value : valueOf(item, last, results)});
+    std::optional<Series>& series = results.back().value.series;
+    if (sink && series && keepsSeries_) {
+      sink(item.entry.info, *series);
+    }
+    if (sink || !keepsSeries_) {
+      series.reset();
+    }
+  }
+  return results;
+}
+
 RunningEvaluation::RunningEvaluation(const RunContext& context, const Selection& selection,
                                      const MetricParameters& parameters,
                                      const MetricRegistry& registry)
     : context_(withReference(context, selection)),
       selection_(selection),
       parameters_(parameters),
-      registry_(registry),
       gate_(selection.window, context),
       all_(context_, selection, parameters, registry) {
-  if (selection.behaviors) {
-    beginBehaviors();
-  }
-}
-
-/// All at once: who comes late was not there before.
-void RunningEvaluation::beginBehaviors() {
-  const Selection selection = amongSome(selection_);
-  for (Behavior& behavior : behaviors_) {
-    behavior.feed = std::make_unique<SampleFeed>(context_, selection, parameters_, registry_,
-                                                 Among::SomePeople);
+  // All types at once: who comes late was not there before.
+  for (std::size_t k = 0; selection.behaviors && k < kBehaviors; ++k) {
+    behaviors_[k].feed = std::make_unique<SampleFeed>(context_, amongSome(selection), parameters,
+                                                      registry, Among::SomePeople);
   }
 }
 

@@ -1,12 +1,67 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
-#include "metrics/MetricSums.h"
+#include "metrics/Report.h"
 
 namespace metrics {
+
+/// Takes the series of results one by one, which then have none.
+using SeriesSink = std::function<void(const MetricInfo& info, const Series& series)>;
+
+/// Whose metrics are summed up.
+enum class Among { All, SomePeople };  // SomePeople: only what looks at people
+
+/// A run that goes on and the metrics of a selection. Of its samples the newest two are kept,
+/// unless a metric wants them all. One thread at a time.
+class SampleFeed {
+ public:
+  SampleFeed(std::shared_ptr<const RunContext> context, const Selection& selection,
+             const MetricParameters& parameters, const MetricRegistry& registry,
+             Among among = Among::All);
+  /// Events before the sample of their time, in order.
+  void note(double time, const sim2d::Event& event) { noted_.emplace_back(time, event); }
+  /// The run has not begun yet.
+  void forgetEvents() { noted_.clear(); }
+  void add(Sample sample);
+  std::size_t size() const { return count_; }
+  Sample& newest() { return now_; }
+  /// `all`: results among all people; those that do not look at people are taken over.
+  std::vector<MetricResult> values(const std::vector<MetricResult>* all = nullptr,
+                                   const SeriesSink& sink = {}) const;
+  /// Series put aside could not be read back.
+  bool hasLostSeries() const { return store_ && store_->hasFailed(); }
+
+ private:
+  struct Item {
+    MetricEntry entry;
+    const Accumulator* sum = nullptr;  // one of sums_
+  };
+  void addItem(MetricEntry entry, Among among);
+  void takeEvents();
+  Instant newestInstant(TermMemory* memory) const;
+  MetricValue valueOf(const Item& item, const Instant& last,
+                      const std::vector<MetricResult>& before) const;
+
+  std::shared_ptr<const RunContext> context_;
+  MetricParameters parameters_;
+  bool keepsSeries_;
+  std::unique_ptr<NumberStore> store_;  // null: series stay in memory
+  std::vector<Item> items_;
+  std::map<std::string, std::unique_ptr<Accumulator>> sums_;  // by Stream::shared
+  bool needsMap_ = false;
+  Sample now_, before_;
+  std::size_t count_ = 0;
+  double begin_ = 0.0;  // [s]
+  TermMemory terms_;
+  std::vector<std::pair<double, sim2d::Event>> noted_;  // since the newest sample
+  std::unique_ptr<SampledRun> whole_;                   // null: no metric wants it
+};
 
 /// An evaluation that is fed while the record is made: the same results as evaluate() of the whole
 /// record. What it holds grows with the samples by their series alone; not at all where the
@@ -31,14 +86,12 @@ class RunningEvaluation {
     bool isMet = false;          // somebody of the type was there
     std::vector<double> active;  // 0/1 per sample
   };
-  void beginBehaviors();
   void addToBehaviors(Sample& sample);
   bool isOriginal() const { return parameters_.profile == Profile::Hunav2; }
 
   std::shared_ptr<const RunContext> context_;
   Selection selection_;
   MetricParameters parameters_;
-  const MetricRegistry& registry_;
   WindowGate gate_;
   std::vector<double> times_;  // of the samples taken, from the first [s], with series
   double first_ = 0.0;

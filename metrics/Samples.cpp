@@ -41,15 +41,161 @@ const Person* findPerson(const Sample& sample, int id) {
   return nullptr;
 }
 
-SampledRun withBehavior(const SampledRun& recording, int behavior) {
-  SampledRun part = recording;
-  for (Sample& sample : part.samples) {
-    sample.people.erase(
-        std::remove_if(sample.people.begin(), sample.people.end(),
-                       [behavior](const Person& person) { return person.behavior != behavior; }),
-        sample.people.end());
+namespace {
+
+constexpr char kMapName[] = "map";
+constexpr char kSocialFactorKey[] = "social_force_factor";
+constexpr double kObstacleReach = 5.0;  // [m]
+
+template <class Columns>
+void copyMotion(const Columns& columns, std::size_t k, Body& body) {
+  body.id = columns.id[k];
+  body.position = Vec2(columns.x[k], columns.y[k]);
+  body.heading = columns.heading[k];
+  body.velocity = Vec2(columns.vx[k], columns.vy[k]);
+  body.speed = lengthOf(body.velocity);
+  body.omega = columns.omega[k];
+}
+
+std::optional<double> socialFactorOf(const sim2d::TraceHuman& human) {
+  for (const auto& [key, value] : human.parameters) {
+    if (key == kSocialFactorKey) {
+      return value;
+    }
   }
-  return part;
+  return std::nullopt;
+}
+
+const sim2d::TraceRobot* robotOf(const sim2d::TraceHeader& header, int id) {
+  for (const sim2d::TraceRobot& robot : header.robots) {
+    if (robot.id == id) {
+      return &robot;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+SampleBuilder::SampleBuilder(const sim2d::TraceHeader& header, int robotId)
+    : robotId_(robotId), header_(header) {
+  addHumans(header.humans);
+  header_.humans.clear();
+  for (const sim2d::TraceObstacle& obstacle : header_.obstacles) {
+    Door door;
+    door.part = all_.add(obstacle.outlines);
+    if (obstacle.name != kMapName) {
+      door.drawnPart = drawn_.add(obstacle.outlines);
+      hasDrawn_ = true;
+    }
+    if (obstacle.isDoor) {
+      door.openAtStart = obstacle.open;
+      door.toggles = obstacle.toggles;
+      doors_.push_back(door);
+    }
+  }
+  all_.build();
+  drawn_.build();
+}
+
+void SampleBuilder::addHumans(const std::vector<sim2d::TraceHuman>& humans) {
+  for (const sim2d::TraceHuman& human : humans) {
+    humans_[human.id] = human;
+  }
+}
+
+RunContext SampleBuilder::context() const {
+  RunContext context;
+  context.map = header_.map;
+  const sim2d::TraceRobot* robot = robotOf(header_, robotId_);
+  if (robot == nullptr) {
+    return context;
+  }
+  context.hasRobot = true;
+  context.robotId = robotId_;
+  context.robotStartTime = robot->startTime;
+  context.robotMaxSpeed = robot->maxVel;
+  for (const sim2d::TraceGoal& goal : robot->goals) {
+    context.goals.push_back({goal.position, goal.radius});
+  }
+  sim2d::Obstacles standing = all_;
+  for (const Door& door : doors_) {
+    standing.setEnabled(door.part, false);
+  }
+  context.routes = std::make_shared<Routes>(header_.map, std::move(standing), robot->radius);
+  return context;
+}
+
+void SampleBuilder::setDoors(double time) {
+  for (const Door& door : doors_) {
+    const auto passed = std::count_if(door.toggles.begin(), door.toggles.end(),
+                                      [&](double toggle) { return toggle - kTimeSlack <= time; });
+    const bool open = door.openAtStart != (passed % 2 == 1);
+    all_.setEnabled(door.part, !open);
+    drawn_.setEnabled(door.drawnPart, !open);
+  }
+}
+
+void SampleBuilder::addObstaclePoints(Body& body) {
+  buffer_.clear();
+  if (header_.obstaclePoints == "rays") {
+    all_.rayPoints(body.position, buffer_);
+  } else {
+    all_.boundaryPoints(body.position, buffer_);
+  }
+  body.obstacles.reserve(buffer_.size());
+  for (const sim2d::Obstacles::Point& point : buffer_) {
+    body.obstacles.push_back({point.position, point.inside});
+  }
+}
+
+Sample SampleBuilder::sampleOf(const sim2d::Frame& frame) {
+  setDoors(frame.time);
+  Sample sample;
+  sample.time = frame.time;
+  const sim2d::TraceRobot* robot = robotOf(header_, robotId_);
+  for (std::size_t k = 0; robot != nullptr && k < frame.robots.size(); ++k) {
+    if (frame.robots.id[k] == robotId_) {
+      copyMotion(frame.robots, k, sample.robot);
+      sample.robot.radius = robot->radius;
+      addObstaclePoints(sample.robot);
+      const double clearance = all_.clearance(sample.robot.position, kObstacleReach);
+      if (clearance < kObstacleReach) {
+        sample.robot.obstacleDistance = clearance;
+      }
+    }
+  }
+  sample.people.resize(frame.humans.size());
+  for (std::size_t k = 0; k < frame.humans.size(); ++k) {
+    Person& person = sample.people[k];
+    copyMotion(frame.humans, k, person);
+    person.group = frame.humans.group[k];
+    person.state = frame.humans.state[k];
+    const auto found = humans_.find(person.id);
+    if (found != humans_.end()) {
+      person.radius = found->second.radius;
+      person.behavior = found->second.behavior;
+      person.socialFactor = socialFactorOf(found->second);
+    }
+    addObstaclePoints(person);
+    person.screened =
+        hasDrawn_ && robot != nullptr && !drawn_.isVisible(person.position, sample.robot.position);
+  }
+  return sample;
+}
+
+SampledRun sampledRunOf(const sim2d::Trace& trace, int robotId) {
+  SampleBuilder builder(trace.header, robotId);
+  SampledRun recording;
+  static_cast<RunContext&>(recording) = builder.context();
+  recording.samples.reserve(trace.frames.size());
+  for (const sim2d::Frame& frame : trace.frames) {
+    recording.samples.push_back(builder.sampleOf(frame));
+  }
+  for (const auto& [step, event] : trace.events) {
+    recording.events.emplace_back(static_cast<double>(step) * trace.header.dt, event);
+  }
+  return recording;
 }
 
 }  // namespace metrics

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -16,6 +17,9 @@
 namespace metrics {
 
 using base::Vec2;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kTimeSlack = 1e-9;  // [s] times are reached this much early
 
 /// Where an obstacle acts on a body.
 struct ObstaclePoint {
@@ -158,9 +162,6 @@ class WindowGate {
   double first_ = 0.0, next_;          // of the grid of `frequency` [s]
   long long taken_ = 0;
 };
-SampledRun cut(const SampledRun& recording, const Window& window);
-/// Only people of one behaviour type.
-SampledRun withBehavior(const SampledRun& recording, int behavior);
 
 // Geometry that most metrics share.
 double lengthOf(const Vec2& vector);  // rounded correctly, unlike a root of squares

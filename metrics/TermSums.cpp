@@ -19,11 +19,11 @@ void Figures::take(const Instant& at, double term) {
 }
 
 double closestGapTerm(const Sample& sample, const MetricParameters& /*parameters*/) {
-  return closestGap(sample).value_or(std::numeric_limits<double>::quiet_NaN());
+  return closestGap(sample).value_or(kNaN);
 }
 
 double collisionTerm(const Sample& sample, const MetricParameters& /*parameters*/) {
-  double soonest = std::numeric_limits<double>::quiet_NaN();
+  double soonest = kNaN;
   for (const Person& person : sample.people) {
     const double time = person.pair.timeToCollision;
     if (!std::isinf(time) && !(time >= soonest)) {
@@ -31,6 +31,54 @@ double collisionTerm(const Sample& sample, const MetricParameters& /*parameters*
     }
   }
   return soonest;
+}
+
+/// The original's totals.
+void PersonCosts::addToPlace(Totals& totals, std::size_t place, double cost) {
+  if (place < totals.places.size()) {
+    totals.places[place] += cost;
+  } else {
+    failed_ = true;
+  }
+}
+
+void PersonCosts::add(const Instant& at) {
+  const std::vector<Person>& people = at.now.people;
+  for (Totals& totals : columns_) {
+    if (at.before == nullptr && at.isOriginal()) {
+      totals.places.assign(people.size(), 0.0);
+    }
+  }
+  sums_.assign(columns_.size(), 0.0);
+  beginSample();
+  for (std::size_t k = 0; k < people.size(); ++k) {
+    costs_.assign(columns_.size(), 0.0);
+    failed_ = !addCosts(at, people[k], costs_) || failed_;
+    for (std::size_t cost = 0; cost < costs_.size(); ++cost) {
+      sums_[cost] += costs_[cost];
+      if (at.isOriginal()) {
+        addToPlace(columns_[cost], k, costs_[cost]);
+      }
+    }
+  }
+  for (std::size_t cost = 0; cost < columns_.size(); ++cost) {
+    columns_[cost].samples.add(at, sums_[cost]);
+  }
+}
+
+MetricValue PersonCosts::value(std::size_t cost, const Instant& last) const {
+  const Totals& totals = columns_[cost];
+  if (!last.isOriginal()) {
+    return withSeries(numberValue(totals.samples.sum()), totals.samples.terms());
+  }
+  if (failed_) {
+    return undefinedValue("IndexError: more people than at first, or a place outside the map");
+  }
+  double sum = 0.0;
+  for (const double place : totals.places) {
+    sum += place;
+  }
+  return withSeries(numberValue(sum), totals.places);
 }
 
 }  // namespace metrics

@@ -1,12 +1,11 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 
 #include "metrics/MetricRegistry.h"
 
-/// Accumulators over a term of the samples. A template per term, so that metrics of the same term
-/// share one.
+/// Accumulators that several metrics are made of: over a term of the samples (a template per term,
+/// so that metrics of the same term share one), over costs of the people.
 namespace metrics {
 
 double closestGapTerm(const Sample& sample, const MetricParameters& parameters);  // NaN: nobody
@@ -21,7 +20,7 @@ class Figures : public Accumulator {
   double least() const { return least_; }      // NaN: nowhere defined
   double largest() const { return largest_; }  // NaN: nowhere defined
   /// Weighted with the time after each sample; NaN: no time.
-  double timeMean() const { return time_ > 0.0 ? integral_ / time_ : kNone; }
+  double timeMean() const { return time_ > 0.0 ? integral_ / time_ : kNaN; }
   double integral() const { return integral_; }
   double time() const { return time_; }  // [s] with the term
   std::vector<double> series() const { return series_.values(); }
@@ -30,10 +29,9 @@ class Figures : public Accumulator {
   void take(const Instant& at, double term);
 
  private:
-  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  double sum_ = 0.0, count_ = 0.0, least_ = kNone, largest_ = kNone;
+  double sum_ = 0.0, count_ = 0.0, least_ = kNaN, largest_ = kNaN;
   double integral_ = 0.0, time_ = 0.0;
-  double before_ = kNone;  // term of the sample before
+  double before_ = kNaN;  // term of the sample before
   SeriesColumn series_;
 };
 
@@ -69,6 +67,32 @@ class WhereTerm : public Accumulator {
  private:
   double samples_ = 0.0;
   HeldTime time_;
+};
+
+/// Sums over samples and people of several costs at once. The series is per sample; the original's
+/// is one total per place in the list of people of the first sample, and fails when there are more
+/// later.
+class PersonCosts : public Accumulator {
+ public:
+  explicit PersonCosts(std::size_t costs) : columns_(costs) {}
+  void add(const Instant& at) override;
+  MetricValue value(std::size_t cost, const Instant& last) const;
+
+ protected:
+  virtual void beginSample() {}
+  /// The costs are 0 before. False: the original would fail here.
+  virtual bool addCosts(const Instant& at, const Person& person, std::vector<double>& costs) = 0;
+
+ private:
+  struct Totals {
+    SeriesSum samples;
+    std::vector<double> places;  // per place in the first sample's list
+  };
+  void addToPlace(Totals& totals, std::size_t place, double cost);
+
+  std::vector<Totals> columns_;
+  std::vector<double> costs_, sums_;  // of a person, of a sample
+  bool failed_ = false;
 };
 
 }  // namespace metrics

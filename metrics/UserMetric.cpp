@@ -84,15 +84,11 @@ base::Result<MetricEntry> entryOf(const UserMetric& metric) {
     return expression.diagnostics();
   }
   MetricEntry entry;
-  entry.info.key = metric.key;
-  entry.info.name = metric.name.empty() ? metric.key : metric.name;
-  entry.info.unit = metric.unit;
-  entry.info.category = Category::Navigation;
-  entry.info.better = metric.better;
-  entry.info.needs = expression->needs();
-  entry.info.formula = metric.expression;
-  entry.info.source = "own";
-  entry.info.range = "(-inf, inf)";
+  entry.info = {metric.key,        metric.name.empty() ? metric.key : metric.name,
+                metric.unit,       Category::Navigation,
+                metric.better,     expression->needs(),
+                metric.expression, "own",
+                "(-inf, inf)"};
   if (!expression->needsRecord()) {
     entry.stream = expression->stream();
     entry.stream.shared = "formula " + metric.key;

@@ -12,7 +12,6 @@ namespace metrics {
 namespace {
 
 constexpr double kMotionSpeed = 0.01;  // [m/s]
-constexpr double kTimeSlack = 1e-9;    // [s]
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// "time 3.5" or "event say": the word after the first.
@@ -129,22 +128,6 @@ bool WindowGate::takes(const Sample& sample) {
     next_ = first_ + static_cast<double>(taken_) / window_.frequency;
   }
   return true;
-}
-
-SampledRun cut(const SampledRun& recording, const Window& window) {
-  SampledRun part = recording;
-  part.samples.clear();
-  WindowGate gate(window, recording);
-  auto event = recording.events.begin();
-  for (const Sample& sample : recording.samples) {
-    for (; event != recording.events.end() && event->first <= sample.time + kTimeSlack; ++event) {
-      gate.note(event->first, event->second);
-    }
-    if (gate.takes(sample)) {
-      part.samples.push_back(sample);
-    }
-  }
-  return part;
 }
 
 }  // namespace metrics

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -14,6 +15,11 @@ base::Diagnostics readParameters(const std::vector<std::pair<std::string, double
   for (const auto& [name, value] : settings) {
     if (const metrics::ParameterInfo* info = metrics::findParameter(name)) {
       parameters.*(info->member) = value;
+      if (!info->spec.range.contains(value)) {
+        problems.push_back(
+            base::within(name, base::outOfRange(base::formatDouble(value), info->spec.range)));
+        problems.back().file = file;
+      }
       continue;
     }
     std::vector<std::string> known;

@@ -15,7 +15,7 @@ struct MetricsSetup {
 };
 
 /// The settings under `metrics` of a scenario; its file is relative to `scenarioPath`. Problems:
-/// a file that cannot be read, an unknown parameter, a wrong window.
+/// a file that cannot be read, a parameter that is unknown or out of its range, a wrong window.
 base::Result<MetricsSetup> metricsSetupOf(const sim2d::Scenario& scenario,
                                           const std::string& scenarioPath);
 

@@ -45,17 +45,16 @@ class Clearances : public Accumulator {
 void addClearance(MetricRegistry& to) {
   const Needs needs{true, false, false, true};
   const char source[] = "Francis et al. 2025; SocNavGym; bench-mr";
-  to.add({"clearing_distance_min", "Smallest clearance", "m", Category::Safety, Better::Higher,
-          needs, "min over samples with an obstacle in reach of (its distance - r_r)", source,
-          "(-inf, inf)", Kind::Number, 0, ""},
-         streamOf<Clearances>(&Clearances::smallest));
+  to.add(
+      {"clearing_distance_min", "Smallest clearance", "m", Category::Safety, Better::Higher, needs,
+       "min over samples with an obstacle in reach of (its distance - r_r)", source, "(-inf, inf)"},
+      streamOf<Clearances>(&Clearances::smallest));
   to.add({"clearing_distance_avg", "Mean clearance", "m", Category::Safety, Better::Higher, needs,
           "mean over samples with an obstacle in reach of (its distance - r_r)", source,
-          "(-inf, inf)", Kind::Number, 0, ""},
+          "(-inf, inf)"},
          streamOf<Clearances>(&Clearances::average));
   to.add({"obstacle_safety", "Time too close to obstacles", "%", Category::Safety, Better::Lower,
-          needs, "share of time with clearance < safety_distance", "MRPB; SRPB", "[0, 100]",
-          Kind::Number, 0, ""},
+          needs, "share of time with clearance < safety_distance", "MRPB; SRPB", "[0, 100]"},
          streamOf<Clearances>(&Clearances::safety));
 }
 

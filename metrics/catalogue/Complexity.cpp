@@ -137,21 +137,20 @@ void addComplexity(MetricRegistry& to) {
   to.add({"topological_complexity", "Winding around people", "turns", Category::Social,
           Better::Neutral, Needs{true, true},
           "sum over a of |sum over i of wrap(change of the bearing of a from the robot)| / 2 pi",
-          "Mavrogiannis and Knepper 2019", "[0, inf)", Kind::Number, 0, ""},
+          "Mavrogiannis and Knepper 2019"},
          streamOf<Winding>(&Winding::value));
   to.add({"replanning_count", "New plans of the robot", "", Category::Navigation, Better::Lower,
-          Needs{}, "number of events replan of the robot", "Arena; MRPB", "0, 1, ...", Kind::Count,
-          0, ""},
+          Needs{}, "number of events replan of the robot", "Arena; MRPB", "0, 1, ...", Kind::Count},
          streamOf<Replans>(&Replans::value));
   to.add({"aggregated_time", "Aggregated time to the goals", "s", Category::Navigation,
           Better::Lower, Needs{false}, "sum of the times of first arrival of people and robot",
-          "Francis et al. 2025", "[0, inf)", Kind::Number, 0, ""},
+          "Francis et al. 2025"},
          streamOf<Arrivals>(&Arrivals::sum));
   to.add({"mean_dist_to_target_not_moving", "Mean distance to the goal while stopped", "m",
           Category::Navigation, Better::Lower, Needs{true, false, false, false, true},
           "mean of the distance to the nearest goal over the samples with |p(t) - p(t - "
           "stopped_window)| < stopped_distance",
-          "SEAN 2.0", "[0, inf)", Kind::Number, 0, ""},
+          "SEAN 2.0"},
          streamOf<StoppedDistance>(&StoppedDistance::mean));
 }
 

@@ -11,7 +11,6 @@ namespace metrics {
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kWalkingSpeed = 0.05;  // [m/s] slower has no direction
 
 // Places of the measures.
@@ -130,8 +129,7 @@ class CrowdLooks : public Accumulator {
   explicit CrowdLooks(const MetricParameters& parameters) : areas_(parameters.crowdRadius) {}
 
   void add(const Instant& at) override {
-    constexpr double kSlack = 1e-9;  // [s]
-    if (at.now.time - last_ >= at.parameters.crowdInterval - kSlack) {
+    if (at.now.time - last_ >= at.parameters.crowdInterval - kTimeSlack) {
       last_ = at.now.time;
       look(at.now, at.parameters);
     }
@@ -182,7 +180,7 @@ struct Entry {
 void addEntry(MetricRegistry& to, const Entry& entry, std::size_t measure,
               MetricValue (CrowdLooks::*read)(std::size_t) const = &CrowdLooks::mean) {
   to.add({entry.key, entry.name, entry.unit, Category::Social, Better::Neutral, Needs{false, true},
-          entry.formula, entry.source, entry.range, Kind::Number, 0, ""},
+          entry.formula, entry.source, entry.range},
          streamOf<CrowdLooks>([read, measure](const CrowdLooks& looks, const Instant& /*last*/) {
            return (looks.*read)(measure);
          }));
@@ -195,22 +193,21 @@ void addCrowd(MetricRegistry& to) {
            {"crowd_density", "Density around people", "1/m²",
             "mean over looks (crowd_interval apart) and people of the number within crowd_radius, "
             "themselves included, / (pi crowd_radius^2)",
-            "Steffen and Seyfried 2010", "[0, inf)"},
+            "Steffen and Seyfried 2010"},
            kDensity);
   addEntry(to,
            {"crowd_voronoi_density", "Voronoi density", "1/m²",
             "mean over looks and people of 1/area of their cell, cut at crowd_radius",
-            "Steffen and Seyfried 2010", "[0, inf)"},
+            "Steffen and Seyfried 2010"},
            kVoronoiDensity);
   addEntry(to,
            {"crowd_voronoi_density_max", "Voronoi density, largest look", "1/m²",
-            "max over looks of the mean over people of the same", "Steffen and Seyfried 2010",
-            "[0, inf)"},
+            "max over looks of the mean over people of the same", "Steffen and Seyfried 2010"},
            kVoronoiDensity, &CrowdLooks::largest);
   addEntry(to,
            {"crowd_specific_flow", "Flow per metre of width", "1/(m s)",
             "mean over looks and people of Voronoi density * |u_a| (fundamental diagram)",
-            "Seyfried et al. 2005", "[0, inf)"},
+            "Seyfried et al. 2005"},
            kSpecificFlow);
   addEntry(to,
            {"crowd_polarisation", "Common direction of the crowd", "",

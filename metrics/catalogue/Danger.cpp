@@ -1,6 +1,6 @@
 #include "metrics/Interaction.h"
 #include "metrics/MetricRegistry.h"
-#include "metrics/PersonCosts.h"
+#include "metrics/TermSums.h"
 
 namespace metrics {
 
@@ -34,13 +34,13 @@ void addDanger(MetricRegistry& to) {
   addCost(to,
           {"danger_fear_cost", "Danger: fear", "1/s", Category::DangerSurprise, Better::Lower,
            needs, "sum over i, a of min(1/ttc, fear_cap), 0 without a collision course", source,
-           "[0, inf)", Kind::Number, 30, ""},
+           "[0, inf)", Kind::Number, 30},
           0);
   addCost(
       to,
       {"danger_panic_cost", "Danger: panic", "1/s", Category::DangerSurprise, Better::Lower, needs,
        "sum over i, a of near misses: (|V|/d) * m/(m - R), m = miss distance of the centres",
-       source, "[0, inf)", Kind::Number, 31, ""},
+       source, "[0, inf)", Kind::Number, 31},
       1);
 }
 

@@ -64,19 +64,17 @@ void addFacing(MetricRegistry& to) {
   const Category social = Category::Social;
   to.add({"time_facing_people", "Time heading at people", "s", social, Better::Lower, needs,
           "sum of dt_i with a person within facing_half_angle of the robot's heading", "Arena",
-          "[0, T]", Kind::Number, 0, ""},
+          "[0, T]"},
          timeWithin<robotFaces, isNarrow>());
   to.add({"time_seen_by_people", "Time looked at", "s", social, Better::Neutral, needs,
           "sum of dt_i with the robot within facing_half_angle of a person's heading", "Arena",
-          "[0, T]", Kind::Number, 0, ""},
+          "[0, T]"},
          timeWithin<personSees, isNarrow>());
   to.add({"time_facing_people_60", "Time heading towards people", "s", social, Better::Lower, needs,
-          "the same within 60 degrees to each side", "Arena, wider cone", "[0, T]", Kind::Number, 0,
-          ""},
+          "the same within 60 degrees to each side", "Arena, wider cone", "[0, T]"},
          timeWithin<robotFaces, isWide>());
   to.add({"time_seen_by_people_60", "Time in somebody's view", "s", social, Better::Neutral, needs,
-          "the same within 60 degrees to each side", "Arena, wider cone", "[0, T]", Kind::Number, 0,
-          ""},
+          "the same within 60 degrees to each side", "Arena, wider cone", "[0, T]"},
          timeWithin<personSees, isWide>());
   for (const char* key : {"time_facing_people", "time_seen_by_people", "time_facing_people_60",
                           "time_seen_by_people_60"}) {

@@ -61,32 +61,18 @@ class LineCrossings : public Accumulator {
   double count_ = 0.0;
 };
 
-void addLine(MetricRegistry& to, MetricInfo info,
-             MetricValue (LineCrossings::*read)(const Instant&) const) {
-  info.category = Category::Social;
-  info.better = Better::Neutral;
-  info.needs = Needs{false, true};
-  info.source = "Seyfried et al. 2005";
-  to.add(std::move(info), streamOf<LineCrossings>(read));
-}
-
 }  // namespace
 
 void addFlowLine(MetricRegistry& to) {
-  MetricInfo crossings;
-  crossings.key = "line_crossings";
-  crossings.name = "People through the line";
-  crossings.formula = "number of steps of people that cross the line (flow_line_x1 ...), both ways";
-  crossings.range = "0, 1, ...";
-  crossings.kind = Kind::Count;
-  addLine(to, crossings, &LineCrossings::count);
-  MetricInfo flow;
-  flow.key = "line_flow";
-  flow.name = "Flow through the line";
-  flow.unit = "1/(m s)";
-  flow.formula = "line_crossings / T / length of the line";
-  flow.range = "[0, inf)";
-  addLine(to, flow, &LineCrossings::flow);
+  const Needs needs{false, true};
+  const char source[] = "Seyfried et al. 2005";
+  to.add({"line_crossings", "People through the line", "", Category::Social, Better::Neutral, needs,
+          "number of steps of people that cross the line (flow_line_x1 ...), both ways", source,
+          "0, 1, ...", Kind::Count},
+         streamOf<LineCrossings>(&LineCrossings::count));
+  to.add({"line_flow", "Flow through the line", "1/(m s)", Category::Social, Better::Neutral, needs,
+          "line_crossings / T / length of the line", source},
+         streamOf<LineCrossings>(&LineCrossings::flow));
 }
 
 }  // namespace metrics

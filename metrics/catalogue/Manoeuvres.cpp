@@ -56,15 +56,14 @@ void addManoeuvres(MetricRegistry& to) {
   to.add({"oscillations", "Hardly moving", "%", motion, Better::Lower, Needs{},
           "share of time with |vx|, |vy|, |v| < oscillation_speed and |w| < "
           "oscillation_angular_speed (robot frame)",
-          "SRPB", "[0, 100]", Kind::Number, 0, ""},
+          "SRPB", "[0, 100]"},
          shareOfTime<oscillates>());
   to.add({"backward_movements", "Driving backwards", "%", motion, Better::Lower, Needs{},
-          "share of time with vx < -backward_speed (robot frame)", "SRPB", "[0, 100]", Kind::Number,
-          0, ""},
+          "share of time with vx < -backward_speed (robot frame)", "SRPB", "[0, 100]"},
          shareOfTime<backsUp>());
   to.add({"inplace_rotations", "Turning in place", "%", motion, Better::Lower, Needs{},
           "share of time with |vx|, |vy| < inplace_speed and |w| >= inplace_angular_speed", "SRPB",
-          "[0, 100]", Kind::Number, 0, ""},
+          "[0, 100]"},
          shareOfTime<turnsInPlace>());
 }
 

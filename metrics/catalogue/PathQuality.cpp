@@ -3,11 +3,30 @@
 
 #include "metrics/Motion.h"
 
+/// The robot's way: how long, how direct, how bent.
 namespace metrics {
 
 namespace {
 
-constexpr char kNoGoal[] = "the robot has no goal";
+MetricValue pathLength(const RobotWay& way, const Instant& /*last*/) {
+  return numberValue(way.length());
+}
+
+MetricValue cumulativeHeadingChanges(const RobotWay& way, const Instant& /*last*/) {
+  return withSeries(numberValue(way.turning().sum()), way.turning().terms());
+}
+
+void addRobotPath(MetricRegistry& to) {
+  const char source[] = "Perez-Higueras, Caballero, Merino, IJSR 2018";
+  to.add({"path_length", "Path length", "m", Category::Navigation, Better::Lower, Needs{},
+          "sum of |p_(i+1) - p_i|", source, "[0, inf)", Kind::Number, 2},
+         streamOf<RobotWay>(pathLength));
+  to.add({"cumulative_heading_changes", "Cumulative heading changes", "rad", Category::Motion,
+          Better::Lower, Needs{}, "sum of |wrap(psi_(i+1) - psi_i)|", source, "[0, inf)",
+          Kind::Number, 3},
+         streamOf<RobotWay>(cumulativeHeadingChanges));
+}
+
 constexpr char kNoWay[] = "the robot did not move";
 constexpr double kSameplace = 1e-9;  // [m]
 
@@ -119,42 +138,43 @@ class Bends : public Accumulator {
 void addShapes(MetricRegistry& to) {
   const char arena[] = "Arena; bench-mr";
   to.add({"angle_over_length", "Turning per metre", "rad/m", Category::Motion, Better::Lower,
-          Needs{}, "cumulative_heading_changes / L", arena, "[0, inf)", Kind::Number, 0, ""},
+          Needs{}, "cumulative_heading_changes / L", arena},
          streamOf<RobotWay>(angleOverLength));
   to.add({"curvature_avg", "Mean curvature", "1/m", Category::Motion, Better::Lower, Needs{},
-          "mean over triples of positions of 4A/(d01 d12 d20)", arena, "[0, inf)", Kind::Number, 0,
-          ""},
+          "mean over triples of positions of 4A/(d01 d12 d20)", arena},
          streamOf<Bends>(&Bends::averageCurvature));
-  to.add(
-      {"curvature_max", "Largest curvature", "1/m", Category::Motion, Better::Lower, Needs{},
-       "max over triples of positions of 4A/(d01 d12 d20)", arena, "[0, inf)", Kind::Number, 0, ""},
-      streamOf<Bends>(&Bends::largestCurvature));
+  to.add({"curvature_max", "Largest curvature", "1/m", Category::Motion, Better::Lower, Needs{},
+          "max over triples of positions of 4A/(d01 d12 d20)", arena},
+         streamOf<Bends>(&Bends::largestCurvature));
   to.add({"roughness_avg", "Mean roughness", "", Category::Motion, Better::Lower, Needs{},
-          "mean over triples of positions of 2A/d20^2", arena, "[0, inf)", Kind::Number, 0, ""},
+          "mean over triples of positions of 2A/d20^2", arena},
          streamOf<Bends>(&Bends::averageRoughness));
+}
+
+void addOwnPathQuality(MetricRegistry& to) {
+  const Needs goal{true, false, false, false, true};
+  to.add({"spl", "Success weighted by path length", "", Category::Navigation, Better::Higher, goal,
+          "completed ? L*/max(L, L*) : 0, L* = shortest way to the goal",
+          "Anderson et al. 2018; Francis et al. 2025", "[0, 1]"},
+         streamOf<RobotWay>(successByLength));
+  to.add({"stl", "Success weighted by time", "", Category::Navigation, Better::Higher, goal,
+          "completed ? T*/max(T, T*) : 0, T* = L*/v_max", "SocNavGym", "[0, 1]"},
+         streamOf<RobotWay>(successByTime));
+  to.add({"path_efficiency", "Path efficiency", "", Category::Navigation, Better::Higher, Needs{},
+          "shortest way from start to final position / L", "SEAN 2.0; Arena", "[0, 1]"},
+         streamOf<RobotWay>(pathEfficiency));
+  to.add({"path_irregularity", "Path irregularity", "rad/m", Category::Navigation, Better::Lower,
+          Needs{}, "max(0, cumulative_heading_changes - turning of the shortest way)/L",
+          "Guzzi et al. 2013; SocNavBench; SEAN 2.0"},
+         streamOf<RobotWay>(pathIrregularity));
+  addShapes(to);
 }
 
 }  // namespace
 
 void addPathQuality(MetricRegistry& to) {
-  const Needs goal{true, false, false, false, true};
-  to.add({"spl", "Success weighted by path length", "", Category::Navigation, Better::Higher, goal,
-          "completed ? L*/max(L, L*) : 0, L* = shortest way to the goal",
-          "Anderson et al. 2018; Francis et al. 2025", "[0, 1]", Kind::Number, 0, ""},
-         streamOf<RobotWay>(successByLength));
-  to.add(
-      {"stl", "Success weighted by time", "", Category::Navigation, Better::Higher, goal,
-       "completed ? T*/max(T, T*) : 0, T* = L*/v_max", "SocNavGym", "[0, 1]", Kind::Number, 0, ""},
-      streamOf<RobotWay>(successByTime));
-  to.add({"path_efficiency", "Path efficiency", "", Category::Navigation, Better::Higher, Needs{},
-          "shortest way from start to final position / L", "SEAN 2.0; Arena", "[0, 1]",
-          Kind::Number, 0, ""},
-         streamOf<RobotWay>(pathEfficiency));
-  to.add({"path_irregularity", "Path irregularity", "rad/m", Category::Navigation, Better::Lower,
-          Needs{}, "max(0, cumulative_heading_changes - turning of the shortest way)/L",
-          "Guzzi et al. 2013; SocNavBench; SEAN 2.0", "[0, inf)", Kind::Number, 0, ""},
-         streamOf<RobotWay>(pathIrregularity));
-  addShapes(to);
+  addRobotPath(to);
+  addOwnPathQuality(to);
 }
 
 }  // namespace metrics

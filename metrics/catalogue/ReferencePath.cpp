@@ -11,7 +11,7 @@ namespace metrics {
 
 namespace {
 
-constexpr char kNoGoal[] = "there is no goal and no reference";
+constexpr char kNoReference[] = "there is no goal and no reference";
 constexpr std::size_t kMostPoints = 800;  // of a comparison of all with all, the last aside
 
 bool hasReference(const RunContext& context) {
@@ -57,7 +57,7 @@ Vec2 recordedPlace(const std::vector<std::pair<double, Vec2>>& reference, double
 MetricValue meanOf(const SeriesSum& sum, const Instant& last) {
   return hasReference(last.context)
              ? withSeries(numberValue(sum.sum() / static_cast<double>(last.count())), sum.terms())
-             : undefinedValue(kNoGoal);
+             : undefinedValue(kNoReference);
 }
 
 /// From the place where the reference is at the same time.
@@ -78,7 +78,7 @@ class Displacement : public Accumulator {
   }
   MetricValue mean(const Instant& last) const { return meanOf(sum_, last); }
   MetricValue final(const Instant& last) const {
-    return hasReference(last.context) ? numberValue(newest_) : undefinedValue(kNoGoal);
+    return hasReference(last.context) ? numberValue(newest_) : undefinedValue(kNoReference);
   }
 
  private:
@@ -184,7 +184,7 @@ class Warping : public Accumulator {
   }
   MetricValue value(const Instant& last) const {
     if (path_.empty()) {
-      return undefinedValue(kNoGoal);
+      return undefinedValue(kNoReference);
     }
     const std::vector<Vec2> driven = way_.upTo(last.now.robot.position);
     return numberValue(warped(driven, spread(path_, driven.size())));
@@ -204,21 +204,20 @@ void addReferencePath(MetricRegistry& to) {
           needs,
           "mean of |p_i - b_i|, b_i = point of the recorded reference at t_i, else of the shortest "
           "way to the first goal after v_max t_i",
-          source, "[0, inf)", Kind::Number, 0, ""},
+          source},
          streamOf<Displacement>(&Displacement::mean));
   to.add({"fde", "Final displacement from the reference", "m", Category::Navigation, Better::Lower,
-          needs, "|p_(N-1) - b_(N-1)|", source, "[0, inf)", Kind::Number, 0, ""},
+          needs, "|p_(N-1) - b_(N-1)|", source},
          streamOf<Displacement>(&Displacement::final));
   to.add(
       {"dtw", "Warped distance from the reference", "m", Category::Navigation, Better::Lower, needs,
        "dynamic time warping of the positions and as many points spread over the way of the "
        "reference, per position; above 800 samples of every 2nd (4th ...) one and the last",
-       source, "[0, inf)", Kind::Number, 0, ""},
+       source},
       streamOf<Warping>(&Warping::value));
   to.add(
       {"path_deviation", "Mean distance from the way of the reference", "m", Category::Navigation,
-       Better::Lower, needs, "mean of the distance from p_i to the way of the reference", "ours",
-       "[0, inf)", Kind::Number, 0, ""},
+       Better::Lower, needs, "mean of the distance from p_i to the way of the reference", "ours"},
       streamOf<Deviation>(&Deviation::mean));
 }
 

@@ -92,12 +92,12 @@ void addResponsibility(MetricRegistry& to) {
        needs,
        "share of the robot in the widening of the passing distance of conflicts (closest approach "
        "within conflict_horizon, nearer than R + conflict_margin) by changes of velocity",
-       source, "[0, 100]", Kind::Number, 0, ""},
+       source, "[0, 100]"},
       streamOf<Resolution>(&Resolution::share));
-  to.add({"engagement", "Engagement of the robot", "m/s", Category::Social, Better::Higher, needs,
-          "widening of the passing distance of conflicts by the robot / time with a conflict",
-          source, "[0, inf)", Kind::Number, 0, ""},
-         streamOf<Resolution>(&Resolution::engagement));
+  to.add(
+      {"engagement", "Engagement of the robot", "m/s", Category::Social, Better::Higher, needs,
+       "widening of the passing distance of conflicts by the robot / time with a conflict", source},
+      streamOf<Resolution>(&Resolution::engagement));
 }
 
 }  // namespace metrics

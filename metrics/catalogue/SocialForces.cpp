@@ -91,27 +91,27 @@ void addSocialForces(MetricRegistry& to) {
   addSum(to,
          {"social_force_on_agents", "Social force of the robot on people", unit, Category::Forces,
           Better::Lower, people, "sum over i, a of |F(robot -> a)| with a's own factor", source,
-          "[0, inf)", Kind::Number, 25, ""},
+          "[0, inf)", Kind::Number, 25},
          kOnPeople);
   addSum(to,
          {"social_force_on_robot", "Social force of people on the robot", unit, Category::Forces,
           Better::Lower, people, "sum over i, a of |F(a -> robot)|", source, "[0, inf)",
-          Kind::Number, 26, ""},
+          Kind::Number, 26},
          kOnRobot);
   addSum(to,
          {"social_work", "Social work", unit, Category::Forces, Better::Lower,
           Needs{true, true, false, true},
           "sum over i of |sum_a F(a -> robot)| + |O(robot)| + sum_a |F(robot -> a)|", source,
-          "[0, inf)", Kind::Number, 27, ""},
+          "[0, inf)", Kind::Number, 27},
          kWork);
   addSum(to,
          {"obstacle_force_on_robot", "Obstacle force on the robot", unit, Category::Forces,
           Better::Lower, Needs{true, false, false, true}, "sum over i of |O(robot)|", source,
-          "[0, inf)", Kind::Number, 28, ""},
+          "[0, inf)", Kind::Number, 28},
          kObstaclesOnRobot);
   to.add({"obstacle_force_on_agents", "Obstacle force on people", unit, Category::Forces,
           Better::Lower, Needs{false, true, false, true}, "sum over i of mean over a of |O(a)|",
-          source, "[0, inf)", Kind::Number, 29, ""},
+          source, "[0, inf)", Kind::Number, 29},
          streamOf<PeopleObstacles>(&PeopleObstacles::value));
   to.addMeanOf("obstacle_force_on_agents");
 }

@@ -4,7 +4,7 @@
 
 #include "metrics/Interaction.h"
 #include "metrics/MetricRegistry.h"
-#include "metrics/PersonCosts.h"
+#include "metrics/TermSums.h"
 
 namespace metrics {
 
@@ -130,17 +130,17 @@ void addSurprise(MetricRegistry& to) {
           {"surprise_visibility_cost", "Surprise: visibility", "", Category::DangerSurprise,
            Better::Lower, needs,
            "sum over i and a who sees the robot of (d_prox/D) * theta/half field of view", source,
-           "[0, inf)", Kind::Number, 32, ""},
+           "[0, inf)", Kind::Number, 32},
           kVisibility);
   addCost(to,
           {"surprise_shock_cost", "Surprise: shock", "", Category::DangerSurprise, Better::Lower,
            needs, "sum of max((d_prox/D) * (1 - 4 SR), 0), SR = min(time seen/0.6 s, 1)", source,
-           "[0, inf)", Kind::Number, 33, ""},
+           "[0, inf)", Kind::Number, 33},
           kShock);
   addCost(to,
           {"surprise_react_cost", "Surprise: reaction", "", Category::DangerSurprise, Better::Lower,
            needs, "sum of (d_prox/D) * (1 - SR), SR = min(time seen/0.6 s, 1)", source, "[0, inf)",
-           Kind::Number, 34, ""},
+           Kind::Number, 34},
           kReact);
 }
 

@@ -70,7 +70,7 @@ class PassingDistance : public Accumulator {
 /// Speed at which the closest person and the robot near each other, of samples in personal space.
 double approach(const Sample& sample, const MetricParameters& parameters) {
   double closest = std::numeric_limits<double>::infinity();
-  double value = std::numeric_limits<double>::quiet_NaN();
+  double value = kNaN;
   for (const Person& person : sample.people) {
     const double space = gap(sample.robot, person);
     const Vec2 between = person.position - sample.robot.position;
@@ -96,58 +96,37 @@ MetricValue largest(const Figures& figures, const Instant& /*last*/) {
   return withSeries(numberValue(figures.largest()), figures.series());
 }
 
-MetricInfo info(const char* key, const char* name, const char* unit, Category category,
-                Better better) {
-  MetricInfo made;
-  made.key = key;
-  made.name = name;
-  made.unit = unit;
-  made.category = category;
-  made.better = better;
-  made.needs = Needs{true, true};
-  made.range = "[0, inf)";
-  return made;
-}
-
 }  // namespace
 
 void addTimeToCollision(MetricRegistry& to) {
+  const Needs needs{true, true};
   const char source[] = "Minderhoud and Bovy 2001";
-  MetricInfo mean = info("avg_time_to_collision", "Mean time to collision", "s", Category::Safety,
-                         Better::Higher);
-  mean.formula = "mean over the samples on a collision course of min over a of ttc";
-  mean.source = "Francis et al. 2025; SocNavGym";
-  to.add(mean, figuresOf<collisionTerm>(average));
-  MetricInfo exposure = info("time_exposed_to_collision", "Time with a collision ahead", "s",
-                             Category::Safety, Better::Lower);
-  exposure.formula = "sum of dt_i with min over a of ttc < collision_horizon";
-  exposure.source = source;
-  exposure.range = "[0, T]";
+  to.add({"avg_time_to_collision", "Mean time to collision", "s", Category::Safety, Better::Higher,
+          needs, "mean over the samples on a collision course of min over a of ttc",
+          "Francis et al. 2025; SocNavGym"},
+         figuresOf<collisionTerm>(average));
   using Exposure = WhereTerm<collisionTerm, isThreat>;
-  to.add(exposure, streamOf<Exposure>(&Exposure::time));
-  MetricInfo integral = info("time_integrated_to_collision", "Threat of collisions", "s²",
-                             Category::Safety, Better::Lower);
-  integral.formula = "sum of (collision_horizon - ttc) dt_i where ttc < collision_horizon";
-  integral.source = source;
-  to.add(integral, streamOf<Threat>(&Threat::value));
-  MetricInfo passing =
-      info("avg_passing_distance", "Mean passing distance", "m", Category::Social, Better::Higher);
-  passing.formula = "mean over people of their smallest gap, of those with it < social_distance";
-  passing.source = "Pacchierotti et al. 2006";
-  passing.range = "(-inf, social_distance)";
-  to.add(passing, streamOf<PassingDistance>(&PassingDistance::value));
-  MetricInfo nearing = info("max_approach_speed", "Largest speed of approach", "m/s",
-                            Category::Social, Better::Lower);
-  nearing.formula =
-      "max of the closing speed with the closest person, of samples with gap < personal_distance";
-  nearing.source = "Butler and Agah 2001";
-  to.add(nearing, figuresOf<approach>(fastest));
-  MetricInfo lateral = info("max_lateral_acceleration", "Largest sideways acceleration", "m/s²",
-                            Category::Motion, Better::Lower);
-  lateral.needs = Needs{};
-  lateral.formula = "max of |s_i w_i|";
-  lateral.source = "ISO 2631, comfort of rides";
-  to.add(lateral, figuresOf<sideways>(largest));
+  to.add({"time_exposed_to_collision", "Time with a collision ahead", "s", Category::Safety,
+          Better::Lower, needs, "sum of dt_i with min over a of ttc < collision_horizon", source,
+          "[0, T]"},
+         streamOf<Exposure>(&Exposure::time));
+  to.add({"time_integrated_to_collision", "Threat of collisions", "s²", Category::Safety,
+          Better::Lower, needs,
+          "sum of (collision_horizon - ttc) dt_i where ttc < collision_horizon", source},
+         streamOf<Threat>(&Threat::value));
+  to.add({"avg_passing_distance", "Mean passing distance", "m", Category::Social, Better::Higher,
+          needs, "mean over people of their smallest gap, of those with it < social_distance",
+          "Pacchierotti et al. 2006", "(-inf, social_distance)"},
+         streamOf<PassingDistance>(&PassingDistance::value));
+  to.add(
+      {"max_approach_speed", "Largest speed of approach", "m/s", Category::Social, Better::Lower,
+       needs,
+       "max of the closing speed with the closest person, of samples with gap < personal_distance",
+       "Butler and Agah 2001"},
+      figuresOf<approach>(fastest));
+  to.add({"max_lateral_acceleration", "Largest sideways acceleration", "m/s²", Category::Motion,
+          Better::Lower, Needs{}, "max of |s_i w_i|", "ISO 2631, comfort of rides"},
+         figuresOf<sideways>(largest));
 }
 
 }  // namespace metrics

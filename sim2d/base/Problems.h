@@ -10,6 +10,8 @@
 /// (base::error("scenario.goal-twice", {goal})); what is written here is what the user reads.
 namespace base {
 
+struct Range;
+
 struct ProblemText {
   std::string_view id;    // "area.what"; other programs go by it, so it stays
   std::string_view text;  // one sentence with holes: {name}, {nearest} = " (did you mean '…'?)",
@@ -23,5 +25,7 @@ const ProblemText* problemText(std::string_view id);  // nullptr = no such probl
 Diagnostic within(const std::string& where, Diagnostic problem);
 /// The same problem of another thing.
 Diagnostic elsewhere(const std::string& where, Diagnostic problem);
+/// The problem of a number that its range does not contain.
+Diagnostic outOfRange(const std::string& found, const Range& range);
 
 }  // namespace base

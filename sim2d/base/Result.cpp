@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "sim2d/base/ParameterSpec.h"
 #include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 
@@ -125,6 +127,18 @@ Diagnostic error(std::string_view code, ProblemValues values, std::string file, 
 Diagnostic warning(std::string_view code, ProblemValues values, std::string file, int line,
                    int column) {
   return problem(Severity::Warning, code, std::move(values), std::move(file), line, column);
+}
+
+Diagnostic outOfRange(const std::string& found, const Range& range) {
+  const bool isBounded = !std::isinf(range.high);
+  if (isBounded && range.above) {
+    return error("yaml.out-of-half-open-range", {found, range.low, range.high});
+  }
+  if (isBounded) {
+    return std::isinf(range.low) ? error("yaml.too-high", {found, range.high})
+                                 : error("yaml.out-of-range", {found, range.low, range.high});
+  }
+  return error(range.above ? "yaml.not-above" : "yaml.too-low", {found, range.low});
 }
 
 Diagnostic within(const std::string& where, Diagnostic problem) {

@@ -106,6 +106,31 @@ class ListProgramTest : public QObject {
     }
   }
 
+  void json_metrics_haveTheirParameters() {
+    const outside::Finished listed =
+        outside::runProgram({QStringLiteral("list"), QStringLiteral("metrics"),
+                             QStringLiteral("--format"), QStringLiteral("json")});
+    const QByteArray committed = outside::bytesOf(QStringLiteral(SOURCE_DIR "/metrics/METRICS.md"));
+    QJsonObject lanes;
+    std::set<QString> names;
+    for (const QJsonValue& metric : QJsonDocument::fromJson(listed.out.toUtf8()).array()) {
+      for (const QJsonValue& value : metric.toObject()[QStringLiteral("parameters")].toArray()) {
+        const QJsonObject parameter = value.toObject();
+        names.insert(parameter[QStringLiteral("name")].toString());
+        lanes =
+            parameter[QStringLiteral("name")] == QStringLiteral("lane_width") ? parameter : lanes;
+      }
+    }
+    QCOMPARE(lanes[QStringLiteral("default")].toDouble(), 0.75);
+    QCOMPARE(lanes[QStringLiteral("unit")].toString(), QStringLiteral("m"));
+    QCOMPARE(lanes[QStringLiteral("minimum")].toDouble(-1.0), 0.0);
+    QVERIFY(lanes[QStringLiteral("maximum")].isNull());
+    QVERIFY(!lanes[QStringLiteral("description")].toString().isEmpty());
+    // All of the table of parameters.
+    const QByteArray table = committed.mid(committed.indexOf("## Parameters"));
+    QCOMPARE(static_cast<int>(names.size()), table.count("\n| `"));
+  }
+
   void markdown_keys_isWhatIsCommitted() {
     const outside::Finished written =
         outside::runProgram({QStringLiteral("list"), QStringLiteral("keys"),

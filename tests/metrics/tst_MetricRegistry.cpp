@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <set>
 
 #include <QtTest>
@@ -76,6 +77,7 @@ class MetricRegistryTest : public QObject {
   void addedMetric_appearsEverywhere();
   void addedMetric_isOnOnlyWhenListed();
   void parameterInfos_names_areUniqueAndFindable();
+  void parametersOf_metricThatChanges_namesTheParameter();
   void metricsMarkdown_isWhatIsCommitted();
 };
 
@@ -133,6 +135,33 @@ void MetricRegistryTest::parameterInfos_names_areUniqueAndFindable() {
     QCOMPARE(findParameter(info.spec.key), &info);
   }
   QVERIFY(findParameter("goal_tolerrance") == nullptr);
+}
+
+void MetricRegistryTest::parametersOf_metricThatChanges_namesTheParameter() {
+  const SampledRun record = sampledRunOf(cases::trace(9, 4));
+  const auto valuesWith = [&record](const MetricParameters& parameters) {
+    return evaluate(record, Selection{}, parameters)->results;
+  };
+  MetricParameters lined;
+  lined.flowLineX2 = 3.0;
+  const std::vector<MetricResult> before = valuesWith(lined);
+  for (const ParameterInfo& info : parameterInfos()) {
+    MetricParameters changed = lined;
+    double& value = changed.*info.member;
+    value = info.spec.range.high == 1.0 ? 1.0 - value : 1.5 * value + 0.1;
+    const std::vector<MetricResult> after = valuesWith(changed);
+    bool isUsed = false;
+    for (std::size_t k = 0; k < after.size(); ++k) {
+      const auto specs = standardRegistry().parametersOf(after[k].info);
+      const bool isNamed = std::any_of(specs.begin(), specs.end(), [&info](const auto& spec) {
+        return spec.key == info.spec.key;
+      });
+      isUsed = isUsed || isNamed;
+      QVERIFY2(isNamed || before[k].value.value == after[k].value.value,
+               (after[k].info.key + " changes with " + info.spec.key).c_str());
+    }
+    QVERIFY2(isUsed, info.spec.key.c_str());
+  }
 }
 
 void MetricRegistryTest::metricsMarkdown_isWhatIsCommitted() {

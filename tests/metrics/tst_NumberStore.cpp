@@ -113,7 +113,7 @@ void NumberStoreTest::add_diskIsFull_staysInMemory() {
 void NumberStoreTest::get_nothingThere_isAFailure() {
   NumberStore store;
   double number = 0.0;
-  QVERIFY(!store.get(8000, &number, 1));
+  QVERIFY(!store.get({8000, sizeof(number)}, &number));
   QVERIFY(store.hasFailed());
 }
 

@@ -120,6 +120,25 @@ class BundleTest : public QObject {
              textOf(verdict.problems).c_str());
   }
 
+  void check_metricParameterOutOfItsRange_isRefused() {
+    const auto toldOf = [](const std::string& parameter, double value) {
+      const app::Verdict verdict = app::check(bundleOf([&](sim2d::Scenario& scenario) {
+        scenario.desktop.metrics.parameters = {{parameter, value}};
+      }));
+      return (verdict.ok() ? "fine " : "wrong ") + textOf(verdict.problems);
+    };
+    const auto isTold = [&](const std::string& parameter, double value, const std::string& words) {
+      return toldOf(parameter, value).find("error: " + parameter + ": " + words) !=
+             std::string::npos;
+    };
+    QVERIFY2(isTold("lane_width", -0.5, "-0.5 must be at least 0"),
+             toldOf("lane_width", -0.5).c_str());
+    QVERIFY2(isTold("surprise_requires_motion", 2.0, "2 must be from 0 to 1"),
+             toldOf("surprise_requires_motion", 2.0).c_str());
+    QCOMPARE(toldOf("lane_width", 0.0).substr(0, 5), std::string("fine "));
+    QCOMPARE(toldOf("flow_line_x1", -3.0).substr(0, 5), std::string("fine "));
+  }
+
   void check_ofTheMeaning_makesNoWorld() {
     const app::Verdict verdict = app::check(bundleOf(), app::CheckDepth::Meaning);
     QVERIFY(verdict.world == nullptr);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -47,15 +48,17 @@ Json parameterJson(const base::ParameterSpec& spec) {
           {"source", spec.source}};
 }
 
+Json parametersJson(const std::vector<base::ParameterSpec>& specs) {
+  Json json = Json::array();
+  std::transform(specs.begin(), specs.end(), std::back_inserter(json), parameterJson);
+  return json;
+}
+
 template <class Maker>
 std::vector<Entry> registeredEntries(const sim2d::Registry<Maker>& registry) {
   std::vector<Entry> entries;
   for (const auto& each : registry.entries()) {
-    Json parameters = Json::array();
-    for (const base::ParameterSpec& spec : each.parameters) {
-      parameters.push_back(parameterJson(spec));
-    }
-    entries.push_back({each.name, {}, {{"parameters", parameters}}});
+    entries.push_back({each.name, {}, {{"parameters", parametersJson(each.parameters)}}});
   }
   return entries;
 }
@@ -95,7 +98,8 @@ std::vector<Entry> nodeEntries(const bt::NodeCatalogue& catalogue) {
 
 std::vector<Entry> metricEntries() {
   std::vector<Entry> entries;
-  for (const metrics::MetricEntry& metric : metrics::standardRegistry().entries()) {
+  const metrics::MetricRegistry& registry = metrics::standardRegistry();
+  for (const metrics::MetricEntry& metric : registry.entries()) {
     const metrics::MetricInfo& info = metric.info;
     const char* const better = metrics::betterName(info.better);
     entries.push_back({info.key,
@@ -106,7 +110,8 @@ std::vector<Entry> metricEntries() {
                         {"better", better},
                         {"formula", info.formula},
                         {"source", info.source},
-                        {"hunav_number", info.hunav}}});
+                        {"hunav_number", info.hunav},
+                        {"parameters", parametersJson(registry.parametersOf(info))}}});
   }
   return entries;
 }

@@ -10,18 +10,6 @@
 namespace base {
 namespace {
 
-Diagnostic outOfRange(const std::string& found, const Range& range) {
-  const bool isBounded = !std::isinf(range.high);
-  if (isBounded && range.above) {
-    return error("yaml.out-of-half-open-range", {found, range.low, range.high});
-  }
-  if (isBounded) {
-    return std::isinf(range.low) ? error("yaml.too-high", {found, range.high})
-                                 : error("yaml.out-of-range", {found, range.low, range.high});
-  }
-  return error(range.above ? "yaml.not-above" : "yaml.too-low", {found, range.low});
-}
-
 /// Integers in the way of ROS 2's parser (C's strtol with base 0): a leading 0 means octal, 0x
 /// hexadecimal.
 std::optional<long long> prefixedInteger(const std::string& text) {

@@ -6,8 +6,10 @@
 #include <set>
 #include <string>
 
+#include "metrics/Motion.h"
 #include "metrics/TermSums.h"
 
+/// The zones round people after Hall: how long the robot is in them, how often it enters.
 namespace metrics {
 
 namespace {
@@ -155,23 +157,52 @@ void addBand(MetricRegistry& to, std::size_t index) {
       {name + "_space_intrusions", "Intrusions into the " + name + " space", "%", Category::Social,
        Better::Lower, Needs{true, true}, "100/N * samples with c_i in the " + name + " band",
        "Perez-Higueras, Caballero, Merino, IJSR 2018; Hall 1966", "[0, 100]", Kind::Number,
-       band.hunav, ""},
+       band.hunav},
       bandOf<GapBands>(index));
   to.add({"group_" + name + "_space_intrusions", "Intrusions into the " + name + " space of groups",
           "%", Category::Social, Better::Lower, Needs{true, true, true},
           "100/N * samples with x_i in the " + name +
               " band; x_i = max(0, min over groups of |p_i - centre| - r_r)",
           "Perez-Higueras, Caballero, Merino, IJSR 2018, after Okal and Arras 2016", "[0, 100]",
-          Kind::Number, band.hunavGroup, ""},
+          Kind::Number, band.hunavGroup},
          bandOf<GroupDistances>(index));
 }
-
-}  // namespace
 
 void addProxemics(MetricRegistry& to) {
   for (std::size_t band = 0; band < kBandCount; ++band) {
     addBand(to, band);
   }
+}
+
+template <double MetricParameters::*kLimit>
+void addZone(MetricRegistry& to, const std::string& zone) {
+  using Contacts = ContactsWithin<kLimit>;
+  const Needs needs{true, true};
+  const std::string source = "SEAN 2.0 (distance violations)";
+  const std::string formula = "number of times a person's gap falls below " + zone + "_distance";
+  to.add({zone + "_zone_entries", "Entries into the " + zone + " zone", "", Category::Social,
+          Better::Lower, needs, formula, source, "0, 1, ...", Kind::Count},
+         streamOf<Contacts>(&Contacts::all));
+  to.add({zone + "_zone_entries_by_robot", "Entries of the robot into the " + zone + " zone", "",
+          Category::Social, Better::Lower, needs, formula + ", the robot closing in faster", source,
+          "0, 1, ...", Kind::Count},
+         streamOf<Contacts>(&Contacts::byRobot));
+  to.add({zone + "_zone_entries_by_person", "Entries of people into the " + zone + " zone", "",
+          Category::Social, Better::Lower, needs, formula + ", the person closing in faster",
+          source, "0, 1, ...", Kind::Count},
+         streamOf<Contacts>(&Contacts::byPerson));
+}
+
+void addZoneEntries(MetricRegistry& to) {
+  addZone<&MetricParameters::intimateDistance>(to, "intimate");
+  addZone<&MetricParameters::personalDistance>(to, "personal");
+}
+
+}  // namespace
+
+void addZones(MetricRegistry& to) {
+  addProxemics(to);
+  addZoneEntries(to);
 }
 
 }  // namespace metrics

@@ -1,0 +1,347 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "metrics/TermSums.h"
+
+/// Shares of personal and group space that the robot takes.
+namespace metrics {
+
+namespace {
+
+std::vector<double> inPercent(std::vector<double> values) {
+  for (double& value : values) {
+    value *= 100.0;
+  }
+  return values;
+}
+
+MetricValue percentOf(double share) {
+  return std::isnan(share) ? undefinedValue("nobody in the record") : numberValue(100.0 * share);
+}
+
+MetricValue largest(const Figures& shares, const Instant& /*last*/) {
+  return percentOf(shares.largest());
+}
+
+/// Weighted with time; 0 where there never is a share.
+MetricValue average(const Figures& shares, const Instant& /*last*/) {
+  const double mean = shares.timeMean();
+  return numberValue(std::isnan(mean) ? 0.0 : 100.0 * mean);
+}
+
+/// How far outside the space of a person the robot stands, 0 at its centre: the negative exponent
+/// of a Gaussian that is longer ahead of who walks and shorter behind (Kirby).
+double outsideness(const Person& person, const Robot& robot) {
+  const Vec2 offset = robot.position - person.position;
+  const Vec2 local(person.pair.ahead.dot(offset), base::cross(person.pair.ahead, offset));
+  const double front = std::max(2.0 * person.speed, 0.5);  // variances [m^2]
+  const double side = front * 2.0 / 3.0;
+  const double along = local.x() > 0.0 ? front : front / 2.0;
+  return local.x() * local.x() / (2.0 * along) + local.y() * local.y() / (2.0 * side);
+}
+
+/// Not above the same: the variance ahead is the largest.
+double leastOutsideness(const Person& person, const Robot& robot) {
+  constexpr double kSlack = 1.0 - 1e-9;
+  return kSlack * (robot.position - person.position).squaredNorm() /
+         (2.0 * std::max(2.0 * person.speed, 0.5));
+}
+
+/// Deepest intrusion of a sample; NaN without people.
+double deepestInPerson(const Sample& sample, const MetricParameters& /*parameters*/) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Person& person : sample.people) {
+    if (leastOutsideness(person, sample.robot) < least) {
+      least = std::min(least, outsideness(person, sample.robot));
+    }
+  }
+  return sample.people.empty() ? kNaN : std::exp(-least);
+}
+
+MetricValue averageInPerson(const Figures& depths, const Instant& /*last*/) {
+  const double mean = depths.time() > 0.0 ? 100.0 * depths.integral() / depths.time() : 0.0;
+  return withSeries(numberValue(mean), inPercent(depths.series()));
+}
+
+MetricValue smallest(const Figures& depths, const Instant& /*last*/) {
+  return percentOf(depths.least());
+}
+
+/// Share of the time with people.
+class DeepTime : public Accumulator {
+ public:
+  void add(const Instant& at) override {
+    const double depth = at.term(deepestInPerson);
+    peopled_.add(at, !std::isnan(depth));
+    deep_.add(at, depth > at.parameters.gaussianThreshold);
+  }
+  MetricValue share(const Instant& /*last*/) const {
+    const double total = peopled_.value();
+    return numberValue(total > 0.0 ? 100.0 * deep_.value() / total : 0.0);
+  }
+
+ private:
+  HeldTime peopled_, deep_;
+};
+
+void addGaussianSpace(MetricRegistry& to) {
+  const Needs needs{true, true};
+  const char source[] = "SRPB (Kirby's model)";
+  const std::string key = "personal_space_intrusion_gaussian";
+  const std::string name = "Intrusion into the Gaussian personal space";
+  to.add({key, name, "%", Category::Social, Better::Lower, needs,
+          "time-weighted mean of max over a of exp(-(x^2/2Vx + y^2/2Vs)); Vf = max(2 |u|, 0.5), "
+          "Vs = 2/3 Vf, Vx = Vf ahead and Vf/2 behind",
+          source, "[0, 100]"},
+         figuresOf<deepestInPerson>(averageInPerson));
+  to.add({key + "_min", name + ", smallest", "%", Category::Social, Better::Lower, needs,
+          "min over samples with people", source, "[0, 100]"},
+         figuresOf<deepestInPerson>(smallest));
+  to.add({key + "_max", name + ", largest", "%", Category::Social, Better::Lower, needs,
+          "max over samples with people", source, "[0, 100]"},
+         figuresOf<deepestInPerson>(largest));
+  to.add({key + "_above", "Time inside the Gaussian personal space", "%", Category::Social,
+          Better::Lower, needs, "share of the time with people above gaussian_threshold", source,
+          "[0, 100]"},
+         streamOf<DeepTime>(&DeepTime::share));
+}
+
+using Members = std::vector<const Person*>;
+
+/// Calls visit(id, members) for the groups with enough members, by id.
+template <class Visit>
+void forEachGroup(const Sample& sample, const MetricParameters& parameters, Visit visit) {
+  Members all;
+  for (const Person& person : sample.people) {
+    if (person.group != -1) {
+      all.push_back(&person);
+    }
+  }
+  std::sort(all.begin(), all.end(), [](const Person* a, const Person* b) {
+    return a->group != b->group ? a->group < b->group : a < b;
+  });
+  Members members;
+  for (auto at = all.begin(); at != all.end();) {
+    const auto end = std::find_if(
+        at, all.end(), [at](const Person* person) { return person->group != (*at)->group; });
+    members.assign(at, end);
+    if (static_cast<double>(members.size()) >= parameters.groupMinimumMembers) {
+      visit(members.front()->group, members);
+    }
+    at = end;
+  }
+}
+
+/// Quarter of the room that the members take along the direction, bodies included.
+double quarterSpan(const Members& members, const Vec2& direction) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const Person* member : members) {
+    const double along = direction.dot(member->position);
+    low = std::min(low, along - member->radius);
+    high = std::max(high, along + member->radius);
+  }
+  return (high - low) / 4.0;
+}
+
+/// 1 at the centre of the members, falling along the axes of their arrangement.
+double groupIntrusion(const Members& members, const Vec2& position) {
+  Vec2 centre = Vec2::Zero();
+  for (const Person* member : members) {
+    centre += member->position / static_cast<double>(members.size());
+  }
+  double xx = 0.0;
+  double xy = 0.0;
+  double yy = 0.0;
+  for (const Person* member : members) {
+    const Vec2 from = member->position - centre;
+    xx += from.x() * from.x();
+    xy += from.x() * from.y();
+    yy += from.y() * from.y();
+  }
+  const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy);  // of the long axis
+  const Vec2 along(std::cos(angle), std::sin(angle));
+  const Vec2 aside(-along.y(), along.x());
+  const double u = along.dot(position - centre) / quarterSpan(members, along);
+  const double w = aside.dot(position - centre) / quarterSpan(members, aside);
+  return std::exp(-(u * u + w * w) / 2.0);
+}
+
+double deepestInGroup(const Sample& sample, const MetricParameters& parameters) {
+  double value = kNaN;
+  forEachGroup(sample, parameters, [&](int /*group*/, const Members& members) {
+    const double one = groupIntrusion(members, sample.robot.position);
+    value = one <= value ? value : one;
+  });
+  return value;
+}
+
+MetricValue largestInGroup(const Figures& depths, const Instant& /*last*/) {
+  return numberValue(std::isnan(depths.largest()) ? 0.0 : 100.0 * depths.largest());
+}
+
+/// Left (> 0) or right of the line from a to b.
+double side(const Vec2& a, const Vec2& b, const Vec2& point) {
+  return base::cross(b - a, point - a);
+}
+
+/// Between two samples the robot passed between two members.
+bool passesBetween(const Sample& before, const Sample& now, const Person& a, const Person& b) {
+  const Vec2 line = b.position - a.position;
+  const double place = line.dot(now.robot.position - a.position);
+  if (!(place >= 0.0 && place <= line.squaredNorm())) {
+    return false;
+  }
+  const Person* const a0 = findPerson(before, a.id);
+  const Person* const b0 = findPerson(before, b.id);
+  if (a0 == nullptr || b0 == nullptr) {
+    return false;
+  }
+  const double then = side(a0->position, b0->position, before.robot.position);
+  const double after = side(a.position, b.position, now.robot.position);
+  return (then > 0.0) != (after > 0.0);
+}
+
+/// Inside the hull of the members: no line through two members has all of them on one side and the
+/// robot on the other.
+bool isInside(const Members& members, const Vec2& position) {
+  if (members.size() < 3) {
+    return false;
+  }
+  for (const Person* a : members) {
+    for (const Person* b : members) {
+      const bool isEdge =
+          a != b && std::all_of(members.begin(), members.end(), [&](const Person* other) {
+            return side(a->position, b->position, other->position) >= 0.0;
+          });
+      if (isEdge && side(a->position, b->position, position) < 0.0) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool isCrossing(const Sample* before, const Sample& now, const Members& members) {
+  if (isInside(members, now.robot.position)) {
+    return true;
+  }
+  for (std::size_t k = 0; before != nullptr && k < members.size(); ++k) {
+    for (std::size_t m = k + 1; m < members.size(); ++m) {
+      if (passesBetween(*before, now, *members[k], *members[m])) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+class GroupCrossings : public Accumulator {
+ public:
+  void add(const Instant& at) override {
+    forEachGroup(at.now, at.parameters, [&](int group, const Members& members) {
+      const bool now = isCrossing(at.before, at.now, members);
+      bool& crossed = crossed_[group];
+      count_ += now && !crossed ? 1.0 : 0.0;
+      crossed = now;
+    });
+  }
+  MetricValue value(const Instant& /*last*/) const { return countValue(count_); }
+
+ private:
+  std::map<int, bool> crossed_;
+  double count_ = 0.0;
+};
+
+void addGroupSpace(MetricRegistry& to) {
+  const Needs needs{true, true, true};
+  to.add(
+      {"formation_space_intrusion", "Intrusion into the space of groups", "%", Category::Social,
+       Better::Lower, needs,
+       "time-weighted mean of max over groups of exp(-(u^2/2Vu + w^2/2Vw)), u, w = robot along the "
+       "axes of the arrangement of the members, V = (span of the members with their bodies/4)^2",
+       "SRPB", "[0, 100]"},
+      figuresOf<deepestInGroup>(average));
+  to.add(
+      {"formation_space_intrusion_max", "Intrusion into the space of groups, largest", "%",
+       Category::Social, Better::Lower, needs, "max over samples of the same", "SRPB", "[0, 100]"},
+      figuresOf<deepestInGroup>(largestInGroup));
+  to.add({"group_crossings", "Groups crossed", "", Category::Social, Better::Lower, needs,
+          "number of times the robot gets inside the hull of a group or between two of its members",
+          "Katyal et al. 2022; Okal and Arras 2016", "0, 1, ...", Kind::Count},
+         streamOf<GroupCrossings>(&GroupCrossings::value));
+}
+
+double gaussian(double x, double sigma) {
+  return std::exp(-x * x / (2.0 * sigma * sigma));
+}
+
+/// The part that speed and distance have in it; the whole is not larger.
+double presence(const Person& person, const Robot& robot, const MetricParameters& parameters) {
+  const double separation = distance(robot, person);
+  const double near = (robot.radius + parameters.disturbanceRadius) / separation;
+  const double fast = robot.speed / parameters.disturbanceSpeed;
+  return separation > 0.0 ? std::fmin(fast, 1.0) * std::fmin(near, 1.0) : 0.0;
+}
+
+/// How much the robot's heading bothers the person: it aims at the place where the person stands,
+/// from where it is seen.
+double disturbance(const Person& person, const Robot& robot, const Vec2& heading,
+                   const MetricParameters& parameters) {
+  const auto toLocal = [&person](const Vec2& vector) {
+    return Vec2(person.pair.ahead.dot(vector), base::cross(person.pair.ahead, vector));
+  };
+  const Vec2 place = toLocal(robot.position - person.position);
+  const Vec2 aim = toLocal(heading);
+  const double way = -place.x() / aim.x();  // along the heading to the line across the person
+  if (!std::isfinite(way) || way < 0.0) {
+    return 0.0;
+  }
+  const double offset = place.y() + way * aim.y();
+  return gaussian(offset, parameters.disturbanceRadius / 2.0) *
+         gaussian(base::headingOf(place), parameters.disturbanceFieldOfView / 4.0);
+}
+
+double worst(const Sample& sample, const MetricParameters& parameters) {
+  double value = sample.people.empty() ? kNaN : 0.0;
+  const Vec2 heading = base::directionOf(sample.robot.heading);
+  for (const Person& person : sample.people) {
+    const double most = presence(person, sample.robot, parameters);
+    if (most > value) {
+      value = std::fmax(value, most * disturbance(person, sample.robot, heading, parameters));
+    }
+  }
+  return value;
+}
+
+MetricValue averageDisturbance(const Figures& figures, const Instant& last) {
+  return withSeries(average(figures, last), inPercent(figures.series()));
+}
+
+void addHeadingDisturbance(MetricRegistry& to) {
+  const Needs needs{true, true};
+  const char formula[] =
+      "time-weighted mean of max over a of G(offset; disturbance_radius/2) * G(bearing; "
+      "disturbance_field_of_view/4) * min(s/disturbance_speed, 1) * min((r_r + "
+      "disturbance_radius)/d, 1); offset: where the line of the robot's heading meets the line "
+      "across the person, bearing: of the robot in the person's view, G(x; s) = exp(-x^2/2s^2)";
+  to.add({"heading_direction_disturbance", "Disturbance by the robot's heading", "%",
+          Category::Social, Better::Lower, needs, formula, "SRPB", "[0, 100]"},
+         figuresOf<worst>(averageDisturbance));
+  to.add(
+      {"heading_direction_disturbance_max", "Disturbance by the robot's heading, largest", "%",
+       Category::Social, Better::Lower, needs, "max over samples of the same", "SRPB", "[0, 100]"},
+      figuresOf<worst>(largest));
+}
+
+}  // namespace
+
+void addIntrusions(MetricRegistry& to) {
+  addGaussianSpace(to);
+  addGroupSpace(to);
+  addHeadingDisturbance(to);
+}
+
+}  // namespace metrics
