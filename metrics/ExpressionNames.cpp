@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "metrics/Interaction.h"
 #include "metrics/Motion.h"
@@ -19,15 +18,6 @@ const Sample& sampleAt(const Place& place) {
   return place.at.now;
 }
 
-VariableName ofRun(std::string name, Value value) {
-  return {std::move(name), Scope::Run, std::move(value)};
-}
-VariableName ofEnd(std::string name, Value value) {
-  return {std::move(name), Scope::Run, std::move(value), false, false, true};
-}
-VariableName ofSample(std::string name, Value value) {
-  return {std::move(name), Scope::Sample, std::move(value)};
-}
 VariableName ofRobot(std::string name, double (*value)(const Robot&)) {
   return {std::move(name), Scope::Sample,
           [value](const Place& place) { return value(sampleAt(place).robot); }, true, false};
@@ -43,73 +33,70 @@ VariableName ofPair(std::string name, double (*value)(const Robot&, const Person
 }
 
 void addRunNames(std::vector<VariableName>& to) {
-  to.push_back(ofRun("pi", [](const Place&) { return base::kPi; }));
-  to.push_back(ofEnd("duration", [](const Place& p) { return p.last.elapsed(); }));
-  to.push_back(
-      ofEnd("samples", [](const Place& p) { return static_cast<double>(p.last.count()); }));
+  const auto count = [](const Place& p) { return static_cast<double>(p.last.count()); };
+  to.push_back({"pi", Scope::Run, [](const Place&) { return base::kPi; }});
+  to.push_back({"duration", Scope::Run, [](const Place& p) { return p.last.elapsed(); }, false,
+                false, true});
+  to.push_back({"samples", Scope::Run, count, false, false, true});
   for (const ParameterInfo& info : parameterInfos()) {
-    to.push_back(ofRun(info.spec.key,
-                       [member = info.member](const Place& p) { return p.at.parameters.*member; }));
+    to.push_back({info.spec.key, Scope::Run,
+                  [member = info.member](const Place& p) { return p.at.parameters.*member; }});
   }
 }
 
 void addSampleNames(std::vector<VariableName>& to) {
-  to.push_back(ofSample("time", [](const Place& p) { return p.at.elapsed(); }));
-  to.push_back(ofSample("dt", [](const Place& p) { return p.dt; }));
-  VariableName people = ofSample(
-      "people", [](const Place& p) { return static_cast<double>(sampleAt(p).people.size()); });
-  people.needsPeople = true;
-  to.push_back(people);
-  VariableName gap =
-      ofSample("gap", [](const Place& p) { return closestGap(sampleAt(p)).value_or(kNaN); });
-  gap.needsRobot = gap.needsPeople = true;
-  to.push_back(gap);
-  VariableName goal = ofSample("goal_distance", [](const Place& p) {
+  const auto people = [](const Place& p) { return static_cast<double>(sampleAt(p).people.size()); };
+  const auto gap = [](const Place& p) { return closestGap(sampleAt(p)).value_or(kNaN); };
+  const auto goal = [](const Place& p) {
     const double distance = distanceToGoals(p.at.context, p.at.now.robot.position);
     return std::isinf(distance) ? kNaN : distance;
-  });
-  goal.needsRobot = true;
-  to.push_back(goal);
+  };
+  to.push_back({"time", Scope::Sample, [](const Place& p) { return p.at.elapsed(); }});
+  to.push_back({"dt", Scope::Sample, [](const Place& p) { return p.dt; }});
+  to.push_back({"people", Scope::Sample, people, false, true});
+  to.push_back({"gap", Scope::Sample, gap, true, true});
+  to.push_back({"goal_distance", Scope::Sample, goal, true});
 }
 
 void addRobotNames(std::vector<VariableName>& to) {
-  to.push_back(ofRobot("x", [](const Robot& r) { return r.position.x(); }));
-  to.push_back(ofRobot("y", [](const Robot& r) { return r.position.y(); }));
-  to.push_back(ofRobot("heading", [](const Robot& r) { return r.heading; }));
-  to.push_back(ofRobot("vx", [](const Robot& r) { return r.velocity.x(); }));
-  to.push_back(ofRobot("vy", [](const Robot& r) { return r.velocity.y(); }));
-  to.push_back(ofRobot("speed", [](const Robot& r) { return r.speed; }));
-  to.push_back(ofRobot("omega", [](const Robot& r) { return r.omega; }));
-  to.push_back(ofRobot("radius", [](const Robot& r) { return r.radius; }));
-  to.push_back(ofRobot("clearance", [](const Robot& r) {
-    return r.obstacleDistance ? *r.obstacleDistance - r.radius : kNaN;
-  }));
+  to.insert(to.end(), {ofRobot("x", [](const Robot& r) { return r.position.x(); }),
+                       ofRobot("y", [](const Robot& r) { return r.position.y(); }),
+                       ofRobot("heading", [](const Robot& r) { return r.heading; }),
+                       ofRobot("vx", [](const Robot& r) { return r.velocity.x(); }),
+                       ofRobot("vy", [](const Robot& r) { return r.velocity.y(); }),
+                       ofRobot("speed", [](const Robot& r) { return r.speed; }),
+                       ofRobot("omega", [](const Robot& r) { return r.omega; }),
+                       ofRobot("radius", [](const Robot& r) { return r.radius; }),
+                       ofRobot("clearance", [](const Robot& r) {
+                         return r.obstacleDistance ? *r.obstacleDistance - r.radius : kNaN;
+                       })});
 }
 
 void addPersonNames(std::vector<VariableName>& to) {
-  to.push_back(ofPerson("p.id", [](const Person& a) { return static_cast<double>(a.id); }));
-  to.push_back(ofPerson("p.x", [](const Person& a) { return a.position.x(); }));
-  to.push_back(ofPerson("p.y", [](const Person& a) { return a.position.y(); }));
-  to.push_back(ofPerson("p.heading", [](const Person& a) { return a.heading; }));
-  to.push_back(ofPerson("p.vx", [](const Person& a) { return a.velocity.x(); }));
-  to.push_back(ofPerson("p.vy", [](const Person& a) { return a.velocity.y(); }));
-  to.push_back(ofPerson("p.speed", [](const Person& a) { return a.speed; }));
-  to.push_back(ofPerson("p.omega", [](const Person& a) { return a.omega; }));
-  to.push_back(ofPerson("p.radius", [](const Person& a) { return a.radius; }));
-  to.push_back(ofPerson("p.group", [](const Person& a) { return static_cast<double>(a.group); }));
-  to.push_back(
-      ofPerson("p.behavior", [](const Person& a) { return static_cast<double>(a.behavior); }));
-  to.push_back(ofPerson("p.state", [](const Person& a) { return static_cast<double>(a.state); }));
-  to.push_back(ofPair("p.gap", [](const Robot& r, const Person& a) { return gap(r, a); }));
-  to.push_back(
-      ofPair("p.distance", [](const Robot& r, const Person& a) { return distance(r, a); }));
-  to.push_back(ofPair("p.view", [](const Robot& r, const Person& a) { return viewAngle(a, r); }));
-  to.push_back(ofPair("p.bearing", [](const Robot& r, const Person& a) {
-    return base::angleDiff(base::headingOf(a.position - r.position), r.heading);
-  }));
-  to.push_back(ofPair("p.ttc", [](const Robot& r, const Person& a) {
-    return timeToCollision(r, a).value_or(std::numeric_limits<double>::infinity());
-  }));
+  to.insert(
+      to.end(),
+      {ofPerson("p.id", [](const Person& a) { return static_cast<double>(a.id); }),
+       ofPerson("p.x", [](const Person& a) { return a.position.x(); }),
+       ofPerson("p.y", [](const Person& a) { return a.position.y(); }),
+       ofPerson("p.heading", [](const Person& a) { return a.heading; }),
+       ofPerson("p.vx", [](const Person& a) { return a.velocity.x(); }),
+       ofPerson("p.vy", [](const Person& a) { return a.velocity.y(); }),
+       ofPerson("p.speed", [](const Person& a) { return a.speed; }),
+       ofPerson("p.omega", [](const Person& a) { return a.omega; }),
+       ofPerson("p.radius", [](const Person& a) { return a.radius; }),
+       ofPerson("p.group", [](const Person& a) { return static_cast<double>(a.group); }),
+       ofPerson("p.behavior", [](const Person& a) { return static_cast<double>(a.behavior); }),
+       ofPerson("p.state", [](const Person& a) { return static_cast<double>(a.state); }),
+       ofPair("p.gap", [](const Robot& r, const Person& a) { return gap(r, a); }),
+       ofPair("p.distance", [](const Robot& r, const Person& a) { return distance(r, a); }),
+       ofPair("p.view", [](const Robot& r, const Person& a) { return viewAngle(a, r); }),
+       ofPair("p.bearing",
+              [](const Robot& r, const Person& a) {
+                return base::angleDiff(base::headingOf(a.position - r.position), r.heading);
+              }),
+       ofPair("p.ttc", [](const Robot& r, const Person& a) {
+         return timeToCollision(r, a).value_or(HUGE_VAL);
+       })});
 }
 
 double meanOf(const Collected& all) {

@@ -89,6 +89,7 @@ class HeldTime {
     held_ = holds;
   }
   double value() const { return time_; }  // [s]
+  double percentOf(double total) const { return total > 0.0 ? 100.0 * time_ / total : 0.0; }
 
  private:
   double time_ = 0.0;

@@ -42,6 +42,8 @@ struct Meeting {
   }
 };
 
+/// Moussaid 2009 with the constants of lightsfm, `factor` in front. Equal places or a vanishing
+/// interaction: zero in the corrected profile, NaN in hunav2.
 Vec2 socialForceOf(const Meeting& pair, double factor, const MetricParameters& parameters) {
   if (pair.hasNone) {
     return Vec2::Zero();
@@ -65,11 +67,6 @@ Vec2 socialForceOf(const Meeting& pair, double factor, const MetricParameters& p
 }
 
 }  // namespace
-
-Vec2 socialForce(const Body& source, const Body& target, double factor,
-                 const MetricParameters& parameters) {
-  return socialForceOf(Meeting(source, target, parameters), factor, parameters);
-}
 
 Vec2 obstacleForce(const Body& body, const MetricParameters& parameters) {
   Vec2 sum = Vec2::Zero();
@@ -209,8 +206,7 @@ Sight originalSight(const Person& person, const Body& robot, const sim2d::Occupa
   return free ? Sight::Free : Sight::Blocked;
 }
 
-}  // namespace
-
+/// The cells between person and robot; in the corrected profile drawn obstacles and doors as well.
 Sight lineOfSight(const Person& person, const Body& robot, const sim2d::OccupancyGrid& map,
                   Profile profile) {
   if (profile == Profile::Hunav2) {
@@ -229,8 +225,6 @@ Sight lineOfSight(const Person& person, const Body& robot, const sim2d::Occupanc
                               });
   return free ? Sight::Free : Sight::Blocked;
 }
-
-namespace {
 
 /// The person's own factor of the force, where that counts.
 double factorOf(const Person& person, const MetricParameters& parameters) {

@@ -8,12 +8,6 @@
 /// How two bodies act on each other: forces, collision courses, sight.
 namespace metrics {
 
-/// Social force that a body at x1 with velocity v1 exerts on one at x2 (Moussaid 2009 with the
-/// constants of lightsfm), `factor` in front. Equal places or a vanishing interaction: zero in the
-/// corrected profile, NaN in hunav2.
-Vec2 socialForce(const Body& source, const Body& target, double factor,
-                 const MetricParameters& parameters);
-
 /// Mean of the repulsions by the obstacle points of the body (Helbing and Molnar 1995).
 Vec2 obstacleForce(const Body& body, const MetricParameters& parameters);
 
@@ -28,10 +22,6 @@ double panicCost(const Body& robot, const Body& person, const MetricParameters& 
 
 /// Angle between the person's heading and the robot, [0, pi].
 double viewAngle(const Person& person, const Body& robot);
-
-/// The cells between person and robot; in the corrected profile drawn obstacles and doors as well.
-Sight lineOfSight(const Person& person, const Body& robot, const sim2d::OccupancyGrid& map,
-                  Profile profile);
 
 /// Fills in the pairs of a sample with a robot that are not known yet; the sight when `map` is
 /// given.

@@ -45,7 +45,8 @@ std::string categoryTable(const MetricRegistry& registry, Category category) {
 std::string parameterTable() {
   std::string text = "\n## Parameters\n\n" + row({"name", "default", "unit", "meaning"});
   text += "|---|---|---|---|\n";
-  for (const auto& [spec, member] : parameterInfos()) {
+  for (const ParameterInfo& info : parameterInfos()) {
+    const base::ParameterSpec& spec = info.spec;
     text += row({"`" + spec.key + "`", base::formatDouble(std::get<double>(spec.fallback)),
                  cellOf(spec.unit), cellOf(spec.help)});
   }

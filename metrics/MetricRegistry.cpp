@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "sim2d/base/Text.h"
 
@@ -22,24 +23,16 @@ const char* betterName(Better better) {
   return kNames[static_cast<std::size_t>(better)];
 }
 
-const char* kindName(Kind kind) {
-  static constexpr std::array<const char*, 3> kNames = {"number", "boolean", "count"};
-  return kNames[static_cast<std::size_t>(kind)];
-}
-
 std::string needsText(const Needs& needs) {
+  constexpr std::pair<bool Needs::*, const char*> kNames[] = {
+      {&Needs::robot, "robot"},         {&Needs::people, "people"}, {&Needs::groups, "groups"},
+      {&Needs::obstacles, "obstacles"}, {&Needs::goal, "goal"},     {&Needs::map, "map"}};
   std::string text;
-  const auto append = [&text](bool needed, const char* name) {
-    if (needed) {
+  for (const auto& [needed, name] : kNames) {
+    if (needs.*needed) {
       text += (text.empty() ? "" : ", ") + std::string(name);
     }
-  };
-  append(needs.robot, "robot");
-  append(needs.people, "people");
-  append(needs.groups, "groups");
-  append(needs.obstacles, "obstacles");
-  append(needs.goal, "goal");
-  append(needs.map, "map");
+  }
   return text.empty() ? "nothing" : text;
 }
 
@@ -98,16 +91,11 @@ bool hasWord(const std::string& text, const std::string& word) {
   return false;
 }
 
-class Nothing : public Accumulator {
- public:
-  void add(const Instant& /*at*/) override {}
-};
-
 }  // namespace
 
 Stream streamOfLast(MetricValue (*read)(const Instant& last)) {
-  return streamOf<Nothing>(
-      [read](const Nothing& /*sum*/, const Instant& last) { return read(last); });
+  return streamOf<Accumulator>(
+      [read](const Accumulator& /*sum*/, const Instant& last) { return read(last); });
 }
 
 void MetricRegistry::add(MetricInfo info, Stream stream) {
@@ -128,18 +116,18 @@ void MetricRegistry::setRateBound(const std::string& key, double bound) {
   entry->info.rateBound = bound;
 }
 
-void MetricRegistry::addMeanOf(const std::string& key) {
-  const MetricEntry* sum = find(key);
-  assert(sum != nullptr);
-  MetricInfo info = sum->info;
-  setRateBound(key, 0.51);  // twice the samples, twice the sum
-  info.key = key + "_mean";
+void MetricRegistry::addSum(MetricInfo info, Stream stream) {
+  const std::string key = info.key;
+  info.rateBound = 0.51;  // twice the samples, twice the sum
+  add(info, std::move(stream));
+  info.key += "_mean";
   info.name += ", mean per sample";
   info.formula = key + " / N";
   info.source = "ours";
   info.kind = Kind::Number;
   info.hunav = 0;
   info.partOf = key;
+  info.rateBound = MetricInfo{}.rateBound;
   assert(find(info.key) == nullptr);
   entries_.push_back({std::move(info), {}, {}, key});
 }

@@ -22,7 +22,6 @@ enum class Better { Lower, Higher, Neutral };
 const char* betterName(Better better);  // "lower" …
 
 enum class Kind { Number, Boolean, Count };
-const char* kindName(Kind kind);  // "number" …
 
 /// What a recording must hold for a metric to say something.
 struct Needs {
@@ -85,7 +84,7 @@ class Accumulator {
   Accumulator& operator=(Accumulator&&) = delete;
   virtual ~Accumulator() = default;
   /// Once for each sample, in order.
-  virtual void add(const Instant& at) = 0;
+  virtual void add(const Instant& /*at*/) {}
   /// An event of the record, before the sample of its time; `elapsed` since the first sample [s].
   virtual void note(const RunContext& /*context*/, double /*elapsed*/,
                     const sim2d::Event& /*event*/) {}
@@ -114,8 +113,8 @@ class MetricRegistry {
   /// Keys are unique: adding one twice is a bug.
   void add(MetricInfo info, Stream stream);
   void addFunction(MetricInfo info, MetricFunction compute);
-  /// `<key>_mean` = value / number of samples, for sums over samples; selected with its key.
-  void addMeanOf(const std::string& key);
+  /// A sum over samples, and `<key>_mean` = value / number of samples, selected with its key.
+  void addSum(MetricInfo info, Stream stream);
   void setRateBound(const std::string& key, double bound);
   /// HuNavSim's keys by number, then ours as they were added.
   void sort();
@@ -147,6 +146,13 @@ Stream streamOf(Read read) {
             return std::invoke(read, static_cast<const Sum&>(sum), last);
           },
           std::to_string(reinterpret_cast<std::uintptr_t>(&kSumTag<Sum>))};
+}
+
+/// One of several values of such an accumulator.
+template <class Sum>
+Stream streamOfPart(std::size_t part) {
+  return streamOf<Sum>(
+      [part](const Sum& sum, const Instant& last) { return sum.value(part, last); });
 }
 
 /// Needs no more than the last sample.

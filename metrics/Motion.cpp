@@ -62,13 +62,6 @@ void SpeedChanges::add(const Instant& at) {
   timeBefore_ = at.before->time;
 }
 
-void ObstacleContacts::add(const Robot& robot) {
-  const std::optional<double>& nearest = robot.obstacleDistance;
-  const bool touches = nearest && *nearest - robot.radius <= 0.0;
-  count_ += touches && !touched_ ? 1 : 0;
-  touched_ = touches;
-}
-
 namespace {
 
 constexpr double kEqualSpeeds = 1e-6;  // [m/s]

@@ -53,17 +53,6 @@ class SpeedChanges {
   std::optional<double> jerk_;
 };
 
-/// How often the robot begins to touch an obstacle.
-class ObstacleContacts {
- public:
-  void add(const Robot& robot);
-  int count() const { return count_; }
-
- private:
-  int count_ = 0;
-  bool touched_ = false;
-};
-
 /// Contacts that begin at each sample and who ran into whom: a person whose gap to the robot falls
 /// below a limit, told apart by the closing speeds.
 class ContactEvents {

@@ -31,8 +31,7 @@ class Clearances : public Accumulator {
     return count_ > 0.0 ? numberValue(sum_ / count_) : undefinedValue(kNoObstacle);
   }
   MetricValue safety(const Instant& last) const {
-    const double total = last.elapsed();
-    return numberValue(total > 0.0 ? 100.0 * tooClose_.value() / total : 0.0);
+    return numberValue(tooClose_.percentOf(last.elapsed()));
   }
 
  private:

@@ -174,7 +174,8 @@ class CrowdLooks : public Accumulator {
 
 struct Entry {
   const char *key, *name, *unit;
-  const char *formula, *source, *range;
+  const char *formula, *source;
+  const char* range = "[0, inf)";
 };
 
 void addEntry(MetricRegistry& to, const Entry& entry, std::size_t measure,

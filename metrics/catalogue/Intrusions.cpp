@@ -78,8 +78,7 @@ class DeepTime : public Accumulator {
     deep_.add(at, depth > at.parameters.gaussianThreshold);
   }
   MetricValue share(const Instant& /*last*/) const {
-    const double total = peopled_.value();
-    return numberValue(total > 0.0 ? 100.0 * deep_.value() / total : 0.0);
+    return numberValue(deep_.percentOf(peopled_.value()));
   }
 
  private:

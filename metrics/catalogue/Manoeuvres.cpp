@@ -36,8 +36,7 @@ class ShareOfTime : public Accumulator {
  public:
   void add(const Instant& at) override { time_.add(at, kTest(at.now.robot, at.parameters)); }
   MetricValue value(const Instant& last) const {
-    const double total = last.elapsed();
-    return numberValue(total > 0.0 ? 100.0 * time_.value() / total : 0.0);
+    return numberValue(time_.percentOf(last.elapsed()));
   }
 
  private:

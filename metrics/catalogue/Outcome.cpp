@@ -105,25 +105,21 @@ class Collisions : public Accumulator {
   explicit Collisions(const MetricParameters& parameters) : people_(parameters.contactDistance) {}
   void add(const Instant& at) override {
     people_.add(at);
-    obstacles_.add(at.now.robot);
+    const Robot& robot = at.now.robot;
+    const bool touches = robot.obstacleDistance && *robot.obstacleDistance - robot.radius <= 0.0;
+    obstacles_ += touches && !touches_ ? 1.0 : 0.0;
+    touches_ = touches;
   }
   MetricValue success(const Instant& last) const {
-    const bool touched = people_.count() > 0.0 || obstacles_.count() > 0;
+    const bool touched = people_.count() > 0.0 || obstacles_ > 0.0;
     return booleanValue(isCompleted(last) && !touched && !isTimeout(last));
   }
+  MetricValue obstacles(const Instant& /*last*/) const { return countValue(obstacles_); }
 
  private:
   ContactEvents people_;
-  ObstacleContacts obstacles_;
-};
-
-class ObstacleCollisions : public Accumulator {
- public:
-  void add(const Instant& at) override { contacts_.add(at.now.robot); }
-  MetricValue value(const Instant& /*last*/) const { return countValue(contacts_.count()); }
-
- private:
-  ObstacleContacts contacts_;
+  double obstacles_ = 0.0;
+  bool touches_ = false;  // an obstacle at the newest sample
 };
 
 MetricValue totalTime(const Instant& last) {
@@ -150,7 +146,7 @@ void addOwnOutcome(MetricRegistry& to) {
           Needs{true, false, false, true},
           "number of times the clearance of the robot falls to 0 or below",
           "SEAN 2.0; SocNavBench; Arena", "0, 1, ...", Kind::Count},
-         streamOf<ObstacleCollisions>(&ObstacleCollisions::value));
+         streamOf<Collisions>(&Collisions::obstacles));
 }
 
 }  // namespace

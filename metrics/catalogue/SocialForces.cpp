@@ -44,7 +44,7 @@ class RobotForces : public Accumulator {
     sums_[kWork].add(at, lengthOf(total) + obstacles + onPeople);
     sums_[kObstaclesOnRobot].add(at, obstacles);
   }
-  MetricValue value(std::size_t sum) const { return valueOf(sums_[sum]); }
+  MetricValue value(std::size_t sum, const Instant& /*last*/) const { return valueOf(sums_[sum]); }
 
  private:
   std::array<SeriesSum, kForceSums> sums_;
@@ -73,47 +73,34 @@ class PeopleObstacles : public Accumulator {
   bool empty_ = false;
 };
 
-void addSum(MetricRegistry& to, MetricInfo info, std::size_t which) {
-  const std::string key = info.key;
-  to.add(std::move(info),
-         streamOf<RobotForces>([which](const RobotForces& sums, const Instant& /*last*/) {
-           return sums.value(which);
-         }));
-  to.addMeanOf(key);
-}
-
 }  // namespace
 
 void addSocialForces(MetricRegistry& to) {
   const Needs people{true, true};
   const char source[] = "Helbing and Molnar 1995; Moussaid et al. 2009; lightsfm";
   const char unit[] = "m/s²";
-  addSum(to,
-         {"social_force_on_agents", "Social force of the robot on people", unit, Category::Forces,
-          Better::Lower, people, "sum over i, a of |F(robot -> a)| with a's own factor", source,
-          "[0, inf)", Kind::Number, 25},
-         kOnPeople);
-  addSum(to,
-         {"social_force_on_robot", "Social force of people on the robot", unit, Category::Forces,
-          Better::Lower, people, "sum over i, a of |F(a -> robot)|", source, "[0, inf)",
-          Kind::Number, 26},
-         kOnRobot);
-  addSum(to,
-         {"social_work", "Social work", unit, Category::Forces, Better::Lower,
-          Needs{true, true, false, true},
-          "sum over i of |sum_a F(a -> robot)| + |O(robot)| + sum_a |F(robot -> a)|", source,
-          "[0, inf)", Kind::Number, 27},
-         kWork);
-  addSum(to,
-         {"obstacle_force_on_robot", "Obstacle force on the robot", unit, Category::Forces,
-          Better::Lower, Needs{true, false, false, true}, "sum over i of |O(robot)|", source,
-          "[0, inf)", Kind::Number, 28},
-         kObstaclesOnRobot);
-  to.add({"obstacle_force_on_agents", "Obstacle force on people", unit, Category::Forces,
-          Better::Lower, Needs{false, true, false, true}, "sum over i of mean over a of |O(a)|",
-          source, "[0, inf)", Kind::Number, 29},
-         streamOf<PeopleObstacles>(&PeopleObstacles::value));
-  to.addMeanOf("obstacle_force_on_agents");
+  to.addSum(
+      {"social_force_on_agents", "Social force of the robot on people", unit, Category::Forces,
+       Better::Lower, people, "sum over i, a of |F(robot -> a)| with a's own factor", source,
+       "[0, inf)", Kind::Number, 25},
+      streamOfPart<RobotForces>(kOnPeople));
+  to.addSum({"social_force_on_robot", "Social force of people on the robot", unit, Category::Forces,
+             Better::Lower, people, "sum over i, a of |F(a -> robot)|", source, "[0, inf)",
+             Kind::Number, 26},
+            streamOfPart<RobotForces>(kOnRobot));
+  to.addSum({"social_work", "Social work", unit, Category::Forces, Better::Lower,
+             Needs{true, true, false, true},
+             "sum over i of |sum_a F(a -> robot)| + |O(robot)| + sum_a |F(robot -> a)|", source,
+             "[0, inf)", Kind::Number, 27},
+            streamOfPart<RobotForces>(kWork));
+  to.addSum({"obstacle_force_on_robot", "Obstacle force on the robot", unit, Category::Forces,
+             Better::Lower, Needs{true, false, false, true}, "sum over i of |O(robot)|", source,
+             "[0, inf)", Kind::Number, 28},
+            streamOfPart<RobotForces>(kObstaclesOnRobot));
+  to.addSum({"obstacle_force_on_agents", "Obstacle force on people", unit, Category::Forces,
+             Better::Lower, Needs{false, true, false, true}, "sum over i of mean over a of |O(a)|",
+             source, "[0, inf)", Kind::Number, 29},
+            streamOf<PeopleObstacles>(&PeopleObstacles::value));
 }
 
 }  // namespace metrics

@@ -44,73 +44,66 @@ class LinearSpeed : public Accumulator {
   SeriesSum speeds_;
 };
 
-class AngularSpeed : public Accumulator {
+/// Mean size of what the series has with its sign; the original divides by the samples.
+class MeanSize : public Accumulator {
  public:
-  void add(const Instant& at) override {
-    sum_ += std::fabs(at.now.robot.omega);
-    signed_.add(at, at.now.robot.omega);
-  }
   MetricValue mean(const Instant& last) const {
-    return withSeries(numberValue(sum_ / static_cast<double>(last.count())), signed_.values());
+    const std::size_t divisor = last.isOriginal() ? last.count() : count_;
+    return withSeries(
+        divisor == 0 ? undefinedValue(needs_) : numberValue(sum_ / static_cast<double>(divisor)),
+        series_.values());
+  }
+
+ protected:
+  explicit MeanSize(const char* needs = "") : needs_(needs) {}
+  void take(const Instant& at, double value, bool counts) {
+    sum_ += std::fabs(value);
+    count_ += counts ? 1 : 0;
+    series_.add(at, value);
   }
 
  private:
+  const char* needs_;
   double sum_ = 0.0;
-  SeriesColumn signed_;
+  std::size_t count_ = 0;
+  SeriesColumn series_;
 };
 
-/// Mean size of the accelerations; the original divides by the samples.
-class Acceleration : public Accumulator {
+class AngularSpeed : public MeanSize {
  public:
+  void add(const Instant& at) override { take(at, at.now.robot.omega, true); }
+};
+
+/// Of the intervals in which time passes.
+class Acceleration : public MeanSize {
+ public:
+  Acceleration() : MeanSize("needs two samples at different times") {}
   void add(const Instant& at) override {
     changes_.add(at);
-    const double value = changes_.hasAcceleration() ? changes_.acceleration() : 0.0;
-    sum_ += std::fabs(value);
-    series_.add(at, value);
-    intervals_ += changes_.interval() > 0.0 ? 1 : 0;
-  }
-  MetricValue mean(const Instant& last) const {
-    const std::size_t divisor = last.isOriginal() ? last.count() : intervals_;
-    return withSeries(divisor == 0 ? undefinedValue("needs two samples at different times")
-                                   : numberValue(sum_ / static_cast<double>(divisor)),
-                      series_.values());
+    take(at, changes_.hasAcceleration() ? changes_.acceleration() : 0.0, changes_.interval() > 0.0);
   }
 
  private:
   SpeedChanges changes_;
-  double sum_ = 0.0;
-  std::size_t intervals_ = 0;  // in which time passes
-  SeriesColumn series_;
 };
 
-/// Mean size of the jerks; the original divides the accelerations by the time once more.
-class Overacceleration : public Accumulator {
+/// Of the jerks; the original divides the accelerations by the time once more.
+class Overacceleration : public MeanSize {
  public:
+  Overacceleration() : MeanSize("needs three samples at different times") {}
   void add(const Instant& at) override {
     changes_.add(at);
-    double value = 0.0;
+    const double dt = changes_.interval();
     if (at.isOriginal()) {
-      const double dt = changes_.interval();
-      value = dt > 0.0 ? changes_.acceleration() / dt : 0.0;
-    } else if (changes_.isInner()) {
-      value = changes_.jerk().value_or(0.0);
-      jerks_ += changes_.jerk() ? 1 : 0;
+      take(at, dt > 0.0 ? changes_.acceleration() / dt : 0.0, false);
+    } else {
+      const std::optional<double> jerk = changes_.isInner() ? changes_.jerk() : std::nullopt;
+      take(at, jerk.value_or(0.0), jerk.has_value());
     }
-    sum_ += std::fabs(value);
-    series_.add(at, value);
-  }
-  MetricValue mean(const Instant& last) const {
-    const std::size_t divisor = last.isOriginal() ? last.count() : jerks_;
-    return withSeries(divisor == 0 ? undefinedValue("needs three samples at different times")
-                                   : numberValue(sum_ / static_cast<double>(divisor)),
-                      series_.values());
   }
 
  private:
   SpeedChanges changes_;
-  double sum_ = 0.0;
-  std::size_t jerks_ = 0;
-  SeriesColumn series_;
 };
 
 void addRobotMotion(MetricRegistry& to) {

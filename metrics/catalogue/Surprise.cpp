@@ -40,14 +40,14 @@ class SurpriseSum : public PersonCosts {
  public:
   SurpriseSum() : PersonCosts(kCosts) {}
 
-  MetricValue valueOf(std::size_t cost, const Instant& last) const {
+  MetricValue value(std::size_t cost, const Instant& last) const {
     if (last.isOriginal() && last.context.map.isEmpty()) {
       return undefinedValue("there is no map");
     }
     if (last.isOriginal() && cost != kVisibility && last.count() < 2) {
       return undefinedValue("IndexError: one sample only");
     }
-    return value(cost, last);
+    return PersonCosts::value(cost, last);
   }
 
  protected:
@@ -112,36 +112,24 @@ class SurpriseSum : public PersonCosts {
   std::size_t next_ = 0;                                   // in seenBefore_
 };
 
-void addCost(MetricRegistry& to, MetricInfo info, std::size_t cost) {
-  const std::string key = info.key;
-  to.add(std::move(info),
-         streamOf<SurpriseSum>([cost](const SurpriseSum& sum, const Instant& last) {
-           return sum.valueOf(cost, last);
-         }));
-  to.addMeanOf(key);
-}
-
 }  // namespace
 
 void addSurprise(MetricRegistry& to) {
   const Needs needs{true, true, false, false, false, true};
   const char source[] = "Singamaneni, Favier, Alami, RO-MAN 2023";
-  addCost(to,
-          {"surprise_visibility_cost", "Surprise: visibility", "", Category::DangerSurprise,
-           Better::Lower, needs,
-           "sum over i and a who sees the robot of (d_prox/D) * theta/half field of view", source,
-           "[0, inf)", Kind::Number, 32},
-          kVisibility);
-  addCost(to,
-          {"surprise_shock_cost", "Surprise: shock", "", Category::DangerSurprise, Better::Lower,
-           needs, "sum of max((d_prox/D) * (1 - 4 SR), 0), SR = min(time seen/0.6 s, 1)", source,
-           "[0, inf)", Kind::Number, 33},
-          kShock);
-  addCost(to,
-          {"surprise_react_cost", "Surprise: reaction", "", Category::DangerSurprise, Better::Lower,
-           needs, "sum of (d_prox/D) * (1 - SR), SR = min(time seen/0.6 s, 1)", source, "[0, inf)",
-           Kind::Number, 34},
-          kReact);
+  to.addSum({"surprise_visibility_cost", "Surprise: visibility", "", Category::DangerSurprise,
+             Better::Lower, needs,
+             "sum over i and a who sees the robot of (d_prox/D) * theta/half field of view", source,
+             "[0, inf)", Kind::Number, 32},
+            streamOfPart<SurpriseSum>(kVisibility));
+  to.addSum({"surprise_shock_cost", "Surprise: shock", "", Category::DangerSurprise, Better::Lower,
+             needs, "sum of max((d_prox/D) * (1 - 4 SR), 0), SR = min(time seen/0.6 s, 1)", source,
+             "[0, inf)", Kind::Number, 33},
+            streamOfPart<SurpriseSum>(kShock));
+  to.addSum({"surprise_react_cost", "Surprise: reaction", "", Category::DangerSurprise,
+             Better::Lower, needs, "sum of (d_prox/D) * (1 - SR), SR = min(time seen/0.6 s, 1)",
+             source, "[0, inf)", Kind::Number, 34},
+            streamOfPart<SurpriseSum>(kReact));
 }
 
 }  // namespace metrics

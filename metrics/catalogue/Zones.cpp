@@ -36,31 +36,27 @@ bool isInBand(double distance, const Band& band, const MetricParameters& paramet
 }
 
 /// The samples whose distance lies in each of the bands; NaN, nobody there, is in none.
-class BandCounts {
+class BandCounts : public Accumulator {
  public:
-  void add(const Instant& at, double distance) {
+  MetricValue value(std::size_t band, const Instant& last) const {
+    const double share = 100.0 / static_cast<double>(last.count()) * counts_[band].sum();
+    return withSeries(numberValue(share), counts_[band].terms(), Kind::Count);
+  }
+
+ protected:
+  void count(const Instant& at, double distance) {
     for (std::size_t k = 0; k < kBandCount; ++k) {
       counts_[k].add(at, isInBand(distance, kBands[k], at.parameters) ? 1.0 : 0.0);
     }
-  }
-  MetricValue percentage(std::size_t band, const Instant& last) const {
-    const double share = 100.0 / static_cast<double>(last.count()) * counts_[band].sum();
-    return withSeries(numberValue(share), counts_[band].terms(), Kind::Count);
   }
 
  private:
   std::array<SeriesSum, kBandCount> counts_;
 };
 
-class GapBands : public Accumulator {
+class GapBands : public BandCounts {
  public:
-  void add(const Instant& at) override { counts_.add(at, at.term(closestGapTerm)); }
-  MetricValue value(std::size_t band, const Instant& last) const {
-    return counts_.percentage(band, last);
-  }
-
- private:
-  BandCounts counts_;
+  void add(const Instant& at) override { count(at, at.term(closestGapTerm)); }
 };
 
 /// Sum and number of the members' interaction points.
@@ -89,12 +85,12 @@ double distanceTo(const Centre& centre, const Robot& robot) {
 
 /// Distance to the nearest group at each sample. The original takes the groups of the first sample,
 /// singles too, for the whole run.
-class GroupDistances : public Accumulator {
+class GroupDistances : public BandCounts {
  public:
   void add(const Instant& at) override {
     const std::map<int, Centre> centres = centresOf(at.now, at.parameters);
     if (!at.isOriginal()) {
-      counts_.add(at, nearestOf(centres, at));
+      count(at, nearestOf(centres, at));
       return;
     }
     if (at.before == nullptr) {
@@ -102,14 +98,14 @@ class GroupDistances : public Accumulator {
         groups_.insert(id);
       }
     }
-    counts_.add(at, nearestOfFirst(centres, at.now));
+    count(at, nearestOfFirst(centres, at.now));
   }
 
   MetricValue value(std::size_t band, const Instant& last) const {
     if (last.isOriginal() && groups_.empty()) {
       return numberValue(0.0);
     }
-    return failure_.empty() ? counts_.percentage(band, last) : undefinedValue(failure_);
+    return failure_.empty() ? BandCounts::value(band, last) : undefinedValue(failure_);
   }
 
  private:
@@ -139,16 +135,9 @@ class GroupDistances : public Accumulator {
     return nearest;
   }
 
-  BandCounts counts_;
   std::set<int> groups_;  // of the first sample
   std::string failure_;
 };
-
-template <class Sum>
-Stream bandOf(std::size_t band) {
-  return streamOf<Sum>(
-      [band](const Sum& sum, const Instant& last) { return sum.value(band, last); });
-}
 
 void addBand(MetricRegistry& to, std::size_t index) {
   const Band& band = kBands[index];
@@ -158,14 +147,14 @@ void addBand(MetricRegistry& to, std::size_t index) {
        Better::Lower, Needs{true, true}, "100/N * samples with c_i in the " + name + " band",
        "Perez-Higueras, Caballero, Merino, IJSR 2018; Hall 1966", "[0, 100]", Kind::Number,
        band.hunav},
-      bandOf<GapBands>(index));
+      streamOfPart<GapBands>(index));
   to.add({"group_" + name + "_space_intrusions", "Intrusions into the " + name + " space of groups",
           "%", Category::Social, Better::Lower, Needs{true, true, true},
           "100/N * samples with x_i in the " + name +
               " band; x_i = max(0, min over groups of |p_i - centre| - r_r)",
           "Perez-Higueras, Caballero, Merino, IJSR 2018, after Okal and Arras 2016", "[0, 100]",
           Kind::Number, band.hunavGroup},
-         bandOf<GroupDistances>(index));
+         streamOfPart<GroupDistances>(index));
 }
 
 void addProxemics(MetricRegistry& to) {
