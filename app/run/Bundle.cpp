@@ -50,15 +50,6 @@ void tellGenerated(Bundle& bundle, const std::vector<std::string>& names) {
   base::append(bundle.remarks, told);
 }
 
-bool hasTreesFolder(Bundle& bundle, const std::string& folder) {
-  std::error_code ignored;
-  if (folder.empty() || std::filesystem::is_directory(folder, ignored)) {
-    return true;
-  }
-  bundle.remarks.push_back(base::error("option.no-trees-folder", {}, folder));
-  return false;
-}
-
 void findTrees(Bundle& bundle, const sim2d::FilePlaces& places) {
   std::vector<std::string> generated;
   for (const sim2d::Human& human : bundle.scenario->humans) {
@@ -73,8 +64,12 @@ void findTrees(Bundle& bundle, const sim2d::FilePlaces& places) {
       bundle.inputs.push_back(path);
     }
   }
-  if (hasTreesFolder(bundle, places.treesOption)) {
+  std::error_code ignored;
+  const std::string& folder = places.treesOption;
+  if (folder.empty() || std::filesystem::is_directory(folder, ignored)) {
     tellGenerated(bundle, generated);
+  } else {
+    bundle.remarks.push_back(base::error("option.no-trees-folder", {}, folder));
   }
 }
 

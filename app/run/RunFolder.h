@@ -3,9 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "app/run/Batch.h"
 #include "app/run/Bundle.h"
-#include "app/run/Manifest.h"
 #include "app/run/RunWriter.h"
+#include "metrics/PlanningTime.h"
 #include "metrics/Report.h"
 #include "sim2d/trace/Trace.h"
 #include "sim2d/world/Runner.h"
@@ -28,5 +29,11 @@ struct FinishedRun {
 /// last, only when all others were written: files of two runs never pass for one.
 base::Diagnostics writeRunFolder(const std::string& path, const FinishedRun& run, RunWriter& writer,
                                  const Bundle& bundle, const std::vector<std::string>& commandLine);
+
+/// manifest.json of a batch; nothing of it depends on the number of jobs or the clock.
+std::string batchManifest(const Experiment& experiment, const BatchRows& rows);
+
+/// Makes the folder; an error if it cannot be made or written to.
+base::Diagnostics checkWritableFolder(const std::string& folder);
 
 }  // namespace app

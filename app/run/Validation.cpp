@@ -19,54 +19,6 @@ const char* summaryName(const ValidationRow& row) {
   return kNames[static_cast<int>(row.quantity.summary)];
 }
 
-/// Plays tests one after the other.
-class TrackPlayer {
- public:
-  explicit TrackPlayer(const ValidationJob& job) : job_(job) {
-    for (const RealismTest* test : job.tests) {
-      all_ += job.models.size() * seedCount(*test);
-    }
-  }
-
-  /// False when it was stopped.
-  bool play(const RealismTest& test, const std::string& model, std::vector<ValidationRow>& rows) {
-    std::vector<std::vector<double>> values(test.quantities.size());
-    std::string problem;
-    for (std::size_t seed = 1; seed <= seedCount(test) && problem.empty(); ++seed) {
-      if (job_.onProgress) {
-        job_.onProgress(done_, all_, test.name + ", " + model + ", seed " + std::to_string(seed));
-      }
-      const base::Result<std::vector<double>> measured =
-          test.measure({model, static_cast<long long>(seed), job_.wantsStop});
-      if (job_.wantsStop && job_.wantsStop()) {
-        return false;
-      }
-      ++done_;
-      if (!measured) {
-        problem = measured.diagnostics().empty() ? "failed" : measured.diagnostics()[0].message;
-        continue;
-      }
-      for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i].push_back((*measured)[i]);
-      }
-    }
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const sim2d::Quantity& quantity = test.quantities[i];
-      rows.push_back(
-          {test.name, model, quantity, quantity.summaryOf(values[i]), problem, values[i]});
-    }
-    return true;
-  }
-
- private:
-  std::size_t seedCount(const RealismTest& test) const {
-    return test.isSeeded ? static_cast<std::size_t>(job_.seeds) : 1;
-  }
-
-  const ValidationJob& job_;
-  std::size_t done_ = 0, all_ = 0;
-};
-
 std::string csvOf(const std::vector<ValidationRow>& rows) {
   std::string text = "test,model,quantity,unit,summary,seeds,value,least,most,result\n";
   const auto number = [](double value) {
@@ -84,13 +36,43 @@ std::string csvOf(const std::vector<ValidationRow>& rows) {
 }  // namespace
 
 Validation runValidation(const ValidationJob& job) {
+  const auto seedsOf = [&job](const RealismTest& test) { return test.isSeeded ? job.seeds : 1; };
+  std::size_t done = 0, all = 0;
+  for (const RealismTest* test : job.tests) {
+    all += job.models.size() * static_cast<std::size_t>(seedsOf(*test));
+  }
   Validation validation;
-  TrackPlayer player(job);
+  // Plays a test with a model; false when it was stopped.
+  const auto play = [&](const RealismTest& test, const std::string& model) {
+    std::vector<std::vector<double>> values(test.quantities.size());
+    std::string problem;
+    for (int seed = 1; seed <= seedsOf(test) && problem.empty(); ++seed) {
+      if (job.onProgress) {
+        job.onProgress(done, all, test.name + ", " + model + ", seed " + std::to_string(seed));
+      }
+      const base::Result<std::vector<double>> measured = test.measure({model, seed, job.wantsStop});
+      if (job.wantsStop && job.wantsStop()) {
+        return false;
+      }
+      ++done;
+      if (!measured) {
+        problem = measured.diagnostics().empty() ? "failed" : measured.diagnostics()[0].message;
+      }
+      for (std::size_t i = 0; measured && i < values.size(); ++i) {
+        values[i].push_back((*measured)[i]);
+      }
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const sim2d::Quantity& quantity = test.quantities[i];
+      validation.rows.push_back(
+          {test.name, model, quantity, quantity.summaryOf(values[i]), problem, values[i]});
+    }
+    return true;
+  };
   for (const RealismTest* test : job.tests) {
     for (const std::string& model : job.models) {
-      if (!player.play(*test, model, validation.rows)) {
+      if (validation.isComplete && !play(*test, model)) {
         validation.isComplete = false;
-        return validation;
       }
     }
   }

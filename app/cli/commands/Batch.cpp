@@ -11,7 +11,7 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
-#include "app/run/Manifest.h"
+#include "app/run/RunFolder.h"
 #include "editor/document/QtImageLoader.h"
 #include "sim2d/base/Text.h"
 

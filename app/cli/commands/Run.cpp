@@ -7,7 +7,6 @@
 #include "app/cli/Console.h"
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
-#include "app/run/Manifest.h"
 #include "app/run/RunFolder.h"
 #include "app/run/Session.h"
 #include "editor/document/QtImageLoader.h"
