@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "metrics/ReportFiles.h"
-#include "sim2d/trace/TraceRows.h"
+#include "sim2d/trace/Trace.h"
 
 namespace app {
 

@@ -16,10 +16,6 @@ char loweredChar(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-bool isSpace(char c) {
-  return c == ' ' || (c >= '\t' && c <= '\r');
-}
-
 /// std::from_chars knows no '+'.
 std::string_view withoutPlus(std::string_view token) {
   const bool plus = token.size() > 1 && token[0] == '+' && token[1] != '-';
@@ -140,13 +136,9 @@ std::string didYouMean(const std::optional<std::string>& nearest) {
 }
 
 std::string trimmed(std::string_view text) {
-  while (!text.empty() && isSpace(text.front())) {
-    text.remove_prefix(1);
-  }
-  while (!text.empty() && isSpace(text.back())) {
-    text.remove_suffix(1);
-  }
-  return std::string(text);
+  constexpr std::string_view kBlanks = " \t\n\v\f\r";
+  const std::size_t first = std::min(text.find_first_not_of(kBlanks), text.size());
+  return std::string(text.substr(first, text.find_last_not_of(kBlanks) + 1 - first));
 }
 
 std::vector<std::string> split(std::string_view text, char separator) {

@@ -28,28 +28,18 @@ void applyOldDefaults(Human& human) {
   if (!reacts(behavior)) {
     return;
   }
+  static const std::map<BehaviorType, double> kDistances = {{BehaviorType::Surprised, 4.0},
+                                                            {BehaviorType::Scared, 3.0},
+                                                            {BehaviorType::Curious, 1.5},
+                                                            {BehaviorType::Threatening, 1.4}};
   behavior.once = true;
-  behavior.duration = 40.0;
-  switch (*behavior.type) {
-    case BehaviorType::Surprised:
-      behavior.duration = 30.0;
-      behavior.dist = 4.0;
-      break;
-    case BehaviorType::Scared:
-      behavior.vel = 0.6;
-      behavior.dist = 3.0;
-      behavior.otherForceFactor = 20.0;
-      break;
-    case BehaviorType::Curious:
-      behavior.vel = human.maxVel;
-      behavior.dist = 1.5;
-      break;
-    case BehaviorType::Threatening:
-      behavior.dist = 1.4;
-      break;
-    case BehaviorType::Regular:
-    case BehaviorType::Impassive:
-      break;
+  behavior.duration = behavior.type == BehaviorType::Surprised ? 30.0 : 40.0;
+  behavior.dist = kDistances.at(*behavior.type);
+  if (behavior.type == BehaviorType::Scared) {
+    behavior.vel = 0.6;
+    behavior.otherForceFactor = 20.0;
+  } else if (behavior.type == BehaviorType::Curious) {
+    behavior.vel = human.maxVel;
   }
 }
 

@@ -6,13 +6,139 @@
 #include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/Defaults.h"
-#include "sim2d/scenario/ExportParts.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
 namespace sim2d {
 
 namespace {
+
+template <class T>
+void setDefault(std::optional<T>& value, T otherwise) {
+  if (!value) {
+    value = otherwise;
+  }
+}
+
+template <class T>
+std::string namesOf(const std::vector<T>& list) {
+  constexpr int kMostNamed = 4;
+  std::string names;
+  int count = 0;
+  for (const T& value : list) {
+    if (value.listed && ++count <= kMostNamed) {
+      names += (names.empty() ? "" : ", ") + value.name;
+    }
+  }
+  return count > kMostNamed ? names + " and " + std::to_string(count - kMostNamed) + " more"
+                            : names;
+}
+
+void lose(base::Diagnostics& report, const std::string& what, const std::string& names) {
+  if (!names.empty()) {
+    report.push_back(base::warning("export.stays-here", {what, names}));
+  }
+}
+
+/// The keys of one person that no other program reads.
+std::string ownKeysOf(const Human& human) {
+  const PersonExtension& ours = human.ours;
+  std::string keys;
+  const auto add = [&keys](bool isSet, const char* key) {
+    if (isSet) {
+      keys += (keys.empty() ? "" : ", ") + std::string(key);
+    }
+  };
+  add(ours.startTime.value_or(0.0) > 0.0, "start_time");
+  add(ours.kind.value_or(PersonKind::Adult) != PersonKind::Adult, "kind");
+  add(ours.mass.has_value(), "mass");
+  add(ours.model.has_value(), "model");
+  add(ours.route.has_value(), "route");
+  add(ours.atEnd.value_or(AtEnd::Stop) != AtEnd::Stop, "at_end");
+  add(!ours.wait.empty(), "wait");
+  return keys;
+}
+
+base::Diagnostic about(const Human& human, base::Diagnostic said) {
+  said.entity = human.key;
+  return base::within(human.name, std::move(said));
+}
+
+void checkFactor(const Human& human, const char* key, double value, double low, double high,
+                 base::Diagnostics& report) {
+  if (value < low || value > high) {
+    report.push_back(
+        about(human, base::warning("export.factor-out-of-range", {key, value, low, high})));
+  }
+}
+
+void completeBehavior(Human& human, const ResolvedHuman& counts, bool allKeys) {
+  Behavior& behavior = human.behavior;
+  setDefault(behavior.type, BehaviorType::Regular);
+  setDefault(behavior.configuration, Configuration::Default);
+  setDefault(behavior.goalForceFactor, counts.goalFactor);
+  setDefault(behavior.obstacleForceFactor, counts.obstacleFactor);
+  setDefault(behavior.socialForceFactor, counts.socialFactor);
+  setDefault(behavior.otherForceFactor, counts.otherFactor);
+  if (allKeys) {
+    setDefault(behavior.dist, counts.noticeDistance);
+    setDefault(behavior.duration, counts.reactionDuration);
+    setDefault(behavior.once, counts.reactionOnce);
+    setDefault(behavior.vel, counts.reactionSpeed);
+  }
+}
+
+/// What only we can express, one line per kind of thing.
+void addLosses(const Scenario& scenario, base::Diagnostics& report) {
+  lose(report, "the robot", namesOf(scenario.robots));
+  lose(report, "what was drawn as obstacle", namesOf(scenario.obstacles));
+  lose(report, "the door", namesOf(scenario.doors));
+  lose(report, "the area", namesOf(scenario.areas));
+  for (const Human& human : scenario.humans) {
+    const std::string keys = ownKeysOf(human);
+    if (human.listed && !keys.empty()) {
+      report.push_back(about(human, base::warning("export.keys-unknown", {keys})));
+    }
+  }
+  const DesktopSettings& desktop = scenario.desktop;
+  if (!desktop.wrapX.empty()) {
+    report.push_back(base::warning("export.no-ring"));
+  }
+  if (desktop.model && *desktop.model != "sfm" && *desktop.model != "sfm-hunav2") {
+    report.push_back(base::warning("export.own-forces", {*desktop.model}));
+  }
+}
+
+/// Fills the keys that the wrapper asks for with the values that count, and keeps skins in range.
+void complete(const Scenario& scenario, Human& human, const TargetInfo& target,
+              base::Diagnostics& report) {
+  const ResolvedHuman counts = resolveHuman(scenario, human, scenario.desktop.seed.value_or(1));
+  setDefault(human.groupId, -1);
+  setDefault(human.maxVel, counts.desiredSpeed);
+  setDefault(human.radius, counts.radius);
+  setDefault(human.goalRadius, counts.goalRadius);
+  setDefault(human.cyclicGoals, counts.cyclicGoals);
+  setDefault(human.skin, 0);
+  human.hasInitPose = true;
+  human.initZ = target.startHeight;
+  const int largest = largestSkin(target.simulator);
+  if (*human.skin < 0 || *human.skin > largest) {
+    const int skin = std::max(0, *human.skin) % (largest + 1);
+    report.push_back(about(human, base::problem(base::Severity::Info, "export.skin-changed",
+                                                {*human.skin, skin, target.title, largest})));
+    human.skin = skin;
+  }
+  const BehaviorType type = human.behavior.type.value_or(BehaviorType::Regular);
+  const bool reacts = type != BehaviorType::Regular && type != BehaviorType::Impassive;
+  completeBehavior(human, counts, reacts);
+  const bool ownFactors = human.behavior.configuration == Configuration::Custom;
+  if (target.target == ExportTarget::Isaac && ownFactors) {
+    checkFactor(human, "goal_force_factor", *human.behavior.goalForceFactor, 5.0, 10.0, report);
+    checkFactor(human, "obstacle_force_factor", *human.behavior.obstacleForceFactor, 0.5, 5.0,
+                report);
+    checkFactor(human, "social_force_factor", *human.behavior.socialForceFactor, 5.0, 20.0, report);
+  }
+}
 
 /// Old name -> one that is safe and free.
 std::map<std::string, std::string> safeNames(const Scenario& scenario) {
@@ -49,13 +175,13 @@ class Exporter {
     scenario().yamlBaseName = options_.baseName;
     placeFiles();
     if (target_.target != ExportTarget::Native) {
-      addExportLosses(scenario(), report_);
+      addLosses(scenario(), report_);
       rename();
       renumberPeople();
       renumberGoals();
       giveGoals();
       for (Human& human : scenario().humans) {
-        completeExported(scenario(), human, target_, report_);
+        complete(scenario(), human, target_, report_);
       }
       scenario().simulator = target_.simulator;
       scenario().publishPeople = scenario().publishPeople.value_or(true);
@@ -174,7 +300,7 @@ class Exporter {
   void checkWorld() {
     const std::string map = mapBaseName(scenario().map.value_or(""));
     if (map.empty()) {
-      note(worldWithoutMap(target_));
+      note(target_.worldWithoutMap());
       return;
     }
     if (scenario().map != map) {
@@ -182,7 +308,7 @@ class Exporter {
     }
     const std::vector<std::string>& worlds = target_.worlds;
     if (std::find(worlds.begin(), worlds.end(), map) == worlds.end()) {
-      note(worldOfMap(map, target_));
+      note(target_.worldOfMap(map));
     }
     const bool isNamed = std::any_of(worlds.begin(), worlds.end(), [&](const std::string& world) {
       return base::lowered(options_.baseName).find(world) != std::string::npos;
@@ -198,7 +324,7 @@ class Exporter {
     } else {
       result_.text = writeScenario(scenario());
     }
-    result_.startCommand = exportStartCommand(scenario(), target_);
+    result_.startCommand = target_.startCommand(scenario());
   }
 
   const ExportOptions& options_;
@@ -206,64 +332,7 @@ class Exporter {
   ExportedScenario result_;
   base::Diagnostics report_;
 };
-
 }  // namespace
-
-const std::vector<TargetInfo>& exportTargets() {
-  static const std::vector<TargetInfo> kTargets = {
-      {ExportTarget::GazeboClassic,
-       "gazebo-classic",
-       "Gazebo Classic",
-       "Gazebo Classic",
-       "hunav_gazebo_wrapper",
-       Dialect::C,
-       1.25,
-       {"cafe", "house", "warehouse"}},
-      {ExportTarget::GazeboFortress,
-       "gazebo-fortress",
-       "Gazebo Fortress",
-       "Gazebo Fortress",
-       "hunav_gazebo_fortress_wrapper",
-       Dialect::B,
-       0.03,
-       {"cafe"}},
-      {ExportTarget::Isaac,
-       "isaac",
-       "Isaac Sim",
-       "Isaac Sim",
-       "hunav_isaac_wrapper",
-       Dialect::C,
-       0.0,
-       {"warehouse", "hospital", "office", "empty_world"}},
-      {ExportTarget::Webots,
-       "webots",
-       "Webots",
-       "Webots",
-       "hunav_webots_wrapper",
-       Dialect::B,
-       0.01,
-       {"factory", "hall", "office"}},
-      {ExportTarget::Native, "native", "HuNavSim 2.0", "", "", Dialect::C, std::nullopt, {}}};
-  return kTargets;
-}
-
-const TargetInfo* exportTarget(const std::string& name) {
-  const std::vector<TargetInfo>& all = exportTargets();
-  const auto found = std::find_if(all.begin(), all.end(),
-                                  [&](const TargetInfo& target) { return target.name == name; });
-  return found == all.end() ? nullptr : &*found;
-}
-
-std::optional<std::string> suggestedSimulator(const Scenario& scenario) {
-  for (const Human& human : scenario.humans) {
-    for (const TargetInfo& target : exportTargets()) {
-      if (human.initZ && human.initZ == target.startHeight) {
-        return target.simulator;
-      }
-    }
-  }
-  return std::nullopt;
-}
 
 ExportedScenario exportScenario(const Scenario& scenario, const ExportOptions& options) {
   const std::vector<TargetInfo>& all = exportTargets();

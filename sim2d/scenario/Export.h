@@ -22,6 +22,11 @@ struct TargetInfo {
   Dialect dialect = Dialect::C;
   std::optional<double> startHeight;  // z of init_pose [m]
   std::vector<std::string> worlds;    // 3-D worlds that come with it
+
+  std::string startCommand(const Scenario& scenario) const;  // empty for native
+  /// Which world that command starts when the scenario has no map, or one that is none of its own.
+  base::Diagnostic worldWithoutMap() const;
+  base::Diagnostic worldOfMap(const std::string& map) const;
 };
 const std::vector<TargetInfo>& exportTargets();
 /// Null for a name that is none.

@@ -5,7 +5,6 @@
 #include "sim2d/trace/Csv.h"
 #include "sim2d/trace/Frame.h"
 #include "sim2d/trace/Trace.h"
-#include "sim2d/trace/TraceRows.h"
 
 namespace sim2d {
 namespace {

@@ -1,6 +1,7 @@
 #include "sim2d/base/yaml/YamlMap.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -19,21 +20,15 @@ std::optional<long long> prefixedInteger(const std::string& text) {
     return std::nullopt;
   }
   const bool hex = text[start + 1] == 'x' || text[start + 1] == 'X';
-  const std::string digits = lowered(text.substr(start + (hex ? 2 : 1)));
-  static constexpr std::string_view kDigits = "0123456789abcdef";
-  const std::size_t base = hex ? 16 : 8;
-  if (digits.empty() || digits.size() > 15) {
+  const std::string_view digits = std::string_view(text).substr(start + (hex ? 2 : 1));
+  const char* const end = digits.data() + digits.size();
+  unsigned long long value = 0;
+  const auto read = std::from_chars(digits.data(), end, value, hex ? 16 : 8);
+  if (digits.size() > 15 || read.ec != std::errc() || read.ptr != end) {
     return std::nullopt;
   }
-  long long value = 0;
-  for (const char c : digits) {
-    const std::size_t digit = kDigits.find(c);
-    if (digit == std::string_view::npos || digit >= base) {
-      return std::nullopt;
-    }
-    value = value * static_cast<long long>(base) + static_cast<long long>(digit);
-  }
-  return negative ? -value : value;
+  const auto size = static_cast<long long>(value);  // of 60 bits at most
+  return negative ? -size : size;
 }
 
 void tell(const YamlNode& node, const ValueContext& context, Diagnostic problem,

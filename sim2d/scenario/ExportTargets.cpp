@@ -1,0 +1,108 @@
+#include <algorithm>
+#include <string_view>
+
+#include "sim2d/base/Problems.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/scenario/Export.h"
+#include "sim2d/scenario/ScenarioCheck.h"
+#include "sim2d/scenario/ScenarioFile.h"
+
+namespace sim2d {
+namespace {
+
+constexpr const char* kIsaacPlane = "empty_world";
+
+/// As one word of a shell's command.
+std::string shellWord(const std::string& text) {
+  static constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./:=-+,@%";
+  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) {
+    return text;
+  }
+  std::string quoted = "'";
+  for (const char c : text) {
+    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  }
+  return quoted + "'";
+}
+
+TargetInfo wrapper(ExportTarget target, const char* name, const char* simulator,
+                   const char* package, Dialect dialect, double startHeight,
+                   std::vector<std::string> worlds) {
+  return {target, name, simulator, simulator, package, dialect, startHeight, std::move(worlds)};
+}
+}  // namespace
+
+const std::vector<TargetInfo>& exportTargets() {
+  static const std::vector<TargetInfo> kTargets = {
+      wrapper(ExportTarget::GazeboClassic, "gazebo-classic", "Gazebo Classic",
+              "hunav_gazebo_wrapper", Dialect::C, 1.25, {"cafe", "house", "warehouse"}),
+      wrapper(ExportTarget::GazeboFortress, "gazebo-fortress", "Gazebo Fortress",
+              "hunav_gazebo_fortress_wrapper", Dialect::B, 0.03, {"cafe"}),
+      wrapper(ExportTarget::Isaac, "isaac", "Isaac Sim", "hunav_isaac_wrapper", Dialect::C, 0.0,
+              {"warehouse", "hospital", "office", "empty_world"}),
+      wrapper(ExportTarget::Webots, "webots", "Webots", "hunav_webots_wrapper", Dialect::B, 0.01,
+              {"factory", "hall", "office"}),
+      {ExportTarget::Native, "native", "HuNavSim 2.0", "", "", Dialect::C, std::nullopt, {}}};
+  return kTargets;
+}
+
+const TargetInfo* exportTarget(const std::string& name) {
+  const std::vector<TargetInfo>& all = exportTargets();
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const TargetInfo& target) { return target.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::string TargetInfo::startCommand(const Scenario& scenario) const {
+  const std::string map = mapBaseName(scenario.map.value_or(""));
+  const std::string file = scenario.yamlBaseName.value_or("") + ".yaml";
+  const std::string world =  // without: its usual one
+      map.empty() ? "" : " " + shellWord("environment_name:=" + map);
+  const std::string configuration = " " + shellWord("configuration_file:=" + file);
+  switch (target) {
+    case ExportTarget::GazeboClassic:
+      return "ros2 launch hunav_gazebo_wrapper simulation.launch.py" + world + configuration;
+    case ExportTarget::GazeboFortress:
+      return "ros2 launch hunav_gazebo_fortress_wrapper cafe_fortress_test.launch.py" +
+             configuration;
+    case ExportTarget::Isaac:
+      return "ros2 run hunav_isaac_wrapper hunav_isaac_launcher --config " + shellWord(file) +
+             " --world " + shellWord(map.empty() ? kIsaacPlane : map) + " --batch";
+    case ExportTarget::Webots:
+      return "ros2 launch hunav_webots_wrapper hunavsim_webots.launch.py" + world + configuration;
+    case ExportTarget::Native:
+      break;
+  }
+  return {};
+}
+
+base::Diagnostic TargetInfo::worldOfMap(const std::string& map) const {
+  if (target == ExportTarget::GazeboFortress) {
+    return base::warning("export.fixed-world", {title, worlds.front(), map});
+  }
+  return base::warning("export.world-needed", {map, package, base::join(worlds, ", ")});
+}
+
+base::Diagnostic TargetInfo::worldWithoutMap() const {
+  if (target == ExportTarget::Isaac) {
+    return base::warning("export.no-map", {title, kIsaacPlane});
+  }
+  return worlds.size() == 1
+             ? base::warning("export.no-map", {title, worlds.front()})
+             : base::warning("export.no-map-other-worlds",
+                             {title, worlds.front(), worlds[1], base::join(worlds, ", ")});
+}
+
+std::optional<std::string> suggestedSimulator(const Scenario& scenario) {
+  for (const Human& human : scenario.humans) {
+    for (const TargetInfo& target : exportTargets()) {
+      if (human.initZ && human.initZ == target.startHeight) {
+        return target.simulator;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace sim2d
