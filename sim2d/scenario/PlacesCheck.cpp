@@ -94,15 +94,15 @@ class PlacesCheck {
 
   void check() {
     const std::vector<Round> rounds = allRounds();
-    if (nothingStands() || isTooWide(rounds)) {
-      return;
-    }
     std::vector<Vec2> points;
     for (const Round& round : rounds) {
       points.push_back(round.start.point);
       for (const Place& goal : round.goals) {
         points.push_back(goal.point);
       }
+    }
+    if (nothingStands() || isTooWide(points)) {
+      return;
     }
     layer_ = layers_.of(grid_, obstacles_, points);
     for (const Round& round : rounds) {
@@ -134,7 +134,7 @@ class PlacesCheck {
   }
 
   /// On the open plane the planning grid spans everything: no more than 40 million cells of 0.1 m.
-  bool isTooWide(const std::vector<Round>& rounds) {
+  bool isTooWide(const std::vector<Vec2>& points) {
     if (!grid_.isEmpty()) {
       return false;
     }
@@ -144,12 +144,7 @@ class PlacesCheck {
       low = low.cwiseMin(point);
       high = high.cwiseMax(point);
     };
-    for (const Round& round : rounds) {
-      include(round.start.point);
-      for (const Place& goal : round.goals) {
-        include(goal.point);
-      }
-    }
+    std::for_each(points.begin(), points.end(), include);
     for (int part = 0; part < obstacles_.partCount(); ++part) {
       for (const Outline& outline : obstacles_.outlines(part)) {
         std::for_each(outline.points.begin(), outline.points.end(), include);
@@ -174,15 +169,15 @@ class PlacesCheck {
     return {goal.position, "goal " + std::to_string(goal.id), {}, goal.key, goal.id};
   }
 
-  Round roundOf(const Human& human) const {
-    const ResolvedHuman resolved = resolveHuman(scenario_, human, 0);
+  template <class Body, class Resolved>
+  Round roundOf(const Body& body, const Resolved& resolved, const char* start,
+                const std::vector<int>& goals) const {
     Round round;
-    round.start = {resolved.start.position, "init_pose", human.name, human.key};
+    round.start = {resolved.start.position, start, body.name, body.key};
     round.radius = resolved.radius;
-    round.planned = resolved.route == Route::Planned;
-    round.name = human.name;
-    round.key = human.key;
-    for (const int id : human.goals) {
+    round.name = body.name;
+    round.key = body.key;
+    for (const int id : goals) {
       if (const GlobalGoal* goal = scenario_.goal(id)) {
         round.goals.push_back(placeOf(*goal));
       }
@@ -190,22 +185,20 @@ class PlacesCheck {
     return round;
   }
 
+  Round roundOf(const Human& human) const {
+    const ResolvedHuman resolved = resolveHuman(scenario_, human, 0);
+    Round round = roundOf(human, resolved, "init_pose", human.goals);
+    round.planned = resolved.route == Route::Planned;
+    return round;
+  }
+
   Round roundOf(const Robot& robot) const {
     const ResolvedRobot resolved = resolveRobot(scenario_, robot, -1);
-    Round round;
-    round.start = {resolved.start.position, "start", robot.name, robot.key};
-    round.radius = resolved.radius;
-    round.name = robot.name;
-    round.key = robot.key;
-    if (robot.goal.point) {
-      round.goals.push_back({*robot.goal.point, "goal", robot.name, robot.key});
-      return round;
+    if (!robot.goal.point) {
+      return roundOf(robot, resolved, "start", robot.goal.goals);
     }
-    for (const int id : robot.goal.goals) {
-      if (const GlobalGoal* goal = scenario_.goal(id)) {
-        round.goals.push_back(placeOf(*goal));
-      }
-    }
+    Round round = roundOf(robot, resolved, "start", {});
+    round.goals.push_back({*robot.goal.point, "goal", robot.name, robot.key});
     return round;
   }
 

@@ -10,6 +10,9 @@
 
 namespace sim2d {
 
+struct FieldTables;  // Fields.h
+const FieldTables& fieldTables();
+
 /// What reading gives. With errors among the diagnostics the scenario holds what could be read
 /// (for an editor to show) and must not be run.
 struct ScenarioReading {
@@ -43,7 +46,7 @@ void addPlaceOfMap(base::Diagnostics& diagnostics, const std::string& path);
 
 /// The scenario without the keys of our block that stand at their default, as a file holds it:
 /// readScenarioText(writeScenario(s)) gives withoutDefaults(s).
-Scenario withoutDefaults(const Scenario& scenario);
+Scenario withoutDefaults(Scenario scenario, const FieldTables& tables = fieldTables());
 
 /// What the wrapper probably was, by the start heights; for files that do not say (dialects A, B).
 std::optional<std::string> suggestedSimulator(const Scenario& scenario);
@@ -55,6 +58,7 @@ std::string writeScenario(const Scenario& scenario);
 std::string writeScenarioB(const Scenario& scenario, base::Diagnostics& losses);
 
 /// `--set PATH=VALUE` (FORMAT.md): dotted keys below ros__parameters; `*` = every listed person.
-base::Diagnostics setValue(Scenario& scenario, const std::string& path, const std::string& value);
+base::Diagnostics setValue(Scenario& scenario, const std::string& path, const std::string& value,
+                           const FieldTables& tables = fieldTables());
 
 }  // namespace sim2d

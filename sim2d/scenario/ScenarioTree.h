@@ -118,9 +118,6 @@ struct TreeReading {
 TreeReading readTree(const YamlNode& root, const std::string& fileName,
                      const FieldTables& tables = fieldTables());
 YamlNode fileTree(const Scenario& scenario, const FieldTables& tables = fieldTables());
-Scenario withoutDefaults(Scenario scenario, const FieldTables& tables);
-base::Diagnostics setValue(Scenario& scenario, const std::string& path, const std::string& value,
-                           const FieldTables& tables);
 
 /// Reads the parameters of our block into `reading.scenario`.
 void readBlock(const YamlNode& parameters, LoaderReading& reading);

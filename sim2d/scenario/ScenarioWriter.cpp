@@ -288,10 +288,6 @@ Scenario withoutDefaults(Scenario scenario, const FieldTables& tables) {
   return scenario;
 }
 
-Scenario withoutDefaults(const Scenario& scenario) {
-  return withoutDefaults(scenario, fieldTables());
-}
-
 YamlNode fileTree(const Scenario& scenario, const FieldTables& tables) {
   YamlNode loader;
   writeFields<Environment>(loader, scenario, tables);

@@ -128,10 +128,6 @@ std::optional<TreeReading> readWith(const YamlNode& tree, const char* node,
 
 }  // namespace
 
-base::Diagnostics setValue(Scenario& scenario, const std::string& path, const std::string& value) {
-  return setValue(scenario, path, value, fieldTables());
-}
-
 base::Diagnostics setValue(Scenario& scenario, const std::string& path, const std::string& value,
                            const FieldTables& tables) {
   base::Diagnostics problems;

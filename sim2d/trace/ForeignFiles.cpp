@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 #include "sim2d/base/Text.h"
@@ -236,8 +237,7 @@ void framesToSeconds(TrackFile& file, double framesPerSecond) {
 }
 
 std::string besideFile(const std::string& path, const std::string& name) {
-  const std::size_t slash = path.find_last_of('/');
-  return slash == std::string::npos ? name : path.substr(0, slash + 1) + name;
+  return std::filesystem::path(path).replace_filename(name).string();
 }
 
 void readGroupsBeside(const ForeignInput& input, TrackFile& file) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <map>
 
@@ -338,8 +339,7 @@ class TraceMaker {
   }
 
   void fillHeader() {
-    const std::size_t slash = file_.file.find_last_of('/');
-    trace_.header.scenario = slash == std::string::npos ? file_.file : file_.file.substr(slash + 1);
+    trace_.header.scenario = std::filesystem::path(file_.file).filename().string();
     trace_.header.dt = step_;
     trace_.header.recordEvery = 1;
   }
