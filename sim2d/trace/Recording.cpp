@@ -4,7 +4,6 @@
 #include <cstring>
 #include <optional>
 #include <type_traits>
-#include <unistd.h>
 #include <utility>
 
 namespace sim2d {
@@ -156,37 +155,6 @@ void apply(const TreeChanges& changes, std::map<int, TreeState>& trees,
 }
 
 }  // namespace
-
-std::optional<ScratchFile::Piece> ScratchFile::append(std::string_view bytes) {
-  if (!file_) {
-    file_.reset(std::tmpfile());
-  }
-  const Piece piece{end_, bytes.size()};
-  while (file_ && !bytes.empty()) {
-    const ssize_t count = pwrite(fileno(file_.get()), bytes.data(), bytes.size(), end_);
-    if (count <= 0) {
-      end_ = piece.place;
-      return std::nullopt;
-    }
-    bytes.remove_prefix(static_cast<std::size_t>(count));
-    end_ += count;
-  }
-  return file_ ? std::make_optional(piece) : std::nullopt;
-}
-
-std::optional<std::string> ScratchFile::read(const Piece& piece) const {
-  std::string bytes(piece.size, '\0');
-  std::size_t done = 0;
-  while (file_ && done < piece.size) {
-    const auto place = piece.place + static_cast<long long>(done);
-    const ssize_t count = pread(fileno(file_.get()), bytes.data() + done, piece.size - done, place);
-    if (count <= 0) {
-      return std::nullopt;
-    }
-    done += static_cast<std::size_t>(count);
-  }
-  return done == piece.size ? std::make_optional(std::move(bytes)) : std::nullopt;
-}
 
 Recording::Recording(int recordEvery, std::size_t mostInMemory)
     : recordEvery_(recordEvery), memoryLeft_(mostInMemory) {}

@@ -1,15 +1,12 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdio>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "sim2d/base/ScratchFile.h"
 #include "sim2d/trace/SharedLog.h"
 #include "sim2d/trace/Trace.h"
 
@@ -34,27 +31,6 @@ class FrameSink {
 struct TreeState {
   TreeChanges::Paths paths;                // of the nodes; null: nothing is known
   std::vector<base::NodeStatus> statuses;  // by number of the node
-};
-
-/// Bytes put aside on the disk, in a temporary file without a name that is gone with this. One
-/// thread appends; what append() has returned may be read by others meanwhile.
-class ScratchFile {
- public:
-  struct Piece {
-    long long place = 0;
-    std::size_t size = 0;  // [B]
-  };
-  /// None when the disk takes no more.
-  std::optional<Piece> append(std::string_view bytes);
-  /// None when it cannot be read back.
-  std::optional<std::string> read(const Piece& piece) const;
-
- private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  std::unique_ptr<std::FILE, Close> file_;  // made when it is first needed
-  long long end_ = 0;
 };
 
 /// A run with access to any step: every `recordEvery`-th state, all events, inputs and tree
@@ -100,7 +76,7 @@ class Recording final : public FrameSink {
     std::int64_t step = 0;
     double time = 0.0;
     std::string bytes;  // empty: in the file
-    ScratchFile::Piece piece;
+    base::ScratchFile::Piece piece;
   };
   using TreeStates = std::map<int, TreeState>;
   struct TreeStep {
@@ -119,7 +95,7 @@ class Recording final : public FrameSink {
   SharedLog<std::pair<std::int64_t, Input>> inputs_;
   SharedLog<TreeStep> trees_;
   SharedLog<std::shared_ptr<const TraceHeader>> headers_;
-  ScratchFile file_;
+  base::ScratchFile file_;
   // of the writer
   std::size_t memoryLeft_;
   Frame key_;
