@@ -55,16 +55,19 @@ class EntityItem : public QGraphicsItem {
 };
 
 std::unique_ptr<EntityItem> makeEntityItem(const MapScene& scene, EntityId id);
-std::unique_ptr<EntityItem> makePersonItem(const MapScene& scene, EntityId id);
-std::unique_ptr<EntityItem> makeRobotItem(const MapScene& scene, EntityId id);
-std::unique_ptr<EntityItem> makeGoalItem(const MapScene& scene, EntityId id);
 /// Obstacles, doors and areas: outlines in the plane.
 std::unique_ptr<EntityItem> makeShapeItem(const MapScene& scene, EntityId id);
 
-/// Marker of a robot's own goal point, in pixels around the painter's origin.
-void paintRobotGoal(QPainter& painter, const Theme& theme);
+/// Marker of a robot's own goal point.
+void paintRobotGoal(QPainter& painter, const Theme& theme, const Vec2& at);
+/// A robot as large as it is on the ground [px], but never too small to be seen.
+RobotFigure robotFigure(double radius, const std::vector<Vec2>& footprint, double heading,
+                        double pixelsPerMetre);
+/// Intimate, personal and social space (Hall) around somebody.
+void paintSpaces(QPainter& painter, const Vec2& at, QColor color);
 constexpr double kRobotGoalPx = 10.0;   // its radius
 constexpr double kLeastFigurePx = 5.0;  // radius of the smallest figure
+constexpr double kNameZoomPx = 12.0;    // width of a figure from which names are shown
 QRectF around(const QPointF& centre, double reach);
 inline double degrees(double radians) {
   return radians * 180.0 / base::kPi;

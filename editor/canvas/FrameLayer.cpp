@@ -18,16 +18,7 @@ constexpr double kTrailSeconds = 6.0;
 constexpr double kTrailStep = 0.05;      // [m] between two points
 constexpr double kStrideMetres = 1.4;    // both feet once
 constexpr double kStandingSpeed = 0.05;  // [m/s]
-constexpr double kNameZoomPx = 12.0;     // width of a figure from which names are shown
 constexpr std::size_t kMostNames = 120;
-
-base::Vec2 positionAt(const sim2d::HumanColumns& people, std::size_t i) {
-  return {people.x[i], people.y[i]};
-}
-
-base::Vec2 positionAt(const sim2d::RobotColumns& robots, std::size_t i) {
-  return {robots.x[i], robots.y[i]};
-}
 
 }  // namespace
 
@@ -238,7 +229,12 @@ void FrameLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   painter->setRenderHint(QPainter::Antialiasing);
   const CanvasOptions& options = scene_.options();
   if (options.proxemics) {
-    paintSpaces(*painter);
+    for (std::size_t i = 0; i < frame_->humans.size(); ++i) {
+      const int id = frame_->humans.id[i];
+      if (isChosen(id)) {
+        paintSpaces(*painter, positionAt(frame_->humans, i), scene_.theme().fill(agent(id).look));
+      }
+    }
   }
   if (options.trails) {
     paintTrails(*painter);

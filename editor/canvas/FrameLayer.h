@@ -74,8 +74,6 @@ class FrameLayer : public QGraphicsItem {
   void paintRobots(QPainter& painter) const;
   void paintSpeech(QPainter& painter) const;
   void paintBubble(QPainter& painter, const Speech& speech) const;
-  // FrameOverlays.cpp
-  void paintSpaces(QPainter& painter) const;
   void paintForces(QPainter& painter) const;
 
   MapScene& scene_;
@@ -87,6 +85,12 @@ class FrameLayer : public QGraphicsItem {
   std::vector<Speech> speeches_;
   QRectF bounds_;
 };
+
+/// Where number `i` of the people or robots of a frame is.
+template <class Columns>
+base::Vec2 positionAt(const Columns& columns, std::size_t i) {
+  return {columns.x[i], columns.y[i]};
+}
 
 /// The force terms on a person that the canvas draws, in the order of the legend.
 struct ForceArrow {

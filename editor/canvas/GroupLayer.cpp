@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/PixelFrame.h"
 #include "editor/document/Groups.h"
 
@@ -20,16 +21,6 @@ constexpr double kMarginPx = 12.0;
 constexpr std::size_t kMostRows = 6;
 
 using GroupMap = std::map<int, std::vector<EntityId>>;
-
-/// Where a person of a run is; none before they enter and after they leave.
-std::optional<Vec2> placeInRun(const sim2d::Frame& frame, int number) {
-  const auto found = std::find(frame.humans.id.begin(), frame.humans.id.end(), number);
-  if (found == frame.humans.id.end()) {
-    return std::nullopt;
-  }
-  const auto at = static_cast<std::size_t>(found - frame.humans.id.begin());
-  return Vec2(frame.humans.x[at], frame.humans.y[at]);
-}
 
 QStringList legendRows(const sim2d::Scenario& scenario, const GroupMap& groups) {
   QStringList rows;
@@ -72,15 +63,15 @@ std::vector<std::pair<std::size_t, std::size_t>> shortestLinks(const std::vector
 
 std::vector<GroupLayer::Member> GroupLayer::membersOf(const std::vector<EntityId>& people) const {
   std::vector<Member> members;
-  const sim2d::Frame* frame = mapScene().frame();
   for (const EntityId id : people) {
     const std::optional<Entity> value = mapScene().shown(id);
     const auto* human = value ? std::get_if<sim2d::Human>(&*value) : nullptr;
     if (human == nullptr || !human->listed) {
       continue;
     }
-    const std::optional<Vec2> at =
-        frame != nullptr ? placeInRun(*frame, human->id) : std::optional(human->initPose.position);
+    const std::optional<Vec2> at = mapScene().isRunMode()
+                                       ? mapScene().frameLayer().positionOf(human->id)
+                                       : std::optional(human->initPose.position);
     if (at) {
       members.push_back({*at, mapScene().bodyRadius(*value)});
     }

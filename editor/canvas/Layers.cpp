@@ -18,10 +18,7 @@ constexpr double kTurnHandlePx = 10.0;
 constexpr double kHandleReachPx = 8.0;
 
 QPen accentPen(const QPainter& painter, const Theme& theme, double widthPx) {
-  QPen pen(theme.color(Role::Accent), widthPx);
-  makeCosmetic(pen, painter);
-  pen.setJoinStyle(Qt::MiterJoin);
-  return pen;
+  return screenPen(painter, theme.color(Role::Accent), widthPx, Qt::SolidLine, Qt::SquareCap);
 }
 
 }  // namespace

@@ -46,6 +46,22 @@ class FullLayer : public QGraphicsItem {
   QRectF bounds_;
 };
 
+/// A text that wants to stand at something round, pixels.
+struct LabelWish {
+  QPointF centre;
+  double clearance = 18.0;  // from the centre to the edge of the label
+  QSizeF size;
+  int priority = 0;       // higher ones choose first
+  bool isAbove = false;   // would rather stand above than below
+  bool isNeeded = false;  // where there is no room: on what is taken, off other labels alone
+};
+
+/// A rectangle for each wish, below, above, beside or askew of its centre; a null rectangle where
+/// there is no room. Labels keep off each other and off `taken`, and stay wholly within `window`:
+/// near its edge they move along it, as long as they stay beside their centre.
+std::vector<QRectF> layoutLabels(const std::vector<LabelWish>& wishes,
+                                 const std::vector<QRectF>& taken, const QRectF& window);
+
 /// Names with halos, placed where there is room; the less important ones are left out. Each is
 /// painted once and kept as a picture.
 class LabelLayer : public FullLayer {
@@ -99,14 +115,19 @@ class ToolLayer : public FullLayer {
  public:
   using FullLayer::FullLayer;
   void setRubberBand(const Vec2& corner, const Vec2& opposite);
-  void setLine(std::vector<Vec2> points);  // dashed, with arrow heads
-  void setOutline(ToolLine line);
-  void setStroke(std::vector<Vec2> points, double width);  // a line as wide as that [m]
-  void setDots(std::vector<ToolDot> dots);
-  void setArrow(const Vec2& from, const Vec2& to);
-  void setTag(const Vec2& at, const QString& text);  // small dark box beside a point
-  void setSnapMark(std::optional<Vec2> at);          // the point of another entity that holds
-  void clear();
+  void setLine(std::vector<Vec2> points) { show(marks_.line, std::move(points)); }  // arrow heads
+  void setOutline(ToolLine line) { show(marks_.outline, std::move(line)); }
+  void setStroke(std::vector<Vec2> points, double width) {  // a line as wide as that [m]
+    marks_.strokeWidth = width;
+    show(marks_.stroke, std::move(points));
+  }
+  void setDots(std::vector<ToolDot> dots) { show(marks_.dots, std::move(dots)); }
+  void setArrow(const Vec2& from, const Vec2& to) { show(marks_.arrow, std::pair(from, to)); }
+  /// A small dark box beside a point.
+  void setTag(const Vec2& at, const QString& text) { show(marks_.tag, std::pair(at, text)); }
+  /// The point of another entity that holds.
+  void setSnapMark(const std::optional<Vec2>& at) { show(marks_.snapMark, at); }
+  void clear() { show(marks_, Marks()); }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
@@ -118,19 +139,26 @@ class ToolLayer : public FullLayer {
   void paintTag(QPainter& painter) const;
   void paintSnapMark(QPainter& painter) const;
 
-  std::optional<QRectF> band_;
-  std::vector<Vec2> line_;
-  ToolLine outline_;
-  std::vector<Vec2> stroke_;
-  double strokeWidth_ = 0.1;  // [m]
-  std::vector<ToolDot> dots_;
-  std::optional<std::pair<Vec2, Vec2>> arrow_;
-  std::optional<std::pair<Vec2, QString>> tag_;
-  std::optional<Vec2> snapMark_;
+  struct Marks {
+    std::optional<QRectF> band;
+    std::vector<Vec2> line;  // dashed
+    ToolLine outline;
+    std::vector<Vec2> stroke;
+    double strokeWidth = 0.1;  // [m]
+    std::vector<ToolDot> dots;
+    std::optional<std::pair<Vec2, Vec2>> arrow;
+    std::optional<std::pair<Vec2, QString>> tag;
+    std::optional<Vec2> snapMark;
+  };
+  template <class Mark, class Value>
+  void show(Mark& mark, Value&& value) {
+    mark = std::forward<Value>(value);
+    update();
+  }
+
+  Marks marks_;
 };
 
-/// Text with a halo in the ground's colour and an optional mark before it, in pixels.
-void paintLabel(QPainter& painter, const Theme& theme, const QRectF& box, const Label& label);
 QSizeF labelSize(const Theme& theme, const Label& label);
 
 }  // namespace editor

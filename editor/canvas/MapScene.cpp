@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include <QGraphicsSceneMouseEvent>
 #include <QKeyEvent>
@@ -14,6 +15,7 @@
 #include "editor/canvas/RouteLayer.h"
 #include "editor/canvas/SpriteAtlas.h"
 #include "editor/canvas/Tool.h"
+#include "editor/document/EntityLists.h"
 #include "sim2d/scenario/Defaults.h"
 
 namespace editor {
@@ -63,6 +65,25 @@ Layer* addLayer(QGraphicsScene& scene, Depth depth, Arguments&&... arguments) {
   layer->setZValue(depth);
   scene.addItem(layer);  // the scene owns it
   return layer;
+}
+
+constexpr double kFaded = 0.2;  // opacity
+
+/// Puts a value in the place of the one with its id, or at the end of its list.
+void putInto(sim2d::Scenario& scenario, const Entity& value) {
+  withList(
+      scenario, kindOf(value),
+      [&](auto& list) {
+        using Value = typename std::decay_t<decltype(list)>::value_type;
+        const int at = positionIn(list, idOf(value));
+        if (at >= 0) {
+          list[static_cast<std::size_t>(at)] = std::get<Value>(value);
+        } else {
+          list.push_back(std::get<Value>(value));
+        }
+        return true;
+      },
+      false);
 }
 
 }  // namespace
@@ -258,7 +279,6 @@ void MapScene::setHovered(EntityId id) {
   } else {
     noteChange();
   }
-  Q_EMIT hoveredChanged(id);
 }
 
 void MapScene::setPixelsPerMetre(double value) {
@@ -268,6 +288,102 @@ void MapScene::setPixelsPerMetre(double value) {
   }
   frameLayer_->zoomChanged();
   sprites_->clear();
+}
+
+std::optional<Entity> MapScene::shown(EntityId id) const {
+  const auto found = preview_.find(id);
+  return found != preview_.end() ? std::optional<Entity>(found->second) : document_.entity(id);
+}
+
+void MapScene::setPreview(const std::vector<Entity>& values) {
+  std::map<EntityId, Entity> old;
+  old.swap(preview_);
+  for (const Entity& value : values) {
+    preview_[idOf(value)] = value;
+  }
+  for (const auto& [id, value] : old) {
+    if (preview_.count(id) == 0) {
+      endPreviewOf(id);
+    }
+  }
+  for (const auto& [id, value] : preview_) {
+    sync(id);
+    if (!document_.contains(id)) {
+      items_.at(id)->setOpacity(0.7);
+    }
+  }
+  planRoutes();
+  update();
+}
+
+void MapScene::endPreviewOf(EntityId id) {
+  if (document_.contains(id)) {
+    sync(id);
+  } else {
+    delete item(id);
+    items_.erase(id);
+  }
+}
+
+void MapScene::setFaded(const std::vector<EntityId>& ids) {
+  const std::vector<EntityId> old = std::exchange(faded_, ids);
+  for (const EntityId id : old) {
+    sync(id);  // as clear as it was
+  }
+  for (const EntityId id : faded_) {
+    if (EntityItem* const entityItem = item(id)) {
+      entityItem->setOpacity(kFaded);
+    }
+  }
+  noteChange();
+}
+
+/// What the layers menu shows; in a run the layer of frames stands for people and robots.
+bool MapScene::isShown(EntityId id) const {
+  switch (id.kind) {
+    case EntityKind::Human:
+      return options_.people && !isRunMode();
+    case EntityKind::Robot:
+      return options_.robots && !isRunMode();
+    case EntityKind::Goal:
+      return options_.goals;
+    case EntityKind::Obstacle:
+    case EntityKind::Door:
+      return options_.obstacles;
+    case EntityKind::Area:
+      return options_.areas;
+    default:
+      return true;
+  }
+}
+
+void MapScene::clearPreview() {
+  if (!preview_.empty()) {
+    setPreview({});
+  }
+}
+
+void MapScene::planRoutes() {
+  if (isRunMode()) {
+    return;
+  }
+  routes_->request([this] {
+    RouteModel::Input input{document_.scenario(), document_.map()};
+    for (const auto& [id, value] : preview_) {
+      putInto(input.scenario, value);
+    }
+    return input;
+  });
+}
+
+void MapScene::takeRoutes() {
+  routeLayer_->routesChanged();
+  const std::vector<EntityId>& changed = routes_->changed();
+  const bool onlyMoving = std::all_of(changed.begin(), changed.end(),
+                                      [this](EntityId id) { return preview_.count(id) > 0; });
+  if (!onlyMoving) {
+    noteChange();
+  }
 }
 
 }  // namespace editor

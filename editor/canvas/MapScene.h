@@ -25,6 +25,7 @@ class SelectionLayer;
 class SpriteAtlas;
 class Tool;
 class ToolLayer;
+struct CanvasMouse;
 struct Label;
 
 /// Which extras are drawn; all can be switched one by one.
@@ -87,7 +88,7 @@ class MapScene : public QGraphicsScene {
   bool isRunMode() const;
   const sim2d::Frame* frame() const;                               // the one shown, or null
   std::optional<EntityId> agentEntityAt(const Vec2& world) const;  // of a run
-  FrameLayer& frameLayer() { return *frameLayer_; }
+  FrameLayer& frameLayer() const { return *frameLayer_; }
   RouteModel& routes() const { return *routes_; }
   ToolLayer& toolLayer() { return *toolLayer_; }
 
@@ -112,7 +113,6 @@ class MapScene : public QGraphicsScene {
   std::pair<EntityId, Handle> handleAt(const Vec2& world) const;
 
  Q_SIGNALS:
-  void hoveredChanged(editor::EntityId id);
   void optionsChanged();
   void themeChanged();
 
@@ -136,6 +136,7 @@ class MapScene : public QGraphicsScene {
   void takeRoutes();
   void noteChange();
   EntityId onTop() const;
+  void give(QGraphicsSceneMouseEvent& event, void (Tool::*hear)(const CanvasMouse&));
 
   ScenarioDocument& document_;
   Theme theme_;
@@ -159,8 +160,5 @@ class MapScene : public QGraphicsScene {
   ToolLayer* toolLayer_ = nullptr;
   RouteModel* routes_ = nullptr;
 };
-
-/// Puts a value in the place of the one with its id, or at the end of its list.
-void putInto(sim2d::Scenario& scenario, const Entity& value);
 
 }  // namespace editor

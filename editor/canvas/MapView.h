@@ -1,16 +1,42 @@
 #pragma once
 
 #include <QGraphicsView>
+#include <QPixmap>
 #include <QTimer>
 #include <QVariantAnimation>
 
 #include "editor/canvas/MapScene.h"
-#include "editor/canvas/RestingPicture.h"
 
 namespace editor {
 
 /// The line on top of the canvas: green while running, amber when paused, blue in the past.
 enum class CanvasState { Editing, Running, Paused, Past };
+
+/// A picture of what rests on a crowded canvas, kept while something is dragged or the view moves,
+/// so that only little has to be painted anew for each frame.
+class RestingPicture {
+ public:
+  /// Where and how a view looks at the scene.
+  struct Window {
+    QTransform fromScene;
+    QSize size;          // [px]
+    double ratio = 1.0;  // device pixels per pixel
+  };
+  /// Whether it shows what `window` shows now; `exactly`: at the same place and scale too,
+  /// otherwise the window lies inside of it and the scales differ little.
+  bool fits(const MapScene& scene, const Window& window, bool exactly) const;
+  /// Takes the picture, `margin` pixels larger than the window on each side.
+  void take(MapScene& scene, const Window& window, int margin);
+  void draw(QPainter& painter, const Window& window) const;  // painter in window pixels
+  void clear() { *this = {}; }
+
+ private:
+  QPixmap pixmap_;
+  QTransform fromScene_;          // to pixels of the picture
+  int margin_ = 0;                // [px]
+  int revision_ = -1;             // of the scene
+  std::vector<EntityId> moving_;  // what is not in it
+};
 
 /// The window on the map: wheel zooms at the cursor, middle button or Space and drag pan, fit is
 /// animated. Rulers, scale bar and state line are drawn over the scene.

@@ -89,14 +89,12 @@ void paintScaleBar(QPainter& painter, const OverlayContext& context) {
   }
   painter.setRenderHint(QPainter::Antialiasing);
   const QFont font = theme.figureFont(9.0);
-  QPainterPath text;
   const QFontMetricsF metrics(font);
   const QString words = lengthText(metres);
   const QPointF at(left + 0.5 * (length - metrics.horizontalAdvance(words)), bottom - 7.0);
-  text.addText(at, font, words);
   painter.setPen(
       QPen(theme.color(Role::CanvasOutside, 0.8), 3.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.drawPath(text);
+  painter.drawPath(textOutline(at, font, words));
   painter.setFont(font);
   painter.setPen(theme.color(Role::Text));
   painter.drawText(at, words);

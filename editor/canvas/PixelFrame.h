@@ -22,6 +22,14 @@ inline void makeCosmetic(QPen& pen, const QPainter& painter) {
   pen.setWidthF(pen.widthF() * pixelRatioOf(painter));
 }
 
+/// A pen of that width on the screen, with sharp corners.
+inline QPen screenPen(const QPainter& painter, const QColor& color, double widthPx,
+                      Qt::PenStyle style = Qt::SolidLine, Qt::PenCapStyle cap = Qt::FlatCap) {
+  QPen pen(color, widthPx, style, cap, Qt::MiterJoin);
+  makeCosmetic(pen, painter);
+  return pen;
+}
+
 /// The part of the scene that the window shows, whole even when only some of it is painted anew.
 /// Without a widget it is what a picture shows.
 inline QRectF shownRect(const QPainter& painter, const QStyleOptionGraphicsItem& option,

@@ -1,15 +1,20 @@
 #include <algorithm>
 
+#include <QGraphicsSceneMouseEvent>
+#include <QKeyEvent>
 #include <QPainter>
 #include <QStyleOptionGraphicsItem>
 
 #include "editor/canvas/EntityItem.h"
+#include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/GroupLayer.h"
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
 #include "editor/canvas/RouteLayer.h"
+#include "editor/canvas/Tool.h"
+#include "sim2d/scenario/Defaults.h"
 
-// The part of MapScene that paints without a view, for pictures of what rests.
+// The part of MapScene that answers tools, layers and painters.
 namespace editor {
 
 namespace {
@@ -28,6 +33,11 @@ void paintItem(QPainter& painter, QGraphicsItem& item, const QRectF& exposed) {
   painter.setOpacity(item.effectiveOpacity());
   item.paint(&painter, &option, nullptr);
   painter.restore();
+}
+
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& more) {
+  all.insert(all.end(), more.begin(), more.end());
 }
 
 }  // namespace
@@ -102,6 +112,148 @@ void MapScene::paintPart(QPainter& painter, CanvasPart part, const QRectF& expos
     paintItem(painter, *each, exposed);
   }
   part_ = CanvasPart::All;
+}
+
+bool MapScene::isDoorOpen(EntityId id, const sim2d::Door& door) const {
+  if (const sim2d::Frame* frame = frameLayer_->frame()) {
+    std::size_t number = 0;  // frames know the listed doors only, in their order
+    for (const sim2d::Door& other : document_.scenario().doors) {
+      if (other.key == id && number < frame->doorOpen.size()) {
+        return frame->doorOpen[number] != 0;
+      }
+      number += other.listed ? 1 : 0;
+    }
+  }
+  return door.open.value_or(true);
+}
+
+double MapScene::bodyRadius(const Entity& entity) const {
+  const sim2d::Scenario& scenario = document_.scenario();
+  if (const auto* human = std::get_if<sim2d::Human>(&entity)) {
+    return sim2d::resolveHuman(scenario, *human, scenario.desktop.seed.value_or(1)).radius;
+  }
+  if (const auto* robot = std::get_if<sim2d::Robot>(&entity)) {
+    return sim2d::resolveRobot(scenario, *robot, -1).radius;
+  }
+  return 0.0;
+}
+
+std::vector<Label> MapScene::labels() const {
+  std::vector<Label> all;
+  for (const auto& [id, entityItem] : items_) {
+    if (entityItem->isVisible() && isPainted(id)) {
+      append(all, entityItem->labels());
+    } else if (entityItem->isVisible() && id == hovered_ && part_ == CanvasPart::Moving) {
+      for (const Label& label : entityItem->labels()) {
+        if (label.isOfHover) {  // others are in the picture
+          all.push_back(label);
+        }
+      }
+    }
+  }
+  if (isRunMode()) {
+    append(all, frameLayer_->labels());
+  }
+  return all;
+}
+
+std::vector<QRectF> MapScene::solidParts() const {
+  std::vector<QRectF> all;
+  for (const auto& [id, entityItem] : items_) {
+    if (entityItem->isVisible()) {
+      append(all, entityItem->solidParts());
+    }
+  }
+  append(all, isRunMode() ? frameLayer_->solidParts() : selectionLayer_->solidParts());
+  return all;
+}
+
+std::pair<EntityId, Handle> MapScene::handleAt(const Vec2& world) const {
+  return selectionLayer_->handleAt(world);
+}
+
+const sim2d::Frame* MapScene::frame() const {
+  return frameLayer_->frame();
+}
+
+std::optional<EntityId> MapScene::agentEntityAt(const Vec2& world) const {
+  const std::optional<int> id = frameLayer_->agentAt(world);
+  const EntityId entity = id ? frameLayer_->entityOf(*id) : EntityId{};
+  return entity ? std::optional<EntityId>(entity) : std::nullopt;
+}
+
+bool MapScene::isRunMode() const {
+  return frameLayer_->frame() != nullptr;
+}
+
+void MapScene::showFrame(std::shared_ptr<const sim2d::Frame> frame) {
+  const bool wasRunning = isRunMode();
+  if (frame != nullptr) {
+    if (!wasRunning) {
+      frameLayer_->begin();
+    }
+    frameLayer_->show(std::move(frame));
+  } else {
+    frameLayer_->end();
+  }
+  if (isRunMode() != wasRunning) {
+    routeLayer_->setVisible(wasRunning);
+    for (const auto& [id, entityItem] : items_) {
+      entityItem->setVisible(isShown(id));
+    }
+    planRoutes();
+  }
+  noteChange();
+}
+
+void MapScene::setTool(Tool* tool) {
+  if (tool_ == tool) {
+    return;
+  }
+  if (tool_ != nullptr) {
+    tool_->deactivate();
+  }
+  tool_ = tool;
+  toolLayer_->clear();
+  if (tool_ != nullptr) {
+    tool_->activate();
+  }
+}
+
+void MapScene::give(QGraphicsSceneMouseEvent& event, void (Tool::*hear)(const CanvasMouse&)) {
+  if (tool_ != nullptr) {
+    (tool_->*hear)({worldFromScene(event.scenePos()), event.button(), event.buttons(),
+                    event.modifiers(), pixelsPerMetre_});
+    event.accept();
+  }
+}
+
+void MapScene::mousePressEvent(QGraphicsSceneMouseEvent* event) {
+  give(*event, &Tool::press);
+}
+
+void MapScene::mouseMoveEvent(QGraphicsSceneMouseEvent* event) {
+  give(*event, &Tool::move);
+}
+
+void MapScene::mouseReleaseEvent(QGraphicsSceneMouseEvent* event) {
+  give(*event, &Tool::release);
+}
+
+void MapScene::mouseDoubleClickEvent(QGraphicsSceneMouseEvent* event) {
+  give(*event, &Tool::press);
+  give(*event, &Tool::doubleClick);
+}
+
+void MapScene::keyPressEvent(QKeyEvent* event) {
+  if (tool_ == nullptr) {
+    event->ignore();
+  } else if (event->key() == Qt::Key_Escape) {
+    tool_->cancel();
+    event->accept();
+  } else {
+    event->setAccepted(tool_->keyPress(*event));
+  }
 }
 
 }  // namespace editor

@@ -6,6 +6,7 @@
 #include "editor/canvas/PixelFrame.h"
 #include "editor/look/AreaGlyph.h"
 #include "sim2d/map/Outlines.h"
+#include "sim2d/map/Segments.h"
 
 namespace editor {
 
@@ -32,27 +33,13 @@ std::vector<sim2d::Outline> outlinesOf(const sim2d::Obstacle& obstacle) {
   return {};
 }
 
-double distanceToSegment(const Vec2& point, const Vec2& a, const Vec2& b) {
-  const Vec2 along = b - a;
-  const double length2 = along.squaredNorm();
-  const double part = length2 > 0.0 ? std::clamp((point - a).dot(along) / length2, 0.0, 1.0) : 0.0;
-  return (point - a - part * along).norm();
-}
-
 double distanceToOutline(const Vec2& point, const sim2d::Outline& outline) {
   double nearest = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < outline.points.size(); ++i) {
     const Vec2& next = outline.points[(i + 1) % outline.points.size()];
-    nearest = std::min(nearest, distanceToSegment(point, outline.points[i], next));
+    nearest = std::min(nearest, sim2d::distanceToSegment({outline.points[i], next}, point));
   }
   return nearest;
-}
-
-QPen cosmetic(const QPainter& painter, const QColor& color, double widthPx,
-              Qt::PenStyle style = Qt::SolidLine) {
-  QPen pen(color, widthPx, style, Qt::FlatCap, Qt::MiterJoin);
-  makeCosmetic(pen, painter);
-  return pen;
 }
 
 /// Obstacles, doors and areas: outlines in the plane.
@@ -105,13 +92,13 @@ class ShapeItem : public EntityItem {
         paintArea(*painter);
         break;
       default:
-        painter->setPen(cosmetic(*painter, theme().color(Role::ObstacleEdge), 1.2));
+        painter->setPen(screenPen(*painter, theme().color(Role::ObstacleEdge), 1.2));
         painter->setBrush(theme().color(Role::ObstacleFill));
         painter->drawPath(path_);
     }
     if (isHovered() && !isSelectedEntity()) {
       painter->setBrush(Qt::NoBrush);
-      painter->setPen(cosmetic(*painter, theme().color(Role::Accent, 0.6), 1.5));
+      painter->setPen(screenPen(*painter, theme().color(Role::Accent, 0.6), 1.5));
       painter->drawPath(path_);
     }
   }
@@ -158,34 +145,34 @@ class ShapeItem : public EntityItem {
     const auto& door = std::get<sim2d::Door>(value_);
     const bool open = mapScene().isDoorOpen(id(), door);
     if (!open) {
-      painter.setPen(cosmetic(painter, theme().color(Role::ObstacleEdge), 1.0));
+      painter.setPen(screenPen(painter, theme().color(Role::ObstacleEdge), 1.0));
       painter.setBrush(theme().color(Role::WarningMark));
       painter.drawPath(path_);
       return;
     }
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(cosmetic(painter, theme().color(Role::ObstacleEdge), 1.5, Qt::DashLine));
+    painter.setPen(screenPen(painter, theme().color(Role::ObstacleEdge), 1.5, Qt::DashLine));
     painter.drawLine(MapScene::sceneFromWorld(door.from), MapScene::sceneFromWorld(door.to));
     // The leaf stands open, with the arc that it swung through.
     const Vec2 across = door.to - door.from;
     const Vec2 leaf = door.from + Vec2(-across.y(), across.x());
-    painter.setPen(cosmetic(painter, theme().color(Role::ObstacleEdge), 2.0));
+    painter.setPen(screenPen(painter, theme().color(Role::ObstacleEdge), 2.0));
     painter.drawLine(MapScene::sceneFromWorld(door.from), MapScene::sceneFromWorld(leaf));
     const double length = across.norm();
     const QPointF hinge = MapScene::sceneFromWorld(door.from);
-    const double startDeg = base::headingOf(across) * 180.0 / base::kPi;
+    const double startDeg = degrees(base::headingOf(across));
     QPainterPath arc;
     const QRectF box(hinge.x() - length, hinge.y() - length, 2.0 * length, 2.0 * length);
     arc.arcMoveTo(box, startDeg);
     arc.arcTo(box, startDeg, 90.0);
-    painter.setPen(cosmetic(painter, theme().color(Role::ObstacleEdge, 0.6), 1.0, Qt::DotLine));
+    painter.setPen(screenPen(painter, theme().color(Role::ObstacleEdge, 0.6), 1.0, Qt::DotLine));
     painter.drawPath(arc);
   }
 
   void paintArea(QPainter& painter) const {
     const bool strong = isHovered() || isSelectedEntity();
     painter.setPen(
-        cosmetic(painter, theme().color(Role::ObstacleEdge), strong ? 1.5 : 1.0, Qt::DashLine));
+        screenPen(painter, theme().color(Role::ObstacleEdge), strong ? 1.5 : 1.0, Qt::DashLine));
     painter.setBrush(theme().color(Role::Accent, strong ? 0.10 : 0.05));
     painter.drawPath(path_);
     paintSign(painter);

@@ -28,9 +28,15 @@ struct Snapped {
 /// canvas say.
 Snapped snapped(const MapScene& scene, const CanvasMouse& mouse, const SnapWish& wish = {});
 
+/// The place on the border of the map's walls nearest to `world`, none beyond `reach` [m]: a corner
+/// where there is one within reach, else anywhere on an edge. The steps that cells make along a
+/// slanted wall are no corners. Looks only at the cells near by.
+std::optional<Vec2> nearestOnWalls(const sim2d::OccupancyGrid& grid, const Vec2& world,
+                                   double reach);
+
 /// The points of an entity that others snap to: corners, ends, centres; none of people.
 std::vector<Vec2> snapPointsOf(const Entity& entity);
-/// The heading in steps of 15 degrees.
-double snappedAngle(double heading);
+/// The heading in steps, of 15 degrees or others [rad].
+double snappedAngle(double heading, double step = kSnapAngle);
 
 }  // namespace editor

@@ -22,6 +22,12 @@ Vec2 Tool::snapToGrid(const CanvasMouse& mouse) const {
   return snapped(scene_, mouse, wish).point;
 }
 
+void Tool::clearMarks() {
+  scene_.clearPreview();
+  scene_.toolLayer().clear();
+  Q_EMIT statusTextChanged();
+}
+
 bool isDrag(const Vec2& from, const CanvasMouse& mouse) {
   return (mouse.world - from).norm() * mouse.pixelsPerMetre >= kDragPx;
 }

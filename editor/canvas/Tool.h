@@ -44,7 +44,6 @@ class Tool : public QObject {
 
  Q_SIGNALS:
   void statusTextChanged();
-  void cursorChanged();
 
  protected:
   ScenarioDocument& document() const { return document_; }
@@ -52,6 +51,7 @@ class Tool : public QObject {
   /// Where the mouse comes to lie (Snap.h); a point of another entity is marked on the canvas.
   Vec2 snap(const CanvasMouse& mouse, const SnapWish& wish) const;
   Vec2 snapToGrid(const CanvasMouse& mouse) const;  // and to nothing else
+  void clearMarks();  // what a gesture showed goes; `statusTextChanged`
 
  private:
   ScenarioDocument& document_;

@@ -11,85 +11,31 @@ namespace {
 constexpr double kCornerPx = 6.0;
 constexpr double kSnapMarkPx = 7.0;
 
-QPen toolPen(const QPainter& painter, const QColor& color, double widthPx) {
-  QPen pen(color, widthPx, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin);
-  makeCosmetic(pen, painter);
-  return pen;
-}
-
 }  // namespace
 
 void ToolLayer::setRubberBand(const Vec2& corner, const Vec2& opposite) {
-  band_ = QRectF(MapScene::sceneFromWorld(corner), MapScene::sceneFromWorld(opposite)).normalized();
-  update();
-}
-
-void ToolLayer::setLine(std::vector<Vec2> points) {
-  line_ = std::move(points);
-  update();
-}
-
-void ToolLayer::setOutline(ToolLine line) {
-  outline_ = std::move(line);
-  update();
-}
-
-void ToolLayer::setStroke(std::vector<Vec2> points, double width) {
-  stroke_ = std::move(points);
-  strokeWidth_ = width;
-  update();
-}
-
-void ToolLayer::setDots(std::vector<ToolDot> dots) {
-  dots_ = std::move(dots);
-  update();
-}
-
-void ToolLayer::setArrow(const Vec2& from, const Vec2& to) {
-  arrow_ = {from, to};
-  update();
-}
-
-void ToolLayer::setTag(const Vec2& at, const QString& text) {
-  tag_ = {at, text};
-  update();
-}
-
-void ToolLayer::setSnapMark(std::optional<Vec2> at) {
-  snapMark_ = std::move(at);
-  update();
-}
-
-void ToolLayer::clear() {
-  band_.reset();
-  line_.clear();
-  outline_ = {};
-  stroke_.clear();
-  dots_.clear();
-  arrow_.reset();
-  tag_.reset();
-  snapMark_.reset();
-  update();
+  const QRectF band(MapScene::sceneFromWorld(corner), MapScene::sceneFromWorld(opposite));
+  show(marks_.band, band.normalized());
 }
 
 void ToolLayer::paintOutline(QPainter& painter) const {
-  if (outline_.points.empty()) {
+  if (marks_.outline.points.empty()) {
     return;
   }
-  const Role role = outline_.isBad ? Role::Error : Role::Accent;
+  const Role role = marks_.outline.isBad ? Role::Error : Role::Accent;
   QPolygonF polygon;
-  for (const Vec2& point : outline_.points) {
+  for (const Vec2& point : marks_.outline.points) {
     polygon << MapScene::sceneFromWorld(point);
   }
-  painter.setPen(toolPen(painter, theme().color(role), 2.0));
-  if (outline_.isClosed && polygon.size() > 2) {
+  painter.setPen(screenPen(painter, theme().color(role), 2.0));
+  if (marks_.outline.isClosed && polygon.size() > 2) {
     painter.setBrush(theme().color(role, 0.08));
     painter.drawPolygon(polygon);
   } else {
     painter.setBrush(Qt::NoBrush);
     painter.drawPolyline(polygon);
   }
-  if (!outline_.hasCorners) {
+  if (!marks_.outline.hasCorners) {
     return;
   }
   for (const QPointF& corner : polygon) {
@@ -101,25 +47,25 @@ void ToolLayer::paintOutline(QPainter& painter) const {
 }
 
 void ToolLayer::paintStroke(QPainter& painter) const {
-  if (stroke_.empty()) {
+  if (marks_.stroke.empty()) {
     return;
   }
-  painter.setPen(QPen(theme().color(Role::Accent, 0.4), strokeWidth_, Qt::SolidLine, Qt::RoundCap,
-                      Qt::RoundJoin));
+  painter.setPen(QPen(theme().color(Role::Accent, 0.4), marks_.strokeWidth, Qt::SolidLine,
+                      Qt::RoundCap, Qt::RoundJoin));
   painter.setBrush(Qt::NoBrush);
-  QPainterPath path = softPath(stroke_, 0.0);
-  if (stroke_.size() == 1) {  // a dot
+  QPainterPath path = softPath(marks_.stroke, 0.0);
+  if (marks_.stroke.size() == 1) {  // a dot
     path.lineTo(path.currentPosition() + QPointF(1e-3, 0.0));
   }
   painter.drawPath(path);
 }
 
 void ToolLayer::paintDots(QPainter& painter) const {
-  for (const ToolDot& dot : dots_) {
+  for (const ToolDot& dot : marks_.dots) {
     const QPointF at = MapScene::sceneFromWorld(dot.at);
     QColor fill = dot.color;
     fill.setAlphaF(0.45);
-    painter.setPen(toolPen(painter, dot.color, 1.2));
+    painter.setPen(screenPen(painter, dot.color, 1.2));
     painter.setBrush(fill);
     painter.drawEllipse(at, dot.radius, dot.radius);
     if (dot.heading) {
@@ -129,25 +75,25 @@ void ToolLayer::paintDots(QPainter& painter) const {
 }
 
 void ToolLayer::paintLine(QPainter& painter) const {
-  if (line_.size() < 2) {
+  if (marks_.line.size() < 2) {
     return;
   }
-  QPen pen = toolPen(painter, theme().color(Role::Accent), 2.0);
+  QPen pen = screenPen(painter, theme().color(Role::Accent), 2.0);
   pen.setDashPattern({4.0, 3.0});
   painter.setPen(pen);
   painter.setBrush(Qt::NoBrush);
-  const QPainterPath path = softPath(line_, 0.0);
+  const QPainterPath path = softPath(marks_.line, 0.0);
   painter.drawPath(path);
   paintArrowHeads(painter, path, 1.5, 9.0, theme());
 }
 
 void ToolLayer::paintArrow(QPainter& painter) const {
-  if (!arrow_) {
+  if (!marks_.arrow) {
     return;
   }
-  painter.setPen(toolPen(painter, theme().color(Role::Accent), 2.0));
-  const QLineF line(MapScene::sceneFromWorld(arrow_->first),
-                    MapScene::sceneFromWorld(arrow_->second));
+  painter.setPen(screenPen(painter, theme().color(Role::Accent), 2.0));
+  const QLineF line(MapScene::sceneFromWorld(marks_.arrow->first),
+                    MapScene::sceneFromWorld(marks_.arrow->second));
   painter.drawLine(line);
   const PixelFrame frame(painter, line.p2());
   painter.setPen(QPen(theme().color(Role::Accent), 2.0));
@@ -155,22 +101,22 @@ void ToolLayer::paintArrow(QPainter& painter) const {
 }
 
 void ToolLayer::paintSnapMark(QPainter& painter) const {
-  if (!snapMark_) {
+  if (!marks_.snapMark) {
     return;
   }
-  const PixelFrame frame(painter, MapScene::sceneFromWorld(*snapMark_));
+  const PixelFrame frame(painter, MapScene::sceneFromWorld(*marks_.snapMark));
   painter.setPen(QPen(theme().color(Role::Accent), 1.5));
   painter.setBrush(Qt::NoBrush);
   painter.drawEllipse(QPointF(), kSnapMarkPx, kSnapMarkPx);
 }
 
 void ToolLayer::paintTag(QPainter& painter) const {
-  if (!tag_) {
+  if (!marks_.tag) {
     return;
   }
-  const PixelFrame frame(painter, MapScene::sceneFromWorld(tag_->first));
+  const PixelFrame frame(painter, MapScene::sceneFromWorld(marks_.tag->first));
   const QFont font = theme().figureFont(9.0);
-  const double width = QFontMetricsF(font).horizontalAdvance(tag_->second) + 14.0;
+  const double width = QFontMetricsF(font).horizontalAdvance(marks_.tag->second) + 14.0;
   QRectF box(16.0, 8.0, width, 22.0);
   const QPointF free = painter.window().bottomRight() - painter.worldTransform().map(QPointF());
   if (box.right() > free.x()) {
@@ -184,15 +130,15 @@ void ToolLayer::paintTag(QPainter& painter) const {
   painter.drawRoundedRect(box, 4.0, 4.0);
   painter.setFont(font);
   painter.setPen(theme().color(Role::Panel));
-  painter.drawText(box, Qt::AlignCenter, tag_->second);
+  painter.drawText(box, Qt::AlignCenter, marks_.tag->second);
 }
 
 void ToolLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   painter->setRenderHint(QPainter::Antialiasing);
-  if (band_) {
-    painter->setPen(toolPen(*painter, theme().color(Role::Accent), 1.0));
+  if (marks_.band) {
+    painter->setPen(screenPen(*painter, theme().color(Role::Accent), 1.0));
     painter->setBrush(theme().color(Role::Accent, 0.10));
-    painter->drawRect(*band_);
+    painter->drawRect(*marks_.band);
   }
   paintStroke(*painter);
   paintOutline(*painter);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QPainterPath>
+#include <QRawFont>
 
 #include "sim2d/base/Types.h"
 
@@ -103,6 +103,17 @@ QPainterPath markPath(Mark mark, double sizePx) {
 }
 
 }  // namespace
+
+QPainterPath textOutline(const QPointF& baseline, const QFont& font, const QString& text) {
+  // Qt leaves the sub-pixel shift of the glyph that it drew last in the font, where outlines take
+  // it over. Asked for its first box, a size not used yet sets the shift to none.
+  QRawFont unused = QRawFont::fromFont(font);
+  unused.setPixelSize(unused.pixelSize() + 1.0);
+  unused.boundingRect(0);
+  QPainterPath path;
+  path.addText(baseline, font, text);
+  return path;
+}
 
 void FigurePainter::person(QPainter& painter, const PersonFigure& figure) const {
   const double r = figure.radiusPx;

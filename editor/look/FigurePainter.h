@@ -4,6 +4,7 @@
 
 #include <QIcon>
 #include <QPainter>
+#include <QPainterPath>
 
 #include "editor/look/Theme.h"
 #include "sim2d/scenario/Scenario.h"
@@ -24,6 +25,10 @@ struct RobotFigure {
   double headingDeg = 0.0;
   std::vector<QPointF> footprintPx;  // robot frame, y up; empty = disc
 };
+
+/// The outline of a text that begins at `baseline`; the same for the same arguments, whatever was
+/// drawn before.
+QPainterPath textOutline(const QPointF& baseline, const QFont& font, const QString& text);
 
 /// Draws figures the same way wherever they appear: canvas, lists, thumbnails, reports. Centred at
 /// the painter's origin; one unit = one pixel, y down.

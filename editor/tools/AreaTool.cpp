@@ -1,13 +1,11 @@
-#include "editor/tools/AreaTool.h"
-
 #include <algorithm>
 
 #include "editor/canvas/MapScene.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/Fields.h"
 #include "editor/tools/Crowd.h"
-#include "editor/tools/DragDrawing.h"
-#include "editor/tools/OptionsRow.h"
+#include "editor/tools/CrowdOptions.h"
+#include "editor/tools/Drawing.h"
 #include "editor/tools/ToolRegistry.h"
 #include "sim2d/map/Outlines.h"
 
@@ -16,9 +14,31 @@ namespace editor {
 namespace {
 
 constexpr int kKindCount = 4;
-constexpr int kPatternId = 0;  // those who walk themselves count from 1
+constexpr int kPatternId = 0;        // those who walk themselves count from 1
+constexpr double kSourceRate = 0.5;  // people per second of a new source
 
-}  // namespace
+/// Areas: sources, sinks, waiting areas and exits. A drag makes a rectangle, clicks any polygon;
+/// 1 to 4 choose the kind. A source needs somebody whom its people are like: the selected person,
+/// else the first one; without people it brings a pattern of its own that takes no part itself.
+class AreaTool : public CornerDrawing {
+ public:
+  using CornerDrawing::CornerDrawing;
+
+  bool keyPress(const QKeyEvent& event) override;
+  QWidget* makeOptions(QWidget* parent) override;
+
+ protected:
+  QString idleText() const override;
+  void preview(const Corners& corners) override;
+  void make(const Corners& corners) override;
+
+ private:
+  void setKind(sim2d::AreaKind kind);
+  sim2d::Area areaOf(const Corners& corners) const;
+  const sim2d::Human* pattern() const;
+  void makeSource(sim2d::Area area);
+  sim2d::AreaKind kind_ = sim2d::AreaKind::Source;
+};
 
 QString AreaTool::idleText() const {
   switch (kind_) {
@@ -37,7 +57,6 @@ QString AreaTool::idleText() const {
 void AreaTool::setKind(sim2d::AreaKind kind) {
   if (kind != kind_) {
     kind_ = kind;
-    Q_EMIT kindChanged(static_cast<int>(kind));
     Q_EMIT statusTextChanged();
   }
 }
@@ -60,7 +79,8 @@ QWidget* AreaTool::makeOptions(QWidget* parent) {
   row->add(tr("Kind"), box);
   connect(box, qOverload<int>(&QComboBox::activated), this,
           [this](int index) { setKind(static_cast<sim2d::AreaKind>(index)); });
-  connect(this, &AreaTool::kindChanged, box, &QComboBox::setCurrentIndex);
+  connect(this, &Tool::statusTextChanged, box,
+          [this, box] { box->setCurrentIndex(static_cast<int>(kind_)); });
   return row;
 }
 
@@ -118,6 +138,8 @@ void AreaTool::makeSource(sim2d::Area area) {
       pushAdd(document(), std::vector<Entity>{visitor, area}, tr("Add source"));
   document().setSelection({ids.back()});
 }
+
+}  // namespace
 
 void addAreaTool(ToolRegistry& to) {
   to.add<AreaTool>({120, QObject::tr("Area"), QStringLiteral("tool-area"), Qt::Key_A});

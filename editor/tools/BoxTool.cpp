@@ -3,8 +3,7 @@
 
 #include "editor/canvas/MapScene.h"
 #include "editor/canvas/Snap.h"
-#include "editor/tools/CornerDrawing.h"
-#include "editor/tools/DragDrawing.h"
+#include "editor/tools/Drawing.h"
 #include "editor/tools/ToolRegistry.h"
 
 namespace editor {

@@ -1,7 +1,6 @@
 #include <cmath>
 
-#include "editor/tools/CornerDrawing.h"
-#include "editor/tools/DragDrawing.h"
+#include "editor/tools/Drawing.h"
 #include "editor/tools/ToolRegistry.h"
 
 namespace editor {

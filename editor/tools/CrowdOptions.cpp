@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <numeric>
 
+#include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QPainter>
+#include <QToolButton>
 #include <QWidgetAction>
 
 #include "editor/look/FigurePainter.h"
+#include "editor/look/Form.h"
 
 namespace editor {
 
@@ -23,10 +26,25 @@ Look lookAt(int index) {
   return lookOf(static_cast<sim2d::BehaviorType>(index + 1));
 }
 
-}  // namespace
+/// A button that shows the shares of the behaviours as a bar and opens fields for them.
+class MixButton : public QToolButton {
+ public:
+  MixButton(CrowdRecipe& recipe, const MapScene& scene, std::function<void()> changed,
+            QWidget* parent);
 
-MixButton::MixButton(CrowdRecipe& recipe, const MapScene& scene, QWidget* parent)
-    : QToolButton(parent), recipe_(recipe), scene_(scene) {
+ private:
+  QWidget* makeFields();
+  NumberField* addField(QGridLayout& grid, int row, const QString& name, const QString& unit,
+                        double most, int& value);
+  void showBar();
+  CrowdRecipe& recipe_;
+  const MapScene& scene_;
+  const std::function<void()> changed_;
+};
+
+MixButton::MixButton(CrowdRecipe& recipe, const MapScene& scene, std::function<void()> changed,
+                     QWidget* parent)
+    : QToolButton(parent), recipe_(recipe), scene_(scene), changed_(std::move(changed)) {
   setIconSize(kBar);
   setPopupMode(QToolButton::InstantPopup);
   setToolTip(tr("Mix of behaviours, and the seed"));
@@ -53,36 +71,31 @@ QWidget* MixButton::makeFields() {
     };
     showMark();
     connect(&scene_, &MapScene::themeChanged, mark, showMark);
-    auto* field = new NumberField({0.0, 100.0, 0, 5.0}, tr("parts"), page);
-    field->setFixedWidth(kNarrowWidth + 12);
-    field->show(recipe_.mix[static_cast<std::size_t>(i)], false);
-    field->setAccessibleName(lookName(lookAt(i)));
-    connect(field, &NumberField::edited, this, [this, i](double value) {
-      recipe_.mix[static_cast<std::size_t>(i)] = static_cast<int>(value);
-      showBar();
-      Q_EMIT mixChanged();
-    });
     grid->addWidget(mark, i, 0);
-    grid->addWidget(new QLabel(lookName(lookAt(i)), page), i, 1);
-    grid->addWidget(field, i, 2);
+    addField(*grid, i, lookName(lookAt(i)), tr("parts"), 100.0,
+             recipe_.mix[static_cast<std::size_t>(i)]);
   }
-  addSeed(*grid);
+  // Here and not in the row of the tool, which has to fit into a small window.
+  addField(*grid, kBehaviorCount, tr("Seed"), {}, 999999.0, recipe_.seed)
+      ->setToolTip(tr("Another seed draws other people"));
   return page;
 }
 
-/// Here and not in the row of the tool, which has to fit into a small window.
-void MixButton::addSeed(QGridLayout& grid) {
-  auto* seed = new NumberField({0.0, 999999.0, 0, 1.0}, {}, grid.parentWidget());
-  seed->setFixedWidth(kNarrowWidth + 12);
-  seed->show(recipe_.seed, false);
-  seed->setAccessibleName(tr("Seed"));
-  seed->setToolTip(tr("Another seed draws other people"));
-  connect(seed, &NumberField::edited, this, [this](double value) {
-    recipe_.seed = static_cast<int>(value);
-    Q_EMIT mixChanged();
+NumberField* MixButton::addField(QGridLayout& grid, int row, const QString& name,
+                                 const QString& unit, double most, int& value) {
+  auto* field =
+      new NumberField({0.0, most, 0, unit.isEmpty() ? 1.0 : 5.0}, unit, grid.parentWidget());
+  field->setFixedWidth(kNarrowWidth + 12);
+  field->show(value, false);
+  field->setAccessibleName(name);
+  connect(field, &NumberField::edited, this, [this, &value](double wanted) {
+    value = static_cast<int>(wanted);
+    showBar();
+    changed_();
   });
-  grid.addWidget(new QLabel(tr("Seed"), grid.parentWidget()), kBehaviorCount, 1);
-  grid.addWidget(seed, kBehaviorCount, 2);
+  grid.addWidget(new QLabel(name, grid.parentWidget()), row, 1);
+  grid.addWidget(field, row, 2);
+  return field;
 }
 
 void MixButton::showBar() {
@@ -102,6 +115,39 @@ void MixButton::showBar() {
   setIcon(bar);
 }
 
+void addChoice(OptionsRow& row, const QStringList& words, int at, const QString& says,
+               const std::function<void(int)>& chosen) {
+  auto* field = new ChoiceField(&row);
+  field->addItems(words);
+  field->setCurrentIndex(at);
+  field->setToolTip(says);
+  field->setAccessibleName(says);
+  QObject::connect(field, qOverload<int>(&QComboBox::activated), &row, chosen);
+  row.add(field);
+}
+
+}  // namespace
+
+OptionsRow::OptionsRow(QWidget* parent) : QWidget(parent), layout_(new QHBoxLayout(this)) {
+  layout_->setContentsMargins(0, 0, 0, 0);
+  layout_->setSpacing(8);
+}
+
+void OptionsRow::add(const QString& label, QWidget* field) {
+  if (layout_->count() > 0) {
+    layout_->addSpacing(8);
+  }
+  layout_->addWidget(secondaryLabel(label, this));
+  add(field);
+}
+
+void OptionsRow::add(QWidget* field) {
+  if (auto* box = qobject_cast<QComboBox*>(field)) {
+    box->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // there is no column to keep to
+  }
+  layout_->addWidget(field);
+}
+
 NumberField* addNumber(OptionsRow& row, const QString& label, const NumberField::Range& range,
                        const QString& unit, double value,
                        const std::function<void(double)>& changed) {
@@ -116,30 +162,21 @@ NumberField* addNumber(OptionsRow& row, const QString& label, const NumberField:
 
 void addRecipeFields(OptionsRow& row, CrowdRecipe& recipe, const MapScene& scene,
                      const std::function<void()>& changed) {
-  auto* mix = new MixButton(recipe, scene, &row);
-  QObject::connect(mix, &MixButton::mixChanged, &row, changed);
-  row.add(QObject::tr("Mix"), mix);
-
-  auto* kind = new ChoiceField(&row);
-  kind->addItems({QObject::tr("All ages"), QObject::tr("Adults"), QObject::tr("Children"),
-                  QObject::tr("Elderly"), QObject::tr("Wheelchairs"), QObject::tr("Luggage")});
-  kind->setCurrentIndex(recipe.kind ? 1 + static_cast<int>(*recipe.kind) : 0);
-  QObject::connect(kind, qOverload<int>(&QComboBox::activated), &row, [&recipe, changed](int at) {
-    recipe.kind = at == 0 ? std::nullopt : std::optional(static_cast<sim2d::PersonKind>(at - 1));
-    changed();
-  });
-  kind->setToolTip(QObject::tr("Bodies"));
-  kind->setAccessibleName(kind->toolTip());
-  row.add(kind);
-
-  auto* route = new ChoiceField(&row);
-  route->addItems({QObject::tr("Stand"), QObject::tr("Walk to goals")});
-  route->setCurrentIndex(recipe.walks ? 1 : 0);
-  QObject::connect(route, qOverload<int>(&QComboBox::activated), &row, [&recipe, changed](int at) {
-    recipe.walks = at == 1;
-    changed();
-  });
-  row.add(route);
+  row.add(QObject::tr("Mix"), new MixButton(recipe, scene, changed, &row));
+  addChoice(row,
+            {QObject::tr("All ages"), QObject::tr("Adults"), QObject::tr("Children"),
+             QObject::tr("Elderly"), QObject::tr("Wheelchairs"), QObject::tr("Luggage")},
+            recipe.kind ? 1 + static_cast<int>(*recipe.kind) : 0, QObject::tr("Bodies"),
+            [&recipe, changed](int at) {
+              recipe.kind =
+                  at == 0 ? std::nullopt : std::optional(static_cast<sim2d::PersonKind>(at - 1));
+              changed();
+            });
+  addChoice(row, {QObject::tr("Stand"), QObject::tr("Walk to goals")}, recipe.walks ? 1 : 0, {},
+            [&recipe, changed](int at) {
+              recipe.walks = at == 1;
+              changed();
+            });
 }
 
 }  // namespace editor

@@ -2,31 +2,24 @@
 
 #include <functional>
 
-#include <QGridLayout>
-#include <QToolButton>
+#include <QHBoxLayout>
+#include <QWidget>
 
 #include "editor/canvas/MapScene.h"
 #include "editor/look/Fields.h"
 #include "editor/tools/Crowd.h"
-#include "editor/tools/OptionsRow.h"
 
 namespace editor {
 
-/// A button that shows the shares of the behaviours as a bar and opens fields for them.
-class MixButton : public QToolButton {
-  Q_OBJECT
+/// Fields of a tool in one row, each with a word before it.
+class OptionsRow : public QWidget {
  public:
-  MixButton(CrowdRecipe& recipe, const MapScene& scene, QWidget* parent);
-
- Q_SIGNALS:
-  void mixChanged();
+  explicit OptionsRow(QWidget* parent);
+  void add(const QString& label, QWidget* field);
+  void add(QWidget* field);
 
  private:
-  QWidget* makeFields();
-  void addSeed(QGridLayout& grid);
-  void showBar();
-  CrowdRecipe& recipe_;
-  const MapScene& scene_;
+  QHBoxLayout* layout_;
 };
 
 /// Fields for a recipe, which has to outlive them; `changed` is called after each change.

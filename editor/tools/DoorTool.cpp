@@ -1,4 +1,4 @@
-#include "editor/tools/DragDrawing.h"
+#include "editor/tools/Drawing.h"
 #include "editor/tools/ToolRegistry.h"
 
 namespace editor {

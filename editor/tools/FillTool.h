@@ -1,7 +1,7 @@
 #pragma once
 
-#include "editor/tools/CornerDrawing.h"
 #include "editor/tools/Crowd.h"
+#include "editor/tools/Drawing.h"
 
 namespace editor {
 

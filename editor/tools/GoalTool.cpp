@@ -73,10 +73,8 @@ class GoalTool : public Tool {
   void cancel() override {
     held_.reset();
     pressed_ = false;
-    scene().clearPreview();
-    scene().toolLayer().clear();
     scene().setHovered({});
-    Q_EMIT statusTextChanged();
+    clearMarks();
   }
 
  private:

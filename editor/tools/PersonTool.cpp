@@ -1,7 +1,6 @@
-#include <cmath>
-
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
+#include "editor/canvas/Snap.h"
 #include "editor/canvas/Tool.h"
 #include "editor/document/EditCommands.h"
 #include "editor/tools/Crowd.h"
@@ -19,7 +18,7 @@ double headingTo(const Vec2& from, const CanvasMouse& mouse) {
     return heading;
   }
   const double step = base::kPi / (mouse.modifiers.testFlag(Qt::ControlModifier) ? 8.0 : 180.0);
-  return base::wrapToPi(std::round(heading / step) * step + 0.0);  // 0, not -0
+  return snappedAngle(heading, step);
 }
 
 /// Press places a person, drag turns it.
@@ -72,9 +71,7 @@ class PersonTool : public Tool {
 
   void cancel() override {
     placing_.reset();
-    scene().clearPreview();
-    scene().toolLayer().clear();
-    Q_EMIT statusTextChanged();
+    clearMarks();
   }
 
  private:

@@ -1,6 +1,5 @@
 #include "editor/canvas/MapScene.h"
-#include "editor/tools/CornerDrawing.h"
-#include "editor/tools/DragDrawing.h"
+#include "editor/tools/Drawing.h"
 #include "editor/tools/ToolRegistry.h"
 #include "sim2d/map/Outlines.h"
 

@@ -1,7 +1,6 @@
-#include <cmath>
-
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
+#include "editor/canvas/Snap.h"
 #include "editor/canvas/Tool.h"
 #include "editor/document/EditCommands.h"
 #include "editor/tools/ToolRegistry.h"
@@ -13,9 +12,7 @@ namespace {
 constexpr EntityId kGhost{EntityKind::Robot, -1};
 
 double headingTo(const Vec2& from, const CanvasMouse& mouse) {
-  const double heading = base::headingOf(mouse.world - from);
-  const double step = base::kPi / 180.0;
-  return base::wrapToPi(std::round(heading / step) * step + 0.0);  // 0, not -0
+  return snappedAngle(base::headingOf(mouse.world - from), base::kPi / 180.0);
 }
 
 /// Press and drag sets where the robot starts and looks; the next click is its goal (a point, or a
@@ -119,9 +116,7 @@ class RobotTool : public Tool {
 
   void endGesture() {
     placing_.reset();
-    scene().clearPreview();
-    scene().toolLayer().clear();
-    Q_EMIT statusTextChanged();
+    clearMarks();
   }
 
   std::optional<sim2d::Robot> placing_;

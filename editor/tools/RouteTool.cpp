@@ -75,10 +75,8 @@ class RouteTool : public Tool {
   void doubleClick(const CanvasMouse&) override { commit(); }
   void cancel() override {
     goals_.clear();
-    scene().clearPreview();
-    scene().toolLayer().clear();
     scene().setHovered({});
-    Q_EMIT statusTextChanged();
+    clearMarks();
   }
 
   bool keyPress(const QKeyEvent& event) override {

@@ -1,13 +1,13 @@
-#include "editor/tools/SelectTool.h"
-
 #include <algorithm>
+#include <map>
 
-#include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
 #include "editor/canvas/Snap.h"
+#include "editor/canvas/Tool.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/Geometry.h"
+#include "editor/document/Handles.h"
 #include "editor/tools/SelectionActions.h"
 #include "editor/tools/ToolRegistry.h"
 
@@ -28,7 +28,46 @@ bool hasHandle(const Entity& entity, Handle::Kind kind) {
                      [kind](const Handle& handle) { return handle.kind == kind; });
 }
 
-}  // namespace
+/// Click selects, drag moves, handles turn and size, a drag from empty ground selects what lies
+/// inside; arrows nudge. During a run it only selects.
+class SelectTool : public Tool {
+ public:
+  using Tool::Tool;
+
+  QString statusText() const override;
+  QCursor cursor() const override { return cursor_; }
+  void deactivate() override;  // the selection stays for the next tool
+  void press(const CanvasMouse& mouse) override;
+  void move(const CanvasMouse& mouse) override;
+  void release(const CanvasMouse& mouse) override;
+  /// On an edge of a selected outline: a new corner; on a corner: away with it.
+  void doubleClick(const CanvasMouse& mouse) override;
+  void cancel() override;
+  bool keyPress(const QKeyEvent& event) override;
+
+ private:
+  enum class Gesture { None, Pressed, Moving, Handle, Band };
+  void hover(const CanvasMouse& mouse);
+  void pressInRun(const CanvasMouse& mouse);
+  bool grabHandle(const CanvasMouse& mouse);
+  void grabRobotGoal(const CanvasMouse& mouse);
+  Vec2 deltaFor(const CanvasMouse& mouse) const;
+  void previewMove(const CanvasMouse& mouse);
+  void previewHandle(const CanvasMouse& mouse);
+  Vec2 handleTarget(const Entity& entity, const CanvasMouse& mouse) const;
+  QString handleText(const Entity& before, const Vec2& to) const;
+  void selectBand(const CanvasMouse& mouse);
+  void end();
+  bool nudge(const QKeyEvent& event);
+
+  Gesture gesture_ = Gesture::None;
+  Vec2 from_ = Vec2::Zero();
+  EntityId grabbed_;
+  Handle handle_;
+  std::optional<Entity> pulled_;
+  Qt::CursorShape cursor_ = Qt::ArrowCursor;
+  bool deselectOnRelease_ = false;
+};
 
 QString SelectTool::statusText() const {
   if (scene().isRunMode()) {
@@ -121,24 +160,17 @@ void SelectTool::move(const CanvasMouse& mouse) {
 
 void SelectTool::hover(const CanvasMouse& mouse) {
   if (scene().isRunMode()) {
-    setCursor(scene().agentEntityAt(mouse.world) ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    cursor_ = scene().agentEntityAt(mouse.world) ? Qt::PointingHandCursor : Qt::ArrowCursor;
     return;
   }
   const Handle handle = scene().handleAt(mouse.world).second;
   const EntityId id =
       handle.kind == Handle::Kind::None ? scene().entityAt(mouse.world) : EntityId{};
   scene().setHovered(id);
-  setCursor(handle.kind == Handle::Kind::Turn   ? Qt::PointingHandCursor
+  cursor_ = handle.kind == Handle::Kind::Turn   ? Qt::PointingHandCursor
             : handle.kind != Handle::Kind::None ? Qt::CrossCursor
             : id                                ? Qt::SizeAllCursor
-                                                : Qt::ArrowCursor);
-}
-
-void SelectTool::setCursor(Qt::CursorShape shape) {
-  if (cursor_ != shape) {
-    cursor_ = shape;
-    Q_EMIT cursorChanged();
-  }
+                                                : Qt::ArrowCursor;
 }
 
 Vec2 SelectTool::deltaFor(const CanvasMouse& mouse) const {
@@ -252,27 +284,18 @@ void SelectTool::cancel() {
 }
 
 bool SelectTool::nudge(const QKeyEvent& event) {
-  Vec2 direction = Vec2::Zero();
-  switch (event.key()) {
-    case Qt::Key_Left:
-      direction = {-1.0, 0.0};
-      break;
-    case Qt::Key_Right:
-      direction = {1.0, 0.0};
-      break;
-    case Qt::Key_Up:
-      direction = {0.0, 1.0};
-      break;
-    case Qt::Key_Down:
-      direction = {0.0, -1.0};
-      break;
-    default:
-      return false;
+  static const std::map<int, Vec2> kDirections = {{Qt::Key_Left, {-1.0, 0.0}},
+                                                  {Qt::Key_Right, {1.0, 0.0}},
+                                                  {Qt::Key_Up, {0.0, 1.0}},
+                                                  {Qt::Key_Down, {0.0, -1.0}}};
+  const auto direction = kDirections.find(event.key());
+  if (direction == kDirections.end()) {
+    return false;
   }
   const double step = event.modifiers().testFlag(Qt::ShiftModifier) ? kBigNudge
                       : event.modifiers().testFlag(Qt::AltModifier) ? kFineNudge
                                                                     : kNudge;
-  pushMove(document(), document().selection(), step * direction, Merge::WithPrevious);
+  pushMove(document(), document().selection(), step * direction->second, Merge::WithPrevious);
   return true;
 }
 
@@ -293,6 +316,111 @@ bool SelectTool::keyPress(const QKeyEvent& event) {
   }
   return true;
 }
+
+bool SelectTool::grabHandle(const CanvasMouse& mouse) {
+  const auto [id, handle] = scene().handleAt(mouse.world);
+  if (handle.kind == Handle::Kind::None) {
+    return false;
+  }
+  gesture_ = Gesture::Handle;
+  grabbed_ = id;
+  handle_ = handle;
+  pulled_.reset();
+  return true;
+}
+
+void SelectTool::grabRobotGoal(const CanvasMouse& mouse) {
+  // Selected just now, it shows its handles: one drag is enough to move its goal.
+  const EntityId robot = grabbed_;
+  if (grabHandle(mouse) && (grabbed_ != robot || handle_.kind != Handle::Kind::RobotGoal)) {
+    gesture_ = Gesture::Pressed;
+    grabbed_ = robot;
+  }
+}
+
+void SelectTool::previewHandle(const CanvasMouse& mouse) {
+  const std::optional<Entity> entity = document().entity(grabbed_);
+  if (!entity) {
+    end();
+    return;
+  }
+  const Vec2 to = handleTarget(*entity, mouse);
+  pulled_ = pulled(*entity, handle_, to, mouse.modifiers.testFlag(Qt::AltModifier));
+  scene().setPreview({*pulled_});
+  scene().toolLayer().setTag(mouse.world, handleText(*entity, to));
+}
+
+Vec2 SelectTool::handleTarget(const Entity& entity, const CanvasMouse& mouse) const {
+  if (handle_.kind == Handle::Kind::Turn) {
+    const Vec2 centre = *positionOf(entity);
+    const Vec2 offset = mouse.world - centre;
+    return mouse.modifiers.testFlag(Qt::ShiftModifier)
+               ? Pose2{centre, snappedAngle(base::headingOf(offset))}.ahead(offset.norm())
+               : mouse.world;
+  }
+  if (handle_.kind == Handle::Kind::Size && kindOf(entity) == EntityKind::Human) {
+    return mouse.world;
+  }
+  SnapWish wish;
+  wish.without = {grabbed_};
+  const std::vector<Vec2>* corners = cornersOf(entity);
+  if (const auto* door = std::get_if<sim2d::Door>(&entity)) {
+    wish.anchor = handle_.index == 0 ? door->to : door->from;
+  } else if (corners != nullptr && handle_.kind == Handle::Kind::Vertex && corners->size() > 1) {
+    const auto index = static_cast<std::size_t>(handle_.index);
+    const bool isStart = index == 0 && hasOpenLine(entity);
+    wish.anchor = (*corners)[isStart ? 1 : (index + corners->size() - 1) % corners->size()];
+  }
+  return snap(mouse, wish);
+}
+
+QString SelectTool::handleText(const Entity& before, const Vec2& to) const {
+  if (handle_.kind == Handle::Kind::Turn) {
+    const std::optional<double> heading = headingOf(*pulled_);
+    const double turn = base::headingOf(to - *positionOf(before)) - 0.5 * base::kPi;
+    return headingText(heading ? *heading : base::wrapToPi(turn));
+  }
+  const auto* obstacle = std::get_if<sim2d::Obstacle>(&*pulled_);
+  if (obstacle != nullptr && obstacle->kind == sim2d::ObstacleKind::Box) {
+    return QStringLiteral("%1 × %2 m")
+        .arg(obstacle->length, 0, 'f', 2)
+        .arg(obstacle->width, 0, 'f', 2);
+  }
+  if (obstacle != nullptr && obstacle->kind == sim2d::ObstacleKind::Circle) {
+    return tr("radius %1 m").arg(obstacle->radius, 0, 'f', 2);
+  }
+  return placeText(to);
+}
+
+void SelectTool::doubleClick(const CanvasMouse& mouse) {
+  if (mouse.button != Qt::LeftButton || scene().isRunMode() || document().selection().size() != 1) {
+    return;
+  }
+  std::optional<Entity> value = document().entity(document().selection().front());
+  std::vector<Vec2>* corners = value ? cornersOf(*value) : nullptr;
+  if (corners == nullptr) {
+    return;
+  }
+  const auto [owner, handle] = scene().handleAt(mouse.world);
+  if (handle.kind == Handle::Kind::Vertex) {
+    end();
+    if (corners->size() > fewestCorners(*value)) {
+      corners->erase(corners->begin() + handle.index);
+      pushEdit(document(), {*value}, tr("Remove corner"));
+    }
+    return;
+  }
+  const double reach = kSnapReachPx / mouse.pixelsPerMetre;
+  if (const std::optional<std::size_t> edge = edgeNear(*value, mouse.world, reach)) {
+    end();
+    const Vec2 place = snap(mouse, {std::nullopt, {idOf(*value)}, {}, true});
+    corners->insert(corners->begin() + static_cast<std::ptrdiff_t>(*edge) + 1, place);
+    pushEdit(document(), {*value}, tr("Add corner"));
+    scene().toolLayer().clear();
+  }
+}
+
+}  // namespace
 
 void addSelectTool(ToolRegistry& to) {
   to.add<SelectTool>({10, QObject::tr("Select"), QStringLiteral("tool-select"), Qt::Key_V});

@@ -1,13 +1,31 @@
 #include "editor/tools/ToolManager.h"
 
+#include <algorithm>
+
 #include <QAction>
 #include <QGuiApplication>
 #include <QKeyEvent>
 
 #include "editor/canvas/MapScene.h"
 #include "editor/look/ActionText.h"
+#include "editor/tools/ToolRegistry.h"
 
 namespace editor {
+
+void addAllTools(ToolRegistry& to);  // written by CMake
+
+void ToolRegistry::add(ToolInfo info, Make make) {
+  const auto after = std::find_if(entries_.begin(), entries_.end(), [&info](const Entry& entry) {
+    return entry.info.order > info.order;
+  });
+  entries_.insert(after, {std::move(info), std::move(make)});
+}
+
+ToolRegistry standardTools() {
+  ToolRegistry registry;
+  addAllTools(registry);
+  return registry;
+}
 
 ToolManager::ToolManager(ScenarioDocument& document, MapScene& scene, const ToolRegistry& registry,
                          QObject* parent)

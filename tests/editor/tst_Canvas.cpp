@@ -3,7 +3,7 @@
 
 #include "SmallScenario.h"
 #include "editor/canvas/FrameLayer.h"
-#include "editor/canvas/LabelLayout.h"
+#include "editor/canvas/Layers.h"
 #include "editor/canvas/MapView.h"
 #include "editor/canvas/Overlays.h"
 #include "editor/canvas/RouteLayer.h"

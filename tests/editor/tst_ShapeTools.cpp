@@ -4,7 +4,6 @@
 #include "CanvasTester.h"
 #include "editor/document/EditCommands.h"
 #include "editor/run/DocumentWorld.h"
-#include "editor/tools/AreaTool.h"
 #include "editor/tools/ToolOptionsBar.h"
 #include "sim2d/map/Outlines.h"
 #include "sim2d/world/World.h"
@@ -63,7 +62,7 @@ void ShapeToolsTest::shape_dragged_isOneCommand() {
   QFETCH(QByteArray, name);
   use(name.constData());
   if (name == "Area") {
-    static_cast<AreaTool*>(tool("Area"))->setKind(sim2d::AreaKind::Wait);
+    key(Qt::Key_3);  // a waiting area
   }
   const Vec2 from(7.0, 2.0);
   const Vec2 to(9.0, 3.5);

@@ -1,7 +1,7 @@
 #include <QtTest>
 
 #include "CanvasTester.h"
-#include "editor/canvas/WallSnap.h"
+#include "editor/canvas/Snap.h"
 
 using namespace editor;
 

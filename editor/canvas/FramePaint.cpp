@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/canvas/EntityItem.h"
 #include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/MapScene.h"
 #include "editor/canvas/PixelFrame.h"
+#include "editor/canvas/RouteLayer.h"
 
-// What is drawn around the figures of a frame: trails, spaces, forces, speech.
+// What FrameLayer paints: figures, trails, spaces, forces, speech.
 namespace editor {
 
 namespace {
@@ -17,6 +19,58 @@ constexpr double kBubbleWidthPx = 220.0;
 constexpr int kBubbleText = int{Qt::TextWordWrap} | int{Qt::AlignCenter};
 
 }  // namespace
+
+void FrameLayer::paintPeople(QPainter& painter) {
+  const double pixelsPerMetre = pixelsPerMetreOf(painter);
+  std::vector<std::pair<QPointF, PersonFigure>> figures;
+  figures.reserve(frame_->humans.size());
+  const PixelFrame frame(painter, {});
+  for (std::size_t i = 0; i < frame_->humans.size(); ++i) {
+    const QPointF at = MapScene::sceneFromWorld(positionAt(frame_->humans, i)) * pixelsPerMetre;
+    figures.emplace_back(at, figureOf(i, pixelsPerMetre));
+    if (isChosen(frame_->humans.id[i])) {
+      painter.setBrush(Qt::NoBrush);
+      painter.setPen(QPen(scene_.theme().color(Role::Accent), 2.0));
+      const double ring = figures.back().second.radiusPx + 4.0;
+      painter.drawEllipse(at, ring, ring);
+    }
+  }
+  atlas_.draw(painter, scene_.theme(), figures);
+}
+
+void FrameLayer::paintRobots(QPainter& painter) const {
+  const double pixelsPerMetre = pixelsPerMetreOf(painter);
+  for (std::size_t i = 0; i < frame_->robots.size(); ++i) {
+    const Agent& robot = agent(frame_->robots.id[i]);
+    const RobotFigure figure =
+        robotFigure(robot.radius, robot.footprint, frame_->robots.heading[i], pixelsPerMetre);
+    const PixelFrame frame(painter, MapScene::sceneFromWorld(positionAt(frame_->robots, i)));
+    if (isChosen(frame_->robots.id[i])) {
+      painter.setBrush(Qt::NoBrush);
+      painter.setPen(QPen(scene_.theme().color(Role::Accent), 2.0));
+      painter.drawEllipse(QPointF(), figure.radiusPx + 5.0, figure.radiusPx + 5.0);
+    }
+    FigurePainter(scene_.theme()).robot(painter, figure);
+  }
+}
+
+void FrameLayer::paintRobotPaths(QPainter& painter) const {
+  QPen pen(scene_.theme().color(Role::RobotLine), 2.0, Qt::CustomDashLine, Qt::FlatCap);
+  pen.setDashPattern({3.5, 2.5});
+  makeCosmetic(pen, painter);
+  painter.setBrush(Qt::NoBrush);
+  for (const std::vector<base::Vec2>& points : frame_->robotPaths) {
+    const QPainterPath path = softPath(points, 0.3);
+    painter.setPen(pen);
+    painter.drawPath(path);
+    paintArrowHeads(painter, path, 1.5, 8.0, scene_.theme());
+  }
+  for (const sim2d::Robot& robot : scene_.document().scenario().robots) {
+    if (robot.listed && robot.goal.point) {
+      paintRobotGoal(painter, scene_.theme(), *robot.goal.point);
+    }
+  }
+}
 
 std::vector<ForceArrow> forcesOn(const sim2d::Frame& frame, int humanId) {
   const auto found = std::find(frame.humans.id.begin(), frame.humans.id.end(), humanId);
@@ -65,22 +119,6 @@ void FrameLayer::paintTrails(QPainter& painter) const {
   }
 }
 
-void FrameLayer::paintSpaces(QPainter& painter) const {
-  painter.setPen(Qt::NoPen);
-  for (std::size_t i = 0; i < frame_->humans.size(); ++i) {
-    if (!isChosen(frame_->humans.id[i])) {
-      continue;
-    }
-    const QPointF centre = MapScene::sceneFromWorld({frame_->humans.x[i], frame_->humans.y[i]});
-    QColor color = scene_.theme().fill(agent(frame_->humans.id[i]).look);
-    for (const auto& [reach, alpha] : {std::pair(3.6, 0.05), {1.2, 0.10}, {0.45, 0.18}}) {
-      color.setAlphaF(alpha);
-      painter.setBrush(color);
-      painter.drawEllipse(centre, reach, reach);
-    }
-  }
-}
-
 void FrameLayer::paintForces(QPainter& painter) const {
   const double pixelsPerMetre = pixelsPerMetreOf(painter);
   for (std::size_t i = 0; i < frame_->humans.size(); ++i) {
@@ -88,8 +126,7 @@ void FrameLayer::paintForces(QPainter& painter) const {
     if (!isChosen(id)) {
       continue;
     }
-    const PixelFrame frame(painter,
-                           MapScene::sceneFromWorld({frame_->humans.x[i], frame_->humans.y[i]}));
+    const PixelFrame frame(painter, MapScene::sceneFromWorld(positionAt(frame_->humans, i)));
     const double ring = agent(id).radius * pixelsPerMetre + 7.0;
     for (const ForceArrow& arrow : forcesOn(*frame_, id)) {
       const double length = arrow.force.norm() * kMetresPerForce * pixelsPerMetre;
@@ -101,7 +138,7 @@ void FrameLayer::paintForces(QPainter& painter) const {
       const QPointF tip = (ring + length) * along;
       painter.setPen(QPen(scene_.theme().color(arrow.color), 2.2, Qt::SolidLine, Qt::RoundCap));
       painter.drawLine(ring * along, tip);
-      FigurePainter(scene_.theme()).arrowHead(painter, tip, heading * 180.0 / base::kPi, 7.0);
+      FigurePainter(scene_.theme()).arrowHead(painter, tip, degrees(heading), 7.0);
     }
   }
 }
