@@ -20,6 +20,18 @@ constexpr double kStrideMetres = 1.4;    // both feet once
 constexpr double kStandingSpeed = 0.05;  // [m/s]
 constexpr std::size_t kMostNames = 120;
 
+/// Calls `visit` with the id and place of each person, then of each robot.
+template <class Visit>
+void forEachBody(const sim2d::Frame& frame, Visit&& visit) {
+  const auto all = [&](const auto& columns) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      visit(columns.id[i], positionAt(columns, i));
+    }
+  };
+  all(frame.humans);
+  all(frame.robots);
+}
+
 }  // namespace
 
 void FrameLayer::begin() {
@@ -93,12 +105,7 @@ void FrameLayer::follow(const sim2d::Frame& frame) {
       trail.points.pop_front();
     }
   };
-  for (std::size_t i = 0; i < frame.humans.size(); ++i) {
-    note(frame.humans.id[i], positionAt(frame.humans, i));
-  }
-  for (std::size_t i = 0; i < frame.robots.size(); ++i) {
-    note(frame.robots.id[i], positionAt(frame.robots, i));
-  }
+  forEachBody(frame, note);
 }
 
 void FrameLayer::hear(const std::vector<sim2d::Event>& events, double time) {
@@ -146,21 +153,16 @@ std::optional<int> FrameLayer::agentAt(const base::Vec2& world) const {
       nearest = distance;
     }
   };
-  for (std::size_t i = 0; i < frame_->humans.size(); ++i) {
-    consider(frame_->humans.id[i], positionAt(frame_->humans, i));
-  }
-  for (std::size_t i = 0; i < frame_->robots.size(); ++i) {
-    consider(frame_->robots.id[i], positionAt(frame_->robots, i));
-  }
+  forEachBody(*frame_, consider);
   return best;
 }
 
 std::vector<QRectF> FrameLayer::solidParts() const {
   std::vector<QRectF> parts;
-  for (std::size_t i = 0; i < frame_->humans.size(); ++i) {
-    parts.push_back(around(MapScene::sceneFromWorld(positionAt(frame_->humans, i)),
-                           0.9 * agent(frame_->humans.id[i]).radius));
-  }
+  forEachBody(*frame_, [&](int id, const base::Vec2& at) {
+    const double reach = (id < 0 ? 1.0 : 0.9) * agent(id).radius;
+    parts.push_back(around(MapScene::sceneFromWorld(at), reach));
+  });
   for (std::size_t i = 0; scene_.options().forces && i < frame_->humans.size(); ++i) {
     if (!isChosen(frame_->humans.id[i])) {
       continue;
@@ -173,10 +175,6 @@ std::vector<QRectF> FrameLayer::solidParts() const {
       parts.push_back(
           QRectF(MapScene::sceneFromWorld(from), MapScene::sceneFromWorld(to)).normalized());
     }
-  }
-  for (std::size_t i = 0; i < frame_->robots.size(); ++i) {
-    parts.push_back(around(MapScene::sceneFromWorld(positionAt(frame_->robots, i)),
-                           agent(frame_->robots.id[i]).radius));
   }
   return parts;
 }

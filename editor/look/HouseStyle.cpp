@@ -1,6 +1,7 @@
 #include "editor/look/HouseStyle.h"
 
 #include <algorithm>
+#include <map>
 
 #include <QAbstractScrollArea>
 #include <QListView>
@@ -8,6 +9,9 @@
 #include <QStyleOption>
 #include <QStyleOptionComboBox>
 #include <QToolBar>
+#include <QTransform>
+
+#include "editor/look/Icons.h"
 
 namespace editor {
 
@@ -41,86 +45,99 @@ void drawRadioButton(QPainter& painter, const QStyleOption& option, const Theme&
   }
 }
 
+struct OwnIcon {
+  const char* name;
+  Role color;
+};
+
+/// Message boxes and file dialogs speak the language of the rest.
+const std::map<QStyle::StandardPixmap, OwnIcon>& ownIcons() {
+  static const std::map<QStyle::StandardPixmap, OwnIcon> kIcons = {
+      {QStyle::SP_MessageBoxQuestion, {"info", Role::Accent}},
+      {QStyle::SP_MessageBoxInformation, {"info", Role::Accent}},
+      {QStyle::SP_MessageBoxWarning, {"warning", Role::WarningMark}},
+      {QStyle::SP_MessageBoxCritical, {"error", Role::Error}},
+      {QStyle::SP_DirIcon, {"file-open", Role::TextSecondary}},
+      {QStyle::SP_DirClosedIcon, {"file-open", Role::TextSecondary}},
+      {QStyle::SP_DirOpenIcon, {"file-open", Role::TextSecondary}},
+      {QStyle::SP_DirHomeIcon, {"file-open", Role::TextSecondary}},
+      {QStyle::SP_FileIcon, {"file", Role::TextSecondary}},
+      {QStyle::SP_FileDialogNewFolder, {"add", Role::Text}},
+      {QStyle::SP_FileDialogToParent, {"chevron-up", Role::Text}},
+      {QStyle::SP_ArrowForward, {"chevron-right", Role::Text}},
+      {QStyle::SP_ArrowBack, {"chevron-right", Role::Text}}};
+  return kIcons;
+}
+
+/// Left and right exchanged.
+QIcon mirrored(const QIcon& icon) {
+  constexpr int kSize = 48;
+  QIcon result;
+  for (const QIcon::Mode mode : {QIcon::Normal, QIcon::Disabled}) {
+    const QPixmap pixmap = icon.pixmap(QSize(kSize, kSize), mode);
+    result.addPixmap(pixmap.transformed(QTransform().scale(-1.0, 1.0)), mode);
+  }
+  return result;
+}
+
 }  // namespace
 
 HouseStyle::HouseStyle(const Theme& theme) : QProxyStyle(QStringLiteral("Fusion")), theme_(theme) {}
 
 int HouseStyle::pixelMetric(PixelMetric metric, const QStyleOption* option,
                             const QWidget* widget) const {
-  switch (metric) {
-    case PM_DefaultFrameWidth:  // of a list: on screens of 1.25 pixels per point what is in it
-                                // would cover parts of a line right beside it
-      return qobject_cast<const QAbstractScrollArea*>(widget) != nullptr
-                 ? 2
-                 : QProxyStyle::pixelMetric(metric, option, widget);
-    case PM_ToolBarIconSize:
-    case PM_MessageBoxIconSize:
-      return 24;
-    case PM_SmallIconSize:
-    case PM_ListViewIconSize:
-    case PM_ButtonIconSize:
-      return 16;
-    case PM_ToolBarItemSpacing:
-      return 2;
-    case PM_ToolBarSeparatorExtent:
-      return 15;
-    case PM_ToolBarItemMargin:
-    case PM_ToolBarFrameWidth:
-    case PM_DockWidgetFrameWidth:
-    case PM_DockWidgetTitleMargin:
-      return 0;
-    case PM_DockWidgetSeparatorExtent:
-    case PM_SplitterWidth:
-      return 1;
-    case PM_TabBarTabHSpace:
-      return 24;
-    case PM_TabBarBaseOverlap:
-    case PM_TabBarTabShiftVertical:
-    case PM_TabBarTabShiftHorizontal:
-      return 0;
-    case PM_TreeViewIndentation:
-      return 16;
-    case PM_ScrollBarExtent:
-      return 10;
-    case PM_SliderThickness:
-    case PM_SliderControlThickness:
-      return 16;
-    case PM_SliderLength:
-      return 14;
-    case PM_IndicatorWidth:
-    case PM_IndicatorHeight:
-      return 16;
-    case PM_MenuBarPanelWidth:
-    case PM_MenuBarVMargin:
-    case PM_MenuBarHMargin:
-      return 0;
-    default:
-      return QProxyStyle::pixelMetric(metric, option, widget);
+  static const std::map<PixelMetric, int> kOwn = {{PM_ToolBarIconSize, 24},
+                                                  {PM_MessageBoxIconSize, 24},
+                                                  {PM_SmallIconSize, 16},
+                                                  {PM_ListViewIconSize, 16},
+                                                  {PM_ButtonIconSize, 16},
+                                                  {PM_ToolBarItemSpacing, 2},
+                                                  {PM_ToolBarSeparatorExtent, 15},
+                                                  {PM_ToolBarItemMargin, 0},
+                                                  {PM_ToolBarFrameWidth, 0},
+                                                  {PM_DockWidgetFrameWidth, 0},
+                                                  {PM_DockWidgetTitleMargin, 0},
+                                                  {PM_DockWidgetSeparatorExtent, 1},
+                                                  {PM_SplitterWidth, 1},
+                                                  {PM_TabBarTabHSpace, 24},
+                                                  {PM_TabBarBaseOverlap, 0},
+                                                  {PM_TabBarTabShiftVertical, 0},
+                                                  {PM_TabBarTabShiftHorizontal, 0},
+                                                  {PM_TreeViewIndentation, 16},
+                                                  {PM_ScrollBarExtent, 10},
+                                                  {PM_SliderThickness, 16},
+                                                  {PM_SliderControlThickness, 16},
+                                                  {PM_SliderLength, 14},
+                                                  {PM_IndicatorWidth, 16},
+                                                  {PM_IndicatorHeight, 16},
+                                                  {PM_MenuBarPanelWidth, 0},
+                                                  {PM_MenuBarVMargin, 0},
+                                                  {PM_MenuBarHMargin, 0}};
+  if (const auto own = kOwn.find(metric); own != kOwn.end()) {
+    return own->second;
   }
+  // Of a list: on screens of 1.25 pixels per point what is in it would cover parts of a line right
+  // beside it.
+  const bool isListFrame =
+      metric == PM_DefaultFrameWidth && qobject_cast<const QAbstractScrollArea*>(widget) != nullptr;
+  return isListFrame ? 2 : QProxyStyle::pixelMetric(metric, option, widget);
 }
 
 int HouseStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                           QStyleHintReturn* returned) const {
-  switch (hint) {
-    case SH_ItemView_ShowDecorationSelected:
-      return 1;
-    case SH_Slider_AbsoluteSetButtons:
-      return Qt::LeftButton;  // a click on the groove goes there
-    case SH_UnderlineShortcut:
-    case SH_EtchDisabledText:
-    case SH_DitherDisabledText:
-    case SH_ScrollBar_Transient:
-    case SH_DialogButtonBox_ButtonsHaveIcons:  // they are not of our set
-      return 0;
-    case SH_TabBar_Alignment:
-      return Qt::AlignLeft;
-    case SH_TabBar_ElideMode:
-      return Qt::ElideRight;
-    case SH_ToolTip_WakeUpDelay:
-      return 500;
-    default:
-      return QProxyStyle::styleHint(hint, option, widget, returned);
-  }
+  static const std::map<StyleHint, int> kOwn = {
+      {SH_ItemView_ShowDecorationSelected, 1},
+      {SH_Slider_AbsoluteSetButtons, Qt::LeftButton},  // a click on the groove goes there
+      {SH_UnderlineShortcut, 0},
+      {SH_EtchDisabledText, 0},
+      {SH_DitherDisabledText, 0},
+      {SH_ScrollBar_Transient, 0},
+      {SH_DialogButtonBox_ButtonsHaveIcons, 0},  // they are not of our set
+      {SH_TabBar_Alignment, Qt::AlignLeft},
+      {SH_TabBar_ElideMode, Qt::ElideRight},
+      {SH_ToolTip_WakeUpDelay, 500}};
+  const auto own = kOwn.find(hint);
+  return own != kOwn.end() ? own->second : QProxyStyle::styleHint(hint, option, widget, returned);
 }
 
 QSize HouseStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
@@ -175,6 +192,17 @@ QSize HouseStyle::sizeFromContents(ContentsType type, const QStyleOption* option
       break;
   }
   return result;
+}
+
+QIcon HouseStyle::standardIcon(StandardPixmap which, const QStyleOption* option,
+                               const QWidget* widget) const {
+  const auto found = ownIcons().find(which);
+  if (found == ownIcons().end()) {
+    return QProxyStyle::standardIcon(which, option, widget);
+  }
+  const QIcon icon =
+      tintedIcon(QString::fromLatin1(found->second.name), theme_.color(found->second.color));
+  return which == SP_ArrowBack ? mirrored(icon) : icon;
 }
 
 bool HouseStyle::drawSimple(PrimitiveElement element, const QStyleOption& option, QPainter& painter,
@@ -259,8 +287,6 @@ void HouseStyle::drawControl(ControlElement element, const QStyleOption* option,
       drawComboLabel(*painter, *option, widget);
       break;
     case CE_ToolBar:
-      painter->fillRect(option->rect, theme_.color(Role::Window));
-      break;
     case CE_MenuBarEmptyArea:
       painter->fillRect(option->rect, theme_.color(Role::Window));
       break;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <QDir>
 #include <QFile>
 #include <QIconEngine>
 #include <QPainter>
@@ -100,15 +99,6 @@ QIcon themedIcon(const QString& name, const Theme& theme) {
 
 QIcon tintedIcon(const QString& name, const QColor& color) {
   return makeIcon(name, {color, color, color, color});
-}
-
-QStringList iconNames() {
-  initResources();
-  QStringList names;
-  for (const QString& file : QDir(QStringLiteral(":/icons")).entryList()) {
-    names.push_back(file.chopped(4));
-  }
-  return names;
 }
 
 }  // namespace editor

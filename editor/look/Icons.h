@@ -13,6 +13,5 @@ namespace editor {
 QIcon themedIcon(const QString& name, const Theme& theme);
 /// The same with all strokes in one colour, for example that of a severity.
 QIcon tintedIcon(const QString& name, const QColor& color);
-QStringList iconNames();
 
 }  // namespace editor

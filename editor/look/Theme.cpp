@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QGuiApplication>
 
@@ -63,21 +64,11 @@ std::size_t index(Look look) {
 }  // namespace
 
 Look lookOf(sim2d::BehaviorType type) {
-  switch (type) {
-    case sim2d::BehaviorType::Regular:
-      return Look::Regular;
-    case sim2d::BehaviorType::Impassive:
-      return Look::Impassive;
-    case sim2d::BehaviorType::Surprised:
-      return Look::Surprised;
-    case sim2d::BehaviorType::Scared:
-      return Look::Scared;
-    case sim2d::BehaviorType::Curious:
-      return Look::Curious;
-    case sim2d::BehaviorType::Threatening:
-      return Look::Threatening;
-  }
-  return Look::Regular;
+  static constexpr std::array<Look, 7> kLooks = {Look::Regular,  // there is no type 0
+                                                 Look::Regular, Look::Impassive, Look::Surprised,
+                                                 Look::Scared,  Look::Curious,   Look::Threatening};
+  const auto at = static_cast<std::size_t>(type);
+  return at < kLooks.size() ? kLooks[at] : Look::Regular;
 }
 
 QString lookName(Look look) {
@@ -99,23 +90,18 @@ Theme Theme::light() {
   for (const RoleColors& entry : kRoles) {
     theme.roles_[static_cast<std::size_t>(entry.role)] = QColor(entry.light);
   }
-  for (std::size_t i = 0; i < kFills.size(); ++i) {
-    theme.fills_[i] = QColor(kFills[i]);
-    theme.lines_[i] = QColor(kLightLines[i]);
-  }
+  std::copy(kFills.begin(), kFills.end(), theme.fills_.begin());
+  std::copy(kLightLines.begin(), kLightLines.end(), theme.lines_.begin());
   return theme;
 }
 
 Theme Theme::dark() {
-  Theme theme;
+  Theme theme = light();
   theme.kind_ = Kind::Dark;
   for (const RoleColors& entry : kRoles) {
     theme.roles_[static_cast<std::size_t>(entry.role)] = QColor(entry.dark);
   }
-  for (std::size_t i = 0; i < kFills.size(); ++i) {
-    theme.fills_[i] = QColor(kFills[i]);
-    theme.lines_[i] = QColor(kDarkLines[i]);
-  }
+  std::copy(kDarkLines.begin(), kDarkLines.end(), theme.lines_.begin());
   return theme;
 }
 
@@ -144,26 +130,30 @@ QColor Theme::feet(Look look) const {
 }
 
 QPalette Theme::palette() const {
+  static constexpr std::pair<QPalette::ColorRole, Role> kColors[] = {
+      {QPalette::Window, Role::Window},
+      {QPalette::WindowText, Role::Text},
+      {QPalette::Base, Role::Field},
+      {QPalette::AlternateBase, Role::RowHover},
+      {QPalette::Text, Role::Text},
+      {QPalette::Button, Role::Window},
+      {QPalette::ButtonText, Role::Text},
+      {QPalette::BrightText, Role::Error},
+      {QPalette::ToolTipBase, Role::Panel},
+      {QPalette::ToolTipText, Role::Text},
+      {QPalette::PlaceholderText, Role::TextSecondary},
+      {QPalette::Highlight, Role::RowSelected},
+      {QPalette::HighlightedText, Role::Text},
+      {QPalette::Link, Role::AccentText},
+      {QPalette::Light, Role::Panel},
+      {QPalette::Midlight, Role::RowHover},
+      {QPalette::Mid, Role::FieldEdge},
+      {QPalette::Dark, Role::Line},
+      {QPalette::Shadow, Role::Line}};
   QPalette result;
-  result.setColor(QPalette::Window, color(Role::Window));
-  result.setColor(QPalette::WindowText, color(Role::Text));
-  result.setColor(QPalette::Base, color(Role::Field));
-  result.setColor(QPalette::AlternateBase, color(Role::RowHover));
-  result.setColor(QPalette::Text, color(Role::Text));
-  result.setColor(QPalette::Button, color(Role::Window));
-  result.setColor(QPalette::ButtonText, color(Role::Text));
-  result.setColor(QPalette::BrightText, color(Role::Error));
-  result.setColor(QPalette::ToolTipBase, color(Role::Panel));
-  result.setColor(QPalette::ToolTipText, color(Role::Text));
-  result.setColor(QPalette::PlaceholderText, color(Role::TextSecondary));
-  result.setColor(QPalette::Highlight, color(Role::RowSelected));
-  result.setColor(QPalette::HighlightedText, color(Role::Text));
-  result.setColor(QPalette::Link, color(Role::AccentText));
-  result.setColor(QPalette::Light, color(Role::Panel));
-  result.setColor(QPalette::Midlight, color(Role::RowHover));
-  result.setColor(QPalette::Mid, color(Role::FieldEdge));
-  result.setColor(QPalette::Dark, color(Role::Line));
-  result.setColor(QPalette::Shadow, color(Role::Line));
+  for (const auto& [target, role] : kColors) {
+    result.setColor(target, color(role));
+  }
   for (const QPalette::ColorRole role :
        {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::HighlightedText}) {
     result.setColor(QPalette::Disabled, role, mixed(color(Role::Text), color(Role::Window), 0.55));

@@ -1,12 +1,10 @@
-#include "editor/tools/BrushTool.h"
-
 #include <cmath>
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
 #include "editor/document/BehaviorValues.h"
-#include "editor/document/EditCommands.h"
 #include "editor/tools/CrowdOptions.h"
+#include "editor/tools/CrowdTools.h"
 #include "editor/tools/ToolRegistry.h"
 #include "sim2d/base/Rng.h"
 
@@ -88,22 +86,13 @@ void BrushTool::release(const CanvasMouse& mouse) {
     return;
   }
   layAlong(mouse.world);
-  std::vector<Entity> people(people_.begin(), people_.end());
+  const std::vector<sim2d::Human> people = std::move(people_);
   cancel();
-  if (!people.empty()) {
-    const int made = static_cast<int>(people.size());
-    document().setSelection(
-        pushAdd(document(), std::move(people), tr("Add %1").arg(peopleText(made))));
-  }
+  addCrowd(document(), people);
 }
 
 void BrushTool::show() {
-  std::vector<ToolDot> dots;
-  for (const sim2d::Human& human : people_) {
-    dots.push_back({human.initPose.position, *human.radius,
-                    scene().theme().line(lookOf(*human.behavior.type)), human.initPose.heading});
-  }
-  scene().toolLayer().setDots(std::move(dots));
+  showCrowd(scene(), people_);
   Q_EMIT statusTextChanged();
 }
 

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "editor/canvas/Layers.h"
 #include "editor/document/BehaviorValues.h"
+#include "editor/document/EditCommands.h"
 #include "sim2d/base/Rng.h"
 #include "sim2d/map/Outlines.h"
 #include "sim2d/scenario/Defaults.h"
@@ -199,6 +201,23 @@ std::vector<sim2d::Human> fillCrowd(const std::vector<Vec2>& polygon, int count,
     }
   }
   return people;
+}
+
+void showCrowd(MapScene& scene, const std::vector<sim2d::Human>& people) {
+  std::vector<ToolDot> dots;
+  for (const sim2d::Human& human : people) {
+    dots.push_back({human.initPose.position, *human.radius,
+                    scene.theme().line(lookOf(*human.behavior.type)), human.initPose.heading});
+  }
+  scene.toolLayer().setDots(std::move(dots));
+}
+
+void addCrowd(ScenarioDocument& document, const std::vector<sim2d::Human>& people) {
+  if (!people.empty()) {
+    const QString text = QObject::tr("Add %1").arg(peopleText(static_cast<int>(people.size())));
+    document.setSelection(
+        pushAdd(document, std::vector<Entity>(people.begin(), people.end()), text));
+  }
 }
 
 }  // namespace editor

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "editor/canvas/MapScene.h"
 #include "editor/document/ScenarioDocument.h"
 #include "sim2d/map/Obstacles.h"
 
@@ -52,6 +53,11 @@ std::vector<sim2d::Human> fillCrowd(const std::vector<Vec2>& polygon, int count,
 
 /// A person with the values of a new one, all written out so that other programs read them too.
 sim2d::Human newPerson();
+
+/// Shows people who are still to be made, as discs.
+void showCrowd(MapScene& scene, const std::vector<sim2d::Human>& people);
+/// Adds and selects them: one command; nothing for nobody.
+void addCrowd(ScenarioDocument& document, const std::vector<sim2d::Human>& people);
 
 QString peopleText(int count);  // "1 person", "20 people"
 

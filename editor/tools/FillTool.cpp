@@ -1,9 +1,6 @@
-#include "editor/tools/FillTool.h"
-
-#include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
-#include "editor/document/EditCommands.h"
 #include "editor/tools/CrowdOptions.h"
+#include "editor/tools/CrowdTools.h"
 #include "editor/tools/ToolRegistry.h"
 
 namespace editor {
@@ -26,28 +23,16 @@ QWidget* FillTool::makeOptions(QWidget* parent) {
 }
 
 void FillTool::preview(const Corners& corners) {
-  std::vector<ToolDot> dots;
-  for (const sim2d::Human& human : fillCrowd(corners, count_, recipe_, document())) {
-    const Look look = lookOf(*human.behavior.type);
-    dots.push_back({human.initPose.position, *human.radius, scene().theme().line(look),
-                    human.initPose.heading});
-  }
-  scene().toolLayer().setDots(std::move(dots));
+  showCrowd(scene(), fillCrowd(corners, count_, recipe_, document()));
   result_.clear();
 }
 
 void FillTool::make(const Corners& corners) {
-  std::vector<Entity> people;
-  for (sim2d::Human& human : fillCrowd(corners, count_, recipe_, document())) {
-    people.emplace_back(std::move(human));
-  }
+  const std::vector<sim2d::Human> people = fillCrowd(corners, count_, recipe_, document());
   const int made = static_cast<int>(people.size());
   result_ = made == count_ ? QString()
                            : tr("There was room for %1 of %2").arg(made).arg(peopleText(count_));
-  if (made > 0) {
-    document().setSelection(
-        pushAdd(document(), std::move(people), tr("Add %1").arg(peopleText(made))));
-  }
+  addCrowd(document(), people);
   Q_EMIT statusTextChanged();
 }
 

@@ -26,12 +26,10 @@ class PolygonTool : public CornerDrawing {
   }
   void preview(const Corners& corners) override { scene().setPreview({polygonOf(corners)}); }
 
-  void make(const Corners& corners) override;
+  void make(const Corners& corners) override {
+    addDrawn(document(), polygonOf(corners), "polygon", tr("Add polygon"));
+  }
 };
-
-void PolygonTool::make(const Corners& corners) {
-  addDrawn(document(), polygonOf(corners), "polygon", tr("Add polygon"));
-}
 
 }  // namespace
 

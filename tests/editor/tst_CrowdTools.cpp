@@ -2,8 +2,7 @@
 
 #include "CanvasTester.h"
 #include "editor/look/Fields.h"
-#include "editor/tools/BrushTool.h"
-#include "editor/tools/FillTool.h"
+#include "editor/tools/CrowdTools.h"
 #include "editor/tools/MeasureTool.h"
 #include "editor/tools/ToolOptionsBar.h"
 #include "sim2d/map/Outlines.h"
