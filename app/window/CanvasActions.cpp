@@ -1,6 +1,6 @@
 #include "app/window/CanvasActions.h"
 
-#include "editor/canvas/Snap.h"
+#include "editor/canvas/Tool.h"
 #include "editor/look/ActionText.h"
 #include "editor/look/Icons.h"
 #include "editor/tools/SelectionActions.h"

@@ -5,6 +5,7 @@
 
 #include "editor/canvas/PixelFrame.h"
 #include "editor/canvas/SpriteAtlas.h"
+#include "editor/document/EditCommands.h"
 #include "editor/document/PersonLook.h"
 #include "sim2d/scenario/Defaults.h"
 
@@ -50,13 +51,10 @@ class PersonItem : public EntityItem {
     }
     const double radiusPx = std::max(radius_ * pixelsPerMetreOf(*painter), kLeastFigurePx);
     const PixelFrame frame(*painter, MapScene::sceneFromWorld(human_.initPose.position));
-    if (isSelectedEntity() || isHovered()) {
-      painter->setBrush(Qt::NoBrush);
-      painter->setPen(
-          QPen(isSelectedEntity() ? theme().line(look_) : theme().color(Role::Accent, 0.6),
-               isSelectedEntity() ? 1.0 : 1.5));
-      const double ring = isSelectedEntity() ? radiusPx : radiusPx + 2.5;
-      painter->drawEllipse(QPointF(), ring, ring);
+    if (isSelectedEntity()) {
+      paintRing(*painter, QPen(theme().line(look_), 1.0), radiusPx);
+    } else if (isHovered()) {
+      paintRing(*painter, QPen(theme().color(Role::Accent, 0.6), 1.5), radiusPx + 2.5);
     }
     PersonFigure figure;
     figure.look = look_;
@@ -76,7 +74,6 @@ class PersonItem : public EntityItem {
     const sim2d::Scenario& scenario = mapScene().document().scenario();
     radius_ = sim2d::resolveHuman(scenario, human_, scenario.desktop.seed.value_or(1)).radius;
     look_ = lookOfPerson(mapScene().document(), human_);
-    setOpacity(human_.listed ? 1.0 : 0.4);
   }
 
   QRectF bounds(double pixelsPerMetre) const override {
@@ -138,9 +135,7 @@ class RobotItem : public EntityItem {
         robotFigure(radius_, footprint_, robot_.start.heading, pixelsPerMetreOf(*painter));
     const PixelFrame frame(*painter, MapScene::sceneFromWorld(robot_.start.position));
     if (isHovered() && !isSelectedEntity()) {
-      painter->setBrush(Qt::NoBrush);
-      painter->setPen(QPen(theme().color(Role::Accent, 0.6), 1.5));
-      painter->drawEllipse(QPointF(), figure.radiusPx + 3.0, figure.radiusPx + 3.0);
+      paintRing(*painter, QPen(theme().color(Role::Accent, 0.6), 1.5), figure.radiusPx + 3.0);
     }
     FigurePainter(theme()).robot(*painter, figure);
   }
@@ -155,7 +150,6 @@ class RobotItem : public EntityItem {
     for (const Vec2& point : footprint_) {
       radius_ = std::max(radius_, point.norm());
     }
-    setOpacity(robot_.listed ? 1.0 : 0.4);
   }
 
   QRectF bounds(double pixelsPerMetre) const override {
@@ -237,6 +231,7 @@ QRectF around(const QPointF& centre, double reach) {
 
 void EntityItem::sync(const Entity& value) {
   take(value);
+  setOpacity(isListed(value) ? 1.0 : 0.4);
   zoomChanged();
   update();
 }

@@ -20,16 +20,18 @@ constexpr double kStrideMetres = 1.4;    // both feet once
 constexpr double kStandingSpeed = 0.05;  // [m/s]
 constexpr std::size_t kMostNames = 120;
 
+const sim2d::BodyColumns& peopleOf(const sim2d::Frame& frame) {
+  return frame.humans;
+}
+
 /// Calls `visit` with the id and place of each person, then of each robot.
 template <class Visit>
 void forEachBody(const sim2d::Frame& frame, Visit&& visit) {
-  const auto all = [&](const auto& columns) {
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      visit(columns.id[i], positionAt(columns, i));
+  for (const sim2d::BodyColumns* bodies : {&peopleOf(frame), &frame.robots}) {
+    for (std::size_t i = 0; i < bodies->size(); ++i) {
+      visit(bodies->id[i], positionAt(*bodies, i));
     }
-  };
-  all(frame.humans);
-  all(frame.robots);
+  }
 }
 
 }  // namespace
@@ -127,16 +129,14 @@ bool FrameLayer::isChosen(int id) const {
 }
 
 std::optional<base::Vec2> FrameLayer::positionOf(int id) const {
-  const auto find = [id](const auto& columns) {
-    const auto found = std::find(columns.id.begin(), columns.id.end(), id);
-    return found == columns.id.end()
-               ? std::optional<base::Vec2>()
-               : positionAt(columns, static_cast<std::size_t>(found - columns.id.begin()));
-  };
   if (frame_ == nullptr) {
     return std::nullopt;
   }
-  return id >= 0 ? find(frame_->humans) : find(frame_->robots);
+  const sim2d::BodyColumns& bodies = id >= 0 ? peopleOf(*frame_) : frame_->robots;
+  const auto found = std::find(bodies.id.begin(), bodies.id.end(), id);
+  return found == bodies.id.end()
+             ? std::optional<base::Vec2>()
+             : positionAt(bodies, static_cast<std::size_t>(found - bodies.id.begin()));
 }
 
 std::optional<int> FrameLayer::agentAt(const base::Vec2& world) const {

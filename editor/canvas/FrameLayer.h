@@ -87,9 +87,8 @@ class FrameLayer : public QGraphicsItem {
 };
 
 /// Where number `i` of the people or robots of a frame is.
-template <class Columns>
-base::Vec2 positionAt(const Columns& columns, std::size_t i) {
-  return {columns.x[i], columns.y[i]};
+inline base::Vec2 positionAt(const sim2d::BodyColumns& bodies, std::size_t i) {
+  return {bodies.x[i], bodies.y[i]};
 }
 
 /// The force terms on a person that the canvas draws, in the order of the legend.

@@ -29,10 +29,8 @@ void FrameLayer::paintPeople(QPainter& painter) {
     const QPointF at = MapScene::sceneFromWorld(positionAt(frame_->humans, i)) * pixelsPerMetre;
     figures.emplace_back(at, figureOf(i, pixelsPerMetre));
     if (isChosen(frame_->humans.id[i])) {
-      painter.setBrush(Qt::NoBrush);
-      painter.setPen(QPen(scene_.theme().color(Role::Accent), 2.0));
-      const double ring = figures.back().second.radiusPx + 4.0;
-      painter.drawEllipse(at, ring, ring);
+      paintRing(painter, QPen(scene_.theme().color(Role::Accent), 2.0),
+                figures.back().second.radiusPx + 4.0, at);
     }
   }
   atlas_.draw(painter, scene_.theme(), figures);
@@ -46,9 +44,7 @@ void FrameLayer::paintRobots(QPainter& painter) const {
         robotFigure(robot.radius, robot.footprint, frame_->robots.heading[i], pixelsPerMetre);
     const PixelFrame frame(painter, MapScene::sceneFromWorld(positionAt(frame_->robots, i)));
     if (isChosen(frame_->robots.id[i])) {
-      painter.setBrush(Qt::NoBrush);
-      painter.setPen(QPen(scene_.theme().color(Role::Accent), 2.0));
-      painter.drawEllipse(QPointF(), figure.radiusPx + 5.0, figure.radiusPx + 5.0);
+      paintRing(painter, QPen(scene_.theme().color(Role::Accent), 2.0), figure.radiusPx + 5.0);
     }
     FigurePainter(scene_.theme()).robot(painter, figure);
   }

@@ -1,10 +1,10 @@
-#include "editor/canvas/GroupLayer.h"
-
 #include <algorithm>
 #include <array>
 #include <limits>
 
 #include "editor/canvas/FrameLayer.h"
+#include "editor/canvas/Layers.h"
+#include "editor/canvas/Overlays.h"
 #include "editor/canvas/PixelFrame.h"
 #include "editor/document/Groups.h"
 
@@ -185,9 +185,8 @@ int paintGroupLegend(QPainter& painter, const OverlayContext& context) {
   auto group = groups.begin();
   for (const QString& words : legendRows(scenario, groups)) {
     if (static_cast<std::size_t>(std::distance(groups.begin(), group)) < kMostRows) {
-      painter.setPen(QPen(groupColor(group->first, theme), 2.0));
-      painter.setBrush(Qt::NoBrush);
-      painter.drawEllipse(QPointF(row.left() + 5.0, row.center().y()), 4.5, 4.5);
+      paintRing(painter, QPen(groupColor(group->first, theme), 2.0), 4.5,
+                QPointF(row.left() + 5.0, row.center().y()));
       ++group;
     }
     painter.setPen(theme.color(Role::Text));

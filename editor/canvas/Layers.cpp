@@ -23,13 +23,8 @@ QPen accentPen(const QPainter& painter, const Theme& theme, double widthPx) {
 
 }  // namespace
 
-void GridItem::setBounds(const QRectF& sceneBounds) {
-  prepareGeometryChange();
-  bounds_ = sceneBounds;
-}
-
 void GridItem::paintLines(QPainter& painter, const QRectF& area, double step, double alpha) const {
-  QColor color = scene_.theme().color(Role::Text);
+  QColor color = theme().color(Role::Text);
   color.setAlphaF(alpha);
   QPen pen(color, 1.0);
   makeCosmetic(pen, painter);
@@ -45,14 +40,14 @@ void GridItem::paintLines(QPainter& painter, const QRectF& area, double step, do
 }
 
 void GridItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
-  if (!scene_.options().grid) {
+  if (!mapScene().options().grid) {
     return;
   }
   painter->setRenderHint(QPainter::Antialiasing, false);
-  const QRectF area = bounds_ & option->exposedRect.adjusted(-0.1, -0.1, 0.1, 0.1);
+  const QRectF area = boundingRect() & option->exposedRect.adjusted(-0.1, -0.1, 0.1, 0.1);
   const double pixelsPerMetre = pixelsPerMetreOf(*painter);
   const auto fade = [](double px) { return std::clamp((px - 8.0) / 22.0, 0.0, 1.0); };
-  const double strength = scene_.theme().isDark() ? 0.055 : 0.07;
+  const double strength = theme().isDark() ? 0.055 : 0.07;
   for (const double step : {1.0, 5.0, 25.0}) {
     const double alpha = strength * fade(pixelsPerMetre * step);
     if (alpha > 0.0) {
@@ -85,38 +80,35 @@ std::vector<Handle> SelectionLayer::handlesFor(const Entity& entity) const {
   return handles;
 }
 
+/// Those that are to be seen, each with the entity that it is of.
+std::vector<std::pair<EntityId, Handle>> SelectionLayer::handles() const {
+  std::vector<std::pair<EntityId, Handle>> all;
+  const std::vector<EntityId>& selection = mapScene().document().selection();
+  for (const EntityId id : selection.size() > kMostHandles ? std::vector<EntityId>() : selection) {
+    if (const std::optional<Entity> entity = mapScene().shown(id)) {
+      for (const Handle& handle : handlesFor(*entity)) {
+        all.emplace_back(id, handle);
+      }
+    }
+  }
+  return all;
+}
+
 std::pair<EntityId, Handle> SelectionLayer::handleAt(const Vec2& world) const {
   const double reach = kHandleReachPx / mapScene().pixelsPerMetre();
-  if (mapScene().document().selection().size() > kMostHandles) {
-    return {};
-  }
-  for (const EntityId id : mapScene().document().selection()) {
-    const std::optional<Entity> entity = mapScene().shown(id);
-    if (!entity) {
-      continue;
-    }
-    for (const Handle& handle : handlesFor(*entity)) {
-      if ((handle.position - world).cwiseAbs().maxCoeff() <= reach) {
-        return {id, handle};
-      }
+  for (const auto& [id, handle] : handles()) {
+    if ((handle.position - world).cwiseAbs().maxCoeff() <= reach) {
+      return {id, handle};
     }
   }
   return {};
 }
 
 std::vector<QRectF> SelectionLayer::solidParts() const {
-  const double side = 1.5 * kTurnHandlePx / mapScene().pixelsPerMetre();
+  const double reach = 0.75 * kTurnHandlePx / mapScene().pixelsPerMetre();
   std::vector<QRectF> parts;
-  if (mapScene().document().selection().size() > kMostHandles) {
-    return parts;
-  }
-  for (const EntityId id : mapScene().document().selection()) {
-    if (const std::optional<Entity> entity = mapScene().shown(id)) {
-      for (const Handle& handle : handlesFor(*entity)) {
-        const QPointF at = MapScene::sceneFromWorld(handle.position);
-        parts.emplace_back(at.x() - 0.5 * side, at.y() - 0.5 * side, side, side);
-      }
-    }
+  for (const auto& [id, handle] : handles()) {
+    parts.push_back(around(MapScene::sceneFromWorld(handle.position), reach));
   }
   return parts;
 }

@@ -14,20 +14,6 @@
 
 namespace editor {
 
-/// Fine lines every metre, stronger ones every five; they fade when they get too dense.
-class GridItem : public QGraphicsItem {
- public:
-  explicit GridItem(const MapScene& scene) : scene_(scene) {}
-  void setBounds(const QRectF& sceneBounds);
-  QRectF boundingRect() const override { return bounds_; }
-  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
-
- private:
-  void paintLines(QPainter& painter, const QRectF& area, double step, double alpha) const;
-  const MapScene& scene_;
-  QRectF bounds_;
-};
-
 /// Covers all that the scene shows: for layers whose extent is that of the window.
 class FullLayer : public QGraphicsItem {
  public:
@@ -62,6 +48,16 @@ struct LabelWish {
 std::vector<QRectF> layoutLabels(const std::vector<LabelWish>& wishes,
                                  const std::vector<QRectF>& taken, const QRectF& window);
 
+/// Fine lines every metre, stronger ones every five; they fade when they get too dense.
+class GridItem : public FullLayer {
+ public:
+  using FullLayer::FullLayer;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+ private:
+  void paintLines(QPainter& painter, const QRectF& area, double step, double alpha) const;
+};
+
 /// Names with halos, placed where there is room; the less important ones are left out. Each is
 /// painted once and kept as a picture.
 class LabelLayer : public FullLayer {
@@ -79,6 +75,25 @@ class LabelLayer : public FullLayer {
   std::map<Key, Picture> pictures_;
 };
 
+/// The shortest lines that join all points: pairs of their numbers.
+std::vector<std::pair<std::size_t, std::size_t>> shortestLinks(const std::vector<Vec2>& points);
+
+/// Who walks together: a ring in the colour of the group around each of its people, and dashed
+/// lines from one to the next. People of a preview and of a run stand where they are shown.
+class GroupLayer : public FullLayer {
+ public:
+  using FullLayer::FullLayer;
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+ private:
+  struct Member {
+    Vec2 at = Vec2::Zero();
+    double radius = 0.35;  // [m]
+  };
+  bool isPartOf(const std::vector<EntityId>& people) const;
+  std::vector<Member> membersOf(const std::vector<EntityId>& people) const;
+};
+
 /// Frames and handles of what is selected.
 class SelectionLayer : public FullLayer {
  public:
@@ -90,6 +105,7 @@ class SelectionLayer : public FullLayer {
 
  private:
   std::vector<Handle> handlesFor(const Entity& entity) const;
+  std::vector<std::pair<EntityId, Handle>> handles() const;
   void paintFrame(QPainter& painter, const Entity& entity,
                   const std::vector<Handle>& handles) const;
   void paintHandle(QPainter& painter, const Entity& entity, const Handle& handle) const;

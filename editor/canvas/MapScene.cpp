@@ -9,7 +9,6 @@
 
 #include "editor/canvas/EntityItem.h"
 #include "editor/canvas/FrameLayer.h"
-#include "editor/canvas/GroupLayer.h"
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapItem.h"
 #include "editor/canvas/RouteLayer.h"
@@ -132,12 +131,12 @@ void MapScene::updateExtent() {
   const QRectF content = contentRect();
   const QRectF extent = content.adjusted(-kPlaneMargin, -kPlaneMargin, kPlaneMargin, kPlaneMargin);
   setSceneRect(extent);
-  gridItem_->setBounds(mapItem_->isOpenPlane() ? extent : mapItem_->boundingRect());
-  for (FullLayer* layer :
-       {static_cast<FullLayer*>(groupLayer_), static_cast<FullLayer*>(selectionLayer_),
-        static_cast<FullLayer*>(labelLayer_), static_cast<FullLayer*>(toolLayer_)}) {
-    layer->setBounds(extent);
+  for (QGraphicsItem* each : items()) {
+    if (auto* layer = dynamic_cast<FullLayer*>(each)) {
+      layer->setBounds(extent);
+    }
   }
+  gridItem_->setBounds(mapItem_->isOpenPlane() ? extent : mapItem_->boundingRect());
 }
 
 bool MapScene::isOpenPlane() const {

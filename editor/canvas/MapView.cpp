@@ -9,7 +9,7 @@
 #include <QScrollBar>
 #include <QWheelEvent>
 
-#include "editor/canvas/GroupLayer.h"
+#include "editor/canvas/Layers.h"
 #include "editor/canvas/Overlays.h"
 #include "editor/canvas/Tool.h"
 

@@ -22,6 +22,12 @@ void paintRulers(QPainter& painter, const OverlayContext& context);
 /// Names, values and scale of the force arrows while one person of a run is selected.
 void paintForceLegend(QPainter& painter, const OverlayContext& context);
 
+/// Ring, name and number of people of each group, in a corner where nobody stands; none without
+/// groups. Gives the corner, which it leaves only when somebody comes there.
+int paintGroupLegend(QPainter& painter, const OverlayContext& context);
+/// Where that is [px]; empty when there is no legend.
+QRectF groupLegendBox(const OverlayContext& context);
+
 /// What scale bar, rulers and legend of forces cover, where they are shown [px of the window].
 std::vector<QRectF> overlayBoxes(const OverlayContext& context);
 

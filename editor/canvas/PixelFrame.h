@@ -38,6 +38,14 @@ inline QRectF shownRect(const QPainter& painter, const QStyleOptionGraphicsItem&
                            : painter.worldTransform().inverted().mapRect(QRectF(widget->rect()));
 }
 
+/// A ring of that pen, and nothing in it.
+inline void paintRing(QPainter& painter, const QPen& pen, double radius,
+                      const QPointF& centre = {}) {
+  painter.setPen(pen);
+  painter.setBrush(Qt::NoBrush);
+  painter.drawEllipse(centre, radius, radius);
+}
+
 /// While it lives, the painter's unit is one pixel and its origin a point of the scene: for what
 /// keeps its size on the screen.
 class PixelFrame {

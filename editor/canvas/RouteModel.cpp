@@ -181,7 +181,6 @@ struct RouteModel::Planning {
     result.isComplete = plan(wanted);
     for (const Walker& walker : walkers) {
       EntityRoute route;
-      route.returns = walker.returns && walker.goals.size() > 1;
       const std::vector<LegKey> keys = legsOf(walker);
       for (const LegKey& key : keys) {
         const auto found = legs.find(key);

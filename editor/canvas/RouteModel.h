@@ -24,10 +24,7 @@ struct RouteLeg {
 };
 struct EntityRoute {
   std::vector<RouteLeg> legs;
-  bool returns = false;  // the last leg leads back to the first goal
-  friend bool operator==(const EntityRoute& a, const EntityRoute& b) {
-    return a.returns == b.returns && a.legs == b.legs;
-  }
+  friend bool operator==(const EntityRoute& a, const EntityRoute& b) { return a.legs == b.legs; }
 };
 using Routes = std::map<EntityId, EntityRoute>;
 

@@ -7,7 +7,6 @@
 
 #include "editor/canvas/EntityItem.h"
 #include "editor/canvas/FrameLayer.h"
-#include "editor/canvas/GroupLayer.h"
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
 #include "editor/canvas/RouteLayer.h"

@@ -4,7 +4,7 @@
 #include "editor/canvas/EntityItem.h"
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/PixelFrame.h"
-#include "editor/look/AreaGlyph.h"
+#include "editor/look/FigurePainter.h"
 #include "sim2d/map/Outlines.h"
 #include "sim2d/map/Segments.h"
 
@@ -107,17 +107,13 @@ class ShapeItem : public EntityItem {
   void take(const Entity& value) override {
     value_ = value;
     outlines_.clear();
-    bool listed = true;
     if (const auto* obstacle = std::get_if<sim2d::Obstacle>(&value_)) {
       outlines_ = outlinesOf(*obstacle);
-      listed = obstacle->listed;
     } else if (const auto* door = std::get_if<sim2d::Door>(&value_)) {
       outlines_ =
           sim2d::wallOutlines({door->from, door->to}, door->thickness.value_or(kDefaultDoor));
-      listed = door->listed;
     } else if (const auto* area = std::get_if<sim2d::Area>(&value_)) {
       outlines_ = {sim2d::polygonOutline(area->points)};
-      listed = area->listed;
     }
     path_ = QPainterPath();
     path_.setFillRule(Qt::WindingFill);
@@ -132,7 +128,6 @@ class ShapeItem : public EntityItem {
     if (outlines_.size() > 1) {
       path_ = path_.simplified();
     }
-    setOpacity(listed ? 1.0 : 0.4);
   }
 
   QRectF bounds(double pixelsPerMetre) const override {

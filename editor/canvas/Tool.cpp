@@ -1,10 +1,179 @@
 #include "editor/canvas/Tool.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
-#include "editor/canvas/Snap.h"
+#include "editor/document/Geometry.h"
+#include "sim2d/map/Outlines.h"
 
 namespace editor {
+
+namespace {
+
+double rounded(double value, double step) {
+  return editor::rounded(std::round(value / step) * step);
+}
+
+Vec2 onAngle(const Vec2& anchor, const Vec2& world) {
+  const Vec2 offset = world - anchor;
+  const Vec2 direction = base::directionOf(snappedAngle(base::headingOf(offset)));
+  return anchor + rounded(std::max(0.0, offset.dot(direction)), 0.01) * direction;
+}
+
+std::vector<Vec2> pointsOfObstacle(const sim2d::Obstacle& obstacle) {
+  switch (obstacle.kind) {
+    case sim2d::ObstacleKind::Box: {
+      std::vector<Vec2> points =
+          sim2d::boxOutline(obstacle.pose, obstacle.length, obstacle.width).points;
+      points.push_back(obstacle.pose.position);
+      return points;
+    }
+    case sim2d::ObstacleKind::Circle:
+      return {obstacle.pose.position};
+    case sim2d::ObstacleKind::Polygon:
+    case sim2d::ObstacleKind::Wall:
+      break;
+  }
+  return obstacle.points;
+}
+
+/// The nearest of the points offered, if it is near enough.
+class Nearest {
+ public:
+  Nearest(const Vec2& world, double reach) : world_(world), best_(reach) {}
+  void offer(const Vec2& point) {
+    const double distance = (point - world_).norm();
+    if (distance <= best_) {
+      best_ = distance;
+      place_ = point;
+      isFound_ = true;
+    }
+  }
+  void offer(const std::vector<Vec2>& points) {
+    for (const Vec2& point : points) {
+      offer(point);
+    }
+  }
+  bool isFound() const { return isFound_; }
+  const Vec2& place() const { return place_; }
+
+ private:
+  Vec2 world_;
+  double best_;
+  Vec2 place_ = Vec2::Zero();
+  bool isFound_ = false;
+};
+
+/// The nearest point of another entity, marked as such; else the mouse itself.
+Snapped pointNear(const MapScene& scene, const CanvasMouse& mouse, const SnapWish& wish) {
+  Nearest nearest(mouse.world, kSnapReachPx / mouse.pixelsPerMetre);
+  const sim2d::Scenario& scenario = scene.document().scenario();
+  const auto offerAll = [&](const auto& list) {
+    for (const auto& value : list) {
+      const bool isOut =
+          std::find(wish.without.begin(), wish.without.end(), value.key) != wish.without.end();
+      if (!isOut) {
+        nearest.offer(snapPointsOf(value));
+      }
+    }
+  };
+  offerAll(scenario.obstacles);
+  offerAll(scenario.doors);
+  offerAll(scenario.areas);
+  offerAll(scenario.goals);
+  offerAll(scenario.robots);
+  nearest.offer(wish.more);
+  return {nearest.isFound() ? nearest.place() : mouse.world, nearest.isFound()};
+}
+
+constexpr double kMostCells = 40.0;  // to each side, however far the view is away
+constexpr int kLeg = 3;              // cells that the edges of a corner are long at least
+
+/// Borders between wall and no wall around one point; lattice points are the corners of cells.
+class Borders {
+ public:
+  Borders(const sim2d::OccupancyGrid& grid, const Vec2& world, double reach)
+      : grid_(grid),
+        at_(grid.worldToCorner(world)),
+        reach_(std::min(reach / grid.resolution(), kMostCells)) {}
+
+  std::optional<Vec2> nearest() {
+    const auto low = [this](double value) { return static_cast<int>(std::floor(value - reach_)); };
+    const auto high = [this](double value) { return static_cast<int>(std::ceil(value + reach_)); };
+    for (int row = low(at_.y()); row <= high(at_.y()); ++row) {
+      for (int column = low(at_.x()); column <= high(at_.x()); ++column) {
+        offerPoint(column, row);
+      }
+    }
+    return corner_.place ? corner_.place : edge_.place;
+  }
+
+ private:
+  struct Best {
+    std::optional<Vec2> place;  // world
+    double distance = 0.0;      // [cells]
+  };
+
+  bool isWall(int column, int row) const { return grid_.isWall({column, row}); }
+  /// The border from a lattice point to the next one on the right, or above.
+  bool goesRight(int column, int row) const {
+    return isWall(column, row - 1) != isWall(column, row);
+  }
+  bool goesUp(int column, int row) const { return isWall(column - 1, row) != isWall(column, row); }
+
+  template <class Goes>
+  static bool isLeg(Goes&& goes) {
+    for (int i = 0; i < kLeg; ++i) {
+      if (!goes(i)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool isCorner(int column, int row) const {
+    const bool right = goesRight(column, row);
+    const bool left = goesRight(column - 1, row);
+    const bool up = goesUp(column, row);
+    const bool down = goesUp(column, row - 1);
+    if (right == left || up == down) {
+      return false;
+    }
+    return isLeg([&](int i) { return goesRight(right ? column + i : column - 1 - i, row); }) &&
+           isLeg([&](int i) { return goesUp(column, up ? row + i : row - 1 - i); });
+  }
+
+  void offer(Best& best, const Vec2& place) const {
+    const double distance = (place - at_).norm();
+    if (distance <= reach_ && (!best.place || distance < best.distance)) {
+      best = {grid_.cornerToWorld(place.x(), place.y()), distance};
+    }
+  }
+
+  void offerPoint(int column, int row) {
+    const double x = column;
+    const double y = row;
+    if (goesRight(column, row)) {
+      offer(edge_, {std::clamp(at_.x(), x, x + 1.0), y});
+    }
+    if (goesUp(column, row)) {
+      offer(edge_, {x, std::clamp(at_.y(), y, y + 1.0)});
+    }
+    if (isCorner(column, row)) {
+      offer(corner_, {x, y});
+    }
+  }
+
+  const sim2d::OccupancyGrid& grid_;
+  Vec2 at_;       // [cells]
+  double reach_;  // [cells]
+  Best corner_, edge_;
+};
+
+}  // namespace
 
 Tool::Tool(ScenarioDocument& document, MapScene& scene, QObject* parent)
     : QObject(parent), document_(document), scene_(scene) {}
@@ -44,6 +213,64 @@ QString legText(const Vec2& from, const Vec2& to) {
   return QStringLiteral("%1 m · %2")
       .arg((to - from).norm(), 0, 'f', 2)
       .arg(headingText(base::headingOf(to - from)));
+}
+
+std::optional<Vec2> nearestOnWalls(const sim2d::OccupancyGrid& grid, const Vec2& world,
+                                   double reach) {
+  return grid.isEmpty() ? std::nullopt : Borders(grid, world, reach).nearest();
+}
+
+double snappedAngle(double heading, double step) {
+  return base::wrapToPi(std::round(heading / step) * step + 0.0);  // 0, not -0
+}
+
+std::vector<Vec2> snapPointsOf(const Entity& entity) {
+  if (const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity)) {
+    return pointsOfObstacle(*obstacle);
+  }
+  if (const auto* door = std::get_if<sim2d::Door>(&entity)) {
+    return {door->from, door->to};
+  }
+  if (const auto* area = std::get_if<sim2d::Area>(&entity)) {
+    return area->points;
+  }
+  if (const auto* goal = std::get_if<sim2d::GlobalGoal>(&entity)) {
+    return {goal->position};
+  }
+  if (const auto* robot = std::get_if<sim2d::Robot>(&entity)) {
+    std::vector<Vec2> points = {robot->start.position};
+    if (robot->goal.point) {
+      points.push_back(*robot->goal.point);
+    }
+    return points;
+  }
+  return {};
+}
+
+Snapped snapped(const MapScene& scene, const CanvasMouse& mouse, const SnapWish& wish) {
+  if (mouse.modifiers.testFlag(Qt::AltModifier)) {
+    return {mouse.world, false};
+  }
+  if (wish.anchor && mouse.modifiers.testFlag(Qt::ShiftModifier)) {
+    return {onAngle(*wish.anchor, mouse.world), false};
+  }
+  if (wish.ontoPoints && scene.options().snapToPoints) {
+    const Snapped near = pointNear(scene, mouse, wish);
+    if (near.isOnPoint) {
+      return near;
+    }
+  }
+  const bool isHeld = mouse.modifiers.testFlag(Qt::ControlModifier);
+  if (wish.ontoPoints && wish.ontoWalls && scene.options().snapToWalls && !isHeld) {
+    const std::optional<Vec2> onWall =
+        nearestOnWalls(*scene.document().map(), mouse.world, kSnapReachPx / mouse.pixelsPerMetre);
+    if (onWall) {
+      return {*onWall, true};
+    }
+  }
+  const bool onGrid = scene.options().snapToGrid || isHeld;
+  const double step = onGrid ? kSnapGrid : 0.01;
+  return {Vec2(rounded(mouse.world.x(), step), rounded(mouse.world.y(), step)), false};
 }
 
 }  // namespace editor

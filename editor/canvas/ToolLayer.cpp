@@ -105,9 +105,7 @@ void ToolLayer::paintSnapMark(QPainter& painter) const {
     return;
   }
   const PixelFrame frame(painter, MapScene::sceneFromWorld(*marks_.snapMark));
-  painter.setPen(QPen(theme().color(Role::Accent), 1.5));
-  painter.setBrush(Qt::NoBrush);
-  painter.drawEllipse(QPointF(), kSnapMarkPx, kSnapMarkPx);
+  paintRing(painter, QPen(theme().color(Role::Accent), 1.5), kSnapMarkPx);
 }
 
 void ToolLayer::paintTag(QPainter& painter) const {

@@ -4,7 +4,6 @@
 
 #include "editor/document/EditCommands.h"
 #include "editor/document/PersonLook.h"
-#include "editor/look/AreaGlyph.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Icons.h"
 

@@ -267,19 +267,11 @@ double LinkedSlider::valueAt(int position) const {
                  std::min(field_.shownDecimals(), 2));
 }
 
-void LinkedSlider::wheelEvent(QWheelEvent* event) {
-  event->ignore();
-}
-
 ChoiceField::ChoiceField(QWidget* parent) : QComboBox(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   setMinimumContentsLength(4);
   setPlaceholderText(QStringLiteral("–"));  // several values
-}
-
-void ChoiceField::wheelEvent(QWheelEvent* event) {
-  event->ignore();
 }
 
 TextField::TextField(QWidget* parent) : QLineEdit(parent) {

@@ -8,6 +8,7 @@
 #include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QSlider>
+#include <QWheelEvent>
 
 namespace editor {
 
@@ -74,7 +75,7 @@ class LinkedSlider : public QSlider {
   LinkedSlider(NumberField& field, double maximum, QWidget* parent = nullptr);
 
  protected:
-  void wheelEvent(QWheelEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override { event->ignore(); }
 
  private:
   double valueAt(int position) const;
@@ -89,7 +90,7 @@ class ChoiceField : public QComboBox {
   explicit ChoiceField(QWidget* parent = nullptr);
 
  protected:
-  void wheelEvent(QWheelEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override { event->ignore(); }
 };
 
 /// A text that is checked while it is typed.

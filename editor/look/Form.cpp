@@ -101,10 +101,6 @@ FormSection::FormSection(const QString& title, QWidget* parent)
   layout->addWidget(dividerLine(this));
 }
 
-void FormSection::setNote(const QString& note) {
-  note_->setText(note);
-}
-
 QLabel* FormSection::makeLabel(const QString& text, QWidget* buddy) {
   QLabel* label = secondaryLabel(text, body_);
   label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

@@ -15,7 +15,7 @@ class FormSection : public QWidget {
  public:
   explicit FormSection(const QString& title, QWidget* parent = nullptr);
 
-  void setNote(const QString& note);  // right of the heading, secondary
+  void setNote(const QString& note) { note_->setText(note); }  // right of the heading, secondary
   /// `field` takes the whole column of fields.
   void addRow(const QString& label, QWidget* field);
   /// A slider or other short control left of the field, or two fields side by side.

@@ -84,24 +84,16 @@ Mark markOf(Look look) {
   return kMarks[index(look)];
 }
 
-Theme Theme::light() {
+Theme Theme::ofKind(Kind kind) {
   Theme theme;
-  theme.kind_ = Kind::Light;
+  theme.kind_ = kind;
   for (const RoleColors& entry : kRoles) {
-    theme.roles_[static_cast<std::size_t>(entry.role)] = QColor(entry.light);
+    theme.roles_[static_cast<std::size_t>(entry.role)] =
+        QColor(theme.isDark() ? entry.dark : entry.light);
   }
   std::copy(kFills.begin(), kFills.end(), theme.fills_.begin());
-  std::copy(kLightLines.begin(), kLightLines.end(), theme.lines_.begin());
-  return theme;
-}
-
-Theme Theme::dark() {
-  Theme theme = light();
-  theme.kind_ = Kind::Dark;
-  for (const RoleColors& entry : kRoles) {
-    theme.roles_[static_cast<std::size_t>(entry.role)] = QColor(entry.dark);
-  }
-  std::copy(kDarkLines.begin(), kDarkLines.end(), theme.lines_.begin());
+  const auto& lines = theme.isDark() ? kDarkLines : kLightLines;
+  std::copy(lines.begin(), lines.end(), theme.lines_.begin());
   return theme;
 }
 

@@ -63,9 +63,9 @@ Mark markOf(Look look);
 class Theme {
  public:
   enum class Kind { Light, Dark };
-  static Theme light();
-  static Theme dark();
-  static Theme ofKind(Kind kind) { return kind == Kind::Light ? light() : dark(); }
+  static Theme ofKind(Kind kind);
+  static Theme light() { return ofKind(Kind::Light); }
+  static Theme dark() { return ofKind(Kind::Dark); }
   /// The one that fits the palette of the desktop.
   static Theme fromSystem(const QPalette& system);
 

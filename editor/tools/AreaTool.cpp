@@ -24,120 +24,107 @@ class AreaTool : public CornerDrawing {
  public:
   using CornerDrawing::CornerDrawing;
 
-  bool keyPress(const QKeyEvent& event) override;
-  QWidget* makeOptions(QWidget* parent) override;
+  bool keyPress(const QKeyEvent& event) override {
+    const int index = event.key() - Qt::Key_1;
+    if (index >= 0 && index < kKindCount && event.modifiers() == Qt::NoModifier) {
+      setKind(static_cast<sim2d::AreaKind>(index));
+      return true;
+    }
+    return CornerDrawing::keyPress(event);
+  }
+
+  QWidget* makeOptions(QWidget* parent) override {
+    auto* row = new OptionsRow(parent);
+    auto* box = new ChoiceField(row);
+    box->addItems(
+        {tr("Source: people come in"), tr("Sink: people leave"), tr("Waiting area"), tr("Exit")});
+    box->setCurrentIndex(static_cast<int>(kind_));
+    row->add(tr("Kind"), box);
+    connect(box, qOverload<int>(&QComboBox::activated), this,
+            [this](int index) { setKind(static_cast<sim2d::AreaKind>(index)); });
+    connect(this, &Tool::statusTextChanged, box,
+            [this, box] { box->setCurrentIndex(static_cast<int>(kind_)); });
+    return row;
+  }
 
  protected:
-  QString idleText() const override;
-  void preview(const Corners& corners) override;
-  void make(const Corners& corners) override;
-
- private:
-  void setKind(sim2d::AreaKind kind);
-  sim2d::Area areaOf(const Corners& corners) const;
-  const sim2d::Human* pattern() const;
-  void makeSource(sim2d::Area area);
-  sim2d::AreaKind kind_ = sim2d::AreaKind::Source;
-};
-
-QString AreaTool::idleText() const {
-  switch (kind_) {
-    case sim2d::AreaKind::Source:
-      return tr("Drag where people come in, or click the corners · 1 to 4 choose the kind");
-    case sim2d::AreaKind::Sink:
-      return tr("Drag where people leave after their last goal, or click the corners");
-    case sim2d::AreaKind::Wait:
-      return tr("Drag where people wait, or click the corners · trees name it as their area");
-    case sim2d::AreaKind::Exit:
-      break;
+  QString idleText() const override {
+    switch (kind_) {
+      case sim2d::AreaKind::Source:
+        return tr("Drag where people come in, or click the corners · 1 to 4 choose the kind");
+      case sim2d::AreaKind::Sink:
+        return tr("Drag where people leave after their last goal, or click the corners");
+      case sim2d::AreaKind::Wait:
+        return tr("Drag where people wait, or click the corners · trees name it as their area");
+      case sim2d::AreaKind::Exit:
+        break;
+    }
+    return tr("Drag an exit that people flee to, or click the corners");
   }
-  return tr("Drag an exit that people flee to, or click the corners");
-}
 
-void AreaTool::setKind(sim2d::AreaKind kind) {
-  if (kind != kind_) {
-    kind_ = kind;
-    Q_EMIT statusTextChanged();
-  }
-}
+  void preview(const Corners& corners) override { scene().setPreview({areaOf(corners)}); }
 
-bool AreaTool::keyPress(const QKeyEvent& event) {
-  const int index = event.key() - Qt::Key_1;
-  if (index >= 0 && index < kKindCount && event.modifiers() == Qt::NoModifier) {
-    setKind(static_cast<sim2d::AreaKind>(index));
-    return true;
-  }
-  return CornerDrawing::keyPress(event);
-}
-
-QWidget* AreaTool::makeOptions(QWidget* parent) {
-  auto* row = new OptionsRow(parent);
-  auto* box = new ChoiceField(row);
-  box->addItems(
-      {tr("Source: people come in"), tr("Sink: people leave"), tr("Waiting area"), tr("Exit")});
-  box->setCurrentIndex(static_cast<int>(kind_));
-  row->add(tr("Kind"), box);
-  connect(box, qOverload<int>(&QComboBox::activated), this,
-          [this](int index) { setKind(static_cast<sim2d::AreaKind>(index)); });
-  connect(this, &Tool::statusTextChanged, box,
-          [this, box] { box->setCurrentIndex(static_cast<int>(kind_)); });
-  return row;
-}
-
-sim2d::Area AreaTool::areaOf(const Corners& corners) const {
-  sim2d::Area area;
-  area.key = ghostOf(EntityKind::Area);
-  area.kind = kind_;
-  area.points = sim2d::polygonOutline(corners).points;
-  return area;
-}
-
-void AreaTool::preview(const Corners& corners) {
-  scene().setPreview({areaOf(corners)});
-}
-
-const sim2d::Human* AreaTool::pattern() const {
-  for (const EntityId id : document().selection()) {
-    if (const sim2d::Human* human = document().human(id)) {
-      return human;
+  void make(const Corners& corners) override {
+    sim2d::Area area = areaOf(corners);
+    if (kind_ == sim2d::AreaKind::Source) {
+      makeSource(std::move(area));
+    } else {
+      const QString stem = areaKindName(kind_);
+      addDrawn(document(), std::move(area), stem.toStdString(), tr("Add %1").arg(stem));
     }
   }
-  const std::vector<sim2d::Human>& humans = document().scenario().humans;
-  return humans.empty() ? nullptr : &humans.front();
-}
 
-void AreaTool::make(const Corners& corners) {
-  sim2d::Area area = areaOf(corners);
-  if (kind_ == sim2d::AreaKind::Source) {
-    makeSource(std::move(area));
-  } else {
-    const QString stem = areaKindName(kind_);
-    addDrawn(document(), std::move(area), stem.toStdString(), tr("Add %1").arg(stem));
+ private:
+  void setKind(sim2d::AreaKind kind) {
+    if (kind != kind_) {
+      kind_ = kind;
+      Q_EMIT statusTextChanged();
+    }
   }
-}
 
-void AreaTool::makeSource(sim2d::Area area) {
-  area.rate = kSourceRate;
-  if (const sim2d::Human* human = pattern()) {
-    area.like = human->name;
-    addDrawn(document(), std::move(area), "source", tr("Add source"));
-    return;
+  sim2d::Area areaOf(const Corners& corners) const {
+    sim2d::Area area;
+    area.key = ghostOf(EntityKind::Area);
+    area.kind = kind_;
+    area.points = sim2d::polygonOutline(corners).points;
+    return area;
   }
-  sim2d::Human visitor = newPerson();
-  visitor.name = freeName(document().scenario(), "visitor");
-  visitor.id = kPatternId;
-  visitor.listed = false;
-  visitor.cyclicGoals = false;
-  visitor.initPose.position = *positionOf(area);
-  if (!document().scenario().goals.empty()) {
-    visitor.goals = {document().scenario().goals.front().id};
+
+  const sim2d::Human* pattern() const {
+    for (const EntityId id : document().selection()) {
+      if (const sim2d::Human* human = document().human(id)) {
+        return human;
+      }
+    }
+    const std::vector<sim2d::Human>& humans = document().scenario().humans;
+    return humans.empty() ? nullptr : &humans.front();
   }
-  area.like = visitor.name;
-  area.name = freeName(document().scenario(), "source");
-  const std::vector<EntityId> ids =
-      pushAdd(document(), std::vector<Entity>{visitor, area}, tr("Add source"));
-  document().setSelection({ids.back()});
-}
+
+  void makeSource(sim2d::Area area) {
+    area.rate = kSourceRate;
+    if (const sim2d::Human* human = pattern()) {
+      area.like = human->name;
+      addDrawn(document(), std::move(area), "source", tr("Add source"));
+      return;
+    }
+    sim2d::Human visitor = newPerson();
+    visitor.name = freeName(document().scenario(), "visitor");
+    visitor.id = kPatternId;
+    visitor.listed = false;
+    visitor.cyclicGoals = false;
+    visitor.initPose.position = *positionOf(area);
+    if (!document().scenario().goals.empty()) {
+      visitor.goals = {document().scenario().goals.front().id};
+    }
+    area.like = visitor.name;
+    area.name = freeName(document().scenario(), "source");
+    const std::vector<EntityId> ids =
+        pushAdd(document(), std::vector<Entity>{visitor, area}, tr("Add source"));
+    document().setSelection({ids.back()});
+  }
+
+  sim2d::AreaKind kind_ = sim2d::AreaKind::Source;
+};
 
 }  // namespace
 

@@ -30,90 +30,84 @@ Look lookAt(int index) {
 class MixButton : public QToolButton {
  public:
   MixButton(CrowdRecipe& recipe, const MapScene& scene, std::function<void()> changed,
-            QWidget* parent);
+            QWidget* parent)
+      : QToolButton(parent), recipe_(recipe), scene_(scene), changed_(std::move(changed)) {
+    setIconSize(kBar);
+    setPopupMode(QToolButton::InstantPopup);
+    setToolTip(tr("Mix of behaviours, and the seed"));
+    setAccessibleName(toolTip());
+    auto* menu = new QMenu(this);
+    auto* action = new QWidgetAction(menu);
+    action->setDefaultWidget(makeFields());
+    menu->addAction(action);
+    setMenu(menu);
+    connect(&scene, &MapScene::themeChanged, this, &MixButton::showBar);
+    showBar();
+  }
 
  private:
-  QWidget* makeFields();
+  QWidget* makeFields() {
+    auto* page = new QWidget(this);
+    auto* grid = new QGridLayout(page);
+    grid->setContentsMargins(12, 8, 12, 8);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(4);
+    for (int i = 0; i < kBehaviorCount; ++i) {
+      auto* mark = new QLabel(page);
+      const auto showMark = [this, mark, i] {
+        mark->setPixmap(FigurePainter(scene_.theme()).markIcon(lookAt(i)).pixmap(16, 16));
+      };
+      showMark();
+      connect(&scene_, &MapScene::themeChanged, mark, showMark);
+      grid->addWidget(mark, i, 0);
+      addField(*grid, i, lookName(lookAt(i)), tr("parts"), 100.0,
+               recipe_.mix[static_cast<std::size_t>(i)]);
+    }
+    // Here and not in the row of the tool, which has to fit into a small window.
+    addField(*grid, kBehaviorCount, tr("Seed"), {}, 999999.0, recipe_.seed)
+        ->setToolTip(tr("Another seed draws other people"));
+    return page;
+  }
+
   NumberField* addField(QGridLayout& grid, int row, const QString& name, const QString& unit,
-                        double most, int& value);
-  void showBar();
+                        double most, int& value) {
+    auto* field =
+        new NumberField({0.0, most, 0, unit.isEmpty() ? 1.0 : 5.0}, unit, grid.parentWidget());
+    field->setFixedWidth(kNarrowWidth + 12);
+    field->show(value, false);
+    field->setAccessibleName(name);
+    connect(field, &NumberField::edited, this, [this, &value](double wanted) {
+      value = static_cast<int>(wanted);
+      showBar();
+      changed_();
+    });
+    grid.addWidget(new QLabel(name, grid.parentWidget()), row, 1);
+    grid.addWidget(field, row, 2);
+    return field;
+  }
+
+  void showBar() {
+    constexpr int kRatio = 2;
+    QPixmap bar(kBar * kRatio);
+    bar.setDevicePixelRatio(kRatio);
+    bar.fill(Qt::transparent);
+    QPainter painter(&bar);
+    const int sum = std::max(1, std::accumulate(recipe_.mix.begin(), recipe_.mix.end(), 0));
+    double left = 0.0;
+    for (int i = 0; i < kBehaviorCount; ++i) {
+      const double width = double(kBar.width()) * recipe_.mix[static_cast<std::size_t>(i)] / sum;
+      painter.fillRect(QRectF(left, 3.0, width, kBar.height() - 6.0),
+                       scene_.theme().fill(lookAt(i)));
+      left += width;
+    }
+    painter.end();
+    setIcon(bar);
+  }
+
   CrowdRecipe& recipe_;
   const MapScene& scene_;
   const std::function<void()> changed_;
 };
-
-MixButton::MixButton(CrowdRecipe& recipe, const MapScene& scene, std::function<void()> changed,
-                     QWidget* parent)
-    : QToolButton(parent), recipe_(recipe), scene_(scene), changed_(std::move(changed)) {
-  setIconSize(kBar);
-  setPopupMode(QToolButton::InstantPopup);
-  setToolTip(tr("Mix of behaviours, and the seed"));
-  setAccessibleName(toolTip());
-  auto* menu = new QMenu(this);
-  auto* action = new QWidgetAction(menu);
-  action->setDefaultWidget(makeFields());
-  menu->addAction(action);
-  setMenu(menu);
-  connect(&scene, &MapScene::themeChanged, this, &MixButton::showBar);
-  showBar();
-}
-
-QWidget* MixButton::makeFields() {
-  auto* page = new QWidget(this);
-  auto* grid = new QGridLayout(page);
-  grid->setContentsMargins(12, 8, 12, 8);
-  grid->setHorizontalSpacing(8);
-  grid->setVerticalSpacing(4);
-  for (int i = 0; i < kBehaviorCount; ++i) {
-    auto* mark = new QLabel(page);
-    const auto showMark = [this, mark, i] {
-      mark->setPixmap(FigurePainter(scene_.theme()).markIcon(lookAt(i)).pixmap(16, 16));
-    };
-    showMark();
-    connect(&scene_, &MapScene::themeChanged, mark, showMark);
-    grid->addWidget(mark, i, 0);
-    addField(*grid, i, lookName(lookAt(i)), tr("parts"), 100.0,
-             recipe_.mix[static_cast<std::size_t>(i)]);
-  }
-  // Here and not in the row of the tool, which has to fit into a small window.
-  addField(*grid, kBehaviorCount, tr("Seed"), {}, 999999.0, recipe_.seed)
-      ->setToolTip(tr("Another seed draws other people"));
-  return page;
-}
-
-NumberField* MixButton::addField(QGridLayout& grid, int row, const QString& name,
-                                 const QString& unit, double most, int& value) {
-  auto* field =
-      new NumberField({0.0, most, 0, unit.isEmpty() ? 1.0 : 5.0}, unit, grid.parentWidget());
-  field->setFixedWidth(kNarrowWidth + 12);
-  field->show(value, false);
-  field->setAccessibleName(name);
-  connect(field, &NumberField::edited, this, [this, &value](double wanted) {
-    value = static_cast<int>(wanted);
-    showBar();
-    changed_();
-  });
-  grid.addWidget(new QLabel(name, grid.parentWidget()), row, 1);
-  grid.addWidget(field, row, 2);
-  return field;
-}
-
-void MixButton::showBar() {
-  constexpr int kRatio = 2;
-  QPixmap bar(kBar * kRatio);
-  bar.setDevicePixelRatio(kRatio);
-  bar.fill(Qt::transparent);
-  QPainter painter(&bar);
-  const int sum = std::max(1, std::accumulate(recipe_.mix.begin(), recipe_.mix.end(), 0));
-  double left = 0.0;
-  for (int i = 0; i < kBehaviorCount; ++i) {
-    const double width = double(kBar.width()) * recipe_.mix[static_cast<std::size_t>(i)] / sum;
-    painter.fillRect(QRectF(left, 3.0, width, kBar.height() - 6.0), scene_.theme().fill(lookAt(i)));
-    left += width;
-  }
-  painter.end();
-  setIcon(bar);
-}
 
 void addChoice(OptionsRow& row, const QStringList& words, int at, const QString& says,
                const std::function<void(int)>& chosen) {

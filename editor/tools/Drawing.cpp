@@ -4,7 +4,7 @@
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
-#include "editor/canvas/Snap.h"
+#include "editor/canvas/Tool.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/FreeNames.h"
 #include "sim2d/map/Outlines.h"

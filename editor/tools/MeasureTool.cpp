@@ -2,7 +2,7 @@
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
-#include "editor/canvas/Snap.h"
+#include "editor/canvas/Tool.h"
 #include "editor/tools/ToolRegistry.h"
 
 namespace editor {

@@ -21,16 +21,14 @@ class PanTool : public Tool {
   void cancel() override {}
 
  private:
-  void setHandPan(bool on);
-};
-
-void PanTool::setHandPan(bool on) {
-  for (QGraphicsView* view : scene().views()) {
-    if (auto* mapView = qobject_cast<MapView*>(view)) {
-      mapView->setHandPan(on);
+  void setHandPan(bool on) {
+    for (QGraphicsView* view : scene().views()) {
+      if (auto* mapView = qobject_cast<MapView*>(view)) {
+        mapView->setHandPan(on);
+      }
     }
   }
-}
+};
 
 }  // namespace
 

@@ -1,6 +1,5 @@
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
-#include "editor/canvas/Snap.h"
 #include "editor/canvas/Tool.h"
 #include "editor/document/EditCommands.h"
 #include "editor/tools/ToolRegistry.h"

@@ -3,7 +3,6 @@
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapScene.h"
-#include "editor/canvas/Snap.h"
 #include "editor/canvas/Tool.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/Geometry.h"
@@ -34,31 +33,362 @@ class SelectTool : public Tool {
  public:
   using Tool::Tool;
 
-  QString statusText() const override;
+  QString statusText() const override {
+    if (scene().isRunMode()) {
+      return tr("Click a person to look closer · Space pauses");
+    }
+    if (document().selection().empty()) {
+      return tr("Click to select · Drag over empty ground to select several");
+    }
+    const std::optional<Entity> value = document().entity(document().selection().front());
+    const bool isOnly = document().selection().size() == 1 && value;
+    QStringList parts{tr("Drag to move")};
+    if (isOnly && hasHandle(*value, Handle::Kind::Turn)) {
+      parts << tr("Drag the round handle to turn");
+    } else if (isOnly && hasHandle(*value, Handle::Kind::Size)) {
+      parts << tr("Drag a corner to size");
+    }
+    if (isOnly && cornersOf(*value) != nullptr) {
+      parts << tr("Double click an edge for a new corner");
+    } else {
+      parts << tr("Ctrl+D duplicates") << tr("Del removes");
+    }
+    return parts.join(QString::fromUtf8(" · "));
+  }
+
   QCursor cursor() const override { return cursor_; }
-  void deactivate() override;  // the selection stays for the next tool
-  void press(const CanvasMouse& mouse) override;
-  void move(const CanvasMouse& mouse) override;
-  void release(const CanvasMouse& mouse) override;
+  /// the selection stays for the next tool
+  void deactivate() override {
+    end();
+    scene().setHovered({});
+  }
+
+  void press(const CanvasMouse& mouse) override {
+    if (mouse.button != Qt::LeftButton) {
+      return;
+    }
+    from_ = mouse.world;
+    deselectOnRelease_ = false;
+    if (scene().isRunMode()) {
+      pressInRun(mouse);
+      return;
+    }
+    grabbed_ = scene().entityAt(mouse.world);
+    const bool isOfAnother = grabbed_ && !document().isSelected(grabbed_);
+    if (!(isAdding(mouse) && isOfAnother) && grabHandle(mouse)) {
+      return;
+    }
+    if (!grabbed_) {
+      gesture_ = Gesture::Band;
+      return;
+    }
+    gesture_ = Gesture::Pressed;
+    if (isAdding(mouse)) {
+      document().toggleSelected(grabbed_);
+    } else if (!document().isSelected(grabbed_)) {
+      document().setSelection({grabbed_});
+    } else {
+      deselectOnRelease_ = true;  // a click on one of several leaves only that one
+    }
+    if (!isAdding(mouse) && grabbed_.kind == EntityKind::Robot) {
+      grabRobotGoal(mouse);
+    }
+    Q_EMIT statusTextChanged();
+  }
+
+  void move(const CanvasMouse& mouse) override {
+    switch (gesture_) {
+      case Gesture::None:
+        hover(mouse);
+        break;
+      case Gesture::Pressed:
+        if (isDrag(from_, mouse)) {
+          gesture_ = Gesture::Moving;
+          deselectOnRelease_ = false;
+          previewMove(mouse);
+        }
+        break;
+      case Gesture::Moving:
+        previewMove(mouse);
+        break;
+      case Gesture::Handle:
+        if (pulled_ || isDrag(from_, mouse)) {
+          previewHandle(mouse);
+        }
+        break;
+      case Gesture::Band:
+        if (isDrag(from_, mouse)) {
+          scene().toolLayer().setRubberBand(from_, mouse.world);
+        }
+        break;
+    }
+  }
+
+  void release(const CanvasMouse& mouse) override {
+    if (mouse.button != Qt::LeftButton) {
+      return;
+    }
+    if (gesture_ == Gesture::Handle && pulled_) {
+      previewHandle(mouse);
+    }
+    const Gesture gesture = gesture_;
+    const Vec2 delta = gesture == Gesture::Moving ? deltaFor(mouse) : Vec2(Vec2::Zero());
+    const std::optional<Entity> result = pulled_;
+    end();
+    switch (gesture) {
+      case Gesture::Moving:
+        pushMove(document(), document().selection(), delta);
+        break;
+      case Gesture::Handle:
+        if (result) {
+          pushEdit(document(), {*result}, tr("Change %1").arg(editor::displayName(*result)));
+        }
+        break;
+      case Gesture::Band:
+        selectBand(mouse);
+        break;
+      case Gesture::Pressed:
+        if (deselectOnRelease_) {
+          document().setSelection({grabbed_});
+        }
+        break;
+      case Gesture::None:
+        break;
+    }
+    Q_EMIT statusTextChanged();
+  }
+
   /// On an edge of a selected outline: a new corner; on a corner: away with it.
-  void doubleClick(const CanvasMouse& mouse) override;
-  void cancel() override;
-  bool keyPress(const QKeyEvent& event) override;
+  void doubleClick(const CanvasMouse& mouse) override {
+    if (mouse.button != Qt::LeftButton || scene().isRunMode() ||
+        document().selection().size() != 1) {
+      return;
+    }
+    std::optional<Entity> value = document().entity(document().selection().front());
+    std::vector<Vec2>* corners = value ? cornersOf(*value) : nullptr;
+    if (corners == nullptr) {
+      return;
+    }
+    const auto [owner, handle] = scene().handleAt(mouse.world);
+    if (handle.kind == Handle::Kind::Vertex) {
+      end();
+      if (corners->size() > fewestCorners(*value)) {
+        corners->erase(corners->begin() + handle.index);
+        pushEdit(document(), {*value}, tr("Remove corner"));
+      }
+      return;
+    }
+    const double reach = kSnapReachPx / mouse.pixelsPerMetre;
+    if (const std::optional<std::size_t> edge = edgeNear(*value, mouse.world, reach)) {
+      end();
+      const Vec2 place = snap(mouse, {std::nullopt, {idOf(*value)}, {}, true});
+      corners->insert(corners->begin() + static_cast<std::ptrdiff_t>(*edge) + 1, place);
+      pushEdit(document(), {*value}, tr("Add corner"));
+      scene().toolLayer().clear();
+    }
+  }
+
+  void cancel() override {
+    const bool wasIdle = gesture_ == Gesture::None;
+    end();
+    if (wasIdle) {
+      document().setSelection({});
+    }
+    scene().setHovered({});
+    Q_EMIT statusTextChanged();
+  }
+
+  bool keyPress(const QKeyEvent& event) override {
+    if (scene().isRunMode() || gesture_ != Gesture::None) {
+      return false;
+    }
+    if (event.matches(QKeySequence::Delete) || event.key() == Qt::Key_Backspace) {
+      removeSelection(document());
+    } else if (event.matches(QKeySequence::SelectAll)) {
+      selectAll(document());
+    } else if (event.key() == Qt::Key_BracketLeft || event.key() == Qt::Key_BracketRight) {
+      rotateSelection(document(), event.key() == Qt::Key_BracketLeft ? kSnapAngle : -kSnapAngle);
+    } else if (event.key() == Qt::Key_D && event.modifiers() == Qt::ControlModifier) {
+      duplicateSelection(document());
+    } else {
+      return nudge(event);
+    }
+    return true;
+  }
 
  private:
   enum class Gesture { None, Pressed, Moving, Handle, Band };
-  void hover(const CanvasMouse& mouse);
-  void pressInRun(const CanvasMouse& mouse);
-  bool grabHandle(const CanvasMouse& mouse);
-  void grabRobotGoal(const CanvasMouse& mouse);
-  Vec2 deltaFor(const CanvasMouse& mouse) const;
-  void previewMove(const CanvasMouse& mouse);
-  void previewHandle(const CanvasMouse& mouse);
-  Vec2 handleTarget(const Entity& entity, const CanvasMouse& mouse) const;
-  QString handleText(const Entity& before, const Vec2& to) const;
-  void selectBand(const CanvasMouse& mouse);
-  void end();
-  bool nudge(const QKeyEvent& event);
+  void hover(const CanvasMouse& mouse) {
+    if (scene().isRunMode()) {
+      cursor_ = scene().agentEntityAt(mouse.world) ? Qt::PointingHandCursor : Qt::ArrowCursor;
+      return;
+    }
+    const Handle handle = scene().handleAt(mouse.world).second;
+    const EntityId id =
+        handle.kind == Handle::Kind::None ? scene().entityAt(mouse.world) : EntityId{};
+    scene().setHovered(id);
+    cursor_ = handle.kind == Handle::Kind::Turn   ? Qt::PointingHandCursor
+              : handle.kind != Handle::Kind::None ? Qt::CrossCursor
+              : id                                ? Qt::SizeAllCursor
+                                                  : Qt::ArrowCursor;
+  }
+
+  void pressInRun(const CanvasMouse& mouse) {
+    const std::optional<EntityId> hit = scene().agentEntityAt(mouse.world);
+    document().setSelection(hit ? std::vector<EntityId>{*hit} : std::vector<EntityId>{});
+  }
+
+  bool grabHandle(const CanvasMouse& mouse) {
+    const auto [id, handle] = scene().handleAt(mouse.world);
+    if (handle.kind == Handle::Kind::None) {
+      return false;
+    }
+    gesture_ = Gesture::Handle;
+    grabbed_ = id;
+    handle_ = handle;
+    pulled_.reset();
+    return true;
+  }
+
+  void grabRobotGoal(const CanvasMouse& mouse) {
+    // Selected just now, it shows its handles: one drag is enough to move its goal.
+    const EntityId robot = grabbed_;
+    if (grabHandle(mouse) && (grabbed_ != robot || handle_.kind != Handle::Kind::RobotGoal)) {
+      gesture_ = Gesture::Pressed;
+      grabbed_ = robot;
+    }
+  }
+
+  Vec2 deltaFor(const CanvasMouse& mouse) const {
+    const std::optional<Entity> entity = document().entity(grabbed_);
+    const std::optional<Vec2> start = entity ? positionOf(*entity) : std::nullopt;
+    if (!start) {
+      return Vec2::Zero();
+    }
+    Vec2 delta = mouse.world - from_;
+    SnapWish wish;
+    wish.without = document().selection();
+    wish.ontoWalls = grabbed_.kind != EntityKind::Goal;  // nobody can reach one there
+    if (mouse.modifiers.testFlag(Qt::ShiftModifier)) {   // along one axis
+      (std::abs(delta.x()) < std::abs(delta.y()) ? delta.x() : delta.y()) = 0.0;
+      wish.ontoPoints = false;
+    }
+    CanvasMouse target = mouse;
+    if (wish.ontoPoints && grabbed_.kind != EntityKind::Robot) {
+      for (const Vec2& own : snapPointsOf(*entity)) {  // a corner may hold as well as the middle
+        target.world = own + delta;
+        if (snapped(scene(), target, wish).isOnPoint) {
+          return snap(target, wish) - own;
+        }
+      }
+    }
+    wish.ontoPoints = false;
+    target.world = *start + delta;
+    return snap(target, wish) - *start;
+  }
+
+  void previewMove(const CanvasMouse& mouse) {
+    const Vec2 delta = deltaFor(mouse);
+    std::vector<Entity> values;
+    for (const EntityId id : document().selection()) {
+      if (const std::optional<Entity> value = document().entity(id)) {
+        values.push_back(moved(*value, delta));
+      }
+    }
+    scene().setPreview(values);
+    if (const std::optional<Entity> value = scene().shown(grabbed_)) {
+      scene().toolLayer().setTag(mouse.world, placeText(*positionOf(*value)));
+    }
+  }
+
+  void previewHandle(const CanvasMouse& mouse) {
+    const std::optional<Entity> entity = document().entity(grabbed_);
+    if (!entity) {
+      end();
+      return;
+    }
+    const Vec2 to = handleTarget(*entity, mouse);
+    pulled_ = pulled(*entity, handle_, to, mouse.modifiers.testFlag(Qt::AltModifier));
+    scene().setPreview({*pulled_});
+    scene().toolLayer().setTag(mouse.world, handleText(*entity, to));
+  }
+
+  Vec2 handleTarget(const Entity& entity, const CanvasMouse& mouse) const {
+    if (handle_.kind == Handle::Kind::Turn) {
+      const Vec2 centre = *positionOf(entity);
+      const Vec2 offset = mouse.world - centre;
+      return mouse.modifiers.testFlag(Qt::ShiftModifier)
+                 ? Pose2{centre, snappedAngle(base::headingOf(offset))}.ahead(offset.norm())
+                 : mouse.world;
+    }
+    if (handle_.kind == Handle::Kind::Size && kindOf(entity) == EntityKind::Human) {
+      return mouse.world;
+    }
+    SnapWish wish;
+    wish.without = {grabbed_};
+    const std::vector<Vec2>* corners = cornersOf(entity);
+    if (const auto* door = std::get_if<sim2d::Door>(&entity)) {
+      wish.anchor = handle_.index == 0 ? door->to : door->from;
+    } else if (corners != nullptr && handle_.kind == Handle::Kind::Vertex && corners->size() > 1) {
+      const auto index = static_cast<std::size_t>(handle_.index);
+      const bool isStart = index == 0 && hasOpenLine(entity);
+      wish.anchor = (*corners)[isStart ? 1 : (index + corners->size() - 1) % corners->size()];
+    }
+    return snap(mouse, wish);
+  }
+
+  QString handleText(const Entity& before, const Vec2& to) const {
+    if (handle_.kind == Handle::Kind::Turn) {
+      const std::optional<double> heading = headingOf(*pulled_);
+      const double turn = base::headingOf(to - *positionOf(before)) - 0.5 * base::kPi;
+      return headingText(heading ? *heading : base::wrapToPi(turn));
+    }
+    const auto* obstacle = std::get_if<sim2d::Obstacle>(&*pulled_);
+    if (obstacle != nullptr && obstacle->kind == sim2d::ObstacleKind::Box) {
+      return QStringLiteral("%1 × %2 m")
+          .arg(obstacle->length, 0, 'f', 2)
+          .arg(obstacle->width, 0, 'f', 2);
+    }
+    if (obstacle != nullptr && obstacle->kind == sim2d::ObstacleKind::Circle) {
+      return tr("radius %1 m").arg(obstacle->radius, 0, 'f', 2);
+    }
+    return placeText(to);
+  }
+
+  void selectBand(const CanvasMouse& mouse) {
+    std::vector<EntityId> ids = isAdding(mouse) ? document().selection() : std::vector<EntityId>{};
+    if (isDrag(from_, mouse)) {
+      for (const EntityId id : scene().entitiesIn(from_, mouse.world)) {
+        if (std::find(ids.begin(), ids.end(), id) == ids.end()) {
+          ids.push_back(id);
+        }
+      }
+    }
+    document().setSelection(std::move(ids));
+  }
+
+  void end() {
+    gesture_ = Gesture::None;
+    pulled_.reset();
+    scene().toolLayer().clear();
+    scene().clearPreview();
+  }
+
+  bool nudge(const QKeyEvent& event) {
+    static const std::map<int, Vec2> kDirections = {{Qt::Key_Left, {-1.0, 0.0}},
+                                                    {Qt::Key_Right, {1.0, 0.0}},
+                                                    {Qt::Key_Up, {0.0, 1.0}},
+                                                    {Qt::Key_Down, {0.0, -1.0}}};
+    const auto direction = kDirections.find(event.key());
+    if (direction == kDirections.end()) {
+      return false;
+    }
+    const double step = event.modifiers().testFlag(Qt::ShiftModifier) ? kBigNudge
+                        : event.modifiers().testFlag(Qt::AltModifier) ? kFineNudge
+                                                                      : kNudge;
+    pushMove(document(), document().selection(), step * direction->second, Merge::WithPrevious);
+    return true;
+  }
 
   Gesture gesture_ = Gesture::None;
   Vec2 from_ = Vec2::Zero();
@@ -68,357 +398,6 @@ class SelectTool : public Tool {
   Qt::CursorShape cursor_ = Qt::ArrowCursor;
   bool deselectOnRelease_ = false;
 };
-
-QString SelectTool::statusText() const {
-  if (scene().isRunMode()) {
-    return tr("Click a person to look closer · Space pauses");
-  }
-  if (document().selection().empty()) {
-    return tr("Click to select · Drag over empty ground to select several");
-  }
-  const std::optional<Entity> value = document().entity(document().selection().front());
-  const bool isOnly = document().selection().size() == 1 && value;
-  QStringList parts{tr("Drag to move")};
-  if (isOnly && hasHandle(*value, Handle::Kind::Turn)) {
-    parts << tr("Drag the round handle to turn");
-  } else if (isOnly && hasHandle(*value, Handle::Kind::Size)) {
-    parts << tr("Drag a corner to size");
-  }
-  if (isOnly && cornersOf(*value) != nullptr) {
-    parts << tr("Double click an edge for a new corner");
-  } else {
-    parts << tr("Ctrl+D duplicates") << tr("Del removes");
-  }
-  return parts.join(QString::fromUtf8(" · "));
-}
-
-void SelectTool::press(const CanvasMouse& mouse) {
-  if (mouse.button != Qt::LeftButton) {
-    return;
-  }
-  from_ = mouse.world;
-  deselectOnRelease_ = false;
-  if (scene().isRunMode()) {
-    pressInRun(mouse);
-    return;
-  }
-  grabbed_ = scene().entityAt(mouse.world);
-  const bool isOfAnother = grabbed_ && !document().isSelected(grabbed_);
-  if (!(isAdding(mouse) && isOfAnother) && grabHandle(mouse)) {
-    return;
-  }
-  if (!grabbed_) {
-    gesture_ = Gesture::Band;
-    return;
-  }
-  gesture_ = Gesture::Pressed;
-  if (isAdding(mouse)) {
-    document().toggleSelected(grabbed_);
-  } else if (!document().isSelected(grabbed_)) {
-    document().setSelection({grabbed_});
-  } else {
-    deselectOnRelease_ = true;  // a click on one of several leaves only that one
-  }
-  if (!isAdding(mouse) && grabbed_.kind == EntityKind::Robot) {
-    grabRobotGoal(mouse);
-  }
-  Q_EMIT statusTextChanged();
-}
-
-void SelectTool::pressInRun(const CanvasMouse& mouse) {
-  const std::optional<EntityId> hit = scene().agentEntityAt(mouse.world);
-  document().setSelection(hit ? std::vector<EntityId>{*hit} : std::vector<EntityId>{});
-}
-
-void SelectTool::move(const CanvasMouse& mouse) {
-  switch (gesture_) {
-    case Gesture::None:
-      hover(mouse);
-      break;
-    case Gesture::Pressed:
-      if (isDrag(from_, mouse)) {
-        gesture_ = Gesture::Moving;
-        deselectOnRelease_ = false;
-        previewMove(mouse);
-      }
-      break;
-    case Gesture::Moving:
-      previewMove(mouse);
-      break;
-    case Gesture::Handle:
-      if (pulled_ || isDrag(from_, mouse)) {
-        previewHandle(mouse);
-      }
-      break;
-    case Gesture::Band:
-      if (isDrag(from_, mouse)) {
-        scene().toolLayer().setRubberBand(from_, mouse.world);
-      }
-      break;
-  }
-}
-
-void SelectTool::hover(const CanvasMouse& mouse) {
-  if (scene().isRunMode()) {
-    cursor_ = scene().agentEntityAt(mouse.world) ? Qt::PointingHandCursor : Qt::ArrowCursor;
-    return;
-  }
-  const Handle handle = scene().handleAt(mouse.world).second;
-  const EntityId id =
-      handle.kind == Handle::Kind::None ? scene().entityAt(mouse.world) : EntityId{};
-  scene().setHovered(id);
-  cursor_ = handle.kind == Handle::Kind::Turn   ? Qt::PointingHandCursor
-            : handle.kind != Handle::Kind::None ? Qt::CrossCursor
-            : id                                ? Qt::SizeAllCursor
-                                                : Qt::ArrowCursor;
-}
-
-Vec2 SelectTool::deltaFor(const CanvasMouse& mouse) const {
-  const std::optional<Entity> entity = document().entity(grabbed_);
-  const std::optional<Vec2> start = entity ? positionOf(*entity) : std::nullopt;
-  if (!start) {
-    return Vec2::Zero();
-  }
-  Vec2 delta = mouse.world - from_;
-  SnapWish wish;
-  wish.without = document().selection();
-  wish.ontoWalls = grabbed_.kind != EntityKind::Goal;  // nobody can reach one there
-  if (mouse.modifiers.testFlag(Qt::ShiftModifier)) {   // along one axis
-    (std::abs(delta.x()) < std::abs(delta.y()) ? delta.x() : delta.y()) = 0.0;
-    wish.ontoPoints = false;
-  }
-  CanvasMouse target = mouse;
-  if (wish.ontoPoints && grabbed_.kind != EntityKind::Robot) {
-    for (const Vec2& own : snapPointsOf(*entity)) {  // a corner may hold as well as the middle
-      target.world = own + delta;
-      if (snapped(scene(), target, wish).isOnPoint) {
-        return snap(target, wish) - own;
-      }
-    }
-  }
-  wish.ontoPoints = false;
-  target.world = *start + delta;
-  return snap(target, wish) - *start;
-}
-
-void SelectTool::previewMove(const CanvasMouse& mouse) {
-  const Vec2 delta = deltaFor(mouse);
-  std::vector<Entity> values;
-  for (const EntityId id : document().selection()) {
-    if (const std::optional<Entity> value = document().entity(id)) {
-      values.push_back(moved(*value, delta));
-    }
-  }
-  scene().setPreview(values);
-  if (const std::optional<Entity> value = scene().shown(grabbed_)) {
-    scene().toolLayer().setTag(mouse.world, placeText(*positionOf(*value)));
-  }
-}
-
-void SelectTool::selectBand(const CanvasMouse& mouse) {
-  std::vector<EntityId> ids = isAdding(mouse) ? document().selection() : std::vector<EntityId>{};
-  if (isDrag(from_, mouse)) {
-    for (const EntityId id : scene().entitiesIn(from_, mouse.world)) {
-      if (std::find(ids.begin(), ids.end(), id) == ids.end()) {
-        ids.push_back(id);
-      }
-    }
-  }
-  document().setSelection(std::move(ids));
-}
-
-void SelectTool::release(const CanvasMouse& mouse) {
-  if (mouse.button != Qt::LeftButton) {
-    return;
-  }
-  if (gesture_ == Gesture::Handle && pulled_) {
-    previewHandle(mouse);
-  }
-  const Gesture gesture = gesture_;
-  const Vec2 delta = gesture == Gesture::Moving ? deltaFor(mouse) : Vec2(Vec2::Zero());
-  const std::optional<Entity> result = pulled_;
-  end();
-  switch (gesture) {
-    case Gesture::Moving:
-      pushMove(document(), document().selection(), delta);
-      break;
-    case Gesture::Handle:
-      if (result) {
-        pushEdit(document(), {*result}, tr("Change %1").arg(editor::displayName(*result)));
-      }
-      break;
-    case Gesture::Band:
-      selectBand(mouse);
-      break;
-    case Gesture::Pressed:
-      if (deselectOnRelease_) {
-        document().setSelection({grabbed_});
-      }
-      break;
-    case Gesture::None:
-      break;
-  }
-  Q_EMIT statusTextChanged();
-}
-
-void SelectTool::end() {
-  gesture_ = Gesture::None;
-  pulled_.reset();
-  scene().toolLayer().clear();
-  scene().clearPreview();
-}
-
-void SelectTool::deactivate() {
-  end();
-  scene().setHovered({});
-}
-
-void SelectTool::cancel() {
-  const bool wasIdle = gesture_ == Gesture::None;
-  end();
-  if (wasIdle) {
-    document().setSelection({});
-  }
-  scene().setHovered({});
-  Q_EMIT statusTextChanged();
-}
-
-bool SelectTool::nudge(const QKeyEvent& event) {
-  static const std::map<int, Vec2> kDirections = {{Qt::Key_Left, {-1.0, 0.0}},
-                                                  {Qt::Key_Right, {1.0, 0.0}},
-                                                  {Qt::Key_Up, {0.0, 1.0}},
-                                                  {Qt::Key_Down, {0.0, -1.0}}};
-  const auto direction = kDirections.find(event.key());
-  if (direction == kDirections.end()) {
-    return false;
-  }
-  const double step = event.modifiers().testFlag(Qt::ShiftModifier) ? kBigNudge
-                      : event.modifiers().testFlag(Qt::AltModifier) ? kFineNudge
-                                                                    : kNudge;
-  pushMove(document(), document().selection(), step * direction->second, Merge::WithPrevious);
-  return true;
-}
-
-bool SelectTool::keyPress(const QKeyEvent& event) {
-  if (scene().isRunMode() || gesture_ != Gesture::None) {
-    return false;
-  }
-  if (event.matches(QKeySequence::Delete) || event.key() == Qt::Key_Backspace) {
-    removeSelection(document());
-  } else if (event.matches(QKeySequence::SelectAll)) {
-    selectAll(document());
-  } else if (event.key() == Qt::Key_BracketLeft || event.key() == Qt::Key_BracketRight) {
-    rotateSelection(document(), event.key() == Qt::Key_BracketLeft ? kSnapAngle : -kSnapAngle);
-  } else if (event.key() == Qt::Key_D && event.modifiers() == Qt::ControlModifier) {
-    duplicateSelection(document());
-  } else {
-    return nudge(event);
-  }
-  return true;
-}
-
-bool SelectTool::grabHandle(const CanvasMouse& mouse) {
-  const auto [id, handle] = scene().handleAt(mouse.world);
-  if (handle.kind == Handle::Kind::None) {
-    return false;
-  }
-  gesture_ = Gesture::Handle;
-  grabbed_ = id;
-  handle_ = handle;
-  pulled_.reset();
-  return true;
-}
-
-void SelectTool::grabRobotGoal(const CanvasMouse& mouse) {
-  // Selected just now, it shows its handles: one drag is enough to move its goal.
-  const EntityId robot = grabbed_;
-  if (grabHandle(mouse) && (grabbed_ != robot || handle_.kind != Handle::Kind::RobotGoal)) {
-    gesture_ = Gesture::Pressed;
-    grabbed_ = robot;
-  }
-}
-
-void SelectTool::previewHandle(const CanvasMouse& mouse) {
-  const std::optional<Entity> entity = document().entity(grabbed_);
-  if (!entity) {
-    end();
-    return;
-  }
-  const Vec2 to = handleTarget(*entity, mouse);
-  pulled_ = pulled(*entity, handle_, to, mouse.modifiers.testFlag(Qt::AltModifier));
-  scene().setPreview({*pulled_});
-  scene().toolLayer().setTag(mouse.world, handleText(*entity, to));
-}
-
-Vec2 SelectTool::handleTarget(const Entity& entity, const CanvasMouse& mouse) const {
-  if (handle_.kind == Handle::Kind::Turn) {
-    const Vec2 centre = *positionOf(entity);
-    const Vec2 offset = mouse.world - centre;
-    return mouse.modifiers.testFlag(Qt::ShiftModifier)
-               ? Pose2{centre, snappedAngle(base::headingOf(offset))}.ahead(offset.norm())
-               : mouse.world;
-  }
-  if (handle_.kind == Handle::Kind::Size && kindOf(entity) == EntityKind::Human) {
-    return mouse.world;
-  }
-  SnapWish wish;
-  wish.without = {grabbed_};
-  const std::vector<Vec2>* corners = cornersOf(entity);
-  if (const auto* door = std::get_if<sim2d::Door>(&entity)) {
-    wish.anchor = handle_.index == 0 ? door->to : door->from;
-  } else if (corners != nullptr && handle_.kind == Handle::Kind::Vertex && corners->size() > 1) {
-    const auto index = static_cast<std::size_t>(handle_.index);
-    const bool isStart = index == 0 && hasOpenLine(entity);
-    wish.anchor = (*corners)[isStart ? 1 : (index + corners->size() - 1) % corners->size()];
-  }
-  return snap(mouse, wish);
-}
-
-QString SelectTool::handleText(const Entity& before, const Vec2& to) const {
-  if (handle_.kind == Handle::Kind::Turn) {
-    const std::optional<double> heading = headingOf(*pulled_);
-    const double turn = base::headingOf(to - *positionOf(before)) - 0.5 * base::kPi;
-    return headingText(heading ? *heading : base::wrapToPi(turn));
-  }
-  const auto* obstacle = std::get_if<sim2d::Obstacle>(&*pulled_);
-  if (obstacle != nullptr && obstacle->kind == sim2d::ObstacleKind::Box) {
-    return QStringLiteral("%1 × %2 m")
-        .arg(obstacle->length, 0, 'f', 2)
-        .arg(obstacle->width, 0, 'f', 2);
-  }
-  if (obstacle != nullptr && obstacle->kind == sim2d::ObstacleKind::Circle) {
-    return tr("radius %1 m").arg(obstacle->radius, 0, 'f', 2);
-  }
-  return placeText(to);
-}
-
-void SelectTool::doubleClick(const CanvasMouse& mouse) {
-  if (mouse.button != Qt::LeftButton || scene().isRunMode() || document().selection().size() != 1) {
-    return;
-  }
-  std::optional<Entity> value = document().entity(document().selection().front());
-  std::vector<Vec2>* corners = value ? cornersOf(*value) : nullptr;
-  if (corners == nullptr) {
-    return;
-  }
-  const auto [owner, handle] = scene().handleAt(mouse.world);
-  if (handle.kind == Handle::Kind::Vertex) {
-    end();
-    if (corners->size() > fewestCorners(*value)) {
-      corners->erase(corners->begin() + handle.index);
-      pushEdit(document(), {*value}, tr("Remove corner"));
-    }
-    return;
-  }
-  const double reach = kSnapReachPx / mouse.pixelsPerMetre;
-  if (const std::optional<std::size_t> edge = edgeNear(*value, mouse.world, reach)) {
-    end();
-    const Vec2 place = snap(mouse, {std::nullopt, {idOf(*value)}, {}, true});
-    corners->insert(corners->begin() + static_cast<std::ptrdiff_t>(*edge) + 1, place);
-    pushEdit(document(), {*value}, tr("Add corner"));
-    scene().toolLayer().clear();
-  }
-}
 
 }  // namespace
 

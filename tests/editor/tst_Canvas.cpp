@@ -108,7 +108,7 @@ class CanvasTest : public QObject {
     const EntityRoute* route = scene_.routes().route({EntityKind::Human, 1});
     QVERIFY(route != nullptr);
     QCOMPARE(route->legs.size(), std::size_t{3});
-    QVERIFY(route->returns);
+    QVERIFY(route->legs.back().points.back() == route->legs.front().points.back());  // returns
     const RouteLeg& leg = route->legs.front();
     QVERIFY(leg.isReachable);
     QVERIFY(leg.points.size() > 2);

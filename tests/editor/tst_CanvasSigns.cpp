@@ -1,8 +1,9 @@
 #include "CanvasTester.h"
-#include "editor/canvas/GroupLayer.h"
+#include "editor/canvas/Layers.h"
+#include "editor/canvas/Overlays.h"
 #include "editor/canvas/PixelFrame.h"
 #include "editor/document/Groups.h"
-#include "editor/look/AreaGlyph.h"
+#include "editor/look/FigurePainter.h"
 
 using namespace editor;
 

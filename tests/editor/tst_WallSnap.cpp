@@ -1,7 +1,7 @@
 #include <QtTest>
 
 #include "CanvasTester.h"
-#include "editor/canvas/Snap.h"
+#include "editor/canvas/Tool.h"
 
 using namespace editor;
 
