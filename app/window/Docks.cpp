@@ -1,11 +1,11 @@
 #include "app/window/Docks.h"
 
+#include <algorithm>
 #include <utility>
 
-#include <QTabBar>
+#include <QPainter>
 #include <QToolBar>
 
-#include "app/window/DockTitle.h"
 #include "editor/look/ActionText.h"
 #include "editor/panels/TimelineBar.h"
 
@@ -19,6 +19,54 @@ constexpr int kScenarioShare = 3;  // of the height at the left
 constexpr int kMeasureShare = 2;
 constexpr int kBottomEditing = 152;
 constexpr int kBottomRunning = 232;
+constexpr int kTitleHeight = 32;
+
+/// The heading of a dock; gives way to the tab when the dock is one of several.
+class DockTitle : public QWidget {
+ public:
+  explicit DockTitle(QDockWidget& dock) : QWidget(&dock), dock_(dock) {
+    connect(&dock_, &QDockWidget::topLevelChanged, this, &DockTitle::follow);
+    connect(&dock_, &QDockWidget::dockLocationChanged, this, &DockTitle::follow);
+    connect(&dock_, &QDockWidget::visibilityChanged, this, &DockTitle::follow);
+  }
+  QSize sizeHint() const override { return {80, isNeeded() ? kTitleHeight : 0}; }
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+  /// After docks beside it came or went.
+  void follow() {
+    updateGeometry();
+    update();
+  }
+
+ protected:
+  void paintEvent(QPaintEvent* /*event*/) override {
+    if (!isNeeded()) {
+      return;
+    }
+    QPainter painter(this);
+    QFont bold = font();
+    bold.setPointSizeF(9.5);
+    bold.setWeight(QFont::DemiBold);
+    painter.setFont(bold);
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(rect().adjusted(12, 0, -12, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                     dock_.windowTitle());
+  }
+
+ private:
+  bool isNeeded() const {
+    const auto* window = qobject_cast<QMainWindow*>(dock_.parentWidget());
+    if (dock_.isFloating() || window == nullptr) {
+      return true;
+    }
+    // Docks that are closed keep their place among the tabs but have none.
+    const QList<QDockWidget*> others = window->tabifiedDockWidgets(&dock_);
+    return std::all_of(others.begin(), others.end(),
+                       [](const QDockWidget* other) { return other->isHidden(); });
+  }
+
+  QDockWidget& dock_;
+};
 
 }  // namespace
 
@@ -64,12 +112,10 @@ void Docks::add(const editor::PanelRegistry::Entry& entry) {
   auto* dock = new QDockWidget(title, &window_);
   dock->setObjectName(title.toLower());
   editor::describe(*dock->toggleViewAction(), tr("Show or hide this panel"));
-  auto* heading = new DockTitle(*dock);
-  dock->setTitleBarWidget(heading);
-  headings_.push_back(heading);
+  dock->setTitleBarWidget(new DockTitle(*dock));
   connect(dock->toggleViewAction(), &QAction::toggled, this, [this] {
-    for (DockTitle* each : headings_) {
-      each->follow();
+    for (const QDockWidget* each : docks_) {
+      static_cast<DockTitle*>(each->titleBarWidget())->follow();
     }
   });
   dock->setWidget(entry.make(context_));
@@ -89,12 +135,10 @@ void Docks::add(const editor::PanelRegistry::Entry& entry) {
 }
 
 QDockWidget* Docks::dock(const QString& name) const {
-  for (QDockWidget* dock : docks_) {
-    if (dock->objectName() == name.toLower()) {
-      return dock;
-    }
-  }
-  return nullptr;
+  const auto found = std::find_if(docks_.begin(), docks_.end(), [&](const QDockWidget* dock) {
+    return dock->objectName() == name.toLower();
+  });
+  return found == docks_.end() ? nullptr : *found;
 }
 
 QStringList Docks::names() const {

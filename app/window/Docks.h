@@ -16,8 +16,6 @@ class TimelineBar;
 
 namespace app {
 
-class DockTitle;
-
 /// The panels around the canvas: those of a registry, and the timeline over the whole width.
 class Docks : public QObject {
   Q_OBJECT
@@ -48,7 +46,6 @@ class Docks : public QObject {
   Workspace& workspace_;
   editor::PanelContext context_;
   std::vector<QDockWidget*> docks_;
-  std::vector<DockTitle*> headings_;          // of these, which own them
   std::map<QDockWidget*, bool> shownBefore_;  // while all are hidden
   QByteArray layoutBefore_;                   // with their sizes, once the window is seen
   editor::TimelineBar* timeline_;

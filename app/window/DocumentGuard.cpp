@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include <QDesktopServices>
 #include <QDir>
 #include <QFileInfo>
 #include <QUrl>
 
-#include "app/window/StartCards.h"
+#include "app/window/StartPage.h"
 #include "editor/document/EntityLists.h"
 #include "editor/document/MapEdit.h"
 #include "editor/look/Form.h"
@@ -18,28 +19,16 @@ namespace app {
 
 namespace {
 
-QString changedId() {
-  return QStringLiteral("changed");
-}
-QString goneId() {
-  return QStringLiteral("gone");
-}
-QString readOnlyId() {
-  return QStringLiteral("read-only");
-}
+constexpr int kPauseMs = 400;
 
-QString mapId() {
-  return QStringLiteral("map");
-}
-QString notSavedId() {
-  return QStringLiteral("not-saved");
-}
-QString exportId() {
-  return QStringLiteral("export");
-}
-QString unreadId() {
-  return QStringLiteral("unread");
-}
+// Notices of these take each other's place.
+constexpr QLatin1String kChanged("changed");
+constexpr QLatin1String kGone("gone");
+constexpr QLatin1String kReadOnly("read-only");
+constexpr QLatin1String kMap("map");
+constexpr QLatin1String kNotSaved("not-saved");
+constexpr QLatin1String kExport("export");
+constexpr QLatin1String kUnread("unread");
 
 QString namesOf(const QStringList& files) {
   const QString first = QFileInfo(files.front()).fileName();
@@ -88,6 +77,51 @@ QString mapWords(const editor::ScenarioDocument& document) {
 
 }  // namespace
 
+FileWatch::FileWatch(editor::ScenarioDocument& document, QObject* parent)
+    : QObject(parent), document_(document) {
+  pause_.setSingleShot(true);
+  pause_.setInterval(kPauseMs);
+  connect(&watcher_, &QFileSystemWatcher::fileChanged, &pause_, qOverload<>(&QTimer::start));
+  connect(&watcher_, &QFileSystemWatcher::directoryChanged, &pause_, qOverload<>(&QTimer::start));
+  connect(&pause_, &QTimer::timeout, this, &FileWatch::lookNow);
+  connect(&document_, &editor::ScenarioDocument::pathChanged, this, [this] {
+    isThere_ = true;
+    watch();
+  });
+  connect(&document_, &editor::ScenarioDocument::mapChanged, this, &FileWatch::watch);
+}
+
+/// Folders too: a file that is replaced by renaming is another one for the system.
+void FileWatch::watch() {
+  const QStringList before = watcher_.files() + watcher_.directories();
+  if (!before.isEmpty()) {
+    watcher_.removePaths(before);
+  }
+  QStringList paths;
+  for (const QString& file : document_.files()) {
+    for (const QString& path : {file, QFileInfo(file).absolutePath()}) {
+      if (QFileInfo::exists(path) && !paths.contains(path)) {
+        paths << path;
+      }
+    }
+  }
+  if (!paths.isEmpty()) {
+    watcher_.addPaths(paths);
+  }
+}
+
+void FileWatch::lookNow() {
+  const QStringList changed = document_.changedOnDisk();
+  watch();
+  const bool isThere = document_.path().isEmpty() || QFileInfo::exists(document_.path());
+  if (std::exchange(isThere_, isThere) != isThere) {
+    Q_EMIT scenarioThere(isThere);
+  }
+  if (!changed.isEmpty()) {
+    Q_EMIT changedOnDisk(changed);
+  }
+}
+
 DocumentGuard::DocumentGuard(Workspace& workspace, FileCommands& files, NoticeBar& notices,
                              const QString& recoveryFolder, QObject* parent)
     : QObject(parent),
@@ -100,11 +134,9 @@ DocumentGuard::DocumentGuard(Workspace& workspace, FileCommands& files, NoticeBa
   connect(&watch_, &FileWatch::changedOnDisk, this, &DocumentGuard::tellChanged);
   connect(&watch_, &FileWatch::scenarioThere, this, &DocumentGuard::tellGone);
   connect(&document_, &editor::ScenarioDocument::pathChanged, this, [this] {
-    notices_.drop(changedId());
-    notices_.drop(goneId());
-    notices_.drop(notSavedId());
-    notices_.drop(unreadId());
-    notices_.drop(exportId());
+    for (const QLatin1String& id : {kChanged, kGone, kNotSaved, kUnread, kExport}) {
+      notices_.drop(id);
+    }
     tellReadOnly();
   });
   connect(&document_, &editor::ScenarioDocument::mapChanged, this, &DocumentGuard::tellMap);
@@ -160,7 +192,7 @@ void DocumentGuard::restore(const QString& folder) {
 
 void DocumentGuard::tellChanged(const QStringList& changed) {
   const QString names = namesOf(changed);
-  notices_.tell({changedId(),
+  notices_.tell({kChanged,
                  true,
                  document_.isDirty()
                      ? tr("%1 was changed by another program. Reloading loses what is not saved "
@@ -173,10 +205,10 @@ void DocumentGuard::tellChanged(const QStringList& changed) {
 
 void DocumentGuard::tellGone(bool isThere) {
   if (isThere) {
-    notices_.drop(goneId());
+    notices_.drop(kGone);
     return;
   }
-  notices_.tell({goneId(),
+  notices_.tell({kGone,
                  true,
                  tr("%1 is no longer in its folder: another program has moved or removed it. It is "
                     "still open here.")
@@ -187,11 +219,11 @@ void DocumentGuard::tellGone(bool isThere) {
 
 void DocumentGuard::tellReadOnly() {
   if (!document_.isReadOnly()) {
-    notices_.drop(readOnlyId());
+    notices_.drop(kReadOnly);
     return;
   }
   notices_.tell(
-      {readOnlyId(),
+      {kReadOnly,
        true,
        (editor::isBlank(document_.scenario())
             ? tr("%1 is damaged: nothing of it could be read. It will not be overwritten.")
@@ -206,10 +238,10 @@ void DocumentGuard::tellReadOnly() {
 /// Once more when no map was chosen after all.
 void DocumentGuard::tellMap() {
   if (!document_.mapState().isMissing) {
-    notices_.drop(mapId());
+    notices_.drop(kMap);
     return;
   }
-  notices_.tell({mapId(),
+  notices_.tell({kMap,
                  true,
                  mapWords(document_),
                  {{tr("Choose map…"),
@@ -224,7 +256,7 @@ void DocumentGuard::tellMap() {
 }
 
 void DocumentGuard::tellExported(const QString& folder, int files) {
-  notices_.tell({exportId(),
+  notices_.tell({kExport,
                  false,
                  tr("%1 were exported to %2.")
                      .arg(editor::counted(static_cast<std::size_t>(files), tr("file"), tr("files")),
@@ -234,19 +266,19 @@ void DocumentGuard::tellExported(const QString& folder, int files) {
 }
 
 void DocumentGuard::tellNotExported(const base::Diagnostics& problems) {
-  notices_.tell({exportId(),
+  notices_.tell({kExport,
                  true,
                  tr("Nothing was exported: %1.").arg(reasonOf(errorsOf(problems), {})),
                  {{tr("Export…"), [this] { files_.askExport(); }}}});
 }
 
 void DocumentGuard::tellNotSaved(const QString& name, const base::Diagnostics& problems) {
-  notices_.tell({notSavedId(),
+  notices_.tell({kNotSaved,
                  true,
                  tr("%1 was not saved: %2. Your changes are still here.")
                      .arg(name, reasonOf(errorsOf(problems), name)),
                  {{tr("Save as…"), [this, name, problems] {
-                     if (!files_.saveAs() && !notices_.isTold(notSavedId())) {
+                     if (!files_.saveAs() && !notices_.isTold(kNotSaved)) {
                        tellNotSaved(name, problems);
                      }
                    }}}});
@@ -255,7 +287,7 @@ void DocumentGuard::tellNotSaved(const QString& name, const base::Diagnostics& p
 void DocumentGuard::tellUnread(const base::Diagnostics& problems) {
   const base::Diagnostic problem = firstError(problems);
   const QString reason = QString::fromStdString(problem.message);
-  notices_.tell({unreadId(),
+  notices_.tell({kUnread,
                  true,
                  problem.file.empty()
                      ? tr("The file cannot be opened: %1").arg(reason)

@@ -2,12 +2,34 @@
 
 #include <memory>
 
+#include <QFileSystemWatcher>
+#include <QTimer>
+
 #include "app/window/FileCommands.h"
-#include "app/window/FileWatch.h"
 #include "app/window/NoticeBar.h"
 #include "editor/document/Autosave.h"
 
 namespace app {
+
+/// Notices when another program changes a file of the document; the program's own saving is none.
+class FileWatch : public QObject {
+  Q_OBJECT
+ public:
+  explicit FileWatch(editor::ScenarioDocument& document, QObject* parent = nullptr);
+  void lookNow();
+
+ Q_SIGNALS:
+  void changedOnDisk(const QStringList& files);
+  void scenarioThere(bool isThere);  // its file has gone, or is back
+
+ private:
+  void watch();
+
+  editor::ScenarioDocument& document_;
+  QFileSystemWatcher watcher_;
+  bool isThere_ = true;
+  QTimer pause_;  // until a program that writes several files is through
+};
 
 /// Keeps work from being lost: copies for a crash, what another program does to the files, files
 /// that could be read only in part or not be written, maps that are not there. Tells by notices.

@@ -26,7 +26,7 @@ using editor::Role;
 namespace {
 
 constexpr int kTargetWidth = 168;
-constexpr int kRowHeight = 24;
+constexpr int kFileRow = 24;
 
 QString stateText(ExportPlan::State state) {
   switch (state) {
@@ -255,7 +255,7 @@ void ExportDialog::showFiles() {
                               theme_.color(isReplaced ? Role::WarningMark : Role::TextSecondary)));
     item->setText(1, stateText(file.state));
     item->setForeground(1, theme_.color(isReplaced ? Role::Warning : Role::TextSecondary));
-    item->setSizeHint(0, QSize(0, kRowHeight));
+    item->setSizeHint(0, QSize(0, kFileRow));
     item->setToolTip(0, QString::fromStdString(file.content.path));
   }
   summary_->setText(replaced == 0

@@ -2,13 +2,18 @@
 
 #include <algorithm>
 
+#include <QDir>
 #include <QFileInfo>
 #include <QRegularExpression>
 #include <QStandardPaths>
 
+#include "app/run/RecordedRun.h"
+#include "app/window/MapDialogs.h"
 #include "bt/tree/TreeXml.h"
-#include "editor/document/DocumentSnapshot.h"
+#include "editor/canvas/MapItem.h"
+#include "editor/document/Autosave.h"
 #include "editor/document/EditCommands.h"
+#include "editor/document/MapEdit.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -231,6 +236,142 @@ void FileCommands::fillRecentMenu(QMenu& menu) {
     });
   }
   menu.setEnabled(!menu.isEmpty());
+}
+
+bool FileCommands::openNewFromMap(const QString& mapYaml) {
+  if (!tell(workspace_.document().newOnMap(mapYaml))) {
+    return false;
+  }
+  Q_EMIT opened();
+  return true;
+}
+
+void FileCommands::newRoom() {
+  workspace_.document().clear();
+  tell({});
+  Q_EMIT opened();
+}
+
+void FileCommands::newOnMap(std::shared_ptr<const sim2d::OccupancyGrid> map) {
+  workspace_.document().load(sim2d::Scenario());
+  workspace_.document().setMap(std::move(map));
+  tell({});
+  Q_EMIT opened();
+}
+
+void FileCommands::askNewRoom() {
+  RoomDialog dialog(workspace_.theme(), &window_);
+  if (dialog.exec() != QDialog::Accepted || !mayLeave()) {
+    return;
+  }
+  if (dialog.hasWalls()) {
+    newOnMap(editor::emptyRoom(dialog.size().width(), dialog.size().height()));
+  } else {
+    newRoom();
+  }
+}
+
+void FileCommands::askNewFromMap() {
+  const QString path =
+      dialogs_.openFile(tr("New scenario on a map"), folder(),
+                        tr("Maps and images (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)"));
+  if (path.isEmpty()) {
+    return;
+  }
+  if (kindOf(path) == Kind::Image) {
+    askMapOfImage(path);
+  } else if (mayLeave()) {
+    openNewFromMap(path);
+  }
+}
+
+void FileCommands::askMapOfImage(const QString& path) {
+  constexpr double kResolution = 0.05;
+  const base::Result<std::shared_ptr<const sim2d::OccupancyGrid>> grid =
+      editor::gridOfImage(path, kResolution);
+  if (!tell(grid.diagnostics()) || !grid) {
+    return;
+  }
+  QImage image(path);
+  if (image.isNull()) {  // a format that only the map reader knows
+    image = editor::mapImage(**grid, workspace_.theme());
+  }
+  ImageMapDialog dialog(*grid, image, workspace_.theme(), &window_);
+  if (dialog.exec() == QDialog::Accepted && mayLeave()) {
+    newOnMap(dialog.map());
+  }
+}
+
+void FileCommands::askOtherMap() {
+  const QString path =
+      dialogs_.openFile(tr("Put a map under the scenario"), folder(), tr("Maps (*.yaml *.yml)"));
+  if (!path.isEmpty()) {
+    putOtherMap(path);
+  }
+}
+
+/// One that cannot be read leaves everything as it is, a run too.
+bool FileCommands::putOtherMap(const QString& path) {
+  const bool isFine = tell(workspace_.document().openMap(path));
+  if (isFine) {
+    workspace_.runner().reset();
+  }
+  mapRefused_ = !isFine;
+  return isFine;
+}
+
+void FileCommands::askOpenRun() {
+  const QString path = dialogs_.openFolder(tr("Open the folder of a run"), folder());
+  if (!path.isEmpty() && mayLeave()) {
+    openFile(path);
+  }
+}
+
+/// The document is the scenario of the run meanwhile, as far as it is known.
+bool FileCommands::openRun(const QString& path) {
+  const base::Result<RecordedRun> run = readRecordedRun(path.toStdString());
+  if (!run) {
+    return tell(run.diagnostics());
+  }
+  editor::ScenarioDocument& document = workspace_.document();
+  if (!workspace_.runner().isRecorded()) {
+    beforeRun_ = document.path();
+  }
+  scenarioOfRun_ = QString::fromStdString(run->scenario);
+  document.clear();  // ends what was running
+  document.setSearch({}, {});
+  if (!scenarioOfRun_.isEmpty() && base::hasErrors(document.open(scenarioOfRun_))) {
+    document.clear();
+  }
+  editor::DocumentSnapshot shown = document.snapshot();
+  sim2d::Scenario scenario = scenarioOf(*run->recording, shown.scenario);
+  const sim2d::OccupancyGrid& map = run->recording->header()->map;
+  const bool isOtherMap = !(map == *shown.map.grid);
+  if (isOtherMap || !(scenario == shown.scenario)) {
+    shown.scenario = std::move(scenario);
+    if (isOtherMap) {
+      shown.map = {std::make_shared<const sim2d::OccupancyGrid>(map), {}, false, {}};
+      shown.mapIsInFile = false;
+    }
+    document.restore(std::move(shown), true);
+  }
+  const QDir folder(path);  // with or without a slash at its end
+  memory_.noteFile(folder.absolutePath());
+  Q_EMIT recentChanged();
+  Q_EMIT opened();  // first: the view fits what is drawn while nothing runs
+  workspace_.openRecorded(run->recording, folder.dirName());
+  return tell(run.diagnostics());
+}
+
+/// Back to what was there before, else to the scenario of the run.
+void FileCommands::leaveRun() {
+  const QString path = beforeRun_.isEmpty() ? scenarioOfRun_ : beforeRun_;
+  if (path.isEmpty() || !QFileInfo::exists(path)) {
+    workspace_.document().clear();
+    Q_EMIT closed();
+  } else {
+    openScenario(path);
+  }
 }
 
 }  // namespace app

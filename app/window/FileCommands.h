@@ -2,10 +2,8 @@
 
 #include <memory>
 
-#include <QDateTime>
 #include <QMenu>
 #include <QObject>
-#include <QSettings>
 
 #include "app/run/Export.h"
 #include "app/run/RunOptions.h"
@@ -14,22 +12,6 @@
 #include "editor/panels/IssuesPanel.h"
 
 namespace app {
-
-/// Recent files and what else is remembered between sessions. Without a store (pictures, tests)
-/// nothing is read or written.
-class Memory {
- public:
-  explicit Memory(bool remembers);
-  QStringList recentFiles() const;
-  void noteFile(const QString& path);          // opened or saved just now
-  QDateTime noted(const QString& path) const;  // when; invalid: not known
-  void clearRecent();
-  QVariant value(const char* key) const;
-  void setValue(const char* key, const QVariant& value);
-
- private:
-  std::unique_ptr<QSettings> store_;
-};
 
 /// Opening and saving, with the questions that belong to them. Problems go to the issues panel.
 class FileCommands : public QObject {

@@ -1,16 +1,19 @@
 #include "app/window/MainWindow.h"
 
+#include <utility>
+
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDir>
+#include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QScreen>
+#include <QTimer>
 
-#include "app/window/CanvasMenu.h"
 #include "app/window/DocumentGuard.h"
-#include "app/window/FileDrop.h"
 #include "app/window/NoticeBar.h"
 #include "app/window/StatusLine.h"
 #include "app/window/ToolBars.h"
@@ -81,7 +84,7 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
 
 void MainWindow::placeParts(const WindowSetup& setup) {
   addToolBar(Qt::TopToolBarArea, toolBar_);
-  recent_ = makeMenus(*this, workspace_, *actions_, *docks_).recent;
+  recent_ = makeMenus(*this, workspace_, *actions_, *docks_);
   saved_->setContentsMargins(0, 0, 12, 0);
   saved_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   saved_->setFixedSize(kSavedWidth, kMenuHeight);
@@ -91,7 +94,7 @@ void MainWindow::placeParts(const WindowSetup& setup) {
   centre_->addWidget(startPage_);
   centre_->addWidget(&workspace_.view());
   workspace_.view().setAcceptDrops(false);  // files fall through to the window
-  new FileDrop(workspace_, *files_, *this);
+  setAcceptDrops(true);
   auto* middle = new QWidget(this);
   auto* rows = new QVBoxLayout(middle);
   rows->setContentsMargins(0, 0, 0, 0);
@@ -165,8 +168,7 @@ void MainWindow::connectFiles() {
       startPage_->fillRecent();  // it may have gone
       return;
     }
-    docks_->dock(QStringLiteral("issues"))->show();
-    docks_->dock(QStringLiteral("issues"))->raise();
+    showIssues();
   });
   connect(startPage_, &StartPage::fileWanted, files, &FileCommands::openFile);
   editor::ScenarioDocument& document = workspace_.document();
@@ -174,8 +176,14 @@ void MainWindow::connectFiles() {
   connect(&document, &editor::ScenarioDocument::dirtyChanged, this, &MainWindow::showTitle);
 }
 
+void MainWindow::showIssues() {
+  QDockWidget* issues = docks_->dock(QStringLiteral("issues"));
+  issues->show();
+  issues->raise();
+}
+
 void MainWindow::connectView() {
-  new CanvasMenu(workspace_, *actions_, *docks_, this);
+  connectCanvasMenu(workspace_, *actions_, *docks_);
   connect(actions_->fullScreen, &QAction::toggled, this, &MainWindow::showFullScreenMap);
   connect(actions_->resetLayout, &QAction::triggered, docks_, &Docks::resetLayout);
   actions_->systemTheme->setChecked(followsSystem_);
@@ -208,8 +216,7 @@ void MainWindow::connectRun() {
   });
   const auto raise = [this](const base::Diagnostics& problems) {
     Q_EMIT docks_->context().problemsFound(problems);
-    docks_->dock(QStringLiteral("issues"))->show();
-    docks_->dock(QStringLiteral("issues"))->raise();
+    showIssues();
   };
   connect(&runner, &SimulationRunner::notStarted, this, raise);
   connect(&workspace_.feed(), &editor::MetricsFeed::failed, this, raise);
@@ -240,9 +247,9 @@ void MainWindow::showStart(bool start) {
   followState();
   if (!start) {
     workspace_.view().setFocus();
-    if (!placed_) {
-      placed_ = true;
-      recallDocks();
+    if (!std::exchange(placed_, true) &&  // when the docks are first seen: as they were last time
+        !restoreState(memory_.value(kStateKey).toByteArray(), kLayoutVersion)) {
+      docks_->placeFirst();
     }
   }
 }
@@ -327,13 +334,6 @@ void MainWindow::remember() {
                                                             : QStringLiteral("light"));
 }
 
-/// When the docks are first seen: as they were last time, else as designed.
-void MainWindow::recallDocks() {
-  if (!restoreState(memory_.value(kWindowStateKey).toByteArray(), kLayoutVersion)) {
-    docks_->placeFirst();
-  }
-}
-
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!files_->mayLeave()) {
     event->ignore();
@@ -341,6 +341,29 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   }
   remember();
   event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (urls.size() == 1 && urls.front().isLocalFile()) {
+    event->acceptProposedAction();
+  }
+}
+
+/// A file is opened, or given to the person it falls on.
+void MainWindow::dropEvent(QDropEvent* event) {
+  event->acceptProposedAction();
+  const editor::MapView& view = workspace_.view();
+  editor::EntityId under;
+  if (view.isVisible() && view.rect().contains(view.mapFrom(this, event->pos()))) {
+    const QPointF scene = view.mapToScene(view.viewport()->mapFrom(this, event->pos()));
+    under = workspace_.scene().entityAt(editor::MapScene::worldFromScene(scene));
+  }
+  // later: the program that drags waits until this is through, and there may be questions
+  QTimer::singleShot(0, files_,
+                     [this, path = event->mimeData()->urls().front().toLocalFile(), under] {
+                       files_->dropFile(path, under);
+                     });
 }
 
 void MainWindow::changeEvent(QEvent* event) {

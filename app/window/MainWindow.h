@@ -60,6 +60,8 @@ class MainWindow : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
@@ -69,12 +71,12 @@ class MainWindow : public QMainWindow {
   void connectRun();
   void showStart(bool start);
   void showTitle();
+  void showIssues();
   void followState();
   void showFullScreenMap(bool on);
   void tellAbout();
   void showFile(const QString& file, int line);
   void remember();
-  void recallDocks();
 
   Workspace workspace_;
   Memory memory_;

@@ -17,7 +17,7 @@ using editor::Role;
 
 namespace {
 
-constexpr int kRowHeight = 40;
+constexpr int kLeastHeight = 40;
 constexpr int kIcon = 18;
 constexpr int kWords = 320;  // that a line of them should have; else the buttons go below
 
@@ -25,7 +25,7 @@ constexpr int kWords = 320;  // that a line of them should have; else the button
 class NoticeRow : public QWidget {
  public:
   NoticeRow(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)), choices_(this) {
-    setMinimumHeight(kRowHeight);
+    setMinimumHeight(kLeastHeight);
     setAutoFillBackground(true);
     grid_->setContentsMargins(12, 4, 8, 4);
     grid_->setHorizontalSpacing(8);
@@ -37,9 +37,8 @@ class NoticeRow : public QWidget {
     grid_->addWidget(&choices_, 0, kChoicesColumn);
   }
 
-  void setIcon(QWidget* icon) { grid_->addWidget(icon, 0, kIconColumn); }
-  void setWords(QWidget* words) { grid_->addWidget(words, 0, kWordsColumn); }
-  void setCross(QWidget* cross) { grid_->addWidget(cross, 0, kCrossColumn); }
+  enum Column { kIconColumn, kWordsColumn, kChoicesColumn, kCrossColumn };
+  void add(QWidget* part, Column column) { grid_->addWidget(part, 0, column); }
   void addChoice(QWidget* button) { buttons_->addWidget(button); }
 
  protected:
@@ -51,15 +50,11 @@ class NoticeRow : public QWidget {
     }
     isNarrow_ = isNarrow;
     grid_->removeWidget(&choices_);
-    if (isNarrow) {
-      grid_->addWidget(&choices_, 1, kWordsColumn, Qt::AlignLeft);
-    } else {
-      grid_->addWidget(&choices_, 0, kChoicesColumn);
-    }
+    isNarrow ? grid_->addWidget(&choices_, 1, kWordsColumn, Qt::AlignLeft)
+             : grid_->addWidget(&choices_, 0, kChoicesColumn);
   }
 
  private:
-  enum Column { kIconColumn, kWordsColumn, kChoicesColumn, kCrossColumn };
   QGridLayout* grid_;
   QHBoxLayout* buttons_ = nullptr;
   QWidget choices_;
@@ -76,10 +71,13 @@ NoticeBar::NoticeBar(const editor::Theme& theme, QWidget* parent)
   hide();
 }
 
+std::vector<Notice>::iterator NoticeBar::find(const QString& id) {
+  return std::find_if(notices_.begin(), notices_.end(),
+                      [&](const Notice& notice) { return notice.id == id; });
+}
+
 void NoticeBar::tell(Notice notice) {
-  const auto same = std::find_if(notices_.begin(), notices_.end(),
-                                 [&](const Notice& other) { return other.id == notice.id; });
-  if (same != notices_.end()) {
+  if (const auto same = find(notice.id); same != notices_.end()) {
     *same = std::move(notice);
   } else {
     notices_.push_back(std::move(notice));
@@ -88,23 +86,14 @@ void NoticeBar::tell(Notice notice) {
 }
 
 void NoticeBar::drop(const QString& id) {
-  const auto gone = std::remove_if(notices_.begin(), notices_.end(),
-                                   [&](const Notice& notice) { return notice.id == id; });
-  if (gone != notices_.end()) {
-    notices_.erase(gone, notices_.end());
+  if (const auto gone = find(id); gone != notices_.end()) {
+    notices_.erase(gone);
     rebuild();
   }
 }
 
-bool NoticeBar::isTold(const QString& id) const {
-  return std::any_of(notices_.begin(), notices_.end(),
-                     [&](const Notice& notice) { return notice.id == id; });
-}
-
 void NoticeBar::choose(const QString& id, int choice) {
-  const auto found = std::find_if(notices_.begin(), notices_.end(),
-                                  [&](const Notice& notice) { return notice.id == id; });
-  if (found != notices_.end()) {
+  if (const auto found = find(id); found != notices_.end()) {
     const std::function<void()> action = found->choices.at(static_cast<std::size_t>(choice)).action;
     drop(id);
     if (action) {
@@ -149,12 +138,12 @@ QWidget* NoticeBar::rowOf(const Notice& notice) {
   icon->setPixmap(editor::tintedIcon(
                       notice.isWarning ? QStringLiteral("warning") : QStringLiteral("info"), tint)
                       .pixmap(kIcon, kIcon));
-  row->setIcon(icon);
+  row->add(icon, NoticeRow::kIconColumn);
   auto* text = new QLabel(notice.text, row);
   text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   text->setWordWrap(true);
-  row->setWords(text);
+  row->add(text, NoticeRow::kWordsColumn);
   for (std::size_t i = 0; i < notice.choices.size(); ++i) {
     auto* button = new QPushButton(notice.choices[i].text, row);
     connect(button, &QPushButton::clicked, this,
@@ -167,7 +156,7 @@ QWidget* NoticeBar::rowOf(const Notice& notice) {
   close->setToolTip(tr("Later"));
   close->setAccessibleName(tr("Later"));
   connect(close, &QToolButton::clicked, this, [this, id = notice.id] { drop(id); });
-  row->setCross(close);
+  row->add(close, NoticeRow::kCrossColumn);
   return row;
 }
 

@@ -29,7 +29,7 @@ class NoticeBar : public QWidget {
   explicit NoticeBar(const editor::Theme& theme, QWidget* parent = nullptr);
   void tell(Notice notice);
   void drop(const QString& id);
-  bool isTold(const QString& id) const;
+  bool isTold(const QString& id) { return find(id) != notices_.end(); }
   const std::vector<Notice>& notices() const { return notices_; }
   void choose(const QString& id, int choice);
   void setTheme(const editor::Theme& theme);
@@ -38,6 +38,7 @@ class NoticeBar : public QWidget {
   void keyboardFree();  // it was on a button that goes now
 
  private:
+  std::vector<Notice>::iterator find(const QString& id);
   void rebuild();
   QWidget* rowOf(const Notice& notice);
 

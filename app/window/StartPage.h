@@ -1,17 +1,93 @@
 #pragma once
 
 #include <deque>
+#include <utility>
+#include <vector>
 
 #include <QAbstractButton>
-#include <QGridLayout>
+#include <QDateTime>
 #include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "app/window/FileCommands.h"
 #include "app/window/WindowActions.h"
+#include "editor/look/Theme.h"
 
 namespace app {
+
+/// A large button of the start page; draws itself in the colours of the theme.
+class StartCard : public QAbstractButton {
+  Q_OBJECT
+ public:
+  StartCard(const editor::Theme& theme, QWidget* parent) : QAbstractButton(parent), theme_(theme) {
+    setCursor(Qt::PointingHandCursor);
+    setAttribute(Qt::WA_Hover);
+  }
+  void setTheme(const editor::Theme& theme) {
+    theme_ = theme;
+    update();
+  }
+
+ protected:
+  bool isLit() const { return underMouse() || hasFocus(); }
+  editor::Theme theme_;
+};
+
+/// Icon, title, one line, shortcut.
+class ActionCard : public StartCard {
+  Q_OBJECT
+ public:
+  struct Words {
+    QString icon, title, line, shortcut;
+  };
+  ActionCard(Words words, const editor::Theme& theme, QWidget* parent);
+  QSize sizeHint() const override { return {357, 88}; }
+  QSize minimumSizeHint() const override { return {240, 88}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  Words words_;
+};
+
+/// A recent file: name, folder, when it was used; pale with a warning when it is gone.
+class RecentRow : public StartCard {
+  Q_OBJECT
+ public:
+  RecentRow(QString path, const QDateTime& used, const editor::Theme& theme, QWidget* parent);
+  QSize sizeHint() const override { return {357, 60}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QString path_, when_;
+  bool exists_;
+};
+
+/// A scenario seen from above, its name and the number of people.
+class DemoCard : public StartCard {
+  Q_OBJECT
+ public:
+  DemoCard(QString name, const editor::Theme& theme, QWidget* parent);
+  void setPicture(const QPixmap& picture, int people);
+  QSize sizeHint() const override { return {357, 208}; }
+  QSize minimumSizeHint() const override { return {240, 208}; }
+  QSize pictureSize() const { return {width(), 172}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QString name_;
+  QPixmap picture_;
+  int people_ = -1;
+};
+
+/// "2 min ago", "Yesterday", "12 Nov"
+QString agoText(const QDateTime& then, const QDateTime& now);
 
 /// A scenario of the collection as a picture with its name.
 struct Demo {
@@ -46,8 +122,8 @@ class StartPage : public QScrollArea {
   QVBoxLayout* column_;
   QVBoxLayout* recent_;
   QLabel* title_;
-  std::vector<QAbstractButton*> cards_;
-  std::vector<std::pair<QAbstractButton*, QString>> thumbnails_;
+  std::vector<StartCard*> cards_;
+  std::vector<std::pair<DemoCard*, QString>> thumbnails_;
   std::deque<std::size_t> unpainted_;
 };
 

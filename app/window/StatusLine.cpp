@@ -97,10 +97,6 @@ QLabel* StatusLine::addRight(int width) {
   return label;
 }
 
-void StatusLine::setTheme() {
-  showState();
-}
-
 void StatusLine::setIdle(bool idle) {
   idle_ = idle;
   for (QLabel* label : {x_, y_, ground_, zoom_, seed_}) {

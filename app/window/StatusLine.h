@@ -12,7 +12,7 @@ class StatusLine : public QObject {
   Q_OBJECT
  public:
   StatusLine(QStatusBar& bar, Workspace& workspace);
-  void setTheme();
+  void setTheme() { showState(); }
   void setIdle(bool idle);  // nothing is open
   /// The words of the state, as shown.
   QString stateText() const { return state_->text(); }

@@ -4,13 +4,14 @@
 #include <map>
 
 #include <QAction>
-#include <QComboBox>
 #include <QMenuBar>
+#include <QToolButton>
 
 #include "editor/document/BehaviorValues.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/ActionText.h"
 #include "editor/look/Icons.h"
+#include "editor/panels/ScenarioPanel.h"
 
 namespace app {
 
@@ -24,10 +25,35 @@ void takeToolIcons(Workspace& workspace) {
   }
 }
 
+/// QWidget takes lists of Qt.
+void addAll(QWidget& to, const std::vector<QAction*>& actions) {
+  for (QAction* action : actions) {
+    to.addAction(action);
+  }
+}
+
 QWidget* spacer(int width, QWidget* parent) {
   auto* gap = new QWidget(parent);
   gap->setFixedWidth(width);
   return gap;
+}
+
+/// Several tools on one button: it shows the one used last, its arrow opens the list.
+QToolButton* makeToolGroup(const std::vector<QAction*>& actions, QWidget* parent) {
+  auto* button = new QToolButton(parent);
+  button->setPopupMode(QToolButton::MenuButtonPopup);
+  auto* menu = new QMenu(button);
+  for (QAction* action : actions) {
+    menu->addAction(action);
+    QObject::connect(action, &QAction::toggled, button, [button, action](bool on) {
+      if (on) {
+        button->setDefaultAction(action);
+      }
+    });
+  }
+  button->setMenu(menu);
+  button->setDefaultAction(actions.front());
+  return button;
 }
 
 /// Tools of one kind share a button, at the place of the first of them.
@@ -53,13 +79,9 @@ QToolButton* makeLayersButton(const WindowActions& actions, QWidget* parent) {
   button->setToolTip(QObject::tr("Layers\nWhat the map shows"));
   button->setAccessibleName(QObject::tr("Layers"));
   auto* menu = new QMenu(button);
-  for (QAction* layer : actions.canvas->layers()) {
-    menu->addAction(layer);
-  }
+  addAll(*menu, actions.layers);
   menu->addSeparator();
-  for (QAction* overlay : actions.overlays()) {
-    menu->addAction(overlay);
-  }
+  addAll(*menu, actions.overlays);
   button->setMenu(menu);
   return button;
 }
@@ -121,7 +143,7 @@ QToolBar* makeToolBar(QMainWindow& window, Workspace& workspace, WindowActions& 
   bar->addSeparator();
   QToolButton* layers = makeLayersButton(actions, bar);
   bar->addWidget(layers);
-  bar->addActions({actions.rings, actions.forces, actions.grid, actions.canvas->snapToPoints(),
+  bar->addActions({actions.rings, actions.forces, actions.grid, actions.snapToPoints,
                    actions.zoomFit, actions.switchTheme});
   const auto takeIcons = [&workspace, layers] {
     takeToolIcons(workspace);
@@ -132,13 +154,12 @@ QToolBar* makeToolBar(QMainWindow& window, Workspace& workspace, WindowActions& 
   return bar;
 }
 
-Menus makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actions, Docks& docks) {
-  Menus menus;
+QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actions, Docks& docks) {
   QMenuBar& bar = *window.menuBar();
   QMenu* file = bar.addMenu(QObject::tr("&File"));
   file->addActions(
       {actions.newRoom, actions.newWalledRoom, actions.newFromMap, actions.open, actions.openRun});
-  menus.recent = file->addMenu(QObject::tr("Open recen&t"));
+  QMenu* recent = file->addMenu(QObject::tr("Open recen&t"));
   file->addSeparator();
   file->addActions({actions.save, actions.saveAs, actions.exportTo});
   file->addSeparator();
@@ -151,22 +172,15 @@ Menus makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& action
                     actions.remove});
   edit->addSeparator();
   edit->addActions({actions.selectAll, actions.deselect, actions.next, actions.previous});
-  actions.canvas->fillArrangeMenu(*edit->addMenu(QObject::tr("Arran&ge")));
+  actions.fillArrangeMenu(*edit->addMenu(QObject::tr("Arran&ge")));
   edit->addSeparator();
-  for (QAction* snap : actions.canvas->snapping()) {
-    edit->addAction(snap);
-  }
+  addAll(*edit, actions.snapping);
 
-  QMenu* view = menus.view = bar.addMenu(QObject::tr("&View"));
+  QMenu* view = bar.addMenu(QObject::tr("&View"));
   view->addActions({actions.zoomIn, actions.zoomOut, actions.zoomFit});
   view->addSeparator();
-  for (QAction* overlay : actions.overlays()) {
-    view->addAction(overlay);
-  }
-  QMenu* layers = view->addMenu(QObject::tr("&Layers"));
-  for (QAction* layer : actions.canvas->layers()) {
-    layers->addAction(layer);
-  }
+  addAll(*view, actions.overlays);
+  addAll(*view->addMenu(QObject::tr("&Layers")), actions.layers);
   view->addSeparator();
   for (QDockWidget* dock : docks.all()) {
     view->addAction(dock->toggleViewAction());
@@ -186,7 +200,40 @@ Menus makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& action
                    workspace.playback().reset()});
   addBehaviorMenu(bar, workspace);
   bar.addMenu(QObject::tr("&Help"))->addAction(actions.about);
-  return menus;
+  return recent;
+}
+
+void connectCanvasMenu(Workspace& workspace, const WindowActions& actions, const Docks& docks) {
+  editor::MapView& view = workspace.view();
+  view.setContextMenuPolicy(Qt::CustomContextMenu);
+  const auto offer = [&workspace, &actions, &docks, &view](const QPoint& at) {
+    const bool editing = workspace.runner().state() == editor::SimulationRunner::State::Editing;
+    if (!editing || !workspace.tools().isSelecting()) {
+      return;
+    }
+    editor::ScenarioDocument& document = workspace.document();
+    const base::EntityId id =
+        workspace.scene().entityAt(editor::MapScene::worldFromScene(view.mapToScene(at)));
+    if (id && !document.isSelected(id)) {
+      document.setSelection({id});
+    }
+    auto* menu = new QMenu(&view);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    if (id) {
+      docks.panel<editor::ScenarioPanel>().fillMenu(*menu, id);
+      actions.fillArrangeMenu(*menu->addMenu(QObject::tr("Arrange")));
+      menu->addSeparator();
+      menu->addActions({actions.cut, actions.copy, actions.duplicate, actions.remove});
+    } else {
+      menu->addActions({actions.paste, actions.selectAll});
+      menu->addSeparator();
+      menu->addActions({actions.zoomFit, actions.grid, actions.names, actions.routes});
+      menu->addSeparator();
+      menu->addActions({actions.settings});
+    }
+    menu->popup(view.viewport()->mapToGlobal(at));
+  };
+  QObject::connect(&view, &QWidget::customContextMenuRequested, &docks, offer);
 }
 
 }  // namespace app

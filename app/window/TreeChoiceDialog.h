@@ -10,10 +10,12 @@
 #include <QRadioButton>
 #include <QToolButton>
 
-#include "app/window/DiffView.h"
-#include "editor/document/TreeQuestion.h"
+#include "editor/document/ScenarioDocument.h"
+#include "editor/look/Theme.h"
 
 namespace app {
+
+class DiffView;
 
 /// Asks before saving replaces trees that somebody wrote by hand: keep, take the other one, and
 /// what the difference is. Closing it means not to save.

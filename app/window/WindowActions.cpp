@@ -4,6 +4,7 @@
 #include <QGuiApplication>
 #include <QUndoStack>
 
+#include "editor/canvas/Tool.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/ActionText.h"
 #include "editor/look/Icons.h"
@@ -20,7 +21,8 @@ WindowActions::WindowActions(Workspace& workspace, QObject* parent)
   makeFileActions();
   makeEditActions();
   makeViewActions();
-  canvas = new CanvasActions(workspace, this);
+  makeLayers();
+  makeArranging();
   connectEditing();
   setTheme(workspace.theme());
   followSelection();
@@ -103,19 +105,21 @@ void WindowActions::makeEditActions() {
   }
 }
 
-QAction* WindowActions::overlay(const QString& text, const QString& icon,
-                                const QKeySequence& shortcut, bool CanvasOptions::*option,
-                                const QString& says) {
+QAction* WindowActions::toggle(const QString& text, const QString& icon,
+                               const QKeySequence& shortcut, bool CanvasOptions::*option,
+                               const QString& says) {
   QAction* action =
       make(text, icon, shortcut, says.isEmpty() ? tr("Show or hide on the map") : says);
   action->setCheckable(true);
-  action->setChecked(workspace_.scene().options().*option);
-  connect(action, &QAction::toggled, this, [this, option](bool on) {
-    CanvasOptions options = workspace_.scene().options();
+  editor::MapScene& scene = workspace_.scene();
+  action->setChecked(scene.options().*option);
+  connect(action, &QAction::toggled, &scene, [&scene, option](bool on) {
+    CanvasOptions options = scene.options();
     options.*option = on;
-    workspace_.scene().setOptions(options);
+    scene.setOptions(options);
   });
-  overlays_.push_back(action);
+  connect(&scene, &editor::MapScene::optionsChanged, action,
+          [action, &scene, option] { action->setChecked(scene.options().*option); });
   return action;
 }
 
@@ -131,24 +135,87 @@ void WindowActions::makeViewActions() {
                      QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T), tr("Switch the colours"));
   systemTheme = make(tr("Colours of the &system"), {}, {}, tr("Follow the desktop's colours"));
   systemTheme->setCheckable(true);
-  names = overlay(tr("&Names"), QStringLiteral("view-names"), QKeySequence(Qt::Key_N),
-                  &CanvasOptions::names);
-  routes = overlay(tr("&Routes"), QStringLiteral("tool-route"), QKeySequence(Qt::SHIFT | Qt::Key_R),
-                   &CanvasOptions::routes);
-  grid = overlay(tr("&Grid"), QStringLiteral("view-grid"), QKeySequence(Qt::SHIFT | Qt::Key_G),
-                 &CanvasOptions::grid);
-  rulers = overlay(tr("R&ulers"), {}, {}, &CanvasOptions::rulers);
-  trails = overlay(tr("&Trails"), QStringLiteral("view-trails"), QKeySequence(Qt::Key_T),
-                   &CanvasOptions::trails, tr("Where people have been, in a run"));
-  rings = overlay(tr("&Personal spaces"), QStringLiteral("view-rings"), QKeySequence(Qt::Key_X),
-                  &CanvasOptions::proxemics, tr("Rings around the people that are selected"));
-  forces =
-      overlay(tr("For&ces"), QStringLiteral("view-forces"), QKeySequence(Qt::SHIFT | Qt::Key_F),
-              &CanvasOptions::forces, tr("What moves the people that are selected, in a run"));
+  names = toggle(tr("&Names"), QStringLiteral("view-names"), QKeySequence(Qt::Key_N),
+                 &CanvasOptions::names);
+  routes = toggle(tr("&Routes"), QStringLiteral("tool-route"), QKeySequence(Qt::SHIFT | Qt::Key_R),
+                  &CanvasOptions::routes);
+  grid = toggle(tr("&Grid"), QStringLiteral("view-grid"), QKeySequence(Qt::SHIFT | Qt::Key_G),
+                &CanvasOptions::grid);
+  rulers = toggle(tr("R&ulers"), {}, {}, &CanvasOptions::rulers);
+  trails = toggle(tr("&Trails"), QStringLiteral("view-trails"), QKeySequence(Qt::Key_T),
+                  &CanvasOptions::trails, tr("Where people have been, in a run"));
+  rings = toggle(tr("&Personal spaces"), QStringLiteral("view-rings"), QKeySequence(Qt::Key_X),
+                 &CanvasOptions::proxemics, tr("Rings around the people that are selected"));
+  forces = toggle(tr("For&ces"), QStringLiteral("view-forces"), QKeySequence(Qt::SHIFT | Qt::Key_F),
+                  &CanvasOptions::forces, tr("What moves the people that are selected, in a run"));
+  overlays = {names, routes, grid, rulers, trails, rings, forces};
   editor::MapView& view = workspace_.view();
   connect(zoomIn, &QAction::triggered, &view, &editor::MapView::zoomIn);
   connect(zoomOut, &QAction::triggered, &view, &editor::MapView::zoomOut);
   connect(zoomFit, &QAction::triggered, &view, [&view] { view.fitAll(); });
+}
+
+void WindowActions::makeLayers() {
+  layers = {toggle(tr("&Map"), {}, {}, &CanvasOptions::map),
+            toggle(tr("&People"), {}, {}, &CanvasOptions::people),
+            toggle(tr("&Robots"), {}, {}, &CanvasOptions::robots),
+            toggle(tr("&Goals"), {}, {}, &CanvasOptions::goals),
+            toggle(tr("&Obstacles and doors"), {}, {}, &CanvasOptions::obstacles),
+            toggle(tr("&Areas"), {}, {}, &CanvasOptions::areas),
+            toggle(tr("Gro&ups"), {}, {}, &CanvasOptions::groups)};
+  snapToPoints = toggle(tr("Snap to p&oints"), QStringLiteral("snap"), QKeySequence(Qt::Key_S),
+                        &CanvasOptions::snapToPoints,
+                        tr("Corners, ends and centres of other things hold what is drawn"));
+  snapping = {snapToPoints,
+              toggle(tr("Snap to &walls"), {}, {}, &CanvasOptions::snapToWalls,
+                     tr("Corners and edges of the map's walls hold what is drawn")),
+              toggle(tr("Snap to the gr&id"), {}, QKeySequence(Qt::SHIFT | Qt::Key_S),
+                     &CanvasOptions::snapToGrid, tr("What is drawn lies on half metres"))};
+}
+
+void WindowActions::makeArranging() {
+  using editor::Align;
+  using editor::Distribute;
+  editor::ScenarioDocument& document = workspace_.document();
+  const auto add = [this](const QString& text, const QString& says, std::size_t least,
+                          const std::function<void()>& work) {
+    QAction* action = make(text, {}, {}, says);
+    connect(action, &QAction::triggered, this, work);
+    arranging_.emplace_back(action, least);
+  };
+  const std::pair<QString, Align> sides[] = {
+      {tr("Align &left"), Align::Left},       {tr("Align &centres across"), Align::CentreX},
+      {tr("Align &right"), Align::Right},     {tr("Align &tops"), Align::Top},
+      {tr("Align &middles"), Align::CentreY}, {tr("Align &bottoms"), Align::Bottom}};
+  for (const auto& [text, side] : sides) {
+    add(text, tr("Move what is selected onto one line"), 2,
+        [&document, how = side] { editor::alignSelection(document, how); });
+  }
+  const std::pair<QString, Distribute> ways[] = {{tr("Distribute &across"), Distribute::Across},
+                                                 {tr("Distribute &up"), Distribute::Up}};
+  for (const auto& [text, way] : ways) {
+    add(text, tr("Equal gaps between what is selected"), 3,
+        [&document, how = way] { editor::distributeSelection(document, how); });
+  }
+  const std::pair<QString, double> turns[] = {{tr("Rotate 15° left\t["), editor::kSnapAngle},
+                                              {tr("Rotate 15° right\t]"), -editor::kSnapAngle},
+                                              {tr("Rotate 90° left"), 0.5 * base::kPi},
+                                              {tr("Rotate 90° right"), -0.5 * base::kPi}};
+  for (const auto& [text, angle] : turns) {
+    add(text, tr("Turn what is selected about its middle"), 1,
+        [&document, by = angle] { editor::rotateSelection(document, by); });
+  }
+}
+
+void WindowActions::fillArrangeMenu(QMenu& menu) const {
+  std::size_t before = 0;
+  for (const auto& [action, least] : arranging_) {
+    if (before != 0 && least != before) {
+      menu.addSeparator();
+    }
+    menu.addAction(action);
+    before = least;
+  }
 }
 
 void WindowActions::connectEditing() {
@@ -229,13 +296,16 @@ void WindowActions::followSelection() {
   paste->setEnabled(editing && editor::canPaste(QGuiApplication::clipboard()->mimeData()));
   openMap->setEnabled(editing);
   assignGoals->setEnabled(editing);
+  const std::size_t count = workspace_.document().selection().size();
+  for (const auto& [action, least] : arranging_) {
+    action->setEnabled(editing && count >= least);
+  }
 }
 
 void WindowActions::setTheme(const editor::Theme& theme) {
   for (const auto& [action, icon] : icons_) {
     action->setIcon(editor::themedIcon(icon, theme));
   }
-  canvas->setTheme(theme);
 }
 
 }  // namespace app

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include <QAction>
+#include <QMenu>
 
-#include "app/window/CanvasActions.h"
 #include "app/window/Workspace.h"
 
 namespace app {
@@ -23,19 +24,21 @@ class WindowActions : public QObject {
   QAction *next, *previous;  // person, or thing of the kind that is selected
   QAction *zoomIn, *zoomOut, *zoomFit, *fullScreen, *resetLayout, *switchTheme, *systemTheme;
   QAction *openMap, *assignGoals, *settings, *about;
-  /// Overlays of the canvas, checkable.
-  const std::vector<QAction*>& overlays() const { return overlays_; }
-  CanvasActions* canvas;
-  QAction *names, *routes, *grid, *rulers, *trails, *rings, *forces;
+  QAction *names, *routes, *grid, *rulers, *trails, *rings, *forces, *snapToPoints;
+  /// What the canvas shows and what drawing snaps to, checkable.
+  std::vector<QAction*> overlays, layers, snapping;
+  void fillArrangeMenu(QMenu& menu) const;
 
  private:
   QAction* make(const QString& text, const QString& icon, const QKeySequence& shortcut,
                 const QString& says);
-  QAction* overlay(const QString& text, const QString& icon, const QKeySequence& shortcut,
-                   bool editor::CanvasOptions::*option, const QString& says = {});
+  QAction* toggle(const QString& text, const QString& icon, const QKeySequence& shortcut,
+                  bool editor::CanvasOptions::*option, const QString& says = {});
   void makeFileActions();
   void makeEditActions();
   void makeViewActions();
+  void makeLayers();
+  void makeArranging();
   void connectEditing();
   void followSelection();
   void connectClipboard();
@@ -44,7 +47,7 @@ class WindowActions : public QObject {
 
   Workspace& workspace_;
   std::vector<std::pair<QAction*, QString>> icons_;
-  std::vector<QAction*> overlays_;
+  std::vector<std::pair<QAction*, std::size_t>> arranging_;  // and how many things it needs
   int pastes_ = 0;  // of the same copy: each lands beside the one before
 };
 

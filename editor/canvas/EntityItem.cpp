@@ -6,7 +6,7 @@
 #include "editor/canvas/PixelFrame.h"
 #include "editor/canvas/SpriteAtlas.h"
 #include "editor/document/EditCommands.h"
-#include "editor/document/PersonLook.h"
+#include "editor/document/Groups.h"
 #include "sim2d/scenario/Defaults.h"
 
 namespace editor {

@@ -7,7 +7,7 @@
 #include "editor/canvas/MapScene.h"
 #include "editor/canvas/PixelFrame.h"
 #include "editor/canvas/RouteLayer.h"
-#include "editor/document/PersonLook.h"
+#include "editor/document/Groups.h"
 #include "sim2d/scenario/Defaults.h"
 
 namespace editor {

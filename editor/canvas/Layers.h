@@ -10,7 +10,7 @@
 
 #include "editor/canvas/EntityItem.h"
 #include "editor/canvas/MapScene.h"
-#include "editor/document/Handles.h"
+#include "editor/document/Geometry.h"
 
 namespace editor {
 

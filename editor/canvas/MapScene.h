@@ -6,7 +6,7 @@
 
 #include <QGraphicsScene>
 
-#include "editor/document/Handles.h"
+#include "editor/document/Geometry.h"
 #include "editor/document/ScenarioDocument.h"
 #include "editor/look/Theme.h"
 #include "sim2d/trace/Frame.h"

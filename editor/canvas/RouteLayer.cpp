@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "editor/canvas/PixelFrame.h"
-#include "editor/document/PersonLook.h"
+#include "editor/document/Groups.h"
 #include "editor/look/FigurePainter.h"
 
 namespace editor {

@@ -1,12 +1,18 @@
 #include "editor/document/DocumentDisk.h"
 
+#include <algorithm>
+#include <filesystem>
+
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
 
-#include "editor/document/SavePlan.h"
 #include "editor/document/TreeFiles.h"
+#include "sim2d/base/Problems.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/map/MapReader.h"
+#include "sim2d/scenario/ScenarioFile.h"
 
 namespace editor {
 
@@ -126,11 +132,6 @@ std::string baseNameOf(const QString& path) {
   return QFileInfo(path).completeBaseName().toStdString();
 }
 
-std::string relativeTo(const QString& scenarioPath, const QString& file) {
-  const QDir folder = QFileInfo(scenarioPath).absoluteDir();
-  return folder.relativeFilePath(QFileInfo(file).absoluteFilePath()).toStdString();
-}
-
 base::Diagnostics asWarnings(base::Diagnostics found) {
   for (base::Diagnostic& diagnostic : found) {
     if (diagnostic.severity == base::Severity::Error) {
@@ -142,6 +143,13 @@ base::Diagnostics asWarnings(base::Diagnostics found) {
 
 namespace {
 
+namespace fs = std::filesystem;
+
+std::string relativeTo(const QString& scenarioPath, const QString& file) {
+  const QDir folder = QFileInfo(scenarioPath).absoluteDir();
+  return folder.relativeFilePath(QFileInfo(file).absoluteFilePath()).toStdString();
+}
+
 /// The path to the same file from the new folder; as it is when the file is missing and one of this
 /// name is there.
 std::string movedPath(const std::string& path, const QDir& old, const QString& to) {
@@ -151,8 +159,7 @@ std::string movedPath(const std::string& path, const QDir& old, const QString& t
   return !QFileInfo::exists(target) && isBesideNew ? path : relativeTo(to, target);
 }
 
-}  // namespace
-
+/// Paths relative to the old scenario file stay right beside the new one.
 void moveRelativePaths(sim2d::Scenario& scenario, const QString& from, const QString& to) {
   if (from.isEmpty() || QFileInfo(from).absoluteDir() == QFileInfo(to).absoluteDir()) {
     return;
@@ -166,6 +173,182 @@ void moveRelativePaths(sim2d::Scenario& scenario, const QString& from, const QSt
       human.ours.tree = movedPath(*human.ours.tree, old, to);
     }
   }
+}
+
+bool isSameFile(const QString& a, const QString& b) {
+  return !a.isEmpty() && !b.isEmpty() &&
+         QFileInfo(a).canonicalFilePath() == QFileInfo(b).canonicalFilePath();
+}
+
+/// Beside the scenario, or in ../maps of a folder called scenarios.
+QString mapFolderOf(const QString& scenario) {
+  const QDir folder = QFileInfo(scenario).absoluteDir();
+  return folder.dirName() == QLatin1String("scenarios")
+             ? QDir::cleanPath(folder.filePath(QStringLiteral("../maps")))
+             : folder.path();
+}
+
+std::string stemOf(const SavePlan& plan) {
+  const std::string name = plan.scenario.yamlBaseName.value_or("");
+  return name.empty() || name.find('/') != std::string::npos ? baseNameOf(plan.path) : name;
+}
+
+std::string treePathOf(const SavePlan& plan, const sim2d::Human& human) {
+  const fs::path scenario = plan.path.toStdString();
+  const fs::path file = human.ours.tree ? scenario.parent_path() / *human.ours.tree
+                                        : fs::path(treeFolderOf(scenario.string())) /
+                                              treeFileName(stemOf(plan), human.id);
+  return file.lexically_normal().string();
+}
+
+const PlannedTree* plannedAt(const SavePlan& plan, const std::string& path) {
+  const auto found = std::find_if(plan.trees.begin(), plan.trees.end(),
+                                  [&](const PlannedTree& tree) { return tree.path == path; });
+  return found == plan.trees.end() ? nullptr : &*found;
+}
+
+/// The person of the scenario file that is there now: its generated trees are nobody's work.
+bool isGeneratedForDisk(const std::string& xml, const sim2d::Scenario& onDisk, int humanId) {
+  const sim2d::Human* human = onDisk.humanById(humanId);
+  return human != nullptr && isGeneratedTree(xml, onDisk, *human);
+}
+
+}  // namespace
+
+std::optional<std::string> textAt(const std::string& path) {
+  base::Result<std::string> text = base::readTextFile(path);
+  return text ? std::make_optional(*std::move(text)) : std::nullopt;
+}
+
+void SavePlanner::placeMap(SavePlan& plan) const {
+  if (map_.isMissing) {
+    return;
+  }
+  const bool isInFile = disk_.holds(map_);
+  if (isInFile && disk_.isOtherMapWanted(document_.scenario())) {
+    return;
+  }
+  if (!map_.grid->isEmpty() && !isInFile) {  // drawn here: it gets files of its own
+    const std::string name = baseNameOf(plan.path) + "_map";
+    plan.mapPath = QDir(mapFolderOf(plan.path)).filePath(QString::fromStdString(name + ".yaml"));
+    base::Result<std::vector<base::FileContent>> files =
+        sim2d::mapFileContents(*map_.grid, plan.mapPath.toStdString());
+    base::append(plan.problems, files.diagnostics());
+    if (files) {
+      plan.mapFiles = *std::move(files);
+    }
+    plan.scenario.map = name;
+  }
+  const bool isPlanned = !plan.mapFiles.empty();
+  const sim2d::FilePlaces places{plan.path.toStdString(), {}, {}, shippedMaps_.toStdString()};
+  for (const bool withFile : {true, false}) {
+    if (!withFile) {
+      plan.scenario.desktop.mapFile.reset();
+    }
+    const base::Result<std::string> found = sim2d::findMap(plan.scenario, places);
+    const bool isOpenPlane = found && found->empty() && map_.grid->isEmpty();
+    if (isOpenPlane || (found && isSameFile(QString::fromStdString(*found), plan.mapPath)) ||
+        (isPlanned && !withFile && !found)) {  // nothing else by this name: found once written
+      return;
+    }
+  }
+  plan.scenario.desktop.mapFile =
+      map_.grid->isEmpty() ? "none" : relativeTo(plan.path, plan.mapPath);
+}
+
+void SavePlanner::planTrees(SavePlan& plan) const {
+  for (sim2d::Human& human : plan.scenario.humans) {
+    const bool isNamedOnly =
+        human.ours.tree && !document_.tree(human.key) && disk_.known(human.key) == nullptr;
+    if (!human.listed || isNamedOnly) {
+      continue;
+    }
+    const std::string text = wantedTree(plan.scenario, human);
+    std::string path = treePathOf(plan, human);
+    const PlannedTree* same = plannedAt(plan, path);
+    if (same != nullptr && same->content != text && human.ours.tree) {
+      human.ours.tree.reset();  // no longer the same as that of the other person
+      path = treePathOf(plan, human);
+      same = plannedAt(plan, path);
+    }
+    if (same == nullptr) {
+      plan.trees.push_back({human.key, path, text});
+    } else if (same->content != text) {
+      plan.problems.push_back(
+          base::within(human.name, base::warning("document.tree-not-saved", {}, path)));
+    }
+  }
+}
+
+std::string SavePlanner::wantedTree(const sim2d::Scenario& scenario,
+                                    const sim2d::Human& human) const {
+  if (std::optional<std::string> own = document_.tree(human.key)) {
+    return *std::move(own);
+  }
+  const KnownTree* known = disk_.known(human.key);
+  std::string generated = generatedTree(scenario, human);
+  if (known == nullptr || !known->style) {
+    return generated;
+  }
+  if (known->generated == generated) {
+    return known->content;  // layout and style as in the file
+  }
+  return *known->style == bt::TreeStyle::Corrected ? generated
+                                                   : generatedTree(scenario, human, *known->style);
+}
+
+SavePlan SavePlanner::plan(const QString& path) const {
+  SavePlan plan;
+  plan.path = QFileInfo(path).absoluteFilePath();
+  plan.scenario = document_.scenario();
+  plan.mapPath = map_.path;
+  if (document_.isReadOnly() && plan.path == document_.path()) {
+    plan.problems.push_back(base::error("document.read-in-part", {}, path.toStdString()));
+    return plan;
+  }
+  moveRelativePaths(plan.scenario, document_.path(), plan.path);
+  if (plan.path != document_.path()) {
+    plan.scenario.yamlBaseName = baseNameOf(plan.path);
+  }
+  placeMap(plan);
+  planTrees(plan);
+  return plan;
+}
+
+std::vector<TreeQuestion> SavePlanner::questions(const QString& path) const {
+  const SavePlan plan = this->plan(path);
+  std::vector<TreeQuestion> questions;
+  std::optional<sim2d::ScenarioReading> there;
+  for (const PlannedTree& planned : plan.trees) {
+    const auto& human =
+        plan.scenario.humans[static_cast<std::size_t>(document_.indexOf(planned.human))];
+    const std::optional<std::string> onDisk = textAt(planned.path);
+    const KnownTree* known = disk_.known(planned.human);
+    const bool wasRead = known != nullptr && known->path == planned.path;
+    const bool isKnown = wasRead && onDisk == known->content;
+    TreeQuestion question{human.key, human.name, planned.path, {}, planned.content};
+    if (onDisk && *onDisk != planned.content && !isKnown) {
+      if (!there) {
+        there = sim2d::readScenario(plan.path.toStdString());
+      }
+      // A file that was read and has changed since was changed by somebody, if only a comment.
+      if (wasRead || (!isGeneratedTree(*onDisk, plan.scenario, human) &&
+                      !isGeneratedForDisk(*onDisk, there->scenario, human.id))) {
+        question.mine = *onDisk;
+        questions.push_back(std::move(question));
+        continue;
+      }
+    }
+    const auto basis = disk_.bases.find(planned.human);
+    std::string generated = generatedTree(plan.scenario, human);
+    if (document_.tree(planned.human) && basis != disk_.bases.end() && basis->second != generated) {
+      question.mine = planned.content;
+      question.replacement = std::move(generated);
+      question.why = TreeQuestion::Why::BehaviourChanged;
+      questions.push_back(std::move(question));
+    }
+  }
+  return questions;
 }
 
 }  // namespace editor

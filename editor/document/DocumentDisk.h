@@ -5,6 +5,8 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <QByteArray>
 #include <QString>
@@ -12,9 +14,11 @@
 #include "bt/human/Templates.h"
 #include "bt/human/TreeBehavior.h"
 #include "editor/document/ScenarioDocument.h"
+#include "sim2d/base/Files.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 
-/// What a document knows of its files on the disk. Private to this folder.
+/// What a document knows of its files on the disk, and what saving it writes where. Private to this
+/// folder.
 namespace editor {
 
 /// The tree file of a person as it was read or written.
@@ -24,8 +28,21 @@ struct KnownTree {
   std::string generated;               // what the generator made of the person then
 };
 
-struct PlannedTree;
-struct SavePlan;
+/// A tree that saving writes.
+struct PlannedTree {
+  EntityId human;
+  std::string path, content;
+};
+
+/// All that saving would do; nothing is done yet.
+struct SavePlan {
+  QString path;  // of the scenario
+  sim2d::Scenario scenario;
+  QString mapPath;
+  std::vector<base::FileContent> mapFiles;
+  std::vector<PlannedTree> trees;
+  base::Diagnostics problems;
+};
 
 struct DocumentDisk {
   std::map<EntityId, KnownTree> trees;
@@ -57,6 +74,31 @@ struct DocumentDisk {
                 const KnownTree* before);
 };
 
+/// Finds out what saving a document would write and what is to be asked before. Looks at the disk,
+/// changes nothing.
+class SavePlanner {
+ public:
+  SavePlanner(const ScenarioDocument& document, const DocumentDisk& disk, QString shippedMaps)
+      : document_(document),
+        disk_(disk),
+        map_(document.mapState()),
+        shippedMaps_(std::move(shippedMaps)) {}
+
+  SavePlan plan(const QString& path) const;
+  std::vector<TreeQuestion> questions(const QString& path) const;
+  /// The tree that is saved for a person, and run: the own one, that of the file or the generated.
+  std::string wantedTree(const sim2d::Scenario& scenario, const sim2d::Human& human) const;
+
+ private:
+  void placeMap(SavePlan& plan) const;
+  void planTrees(SavePlan& plan) const;
+
+  const ScenarioDocument& document_;
+  const DocumentDisk& disk_;
+  MapState map_;
+  QString shippedMaps_;
+};
+
 /// Where the entities of a document stand in a file that holds it; the two may differ in keys.
 std::map<EntityId, int> linesOf(const sim2d::Scenario& scenario,
                                 const sim2d::ScenarioReading& reading);
@@ -65,11 +107,10 @@ std::map<EntityId, int> linesOf(const sim2d::Scenario& scenario,
 QByteArray hashOfFile(const QString& file);
 
 // Helpers of the functions on files.
+/// Of a file; none when it cannot be read.
+std::optional<std::string> textAt(const std::string& path);
 std::string baseNameOf(const QString& path);
-std::string relativeTo(const QString& scenarioPath, const QString& file);
 /// Problems that do not keep the scenario from being edited.
 base::Diagnostics asWarnings(base::Diagnostics found);
-/// Paths relative to the old scenario file stay right beside the new one.
-void moveRelativePaths(sim2d::Scenario& scenario, const QString& from, const QString& to);
 
 }  // namespace editor

@@ -4,12 +4,12 @@
 #include <QFileInfo>
 
 #include "app/run/Bundle.h"
-#include "editor/document/DocumentSnapshot.h"
+#include "editor/document/Autosave.h"
+#include "editor/document/DocumentDisk.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/EntityLists.h"
 #include "editor/document/MapEdit.h"
 #include "editor/document/QtImageLoader.h"
-#include "editor/document/SavePlan.h"
 #include "editor/document/TreeFiles.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"

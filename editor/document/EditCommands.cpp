@@ -5,7 +5,6 @@
 
 #include "editor/document/EditDraft.h"
 #include "editor/document/FreeNames.h"
-#include "editor/document/Places.h"
 #include "editor/document/RoutePlan.h"
 
 namespace editor {
@@ -13,18 +12,18 @@ namespace editor {
 bool isListed(const Entity& entity) {
   return std::visit(
       [](const auto& value) {
-        using Value = std::decay_t<decltype(value)>;
-        if constexpr (std::is_same_v<Value, sim2d::GlobalGoal> ||
-                      std::is_same_v<Value, ScenarioSettings>) {
-          return true;
-        } else {
+        if constexpr (kIsNamed<std::decay_t<decltype(value)>>) {
           return value.listed;
+        } else {
+          return true;
         }
       },
       entity);
 }
 
 namespace {
+
+constexpr int kEditEntity = 1;
 
 QString textFor(const QString& verb, const std::vector<Entity>& values) {
   if (values.size() == 1) {
@@ -41,6 +40,18 @@ std::vector<Entity> valuesOf(const ScenarioDocument& document, const std::vector
     }
   }
   return values;
+}
+
+/// What `change` makes of each, in one step.
+template <class Change>
+void pushEach(ScenarioDocument& document, const std::vector<EntityId>& ids, const QString& verb,
+              Merge merge, Change&& change) {
+  std::vector<Entity> values = valuesOf(document, ids);
+  const QString text = textFor(verb, values);
+  for (Entity& value : values) {
+    value = change(std::move(value));
+  }
+  pushEdit(document, std::move(values), text, merge);
 }
 
 void dropGoal(Draft& draft, int goal) {
@@ -71,6 +82,58 @@ void renamePerson(Draft& draft, const std::string& from, const std::optional<std
 }
 
 }  // namespace
+
+EditEntity::EditEntity(ScenarioDocument& document, std::vector<EntityEdit> edits,
+                       const QString& text, Merge merge)
+    : QUndoCommand(text), document_(document), edits_(std::move(edits)), merge_(merge) {}
+
+void EditEntity::redo() {
+  const ScenarioDocument::Step step(document_);
+  for (EntityEdit& edit : edits_) {
+    edit.slot = document_.exchange(edit.entity, std::move(edit.slot));
+  }
+}
+
+void EditEntity::undo() {
+  const ScenarioDocument::Step step(document_);
+  for (auto edit = edits_.rbegin(); edit != edits_.rend(); ++edit) {
+    edit->slot = document_.exchange(edit->entity, std::move(edit->slot));
+  }
+}
+
+int EditEntity::id() const {
+  return merge_ == Merge::WithPrevious ? kEditEntity : -1;
+}
+
+bool EditEntity::mergeWith(const QUndoCommand* other) {
+  const auto* next = static_cast<const EditEntity*>(other);
+  const bool same =
+      next->text() == text() &&
+      std::equal(edits_.begin(), edits_.end(), next->edits_.begin(), next->edits_.end(),
+                 [](const EntityEdit& a, const EntityEdit& b) { return a.entity == b.entity; });
+  if (!same) {
+    return false;
+  }
+  // What is kept here are the values before the first of the merged edits.
+  setObsolete(std::all_of(edits_.begin(), edits_.end(), [this](const EntityEdit& edit) {
+    return edit.slot.value == document_.entity(edit.entity);
+  }));
+  return true;
+}
+
+EditTree::EditTree(ScenarioDocument& document, std::vector<TreeEdit> edits, const QString& text)
+    : QUndoCommand(text), document_(document), edits_(std::move(edits)) {}
+
+EditTree::EditTree(ScenarioDocument& document, EntityId human, std::optional<std::string> xml,
+                   const QString& text)
+    : EditTree(document, {{human, std::move(xml)}}, text) {}
+
+void EditTree::swap() {
+  const ScenarioDocument::Step step(document_);
+  for (TreeEdit& edit : edits_) {
+    edit.xml = document_.exchangeTree(edit.human, std::move(edit.xml));
+  }
+}
 
 void pushEdit(ScenarioDocument& document, std::vector<Entity> values, const QString& text,
               Merge merge) {
@@ -135,21 +198,13 @@ void pushRemove(ScenarioDocument& document, const std::vector<EntityId>& ids) {
 
 void pushMove(ScenarioDocument& document, const std::vector<EntityId>& ids, const Vec2& delta,
               Merge merge) {
-  std::vector<Entity> values = valuesOf(document, ids);
-  const QString text = textFor(QStringLiteral("Move"), values);
-  for (Entity& value : values) {
-    value = moved(std::move(value), delta);
-  }
-  pushEdit(document, std::move(values), text, merge);
+  pushEach(document, ids, QStringLiteral("Move"), merge,
+           [&delta](Entity value) { return moved(std::move(value), delta); });
 }
 
 void pushTurn(ScenarioDocument& document, const std::vector<EntityId>& ids, double heading) {
-  std::vector<Entity> values = valuesOf(document, ids);
-  const QString text = textFor(QStringLiteral("Turn"), values);
-  for (Entity& value : values) {
-    value = turned(std::move(value), heading);
-  }
-  pushEdit(document, std::move(values), text);
+  pushEach(document, ids, QStringLiteral("Turn"), Merge::Never,
+           [heading](Entity value) { return turned(std::move(value), heading); });
 }
 
 std::vector<EntityId> pushDuplicate(ScenarioDocument& document, const std::vector<EntityId>& ids,
@@ -269,21 +324,17 @@ void pushReorder(ScenarioDocument& document, const std::vector<EntityId>& ids, i
 }
 
 void pushListed(ScenarioDocument& document, const std::vector<EntityId>& ids, bool listed) {
-  std::vector<Entity> values = valuesOf(document, ids);
-  const QString text =
-      textFor(listed ? QStringLiteral("Switch on") : QStringLiteral("Switch off"), values);
-  for (Entity& value : values) {
+  const QString verb = listed ? QStringLiteral("Switch on") : QStringLiteral("Switch off");
+  pushEach(document, ids, verb, Merge::Never, [listed](Entity value) {
     std::visit(
         [listed](auto& each) {
-          using Value = std::decay_t<decltype(each)>;
-          if constexpr (!std::is_same_v<Value, sim2d::GlobalGoal> &&
-                        !std::is_same_v<Value, ScenarioSettings>) {
+          if constexpr (kIsNamed<std::decay_t<decltype(each)>>) {
             each.listed = listed;
           }
         },
         value);
-  }
-  pushEdit(document, std::move(values), text);
+    return value;
+  });
 }
 
 }  // namespace editor

@@ -1,6 +1,6 @@
 #include "editor/document/Entity.h"
 
-#include <algorithm>
+#include <tuple>
 
 #include "editor/document/Geometry.h"
 
@@ -41,16 +41,10 @@ bool hasPoints(sim2d::ObstacleKind kind) {
 }  // namespace
 
 bool operator==(const ScenarioSettings& a, const ScenarioSettings& b) {
-  const auto asScenario = [](const ScenarioSettings& settings) {
-    sim2d::Scenario scenario;
-    scenario.yamlBaseName = settings.yamlBaseName;
-    scenario.simulator = settings.simulator;
-    scenario.map = settings.map;
-    scenario.publishPeople = settings.publishPeople;
-    scenario.desktop = settings.desktop;
-    return scenario;
+  const auto all = [](const ScenarioSettings& v) {
+    return std::tie(v.yamlBaseName, v.simulator, v.map, v.publishPeople, v.desktop);
   };
-  return asScenario(a) == asScenario(b);
+  return all(a) == all(b);
 }
 
 EntityKind kindOf(const Entity& entity) {
@@ -79,36 +73,21 @@ std::string nameOf(const Entity& entity) {
 }
 
 QString displayName(const Entity& entity) {
+  const QString name = QString::fromStdString(nameOf(entity));
   switch (kindOf(entity)) {
     case EntityKind::Scenario:
       return QStringLiteral("Scenario");
     case EntityKind::Goal:
-      return QStringLiteral("Goal %1").arg(std::get<sim2d::GlobalGoal>(entity).id);
+      return QStringLiteral("Goal ") + name;
     default:
-      return QString::fromStdString(nameOf(entity));
+      return name;
   }
 }
 
 QString kindName(EntityKind kind) {
-  switch (kind) {
-    case EntityKind::Scenario:
-      return QStringLiteral("scenario");
-    case EntityKind::Human:
-      return QStringLiteral("person");
-    case EntityKind::Robot:
-      return QStringLiteral("robot");
-    case EntityKind::Goal:
-      return QStringLiteral("goal");
-    case EntityKind::Obstacle:
-      return QStringLiteral("obstacle");
-    case EntityKind::Door:
-      return QStringLiteral("door");
-    case EntityKind::Area:
-      return QStringLiteral("area");
-    case EntityKind::None:
-      break;
-  }
-  return QString();
+  static const char* const kWords[] = {"",     "scenario", "person", "robot",
+                                       "goal", "obstacle", "door",   "area"};
+  return QString::fromLatin1(kWords[static_cast<int>(kind)]);
 }
 
 QString obstacleKindName(sim2d::ObstacleKind kind) {

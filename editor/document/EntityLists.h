@@ -9,6 +9,11 @@
 
 namespace editor {
 
+/// Has a name and can be switched off; goals have numbers and always take part.
+template <class T>
+constexpr bool kIsNamed =
+    !std::is_same_v<T, sim2d::GlobalGoal> && !std::is_same_v<T, ScenarioSettings>;
+
 /// The list of a scenario that holds the entities of type T.
 template <class T, class S>
 auto& listOf(S& scenario) {
@@ -28,26 +33,25 @@ auto& listOf(S& scenario) {
   }
 }
 
+/// Calls `visitor` with each list and the kind of what it holds.
+template <class S, class Visitor>
+void forEachList(S& scenario, Visitor&& visitor) {
+  visitor(EntityKind::Human, scenario.humans);
+  visitor(EntityKind::Goal, scenario.goals);
+  visitor(EntityKind::Robot, scenario.robots);
+  visitor(EntityKind::Obstacle, scenario.obstacles);
+  visitor(EntityKind::Door, scenario.doors);
+  visitor(EntityKind::Area, scenario.areas);
+}
+
 /// Calls `visitor` with the list of that kind; `otherwise` is returned for kinds without a list.
 template <class S, class Visitor, class R>
 R withList(S& scenario, EntityKind kind, Visitor&& visitor, R otherwise) {
-  switch (kind) {
-    case EntityKind::Human:
-      return visitor(scenario.humans);
-    case EntityKind::Robot:
-      return visitor(scenario.robots);
-    case EntityKind::Goal:
-      return visitor(scenario.goals);
-    case EntityKind::Obstacle:
-      return visitor(scenario.obstacles);
-    case EntityKind::Door:
-      return visitor(scenario.doors);
-    case EntityKind::Area:
-      return visitor(scenario.areas);
-    case EntityKind::Scenario:
-    case EntityKind::None:
-      break;
-  }
+  forEachList(scenario, [&](EntityKind each, auto& list) {
+    if (each == kind) {
+      otherwise = visitor(list);
+    }
+  });
   return otherwise;
 }
 
@@ -61,9 +65,10 @@ int positionIn(const List& list, EntityId id) {
 /// Nobody and nothing stands in it, and it names no map: what is left of a file of which nothing
 /// could be read.
 inline bool isBlank(const sim2d::Scenario& scenario) {
-  return scenario.humans.empty() && scenario.goals.empty() && scenario.robots.empty() &&
-         scenario.obstacles.empty() && scenario.doors.empty() && scenario.areas.empty() &&
-         !scenario.map && !scenario.desktop.mapFile;
+  bool isEmpty = true;
+  forEachList(scenario,
+              [&](EntityKind /*kind*/, const auto& list) { isEmpty = isEmpty && list.empty(); });
+  return isEmpty && !scenario.map && !scenario.desktop.mapFile;
 }
 
 }  // namespace editor

@@ -2,14 +2,21 @@
 
 #include <algorithm>
 
+#include <QDataStream>
+#include <QMimeData>
+
 #include "editor/document/EditCommands.h"
-#include "editor/document/PersonLook.h"
+#include "editor/document/Groups.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Icons.h"
 
 namespace editor {
 
 namespace {
+
+QString dragType() {
+  return QStringLiteral("application/x-hunavsim-entities");
+}
 
 struct Group {
   const char* title;
@@ -28,13 +35,10 @@ const std::array<Group, 5>& groups() {
 }
 
 int groupOf(EntityKind kind) {
-  for (std::size_t i = 0; i < groups().size(); ++i) {
-    const std::vector<EntityKind>& kinds = groups()[i].kinds;
-    if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) {
-      return static_cast<int>(i);
-    }
-  }
-  return -1;
+  const auto found = std::find_if(groups().begin(), groups().end(), [kind](const Group& group) {
+    return std::count(group.kinds.begin(), group.kinds.end(), kind) > 0;
+  });
+  return found == groups().end() ? -1 : static_cast<int>(found - groups().begin());
 }
 
 QString placeOf(const Entity& entity) {
@@ -50,17 +54,8 @@ QString shapeIcon(const Entity& entity) {
   if (obstacle == nullptr) {
     return QStringLiteral("tool-door");
   }
-  switch (obstacle->kind) {
-    case sim2d::ObstacleKind::Circle:
-      return QStringLiteral("tool-circle");
-    case sim2d::ObstacleKind::Polygon:
-      return QStringLiteral("tool-polygon");
-    case sim2d::ObstacleKind::Wall:
-      return QStringLiteral("tool-wall");
-    case sim2d::ObstacleKind::Box:
-      break;
-  }
-  return QStringLiteral("tool-box");
+  static const char* const kIcons[] = {"tool-box", "tool-circle", "tool-polygon", "tool-wall"};
+  return QString::fromLatin1(kIcons[static_cast<int>(obstacle->kind)]);
 }
 
 EntityModel::EntityModel(ScenarioDocument& document, const Theme& theme, QObject* parent)
@@ -285,6 +280,110 @@ QVariant EntityModel::headerData(int section, Qt::Orientation orientation, int r
   const bool isTitle = orientation == Qt::Horizontal && role == Qt::DisplayRole && section >= 0 &&
                        section < ColumnCount;
   return isTitle ? QVariant(tr(kTitles[section])) : QVariant();
+}
+
+QStringList EntityModel::mimeTypes() const {
+  return {dragType()};
+}
+
+QMimeData* EntityModel::mimeData(const QModelIndexList& indexes) const {
+  QByteArray bytes;
+  QDataStream to(&bytes, QIODevice::WriteOnly);
+  for (const QModelIndex& each : indexes) {
+    const EntityId id = idOf(each);
+    if (id && each.column() == NameColumn) {
+      to << static_cast<int>(id.kind) << id.key;
+    }
+  }
+  auto* data = new QMimeData;
+  data->setData(dragType(), bytes);
+  return data;
+}
+
+std::vector<EntityId> EntityModel::dragged(const QMimeData& data) const {
+  std::vector<EntityId> ids;
+  QDataStream from(data.data(dragType()));
+  while (!from.atEnd()) {
+    int kind = 0;
+    int key = 0;
+    from >> kind >> key;
+    const EntityId id{static_cast<EntityKind>(kind), key};
+    if (document_.contains(id)) {
+      ids.push_back(id);
+    }
+  }
+  return ids;
+}
+
+bool EntityModel::canDropMimeData(const QMimeData* data, Qt::DropAction action, int, int,
+                                  const QModelIndex& parentIndex) const {
+  if (data == nullptr || action != Qt::MoveAction || !isGroup(parentIndex)) {
+    return false;
+  }
+  const std::vector<EntityId> ids = dragged(*data);
+  return !ids.empty() && std::all_of(ids.begin(), ids.end(), [&](EntityId id) {
+    return indexOf(id).parent() == parentIndex.siblingAtColumn(0) && id.kind == ids.front().kind;
+  });
+}
+
+bool EntityModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                               const QModelIndex& parentIndex) {
+  if (!canDropMimeData(data, action, row, column, parentIndex)) {
+    return false;
+  }
+  const std::vector<EntityId> ids = dragged(*data);
+  // Rows of another kind above, such as obstacles above doors, do not count.
+  int before = 0;
+  const int last = row < 0 ? rowCount(parentIndex) : row;
+  for (int i = 0; i < last; ++i) {
+    before += idOf(index(i, 0, parentIndex)).kind == ids.front().kind ? 1 : 0;
+  }
+  pushReorder(document_, ids, before);
+  return true;
+}
+
+EntityFilter::EntityFilter(EntityModel& model, QObject* parent)
+    : QSortFilterProxyModel(parent), model_(model) {
+  setSourceModel(&model);
+  setRecursiveFilteringEnabled(true);
+}
+
+void EntityFilter::setText(const QString& text) {
+  text_ = text.trimmed();
+  invalidateFilter();
+  if (rowCount() > 0) {  // of each group it is told how many are seen
+    Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1), {Qt::DisplayRole});
+  }
+}
+
+QVariant EntityFilter::data(const QModelIndex& at, int role) const {
+  const bool isCount = at.isValid() && !at.parent().isValid() &&
+                       at.column() == EntityModel::BehaviorColumn && role == Qt::DisplayRole;
+  const int seen = isCount && !text_.isEmpty() ? rowCount(at.siblingAtColumn(0)) : -1;
+  const int all = seen < 0 ? 0 : at.data(EntityModel::CountRole).toInt();
+  return seen >= 0 && seen < all ? QVariant(tr("%1 of %2").arg(seen).arg(all))
+                                 : QSortFilterProxyModel::data(at, role);
+}
+
+bool EntityFilter::filterAcceptsRow(int row, const QModelIndex& parentIndex) const {
+  if (text_.isEmpty()) {
+    return true;
+  }
+  for (int column = 0; parentIndex.isValid() && column < model_.columnCount(); ++column) {
+    const QString cell = model_.index(row, column, parentIndex).data().toString();
+    if (cell.contains(text_, Qt::CaseInsensitive)) {
+      return true;
+    }
+  }
+  return false;  // groups are kept for the sake of their rows
+}
+
+EntityId EntityFilter::idOf(const QModelIndex& at) const {
+  return model_.idOf(mapToSource(at));
+}
+
+QModelIndex EntityFilter::indexOf(EntityId id) const {
+  return mapFromSource(model_.indexOf(id));
 }
 
 }  // namespace editor

@@ -77,8 +77,8 @@ std::string allowedStem(const Entity& entity) {
   return startsWell ? stem : kindName(kindOf(entity)).toStdString() + stem;
 }
 
-}  // namespace
-
+/// The nearest place within 30 m where a body fits between walls and obstacles, `near` itself when
+/// it does; nothing when there is none.
 std::optional<Vec2> freePlace(const ScenarioDocument& document, const Vec2& near, double radius) {
   const sim2d::Scenario& scenario = document.scenario();
   const sim2d::Surroundings around = sim2d::makeSurroundings(scenario, *document.map());
@@ -94,6 +94,8 @@ std::optional<Vec2> freePlace(const ScenarioDocument& document, const Vec2& near
   }
   return std::nullopt;
 }
+
+}  // namespace
 
 void moveToFreePlace(ScenarioDocument& document, EntityId id, bool robotGoal, const QString& text) {
   std::optional<Entity> value = document.entity(id);
@@ -150,20 +152,18 @@ void renumberGoals(ScenarioDocument& document, const QString& text) {
   draft.push(document, text);
 }
 
-void dropGoals(ScenarioDocument& document, EntityId id, const std::function<bool(int)>& drop,
-               const QString& text) {
+void dropGoal(ScenarioDocument& document, EntityId id, int goal, const QString& text) {
   std::optional<Entity> value = document.entity(id);
-  if (!value) {
-    return;
-  }
-  const auto without = [&drop](std::vector<int> goals) {
-    goals.erase(std::remove_if(goals.begin(), goals.end(), drop), goals.end());
+  const auto without = [goal](std::vector<int> goals) {
+    goals.erase(std::remove(goals.begin(), goals.end(), goal), goals.end());
     return goals;
   };
-  if (auto* human = std::get_if<sim2d::Human>(&*value)) {
+  if (auto* human = value ? std::get_if<sim2d::Human>(&*value) : nullptr) {
     setGoals(*human, without(human->goals));
-  } else if (auto* robot = std::get_if<sim2d::Robot>(&*value)) {
+  } else if (auto* robot = value ? std::get_if<sim2d::Robot>(&*value) : nullptr) {
     robot->goal.goals = without(robot->goal.goals);
+  } else {
+    return;
   }
   pushEdit(document, {*std::move(value)}, text);
 }

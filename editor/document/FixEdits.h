@@ -1,16 +1,9 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-
 #include "editor/document/ScenarioDocument.h"
 
 /// The edits behind the fixes; each pushes one command at most.
 namespace editor {
-
-/// The nearest place within 30 m where a body fits between walls and obstacles, `near` itself when
-/// it does; nothing when there is none.
-std::optional<Vec2> freePlace(const ScenarioDocument& document, const Vec2& near, double radius);
 
 /// A person's or robot's start, a robot's own goal point, or a goal (for the widest who visit it).
 void moveToFreePlace(ScenarioDocument& document, EntityId id, bool robotGoal, const QString& text);
@@ -18,9 +11,8 @@ void moveToFreePlace(ScenarioDocument& document, EntityId id, bool robotGoal, co
 void renumberPeople(ScenarioDocument& document, const QString& text);
 /// 1, 2, 3 … in the order of the numbers; routes follow.
 void renumberGoals(ScenarioDocument& document, const QString& text);
-/// Takes the goals out of the route of a person or robot.
-void dropGoals(ScenarioDocument& document, EntityId id, const std::function<bool(int)>& drop,
-               const QString& text);
+/// Takes a goal out of the route of a person or robot.
+void dropGoal(ScenarioDocument& document, EntityId id, int goal, const QString& text);
 /// A name that is allowed and free.
 void giveFreeName(ScenarioDocument& document, EntityId id, const QString& text);
 /// A robot in a free place near the people, its goal on their other side.

@@ -29,31 +29,34 @@ Fix edit(const QString& words, EntityId id, Edit change) {
           }};
 }
 
+/// A step that gets the words of its button.
+template <class Edit>
+Fix step(const QString& words, Edit change) {
+  return {words, [words, change](ScenarioDocument& document) { change(document, words); }};
+}
+
 Fix intoFreePlace(const ScenarioDocument&, EntityId id, const Diagnostic& problem) {
   const bool robotGoal = id.kind == EntityKind::Robot && problem.value("place") == "goal";
-  const QString words = tr("Move it out of the wall");
-  return {words, [words, id, robotGoal](ScenarioDocument& document) {
-            moveToFreePlace(document, id, robotGoal, words);
-          }};
+  return step(tr("Move it out of the wall"),
+              [id, robotGoal](ScenarioDocument& document, const QString& words) {
+                moveToFreePlace(document, id, robotGoal, words);
+              });
 }
 
 Fix numberPeople(const ScenarioDocument&, EntityId, const Diagnostic&) {
-  const QString words = tr("Renumber people");
-  return {words, [words](ScenarioDocument& document) { renumberPeople(document, words); }};
+  return step(tr("Renumber people"), renumberPeople);
 }
 
 Fix numberGoals(const ScenarioDocument&, EntityId, const Diagnostic&) {
-  const QString words = tr("Renumber goals");
-  return {words, [words](ScenarioDocument& document) { renumberGoals(document, words); }};
+  return step(tr("Renumber goals"), renumberGoals);
 }
 
 Fix withoutGoal(const ScenarioDocument&, EntityId id, const Diagnostic& problem) {
   const int goal = std::stoi(problem.value("goal"));
-  const QString words = tr("Remove goal %1 from the route").arg(goal);
-  return {words, [words, id, goal](ScenarioDocument& document) {
-            dropGoals(
-                document, id, [goal](int each) { return each == goal; }, words);
-          }};
+  return step(tr("Remove goal %1 from the route").arg(goal),
+              [id, goal](ScenarioDocument& document, const QString& words) {
+                dropGoal(document, id, goal, words);
+              });
 }
 
 Fix withoutRobotGoal(const ScenarioDocument&, EntityId id, const Diagnostic&) {
@@ -62,8 +65,9 @@ Fix withoutRobotGoal(const ScenarioDocument&, EntityId id, const Diagnostic&) {
 }
 
 Fix otherName(const ScenarioDocument&, EntityId id, const Diagnostic&) {
-  const QString words = tr("Give another name");
-  return {words, [words, id](ScenarioDocument& document) { giveFreeName(document, id, words); }};
+  return step(tr("Give another name"), [id](ScenarioDocument& document, const QString& words) {
+    giveFreeName(document, id, words);
+  });
 }
 
 Fix clampNumbers(const ScenarioDocument&, EntityId id, const Diagnostic&) {
@@ -91,7 +95,7 @@ Fix clampSkin(const ScenarioDocument& document, EntityId id, const Diagnostic&) 
   });
 }
 
-Fix writeReaction(const ScenarioDocument& document, EntityId id, const Diagnostic&) {
+Fix wholeReaction(const ScenarioDocument& document, EntityId id, const Diagnostic&) {
   const sim2d::Human* human = document.human(id);
   sim2d::Human whole = human == nullptr ? sim2d::Human() : *human;
   completeReaction(document.scenario(), whole);
@@ -198,7 +202,7 @@ Maker makerFor(std::string_view code) {
       {"person.out-of-range", clampNumbers},
       {"person.vel-too-high", clampNumbers},
       {"person.skin-unknown", clampSkin},
-      {"person.behavior-incomplete", writeReaction},
+      {"person.behavior-incomplete", wholeReaction},
       {"person.no-init-pose", writePose},
       {"person.wait-count", fitWaits},
       {"person.no-goals", giveGoals},

@@ -1,5 +1,6 @@
 #include "editor/document/FreeNames.h"
 
+#include <algorithm>
 #include <type_traits>
 
 #include "editor/document/EditCommands.h"
@@ -10,15 +11,8 @@ namespace editor {
 
 namespace {
 
-std::string stemOf(const Entity& entity) {
-  switch (kindOf(entity)) {
-    case EntityKind::Human:
-      return "agent";
-    case EntityKind::Obstacle:
-      return "obstacle";
-    default:
-      return kindName(kindOf(entity)).toStdString();
-  }
+std::string usualStem(EntityKind kind) {
+  return kind == EntityKind::Human ? "agent" : kindName(kind).toStdString();
 }
 
 /// "Ana2" -> "Ana": a copy counts on from there.
@@ -30,19 +24,15 @@ std::string withoutNumber(const std::string& name) {
 }  // namespace
 
 FreeNames::FreeNames(const sim2d::Scenario& scenario) {
-  const auto collect = [this](const auto& list) {
+  forEachList(scenario, [this](EntityKind /*kind*/, const auto& list) {
     for (const auto& value : list) {
-      names_.insert(value.name);
+      if constexpr (kIsNamed<std::decay_t<decltype(value)>>) {
+        names_.insert(value.name);
+      } else {
+        goals_.insert(value.id);
+      }
     }
-  };
-  collect(scenario.humans);
-  collect(scenario.robots);
-  collect(scenario.obstacles);
-  collect(scenario.doors);
-  collect(scenario.areas);
-  for (const sim2d::GlobalGoal& goal : scenario.goals) {
-    goals_.insert(goal.id);
-  }
+  });
   for (const sim2d::Human& human : scenario.humans) {
     humans_.insert(human.id);
   }
@@ -73,18 +63,66 @@ void FreeNames::give(Entity& value) {
   }
   const std::string wanted = nameOf(value);
   if (wanted.empty() || isTaken(wanted)) {
-    setName(value, name(wanted.empty() ? stemOf(value) : withoutNumber(wanted)));
+    setName(value, name(wanted.empty() ? usualStem(kindOf(value)) : withoutNumber(wanted)));
   } else {
     names_.insert(wanted);
   }
 }
 
+Places::Places(const sim2d::Scenario& scenario) {
+  forEachList(scenario, [this](EntityKind kind, const auto& list) {
+    for (const auto& value : list) {
+      if constexpr (kIsNamed<std::decay_t<decltype(value)>>) {
+        ++countOf(kind, value.listed);
+      } else {
+        ++countOf(kind, true);
+      }
+    }
+  });
+  for (const sim2d::Human& human : scenario.humans) {
+    if (human.listed) {
+      people_.push_back(human.id);
+    }
+  }
+}
+
+int Places::ofNew(const Entity& value) {
+  const auto* human = std::get_if<sim2d::Human>(&value);
+  if (human != nullptr && human->listed) {
+    people_.push_back(human->id);
+  }
+  return place(kindOf(value), isListed(value));
+}
+
+int Places::ofSwitched(const Entity& value) {
+  --countOf(kindOf(value), !isListed(value));
+  const int last = place(kindOf(value), isListed(value));
+  const auto* human = std::get_if<sim2d::Human>(&value);
+  return human == nullptr ? last : placeOfPerson(human->id, human->listed).value_or(last);
+}
+
+std::optional<int> Places::placeOfPerson(int number, bool listed) {
+  if (!listed) {
+    people_.erase(std::remove(people_.begin(), people_.end(), number), people_.end());
+    return std::nullopt;
+  }
+  const auto next =
+      std::find_if(people_.begin(), people_.end(), [number](int each) { return each > number; });
+  const auto index = static_cast<int>(next - people_.begin());
+  people_.insert(next, number);
+  return index;
+}
+
+int Places::place(EntityKind kind, bool listed) {
+  const int before = countOf(kind, true) + (listed ? 0 : countOf(kind, false));
+  ++countOf(kind, listed);
+  return before;
+}
+
 void setName(Entity& entity, const std::string& name) {
   std::visit(
       [&name](auto& value) {
-        using Value = std::decay_t<decltype(value)>;
-        if constexpr (!std::is_same_v<Value, sim2d::GlobalGoal> &&
-                      !std::is_same_v<Value, ScenarioSettings>) {
+        if constexpr (kIsNamed<std::decay_t<decltype(value)>>) {
           value.name = name;
         }
       },

@@ -1,6 +1,7 @@
 #include "editor/document/Geometry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "sim2d/map/Outlines.h"
@@ -126,6 +127,154 @@ double rounded(double metres) {
 
 Vec2 rounded(const Vec2& point) {
   return {rounded(point.x()), rounded(point.y())};
+}
+
+namespace {
+
+constexpr double kFrame = 1.25;  // half side of a person's frame in radii
+constexpr double kSmallest = 0.1, kLargestBody = 2.0;
+constexpr std::array<std::array<double, 2>, 4> kCorners = {
+    {{1.0, 1.0}, {-1.0, 1.0}, {-1.0, -1.0}, {1.0, -1.0}}};
+
+Vec2 cornerSign(int index) {
+  const auto& signs = kCorners[static_cast<std::size_t>(index)];
+  return {signs[0], signs[1]};
+}
+
+double onCentimetres(double value, bool fine) {
+  return fine ? value : std::round(100.0 * value) / 100.0;
+}
+
+void addCorners(std::vector<Handle>& handles, const Pose2& pose, const Vec2& half) {
+  for (int i = 0; i < 4; ++i) {
+    const Vec2 offset = cornerSign(i).cwiseProduct(half);
+    handles.push_back({Handle::Kind::Size, i, pose.toWorld(offset)});
+  }
+}
+
+void addVertices(std::vector<Handle>& handles, const std::vector<Vec2>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    handles.push_back({Handle::Kind::Vertex, static_cast<int>(i), points[i]});
+  }
+}
+
+void addObstacle(std::vector<Handle>& handles, const sim2d::Obstacle& obstacle) {
+  switch (obstacle.kind) {
+    case sim2d::ObstacleKind::Box:
+      addCorners(handles, obstacle.pose, {0.5 * obstacle.length, 0.5 * obstacle.width});
+      break;
+    case sim2d::ObstacleKind::Circle:
+      addCorners(handles, {obstacle.pose.position, 0.0}, {obstacle.radius, obstacle.radius});
+      break;
+    case sim2d::ObstacleKind::Polygon:
+    case sim2d::ObstacleKind::Wall:
+      addVertices(handles, obstacle.points);
+      break;
+  }
+}
+
+/// The corner opposite to the pulled one stays where it is.
+void resizeBox(sim2d::Obstacle& box, int corner, const Vec2& to, bool fine) {
+  const Vec2 sign = cornerSign(corner);
+  const Vec2 fixed = box.pose.toWorld(-0.5 * sign.cwiseProduct(Vec2(box.length, box.width)));
+  const Vec2 diagonal = Pose2{fixed, box.pose.heading}.toLocal(to).cwiseProduct(sign);
+  box.length = std::max(kSmallest, onCentimetres(diagonal.x(), fine));
+  box.width = std::max(kSmallest, onCentimetres(diagonal.y(), fine));
+  box.pose.position =
+      Pose2{fixed, box.pose.heading}.toWorld(0.5 * sign.cwiseProduct(Vec2(box.length, box.width)));
+}
+
+/// What has no heading of its own is turned by a handle above it.
+bool turnsAsAWhole(const Entity& entity) {
+  return (cornersOf(entity) != nullptr || kindOf(entity) == EntityKind::Door) &&
+         extentOf(entity).has_value();
+}
+
+void resize(Entity& entity, int corner, const Vec2& to, bool fine) {
+  if (auto* human = std::get_if<sim2d::Human>(&entity)) {
+    const Vec2 offset = (to - human->initPose.position).cwiseAbs();
+    human->radius =
+        std::clamp(onCentimetres(offset.maxCoeff() / kFrame, fine), kSmallest, kLargestBody);
+  } else if (auto* obstacle = std::get_if<sim2d::Obstacle>(&entity)) {
+    if (obstacle->kind == sim2d::ObstacleKind::Box) {
+      resizeBox(*obstacle, corner, to, fine);
+    } else {
+      const Vec2 offset = (to - obstacle->pose.position).cwiseAbs();
+      obstacle->radius = std::max(kSmallest, onCentimetres(offset.maxCoeff(), fine));
+    }
+  }
+}
+
+void moveVertex(Entity& entity, int index, const Vec2& to) {
+  if (auto* door = std::get_if<sim2d::Door>(&entity)) {
+    (index == 0 ? door->from : door->to) = to;
+    return;
+  }
+  std::vector<Vec2>* points = cornersOf(entity);
+  if (points != nullptr && index < static_cast<int>(points->size())) {
+    (*points)[static_cast<std::size_t>(index)] = to;
+  }
+}
+
+}  // namespace
+
+std::vector<Handle> handlesOf(const Entity& entity, const HandleSizes& sizes) {
+  std::vector<Handle> handles;
+  if (const auto* human = std::get_if<sim2d::Human>(&entity)) {
+    const double half = kFrame * sizes.bodyRadius;
+    addCorners(handles, {human->initPose.position, 0.0}, {half, half});
+  } else if (const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity)) {
+    addObstacle(handles, *obstacle);
+  } else if (const auto* area = std::get_if<sim2d::Area>(&entity)) {
+    addVertices(handles, area->points);
+  } else if (const auto* door = std::get_if<sim2d::Door>(&entity)) {
+    addVertices(handles, {door->from, door->to});
+  } else if (const auto* robot = std::get_if<sim2d::Robot>(&entity)) {
+    if (robot->goal.point) {
+      handles.push_back({Handle::Kind::RobotGoal, 0, *robot->goal.point});
+    }
+  }
+  if (const std::optional<double> heading = headingOf(entity)) {
+    double distance = sizes.turnDistance;
+    if (const auto* box = std::get_if<sim2d::Obstacle>(&entity)) {
+      distance += 0.5 * box->length;
+    }
+    const Pose2 pose{*positionOf(entity), *heading};
+    handles.push_back({Handle::Kind::Turn, 0, pose.ahead(distance)});
+  } else if (turnsAsAWhole(entity)) {
+    const Extent extent = *extentOf(entity);
+    const Vec2 top(extent.centre().x(), extent.high.y() + sizes.turnDistance);
+    handles.push_back({Handle::Kind::Turn, 0, top});
+  }
+  return handles;
+}
+
+Entity pulled(const Entity& entity, const Handle& handle, const Vec2& to, bool fine) {
+  Entity result = entity;
+  switch (handle.kind) {
+    case Handle::Kind::Turn: {
+      const Vec2 centre = *positionOf(entity);
+      constexpr double kDegree = base::kPi / 180.0;
+      const double exact = base::headingOf(to - centre);
+      const double heading = fine ? exact : std::round(exact / kDegree) * kDegree;
+      return headingOf(entity) ? turned(std::move(result), heading)
+                               : rotated(std::move(result), centre, heading - 0.5 * base::kPi);
+    }
+    case Handle::Kind::Size:
+      resize(result, handle.index, to, fine);
+      break;
+    case Handle::Kind::Vertex:
+      moveVertex(result, handle.index, to);
+      break;
+    case Handle::Kind::RobotGoal:
+      if (auto* robot = std::get_if<sim2d::Robot>(&result)) {
+        robot->goal.point = to;
+      }
+      break;
+    case Handle::Kind::None:
+      break;
+  }
+  return result;
 }
 
 }  // namespace editor

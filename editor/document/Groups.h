@@ -8,6 +8,13 @@
 
 namespace editor {
 
+/// By behaviour, or that of a tree of one's own.
+inline Look lookOfPerson(const ScenarioDocument& document, const sim2d::Human& human) {
+  return document.tree(human.key)
+             ? Look::CustomTree
+             : lookOf(human.behavior.type.value_or(sim2d::BehaviorType::Regular));
+}
+
 bool isInGroup(const sim2d::Human& human);
 /// Members of each group, in file order; people with -1 are in none.
 std::map<int, std::vector<EntityId>> groupsOf(const sim2d::Scenario& scenario);

@@ -24,6 +24,13 @@ double squaredDistance(const Vec2& point, const Vec2& from, const Vec2& to) {
   return (point - nearest).squaredNorm();
 }
 
+/// Other cells on the ground of a grid.
+std::shared_ptr<const sim2d::OccupancyGrid> withCells(const sim2d::OccupancyGrid& grid,
+                                                      std::vector<std::int8_t> cells) {
+  return std::make_shared<sim2d::OccupancyGrid>(grid.width(), grid.height(), grid.resolution(),
+                                                grid.origin(), std::move(cells));
+}
+
 }  // namespace
 
 MapStroke::MapStroke(std::shared_ptr<const sim2d::OccupancyGrid> before)
@@ -76,8 +83,7 @@ void MapStroke::fill(const Vec2& corner, const Vec2& opposite, MapPaint paint) {
 }
 
 std::shared_ptr<const sim2d::OccupancyGrid> MapStroke::grid() const {
-  return std::make_shared<sim2d::OccupancyGrid>(before_->width(), before_->height(),
-                                                before_->resolution(), before_->origin(), cells_);
+  return withCells(*before_, cells_);
 }
 
 EditMap::EditMap(ScenarioDocument& document, MapState map, ScenarioSettings settings,
@@ -111,9 +117,7 @@ void PaintMap::swap() {
   for (MapStroke::CellChange& change : cells_) {
     std::swap(cells[change.index], change.value);
   }
-  state.grid = std::make_shared<sim2d::OccupancyGrid>(state.grid->width(), state.grid->height(),
-                                                      state.grid->resolution(),
-                                                      state.grid->origin(), std::move(cells));
+  state.grid = withCells(*state.grid, std::move(cells));
   document_.exchangeMap(std::move(state));
 }
 

@@ -35,24 +35,20 @@ RoutePlan::RoutePlan(const ScenarioDocument& document) {
 }
 
 std::optional<std::vector<int>> RoutePlan::commonRoute(const std::vector<EntityId>& people) const {
-  if (people.empty()) {
-    return std::nullopt;
-  }
-  const std::vector<int>& first = route(people.front());
-  const bool same = std::all_of(people.begin(), people.end(),
-                                [&](EntityId person) { return route(person) == first; });
-  return same ? std::optional(first) : std::nullopt;
+  return common(people, &Round::goals);
 }
 
 std::optional<bool> RoutePlan::commonRepeat(const std::vector<EntityId>& people) const {
-  if (people.empty()) {
-    return std::nullopt;
-  }
-  const bool first = rounds_.at(people.front()).repeat;
+  return common(people, &Round::repeat);
+}
+
+template <class T>
+std::optional<T> RoutePlan::common(const std::vector<EntityId>& people, T Round::*part) const {
   const bool same = std::all_of(people.begin(), people.end(), [&](EntityId person) {
-    return rounds_.at(person).repeat == first;
+    return rounds_.at(person).*part == rounds_.at(people.front()).*part;
   });
-  return same ? std::optional(first) : std::nullopt;
+  return same && !people.empty() ? std::optional<T>(rounds_.at(people.front()).*part)
+                                 : std::nullopt;
 }
 
 void RoutePlan::setRoute(const std::vector<EntityId>& people, const std::vector<int>& goals) {

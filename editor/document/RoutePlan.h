@@ -33,6 +33,8 @@ class RoutePlan {
     std::vector<int> goals;
     bool repeat = true;
   };
+  template <class T>
+  std::optional<T> common(const std::vector<EntityId>& people, T Round::*part) const;
   std::vector<Entity> editedPeople(const ScenarioDocument& document) const;
 
   std::vector<EntityId> people_;

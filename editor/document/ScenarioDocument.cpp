@@ -5,9 +5,10 @@
 
 #include <QFileInfo>
 
+#include "app/run/Bundle.h"
 #include "editor/document/DocumentDisk.h"
 #include "editor/document/EntityLists.h"
-#include "editor/document/LiveCheck.h"
+#include "editor/document/LatestTask.h"
 #include "editor/document/TreeFiles.h"
 
 namespace editor {
@@ -40,6 +41,13 @@ EntitySlot exchangeIn(List& list, EntityId id, EntitySlot slot) {
   return old;
 }
 
+/// Null: it is not there.
+template <class List>
+const typename List::value_type* findIn(const List& list, EntityId id) {
+  const int at = positionIn(list, id);
+  return at < 0 ? nullptr : &list[static_cast<std::size_t>(at)];
+}
+
 ScenarioSettings settingsOf(const sim2d::Scenario& scenario) {
   return {scenario.yamlBaseName, scenario.simulator, scenario.map, scenario.publishPeople,
           scenario.desktop};
@@ -53,20 +61,13 @@ void setSettings(sim2d::Scenario& scenario, ScenarioSettings settings) {
   scenario.desktop = std::move(settings.desktop);
 }
 
-Change::What whatHappened(bool before, bool after) {
-  if (before && after) {
-    return Change::What::Edited;
-  }
-  return after ? Change::What::Added : Change::What::Removed;
-}
-
 }  // namespace
 
 ScenarioDocument::ScenarioDocument(QObject* parent)
     : QObject(parent),
       map_(std::make_shared<sim2d::OccupancyGrid>()),
       surroundings_(std::make_shared<app::KnownSurroundings>()),
-      liveCheck_(std::make_unique<LiveCheck>([this](base::Diagnostics found) {
+      liveCheck_(std::make_unique<LatestTask<base::Diagnostics>>([this](base::Diagnostics found) {
         checkIssues_ = std::move(found);
         Q_EMIT issuesChanged(issues());
       })),
@@ -92,9 +93,8 @@ std::optional<Entity> ScenarioDocument::entity(EntityId id) const {
   return withList(
       scenario_, id.kind,
       [id](const auto& list) {
-        const int at = positionIn(list, id);
-        return at < 0 ? std::optional<Entity>()
-                      : std::optional<Entity>(list[static_cast<std::size_t>(at)]);
+        const auto* found = findIn(list, id);
+        return found == nullptr ? std::optional<Entity>() : std::optional<Entity>(*found);
       },
       std::optional<Entity>());
 }
@@ -118,13 +118,11 @@ std::vector<EntityId> ScenarioDocument::entities(EntityKind kind) const {
 }
 
 const sim2d::Human* ScenarioDocument::human(EntityId id) const {
-  const int at = positionIn(scenario_.humans, id);
-  return at < 0 ? nullptr : &scenario_.humans[static_cast<std::size_t>(at)];
+  return findIn(scenario_.humans, id);
 }
 
 const sim2d::GlobalGoal* ScenarioDocument::goal(EntityId id) const {
-  const int at = positionIn(scenario_.goals, id);
-  return at < 0 ? nullptr : &scenario_.goals[static_cast<std::size_t>(at)];
+  return findIn(scenario_.goals, id);
 }
 
 EntityId ScenarioDocument::goalKey(int goalId) const {
@@ -160,7 +158,10 @@ EntitySlot ScenarioDocument::exchange(EntityId id, EntitySlot slot) {
     lostSelected_ = true;
   }
   if (old.value || after) {
-    Q_EMIT changed({whatHappened(old.value.has_value(), after), id});
+    Q_EMIT changed({!after      ? Change::What::Removed
+                    : old.value ? Change::What::Edited
+                                : Change::What::Added,
+                    id});
   }
   return old;
 }
@@ -254,8 +255,14 @@ void ScenarioDocument::checkSoon() {
   liveCheck_->finishWithin(kCheckPatience);
 }
 
+/// As every run would check it, beside the GUI thread: walls of a large map take long to trace.
+/// What was said while it was read is not told again.
 void ScenarioDocument::startCheck() {
-  liveCheck_->start(bundle());
+  liveCheck_->start([bundle = bundle()] {
+    base::Diagnostics found = app::check(bundle).problems;
+    found.erase(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(bundle.remarks.size()));
+    return found;
+  });
 }
 
 void ScenarioDocument::replaceAll(sim2d::Scenario scenario) {

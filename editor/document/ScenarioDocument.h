@@ -12,7 +12,6 @@
 #include <QUndoStack>
 
 #include "editor/document/Entity.h"
-#include "editor/document/TreeQuestion.h"
 #include "sim2d/base/Result.h"
 #include "sim2d/map/OccupancyGrid.h"
 #include "sim2d/scenario/ScenarioFile.h"
@@ -24,7 +23,8 @@ class KnownSurroundings;
 
 namespace editor {
 
-class LiveCheck;
+template <class T>
+class LatestTask;
 class SavePlanner;
 struct DocumentDisk;
 struct DocumentSnapshot;
@@ -44,6 +44,23 @@ struct MapState {
   bool isMissing = false;      // named by the scenario, but not found or not readable
   base::Diagnostics problems;  // of finding and reading it
 };
+
+/// Saving would put another tree in the place of one that somebody wrote.
+struct TreeQuestion {
+  enum class Why {
+    ChangedOnDisk,     // the file that would be replaced is nobody's that we know
+    BehaviourChanged,  // behaviour or goals are others than when the tree was written
+  };
+  EntityId human;
+  std::string name;         // of the person
+  std::string path;         // of the tree's file
+  std::string mine;         // the tree that was written by hand
+  std::string replacement;  // what the document says: the generated tree, or one edited here
+  Why why = Why::ChangedOnDisk;
+};
+
+enum class TreeAnswer { KeepMine, TakeReplacement };
+using TreeAnswers = std::map<EntityId, TreeAnswer>;
 
 /// The scenario being edited, with its map, trees, undo stack and selection. GUI thread.
 /// Only commands (EditCommands.h, MapEdit.h) write: the functions `exchange…` are for them.
@@ -177,7 +194,7 @@ class ScenarioDocument : public QObject {
   base::Diagnostics loadDiagnostics_, mapProblems_, checkIssues_;
   QTimer checkTimer_;
   const std::shared_ptr<app::KnownSurroundings> surroundings_;
-  std::unique_ptr<LiveCheck> liveCheck_;
+  std::unique_ptr<LatestTask<base::Diagnostics>> liveCheck_;
   std::unique_ptr<DocumentDisk> disk_;
   int nextKey_ = 1;
   int steps_ = 0;  // that have not ended

@@ -12,7 +12,7 @@
 #include "bt/tree/TreeXml.h"
 #include "editor/document/BehaviorValues.h"
 #include "editor/document/EditCommands.h"
-#include "editor/document/PersonLook.h"
+#include "editor/document/Groups.h"
 #include "editor/document/TreeFiles.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/panels/BlockDialog.h"

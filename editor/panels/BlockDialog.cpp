@@ -7,7 +7,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include "editor/document/PersonLook.h"
+#include "editor/document/Groups.h"
 #include "editor/document/PersonTree.h"
 #include "editor/look/FigurePainter.h"
 #include "sim2d/base/Text.h"

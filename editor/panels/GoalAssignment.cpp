@@ -6,7 +6,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
-#include "editor/document/PersonLook.h"
+#include "editor/document/Groups.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"

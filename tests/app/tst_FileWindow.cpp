@@ -9,7 +9,7 @@
 #include "app/window/MainWindow.h"
 #include "app/window/MapDialogs.h"
 #include "app/window/NoticeBar.h"
-#include "app/window/StartCards.h"
+#include "app/window/StartPage.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
 #include "editor/panels/IssuesPanel.h"

@@ -9,8 +9,8 @@
 #include <QtTest>
 
 #include "app/window/MainWindow.h"
-#include "app/window/Screenshot.h"
-#include "app/window/StartCards.h"
+#include "app/window/StartPage.h"
+#include "app/window/WindowCommand.h"
 #include "editor/document/EditCommands.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/PropertyPanel.h"

@@ -9,7 +9,7 @@
 #include <QtTest>
 
 #include "app/window/MainWindow.h"
-#include "app/window/StartCards.h"
+#include "app/window/StartPage.h"
 #include "editor/tools/ToolOptionsBar.h"
 #include "tests/app/QuietWindow.h"
 

@@ -98,7 +98,7 @@ class SelectionBench : public QObject {
   }
   static void arrangeBy(MainWindow& window, const QString& words) {
     QMenu menu;
-    window.actions().canvas->fillArrangeMenu(menu);
+    window.actions().fillArrangeMenu(menu);
     for (QAction* action : menu.actions()) {
       if (action->text().remove(QLatin1Char('&')) == words) {
         action->trigger();

@@ -4,7 +4,7 @@
 
 #include "DocumentChecks.h"
 #include "SmallScenario.h"
-#include "editor/document/DocumentSnapshot.h"
+#include "editor/document/Autosave.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
 #include "editor/document/TreeFiles.h"

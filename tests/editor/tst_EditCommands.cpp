@@ -3,7 +3,7 @@
 
 #include "SmallScenario.h"
 #include "editor/document/EditCommands.h"
-#include "editor/document/Handles.h"
+#include "editor/document/Geometry.h"
 #include "sim2d/base/Rng.h"
 
 using namespace editor;
