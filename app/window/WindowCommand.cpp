@@ -33,16 +33,6 @@ constexpr int kPatienceMs = 10 * 60 * 1000;
 constexpr double kDefaultStep = 0.05;  // [s]
 constexpr int kSettleMs = 250;         // animations and routes
 
-/// Options of the window beside those of `run`.
-struct WindowOptions {
-  std::string screenshot;          // picture to save; empty: stay open
-  double at = 5.0;                 // simulated time of the picture [s]
-  std::string size;                // "1280x800"; empty: as last used, 1280x800 for a picture
-  double scale = 1.0;              // pixels per point of the picture
-  std::string theme;               // "light", "dark"; empty: the system's
-  std::vector<std::string> docks;  // shown; empty: as last used
-};
-
 int report(const base::Diagnostics& problems, int code) {
   printDiagnostics(problems, base::Severity::Warning);
   return base::hasErrors(problems) ? code : 0;
@@ -230,7 +220,8 @@ base::Diagnostics save(const QPixmap& picture, const std::string& file) {
                                    {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 
-/// Runs the scenario of the window to a time and saves a picture of the whole window. Empty = done.
+}  // namespace
+
 base::Diagnostics takeScreenshot(MainWindow& window, const WindowOptions& options) {
   window.workspace().document().checkNow();  // the issues are those of the file
   pass(kSettleMs);
@@ -250,6 +241,8 @@ base::Diagnostics takeScreenshot(MainWindow& window, const WindowOptions& option
   pass(kSettleMs);
   return save(window.grab(), options.screenshot);
 }
+
+namespace {
 
 int windowCommand(int argc, char** argv, const RunOptions& run, const WindowOptions& options) {
   base::Diagnostics wrongWords = checkWords(options);
