@@ -6,7 +6,6 @@
 #include "editor/canvas/Tool.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/Geometry.h"
-#include "editor/document/Geometry.h"
 #include "editor/tools/SelectionActions.h"
 #include "editor/tools/ToolRegistry.h"
 
