@@ -11,6 +11,8 @@
 
 namespace editor {
 
+using sim2d::ParameterTexts;
+
 namespace {
 
 constexpr double kDegree = base::kPi / 180.0;
@@ -22,6 +24,24 @@ QString joined(const std::vector<Item>& items, const QString& between, const ToT
     words << QString::fromStdString(toText(item));
   }
   return words.join(between);
+}
+
+/// Digits enough for the default, steps no larger than its first digit: 0.005 is no 0.01.
+base::FormHints hintsOf(const base::ParameterSpec& spec) {
+  constexpr int kMostDecimals = 6;
+  base::FormHints form = spec.form;
+  const double usual = std::abs(numberIn(spec.fallback).value_or(0.0));
+  if (usual > 0.0 && usual < form.step) {
+    form.step = std::pow(10.0, std::floor(std::log10(usual)));
+  }
+  const auto fits = [usual](int decimals) {
+    const double scaled = usual * std::pow(10.0, decimals);
+    return std::abs(scaled - std::round(scaled)) < 1e-6;
+  };
+  while (form.decimals < kMostDecimals && !fits(form.decimals)) {
+    ++form.decimals;
+  }
+  return form;
 }
 
 }  // namespace
@@ -128,6 +148,68 @@ EntityField listedField() {
         entity);
   };
   return field;
+}
+
+EntityField parameterField(const ParameterOwner& owner, const std::string& name,
+                           const base::ParameterSpec& spec) {
+  EntityField field;
+  field.spec = spec;
+  field.spec.form = hintsOf(spec);
+  field.belongs = [name, inForce = owner.name](const Entity& e) { return inForce(e) == name; };
+  field.fallback = [usual = spec.fallback](const Entity&) { return usual; };
+  const auto isKey = [key = spec.key](const auto& each) { return each.first == key; };
+  field.get = [isKey, given = owner.given](const Entity& entity) -> base::ParameterValue {
+    const ParameterTexts all = given(entity);
+    const auto own = std::find_if(all.begin(), all.end(), isKey);
+    const auto value = own == all.end() ? std::nullopt : base::parseDouble(own->second);
+    return value ? base::ParameterValue(*value) : base::ParameterValue();
+  };
+  field.set = [isKey, key = spec.key, given = owner.given, give = owner.give](
+                  Entity& entity, const base::ParameterValue& value) {
+    ParameterTexts all = given(entity);
+    const auto own = std::find_if(all.begin(), all.end(), isKey);
+    const std::optional<double> number = numberIn(value);
+    if (!number) {
+      all.erase(std::remove_if(all.begin(), all.end(), isKey), all.end());
+    } else if (own != all.end()) {
+      own->second = base::formatDouble(*number);
+    } else {
+      all.emplace_back(key, base::formatDouble(*number));
+    }
+    give(entity, std::move(all));
+  };
+  return field;
+}
+
+ParameterTexts otherParameters(const ParameterOwner& owner, const Entity& entity) {
+  const auto specs = owner.known.find(owner.name(entity));
+  ParameterTexts others = owner.given(entity);
+  const auto hasRow = [&](const auto& parameter) {
+    return specs != owner.known.end() && base::parseDouble(parameter.second) &&
+           std::any_of(specs->second.begin(), specs->second.end(),
+                       [&](const auto& spec) { return spec.key == parameter.first; });
+  };
+  others.erase(std::remove_if(others.begin(), others.end(), hasRow), others.end());
+  return others;
+}
+
+EntityField otherParametersField(const ParameterOwner& owner, const QString& help) {
+  return textField(
+      QObject::tr("Unknown"), help,
+      [owner](const Entity& entity) { return pairsText(otherParameters(owner, entity)); },
+      [owner](Entity& entity, const QString& text) {
+        ParameterTexts all = owner.given(entity);
+        const ParameterTexts others = otherParameters(owner, entity);
+        const ParameterTexts wanted = pairsFromText(text).value_or(ParameterTexts());
+        const auto isReplaced = [&](const auto& each) {
+          return std::find(others.begin(), others.end(), each) != others.end() ||
+                 std::any_of(wanted.begin(), wanted.end(),
+                             [&](const auto& other) { return other.first == each.first; });
+        };
+        all.erase(std::remove_if(all.begin(), all.end(), isReplaced), all.end());
+        all.insert(all.end(), wanted.begin(), wanted.end());
+        owner.give(entity, std::move(all));
+      });
 }
 
 QString listText(const std::vector<double>& values) {

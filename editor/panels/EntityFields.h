@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -39,6 +40,22 @@ EntityField positionField(const QString& label, int axis);
 EntityField headingField();
 /// Whether an entity takes part in the run, for all kinds that can be switched off.
 EntityField listedField();
+
+/// What is chosen by name and has parameters of its own: the planner of a robot, the model of
+/// people.
+struct ParameterOwner {
+  std::map<std::string, std::vector<base::ParameterSpec>> known;  // by name
+  std::function<std::string(const Entity&)> name;                 // of the one that counts
+  std::function<sim2d::ParameterTexts(const Entity&)> given;      // for that one
+  std::function<void(Entity&, sim2d::ParameterTexts)> give;       // none of them: left out
+};
+/// A parameter that the owner of this name declares; written as text, as files have it.
+EntityField parameterField(const ParameterOwner& owner, const std::string& name,
+                           const base::ParameterSpec& spec);
+/// What the file sets and no row shows: names that the owner does not declare, values that are no
+/// numbers.
+sim2d::ParameterTexts otherParameters(const ParameterOwner& owner, const Entity& entity);
+EntityField otherParametersField(const ParameterOwner& owner, const QString& help);
 
 // Lists as texts that people type.
 /// "lookahead=0.6, stop_distance=0.5"

@@ -1,9 +1,9 @@
 #include "editor/panels/EntityPages.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "editor/panels/RouteEditor.h"
-#include "sim2d/base/Text.h"
 #include "sim2d/world/Registries.h"
 
 namespace editor {
@@ -47,54 +47,17 @@ const Robot& robotOf(const Entity& entity) {
   return std::get<Robot>(entity);
 }
 
-using Parameters = std::vector<std::pair<std::string, std::string>>;
-
-const std::string& plannerOf(const Entity& entity) {
-  static const std::string kUsual = sim2d::ResolvedRobot{}.planner;
-  const std::optional<std::string>& own = robotOf(entity).planner;
-  return own ? *own : kUsual;
-}
-
-/// Its robot's value of a parameter that a planner declares; written as text, as files have it.
-EntityField plannerField(const std::string& planner, const base::ParameterSpec& spec) {
-  EntityField field;
-  field.spec = spec;
-  field.belongs = [planner](const Entity& entity) { return plannerOf(entity) == planner; };
-  field.fallback = [usual = spec.fallback](const Entity&) { return usual; };
-  const auto isKey = [key = spec.key](const auto& each) { return each.first == key; };
-  field.get = [isKey](const Entity& entity) -> base::ParameterValue {
-    const Parameters& all = robotOf(entity).plannerParameters;
-    const auto own = std::find_if(all.begin(), all.end(), isKey);
-    const auto value = own == all.end() ? std::nullopt : base::parseDouble(own->second);
-    return value ? base::ParameterValue(*value) : base::ParameterValue();
+ParameterOwner plannersOf(const sim2d::Registries& registries) {
+  ParameterOwner owner;
+  owner.known = sim2d::knownNames(registries).plannerParameters;
+  owner.name = [](const Entity& entity) {
+    return robotOf(entity).planner.value_or(sim2d::ResolvedRobot{}.planner);
   };
-  field.set = [isKey, key = spec.key](Entity& entity, const base::ParameterValue& value) {
-    Parameters& all = std::get<Robot>(entity).plannerParameters;
-    const auto own = std::find_if(all.begin(), all.end(), isKey);
-    const std::optional<double> number = numberIn(value);
-    if (!number) {
-      all.erase(std::remove_if(all.begin(), all.end(), isKey), all.end());
-    } else if (own != all.end()) {
-      own->second = base::formatDouble(*number);
-    } else {
-      all.emplace_back(key, base::formatDouble(*number));
-    }
+  owner.given = [](const Entity& entity) { return robotOf(entity).plannerParameters; };
+  owner.give = [](Entity& entity, sim2d::ParameterTexts texts) {
+    std::get<Robot>(entity).plannerParameters = std::move(texts);
   };
-  return field;
-}
-
-/// What the file sets and no row shows: names that the planner does not declare, values that are
-/// no numbers.
-Parameters otherParameters(const sim2d::PlannerRegistry& planners, const Entity& entity) {
-  const auto* planner = planners.find(plannerOf(entity));
-  Parameters others = robotOf(entity).plannerParameters;
-  const auto hasRow = [planner](const auto& parameter) {
-    return planner != nullptr && base::parseDouble(parameter.second) &&
-           std::any_of(planner->parameters.begin(), planner->parameters.end(),
-                       [&](const auto& spec) { return spec.key == parameter.first; });
-  };
-  others.erase(std::remove_if(others.begin(), others.end(), hasRow), others.end());
-  return others;
+  return owner;
 }
 
 EntityField footprintField() {
@@ -275,14 +238,15 @@ AreaPage::AreaPage(ScenarioDocument& document, QWidget* parent) : PropertyPage(d
 }
 
 RobotPage::RobotPage(ScenarioDocument& document, QWidget* parent, const sim2d::FieldTables& tables,
-                     const sim2d::PlannerRegistry& planners)
+                     const sim2d::Registries& registries)
     : PropertyPage(document, parent, tables) {
   FormSection* section = addSection(tr("Robot"));
   addName(section);
   addListed(section);
   addField<Robot>(section, "type", oneOf(sim2d::robotTypeNames(), tr("generic (default)")));
-  addField<Robot>(section, "planner", oneOf(planners.names(), tr("pursuit (default)")));
-  addPlannerRows(section, planners);
+  addField<Robot>(section, "planner", oneOf(registries.planners.names(), tr("pursuit (default)")));
+  addParameterRows(section, plannersOf(registries),
+                   tr("Parameters that the planner does not have or that are no numbers"));
   FormSection* start = addSection(tr("Start"));
   addPosition(start);
   addRow(start, headingField());
@@ -295,42 +259,6 @@ RobotPage::RobotPage(ScenarioDocument& document, QWidget* parent, const sim2d::F
   addRow(body, footprintField(), emptyAs(tr("a disc of the radius"), footprintProblem));
   addNewFields<Robot>({"goals", "footprint_x", "footprint_y"});
   finish();
-}
-
-void RobotPage::addPlannerRows(FormSection* section, const sim2d::PlannerRegistry& planners) {
-  for (const auto& planner : planners.entries()) {
-    for (const base::ParameterSpec& spec : planner.parameters) {
-      QWidget* row = addRow(section, plannerField(planner.name, spec));
-      row->setObjectName(QString::fromStdString(planner.name + "." + spec.key));
-    }
-  }
-  FieldLook look = emptyAs(tr("none"), [](const QString& text) {
-    return pairsFromText(text) ? QString() : tr("name=value, with commas between them");
-  });
-  look.visible = [planners](const std::vector<Entity>& shown) {
-    return std::any_of(shown.begin(), shown.end(), [&](const Entity& each) {
-      return !otherParameters(planners, each).empty();
-    });
-  };
-  QWidget* row = addRow(
-      section,
-      textField(
-          tr("Unknown"), tr("Parameters that the planner does not have or that are no numbers"),
-          [planners](const Entity& e) { return pairsText(otherParameters(planners, e)); },
-          [planners](Entity& e, const QString& text) {
-            Parameters& all = std::get<Robot>(e).plannerParameters;
-            const Parameters others = otherParameters(planners, e);
-            const Parameters wanted = pairsFromText(text).value_or(Parameters());
-            const auto isReplaced = [&](const auto& each) {
-              return std::find(others.begin(), others.end(), each) != others.end() ||
-                     std::any_of(wanted.begin(), wanted.end(),
-                                 [&](const auto& other) { return other.first == each.first; });
-            };
-            all.erase(std::remove_if(all.begin(), all.end(), isReplaced), all.end());
-            all.insert(all.end(), wanted.begin(), wanted.end());
-          }),
-      look);
-  row->setObjectName(QStringLiteral("other_parameters"));
 }
 
 void RobotPage::addGoalSection() {

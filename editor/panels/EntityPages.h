@@ -10,10 +10,9 @@ class RobotPage : public PropertyPage {
  public:
   explicit RobotPage(ScenarioDocument& document, QWidget* parent = nullptr,
                      const sim2d::FieldTables& tables = sim2d::fieldTables(),
-                     const sim2d::PlannerRegistry& planners = sim2d::programRegistries().planners);
+                     const sim2d::Registries& registries = sim2d::programRegistries());
 
  private:
-  void addPlannerRows(FormSection* section, const sim2d::PlannerRegistry& planners);
   void addGoalSection();
 };
 
@@ -40,14 +39,17 @@ class AreaPage : public PropertyPage {
   explicit AreaPage(ScenarioDocument& document, QWidget* parent = nullptr);
 };
 
-/// What belongs to the scenario as a whole; shown when nothing is selected.
+/// What belongs to the scenario as a whole; shown when nothing is selected. The parameters of the
+/// chosen pedestrian model have rows.
 class SettingsPage : public PropertyPage {
  public:
-  explicit SettingsPage(ScenarioDocument& document, QWidget* parent = nullptr);
+  explicit SettingsPage(ScenarioDocument& document, QWidget* parent = nullptr,
+                        const sim2d::Registries& registries = sim2d::programRegistries());
 
  private:
   void addRunSection();
-  void addPeopleSection();
+  void addPeopleSection(const sim2d::Registries& registries);
+  void addModelSection(const sim2d::Registries& registries);
   void addFileSection();
   void addMeasureSection();
 };

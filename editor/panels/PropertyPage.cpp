@@ -260,6 +260,25 @@ QWidget* PropertyPage::addRow(FormSection* section, const EntityField& field,
   return row;
 }
 
+void PropertyPage::addParameterRows(FormSection* section, const ParameterOwner& owner,
+                                    const QString& helpOfOthers) {
+  for (const auto& [name, specs] : owner.known) {
+    for (const base::ParameterSpec& spec : specs) {
+      QWidget* row = addRow(section, parameterField(owner, name, spec));
+      row->setObjectName(QString::fromStdString(name + "." + spec.key));
+    }
+  }
+  FieldLook look = emptyAs(tr("none"), [](const QString& text) {
+    return pairsFromText(text) ? QString() : tr("name=value, with commas between them");
+  });
+  look.visible = [owner](const std::vector<Entity>& shown) {
+    return std::any_of(shown.begin(), shown.end(),
+                       [&](const Entity& each) { return !otherParameters(owner, each).empty(); });
+  };
+  QWidget* others = addRow(section, otherParametersField(owner, helpOfOthers), look);
+  others->setObjectName(QStringLiteral("other_parameters"));
+}
+
 void PropertyPage::addListed(FormSection* section) {
   addRow(section, listedField(), inWords({tr("In the scenario")}));
 }

@@ -97,6 +97,9 @@ class PropertyPage : public QWidget {
   QWidget* addRow(FormSection* section, const EntityField& field, const FieldLook& look = {});
   void addNumberPair(FormSection* section, const QString& label, const EntityField& first,
                      const EntityField& second);
+  /// A row per parameter of the owner that all shown have, and one for what has no row.
+  void addParameterRows(FormSection* section, const ParameterOwner& owner,
+                        const QString& helpOfOthers);
   void addListed(FormSection* section);
   void addPosition(FormSection* section);
   /// A whole number that each entity has for itself: only for one at a time. `take` tells whether

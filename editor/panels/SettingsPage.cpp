@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "editor/panels/EntityPages.h"
 #include "metrics/Samples.h"
@@ -18,6 +19,35 @@ sim2d::DesktopSettings& desktop(Entity& entity) {
 }
 const sim2d::DesktopSettings& desktop(const Entity& entity) {
   return std::get<ScenarioSettings>(entity).desktop;
+}
+
+/// Those of the model that people have who choose none of their own.
+ParameterOwner modelsOf(const sim2d::Registries& registries) {
+  ParameterOwner owner;
+  owner.known = sim2d::knownNames(registries).modelParameters;
+  owner.name = [](const Entity& entity) {
+    return desktop(entity).model.value_or(sim2d::ResolvedHuman().model);
+  };
+  const auto isModel = [name = owner.name](const Entity& entity) {
+    return [model = name(entity)](const auto& each) { return each.first == model; };
+  };
+  owner.given = [isModel](const Entity& entity) {
+    const auto& all = desktop(entity).modelParameters;
+    const auto own = std::find_if(all.begin(), all.end(), isModel(entity));
+    return own == all.end() ? sim2d::ParameterTexts() : own->second;
+  };
+  owner.give = [isModel, name = owner.name](Entity& entity, sim2d::ParameterTexts texts) {
+    auto& all = desktop(entity).modelParameters;
+    const auto own = std::find_if(all.begin(), all.end(), isModel(entity));
+    if (texts.empty()) {
+      all.erase(std::remove_if(all.begin(), all.end(), isModel(entity)), all.end());
+    } else if (own != all.end()) {
+      own->second = std::move(texts);
+    } else {
+      all.emplace_back(name(entity), std::move(texts));
+    }
+  };
+  return owner;
 }
 
 EntityField thresholdsField() {
@@ -61,10 +91,12 @@ QString worldsOf(const QString& simulator) {
 
 }  // namespace
 
-SettingsPage::SettingsPage(ScenarioDocument& document, QWidget* parent)
+SettingsPage::SettingsPage(ScenarioDocument& document, QWidget* parent,
+                           const sim2d::Registries& registries)
     : PropertyPage(document, parent) {
   addRunSection();
-  addPeopleSection();
+  addPeopleSection(registries);
+  addModelSection(registries);
   addMeasureSection();
   addFileSection();
   addNewFields<Desktop>();
@@ -91,9 +123,9 @@ void SettingsPage::addRunSection() {
   addField<Desktop>(section, "record_every", record);
 }
 
-void SettingsPage::addPeopleSection() {
+void SettingsPage::addPeopleSection(const sim2d::Registries& registries) {
   FormSection* section = addSection(tr("People"));
-  addField<Desktop>(section, "model", oneOf(sim2d::modelNames(), tr("sfm (default)")));
+  addField<Desktop>(section, "model", oneOf(registries.models.names(), tr("sfm (default)")));
   addField<Desktop>(section, "route",
                     inWords({tr("Around walls"), tr("Straight, as the original")}));
   addField<Desktop>(section, "obstacle_points",
@@ -107,6 +139,20 @@ void SettingsPage::addPeopleSection() {
                                   : tr("Two values of x in metres, ascending, with a comma "
                                        "between them");
                     }));
+}
+
+void SettingsPage::addModelSection(const sim2d::Registries& registries) {
+  FormSection* section = addSection(tr("Parameters of the model"));
+  const ParameterOwner owner = modelsOf(registries);
+  addParameterRows(section, owner,
+                   tr("Parameters that the model does not have or that are no numbers"));
+  addRefresh([section, owner](const std::vector<Entity>& shown) {
+    const std::string model = owner.name(shown.front());
+    const auto specs = owner.known.find(model);
+    section->setVisible((specs != owner.known.end() && !specs->second.empty()) ||
+                        !owner.given(shown.front()).empty());
+    section->setNote(QString::fromStdString(model));
+  });
 }
 
 void SettingsPage::addMeasureSection() {

@@ -175,6 +175,12 @@ class FieldFormsTest : public QObject {
     }
   }
 
+  void changeSettings(const std::function<void(sim2d::DesktopSettings&)>& change) {
+    auto settings = std::get<editor::ScenarioSettings>(*document_.entity(editor::kSettingsId));
+    change(settings.desktop);
+    editor::pushEdit(document_, {settings}, QStringLiteral("Change"), editor::Merge::Never);
+  }
+
  private Q_SLOTS:
   void initTestCase() {
     document_.load(oneOfEach());
@@ -292,7 +298,7 @@ class FieldFormsTest : public QObject {
     const QString rowName = QStringLiteral("dog.tail_wag");
     sim2d::Scenario scenario = oneOfEach();
     document_.load(scenario);
-    editor::RobotPage page(document_, nullptr, sim2d::fieldTables(), registries.planners);
+    editor::RobotPage page(document_, nullptr, sim2d::fieldTables(), registries);
     page.setTargets({scenario.robots[0].key});
     page.show();
     QVERIFY(QTest::qWaitForWindowExposed(&page));
@@ -358,6 +364,102 @@ class FieldFormsTest : public QObject {
     QVERIFY(robot().plannerParameters.empty());
     page.refresh();
     QCOMPARE(wag->value(), 2.5);
+  }
+
+  /// The same for the pedestrian model of the scenario; another model has other rows.
+  void parameter_ofTheModel_isARowOfTheSettings() {
+    sim2d::Registries registries = sim2d::programRegistries();
+    base::ParameterSpec spec;
+    spec.key = "wing_span";
+    spec.unit = "m";
+    spec.range = {0.0, 3.0};
+    spec.fallback = 1.5;
+    spec.help = "From tip to `tip`";
+    registries.models.add("geese", {spec}, {});
+    document_.load(oneOfEach());
+    editor::SettingsPage page(document_, nullptr, registries);
+    page.setTargets({editor::kSettingsId});
+    page.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&page));
+    const auto rowOf = [&page](const std::string& model, const std::string& key) {
+      return page.findChild<NumberField*>(QString::fromStdString(model + "." + key));
+    };
+    for (const std::string& chosen : std::vector<std::string>{"sfm", "geese", "das", "orca"}) {
+      if (chosen != "sfm") {  // the usual one
+        changeSettings([&](sim2d::DesktopSettings& to) { to.model = chosen; });
+        page.refresh();
+      }
+      for (const auto& model : registries.models.entries()) {
+        for (const base::ParameterSpec& each : model.parameters) {
+          const NumberField* row = rowOf(model.name, each.key);
+          QVERIFY2(row != nullptr, each.key.c_str());
+          QCOMPARE(row->isVisible(), model.name == chosen);
+          QCOMPARE(row->value(), std::get<double>(each.fallback));
+          const std::string digits = row->text().section(QLatin1Char(' '), 0, 0).toStdString();
+          QCOMPARE(base::parseDouble(digits), std::optional(row->value()));
+          QVERIFY(row->toolTip().startsWith(editor::helpOf(each)));
+        }
+      }
+    }
+    const NumberField* span = rowOf("geese", "wing_span");
+    QCOMPARE(span->accessibleName(), QStringLiteral("Wing span"));
+    QCOMPARE(span->text(), QStringLiteral("1.50 m"));
+    QCOMPARE(span->toolTip(), QStringLiteral("From tip to tip\n0.00 to 3.00 m"));
+  }
+
+  void parameter_ofTheModel_isEdited() {
+    document_.load(oneOfEach());
+    const std::vector<std::pair<std::string, sim2d::ParameterTexts>> before = {
+        {"sfm", {{"gamma", "0.4"}}}};  // of those who have a model of their own
+    auto after = before;
+    after.push_back({"orca", {{"horizon", "3.25"}}});
+    changeSettings([&](sim2d::DesktopSettings& to) {
+      to.model = "orca";
+      to.modelParameters = before;
+    });
+    editor::SettingsPage page(document_);
+    page.setTargets({editor::kSettingsId});
+    page.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&page));
+    auto* horizon = page.findChild<NumberField*>(QStringLiteral("orca.horizon"));
+    auto* others = page.findChild<editor::TextField*>(QStringLiteral("other_parameters"));
+    const auto type = [&](const char* digits) {
+      horizon->setFocus();
+      horizon->selectAll();
+      QTest::keyClicks(horizon, QLatin1String(digits));
+      QTest::keyClick(horizon, Qt::Key_Return);
+      page.refresh();
+    };
+    const auto given = [this] { return document_.scenario().desktop.modelParameters; };
+    const int steps = document_.undoStack().count();
+    type("-1");  // out of its range
+    QVERIFY(given() == before);
+    type("3.25");
+    QVERIFY(given() == after);
+    QCOMPARE(document_.undoStack().count(), steps + 1);
+    document_.undoStack().undo();
+    page.refresh();
+    QVERIFY(given() == before);
+    QCOMPARE(horizon->value(), 2.0);
+    document_.undoStack().redo();
+    page.refresh();
+    QCOMPARE(horizon->value(), 3.25);
+    Q_EMIT horizon->defaultWanted();
+    page.refresh();
+    QVERIFY(given() == before);
+    QCOMPARE(horizon->value(), 2.0);
+    QVERIFY(!others->isVisible());
+    changeSettings([](sim2d::DesktopSettings& to) {
+      to.modelParameters = {{"orca", {{"horizn", "1"}}}};
+    });
+    page.refresh();
+    QVERIFY(others->isVisible());
+    QCOMPARE(others->text(), QStringLiteral("horizn=1"));
+    others->setFocus();
+    others->selectAll();
+    QTest::keyClick(others, Qt::Key_Delete);
+    QTest::keyClick(others, Qt::Key_Return);
+    QVERIFY(given().empty());
   }
 
   void arrows_atAnOpenEnd_stayInside() {
