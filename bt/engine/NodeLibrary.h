@@ -14,16 +14,16 @@
 /// The nodes that a tree may be built of: those of BehaviorTree.CPP, which the engine runs itself,
 /// and the leaves, decorators and controls that a host adds as plain functions.
 ///
-///   void addIsRobotClose(NodeLibrary& to) {           // bt/human/nodes/IsRobotClose.cpp
+///   void addIsAlone(NodeLibrary& to) {                // would be bt/human/nodes/IsAlone.cpp
 ///     NodeManifest m;
-///     m.id = "IsRobotClose";
+///     m.id = "IsAlone";
 ///     m.ports = {PortSpec("agent_id", PortType::Int, "", "Whose.").needed(),
 ///                PortSpec("threshold", PortType::Double, "m", "Near.").byDefault("1.0")};
 ///     to.addCondition(m, [](LeafContext& leaf) {
 ///       const int agent = leaf.require<int>(0);
 ///       const double threshold = leaf.require<double>(1);
-///       return leaf.host<Person>().robotDistance(agent) < threshold ? base::NodeStatus::Success
-///                                                                   : base::NodeStatus::Failure;
+///       return leaf.host<Host>().distanceToNext(agent) > threshold ? base::NodeStatus::Success
+///                                                                  : base::NodeStatus::Failure;
 ///     });
 ///   }
 ///
@@ -37,7 +37,7 @@
 ///       return leaf.hasElapsed(leaf.memory<WaitMemory>().startStep, leaf.require<double>(1))
 ///                  ? base::NodeStatus::Success : base::NodeStatus::Running;
 ///     },
-///     [](LeafContext& leaf) { leaf.host<Person>().resume(); }});  // onHalted; may be left out
+///     [](LeafContext& leaf) { leaf.host<Host>().resume(); }});  // onHalted; may be left out
 ///
 /// Leaves must be pure functions of context and host: no static variables, no clocks.
 namespace bt {
