@@ -226,9 +226,9 @@ class RunPainter {
     painter_.setFont(theme_.font(9.0));
     const QFontMetricsF metrics(painter_.font());
     const QPointF end = toPicture(track.points.back());
-    QPainterPath text;
-    text.addText(end.x() - metrics.horizontalAdvance(name) / 2.0, end.y() + radius + 13.0,
-                 painter_.font(), name);
+    const QPointF baseline(end.x() - metrics.horizontalAdvance(name) / 2.0,
+                           end.y() + radius + 13.0);
+    const QPainterPath text = editor::textOutline(baseline, painter_.font(), name);
     painter_.strokePath(text, QPen(theme_.color(Role::MapFree, 0.85), 3.5));
     painter_.fillPath(text, theme_.color(Role::Text));
   }

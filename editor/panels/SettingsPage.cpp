@@ -143,6 +143,7 @@ void SettingsPage::addPeopleSection(const sim2d::Registries& registries) {
 
 void SettingsPage::addModelSection(const sim2d::Registries& registries) {
   FormSection* section = addSection(tr("Parameters of the model"));
+  section->setOpen(false);  // up to 24 rows that few change
   const ParameterOwner owner = modelsOf(registries);
   addParameterRows(section, owner,
                    tr("Parameters that the model does not have or that are no numbers"));

@@ -2,6 +2,7 @@
 
 #include "SmallScenario.h"
 #include "editor/document/EditCommands.h"
+#include "editor/look/Form.h"
 #include "editor/panels/EntityPages.h"
 #include "editor/panels/PropertyPanel.h"
 #include "sim2d/base/Text.h"
@@ -145,6 +146,12 @@ editor::EntityId idOfKind(EntityKind kind) {
       return {kind, 5};
     default:
       return editor::kSettingsId;
+  }
+}
+
+void openSections(const QWidget& page) {
+  for (editor::FormSection* section : page.findChildren<editor::FormSection*>()) {
+    section->setOpen(true);
   }
 }
 
@@ -380,6 +387,7 @@ class FieldFormsTest : public QObject {
     editor::SettingsPage page(document_, nullptr, registries);
     page.setTargets({editor::kSettingsId});
     page.show();
+    openSections(page);
     QVERIFY(QTest::qWaitForWindowExposed(&page));
     const auto rowOf = [&page](const std::string& model, const std::string& key) {
       return page.findChild<NumberField*>(QString::fromStdString(model + "." + key));
@@ -420,6 +428,7 @@ class FieldFormsTest : public QObject {
     editor::SettingsPage page(document_);
     page.setTargets({editor::kSettingsId});
     page.show();
+    openSections(page);
     QVERIFY(QTest::qWaitForWindowExposed(&page));
     auto* horizon = page.findChild<NumberField*>(QStringLiteral("orca.horizon"));
     auto* others = page.findChild<editor::TextField*>(QStringLiteral("other_parameters"));
