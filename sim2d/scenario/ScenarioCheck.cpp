@@ -102,7 +102,7 @@ std::string expectedOf(const base::ParameterSpec& spec) {
   constexpr double kNoEnd = std::numeric_limits<double>::infinity();
   const base::Range& range = spec.range;
   if (spec.unit == "m" && range.low == 0.0 && range.high == kNoEnd) {
-    return "a distance";
+    return range.above ? "a distance above 0" : "a distance";
   }
   const std::string low = base::formatDouble(range.low);
   if (range.high < kNoEnd) {
@@ -129,7 +129,7 @@ void checkParameters(const ParameterTexts& given, const std::string& owner,
     const std::string path = where + "." + key;
     const auto found = std::find(known.begin(), known.end(), key);
     if (found == known.end()) {
-      report.add(base::Severity::Warning, entity, path, "planner.unknown-parameter",
+      report.add(base::Severity::Error, entity, path, "planner.unknown-parameter",
                  {owner, base::nearestName(key, known)});
       continue;
     }

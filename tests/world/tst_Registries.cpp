@@ -171,7 +171,7 @@ void RegistriesTest::modelParameters_setByPath_countInTheRunAndAreChecked() {
   }
   QVERIFY(
       (told == std::vector<std::string>{
-                   "model_parameters.orca.range: '-1' is not a distance",
+                   "model_parameters.orca.range: '-1' is not a distance above 0",
                    "model_parameters.orca.horizn: unknown to 'orca' (did you mean 'horizon'?)"}));
   const base::Result<std::unique_ptr<World>> refused = worldOf(scenario, nullptr);
   QVERIFY(!refused);
