@@ -87,13 +87,23 @@ std::shared_ptr<const sim2d::Surroundings> surroundingsOf(const Bundle& bundle) 
                                    : sim2d::Surroundings());
 }
 
-/// What the file says wrongly, and what the scenario then means.
-base::Diagnostics checkMeaning(const Bundle& bundle, const sim2d::Surroundings& surroundings) {
-  base::Diagnostics found = sim2d::checkScenario(*bundle.scenario, surroundings, bundle.path,
-                                                 sim2d::knownNames(sim2d::programRegistries()));
+/// Tells where in the file of the scenario they stand.
+base::Diagnostics withPlaces(base::Diagnostics found, const Bundle& bundle) {
   sim2d::addLines(found, bundle.lines);
+  for (base::Diagnostic& diagnostic : found) {
+    if (diagnostic.line > 0) {
+      diagnostic.file = bundle.path;
+    }
+  }
   sim2d::addColumns(found, bundle.path);
   return found;
+}
+
+/// What the file says wrongly, and what the scenario then means.
+base::Diagnostics checkMeaning(const Bundle& bundle, const sim2d::Surroundings& surroundings) {
+  return withPlaces(sim2d::checkScenario(*bundle.scenario, surroundings, bundle.path,
+                                         sim2d::knownNames(sim2d::programRegistries())),
+                    bundle);
 }
 
 void checkMetrics(const Bundle& bundle, Verdict& verdict) {
@@ -176,7 +186,8 @@ Verdict check(const Bundle& bundle, CheckDepth depth) {
   setup.threads = bundle.settings.threads;
   setup.exact = bundle.settings.exact;
   base::Result<std::unique_ptr<sim2d::World>> world = sim2d::World::create(std::move(setup));
-  base::append(world ? verdict.worldRemarks : verdict.problems, world.diagnostics());
+  base::append(world ? verdict.worldRemarks : verdict.problems,
+               withPlaces(world.diagnostics(), bundle));
   if (world) {
     verdict.world = *std::move(world);
   }

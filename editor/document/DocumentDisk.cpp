@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -207,6 +208,11 @@ const PlannedTree* plannedAt(const SavePlan& plan, const std::string& path) {
   return found == plan.trees.end() ? nullptr : &*found;
 }
 
+bool isUnreadable(const std::string& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored) && !std::ifstream(path);
+}
+
 /// The person of the scenario file that is there now: its generated trees are nobody's work.
 bool isGeneratedForDisk(const std::string& xml, const sim2d::Scenario& onDisk, int humanId) {
   const sim2d::Human* human = onDisk.humanById(humanId);
@@ -271,7 +277,13 @@ void SavePlanner::planTrees(SavePlan& plan) const {
       path = treePathOf(plan, human);
       same = plannedAt(plan, path);
     }
-    if (same == nullptr) {
+    if (isUnreadable(path)) {
+      const auto severity =
+          document_.tree(human.key) ? base::Severity::Error : base::Severity::Warning;
+      plan.problems.push_back(
+          base::within(human.name, base::problem(severity, "document.tree-unreadable", {}, path)));
+      plan.unreadTrees.insert(human.key);
+    } else if (same == nullptr) {
       plan.trees.push_back({human.key, path, text});
     } else if (same->content != text) {
       plan.problems.push_back(

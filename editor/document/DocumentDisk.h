@@ -41,6 +41,7 @@ struct SavePlan {
   QString mapPath;
   std::vector<base::FileContent> mapFiles;
   std::vector<PlannedTree> trees;
+  std::set<EntityId> unreadTrees;  // people whose file is there, cannot be read, and so stays
   base::Diagnostics problems;
 };
 

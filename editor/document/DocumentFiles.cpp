@@ -307,6 +307,7 @@ void ScenarioDocument::takeSaved(SavePlan plan) {
     disk_->noteTree(written, tree(written.human).has_value(),
                     generatedTree(scenario_, *human(written.human)), before.known(written.human));
   }
+  disk_->unreadTrees = plan.unreadTrees;
   undoStack_.setClean();
   if (mapIsMissing_) {
     loadMap();  // it may be beside the new place, and lines have moved

@@ -387,6 +387,7 @@ constexpr ProblemText kTexts[] = {
     // Documents and saving.
     {"document.no-crash-copy", "no copy for a crash can be kept: the folder cannot be made"},
     {"document.tree-not-saved", "the tree is not saved, another person has the same id"},
+    {"document.tree-unreadable", "the tree is not saved: the file there cannot be read"},
     {"document.read-in-part",
      "the file could only be read in part and will not be overwritten (save under another name)"},
     {"document.run-in-part",

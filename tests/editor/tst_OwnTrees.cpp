@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <unistd.h>
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -273,6 +274,32 @@ class OwnTreesTest : public QObject {
     check(again.open(room.path));
     QVERIFY(again.tree(again.entities(EntityKind::Human)[0]) == kOwnTree);
     QVERIFY(again.tree(again.entities(EntityKind::Human)[1]) == changed);
+  }
+
+  void save_treeFileCannotBeRead_isLeftAsItIs() {
+    if (::geteuid() == 0) {
+      QSKIP("the superuser may read everything");
+    }
+    const SavedRoom room;
+    const QString file = QString::fromStdString(room.treePath(1));
+    const std::string before = room.treeText(1);
+    QVERIFY(QFile::setPermissions(file, QFile::WriteOwner));
+    ScenarioDocument again;
+    again.open(room.path);
+    QVERIFY(again.treeQuestions(room.path).empty());
+    for (const bool isOwn : {false, true}) {
+      if (isOwn) {  // nothing may pass for saved that is not
+        again.undoStack().push(new EditTree(again, again.entities(EntityKind::Human)[0], kOwnTree,
+                                            QStringLiteral("Tree")));
+      }
+      const base::Diagnostics told = again.save(room.path);
+      QCOMPARE(told.size(), std::size_t(1));
+      QCOMPARE(std::string(told[0].code), std::string("document.tree-unreadable"));
+      QCOMPARE(base::hasErrors(told), isOwn);
+      QCOMPARE(again.isDirty(), isOwn);
+    }
+    QVERIFY(QFile::setPermissions(file, QFile::ReadOwner | QFile::WriteOwner));
+    QCOMPARE(room.treeText(1), before);
   }
 
  private:

@@ -139,6 +139,26 @@ class BundleTest : public QObject {
     QCOMPARE(toldOf("flow_line_x1", -3.0).substr(0, 5), std::string("fine "));
   }
 
+  /// What only the planner knows, so the world says it.
+  void check_worldRefuses_tellsTheLineOfTheRobot() {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath(QStringLiteral("room.yaml")).toStdString();
+    QVERIFY(base::writeFileAtomically(path, "a: 1\nb: 2\n  robot:\n").empty());
+    app::Bundle bundle = bundleOf([](sim2d::Scenario& scenario) {
+      sim2d::Robot robot;
+      robot.key = {base::EntityKind::Robot, 30};
+      robot.name = "porter";
+      robot.plannerParameters = {{"slow_distance", "0.1"}, {"stop_distance", "0.5"}};
+      scenario.robots = {robot};
+    });
+    bundle.path = path;
+    bundle.lines[{base::EntityKind::Robot, 30}] = 3;
+    const app::Verdict verdict = app::check(bundle);
+    QVERIFY(verdict.world == nullptr);
+    const std::string told = textOf(verdict.problems);
+    QVERIFY2(told.find(path + ":3:3: error: robot 'porter': ") != std::string::npos, told.c_str());
+  }
+
   void check_ofTheMeaning_makesNoWorld() {
     const app::Verdict verdict = app::check(bundleOf(), app::CheckDepth::Meaning);
     QVERIFY(verdict.world == nullptr);
