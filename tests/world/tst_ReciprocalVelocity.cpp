@@ -163,10 +163,9 @@ void ReciprocalVelocityTest::orca_pairAndCircle_keepApart() {
   QFETCH(int, count);
   RealismRun run;
   run.model = "orca";
-  const base::Result<Meeting> meeting = circle(run, count, 4.0);
-  QVERIFY(meeting);
-  QVERIFY2(meeting->leastDistance >= 0.395, qPrintable(QString::number(meeting->leastDistance)));
-  QVERIFY2(meeting->timeRatio < 2.5, qPrintable(QString::number(meeting->timeRatio)));
+  const Meeting meeting = circle(run, count, 4.0);
+  QVERIFY2(meeting.leastDistance >= 0.395, qPrintable(QString::number(meeting.leastDistance)));
+  QVERIFY2(meeting.timeRatio < 2.5, qPrintable(QString::number(meeting.timeRatio)));
 }
 
 QTEST_APPLESS_MAIN(ReciprocalVelocityTest)

@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
 
-#include "sim2d/base/Math.h"
 #include "sim2d/world/realism/RealismTest.h"
 
 namespace sim2d {
@@ -32,12 +30,12 @@ void look(const HumanColumns& people, double time, Meeting& meeting) {
 }
 
 /// All walk the same length; who never arrives makes the ratio NaN.
-base::Result<Meeting> meet(TestScene& stage, double length, double speed) {
+Meeting meet(const TestScene& stage, double length, double speed) {
   Meeting meeting;
   meeting.leastDistance = meeting.slowest = 1e9;
   meeting.timeRatio = std::numeric_limits<double>::quiet_NaN();
   const double freeTime = (length - kArrived) / speed;
-  const bool isPlayed = stage.play(kPatience * freeTime, [&](const World& world) {
+  stage.play(kPatience * freeTime, [&](const World& world) {
     if (world.frame().humans.size() == 0) {
       meeting.timeRatio = world.time() / freeTime;
       return false;
@@ -45,33 +43,7 @@ base::Result<Meeting> meet(TestScene& stage, double length, double speed) {
     look(world.frame().humans, world.time(), meeting);
     return true;
   });
-  return stage.orProblem(isPlayed, meeting);
-}
-
-base::Result<std::vector<double>> circles(const RealismRun& run) {
-  const base::Result<Meeting> eight = circle(run, 8, 4.0);
-  const base::Result<Meeting> sixteen = circle(run, 16, 5.0);
-  if (!eight || !sixteen) {
-    return eight ? sixteen.diagnostics() : eight.diagnostics();
-  }
-  return std::vector<double>{eight->leastDistance, eight->timeRatio, sixteen->leastDistance,
-                             sixteen->timeRatio};
-}
-
-base::Result<std::vector<double>> headOnValues(const RealismRun& run) {
-  const base::Result<Meeting> meeting = headOn(run);
-  if (!meeting) {
-    return meeting.diagnostics();
-  }
-  return std::vector<double>{meeting->leastDistance, meeting->slowest};
-}
-
-base::Result<std::vector<double>> crossingValues(const RealismRun& run) {
-  const base::Result<Meeting> meeting = crossing(run);
-  if (!meeting) {
-    return meeting.diagnostics();
-  }
-  return std::vector<double>{meeting->leastDistance, 1.0 - meeting->slowest / 1.3};
+  return meeting;
 }
 
 /// What does not depend on the step of time, if all is well.
@@ -109,15 +81,15 @@ TestScene threeWays(const RealismRun& run, double dt) {
 }
 
 /// For 10 s, with a step of `dt`.
-base::Result<Walked> walkedWithStep(const RealismRun& run, double dt) {
-  TestScene stage = threeWays(run, dt);
+Walked walkedWithStep(const RealismRun& run, double dt) {
+  const TestScene stage = threeWays(run, dt);
   Walked walked;
   for (const TestScene::Actor& actor : stage.actors()) {
     walked.places.push_back(actor.start);
   }
   walked.numbers.assign(walked.places.size(), 0.0);
   walked.numbers.push_back(1e9);
-  const bool isPlayed = stage.play(10.0, [&](const World& world) {
+  stage.play(10.0, [&](const World& world) {
     const HumanColumns& people = world.frame().humans;
     std::vector<Vec2> places;
     for (std::size_t i = 0; i < people.size(); ++i) {
@@ -126,27 +98,21 @@ base::Result<Walked> walkedWithStep(const RealismRun& run, double dt) {
     addStep(places, walked);
     return true;
   });
-  return stage.orProblem(isPlayed, walked);
+  return walked;
 }
 
-base::Result<std::vector<double>> timeStep(const RealismRun& run) {
-  const base::Result<Walked> finest = walkedWithStep(run, 0.01);
-  if (!finest) {
-    return finest.diagnostics();
-  }
+std::vector<double> timeStep(const RealismRun& run) {
+  const Walked finest = walkedWithStep(run, 0.01);
   std::vector<double> values;
   double change = 0.0;
   for (const double dt : {0.1, 0.05, 0.02}) {
-    const base::Result<Walked> walked = walkedWithStep(run, dt);
-    if (!walked) {
-      return walked.diagnostics();
-    }
+    const Walked walked = walkedWithStep(run, dt);
     double worst = 0.0;
-    for (std::size_t i = 0; i < walked->places.size(); ++i) {
-      worst = std::max(worst, (walked->places[i] - finest->places[i]).norm());
+    for (std::size_t i = 0; i < walked.places.size(); ++i) {
+      worst = std::max(worst, (walked.places[i] - finest.places[i]).norm());
     }
-    for (std::size_t i = 0; i < walked->numbers.size(); ++i) {
-      change = std::max(change, std::fabs(walked->numbers[i] / finest->numbers[i] - 1.0));
+    for (std::size_t i = 0; i < walked.numbers.size(); ++i) {
+      change = std::max(change, std::fabs(walked.numbers[i] / finest.numbers[i] - 1.0));
     }
     values.push_back(worst);
   }
@@ -177,57 +143,56 @@ TestScene crossingScene(const RealismRun& run) {
   return stage;
 }
 
+std::vector<double> circles(const RealismRun& run) {
+  const Meeting eight = circle(run, 8, 4.0);
+  const Meeting sixteen = circle(run, 16, 5.0);
+  return {eight.leastDistance, eight.timeRatio, sixteen.leastDistance, sixteen.timeRatio};
+}
+
+std::vector<double> headOnValues(const RealismRun& run) {
+  const Meeting meeting = headOn(run);
+  return {meeting.leastDistance, meeting.slowest};
+}
+
+/// Two people whose ways cross at a right angle.
+std::vector<double> crossingValues(const RealismRun& run) {
+  const Meeting meeting = meet(crossingScene(run), 10.0, 1.3);
+  return {meeting.leastDistance, 1.0 - meeting.slowest / 1.3};
+}
+
 }  // namespace
 
-base::Result<Meeting> circle(const RealismRun& run, int count, double radius) {
-  TestScene stage = circleOf(run, count, radius);
-  return meet(stage, 2.0 * radius, 1.34);
+Meeting circle(const RealismRun& run, int count, double radius) {
+  return meet(circleOf(run, count, radius), 2.0 * radius, 1.34);
 }
 
-base::Result<Meeting> headOn(const RealismRun& run) {
-  TestScene stage = headOnScene(run);
-  return meet(stage, 12.0, 1.29);
-}
-
-base::Result<Meeting> crossing(const RealismRun& run) {
-  TestScene stage = crossingScene(run);
-  return meet(stage, 10.0, 1.3);
+Meeting headOn(const RealismRun& run) {
+  return meet(headOnScene(run), 12.0, 1.29);
 }
 
 void addMeetingTests(std::vector<RealismTest>& tests);
 void addMeetingTests(std::vector<RealismTest>& tests) {
-  tests.push_back({"circle",
-                   "8 and 16 people who change places across a circle of 4 and 5 m",
-                   {{"least distance, 8", "m", Summary::Smallest, 0.4},
-                    {"time over free time, 8", "", Summary::Largest, 1.0, 2.0},
-                    {"least distance, 16", "m", Summary::Smallest, 0.4},
-                    {"time over free time, 16", "", Summary::Largest, 1.0, 2.5}},
-                   circles,
-                   [](const RealismRun& run) { return circleOf(run, 16, 5.0); },
-                   false});
-  tests.push_back({"head-on",
-                   "two people exactly towards each other at 1.29 m/s",
-                   {{"least distance", "m", Summary::Smallest, 0.44},
-                    {"slowest", "m/s", Summary::Smallest, 1.0}},
-                   headOnValues,
-                   headOnScene,
-                   false});
-  tests.push_back({"crossing",
-                   "two people whose ways cross at 90 degrees",
-                   {{"least distance", "m", Summary::Smallest, 0.4},
-                    {"loss of speed", "", Summary::Largest, 0.0, 0.4}},
-                   crossingValues,
-                   crossingScene,
-                   false});
-  tests.push_back({"time-step",
-                   "places after 10 s with steps of 0.1, 0.05 and 0.02 s against 0.01 s",
-                   {{"distance, 0.1 s", "m", Summary::Largest, 0.0, 0.05},
-                    {"distance, 0.05 s", "m", Summary::Largest, 0.0, 0.05},
-                    {"distance, 0.02 s", "m", Summary::Largest, 0.0, 0.05},
-                    {"change of ways and least distance", "", Summary::Largest, 0.0, 0.02}},
-                   timeStep,
-                   [](const RealismRun& run) { return threeWays(run, 0.05); },
-                   false});
+  tests.push_back({"circle", "8 and 16 people who change places across a circle of 4 and 5 m",
+                   Quantities{{"least distance, 8", "m", Summary::Smallest, 0.4},
+                              {"time over free time, 8", "", Summary::Largest, 1.0, 2.0},
+                              {"least distance, 16", "m", Summary::Smallest, 0.4},
+                              {"time over free time, 16", "", Summary::Largest, 1.0, 2.5}},
+                   circles, [](const RealismRun& run) { return circleOf(run, 16, 5.0); }, false});
+  tests.push_back({"head-on", "two people exactly towards each other at 1.29 m/s",
+                   Quantities{{"least distance", "m", Summary::Smallest, 0.44},
+                              {"slowest", "m/s", Summary::Smallest, 1.0}},
+                   headOnValues, headOnScene, false});
+  tests.push_back({"crossing", "two people whose ways cross at 90 degrees",
+                   Quantities{{"least distance", "m", Summary::Smallest, 0.4},
+                              {"loss of speed", "", Summary::Largest, 0.0, 0.4}},
+                   crossingValues, crossingScene, false});
+  tests.push_back(
+      {"time-step", "places after 10 s with steps of 0.1, 0.05 and 0.02 s against 0.01 s",
+       Quantities{{"distance, 0.1 s", "m", Summary::Largest, 0.0, 0.05},
+                  {"distance, 0.05 s", "m", Summary::Largest, 0.0, 0.05},
+                  {"distance, 0.02 s", "m", Summary::Largest, 0.0, 0.05},
+                  {"change of ways and least distance", "", Summary::Largest, 0.0, 0.02}},
+       timeStep, [](const RealismRun& run) { return threeWays(run, 0.05); }, false});
 }
 
 }  // namespace sim2d

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <set>
+#include <utility>
 
 #include "sim2d/world/realism/RealismTest.h"
 
@@ -19,11 +20,8 @@ class Gate {
   void look(const World& world) {
     const HumanColumns& people = world.frame().humans;
     for (std::size_t i = 0; i < people.size(); ++i) {
-      const bool isBehind = people.x[i] > x_;
-      bool& was = passed_[people.id[i]];
-      if (isBehind && !was) {
+      if (people.x[i] > x_ && passed_.insert(people.id[i]).second) {
         times_.push_back(world.time());
-        was = true;
       }
     }
   }
@@ -45,7 +43,7 @@ class Gate {
 
  private:
   double x_;
-  std::map<int, bool> passed_;
+  std::set<int> passed_;  // ids
   std::vector<double> times_;
 };
 
@@ -81,14 +79,21 @@ void addRoom(TestScene& stage, double from, double half, const Opening& opening)
   }
 }
 
+/// So many people like one, at random places and with their own speeds.
 void addCrowd(TestScene& stage, const RealismRun& run, int count, const Box& box,
-              const TestScene::Target& target, double leavesAt) {
-  const std::vector<Vec2> places = randomPlaces(run, count, box, 2.0 * kBody);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    stage.add({places[i], freeSpeed(run, static_cast<int>(i)), target,
-               Vec2(leavesAt + kWideGoal, 0.0), kWideGoal,
-               [leavesAt](const Vec2& place) { return place.x() > leavesAt; }});
+              TestScene::Actor like) {
+  for (const Vec2& place : randomPlaces(run, count, box, 2.0 * kBody)) {
+    like.start = place;
+    like.speed = freeSpeed(run, static_cast<int>(stage.actors().size()));
+    stage.add(like);
   }
+}
+
+/// Somebody who leaves the world at x = `end`.
+TestScene::Actor leavingAt(double end, TestScene::Target target) {
+  return {Vec2::Zero(),      0.0,
+          std::move(target), Vec2(end + kWideGoal, 0.0),
+          kWideGoal,         [end](const Vec2& place) { return place.x() > end; }};
 }
 
 struct Door {
@@ -106,39 +111,32 @@ TestScene roomWithDoor(const RealismRun& run, double width, double dt) {
   const Opening opening{0.0, kDoorDepth, width / 2.0};
   addRoom(stage, -7.2, 3.0, opening);
   stage.addWall({Vec2(-7.1, -3.1), Vec2(-7.1, 3.1)});
-  addCrowd(
-      stage, run, kPeopleAtDoor, {Vec2(-6.8, -2.8), Vec2(-0.2, 2.8)},
-      [opening](const Vec2& place) { return throughOpening(opening, place); }, 4.0);
+  addCrowd(stage, run, kPeopleAtDoor, {Vec2(-6.8, -2.8), Vec2(-0.2, 2.8)},
+           leavingAt(4.0, [=](const Vec2& place) { return throughOpening(opening, place); }));
   return stage;
 }
 
-base::Result<Door> passDoor(const RealismRun& run, double width, double dt) {
-  TestScene stage = roomWithDoor(run, width, dt);
+Door passDoor(const RealismRun& run, double width, double dt) {
   Gate gate(kDoorDepth);
-  const bool isPlayed = stage.play(200.0, [&](const World& world) {
+  roomWithDoor(run, width, dt).play(200.0, [&](const World& world) {
     gate.look(world);
     return world.frame().humans.size() > 0;
   });
   const auto left = static_cast<double>(kPeopleAtDoor) - static_cast<double>(gate.times().size());
-  return stage.orProblem(isPlayed,
-                         Door{gate.flow(10, 85) / width, gate.longestGap(kPeopleAtDoor), left});
+  return {gate.flow(10, 85) / width, gate.longestGap(kPeopleAtDoor), left};
 }
 
-base::Result<std::vector<double>> passDoors(const RealismRun& run, double dt) {
+std::vector<double> passDoors(const RealismRun& run, double dt) {
   std::vector<double> values;
   double gap = 0.0;
   double left = 0.0;
   double rise = 1e9;
   for (const double width : {0.8, 1.0, 1.2, 1.8}) {
-    const base::Result<Door> door = passDoor(run, width, dt);
-    if (!door) {
-      return door.diagnostics();
-    }
-    const double flow = door->specificFlow;
-    rise = values.empty() ? rise : std::min(rise, flow - values.back());
-    gap = std::max(gap, door->longestGap);
-    left += door->left;
-    values.push_back(flow);
+    const Door door = passDoor(run, width, dt);
+    rise = values.empty() ? rise : std::min(rise, door.specificFlow - values.back());
+    gap = std::max(gap, door.longestGap);
+    left += door.left;
+    values.push_back(door.specificFlow);
   }
   values.insert(values.end(), {rise, gap, left});
   return values;
@@ -152,19 +150,18 @@ TestScene twoRooms(const RealismRun& run) {
   addRoom(stage, -10.2, 5.0, corridor);
   addRoom(stage, 5.0, 5.0, exit);
   stage.addWall({Vec2(-10.1, -5.1), Vec2(-10.1, 5.1)});
-  addCrowd(
-      stage, run, 150, {Vec2(-9.8, -4.8), Vec2(-0.2, 4.8)},
-      [=](const Vec2& place) { return throughOpening(place.x() < 5.0 ? corridor : exit, place); },
-      18.0);
+  const auto target = [=](const Vec2& place) {
+    return throughOpening(place.x() < 5.0 ? corridor : exit, place);
+  };
+  addCrowd(stage, run, 150, {Vec2(-9.8, -4.8), Vec2(-0.2, 4.8)}, leavingAt(18.0, target));
   return stage;
 }
 
-base::Result<std::vector<double>> rimea12(const RealismRun& run) {
-  TestScene stage = twoRooms(run);
+std::vector<double> rimea12(const RealismRun& run) {
   Gate end(5.0);
   Gate out(15.4);
   double most = 0.0;
-  const bool isPlayed = stage.play(250.0, [&](const World& world) {
+  twoRooms(run).play(250.0, [&](const World& world) {
     end.look(world);
     out.look(world);
     const std::vector<double>& x = world.frame().humans.x;
@@ -173,8 +170,7 @@ base::Result<std::vector<double>> rimea12(const RealismRun& run) {
     most = std::max(most, static_cast<double>(inside));
     return out.times().size() < 120;
   });
-  return stage.orProblem(isPlayed,
-                         std::vector<double>{end.flow(20, 110) - out.flow(20, 110), most});
+  return {end.flow(20, 110) - out.flow(20, 110), most};
 }
 
 /// Twenty people round a left corner between walls 2 m apart.
@@ -183,19 +179,17 @@ TestScene cornerScene(const RealismRun& run) {
   stage.planWays();
   stage.addWall({Vec2(-2.0, 2.1), Vec2(9.9, 2.1), Vec2(9.9, 16.0)});
   stage.addWall({Vec2(-2.0, 2.1), Vec2(-2.0, -0.1), Vec2(12.1, -0.1), Vec2(12.1, 16.0)});
-  for (const Vec2& place : randomPlaces(run, 20, {Vec2(0.0, 0.2), Vec2(6.0, 1.8)}, 2.0 * kBody)) {
-    stage.add({place, freeSpeed(run, static_cast<int>(stage.actors().size())),
-               always(Vec2(11.0, 15.0)), std::nullopt, 1.0,
-               [](const Vec2& at) { return at.y() > 12.0; }});
-  }
+  addCrowd(stage, run, 20, {Vec2(0.0, 0.2), Vec2(6.0, 1.8)},
+           {Vec2::Zero(), 0.0, always(Vec2(11.0, 15.0)), std::nullopt, 1.0,
+            [](const Vec2& at) { return at.y() > 12.0; }});
   return stage;
 }
 
-base::Result<std::vector<double>> corner(const RealismRun& run) {
-  TestScene stage = cornerScene(run);
+std::vector<double> corner(const RealismRun& run) {
+  const TestScene stage = cornerScene(run);
   double inWall = 0.0;
   std::size_t left = stage.actors().size();
-  const bool isPlayed = stage.play(60.0, [&](const World& world) {
+  stage.play(60.0, [&](const World& world) {
     const HumanColumns& people = world.frame().humans;
     for (std::size_t i = 0; i < people.size(); ++i) {
       inWall += people.x[i] < 10.0 && people.y[i] > 2.0 ? 1.0 : 0.0;
@@ -203,7 +197,7 @@ base::Result<std::vector<double>> corner(const RealismRun& run) {
     left = people.size();
     return left > 0;
   });
-  return stage.orProblem(isPlayed, std::vector<double>{inWall, static_cast<double>(left)});
+  return {inWall, static_cast<double>(left)};
 }
 
 /// A hundred people in a corridor 4 m wide: straight on for `length`, or round a corner with 10 m
@@ -221,49 +215,45 @@ TestScene wideCorridor(const RealismRun& run, bool isCorner, double length) {
   }
   stage.addWall(leftWall);
   stage.addWall(rightWall);
-  const Box box{Vec2(-15.0, 0.2), Vec2(0.0, 3.8)};
-  for (const Vec2& place : randomPlaces(run, kPeople, box, 2.0 * kBody)) {
-    stage.add({place, freeSpeed(run, static_cast<int>(stage.actors().size())),
-               isCorner ? always(Vec2(12.0, 21.0)) : endlessly(Vec2(1.0, 0.0)), std::nullopt,
-               kWideGoal,
-               [=](const Vec2& at) { return isCorner ? at.y() > 14.0 : at.x() > length; }});
-  }
+  addCrowd(stage, run, kPeople, {Vec2(-15.0, 0.2), Vec2(0.0, 3.8)},
+           {Vec2::Zero(), 0.0, isCorner ? always(Vec2(12.0, 21.0)) : endlessly(Vec2(1.0, 0.0)),
+            std::nullopt, kWideGoal,
+            [=](const Vec2& at) { return isCorner ? at.y() > 14.0 : at.x() > length; }});
   return stage;
 }
 
 /// Until all have passed.
-base::Result<double> timeThrough(const RealismRun& run, bool isCorner, double length) {
-  TestScene stage = wideCorridor(run, isCorner, length);
+double timeThrough(const RealismRun& run, bool isCorner, double length) {
   double time = std::numeric_limits<double>::quiet_NaN();
-  const bool isPlayed = stage.play(200.0, [&](const World& world) {
+  wideCorridor(run, isCorner, length).play(200.0, [&](const World& world) {
     time = world.frame().humans.size() == 0 ? world.time() : time;
     return world.frame().humans.size() > 0;
   });
-  return stage.orProblem(isPlayed, time);
+  return time;
 }
 
-base::Result<std::vector<double>> rimea15(const RealismRun& run) {
-  const base::Result<double> shorter = timeThrough(run, false, 20.0);
-  const base::Result<double> corner = timeThrough(run, true, 0.0);
-  const base::Result<double> longer = timeThrough(run, false, 28.0);
-  if (!shorter || !corner || !longer) {
-    return base::error("run.corridors-not-played");
+std::vector<double> rimea15(const RealismRun& run) {
+  try {
+    const double shorter = timeThrough(run, false, 20.0);
+    const double corner = timeThrough(run, true, 0.0);
+    const double longer = timeThrough(run, false, 28.0);
+    return {corner - shorter, longer - corner};
+  } catch (const NotPlayed&) {
+    throw NotPlayed{base::error("run.corridors-not-played")};
   }
-  return std::vector<double>{*corner - *shorter, *longer - *corner};
 }
 
 }  // namespace
 
 void addPassageTests(std::vector<RealismTest>& tests);
 void addPassageTests(std::vector<RealismTest>& tests) {
-  const std::vector<Quantity> ofDoors = {
-      {"specific flow, 0.8 m", "1/(m s)", Summary::Mean, 1.2, 2.1},
-      {"specific flow, 1.0 m", "1/(m s)", Summary::Mean, 1.2, 2.1},
-      {"specific flow, 1.2 m", "1/(m s)", Summary::Mean, 1.2, 2.1},
-      {"specific flow, 1.8 m", "1/(m s)", Summary::Mean, 1.2, 2.1},
-      {"least rise with width", "1/(m s)", Summary::Mean, 0.0},
-      {"longest gap", "s", Summary::Largest, 0.0, 10.0},
-      {"people left behind", "", Summary::Largest, 0.0, 0.0}};
+  const Quantities ofDoors = {{"specific flow, 0.8 m", "1/(m s)", Summary::Mean, 1.2, 2.1},
+                              {"specific flow, 1.0 m", "1/(m s)", Summary::Mean, 1.2, 2.1},
+                              {"specific flow, 1.2 m", "1/(m s)", Summary::Mean, 1.2, 2.1},
+                              {"specific flow, 1.8 m", "1/(m s)", Summary::Mean, 1.2, 2.1},
+                              {"least rise with width", "1/(m s)", Summary::Mean, 0.0},
+                              {"longest gap", "s", Summary::Largest, 0.0, 10.0},
+                              {"people left behind", "", Summary::Largest, 0.0, 0.0}};
   tests.push_back({"bottleneck", "100 people through a door of 0.8, 1.0, 1.2 and 1.8 m", ofDoors,
                    [](const RealismRun& run) { return passDoors(run, 0.05); },
                    [](const RealismRun& run) { return roomWithDoor(run, 1.0, 0.05); }, true,
@@ -271,28 +261,19 @@ void addPassageTests(std::vector<RealismTest>& tests) {
   tests.push_back({"bottleneck-long-steps", "the same with steps of 0.1 s", ofDoors,
                    [](const RealismRun& run) { return passDoors(run, 0.1); },
                    [](const RealismRun& run) { return roomWithDoor(run, 1.0, 0.1); }, true, 100.0});
-  tests.push_back({"corner",
-                   "RiMEA 6: 20 people round a corner between walls 2 m apart",
-                   {{"people seen in the wall", "", Summary::Largest, 0.0, 0.0},
-                    {"people left behind", "", Summary::Largest, 0.0, 0.0}},
-                   corner,
-                   cornerScene});
-  tests.push_back({"rimea-12",
-                   "RiMEA 12: 150 people, room, corridor of 1 m, room, exit of 1 m",
-                   {{"flow of corridor less exit", "1/s", Summary::Mean, -0.05},
-                    {"most people in the second room", "", Summary::Largest, 0.0, 25.0}},
-                   rimea12,
-                   twoRooms,
-                   true,
-                   100.0});
-  tests.push_back({"rimea-15",
-                   "RiMEA 15 with 100 people: time round a corner against straight corridors",
-                   {{"corner less inner length", "s", Summary::Mean, 0.0},
-                    {"outer length less corner", "s", Summary::Mean, 0.0}},
-                   rimea15,
-                   [](const RealismRun& run) { return wideCorridor(run, true, 0.0); },
-                   true,
-                   80.0});
+  tests.push_back({"corner", "RiMEA 6: 20 people round a corner between walls 2 m apart",
+                   Quantities{{"people seen in the wall", "", Summary::Largest, 0.0, 0.0},
+                              {"people left behind", "", Summary::Largest, 0.0, 0.0}},
+                   corner, cornerScene});
+  tests.push_back({"rimea-12", "RiMEA 12: 150 people, room, corridor of 1 m, room, exit of 1 m",
+                   Quantities{{"flow of corridor less exit", "1/s", Summary::Mean, -0.05},
+                              {"most people in the second room", "", Summary::Largest, 0.0, 25.0}},
+                   rimea12, twoRooms, true, 100.0});
+  tests.push_back(
+      {"rimea-15", "RiMEA 15 with 100 people: time round a corner against straight corridors",
+       Quantities{{"corner less inner length", "s", Summary::Mean, 0.0},
+                  {"outer length less corner", "s", Summary::Mean, 0.0}},
+       rimea15, [](const RealismRun& run) { return wideCorridor(run, true, 0.0); }, true, 80.0});
 }
 
 }  // namespace sim2d

@@ -32,6 +32,14 @@ double Quantity::summaryOf(const std::vector<double>& values) const {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
+base::Result<std::vector<double>> RealismTest::measure(const RealismRun& run) const {
+  try {
+    return play(run);
+  } catch (const NotPlayed& problem) {
+    return problem.why;
+  }
+}
+
 const std::vector<RealismTest>& realismTests() {
   static const std::vector<RealismTest> kTests = [] {
     std::vector<RealismTest> tests;

@@ -30,16 +30,20 @@ struct Quantity {
   }
 };
 
+using Quantities = std::vector<Quantity>;
+
 struct RealismTest {
-  using Measure = base::Result<std::vector<double>> (*)(const RealismRun& run);
+  using Play = std::vector<double> (*)(const RealismRun& run);
   using Scene = TestScene (*)(const RealismRun& run);
   std::string name;
   std::string description;
-  std::vector<Quantity> quantities;
-  Measure measure = nullptr;  // one value per quantity
-  Scene scene = nullptr;      // what it plays, or one of it; comes with the program as a file
-  bool isSeeded = true;       // false: every seed gives the same
-  double duration = 40.0;     // of the scene on file [s]
+  Quantities quantities;
+  Play play = nullptr;     // one value per quantity, or NotPlayed is thrown
+  Scene scene = nullptr;   // what it plays, or one of it; comes with the program as a file
+  bool isSeeded = true;    // false: every seed gives the same
+  double duration = 40.0;  // of the scene on file [s]
+
+  base::Result<std::vector<double>> measure(const RealismRun& run) const;
 };
 
 const std::vector<RealismTest>& realismTests();
@@ -52,7 +56,7 @@ Scenario sceneOf(const RealismTest& test);
 /// `<folder>/<sceneName>.yaml` of each test; files of tests that are no more are removed.
 base::Diagnostics writeScenes(const std::string& folder);
 
-/// Parts of tests that can be used alone.
+/// Parts of tests that can be used alone; who cannot be played throws NotPlayed.
 struct Flow {
   double speed = 0.0;    // mean along the way [m/s]
   double overlap = 0.0;  // share of people whose body is in another one
@@ -67,7 +71,7 @@ struct CorridorFlow {
   double dt = 0.05;  // [s]
 };
 /// A closed corridor of 26 m; the second half of the time counts.
-base::Result<Flow> corridorFlow(const RealismRun& run, const CorridorFlow& setting);
+Flow corridorFlow(const RealismRun& run, const CorridorFlow& setting);
 
 struct Meeting {
   double leastDistance = 0.0;  // between two centres [m]
@@ -75,11 +79,9 @@ struct Meeting {
   double timeRatio = 0.0;      // time of the last one over that of a straight walk
 };
 /// `count` people on a circle who all want to the opposite place.
-base::Result<Meeting> circle(const RealismRun& run, int count, double radius);
+Meeting circle(const RealismRun& run, int count, double radius);
 /// Two people who walk exactly towards each other.
-base::Result<Meeting> headOn(const RealismRun& run);
-/// Two people whose ways cross at a right angle.
-base::Result<Meeting> crossing(const RealismRun& run);
+Meeting headOn(const RealismRun& run);
 
 /// Speed at a density by the fit of Weidmann 1993 [m/s].
 double weidmannSpeed(double density);

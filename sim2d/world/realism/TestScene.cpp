@@ -8,7 +8,9 @@
 namespace sim2d {
 namespace {
 
-constexpr int kMostTries = 20000;  // for one random place
+constexpr int kMostTries = 20000;       // for one random place
+constexpr double kBeyondRing = 8.0;     // [m]; walls reach so far past the ends
+constexpr double kHalfThickness = 0.1;  // [m], of walls
 
 /// Everybody walks to the target of the own actor.
 class Directions : public HumanBehavior {
@@ -25,10 +27,7 @@ class Directions : public HumanBehavior {
       intent.speed = actor.speed;
       intent.target = {0, actor.target(place), 0.1};
       if (actor.isDone && view.isPresent(human) && actor.isDone(place)) {
-        Event arrived;
-        arrived.kind = EventKind::Arrived;
-        arrived.id = view.constants(human).id;
-        intents.emit(std::move(arrived));
+        intents.emit({EventKind::Arrived, view.constants(human).id, true, 0, false, {}});
       }
     }
   }
@@ -69,50 +68,42 @@ void TestScene::addWall(const std::vector<Vec2>& line) {
   scenario_.obstacles.push_back(std::move(wall));
 }
 
-void TestScene::close(double low, double high) {
-  scenario_.desktop.wrapX = {low, high};
+void TestScene::addRing(double width) {
+  for (const double y : {-kHalfThickness, width + kHalfThickness}) {
+    addWall({Vec2(-kBeyondRing, y), Vec2(kRingLength + kBeyondRing, y)});
+  }
+  scenario_.desktop.wrapX = {0.0, kRingLength};
 }
 
-void TestScene::planWays() {
-  scenario_.desktop.route = Route::Planned;
-}
-
-std::unique_ptr<World> TestScene::build() {
+std::unique_ptr<World> TestScene::build() const {
   WorldSetup setup;
   setup.scenario = std::make_shared<const Scenario>(scenario_);
   setup.behavior = std::make_unique<Directions>(actors_);
   base::Result<std::unique_ptr<World>> world = World::create(std::move(setup));
+  if (world) {
+    return *std::move(world);
+  }
+  std::string problem;
   for (const base::Diagnostic& diagnostic : world.diagnostics()) {
-    if (diagnostic.severity == base::Severity::Error) {
-      problem_ = diagnostic.text();
-    }
+    problem = diagnostic.severity == base::Severity::Error ? diagnostic.text() : problem;
   }
-  if (!world) {
-    return nullptr;
-  }
-  return *std::move(world);
+  throw NotPlayed{base::error("run.not-played", {problem})};
 }
 
-bool TestScene::play(double seconds, const Look& look) {
+void TestScene::play(double seconds, const Look& look) const {
   const std::unique_ptr<World> world = build();
-  if (world == nullptr) {
-    return false;
-  }
   const auto steps = static_cast<std::int64_t>(std::llround(seconds / dt_));
   while (world->stepIndex() < steps) {
     if (run_.wantsStop && run_.wantsStop()) {
-      problem_ = "interrupted";
-      return false;
+      throw NotPlayed{base::error("run.not-played", {"interrupted"})};
     }
     if (!world->step()) {
-      problem_ = world->failure();
-      return false;
+      throw NotPlayed{base::error("run.not-played", {world->failure()})};
     }
     if (!look(*world)) {
-      break;
+      return;
     }
   }
-  return true;
 }
 
 Scenario TestScene::scenario(const std::string& name, double duration) const {
@@ -138,13 +129,18 @@ Scenario TestScene::scenario(const std::string& name, double duration) const {
   return result;
 }
 
-TestScene::Target endlessly(const Vec2& direction) {
-  return [direction](const Vec2& place) { return Vec2(place + 1000.0 * direction); };
+/// In the file they head for a goal, as do neighbours: far enough behind the end of the ring that
+/// the way is nearly straight.
+TestScene::Actor ringWalker(const Vec2& start, double speed, bool goesLeft) {
+  constexpr double kRow = 0.5;  // [m]
+  const Vec2 goal(goesLeft ? -20.0 : 46.0, (std::floor(start.y() / kRow) + 0.5) * kRow);
+  TestScene::Actor actor{start, speed, endlessly(Vec2(goesLeft ? -1.0 : 1.0, 0.0)), goal};
+  actor.heading = goesLeft ? base::kPi : 0.0;
+  return actor;
 }
 
-Vec2 endlessGoal(const Vec2& place, bool goesLeft) {
-  constexpr double kRow = 0.5;  // [m]
-  return {goesLeft ? -20.0 : 46.0, (std::floor(place.y() / kRow) + 0.5) * kRow};
+TestScene::Target endlessly(const Vec2& direction) {
+  return [direction](const Vec2& place) { return Vec2(place + 1000.0 * direction); };
 }
 
 TestScene::Target always(const Vec2& place) {

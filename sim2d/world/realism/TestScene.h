@@ -18,6 +18,11 @@ struct RealismRun {
   std::function<bool()> wantsStop;  // may be empty
 };
 
+/// Thrown through a test to whoever measures.
+struct NotPlayed {
+  base::Diagnostic why;
+};
+
 /// A small world made in code: walls, people who know where to go, nothing else. SI, world frame.
 class TestScene {
  public:
@@ -40,41 +45,34 @@ class TestScene {
   explicit TestScene(RealismRun run, double dt = 0.05);
 
   void add(Actor actor);
-  void addWall(const std::vector<Vec2>& line);  // 0.2 m thick
-  void close(double low, double high);          // the corridor between these x
-  void planWays();                              // instead of straight ones
+  void addWall(const std::vector<Vec2>& line);                   // 0.2 m thick
+  void planWays() { scenario_.desktop.route = Route::Planned; }  // instead of straight ones
+  /// A closed corridor from x = 0 to kRingLength, with walls at y = 0 and at its width.
+  void addRing(double width);
   const std::vector<Actor>& actors() const { return actors_; }
 
-  /// Steps for `seconds` and calls `look` after each step, until it returns false. False when the
-  /// run was stopped, failed, or could not begin: then `orProblem` says why.
+  /// Steps for `seconds` and calls `look` after each step, until it returns false. A run that was
+  /// stopped, failed, or could not begin: NotPlayed.
   using Look = std::function<bool(const World& world)>;
-  bool play(double seconds, const Look& look);
-  /// What was measured, or why the scene could not be played.
-  template <class Value>
-  base::Result<Value> orProblem(bool isPlayed, Value value) const {
-    if (!isPlayed) {
-      return base::error("run.not-played", {problem_});
-    }
-    return value;
-  }
+  void play(double seconds, const Look& look) const;
   double dt() const { return dt_; }
   /// As a file to open and watch: people with goals and generated trees instead of targets.
   Scenario scenario(const std::string& name, double duration) const;
 
  private:
-  std::unique_ptr<World> build();
+  std::unique_ptr<World> build() const;
 
   RealismRun run_;
   double dt_;
   Scenario scenario_;
   std::vector<Actor> actors_;
-  std::string problem_;
 };
 
+constexpr double kRingLength = 26.0;  // [m]
+
+/// Somebody who walks endlessly along the x axis.
+TestScene::Actor ringWalker(const Vec2& start, double speed, bool goesLeft = false);
 TestScene::Target endlessly(const Vec2& direction);
-/// In the file, somebody who walks endlessly along the x axis heads there, as do neighbours: far
-/// enough behind the end of a corridor of 26 m that the way is nearly straight.
-Vec2 endlessGoal(const Vec2& place, bool goesLeft);
 TestScene::Target always(const Vec2& place);
 
 /// Free speeds of adults: normal, 1.34 ± 0.26 m/s (Weidmann 1993), cut at 0.5 and 2.2.

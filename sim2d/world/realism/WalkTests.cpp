@@ -21,31 +21,25 @@ void addCorridor(TestScene& stage, double middle, double desiredSpeed, double ra
   stage.add(actor);
 }
 
-/// Mean speed of one person over the length of a corridor [m/s].
-base::Result<double> speedAlone(const RealismRun& run, double desiredSpeed, double radius) {
+TestScene corridorAlone(const RealismRun& run, double desiredSpeed, double radius) {
   TestScene stage(run);
   addCorridor(stage, 0.0, desiredSpeed, radius);
+  return stage;
+}
+
+/// Mean speed of one person over the length of a corridor [m/s].
+double speedAlone(const RealismRun& run, double desiredSpeed, double radius) {
   double time = std::numeric_limits<double>::quiet_NaN();
-  const bool isPlayed = stage.play(400.0, [&](const World& world) {
+  corridorAlone(run, desiredSpeed, radius).play(400.0, [&](const World& world) {
     const bool isThrough = world.frame().humans.x[0] >= kLength;
     time = isThrough ? world.time() : time;
     return !isThrough;
   });
-  return stage.orProblem(isPlayed, kLength / time);
+  return kLength / time;
 }
 
-TestScene rimea1Scene(const RealismRun& run) {
-  TestScene stage(run);
-  addCorridor(stage, 0.0, 1.33, 0.2);
-  return stage;
-}
-
-base::Result<std::vector<double>> rimea1(const RealismRun& run) {
-  const base::Result<double> speed = speedAlone(run, 1.33, 0.2);
-  if (!speed) {
-    return speed.diagnostics();
-  }
-  return std::vector<double>{40.0 / *speed};
+std::vector<double> rimea1(const RealismRun& run) {
+  return {40.0 / speedAlone(run, 1.33, 0.2)};
 }
 
 constexpr std::array<PersonKind, 5> kKinds = {PersonKind::Adult, PersonKind::Child,
@@ -64,7 +58,7 @@ TestScene rimea7Scene(const RealismRun& run) {
 
 /// Fifty people of each kind, alone: how far outside the speeds of their kind the farthest is, and
 /// how far their mean lies from the kind's.
-base::Result<std::vector<double>> rimea7(const RealismRun& run) {
+std::vector<double> rimea7(const RealismRun& run) {
   double outside = 0.0;
   double off = 0.0;
   for (const PersonKind kind : kKinds) {
@@ -72,17 +66,13 @@ base::Result<std::vector<double>> rimea7(const RealismRun& run) {
     constexpr int kPeople = 50;
     double sum = 0.0;
     for (int person = 0; person < kPeople; ++person) {
-      const base::Result<double> speed =
-          speedAlone(run, sampleSpeed(kind, run.seed, person), profile.radius);
-      if (!speed) {
-        return speed.diagnostics();
-      }
-      sum += *speed;
-      outside = std::max({outside, 0.95 * profile.slowest - *speed, *speed - profile.fastest});
+      const double speed = speedAlone(run, sampleSpeed(kind, run.seed, person), profile.radius);
+      sum += speed;
+      outside = std::max({outside, 0.95 * profile.slowest - speed, speed - profile.fastest});
     }
     off = std::max(off, std::fabs(sum / kPeople - profile.meanSpeed) / profile.meanSpeed);
   }
-  return std::vector<double>{outside, off};
+  return {outside, off};
 }
 
 struct Shape {
@@ -108,12 +98,12 @@ TestScene groupsScene(const RealismRun& run) {
 }
 
 /// A group of `count` on 30 m of open ground, the second half of it.
-base::Result<Shape> walkTogether(const RealismRun& run, int count) {
+Shape walkTogether(const RealismRun& run, int count) {
   TestScene stage(run);
   addGroup(stage, 1, count, 0.0);
   Shape shape;
   double samples = 0.0;
-  const bool isPlayed = stage.play(25.0, [&](const World& world) {
+  stage.play(25.0, [&](const World& world) {
     const HumanColumns& people = world.frame().humans;
     if (people.x[0] < 15.0) {
       return true;
@@ -129,22 +119,21 @@ base::Result<Shape> walkTogether(const RealismRun& run, int count) {
     samples += 1.0;
     return people.x[0] < 30.0;
   });
-  return stage.orProblem(
-      isPlayed, Shape{shape.speed / samples, shape.distance / samples, shape.abreast / samples});
+  return {shape.speed / samples, shape.distance / samples, shape.abreast / samples};
 }
 
-base::Result<std::vector<double>> groups(const RealismRun& run) {
-  const base::Result<Shape> alone = walkTogether(run, 1);
-  const base::Result<Shape> pair = walkTogether(run, 2);
-  const base::Result<Shape> three = walkTogether(run, 3);
-  if (!alone || !pair || !three) {
-    return base::error("run.groups-not-played");
+std::vector<double> groups(const RealismRun& run) {
+  try {
+    const Shape alone = walkTogether(run, 1);
+    const Shape pair = walkTogether(run, 2);
+    const Shape three = walkTogether(run, 3);
+    return {pair.distance, pair.abreast, three.abreast, pair.speed / alone.speed,
+            three.speed / alone.speed};
+  } catch (const NotPlayed&) {
+    throw NotPlayed{base::error("run.groups-not-played")};
   }
-  return std::vector<double>{pair->distance, pair->abreast, three->abreast,
-                             pair->speed / alone->speed, three->speed / alone->speed};
 }
 
-constexpr double kRing = 26.0;     // [m], length of the closed corridor
 constexpr int kThrees = 8;         // groups in it
 constexpr double kTogether = 2.0;  // [m] along the way; farther apart a group has no shape
 
@@ -163,7 +152,7 @@ std::vector<Vec2> placesByThrees(std::vector<Vec2> places, int count) {
 /// How far the middle one of three walks behind the outer two [m]; not a number when they are not
 /// together.
 double depthOfV(const HumanColumns& people, std::size_t first) {
-  const Ring ring{0.0, kRing};
+  const Ring ring{0.0, kRingLength};
   std::array<Vec2, 3> places;
   const Vec2 origin(people.x[first], people.y[first]);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -184,30 +173,25 @@ double depthOfV(const HumanColumns& people, std::size_t first) {
 TestScene groupsInCrowdScene(const RealismRun& run) {
   constexpr int kPeople = 104;
   TestScene stage(run);
-  for (const double y : {-0.1, 4.1}) {
-    stage.addWall({Vec2(-8.0, y), Vec2(kRing + 8.0, y)});
-  }
+  stage.addRing(4.0);
   const std::vector<Vec2> places = placesByThrees(
-      randomPlaces(run, kPeople, {Vec2(0.0, 0.2), Vec2(kRing, 3.8)}, 0.4, true), kThrees);
+      randomPlaces(run, kPeople, {Vec2(0.0, 0.2), Vec2(kRingLength, 3.8)}, 0.4, true), kThrees);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto person = static_cast<int>(i);
     const bool isInGroup = person < 3 * kThrees;
-    TestScene::Actor actor{places[i], isInGroup ? 1.3 : freeSpeed(run, person),
-                           endlessly(Vec2(1.0, 0.0)), endlessGoal(places[i], false)};
+    TestScene::Actor actor = ringWalker(places[i], isInGroup ? 1.3 : freeSpeed(run, person));
     actor.group = isInGroup ? 1 + person / 3 : -1;
     stage.add(actor);
   }
-  stage.close(0.0, kRing);
   return stage;
 }
 
 /// Depth of the V, share of the time in which a group is together.
-base::Result<std::vector<double>> groupsInCrowd(const RealismRun& run) {
-  TestScene stage = groupsInCrowdScene(run);
+std::vector<double> groupsInCrowd(const RealismRun& run) {
   double depth = 0.0;
   double together = 0.0;
   double samples = 0.0;
-  const bool isPlayed = stage.play(60.0, [&](const World& world) {
+  groupsInCrowdScene(run).play(60.0, [&](const World& world) {
     for (std::size_t group = 0; world.time() > 30.0 && group < kThrees; ++group) {
       const double found = depthOfV(world.frame().humans, 3 * group);
       depth += std::isnan(found) ? 0.0 : found;
@@ -216,43 +200,31 @@ base::Result<std::vector<double>> groupsInCrowd(const RealismRun& run) {
     }
     return true;
   });
-  return stage.orProblem(isPlayed, std::vector<double>{depth / together, together / samples});
+  return {depth / together, together / samples};
 }
 
 }  // namespace
 
 void addWalkTests(std::vector<RealismTest>& tests);
 void addWalkTests(std::vector<RealismTest>& tests) {
-  tests.push_back({"rimea-1",
-                   "RiMEA 1: 40 m of corridor alone at 1.33 m/s",
-                   {{"time", "s", Summary::Mean, 26.0, 34.0}},
-                   rimea1,
-                   rimea1Scene,
-                   false});
-  tests.push_back({"rimea-7",
-                   "RiMEA 7: 50 people of each kind, alone",
-                   {{"outside the kind's speeds", "m/s", Summary::Largest, 0.0, 0.0},
-                    {"mean off the kind's", "", Summary::Mean, 0.0, 0.06}},
-                   rimea7,
-                   rimea7Scene,
-                   true,
-                   70.0});
-  tests.push_back({"groups",
-                   "groups of two and three on 30 m of open ground",
-                   {{"distance in a pair", "m", Summary::Mean, 0.4, 1.2},
-                    {"pair abreast", "", Summary::Mean, 0.7, 1.0},
-                    {"three abreast", "", Summary::Mean, 0.7, 1.0},
-                    {"speed of a pair over alone", "", Summary::Mean, 0.85, 1.001},
-                    {"speed of three over alone", "", Summary::Mean, 0.8, 1.001}},
-                   groups,
-                   groupsScene,
-                   false});
-  tests.push_back({"groups-in-crowd",
-                   "groups of three among others, 1 person per m²",
-                   {{"middle one behind the outer two", "m", Summary::Mean, 0.0},
-                    {"share of time together", "", Summary::Mean, 0.8, 1.0}},
-                   groupsInCrowd,
-                   groupsInCrowdScene});
+  tests.push_back({"rimea-1", "RiMEA 1: 40 m of corridor alone at 1.33 m/s",
+                   Quantities{{"time", "s", Summary::Mean, 26.0, 34.0}}, rimea1,
+                   [](const RealismRun& run) { return corridorAlone(run, 1.33, 0.2); }, false});
+  tests.push_back({"rimea-7", "RiMEA 7: 50 people of each kind, alone",
+                   Quantities{{"outside the kind's speeds", "m/s", Summary::Largest, 0.0, 0.0},
+                              {"mean off the kind's", "", Summary::Mean, 0.0, 0.06}},
+                   rimea7, rimea7Scene, true, 70.0});
+  tests.push_back({"groups", "groups of two and three on 30 m of open ground",
+                   Quantities{{"distance in a pair", "m", Summary::Mean, 0.4, 1.2},
+                              {"pair abreast", "", Summary::Mean, 0.7, 1.0},
+                              {"three abreast", "", Summary::Mean, 0.7, 1.0},
+                              {"speed of a pair over alone", "", Summary::Mean, 0.85, 1.001},
+                              {"speed of three over alone", "", Summary::Mean, 0.8, 1.001}},
+                   groups, groupsScene, false});
+  tests.push_back({"groups-in-crowd", "groups of three among others, 1 person per m²",
+                   Quantities{{"middle one behind the outer two", "m", Summary::Mean, 0.0},
+                              {"share of time together", "", Summary::Mean, 0.8, 1.0}},
+                   groupsInCrowd, groupsInCrowdScene});
 }
 
 }  // namespace sim2d
