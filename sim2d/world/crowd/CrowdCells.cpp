@@ -114,10 +114,6 @@ void CrowdCells::fillColumns(const std::vector<Walker>& walkers, const std::vect
                     });
 }
 
-CrowdColumns CrowdCells::columns() const {
-  return {x_.data(), y_.data(), vx_.data(), vy_.data(), room_.data()};
-}
-
 /// Four rows at a time.
 CrowdSpan* CrowdCells::writeSpans(float x, float y, float radius, CrowdSpan* to, int& slots) const {
   const float right = x - originX_;

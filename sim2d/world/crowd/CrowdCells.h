@@ -19,7 +19,9 @@ class CrowdCells {
 
   std::size_t count() const { return order_.size(); }  // slots = people who are present
   std::size_t personIn(std::size_t slot) const { return static_cast<std::size_t>(order_[slot]); }
-  CrowdColumns columns() const;
+  CrowdColumns columns() const {
+    return {x_.data(), y_.data(), vx_.data(), vy_.data(), room_.data()};
+  }
   double fastest() const { return fastest_; }  // [m/s]
   std::size_t rowCount() const { return static_cast<std::size_t>(height_); }
 

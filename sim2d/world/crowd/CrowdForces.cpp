@@ -10,13 +10,23 @@
 namespace sim2d {
 namespace {
 
-constexpr double kLeftOut = 5e-5;  // of k_s
-constexpr std::size_t kMostReaches = 8;
-constexpr std::size_t kMostShapes = 64;
+constexpr double kLeftOut = 5e-5;                // of k_s
 constexpr std::size_t kBatch = 16;               // people
 constexpr std::size_t kForceSlice = 2 * kBatch;  // people a thread takes before it asks for more
 constexpr std::size_t kLookSlice = 256;          // people
 constexpr std::size_t kMostCandidates = 8192;    // of a batch, but of one person more
+
+// A reach:
+constexpr int kDirections = 12;   // steps from straight ahead to straight back
+constexpr int kVelocities = 8;    // steps along each half axis of the others' velocities
+constexpr int kMiddles = 24;      // places tried for the middle of a disc
+constexpr double kMargin = 0.25;  // [m]; what lies between the steps
+
+// A bound of the speed:
+constexpr double kSpare = 0.25;         // [m/s] above the fastest while that may still grow
+constexpr double kSteadySpare = 0.03;   // [m/s] later
+constexpr double kTooWide = 0.08;       // [m/s] above the fastest
+constexpr std::size_t kWasted = 50000;  // people who felt too far; as long as a table takes
 
 /// Numbers too small for a normal float count as zero, so that they cost no time.
 class ZeroForTiny {
@@ -34,13 +44,94 @@ class ZeroForTiny {
   unsigned before_;
 };
 
+/// Equal in all that the force depends on, but for its factor.
+bool haveOneShape(const ForceParameters& a, const ForceParameters& b) {
+  return a.lambda == b.lambda && a.gamma == b.gamma && a.n == b.n && a.nPrime == b.nPrime &&
+         a.epsilon == b.epsilon;
+}
+
 }  // namespace
 
-void CrowdForces::Batch::clear() {
-  slots.clear();
-  receivers.clear();
-  spanCount = 0;
-  candidates = 0;
+bool SpeedBound::update(double fastest, std::size_t people) {
+  const double before = value_;
+  if (fastest > value_) {
+    value_ = fastest + kSpare;
+    wasted_ = 0;
+  } else if (fastest + kTooWide > value_) {
+    wasted_ = 0;
+  } else {
+    largest_ = wasted_ == 0 ? fastest : std::max(largest_, fastest);
+    wasted_ += people;
+    if (wasted_ > kWasted) {
+      value_ = largest_ + kSteadySpare;
+      wasted_ = 0;
+    }
+  }
+  return value_ != before;
+}
+
+CrowdReach::CrowdReach(const ForceParameters& parameters, double cutOff, double fastest)
+    : parameters_(parameters), cutOff_(cutOff), fastest_(fastest) {
+  for (std::size_t i = 0; i < kDiscs; ++i) {
+    const double step = fastest_ / static_cast<double>(kDiscs);
+    discs_[i] = discOver(step * static_cast<double>(i), step * static_cast<double>(i + 1));
+  }
+}
+
+const CrowdReach::Disc& CrowdReach::discOf(double speed) const {
+  const double place = speed / fastest_ * static_cast<double>(kDiscs);
+  return discs_[std::min(static_cast<std::size_t>(place), kDiscs - 1)];
+}
+
+/// Distance from which on `isNegligible` holds for an interaction vector with these parts along
+/// and across the line to the other; for angles above a quarter turn a sharper bound [m].
+double CrowdReach::boundOf(double along, double across) const {
+  const double side = std::min(parameters_.n, parameters_.nPrime) * parameters_.gamma;
+  const double length2 = along * along + across * across;
+  const double turned = along < 0.0 ? side * side * base::kPi * base::kPi / 4.0 * length2
+                                    : side * side * across * across;
+  return parameters_.gamma * std::sqrt(length2) * std::max(0.0, cutOff_ - turned);
+}
+
+/// Over all velocities of the other, in one direction from a person who walks along x.
+double CrowdReach::farthestAt(double cosine, double sine, double speed) const {
+  double farthest = 0.0;
+  for (int i = -kVelocities; i <= kVelocities; ++i) {
+    const double along = fastest_ * i / kVelocities;
+    const double most = std::sqrt(std::max(0.0, fastest_ * fastest_ - along * along));
+    for (int k = -kVelocities; k <= kVelocities; ++k) {
+      const double across = most * k / kVelocities;
+      farthest = std::max(farthest, boundOf(parameters_.lambda * (speed * cosine - along) + 1.0,
+                                            parameters_.lambda * (speed * sine - across)));
+    }
+  }
+  return farthest;
+}
+
+/// The smallest one, of some, that holds everybody for all speeds in between.
+CrowdReach::Disc CrowdReach::discOver(double low, double high) const {
+  std::array<Vec2, kDirections + 1> border;
+  double ahead = 0.0;
+  for (int i = 0; i <= kDirections; ++i) {
+    const Vec2 direction = base::directionOf(base::kPi * i / kDirections);
+    double farthest = 0.0;
+    for (const double speed : {low, (low + high) / 2.0, high}) {
+      farthest = std::max(farthest, farthestAt(direction.x(), direction.y(), speed));
+    }
+    border[static_cast<std::size_t>(i)] = farthest * direction;
+    ahead = std::max(ahead, farthest);
+  }
+  Disc best{0.0, ahead};
+  for (int i = 1; i <= kMiddles; ++i) {
+    const Vec2 middle(ahead / 2.0 * i / kMiddles, 0.0);
+    double radius = 0.0;
+    for (const Vec2& point : border) {
+      radius = std::max(radius, (point - middle).norm());
+    }
+    best = radius < best.radius ? Disc{middle.x(), radius} : best;
+  }
+  best.radius += kMargin;
+  return best;
 }
 
 void CrowdForces::Scratch::resize(std::size_t candidates, std::size_t rows) {
@@ -49,15 +140,14 @@ void CrowdForces::Scratch::resize(std::size_t candidates, std::size_t rows) {
   batch.receivers.reserve(kBatch);
   batch.results.resize(kBatch);
   batch.spans.resize(std::max(batch.spans.size(), kBatch * rows));
-  if (padded <= size) {
+  if (padded <= x.size()) {
     return;
   }
-  size = padded;
-  for (Column<float>* column : {&x, &y, &vx, &vy, &fx, &fy}) {
-    column->resize(size);
+  for (std::vector<float>* column : {&x, &y, &vx, &vy, &fx, &fy}) {
+    column->resize(padded);
   }
-  for (Column<int>* column : {&word, &wordAt, &slot, &touching, &doubtful}) {
-    column->resize(size);
+  for (std::vector<int>* column : {&word, &wordAt, &slot, &touching, &doubtful}) {
+    column->resize(padded);
   }
 }
 
@@ -130,79 +220,31 @@ void CrowdForces::sortShapes(const CrowdState& crowd) {
   }
 }
 
-int CrowdForces::findShape(const ForceParameters& parameters) {
-  const auto found = std::find_if(shapes_.begin(), shapes_.end(), [&](const Shape& shape) {
-    return haveOneShape(shape.parameters, parameters) &&
-           shape.parameters.epsilon == parameters.epsilon;
-  });
-  if (found != shapes_.end()) {
-    return static_cast<int>(found - shapes_.begin());
+std::size_t CrowdForces::findShape(const ForceParameters& parameters) {
+  const auto found =
+      std::find_if(shapes_.begin(), shapes_.end(),
+                   [&](const ForceParameters& shape) { return haveOneShape(shape, parameters); });
+  const auto place = static_cast<std::size_t>(found - shapes_.begin());
+  if (found == shapes_.end()) {
+    shapes_.push_back(parameters);
   }
-  if (shapes_.size() == kMostShapes) {
-    return kOther;
-  }
-  shapes_.push_back({parameters, -1});
-  return static_cast<int>(shapes_.size()) - 1;
+  return place;
 }
 
-/// One for each shape, as long as there are few of them.
 void CrowdForces::prepareReach() {
   if (fastest_.update(cells_.fastest(), cells_.count())) {
     reaches_.clear();
-    for (Shape& shape : shapes_) {
-      shape.reach = -1;
-    }
   }
-  for (Shape& shape : shapes_) {
-    if (shape.reach >= 0) {
-      continue;
-    }
-    const auto found = std::find_if(reaches_.begin(), reaches_.end(), [&](const CrowdReach& reach) {
-      return haveOneShape(reach.parameters(), shape.parameters);
-    });
-    if (found == reaches_.end() && reaches_.size() == kMostReaches) {
-      continue;
-    }
-    shape.reach = static_cast<int>(found - reaches_.begin());
-    if (found == reaches_.end()) {
-      reaches_.emplace_back(shape.parameters, cutOff_, fastest_.value());
-    }
+  while (reaches_.size() < shapes_.size()) {
+    reaches_.emplace_back(shapes_[reaches_.size()], cutOff_, fastest_.value());
   }
-}
-
-CrowdReach::Disc CrowdForces::discOf(const ForceParameters& parameters, int shape,
-                                     double speed) const {
-  const int reach = shape == kOther ? -1 : shapes_[static_cast<std::size_t>(shape)].reach;
-  return reach >= 0
-             ? reaches_[static_cast<std::size_t>(reach)].discOf(speed)
-             : CrowdReach::Disc{0.0, socialRange(parameters, speed, cells_.fastest(), cutOff_)};
-}
-
-/// Whether somebody may join the others of a batch.
-bool CrowdForces::fits(const SocialLaw& law, int shape, bool looksForWalls,
-                       const Batch& batch) const {
-  if (batch.slots.empty()) {
-    return true;
-  }
-  if (batch.slots.size() == kBatch || looksForWalls != batch.law.looksForWalls ||
-      shape != batch.shape) {
-    return false;
-  }
-  return shape != kOther || (haveOneShape(*law.parameters, *batch.parameters) &&
-                             law.parameters->epsilon == batch.parameters->epsilon);
 }
 
 CrowdLaw CrowdForces::lawOf(const ForceParameters& parameters, bool looksForWalls) const {
-  CrowdLaw result;
-  result.lambda = static_cast<float>(parameters.lambda);
-  result.gamma = static_cast<float>(parameters.gamma);
-  result.n = static_cast<float>(parameters.n);
-  result.nPrime = static_cast<float>(parameters.nPrime);
-  result.epsilon = static_cast<float>(parameters.epsilon);
-  result.cutOff = static_cast<float>(cutOff_);
-  result.leastLooked = static_cast<float>(kLeftOut);
-  result.looksForWalls = looksForWalls;
-  return result;
+  return {static_cast<float>(parameters.lambda),  static_cast<float>(parameters.gamma),
+          static_cast<float>(parameters.n),       static_cast<float>(parameters.nPrime),
+          static_cast<float>(parameters.epsilon), static_cast<float>(cutOff_),
+          static_cast<float>(kLeftOut),           looksForWalls};
 }
 
 void CrowdForces::addToBatch(const CrowdState& crowd, std::size_t slot, Scratch& scratch) {
@@ -212,11 +254,11 @@ void CrowdForces::addToBatch(const CrowdState& crowd, std::size_t slot, Scratch&
   const float vx = columns.vx[slot];
   const float vy = columns.vy[slot];
   const float speed = std::sqrt(vx * vx + vy * vy);
-  const int shape = known_[person].shape;
-  const CrowdReach::Disc disc = discOf(*law.parameters, shape, speed);
+  const std::size_t shape = known_[person].shape;
+  const CrowdReach::Disc disc = reaches_[shape].discOf(speed);
   const bool looks = !law.goesThroughWalls && crowd.room[person] < disc.ahead + disc.radius;
   Batch& batch = scratch.batch;
-  if (!fits(law, shape, looks, batch)) {
+  if (batch.slots.size() == kBatch || looks != batch.law.looksForWalls || shape != batch.shape) {
     computeBatch(crowd, scratch);
   }
   const float ahead = speed > 0.0F ? static_cast<float>(disc.ahead) / speed : 0.0F;  // [s]
@@ -240,10 +282,7 @@ void CrowdForces::addToBatch(const CrowdState& crowd, std::size_t slot, Scratch&
     scratch.resize(static_cast<std::size_t>(candidates), cells_.rowCount());
   }
   if (batch.slots.empty()) {
-    // Of a known shape all is near in memory.
-    batch.parameters =
-        shape == kOther ? law.parameters : &shapes_[static_cast<std::size_t>(shape)].parameters;
-    batch.law = lawOf(*batch.parameters, looks);
+    batch.law = lawOf(shapes_[shape], looks);
     batch.shape = shape;
   }
   batch.spanCount = receiver.lastSpan;
@@ -261,7 +300,9 @@ void CrowdForces::computeBatch(const CrowdState& crowd, Scratch& scratch) {
   for (std::size_t i = 0; i < batch.slots.size(); ++i) {
     finish(crowd, i, scratch);
   }
-  batch.clear();
+  batch.slots.clear();
+  batch.receivers.clear();
+  batch.spanCount = batch.candidates = 0;
 }
 
 /// What needs to know the walls or the ids of people.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 /// What the vector code of the social force is given and gives back. Plain data only: the code is
 /// compiled once per instruction set, and nothing that these files share may be compiled with the
 /// flags of one of them.
@@ -84,5 +86,12 @@ struct CrowdKernel {
 CrowdKernel crowdKernelSse2();
 CrowdKernel crowdKernelAvx2();
 CrowdKernel crowdKernelAvx512();
+
+/// Instruction sets that the kernel is compiled for.
+enum class VectorPath : std::uint8_t { Sse2, Avx2, Avx512 };
+const char* vectorPathName(VectorPath path);
+bool hasVectorPath(VectorPath path);  // this processor
+VectorPath fastestVectorPath();
+CrowdKernel kernelOf(VectorPath path);
 
 }  // namespace sim2d

@@ -18,57 +18,40 @@ inline int countOf(Bits bits) {
   }
 }
 
+struct TripleMask {
+  Mask a, b, c;
+
+  friend TripleMask operator&(TripleMask x, TripleMask y) {
+    return {x.a & y.a, x.b & y.b, x.c & y.c};
+  }
+};
+
 struct Triple {
   Triple(Lanes all) : a(all), b(all), c(all) {}  // constants stand beside triples in formulae
   Triple(Lanes first, Lanes second, Lanes third) : a(first), b(second), c(third) {}
+
+  friend Triple operator+(Triple x, Triple y) { return {x.a + y.a, x.b + y.b, x.c + y.c}; }
+  friend Triple operator-(Triple x, Triple y) { return {x.a - y.a, x.b - y.b, x.c - y.c}; }
+  friend Triple operator*(Triple x, Triple y) { return {x.a * y.a, x.b * y.b, x.c * y.c}; }
+  friend Triple operator/(Triple x, Triple y) { return {x.a / y.a, x.b / y.b, x.c / y.c}; }
+  friend TripleMask operator<(Triple x, Triple y) { return {x.a < y.a, x.b < y.b, x.c < y.c}; }
+  friend TripleMask operator<=(Triple x, Triple y) { return {x.a <= y.a, x.b <= y.b, x.c <= y.c}; }
+  friend Triple sqrt(Triple x) { return {sqrt(x.a), sqrt(x.b), sqrt(x.c)}; }
+  friend Triple abs(Triple x) { return {abs(x.a), abs(x.b), abs(x.c)}; }
+  friend Triple min(Triple x, Triple y) { return {min(x.a, y.a), min(x.b, y.b), min(x.c, y.c)}; }
+  friend Triple max(Triple x, Triple y) { return {max(x.a, y.a), max(x.b, y.b), max(x.c, y.c)}; }
+  friend Triple select(TripleMask mask, Triple yes, Triple no) {
+    return {select(mask.a, yes.a, no.a), select(mask.b, yes.b, no.b), select(mask.c, yes.c, no.c)};
+  }
+  friend Triple withSign(Triple x, Triple sign) {
+    return {withSign(x.a, sign.a), withSign(x.b, sign.b), withSign(x.c, sign.c)};
+  }
+  friend Triple scaled(Triple x, Triple power) {
+    return {scaled(x.a, power.a), scaled(x.b, power.b), scaled(x.c, power.c)};
+  }
+
   Lanes a, b, c;
 };
-struct TripleMask {
-  Mask a, b, c;
-};
-
-inline Triple operator+(Triple x, Triple y) {
-  return {x.a + y.a, x.b + y.b, x.c + y.c};
-}
-inline Triple operator-(Triple x, Triple y) {
-  return {x.a - y.a, x.b - y.b, x.c - y.c};
-}
-inline Triple operator*(Triple x, Triple y) {
-  return {x.a * y.a, x.b * y.b, x.c * y.c};
-}
-inline Triple operator/(Triple x, Triple y) {
-  return {x.a / y.a, x.b / y.b, x.c / y.c};
-}
-inline Triple sqrt(Triple x) {
-  return {sqrt(x.a), sqrt(x.b), sqrt(x.c)};
-}
-inline Triple min(Triple x, Triple y) {
-  return {min(x.a, y.a), min(x.b, y.b), min(x.c, y.c)};
-}
-inline Triple max(Triple x, Triple y) {
-  return {max(x.a, y.a), max(x.b, y.b), max(x.c, y.c)};
-}
-inline TripleMask operator<(Triple x, Triple y) {
-  return {x.a < y.a, x.b < y.b, x.c < y.c};
-}
-inline TripleMask operator<=(Triple x, Triple y) {
-  return {x.a <= y.a, x.b <= y.b, x.c <= y.c};
-}
-inline TripleMask operator&(TripleMask x, TripleMask y) {
-  return {x.a & y.a, x.b & y.b, x.c & y.c};
-}
-inline Triple select(TripleMask mask, Triple yes, Triple no) {
-  return {select(mask.a, yes.a, no.a), select(mask.b, yes.b, no.b), select(mask.c, yes.c, no.c)};
-}
-inline Triple abs(Triple x) {
-  return {abs(x.a), abs(x.b), abs(x.c)};
-}
-inline Triple withSign(Triple x, Triple sign) {
-  return {withSign(x.a, sign.a), withSign(x.b, sign.b), withSign(x.c, sign.c)};
-}
-inline Triple scaled(Triple x, Triple power) {
-  return {scaled(x.a, power.a), scaled(x.b, power.b), scaled(x.c, power.c)};
-}
 
 /// What goes through the formula of the pairs at once. SSE2 has too few registers for three.
 #if defined(__AVX2__)

@@ -1,4 +1,4 @@
-#include "sim2d/world/crowd/VectorPath.h"
+#include "sim2d/world/crowd/CrowdKernel.h"
 
 #include <array>
 #include <cstddef>
