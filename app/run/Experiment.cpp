@@ -65,9 +65,10 @@ class Reader {
     readSeeds(root.find("seeds"));
     readNumber(root.find("duration"), "duration", 0.0, 1e6, experiment_.duration);
     readNumber(root.find("dt"), "dt", 0.000999, 0.1, experiment_.dt);
-    readName(root.find("model"), "model", sim2d::modelNames(), experiment_.model);
-    readName(root.find("robot"), "robot", sim2d::robotTypeNames(), experiment_.robot);
-    readName(root.find("planner"), "planner", sim2d::plannerNames(), experiment_.planner);
+    const sim2d::Registries known = sim2d::programRegistries();
+    readName(root.find("model"), "model", known.models.names(), experiment_.model);
+    readName(root.find("robot"), "robot", known.robotTypes.names(), experiment_.robot);
+    readName(root.find("planner"), "planner", known.planners.names(), experiment_.planner);
     readWord(root.find("metrics_profile"), "metrics_profile", experiment_.metricsProfile);
     if (experiment_.metricsProfile && *experiment_.metricsProfile != "corrected" &&
         *experiment_.metricsProfile != "hunav2") {

@@ -95,9 +95,10 @@ base::Diagnostics checkNames(const RunOptions& options) {
       wrong.push_back(base::error("option.unknown-name", {option, *name, base::join(known, ", ")}));
     }
   };
-  check("--model", options.model, sim2d::modelNames());
-  check("--planner", options.planner, sim2d::plannerNames());
-  check("--robot", options.robot, sim2d::robotTypeNames());
+  const sim2d::Registries registries = sim2d::programRegistries();
+  check("--model", options.model, registries.models.names());
+  check("--planner", options.planner, registries.planners.names());
+  check("--robot", options.robot, registries.robotTypes.names());
   return wrong;
 }
 

@@ -251,7 +251,8 @@ void PersonPage::addMoreSection() {
   using Ours = PersonExtension;
   addField<Ours>(section, "start_time");
   addField<Ours>(section, "mass");
-  addField<Ours>(section, "model", oneOf(sim2d::modelNames(), tr("The scenario's")));
+  addField<Ours>(section, "model",
+                 oneOf(sim2d::programRegistries().models.names(), tr("The scenario's")));
   addField<Ours>(section, "route",
                  inWords({tr("Around walls"), tr("Straight")}, tr("The scenario's")));
   addField<Ours>(section, "at_end", inWords({tr("Stops"), tr("Leaves"), tr("Starts over")}));

@@ -28,14 +28,4 @@ KnownNames knownNames(const Registries& registries) {
   return names;
 }
 
-std::vector<std::string> modelNames() {
-  return programRegistries().models.names();
-}
-std::vector<std::string> plannerNames() {
-  return programRegistries().planners.names();
-}
-std::vector<std::string> robotTypeNames() {
-  return programRegistries().robotTypes.names();
-}
-
 }  // namespace sim2d

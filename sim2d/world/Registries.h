@@ -1,8 +1,6 @@
 #pragma once
 
-#include <string>
 #include <variant>
-#include <vector>
 
 #include "sim2d/scenario/ScenarioCheck.h"
 #include "sim2d/world/models/PedestrianModel.h"
@@ -19,10 +17,5 @@ struct Registries {
 /// All of this program.
 Registries programRegistries();
 KnownNames knownNames(const Registries& registries);
-
-/// Names of this program, for lists.
-std::vector<std::string> modelNames();
-std::vector<std::string> plannerNames();
-std::vector<std::string> robotTypeNames();
 
 }  // namespace sim2d

@@ -53,7 +53,7 @@ std::vector<std::string> cellsOf(const ValidationRow& row) {
 
 bool choose(const ValidateOptions& options, std::vector<const RealismTest*>& tests,
             std::vector<std::string>& models) {
-  const std::vector<std::string> known = sim2d::modelNames();
+  const std::vector<std::string> known = sim2d::programRegistries().models.names();
   bool isFine = true;
   for (const std::string& model : models) {
     if (std::find(known.begin(), known.end(), model) == known.end()) {
