@@ -30,10 +30,8 @@ DesiredMotion desiredOfRobot(const Vec2& velocity) {
 
 }  // namespace
 
-void Crowd::update(const FrozenWorld& world, const NavigationMap& navigation,
-                   const StepPlans& plans, WorkerPool& workers) {
+void Crowd::update(const FrozenWorld& world, const StepPlans& plans, WorkerPool& workers) {
   world_ = &world;
-  navigation_ = &navigation;
   plans_ = &plans;
   const WorldState& state = world.state;
   const std::size_t people = state.present.size();
@@ -102,7 +100,7 @@ void Crowd::look(std::size_t human, Summary& summary) {
   writeNew(laws_[human],
            isWalking(plan.motion) ? SocialLaw{traits.law, traits.goesThroughWalls} : SocialLaw{});
   const bool isPresent = state.present[human] != 0;
-  writeNew(room_[human], isPresent ? navigation_->clearance(walker.position) : 0.0);
+  writeNew(room_[human], isPresent ? world_->navigation.clearance(walker.position) : 0.0);
   if (isPresent) {
     ++summary.count;
     summary.fastest = std::max(summary.fastest, walker.velocity.norm());
@@ -147,12 +145,12 @@ bool Crowd::sees(std::size_t self, std::size_t other) const {
   const Vec2& eye = walkers_[self].position;
   const Vec2 sight = walkers_[other].position - eye;
   const double distance = sight.norm();
-  if (navigation_->isOpenBetween(eye, walkers_[other].position)) {
+  if (world_->navigation.isOpenBetween(eye, walkers_[other].position)) {
     return true;
   }
   double clear = room_[self];
   while (clear < distance - room_[other]) {
-    const double more = navigation_->clearance(eye + clear / distance * sight);
+    const double more = world_->navigation.clearance(eye + clear / distance * sight);
     if (more < kSmallDisc) {
       return world_->obstacles.isVisible(eye, walkers_[other].position);
     }
@@ -161,16 +159,10 @@ bool Crowd::sees(std::size_t self, std::size_t other) const {
   return true;
 }
 
-bool Crowd::hasForce(std::size_t human) const {
-  return isAtOnce_ && laws_[human].parameters != nullptr;
-}
-
 void Crowd::fill(std::size_t human, const std::vector<Obstacles::Point>* walls,
                  Situation& situation) const {
   situation.self = walkers_[human];
   situation.desired = desiredOf(human);
-  situation.direction = situation.desired.direction;
-  situation.desiredSpeed = situation.desired.desiredSpeed;
   situation.dt = world_->model.dt;
   situation.exact = world_->model.exact;
   situation.obstacles.clear();
@@ -183,7 +175,7 @@ void Crowd::fill(std::size_t human, const std::vector<Obstacles::Point>* walls,
   situation.others.clear();
   situation.desires.clear();
   situation.ofCrowd.reset();
-  if (hasForce(human)) {
+  if (isAtOnce_ && laws_[human].parameters != nullptr) {
     situation.ofCrowd = forces_.forces()[human];
   } else {
     addOthers(human, situation);
@@ -265,7 +257,7 @@ void Crowd::addRobots(RobotTreatment treatment, Situation& situation) const {
 /// Within the free room round a person nothing can be in between.
 bool Crowd::isVisible(std::size_t human, const Vec2& point) const {
   const Vec2& eye = walkers_[human].position;
-  return (point - eye).norm() < room_[human] || navigation_->isOpenBetween(eye, point) ||
+  return (point - eye).norm() < room_[human] || world_->navigation.isOpenBetween(eye, point) ||
          world_->obstacles.isVisible(eye, point);
 }
 

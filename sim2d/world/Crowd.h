@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -14,15 +13,6 @@ namespace sim2d {
 
 constexpr double kSlowestTurn = 0.07;   // [m/s]; slower people keep their heading
 constexpr double kObstacleReach = 5.0;  // [m]; walls, and robots as obstacles, act up to here
-
-/// The world as people see it during one step; nothing of it changes while they move but
-/// the headings of those who turn on the spot, which nobody else reads.
-struct FrozenWorld {
-  const WorldModel& model;
-  const WorldState& state;
-  const NeighborGrid& grid;
-  const Obstacles& obstacles;
-};
 
 /// What one person does in this step: all that threads need to know of it, in few bytes, as lines
 /// of memory that go from one processor to another cost most of a short step.
@@ -47,9 +37,8 @@ struct StepPlans {  // one entry per person
 /// The others as all people of a step see them. Filled anew in each step, the memory stays.
 class Crowd {
  public:
-  /// `world`, `navigation` and `plans` must live until the last call of this step.
-  void update(const FrozenWorld& world, const NavigationMap& navigation, const StepPlans& plans,
-              WorkerPool& workers);
+  /// `world` and `plans` must live until the last call of this step.
+  void update(const FrozenWorld& world, const StepPlans& plans, WorkerPool& workers);
   /// The social forces of large crowds, all at once, for models that have a `socialLaw`. Small
   /// crowds, exact runs and closed corridors go pair by pair in `fill`.
   void computeForces(WorkerPool& workers);
@@ -88,7 +77,6 @@ class Crowd {
   DesiredMotion desiredOf(std::size_t human) const;
   void findGroups();
   bool isSmall() const;
-  bool hasForce(std::size_t human) const;
   /// From one free disc to the next along the line; where they get small the walls are asked.
   bool sees(std::size_t self, std::size_t other) const;
   void addOthers(std::size_t human, Situation& situation) const;
@@ -99,7 +87,6 @@ class Crowd {
   Walker imageOf(Walker other, const Walker& seenFrom) const;
 
   const FrozenWorld* world_ = nullptr;
-  const NavigationMap* navigation_ = nullptr;
   const StepPlans* plans_ = nullptr;
   std::vector<Traits> traits_;
   bool anyLooksAtDesires_ = false;

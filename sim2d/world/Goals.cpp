@@ -24,19 +24,15 @@ std::optional<std::size_t> indexAfter(const std::vector<int>& goals, int id, std
 
 }  // namespace
 
-void Goals::enter(int human) {
-  people_[static_cast<std::size_t>(human)] = Progress{};
-}
-
 void Goals::afterDecide(const WorldModel& model, WorldState& state, Intents& intents,
                         const WorldView& view) {
   for (const Event& event : intents.events()) {
-    const int human = event.hasId ? view.indexOf(event.id) : -1;
-    if (human >= 0 && event.kind == EventKind::Goal) {
-      const std::optional<long long> id = base::parseInt(event.text);
-      note(model, state, human, id ? static_cast<int>(*id) : 0);
+    const int index = event.hasId ? view.indexOf(event.id) : -1;
+    const auto human = static_cast<std::size_t>(index);
+    if (index >= 0 && event.kind == EventKind::Goal) {
+      note(model, state, human, static_cast<int>(base::parseInt(event.text).value_or(0)));
     }
-    if (human >= 0 && event.kind == EventKind::Arrived) {
+    if (index >= 0 && event.kind == EventKind::Arrived) {
       arrived_.push_back(human);
     }
   }
@@ -78,25 +74,25 @@ void Goals::afterMotion(const WorldModel& model, WorldState& state, const Intent
     if (model.people[human].constants.cyclicGoals) {
       goals.push_back(front);
     }
-    reach(model, state, static_cast<int>(human), front);
+    reach(model, state, human, front);
   }
 }
 
-void Goals::reach(const WorldModel& model, WorldState& state, int human, const GoalItem& goal) {
-  const auto at = static_cast<std::size_t>(human);
-  const int personId = model.people[at].constants.id;
-  people_[at].standsIn = std::make_unique<GoalItem>(goal);
+void Goals::reach(const WorldModel& model, WorldState& state, std::size_t human,
+                  const GoalItem& goal) {
+  const int personId = model.people[human].constants.id;
+  people_[human].standsIn = std::make_unique<GoalItem>(goal);
   state.emit(EventKind::Goal, personId, goal.id > 0 ? std::to_string(goal.id) : "");
   note(model, state, human, goal.id);
-  if (state.controls[at].goals.empty()) {
+  if (state.controls[human].goals.empty()) {
     state.emit(EventKind::Arrived, personId);
     arrived_.push_back(human);
   }
 }
 
-void Goals::note(const WorldModel& model, const WorldState& state, int human, int goalId) {
-  const Person& person = model.people[static_cast<std::size_t>(human)];
-  Progress& progress = people_[static_cast<std::size_t>(human)];
+void Goals::note(const WorldModel& model, const WorldState& state, std::size_t human, int goalId) {
+  const Person& person = model.people[human];
+  Progress& progress = people_[human];
   const std::optional<std::size_t> index =
       indexAfter(person.plan->written, goalId, progress.lastIndex, progress.hasReached);
   if (!index) {

@@ -14,7 +14,7 @@ namespace sim2d {
 class Goals {
  public:
   void resize(std::size_t count) { people_.resize(count); }
-  void enter(int human);
+  void enter(std::size_t human) { people_[human] = Progress{}; }
 
   /// After the behaviours have decided: goals they call reached, and people who wait stand.
   void afterDecide(const WorldModel& model, WorldState& state, Intents& intents,
@@ -23,7 +23,7 @@ class Goals {
   void afterMotion(const WorldModel& model, WorldState& state, const Intents& intents);
 
   /// People whose one-way list ran out since the last call, by index.
-  std::vector<int> takeArrived() { return std::exchange(arrived_, {}); }
+  std::vector<std::size_t> takeArrived() { return std::exchange(arrived_, {}); }
 
  private:
   struct Progress {
@@ -32,11 +32,11 @@ class Goals {
     std::uint32_t lastIndex = 0;         // of the goal last reached, in the scenario's list
     bool hasReached = false;
   };
-  void reach(const WorldModel& model, WorldState& state, int human, const GoalItem& goal);
-  void note(const WorldModel& model, const WorldState& state, int human, int goalId);
+  void reach(const WorldModel& model, WorldState& state, std::size_t human, const GoalItem& goal);
+  void note(const WorldModel& model, const WorldState& state, std::size_t human, int goalId);
 
   std::vector<Progress> people_;
-  std::vector<int> arrived_;
+  std::vector<std::size_t> arrived_;
 };
 
 }  // namespace sim2d

@@ -54,10 +54,7 @@ class WorldView {
   virtual int indexOf(int humanId) const = 0;  // -1 = no such person
   virtual const ResolvedHuman& constants(int human) const = 0;
   /// The person (index) of whom an input made a copy; -1: this one is in the scenario.
-  virtual int copiedFrom(int human) const {
-    static_cast<void>(human);
-    return -1;
-  }
+  virtual int copiedFrom(int /*human*/) const { return -1; }
   virtual Pose2 pose(int human) const = 0;
   virtual Vec2 velocity(int human) const = 0;
   /// Present people whose centre is within `range`, by ascending distance, then id; without
@@ -122,9 +119,6 @@ class Intents {
   Intent& of(int human) { return intents_[static_cast<std::size_t>(human)]; }
   const Intent& of(int human) const { return intents_[static_cast<std::size_t>(human)]; }
   HumanControl& control(int human) { return controls_[static_cast<std::size_t>(human)]; }
-  const HumanControl& control(int human) const {
-    return controls_[static_cast<std::size_t>(human)];
-  }
   void emit(Event event) { events_.push_back(std::move(event)); }
   std::vector<Event>& events() { return events_; }
 
@@ -150,8 +144,7 @@ class HumanBehavior {
   /// What went wrong since the last call (a faulty tree, an id that nobody has), once per cause.
   virtual void takeDiagnostics(base::Diagnostics& found) { found.clear(); }
   /// Tree and blackboard of a person for display: "key = value" lines; may be empty.
-  virtual std::vector<std::pair<std::string, std::string>> blackboard(int human) const {
-    static_cast<void>(human);
+  virtual std::vector<std::pair<std::string, std::string>> blackboard(int /*human*/) const {
     return {};
   }
 };

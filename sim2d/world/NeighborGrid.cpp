@@ -8,6 +8,7 @@
 namespace sim2d {
 namespace {
 
+constexpr double kWantedCell = 2.0;  // [m]
 constexpr double kMostCells = 250000.0;
 
 int clampedCell(double value, int count) {
@@ -32,7 +33,7 @@ void NeighborGrid::rebuild(const std::vector<double>& x, const std::vector<doubl
   }
   const Vec2 size = high - low;
   const double fewest = std::sqrt(size.x() * size.y() / kMostCells);
-  cell_ = std::max({wantedCell_, fewest, std::max(size.x(), size.y()) / kMostCells});
+  cell_ = std::max({kWantedCell, fewest, std::max(size.x(), size.y()) / kMostCells});
   origin_ = low;
   width_ = count == 0 ? 0 : static_cast<int>(size.x() / cell_) + 1;
   height_ = count == 0 ? 0 : static_cast<int>(size.y() / cell_) + 1;

@@ -13,8 +13,6 @@ using base::Vec2;
 /// any, `rebuild` alone.
 class NeighborGrid {
  public:
-  explicit NeighborGrid(double cell = 2.0) : wantedCell_(cell) {}
-
   /// Only points with `present` != 0 count.
   void rebuild(const std::vector<double>& x, const std::vector<double>& y,
                const std::vector<char>& present);
@@ -25,7 +23,13 @@ class NeighborGrid {
     const Span span = spanOf(centre, range);
     for (int row = span.row0; row <= span.row1; ++row) {
       for (int column = span.column0; column <= span.column1; ++column) {
-        visitCell(row * width_ + column, centre, range * range, visit);
+        const auto cell = static_cast<std::size_t>(row * width_ + column);
+        const auto last = static_cast<std::size_t>(start_[cell + 1]);
+        for (auto item = static_cast<std::size_t>(start_[cell]); item < last; ++item) {
+          if ((points_[item] - centre).squaredNorm() <= range * range) {
+            visit(items_[item]);
+          }
+        }
       }
     }
   }
@@ -36,18 +40,6 @@ class NeighborGrid {
   };
   Span spanOf(const Vec2& centre, double range) const;
 
-  template <class Visit>
-  void visitCell(int cell, const Vec2& centre, double squaredRange, Visit& visit) const {
-    const auto at = static_cast<std::size_t>(cell);
-    for (int slot = start_[at]; slot < start_[at + 1]; ++slot) {
-      const auto item = static_cast<std::size_t>(slot);
-      if ((points_[item] - centre).squaredNorm() <= squaredRange) {
-        visit(items_[item]);
-      }
-    }
-  }
-
-  double wantedCell_;
   double cell_ = 2.0;  // [m]
   Vec2 origin_ = Vec2::Zero();
   int width_ = 0, height_ = 0;

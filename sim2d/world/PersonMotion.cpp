@@ -67,24 +67,23 @@ void PersonMotion::resize(std::size_t count) {
   wanted_.resize(count, Vec2::Zero());
 }
 
-void PersonMotion::forget(int human) {
-  if (RouteFollower* const route = routes_[static_cast<std::size_t>(human)].get()) {
+void PersonMotion::forget(std::size_t human) {
+  if (RouteFollower* const route = routes_[human].get()) {
     route->reset();
   }
 }
 
-void PersonMotion::enter(int human) {
+void PersonMotion::enter(std::size_t human) {
   forget(human);
-  plans_.directions[static_cast<std::size_t>(human)] = Vec2::Zero();
+  plans_.directions[human] = Vec2::Zero();
 }
 
-void PersonMotion::compute(const FrozenWorld& world, const Intents& intents,
-                           const NavigationMap& navigation, WorldState& state,
+void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, WorldState& state,
                            ForceColumns& forces) {
-  crowd_.update(world, navigation, plans_, workers_);
+  crowd_.update(world, plans_, workers_);
   crowd_.computeForces(workers_);
   workspaces_.resize(workers_.threadCount());
-  walls_.resize(navigation.isOpenPlane() ? 0 : wanted_.size());
+  walls_.resize(world.navigation.isOpenPlane() ? 0 : wanted_.size());
   for (std::vector<Vec2>* column :
        {&forces.goal, &forces.social, &forces.obstacle, &forces.group}) {
     column->resize(wanted_.size());
@@ -128,8 +127,7 @@ void PersonMotion::expectWork() {
   }
 }
 
-void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents,
-                              const NavigationMap& navigation, WorldState& state) {
+void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents, WorldState& state) {
   for (std::size_t human = 0; human < wanted_.size(); ++human) {
     const Intent& intent = intents.of(static_cast<int>(human));
     const HumanControl& control = state.controls[human];
@@ -147,15 +145,15 @@ void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents,
       writeNew(plans_.steps[human], plan);
       continue;
     }
-    RouteFollower::Request request;
-    request.position = state.position(human);
-    request.target = intent.target;
-    request.radius = person.radius;
-    request.speed = control.frozen ? 0.0 : intent.speed;
-    request.time = state.time;
-    request.route = person.route;
-    request.spread = spreadOf(world, human);
-    const RouteFollower::Leg leg = legOf(human, request, world, navigation);
+    const RouteFollower::Request request{state.position(human),
+                                         intent.target,
+                                         person.radius,
+                                         control.frozen ? 0.0 : intent.speed,
+                                         state.time,
+                                         spreadOf(world, human)};
+    const RouteFollower::Leg leg = person.route == Route::Direct
+                                       ? RouteFollower::straight(request)
+                                       : plannedLeg(human, request, world);
     plans_.directions[human] = leg.direction;
     plan.changes = wasOnTheWay == leg.direction.isZero(0.0);
     writeNew(plans_.steps[human], plan);
@@ -164,20 +162,18 @@ void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents,
     }
     if (leg.stuck) {
       state.emit(EventKind::Stuck, person.id);
-      routes_[human]->goRound(request, standingNear(world, human), navigation);
+      routes_[human]->goRound(request, standingNear(world, human), world.navigation);
     }
   }
 }
 
-RouteFollower::Leg PersonMotion::legOf(std::size_t human, const RouteFollower::Request& request,
-                                       const FrozenWorld& world, const NavigationMap& navigation) {
-  if (request.route == Route::Direct) {
-    return RouteFollower::straight(request);
-  }
+RouteFollower::Leg PersonMotion::plannedLeg(std::size_t human,
+                                            const RouteFollower::Request& request,
+                                            const FrozenWorld& world) {
   if (routes_[human] == nullptr) {
     routes_[human] = std::make_unique<RouteFollower>();
   }
-  return routes_[human]->follow(request, navigation, world.obstacles);
+  return routes_[human]->follow(request, world.navigation, world.obstacles);
 }
 
 void PersonMotion::findWalls(std::size_t human, const FrozenWorld& world) {

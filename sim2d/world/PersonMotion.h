@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -17,18 +16,17 @@ class PersonMotion {
 
   /// One entry per person of the model.
   void resize(std::size_t count);
-  void forget(int human);  // an old way
-  void enter(int human);   // somebody who comes in and stands
+  void forget(std::size_t human);  // an old way
+  void enter(std::size_t human);   // somebody who comes in and stands
 
   /// Where everybody heads. Emits `replan` and `stuck`.
-  void chooseLegs(const FrozenWorld& world, const Intents& intents, const NavigationMap& navigation,
-                  WorldState& state);
+  void chooseLegs(const FrozenWorld& world, const Intents& intents, WorldState& state);
   /// `compute` comes soon: threads may wake up.
   void expectWork();
   /// Then: fills `wanted` and the forces of all people, which lead to it, and turns those who turn
   /// on the spot.
-  void compute(const FrozenWorld& world, const Intents& intents, const NavigationMap& navigation,
-               WorldState& state, ForceColumns& forces);
+  void compute(const FrozenWorld& world, const Intents& intents, WorldState& state,
+               ForceColumns& forces);
   const std::vector<Vec2>& wanted() const { return wanted_; }  // velocities [m/s]
   /// Instead of what the person wants in this step [m/s].
   void steer(std::size_t human, const Vec2& velocity) { wanted_[human] = velocity; }
@@ -48,8 +46,8 @@ class PersonMotion {
   ForceTerms move(std::size_t human, const FrozenWorld& world, const Intents& intents,
                   Situation& situation);
   void findWalls(std::size_t human, const FrozenWorld& world);
-  RouteFollower::Leg legOf(std::size_t human, const RouteFollower::Request& request,
-                           const FrozenWorld& world, const NavigationMap& navigation);
+  RouteFollower::Leg plannedLeg(std::size_t human, const RouteFollower::Request& request,
+                                const FrozenWorld& world);
 
   WorkerPool workers_;
   Crowd crowd_;

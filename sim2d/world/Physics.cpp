@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include <box2d/b2_distance.h>
 #include <box2d/box2d.h>
 
-#include "sim2d/world/ConvexPieces.h"
 #include "sim2d/world/StepBuffers.h"
 
 namespace sim2d {
@@ -19,97 +19,54 @@ constexpr double kSkin = b2_linearSlop / 2.0F;  // [m] of discs: Box2D lets them
 constexpr double kApart = 0.02;                 // [m]; a touch ends beyond
 constexpr double kRounding = 2e-5;              // [m]; what single precision may be off
 constexpr float kShortestEdge = 0.0075F;  // Box2D wants more than its slop between corners [m]
+constexpr double kSmallestPiece = 1e-5;   // [m²]; smaller pieces of a footprint are left out
 
-}  // namespace
-
-struct Physics::World {
-  struct Body {
-    Vec2 position = Vec2::Zero();
-    Vec2 velocity = Vec2::Zero();
-    b2Body* body = nullptr;
-    double heading = 0.0;
-    double omega = 0.0;
-    float radius = 0.0F, mass = 0.0F;  // of a person
-    bool isPerson = false;
-    bool passesItsKind = false;
-    bool present = true;
-    bool braked = false;
-    bool lonely = false;
-
-    Pose2 pose() const { return {position, heading}; }
-  };
-
-  explicit World(const Vec2& centre) : world(b2Vec2(0.0F, 0.0F)), origin(centre) {
-    world.SetContinuousPhysics(false);
-    world.SetAllowSleeping(false);
-    world.SetWarmStarting(false);  // velocities are given anew in each step
-    const b2BodyDef definition;
-    walls = world.CreateBody(&definition);
-  }
-
-  b2Vec2 toLocal(const Vec2& point) const {
-    return {static_cast<float>(point.x() - origin.x()), static_cast<float>(point.y() - origin.y())};
-  }
-  Body& at(int index) { return bodies[static_cast<std::size_t>(index)]; }
-
-  void addLoop(const Outline& outline, int part, bool enabled);
-  static void addFootprint(b2Body& body, const BodySpec& spec);
-  static void addDisc(b2Body& body, float radius, bool passesItsKind);
-  static void setMass(b2Body& body, float kilograms);
-  static void update(Body& body);
-  void readBack(Body& body, double dt) const;
-  static void moveAlone(Body& body, double dt);
-  Touch touchOf(b2Contact& contact) const;
-  static bool isTouching(b2Contact& contact, bool wasTouching, Touch& touch);
-
-  b2World world;
-  Vec2 origin;
-  b2Body* walls = nullptr;
-  std::vector<std::vector<b2Fixture*>> parts;
-  std::vector<Body> bodies;
-};
-
-void Physics::World::addLoop(const Outline& outline, int part, bool enabled) {
-  std::vector<b2Vec2> corners;
-  for (const Vec2& point : outline.points) {
-    const b2Vec2 corner = toLocal(point);
-    if (corners.empty() || b2Distance(corners.back(), corner) > kShortestEdge) {
-      corners.push_back(corner);
+bool isConvex(const std::vector<Vec2>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec2& a = points[i];
+    const Vec2& b = points[(i + 1) % points.size()];
+    const Vec2& c = points[(i + 2) % points.size()];
+    if (base::cross(b - a, c - b) < 0.0) {
+      return false;
     }
   }
-  while (corners.size() > 1 && b2Distance(corners.front(), corners.back()) <= kShortestEdge) {
-    corners.pop_back();
-  }
-  if (corners.size() < 3) {
-    return;
-  }
-  b2ChainShape chain;
-  chain.CreateLoop(corners.data(), static_cast<int32>(corners.size()));
-  chain.m_radius = 0.0F;  // bodies come up to the very wall
-  b2FixtureDef definition;
-  definition.shape = &chain;
-  definition.friction = 0.0F;
-  definition.userData.pointer = static_cast<uintptr_t>(part);
-  definition.filter.maskBits = enabled ? 0xFFFF : 0;
-  parts.back().push_back(walls->CreateFixture(&definition));
+  return true;
 }
 
-void Physics::World::addDisc(b2Body& body, float radius, bool passesItsKind) {
-  b2CircleShape circle;
-  circle.m_radius = radius;
+bool isEar(const std::vector<Vec2>& points, std::size_t at) {
+  const std::size_t count = points.size();
+  const std::vector<Vec2> ear = {points[(at + count - 1) % count], points[at],
+                                 points[(at + 1) % count]};
+  if (base::cross(ear[1] - ear[0], ear[2] - ear[1]) <= 0.0) {
+    return false;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool isCorner = i == at || i == (at + 1) % count || i == (at + count - 1) % count;
+    if (!isCorner && isInside(ear, points[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Of friction zero, part of a body.
+b2FixtureDef partOfBody(const b2Shape& shape, bool passesItsKind) {
   b2FixtureDef definition;
   definition.friction = 0.0F;
   definition.density = 1.0F;
   definition.filter.groupIndex = passesItsKind ? -1 : 0;
-  definition.shape = &circle;
+  definition.shape = &shape;
+  return definition;
+}
+
+void addDisc(b2Body& body, float radius, bool passesItsKind) {
+  b2CircleShape circle;
+  circle.m_radius = radius;
+  const b2FixtureDef definition = partOfBody(circle, passesItsKind);
   body.CreateFixture(&definition);
 }
 
-void Physics::World::addFootprint(b2Body& body, const BodySpec& spec) {
-  b2FixtureDef definition;
-  definition.friction = 0.0F;
-  definition.density = 1.0F;
-  definition.filter.groupIndex = spec.passesItsKind ? -1 : 0;
+void addFootprint(b2Body& body, const BodySpec& spec) {
   for (const std::vector<Vec2>& piece : convexPieces(spec.footprint, b2_maxPolygonVertices)) {
     std::vector<b2Vec2> corners;
     corners.reserve(piece.size());
@@ -118,62 +75,25 @@ void Physics::World::addFootprint(b2Body& body, const BodySpec& spec) {
     }
     b2PolygonShape polygon;
     polygon.Set(corners.data(), static_cast<int32>(corners.size()));
-    definition.shape = &polygon;
+    const b2FixtureDef definition = partOfBody(polygon, spec.passesItsKind);
     body.CreateFixture(&definition);
   }
 }
 
-void Physics::World::setMass(b2Body& body, float kilograms) {
+void scaleMass(b2Body& body, float factor) {
   b2MassData mass = {};
   body.GetMassData(&mass);
-  const float scale = mass.mass > 0.0F ? kilograms / mass.mass : 1.0F;
-  mass.mass *= scale;
-  mass.I *= scale;
+  mass.mass *= factor;
+  mass.I *= factor;
   body.SetMassData(&mass);
 }
 
-/// Whether the solver knows a body. People have a shape only while it does: most need none.
-void Physics::World::update(Body& body) {
-  const bool isKnown = body.present && !body.lonely;
-  b2Fixture* const shape = body.body->GetFixtureList();
-  if (body.isPerson && isKnown && shape == nullptr) {
-    addDisc(*body.body, body.radius, body.passesItsKind);
-    setMass(*body.body, body.mass);
-  }
-  body.body->SetEnabled(isKnown);
-  if (body.isPerson && !isKnown && shape != nullptr) {
-    body.body->DestroyFixture(shape);
-  }
+void setMass(b2Body& body, float kilograms) {
+  const float now = body.GetMass();
+  scaleMass(body, now > 0.0F ? kilograms / now : 1.0F);
 }
 
-/// A body that no contact moved keeps its exact velocity and position; rounding is not taken over.
-void Physics::World::readBack(Body& body, double dt) const {
-  const b2Vec2 velocity = body.body->GetLinearVelocity();
-  const b2Vec2 given(static_cast<float>(body.velocity.x()), static_cast<float>(body.velocity.y()));
-  if (velocity != given) {
-    body.velocity = Vec2(velocity.x, velocity.y);
-  }
-  const b2Vec2 moved = body.body->GetPosition();
-  const Vec2 found = origin + Vec2(moved.x, moved.y);
-  const Vec2 exact = body.position + body.velocity * dt;
-  body.position = (found - exact).norm() <= kRounding ? exact : found;
-  if (body.body->GetAngularVelocity() != static_cast<float>(body.omega)) {
-    body.omega = static_cast<double>(body.body->GetAngularVelocity());
-  }
-  const double turned = base::wrapToPi(body.heading + body.omega * dt);
-  const double angle = base::wrapToPi(static_cast<double>(body.body->GetAngle()));
-  body.heading =
-      body.body->IsFixedRotation() || std::fabs(base::angleDiff(angle, turned)) <= kRounding
-          ? turned
-          : angle;
-}
-
-void Physics::World::moveAlone(Body& body, double dt) {
-  body.position += body.velocity * dt;
-  body.heading = base::wrapToPi(body.heading + body.omega * dt);
-}
-
-Touch Physics::World::touchOf(b2Contact& contact) const {
+Touch touchOf(b2Contact& contact, const b2Body* walls) {
   b2Body* const first = contact.GetFixtureA()->GetBody();
   b2Body* const second = contact.GetFixtureB()->GetBody();
   Touch touch;
@@ -190,7 +110,7 @@ Touch Physics::World::touchOf(b2Contact& contact) const {
   return touch;
 }
 
-bool Physics::World::isTouching(b2Contact& contact, bool wasTouching, Touch& touch) {
+bool isTouching(b2Contact& contact, bool wasTouching, Touch& touch) {
   b2Fixture* const first = contact.GetFixtureA();
   b2Fixture* const second = contact.GetFixtureB();
   const b2Transform& firstPlace = first->GetBody()->GetTransform();
@@ -223,40 +143,129 @@ bool Physics::World::isTouching(b2Contact& contact, bool wasTouching, Touch& tou
   return static_cast<double>(output.distance) <= kApart;
 }
 
-Physics::Physics(const Vec2& origin) : world_(std::make_unique<World>(origin)) {}
+}  // namespace
+
+std::vector<std::vector<Vec2>> convexPieces(std::vector<Vec2> rest, std::size_t mostCorners) {
+  std::vector<std::vector<Vec2>> pieces;
+  while (rest.size() > 3 && (rest.size() > mostCorners || !isConvex(rest))) {
+    std::size_t ear = 0;
+    while (ear + 1 < rest.size() && !isEar(rest, ear)) {
+      ++ear;
+    }
+    const std::size_t count = rest.size();
+    pieces.push_back({rest[(ear + count - 1) % count], rest[ear], rest[(ear + 1) % count]});
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(ear));
+  }
+  pieces.push_back(std::move(rest));
+  const auto isSliver = [](const std::vector<Vec2>& piece) {
+    return signedArea(piece) < kSmallestPiece;
+  };
+  pieces.erase(std::remove_if(pieces.begin(), pieces.end(), isSliver), pieces.end());
+  return pieces;
+}
+
+Physics::Physics(const Vec2& origin)
+    : world_(std::make_unique<b2World>(b2Vec2(0.0F, 0.0F))), origin_(origin) {
+  world_->SetContinuousPhysics(false);
+  world_->SetAllowSleeping(false);
+  world_->SetWarmStarting(false);  // velocities are given anew in each step
+  const b2BodyDef definition;
+  walls_ = world_->CreateBody(&definition);
+}
 Physics::~Physics() = default;
 
+b2Vec2 Physics::toLocal(const Vec2& point) const {
+  return {static_cast<float>(point.x() - origin_.x()), static_cast<float>(point.y() - origin_.y())};
+}
+
+void Physics::addLoop(const Outline& outline, int part, bool enabled) {
+  std::vector<b2Vec2> corners;
+  for (const Vec2& point : outline.points) {
+    const b2Vec2 corner = toLocal(point);
+    if (corners.empty() || b2Distance(corners.back(), corner) > kShortestEdge) {
+      corners.push_back(corner);
+    }
+  }
+  while (corners.size() > 1 && b2Distance(corners.front(), corners.back()) <= kShortestEdge) {
+    corners.pop_back();
+  }
+  if (corners.size() < 3) {
+    return;
+  }
+  b2ChainShape chain;
+  chain.CreateLoop(corners.data(), static_cast<int32>(corners.size()));
+  chain.m_radius = 0.0F;  // bodies come up to the very wall
+  b2FixtureDef definition;
+  definition.shape = &chain;
+  definition.friction = 0.0F;
+  definition.userData.pointer = static_cast<uintptr_t>(part);
+  definition.filter.maskBits = enabled ? 0xFFFF : 0;
+  parts_.back().push_back(walls_->CreateFixture(&definition));
+}
+
+/// Whether the solver knows a body. People have a shape only while it does: most need none.
+void Physics::update(Body& body) {
+  const bool isKnown = body.present && !body.lonely;
+  b2Fixture* const shape = body.body->GetFixtureList();
+  if (body.isPerson && isKnown && shape == nullptr) {
+    addDisc(*body.body, body.radius, body.passesItsKind);
+    setMass(*body.body, body.mass);
+  }
+  body.body->SetEnabled(isKnown);
+  if (body.isPerson && !isKnown && shape != nullptr) {
+    body.body->DestroyFixture(shape);
+  }
+}
+
+/// A body that no contact moved keeps its exact velocity and position; rounding is not taken over.
+void Physics::readBack(Body& body, double dt) const {
+  const b2Vec2 velocity = body.body->GetLinearVelocity();
+  const b2Vec2 given(static_cast<float>(body.velocity.x()), static_cast<float>(body.velocity.y()));
+  if (velocity != given) {
+    body.velocity = Vec2(velocity.x, velocity.y);
+  }
+  const b2Vec2 moved = body.body->GetPosition();
+  const Vec2 found = origin_ + Vec2(moved.x, moved.y);
+  const Vec2 exact = body.position + body.velocity * dt;
+  body.position = (found - exact).norm() <= kRounding ? exact : found;
+  if (body.body->GetAngularVelocity() != static_cast<float>(body.omega)) {
+    body.omega = static_cast<double>(body.body->GetAngularVelocity());
+  }
+  const double turned = base::wrapToPi(body.heading + body.omega * dt);
+  const double angle = base::wrapToPi(static_cast<double>(body.body->GetAngle()));
+  body.heading =
+      body.body->IsFixedRotation() || std::fabs(base::angleDiff(angle, turned)) <= kRounding
+          ? turned
+          : angle;
+}
+
 void Physics::addPart(const std::vector<Outline>& outlines, bool enabled) {
-  const int part = static_cast<int>(world_->parts.size());
-  world_->parts.emplace_back();
+  const int part = static_cast<int>(parts_.size());
+  parts_.emplace_back();
   for (const Outline& outline : outlines) {
-    world_->addLoop(outline, part, enabled);
+    addLoop(outline, part, enabled);
   }
 }
 
 void Physics::setPartEnabled(int part, bool enabled) {
-  for (b2Fixture* const fixture : world_->parts[static_cast<std::size_t>(part)]) {
+  for (b2Fixture* const fixture : parts_[static_cast<std::size_t>(part)]) {
     b2Filter filter = fixture->GetFilterData();
     filter.maskBits = enabled ? 0xFFFF : 0;
     fixture->SetFilterData(filter);
   }
 }
 
-void Physics::reserve(std::size_t bodies) {
-  world_->bodies.reserve(bodies);
-}
-
 int Physics::addBody(const BodySpec& spec, bool present) {
-  const int index = static_cast<int>(world_->bodies.size());
+  const int index = static_cast<int>(bodies_.size());
   b2BodyDef definition;
   definition.type = b2_dynamicBody;
-  definition.position = world_->toLocal(spec.pose.position);
+  definition.position = toLocal(spec.pose.position);
   definition.angle = static_cast<float>(spec.pose.heading);
   definition.fixedRotation = spec.keepsHeading;
   definition.enabled = false;
   definition.userData.pointer = static_cast<uintptr_t>(index);
-  World::Body body;
-  body.body = world_->world.CreateBody(&definition);
+  Body body;
+  body.body = world_->CreateBody(&definition);
   body.position = spec.pose.position;
   body.heading = spec.pose.heading;
   body.radius = static_cast<float>(spec.radius + kSkin);
@@ -266,32 +275,32 @@ int Physics::addBody(const BodySpec& spec, bool present) {
   body.present = present;
   body.lonely = spec.lonely;
   if (!body.isPerson) {
-    spec.footprint.empty() ? World::addDisc(*body.body, body.radius, body.passesItsKind)
-                           : World::addFootprint(*body.body, spec);
-    World::setMass(*body.body, body.mass);
+    spec.footprint.empty() ? addDisc(*body.body, body.radius, body.passesItsKind)
+                           : addFootprint(*body.body, spec);
+    setMass(*body.body, body.mass);
   }
-  World::update(body);
-  world_->bodies.push_back(body);
+  update(body);
+  bodies_.push_back(body);
   return index;
 }
 
 void Physics::setPresent(int body, bool present) {
-  World::Body& changed = world_->at(body);
+  Body& changed = at(body);
   changed.present = present;
-  World::update(changed);
+  update(changed);
 }
 
 void Physics::place(int body, const Pose2& pose) {
-  World::Body& moved = world_->at(body);
+  Body& moved = at(body);
   moved.position = pose.position;
   moved.heading = pose.heading;
   moved.velocity = Vec2::Zero();
   moved.omega = 0.0;
-  moved.body->SetTransform(world_->toLocal(pose.position), static_cast<float>(pose.heading));
+  moved.body->SetTransform(toLocal(pose.position), static_cast<float>(pose.heading));
 }
 
 void Physics::setVelocity(int body, const Vec2& velocity, double omega) {
-  World::Body& moved = world_->at(body);
+  Body& moved = at(body);
   moved.velocity = velocity;
   moved.omega = omega;
   if (moved.lonely) {
@@ -303,62 +312,47 @@ void Physics::setVelocity(int body, const Vec2& velocity, double omega) {
 }
 
 void Physics::setLonely(int body, bool lonely) {
-  World::Body& changed = world_->at(body);
+  Body& changed = at(body);
   if (changed.lonely == lonely) {
     return;
   }
   changed.lonely = lonely;
   if (!lonely) {  // it went on alone
-    changed.body->SetTransform(world_->toLocal(changed.position),
-                               static_cast<float>(changed.heading));
+    changed.body->SetTransform(toLocal(changed.position), static_cast<float>(changed.heading));
   }
-  World::update(changed);
+  update(changed);
 }
 
 void Physics::setBraked(int body, bool braked) {
-  World::Body& changed = world_->at(body);
+  Body& changed = at(body);
   if (changed.braked == braked) {
     return;
   }
   changed.braked = braked;
-  b2MassData mass = {};
-  changed.body->GetMassData(&mass);
-  const auto factor = static_cast<float>(braked ? kBrakedMass : 1.0 / kBrakedMass);
-  mass.mass *= factor;
-  mass.I *= factor;
-  changed.body->SetMassData(&mass);
+  scaleMass(*changed.body, static_cast<float>(braked ? kBrakedMass : 1.0 / kBrakedMass));
 }
 
 void Physics::step(double dt, int subSteps) {
   for (int i = 0; i < subSteps; ++i) {
-    world_->world.Step(static_cast<float>(dt / subSteps), kVelocityIterations, kPositionIterations);
+    world_->Step(static_cast<float>(dt / subSteps), kVelocityIterations, kPositionIterations);
   }
-  for (World::Body& body : world_->bodies) {
+  for (Body& body : bodies_) {
     if (body.present && body.lonely) {
-      world_->moveAlone(body, dt);
+      body.position += body.velocity * dt;
+      body.heading = base::wrapToPi(body.heading + body.omega * dt);
     } else if (body.present) {
-      world_->readBack(body, dt);
+      readBack(body, dt);
     }
   }
 }
 
-Pose2 Physics::pose(int body) const {
-  return world_->at(body).pose();
-}
-const Vec2& Physics::velocity(int body) const {
-  return world_->at(body).velocity;
-}
-double Physics::omega(int body) const {
-  return world_->at(body).omega;
-}
-
 void Physics::touches(const std::vector<Touch>& before, std::vector<Touch>& found) {
   found.clear();
-  for (b2Contact* contact = world_->world.GetContactList(); contact != nullptr;
+  for (b2Contact* contact = world_->GetContactList(); contact != nullptr;
        contact = contact->GetNext()) {
-    Touch touch = world_->touchOf(*contact);
+    Touch touch = touchOf(*contact, walls_);
     const bool wasTouching = std::binary_search(before.begin(), before.end(), touch);
-    if (World::isTouching(*contact, wasTouching, touch)) {
+    if (isTouching(*contact, wasTouching, touch)) {
       found.push_back(touch);
     }
   }

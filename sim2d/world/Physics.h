@@ -6,6 +6,11 @@
 
 #include "sim2d/map/Outlines.h"
 
+class b2Body;
+class b2Fixture;
+class b2World;
+struct b2Vec2;
+
 namespace sim2d {
 
 /// A disc, or a polygon in the body's frame when `footprint` is not empty.
@@ -31,6 +36,10 @@ struct Touch {
   }
 };
 
+/// Cuts a simple counter-clockwise polygon into convex pieces with at most `mostCorners` (>= 3)
+/// corners: ears are cut off until the rest is one.
+std::vector<std::vector<Vec2>> convexPieces(std::vector<Vec2> polygon, std::size_t mostCorners);
+
 constexpr double kBrakedMass = 1000.0;  // times the mass of a body that holds its place
 
 /// Rigid bodies that do not pass through each other nor through walls (Box2D 2.4 behind it). Works
@@ -49,7 +58,7 @@ class Physics {
   void addPart(const std::vector<Outline>& outlines, bool enabled);
   void setPartEnabled(int part, bool enabled);
 
-  void reserve(std::size_t bodies);
+  void reserve(std::size_t bodies) { bodies_.reserve(bodies); }
   int addBody(const BodySpec& spec, bool present);
   void setPresent(int body, bool present);
   void place(int body, const Pose2& pose);
@@ -63,17 +72,41 @@ class Physics {
   /// More `subSteps` let fast bodies sink less into what they hit.
   void step(double dt, int subSteps = 1);
 
-  Pose2 pose(int body) const;
-  const Vec2& velocity(int body) const;  // after contacts [m/s]
-  double omega(int body) const;          // [rad/s]
+  Pose2 pose(int body) const { return {at(body).position, at(body).heading}; }
+  const Vec2& velocity(int body) const { return at(body).velocity; }  // after contacts [m/s]
+  double omega(int body) const { return at(body).omega; }             // [rad/s]
 
   /// Touching pairs, by body, other and part. A pair from `before` counts as touching until it is
   /// 2 cm apart.
   void touches(const std::vector<Touch>& before, std::vector<Touch>& found);
 
  private:
-  struct World;
-  std::unique_ptr<World> world_;
+  struct Body {
+    Vec2 position = Vec2::Zero();
+    Vec2 velocity = Vec2::Zero();
+    b2Body* body = nullptr;
+    double heading = 0.0;
+    double omega = 0.0;
+    float radius = 0.0F, mass = 0.0F;  // of a person
+    bool isPerson = false;
+    bool passesItsKind = false;
+    bool present = true;
+    bool braked = false;
+    bool lonely = false;
+  };
+
+  Body& at(int body) { return bodies_[static_cast<std::size_t>(body)]; }
+  const Body& at(int body) const { return bodies_[static_cast<std::size_t>(body)]; }
+  b2Vec2 toLocal(const Vec2& point) const;
+  void addLoop(const Outline& outline, int part, bool enabled);
+  static void update(Body& body);
+  void readBack(Body& body, double dt) const;
+
+  std::unique_ptr<b2World> world_;
+  Vec2 origin_;
+  b2Body* walls_ = nullptr;
+  std::vector<std::vector<b2Fixture*>> parts_;
+  std::vector<Body> bodies_;
 };
 
 }  // namespace sim2d

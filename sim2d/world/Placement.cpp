@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "sim2d/base/Math.h"
-#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 
 namespace sim2d {
@@ -24,17 +23,20 @@ bool isNearEnough(const Vec2& point) {
   return point.allFinite() && point.cwiseAbs().maxCoeff() <= kFarthest;
 }
 
+/// "(1.5, -2)", to the millimetre.
+std::string shown(const Vec2& point) {
+  return "(" + base::formatDouble(std::round(point.x() * 1000.0) / 1000.0) + ", " +
+         base::formatDouble(std::round(point.y() * 1000.0) / 1000.0) + ")";
+}
+
 /// Moves the point where a body of this radius fits; `what` names it in messages.
 void fit(Vec2& point, double radius, const std::string& what, EntityId entity,
          const NavigationMap& navigation, base::Diagnostics& problems) {
   const std::optional<Vec2> place = navigation.nearestFit(radius, point);
-  const std::string where = what + " " + shown(point);
-  if (!place) {
-    problems.push_back(about(base::error("world.body-does-not-fit"), entity, where));
-    return;
-  }
-  if ((*place - point).norm() > kNotMoved) {
-    problems.push_back(about(base::warning("world.body-moved", {shown(*place)}), entity, where));
+  ProblemsOf found(entity, what + " " + shown(point), problems);
+  found.need(place.has_value(), "world.body-does-not-fit");
+  if (place && (*place - point).norm() > kNotMoved) {
+    found.add(base::warning("world.body-moved", {shown(*place)}));
     point = *place;
   }
 }
@@ -59,13 +61,6 @@ std::map<int, double> radiiByGoal(const WorldModel& model) {
     }
   }
   return radii;
-}
-
-template <class Items, class IsReachable>
-void keepReachable(Items& items, IsReachable isReachable) {
-  items.erase(std::remove_if(items.begin(), items.end(),
-                             [&](const auto& item) { return !isReachable(item); }),
-              items.end());
 }
 
 struct Start {
@@ -127,17 +122,6 @@ class PlacedStarts {
   std::map<Cell, std::vector<Start>> starts_;
 };
 
-double largestRadius(const WorldModel& model) {
-  double largest = 0.0;
-  for (const Person& person : model.people) {
-    largest = std::max(largest, person.constants.radius);
-  }
-  for (const ResolvedRobot& robot : model.robots) {
-    largest = std::max(largest, reachOf(robot));
-  }
-  return largest;
-}
-
 /// The nearest free place that can be seen from the start, on rings round it.
 std::optional<Vec2> nearestFree(const PlacedStarts& placed, const Start& start,
                                 const NavigationMap& navigation) {
@@ -158,12 +142,12 @@ void put(PlacedStarts& placed, const Start& start, const NavigationMap& navigati
          base::Diagnostics& problems) {
   if (!placed.isFree(start, *start.position)) {
     const std::string place = "start of '" + start.name + "' " + shown(*start.position);
+    ProblemsOf found(start.key, {}, problems);
     if (const std::optional<Vec2> taken = nearestFree(placed, start, navigation)) {
       *start.position = *taken;
-      problems.push_back(
-          about(base::warning("world.start-taken", {place, shown(*taken)}), start.key));
+      found.add(base::warning("world.start-taken", {place, shown(*taken)}));
     } else {
-      problems.push_back(about(base::warning("world.start-crowded", {place}), start.key));
+      found.add(base::warning("world.start-crowded", {place}));
     }
   }
   placed.add(start);
@@ -172,42 +156,29 @@ void put(PlacedStarts& placed, const Start& start, const NavigationMap& navigati
 /// Of starts that would stand in each other the later one (robots come after people) is moved to
 /// the nearest free place within 1 m, with a warning that names both points.
 void partStarts(WorldModel& model, const NavigationMap& navigation, base::Diagnostics& problems) {
-  PlacedStarts placed(largestRadius(model));
+  std::vector<Start> starts;
   for (Person& person : model.people) {
     if (person.constants.startTime <= 0.0) {
-      put(placed,
-          {person.constants.name, person.key, person.constants.radius,
-           &person.constants.start.position, model.peoplePass},
-          navigation, problems);
+      starts.push_back({person.constants.name, person.key, person.constants.radius,
+                        &person.constants.start.position, model.peoplePass});
     }
   }
-  for (ResolvedRobot& robot : model.robots) {
-    put(placed,
-        {robot.name, keyOfRobot(model, robot), reachOf(robot), &robot.start.position, false},
-        navigation, problems);
+  for (std::size_t i = 0; i < model.robots.size(); ++i) {
+    ResolvedRobot& robot = model.robots[i];
+    starts.push_back(
+        {robot.name, model.robotKeys[i], reachOf(robot), &robot.start.position, false});
+  }
+  double largest = 0.0;
+  for (const Start& start : starts) {
+    largest = std::max(largest, start.radius);
+  }
+  PlacedStarts placed(largest);
+  for (const Start& start : starts) {
+    put(placed, start, navigation, problems);
   }
 }
 
 }  // namespace
-
-std::string shown(const Vec2& point) {
-  return "(" + base::formatDouble(std::round(point.x() * 1000.0) / 1000.0) + ", " +
-         base::formatDouble(std::round(point.y() * 1000.0) / 1000.0) + ")";
-}
-
-base::Diagnostic about(base::Diagnostic diagnostic, EntityId entity, const std::string& where) {
-  diagnostic.entity = entity;
-  return where.empty() ? diagnostic : base::within(where, std::move(diagnostic));
-}
-
-EntityId keyOfRobot(const WorldModel& model, const ResolvedRobot& robot) {
-  for (const Robot& written : model.environment->robots) {
-    if (written.listed && written.name == robot.name) {
-      return written.key;
-    }
-  }
-  return {};
-}
 
 std::vector<Vec2> placesOf(const WorldModel& model) {
   std::vector<Vec2> places;
@@ -229,31 +200,23 @@ std::vector<Vec2> placesOf(const WorldModel& model) {
 
 void checkPlaces(const WorldModel& model, base::Diagnostics& problems) {
   for (const Person& person : model.people) {
-    const std::string who = "person '" + person.constants.name + "'";
-    if (!isNearEnough(person.constants.start.position) ||
-        !std::isfinite(person.constants.start.heading)) {
-      problems.push_back(about(base::error("world.pose-too-far"), person.key, who));
-    }
+    const Pose2& start = person.constants.start;
+    ProblemsOf found(person.key, "person '" + person.constants.name + "'", problems);
+    found.need(isNearEnough(start.position) && std::isfinite(start.heading), "world.pose-too-far");
     for (const int goal : person.plan->written) {
-      if (model.globalGoals.count(goal) == 0) {
-        problems.push_back(about(base::error("world.goal-unknown", {goal}), person.key, who));
-      }
+      found.need(model.globalGoals.count(goal) != 0, "world.goal-unknown", {goal});
     }
   }
-  for (const ResolvedRobot& robot : model.robots) {
-    bool isFine = isNearEnough(robot.start.position) && std::isfinite(robot.start.heading);
-    for (const Vec2& goal : robot.goals) {
-      isFine = isFine && isNearEnough(goal);
-    }
-    if (!isFine) {
-      problems.push_back(about(base::error("world.robot-too-far"), keyOfRobot(model, robot),
-                               "robot '" + robot.name + "'"));
-    }
+  for (std::size_t i = 0; i < model.robots.size(); ++i) {
+    const ResolvedRobot& robot = model.robots[i];
+    ProblemsOf(model.robotKeys[i], "robot '" + robot.name + "'", problems)
+        .need(isNearEnough(robot.start.position) && std::isfinite(robot.start.heading) &&
+                  std::all_of(robot.goals.begin(), robot.goals.end(), isNearEnough),
+              "world.robot-too-far");
   }
   for (const GlobalGoal& goal : model.environment->goals) {
-    if (!isNearEnough(goal.position)) {
-      problems.push_back(about(base::error("world.goal-too-far", {goal.id}), goal.key));
-    }
+    ProblemsOf(goal.key, {}, problems)
+        .need(isNearEnough(goal.position), "world.goal-too-far", {goal.id});
   }
 }
 
@@ -270,8 +233,9 @@ void fitPlaces(WorldModel& model, const NavigationMap& navigation, base::Diagnos
     fit(person.constants.start.position, person.constants.radius,
         "start of '" + person.constants.name + "'", person.key, navigation, problems);
   }
-  for (ResolvedRobot& robot : model.robots) {
-    const EntityId key = keyOfRobot(model, robot);
+  for (std::size_t k = 0; k < model.robots.size(); ++k) {
+    ResolvedRobot& robot = model.robots[k];
+    const EntityId key = model.robotKeys[k];
     fit(robot.start.position, reachOf(robot), "start of '" + robot.name + "'", key, navigation,
         problems);
     for (std::size_t i = 0; i < robot.goals.size(); ++i) {
@@ -292,21 +256,25 @@ void leaveOutUnreachable(WorldModel& model, const NavigationMap& navigation,
     if (person.constants.route == Route::Direct) {
       continue;
     }
+    ProblemsOf found(person.key, "person '" + person.constants.name + "'", problems);
     GoalPlan plan = *person.plan;
-    keepReachable(plan.goals, [&](const GoalItem& goal) {
-      if (navigation.isReachable(person.constants.radius, person.constants.start.position,
-                                 goal.position)) {
-        return true;
+    const auto isOutOfReach = [&](const GoalItem& goal) {
+      const bool isReachable = navigation.isReachable(
+          person.constants.radius, person.constants.start.position, goal.position);
+      if (!isReachable) {
+        found.add(base::warning("world.goal-out-of-reach", {goal.id}));
       }
-      problems.push_back(about(base::warning("world.goal-out-of-reach", {goal.id}), person.key,
-                               "person '" + person.constants.name + "'"));
-      return false;
-    });
+      return !isReachable;
+    };
+    plan.goals.erase(std::remove_if(plan.goals.begin(), plan.goals.end(), isOutOfReach),
+                     plan.goals.end());
     if (plan.goals.size() < person.plan->goals.size()) {
       person.plan = std::make_shared<GoalPlan>(std::move(plan));
     }
   }
-  for (ResolvedRobot& robot : model.robots) {
+  for (std::size_t k = 0; k < model.robots.size(); ++k) {
+    ResolvedRobot& robot = model.robots[k];
+    ProblemsOf found(model.robotKeys[k], "robot '" + robot.name + "'", problems);
     std::vector<Vec2> goals;
     std::vector<int> ids;
     for (std::size_t i = 0; i < robot.goals.size(); ++i) {
@@ -314,8 +282,7 @@ void leaveOutUnreachable(WorldModel& model, const NavigationMap& navigation,
         goals.push_back(robot.goals[i]);
         ids.push_back(robot.goalIds[i]);
       } else {
-        problems.push_back(about(base::warning("world.point-out-of-reach", {shown(robot.goals[i])}),
-                                 keyOfRobot(model, robot), "robot '" + robot.name + "'"));
+        found.add(base::warning("world.point-out-of-reach", {shown(robot.goals[i])}));
       }
     }
     robot.goals = std::move(goals);

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Result.h"
 #include "sim2d/map/NavigationMap.h"
 #include "sim2d/world/WorldState.h"
@@ -23,9 +25,26 @@ void fitPlaces(WorldModel& model, const NavigationMap& navigation, base::Diagnos
 void leaveOutUnreachable(WorldModel& model, const NavigationMap& navigation,
                          base::Diagnostics& problems);
 
-// For their messages.
-std::string shown(const Vec2& point);  // "(1.5, -2)", to the millimetre
-base::Diagnostic about(base::Diagnostic diagnostic, EntityId entity, const std::string& where = {});
-EntityId keyOfRobot(const WorldModel& model, const ResolvedRobot& robot);
+/// The problems of one thing.
+class ProblemsOf {
+ public:
+  ProblemsOf(EntityId entity, std::string who, base::Diagnostics& problems)
+      : entity_(entity), who_(std::move(who)), problems_(problems) {}
+
+  void add(base::Diagnostic problem) {
+    problem.entity = entity_;
+    problems_.push_back(who_.empty() ? problem : base::within(who_, std::move(problem)));
+  }
+  void need(bool holds, const char* code, base::ProblemValues values = {}) {
+    if (!holds) {
+      add(base::error(code, std::move(values)));
+    }
+  }
+
+ private:
+  EntityId entity_;
+  std::string who_;  // stands before each text, unless it is empty
+  base::Diagnostics& problems_;
+};
 
 }  // namespace sim2d

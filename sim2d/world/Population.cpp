@@ -1,6 +1,7 @@
 #include "sim2d/world/Population.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Rng.h"
@@ -58,9 +59,8 @@ std::vector<GoalItem> goalItems(const WorldModel& model, const std::vector<int>&
 }
 
 Population::Population(const WorldModel& model) {
-  for (std::size_t i = 0; i < model.people.size(); ++i) {
-    waiting_.push_back(static_cast<int>(i));
-  }
+  waiting_.resize(model.people.size());
+  std::iota(waiting_.begin(), waiting_.end(), std::size_t{0});
   for (std::size_t i = 0; i < model.areas.size(); ++i) {
     const Area& area = *model.areas[i];
     if (area.kind != AreaKind::Source || !area.like) {
@@ -124,18 +124,17 @@ bool Population::addCopy(Source& source, WorldModel& model, WorldState& state,
   return false;
 }
 
-std::vector<int> Population::dueNow(WorldModel& model, WorldState& state,
-                                    const NavigationMap& navigation) {
-  std::vector<int> due;
-  std::vector<int> later;
+std::vector<std::size_t> Population::dueNow(WorldModel& model, WorldState& state,
+                                            const NavigationMap& navigation) {
+  std::vector<std::size_t> due;
+  std::vector<std::size_t> later;
   std::sort(waiting_.begin(), waiting_.end());
-  for (const int human : waiting_) {
-    const auto at = static_cast<std::size_t>(human);
-    const ResolvedHuman& person = model.people[at].constants;
+  for (const std::size_t human : waiting_) {
+    const ResolvedHuman& person = model.people[human].constants;
     const bool isTime = person.startTime <= state.time + kTick;
     const bool isAtStart = state.step == 0;  // all together; overlaps were told about
     if (isTime && (isAtStart || isFree(model, state, person.start.position, person.radius))) {
-      state.present[at] = 1;
+      state.present[human] = 1;
       due.push_back(human);
     } else {
       later.push_back(human);
@@ -146,7 +145,7 @@ std::vector<int> Population::dueNow(WorldModel& model, WorldState& state,
     while (source.next <= state.time + kTick && addCopy(source, model, state, navigation)) {
       ++source.arrived;
       state.present.back() = 1;
-      due.push_back(static_cast<int>(model.people.size()) - 1);
+      due.push_back(model.people.size() - 1);
       scheduleNext(model, source);
     }
   }

@@ -15,9 +15,10 @@ class Population {
 
   /// People (indices) for whom it is time and whose place is free; they leave the queue. Copies
   /// from sources are appended to model and state first.
-  std::vector<int> dueNow(WorldModel& model, WorldState& state, const NavigationMap& navigation);
+  std::vector<std::size_t> dueNow(WorldModel& model, WorldState& state,
+                                  const NavigationMap& navigation);
   /// The person comes (again) as soon as the place is free.
-  void enqueue(int human) { waiting_.push_back(human); }
+  void enqueue(std::size_t human) { waiting_.push_back(human); }
 
  private:
   struct Source {
@@ -32,7 +33,7 @@ class Population {
                const NavigationMap& navigation) const;
 
   std::vector<Source> sources_;
-  std::vector<int> waiting_;
+  std::vector<std::size_t> waiting_;
 };
 
 /// A body of this radius at `place` overlaps nobody present, people and robots.

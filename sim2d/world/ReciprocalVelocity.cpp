@@ -166,10 +166,6 @@ void relax(const std::vector<HalfPlane>& planes, std::size_t fixed, std::size_t 
 
 }  // namespace
 
-double HalfPlane::violation(const Vec2& velocity) const {
-  return base::cross(direction, point - velocity);
-}
-
 HalfPlane avoidBody(const Walker& self, const Walker& other, double horizon, double dt,
                     double share) {
   const Vec2 apart = other.position - self.position;

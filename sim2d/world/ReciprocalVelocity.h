@@ -13,7 +13,7 @@ struct HalfPlane {
   Vec2 point = Vec2::Zero();
   Vec2 direction = Vec2(1.0, 0.0);
   /// How far a velocity lies on the wrong side [m/s]; <= 0: allowed.
-  double violation(const Vec2& velocity) const;
+  double violation(const Vec2& velocity) const { return base::cross(direction, point - velocity); }
 };
 
 /// `self` takes half of what keeps the two apart for `horizon` seconds; bodies that overlap part

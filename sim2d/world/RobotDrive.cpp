@@ -34,9 +34,7 @@ double limited(double wanted, double now, double most, double mostChange) {
 
 }  // namespace
 
-const std::vector<base::Twist2>& RobotDrive::command(const FrozenWorld& world,
-                                                     const NavigationMap& navigation,
-                                                     WorldState& state) {
+const std::vector<base::Twist2>& RobotDrive::command(const FrozenWorld& world, WorldState& state) {
   commands_.assign(state.robots.size(), base::Twist2{});
   const double dt = world.model.dt;
   for (std::size_t i = 0; i < state.robots.size(); ++i) {
@@ -57,7 +55,7 @@ const std::vector<base::Twist2>& RobotDrive::command(const FrozenWorld& world,
       observation.dt = dt;
       findBodies(world, i, observation.bodies);
       observation.obstacles = &world.obstacles;
-      observation.navigation = &navigation;
+      observation.navigation = &world.navigation;
       wanted = controllers_[i]->command(observation);
       if (controllers_[i]->takeReplanned()) {
         state.emit(EventKind::Replan, robot.id);

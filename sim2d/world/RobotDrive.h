@@ -18,8 +18,7 @@ class RobotDrive {
   /// In the next `command` instead of what the planner says.
   void steer(std::size_t robot, const base::Twist2& command) { steered_[robot] = command; }
   /// Commands of this step, within the limits of speed and acceleration. Emits `replan`.
-  const std::vector<base::Twist2>& command(const FrozenWorld& world,
-                                           const NavigationMap& navigation, WorldState& state);
+  const std::vector<base::Twist2>& command(const FrozenWorld& world, WorldState& state);
   /// After the step: goals reached, arrivals.
   static void afterMotion(const WorldModel& model, WorldState& state);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "sim2d/base/Math.h"
 #include "sim2d/map/Segments.h"
 
 namespace sim2d {
@@ -93,7 +92,9 @@ RouteFollower::Leg RouteFollower::follow(const Request& request, const Navigatio
     progressAt_ = request.time;
     return leg;
   }
-  if (!isForThisTarget(request, navigation)) {
+  const bool isForThisTarget = version_ == navigation.version() &&
+                               (request.target.position - target_).norm() <= kTargetMoved;
+  if (!isForThisTarget) {
     leg.replanned = version_ >= 0 && version_ != navigation.version();
     plan(request, navigation);
     clearAt_ = progressAt_ = request.time;
@@ -119,11 +120,6 @@ RouteFollower::Leg RouteFollower::follow(const Request& request, const Navigatio
     leg.direction = toNext.norm() > 1e-9 ? toNext.normalized() : toTarget.normalized();
   }
   return leg;
-}
-
-bool RouteFollower::isForThisTarget(const Request& request, const NavigationMap& navigation) const {
-  return version_ == navigation.version() &&
-         (request.target.position - target_).norm() <= kTargetMoved;
 }
 
 void RouteFollower::plan(const Request& request, const NavigationMap& navigation) {

@@ -31,8 +31,7 @@ class RouteFollower {
     double radius = 0.35;  // of the body [m]
     double speed = 1.0;    // wanted [m/s]
     double time = 0.0;     // [s]
-    Route route = Route::Planned;
-    double spread = 0.0;  // [m]; corners are passed so far outside of the shortest way, if it fits
+    double spread = 0.0;   // [m]; corners are passed so far outside of the shortest way, if it fits
   };
   struct Leg {
     Vec2 direction = Vec2::Zero();  // unit vector; zero: arrived, or there is no way
@@ -49,7 +48,6 @@ class RouteFollower {
   void reset() { *this = RouteFollower{}; }
 
  private:
-  bool isForThisTarget(const Request& request, const NavigationMap& navigation) const;
   void plan(const Request& request, const NavigationMap& navigation);
   void passWayPoints(const Request& request, const NavigationMap& navigation, bool looks);
   bool isLost(const Request& request, const NavigationMap& navigation, const Obstacles& obstacles);

@@ -33,11 +33,7 @@ std::string reasonToStop(const World& world, const StopRule& rule,
 }
 
 void appendLast(Frame frame, const std::string& reason, FrameSink& sink) {
-  Event stop;
-  stop.kind = EventKind::Stop;
-  stop.hasId = false;
-  stop.text = reason;
-  frame.events.push_back(std::move(stop));
+  frame.events.push_back({EventKind::Stop, 0, false, 0, false, reason});
   sink.append(frame);
 }
 

@@ -2,20 +2,11 @@
 
 #include <vector>
 
-#include "sim2d/map/Obstacles.h"
+#include "sim2d/world/SocialForce.h"
 
 namespace sim2d {
 
-/// Something seen that moves.
-struct SeenBody {
-  int id = 0;
-  Vec2 position = Vec2::Zero();
-  Vec2 velocity = Vec2::Zero();
-  double radius = 0.35;  // [m]
-};
-
-/// Half the angle of the field of view of a person [rad].
-constexpr double kHalfView = base::kPi / 2.0 + 0.17;
+using SeenBody = Walker;
 
 /// `point` lies within `range` and within `halfAngle` of the heading, and nothing solid is between.
 bool isInView(const Pose2& eye, const Vec2& point, double range, double halfAngle,

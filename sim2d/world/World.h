@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "sim2d/base/Result.h"
 #include "sim2d/scenario/Scenario.h"
@@ -34,8 +33,7 @@ struct WorldSetup {
 
 /// The running world. One step (fixed dt):
 ///  1 inputs from outside; then those of the scenario whose time has come (doors that toggle,
-///  people
-///    who start, sources), which are seen in the frame of that very time already
+///    people who start, sources), which are seen in the frame of that very time already
 ///  2 neighbour grid from the frozen state
 ///  3 HumanBehavior::decide in id order -> intents
 ///  4 robots: observation -> controller -> Twist2
@@ -50,36 +48,27 @@ class World {
   /// Errors: what makes a run impossible (place for a start, model, planner …); warnings otherwise
   /// (moved starts, keys without effect).
   static base::Result<std::unique_ptr<World>> create(WorldSetup setup);
-  ~World();
-  World(const World&) = delete;
-  World& operator=(const World&) = delete;
-  World(World&&) = delete;
-  World& operator=(World&&) = delete;
+  virtual ~World() = default;
 
   /// `inputs` act before anybody decides, in their order; they are in the frame of the step.
   /// False when the run has failed (diverged): `failure` says who and why; the last good state
   /// stays.
-  bool step(const StepInputs& inputs = {});
-  const std::string& failure() const;
+  virtual bool step(const StepInputs& inputs = {}) = 0;
+  virtual const std::string& failure() const = 0;
   /// Inputs of the last step that could not be (nobody has that id, no such door …), left out.
-  const base::Diagnostics& refused() const;
+  virtual const base::Diagnostics& refused() const = 0;
   /// From now on every step adds its times to `times`; nullptr: no more.
-  void measure(StepTimes* times);
+  virtual void measure(StepTimes* times) = 0;
 
-  const Frame& frame() const;  // after the last step; valid until the next
-  std::int64_t stepIndex() const;
-  double time() const;
-  double dt() const;
+  virtual const Frame& frame() const = 0;  // after the last step; valid until the next
+  std::int64_t stepIndex() const { return frame().step; }
+  double time() const { return frame().time; }
+  double dt() const { return view().dt(); }
   /// All robots have arrived (false without a moving robot), and since when [s].
-  std::optional<double> arrivedAt() const;
-  TraceHeader header() const;  // as of now
-  const WorldView& view() const;
-  HumanBehavior& behavior();
-
- private:
-  struct State;
-  explicit World(std::unique_ptr<State> state);
-  std::unique_ptr<State> state_;
+  virtual std::optional<double> arrivedAt() const = 0;
+  virtual TraceHeader header() const = 0;  // as of now
+  virtual const WorldView& view() const = 0;
+  virtual HumanBehavior& behavior() = 0;
 };
 
 }  // namespace sim2d

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/world/WorldInside.h"
@@ -13,6 +12,9 @@ constexpr double kNearWall = 0.1;   // [m]
 constexpr double kNearBody = 0.05;  // [m]; more than a touch takes to end
 constexpr double kNearRobot = 0.5;  // [m]
 constexpr int kPolygonSubSteps = 4;
+constexpr double kClearance = 0.0005;  // [m]; less than the skin that discs have in the physics
+constexpr double kSmallExcess = 1e-6;  // [m/s]
+constexpr int kMostRounds = 20;
 
 bool isNearWall(const MovingDisc& disc, double reach) {
   return disc.walls != nullptr && std::any_of(disc.walls->begin(), disc.walls->end(),
@@ -21,98 +23,142 @@ bool isNearWall(const MovingDisc& disc, double reach) {
                                               });
 }
 
+/// Closing speed beyond what the gap allows [m/s].
+double excess(double closingSpeed, double gap, double dt) {
+  return closingSpeed - std::max(gap - kClearance, 0.0) / dt;
+}
+
+bool stopAtWalls(MovingDisc& disc, double dt) {
+  bool changed = false;
+  if (disc.walls == nullptr) {
+    return changed;
+  }
+  for (const Obstacles::Point& point : *disc.walls) {
+    if (point.inside || point.distance < 1e-9) {
+      continue;
+    }
+    const Vec2 toWall = (point.position - disc.position) / point.distance;
+    const double tooFast = excess(disc.velocity.dot(toWall), point.distance - disc.radius, dt);
+    if (tooFast > kSmallExcess) {
+      disc.velocity -= tooFast * toWall;
+      changed = true;
+    }
+  }
+  return changed;
+}
+
+bool stopAtEachOther(MovingDisc& first, MovingDisc& second, const Vec2& shift, double dt) {
+  const Vec2 apart = second.position + shift - first.position;
+  const double distance = apart.norm();
+  if (distance < 1e-9) {
+    return false;
+  }
+  const Vec2 normal = apart / distance;
+  const double closing = (first.velocity - second.velocity).dot(normal);
+  const double tooFast = excess(closing, distance - first.radius - second.radius, dt);
+  if (tooFast <= kSmallExcess) {
+    return false;
+  }
+  const double share = second.mass / (first.mass + second.mass);
+  first.velocity -= share * tooFast * normal;
+  second.velocity += (1.0 - share) * tooFast * normal;
+  return true;
+}
+
 }  // namespace
 
-void World::State::placeDiscs(const std::vector<base::Twist2>& commands) {
-  discs_.resize(owners.size());
-  std::vector<MovingDisc>& discs = discs_;
+void keepApart(std::vector<MovingDisc>& discs, const std::vector<DiscPair>& pairs, double dt) {
+  bool changed = true;
+  for (int round = 0; round < kMostRounds && changed; ++round) {
+    changed = false;
+    for (const DiscPair& pair : pairs) {
+      changed |=
+          stopAtEachOther(discs[static_cast<std::size_t>(pair.first)],
+                          discs[static_cast<std::size_t>(pair.second)], Vec2(pair.shift, 0.0), dt);
+    }
+    for (MovingDisc& disc : discs) {
+      changed |= stopAtWalls(disc, dt);
+    }
+  }
+}
+
+void RunningWorld::placeDiscs(const std::vector<base::Twist2>& commands) {
+  discs_.resize(commands.size() + humans_.size());
   chords_.assign(commands.size(), Vec2::Zero());
   robotWalls_.resize(commands.size());
   for (std::size_t i = 0; i < commands.size(); ++i) {
-    const RobotState& robot = state.robots[i];
-    const double middle = robot.pose.heading + commands[i].angular * model.dt / 2.0;
+    const RobotState& robot = state_.robots[i];
+    const ResolvedRobot& constants = model_.robots[i];
+    const double middle = robot.pose.heading + commands[i].angular * model_.dt / 2.0;
     chords_[i] = base::directionOf(base::wrapToPi(middle));
-    discs[i].position = robot.pose.position;
-    discs[i].velocity = commands[i].linear * chords_[i];
-    discs[i].radius = model.robots[i].radius;
     const bool stands = commands[i].linear == 0.0 && commands[i].angular == 0.0;
-    discs[i].mass = model.robots[i].mass * (stands ? kBrakedMass : 1.0);
-    physics.setBraked(static_cast<int>(i), stands);
+    physics_.setBraked(static_cast<int>(i), stands);
     robotWalls_[i].clear();
-    discs[i].walls = &robotWalls_[i];
-    if (model.robots[i].footprint.empty()) {
-      surroundings.obstacles.boundaryPoints(robot.pose.position, robotWalls_[i],
-                                            discs[i].radius + 1.0);
+    if (constants.footprint.empty()) {
+      surroundings_.obstacles.boundaryPoints(robot.pose.position, robotWalls_[i],
+                                             constants.radius + 1.0);
     }
+    discs_[i] = {robot.pose.position, commands[i].linear * chords_[i], constants.radius,
+                 constants.mass * (stands ? kBrakedMass : 1.0), &robotWalls_[i]};
   }
-  for (std::size_t i = 0; i < model.people.size(); ++i) {
-    if (bodyOf(i) < 0) {
-      continue;
-    }
-    if (state.present[i] == 0) {
-      discs[static_cast<std::size_t>(bodyOf(i))] = MovingDisc{};
-      continue;
-    }
-    MovingDisc& disc = discs[static_cast<std::size_t>(bodyOf(i))];
-    disc.position = state.position(i);
-    disc.velocity = motion.wanted()[i];
-    disc.radius = model.people[i].constants.radius;
-    disc.mass = model.people[i].constants.mass;
-    disc.walls = motion.wallsNear(i);
+  for (std::size_t k = 0; k < humans_.size(); ++k) {
+    const std::size_t human = humans_[k];
+    const ResolvedHuman& person = model_.people[human].constants;
+    discs_[commands.size() + k] =
+        state_.present[human] == 0
+            ? MovingDisc{}
+            : MovingDisc{state_.position(human), motion_.wanted()[human], person.radius,
+                         person.mass, motion_.wallsNear(human)};
   }
 }
 
-Vec2 World::State::wantedVelocity(std::size_t body,
+Vec2 RunningWorld::wantedVelocity(std::size_t body,
                                   const std::vector<base::Twist2>& commands) const {
-  const auto at = static_cast<std::size_t>(owners[body].index);
-  return owners[body].isRobot ? Vec2(commands[at].linear * chords_[at]) : motion.wanted()[at];
+  return isRobot(body) ? Vec2(commands[body].linear * chords_[body])
+                       : motion_.wanted()[humanOf(body)];
 }
 
-void World::State::moveBodies(const std::vector<base::Twist2>& commands) {
+void RunningWorld::moveBodies(const std::vector<base::Twist2>& commands) {
   placeDiscs(commands);
-  std::vector<MovingDisc>& discs = discs_;
   findPairs();
-  keepApart(discs, pairs_, model.dt);
+  keepApart(discs_, pairs_, model_.dt);
   findNearness();
-  for (std::size_t body = 0; body < discs.size(); ++body) {
-    const BodyOwner& owner = owners[body];
-    const double omega =
-        owner.isRobot ? commands[static_cast<std::size_t>(owner.index)].angular : 0.0;
-    physics.setLonely(static_cast<int>(body), nearness_[body] == Nearness::Nothing);
-    physics.setVelocity(static_cast<int>(body), discs[body].velocity, omega);
+  for (std::size_t body = 0; body < discs_.size(); ++body) {
+    const double omega = isRobot(body) ? commands[body].angular : 0.0;
+    physics_.setLonely(static_cast<int>(body), nearness_[body] == Nearness::Nothing);
+    physics_.setVelocity(static_cast<int>(body), discs_[body].velocity, omega);
   }
-  physics.step(model.dt, subSteps());
+  physics_.step(model_.dt, subSteps());
   readPeople();
   readRobots(commands);
 }
 
 /// Polygons have no contact ahead of time.
-int World::State::subSteps() const {
-  for (std::size_t i = 0; i < model.robots.size(); ++i) {
-    if (!model.robots[i].footprint.empty() && nearness_[i] != Nearness::Nothing) {
+int RunningWorld::subSteps() const {
+  for (std::size_t i = 0; i < model_.robots.size(); ++i) {
+    if (!model_.robots[i].footprint.empty() && nearness_[i] != Nearness::Nothing) {
       return kPolygonSubSteps;
     }
   }
   return 1;
 }
 
-bool World::State::isNearWallOrRobot(const MovingDisc& person) const {
-  const double reach = person.radius + person.velocity.norm() * model.dt + kNearWall;
+bool RunningWorld::isNearWallOrRobot(const MovingDisc& person) const {
+  const double reach = person.radius + person.velocity.norm() * model_.dt + kNearWall;
   bool isNear = isNearWall(person, reach);
-  for (std::size_t i = 0; i < state.robots.size() && !isNear; ++i) {
+  for (std::size_t i = 0; i < state_.robots.size() && !isNear; ++i) {
     const double near = reach + robotReaches_[i] + kNearRobot;
-    isNear = (state.robots[i].pose.position - person.position).squaredNorm() < near * near;
+    isNear = (state_.robots[i].pose.position - person.position).squaredNorm() < near * near;
   }
   return isNear;
 }
 
 /// Who meets nothing in this step. Small worlds leave all people to the solver.
-void World::State::findNearness() {
-  nearness_.assign(owners.size(), owners.size() - state.robots.size() > kSmallWorld
-                                      ? Nearness::Nothing
-                                      : Nearness::Solid);
-  for (std::size_t body = 0; body < owners.size(); ++body) {
-    if (owners[body].isRobot) {
+void RunningWorld::findNearness() {
+  nearness_.assign(discs_.size(),
+                   humans_.size() > kSmallWorld ? Nearness::Nothing : Nearness::Solid);
+  for (std::size_t body = 0; body < discs_.size(); ++body) {
+    if (isRobot(body)) {
       nearness_[body] = meetsSomething(body) ? Nearness::Solid : Nearness::Nothing;
     } else if (isNearWallOrRobot(discs_[body])) {
       nearness_[body] = Nearness::Solid;
@@ -130,7 +176,7 @@ void World::State::findNearness() {
 }
 
 /// Two people come near each other in this step, or one of them may be pushed by something else.
-bool World::State::mayMeet(const DiscPair& pair) const {
+bool RunningWorld::mayMeet(const DiscPair& pair) const {
   const auto first = static_cast<std::size_t>(pair.first);
   const auto second = static_cast<std::size_t>(pair.second);
   if (nearness_[first] == Nearness::Solid || nearness_[second] == Nearness::Solid) {
@@ -139,7 +185,7 @@ bool World::State::mayMeet(const DiscPair& pair) const {
   const MovingDisc& a = discs_[first];
   const MovingDisc& b = discs_[second];
   const Vec2 apart = b.position + Vec2(pair.shift, 0.0) - a.position;
-  const Vec2 travel = (b.velocity - a.velocity) * model.dt;
+  const Vec2 travel = (b.velocity - a.velocity) * model_.dt;
   const double nearest =
       std::clamp(-apart.dot(travel) / std::max(travel.squaredNorm(), 1e-12), 0.0, 1.0);
   const double gap = a.radius + b.radius + kNearBody;
@@ -149,25 +195,22 @@ bool World::State::mayMeet(const DiscPair& pair) const {
 /// The solver does not know a robot while nothing is near it, so that it cannot change the order in
 /// which the solver looks at people, and with it their last digits. A polygon counts as the circle
 /// around it.
-bool World::State::meetsSomething(std::size_t robot) const {
+bool RunningWorld::meetsSomething(std::size_t robot) const {
   const MovingDisc& self = discs_[robot];
-  const double reach = robotReaches_[robot] + self.velocity.norm() * model.dt;
+  const double reach = robotReaches_[robot] + self.velocity.norm() * model_.dt;
   const double wall = reach + kNearWall;
-  if (model.robots[robot].footprint.empty()
+  if (model_.robots[robot].footprint.empty()
           ? isNearWall(self, wall)
-          : surroundings.obstacles.clearance(self.position, wall) < wall) {
+          : surroundings_.obstacles.clearance(self.position, wall) < wall) {
     return true;
   }
-  for (std::size_t body = 0; body < owners.size(); ++body) {
-    const BodyOwner& owner = owners[body];
-    if (body == robot ||
-        (!owner.isRobot && state.present[static_cast<std::size_t>(owner.index)] == 0)) {
+  for (std::size_t body = 0; body < discs_.size(); ++body) {
+    if (body == robot || (!isRobot(body) && state_.present[humanOf(body)] == 0)) {
       continue;
     }
     const MovingDisc& disc = discs_[body];
-    const double size =
-        owner.isRobot ? robotReaches_[static_cast<std::size_t>(owner.index)] : disc.radius;
-    const double near = reach + size + disc.velocity.norm() * model.dt + kNearRobot;
+    const double size = isRobot(body) ? robotReaches_[body] : disc.radius;
+    const double near = reach + size + disc.velocity.norm() * model_.dt + kNearRobot;
     if ((disc.position - self.position).squaredNorm() < near * near) {
       return true;
     }
@@ -175,96 +218,94 @@ bool World::State::meetsSomething(std::size_t robot) const {
   return false;
 }
 
-void World::State::findPairs() {
-  const std::vector<MovingDisc>& discs = discs_;
-  std::vector<DiscPair>& pairs = pairs_;
-  pairs.clear();
-  pairs.reserve(2 * discs.size());
+void RunningWorld::findPairs() {
+  pairs_.clear();
+  pairs_.reserve(2 * discs_.size());
   double fastest = 0.0;
   double largest = 0.0;
-  for (const MovingDisc& disc : discs) {
+  for (const MovingDisc& disc : discs_) {
     fastest = std::max(fastest, disc.velocity.norm());
     largest = std::max(largest, disc.radius);
   }
-  for (std::size_t body = 0; body < discs.size(); ++body) {
-    const BodyOwner& owner = owners[body];
-    const auto at = static_cast<std::size_t>(owner.index);
-    if (owner.isRobot ? !model.robots[at].footprint.empty() : state.present[at] == 0) {
+  for (std::size_t body = 0; body < discs_.size(); ++body) {
+    if (isRobot(body) ? !model_.robots[body].footprint.empty()
+                      : state_.present[humanOf(body)] == 0) {
       continue;
     }
-    const double range = discs[body].radius + largest + 2.0 * fastest * model.dt + 0.01;
-    model.ring.forEachImage(discs[body].position, [&](const Vec2& centre) {
-      grid.forEachNear(centre, range, [&](int human) {
+    const MovingDisc& disc = discs_[body];
+    const double range = disc.radius + largest + 2.0 * fastest * model_.dt + 0.01;
+    model_.ring.forEachImage(disc.position, [&](const Vec2& centre) {
+      grid_.forEachNear(centre, range, [&](int human) {
         const int other = bodyOf(static_cast<std::size_t>(human));
-        const bool isDone = !owner.isRobot && (model.peoplePass || other <= static_cast<int>(body));
+        const bool isDone =
+            !isRobot(body) && (model_.peoplePass || other <= static_cast<int>(body));
         if (!isDone) {
-          pairs.push_back({static_cast<int>(body), other, discs[body].position.x() - centre.x()});
+          pairs_.push_back({static_cast<int>(body), other, disc.position.x() - centre.x()});
         }
       });
     });
-    for (std::size_t robot = body + 1; robot < state.robots.size(); ++robot) {
-      if (model.robots[robot].footprint.empty()) {
-        pairs.push_back({static_cast<int>(body), static_cast<int>(robot)});
+    for (std::size_t robot = body + 1; robot < state_.robots.size(); ++robot) {
+      if (model_.robots[robot].footprint.empty()) {
+        pairs_.push_back({static_cast<int>(body), static_cast<int>(robot)});
       }
     }
   }
 }
 
-void World::State::readPeople() {
-  for (std::size_t i = 0; i < model.people.size(); ++i) {
-    if (state.present[i] == 0) {
+void RunningWorld::readPeople() {
+  for (std::size_t i = 0; i < model_.people.size(); ++i) {
+    if (state_.present[i] == 0) {
       continue;
     }
-    const Vec2 velocity = physics.velocity(bodyOf(i));
-    const Vec2 position = aroundTheRing(i, physics.pose(bodyOf(i)));
-    state.x[i] = position.x();
-    state.y[i] = position.y();
-    state.vx[i] = velocity.x();
-    state.vy[i] = velocity.y();
-    if (isWalking(intents.of(static_cast<int>(i)).motion)) {
-      state.heading[i] = headingAfter(state.heading[i], velocity, model.dt);
+    const Vec2 velocity = physics_.velocity(bodyOf(i));
+    const Vec2 position = aroundTheRing(i, physics_.pose(bodyOf(i)));
+    state_.x[i] = position.x();
+    state_.y[i] = position.y();
+    state_.vx[i] = velocity.x();
+    state_.vy[i] = velocity.y();
+    if (isWalking(intents_.of(static_cast<int>(i)).motion)) {
+      state_.heading[i] = headingAfter(state_.heading[i], velocity, model_.dt);
     }
-    state.omega[i] = base::angleDiff(state.heading[i], headingsBefore_[i]) / model.dt;
+    state_.omega[i] = base::angleDiff(state_.heading[i], headingsBefore_[i]) / model_.dt;
   }
 }
 
 /// A person who passed an end of a closed corridor comes in at the other and looks for the way
 /// anew.
-Vec2 World::State::aroundTheRing(std::size_t human, const Pose2& pose) {
-  Vec2 inside = model.ring.inside(pose.position);
+Vec2 RunningWorld::aroundTheRing(std::size_t human, const Pose2& pose) {
+  Vec2 inside = model_.ring.inside(pose.position);
   if (inside != pose.position) {
-    physics.place(bodyOf(human), {inside, pose.heading});
-    motion.forget(static_cast<int>(human));
+    physics_.place(bodyOf(human), {inside, pose.heading});
+    motion_.forget(human);
   }
   return inside;
 }
 
-void World::State::readRobots(const std::vector<base::Twist2>& commands) {
+void RunningWorld::readRobots(const std::vector<base::Twist2>& commands) {
   for (std::size_t i = 0; i < commands.size(); ++i) {
-    RobotState& robot = state.robots[i];
+    RobotState& robot = state_.robots[i];
     const int body = static_cast<int>(i);
-    robot.pose = physics.pose(body);
-    robot.velocity = physics.velocity(body);
+    robot.pose = physics_.pose(body);
+    robot.velocity = physics_.velocity(body);
     // The wheels hold: who is pushed from behind does not drive faster, who is blocked drives
     // slower.
     const double commanded = commands[i].linear;
     robot.linear = std::clamp(robot.velocity.dot(chords_[i]), std::min(commanded, 0.0),
                               std::max(commanded, 0.0));
-    robot.omega = physics.omega(body);
+    robot.omega = physics_.omega(body);
   }
 }
 
-int World::State::idOf(const BodyOwner& owner) const {
-  const auto at = static_cast<std::size_t>(owner.index);
-  return owner.isRobot ? model.robots[at].id : model.people[at].constants.id;
+int RunningWorld::idOf(std::size_t body) const {
+  return isRobot(body) ? model_.robots[body].id : model_.people[humanOf(body)].constants.id;
 }
 
 /// When two bodies, or a body and an obstacle, begin to touch: one event per pair until they have
 /// parted, with the speed at which contacts stopped them.
-void World::State::tellContacts(const std::vector<base::Twist2>& commands) {
+void RunningWorld::tellContacts(const std::vector<base::Twist2>& commands) {
   std::swap(touchesBefore_, touches_);
-  touches_.reserve(owners.size());
-  physics.touches(touchesBefore_, touches_);
+  touches_.reserve(discs_.size());
+  physics_.touches(touchesBefore_, touches_);
   for (const Touch& touch : touches_) {
     if (std::binary_search(touchesBefore_.begin(), touchesBefore_.end(), touch)) {
       continue;
@@ -273,16 +314,13 @@ void World::State::tellContacts(const std::vector<base::Twist2>& commands) {
     Vec2 relative = wantedVelocity(body, commands);
     Event event;
     event.kind = EventKind::Contact;
-    event.id = idOf(owners[body]);
+    event.id = idOf(body);
     if (touch.other >= 0) {
       const auto other = static_cast<std::size_t>(touch.other);
       relative -= wantedVelocity(other, commands);
-      event.other = idOf(owners[other]);
+      event.other = idOf(other);
       event.hasOther = true;
-      const bool otherIsFirst = owners[other].isRobot == owners[body].isRobot
-                                    ? event.other < event.id && !owners[body].isRobot
-                                    : owners[other].isRobot;
-      if (otherIsFirst) {
+      if (!isRobot(body) && event.other < event.id) {  // people by id, a robot before a person
         std::swap(event.id, event.other);
       }
     }
@@ -291,7 +329,7 @@ void World::State::tellContacts(const std::vector<base::Twist2>& commands) {
     if (part > 0 && !partNames_[part].empty()) {  // walls of the map have no name in events
       event.text += " " + partNames_[part];
     }
-    state.events.push_back(std::move(event));
+    state_.events.push_back(std::move(event));
   }
 }
 

@@ -4,7 +4,6 @@
 #include <tuple>
 #include <utility>
 
-#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/world/Placement.h"
 #include "sim2d/world/WorldInside.h"
@@ -21,58 +20,43 @@ bool isNotNegative(double value) {
   return std::isfinite(value) && value >= 0.0;
 }
 
-/// What holds for one thing, or is told.
-class Checks {
- public:
-  Checks(std::string who, EntityId key, base::Diagnostics& problems)
-      : who_(std::move(who)), key_(key), problems_(problems) {}
-
-  void need(bool holds, const char* code, base::ProblemValues values = {}) {
-    if (!holds) {
-      problems_.push_back(about(base::error(code, std::move(values)), key_, who_));
-    }
+/// Null, and told: there is no such entry.
+template <class Maker>
+auto needEntry(const Registry<Maker>& registry, const std::string& name, const char* code,
+               ProblemsOf& found) {
+  const auto* const entry = registry.find(name);
+  if (entry == nullptr) {
+    found.add(base::error(code, {name, base::nearestName(name, registry.names())}));
   }
-  /// `name` is one of the registry.
-  template <class Maker>
-  void needKnown(const std::string& name, const Registry<Maker>& registry, const char* code) {
-    if (registry.find(name) == nullptr) {
-      need(false, code, {name, base::nearestName(name, registry.names())});
-    }
-  }
+  return entry;
+}
 
- private:
-  std::string who_;
-  EntityId key_;
-  base::Diagnostics& problems_;
-};
+/// False, and told: the entry has no such parameter.
+template <class Entry>
+bool needParameter(const Entry& entry, const std::string& key, const char* code,
+                   ProblemsOf& found) {
+  std::vector<std::string> keys;
+  for (const base::ParameterSpec& spec : entry.parameters) {
+    keys.push_back(spec.key);
+  }
+  const bool isThere = std::find(keys.begin(), keys.end(), key) != keys.end();
+  found.need(isThere, code, {entry.name, key, base::join(keys, ", ")});
+  return isThere;
+}
 
 void checkPerson(const WorldModel& model, const ResolvedHuman& person, EntityId key,
                  base::Diagnostics& problems) {
-  Checks checks("person '" + person.name + "'", key, problems);
-  checks.need(person.id >= 0, "world.bad-id");
-  checks.need(isPositive(person.radius) && isPositive(person.mass), "world.bad-body");
-  checks.need(isNotNegative(person.desiredSpeed) && isPositive(person.goalRadius),
-              "world.bad-speed");
-  checks.needKnown(person.model, model.registries->models, "world.unknown-model");
+  ProblemsOf found(key, "person '" + person.name + "'", problems);
+  found.need(person.id >= 0, "world.bad-id");
+  found.need(isPositive(person.radius) && isPositive(person.mass), "world.bad-body");
+  found.need(isNotNegative(person.desiredSpeed) && isPositive(person.goalRadius),
+             "world.bad-speed");
+  needEntry(model.registries->models, person.model, "world.unknown-model", found);
 }
 
-/// People with the same goals, reached within the same radius, share a plan.
-class Plans {
- public:
-  std::shared_ptr<GoalPlan> of(const std::vector<int>& goals, double radius) {
-    std::shared_ptr<GoalPlan>& plan = plans_[{goals, radius}];
-    if (plan == nullptr) {
-      plan = std::make_shared<GoalPlan>(GoalPlan{goals, {}});
-    }
-    return plan;
-  }
-
- private:
-  std::map<std::pair<std::vector<int>, double>, std::shared_ptr<GoalPlan>> plans_;
-};
-
 void addPeople(const WorldSetup& setup, WorldModel& model, base::Diagnostics& problems) {
-  Plans plans;
+  // People with the same goals, reached within the same radius, share a plan.
+  std::map<std::pair<std::vector<int>, double>, std::shared_ptr<GoalPlan>> plans;
   std::vector<const Human*> listed;
   for (const Human& human : setup.scenario->humans) {
     model.nextId = std::max(model.nextId, human.id + 1);
@@ -87,103 +71,80 @@ void addPeople(const WorldSetup& setup, WorldModel& model, base::Diagnostics& pr
     Person person;
     person.key = human->key;
     person.constants = resolvePerson(model, *human);
-    person.plan = plans.of(human->goals, person.constants.goalRadius);
+    std::shared_ptr<GoalPlan>& plan = plans[{human->goals, person.constants.goalRadius}];
+    if (plan == nullptr) {
+      plan = std::make_shared<GoalPlan>(GoalPlan{human->goals, {}});
+    }
+    person.plan = plan;
     checkPerson(model, person.constants, human->key, problems);
     if (!model.people.empty() && model.people.back().constants.id == human->id) {
-      problems.push_back(
-          about(base::error("world.id-taken", {human->id, model.people.back().constants.name}),
-                human->key, "person '" + human->name + "'"));
+      ProblemsOf(human->key, "person '" + human->name + "'", problems)
+          .add(base::error("world.id-taken", {human->id, model.people.back().constants.name}));
     }
     model.people.push_back(std::move(person));
   }
 }
 
-bool hasParameter(const std::vector<base::ParameterSpec>& specs, const std::string& name) {
-  return std::any_of(specs.begin(), specs.end(),
-                     [&](const base::ParameterSpec& spec) { return spec.key == name; });
-}
-
-std::string namesOf(const std::vector<base::ParameterSpec>& specs) {
-  std::vector<std::string> names;
-  for (const base::ParameterSpec& spec : specs) {
-    names.push_back(spec.key);
-  }
-  return base::join(names, ", ");
-}
-
 /// Of the models that people of this world may have.
 void checkModelParameters(const WorldModel& model, base::Diagnostics& problems) {
   constexpr EntityId kScenario{base::EntityKind::Scenario, 0};
-  const auto& models = model.registries->models;
+  ProblemsOf ofModels(kScenario, "model_parameters", problems);
+  ProblemsOf ofKeys(kScenario, {}, problems);
   for (const auto& [name, texts] : model.environment->desktop.modelParameters) {
-    const auto* const entry = models.find(name);
-    if (entry == nullptr) {
-      problems.push_back(
-          about(base::error("world.unknown-model", {name, base::nearestName(name, models.names())}),
-                kScenario, "model_parameters"));
-      continue;
-    }
-    for (const auto& [key, text] : texts) {
-      if (!hasParameter(entry->parameters, key)) {
-        problems.push_back(about(
-            base::error("world.unknown-model-parameter", {name, key, namesOf(entry->parameters)}),
-            kScenario));
-      }
+    const auto* const entry =
+        needEntry(model.registries->models, name, "world.unknown-model", ofModels);
+    for (auto text = texts.begin(); entry != nullptr && text != texts.end(); ++text) {
+      needParameter(*entry, text->first, "world.unknown-model-parameter", ofKeys);
     }
   }
 }
 
-void checkRobot(const Registries& registries, const ResolvedRobot& robot, EntityId key,
-                base::Diagnostics& problems) {
-  Checks checks("robot '" + robot.name + "'", key, problems);
-  checks.needKnown(robot.type, registries.robotTypes, "world.unknown-type");
-  checks.need(robot.footprint.empty()
-                  ? isPositive(robot.radius)
-                  : isSimple(robot.footprint) && signedArea(robot.footprint) > kSmallestFootprint,
-              "world.bad-robot-body");
-  checks.need(isPositive(robot.mass) && isNotNegative(robot.maxVel) && isPositive(robot.maxAcc) &&
-                  isNotNegative(robot.maxOmega) && isPositive(robot.maxAlpha) &&
-                  isPositive(robot.goalRadius),
-              "world.bad-robot-limits");
+void checkRobot(const Registries& registries, const ResolvedRobot& robot, ProblemsOf& found) {
+  needEntry(registries.robotTypes, robot.type, "world.unknown-type", found);
+  found.need(robot.footprint.empty()
+                 ? isPositive(robot.radius)
+                 : isSimple(robot.footprint) && signedArea(robot.footprint) > kSmallestFootprint,
+             "world.bad-robot-body");
+  found.need(isPositive(robot.mass) && isNotNegative(robot.maxVel) && isPositive(robot.maxAcc) &&
+                 isNotNegative(robot.maxOmega) && isPositive(robot.maxAlpha) &&
+                 isPositive(robot.goalRadius),
+             "world.bad-robot-limits");
 }
 
-base::Result<std::shared_ptr<RobotController>> makeController(const PlannerRegistry& planners,
-                                                              const ResolvedRobot& robot) {
-  const std::string who = "robot '" + robot.name + "'";
-  const auto* const planner = planners.find(robot.planner);
-  if (planner == nullptr) {
-    return base::within(
-        who, base::error("world.unknown-planner",
-                         {robot.planner, base::nearestName(robot.planner, planners.names())}));
+/// Null when there is a problem.
+std::shared_ptr<RobotController> makeController(const PlannerRegistry& planners,
+                                                const ResolvedRobot& robot, EntityId key,
+                                                ProblemsOf& found, base::Diagnostics& problems) {
+  const auto* const planner = needEntry(planners, robot.planner, "world.unknown-planner", found);
+  bool isFine = planner != nullptr;
+  for (std::size_t i = 0; planner != nullptr && i < robot.plannerParameters.size(); ++i) {
+    isFine &=
+        needParameter(*planner, robot.plannerParameters[i].first, "world.unknown-parameter", found);
   }
-  base::Diagnostics problems;
-  for (const auto& [name, value] : robot.plannerParameters) {
-    if (!hasParameter(planner->parameters, name)) {
-      problems.push_back(
-          base::within(who, base::error("world.unknown-parameter",
-                                        {planner->name, name, namesOf(planner->parameters)})));
-    }
+  if (!isFine) {
+    return nullptr;
   }
-  if (base::hasErrors(problems)) {
-    return problems;
+  const base::Result<std::shared_ptr<RobotController>> controller = planner->make(robot);
+  for (const base::Diagnostic& diagnostic : controller.diagnostics()) {
+    ProblemsOf(key, {}, problems).add(diagnostic);
   }
-  return planner->make(robot);
+  return controller ? *controller : nullptr;
 }
 
 void addRobots(const Scenario& scenario, WorldParts& parts, base::Diagnostics& problems) {
+  const Registries& registries = *parts.model.registries;
   for (const Robot& robot : scenario.robots) {
     if (!robot.listed) {
       continue;
     }
     const int id = -1 - static_cast<int>(parts.model.robots.size());
-    parts.model.robots.push_back(resolveRobot(scenario, robot, id));
-    checkRobot(*parts.model.registries, parts.model.robots.back(), robot.key, problems);
-    base::Result<std::shared_ptr<RobotController>> controller =
-        makeController(parts.model.registries->planners, parts.model.robots.back());
-    for (const base::Diagnostic& diagnostic : controller.diagnostics()) {
-      problems.push_back(about(diagnostic, robot.key));
-    }
-    parts.controllers.push_back(controller ? *controller : nullptr);
+    const ResolvedRobot& resolved =
+        parts.model.robots.emplace_back(resolveRobot(scenario, robot, id));
+    parts.model.robotKeys.push_back(robot.key);
+    ProblemsOf found(robot.key, "robot '" + resolved.name + "'", problems);
+    checkRobot(registries, resolved, found);
+    parts.controllers.push_back(
+        makeController(registries.planners, resolved, robot.key, found, problems));
   }
   if (!parts.model.robots.empty() && parts.model.ring.isClosed()) {
     problems.push_back(base::warning("world.robot-on-ring"));
@@ -196,18 +157,15 @@ void addAreas(const Scenario& scenario, WorldModel& model, base::Diagnostics& pr
       continue;
     }
     model.areas.push_back(&area);
-    if (area.points.size() < 3) {
-      problems.push_back(
-          about(base::error("world.bad-area"), area.key, "area '" + area.name + "'"));
-    }
+    ProblemsOf(area.key, "area '" + area.name + "'", problems)
+        .need(area.points.size() >= 3, "world.bad-area");
     if (area.kind != AreaKind::Source) {
       continue;
     }
     const Human* const like = area.like ? scenario.human(*area.like) : nullptr;
-    if (like == nullptr) {
-      problems.push_back(about(base::error("world.source-copies-nobody", {area.like}), area.key,
-                               "source '" + area.name + "'"));
-    } else {
+    ProblemsOf(area.key, "source '" + area.name + "'", problems)
+        .need(like != nullptr, "world.source-copies-nobody", {area.like});
+    if (like != nullptr) {
       checkPerson(model, resolvePerson(model, *like), like->key, problems);
       model.patterns.emplace(like->name, *like);
     }
@@ -250,25 +208,19 @@ void fillModel(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& pr
 }
 
 /// A model serves all people for whom it would be made alike.
-class ModelsInUse {
- public:
-  explicit ModelsInUse(const ModelRegistry& models) : known_(models) {}
-
-  std::shared_ptr<const PedestrianModel> of(const ResolvedHuman& person) {
-    std::shared_ptr<const PedestrianModel>& model =
-        models_[{person.model, person.kind, person.goalFactor, person.obstacleFactor,
-                 person.socialFactor, person.otherFactor}];
-    if (model == nullptr) {
-      model = known_.find(person.model)->make(person);
-    }
-    return model;
-  }
-
- private:
+void giveModels(WorldModel& model) {
   using Key = std::tuple<std::string, PersonKind, double, double, double, double>;
-  const ModelRegistry& known_;
-  std::map<Key, std::shared_ptr<const PedestrianModel>> models_;
-};
+  std::map<Key, std::shared_ptr<const PedestrianModel>> made;
+  for (Person& person : model.people) {
+    const ResolvedHuman& of = person.constants;
+    std::shared_ptr<const PedestrianModel>& same = made[{
+        of.model, of.kind, of.goalFactor, of.obstacleFactor, of.socialFactor, of.otherFactor}];
+    if (same == nullptr) {
+      same = model.registries->models.find(of.model)->make(of);
+    }
+    person.model = same;
+  }
+}
 
 }  // namespace
 
@@ -293,14 +245,13 @@ base::Result<std::unique_ptr<WorldParts>> buildWorld(const WorldSetup& setup) {
   if (base::hasErrors(problems)) {
     return problems;
   }
-  ModelsInUse models(parts->model.registries->models);
   for (Person& person : parts->model.people) {
     std::vector<GoalItem>& goals = person.plan->goals;
     if (goals.empty()) {
       goals = goalItems(parts->model, person.plan->written, person.constants.goalRadius);
     }
-    person.model = models.of(person.constants);
   }
+  giveModels(parts->model);
   leaveOutUnreachable(parts->model, *parts->navigation, problems);
   return {std::move(parts), std::move(problems)};
 }

@@ -18,10 +18,10 @@ bool isUsable(const Input& input) {
 
 }  // namespace
 
-void World::State::take(const StepInputs& inputs) {
+void RunningWorld::take(const StepInputs& inputs) {
   steerings_.clear();
   taken_.clear();
-  refused.clear();
+  refused_.clear();
   newcomers_.clear();
   if (inputs.empty()) {
     return;
@@ -32,36 +32,34 @@ void World::State::take(const StepInputs& inputs) {
     if (problem.empty()) {
       taken_.push_back(std::move(input));
     } else {
-      refused.push_back(base::error("world.refused-input", {inputKindName(input.kind), problem}));
+      refused_.push_back(base::error("world.refused-input", {inputKindName(input.kind), problem}));
     }
   }
   updateNavigation();
-  grid.rebuild(state.x, state.y, state.present);
-  for (const int human : newcomers_) {
-    behavior->enter(human, view);
+  grid_.rebuild(state_.x, state_.y, state_.present);
+  for (const std::size_t human : newcomers_) {
+    behavior_->enter(static_cast<int>(human), view_);
   }
 }
 
-std::string World::State::take(Input& input) {
+std::string RunningWorld::take(Input& input) {
   if (input.kind == InputKind::Robot) {
-    const auto robot = std::find_if(model.robots.begin(), model.robots.end(),
-                                    [&](const ResolvedRobot& each) { return each.id == input.id; });
-    if (robot == model.robots.end()) {
+    const auto robot = static_cast<std::size_t>(-1 - input.id);  // -1, -2 …
+    if (robot >= model_.robots.size()) {
       return "there is no robot " + std::to_string(input.id);
     }
-    robots.steer(static_cast<std::size_t>(robot - model.robots.begin()),
-                 {input.velocity.x(), input.omega});
+    robots_.steer(robot, {input.velocity.x(), input.omega});
     return {};
   }
   if (input.kind == InputKind::Open || input.kind == InputKind::Close) {
     const bool open = input.kind == InputKind::Open;
-    const auto door = std::find_if(model.doors.begin(), model.doors.end(),
+    const auto door = std::find_if(model_.doors.begin(), model_.doors.end(),
                                    [&](const Door* each) { return each->name == input.name; });
-    if (door == model.doors.end()) {
+    if (door == model_.doors.end()) {
       return "there is no door '" + input.name + "'";
     }
-    const auto at = static_cast<std::size_t>(door - model.doors.begin());
-    if ((state.doorOpen[at] != 0) != open) {
+    const auto at = static_cast<std::size_t>(door - model_.doors.begin());
+    if ((state_.doorOpen[at] != 0) != open) {
       setDoor(at, open);
     }
     return {};
@@ -69,9 +67,9 @@ std::string World::State::take(Input& input) {
   return input.kind == InputKind::Add ? addCopy(input) : takeForPerson(input);
 }
 
-std::string World::State::takeForPerson(const Input& input) {
-  const int human = view.indexOf(input.id);
-  if (human < 0 || !view.isPresent(human)) {
+std::string RunningWorld::takeForPerson(const Input& input) {
+  const int human = view_.indexOf(input.id);
+  if (human < 0 || !view_.isPresent(human)) {
     return "there is no person " + std::to_string(input.id) + " in the world";
   }
   const auto at = static_cast<std::size_t>(human);
@@ -82,49 +80,49 @@ std::string World::State::takeForPerson(const Input& input) {
     steerings_.push_back({at, input.desiredVelocity, false});
   } else {
     put(at, input.pose, Vec2::Zero());
-    motion.forget(human);
+    motion_.forget(at);
   }
   return {};
 }
 
 /// `id` 0: the next free one. Numbers rise, as those of people from sources do.
-std::string World::State::addCopy(Input& input) {
+std::string RunningWorld::addCopy(Input& input) {
   const auto like =
-      std::find_if(model.people.begin(), model.people.end(),
+      std::find_if(model_.people.begin(), model_.people.end(),
                    [&](const Person& person) { return person.constants.name == input.name; });
-  if (like == model.people.end()) {
+  if (like == model_.people.end()) {
     return "there is no person '" + input.name + "' to copy";
   }
-  if (input.id != 0 && input.id < model.nextId) {
+  if (input.id != 0 && input.id < model_.nextId) {
     return "the id " + std::to_string(input.id) + " was given before";
   }
-  input.id = std::max(input.id, model.nextId);
-  model.nextId = input.id + 1;
+  input.id = std::max(input.id, model_.nextId);
+  model_.nextId = input.id + 1;
   Person person = *like;
   if (person.copiedFrom < 0) {
-    person.copiedFrom = static_cast<int>(like - model.people.begin());
+    person.copiedFrom = static_cast<int>(like - model_.people.begin());
   }
   person.constants.id = input.id;
   person.constants.name += "_" + std::to_string(input.id);
   person.constants.start = {input.pose.position, base::wrapToPi(input.pose.heading)};
-  person.constants.startTime = state.time;
-  model.people.push_back(std::move(person));
-  state.append(model.people.back());
-  state.present.back() = 1;
-  newcomers_.push_back(static_cast<int>(model.people.size()) - 1);
+  person.constants.startTime = state_.time;
+  model_.people.push_back(std::move(person));
+  state_.append(model_.people.back());
+  state_.present.back() = 1;
+  newcomers_.push_back(model_.people.size() - 1);
   place({newcomers_.back()});
   return {};
 }
 
 /// Somewhere else; the body has the velocity when others look.
-void World::State::put(std::size_t human, const Pose2& pose, const Vec2& velocity) {
-  const Vec2 inside = model.ring.inside(pose.position);
-  state.x[human] = inside.x();
-  state.y[human] = inside.y();
-  state.heading[human] = base::wrapToPi(pose.heading);
-  state.vx[human] = velocity.x();
-  state.vy[human] = velocity.y();
-  physics.place(bodyOf(human), {inside, state.heading[human]});
+void RunningWorld::put(std::size_t human, const Pose2& pose, const Vec2& velocity) {
+  const Vec2 inside = model_.ring.inside(pose.position);
+  state_.x[human] = inside.x();
+  state_.y[human] = inside.y();
+  state_.heading[human] = base::wrapToPi(pose.heading);
+  state_.vx[human] = velocity.x();
+  state_.vy[human] = velocity.y();
+  physics_.place(bodyOf(human), {inside, state_.heading[human]});
 }
 
 }  // namespace sim2d

@@ -10,7 +10,6 @@
 #include "sim2d/world/Physics.h"
 #include "sim2d/world/Population.h"
 #include "sim2d/world/RobotDrive.h"
-#include "sim2d/world/Separation.h"
 #include "sim2d/world/World.h"
 #include "sim2d/world/WorldViewOf.h"
 
@@ -39,38 +38,40 @@ TraceHeader makeHeader(const WorldModel& model, const Surroundings& surroundings
 /// Names of the parts of the surroundings: "map", then listed obstacles, then listed doors.
 std::vector<std::string> partNames(const Environment& scenario);
 
-constexpr std::size_t kSmallWorld = 65;  // people; so few are all left to the solver
-
-/// A body of the physics: a person (index) or a robot (index).
-struct BodyOwner {
-  bool isRobot = false;
-  int index = 0;
+/// A disc on its way.
+struct MovingDisc {
+  Vec2 position = Vec2::Zero();  // [m]
+  Vec2 velocity = Vec2::Zero();  // wanted; what is left of it afterwards [m/s]
+  double radius = 0.35;          // [m]
+  double mass = 80.0;            // [kg]
+  const std::vector<Obstacles::Point>* walls = nullptr;  // boundary points near the disc
+};
+struct DiscPair {
+  int first = 0, second = 0;
+  double shift = 0.0;  // of the second along x, to where it acts [m]
 };
 
-/// What is behind World: the parts and the order of the step.
-struct World::State {
-  State(WorldParts parts, std::unique_ptr<HumanBehavior> minds);
+/// Takes from the velocities what would press discs into each other or into walls before the step
+/// ends: each pair that would, loses closing speed by a plastic impact shared by mass, in the order
+/// given, repeated until nothing changes. Discs stop half a millimetre before they meet.
+void keepApart(std::vector<MovingDisc>& discs, const std::vector<DiscPair>& pairs, double dt);
 
-  bool step(const StepInputs& inputs);
+constexpr std::size_t kSmallWorld = 65;  // people; so few are all left to the solver
 
-  WorldModel model;
-  Surroundings surroundings;
-  std::unique_ptr<NavigationMap> navigation;
-  WorldState state;
-  NeighborGrid grid;
-  Physics physics;
-  std::vector<BodyOwner> owners;  // of the bodies of `physics`
-  WorldViewOf view;
-  Intents intents;
-  std::unique_ptr<HumanBehavior> behavior;
-  PersonMotion motion;
-  Goals goals;
-  Population population;
-  RobotDrive robots;
-  Frame frame;
-  std::string failure;
-  base::Diagnostics refused;   // inputs of the last step
-  StepTimes* times = nullptr;  // null: nobody measures
+/// The parts of a world and the order of the step.
+class RunningWorld : public World {
+ public:
+  RunningWorld(WorldParts parts, std::unique_ptr<HumanBehavior> minds);
+
+  bool step(const StepInputs& inputs) override;
+  const std::string& failure() const override { return failure_; }
+  const base::Diagnostics& refused() const override { return refused_; }
+  void measure(StepTimes* times) override { times_ = times; }
+  const Frame& frame() const override { return frame_; }
+  std::optional<double> arrivedAt() const override;
+  TraceHeader header() const override { return makeHeader(model_, surroundings_); }
+  const WorldView& view() const override { return view_; }
+  HumanBehavior& behavior() override { return *behavior_; }
 
  private:
   /// What a body may run into: the solver cares for all but `Nothing`.
@@ -88,10 +89,10 @@ struct World::State {
   void toggleDoors();
   void setDoor(std::size_t door, bool open);
   void updateNavigation();
-  void place(const std::vector<int>& newcomers);
+  void place(const std::vector<std::size_t>& newcomers);
   void put(std::size_t human, const Pose2& pose, const Vec2& velocity);
-  void enter(int human);
-  void leave(int human);
+  void enter(std::size_t human);
+  void leave(std::size_t human);
   void finishRounds();
   void afterMotion();
 
@@ -114,7 +115,10 @@ struct World::State {
   void readRobots(const std::vector<base::Twist2>& commands);
   void publish();
 
-  int idOf(const BodyOwner& owner) const;
+  /// Bodies are those of the robots, then of people as they came in.
+  bool isRobot(std::size_t body) const { return body < model_.robots.size(); }
+  std::size_t humanOf(std::size_t body) const { return humans_[body - model_.robots.size()]; }
+  int idOf(std::size_t body) const;
   int bodyOf(std::size_t human) const { return bodies_[human]; }
 
   struct Steering {  // of a person by an input
@@ -122,12 +126,32 @@ struct World::State {
     Vec2 velocity = Vec2::Zero();  // [m/s]
     bool isBeside = false;         // what the person wants
   };
-  std::vector<Steering> steerings_;   // in this step
-  StepInputs taken_;                  // idem
-  std::vector<int> newcomers_;        // by inputs of this step
-  std::vector<std::size_t> toggled_;  // times of each door that are over
-  bool doorsChanged_ = false;         // since the navigation map was updated
-  std::vector<int> bodies_;           // of the people; -1: never present
+
+  WorldModel model_;
+  Surroundings surroundings_;
+  std::unique_ptr<NavigationMap> navigation_;
+  WorldState state_;
+  NeighborGrid grid_;
+  Physics physics_;
+  FrozenWorld frozen_;
+  WorldViewOf view_;
+  Intents intents_;
+  std::unique_ptr<HumanBehavior> behavior_;
+  PersonMotion motion_;
+  Goals goals_;
+  Population population_;
+  RobotDrive robots_;
+  Frame frame_;
+  std::string failure_;
+  base::Diagnostics refused_;           // inputs of the last step
+  StepTimes* times_ = nullptr;          // null: nobody measures
+  std::vector<Steering> steerings_;     // in this step
+  StepInputs taken_;                    // idem
+  std::vector<std::size_t> newcomers_;  // by inputs of this step
+  std::vector<std::size_t> toggled_;    // times of each door that are over
+  bool doorsChanged_ = false;           // since the navigation map was updated
+  std::vector<int> bodies_;             // of the people; -1: never present
+  std::vector<std::size_t> humans_;     // whose bodies they are, after those of robots
   std::vector<double> headingsBefore_;
   std::vector<Touch> touches_, touchesBefore_;
   std::vector<std::string> partNames_;

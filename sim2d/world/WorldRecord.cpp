@@ -85,44 +85,34 @@ std::vector<std::pair<std::string, double>> parametersOf(const ResolvedHuman& pe
 }
 
 TraceHuman traceHuman(const Person& person) {
-  const ResolvedHuman& constants = person.constants;
-  TraceHuman human;
-  human.id = constants.id;
-  human.name = constants.name;
-  human.kind = personKindName(constants.kind);
-  human.model = constants.model;
-  human.radius = constants.radius;
-  human.mass = constants.mass;
-  human.desiredSpeed = constants.desiredSpeed;
-  human.group = constants.groupId;
-  human.behavior = static_cast<int>(constants.behavior);
-  human.configuration = static_cast<int>(constants.configuration);
-  human.cyclicGoals = constants.cyclicGoals;
+  const ResolvedHuman& of = person.constants;
+  std::vector<TraceGoal> goals;
   for (const GoalItem& goal : person.plan->goals) {
-    human.goals.push_back({goal.id, goal.position, goal.radius});
+    goals.push_back({goal.id, goal.position, goal.radius});
   }
-  human.parameters = parametersOf(constants);
-  return human;
+  return {of.id,
+          of.name,
+          personKindName(of.kind),
+          of.model,
+          of.radius,
+          of.mass,
+          of.desiredSpeed,
+          of.groupId,
+          static_cast<int>(of.behavior),
+          static_cast<int>(of.configuration),
+          of.cyclicGoals,
+          std::move(goals),
+          parametersOf(of)};
 }
 
 TraceRobot traceRobot(const ResolvedRobot& robot) {
-  TraceRobot result;
-  result.id = robot.id;
-  result.name = robot.name;
-  result.type = robot.type;
-  result.planner = robot.planner;
-  result.radius = robot.radius;
-  result.mass = robot.mass;
-  result.maxVel = robot.maxVel;
-  result.maxAcc = robot.maxAcc;
-  result.maxOmega = robot.maxOmega;
-  result.maxAlpha = robot.maxAlpha;
-  result.startTime = robot.startTime;
+  std::vector<TraceGoal> goals;
   for (std::size_t i = 0; i < robot.goals.size(); ++i) {
-    result.goals.push_back({robot.goalIds[i], robot.goals[i], robot.goalRadius});
+    goals.push_back({robot.goalIds[i], robot.goals[i], robot.goalRadius});
   }
-  result.footprint = robot.footprint;
-  return result;
+  return {robot.id,        robot.name,       robot.type,     robot.planner,  robot.radius,
+          robot.mass,      robot.maxVel,     robot.maxAcc,   robot.maxOmega, robot.maxAlpha,
+          robot.startTime, std::move(goals), robot.footprint};
 }
 
 /// Without the selection: its file is read elsewhere.
@@ -144,16 +134,15 @@ void fillFrame(const WorldModel& model, WorldState& state, Frame& frame) {
   frame.time = state.time;
   clear(frame.humans);
   clear(frame.robots);
-  if (frame.humans.id.capacity() ==
-      0) {  // growing up by doubling would need three times the memory
+  if (frame.humans.id.capacity() == 0) {
+    // Growing up by doubling would need three times the memory.
     std::apply([&](auto&... column) { (column.reserve(model.people.size()), ...); },
                columnsOf(frame.humans));
   }
   for (std::size_t i = 0; i < model.people.size(); ++i) {
-    if (state.present[i] == 0) {
-      continue;
+    if (state.present[i] != 0) {
+      appendPerson(model, state, i, frame.humans);
     }
-    appendPerson(model, state, i, frame.humans);
   }
   if (state.step > 0) {
     ForceColumns& forces = frame.forces;

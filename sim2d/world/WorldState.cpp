@@ -33,35 +33,20 @@ void WorldState::append(const Person& person) {
 }
 
 void WorldState::emit(EventKind kind, int id, std::string text) {
-  Event event;
-  event.kind = kind;
-  event.id = id;
-  event.text = std::move(text);
-  events.push_back(std::move(event));
+  events.push_back({kind, id, true, 0, false, std::move(text)});
 }
 
-namespace {
-
-ResolvedHuman withoutModel(const WorldModel& model, const Human& human) {
-  const Environment& scenario = *model.environment;
-  ResolvedHuman person = resolveHuman(scenario, human, static_cast<long long>(model.seed));
-  if (!model.compatibility.hunav2()) {
-    return person;
-  }
-  if (!scenario.desktop.model && !human.ours.model) {
+ResolvedHuman resolvePerson(const WorldModel& world, const Human& human) {
+  const Environment& scenario = *world.environment;
+  const bool isOriginal = world.compatibility.hunav2();
+  ResolvedHuman person = resolveHuman(scenario, human, static_cast<long long>(world.seed));
+  if (isOriginal && !scenario.desktop.model && !human.ours.model) {
     person.model = "sfm-hunav2";
     person.modelParameters = modelParametersOf(scenario, person.model);
   }
-  if (!scenario.desktop.route && !human.ours.route) {
+  if (isOriginal && !scenario.desktop.route && !human.ours.route) {
     person.route = Route::Direct;
   }
-  return person;
-}
-
-}  // namespace
-
-ResolvedHuman resolvePerson(const WorldModel& world, const Human& human) {
-  ResolvedHuman person = withoutModel(world, human);
   if (const auto* const model = world.registries->models.find(person.model)) {
     person.radius = model->make(person)->bodyRadius(person);
   }

@@ -7,6 +7,7 @@
 
 #include "sim2d/scenario/ScenarioCheck.h"
 #include "sim2d/world/HumanBehavior.h"
+#include "sim2d/world/NeighborGrid.h"
 #include "sim2d/world/Registries.h"
 
 namespace sim2d {
@@ -69,6 +70,7 @@ struct WorldModel {
   ObstaclePoints obstaclePoints = ObstaclePoints::Boundary;
   std::vector<Person> people;
   std::vector<ResolvedRobot> robots;      // -1, -2 …
+  std::vector<EntityId> robotKeys;        // beside them
   std::map<int, Vec2> globalGoals;        // where a body fits
   std::vector<const Door*> doors;         // listed ones
   std::vector<const Area*> areas;         // listed ones
@@ -104,6 +106,16 @@ struct WorldState {
   /// One more person, not present yet.
   void append(const Person& person);
   void emit(EventKind kind, int id, std::string text = {});
+};
+
+/// The world as it is while people decide and move: nothing of it changes then but the headings of
+/// those who turn on the spot, which nobody else reads.
+struct FrozenWorld {
+  const WorldModel& model;
+  const WorldState& state;
+  const NeighborGrid& grid;
+  const Obstacles& obstacles;
+  const NavigationMap& navigation;
 };
 
 /// What counts for a person in this run; with all of the original also its model and straight ways,

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "sim2d/map/NavigationMap.h"
-#include "sim2d/world/NeighborGrid.h"
 #include "sim2d/world/WorldState.h"
 
 namespace sim2d {
@@ -14,9 +13,8 @@ namespace sim2d {
 /// The running world as behaviours and others read it.
 class WorldViewOf : public WorldView {
  public:
-  WorldViewOf(const WorldModel& model, const WorldState& state, const NeighborGrid& grid,
-              const Obstacles& obstacles, const NavigationMap& navigation)
-      : model_(model), state_(state), grid_(grid), obstacles_(obstacles), navigation_(navigation) {}
+  explicit WorldViewOf(const FrozenWorld& world)
+      : world_(world), model_(world.model), state_(world.state) {}
 
   std::int64_t step() const override { return state_.step + 1; }
   double time() const override { return state_.time; }
@@ -47,7 +45,7 @@ class WorldViewOf : public WorldView {
   void near(int human, double range, std::vector<int>& found) const override {
     found.clear();
     const Vec2 centre = state_.position(at(human));
-    grid_.forEachNear(centre, range, [&](int other) {
+    world_.grid.forEachNear(centre, range, [&](int other) {
       if (other != human) {
         found.push_back(other);
       }
@@ -87,30 +85,28 @@ class WorldViewOf : public WorldView {
   }
   bool isVisible(const Vec2& from, const Vec2& to) const override {
     constexpr int kQuirkNoOcclusion = 34;
-    return model_.compatibility.has(kQuirkNoOcclusion) || obstacles_.isVisible(from, to);
+    return model_.compatibility.has(kQuirkNoOcclusion) || world_.obstacles.isVisible(from, to);
   }
   bool isReachable(int human, const Vec2& point) const override {
     const ResolvedHuman& person = constants(human);
     return person.route == Route::Direct ||
-           navigation_.isReachable(person.radius, state_.position(at(human)), point);
+           world_.navigation.isReachable(person.radius, state_.position(at(human)), point);
   }
   std::optional<double> wayLength(int human, const Vec2& point) const override {
     const ResolvedHuman& person = constants(human);
     if (person.route == Route::Direct) {
       return (point - state_.position(at(human))).norm();
     }
-    const Path path{navigation_.plan(person.radius, state_.position(at(human)), point)};
+    const Path path{world_.navigation.plan(person.radius, state_.position(at(human)), point)};
     return path.points.empty() ? std::nullopt : std::optional<double>(path.length());
   }
 
  private:
   static std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
+  const FrozenWorld& world_;
   const WorldModel& model_;
   const WorldState& state_;
-  const NeighborGrid& grid_;
-  const Obstacles& obstacles_;
-  const NavigationMap& navigation_;
 };
 
 }  // namespace sim2d

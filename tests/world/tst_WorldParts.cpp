@@ -3,11 +3,10 @@
 
 #include <QtTest>
 
-#include "sim2d/world/ConvexPieces.h"
 #include "sim2d/world/NeighborGrid.h"
 #include "sim2d/world/Physics.h"
 #include "sim2d/world/Sensing.h"
-#include "sim2d/world/Separation.h"
+#include "sim2d/world/WorldInside.h"
 #include "tests/world/TestWorld.h"
 
 using namespace testworld;
@@ -182,11 +181,12 @@ void WorldPartsTest::convexPieces_polygon_coverItsArea() {
 
 void WorldPartsTest::isInView_behindOrHidden_isFalse() {
   const Obstacles obstacles = withBox();
+  constexpr double kHalfAngle = base::kPi / 2.0 + 0.17;
   const Pose2 eye{Vec2::Zero(), 0.0};
-  QVERIFY(isInView(eye, Vec2(3.0, 1.0), 5.0, kHalfView, obstacles));
-  QVERIFY(!isInView(eye, Vec2(7.0, 0.0), 10.0, kHalfView, obstacles));   // behind the box
-  QVERIFY(!isInView(eye, Vec2(-3.0, 0.0), 10.0, kHalfView, obstacles));  // behind the back
-  QVERIFY(!isInView(eye, Vec2(3.0, 1.0), 3.0, kHalfView, obstacles));    // too far
+  QVERIFY(isInView(eye, Vec2(3.0, 1.0), 5.0, kHalfAngle, obstacles));
+  QVERIFY(!isInView(eye, Vec2(7.0, 0.0), 10.0, kHalfAngle, obstacles));   // behind the box
+  QVERIFY(!isInView(eye, Vec2(-3.0, 0.0), 10.0, kHalfAngle, obstacles));  // behind the back
+  QVERIFY(!isInView(eye, Vec2(3.0, 1.0), 3.0, kHalfAngle, obstacles));    // too far
 }
 
 void WorldPartsTest::scan_wallsAndBodies_givesDistances() {
@@ -212,12 +212,12 @@ void WorldPartsTest::compatibility_parse_knowsWhatCanBeSwitched() {
 }
 
 void WorldPartsTest::names_forLists_areThere() {
-  const std::vector<std::string> models = modelNames();
+  const std::vector<std::string> models = programRegistries().models.names();
   for (const char* name : {"das", "orca", "sfm", "sfm-hunav2"}) {
     QVERIFY2(std::find(models.begin(), models.end(), name) != models.end(), name);
   }
-  QVERIFY(plannerNames() == std::vector<std::string>{"pursuit"});
-  QVERIFY(robotTypeNames() == std::vector<std::string>{"generic"});
+  QVERIFY(programRegistries().planners.names() == std::vector<std::string>{"pursuit"});
+  QVERIFY(programRegistries().robotTypes.names() == std::vector<std::string>{"generic"});
 }
 
 QTEST_APPLESS_MAIN(WorldPartsTest)

@@ -5,9 +5,8 @@
 namespace sim2d {
 namespace {
 
-constexpr double kBodyRadius = 0.20;     // [m]; people in dense crowds turn their shoulders
-constexpr double kGuardRange = 2.0;      // [m]; bodies farther away cannot be touched in a step
-constexpr double kStandingSpeed = 1e-3;  // [m/s]; who brakes below this stands
+constexpr double kBodyRadius = 0.20;  // [m]; people in dense crowds turn their shoulders
+constexpr double kGuardRange = 2.0;   // [m]; bodies farther away cannot be touched in a step
 
 DensityParameters defaultParameters() {
   DensityParameters parameters;
@@ -38,20 +37,16 @@ class Das : public PedestrianModel {
     terms.social = force.social + force.lane;
     terms.obstacle = limitedObstacleForce(parameters_, self, situation.obstacles, force.activation);
     terms.group =
-        groupForce(parameters_.social, situation.self, situation.direction, situation.group).sum();
-    terms.goal = meanGoalForce(parameters_.social, situation.self.velocity, situation.direction,
-                               force.speedCap, terms.sum(), situation.pushTime);
+        groupForce(parameters_.social, situation.self, situation.desired.direction, situation.group)
+            .sum();
+    terms.goal =
+        meanGoalForce(parameters_.social, situation.self.velocity, situation.desired.direction,
+                      force.speedCap, terms.sum(), situation.pushTime);
     return terms;
   }
 
   Vec2 velocity(const Situation& situation, const ForceTerms& forces) const override {
-    Vec2 wanted = situation.self.velocity + forces.sum() * situation.pushTime;
-    const double speed = wanted.norm();
-    if (speed > situation.desiredSpeed) {
-      wanted *= situation.desiredSpeed / speed;
-    } else if (situation.direction.isZero(0.0) && speed < kStandingSpeed) {
-      wanted = Vec2::Zero();
-    }
+    const Vec2 wanted = velocityAfter(situation, forces, situation.pushTime, kStandingSpeed);
     return guardContacts(parameters_, {situation.self, situation.desired},
                          neighborsOf(situation, kGuardRange), situation.obstacles, wanted,
                          situation.dt);

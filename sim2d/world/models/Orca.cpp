@@ -55,10 +55,7 @@ class Orca : public PedestrianModel {
   }
 
   Vec2 velocity(const Situation& situation, const ForceTerms& forces) const override {
-    const Vec2 velocity = situation.self.velocity + forces.sum() * situation.dt;
-    const double speed = velocity.norm();
-    return speed > situation.desiredSpeed ? Vec2(velocity * (situation.desiredSpeed / speed))
-                                          : velocity;
+    return velocityAfter(situation, forces, situation.dt);
   }
 
   bool looksAtDesires() const override { return true; }
@@ -66,10 +63,10 @@ class Orca : public PedestrianModel {
 
  private:
   Vec2 wantedVelocity(const Situation& situation) const {
-    if (situation.direction.isZero(0.0)) {
+    if (situation.desired.direction.isZero(0.0)) {
       return situation.self.velocity * std::max(0.0, 1.0 - situation.dt / parameters_.brakingTime);
     }
-    return situation.desiredSpeed * situation.direction;
+    return situation.desired.desiredSpeed * situation.desired.direction;
   }
 
   Vec2 chosenVelocity(const Situation& situation, const Vec2& wanted) const {
@@ -86,12 +83,12 @@ class Orca : public PedestrianModel {
     const double sine = base::sin(parameters_.sidePreference);
     const Vec2 aside(cosine * wanted.x() + sine * wanted.y(),
                      cosine * wanted.y() - sine * wanted.x());
-    return nearestAllowed(planes, fixed, aside, situation.desiredSpeed);
+    return nearestAllowed(planes, fixed, aside, situation.desired.desiredSpeed);
   }
 
   std::vector<HalfPlane> planesOfWalls(const Situation& situation) const {
     const double near =
-        situation.self.radius + situation.desiredSpeed * parameters_.obstacleHorizon;
+        situation.self.radius + situation.desired.desiredSpeed * parameters_.obstacleHorizon;
     std::vector<HalfPlane> planes;
     for (const Obstacles::Point& point : situation.obstacles) {
       if (point.inside || point.distance <= near) {

@@ -3,7 +3,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "sim2d/scenario/Defaults.h"
@@ -16,9 +15,8 @@ namespace sim2d {
 /// step began.
 struct Situation {
   Walker self;
-  Vec2 direction = Vec2::Zero();  // unit vector of the way to go; zero: no goal, brake
-  double desiredSpeed = 0.0;      // v0 [m/s], >= 0
-  double dt = 0.05;               // [s]
+  DesiredMotion desired;  // of the person; no direction: brake
+  double dt = 0.05;       // [s]
   /// Over which forces act in this step. Half of dt when somebody sets off or begins to brake:
   /// velocities belong to the middle of steps, so places do not depend on dt [s].
   double pushTime = 0.05;
@@ -26,7 +24,6 @@ struct Situation {
   /// The social force of all people, when it was computed for the whole crowd at once: then only
   /// robots are in `others` [m/s²].
   std::optional<Vec2> ofCrowd;
-  DesiredMotion desired;               // of the person
   std::vector<DesiredMotion> desires;  // beside `others`, filled when `looksAtDesires`
   bool looksAtDesires = false;
   std::vector<Walker> group;  // the other members of the person's group
@@ -41,6 +38,21 @@ struct ForceTerms {
   Vec2 goal = Vec2::Zero(), social = Vec2::Zero(), obstacle = Vec2::Zero(), group = Vec2::Zero();
   Vec2 sum() const { return goal + social + obstacle + group; }
 };
+
+constexpr double kStandingSpeed = 1e-3;  // [m/s]; who brakes below this stands, by most models
+
+/// After the forces have acted for `time` [s]: not above the desired speed; zero for who brakes
+/// below `standing` [m/s].
+inline Vec2 velocityAfter(const Situation& situation, const ForceTerms& forces, double time,
+                          double standing = 0.0) {
+  const Vec2 velocity = situation.self.velocity + forces.sum() * time;
+  const double speed = velocity.norm();
+  if (speed > situation.desired.desiredSpeed) {
+    return velocity * (situation.desired.desiredSpeed / speed);
+  }
+  const bool stands = situation.desired.direction.isZero(0.0) && speed < standing;
+  return stands ? Vec2(Vec2::Zero()) : velocity;
+}
 
 /// How people move. One instance serves all people with the same kind and the same factors of
 /// forces, so it is made of these alone; both functions are const and may run in parallel for

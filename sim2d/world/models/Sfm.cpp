@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include "sim2d/world/models/PedestrianModel.h"
 
 namespace sim2d {
@@ -9,16 +6,11 @@ namespace {
 constexpr double kNegligible = 1e-4;     // of k_s: smaller terms of a crowd are left out
 constexpr double kUnfelt = 1e-6;         // [m/s²]; smaller forces of one body never count
 constexpr std::size_t kSmallCrowd = 64;  // up to here every pair is summed
-constexpr double kStandingSpeed = 1e-3;  // [m/s]; who brakes below this stands
 constexpr double kMateTurnWidth = 0.1;   // [rad]; mates in step do not circle round each other
 
-/// What the original does otherwise: no side preference, forces through walls, one explicit step,
-/// and who brakes never quite stands.
-enum class Kind { Mended, Original };
-
-ForceParameters parametersOf(const ResolvedHuman& person, Kind kind) {
+ForceParameters parametersOf(const ResolvedHuman& person, bool isOriginal) {
   ForceParameters parameters;
-  parameters.epsilon = kind == Kind::Original ? 0.0 : parameters.epsilon;
+  parameters.epsilon = isOriginal ? 0.0 : parameters.epsilon;
   parameters.goalFactor = person.goalFactor;
   parameters.obstacleFactor = person.obstacleFactor;
   parameters.socialFactor = person.socialFactor;
@@ -27,37 +19,31 @@ ForceParameters parametersOf(const ResolvedHuman& person, Kind kind) {
   return parameters;
 }
 
-/// The social force model of HuNavSim, with its numerical faults mended or as it was.
+/// The social force model of HuNavSim, with its numerical faults mended or as it was: no side
+/// preference, forces through walls, one explicit step, and who brakes never quite stands.
 class Sfm : public PedestrianModel {
  public:
-  Sfm(const ResolvedHuman& person, Kind kind)
-      : parameters_(parametersOf(person, kind)), isOriginal_(kind == Kind::Original) {}
+  Sfm(const ResolvedHuman& person, bool isOriginal)
+      : parameters_(parametersOf(person, isOriginal)), isOriginal_(isOriginal) {}
 
   ForceTerms forces(const Situation& situation) const override {
     ForceTerms terms;
     terms.social = socialTerm(situation) + changeByMates(situation);
     terms.obstacle = obstacleForce(parameters_, situation.self, situation.obstacles);
     terms.group =
-        groupForce(parameters_, situation.self, situation.direction, situation.group).sum();
-    terms.goal = isOriginal_
-                     ? goalForce(parameters_, situation.self.velocity, situation.direction,
-                                 situation.desiredSpeed)
-                     : meanGoalForce(parameters_, situation.self.velocity, situation.direction,
-                                     situation.desiredSpeed, terms.sum(), situation.pushTime);
+        groupForce(parameters_, situation.self, situation.desired.direction, situation.group).sum();
+    terms.goal =
+        isOriginal_
+            ? goalForce(parameters_, situation.self.velocity, situation.desired.direction,
+                        situation.desired.desiredSpeed)
+            : meanGoalForce(parameters_, situation.self.velocity, situation.desired.direction,
+                            situation.desired.desiredSpeed, terms.sum(), situation.pushTime);
     return terms;
   }
 
   Vec2 velocity(const Situation& situation, const ForceTerms& forces) const override {
-    const double time = isOriginal_ ? situation.dt : situation.pushTime;
-    const Vec2 wanted = situation.self.velocity + forces.sum() * time;
-    const double speed = wanted.norm();
-    if (speed > situation.desiredSpeed) {
-      return wanted * (situation.desiredSpeed / speed);
-    }
-    if (!isOriginal_ && situation.direction.isZero(0.0) && speed < kStandingSpeed) {
-      return Vec2::Zero();
-    }
-    return wanted;
+    return isOriginal_ ? velocityAfter(situation, forces, situation.dt)
+                       : velocityAfter(situation, forces, situation.pushTime, kStandingSpeed);
   }
 
   SocialLaw socialLaw() const override { return {&parameters_, isOriginal_}; }
@@ -119,9 +105,9 @@ void addSfm(ModelRegistry& to) {
   ForceParameters original;
   original.epsilon = 0.0;
   to.add("sfm", forceTable().specs(),
-         [](const ResolvedHuman& person) { return std::make_unique<Sfm>(person, Kind::Mended); });
+         [](const ResolvedHuman& person) { return std::make_unique<Sfm>(person, false); });
   to.add("sfm-hunav2", forceTable().specs(original),
-         [](const ResolvedHuman& person) { return std::make_unique<Sfm>(person, Kind::Original); });
+         [](const ResolvedHuman& person) { return std::make_unique<Sfm>(person, true); });
 }
 
 }  // namespace sim2d

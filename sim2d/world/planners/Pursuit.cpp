@@ -36,11 +36,7 @@ ParameterTable<PursuitParameters> pursuitTable() {
 class Pursuit : public RobotController {
  public:
   Pursuit(const ResolvedRobot& robot, const PursuitParameters& parameters)
-      : parameters_(parameters),
-        maxVel_(robot.maxVel),
-        maxAcc_(robot.maxAcc),
-        maxOmega_(robot.maxOmega),
-        maxAlpha_(robot.maxAlpha) {}
+      : parameters_(parameters), robot_(robot) {}
 
   base::Twist2 command(const Observation& observation) override {
     if (needsPlan(observation)) {
@@ -57,10 +53,10 @@ class Pursuit : public RobotController {
     }
     const double distance = std::max(local.norm(), 1e-6);
     const double curvature = 2.0 * base::sin(bearing) / distance;
-    double speed = maxVel_ * freedom(observation);
-    speed = std::min(speed, std::sqrt(1.6 * maxAcc_ * restLength(observation.pose.position)));
-    speed = std::min(speed, maxOmega_ / std::max(std::fabs(curvature), 1e-9));
-    return {speed, std::clamp(speed * curvature, -maxOmega_, maxOmega_)};
+    double speed = robot_.maxVel * freedom(observation);
+    speed = std::min(speed, std::sqrt(1.6 * robot_.maxAcc * restLength(observation.pose.position)));
+    speed = std::min(speed, robot_.maxOmega / std::max(std::fabs(curvature), 1e-9));
+    return {speed, std::clamp(speed * curvature, -robot_.maxOmega, robot_.maxOmega)};
   }
 
   std::vector<Vec2> path() const override { return path_; }
@@ -74,7 +70,9 @@ class Pursuit : public RobotController {
     if (observation.time - plannedAt_ < kBetweenPlans) {
       return false;
     }
-    return path_.empty() || offPath(observation.pose.position) > kOffPath ||
+    return path_.empty() ||
+           (footOf(observation.pose.position).point - observation.pose.position).norm() >
+               kOffPath ||
            !observation.obstacles->isVisible(observation.pose.position, lookAhead(observation));
   }
 
@@ -106,8 +104,6 @@ class Pursuit : public RobotController {
     return best;
   }
 
-  double offPath(const Vec2& position) const { return (footOf(position).point - position).norm(); }
-
   Vec2 lookAhead(const Observation& observation) const {
     const Foot foot = footOf(observation.pose.position);
     double rest = parameters_.lookahead;
@@ -136,7 +132,8 @@ class Pursuit : public RobotController {
 
   /// Fast enough to get round, slow enough to stop there.
   double turnRate(double bearing) const {
-    const double rate = std::min(maxOmega_, std::sqrt(1.6 * maxAlpha_ * std::fabs(bearing)));
+    const double rate =
+        std::min(robot_.maxOmega, std::sqrt(1.6 * robot_.maxAlpha * std::fabs(bearing)));
     return bearing > 0.0 ? rate : -rate;
   }
 
@@ -158,7 +155,7 @@ class Pursuit : public RobotController {
   }
 
   PursuitParameters parameters_;
-  double maxVel_, maxAcc_, maxOmega_, maxAlpha_;
+  ResolvedRobot robot_;
   std::vector<Vec2> path_;
   Vec2 goal_ = Vec2::Zero();
   int version_ = -1;  // of the navigation map; -1: never planned
