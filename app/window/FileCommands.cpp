@@ -10,7 +10,7 @@
 #include "app/run/RecordedRun.h"
 #include "app/window/MapDialogs.h"
 #include "bt/tree/TreeXml.h"
-#include "editor/canvas/MapItem.h"
+#include "editor/canvas/Layers.h"
 #include "editor/document/Autosave.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"

@@ -356,8 +356,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const editor::MapView& view = workspace_.view();
   editor::EntityId under;
   if (view.isVisible() && view.rect().contains(view.mapFrom(this, event->pos()))) {
-    const QPointF scene = view.mapToScene(view.viewport()->mapFrom(this, event->pos()));
-    under = workspace_.scene().entityAt(editor::MapScene::worldFromScene(scene));
+    const QPoint at = view.viewport()->mapFrom(this, event->pos());
+    under = workspace_.scene().entityAt(view.worldAt(at));
   }
   // later: the program that drags waits until this is through, and there may be questions
   QTimer::singleShot(0, files_,

@@ -212,8 +212,7 @@ void connectCanvasMenu(Workspace& workspace, const WindowActions& actions, const
       return;
     }
     editor::ScenarioDocument& document = workspace.document();
-    const base::EntityId id =
-        workspace.scene().entityAt(editor::MapScene::worldFromScene(view.mapToScene(at)));
+    const base::EntityId id = workspace.scene().entityAt(view.worldAt(at));
     if (id && !document.isSelected(id)) {
       document.setSelection({id});
     }

@@ -8,7 +8,6 @@
 #include "editor/document/EditCommands.h"
 #include "editor/look/ActionText.h"
 #include "editor/look/Icons.h"
-#include "editor/tools/Clipboard.h"
 #include "editor/tools/SelectionActions.h"
 
 namespace app {

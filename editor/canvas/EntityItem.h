@@ -22,11 +22,27 @@ struct Label {
   bool isNeeded = false;   // covers bodies rather than being left out
 };
 
-/// Draws one entity. Positions are in scene coordinates (the item itself stays at the origin); what
+/// What is drawn on the canvas, in scene coordinates (the item itself stays at the origin); what
 /// has a least size on the screen asks the scene for the zoom.
-class EntityItem : public QGraphicsItem {
+class CanvasItem : public QGraphicsItem {
  public:
-  EntityItem(const MapScene& scene, EntityId id) : scene_(scene), id_(id) {}
+  explicit CanvasItem(const MapScene& scene) : scene_(scene) {}
+
+ protected:
+  const MapScene& mapScene() const { return scene_; }
+  const ScenarioDocument& document() const { return scene_.document(); }
+  const CanvasOptions& options() const { return scene_.options(); }
+  const Theme& theme() const { return scene_.theme(); }
+  double metres(double pixels) const { return pixels / scene_.pixelsPerMetre(); }
+
+ private:
+  const MapScene& scene_;
+};
+
+/// Draws one entity.
+class EntityItem : public CanvasItem {
+ public:
+  EntityItem(const MapScene& scene, EntityId id) : CanvasItem(scene), id_(id) {}
 
   EntityId id() const { return id_; }
   void sync(const Entity& value);
@@ -42,14 +58,10 @@ class EntityItem : public QGraphicsItem {
  protected:
   virtual void take(const Entity& value) = 0;
   virtual QRectF bounds(double pixelsPerMetre) const = 0;
-  const MapScene& mapScene() const { return scene_; }
-  const Theme& theme() const { return scene_.theme(); }
-  bool isSelectedEntity() const { return scene_.document().isSelected(id_); }
-  bool isHovered() const { return scene_.isHovered(id_); }
-  double metres(double pixels) const { return pixels / scene_.pixelsPerMetre(); }
+  bool isSelectedEntity() const { return document().isSelected(id_); }
+  bool isHovered() const { return mapScene().isHovered(id_); }
 
  private:
-  const MapScene& scene_;
   EntityId id_;
   QRectF bounds_;
 };

@@ -1,69 +1,131 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/canvas/EntityItem.h"
 #include "editor/canvas/FrameLayer.h"
-#include "editor/canvas/MapScene.h"
 #include "editor/canvas/PixelFrame.h"
-#include "editor/canvas/RouteLayer.h"
+#include "editor/canvas/SpriteAtlas.h"
 
 // What FrameLayer paints: figures, trails, spaces, forces, speech.
 namespace editor {
 
 namespace {
 
+constexpr double kStrideMetres = 1.4;  // both feet once
 constexpr double kSpeechSeconds = 4.0;
 constexpr double kSpeechFade = 0.6;  // [s] at its end
 constexpr int kTrailParts = 10;
 constexpr double kBubbleWidthPx = 220.0;
 constexpr int kBubbleText = int{Qt::TextWordWrap} | int{Qt::AlignCenter};
 
+void paintTrail(QPainter& painter, const std::deque<std::pair<double, Vec2>>& points,
+                QColor color) {
+  const std::size_t count = points.size();
+  for (int part = 0; part < kTrailParts; ++part) {
+    const std::size_t from = count * static_cast<std::size_t>(part) / kTrailParts;
+    const std::size_t to =
+        std::min(count - 1, count * static_cast<std::size_t>(part + 1) / kTrailParts);
+    QPolygonF line;
+    for (std::size_t i = from; i <= to; ++i) {
+      line << toScene(points[i].second);
+    }
+    color.setAlphaF(0.5 * (part + 1) / kTrailParts);
+    QPen pen(color, 4.0, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+    makeCosmetic(pen, painter);
+    painter.setPen(pen);
+    painter.drawPolyline(line);
+  }
+}
+
 }  // namespace
 
-void FrameLayer::paintPeople(QPainter& painter) {
+void FrameLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  if (frame_ == nullptr) {
+    return;
+  }
+  painter->setRenderHint(QPainter::Antialiasing);
+  for (const Body& body : bodies_) {
+    if (options().proxemics && !body.isRobot() && isChosen(body)) {
+      paintSpaces(*painter, body.pose.position, theme().fill(body.agent->look));
+    }
+  }
+  if (options().trails) {
+    paintTrails(*painter);
+  }
+  if (options().robotPath) {
+    paintRobotPaths(*painter);
+  }
+  if (options().people) {
+    paintPeople(*painter);
+  }
+  for (const Body& body : bodies_) {
+    if (options().robots && body.isRobot()) {
+      paintRobot(*painter, body);
+    }
+  }
+  for (const Body& body : bodies_) {
+    if (options().forces && isChosen(body)) {
+      paintForces(*painter, body);
+    }
+  }
+  if (options().speech) {
+    paintSpeech(*painter);
+  }
+}
+
+PersonFigure FrameLayer::figureOf(const Body& person, double pixelsPerMetre) const {
+  PersonFigure figure;
+  figure.look = person.agent->look;
+  figure.kind = person.agent->kind;
+  figure.radiusPx = std::max(person.agent->radius * pixelsPerMetre, kLeastFigurePx);
+  figure.headingDeg = degrees(person.pose.heading);
+  if (person.isMoving) {
+    figure.stride = std::sin(2.0 * base::kPi * trails_.at(person.id).walked / kStrideMetres);
+  }
+  return figure;
+}
+
+void FrameLayer::paintPeople(QPainter& painter) const {
   const double pixelsPerMetre = pixelsPerMetreOf(painter);
   std::vector<std::pair<QPointF, PersonFigure>> figures;
-  figures.reserve(frame_->humans.size());
+  figures.reserve(bodies_.size());
   const PixelFrame frame(painter, {});
-  for (std::size_t i = 0; i < frame_->humans.size(); ++i) {
-    const QPointF at = MapScene::sceneFromWorld(positionAt(frame_->humans, i)) * pixelsPerMetre;
-    figures.emplace_back(at, figureOf(i, pixelsPerMetre));
-    if (isChosen(frame_->humans.id[i])) {
-      paintRing(painter, QPen(scene_.theme().color(Role::Accent), 2.0),
+  for (const Body& body : bodies_) {
+    if (body.isRobot()) {
+      continue;
+    }
+    const QPointF at = toScene(body.pose.position) * pixelsPerMetre;
+    figures.emplace_back(at, figureOf(body, pixelsPerMetre));
+    if (isChosen(body)) {
+      paintRing(painter, QPen(theme().color(Role::Accent), 2.0),
                 figures.back().second.radiusPx + 4.0, at);
     }
   }
-  atlas_.draw(painter, scene_.theme(), figures);
+  mapScene().sprites().draw(painter, theme(), figures);
 }
 
-void FrameLayer::paintRobots(QPainter& painter) const {
-  const double pixelsPerMetre = pixelsPerMetreOf(painter);
-  for (std::size_t i = 0; i < frame_->robots.size(); ++i) {
-    const Agent& robot = agent(frame_->robots.id[i]);
-    const RobotFigure figure =
-        robotFigure(robot.radius, robot.footprint, frame_->robots.heading[i], pixelsPerMetre);
-    const PixelFrame frame(painter, MapScene::sceneFromWorld(positionAt(frame_->robots, i)));
-    if (isChosen(frame_->robots.id[i])) {
-      paintRing(painter, QPen(scene_.theme().color(Role::Accent), 2.0), figure.radiusPx + 5.0);
-    }
-    FigurePainter(scene_.theme()).robot(painter, figure);
+void FrameLayer::paintRobot(QPainter& painter, const Body& robot) const {
+  const RobotFigure figure = robotFigure(robot.agent->radius, robot.agent->footprint,
+                                         robot.pose.heading, pixelsPerMetreOf(painter));
+  const PixelFrame frame(painter, toScene(robot.pose.position));
+  if (isChosen(robot)) {
+    paintRing(painter, QPen(theme().color(Role::Accent), 2.0), figure.radiusPx + 5.0);
   }
+  FigurePainter(theme()).robot(painter, figure);
 }
 
 void FrameLayer::paintRobotPaths(QPainter& painter) const {
-  QPen pen(scene_.theme().color(Role::RobotLine), 2.0, Qt::CustomDashLine, Qt::FlatCap);
+  QPen pen(theme().color(Role::RobotLine), 2.0, Qt::CustomDashLine, Qt::FlatCap);
   pen.setDashPattern({3.5, 2.5});
   makeCosmetic(pen, painter);
-  painter.setBrush(Qt::NoBrush);
-  for (const std::vector<base::Vec2>& points : frame_->robotPaths) {
+  for (const std::vector<Vec2>& points : frame_->robotPaths) {
     const QPainterPath path = softPath(points, 0.3);
-    painter.setPen(pen);
+    setInk(painter, pen);
     painter.drawPath(path);
-    paintArrowHeads(painter, path, 1.5, 8.0, scene_.theme());
+    paintArrowHeads(painter, path, 1.5, 8.0, theme());
   }
-  for (const sim2d::Robot& robot : scene_.document().scenario().robots) {
+  for (const sim2d::Robot& robot : document().scenario().robots) {
     if (robot.listed && robot.goal.point) {
-      paintRobotGoal(painter, scene_.theme(), *robot.goal.point);
+      paintRobotGoal(painter, theme(), *robot.goal.point);
     }
   }
 }
@@ -77,7 +139,7 @@ std::vector<ForceArrow> forcesOn(const sim2d::Frame& frame, int humanId) {
   if (found == frame.humans.id.end() || !isComplete) {
     return {};
   }
-  const base::Vec2 total = forces.goal[i] + forces.social[i] + forces.obstacle[i] + forces.group[i];
+  const Vec2 total = forces.goal[i] + forces.social[i] + forces.obstacle[i] + forces.group[i];
   return {{QStringLiteral("Goal"), Role::ForceGoal, forces.goal[i]},
           {QStringLiteral("People"), Role::ForceSocial, forces.social[i]},
           {QStringLiteral("Obstacles"), Role::ForceObstacle, forces.obstacle[i]},
@@ -85,73 +147,41 @@ std::vector<ForceArrow> forcesOn(const sim2d::Frame& frame, int humanId) {
           {QStringLiteral("Total"), Role::ForceTotal, total}};
 }
 
-void FrameLayer::paintTrail(QPainter& painter, const Trail& trail, const QColor& color) const {
-  const std::size_t count = trail.points.size();
-  for (int part = 0; part < kTrailParts; ++part) {
-    const std::size_t from = count * static_cast<std::size_t>(part) / kTrailParts;
-    const std::size_t to =
-        std::min(count - 1, count * static_cast<std::size_t>(part + 1) / kTrailParts);
-    QPolygonF line;
-    for (std::size_t i = from; i <= to; ++i) {
-      line << MapScene::sceneFromWorld(trail.points[i].second);
-    }
-    QColor faded = color;
-    faded.setAlphaF(0.5 * (part + 1) / kTrailParts);
-    QPen pen(faded, 4.0, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
-    makeCosmetic(pen, painter);
-    painter.setPen(pen);
-    painter.drawPolyline(line);
-  }
-}
-
 void FrameLayer::paintTrails(QPainter& painter) const {
-  painter.setBrush(Qt::NoBrush);
   for (const auto& [id, trail] : trails_) {
     if (trail.points.size() > 1) {
-      paintTrail(
-          painter, trail,
-          id < 0 ? scene_.theme().color(Role::RobotLine) : scene_.theme().line(agent(id).look));
+      paintTrail(painter, trail.points,
+                 id < 0 ? theme().color(Role::RobotLine) : theme().line(agent(id).look));
     }
   }
 }
 
-void FrameLayer::paintForces(QPainter& painter) const {
+void FrameLayer::paintForces(QPainter& painter, const Body& person) const {
   const double pixelsPerMetre = pixelsPerMetreOf(painter);
-  for (std::size_t i = 0; i < frame_->humans.size(); ++i) {
-    const int id = frame_->humans.id[i];
-    if (!isChosen(id)) {
+  const PixelFrame frame(painter, toScene(person.pose.position));
+  const double ring = person.agent->radius * pixelsPerMetre + 7.0;
+  for (const ForceArrow& arrow : forcesOn(*frame_, person.id)) {
+    const double length = arrow.force.norm() * kMetresPerForce * pixelsPerMetre;
+    if (length < 2.0) {
       continue;
     }
-    const PixelFrame frame(painter, MapScene::sceneFromWorld(positionAt(frame_->humans, i)));
-    const double ring = agent(id).radius * pixelsPerMetre + 7.0;
-    for (const ForceArrow& arrow : forcesOn(*frame_, id)) {
-      const double length = arrow.force.norm() * kMetresPerForce * pixelsPerMetre;
-      if (length < 2.0) {
-        continue;
-      }
-      const double heading = base::headingOf(arrow.force);
-      const QPointF along(std::cos(heading), -std::sin(heading));
-      const QPointF tip = (ring + length) * along;
-      painter.setPen(QPen(scene_.theme().color(arrow.color), 2.2, Qt::SolidLine, Qt::RoundCap));
-      painter.drawLine(ring * along, tip);
-      FigurePainter(scene_.theme()).arrowHead(painter, tip, degrees(heading), 7.0);
-    }
+    const double heading = base::headingOf(arrow.force);
+    const QPointF along(std::cos(heading), -std::sin(heading));
+    const QPointF tip = (ring + length) * along;
+    painter.setPen(QPen(theme().color(arrow.color), 2.2, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(ring * along, tip);
+    FigurePainter(theme()).arrowHead(painter, tip, degrees(heading), 7.0);
   }
 }
 
-void FrameLayer::paintBubble(QPainter& painter, const Speech& speech) const {
-  const std::optional<base::Vec2> at = positionOf(speech.id);
-  if (!at) {
-    return;
-  }
+void FrameLayer::paintBubble(QPainter& painter, const Body& speaker, const Speech& speech) const {
   const double left = speech.since + kSpeechSeconds - frame_->time;
-  const double radiusPx = agent(speech.id).radius * pixelsPerMetreOf(painter);
-  const PixelFrame frame(painter, MapScene::sceneFromWorld(*at));
+  const double radiusPx = speaker.agent->radius * pixelsPerMetreOf(painter);
+  const PixelFrame frame(painter, toScene(speaker.pose.position));
   painter.setOpacity(std::clamp(left / kSpeechFade, 0.0, 1.0));
-  const QFont font = scene_.theme().font(9.0);
-  const QFontMetricsF metrics(font);
-  const QRectF text =
-      metrics.boundingRect(QRectF(0.0, 0.0, kBubbleWidthPx, 200.0), kBubbleText, speech.text);
+  const QFont font = theme().font(9.0);
+  const QRectF text = QFontMetricsF(font).boundingRect(QRectF(0.0, 0.0, kBubbleWidthPx, 200.0),
+                                                       kBubbleText, speech.text);
   QRectF box(QPointF(), text.size() + QSizeF(20.0, 12.0));
   box.moveBottomLeft(QPointF(-14.0, -radiusPx - 12.0));
   QPainterPath bubble;
@@ -160,13 +190,11 @@ void FrameLayer::paintBubble(QPainter& painter, const Speech& speech) const {
   tail.addPolygon(QPolygonF({QPointF(-6.0, box.bottom() - 1.0), QPointF(8.0, box.bottom() - 1.0),
                              QPointF(0.0, -radiusPx - 3.0)}));
   tail.closeSubpath();
-  painter.setPen(QPen(scene_.theme().color(Role::FieldEdge), 1.0));
-  painter.setBrush(scene_.theme().isDark() ? scene_.theme().color(Role::Text)
-                                           : scene_.theme().color(Role::Panel));
+  setInk(painter, QPen(theme().color(Role::FieldEdge), 1.0),
+         theme().color(theme().isDark() ? Role::Text : Role::Panel));
   painter.drawPath(bubble.united(tail));
   painter.setFont(font);
-  painter.setPen(scene_.theme().isDark() ? scene_.theme().color(Role::Window)
-                                         : scene_.theme().color(Role::Text));
+  painter.setPen(theme().color(theme().isDark() ? Role::Window : Role::Text));
   painter.drawText(box, kBubbleText, speech.text);
 }
 
@@ -178,7 +206,9 @@ void FrameLayer::paintSpeech(QPainter& painter) const {
     }
   }
   for (const auto& [id, speech] : latest) {
-    paintBubble(painter, *speech);
+    if (const Body* speaker = body(id)) {
+      paintBubble(painter, *speaker, *speech);
+    }
   }
 }
 

@@ -40,12 +40,6 @@ Places placesFor(const LabelWish& wish, const QRectF& window) {
           QRectF(right, second, width, height), QRectF(left, second, width, height)};
 }
 
-/// What a label has to touch, so that it is seen whose name it is.
-QRectF aroundOf(const LabelWish& wish) {
-  const double reach = wish.clearance + 1.0;
-  return {wish.centre.x() - reach, wish.centre.y() - reach, 2.0 * reach, 2.0 * reach};
-}
-
 /// Rectangles by the tiles of the plane that they touch.
 class Occupied {
  public:
@@ -106,8 +100,7 @@ void paintLabel(QPainter& painter, const Theme& theme, const QRectF& box, const 
   const QFontMetricsF metrics(font);
   const QPointF baseline(box.left() + kPadPx + markSpace(label), box.top() + metrics.ascent());
   const QColor ground = theme.color(Role::MapFree, 0.9);
-  painter.setPen(QPen(ground, kHaloPx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.setBrush(Qt::NoBrush);
+  setInk(painter, QPen(ground, kHaloPx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.drawPath(textOutline(baseline, font, label.text));
   painter.setFont(font);
   painter.setPen(theme.color(Role::Text));
@@ -115,8 +108,7 @@ void paintLabel(QPainter& painter, const Theme& theme, const QRectF& box, const 
   if (label.mark) {
     const QPointF centre(box.left() + kPadPx + 0.5 * kMarkPx,
                          baseline.y() - 0.5 * metrics.capHeight());
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(ground);
+    setInk(painter, Qt::NoPen, ground);
     painter.drawEllipse(centre, 0.5 * kMarkPx + 1.5, 0.5 * kMarkPx + 1.5);
     FigurePainter(theme).mark(painter, *label.mark, centre, kMarkPx);
   }
@@ -138,7 +130,8 @@ std::vector<QRectF> layoutLabels(const std::vector<LabelWish>& wishes,
   std::vector<QRectF> result(wishes.size());
   for (const std::size_t i : order) {
     const Places places = placesFor(wishes[i], window);
-    const QRectF near = aroundOf(wishes[i]);
+    // What a label has to touch, so that it is seen whose name it is.
+    const QRectF near = around(wishes[i].centre, wishes[i].clearance + 1.0);
     const auto isOffLabels = [&](const QRectF& place) {
       return window.contains(place) && near.intersects(place) && labels.isFree(place);
     };

@@ -1,10 +1,14 @@
 #include "editor/canvas/Layers.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
+#include <QFontMetricsF>
+
+#include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/Overlays.h"
 #include "editor/canvas/PixelFrame.h"
+#include "editor/document/Groups.h"
 
 namespace editor {
 
@@ -16,15 +20,16 @@ constexpr std::size_t kMostHandles = 8;  // things that show theirs
 constexpr double kHandlePx = 8.0;
 constexpr double kTurnHandlePx = 10.0;
 constexpr double kHandleReachPx = 8.0;
+constexpr double kCornerPx = 6.0;
+constexpr double kSnapMarkPx = 7.0;
+constexpr double kRingGapPx = 3.0;  // between somebody and the ring of the group
+constexpr double kLeastRingPx = 7.0;
 
 QPen accentPen(const QPainter& painter, const Theme& theme, double widthPx) {
   return screenPen(painter, theme.color(Role::Accent), widthPx, Qt::SolidLine, Qt::SquareCap);
 }
 
-}  // namespace
-
-void GridItem::paintLines(QPainter& painter, const QRectF& area, double step, double alpha) const {
-  QColor color = theme().color(Role::Text);
+void paintGrid(QPainter& painter, QColor color, const QRectF& area, double step, double alpha) {
   color.setAlphaF(alpha);
   QPen pen(color, 1.0);
   makeCosmetic(pen, painter);
@@ -39,26 +44,100 @@ void GridItem::paintLines(QPainter& painter, const QRectF& area, double step, do
   painter.drawLines(lines);
 }
 
+}  // namespace
+
 void GridItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
-  if (!mapScene().options().grid) {
+  if (!options().grid) {
     return;
   }
   painter->setRenderHint(QPainter::Antialiasing, false);
   const QRectF area = boundingRect() & option->exposedRect.adjusted(-0.1, -0.1, 0.1, 0.1);
-  const double pixelsPerMetre = pixelsPerMetreOf(*painter);
-  const auto fade = [](double px) { return std::clamp((px - 8.0) / 22.0, 0.0, 1.0); };
   const double strength = theme().isDark() ? 0.055 : 0.07;
   for (const double step : {1.0, 5.0, 25.0}) {
-    const double alpha = strength * fade(pixelsPerMetre * step);
+    const double px = pixelsPerMetreOf(*painter) * step;
+    const double alpha = strength * std::clamp((px - 8.0) / 22.0, 0.0, 1.0);  // fades when dense
     if (alpha > 0.0) {
-      paintLines(*painter, area, step, alpha);
+      paintGrid(*painter, theme().color(Role::Text), area, step, alpha);
     }
   }
 }
 
-void FullLayer::setBounds(const QRectF& sceneBounds) {
-  prepareGeometryChange();
-  bounds_ = sceneBounds;
+std::vector<std::pair<std::size_t, std::size_t>> shortestLinks(const std::vector<Vec2>& points) {
+  std::vector<std::pair<std::size_t, std::size_t>> links;
+  std::vector<std::size_t> nearest(points.size(), 0);  // of those that are joined already
+  std::vector<double> distance(points.size(), std::numeric_limits<double>::max());
+  std::vector<bool> joined(points.size(), false);
+  std::size_t newest = 0;
+  for (std::size_t count = 1; count < points.size(); ++count) {
+    joined[newest] = true;
+    std::size_t next = points.size();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double toNewest = (points[i] - points[newest]).norm();
+      if (!joined[i] && toNewest < distance[i]) {
+        distance[i] = toNewest;
+        nearest[i] = newest;
+      }
+      if (!joined[i] && (next == points.size() || distance[i] < distance[next])) {
+        next = i;
+      }
+    }
+    links.emplace_back(nearest[next], next);
+    newest = next;
+  }
+  return links;
+}
+
+/// A group with somebody who moves belongs to what moves.
+bool GroupLayer::isPartOf(const std::vector<EntityId>& people) const {
+  const auto isPainted = [this](EntityId id) { return mapScene().isPainted(id); };
+  return mapScene().paintedPart() == CanvasPart::Moving
+             ? std::any_of(people.begin(), people.end(), isPainted)
+             : std::all_of(people.begin(), people.end(), isPainted);
+}
+
+void GroupLayer::paintGroup(QPainter& painter, const QColor& color,
+                            const std::vector<EntityId>& people) const {
+  std::vector<Vec2> places;
+  std::vector<double> radii;  // [m]
+  for (const EntityId id : people) {
+    const std::optional<Entity> value = mapScene().shown(id);
+    const auto* human = value ? std::get_if<sim2d::Human>(&*value) : nullptr;
+    if (human == nullptr || !human->listed) {
+      continue;
+    }
+    const std::optional<Vec2> at = mapScene().isRunMode()
+                                       ? mapScene().frameLayer().positionOf(human->id)
+                                       : std::optional(human->initPose.position);
+    if (at) {
+      places.push_back(*at);
+      radii.push_back(mapScene().bodyRadius(*value));
+    }
+  }
+  QPen pen(color, 1.5, Qt::CustomDashLine, Qt::RoundCap);
+  pen.setDashPattern({1.0, 3.0});
+  makeCosmetic(pen, painter);
+  painter.setPen(pen);
+  for (const auto& [from, to] : shortestLinks(places)) {
+    painter.drawLine(toScene(places[from]), toScene(places[to]));
+  }
+  const double pixelsPerMetre = pixelsPerMetreOf(painter);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const PixelFrame frame(painter, toScene(places[i]));
+    paintRing(painter, QPen(color, 2.0),
+              std::max(radii[i] * pixelsPerMetre + kRingGapPx, kLeastRingPx));
+  }
+}
+
+void GroupLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  if (!options().groups || !options().people) {
+    return;
+  }
+  painter->setRenderHint(QPainter::Antialiasing);
+  for (const auto& [group, people] : groupsOf(document().scenario())) {
+    if (isPartOf(people)) {
+      paintGroup(*painter, groupColor(group, theme()), people);
+    }
+  }
 }
 
 std::vector<Handle> SelectionLayer::handlesFor(const Entity& entity) const {
@@ -83,7 +162,7 @@ std::vector<Handle> SelectionLayer::handlesFor(const Entity& entity) const {
 /// Those that are to be seen, each with the entity that it is of.
 std::vector<std::pair<EntityId, Handle>> SelectionLayer::handles() const {
   std::vector<std::pair<EntityId, Handle>> all;
-  const std::vector<EntityId>& selection = mapScene().document().selection();
+  const std::vector<EntityId>& selection = document().selection();
   for (const EntityId id : selection.size() > kMostHandles ? std::vector<EntityId>() : selection) {
     if (const std::optional<Entity> entity = mapScene().shown(id)) {
       for (const Handle& handle : handlesFor(*entity)) {
@@ -108,25 +187,21 @@ std::vector<QRectF> SelectionLayer::solidParts() const {
   const double reach = 0.75 * kTurnHandlePx / mapScene().pixelsPerMetre();
   std::vector<QRectF> parts;
   for (const auto& [id, handle] : handles()) {
-    parts.push_back(around(MapScene::sceneFromWorld(handle.position), reach));
+    parts.push_back(around(toScene(handle.position), reach));
   }
   return parts;
 }
 
 void SelectionLayer::paintFrame(QPainter& painter, const Entity& entity,
                                 const std::vector<Handle>& handles) const {
-  painter.setPen(accentPen(painter, theme(), 2.0));
-  painter.setBrush(Qt::NoBrush);
+  setInk(painter, accentPen(painter, theme(), 2.0));
   QPolygonF frame;
   for (const Handle& handle : handles) {
     if (handle.kind == Handle::Kind::Size || handle.kind == Handle::Kind::Vertex) {
-      frame << MapScene::sceneFromWorld(handle.position);
+      frame << toScene(handle.position);
     }
   }
-  const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity);
-  const bool isOpen = kindOf(entity) == EntityKind::Door ||
-                      (obstacle != nullptr && obstacle->kind == sim2d::ObstacleKind::Wall);
-  if (isOpen) {
+  if (kindOf(entity) == EntityKind::Door || hasOpenLine(entity)) {
     painter.drawPolyline(frame);
   } else if (frame.size() > 2) {
     painter.drawPolygon(frame);
@@ -134,22 +209,21 @@ void SelectionLayer::paintFrame(QPainter& painter, const Entity& entity,
     const double pixelsPerMetre = pixelsPerMetreOf(painter);
     const double radius =
         std::max(mapScene().bodyRadius(entity), 5.0 / pixelsPerMetre) + 4.0 / pixelsPerMetre;
-    painter.drawEllipse(MapScene::sceneFromWorld(*positionOf(entity)), radius, radius);
+    painter.drawEllipse(toScene(*positionOf(entity)), radius, radius);
   }
 }
 
 void SelectionLayer::paintHandle(QPainter& painter, const Entity& entity,
                                  const Handle& handle) const {
-  const QPointF at = MapScene::sceneFromWorld(handle.position);
+  const QPointF at = toScene(handle.position);
   const bool isTurn = handle.kind == Handle::Kind::Turn;
   if (isTurn) {
     painter.setPen(accentPen(painter, theme(), 1.5));
-    const QLineF arm(MapScene::sceneFromWorld(*positionOf(entity)), at);
+    const QLineF arm(toScene(*positionOf(entity)), at);
     painter.drawLine(arm.pointAt(0.5), at);
   }
   const PixelFrame frame(painter, at);
-  painter.setPen(QPen(theme().color(Role::Accent), 2.0));
-  painter.setBrush(theme().color(Role::Panel));
+  setInk(painter, QPen(theme().color(Role::Accent), 2.0), theme().color(Role::Panel));
   if (isTurn) {
     painter.drawEllipse(QPointF(), 0.5 * kTurnHandlePx, 0.5 * kTurnHandlePx);
   } else if (handle.kind == Handle::Kind::RobotGoal) {
@@ -166,7 +240,7 @@ void SelectionLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* op
     return;
   }
   painter->setRenderHint(QPainter::Antialiasing);
-  const std::vector<EntityId>& selection = mapScene().document().selection();
+  const std::vector<EntityId>& selection = document().selection();
   for (const EntityId id : selection) {
     const std::optional<Entity> entity = mapScene().shown(id);
     const EntityItem* item = mapScene().item(id);
@@ -182,6 +256,108 @@ void SelectionLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* op
         paintHandle(*painter, *entity, handle);
       }
     }
+  }
+}
+
+void ToolLayer::paintOutline(QPainter& painter) const {
+  const ToolLine& outline = marks_.outline;
+  const Role role = outline.isBad ? Role::Error : Role::Accent;
+  const QPolygonF polygon = toScene(outline.points);
+  setInk(painter, screenPen(painter, theme().color(role), 2.0));
+  if (outline.isClosed && polygon.size() > 2) {
+    painter.setBrush(theme().color(role, 0.08));
+    painter.drawPolygon(polygon);
+  } else {
+    painter.drawPolyline(polygon);
+  }
+  for (const QPointF& corner : outline.hasCorners ? polygon : QPolygonF()) {
+    const PixelFrame frame(painter, corner);
+    setInk(painter, QPen(theme().color(role), 1.5), theme().color(Role::Panel));
+    painter.drawRect(QRectF(-0.5 * kCornerPx, -0.5 * kCornerPx, kCornerPx, kCornerPx));
+  }
+}
+
+void ToolLayer::paintLines(QPainter& painter) const {
+  if (!marks_.stroke.empty()) {
+    setInk(painter, QPen(theme().color(Role::Accent, 0.4), marks_.strokeWidth, Qt::SolidLine,
+                         Qt::RoundCap, Qt::RoundJoin));
+    QPainterPath path = softPath(marks_.stroke, 0.0);
+    if (marks_.stroke.size() == 1) {  // a dot
+      path.lineTo(path.currentPosition() + QPointF(1e-3, 0.0));
+    }
+    painter.drawPath(path);
+  }
+  if (!marks_.outline.points.empty()) {
+    paintOutline(painter);
+  }
+  for (const ToolDot& dot : marks_.dots) {
+    const QPointF at = toScene(dot.at);
+    QColor fill = dot.color;
+    fill.setAlphaF(0.45);
+    setInk(painter, screenPen(painter, dot.color, 1.2), fill);
+    painter.drawEllipse(at, dot.radius, dot.radius);
+    if (dot.heading) {
+      painter.drawLine(at, toScene(Pose2{dot.at, *dot.heading}.ahead(dot.radius)));
+    }
+  }
+}
+
+void ToolLayer::paintArrows(QPainter& painter) const {
+  const QPen pen = screenPen(painter, theme().color(Role::Accent), 2.0);
+  if (marks_.line.size() > 1) {
+    QPen dashes = pen;
+    dashes.setDashPattern({4.0, 3.0});
+    setInk(painter, dashes);
+    const QPainterPath path = softPath(marks_.line, 0.0);
+    painter.drawPath(path);
+    paintArrowHeads(painter, path, 1.5, 9.0, theme());
+  }
+  if (marks_.arrow) {
+    painter.setPen(pen);
+    const QLineF line(toScene(marks_.arrow->first), toScene(marks_.arrow->second));
+    painter.drawLine(line);
+    const PixelFrame frame(painter, line.p2());
+    painter.setPen(QPen(theme().color(Role::Accent), 2.0));
+    FigurePainter(theme()).arrowHead(painter, {}, line.angle(), 10.0);
+  }
+}
+
+void ToolLayer::paintTag(QPainter& painter) const {
+  const auto& [at, words] = *marks_.tag;
+  const PixelFrame frame(painter, toScene(at));
+  const QFont font = theme().figureFont(9.0);
+  const double width = QFontMetricsF(font).horizontalAdvance(words) + 14.0;
+  QRectF box(16.0, 8.0, width, 22.0);
+  const QPointF free = painter.window().bottomRight() - painter.worldTransform().map(QPointF());
+  if (box.right() > free.x()) {
+    box.moveRight(-box.left());
+  }
+  if (box.bottom() > free.y()) {
+    box.moveBottom(-box.top());
+  }
+  setInk(painter, Qt::NoPen, theme().color(Role::Text, 0.92));
+  painter.drawRoundedRect(box, 4.0, 4.0);
+  painter.setFont(font);
+  painter.setPen(theme().color(Role::Panel));
+  painter.drawText(box, Qt::AlignCenter, words);
+}
+
+void ToolLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  painter->setRenderHint(QPainter::Antialiasing);
+  if (marks_.band) {
+    setInk(*painter, screenPen(*painter, theme().color(Role::Accent), 1.0),
+           theme().color(Role::Accent, 0.10));
+    painter->drawRect(
+        QRectF(toScene(marks_.band->first), toScene(marks_.band->second)).normalized());
+  }
+  paintLines(*painter);
+  paintArrows(*painter);
+  if (marks_.snapMark) {
+    const PixelFrame frame(*painter, toScene(*marks_.snapMark));
+    paintRing(*painter, QPen(theme().color(Role::Accent), 1.5), kSnapMarkPx);
+  }
+  if (marks_.tag) {
+    paintTag(*painter);
   }
 }
 

@@ -5,32 +5,43 @@
 #include <utility>
 #include <vector>
 
-#include <QGraphicsItem>
+#include <QPainterPath>
 #include <QPixmap>
 
 #include "editor/canvas/EntityItem.h"
-#include "editor/canvas/MapScene.h"
-#include "editor/document/Geometry.h"
+#include "editor/canvas/RouteModel.h"
+#include "editor/canvas/Tool.h"
 
 namespace editor {
 
 /// Covers all that the scene shows: for layers whose extent is that of the window.
-class FullLayer : public QGraphicsItem {
+class FullLayer : public CanvasItem {
  public:
-  explicit FullLayer(const MapScene& scene) : scene_(scene) {
+  explicit FullLayer(const MapScene& scene) : CanvasItem(scene) {
     setFlag(QGraphicsItem::ItemUsesExtendedStyleOption);
   }
-  QRectF boundingRect() const override { return bounds_; }
-  void setBounds(const QRectF& sceneBounds);
+  QRectF boundingRect() const override { return mapScene().extent(); }
+};
 
- protected:
-  const MapScene& mapScene() const { return scene_; }
-  const Theme& theme() const { return scene_.theme(); }
+/// The map in the colours of the theme: cells with sharp edges when near, smaller copies of it when
+/// far so that thin walls stay visible.
+class MapItem : public CanvasItem {
+ public:
+  using CanvasItem::CanvasItem;
+  void refresh();  // another map, or other colours
+  QRectF boundingRect() const override { return bounds_; }
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
-  const MapScene& scene_;
+  const QPixmap& levelOf(int side);
+
   QRectF bounds_;
+  QTransform sceneFromPixel_;
+  std::map<int, QPixmap> levels_;  // by the cells along the side of a pixel
 };
+
+/// An image with one pixel per cell; also for thumbnails.
+QImage mapImage(const sim2d::OccupancyGrid& grid, const Theme& theme);
 
 /// A text that wants to stand at something round, pixels.
 struct LabelWish {
@@ -52,10 +63,8 @@ std::vector<QRectF> layoutLabels(const std::vector<LabelWish>& wishes,
 class GridItem : public FullLayer {
  public:
   using FullLayer::FullLayer;
+  QRectF boundingRect() const override { return mapScene().groundRect(); }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
-
- private:
-  void paintLines(QPainter& painter, const QRectF& area, double step, double alpha) const;
 };
 
 /// Names with halos, placed where there is room; the less important ones are left out. Each is
@@ -86,13 +95,58 @@ class GroupLayer : public FullLayer {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
-  struct Member {
-    Vec2 at = Vec2::Zero();
-    double radius = 0.35;  // [m]
-  };
   bool isPartOf(const std::vector<EntityId>& people) const;
-  std::vector<Member> membersOf(const std::vector<EntityId>& people) const;
+  void paintGroup(QPainter& painter, const QColor& color,
+                  const std::vector<EntityId>& people) const;
 };
+
+/// How strong the ways of those are who are not selected, where so many are in sight: 1 for a few,
+/// less the more there are, never nothing.
+double routeStrength(std::size_t inSight);
+
+/// All routes beneath the figures: of everybody the way to the first goal, of the selected ones the
+/// whole round.
+class RouteLayer : public FullLayer {
+ public:
+  using FullLayer::FullLayer;
+  void routesChanged();
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+ private:
+  struct Style {
+    QColor color;
+    double widthPx = 1.8;
+    Qt::PenStyle dashes = Qt::SolidLine;
+    double arrowSpacing = 1.5;  // [m]
+  };
+  /// A leg ready to be painted.
+  struct Line {
+    std::vector<Vec2> points;
+    QPainterPath path;                              // scene
+    QRectF bounds;                                  // of the path
+    double gap = 0.0;                               // between arrow heads [m]
+    std::vector<std::pair<QPointF, double>> heads;  // tips, degrees
+  };
+  Line& lineOf(EntityId id, std::size_t index, const RouteLeg& leg);
+  static void placeHeads(Line& line, double spacing, double pixelsPerMetre);
+  std::size_t countInSight(const QRectF& shown);
+  void paintRoute(QPainter& painter, EntityId id, bool whole, const Style& style);
+  void paintLeg(QPainter& painter, const Line& line, bool isReachable, const Style& style) const;
+  void paintPeople(QPainter& painter, bool selected);
+  void paintRobots(QPainter& painter);
+
+  QRectF exposed_;               // of the current painting
+  double strength_ = 1.0;        // of the ways of those who are not selected
+  double chosenStrength_ = 1.0;  // and of those who are
+  bool showsRounds_ = true;      // of those who are selected; else the way to the first goal
+  std::map<EntityId, std::vector<Line>> lines_;
+};
+
+/// A line with soft corners that stays within `softness` [m] of them.
+QPainterPath softPath(const std::vector<Vec2>& points, double softness);
+/// Chevrons along a path every `spacing` [m], the first one after half of it.
+void paintArrowHeads(QPainter& painter, const QPainterPath& scenePath, double spacing,
+                     double sizePx, const Theme& theme);
 
 /// Frames and handles of what is selected.
 class SelectionLayer : public FullLayer {
@@ -111,68 +165,20 @@ class SelectionLayer : public FullLayer {
   void paintHandle(QPainter& painter, const Entity& entity, const Handle& handle) const;
 };
 
-/// A line of the current tool.
-struct ToolLine {
-  std::vector<Vec2> points;  // world
-  bool isClosed = false;     // then slightly filled
-  bool isBad = false;        // cannot become anything: in the colour of errors
-  bool hasCorners = true;    // small squares at its points
-};
-/// Somebody or something that a tool would make: a disc.
-struct ToolDot {
-  Vec2 at = Vec2::Zero();
-  double radius = 0.3;  // [m]
-  QColor color;
-  std::optional<double> heading;  // a nose
-};
-
-/// What the current tool shows while a gesture lasts.
+/// Paints what the current tool shows.
 class ToolLayer : public FullLayer {
  public:
   using FullLayer::FullLayer;
-  void setRubberBand(const Vec2& corner, const Vec2& opposite);
-  void setLine(std::vector<Vec2> points) { show(marks_.line, std::move(points)); }  // arrow heads
-  void setOutline(ToolLine line) { show(marks_.outline, std::move(line)); }
-  void setStroke(std::vector<Vec2> points, double width) {  // a line as wide as that [m]
-    marks_.strokeWidth = width;
-    show(marks_.stroke, std::move(points));
-  }
-  void setDots(std::vector<ToolDot> dots) { show(marks_.dots, std::move(dots)); }
-  void setArrow(const Vec2& from, const Vec2& to) { show(marks_.arrow, std::pair(from, to)); }
-  /// A small dark box beside a point.
-  void setTag(const Vec2& at, const QString& text) { show(marks_.tag, std::pair(at, text)); }
-  /// The point of another entity that holds.
-  void setSnapMark(const std::optional<Vec2>& at) { show(marks_.snapMark, at); }
-  void clear() { show(marks_, Marks()); }
+  ToolMarks& marks() { return marks_; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
   void paintOutline(QPainter& painter) const;
-  void paintStroke(QPainter& painter) const;
-  void paintDots(QPainter& painter) const;
-  void paintLine(QPainter& painter) const;
-  void paintArrow(QPainter& painter) const;
+  void paintLines(QPainter& painter) const;
+  void paintArrows(QPainter& painter) const;
   void paintTag(QPainter& painter) const;
-  void paintSnapMark(QPainter& painter) const;
 
-  struct Marks {
-    std::optional<QRectF> band;
-    std::vector<Vec2> line;  // dashed
-    ToolLine outline;
-    std::vector<Vec2> stroke;
-    double strokeWidth = 0.1;  // [m]
-    std::vector<ToolDot> dots;
-    std::optional<std::pair<Vec2, Vec2>> arrow;
-    std::optional<std::pair<Vec2, QString>> tag;
-    std::optional<Vec2> snapMark;
-  };
-  template <class Mark, class Value>
-  void show(Mark& mark, Value&& value) {
-    mark = std::forward<Value>(value);
-    update();
-  }
-
-  Marks marks_;
+  ToolMarks marks_;
 };
 
 QSizeF labelSize(const Theme& theme, const Label& label);

@@ -1,13 +1,8 @@
-#include "editor/canvas/MapItem.h"
-
 #include <algorithm>
 #include <array>
-#include <vector>
 
-#include <QPainter>
-#include <QStyleOptionGraphicsItem>
-
-#include "editor/canvas/MapScene.h"
+#include "editor/canvas/Layers.h"
+#include "editor/canvas/PixelFrame.h"
 
 namespace editor {
 
@@ -35,49 +30,26 @@ struct Shades {
   QColor free, wall, unknown;
 };
 
-/// Sums of a row of pixels: of the known values, and how many are not known.
-struct PixelRow {
-  std::vector<int> sums, unknowns;
-
-  void clear(int pixels) {
-    sums.assign(static_cast<std::size_t>(pixels), 0);
-    unknowns.assign(static_cast<std::size_t>(pixels), 0);
-  }
-  void add(const std::int8_t* cells, int count, int side) {
-    for (int first = 0, pixel = 0; first < count; first += side, ++pixel) {
-      int sum = 0;
-      int unknown = 0;
-      const int end = std::min(first + side, count);
-      for (int i = first; i < end; ++i) {
-        sum += std::max<int>(cells[i], 0);
-        unknown += cells[i] < 0 ? 1 : 0;
-      }
-      sums[static_cast<std::size_t>(pixel)] += sum;
-      unknowns[static_cast<std::size_t>(pixel)] += unknown;
-    }
-  }
-};
-
 /// One pixel for each square of `side` cells; those of the last row and column may hold fewer.
 QImage meanImage(const sim2d::OccupancyGrid& grid, const Theme& theme, int side) {
   const Shades shades(theme);
   const int width = grid.width();
   const int height = grid.height();
   QImage image((width + side - 1) / side, (height + side - 1) / side, QImage::Format_RGB32);
-  PixelRow pixels;
   for (int row = 0; row < image.height(); ++row) {
     const int top = height - 1 - row * side;
-    const int rows = std::min(side, top + 1);
-    pixels.clear(image.width());
-    for (int i = 0; i < rows; ++i) {
-      const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(top - i) * width;
-      pixels.add(grid.cells().data() + first, width, side);
-    }
     auto* line = reinterpret_cast<QRgb*>(image.scanLine(row));
     for (int column = 0; column < image.width(); ++column) {
-      const int cells = rows * std::min(side, width - column * side);
-      const auto at = static_cast<std::size_t>(column);
-      line[column] = shades.mean(cells, pixels.unknowns[at], pixels.sums[at]);
+      const int end = std::min((column + 1) * side, width);
+      int count = 0, unknowns = 0, sum = 0;
+      for (int y = std::max(0, top - side + 1); y <= top; ++y) {
+        const std::int8_t* cells = grid.cells().data() + static_cast<std::ptrdiff_t>(y) * width;
+        for (int x = column * side; x < end; ++x, ++count) {
+          sum += std::max<int>(cells[x], 0);
+          unknowns += cells[x] < 0 ? 1 : 0;
+        }
+      }
+      line[column] = shades.mean(count, unknowns, sum);
     }
   }
   return image;
@@ -104,20 +76,19 @@ QImage mapImage(const sim2d::OccupancyGrid& grid, const Theme& theme) {
   return image;
 }
 
-void MapItem::set(std::shared_ptr<const sim2d::OccupancyGrid> grid, const Theme& theme) {
+void MapItem::refresh() {
   prepareGeometryChange();
-  grid_ = std::move(grid);
-  theme_ = theme;
   levels_.clear();
   bounds_ = QRectF();
-  if (isOpenPlane()) {
+  if (mapScene().isOpenPlane()) {
     return;
   }
-  const double width = grid_->width();
-  const double height = grid_->height();
-  const QPointF topLeft = MapScene::sceneFromWorld(grid_->cornerToWorld(0.0, height));
-  const QPointF topRight = MapScene::sceneFromWorld(grid_->cornerToWorld(width, height));
-  const QPointF bottomLeft = MapScene::sceneFromWorld(grid_->cornerToWorld(0.0, 0.0));
+  const sim2d::OccupancyGrid& grid = *document().map();
+  const double width = grid.width();
+  const double height = grid.height();
+  const QPointF topLeft = toScene(grid.cornerToWorld(0.0, height));
+  const QPointF topRight = toScene(grid.cornerToWorld(width, height));
+  const QPointF bottomLeft = toScene(grid.cornerToWorld(0.0, 0.0));
   const QPointF right = (topRight - topLeft) / width;
   const QPointF down = (bottomLeft - topLeft) / height;
   sceneFromPixel_ = QTransform(right.x(), right.y(), down.x(), down.y(), topLeft.x(), topLeft.y());
@@ -128,21 +99,21 @@ void MapItem::set(std::shared_ptr<const sim2d::OccupancyGrid> grid, const Theme&
 const QPixmap& MapItem::levelOf(int side) {
   const auto [level, isNew] = levels_.try_emplace(side);
   if (isNew) {
+    const sim2d::OccupancyGrid& grid = *document().map();
     level->second =
-        QPixmap::fromImage(side == 1 ? mapImage(*grid_, theme_) : meanImage(*grid_, theme_, side));
+        QPixmap::fromImage(side == 1 ? mapImage(grid, theme()) : meanImage(grid, theme(), side));
   }
   return level->second;
 }
 
 void MapItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-  if (isOpenPlane()) {
+  if (mapScene().isOpenPlane()) {
     return;
   }
-  const double pixelsPerMetre =
-      QStyleOptionGraphicsItem::levelOfDetailFromTransform(painter->worldTransform());
-  const double pixelsPerCell = pixelsPerMetre * grid_->resolution();
+  const sim2d::OccupancyGrid& grid = *document().map();
+  const double pixelsPerCell = pixelsPerMetreOf(*painter) * grid.resolution();
   int side = 1;
-  while (pixelsPerCell * side < 0.5 && side < std::max(grid_->width(), grid_->height())) {
+  while (pixelsPerCell * side < 0.5 && side < std::max(grid.width(), grid.height())) {
     side *= 2;
   }
   const QPixmap& level = levelOf(side);

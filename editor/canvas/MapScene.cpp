@@ -7,13 +7,8 @@
 #include <QGraphicsSceneMouseEvent>
 #include <QKeyEvent>
 
-#include "editor/canvas/EntityItem.h"
 #include "editor/canvas/FrameLayer.h"
-#include "editor/canvas/Layers.h"
-#include "editor/canvas/MapItem.h"
-#include "editor/canvas/RouteLayer.h"
 #include "editor/canvas/SpriteAtlas.h"
-#include "editor/canvas/Tool.h"
 #include "editor/document/EntityLists.h"
 #include "sim2d/scenario/Defaults.h"
 
@@ -40,27 +35,18 @@ enum Depth {
 };
 
 Depth depthOf(EntityKind kind) {
-  switch (kind) {
-    case EntityKind::Area:
-      return AreaDepth;
-    case EntityKind::Obstacle:
-      return ObstacleDepth;
-    case EntityKind::Door:
-      return DoorDepth;
-    case EntityKind::Robot:
-      return RobotDepth;
-    case EntityKind::Goal:
-      return GoalDepth;
-    default:
-      return PersonDepth;
-  }
+  static const std::map<EntityKind, Depth> kDepths = {
+      {EntityKind::Area, AreaDepth},    {EntityKind::Obstacle, ObstacleDepth},
+      {EntityKind::Door, DoorDepth},    {EntityKind::Robot, RobotDepth},
+      {EntityKind::Human, PersonDepth}, {EntityKind::Goal, GoalDepth}};
+  return kDepths.at(kind);
 }
 
 constexpr double kPlaneMargin = 400.0;  // [m] around the contents: as far as one can pan
 
-template <class Layer, class... Arguments>
-Layer* addLayer(QGraphicsScene& scene, Depth depth, Arguments&&... arguments) {
-  auto* layer = new Layer(std::forward<Arguments>(arguments)...);
+template <class Layer>
+Layer* addLayer(MapScene& scene, Depth depth) {
+  auto* layer = new Layer(scene);
   layer->setZValue(depth);
   scene.addItem(layer);  // the scene owns it
   return layer;
@@ -70,19 +56,13 @@ constexpr double kFaded = 0.2;  // opacity
 
 /// Puts a value in the place of the one with its id, or at the end of its list.
 void putInto(sim2d::Scenario& scenario, const Entity& value) {
-  withList(
-      scenario, kindOf(value),
-      [&](auto& list) {
-        using Value = typename std::decay_t<decltype(list)>::value_type;
-        const int at = positionIn(list, idOf(value));
-        if (at >= 0) {
-          list[static_cast<std::size_t>(at)] = std::get<Value>(value);
-        } else {
-          list.push_back(std::get<Value>(value));
-        }
-        return true;
-      },
-      false);
+  forEachList(scenario, [&](EntityKind /*kind*/, auto& list) {
+    using Value = typename std::decay_t<decltype(list)>::value_type;
+    if (const auto* wanted = std::get_if<Value>(&value)) {
+      const int at = positionIn(list, wanted->key);
+      (at < 0 ? list.emplace_back() : list[static_cast<std::size_t>(at)]) = *wanted;
+    }
+  });
 }
 
 }  // namespace
@@ -95,16 +75,16 @@ MapScene::MapScene(ScenarioDocument& document, const Theme& theme, QObject* pare
       routes_(new RouteModel(this)) {
   setItemIndexMethod(QGraphicsScene::NoIndex);
   mapItem_ = addLayer<MapItem>(*this, MapDepth);
-  gridItem_ = addLayer<GridItem>(*this, GridDepth, *this);
-  groupLayer_ = addLayer<GroupLayer>(*this, GroupDepth, *this);
-  routeLayer_ = addLayer<RouteLayer>(*this, RouteDepth, *this);
-  frameLayer_ = addLayer<FrameLayer>(*this, FrameDepth, *this);
-  selectionLayer_ = addLayer<SelectionLayer>(*this, SelectionDepth, *this);
-  labelLayer_ = addLayer<LabelLayer>(*this, LabelDepth, *this);
-  toolLayer_ = addLayer<ToolLayer>(*this, ToolDepth, *this);
+  addLayer<GridItem>(*this, GridDepth);
+  groupLayer_ = addLayer<GroupLayer>(*this, GroupDepth);
+  routeLayer_ = addLayer<RouteLayer>(*this, RouteDepth);
+  frameLayer_ = addLayer<FrameLayer>(*this, FrameDepth);
+  selectionLayer_ = addLayer<SelectionLayer>(*this, SelectionDepth);
+  labelLayer_ = addLayer<LabelLayer>(*this, LabelDepth);
+  toolLayer_ = addLayer<ToolLayer>(*this, ToolDepth);
   connect(&document_, &ScenarioDocument::changed, this, &MapScene::apply);
   connect(&document_, &ScenarioDocument::mapChanged, this, &MapScene::takeMap);
-  connect(&document_, &ScenarioDocument::selectionChanged, this, &MapScene::syncSelection);
+  connect(&document_, &ScenarioDocument::selectionChanged, this, &MapScene::syncItems);
   connect(routes_, &RouteModel::routesChanged, this, &MapScene::takeRoutes);
   takeMap();
   rebuildAll();
@@ -121,26 +101,19 @@ void MapScene::noteChange() {
 }
 
 void MapScene::takeMap() {
-  mapItem_->set(document_.map(), theme_);
+  mapItem_->refresh();
   updateExtent();
   planRoutes();
   noteChange();
 }
 
 void MapScene::updateExtent() {
-  const QRectF content = contentRect();
-  const QRectF extent = content.adjusted(-kPlaneMargin, -kPlaneMargin, kPlaneMargin, kPlaneMargin);
-  setSceneRect(extent);
-  for (QGraphicsItem* each : items()) {
-    if (auto* layer = dynamic_cast<FullLayer*>(each)) {
-      layer->setBounds(extent);
-    }
-  }
-  gridItem_->setBounds(mapItem_->isOpenPlane() ? extent : mapItem_->boundingRect());
+  extent_ = contentRect().adjusted(-kPlaneMargin, -kPlaneMargin, kPlaneMargin, kPlaneMargin);
+  setSceneRect(extent_);
 }
 
-bool MapScene::isOpenPlane() const {
-  return mapItem_->isOpenPlane();
+QRectF MapScene::groundRect() const {
+  return isOpenPlane() ? extent_ : mapItem_->boundingRect();
 }
 
 QRectF MapScene::contentRect() const {
@@ -153,8 +126,7 @@ QRectF MapScene::contentRect() const {
 
 void MapScene::setTheme(const Theme& theme) {
   theme_ = theme;
-  mapItem_->set(document_.map(), theme_);
-  frameLayer_->themeChanged();
+  mapItem_->refresh();
   sprites_->clear();
   noteChange();
   Q_EMIT themeChanged();
@@ -163,29 +135,19 @@ void MapScene::setTheme(const Theme& theme) {
 void MapScene::setOptions(const CanvasOptions& options) {
   options_ = options;
   mapItem_->setVisible(options_.map);
-  for (const auto& [id, entityItem] : items_) {
-    entityItem->zoomChanged();
-    entityItem->setVisible(isShown(id));
-  }
-  noteChange();
+  syncItems();
   Q_EMIT optionsChanged();
 }
 
 void MapScene::apply(const Change& change) {
-  switch (change.what) {
-    case Change::What::Everything:
-      rebuildAll();
-      return;
-    case Change::What::Removed:
-      delete item(change.entity);
-      items_.erase(change.entity);
-      break;
-    default:
-      sync(change.entity);
-  }
-  if (change.entity.kind == EntityKind::Scenario) {
+  if (change.what == Change::What::Everything || change.entity.kind == EntityKind::Scenario) {
     rebuildAll();
     return;
+  }
+  if (change.what == Change::What::Removed) {
+    drop(change.entity);
+  } else {
+    sync(change.entity);
   }
   planRoutes();
   noteChange();
@@ -196,20 +158,24 @@ void MapScene::rebuildAll() {
     delete entityItem;
   }
   items_.clear();
-  for (const EntityKind kind : {EntityKind::Area, EntityKind::Obstacle, EntityKind::Door,
-                                EntityKind::Goal, EntityKind::Robot, EntityKind::Human}) {
-    for (const EntityId id : document_.entities(kind)) {
-      sync(id);
+  forEachList(document_.scenario(), [this](EntityKind /*kind*/, const auto& list) {
+    for (const auto& value : list) {
+      sync(value.key);
     }
-  }
+  });
   updateExtent();
   planRoutes();
   noteChange();
 }
 
+void MapScene::drop(EntityId id) {
+  delete item(id);
+  items_.erase(id);
+}
+
 void MapScene::sync(EntityId id) {
   const std::optional<Entity> value = shown(id);
-  if (!value || id.kind == EntityKind::Scenario) {
+  if (!value) {
     return;
   }
   EntityItem*& entityItem = items_[id];
@@ -222,9 +188,11 @@ void MapScene::sync(EntityId id) {
   entityItem->sync(*value);
 }
 
-void MapScene::syncSelection() {
+/// Which are shown, and how large: by options, selection and run.
+void MapScene::syncItems() {
   for (const auto& [id, entityItem] : items_) {
     entityItem->zoomChanged();
+    entityItem->setVisible(isShown(id));
   }
   noteChange();
 }
@@ -285,7 +253,6 @@ void MapScene::setPixelsPerMetre(double value) {
   for (const auto& [id, entityItem] : items_) {
     entityItem->zoomChanged();
   }
-  frameLayer_->zoomChanged();
   sprites_->clear();
 }
 
@@ -302,7 +269,7 @@ void MapScene::setPreview(const std::vector<Entity>& values) {
   }
   for (const auto& [id, value] : old) {
     if (preview_.count(id) == 0) {
-      endPreviewOf(id);
+      document_.contains(id) ? sync(id) : drop(id);
     }
   }
   for (const auto& [id, value] : preview_) {
@@ -313,15 +280,6 @@ void MapScene::setPreview(const std::vector<Entity>& values) {
   }
   planRoutes();
   update();
-}
-
-void MapScene::endPreviewOf(EntityId id) {
-  if (document_.contains(id)) {
-    sync(id);
-  } else {
-    delete item(id);
-    items_.erase(id);
-  }
 }
 
 void MapScene::setFaded(const std::vector<EntityId>& ids) {

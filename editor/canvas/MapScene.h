@@ -16,7 +16,6 @@ namespace editor {
 class EntityItem;
 class FrameLayer;
 class GroupLayer;
-class GridItem;
 class LabelLayer;
 class MapItem;
 class RouteLayer;
@@ -27,6 +26,22 @@ class Tool;
 class ToolLayer;
 struct CanvasMouse;
 struct Label;
+struct ToolMarks;
+
+/// Scene coordinates are metres with y down.
+inline QPointF toScene(const Vec2& world) {
+  return {world.x(), -world.y()};
+}
+inline QPolygonF toScene(const std::vector<Vec2>& world) {
+  QPolygonF points;
+  for (const Vec2& point : world) {
+    points << toScene(point);
+  }
+  return points;
+}
+inline Vec2 toWorld(const QPointF& scene) {
+  return {scene.x(), -scene.y()};
+}
 
 /// Which extras are drawn; all can be switched one by one.
 struct CanvasOptions {
@@ -42,17 +57,13 @@ struct CanvasOptions {
 /// and selection, or all the rest.
 enum class CanvasPart { All, Resting, Moving };
 
-/// Draws the document: items follow its changes; the mouse goes to the current tool. Scene
-/// coordinates are metres with y down: scene = (x, -y).
+/// Draws the document: items follow its changes; the mouse goes to the current tool.
 class MapScene : public QGraphicsScene {
   Q_OBJECT
  public:
   MapScene(ScenarioDocument& document, const Theme& theme, QObject* parent = nullptr);
   ~MapScene() override;
   Q_DISABLE_COPY_MOVE(MapScene)
-
-  static QPointF sceneFromWorld(const Vec2& point) { return {point.x(), -point.y()}; }
-  static Vec2 worldFromScene(const QPointF& point) { return {point.x(), -point.y()}; }
 
   const ScenarioDocument& document() const { return document_; }
   const Theme& theme() const { return theme_; }
@@ -68,7 +79,6 @@ class MapScene : public QGraphicsScene {
   std::vector<EntityId> entitiesIn(const Vec2& corner, const Vec2& opposite) const;
   EntityItem* item(EntityId id) const;
   void setHovered(EntityId id);
-  EntityId hovered() const { return hovered_; }
 
   /// Shows these values instead of the document's until cleared; new ones (without a key in the
   /// document) are shown as ghosts.
@@ -79,18 +89,19 @@ class MapScene : public QGraphicsScene {
   void setFaded(const std::vector<EntityId>& ids);
 
   double pixelsPerMetre() const { return pixelsPerMetre_; }
-  void setPixelsPerMetre(double value);  // by the view
-  QRectF contentRect() const;            // map and entities [m]
-  bool isOpenPlane() const;              // no map: free ground everywhere
+  void setPixelsPerMetre(double value);                            // by the view
+  QRectF contentRect() const;                                      // map and entities [m]
+  bool isOpenPlane() const { return document_.map()->isEmpty(); }  // free ground everywhere
+  QRectF groundRect() const;                        // the map, or all of an open plane
+  const QRectF& extent() const { return extent_; }  // all that can be panned to
 
   /// Run mode: people and robots are drawn from frames; an empty pointer ends it.
   void showFrame(std::shared_ptr<const sim2d::Frame> frame);
   bool isRunMode() const;
-  const sim2d::Frame* frame() const;                               // the one shown, or null
-  std::optional<EntityId> agentEntityAt(const Vec2& world) const;  // of a run
+  EntityId agentEntityAt(const Vec2& world) const;
   FrameLayer& frameLayer() const { return *frameLayer_; }
   RouteModel& routes() const { return *routes_; }
-  ToolLayer& toolLayer() { return *toolLayer_; }
+  ToolMarks& marks();  // to be changed: they are painted anew
 
   // for views that keep a picture of what rests
   bool isCrowded() const;                   // so many things that painting them all takes its time
@@ -127,11 +138,11 @@ class MapScene : public QGraphicsScene {
   void apply(const Change& change);
   void rebuildAll();
   void sync(EntityId id);
-  void syncSelection();
+  void syncItems();
   void takeMap();
   void updateExtent();
   void planRoutes();
-  void endPreviewOf(EntityId id);
+  void drop(EntityId id);
   bool isShown(EntityId id) const;
   void takeRoutes();
   void noteChange();
@@ -150,8 +161,8 @@ class MapScene : public QGraphicsScene {
   CanvasPart part_ = CanvasPart::All;
   int restingRevision_ = 0;
   std::unique_ptr<SpriteAtlas> sprites_;
+  QRectF extent_;
   MapItem* mapItem_ = nullptr;
-  GridItem* gridItem_ = nullptr;
   GroupLayer* groupLayer_ = nullptr;
   RouteLayer* routeLayer_ = nullptr;
   FrameLayer* frameLayer_ = nullptr;

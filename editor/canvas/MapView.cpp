@@ -11,7 +11,6 @@
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/Overlays.h"
-#include "editor/canvas/Tool.h"
 
 namespace editor {
 
@@ -122,19 +121,15 @@ void MapView::moveTo(const ViewPlace& place, bool animated) {
   fitAnimation_.start();
 }
 
-void MapView::fitRect(const QRectF& sceneRect, bool animated) {
-  const QSizeF room = viewport()->size() - QSize(2 * kFitMarginPx, 2 * kFitMarginPx);
-  if (sceneRect.isEmpty() || room.width() < 1.0 || room.height() < 1.0) {
-    return;
-  }
-  const double scale =
-      std::min(room.width() / sceneRect.width(), room.height() / sceneRect.height());
-  moveTo({sceneRect.center(), std::clamp(scale, kFarthest, 200.0)}, animated);
-}
-
 void MapView::fitAll(bool animated) {
   fitted_ = true;
-  fitRect(scene_.contentRect(), animated);
+  const QRectF content = scene_.contentRect();
+  const QSizeF room = viewport()->size() - QSize(2 * kFitMarginPx, 2 * kFitMarginPx);
+  if (content.isEmpty() || room.width() < 1.0 || room.height() < 1.0) {
+    return;
+  }
+  const double scale = std::min(room.width() / content.width(), room.height() / content.height());
+  moveTo({content.center(), std::clamp(scale, kFarthest, 200.0)}, animated);
 }
 
 void MapView::centerOnEntity(EntityId id) {
@@ -142,7 +137,7 @@ void MapView::centerOnEntity(EntityId id) {
   const std::optional<Vec2> at = value ? positionOf(*value) : std::nullopt;
   if (at) {
     fitted_ = false;
-    moveTo({MapScene::sceneFromWorld(*at), std::max(pixelsPerMetre(), 30.0)}, true);
+    moveTo({toScene(*at), std::max(pixelsPerMetre(), 30.0)}, true);
   }
 }
 
@@ -169,11 +164,11 @@ void MapView::setPixelsPerMetre(double value) {
 }
 
 Vec2 MapView::worldAt(const QPoint& viewportPoint) const {
-  return MapScene::worldFromScene(mapToScene(viewportPoint));
+  return toWorld(mapToScene(viewportPoint));
 }
 
 QPoint MapView::viewportFrom(const Vec2& world) const {
-  return mapFromScene(MapScene::sceneFromWorld(world));
+  return mapFromScene(toScene(world));
 }
 
 void MapView::setCanvasState(CanvasState state) {

@@ -46,7 +46,6 @@ class MapView : public QGraphicsView {
   explicit MapView(MapScene& scene, QWidget* parent = nullptr);
 
   void fitAll(bool animated = true);
-  void fitRect(const QRectF& sceneRect, bool animated = true);
   void centerOnEntity(EntityId id);
   void zoomBy(double factor, const QPointF& viewportPoint);
   void zoomIn();

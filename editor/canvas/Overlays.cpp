@@ -1,9 +1,12 @@
 #include "editor/canvas/Overlays.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "editor/canvas/FrameLayer.h"
+#include "editor/canvas/PixelFrame.h"
+#include "editor/document/Groups.h"
 
 namespace editor {
 
@@ -13,28 +16,39 @@ constexpr double kBarTargetPx = 100.0;
 constexpr double kBarLeftPx = 16.0;
 constexpr double kBarBottomPx = 14.0;
 constexpr double kBarHeightPx = 22.0;  // with its words
-constexpr double kLegendRowPx = 20.0;
-constexpr double kLegendWidthPx = 156.0;
-constexpr double kLegendEdgePx = 12.0;
+constexpr double kRowPx = 20.0;        // of a legend
+constexpr double kMarginPx = 12.0;     // of a legend from the edge of the window
+constexpr double kForcesWidthPx = 156.0;
+constexpr double kGroupsPadPx = 10.0;
+constexpr double kSamplePx = 18.0;  // ring and gap before the name
+constexpr std::size_t kMostRows = 6;
 
 QString lengthText(double metres) {
   return metres < 1.0 ? QStringLiteral("%1 cm").arg(metres * 100.0)
                       : QStringLiteral("%1 m").arg(metres);
 }
 
-/// Whose forces are told: the one person of a run that is selected.
-const sim2d::Human* pushedPerson(const OverlayContext& context) {
+/// The one person of a run that is selected, and the forces on it.
+struct Pushed {
+  const sim2d::Human* human = nullptr;
+  std::vector<ForceArrow> forces;
+  QRectF legend;
+};
+
+std::optional<Pushed> pushedPerson(const OverlayContext& context) {
   const ScenarioDocument& document = context.scene.document();
   const bool isOne = document.selection().size() == 1;
-  return isOne && context.scene.options().forces && context.scene.frame() != nullptr
-             ? document.human(document.selection().front())
-             : nullptr;
-}
-
-QRectF legendBox(const OverlayContext& context, std::size_t forces) {
-  return {context.window.right() - kLegendWidthPx - kLegendEdgePx,
-          context.window.top() + kLegendEdgePx, kLegendWidthPx,
-          (static_cast<double>(forces) + 2.0) * kLegendRowPx + 16.0};
+  const sim2d::Human* human = isOne && context.scene.options().forces && context.scene.isRunMode()
+                                  ? document.human(document.selection().front())
+                                  : nullptr;
+  if (human == nullptr) {
+    return std::nullopt;
+  }
+  std::vector<ForceArrow> forces = forcesOn(*context.scene.frameLayer().frame(), human->id);
+  const QRectF box(context.window.right() - kForcesWidthPx - kMarginPx,
+                   context.window.top() + kMarginPx, kForcesWidthPx,
+                   (static_cast<double>(forces.size()) + 2.0) * kRowPx + 16.0);
+  return Pushed{human, std::move(forces), box};
 }
 
 }  // namespace
@@ -51,10 +65,16 @@ std::vector<QRectF> overlayBoxes(const OverlayContext& context) {
     boxes.emplace_back(window.topLeft(), QSizeF(window.width(), kRulerPx));
     boxes.emplace_back(window.topLeft(), QSizeF(kRulerPx, window.height()));
   }
-  if (const sim2d::Human* human = pushedPerson(context)) {
-    boxes.push_back(legendBox(context, forcesOn(*context.scene.frame(), human->id).size()));
+  if (const std::optional<Pushed> pushed = pushedPerson(context)) {
+    boxes.push_back(pushed->legend);
   }
   return boxes;
+}
+
+void paintPlate(QPainter& painter, const Theme& theme, const QRectF& box) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  setInk(painter, theme.color(Role::Line), theme.color(Role::Panel));
+  painter.drawRoundedRect(box, 6.0, 6.0);
 }
 
 double niceLength(double pixelsPerMetre, double targetPx) {
@@ -132,34 +152,28 @@ void paintRulers(QPainter& painter, const OverlayContext& context) {
 }
 
 void paintForceLegend(QPainter& painter, const OverlayContext& context) {
-  const sim2d::Human* human = pushedPerson(context);
-  if (human == nullptr) {
-    return;
-  }
-  const std::vector<ForceArrow> forces = forcesOn(*context.scene.frame(), human->id);
-  if (forces.empty()) {
+  const std::optional<Pushed> pushed = pushedPerson(context);
+  if (!pushed || pushed->forces.empty()) {
     return;
   }
   const Theme& theme = context.scene.theme();
-  const QRectF box = legendBox(context, forces.size());
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(theme.color(Role::Line));
-  painter.setBrush(theme.color(Role::Panel));
-  painter.drawRoundedRect(box, 6.0, 6.0);
-  QRectF row(box.left() + 12.0, box.top() + 8.0, box.width() - 24.0, kLegendRowPx);
+  const QRectF& box = pushed->legend;
+  paintPlate(painter, theme, box);
+  QRectF row(box.left() + 12.0, box.top() + 8.0, box.width() - 24.0, kRowPx);
   const auto write = [&](const QString& left, const QString& right, Role color) {
     painter.setPen(theme.color(Role::Text));
     painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter, left);
     painter.setPen(theme.color(color));
     painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, right);
-    row.translate(0.0, kLegendRowPx);
+    row.translate(0.0, kRowPx);
   };
   painter.setFont(theme.font(9.0, QFont::DemiBold));
-  const QString title = QStringLiteral("Forces on %1").arg(QString::fromStdString(human->name));
+  const QString title =
+      QStringLiteral("Forces on %1").arg(QString::fromStdString(pushed->human->name));
   write(QFontMetrics(painter.font()).elidedText(title, Qt::ElideRight, int(row.width())), {},
         Role::Text);
   painter.setFont(theme.figureFont(9.0));
-  for (const ForceArrow& arrow : forces) {
+  for (const ForceArrow& arrow : pushed->forces) {
     painter.setPen(QPen(theme.color(arrow.color), 2.2));
     const QPointF tip(row.left() + 20.0, row.center().y());
     painter.drawLine(QPointF(row.left(), tip.y()), tip);
@@ -174,6 +188,99 @@ void paintForceLegend(QPainter& painter, const OverlayContext& context) {
   painter.drawLine(QPointF(row.left(), row.center().y()),
                    QPointF(row.left() + length, row.center().y()));
   write({}, QStringLiteral("%1 m/s²").arg(force, 0, 'g', 2), Role::TextSecondary);
+}
+
+namespace {
+
+struct GroupLegend {
+  struct Row {
+    QString words;
+    QColor ring;  // none where it speaks of several groups
+  };
+  std::vector<Row> rows;
+  QRectF box;
+  int corner = 0;
+};
+
+std::vector<GroupLegend::Row> groupRows(const MapScene& scene) {
+  std::vector<GroupLegend::Row> rows;
+  if (!scene.options().groups || !scene.options().people) {
+    return rows;
+  }
+  const sim2d::Scenario& scenario = scene.document().scenario();
+  const auto groups = groupsOf(scenario);
+  for (const auto& [group, people] : groups) {
+    if (rows.size() == kMostRows) {
+      rows.push_back({QObject::tr("%1 more").arg(groups.size() - kMostRows), {}});
+      break;
+    }
+    rows.push_back({QObject::tr("%1 · %2").arg(groupName(scenario, group)).arg(people.size()),
+                    groupColor(group, scene.theme())});
+  }
+  return rows;
+}
+
+GroupLegend groupLegend(const OverlayContext& context) {
+  GroupLegend legend{groupRows(context.scene), {}, context.legendCorner};
+  if (legend.rows.empty()) {
+    return legend;
+  }
+  const QFontMetricsF metrics(context.scene.theme().font(9.0));
+  double width = 0.0;
+  for (const GroupLegend::Row& row : legend.rows) {
+    width = std::max(width, metrics.horizontalAdvance(row.words));
+  }
+  QRectF box(0.0, 0.0, width + kSamplePx + 2.0 * kGroupsPadPx,
+             static_cast<double>(legend.rows.size()) * kRowPx + kGroupsPadPx);
+  const QRectF room = context.window.adjusted(kMarginPx, kMarginPx, -kMarginPx, -kMarginPx);
+  const std::array<QPointF, 3> corners = {
+      QPointF(room.right() - box.width(), room.bottom() - box.height()),
+      QPointF(room.right() - box.width(), room.top()),
+      QPointF(room.left(), room.bottom() - box.height() - 3.0 * kMarginPx)};  // above the scale
+  const auto count = static_cast<int>(corners.size());
+  for (int i = 0; i < count; ++i) {
+    const int corner = (context.legendCorner + i) % count;  // it does not jump without need
+    box.moveTopLeft(corners.at(static_cast<std::size_t>(corner)));
+    const auto covers = [&](const sim2d::Human& human) {
+      return box.adjusted(-kMarginPx, -kMarginPx, kMarginPx, kMarginPx)
+          .contains(context.windowFromScene.map(toScene(human.initPose.position)));
+    };
+    const auto& people = context.scene.document().scenario().humans;
+    if (std::none_of(people.begin(), people.end(), covers)) {
+      legend.box = box;
+      legend.corner = corner;
+      break;
+    }
+  }
+  return legend;  // without a box: people come first
+}
+
+}  // namespace
+
+QRectF groupLegendBox(const OverlayContext& context) {
+  return groupLegend(context).box;
+}
+
+int paintGroupLegend(QPainter& painter, const OverlayContext& context) {
+  const auto [rows, box, corner] = groupLegend(context);
+  if (box.isEmpty()) {
+    return corner;
+  }
+  const Theme& theme = context.scene.theme();
+  paintPlate(painter, theme, box);
+  painter.setFont(theme.font(9.0));
+  QRectF line(box.left() + kGroupsPadPx, box.top() + 0.5 * kGroupsPadPx,
+              box.width() - 2.0 * kGroupsPadPx, kRowPx);
+  for (const GroupLegend::Row& row : rows) {
+    if (row.ring.isValid()) {
+      paintRing(painter, QPen(row.ring, 2.0), 4.5, QPointF(line.left() + 5.0, line.center().y()));
+    }
+    painter.setPen(theme.color(Role::Text));
+    painter.drawText(line.adjusted(kSamplePx, 0.0, 0.0, 0.0), Qt::AlignLeft | Qt::AlignVCenter,
+                     row.words);
+    line.translate(0.0, kRowPx);
+  }
+  return corner;
 }
 
 }  // namespace editor

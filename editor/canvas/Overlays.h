@@ -27,6 +27,8 @@ void paintForceLegend(QPainter& painter, const OverlayContext& context);
 int paintGroupLegend(QPainter& painter, const OverlayContext& context);
 /// Where that is [px]; empty when there is no legend.
 QRectF groupLegendBox(const OverlayContext& context);
+/// The ground of a legend or of fields over the map.
+void paintPlate(QPainter& painter, const Theme& theme, const QRectF& box);
 
 /// What scale bar, rulers and legend of forces cover, where they are shown [px of the window].
 std::vector<QRectF> overlayBoxes(const OverlayContext& context);

@@ -38,11 +38,16 @@ inline QRectF shownRect(const QPainter& painter, const QStyleOptionGraphicsItem&
                            : painter.worldTransform().inverted().mapRect(QRectF(widget->rect()));
 }
 
+/// What lines are drawn with, and what fills what they enclose.
+inline void setInk(QPainter& painter, const QPen& pen, const QBrush& fill = Qt::NoBrush) {
+  painter.setPen(pen);
+  painter.setBrush(fill);
+}
+
 /// A ring of that pen, and nothing in it.
 inline void paintRing(QPainter& painter, const QPen& pen, double radius,
                       const QPointF& centre = {}) {
-  painter.setPen(pen);
-  painter.setBrush(Qt::NoBrush);
+  setInk(painter, pen);
   painter.drawEllipse(centre, radius, radius);
 }
 
@@ -57,10 +62,7 @@ class PixelFrame {
     painter_.scale(scale, scale);
   }
   ~PixelFrame() { painter_.restore(); }
-  PixelFrame(const PixelFrame&) = delete;
-  PixelFrame& operator=(const PixelFrame&) = delete;
-  PixelFrame(PixelFrame&&) = delete;
-  PixelFrame& operator=(PixelFrame&&) = delete;
+  Q_DISABLE_COPY_MOVE(PixelFrame)
 
  private:
   QPainter& painter_;

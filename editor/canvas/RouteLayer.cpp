@@ -1,10 +1,8 @@
-#include "editor/canvas/RouteLayer.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
+#include "editor/canvas/Layers.h"
 #include "editor/canvas/PixelFrame.h"
 #include "editor/document/Groups.h"
 #include "editor/look/FigurePainter.h"
@@ -39,17 +37,17 @@ QPainterPath softPath(const std::vector<Vec2>& points, double softness) {
   if (points.empty()) {
     return path;
   }
-  path.moveTo(MapScene::sceneFromWorld(points.front()));
+  path.moveTo(toScene(points.front()));
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    const QPointF before = MapScene::sceneFromWorld(points[i - 1]);
-    const QPointF corner = MapScene::sceneFromWorld(points[i]);
-    const QPointF after = MapScene::sceneFromWorld(points[i + 1]);
+    const QPointF before = toScene(points[i - 1]);
+    const QPointF corner = toScene(points[i]);
+    const QPointF after = toScene(points[i + 1]);
     const double in = std::min(softness, 0.5 * QLineF(corner, before).length());
     const double out = std::min(softness, 0.5 * QLineF(corner, after).length());
     path.lineTo(towards(corner, before, in));
     path.quadTo(corner, towards(corner, after, out));
   }
-  path.lineTo(MapScene::sceneFromWorld(points.back()));
+  path.lineTo(toScene(points.back()));
   return path;
 }
 
@@ -92,35 +90,11 @@ void paintArrowHeads(QPainter& painter, const QPainterPath& scenePath, double sp
   paintHeads(painter, arrowHeads(scenePath, gap), sizePx, theme);
 }
 
-RouteLayer::RouteLayer(const MapScene& scene) : scene_(scene) {
-  setFlag(QGraphicsItem::ItemUsesExtendedStyleOption);
-}
-
+/// Lines of those who have no way any more are forgotten.
 void RouteLayer::routesChanged() {
-  prepareGeometryChange();
-  Vec2 low = Vec2::Constant(std::numeric_limits<double>::max());
-  Vec2 high = -low;
-  for (const EntityKind kind : {EntityKind::Human, EntityKind::Robot}) {
-    for (const EntityId id : scene_.document().entities(kind)) {
-      const EntityRoute* route = scene_.routes().route(id);
-      if (route == nullptr) {
-        continue;
-      }
-      for (const RouteLeg& leg : route->legs) {
-        for (const Vec2& point : leg.points) {
-          low = low.cwiseMin(point);
-          high = high.cwiseMax(point);
-        }
-      }
-    }
-  }
-  bounds_ = low.x() > high.x()
-                ? QRectF()
-                : QRectF(MapScene::sceneFromWorld(low), MapScene::sceneFromWorld(high))
-                      .normalized()
-                      .adjusted(-1.0, -1.0, 1.0, 1.0);
   for (auto line = lines_.begin(); line != lines_.end();) {
-    line = scene_.routes().route(line->first) == nullptr ? lines_.erase(line) : std::next(line);
+    const bool isKept = mapScene().routes().route(line->first) != nullptr;
+    line = isKept ? std::next(line) : lines_.erase(line);
   }
   update();
 }
@@ -154,10 +128,10 @@ void RouteLayer::placeHeads(Line& line, double spacing, double pixelsPerMetre) {
 /// Ways of people who are not selected, of which the window shows something.
 std::size_t RouteLayer::countInSight(const QRectF& shown) {
   std::size_t count = 0;
-  for (const EntityId id : scene_.document().entities(EntityKind::Human)) {
-    const EntityRoute* route = scene_.routes().route(id);
-    if (route != nullptr && !route->legs.empty() && !scene_.document().isSelected(id)) {
-      count += lineOf(id, 0, route->legs.front()).bounds.intersects(shown) ? 1 : 0;
+  for (const EntityId id : document().entities(EntityKind::Human)) {
+    const EntityRoute* route = mapScene().routes().route(id);
+    if (route != nullptr && !route->empty() && !document().isSelected(id)) {
+      count += lineOf(id, 0, route->front()).bounds.intersects(shown) ? 1 : 0;
     }
   }
   return count;
@@ -165,8 +139,8 @@ std::size_t RouteLayer::countInSight(const QRectF& shown) {
 
 void RouteLayer::paintLeg(QPainter& painter, const Line& line, bool isReachable,
                           const Style& style) const {
-  QPen pen(isReachable ? style.color : scene_.theme().color(Role::Error), style.widthPx,
-           style.dashes, Qt::RoundCap, Qt::RoundJoin);
+  QPen pen(isReachable ? style.color : theme().color(Role::Error), style.widthPx, style.dashes,
+           Qt::RoundCap, Qt::RoundJoin);
   if (!isReachable) {
     pen.setStyle(Qt::CustomDashLine);
     pen.setDashPattern({3.0, 4.0});
@@ -174,21 +148,19 @@ void RouteLayer::paintLeg(QPainter& painter, const Line& line, bool isReachable,
     pen.setDashPattern({3.5, 2.5});
   }
   makeCosmetic(pen, painter);
-  painter.setPen(pen);
-  painter.setBrush(Qt::NoBrush);
+  setInk(painter, pen);
   painter.drawPath(line.path);
-  paintHeads(painter, line.heads, kArrowPx + style.widthPx, scene_.theme());
+  paintHeads(painter, line.heads, kArrowPx + style.widthPx, theme());
 }
 
 void RouteLayer::paintRoute(QPainter& painter, EntityId id, bool whole, const Style& style) {
-  const EntityRoute* route = scene_.routes().route(id);
-  if (route == nullptr || !scene_.isPainted(id)) {
+  const EntityRoute* route = mapScene().routes().route(id);
+  if (route == nullptr || !mapScene().isPainted(id)) {
     return;
   }
-  const std::size_t count =
-      whole ? route->legs.size() : std::min<std::size_t>(1, route->legs.size());
+  const std::size_t count = whole ? route->size() : std::min<std::size_t>(1, route->size());
   for (std::size_t i = 0; i < count; ++i) {
-    const RouteLeg& leg = route->legs[i];
+    const RouteLeg& leg = (*route)[i];
     Line& line = lineOf(id, i, leg);
     if (line.bounds.intersects(exposed_)) {
       placeHeads(line, style.arrowSpacing, pixelsPerMetreOf(painter));
@@ -198,17 +170,16 @@ void RouteLayer::paintRoute(QPainter& painter, EntityId id, bool whole, const St
 }
 
 void RouteLayer::paintPeople(QPainter& painter, bool selected) {
-  for (const EntityId id : scene_.document().entities(EntityKind::Human)) {
-    if (scene_.document().isSelected(id) != selected) {
+  for (const EntityId id : document().entities(EntityKind::Human)) {
+    if (document().isSelected(id) != selected) {
       continue;
     }
-    const std::optional<Entity> value = scene_.shown(id);
+    const std::optional<Entity> value = mapScene().shown(id);
     if (!value) {
       continue;
     }
     Style style;
-    style.color =
-        scene_.theme().line(lookOfPerson(scene_.document(), std::get<sim2d::Human>(*value)));
+    style.color = theme().line(lookOfPerson(document(), std::get<sim2d::Human>(*value)));
     const double strength = selected ? chosenStrength_ : strength_;
     style.widthPx = std::max(selected ? 1.6 : 1.0, (selected ? 2.6 : 1.8) * std::sqrt(strength));
     style.color.setAlphaF((selected ? 1.0 : 0.62) * strength);
@@ -218,10 +189,9 @@ void RouteLayer::paintPeople(QPainter& painter, bool selected) {
 }
 
 void RouteLayer::paintRobots(QPainter& painter) {
-  for (const EntityId id : scene_.document().entities(EntityKind::Robot)) {
-    const bool selected = scene_.document().isSelected(id);
-    const Style style{scene_.theme().color(Role::RobotLine), selected ? 2.6 : 2.0,
-                      Qt::CustomDashLine};
+  for (const EntityId id : document().entities(EntityKind::Robot)) {
+    const bool selected = document().isSelected(id);
+    const Style style{theme().color(Role::RobotLine), selected ? 2.6 : 2.0, Qt::CustomDashLine};
     paintRoute(painter, id, true, style);
   }
 }
@@ -229,7 +199,7 @@ void RouteLayer::paintRobots(QPainter& painter) {
 void RouteLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) {
   painter->setRenderHint(QPainter::Antialiasing);
   exposed_ = option->exposedRect;
-  const std::vector<EntityId>& selection = scene_.document().selection();
+  const std::vector<EntityId>& selection = document().selection();
   const auto chosen =
       static_cast<std::size_t>(std::count_if(selection.begin(), selection.end(), [](EntityId id) {
         return id.kind == EntityKind::Human;
@@ -237,7 +207,7 @@ void RouteLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option
   showsRounds_ = chosen <= kMostRounds;
   chosenStrength_ = std::max(kFaintestChosen, routeStrength(showsRounds_ ? 1 : chosen));
   strength_ = routeStrength(countInSight(shownRect(*painter, *option, widget)));
-  if (scene_.options().routes) {
+  if (options().routes) {
     paintPeople(*painter, false);
     paintRobots(*painter);
   }

@@ -35,15 +35,6 @@ std::vector<Vec2> placesOf(const sim2d::Scenario& scenario) {
 constexpr int kPauseMs = 15;
 constexpr std::chrono::milliseconds kMostTime(100);  // before what is planned is shown
 
-struct Walker {
-  EntityId id;
-  Vec2 start = Vec2::Zero();
-  std::vector<Vec2> goals;
-  double radius = 0.35;
-  bool isDirect = false;
-  bool returns = false;
-};
-
 /// A leg is the same for all who walk it. In order, those to one goal follow each other, so that
 /// the planner searches from each goal once.
 struct LegKey {
@@ -56,47 +47,41 @@ struct LegKey {
   }
 };
 
-std::vector<LegKey> legsOf(const Walker& walker) {
-  const int radiusCm = walker.isDirect ? -1 : static_cast<int>(std::lround(100.0 * walker.radius));
-  std::vector<LegKey> legs;
-  Vec2 at = walker.start;
-  const auto add = [&](const Vec2& goal) {
-    legs.push_back({radiusCm, goal.x(), goal.y(), at.x(), at.y()});
-    at = goal;
-  };
-  for (const Vec2& goal : walker.goals) {
-    add(goal);
-  }
-  if (walker.returns && walker.goals.size() > 1) {
-    add(walker.goals.front());
-  }
-  return legs;
-}
+using Legs = std::map<EntityId, std::vector<LegKey>>;
 
-std::vector<Walker> walkersOf(const sim2d::Scenario& scenario) {
-  std::vector<Walker> walkers;
+/// The legs of everybody, in the order of walking.
+Legs legsOf(const sim2d::Scenario& scenario) {
+  Legs legs;
+  const auto add = [&legs](EntityId id, Vec2 at, const std::vector<Vec2>& goals, int radiusCm) {
+    std::vector<LegKey>& own = legs[id];
+    for (const Vec2& goal : goals) {
+      own.push_back({radiusCm, goal.x(), goal.y(), at.x(), at.y()});
+      at = goal;
+    }
+  };
+  const auto centimetres = [](double metres) {
+    return static_cast<int>(std::lround(100.0 * metres));
+  };
   const long long seed = scenario.desktop.seed.value_or(1);
   for (const sim2d::Human& human : scenario.humans) {
     const sim2d::ResolvedHuman resolved = sim2d::resolveHuman(scenario, human, seed);
-    Walker walker{human.key,
-                  human.initPose.position,
-                  {},
-                  resolved.radius,
-                  resolved.route == sim2d::Route::Direct,
-                  resolved.cyclicGoals};
+    std::vector<Vec2> goals;
     for (const int id : human.goals) {
       if (const sim2d::GlobalGoal* goal = scenario.goal(id)) {
-        walker.goals.push_back(goal->position);
+        goals.push_back(goal->position);
       }
     }
-    walkers.push_back(std::move(walker));
+    if (resolved.cyclicGoals && goals.size() > 1) {
+      goals.push_back(goals.front());
+    }
+    const bool isDirect = resolved.route == sim2d::Route::Direct;
+    add(human.key, human.initPose.position, goals, isDirect ? -1 : centimetres(resolved.radius));
   }
   for (const sim2d::Robot& robot : scenario.robots) {
     const sim2d::ResolvedRobot resolved = sim2d::resolveRobot(scenario, robot, -1);
-    walkers.push_back(
-        {robot.key, resolved.start.position, resolved.goals, resolved.radius, false, false});
+    add(robot.key, resolved.start.position, resolved.goals, centimetres(resolved.radius));
   }
-  return walkers;
+  return legs;
 }
 
 }  // namespace
@@ -171,26 +156,23 @@ struct RouteModel::Planning {
   }
 
   /// Of all whose legs are known.
-  Planned routesOf(const std::vector<Walker>& walkers) {
+  Planned routesOf(const Legs& walked) {
     std::set<LegKey> wanted;
-    for (const Walker& walker : walkers) {
-      const std::vector<LegKey> keys = legsOf(walker);
+    for (const auto& [id, keys] : walked) {
       wanted.insert(keys.begin(), keys.end());
     }
     Planned result;
     result.isComplete = plan(wanted);
-    for (const Walker& walker : walkers) {
+    for (const auto& [id, keys] : walked) {
       EntityRoute route;
-      const std::vector<LegKey> keys = legsOf(walker);
       for (const LegKey& key : keys) {
         const auto found = legs.find(key);
-        if (found == legs.end()) {
-          break;
+        if (found != legs.end()) {
+          route.push_back(found->second);
         }
-        route.legs.push_back(found->second);
       }
-      if (route.legs.size() == keys.size()) {
-        result.routes[walker.id] = std::move(route);
+      if (route.size() == keys.size()) {
+        result.routes[id] = std::move(route);
       }
     }
     return result;
@@ -223,7 +205,7 @@ void RouteModel::start() {
   auto input = std::make_shared<const Input>(input_());
   task_.start([input, planning = planning_] {
     planning->prepare(input->scenario, input->map);
-    return planning->routesOf(walkersOf(input->scenario));
+    return planning->routesOf(legsOf(input->scenario));
   });
 }
 

@@ -22,10 +22,7 @@ struct RouteLeg {
     return a.isReachable == b.isReachable && a.points == b.points;
   }
 };
-struct EntityRoute {
-  std::vector<RouteLeg> legs;
-  friend bool operator==(const EntityRoute& a, const EntityRoute& b) { return a.legs == b.legs; }
-};
+using EntityRoute = std::vector<RouteLeg>;
 using Routes = std::map<EntityId, EntityRoute>;
 
 /// The ways of all people and robots round walls, by the planner of the simulation. Planned beside

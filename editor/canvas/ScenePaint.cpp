@@ -5,12 +5,7 @@
 #include <QPainter>
 #include <QStyleOptionGraphicsItem>
 
-#include "editor/canvas/EntityItem.h"
 #include "editor/canvas/FrameLayer.h"
-#include "editor/canvas/Layers.h"
-#include "editor/canvas/MapScene.h"
-#include "editor/canvas/RouteLayer.h"
-#include "editor/canvas/Tool.h"
 #include "sim2d/scenario/Defaults.h"
 
 // The part of MapScene that answers tools, layers and painters.
@@ -77,7 +72,7 @@ void MapScene::paintPart(QPainter& painter, CanvasPart part, const QRectF& expos
   part_ = part;
   std::vector<QGraphicsItem*> wanted;
   if (part == CanvasPart::Moving) {
-    wanted = {groupLayer_, labelLayer_};
+    wanted = {groupLayer_, labelLayer_, selectionLayer_, toolLayer_};
     if (preview_.size() <= kMostMovingRoutes) {
       wanted.push_back(routeLayer_);
     }
@@ -91,19 +86,12 @@ void MapScene::paintPart(QPainter& painter, CanvasPart part, const QRectF& expos
   } else {
     for (QGraphicsItem* each : items(Qt::AscendingOrder)) {
       const auto* entityItem = dynamic_cast<EntityItem*>(each);
-      if (entityItem == nullptr || isPainted(entityItem->id())) {
+      const bool isMark = each == selectionLayer_ || each == toolLayer_;
+      const bool isPartOf = entityItem == nullptr || isPainted(entityItem->id());
+      if (isMark ? part == CanvasPart::All : isPartOf) {
         wanted.push_back(each);
       }
     }
-  }
-  const auto drop = [&](const QGraphicsItem* layer) {
-    wanted.erase(std::remove(wanted.begin(), wanted.end(), layer), wanted.end());
-  };
-  drop(selectionLayer_);
-  drop(toolLayer_);
-  if (part != CanvasPart::Resting) {
-    wanted.push_back(selectionLayer_);
-    wanted.push_back(toolLayer_);
   }
   std::stable_sort(wanted.begin(), wanted.end(),
                    [](const auto* a, const auto* b) { return a->zValue() < b->zValue(); });
@@ -140,13 +128,14 @@ double MapScene::bodyRadius(const Entity& entity) const {
 std::vector<Label> MapScene::labels() const {
   std::vector<Label> all;
   for (const auto& [id, entityItem] : items_) {
-    if (entityItem->isVisible() && isPainted(id)) {
-      append(all, entityItem->labels());
-    } else if (entityItem->isVisible() && id == hovered_ && part_ == CanvasPart::Moving) {
-      for (const Label& label : entityItem->labels()) {
-        if (label.isOfHover) {  // others are in the picture
-          all.push_back(label);
-        }
+    const bool isAll = isPainted(id);
+    const bool isHoverAlone = id == hovered_ && part_ == CanvasPart::Moving;  // over the picture
+    if (!entityItem->isVisible() || !(isAll || isHoverAlone)) {
+      continue;
+    }
+    for (const Label& label : entityItem->labels()) {
+      if (isAll || label.isOfHover) {
+        all.push_back(label);
       }
     }
   }
@@ -171,14 +160,8 @@ std::pair<EntityId, Handle> MapScene::handleAt(const Vec2& world) const {
   return selectionLayer_->handleAt(world);
 }
 
-const sim2d::Frame* MapScene::frame() const {
-  return frameLayer_->frame();
-}
-
-std::optional<EntityId> MapScene::agentEntityAt(const Vec2& world) const {
-  const std::optional<int> id = frameLayer_->agentAt(world);
-  const EntityId entity = id ? frameLayer_->entityOf(*id) : EntityId{};
-  return entity ? std::optional<EntityId>(entity) : std::nullopt;
+EntityId MapScene::agentEntityAt(const Vec2& world) const {
+  return frameLayer_->entityAt(world);
 }
 
 bool MapScene::isRunMode() const {
@@ -197,12 +180,15 @@ void MapScene::showFrame(std::shared_ptr<const sim2d::Frame> frame) {
   }
   if (isRunMode() != wasRunning) {
     routeLayer_->setVisible(wasRunning);
-    for (const auto& [id, entityItem] : items_) {
-      entityItem->setVisible(isShown(id));
-    }
+    syncItems();
     planRoutes();
   }
   noteChange();
+}
+
+ToolMarks& MapScene::marks() {
+  toolLayer_->update();
+  return toolLayer_->marks();
 }
 
 void MapScene::setTool(Tool* tool) {
@@ -213,7 +199,7 @@ void MapScene::setTool(Tool* tool) {
     tool_->deactivate();
   }
   tool_ = tool;
-  toolLayer_->clear();
+  marks() = {};
   if (tool_ != nullptr) {
     tool_->activate();
   }
@@ -221,14 +207,18 @@ void MapScene::setTool(Tool* tool) {
 
 void MapScene::give(QGraphicsSceneMouseEvent& event, void (Tool::*hear)(const CanvasMouse&)) {
   if (tool_ != nullptr) {
-    (tool_->*hear)({worldFromScene(event.scenePos()), event.button(), event.buttons(),
-                    event.modifiers(), pixelsPerMetre_});
+    (tool_->*hear)({toWorld(event.scenePos()), event.button(), event.modifiers(), pixelsPerMetre_});
     event.accept();
   }
 }
 
 void MapScene::mousePressEvent(QGraphicsSceneMouseEvent* event) {
-  give(*event, &Tool::press);
+  if (event->button() == Qt::LeftButton) {
+    give(*event, &Tool::press);
+  } else if (tool_ != nullptr) {
+    tool_->pressOther(event->button());
+    event->accept();
+  }
 }
 
 void MapScene::mouseMoveEvent(QGraphicsSceneMouseEvent* event) {
@@ -236,11 +226,14 @@ void MapScene::mouseMoveEvent(QGraphicsSceneMouseEvent* event) {
 }
 
 void MapScene::mouseReleaseEvent(QGraphicsSceneMouseEvent* event) {
-  give(*event, &Tool::release);
+  if (event->button() == Qt::LeftButton) {
+    give(*event, &Tool::release);
+  }
+  event->setAccepted(tool_ != nullptr);
 }
 
 void MapScene::mouseDoubleClickEvent(QGraphicsSceneMouseEvent* event) {
-  give(*event, &Tool::press);
+  mousePressEvent(event);
   give(*event, &Tool::doubleClick);
 }
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "editor/canvas/EntityItem.h"
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/PixelFrame.h"
 #include "editor/look/FigurePainter.h"
@@ -28,9 +27,9 @@ std::vector<sim2d::Outline> outlinesOf(const sim2d::Obstacle& obstacle) {
     case sim2d::ObstacleKind::Polygon:
       return {sim2d::polygonOutline(obstacle.points)};
     case sim2d::ObstacleKind::Wall:
-      return sim2d::wallOutlines(obstacle.points, obstacle.thickness.value_or(kDefaultWall));
+      break;
   }
-  return {};
+  return sim2d::wallOutlines(obstacle.points, obstacle.thickness.value_or(kDefaultWall));
 }
 
 double distanceToOutline(const Vec2& point, const sim2d::Outline& outline) {
@@ -59,9 +58,7 @@ class ShapeItem : public EntityItem {
 
   std::vector<Label> labels() const override {
     const auto* area = std::get_if<sim2d::Area>(&value_);
-    const bool isShown =
-        isSelectedEntity() || isHovered() || (area != nullptr && mapScene().options().names);
-    if (!isShown) {
+    if (!isSelectedEntity() && !isHovered() && (area == nullptr || !options().names)) {
       return {};
     }
     if (area != nullptr) {
@@ -77,9 +74,7 @@ class ShapeItem : public EntityItem {
     if (kindOf(value_) != EntityKind::Area) {
       return {};
     }
-    const double side = metres(kSignPx);
-    const QPointF sign = signPlace(mapScene().pixelsPerMetre());
-    return {QRectF(sign.x() - 0.5 * side, sign.y() - 0.5 * side, side, side)};
+    return {around(signPlace(mapScene().pixelsPerMetre()), 0.5 * metres(kSignPx))};
   }
 
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
@@ -92,13 +87,12 @@ class ShapeItem : public EntityItem {
         paintArea(*painter);
         break;
       default:
-        painter->setPen(screenPen(*painter, theme().color(Role::ObstacleEdge), 1.2));
-        painter->setBrush(theme().color(Role::ObstacleFill));
+        setInk(*painter, screenPen(*painter, theme().color(Role::ObstacleEdge), 1.2),
+               theme().color(Role::ObstacleFill));
         painter->drawPath(path_);
     }
     if (isHovered() && !isSelectedEntity()) {
-      painter->setBrush(Qt::NoBrush);
-      painter->setPen(screenPen(*painter, theme().color(Role::Accent, 0.6), 1.5));
+      setInk(*painter, screenPen(*painter, theme().color(Role::Accent, 0.6), 1.5));
       painter->drawPath(path_);
     }
   }
@@ -118,11 +112,7 @@ class ShapeItem : public EntityItem {
     path_ = QPainterPath();
     path_.setFillRule(Qt::WindingFill);
     for (const sim2d::Outline& outline : outlines_) {
-      QPolygonF polygon;
-      for (const Vec2& point : outline.points) {
-        polygon << MapScene::sceneFromWorld(point);
-      }
-      path_.addPolygon(polygon);
+      path_.addPolygon(toScene(outline.points));
       path_.closeSubpath();
     }
     if (outlines_.size() > 1) {
@@ -138,26 +128,22 @@ class ShapeItem : public EntityItem {
  private:
   void paintDoor(QPainter& painter) const {
     const auto& door = std::get<sim2d::Door>(value_);
-    const bool open = mapScene().isDoorOpen(id(), door);
-    if (!open) {
-      painter.setPen(screenPen(painter, theme().color(Role::ObstacleEdge), 1.0));
-      painter.setBrush(theme().color(Role::WarningMark));
+    if (!mapScene().isDoorOpen(id(), door)) {
+      setInk(painter, screenPen(painter, theme().color(Role::ObstacleEdge), 1.0),
+             theme().color(Role::WarningMark));
       painter.drawPath(path_);
       return;
     }
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(screenPen(painter, theme().color(Role::ObstacleEdge), 1.5, Qt::DashLine));
-    painter.drawLine(MapScene::sceneFromWorld(door.from), MapScene::sceneFromWorld(door.to));
+    setInk(painter, screenPen(painter, theme().color(Role::ObstacleEdge), 1.5, Qt::DashLine));
+    painter.drawLine(toScene(door.from), toScene(door.to));
     // The leaf stands open, with the arc that it swung through.
     const Vec2 across = door.to - door.from;
     const Vec2 leaf = door.from + Vec2(-across.y(), across.x());
     painter.setPen(screenPen(painter, theme().color(Role::ObstacleEdge), 2.0));
-    painter.drawLine(MapScene::sceneFromWorld(door.from), MapScene::sceneFromWorld(leaf));
-    const double length = across.norm();
-    const QPointF hinge = MapScene::sceneFromWorld(door.from);
+    painter.drawLine(toScene(door.from), toScene(leaf));
     const double startDeg = degrees(base::headingOf(across));
     QPainterPath arc;
-    const QRectF box(hinge.x() - length, hinge.y() - length, 2.0 * length, 2.0 * length);
+    const QRectF box = around(toScene(door.from), across.norm());
     arc.arcMoveTo(box, startDeg);
     arc.arcTo(box, startDeg, 90.0);
     painter.setPen(screenPen(painter, theme().color(Role::ObstacleEdge, 0.6), 1.0, Qt::DotLine));
@@ -166,9 +152,9 @@ class ShapeItem : public EntityItem {
 
   void paintArea(QPainter& painter) const {
     const bool strong = isHovered() || isSelectedEntity();
-    painter.setPen(
-        screenPen(painter, theme().color(Role::ObstacleEdge), strong ? 1.5 : 1.0, Qt::DashLine));
-    painter.setBrush(theme().color(Role::Accent, strong ? 0.10 : 0.05));
+    setInk(painter,
+           screenPen(painter, theme().color(Role::ObstacleEdge), strong ? 1.5 : 1.0, Qt::DashLine),
+           theme().color(Role::Accent, strong ? 0.10 : 0.05));
     painter.drawPath(path_);
     paintSign(painter);
   }
@@ -185,8 +171,8 @@ class ShapeItem : public EntityItem {
                    std::min(kSignPx, sidePx), theme());
   }
 
-  /// scene
-  /// The middle of the sign: in the upper left corner, or in the middle where it is narrow.
+  /// The middle of the sign in the scene: in the upper left corner, or in the middle where it is
+  /// narrow.
   QPointF signPlace(double pixelsPerMetre) const {
     const QRectF box = path_.boundingRect();
     const double inset = kSignInsetPx / pixelsPerMetre;

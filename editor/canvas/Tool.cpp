@@ -4,9 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "editor/canvas/Layers.h"
-#include "editor/canvas/MapScene.h"
-#include "editor/document/Geometry.h"
 #include "sim2d/map/Outlines.h"
 
 namespace editor {
@@ -23,70 +20,36 @@ Vec2 onAngle(const Vec2& anchor, const Vec2& world) {
   return anchor + rounded(std::max(0.0, offset.dot(direction)), 0.01) * direction;
 }
 
-std::vector<Vec2> pointsOfObstacle(const sim2d::Obstacle& obstacle) {
-  switch (obstacle.kind) {
-    case sim2d::ObstacleKind::Box: {
-      std::vector<Vec2> points =
-          sim2d::boxOutline(obstacle.pose, obstacle.length, obstacle.width).points;
-      points.push_back(obstacle.pose.position);
-      return points;
-    }
-    case sim2d::ObstacleKind::Circle:
-      return {obstacle.pose.position};
-    case sim2d::ObstacleKind::Polygon:
-    case sim2d::ObstacleKind::Wall:
-      break;
-  }
-  return obstacle.points;
-}
-
-/// The nearest of the points offered, if it is near enough.
-class Nearest {
- public:
-  Nearest(const Vec2& world, double reach) : world_(world), best_(reach) {}
-  void offer(const Vec2& point) {
-    const double distance = (point - world_).norm();
-    if (distance <= best_) {
-      best_ = distance;
-      place_ = point;
-      isFound_ = true;
-    }
-  }
-  void offer(const std::vector<Vec2>& points) {
+/// The nearest point of another entity, if it is near enough.
+std::optional<Vec2> pointNear(const MapScene& scene, const CanvasMouse& mouse,
+                              const SnapWish& wish) {
+  std::optional<Vec2> nearest;
+  double reach = kSnapReachPx / mouse.pixelsPerMetre;
+  const auto offer = [&](const std::vector<Vec2>& points) {
     for (const Vec2& point : points) {
-      offer(point);
-    }
-  }
-  bool isFound() const { return isFound_; }
-  const Vec2& place() const { return place_; }
-
- private:
-  Vec2 world_;
-  double best_;
-  Vec2 place_ = Vec2::Zero();
-  bool isFound_ = false;
-};
-
-/// The nearest point of another entity, marked as such; else the mouse itself.
-Snapped pointNear(const MapScene& scene, const CanvasMouse& mouse, const SnapWish& wish) {
-  Nearest nearest(mouse.world, kSnapReachPx / mouse.pixelsPerMetre);
-  const sim2d::Scenario& scenario = scene.document().scenario();
-  const auto offerAll = [&](const auto& list) {
-    for (const auto& value : list) {
-      const bool isOut =
-          std::find(wish.without.begin(), wish.without.end(), value.key) != wish.without.end();
-      if (!isOut) {
-        nearest.offer(snapPointsOf(value));
+      const double distance = (point - mouse.world).norm();
+      if (distance <= reach) {
+        reach = distance;
+        nearest = point;
       }
     }
   };
+  const auto offerAll = [&](const auto& list) {
+    for (const auto& value : list) {
+      const auto& without = wish.without;
+      if (std::find(without.begin(), without.end(), value.key) == without.end()) {
+        offer(snapPointsOf(value));
+      }
+    }
+  };
+  const sim2d::Scenario& scenario = scene.document().scenario();
   offerAll(scenario.obstacles);
   offerAll(scenario.doors);
   offerAll(scenario.areas);
   offerAll(scenario.goals);
   offerAll(scenario.robots);
-  nearest.offer(wish.more);
-  return {nearest.isFound() ? nearest.place() : mouse.world, nearest.isFound()};
+  offer(wish.more);
+  return nearest;
 }
 
 constexpr double kMostCells = 40.0;  // to each side, however far the view is away
@@ -124,16 +87,6 @@ class Borders {
   }
   bool goesUp(int column, int row) const { return isWall(column - 1, row) != isWall(column, row); }
 
-  template <class Goes>
-  static bool isLeg(Goes&& goes) {
-    for (int i = 0; i < kLeg; ++i) {
-      if (!goes(i)) {
-        return false;
-      }
-    }
-    return true;
-  }
-
   bool isCorner(int column, int row) const {
     const bool right = goesRight(column, row);
     const bool left = goesRight(column - 1, row);
@@ -142,8 +95,13 @@ class Borders {
     if (right == left || up == down) {
       return false;
     }
-    return isLeg([&](int i) { return goesRight(right ? column + i : column - 1 - i, row); }) &&
-           isLeg([&](int i) { return goesUp(column, up ? row + i : row - 1 - i); });
+    for (int i = 0; i < kLeg; ++i) {
+      if (!goesRight(right ? column + i : column - 1 - i, row) ||
+          !goesUp(column, up ? row + i : row - 1 - i)) {
+        return false;
+      }
+    }
+    return true;
   }
 
   void offer(Best& best, const Vec2& place) const {
@@ -180,20 +138,17 @@ Tool::Tool(ScenarioDocument& document, MapScene& scene, QObject* parent)
 
 Vec2 Tool::snap(const CanvasMouse& mouse, const SnapWish& wish) const {
   const Snapped result = snapped(scene_, mouse, wish);
-  scene_.toolLayer().setSnapMark(result.isOnPoint ? std::optional<Vec2>(result.point)
-                                                  : std::nullopt);
+  marks().snapMark = result.isOnPoint ? std::optional<Vec2>(result.point) : std::nullopt;
   return result.point;
 }
 
 Vec2 Tool::snapToGrid(const CanvasMouse& mouse) const {
-  SnapWish wish;
-  wish.ontoPoints = false;
-  return snapped(scene_, mouse, wish).point;
+  return snapped(scene_, mouse, {std::nullopt, {}, {}, false}).point;
 }
 
 void Tool::clearMarks() {
   scene_.clearPreview();
-  scene_.toolLayer().clear();
+  marks() = {};
   Q_EMIT statusTextChanged();
 }
 
@@ -226,7 +181,16 @@ double snappedAngle(double heading, double step) {
 
 std::vector<Vec2> snapPointsOf(const Entity& entity) {
   if (const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity)) {
-    return pointsOfObstacle(*obstacle);
+    if (obstacle->kind == sim2d::ObstacleKind::Circle) {
+      return {obstacle->pose.position};
+    }
+    if (obstacle->kind != sim2d::ObstacleKind::Box) {
+      return obstacle->points;
+    }
+    std::vector<Vec2> points =
+        sim2d::boxOutline(obstacle->pose, obstacle->length, obstacle->width).points;
+    points.push_back(obstacle->pose.position);
+    return points;
   }
   if (const auto* door = std::get_if<sim2d::Door>(&entity)) {
     return {door->from, door->to};
@@ -255,9 +219,8 @@ Snapped snapped(const MapScene& scene, const CanvasMouse& mouse, const SnapWish&
     return {onAngle(*wish.anchor, mouse.world), false};
   }
   if (wish.ontoPoints && scene.options().snapToPoints) {
-    const Snapped near = pointNear(scene, mouse, wish);
-    if (near.isOnPoint) {
-      return near;
+    if (const std::optional<Vec2> onPoint = pointNear(scene, mouse, wish)) {
+      return {*onPoint, true};
     }
   }
   const bool isHeld = mouse.modifiers.testFlag(Qt::ControlModifier);

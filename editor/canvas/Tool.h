@@ -5,17 +5,14 @@
 #include <QObject>
 #include <QWidget>
 
-#include "editor/document/ScenarioDocument.h"
+#include "editor/canvas/MapScene.h"
 
 namespace editor {
-
-class MapScene;
 
 /// A mouse event on the canvas, world frame.
 struct CanvasMouse {
   Vec2 world = Vec2::Zero();  // [m]
   Qt::MouseButton button = Qt::NoButton;
-  Qt::MouseButtons buttons = Qt::NoButton;
   Qt::KeyboardModifiers modifiers = Qt::NoModifier;
   double pixelsPerMetre = 50.0;
 };
@@ -26,16 +23,44 @@ constexpr double kSnapAngle = base::kPi / 12;  // 15 degrees
 
 /// What a point that is drawn or moved may come to lie on.
 struct SnapWish {
-  std::optional<Vec2> anchor;     // with Shift: only at multiples of 15 degrees from here
-  std::vector<EntityId> without;  // entities whose points do not count
-  std::vector<Vec2> more;         // points of the gesture itself
-  bool ontoPoints = true;         // false: grid and angles only
-  bool ontoWalls = true;          // and the walls of the map
+  std::optional<Vec2> anchor;          // with Shift: only at multiples of 15 degrees from here
+  std::vector<EntityId> without = {};  // entities whose points do not count
+  std::vector<Vec2> more = {};         // points of the gesture itself
+  bool ontoPoints = true;              // false: grid and angles only
+  bool ontoWalls = true;               // and the walls of the map
 };
 
 struct Snapped {
   Vec2 point = Vec2::Zero();
   bool isOnPoint = false;  // on one of another entity, or on a wall
+};
+
+/// A line of the current tool.
+struct ToolLine {
+  std::vector<Vec2> points;  // world
+  bool isClosed = false;     // then slightly filled
+  bool isBad = false;        // cannot become anything: in the colour of errors
+  bool hasCorners = true;    // small squares at its points
+};
+/// Somebody or something that a tool would make: a disc.
+struct ToolDot {
+  Vec2 at = Vec2::Zero();
+  double radius = 0.3;  // [m]
+  QColor color;
+  std::optional<double> heading;  // a nose
+};
+
+/// What the current tool shows while a gesture lasts.
+struct ToolMarks {
+  std::optional<std::pair<Vec2, Vec2>> band;  // corners of a rubber band
+  std::vector<Vec2> line;                     // dashed, with arrow heads
+  ToolLine outline;
+  std::vector<Vec2> stroke;  // a line as wide as that:
+  double strokeWidth = 0.1;  // [m]
+  std::vector<ToolDot> dots;
+  std::optional<std::pair<Vec2, Vec2>> arrow;
+  std::optional<std::pair<Vec2, QString>> tag;  // a small dark box beside a point
+  std::optional<Vec2> snapMark;                 // the point of another entity that holds
 };
 
 /// What the mouse does on the canvas. One is active at a time; it shows previews through the scene
@@ -50,9 +75,10 @@ class Tool : public QObject {
 
   virtual void activate() {}
   virtual void deactivate() { cancel(); }
-  virtual void press(const CanvasMouse& mouse) = 0;
+  virtual void press(const CanvasMouse& mouse) = 0;    // the left button
+  virtual void release(const CanvasMouse& mouse) = 0;  // the left button
+  virtual void pressOther(Qt::MouseButton) {}
   virtual void move(const CanvasMouse& mouse) = 0;  // also without a button
-  virtual void release(const CanvasMouse& mouse) = 0;
   virtual void doubleClick(const CanvasMouse&) {}
   virtual void cancel() = 0;  // leaves the document as it was before the gesture
   virtual bool keyPress(const QKeyEvent&) { return false; }  // true = used
@@ -65,6 +91,7 @@ class Tool : public QObject {
  protected:
   ScenarioDocument& document() const { return document_; }
   MapScene& scene() const { return scene_; }
+  ToolMarks& marks() const { return scene_.marks(); }
   /// Where the mouse comes to lie (`snapped`); a point of another entity is marked on the canvas.
   Vec2 snap(const CanvasMouse& mouse, const SnapWish& wish) const;
   Vec2 snapToGrid(const CanvasMouse& mouse) const;  // and to nothing else

@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "editor/canvas/MapScene.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/Fields.h"
 #include "editor/tools/Crowd.h"
@@ -35,13 +34,10 @@ class AreaTool : public CornerDrawing {
 
   QWidget* makeOptions(QWidget* parent) override {
     auto* row = new OptionsRow(parent);
-    auto* box = new ChoiceField(row);
-    box->addItems(
-        {tr("Source: people come in"), tr("Sink: people leave"), tr("Waiting area"), tr("Exit")});
-    box->setCurrentIndex(static_cast<int>(kind_));
-    row->add(tr("Kind"), box);
-    connect(box, qOverload<int>(&QComboBox::activated), this,
-            [this](int index) { setKind(static_cast<sim2d::AreaKind>(index)); });
+    ChoiceField* box = addChoice(
+        *row, tr("Kind"),
+        {tr("Source: people come in"), tr("Sink: people leave"), tr("Waiting area"), tr("Exit")},
+        static_cast<int>(kind_), [this](int at) { setKind(static_cast<sim2d::AreaKind>(at)); });
     connect(this, &Tool::statusTextChanged, box,
             [this, box] { box->setCurrentIndex(static_cast<int>(kind_)); });
     return row;
@@ -69,8 +65,7 @@ class AreaTool : public CornerDrawing {
     if (kind_ == sim2d::AreaKind::Source) {
       makeSource(std::move(area));
     } else {
-      const QString stem = areaKindName(kind_);
-      addDrawn(document(), std::move(area), stem.toStdString(), tr("Add %1").arg(stem));
+      addDrawn(document(), std::move(area));
     }
   }
 
@@ -104,7 +99,7 @@ class AreaTool : public CornerDrawing {
     area.rate = kSourceRate;
     if (const sim2d::Human* human = pattern()) {
       area.like = human->name;
-      addDrawn(document(), std::move(area), "source", tr("Add source"));
+      addDrawn(document(), std::move(area));
       return;
     }
     sim2d::Human visitor = newPerson();

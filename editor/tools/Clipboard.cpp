@@ -1,5 +1,3 @@
-#include "editor/tools/Clipboard.h"
-
 #include <algorithm>
 #include <map>
 #include <set>
@@ -10,7 +8,7 @@
 #include "editor/document/EditCommands.h"
 #include "editor/document/EntityLists.h"
 #include "editor/document/FreeNames.h"
-#include "editor/document/Geometry.h"
+#include "editor/tools/SelectionActions.h"
 
 namespace editor {
 
@@ -34,22 +32,13 @@ void addRoute(sim2d::Scenario& copied, const sim2d::Scenario& all, const std::ve
 
 sim2d::Scenario selected(const ScenarioDocument& document) {
   sim2d::Scenario copied;
-  for (const EntityKind kind : {EntityKind::Goal, EntityKind::Human, EntityKind::Robot,
-                                EntityKind::Obstacle, EntityKind::Door, EntityKind::Area}) {
-    for (const EntityId id : document.entities(kind)) {
-      if (document.isSelected(id)) {
-        const Entity value = *document.entity(id);
-        withList(
-            copied, kind,
-            [&](auto& list) {
-              using Value = typename std::decay_t<decltype(list)>::value_type;
-              list.push_back(std::get<Value>(value));
-              return true;
-            },
-            false);
+  forEachList(document.scenario(), [&](EntityKind /*kind*/, const auto& list) {
+    for (const auto& value : list) {
+      if (document.isSelected(value.key)) {
+        listOf<std::decay_t<decltype(value)>>(copied).push_back(value);
       }
     }
-  }
+  });
   return copied;
 }
 
@@ -68,82 +57,74 @@ std::set<int> goalsAlong(const QString& text) {
 
 /// Makes names and numbers free in the document before the command does, so that what names others
 /// can follow.
-class Renaming {
- public:
-  Renaming(const ScenarioDocument& document, const Vec2& delta)
-      : document_(document), names_(document.scenario()), delta_(delta) {}
+struct Renaming {
+  Renaming(const ScenarioDocument& document, const Vec2& shift)
+      : present(document.scenario()), names(document.scenario()), delta(shift) {}
 
   void takeGoals(const sim2d::Scenario& copied, const std::set<int>& along) {
     for (const sim2d::GlobalGoal& goal : copied.goals) {
-      const sim2d::GlobalGoal* same = document_.scenario().goal(goal.id);
-      if (along.count(goal.id) > 0 && same != nullptr && same->position == goal.position) {
-        goals_[goal.id] = goal.id;
+      const bool isAlong = along.count(goal.id) > 0;
+      const sim2d::GlobalGoal* same = present.goal(goal.id);
+      if (isAlong && same != nullptr && same->position == goal.position) {
+        goals[goal.id] = goal.id;
       } else {
-        Entity value = moved(goal, along.count(goal.id) > 0 ? Vec2(Vec2::Zero()) : delta_);
-        names_.give(value);
-        goals_[goal.id] = std::get<sim2d::GlobalGoal>(value).id;
-        isChosen_.push_back(along.count(goal.id) == 0);
-        values_.push_back(std::move(value));
+        add(moved(goal, isAlong ? Vec2(Vec2::Zero()) : delta), !isAlong);
+        goals[goal.id] = std::get<sim2d::GlobalGoal>(values.back()).id;
       }
     }
   }
+
   void takePeople(const sim2d::Scenario& copied) {
     for (sim2d::Human human : copied.humans) {
       const std::string old = human.name;
       follow(human.goals);
       // A number of another scenario would leave a gap before it.
-      human.id = std::min(human.id, names_.nextHuman());
-      takeMoved(human);
-      people_[old] = nameOf(values_.back());
-      treeOwners_.push_back(old);
+      human.id = std::min(human.id, names.nextHuman());
+      add(moved(human, delta));
+      people[old] = nameOf(values.back());
+      treeOwners.push_back(old);
     }
   }
+
   void takeRest(const sim2d::Scenario& copied) {
     for (sim2d::Robot robot : copied.robots) {
       follow(robot.goal.goals);
-      takeMoved(robot);
+      add(moved(robot, delta, true));
     }
     for (const sim2d::Obstacle& obstacle : copied.obstacles) {
-      takeMoved(obstacle);
+      add(moved(obstacle, delta));
     }
     for (const sim2d::Door& door : copied.doors) {
-      takeMoved(door);
+      add(moved(door, delta));
     }
     for (sim2d::Area area : copied.areas) {
-      if (area.like && people_.count(*area.like) > 0) {
-        area.like = people_.at(*area.like);
+      if (area.like && people.count(*area.like) > 0) {
+        area.like = people.at(*area.like);
       }
-      takeMoved(area);
+      add(moved(area, delta));
     }
   }
 
-  const std::vector<Entity>& values() const { return values_; }
-  bool isChosen(std::size_t index) const { return isChosen_[index]; }
-  /// Names in the text of the people, in the order of their values.
-  const std::vector<std::string>& treeOwners() const { return treeOwners_; }
-
- private:
-  void takeMoved(Entity value) {
-    value = moved(std::move(value), delta_, true);
-    names_.give(value);
-    isChosen_.push_back(true);
-    values_.push_back(std::move(value));
+  void add(Entity value, bool chosen = true) {
+    names.give(value);
+    isChosen.push_back(chosen);
+    values.push_back(std::move(value));
   }
   void follow(std::vector<int>& route) const {
     for (int& goal : route) {
-      const auto found = goals_.find(goal);
-      goal = found == goals_.end() ? goal : found->second;
+      const auto found = goals.find(goal);
+      goal = found == goals.end() ? goal : found->second;
     }
   }
 
-  const ScenarioDocument& document_;
-  FreeNames names_;
-  Vec2 delta_;
-  std::vector<Entity> values_;
-  std::vector<bool> isChosen_;  // beside the values: to be selected
-  std::vector<std::string> treeOwners_;
-  std::map<int, int> goals_;
-  std::map<std::string, std::string> people_;
+  const sim2d::Scenario& present;
+  FreeNames names;
+  Vec2 delta;
+  std::vector<Entity> values;
+  std::vector<bool> isChosen;           // beside the values: to be selected
+  std::vector<std::string> treeOwners;  // names in the text of the people, in their order
+  std::map<int, int> goals;
+  std::map<std::string, std::string> people;
 };
 
 }  // namespace
@@ -193,22 +174,22 @@ bool paste(ScenarioDocument& document, const QMimeData& data, const Vec2& delta)
   renaming.takeGoals(reading.scenario, goalsAlong(data.text()));
   renaming.takePeople(reading.scenario);
   renaming.takeRest(reading.scenario);
-  if (renaming.values().empty()) {
+  if (renaming.values.empty()) {
     return false;
   }
   const QJsonObject trees = QJsonDocument::fromJson(data.data(QLatin1String(kTrees))).object();
   const QString text = QObject::tr("Paste");
   document.undoStack().beginMacro(text);
-  const std::vector<EntityId> ids = pushAdd(document, renaming.values(), text);
+  const std::vector<EntityId> ids = pushAdd(document, renaming.values, text);
   std::vector<EntityId> chosen;
   std::vector<TreeEdit> edits;
   std::size_t person = 0;
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    if (renaming.isChosen(i)) {
+    if (renaming.isChosen[i]) {
       chosen.push_back(ids[i]);
     }
     if (ids[i].kind == EntityKind::Human) {
-      const QString owner = QString::fromStdString(renaming.treeOwners()[person++]);
+      const QString owner = QString::fromStdString(renaming.treeOwners[person++]);
       if (trees.contains(owner)) {
         edits.push_back({ids[i], trees[owner].toString().toStdString()});
       }

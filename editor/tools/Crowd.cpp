@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "editor/canvas/Layers.h"
 #include "editor/document/BehaviorValues.h"
 #include "editor/document/EditCommands.h"
+#include "editor/look/Form.h"
 #include "sim2d/base/Rng.h"
 #include "sim2d/map/Outlines.h"
 #include "sim2d/scenario/Defaults.h"
@@ -141,8 +141,12 @@ sim2d::Human newPerson() {
   return human;
 }
 
-QString peopleText(int count) {
-  return count == 1 ? QStringLiteral("1 person") : QStringLiteral("%1 people").arg(count);
+QString peopleText(std::size_t count) {
+  return counted(count, QStringLiteral("person"), QStringLiteral("people"));
+}
+
+double toCentimetres(double metres) {
+  return std::round(metres * 100.0) / 100.0;
 }
 
 int nextDraw(const ScenarioDocument& document) {
@@ -161,17 +165,16 @@ sim2d::Human drawnPerson(const CrowdRecipe& recipe, int index,
     human.ours.kind = kind;
   }
   human.radius = sim2d::profileOf(kind).radius;
-  human.maxVel = std::round(sim2d::sampleSpeed(kind, recipe.seed, index) * 100.0) / 100.0;
+  human.maxVel = toCentimetres(sim2d::sampleSpeed(kind, recipe.seed, index));
   human.initPose.heading =
-      std::round(rng.uniform(-base::kPi, base::kPi, Draw::Placement, HeadingChoice) * 100.0) /
-      100.0;
+      toCentimetres(rng.uniform(-base::kPi, base::kPi, Draw::Placement, HeadingChoice));
   if (recipe.walks) {
     human.goals = drawnRoute(goals, rng);
   }
   return human;
 }
 
-std::vector<sim2d::Human> fillCrowd(const std::vector<Vec2>& polygon, int count,
+std::vector<sim2d::Human> fillCrowd(const std::vector<Vec2>& polygon, std::size_t count,
                                     const CrowdRecipe& recipe, const ScenarioDocument& document) {
   Vec2 low = polygon.front();
   Vec2 high = low;
@@ -182,16 +185,15 @@ std::vector<sim2d::Human> fillCrowd(const std::vector<Vec2>& polygon, int count,
   FreeGround ground(document);
   std::vector<sim2d::Human> people;
   const int first = nextDraw(document);
-  for (int index = first; index < first + count; ++index) {
+  for (int index = first; index < first + static_cast<int>(count); ++index) {
     sim2d::Human human = drawnPerson(recipe, index, document.scenario().goals);
     completeReaction(document.scenario(), human);
     const AgentRng rng(static_cast<std::uint64_t>(recipe.seed), kPlaces,
                        static_cast<std::uint64_t>(index));
     for (std::uint32_t trial = 0; trial < kTrials; ++trial) {
-      const Vec2 drawn(rng.uniform(low.x(), high.x(), Draw::Placement, 2 * trial),
-                       rng.uniform(low.y(), high.y(), Draw::Placement, 2 * trial + 1));
-      const Vec2 place(std::round(drawn.x() * 100.0) / 100.0,
-                       std::round(drawn.y() * 100.0) / 100.0);
+      const double x = rng.uniform(low.x(), high.x(), Draw::Placement, 2 * trial);
+      const double y = rng.uniform(low.y(), high.y(), Draw::Placement, 2 * trial + 1);
+      const Vec2 place(toCentimetres(x), toCentimetres(y));
       if (sim2d::isInside(polygon, place) && ground.isFree(place, *human.radius)) {
         ground.take(place, *human.radius);
         human.initPose.position = place;
@@ -209,12 +211,12 @@ void showCrowd(MapScene& scene, const std::vector<sim2d::Human>& people) {
     dots.push_back({human.initPose.position, *human.radius,
                     scene.theme().line(lookOf(*human.behavior.type)), human.initPose.heading});
   }
-  scene.toolLayer().setDots(std::move(dots));
+  scene.marks().dots = std::move(dots);
 }
 
 void addCrowd(ScenarioDocument& document, const std::vector<sim2d::Human>& people) {
   if (!people.empty()) {
-    const QString text = QObject::tr("Add %1").arg(peopleText(static_cast<int>(people.size())));
+    const QString text = QObject::tr("Add %1").arg(peopleText(people.size()));
     document.setSelection(
         pushAdd(document, std::vector<Entity>(people.begin(), people.end()), text));
   }

@@ -7,8 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "editor/canvas/MapScene.h"
-#include "editor/document/ScenarioDocument.h"
+#include "editor/canvas/Tool.h"
 #include "sim2d/map/Obstacles.h"
 
 namespace editor {
@@ -48,7 +47,7 @@ sim2d::Human drawnPerson(const CrowdRecipe& recipe, int index,
                          const std::vector<sim2d::GlobalGoal>& goals);
 /// Up to `count` people at random places inside the polygon, looking anywhere; fewer when there is
 /// no more room.
-std::vector<sim2d::Human> fillCrowd(const std::vector<Vec2>& polygon, int count,
+std::vector<sim2d::Human> fillCrowd(const std::vector<Vec2>& polygon, std::size_t count,
                                     const CrowdRecipe& recipe, const ScenarioDocument& document);
 
 /// A person with the values of a new one, all written out so that other programs read them too.
@@ -59,7 +58,8 @@ void showCrowd(MapScene& scene, const std::vector<sim2d::Human>& people);
 /// Adds and selects them: one command; nothing for nobody.
 void addCrowd(ScenarioDocument& document, const std::vector<sim2d::Human>& people);
 
-QString peopleText(int count);  // "1 person", "20 people"
+QString peopleText(std::size_t count);  // "1 person", "20 people"
+double toCentimetres(double metres);    // a place that is written shortly
 
 constexpr double kPersonGap = 0.1;   // kept free between bodies [m]
 constexpr int kLargestCrowd = 1000;  // at once

@@ -109,17 +109,6 @@ class MixButton : public QToolButton {
   const std::function<void()> changed_;
 };
 
-void addChoice(OptionsRow& row, const QStringList& words, int at, const QString& says,
-               const std::function<void(int)>& chosen) {
-  auto* field = new ChoiceField(&row);
-  field->addItems(words);
-  field->setCurrentIndex(at);
-  field->setToolTip(says);
-  field->setAccessibleName(says);
-  QObject::connect(field, qOverload<int>(&QComboBox::activated), &row, chosen);
-  row.add(field);
-}
-
 }  // namespace
 
 OptionsRow::OptionsRow(QWidget* parent) : QWidget(parent), layout_(new QHBoxLayout(this)) {
@@ -128,16 +117,11 @@ OptionsRow::OptionsRow(QWidget* parent) : QWidget(parent), layout_(new QHBoxLayo
 }
 
 void OptionsRow::add(const QString& label, QWidget* field) {
-  if (layout_->count() > 0) {
-    layout_->addSpacing(8);
-  }
-  layout_->addWidget(secondaryLabel(label, this));
-  add(field);
-}
-
-void OptionsRow::add(QWidget* field) {
-  if (auto* box = qobject_cast<QComboBox*>(field)) {
-    box->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // there is no column to keep to
+  if (!label.isEmpty()) {
+    if (layout_->count() > 0) {
+      layout_->addSpacing(8);
+    }
+    layout_->addWidget(secondaryLabel(label, this));
   }
   layout_->addWidget(field);
 }
@@ -154,19 +138,32 @@ NumberField* addNumber(OptionsRow& row, const QString& label, const NumberField:
   return field;
 }
 
+ChoiceField* addChoice(OptionsRow& row, const QString& label, const QStringList& words, int at,
+                       const std::function<void(int)>& chosen) {
+  auto* field = new ChoiceField(&row);
+  field->addItems(words);
+  field->setCurrentIndex(at);
+  field->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // there is no column to keep to
+  QObject::connect(field, qOverload<int>(&QComboBox::activated), &row, chosen);
+  row.add(label, field);
+  return field;
+}
+
 void addRecipeFields(OptionsRow& row, CrowdRecipe& recipe, const MapScene& scene,
                      const std::function<void()>& changed) {
   row.add(QObject::tr("Mix"), new MixButton(recipe, scene, changed, &row));
-  addChoice(row,
-            {QObject::tr("All ages"), QObject::tr("Adults"), QObject::tr("Children"),
-             QObject::tr("Elderly"), QObject::tr("Wheelchairs"), QObject::tr("Luggage")},
-            recipe.kind ? 1 + static_cast<int>(*recipe.kind) : 0, QObject::tr("Bodies"),
-            [&recipe, changed](int at) {
-              recipe.kind =
-                  at == 0 ? std::nullopt : std::optional(static_cast<sim2d::PersonKind>(at - 1));
-              changed();
-            });
-  addChoice(row, {QObject::tr("Stand"), QObject::tr("Walk to goals")}, recipe.walks ? 1 : 0, {},
+  ChoiceField* bodies =
+      addChoice(row, {},
+                {QObject::tr("All ages"), QObject::tr("Adults"), QObject::tr("Children"),
+                 QObject::tr("Elderly"), QObject::tr("Wheelchairs"), QObject::tr("Luggage")},
+                recipe.kind ? 1 + static_cast<int>(*recipe.kind) : 0, [&recipe, changed](int at) {
+                  recipe.kind = at == 0 ? std::nullopt
+                                        : std::optional(static_cast<sim2d::PersonKind>(at - 1));
+                  changed();
+                });
+  bodies->setToolTip(QObject::tr("Bodies"));
+  bodies->setAccessibleName(bodies->toolTip());
+  addChoice(row, {}, {QObject::tr("Stand"), QObject::tr("Walk to goals")}, recipe.walks ? 1 : 0,
             [&recipe, changed](int at) {
               recipe.walks = at == 1;
               changed();

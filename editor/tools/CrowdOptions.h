@@ -11,12 +11,11 @@
 
 namespace editor {
 
-/// Fields of a tool in one row, each with a word before it.
+/// Fields of a tool in one row, with words before them.
 class OptionsRow : public QWidget {
  public:
   explicit OptionsRow(QWidget* parent);
   void add(const QString& label, QWidget* field);
-  void add(QWidget* field);
 
  private:
   QHBoxLayout* layout_;
@@ -25,6 +24,9 @@ class OptionsRow : public QWidget {
 /// Fields for a recipe, which has to outlive them; `changed` is called after each change.
 void addRecipeFields(OptionsRow& row, CrowdRecipe& recipe, const MapScene& scene,
                      const std::function<void()>& changed);
+/// A choice among words, of which number `at` is the present one.
+ChoiceField* addChoice(OptionsRow& row, const QString& label, const QStringList& words, int at,
+                       const std::function<void(int)>& chosen);
 /// A narrow field for a number that a tool keeps.
 NumberField* addNumber(OptionsRow& row, const QString& label, const NumberField::Range& range,
                        const QString& unit, double value,

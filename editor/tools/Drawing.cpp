@@ -2,9 +2,6 @@
 
 #include <cmath>
 
-#include "editor/canvas/Layers.h"
-#include "editor/canvas/MapScene.h"
-#include "editor/canvas/Tool.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/FreeNames.h"
 #include "sim2d/map/Outlines.h"
@@ -14,6 +11,7 @@ namespace editor {
 namespace {
 
 constexpr double kSamePlace = 0.01;  // [m]
+constexpr double kLeastArea = 0.01;  // [m²]
 
 bool isSame(const Vec2& a, const Vec2& b) {
   return (a - b).norm() < kSamePlace;
@@ -25,61 +23,15 @@ EntityId ghostOf(EntityKind kind) {
   return {kind, -1};
 }
 
-void addDrawn(ScenarioDocument& document, Entity value, const std::string& stem,
-              const QString& undoText) {
-  setName(value, freeName(document.scenario(), stem));
-  document.setSelection(pushAdd(document, std::vector<Entity>{std::move(value)}, undoText));
-}
-
-Vec2 DragDrawing::endFor(const Vec2& from, const CanvasMouse& mouse) const {
-  SnapWish wish;
-  wish.anchor = from;
-  return snap(mouse, wish);
-}
-
-void DragDrawing::press(const CanvasMouse& mouse) {
-  if (mouse.button != Qt::LeftButton) {
-    cancel();
-    return;
-  }
-  from_ = snap(mouse, {});
-  pressedAt_ = mouse.world;
-  Q_EMIT statusTextChanged();
-}
-
-void DragDrawing::move(const CanvasMouse& mouse) {
-  if (!from_) {
-    snap(mouse, {});
-    return;
-  }
-  if (!isDrag(pressedAt_, mouse)) {
-    return;
-  }
-  const Vec2 to = endFor(*from_, mouse);
-  if (const std::optional<Entity> entity = spanned(*from_, to)) {
-    scene().setPreview({*entity});
-  } else {
-    scene().clearPreview();
-  }
-  scene().toolLayer().setTag(mouse.world, tagFor(*from_, to));
-}
-
-void DragDrawing::release(const CanvasMouse& mouse) {
-  if (mouse.button != Qt::LeftButton || !from_) {
-    return;
-  }
-  const Vec2 from = *from_;
-  const std::optional<Entity> entity =
-      isDrag(pressedAt_, mouse) ? spanned(from, endFor(from, mouse)) : std::nullopt;
-  cancel();
-  if (entity) {
-    addDrawn(document(), *entity, nameOf(*entity), undoText());
-  }
-}
-
-void DragDrawing::cancel() {
-  from_.reset();
-  clearMarks();
+void addDrawn(ScenarioDocument& document, Entity value) {
+  const auto* obstacle = std::get_if<sim2d::Obstacle>(&value);
+  const auto* area = std::get_if<sim2d::Area>(&value);
+  const QString kind = obstacle != nullptr ? obstacleKindName(obstacle->kind)
+                       : area != nullptr   ? areaKindName(area->kind)
+                                           : kindName(kindOf(value));
+  setName(value, freeName(document.scenario(), kind.toStdString()));
+  document.setSelection(
+      pushAdd(document, std::vector<Entity>{std::move(value)}, QObject::tr("Add %1").arg(kind)));
 }
 
 QString CornerDrawing::statusText() const {
@@ -117,27 +69,25 @@ Vec2 CornerDrawing::cursorFor(const CanvasMouse& mouse) const {
   return snap(mouse, wish);
 }
 
-bool CornerDrawing::isOnFirst(const Vec2& point, double pixelsPerMetre) const {
-  return corners_.size() > 2 && (point - corners_.front()).norm() * pixelsPerMetre <= kSnapReachPx;
-}
-
 void CornerDrawing::addCorner(const Vec2& point) {
   if (corners_.empty() || !isSame(corners_.back(), point)) {
     corners_.push_back(point);
   }
 }
 
-void CornerDrawing::press(const CanvasMouse& mouse) {
-  if (mouse.button == Qt::RightButton) {
+void CornerDrawing::pressOther(Qt::MouseButton button) {
+  if (button == Qt::RightButton) {
     finish(corners_);
-    return;
   }
-  if (mouse.button != Qt::LeftButton) {
-    return;
-  }
+}
+
+void CornerDrawing::press(const CanvasMouse& mouse) {
   problem_.clear();
   cursor_ = cursorFor(mouse);
-  if (isOnFirst(cursor_, mouse.pixelsPerMetre)) {
+  const auto distancePx = [&] {
+    return (cursor_ - corners_.front()).norm() * mouse.pixelsPerMetre;
+  };
+  if (corners_.size() > 2 && distancePx() <= kSnapReachPx) {
     Corners closed = corners_;
     if (!isClosed()) {
       closed.push_back(corners_.front());
@@ -159,7 +109,7 @@ void CornerDrawing::move(const CanvasMouse& mouse) {
 }
 
 void CornerDrawing::release(const CanvasMouse& mouse) {
-  if (mouse.button != Qt::LeftButton || !pressed_) {
+  if (!pressed_) {
     return;
   }
   pressed_ = false;
@@ -204,12 +154,12 @@ void CornerDrawing::show() {
     preview(shape);
   } else {
     scene().clearPreview();
-    scene().toolLayer().setDots({});
+    marks().dots.clear();
   }
   const bool isCrossing = isClosed() && shape.size() > 3 && !isReady;
-  scene().toolLayer().setOutline({shape, isClosed(), isCrossing, true});
+  marks().outline = {shape, isClosed(), isCrossing, true};
   if (!isSame(cursor_, corners_.back())) {
-    scene().toolLayer().setTag(cursor_, legText(corners_.back(), cursor_));
+    marks().tag = {cursor_, legText(corners_.back(), cursor_)};
   }
   Q_EMIT statusTextChanged();
 }

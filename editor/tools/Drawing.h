@@ -4,36 +4,10 @@
 
 namespace editor {
 
-/// Base of the tools that make something from one point to another by a drag. A click without a
-/// drag makes nothing, Escape or the right button drops the gesture.
-class DragDrawing : public Tool {
-  Q_OBJECT
- public:
-  using Tool::Tool;
-
-  void press(const CanvasMouse& mouse) override;
-  void move(const CanvasMouse& mouse) override;
-  void release(const CanvasMouse& mouse) override;
-  void cancel() override;
-
- protected:
-  /// The entity between the points, without name and key in the document; none = too small.
-  virtual std::optional<Entity> spanned(const Vec2& from, const Vec2& to) const = 0;
-  /// Where the drag ends; by default on angles of 15 degrees from the start with Shift.
-  virtual Vec2 endFor(const Vec2& from, const CanvasMouse& mouse) const;
-  virtual QString tagFor(const Vec2& from, const Vec2& to) const { return legText(from, to); }
-  virtual QString undoText() const = 0;
-
- private:
-  std::optional<Vec2> from_;
-  Vec2 pressedAt_ = Vec2::Zero();
-};
-
 /// The key of a thing that is not in the document yet.
 EntityId ghostOf(EntityKind kind);
-/// Adds something with a name that begins with `stem`, and selects it.
-void addDrawn(ScenarioDocument& document, Entity value, const std::string& stem,
-              const QString& undoText);
+/// Adds an obstacle, door or area named after its kind, and selects it.
+void addDrawn(ScenarioDocument& document, Entity value);
 
 /// Base of the tools that draw by corners. Each click sets one; Enter, a double click, the right
 /// button or a click on the first corner ends the shape, Backspace takes the last corner back,
@@ -46,6 +20,7 @@ class CornerDrawing : public Tool {
 
   QString statusText() const override;
   void press(const CanvasMouse& mouse) override;
+  void pressOther(Qt::MouseButton button) override;
   void move(const CanvasMouse& mouse) override;
   void release(const CanvasMouse& mouse) override;
   void doubleClick(const CanvasMouse&) override { finish(corners_); }
@@ -67,7 +42,6 @@ class CornerDrawing : public Tool {
 
  private:
   Vec2 cursorFor(const CanvasMouse& mouse) const;
-  bool isOnFirst(const Vec2& point, double pixelsPerMetre) const;
   void addCorner(const Vec2& point);
   void show();
   void finish(Corners corners);
@@ -78,8 +52,5 @@ class CornerDrawing : public Tool {
   QString problem_;  // of the attempt to end
   bool pressed_ = false;
 };
-
-constexpr double kLeastLength = 0.05;  // of a side [m]
-constexpr double kLeastArea = 0.01;    // [m²]
 
 }  // namespace editor

@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/canvas/MapScene.h"
-#include "editor/canvas/Tool.h"
 #include "editor/document/EditCommands.h"
 #include "editor/tools/ToolRegistry.h"
 
@@ -27,11 +25,8 @@ class EraserTool : public Tool {
     return tr("Click what is to go, or sweep over it · Areas go by a click");
   }
 
+  void pressOther(Qt::MouseButton) override { cancel(); }
   void press(const CanvasMouse& mouse) override {
-    if (mouse.button != Qt::LeftButton) {
-      cancel();
-      return;
-    }
     from_ = at_ = mouse.world;
     sweeping_ = false;
     pressedOn_ = scene().entityAt(mouse.world);
@@ -56,13 +51,10 @@ class EraserTool : public Tool {
     }
   }
 
-  void release(const CanvasMouse& mouse) override {
-    if (mouse.button != Qt::LeftButton || !pressedOn_) {
-      return;
-    }
+  void release(const CanvasMouse&) override {
     const std::vector<EntityId> ids = taken_;
-    cancel();
-    if (!ids.empty()) {
+    if (pressedOn_) {
+      cancel();
       pushRemove(document(), ids);
     }
   }

@@ -1,6 +1,3 @@
-#include "editor/canvas/Layers.h"
-#include "editor/canvas/MapScene.h"
-#include "editor/canvas/Tool.h"
 #include "editor/document/EditCommands.h"
 #include "editor/tools/ToolRegistry.h"
 
@@ -23,9 +20,6 @@ class GoalTool : public Tool {
   }
 
   void press(const CanvasMouse& mouse) override {
-    if (mouse.button != Qt::LeftButton) {
-      return;
-    }
     pressed_ = true;
     from_ = mouse.world;
     justPicked_ = false;
@@ -60,14 +54,11 @@ class GoalTool : public Tool {
   }
 
   void release(const CanvasMouse& mouse) override {
-    if (mouse.button != Qt::LeftButton || !pressed_) {
-      return;
+    const bool wasPressed = std::exchange(pressed_, false);
+    const bool isPickedUp = justPicked_ && !isDrag(from_, mouse);  // follows until the next click
+    if (wasPressed && held_ && !isPickedUp) {
+      drop(placeOf(mouse));
     }
-    pressed_ = false;
-    if (!held_ || (justPicked_ && !isDrag(from_, mouse))) {
-      return;  // picked up by a click: follows the mouse until the next one
-    }
-    drop(placeOf(mouse));
   }
 
   void cancel() override {
@@ -82,7 +73,7 @@ class GoalTool : public Tool {
     sim2d::GlobalGoal shown = *held_;
     shown.position = at;
     scene().setPreview({shown});
-    scene().toolLayer().setTag(at, placeText(at));
+    marks().tag = {at, placeText(at)};
   }
 
   void drop(const Vec2& at) {

@@ -1,5 +1,4 @@
 #include "editor/canvas/MapView.h"
-#include "editor/canvas/Tool.h"
 #include "editor/tools/ToolRegistry.h"
 
 namespace editor {

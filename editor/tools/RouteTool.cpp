@@ -1,8 +1,5 @@
 #include <algorithm>
 
-#include "editor/canvas/Layers.h"
-#include "editor/canvas/MapScene.h"
-#include "editor/canvas/Tool.h"
 #include "editor/document/EditCommands.h"
 #include "editor/tools/ToolRegistry.h"
 
@@ -37,14 +34,12 @@ class RouteTool : public Tool {
 
   void activate() override { cancel(); }
   void deactivate() override { commit(); }
-  void press(const CanvasMouse& mouse) override {
-    if (mouse.button == Qt::RightButton) {
+  void pressOther(Qt::MouseButton button) override {
+    if (button == Qt::RightButton) {
       commit();
-      return;
     }
-    if (mouse.button != Qt::LeftButton) {
-      return;
-    }
+  }
+  void press(const CanvasMouse& mouse) override {
     const EntityId hit = scene().entityAt(mouse.world);
     if (isWalker(hit)) {
       if (mouse.modifiers.testFlag(Qt::ShiftModifier)) {
@@ -63,11 +58,10 @@ class RouteTool : public Tool {
 
   void move(const CanvasMouse& mouse) override {
     scene().setHovered(scene().entityAt(mouse.world));
-    if (goals_.empty()) {
-      return;
-    }
-    if (const sim2d::GlobalGoal* last = document().scenario().goal(goals_.back())) {
-      scene().toolLayer().setLine({last->position, mouse.world});
+    const sim2d::GlobalGoal* last =
+        goals_.empty() ? nullptr : document().scenario().goal(goals_.back());
+    if (last != nullptr) {
+      marks().line = {last->position, mouse.world};
     }
   }
 
@@ -121,7 +115,7 @@ class RouteTool : public Tool {
       values.push_back(*std::move(value));
     }
     scene().setPreview(values);
-    scene().toolLayer().clear();
+    marks() = {};
     Q_EMIT statusTextChanged();
   }
 

@@ -1,11 +1,7 @@
 #include <algorithm>
 #include <map>
 
-#include "editor/canvas/Layers.h"
-#include "editor/canvas/MapScene.h"
-#include "editor/canvas/Tool.h"
 #include "editor/document/EditCommands.h"
-#include "editor/document/Geometry.h"
 #include "editor/tools/SelectionActions.h"
 #include "editor/tools/ToolRegistry.h"
 
@@ -63,13 +59,11 @@ class SelectTool : public Tool {
   }
 
   void press(const CanvasMouse& mouse) override {
-    if (mouse.button != Qt::LeftButton) {
-      return;
-    }
     from_ = mouse.world;
     deselectOnRelease_ = false;
     if (scene().isRunMode()) {
-      pressInRun(mouse);
+      const EntityId hit = scene().agentEntityAt(mouse.world);
+      document().setSelection(hit ? std::vector<EntityId>{hit} : std::vector<EntityId>{});
       return;
     }
     grabbed_ = scene().entityAt(mouse.world);
@@ -96,37 +90,18 @@ class SelectTool : public Tool {
   }
 
   void move(const CanvasMouse& mouse) override {
-    switch (gesture_) {
-      case Gesture::None:
-        hover(mouse);
-        break;
-      case Gesture::Pressed:
-        if (isDrag(from_, mouse)) {
-          gesture_ = Gesture::Moving;
-          deselectOnRelease_ = false;
-          previewMove(mouse);
-        }
-        break;
-      case Gesture::Moving:
-        previewMove(mouse);
-        break;
-      case Gesture::Handle:
-        if (pulled_ || isDrag(from_, mouse)) {
-          previewHandle(mouse);
-        }
-        break;
-      case Gesture::Band:
-        if (isDrag(from_, mouse)) {
-          scene().toolLayer().setRubberBand(from_, mouse.world);
-        }
-        break;
+    if (gesture_ == Gesture::None) {
+      hover(mouse);
+    } else if (gesture_ == Gesture::Moving) {
+      previewMove(mouse);
+    } else if (gesture_ == Gesture::Handle && pulled_) {
+      previewHandle(mouse);
+    } else if (isDrag(from_, mouse)) {
+      beginDrag(mouse);
     }
   }
 
   void release(const CanvasMouse& mouse) override {
-    if (mouse.button != Qt::LeftButton) {
-      return;
-    }
     if (gesture_ == Gesture::Handle && pulled_) {
       previewHandle(mouse);
     }
@@ -134,25 +109,14 @@ class SelectTool : public Tool {
     const Vec2 delta = gesture == Gesture::Moving ? deltaFor(mouse) : Vec2(Vec2::Zero());
     const std::optional<Entity> result = pulled_;
     end();
-    switch (gesture) {
-      case Gesture::Moving:
-        pushMove(document(), document().selection(), delta);
-        break;
-      case Gesture::Handle:
-        if (result) {
-          pushEdit(document(), {*result}, tr("Change %1").arg(editor::displayName(*result)));
-        }
-        break;
-      case Gesture::Band:
-        selectBand(mouse);
-        break;
-      case Gesture::Pressed:
-        if (deselectOnRelease_) {
-          document().setSelection({grabbed_});
-        }
-        break;
-      case Gesture::None:
-        break;
+    if (gesture == Gesture::Moving) {
+      pushMove(document(), document().selection(), delta);
+    } else if (gesture == Gesture::Handle && result) {
+      pushEdit(document(), {*result}, tr("Change %1").arg(displayName(*result)));
+    } else if (gesture == Gesture::Band) {
+      selectBand(mouse);
+    } else if (gesture == Gesture::Pressed && deselectOnRelease_) {
+      document().setSelection({grabbed_});
     }
     Q_EMIT statusTextChanged();
   }
@@ -180,10 +144,10 @@ class SelectTool : public Tool {
     const double reach = kSnapReachPx / mouse.pixelsPerMetre;
     if (const std::optional<std::size_t> edge = edgeNear(*value, mouse.world, reach)) {
       end();
-      const Vec2 place = snap(mouse, {std::nullopt, {idOf(*value)}, {}, true});
+      const Vec2 place = snap(mouse, {std::nullopt, {idOf(*value)}});
       corners->insert(corners->begin() + static_cast<std::ptrdiff_t>(*edge) + 1, place);
       pushEdit(document(), {*value}, tr("Add corner"));
-      scene().toolLayer().clear();
+      marks() = {};
     }
   }
 
@@ -232,9 +196,16 @@ class SelectTool : public Tool {
                                                   : Qt::ArrowCursor;
   }
 
-  void pressInRun(const CanvasMouse& mouse) {
-    const std::optional<EntityId> hit = scene().agentEntityAt(mouse.world);
-    document().setSelection(hit ? std::vector<EntityId>{*hit} : std::vector<EntityId>{});
+  void beginDrag(const CanvasMouse& mouse) {
+    if (gesture_ == Gesture::Pressed) {
+      gesture_ = Gesture::Moving;
+      deselectOnRelease_ = false;
+      previewMove(mouse);
+    } else if (gesture_ == Gesture::Handle) {
+      previewHandle(mouse);
+    } else {
+      marks().band = {from_, mouse.world};
+    }
   }
 
   bool grabHandle(const CanvasMouse& mouse) {
@@ -296,7 +267,7 @@ class SelectTool : public Tool {
     }
     scene().setPreview(values);
     if (const std::optional<Entity> value = scene().shown(grabbed_)) {
-      scene().toolLayer().setTag(mouse.world, placeText(*positionOf(*value)));
+      marks().tag = {mouse.world, placeText(*positionOf(*value))};
     }
   }
 
@@ -309,7 +280,7 @@ class SelectTool : public Tool {
     const Vec2 to = handleTarget(*entity, mouse);
     pulled_ = pulled(*entity, handle_, to, mouse.modifiers.testFlag(Qt::AltModifier));
     scene().setPreview({*pulled_});
-    scene().toolLayer().setTag(mouse.world, handleText(*entity, to));
+    marks().tag = {mouse.world, handleText(*entity, to)};
   }
 
   Vec2 handleTarget(const Entity& entity, const CanvasMouse& mouse) const {
@@ -369,7 +340,7 @@ class SelectTool : public Tool {
   void end() {
     gesture_ = Gesture::None;
     pulled_.reset();
-    scene().toolLayer().clear();
+    marks() = {};
     scene().clearPreview();
   }
 

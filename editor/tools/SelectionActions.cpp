@@ -18,11 +18,11 @@ void duplicateSelection(ScenarioDocument& document) {
 
 void selectAll(ScenarioDocument& document) {
   std::vector<EntityId> all;
-  for (const EntityKind kind : {EntityKind::Human, EntityKind::Goal, EntityKind::Robot,
-                                EntityKind::Obstacle, EntityKind::Door, EntityKind::Area}) {
-    const std::vector<EntityId> ids = document.entities(kind);
-    all.insert(all.end(), ids.begin(), ids.end());
-  }
+  forEachList(document.scenario(), [&all](EntityKind /*kind*/, const auto& list) {
+    for (const auto& value : list) {
+      all.push_back(value.key);
+    }
+  });
   document.setSelection(std::move(all));
 }
 

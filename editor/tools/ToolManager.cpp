@@ -6,20 +6,11 @@
 #include <QGuiApplication>
 #include <QKeyEvent>
 
-#include "editor/canvas/MapScene.h"
 #include "editor/look/ActionText.h"
-#include "editor/tools/ToolRegistry.h"
 
 namespace editor {
 
 void addAllTools(ToolRegistry& to);  // written by CMake
-
-void ToolRegistry::add(ToolInfo info, Make make) {
-  const auto after = std::find_if(entries_.begin(), entries_.end(), [&info](const Entry& entry) {
-    return entry.info.order > info.order;
-  });
-  entries_.insert(after, {std::move(info), std::move(make)});
-}
 
 ToolRegistry standardTools() {
   ToolRegistry registry;
@@ -30,8 +21,11 @@ ToolRegistry standardTools() {
 ToolManager::ToolManager(ScenarioDocument& document, MapScene& scene, const ToolRegistry& registry,
                          QObject* parent)
     : QObject(parent), scene_(scene), group_(this) {
-  entries_.reserve(registry.entries().size());  // actions hold references
-  for (const ToolRegistry::Entry& entry : registry.entries()) {
+  std::vector<ToolRegistry::Entry> inOrder = registry.entries();
+  std::stable_sort(inOrder.begin(), inOrder.end(),
+                   [](const auto& a, const auto& b) { return a.info.order < b.info.order; });
+  entries_.reserve(inOrder.size());  // actions hold references
+  for (const ToolRegistry::Entry& entry : inOrder) {
     add(entry, document);
   }
   connect(&document, &ScenarioDocument::selectionChanged, this, [this] {

@@ -1,7 +1,6 @@
 #include "editor/tools/ToolOptionsBar.h"
 
 #include <QHBoxLayout>
-#include <QPainter>
 
 #include "editor/canvas/Overlays.h"
 
@@ -51,12 +50,8 @@ void ToolOptionsBar::place() {
 }
 
 void ToolOptionsBar::paintEvent(QPaintEvent*) {
-  const Theme& theme = view_.mapScene().theme();
   QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(theme.color(Role::Line));
-  painter.setBrush(theme.color(Role::Panel));
-  painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6.0, 6.0);
+  paintPlate(painter, view_.mapScene().theme(), QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
 }
 
 }  // namespace editor

@@ -18,8 +18,8 @@ struct ToolInfo {
   QString button = {};    // tools of the same word share a button of the bar; empty: none
 };
 
-/// The tools that there are, in their order. Each file `tools/<Name>Tool.cpp` adds its own by a
-/// function void add<Name>Tool(ToolRegistry&), which CMake finds.
+/// The tools that there are. Each file `tools/<Name>Tool.cpp` adds its own by a function
+/// void add<Name>Tool(ToolRegistry&), which CMake finds.
 class ToolRegistry {
  public:
   using Make = std::function<Tool*(ScenarioDocument&, MapScene&, QObject* parent)>;
@@ -28,12 +28,12 @@ class ToolRegistry {
     Make make;
   };
 
-  void add(ToolInfo info, Make make);
   template <class T>
   void add(ToolInfo info) {
-    add(std::move(info), [](ScenarioDocument& document, MapScene& scene, QObject* parent) {
+    const auto make = [](ScenarioDocument& document, MapScene& scene, QObject* parent) {
       return new T(document, scene, parent);
-    });
+    };
+    entries_.push_back({std::move(info), make});
   }
   const std::vector<Entry>& entries() const { return entries_; }
 

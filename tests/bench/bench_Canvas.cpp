@@ -170,7 +170,7 @@ void CanvasBench::show(int people, int things, double pixelsPerMetre) {
 void CanvasBench::drag(std::vector<EntityId> what) {
   document_.setSelection(what);
   const Vec2 from = document_.human(what.front())->initPose.position;
-  view_.centerOn(MapScene::sceneFromWorld(from));
+  view_.centerOn(toScene(from));
   QTest::qWait(200);
   QWindow* window = view_.windowHandle();
   const auto at = [&](int frame) {

@@ -6,7 +6,6 @@
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/MapView.h"
 #include "editor/canvas/Overlays.h"
-#include "editor/canvas/RouteLayer.h"
 #include "editor/canvas/RouteModel.h"
 #include "editor/document/EditCommands.h"
 #include "editor/tools/ToolManager.h"
@@ -107,9 +106,9 @@ class CanvasTest : public QObject {
   void routes_aroundTheWall_goThroughTheGap() {
     const EntityRoute* route = scene_.routes().route({EntityKind::Human, 1});
     QVERIFY(route != nullptr);
-    QCOMPARE(route->legs.size(), std::size_t{3});
-    QVERIFY(route->legs.back().points.back() == route->legs.front().points.back());  // returns
-    const RouteLeg& leg = route->legs.front();
+    QCOMPARE(route->size(), std::size_t{3});
+    QVERIFY(route->back().points.back() == route->front().points.back());  // returns
+    const RouteLeg& leg = route->front();
     QVERIFY(leg.isReachable);
     QVERIFY(leg.points.size() > 2);
     bool throughGap = false;

@@ -143,7 +143,7 @@ class CanvasSignsTest : public QObject {
     QVERIFY(!box.isEmpty());
     QVERIFY(QRectF(0.0, 0.0, 600.0, 450.0).contains(box));
     for (const sim2d::Human& human : scenario.humans) {
-      QVERIFY(!box.contains(view.map(MapScene::sceneFromWorld(human.initPose.position))));
+      QVERIFY(!box.contains(view.map(toScene(human.initPose.position))));
     }
   }
 

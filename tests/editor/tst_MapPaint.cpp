@@ -4,7 +4,7 @@
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
 #include "editor/look/Fields.h"
-#include "editor/tools/MapPaintTool.h"
+#include "editor/tools/ToolRegistry.h"
 
 using namespace editor;
 
@@ -18,8 +18,9 @@ class MapPaintTest : public QObject {
     document.setMap(emptyRoom(6.0, 4.0));
     const auto before = document.map();
     MapScene scene(document, Theme::light());
-    MapPaintTool tool(document, scene, nullptr);
-    tool.setWidth(0.2);
+    const std::unique_ptr<Tool> made = paintTool(document, scene);
+    Tool& tool = *made;
+    QVERIFY(tool.statusText().contains(QStringLiteral("walls, 0.20 m wide")));
     drag(tool, {1.0, 2.0}, {5.0, 2.0});
     QCOMPARE(document.undoStack().count(), 1);
     const sim2d::OccupancyGrid& map = *document.map();
@@ -39,7 +40,8 @@ class MapPaintTest : public QObject {
     ScenarioDocument document;
     document.setMap(emptyRoom(6.0, 4.0));
     MapScene scene(document, Theme::light());
-    MapPaintTool tool(document, scene, nullptr);
+    const std::unique_ptr<Tool> made = paintTool(document, scene);
+    Tool& tool = *made;
     tool.press(mouse({1.0, 1.0}));
     tool.move(mouse({2.0, 1.0}));
     tool.cancel();
@@ -51,7 +53,8 @@ class MapPaintTest : public QObject {
     ScenarioDocument document;
     document.setMap(emptyRoom(6.0, 4.0));
     MapScene scene(document, Theme::light());
-    MapPaintTool tool(document, scene, nullptr);
+    const std::unique_ptr<Tool> made = paintTool(document, scene);
+    Tool& tool = *made;
     QVERIFY(tool.keyPress(QKeyEvent(QEvent::KeyPress, Qt::Key_3, Qt::NoModifier)));
     drag(tool, {1.0, 1.0}, {2.0, 1.0});
     const auto valueAt = [&](const Vec2& place) {
@@ -75,18 +78,19 @@ class MapPaintTest : public QObject {
     ScenarioDocument document;
     document.setMap(emptyRoom(6.0, 4.0));
     MapScene scene(document, Theme::light());
-    MapPaintTool tool(document, scene, nullptr);
+    const std::unique_ptr<Tool> made = paintTool(document, scene);
+    Tool& tool = *made;
     const std::unique_ptr<QWidget> row(tool.makeOptions(nullptr));
     auto* paint = row->findChild<ChoiceField*>();
     auto* width = row->findChild<NumberField*>();
     QVERIFY(paint != nullptr && width != nullptr);
     QCOMPARE(paint->count(), 3);
     QCOMPARE(paint->currentIndex(), 0);
-    QCOMPARE(width->value(), tool.width());
+    QCOMPARE(width->value(), 0.2);
     Q_EMIT paint->activated(2);
-    QVERIFY(tool.paint() == MapPaint::Unknown);
+    QVERIFY(tool.statusText().contains(QStringLiteral("unknown ground, 0.20 m wide")));
     width->setValue(0.6);
-    QCOMPARE(tool.width(), 0.6);
+    QVERIFY(tool.statusText().contains(QStringLiteral("unknown ground, 0.60 m wide")));
     drag(tool, {1.0, 2.0}, {3.0, 2.0});
     const auto valueAt = [&](const Vec2& place) {
       return int(document.map()->valueAt(document.map()->worldToCell(place)));
@@ -99,19 +103,21 @@ class MapPaintTest : public QObject {
     ScenarioDocument document;
     document.setMap(emptyRoom(6.0, 4.0));
     MapScene scene(document, Theme::light());
-    MapPaintTool tool(document, scene, nullptr);
+    const std::unique_ptr<Tool> made = paintTool(document, scene);
+    Tool& tool = *made;
     const std::unique_ptr<QWidget> row(tool.makeOptions(nullptr));
     tool.keyPress(QKeyEvent(QEvent::KeyPress, Qt::Key_2, Qt::NoModifier));
     tool.keyPress(QKeyEvent(QEvent::KeyPress, Qt::Key_BracketRight, Qt::NoModifier));
     QCOMPARE(row->findChild<ChoiceField*>()->currentIndex(), 1);
-    QCOMPARE(row->findChild<NumberField*>()->value(), tool.width());
-    QCOMPARE(tool.width(), 0.3);
+    QCOMPARE(row->findChild<NumberField*>()->value(), 0.3);
+    QVERIFY(tool.statusText().contains(QStringLiteral("free ground, 0.30 m wide")));
   }
 
   void press_withoutAMap_saysSo() {
     ScenarioDocument document;
     MapScene scene(document, Theme::light());
-    MapPaintTool tool(document, scene, nullptr);
+    const std::unique_ptr<Tool> made = paintTool(document, scene);
+    Tool& tool = *made;
     drag(tool, {1.0, 1.0}, {2.0, 1.0});
     QCOMPARE(document.undoStack().count(), 0);
     QVERIFY(tool.statusText().contains(QStringLiteral("no map")));
@@ -134,11 +140,17 @@ class MapPaintTest : public QObject {
   }
 
  private:
+  static std::unique_ptr<Tool> paintTool(ScenarioDocument& document, MapScene& scene) {
+    const ToolRegistry tools = standardTools();
+    const auto found = std::find_if(
+        tools.entries().begin(), tools.entries().end(),
+        [](const auto& each) { return each.info.name == QStringLiteral("Paint map"); });
+    return std::unique_ptr<Tool>(found->make(document, scene, nullptr));
+  }
   static CanvasMouse mouse(const Vec2& at) {
     CanvasMouse mouse;
     mouse.world = at;
     mouse.button = Qt::LeftButton;
-    mouse.buttons = Qt::LeftButton;
     return mouse;
   }
   static void drag(Tool& tool, const Vec2& from, const Vec2& to) {

@@ -10,7 +10,7 @@
 #include "editor/document/Groups.h"
 #include "editor/document/MapEdit.h"
 #include "editor/document/PersonTree.h"
-#include "editor/tools/Clipboard.h"
+#include "editor/tools/SelectionActions.h"
 #include "sim2d/base/Text.h"
 #include "tests/support/Interop.h"
 

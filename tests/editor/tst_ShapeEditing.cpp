@@ -3,7 +3,6 @@
 #include "CanvasTester.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/Geometry.h"
-#include "editor/tools/Clipboard.h"
 #include "editor/tools/SelectionActions.h"
 #include "sim2d/map/Outlines.h"
 

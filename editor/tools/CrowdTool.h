@@ -14,6 +14,7 @@ class BrushTool : public Tool {
 
   QString statusText() const override;
   QWidget* makeOptions(QWidget* parent) override;
+  void pressOther(Qt::MouseButton) override { cancel(); }
   void press(const CanvasMouse& mouse) override;
   void move(const CanvasMouse& mouse) override;
   void release(const CanvasMouse& mouse) override;
@@ -46,9 +47,8 @@ class FillTool : public CornerDrawing {
 
   QWidget* makeOptions(QWidget* parent) override;
 
-  int count() const { return count_; }
-  void setCount(int count) { count_ = count; }
-  const CrowdRecipe& recipe() const { return recipe_; }
+  std::size_t count() const { return count_; }
+  void setCount(std::size_t count) { count_ = count; }
   void setRecipe(const CrowdRecipe& recipe) { recipe_ = recipe; }
 
  protected:
@@ -58,7 +58,7 @@ class FillTool : public CornerDrawing {
 
  private:
   CrowdRecipe recipe_;
-  int count_ = 20;
+  std::size_t count_ = 20;
   QString result_;  // of the last fill, when not all had room
 };
 

@@ -1,10 +1,7 @@
-#include <cmath>
+#include "editor/tools/CrowdTool.h"
 
-#include "editor/canvas/Layers.h"
-#include "editor/canvas/MapScene.h"
 #include "editor/document/BehaviorValues.h"
 #include "editor/tools/CrowdOptions.h"
-#include "editor/tools/CrowdTools.h"
 #include "editor/tools/ToolRegistry.h"
 #include "sim2d/base/Rng.h"
 
@@ -14,14 +11,10 @@ namespace {
 
 constexpr int kSideways = -2;  // agent number of the draws beside the drag
 
-double onCentimetres(double value) {
-  return std::round(value * 100.0) / 100.0;
-}
-
 }  // namespace
 
 QString BrushTool::statusText() const {
-  return ground_ ? tr("%1 · Esc drops them").arg(peopleText(static_cast<int>(people_.size())))
+  return ground_ ? tr("%1 · Esc drops them").arg(peopleText(people_.size()))
                  : tr("Drag to lay people along the way; they look where it goes");
 }
 
@@ -44,8 +37,8 @@ void BrushTool::lay(const Vec2& at, double heading) {
   ++drawn_;
   const double aside = rng.uniform(-0.5 * width_, 0.5 * width_, base::Draw::Placement);
   const Vec2 place = Pose2{at, heading}.toWorld(Vec2(0.0, aside));
-  human.initPose = {Vec2(onCentimetres(place.x()), onCentimetres(place.y())),
-                    onCentimetres(heading)};
+  human.initPose = {Vec2(toCentimetres(place.x()), toCentimetres(place.y())),
+                    toCentimetres(heading)};
   if (ground_->isFree(human.initPose.position, *human.radius)) {
     ground_->take(human.initPose.position, *human.radius);
     people_.push_back(std::move(human));
@@ -56,7 +49,7 @@ void BrushTool::layAlong(const Vec2& world) {
   for (Vec2 way = world - last_; way.norm() >= spacing_; way = world - last_) {
     const double heading = base::headingOf(way);
     if (drawn_ == 1 && people_.size() == 1) {
-      people_.front().initPose.heading = onCentimetres(heading);  // the way shows only now
+      people_.front().initPose.heading = toCentimetres(heading);  // the way shows only now
     }
     last_ += spacing_ * way.normalized();
     lay(last_, heading);
@@ -65,9 +58,6 @@ void BrushTool::layAlong(const Vec2& world) {
 
 void BrushTool::press(const CanvasMouse& mouse) {
   cancel();
-  if (mouse.button != Qt::LeftButton) {
-    return;
-  }
   ground_.emplace(document());
   last_ = mouse.world;
   lay(last_, drawnPerson(recipe_, nextDraw(document()), {}).initPose.heading);
@@ -82,13 +72,12 @@ void BrushTool::move(const CanvasMouse& mouse) {
 }
 
 void BrushTool::release(const CanvasMouse& mouse) {
-  if (mouse.button != Qt::LeftButton || !ground_) {
-    return;
+  if (ground_) {
+    layAlong(mouse.world);
+    const std::vector<sim2d::Human> people = std::move(people_);
+    cancel();
+    addCrowd(document(), people);
   }
-  layAlong(mouse.world);
-  const std::vector<sim2d::Human> people = std::move(people_);
-  cancel();
-  addCrowd(document(), people);
 }
 
 void BrushTool::show() {
@@ -100,13 +89,46 @@ void BrushTool::cancel() {
   ground_.reset();
   people_.clear();
   drawn_ = 0;
-  scene().toolLayer().clear();
+  marks() = {};
   Q_EMIT statusTextChanged();
 }
 
-void addBrushTool(ToolRegistry& to) {
-  to.add<BrushTool>(
-      {30, QObject::tr("Brush"), QStringLiteral("tool-brush"), Qt::Key_K, QStringLiteral("crowd")});
+QString FillTool::idleText() const {
+  return result_.isEmpty() ? tr("Drag or click the corners of the ground that %1 are to fill")
+                                 .arg(peopleText(count_))
+                           : result_;
+}
+
+QWidget* FillTool::makeOptions(QWidget* parent) {
+  auto* row = new OptionsRow(parent);
+  addNumber(*row, tr("People"), {1.0, double(kLargestCrowd), 0, 5.0}, {}, double(count_),
+            [this](double value) {
+              count_ = static_cast<std::size_t>(value);
+              Q_EMIT statusTextChanged();
+            });
+  addRecipeFields(*row, recipe_, scene(), [this] { Q_EMIT statusTextChanged(); });
+  return row;
+}
+
+void FillTool::preview(const Corners& corners) {
+  showCrowd(scene(), fillCrowd(corners, count_, recipe_, document()));
+  result_.clear();
+}
+
+void FillTool::make(const Corners& corners) {
+  const std::vector<sim2d::Human> people = fillCrowd(corners, count_, recipe_, document());
+  result_.clear();
+  if (people.size() < count_) {
+    result_ = tr("There was room for %1 of %2").arg(people.size()).arg(peopleText(count_));
+  }
+  addCrowd(document(), people);
+  Q_EMIT statusTextChanged();
+}
+
+void addCrowdTool(ToolRegistry& to) {
+  const QString crowd = QStringLiteral("crowd");
+  to.add<BrushTool>({30, QObject::tr("Brush"), QStringLiteral("tool-brush"), Qt::Key_K, crowd});
+  to.add<FillTool>({40, QObject::tr("Fill"), QStringLiteral("tool-fill"), Qt::Key_L, crowd});
 }
 
 }  // namespace editor

@@ -1,0 +1,188 @@
+#include <algorithm>
+
+#include "editor/document/EditCommands.h"
+#include "editor/tools/Crowd.h"
+#include "editor/tools/Drawing.h"
+#include "editor/tools/ToolRegistry.h"
+
+// People and robots.
+namespace editor {
+
+namespace {
+
+/// Press places somebody, a drag turns it.
+class PlacingTool : public Tool {
+ public:
+  using Tool::Tool;
+
+  void press(const CanvasMouse& mouse) override {
+    from_ = snapToGrid(mouse);
+    placing_ = somebodyAt(from_, mouse);
+    scene().setPreview({*placing_});
+    Q_EMIT statusTextChanged();
+  }
+
+  void move(const CanvasMouse& mouse) override {
+    if (placing_ && isDrag(from_, mouse)) {
+      placing_ = turned(*placing_, headingTo(mouse));
+      scene().setPreview({*placing_});
+      marks().arrow = {from_, mouse.world};
+      marks().tag = {mouse.world, headingText(*headingOf(*placing_))};
+    }
+  }
+
+  void release(const CanvasMouse& mouse) override {
+    if (placing_) {
+      const Entity value = isDrag(from_, mouse) ? turned(*placing_, headingTo(mouse)) : *placing_;
+      endGesture();
+      place(value);
+    }
+  }
+
+  void cancel() override { endGesture(); }
+
+ protected:
+  virtual Entity somebodyAt(const Vec2& place, const CanvasMouse& mouse) const = 0;
+  virtual void place(const Entity& value) = 0;  // one command
+  virtual double headingTo(const CanvasMouse& mouse) const {
+    return snappedAngle(base::headingOf(mouse.world - from_), base::kPi / 180.0);
+  }
+
+  bool isPlacing() const { return placing_.has_value(); }
+  const Vec2& from() const { return from_; }
+  void endGesture() {
+    placing_.reset();
+    clearMarks();
+  }
+
+ private:
+  std::optional<Entity> placing_;
+  Vec2 from_ = Vec2::Zero();
+};
+
+class PersonTool : public PlacingTool {
+ public:
+  using PlacingTool::PlacingTool;
+
+  QString statusText() const override {
+    return isPlacing() ? tr("Drag to where the person looks · Esc drops it")
+                       : tr("Press to place a person, drag to turn it");
+  }
+
+ protected:
+  Entity somebodyAt(const Vec2& place, const CanvasMouse&) const override {
+    sim2d::Human human = newPerson();
+    human.key = ghostOf(EntityKind::Human);
+    human.initPose = {place, heading_};
+    human.hasInitPose = true;
+    return human;
+  }
+
+  void place(const Entity& value) override {
+    sim2d::Human human = std::get<sim2d::Human>(value);
+    heading_ = human.initPose.heading;
+    human.id = -1;
+    document().setSelection({pushAdd(document(), std::move(human))});
+  }
+
+  double headingTo(const CanvasMouse& mouse) const override {
+    const double heading = base::headingOf(mouse.world - from());
+    if (mouse.modifiers.testFlag(Qt::AltModifier)) {
+      return heading;
+    }
+    return mouse.modifiers.testFlag(Qt::ControlModifier) ? snappedAngle(heading, base::kPi / 8.0)
+                                                         : PlacingTool::headingTo(mouse);
+  }
+
+ private:
+  double heading_ = 0.0;  // of the next person: as the last one looks
+};
+
+/// Press and drag sets where the robot starts and looks; the next click is its goal (a point, or a
+/// goal of the map). Changes the selected robot, else the first one; Shift makes another.
+class RobotTool : public PlacingTool {
+ public:
+  using PlacingTool::PlacingTool;
+
+  QString statusText() const override {
+    if (document().contains(waitsForGoal_) && waitsForGoal_) {
+      return tr("Click the robot's goal · Esc: no change of the goal");
+    }
+    return tr("Press where the robot starts, drag to turn it · Shift makes another robot");
+  }
+
+  void activate() override { waitsForGoal_ = {}; }
+  void press(const CanvasMouse& mouse) override {
+    if (waitsForGoal_ && document().contains(waitsForGoal_)) {
+      setGoal(mouse);
+    } else {
+      PlacingTool::press(mouse);
+    }
+  }
+
+  void move(const CanvasMouse& mouse) override {
+    if (!waitsForGoal_) {
+      PlacingTool::move(mouse);
+    } else if (const std::optional<Entity> robot = document().entity(waitsForGoal_)) {
+      marks().line = {*positionOf(*robot), mouse.world};
+    }
+  }
+
+  void cancel() override {
+    waitsForGoal_ = {};
+    endGesture();
+  }
+
+ protected:
+  Entity somebodyAt(const Vec2& place, const CanvasMouse& mouse) const override {
+    const std::vector<sim2d::Robot>& robots = document().scenario().robots;
+    sim2d::Robot robot;
+    robot.key = ghostOf(EntityKind::Robot);
+    if (!mouse.modifiers.testFlag(Qt::ShiftModifier) && !robots.empty()) {
+      const auto isSelected = [this](const auto& each) { return document().isSelected(each.key); };
+      const auto selected = std::find_if(robots.begin(), robots.end(), isSelected);
+      robot = selected == robots.end() ? robots.front() : *selected;
+    }
+    robot.start.position = place;
+    return robot;
+  }
+
+  void place(const Entity& value) override {
+    if (idOf(value) == ghostOf(EntityKind::Robot)) {
+      waitsForGoal_ = pushAdd(document(), value);
+    } else {
+      pushEdit(document(), {value}, tr("Place %1").arg(displayName(value)));
+      waitsForGoal_ = idOf(value);
+    }
+    document().setSelection({waitsForGoal_});
+    Q_EMIT statusTextChanged();
+  }
+
+ private:
+  void setGoal(const CanvasMouse& mouse) {
+    const EntityId robot = waitsForGoal_;
+    const sim2d::GlobalGoal* goal = document().goal(scene().entityAt(mouse.world));
+    waitsForGoal_ = {};
+    endGesture();
+    if (goal != nullptr) {
+      pushRoute(document(), {robot}, {goal->id});
+    } else {
+      pushChange<sim2d::Robot>(document(), robot, tr("Goal of the robot"),
+                               [&](sim2d::Robot& value) {
+                                 value.goal.goals.clear();
+                                 value.goal.point = snapToGrid(mouse);
+                               });
+    }
+  }
+
+  EntityId waitsForGoal_;  // the robot whose start was just set
+};
+
+}  // namespace
+
+void addPlaceTool(ToolRegistry& to) {
+  to.add<PersonTool>({20, QObject::tr("Person"), QStringLiteral("tool-person"), Qt::Key_P});
+  to.add<RobotTool>({130, QObject::tr("Robot"), QStringLiteral("tool-robot"), Qt::Key_B});
+}
+
+}  // namespace editor

@@ -1,0 +1,219 @@
+#include <cmath>
+
+#include "editor/tools/Drawing.h"
+#include "editor/tools/ToolRegistry.h"
+#include "sim2d/map/Outlines.h"
+
+// Obstacles and doors.
+namespace editor {
+
+namespace {
+
+constexpr double kNarrowestDoor = 0.2;  // [m]
+constexpr double kLeastLength = 0.05;   // of a side [m]
+
+sim2d::Obstacle obstacleOf(sim2d::ObstacleKind kind, std::vector<Vec2> points = {}) {
+  sim2d::Obstacle obstacle;
+  obstacle.key = ghostOf(EntityKind::Obstacle);
+  obstacle.kind = kind;
+  obstacle.points = std::move(points);
+  return obstacle;
+}
+
+sim2d::Obstacle wallAlong(const std::vector<Vec2>& corners) {
+  return obstacleOf(sim2d::ObstacleKind::Wall, corners);
+}
+
+/// Walls as polylines, 0.1 m thick; a drag makes one straight wall.
+class WallTool : public CornerDrawing {
+ public:
+  using CornerDrawing::CornerDrawing;
+
+ protected:
+  QString idleText() const override {
+    return tr("Drag a wall, or click its corners one by one · Shift: 15° steps");
+  }
+  bool isClosed() const override { return false; }
+  QString problemOf(const Corners& corners) const override {
+    if (corners.size() < 2) {
+      return tr("Two corners or more are needed");
+    }
+    double length = 0.0;
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+      length += (corners[i] - corners[i - 1]).norm();
+    }
+    return length < kLeastLength ? tr("Too short") : QString();
+  }
+  void preview(const Corners& corners) override { scene().setPreview({wallAlong(corners)}); }
+  void make(const Corners& corners) override { addDrawn(document(), wallAlong(corners)); }
+  Corners dragged(const Vec2& from, const Vec2& to) const override { return {from, to}; }
+};
+
+sim2d::Obstacle polygonOf(const std::vector<Vec2>& corners) {
+  return obstacleOf(sim2d::ObstacleKind::Polygon, sim2d::polygonOutline(corners).points);
+}
+
+/// Obstacles of any outline; a drag makes a rectangle along the axes.
+class PolygonTool : public CornerDrawing {
+ public:
+  using CornerDrawing::CornerDrawing;
+
+ protected:
+  QString idleText() const override {
+    return tr("Click the corners of an obstacle; the first one again closes it");
+  }
+  void preview(const Corners& corners) override { scene().setPreview({polygonOf(corners)}); }
+  void make(const Corners& corners) override { addDrawn(document(), polygonOf(corners)); }
+};
+
+/// Makes something from one point to another by a drag. A click without a drag makes nothing,
+/// Escape or the right button drops the gesture.
+class DragDrawing : public Tool {
+ public:
+  using Tool::Tool;
+
+  void pressOther(Qt::MouseButton) override { cancel(); }
+  void press(const CanvasMouse& mouse) override {
+    from_ = snap(mouse, {});
+    pressedAt_ = mouse.world;
+    Q_EMIT statusTextChanged();
+  }
+
+  void move(const CanvasMouse& mouse) override {
+    if (!from_) {
+      snap(mouse, {});
+      return;
+    }
+    if (!isDrag(pressedAt_, mouse)) {
+      return;
+    }
+    const Vec2 to = endFor(*from_, mouse);
+    if (const std::optional<Entity> entity = spanned(*from_, to)) {
+      scene().setPreview({*entity});
+    } else {
+      scene().clearPreview();
+    }
+    marks().tag = {mouse.world, tagFor(*from_, to)};
+  }
+
+  void release(const CanvasMouse& mouse) override {
+    if (!from_) {
+      return;
+    }
+    const Vec2 from = *from_;
+    const std::optional<Entity> entity =
+        isDrag(pressedAt_, mouse) ? spanned(from, endFor(from, mouse)) : std::nullopt;
+    cancel();
+    if (entity) {
+      addDrawn(document(), *entity);
+    }
+  }
+
+  void cancel() override {
+    from_.reset();
+    clearMarks();
+  }
+
+ protected:
+  /// The entity between the points, without name and key in the document; none = too small.
+  virtual std::optional<Entity> spanned(const Vec2& from, const Vec2& to) const = 0;
+  /// Where the drag ends; by default on angles of 15 degrees from the start with Shift.
+  virtual Vec2 endFor(const Vec2& from, const CanvasMouse& mouse) const {
+    return snap(mouse, {from});
+  }
+  virtual QString tagFor(const Vec2& from, const Vec2& to) const { return legText(from, to); }
+
+ private:
+  std::optional<Vec2> from_;
+  Vec2 pressedAt_ = Vec2::Zero();
+};
+
+/// Boxes from corner to corner; with Shift squares.
+class BoxTool : public DragDrawing {
+ public:
+  using DragDrawing::DragDrawing;
+  QString statusText() const override {
+    return tr("Drag a box from corner to corner · Shift makes a square");
+  }
+
+ protected:
+  std::optional<Entity> spanned(const Vec2& from, const Vec2& to) const override {
+    const Vec2 size = (to - from).cwiseAbs();
+    if (size.minCoeff() < kLeastLength) {
+      return std::nullopt;
+    }
+    sim2d::Obstacle box = obstacleOf(sim2d::ObstacleKind::Box);
+    box.pose.position = 0.5 * (from + to);
+    box.length = size.x();
+    box.width = size.y();
+    return box;
+  }
+
+  Vec2 endFor(const Vec2& from, const CanvasMouse& mouse) const override {
+    const Vec2 to = snap(mouse, {});
+    if (!mouse.modifiers.testFlag(Qt::ShiftModifier)) {
+      return to;
+    }
+    const double side = (to - from).cwiseAbs().maxCoeff();
+    return from +
+           Vec2(std::copysign(side, to.x() - from.x()), std::copysign(side, to.y() - from.y()));
+  }
+
+  QString tagFor(const Vec2& from, const Vec2& to) const override {
+    const Vec2 size = (to - from).cwiseAbs();
+    return QStringLiteral("%1 × %2 m").arg(size.x(), 0, 'f', 2).arg(size.y(), 0, 'f', 2);
+  }
+};
+
+/// Round obstacles: pressed at the centre, dragged to the rim.
+class CircleTool : public DragDrawing {
+ public:
+  using DragDrawing::DragDrawing;
+  QString statusText() const override {
+    return tr("Press at the centre of the circle, drag to its rim");
+  }
+
+ protected:
+  std::optional<Entity> spanned(const Vec2& from, const Vec2& to) const override {
+    sim2d::Obstacle circle = obstacleOf(sim2d::ObstacleKind::Circle);
+    circle.pose.position = from;
+    circle.radius = std::round((to - from).norm() * 100.0) / 100.0;
+    return circle.radius < kLeastLength ? std::nullopt : std::optional<Entity>(circle);
+  }
+
+  QString tagFor(const Vec2& from, const Vec2& to) const override {
+    return tr("radius %1 m").arg((to - from).norm(), 0, 'f', 2);
+  }
+};
+
+/// Doors: from the hinge to the other jamb, open at the start.
+class DoorTool : public DragDrawing {
+ public:
+  using DragDrawing::DragDrawing;
+  QString statusText() const override {
+    return tr("Drag a door from its hinge to the other jamb · Shift: 15° steps");
+  }
+
+ protected:
+  std::optional<Entity> spanned(const Vec2& from, const Vec2& to) const override {
+    sim2d::Door door;
+    door.key = ghostOf(EntityKind::Door);
+    door.from = from;
+    door.to = to;
+    return (to - from).norm() < kNarrowestDoor ? std::nullopt : std::optional<Entity>(door);
+  }
+};
+
+}  // namespace
+
+void addShapeTool(ToolRegistry& to) {
+  const QString shape = QStringLiteral("shape");
+  to.add<WallTool>({70, QObject::tr("Wall"), QStringLiteral("tool-wall"), Qt::Key_W, shape});
+  to.add<BoxTool>({80, QObject::tr("Box"), QStringLiteral("tool-box"), Qt::Key_O, shape});
+  to.add<PolygonTool>(
+      {90, QObject::tr("Polygon"), QStringLiteral("tool-polygon"), Qt::Key_Y, shape});
+  to.add<CircleTool>({100, QObject::tr("Circle"), QStringLiteral("tool-circle"), Qt::Key_C, shape});
+  to.add<DoorTool>({110, QObject::tr("Door"), QStringLiteral("tool-door"), Qt::Key_D});
+}
+
+}  // namespace editor
