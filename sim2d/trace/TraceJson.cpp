@@ -48,33 +48,32 @@ class JsonReader {
   template <class T>
   T part(const Json& json, const std::string& path) {
     T part;
-    forEachMember(part, [&](const char* name, auto& member) { read(json, path, name, member); });
+    forEachMember(part,
+                  [&](const char* name, auto& member) { readMember(json, path, name, member); });
     check(path, part);
     return part;
   }
 
  private:
-  void error(const std::string& path, std::string_view code, base::ProblemValues values = {}) {
-    problems_.push_back(base::within(path, base::error(code, std::move(values), file_)));
+  void error(const std::string& where, std::string_view code, base::ProblemValues values = {}) {
+    problems_.push_back(base::within(where, base::error(code, std::move(values), file_)));
+  }
+  bool expect(bool fits, const std::string& where, std::string_view otherwise) {
+    if (!fits) {
+      error(where, otherwise);
+    }
+    return fits;
   }
 
-  const Json* member(const Json& object, const std::string& path, const char* key) {
+  /// Scenarios that say nothing about metrics have no such member; all else must be there.
+  template <class T>
+  void readMember(const Json& object, const std::string& path, const char* key, T& value) {
     const auto found = object.find(key);
-    if (found == object.end()) {
+    if (found != object.end()) {
+      read(*found, path + key, value);
+    } else if (!std::is_same_v<T, TraceMetrics>) {
       error(path + key, "trace.missing");
-      return nullptr;
     }
-    return &*found;
-  }
-  /// One of the type that `fits` asks for.
-  const Json* member(const Json& object, const std::string& path, const char* key,
-                     bool (Json::*fits)() const noexcept, std::string_view otherwise) {
-    const Json* json = member(object, path, key);
-    if (json != nullptr && !(json->*fits)()) {
-      error(path + key, otherwise);
-      return nullptr;
-    }
-    return json;
   }
 
   static bool finite(const Json& json, double& value) {
@@ -84,171 +83,126 @@ class JsonReader {
     value = json.get<double>();
     return std::isfinite(value);
   }
+  template <class Integer>
+  static bool fits(const Json& json) {
+    using Limits = std::numeric_limits<Integer>;
+    return json.is_number_unsigned()
+               ? json.get<std::uint64_t>() <= static_cast<std::uint64_t>(Limits::max())
+               : json.is_number_integer() && json.get<std::int64_t>() >= Limits::min();
+  }
 
   // read: each type of a member as it stands in the file.
-  void read(const Json& object, const std::string& path, const char* key, std::string& value) {
-    if (const Json* json = member(object, path, key, &Json::is_string, "trace.no-text")) {
-      value = json->get<std::string>();
+  void read(const Json& json, const std::string& where, std::string& value) {
+    if (expect(json.is_string(), where, "trace.no-text")) {
+      value = json.get<std::string>();
     }
   }
-
-  void read(const Json& object, const std::string& path, const char* key, bool& value) {
-    if (const Json* json = member(object, path, key, &Json::is_boolean, "trace.no-boolean")) {
-      value = json->get<bool>();
+  void read(const Json& json, const std::string& where, bool& value) {
+    if (expect(json.is_boolean(), where, "trace.no-boolean")) {
+      value = json.get<bool>();
     }
   }
-
-  void read(const Json& object, const std::string& path, const char* key, double& value) {
-    const Json* json = member(object, path, key);
-    if (json != nullptr && !finite(*json, value)) {
-      error(path + key, "trace.no-number");
-    }
+  void read(const Json& json, const std::string& where, double& value) {
+    expect(finite(json, value), where, "trace.no-number");
   }
-
   template <class Integer, class = std::enable_if_t<std::is_integral_v<Integer>>>
-  void read(const Json& object, const std::string& path, const char* key, Integer& value) {
-    const Json* json = member(object, path, key);
-    if (json == nullptr) {
-      return;
-    }
-    const bool fits = json->is_number_unsigned()
-                          ? json->get<std::uint64_t>() <=
-                                static_cast<std::uint64_t>(std::numeric_limits<Integer>::max())
-                          : json->is_number_integer() &&
-                                json->get<std::int64_t>() >= std::numeric_limits<Integer>::min();
-    if (!fits) {
-      error(path + key, "trace.no-integer");
-    } else {
-      value = json->get<Integer>();
+  void read(const Json& json, const std::string& where, Integer& value) {
+    if (expect(fits<Integer>(json), where, "trace.no-integer")) {
+      value = json.get<Integer>();
     }
   }
 
-  /// Calls `each(element, path)` for the elements of a list.
-  template <class Each>
-  void forEach(const Json& object, const std::string& path, const char* key, Each each) {
-    if (const Json* json = member(object, path, key, &Json::is_array, "trace.no-list")) {
-      for (std::size_t k = 0; k < json->size(); ++k) {
-        each((*json)[k], path + key + "[" + std::to_string(k) + "]");
-      }
+  template <class T>
+  void read(const Json& json, const std::string& where, std::vector<T>& values) {
+    const std::size_t count =
+        expect(json.is_array(), where, "trace.no-list") ? json.size() : std::size_t(0);
+    for (std::size_t k = 0; k < count; ++k) {
+      readElement(json[k], where + "[" + std::to_string(k) + "]", values);
     }
   }
-
+  void readElement(const Json& json, const std::string& where, std::vector<double>& to) {
+    read(json, where, to.emplace_back());
+  }
+  void readElement(const Json& json, const std::string& where, std::vector<Outline>& to) {
+    read(json, where, to.emplace_back().points);
+  }
+  void readElement(const Json& json, const std::string& where, std::vector<Vec2>& to) {
+    Vec2 point = Vec2::Zero();
+    if (expect(json.is_array() && json.size() == 2 && finite(json[0], point.x()) &&
+                   finite(json[1], point.y()),
+               where, "trace.no-point")) {
+      to.push_back(point);
+    }
+  }
+  void readElement(const Json& json, const std::string& where, std::vector<TraceGoal>& to) {
+    if (expect(json.is_object(), where, "trace.no-object")) {
+      TraceGoal& goal = to.emplace_back();
+      readMember(json, where + ".", "id", goal.id);
+      readMember(json, where + ".", "x", goal.position.x());
+      readMember(json, where + ".", "y", goal.position.y());
+      readMember(json, where + ".", "radius", goal.radius);
+    }
+  }
   template <class T, class = decltype(T::members())>
-  void read(const Json& object, const std::string& path, const char* key, std::vector<T>& to) {
-    forEachObject(object, path, key, [&](const Json& item, const std::string& where) {
-      to.push_back(part<T>(item, where));
-    });
-  }
-  template <class Each>
-  void forEachObject(const Json& object, const std::string& path, const char* key, Each each) {
-    forEach(object, path, key, [&](const Json& item, const std::string& where) {
-      if (item.is_object()) {
-        each(item, where + ".");
-      } else {
-        error(where, "trace.no-object");
-      }
-    });
+  void readElement(const Json& json, const std::string& where, std::vector<T>& to) {
+    if (expect(json.is_object(), where, "trace.no-object")) {
+      to.push_back(part<T>(json, where + "."));
+    }
   }
 
-  void read(const Json& object, const std::string& path, const char* key,
-            std::vector<TraceGoal>& goals) {
-    forEachObject(object, path, key, [&](const Json& item, const std::string& where) {
-      TraceGoal& goal = goals.emplace_back();
-      read(item, where, "id", goal.id);
-      read(item, where, "x", goal.position.x());
-      read(item, where, "y", goal.position.y());
-      read(item, where, "radius", goal.radius);
-    });
-  }
-
-  void read(const Json& object, const std::string& path, const char* key, std::vector<Vec2>& to) {
-    forEach(object, path, key, [&](const Json& json, const std::string& where) {
-      Vec2 point = Vec2::Zero();
-      if (json.is_array() && json.size() == 2 && finite(json[0], point.x()) &&
-          finite(json[1], point.y())) {
-        to.push_back(point);
-      } else {
-        error(where, "trace.no-point");
-      }
-    });
-  }
-
-  void read(const Json& object, const std::string& path, const char* key, std::vector<double>& to) {
-    forEach(object, path, key, [&](const Json& item, const std::string& where) {
-      if (!finite(item, to.emplace_back())) {
-        error(where, "trace.no-number");
-      }
-    });
-  }
-
-  void read(const Json& object, const std::string& path, const char* name,
+  void read(const Json& json, const std::string& where,
             std::vector<std::pair<std::string, double>>& to) {
-    const Json* parameters = member(object, path, name, &Json::is_object, "trace.no-object");
-    if (parameters == nullptr) {
+    if (!expect(json.is_object(), where, "trace.no-object")) {
       return;
     }
-    for (const auto& [key, value] : parameters->items()) {
+    for (const auto& [key, value] : json.items()) {
       double number = std::numeric_limits<double>::infinity();
       if (value == "inf" || value == "-inf") {
         to.emplace_back(key, value == "inf" ? number : -number);
-      } else if (finite(value, number)) {
+      } else if (expect(finite(value, number), where + "." + key, "trace.no-parameter")) {
         to.emplace_back(key, number);
-      } else {
-        error(path + name + "." + key, "trace.no-parameter");
       }
     }
   }
 
-  void read(const Json& object, const std::string& path, const char* name,
-            std::vector<Outline>& to) {
-    const Json* outlines = member(object, path, name, &Json::is_array, "trace.no-list");
-    for (std::size_t k = 0; outlines != nullptr && k < outlines->size(); ++k) {
-      const std::string key = std::to_string(k);
-      read(Json{{key, (*outlines)[k]}}, path + name + ".", key.c_str(), to.emplace_back().points);
-    }
-  }
-
-  void read(const Json& root, const std::string& path, const char* name, OccupancyGrid& map) {
-    const Json* json = member(root, path, name, &Json::is_object, "trace.no-object");
-    if (json == nullptr) {
+  void read(const Json& json, const std::string& where, OccupancyGrid& map) {
+    if (!expect(json.is_object(), where, "trace.no-object")) {
       return;
     }
     int width = 0;
     int height = 0;
     double resolution = 0.05;
     Pose2 origin;
-    read(*json, "map.", "width", width);
-    read(*json, "map.", "height", height);
-    read(*json, "map.", "resolution", resolution);
-    read(*json, "map.", "x", origin.position.x());
-    read(*json, "map.", "y", origin.position.y());
-    read(*json, "map.", "heading", origin.heading);
+    readMember(json, "map.", "width", width);
+    readMember(json, "map.", "height", height);
+    readMember(json, "map.", "resolution", resolution);
+    readMember(json, "map.", "x", origin.position.x());
+    readMember(json, "map.", "y", origin.position.y());
+    readMember(json, "map.", "heading", origin.heading);
     requirePositive("map.resolution", resolution);
-    const Json* runs = member(*json, "map.", "cells");
-    std::vector<std::int8_t> cells;
     const bool sized = width >= 0 && height >= 0;
     const std::size_t count =
         sized ? static_cast<std::size_t>(width) * static_cast<std::size_t>(height) : 0;
-    if (!sized || runs == nullptr || !expandCells(*runs, count, cells)) {
-      error("map.cells", "trace.bad-cells");
-    } else if (!cells.empty() && resolution > 0.0) {
+    std::vector<std::int8_t> cells;
+    const auto runs = json.find("cells");
+    if (runs == json.end()) {
+      error("map.cells", "trace.missing");
+    }
+    if (expect(sized && runs != json.end() && expandCells(*runs, count, cells), "map.cells",
+               "trace.bad-cells") &&
+        !cells.empty() && resolution > 0.0) {
       map = OccupancyGrid(width, height, resolution, origin, std::move(cells));
     }
   }
 
-  /// Scenarios that say nothing about metrics have no such member.
-  void read(const Json& root, const std::string& path, const char* key, TraceMetrics& metrics) {
-    if (root.contains(key)) {
-      if (const Json* json = member(root, path, key, &Json::is_object, "trace.no-object")) {
-        metrics = part<TraceMetrics>(*json, path + key + ".");
-      }
+  void read(const Json& json, const std::string& where, TraceMetrics& metrics) {
+    if (expect(json.is_object(), where, "trace.no-object")) {
+      metrics = part<TraceMetrics>(json, where + ".");
     }
   }
 
-  void requirePositive(const std::string& path, double value) {
-    if (value <= 0.0) {
-      error(path, "trace.not-positive");
-    }
+  void requirePositive(const std::string& where, double value) {
+    expect(value > 0.0, where, "trace.not-positive");
   }
   template <class T>
   void check(const std::string& path, const T& part) {
@@ -280,6 +234,99 @@ base::Diagnostic syntaxError(const std::string& text, std::size_t byte, const st
   return base::error("trace.not-json", {}, file, line, static_cast<int>(end - lineStart) + 1);
 }
 
+// toJson: each type of a member as it stands in the file.
+/// JSON knows finite numbers only.
+Json toJson(double value) {
+  if (std::isfinite(value)) {
+    return value;
+  }
+  return std::isnan(value) ? "nan" : (value > 0 ? "inf" : "-inf");
+}
+Json toJson(const Vec2& point) {
+  return {toJson(point.x()), toJson(point.y())};
+}
+Json toJson(const TraceGoal& goal) {
+  return {{"id", goal.id},
+          {"x", toJson(goal.position.x())},
+          {"y", toJson(goal.position.y())},
+          {"radius", toJson(goal.radius)}};
+}
+Json toJson(const std::vector<std::pair<std::string, double>>& parameters) {
+  Json json = Json::object();
+  for (const auto& [key, value] : parameters) {
+    json[key] = toJson(value);
+  }
+  return json;
+}
+
+/// Value and number of repetitions in turn, row by row from the lower left.
+Json runLengths(const std::vector<std::int8_t>& cells) {
+  Json list = Json::array();
+  for (std::size_t k = 0; k < cells.size();) {
+    std::size_t end = k;
+    while (end < cells.size() && cells[end] == cells[k]) {
+      ++end;
+    }
+    list.push_back(static_cast<int>(cells[k]));
+    list.push_back(end - k);
+    k = end;
+  }
+  return list;
+}
+
+Json toJson(const OccupancyGrid& map) {
+  return {{"width", map.width()},
+          {"height", map.height()},
+          {"resolution", toJson(map.resolution())},
+          {"x", toJson(map.origin().position.x())},
+          {"y", toJson(map.origin().position.y())},
+          {"heading", toJson(map.origin().heading)},
+          {"cells", runLengths(map.cells())}};
+}
+
+template <class T>
+Json toJson(const std::vector<T>& values);
+
+/// A part by its members; texts, numbers and flags as they are.
+template <class T>
+Json toJson(const T& value) {
+  if constexpr (std::is_same_v<T, Outline>) {
+    return toJson(value.points);
+  } else if constexpr (std::is_class_v<T> && !std::is_same_v<T, std::string>) {
+    Json json = Json::object();
+    forEachMember(value,
+                  [&json](const char* name, const auto& member) { json[name] = toJson(member); });
+    return json;
+  } else {
+    return value;
+  }
+}
+
+template <class T>
+Json toJson(const std::vector<T>& values) {
+  Json list = Json::array();
+  for (const T& value : values) {
+    list.push_back(toJson(value));
+  }
+  return list;
+}
+
+std::string compact(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// One line per member, in lists of objects one line per object.
+std::string memberText(const Json& value) {
+  if (!value.is_array() || value.empty()) {
+    return compact(value);
+  }
+  std::string text = "[";
+  for (std::size_t k = 0; k < value.size(); ++k) {
+    text += (k == 0 ? "\n  " : ",\n  ") + compact(value[k]);
+  }
+  return text + "\n ]";
+}
+
 }  // namespace
 
 base::Result<TraceHeader> parseTraceJson(const std::string& text, const std::string& file) {
@@ -300,6 +347,18 @@ base::Result<TraceHeader> parseTraceJson(const std::string& text, const std::str
     return problems;
   }
   return {std::move(header), std::move(problems)};
+}
+
+std::string traceJson(const TraceHeader& header) {
+  Json root = toJson(header);
+  if (header.metrics == TraceMetrics()) {
+    root.erase("metrics");
+  }
+  std::string text = "{";
+  for (const auto& [key, value] : root.items()) {
+    text += (text.size() == 1 ? "\n " : ",\n ") + compact(key) + ": " + memberText(value);
+  }
+  return text + "\n}\n";
 }
 
 }  // namespace sim2d
