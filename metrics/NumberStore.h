@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim2d/base/ScratchFile.h"
+#include "sim2d/base/Files.h"
 
 namespace metrics {
 

@@ -5,10 +5,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <memory>
 #include <set>
 #include <sys/stat.h>
-#include <system_error>
 #include <unistd.h>
 #include <utility>
 
@@ -23,13 +21,11 @@ namespace {
 constexpr std::size_t kPiece = 1U << 16U;  // [bytes] that a growing file writes at once
 
 /// The file that is meant: what a symbolic link points at, so that the link stays.
-fs::path targetOf(const std::string& path) {
+std::string targetOf(const std::string& path) {
   std::error_code error;
-  if (fs::is_symlink(path, error)) {
-    const fs::path real = fs::weakly_canonical(path, error);
-    return error ? fs::path(path) : real;
-  }
-  return path;
+  const bool isLink = fs::is_symlink(path, error);
+  const fs::path real = isLink ? fs::weakly_canonical(path, error) : fs::path(path);
+  return error ? path : real.string();
 }
 
 /// "cannot write the file: permission denied" at the file.
@@ -42,88 +38,51 @@ std::error_code lastError() {
   return {errno, std::generic_category()};
 }
 
+std::error_code errorUnless(bool isDone) {
+  return isDone ? std::error_code() : lastError();
+}
+
 }  // namespace
 
-/// A file of its own beside its place; closed and removed again unless it was put there.
-class NewFile {
- public:
-  /// Opened for writing. Folders are made, the permissions of a replaced file and symbolic links
-  /// stay. Nothing and an error in `problems` when that cannot be.
-  static std::unique_ptr<NewFile> open(const std::string& path, Diagnostics& problems);
-
-  explicit NewFile(fs::path target);
-  ~NewFile();
-  NewFile(const NewFile&) = delete;
-  NewFile& operator=(const NewFile&) = delete;
-  NewFile(NewFile&&) = delete;
-  NewFile& operator=(NewFile&&) = delete;
-
-  std::error_code write(std::string_view content) const;
-  std::error_code toDisk() const;  // what was written stays when the power fails
-  std::error_code putInPlace();
-  /// The file that stands there gets a second name until this object ends.
-  std::error_code keepOld();
-  /// After putInPlace: as it was before.
-  std::error_code takeBack();
-
- private:
-  std::error_code make();
-  std::error_code keepMode() const;
-  bool close();
-
-  fs::path target_;
-  std::string name_;
-  std::string old_;  // second name of the file that was replaced
-  int descriptor_ = -1;
-};
-
-std::unique_ptr<NewFile> NewFile::open(const std::string& path, Diagnostics& problems) {
-  const fs::path target = targetOf(path);
+GrowingFile::GrowingFile(std::string path) : path_(std::move(path)), target_(targetOf(path_)) {
   std::error_code error;
-  if (path.empty() || fs::is_directory(target, error)) {
-    problems.push_back(
-        fileError("file.cannot-write", path,
-                  std::make_error_code(path.empty() ? std::errc::no_such_file_or_directory
-                                                    : std::errc::is_a_directory)));
-    return nullptr;
+  if (path_.empty() || fs::is_directory(target_, error)) {
+    note(std::make_error_code(path_.empty() ? std::errc::no_such_file_or_directory
+                                            : std::errc::is_a_directory));
+    return;
   }
-  if (target.has_parent_path()) {
-    error.clear();
-    fs::create_directories(target.parent_path(), error);
-    if (error) {
-      problems.push_back(
-          fileError("file.cannot-make-folder", target.parent_path().string(), error));
-      return nullptr;
-    }
+  error.clear();
+  const fs::path folder = fs::path(target_).parent_path();
+  if (!folder.empty()) {
+    fs::create_directories(folder, error);
   }
-  auto file = std::make_unique<NewFile>(target);
-  error = file->make();
   if (error) {
-    problems.push_back(fileError("file.cannot-write", path, error));
-    return nullptr;
-  }
-  return file;
-}
-
-NewFile::NewFile(fs::path target) : target_(std::move(target)) {}
-
-NewFile::~NewFile() {
-  close();
-  for (const std::string& name : {name_, old_}) {
-    if (!name.empty()) {
-      ::unlink(name.c_str());
-    }
+    problems_.push_back(fileError("file.cannot-make-folder", folder.string(), error));
+  } else {
+    note(open());
   }
 }
 
-std::error_code NewFile::make() {
-  const std::string stem = target_.string() + ".new-" + std::to_string(::getpid()) + "-";
+GrowingFile::~GrowingFile() {
+  removeRest();
+}
+
+void GrowingFile::note(const std::error_code& error) {
+  if (error && problems_.empty()) {
+    problems_.push_back(fileError("file.cannot-write", path_, error));
+  }
+}
+
+std::error_code GrowingFile::open() {
+  const std::string stem = target_ + ".new-" + std::to_string(::getpid()) + "-";
   for (int attempt = 0; attempt < 1000; ++attempt) {
     const std::string name = stem + std::to_string(attempt);
     descriptor_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ >= 0) {
-      name_ = name;
-      return keepMode();
+      new_ = name;
+      struct stat old = {};  // a file that is replaced keeps its permissions
+      return errorUnless(::stat(target_.c_str(), &old) != 0 ||
+                         ::fchmod(descriptor_, old.st_mode & 07777U) == 0);
     }
     if (errno != EEXIST) {
       break;
@@ -132,35 +91,63 @@ std::error_code NewFile::make() {
   return lastError();
 }
 
-std::error_code NewFile::write(std::string_view content) const {
-  while (!content.empty()) {
-    const ssize_t count = ::write(descriptor_, content.data(), content.size());
+void GrowingFile::append(std::string_view content) {
+  waiting_ += content;
+  if (waiting_.size() >= kPiece) {
+    flush();
+  }
+}
+
+void GrowingFile::flush() {
+  if (isOpen()) {
+    note(write());
+  }
+  waiting_.clear();
+}
+
+std::error_code GrowingFile::write() const {
+  std::string_view rest = waiting_;
+  while (!rest.empty()) {
+    const ssize_t count = ::write(descriptor_, rest.data(), rest.size());
     if (count < 0 && errno != EINTR) {
       return lastError();
     }
-    content.remove_prefix(count > 0 ? static_cast<std::size_t>(count) : 0);
+    rest.remove_prefix(count > 0 ? static_cast<std::size_t>(count) : 0);
   }
   return {};
 }
 
-std::error_code NewFile::toDisk() const {
-  return ::fsync(descriptor_) == 0 ? std::error_code() : lastError();
+const Diagnostics& GrowingFile::complete() {
+  flush();
+  if (isOpen()) {
+    note(errorUnless(::fsync(descriptor_) == 0));
+  }
+  return problems_;
 }
 
-std::error_code NewFile::putInPlace() {
-  if (!close() || ::rename(name_.c_str(), target_.c_str()) != 0) {
+Diagnostics GrowingFile::finish() {
+  complete();
+  if (isOpen()) {
+    note(putInPlace());
+  }
+  removeRest();
+  return problems_;
+}
+
+std::error_code GrowingFile::putInPlace() {
+  if (!close() || ::rename(new_.c_str(), target_.c_str()) != 0) {
     return lastError();
   }
-  name_.clear();
+  new_.clear();
   return {};
 }
 
-std::error_code NewFile::keepOld() {
+std::error_code GrowingFile::keepOld() {
   std::error_code error;
   if (!fs::exists(target_, error)) {
     return error;
   }
-  const std::string name = name_ + "-old";
+  const std::string name = new_ + "-old";
   fs::create_hard_link(target_, name, error);
   if (error) {  // not every file system has them
     fs::copy_file(target_, name, error);
@@ -171,9 +158,9 @@ std::error_code NewFile::keepOld() {
   return error;
 }
 
-std::error_code NewFile::takeBack() {
+std::error_code GrowingFile::takeBack() {
   if (old_.empty()) {
-    return ::unlink(target_.c_str()) == 0 ? std::error_code() : lastError();
+    return errorUnless(::unlink(target_.c_str()) == 0);
   }
   if (::rename(old_.c_str(), target_.c_str()) != 0) {
     return lastError();
@@ -182,102 +169,34 @@ std::error_code NewFile::takeBack() {
   return {};
 }
 
-/// A file that is replaced keeps its permissions.
-std::error_code NewFile::keepMode() const {
-  struct stat old = {};
-  if (::stat(target_.c_str(), &old) == 0 && ::fchmod(descriptor_, old.st_mode & 07777U) != 0) {
-    return lastError();
-  }
-  return {};
-}
-
-bool NewFile::close() {
-  const int descriptor = descriptor_;
-  descriptor_ = -1;
+bool GrowingFile::close() {
+  const int descriptor = std::exchange(descriptor_, -1);
   return descriptor < 0 || ::close(descriptor) == 0;
 }
 
-GrowingFile::GrowingFile(std::string path)
-    : path_(std::move(path)), part_(NewFile::open(path_, problems_)) {}
-
-GrowingFile::~GrowingFile() = default;
-
-void GrowingFile::note(const std::error_code& error) {
-  if (error && problems_.empty()) {
-    problems_.push_back(fileError("file.cannot-write", path_, error));
+void GrowingFile::removeRest() {
+  close();
+  for (std::string* name : {&new_, &old_}) {
+    if (!name->empty()) {
+      ::unlink(name->c_str());
+      name->clear();
+    }
   }
 }
-
-void GrowingFile::flush() {
-  if (problems_.empty() && part_) {
-    note(part_->write(waiting_));
-  }
-  waiting_.clear();
-}
-
-void GrowingFile::append(std::string_view content) {
-  waiting_ += content;
-  if (waiting_.size() >= kPiece) {
-    flush();
-  }
-}
-
-const Diagnostics& GrowingFile::complete() {
-  flush();
-  if (problems_.empty() && part_) {
-    note(part_->toDisk());
-  }
-  return problems_;
-}
-
-Diagnostics GrowingFile::finish() {
-  complete();
-  if (problems_.empty() && part_) {
-    note(part_->putInPlace());
-  }
-  part_.reset();
-  return problems_;
-}
-
-namespace {
-
-/// The content on the disk under a name of its own.
-Diagnostics prepare(const FileContent& file, std::vector<std::unique_ptr<NewFile>>& made) {
-  Diagnostics problems;
-  std::unique_ptr<NewFile> part = NewFile::open(file.path, problems);
-  if (!part) {
-    return problems;
-  }
-  std::error_code error = part->write(file.content);
-  if (!error) {
-    error = part->toDisk();
-  }
-  made.push_back(std::move(part));
-  return error ? Diagnostics{fileError("file.cannot-write", file.path, error)} : Diagnostics();
-}
-
-}  // namespace
 
 Result<std::string> readTextFile(const std::string& path) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) {
-    return fileError("file.cannot-read", path,
-                     error ? error : std::make_error_code(std::errc::no_such_file_or_directory));
-  }
-  if (fs::is_directory(status)) {
-    return fileError("file.cannot-read", path, std::make_error_code(std::errc::is_a_directory));
-  }
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) {
-    return fileError("file.cannot-read", path, lastError());
+  std::error_code why = errorUnless(stream.is_open());
+  if (std::error_code ignored; fs::is_directory(path, ignored)) {
+    why = std::make_error_code(std::errc::is_a_directory);
   }
-  std::string content{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (stream.bad()) {
-    return fileError("file.cannot-read", path, lastError());
+  std::string content;
+  if (!why) {
+    content.assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+    why = errorUnless(!stream.bad());
   }
-  return content;
+  return why ? Result<std::string>(fileError("file.cannot-read", path, why)) : content;
 }
 
 Diagnostics writeFileAtomically(const std::string& path, std::string_view content) {
@@ -286,12 +205,14 @@ Diagnostics writeFileAtomically(const std::string& path, std::string_view conten
 
 Diagnostics writeFilesTogether(const std::vector<FileContent>& files) {
   Diagnostics problems;
-  std::vector<std::unique_ptr<NewFile>> made;
+  std::vector<std::unique_ptr<GrowingFile>> made;
   std::set<std::string> told;  // a folder that cannot be made, once
   for (const FileContent& file : files) {
-    for (Diagnostic& problem : prepare(file, made)) {
+    made.push_back(std::make_unique<GrowingFile>(file.path));
+    made.back()->append(file.content);
+    for (const Diagnostic& problem : made.back()->complete()) {
       if (told.insert(problem.text()).second) {
-        problems.push_back(std::move(problem));
+        problems.push_back(problem);
       }
     }
   }
@@ -317,6 +238,41 @@ Diagnostics writeFilesTogether(const std::vector<FileContent>& files) {
     }
   }
   return problems;
+}
+
+std::optional<ScratchFile::Piece> ScratchFile::append(std::string_view bytes) {
+  if (!file_) {
+    file_.reset(std::tmpfile());
+  }
+  const Piece piece{end_, bytes.size()};
+  while (file_ && !bytes.empty()) {
+    const ssize_t count = pwrite(fileno(file_.get()), bytes.data(), bytes.size(), end_);
+    if (count <= 0) {
+      end_ = piece.place;
+      return std::nullopt;
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+    end_ += count;
+  }
+  return file_ ? std::make_optional(piece) : std::nullopt;
+}
+
+bool ScratchFile::read(const Piece& piece, char* to) const {
+  std::size_t done = 0;
+  while (file_ && done < piece.size) {
+    const auto place = piece.place + static_cast<long long>(done);
+    const ssize_t count = pread(fileno(file_.get()), to + done, piece.size - done, place);
+    if (count <= 0) {
+      return false;
+    }
+    done += static_cast<std::size_t>(count);
+  }
+  return done == piece.size;
+}
+
+std::optional<std::string> ScratchFile::read(const Piece& piece) const {
+  std::string bytes(piece.size, '\0');
+  return read(piece, bytes.data()) ? std::make_optional(std::move(bytes)) : std::nullopt;
 }
 
 }  // namespace base

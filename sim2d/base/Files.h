@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -8,7 +11,8 @@
 
 #include "sim2d/base/Result.h"
 
-/// Files that are written whole or not at all; a single text: writeFileAtomically of Text.h.
+/// Files that are written whole or not at all, and files for a while. A single text:
+/// writeFileAtomically of Text.h.
 namespace base {
 
 struct FileContent {
@@ -20,8 +24,6 @@ struct FileContent {
 /// before the first one is put there; when one cannot be, those before it are put back as they
 /// were. Empty = written.
 Diagnostics writeFilesTogether(const std::vector<FileContent>& files);
-
-class NewFile;
 
 /// A file written piece by piece beside its place and put there at the end, so a reader sees the
 /// old or the new content, never half. Folders are made, the permissions of a replaced file and
@@ -44,13 +46,47 @@ class GrowingFile {
   Diagnostics finish();
 
  private:
-  void note(const std::error_code& error);
-  void flush();
+  friend Diagnostics writeFilesTogether(const std::vector<FileContent>& files);
 
-  std::string path_;
-  std::string waiting_;  // not written yet
+  bool isOpen() const { return problems_.empty() && descriptor_ >= 0; }
+  void note(const std::error_code& error);
+  std::error_code open();
+  void flush();
+  std::error_code write() const;
+  std::error_code putInPlace();
+  std::error_code keepOld();   // what stands there gets a second name until this object ends
+  std::error_code takeBack();  // after putInPlace: as it was before
+  bool close();
+  void removeRest();
+
+  std::string path_, target_;  // as named; what a symbolic link points at
+  std::string waiting_;        // not written yet
+  std::string new_, old_;      // names of the file beside its place, and of the one it replaces
+  int descriptor_ = -1;
   Diagnostics problems_;
-  std::unique_ptr<NewFile> part_;
+};
+
+/// Bytes put aside on the disk, in a temporary file without a name that is gone with this. One
+/// thread appends; what append() has returned may be read by others meanwhile.
+class ScratchFile {
+ public:
+  struct Piece {
+    long long place = 0;
+    std::size_t size = 0;  // [B]
+  };
+  /// None when the disk takes no more.
+  std::optional<Piece> append(std::string_view bytes);
+  /// None when it cannot be read back.
+  std::optional<std::string> read(const Piece& piece) const;
+  /// The same into `to`, which has room for it.
+  bool read(const Piece& piece, char* to) const;
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  std::unique_ptr<std::FILE, Close> file_;  // made when it is first needed
+  long long end_ = 0;
 };
 
 }  // namespace base

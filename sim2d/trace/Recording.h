@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim2d/base/ScratchFile.h"
+#include "sim2d/base/Files.h"
 #include "sim2d/trace/SharedLog.h"
 #include "sim2d/trace/Trace.h"
 
