@@ -76,10 +76,11 @@ class Lexer {
       readHexadecimal();
       return;
     }
+    const bool hasRanges = std::count(rules_.signs.begin(), rules_.signs.end(), "..") > 0;
     std::size_t end = position_;
     for (; end < source_.size(); ++end) {
       const char c = at(end);
-      const bool isRange = c == '.' && at(end + 1) == '.' && isSign("..");
+      const bool isRange = c == '.' && at(end + 1) == '.' && hasRanges;
       const bool isExponent = end > position_ && isOneOf(c, "eE");
       const bool isItsSign = end > position_ && isOneOf(c, "+-") && isOneOf(at(end - 1), "eE");
       if (isRange || !(isDigit(c) || c == '.' || isExponent || isItsSign)) {
@@ -89,10 +90,6 @@ class Lexer {
     const std::optional<double> value = parseDouble(source_.substr(position_, end - position_));
     const bool isRead = value && (rules_.mayNameTouchNumber || !startsName(at(end)));
     push(isRead ? Kind::Number : Kind::Unreadable, end - position_, value.value_or(0.0));
-  }
-
-  bool isSign(std::string_view sign) const {
-    return std::find(rules_.signs.begin(), rules_.signs.end(), sign) != rules_.signs.end();
   }
 
   void readHexadecimal() {

@@ -60,18 +60,23 @@ constexpr auto kExp = inverseFactorials<12>(2, 1, 1.0);  // e^r = 1 + r + r^2 (�
 constexpr auto kSin = inverseFactorials<8>(3, 2, -1.0);  // sin r = r - r^3 (…)
 constexpr auto kCos = inverseFactorials<7>(4, 2, -1.0);  // cos r = 1 - r^2/2 + r^4 (…)
 
-/// An angle as quarter turns and a rest of at most an eighth turn, given as high + low.
+/// A number as the sum of two.
+struct TwoParts {
+  double high;
+  double low;
+};
+
+/// An angle as quarter turns and a rest of at most an eighth turn.
 struct ReducedAngle {
-  int quadrant = 0;
-  double high = 0.0;
-  double low = 0.0;
+  int quadrant;
+  TwoParts rest;
 };
 
 /// a + b without loss (Knuth's TwoSum).
-void addExactly(double a, double b, double& sum, double& error) {
-  sum = a + b;
+TwoParts addedExactly(double a, double b) {
+  const double sum = a + b;
   const double part = sum - a;
-  error = (a - (sum - part)) + (b - part);
+  return {sum, (a - (sum - part)) + (b - part)};
 }
 
 ReducedAngle reduceAngle(double x) {
@@ -79,25 +84,17 @@ ReducedAngle reduceAngle(double x) {
     x = std::fmod(x, 2.0 * kPi);
   }
   const double turns = std::nearbyint(x / kHalfPi);
-  double sumB = 0.0;
-  double errorB = 0.0;
-  double sumC = 0.0;
-  double errorC = 0.0;
-  addExactly(x - turns * kHalfPiA, -turns * kHalfPiB, sumB, errorB);
-  addExactly(sumB, -turns * kHalfPiC, sumC, errorC);
-  const double rest = errorB + errorC - turns * kHalfPiD;
-  ReducedAngle angle;
-  angle.quadrant = static_cast<int>(turns) & 3;
-  addExactly(sumC, rest, angle.high, angle.low);
-  return angle;
+  const TwoParts b = addedExactly(x - turns * kHalfPiA, -turns * kHalfPiB);
+  const TwoParts c = addedExactly(b.high, -turns * kHalfPiC);
+  return {static_cast<int>(turns) & 3, addedExactly(c.high, b.low + c.low - turns * kHalfPiD)};
 }
 
-double sinOfReduced(const ReducedAngle& a) {
+double sinOfReduced(const TwoParts& a) {
   const double z = a.high * a.high;
   return a.high + (a.low * (1.0 - 0.5 * z) - a.high * z * polynomial(kSin, z));
 }
 
-double cosOfReduced(const ReducedAngle& a) {
+double cosOfReduced(const TwoParts& a) {
   const double z = a.high * a.high;
   const double half = 0.5 * z;
   const double head = 1.0 - half;
@@ -110,24 +107,13 @@ double sinShifted(double x, int quarters) {
   if (!std::isfinite(x)) {
     return kNaN;
   }
-  const ReducedAngle a = reduceAngle(x);
-  switch ((a.quadrant + quarters) & 3) {
-    case 0:
-      return sinOfReduced(a);
-    case 1:
-      return cosOfReduced(a);
-    case 2:
-      return -sinOfReduced(a);
-    default:
-      return -cosOfReduced(a);
-  }
+  const auto [quadrant, rest] = reduceAngle(x);
+  const int quarter = (quadrant + quarters) & 3;
+  const double value = quarter % 2 == 0 ? sinOfReduced(rest) : cosOfReduced(rest);
+  return quarter < 2 ? value : -value;
 }
 
-/// atan(i / 8) in two parts.
-struct TwoParts {
-  double high;
-  double low;
-};
+/// atan(i / 8)
 constexpr std::array<TwoParts, 9> kAtanOfEighths = {{
     {0.0, 0.0},
     {0x1.fd5ba9aac2f6ep-4, -0x1.cd37686760c17p-59},

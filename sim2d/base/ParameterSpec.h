@@ -47,7 +47,6 @@ struct ParameterSpec {
   std::vector<std::string> choices;  // words of a choice, index = enumerator
   std::string help;                  // one sentence for people
   std::string source;  // paper and equation, or where the figure is from; may be empty
-  int since = 1;       // format of the block that first knew it
   FormHints form;
 };
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -10,8 +9,6 @@
 /// (base::error("scenario.goal-twice", {goal})); what is written here is what the user reads.
 namespace base {
 
-struct Range;
-
 struct ProblemText {
   std::string_view id;    // "area.what"; other programs go by it, so it stays
   std::string_view text;  // one sentence with holes: {name}, {nearest} = " (did you mean '…'?)",
@@ -20,12 +17,5 @@ struct ProblemText {
 
 const std::vector<ProblemText>& problemTexts();
 const ProblemText* problemText(std::string_view id);  // nullptr = no such problem
-
-/// The problem with the thing that has it in front: "anna: …", as its value "where".
-Diagnostic within(const std::string& where, Diagnostic problem);
-/// The same problem of another thing.
-Diagnostic elsewhere(const std::string& where, Diagnostic problem);
-/// The problem of a number that its range does not contain.
-Diagnostic outOfRange(const std::string& found, const Range& range);
 
 }  // namespace base

@@ -38,15 +38,10 @@ std::optional<Hole> nextHole(std::string_view text, std::size_t from) {
 }
 
 std::string filled(const Hole& hole, const std::string& value) {
-  if (hole.name == "nearest" && hole.pattern == "%") {
-    return didYouMean(value.empty() ? std::nullopt : std::optional(value));
-  }
-  const std::size_t place = value.empty() ? hole.pattern.npos : hole.pattern.find('%');
-  if (place == hole.pattern.npos) {
-    return {};
-  }
-  return std::string(hole.pattern.substr(0, place)) + value +
-         std::string(hole.pattern.substr(place + 1));
+  const bool isHint = hole.name == "nearest" && hole.pattern == "%";
+  std::string text(isHint ? " (did you mean '%'?)" : hole.pattern);
+  const std::size_t place = text.find('%');
+  return value.empty() || place == text.npos ? std::string() : text.replace(place, 1, value);
 }
 
 }  // namespace

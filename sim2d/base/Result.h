@@ -33,6 +33,7 @@ struct Diagnostic {
   std::string text() const;
 };
 using Diagnostics = std::vector<Diagnostic>;
+struct Range;
 
 /// Fills one hole of a problem's text: words, or a number as files write it.
 struct ProblemValue {
@@ -56,6 +57,13 @@ Diagnostic warning(std::string_view code, ProblemValues values = {}, std::string
                    int line = 0, int column = 0);
 Diagnostic problem(Severity severity, std::string_view code, ProblemValues values = {},
                    std::string file = {}, int line = 0, int column = 0);
+
+/// The problem with the thing that has it in front: "anna: …", as its value "where".
+Diagnostic within(const std::string& where, Diagnostic problem);
+/// The same problem of another thing.
+Diagnostic elsewhere(const std::string& where, Diagnostic problem);
+/// The problem of a number that its range does not contain.
+Diagnostic outOfRange(const std::string& found, const Range& range);
 
 const char* severityName(Severity severity);  // "info", "warning", "error"
 bool hasErrors(const Diagnostics& diagnostics);

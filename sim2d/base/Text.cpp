@@ -16,31 +16,28 @@ char loweredChar(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// std::from_chars knows no '+'.
-std::string_view withoutPlus(std::string_view token) {
+/// The whole token, as std::from_chars reads it, and a '+' before it.
+template <class Number>
+std::optional<Number> parseWhole(std::string_view token) {
   const bool plus = token.size() > 1 && token[0] == '+' && token[1] != '-';
-  return plus ? token.substr(1) : token;
+  const std::string_view number = token.substr(plus ? 1 : 0);
+  const char* const end = number.data() + number.size();
+  Number value = 0;
+  const std::from_chars_result result = std::from_chars(number.data(), end, value);
+  return result.ec == std::errc() && result.ptr == end ? std::make_optional(value) : std::nullopt;
 }
 
 std::optional<double> parseNotFinite(std::string_view token) {
   if (token == "nan" || token == ".nan" || token == ".NaN" || token == ".NAN") {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  const bool negative = !token.empty() && token[0] == '-';
-  const bool sign = negative || (!token.empty() && token[0] == '+');
-  const std::string_view size = token.substr(sign ? 1 : 0);
+  const bool isNegative = token.substr(0, 1) == "-";
+  const std::string_view size = token.substr(isNegative || token.substr(0, 1) == "+" ? 1 : 0);
   if (size == "inf" || size == ".inf" || size == ".Inf" || size == ".INF") {
     const double infinity = std::numeric_limits<double>::infinity();
-    return negative ? -infinity : infinity;
+    return isNegative ? -infinity : infinity;
   }
   return std::nullopt;
-}
-
-std::string notFiniteText(double value) {
-  if (std::isnan(value)) {
-    return "nan";
-  }
-  return value > 0.0 ? "inf" : "-inf";
 }
 
 /// Insertions, deletions, replacements and swaps of neighbours (optimal string alignment).
@@ -67,30 +64,17 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::optional<double> parseDouble(std::string_view token) {
-  const std::string_view number = withoutPlus(token);
-  const char* const end = number.data() + number.size();
-  double value = 0.0;
-  const std::from_chars_result result = std::from_chars(number.data(), end, value);
-  if (result.ec == std::errc() && result.ptr == end && std::isfinite(value)) {
-    return value;
-  }
-  return parseNotFinite(token);
+  const auto value = parseWhole<double>(token);
+  return value && std::isfinite(*value) ? value : parseNotFinite(token);
 }
 
 std::optional<long long> parseInt(std::string_view token) {
-  const std::string_view number = withoutPlus(token);
-  const char* const end = number.data() + number.size();
-  long long value = 0;
-  const std::from_chars_result result = std::from_chars(number.data(), end, value);
-  if (result.ec != std::errc() || result.ptr != end) {
-    return std::nullopt;
-  }
-  return value;
+  return parseWhole<long long>(token);
 }
 
 std::string formatDouble(double value) {
-  if (!std::isfinite(value)) {
-    return notFiniteText(value);
+  if (std::isnan(value)) {
+    return "nan";  // of either sign
   }
   std::array<char, 32> buffer{};
   char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
@@ -99,7 +83,7 @@ std::string formatDouble(double value) {
 
 std::string formatDecimals(double value, int decimals) {
   if (!std::isfinite(value)) {
-    return notFiniteText(value);
+    return formatDouble(value);
   }
   std::array<char, kLongestFixed> buffer{};
   char* const end =
@@ -129,10 +113,6 @@ std::optional<std::string> nearestName(std::string_view word,
     }
   }
   return nearest;
-}
-
-std::string didYouMean(const std::optional<std::string>& nearest) {
-  return nearest ? " (did you mean '" + *nearest + "'?)" : std::string();
 }
 
 std::string trimmed(std::string_view text) {

@@ -25,8 +25,6 @@ std::string formatDecimals(double value, int decimals);
 /// meant: at most one edit in three letters.
 std::optional<std::string> nearestName(std::string_view word,
                                        const std::vector<std::string>& candidates);
-/// " (did you mean 'max_vel'?)", or nothing without such a name.
-std::string didYouMean(const std::optional<std::string>& nearest);
 
 Result<std::string> readTextFile(
     const std::string& path);  // a directory or missing file is an error
