@@ -43,11 +43,10 @@ class Planner {
     }
     isNative_ = target.target == sim2d::ExportTarget::Native;
     sim2d::ExportOptions options;
-    options.target = target.target;
     options.dialect = request_.dialect;
     options.baseName = base_;
     options.mapName = mapName();
-    exported_ = sim2d::exportScenario(source_.scenario, options);
+    exported_ = sim2d::exportScenario(source_.scenario, target, options);
     plan_.startCommand = exported_.startCommand;
     base::append(plan_.report, exported_.report);
     addFile("scenarios/" + base_ + ".yaml", exported_.text);

@@ -33,17 +33,6 @@ auto& listOf(S& scenario) {
   }
 }
 
-/// Calls `visitor` with each list and the kind of what it holds.
-template <class S, class Visitor>
-void forEachList(S& scenario, Visitor&& visitor) {
-  visitor(EntityKind::Human, scenario.humans);
-  visitor(EntityKind::Goal, scenario.goals);
-  visitor(EntityKind::Robot, scenario.robots);
-  visitor(EntityKind::Obstacle, scenario.obstacles);
-  visitor(EntityKind::Door, scenario.doors);
-  visitor(EntityKind::Area, scenario.areas);
-}
-
 /// Calls `visitor` with the list of that kind; `otherwise` is returned for kinds without a list.
 template <class S, class Visitor, class R>
 R withList(S& scenario, EntityKind kind, Visitor&& visitor, R otherwise) {

@@ -112,7 +112,7 @@ void assign(Entity& entity, const sim2d::Field<T>& field, const base::ParameterV
 template <class T>
 EntityField entityField(const sim2d::Field<T>& field, const ScenarioDocument& document,
                         std::function<long long()> seed) {
-  using Resolved = typename sim2d::Resolving<T>::Type;
+  using Resolved = sim2d::Resolved<T>;
   EntityField result;
   result.spec = field.spec;
   result.isWide = field.isWide;

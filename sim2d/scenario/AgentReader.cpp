@@ -2,7 +2,6 @@
 #include <array>
 #include <map>
 
-#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioTree.h"
 
@@ -15,17 +14,12 @@ void setDefaultFactors(Behavior& behavior) {
   behavior.socialForceFactor = 5.0;
 }
 
-bool reacts(const Behavior& behavior) {
-  return behavior.type && *behavior.type != BehaviorType::Regular &&
-         *behavior.type != BehaviorType::Impassive;
-}
-
 /// What the loader of 2024 put in the place of the file's numbers with configuration 0; `dist` in
 /// the meaning of that time.
 void applyOldDefaults(Human& human) {
   Behavior& behavior = human.behavior;
   setDefaultFactors(behavior);
-  if (!reacts(behavior)) {
+  if (!behavior.type || !reactsToRobot(*behavior.type)) {
     return;
   }
   static const std::map<BehaviorType, double> kDistances = {{BehaviorType::Surprised, 4.0},
@@ -127,8 +121,7 @@ std::optional<int> behaviorNumber(const std::string& text) {
 }
 
 void readBehaviorMap(YamlMap view, Human& human, LoaderReading& reading) {
-  readFields(view, human.behavior, reading.tables);
-  human.behavior.unknown = view.takeUnknown();
+  readThing(view, human.behavior, reading.tables);
   const YamlNode* type = view.node().find("type");
   if (type != nullptr && behaviorNumber(type->text)) {
     reading.numberedType = true;
@@ -146,7 +139,7 @@ void readBehavior(YamlMap& agent, Human& human, LoaderReading& reading) {
     return;
   }
   setBehaviorType(human.behavior, node->text);
-  warnForeign(human.behavior, *node, agent.pathOf("behavior"), human.key, reading.report);
+  warnForeign(human.behavior, *node, "behavior", agent);
   if (base::parseInt(node->text)) {
     reading.scalarBehavior = true;
     convertFromA(human, *node, reading.report);
@@ -160,8 +153,7 @@ void readPose(YamlMap& agent, Human& human) {
     return;
   }
   YamlMap view(node, agent.pathOf("init_pose"), human.key, agent.report());
-  human.initPose.position.x() = view.number("x").value_or(0.0);
-  human.initPose.position.y() = view.number("y").value_or(0.0);
+  human.initPose.position = {view.number("x").value_or(0.0), view.number("y").value_or(0.0)};
   human.initZ = view.number("z");
   human.initPose.heading = view.number("h").value_or(0.0);
   human.initPoseUnknown = view.takeUnknown();
@@ -210,16 +202,12 @@ std::optional<int> goalOf(const YamlNode& item, YamlMap& agent, std::map<std::st
     return id;
   }
   if (isWord && base::parseDouble(item.text)) {
-    const auto integral =
-        readInteger(item, {agent.pathOf("goals"), agent.entity()}, reading.report);
+    const auto integral = agent.integerOf(item, "goals");
     if (!integral || (*integral > 0 && *integral <= kLargestInt)) {
       return integral ? std::optional<int>(static_cast<int>(*integral)) : std::nullopt;
     }
   }
-  reading.report.add(
-      item,
-      base::within(agent.pathOf("goals"), base::error("scenario.goal-not-defined", {item.text})),
-      agent.entity());
+  agent.add(item, "goals", base::error("scenario.goal-not-defined", {item.text}));
   return std::nullopt;
 }
 
@@ -295,12 +283,10 @@ Human readHuman(const YamlNode& block, bool listed, LoaderReading& reading) {
   return human;
 }
 
-void warnForeign(const Behavior& behavior, const YamlNode& at, const std::string& path,
-                 EntityId entity, ReadReport& report) {
+void warnForeign(const Behavior& behavior, const YamlNode& at, const std::string& key,
+                 YamlMap& view) {
   if (!behavior.foreignType.empty()) {
-    report.add(
-        at, base::within(path, base::warning("scenario.foreign-behavior", {behavior.foreignType})),
-        entity);
+    view.add(at, key, base::warning("scenario.foreign-behavior", {behavior.foreignType}));
   }
 }
 

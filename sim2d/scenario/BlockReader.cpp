@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <type_traits>
 
 #include "sim2d/base/Text.h"
@@ -14,17 +15,13 @@ bool isWordOf(const YamlNode* kind, const FieldTables& tables) {
 }
 
 template <class T>
-T readEntity(YamlMap& view, const FieldTables& tables) {
-  T entity;
+void readEntity(YamlMap& view, T& to, const FieldTables& tables) {
   if constexpr (std::is_same_v<T, Obstacle>) {
-    const std::vector<std::string>& kinds = fieldOf<T>("kind", tables)->spec.choices;
-    if (!view.requiredChoice("kind", kinds)) {
-      return entity;  // told; its keys say nothing then
+    if (!view.demand("kind") || !view.choice("kind", fieldOf<T>("kind", tables)->spec.choices)) {
+      return;  // told; its keys say nothing then
     }
   }
-  readFields(view, entity, tables);
-  entity.unknown = view.takeUnknown();
-  return entity;
+  readThing(view, to, tables);
 }
 
 /// Reads the whole block. Entities are maps beside the keys, so those come first.
@@ -37,36 +34,28 @@ class BlockReader {
 
   void read() {
     readFormat();
-    readSettings();
-    const std::vector<std::string> robots = view_.names("robots");
-    const std::vector<std::string> obstacles = view_.names("obstacles");
-    const std::vector<std::string> doors = view_.names("doors");
-    const std::vector<std::string> areas = view_.names("areas");
+    readFields(view_, scenario_.desktop, reading_.tables);
+    readThing(view_.map("metrics"), scenario_.desktop.metrics, reading_.tables);
+    std::map<base::EntityKind, std::vector<std::string>> names;
+    forEachBlockList(scenario_, [&](const char* key, base::EntityKind kind, const auto& /*list*/) {
+      names[kind] = view_.names(key);
+    });
     readPeople();
-    listed("robots", robots, base::EntityKind::Robot);
-    listed("obstacles", obstacles, base::EntityKind::Obstacle);
-    listed("doors", doors, base::EntityKind::Door);
-    listed("areas", areas, base::EntityKind::Area);
+    forEachBlockList(scenario_, [&](const char* key, base::EntityKind kind, const auto& /*list*/) {
+      readListed(key, names[kind], kind);
+    });
     readUnlisted();
     scenario_.desktop.unknown = view_.takeUnknown();
   }
 
  private:
   void readFormat() {
-    const auto format = view_.bigInteger("format", 1);
+    const auto format = view_.integer("format", 1);
     if (view_.node().find("format") == nullptr) {
       view_.error("format", "scenario.format-missing", {kBlockNode});
     } else if (format && *format > kBlockFormat) {
       view_.error("format", "scenario.format-newer", {*format, kBlockFormat});
     }
-  }
-
-  void readSettings() {
-    DesktopSettings& to = scenario_.desktop;
-    readFields(view_, to, reading_.tables);
-    YamlMap metrics = view_.map("metrics");
-    readFields(metrics, to.metrics, reading_.tables);
-    to.metrics.unknown = metrics.takeUnknown();
   }
 
   void readPeople() {
@@ -76,9 +65,7 @@ class BlockReader {
         view_.error(human.name, "scenario.person-is-key");
       } else if (node != nullptr) {
         view_.know(human.name);
-        YamlMap person(node, human.name, human.key, reading_.report);
-        readFields(person, human.ours, reading_.tables);
-        human.ours.unknown = person.takeUnknown();
+        readThing({node, human.name, human.key, reading_.report}, human.ours, reading_.tables);
       } else {
         registerPersonKeys(human.name);
       }
@@ -92,8 +79,8 @@ class BlockReader {
     }
   }
 
-  void listed(const std::string& list, const std::vector<std::string>& names,
-              base::EntityKind kind) {
+  void readListed(const std::string& list, const std::vector<std::string>& names,
+                  base::EntityKind kind) {
     for (const std::string& name : names) {
       const YamlNode* node = view_.node().find(name);
       if (view_.isKnown(name) || scenario_.human(name) != nullptr || name == "map") {
@@ -138,23 +125,15 @@ class BlockReader {
     view_.know(node.key);
     const EntityId entity = reading_.newEntity(kind, node);
     YamlMap view(&node, node.key, entity, reading_.report);
-    const auto keep = [&](auto& to) {
-      using Entity = typename std::decay_t<decltype(to)>::value_type;
-      to.push_back(readEntity<Entity>(view, reading_.tables));
-      to.back().key = entity;
-      to.back().name = node.key;
-      to.back().listed = isListed;
-    };
-    switch (kind) {
-      case base::EntityKind::Robot:
-        return keep(scenario_.robots);
-      case base::EntityKind::Obstacle:
-        return keep(scenario_.obstacles);
-      case base::EntityKind::Door:
-        return keep(scenario_.doors);
-      default:
-        return keep(scenario_.areas);
-    }
+    forEachBlockList(scenario_, [&](const char* /*key*/, base::EntityKind each, auto& to) {
+      if (each == kind) {
+        Named& named = to.emplace_back();
+        named.key = entity;
+        named.name = node.key;
+        named.listed = isListed;
+        readEntity(view, to.back(), reading_.tables);
+      }
+    });
   }
 
   LoaderReading& reading_;

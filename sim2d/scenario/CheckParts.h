@@ -9,37 +9,28 @@
 /// The parts of checkScenario. Private to this folder.
 namespace sim2d {
 
+/// What a problem is about, and what stands before its text: "anna", "anna: footprint", or nothing.
+struct Subject {
+  Subject(EntityId id, std::string place = {}) : entity(id), where(std::move(place)) {}  // NOLINT
+  Subject(const Named& thing) : Subject(thing.key, thing.name) {}                        // NOLINT
+
+  EntityId entity;
+  std::string where;
+};
+
 struct CheckReport {
   std::string file;
   base::Diagnostics diagnostics;
 
-  /// About a thing, or about a part of it when `where` names one ("anna: footprint").
-  void add(base::Severity severity, EntityId entity, const std::string& where,
-           std::string_view code, base::ProblemValues values = {});
-  void error(EntityId entity, std::string_view code, base::ProblemValues values = {}) {
-    add(base::Severity::Error, entity, {}, code, std::move(values));
+  void add(base::Severity severity, const Subject& subject, std::string_view code,
+           base::ProblemValues values = {});
+  void error(const Subject& subject, std::string_view code, base::ProblemValues values = {}) {
+    add(base::Severity::Error, subject, code, std::move(values));
   }
-  void warning(EntityId entity, std::string_view code, base::ProblemValues values = {}) {
-    add(base::Severity::Warning, entity, {}, code, std::move(values));
-  }
-  template <class Named>
-  void error(const Named& thing, std::string_view code, base::ProblemValues values = {}) {
-    add(base::Severity::Error, thing.key, thing.name, code, std::move(values));
-  }
-  template <class Named>
-  void warning(const Named& thing, std::string_view code, base::ProblemValues values = {}) {
-    add(base::Severity::Warning, thing.key, thing.name, code, std::move(values));
+  void warning(const Subject& subject, std::string_view code, base::ProblemValues values = {}) {
+    add(base::Severity::Warning, subject, code, std::move(values));
   }
 };
-
-template <class T, class Visit>
-void forEachListed(const std::vector<T>& all, Visit visit) {
-  for (const T& each : all) {
-    if (each.listed) {
-      visit(each);
-    }
-  }
-}
 
 void checkShapes(const Scenario& scenario, CheckReport& report);
 /// False when a coordinate is not finite or beyond a million metres: no planning with those.

@@ -77,33 +77,24 @@ void drawFactors(ResolvedHuman& to, const Sampler& sampler) {
 
 /// The distributions of HuNavSim's editor.
 void drawReaction(ResolvedHuman& to, const Sampler& sampler) {
-  const Distribution usualDuration{40.0, 15.0, 10.0, 25.0, 60.0};
-  const Distribution usualDistance{4.0, 2.0, 1.5, 2.0, 6.0};
-  switch (to.behavior) {
-    case BehaviorType::Surprised:
-      to.reactionDuration = sampler.draw(Parameter::Duration, {30.0, 15.0, 10.0, 25.0, 60.0});
-      to.noticeDistance = sampler.draw(Parameter::Distance, usualDistance);
-      break;
-    case BehaviorType::Scared:
-      to.reactionDuration = sampler.draw(Parameter::Duration, usualDuration);
-      to.noticeDistance = sampler.draw(Parameter::Distance, usualDistance);
-      to.reactionSpeed = sampler.draw(Parameter::Speed, {0.6, 0.2, 0.4, 0.4, 1.0});
-      to.safeDistance = sampler.draw(Parameter::SafeDistance, {5.0, 1.5, 2.0, 3.0, 8.0});
-      break;
-    case BehaviorType::Curious:
-      to.reactionDuration = sampler.draw(Parameter::Duration, usualDuration);
-      to.noticeDistance = sampler.draw(Parameter::Distance, {10.0, 3.0, 1.5, 5.0, 15.0});
-      to.reactionSpeed = sampler.draw(Parameter::Speed, {1.0, 0.3, 0.4, 0.6, 1.2});
-      to.stopDistance = sampler.draw(Parameter::StopDistance, {1.5, 0.3, 0.5, 1.0, 2.5});
-      break;
-    case BehaviorType::Threatening:
-      to.reactionDuration = sampler.draw(Parameter::Duration, usualDuration);
-      to.noticeDistance = sampler.draw(Parameter::Distance, usualDistance);
-      to.frontDistance = sampler.draw(Parameter::FrontDistance, {1.4, 0.3, 0.5, 0.5, 2.0});
-      break;
-    case BehaviorType::Regular:
-    case BehaviorType::Impassive:
-      break;
+  if (!reactsToRobot(to.behavior)) {
+    return;
+  }
+  const bool isSurprised = to.behavior == BehaviorType::Surprised;
+  const bool isCurious = to.behavior == BehaviorType::Curious;
+  const double usualDuration = isSurprised ? 30.0 : 40.0;
+  to.reactionDuration = sampler.draw(Parameter::Duration, {usualDuration, 15.0, 10.0, 25.0, 60.0});
+  to.noticeDistance =
+      sampler.draw(Parameter::Distance, isCurious ? Distribution{10.0, 3.0, 1.5, 5.0, 15.0}
+                                                  : Distribution{4.0, 2.0, 1.5, 2.0, 6.0});
+  if (to.behavior == BehaviorType::Scared) {
+    to.reactionSpeed = sampler.draw(Parameter::Speed, {0.6, 0.2, 0.4, 0.4, 1.0});
+    to.safeDistance = sampler.draw(Parameter::SafeDistance, {5.0, 1.5, 2.0, 3.0, 8.0});
+  } else if (isCurious) {
+    to.reactionSpeed = sampler.draw(Parameter::Speed, {1.0, 0.3, 0.4, 0.6, 1.2});
+    to.stopDistance = sampler.draw(Parameter::StopDistance, {1.5, 0.3, 0.5, 1.0, 2.5});
+  } else if (to.behavior == BehaviorType::Threatening) {
+    to.frontDistance = sampler.draw(Parameter::FrontDistance, {1.4, 0.3, 0.5, 0.5, 2.0});
   }
 }
 

@@ -1,142 +1,49 @@
 #include "sim2d/scenario/Export.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <set>
+#include <string_view>
 
-#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/scenario/Defaults.h"
 #include "sim2d/scenario/ScenarioCheck.h"
-#include "sim2d/scenario/ScenarioFile.h"
+#include "sim2d/scenario/ScenarioTree.h"
 
 namespace sim2d {
 
 namespace {
 
-template <class T>
-void setDefault(std::optional<T>& value, T otherwise) {
-  if (!value) {
-    value = otherwise;
-  }
-}
-
+/// The first of those that are listed, and how many more there are.
 template <class T>
 std::string namesOf(const std::vector<T>& list) {
-  constexpr int kMostNamed = 4;
-  std::string names;
-  int count = 0;
-  for (const T& value : list) {
-    if (value.listed && ++count <= kMostNamed) {
-      names += (names.empty() ? "" : ", ") + value.name;
-    }
-  }
-  return count > kMostNamed ? names + " and " + std::to_string(count - kMostNamed) + " more"
-                            : names;
+  constexpr std::size_t kMostNamed = 4;
+  std::vector<std::string> names;
+  forEachListed(list, [&](const T& each) { names.push_back(each.name); });
+  const std::size_t more = std::max(names.size(), kMostNamed) - kMostNamed;
+  names.resize(names.size() - more);
+  return base::join(names, ", ") + (more > 0 ? " and " + std::to_string(more) + " more" : "");
 }
 
-void lose(base::Diagnostics& report, const std::string& what, const std::string& names) {
-  if (!names.empty()) {
-    report.push_back(base::warning("export.stays-here", {what, names}));
-  }
-}
-
-/// The keys of one person that no other program reads.
+/// The keys of one person that no other program reads, where they say something.
 std::string ownKeysOf(const Human& human) {
-  const PersonExtension& ours = human.ours;
-  std::string keys;
-  const auto add = [&keys](bool isSet, const char* key) {
-    if (isSet) {
-      keys += (keys.empty() ? "" : ", ") + std::string(key);
-    }
-  };
-  add(ours.startTime.value_or(0.0) > 0.0, "start_time");
-  add(ours.kind.value_or(PersonKind::Adult) != PersonKind::Adult, "kind");
-  add(ours.mass.has_value(), "mass");
-  add(ours.model.has_value(), "model");
-  add(ours.route.has_value(), "route");
-  add(ours.atEnd.value_or(AtEnd::Stop) != AtEnd::Stop, "at_end");
-  add(!ours.wait.empty(), "wait");
-  return keys;
-}
-
-base::Diagnostic about(const Human& human, base::Diagnostic said) {
-  said.entity = human.key;
-  return base::within(human.name, std::move(said));
-}
-
-void checkFactor(const Human& human, const char* key, double value, double low, double high,
-                 base::Diagnostics& report) {
-  if (value < low || value > high) {
-    report.push_back(
-        about(human, base::warning("export.factor-out-of-range", {key, value, low, high})));
-  }
-}
-
-void completeBehavior(Human& human, const ResolvedHuman& counts, bool allKeys) {
-  Behavior& behavior = human.behavior;
-  setDefault(behavior.type, BehaviorType::Regular);
-  setDefault(behavior.configuration, Configuration::Default);
-  setDefault(behavior.goalForceFactor, counts.goalFactor);
-  setDefault(behavior.obstacleForceFactor, counts.obstacleFactor);
-  setDefault(behavior.socialForceFactor, counts.socialFactor);
-  setDefault(behavior.otherForceFactor, counts.otherFactor);
-  if (allKeys) {
-    setDefault(behavior.dist, counts.noticeDistance);
-    setDefault(behavior.duration, counts.reactionDuration);
-    setDefault(behavior.once, counts.reactionOnce);
-    setDefault(behavior.vel, counts.reactionSpeed);
-  }
-}
-
-/// What only we can express, one line per kind of thing.
-void addLosses(const Scenario& scenario, base::Diagnostics& report) {
-  lose(report, "the robot", namesOf(scenario.robots));
-  lose(report, "what was drawn as obstacle", namesOf(scenario.obstacles));
-  lose(report, "the door", namesOf(scenario.doors));
-  lose(report, "the area", namesOf(scenario.areas));
-  for (const Human& human : scenario.humans) {
-    const std::string keys = ownKeysOf(human);
-    if (human.listed && !keys.empty()) {
-      report.push_back(about(human, base::warning("export.keys-unknown", {keys})));
+  std::vector<std::string> keys;
+  for (const Field<PersonExtension>& field : fieldsOf<PersonExtension>()) {
+    const ParameterValue value = field.value(human.ours);
+    if (value != ParameterValue() && value != field.spec.fallback) {
+      keys.push_back(field.spec.key);
     }
   }
-  const DesktopSettings& desktop = scenario.desktop;
-  if (!desktop.wrapX.empty()) {
-    report.push_back(base::warning("export.no-ring"));
-  }
-  if (desktop.model && *desktop.model != "sfm" && *desktop.model != "sfm-hunav2") {
-    report.push_back(base::warning("export.own-forces", {*desktop.model}));
-  }
+  return base::join(keys, ", ");
 }
 
-/// Fills the keys that the wrapper asks for with the values that count, and keeps skins in range.
-void complete(const Scenario& scenario, Human& human, const TargetInfo& target,
-              base::Diagnostics& report) {
-  const ResolvedHuman counts = resolveHuman(scenario, human, scenario.desktop.seed.value_or(1));
-  setDefault(human.groupId, -1);
-  setDefault(human.maxVel, counts.desiredSpeed);
-  setDefault(human.radius, counts.radius);
-  setDefault(human.goalRadius, counts.goalRadius);
-  setDefault(human.cyclicGoals, counts.cyclicGoals);
-  setDefault(human.skin, 0);
-  human.hasInitPose = true;
-  human.initZ = target.startHeight;
-  const int largest = largestSkin(target.simulator);
-  if (*human.skin < 0 || *human.skin > largest) {
-    const int skin = std::max(0, *human.skin) % (largest + 1);
-    report.push_back(about(human, base::problem(base::Severity::Info, "export.skin-changed",
-                                                {*human.skin, skin, target.title, largest})));
-    human.skin = skin;
-  }
-  const BehaviorType type = human.behavior.type.value_or(BehaviorType::Regular);
-  const bool reacts = type != BehaviorType::Regular && type != BehaviorType::Impassive;
-  completeBehavior(human, counts, reacts);
-  const bool ownFactors = human.behavior.configuration == Configuration::Custom;
-  if (target.target == ExportTarget::Isaac && ownFactors) {
-    checkFactor(human, "goal_force_factor", *human.behavior.goalForceFactor, 5.0, 10.0, report);
-    checkFactor(human, "obstacle_force_factor", *human.behavior.obstacleForceFactor, 0.5, 5.0,
-                report);
-    checkFactor(human, "social_force_factor", *human.behavior.socialForceFactor, 5.0, 20.0, report);
+/// Fills these keys with the values that count, where they are absent.
+template <class T>
+void fill(T& to, const ResolvedHuman& counts, std::initializer_list<std::string_view> keys) {
+  for (const std::string_view key : keys) {
+    const Field<T>& field = *fieldOf<T>(key);
+    if (field.value(to) == ParameterValue()) {
+      field.assign(to, field.resolved(counts, field.spec));
+    }
   }
 }
 
@@ -166,7 +73,7 @@ std::map<std::string, std::string> safeNames(const Scenario& scenario) {
 /// Everything that makes a scenario acceptable to a wrapper, step by step.
 class Exporter {
  public:
-  Exporter(const Scenario& scenario, const ExportOptions& options, const TargetInfo& target)
+  Exporter(const Scenario& scenario, const TargetInfo& target, const ExportOptions& options)
       : options_(options), target_(target) {
     result_.scenario = scenario;
   }
@@ -175,13 +82,13 @@ class Exporter {
     scenario().yamlBaseName = options_.baseName;
     placeFiles();
     if (target_.target != ExportTarget::Native) {
-      addLosses(scenario(), report_);
+      tellLosses();
       rename();
       renumberPeople();
       renumberGoals();
       giveGoals();
       for (Human& human : scenario().humans) {
-        complete(scenario(), human, target_, report_);
+        complete(human);
       }
       scenario().simulator = target_.simulator;
       scenario().publishPeople = scenario().publishPeople.value_or(true);
@@ -189,18 +96,87 @@ class Exporter {
     } else {
       keepNumbers();
     }
-    write();
-    result_.report = std::move(report_);
+    const bool isOld = options_.dialect.value_or(target_.dialect) == Dialect::B;
+    result_.text = isOld ? writeScenarioB(scenario(), result_.report) : writeScenario(scenario());
+    result_.startCommand = target_.startCommand(scenario());
     return std::move(result_);
   }
 
  private:
   Scenario& scenario() { return result_.scenario; }
-  Dialect dialect() const { return options_.dialect.value_or(target_.dialect); }
 
   void note(base::Diagnostic said, EntityId entity = {}) {
     said.entity = entity;
-    report_.push_back(std::move(said));
+    result_.report.push_back(std::move(said));
+  }
+  void note(const Human& human, base::Diagnostic said) {
+    note(base::within(human.name, std::move(said)), human.key);
+  }
+  void noteChange(EntityId entity, const char* code, base::ProblemValues values) {
+    note(base::problem(base::Severity::Info, code, std::move(values)), entity);
+  }
+
+  /// What only we can express, one line per kind of thing.
+  void tellLosses() {
+    const auto lose = [this](const char* what, const std::string& names) {
+      if (!names.empty()) {
+        note(base::warning("export.stays-here", {what, names}));
+      }
+    };
+    lose("the robot", namesOf(scenario().robots));
+    lose("what was drawn as obstacle", namesOf(scenario().obstacles));
+    lose("the door", namesOf(scenario().doors));
+    lose("the area", namesOf(scenario().areas));
+    for (const Human& human : scenario().humans) {
+      const std::string keys = ownKeysOf(human);
+      if (human.listed && !keys.empty()) {
+        note(human, base::warning("export.keys-unknown", {keys}));
+      }
+    }
+    const DesktopSettings& desktop = scenario().desktop;
+    if (!desktop.wrapX.empty()) {
+      note(base::warning("export.no-ring"));
+    }
+    if (desktop.model && *desktop.model != "sfm" && *desktop.model != "sfm-hunav2") {
+      note(base::warning("export.own-forces", {*desktop.model}));
+    }
+  }
+
+  /// Fills the keys that the wrapper asks for with the values that count, keeps skins in range.
+  void complete(Human& human) {
+    const ResolvedHuman counts =
+        resolveHuman(scenario(), human, scenario().desktop.seed.value_or(1));
+    fill(human, counts, {"group_id", "max_vel", "radius", "goal_radius", "cyclic_goals"});
+    human.hasInitPose = true;
+    human.initZ = target_.startHeight;
+    const int largest = largestSkin(target_.simulator);
+    const int skin = human.skin.value_or(0);
+    human.skin = skin;
+    if (skin < 0 || skin > largest) {
+      human.skin = std::max(0, skin) % (largest + 1);
+      note(human, base::problem(base::Severity::Info, "export.skin-changed",
+                                {skin, *human.skin, target_.title, largest}));
+    }
+    Behavior& behavior = human.behavior;
+    behavior.type = counts.behavior;
+    behavior.configuration = counts.configuration;
+    fill(behavior, counts,
+         {"goal_force_factor", "obstacle_force_factor", "social_force_factor",
+          "other_force_factor"});
+    if (reactsToRobot(counts.behavior)) {
+      fill(behavior, counts, {"dist", "duration", "once", "vel"});
+    }
+    if (target_.target == ExportTarget::Isaac && counts.configuration == Configuration::Custom) {
+      checkFactor(human, "goal_force_factor", *behavior.goalForceFactor, {5.0, 10.0});
+      checkFactor(human, "obstacle_force_factor", *behavior.obstacleForceFactor, {0.5, 5.0});
+      checkFactor(human, "social_force_factor", *behavior.socialForceFactor, {5.0, 20.0});
+    }
+  }
+
+  void checkFactor(const Human& human, const char* key, double value, base::Range range) {
+    if (!range.contains(value)) {
+      note(human, base::warning("export.factor-out-of-range", {key, value, range.low, range.high}));
+    }
   }
 
   /// Map and trees lie where the search finds them: their keys are not needed.
@@ -219,7 +195,7 @@ class Exporter {
     for (Human& human : scenario().humans) {
       const std::string name = names.at(human.name);
       if (name != human.name) {
-        note(base::problem(base::Severity::Info, "export.renamed", {human.name, name}), human.key);
+        noteChange(human.key, "export.renamed", {human.name, name});
         human.name = name;
       }
     }
@@ -236,9 +212,8 @@ class Exporter {
     for (Human& human : scenario().humans) {
       result_.people[human.id] = next;
       if (human.id != next) {
-        note(base::within(human.name, base::problem(base::Severity::Info,
-                                                    "export.person-renumbered", {human.id, next})),
-             human.key);
+        note(human,
+             base::problem(base::Severity::Info, "export.person-renumbered", {human.id, next}));
         human.id = next;
       }
       ++next;
@@ -253,8 +228,7 @@ class Exporter {
     for (GlobalGoal& goal : goals) {
       result_.goals[goal.id] = next;
       if (goal.id != next) {
-        note(base::problem(base::Severity::Info, "export.goal-renumbered", {goal.id, next}),
-             goal.key);
+        noteChange(goal.key, "export.goal-renumbered", {goal.id, next});
       }
       goal.id = next++;
     }
@@ -303,9 +277,7 @@ class Exporter {
       note(target_.worldWithoutMap());
       return;
     }
-    if (scenario().map != map) {
-      scenario().map = map;  // without folder and extension
-    }
+    scenario().map = map;  // without folder and extension
     const std::vector<std::string>& worlds = target_.worlds;
     if (std::find(worlds.begin(), worlds.end(), map) == worlds.end()) {
       note(target_.worldOfMap(map));
@@ -318,28 +290,16 @@ class Exporter {
     }
   }
 
-  void write() {
-    if (dialect() == Dialect::B) {
-      result_.text = writeScenarioB(scenario(), report_);
-    } else {
-      result_.text = writeScenario(scenario());
-    }
-    result_.startCommand = target_.startCommand(scenario());
-  }
-
   const ExportOptions& options_;
   const TargetInfo& target_;
   ExportedScenario result_;
-  base::Diagnostics report_;
 };
+
 }  // namespace
 
-ExportedScenario exportScenario(const Scenario& scenario, const ExportOptions& options) {
-  const std::vector<TargetInfo>& all = exportTargets();
-  const auto target = std::find_if(all.begin(), all.end(), [&](const TargetInfo& info) {
-    return info.target == options.target;
-  });
-  return Exporter(scenario, options, *target).run();
+ExportedScenario exportScenario(const Scenario& scenario, const TargetInfo& target,
+                                const ExportOptions& options) {
+  return Exporter(scenario, target, options).run();
 }
 
 std::string safeName(const std::string& name) {
@@ -354,8 +314,7 @@ std::string safeName(const std::string& name) {
       safe += '_';
     }
   }
-  const bool begins = !safe.empty() && (safe[0] < '0' || safe[0] > '9') && safe[0] != '_';
-  return begins ? safe : "agent_" + safe;
+  return isEntityName(safe) ? safe : "agent_" + safe;
 }
 
 }  // namespace sim2d

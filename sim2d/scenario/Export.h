@@ -33,7 +33,6 @@ const std::vector<TargetInfo>& exportTargets();
 const TargetInfo* exportTarget(const std::string& name);
 
 struct ExportOptions {
-  ExportTarget target = ExportTarget::Native;
   std::optional<Dialect> dialect;  // B or C; none: the target's
   std::string baseName;            // of the scenario file; becomes yaml_base_name
   std::string mapName;             // of the map file in ../maps; empty: there is none
@@ -51,7 +50,8 @@ struct ExportedScenario {
 /// A scenario as the target takes it: its dialect, simulator and start height, ids 1…N in list
 /// order, goals without gaps, at least one goal for everybody, safe names, all keys that the
 /// wrapper asks for, factors and skins in its range. Reads and writes no file.
-ExportedScenario exportScenario(const Scenario& scenario, const ExportOptions& options);
+ExportedScenario exportScenario(const Scenario& scenario, const TargetInfo& target,
+                                const ExportOptions& options);
 
 /// Letters, digits and underscores, beginning with a letter: usable as a model's or file's name.
 std::string safeName(const std::string& name);

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <string_view>
 
-#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/Export.h"
 #include "sim2d/scenario/ScenarioCheck.h"

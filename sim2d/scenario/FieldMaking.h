@@ -1,26 +1,25 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "sim2d/base/yaml/YamlMap.h"
 #include "sim2d/scenario/Fields.h"
 
 /// To write the tables down. Private to this folder.
 namespace sim2d {
 
+/// What a member holds when it holds something.
 template <class M>
 struct Stored {
   using Value = M;
-  static constexpr bool kOptional = false;
 };
 template <class M>
 struct Stored<std::optional<M>> {
   using Value = M;
-  static constexpr bool kOptional = true;
 };
 template <class V>
 constexpr bool isInteger = std::is_integral_v<V> && !std::is_same_v<V, bool>;
@@ -29,8 +28,8 @@ constexpr bool isList =
     std::is_same_v<V, std::vector<double>> || std::is_same_v<V, std::vector<int>>;
 
 template <class V>
-constexpr base::ParameterType parameterType() {
-  using Type = base::ParameterType;
+constexpr ParameterType parameterType() {
+  using Type = ParameterType;
   if constexpr (isList<V>) {
     return std::is_same_v<V, std::vector<int>> ? Type::Integers : Type::Numbers;
   } else if constexpr (std::is_enum_v<V>) {
@@ -46,35 +45,38 @@ constexpr base::ParameterType parameterType() {
 
 /// An enumerator as its word, an empty list as nothing.
 template <class V>
-base::ParameterValue valueFrom(const V& value, const base::ParameterSpec& spec) {
+ParameterValue valueFrom(const V& value, const ParameterSpec& spec) {
   if constexpr (std::is_enum_v<V>) {
     return spec.choices.at(static_cast<std::size_t>(value));
   } else if constexpr (isInteger<V>) {
     return static_cast<long long>(value);
   } else if constexpr (isList<V>) {
-    return value.empty() ? base::ParameterValue() : base::ParameterValue(value);
+    return value.empty() ? ParameterValue() : ParameterValue(value);
   } else {
     return value;
   }
 }
 
+template <class V>
+ParameterValue valueFrom(const std::optional<V>& value, const ParameterSpec& spec) {
+  return value ? valueFrom(*value, spec) : ParameterValue();
+}
+
 /// The way back; nothing when it is of another type, or no word of the choices.
 template <class V>
-std::optional<V> valueTo(const base::ParameterValue& value, const base::ParameterSpec& spec) {
-  if constexpr (std::is_enum_v<V>) {
-    const auto* word = std::get_if<std::string>(&value);
-    for (std::size_t i = 0; word != nullptr && i < spec.choices.size(); ++i) {
-      if (spec.choices[i] == *word) {
-        return static_cast<V>(i);
-      }
-    }
+std::optional<V> valueTo(const ParameterValue& value, const ParameterSpec& spec) {
+  using Given = std::conditional_t<std::is_enum_v<V>, std::string,
+                                   std::conditional_t<isInteger<V>, long long, V>>;
+  const auto* given = std::get_if<Given>(&value);
+  if (given == nullptr) {
     return std::nullopt;
-  } else if constexpr (isInteger<V>) {
-    const auto* number = std::get_if<long long>(&value);
-    return number == nullptr ? std::nullopt : std::optional<V>(static_cast<V>(*number));
+  }
+  if constexpr (std::is_enum_v<V>) {
+    const auto word = std::find(spec.choices.begin(), spec.choices.end(), *given);
+    return word == spec.choices.end() ? std::nullopt
+                                      : std::optional(static_cast<V>(word - spec.choices.begin()));
   } else {
-    const auto* same = std::get_if<V>(&value);
-    return same == nullptr ? std::nullopt : std::optional<V>(*same);
+    return static_cast<V>(*given);
   }
 }
 
@@ -84,7 +86,7 @@ class FieldOf {
  public:
   FieldOf(std::string key, std::string help, base::FormHints form = {}, std::string unit = {},
           base::Range range = {}) {
-    base::ParameterSpec& spec = field_.spec;
+    ParameterSpec& spec = field_.spec;
     spec.key = std::move(key);
     spec.help = std::move(help);
     spec.form = std::move(form);
@@ -101,18 +103,12 @@ class FieldOf {
     field_.spec.type = parameterType<Value>();
     field_.isWide = std::is_same_v<Value, long long>;
     field_.equal = [access](const T& a, const T& b) { return access(a) == access(b); };
-    field_.get = [access](const T& of, const base::ParameterSpec& spec) -> base::ParameterValue {
-      const Member& member = access(of);
-      if constexpr (Stored<Member>::kOptional) {
-        return member ? valueFrom<Value>(*member, spec) : base::ParameterValue();
-      } else {
-        return valueFrom<Value>(member, spec);
-      }
+    field_.get = [access](const T& of, const ParameterSpec& spec) {
+      return valueFrom(access(of), spec);
     };
-    field_.set = [access](T& of, const base::ParameterValue& value,
-                          const base::ParameterSpec& spec) {
+    field_.set = [access](T& of, const ParameterValue& value, const ParameterSpec& spec) {
       const std::optional<Value> given = valueTo<Value>(value, spec);
-      if constexpr (Stored<Member>::kOptional) {
+      if constexpr (std::is_same_v<Member, std::optional<Value>>) {
         access(of) = given;
       } else if (given || !std::is_enum_v<Value>) {
         access(of) = given.value_or(Value());
@@ -122,45 +118,46 @@ class FieldOf {
   }
   /// What counts in a run; its first value is the default. After `words`.
   template <class R>
-  FieldOf&& resolvedTo(R Resolving<T>::Type::*member) && {
-    using Resolved = typename Resolving<T>::Type;
-    field_.resolve = [get = field_.get, member](const T& from, Resolved& to,
-                                                const base::ParameterSpec& spec) {
+  FieldOf&& resolvedTo(R Resolved<T>::*member) && {
+    field_.resolve = [get = field_.get, member](const T& from, Resolved<T>& to,
+                                                const ParameterSpec& spec) {
       if (const auto value = valueTo<R>(get(from, spec), spec)) {
         to.*member = *value;
       }
     };
-    return std::move(*this).countsAs(member).orElse(Resolved().*member);
+    return std::move(*this).countsAs(member).orElse(Resolved<T>().*member);
   }
   /// What counts in a run and is made from more than this key.
   template <class R>
-  FieldOf&& countsAs(R Resolving<T>::Type::*member) && {
-    field_.resolved = [member](const typename Resolving<T>::Type& from,
-                               const base::ParameterSpec& spec) {
+  FieldOf&& countsAs(R Resolved<T>::*member) && {
+    field_.resolved = [member](const Resolved<T>& from, const ParameterSpec& spec) {
       return valueFrom(from.*member, spec);
     };
     return std::move(*this);
   }
   /// The number that stands for nothing.
   FieldOf&& noneAt(long long none) && {
-    field_.get = [get = field_.get, none](const T& of, const base::ParameterSpec& spec) {
-      const base::ParameterValue value = get(of, spec);
-      return value == base::ParameterValue(none) ? base::ParameterValue() : value;
+    field_.get = [get = field_.get, none](const T& of, const ParameterSpec& spec) {
+      const ParameterValue value = get(of, spec);
+      return value == ParameterValue(none) ? ParameterValue() : value;
     };
-    field_.set = [set = field_.set, none](T& of, const base::ParameterValue& value,
-                                          const base::ParameterSpec& spec) {
-      set(of, value == base::ParameterValue() ? base::ParameterValue(none) : value, spec);
+    field_.set = [set = field_.set, none](T& of, const ParameterValue& value,
+                                          const ParameterSpec& spec) {
+      set(of, value == ParameterValue() ? ParameterValue(none) : value, spec);
     };
     return std::move(*this);
   }
-  /// Structures: read and written by functions of their own.
-  FieldOf&& madeBy(decltype(Field<T>::read) read, decltype(Field<T>::write) write,
-                   decltype(Field<T>::equal) equal) && {
-    field_.equal = std::move(equal);
+  /// Structures: read and written by functions of their own, compared by a member or what a
+  /// function gives.
+  template <class Part>
+  FieldOf&& madeBy(decltype(Field<T>::read) read, decltype(Field<T>::write) write, Part part) && {
+    field_.equal = [part](const T& a, const T& b) {
+      return std::invoke(part, a) == std::invoke(part, b);
+    };
     return std::move(*this).with(&Field<T>::read, read).with(&Field<T>::write, write);
   }
   FieldOf&& words(std::vector<std::string> words) && {
-    field_.spec.type = base::ParameterType::Choice;
+    field_.spec.type = ParameterType::Choice;
     field_.spec.choices = std::move(words);
     return std::move(*this);
   }
@@ -177,7 +174,7 @@ class FieldOf {
     field_.*member = std::move(value);
     return std::move(*this);
   }
-  FieldOf&& typed(base::ParameterType type) && {
+  FieldOf&& typed(ParameterType type) && {
     field_.spec.type = type;
     return std::move(*this);
   }

@@ -3,10 +3,10 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/scenario/FieldMaking.h"
 #include "sim2d/scenario/ScenarioTree.h"
 
 namespace sim2d {
@@ -14,25 +14,11 @@ namespace {
 
 constexpr double kLargestInteger = 2147483647.0;
 
-base::ParameterValue readInteger(YamlMap& view, const base::ParameterSpec& spec, bool isWide) {
+/// What an integer of 64 bits may be at the most is not told.
+std::optional<long long> readInteger(YamlMap& view, const ParameterSpec& spec, bool isWide) {
   const auto low = static_cast<long long>(std::max(spec.range.low, -kLargestInteger));
-  if (isWide) {
-    const auto value = view.bigInteger(spec.key, low);
-    return value ? base::ParameterValue(*value) : base::ParameterValue();
-  }
   const auto high = static_cast<long long>(std::min(spec.range.high, kLargestInteger));
-  const auto value = view.integer(spec.key, low, high);
-  return value ? base::ParameterValue(static_cast<long long>(*value)) : base::ParameterValue();
-}
-
-template <class T>
-base::ParameterValue valueOrNone(std::optional<T> value) {
-  return value ? base::ParameterValue(std::move(*value)) : base::ParameterValue();
-}
-
-template <class T>
-base::ParameterValue valueOrNone(std::vector<T> values) {
-  return values.empty() ? base::ParameterValue() : base::ParameterValue(std::move(values));
+  return isWide ? view.integer(spec.key, low) : view.integer(spec.key, low, high);
 }
 
 template <class T>
@@ -43,17 +29,16 @@ std::set<std::string> keysWith(std::set<std::string> keys) {
   return keys;
 }
 
-std::string rangeText(const base::Range& range) {
-  constexpr double largestInt = 2147483647.0;  // says nothing to people
+std::string rangeText(const Range& range) {
   const std::string low = base::formatDouble(range.low);
   const std::string high = base::formatDouble(range.high);
-  if (range.high >= largestInt) {
+  if (range.high >= kLargestInteger) {  // says nothing to people
     return std::isinf(range.low) ? "" : (range.above ? "> " : "≥ ") + low;
   }
   return (range.above ? "above " : "") + low + " to " + high;
 }
 
-std::string valuesText(const base::ParameterSpec& spec) {
+std::string valuesText(const ParameterSpec& spec) {
   static constexpr std::array<const char*, 7> kTypes = {
       // in the order of ParameterType
       "true, false", "integer", "number", "text", "text", "numbers", "integers"};
@@ -63,7 +48,7 @@ std::string valuesText(const base::ParameterSpec& spec) {
              : kTypes.at(static_cast<std::size_t>(spec.type)) + (range.empty() ? "" : " " + range);
 }
 
-std::string valueText(const base::ParameterValue& value) {
+std::string valueText(const ParameterValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) {
     return *text;
   }
@@ -81,8 +66,8 @@ template <class T>
 KeyTable tableOf(std::string title, std::string path, const FieldTables& tables) {
   KeyTable table{std::move(title), std::move(path), {}};
   for (const Field<T>& field : fieldsOf<T>(tables)) {
-    const base::ParameterSpec& spec = field.spec;
-    const bool isMap = field.isStructure() && spec.type == base::ParameterType::Number;
+    const ParameterSpec& spec = field.spec;
+    const bool isMap = field.isStructure() && spec.type == ParameterType::Number;
     table.rows.push_back({spec.key, isMap ? "map" : valuesText(spec), spec.unit,
                           field.required ? "required" : valueText(spec.fallback), spec.help});
   }
@@ -98,35 +83,27 @@ const FieldTables& fieldTables() {
   return kTables;
 }
 
-base::ParameterValue readValue(YamlMap& view, const base::ParameterSpec& spec, bool isWide) {
+ParameterValue readValue(YamlMap& view, const ParameterSpec& spec, bool isWide) {
   switch (spec.type) {
-    case base::ParameterType::Boolean:
-      return valueOrNone(view.boolean(spec.key));
-    case base::ParameterType::Integer:
-      return readInteger(view, spec, isWide);
-    case base::ParameterType::Number:
-      return valueOrNone(view.number(spec.key, spec.range));
-    case base::ParameterType::Numbers:
-      return valueOrNone(view.numbers(spec.key, spec.range));
-    case base::ParameterType::Integers:
-      return valueOrNone(view.integers(spec.key));
-    case base::ParameterType::Choice:
-    case base::ParameterType::Text:
+    case ParameterType::Boolean:
+      return valueFrom(view.boolean(spec.key), spec);
+    case ParameterType::Integer:
+      return valueFrom(readInteger(view, spec, isWide), spec);
+    case ParameterType::Number:
+      return valueFrom(view.number(spec.key, spec.range), spec);
+    case ParameterType::Numbers:
+      return valueFrom(view.numbers(spec.key, spec.range), spec);
+    case ParameterType::Integers:
+      return valueFrom(view.integers(spec.key), spec);
+    case ParameterType::Choice:
+    case ParameterType::Text:
       break;
   }
-  if (spec.choices.empty()) {
-    return valueOrNone(view.text(spec.key));
-  }
-  const auto index = view.choice(spec.key, spec.choices);
-  return index ? base::ParameterValue(spec.choices[static_cast<std::size_t>(*index)])
-               : base::ParameterValue();
+  const bool isText = spec.choices.empty();
+  return valueFrom(isText ? view.text(spec.key) : view.choice(spec.key, spec.choices), spec);
 }
 
-base::ParameterValue readRequired(YamlMap& view, const base::ParameterSpec& spec, bool isWide) {
-  return view.demand(spec.key) ? readValue(view, spec, isWide) : base::ParameterValue();
-}
-
-void writeValue(YamlNode& tree, const base::ParameterSpec& spec, const base::ParameterValue& value,
+void writeValue(YamlNode& tree, const ParameterSpec& spec, const ParameterValue& value,
                 int digits) {
   if (const auto* flagged = std::get_if<bool>(&value)) {
     setChild(tree, spec.key, flag(*flagged));

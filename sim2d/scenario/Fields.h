@@ -5,16 +5,13 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "sim2d/base/ParameterSpec.h"
+#include "sim2d/base/yaml/YamlMap.h"
 #include "sim2d/scenario/Defaults.h"
 #include "sim2d/scenario/Scenario.h"
-
-namespace base {
-class YamlMap;
-struct YamlNode;
-}  // namespace base
 
 /// The keys of each kind of thing in a scenario file, described once. Reader, range checks, writer,
 /// canonical order, default-skipping, equality, `--set`, defaults, forms, `list keys` and the
@@ -22,45 +19,38 @@ struct YamlNode;
 /// a function to read and one to write it.
 namespace sim2d {
 
+using base::ParameterSpec;
+using base::ParameterType;
+using base::ParameterValue;
+
 /// What counts in a run for a T whose keys may be absent.
+struct NothingResolved {};
 template <class T>
-struct Resolving {
-  struct Type {};
-};
-template <>
-struct Resolving<Robot> {
-  using Type = ResolvedRobot;
-};
-template <>
-struct Resolving<Human> {
-  using Type = ResolvedHuman;
-};
-template <>
-struct Resolving<Behavior> : Resolving<Human> {};
-template <>
-struct Resolving<PersonExtension> : Resolving<Human> {};
+using Resolved =
+    std::conditional_t<std::is_same_v<T, Robot>, ResolvedRobot,
+                       std::conditional_t<std::is_same_v<T, Human> || std::is_same_v<T, Behavior> ||
+                                              std::is_same_v<T, PersonExtension>,
+                                          ResolvedHuman, NothingResolved>>;
 
 /// One key of a T: its description and its place in the plain struct.
 template <class T>
 struct Field {
-  base::ParameterSpec spec;
+  ParameterSpec spec;
   bool required = false;
   bool isWide = false;  // an integer of 64 bits
   int digits = 1;       // after the point, at least, in canonical files
 
-  std::function<base::ParameterValue(const T&, const base::ParameterSpec&)> get;
-  std::function<void(T&, const base::ParameterValue&, const base::ParameterSpec&)> set;
+  std::function<ParameterValue(const T&, const ParameterSpec&)> get;
+  std::function<void(T&, const ParameterValue&, const ParameterSpec&)> set;
   std::function<bool(const T&, const T&)> equal;
-  std::function<void(const T&, typename Resolving<T>::Type&, const base::ParameterSpec&)> resolve;
+  std::function<void(const T&, Resolved<T>&, const ParameterSpec&)> resolve;
   // the value that counts in a run; null: a run has no member for it
-  std::function<base::ParameterValue(const typename Resolving<T>::Type&,
-                                     const base::ParameterSpec&)>
-      resolved;
+  std::function<ParameterValue(const Resolved<T>&, const ParameterSpec&)> resolved;
 
   // What differs from field to field; null = as usual.
   std::function<bool(const T&)> applies;  // the key belongs to such a T
   std::function<int(const T&)> digitsOf;
-  std::function<base::ParameterValue(const T&, const DesktopSettings&)> fallbackOf;
+  std::function<ParameterValue(const T&, const DesktopSettings&)> fallbackOf;
   std::function<void(base::YamlMap&, T&)> read;
   std::function<void(base::YamlNode&, const T&)> write;
 
@@ -68,11 +58,11 @@ struct Field {
   bool isStructure() const { return !get; }
   bool belongsTo(const T& of) const { return !applies || applies(of); }
   /// As written; monostate = absent, also for an empty list.
-  base::ParameterValue value(const T& of) const { return get(of, spec); }
+  ParameterValue value(const T& of) const { return get(of, spec); }
   /// monostate takes it away; where a number is always there it becomes 0.
-  void assign(T& of, const base::ParameterValue& value) const { set(of, value, spec); }
+  void assign(T& of, const ParameterValue& value) const { set(of, value, spec); }
   /// What counts in this place when the key is absent; monostate = nothing does.
-  base::ParameterValue fallback(const T& of, const DesktopSettings& desktop) const {
+  ParameterValue fallback(const T& of, const DesktopSettings& desktop) const {
     return fallbackOf ? fallbackOf(of, desktop) : spec.fallback;
   }
 };
@@ -103,13 +93,6 @@ const Field<T>* fieldOf(std::string_view key, const FieldTables& tables = fieldT
   return found == all.end() ? nullptr : &*found;
 }
 
-/// All keys have the same values in `a` and `b`.
-template <class T>
-bool haveSameValues(const T& a, const T& b) {
-  const Fields<T>& all = fieldsOf<T>();
-  return std::all_of(all.begin(), all.end(), [&](const auto& each) { return each.equal(a, b); });
-}
-
 /// Takes away what stands at its default.
 template <class T>
 void dropDefaults(T& from, const DesktopSettings& desktop,
@@ -118,8 +101,8 @@ void dropDefaults(T& from, const DesktopSettings& desktop,
     if (field.isStructure() || field.required) {
       continue;
     }
-    const base::ParameterValue value = field.value(from);
-    if (value != base::ParameterValue() && value == field.fallback(from, desktop)) {
+    const ParameterValue value = field.value(from);
+    if (value != ParameterValue() && value == field.fallback(from, desktop)) {
       field.assign(from, {});
     }
   }
@@ -127,7 +110,7 @@ void dropDefaults(T& from, const DesktopSettings& desktop,
 
 /// Puts the values that are there into what counts in a run.
 template <class T>
-void resolveFields(const T& from, typename Resolving<T>::Type& to) {
+void resolveFields(const T& from, Resolved<T>& to) {
   for (const Field<T>& field : fieldsOf<T>()) {
     if (field.resolve) {
       field.resolve(from, to, field.spec);

@@ -4,11 +4,11 @@
 namespace sim2d {
 namespace {
 
-constexpr base::Range kSpeed{0.0, 100.0};
-constexpr base::Range kBodyRadius{0.0, 100.0, true};
+constexpr Range kSpeed{0.0, 100.0};
+constexpr Range kBodyRadius{0.0, 100.0, true};
 
 void readConfiguration(YamlMap& view, Behavior& behavior) {
-  const auto number = view.bigInteger("configuration", -2147483647);
+  const auto number = view.integer("configuration", -2147483647);
   if (number && (*number < 0 || *number > 3)) {
     view.warning("configuration", "scenario.bad-configuration", {*number});
     behavior.configuration = Configuration::Default;
@@ -27,8 +27,7 @@ void readType(YamlMap& view, Behavior& behavior) {
   const auto type = view.text("type");
   if (type && !type->empty()) {
     setBehaviorType(behavior, *type);
-    warnForeign(behavior, *view.node().find("type"), view.pathOf("type"), view.entity(),
-                view.report());
+    warnForeign(behavior, *view.node().find("type"), "type", view);
   }
 }
 
@@ -51,7 +50,7 @@ std::function<int(const Behavior&)> digitsWith(BehaviorType type, int digits, in
 FieldOf<Behavior> distance(std::string key, std::optional<double> Behavior::*member,
                            double ResolvedHuman::*resolved, std::string help,
                            base::FormHints form) {
-  return field(std::move(key), member, std::move(help), std::move(form), "m", base::kNotNegative)
+  return field(std::move(key), member, std::move(help), std::move(form), "m", kNotNegative)
       .resolvedTo(resolved)
       .digits(2);
 }
@@ -82,7 +81,7 @@ Fields<Human> humanFields() {
               .resolvedTo(&Resolved::radius),
           field("goal_radius", &Human::goalRadius,
                 "A goal is reached when the person is this near; 0 counts as 0.1",
-                {"Arrival radius", 2, 0.05}, "m", base::kNotNegative)
+                {"Arrival radius", 2, 0.05}, "m", kNotNegative)
               .countsAs(&Resolved::goalRadius)
               .orElse(0.1),
           field("cyclic_goals", &Human::cyclicGoals, "Start again after the last goal", {"Repeat"})
@@ -91,50 +90,45 @@ Fields<Human> humanFields() {
 
 Fields<Behavior> behaviorFields() {
   using Resolved = ResolvedHuman;
-  const auto sameType = [](const Behavior& a, const Behavior& b) {
-    return a.type == b.type && a.foreignType == b.foreignType;
-  };
-  const auto sameConfiguration = [](const Behavior& a, const Behavior& b) {
-    return a.configuration == b.configuration;
-  };
-  return {FieldOf<Behavior>("type", "How the person reacts to the robot", {"Behaviour"})
-              .madeBy(readType, writeType, sameType)
-              .words({"Regular", "Impassive", "Surprised", "Scared", "Curious", "Threatening"})
-              .orElse(std::string("Regular")),
-          distance("dist", &Behavior::dist, &Resolved::noticeDistance,
-                   "The robot is noticed within this distance", {"Sees within", 2, 0.5, 15.0})
-              .with(&Field<Behavior>::digitsOf, digitsWith(BehaviorType::Surprised, 3, 2)),
-          field("duration", &Behavior::duration, "How long the reaction goes on",
-                {"Lasts", 1, 1.0, 80.0}, "s", base::kNotNegative)
-              .resolvedTo(&Resolved::reactionDuration)
-              .with(&Field<Behavior>::digitsOf, digitsWith(BehaviorType::Threatening, 2, 1)),
-          field("once", &Behavior::once, "React only once", {"Only once"})
-              .resolvedTo(&Resolved::reactionOnce),
-          field("vel", &Behavior::vel, "Speed while reacting; absent: `max_vel`, 2.0 without it",
-                {"Speed", 2, 0.1, 2.0}, "m/s", kSpeed)
-              .countsAs(&Resolved::reactionSpeed)
-              .with(&Field<Behavior>::digitsOf, digitsWith(BehaviorType::Scared, 3, 2)),
-          distance("safe_distance", &Behavior::safeDistance, &Resolved::safeDistance,
-                   "Distance at which the person feels safe again", {"Keeps away", 2, 0.5, 10.0})
-              .digits(1),
-          distance("stop_dist", &Behavior::stopDist, &Resolved::stopDistance,
-                   "How near the person comes to the robot", {"Stops at", 2, 0.1, 3.0}),
-          distance("front_dist", &Behavior::frontDist, &Resolved::frontDistance,
-                   "How far before the robot the person stands", {"Blocks at", 2, 0.1, 3.0}),
-          FieldOf<Behavior>("configuration", "Whose force factors count, see below",
-                            {"Strength", 0, 1.0}, {}, {0.0, 3.0})
-              .madeBy(readConfiguration, writeConfiguration, sameConfiguration)
-              .typed(base::ParameterType::Integer)
-              .orElse(0),
-          factor("goal_force_factor", &Behavior::goalForceFactor, &Resolved::goalFactor,
-                 "Pull of the goal", {"Goal", 2, 0.5, 10.0}),
-          factor("obstacle_force_factor", &Behavior::obstacleForceFactor, &Resolved::obstacleFactor,
-                 "Push of walls", {"Obstacles", 2, 0.5, 50.0}),
-          factor("social_force_factor", &Behavior::socialForceFactor, &Resolved::socialFactor,
-                 "Push of other people", {"People", 2, 0.5, 20.0}),
-          factor("other_force_factor", &Behavior::otherForceFactor, &Resolved::otherFactor,
-                 "Push away from the robot while scared; never drawn", {"Robot", 2, 1.0, 25.0})
-              .resolvedTo(&Resolved::otherFactor)};
+  return {
+      FieldOf<Behavior>("type", "How the person reacts to the robot", {"Behaviour"})
+          .madeBy(readType, writeType, [](auto& of) { return std::tie(of.type, of.foreignType); })
+          .words({"Regular", "Impassive", "Surprised", "Scared", "Curious", "Threatening"})
+          .orElse(std::string("Regular")),
+      distance("dist", &Behavior::dist, &Resolved::noticeDistance,
+               "The robot is noticed within this distance", {"Sees within", 2, 0.5, 15.0})
+          .with(&Field<Behavior>::digitsOf, digitsWith(BehaviorType::Surprised, 3, 2)),
+      field("duration", &Behavior::duration, "How long the reaction goes on",
+            {"Lasts", 1, 1.0, 80.0}, "s", kNotNegative)
+          .resolvedTo(&Resolved::reactionDuration)
+          .with(&Field<Behavior>::digitsOf, digitsWith(BehaviorType::Threatening, 2, 1)),
+      field("once", &Behavior::once, "React only once", {"Only once"})
+          .resolvedTo(&Resolved::reactionOnce),
+      field("vel", &Behavior::vel, "Speed while reacting; absent: `max_vel`, 2.0 without it",
+            {"Speed", 2, 0.1, 2.0}, "m/s", kSpeed)
+          .countsAs(&Resolved::reactionSpeed)
+          .with(&Field<Behavior>::digitsOf, digitsWith(BehaviorType::Scared, 3, 2)),
+      distance("safe_distance", &Behavior::safeDistance, &Resolved::safeDistance,
+               "Distance at which the person feels safe again", {"Keeps away", 2, 0.5, 10.0})
+          .digits(1),
+      distance("stop_dist", &Behavior::stopDist, &Resolved::stopDistance,
+               "How near the person comes to the robot", {"Stops at", 2, 0.1, 3.0}),
+      distance("front_dist", &Behavior::frontDist, &Resolved::frontDistance,
+               "How far before the robot the person stands", {"Blocks at", 2, 0.1, 3.0}),
+      FieldOf<Behavior>("configuration", "Whose force factors count, see below",
+                        {"Strength", 0, 1.0}, {}, {0.0, 3.0})
+          .madeBy(readConfiguration, writeConfiguration, &Behavior::configuration)
+          .typed(ParameterType::Integer)
+          .orElse(0),
+      factor("goal_force_factor", &Behavior::goalForceFactor, &Resolved::goalFactor,
+             "Pull of the goal", {"Goal", 2, 0.5, 10.0}),
+      factor("obstacle_force_factor", &Behavior::obstacleForceFactor, &Resolved::obstacleFactor,
+             "Push of walls", {"Obstacles", 2, 0.5, 50.0}),
+      factor("social_force_factor", &Behavior::socialForceFactor, &Resolved::socialFactor,
+             "Push of other people", {"People", 2, 0.5, 20.0}),
+      factor("other_force_factor", &Behavior::otherForceFactor, &Resolved::otherFactor,
+             "Push away from the robot while scared; never drawn", {"Robot", 2, 1.0, 25.0})
+          .resolvedTo(&Resolved::otherFactor)};
 }
 
 Fields<PersonExtension> personFields() {
@@ -150,13 +144,13 @@ Fields<PersonExtension> personFields() {
     return routeWords()[static_cast<std::size_t>(desktop.route.value_or(Route::Planned))];
   };
   return {field("start_time", &Ours::startTime, "Enters the world at this time",
-                {"Comes at", 1, 1.0}, "s", base::kNotNegative)
+                {"Comes at", 1, 1.0}, "s", kNotNegative)
               .resolvedTo(&Resolved::startTime),
           field("kind", &Ours::kind, "Gives the mass and the figure on the map", {"Body"})
               .words({"adult", "child", "elderly", "wheelchair", "luggage"})
               .resolvedTo(&Resolved::kind),
           field("mass", &Ours::mass, "Absent: by kind 80, 32, 75, 100, 100", {"Mass", 1, 1.0}, "kg",
-                base::kPositive)
+                kPositive)
               .countsAs(&Resolved::mass)
               .with(&Field<Ours>::fallbackOf, massByKind),
           field("model", &Ours::model, "How the person moves among others; absent: the scenario's",
@@ -171,7 +165,7 @@ Fields<PersonExtension> personFields() {
               .words({"stop", "leave", "restart"})
               .resolvedTo(&Resolved::atEnd),
           field("wait", &Ours::wait, "One time for each goal of the route", {"Waits"}, "s",
-                base::kNotNegative)
+                kNotNegative)
               .resolvedTo(&Resolved::wait),
           field("tree", &Ours::tree, "Relative to the scenario; may be shared by several people",
                 {"Tree file"})};

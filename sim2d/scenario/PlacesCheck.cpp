@@ -22,63 +22,48 @@ std::string pointText(const Vec2& point) {
 
 constexpr double kFarthest = 1e6;  // [m]
 
-void checkPolygon(const std::vector<Vec2>& points, const std::string& name, EntityId entity,
-                  CheckReport& report) {
+void checkPolygon(const std::vector<Vec2>& points, const Subject& subject, CheckReport& report) {
   if (points.size() >= 3 && !isSimple(points)) {
-    report.add(base::Severity::Error, entity, name, "shape.sides-cross");
+    report.error(subject, "shape.sides-cross");
   }
 }
 
-class CoordinateCheck {
- public:
-  explicit CoordinateCheck(CheckReport& report) : report_(report) {}
-
-  void point(const Vec2& point, EntityId entity, const std::string& what) {
-    const bool good = std::fabs(point.x()) <= kFarthest && std::fabs(point.y()) <= kFarthest;
-    if (!good) {
-      refuse(entity, what, "shape.too-far", {point.x(), point.y()});
+/// Whether all points are in reach.
+bool checkPoints(const std::vector<Vec2>& points, const Subject& subject, CheckReport& report) {
+  bool isGood = true;
+  for (const Vec2& point : points) {
+    if (!(std::fabs(point.x()) <= kFarthest && std::fabs(point.y()) <= kFarthest)) {
+      report.error(subject, "shape.too-far", {point.x(), point.y()});
+      isGood = false;
     }
   }
-  void points(const std::vector<Vec2>& all, EntityId entity, const std::string& what) {
-    for (const Vec2& each : all) {
-      point(each, entity, what);
-    }
-  }
-  void heading(double angle, EntityId entity, const std::string& what) {
-    if (!(std::fabs(angle) <= kFarthest)) {
-      refuse(entity, what, "shape.no-angle", {angle});
-    }
-  }
-  bool good() const { return good_; }
+  return isGood;
+}
 
- private:
-  void refuse(EntityId entity, const std::string& what, std::string_view code,
-              base::ProblemValues values) {
-    report_.add(base::Severity::Error, entity, what, code, std::move(values));
-    good_ = false;
+bool checkPose(const Pose2& pose, const Subject& subject, CheckReport& report) {
+  const bool isNear = checkPoints({pose.position}, subject, report);
+  const bool isAngle = std::fabs(pose.heading) <= kFarthest;
+  if (!isAngle) {
+    report.error(subject, "shape.no-angle", {pose.heading});
   }
-
-  CheckReport& report_;
-  bool good_ = true;
-};
+  return isNear && isAngle;
+}
 
 /// A place that a body is to stand at.
 struct Place {
   Vec2 point = Vec2::Zero();
-  std::string what;   // "init_pose", "goal 3"
-  std::string owner;  // "anna"; empty for the goals of the scenario
-  EntityId entity;
+  std::string what;              // "init_pose", "goal 3"
+  Subject owner;                 // nameless for the goals of the scenario
   std::optional<int> goal = {};  // its number, if it is one of the scenario
 };
 
 /// The way of one person or robot: where it starts and the goals in order.
 struct Round {
+  Subject who;
   Place start;
   std::vector<Place> goals;
   double radius = 0.0;
   bool planned = true;
-  std::string name;
-  EntityId key;
 };
 
 class PlacesCheck {
@@ -101,7 +86,7 @@ class PlacesCheck {
         points.push_back(goal.point);
       }
     }
-    if (nothingStands() || isTooWide(points)) {
+    if (grid_.isEmpty() && (nothingStands() || isTooWide(points))) {
       return;
     }
     layer_ = layers_.of(grid_, obstacles_, points);
@@ -122,9 +107,6 @@ class PlacesCheck {
   }
 
   bool nothingStands() const {
-    if (!grid_.isEmpty()) {
-      return false;
-    }
     for (int part = 0; part < obstacles_.partCount(); ++part) {
       if (obstacles_.isEnabled(part) && !obstacles_.outlines(part).empty()) {
         return false;
@@ -135,9 +117,6 @@ class PlacesCheck {
 
   /// On the open plane the planning grid spans everything: no more than 40 million cells of 0.1 m.
   bool isTooWide(const std::vector<Vec2>& points) {
-    if (!grid_.isEmpty()) {
-      return false;
-    }
     Vec2 low = Vec2::Constant(1e9);
     Vec2 high = Vec2::Constant(-1e9);
     const auto include = [&](const Vec2& point) {
@@ -165,21 +144,13 @@ class PlacesCheck {
     return rounds;
   }
 
-  Place placeOf(const GlobalGoal& goal) const {
-    return {goal.position, "goal " + std::to_string(goal.id), {}, goal.key, goal.id};
-  }
-
   template <class Body, class Resolved>
   Round roundOf(const Body& body, const Resolved& resolved, const char* start,
                 const std::vector<int>& goals) const {
-    Round round;
-    round.start = {resolved.start.position, start, body.name, body.key};
-    round.radius = resolved.radius;
-    round.name = body.name;
-    round.key = body.key;
+    Round round{body, {resolved.start.position, start, body}, {}, resolved.radius};
     for (const int id : goals) {
       if (const GlobalGoal* goal = scenario_.goal(id)) {
-        round.goals.push_back(placeOf(*goal));
+        round.goals.push_back({goal->position, "goal " + std::to_string(id), goal->key, id});
       }
     }
     return round;
@@ -198,19 +169,19 @@ class PlacesCheck {
       return roundOf(robot, resolved, "start", robot.goal.goals);
     }
     Round round = roundOf(robot, resolved, "start", {});
-    round.goals.push_back({*robot.goal.point, "goal", robot.name, robot.key});
+    round.goals.push_back({*robot.goal.point, "goal", robot});
     return round;
   }
 
   /// Where the body will stand; told once per place and radius.
   std::optional<Vec2> fit(const Place& place, double radius) {
     std::optional<Vec2> taken = layer_->plannerFor(radius).nearestFit(place.point);
-    if (!told_.insert(std::make_tuple(place.entity, place.what, radius)).second) {
+    if (!told_.insert(std::make_tuple(place.owner.entity, place.what, radius)).second) {
       return taken;
     }
     const auto tell = [&](base::Severity severity, const char* code, base::ProblemValues values) {
       values.insert(values.begin(), {place.what, pointText(place.point)});
-      report_.add(severity, place.entity, place.owner, code, std::move(values));
+      report_.add(severity, place.owner, code, std::move(values));
     };
     if (!taken) {
       tell(base::Severity::Error, "places.no-place", {radius});
@@ -243,28 +214,28 @@ class PlacesCheck {
   }
 
   static std::string nameOf(const Place& place) {
-    return place.owner + (place.owner.empty() ? "" : ": ") + place.what;
+    const std::string& owner = place.owner.where;
+    return owner + (owner.empty() ? "" : ": ") + place.what;
   }
 
   void tellUnreachable(const Round& round, const Place& goal) {
     const std::string point = pointText(goal.point);
     if (goal.goal) {
-      report_.warning(round, "places.no-way", {*goal.goal, point});
+      report_.warning(round.who, "places.no-way", {*goal.goal, point});
     } else {
-      report_.warning(round, "places.no-way-to-point", {nameOf(goal), point});
+      report_.warning(round.who, "places.no-way-to-point", {nameOf(goal), point});
     }
   }
 
   /// HuNavSim's people walk straight from goal to goal.
   void tellBlocked(const Round& round, const std::string& goal) {
-    if (goal.empty() || round.key.kind != base::EntityKind::Human) {
+    if (goal.empty() || round.who.entity.kind != base::EntityKind::Human) {
       return;
     }
     if (round.planned) {
-      report_.add(base::Severity::Info, round.key, round.name, "places.wall-on-planned-way",
-                  {goal});
+      report_.add(base::Severity::Info, round.who, "places.wall-on-planned-way", {goal});
     } else {
-      report_.warning(round, "places.wall-on-way", {goal});
+      report_.warning(round.who, "places.wall-on-way", {goal});
     }
   }
 
@@ -280,50 +251,47 @@ class PlacesCheck {
 }  // namespace
 
 void checkShapes(const Scenario& scenario, CheckReport& report) {
-  for (const Obstacle& obstacle : scenario.obstacles) {
-    if (obstacle.listed && obstacle.kind == ObstacleKind::Polygon) {
-      checkPolygon(obstacle.points, obstacle.name, obstacle.key, report);
+  forEachListed(scenario.obstacles, [&](const Obstacle& obstacle) {
+    if (obstacle.kind == ObstacleKind::Polygon) {
+      checkPolygon(obstacle.points, obstacle, report);
     }
-  }
-  forEachListed(scenario.areas,
-                [&](const Area& area) { checkPolygon(area.points, area.name, area.key, report); });
-  forEachListed(scenario.robots, [&](const Robot& robot) {
-    checkPolygon(resolveRobot(scenario, robot, -1).footprint, robot.name + ": footprint", robot.key,
-                 report);
   });
-  for (const Door& door : scenario.doors) {
-    if (door.listed && door.from == door.to) {
+  forEachListed(scenario.areas, [&](const Area& area) { checkPolygon(area.points, area, report); });
+  forEachListed(scenario.robots, [&](const Robot& robot) {
+    checkPolygon(resolveRobot(scenario, robot, -1).footprint,
+                 {robot.key, robot.name + ": footprint"}, report);
+  });
+  forEachListed(scenario.doors, [&](const Door& door) {
+    if (door.from == door.to) {
       report.error(door, "shape.door-without-length");
     }
-  }
+  });
 }
 
 bool checkCoordinates(const Scenario& scenario, CheckReport& report) {
-  CoordinateCheck check(report);
+  bool isGood = true;
+  const auto points = [&](const std::vector<Vec2>& all, const Subject& subject) {
+    isGood = checkPoints(all, subject, report) && isGood;
+  };
   for (const GlobalGoal& goal : scenario.goals) {
-    check.point(goal.position, goal.key, "goal " + std::to_string(goal.id));
+    points({goal.position}, {goal.key, "goal " + std::to_string(goal.id)});
   }
   forEachListed(scenario.humans, [&](const Human& human) {
-    check.point(human.initPose.position, human.key, human.name + ": init_pose");
-    check.heading(human.initPose.heading, human.key, human.name + ": init_pose");
+    isGood = checkPose(human.initPose, {human.key, human.name + ": init_pose"}, report) && isGood;
   });
   forEachListed(scenario.robots, [&](const Robot& robot) {
-    check.point(robot.start.position, robot.key, robot.name + ": start");
-    check.heading(robot.start.heading, robot.key, robot.name + ": start");
-    check.point(robot.goal.point.value_or(Vec2::Zero()), robot.key, robot.name + ": goal");
+    isGood = checkPose(robot.start, {robot.key, robot.name + ": start"}, report) && isGood;
+    points({robot.goal.point.value_or(Vec2::Zero())}, {robot.key, robot.name + ": goal"});
   });
   forEachListed(scenario.obstacles, [&](const Obstacle& obstacle) {
-    check.point(obstacle.pose.position, obstacle.key, obstacle.name);
-    check.points({{obstacle.length, obstacle.width}, {obstacle.radius, 0.0}}, obstacle.key,
-                 obstacle.name + ": size");
-    check.points(obstacle.points, obstacle.key, obstacle.name);
+    points({obstacle.pose.position}, obstacle);
+    points({{obstacle.length, obstacle.width}, {obstacle.radius, 0.0}},
+           {obstacle.key, obstacle.name + ": size"});
+    points(obstacle.points, obstacle);
   });
-  forEachListed(scenario.doors, [&](const Door& door) {
-    check.points({door.from, door.to}, door.key, door.name);
-  });
-  forEachListed(scenario.areas,
-                [&](const Area& area) { check.points(area.points, area.key, area.name); });
-  return check.good();
+  forEachListed(scenario.doors, [&](const Door& door) { points({door.from, door.to}, door); });
+  forEachListed(scenario.areas, [&](const Area& area) { points(area.points, area); });
+  return isGood;
 }
 
 void checkPlaces(const Scenario& scenario, const Surroundings& surroundings, CheckReport& report) {

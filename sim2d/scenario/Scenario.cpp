@@ -1,8 +1,8 @@
 #include "sim2d/scenario/Scenario.h"
 
 #include <algorithm>
-#include <array>
 #include <tuple>
+#include <type_traits>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/Fields.h"
@@ -10,25 +10,58 @@
 namespace sim2d {
 namespace {
 
-constexpr std::array<const char*, 6> kBehaviorNames = {"Regular", "Impassive", "Surprised",
-                                                       "Scared",  "Curious",   "Threatening"};
+const std::vector<std::string>& behaviorWords() {
+  static const std::vector<std::string>& kWords = fieldOf<Behavior>("type")->spec.choices;
+  return kWords;
+}
 
-/// Of two drawn things or robots.
+/// All keys of the table of such a thing.
 template <class T>
-bool areSame(const T& a, const T& b) {
-  return a.name == b.name && a.listed == b.listed && haveSameValues(a, b) && a.unknown == b.unknown;
+bool haveSameKeys(const T& a, const T& b) {
+  const Fields<T>& all = fieldsOf<T>();
+  return std::all_of(all.begin(), all.end(), [&](const auto& each) { return each.equal(a, b); });
+}
+bool haveSameKeys(const GlobalGoal& /*a*/, const GlobalGoal& /*b*/) {
+  return true;
+}
+bool haveSameKeys(const Scenario& a, const Scenario& b) {
+  return haveSameKeys<Environment>(a, b);
+}
+
+/// What is compared beside the keys.
+template <class T>
+auto restOf(const T& of) {
+  if constexpr (std::is_base_of_v<Named, T>) {
+    return std::tie(of.name, of.listed);
+  } else {
+    return std::tuple<>();
+  }
+}
+auto restOf(const GlobalGoal& of) {
+  return std::tie(of.id, of.position);
+}
+auto restOf(const Human& of) {
+  return std::tie(of.name, of.listed, of.initPose, of.hasInitPose, of.initZ, of.initPoseUnknown,
+                  of.behavior, of.goals, of.ours);
+}
+auto restOf(const DesktopSettings& of) {
+  return std::tie(of.metrics);
+}
+auto restOf(const Scenario& of) {
+  return std::tie(of.goals, of.humans, of.robots, of.obstacles, of.doors, of.areas, of.desktop,
+                  of.otherNodes);
 }
 
 }  // namespace
 
 const char* behaviorName(BehaviorType type) {
-  return kBehaviorNames.at(static_cast<std::size_t>(type) - 1);
+  return behaviorWords().at(static_cast<std::size_t>(type) - 1).c_str();
 }
 
 std::optional<BehaviorType> behaviorFromName(const std::string& word) {
   const std::string lower = base::lowered(word);
-  for (std::size_t i = 0; i < kBehaviorNames.size(); ++i) {
-    if (base::lowered(kBehaviorNames[i]) == lower) {
+  for (std::size_t i = 0; i < behaviorWords().size(); ++i) {
+    if (base::lowered(behaviorWords()[i]) == lower) {
       return static_cast<BehaviorType>(i + 1);
     }
   }
@@ -70,74 +103,28 @@ const Human* Scenario::humanById(int id) const {
 
 int Scenario::nextKey() const {
   int largest = 0;
-  const auto look = [&largest](const auto& all) {
+  forEachList(*this, [&largest](base::EntityKind /*kind*/, const auto& all) {
     for (const auto& entity : all) {
       largest = std::max(largest, entity.key.key);
     }
-  };
-  look(goals);
-  look(humans);
-  look(robots);
-  look(obstacles);
-  look(doors);
-  look(areas);
+  });
   return largest + 1;
 }
 
-bool operator==(const Behavior& a, const Behavior& b) {
-  return haveSameValues(a, b) && a.unknown == b.unknown;
+template <class T>
+auto operator==(const T& a, const T& b) -> decltype(a.unknown == b.unknown) {
+  return haveSameKeys(a, b) && restOf(a) == restOf(b) && a.unknown == b.unknown;
 }
-
-bool operator==(const GlobalGoal& a, const GlobalGoal& b) {
-  return std::tie(a.id, a.position, a.unknown) == std::tie(b.id, b.position, b.unknown);
-}
-
-bool operator==(const PersonExtension& a, const PersonExtension& b) {
-  return haveSameValues(a, b) && a.unknown == b.unknown;
-}
-
-bool operator==(const Human& a, const Human& b) {
-  const auto rest = [](const Human& v) {
-    return std::tie(v.name, v.listed, v.initPose, v.hasInitPose, v.initZ, v.initPoseUnknown,
-                    v.behavior, v.goals, v.unknown, v.ours);
-  };
-  return haveSameValues(a, b) && rest(a) == rest(b);
-}
-
-bool operator==(const RobotGoal& a, const RobotGoal& b) {
-  return a.point == b.point && a.goals == b.goals;
-}
-
-bool operator==(const Robot& a, const Robot& b) {
-  return areSame(a, b);
-}
-
-bool operator==(const Obstacle& a, const Obstacle& b) {
-  return areSame(a, b);
-}
-
-bool operator==(const Door& a, const Door& b) {
-  return areSame(a, b);
-}
-
-bool operator==(const Area& a, const Area& b) {
-  return areSame(a, b);
-}
-
-bool operator==(const MetricsSettings& a, const MetricsSettings& b) {
-  return haveSameValues(a, b) && a.unknown == b.unknown;
-}
-
-bool operator==(const DesktopSettings& a, const DesktopSettings& b) {
-  return haveSameValues(a, b) && a.metrics == b.metrics && a.unknown == b.unknown;
-}
-
-bool operator==(const Scenario& a, const Scenario& b) {
-  const auto rest = [](const Scenario& v) {
-    return std::tie(v.goals, v.humans, v.robots, v.obstacles, v.doors, v.areas, v.desktop,
-                    v.unknown, v.otherNodes);
-  };
-  return haveSameValues<Environment>(a, b) && rest(a) == rest(b);
-}
+template bool operator==(const GlobalGoal&, const GlobalGoal&);
+template bool operator==(const Behavior&, const Behavior&);
+template bool operator==(const PersonExtension&, const PersonExtension&);
+template bool operator==(const Human&, const Human&);
+template bool operator==(const Robot&, const Robot&);
+template bool operator==(const Obstacle&, const Obstacle&);
+template bool operator==(const Door&, const Door&);
+template bool operator==(const Area&, const Area&);
+template bool operator==(const MetricsSettings&, const MetricsSettings&);
+template bool operator==(const DesktopSettings&, const DesktopSettings&);
+template bool operator==(const Scenario&, const Scenario&);
 
 }  // namespace sim2d

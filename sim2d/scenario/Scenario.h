@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim2d/base/Types.h"
-#include "sim2d/base/yaml/UnknownKey.h"
+#include "sim2d/base/yaml/YamlTree.h"
 
 /// The scenario as written in a file: plain values, compared by content (EntityIds are identity
 /// within one document, not content, and are left out of comparisons). What a file leaves out is
@@ -27,6 +27,17 @@ enum class Configuration { Default = 0, Custom = 1, Normal = 2, Uniform = 3 };
 
 const char* behaviorName(BehaviorType type);                            // "Regular" …
 std::optional<BehaviorType> behaviorFromName(const std::string& word);  // any case
+inline bool reactsToRobot(BehaviorType type) {
+  return type != BehaviorType::Regular && type != BehaviorType::Impassive;
+}
+
+/// What has a name and a block of its own in the file.
+struct Named {
+  EntityId key;
+  std::string name;    // unique
+  bool listed = true;  // false: block present but switched off
+  UnknownKeys unknown;
+};
 
 struct GlobalGoal {
   EntityId key;
@@ -68,11 +79,8 @@ struct PersonExtension {
   UnknownKeys unknown;
 };
 
-struct Human {
-  EntityId key;
-  std::string name;            // unique
+struct Human : Named {
   int id = -1;                 // >= 0, unique
-  bool listed = true;          // false: block present but switched off
   std::optional<int> groupId;  // -1 = alone
   std::optional<int> skin;
   std::optional<double> maxVel;      // v0 [m/s]
@@ -85,7 +93,6 @@ struct Human {
   UnknownKeys initPoseUnknown;
   Behavior behavior;
   std::vector<int> goals;  // ids of global goals, visiting order
-  UnknownKeys unknown;
   PersonExtension ours;
 };
 
@@ -97,56 +104,40 @@ struct RobotGoal {  // at most one of the two
 /// Parameters of a planner or model by their names: YAML scalars as text.
 using ParameterTexts = std::vector<std::pair<std::string, std::string>>;
 
-struct Robot {
-  EntityId key;
-  std::string name;
-  bool listed = true;
+struct Robot : Named {
   std::optional<std::string> type, planner;
   ParameterTexts plannerParameters;
   Pose2 start;
   RobotGoal goal;
   std::optional<double> goalRadius, startTime, radius, mass, maxVel, maxAcc, maxOmega, maxAlpha;
   std::vector<double> footprintX, footprintY;  // robot frame, counter-clockwise
-  UnknownKeys unknown;
 };
 
 enum class ObstacleKind { Box, Circle, Polygon, Wall };
-struct Obstacle {
-  EntityId key;
-  std::string name;
-  bool listed = true;
+struct Obstacle : Named {
   ObstacleKind kind = ObstacleKind::Box;
   Pose2 pose;                        // box: centre and heading; circle: centre
   double length = 1.0, width = 1.0;  // box
   double radius = 0.5;               // circle
   std::vector<Vec2> points;          // polygon, wall
   std::optional<double> thickness;   // wall, 0.1
-  UnknownKeys unknown;
 };
 
-struct Door {
-  EntityId key;
-  std::string name;
-  bool listed = true;
+struct Door : Named {
   Vec2 from = Vec2::Zero(), to = Vec2::Zero();
   std::optional<double> thickness;  // 0.05
   std::optional<bool> open;         // true
   std::vector<double> toggles;      // [s]
-  UnknownKeys unknown;
 };
 
 enum class AreaKind { Source, Sink, Wait, Exit };
-struct Area {
-  EntityId key;
-  std::string name;
-  bool listed = true;
+struct Area : Named {
   AreaKind kind = AreaKind::Wait;
   std::vector<Vec2> points;
   std::optional<std::string> like;  // source: name of a person
   std::optional<double> rate;       // [1/s]
   std::optional<double> from, until;
   std::optional<int> count;
-  UnknownKeys unknown;
 };
 
 /// Key `metrics` of the block. `from`, `until` as written ("goal", "time 5.0", "event contact").
@@ -204,20 +195,38 @@ struct Scenario : Environment {
   int nextKey() const;
 };
 
-// Comparison by content.
-bool operator==(const PersonExtension& a, const PersonExtension& b);
-bool operator==(const RobotGoal& a, const RobotGoal& b);
-bool operator==(const MetricsSettings& a, const MetricsSettings& b);
-bool operator==(const DesktopSettings& a, const DesktopSettings& b);
-bool operator==(const Behavior& a, const Behavior& b);
-bool operator==(const GlobalGoal& a, const GlobalGoal& b);
-bool operator==(const Human& a, const Human& b);
-bool operator==(const Robot& a, const Robot& b);
-bool operator==(const Obstacle& a, const Obstacle& b);
-bool operator==(const Door& a, const Door& b);
-bool operator==(const Area& a, const Area& b);
-bool operator==(const Scenario& a, const Scenario& b);
-inline bool operator!=(const Scenario& a, const Scenario& b) {
+/// Calls `visit` with each kind of entity and the member of a scenario that lists them.
+template <class Visit>
+void forEachKind(Visit visit) {
+  visit(base::EntityKind::Human, &Scenario::humans);
+  visit(base::EntityKind::Goal, &Scenario::goals);
+  visit(base::EntityKind::Robot, &Scenario::robots);
+  visit(base::EntityKind::Obstacle, &Scenario::obstacles);
+  visit(base::EntityKind::Door, &Scenario::doors);
+  visit(base::EntityKind::Area, &Scenario::areas);
+}
+
+/// Calls `visit` with the kind of what each list holds, and the list.
+template <class S, class Visit>
+void forEachList(S& scenario, Visit&& visit) {
+  forEachKind([&](base::EntityKind kind, auto list) { visit(kind, scenario.*list); });
+}
+
+/// Those that take part.
+template <class T, class Visit>
+void forEachListed(const std::vector<T>& all, Visit visit) {
+  for (const T& each : all) {
+    if (each.listed) {
+      visit(each);
+    }
+  }
+}
+
+/// Comparison by content, of all that may have unknown keys.
+template <class T>
+auto operator==(const T& a, const T& b) -> decltype(a.unknown == b.unknown);
+template <class T>
+auto operator!=(const T& a, const T& b) -> decltype(a.unknown == b.unknown) {
   return !(a == b);
 }
 

@@ -1,14 +1,12 @@
 #include "sim2d/scenario/ScenarioCheck.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <set>
 #include <type_traits>
 
-#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/CheckParts.h"
 #include "sim2d/scenario/Defaults.h"
@@ -40,20 +38,15 @@ void checkIds(const Scenario& scenario, CheckReport& report) {
   std::map<int, std::string> owners;
   bool inOrder = true;
   int position = 0;
-  for (const Human& human : scenario.humans) {
-    if (!human.listed) {
-      continue;
-    }
+  forEachListed(scenario.humans, [&](const Human& human) {
     inOrder = inOrder && human.id == ++position;
+    const auto [owner, isFirst] = owners.emplace(human.id, human.name);
     if (human.id < 0) {
       report.error(human, "scenario.id-negative");
-      continue;
+    } else if (!isFirst) {
+      report.error(human, "scenario.id-twice", {human.id, owner->second});
     }
-    const auto added = owners.emplace(human.id, human.name);
-    if (!added.second) {
-      report.error(human, "scenario.id-twice", {human.id, added.first->second});
-    }
-  }
+  });
   if (!inOrder) {
     report.warning(kScenario, "scenario.ids-not-in-order");
   }
@@ -78,9 +71,8 @@ void checkGoalNumbers(const Scenario& scenario, CheckReport& report) {
   }
 }
 
-template <class Traveller>
-void checkGoalIds(const std::vector<int>& goals, const Scenario& scenario,
-                  const Traveller& traveller, CheckReport& report) {
+void checkGoalIds(const std::vector<int>& goals, const Scenario& scenario, const Named& traveller,
+                  CheckReport& report) {
   std::set<int> told;
   for (const int id : goals) {
     if (scenario.goal(id) == nullptr && told.insert(id).second) {
@@ -90,15 +82,15 @@ void checkGoalIds(const std::vector<int>& goals, const Scenario& scenario,
 }
 
 void checkName(const std::optional<std::string>& name, const std::vector<std::string>& known,
-               const char* key, EntityId entity, const std::string& where, CheckReport& report) {
+               const char* key, const Subject& subject, CheckReport& report) {
   if (name && std::find(known.begin(), known.end(), *name) == known.end()) {
-    report.add(base::Severity::Error, entity, where, "scenario.unknown-word",
-               {key, *name, base::nearestName(*name, known), base::join(known, ", ")});
+    report.error(subject, "scenario.unknown-word",
+                 {key, *name, base::nearestName(*name, known), base::join(known, ", ")});
   }
 }
 
 /// "a distance", "a number above 0", "a number from 0 to 1"
-std::string expectedOf(const base::ParameterSpec& spec) {
+std::string expectedOf(const ParameterSpec& spec) {
   constexpr double kNoEnd = std::numeric_limits<double>::infinity();
   const base::Range& range = spec.range;
   if (spec.unit == "m" && range.low == 0.0 && range.high == kNoEnd) {
@@ -115,30 +107,25 @@ std::string expectedOf(const base::ParameterSpec& spec) {
 
 /// Of a planner or model, called `owner`.
 void checkParameters(const ParameterTexts& given, const std::string& owner,
-                     const std::map<std::string, std::vector<base::ParameterSpec>>& all,
-                     EntityId entity, const std::string& where, CheckReport& report) {
+                     const std::map<std::string, std::vector<ParameterSpec>>& all,
+                     const Subject& subject, CheckReport& report) {
   const auto specs = all.find(owner);
   if (specs == all.end()) {
     return;
   }
-  std::vector<std::string> known;
-  for (const base::ParameterSpec& spec : specs->second) {
-    known.push_back(spec.key);
-  }
   for (const auto& [key, text] : given) {
-    const std::string path = where + "." + key;
-    const auto found = std::find(known.begin(), known.end(), key);
-    if (found == known.end()) {
-      report.add(base::Severity::Error, entity, path, "planner.unknown-parameter",
-                 {owner, base::nearestName(key, known)});
-      continue;
+    const Subject parameter(subject.entity, subject.where + "." + key);
+    std::vector<std::string> known;
+    const ParameterSpec* found = nullptr;
+    for (const ParameterSpec& spec : specs->second) {
+      known.push_back(spec.key);
+      found = spec.key == key ? &spec : found;
     }
-    const base::ParameterSpec& spec =
-        specs->second[static_cast<std::size_t>(found - known.begin())];
     const std::optional<double> value = base::parseDouble(text);
-    if (!value || !std::isfinite(*value) || !spec.range.contains(*value)) {
-      report.add(base::Severity::Error, entity, path, "planner.bad-value",
-                 {text, expectedOf(spec)});
+    if (found == nullptr) {
+      report.error(parameter, "planner.unknown-parameter", {owner, base::nearestName(key, known)});
+    } else if (!value || !std::isfinite(*value) || !found->range.contains(*value)) {
+      report.error(parameter, "planner.bad-value", {text, expectedOf(*found)});
     }
   }
 }
@@ -188,37 +175,31 @@ void checkLimits(const Human& human, CheckReport& report) {
 
 /// Keys that a reaction needs and the file leaves out, with the value that counts.
 void checkReaction(const Scenario& scenario, const Human& human, CheckReport& report) {
+  static const std::map<BehaviorType, std::vector<std::string_view>> kNeeded = {
+      {BehaviorType::Surprised, {"dist", "duration", "once"}},
+      {BehaviorType::Scared, {"dist", "duration", "once", "vel", "safe_distance"}},
+      {BehaviorType::Curious, {"dist", "duration", "once", "vel", "stop_dist"}},
+      {BehaviorType::Threatening, {"dist", "duration", "once", "front_dist"}}};
   const Behavior& behavior = human.behavior;
-  const BehaviorType type = behavior.type.value_or(BehaviorType::Regular);
-  if (type == BehaviorType::Regular || type == BehaviorType::Impassive) {
+  const auto needed = kNeeded.find(behavior.type.value_or(BehaviorType::Regular));
+  if (needed == kNeeded.end()) {
     return;
   }
   const ResolvedHuman counts = resolveHuman(scenario, human, 0);
   const bool drawn = behavior.configuration == Configuration::Normal ||
                      behavior.configuration == Configuration::Uniform;
-  std::string missing;
-  const auto need = [&](bool present, const char* key, const std::string& value, bool isDrawn) {
-    if (!present && !(drawn && isDrawn)) {
-      missing += (missing.empty() ? "" : ", ") + std::string(key) + " " + value;
+  std::vector<std::string> missing;
+  for (const std::string_view key : needed->second) {
+    const Field<Behavior>& field = *fieldOf<Behavior>(key);
+    const ParameterValue used = field.resolved(counts, field.spec);
+    const double* number = std::get_if<double>(&used);
+    if (field.value(behavior) == ParameterValue() && (number == nullptr || !drawn)) {
+      missing.push_back(field.spec.key + " " +
+                        (number == nullptr ? "false" : base::formatDouble(*number)));
     }
-  };
-  const auto needNumber = [&](const std::optional<double>& value, const char* key, double used) {
-    need(value.has_value(), key, base::formatDouble(used), true);
-  };
-  needNumber(behavior.dist, "dist", counts.noticeDistance);
-  needNumber(behavior.duration, "duration", counts.reactionDuration);
-  need(behavior.once.has_value(), "once", "false", false);
-  if (type == BehaviorType::Scared) {
-    needNumber(behavior.vel, "vel", counts.reactionSpeed);
-    needNumber(behavior.safeDistance, "safe_distance", counts.safeDistance);
-  } else if (type == BehaviorType::Curious) {
-    needNumber(behavior.vel, "vel", counts.reactionSpeed);
-    needNumber(behavior.stopDist, "stop_dist", counts.stopDistance);
-  } else if (type == BehaviorType::Threatening) {
-    needNumber(behavior.frontDist, "front_dist", counts.frontDistance);
   }
   if (!missing.empty()) {
-    report.warning(human, "person.behavior-incomplete", {missing});
+    report.warning(human, "person.behavior-incomplete", {base::join(missing, ", ")});
   }
 }
 
@@ -248,10 +229,9 @@ void checkPerson(const Scenario& scenario, const Human& human, CheckReport& repo
 void checkNames(const Scenario& scenario, CheckReport& report) {
   std::set<std::string> seen;
   collectNames(scenario.humans, seen, report);
-  collectNames(scenario.robots, seen, report);
-  collectNames(scenario.obstacles, seen, report);
-  collectNames(scenario.doors, seen, report);
-  collectNames(scenario.areas, seen, report);
+  forEachBlockList(scenario, [&](const char* /*key*/, base::EntityKind /*kind*/, const auto& list) {
+    collectNames(list, seen, report);
+  });
   checkIds(scenario, report);
   checkGoalNumbers(scenario, report);
   if (scenario.map && mapBaseName(*scenario.map) != *scenario.map) {
@@ -260,22 +240,23 @@ void checkNames(const Scenario& scenario, CheckReport& report) {
 }
 
 void checkReferences(const Scenario& scenario, const KnownNames& names, CheckReport& report) {
-  checkName(scenario.desktop.model, names.models, "model", kScenario, {}, report);
+  checkName(scenario.desktop.model, names.models, "model", kScenario, report);
   for (const auto& [model, parameters] : scenario.desktop.modelParameters) {
-    checkName(model, names.models, "model", kScenario, "model_parameters", report);
-    checkParameters(parameters, model, names.modelParameters, kScenario,
-                    "model_parameters." + model, report);
+    checkName(model, names.models, "model", {kScenario, "model_parameters"}, report);
+    checkParameters(parameters, model, names.modelParameters,
+                    {kScenario, "model_parameters." + model}, report);
   }
   forEachListed(scenario.humans, [&](const Human& human) {
-    checkName(human.ours.model, names.models, "model", human.key, human.name, report);
+    checkName(human.ours.model, names.models, "model", human, report);
     checkGoalIds(human.goals, scenario, human, report);
   });
   forEachListed(scenario.robots, [&](const Robot& robot) {
-    checkName(robot.type, names.robotTypes, "type", robot.key, robot.name, report);
-    checkName(robot.planner, names.planners, "planner", robot.key, robot.name, report);
+    checkName(robot.type, names.robotTypes, "type", robot, report);
+    checkName(robot.planner, names.planners, "planner", robot, report);
     checkGoalIds(robot.goal.goals, scenario, robot, report);
     checkParameters(robot.plannerParameters, robot.planner.value_or(ResolvedRobot{}.planner),
-                    names.plannerParameters, robot.key, robot.name + ".planner_parameters", report);
+                    names.plannerParameters, {robot.key, robot.name + ".planner_parameters"},
+                    report);
   });
   forEachListed(scenario.areas, [&](const Area& area) { checkSource(area, scenario, report); });
 }
@@ -292,12 +273,12 @@ void checkPeople(const Scenario& scenario, CheckReport& report) {
 
 }  // namespace
 
-void CheckReport::add(base::Severity severity, EntityId entity, const std::string& where,
-                      std::string_view code, base::ProblemValues values) {
+void CheckReport::add(base::Severity severity, const Subject& subject, std::string_view code,
+                      base::ProblemValues values) {
   base::Diagnostic problem = base::problem(severity, code, std::move(values), file);
-  problem.entity = entity;
-  diagnostics.push_back(where.empty() ? std::move(problem)
-                                      : base::within(where, std::move(problem)));
+  problem.entity = subject.entity;
+  diagnostics.push_back(subject.where.empty() ? std::move(problem)
+                                              : base::within(subject.where, std::move(problem)));
 }
 
 int largestSkin(const std::string& simulator) {

@@ -14,41 +14,47 @@ namespace {
 class FileReader {
  public:
   FileReader(const YamlNode& root, const std::string& fileName, const FieldTables& tables)
-      : root_(root), loader_{result_.scenario, result_.report, tables} {
-    result_.report.file = fileName;
+      : root_(root), loader_{result_.file.scenario, report_, tables} {
+    report_.file = fileName;
   }
 
   TreeReading read() {
     if (!root_.isMap()) {
-      report().add(root_,
-                   base::error(root_.isNull() ? "scenario.file-empty" : "scenario.no-loader-node"));
-      return std::move(result_);
-    }
-    const YamlNode* node = loaderNode();
-    if (node != nullptr) {
-      const YamlNode* parameters = node->find(kParameters);
-      if (parameters == nullptr || !parameters->isMap()) {
-        report().add(*node, base::error("scenario.no-parameters", {node->key}));
-      } else {
+      report_.add(root_,
+                  base::error(root_.isNull() ? "scenario.file-empty" : "scenario.no-loader-node"));
+    } else {
+      const YamlNode* node = loaderNode();
+      if (const YamlNode* parameters = node == nullptr ? nullptr : parametersOf(*node)) {
         readLoader(*parameters);
       }
+      result_.loaderPaths = std::move(report_.knownPaths);
+      report_.knownPaths.clear();
+      readOurs();
+      result_.blockPaths = std::move(report_.knownPaths);
+      keepOthers(node);
+      scenario() = withoutDefaults(std::move(scenario()), loader_.tables);
     }
-    result_.loaderPaths = std::move(report().knownPaths);
-    report().knownPaths.clear();
-    readOurs();
-    result_.blockPaths = std::move(report().knownPaths);
-    keepOthers(node);
-    result_.scenario = withoutDefaults(std::move(result_.scenario), loader_.tables);
-    base::Diagnostics& all = report().diagnostics;
+    base::Diagnostics& all = report_.diagnostics;
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
       return std::tie(a.line, a.column) < std::tie(b.line, b.column);
     });
+    result_.file.diagnostics = std::move(all);
+    result_.file.lines = std::move(report_.lines);
     return std::move(result_);
   }
 
  private:
-  ReadReport& report() { return result_.report; }
-  Scenario& scenario() { return result_.scenario; }
+  Scenario& scenario() { return result_.file.scenario; }
+
+  /// What is below ros__parameters; nullptr and an error without such a map.
+  const YamlNode* parametersOf(const YamlNode& node) {
+    const YamlNode* parameters = node.find(kParameters);
+    if (parameters != nullptr && parameters->isMap()) {
+      return parameters;
+    }
+    report_.add(node, base::error("scenario.no-parameters", {node.key}));
+    return nullptr;
+  }
 
   const YamlNode* loaderNode() {
     if (const YamlNode* node = root_.find(kLoaderNode)) {
@@ -63,23 +69,23 @@ class FileReader {
       }
     }
     if (candidates == 1) {
-      report().add(*only, base::warning("scenario.other-node", {only->key}));
+      report_.add(*only, base::warning("scenario.other-node", {only->key}));
       return only;
     }
-    report().add(root_, base::error("scenario.no-node"));
+    report_.add(root_, base::error("scenario.no-node"));
     return nullptr;
   }
 
   void readLoader(const YamlNode& parameters) {
-    YamlMap view(&parameters, "", {base::EntityKind::Scenario, 0}, report());
-    report().lines[view.entity()] = parameters.keyLine;
+    YamlMap view(&parameters, "", {base::EntityKind::Scenario, 0}, report_);
+    report_.lines[view.entity()] = parameters.keyLine;
     readFields<Environment>(view, scenario(), loader_.tables);
     readGlobalGoals(view);
     readAgents(view);
     scenario().unknown = view.takeUnknown();
     const YamlNode* goals = parameters.find("global_goals");
     if (loader_.undefinedNumber && (goals == nullptr || scenario().goals.empty())) {
-      report().add(
+      report_.add(
           goals == nullptr ? parameters : *goals,
           base::error(goals == nullptr ? "scenario.goals-missing" : "scenario.goals-empty"));
     }
@@ -87,11 +93,7 @@ class FileReader {
   }
 
   void readGlobalGoals(YamlMap& view) {
-    const YamlNode* node = view.find("global_goals");
-    if (node == nullptr) {
-      return;
-    }
-    YamlMap goals(node, "global_goals", view.entity(), report());
+    YamlMap goals = view.map("global_goals");
     std::set<int> numbers;
     for (const YamlNode& item : goals.node().items) {
       goals.know(item.key);
@@ -107,7 +109,7 @@ class FileReader {
       GlobalGoal goal;
       goal.id = static_cast<int>(*id);
       goal.key = loader_.newEntity(base::EntityKind::Goal, item);
-      YamlMap point(&item, goals.pathOf(item.key), goal.key, report());
+      YamlMap point(&item, goals.pathOf(item.key), goal.key, report_);
       goal.position = Vec2(point.required("x"), point.required("y"));
       point.know("h");  // kept from older dialects
       if (const YamlNode* heading = item.find("h")) {
@@ -168,59 +170,53 @@ class FileReader {
   }
 
   void reportDialect(const YamlNode& parameters) {
-    const std::string stem = std::filesystem::path(report().file).stem().string();
+    const std::string stem = std::filesystem::path(report_.file).stem().string();
     if (!loader_.scalarBehavior && !loader_.numberedType && !loader_.namedGoals) {
       if (scenario().yamlBaseName && !stem.empty() && *scenario().yamlBaseName != stem) {
-        report().add(*parameters.find("yaml_base_name"),
-                     base::warning("scenario.base-name", {*scenario().yamlBaseName}));
+        report_.add(*parameters.find("yaml_base_name"),
+                    base::warning("scenario.base-name", {*scenario().yamlBaseName}));
       }
       return;
     }
-    result_.dialect = loader_.scalarBehavior ? Dialect::A : Dialect::B;
-    const bool first = result_.dialect == Dialect::A;
-    report().add(parameters,
-                 base::problem(base::Severity::Info,
-                               first ? "scenario.format-of-first" : "scenario.format-of-second"));
+    const bool first = loader_.scalarBehavior;
+    result_.file.dialect = first ? Dialect::A : Dialect::B;
+    report_.add(parameters,
+                base::problem(base::Severity::Info,
+                              first ? "scenario.format-of-first" : "scenario.format-of-second"));
     if (!scenario().yamlBaseName) {
       scenario().yamlBaseName = stem;
     }
     if (!scenario().simulator) {
-      report().add(parameters, base::problem(base::Severity::Info, "scenario.no-simulator",
-                                             {suggestedSimulator(scenario())}));
+      report_.add(parameters, base::problem(base::Severity::Info, "scenario.no-simulator",
+                                            {suggestedSimulator(scenario())}));
     }
   }
 
   void readOurs() {
     const YamlNode* node = root_.find(kBlockNode);
-    if (node == nullptr) {
-      registerBlockKeys();
+    if (node == nullptr) {  // so that a hint can name a key of ours
+      YamlNode block;
+      setChild(block, "format", number(kBlockFormat));
+      readBlock(block, loader_);
       return;
     }
-    const YamlNode* parameters = node->find(kParameters);
-    if (parameters == nullptr || !parameters->isMap()) {
-      report().add(*node, base::error("scenario.no-parameters", {kBlockNode}));
+    const YamlNode* parameters = parametersOf(*node);
+    if (parameters == nullptr) {
       return;
     }
     for (const YamlNode& item : node->items) {
       if (item.key != kParameters) {
-        report().add(item, base::error("scenario.only-parameters", {kBlockNode}));
+        report_.add(item, base::error("scenario.only-parameters", {kBlockNode}));
       }
     }
     readBlock(*parameters, loader_);
-  }
-
-  /// So that a hint can name a key of ours when the file has none of them yet.
-  void registerBlockKeys() {
-    YamlNode block;
-    setChild(block, "format", number(kBlockFormat));
-    readBlock(block, loader_);
   }
 
   void keepOthers(const YamlNode* loader) {
     if (loader != nullptr && loader->find(kParameters) != nullptr) {
       for (const YamlNode& item : loader->items) {
         if (item.key != kParameters) {
-          report().add(item, base::warning("scenario.others-lost", {loader->key, item.key}));
+          report_.add(item, base::warning("scenario.others-lost", {loader->key, item.key}));
         }
       }
     }
@@ -232,17 +228,16 @@ class FileReader {
   }
 
   const YamlNode& root_;
+  ReadReport report_;
   TreeReading result_;
   LoaderReading loader_;
 };
 
 int firstErrorLine(const base::Diagnostics& diagnostics) {
-  for (const base::Diagnostic& diagnostic : diagnostics) {
-    if (diagnostic.severity == base::Severity::Error && diagnostic.line > 0) {
-      return diagnostic.line;
-    }
-  }
-  return 0;
+  const auto found = std::find_if(diagnostics.begin(), diagnostics.end(), [](const auto& said) {
+    return said.severity == base::Severity::Error && said.line > 0;
+  });
+  return found == diagnostics.end() ? 0 : found->line;
 }
 
 std::string_view firstLines(std::string_view text, int count) {
@@ -251,6 +246,20 @@ std::string_view firstLines(std::string_view text, int count) {
     end = std::min(text.find('\n', end), text.size() - 1) + 1;
   }
   return text.substr(0, end);
+}
+
+/// From 1; behind the dashes of list entries.
+int columnOfKey(const std::string& line) {
+  const std::size_t found = line.find_first_not_of(" -");
+  return found == std::string::npos ? 1 : static_cast<int>(found) + 1;
+}
+
+const YamlNode* findKey(const YamlNode& root, const std::string& dotted) {
+  const YamlNode* node = &root;
+  for (const std::string& key : base::split(dotted, '.')) {
+    node = node == nullptr ? nullptr : node->find(key);
+  }
+  return node;
 }
 
 }  // namespace
@@ -262,15 +271,10 @@ TreeReading readTree(const YamlNode& root, const std::string& fileName, const Fi
 ScenarioReading readScenarioText(const std::string& text, const std::string& fileName) {
   ScenarioReading reading;
   const YamlNode root = parseYaml(text, fileName, reading.diagnostics);
-  if (!reading.ok()) {
-    return reading;
+  if (reading.ok()) {
+    reading = readTree(root, fileName).file;
+    reading.commentCount = base::countComments(text);
   }
-  TreeReading tree = readTree(root, fileName);
-  reading.scenario = std::move(tree.scenario);
-  base::append(reading.diagnostics, tree.report.diagnostics);
-  reading.lines = std::move(tree.report.lines);
-  reading.dialect = tree.dialect;
-  reading.commentCount = base::countComments(text);
   return reading;
 }
 
@@ -296,15 +300,64 @@ ScenarioReading readBeginning(const std::string& path) {
     base::Diagnostics ignored;  // of the part alone they would mislead
     const YamlNode root = parseYaml(firstLines(*text, lines), path, ignored);
     if (!base::hasErrors(ignored)) {
-      TreeReading tree = readTree(root, path);
-      reading.scenario = std::move(tree.scenario);
-      reading.lines = std::move(tree.report.lines);
-      reading.dialect = tree.dialect;
-      return reading;
+      ScenarioReading part = readTree(root, path).file;
+      part.diagnostics = std::move(reading.diagnostics);
+      part.commentCount = reading.commentCount;
+      return part;
     }
     lines -= 1 << std::min(attempt / 4, 8);
   }
   return reading;
+}
+
+void addLines(base::Diagnostics& diagnostics, const std::map<EntityId, int>& lines) {
+  for (base::Diagnostic& diagnostic : diagnostics) {
+    const auto found = lines.find(diagnostic.entity);
+    if (diagnostic.line == 0 && diagnostic.entity && found != lines.end()) {
+      diagnostic.line = found->second;
+    }
+  }
+}
+
+void addColumns(base::Diagnostics& diagnostics, const std::string& path) {
+  const base::Result<std::string> text = base::readTextFile(path);
+  if (!text) {
+    return;  // who reads the file says why
+  }
+  const std::vector<std::string> lines = base::split(*text, '\n');
+  for (base::Diagnostic& said : diagnostics) {
+    const auto line = static_cast<std::size_t>(said.line);
+    if (said.file == path && said.column == 0 && said.line > 0 && line <= lines.size()) {
+      said.column = columnOfKey(lines[line - 1]);
+    }
+  }
+}
+
+void addPlaceOfKey(base::Diagnostics& diagnostics, const std::string& path,
+                   const std::vector<std::string>& keys) {
+  const auto isMeant = [&path](const auto& said) { return said.file == path && said.line == 0; };
+  if (std::none_of(diagnostics.begin(), diagnostics.end(), isMeant)) {
+    return;  // to read a large file takes its time
+  }
+  const base::Result<std::string> text = base::readTextFile(path);
+  base::Diagnostics ignored;  // told by the reader of the scenario
+  const YamlNode root = text ? parseYaml(*text, path, ignored) : YamlNode();
+  const YamlNode* found = nullptr;
+  for (const std::string& key : keys) {
+    found = found == nullptr && !base::hasErrors(ignored) ? findKey(root, key) : found;
+  }
+  for (base::Diagnostic& said : diagnostics) {
+    if (found != nullptr && isMeant(said)) {
+      said.line = found->keyLine;
+      said.column = found->keyColumn;
+    }
+  }
+}
+
+void addPlaceOfMap(base::Diagnostics& diagnostics, const std::string& path) {
+  addPlaceOfKey(diagnostics, path,
+                {"hunavsim_desktop.ros__parameters.map_file", "hunav_loader.ros__parameters.map",
+                 "hunav_loader.ros__parameters"});
 }
 
 }  // namespace sim2d

@@ -40,37 +40,35 @@ Fields<DesktopSettings> settingsFields();
 Fields<MetricsSettings> metricsFields();
 
 /// The value of one key, checked by its type and range; what is wrong with it is reported.
-base::ParameterValue readValue(YamlMap& view, const base::ParameterSpec& spec, bool isWide);
-/// A required key that is missing is reported too.
-base::ParameterValue readRequired(YamlMap& view, const base::ParameterSpec& spec, bool isWide);
+ParameterValue readValue(YamlMap& view, const ParameterSpec& spec, bool isWide);
 /// Nothing is written for monostate.
-void writeValue(YamlNode& tree, const base::ParameterSpec& spec, const base::ParameterValue& value,
-                int digits);
+void writeValue(YamlNode& tree, const ParameterSpec& spec, const ParameterValue& value, int digits);
 
 template <class T>
 void readFields(YamlMap& view, T& to, const FieldTables& tables) {
   for (const Field<T>& field : fieldsOf<T>(tables)) {
-    if (!field.belongsTo(to)) {
-      continue;
-    }
-    if (field.read) {
+    if (field.belongsTo(to) && field.read) {
       field.read(view, to);
-    } else {
-      field.assign(to, field.required ? readRequired(view, field.spec, field.isWide)
-                                      : readValue(view, field.spec, field.isWide));
+    } else if (field.belongsTo(to)) {
+      const bool isMissing = field.required && !view.demand(field.spec.key);  // told
+      field.assign(to, isMissing ? ParameterValue() : readValue(view, field.spec, field.isWide));
     }
   }
+}
+
+/// The keys of the table, and as text those that nobody knows.
+template <class T>
+void readThing(YamlMap view, T& to, const FieldTables& tables) {
+  readFields(view, to, tables);
+  to.unknown = view.takeUnknown();
 }
 
 template <class T>
 void writeFields(YamlNode& tree, const T& of, const FieldTables& tables) {
   for (const Field<T>& field : fieldsOf<T>(tables)) {
-    if (!field.belongsTo(of)) {
-      continue;
-    }
-    if (field.write) {
+    if (field.belongsTo(of) && field.write) {
       field.write(tree, of);
-    } else {
+    } else if (field.belongsTo(of)) {
       const int digits = field.digitsOf ? field.digitsOf(of) : field.digits;
       writeValue(tree, field.spec, field.value(of), digits);
     }
@@ -105,13 +103,11 @@ Human readHuman(const YamlNode& block, bool listed, LoaderReading& reading);
 void setBehaviorType(Behavior& behavior, const std::string& text);
 
 /// Tells of a type that is none of HuNavSim's.
-void warnForeign(const Behavior& behavior, const YamlNode& at, const std::string& path,
-                 EntityId entity, ReadReport& report);
+void warnForeign(const Behavior& behavior, const YamlNode& at, const std::string& key,
+                 YamlMap& view);
 
 struct TreeReading {
-  Scenario scenario;
-  ReadReport report;
-  Dialect dialect = Dialect::C;
+  ScenarioReading file;
   std::set<std::string> loaderPaths, blockPaths;  // keys that exist, below ros__parameters
 };
 
@@ -146,6 +142,15 @@ ParameterTexts readParameters(YamlMap& view, const std::string& key);
 void writeParameters(YamlNode& tree, const std::string& key, const ParameterTexts& parameters);
 /// Maps inside an entity that have no place for keys of others.
 void refuseUnknown(YamlMap& view);
+
+/// Calls `visit` with each list of things that have a map in our block: its key there, its kind.
+template <class S, class Visit>
+void forEachBlockList(S& scenario, Visit visit) {
+  visit("robots", base::EntityKind::Robot, scenario.robots);
+  visit("obstacles", base::EntityKind::Obstacle, scenario.obstacles);
+  visit("doors", base::EntityKind::Door, scenario.doors);
+  visit("areas", base::EntityKind::Area, scenario.areas);
+}
 
 /// The keys of one thing, those that we do not know last; null when there are none.
 template <class T>

@@ -9,21 +9,15 @@ namespace {
 
 template <class T, class Make>
 YamlNode listOf(const std::vector<T>& values, Make make) {
-  YamlNode list;
-  list.kind = YamlNode::Kind::List;
+  YamlNode list(YamlNode::Kind::List);
   std::transform(values.begin(), values.end(), std::back_inserter(list.items), make);
   return list;
 }
 
 template <class T>
 YamlNode listedNames(const std::vector<T>& entities) {
-  YamlNode list;
-  list.kind = YamlNode::Kind::List;
-  for (const T& entity : entities) {
-    if (entity.listed) {
-      list.items.push_back(stringNode(entity.name));
-    }
-  }
+  YamlNode list(YamlNode::Kind::List);
+  forEachListed(entities, [&](const T& each) { list.items.push_back(stringNode(each.name)); });
   return list;
 }
 
@@ -64,8 +58,7 @@ YamlNode behaviorTree(const Behavior& behavior, const FieldTables& tables) {
 
 /// Keys before `behavior`; every dialect has them.
 YamlNode bodyTree(const Human& human, const FieldTables& tables) {
-  YamlNode tree;
-  tree.kind = YamlNode::Kind::Map;
+  YamlNode tree(YamlNode::Kind::Map);
   writeFields(tree, human, tables);
   if (human.hasInitPose) {
     YamlNode& pose = tree.child("init_pose");
@@ -99,12 +92,13 @@ void addLoss(base::Diagnostics& losses, const Human& human, const std::string& m
 /// What was the parameter `dist` in dialect B, and what gets lost.
 void setOldDistance(YamlNode& tree, const Human& human, base::Diagnostics& losses) {
   const Behavior& behavior = human.behavior;
-  const double noticed = behavior.dist.value_or(5.0);
-  if (behavior.type == BehaviorType::Curious || behavior.type == BehaviorType::Threatening) {
-    const bool curious = behavior.type == BehaviorType::Curious;
-    const double fixed = curious ? 10.0 : 4.5;
-    setChild(tree, "dist",
-             decimals((curious ? behavior.stopDist : behavior.frontDist).value_or(1.5)));
+  const bool isCurious = behavior.type == BehaviorType::Curious;
+  const bool isScared = behavior.type == BehaviorType::Scared;
+  if (isCurious || behavior.type == BehaviorType::Threatening) {
+    const double noticed = behavior.dist.value_or(5.0);
+    const double fixed = isCurious ? 10.0 : 4.5;
+    const auto& kept = isCurious ? behavior.stopDist : behavior.frontDist;
+    setChild(tree, "dist", decimals(kept.value_or(1.5)));
     if (noticed != fixed) {
       addLoss(losses, human,
               "dist " + base::formatDouble(noticed) +
@@ -112,10 +106,9 @@ void setOldDistance(YamlNode& tree, const Human& human, base::Diagnostics& losse
     }
     return;
   }
-  const bool reacts =
-      behavior.type == BehaviorType::Surprised || behavior.type == BehaviorType::Scared;
-  setChild(tree, "dist", decimals(behavior.dist.value_or(reacts ? 5.0 : 0.0)));
-  if (behavior.type == BehaviorType::Scared && behavior.safeDistance.value_or(5.0) != 5.0) {
+  const bool notices = isScared || behavior.type == BehaviorType::Surprised;
+  setChild(tree, "dist", decimals(behavior.dist.value_or(notices ? 5.0 : 0.0)));
+  if (isScared && behavior.safeDistance.value_or(5.0) != 5.0) {
     addLoss(losses, human,
             "safe_distance " + base::formatDouble(*behavior.safeDistance) +
                 " is lost, this format has none");
@@ -173,18 +166,6 @@ void setPeople(YamlNode& tree, const Scenario& scenario, Make make) {
   setUnknown(tree, scenario.unknown);
 }
 
-/// The list of names and the maps beside it.
-template <class T>
-void setEntities(YamlNode& tree, const std::string& key, const std::vector<T>& entities,
-                 const FieldTables& tables) {
-  YamlNode names = listedNames(entities);
-  if (!names.items.empty()) {
-    setChild(tree, key, std::move(names));
-  }
-  forEachListedFirst(entities,
-                     [&](const T& each) { setChild(tree, each.name, fieldTree(each, tables)); });
-}
-
 /// Null when the block would hold nothing but its format.
 YamlNode blockTree(const Scenario& given, const FieldTables& tables) {
   const Scenario scenario = withoutDefaults(given, tables);
@@ -197,10 +178,14 @@ YamlNode blockTree(const Scenario& given, const FieldTables& tables) {
       setChild(tree, human.name, std::move(person));
     }
   });
-  setEntities(tree, "robots", scenario.robots, tables);
-  setEntities(tree, "obstacles", scenario.obstacles, tables);
-  setEntities(tree, "doors", scenario.doors, tables);
-  setEntities(tree, "areas", scenario.areas, tables);
+  forEachBlockList(scenario, [&](const char* key, base::EntityKind /*kind*/, const auto& list) {
+    YamlNode names = listedNames(list);
+    if (!names.items.empty()) {
+      setChild(tree, key, std::move(names));
+    }
+    forEachListedFirst(
+        list, [&](const auto& each) { setChild(tree, each.name, fieldTree(each, tables)); });
+  });
   YamlNode metrics = fieldTree(scenario.desktop.metrics, tables);
   if (!metrics.isNull()) {
     setChild(tree, "metrics", std::move(metrics));
@@ -222,8 +207,7 @@ YamlNode fileOf(YamlNode loader, const Scenario& scenario, const FieldTables& ta
 }
 
 std::string fileText(const YamlNode& tree) {
-  const bool hasBlock = tree.find(kBlockNode) != nullptr;
-  return emitYaml(tree) + (hasBlock ? "\n" : "");
+  return emitYaml(tree) + (tree.find(kBlockNode) != nullptr ? "\n" : "");
 }
 
 }  // namespace
@@ -271,18 +255,14 @@ void setUnknown(YamlNode& map, const UnknownKeys& unknown) {
 
 Scenario withoutDefaults(Scenario scenario, const FieldTables& tables) {
   const DesktopSettings desktop = scenario.desktop;
-  const auto drop = [&](auto& entities) {
-    for (auto& entity : entities) {
-      dropDefaults(entity, desktop, tables);
-    }
-  };
   for (Human& human : scenario.humans) {
     dropDefaults(human.ours, desktop, tables);
   }
-  drop(scenario.robots);
-  drop(scenario.obstacles);
-  drop(scenario.doors);
-  drop(scenario.areas);
+  forEachBlockList(scenario, [&](const char* /*key*/, base::EntityKind /*kind*/, auto& list) {
+    for (auto& each : list) {
+      dropDefaults(each, desktop, tables);
+    }
+  });
   dropDefaults(scenario.desktop, desktop, tables);
   dropDefaults(scenario.desktop.metrics, desktop, tables);
   return scenario;

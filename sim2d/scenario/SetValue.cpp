@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <map>
 
-#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioTree.h"
 
@@ -17,33 +16,11 @@ std::vector<KeyPath> expanded(const Scenario& scenario, const std::string& text)
     return {path};
   }
   std::vector<KeyPath> all;
-  for (const Human& human : scenario.humans) {
-    if (human.listed) {
-      all.push_back(path);
-      all.back().front() = human.name;
-    }
-  }
+  forEachListed(scenario.humans, [&](const Human& human) {
+    all.push_back(path);
+    all.back().front() = human.name;
+  });
   return all;
-}
-
-bool belongsToLoader(const Scenario& scenario, const std::string& first) {
-  return loaderKeys().count(first) != 0 || scenario.human(first) != nullptr;
-}
-
-void put(YamlNode& root, const char* node, const KeyPath& path, const YamlNode& value) {
-  YamlNode* at = &root.child(node).child(kParameters);
-  if (std::string_view(node) == kBlockNode && at->find("format") == nullptr) {
-    setChild(*at, "format", number(kBlockFormat));
-  }
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    at = &at->child(path[i]);
-  }
-  setChild(*at, path.back(), value);
-}
-
-bool knowsAll(const std::set<std::string>& known, const std::vector<KeyPath>& paths) {
-  return std::all_of(paths.begin(), paths.end(),
-                     [&](const KeyPath& path) { return known.count(base::join(path, ".")) != 0; });
 }
 
 /// What the new reading says beyond the old one.
@@ -64,33 +41,30 @@ base::Diagnostics added(const base::Diagnostics& before, const base::Diagnostics
   return result;
 }
 
-/// Entities keep their identity when the scenario is read anew.
-template <class T, class Same>
-void takeKeys(std::vector<T>& to, const std::vector<T>& from, Same same, int& next) {
-  for (T& entity : to) {
-    const auto found =
-        std::find_if(from.begin(), from.end(), [&](const T& other) { return same(entity, other); });
-    entity.key.key = found == from.end() ? next++ : found->key.key;
-  }
+bool isSame(const GlobalGoal& a, const GlobalGoal& b) {
+  return a.id == b.id;
+}
+bool isSame(const Named& a, const Named& b) {
+  return a.name == b.name;
 }
 
-void takeAllKeys(Scenario& to, const Scenario& from) {
+/// Entities keep their identity when the scenario is read anew.
+void takeKeys(Scenario& to, const Scenario& from) {
   int next = from.nextKey();
-  const auto sameName = [](const auto& a, const auto& b) { return a.name == b.name; };
-  takeKeys(
-      to.goals, from.goals, [](const GlobalGoal& a, const GlobalGoal& b) { return a.id == b.id; },
-      next);
-  takeKeys(to.humans, from.humans, sameName, next);
-  takeKeys(to.robots, from.robots, sameName, next);
-  takeKeys(to.obstacles, from.obstacles, sameName, next);
-  takeKeys(to.doors, from.doors, sameName, next);
-  takeKeys(to.areas, from.areas, sameName, next);
+  forEachKind([&](base::EntityKind /*kind*/, auto list) {
+    for (auto& entity : to.*list) {
+      const auto& old = from.*list;
+      const auto found = std::find_if(old.begin(), old.end(),
+                                      [&](const auto& other) { return isSame(entity, other); });
+      entity.key.key = found == old.end() ? next++ : found->key.key;
+    }
+  });
 }
 
 base::Diagnostics unknownPath(const std::string& path, const TreeReading& reading) {
   std::vector<std::string> known(reading.loaderPaths.begin(), reading.loaderPaths.end());
   known.insert(known.end(), reading.blockPaths.begin(), reading.blockPaths.end());
-  const std::vector<Human>& people = reading.scenario.humans;
+  const std::vector<Human>& people = reading.file.scenario.humans;
   if (path.compare(0, 2, "*.") == 0 && !people.empty()) {  // all people have the same keys
     const std::string prefix = people.front().name + ".";
     for (const std::string& each : std::vector<std::string>(known)) {
@@ -111,19 +85,25 @@ bool isNumberedType(const std::string& path, const YamlNode& value) {
 }
 
 /// Reads the tree with the value put into one of the nodes; nothing if the node has no such key.
-std::optional<TreeReading> readWith(const YamlNode& tree, const char* node,
-                                    const std::vector<KeyPath>& paths, const YamlNode& value,
-                                    const FieldTables& tables) {
-  YamlNode changed = tree;
+std::optional<TreeReading> readWith(YamlNode tree, bool isLoader, const std::vector<KeyPath>& paths,
+                                    const YamlNode& value, const FieldTables& tables) {
+  YamlNode& node = tree.child(isLoader ? kLoaderNode : kBlockNode).child(kParameters);
+  if (!isLoader && node.find("format") == nullptr) {
+    setChild(node, "format", number(kBlockFormat));
+  }
   for (const KeyPath& path : paths) {
-    put(changed, node, path, value);
+    YamlNode* at = &node;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+      at = &at->child(path[i]);
+    }
+    setChild(*at, path.back(), value);
   }
-  TreeReading reading = readTree(changed, {}, tables);
-  const bool loader = std::string_view(node) == kLoaderNode;
-  if (!knowsAll(loader ? reading.loaderPaths : reading.blockPaths, paths)) {
-    return std::nullopt;
-  }
-  return reading;
+  TreeReading reading = readTree(tree, {}, tables);
+  const std::set<std::string>& known = isLoader ? reading.loaderPaths : reading.blockPaths;
+  const bool isKnown = std::all_of(paths.begin(), paths.end(), [&](const KeyPath& path) {
+    return known.count(base::join(path, ".")) != 0;
+  });
+  return isKnown ? std::make_optional(std::move(reading)) : std::nullopt;
 }
 
 }  // namespace
@@ -145,20 +125,21 @@ base::Diagnostics setValue(Scenario& scenario, const std::string& path, const st
   if (paths.empty()) {
     return {base::within(path, base::error("set.nobody"))};
   }
+  const std::string& first = paths.front().front();
   std::optional<TreeReading> after;
-  if (belongsToLoader(scenario, paths.front().front())) {
-    after = readWith(tree, kLoaderNode, paths, node, tables);
+  if (loaderKeys().count(first) != 0 || scenario.human(first) != nullptr) {
+    after = readWith(tree, true, paths, node, tables);
   }
   if (!after) {
-    after = readWith(tree, kBlockNode, paths, node, tables);
+    after = readWith(tree, false, paths, node, tables);
   }
   if (!after) {
     return unknownPath(path, before);
   }
-  base::Diagnostics result = added(before.report.diagnostics, after->report.diagnostics);
+  base::Diagnostics result = added(before.file.diagnostics, after->file.diagnostics);
   if (!base::hasErrors(result)) {
-    takeAllKeys(after->scenario, scenario);
-    scenario = std::move(after->scenario);
+    takeKeys(after->file.scenario, scenario);
+    scenario = std::move(after->file.scenario);
   }
   return result;
 }

@@ -134,7 +134,7 @@ Fields<DesktopSettings> settingsFields() {
           .words({"humble", "main"})
           .orElse(std::string("humble")),
       field("seed", &Settings::seed, "The same seed gives the same run", {"Seed", 0, 1.0}, {},
-            base::kNotNegative)
+            kNotNegative)
           .orElse(1),
       field("duration", &Settings::duration,
             "Length of a run; absent: until the robot has arrived plus 1 s, at most 120 s",
@@ -148,10 +148,7 @@ Fields<DesktopSettings> settingsFields() {
           .orElse(ResolvedHuman().model),
       FieldOf<Settings>("model_parameters",
                         "Of models, below the name of each: see `list models --format json`")
-          .madeBy(readModelParameters, writeModelParameters,
-                  [](const Settings& a, const Settings& b) {
-                    return a.modelParameters == b.modelParameters;
-                  }),
+          .madeBy(readModelParameters, writeModelParameters, &Settings::modelParameters),
       field("route", &Settings::route, "Ways round walls, or straight on as the original",
             {"Routes"})
           .words(routeWords())
@@ -167,8 +164,7 @@ Fields<DesktopSettings> settingsFields() {
             {"Corridor"}, "m")
           .with(&Field<Settings>::read, readWrap),
       FieldOf<Settings>("groups", "Names of groups by their numbers")
-          .madeBy(readGroups, writeGroups,
-                  [](const Settings& a, const Settings& b) { return a.groups == b.groups; })};
+          .madeBy(readGroups, writeGroups, &Settings::groups)};
 }
 
 Fields<MetricsSettings> metricsFields() {
@@ -179,7 +175,7 @@ Fields<MetricsSettings> metricsFields() {
       moment("until", &Settings::until, {"end", "arrival"},
              "end, arrival, time 20.0 or event contact", "Until"),
       field("frequency", &Settings::frequency, "0 takes every recorded sample",
-            {"Frequency", 1, 1.0}, "Hz", base::kNotNegative)
+            {"Frequency", 1, 1.0}, "Hz", kNotNegative)
           .orElse(0.0),
       field("tag", &Settings::tag, "Of the experiment, in the results", {"Tag"})
           .orElse(std::string("exp_1")),
@@ -189,9 +185,7 @@ Fields<MetricsSettings> metricsFields() {
             "Which metrics are measured; relative to the scenario; absent: all", {"Metrics file"}),
       FieldOf<Settings>("parameters", "Thresholds of metrics: name and number of each",
                         {"Thresholds"})
-          .madeBy(readThresholds, writeThresholds, [](const Settings& a, const Settings& b) {
-            return a.parameters == b.parameters;
-          })};
+          .madeBy(readThresholds, writeThresholds, &Settings::parameters)};
 }
 
 }  // namespace sim2d

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -39,17 +38,23 @@ std::vector<Outline> outlinesOf(const Door& door) {
 
 namespace fs = std::filesystem;
 
-bool isFile(const fs::path& path) {
-  std::error_code ignored;  // not there, not readable: no file for us
-  return fs::is_regular_file(path.lexically_normal(), ignored);
-}
-
 fs::path folderOf(const FilePlaces& places) {
   return fs::path(places.scenarioPath).parent_path();
 }
 
 std::string tidy(const fs::path& path) {
   return path.lexically_normal().string();
+}
+
+bool isFile(const std::string& path) {
+  std::error_code ignored;  // not there, not readable: no file for us
+  return fs::is_regular_file(path, ignored);
+}
+
+/// Empty when none of these tidy paths is that of a file.
+std::string firstFile(const std::vector<std::string>& paths) {
+  const auto found = std::find_if(paths.begin(), paths.end(), isFile);
+  return found == paths.end() ? std::string() : *found;
 }
 
 base::Diagnostic noMap(const FilePlaces& places, const char* code, base::ProblemValues values) {
@@ -60,7 +65,7 @@ base::Diagnostic noMap(const FilePlaces& places, const char* code, base::Problem
 
 base::Result<std::string> onlyPlace(const FilePlaces& places, const char* key,
                                     const std::string& name, const fs::path& path) {
-  if (isFile(path)) {
+  if (isFile(tidy(path))) {
     return tidy(path);
   }
   std::error_code ignored;
@@ -79,17 +84,12 @@ Surroundings makeSurroundings(const Scenario& scenario, OccupancyGrid grid) {
   Surroundings result;
   result.obstacles.add(traceOutlines(grid));
   result.grid = std::move(grid);
-  for (const Obstacle& obstacle : scenario.obstacles) {
-    if (obstacle.listed) {
-      result.obstacles.add(outlinesOf(obstacle));
-    }
-  }
+  forEachListed(scenario.obstacles,
+                [&](const Obstacle& obstacle) { result.obstacles.add(outlinesOf(obstacle)); });
   result.firstDoorPart = result.obstacles.partCount();
-  for (const Door& door : scenario.doors) {
-    if (door.listed) {
-      result.obstacles.add(outlinesOf(door), !door.open.value_or(true));
-    }
-  }
+  forEachListed(scenario.doors, [&](const Door& door) {
+    result.obstacles.add(outlinesOf(door), !door.open.value_or(true));
+  });
   result.obstacles.build();
   return result;
 }
@@ -98,12 +98,9 @@ std::string mapBaseName(const std::string& map) {
   const fs::path name = fs::path(map).filename();
   static const std::vector<std::string> kExtensions = {".yaml", ".yml", ".pgm", ".png", ".bmp"};
   const std::string extension = base::lowered(name.extension().string());
-  for (const std::string& known : kExtensions) {
-    if (extension == known) {
-      return name.stem().string();
-    }
-  }
-  return name.string();
+  const bool isKnown =
+      std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+  return (isKnown ? name.stem() : name).string();
 }
 
 base::Result<std::string> findMap(const Scenario& scenario, const FilePlaces& places) {
@@ -122,22 +119,17 @@ base::Result<std::string> findMap(const Scenario& scenario, const FilePlaces& pl
   if (name.empty()) {
     return noMap(places, "map.not-named", {});
   }
-  std::vector<fs::path> tried;
+  std::vector<std::string> tried;
   if (!places.scenarioPath.empty()) {
-    tried.push_back(folderOf(places) / (name + ".yaml"));
-    tried.push_back(folderOf(places) / ".." / "maps" / (name + ".yaml"));
+    tried.push_back(tidy(folderOf(places) / (name + ".yaml")));
+    tried.push_back(tidy(folderOf(places) / ".." / "maps" / (name + ".yaml")));
   }
   if (!places.shippedMaps.empty()) {
-    tried.push_back(fs::path(places.shippedMaps) / name / (name + ".yaml"));
+    tried.push_back(tidy(fs::path(places.shippedMaps) / name / (name + ".yaml")));
   }
-  for (const fs::path& path : tried) {
-    if (isFile(path)) {
-      return tidy(path);
-    }
-  }
-  std::vector<std::string> paths;
-  std::transform(tried.begin(), tried.end(), std::back_inserter(paths), tidy);
-  return noMap(places, "map.not-found", {name, base::join(paths, ", ")});
+  const std::string found = firstFile(tried);
+  return !found.empty() ? base::Result<std::string>(found)
+                        : noMap(places, "map.not-found", {name, base::join(tried, ", ")});
 }
 
 std::string findTree(const Scenario& scenario, const Human& human, const FilePlaces& places) {
@@ -145,20 +137,15 @@ std::string findTree(const Scenario& scenario, const Human& human, const FilePla
     return tidy(folderOf(places) / *human.ours.tree);  // named: must be there, its reader tells
   }
   const std::string name = treeName(scenario, human, places);
-  std::vector<fs::path> folders;
+  std::vector<std::string> tried;
   if (!places.treesOption.empty()) {
-    folders.emplace_back(places.treesOption);
+    tried.push_back(tidy(fs::path(places.treesOption) / name));
   }
   if (!places.scenarioPath.empty()) {
-    folders.push_back(folderOf(places));
-    folders.push_back(folderOf(places) / ".." / "behavior_trees");
+    tried.push_back(tidy(folderOf(places) / name));
+    tried.push_back(tidy(folderOf(places) / ".." / "behavior_trees" / name));
   }
-  for (const fs::path& folder : folders) {
-    if (isFile(folder / name)) {
-      return tidy(folder / name);
-    }
-  }
-  return {};
+  return firstFile(tried);
 }
 
 }  // namespace sim2d

@@ -208,25 +208,25 @@ class FieldsTest : public QObject {
     Bumpers bumpers;
     const FieldTables tables = tablesWith(bumpers);
     TreeReading reading = readTree(parsed(kWithBumper + "0.3"), "t", tables);
-    QVERIFY2(reading.report.diagnostics.empty(), qPrintable(shown(reading.report.diagnostics)));
+    QVERIFY2(reading.file.diagnostics.empty(), qPrintable(shown(reading.file.diagnostics)));
     QCOMPARE(bumpers.depth[1.0], 0.3);
-    const std::string written = emitYaml(fileTree(reading.scenario, tables));
+    const std::string written = emitYaml(fileTree(reading.file.scenario, tables));
     QVERIFY2(written.find("      bumper: 0.3\n") != std::string::npos ||
                  written.find("      bumper: 0.3") == written.size() - 17,
              written.c_str());
 
-    QVERIFY(setValue(reading.scenario, "r.bumper", "0.5", tables).empty());
+    QVERIFY(setValue(reading.file.scenario, "r.bumper", "0.5", tables).empty());
     QCOMPARE(bumpers.depth[1.0], 0.5);
-    QCOMPARE(shown(setValue(reading.scenario, "r.bumpr", "0.5", tables)),
+    QCOMPARE(shown(setValue(reading.file.scenario, "r.bumpr", "0.5", tables)),
              QStringLiteral("error: unknown path 'r.bumpr' (did you mean 'r.bumper'?)\n"));
-    QCOMPARE(shown(setValue(reading.scenario, "r.bumper", "1.5", tables)),
+    QCOMPARE(shown(setValue(reading.file.scenario, "r.bumper", "1.5", tables)),
              QStringLiteral("error: r.bumper: 1.5 must be from 0 to 1\n"));
   }
 
   void madeUpKey_outOfRange_isErrorAtItsLine() {
     Bumpers bumpers;
     const TreeReading reading = readTree(parsed(kWithBumper + "2.0"), "t", tablesWith(bumpers));
-    QCOMPARE(shown(reading.report.diagnostics),
+    QCOMPARE(shown(reading.file.diagnostics),
              QStringLiteral("t:14:15: error: r.bumper: 2.0 must be from 0 to 1\n"));
   }
 
@@ -235,7 +235,7 @@ class FieldsTest : public QObject {
     const FieldTables tables = tablesWith(bumpers);
     const TreeReading reading = readTree(parsed(kWithBumper + "0.1"), "t", tables);
     QVERIFY(bumpers.depth.empty());
-    QVERIFY(emitYaml(fileTree(reading.scenario, tables)).find("bumper") == std::string::npos);
+    QVERIFY(emitYaml(fileTree(reading.file.scenario, tables)).find("bumper") == std::string::npos);
   }
 
   void madeUpKey_isInTheTablesForPeople() {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 
 namespace base {
@@ -31,81 +30,12 @@ std::optional<long long> prefixedInteger(const std::string& text) {
   return negative ? -size : size;
 }
 
-void tell(const YamlNode& node, const ValueContext& context, Diagnostic problem,
-          ReadReport& report) {
-  report.add(node, within(context.path, std::move(problem)), context.entity);
-}
-
-struct NumberText {
-  std::optional<long long> integer;
-  std::optional<double> number;
-};
-
-NumberText parseNumber(const YamlNode& node, const ValueContext& context, ReadReport& report) {
-  NumberText result;
-  if (!node.isScalar() || node.text.empty()) {
-    return result;
-  }
-  result.integer = prefixedInteger(node.text);
-  if (result.integer) {
-    tell(node, context, warning("yaml.octal", {node.text, *result.integer}), report);
-    result.number = static_cast<double>(*result.integer);
-    return result;
-  }
-  result.integer = parseInt(node.text);
-  result.number = parseDouble(node.text);
-  if (node.quoted && result.number) {
-    tell(node, context, warning("yaml.quoted-number"), report);
-  }
-  return result;
-}
-
 const YamlNode& emptyMap() {
-  static const YamlNode kEmpty = [] {
-    YamlNode node;
-    node.kind = YamlNode::Kind::Map;
-    return node;
-  }();
+  static const YamlNode kEmpty(YamlNode::Kind::Map);
   return kEmpty;
 }
 
-}  // namespace
-
-std::optional<double> readNumber(const YamlNode& node, const ValueContext& context, Range range,
-                                 ReadReport& report) {
-  const NumberText parsed = parseNumber(node, context, report);
-  if (!parsed.number) {
-    tell(node, context, error("yaml.not-number", {described(node)}), report);
-    return std::nullopt;
-  }
-  const double value = *parsed.number;
-  if (!std::isfinite(value)) {
-    tell(node, context, error("yaml.not-finite", {node.text}), report);
-    return std::nullopt;
-  }
-  if (!range.contains(value)) {
-    tell(node, context, outOfRange(node.text, range), report);
-    return std::nullopt;
-  }
-  return value;
-}
-
-std::optional<long long> readInteger(const YamlNode& node, const ValueContext& context,
-                                     ReadReport& report) {
-  const NumberText parsed = parseNumber(node, context, report);
-  if (parsed.integer) {
-    return parsed.integer;
-  }
-  constexpr double kExact = 9007199254740992.0;  // 2^53
-  if (parsed.number && std::fabs(*parsed.number) < kExact &&
-      std::floor(*parsed.number) == *parsed.number) {
-    tell(node, context, warning("yaml.double-for-integer", {node.text}), report);
-    return static_cast<long long>(*parsed.number);
-  }
-  tell(node, context, error("yaml.not-integer", {described(node)}), report);
-  return std::nullopt;
-}
-
+/// For messages: "a list", "'text'".
 std::string described(const YamlNode& node) {
   switch (node.kind) {
     case YamlNode::Kind::Map:
@@ -119,6 +49,8 @@ std::string described(const YamlNode& node) {
   }
   return "'" + node.text + "'";
 }
+
+}  // namespace
 
 void ReadReport::add(const YamlNode& at, Diagnostic problem, EntityId entity) {
   problem.file = file;
@@ -166,39 +98,72 @@ YamlMap YamlMap::map(const std::string& key) {
   return {find(key), pathOf(key), entity_, report_};
 }
 
+YamlMap::NumberText YamlMap::parse(const YamlNode& value, const std::string& key) {
+  NumberText result;
+  if (!value.isScalar() || value.text.empty()) {
+    return result;
+  }
+  result.integer = prefixedInteger(value.text);
+  if (result.integer) {
+    add(value, key, base::warning("yaml.octal", {value.text, *result.integer}));
+    result.number = static_cast<double>(*result.integer);
+    return result;
+  }
+  result.integer = parseInt(value.text);
+  result.number = parseDouble(value.text);
+  if (value.quoted && result.number) {
+    add(value, key, base::warning("yaml.quoted-number"));
+  }
+  return result;
+}
+
+std::optional<double> YamlMap::numberOf(const YamlNode& value, const std::string& key,
+                                        Range range) {
+  const std::optional<double> number = parse(value, key).number;
+  if (!number) {
+    add(value, key, base::error("yaml.not-number", {described(value)}));
+  } else if (!std::isfinite(*number)) {
+    add(value, key, base::error("yaml.not-finite", {value.text}));
+  } else if (!range.contains(*number)) {
+    add(value, key, outOfRange(value.text, range));
+  } else {
+    return number;
+  }
+  return std::nullopt;
+}
+
+std::optional<long long> YamlMap::integerOf(const YamlNode& value, const std::string& key) {
+  const NumberText parsed = parse(value, key);
+  if (parsed.integer) {
+    return parsed.integer;
+  }
+  constexpr double kExact = 9007199254740992.0;  // 2^53
+  if (parsed.number && std::fabs(*parsed.number) < kExact &&
+      std::floor(*parsed.number) == *parsed.number) {
+    add(value, key, base::warning("yaml.double-for-integer", {value.text}));
+    return static_cast<long long>(*parsed.number);
+  }
+  add(value, key, base::error("yaml.not-integer", {described(value)}));
+  return std::nullopt;
+}
+
 std::optional<double> YamlMap::number(const std::string& key, Range range) {
   const YamlNode* found = find(key);
-  return found == nullptr ? std::nullopt
-                          : readNumber(*found, {pathOf(key), entity_}, range, report_);
+  return found == nullptr ? std::nullopt : numberOf(*found, key, range);
 }
 
-std::optional<long long> YamlMap::bigInteger(const std::string& key, long long low) {
+std::optional<long long> YamlMap::integer(const std::string& key, long long low, long long high) {
   const YamlNode* found = find(key);
-  if (found == nullptr) {
-    return std::nullopt;
+  const auto value = found == nullptr ? std::nullopt : integerOf(*found, key);
+  if (!value || (*value >= low && *value <= high)) {
+    return value;
   }
-  const auto value = readInteger(*found, {pathOf(key), entity_}, report_);
-  if (value && *value < low) {
+  if (high == kNoEnd) {
     error(key, "yaml.too-low", {found->text, low});
-    return std::nullopt;
-  }
-  return value;
-}
-
-std::optional<int> YamlMap::integer(const std::string& key, long long low, long long high) {
-  const YamlNode* found = find(key);
-  if (found == nullptr) {
-    return std::nullopt;
-  }
-  const auto value = readInteger(*found, {pathOf(key), entity_}, report_);
-  if (!value) {
-    return std::nullopt;
-  }
-  if (*value < low || *value > high) {
+  } else {
     error(key, "yaml.out-of-range", {found->text, low, high});
-    return std::nullopt;
   }
-  return static_cast<int>(*value);
+  return std::nullopt;
 }
 
 std::optional<bool> YamlMap::boolean(const std::string& key) {
@@ -206,16 +171,12 @@ std::optional<bool> YamlMap::boolean(const std::string& key) {
   if (found == nullptr) {
     return std::nullopt;
   }
-  if (found->isScalar()) {
-    const std::string word = lowered(found->text);
-    static const std::set<std::string> kTrue = {"true", "yes", "on", "y", "1"};
-    static const std::set<std::string> kFalse = {"false", "no", "off", "n", "0"};
-    if (kTrue.count(word) != 0) {
-      return true;
-    }
-    if (kFalse.count(word) != 0) {
-      return false;
-    }
+  static const std::map<std::string, bool> kWords = {
+      {"true", true},   {"yes", true}, {"on", true},   {"y", true},  {"1", true},
+      {"false", false}, {"no", false}, {"off", false}, {"n", false}, {"0", false}};
+  const auto word = kWords.find(found->isScalar() ? lowered(found->text) : std::string());
+  if (word != kWords.end()) {
+    return word->second;
   }
   error(key, "yaml.not-boolean", {described(*found)});
   return std::nullopt;
@@ -233,22 +194,19 @@ std::optional<std::string> YamlMap::text(const std::string& key) {
   return found->text;
 }
 
-const YamlNode* YamlMap::list(const std::string& key) {
+const std::vector<YamlNode>& YamlMap::items(const std::string& key) {
   const YamlNode* found = find(key);
   if (found != nullptr && !found->isList()) {
     error(key, "yaml.no-list", {described(*found)});
-    return nullptr;
   }
-  return found;
+  return found != nullptr && found->isList() ? found->items : emptyMap().items;
 }
 
 std::vector<double> YamlMap::numbers(const std::string& key, Range range) {
   std::vector<double> values;
-  if (const YamlNode* found = list(key)) {
-    for (const YamlNode& item : found->items) {
-      if (const auto value = readNumber(item, {pathOf(key), entity_}, range, report_)) {
-        values.push_back(*value);
-      }
+  for (const YamlNode& item : items(key)) {
+    if (const auto value = numberOf(item, key, range)) {
+      values.push_back(*value);
     }
   }
   return values;
@@ -256,14 +214,12 @@ std::vector<double> YamlMap::numbers(const std::string& key, Range range) {
 
 std::vector<int> YamlMap::integers(const std::string& key) {
   std::vector<int> values;
-  if (const YamlNode* found = list(key)) {
-    for (const YamlNode& item : found->items) {
-      const auto value = readInteger(item, {pathOf(key), entity_}, report_);
-      if (value && *value == static_cast<int>(*value)) {
-        values.push_back(static_cast<int>(*value));
-      } else if (value) {
-        add(item, key, base::error("yaml.too-large", {item.text}));
-      }
+  for (const YamlNode& item : items(key)) {
+    const auto value = integerOf(item, key);
+    if (value && *value == static_cast<int>(*value)) {
+      values.push_back(static_cast<int>(*value));
+    } else if (value) {
+      add(item, key, base::error("yaml.too-large", {item.text}));
     }
   }
   return values;
@@ -272,28 +228,23 @@ std::vector<int> YamlMap::integers(const std::string& key) {
 std::vector<std::string> YamlMap::names(const std::string& key) {
   std::vector<std::string> values;
   std::set<std::string_view> seen;
-  if (const YamlNode* found = list(key)) {
-    for (const YamlNode& item : found->items) {
-      if (!item.isScalar() || item.text.empty()) {
-        add(item, key, base::error("yaml.not-name", {described(item)}));
-      } else if (!seen.insert(item.text).second) {
-        add(item, key, base::error("yaml.listed-twice", {item.text}));
-      } else {
-        values.push_back(item.text);
-      }
+  for (const YamlNode& item : items(key)) {
+    if (!item.isScalar() || item.text.empty()) {
+      add(item, key, base::error("yaml.not-name", {described(item)}));
+    } else if (!seen.insert(item.text).second) {
+      add(item, key, base::error("yaml.listed-twice", {item.text}));
+    } else {
+      values.push_back(item.text);
     }
   }
   return values;
 }
 
-std::optional<int> YamlMap::choice(const std::string& key, const std::vector<std::string>& words) {
+std::optional<std::string> YamlMap::choice(const std::string& key,
+                                           const std::vector<std::string>& words) {
   const auto word = text(key);
-  if (!word) {
-    return std::nullopt;
-  }
-  const auto found = std::find(words.begin(), words.end(), *word);
-  if (found != words.end()) {
-    return static_cast<int>(found - words.begin());
+  if (!word || std::find(words.begin(), words.end(), *word) != words.end()) {
+    return word;
   }
   error(key, "yaml.unknown-word", {*word, nearestName(*word, words), join(words, ", ")});
   return std::nullopt;
@@ -311,11 +262,6 @@ bool YamlMap::demand(const std::string& key) {
 
 double YamlMap::required(const std::string& key, Range range) {
   return demand(key) ? number(key, range).value_or(0.0) : 0.0;
-}
-
-std::optional<int> YamlMap::requiredChoice(const std::string& key,
-                                           const std::vector<std::string>& words) {
-  return demand(key) ? choice(key, words) : std::nullopt;
 }
 
 void YamlMap::add(const YamlNode& at, const std::string& key, Diagnostic problem) {

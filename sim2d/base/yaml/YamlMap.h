@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -10,7 +11,6 @@
 #include "sim2d/base/ParameterSpec.h"
 #include "sim2d/base/Result.h"
 #include "sim2d/base/Types.h"
-#include "sim2d/base/yaml/UnknownKey.h"
 #include "sim2d/base/yaml/YamlTree.h"
 
 /// Typed reading of maps of a YAML tree; every problem is reported with its place. The one layer
@@ -28,19 +28,6 @@ struct ReadReport {
   void add(const YamlNode& at, Diagnostic problem, EntityId entity = {});
 };
 
-/// One value in a report: where it is called what, and of which entity.
-struct ValueContext {
-  std::string path;
-  EntityId entity;
-};
-
-/// For messages: "a list", "'text'".
-std::string described(const YamlNode& node);
-std::optional<double> readNumber(const YamlNode& node, const ValueContext& context, Range range,
-                                 ReadReport& report);
-std::optional<long long> readInteger(const YamlNode& node, const ValueContext& context,
-                                     ReadReport& report);
-
 /// A map of which each key is asked for once by type; what nobody asked for is unknown.
 class YamlMap {
  public:
@@ -57,21 +44,23 @@ class YamlMap {
   YamlMap map(const std::string& key);
 
   std::optional<double> number(const std::string& key, Range range = kAnyNumber);
-  std::optional<int> integer(const std::string& key, long long low, long long high);
-  std::optional<long long> bigInteger(const std::string& key, long long low);
+  std::optional<long long> integer(const std::string& key, long long low, long long high = kNoEnd);
   std::optional<bool> boolean(const std::string& key);
   std::optional<std::string> text(const std::string& key);
   std::vector<double> numbers(const std::string& key, Range range = kAnyNumber);
   std::vector<int> integers(const std::string& key);
   std::vector<std::string> names(const std::string& key);
-  /// Index of the word in `words`; another one is an error with the nearest.
-  std::optional<int> choice(const std::string& key, const std::vector<std::string>& words);
+  /// One of `words`; another one is an error with the nearest.
+  std::optional<std::string> choice(const std::string& key, const std::vector<std::string>& words);
   /// Whether the key has a value; an error otherwise.
   bool demand(const std::string& key);
   /// As above; an error where the key or its value is missing.
   double required(const std::string& key, Range range = kAnyNumber);
-  std::optional<int> requiredChoice(const std::string& key, const std::vector<std::string>& words);
+  /// An item of a list under that key.
+  std::optional<long long> integerOf(const YamlNode& value, const std::string& key);
 
+  /// About a value under that key, at its place.
+  void add(const YamlNode& at, const std::string& key, Diagnostic problem);
   void error(const std::string& key, std::string_view code, ProblemValues values = {});
   void warning(const std::string& key, std::string_view code, ProblemValues values = {});
   /// Asked for: not reported and not kept by takeUnknown.
@@ -81,9 +70,16 @@ class YamlMap {
   UnknownKeys takeUnknown();
 
  private:
+  static constexpr long long kNoEnd = std::numeric_limits<long long>::max();
+  struct NumberText {
+    std::optional<long long> integer;
+    std::optional<double> number;
+  };
+
   const YamlNode& place(const std::string& key) const;
-  void add(const YamlNode& at, const std::string& key, Diagnostic problem);
-  const YamlNode* list(const std::string& key);
+  NumberText parse(const YamlNode& value, const std::string& key);
+  std::optional<double> numberOf(const YamlNode& value, const std::string& key, Range range);
+  const std::vector<YamlNode>& items(const std::string& key);  // none: nothing, or no list
 
   const YamlNode* node_;
   std::string path_;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlTree.h"
@@ -26,15 +25,15 @@ bool looksLikeNumber(std::string_view text) {
   if (!text.empty() && (text.front() == '-' || text.front() == '+')) {
     text.remove_prefix(1);
   }
+  static constexpr std::array<std::string_view, 5> kWords = {".inf", ".nan", "inf", "nan",
+                                                             "infinity"};
   const std::string lower = lowered(text);
-  if (lower == ".inf" || lower == ".nan" || lower == "inf" || lower == "nan" ||
-      lower == "infinity") {
+  if (std::find(kWords.begin(), kWords.end(), lower) != kWords.end()) {
     return true;
   }
-  const bool digitFirst =
-      !lower.empty() &&
-      (isDigit(lower[0]) || (lower[0] == '.' && lower.size() > 1 && isDigit(lower[1])));
-  return digitFirst && lower.find_first_not_of("0123456789abcdefoxtz_.:+- ") == std::string::npos;
+  const std::size_t first = lower.empty() || lower[0] != '.' ? 0 : 1;
+  return first < lower.size() && isDigit(lower[first]) &&
+         lower.find_first_not_of("0123456789abcdefoxtz_.:+- ") == std::string::npos;
 }
 
 bool hasPlainShape(std::string_view text) {
@@ -84,11 +83,10 @@ std::string quotedText(std::string_view text) {
 }
 
 std::string scalarText(const YamlNode& node) {
-  const std::string tag = node.tag.empty() ? std::string() : node.tag + ' ';
   const bool quote = node.quoted || !hasPlainShape(node.text);
   // plain numbers may start with a sign, which hasPlainShape refuses for other words
   const bool number = !node.quoted && looksLikeNumber(node.text);
-  return tag + (quote && !number ? quotedText(node.text) : node.text);
+  return quote && !number ? quotedText(node.text) : node.text;
 }
 
 std::string keyText(const YamlNode& node) {
@@ -100,14 +98,11 @@ std::string keyText(const YamlNode& node) {
 }
 
 std::string inlineText(const YamlNode& node) {
-  if (node.isScalar()) {
-    return scalarText(node);
-  }
   const std::string tag = node.tag.empty() ? std::string() : node.tag + ' ';
-  if (node.isNull()) {
-    return tag + "null";
+  if (node.isScalar()) {
+    return tag + scalarText(node);
   }
-  return tag + (node.isMap() ? "{}" : "[]");
+  return tag + (node.isNull() ? "null" : node.isMap() ? "{}" : "[]");
 }
 
 bool isBlock(const YamlNode& node) {
@@ -116,12 +111,8 @@ bool isBlock(const YamlNode& node) {
 
 void emitBlock(const YamlNode& node, int indent, std::string& out) {
   const std::string margin(static_cast<std::size_t>(indent), ' ');
-  bool first = true;
   for (const YamlNode& item : node.items) {
-    if (!first) {
-      out += '\n';
-    }
-    first = false;
+    out += &item == &node.items.front() ? "" : "\n";
     out += margin + (node.isMap() ? keyText(item) + ':' : "-");
     if (!isBlock(item)) {
       out += ' ' + inlineText(item);
@@ -137,18 +128,12 @@ class CommentCounter {
  public:
   void line(std::string_view text) {
     const std::size_t word = text.find_first_not_of(" \t\r");
-    if (word == std::string_view::npos) {
+    const int indent = static_cast<int>(word);
+    if (word == std::string_view::npos || (blockIndent_ >= 0 && indent > blockIndent_)) {
       return;
     }
-    if (blockIndent_ >= 0 && static_cast<int>(word) > blockIndent_) {
-      return;
-    }
-    blockIndent_ = -1;
-    const std::size_t end = contentEnd(text);
-    const std::string content = trimmed(text.substr(0, end));
-    if (quote_ == 0 && startsBlockScalar(content)) {
-      blockIndent_ = static_cast<int>(word);
-    }
+    const std::string content = trimmed(text.substr(0, contentEnd(text)));
+    blockIndent_ = quote_ == 0 && startsBlockScalar(content) ? indent : -1;
   }
   int count() const { return count_; }
 
@@ -209,10 +194,8 @@ std::string emitYaml(const YamlNode& node) {
 
 int countComments(std::string_view text) {
   CommentCounter counter;
-  for (std::size_t start = 0; start <= text.size();) {
-    const std::size_t end = std::min(text.find('\n', start), text.size());
-    counter.line(text.substr(start, end - start));
-    start = end + 1;
+  for (const std::string& line : split(text, '\n')) {
+    counter.line(line);
   }
   return counter.count();
 }

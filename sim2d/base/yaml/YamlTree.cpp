@@ -1,25 +1,21 @@
 #include "sim2d/base/yaml/YamlTree.h"
 
+#include <algorithm>
 #include <map>
 #include <sstream>
 
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
+#include "sim2d/base/Text.h"
+
 namespace base {
 namespace {
 
+/// Bytes of a character of UTF-8 that begins so; 0 = none does.
 std::size_t sequenceLength(unsigned char lead) {
-  if (lead < 0x80) {
-    return 1;
-  }
-  if (lead >= 0xC2 && lead < 0xE0) {
-    return 2;
-  }
-  if (lead >= 0xE0 && lead < 0xF0) {
-    return 3;
-  }
-  return lead >= 0xF0 && lead < 0xF5 ? 4 : 0;
+  const std::size_t length = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+  return (lead >= 0x80 && lead < 0xC2) || lead > 0xF4 ? 0 : length;
 }
 
 // YAML finds a key of up to 1024 characters; escapes make four of one when it is written.
@@ -29,14 +25,11 @@ constexpr std::size_t kLongestKey = 200;
 constexpr std::size_t kMostKeys = 5 * kMostPeople / 2;
 
 constexpr const char* kAgents = "agents";
-constexpr const char* kYamlTags = "tag:yaml.org,2002:";
+constexpr std::string_view kYamlTags = "tag:yaml.org,2002:";
 
 std::string shortTag(const std::string& tag) {
-  const std::string prefix = kYamlTags;
-  if (tag.compare(0, prefix.size(), prefix) == 0) {
-    return "!!" + tag.substr(prefix.size());
-  }
-  return tag;
+  return tag.compare(0, kYamlTags.size(), kYamlTags) == 0 ? "!!" + tag.substr(kYamlTags.size())
+                                                          : tag;
 }
 
 /// Ends the parsing after a problem that was told.
@@ -60,9 +53,7 @@ class TreeBuilder : public YAML::EventHandler {
   }
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t /*anchor*/,
                 const std::string& value) override {
-    YamlNode node = nodeAt(mark);
-    node.kind = YamlNode::Kind::Scalar;
-    node.text = value;
+    YamlNode node = nodeAt(mark, scalarNode(value));
     node.quoted = tag == "!";
     setTag(node, tag);
     add(std::move(node));
@@ -87,8 +78,7 @@ class TreeBuilder : public YAML::EventHandler {
     std::map<std::string, int> keyLines;
   };
 
-  static YamlNode nodeAt(const YAML::Mark& mark) {
-    YamlNode node;
+  static YamlNode nodeAt(const YAML::Mark& mark, YamlNode node = {}) {
     node.line = mark.line + 1;  // the library counts from 0
     node.column = mark.column + 1;
     return node;
@@ -104,8 +94,7 @@ class TreeBuilder : public YAML::EventHandler {
   }
   void open(const YAML::Mark& mark, const std::string& tag, YamlNode::Kind kind) {
     Open entry;
-    entry.node = nodeAt(mark);
-    entry.node.kind = kind;
+    entry.node = nodeAt(mark, YamlNode(kind));
     setTag(entry.node, tag);
     entry.isAgents = kind == YamlNode::Kind::List && !open_.empty() && open_.back().hasKey &&
                      open_.back().key.text == kAgents;
@@ -210,17 +199,14 @@ int lineOfBinary(std::string_view text) {
 }
 
 void findTabs(std::string_view text, const std::string& file, Diagnostics& diagnostics) {
-  int line = 1;
-  for (std::size_t start = 0; start < text.size(); ++line) {
-    std::size_t end = text.find('\n', start);
-    end = end == std::string_view::npos ? text.size() : end;
-    const std::string_view content = text.substr(start, end - start);
+  int line = 0;
+  for (const std::string& content : split(text, '\n')) {
+    ++line;
     const std::size_t word = content.find_first_not_of(" \t\r");
     const std::size_t tab = content.find('\t');
-    if (word != std::string_view::npos && content[word] != '#' && tab < word) {
+    if (word != std::string::npos && content[word] != '#' && tab < word) {
       diagnostics.push_back(error("yaml.tab", {}, file, line, static_cast<int>(tab) + 1));
     }
-    start = end + 1;
   }
 }
 
@@ -243,14 +229,9 @@ std::string normalised(std::string_view text) {
 }  // namespace
 
 const YamlNode* YamlNode::find(std::string_view name) const {
-  if (isMap()) {
-    for (const YamlNode& item : items) {
-      if (item.key == name) {
-        return &item;
-      }
-    }
-  }
-  return nullptr;
+  const auto found = std::find_if(items.begin(), items.end(),
+                                  [name](const YamlNode& item) { return item.key == name; });
+  return isMap() && found != items.end() ? &*found : nullptr;
 }
 
 YamlNode* YamlNode::find(std::string_view name) {
@@ -279,10 +260,7 @@ YamlNode keyNode(const YamlNode& value) {
 }
 
 YamlNode scalarNode(std::string text) {
-  YamlNode node;
-  node.kind = YamlNode::Kind::Scalar;
-  node.text = std::move(text);
-  return node;
+  return YamlNode(YamlNode::Kind::Scalar, std::move(text));
 }
 
 YamlNode stringNode(const std::string& text) {

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "sim2d/base/Result.h"
@@ -13,6 +14,10 @@ namespace base {
 
 struct YamlNode {
   enum class Kind { Null, Scalar, List, Map };
+
+  YamlNode() = default;
+  explicit YamlNode(Kind ofKind, std::string scalar = {}) : kind(ofKind), text(std::move(scalar)) {}
+
   Kind kind = Kind::Null;
   std::string text;             // of a scalar, without quotes
   bool quoted = false;          // not a plain scalar: a string whatever it looks like
@@ -34,6 +39,17 @@ struct YamlNode {
   /// The value of `name`, made as null at the end when it is not there. Turns null into a map.
   YamlNode& child(const std::string& name);
 };
+
+/// A key that we do not know, kept as YAML text (block style, not indented), in the order found.
+struct UnknownKey {
+  std::string key;
+  std::string yaml;
+
+  friend bool operator==(const UnknownKey& a, const UnknownKey& b) {
+    return a.key == b.key && a.yaml == b.yaml;
+  }
+};
+using UnknownKeys = std::vector<UnknownKey>;
 
 /// The key of a value of a map, as a node at its place.
 YamlNode keyNode(const YamlNode& value);

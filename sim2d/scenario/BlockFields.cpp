@@ -1,0 +1,262 @@
+#include "sim2d/scenario/FieldMaking.h"
+#include "sim2d/scenario/ScenarioTree.h"
+
+// Robots, obstacles, doors and areas: the things that have a map of their own in our block.
+namespace sim2d {
+namespace {
+
+void readPlannerParameters(YamlMap& view, Robot& robot) {
+  robot.plannerParameters = readParameters(view, "planner_parameters");
+}
+
+void writePlannerParameters(YamlNode& tree, const Robot& robot) {
+  writeParameters(tree, "planner_parameters", robot.plannerParameters);
+}
+
+void readStart(YamlMap& view, Robot& robot) {
+  if (view.find("start") == nullptr) {
+    view.error("start", "yaml.missing");
+    return;
+  }
+  YamlMap start = view.map("start");
+  robot.start.position = readPoint(start);
+  robot.start.heading = start.number("h").value_or(0.0);
+  refuseUnknown(start);
+}
+
+void writeStart(YamlNode& tree, const Robot& robot) {
+  YamlNode& start = tree.child("start");
+  setPoint(start, robot.start.position);
+  setChild(start, "h", decimals(robot.start.heading));
+}
+
+void readGoal(YamlMap& view, Robot& robot) {
+  if (view.find("goal") != nullptr) {
+    YamlMap point = view.map("goal");
+    robot.goal.point = readPoint(point);
+    refuseUnknown(point);
+  }
+}
+
+void writeGoal(YamlNode& tree, const Robot& robot) {
+  if (robot.goal.point) {
+    setPoint(tree.child("goal"), *robot.goal.point);
+  }
+}
+
+void readGoals(YamlMap& view, Robot& robot) {
+  const bool both = view.node().find("goal") != nullptr && view.node().find("goals") != nullptr;
+  if (both) {
+    view.error("goals", "scenario.two-goals");
+  }
+  robot.goal.goals = view.integers("goals");
+  if (both) {
+    robot.goal.goals.clear();
+  }
+}
+
+void writeGoals(YamlNode& tree, const Robot& robot) {
+  if (!robot.goal.point && !robot.goal.goals.empty()) {
+    setChild(tree, "goals", integerList(robot.goal.goals));
+  }
+}
+
+void readFootprint(YamlMap& view, Robot& robot) {
+  robot.footprintY = view.numbers("footprint_y");
+  if (robot.footprintX.size() != robot.footprintY.size()) {
+    view.error("footprint_y", "scenario.footprint-uneven");
+  } else if (!robot.footprintX.empty() && robot.footprintX.size() < 3) {
+    view.error("footprint_x", "scenario.footprint-too-small");
+  }
+}
+
+/// Limits and body are the type's; those of another type than the usual one are not known here.
+FieldOf<Robot> limit(std::string key, std::optional<double> Robot::*member,
+                     double ResolvedRobot::*resolved, std::string help, base::FormHints form,
+                     std::string unit, Range range = kPositive) {
+  const auto ofUsualType = [resolved](const Robot& robot, const DesktopSettings& /*desktop*/) {
+    const ResolvedRobot usual;
+    return robot.type.value_or(usual.type) == usual.type ? ParameterValue(usual.*resolved)
+                                                         : ParameterValue();
+  };
+  return field(std::move(key), member, std::move(help), std::move(form), std::move(unit), range)
+      .resolvedTo(resolved)
+      .with(&Field<Robot>::fallbackOf, ofUsualType);
+}
+
+template <class T>
+void readPoints(YamlMap& view, T& to, std::size_t least) {
+  const std::vector<double> xs = view.numbers("xs");
+  const std::vector<double> ys = view.numbers("ys");
+  if (xs.size() != ys.size()) {
+    view.error("ys", "scenario.points-uneven");
+    return;
+  }
+  if (xs.size() < least) {
+    view.error("xs", "scenario.too-few-points", {least});
+  }
+  for (std::size_t i = 0; i < xs.size(); ++i) {
+    to.points.emplace_back(xs[i], ys[i]);
+  }
+}
+
+template <class T>
+std::function<void(YamlNode&, const T&)> writeAxis(int axis) {
+  return [axis](YamlNode& tree, const T& of) {
+    std::vector<double> values;
+    for (const Vec2& point : of.points) {
+      values.push_back(point(axis));
+    }
+    if (!values.empty()) {
+      setChild(tree, axis == 0 ? "xs" : "ys", decimalList(values));
+    }
+  };
+}
+
+/// Corners: the lists `xs` and `ys`, which are read together.
+template <class T>
+FieldOf<T> xs(std::function<void(YamlMap&, T&)> readBoth) {
+  return FieldOf<T>("xs", "Its corners: their x", {"Corners"}, "m")
+      .madeBy(std::move(readBoth), writeAxis<T>(0), &T::points)
+      .typed(ParameterType::Numbers)
+      .required();
+}
+
+template <class T>
+FieldOf<T> ys() {
+  return FieldOf<T>("ys", "Their y, as many", {}, "m")
+      .madeBy([](YamlMap&, T&) {}, writeAxis<T>(1), &T::points)
+      .typed(ParameterType::Numbers)
+      .required();
+}
+
+/// A coordinate that must be there, of the point that is a member or that a function gives.
+template <class T, class Point>
+FieldOf<T> place(std::string key, std::string help, std::string label, Point point, int axis) {
+  return FieldOf<T>(std::move(key), std::move(help), {std::move(label)}, "m")
+      .keptAt([ point, axis ](auto& of) -> auto& { return std::invoke(point, of)(axis); })
+      .required();
+}
+
+FieldOf<Obstacle> length(std::string key, double Obstacle::*member, std::string help,
+                         std::string label) {
+  return field(std::move(key), member, std::move(help), {std::move(label)}, "m", kPositive)
+      .required();
+}
+
+std::function<bool(const Obstacle&)> oneOf(std::vector<ObstacleKind> kinds) {
+  return [kinds = std::move(kinds)](const Obstacle& obstacle) {
+    return std::find(kinds.begin(), kinds.end(), obstacle.kind) != kinds.end();
+  };
+}
+
+template <class T>
+FieldOf<T> thickness(double usual, double step) {
+  return field("thickness", &T::thickness, "How thick it is", {"Thickness", 2, step}, "m",
+               kPositive)
+      .orElse(usual);
+}
+
+}  // namespace
+
+Fields<Robot> robotFields() {
+  using Resolved = ResolvedRobot;
+  constexpr Range kBodyRadius{0.0, 100.0, true};
+  constexpr Range kSpeed{0.0, 100.0, true};
+  return {
+      field("type", &Robot::type, "Kind of robot", {"Type"}).resolvedTo(&Resolved::type),
+      field("planner", &Robot::planner, "What drives it to its goals", {"Planner"})
+          .resolvedTo(&Resolved::planner),
+      FieldOf<Robot>("planner_parameters", "Of the planner: name and value of each", {"Parameters"})
+          .madeBy(readPlannerParameters, writePlannerParameters, &Robot::plannerParameters),
+      FieldOf<Robot>("start", "Where it begins: `x`, `y` and heading `h`", {"Position"})
+          .required()
+          .madeBy(readStart, writeStart, &Robot::start),
+      FieldOf<Robot>("goal", "Where it drives to: `x` and `y`", {"Point"})
+          .madeBy(readGoal, writeGoal, [](auto& of) { return of.goal.point; }),
+      FieldOf<Robot>("goals", "Numbers of global goals in order, instead of `goal`", {"Or route"})
+          .keptAt([](auto& of) -> auto& { return of.goal.goals; })
+          .with(&Field<Robot>::read, readGoals)
+          .with(&Field<Robot>::write, writeGoals),
+      field("goal_radius", &Robot::goalRadius, "A goal is reached when the robot is this near",
+            {"Arrival radius", 2, 0.05}, "m", kPositive)
+          .resolvedTo(&Resolved::goalRadius),
+      field("start_time", &Robot::startTime, "When it sets off", {"Sets off at", 1, 1.0}, "s",
+            kNotNegative)
+          .resolvedTo(&Resolved::startTime),
+      limit("radius", &Robot::radius, &Resolved::radius, "Of the disc that the robot is",
+            {"Radius", 2, 0.01, 1.0}, "m", kBodyRadius),
+      limit("mass", &Robot::mass, &Resolved::mass, "Of the robot", {"Mass", 1, 1.0}, "kg"),
+      limit("max_vel", &Robot::maxVel, &Resolved::maxVel, "Its speed at the most",
+            {"Top speed", 2, 0.05, 2.0}, "m/s", kSpeed),
+      limit("max_acc", &Robot::maxAcc, &Resolved::maxAcc, "How fast its speed changes",
+            {"Acceleration", 2, 0.1, 3.0}, "m/s²"),
+      limit("max_omega", &Robot::maxOmega, &Resolved::maxOmega, "Its turn rate at the most",
+            {"Turn speed"}, "rad/s"),
+      limit("max_alpha", &Robot::maxAlpha, &Resolved::maxAlpha, "How fast its turn rate changes",
+            {"Turn accel."}, "rad/s²"),
+      field("footprint_x", &Robot::footprintX,
+            "Corners in the robot's frame, instead of the disc: their x", {"Footprint"}, "m"),
+      field("footprint_y", &Robot::footprintY, "Their y, as many", {}, "m")
+          .with(&Field<Robot>::read, readFootprint)};
+}
+
+Fields<Obstacle> obstacleFields() {
+  const auto only = &Field<Obstacle>::applies;
+  const auto centre = [](auto& of) -> auto& {
+    return of.pose.position;
+  };
+  const auto placed = oneOf({ObstacleKind::Box, ObstacleKind::Circle});
+  const auto box = oneOf({ObstacleKind::Box});
+  const auto corners = oneOf({ObstacleKind::Polygon, ObstacleKind::Wall});
+  const auto readCorners = [](YamlMap& view, Obstacle& to) {
+    readPoints(view, to, to.kind == ObstacleKind::Wall ? 2 : 3);
+  };
+  return {field("kind", &Obstacle::kind, "Its shape; the other keys belong to some shapes")
+              .words({"box", "circle", "polygon", "wall"})
+              .required(),
+          place<Obstacle>("x", "Its centre", "X", centre, 0).with(only, placed),
+          place<Obstacle>("y", "Its centre", "Y", centre, 1).with(only, placed),
+          FieldOf<Obstacle>("h", "Where its length points to", {"Heading"}, "rad")
+              .keptAt([](auto& of) -> auto& { return of.pose.heading; })
+              .orElse(0.0)
+              .with(only, box),
+          length("length", &Obstacle::length, "Along its heading", "Length").with(only, box),
+          length("width", &Obstacle::width, "Across its heading", "Width").with(only, box),
+          length("radius", &Obstacle::radius, "Of the circle", "Radius")
+              .with(only, oneOf({ObstacleKind::Circle})),
+          xs<Obstacle>(readCorners).with(only, corners),
+          ys<Obstacle>().with(only, corners),
+          thickness<Obstacle>(0.1, 0.05).with(only, oneOf({ObstacleKind::Wall}))};
+}
+
+Fields<Door> doorFields() {
+  return {place<Door>("x1", "One end", "From X", &Door::from, 0),
+          place<Door>("y1", "One end", "From Y", &Door::from, 1),
+          place<Door>("x2", "The other end", "To X", &Door::to, 0),
+          place<Door>("y2", "The other end", "To Y", &Door::to, 1),
+          thickness<Door>(0.05, 0.01),
+          field("open", &Door::open, "Open at the start", {"At the start"}).orElse(true),
+          field("toggles", &Door::toggles, "It opens or closes at each of these times",
+                {"Changes at"}, "s", kNotNegative)};
+}
+
+Fields<Area> areaFields() {
+  return {field("kind", &Area::kind, "What it is for", {"Kind"})
+              .words({"source", "sink", "wait", "exit"})
+              .required(),
+          xs<Area>([](YamlMap& view, Area& to) { readPoints(view, to, 3); }),
+          ys<Area>(),
+          field("like", &Area::like, "Source: the person it copies", {"Like"}),
+          field("rate", &Area::rate, "Source: people per second", {"Rate", 3, 0.05}, "1/s",
+                kNotNegative),
+          field("from", &Area::from, "Source: people come from this time on", {"From", 1, 1.0}, "s",
+                kNotNegative)
+              .orElse(0.0),
+          field("until", &Area::until, "Source: nobody comes after this time", {"Until", 1, 1.0},
+                "s", kNotNegative),
+          field("count", &Area::count, "Source: at most so many people", {"At most", 0, 1.0}, {},
+                {0.0, 1000000.0})};
+}
+
+}  // namespace sim2d
