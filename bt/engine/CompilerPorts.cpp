@@ -83,18 +83,19 @@ void Compiler::bindPorts(const NodeSpec& spec, const Place& place) {
     return;
   }
   const NodeManifest& manifest = *library_.catalogue().find(spec.id);
+  const BuiltinNode* const builtin = Ticker::builtin(spec.id);
+  const char* const keyPort = builtin ? builtin->keyPort : nullptr;
   for (const PortSpec& port : manifest.ports) {
-    program_->bindings_.push_back(bindPort(spec, port, place));
+    const bool isKey = keyPort && port.name == keyPort;  // slotOfKeyPort() reads its text
+    const PortBinding none = {0, PortBinding::Kind::Missing, false, port.type};
+    program_->bindings_.push_back(isKey ? none : bindPort(spec, port, place));
   }
 }
 
 PortBinding Compiler::bindPort(const NodeSpec& spec, const PortSpec& port, const Place& place) {
   const std::string* const given = findText(spec.ports, port.name);
-  PortBinding missing;
-  missing.type = port.type;
-  const BuiltinNode* const builtin = Ticker::builtin(spec.id);
-  const bool isKey = builtin && builtin->keyPort && port.name == builtin->keyPort;
-  if (isKey || (!given && !port.defaultText)) {
+  const PortBinding missing = {0, PortBinding::Kind::Missing, false, port.type};
+  if (!given && !port.defaultText) {
     return missing;
   }
   const std::string& text = given ? *given : *port.defaultText;
