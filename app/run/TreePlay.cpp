@@ -217,7 +217,7 @@ void noteHalt(bt::LeafContext& leaf) {
 }
 
 bool isScripted(const bt::Program& program, int node) {
-  return program.node(node).code == bt::NodeCode::Stateful;
+  return program.node(node).isStateful;
 }
 
 /// Names of the script that no leaf has: most likely a slip.

@@ -8,31 +8,31 @@ namespace bt {
 
 base::NodeStatus Ticker::ifThenElse(int node) {
   stored(node) = Status::Running;
-  auto& own = memory<BranchMemory>(node);
+  auto& branch = memory<std::int32_t>(node);
   const int condition = node + 1;
   const int first = endOf(condition);
-  if (own.branch == 0) {
+  if (branch == 0) {
     const Status status = tickChild(condition);
     if (status == Status::Running) {
       return status;
     }
     if (status == Status::Success) {
-      own.branch = first;
+      branch = first;
     } else if (status == Status::Failure && endOf(first) == endOf(node)) {
       resetChildren(node);  // the original keeps a stale FAILURE of a stateful condition
       return status;
     } else if (status == Status::Failure) {
-      own.branch = endOf(first);
+      branch = endOf(first);
     } else {
       return unexpected(condition, status);
     }
   }
-  const Status status = tickChild(own.branch);
+  const Status status = tickChild(branch);
   if (status == Status::Running || status == kFault) {
     return status;
   }
   resetChildren(node);
-  own.branch = 0;
+  branch = 0;
   return status;
 }
 
@@ -103,16 +103,16 @@ int Ticker::selectedCase(int node) {
 }
 
 base::NodeStatus Ticker::switchCase(int node) {
-  auto& own = memory<BranchMemory>(node);
+  auto& branch = memory<std::int32_t>(node);
   const int child = selectedCase(node);
-  if (own.branch != 0 && own.branch != child) {
-    resetChild(own.branch);
+  if (branch != 0 && branch != child) {
+    resetChild(branch);
   }
   const Status status = tickChild(child);
   if (status == Status::Idle || status == kFault) {
     return unexpected(child, status);
   }
-  own.branch = status == Status::Running ? child : 0;
+  branch = status == Status::Running ? child : 0;
   if (status == Status::Success || status == Status::Failure) {
     resetChildren(node);
   }
@@ -177,19 +177,17 @@ base::NodeStatus Ticker::catchChild(int node, int last) {
   return Status::Failure;
 }
 
-void Ticker::haltTryCatch(int node) {
-  auto& own = memory<TryCatchMemory>(node);
-  const bool trying = !own.catching;
-  resetChildren(node);
-  own = TryCatchMemory();
-  const Value* const port = portValue(node, 0);
-  const bool catches = port && toBool(*port).value_or(false);
-  if (!trying || !catches || isFaulty()) {
+void Ticker::haltTryCatch(Ticker& ticker, int node) {
+  const bool trying = !ticker.memory<TryCatchMemory>(node).catching;
+  forget<TryCatchMemory>(ticker, node);
+  const Value* const port = ticker.portValue(node, 0);
+  const bool catches = port && valueAs<bool>(*port).value_or(false);
+  if (!trying || !catches || ticker.isFaulty()) {
     return;
   }
-  const int last = lastChild(node);
-  tickChild(last);
-  resetChild(last);
+  const int last = ticker.lastChild(node);
+  ticker.tickChild(last);
+  ticker.resetChild(last);
 }
 
 }  // namespace bt

@@ -35,19 +35,13 @@ void Compiler::addHostEntries(const std::vector<HostEntry>& entries) {
   }
 }
 
-int Compiler::manifestOf(const NodeSpec& spec) {
-  const auto [place, isNew] =
-      manifests_.emplace(spec.id, static_cast<int>(program_->manifests_.size()));
+/// The number of an entry of `list`; `known` says where those are that it has already.
+template <class T>
+int Compiler::numberOf(const std::string& id, const T& entry, std::vector<T>& list,
+                       std::map<std::string, int>& known) {
+  const auto [place, isNew] = known.emplace(id, static_cast<int>(list.size()));
   if (isNew) {
-    program_->manifests_.push_back(*library_.catalogue().find(spec.id));
-  }
-  return place->second;
-}
-
-int Compiler::functionsOf(const std::string& id) {
-  const auto [place, isNew] = functions_.emplace(id, static_cast<int>(program_->functions_.size()));
-  if (isNew) {
-    program_->functions_.push_back(*library_.functions(id));
+    list.push_back(entry);
   }
   return place->second;
 }
@@ -66,34 +60,40 @@ int Compiler::addNode(const NodeSpec& spec, const std::string& path, const Place
   Program::Node node;
   node.index = index;
   node.children = spec.isSubTree() ? 1 : static_cast<int>(spec.children.size());
-  program_->origins_.push_back({spec.label(), place.tree->tree.id, spec.line, manifestOf(spec)});
+  const NodeManifest& manifest = *library_.catalogue().find(spec.id);
+  program_->origins_.push_back({spec.label(), place.tree->tree.id, spec.line,
+                                numberOf(spec.id, manifest, program_->manifests_, manifests_)});
   paths_.push_back(path);
-  setCode(spec, node);
+  const NodeFunctions* const functions = library_.functions(spec.id);
+  const BuiltinNode how = functions ? Ticker::libraryNode(*functions) : *Ticker::builtin(spec.id);
+  setCode(spec, how, node);
   bindPorts(spec, place);
-  setDetail(spec, node, place);
-  node.conditions = bindConditions(spec, place);
-  if (node.code == NodeCode::Synchronous && node.conditions < 0) {
-    node.tick = program_->functions(node.detail).tick;
+  if (how.scriptPort) {
+    node.detail = scriptOfPort(spec, how.scriptPort, place);
+  } else if (how.keyPort) {
+    node.detail = slotOfKeyPort(spec, how.keyPort, place);
+  } else if (!functions) {
+    checkQueue(spec, place);
   }
+  node.conditions = bindConditions(spec, place);
   program_->nodes_.push_back(node);
   if (spec.isSubTree()) {
     addSubTree(spec, index, place);
   } else {
     addChildren(spec, index, place);
   }
-  close(index);
+  close(index, how.instant);
   return index;
 }
 
-void Compiler::close(int index) {
+void Compiler::close(int index, NodeRunner instant) {
   Program::Node& node = program_->nodes_[static_cast<std::size_t>(index)];
   node.end = program_->nodeCount();
   node.hasOnlyInstants = true;
   for (int child = index + 1; child < node.end; child = program_->node(child).end) {
     node.hasOnlyInstants = node.hasOnlyInstants && program_->node(child).isInstant;
   }
-  const NodeRunner instant = node.conditions < 0 ? Ticker::instantRunner(node.code) : nullptr;
-  if (node.tick || (instant && node.hasOnlyInstants)) {
+  if (node.tick || (instant && node.conditions < 0 && node.hasOnlyInstants)) {
     node.isInstant = true;
     node.run = instant;
   }
@@ -152,43 +152,19 @@ void Compiler::applyModel(const NodeSpec& spec, Attributes& mapping, const Place
   }
 }
 
-void Compiler::setCode(const NodeSpec& spec, Program::Node& node) {
-  const NodeFunctions* const functions = library_.functions(spec.id);
-  const BuiltinNode how = functions ? Ticker::libraryNode(*functions) : *Ticker::builtin(spec.id);
-  node.code = how.code;
-  node.detail = functions ? functionsOf(spec.id) : -1;
+void Compiler::setCode(const NodeSpec& spec, const BuiltinNode& how, Program::Node& node) {
+  const NodeKind kind = library_.catalogue().find(spec.id)->kind;
   node.run = how.run;
-  node.hasOneChild = hasOneChild(node.code);
+  node.halt = how.halt;
+  node.hasOneChild = kind == NodeKind::Decorator || kind == NodeKind::SubTree;
   node.memory = program_->memoryBytes_;
-  const bool hasBits = node.code == NodeCode::Parallel || node.code == NodeCode::ParallelAll;
-  program_->memoryBytes_ += hasBits ? parallelBytes(node.children) : wholeWords(how.memory);
-}
-
-void Compiler::setDetail(const NodeSpec& spec, Program::Node& node, const Place& place) {
-  switch (node.code) {
-    case NodeCode::Script:
-    case NodeCode::ScriptCondition:
-      node.detail = scriptOfPort(spec, "code", place);
-      break;
-    case NodeCode::Precondition:
-      node.detail = scriptOfPort(spec, "if", place);
-      break;
-    case NodeCode::SetBlackboard:
-      node.detail = slotOfKeyPort(spec, "output_key", place, true);
-      break;
-    case NodeCode::UnsetBlackboard:
-      node.detail = slotOfKeyPort(spec, "key", place, false);
-      break;
-    case NodeCode::SkipUnlessUpdated:
-    case NodeCode::WaitValueUpdate:
-    case NodeCode::WasEntryUpdated:
-      node.detail = slotOfKeyPort(spec, "entry", place, false);
-      break;
-    case NodeCode::Loop:
-      checkQueue(spec, place);
-      break;
-    default:
-      break;
+  program_->memoryBytes_ +=
+      how.hasChildBits ? parallelBytes(node.children) : wholeWords(how.memory);
+  if (const NodeFunctions* const functions = library_.functions(spec.id)) {
+    node.detail = numberOf(spec.id, *functions, program_->functions_, functions_);
+    node.isStateful = functions->kind == NodeFunctions::Kind::Stateful;
+    const bool isPlain = functions->kind == NodeFunctions::Kind::Synchronous;
+    node.tick = isPlain && spec.conditions.empty() ? functions->tick : nullptr;
   }
 }
 
@@ -242,12 +218,7 @@ base::Result<std::shared_ptr<const Program>> compile(const TreeTable& table,
   if (base::hasErrors(problems)) {
     return problems;
   }
-  const base::Result<std::shared_ptr<const Program>> program = Compiler(table, library).run(chosen);
-  base::append(problems, program.diagnostics());
-  if (!program) {
-    return problems;
-  }
-  return {*program, std::move(problems)};
+  return after(std::move(problems), Compiler(table, library).run(chosen));
 }
 
 base::Result<std::shared_ptr<const Program>> compile(const TreeFile& file,
@@ -257,13 +228,7 @@ base::Result<std::shared_ptr<const Program>> compile(const TreeFile& file,
   if (!table) {
     return table.diagnostics();
   }
-  const base::Result<std::shared_ptr<const Program>> program = compile(*table, library, options);
-  base::Diagnostics problems = table.diagnostics();
-  base::append(problems, program.diagnostics());
-  if (!program) {
-    return problems;
-  }
-  return {*program, std::move(problems)};
+  return after(table.diagnostics(), compile(*table, library, options));
 }
 
 }  // namespace bt

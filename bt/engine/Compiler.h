@@ -13,12 +13,12 @@ namespace bt {
 /// The blackboards of a tree and its SubTrees while it is compiled: which slot a key means.
 class Scopes {
  public:
-  Scopes();  // the root blackboard is scope 0
-
   /// A blackboard for a SubTree called from `parent`; `path` is shown in lists.
   int add(int parent, bool autoRemap, const std::string& path);
   /// `key` of `scope` is `parentKey` of its parent.
-  void remap(int scope, const std::string& key, const std::string& parentKey);
+  void remap(int scope, const std::string& key, const std::string& parentKey) {
+    scopes_[static_cast<std::size_t>(scope)].remaps[key] = parentKey;
+  }
   /// `key` of `scope` starts with this constant.
   void setConstant(int scope, const std::string& key, const std::string& text);
 
@@ -51,7 +51,7 @@ class Scopes {
   };
   int addSlot(int scope, const std::string& key);
 
-  std::vector<Scope> scopes_;
+  std::vector<Scope> scopes_ = std::vector<Scope>(1);  // the first is the root blackboard
   std::vector<Slot> slots_;
   std::vector<Use> uses_;
   std::vector<Program::Entry> entries_;
@@ -74,15 +74,15 @@ class Compiler {
 
   void addHostEntries(const std::vector<HostEntry>& entries);
   int addNode(const NodeSpec& spec, const std::string& path, const Place& place);
-  void close(int index);
+  void close(int index, NodeRunner instant);
   void addChildren(const NodeSpec& spec, int node, const Place& place);
   void addSubTree(const NodeSpec& spec, int node, const Place& place);
   int scopeOfSubTree(const NodeSpec& spec, int node, const Place& place);
   void applyModel(const NodeSpec& spec, Attributes& mapping, const Place& place);
-  void setCode(const NodeSpec& spec, Program::Node& node);
-  void setDetail(const NodeSpec& spec, Program::Node& node, const Place& place);
-  int manifestOf(const NodeSpec& spec);
-  int functionsOf(const std::string& id);
+  void setCode(const NodeSpec& spec, const BuiltinNode& how, Program::Node& node);
+  template <class T>
+  static int numberOf(const std::string& id, const T& entry, std::vector<T>& list,
+                      std::map<std::string, int>& known);
 
   void bindPorts(const NodeSpec& spec, const Place& place);
   PortBinding bindPort(const NodeSpec& spec, const PortSpec& port, const Place& place);
@@ -93,7 +93,7 @@ class Compiler {
   int bindConditions(const NodeSpec& spec, const Place& place);
   int addScript(const NodeSpec& spec, const std::string& source, const Place& place);
   int scriptOfPort(const NodeSpec& spec, const char* port, const Place& place);
-  int slotOfKeyPort(const NodeSpec& spec, const char* port, const Place& place, bool written);
+  int slotOfKeyPort(const NodeSpec& spec, const char* port, const Place& place);
   void checkQueue(const NodeSpec& spec, const Place& place);
 
   void noteRead(int slot, const NodeSpec& spec, const std::string& key, const Place& place);

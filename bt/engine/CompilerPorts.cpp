@@ -9,26 +9,11 @@
 namespace bt {
 namespace {
 
-PortType elementType(const std::string& loop) {
-  return loop == "LoopInt"      ? PortType::Int
-         : loop == "LoopDouble" ? PortType::Double
-         : loop == "LoopBool"   ? PortType::Bool
-                                : PortType::String;
-}
-
 const char* shownType(PortType type) {
   return type == PortType::Any ? "any" : portTypeName(type);
 }
 
-/// Nodes that read the text of some ports themselves.
-bool isKeyPort(const NodeSpec& spec, const PortSpec& port) {
-  return (spec.id == "SetBlackboard" && port.name == "output_key") ||
-         (spec.id == "UnsetBlackboard" && port.name == "key") || port.name == "entry";
-}
-
 }  // namespace
-
-Scopes::Scopes() : scopes_(1) {}
 
 int Scopes::add(int parent, bool autoRemap, const std::string& path) {
   constexpr std::size_t kShownPath = 300;  // the end of a longer one tells more than its beginning
@@ -38,10 +23,6 @@ int Scopes::add(int parent, bool autoRemap, const std::string& path) {
   scope.path = path.size() > kShownPath ? path.substr(path.size() - kShownPath) : path;
   scopes_.push_back(std::move(scope));
   return static_cast<int>(scopes_.size()) - 1;
-}
-
-void Scopes::remap(int scope, const std::string& key, const std::string& parentKey) {
-  scopes_[static_cast<std::size_t>(scope)].remaps[key] = parentKey;
 }
 
 /// Whole numbers become Int, other numbers Double, the rest text.
@@ -102,18 +83,18 @@ void Compiler::bindPorts(const NodeSpec& spec, const Place& place) {
     return;
   }
   const NodeManifest& manifest = *library_.catalogue().find(spec.id);
+  const BuiltinNode* const builtin = Ticker::builtin(spec.id);
+  const char* const keyPort = builtin ? builtin->keyPort : nullptr;
   for (const PortSpec& port : manifest.ports) {
-    program_->bindings_.push_back(bindPort(spec, port, place));
+    const bool isKey = keyPort && port.name == keyPort;  // slotOfKeyPort() reads its text
+    const PortBinding none = {0, PortBinding::Kind::Missing, false, port.type};
+    program_->bindings_.push_back(isKey ? none : bindPort(spec, port, place));
   }
 }
 
 PortBinding Compiler::bindPort(const NodeSpec& spec, const PortSpec& port, const Place& place) {
   const std::string* const given = findText(spec.ports, port.name);
-  PortBinding missing;
-  missing.type = port.type;
-  if (isKeyPort(spec, port) && Ticker::builtin(spec.id)) {
-    return missing;
-  }
+  const PortBinding missing = {0, PortBinding::Kind::Missing, false, port.type};
   if (!given && !port.defaultText) {
     return missing;
   }
@@ -229,44 +210,36 @@ int Compiler::bindConditions(const NodeSpec& spec, const Place& place) {
   if (spec.conditions.empty()) {
     return -1;
   }
-  const auto script = [&](const char* name) {
-    const std::string* const text = findText(spec.conditions, name);
-    return text ? addScript(spec, *text, place) : -1;
-  };
   Program::Conditions conditions;
-  conditions.failureIf = script("_failureIf");
-  conditions.successIf = script("_successIf");
-  conditions.skipIf = script("_skipIf");
-  conditions.whileTrue = script("_while");
-  conditions.onSuccess = script("_onSuccess");
-  conditions.onFailure = script("_onFailure");
-  conditions.post = script("_post");
-  conditions.onHalted = script("_onHalted");
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    const std::string* const text = findText(spec.conditions, kConditionNames[i]);
+    conditions[i] = text ? addScript(spec, *text, place) : -1;
+  }
   program_->conditions_.push_back(conditions);
   return static_cast<int>(program_->conditions_.size()) - 1;
 }
 
 /// The slot that a port names, either plainly or as "{key}".
-int Compiler::slotOfKeyPort(const NodeSpec& spec, const char* port, const Place& place,
-                            bool written) {
+int Compiler::slotOfKeyPort(const NodeSpec& spec, const char* port, const Place& place) {
   const std::string* const text = findText(spec.ports, port);
   if (!text || text->empty()) {
     return -1;
   }
   const std::string key = referencedKey(*text, port).value_or(*text);
   const int slot = scopes_.slotOf(place.scope, key);
-  if (written) {
+  if (spec.id == "SetBlackboard") {
     scopes_.use(slot).written = true;
   }
   return slot;
 }
 
 void Compiler::checkQueue(const NodeSpec& spec, const Place& place) {
-  const std::string* const text = findText(spec.ports, "queue");
+  const NodeManifest& manifest = *library_.catalogue().find(spec.id);
+  const std::string* const text = manifest.port("queue") ? findText(spec.ports, "queue") : nullptr;
   if (!text || text->empty() || referencedKey(*text, "queue")) {
     return;
   }
-  const PortType type = elementType(spec.id);
+  const PortType type = manifest.port("value")->type;
   for (const std::string& element : base::split(*text, ';')) {
     if (!isConvertible(element, type)) {
       error(spec, place, base::error("tree.queue-element", {element, portTypeName(type)}));

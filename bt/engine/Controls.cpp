@@ -90,114 +90,90 @@ void Ticker::resetOthers(int node, int kept) {
   }
 }
 
-/// A number of children; negative ones count from all. False = a fault was noted.
-bool Ticker::threshold(int node, int port, int& value) {
-  const std::optional<int> given = need<int>(node, port);
-  if (!given) {
-    return false;
-  }
+/// A number of children; negative ones count from all. Nothing = a fault was noted.
+std::optional<int> Ticker::threshold(int node, int port) {
+  std::optional<int> value = need<int>(node, port);
   const int children = program_.node(node).children;
-  value = *given < 0 ? std::max(children + *given + 1, 0) : *given;
-  if (value > children) {
+  if (value && *value < 0) {
+    value = std::max(children + *value + 1, 0);
+  }
+  if (value && *value > children) {
     fault(node, "port '" + program_.manifest(node).ports[static_cast<std::size_t>(port)].name +
                     "' is larger than the number of children");
-    return false;
+    return std::nullopt;
   }
-  return true;
+  return value;
 }
 
-namespace {
-
-/// The bits behind a ParallelMemory: which children are done in this run.
-class DoneBits {
- public:
-  explicit DoneBits(void* memory)
-      : bits_(static_cast<unsigned char*>(memory) + sizeof(ParallelMemory)) {}
-  bool has(int child) const { return ((bits_[child / 8] >> (child % 8)) & 1) != 0; }
-  void set(int child) {
-    bits_[child / 8] = static_cast<unsigned char>(bits_[child / 8] | (1 << (child % 8)));
-  }
-
- private:
-  unsigned char* bits_;
-};
-
-}  // namespace
-
-/// False = a fault. `decided` is IDLE as long as nothing is decided.
-bool Ticker::decideParallel(int node, int skipped, Status& decided) {
+/// IDLE as long as nothing is decided.
+base::NodeStatus Ticker::decideParallel(int node, int skipped) {
   const auto& own = memory<ParallelMemory>(node);
   const int children = program_.node(node).children;
-  int needed = 0;
-  int allowed = 0;
-  if (!threshold(node, 0, needed) || !threshold(node, 1, allowed)) {
-    return false;
+  const std::optional<int> needed = threshold(node, 0);
+  const std::optional<int> allowed = needed ? threshold(node, 1) : std::nullopt;
+  if (!allowed) {
+    return kFault;
   }
   const bool countsSkipped = *need<int>(node, 0) < 0;
-  if (own.successes >= needed || (countsSkipped && own.successes + skipped >= needed)) {
-    decided = Status::Success;
-  } else if (children - own.failures < needed || own.failures == allowed) {
-    decided = Status::Failure;
+  if (own.successes >= *needed || (countsSkipped && own.successes + skipped >= *needed)) {
+    return Status::Success;
   }
-  return true;
+  const bool hasFailed = children - own.failures < *needed || own.failures == *allowed;
+  return hasFailed ? Status::Failure : Status::Idle;
 }
 
-bool Ticker::tickParallelChildren(int node, int& skipped, bool untilDecided, Status& decided) {
+/// Ticks the children that are not done in this run. IDLE = nothing is decided.
+base::NodeStatus Ticker::tickParallelChildren(int node, int& skipped, bool untilDecided) {
   auto& own = memory<ParallelMemory>(node);
-  DoneBits done(memoryOf(node));
+  auto* const bits = static_cast<unsigned char*>(memoryOf(node)) + sizeof(ParallelMemory);
   int number = 0;
   for (int child = node + 1; child < endOf(node); child = endOf(child), ++number) {
-    if (!done.has(number)) {
-      const Status status = tickChild(child);
-      if (status == Status::Success || status == Status::Failure) {
-        done.set(number);
-        ++(status == Status::Success ? own.successes : own.failures);
-      } else if (status == Status::Skipped) {
-        ++skipped;
-      } else if (status != Status::Running) {
-        unexpected(child, status);
-        return false;
-      }
+    unsigned char& byte = bits[number / 8];
+    const unsigned bit = 1U << (number % 8);
+    const Status status = (byte & bit) == 0 ? tickChild(child) : Status::Running;
+    if (isDone(status)) {
+      byte = static_cast<unsigned char>(byte | bit);
+      ++(status == Status::Success ? own.successes : own.failures);
+    } else if (status == Status::Skipped) {
+      ++skipped;
+    } else if (status != Status::Running) {
+      return unexpected(child, status);
     }
-    if (untilDecided && !decideParallel(node, skipped, decided)) {
-      return false;
-    }
+    const Status decided = untilDecided ? decideParallel(node, skipped) : Status::Idle;
     if (decided != Status::Idle) {
-      return true;
+      return decided;
     }
   }
-  return true;
+  return Status::Idle;
 }
 
-void Ticker::finishParallel(int node) {
-  unsigned char* const bytes = static_cast<unsigned char*>(memoryOf(node));
-  std::fill_n(bytes, parallelBytes(program_.node(node).children), static_cast<unsigned char>(0));
+void Ticker::haltParallel(Ticker& ticker, int node) {
+  unsigned char* const bytes = static_cast<unsigned char*>(ticker.memoryOf(node));
+  std::fill_n(bytes, parallelBytes(ticker.nodes_[node].children), static_cast<unsigned char>(0));
+  ticker.resetChildren(node);
 }
 
 base::NodeStatus Ticker::parallel(int node) {
   stored(node) = Status::Running;
   int skipped = 0;
-  Status decided = Status::Idle;
-  if (!tickParallelChildren(node, skipped, true, decided)) {
-    return kFault;
+  const Status decided = tickParallelChildren(node, skipped, true);
+  if (isDone(decided)) {
+    haltParallel(*this, node);
   }
   if (decided != Status::Idle) {
-    finishParallel(node);
-    resetChildren(node);
     return decided;
   }
   return skipped == program_.node(node).children ? Status::Skipped : Status::Running;
 }
 
 base::NodeStatus Ticker::parallelAll(int node) {
-  int allowed = 0;
-  if (!threshold(node, 0, allowed)) {
+  const std::optional<int> allowed = threshold(node, 0);
+  if (!allowed) {
     return kFault;
   }
   stored(node) = Status::Running;
   int skipped = 0;
-  Status undecided = Status::Idle;
-  if (!tickParallelChildren(node, skipped, false, undecided)) {
+  if (tickParallelChildren(node, skipped, false) == kFault) {
     return kFault;
   }
   const ParallelMemory own = memory<ParallelMemory>(node);
@@ -208,15 +184,14 @@ base::NodeStatus Ticker::parallelAll(int node) {
   if (own.successes + own.failures + skipped < children) {
     return Status::Running;
   }
-  finishParallel(node);
-  resetChildren(node);
-  return own.failures >= allowed ? Status::Failure : Status::Success;
+  haltParallel(*this, node);
+  return own.failures >= *allowed ? Status::Failure : Status::Success;
 }
 
 base::NodeStatus Ticker::customControl(int node) {
   stored(node) = Status::Running;
-  ControlContext context(*this, input_, node);
-  const Status status = program_.functions(program_.node(node).detail).control.tick(context);
+  ParentContext context(*this, input_, node);
+  const Status status = functionsOf(node).parent.tick(context);
   if (isFaulty()) {
     return kFault;
   }

@@ -7,25 +7,17 @@
 namespace bt {
 
 base::NodeStatus Ticker::inverter(int node) {
-  stored(node) = Status::Running;
-  const Status status = tickNode(node + 1);
+  const Status status = tickOnlyChild(node);
   if (status == Status::Success) {
     return Status::Failure;
   }
-  if (status == Status::Failure) {
-    return Status::Success;
-  }
-  return status == Status::Idle ? unexpected(node + 1, status) : status;
+  return status == Status::Failure ? Status::Success : status;
 }
 
 template <base::NodeStatus result>
 base::NodeStatus Ticker::force(int node) {
-  stored(node) = Status::Running;
-  const Status status = tickNode(node + 1);
-  if (status == Status::Success || status == Status::Failure) {
-    return result;
-  }
-  return status == Status::Idle ? unexpected(node + 1, status) : status;
+  const Status status = tickOnlyChild(node);
+  return isDone(status) ? result : status;
 }
 
 /// Repeat (`again` = SUCCESS) and RetryUntilSuccessful (FAILURE): the child as often as it ends so.
@@ -36,17 +28,17 @@ base::NodeStatus Ticker::repeat(int node) {
   if (!limit && !kIsRetry) {
     return kFault;
   }
-  auto& own = memory<CountMemory>(node);
+  auto& count = memory<std::int32_t>(node);
   const int child = node + 1;
   stored(node) = Status::Running;
-  while (limit && (own.count < *limit || *limit == -1)) {
+  while (limit && (count < *limit || *limit == -1)) {
     const Status before = stored(child);
     const Status status = tickNode(child);
     if (status == Status::Running) {
       return status;
     }
     if (isDone(status) && status != again) {
-      own.count = 0;
+      count = 0;
       return status;
     }
     if (!isDone(status) && status != Status::Skipped) {
@@ -60,46 +52,22 @@ base::NodeStatus Ticker::repeat(int node) {
     if (!limit) {
       return kFault;
     }
-    own.count = *limit == -1 ? 0 : own.count + 1;
-    if (before == Status::Idle && (own.count < *limit || *limit == -1)) {
+    count = *limit == -1 ? 0 : count + 1;
+    if (before == Status::Idle && (count < *limit || *limit == -1)) {
       return Status::Running;
     }
   }
-  own.count = 0;
+  count = 0;
   return limit ? again : kFault;
 }
 
 base::NodeStatus Ticker::keepRunning(int node) {
-  stored(node) = Status::Running;
-  const Status status = tickNode(node + 1);
-  if (status == Status::Idle || status == kFault) {
-    return unexpected(node + 1, status);
-  }
-  return status == Status::Failure ? status : Status::Running;
+  return untilFailure(tickOnlyChild(node));
 }
 
-base::NodeStatus Ticker::delay(int node) {
-  auto& own = memory<TimerMemory>(node);
-  const std::optional<std::int64_t> limit = need<std::int64_t>(node, 0);
-  if (!limit) {
-    return kFault;
-  }
-  if (!own.started) {
-    own = {input_.step, true};
-  }
-  stored(node) = Status::Running;
-  if (!hasElapsed(own, *limit)) {
-    return Status::Running;
-  }
-  const Status status = tickNode(node + 1);
-  if (status == Status::Idle) {
-    return unexpected(node + 1, status);
-  }
-  own.started = status == Status::Running || status == Status::Skipped;
-  return status;
-}
-
-base::NodeStatus Ticker::timeout(int node) {
+/// Delay, and with `isTimeout` Timeout, which fails when the child takes longer.
+template <bool isTimeout>
+base::NodeStatus Ticker::timer(int node) {
   auto& own = memory<TimerMemory>(node);
   const std::optional<std::int64_t> limit = need<std::int64_t>(node, 0);
   if (!limit) {
@@ -110,44 +78,37 @@ base::NodeStatus Ticker::timeout(int node) {
   }
   stored(node) = Status::Running;
   const int child = node + 1;
-  if (*limit > 0 && stored(child) == Status::Running && hasElapsed(own, *limit)) {
+  if (!isTimeout && !hasElapsed(own, *limit)) {
+    return Status::Running;
+  }
+  if (isTimeout && *limit > 0 && stored(child) == Status::Running && hasElapsed(own, *limit)) {
     resetChild(child);
     own.started = false;
     return Status::Failure;
   }
-  const Status status = tickNode(child);
-  if (status == Status::Idle) {
-    return unexpected(child, status);
-  }
+  const Status status = tickOnlyChild(node);
   own.started = status == Status::Running || status == Status::Skipped;
   return status;
 }
 
 base::NodeStatus Ticker::runOnce(int node) {
-  auto& own = memory<RunOnceMemory>(node);
-  if (own.result != Status::Idle) {
+  auto& result = memory<Status>(node);
+  if (result != Status::Idle) {
     const std::optional<bool> skips = need<bool>(node, 0);
-    return !skips ? kFault : (*skips ? Status::Skipped : own.result);
+    return !skips ? kFault : (*skips ? Status::Skipped : result);
   }
-  stored(node) = Status::Running;
-  const Status status = tickNode(node + 1);
-  if (status == Status::Success || status == Status::Failure) {
-    own.result = status;
-  }
-  return status == Status::Idle ? unexpected(node + 1, status) : status;
+  const Status status = tickOnlyChild(node);
+  result = isDone(status) ? status : Status::Idle;
+  return status;
 }
 
 base::NodeStatus Ticker::subTree(int node) {
-  if (stored(node) == Status::Idle) {
-    stored(node) = Status::Running;
-  }
-  const Status status = tickNode(node + 1);
-  return status == Status::Idle ? unexpected(node + 1, status) : status;
+  return tickOnlyChild(node, stored(node) == Status::Idle);
 }
 
 base::NodeStatus Ticker::customDecorator(int node) {
-  DecoratorContext context(*this, input_, node);
-  const Status status = program_.functions(program_.node(node).detail).decorator.tick(context);
+  ParentContext context(*this, input_, node);
+  const Status status = functionsOf(node).parent.tick(context);
   if (isFaulty()) {
     return kFault;
   }
@@ -155,8 +116,8 @@ base::NodeStatus Ticker::customDecorator(int node) {
 }
 
 base::NodeStatus Ticker::precondition(int node) {
-  auto& own = memory<RunningMemory>(node);
-  if (!own.running) {
+  auto& isRunning = memory<bool>(node);
+  if (!isRunning) {
     const int script = program_.node(node).detail;
     if (script < 0) {
       return fault(node, "input 'if' is missing");
@@ -166,16 +127,11 @@ base::NodeStatus Ticker::precondition(int node) {
       return kFault;
     }
     if (!truth) {
-      const std::optional<Status> otherwise = need<Status>(node, 1);
-      return otherwise ? *otherwise : kFault;
+      return need<Status>(node, 1).value_or(kFault);
     }
   }
-  stored(node) = Status::Running;
-  const Status status = tickNode(node + 1);
-  if (status == Status::Idle) {
-    return unexpected(node + 1, status);
-  }
-  own.running = status == Status::Running;
+  const Status status = tickOnlyChild(node);
+  isRunning = status == Status::Running;
   return status;
 }
 
@@ -193,13 +149,13 @@ bool Ticker::storeElement(int node, std::string_view element) {
   return true;
 }
 
-/// Takes the next element of the list: of a constant by counting, of an entry by cutting it off.
-bool Ticker::takeElement(int node, bool& taken) {
-  taken = false;
+/// Takes the next element of the list: of a constant by counting, of an entry by cutting it
+/// off. False = there is none, nothing = a fault was noted.
+std::optional<bool> Ticker::takeElement(int node) {
   const PortBinding& binding = nodes_[node].ports[0];
   const Value* const list = portValue(node, 0);
   if (!list || list->text.empty()) {
-    return true;
+    return false;
   }
   auto& own = memory<LoopMemory>(node);
   std::string_view rest = list->text;
@@ -207,15 +163,14 @@ bool Ticker::takeElement(int node, bool& taken) {
   for (int i = 0; constant && i < own.taken; ++i) {
     const std::size_t separator = rest.find(';');
     if (separator == std::string_view::npos) {
-      return true;
+      return false;
     }
     rest.remove_prefix(separator + 1);
   }
   const std::size_t length = std::min(rest.find(';'), rest.size());
   if (!storeElement(node, rest.substr(0, length))) {
-    return false;
+    return std::nullopt;
   }
-  taken = true;
   if (constant) {
     ++own.taken;
   } else {
@@ -232,22 +187,14 @@ base::NodeStatus Ticker::loop(int node) {
     own.running = false;
   }
   if (!own.running) {
-    bool taken = false;
-    if (!takeElement(node, taken)) {
-      return kFault;
-    }
-    if (!taken) {
-      const std::optional<Status> atEnd = need<Status>(node, 1);
-      return atEnd ? *atEnd : kFault;
+    const std::optional<bool> taken = takeElement(node);
+    if (!taken || !*taken) {
+      return taken ? need<Status>(node, 1).value_or(kFault) : kFault;
     }
   }
-  stored(node) = Status::Running;
-  const Status status = tickNode(node + 1);
-  if (status == Status::Idle || status == kFault) {
-    return unexpected(node + 1, status);
-  }
+  const Status status = tickOnlyChild(node);
   own.running = status == Status::Running;
-  return status == Status::Failure ? status : Status::Running;
+  return untilFailure(status);
 }
 
 template <base::NodeStatus otherwise>
@@ -256,10 +203,7 @@ base::NodeStatus Ticker::ifUpdated(int node) {
   if (!own.running && !wasUpdated(node, own)) {
     return isFaulty() ? kFault : otherwise;
   }
-  const Status status = tickNode(node + 1);
-  if (status == Status::Idle) {
-    return unexpected(node + 1, status);
-  }
+  const Status status = tickOnlyChild(node, false);
   own.running = status == Status::Running;
   return status;
 }

@@ -41,32 +41,14 @@ base::NodeStatus Ticker::instants(Ticker& ticker, int node) {
   return kPasses;
 }
 
-NodeRunner Ticker::instantRunner(NodeCode code) {
-  switch (code) {
-    case NodeCode::Sequence:
-    case NodeCode::ReactiveSequence:
-      return &instants<Status::Failure>;
-    case NodeCode::Fallback:
-    case NodeCode::ReactiveFallback:
-      return &instants<Status::Success>;
-    case NodeCode::Inverter:
-      return [](Ticker& t, int node) {
-        const Status status = t.tickInstant(t.nodes_[node + 1], node + 1);
-        return status == kFault            ? kFault
-               : status == Status::Success ? Status::Failure
-                                           : Status::Success;
-      };
-    case NodeCode::ForceSuccess:
-      return [](Ticker& t, int node) {
-        return t.tickInstant(t.nodes_[node + 1], node + 1) == kFault ? kFault : Status::Success;
-      };
-    case NodeCode::ForceFailure:
-      return [](Ticker& t, int node) {
-        return t.tickInstant(t.nodes_[node + 1], node + 1) == kFault ? kFault : Status::Failure;
-      };
-    default:
-      return nullptr;
-  }
+base::NodeStatus Ticker::instantInverter(Ticker& ticker, int node) {
+  const Status status = ticker.tickInstant(ticker.nodes_[node + 1], node + 1);
+  return status == kFault ? kFault : status == Status::Success ? Status::Failure : Status::Success;
+}
+
+template <base::NodeStatus result>
+base::NodeStatus Ticker::instantForce(Ticker& ticker, int node) {
+  return ticker.tickInstant(ticker.nodes_[node + 1], node + 1) == kFault ? kFault : result;
 }
 
 }  // namespace bt

@@ -34,26 +34,6 @@ std::optional<std::string> LeafContext::text(int port) const {
   return value ? std::optional<std::string>(value->toText()) : std::nullopt;
 }
 
-bool LeafContext::set(int port, int value) {
-  Slot* const slot = slotOf(port);
-  return slot && store(*slot, value);
-}
-
-bool LeafContext::set(int port, double value) {
-  Slot* const slot = slotOf(port);
-  return slot && store(*slot, value);
-}
-
-bool LeafContext::set(int port, bool value) {
-  Slot* const slot = slotOf(port);
-  return slot && store(*slot, Value::of(value));
-}
-
-bool LeafContext::set(int port, std::string_view value) {
-  Slot* const slot = slotOf(port);
-  return slot && store(*slot, Value::of(value));
-}
-
 const std::string& LeafContext::path() const {
   return ticker_->program().path(head_->index);
 }
@@ -79,19 +59,11 @@ void LeafContext::faultOfPort(int port) {
                                      : "input '" + name + "' is missing");
 }
 
-base::NodeStatus DecoratorContext::tickChild() {
-  return ticker().tickNode(node() + 1);
-}
-
-void DecoratorContext::resetChild() {
-  ticker().resetChild(node() + 1);
-}
-
-int ControlContext::childCount() const {
+int ParentContext::childCount() const {
   return ticker().program().node(node()).children;
 }
 
-int ControlContext::nodeOf(int child) const {
+int ParentContext::nodeOf(int child) const {
   assert(child >= 0 && child < childCount());
   int index = node() + 1;
   for (int before = 0; before < child; ++before) {
@@ -100,11 +72,11 @@ int ControlContext::nodeOf(int child) const {
   return index;
 }
 
-base::NodeStatus ControlContext::tickChild(int child) {
+base::NodeStatus ParentContext::tickChild(int child) {
   return ticker().tickNode(nodeOf(child));
 }
 
-void ControlContext::resetChild(int child) {
+void ParentContext::resetChild(int child) {
   ticker().resetChild(nodeOf(child));
 }
 

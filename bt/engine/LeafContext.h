@@ -63,10 +63,15 @@ class LeafContext {
   std::optional<std::string> text(int port) const;
 
   /// Output port. False = the port is no "{key}" or the entry has another type; nothing written.
-  bool set(int port, int value);
-  bool set(int port, double value);
-  bool set(int port, bool value);
-  bool set(int port, std::string_view value);
+  template <class T>
+  bool set(int port, T value) {
+    Slot* const slot = slotOf(port);
+    if constexpr (std::is_same_v<T, int> || std::is_same_v<T, double>) {
+      return slot && store(*slot, value);
+    } else {
+      return slot && store(*slot, Value::of(value));
+    }
+  }
 
   /// The leaf's own bytes, asked for when it was registered: zero when the tree is made or reset,
   /// kept over halts and restarts.
@@ -128,126 +133,52 @@ class LeafContext {
   const NodeHead* head_;
 };
 
-/// What a decorator sees in addition: its child.
-class DecoratorContext : public LeafContext {
- public:
-  using LeafContext::LeafContext;
-  base::NodeStatus tickChild();  // by all rules of a tick, conditions included
-  void resetChild();             // halted if RUNNING, then IDLE
-};
-
-/// What a control sees in addition: its children, numbered from 0.
-class ControlContext : public LeafContext {
+/// What a decorator or control sees in addition: its children, numbered from 0.
+class ParentContext : public LeafContext {
  public:
   using LeafContext::LeafContext;
   int childCount() const;
-  base::NodeStatus tickChild(int child);  // by all rules of a tick, conditions included
-  void resetChild(int child);             // halted if RUNNING, then IDLE
+  base::NodeStatus tickChild(int child = 0);  // by all rules of a tick, conditions included
+  void resetChild(int child = 0);             // halted if RUNNING, then IDLE
 
  private:
   int nodeOf(int child) const;
 };
 
-namespace detail {
-inline std::optional<int> convert(const Value& value, const int*) {
-  return toInt(value);
-}
-inline std::optional<std::int64_t> convert(const Value& value, const std::int64_t*) {
-  return toUnsigned(value);
-}
-inline std::optional<double> convert(const Value& value, const double*) {
-  return toDouble(value);
-}
-inline std::optional<bool> convert(const Value& value, const bool*) {
-  return toBool(value);
-}
-inline std::optional<std::string_view> convert(const Value& value, const std::string_view*) {
-  return toStringView(value);
-}
-inline std::optional<base::NodeStatus> convert(const Value& value, const base::NodeStatus*) {
-  return toStatus(value);
-}
-
-/// The usual case, an entry that holds just this type; what is true of it costs next to nothing.
-template <class T>
-bool readPlain(const Value&, T&) {
-  return false;
-}
-template <>
-inline bool readPlain(const Value& value, int& result) {
-  result = static_cast<int>(value.integer);
-  return value.type == ValueType::Int;
-}
-template <>
-inline bool readPlain(const Value& value, double& result) {
-  result = value.real;
-  return value.type == ValueType::Double;
-}
-
-/// Converts into `result`; false = it does not fit. The plain cases go without an optional: copying
-/// those from call to call costs more than all the rest of reading a port.
-template <class T>
-bool read(const Value& value, T& result) {
-  const std::optional<T> converted = convert(value, static_cast<const T*>(nullptr));
-  if (converted) {
-    result = *converted;
-  }
-  return converted.has_value();
-}
-template <>
-inline bool read(const Value& value, int& result) {
-  if (readPlain(value, result)) {
-    return true;
-  }
-  const std::optional<int> converted = convertedToInt(value);
-  result = converted.value_or(0);
-  return converted.has_value();
-}
-template <>
-inline bool read(const Value& value, double& result) {
-  if (readPlain(value, result)) {
-    return true;
-  }
-  const std::optional<double> converted = convertedToDouble(value);
-  result = converted.value_or(0.0);
-  return converted.has_value();
-}
-}  // namespace detail
-
 template <class T>
 std::optional<T> LeafContext::get(int port) const {
   const Value* value = valueOf(port);
-  return value ? detail::convert(*value, static_cast<const T*>(nullptr)) : std::nullopt;
+  return value ? valueAs<T>(*value) : std::nullopt;
 }
 
+/// The usual case, an entry that holds just this type, costs next to nothing.
 template <class T>
 T LeafContext::require(int port) {
-  T result{};
-  return detail::readPlain(boundValue(port), result) ? result : requireSlowly<T>(port);
+  const Value& value = boundValue(port);
+  if constexpr (std::is_same_v<T, int>) {
+    return value.type == ValueType::Int ? static_cast<int>(value.integer) : requireSlowly<T>(port);
+  } else if constexpr (std::is_same_v<T, double>) {
+    return value.type == ValueType::Double ? value.real : requireSlowly<T>(port);
+  } else {
+    return requireSlowly<T>(port);
+  }
 }
 template <class T>
 T LeafContext::requireSlowly(int port) {
-  const Value* value = valueOf(port);
-  T result{};
-  if (!value || !detail::read(*value, result)) {
+  const std::optional<T> value = get<T>(port);
+  if (!value) {
     faultOfPort(port);
-    return T{};
   }
-  return result;
+  return value.value_or(T{});
 }
 
 template <class T>
 T LeafContext::getOr(int port, T fallback) {
-  const Value* value = valueOf(port);
-  if (!value) {
-    return fallback;
-  }
-  T result{};
-  if (!detail::read(*value, result)) {
+  const std::optional<T> value = get<T>(port);
+  if (!value && valueOf(port)) {
     faultOfPort(port);
-    return fallback;
   }
-  return result;
+  return value.value_or(fallback);
 }
 
 }  // namespace bt

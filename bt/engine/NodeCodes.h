@@ -12,23 +12,22 @@ namespace bt {
 /// A kind of node and how it is run.
 struct BuiltinNode {
   std::string_view id;  // in XML; empty of those that a library runs
-  NodeCode code;
-  std::size_t memory;  // [bytes] of its struct below
+  std::size_t memory;   // [bytes] of its struct below
   NodeRunner run;
+  NodeHalter halt = nullptr;
+  NodeRunner instant = nullptr;      // instead of `run`, when all children are instant
+  const char* scriptPort = nullptr;  // its text is the script that `detail` names
+  const char* keyPort = nullptr;     // its text names the entry that `detail` is the slot of
+  bool hasChildBits = false;         // one bit per child behind its memory
 };
-
-inline bool hasOneChild(NodeCode code) {
-  return (code >= NodeCode::Inverter && code <= NodeCode::SubTree) || code == NodeCode::Decorator;
-}
-inline bool hasChildren(NodeCode code) {
-  return code <= NodeCode::SubTree || code >= NodeCode::Decorator;
-}
 
 inline int wholeWords(std::size_t bytes) {
   return static_cast<int>((bytes + 7) / 8 * 8);
 }
 
-/// What nodes keep; all zero in a new tree.
+/// What nodes keep; all zero in a new tree. IfThenElse and Switch keep the node of the chosen child
+/// (0 = none yet), Repeat and Retry a count, RunOnce the result (IDLE = has not run), Precondition
+/// whether the child runs.
 struct SequenceMemory {
   std::int32_t next = 0;  // node to go on with; 0 = the first child
   std::int32_t skipped = 0;
@@ -48,21 +47,9 @@ inline int parallelBytes(int children) {
   return wholeWords(sizeof(ParallelMemory)) +
          wholeWords((static_cast<std::size_t>(children) + 7) / 8);
 }
-struct BranchMemory {
-  std::int32_t branch = 0;  // node of the chosen child; 0 = none yet
-};
-struct CountMemory {
-  std::int32_t count = 0;
-};
 struct TimerMemory {
   std::int64_t startStep = 0;
   bool started = false;
-};
-struct RunOnceMemory {
-  base::NodeStatus result = base::NodeStatus::Idle;  // Idle = has not run
-};
-struct RunningMemory {
-  bool running = false;
 };
 struct LoopMemory {
   std::int32_t taken = 0;  // elements of a constant list

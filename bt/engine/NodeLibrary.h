@@ -14,18 +14,17 @@
 /// The nodes that a tree may be built of: those of BehaviorTree.CPP, which the engine runs itself,
 /// and the leaves, decorators and controls that a host adds as plain functions.
 ///
-///   void addIsAlone(NodeLibrary& to) {                // would be bt/human/nodes/IsAlone.cpp
-///     NodeManifest m;
-///     m.id = "IsAlone";
-///     m.ports = {PortSpec("agent_id", PortType::Int, "", "Whose.").needed(),
-///                PortSpec("threshold", PortType::Double, "m", "Near.").byDefault("1.0")};
-///     to.addCondition(m, [](LeafContext& leaf) {
-///       const int agent = leaf.require<int>(0);
-///       const double threshold = leaf.require<double>(1);
-///       return leaf.host<Host>().distanceToNext(agent) > threshold ? base::NodeStatus::Success
-///                                                                  : base::NodeStatus::Failure;
-///     });
-///   }
+///   constexpr const char* kNodes = R"(
+///   Condition IsAlone|Perception|Nobody else is near.
+///   agent_id int needed|Whose.
+///   threshold length default 1.0|Near.
+///   )";
+///   to.addCondition(*nodesOf(kNodes, NodeOrigin::Ours).find("IsAlone"), [](LeafContext& leaf) {
+///     const int agent = leaf.require<int>(0);
+///     const double threshold = leaf.require<double>(1);
+///     return leaf.host<Host>().distanceToNext(agent) > threshold ? base::NodeStatus::Success
+///                                                                : base::NodeStatus::Failure;
+///   });
 ///
 ///   struct WaitMemory { std::int64_t startStep; };
 ///   to.addStateful<WaitMemory>(m, {
@@ -44,10 +43,8 @@ namespace bt {
 
 using LeafFunction = base::NodeStatus (*)(LeafContext&);
 using HaltFunction = void (*)(LeafContext&);
-using DecoratorFunction = base::NodeStatus (*)(DecoratorContext&);
-using DecoratorHaltFunction = void (*)(DecoratorContext&);
-using ControlFunction = base::NodeStatus (*)(ControlContext&);
-using ControlHaltFunction = void (*)(ControlContext&);
+using ParentFunction = base::NodeStatus (*)(ParentContext&);
+using ParentHaltFunction = void (*)(ParentContext&);
 
 struct StatefulFunctions {
   LeafFunction onStart = nullptr;
@@ -55,19 +52,13 @@ struct StatefulFunctions {
   HaltFunction onHalted = nullptr;  // halted while RUNNING
 };
 
-/// `tick` runs the child through the context; a child that is done is reset afterwards by the
-/// engine. On a halt while RUNNING the child is halted first, then `onHalted` is called.
-struct DecoratorFunctions {
-  DecoratorFunction tick = nullptr;
-  DecoratorHaltFunction onHalted = nullptr;
-};
-
-/// `tick` runs children through the context. The node counts as RUNNING meanwhile; unless it
-/// returns RUNNING all children are halted and reset afterwards by the engine. On a halt while
-/// RUNNING the children are halted first, then `onHalted` is called.
-struct ControlFunctions {
-  ControlFunction tick = nullptr;
-  ControlHaltFunction onHalted = nullptr;
+/// Of a decorator or control: `tick` runs children through the context. A decorator's child that is
+/// done is reset afterwards by the engine. A control counts as RUNNING meanwhile; unless it returns
+/// RUNNING all children are halted and reset. On a halt while RUNNING the children are halted
+/// first, then `onHalted` is called.
+struct ParentFunctions {
+  ParentFunction tick = nullptr;
+  ParentHaltFunction onHalted = nullptr;
 };
 
 /// How one added node is run.
@@ -76,8 +67,7 @@ struct NodeFunctions {
   Kind kind = Kind::Synchronous;
   LeafFunction tick = nullptr;  // Synchronous: must return SUCCESS or FAILURE
   StatefulFunctions stateful = {};
-  DecoratorFunctions decorator = {};
-  ControlFunctions control = {};
+  ParentFunctions parent = {};
   bool isCalledWhenDone = false;  // Stateful: started anew although its last result still stands
   int memoryBytes = 0;            // per node and agent
 };
@@ -110,18 +100,18 @@ class NodeLibrary {
     add<Memory>(std::move(manifest), {NodeFunctions::Kind::Stateful, nullptr, functions});
   }
   template <class Memory = NoMemory>
-  void addDecorator(NodeManifest manifest, DecoratorFunctions functions) {
+  void addDecorator(NodeManifest manifest, ParentFunctions functions) {
     manifest.kind = NodeKind::Decorator;
     manifest.minChildren = 1;
     manifest.maxChildren = 1;
     add<Memory>(std::move(manifest), {NodeFunctions::Kind::Decorator, nullptr, {}, functions});
   }
   template <class Memory = NoMemory>
-  void addControl(NodeManifest manifest, ControlFunctions functions) {
+  void addControl(NodeManifest manifest, ParentFunctions functions) {
     manifest.kind = NodeKind::Control;
     manifest.minChildren = std::max(manifest.minChildren, 1);
     manifest.maxChildren = manifest.maxChildren == 0 ? -1 : manifest.maxChildren;
-    add<Memory>(std::move(manifest), {NodeFunctions::Kind::Control, nullptr, {}, {}, functions});
+    add<Memory>(std::move(manifest), {NodeFunctions::Kind::Control, nullptr, {}, functions});
   }
 
   const NodeCatalogue& catalogue() const { return catalogue_; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -22,52 +23,11 @@ constexpr int kMaxProgramNodes = 200000;                     // after all SubTre
 constexpr int kMaxProgramDepth = 2000;                       // idem
 constexpr std::size_t kMaxPathBytes = std::size_t{1} << 28;  // of all paths together
 
-/// How a node is run.
-enum class NodeCode : std::uint8_t {
-  Sequence,
-  Fallback,
-  AsyncSequence,
-  AsyncFallback,
-  SequenceWithMemory,
-  ReactiveSequence,
-  ReactiveFallback,
-  Parallel,
-  ParallelAll,
-  IfThenElse,
-  WhileDoElse,
-  Switch,
-  TryCatch,
-  Inverter,
-  ForceSuccess,
-  ForceFailure,
-  Repeat,
-  RetryUntilSuccessful,
-  KeepRunningUntilFailure,
-  Delay,
-  Timeout,
-  RunOnce,
-  Precondition,
-  Loop,
-  SkipUnlessUpdated,
-  WaitValueUpdate,
-  SubTree,
-  AlwaysSuccess,
-  AlwaysFailure,
-  SetBlackboard,
-  UnsetBlackboard,
-  Script,
-  ScriptCondition,
-  Sleep,
-  WasEntryUpdated,
-  Synchronous,
-  Stateful,
-  Decorator,
-  Control  // these four: functions of the library
-};
-
 class Ticker;
-/// Runs one node: what is special to its code, without conditions and book-keeping.
+/// Runs one node: what is special to its kind, without conditions and book-keeping.
 using NodeRunner = base::NodeStatus (*)(Ticker& ticker, int node);
+/// Forgets what a node and its children were at.
+using NodeHalter = void (*)(Ticker& ticker, int node);
 
 /// An entry that the host writes, known before the tree is loaded.
 struct HostEntry {
@@ -87,23 +47,22 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   struct alignas(64) Node : NodeHead {  // a cache line
-    NodeCode code = NodeCode::AlwaysSuccess;
-    bool isInstant = false;        // always done within the tick, see Instants.cpp
-    bool hasOnlyInstants = false;  // all children are: none keeps a status
-    bool hasOneChild = false;      // a decorator or SubTree
-    std::int32_t end = 0;          // first node behind the children; the first child is self + 1
+    bool isInstant = false;             // always done within the tick, see Instants.cpp
+    bool hasOnlyInstants = false;       // all children are: none keeps a status
+    bool hasOneChild = false;           // a decorator or SubTree
+    bool isStateful = false;            // a leaf of the library that may last
+    std::int32_t end = 0;  // first node behind the children; the first child is self + 1
     std::int32_t children = 0;
     std::int32_t memory = 0;       // offset of its bytes in the agent's memory
     std::int32_t conditions = -1;  // in conditions(); -1 = none
-    std::int32_t detail = -1;      // code dependent: functions, script, slot
+    std::int32_t detail = -1;      // functions of the library, script or slot
     LeafFunction tick = nullptr;   // of a synchronous leaf without conditions
-    NodeRunner run = nullptr;      // what its code does
+    NodeRunner run = nullptr;
+    NodeHalter halt = nullptr;  // null: its children are all that is to be halted
   };
-  /// Scripts of the pre- and post-conditions, -1 = none.
-  struct Conditions {
-    int failureIf = -1, successIf = -1, skipIf = -1, whileTrue = -1;
-    int onSuccess = -1, onFailure = -1, post = -1, onHalted = -1;
-  };
+  /// Scripts of the pre- and post-conditions, in the order of kConditionNames; -1 = none.
+  using Conditions = std::array<int, kConditionNames.size()>;
+  enum Condition { FailureIf, SuccessIf, SkipIf, While, OnSuccess, OnFailure, Post, OnHalted };
   /// An entry of the blackboard, for lists.
   struct Entry {
     std::string key;  // "id"; in a SubTree with its path in front: "RegNav/RegularNavTree/x"

@@ -11,26 +11,37 @@ namespace bt {
 namespace {
 
 using base::Token;
-using Code = ScriptInstruction::Code;
-using Operators = std::map<std::string_view, Code>;
+using Kind = ScriptExpression::Kind;
+using Sign = ScriptSign;
+using Signs = std::map<std::string_view, Sign>;
 
-const Operators& assignments() {
-  static const Operators kTable = {{":=", Code::Create},     {"=", Code::Assign},
-                                   {"+=", Code::AddTo},      {"-=", Code::SubtractFrom},
-                                   {"*=", Code::MultiplyBy}, {"/=", Code::DivideBy}};
+const Signs& assignmentSigns() {
+  static const Signs kTable = {{":=", Sign::Create},   {"=", Sign::Assign},
+                               {"+=", Sign::Add},      {"-=", Sign::Subtract},
+                               {"*=", Sign::Multiply}, {"/=", Sign::Divide}};
   return kTable;
 }
 
-/// The operators that take two values, loosest level first.
-const std::vector<Operators>& binaryLevels() {
-  static const std::vector<Operators> kTable = {
-      {{"||", Code::Or}},
-      {{"&&", Code::And}},
-      {{"==", Code::Compare}},  // all comparisons, see comparison()
-      {{"|", Code::BitOr}, {"^", Code::BitXor}},
-      {{"&", Code::BitAnd}},
-      {{"+", Code::Add}, {"-", Code::Subtract}, {"..", Code::Concat}},
-      {{"*", Code::Multiply}, {"/", Code::Divide}}};
+const Signs& unarySigns() {
+  static const Signs kTable = {{"-", Sign::Negate}, {"~", Sign::BitNot}, {"!", Sign::Not}};
+  return kTable;
+}
+
+/// The signs between two values, loosest level first.
+const std::vector<Signs>& binaryLevels() {
+  static const std::vector<Signs> kTable = {
+      {{"||", Sign::Or}},
+      {{"&&", Sign::And}},
+      {{"==", Sign::Equal},
+       {"!=", Sign::NotEqual},
+       {"<", Sign::Less},
+       {">", Sign::Greater},
+       {"<=", Sign::LessEqual},
+       {">=", Sign::GreaterEqual}},
+      {{"|", Sign::BitOr}, {"^", Sign::BitXor}},
+      {{"&", Sign::BitAnd}},
+      {{"+", Sign::Add}, {"-", Sign::Subtract}, {"..", Sign::Concat}},
+      {{"*", Sign::Multiply}, {"/", Sign::Divide}}};
   return kTable;
 }
 constexpr std::size_t kComparisonLevel = 2;
@@ -66,29 +77,21 @@ class ScriptCompiler {
     return token().kind == Token::Kind::Sign && token().text == sign;
   }
   bool take(std::string_view sign);
+  std::optional<Sign> take(const Signs& signs);
   void fail(const std::string& message);
-  void emit(Code code, int index = 0, double number = 0.0) {
-    script_.code.push_back({code, index, number});
-  }
-  int here() const { return static_cast<int>(script_.code.size()); }
-  void push();
-  void pop(int count = 1) { depth_ -= count; }
-  int slot(const std::string& key, std::vector<int>& list);
 
   void statements();
-  void assignment();
-  void conditional();
-  void binary(std::size_t level);
-  void comparison();
-  std::optional<Script::Comparison> takeComparison();
-  void unary();
-  void primary();
+  ScriptExpression assignment();
+  ScriptExpression conditional();
+  ScriptExpression binary(std::size_t level);
+  ScriptExpression unary();
+  ScriptExpression primary();
+  ScriptExpression nested(ScriptExpression (ScriptCompiler::*part)());
 
   std::vector<Token> tokens_;
   const std::function<int(const std::string&)>& slotOf_;
   Script script_;
   std::size_t position_ = 0;
-  int depth_ = 0;
   int nesting_ = 0;
   std::optional<std::string> error_;
 };
@@ -99,6 +102,15 @@ bool ScriptCompiler::take(std::string_view sign) {
   return found;
 }
 
+std::optional<Sign> ScriptCompiler::take(const Signs& signs) {
+  const auto found = token().kind == Token::Kind::Sign ? signs.find(token().text) : signs.end();
+  if (found == signs.end()) {
+    return std::nullopt;
+  }
+  ++position_;
+  return found->second;
+}
+
 /// Only the first error counts. The rest of the tokens is given up, so every level returns soon.
 void ScriptCompiler::fail(const std::string& message) {
   if (!error_) {
@@ -107,188 +119,113 @@ void ScriptCompiler::fail(const std::string& message) {
   position_ = tokens_.size() - 1;
 }
 
-void ScriptCompiler::push() {
-  ++depth_;
-  script_.depth = std::max(script_.depth, depth_);
-}
-
-int ScriptCompiler::slot(const std::string& key, std::vector<int>& list) {
-  const int index = slotOf_(key);
-  list.push_back(index);
-  return index;
-}
-
 void ScriptCompiler::statements() {
   while (take(";")) {
   }
   while (token().kind != Token::Kind::End) {
-    assignment();
+    script_.statements.push_back(assignment());
     if (token().kind != Token::Kind::End && !isSign(";")) {
       fail("operator or ';' expected");
     }
     while (take(";")) {
     }
-    if (token().kind != Token::Kind::End) {
-      emit(Code::Drop);
-      pop();
-    }
   }
 }
 
-void ScriptCompiler::assignment() {
-  const bool named = token().kind == Token::Kind::Name;
+ScriptExpression ScriptCompiler::nested(ScriptExpression (ScriptCompiler::*part)()) {
+  if (++nesting_ > kMaxScriptNesting) {
+    fail("too deeply nested");
+  }
+  ScriptExpression expression = (this->*part)();
+  --nesting_;
+  return expression;
+}
+
+ScriptExpression ScriptCompiler::assignment() {
   const Token& next = tokens_[std::min(position_ + 1, tokens_.size() - 1)];
-  const auto found =
-      next.kind == Token::Kind::Sign ? assignments().find(next.text) : assignments().end();
-  if (!named || found == assignments().end()) {
-    conditional();
-    return;
+  const bool isNamed = token().kind == Token::Kind::Name && next.kind == Token::Kind::Sign;
+  const auto sign = assignmentSigns().find(next.text);
+  if (!isNamed || sign == assignmentSigns().end()) {
+    return conditional();
   }
   const std::string key = token().text;
   position_ += 2;
-  if (++nesting_ > kMaxScriptNesting) {
-    fail("too deeply nested");
-  }
-  assignment();
-  --nesting_;
-  emit(found->second, slot(key, script_.written));
+  ScriptExpression expression;
+  expression.kind = Kind::Assign;
+  expression.signs = {sign->second};
+  expression.parts.push_back(nested(&ScriptCompiler::assignment));
+  expression.slot = slotOf_(key);
+  script_.written.push_back(expression.slot);
+  return expression;
 }
 
-void ScriptCompiler::conditional() {
-  binary(0);
+ScriptExpression ScriptCompiler::conditional() {
+  ScriptExpression test = binary(0);
   if (!take("?")) {
-    return;
+    return test;
   }
-  const int test = here();
-  emit(Code::JumpIfFalse);
-  pop();
-  if (++nesting_ > kMaxScriptNesting) {
-    fail("too deeply nested");
-  }
-  conditional();
+  ScriptExpression choice;
+  choice.kind = Kind::Choose;
+  choice.parts.push_back(std::move(test));
+  choice.parts.push_back(nested(&ScriptCompiler::conditional));
   if (!take(":")) {
     fail("':' expected");
   }
-  const int leave = here();
-  emit(Code::Jump);
-  pop();
-  script_.code[static_cast<std::size_t>(test)].index = here();
-  conditional();
-  --nesting_;
-  script_.code[static_cast<std::size_t>(leave)].index = here();
+  choice.parts.push_back(nested(&ScriptCompiler::conditional));
+  return choice;
 }
 
-void ScriptCompiler::binary(std::size_t level) {
+ScriptExpression ScriptCompiler::binary(std::size_t level) {
   if (level == binaryLevels().size()) {
-    unary();
-    return;
+    return unary();
   }
-  if (level == kComparisonLevel) {
-    comparison();
-    return;
+  ScriptExpression all;
+  all.kind = level == kComparisonLevel ? Kind::Compare : Kind::Combine;
+  all.parts.push_back(binary(level + 1));
+  while (const std::optional<Sign> sign = take(binaryLevels()[level])) {
+    all.signs.push_back(*sign);
+    all.parts.push_back(binary(level + 1));
   }
-  binary(level + 1);
-  const Operators& operators = binaryLevels()[level];
-  while (token().kind == Token::Kind::Sign) {
-    const auto found = operators.find(token().text);
-    if (found == operators.end()) {
-      return;
+  return all.signs.empty() ? std::move(all.parts.front()) : std::move(all);
+}
+
+ScriptExpression ScriptCompiler::unary() {
+  const std::optional<Sign> sign = take(unarySigns());
+  if (!sign) {
+    return primary();
+  }
+  ScriptExpression expression;
+  expression.kind = Kind::Unary;
+  expression.signs = {*sign};
+  expression.parts.push_back(nested(&ScriptCompiler::unary));
+  return expression;
+}
+
+ScriptExpression ScriptCompiler::primary() {
+  ScriptExpression expression;
+  if (token().kind == Token::Kind::Number) {
+    expression.number = token().number;
+  } else if (token().kind == Token::Kind::Text) {
+    expression.kind = Kind::Text;
+    expression.text = token().text;
+  } else if (token().kind == Token::Kind::Name) {
+    expression.kind = Kind::Load;
+    expression.slot = slotOf_(token().text);
+  } else if (take("(")) {
+    expression = nested(&ScriptCompiler::assignment);
+    if (!isSign(")")) {
+      fail("')' expected");
     }
-    ++position_;
-    binary(level + 1);
-    emit(found->second);
-    pop();
-  }
-}
-
-std::optional<Script::Comparison> ScriptCompiler::takeComparison() {
-  using Comparison = Script::Comparison;
-  static const std::map<std::string_view, Comparison> kTable = {
-      {"==", Comparison::Equal},  {"!=", Comparison::NotEqual},  {"<", Comparison::Less},
-      {">", Comparison::Greater}, {"<=", Comparison::LessEqual}, {">=", Comparison::GreaterEqual}};
-  if (token().kind != Token::Kind::Sign) {
-    return std::nullopt;
-  }
-  const auto found = kTable.find(token().text);
-  if (found == kTable.end()) {
-    return std::nullopt;
-  }
-  ++position_;
-  return found->second;
-}
-
-void ScriptCompiler::comparison() {
-  binary(kComparisonLevel + 1);
-  std::vector<Script::Comparison> chain;
-  while (const std::optional<Script::Comparison> comparison = takeComparison()) {
-    chain.push_back(*comparison);
-    binary(kComparisonLevel + 1);
-  }
-  if (!chain.empty()) {
-    pop(static_cast<int>(chain.size()));
-    emit(Code::Compare, static_cast<int>(script_.chains.size()));
-    script_.chains.push_back(std::move(chain));
-  }
-}
-
-void ScriptCompiler::unary() {
-  static const std::map<std::string_view, Code> kTable = {
-      {"-", Code::Negate}, {"~", Code::BitNot}, {"!", Code::Not}};
-  const auto found = token().kind == Token::Kind::Sign ? kTable.find(token().text) : kTable.end();
-  if (found == kTable.end()) {
-    primary();
-    return;
-  }
-  ++position_;
-  if (++nesting_ > kMaxScriptNesting) {
-    fail("too deeply nested");
-  }
-  unary();
-  --nesting_;
-  emit(found->second);
-}
-
-void ScriptCompiler::primary() {
-  switch (token().kind) {
-    case Token::Kind::Number:
-      emit(Code::Number, 0, token().number);
-      push();
-      ++position_;
-      return;
-    case Token::Kind::Text:
-      emit(Code::Text, static_cast<int>(script_.texts.size()));
-      script_.texts.push_back(token().text);
-      push();
-      ++position_;
-      return;
-    case Token::Kind::Name:
-      emit(Code::Load, slot(token().text, script_.read));
-      push();
-      ++position_;
-      return;
-    case Token::Kind::Sign:
-    case Token::Kind::Unreadable:
-    case Token::Kind::End:
-      break;
-  }
-  if (!take("(")) {
+  } else {
     fail("value expected");
-    return;
   }
-  if (++nesting_ > kMaxScriptNesting) {
-    fail("too deeply nested");
-    return;
-  }
-  assignment();
-  --nesting_;
-  if (!take(")")) {
-    fail("')' expected");
-  }
+  position_ = std::min(position_ + 1, tokens_.size() - 1);
+  return expression;
 }
 
 base::Result<Script> ScriptCompiler::run() {
   statements();
-  if (!error_ && script_.code.empty()) {
+  if (!error_ && script_.statements.empty()) {
     error_ = "it is empty";
   }
   if (error_) {

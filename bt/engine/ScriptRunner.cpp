@@ -1,12 +1,11 @@
 #include <cmath>
+#include <utility>
 
 #include "bt/engine/Script.h"
 #include "bt/tree/TextValue.h"
 
 namespace bt {
 namespace {
-
-using Comparison = Script::Comparison;
 
 void setNumber(Value& value, double number) {
   value.type = ValueType::Double;
@@ -24,30 +23,21 @@ void copyNumber(Value& to, const Value& from) {
 }
 
 template <class T>
-bool ordered(Comparison comparison, const T& left, const T& right) {
-  switch (comparison) {
-    case Comparison::Less:
+bool ordered(ScriptSign sign, const T& left, const T& right) {
+  switch (sign) {
+    case ScriptSign::Less:
       return left < right;
-    case Comparison::Greater:
+    case ScriptSign::Greater:
       return left > right;
-    case Comparison::LessEqual:
+    case ScriptSign::LessEqual:
       return left <= right;
-    case Comparison::GreaterEqual:
+    case ScriptSign::GreaterEqual:
       return left >= right;
-    case Comparison::Equal:
-      return left == right;
-    case Comparison::NotEqual:
+    case ScriptSign::NotEqual:
       return left != right;
+    default:
+      return left == right;
   }
-  return false;
-}
-
-bool compareNumbers(Comparison comparison, double left, double right) {
-  const bool same = std::fabs(left - right) <= kScriptTolerance;
-  if (comparison == Comparison::Equal || comparison == Comparison::NotEqual) {
-    return same == (comparison == Comparison::Equal);
-  }
-  return ordered(comparison, left, right);
 }
 
 std::optional<double> numberOf(const Value& value) {
@@ -56,16 +46,20 @@ std::optional<double> numberOf(const Value& value) {
 }
 
 /// Nothing = text that is no number against a number.
-std::optional<bool> compareValues(Comparison comparison, const Value& left, const Value& right) {
+std::optional<bool> compareValues(ScriptSign sign, const Value& left, const Value& right) {
   if (left.type == ValueType::String && right.type == ValueType::String) {
-    return ordered(comparison, left.text, right.text);
+    return ordered(sign, left.text, right.text);
   }
   const std::optional<double> a = numberOf(left);
   const std::optional<double> b = numberOf(right);
   if (!a || !b) {
     return std::nullopt;
   }
-  return compareNumbers(comparison, *a, *b);
+  if (sign == ScriptSign::Equal || sign == ScriptSign::NotEqual) {
+    const bool same = std::fabs(*a - *b) <= kScriptTolerance;
+    return same == (sign == ScriptSign::Equal);
+  }
+  return ordered(sign, *a, *b);
 }
 
 std::optional<std::int64_t> bitsOf(const Value& value) {
@@ -80,9 +74,8 @@ std::optional<std::int64_t> bitsOf(const Value& value) {
 }  // namespace
 
 bool ScriptRunner::run() {
-  while (next_ < script_.code.size()) {
-    const ScriptInstruction& instruction = script_.code[next_++];
-    if (!execute(instruction)) {
+  for (const ScriptExpression& statement : script_.statements) {
+    if (!evaluate(statement, result_)) {
       return false;
     }
   }
@@ -90,121 +83,103 @@ bool ScriptRunner::run() {
 }
 
 std::optional<bool> ScriptRunner::truth() const {
-  if (!result().isNumber()) {
-    return std::nullopt;
-  }
-  return result().number() != 0.0;
+  return result_.isNumber() ? std::optional<bool>(result_.number() != 0.0) : std::nullopt;
 }
 
-bool ScriptRunner::execute(const ScriptInstruction& instruction) {
-  switch (instruction.code) {
-    case Code::Number:
-      setNumber(stack_[size_++], instruction.number);
+bool ScriptRunner::evaluate(const ScriptExpression& expression, Value& result) {
+  using Kind = ScriptExpression::Kind;
+  switch (expression.kind) {
+    case Kind::Number:
+      setNumber(result, expression.number);
       return true;
-    case Code::Text: {
-      Value& place = stack_[size_++];
-      place.type = ValueType::String;
-      place.text = script_.texts[static_cast<std::size_t>(instruction.index)];
+    case Kind::Text:
+      result.type = ValueType::String;
+      result.text = expression.text;
       return true;
-    }
-    case Code::Load:
-      return load(instruction.index);
-    case Code::Create:
-    case Code::Assign:
-    case Code::AddTo:
-    case Code::SubtractFrom:
-    case Code::MultiplyBy:
-    case Code::DivideBy:
-      return assign(instruction);
-    case Code::BitNot:
-    case Code::Not:
-    case Code::Negate:
-      return unary(instruction.code);
-    case Code::Compare:
-      return compare(script_.chains[static_cast<std::size_t>(instruction.index)]);
-    case Code::JumpIfFalse:
-    case Code::Jump:
-      return jump(instruction);
-    case Code::Drop:
-      --size_;
-      return true;
-    default:
-      return binary(instruction.code);
+    case Kind::Load:
+      return load(slots_[expression.slot].value, result);
+    case Kind::Assign:
+      return evaluate(expression.parts.front(), result) &&
+             assign(slots_[expression.slot], expression.signs.front(), result);
+    case Kind::Unary:
+      return evaluate(expression.parts.front(), result) && unary(expression.signs.front(), result);
+    case Kind::Compare:
+      return compare(expression, result);
+    case Kind::Choose:
+      return choose(expression, result);
+    case Kind::Combine:
+      break;
   }
+  bool isFine = evaluate(expression.parts.front(), result);
+  for (std::size_t i = 0; isFine && i < expression.signs.size(); ++i) {
+    Value right;
+    isFine =
+        evaluate(expression.parts[i + 1], right) && combine(expression.signs[i], result, right);
+  }
+  return isFine;
 }
 
-bool ScriptRunner::load(int slot) {
-  const Value& value = slots_[static_cast<std::size_t>(slot)].value;
+bool ScriptRunner::load(const Value& value, Value& result) {
   if (value.type == ValueType::Unset) {
     return fail("a variable of the script has no value");
   }
-  copyNumber(stack_[size_++], value);
+  copyNumber(result, value);
   return true;
 }
 
-bool ScriptRunner::assign(const ScriptInstruction& instruction) {
-  Slot& slot = slots_[static_cast<std::size_t>(instruction.index)];
-  if (!slot.exists && instruction.code != Code::Create) {
+bool ScriptRunner::assign(Slot& slot, ScriptSign sign, Value& value) {
+  if (!slot.exists && sign != ScriptSign::Create) {
     return fail("an entry that is assigned does not exist (create it with ':=')");
   }
-  if (instruction.code != Code::Create && instruction.code != Code::Assign) {
+  if (sign != ScriptSign::Create && sign != ScriptSign::Assign) {
     if (slot.value.type == ValueType::Unset) {
       return fail("an entry that is changed has no value");
     }
     Value changed;
     copyNumber(changed, slot.value);
-    const Code operation = instruction.code == Code::AddTo          ? Code::Add
-                           : instruction.code == Code::SubtractFrom ? Code::Subtract
-                           : instruction.code == Code::MultiplyBy   ? Code::Multiply
-                                                                    : Code::Divide;
-    if (!arithmetic(operation, changed, top())) {
+    if (!arithmetic(sign, changed, value)) {
       return false;
     }
-    top() = changed;
+    value = changed;
   }
   const bool holdsText = slot.value.type == ValueType::String;
-  const bool givesText = top().type == ValueType::String;
+  const bool givesText = value.type == ValueType::String;
   const bool mixed =
       slot.type == PortType::Any && slot.value.type != ValueType::Unset && holdsText != givesText;
-  if (mixed || !store(slot, top())) {
-    return fail("the value '" + top().toText() + "' does not fit the type of the entry");
+  if (mixed || !store(slot, value)) {
+    return fail("the value '" + value.toText() + "' does not fit the type of the entry");
   }
   return true;
 }
 
-bool ScriptRunner::binary(Code code) {
-  const Value& right = top();
-  Value& left = top(1);
-  --size_;
-  switch (code) {
-    case Code::Concat:
-      if (left.type != ValueType::String) {
-        left.text = left.toText();
-        left.type = ValueType::String;
-      }
-      left.text += right.type == ValueType::String ? right.text : right.toText();
+bool ScriptRunner::combine(ScriptSign sign, Value& left, const Value& right) {
+  switch (sign) {
+    case ScriptSign::Concat:
+      left.text = left.toText() + right.toText();
+      left.type = ValueType::String;
       return true;
-    case Code::And:
-    case Code::Or: {
+    case ScriptSign::And:
+    case ScriptSign::Or: {
       if (!left.isNumber() || !right.isNumber()) {
         return fail("text is used as a condition");
       }
       const bool a = left.number() != 0.0;
       const bool b = right.number() != 0.0;
-      setNumber(left, (code == Code::And ? a && b : a || b) ? 1.0 : 0.0);
+      setNumber(left, (sign == ScriptSign::And ? a && b : a || b) ? 1.0 : 0.0);
       return true;
     }
-    case Code::BitAnd:
-    case Code::BitOr:
-    case Code::BitXor:
-      return bits(code, left, right);
+    case ScriptSign::BitAnd:
+    case ScriptSign::BitOr:
+    case ScriptSign::BitXor:
+      return bits(sign, left, right);
     default:
-      return arithmetic(code, left, right);
+      return arithmetic(sign, left, right);
   }
 }
 
-bool ScriptRunner::arithmetic(Code code, Value& left, const Value& right) {
-  if (code == Code::Add && left.type == ValueType::String && right.type == ValueType::String) {
+bool ScriptRunner::arithmetic(ScriptSign sign, Value& left, const Value& right) {
+  if (sign == ScriptSign::Add && left.type == ValueType::String &&
+      right.type == ValueType::String) {
     left.text += right.text;
     return true;
   }
@@ -213,34 +188,33 @@ bool ScriptRunner::arithmetic(Code code, Value& left, const Value& right) {
   }
   const double a = left.number();
   const double b = right.number();
-  setNumber(left, code == Code::Add        ? a + b
-                  : code == Code::Subtract ? a - b
-                  : code == Code::Multiply ? a * b
-                                           : a / b);
+  setNumber(left, sign == ScriptSign::Add        ? a + b
+                  : sign == ScriptSign::Subtract ? a - b
+                  : sign == ScriptSign::Multiply ? a * b
+                                                 : a / b);
   return true;
 }
 
-bool ScriptRunner::bits(Code code, Value& left, const Value& right) {
+bool ScriptRunner::bits(ScriptSign sign, Value& left, const Value& right) {
   const std::optional<std::int64_t> a = bitsOf(left);
   const std::optional<std::int64_t> b = bitsOf(right);
   if (!a || !b) {
     return fail("bits of something that is no whole number");
   }
-  const std::int64_t result = code == Code::BitAnd  ? (*a & *b)
-                              : code == Code::BitOr ? (*a | *b)
-                                                    : (*a ^ *b);
+  const std::int64_t result = sign == ScriptSign::BitAnd  ? (*a & *b)
+                              : sign == ScriptSign::BitOr ? (*a | *b)
+                                                          : (*a ^ *b);
   setNumber(left, static_cast<double>(result));
   return true;
 }
 
-bool ScriptRunner::unary(Code code) {
-  Value& value = top();
+bool ScriptRunner::unary(ScriptSign sign, Value& value) {
   if (!value.isNumber()) {
     return fail("a sign before text");
   }
-  if (code == Code::Negate) {
+  if (sign == ScriptSign::Negate) {
     setNumber(value, -value.number());
-  } else if (code == Code::Not) {
+  } else if (sign == ScriptSign::Not) {
     setNumber(value, value.number() == 0.0 ? 1.0 : 0.0);
   } else {
     const std::optional<std::int64_t> number = bitsOf(value);
@@ -252,33 +226,38 @@ bool ScriptRunner::unary(Code code) {
   return true;
 }
 
-bool ScriptRunner::compare(const std::vector<Comparison>& chain) {
-  const std::size_t first = size_ - 1 - chain.size();
-  bool all = true;
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    const std::optional<bool> holds =
-        compareValues(chain[i], stack_[first + i], stack_[first + i + 1]);
-    if (!holds) {
-      return fail("text that is no number is compared with a number");
-    }
-    all = all && *holds;
+/// All values are worked out before it is said that two of them cannot be compared.
+bool ScriptRunner::compare(const ScriptExpression& expression, Value& result) {
+  if (!evaluate(expression.parts.front(), result)) {
+    return false;
   }
-  size_ = first + 1;
-  setNumber(top(), all ? 1.0 : 0.0);
+  bool all = true;
+  bool isComparable = true;
+  for (std::size_t i = 0; i < expression.signs.size(); ++i) {
+    Value next;
+    if (!evaluate(expression.parts[i + 1], next)) {
+      return false;
+    }
+    const std::optional<bool> holds = compareValues(expression.signs[i], result, next);
+    isComparable = isComparable && holds;
+    all = all && holds.value_or(false);
+    result = std::move(next);
+  }
+  if (!isComparable) {
+    return fail("text that is no number is compared with a number");
+  }
+  setNumber(result, all ? 1.0 : 0.0);
   return true;
 }
 
-bool ScriptRunner::jump(const ScriptInstruction& instruction) {
-  bool leave = true;
-  if (instruction.code == Code::JumpIfFalse) {
-    if (!top().isNumber()) {
-      return fail("text is used as a condition");
-    }
-    leave = top().number() == 0.0;
-    --size_;
+bool ScriptRunner::choose(const ScriptExpression& expression, Value& result) {
+  if (!evaluate(expression.parts[0], result)) {
+    return false;
   }
-  next_ = leave ? static_cast<std::size_t>(instruction.index) : next_;
-  return true;
+  if (!result.isNumber()) {
+    return fail("text is used as a condition");
+  }
+  return evaluate(expression.parts[result.number() != 0.0 ? 1 : 2], result);
 }
 
 }  // namespace bt

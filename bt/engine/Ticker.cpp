@@ -10,8 +10,7 @@ base::NodeStatus Ticker::tickNode(int node) {
 }
 
 base::NodeStatus Ticker::tickWithConditions(int node) {
-  const auto index = static_cast<std::size_t>(program_.node(node).conditions);
-  const Program::Conditions& conditions = program_.conditions()[index];
+  const Program::Conditions& conditions = conditionsOf(nodes_[node]);
   Status status = preCondition(conditions, node);
   if (status == Status::Idle) {
     status = nodes_[node].run(*this, node);
@@ -24,9 +23,9 @@ base::NodeStatus Ticker::tickWithConditions(int node) {
 
 /// Idle = nothing fired, the node is to be run.
 base::NodeStatus Ticker::preCondition(const Program::Conditions& conditions, int node) {
-  const std::pair<int, Status> atStart[] = {{conditions.failureIf, Status::Failure},
-                                            {conditions.successIf, Status::Success},
-                                            {conditions.skipIf, Status::Skipped}};
+  const std::pair<int, Status> atStart[] = {{conditions[Program::FailureIf], Status::Failure},
+                                            {conditions[Program::SuccessIf], Status::Success},
+                                            {conditions[Program::SkipIf], Status::Skipped}};
   bool truth = false;
   if (stored(node) == Status::Idle) {
     for (const auto& [script, result] : atStart) {
@@ -39,10 +38,10 @@ base::NodeStatus Ticker::preCondition(const Program::Conditions& conditions, int
     }
   }
   const bool asked = stored(node) == Status::Idle || stored(node) == Status::Running;
-  if (conditions.whileTrue < 0 || !asked) {
+  if (conditions[Program::While] < 0 || !asked) {
     return Status::Idle;
   }
-  if (!truthOf(node, conditions.whileTrue, truth)) {
+  if (!truthOf(node, conditions[Program::While], truth)) {
     return kFault;
   }
   if (truth) {
@@ -53,12 +52,13 @@ base::NodeStatus Ticker::preCondition(const Program::Conditions& conditions, int
 }
 
 void Ticker::postConditions(const Program::Conditions& conditions, int node, Status status) {
-  const int own = status == Status::Success ? conditions.onSuccess : conditions.onFailure;
+  const int own =
+      status == Status::Success ? conditions[Program::OnSuccess] : conditions[Program::OnFailure];
   if (own >= 0 && !runScript(node, own)) {
     return;
   }
-  if (conditions.post >= 0) {
-    runScript(node, conditions.post);
+  if (conditions[Program::Post] >= 0) {
+    runScript(node, conditions[Program::Post]);
   }
 }
 
@@ -84,91 +84,51 @@ void Ticker::resetFrom(int first, int node) {
 }
 
 void Ticker::halt(int node) {
-  haltOwn(node);
   const Program::Node& here = program_.node(node);
-  if (hasChildren(here.code)) {
+  if (here.halt) {
+    here.halt(*this, node);
+  } else {
     resetChildren(node);
   }
-  tellHalted(node);
   if (here.conditions >= 0) {
-    const auto index = static_cast<std::size_t>(here.conditions);
-    const int script = program_.conditions()[index].onHalted;
+    const int script = conditionsOf(here)[Program::OnHalted];
     if (script >= 0) {
       runScript(node, script);
     }
   }
 }
 
-/// Decorators and controls of the library hear of it after their children.
-void Ticker::tellHalted(int node) {
-  const Program::Node& here = program_.node(node);
-  if (here.code != NodeCode::Decorator && here.code != NodeCode::Control) {
-    return;
-  }
-  const NodeFunctions& functions = program_.functions(here.detail);
-  if (here.code == NodeCode::Decorator && functions.decorator.onHalted) {
-    DecoratorContext context(*this, input_, node);
-    functions.decorator.onHalted(context);
-  }
-  if (here.code == NodeCode::Control && functions.control.onHalted) {
-    ControlContext context(*this, input_, node);
-    functions.control.onHalted(context);
-  }
+template <class T>
+void Ticker::forget(Ticker& ticker, int node) {
+  ticker.memory<T>(node) = T();
+  ticker.resetChildren(node);
 }
 
-/// What the node itself forgets or does when it is halted.
-void Ticker::haltOwn(int node) {
-  switch (program_.node(node).code) {
-    case NodeCode::Sequence:
-    case NodeCode::Fallback:
-    case NodeCode::AsyncSequence:
-    case NodeCode::AsyncFallback:
-      memory<SequenceMemory>(node).next = 0;
-      break;
-    case NodeCode::Parallel:
-    case NodeCode::ParallelAll:
-      finishParallel(node);
-      break;
-    case NodeCode::IfThenElse:
-    case NodeCode::Switch:
-      memory<BranchMemory>(node).branch = 0;
-      break;
-    case NodeCode::TryCatch:
-      haltTryCatch(node);
-      break;
-    case NodeCode::Repeat:
-    case NodeCode::RetryUntilSuccessful:
-      memory<CountMemory>(node).count = 0;
-      break;
-    case NodeCode::Delay:
-    case NodeCode::Timeout:
-      memory<TimerMemory>(node).started = false;
-      break;
-    case NodeCode::Precondition:
-      memory<RunningMemory>(node).running = false;
-      break;
-    case NodeCode::Loop:
-      memory<LoopMemory>(node).running = false;
-      break;
-    case NodeCode::SkipUnlessUpdated:
-    case NodeCode::WaitValueUpdate:
-      memory<UpdateMemory>(node).running = false;
-      break;
-    case NodeCode::Sleep:
-      note(node, LeafEvent::Kind::Halted);
-      break;
-    case NodeCode::Stateful: {
-      const HaltFunction onHalted =
-          program_.functions(program_.node(node).detail).stateful.onHalted;
-      if (onHalted) {
-        LeafContext context(*this, input_, node);
-        onHalted(context);
-      }
-      note(node, LeafEvent::Kind::Halted);
-      break;
-    }
-    default:
-      break;
+/// The child does not run any more; the rest of the memory stays.
+template <class T>
+void Ticker::stopChild(Ticker& ticker, int node) {
+  ticker.memory<T>(node).running = false;
+  ticker.resetChildren(node);
+}
+
+void Ticker::noteHalt(Ticker& ticker, int node) {
+  ticker.note(node, LeafEvent::Kind::Halted);
+}
+
+void Ticker::haltStateful(Ticker& ticker, int node) {
+  if (const HaltFunction onHalted = ticker.functionsOf(node).stateful.onHalted) {
+    LeafContext context(ticker, ticker.input_, node);
+    onHalted(context);
+  }
+  noteHalt(ticker, node);
+}
+
+/// Decorators and controls of the library hear of it after their children.
+void Ticker::haltParent(Ticker& ticker, int node) {
+  ticker.resetChildren(node);
+  if (const ParentHaltFunction onHalted = ticker.functionsOf(node).parent.onHalted) {
+    ParentContext context(ticker, ticker.input_, node);
+    onHalted(context);
   }
 }
 
@@ -190,7 +150,7 @@ base::NodeStatus Ticker::fault(int node, std::string message) {
 
 bool Ticker::runScript(int node, int script, bool* truth) {
   const Script& code = program_.scripts()[static_cast<std::size_t>(script)];
-  ScriptRunner runner(code, slots(), state_.stack_.get());
+  ScriptRunner runner(code, slots());
   if (!runner.run()) {
     fault(node, "script '" + code.source + "': " + runner.error());
     return false;

@@ -23,8 +23,6 @@ class Ticker {
   /// Nullptr for nodes that a library runs.
   static const BuiltinNode* builtin(std::string_view id);
   static BuiltinNode libraryNode(const NodeFunctions& functions);
-  /// Of a control or decorator whose children are instant; nullptr = such a node is not.
-  static NodeRunner instantRunner(NodeCode code);
   /// The whole tick of a node: conditions, its code, book-keeping.
   base::NodeStatus tickNode(int node);
   /// Halted if it is RUNNING, then IDLE.
@@ -49,6 +47,13 @@ class Ticker {
     return *static_cast<T*>(memoryOf(node));
   }
   Status& stored(int node) { return stored_[node]; }
+  const Program::Conditions& conditionsOf(const Program::Node& node) const {
+    return program_.conditions()[static_cast<std::size_t>(node.conditions)];
+  }
+  /// Of a node that a library runs.
+  const NodeFunctions& functionsOf(int node) const {
+    return program_.functions(nodes_[node].detail);
+  }
   int endOf(int node) const { return nodes_[node].end; }
   void resetChildren(int node);
   void resetFrom(int first, int node);  // the children of `node` from `first` on
@@ -66,10 +71,25 @@ class Ticker {
   Status preCondition(const Program::Conditions& conditions, int node);
   void postConditions(const Program::Conditions& conditions, int node, Status status);
   void halt(int node);
-  void haltOwn(int node);
-  void tellHalted(int node);
+  template <class T>
+  static void forget(Ticker& ticker, int node);
+  template <class T>
+  static void stopChild(Ticker& ticker, int node);
+  static void noteHalt(Ticker& ticker, int node);
+  static void haltStateful(Ticker& ticker, int node);
+  static void haltParent(Ticker& ticker, int node);
+  static void haltParallel(Ticker& ticker, int node);
+  static void haltTryCatch(Ticker& ticker, int node);
   /// For what a parent cannot go on with: IDLE of a child is a fault.
   [[gnu::cold]] Status unexpected(int child, Status status);
+  /// Ticks the child of a decorator; `marks`: the decorator counts as RUNNING meanwhile.
+  Status tickOnlyChild(int node, bool marks = true) {
+    if (marks) {
+      stored(node) = Status::Running;
+    }
+    const Status status = tickNode(node + 1);
+    return status == Status::Idle ? unexpected(node + 1, status) : status;
+  }
 
   template <Status stop, bool yields = false, bool remembers = false>
   Status sequence(int node);
@@ -77,10 +97,9 @@ class Ticker {
   Status reactive(int node);
   Status parallel(int node);
   Status parallelAll(int node);
-  bool tickParallelChildren(int node, int& skipped, bool untilDecided, Status& decided);
-  bool decideParallel(int node, int skipped, Status& decided);
-  bool threshold(int node, int port, int& value);
-  void finishParallel(int node);
+  Status tickParallelChildren(int node, int& skipped, bool untilDecided);
+  Status decideParallel(int node, int skipped);
+  std::optional<int> threshold(int node, int port);
   Status ifThenElse(int node);
   Status whileDoElse(int node);
   Status switchCase(int node);
@@ -90,7 +109,6 @@ class Ticker {
   Status tryCatch(int node);
   Status tryChildren(int node, int last);
   Status catchChild(int node, int last);
-  void haltTryCatch(int node);
 
   Status inverter(int node);
   template <Status result>
@@ -98,12 +116,16 @@ class Ticker {
   template <Status again>
   Status repeat(int node);
   Status keepRunning(int node);
-  Status delay(int node);
-  Status timeout(int node);
+  /// Goes on, however the child ended, unless it failed or the tree is faulty.
+  static Status untilFailure(Status status) {
+    return status == Status::Failure || status == kFault ? status : Status::Running;
+  }
+  template <bool isTimeout>
+  Status timer(int node);
   Status runOnce(int node);
   Status precondition(int node);
   Status loop(int node);
-  bool takeElement(int node, bool& taken);
+  std::optional<bool> takeElement(int node);
   bool storeElement(int node, std::string_view element);
   template <Status otherwise>
   Status ifUpdated(int node);
@@ -145,6 +167,9 @@ class Ticker {
   }
   template <Status stop>
   static Status instants(Ticker& ticker, int node);
+  static Status instantInverter(Ticker& ticker, int node);
+  template <Status result>
+  static Status instantForce(Ticker& ticker, int node);
   static bool isDone(Status status) {
     return status == Status::Success || status == Status::Failure;
   }

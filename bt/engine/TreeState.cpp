@@ -9,21 +9,12 @@
 namespace bt {
 namespace {
 
-/// Room for two events of every stateful leaf and some more; a tick seldom has more.
+/// Room for two events of every leaf that may last and some more; a tick seldom has more.
 std::size_t roomForEvents(const Program& program) {
-  const auto count =
-      std::count_if(program.nodes().begin(), program.nodes().end(), [](const Program::Node& node) {
-        return node.code == NodeCode::Stateful || node.code == NodeCode::Sleep;
-      });
+  const auto count = std::count_if(
+      program.nodes().begin(), program.nodes().end(),
+      [](const Program::Node& node) { return node.children == 0 && !node.isInstant; });
   return 2 * static_cast<std::size_t>(count) + 1;
-}
-
-std::size_t stackSize(const Program& program) {
-  int depth = 0;
-  for (const Script& script : program.scripts()) {
-    depth = std::max(depth, script.depth);
-  }
-  return static_cast<std::size_t>(depth);
 }
 
 }  // namespace
@@ -32,24 +23,16 @@ TreeState::TreeState(std::shared_ptr<const Program> program) : program_(std::mov
   assert(program_);
   const std::size_t statusWords =
       (2 * nodeCount() + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t);
-  memory_ = std::make_unique<std::uint64_t[]>(memoryWords() + statusWords);
-  std::fill_n(stored(), 2 * nodeCount(), base::NodeStatus::Idle);
+  memory_.reset(new std::uint64_t[memoryWords() + statusWords]);
   slots_.reset(new Slot[program_->initialSlots().size()]);
-  copySlots();
   events_.reserve(roomForEvents(*program_));
-  if (const std::size_t depth = stackSize(*program_); depth > 0) {
-    stack_.reset(new Value[depth]);
-  }
-}
-
-void TreeState::copySlots() {
-  std::copy(program_->initialSlots().begin(), program_->initialSlots().end(), slots_.get());
+  reset();
 }
 
 void TreeState::reset() {
   std::fill_n(memory_.get(), memoryWords(), 0U);
   std::fill_n(stored(), 2 * nodeCount(), base::NodeStatus::Idle);
-  copySlots();
+  std::copy(program_->initialSlots().begin(), program_->initialSlots().end(), slots_.get());
   events_.clear();
   fault_.reset();
 }
@@ -79,12 +62,12 @@ void TreeState::halt(const TickInput& input) {
   Ticker(*program_, *this, input).resetChild(0);
 }
 
-std::vector<TreeState::EntryText> TreeState::entries() const {
-  std::vector<EntryText> all;
+std::vector<std::pair<std::string, std::string>> TreeState::entries() const {
+  std::vector<std::pair<std::string, std::string>> all;
   for (const Program::Entry& entry : program_->entries()) {
     const Value& value = get(entry.slot);
     if (value.type != ValueType::Unset) {
-      all.push_back({entry.key, value.toText()});
+      all.emplace_back(entry.key, value.toText());
     }
   }
   return all;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bt/engine/LeafContext.h"
@@ -68,15 +69,13 @@ class TreeState {
   const TreeFault* fault() const { return fault_.get(); }  // null: none
 
   /// Entries by slot (Program::findSlot, hostSlot). False = the value does not fit its type.
-  bool set(int slot, int value) { return store(slotAt(slot), value); }
-  bool set(int slot, double value) { return store(slotAt(slot), value); }
-  bool set(int slot, const Value& value) { return store(slotAt(slot), value); }
+  template <class T>
+  bool set(int slot, const T& value) {  // int, double or Value
+    return store(slots_[static_cast<std::size_t>(slot)], value);
+  }
   const Value& get(int slot) const { return slots_[static_cast<std::size_t>(slot)].value; }
-  struct EntryText {
-    std::string key;
-    std::string text;
-  };
-  std::vector<EntryText> entries() const;  // what is set, in the order of the program
+  /// Keys and texts of what is set, in the order of the program.
+  std::vector<std::pair<std::string, std::string>> entries() const;
 
  private:
   friend class Ticker;
@@ -89,15 +88,12 @@ class TreeState {
     return reinterpret_cast<base::NodeStatus*>(memory_.get() + memoryWords());
   }
   base::NodeStatus* returned() const { return stored() + nodeCount(); }
-  void copySlots();
   void clearReturned() { std::fill_n(returned(), nodeCount(), base::NodeStatus::Idle); }
-  Slot& slotAt(int slot) { return slots_[static_cast<std::size_t>(slot)]; }
 
   std::shared_ptr<const Program> program_;
   std::unique_ptr<std::uint64_t[]> memory_;  // of the nodes; then what they keep, and returned
   std::unique_ptr<Slot[]> slots_;
   std::vector<LeafEvent> events_;
-  std::unique_ptr<Value[]> stack_;  // of scripts; null: there are none
   std::unique_ptr<TreeFault> fault_;
 };
 

@@ -35,34 +35,6 @@ std::optional<Value> wrapped(const std::optional<T>& value) {
 
 }  // namespace
 
-Value Value::of(std::int64_t value) {
-  Value result;
-  result.type = value == static_cast<int>(value) ? ValueType::Int : ValueType::Long;
-  result.integer = value;
-  return result;
-}
-
-Value Value::of(double value) {
-  Value result;
-  result.type = ValueType::Double;
-  result.real = value;
-  return result;
-}
-
-Value Value::of(bool value) {
-  Value result;
-  result.type = ValueType::Bool;
-  result.integer = value ? 1 : 0;
-  return result;
-}
-
-Value Value::of(std::string_view value) {
-  Value result;
-  result.type = ValueType::String;
-  result.text = value;
-  return result;
-}
-
 std::string Value::toText() const {
   switch (type) {
     case ValueType::Unset:
@@ -78,16 +50,6 @@ std::string Value::toText() const {
       return text;
   }
   return {};
-}
-
-bool operator==(const Value& a, const Value& b) {
-  if (a.type != b.type || a.type == ValueType::Unset) {
-    return a.type == b.type;
-  }
-  if (a.type == ValueType::String) {
-    return a.text == b.text;
-  }
-  return a.type == ValueType::Double ? a.real == b.real : a.integer == b.integer;
 }
 
 namespace detail {
@@ -113,7 +75,8 @@ std::optional<double> convertedToDouble(const Value& value) {
 
 }  // namespace detail
 
-std::optional<std::int64_t> toUnsigned(const Value& value) {
+template <>
+std::optional<std::int64_t> valueAs(const Value& value) {
   if (value.type == ValueType::String) {
     return unsignedFromText(value.text);
   }
@@ -121,7 +84,8 @@ std::optional<std::int64_t> toUnsigned(const Value& value) {
                           : std::nullopt;
 }
 
-std::optional<bool> toBool(const Value& value) {
+template <>
+std::optional<bool> valueAs(const Value& value) {
   if (value.type == ValueType::String) {
     return boolFromText(value.text);
   }
@@ -130,13 +94,15 @@ std::optional<bool> toBool(const Value& value) {
   return whole ? std::optional<bool>(*whole == 1) : std::nullopt;
 }
 
-std::optional<std::string_view> toStringView(const Value& value) {
+template <>
+std::optional<std::string_view> valueAs(const Value& value) {
   const bool hasText =
       value.type == ValueType::String || (value.type != ValueType::Unset && !value.text.empty());
   return hasText ? std::optional<std::string_view>(value.text) : std::nullopt;
 }
 
-std::optional<base::NodeStatus> toStatus(const Value& value) {
+template <>
+std::optional<base::NodeStatus> valueAs(const Value& value) {
   return value.type == ValueType::String ? statusFromText(value.text) : std::nullopt;
 }
 
@@ -148,15 +114,15 @@ std::optional<Value> convertTo(const Value& value, PortType type) {
     case PortType::Any:
       return value;
     case PortType::Int:
-      return wrapped(toInt(value));
+      return wrapped(valueAs<int>(value));
     case PortType::Unsigned:
-      return wrapped(toUnsigned(value));
+      return wrapped(valueAs<std::int64_t>(value));
     case PortType::Double:
-      return wrapped(toDouble(value));
+      return wrapped(valueAs<double>(value));
     case PortType::Bool:
-      return wrapped(toBool(value));
+      return wrapped(valueAs<bool>(value));
     case PortType::Status:
-      return toStatus(value) ? std::optional<Value>(value) : std::nullopt;
+      return valueAs<base::NodeStatus>(value) ? std::optional<Value>(value) : std::nullopt;
     case PortType::String:
     case PortType::Queue:
       return withText(value);
@@ -164,9 +130,23 @@ std::optional<Value> convertTo(const Value& value, PortType type) {
   return std::nullopt;
 }
 
+bool store(Slot& slot, const Value& value) {
+  std::optional<Value> converted = convertTo(value, slot.type);
+  if (!converted) {
+    return false;
+  }
+  slot.value = *std::move(converted);
+  slot.exists = true;
+  ++slot.version;
+  return true;
+}
+
 namespace {
 
-bool noteWrite(Slot& slot) {
+/// A number was written in place.
+bool noteWrite(Slot& slot, ValueType type) {
+  slot.value.type = type;
+  slot.value.text.clear();
   slot.exists = true;
   ++slot.version;
   return true;
@@ -174,33 +154,20 @@ bool noteWrite(Slot& slot) {
 
 }  // namespace
 
-bool store(Slot& slot, const Value& value) {
-  std::optional<Value> converted = convertTo(value, slot.type);
-  if (!converted) {
-    return false;
-  }
-  slot.value = *std::move(converted);
-  return noteWrite(slot);
-}
-
 bool store(Slot& slot, double value) {
   if (slot.type != PortType::Double && slot.type != PortType::Any) {
     return store(slot, Value::of(value));
   }
-  slot.value.type = ValueType::Double;
   slot.value.real = value;
-  slot.value.text.clear();
-  return noteWrite(slot);
+  return noteWrite(slot, ValueType::Double);
 }
 
 bool store(Slot& slot, int value) {
   if (slot.type != PortType::Int && slot.type != PortType::Any) {
     return store(slot, Value::of(value));
   }
-  slot.value.type = ValueType::Int;
   slot.value.integer = value;
-  slot.value.text.clear();
-  return noteWrite(slot);
+  return noteWrite(slot, ValueType::Int);
 }
 
 }  // namespace bt

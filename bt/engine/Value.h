@@ -23,16 +23,25 @@ struct Value {
   };
   std::string text;  // String; also of a number in an entry for text, otherwise empty then
 
+  Value() = default;
+  Value(ValueType itsType, std::int64_t whole, std::string_view itsText = {})
+      : type(itsType), integer(whole), text(itsText) {}
   static Value of(int value) { return of(static_cast<std::int64_t>(value)); }
-  static Value of(std::int64_t value);
-  static Value of(double value);
-  static Value of(bool value);
-  static Value of(std::string_view value);
+  static Value of(std::int64_t value) {
+    const bool isInt = value == static_cast<int>(value);
+    return {isInt ? ValueType::Int : ValueType::Long, value};
+  }
+  static Value of(bool value) { return {ValueType::Bool, value ? 1 : 0}; }
+  static Value of(double value) {
+    Value result(ValueType::Double, 0);
+    result.real = value;
+    return result;
+  }
+  static Value of(std::string_view value) { return {ValueType::String, 0, value}; }
   bool isNumber() const { return type != ValueType::Unset && type != ValueType::String; }
   double number() const { return type == ValueType::Double ? real : static_cast<double>(integer); }
   std::string toText() const;  // for lists; "" when unset
 };
-bool operator==(const Value& a, const Value& b);
 
 /// Reads with the conversions that ports allow: text is parsed, a real becomes a whole number only
 /// when it is one, a number becomes a bool only when it is 0 or 1. Nothing = does not fit.
@@ -40,17 +49,25 @@ namespace detail {
 std::optional<int> convertedToInt(const Value& value);
 std::optional<double> convertedToDouble(const Value& value);
 }  // namespace detail
-inline std::optional<int> toInt(const Value& value) {
+template <class T>
+std::optional<T> valueAs(const Value& value);
+template <>
+inline std::optional<int> valueAs(const Value& value) {
   return value.type == ValueType::Int ? static_cast<int>(value.integer)
                                       : detail::convertedToInt(value);
 }
-inline std::optional<double> toDouble(const Value& value) {
+template <>
+inline std::optional<double> valueAs(const Value& value) {
   return value.type == ValueType::Double ? value.real : detail::convertedToDouble(value);
 }
-std::optional<std::int64_t> toUnsigned(const Value& value);
-std::optional<bool> toBool(const Value& value);
-std::optional<std::string_view> toStringView(const Value& value);
-std::optional<base::NodeStatus> toStatus(const Value& value);
+template <>
+std::optional<std::int64_t> valueAs(const Value& value);  // of Unsigned
+template <>
+std::optional<bool> valueAs(const Value& value);
+template <>
+std::optional<std::string_view> valueAs(const Value& value);
+template <>
+std::optional<base::NodeStatus> valueAs(const Value& value);
 
 /// `value` as an entry of type `type` takes it, or nothing.
 std::optional<Value> convertTo(const Value& value, PortType type);

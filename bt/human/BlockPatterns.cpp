@@ -1,7 +1,6 @@
-#include "bt/human/BlockPatterns.h"
+#include <algorithm>
 
-#include <cassert>
-
+#include "bt/human/Blocks.h"
 #include "bt/human/TemplateNodes.h"
 #include "sim2d/base/Text.h"
 
@@ -157,10 +156,6 @@ BlockRobot agent_id={id} time_step={dt} front_dist=$front duration=$duration
 
 using Fields = std::vector<std::string>;
 
-std::string fieldAt(const Fields& fields, std::size_t index) {
-  return index < fields.size() ? fields[index] : std::string();
-}
-
 BlockParameter parameterOf(const std::string& word, const std::string& key, const Fields& fields) {
   using Kind = BlockParameter::Kind;
   static const std::map<std::string, Kind> kKinds = {
@@ -168,84 +163,81 @@ BlockParameter parameterOf(const std::string& word, const std::string& key, cons
       {"person", Kind::Person}, {"people", Kind::People}, {"goal", Kind::Goal}};
   BlockParameter parameter;
   parameter.key = key;
-  parameter.label = fieldAt(fields, 1);
+  parameter.label = fields[1];
   parameter.kind = kKinds.at(word);
   if (parameter.kind == Kind::Number) {
-    parameter.unit = fieldAt(fields, 2);
-    parameter.min = base::parseDouble(fieldAt(fields, 3)).value_or(0.0);
-    parameter.max = base::parseDouble(fieldAt(fields, 4)).value_or(0.0);
-    parameter.initial = fieldAt(fields, 5);
-    parameter.mode = fieldAt(fields, 6);
+    parameter.unit = fields[2];
+    parameter.min = base::parseDouble(fields[3]).value_or(0.0);
+    parameter.max = base::parseDouble(fields[4]).value_or(0.0);
+    parameter.initial = fields[5];
+    parameter.mode = fields[6];
   } else if (parameter.kind == Kind::Choice) {
-    parameter.choices = base::split(fieldAt(fields, 2), ',');
-    parameter.initial = fieldAt(fields, 3);
+    parameter.choices = base::split(fields[2], ',');
+    parameter.initial = fields[3];
   } else {
-    parameter.initial = fieldAt(fields, 2);
-    parameter.mode = fieldAt(fields, 3);
+    parameter.initial = fields[2];
+    parameter.mode = fields[3];
   }
   return parameter;
 }
 
-std::vector<BlockPattern> readPatterns() {
-  std::vector<BlockPattern> patterns;
+std::vector<BlockKind> readKinds() {
+  std::vector<BlockKind> kinds;
   std::vector<std::string>* nodes = nullptr;
   for (const std::string& line : base::split(kBlocks, '\n')) {
     const std::size_t blank = line.find(' ');
     const std::string word = line.substr(0, blank);
-    const Fields fields =
-        base::split(blank == std::string::npos ? std::string() : line.substr(blank + 1), '|');
+    Fields fields = base::split(blank == std::string::npos ? "" : line.substr(blank + 1), '|');
+    fields.resize(7);
     if (word.empty()) {
       nodes = nullptr;
     } else if (word == "block") {
-      patterns.push_back({{fieldAt(fields, 0), fieldAt(fields, 1), fieldAt(fields, 2), {}}, {}});
+      kinds.push_back({fields[0], fields[1], fields[2], {}, {}});
     } else if (word == "nodes") {
-      nodes = &patterns.back().nodes[fieldAt(fields, 0)];
+      nodes = &kinds.back().nodes[fields[0]];
     } else if (nodes != nullptr) {
       nodes->push_back(line);
     } else {
-      patterns.back().kind.parameters.push_back(parameterOf(word, fieldAt(fields, 0), fields));
+      kinds.back().parameters.push_back(parameterOf(word, fields[0], fields));
     }
   }
-  return patterns;
-}
-
-NodeSpec nodeOf(const std::string& text) {
-  const std::vector<std::string> words = base::split(text, ' ');
-  NodeSpec node = leafNode(words.front(), {});
-  for (std::size_t i = 1; i < words.size(); ++i) {
-    const std::size_t sign = words[i].find('=');
-    assert(sign != std::string::npos);
-    node.ports.push_back({words[i].substr(0, sign), words[i].substr(sign + 1)});
-  }
-  return node;
-}
-
-NodeSpec chainOf(const std::string& line) {
-  const std::vector<std::string> links = base::split(line, '>');
-  NodeSpec node = nodeOf(links.back());
-  for (std::size_t i = links.size() - 1; i-- > 0;) {
-    NodeSpec decorator = nodeOf(links[i]);
-    decorator.children.push_back(std::move(node));
-    node = std::move(decorator);
-  }
-  return node;
+  return kinds;
 }
 
 }  // namespace
 
-std::vector<NodeSpec> BlockPattern::children(const std::string& mode,
-                                             const std::vector<std::string>& people) const {
+const std::vector<BlockKind>& blockKinds() {
+  static const std::vector<BlockKind> kKinds = readKinds();
+  return kKinds;
+}
+
+const BlockKind* blockKind(const std::string& id) {
+  const std::vector<BlockKind>& kinds = blockKinds();
+  const auto found = std::find_if(kinds.begin(), kinds.end(),
+                                  [&id](const BlockKind& kind) { return kind.id == id; });
+  return found == kinds.end() ? nullptr : &*found;
+}
+
+const BlockParameter* BlockKind::parameter(const std::string& key) const {
+  const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                  [&](const BlockParameter& each) { return each.key == key; });
+  return found == parameters.end() ? nullptr : &*found;
+}
+
+std::vector<NodeSpec> BlockKind::children(const std::string& mode,
+                                          const std::vector<std::string>& people) const {
   std::vector<NodeSpec> result;
-  const auto found = nodes.find(mode);
-  const std::vector<std::string> lines =
-      found == nodes.end() ? std::vector<std::string>() : found->second;
-  for (const std::string& line : lines) {
+  const auto lines = nodes.find(mode);
+  if (lines == nodes.end()) {
+    return result;
+  }
+  for (const std::string& line : lines->second) {
     if (line[0] != '*') {
-      result.push_back(chainOf(line));
+      result.push_back(nodeFrom(line));
       continue;
     }
     for (const std::string& person : people) {
-      NodeSpec node = chainOf(line.substr(1));
+      NodeSpec node = nodeFrom(line.substr(1));
       for (Attribute& port : node.ports) {
         port.text = port.text == "$each" ? person : port.text;
       }
@@ -253,20 +245,6 @@ std::vector<NodeSpec> BlockPattern::children(const std::string& mode,
     }
   }
   return result;
-}
-
-const std::vector<BlockPattern>& blockPatterns() {
-  static const std::vector<BlockPattern> kPatterns = readPatterns();
-  return kPatterns;
-}
-
-const BlockPattern* blockPattern(const std::string& id) {
-  for (const BlockPattern& pattern : blockPatterns()) {
-    if (pattern.kind.id == id) {
-      return &pattern;
-    }
-  }
-  return nullptr;
 }
 
 }  // namespace bt

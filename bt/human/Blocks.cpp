@@ -4,7 +4,6 @@
 #include <iterator>
 #include <utility>
 
-#include "bt/human/BlockPatterns.h"
 #include "bt/human/TemplateNodes.h"
 #include "sim2d/base/Text.h"
 
@@ -20,11 +19,10 @@ constexpr const char* kRandomEnd = "RandomBlock";
 /// Ids of people without blanks: "2, 3" -> {"2", "3"}.
 std::vector<std::string> peopleIn(const std::string& text) {
   std::vector<std::string> ids;
-  for (const std::string& word : base::split(text, ',')) {
-    std::string id;
-    std::copy_if(word.begin(), word.end(), std::back_inserter(id), [](char c) { return c != ' '; });
+  for (std::string id : base::split(text, ',')) {
+    id.erase(std::remove(id.begin(), id.end(), ' '), id.end());
     if (!id.empty()) {
-      ids.push_back(id);
+      ids.push_back(std::move(id));
     }
   }
   return ids;
@@ -82,10 +80,7 @@ std::vector<NodeSpec> onlyOnce(std::vector<NodeSpec> children) {
   std::vector<NodeSpec> actions(std::make_move_iterator(first),
                                 std::make_move_iterator(children.end()));
   children.erase(first, children.end());
-  NodeSpec once = around(
-      "RunOnce", around("ForceFailure", branchNode("Sequence", "Actions", std::move(actions))));
-  once.ports = {{"then_skip", "false"}};
-  children.push_back(std::move(once));
+  children.push_back(onceAndFail(branchNode("Sequence", "Actions", std::move(actions))));
   return children;
 }
 
@@ -122,15 +117,14 @@ bool endsWith(const std::string& text, const std::string& end) {
 }
 
 /// Values of the children by the first mode that fits them.
-std::optional<Values> readChildren(const BlockPattern& pattern,
-                                   const std::vector<NodeSpec>& children) {
+std::optional<Values> readChildren(const BlockKind& kind, const std::vector<NodeSpec>& children) {
   if (children.empty()) {
     return std::nullopt;
   }
   const std::string* others = findText(children.back().ports, "non_main_agent_ids");
   const std::vector<std::string> people = peopleIn(others != nullptr ? *others : std::string());
-  for (const auto& [mode, lines] : pattern.nodes) {
-    const std::vector<NodeSpec> expected = pattern.children(mode, people);
+  for (const auto& [mode, lines] : kind.nodes) {
+    const std::vector<NodeSpec> expected = kind.children(mode, people);
     Values values;
     bool fits = expected.size() == children.size();
     for (std::size_t i = 0; fits && i < expected.size(); ++i) {
@@ -146,33 +140,16 @@ std::optional<Values> readChildren(const BlockPattern& pattern,
   return std::nullopt;
 }
 
-bool isNamed(const NodeSpec& node, const char* name) {
-  return node.id == "Sequence" && node.name == name;
+bool setsGoals(const NodeSpec& node) {
+  return node.id == "Sequence" && node.name == "SetGoals";
+}
+
+template <class Condition>
+void removeIf(std::vector<NodeSpec>& nodes, Condition condition) {
+  nodes.erase(std::remove_if(nodes.begin(), nodes.end(), condition), nodes.end());
 }
 
 }  // namespace
-
-const BlockParameter* BlockKind::parameter(const std::string& key) const {
-  const auto found = std::find_if(parameters.begin(), parameters.end(),
-                                  [&](const BlockParameter& each) { return each.key == key; });
-  return found == parameters.end() ? nullptr : &*found;
-}
-
-const std::vector<BlockKind>& blockKinds() {
-  static const std::vector<BlockKind> kKinds = [] {
-    std::vector<BlockKind> kinds;
-    for (const BlockPattern& pattern : blockPatterns()) {
-      kinds.push_back(pattern.kind);
-    }
-    return kinds;
-  }();
-  return kKinds;
-}
-
-const BlockKind* blockKind(const std::string& id) {
-  const BlockPattern* pattern = blockPattern(id);
-  return pattern == nullptr ? nullptr : &pattern->kind;
-}
 
 const std::string& Block::value(const std::string& key) const {
   static const std::string kNothing;
@@ -199,12 +176,12 @@ bool operator==(const Block& a, const Block& b) {
 }
 
 NodeSpec makeBlock(const Block& block) {
-  const BlockPattern* pattern = blockPattern(block.id);
-  if (pattern == nullptr) {
+  const BlockKind* kind = blockKind(block.id);
+  if (kind == nullptr) {
     return {};
   }
   NodeSpec node = branchNode("Sequence", block.id + kEnd, {});
-  node.children = pattern->children(block.value("mode"), peopleIn(block.value("people")));
+  node.children = kind->children(block.value("mode"), peopleIn(block.value("people")));
   fill(node, block);
   if (block.repeat == BlockRepeat::Once) {
     node.children = onlyOnce(std::move(node.children));
@@ -230,14 +207,14 @@ std::optional<Block> readBlock(const NodeSpec& node) {
     return std::nullopt;
   }
   block.id = inner->name.substr(0, inner->name.size() - std::string(kEnd).size());
-  const BlockPattern* pattern = blockPattern(block.id);
-  if (pattern == nullptr) {
+  const BlockKind* kind = blockKind(block.id);
+  if (kind == nullptr) {
     return std::nullopt;
   }
-  std::optional<Values> values = readChildren(*pattern, inner->children);
+  std::optional<Values> values = readChildren(*kind, inner->children);
   if (!values && block.repeat == BlockRepeat::Always) {
     if (const auto bare = withoutOnce(inner->children)) {
-      values = readChildren(*pattern, *bare);
+      values = readChildren(*kind, *bare);
       block.repeat = BlockRepeat::Once;
     }
   }
@@ -263,18 +240,12 @@ bool setBlocks(TreeSpec& tree, const std::vector<Block>& blocks) {
     return false;
   }
   std::vector<NodeSpec>& children = tree.root.children;
-  children.erase(std::remove_if(children.begin(), children.end(),
-                                [](const NodeSpec& child) { return readBlock(child).has_value(); }),
-                 children.end());
-  auto place = std::find_if(children.begin(), children.end(),
-                            [](const NodeSpec& child) { return isNamed(child, "SetGoals"); });
+  removeIf(children, [](const NodeSpec& child) { return readBlock(child).has_value(); });
+  auto place = std::find_if(children.begin(), children.end(), setsGoals);
   place = place == children.end() ? children.begin() : place + 1;
-  std::vector<NodeSpec> nodes;
   for (const Block& block : blocks) {
-    nodes.push_back(makeBlock(block));
+    place = children.insert(place, makeBlock(block)) + 1;
   }
-  children.insert(place, std::make_move_iterator(nodes.begin()),
-                  std::make_move_iterator(nodes.end()));
   return true;
 }
 
@@ -282,12 +253,9 @@ bool setGoalsOf(TreeSpec& tree, const std::vector<int>& goals) {
   if (tree.root.id != "Fallback") {
     return false;
   }
-  std::vector<NodeSpec>& children = tree.root.children;
-  children.erase(std::remove_if(children.begin(), children.end(),
-                                [](const NodeSpec& child) { return isNamed(child, "SetGoals"); }),
-                 children.end());
+  removeIf(tree.root.children, setsGoals);
   if (!goals.empty()) {
-    children.insert(children.begin(), setGoalsBlock(goals));
+    tree.root.children.insert(tree.root.children.begin(), setGoalsBlock(goals));
   }
   return true;
 }

@@ -28,8 +28,14 @@ struct BlockKind {
   std::string title;        // "Robot interaction"
   std::string description;  // one sentence
   std::vector<BlockParameter> parameters;
+  /// By mode ("" when there is none), see BlockPatterns.cpp.
+  std::map<std::string, std::vector<std::string>> nodes;
 
   const BlockParameter* parameter(const std::string& key) const;
+  /// The children of the Sequence, with "$key" where the value of a parameter goes. `people`: ids
+  /// for the nodes that stand once per person.
+  std::vector<NodeSpec> children(const std::string& mode,
+                                 const std::vector<std::string>& people) const;
 };
 const std::vector<BlockKind>& blockKinds();
 const BlockKind* blockKind(const std::string& id);

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <tuple>
 
-#include "bt/human/Ports.h"
-
 namespace bt {
 
 using base::Vec2;
@@ -80,6 +78,14 @@ void restoreGoals(HumanContext& context, const SavedPerson& saved) {
   }
 }
 
+void restoreAllGoals(LeafContext& leaf) {
+  HumanContext& context = humanOf(leaf);
+  for (const SavedPerson& saved : context.notes(leaf).saved) {
+    restoreGoals(context, saved);
+  }
+  context.dropNotes(leaf);
+}
+
 void setGroup(HumanContext& context, int human, int group) {
   int& present = context.control(human).group;
   if (present != group) {
@@ -88,9 +94,10 @@ void setGroup(HumanContext& context, int human, int group) {
   }
 }
 
-std::optional<std::vector<int>> membersOf(LeafContext& leaf, int mainPort, int othersPort) {
+template <>
+std::optional<Members> argument(LeafContext& leaf, int othersPort) {
   HumanContext& context = humanOf(leaf);
-  const std::optional<int> main = context.person(leaf, mainPort);
+  const std::optional<int> main = context.person(leaf, 0);
   const std::string text = leaf.text(othersPort).value_or("");
   const std::optional<std::vector<int>> ids = parseIds(text);
   if (!ids) {
@@ -100,7 +107,7 @@ std::optional<std::vector<int>> membersOf(LeafContext& leaf, int mainPort, int o
   if (!main) {
     return std::nullopt;
   }
-  std::vector<int> members = {*main};
+  Members members = {*main};
   for (const int id : *ids) {
     const std::optional<int> member = context.personById(leaf, id);
     if (!member) {
@@ -113,7 +120,7 @@ std::optional<std::vector<int>> membersOf(LeafContext& leaf, int mainPort, int o
   return members;
 }
 
-std::vector<Spot> circleSpots(const sim2d::WorldView& view, const std::vector<int>& members,
+std::vector<Spot> circleSpots(const sim2d::WorldView& view, const Members& members,
                               const Vec2& centre) {
   struct Pairing {
     double distance;

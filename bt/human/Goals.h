@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "bt/human/HumanContext.h"
+#include "bt/human/Ports.h"
 
 /// Goals and groups of people, as nodes change them.
 namespace bt {
@@ -25,16 +25,20 @@ SavedPerson savePerson(HumanContext& context, int human);
 /// The person has not entered the world anew since; otherwise nothing is to be given back.
 bool isStillThere(const HumanContext& context, const SavedPerson& saved);
 void restoreGoals(HumanContext& context, const SavedPerson& saved);
+/// Restores the goals of all in the node's notes, and drops those.
+void restoreAllGoals(LeafContext& leaf);
 /// Tells the change by the event `group`.
 void setGroup(HumanContext& context, int human, int group);
 
-/// The main person and the others, in order, nobody twice. Nothing when somebody does not exist or
-/// is not in the world (the node fails) or the list is no list (the tree is faulty).
-std::optional<std::vector<int>> membersOf(LeafContext& leaf, int mainPort, int othersPort);
+/// The main person of port 0 and the others, in order, nobody twice. Nothing when somebody does not
+/// exist or is not in the world (the node fails) or the list is no list (the tree is faulty).
+using Members = std::vector<int>;
+template <>
+std::optional<Members> argument(LeafContext& leaf, int othersPort);
 
 /// Places on a circle of 0.5 m + 0.2 m for each member after the first, evenly spread from the
 /// direction in which the first member looks; the closest pairs of person and place first.
-std::vector<Spot> circleSpots(const sim2d::WorldView& view, const std::vector<int>& members,
+std::vector<Spot> circleSpots(const sim2d::WorldView& view, const Members& members,
                               const base::Vec2& centre);
 
 }  // namespace bt

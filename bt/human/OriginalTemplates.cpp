@@ -1,5 +1,3 @@
-#include "bt/human/OriginalTemplates.h"
-
 #include <utility>
 #include <vector>
 
@@ -10,12 +8,6 @@ namespace bt {
 using sim2d::BehaviorType;
 
 namespace {
-
-struct Template {
-  const char* tree;
-  const char* fallback;
-  std::string reaction;  // elements of the reaction; empty = regular navigation
-};
 
 constexpr const char* kSurprised =
     R"(            <Sequence name="SurNav">
@@ -54,29 +46,27 @@ std::string onceSeen(const std::string& name, const std::string& node) {
          "            </Sequence>\n";
 }
 
-Template templateOf(const sim2d::Human& human) {
-  switch (human.behavior.type.value_or(BehaviorType::Regular)) {
+/// Elements of the panel's reaction; empty = regular navigation.
+std::string panelReaction(BehaviorType type) {
+  switch (type) {
     case BehaviorType::Surprised:
-      return {"SurprisedNavTree", "SurprisedFallback", kSurprised};
+      return kSurprised;
     case BehaviorType::Scared:
-      return {"ScaredNavTree", "ScaredFallback",
-              onceSeen("ScaNav", R"(AvoidRobot agent_id="{id}" time_step="{dt}" )"
-                                 R"(runaway_vel="{maxvel}" safe_distance="{safe_distance}" )"
-                                 R"(duration="{duration}")")};
+      return onceSeen("ScaNav", R"(AvoidRobot agent_id="{id}" time_step="{dt}" )"
+                                R"(runaway_vel="{maxvel}" safe_distance="{safe_distance}" )"
+                                R"(duration="{duration}")");
     case BehaviorType::Curious:
-      return {"CuriousNavTree", "CuriousFallback",
-              onceSeen("CurNav", R"(ApproachRobot agent_id="{id}" time_step="{dt}" )"
-                                 R"(closest_dist="{stopdist}" max_vel="{maxvel}" )"
-                                 R"(duration="{duration}")")};
+      return onceSeen("CurNav", R"(ApproachRobot agent_id="{id}" time_step="{dt}" )"
+                                R"(closest_dist="{stopdist}" max_vel="{maxvel}" )"
+                                R"(duration="{duration}")");
     case BehaviorType::Threatening:
-      return {"ThreateningNavTree", "ThreateningFallback",
-              onceSeen("ThreadNav", R"(BlockRobot agent_id="{id}" time_step="{dt}" )"
-                                    R"(front_dist="{frontdist}" duration="{duration}")")};
+      return onceSeen("ThreadNav", R"(BlockRobot agent_id="{id}" time_step="{dt}" )"
+                                   R"(front_dist="{frontdist}" duration="{duration}")");
     case BehaviorType::Regular:
     case BehaviorType::Impassive:
       break;
   }
-  return {"RegularNavTree", "RegularNavFallback", ""};
+  return {};
 }
 
 /// RunOnce around SetGoal for each goal; the last one fails once, so that the fallback goes on in
@@ -196,24 +186,18 @@ std::string reactionOf(BehaviorType type) {
   return {};
 }
 
-}  // namespace
-
 std::string panelTreeText(const sim2d::Human& human, const std::string& modelFile) {
-  const Template parts = templateOf(human);
-  const bool isRegular = parts.reaction.empty();
+  const BehaviorType type = human.behavior.type.value_or(BehaviorType::Regular);
+  const std::string reaction = panelReaction(type);
+  const bool isRegular = reaction.empty();
+  const std::string name = isRegular ? "Regular" : sim2d::behaviorName(type);
   std::string body =
-      std::string("    <BehaviorTree ID=\"") + parts.tree + "\">\n        <Fallback name=\"" +
-      parts.fallback + "\">\n            {GOAL_SEQUENCE}\n" + parts.reaction +
+      "    <BehaviorTree ID=\"" + name + "NavTree\">\n        <Fallback name=\"" + name +
+      (isRegular ? "Nav" : "") + "Fallback\">\n            {GOAL_SEQUENCE}\n" + reaction +
       (isRegular ? kRegular : kRegularCall) + "        </Fallback>\n    </BehaviorTree>\n</root>\n";
-  return std::string("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<root main_tree_to_execute=\"") +
-         parts.tree + "\" BTCPP_format=\"4\">\n\n  " + modelElement(modelFile) +
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<root main_tree_to_execute=\"" + name +
+         "NavTree\" BTCPP_format=\"4\">\n\n  " + modelElement(modelFile) +
          "\n  <include path=\"BTRegularNav.xml\" />\n\n" + fillPlaceholders(std::move(body), human);
-}
-
-bool hasWrapperTrees(const sim2d::Scenario& scenario) {
-  const std::string simulator = scenario.simulator.value_or("");
-  return simulator == "Gazebo Classic" || simulator == "Gazebo Fortress" ||
-         simulator == "Isaac Sim";
 }
 
 std::string wrapperTreeText(const sim2d::Human& human, const std::string& modelFile) {
@@ -234,6 +218,16 @@ std::string wrapperTreeText(const sim2d::Human& human, const std::string& modelF
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
          "<root main_tree_to_execute=\"DefaultTree\" BTCPP_format=\"4\">\n  " +
          modelElement(modelFile) + "\n" + fillPlaceholders(std::move(body), human);
+}
+
+}  // namespace
+
+std::string originalTreeText(const sim2d::Scenario& scenario, const sim2d::Human& human,
+                             const std::string& modelFile) {
+  const std::string simulator = scenario.simulator.value_or("");
+  const bool isOfWrapper =
+      simulator == "Gazebo Classic" || simulator == "Gazebo Fortress" || simulator == "Isaac Sim";
+  return isOfWrapper ? wrapperTreeText(human, modelFile) : panelTreeText(human, modelFile);
 }
 
 }  // namespace bt

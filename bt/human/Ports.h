@@ -1,14 +1,17 @@
 #pragma once
 
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "bt/engine/NodeLibrary.h"
+#include "bt/human/HumanContext.h"
 
-/// Short forms for the manifests of people's nodes, and what their ports take.
+/// What the ports of people's nodes take, and leaves as functions of them.
 namespace bt {
 
 /// "2, 3": leading number of each token, empty tokens skipped; nothing when a token has no number.
@@ -19,33 +22,83 @@ std::optional<std::vector<double>> parseWeights(std::string_view text);
 /// A port that takes the id of a person, or of several.
 bool isPersonPort(std::string_view name);
 
-namespace port {
+/// Manifests of HuNavSim's nodes and, marked `own`, of those that the original does not have; see
+/// nodesOf(). Ports that many have need no line of their own: agent_id, target_agent_id, time_step,
+/// duration of an action, goal_id target_x target_y (a place) and non_main_agent_ids.
+NodeCatalogue humanManifests(std::string_view text);
 
-/// Id of a person, required; `suggested` "{id}" = the person of the tree.
-PortSpec person(const char* name, const char* description, const char* suggested = "{id}");
-PortSpec agent();     // "agent_id", whose action or perception it is
-PortSpec timeStep();  // "time_step", kept for the original; the step of the simulation counts here
-PortSpec length(const char* name, const char* description);        // [m], 0 … 1000
-PortSpec speed(const char* name, const char* description);         // [m/s], 0 … 10
-PortSpec duration(const char* name, const char* description);      // [s], 0 … 36000
-PortSpec openDuration(const char* name, const char* description);  // [s]; 0 and less: no end
-PortSpec lasting();                                                // "duration" of the actions
-PortSpec angle(const char* name, const char* description);         // [rad], 0 … pi
-/// "goal_id" …
-PortSpec goal(const char* description, const char* x = "target_x", const char* y = "target_y");
-PortSpec oldX(const char* name = "target_x");  // … or a point (files before mid 2025)
-PortSpec oldY(const char* name = "target_y");
-PortSpec others();  // "non_main_agent_ids"
-/// Accepted for older files.
-PortSpec unused(const char* name, PortType type, const char* unit = "");
+/// A person in the world.
+struct Person {
+  int index;
+  operator int() const { return index; }  // NOLINT: meant to convert
+};
 
-}  // namespace port
+/// What a port gives to a function; nothing = the node fails. A missing port makes the tree faulty.
+template <class T>
+std::optional<T> argument(LeafContext& leaf, int port) {
+  return leaf.require<T>(port);
+}
+template <>
+inline std::optional<Person> argument(LeafContext& leaf, int port) {
+  const std::optional<int> index = humanOf(leaf).person(leaf, port);
+  return index ? std::optional<Person>({*index}) : std::nullopt;
+}
+template <>
+inline std::optional<sim2d::GoalItem> argument(LeafContext& leaf, int port) {
+  return humanOf(leaf).place(leaf, port);
+}
 
-/// Manifest of one of HuNavSim's nodes; kind Condition makes a stateful node one in name.
-NodeManifest humanNode(const char* id, const char* category, const char* description,
-                       std::initializer_list<PortSpec> ports, NodeKind kind = NodeKind::Action);
-/// Of a node that the original does not have.
-NodeManifest ownNode(const char* id, const char* category, const char* description,
-                     std::initializer_list<PortSpec> ports, NodeKind kind = NodeKind::Action);
+template <class Context>
+Context& contextOf(LeafContext& leaf) {
+  if constexpr (std::is_same_v<Context, HumanContext>) {
+    return humanOf(leaf);
+  } else {
+    return leaf;
+  }
+}
+
+template <class Context, class Result, class... Arguments, int... ports>
+NodeStatus callWithPorts(LeafContext& leaf, Result (*function)(Context&, Arguments...),
+                         std::integer_sequence<int, ports...>) {
+  const std::tuple<std::optional<std::decay_t<Arguments>>...> arguments{
+      argument<std::decay_t<Arguments>>(leaf, ports)...};
+  const auto call = [&leaf, function](const auto&... given) {
+    if (!(given && ...)) {
+      return NodeStatus::Failure;
+    }
+    NodeStatus status = NodeStatus::Success;
+    if constexpr (std::is_same_v<Result, bool>) {
+      status = successIf(function(contextOf<Context>(leaf), *given...));
+    } else if constexpr (std::is_same_v<Result, void>) {
+      function(contextOf<Context>(leaf), *given...);
+    } else {
+      status = function(contextOf<Context>(leaf), *given...);
+    }
+    return status;
+  };
+  return std::apply(call, arguments);
+}
+
+/// A leaf that calls `function` with these ports, read in this order. It takes the HumanContext or
+/// the LeafContext before them and gives a status, or true for SUCCESS, or nothing (SUCCESS).
+template <auto function, int... ports>
+NodeStatus withPorts(LeafContext& leaf) {
+  return callWithPorts(leaf, function, std::integer_sequence<int, ports...>());
+}
+
+/// What a node does in each step while the person `human` of its memory is in the world.
+template <class Memory, NodeStatus (*step)(LeafContext&, HumanContext&, Memory&)>
+NodeStatus whilePresent(LeafContext& leaf) {
+  HumanContext& context = humanOf(leaf);
+  Memory& memory = leaf.memory<Memory>();
+  return context.view().isPresent(memory.human) ? step(leaf, context, memory) : NodeStatus::Failure;
+}
+
+/// Starts with this memory.
+template <class Memory>
+NodeStatus begin(LeafContext& leaf, const Memory& memory) {
+  leaf.memory<Memory>() = memory;
+  return NodeStatus::Running;
+}
 
 }  // namespace bt

@@ -1,8 +1,11 @@
 #include "bt/human/TemplateNodes.h"
 
 #include <array>
+#include <cassert>
 #include <charconv>
 #include <utility>
+
+#include "sim2d/base/Text.h"
 
 namespace bt {
 
@@ -21,8 +24,29 @@ NodeSpec branchNode(std::string id, std::string name, std::vector<NodeSpec> chil
   return node;
 }
 
-NodeSpec around(std::string decorator, NodeSpec child) {
-  return branchNode(std::move(decorator), {}, {std::move(child)});
+NodeSpec nodeFrom(const std::string& text) {
+  const std::size_t link = text.find('>');
+  if (link != std::string::npos) {
+    return around(text.substr(0, link), nodeFrom(text.substr(link + 1)));
+  }
+  const std::vector<std::string> words = base::split(text, ' ');
+  NodeSpec node = leafNode(words.front(), {});
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const std::size_t sign = words[i].find('=');
+    assert(sign != std::string::npos);
+    node.ports.push_back({words[i].substr(0, sign), words[i].substr(sign + 1)});
+  }
+  return node;
+}
+
+NodeSpec around(const std::string& decorator, NodeSpec child) {
+  NodeSpec node = nodeFrom(decorator);
+  node.children.push_back(std::move(child));
+  return node;
+}
+
+NodeSpec onceAndFail(NodeSpec child) {
+  return around("RunOnce then_skip=false", around("ForceFailure", std::move(child)));
 }
 
 std::string shortNumber(double value) {
@@ -35,8 +59,8 @@ std::string shortNumber(double value) {
 NodeSpec setGoalsBlock(const std::vector<int>& goals) {
   NodeSpec block = branchNode("Sequence", "SetGoals", {});
   for (const int goal : goals) {
-    block.children.push_back(around(
-        "RunOnce", leafNode("SetGoal", {{"agent_id", "{id}"}, {"goal_id", std::to_string(goal)}})));
+    block.children.push_back(
+        nodeFrom("RunOnce>SetGoal agent_id={id} goal_id=" + std::to_string(goal)));
   }
   if (!block.children.empty()) {  // fails in the first tick, so that the person walks on at once
     block.children.back() = around("Inverter", std::move(block.children.back()));

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "bt/human/OriginalTemplates.h"
 #include "bt/human/TemplateNodes.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/scenario/Defaults.h"
@@ -17,71 +16,54 @@ namespace {
 
 constexpr const char* kRegularTree = "RegularNavTree";
 
-struct Names {
-  const char* tree;
-  const char* fallback;
-  const char* reaction;  // Sequence of the reaction; nullptr = none
-};
-
-Names namesOf(BehaviorType type) {
+/// Name of the Sequence with the reaction; nullptr = there is none.
+const char* reactionName(BehaviorType type) {
   switch (type) {
     case BehaviorType::Surprised:
-      return {"SurprisedNavTree", "SurprisedFallback", "SurNav"};
+      return "SurNav";
     case BehaviorType::Scared:
-      return {"ScaredNavTree", "ScaredFallback", "ScaNav"};
+      return "ScaNav";
     case BehaviorType::Curious:
-      return {"CuriousNavTree", "CuriousFallback", "CurNav"};
+      return "CurNav";
     case BehaviorType::Threatening:
-      return {"ThreateningNavTree", "ThreateningFallback", "ThreadNav"};
+      return "ThreadNav";
     case BehaviorType::Regular:
     case BehaviorType::Impassive:
       break;
   }
-  return {kRegularTree, "RegularNavFallback", nullptr};
+  return nullptr;
+}
+
+std::string treeName(BehaviorType type) {
+  return reactionName(type) ? std::string(sim2d::behaviorName(type)) + "NavTree" : kRegularTree;
 }
 
 /// The lasting action of scared, curious and threatening people.
 NodeSpec reactionLeaf(const ResolvedHuman& human) {
-  NodeSpec leaf = leafNode("BlockRobot", {{"agent_id", "{id}"}, {"time_step", "{dt}"}});
-  switch (human.behavior) {
-    case BehaviorType::Scared:
-      leaf.id = "AvoidRobot";
-      setText(leaf.ports, "runaway_vel", shortNumber(human.reactionSpeed));
-      setText(leaf.ports, "safe_distance", shortNumber(human.safeDistance));
-      break;
-    case BehaviorType::Curious:
-      leaf.id = "ApproachRobot";
-      setText(leaf.ports, "closest_dist", shortNumber(human.stopDistance));
-      setText(leaf.ports, "max_vel", shortNumber(human.reactionSpeed));
-      break;
-    default:
-      setText(leaf.ports, "front_dist", shortNumber(human.frontDistance));
+  const std::string duration = " duration=" + shortNumber(human.reactionDuration);
+  const std::string who = " agent_id={id} time_step={dt}";
+  if (human.behavior == BehaviorType::Scared) {
+    return nodeFrom("AvoidRobot" + who + " runaway_vel=" + shortNumber(human.reactionSpeed) +
+                    " safe_distance=" + shortNumber(human.safeDistance) + duration);
   }
-  setText(leaf.ports, "duration", shortNumber(human.reactionDuration));
-  return leaf;
-}
-
-NodeSpec onceAndFail(NodeSpec reaction) {
-  NodeSpec once = around("RunOnce", around("ForceFailure", std::move(reaction)));
-  once.ports = {{"then_skip", "false"}};
-  return once;
-}
-
-NodeSpec surpriseTimer(const ResolvedHuman& human) {
-  NodeSpec timer =
-      leafNode("TimeExpiredCondition", {{"seconds", shortNumber(human.reactionDuration)},
-                                        {"ts", "{dt}"},
-                                        {"only_once", human.reactionOnce ? "true" : "false"}});
-  return around("Inverter", std::move(timer));
+  if (human.behavior == BehaviorType::Curious) {
+    return nodeFrom("ApproachRobot" + who + " closest_dist=" + shortNumber(human.stopDistance) +
+                    " max_vel=" + shortNumber(human.reactionSpeed) + duration);
+  }
+  return nodeFrom("BlockRobot" + who + " front_dist=" + shortNumber(human.frontDistance) +
+                  duration);
 }
 
 NodeSpec reactionBlock(const ResolvedHuman& human, const Compatibility& quirks) {
-  NodeSpec visible = leafNode(
-      "IsRobotVisible", {{"agent_id", "{id}"}, {"distance", shortNumber(human.noticeDistance)}});
-  NodeSpec block = branchNode("Sequence", namesOf(human.behavior).reaction, {});
+  NodeSpec visible =
+      nodeFrom("IsRobotVisible agent_id={id} distance=" + shortNumber(human.noticeDistance));
+  NodeSpec block = branchNode("Sequence", reactionName(human.behavior), {});
   if (human.behavior == BehaviorType::Surprised) {
-    block.children = {std::move(visible), surpriseTimer(human),
-                      leafNode("SurprisedNav", {{"agent_id", "{id}"}, {"time_step", "{dt}"}})};
+    const std::string timer =
+        "Inverter>TimeExpiredCondition seconds=" + shortNumber(human.reactionDuration) +
+        " ts={dt} only_once=";
+    block.children = {std::move(visible), nodeFrom(timer + (human.reactionOnce ? "true" : "false")),
+                      nodeFrom("SurprisedNav agent_id={id} time_step={dt}")};
     return block;
   }
   NodeSpec reaction = reactionLeaf(human);
@@ -96,32 +78,24 @@ NodeSpec reactionBlock(const ResolvedHuman& human, const Compatibility& quirks) 
   return block;
 }
 
-/// To the goals, in order: the last two branches of the regular tree.
-std::vector<NodeSpec> navigationNodes() {
-  NodeSpec walk =
-      branchNode("Sequence", "RegularNavigation",
-                 {around("Inverter", leafNode("IsGoalReached", {{"agent_id", "{id}"}})),
-                  leafNode("RegularNav", {{"agent_id", "{id}"}, {"time_step", "{dt}"}})});
-  return {std::move(walk), leafNode("UpdateGoal", {{"agent_id", "{id}"}})};
-}
-
 /// Sequence RegNav: the included tree with the ids handed over.
 NodeSpec regularNavCall() {
-  NodeSpec call = leafNode("SubTree", {{"id", "{agentid}"}, {"dt", "{timestep}"}});
-  call.subTree = "RegularNavTree";
+  NodeSpec call = nodeFrom("SubTree id={agentid} dt={timestep}");
+  call.subTree = kRegularTree;
   return branchNode("Sequence", "RegNav",
-                    {leafNode("SetBlackboard", {{"output_key", "agentid"}, {"value", "{id}"}}),
-                     leafNode("SetBlackboard", {{"output_key", "timestep"}, {"value", "{dt}"}}),
-                     std::move(call)});
+                    {nodeFrom("SetBlackboard output_key=agentid value={id}"),
+                     nodeFrom("SetBlackboard output_key=timestep value={dt}"), std::move(call)});
 }
 
+/// What comes first, then to the goals, in order.
 TreeSpec regularTree(std::vector<NodeSpec> first) {
   TreeSpec tree;
   tree.id = kRegularTree;
   tree.root = branchNode("Fallback", "RegularNavFallback", std::move(first));
-  for (NodeSpec& node : navigationNodes()) {
-    tree.root.children.push_back(std::move(node));
-  }
+  tree.root.children.push_back(branchNode("Sequence", "RegularNavigation",
+                                          {nodeFrom("Inverter>IsGoalReached agent_id={id}"),
+                                           nodeFrom("RegularNav agent_id={id} time_step={dt}")}));
+  tree.root.children.push_back(nodeFrom("UpdateGoal agent_id={id}"));
   return tree;
 }
 
@@ -132,22 +106,20 @@ std::vector<NodeSpec> goalBlocks(const std::vector<int>& goals, const Compatibil
   if (!quirks.has(32)) {
     return {};
   }
-  NodeSpec block = setGoalsBlock({1});  // without the inverter
-  NodeSpec only = std::move(block.children.front().children.front());
-  block.children = {std::move(only)};
-  return {std::move(block)};
+  return {
+      branchNode("Sequence", "SetGoals", {nodeFrom("RunOnce>SetGoal agent_id={id} goal_id=1")})};
 }
 
 TreeSpec treeOf(const ResolvedHuman& human, const std::vector<int>& goals,
                 const Compatibility& quirks) {
-  const Names names = namesOf(human.behavior);
   std::vector<NodeSpec> first = goalBlocks(goals, quirks);
-  if (!names.reaction) {
+  if (!reactionName(human.behavior)) {
     return regularTree(std::move(first));
   }
   TreeSpec tree;
-  tree.id = names.tree;
-  tree.root = branchNode("Fallback", names.fallback, std::move(first));
+  tree.id = treeName(human.behavior);
+  tree.root = branchNode("Fallback", std::string(sim2d::behaviorName(human.behavior)) + "Fallback",
+                         std::move(first));
   tree.root.children.push_back(reactionBlock(human, quirks));
   tree.root.children.push_back(regularNavCall());
   return tree;
@@ -169,14 +141,6 @@ XmlBlock modelBlock(const NodeCatalogue& catalogue, const std::vector<std::strin
   return modelOf(known);
 }
 
-}  // namespace
-
-TreeSpec regularNavTree() {
-  return regularTree({});
-}
-
-namespace {
-
 /// Without the list of nodes, which takes longer to write than all the rest.
 TreeFile makeBareTree(const sim2d::Scenario& scenario, const sim2d::Human& human,
                       const Compatibility& quirks) {
@@ -185,13 +149,17 @@ TreeFile makeBareTree(const sim2d::Scenario& scenario, const sim2d::Human& human
     resolved.reactionSpeed = human.maxVel.value_or(2.0);
   }
   TreeFile file;
-  file.mainTree = namesOf(resolved.behavior).tree;
+  file.mainTree = treeName(resolved.behavior);
   file.includes = {{kRegularNavFile, {}, 0}};
   file.trees = {treeOf(resolved, human.goals, quirks)};
   return file;
 }
 
 }  // namespace
+
+TreeSpec regularNavTree() {
+  return regularTree({});
+}
 
 TreeFile makeTree(const sim2d::Scenario& scenario, const sim2d::Human& human,
                   const NodeCatalogue& catalogue, const Compatibility& quirks) {
@@ -224,9 +192,7 @@ std::string makeTreeText(const sim2d::Scenario& scenario, const sim2d::Human& hu
   }
   TreeFile model;
   model.model = modelBlock(catalogue);
-  const std::string modelFile = writeTree(model, catalogue);
-  return hasWrapperTrees(scenario) ? wrapperTreeText(human, modelFile)
-                                   : panelTreeText(human, modelFile);
+  return originalTreeText(scenario, human, writeTree(model, catalogue));
 }
 
 std::string treeFileName(const std::string& base, int agentId) {

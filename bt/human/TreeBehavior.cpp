@@ -1,7 +1,9 @@
 #include "bt/human/TreeBehavior.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -39,15 +41,13 @@ struct Retired {
   Mind mind;
 };
 
-const char* endWord(LeafEvent::Kind kind) {
-  switch (kind) {
-    case LeafEvent::Kind::Succeeded:
-      return " SUCCESS";
-    case LeafEvent::Kind::Failed:
-      return " FAILURE";
-    default:
-      return " HALTED";
-  }
+/// Behind the name of the leaf, by LeafEvent::Kind.
+constexpr std::array<const char*, 4> kEndWords = {"", " SUCCESS", " FAILURE", " HALTED"};
+
+sim2d::Intent braking() {
+  sim2d::Intent intent;
+  intent.motion = sim2d::Motion::Brake;
+  return intent;
 }
 
 class TreeBehavior final : public sim2d::HumanBehavior {
@@ -132,9 +132,7 @@ void TreeBehavior::orderById(const WorldView& view) {
     return;
   }
   order_.resize(static_cast<std::size_t>(view.humanCount()));
-  for (std::size_t i = 0; i < order_.size(); ++i) {
-    order_[i] = static_cast<int>(i);
-  }
+  std::iota(order_.begin(), order_.end(), 0);
   std::sort(order_.begin(), order_.end(),
             [&view](int a, int b) { return view.constants(a).id < view.constants(b).id; });
 }
@@ -151,18 +149,15 @@ void TreeBehavior::decide(const WorldView& view, Intents& intents) {
   changes_.clear();
   haltRetired(view, intents);
   for (const int human : order_) {
-    Player& who = player(human);
-    if (!view.isPresent(human)) {
-      stop(human, view, intents);
-    } else if (who.tree && !who.hasEnded && !who.isFaulty) {
+    const Player& who = player(human);
+    const bool isPresent = view.isPresent(human);
+    if (isPresent && who.tree && !who.hasEnded && !who.isFaulty) {
       tick(human, view, intents);
-    } else if (who.isFaulty) {
-      stop(human, view, intents);
-      sim2d::Intent brake;
-      brake.motion = sim2d::Motion::Brake;
-      HumanContext(society_, view, intents, human).move(human, brake);
-    } else {
-      stop(human, view, intents);
+      continue;
+    }
+    stop(human, view, intents);
+    if (isPresent && who.isFaulty) {
+      HumanContext(society_, view, intents, human).move(human, braking());
     }
   }
 }
@@ -211,12 +206,10 @@ void TreeBehavior::handleFault(int human, HumanContext& context) {
   const TreeFault& fault = *who.tree->fault();
   society_.troubles.push_back(base::within(context.view().constants(human).name + ": " + fault.path,
                                            base::warning("tree.fault", {fault.message})));
-  sim2d::Intent brake;
-  brake.motion = sim2d::Motion::Brake;
   if (society_.movers[static_cast<std::size_t>(human)] != Mover::Group) {
     society_.movers[static_cast<std::size_t>(human)] = Mover::Nobody;
     context.intents().of(human) = sim2d::Intent{};
-    context.move(human, brake);
+    context.move(human, braking());
   }
 }
 
@@ -240,12 +233,10 @@ void TreeBehavior::stop(int human, const WorldView& view, Intents& intents) {
 void TreeBehavior::tellEvents(const TreeState& tree, std::size_t first, HumanContext& context) {
   for (std::size_t i = first; i < tree.events().size(); ++i) {
     const LeafEvent& event = tree.events()[i];
-    const std::string& label = tree.program().label(event.node);
-    if (event.kind == LeafEvent::Kind::Started) {
-      context.emit(sim2d::EventKind::Action, context.self(), label);
-    } else {
-      context.emit(sim2d::EventKind::ActionEnd, context.self(), label + endWord(event.kind));
-    }
+    const bool isStart = event.kind == LeafEvent::Kind::Started;
+    context.emit(
+        isStart ? sim2d::EventKind::Action : sim2d::EventKind::ActionEnd, context.self(),
+        tree.program().label(event.node) + kEndWords[static_cast<std::size_t>(event.kind)]);
   }
 }
 
@@ -264,15 +255,11 @@ void TreeBehavior::tellChanges(int human, const WorldView& view, const StatusLis
 }
 
 std::vector<std::pair<std::string, std::string>> TreeBehavior::blackboard(int human) const {
-  std::vector<std::pair<std::string, std::string>> lines;
   const auto index = static_cast<std::size_t>(human);
   if (human < 0 || index >= players_.size() || !players_[index].tree) {
-    return lines;
+    return {};
   }
-  for (TreeState::EntryText& entry : players_[index].tree->entries()) {
-    lines.emplace_back(std::move(entry.key), std::move(entry.text));
-  }
-  return lines;
+  return players_[index].tree->entries();
 }
 
 }  // namespace

@@ -49,14 +49,6 @@ bool isMissingRegularNav(const Include& include, const std::string& treePath) {
          !std::filesystem::exists(place, ignored);
 }
 
-std::string joined(const std::vector<std::string>& keys) {
-  std::string text;
-  for (const std::string& key : keys) {
-    text += (text.empty() ? "{" : ", {") + key + "}";
-  }
-  return text;
-}
-
 /// Equal for generated trees that do the same.
 std::string contentOf(const TreeTable& table, const NodeCatalogue& catalogue) {
   TreeFile file;
@@ -107,18 +99,12 @@ TreeState PersonProgram::start(const ResolvedHuman& human) const {
 }
 
 const PersonProgram* PersonPrograms::find(const ResolvedHuman& person) const {
-  const auto own =
-      std::lower_bound(ofPeople.begin(), ofPeople.end(), std::pair<int, std::size_t>(person.id, 0));
-  if (own != ofPeople.end() && own->first == person.id) {
+  if (const auto own = ofPeople.find(person.id); own != ofPeople.end()) {
     return programs[own->second].get();
   }
   // Names of people from a source end in "_" and a number.
   const auto source = ofSources.find(person.name.substr(0, person.name.rfind('_')));
   return source != ofSources.end() ? programs[source->second].get() : nullptr;
-}
-
-base::Result<TreeTable> loadPersonTrees(const std::string& path) {
-  return loadPersonTrees(readTree(path));
 }
 
 base::Result<TreeTable> loadPersonTrees(base::Result<TreeFile> file) {
@@ -238,7 +224,6 @@ PersonPrograms TreeLoader::loadAll(const TreeFiles& files, Diagnostics& diagnost
       patterns.emplace(like->name, 0);
     }
   }
-  result.ofPeople.reserve(scenario_.humans.size());
   for (const sim2d::Human& human : scenario_.humans) {
     const auto pattern = patterns.find(human.name);
     if (!human.listed && pattern == patterns.end()) {
@@ -246,13 +231,13 @@ PersonPrograms TreeLoader::loadAll(const TreeFiles& files, Diagnostics& diagnost
     }
     const std::size_t program = loadOne(human);
     if (human.listed) {
-      result.ofPeople.emplace_back(human.id, program);
+      std::size_t& own = result.ofPeople.emplace(human.id, program).first->second;
+      own = std::min(own, program);
     }
     if (pattern != patterns.end()) {
       pattern->second = program;
     }
   }
-  std::sort(result.ofPeople.begin(), result.ofPeople.end());
   for (const sim2d::Area& area : scenario_.areas) {
     if (const sim2d::Human* like = prototypeOf(scenario_, area)) {
       result.ofSources[area.name] = patterns.at(like->name);
@@ -266,8 +251,8 @@ std::shared_ptr<const PersonProgram> TreeLoader::compileTable(const TreeTable& t
   auto made = std::make_shared<PersonProgram>();
   made->placeholders = placeholdersIn(table);
   if (!made->placeholders.empty()) {
-    diagnostics.push_back(
-        base::warning("tree.placeholders-filled", {joined(made->placeholders)}, table.file));
+    const std::string list = "{" + base::join(made->placeholders, "}, {") + "}";
+    diagnostics.push_back(base::warning("tree.placeholders-filled", {list}, table.file));
   }
   base::Result<std::shared_ptr<const Program>> program =
       compile(table, library_, optionsFor(made->placeholders));

@@ -27,7 +27,7 @@ struct PersonProgram {
 /// Who runs which program.
 struct PersonPrograms {
   std::vector<std::shared_ptr<const PersonProgram>> programs;  // each once
-  std::vector<std::pair<int, std::size_t>> ofPeople;           // by ascending id
+  std::map<int, std::size_t> ofPeople;                         // by id
   std::map<std::string, std::size_t> ofSources;                // by the name of the area
 
   /// Null when nothing is said of the person.
@@ -36,9 +36,7 @@ struct PersonPrograms {
 
 /// A tree file with its includes. When the file that all generated trees include is not there, our
 /// own copy takes its place, with a warning.
-base::Result<TreeTable> loadPersonTrees(const std::string& path);
-/// The same for a file that was read already; one without a path lies beside no other, and is not
-/// warned of.
+/// One without a path lies beside no other, and is not warned of.
 base::Result<TreeTable> loadPersonTrees(base::Result<TreeFile> file);
 
 /// Loads and compiles; equal texts in one folder and equal generated trees share their program.

@@ -1,9 +1,12 @@
 #include "bt/tree/NodeCatalogue.h"
 
+#include <algorithm>
 #include <array>
+#include <cassert>
 #include <utility>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/base/Types.h"
 
 namespace bt {
 
@@ -15,10 +18,12 @@ const char* nameOf(Enum value, const std::array<const char*, count>& names) {
   return names.at(static_cast<std::size_t>(value));
 }
 
+constexpr std::array kKindNames = {"Condition", "Action", "Control", "Decorator", "SubTree"};
+
 }  // namespace
 
 const char* nodeKindName(NodeKind kind) {
-  return nameOf(kind, std::array{"Condition", "Action", "Control", "Decorator", "SubTree"});
+  return nameOf(kind, kKindNames);
 }
 
 const char* portDirectionTag(PortDirection direction) {
@@ -34,62 +39,10 @@ const char* nodeOriginName(NodeOrigin origin) {
   return nameOf(origin, std::array{"BehaviorTree.CPP", "HuNavSim", "HuNavSim Desktop"});
 }
 
-PortSpec::PortSpec(std::string itsName, PortType itsType, std::string itsUnit, std::string text)
-    : name(std::move(itsName)),
-      type(itsType),
-      unit(std::move(itsUnit)),
-      description(std::move(text)) {}
-
-PortSpec& PortSpec::byDefault(const std::string& text) {
-  defaultText = text;
-  required = false;
-  return suggested.empty() ? suggest(text) : *this;
-}
-
-PortSpec& PortSpec::suggest(std::string text) {
-  suggested = std::move(text);
-  return *this;
-}
-
-PortSpec& PortSpec::range(double least, double most) {
-  min = least;
-  max = most;
-  return *this;
-}
-
-PortSpec& PortSpec::atMost(double most) {
-  min.reset();
-  max = most;
-  return *this;
-}
-
-PortSpec& PortSpec::orElse(const char* first, const char* second) {
-  replacedBy = {first, second};
-  return *this;
-}
-
-PortSpec& PortSpec::needed() {
-  required = true;
-  return *this;
-}
-
-PortSpec& PortSpec::directed(PortDirection way) {
-  direction = way;
-  return *this;
-}
-
-int NodeManifest::portIndex(std::string_view name) const {
-  for (std::size_t i = 0; i < ports.size(); ++i) {
-    if (ports[i].name == name) {
-      return static_cast<int>(i);
-    }
-  }
-  return -1;
-}
-
 const PortSpec* NodeManifest::port(std::string_view name) const {
-  const int index = portIndex(name);
-  return index < 0 ? nullptr : &ports[static_cast<std::size_t>(index)];
+  const auto place = std::find_if(ports.begin(), ports.end(),
+                                  [name](const PortSpec& port) { return port.name == name; });
+  return place == ports.end() ? nullptr : &*place;
 }
 
 void NodeCatalogue::add(NodeManifest manifest) {
@@ -113,6 +66,147 @@ std::optional<std::string> NodeCatalogue::nearest(std::string_view id) const {
     names.push_back(manifest.id);
   }
   return base::nearestName(id, names);
+}
+
+namespace {
+
+/// A type in texts, with what goes with it.
+struct PortWord {
+  std::string_view word;
+  PortType type;
+  const char* unit = "";
+  std::optional<double> min = {}, max = {};
+};
+constexpr std::array<PortWord, 14> kPortWords = {
+    {{"int", PortType::Int},
+     {"number", PortType::Double},
+     {"bool", PortType::Bool},
+     {"text", PortType::String},
+     {"status", PortType::Status},
+     {"queue", PortType::Queue},
+     {"any", PortType::Any},
+     {"milliseconds", PortType::Unsigned, "ms"},
+     {"seconds", PortType::Double, "s"},
+     {"metres", PortType::Double, "m"},
+     {"length", PortType::Double, "m", 0.0, 1000.0},
+     {"speed", PortType::Double, "m/s", 0.0, 10.0},
+     {"duration", PortType::Double, "s", 0.0, 36000.0},
+     {"angle", PortType::Double, "rad", 0.0, base::kPi}}};
+
+/// Cuts off the first word; empty at the end.
+std::string takeWord(std::string_view& text) {
+  text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+  const std::string word(text.substr(0, text.find(' ')));
+  text.remove_prefix(word.size());
+  return word;
+}
+
+double takeNumber(std::string_view& text) {
+  return base::parseDouble(takeWord(text)).value();
+}
+
+void applyMark(PortSpec& port, const std::string& mark, std::string_view& rest) {
+  if (mark == "needed") {
+    port.required = true;
+  } else if (mark == "default") {
+    port.suggested = takeWord(rest);
+    port.defaultText = port.suggested;
+  } else if (mark == "unit") {
+    port.unit = takeWord(rest);
+  } else if (mark == "range") {
+    port.min = takeNumber(rest);
+    port.max = takeNumber(rest);
+  } else if (mark == "atMost") {
+    port.min.reset();
+    port.max = takeNumber(rest);
+  } else if (mark == "unless") {
+    port.replacedBy = {takeWord(rest), takeWord(rest)};
+  } else if (mark == "output" || mark == "inout") {
+    port.direction = mark == "output" ? PortDirection::Output : PortDirection::InOut;
+  } else {
+    assert(mark == "suggest");
+    port.suggested = base::trimmed(rest);
+    rest = {};
+  }
+}
+
+PortSpec portOf(const std::string& line) {
+  const std::size_t bar = line.find('|');
+  std::string_view rest = std::string_view(line).substr(0, bar);
+  PortSpec port;
+  port.name = takeWord(rest);
+  const std::string word = takeWord(rest);
+  const auto* const kind =
+      std::find_if(kPortWords.begin(), kPortWords.end(),
+                   [&word](const PortWord& known) { return known.word == word; });
+  assert(kind != kPortWords.end());
+  port.type = kind->type;
+  port.unit = kind->unit;
+  port.min = kind->min;
+  port.max = kind->max;
+  port.description = line.substr(bar + 1);
+  for (std::string mark = takeWord(rest); !mark.empty(); mark = takeWord(rest)) {
+    applyMark(port, mark, rest);
+  }
+  return port;
+}
+
+/// Nothing for the line of a port.
+std::optional<NodeManifest> nodeOf(const std::string& line, NodeOrigin origin) {
+  const std::vector<std::string> fields = base::split(line, '|');
+  std::string_view rest = fields.front();
+  const std::string word = takeWord(rest);
+  const auto* const kind = std::find(kKindNames.begin(), kKindNames.end(), word);
+  if (kind == kKindNames.end()) {
+    return std::nullopt;
+  }
+  NodeManifest node;
+  node.id = takeWord(rest);
+  node.kind = static_cast<NodeKind>(kind - kKindNames.begin());
+  node.category = fields.at(1);
+  node.description = fields.at(2);
+  node.origin = origin;
+  const bool isControl = node.kind == NodeKind::Control;
+  node.minChildren = isControl || node.kind == NodeKind::Decorator ? 1 : 0;
+  node.maxChildren = isControl ? -1 : node.minChildren;
+  for (std::string mark = takeWord(rest); !mark.empty(); mark = takeWord(rest)) {
+    if (mark == "own") {
+      node.origin = NodeOrigin::Ours;
+    } else {
+      assert(mark == "children");
+      node.minChildren = static_cast<int>(takeNumber(rest));
+      node.maxChildren = static_cast<int>(takeNumber(rest));
+    }
+  }
+  return node;
+}
+
+}  // namespace
+
+NodeCatalogue nodesOf(std::string_view text, NodeOrigin origin) {
+  std::vector<NodeManifest> nodes;
+  std::map<std::string, PortSpec> known;
+  for (const std::string& line : base::split(text, '\n')) {
+    if (std::optional<NodeManifest> node = nodeOf(line, origin)) {
+      nodes.push_back(*std::move(node));
+      continue;
+    }
+    std::string_view names = line;
+    if (line.find('|') != std::string::npos) {
+      PortSpec port = portOf(line);
+      names = names.substr(0, port.name.size());
+      known[port.name] = std::move(port);
+    }
+    for (std::string name = takeWord(names); !nodes.empty() && !name.empty();
+         name = takeWord(names)) {
+      nodes.back().ports.push_back(known.at(name));
+    }
+  }
+  NodeCatalogue catalogue;
+  for (NodeManifest& node : nodes) {
+    catalogue.add(std::move(node));
+  }
+  return catalogue;
 }
 
 }  // namespace bt

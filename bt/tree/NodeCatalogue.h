@@ -35,17 +35,6 @@ struct PortSpec {
   std::optional<double> min, max;          // sensible range of numbers, both ends included
   std::string suggested;                   // text that an editor writes into a new node
   std::string description;                 // one sentence for people
-
-  PortSpec() = default;
-  PortSpec(std::string itsName, PortType itsType, std::string itsUnit, std::string text);
-  /// For a port in the making: PortSpec("distance", PortType::Double, "m", "…").byDefault("5.0")
-  PortSpec& byDefault(const std::string& text);  // also suggested, unless something else is
-  PortSpec& suggest(std::string text);
-  PortSpec& range(double least, double most);
-  PortSpec& atMost(double most);  // negative numbers have a meaning of their own
-  PortSpec& orElse(const char* first, const char* second);  // these two make it dispensable
-  PortSpec& needed();
-  PortSpec& directed(PortDirection way);
 };
 
 struct NodeManifest {
@@ -58,8 +47,7 @@ struct NodeManifest {
   int minChildren = 0;
   int maxChildren = 0;  // -1 = any number
 
-  int portIndex(std::string_view name) const;  // -1 = no such port
-  const PortSpec* port(std::string_view name) const;
+  const PortSpec* port(std::string_view name) const;  // nullptr = no such port
 };
 
 class NodeCatalogue {
@@ -74,6 +62,21 @@ class NodeCatalogue {
   std::vector<NodeManifest> manifests_;
   std::map<std::string, std::size_t, std::less<>> indexOf_;
 };
+
+/// Nodes as a text says them, one thing per line: a node, then its ports.
+///
+///   Condition IsAgentClose|Perception|Another person is nearer than the threshold.
+///   agent_id int needed suggest {id}|Id of the person who looks.
+///   threshold length default 1.0|Nearer than this is close.
+///
+/// A node may say `own` (its origin is Ours, not `origin`) and `children LEAST MOST` behind its
+/// name. A port has a name, a type (int, number, bool, text, status, queue, any, milliseconds,
+/// seconds, metres, or with a sensible range length, speed, duration, angle) and then what is true
+/// of it: needed, default TEXT (also suggested), unit UNIT, range LEAST MOST, atMost MOST (below it
+/// anything), unless PORT PORT (these two make it dispensable), output, inout, suggest TEXT (up to
+/// the bar). A line without a bar names ports that stand further up, the last of each name; those
+/// above all nodes belong to none.
+NodeCatalogue nodesOf(std::string_view text, NodeOrigin origin);
 
 /// All controls, decorators and leaves of BehaviorTree.CPP that we run, "SubTree" included.
 NodeCatalogue builtinNodes();

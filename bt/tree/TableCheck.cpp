@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -100,16 +101,13 @@ void collectKeys(const NodeSpec& node, std::set<std::string>& read,
 /// "'A', 'B'"
 std::string treesOf(const TreeTable& table) {
   constexpr std::size_t kShown = 5;
-  std::string list;
-  std::size_t count = 0;
+  std::vector<std::string> names;
   for (const auto& [id, entry] : table.entries) {
-    if (++count > kShown) {
-      list += " …";
-      break;
-    }
-    list += (list.empty() ? "'" : ", '") + id + "'";
+    names.push_back("'" + id + "'");
   }
-  return list;
+  const bool isLong = names.size() > kShown;
+  names.resize(std::min(names.size(), kShown));
+  return base::join(names, ", ") + (isLong ? " …" : "");
 }
 
 base::Diagnostics fileProblems(const TreeTable& table) {
@@ -125,10 +123,7 @@ base::Diagnostics fileProblems(const TreeTable& table) {
   }
   const std::vector<std::string> placeholders = placeholdersIn(table);
   if (!placeholders.empty()) {
-    std::string list;
-    for (const std::string& name : placeholders) {
-      list += (list.empty() ? "{" : ", {") + name + "}";
-    }
+    const std::string list = "{" + base::join(placeholders, "}, {") + "}";
     problems.push_back(base::warning("tree.placeholders", {list}, table.file));
   }
   return problems;

@@ -5,7 +5,6 @@
 
 #include "bt/tree/TextValue.h"
 #include "bt/tree/TreeSpec.h"
-#include "bt/tree/TreeXmlV3.h"
 #include "bt/tree/XmlText.h"
 #include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
@@ -219,9 +218,8 @@ void Checker::checkRange(const NodeSpec& node, const Attribute& given, const Por
 
 /// A condition that was mistyped would be ignored without a word.
 void Checker::checkOthers(const NodeSpec& node) {
-  const std::vector<std::string> names = {"_failureIf", "_successIf", "_skipIf",
-                                          "_while",     "_onSuccess", "_onFailure",
-                                          "_post",      "_onHalted",  "_autoremap"};
+  std::vector<std::string> names(kConditionNames.begin(), kConditionNames.end());
+  names.emplace_back("_autoremap");
   for (const Attribute& other : node.others) {
     const std::optional<std::string> near = base::nearestName(other.name, names);
     if (near) {

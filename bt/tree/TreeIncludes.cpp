@@ -24,7 +24,6 @@ class Includer {
   void follow(const TreeFile& from, const Include& include, int depth);
   std::optional<std::string> pathOf(const TreeFile& from, const Include& include);
   const TreeFile* read(const std::string& path, const TreeFile& from, const Include& include);
-  void addModels(const TreeFile& file);
   void error(const TreeFile& from, const Include& include, std::string_view code,
              base::ProblemValues values = {}) {
     problems_.push_back(base::error(code, std::move(values), from.path, include.line));
@@ -53,7 +52,12 @@ void Includer::add(const TreeFile& file, int depth) {
   for (const TreeSpec& tree : file.trees) {
     table_.entries[tree.id] = {tree, file.path};
   }
-  addModels(file);
+  const std::vector<XmlBlock> models = file.model ? file.model->children : std::vector<XmlBlock>();
+  for (const XmlBlock& entry : models) {
+    if (entry.tag == "SubTree") {
+      table_.subTreeModels.push_back(entry);
+    }
+  }
   if (file.templateLine > 0) {
     table_.templates.push_back({file.path, file.templateLine});
   }
@@ -119,17 +123,6 @@ const TreeFile* Includer::read(const std::string& path, const TreeFile& from,
   return &files_.emplace(key, *std::move(file)).first->second;
 }
 
-void Includer::addModels(const TreeFile& file) {
-  if (!file.model) {
-    return;
-  }
-  for (const XmlBlock& entry : file.model->children) {
-    if (entry.tag == "SubTree") {
-      table_.subTreeModels.push_back(entry);
-    }
-  }
-}
-
 }  // namespace
 
 base::Result<TreeTable> resolveIncludes(const TreeFile& file, const PackageFolder& packages) {
@@ -154,13 +147,7 @@ base::Result<TreeTable> loadTrees(const std::string& path, const PackageFolder& 
   if (!file) {
     return file.diagnostics();
   }
-  const base::Result<TreeTable> table = resolveIncludes(*file, packages);
-  base::Diagnostics all = file.diagnostics();
-  base::append(all, table.diagnostics());
-  if (!table) {
-    return all;
-  }
-  return {*table, std::move(all)};
+  return after(file.diagnostics(), resolveIncludes(*file, packages));
 }
 
 }  // namespace bt

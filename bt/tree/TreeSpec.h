@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bt/tree/NodeCatalogue.h"
@@ -25,6 +27,11 @@ using Attributes = std::vector<Attribute>;  // in the order of the file
 const std::string* findText(const Attributes& attributes, std::string_view name);
 void setText(Attributes& attributes, std::string_view name, std::string text);
 void removeText(Attributes& attributes, std::string_view name);
+
+/// Attributes of any node that are scripts.
+constexpr std::array<const char*, 8> kConditionNames = {"_failureIf", "_successIf", "_skipIf",
+                                                        "_while",     "_onSuccess", "_onFailure",
+                                                        "_post",      "_onHalted"};
 
 struct NodeSpec {
   std::string id;          // "Sequence", "GoTo", "SubTree"; empty = no node
@@ -133,6 +140,16 @@ struct TreeIssue {
 };
 using TreeIssues = std::vector<TreeIssue>;
 base::Diagnostics diagnosticsOf(const TreeIssues& issues);
+
+/// A result behind what an earlier step had to say.
+template <class T>
+base::Result<T> after(base::Diagnostics earlier, base::Result<T> result) {
+  base::append(earlier, result.diagnostics());
+  if (!result) {
+    return earlier;
+  }
+  return {*std::move(result), std::move(earlier)};
+}
 
 using TreeIds = std::set<std::string, std::less<>>;
 

@@ -1,5 +1,6 @@
 #include "bt/tree/TreeXml.h"
 
+#include <algorithm>
 #include <cctype>
 #include <set>
 #include <utility>
@@ -7,7 +8,6 @@
 #include <tinyxml2.h>
 
 #include "bt/tree/TextValue.h"
-#include "bt/tree/TreeXmlV3.h"
 #include "bt/tree/XmlText.h"
 #include "sim2d/base/Text.h"
 
@@ -256,7 +256,8 @@ void TreeReader::readAttribute(const XMLElement& element, const Attribute& attri
   }
   if (name == "name") {
     node.name = attribute.text;
-  } else if (isConditionName(name)) {
+  } else if (std::find(kConditionNames.begin(), kConditionNames.end(), name) !=
+             kConditionNames.end()) {
     node.conditions.push_back(attribute);
   } else if (name == "_autoremap" && isSubTreeTag(element.Name())) {
     const std::optional<bool> value = boolFromText(attribute.text);

@@ -1,30 +1,34 @@
-#include "bt/tree/TreeXmlV3.h"
-
 #include <algorithm>
-#include <array>
 #include <cctype>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "bt/tree/TextValue.h"
+#include "bt/tree/XmlText.h"
 #include "sim2d/base/Text.h"
 
 namespace bt {
 namespace {
 
-struct Renaming {
-  const char* before;
-  const char* now;
-};
-constexpr std::array<Renaming, 3> kNodes = {{{"SubTreePlus", "SubTree"},
-                                             {"SequenceStar", "SequenceWithMemory"},
-                                             {"RetryUntilSuccesful", "RetryUntilSuccessful"}}};
-constexpr std::array<Renaming, 2> kParallelPorts = {
-    {{"success_threshold", "success_count"}, {"failure_threshold", "failure_count"}}};
-constexpr std::array<const char*, 4> kChecks = {"BlackboardCheckInt", "BlackboardCheckDouble",
-                                                "BlackboardCheckString", "BlackboardCheckBool"};
+using Names = std::map<std::string, const char*>;
 
-bool isCheck(const std::string& id) {
-  return std::find(kChecks.begin(), kChecks.end(), id) != kChecks.end();
+const Names kRenamedNodes = {{"SubTreePlus", "SubTree"},
+                             {"SequenceStar", "SequenceWithMemory"},
+                             {"RetryUntilSuccesful", "RetryUntilSuccessful"}};
+const Names kParallelPorts = {{"success_threshold", "success_count"},
+                              {"failure_threshold", "failure_count"}};
+const std::set<std::string> kChecks = {"BlackboardCheckInt", "BlackboardCheckDouble",
+                                       "BlackboardCheckString", "BlackboardCheckBool"};
+
+/// False = there is no new name.
+bool rename(std::string& name, const Names& names) {
+  const auto now = names.find(name);
+  if (now == names.end()) {
+    return false;
+  }
+  name = now->second;
+  return true;
 }
 
 /// A word that names an entry; numbers and texts with blanks are constants.
@@ -87,31 +91,19 @@ void convertCheck(NodeSpec& node) {
 }  // namespace
 
 bool isVersion3Name(const std::string& id) {
-  return isCheck(id) || std::any_of(kNodes.begin(), kNodes.end(),
-                                    [&id](const Renaming& r) { return id == r.before; });
+  return kChecks.count(id) > 0 || kRenamedNodes.count(id) > 0;
 }
 
 void convertFromVersion3(NodeSpec& node, const std::string& fileName, base::Diagnostics& notes) {
   const std::string before = node.id;
-  bool changed = false;
-  for (const Renaming& renaming : kNodes) {
-    if (node.id == renaming.before) {
-      node.id = renaming.now;
-      changed = true;
-    }
-  }
+  bool changed = rename(node.id, kRenamedNodes);
   if (node.isSubTree()) {
     changed = convertSubTree(node) || changed;
   } else if (node.id == "Parallel") {
     for (Attribute& port : node.ports) {
-      for (const Renaming& renaming : kParallelPorts) {
-        if (port.name == renaming.before) {
-          port.name = renaming.now;
-          changed = true;
-        }
-      }
+      changed = rename(port.name, kParallelPorts) || changed;
     }
-  } else if (isCheck(node.id)) {
+  } else if (kChecks.count(node.id) > 0) {
     convertCheck(node);
     changed = true;
   }

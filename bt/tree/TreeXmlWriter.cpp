@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <deque>
+#include <iterator>
+#include <map>
 #include <utility>
 
 #include "bt/tree/TreeXml.h"
@@ -7,156 +10,110 @@
 namespace bt {
 namespace {
 
-/// Appends elements with two blanks per level.
-class Writer {
- public:
-  explicit Writer(const NodeCatalogue& catalogue) : catalogue_(catalogue) {
-    text_ = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-  }
+constexpr const char* kTreeTag = "BehaviorTree";
 
-  std::string file(const TreeFile& file);
-
- private:
-  void open(const std::string& tag, const Attributes& attributes) {
-    text_.append(2 * level_, ' ');
-    text_ += "<" + tag;
-    for (const Attribute& attribute : attributes) {
-      text_ += " " + attribute.name + "=\"" + escapedXml(attribute.text) + "\"";
-    }
-  }
-  void close(const std::string& tag) {
-    text_.append(2 * level_, ' ');
-    text_ += "</" + tag + ">\n";
-  }
-  void include(const Include& include);
-  void tree(const TreeSpec& tree);
-  void node(const NodeSpec& node, bool compact);
-  void block(const XmlBlock& block);
-  void part(const TreeFile& file, FilePart part);
-  std::string tagOf(const NodeSpec& node) const;
-
-  const NodeCatalogue& catalogue_;
-  std::string text_;
-  std::size_t level_ = 0;
-  std::size_t nextInclude_ = 0;
-  std::size_t nextTree_ = 0;
-  std::size_t nextBlock_ = 0;
-  bool modelDone_ = false;
-};
-
-void Writer::include(const Include& include) {
-  Attributes attributes;
-  if (!include.rosPackage.empty()) {
-    attributes.push_back({"ros_pkg", include.rosPackage});
-  }
-  attributes.push_back({"path", include.path});
-  open("include", attributes);
-  text_ += "/>\n";
+void append(Attributes& to, const Attributes& more) {
+  to.insert(to.end(), more.begin(), more.end());
 }
 
-void Writer::tree(const TreeSpec& tree) {
-  Attributes attributes = {{"ID", tree.id}};
-  attributes.insert(attributes.end(), tree.others.begin(), tree.others.end());
-  open("BehaviorTree", attributes);
-  text_ += ">\n";
-  ++level_;
-  if (!tree.root.id.empty()) {
-    node(tree.root, false);
+/// Two blanks per level. An element with children has them on lines of their own; `isOpen`: also
+/// one without.
+void write(const XmlBlock& block, std::size_t level, bool isOpen, std::string& text) {
+  const std::string margin(2 * level, ' ');
+  text += margin + "<" + block.tag;
+  for (const Attribute& attribute : block.attributes) {
+    text += " " + attribute.name + "=\"" + escapedXml(attribute.text) + "\"";
   }
-  --level_;
-  close("BehaviorTree");
+  if (block.children.empty() && !isOpen) {
+    text += block.text.empty() ? "/>\n" : ">" + escapedXml(block.text) + "</" + block.tag + ">\n";
+    return;
+  }
+  text += ">" + escapedXml(block.text) + "\n";
+  for (const XmlBlock& child : block.children) {
+    write(child, level + 1, child.tag == kTreeTag && level == 0, text);
+  }
+  text += margin + "</" + block.tag + ">\n";
+}
+
+XmlBlock blockOf(const Include& include) {
+  XmlBlock block;
+  block.tag = "include";
+  if (!include.rosPackage.empty()) {
+    block.attributes.push_back({"ros_pkg", include.rosPackage});
+  }
+  block.attributes.push_back({"path", include.path});
+  return block;
 }
 
 /// Tag of the explicit notation. Readers do not check the kind, so a guess is good enough for nodes
 /// that nobody knows.
-std::string Writer::tagOf(const NodeSpec& node) const {
-  if (const NodeManifest* const manifest = catalogue_.find(node.id)) {
+std::string tagOf(const NodeSpec& node, const NodeCatalogue& catalogue) {
+  if (const NodeManifest* const manifest = catalogue.find(node.id)) {
     return nodeKindName(manifest->kind);
   }
   const std::size_t children = node.children.size();
   return children == 0 ? "Action" : (children == 1 ? "Decorator" : "Control");
 }
 
-void Writer::node(const NodeSpec& node, bool compact) {
+XmlBlock blockOf(const NodeSpec& node, const NodeCatalogue& catalogue, bool compact) {
   const bool isExplicit = node.explicitNotation && !compact;
-  const std::string tag = isExplicit ? tagOf(node) : node.id;
-  Attributes attributes;
+  XmlBlock block;
+  block.tag = isExplicit ? tagOf(node, catalogue) : node.id;
   const bool namesTree = !node.subTree.empty();  // also a SubTreePlus, which checks refuse later
   if (isExplicit || node.isSubTree() || namesTree) {
-    attributes.push_back({"ID", node.isSubTree() || namesTree ? node.subTree : node.id});
+    block.attributes.push_back({"ID", node.isSubTree() || namesTree ? node.subTree : node.id});
   }
   if (!node.name.empty()) {
-    attributes.push_back({"name", node.name});
+    block.attributes.push_back({"name", node.name});
   }
-  attributes.insert(attributes.end(), node.ports.begin(), node.ports.end());
+  append(block.attributes, node.ports);
   if (node.autoRemap) {
-    attributes.push_back({"_autoremap", "true"});
+    block.attributes.push_back({"_autoremap", "true"});
   }
-  attributes.insert(attributes.end(), node.conditions.begin(), node.conditions.end());
-  attributes.insert(attributes.end(), node.others.begin(), node.others.end());
-  open(tag, attributes);
-  if (node.children.empty()) {
-    text_ += "/>\n";
-    return;
-  }
-  text_ += ">\n";
-  ++level_;
+  append(block.attributes, node.conditions);
+  append(block.attributes, node.others);
   for (const NodeSpec& child : node.children) {
     // The original engine refuses explicit children there.
-    this->node(child, node.id == "ReactiveSequence");
+    block.children.push_back(blockOf(child, catalogue, node.id == "ReactiveSequence"));
   }
-  --level_;
-  close(tag);
+  return block;
 }
 
-void Writer::block(const XmlBlock& block) {
-  open(block.tag, block.attributes);
-  if (block.children.empty()) {
-    text_ += block.text.empty() ? "/>\n" : ">" + escapedXml(block.text) + "</" + block.tag + ">\n";
-    return;
+XmlBlock blockOf(const TreeSpec& tree, const NodeCatalogue& catalogue) {
+  XmlBlock block;
+  block.tag = kTreeTag;
+  block.attributes = {{"ID", tree.id}};
+  append(block.attributes, tree.others);
+  if (!tree.root.id.empty()) {
+    block.children.push_back(blockOf(tree.root, catalogue, false));
   }
-  text_ += ">" + escapedXml(block.text) + "\n";
-  ++level_;
-  for (const XmlBlock& child : block.children) {
-    this->block(child);
-  }
-  --level_;
-  close(block.tag);
+  return block;
 }
 
-void Writer::part(const TreeFile& file, FilePart part) {
-  if (part == FilePart::Model && file.model && !modelDone_) {
-    block(*file.model);
-    modelDone_ = true;
-  } else if (part == FilePart::Include && nextInclude_ < file.includes.size()) {
-    include(file.includes[nextInclude_++]);
-  } else if (part == FilePart::Tree && nextTree_ < file.trees.size()) {
-    tree(file.trees[nextTree_++]);
-  } else if (part == FilePart::Other && nextBlock_ < file.blocks.size()) {
-    block(file.blocks[nextBlock_++]);
+/// The parts in the order of the file, then those that it does not name.
+std::vector<XmlBlock> partsOf(const TreeFile& file, const NodeCatalogue& catalogue) {
+  std::map<FilePart, std::deque<XmlBlock>> rest;
+  if (file.model) {
+    rest[FilePart::Model].push_back(*file.model);
   }
-}
-
-std::string Writer::file(const TreeFile& file) {
-  Attributes attributes;
-  if (!file.mainTree.empty()) {
-    attributes.push_back({"main_tree_to_execute", file.mainTree});
+  for (const Include& include : file.includes) {
+    rest[FilePart::Include].push_back(blockOf(include));
   }
-  attributes.push_back({"BTCPP_format", "4"});
-  open("root", attributes);
-  text_ += ">\n";
-  ++level_;
-  std::vector<FilePart> parts = file.order;
-  parts.push_back(FilePart::Model);
-  parts.insert(parts.end(), file.includes.size(), FilePart::Include);
-  parts.insert(parts.end(), file.trees.size(), FilePart::Tree);
-  parts.insert(parts.end(), file.blocks.size(), FilePart::Other);
-  for (const FilePart next : parts) {
-    part(file, next);
+  for (const TreeSpec& tree : file.trees) {
+    rest[FilePart::Tree].push_back(blockOf(tree, catalogue));
   }
-  --level_;
-  close("root");
-  return std::move(text_);
+  rest[FilePart::Other].assign(file.blocks.begin(), file.blocks.end());
+  std::vector<XmlBlock> parts;
+  for (const FilePart next : file.order) {
+    if (!rest[next].empty()) {
+      parts.push_back(std::move(rest[next].front()));
+      rest[next].pop_front();
+    }
+  }
+  for (auto& [kind, blocks] : rest) {
+    std::move(blocks.begin(), blocks.end(), std::back_inserter(parts));
+  }
+  return parts;
 }
 
 XmlBlock modelOfPort(const PortSpec& port) {
@@ -195,7 +152,16 @@ XmlBlock modelOf(const NodeCatalogue& catalogue) {
 }
 
 std::string writeTree(const TreeFile& file, const NodeCatalogue& catalogue) {
-  return Writer(catalogue).file(file);
+  XmlBlock root;
+  root.tag = "root";
+  if (!file.mainTree.empty()) {
+    root.attributes.push_back({"main_tree_to_execute", file.mainTree});
+  }
+  root.attributes.push_back({"BTCPP_format", "4"});
+  root.children = partsOf(file, catalogue);
+  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+  write(root, 0, true, text);
+  return text;
 }
 
 std::string writeModel(const NodeCatalogue& catalogue) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <map>
 #include <utility>
 
 #include <tinyxml2.h>
@@ -10,9 +11,6 @@
 namespace bt {
 namespace {
 
-constexpr std::array<std::string_view, 8> kConditions = {"_failureIf", "_successIf", "_skipIf",
-                                                         "_while",     "_onSuccess", "_onFailure",
-                                                         "_post",      "_onHalted"};
 constexpr std::string_view kForbidden = " \t\r\n<>&\"'/\\:*?.|";
 
 /// Bytes of the UTF-8 character at `at`; 0 = not valid.
@@ -100,10 +98,6 @@ std::string withEscapedAmpersands(std::string_view text, int& firstLine) {
   return result;
 }
 
-bool isConditionName(std::string_view attribute) {
-  return std::find(kConditions.begin(), kConditions.end(), attribute) != kConditions.end();
-}
-
 char forbiddenCharacter(std::string_view name) {
   for (const char c : name) {
     const auto code = static_cast<unsigned char>(c);
@@ -131,59 +125,33 @@ std::optional<base::Diagnostic> problemOfText(std::string_view text, const std::
 }
 
 std::string messageOfXmlError(int errorId) {
-  switch (errorId) {
-    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
-      return "the file is empty";
-    case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
-      return "elements are nested too deeply";
-    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
-      return "not well-formed XML: a closing tag does not match, or one is missing";
-    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
-      return "not well-formed XML: an attribute is broken";
-    case tinyxml2::XML_ERROR_PARSING_COMMENT:
-      return "not well-formed XML: a comment is not closed";
-    case tinyxml2::XML_ERROR_PARSING_CDATA:
-      return "not well-formed XML: a CDATA section is not closed";
-    case tinyxml2::XML_ERROR_PARSING_TEXT:
-      return "not well-formed XML: the text ends too early";
-    case tinyxml2::XML_ERROR_PARSING_DECLARATION:
-      return "not well-formed XML: the XML declaration is broken";
-    case tinyxml2::XML_ERROR_PARSING_UNKNOWN:
-      return "not well-formed XML: a <! section is broken";
-    default:
-      return "not well-formed XML, or cut off";
+  static const std::map<int, const char*> kCauses = {
+      {tinyxml2::XML_ERROR_MISMATCHED_ELEMENT, "a closing tag does not match, or one is missing"},
+      {tinyxml2::XML_ERROR_PARSING_ATTRIBUTE, "an attribute is broken"},
+      {tinyxml2::XML_ERROR_PARSING_COMMENT, "a comment is not closed"},
+      {tinyxml2::XML_ERROR_PARSING_CDATA, "a CDATA section is not closed"},
+      {tinyxml2::XML_ERROR_PARSING_TEXT, "the text ends too early"},
+      {tinyxml2::XML_ERROR_PARSING_DECLARATION, "the XML declaration is broken"},
+      {tinyxml2::XML_ERROR_PARSING_UNKNOWN, "a <! section is broken"}};
+  if (errorId == tinyxml2::XML_ERROR_EMPTY_DOCUMENT) {
+    return "the file is empty";
   }
+  if (errorId == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) {
+    return "elements are nested too deeply";
+  }
+  const auto cause = kCauses.find(errorId);
+  return cause == kCauses.end() ? "not well-formed XML, or cut off"
+                                : std::string("not well-formed XML: ") + cause->second;
 }
 
 std::string escapedXml(std::string_view text) {
+  static const std::map<char, const char*> kReferences = {
+      {'&', "&amp;"},  {'<', "&lt;"},   {'>', "&gt;"}, {'"', "&quot;"},
+      {'\n', "&#10;"}, {'\r', "&#13;"}, {'\t', "&#9;"}};
   std::string result;
-  result.reserve(text.size());
   for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\n':
-        result += "&#10;";
-        break;
-      case '\r':
-        result += "&#13;";
-        break;
-      case '\t':
-        result += "&#9;";
-        break;
-      default:
-        result += c;
-    }
+    const auto reference = kReferences.find(c);
+    result += reference == kReferences.end() ? std::string(1, c) : reference->second;
   }
   return result;
 }

@@ -4,13 +4,10 @@
 #include <string>
 #include <string_view>
 
-#include "sim2d/base/Result.h"
+#include "bt/tree/TreeSpec.h"
 
-/// Small questions about the text of tree files.
+/// What reading and writing tree files needs; private to the folder.
 namespace bt {
-
-/// _skipIf, _onSuccess … of any node.
-bool isConditionName(std::string_view attribute);
 
 /// The first character that IDs and port names must not hold, 0 = none.
 char forbiddenCharacter(std::string_view name);
@@ -27,5 +24,10 @@ std::string withEscapedAmpersands(std::string_view text, int& firstLine);
 std::string messageOfXmlError(int errorId);
 
 std::string escapedXml(std::string_view text);
+
+/// Whether a node's name means another node (or none) since version 4 of BehaviorTree.CPP.
+bool isVersion3Name(const std::string& id);
+/// Converts the node itself, not its children. Says what was changed.
+void convertFromVersion3(NodeSpec& node, const std::string& fileName, base::Diagnostics& notes);
 
 }  // namespace bt

@@ -238,9 +238,9 @@ class TreeBench {
   const base::Diagnostics& troubles() const { return society_.troubles; }
   const base::Diagnostics& loadDiagnostics() const { return found_; }
   std::string entry(const std::string& key) const {
-    for (const bt::TreeState::EntryText& entry : trees_.front().second.entries()) {
-      if (entry.key == key) {
-        return entry.text;
+    for (const auto& [entry, text] : trees_.front().second.entries()) {
+      if (entry == key) {
+        return text;
       }
     }
     return {};

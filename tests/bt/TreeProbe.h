@@ -100,8 +100,8 @@ inline void addStatefulLeaf(bt::NodeLibrary& library) {
 
 /// TD: FAILURE until the delay is over, never armed again after it was.
 inline void addDelayDecorator(bt::NodeLibrary& library) {
-  bt::DecoratorFunctions functions;
-  functions.tick = [](bt::DecoratorContext& node) {
+  bt::ParentFunctions functions;
+  functions.tick = [](bt::ParentContext& node) {
     auto& own = node.memory<DelayMemory>();
     if (!own.started) {
       own = {node.step(), true};
@@ -109,7 +109,7 @@ inline void addDelayDecorator(bt::NodeLibrary& library) {
     return node.hasElapsed(own.startStep, node.require<double>(0)) ? node.tickChild()
                                                                    : NodeStatus::Failure;
   };
-  functions.onHalted = [](bt::DecoratorContext& node) { node.memory<DelayMemory>() = {}; };
+  functions.onHalted = [](bt::ParentContext& node) { node.memory<DelayMemory>() = {}; };
   library.addDecorator<DelayMemory>(manifest("TD", {port("delay", bt::PortType::Double, "0.3")}),
                                     functions);
 }

@@ -27,7 +27,7 @@ struct PickMemory {
 };
 
 /// Pick: runs the child with the number of its port; IDLE for a number that there is not.
-NodeStatus pick(bt::ControlContext& node) {
+NodeStatus pick(bt::ParentContext& node) {
   ++node.memory<PickMemory>().ticks;
   const int child = node.require<int>(0);
   probe::note(node, "pick" + std::to_string(node.memory<PickMemory>().ticks), NodeStatus::Idle);
@@ -35,7 +35,7 @@ NodeStatus pick(bt::ControlContext& node) {
 }
 
 /// Both: ticks all children, halts the first; returns what the last one did.
-NodeStatus both(bt::ControlContext& node) {
+NodeStatus both(bt::ParentContext& node) {
   NodeStatus status = NodeStatus::Idle;
   for (int child = 0; child < node.childCount(); ++child) {
     status = node.tickChild(child);
@@ -49,7 +49,7 @@ struct TurnMemory {
 };
 
 /// Turns: one child per tick, RUNNING before the last; begins anew when halted.
-NodeStatus turns(bt::ControlContext& node) {
+NodeStatus turns(bt::ParentContext& node) {
   int& next = node.memory<TurnMemory>().next;
   const NodeStatus status = node.tickChild(next);
   ++next;
@@ -64,8 +64,8 @@ bt::NodeLibrary library() {
   bt::NodeLibrary result = probe::library();
   result.addControl<PickMemory>(
       probe::manifest("Pick", {probe::port("child", bt::PortType::Int, "0")}),
-      {pick, [](bt::ControlContext& node) { probe::note(node, "halted", NodeStatus::Idle); }});
-  result.addControl<TurnMemory>(probe::manifest("Turns"), {turns, [](bt::ControlContext& node) {
+      {pick, [](bt::ParentContext& node) { probe::note(node, "halted", NodeStatus::Idle); }});
+  result.addControl<TurnMemory>(probe::manifest("Turns"), {turns, [](bt::ParentContext& node) {
                                                              node.memory<TurnMemory>().next = 0;
                                                              probe::note(node, "halted",
                                                                          NodeStatus::Idle);

@@ -1,6 +1,5 @@
 #include <QtTest>
 
-#include "bt/human/HumanContext.h"
 #include "bt/human/Perception.h"
 #include "bt/human/Ports.h"
 #include "tests/bt/FakeWorld.h"
@@ -9,17 +8,18 @@ namespace bt {
 
 namespace {
 
-NodeStatus isAlone(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  return successIf(human && nearestPerson(context.view(), *human) < 0);
+bool isAlone(HumanContext& context, Person human) {
+  return nearestPerson(context.view(), human) < 0;
 }
+
+constexpr const char* kNodes = R"(
+Condition IsAlone own|Perception|Nobody else is in the world.
+agent_id
+)";
 
 // All that a new node takes: this would be the file nodes/IsAlone.cpp.
 void addIsAlone(NodeLibrary& to) {
-  to.addCondition(ownNode("IsAlone", "Perception", "Nobody else is in the world.", {port::agent()},
-                          NodeKind::Condition),
-                  isAlone);
+  to.addCondition(*humanManifests(kNodes).find("IsAlone"), withPorts<isAlone, 0>);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "bt/human/Templates.h"
 #include "bt/human/TreeBehavior.h"
 #include "bt/human/TreeLoader.h"
+#include "bt/tree/TreeXml.h"
 #include "sim2d/scenario/ScenarioFile.h"
 #include "tests/support/Interop.h"
 
@@ -51,7 +52,7 @@ class HumanInteropTest : public QObject {
       if (!human.listed || !QFile::exists(tree)) {
         continue;
       }
-      const auto table = bt::loadPersonTrees(tree.toStdString());
+      const auto table = bt::loadPersonTrees(bt::readTree(tree.toStdString()));
       QVERIFY2(table, qPrintable(tree));
       QVERIFY2(bt::compile(*table, library), qPrintable(tree));
       QVERIFY2(bt::goalsOfTree(*table) == human.goals, qPrintable(tree));

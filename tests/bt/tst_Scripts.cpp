@@ -35,8 +35,7 @@ class Bench {
   std::string problem() const { return script_.diagnostics().front().message; }
   /// The result as text, "!…" when it fails.
   QString run() {
-    std::vector<bt::Value> stack(static_cast<std::size_t>(script_->depth));
-    bt::ScriptRunner runner(*script_, slots_.data(), stack.data());
+    bt::ScriptRunner runner(*script_, slots_.data());
     if (!runner.run()) {
       return QStringLiteral("!") + QString::fromStdString(runner.error());
     }

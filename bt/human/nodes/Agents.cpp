@@ -1,4 +1,3 @@
-#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
 #include "bt/human/Perception.h"
 #include "bt/human/Ports.h"
@@ -15,13 +14,14 @@ struct Memory {
   std::int64_t startStep;
   int human;
   int target;
+  double duration;  // [s]
   double distance;  // closest or in front [m]
   double speed;     // [m/s]
-  double duration;  // [s]
 };
 
 /// Ports: 0 agent, 1 target, 2 time step, 3 duration, 4 distance, 5 speed where there is one.
-NodeStatus start(LeafContext& leaf, bool hasSpeed) {
+template <bool hasSpeed>
+NodeStatus start(LeafContext& leaf) {
   HumanContext& context = humanOf(leaf);
   const std::optional<int> human = context.person(leaf, 0);
   const std::optional<int> target = context.person(leaf, 1);
@@ -31,32 +31,22 @@ NodeStatus start(LeafContext& leaf, bool hasSpeed) {
   if (!human || !target) {
     return NodeStatus::Failure;
   }
-  leaf.memory<Memory>() = {leaf.step(), *human, *target, distance, speed, duration};
   context.setActive(*human);
-  return NodeStatus::Running;
+  return begin(leaf, Memory{leaf.step(), *human, *target, duration, distance, speed});
 }
 
-NodeStatus startWithSpeed(LeafContext& leaf) {
-  return start(leaf, true);
-}
-NodeStatus startWithoutSpeed(LeafContext& leaf) {
-  return start(leaf, false);
-}
+using Motion = sim2d::Intent (*)(HumanContext&, const Memory&, const Target& target);
 
-using Step = sim2d::Intent (*)(HumanContext&, const Memory&, const Target& target);
-
-template <Step step>
-NodeStatus run(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const Memory& memory = leaf.memory<Memory>();
-  if (!context.view().isPresent(memory.human) || !context.view().isPresent(memory.target)) {
+template <Motion motion>
+NodeStatus step(LeafContext& leaf, HumanContext& context, Memory& memory) {
+  if (!context.view().isPresent(memory.target)) {
     return NodeStatus::Failure;
   }
-  context.move(memory.human, step(context, memory, personTarget(context.view(), memory.target)));
+  context.move(memory.human, motion(context, memory, personTarget(context.view(), memory.target)));
   return byDuration(leaf, memory.startStep, memory.duration);
 }
 
-sim2d::Intent approachStep(HumanContext& context, const Memory& memory, const Target& target) {
+sim2d::Intent approaching(HumanContext& context, const Memory& memory, const Target& target) {
   const double distance = personDistance(context.view(), memory.human, memory.target);
   if (context.isOriginal(13) && distance <= memory.distance) {
     context.control(memory.human).frozen = true;
@@ -64,88 +54,58 @@ sim2d::Intent approachStep(HumanContext& context, const Memory& memory, const Ta
   return approach(context, memory.human, target, {memory.distance, memory.speed});
 }
 
-sim2d::Intent followStep(HumanContext& context, const Memory& memory, const Target& target) {
+sim2d::Intent following(HumanContext& context, const Memory& memory, const Target& target) {
   return follow(context, memory.human, target, {memory.distance, memory.speed});
 }
 
-sim2d::Intent blockStep(HumanContext& context, const Memory& memory, const Target& target) {
+sim2d::Intent blocking(HumanContext& context, const Memory& memory, const Target& target) {
   return blockPerson(context, memory.human, target, memory.distance);
 }
 
-NodeManifest actionTowards(const char* id, const char* description,
-                           std::initializer_list<PortSpec> more) {
-  NodeManifest manifest =
-      humanNode(id, "People", description,
-                {port::agent(), port::person("target_agent_id", "Id of the other person.", "2"),
-                 port::timeStep(), port::lasting()});
-  manifest.ports.insert(manifest.ports.end(), more.begin(), more.end());
-  return manifest;
+bool isVisible(HumanContext& context, Person observer, Person target, double distance,
+               double halfView) {
+  return isPersonVisible(context.view(), observer, target, distance, halfView);
 }
 
-NodeStatus isVisible(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> observer = context.person(leaf, 0);
-  const std::optional<int> target = context.person(leaf, 1);
-  const double distance = leaf.require<double>(2);
-  const double halfView = leaf.require<double>(3);
-  return successIf(observer && target &&
-                   isPersonVisible(context.view(), *observer, *target, distance, halfView));
+bool isClose(HumanContext& context, Person observer, Person target, double threshold) {
+  return personDistance(context.view(), observer, target) < threshold;
 }
 
-NodeStatus isClose(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> observer = context.person(leaf, 0);
-  const std::optional<int> target = context.person(leaf, 1);
-  const double threshold = leaf.require<double>(2);
-  return successIf(observer && target &&
-                   personDistance(context.view(), *observer, *target) < threshold);
-}
+constexpr const char* kNodes = R"(
+Action ApproachAgent|People|Walks to another person, slower the nearer, and looks at them from the closest distance.
+agent_id target_agent_id time_step duration
+closest_dist length default 1.5|Comes this near.
+max_vel speed default 1.5|Speed far from the other.
+Action FollowAgent|People|Walks behind another person: with the own speed, at most max_vel if given, and slower within the closest distance.
+agent_id target_agent_id time_step duration
+closest_dist length default 1.5|Falls back within this.
+max_vel speed atMost 10 suggest 1.5|Highest speed while following; absent or negative: the own.
+Action BlockAgent|People|Walks to the place in front of another person and faces them.
+agent_id target_agent_id time_step duration
+front_dist length needed suggest 1.0|Place in front of the other person.
+Condition IsAgentVisible|Perception|Another person is near enough, within the field of view, and no wall hides them.
+observer_id int needed suggest {id}|Id of the person who looks.
+agent_id int needed suggest 2|Id of the person looked for.
+distance length default 5.0|People are seen up to here.
+field_of_view angle range 0 6.283185307179586 default 1.7407963267948966|Half of the field of view: the angle to each side, pi = all around.
+Condition IsAgentClose|Perception|Another person is nearer than the threshold.
+observer_id int needed suggest {id}|Id of the first person.
+target_agent_id
+threshold length default 1.0|Nearer than this is close.
+)";
 
 }  // namespace
 
 void addAgents(NodeLibrary& to) {
-  to.addStateful<Memory>(
-      actionTowards("ApproachAgent",
-                    "Walks to another person, slower the nearer, and looks at them from the "
-                    "closest distance.",
-                    {port::length("closest_dist", "Comes this near.").byDefault("1.5"),
-                     port::speed("max_vel", "Speed far from the other.").byDefault("1.5")}),
-      {startWithSpeed, run<approachStep>, nullptr});
-  to.addStateful<Memory>(
-      actionTowards(
-          "FollowAgent",
-          "Walks behind another person: with the own speed, at most max_vel if given, "
-          "and slower within the closest distance.",
-          {port::length("closest_dist", "Falls back within this.").byDefault("1.5"),
-           port::speed("max_vel", "Highest speed while following; absent or negative: the own.")
-               .atMost(10.0)
-               .suggest("1.5")}),
-      {startWithSpeed, run<followStep>, nullptr});
-  to.addStateful<Memory>(
-      actionTowards("BlockAgent", "Walks to the place in front of another person and faces them.",
-                    {port::length("front_dist", "Place in front of the other person.")
-                         .needed()
-                         .suggest("1.0")}),
-      {startWithoutSpeed, run<blockStep>, nullptr});
-  to.addCondition(
-      humanNode("IsAgentVisible", "Perception",
-                "Another person is near enough, within the field of view, and no wall hides them.",
-                {port::person("observer_id", "Id of the person who looks."),
-                 port::person("agent_id", "Id of the person looked for.", "2"),
-                 port::length("distance", "People are seen up to here.").byDefault("5.0"),
-                 port::angle("field_of_view",
-                             "Half of the field of view: the angle to each side, pi = all around.")
-                     .byDefault("1.7407963267948966")
-                     .range(0.0, 2.0 * base::kPi)},
-                NodeKind::Condition),
-      isVisible);
-  to.addCondition(
-      humanNode("IsAgentClose", "Perception", "Another person is nearer than the threshold.",
-                {port::person("observer_id", "Id of the first person."),
-                 port::person("target_agent_id", "Id of the other person.", "2"),
-                 port::length("threshold", "Nearer than this is close.").byDefault("1.0")},
-                NodeKind::Condition),
-      isClose);
+  const NodeCatalogue nodes = humanManifests(kNodes);
+  to.addStateful<Memory>(*nodes.find("ApproachAgent"),
+                         {start<true>, whilePresent<Memory, step<approaching>>});
+  to.addStateful<Memory>(*nodes.find("FollowAgent"),
+                         {start<true>, whilePresent<Memory, step<following>>});
+  to.addStateful<Memory>(*nodes.find("BlockAgent"),
+                         {start<false>, whilePresent<Memory, step<blocking>>});
+  to.addCondition(*nodes.find("IsAgentVisible"), withPorts<isVisible, 0, 1, 2, 3>);
+  to.addCondition(*nodes.find("IsAgentClose"), withPorts<isClose, 0, 1, 2>);
 }
 
 }  // namespace bt

@@ -1,7 +1,5 @@
 #include "bt/human/Goals.h"
-#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
-#include "bt/human/Ports.h"
 
 namespace bt {
 
@@ -16,17 +14,12 @@ struct Memory {
   double duration;         // [s]
 };
 
-NodeStatus start(LeafContext& leaf) {
+NodeStatus start(LeafContext& leaf, const Members& members, const sim2d::GoalItem& place,
+                 double duration) {
   HumanContext& context = humanOf(leaf);
-  const std::optional<std::vector<int>> members = membersOf(leaf, 0, 5);
-  const std::optional<sim2d::GoalItem> place = context.place(leaf, 1);
-  const double duration = leaf.require<double>(4);
-  if (!members || !place) {
-    return NodeStatus::Failure;
-  }
   Notes& notes = context.notes(leaf);
-  notes.centre = place->position;
-  notes.spots = circleSpots(context.view(), *members, place->position);
+  notes.centre = place.position;
+  notes.spots = circleSpots(context.view(), members, place.position);
   Memory& memory = leaf.memory<Memory>();
   memory.duration = duration;
   if (!context.isOriginal(15)) {
@@ -41,14 +34,6 @@ NodeStatus start(LeafContext& leaf) {
     }
   }
   return NodeStatus::Running;
-}
-
-void finish(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  for (const SavedPerson& saved : context.notes(leaf).saved) {
-    restoreGoals(context, saved);
-  }
-  context.dropNotes(leaf);
 }
 
 /// Q-14: the spot waits behind the member's other goals; the front one is walked to.
@@ -96,24 +81,25 @@ NodeStatus run(LeafContext& leaf) {
   if (!leaf.hasElapsed(memory.startStep, memory.duration)) {
     return NodeStatus::Running;
   }
-  finish(leaf);
+  restoreAllGoals(leaf);
   return NodeStatus::Success;
 }
+
+constexpr const char* kNodes = R"(
+Action ConversationFormation|Groups|Brings people together in a circle around a goal, facing its centre, and keeps them there for the conversation. The members obey this node, not their own trees.
+main_agent_id int needed suggest {id}|Id of the person who gathers the others.
+goal_id int unless center_x center_y suggest 1|Id of the global goal that is the centre.
+center_x metres|x of a point, when no goal_id is given.
+center_y metres|y of a point, when no goal_id is given.
+conversation_duration duration default 10.0|Time together once all are in place.
+non_main_agent_ids time_step
+)";
 
 }  // namespace
 
 void addConversationFormation(NodeLibrary& to) {
-  to.addStateful<Memory>(
-      humanNode("ConversationFormation", "Groups",
-                "Brings people together in a circle around a goal, facing its centre, and keeps "
-                "them there for the conversation. The members obey this node, not their own trees.",
-                {port::person("main_agent_id", "Id of the person who gathers the others."),
-                 port::goal("Id of the global goal that is the centre.", "center_x", "center_y"),
-                 port::oldX("center_x"), port::oldY("center_y"),
-                 port::duration("conversation_duration", "Time together once all are in place.")
-                     .byDefault("10.0"),
-                 port::others(), port::timeStep()}),
-      {start, run, finish});
+  to.addStateful<Memory>(*humanManifests(kNodes).find("ConversationFormation"),
+                         {withPorts<start, 5, 1, 4>, run, restoreAllGoals});
 }
 
 }  // namespace bt

@@ -1,4 +1,3 @@
-#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
 #include "bt/human/Perception.h"
 #include "bt/human/Ports.h"
@@ -10,39 +9,41 @@ namespace {
 
 constexpr double kBeyondSafe = kEscapeRadius + 0.2;  // so that the safe distance is passed [m]
 
-NodeStatus isCrowded(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  const double distance = leaf.require<double>(1);
-  const int count = leaf.require<int>(2);
-  if (!human) {
-    return NodeStatus::Failure;
-  }
-  std::vector<int> found;
-  context.view().near(*human, distance, found);
-  return successIf(static_cast<int>(found.size()) >= count);
+/// A person who may be yet to come.
+struct KnownPerson {
+  int index;
+};
+
+}  // namespace
+
+template <>
+std::optional<KnownPerson> argument(LeafContext& leaf, int port) {
+  const std::optional<int> index = humanOf(leaf).knownPerson(leaf, port);
+  return index ? std::optional<KnownPerson>({*index}) : std::nullopt;
 }
 
-NodeStatus isGroupFormed(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  const double distance = leaf.require<double>(1);
-  const int group = human ? context.groupOf(*human) : -1;
-  if (group < 0) {
-    return NodeStatus::Failure;
-  }
+namespace {
+
+bool isCrowded(HumanContext& context, Person human, double distance, int count) {
+  std::vector<int> found;
+  context.view().near(human, distance, found);
+  return static_cast<int>(found.size()) >= count;
+}
+
+bool isGroupFormed(HumanContext& context, Person human, double distance) {
+  const int group = context.groupOf(human);
   const sim2d::WorldView& view = context.view();
   int members = 0;
-  for (int other = 0; other < view.humanCount(); ++other) {
-    if (other == *human || !view.isPresent(other) || context.groupOf(other) != group) {
+  for (int other = 0; group >= 0 && other < view.humanCount(); ++other) {
+    if (other == human || !view.isPresent(other) || context.groupOf(other) != group) {
       continue;
     }
-    if (personDistance(view, *human, other) > distance) {
-      return NodeStatus::Failure;
+    if (personDistance(view, human, other) > distance) {
+      return false;
     }
     ++members;
   }
-  return successIf(members > 0);
+  return members > 0;
 }
 
 struct Memory {
@@ -50,36 +51,17 @@ struct Memory {
   int human;
   int target;
   double distance;  // [m]
-  double speed;     // [m/s]
   double duration;  // [s]
+  double speed;     // [m/s]
 };
 
-/// Ports: 0 agent, 1 target, 2 distance, 3 duration, 4 speed where there is one.
-NodeStatus start(LeafContext& leaf, std::optional<int> target, bool hasSpeed) {
-  const std::optional<int> human = humanOf(leaf).person(leaf, 0);
-  const double distance = leaf.require<double>(2);
-  const double duration = leaf.require<double>(3);
-  const double speed = hasSpeed ? leaf.require<double>(4) : 0.0;
-  if (!human || !target) {
-    return NodeStatus::Failure;
-  }
-  leaf.memory<Memory>() = {leaf.step(), *human, *target, distance, speed, duration};
-  return NodeStatus::Running;
+NodeStatus startWait(LeafContext& leaf, KnownPerson target, Person human, double distance,
+                     double duration) {
+  return begin(leaf, Memory{leaf.step(), human, target.index, distance, duration, 0.0});
 }
 
-NodeStatus startWait(LeafContext& leaf) {
-  return start(leaf, humanOf(leaf).knownPerson(leaf, 1), false);  // may be yet to come
-}
-NodeStatus startFlee(LeafContext& leaf) {
-  return start(leaf, humanOf(leaf).person(leaf, 1), true);
-}
-
-NodeStatus runWait(LeafContext& leaf) {
-  const sim2d::WorldView& view = humanOf(leaf).view();
-  const Memory& memory = leaf.memory<Memory>();
-  if (!view.isPresent(memory.human)) {
-    return NodeStatus::Failure;
-  }
+NodeStatus wait(LeafContext& leaf, HumanContext& context, Memory& memory) {
+  const sim2d::WorldView& view = context.view();
   if (view.isPresent(memory.target) &&
       personDistance(view, memory.human, memory.target) <= memory.distance) {
     return NodeStatus::Success;
@@ -88,13 +70,13 @@ NodeStatus runWait(LeafContext& leaf) {
                                : NodeStatus::Running;
 }
 
-NodeStatus runFlee(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const Memory& memory = leaf.memory<Memory>();
+NodeStatus startFlee(LeafContext& leaf, Person target, Person human, double distance,
+                     double duration, double speed) {
+  return begin(leaf, Memory{leaf.step(), human, target, distance, duration, speed});
+}
+
+NodeStatus flee(LeafContext& leaf, HumanContext& context, Memory& memory) {
   const sim2d::WorldView& view = context.view();
-  if (!view.isPresent(memory.human)) {
-    return NodeStatus::Failure;
-  }
   if (!view.isPresent(memory.target) ||
       personDistance(view, memory.human, memory.target) >= memory.distance) {
     return NodeStatus::Success;
@@ -105,10 +87,9 @@ NodeStatus runFlee(LeafContext& leaf) {
   return byDuration(leaf, memory.startStep, memory.duration);
 }
 
-NodeStatus findNearest(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  const int nearest = human ? nearestPerson(context.view(), *human) : -1;
+NodeStatus findNearest(LeafContext& leaf, Person human) {
+  const HumanContext& context = humanOf(leaf);
+  const int nearest = nearestPerson(context.view(), human);
   if (nearest < 0) {
     return NodeStatus::Failure;
   }
@@ -116,46 +97,40 @@ NodeStatus findNearest(LeafContext& leaf) {
   return NodeStatus::Success;
 }
 
+constexpr const char* kNodes = R"(
+Condition IsCrowded own|Perception|At least so many other people are near.
+agent_id
+distance length default 2.0|Near means within this.
+count int range 1 1000 default 3|Number of other people.
+Condition IsAgentGroupFormed own|Groups|All other members of the person's group are near; fails without a group.
+agent_id distance
+Action WaitForAgent own|People|Stands until another person is near, also one who is yet to come.
+agent_id
+target_agent_id int needed suggest 2|Id of the person to wait for.
+distance
+duration duration atMost 36000 default 0.0|Fails after this time; 0 = waits on.
+Action FleeFrom own|People|Walks away from another person until far enough.
+agent_id
+target_agent_id int needed suggest 2|Id of the person to flee from.
+safe_distance length default 5.0|Far enough.
+duration duration atMost 36000 default 0.0|Ends after this time; 0 = goes on.
+speed speed default 1.5|Speed of the flight.
+Action FindNearestAgent|People|Writes the id of the nearest other person; fails when there is nobody.
+agent_id
+target_agent_id int output suggest {target_agent_id}|Takes the id of the nearest person.
+)";
+
 }  // namespace
 
 void addCrowd(NodeLibrary& to) {
-  to.addCondition(
-      ownNode("IsCrowded", "Perception", "At least so many other people are near.",
-              {port::agent(), port::length("distance", "Near means within this.").byDefault("2.0"),
-               PortSpec("count", PortType::Int, "", "Number of other people.")
-                   .byDefault("3")
-                   .range(1, 1000)},
-              NodeKind::Condition),
-      isCrowded);
-  to.addCondition(
-      ownNode("IsAgentGroupFormed", "Groups",
-              "All other members of the person's group are near; fails without a group.",
-              {port::agent(), port::length("distance", "Near means within this.").byDefault("2.0")},
-              NodeKind::Condition),
-      isGroupFormed);
-  to.addStateful<Memory>(
-      ownNode("WaitForAgent", "People",
-              "Stands until another person is near, also one who is yet to come.",
-              {port::agent(), port::person("target_agent_id", "Id of the person to wait for.", "2"),
-               port::length("distance", "Near means within this.").byDefault("2.0"),
-               port::openDuration("duration", "Fails after this time; 0 = waits on.")
-                   .byDefault("0.0")}),
-      {startWait, runWait, nullptr});
-  to.addStateful<Memory>(
-      ownNode(
-          "FleeFrom", "People", "Walks away from another person until far enough.",
-          {port::agent(), port::person("target_agent_id", "Id of the person to flee from.", "2"),
-           port::length("safe_distance", "Far enough.").byDefault("5.0"),
-           port::lasting().suggest("0.0"),
-           port::speed("speed", "Speed of the flight.").byDefault("1.5")}),
-      {startFlee, runFlee, nullptr});
-  to.addAction(humanNode("FindNearestAgent", "People",
-                         "Writes the id of the nearest other person; fails when there is nobody.",
-                         {port::agent(), PortSpec("target_agent_id", PortType::Int, "",
-                                                  "Takes the id of the nearest person.")
-                                             .directed(PortDirection::Output)
-                                             .suggest("{target_agent_id}")}),
-               findNearest);
+  const NodeCatalogue nodes = humanManifests(kNodes);
+  to.addCondition(*nodes.find("IsCrowded"), withPorts<isCrowded, 0, 1, 2>);
+  to.addCondition(*nodes.find("IsAgentGroupFormed"), withPorts<isGroupFormed, 0, 1>);
+  to.addStateful<Memory>(*nodes.find("WaitForAgent"),
+                         {withPorts<startWait, 1, 0, 2, 3>, whilePresent<Memory, wait>});
+  to.addStateful<Memory>(*nodes.find("FleeFrom"),
+                         {withPorts<startFlee, 1, 0, 2, 3, 4>, whilePresent<Memory, flee>});
+  to.addAction(*nodes.find("FindNearestAgent"), withPorts<findNearest, 0>);
 }
 
 }  // namespace bt

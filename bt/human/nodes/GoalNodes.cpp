@@ -1,10 +1,10 @@
 #include "bt/human/Goals.h"
-#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
-#include "bt/human/Ports.h"
 
 /// Nodes about the goals of a person, and walking to them.
 namespace bt {
+
+using sim2d::GoalItem;
 
 namespace {
 
@@ -17,132 +17,87 @@ struct Memory {
   double reach;  // [m]
 };
 
-sim2d::GoalItem goalOf(const Memory& memory) {
+GoalItem goalOf(const Memory& memory) {
   return {memory.goalId, base::Vec2(memory.x, memory.y), kRadius};
 }
 
-NodeStatus start(LeafContext& leaf) {
+NodeStatus start(LeafContext& leaf, Person human, const GoalItem& place, double tolerance) {
   HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  const std::optional<sim2d::GoalItem> place = context.place(leaf, 1);
-  const double tolerance = leaf.require<double>(5);
-  if (!human || !place) {
-    return NodeStatus::Failure;
-  }
-  Memory& memory = leaf.memory<Memory>();
   const double asked = context.isOriginal(12) ? kRadius : tolerance;
-  memory = {*human, place->id, place->position.x(), place->position.y(), asked + kGoalTolerance};
-  context.notes(leaf).saved = {savePerson(context, *human)};
-  context.control(*human).goals = {goalOf(memory)};
-  return NodeStatus::Running;
-}
-
-void restore(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  for (const SavedPerson& saved : context.notes(leaf).saved) {
-    restoreGoals(context, saved);
-  }
-  context.dropNotes(leaf);
+  const Memory memory = {human, place.id, place.position.x(), place.position.y(),
+                         asked + kGoalTolerance};
+  context.notes(leaf).saved = {savePerson(context, human)};
+  context.control(human).goals = {goalOf(memory)};
+  return begin(leaf, memory);
 }
 
 NodeStatus run(LeafContext& leaf) {
   HumanContext& context = humanOf(leaf);
   const Memory& memory = leaf.memory<Memory>();
   if (!context.view().isPresent(memory.human)) {
-    restore(leaf);
+    restoreAllGoals(leaf);
     return NodeStatus::Failure;
   }
-  const sim2d::GoalItem goal = goalOf(memory);
+  const GoalItem goal = goalOf(memory);
   const base::Vec2 position = context.view().pose(memory.human).position;
   if ((goal.position - position).norm() <= memory.reach) {
-    restore(leaf);
+    restoreAllGoals(leaf);
     return NodeStatus::Success;
   }
   context.move(memory.human, walkTo(context, memory.human, goal));
   return NodeStatus::Running;
 }
 
-NodeStatus updateGoal(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  return successIf(human && advanceGoal(context, *human));
+bool updateGoal(HumanContext& context, Person human) {
+  return advanceGoal(context, human);
 }
 
-NodeStatus setGoal(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  const std::optional<sim2d::GoalItem> place = context.place(leaf, 1);
-  if (!human || !place) {
-    return NodeStatus::Failure;
-  }
-  addGoal(context, *human, *place);
-  return NodeStatus::Success;
+void setGoal(HumanContext& context, Person human, const GoalItem& place) {
+  addGoal(context, human, place);
 }
 
-NodeStatus regularNav(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  if (!human) {
-    return NodeStatus::Failure;
-  }
-  context.move(*human, regularWalk(context, *human));
-  return NodeStatus::Success;
+void regularNav(HumanContext& context, Person human) {
+  context.move(human, regularWalk(context, human));
 }
 
-NodeStatus isReached(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  return successIf(human && isGoalReached(context, *human));
+bool isReached(HumanContext& context, Person human) {
+  return isGoalReached(context, human);
 }
 
-NodeStatus isAtPosition(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  const std::optional<sim2d::GoalItem> place = context.place(leaf, 1);
-  const double tolerance = leaf.require<double>(4);
-  return successIf(human && place &&
-                   (context.view().pose(*human).position - place->position).norm() <= tolerance);
+bool isAtPosition(HumanContext& context, Person human, const GoalItem& place, double tolerance) {
+  return (context.view().pose(human).position - place.position).norm() <= tolerance;
 }
+
+constexpr const char* kNodes = R"(
+Action GoTo|Walking|Walks to a global goal; the person's other goals wait meanwhile.
+agent_id goal_id target_x target_y time_step
+tolerance length default 0.1|Reached within this plus 0.1 m.
+temporary bool|Accepted for existing files; has no effect.
+stop_duration seconds|Accepted for existing files; has no effect.
+Action UpdateGoal|Goals|Takes the current goal off the list; cyclic people get it back at the end. Fails without goals.
+agent_id
+Action SetGoal|Goals|Puts a global goal at the end of the person's list; those set in the first tick replace the goals of the scenario.
+agent_id goal_id target_x target_y
+Action RegularNav|Walking|One step towards the current goal; without one the person comes to rest.
+agent_id time_step
+Condition IsGoalReached|Goals|The person is within the radius of the current goal, plus 0.1 m; never without a goal.
+agent_id
+Condition IsAtPosition|Goals|The person stands at a global goal.
+agent_id int needed suggest {id}|Id of the person; may be any.
+goal_id target_x target_y
+tolerance length default 0.1|At most so far from the goal.
+)";
 
 }  // namespace
 
 void addGoalNodes(NodeLibrary& to) {
-  to.addStateful<Memory>(
-      humanNode("GoTo", "Walking",
-                "Walks to a global goal; the person's other goals wait meanwhile.",
-                {port::agent(), port::goal("Id of the global goal."), port::oldX(), port::oldY(),
-                 port::timeStep(),
-                 port::length("tolerance", "Reached within this plus 0.1 m.").byDefault("0.1"),
-                 port::unused("temporary", PortType::Bool),
-                 port::unused("stop_duration", PortType::Double, "s")}),
-      {start, run, restore});
-  to.addAction(humanNode("UpdateGoal", "Goals",
-                         "Takes the current goal off the list; cyclic people get it back at the "
-                         "end. Fails without goals.",
-                         {port::agent()}),
-               updateGoal);
-  to.addAction(
-      humanNode("SetGoal", "Goals",
-                "Puts a global goal at the end of the person's list; those set in the "
-                "first tick replace the goals of the scenario.",
-                {port::agent(), port::goal("Id of the global goal."), port::oldX(), port::oldY()}),
-      setGoal);
-  to.addAction(humanNode("RegularNav", "Walking",
-                         "One step towards the current goal; without one the person comes to rest.",
-                         {port::agent(), port::timeStep()}),
-               regularNav);
-  to.addCondition(humanNode("IsGoalReached", "Goals",
-                            "The person is within the radius of the current goal, plus 0.1 m; "
-                            "never without a goal.",
-                            {port::agent()}, NodeKind::Condition),
-                  isReached);
-  to.addCondition(
-      humanNode("IsAtPosition", "Goals", "The person stands at a global goal.",
-                {port::person("agent_id", "Id of the person; may be any."),
-                 port::goal("Id of the global goal."), port::oldX(), port::oldY(),
-                 port::length("tolerance", "At most so far from the goal.").byDefault("0.1")},
-                NodeKind::Condition),
-      isAtPosition);
+  const NodeCatalogue nodes = humanManifests(kNodes);
+  to.addStateful<Memory>(*nodes.find("GoTo"), {withPorts<start, 0, 1, 5>, run, restoreAllGoals});
+  to.addAction(*nodes.find("UpdateGoal"), withPorts<updateGoal, 0>);
+  to.addAction(*nodes.find("SetGoal"), withPorts<setGoal, 0, 1>);
+  to.addAction(*nodes.find("RegularNav"), withPorts<regularNav, 0>);
+  to.addCondition(*nodes.find("IsGoalReached"), withPorts<isReached, 0>);
+  to.addCondition(*nodes.find("IsAtPosition"), withPorts<isAtPosition, 0, 1, 4>);
 }
 
 }  // namespace bt

@@ -1,21 +1,12 @@
 #include "bt/human/Goals.h"
-#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
-#include "bt/human/Ports.h"
 
 namespace bt {
 
 namespace {
 
-NodeStatus setGroupId(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  const int group = leaf.require<int>(1);
-  if (!human) {
-    return NodeStatus::Failure;
-  }
-  setGroup(context, *human, group);
-  return NodeStatus::Success;
+void setGroupId(HumanContext& context, Person human, int group) {
+  setGroup(context, human, group);
 }
 
 struct Memory {
@@ -24,18 +15,12 @@ struct Memory {
   double duration;  // [s]
 };
 
-NodeStatus start(LeafContext& leaf) {
+NodeStatus start(LeafContext& leaf, const Members& members, double duration) {
   HumanContext& context = humanOf(leaf);
-  const std::optional<std::vector<int>> members = membersOf(leaf, 0, 1);
-  const double duration = leaf.require<double>(3);
-  if (!members) {
-    return NodeStatus::Failure;
-  }
-  const int main = members->front();
-  leaf.memory<Memory>() = {leaf.step(), main, duration};
+  const int main = members.front();
   Notes& notes = context.notes(leaf);
   notes.saved.clear();
-  for (const int member : *members) {
+  for (const int member : members) {
     notes.saved.push_back(savePerson(context, member));
     setGroup(context, member, context.idOf(main));
     if (member != main) {
@@ -43,7 +28,7 @@ NodeStatus start(LeafContext& leaf) {
     }
   }
   context.setActive(main);
-  return NodeStatus::Running;
+  return begin(leaf, Memory{leaf.step(), main, duration});
 }
 
 void disband(LeafContext& leaf) {
@@ -81,22 +66,21 @@ NodeStatus run(LeafContext& leaf) {
   return status;
 }
 
+constexpr const char* kNodes = R"(
+Action SetGroupId|Groups|Puts the person into a group.
+agent_id
+group_id int needed suggest 5|Number of the group, -1 = alone.
+Action SetGroupWalk|Groups|Makes people a group with the goals of the main person, who is led by this node; the others walk by their own trees. Groups and goals come back at the end.
+main_agent_id int needed suggest {id}|Id of the person who leads.
+non_main_agent_ids time_step duration
+)";
+
 }  // namespace
 
 void addGroupActions(NodeLibrary& to) {
-  to.addAction(humanNode("SetGroupId", "Groups", "Puts the person into a group.",
-                         {port::agent(), PortSpec("group_id", PortType::Int, "",
-                                                  "Number of the group, -1 = alone.")
-                                             .needed()
-                                             .suggest("5")}),
-               setGroupId);
-  to.addStateful<Memory>(
-      humanNode("SetGroupWalk", "Groups",
-                "Makes people a group with the goals of the main person, who is led by this node; "
-                "the others walk by their own trees. Groups and goals come back at the end.",
-                {port::person("main_agent_id", "Id of the person who leads."), port::others(),
-                 port::timeStep(), port::lasting()}),
-      {start, run, disband});
+  const NodeCatalogue nodes = humanManifests(kNodes);
+  to.addAction(*nodes.find("SetGroupId"), withPorts<setGroupId, 0, 1>);
+  to.addStateful<Memory>(*nodes.find("SetGroupWalk"), {withPorts<start, 1, 3>, run, disband});
 }
 
 }  // namespace bt

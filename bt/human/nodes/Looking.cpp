@@ -1,4 +1,3 @@
-#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
 #include "bt/human/Perception.h"
 #include "bt/human/Ports.h"
@@ -6,13 +5,12 @@
 /// Seeing the robot, turning to somebody, being looked at.
 namespace bt {
 
+using base::Vec2;
+
 namespace {
 
-NodeStatus isVisible(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  const double distance = leaf.require<double>(1);
-  return successIf(human && isRobotVisible(context.view(), *human, distance));
+bool isVisible(HumanContext& context, Person human, double distance) {
+  return isRobotVisible(context.view(), human, distance);
 }
 
 struct Look {
@@ -22,83 +20,51 @@ struct Look {
   double tolerance;  // [rad]
 };
 
-NodeStatus begin(LeafContext& leaf, const Look& memory) {
-  leaf.memory<Look>() = memory;
+NodeStatus beginLook(LeafContext& leaf, const Look& memory) {
   humanOf(leaf).setActive(memory.human);
-  return NodeStatus::Running;
+  return begin(leaf, memory);
 }
 
-NodeStatus startAtPoint(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  const std::optional<sim2d::GoalItem> place = context.place(leaf, 1);
-  const double tolerance = leaf.require<double>(4);
-  if (!human || !place) {
-    return NodeStatus::Failure;
-  }
-  return begin(leaf, {*human, -1, place->position.x(), place->position.y(), tolerance});
+NodeStatus startAtPoint(LeafContext& leaf, Person human, const sim2d::GoalItem& place,
+                        double tolerance) {
+  return beginLook(leaf, {human, -1, place.position.x(), place.position.y(), tolerance});
 }
 
-NodeStatus runAtPoint(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const Look& memory = leaf.memory<Look>();
-  if (!context.view().isPresent(memory.human)) {
-    return NodeStatus::Failure;
-  }
-  const base::Vec2 point(memory.x, memory.y);
-  const Plan plan = turnTo(context, memory.human, point, memory.tolerance);
-  context.move(memory.human, plan.intent);
+NodeStatus startAtPerson(LeafContext& leaf, Person human, Person target, double tolerance) {
+  return beginLook(leaf, {human, target, 0.0, 0.0, tolerance});
+}
+
+NodeStatus startAtRobot(LeafContext& leaf, Person human, double tolerance) {
+  return humanOf(leaf).view().nearestRobot(human) < 0
+             ? NodeStatus::Failure
+             : beginLook(leaf, {human, -1, 0.0, 0.0, tolerance});
+}
+
+NodeStatus turn(HumanContext& context, int human, const Plan& plan) {
+  context.move(human, plan.intent);
   return plan.isThere ? NodeStatus::Success : NodeStatus::Running;
 }
 
-NodeStatus startAtPerson(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  const std::optional<int> target = context.person(leaf, 1);
-  const double tolerance = leaf.require<double>(2);
-  if (!human || !target) {
+NodeStatus lookAtPoint(LeafContext&, HumanContext& context, Look& memory) {
+  const Vec2 point(memory.x, memory.y);
+  return turn(context, memory.human, turnTo(context, memory.human, point, memory.tolerance));
+}
+
+NodeStatus lookAtPerson(LeafContext&, HumanContext& context, Look& memory) {
+  if (!context.view().isPresent(memory.target)) {
     return NodeStatus::Failure;
   }
-  return begin(leaf, {*human, *target, 0.0, 0.0, tolerance});
+  const Vec2 point = context.view().pose(memory.target).position;
+  return turn(context, memory.human, lookAt(context, memory.human, point, memory.tolerance));
 }
 
-NodeStatus look(LeafContext& leaf, const base::Vec2& point) {
-  HumanContext& context = humanOf(leaf);
-  const Look& memory = leaf.memory<Look>();
-  const Plan plan = lookAt(context, memory.human, point, memory.tolerance);
-  context.move(memory.human, plan.intent);
-  return plan.isThere ? NodeStatus::Success : NodeStatus::Running;
-}
-
-NodeStatus runAtPerson(LeafContext& leaf) {
-  const sim2d::WorldView& view = humanOf(leaf).view();
-  const Look& memory = leaf.memory<Look>();
-  if (!view.isPresent(memory.target) || !view.isPresent(memory.human)) {
+NodeStatus lookAtRobot(LeafContext&, HumanContext& context, Look& memory) {
+  const std::optional<Target> robot = nearestRobotOf(context.view(), memory.human);
+  if (!robot) {
     return NodeStatus::Failure;
   }
-  return look(leaf, view.pose(memory.target).position);
-}
-
-NodeStatus startAtRobot(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  const double tolerance = leaf.require<double>(1);
-  if (!human || context.view().nearestRobot(*human) < 0) {
-    return NodeStatus::Failure;
-  }
-  return begin(leaf, {*human, -1, 0.0, 0.0, tolerance});
-}
-
-NodeStatus runAtRobot(LeafContext& leaf) {
-  const sim2d::WorldView& view = humanOf(leaf).view();
-  const int human = leaf.memory<Look>().human;
-  const std::optional<Target> robot = nearestRobotOf(view, human);
-  return robot && view.isPresent(human) ? look(leaf, robot->pose.position) : NodeStatus::Failure;
-}
-
-PortSpec tolerance() {
-  return port::angle("yaw_tolerance", "Ends when the heading is as near as this.")
-      .byDefault("0.01");
+  const Vec2 point = robot->pose.position;
+  return turn(context, memory.human, lookAt(context, memory.human, point, memory.tolerance));
 }
 
 struct Watch {
@@ -110,27 +76,17 @@ struct Watch {
   double duration;  // [s]
 };
 
-/// Ports: 0 agent, 1 time step, 2 distance, 3 angle, 4 duration, 5 the other person.
-NodeStatus beginWatch(LeafContext& leaf, std::optional<int> target) {
-  const std::optional<int> human = humanOf(leaf).person(leaf, 0);
-  const double distance = leaf.require<double>(2);
-  const double angle = leaf.require<double>(3);
-  const double duration = leaf.require<double>(4);
-  if (!human || !target) {
-    return NodeStatus::Failure;
-  }
-  leaf.memory<Watch>() = {leaf.step(), *human, *target, distance, angle, duration};
-  return NodeStatus::Running;
+NodeStatus startOne(LeafContext& leaf, Person target, Person human, double distance, double angle,
+                    double duration) {
+  return begin(leaf, Watch{leaf.step(), human, target, distance, angle, duration});
 }
 
-NodeStatus startAnyone(LeafContext& leaf) {
-  return beginWatch(leaf, -1);
-}
-NodeStatus startOne(LeafContext& leaf) {
-  return beginWatch(leaf, humanOf(leaf).person(leaf, 5));
+NodeStatus startAnyone(LeafContext& leaf, Person human, double distance, double angle,
+                       double duration) {
+  return startOne(leaf, Person{-1}, human, distance, angle, duration);
 }
 
-NodeStatus runAnyone(LeafContext& leaf) {
+NodeStatus watchAnyone(LeafContext& leaf) {
   const sim2d::WorldView& view = humanOf(leaf).view();
   const Watch& memory = leaf.memory<Watch>();
   std::vector<int> candidates;
@@ -144,7 +100,7 @@ NodeStatus runAnyone(LeafContext& leaf) {
   return untilDuration(leaf, memory.startStep, memory.duration);
 }
 
-NodeStatus runOne(LeafContext& leaf) {
+NodeStatus watchOne(LeafContext& leaf) {
   const sim2d::WorldView& view = humanOf(leaf).view();
   const Watch& memory = leaf.memory<Watch>();
   if (view.isPresent(memory.target) &&
@@ -154,52 +110,45 @@ NodeStatus runOne(LeafContext& leaf) {
   return untilDuration(leaf, memory.startStep, memory.duration);
 }
 
-NodeManifest condition(const char* id, const char* description, const PortSpec& other) {
-  return humanNode(
-      id, "Looking", description,
-      {port::agent(), port::timeStep(),
-       port::length("distance_threshold", "The other person is at most so far away.")
-           .byDefault("5.0"),
-       port::angle("angle_threshold", "The other person's heading is as near to the line as this.")
-           .byDefault("0.2"),
-       port::duration("duration", "Waits so long before it fails.").byDefault("5.0"), other},
-      NodeKind::Condition);
-}
+constexpr const char* kNodes = R"(
+Condition IsRobotVisible|Perception|The robot is near enough, not behind the back (100 degrees to each side) and no wall hides it.
+agent_id
+distance length needed suggest 5.0|The robot is seen up to here.
+Action LookAtPoint|Looking|Turns on the spot to a global goal.
+agent_id goal_id target_x target_y
+yaw_tolerance angle default 0.01|Ends when the heading is as near as this.
+Action LookAtAgent|Looking|Turns on the spot to another person.
+observer_id int needed suggest {id}|Id of the person who turns.
+target_id int needed suggest 2|Id of the person to look at.
+yaw_tolerance
+Action LookAtRobot|Looking|Turns on the spot to the robot.
+agent_id yaw_tolerance
+Condition IsAnyoneLookingAtMe|Looking|Waits until somebody looks at the person; of several the nearest.
+agent_id time_step
+distance_threshold length default 5.0|The other person is at most so far away.
+angle_threshold angle default 0.2|The other person's heading is as near to the line as this.
+duration duration default 5.0|Waits so long before it fails.
+observer_id int output suggest {observer_id}|Takes the id of who looks.
+Condition IsLookingAtMe|Looking|Waits until a certain person looks at this one.
+agent_id time_step distance_threshold angle_threshold duration
+target_id int needed suggest 2|Id of the person who should look.
+)";
 
 }  // namespace
 
 void addLooking(NodeLibrary& to) {
-  to.addCondition(
-      humanNode("IsRobotVisible", "Perception",
-                "The robot is near enough, not behind the back (100 degrees to each side) and no "
-                "wall hides it.",
-                {port::agent(),
-                 port::length("distance", "The robot is seen up to here.").needed().suggest("5.0")},
-                NodeKind::Condition),
-      isVisible);
-  to.addStateful<Look>(humanNode("LookAtPoint", "Looking", "Turns on the spot to a global goal.",
-                                 {port::agent(), port::goal("Id of the global goal."), port::oldX(),
-                                  port::oldY(), tolerance()}),
-                       {startAtPoint, runAtPoint, nullptr});
-  to.addStateful<Look>(
-      humanNode("LookAtAgent", "Looking", "Turns on the spot to another person.",
-                {port::person("observer_id", "Id of the person who turns."),
-                 port::person("target_id", "Id of the person to look at.", "2"), tolerance()}),
-      {startAtPerson, runAtPerson, nullptr});
-  to.addStateful<Look>(humanNode("LookAtRobot", "Looking", "Turns on the spot to the robot.",
-                                 {port::agent(), tolerance()}),
-                       {startAtRobot, runAtRobot, nullptr});
-  to.addStateful<Watch>(
-      condition("IsAnyoneLookingAtMe",
-                "Waits until somebody looks at the person; of several the nearest.",
-                PortSpec("observer_id", PortType::Int, "", "Takes the id of who looks.")
-                    .directed(PortDirection::Output)
-                    .suggest("{observer_id}")),
-      {startAnyone, runAnyone, nullptr});
-  to.addStateful<Watch>(
-      condition("IsLookingAtMe", "Waits until a certain person looks at this one.",
-                port::person("target_id", "Id of the person who should look.", "2")),
-      {startOne, runOne, nullptr});
+  const NodeCatalogue nodes = humanManifests(kNodes);
+  to.addCondition(*nodes.find("IsRobotVisible"), withPorts<isVisible, 0, 1>);
+  to.addStateful<Look>(*nodes.find("LookAtPoint"),
+                       {withPorts<startAtPoint, 0, 1, 4>, whilePresent<Look, lookAtPoint>});
+  to.addStateful<Look>(*nodes.find("LookAtAgent"),
+                       {withPorts<startAtPerson, 0, 1, 2>, whilePresent<Look, lookAtPerson>});
+  to.addStateful<Look>(*nodes.find("LookAtRobot"),
+                       {withPorts<startAtRobot, 0, 1>, whilePresent<Look, lookAtRobot>});
+  to.addStateful<Watch>(*nodes.find("IsAnyoneLookingAtMe"),
+                        {withPorts<startAnyone, 0, 2, 3, 4>, watchAnyone});
+  to.addStateful<Watch>(*nodes.find("IsLookingAtMe"),
+                        {withPorts<startOne, 5, 0, 2, 3, 4>, watchOne});
 }
 
 }  // namespace bt

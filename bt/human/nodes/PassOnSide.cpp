@@ -1,5 +1,3 @@
-
-#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
 #include "bt/human/Perception.h"
 #include "bt/human/Ports.h"
@@ -7,6 +5,24 @@
 namespace bt {
 
 using base::Vec2;
+
+namespace {
+
+struct Side {
+  double sign;
+};
+
+}  // namespace
+
+template <>
+std::optional<Side> argument(LeafContext& leaf, int port) {
+  const std::string_view side = leaf.require<std::string_view>(port);
+  if (side == "left" || side == "right") {
+    return Side{side == "left" ? 1.0 : -1.0};
+  }
+  humanOf(leaf).warn(leaf, "tree.runs-on-no-side", {side});
+  return std::nullopt;
+}
 
 namespace {
 
@@ -40,30 +56,14 @@ bool isRobotAhead(HumanContext& context, const Memory& memory) {
   return toRobot.norm() <= memory.distance && toRobot.dot(wayOf(context, memory.human)) > 0.0;
 }
 
-std::optional<double> sideOf(LeafContext& leaf) {
-  const std::string_view side = leaf.require<std::string_view>(1);
-  if (side == "left" || side == "right") {
-    return side == "left" ? 1.0 : -1.0;
-  }
-  humanOf(leaf).warn(leaf, "tree.runs-on-no-side", {side});
-  return std::nullopt;
-}
-
-NodeStatus start(LeafContext& leaf) {
+NodeStatus start(LeafContext& leaf, Person human, Side side, double distance, double clearance) {
   HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  const std::optional<double> side = sideOf(leaf);
-  const double distance = leaf.require<double>(2);
-  const double clearance = leaf.require<double>(3);
-  if (!human || !side) {
+  const Memory memory = {human, side.sign, distance, clearance};
+  if (!isRobotAhead(context, memory)) {
     return NodeStatus::Failure;
   }
-  leaf.memory<Memory>() = {*human, *side, distance, clearance};
-  if (!isRobotAhead(context, leaf.memory<Memory>())) {
-    return NodeStatus::Failure;
-  }
-  context.setActive(*human);
-  return NodeStatus::Running;
+  context.setActive(human);
+  return begin(leaf, memory);
 }
 
 /// Beside the robot and a little past it, so that it falls behind on the way there.
@@ -73,12 +73,7 @@ Vec2 pointBeside(HumanContext& context, const Memory& memory, const Vec2& robot)
   return robot + memory.clearance * (memory.side * left + way);
 }
 
-NodeStatus run(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const Memory& memory = leaf.memory<Memory>();
-  if (!context.view().isPresent(memory.human)) {
-    return NodeStatus::Failure;
-  }
+NodeStatus step(LeafContext&, HumanContext& context, Memory& memory) {
   if (!isRobotAhead(context, memory)) {
     return NodeStatus::Success;
   }
@@ -90,18 +85,19 @@ NodeStatus run(LeafContext& leaf) {
   return NodeStatus::Running;
 }
 
+constexpr const char* kNodes = R"(
+Action PassOnSide own|Reactions|Passes the robot ahead at the person's own left or right; fails when none is ahead.
+agent_id
+side text default right|left or right, as the person walks.
+distance length default 4.0|Begins within this distance.
+clearance length default 1.0|Distance beside the robot.
+)";
+
 }  // namespace
 
 void addPassOnSide(NodeLibrary& to) {
-  to.addStateful<Memory>(
-      ownNode("PassOnSide", "Reactions",
-              "Passes the robot ahead at the person's own left or right; fails when none is ahead.",
-              {port::agent(),
-               PortSpec("side", PortType::String, "", "left or right, as the person walks.")
-                   .byDefault("right"),
-               port::length("distance", "Begins within this distance.").byDefault("4.0"),
-               port::length("clearance", "Distance beside the robot.").byDefault("1.0")}),
-      {start, run, nullptr});
+  to.addStateful<Memory>(*humanManifests(kNodes).find("PassOnSide"),
+                         {withPorts<start, 0, 1, 2, 3>, whilePresent<Memory, step>});
 }
 
 }  // namespace bt

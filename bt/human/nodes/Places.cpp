@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
 #include "bt/human/Ports.h"
 #include "sim2d/base/Rng.h"
@@ -16,20 +15,6 @@ namespace {
 constexpr double kReached = 0.3;  // [m]
 constexpr int kTries = 32;        // points drawn before a wanderer gives up for this step
 
-/// Even-odd rule.
-bool isInside(const std::vector<Vec2>& polygon, const Vec2& point) {
-  bool inside = false;
-  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-    const Vec2& a = polygon[i];
-    const Vec2& b = polygon[j];
-    if ((a.y() > point.y()) != (b.y() > point.y()) &&
-        point.x() < (b.x() - a.x()) * (point.y() - a.y()) / (b.y() - a.y()) + a.x()) {
-      inside = !inside;
-    }
-  }
-  return inside;
-}
-
 /// Where the horizontal line at `y` crosses the outline, ascending.
 std::vector<double> crossingsAt(const std::vector<Vec2>& polygon, double y) {
   std::vector<double> crossings;
@@ -42,6 +27,13 @@ std::vector<double> crossingsAt(const std::vector<Vec2>& polygon, double y) {
   }
   std::sort(crossings.begin(), crossings.end());
   return crossings;
+}
+
+/// Even-odd rule: an odd number of crossings to the right.
+bool isInside(const std::vector<Vec2>& polygon, const Vec2& point) {
+  const std::vector<double> crossings = crossingsAt(polygon, point.y());
+  const auto isRight = [&point](double x) { return point.x() < x; };
+  return std::count_if(crossings.begin(), crossings.end(), isRight) % 2 == 1;
 }
 
 /// The mean of the corners; where that is outside, the middle of the widest part at its height.
@@ -125,8 +117,7 @@ NodeStatus startWander(LeafContext& leaf) {
   if (!human || !area) {
     return NodeStatus::Failure;
   }
-  leaf.memory<Memory>() = {leaf.step(), *human, 0, 0.0, 0.0, false, false, duration};
-  return NodeStatus::Running;
+  return begin(leaf, Memory{leaf.step(), *human, 0, 0.0, 0.0, false, false, duration});
 }
 
 NodeStatus runWander(LeafContext& leaf) {
@@ -150,36 +141,28 @@ NodeStatus runWander(LeafContext& leaf) {
   return byDuration(leaf, memory.startStep, memory.duration);
 }
 
-NodeStatus startExit(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  if (!human) {
-    return NodeStatus::Failure;
-  }
+NodeStatus startExit(LeafContext& leaf, Person human) {
+  const sim2d::WorldView& view = humanOf(leaf).view();
   double shortest = std::numeric_limits<double>::infinity();
   Vec2 nearest = Vec2::Zero();
-  for (const sim2d::Area& area : context.view().scenario().areas) {
+  for (const sim2d::Area& area : view.scenario().areas) {
     if (area.kind != sim2d::AreaKind::Exit || !area.listed || area.points.size() < 3) {
       continue;
     }
     const Vec2 middle = middleOf(area.points);
-    const std::optional<double> length = context.view().wayLength(*human, middle);
+    const std::optional<double> length = view.wayLength(human, middle);
     if (length && *length < shortest) {
       shortest = *length;
       nearest = middle;
     }
   }
-  leaf.memory<Memory>() = {leaf.step(), *human, 0, nearest.x(), nearest.y(), true, false, 0.0};
-  return shortest < std::numeric_limits<double>::infinity() ? NodeStatus::Running
-                                                            : NodeStatus::Failure;
+  return shortest < std::numeric_limits<double>::infinity()
+             ? begin(leaf,
+                     Memory{leaf.step(), human, 0, nearest.x(), nearest.y(), true, false, 0.0})
+             : NodeStatus::Failure;
 }
 
-NodeStatus runExit(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const Memory& memory = leaf.memory<Memory>();
-  if (!context.view().isPresent(memory.human)) {
-    return NodeStatus::Failure;
-  }
+NodeStatus goToExit(LeafContext&, HumanContext& context, Memory& memory) {
   if (isAt(context, memory)) {
     return NodeStatus::Success;
   }
@@ -187,25 +170,13 @@ NodeStatus runExit(LeafContext& leaf) {
   return NodeStatus::Running;
 }
 
-NodeStatus startUse(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  const std::optional<sim2d::GoalItem> place = context.place(leaf, 1);
-  const double duration = leaf.require<double>(4);
-  if (!human || !place) {
-    return NodeStatus::Failure;
-  }
-  leaf.memory<Memory>() = {leaf.step(),         *human, place->id, place->position.x(),
-                           place->position.y(), true,   false,     duration};
-  return NodeStatus::Running;
+NodeStatus startUse(LeafContext& leaf, Person human, const sim2d::GoalItem& place,
+                    double duration) {
+  return begin(leaf, Memory{leaf.step(), human, place.id, place.position.x(), place.position.y(),
+                            true, false, duration});
 }
 
-NodeStatus runUse(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  Memory& memory = leaf.memory<Memory>();
-  if (!context.view().isPresent(memory.human)) {
-    return NodeStatus::Failure;
-  }
+NodeStatus use(LeafContext& leaf, HumanContext& context, Memory& memory) {
   if (!memory.isThere && isAt(context, memory)) {
     memory.isThere = true;
     memory.startStep = leaf.step();
@@ -219,27 +190,29 @@ NodeStatus runUse(LeafContext& leaf) {
                                                             : NodeStatus::Running;
 }
 
+constexpr const char* kNodes = R"(
+Action WanderInArea own|Walking|Walks from one random point of an area to the next.
+agent_id
+area text needed suggest area1|Name of the area.
+duration duration atMost 36000 default 0.0|Ends after this time; 0 = goes on.
+Action GoToNearestExit own|Walking|Walks into the area of kind exit that is nearest by the way there; fails without one.
+agent_id
+Action UseObject own|Walking|Walks to a global goal and stays there for some time.
+agent_id
+goal_id int unless target_x target_y suggest 1|Id of the global goal at the object.
+target_x target_y
+duration duration default 5.0|Time at the object.
+)";
+
 }  // namespace
 
 void addPlaces(NodeLibrary& to) {
-  to.addStateful<Memory>(
-      ownNode(
-          "WanderInArea", "Walking", "Walks from one random point of an area to the next.",
-          {port::agent(),
-           PortSpec("area", PortType::String, "", "Name of the area.").needed().suggest("area1"),
-           port::lasting().suggest("0.0")}),
-      {startWander, runWander, nullptr});
-  to.addStateful<Memory>(
-      ownNode("GoToNearestExit", "Walking",
-              "Walks into the area of kind exit that is nearest by the way there; fails "
-              "without one.",
-              {port::agent()}),
-      {startExit, runExit, nullptr});
-  to.addStateful<Memory>(
-      ownNode("UseObject", "Walking", "Walks to a global goal and stays there for some time.",
-              {port::agent(), port::goal("Id of the global goal at the object."), port::oldX(),
-               port::oldY(), port::duration("duration", "Time at the object.").byDefault("5.0")}),
-      {startUse, runUse, nullptr});
+  const NodeCatalogue nodes = humanManifests(kNodes);
+  to.addStateful<Memory>(*nodes.find("WanderInArea"), {startWander, runWander});
+  to.addStateful<Memory>(*nodes.find("GoToNearestExit"),
+                         {withPorts<startExit, 0>, whilePresent<Memory, goToExit>});
+  to.addStateful<Memory>(*nodes.find("UseObject"),
+                         {withPorts<startUse, 0, 1, 4>, whilePresent<Memory, use>});
 }
 
 }  // namespace bt

@@ -1,4 +1,3 @@
-#include "bt/human/HumanContext.h"
 #include "bt/human/Ports.h"
 #include "sim2d/base/Rng.h"
 
@@ -25,7 +24,7 @@ struct Memory {
 };
 
 /// Without the port all children weigh the same. Empty = they are wrong, the tree is faulty.
-std::vector<double> weightsOf(ControlContext& leaf) {
+std::vector<double> weightsOf(ParentContext& leaf) {
   const auto count = static_cast<std::size_t>(leaf.childCount());
   const std::optional<std::string> text = leaf.text(0);
   if (!text) {
@@ -41,7 +40,7 @@ std::vector<double> weightsOf(ControlContext& leaf) {
 }
 
 /// New in every step, and for every start within one.
-double draw(ControlContext& leaf) {
+double draw(ParentContext& leaf) {
   Memory& memory = leaf.memory<Memory>();
   memory.draws = memory.drawStep == leaf.step() ? memory.draws + 1 : 0;
   memory.drawStep = leaf.step();
@@ -67,7 +66,7 @@ int choose(const std::vector<double>& weights, double random) {
   return chosen;
 }
 
-NodeStatus tick(ControlContext& leaf) {
+NodeStatus tick(ParentContext& leaf) {
   Memory& memory = leaf.memory<Memory>();
   if (memory.chosen == 0) {
     const std::vector<double> weights = weightsOf(leaf);
@@ -83,7 +82,7 @@ NodeStatus tick(ControlContext& leaf) {
   return status;
 }
 
-void halt(ControlContext& leaf) {
+void halt(ParentContext& leaf) {
   leaf.memory<Memory>().chosen = 0;
 }
 
@@ -92,27 +91,20 @@ NodeStatus isLucky(LeafContext& leaf) {
   return successIf(draw < leaf.require<double>(0));
 }
 
+constexpr const char* kNodes = R"(
+Control ProbabilityChoice own|Timing|Draws one of its children when it is reached and runs that one to its end.
+weights queue suggest 3;1|One number per child, how often it is drawn; left out: all alike.
+Condition RandomChanceCondition|Timing|Holds with the given probability; drawn anew in every tick that reaches it, so over n ticks the chance is 1 - (1 - p)^n.
+probability number range 0 1 default 0.3|Chance per tick.
+agent_id int|Accepted for existing files; has no effect.
+)";
+
 }  // namespace
 
 void addRandomChoices(NodeLibrary& to) {
-  to.addControl<Memory>(
-      ownNode("ProbabilityChoice", "Timing",
-              "Draws one of its children when it is reached and runs that one to its end.",
-              {PortSpec("weights", PortType::Queue, "",
-                        "One number per child, how often it is drawn; left out: all alike.")
-                   .suggest("3;1")},
-              NodeKind::Control),
-      {tick, halt});
-  to.addCondition(
-      humanNode("RandomChanceCondition", "Timing",
-                "Holds with the given probability; drawn anew in every tick that reaches it, so "
-                "over n ticks the chance is 1 - (1 - p)^n.",
-                {PortSpec("probability", PortType::Double, "", "Chance per tick.")
-                     .byDefault("0.3")
-                     .range(0.0, 1.0),
-                 port::unused("agent_id", PortType::Int)},
-                NodeKind::Condition),
-      isLucky);
+  const NodeCatalogue nodes = humanManifests(kNodes);
+  to.addControl<Memory>(*nodes.find("ProbabilityChoice"), {tick, halt});
+  to.addCondition(*nodes.find("RandomChanceCondition"), isLucky);
 }
 
 }  // namespace bt

@@ -1,4 +1,3 @@
-#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
 #include "bt/human/Perception.h"
 #include "bt/human/Ports.h"
@@ -9,218 +8,154 @@ namespace bt {
 
 namespace {
 
-/// The person of port 0 and the robot that counts for them.
+/// A person and the robot that counts for them.
 struct Pair {
-  int human = -1;
+  int human;
   Target robot;
 };
 
-std::optional<Pair> pairOf(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
+}  // namespace
+
+template <>
+std::optional<Pair> argument(LeafContext& leaf, int port) {
+  const HumanContext& context = humanOf(leaf);
+  const std::optional<int> human = humanOf(leaf).person(leaf, port);
   const std::optional<Target> robot = human ? nearestRobotOf(context.view(), *human) : std::nullopt;
   return robot ? std::optional<Pair>({*human, *robot}) : std::nullopt;
 }
 
-sim2d::Intent block(const HumanContext& context, int human, const Target& robot, double front) {
+namespace {
+
+sim2d::Intent block(const HumanContext& context, const Pair& pair, double front) {
   const sim2d::WorldView& view = context.view();
-  const double speed = view.robotVelocity(view.nearestRobot(human)).norm();
-  return blockRobot(context, human, robot, speed, front);
+  const double speed = view.robotVelocity(view.nearestRobot(pair.human)).norm();
+  return blockRobot(context, pair.human, pair.robot, speed, front);
 }
 
-NodeStatus surprised(LeafContext& leaf) {
-  const std::optional<Pair> pair = pairOf(leaf);
-  if (!pair) {
-    return NodeStatus::Failure;
-  }
+void surprised(HumanContext& context, const Pair& pair) {
+  context.move(pair.human, lookAt(context, pair.human, pair.robot.pose.position, 0.0).intent);
+}
+
+void curious(HumanContext& context, const Pair& pair, double closest, double speed) {
+  context.move(pair.human, approach(context, pair.human, pair.robot, {closest, speed}));
+}
+
+void scared(LeafContext& leaf, const Pair& pair, double speed, double safe) {
   HumanContext& context = humanOf(leaf);
-  context.move(pair->human, lookAt(context, pair->human, pair->robot.pose.position, 0.0).intent);
-  return NodeStatus::Success;
-}
-
-NodeStatus curious(LeafContext& leaf) {
-  const std::optional<Pair> pair = pairOf(leaf);
-  const Approach how{leaf.require<double>(5), leaf.require<double>(4)};
-  if (!pair) {
-    return NodeStatus::Failure;
-  }
-  HumanContext& context = humanOf(leaf);
-  context.move(pair->human, approach(context, pair->human, pair->robot, how));
-  return NodeStatus::Success;
-}
-
-NodeStatus scared(LeafContext& leaf) {
-  const std::optional<Pair> pair = pairOf(leaf);
-  const double speed = leaf.require<double>(4);
-  const double safe = leaf.require<double>(5);
   const std::optional<double> factor = leaf.get<double>(6);
-  if (!pair) {
-    return NodeStatus::Failure;
-  }
-  HumanContext& context = humanOf(leaf);
   const bool isPushed = factor && leaf.state(5) != PortState::Given;
-  context.move(pair->human, isPushed ? flinch(context, pair->human, pair->robot, speed, *factor)
-                                     : avoid(context, pair->human, pair->robot, {safe, speed}));
-  return NodeStatus::Success;
+  context.move(pair.human, isPushed ? flinch(context, pair.human, pair.robot, speed, *factor)
+                                    : avoid(context, pair.human, pair.robot, {safe, speed}));
 }
 
-NodeStatus threatening(LeafContext& leaf) {
-  const std::optional<Pair> pair = pairOf(leaf);
-  const double front = leaf.require<double>(4);
-  if (!pair) {
-    return NodeStatus::Failure;
-  }
-  HumanContext& context = humanOf(leaf);
-  context.move(pair->human, block(context, pair->human, pair->robot, front));
-  return NodeStatus::Success;
-}
-
-NodeManifest reaction(const char* id, const char* description,
-                      std::initializer_list<PortSpec> more) {
-  NodeManifest manifest = humanNode(
-      id, "Reactions", description,
-      {port::agent(), port::timeStep(), port::unused("beh_duration", PortType::Double, "s"),
-       port::unused("only_once", PortType::Bool)});
-  manifest.ports.insert(manifest.ports.end(), more.begin(), more.end());
-  return manifest;
+void threatening(HumanContext& context, const Pair& pair, double front) {
+  context.move(pair.human, block(context, pair, front));
 }
 
 struct Memory {
   std::int64_t startStep;
   int human;
   double distance;  // closest, safe or in front [m]
-  double speed;     // [m/s]
   double duration;  // [s]
+  double speed;     // [m/s]
 };
 
-/// Ports: 0 agent, 1 time step, 2 distance, 3 duration, 4 speed where there is one.
-NodeStatus start(LeafContext& leaf, bool hasSpeed) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  const double distance = leaf.require<double>(2);
-  const double duration = leaf.require<double>(3);
-  const double speed = hasSpeed ? leaf.require<double>(4) : 0.0;
-  if (!human || context.view().nearestRobot(*human) < 0) {
-    return NodeStatus::Failure;
-  }
-  leaf.memory<Memory>() = {leaf.step(), *human, distance, speed, duration};
-  context.setActive(*human);
-  return NodeStatus::Running;
+NodeStatus start(LeafContext& leaf, const Pair& pair, double distance, double duration,
+                 double speed) {
+  humanOf(leaf).setActive(pair.human);
+  return begin(leaf, Memory{leaf.step(), pair.human, distance, duration, speed});
 }
 
-NodeStatus startWithSpeed(LeafContext& leaf) {
-  return start(leaf, true);
-}
-NodeStatus startWithoutSpeed(LeafContext& leaf) {
-  return start(leaf, false);
+NodeStatus startBlock(LeafContext& leaf, const Pair& pair, double distance, double duration) {
+  return start(leaf, pair, distance, duration, 0.0);
 }
 
-using Step = sim2d::Intent (*)(HumanContext&, const Memory&, const Target& robot);
+using Motion = sim2d::Intent (*)(HumanContext&, const Memory&, const Target& robot);
 
-template <Step step>
-NodeStatus run(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const Memory& memory = leaf.memory<Memory>();
+template <Motion motion>
+NodeStatus step(LeafContext& leaf, HumanContext& context, Memory& memory) {
   const std::optional<Target> robot = nearestRobotOf(context.view(), memory.human);
-  if (!robot || !context.view().isPresent(memory.human)) {
+  if (!robot) {
     return NodeStatus::Failure;
   }
-  context.move(memory.human, step(context, memory, *robot));
+  context.move(memory.human, motion(context, memory, *robot));
   return byDuration(leaf, memory.startStep, memory.duration);
 }
 
-sim2d::Intent approachStep(HumanContext& context, const Memory& memory, const Target& robot) {
+sim2d::Intent approaching(HumanContext& context, const Memory& memory, const Target& robot) {
   return approach(context, memory.human, robot, {memory.distance, memory.speed});
 }
 
-sim2d::Intent avoidStep(HumanContext& context, const Memory& memory, const Target& robot) {
+sim2d::Intent avoiding(HumanContext& context, const Memory& memory, const Target& robot) {
   return avoid(context, memory.human, robot, {memory.distance, memory.speed});
 }
 
-sim2d::Intent blockStep(HumanContext& context, const Memory& memory, const Target& robot) {
-  return block(context, memory.human, robot, memory.distance);
+sim2d::Intent blocking(HumanContext& context, const Memory& memory, const Target& robot) {
+  return block(context, {memory.human, robot}, memory.distance);
 }
 
-NodeStatus isClose(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  const double threshold = leaf.require<double>(1);
-  return successIf(human && robotDistance(context.view(), *human) < threshold);
+bool isClose(HumanContext& context, Person human, double threshold) {
+  return robotDistance(context.view(), human) < threshold;
 }
 
-NodeStatus isFacing(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  return successIf(human && isRobotFacing(context.view(), *human));
+bool isFacing(HumanContext& context, Person human) {
+  return isRobotFacing(context.view(), human);
 }
 
-void addSteps(NodeLibrary& to) {
-  to.addAction(reaction("SurprisedNav", "Stands and turns to the robot.", {}), surprised);
-  to.addAction(
-      reaction("CuriousNav", "One step towards the robot, slower the nearer; looks at it at rest.",
-               {port::speed("agent_vel", "Speed far from the robot.").needed().suggest("1.0"),
-                port::length("stop_distance", "Stops this far from the robot.")
-                    .needed()
-                    .suggest("0.5")}),
-      curious);
-  to.addAction(
-      reaction(
-          "ScaredNav",
-          "One step away from the robot. With scary_force_factor and without safe_distance: "
-          "one step to the goals while the robot pushes.",
-          {port::speed("runaway_vel", "Speed of the flight.").needed().suggest("1.5"),
-           port::length("safe_distance", "Flees to this distance.").byDefault("5.0").suggest(""),
-           PortSpec("scary_force_factor", PortType::Double, "m/s²",
-                    "Strength of the push by the robot.")
-               .range(0.0, 1000.0)}),
-      scared);
-  to.addAction(
-      reaction("ThreateningNav", "One step to the place in front of the robot; faces it there.",
-               {port::length("goal_dist", "Place in front of the robot; below 0.5 it is 1.5 m.")
-                    .needed()
-                    .suggest("1.0")}),
-      threatening);
-}
+constexpr const char* kNodes = R"(
+Action SurprisedNav|Reactions|Stands and turns to the robot.
+agent_id time_step
+beh_duration seconds|Accepted for existing files; has no effect.
+only_once bool|Accepted for existing files; has no effect.
+Action CuriousNav|Reactions|One step towards the robot, slower the nearer; looks at it at rest.
+agent_id time_step beh_duration only_once
+agent_vel speed needed suggest 1.0|Speed far from the robot.
+stop_distance length needed suggest 0.5|Stops this far from the robot.
+Action ScaredNav|Reactions|One step away from the robot. With scary_force_factor and without safe_distance: one step to the goals while the robot pushes.
+agent_id time_step beh_duration only_once
+runaway_vel speed needed suggest 1.5|Speed of the flight.
+safe_distance length default 5.0 suggest|Flees to this distance.
+scary_force_factor number unit m/s² range 0 1000|Strength of the push by the robot.
+Action ThreateningNav|Reactions|One step to the place in front of the robot; faces it there.
+agent_id time_step beh_duration only_once
+goal_dist length needed suggest 1.0|Place in front of the robot; below 0.5 it is 1.5 m.
+Action ApproachRobot|Reactions|Walks to the robot, slower the nearer, and looks at it from the closest distance.
+agent_id time_step
+closest_dist length needed suggest 1.5|Comes this near.
+duration
+max_vel speed needed suggest 1.8|Speed far from the robot.
+Action AvoidRobot|Reactions|Flees from the robot to the safe distance and watches it from there.
+agent_id time_step
+safe_distance length needed suggest 5.0|Flees to this distance.
+duration
+runaway_vel speed needed suggest 1.5|Speed of the flight.
+Action BlockRobot|Reactions|Walks to the place in front of the robot and faces it there.
+agent_id time_step
+front_dist length needed suggest 1.0|Place in front of the robot; below 0.5 it is 1.5 m.
+duration
+Condition IsRobotClose|Perception|The robot is nearer than the threshold.
+agent_id
+threshold length default 1.0|Nearer than this is close.
+Condition IsRobotFacingAgent|Perception|The robot's front points at the person, within 0.3 rad.
+agent_id
+)";
 
 }  // namespace
 
 void addRobotNodes(NodeLibrary& to) {
-  addSteps(to);
-  to.addStateful<Memory>(
-      humanNode("ApproachRobot", "Reactions",
-                "Walks to the robot, slower the nearer, and looks at it from the closest distance.",
-                {port::agent(), port::timeStep(),
-                 port::length("closest_dist", "Comes this near.").needed().suggest("1.5"),
-                 port::lasting(),
-                 port::speed("max_vel", "Speed far from the robot.").needed().suggest("1.8")}),
-      {startWithSpeed, run<approachStep>, nullptr});
-  to.addStateful<Memory>(
-      humanNode("AvoidRobot", "Reactions",
-                "Flees from the robot to the safe distance and watches it from there.",
-                {port::agent(), port::timeStep(),
-                 port::length("safe_distance", "Flees to this distance.").needed().suggest("5.0"),
-                 port::lasting(),
-                 port::speed("runaway_vel", "Speed of the flight.").needed().suggest("1.5")}),
-      {startWithSpeed, run<avoidStep>, nullptr});
-  to.addStateful<Memory>(
-      humanNode("BlockRobot", "Reactions",
-                "Walks to the place in front of the robot and faces it there.",
-                {port::agent(), port::timeStep(),
-                 port::length("front_dist", "Place in front of the robot; below 0.5 it is 1.5 m.")
-                     .needed()
-                     .suggest("1.0"),
-                 port::lasting()}),
-      {startWithoutSpeed, run<blockStep>, nullptr});
-  to.addCondition(
-      humanNode(
-          "IsRobotClose", "Perception", "The robot is nearer than the threshold.",
-          {port::agent(), port::length("threshold", "Nearer than this is close.").byDefault("1.0")},
-          NodeKind::Condition),
-      isClose);
-  to.addCondition(humanNode("IsRobotFacingAgent", "Perception",
-                            "The robot's front points at the person, within 0.3 rad.",
-                            {port::agent()}, NodeKind::Condition),
-                  isFacing);
+  const NodeCatalogue nodes = humanManifests(kNodes);
+  to.addAction(*nodes.find("SurprisedNav"), withPorts<surprised, 0>);
+  to.addAction(*nodes.find("CuriousNav"), withPorts<curious, 0, 5, 4>);
+  to.addAction(*nodes.find("ScaredNav"), withPorts<scared, 0, 4, 5>);
+  to.addAction(*nodes.find("ThreateningNav"), withPorts<threatening, 0, 4>);
+  to.addStateful<Memory>(*nodes.find("ApproachRobot"),
+                         {withPorts<start, 0, 2, 3, 4>, whilePresent<Memory, step<approaching>>});
+  to.addStateful<Memory>(*nodes.find("AvoidRobot"),
+                         {withPorts<start, 0, 2, 3, 4>, whilePresent<Memory, step<avoiding>>});
+  to.addStateful<Memory>(*nodes.find("BlockRobot"),
+                         {withPorts<startBlock, 0, 2, 3>, whilePresent<Memory, step<blocking>>});
+  to.addCondition(*nodes.find("IsRobotClose"), withPorts<isClose, 0, 1>);
+  to.addCondition(*nodes.find("IsRobotFacingAgent"), withPorts<isFacing, 0>);
 }
 
 }  // namespace bt

@@ -1,4 +1,3 @@
-#include "bt/human/HumanContext.h"
 #include "bt/human/Perception.h"
 #include "bt/human/Ports.h"
 
@@ -17,24 +16,14 @@ struct Memory {
   double duration;  // [s]
 };
 
-/// Ports: 0 agent, 1 time step, 2 distance, 3 duration, 4 the other person.
-NodeStatus begin(LeafContext& leaf, std::optional<int> target) {
-  const std::optional<int> human = humanOf(leaf).person(leaf, 0);
-  const double distance = leaf.require<double>(2);
-  const double duration = leaf.require<double>(3);
-  if (!human || !target) {
-    return NodeStatus::Failure;
-  }
-  Memory& memory = leaf.memory<Memory>();
-  memory = {leaf.step(), memory.lastHeard, *human, *target, distance, duration};
-  return NodeStatus::Running;
+NodeStatus startOne(LeafContext& leaf, Person target, Person human, double distance,
+                    double duration) {
+  const std::int64_t lastHeard = leaf.memory<Memory>().lastHeard;
+  return begin(leaf, Memory{leaf.step(), lastHeard, human, target, distance, duration});
 }
 
-NodeStatus startAnyone(LeafContext& leaf) {
-  return begin(leaf, -1);
-}
-NodeStatus startOne(LeafContext& leaf) {
-  return begin(leaf, humanOf(leaf).person(leaf, 4));
+NodeStatus startAnyone(LeafContext& leaf, Person human, double distance, double duration) {
+  return startOne(leaf, Person{-1}, human, distance, duration);
 }
 
 bool isNews(const LeafContext& leaf, const Memory& memory, const Utterance& words) {
@@ -79,48 +68,34 @@ NodeStatus run(LeafContext& leaf) {
   return NodeStatus::Success;
 }
 
-NodeStatus say(LeafContext& leaf) {
+void say(LeafContext& leaf, Person human, std::string_view message) {
   HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  const std::string message(leaf.require<std::string_view>(1));
-  if (!human) {
-    return NodeStatus::Failure;
-  }
-  context.speech().say(leaf.step(), *human, message);
-  context.emit(sim2d::EventKind::Say, *human, message);
-  return NodeStatus::Success;
+  context.speech().say(leaf.step(), human, std::string(message));
+  context.emit(sim2d::EventKind::Say, human, std::string(message));
 }
 
-NodeManifest listener(const char* id, const char* description, const char* duration,
-                      const PortSpec& other) {
-  return humanNode(
-      id, "Speech", description,
-      {port::agent(), port::timeStep(),
-       port::length("distance_threshold", "Voices are heard up to here.").byDefault("5.0"),
-       port::duration("duration", "Listens so long before it fails.").byDefault(duration), other},
-      NodeKind::Condition);
-}
+constexpr const char* kNodes = R"(
+Action SaySomething|Speech|Says a sentence, once.
+agent_id
+message text needed suggest Hello, I am here!|The words.
+Condition IsAnyoneSpeaking|Speech|Listens until somebody near is heard; walls stop voices. The last speaker counts.
+agent_id time_step
+distance_threshold length default 5.0|Voices are heard up to here.
+duration duration default 5.0|Listens so long before it fails.
+speaker_id int output suggest {speaker_id}|Takes the id of the speaker.
+Condition IsSpeaking|Speech|Listens until a certain person is heard; walls stop voices.
+agent_id time_step distance_threshold
+duration duration default 10.0|Listens so long before it fails.
+target_id int needed suggest 2|Id of the person to listen to.
+)";
 
 }  // namespace
 
 void addSpeech(NodeLibrary& to) {
-  to.addAction(humanNode("SaySomething", "Speech", "Says a sentence, once.",
-                         {port::agent(), PortSpec("message", PortType::String, "", "The words.")
-                                             .needed()
-                                             .suggest("Hello, I am here!")}),
-               say);
-  to.addStateful<Memory>(
-      listener("IsAnyoneSpeaking",
-               "Listens until somebody near is heard; walls stop voices. The last speaker counts.",
-               "5.0",
-               PortSpec("speaker_id", PortType::Int, "", "Takes the id of the speaker.")
-                   .directed(PortDirection::Output)
-                   .suggest("{speaker_id}")),
-      {startAnyone, run, nullptr});
-  to.addStateful<Memory>(
-      listener("IsSpeaking", "Listens until a certain person is heard; walls stop voices.", "10.0",
-               port::person("target_id", "Id of the person to listen to.", "2")),
-      {startOne, run, nullptr});
+  const NodeCatalogue nodes = humanManifests(kNodes);
+  to.addAction(*nodes.find("SaySomething"), withPorts<say, 0, 1>);
+  to.addStateful<Memory>(*nodes.find("IsAnyoneSpeaking"), {withPorts<startAnyone, 0, 2, 3>, run});
+  to.addStateful<Memory>(*nodes.find("IsSpeaking"), {withPorts<startOne, 4, 0, 2, 3>, run});
 }
 
 }  // namespace bt

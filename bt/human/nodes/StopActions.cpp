@@ -1,25 +1,12 @@
-#include "bt/human/HumanContext.h"
 #include "bt/human/Ports.h"
 
 namespace bt {
 
 namespace {
 
-NodeStatus setFrozen(LeafContext& leaf, bool frozen) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  if (!human) {
-    return NodeStatus::Failure;
-  }
-  context.control(*human).frozen = frozen;
-  return NodeStatus::Success;
-}
-
-NodeStatus stopMovement(LeafContext& leaf) {
-  return setFrozen(leaf, true);
-}
-NodeStatus resumeMovement(LeafContext& leaf) {
-  return setFrozen(leaf, false);
+template <bool frozen>
+void setFrozen(HumanContext& context, Person human) {
+  context.control(human).frozen = frozen;
 }
 
 struct Memory {
@@ -29,17 +16,12 @@ struct Memory {
   double duration;  // [s]
 };
 
-NodeStatus start(LeafContext& leaf) {
+NodeStatus start(LeafContext& leaf, Person human, double duration) {
   HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  const double duration = leaf.require<double>(1);
-  if (!human) {
-    return NodeStatus::Failure;
-  }
-  bool& frozen = context.control(*human).frozen;
-  leaf.memory<Memory>() = {leaf.step(), *human, frozen && !context.isOriginal(11), duration};
+  bool& frozen = context.control(human).frozen;
+  const bool wasFrozen = frozen && !context.isOriginal(11);
   frozen = true;
-  return NodeStatus::Running;
+  return begin(leaf, Memory{leaf.step(), human, wasFrozen, duration});
 }
 
 NodeStatus run(LeafContext& leaf) {
@@ -59,21 +41,24 @@ void halt(LeafContext& leaf) {
   }
 }
 
+constexpr const char* kNodes = R"(
+Action StopMovement|Walking|The person stops walking to goals until resumed; reactions still move.
+agent_id
+Action ResumeMovement|Walking|Ends what StopMovement began.
+agent_id
+Action StopAndWaitTimerAction|Timing|Stands still for some time.
+agent_id
+wait_duration duration default 5.0|Time to stand.
+)";
+
 }  // namespace
 
 void addStopActions(NodeLibrary& to) {
-  to.addAction(humanNode("StopMovement", "Walking",
-                         "The person stops walking to goals until resumed; reactions still move.",
-                         {port::agent()}),
-               stopMovement);
-  to.addAction(
-      humanNode("ResumeMovement", "Walking", "Ends what StopMovement began.", {port::agent()}),
-      resumeMovement);
-  to.addStateful<Memory>(
-      humanNode(
-          "StopAndWaitTimerAction", "Timing", "Stands still for some time.",
-          {port::agent(), port::duration("wait_duration", "Time to stand.").byDefault("5.0")}),
-      {start, run, halt});
+  const NodeCatalogue nodes = humanManifests(kNodes);
+  to.addAction(*nodes.find("StopMovement"), withPorts<setFrozen<true>, 0>);
+  to.addAction(*nodes.find("ResumeMovement"), withPorts<setFrozen<false>, 0>);
+  to.addStateful<Memory>(*nodes.find("StopAndWaitTimerAction"),
+                         {withPorts<start, 0, 1>, run, halt});
 }
 
 }  // namespace bt

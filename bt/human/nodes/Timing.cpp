@@ -1,4 +1,3 @@
-#include "bt/human/HumanContext.h"
 #include "bt/human/Ports.h"
 
 /// Decorators and conditions about time; the original does not have Cooldown and IsTimeBetween.
@@ -6,41 +5,37 @@ namespace bt {
 
 namespace {
 
+struct Pause {
+  std::int64_t startStep;
+  bool isOn;
+};
+
 bool isDone(NodeStatus status) {
   return status == NodeStatus::Success || status == NodeStatus::Failure;
 }
 
-struct Delay {
-  std::int64_t startStep;
-  bool isArmed;
-};
-
-NodeStatus tickDelay(DecoratorContext& leaf) {
-  Delay& memory = leaf.memory<Delay>();
-  if (!memory.isArmed) {
-    memory = {leaf.step(), true};
+NodeStatus tickDelay(ParentContext& leaf) {
+  Pause& pause = leaf.memory<Pause>();
+  if (!pause.isOn) {
+    pause = {leaf.step(), true};
     return NodeStatus::Failure;
   }
-  if (!leaf.hasElapsed(memory.startStep, leaf.require<double>(0))) {
+  if (!leaf.hasElapsed(pause.startStep, leaf.require<double>(0))) {
     return NodeStatus::Failure;
   }
   const NodeStatus status = leaf.tickChild();
   if (isDone(status) && !humanOf(leaf).isOriginal(20)) {
-    memory.isArmed = false;
+    pause.isOn = false;
   }
   return status;
 }
 
-void disarm(DecoratorContext& leaf) {
-  leaf.memory<Delay>().isArmed = false;
+void disarm(ParentContext& leaf) {
+  leaf.memory<Pause>().isOn = false;
 }
 
-struct Timer {
-  double elapsed;  // [s] over the ticks in which the node was reached
-};
-
 NodeStatus isExpired(LeafContext& leaf) {
-  double& elapsed = leaf.memory<Timer>().elapsed;
+  double& elapsed = leaf.memory<double>();  // [s] over the ticks in which the node was reached
   const double limit = leaf.require<double>(0);
   elapsed += leaf.require<double>(1);
   if (elapsed < limit - kTimeTolerance) {
@@ -52,20 +47,15 @@ NodeStatus isExpired(LeafContext& leaf) {
   return NodeStatus::Success;
 }
 
-struct Rest {
-  std::int64_t startStep;
-  bool isResting;
-};
-
-NodeStatus tickCooldown(DecoratorContext& leaf) {
-  Rest& rest = leaf.memory<Rest>();
-  if (rest.isResting && !leaf.hasElapsed(rest.startStep, leaf.require<double>(0))) {
+NodeStatus tickCooldown(ParentContext& leaf) {
+  Pause& pause = leaf.memory<Pause>();
+  if (pause.isOn && !leaf.hasElapsed(pause.startStep, leaf.require<double>(0))) {
     return NodeStatus::Failure;
   }
-  rest.isResting = false;
+  pause.isOn = false;
   const NodeStatus status = leaf.tickChild();
   if (isDone(status)) {
-    rest = {leaf.step(), true};
+    pause = {leaf.step(), true};
   }
   return status;
 }
@@ -75,36 +65,28 @@ NodeStatus isTimeBetween(LeafContext& leaf) {
   return successIf(now >= leaf.require<double>(0) && now < leaf.require<double>(1));
 }
 
+constexpr const char* kNodes = R"(
+Decorator TimeDelay|Timing|Fails until the delay is over, then runs its child; the next round waits again.
+delay duration default 1.0|Time before the child is run.
+Condition TimeExpiredCondition|Timing|Adds `ts` each time it is asked and holds when the sum has come to `seconds`; then it starts anew, or with only_once holds from then on.
+seconds duration default 1.0|Length of the timer.
+ts duration default 0.01 suggest {dt}|Added per tick; usually {dt}.
+only_once bool default false|Stay expired.
+Decorator Cooldown own|Timing|Runs its child; once that is done the node fails until the time has passed.
+duration duration default 10.0|Pause after each run of the child.
+Condition IsTimeBetween own|Timing|The simulated time lies in [from, until).
+from duration default 0.0|Begin.
+until duration needed suggest 60.0|End.
+)";
+
 }  // namespace
 
 void addTiming(NodeLibrary& to) {
-  to.addDecorator<Delay>(
-      humanNode("TimeDelay", "Timing",
-                "Fails until the delay is over, then runs its child; the next round waits again.",
-                {port::duration("delay", "Time before the child is run.").byDefault("1.0")},
-                NodeKind::Decorator),
-      {tickDelay, disarm});
-  to.addCondition<Timer>(
-      humanNode(
-          "TimeExpiredCondition", "Timing",
-          "Adds `ts` each time it is asked and holds when the sum has come to `seconds`; then "
-          "it starts anew, or with only_once holds from then on.",
-          {port::duration("seconds", "Length of the timer.").byDefault("1.0"),
-           port::duration("ts", "Added per tick; usually {dt}.").byDefault("0.01").suggest("{dt}"),
-           PortSpec("only_once", PortType::Bool, "", "Stay expired.").byDefault("false")},
-          NodeKind::Condition),
-      isExpired);
-  to.addDecorator<Rest>(
-      ownNode("Cooldown", "Timing",
-              "Runs its child; once that is done the node fails until the time has passed.",
-              {port::duration("duration", "Pause after each run of the child.").byDefault("10.0")},
-              NodeKind::Decorator),
-      {tickCooldown, nullptr});
-  to.addCondition(ownNode("IsTimeBetween", "Timing", "The simulated time lies in [from, until).",
-                          {port::duration("from", "Begin.").byDefault("0.0"),
-                           port::duration("until", "End.").needed().suggest("60.0")},
-                          NodeKind::Condition),
-                  isTimeBetween);
+  const NodeCatalogue nodes = humanManifests(kNodes);
+  to.addDecorator<Pause>(*nodes.find("TimeDelay"), {tickDelay, disarm});
+  to.addCondition<double>(*nodes.find("TimeExpiredCondition"), isExpired);
+  to.addDecorator<Pause>(*nodes.find("Cooldown"), {tickCooldown});
+  to.addCondition(*nodes.find("IsTimeBetween"), isTimeBetween);
 }
 
 }  // namespace bt

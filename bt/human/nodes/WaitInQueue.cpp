@@ -1,6 +1,5 @@
 #include <tuple>
 
-#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
 #include "bt/human/Ports.h"
 
@@ -56,19 +55,11 @@ Vec2 spotBehind(const HumanContext& context, const QueuePlace& own, const QueueP
   return length > 0.0 ? Vec2(there + spacing / length * direction) : there;
 }
 
-NodeStatus start(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  const std::optional<sim2d::GoalItem> place = context.place(leaf, 1);
-  const Memory memory = {leaf.step(), 0, leaf.require<double>(4), leaf.require<double>(5),
-                         leaf.require<double>(6)};
-  if (!human || !place) {
-    return NodeStatus::Failure;
-  }
-  leaf.memory<Memory>() = memory;
-  context.mind().queue =
-      std::make_unique<QueuePlace>(QueuePlace{*human, place->position, 0, leaf.node()});
-  return NodeStatus::Running;
+NodeStatus start(LeafContext& leaf, Person human, const sim2d::GoalItem& place, double spacing,
+                 double duration, double patience) {
+  humanOf(leaf).mind().queue =
+      std::make_unique<QueuePlace>(QueuePlace{human, place.position, 0, leaf.node()});
+  return begin(leaf, Memory{leaf.step(), 0, spacing, duration, patience});
 }
 
 /// This node's place; not that of another WaitInQueue of the same tree.
@@ -135,19 +126,21 @@ NodeStatus run(LeafContext& leaf) {
   return NodeStatus::Running;
 }
 
+constexpr const char* kNodes = R"(
+Action WaitInQueue own|Walking|Joins the line at a global goal, moves up in it and is served at its head.
+agent_id
+goal_id int unless target_x target_y suggest 1|Id of the global goal where the line begins.
+target_x target_y
+spacing length default 0.8|Distance to the person before.
+duration duration default 5.0|Time at the head of the line.
+patience duration atMost 36000 default 0.0|Fails when it is not served by then; 0 = waits on.
+)";
+
 }  // namespace
 
 void addWaitInQueue(NodeLibrary& to) {
-  to.addStateful<Memory>(
-      ownNode(
-          "WaitInQueue", "Walking",
-          "Joins the line at a global goal, moves up in it and is served at its head.",
-          {port::agent(), port::goal("Id of the global goal where the line begins."), port::oldX(),
-           port::oldY(), port::length("spacing", "Distance to the person before.").byDefault("0.8"),
-           port::duration("duration", "Time at the head of the line.").byDefault("5.0"),
-           port::openDuration("patience", "Fails when it is not served by then; 0 = waits on.")
-               .byDefault("0.0")}),
-      {start, run, halt});
+  to.addStateful<Memory>(*humanManifests(kNodes).find("WaitInQueue"),
+                         {withPorts<start, 0, 1, 4, 5, 6>, run, halt});
 }
 
 }  // namespace bt

@@ -1,4 +1,3 @@
-#include "bt/human/HumanContext.h"
 #include "bt/human/Motions.h"
 #include "bt/human/Perception.h"
 #include "bt/human/Ports.h"
@@ -35,26 +34,17 @@ RobotWay wayOfRobot(const sim2d::WorldView& view, int human, double distance) {
   return velocity.dot(toPerson) > 0.0 ? RobotWay::Coming : RobotWay::Away;
 }
 
-NodeStatus start(LeafContext& leaf) {
+NodeStatus start(LeafContext& leaf, Person human, double distance, double patience) {
   HumanContext& context = humanOf(leaf);
-  const std::optional<int> human = context.person(leaf, 0);
-  const double distance = leaf.require<double>(1);
-  const double patience = leaf.require<double>(2);
-  if (!human || wayOfRobot(context.view(), *human, distance) != RobotWay::Coming) {
+  if (wayOfRobot(context.view(), human, distance) != RobotWay::Coming) {
     return NodeStatus::Failure;
   }
-  leaf.memory<Memory>() = {leaf.step(), 0, *human, distance, patience};
-  context.setActive(*human);
-  return NodeStatus::Running;
+  context.setActive(human);
+  return begin(leaf, Memory{leaf.step(), 0, human, distance, patience});
 }
 
-NodeStatus run(LeafContext& leaf) {
-  HumanContext& context = humanOf(leaf);
+NodeStatus step(LeafContext& leaf, HumanContext& context, Memory& memory) {
   const sim2d::WorldView& view = context.view();
-  Memory& memory = leaf.memory<Memory>();
-  if (!view.isPresent(memory.human)) {
-    return NodeStatus::Failure;
-  }
   const RobotWay way = wayOfRobot(view, memory.human, memory.distance);
   if (way == RobotWay::Away) {
     return NodeStatus::Success;
@@ -71,18 +61,18 @@ NodeStatus run(LeafContext& leaf) {
   return NodeStatus::Running;
 }
 
+constexpr const char* kNodes = R"(
+Action YieldToRobot own|Reactions|Stands and looks at a robot that comes nearer until it has passed; fails when none comes.
+agent_id
+distance length default 3.0|A robot within this distance counts.
+patience duration default 3.0|Ends when the robot has stood still for this time.
+)";
+
 }  // namespace
 
 void addYieldToRobot(NodeLibrary& to) {
-  to.addStateful<Memory>(
-      ownNode("YieldToRobot", "Reactions",
-              "Stands and looks at a robot that comes nearer until it has passed; fails when none "
-              "comes.",
-              {port::agent(),
-               port::length("distance", "A robot within this distance counts.").byDefault("3.0"),
-               port::duration("patience", "Ends when the robot has stood still for this time.")
-                   .byDefault("3.0")}),
-      {start, run, nullptr});
+  to.addStateful<Memory>(*humanManifests(kNodes).find("YieldToRobot"),
+                         {withPorts<start, 0, 1, 2>, whilePresent<Memory, step>});
 }
 
 }  // namespace bt
