@@ -17,8 +17,8 @@ class Expression {
   static base::Result<Expression> parse(const std::string& text);
 
   /// Undefined where the formula is (0/0, nobody there). Sees at least one sample.
-  MetricValue evaluate(const SampledRun& recording, const MetricParameters& parameters) const;
-  /// Sample by sample, with the same values. Not for those that need the record.
+  MetricValue evaluate(const std::vector<Sample>& samples, const Instant& last) const;
+  /// With the same values. Keeps no samples, but for those that need the record.
   Stream stream() const;
   const Needs& needs() const { return needs_; }
   /// A sum over time is of what is known at the end: another sum, `duration`, `samples`.
@@ -66,5 +66,37 @@ struct UserMetric {
   Better better = Better::Neutral;
 };
 base::Result<MetricEntry> entryOf(const UserMetric& metric);
+
+// What an expression can name.
+
+enum class Scope { Run, Sample, Person };  // how often a value may differ
+
+struct VariableName {
+  std::string name;
+  Scope scope = Scope::Run;
+  Expression::Value value;
+  bool needsRobot = false, needsPeople = false;
+  bool isOfEnd = false;  // known when the run is over
+};
+const std::vector<VariableName>& variableNames();
+
+/// Of numbers: abs(x) …
+struct FunctionName {
+  std::string name;
+  std::size_t arguments = 1;
+  double (*apply)(const double* arguments) = nullptr;
+};
+const std::vector<FunctionName>& functionNames();
+
+/// Over time: min, max, mean, sum, integral, count, first, last.
+struct TotalName {
+  std::string name;
+  Expression::Result result;
+};
+const std::vector<TotalName>& totalNames();
+/// Over the people of a sample: people_min …, any, all.
+const std::vector<TotalName>& peopleTotalNames();
+double overPeople(const Expression::Place& place, const Expression::Value& term,
+                  Expression::Result result);
 
 }  // namespace metrics

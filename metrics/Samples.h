@@ -10,8 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "metrics/Routes.h"
+#include "metrics/MetricParameters.h"
 #include "sim2d/map/Obstacles.h"
+#include "sim2d/map/PathPlanner.h"
 #include "sim2d/trace/Trace.h"
 
 namespace metrics {
@@ -41,7 +42,7 @@ struct Body {
 
 enum class Sight { Free, Blocked, OutsideMap };  // OutsideMap: hunav2 only
 
-/// What holds between the robot and a person at one instant. Worked out once (Interaction.h), for
+/// What holds between the robot and a person at one instant. Worked out once (workOutPairs), for
 /// all metrics that ask and again for those among the people of one type.
 struct Pair {
   bool isKnown = false;
@@ -71,14 +72,21 @@ struct Robot : Body {
 /// All bodies at one time.
 struct Sample {
   double time = 0.0;  // [s]
-  Robot robot;        // meaningful when SampledRun::hasRobot
+  Robot robot;        // meaningful when RunContext::hasRobot
   std::vector<Person> people;
 };
+
+/// Fills in the pairs of a sample with a robot that are not known yet; the sight when `map` is
+/// given.
+void workOutPairs(Sample& sample, const sim2d::OccupancyGrid* map,
+                  const MetricParameters& parameters);
 
 struct Goal {
   Vec2 position = Vec2::Zero();
   double radius = 0.2;
 };
+
+class Routes;
 
 /// What holds for a whole run, one robot at most.
 struct RunContext {
@@ -91,14 +99,6 @@ struct RunContext {
   std::shared_ptr<Routes> routes;  // shortest ways; null = straight lines
   /// A run to compare with, instead of the shortest way: time from its start [s], place.
   std::vector<std::pair<double, Vec2>> reference;
-};
-
-/// A run with all its samples, in time order.
-struct SampledRun : RunContext {
-  std::vector<Sample> samples;
-  std::vector<std::pair<double, sim2d::Event>> events;  // time [s], all events of the run
-
-  std::size_t size() const { return samples.size(); }
 };
 
 /// Turns frames into samples: radii and behaviours from the header, obstacle points from its
@@ -131,7 +131,9 @@ class SampleBuilder {
   std::vector<sim2d::Obstacles::Point> buffer_;
 };
 
-SampledRun sampledRunOf(const sim2d::Trace& trace, int robotId = -1);
+/// Corner points from end to end: a straight line where the robot can see along it, where the
+/// context has no routes and where none leads there, else the way round the walls. Not thread safe.
+sim2d::Path shortestPath(const RunContext& context, const Vec2& from, const Vec2& to);
 
 /// The part that a window selects; the events stay.
 struct Window {
@@ -168,15 +170,14 @@ double lengthOf(const Vec2& vector);  // rounded correctly, unlike a root of squ
 double distance(const Body& a, const Body& b);
 double distance(const Robot& robot, const Person& person);  // of the same sample
 double gap(const Robot& robot, const Person& person);       // surface to surface, < 0: they overlap
-std::optional<double> closestGap(const Sample& sample);     // clamped at 0; none without people
 const Person* findPerson(const Sample& sample, int id);
-/// The entry for which `is` holds; quick when entries are asked for in their order. `next` = where
-/// to look first, 0 at the beginning.
-template <class Entry, class Is>
-const Entry* findInOrder(const std::vector<Entry>& entries, std::size_t& next, Is is) {
+/// The entry with this id; quick when entries are asked for in their order. `next` = where to look
+/// first, 0 at the beginning.
+template <class Entry>
+const Entry* findInOrder(const std::vector<Entry>& entries, std::size_t& next, int id) {
   for (std::size_t k = 0; k < entries.size(); ++k) {
     const std::size_t at = next + k < entries.size() ? next + k : next + k - entries.size();
-    if (is(entries[at])) {
+    if (entries[at].id == id) {
       next = at + 1 < entries.size() ? at + 1 : 0;
       return &entries[at];
     }

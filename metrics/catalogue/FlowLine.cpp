@@ -36,22 +36,20 @@ class LineCrossings : public Accumulator {
     const std::vector<Person>& before = at.before->people;
     std::size_t next = 0;
     for (const Person& person : at.now.people) {
-      const Person* then =
-          findInOrder(before, next, [&](const Person& other) { return other.id == person.id; });
+      const Person* then = findInOrder(before, next, person.id);
       count_ += then != nullptr && crosses(then->position, person.position, line_) ? 1.0 : 0.0;
     }
   }
 
-  MetricValue count(const Instant& /*last*/) const {
-    return isSet() ? countValue(count_) : undefinedValue("no line is set (flow_line_x1 ...)");
+  MetricValue count() const {
+    return isSet() ? count_ : undefinedValue("no line is set (flow_line_x1 ...)");
   }
   MetricValue flow(const Instant& last) const {
     if (!isSet()) {
-      return count(last);
+      return count();
     }
-    return last.elapsed() > 0.0
-               ? numberValue(count_ / last.elapsed() / lengthOf(line_.to - line_.from))
-               : undefinedValue("the record has no duration");
+    return last.elapsed() > 0.0 ? count_ / last.elapsed() / lengthOf(line_.to - line_.from)
+                                : undefinedValue("the record has no duration");
   }
 
  private:
