@@ -7,7 +7,7 @@
 #include <QToolBar>
 
 #include "editor/look/ActionText.h"
-#include "editor/panels/TimelineBar.h"
+#include "editor/panels/Playback.h"
 
 namespace app {
 
