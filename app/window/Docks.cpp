@@ -7,7 +7,7 @@
 #include <QToolBar>
 
 #include "editor/look/Form.h"
-#include "editor/panels/TimelineBar.h"
+#include "editor/panels/Playback.h"
 
 namespace app {
 

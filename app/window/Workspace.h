@@ -6,9 +6,8 @@
 #include "editor/canvas/MapView.h"
 #include "editor/document/ScenarioDocument.h"
 #include "editor/panels/MetricsFeed.h"
-#include "editor/panels/PlaybackActions.h"
+#include "editor/panels/Playback.h"
 #include "editor/panels/RunEvents.h"
-#include "editor/run/DocumentWorld.h"
 #include "editor/run/SimulationRunner.h"
 #include "editor/tools/ToolManager.h"
 

@@ -48,23 +48,6 @@ QPainterPath bodyOf(const RobotFigure& figure) {
   return path;
 }
 
-template <class Draw>
-QIcon drawnIcon(int sizePx, Draw&& draw, std::initializer_list<int> ratios = {1, 2, 3}) {
-  QIcon icon;
-  for (const int ratio : ratios) {
-    QPixmap pixmap(sizePx * ratio, sizePx * ratio);
-    pixmap.setDevicePixelRatio(ratio);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.translate(0.5 * sizePx, 0.5 * sizePx);
-    draw(painter);
-    painter.end();
-    icon.addPixmap(pixmap);
-  }
-  return icon;
-}
-
 QPainterPath polygonPath(int corners, double radius, double firstDeg) {
   QPolygonF polygon;
   for (int i = 0; i < corners; ++i) {
@@ -125,6 +108,23 @@ QPainterPath runner() {
 }
 
 }  // namespace
+
+QIcon drawnIcon(int sizePx, const std::function<void(QPainter&)>& draw,
+                const std::vector<int>& ratios) {
+  QIcon icon;
+  for (const int ratio : ratios) {
+    QPixmap pixmap(sizePx * ratio, sizePx * ratio);
+    pixmap.setDevicePixelRatio(ratio);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.translate(0.5 * sizePx, 0.5 * sizePx);
+    draw(painter);
+    painter.end();
+    icon.addPixmap(pixmap);
+  }
+  return icon;
+}
 
 QPainterPath textOutline(const QPointF& baseline, const QFont& font, const QString& text) {
   // Qt leaves the sub-pixel shift of the glyph that it drew last in the font, where outlines take

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <QIcon>
@@ -25,6 +26,10 @@ struct RobotFigure {
   double headingDeg = 0.0;
   std::vector<QPointF> footprintPx;  // robot frame, y up; empty = disc
 };
+
+/// An icon drawn around the origin with one unit per pixel, at these pixel ratios.
+QIcon drawnIcon(int sizePx, const std::function<void(QPainter&)>& draw,
+                const std::vector<int>& ratios = {1, 2, 3});
 
 /// The outline of a text that begins at `baseline`; the same for the same arguments, whatever was
 /// drawn before.

@@ -33,6 +33,14 @@ QToolButton* linkButton(const QString& text, QWidget* parent) {
   return button;
 }
 
+QToolButton* linkButton(const QString& text, const QString& says, QWidget* parent,
+                        const std::function<void()>& action) {
+  QToolButton* button = linkButton(text, parent);
+  button->setToolTip(says);
+  QObject::connect(button, &QToolButton::clicked, parent, action);
+  return button;
+}
+
 QScrollArea* scrollArea(QWidget* content, QWidget* parent) {
   auto* area = new QScrollArea(parent);
   area->setFrameShape(QFrame::NoFrame);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <initializer_list>
+
 #include <QAction>
 #include <QGridLayout>
 #include <QLabel>
@@ -41,6 +44,9 @@ class FormSection : public QWidget {
 QLabel* secondaryLabel(const QString& text, QWidget* parent = nullptr);
 /// A button of words that looks like a link.
 QToolButton* linkButton(const QString& text, QWidget* parent = nullptr);
+/// The same with a tooltip and with what it does.
+QToolButton* linkButton(const QString& text, const QString& says, QWidget* parent,
+                        const std::function<void()>& action);
 /// Lets what is too high for its panel be scrolled; both show the ground of the panel.
 QScrollArea* scrollArea(QWidget* content, QWidget* parent);
 /// A line over the whole width.
@@ -49,6 +55,17 @@ QWidget* dividerLine(QWidget* parent = nullptr);
 QString counted(std::size_t count, const QString& one, const QString& many);
 /// A centred sentence that says what to do when a panel has nothing to show.
 QLabel* emptyState(const QString& text, QWidget* parent = nullptr);
+/// A layout with these margins and this space between its parts [px], of which these are the first.
+template <class Layout>
+Layout* arranged(Layout* layout, const QMargins& margins, int spacing,
+                 std::initializer_list<QWidget*> widgets = {}) {
+  layout->setContentsMargins(margins);
+  layout->setSpacing(spacing);
+  for (QWidget* widget : widgets) {
+    layout->addWidget(widget);
+  }
+  return layout;
+}
 
 /// What a command says of itself: the sentence in the status bar, and in its tooltip below its name
 /// and its key. Call it again when one of them changes.

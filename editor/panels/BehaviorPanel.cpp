@@ -17,8 +17,8 @@
 #include "editor/look/FigurePainter.h"
 #include "editor/panels/BlockDialog.h"
 #include "editor/panels/PanelRegistry.h"
-#include "editor/panels/PortForm.h"
 #include "editor/panels/RowDelegate.h"
+#include "editor/panels/ValueForm.h"
 #include "sim2d/base/Text.h"
 
 namespace editor {
@@ -31,34 +31,16 @@ constexpr int kFormShare = 260;
 constexpr int kHintHeight = 72;
 
 QHBoxLayout* rowOf(std::initializer_list<QWidget*> widgets) {
-  auto* row = new QHBoxLayout;
-  row->setContentsMargins(8, 0, 12, 0);
-  row->setSpacing(8);
-  for (QWidget* widget : widgets) {
-    row->addWidget(widget);
-  }
+  auto* row = arranged(new QHBoxLayout, {8, 0, 12, 0}, 8, widgets);
   row->addStretch();
   return row;
-}
-
-QWidget* columnOf(std::initializer_list<QWidget*> widgets) {
-  auto* column = new QWidget;
-  auto* layout = new QVBoxLayout(column);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  for (QWidget* widget : widgets) {
-    layout->addWidget(widget);
-  }
-  layout->addStretch(1);
-  return column;
 }
 
 }  // namespace
 
 BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runner,
-                             const Theme& theme, QWidget* parent)
-    : QWidget(parent),
-      document_(document),
+                             const Theme& theme)
+    : document_(document),
       theme_(theme),
       runner_(runner),
       stack_(new QStackedLayout(this)),
@@ -80,6 +62,7 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
       pushPort(document_, person_, *node, port.toStdString(), text.toStdString());
     }
   });
+  connect(&runner, &SimulationRunner::frameShown, this, &BehaviorPanel::showStatus);
   connect(&document_, &ScenarioDocument::selectionChanged, this, &BehaviorPanel::follow);
   connect(&document_, &ScenarioDocument::settled, this,
           [this] { isVisible() ? rebuild() : (void)(stale_ = true); });
@@ -89,19 +72,18 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
 
 QWidget* BehaviorPanel::makePage() {
   auto* page = new QWidget(this);
-  auto* layout = new QVBoxLayout(page);
-  layout->setContentsMargins(0, 12, 0, 0);
-  layout->setSpacing(4);
+  auto* layout = arranged(new QVBoxLayout(page), {0, 12, 0, 0}, 4, {name_, about_, problem_});
   name_->setFont(theme_.font(12.0, QFont::DemiBold));
   for (QLabel* label : {name_, about_, problem_}) {
     label->setContentsMargins(12, 0, 12, 0);
     label->setTextFormat(Qt::PlainText);
     label->setWordWrap(label != name_);
-    layout->addWidget(label);
   }
   makeLinks(*layout);
   hint_->setMinimumHeight(kHintHeight);
-  QWidget* below = columnOf({blockLinks_, blockForm_, portForm_, hint_});
+  auto* below = new QWidget;
+  arranged(new QVBoxLayout(below), {}, 0, {blockLinks_, blockForm_, portForm_, hint_})
+      ->addStretch(1);
   auto* splitter = new QSplitter(Qt::Vertical, page);
   splitter->addWidget(new WholeRows(*outline_, splitter));
   splitter->addWidget(scrollArea(below, splitter));
@@ -115,11 +97,9 @@ QWidget* BehaviorPanel::makePage() {
 }
 
 void BehaviorPanel::makeLinks(QVBoxLayout& layout) {
-  const auto link = [this](const QString& text, const QString& says, const auto& slot) {
-    QToolButton* button = linkButton(text, this);
-    button->setToolTip(says);
+  const auto link = [this](const QString& text, const QString& says, const auto& action) {
+    QToolButton* button = linkButton(text, says, this, action);
     button->setAccessibleName(says);
-    connect(button, &QToolButton::clicked, this, slot);
     return button;
   };
   add_ = link(tr("+ Block…"), tr("Add a block of behaviour"), [this] {
@@ -176,6 +156,8 @@ void BehaviorPanel::rebuild() {
     return;
   }
   tree_ = personTree(document_, person_);
+  blocks_ =
+      tree_.mainTree() == nullptr ? std::vector<bt::Block>() : bt::blocksOf(*tree_.mainTree());
   outline_->showTree(tree_);
   showWords();
   showNode();
@@ -186,13 +168,12 @@ void BehaviorPanel::showWords() {
   const sim2d::Human& human = *document_.human(person_);
   const QString behavior =
       lookName(lookOf(human.behavior.type.value_or(sim2d::BehaviorType::Regular)));
-  const std::size_t blocks =
-      tree_.mainTree() == nullptr ? 0 : bt::blocksOf(*tree_.mainTree()).size();
   name_->setText(QString::fromStdString(human.name));
-  about_->setText(!tree_.isOwn ? tr("%1 · made from behaviour and goals").arg(behavior)
-                  : tree_.isMadeWithBlocks
-                      ? tr("%1 · with %2").arg(behavior, counted(blocks, tr("block"), tr("blocks")))
-                      : tr("A tree of their own · changes of the behaviour do not reach it"));
+  about_->setText(
+      !tree_.isOwn ? tr("%1 · made from behaviour and goals").arg(behavior)
+      : tree_.isMadeWithBlocks
+          ? tr("%1 · with %2").arg(behavior, counted(blocks_.size(), tr("block"), tr("blocks")))
+          : tr("A tree of their own · changes of the behaviour do not reach it"));
   anew_->setEnabled(tree_.isOwn);
   add_->setEnabled(tree_.mainTree() != nullptr && tree_.mainTree()->root.id == "Fallback");
   takeRoute_->setVisible(tree_.hasOtherGoals);
@@ -224,10 +205,9 @@ void BehaviorPanel::showNode() {
   portForm_->setVisible(node != nullptr && block < 0);
   hint_->setVisible(node == nullptr);
   if (block >= 0) {
-    const std::vector<bt::Block> blocks = bt::blocksOf(*tree_.mainTree());
-    blockForm_->show(blocks[static_cast<std::size_t>(block)]);
+    blockForm_->show(blocks_[static_cast<std::size_t>(block)]);
     earlier_->setEnabled(block > 0);
-    later_->setEnabled(block + 1 < static_cast<int>(blocks.size()));
+    later_->setEnabled(block + 1 < static_cast<int>(blocks_.size()));
   } else if (node != nullptr) {
     portForm_->show(*node->node, node->isEditable);
   }
@@ -236,7 +216,7 @@ void BehaviorPanel::showNode() {
 void BehaviorPanel::editBlock(const bt::Block& block) {
   const int place = currentBlock();
   if (place >= 0) {
-    std::vector<bt::Block> blocks = bt::blocksOf(*tree_.mainTree());
+    std::vector<bt::Block> blocks = blocks_;
     blocks[static_cast<std::size_t>(place)] = block;
     pushBlocks(document_, person_, blocks);
   }
@@ -247,7 +227,7 @@ void BehaviorPanel::moveBlock(int by) {
   if (place < 0) {
     return;
   }
-  std::vector<bt::Block> blocks = bt::blocksOf(*tree_.mainTree());
+  std::vector<bt::Block> blocks = blocks_;
   const int to = place + by;
   if (by == 0) {
     blocks.erase(blocks.begin() + place);
@@ -265,17 +245,13 @@ void BehaviorPanel::moveBlock(int by) {
   }
 }
 
-void BehaviorPanel::showFrame(const FramePtr& frame) {
-  frame_ = frame;
-  showStatus();
-}
-
 void BehaviorPanel::showStatus() {
   const sim2d::Human* human = document_.human(person_);
-  if (frame_ == nullptr || human == nullptr || runner_.recording() == nullptr) {
+  const FramePtr frame = runner_.shownFrame();
+  if (frame == nullptr || human == nullptr || runner_.recording() == nullptr) {
     outline_->showStatus({});
   } else if (isVisible()) {
-    outline_->showStatus(runner_.recording()->treeAt(human->id, frame_->step));
+    outline_->showStatus(runner_.recording()->treeAt(human->id, frame->step));
   }
 }
 
@@ -283,8 +259,6 @@ void addBehaviorPanel(PanelRegistry& to) {
   to.add({40, QObject::tr("Behaviour"), Qt::RightDockWidgetArea}, [](PanelContext& context) {
     auto* panel = new BehaviorPanel(context.document, context.runner, context.theme());
     QObject::connect(&context, &PanelContext::themeChanged, panel, &BehaviorPanel::setTheme);
-    QObject::connect(&context.runner, &SimulationRunner::frameShown, panel,
-                     &BehaviorPanel::showFrame);
     QObject::connect(panel, &BehaviorPanel::told, &context, &PanelContext::problemsFound);
     return panel;
   });

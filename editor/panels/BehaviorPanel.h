@@ -5,6 +5,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "bt/human/Blocks.h"
 #include "editor/document/PersonTree.h"
 #include "editor/panels/TreeOutline.h"
 #include "editor/run/SimulationRunner.h"
@@ -19,13 +20,10 @@ class PortForm;
 class BehaviorPanel : public QWidget {
   Q_OBJECT
  public:
-  BehaviorPanel(ScenarioDocument& document, SimulationRunner& runner, const Theme& theme,
-                QWidget* parent = nullptr);
+  BehaviorPanel(ScenarioDocument& document, SimulationRunner& runner, const Theme& theme);
   void setTheme(const Theme& theme);
   TreeOutline& outline() const { return *outline_; }
   EntityId person() const { return person_; }
-
-  void showFrame(const FramePtr& frame);
   /// Takes the text of a file as the person's own tree; what is wrong with it is told and nothing
   /// is changed when it cannot be read.
   base::Diagnostics takeTreeFrom(const QString& path);
@@ -59,7 +57,7 @@ class BehaviorPanel : public QWidget {
   const SimulationRunner& runner_;
   EntityId person_;
   PersonTree tree_;
-  FramePtr frame_;
+  std::vector<bt::Block> blocks_;  // of its main tree
   bool stale_ = false;  // the document has changed while this was hidden
   QStackedLayout* stack_;
   QLabel *name_, *about_, *problem_;

@@ -1,14 +1,47 @@
 #pragma once
 
+#include <map>
+#include <optional>
+
+#include <QToolButton>
+
 #include "editor/panels/PropertyPage.h"
 #include "sim2d/world/Registries.h"
 
 namespace editor {
 
+/// One person, or several at once.
+class PersonPage : public PropertyPage {
+ public:
+  PersonPage(ScenarioDocument& document, const Theme& theme);
+  void setTheme(const Theme& theme) override;
+
+ private:
+  void addPersonSection();
+  void addGoalSection();
+  void addReactionSection();
+  void addForceSection();
+  void addDrawRows();
+  void addGroupSection();
+  void addAppearanceSection();
+  void addMoreSection();
+  void showBehavior(const std::vector<Entity>& shown);
+  long long seed() const override;
+
+  Theme theme_;
+  ChoiceField* behavior_ = nullptr;
+  FormSection* reaction_ = nullptr;
+  FormSection* forces_ = nullptr;
+  NumberField* seed_ = nullptr;
+  QWidget* drawLinks_ = nullptr;
+  QToolButton* keepSeed_ = nullptr;
+  std::optional<long long> ownSeed_;  // tried out here; none = the scenario's
+};
+
 /// The parameters of a planner have rows while a robot that has this planner is shown.
 class RobotPage : public PropertyPage {
  public:
-  explicit RobotPage(ScenarioDocument& document, QWidget* parent = nullptr,
+  explicit RobotPage(ScenarioDocument& document,
                      const sim2d::FieldTables& tables = sim2d::fieldTables(),
                      const sim2d::Registries& registries = sim2d::programRegistries());
 
@@ -16,34 +49,11 @@ class RobotPage : public PropertyPage {
   void addGoalSection();
 };
 
-class GoalPage : public PropertyPage {
- public:
-  explicit GoalPage(ScenarioDocument& document, QWidget* parent = nullptr);
-
- private:
-  QString visitorsOf(int goal) const;
-};
-
-class ObstaclePage : public PropertyPage {
- public:
-  explicit ObstaclePage(ScenarioDocument& document, QWidget* parent = nullptr);
-};
-
-class DoorPage : public PropertyPage {
- public:
-  explicit DoorPage(ScenarioDocument& document, QWidget* parent = nullptr);
-};
-
-class AreaPage : public PropertyPage {
- public:
-  explicit AreaPage(ScenarioDocument& document, QWidget* parent = nullptr);
-};
-
 /// What belongs to the scenario as a whole; shown when nothing is selected. The parameters of the
 /// chosen pedestrian model have rows.
 class SettingsPage : public PropertyPage {
  public:
-  explicit SettingsPage(ScenarioDocument& document, QWidget* parent = nullptr,
+  explicit SettingsPage(ScenarioDocument& document,
                         const sim2d::Registries& registries = sim2d::programRegistries());
 
  private:
@@ -53,5 +63,8 @@ class SettingsPage : public PropertyPage {
   void addFileSection();
   void addMeasureSection();
 };
+
+/// A page for each kind.
+std::map<EntityKind, PropertyPage*> entityPages(ScenarioDocument& document, const Theme& theme);
 
 }  // namespace editor

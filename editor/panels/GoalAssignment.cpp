@@ -26,17 +26,6 @@ QString routeText(const std::vector<int>& route) {
   return numbers.isEmpty() ? QObject::tr("no goals") : numbers.join(QStringLiteral(" › "));
 }
 
-QVBoxLayout* column(const QString& title, const Theme& theme, QWidget* list) {
-  auto* layout = new QVBoxLayout;
-  layout->setSpacing(4);
-  auto* heading = new QLabel(title);
-  heading->setFont(theme.font(9.5, QFont::DemiBold));
-  heading->setBuddy(list);
-  layout->addWidget(heading);
-  layout->addWidget(list, 1);
-  return layout;
-}
-
 }  // namespace
 
 GoalAssignment::GoalAssignment(ScenarioDocument& document, const Theme& theme, QWidget* parent)
@@ -51,11 +40,10 @@ GoalAssignment::GoalAssignment(ScenarioDocument& document, const Theme& theme, Q
       repeat_(new QCheckBox(tr("Start again after the last"), this)) {
   setWindowTitle(tr("Assign goals"));
   resize(780, 480);
-  auto* columns = new QHBoxLayout;
-  columns->setSpacing(kSpace);
-  columns->addLayout(column(tr("People"), theme, people_), 5);
+  auto* columns = arranged(new QHBoxLayout, {}, kSpace);
+  columns->addLayout(titledColumn(tr("People"), theme, people_), 5);
   columns->addSpacing(kSpace);
-  columns->addLayout(column(tr("Goals"), theme, goals_), 4);
+  columns->addLayout(titledColumn(tr("Goals"), theme, goals_), 4);
   columns->addWidget(makeMiddle());
   columns->addWidget(makeRouteColumn(), 4);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
@@ -68,9 +56,7 @@ GoalAssignment::GoalAssignment(ScenarioDocument& document, const Theme& theme, Q
                                   this),
                    1);
   below->addWidget(buttons);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(16, 16, 16, 16);
-  layout->setSpacing(16);
+  auto* layout = arranged(new QVBoxLayout(this), {16, 16, 16, 16}, 16);
   layout->addLayout(columns, 1);
   layout->addLayout(below);
   people_->setHint(tr("No people yet: press P and drag on the map"));
@@ -95,9 +81,7 @@ QPushButton* GoalAssignment::moveButton(const QString& icon, const QString& says
 
 QWidget* GoalAssignment::makeMiddle() {
   auto* middle = new QWidget(this);
-  auto* layout = new QVBoxLayout(middle);
-  layout->setContentsMargins(0, 24, 0, 0);
-  layout->setSpacing(4);
+  auto* layout = arranged(new QVBoxLayout(middle), {0, 24, 0, 0}, 4);
   const auto addSelected = [this] { add(goals_->selectedGoals(), route_->count()); };
   add_ = moveButton(QStringLiteral("chevron-right"), tr("Add to the end of the route (Return)"),
                     addSelected);
@@ -121,17 +105,14 @@ QWidget* GoalAssignment::makeMiddle() {
 
 QWidget* GoalAssignment::makeRouteColumn() {
   auto* box = new QWidget(this);
-  auto* layout = new QVBoxLayout(box);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(4);
+  auto* layout = arranged(new QVBoxLayout(box), {}, 4, {whose_, route_});
+  layout->setStretchFactor(route_, 1);
   clear_ = new QPushButton(tr("Clear"), this);
   clear_->setToolTip(tr("Empty the route of the people that are chosen"));
   clear_->setAutoDefault(false);
   whose_->setFont(theme_.font(9.5, QFont::DemiBold));
   whose_->setTextFormat(Qt::PlainText);
   whose_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  layout->addWidget(whose_);
-  layout->addWidget(route_, 1);
   auto* foot = new QHBoxLayout;
   foot->addWidget(repeat_, 1);
   foot->addWidget(clear_);

@@ -24,7 +24,6 @@ class GoalAssignment : public QDialog {
   QListWidget& people() const { return *people_; }
   GoalList& goals() const { return *goals_; }
   RouteList& route() const { return *route_; }
-  const RoutePlan& plan() const { return plan_; }
 
  private:
   QWidget* makeMiddle();

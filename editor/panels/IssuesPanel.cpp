@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include <QAbstractTableModel>
 #include <QClipboard>
 #include <QFileInfo>
 #include <QGuiApplication>
@@ -22,6 +21,22 @@ namespace {
 
 constexpr int kSentenceMargin = 52;  // icon and what keeps it off the text and the edges [px]
 
+/// Sentence with the icon of its severity, place, what mends it. Where nothing does, the place
+/// stands at the end, and the sentence has the room of both.
+enum IssueColumn { SentenceColumn, PlaceColumn, FixColumn, IssueColumns };
+
+/// What is about a thing of the document needs no file name.
+QString placeOf(const base::Diagnostic& issue, const QString& ownFile) {
+  if (issue.entity && issue.line == 0) {
+    return {};
+  }
+  const QString file = QFileInfo(QString::fromStdString(issue.file)).fileName();
+  if (issue.line > 0 && file == ownFile) {
+    return QObject::tr("line %1").arg(issue.line);  // the sentences need the room
+  }
+  return issue.line > 0 ? file + QStringLiteral(":%1").arg(issue.line) : file;
+}
+
 }  // namespace
 
 QString issueSentence(const base::Diagnostic& issue) {
@@ -39,124 +54,26 @@ QString issueSentence(const base::Diagnostic& issue) {
   return text;
 }
 
-/// Columns: sentence with the icon of its severity, place, what mends it. Where nothing does, the
-/// place stands at the end, and the sentence has the room of both.
-class IssuesModel : public QAbstractTableModel {
- public:
-  enum Column { SentenceColumn, PlaceColumn, FixColumn, ColumnCount };
-  explicit IssuesModel(QObject* parent) : QAbstractTableModel(parent) {}
-
-  void set(base::Diagnostics issues, const ScenarioDocument& document) {
-    beginResetModel();
-    ownFile_ = QFileInfo(document.path()).fileName();
-    issues_ = std::move(issues);
-    std::stable_sort(issues_.begin(), issues_.end(), [](const auto& a, const auto& b) {
-      return static_cast<int>(a.severity) > static_cast<int>(b.severity);
-    });
-    fixes_.clear();
-    for (const base::Diagnostic& issue : issues_) {
-      const std::optional<Fix> fix = fixFor(document, issue);
-      fixes_.push_back(fix ? fix->words : QString());
-    }
-    endResetModel();
-  }
-  void setTheme(const Theme& theme) {
-    icons_ = {tintedIcon(QStringLiteral("info"), theme.color(Role::TextSecondary)),
-              tintedIcon(QStringLiteral("warning"), theme.color(Role::WarningMark)),
-              tintedIcon(QStringLiteral("error"), theme.color(Role::Error))};
-    pale_ = theme.color(Role::TextSecondary);
-    link_ = theme.color(Role::AccentText);
-  }
-  const base::Diagnostics& issues() const { return issues_; }
-  const base::Diagnostic& issue(int row) const { return issues_[static_cast<std::size_t>(row)]; }
-  const QString& fixWords(int row) const { return fixes_[static_cast<std::size_t>(row)]; }
-  bool hasFix(int row) const { return !fixWords(row).isEmpty(); }
-  bool isLink(const QModelIndex& index) const {
-    return index.column() == FixColumn && hasFix(index.row());
-  }
-  /// Columns that the sentence of a row covers.
-  int sentenceSpan(int row) const {
-    const bool hasPlace = !place(issue(row)).isEmpty();
-    return 3 - (hasFix(row) ? 1 : 0) - (hasPlace ? 1 : 0);
-  }
-  int countOf(const QString& words) const {
-    return static_cast<int>(std::count(fixes_.begin(), fixes_.end(), words));
-  }
-  int rowCount(const QModelIndex& parent = {}) const override {
-    return parent.isValid() ? 0 : static_cast<int>(issues_.size());
-  }
-  int columnCount(const QModelIndex& = {}) const override { return ColumnCount; }
-  QVariant data(const QModelIndex& index, int role) const override {
-    if (!index.isValid()) {
-      return {};
-    }
-    const base::Diagnostic& issue = this->issue(index.row());
-    switch (role) {
-      case Qt::DisplayRole:
-        return index.column() == SentenceColumn ? issueSentence(issue)
-               : index.column() == PlaceColumn  ? (hasFix(index.row()) ? place(issue) : QString())
-               : hasFix(index.row())            ? fixWords(index.row())
-                                                : place(issue);
-      case Qt::ToolTipRole:
-        return isLink(index) ? fixWords(index.row()) : QString::fromStdString(issue.text());
-      case Qt::DecorationRole:
-        return index.column() == SentenceColumn
-                   ? icons_.at(static_cast<std::size_t>(issue.severity))
-                   : QVariant();
-      case Qt::ForegroundRole:
-        return index.column() == SentenceColumn ? QVariant() : isLink(index) ? link_ : pale_;
-      case Qt::TextAlignmentRole:
-        return static_cast<int>(
-            (index.column() == SentenceColumn ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-      default:
-        return {};
-    }
-  }
-
- private:
-  /// What is about a thing of the document needs no file name.
-  QString place(const base::Diagnostic& issue) const {
-    if (issue.entity && issue.line == 0) {
-      return {};
-    }
-    QString text = QFileInfo(QString::fromStdString(issue.file)).fileName();
-    if (issue.line > 0 && text == ownFile_) {
-      return tr("line %1").arg(issue.line);  // the sentences need the room
-    }
-    if (issue.line > 0) {
-      text += QStringLiteral(":%1").arg(issue.line);
-    }
-    return text;
-  }
-
-  QString ownFile_;
-  base::Diagnostics issues_;
-  std::vector<QString> fixes_;
-  std::array<QIcon, 3> icons_;
-  QColor pale_, link_;
-};
-
-IssuesPanel::IssuesPanel(ScenarioDocument& document, const Theme& theme, QWidget* parent)
-    : QWidget(parent),
-      document_(document),
-      model_(new IssuesModel(this)),
+IssuesPanel::IssuesPanel(ScenarioDocument& document, const Theme& theme)
+    : document_(document),
+      theme_(theme),
       stack_(new QStackedLayout(this)),
-      table_(new QTableView(this)),
+      table_(new QTableWidget(0, IssueColumns, this)),
       calm_(emptyState(tr("Everything is in order."), this)) {
   makeTable();
   stack_->addWidget(calm_);
   stack_->addWidget(table_);
   connect(table_, &QTableView::clicked, this, [this](const QModelIndex& index) {
-    const base::Diagnostic issue = model_->issue(index.row());
-    model_->isLink(index) ? mend(issue) : jump(issue);
+    const base::Diagnostic issue = issues_[static_cast<std::size_t>(index.row())];
+    isLink(index) ? mend(issue) : jump(issue);
   });
   connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) {
-    if (!model_->isLink(index)) {
-      jump(base::Diagnostic(model_->issue(index.row())));
+    if (!isLink(index)) {
+      jump(base::Diagnostic(issues_[static_cast<std::size_t>(index.row())]));
     }
   });
   connect(table_, &QTableView::entered, this, [this](const QModelIndex& index) {
-    table_->viewport()->setCursor(model_->isLink(index) ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    table_->viewport()->setCursor(isLink(index) ? Qt::PointingHandCursor : Qt::ArrowCursor);
   });
   connect(table_, &QTableView::customContextMenuRequested, this, &IssuesPanel::offerMenu);
   connect(&document_, &ScenarioDocument::issuesChanged, this, &IssuesPanel::rebuild);
@@ -165,22 +82,25 @@ IssuesPanel::IssuesPanel(ScenarioDocument& document, const Theme& theme, QWidget
 }
 
 void IssuesPanel::makeTable() {
-  styleTable(*table_, *model_, tr("Issues"));
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  styleTable(*table_, tr("Issues"));
   table_->setContextMenuPolicy(Qt::CustomContextMenu);
   table_->setMouseTracking(true);
   QHeaderView* header = table_->horizontalHeader();
   header->hide();
-  header->setSectionResizeMode(IssuesModel::SentenceColumn, QHeaderView::Stretch);
-  header->setSectionResizeMode(IssuesModel::PlaceColumn, QHeaderView::ResizeToContents);
-  header->setSectionResizeMode(IssuesModel::FixColumn, QHeaderView::ResizeToContents);
+  header->setSectionResizeMode(SentenceColumn, QHeaderView::Stretch);
+  header->setSectionResizeMode(PlaceColumn, QHeaderView::ResizeToContents);
+  header->setSectionResizeMode(FixColumn, QHeaderView::ResizeToContents);
   table_->setWordWrap(true);
   table_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);  // rows differ in height
   connect(header, &QHeaderView::sectionResized, this, [this] { fit_.start(); });
   fit_.setSingleShot(true);
   fit_.setInterval(0);
   connect(&fit_, &QTimer::timeout, this,
-          [this] { fitRowHeights(*table_, IssuesModel::SentenceColumn, kSentenceMargin); });
+          [this] { fitRowHeights(*table_, SentenceColumn, kSentenceMargin); });
+}
+
+bool IssuesPanel::isLink(const QModelIndex& index) const {
+  return index.column() == FixColumn && !fixes_[static_cast<std::size_t>(index.row())].isEmpty();
 }
 
 void IssuesPanel::jump(const base::Diagnostic& issue) {
@@ -213,8 +133,8 @@ void IssuesPanel::offerMenu(const QPoint& at) {
   if (!index.isValid()) {
     return;
   }
-  const base::Diagnostic issue = model_->issue(index.row());
-  const QString words = model_->fixWords(index.row());
+  const base::Diagnostic issue = issues_[static_cast<std::size_t>(index.row())];
+  const QString words = fixes_[static_cast<std::size_t>(index.row())];
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->addAction(tr("Show"), this, [this, issue] { jump(issue); });
@@ -222,9 +142,10 @@ void IssuesPanel::offerMenu(const QPoint& at) {
     menu->addAction(words, this, [this, issue] { mend(issue); });
   }
   const std::optional<Fix> fix = fixFor(document_, issue);
-  if (fix && fix->apply && model_->countOf(words) > 1) {
-    menu->addAction(tr("%1: all %2").arg(words).arg(model_->countOf(words)), this, [this, words] {
-      applyToAll(document_, base::Diagnostics(model_->issues()), words);
+  const auto alike = std::count(fixes_.begin(), fixes_.end(), words);
+  if (fix && fix->apply && alike > 1) {
+    menu->addAction(tr("%1: all %2").arg(words).arg(alike), this, [this, words] {
+      applyToAll(document_, base::Diagnostics(issues_), words);
       document_.checkSoon();
     });
   }
@@ -236,7 +157,10 @@ void IssuesPanel::offerMenu(const QPoint& at) {
 }
 
 void IssuesPanel::setTheme(const Theme& theme) {
-  model_->setTheme(theme);
+  theme_ = theme;
+  icons_ = {tintedIcon(QStringLiteral("info"), theme.color(Role::TextSecondary)),
+            tintedIcon(QStringLiteral("warning"), theme.color(Role::WarningMark)),
+            tintedIcon(QStringLiteral("error"), theme.color(Role::Error))};
   rebuild();
 }
 
@@ -246,44 +170,73 @@ void IssuesPanel::setActionIssues(const base::Diagnostics& issues) {
 }
 
 void IssuesPanel::rebuild() {
-  base::Diagnostics all = action_;
+  issues_ = action_;
   base::Diagnostics live = document_.issues();
   base::append(live, adviceFor(document_.scenario()));
   std::set<std::string> said;
-  for (const base::Diagnostic& issue : all) {
+  for (const base::Diagnostic& issue : issues_) {
     said.insert(issue.text());
   }
   for (const base::Diagnostic& issue : live) {
     if (said.insert(issue.text()).second) {
-      all.push_back(issue);
+      issues_.push_back(issue);
     }
   }
+  std::stable_sort(issues_.begin(), issues_.end(), [](const auto& a, const auto& b) {
+    return static_cast<int>(a.severity) > static_cast<int>(b.severity);
+  });
   const sim2d::Scenario& scenario = document_.scenario();
   calm_->setText(scenario.humans.empty()
                      ? tr("Nothing to complain about.")
                      : tr("Everything is in order: %1, %2.")
                            .arg(counted(scenario.humans.size(), tr("person"), tr("people")),
                                 counted(scenario.goals.size(), tr("goal"), tr("goals"))));
-  model_->set(std::move(all), document_);
+  fixes_.clear();
   table_->clearSpans();
-  for (int row = 0; row < model_->rowCount(); ++row) {
-    if (const int span = model_->sentenceSpan(row); span > 1) {
-      table_->setSpan(row, IssuesModel::SentenceColumn, 1, span);
-    }
+  table_->setRowCount(0);  // nothing stays selected
+  table_->setRowCount(static_cast<int>(issues_.size()));
+  for (const base::Diagnostic& issue : issues_) {
+    const std::optional<Fix> fix = fixFor(document_, issue);
+    fixes_.push_back(fix ? fix->words : QString());
+    fillRow(static_cast<int>(fixes_.size()) - 1);
   }
   fit_.start();
-  stack_->setCurrentIndex(model_->rowCount() > 0 ? 1 : 0);
+  stack_->setCurrentIndex(issues_.empty() ? 0 : 1);
   Q_EMIT countChanged(count());
+}
+
+void IssuesPanel::fillRow(int row) {
+  const base::Diagnostic& issue = issues_[static_cast<std::size_t>(row)];
+  const QString& fix = fixes_[static_cast<std::size_t>(row)];
+  const QString text = QString::fromStdString(issue.text());
+  const QString place = placeOf(issue, QFileInfo(document_.path()).fileName());
+  auto* sentence = new QTableWidgetItem(icons_.at(static_cast<std::size_t>(issue.severity)),
+                                        issueSentence(issue));
+  sentence->setToolTip(text);
+  table_->setItem(row, SentenceColumn, sentence);
+  const auto addRight = [&](int column, const QString& words, bool link) {
+    auto* item = new QTableWidgetItem(words);
+    item->setToolTip(link ? words : text);
+    item->setForeground(theme_.color(link ? Role::AccentText : Role::TextSecondary));
+    item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    table_->setItem(row, column, item);
+  };
+  addRight(PlaceColumn, fix.isEmpty() ? QString() : place, false);
+  addRight(FixColumn, fix.isEmpty() ? place : fix, !fix.isEmpty());
+  const int span = 3 - (fix.isEmpty() ? 0 : 1) - (place.isEmpty() ? 0 : 1);
+  if (span > 1) {
+    table_->setSpan(row, SentenceColumn, 1, span);
+  }
 }
 
 int IssuesPanel::count() const {
   return static_cast<int>(std::count_if(
-      model_->issues().begin(), model_->issues().end(),
+      issues_.begin(), issues_.end(),
       [](const base::Diagnostic& issue) { return issue.severity != base::Severity::Info; }));
 }
 
 bool IssuesPanel::hasErrors() const {
-  return base::hasErrors(model_->issues());
+  return base::hasErrors(issues_);
 }
 
 void addIssuesPanel(PanelRegistry& to) {

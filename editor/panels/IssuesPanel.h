@@ -1,16 +1,18 @@
 #pragma once
 
+#include <array>
+#include <vector>
+
+#include <QIcon>
 #include <QLabel>
 #include <QStackedLayout>
-#include <QTableView>
+#include <QTableWidget>
 #include <QTimer>
 
 #include "editor/document/ScenarioDocument.h"
 #include "editor/look/Theme.h"
 
 namespace editor {
-
-class IssuesModel;
 
 /// What the list says: the words of the check, which begin with a capital letter unless they begin
 /// with a name or a key of the format.
@@ -22,7 +24,7 @@ QString issueSentence(const base::Diagnostic& issue);
 class IssuesPanel : public QWidget {
   Q_OBJECT
  public:
-  IssuesPanel(ScenarioDocument& document, const Theme& theme, QWidget* parent = nullptr);
+  IssuesPanel(ScenarioDocument& document, const Theme& theme);
   void setTheme(const Theme& theme);
 
   /// Problems of an action (opening, saving, starting a run), shown above the document's own until
@@ -41,15 +43,20 @@ class IssuesPanel : public QWidget {
  private:
   void makeTable();
   void rebuild();
+  void fillRow(int row);
+  bool isLink(const QModelIndex& index) const;
   void jump(const base::Diagnostic& issue);
   void mend(const base::Diagnostic& issue);
   void offerMenu(const QPoint& at);
 
   ScenarioDocument& document_;
+  Theme theme_;
+  std::array<QIcon, 3> icons_;  // by severity
   base::Diagnostics action_;
-  IssuesModel* model_;
+  base::Diagnostics issues_;    // as shown, the worst first
+  std::vector<QString> fixes_;  // what mends each, in words; empty: nothing does
   QStackedLayout* stack_;
-  QTableView* table_;
+  QTableWidget* table_;
   QLabel* calm_;
   QTimer fit_;  // of the rows to their texts, once for many changes
 };

@@ -1,6 +1,7 @@
 #include "editor/panels/MetricsChoicePanel.h"
 
 #include <algorithm>
+#include <map>
 
 #include <QAction>
 #include <QDir>
@@ -54,6 +55,20 @@ class NameDelegate : public QStyledItemDelegate {
   const QTreeWidget& tree_;
 };
 
+bool isChosen(const QTreeWidgetItem* row) {
+  return row->checkState(0) == Qt::Checked;
+}
+
+void choose(QTreeWidgetItem* row, bool chosen) {
+  row->setCheckState(0, chosen ? Qt::Checked : Qt::Unchecked);
+}
+
+/// The tree names the metrics of the registry only.
+const metrics::MetricInfo& infoOf(const QTreeWidgetItem* row) {
+  const std::string key = row->data(0, kKeyRole).toString().toStdString();
+  return metrics::standardRegistry().find(key)->info;
+}
+
 void styleChoices(QTreeWidget& tree) {
   styleList(tree, QObject::tr("Metrics to measure"));
   tree.setColumnCount(2);
@@ -75,45 +90,32 @@ void styleChoices(QTreeWidget& tree) {
 }  // namespace
 
 MetricsChoicePanel::MetricsChoicePanel(ScenarioDocument& document, MetricsFeed& feed,
-                                       const Theme& theme, QWidget* parent)
-    : QWidget(parent),
-      document_(document),
+                                       const Theme& theme)
+    : document_(document),
       feed_(feed),
       search_(new QLineEdit(this)),
-      count_(secondaryLabel({}, this)),
-      all_(linkButton(tr("All"), this)),
-      none_(linkButton(tr("None"), this)),
-      save_(linkButton(tr("Save"), this)),
-      tree_(new QTreeWidget(this)) {
+      count_(secondaryLabel({}, this)) {
   search_->setPlaceholderText(tr("Find a metric"));
   search_->setClearButtonEnabled(true);
   search_->setAccessibleName(tr("Find a metric"));
   searchMark_ = search_->addAction(QIcon(), QLineEdit::LeadingPosition);
+  auto* all = linkButton(tr("All"), tr("Measure all that the list shows"), this,
+                         [this] { chooseAll(true); });
+  auto* none = linkButton(tr("None"), tr("Measure nothing of what the list shows"), this,
+                          [this] { chooseAll(false); });
+  auto* saving =
+      linkButton(tr("Save"), tr("Write the choice into the metrics file of the scenario"), this,
+                 [this] { Q_EMIT saved(save()); });
+  auto* links = arranged(new QHBoxLayout, {12, 0, 12, 0}, 12, {count_, all, none, saving});
+  links->setStretchFactor(count_, 1);
+  tree_ = new QTreeWidget(this);  // last: in the order of the tab key
   styleChoices(*tree_);
-  all_->setToolTip(tr("Measure all that the list shows"));
-  none_->setToolTip(tr("Measure nothing of what the list shows"));
-  save_->setToolTip(tr("Write the choice into the metrics file of the scenario"));
-  auto* links = new QHBoxLayout;
-  links->setContentsMargins(12, 0, 12, 0);
-  links->setSpacing(12);
-  links->addWidget(count_, 1);
-  links->addWidget(all_);
-  links->addWidget(none_);
-  links->addWidget(save_);
-  auto* field = new QHBoxLayout;
-  field->setContentsMargins(12, 0, 12, 0);
-  field->addWidget(search_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 4);
-  layout->setSpacing(4);
-  layout->addLayout(field);
+  auto* layout = arranged(new QVBoxLayout(this), {0, 0, 0, 4}, 4);
+  layout->addLayout(arranged(new QHBoxLayout, {12, 0, 12, 0}, 0, {search_}));
   layout->addLayout(links);
   layout->addWidget(tree_, 1);
   build();
   connect(search_, &QLineEdit::textChanged, this, &MetricsChoicePanel::filter);
-  connect(all_, &QToolButton::clicked, this, [this] { chooseAll(true); });
-  connect(none_, &QToolButton::clicked, this, [this] { chooseAll(false); });
-  connect(save_, &QToolButton::clicked, this, [this] { Q_EMIT saved(save()); });
   connect(tree_, &QTreeWidget::itemChanged, this, &MetricsChoicePanel::giveSelection);
   connect(&document_, &ScenarioDocument::pathChanged, this, [this] {
     feed_.setSelection(std::nullopt);  // that of the new file
@@ -126,11 +128,8 @@ MetricsChoicePanel::MetricsChoicePanel(ScenarioDocument& document, MetricsFeed& 
 void MetricsChoicePanel::setTheme(const Theme& theme) {
   searchMark_->setIcon(tintedIcon(QStringLiteral("search"), theme.color(Role::TextSecondary)));
   const QSignalBlocker quiet(tree_);
-  for (int i = 0; i < tree_->topLevelItemCount(); ++i) {
-    tree_->topLevelItem(i)->setForeground(1, theme.color(Role::TextSecondary));
-  }
-  for (QTreeWidgetItem* row : rows()) {
-    row->setForeground(1, theme.color(Role::TextSecondary));
+  for (QTreeWidgetItemIterator each(tree_); *each != nullptr; ++each) {
+    (*each)->setForeground(1, theme.color(Role::TextSecondary));
   }
 }
 
@@ -140,8 +139,8 @@ void MetricsChoicePanel::build() {
   bold.setWeight(QFont::DemiBold);
   for (int i = 0; i < metrics::kCategories; ++i) {
     const auto category = static_cast<metrics::Category>(i);
-    auto* group = new QTreeWidgetItem(tree_);
-    group->setText(0, QString::fromLatin1(metrics::categoryName(category)));
+    const QString title = QString::fromLatin1(metrics::categoryName(category));
+    auto* group = new QTreeWidgetItem(tree_, QStringList(title));
     group->setFont(0, bold);
     group->setTextAlignment(1, static_cast<int>(Qt::AlignRight | Qt::AlignVCenter));
     group->setExpanded(i < 2);
@@ -149,39 +148,24 @@ void MetricsChoicePanel::build() {
       if (entry.info.category != category || !entry.info.partOf.empty()) {
         continue;
       }
-      auto* row = new QTreeWidgetItem(group);
-      row->setText(0, QString::fromStdString(entry.info.name));
-      row->setText(1, QString::fromStdString(entry.info.unit));
+      const QString name = QString::fromStdString(entry.info.name);
+      auto* row = new QTreeWidgetItem(group, {name, QString::fromStdString(entry.info.unit)});
       row->setTextAlignment(1, static_cast<int>(Qt::AlignRight | Qt::AlignVCenter));
       row->setData(0, kKeyRole, QString::fromStdString(entry.info.key));
       row->setToolTip(0, QStringLiteral("%1\n%2\n%3")
-                             .arg(QString::fromStdString(entry.info.name),
-                                  QString::fromStdString(entry.info.formula),
+                             .arg(name, QString::fromStdString(entry.info.formula),
                                   QString::fromStdString(entry.info.source)));
       row->setCheckState(0, Qt::Unchecked);
+      rows_.push_back(row);
     }
   }
-}
-
-std::vector<QTreeWidgetItem*> MetricsChoicePanel::rows() const {
-  std::vector<QTreeWidgetItem*> result;
-  for (int i = 0; i < tree_->topLevelItemCount(); ++i) {
-    QTreeWidgetItem* group = tree_->topLevelItem(i);
-    for (int row = 0; row < group->childCount(); ++row) {
-      result.push_back(group->child(row));
-    }
-  }
-  return result;
 }
 
 void MetricsChoicePanel::takeSelection() {
   const QSignalBlocker quiet(tree_);
   const metrics::Selection selection = feed_.selection();
-  for (QTreeWidgetItem* row : rows()) {
-    const std::string key = row->data(0, kKeyRole).toString().toStdString();
-    const metrics::MetricEntry* entry = metrics::standardRegistry().find(key);
-    row->setCheckState(
-        0, entry != nullptr && selection.selects(entry->info) ? Qt::Checked : Qt::Unchecked);
+  for (QTreeWidgetItem* row : rows_) {
+    choose(row, selection.selects(infoOf(row)));
   }
   showCounts();
 }
@@ -190,15 +174,14 @@ metrics::Selection MetricsChoicePanel::selection() const {
   metrics::Selection selection = feed_.selection();
   metrics::Selection::Keys keys;
   bool all = true;
-  for (const QTreeWidgetItem* row : rows()) {
-    const std::string key = row->data(0, kKeyRole).toString().toStdString();
-    const bool on = row->checkState(0) == Qt::Checked;
-    const bool theirs = metrics::standardRegistry().find(key)->info.hunav > 0;
-    all = all && on;
-    if (theirs && !on) {
-      keys.off.insert(key);
-    } else if (!theirs && on) {
-      keys.on.insert(key);
+  for (const QTreeWidgetItem* row : rows_) {
+    const metrics::MetricInfo& info = infoOf(row);
+    const bool theirs = info.hunav > 0;
+    all = all && isChosen(row);
+    if (theirs && !isChosen(row)) {
+      keys.off.insert(info.key);
+    } else if (!theirs && isChosen(row)) {
+      keys.on.insert(info.key);
     }
   }
   selection.keys = all ? std::nullopt : std::optional(keys);
@@ -210,54 +193,42 @@ void MetricsChoicePanel::giveSelection() {
   feed_.setSelection(selection());
 }
 
-void MetricsChoicePanel::setChosen(const QString& key, bool chosen) {
-  for (QTreeWidgetItem* row : rows()) {
-    if (row->data(0, kKeyRole).toString() == key) {
-      row->setCheckState(0, chosen ? Qt::Checked : Qt::Unchecked);
-    }
-  }
-}
-
 void MetricsChoicePanel::chooseAll(bool chosen) {
   const QSignalBlocker quiet(tree_);
-  for (QTreeWidgetItem* row : rows()) {
+  for (QTreeWidgetItem* row : rows_) {
     if (!row->isHidden()) {
-      row->setCheckState(0, chosen ? Qt::Checked : Qt::Unchecked);
+      choose(row, chosen);
     }
   }
   giveSelection();
 }
 
 void MetricsChoicePanel::filter(const QString& text) {
-  for (int i = 0; i < tree_->topLevelItemCount(); ++i) {
-    QTreeWidgetItem* group = tree_->topLevelItem(i);
-    bool any = false;
-    for (int row = 0; row < group->childCount(); ++row) {
-      QTreeWidgetItem* item = group->child(row);
-      const bool fits = item->text(0).contains(text, Qt::CaseInsensitive) ||
-                        item->data(0, kKeyRole).toString().contains(text, Qt::CaseInsensitive);
-      item->setHidden(!fits);
-      any = any || fits;
-    }
+  std::map<QTreeWidgetItem*, bool> shown;  // by group
+  for (QTreeWidgetItem* row : rows_) {
+    const bool fits = row->text(0).contains(text, Qt::CaseInsensitive) ||
+                      row->data(0, kKeyRole).toString().contains(text, Qt::CaseInsensitive);
+    row->setHidden(!fits);
+    shown[row->parent()] |= fits;
+  }
+  for (const auto& [group, any] : shown) {
     group->setHidden(!any);
-    group->setExpanded(text.isEmpty() ? i < 2 : any);
+    group->setExpanded(text.isEmpty() ? tree_->indexOfTopLevelItem(group) < 2 : any);
   }
 }
 
 void MetricsChoicePanel::showCounts() {
   const QSignalBlocker quiet(tree_);
+  std::map<QTreeWidgetItem*, int> counts;  // by group
+  for (const QTreeWidgetItem* row : rows_) {
+    counts[row->parent()] += isChosen(row) ? 1 : 0;
+  }
   int chosen = 0;
-  int total = 0;
-  for (int i = 0; i < tree_->topLevelItemCount(); ++i) {
-    QTreeWidgetItem* group = tree_->topLevelItem(i);
-    int here = 0;
-    for (int row = 0; row < group->childCount(); ++row) {
-      here += group->child(row)->checkState(0) == Qt::Checked ? 1 : 0;
-    }
+  for (const auto& [group, here] : counts) {
     group->setText(1, QStringLiteral("%1 / %2").arg(here).arg(group->childCount()));
     chosen += here;
-    total += group->childCount();
   }
+  const std::size_t total = rows_.size();
   count_->setText(tr("%1 of %2").arg(chosen).arg(total));
   count_->setToolTip(tr("%1 of %2 metrics are chosen").arg(chosen).arg(total));
 }

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include <QLabel>
 #include <QLineEdit>
-#include <QToolButton>
 #include <QTreeWidget>
 
 #include "editor/look/Theme.h"
@@ -15,12 +16,10 @@ namespace editor {
 class MetricsChoicePanel : public QWidget {
   Q_OBJECT
  public:
-  MetricsChoicePanel(ScenarioDocument& document, MetricsFeed& feed, const Theme& theme,
-                     QWidget* parent = nullptr);
+  MetricsChoicePanel(ScenarioDocument& document, MetricsFeed& feed, const Theme& theme);
   void setTheme(const Theme& theme);
   QTreeWidget& tree() const { return *tree_; }
   QLineEdit& search() const { return *search_; }
-  void setChosen(const QString& key, bool chosen);
   void chooseAll(bool chosen);
   metrics::Selection selection() const;
   /// Writes the choice to the metrics file (beside the scenario, made when there is none) and names
@@ -36,15 +35,14 @@ class MetricsChoicePanel : public QWidget {
   void giveSelection();
   void filter(const QString& text);
   void showCounts();
-  std::vector<QTreeWidgetItem*> rows() const;
 
   ScenarioDocument& document_;
   MetricsFeed& feed_;
   QLineEdit* search_;
   QAction* searchMark_;
   QLabel* count_;
-  QToolButton *all_, *none_, *save_;
-  QTreeWidget* tree_;
+  QTreeWidget* tree_ = nullptr;
+  std::vector<QTreeWidgetItem*> rows_;  // of all groups
 };
 
 }  // namespace editor

@@ -3,15 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QAbstractTableModel>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QPainter>
 #include <QScopedValueRollback>
+#include <QSplitter>
 #include <QStyledItemDelegate>
+#include <qwt_plot.h>
+#include <qwt_plot_canvas.h>
+#include <qwt_plot_curve.h>
+#include <qwt_plot_grid.h>
+#include <qwt_plot_marker.h>
+#include <qwt_scale_div.h>
+#include <qwt_scale_draw.h>
+#include <qwt_scale_widget.h>
 
 #include "editor/look/Form.h"
-#include "editor/panels/MetricPlot.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/RowDelegate.h"
 
@@ -19,8 +26,17 @@ namespace editor {
 
 namespace {
 
+constexpr int kLeastMargin = 12;  // of a plot, at the right [px]
 constexpr int kCellPadding = 20;
 constexpr int kPointsShown = 120;
+
+/// Of the live table.
+enum MetricColumn { NameColumn, NowColumn, UnitColumn, CourseColumn, MetricColumns };
+
+class SecondsDraw : public QwtScaleDraw {
+ public:
+  QwtText label(double value) const override { return QwtText(QStringLiteral("%1 s").arg(value)); }
+};
 
 /// The finite points of a curve on a rectangle; nothing for less than two.
 QPolygonF sparkline(const MetricCurve& curve, const QRectF& place) {
@@ -52,130 +68,142 @@ QPolygonF sparkline(const MetricCurve& curve, const QRectF& place) {
   return line;
 }
 
+const MetricCurve* curveOf(const MetricSnapshot& snapshot, const std::string& key) {
+  const auto found = snapshot.curves.find(key);
+  return found == snapshot.curves.end() ? nullptr : &found->second;
+}
+
+bool hasCourse(const MetricCurve& curve) {
+  return std::any_of(curve.values.begin(), curve.values.end(),
+                     [](double value) { return std::isfinite(value) && value != 0.0; });
+}
+
+Qt::Alignment alignmentOf(int column) {
+  return (column == NowColumn ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter;
+}
+
+QString tooltipOf(const metrics::MetricResult& result) {
+  const QString why = QString::fromStdString(result.value.why);
+  const QString what = QString::fromStdString(result.info.name + "\n" + result.info.formula);
+  return why.isEmpty() ? what : QObject::tr("No value: %1").arg(why) + QStringLiteral("\n") + what;
+}
+
 }  // namespace
 
-/// Rows of the live table: metric, now, unit, course. Rows stay when values change.
-class MetricsModel : public QAbstractTableModel {
- public:
-  enum Column { NameColumn, NowColumn, UnitColumn, CourseColumn, ColumnCount };
-  MetricsModel(const MetricsFeed& feed, QObject* parent)
-      : QAbstractTableModel(parent), feed_(feed) {}
+MetricPlot::MetricPlot(const Theme& theme)
+    : title_(new QLabel(this)),
+      unit_(secondaryLabel({}, this)),
+      plot_(new QwtPlot(this)),
+      grid_(new QwtPlotGrid),
+      curve_(new QwtPlotCurve),
+      cursor_(new QwtPlotMarker) {
+  title_->setWordWrap(true);
+  auto* top = new QHBoxLayout;
+  top->setContentsMargins(12, 6, 12, 0);
+  top->addWidget(title_, 1);
+  top->addWidget(unit_, 0, Qt::AlignTop);
+  auto* layout = arranged(new QVBoxLayout(this), {0, 0, 0, 4}, 0);
+  layout->addLayout(top);
+  layout->addWidget(plot_, 1);
+  layOut();
+  setTheme(theme);
+  setMinimumWidth(180);
+}
 
-  void setTheme(const Theme& theme) { pale_ = theme.color(Role::TextSecondary); }
-
-  void refresh() {
-    const int wanted = static_cast<int>(feed_.snapshot().results.size());
-    if (wanted != rows_) {
-      beginResetModel();
-      rows_ = wanted;
-      endResetModel();
-    } else if (rows_ > 0) {
-      Q_EMIT dataChanged(index(0, NameColumn), index(rows_ - 1, CourseColumn));
-    }
+void MetricPlot::layOut() {
+  plot_->setMinimumSize(120, 60);
+  plot_->setFrameShape(QFrame::NoFrame);
+  static_cast<QwtPlotCanvas*>(plot_->canvas())->setFrameStyle(QFrame::NoFrame);
+  plot_->setAxisScaleDraw(QwtPlot::xBottom, new SecondsDraw);
+  plot_->setAxisMaxMajor(QwtPlot::xBottom, 5);
+  plot_->setAxisMaxMajor(QwtPlot::yLeft, 4);
+  plot_->setAxisMaxMinor(QwtPlot::xBottom, 0);
+  plot_->setAxisMaxMinor(QwtPlot::yLeft, 0);
+  for (const int axis : {int(QwtPlot::xBottom), int(QwtPlot::yLeft)}) {
+    plot_->axisScaleDraw(axis)->enableComponent(QwtAbstractScaleDraw::Backbone, false);
+    plot_->axisScaleDraw(axis)->setTickLength(QwtScaleDiv::MajorTick, 3);
   }
+  grid_->enableX(false);
+  grid_->attach(plot_);
+  curve_->setRenderHint(QwtPlotItem::RenderAntialiased);
+  curve_->attach(plot_);
+  cursor_->setLineStyle(QwtPlotMarker::VLine);
+  cursor_->attach(plot_);
+}
 
-  int rowOf(const std::string& key) const {  // -1 = none
-    const auto& results = feed_.snapshot().results;
-    const auto found = std::find_if(results.begin(), results.end(),
-                                    [&](const auto& result) { return result.info.key == key; });
-    return found == results.end() ? -1 : static_cast<int>(found - results.begin());
+void MetricPlot::setTheme(const Theme& theme) {
+  title_->setFont(theme.font(9.5, QFont::DemiBold));
+  plot_->setCanvasBackground(theme.color(Role::Panel));
+  QPalette colors = plot_->palette();
+  colors.setColor(QPalette::Window, theme.color(Role::Panel));
+  colors.setColor(QPalette::WindowText, theme.color(Role::FieldEdge));
+  colors.setColor(QPalette::Text, theme.color(Role::TextSecondary));
+  plot_->setPalette(colors);
+  plot_->setAutoFillBackground(true);
+  for (const int axis : {int(QwtPlot::xBottom), int(QwtPlot::yLeft)}) {
+    plot_->axisWidget(axis)->setPalette(colors);
+    plot_->setAxisFont(axis, theme.font(8.0));
   }
+  grid_->setPen(theme.color(Role::Line), 1.0);
+  curve_->setPen(theme.color(Role::Accent), 1.8);
+  cursor_->setLinePen(theme.color(Role::TextSecondary), 1.0, Qt::DashLine);
+  plot_->replot();
+}
 
-  const metrics::MetricResult* resultAt(int row) const {
-    const auto& results = feed_.snapshot().results;
-    return row >= 0 && row < static_cast<int>(results.size())
-               ? &results[static_cast<std::size_t>(row)]
-               : nullptr;
-  }
-
-  const MetricCurve* curveAt(int row) const {
-    const metrics::MetricResult* result = resultAt(row);
-    const auto& curves = feed_.snapshot().curves;
-    const auto found = result == nullptr ? curves.end() : curves.find(result->info.key);
-    return found == curves.end() ? nullptr : &found->second;
-  }
-
-  /// The first row that has something to plot, else 0.
-  int firstWithCurve() const {
-    for (int row = 0; row < rows_; ++row) {
-      const MetricCurve* curve = curveAt(row);
-      if (curve != nullptr &&
-          std::any_of(curve->values.begin(), curve->values.end(),
-                      [](double value) { return std::isfinite(value) && value != 0.0; })) {
-        return row;
+void MetricPlot::show(const metrics::MetricResult* result, const MetricCurve* curve) {
+  title_->setText(result != nullptr ? QString::fromStdString(result->info.name) : QString());
+  unit_->setText(result != nullptr ? QString::fromStdString(result->info.unit) : QString());
+  QVector<QPointF> points;
+  if (curve != nullptr) {
+    for (std::size_t i = 0; i < curve->times.size(); ++i) {
+      if (std::isfinite(curve->values[i])) {
+        points.push_back({curve->times[i], curve->values[i]});
       }
     }
-    return 0;
   }
+  curve_->setSamples(points);
+  const bool any = !points.isEmpty();
+  const double end = curve != nullptr && !curve->times.empty() ? curve->times.back() : 1.0;
+  plot_->setAxisScale(QwtPlot::xBottom, 0.0, std::max(end, 1.0));
+  reserveEnd();
+  if (any) {
+    plot_->setAxisAutoScale(QwtPlot::yLeft);
+  } else {
+    plot_->setAxisScale(QwtPlot::yLeft, 0.0, 1.0);
+  }
+  plot_->replot();
+}
 
-  int rowCount(const QModelIndex& parent = {}) const override {
-    return parent.isValid() ? 0 : rows_;
+/// Half of the last time stands beyond the end of the axis.
+void MetricPlot::reserveEnd() {
+  plot_->updateAxes();
+  const QList<double> ticks = plot_->axisScaleDiv(QwtPlot::xBottom).ticks(QwtScaleDiv::MajorTick);
+  if (ticks.isEmpty()) {
+    return;
   }
-  int columnCount(const QModelIndex& = {}) const override { return ColumnCount; }
+  const QString last = plot_->axisScaleDraw(QwtPlot::xBottom)->label(ticks.back()).text();
+  const QFontMetrics metrics(plot_->axisFont(QwtPlot::xBottom));
+  plot_->setContentsMargins(0, 0, std::max(kLeastMargin, metrics.horizontalAdvance(last) / 2 + 4),
+                            0);
+}
 
-  QVariant data(const QModelIndex& index, int role) const override {
-    const metrics::MetricResult* result = resultAt(index.row());
-    if (result == nullptr) {
-      return {};
-    }
-    const int column = index.column();
-    switch (role) {
-      case Qt::DisplayRole:
-        return column == NameColumn   ? QString::fromStdString(result->info.name)
-               : column == NowColumn  ? metricText(*result)
-               : column == UnitColumn ? QString::fromStdString(result->info.unit)
-                                      : QVariant();
-      case Qt::ToolTipRole:
-        return tooltip(*result);
-      case Qt::UserRole:
-        return QString::fromStdString(result->info.key);
-      case Qt::ForegroundRole:
-        return column == UnitColumn || !result->value.value ? pale_ : QVariant();
-      case Qt::TextAlignmentRole:
-        return alignment(column);
-      default:
-        return {};
-    }
-  }
-
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override {
-    static const char* const kTitles[] = {QT_TR_NOOP("Metric"), QT_TR_NOOP("Now"),
-                                          QT_TR_NOOP("Unit"), QT_TR_NOOP("Since start")};
-    if (orientation != Qt::Horizontal) {
-      return {};
-    }
-    return role == Qt::TextAlignmentRole ? alignment(section)
-           : role == Qt::DisplayRole     ? tr(kTitles[section])
-                                         : QVariant();
-  }
-
- private:
-  static QVariant alignment(int column) {
-    return static_cast<int>((column == NowColumn ? Qt::AlignRight : Qt::AlignLeft) |
-                            Qt::AlignVCenter);
-  }
-  static QString tooltip(const metrics::MetricResult& result) {
-    const QString why = QString::fromStdString(result.value.why);
-    const QString what = QString::fromStdString(result.info.name + "\n" + result.info.formula);
-    return why.isEmpty() ? what : tr("No value: %1").arg(why) + QStringLiteral("\n") + what;
-  }
-
-  const MetricsFeed& feed_;
-  int rows_ = 0;
-  QColor pale_;
-};
+void MetricPlot::setCursor(double time) {
+  cursor_->setXValue(time);
+  plot_->replot();
+}
 
 /// The course since the start as a small line without axes.
 class SparklineDelegate : public QStyledItemDelegate {
  public:
-  SparklineDelegate(const MetricsModel& model, const Theme& theme, QObject* parent)
-      : QStyledItemDelegate(parent), model_(model), theme_(theme) {}
+  SparklineDelegate(const MetricsFeed& feed, QObject* parent)
+      : QStyledItemDelegate(parent), feed_(feed) {}
   void setTheme(const Theme& theme) { theme_ = theme; }
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option,
              const QModelIndex& index) const override {
     QStyledItemDelegate::paint(painter, option, index);
-    const MetricCurve* curve = model_.curveAt(index.row());
+    const std::string key = index.data(Qt::UserRole).toString().toStdString();
+    const MetricCurve* curve = curveOf(feed_.snapshot(), key);
     if (curve == nullptr) {
       return;
     }
@@ -190,39 +218,17 @@ class SparklineDelegate : public QStyledItemDelegate {
   }
 
  private:
-  const MetricsModel& model_;
+  const MetricsFeed& feed_;
   Theme theme_;
 };
 
-MetricsDock::MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Theme& theme,
-                         QWidget* parent)
-    : QWidget(parent),
-      feed_(feed),
-      runner_(runner),
-      model_(new MetricsModel(feed, this)),
-      sparkline_(new SparklineDelegate(*model_, theme, this)),
+MetricsDock::MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Theme& theme)
+    : feed_(feed),
+      sparkline_(new SparklineDelegate(feed, this)),
       stack_(new QStackedLayout(this)),
-      table_(new QTableView(this)),
-      plot_(new MetricPlot(theme, this)) {
-  styleTable(*table_, *model_, tr("Metrics"));
-  table_->setItemDelegateForColumn(MetricsModel::CourseColumn, sparkline_);
-  QHeaderView* header = table_->horizontalHeader();
-  header->setSectionResizeMode(QHeaderView::Fixed);
-  header->setSectionResizeMode(MetricsModel::NameColumn, QHeaderView::Stretch);
-  header->setHighlightSections(false);
-  header->setFixedHeight(kListRowHeight);
-  table_->setColumnWidth(MetricsModel::NowColumn, 60);
-  table_->setColumnWidth(MetricsModel::UnitColumn, 48);
-  table_->setColumnWidth(MetricsModel::CourseColumn, 76);
-  // Later: columns have their new widths only when all of them are told.
-  connect(
-      header, &QHeaderView::sectionResized, this,
-      [this](int column) {
-        if (column == MetricsModel::NameColumn) {
-          fitRows();
-        }
-      },
-      Qt::QueuedConnection);
+      table_(new QTableWidget(0, MetricColumns, this)),
+      plot_(new MetricPlot(theme)) {
+  makeTable();
   auto* both = new QSplitter(Qt::Horizontal, this);
   both->addWidget(table_);
   both->addWidget(plot_);
@@ -240,7 +246,7 @@ MetricsDock::MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Them
     }
     showSelected();
   });
-  connect(&runner_, &SimulationRunner::frameShown, this, [this](const FramePtr& frame) {
+  connect(&runner, &SimulationRunner::frameShown, this, [this](const FramePtr& frame) {
     if (frame) {
       plot_->setCursor(frame->time);
     }
@@ -248,26 +254,52 @@ MetricsDock::MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Them
   setTheme(theme);
 }
 
+void MetricsDock::makeTable() {
+  styleTable(*table_, tr("Metrics"));
+  table_->setItemDelegateForColumn(CourseColumn, sparkline_);
+  table_->setHorizontalHeaderLabels({tr("Metric"), tr("Now"), tr("Unit"), tr("Since start")});
+  for (int column = 0; column < MetricColumns; ++column) {
+    table_->horizontalHeaderItem(column)->setTextAlignment(alignmentOf(column));
+  }
+  QHeaderView* header = table_->horizontalHeader();
+  header->setSectionResizeMode(QHeaderView::Fixed);
+  header->setSectionResizeMode(NameColumn, QHeaderView::Stretch);
+  header->setHighlightSections(false);
+  header->setFixedHeight(kListRowHeight);
+  table_->setColumnWidth(NowColumn, 60);
+  table_->setColumnWidth(UnitColumn, 48);
+  table_->setColumnWidth(CourseColumn, 76);
+  // Later: columns have their new widths only when all of them are told.
+  connect(
+      header, &QHeaderView::sectionResized, this,
+      [this](int column) {
+        if (column == NameColumn) {
+          fitRows();
+        }
+      },
+      Qt::QueuedConnection);
+}
+
 void MetricsDock::setTheme(const Theme& theme) {
-  model_->setTheme(theme);
+  pale_ = theme.color(Role::TextSecondary);
   sparkline_->setTheme(theme);
   plot_->setTheme(theme);
-  table_->viewport()->update();
+  fillRows();
 }
 
 /// What the user chose stays selected; before that it is the first of the list that has a course,
 /// which depends on what is measured alone, not on when it was told.
 void MetricsDock::takeSnapshot() {
   const QScopedValueRollback<bool> choosing(isChoosing_, true);
-  model_->refresh();
-  const bool any = model_->rowCount() > 0;
-  if (fittedRows_ != model_->rowCount()) {
+  fillRows();
+  const bool any = table_->rowCount() > 0;
+  if (fittedRows_ != table_->rowCount()) {
     fitRows();
   }
   stack_->setCurrentIndex(any ? 1 : 0);
   if (any) {
-    const int row = model_->rowOf(chosen_) >= 0 ? model_->rowOf(chosen_) : model_->firstWithCurve();
-    if (model_->rowOf(selectedKey()) != row) {
+    const int row = rowOf(chosen_) >= 0 ? rowOf(chosen_) : firstWithCurve();
+    if (rowOf(selectedKey()) != row) {
       table_->selectRow(row);
     }
   } else {
@@ -276,10 +308,60 @@ void MetricsDock::takeSnapshot() {
   showSelected();
 }
 
+/// Rows stay when values change.
+void MetricsDock::fillRows() {
+  const std::vector<metrics::MetricResult>& results = feed_.snapshot().results;
+  const int rows = static_cast<int>(results.size());
+  if (table_->rowCount() != rows) {
+    table_->setRowCount(0);
+    table_->setRowCount(rows);
+  }
+  for (int row = 0; row < rows; ++row) {
+    const metrics::MetricResult& result = results[static_cast<std::size_t>(row)];
+    const QString tip = tooltipOf(result);
+    const QString texts[] = {QString::fromStdString(result.info.name),
+                             metricText(result),
+                             QString::fromStdString(result.info.unit),
+                             {}};
+    for (int column = 0; column < MetricColumns; ++column) {
+      QTableWidgetItem* item = table_->item(row, column);
+      if (item == nullptr) {
+        item = new QTableWidgetItem;
+        item->setTextAlignment(alignmentOf(column));
+        item->setData(Qt::UserRole, QString::fromStdString(result.info.key));
+        table_->setItem(row, column, item);
+      }
+      const bool isPale = column == UnitColumn || !result.value.value;
+      item->setText(texts[column]);
+      item->setToolTip(tip);
+      item->setData(Qt::ForegroundRole, isPale ? QVariant(pale_) : QVariant());
+    }
+  }
+  table_->viewport()->update();
+}
+
 /// Names that are longer than their column go on in further lines.
 void MetricsDock::fitRows() {
-  fittedRows_ = model_->rowCount();
-  fitRowHeights(*table_, MetricsModel::NameColumn, kCellPadding);
+  fittedRows_ = table_->rowCount();
+  fitRowHeights(*table_, NameColumn, kCellPadding);
+}
+
+int MetricsDock::rowOf(const std::string& key) const {
+  const auto& results = feed_.snapshot().results;
+  const auto found = std::find_if(results.begin(), results.end(),
+                                  [&](const auto& result) { return result.info.key == key; });
+  return found == results.end() ? -1 : static_cast<int>(found - results.begin());
+}
+
+/// The first row that has something to plot, else 0.
+int MetricsDock::firstWithCurve() const {
+  const MetricSnapshot& snapshot = feed_.snapshot();
+  const auto found = std::find_if(snapshot.results.begin(), snapshot.results.end(),
+                                  [&](const metrics::MetricResult& result) {
+                                    const MetricCurve* curve = curveOf(snapshot, result.info.key);
+                                    return curve != nullptr && hasCourse(*curve);
+                                  });
+  return found == snapshot.results.end() ? 0 : static_cast<int>(found - snapshot.results.begin());
 }
 
 std::string MetricsDock::selectedKey() const {
@@ -288,22 +370,10 @@ std::string MetricsDock::selectedKey() const {
 }
 
 void MetricsDock::showSelected() {
-  const QModelIndexList rows = table_->selectionModel()->selectedRows();
-  const int row = rows.isEmpty() ? -1 : rows.front().row();
-  plot_->show(model_->resultAt(row), model_->curveAt(row));
-}
-
-QString MetricsDock::shownValue(const QString& key) const {
-  const int row = model_->rowOf(key.toStdString());
-  return row < 0 ? QString()
-                 : model_->index(row, MetricsModel::NowColumn).data(Qt::DisplayRole).toString();
-}
-
-void MetricsDock::selectMetric(const QString& key) {
-  const int row = model_->rowOf(key.toStdString());
-  if (row >= 0) {
-    table_->selectRow(row);
-  }
+  const std::string key = selectedKey();
+  const int row = rowOf(key);
+  plot_->show(row < 0 ? nullptr : &feed_.snapshot().results[static_cast<std::size_t>(row)],
+              curveOf(feed_.snapshot(), key));
 }
 
 void addMetricsDock(PanelRegistry& to) {

@@ -1,44 +1,65 @@
 #pragma once
 
 #include <QLabel>
-#include <QSplitter>
 #include <QStackedLayout>
-#include <QTableView>
+#include <QTableWidget>
 
 #include "editor/look/Theme.h"
 #include "editor/panels/MetricsFeed.h"
 
+class QwtPlot;
+class QwtPlotCurve;
+class QwtPlotGrid;
+class QwtPlotMarker;
+
 namespace editor {
 
-class MetricPlot;
-class MetricsModel;
 class SparklineDelegate;
+
+/// One metric over time, with a line at the moment that is shown.
+class MetricPlot : public QWidget {
+  Q_OBJECT
+ public:
+  explicit MetricPlot(const Theme& theme);
+  void setTheme(const Theme& theme);
+  void show(const metrics::MetricResult* result, const MetricCurve* curve);
+  void setCursor(double time);  // [s]
+
+ private:
+  void layOut();
+  void reserveEnd();
+  QLabel* title_;
+  QLabel* unit_;
+  QwtPlot* plot_;
+  QwtPlotGrid* grid_;  // these belong to the plot
+  QwtPlotCurve* curve_;
+  QwtPlotMarker* cursor_;
+};
 
 /// The live table of metrics with the course of each since the start, and a plot of the one that is
 /// selected.
 class MetricsDock : public QWidget {
   Q_OBJECT
  public:
-  MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Theme& theme,
-              QWidget* parent = nullptr);
+  MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Theme& theme);
   void setTheme(const Theme& theme);
   QTableView& table() const { return *table_; }
-  /// The text shown for a metric; empty when it is not in the table.
-  QString shownValue(const QString& key) const;
-  void selectMetric(const QString& key);
 
  private:
+  void makeTable();
   void takeSnapshot();
+  void fillRows();
   void showSelected();
   void fitRows();
+  int rowOf(const std::string& key) const;  // -1 = none
+  int firstWithCurve() const;
   std::string selectedKey() const;
 
   MetricsFeed& feed_;
-  SimulationRunner& runner_;
-  MetricsModel* model_;
+  QColor pale_;
   SparklineDelegate* sparkline_;
   QStackedLayout* stack_;
-  QTableView* table_;
+  QTableWidget* table_;
   MetricPlot* plot_;
   int fittedRows_ = 0;
   std::string chosen_;       // key of the metric that the user wants to see

@@ -103,10 +103,8 @@ struct MetricsFeed::Work {
   }
 };
 
-MetricsFeed::MetricsFeed(const ScenarioDocument& document, SimulationRunner& runner,
-                         QObject* parent)
-    : QObject(parent),
-      document_(document),
+MetricsFeed::MetricsFeed(const ScenarioDocument& document, SimulationRunner& runner)
+    : document_(document),
       runner_(runner),
       task_([this](MetricSnapshot snapshot) { deliver(std::move(snapshot)); }) {
   connect(&runner_, &SimulationRunner::frameShown, this, &MetricsFeed::follow);

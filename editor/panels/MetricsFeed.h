@@ -33,8 +33,7 @@ struct MetricSnapshot {
 class MetricsFeed : public QObject {
   Q_OBJECT
  public:
-  MetricsFeed(const ScenarioDocument& document, SimulationRunner& runner,
-              QObject* parent = nullptr);
+  MetricsFeed(const ScenarioDocument& document, SimulationRunner& runner);
   ~MetricsFeed() override;
 
   const MetricSnapshot& snapshot() const { return snapshot_; }

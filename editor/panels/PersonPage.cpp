@@ -1,5 +1,3 @@
-#include "editor/panels/PersonPage.h"
-
 #include <algorithm>
 #include <random>
 
@@ -8,6 +6,7 @@
 #include "editor/document/BehaviorValues.h"
 #include "editor/document/Groups.h"
 #include "editor/look/FigurePainter.h"
+#include "editor/panels/EntityPages.h"
 #include "editor/panels/GoalAssignment.h"
 #include "editor/panels/RouteEditor.h"
 #include "editor/panels/Skins.h"
@@ -21,10 +20,8 @@ using sim2d::PersonExtension;
 
 namespace {
 
-const Human& personOf(const Entity& entity) {
-  return std::get<Human>(entity);
-}
-Human& personOf(Entity& entity) {
+template <class AnyEntity>
+auto& personOf(AnyEntity& entity) {
   return std::get<Human>(entity);
 }
 
@@ -34,8 +31,8 @@ BehaviorType behaviorOf(const Entity& entity) {
 
 }  // namespace
 
-PersonPage::PersonPage(ScenarioDocument& document, const Theme& theme, QWidget* parent)
-    : PropertyPage(document, parent), theme_(theme) {
+PersonPage::PersonPage(ScenarioDocument& document, const Theme& theme)
+    : PropertyPage(document), theme_(theme) {
   addPersonSection();
   FormSection* body = addSection(tr("Pose and body"));
   addPosition(body);
@@ -83,11 +80,10 @@ void PersonPage::addGoalSection() {
   section->addRow(tr("Route"), editor);
   connect(editor, &RouteEditor::edited, this,
           [this](const std::vector<int>& goals) { pushRoute(document(), targets(), goals); });
-  QToolButton* assign = linkButton(tr("Assign goals…"), this);
-  assign->setToolTip(tr("Goals of several people at once, in order by drag (Ctrl+G)"));
-  section->addRow(QString(), assign);
-  connect(assign, &QToolButton::clicked, this,
-          [this] { openGoalAssignment(document(), theme_, this); });
+  section->addRow(QString(),
+                  linkButton(tr("Assign goals…"),
+                             tr("Goals of several people at once, in order by drag (Ctrl+G)"), this,
+                             [this] { openGoalAssignment(document(), theme_, this); }));
   addRefresh([=](const std::vector<Entity>& shown) {
     const auto route =
         commonValue(shown, [](const Entity& value) { return personOf(value).goals; });
@@ -143,29 +139,25 @@ void PersonPage::addReactionSection() {
   const std::vector<BehaviorType> all = {BehaviorType::Surprised, BehaviorType::Scared,
                                          BehaviorType::Curious, BehaviorType::Threatening};
   reaction_ = addSection(tr("Reaction to the robot"));
-  const auto add = [this](const char* key, std::vector<BehaviorType> types) {
-    FieldLook look;
+  FieldLook drawn;  // a number that a random mix draws
+  drawn.counts = [](const Entity& entity) { return !isDrawn(personOf(entity)); };
+  drawn.enabled = [](const std::vector<Entity>& shown) {
+    return std::none_of(shown.begin(), shown.end(),
+                        [](const Entity& each) { return isDrawn(personOf(each)); });
+  };
+  const auto add = [this](const char* key, std::vector<BehaviorType> types, FieldLook look) {
     look.visible = [types = std::move(types)](const std::vector<Entity>& shown) {
       return std::count(types.begin(), types.end(), behaviorOf(shown.front())) > 0;
     };
-    if (key == std::string("once")) {
-      look.words = QStringList{tr("Then walks on")};
-    } else {  // a number that a random mix draws
-      look.counts = [](const Entity& entity) { return !isDrawn(personOf(entity)); };
-      look.enabled = [](const std::vector<Entity>& shown) {
-        return std::none_of(shown.begin(), shown.end(),
-                            [](const Entity& each) { return isDrawn(personOf(each)); });
-      };
-    }
     addField<sim2d::Behavior>(reaction_, key, look);
   };
-  add("dist", all);
-  add("duration", all);
-  add("vel", {BehaviorType::Scared, BehaviorType::Curious});
-  add("safe_distance", {BehaviorType::Scared});
-  add("stop_dist", {BehaviorType::Curious});
-  add("front_dist", {BehaviorType::Threatening});
-  add("once", all);
+  add("dist", all, drawn);
+  add("duration", all, drawn);
+  add("vel", {BehaviorType::Scared, BehaviorType::Curious}, drawn);
+  add("safe_distance", {BehaviorType::Scared}, drawn);
+  add("stop_dist", {BehaviorType::Curious}, drawn);
+  add("front_dist", {BehaviorType::Threatening}, drawn);
+  add("once", all, inWords({tr("Then walks on")}));
 }
 
 void PersonPage::addForceSection() {
@@ -203,41 +195,32 @@ void PersonPage::addForceSection() {
 void PersonPage::addDrawRows() {
   seed_ = new NumberField({0.0, 2147483647.0, 0, 1.0}, {}, this);
   seed_->setToolTip(tr("The draws of a run with this seed; the scenario keeps its own"));
-  QToolButton* sample = linkButton(tr("Sample"), this);
-  sample->setToolTip(tr("Draw again with another seed"));
-  forces_->addRow(tr("Seed"), sample, seed_);
-  drawLinks_ = new QWidget(this);
-  auto* links = new QHBoxLayout(drawLinks_);
-  links->setContentsMargins(0, 0, 0, 0);
-  links->setSpacing(8);
-  QToolButton* freezing = linkButton(tr("Freeze"), drawLinks_);
-  freezing->setToolTip(tr("Write these numbers down as own numbers"));
-  keepSeed_ = linkButton(tr("Use this seed"), drawLinks_);
-  keepSeed_->setToolTip(tr("Make it the seed of the scenario"));
-  links->addWidget(freezing);
-  links->addWidget(keepSeed_);
-  links->addStretch();
-  forces_->addRow(QString(), drawLinks_);
-  connect(seed_, &NumberField::edited, this, [this](double value) {
-    ownSeed_ = static_cast<long long>(value);
-    refresh();
-  });
-  connect(sample, &QToolButton::clicked, this, [this] {
+  auto* sample = linkButton(tr("Sample"), tr("Draw again with another seed"), this, [this] {
     ownSeed_ = static_cast<long long>(std::random_device{}() & 0x7fffffffU) % 1000000;
     refresh();
   });
-  connect(freezing, &QToolButton::clicked, this, [this] {
-    const sim2d::Scenario scenario = document().scenario();
-    apply(tr("Freeze drawn numbers"), [&](Entity& entity) {
-      personOf(entity).behavior = frozenBehavior(scenario, personOf(entity), seed());
-    });
-  });
-  connect(keepSeed_, &QToolButton::clicked, this, [this] {
-    const long long wanted = seed();
-    ownSeed_.reset();
-    pushChange<ScenarioSettings>(
-        document(), kSettingsId, tr("Change seed"),
-        [wanted](ScenarioSettings& settings) { settings.desktop.seed = wanted; });
+  forces_->addRow(tr("Seed"), sample, seed_);
+  drawLinks_ = new QWidget(this);
+  auto* freezing =
+      linkButton(tr("Freeze"), tr("Write these numbers down as own numbers"), drawLinks_, [this] {
+        const sim2d::Scenario scenario = document().scenario();
+        apply(tr("Freeze drawn numbers"), [&](Entity& entity) {
+          personOf(entity).behavior = frozenBehavior(scenario, personOf(entity), seed());
+        });
+      });
+  keepSeed_ =
+      linkButton(tr("Use this seed"), tr("Make it the seed of the scenario"), drawLinks_, [this] {
+        const long long wanted = seed();
+        ownSeed_.reset();
+        pushChange<ScenarioSettings>(
+            document(), kSettingsId, tr("Change seed"),
+            [wanted](ScenarioSettings& settings) { settings.desktop.seed = wanted; });
+        refresh();
+      });
+  arranged(new QHBoxLayout(drawLinks_), {}, 8, {freezing, keepSeed_})->addStretch();
+  forces_->addRow(QString(), drawLinks_);
+  connect(seed_, &NumberField::edited, this, [this](double value) {
+    ownSeed_ = static_cast<long long>(value);
     refresh();
   });
 }
@@ -296,11 +279,10 @@ void PersonPage::addGroupSection() {
   auto* members = secondaryLabel({}, this);
   members->setWordWrap(true);
   section->addRow(tr("Members"), members);
-  QToolButton* dissolve = linkButton(tr("Dissolve"), this);
-  dissolve->setToolTip(tr("Everybody of the group walks alone"));
+  auto* dissolve =
+      linkButton(tr("Dissolve"), tr("Everybody of the group walks alone"), this,
+                 [this, choice] { pushDissolve(document(), choice->currentData().toInt()); });
   section->addRow(QString(), dissolve);
-  connect(dissolve, &QToolButton::clicked, this,
-          [this, choice] { pushDissolve(document(), choice->currentData().toInt()); });
   addRefresh([=](const std::vector<Entity>& shown) {
     const sim2d::Scenario& scenario = document().scenario();
     const auto groups = groupsOf(scenario);
@@ -350,7 +332,7 @@ void PersonPage::addAppearanceSection() {
     const std::string simulator = document().scenario().simulator.value_or(std::string());
     choice->clear();
     for (const Skin& skin : skinsOf(simulator)) {
-      choice->addItem(skinIcon(skin, theme_), skin.name, skin.number);
+      choice->addItem(skinIcon(skin, theme_), QLatin1String(skin.name), skin.number);
     }
     const std::optional<int> worn =
         commonValue(shown, [](const Entity& each) { return personOf(each).skin.value_or(0); });
@@ -359,7 +341,8 @@ void PersonPage::addAppearanceSection() {
     QStringList others;
     for (const char* other : {"Gazebo Classic", "Isaac Sim", "Webots"}) {
       if (worn && &skinsOf(other) != &skinsOf(simulator)) {
-        others << QString::fromLatin1(other) + QStringLiteral(": ") + skinFor(other, *worn).name;
+        others << QStringLiteral("%1: %2").arg(QLatin1String(other),
+                                               QLatin1String(skinFor(other, *worn).name));
       }
     }
     elsewhere->setText(others.join(QLatin1Char('\n')));

@@ -37,28 +37,6 @@ NumberField::Range rangeOf(const base::ParameterSpec& spec, bool isWide) {
   return range;
 }
 
-/// The words of a choice and the values they stand for.
-struct Choices {
-  QStringList words;
-  std::vector<ParameterValue> values;
-};
-
-Choices choicesOf(const base::ParameterSpec& spec, const FieldLook& look) {
-  Choices choices;
-  if (!look.none.isEmpty()) {
-    choices.words << look.none;
-    choices.values.emplace_back();
-  }
-  const std::vector<std::string>& values = spec.choices.empty() ? look.names : spec.choices;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const int index = static_cast<int>(i);
-    choices.words << (index < look.words.size() ? look.words[index]
-                                                : QString::fromStdString(values[i]));
-    choices.values.emplace_back(values[i]);
-  }
-  return choices;
-}
-
 QString textOf(const ParameterValue& value) {
   if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
     return listText(*numbers);
@@ -91,12 +69,8 @@ QString listProblem(const base::Range& range, const QString& text) {
 
 }  // namespace
 
-PropertyPage::PropertyPage(ScenarioDocument& document, QWidget* parent,
-                           const sim2d::FieldTables& tables)
-    : QWidget(parent), document_(document), tables_(tables), layout_(new QVBoxLayout(this)) {
-  layout_->setContentsMargins(0, 0, 0, 0);
-  layout_->setSpacing(0);
-}
+PropertyPage::PropertyPage(ScenarioDocument& document, const sim2d::FieldTables& tables)
+    : document_(document), tables_(tables), layout_(arranged(new QVBoxLayout(this), {}, 0)) {}
 
 void PropertyPage::setTargets(const std::vector<EntityId>& targets) {
   targets_ = targets;
@@ -202,27 +176,6 @@ void PropertyPage::addOwnNumber(FormSection* section, const QString& help, int l
   });
 }
 
-FieldLook inWords(const QStringList& words, const QString& none) {
-  FieldLook look;
-  look.words = words;
-  look.none = none;
-  return look;
-}
-
-FieldLook oneOf(std::vector<std::string> names, const QString& none) {
-  FieldLook look;
-  look.names = std::move(names);
-  look.none = none;
-  return look;
-}
-
-FieldLook emptyAs(const QString& placeholder, TextField::Check check) {
-  FieldLook look;
-  look.placeholder = placeholder;
-  look.check = std::move(check);
-  return look;
-}
-
 QString labelOf(const base::ParameterSpec& spec) {
   if (!spec.form.label.empty()) {
     return QString::fromStdString(spec.form.label);
@@ -314,13 +267,9 @@ NumberField* PropertyPage::makeNumber(const EntityField& field, const FieldLook&
       return !look.counts || look.counts(entity) ? numberIn(field.get(entity)) : std::nullopt;
     };
     const auto value = commonValue(shown, [&](const Entity& entity) {
-      const auto otherwise = [&] {
-        return look.fallback    ? look.fallback(entity)
-               : field.fallback ? numberIn(field.fallback(entity)).value_or(0.0)
-                                : 0.0;
-      };
       const std::optional<double> written = own(entity);
-      return written ? *written : otherwise();
+      return written || !field.fallback ? written.value_or(0.0)
+                                        : numberIn(field.fallback(entity)).value_or(0.0);
     });
     value ? number->show(*value, !own(shown.front())) : number->showMixed();
   });
@@ -329,13 +278,21 @@ NumberField* PropertyPage::makeNumber(const EntityField& field, const FieldLook&
 
 /// The word of the default is chosen by leaving the key out, where no word stands for that.
 QWidget* PropertyPage::makeChoice(const EntityField& field, const FieldLook& look) {
-  const Choices choices = choicesOf(field.spec, look);
   const bool hasNone = !look.none.isEmpty();
   auto* box = new ChoiceField(this);
-  box->addItems(choices.words);
+  std::vector<ParameterValue> values;  // that the words stand for
+  if (hasNone) {
+    box->addItem(look.none);
+    values.emplace_back();
+  }
+  for (const std::string& value : field.spec.choices.empty() ? look.names : field.spec.choices) {
+    const int index = box->count() - (hasNone ? 1 : 0);
+    box->addItem(index < look.words.size() ? look.words[index] : QString::fromStdString(value));
+    values.emplace_back(value);
+  }
   box->setToolTip(helpOf(field.spec));
   connect(box, qOverload<int>(&QComboBox::activated), this, [=](int index) {
-    const ParameterValue& value = choices.values[static_cast<std::size_t>(index)];
+    const ParameterValue& value = values[static_cast<std::size_t>(index)];
     apply(tr("Change %1").arg(labelOf(field.spec).toLower()), [&](Entity& entity) {
       const bool isUsual = !hasNone && field.fallback && value == field.fallback(entity);
       field.set(entity, isUsual ? ParameterValue() : value);
@@ -345,9 +302,9 @@ QWidget* PropertyPage::makeChoice(const EntityField& field, const FieldLook& loo
     const auto index = commonValue(shown, [&](const Entity& entity) {
       const ParameterValue own = field.get(entity);
       const bool isOwn = own != ParameterValue() || hasNone || !field.fallback;
-      const auto found = std::find(choices.values.begin(), choices.values.end(),
-                                   isOwn ? own : field.fallback(entity));
-      return found == choices.values.end() ? 0 : static_cast<int>(found - choices.values.begin());
+      const auto found =
+          std::find(values.begin(), values.end(), isOwn ? own : field.fallback(entity));
+      return found == values.end() ? 0 : static_cast<int>(found - values.begin());
     });
     box->setCurrentIndex(index.value_or(-1));
   });

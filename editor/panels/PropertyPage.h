@@ -21,19 +21,25 @@ namespace editor {
 
 /// How a form shows a key: what its description does not say.
 struct FieldLook {
-  QStringList words;                 // of a choice, in the order of the table; beside a switch
+  QStringList words{};               // of a choice, in the order of the table; beside a switch
   std::vector<std::string> names{};  // a text that is one of these
   QString none{};                    // first word of a choice: nothing of one's own
   QString placeholder{};             // of a text
   TextField::Check check{};          // of a text, also of a list
   QString unit{}, unitOfOne{};
-  std::function<double(const Entity&)> fallback{};
+  std::function<base::ParameterValue(const Entity&)> fallback{};  // instead of the table's
   std::function<bool(const Entity&)> counts{};  // false: the value of the file is not used
   std::function<bool(const std::vector<Entity>&)> enabled{}, visible{};
 };
-FieldLook inWords(const QStringList& words, const QString& none = {});
-FieldLook oneOf(std::vector<std::string> names, const QString& none);
-FieldLook emptyAs(const QString& placeholder, TextField::Check check = {});
+inline FieldLook inWords(const QStringList& words, const QString& none = {}) {
+  return {words, {}, none};
+}
+inline FieldLook oneOf(std::vector<std::string> names, const QString& none) {
+  return {{}, std::move(names), none};
+}
+inline FieldLook emptyAs(const QString& placeholder, TextField::Check check = {}) {
+  return {{}, {}, {}, placeholder, std::move(check)};
+}
 
 /// Where all that are shown give the same, that; else nothing.
 template <class Get>
@@ -51,8 +57,8 @@ auto commonValue(const std::vector<Entity>& shown, const Get& get)
 class PropertyPage : public QWidget {
   Q_OBJECT
  public:
-  PropertyPage(ScenarioDocument& document, QWidget* parent = nullptr,
-               const sim2d::FieldTables& tables = sim2d::fieldTables());
+  explicit PropertyPage(ScenarioDocument& document,
+                        const sim2d::FieldTables& tables = sim2d::fieldTables());
 
   void setTargets(const std::vector<EntityId>& targets);
   const std::vector<EntityId>& targets() const { return targets_; }
@@ -68,10 +74,13 @@ class PropertyPage : public QWidget {
   FormSection* addSection(const QString& title);
   /// A row made from the table of T.
   template <class T>
-  void addField(FormSection* section, const std::string& key, const FieldLook& look = {}) {
-    const sim2d::Field<T>* field = sim2d::fieldOf<T>(key, tables_);
-    places_[&field->spec] = {
-        section, addRow(section, entityField(*field, document_, [this] { return seed(); }), look)};
+  void addField(FormSection* section, const std::string& name, const FieldLook& look = {}) {
+    const sim2d::Field<T>* key = sim2d::fieldOf<T>(name, tables_);
+    EntityField field = entityField(*key, document_, [this] { return seed(); });
+    if (look.fallback) {
+      field.fallback = look.fallback;
+    }
+    places_[&key->spec] = {section, addRow(section, field, look)};
   }
   /// The other keys of the table, each after its neighbour, without those that the page shows in
   /// its own way. After all rows.

@@ -15,7 +15,6 @@
 #include "editor/look/Icons.h"
 #include "editor/panels/EntityPages.h"
 #include "editor/panels/PanelRegistry.h"
-#include "editor/panels/PersonPage.h"
 #include "sim2d/base/Types.h"
 
 namespace editor {
@@ -79,26 +78,21 @@ void ElidedLabel::paintEvent(QPaintEvent* /*event*/) {
 
 /// How a person or robot is doing in the frame that is shown: place, heading, speed, goal and the
 /// distance to the robot. Hidden while there is no run.
-class NowSection : public QWidget {
+class NowSection : public FormSection {
  public:
-  explicit NowSection(QWidget* parent)
-      : QWidget(parent), section_(new FormSection(tr("Now"), this)) {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(section_);
-    section_->addRow(tr("Position"), position_);
-    section_->addRow(tr("Heading"), heading_);
-    section_->addRow(tr("Speed"), speed_);
-    section_->addRow(tr("Goal"), goal_);
-    section_->addRow(tr("Robot"), robot_);
+  explicit NowSection(QWidget* parent) : FormSection(tr("Now"), parent) {
+    addRow(tr("Position"), position_);
+    addRow(tr("Heading"), heading_);
+    addRow(tr("Speed"), speed_);
+    addRow(tr("Goal"), goal_);
+    addRow(tr("Robot"), robot_);
     hide();
   }
 
   /// `agent` as in frames: people by id, robots negative.
   void show(const sim2d::Frame* frame, std::optional<int> agent) {
-    const bool shown =
-        frame != nullptr && agent && (showPerson(*frame, *agent) || showRobot(*frame, *agent));
-    setVisible(shown);
+    setVisible(frame != nullptr && agent &&
+               (showPerson(*frame, *agent) || showRobot(*frame, *agent)));
   }
 
  private:
@@ -132,8 +126,8 @@ class NowSection : public QWidget {
       const double dy = frame.robots.y[i] - people.y[*index];
       nearest = std::min(nearest, std::sqrt(dx * dx + dy * dy));
     }
-    section_->setNote(people.state[*index] != 0 ? tr("reacting") : QString());
-    section_->setRowVisible(robot_, frame.robots.size() > 0);
+    setNote(people.state[*index] != 0 ? tr("reacting") : QString());
+    setRowVisible(robot_, frame.robots.size() > 0);
     robot_->setText(tr("%1 m away").arg(nearest, 0, 'f', 2));
     return true;
   }
@@ -143,12 +137,11 @@ class NowSection : public QWidget {
     if (index && frame.robots.goal[*index] == 0) {
       goal_->setText(tr("its point"));
     }
-    section_->setNote({});
-    section_->setRowVisible(robot_, false);
+    setNote({});
+    setRowVisible(robot_, false);
     return index.has_value();
   }
 
-  FormSection* section_;
   QLabel* position_ = new QLabel(this);
   QLabel* heading_ = new QLabel(this);
   QLabel* speed_ = new QLabel(this);
@@ -156,9 +149,8 @@ class NowSection : public QWidget {
   QLabel* robot_ = new QLabel(this);
 };
 
-PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme, QWidget* parent)
-    : QWidget(parent),
-      document_(document),
+PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme)
+    : document_(document),
       theme_(theme),
       picture_(new QLabel(this)),
       name_(new ElidedLabel(this)),
@@ -170,32 +162,19 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme, QWi
   picture_->setFixedSize(kPictureSize, kPictureSize);
   name_->setFont(theme_.font(12.0, QFont::DemiBold));
   about_->setTextFormat(Qt::PlainText);
-  auto* words = new QVBoxLayout;
-  words->setSpacing(0);
-  words->addWidget(name_);
-  words->addWidget(about_);
-  auto* top = new QHBoxLayout;
-  top->setContentsMargins(12, 12, 12, 12);
-  top->setSpacing(12);
-  top->addWidget(picture_);
-  top->addLayout(words, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addLayout(top);
-  layout->addWidget(dividerLine(this));
-  layout->addWidget(now_);
   later_->setContentsMargins(12, 6, 12, 6);
   later_->hide();
-  layout->addWidget(later_);
-  layout->addWidget(stack_, 1);
-  addPage(EntityKind::Human, new PersonPage(document, theme));
-  addPage(EntityKind::Robot, new RobotPage(document));
-  addPage(EntityKind::Goal, new GoalPage(document));
-  addPage(EntityKind::Obstacle, new ObstaclePage(document));
-  addPage(EntityKind::Door, new DoorPage(document));
-  addPage(EntityKind::Area, new AreaPage(document));
-  addPage(EntityKind::Scenario, new SettingsPage(document));
+  auto* top = arranged(new QHBoxLayout, {12, 12, 12, 12}, 12, {picture_});
+  top->addLayout(arranged(new QVBoxLayout, {}, 0, {name_, about_}), 1);
+  auto* layout = arranged(new QVBoxLayout(this), {}, 0);
+  layout->addLayout(top);
+  for (QWidget* part : std::initializer_list<QWidget*>{dividerLine(this), now_, later_, stack_}) {
+    layout->addWidget(part, part == stack_ ? 1 : 0);
+  }
+  pages_ = entityPages(document, theme);
+  for (const auto& [kind, page] : pages_) {
+    stack_->addWidget(scrollArea(page, stack_));
+  }
   connect(&document_, &ScenarioDocument::selectionChanged, this, &PropertyPanel::follow);
   connect(&document_, &ScenarioDocument::pathChanged, this, &PropertyPanel::refresh);
   connect(&document_, &ScenarioDocument::changed, this, [this](const Change& change) {
@@ -204,22 +183,6 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme, QWi
   connect(&document_, &ScenarioDocument::settled, this,
           [this] { std::exchange(isSame_, true) ? refresh() : follow(); });
   follow();
-}
-
-void PropertyPanel::addPage(EntityKind kind, PropertyPage* page) {
-  QScrollArea* area = scrollArea(page, stack_);
-  stack_->addWidget(area);
-  pages_[kind] = page;
-  areas_[kind] = area;
-}
-
-PropertyPage* PropertyPanel::currentPage() const {
-  for (const auto& [kind, area] : areas_) {
-    if (area == stack_->currentWidget()) {
-      return pages_.at(kind);
-    }
-  }
-  return nullptr;
 }
 
 void PropertyPanel::follow() {
@@ -231,17 +194,16 @@ void PropertyPanel::follow() {
   const EntityKind kind = ids.back().kind;
   ids.erase(std::remove_if(ids.begin(), ids.end(), [kind](EntityId id) { return id.kind != kind; }),
             ids.end());
-  stack_->setCurrentWidget(areas_.at(kind));
-  pages_.at(kind)->setTargets(ids);
+  current_ = pages_.at(kind);
+  stack_->setCurrentIndex(static_cast<int>(std::distance(pages_.begin(), pages_.find(kind))));
+  current_->setTargets(ids);
   showHeading(ids);
   showNow();
 }
 
 void PropertyPanel::refresh() {
-  if (PropertyPage* page = currentPage()) {
-    page->refresh();
-    showHeading(page->targets());
-  }
+  current_->refresh();
+  showHeading(current_->targets());
 }
 
 void PropertyPanel::showHeading(const std::vector<EntityId>& ids) {
@@ -322,14 +284,11 @@ std::optional<int> PropertyPanel::agentOf(EntityId id) const {
   if (const sim2d::Human* human = document_.human(id)) {
     return human->id;
   }
-  int robotId = 0;
-  for (const sim2d::Robot& robot : document_.scenario().robots) {
-    robotId -= robot.listed ? 1 : 0;
-    if (robot.key == id && robot.listed) {
-      return robotId;
-    }
-  }
-  return std::nullopt;
+  const std::vector<sim2d::Robot>& robots = document_.scenario().robots;
+  const auto robot = std::find_if(robots.begin(), robots.end(),
+                                  [id](const auto& each) { return each.key == id && each.listed; });
+  return robot == robots.end() ? std::nullopt
+                               : std::optional(-1 - static_cast<int>(robot - robots.begin()));
 }
 
 void PropertyPanel::showNow() {

@@ -3,7 +3,6 @@
 #include <map>
 
 #include <QLabel>
-#include <QScrollArea>
 #include <QStackedWidget>
 
 #include "editor/panels/PropertyPage.h"
@@ -15,7 +14,7 @@ namespace editor {
 /// has the whole. `text` stays whole.
 class ElidedLabel : public QLabel {
  public:
-  explicit ElidedLabel(QWidget* parent = nullptr);
+  explicit ElidedLabel(QWidget* parent);
   void setWords(const QString& words);
   QString shownWords() const;  // as they fit now
 
@@ -29,16 +28,15 @@ class NowSection;
 class PropertyPanel : public QWidget {
   Q_OBJECT
  public:
-  PropertyPanel(ScenarioDocument& document, const Theme& theme, QWidget* parent = nullptr);
+  PropertyPanel(ScenarioDocument& document, const Theme& theme);
   void setTheme(const Theme& theme);
   PropertyPage* page(EntityKind kind) const { return pages_.at(kind); }
-  PropertyPage* currentPage() const;
+  PropertyPage* currentPage() const { return current_; }
   /// The moment of a run that is shown; none ends it. What is edited then counts from the next
   /// start; of a recorded run nothing can be edited.
   void showFrame(const FramePtr& frame, bool isRecorded = false);
 
  private:
-  void addPage(EntityKind kind, PropertyPage* page);
   void follow();
   void refresh();
   void showHeading(const std::vector<EntityId>& ids);
@@ -57,7 +55,7 @@ class PropertyPanel : public QWidget {
   FramePtr frame_;
   QStackedWidget* stack_;
   std::map<EntityKind, PropertyPage*> pages_;
-  std::map<EntityKind, QScrollArea*> areas_;
+  PropertyPage* current_ = nullptr;
 };
 
 }  // namespace editor

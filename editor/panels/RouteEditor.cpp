@@ -83,10 +83,8 @@ void RouteEditor::rebuild() {
     connect(chip, &QToolButton::clicked, this, [this, chip, i] { offerMoves(chip, i); });
     parts_.push_back(chip);
   }
-  QToolButton* add = linkButton(tr("+ Add"), this);
-  add->setToolTip(tr("Add a goal to the end of the route"));
-  connect(add, &QToolButton::clicked, this, [this, add] { offerGoals(add); });
-  parts_.push_back(add);
+  parts_.push_back(linkButton(tr("+ Add"), tr("Add a goal to the end of the route"), this,
+                              [this] { offerGoals(parts_.back()); }));
   for (QWidget* part : parts_) {
     part->show();
   }

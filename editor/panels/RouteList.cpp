@@ -9,6 +9,7 @@
 #include <QPainter>
 
 #include "editor/look/FigurePainter.h"
+#include "editor/look/Form.h"
 #include "editor/panels/RowDelegate.h"
 
 namespace editor {
@@ -24,6 +25,15 @@ QString dragType() {
 
 }  // namespace
 
+QVBoxLayout* titledColumn(const QString& title, const Theme& theme, QWidget* content) {
+  auto* heading = new QLabel(title);
+  heading->setFont(theme.font(9.5, QFont::DemiBold));
+  heading->setBuddy(content);
+  auto* column = arranged(new QVBoxLayout, {}, 4, {heading, content});
+  column->setStretchFactor(content, 1);
+  return column;
+}
+
 HintList::HintList(const Theme& theme, const QString& name, QWidget* parent) : QListWidget(parent) {
   setAccessibleName(name);
   QPalette colors = palette();
@@ -32,7 +42,7 @@ HintList::HintList(const Theme& theme, const QString& name, QWidget* parent) : Q
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setUniformItemSizes(true);
-  setItemDelegate(new RowDelegate(theme, this));
+  setItemDelegate(new RowDelegate(this));
 }
 
 void HintList::setHint(const QString& hint) {

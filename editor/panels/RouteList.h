@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include <QBoxLayout>
 #include <QListWidget>
 
 #include "editor/look/Theme.h"
@@ -13,7 +14,7 @@ namespace editor {
 class HintList : public QListWidget {
   Q_OBJECT
  public:
-  HintList(const Theme& theme, const QString& name, QWidget* parent = nullptr);
+  HintList(const Theme& theme, const QString& name, QWidget* parent);
   void setHint(const QString& hint);
   QString hint() const { return hint_; }
   std::vector<int> selectedRows() const;  // from top to bottom
@@ -25,11 +26,14 @@ class HintList : public QListWidget {
   QString hint_;
 };
 
+/// A list or form of a dialog below its heading.
+QVBoxLayout* titledColumn(const QString& title, const Theme& theme, QWidget* content);
+
 /// Goals to take from: they can be dragged out, and return adds those that are selected.
 class GoalList : public HintList {
   Q_OBJECT
  public:
-  GoalList(const Theme& theme, const QString& name, QWidget* parent = nullptr);
+  GoalList(const Theme& theme, const QString& name, QWidget* parent);
   void addGoal(const sim2d::GlobalGoal* goal, int number, const QString& sideText);
   std::vector<int> selectedGoals() const;  // from top to bottom
   std::vector<int> goals() const;
@@ -41,6 +45,8 @@ class GoalList : public HintList {
   void keyPressEvent(QKeyEvent* event) override;
   QStringList mimeTypes() const override;
   QMimeData* mimeData(const QList<QListWidgetItem*> items) const override;
+
+ private:
   Theme theme_;
 };
 
@@ -48,7 +54,7 @@ class GoalList : public HintList {
 class RouteList : public GoalList {
   Q_OBJECT
  public:
-  RouteList(const Theme& theme, const QString& name, QWidget* parent = nullptr);
+  RouteList(const Theme& theme, const QString& name, QWidget* parent);
   void showRoute(const std::vector<int>& route, const sim2d::Scenario& scenario);
   void removeSelected();
   void moveSelected(int by);  // -1 = earlier, 1 = later

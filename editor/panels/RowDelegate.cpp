@@ -10,7 +10,6 @@ namespace editor {
 namespace {
 
 constexpr int kGap = 8;
-
 constexpr int kFarBelow = 10000;
 
 int widthOf(const QTableView& table, int row, int column) {
@@ -22,13 +21,6 @@ int widthOf(const QTableView& table, int row, int column) {
 }
 
 }  // namespace
-
-RowDelegate::RowDelegate(const Theme& theme, QObject* parent)
-    : QStyledItemDelegate(parent), theme_(theme) {}
-
-QString RowDelegate::sideText(const QModelIndex& index) const {
-  return index.data(kSideTextRole).toString();
-}
 
 QSize RowDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
   return {QStyledItemDelegate::sizeHint(option, index).width(), kListRowHeight};
@@ -42,9 +34,10 @@ void RowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     row.font.setWeight(QFont::DemiBold);
     row.fontMetrics = QFontMetrics(row.font);
   }
+  const QColor pale = option.palette.color(QPalette::PlaceholderText);
   if (isPale(index)) {
-    row.palette.setColor(QPalette::Text, theme_.color(Role::TextSecondary));
-    row.palette.setColor(QPalette::HighlightedText, theme_.color(Role::TextSecondary));
+    row.palette.setColor(QPalette::Text, pale);
+    row.palette.setColor(QPalette::HighlightedText, pale);
   }
   const int margin = rightMargin(option, index);
   const int icon = row.icon.isNull() ? 0 : 24;
@@ -61,7 +54,7 @@ void RowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   }
   painter->save();
   painter->setFont(option.font);
-  painter->setPen(theme_.color(Role::TextSecondary));
+  painter->setPen(pale);
   painter->drawText(option.rect.adjusted(0, 0, -margin, 0), Qt::AlignRight | Qt::AlignVCenter,
                     side);
   painter->restore();
@@ -84,10 +77,10 @@ void styleList(QAbstractItemView& list, const QString& name) {
   list.setAccessibleName(name);
 }
 
-void styleTable(QTableView& table, QAbstractItemModel& model, const QString& name) {
+void styleTable(QTableView& table, const QString& name) {
   styleList(table, name);
-  table.setModel(&model);
   table.setShowGrid(false);
+  table.setEditTriggers(QAbstractItemView::NoEditTriggers);
   table.setSelectionBehavior(QAbstractItemView::SelectRows);
   table.setSelectionMode(QAbstractItemView::SingleSelection);
   table.verticalHeader()->hide();

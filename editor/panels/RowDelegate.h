@@ -3,8 +3,6 @@
 #include <QStyledItemDelegate>
 #include <QTableView>
 
-#include "editor/look/Theme.h"
-
 namespace editor {
 
 /// Data role of the secondary text of a row.
@@ -15,24 +13,21 @@ constexpr int kListRowPadding = 6;  // of a text of several lines
 
 /// The name, semibold when selected, and a secondary text at the right end.
 class RowDelegate : public QStyledItemDelegate {
-  Q_OBJECT
  public:
-  explicit RowDelegate(const Theme& theme, QObject* parent = nullptr);
-  void setTheme(const Theme& theme) { theme_ = theme; }
+  using QStyledItemDelegate::QStyledItemDelegate;
   void paint(QPainter* painter, const QStyleOptionViewItem& option,
              const QModelIndex& index) const override;
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
  protected:
-  virtual QString sideText(const QModelIndex& index) const;
+  virtual QString sideText(const QModelIndex& index) const {
+    return index.data(kSideTextRole).toString();
+  }
   /// Pixels at the right end that stay free [px].
   virtual int rightMargin(const QStyleOptionViewItem&, const QModelIndex&) const { return 12; }
   virtual bool isHeading(const QModelIndex&) const { return false; }
   /// What is switched off is written in the secondary colour.
   virtual bool isPale(const QModelIndex&) const { return false; }
-
- private:
-  Theme theme_;
 };
 
 /// Holds a list and gives it as much of its height as whole rows need, so that the last one is
@@ -52,8 +47,8 @@ class WholeRows : public QWidget {
 
 /// A list, tree or table that lies on its panel without a frame and is never wider than it.
 void styleList(QAbstractItemView& list, const QString& name);
-/// A table of whole rows, of which one can be selected.
-void styleTable(QTableView& table, QAbstractItemModel& model, const QString& name);
+/// A table of whole rows to look at, of which one can be selected.
+void styleTable(QTableView& table, const QString& name);
 /// Rows of a table get as many lines as the text in this column needs. `margin` is what cell and
 /// icon take of the width.
 void fitRowHeights(QTableView& table, int column, int margin);

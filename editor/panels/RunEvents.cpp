@@ -4,6 +4,8 @@
 
 #include <QPainterPath>
 
+#include "editor/look/FigurePainter.h"
+
 namespace editor {
 
 using sim2d::EventKind;
@@ -60,8 +62,8 @@ QPainterPath bubblePath() {
 
 }  // namespace
 
-RunEvents::RunEvents(const ScenarioDocument& document, SimulationRunner& runner, QObject* parent)
-    : QObject(parent), document_(document), runner_(runner) {
+RunEvents::RunEvents(const ScenarioDocument& document, SimulationRunner& runner)
+    : document_(document), runner_(runner) {
   connect(&runner_, &SimulationRunner::frameShown, this, &RunEvents::follow);
   connect(&runner_, &SimulationRunner::stateChanged, this, &RunEvents::follow);
 }
@@ -90,14 +92,9 @@ void RunEvents::follow() {
 QString RunEvents::nameOfAgent(int id) const {
   const sim2d::Scenario& scenario = document_.scenario();
   if (id < 0) {
-    int robotId = 0;
-    for (const sim2d::Robot& robot : scenario.robots) {
-      robotId -= robot.listed ? 1 : 0;
-      if (robot.listed && robotId == id) {
-        return QString::fromStdString(robot.name);
-      }
-    }
-    return tr("Robot %1").arg(-id);
+    const auto robot = static_cast<std::size_t>(-id - 1);
+    const bool known = robot < scenario.robots.size() && scenario.robots[robot].listed;
+    return known ? QString::fromStdString(scenario.robots[robot].name) : tr("Robot %1").arg(-id);
   }
   const sim2d::Human* human = scenario.humanById(id);
   return human != nullptr ? QString::fromStdString(human->name) : tr("Person %1").arg(id);
@@ -162,18 +159,7 @@ void paintEventMark(QPainter& painter, EventMark mark, const QPointF& centre, co
 }
 
 QIcon eventIcon(EventMark mark, const Theme& theme) {
-  constexpr int kSize = 16;
-  QIcon icon;
-  for (const int ratio : {1, 2, 3}) {
-    QPixmap pixmap(kSize * ratio, kSize * ratio);
-    pixmap.setDevicePixelRatio(ratio);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    paintEventMark(painter, mark, QPointF(kSize / 2.0, kSize / 2.0), theme);
-    painter.end();
-    icon.addPixmap(pixmap);
-  }
-  return icon;
+  return drawnIcon(16, [&](QPainter& painter) { paintEventMark(painter, mark, {}, theme); });
 }
 
 }  // namespace editor

@@ -26,7 +26,7 @@ struct RunEvent {
 class RunEvents : public QObject {
   Q_OBJECT
  public:
-  RunEvents(const ScenarioDocument& document, SimulationRunner& runner, QObject* parent = nullptr);
+  RunEvents(const ScenarioDocument& document, SimulationRunner& runner);
   const std::vector<RunEvent>& events() const { return events_; }
 
  Q_SIGNALS:
@@ -47,6 +47,7 @@ class RunEvents : public QObject {
 
 /// How an event is marked: by shape as well as colour.
 enum class EventMark { Pin, Bubble, Diamond, Triangle, Cross, Ring, None };
+constexpr std::size_t kEventMarks = 7;
 EventMark markOfEvent(sim2d::EventKind kind);
 
 /// Draws the mark about `centre`, some 10 px wide.

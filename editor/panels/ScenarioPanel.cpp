@@ -17,6 +17,7 @@
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/PanelRegistry.h"
+#include "editor/panels/RowDelegate.h"
 
 namespace editor {
 
@@ -36,6 +37,55 @@ bool isOff(const QModelIndex& index) {
 bool showsEye(const QStyleOptionViewItem& option, const QModelIndex& index) {
   return isOff(index) || (option.state.testFlag(QStyle::State_MouseOver) && canBeOff(index));
 }
+
+/// Name and secondary text of an entity, and at the right end the eye that switches it on and off;
+/// it is seen where the mouse is and where something is off.
+class EntityRowDelegate : public RowDelegate {
+ public:
+  EntityRowDelegate(std::function<void(const QModelIndex&)> eyeClicked, QObject* parent)
+      : RowDelegate(parent), eyeClicked_(std::move(eyeClicked)) {}
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option,
+             const QModelIndex& index) const override {
+    RowDelegate::paint(painter, option, index);
+    if (showsEye(option, index)) {
+      tintedIcon(isOff(index) ? QStringLiteral("eye-off") : QStringLiteral("eye"),
+                 option.palette.color(QPalette::PlaceholderText))
+          .paint(painter, ScenarioPanel::eyeOf(option.rect));
+    }
+  }
+
+  bool editorEvent(QEvent* event, QAbstractItemModel*, const QStyleOptionViewItem& option,
+                   const QModelIndex& index) override {
+    const bool press = event->type() == QEvent::MouseButtonPress;
+    if (!canBeOff(index) || (!press && event->type() != QEvent::MouseButtonRelease)) {
+      return false;
+    }
+    const auto* mouse = static_cast<QMouseEvent*>(event);
+    if (mouse->button() != Qt::LeftButton ||
+        !ScenarioPanel::eyeOf(option.rect).contains(mouse->pos())) {
+      return false;
+    }
+    if (!press) {
+      eyeClicked_(index);
+    }
+    return true;
+  }
+
+ protected:
+  bool isPale(const QModelIndex& index) const override { return isOff(index); }
+  bool isHeading(const QModelIndex& index) const override { return !index.parent().isValid(); }
+  int rightMargin(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    return showsEye(option, index) ? 32 : 12;
+  }
+  QString sideText(const QModelIndex& index) const override {
+    return isOff(index) ? QObject::tr("off")
+                        : index.siblingAtColumn(EntityModel::BehaviorColumn).data().toString();
+  }
+
+ private:
+  std::function<void(const QModelIndex&)> eyeClicked_;
+};
 
 /// Rows that follow each other as one range: a selection of thousands of ranges is slow.
 QItemSelection runsOf(QModelIndexList rows) {
@@ -82,72 +132,16 @@ QAction& offer(QMenu& menu, const QString& text, const QString& says,
 
 }  // namespace
 
-EntityRowDelegate::EntityRowDelegate(const Theme& theme, QObject* parent)
-    : RowDelegate(theme, parent) {
-  setTheme(theme);
-}
-
-void EntityRowDelegate::setTheme(const Theme& theme) {
-  RowDelegate::setTheme(theme);
-  eye_ = tintedIcon(QStringLiteral("eye"), theme.color(Role::TextSecondary));
-  eyeOff_ = tintedIcon(QStringLiteral("eye-off"), theme.color(Role::TextSecondary));
-}
-
-QRect EntityRowDelegate::eyeOf(const QRect& row) {
+QRect ScenarioPanel::eyeOf(const QRect& row) {
   return {row.right() - 27, row.center().y() - 7, 16, 16};
 }
 
-void EntityRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
-                              const QModelIndex& index) const {
-  RowDelegate::paint(painter, option, index);
-  if (showsEye(option, index)) {
-    (isOff(index) ? eyeOff_ : eye_).paint(painter, eyeOf(option.rect));
-  }
-}
-
-bool EntityRowDelegate::editorEvent(QEvent* event, QAbstractItemModel*,
-                                    const QStyleOptionViewItem& option, const QModelIndex& index) {
-  const bool press = event->type() == QEvent::MouseButtonPress;
-  if (!canBeOff(index) || (!press && event->type() != QEvent::MouseButtonRelease)) {
-    return false;
-  }
-  const auto* mouse = static_cast<QMouseEvent*>(event);
-  if (mouse->button() != Qt::LeftButton || !eyeOf(option.rect).contains(mouse->pos())) {
-    return false;
-  }
-  if (!press) {
-    Q_EMIT eyeClicked(index);
-  }
-  return true;
-}
-
-int EntityRowDelegate::rightMargin(const QStyleOptionViewItem& option,
-                                   const QModelIndex& index) const {
-  return showsEye(option, index) ? 32 : 12;
-}
-
-bool EntityRowDelegate::isPale(const QModelIndex& index) const {
-  return isOff(index);
-}
-
-QString EntityRowDelegate::sideText(const QModelIndex& index) const {
-  const QString text =
-      index.siblingAtColumn(EntityModel::BehaviorColumn).data(Qt::DisplayRole).toString();
-  return isOff(index) ? tr("off") : text;
-}
-
-bool EntityRowDelegate::isHeading(const QModelIndex& index) const {
-  return !index.parent().isValid();
-}
-
-ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme, QWidget* parent)
-    : QWidget(parent),
-      document_(document),
+ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme)
+    : document_(document),
       model_(new EntityModel(document, theme, this)),
       filter_(new EntityFilter(*model_, this)),
       filterField_(new QLineEdit(this)),
       tree_(new QTreeView(this)),
-      delegate_(new EntityRowDelegate(theme, this)),
       empty_(
           emptyState(tr("Nothing on the map yet.\nPress P and click to place a person."), this)) {
   filterField_->setPlaceholderText(tr("Filter people, goals, areas"));
@@ -155,15 +149,11 @@ ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme, QWi
   filterField_->setAccessibleName(tr("Filter"));
   searchMark_ = filterField_->addAction(QIcon(), QLineEdit::LeadingPosition);
   tree_->setModel(filter_);
-  tree_->setItemDelegate(delegate_);
+  tree_->setItemDelegate(
+      new EntityRowDelegate([this](const QModelIndex& index) { switchEye(index); }, this));
   styleTree(*tree_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(4);
-  auto* top = new QVBoxLayout;
-  top->setContentsMargins(12, 0, 12, 0);
-  top->addWidget(filterField_);
-  layout->addLayout(top);
+  auto* layout = arranged(new QVBoxLayout(this), {0, 0, 0, 0}, 4);
+  layout->addLayout(arranged(new QVBoxLayout, {12, 0, 12, 0}, 0, {filterField_}));
   layout->addWidget(new WholeRows(*tree_, this), 1);
   empty_->setMinimumHeight(kEmptyHeight);
   layout->addWidget(empty_);
@@ -179,7 +169,6 @@ ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme, QWi
       Q_EMIT activated(id);
     }
   });
-  connect(delegate_, &EntityRowDelegate::eyeClicked, this, &ScenarioPanel::switchEye);
   connect(tree_, &QTreeView::customContextMenuRequested, this, &ScenarioPanel::offerMenu);
   connect(&document_, &ScenarioDocument::selectionChanged, this, &ScenarioPanel::takeSelection);
   connect(&document_, &ScenarioDocument::settled, this, &ScenarioPanel::showEmptiness);
@@ -199,7 +188,6 @@ void ScenarioPanel::showEmptiness() {
 }
 
 void ScenarioPanel::setTheme(const Theme& theme) {
-  delegate_->setTheme(theme);
   model_->setTheme(theme);
   searchMark_->setIcon(tintedIcon(QStringLiteral("search"), theme.color(Role::TextSecondary)));
   tree_->viewport()->update();
@@ -209,10 +197,8 @@ void ScenarioPanel::expandGroups() {
   const bool all = !filterField_->text().isEmpty();
   for (int row = 0; row < filter_->rowCount(); ++row) {
     const QModelIndex group = filter_->index(row, 0);
-    const int people = 0;
-    const int robots = 2;
-    const int source = filter_->mapToSource(group).row();
-    tree_->setExpanded(group, all || source == people || source == robots);
+    const int kind = filter_->mapToSource(group).row();  // 0 = people, 2 = robots
+    tree_->setExpanded(group, all || kind == 0 || kind == 2);
   }
 }
 

@@ -14,10 +14,8 @@ namespace {
 using Desktop = sim2d::DesktopSettings;
 using Metrics = sim2d::MetricsSettings;
 
-sim2d::DesktopSettings& desktop(Entity& entity) {
-  return std::get<ScenarioSettings>(entity).desktop;
-}
-const sim2d::DesktopSettings& desktop(const Entity& entity) {
+template <class AnyEntity>
+auto& desktop(AnyEntity& entity) {
   return std::get<ScenarioSettings>(entity).desktop;
 }
 
@@ -91,9 +89,8 @@ QString worldsOf(const QString& simulator) {
 
 }  // namespace
 
-SettingsPage::SettingsPage(ScenarioDocument& document, QWidget* parent,
-                           const sim2d::Registries& registries)
-    : PropertyPage(document, parent) {
+SettingsPage::SettingsPage(ScenarioDocument& document, const sim2d::Registries& registries)
+    : PropertyPage(document) {
   addRunSection();
   addPeopleSection(registries);
   addModelSection(registries);

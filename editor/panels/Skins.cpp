@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include <QPainter>
-#include <QPainterPath>
+#include "editor/look/FigurePainter.h"
 
 namespace editor {
 
@@ -15,44 +14,6 @@ const QColor kDark(0x3B, 0x2F, 0x2A);
 const QColor kBlond(0xC9, 0x9A, 0x4A);
 const QColor kGrey(0x8A, 0x8A, 0x8A);
 const QColor kFace(0xE3, 0xB5, 0x94);
-
-Skin skin(int number, const char* name, const char* clothes, const QColor& hair,
-          Head head = Head::Hair) {
-  return {number, QString::fromUtf8(name), QColor(QString::fromLatin1(clothes)), hair, head};
-}
-
-std::vector<Skin> gazeboSkins() {
-  return {skin(0, "Elegant man", "#37424F", kDark),
-          skin(1, "Casual man", "#7A6A4F", kBlond),
-          skin(2, "Elegant woman", "#7B3F61", kDark, Head::LongHair),
-          skin(3, "Regular man", "#4F6D5A", kDark),
-          skin(4, "Worker man", "#E08A1E", kDark, Head::Helmet),
-          skin(5, "Blue jeans", "#3E5F8A", kBlond),
-          skin(6, "Green t-shirt", "#3C9A5F", kDark),
-          skin(7, "Blue t-shirt", "#2F7FD0", kDark),
-          skin(8, "Red t-shirt", "#C8453B", kDark)};
-}
-
-std::vector<Skin> isaacSkins() {
-  return {skin(0, "Drawn by Isaac", "#8A94A0", kGrey, Head::Dice),
-          skin(1, "F_Business_02", "#4A4F6A", kDark, Head::LongHair),
-          skin(2, "F_Medical_01", "#63B7B0", kBlond, Head::LongHair),
-          skin(3, "M_Medical_01", "#63B7B0", kDark),
-          skin(4, "male_adult_construction_01", "#E08A1E", kDark, Head::Helmet),
-          skin(5, "male_adult_construction_05", "#C9B21E", kDark, Head::Helmet),
-          skin(6, "female_adult_police_01", "#27406B", kDark, Head::Cap),
-          skin(7, "female_adult_police_02", "#27406B", kBlond, Head::Cap),
-          skin(8, "female_adult_police_03", "#3B5A8F", kDark, Head::Cap),
-          skin(9, "male_adult_police_04", "#27406B", kGrey, Head::Cap),
-          skin(10, "female_adult_business_02", "#6A4A5F", kBlond, Head::LongHair),
-          skin(11, "female_adult_medical_01", "#8CC7E8", kDark, Head::LongHair)};
-}
-
-std::vector<Skin> webotsSkins() {
-  return {skin(0, "Robert", "#4C6A8C", kDark), skin(1, "Sandra", "#A34F6B", kBlond, Head::LongHair),
-          skin(2, "Sophia", "#6B4FA3", kDark, Head::LongHair),
-          skin(3, "Anthony", "#5B7F45", kGrey)};
-}
 
 void paintHead(QPainter& painter, const Skin& skin) {
   painter.setBrush(kFace);
@@ -91,9 +52,32 @@ void paintHead(QPainter& painter, const Skin& skin) {
 }  // namespace
 
 const std::vector<Skin>& skinsOf(const std::string& simulator) {
-  static const std::vector<Skin> kGazebo = gazeboSkins();
-  static const std::vector<Skin> kIsaac = isaacSkins();
-  static const std::vector<Skin> kWebots = webotsSkins();
+  static const std::vector<Skin> kGazebo = {{0, "Elegant man", "#37424F", kDark},
+                                            {1, "Casual man", "#7A6A4F", kBlond},
+                                            {2, "Elegant woman", "#7B3F61", kDark, Head::LongHair},
+                                            {3, "Regular man", "#4F6D5A", kDark},
+                                            {4, "Worker man", "#E08A1E", kDark, Head::Helmet},
+                                            {5, "Blue jeans", "#3E5F8A", kBlond},
+                                            {6, "Green t-shirt", "#3C9A5F", kDark},
+                                            {7, "Blue t-shirt", "#2F7FD0", kDark},
+                                            {8, "Red t-shirt", "#C8453B", kDark}};
+  static const std::vector<Skin> kIsaac = {
+      {0, "Drawn by Isaac", "#8A94A0", kGrey, Head::Dice},
+      {1, "F_Business_02", "#4A4F6A", kDark, Head::LongHair},
+      {2, "F_Medical_01", "#63B7B0", kBlond, Head::LongHair},
+      {3, "M_Medical_01", "#63B7B0", kDark},
+      {4, "male_adult_construction_01", "#E08A1E", kDark, Head::Helmet},
+      {5, "male_adult_construction_05", "#C9B21E", kDark, Head::Helmet},
+      {6, "female_adult_police_01", "#27406B", kDark, Head::Cap},
+      {7, "female_adult_police_02", "#27406B", kBlond, Head::Cap},
+      {8, "female_adult_police_03", "#3B5A8F", kDark, Head::Cap},
+      {9, "male_adult_police_04", "#27406B", kGrey, Head::Cap},
+      {10, "female_adult_business_02", "#6A4A5F", kBlond, Head::LongHair},
+      {11, "female_adult_medical_01", "#8CC7E8", kDark, Head::LongHair}};
+  static const std::vector<Skin> kWebots = {{0, "Robert", "#4C6A8C", kDark},
+                                            {1, "Sandra", "#A34F6B", kBlond, Head::LongHair},
+                                            {2, "Sophia", "#6B4FA3", kDark, Head::LongHair},
+                                            {3, "Anthony", "#5B7F45", kGrey}};
   return simulator == "Isaac Sim" ? kIsaac : simulator == "Webots" ? kWebots : kGazebo;
 }
 
@@ -106,28 +90,23 @@ const Skin& skinFor(const std::string& simulator, int number) {
 }
 
 QIcon skinIcon(const Skin& skin, const Theme& theme) {
-  constexpr int kSize = 24;
-  constexpr int kRatio = 3;
-  QPixmap picture(kSize * kRatio, kSize * kRatio);
-  picture.setDevicePixelRatio(kRatio);
-  picture.fill(Qt::transparent);
-  QPainter painter(&picture);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(theme.color(Role::Line), 0.6));
-  if (skin.head == Head::LongHair) {
-    painter.setBrush(skin.hair);
-    painter.drawRoundedRect(QRectF(6.6, 5.0, 10.8, 10.6), 4.5, 4.5);
-  }
-  QPainterPath shoulders;
-  shoulders.moveTo(3.0, 23.0);
-  shoulders.cubicTo(3.2, 15.0, 8.0, 13.6, 12.0, 13.6);
-  shoulders.cubicTo(16.0, 13.6, 20.8, 15.0, 21.0, 23.0);
-  shoulders.closeSubpath();
-  painter.setBrush(skin.clothes);
-  painter.drawPath(shoulders);
-  paintHead(painter, skin);
-  painter.end();
-  return QIcon(picture);
+  const auto draw = [&](QPainter& painter) {
+    painter.translate(-12.0, -12.0);
+    painter.setPen(QPen(theme.color(Role::Line), 0.6));
+    if (skin.head == Head::LongHair) {
+      painter.setBrush(skin.hair);
+      painter.drawRoundedRect(QRectF(6.6, 5.0, 10.8, 10.6), 4.5, 4.5);
+    }
+    QPainterPath shoulders;
+    shoulders.moveTo(3.0, 23.0);
+    shoulders.cubicTo(3.2, 15.0, 8.0, 13.6, 12.0, 13.6);
+    shoulders.cubicTo(16.0, 13.6, 20.8, 15.0, 21.0, 23.0);
+    shoulders.closeSubpath();
+    painter.setBrush(skin.clothes);
+    painter.drawPath(shoulders);
+    paintHead(painter, skin);
+  };
+  return drawnIcon(24, draw, {3});
 }
 
 }  // namespace editor

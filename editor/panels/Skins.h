@@ -14,9 +14,8 @@ namespace editor {
 struct Skin {
   enum class Head { Hair, LongHair, Helmet, Cap, Dice };
   int number = 0;
-  QString name;  // as the simulator's editor or asset says
-  QColor clothes;
-  QColor hair;
+  const char* name = "";  // as the simulator's editor or asset says
+  QColor clothes, hair;
   Head head = Head::Hair;
 };
 

@@ -91,12 +91,8 @@ TextViewer::TextViewer(const Theme& theme, QWidget* parent)
   connect(outside, &QPushButton::clicked, this,
           [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(path_)); });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(16, 16, 16, 16);
-  layout->setSpacing(8);
-  layout->addWidget(place_);
-  layout->addWidget(text_, 1);
-  layout->addWidget(buttons);
+  auto* layout = arranged(new QVBoxLayout(this), {16, 16, 16, 16}, 8, {place_, text_, buttons});
+  layout->setStretchFactor(text_, 1);
 }
 
 void TextViewer::setTheme(const Theme& theme) {

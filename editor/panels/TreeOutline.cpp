@@ -6,6 +6,7 @@
 #include <QPainter>
 
 #include "editor/document/TreeFiles.h"
+#include "editor/look/FigurePainter.h"
 #include "editor/panels/RowDelegate.h"
 
 namespace editor {
@@ -18,7 +19,8 @@ constexpr int kNodeRole = Qt::UserRole + 1;
 constexpr int kMarkSize = 16;
 
 void paintMark(QPainter& painter, NodeStatus status, const Theme& theme) {
-  const QPointF centre(kMarkSize / 2.0, kMarkSize / 2.0);
+  constexpr QPointF kCentre(kMarkSize / 2.0, kMarkSize / 2.0);
+  painter.translate(-kCentre);
   QPen sign(theme.color(Role::Panel), 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
   painter.setPen(Qt::NoPen);
   switch (status) {
@@ -28,7 +30,7 @@ void paintMark(QPainter& painter, NodeStatus status, const Theme& theme) {
       break;
     case NodeStatus::Success:
       painter.setBrush(theme.color(Role::Ok));
-      painter.drawEllipse(centre, 5.5, 5.5);
+      painter.drawEllipse(kCentre, 5.5, 5.5);
       painter.setPen(sign);
       painter.setBrush(Qt::NoBrush);
       painter.drawPolyline(QPolygonF({{5.5, 8.2}, {7.3, 10.0}, {10.6, 6.2}}));
@@ -44,20 +46,14 @@ void paintMark(QPainter& painter, NodeStatus status, const Theme& theme) {
     case NodeStatus::Skipped:
       painter.setPen(QPen(theme.color(Role::TextSecondary), 1.3));
       painter.setBrush(Qt::NoBrush);
-      painter.drawEllipse(centre, 4.0, 4.0);
+      painter.drawEllipse(kCentre, 4.0, 4.0);
       break;
   }
 }
 
 QIcon markOf(NodeStatus status, const Theme& theme) {
-  constexpr int kRatio = 3;
-  QPixmap picture(kMarkSize * kRatio, kMarkSize * kRatio);
-  picture.setDevicePixelRatio(kRatio);
-  picture.fill(Qt::transparent);
-  QPainter painter(&picture);
-  painter.setRenderHint(QPainter::Antialiasing);
-  paintMark(painter, status, theme);
-  return QIcon(picture);
+  const auto draw = [&](QPainter& painter) { paintMark(painter, status, theme); };
+  return drawnIcon(kMarkSize, draw, {3});
 }
 
 /// "RunOnce" -> "Run once"
@@ -82,13 +78,7 @@ QString unitOf(const bt::PortSpec& port) {
   return port.unit.empty() ? QString() : QLatin1Char(' ') + QString::fromStdString(port.unit);
 }
 
-}  // namespace
-
-QString nodeTitle(const bt::NodeSpec& node) {
-  const QString label = QString::fromStdString(node.label());
-  return node.name.empty() && !node.isSubTree() ? spaced(label) : label;
-}
-
+/// The values of a node that are constants: "5 m, 30 s".
 QString nodeValues(const bt::NodeSpec& node) {
   QStringList values;
   const bt::NodeManifest* manifest = treeCatalogue().find(node.id);
@@ -108,18 +98,24 @@ QString nodeValues(const bt::NodeSpec& node) {
   return values.join(QStringLiteral(", "));
 }
 
-TreeOutline::TreeOutline(const Theme& theme, QWidget* parent) : QTreeWidget(parent), theme_(theme) {
+}  // namespace
+
+QString nodeTitle(const bt::NodeSpec& node) {
+  const QString label = QString::fromStdString(node.label());
+  return node.name.empty() && !node.isSubTree() ? spaced(label) : label;
+}
+
+TreeOutline::TreeOutline(const Theme& theme) : theme_(theme) {
   setColumnCount(1);
   styleList(*this, tr("Behaviour tree"));
   header()->hide();
   setIndentation(14);
   setUniformRowHeights(true);
-  setItemDelegate(new RowDelegate(theme, this));
+  setItemDelegate(new RowDelegate(this));
 }
 
 void TreeOutline::setTheme(const Theme& theme) {
   theme_ = theme;
-  static_cast<RowDelegate*>(itemDelegate())->setTheme(theme);
   for (std::size_t node = 0; node < nodes_.size(); ++node) {
     paintRow(node);
   }

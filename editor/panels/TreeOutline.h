@@ -16,7 +16,7 @@ namespace editor {
 class TreeOutline : public QTreeWidget {
   Q_OBJECT
  public:
-  explicit TreeOutline(const Theme& theme, QWidget* parent = nullptr);
+  explicit TreeOutline(const Theme& theme);
   void setTheme(const Theme& theme);
 
   void showTree(const PersonTree& tree);
@@ -42,7 +42,5 @@ class TreeOutline : public QTreeWidget {
 
 /// "IsRobotVisible" -> "Is robot visible"; names of instances stay as they are.
 QString nodeTitle(const bt::NodeSpec& node);
-/// The values of a node that are constants: "5 m, 30 s".
-QString nodeValues(const bt::NodeSpec& node);
 
 }  // namespace editor

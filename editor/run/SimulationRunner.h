@@ -9,11 +9,14 @@
 #include <QObject>
 #include <QTimer>
 
+#include "app/run/RunOptions.h"
 #include "app/run/Session.h"
+#include "editor/document/ScenarioDocument.h"
 
 namespace editor {
 
 using app::RecordingPtr;
+using app::RunSettings;
 using sim2d::FramePtr;
 
 /// A run to be started.
@@ -22,6 +25,10 @@ struct RunRequest {
   sim2d::StopRule rule;
   int recordEvery = 1;
 };
+
+/// A run of the document as it is now: copies of scenario, map and trees. GUI thread. What a check
+/// refuses does not run.
+RunRequest runRequestOf(const ScenarioDocument& document, const RunSettings& settings = {});
 
 /// A simulation beside the window. Lives in the GUI thread and owns one worker thread with
 /// the session. States come out through its history, which is there to be read while it grows and

@@ -8,7 +8,7 @@
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
 #include "editor/document/QtImageLoader.h"
-#include "editor/run/DocumentWorld.h"
+#include "editor/run/SimulationRunner.h"
 #include "tests/app/RunFiles.h"
 
 using outside::Finished;

@@ -9,7 +9,7 @@
 #include "editor/panels/BehaviorPanel.h"
 #include "editor/panels/BlockDialog.h"
 #include "editor/panels/RowDelegate.h"
-#include "editor/run/DocumentWorld.h"
+#include "editor/run/SimulationRunner.h"
 
 using editor::BehaviorPanel;
 using editor::EntityId;
@@ -79,8 +79,6 @@ class BehaviorPanelTest : public QObject {
     runner_ = std::make_unique<editor::SimulationRunner>();
     runner_->setRequest([this] { return editor::runRequestOf(*document_); });
     panel_ = std::make_unique<BehaviorPanel>(*document_, *runner_, editor::Theme::light());
-    connect(runner_.get(), &editor::SimulationRunner::frameShown, panel_.get(),
-            &BehaviorPanel::showFrame);
     panel_->resize(320, 640);
     panel_->show();
     QVERIFY(QTest::qWaitForWindowExposed(panel_.get()));

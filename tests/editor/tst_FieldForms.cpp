@@ -259,7 +259,7 @@ class FieldFormsTest : public QObject {
     keys.push_back(sim2d::field("tow_hook", &sim2d::Robot::planner, "What it pulls"));
     sim2d::Scenario scenario = oneOfEach();
     document_.load(scenario);
-    editor::RobotPage page(document_, nullptr, tables);
+    editor::RobotPage page(document_, tables);
     page.setTargets({scenario.robots[0].key});
     page.resize(320, 900);
     page.show();
@@ -305,7 +305,7 @@ class FieldFormsTest : public QObject {
     const QString rowName = QStringLiteral("dog.tail_wag");
     sim2d::Scenario scenario = oneOfEach();
     document_.load(scenario);
-    editor::RobotPage page(document_, nullptr, sim2d::fieldTables(), registries);
+    editor::RobotPage page(document_, sim2d::fieldTables(), registries);
     page.setTargets({scenario.robots[0].key});
     page.show();
     QVERIFY(QTest::qWaitForWindowExposed(&page));
@@ -384,7 +384,7 @@ class FieldFormsTest : public QObject {
     spec.help = "From tip to `tip`";
     registries.models.add("geese", {spec}, {});
     document_.load(oneOfEach());
-    editor::SettingsPage page(document_, nullptr, registries);
+    editor::SettingsPage page(document_, registries);
     page.setTargets({editor::kSettingsId});
     page.show();
     openSections(page);

@@ -5,6 +5,18 @@
 
 using editor::MetricsChoicePanel;
 
+namespace {
+
+void setChosen(const MetricsChoicePanel& panel, const QString& key, bool chosen) {
+  for (QTreeWidgetItemIterator each(&panel.tree()); *each != nullptr; ++each) {
+    if ((*each)->data(0, Qt::UserRole) == key) {
+      (*each)->setCheckState(0, chosen ? Qt::Checked : Qt::Unchecked);
+    }
+  }
+}
+
+}  // namespace
+
 class MetricsChoicePanelTest : public QObject {
   Q_OBJECT
 
@@ -23,7 +35,7 @@ class MetricsChoicePanelTest : public QObject {
     editor::SimulationRunner runner;
     editor::MetricsFeed feed(document, runner);
     MetricsChoicePanel panel(document, feed, editor::Theme::light());
-    panel.setChosen(QStringLiteral("path_length"), false);
+    setChosen(panel, QStringLiteral("path_length"), false);
     const metrics::Selection selection = feed.selection();
     QVERIFY(selection.keys.has_value());
     QCOMPARE(selection.keys->off.count("path_length"), std::size_t(1));
@@ -96,7 +108,7 @@ class MetricsChoicePanelTest : public QObject {
     editor::MetricsFeed feed(document, runner);
     MetricsChoicePanel panel(document, feed, editor::Theme::light());
     panel.chooseAll(false);
-    panel.setChosen(QStringLiteral("path_length"), true);
+    setChosen(panel, QStringLiteral("path_length"), true);
     QVERIFY(!base::hasErrors(panel.save()));
     QCOMPARE(*document.scenario().desktop.metrics.file, std::string("room_metrics.yaml"));
     feed.setSelection(std::nullopt);
@@ -171,7 +183,7 @@ class MetricsChoicePanelTest : public QObject {
     editor::MetricsFeed feed(document, runner);
     MetricsChoicePanel panel(document, feed, editor::Theme::light());
     QCOMPARE(static_cast<int>(panel.selection().keys->off.size()), count / 2);
-    panel.setChosen(QString::fromStdString(keys[1]), true);
+    setChosen(panel, QString::fromStdString(keys[1]), true);
     QVERIFY(!base::hasErrors(panel.save()));
     const base::Result<metrics::MetricsFile> again =
         metrics::readMetricsFile(folder.filePath(QStringLiteral("metrics.yaml")).toStdString());

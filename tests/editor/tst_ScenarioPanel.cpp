@@ -144,7 +144,7 @@ class ScenarioPanelTest : public QObject {
   void eye_clicked_switchesOffAndOn() {
     const EntityId ben{EntityKind::Human, 2};
     QTreeView& tree = panel_->tree();
-    const auto eye = [&] { return editor::EntityRowDelegate::eyeOf(placeOf(ben)).center(); };
+    const auto eye = [&] { return ScenarioPanel::eyeOf(placeOf(ben)).center(); };
     QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, eye());
     QCOMPARE(names().back(), std::string("Ben"));  // behind the others, as in the file
     QVERIFY(!scenario().humans.back().listed);

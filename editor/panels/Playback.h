@@ -1,11 +1,38 @@
 #pragma once
 
-#include <QWidget>
+#include <QAction>
+#include <QComboBox>
 
 #include "editor/look/Theme.h"
 #include "editor/panels/RunEvents.h"
 
 namespace editor {
+
+/// Reset, step back, play or pause, step, and the speed; they follow the state of the runner.
+class PlaybackActions : public QObject {
+  Q_OBJECT
+ public:
+  PlaybackActions(SimulationRunner& runner, const Theme& theme);
+  void setTheme(const Theme& theme);
+
+  QAction* reset() const { return reset_; }
+  QAction* stepBack() const { return stepBack_; }
+  QAction* playPause() const { return playPause_; }
+  QAction* step() const { return step_; }
+  QAction* newest() const { return newest_; }
+  QList<QAction*> all() const { return {reset_, stepBack_, playPause_, step_}; }
+  /// A combo box of speeds, for a tool bar that takes it.
+  QComboBox* makeSpeedBox(QWidget* parent);
+
+ private:
+  void follow();
+  SimulationRunner& runner_;
+  Theme theme_;
+  QAction *reset_, *stepBack_, *playPause_, *step_, *newest_;
+};
+
+/// "0:12.4"
+QString clockText(double seconds);
 
 /// The time of the run over the whole width: clock, slider, ticks and marks of events. Dragging
 /// looks into the past.
@@ -13,7 +40,7 @@ class TimelineBar : public QWidget {
   Q_OBJECT
  public:
   TimelineBar(const ScenarioDocument& document, RunEvents& events, SimulationRunner& runner,
-              const Theme& theme, QWidget* parent = nullptr);
+              const Theme& theme);
   void setTheme(const Theme& theme);
   double length() const;  // [s] of the whole bar
   double xOf(double time) const;

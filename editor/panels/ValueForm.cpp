@@ -1,0 +1,287 @@
+#include "editor/panels/ValueForm.h"
+
+#include <map>
+
+#include "bt/tree/TextValue.h"
+#include "editor/document/TreeFiles.h"
+#include "sim2d/base/Text.h"
+
+namespace editor {
+
+namespace {
+
+using Kind = ValueRow::Kind;
+
+constexpr const char* kRepeatKey = "happens";  // no keys of parameters
+constexpr const char* kChanceKey = "chance";
+
+QString qt(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+/// "3, 7" -> 3 and 7
+QStringList idsIn(const std::string& list) {
+  return qt(list).remove(QLatin1Char(' ')).split(QLatin1Char(','), Qt::SkipEmptyParts);
+}
+
+void showChoice(ChoiceField& field, const ValueRow& row) {
+  for (const auto& [value, words] : row.choices) {
+    field.addItem(words, value);
+  }
+  const QString value = qt(row.text);
+  if (field.findData(value) < 0) {  // not in the scenario: shown as it is
+    field.addItem(QObject::tr("%1 (missing)").arg(value), value);
+  }
+  field.setCurrentIndex(field.findData(value));
+}
+
+void showChoices(ChoiceField& field, const ValueRow& row) {
+  const QStringList chosen = idsIn(row.text);
+  QStringList names;
+  for (const auto& [value, words] : row.choices) {
+    const bool on = chosen.contains(value);
+    field.addItem((on ? QStringLiteral("✓ ") : QStringLiteral("    ")) + words, value);
+    names += on ? QStringList(words) : QStringList();
+  }
+  field.setPlaceholderText(names.isEmpty() ? QObject::tr("nobody")
+                                           : names.join(QStringLiteral(", ")));
+  field.setCurrentIndex(-1);
+}
+
+/// A constant is shown as a number, also that which counts without a text.
+bool takesNumber(const bt::PortSpec& port, const std::string& text) {
+  const bool isNumber = port.type == bt::PortType::Double || port.type == bt::PortType::Int ||
+                        port.type == bt::PortType::Unsigned;
+  const std::string shown = text.empty() ? port.defaultText.value_or("") : text;
+  return isNumber && base::parseDouble(shown).has_value();
+}
+
+NumberField::Range rangeOf(const bt::PortSpec& port) {
+  const bool whole = port.type != bt::PortType::Double;
+  return {port.min.value_or(whole ? -1000000.0 : -10000.0), port.max.value_or(1000000.0),
+          whole ? 0 : 2, whole ? 1.0 : 0.1};
+}
+
+ValueRow rowOf(const bt::PortSpec& port, const bt::NodeSpec& node) {
+  const std::string* text = bt::findText(node.ports, port.name);
+  ValueRow row;
+  row.key = port.name;
+  row.label = qt(port.name);
+  row.text = text == nullptr ? std::string() : *text;
+  row.help = qt(port.description);
+  row.usual = port.defaultText.value_or("");
+  if (takesNumber(port, row.text)) {
+    row.kind = Kind::Number;
+    row.help += QStringLiteral("\n%1");
+    row.unit = qt(port.unit);
+    row.range = rangeOf(port);
+  }
+  row.check = [port](const QString& typed) {
+    const std::string word = typed.toStdString();
+    const bool fine = (word.empty() && !port.required) || bt::referencedKey(word, port.name) ||
+                      (!word.empty() && bt::isConvertible(word, port.type));
+    return fine ? QString()
+                : QObject::tr("A value (%1) or the name of an entry in braces, such as {id}")
+                      .arg(QString::fromLatin1(bt::portTypeName(port.type)));
+  };
+  return row;
+}
+
+QString modeWords(const std::string& mode) {
+  static const std::map<std::string, const char*> kWords = {
+      {"nearest", QT_TR_NOOP("The nearest person")},
+      {"specific", QT_TR_NOOP("Somebody by name")},
+      {"robot", QT_TR_NOOP("The robot")}};
+  const auto known = kWords.find(mode);
+  const QString word = qt(mode);
+  return known == kWords.end() ? word.left(1).toUpper() + word.mid(1) : QObject::tr(known->second);
+}
+
+ValueRow repeatRow(const bt::Block& block) {
+  ValueRow row;
+  row.kind = Kind::Choice;
+  row.key = kRepeatKey;
+  row.label = QObject::tr("Happens");
+  row.text = std::to_string(static_cast<int>(block.repeat));
+  row.choices = {{QStringLiteral("0"), QObject::tr("Whenever it can")},
+                 {QStringLiteral("1"), QObject::tr("Only once")},
+                 {QStringLiteral("2"), QObject::tr("By chance")}};
+  return row;
+}
+
+ValueRow chanceRow(const bt::Block& block) {
+  ValueRow row;
+  row.kind = Kind::Number;
+  row.key = kChanceKey;
+  row.label = QObject::tr("Chance");
+  row.text = base::formatDouble(block.probability);
+  row.help = QObject::tr("Drawn in every step in which the block could begin");
+  row.range = {0.0, 1.0, 2, 0.05};
+  row.isVisible = block.repeat == bt::BlockRepeat::Random;
+  return row;
+}
+
+}  // namespace
+
+ValueForm::ValueForm(QWidget* parent)
+    : QWidget(parent), layout_(arranged(new QVBoxLayout(this), {}, 0)) {}
+
+void ValueForm::showRows(const QString& name, const QString& title, const QString& note,
+                         bool isEditable, std::vector<ValueRow> rows) {
+  rows_ = std::move(rows);
+  QString shape = isEditable ? name + QLatin1Char('+') : name;
+  for (const ValueRow& row : rows_) {
+    shape += QString::number(static_cast<int>(row.kind));
+  }
+  if (shape != shape_) {
+    shape_ = shape;
+    if (section_ != nullptr) {
+      section_->hide();
+      section_->deleteLater();
+    }
+    section_ = new FormSection(title, this);
+    section_->setNote(note);
+    fields_.clear();
+    for (const ValueRow& row : rows_) {
+      fields_.push_back(makeField(row, fields_.size()));
+      fields_.back()->setEnabled(isEditable);
+      section_->addRow(row.label, fields_.back());
+    }
+    layout_->addWidget(section_);
+    section_->show();
+  }
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    showRow(rows_[i], fields_[i]);
+  }
+}
+
+QWidget* ValueForm::makeField(const ValueRow& row, std::size_t index) {
+  const auto change = [this, key = row.key](const QString& text) { take(key, text); };
+  if (row.kind == Kind::Number) {
+    auto* field = new NumberField(row.range, row.unit, section_);
+    if (!row.help.isEmpty()) {
+      field->setToolTip(QString(row.help).replace(QStringLiteral("%1"), field->toolTip()));
+    }
+    connect(field, &NumberField::edited, this,
+            [change](double value) { change(qt(base::formatDouble(value))); });
+    if (row.usual) {
+      connect(field, &NumberField::defaultWanted, this, [change] { change({}); });
+    }
+    return field;
+  }
+  if (row.kind == Kind::Text) {
+    auto* field = new TextField(section_);
+    field->setHint(row.help);
+    field->setPlaceholderText(qt(row.usual.value_or("")));
+    field->setCheck(row.check);
+    connect(field, &TextField::edited, this, change);
+    return field;
+  }
+  auto* field = new ChoiceField(section_);
+  field->setToolTip(row.help);
+  connect(field, qOverload<int>(&QComboBox::activated), this,
+          [this, change, field, index](int item) {
+            const ValueRow& shown = rows_[index];
+            const QString value = field->itemData(item).toString();
+            QStringList chosen = shown.kind == Kind::Choices ? idsIn(shown.text) : QStringList();
+            chosen.contains(value) ? (void)chosen.removeAll(value) : chosen.push_back(value);
+            change(chosen.join(QLatin1Char(',')));
+          });
+  return field;
+}
+
+void ValueForm::showRow(const ValueRow& row, QWidget* widget) {
+  section_->setRowVisible(widget, row.isVisible);
+  if (row.kind == Kind::Number) {
+    const std::string shown = row.text.empty() ? row.usual.value_or("") : row.text;
+    static_cast<NumberField*>(widget)->show(base::parseDouble(shown).value_or(0.0),
+                                            row.usual && row.text.empty());
+  } else if (row.kind == Kind::Text) {
+    static_cast<TextField*>(widget)->show(qt(row.text));
+  } else {
+    auto& field = *static_cast<ChoiceField*>(widget);
+    field.clear();
+    row.kind == Kind::Choice ? showChoice(field, row) : showChoices(field, row);
+  }
+}
+
+void PortForm::show(const bt::NodeSpec& node, bool editable) {
+  const bt::NodeManifest* manifest = treeCatalogue().find(node.id);
+  std::vector<ValueRow> rows;
+  if (manifest != nullptr) {
+    for (const bt::PortSpec& port : manifest->ports) {
+      rows.push_back(editor::rowOf(port, node));
+    }
+  }
+  const QString note = manifest == nullptr ? tr("unknown node")
+                       : rows.empty()      ? tr("nothing to set")
+                       : editable          ? QString()
+                                           : tr("in an included file");
+  showRows(qt(node.id), qt(node.label()), note, editable, std::move(rows));
+}
+
+void PortForm::take(const std::string& key, const QString& text) {
+  Q_EMIT edited(qt(key), text);
+}
+
+void BlockForm::show(const bt::Block& block) {
+  block_ = block;
+  const bt::BlockKind& kind = *bt::blockKind(block.id);
+  std::vector<ValueRow> rows;
+  for (const bt::BlockParameter& parameter : kind.parameters) {
+    rows.push_back(rowOf(parameter));
+  }
+  rows.push_back(repeatRow(block));
+  rows.push_back(chanceRow(block));
+  showRows(qt(kind.id), qt(kind.title), {}, true, std::move(rows));
+}
+
+ValueRow BlockForm::rowOf(const bt::BlockParameter& parameter) const {
+  using Of = bt::BlockParameter::Kind;
+  ValueRow row;
+  row.kind = parameter.kind == Of::Number   ? Kind::Number
+             : parameter.kind == Of::Text   ? Kind::Text
+             : parameter.kind == Of::People ? Kind::Choices
+                                            : Kind::Choice;
+  row.key = parameter.key;
+  row.label = qt(parameter.label);
+  row.text = block_.value(parameter.key);
+  row.isVisible = parameter.mode.empty() || block_.value("mode") == parameter.mode;
+  row.unit = qt(parameter.unit);
+  row.range = {parameter.min, parameter.max, 2, parameter.max - parameter.min > 30.0 ? 5.0 : 0.1};
+  if (parameter.kind == Of::Text) {
+    row.check = [](const QString& text) {
+      return text.trimmed().isEmpty() ? tr("Say something") : QString();
+    };
+  } else if (parameter.kind == Of::Goal) {
+    for (const sim2d::GlobalGoal& goal : document_.scenario().goals) {
+      row.choices.emplace_back(QString::number(goal.id), tr("Goal %1").arg(goal.id));
+    }
+  } else if (parameter.kind == Of::Choice) {
+    for (const std::string& choice : parameter.choices) {
+      row.choices.emplace_back(qt(choice), modeWords(choice));
+    }
+  } else if (parameter.kind != Of::Number) {
+    for (const sim2d::Human& human : document_.scenario().humans) {
+      row.choices.emplace_back(QString::number(human.id), qt(human.name));
+    }
+  }
+  if (parameter.kind == Of::People) {
+    row.help = tr("Choosing a person adds or takes them off");
+  }
+  return row;
+}
+
+void BlockForm::take(const std::string& key, const QString& text) {
+  if (key == kRepeatKey) {
+    block_.repeat = static_cast<bt::BlockRepeat>(text.toInt());
+  } else if (key == kChanceKey) {
+    block_.probability = base::parseDouble(text.toStdString()).value_or(0.0);
+  } else {
+    block_.values[key] = text.toStdString();
+  }
+  show(bt::Block(block_));
+  Q_EMIT edited(block_);
+}
+
+}  // namespace editor
