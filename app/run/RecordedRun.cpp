@@ -1,9 +1,7 @@
 #include "app/run/RecordedRun.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <set>
 
 #include <nlohmann/json.hpp>
 

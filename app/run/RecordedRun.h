@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "app/run/RunFolder.h"
 #include "sim2d/scenario/Scenario.h"
 #include "sim2d/trace/Recording.h"
 
@@ -14,7 +15,8 @@ struct RecordedRun {
   std::string scenario;  // the file that was run; empty: it is gone or has changed since
 };
 
-/// All problems, with their places; warnings tell when the scenario is not there any more.
+/// All problems, with their places; warnings tell when the
+/// scenario is not there any more.
 base::Result<RecordedRun> readRecordedRun(const std::string& folder);
 
 /// The scenario of a record: people, robots, walls and doors as far as it tells. With `read`, the
