@@ -10,6 +10,7 @@ namespace metrics {
 namespace {
 
 constexpr char kNoWay[] = "the robot did not move";
+constexpr char kNoTriple[] = "needs three samples";
 constexpr double kSameplace = 1e-9;  // [m]
 
 /// best / max(best, actual); 1 when both are 0.
@@ -105,7 +106,6 @@ double roughness(const Instant& at) {
 }
 
 void addShapes(MetricRegistry& to) {
-  constexpr char kNoTriple[] = "needs three samples";
   const MetricFamily shapes{to, Category::Motion, Better::Lower, {}, "Arena; bench-mr"};
   shapes.add("angle_over_length", "Turning per metre", "rad/m", "cumulative_heading_changes / L",
              streamOf<RobotWay>(angleOverLength, kNoWay));
