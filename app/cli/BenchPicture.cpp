@@ -1,5 +1,3 @@
-#include "app/cli/BenchPicture.h"
-
 #include <QFileInfo>
 #include <qwt_legend.h>
 #include <qwt_plot.h>
@@ -13,6 +11,7 @@
 #include <qwt_scale_widget.h>
 #include <qwt_symbol.h>
 
+#include "app/cli/BenchScene.h"
 #include "editor/look/Theme.h"
 
 namespace app {

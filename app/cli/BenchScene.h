@@ -2,6 +2,9 @@
 
 #include <memory>
 #include <string>
+#include <vector>
+
+#include <QString>
 
 #include "sim2d/scenario/Scenario.h"
 #include "sim2d/world/World.h"
@@ -29,5 +32,17 @@ std::string benchTreeText();
 /// Seconds for one step of the same forces written plainly: every pair, double precision, the
 /// functions of the C library.
 double plainStepSeconds(const sim2d::Scenario& scenario, double atLeastSeconds);
+
+/// One measured size of the open scene.
+struct BenchPoint {
+  int people = 0;
+  double whole = 0.0;     // a step [ms]
+  double forces = 0.0;    // of which the forces [ms]
+  double plain = 0.0;     // the same forces over all pairs [ms]
+  bool isScaled = false;  // `plain` is, from a smaller size
+};
+/// Times per step over the number of people, both on scales of powers of ten, as the file's ending
+/// says: .png, .svg or .pdf. False = it cannot be written. Needs a QApplication.
+bool drawBench(const std::vector<BenchPoint>& points, const QString& machine, const QString& file);
 
 }  // namespace app

@@ -25,7 +25,11 @@ template <class Application>
 int within(Invocation& given, const CommandRegistry::Action& action) {
   Application application(given.argc, given.argv);
   std::setlocale(LC_NUMERIC, "C");
-  return action(given);
+  try {
+    return action(given);
+  } catch (const CommandEnd& end) {
+    return end.code;
+  }
 }
 
 /// Words that no option takes; the library tells them last first.
@@ -53,6 +57,12 @@ void withoutLibraryWords(QtMsgType type, const QMessageLogContext& context, cons
 }
 
 }  // namespace
+
+void requireFine(const base::Diagnostics& problems, ExitCode code, base::Severity least) {
+  if (!printDiagnostics(problems, least)) {
+    throw CommandEnd{code};
+  }
+}
 
 CLI::App& CommandRegistry::add(const std::string& name, const std::string& help, Action action,
                                std::function<Drawing()> drawing) {

@@ -2,7 +2,9 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/run/RunOptions.h"
@@ -26,6 +28,15 @@ struct OutputOptions {
 /// display.
 enum class Drawing { None, Pictures, Widgets };
 
+/// Thrown by a command that ends before its last line.
+struct CommandEnd {
+  ExitCode code;
+};
+/// Prints the problems of `least` severity and above; the command ends with `code` when an error is
+/// among them.
+void requireFine(const base::Diagnostics& problems, ExitCode code = kBadInput,
+                 base::Severity least = base::Severity::Info);
+
 /// The words that the program was started with.
 struct Invocation {
   int argc = 0;
@@ -47,6 +58,17 @@ class CommandRegistry {
   CLI::App& add(
       const std::string& name, const std::string& help, Action action,
       std::function<Drawing()> drawing = [] { return Drawing::None; });
+  /// The same with options that live as long as the registry.
+  template <class Options>
+  std::pair<CLI::App&, Options&> add(const std::string& name, const std::string& help,
+                                     int (*work)(const Options&, const OutputOptions&),
+                                     Drawing (*drawing)(const Options&) = nullptr) {
+    const auto options = std::make_shared<Options>();
+    const Action action = [=](const Invocation& given) { return work(*options, given.output); };
+    return {add(name, help, action,
+                [=] { return drawing != nullptr ? drawing(*options) : Drawing::None; }),
+            *options};
+  }
   /// What is done without a command; it makes its application itself.
   void setDefault(Action action) { default_ = std::move(action); }
 

@@ -1,7 +1,6 @@
 #include "app/cli/Console.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <iostream>
@@ -23,12 +22,6 @@ void onInterrupt(int signal) {
   }
   hasCtrlC = signal == SIGINT ? 1 : hasCtrlC;
   interruptFlag = 1;
-}
-
-std::int64_t nowMs() {
-  using Clock = std::chrono::steady_clock;
-  return std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now().time_since_epoch())
-      .count();
 }
 
 }  // namespace
@@ -108,14 +101,14 @@ Progress::~Progress() {
 }
 
 bool Progress::isDue() const {
-  return visible_ && nowMs() - lastMs_ >= 100;
+  return visible_ && std::chrono::steady_clock::now() - last_ >= std::chrono::milliseconds(100);
 }
 
-void Progress::show(const std::string& text, bool always) {
-  if (!visible_ || (!always && !isDue())) {
+void Progress::show(const std::string& text) {
+  if (!isDue()) {
     return;
   }
-  lastMs_ = nowMs();
+  last_ = std::chrono::steady_clock::now();
   const std::size_t padding = width_ > text.size() ? width_ - text.size() : 0;
   std::cerr << '\r' << text << std::string(padding, ' ') << std::flush;
   width_ = text.size();

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <cstdint>
-#include <functional>
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -37,15 +36,14 @@ class Progress {
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
-  /// Shows "text"; at most ten times a second unless `always`.
-  void show(const std::string& text, bool always = false);
-  bool isVisible() const { return visible_; }
+  /// At most ten times a second.
+  void show(const std::string& text);
   /// True when the next show would be drawn: spare the work of making the text otherwise.
   bool isDue() const;
 
  private:
   bool visible_;
-  std::int64_t lastMs_ = -1000;
+  std::chrono::steady_clock::time_point last_;
   std::size_t width_ = 0;
 };
 

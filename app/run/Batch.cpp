@@ -6,6 +6,7 @@
 #include <csignal>
 #include <fcntl.h>
 #include <filesystem>
+#include <iterator>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -88,18 +89,9 @@ std::vector<std::string> wordsOf(const Experiment& experiment, std::size_t run,
   if (experiment.record == Experiment::Record::Metrics) {
     words.emplace_back("--totals");  // nothing else of the folder is looked at
   }
-  const std::pair<const char*, std::optional<std::string>> options[] = {
-      {"--seed", std::to_string(values.seed)},
-      {"--duration", experiment.duration},
-      {"--dt", experiment.dt},
-      {"--model", experiment.model},
-      {"--robot", experiment.robot},
-      {"--planner", experiment.planner},
-      {"--metrics-profile", experiment.metricsProfile}};
-  for (const auto& [option, value] : options) {
-    if (value) {
-      words.insert(words.end(), {option, *value});
-    }
+  words.insert(words.end(), {"--seed", std::to_string(values.seed)});
+  for (const auto& [option, value] : experiment.options) {
+    words.insert(words.end(), {option, value});
   }
   for (std::size_t k = 0; k < experiment.values.size(); ++k) {
     words.insert(words.end(), {"--set", experiment.values[k].first + "=" + values.values[k]});
@@ -304,19 +296,21 @@ base::Diagnostics checkExperiment(const Experiment& experiment, const sim2d::Ima
     for (const auto& [path, texts] : experiment.values) {
       options.set.push_back(path + "=" + texts.front());
     }
-    options.model = experiment.model;
-    options.planner = experiment.planner;
-    options.robot = experiment.robot;
+    for (const auto& [name, option] :
+         {std::pair("--model", &RunOptions::model), std::pair("--planner", &RunOptions::planner),
+          std::pair("--robot", &RunOptions::robot)}) {
+      if (const auto value = experiment.options.find(name); value != experiment.options.end()) {
+        options.*option = value->second;
+      }
+    }
     const Verdict verdict = check(readBundle(options, {}, loader));
     for (base::Diagnostic diagnostic : verdict.wrongWords) {
       diagnostic.file = diagnostic.file.empty() ? experiment.path : diagnostic.file;
       problems.push_back(std::move(diagnostic));
     }
-    for (const base::Diagnostic& diagnostic : verdict.problems) {
-      if (diagnostic.severity == base::Severity::Error) {
-        problems.push_back(diagnostic);
-      }
-    }
+    std::copy_if(
+        verdict.problems.begin(), verdict.problems.end(), std::back_inserter(problems),
+        [](const base::Diagnostic& said) { return said.severity == base::Severity::Error; });
   }
   return problems;
 }

@@ -57,10 +57,6 @@ std::string scenarioFile(const std::string& fileOrName) {
   return fileOrName;
 }
 
-std::string demoScenarioPath() {
-  return (fs::path(shippedMapsFolder()) / "corner_cafe" / "corner_cafe_agents.yaml").string();
-}
-
 std::string programVersion() {
   return HUNAVSIM_VERSION;
 }

@@ -20,9 +20,6 @@ std::vector<ShippedScenario> shippedScenarios();  // by name
 /// The path of the shipped scenario of this name, unless there is such a file; else `fileOrName`.
 std::string scenarioFile(const std::string& fileOrName);
 
-/// The scenario opened when none is named.
-std::string demoScenarioPath();
-
 std::string programPath();     // of the running executable
 std::string programVersion();  // "0.1.0"
 std::string programCommit();   // of the source tree it was built from, or "unknown"

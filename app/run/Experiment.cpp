@@ -63,16 +63,17 @@ class Reader {
     }
     readScenarios(root);
     readSeeds(root.find("seeds"));
-    readNumber(root.find("duration"), "duration", 0.0, 1e6, experiment_.duration);
-    readNumber(root.find("dt"), "dt", 0.000999, 0.1, experiment_.dt);
+    readNumber(root, "duration", 0.0, 1e6);
+    readNumber(root, "dt", 0.000999, 0.1);
     const sim2d::Registries known = sim2d::programRegistries();
-    readName(root.find("model"), "model", known.models.names(), experiment_.model);
-    readName(root.find("robot"), "robot", known.robotTypes.names(), experiment_.robot);
-    readName(root.find("planner"), "planner", known.planners.names(), experiment_.planner);
-    readWord(root.find("metrics_profile"), "metrics_profile", experiment_.metricsProfile);
-    if (experiment_.metricsProfile && *experiment_.metricsProfile != "corrected" &&
-        *experiment_.metricsProfile != "hunav2") {
-      error(*root.find("metrics_profile"), "experiment.bad-profile");
+    readName(root, "model", known.models.names());
+    readName(root, "robot", known.robotTypes.names());
+    readName(root, "planner", known.planners.names());
+    if (const YamlNode* profile = readWord(root, "metrics_profile")) {
+      if (profile->text != "corrected" && profile->text != "hunav2") {
+        error(*profile, "experiment.bad-profile");
+      }
+      experiment_.options["--metrics-profile"] = profile->text;
     }
     readValues(root.find("values"));
     readRecord(root.find("record"));
@@ -151,32 +152,34 @@ class Reader {
     }
   }
 
-  void readNumber(const YamlNode* node, const std::string& key, double above, double maximum,
-                  std::optional<std::string>& value) {
-    if (node == nullptr) {
-      return;
-    }
-    const std::optional<double> number = base::parseDouble(node->text);
-    if (!number || !(*number > above && *number <= maximum)) {
+  void readNumber(const YamlNode& root, const std::string& key, double above, double maximum) {
+    const YamlNode* node = root.find(key);
+    const std::optional<double> number =
+        node != nullptr ? base::parseDouble(node->text) : std::nullopt;
+    if (number && *number > above && *number <= maximum) {
+      experiment_.options["--" + key] = base::formatDouble(*number);
+    } else if (node != nullptr) {
       error(*node, "experiment.out-of-range", {key});
-      return;
     }
-    value = base::formatDouble(*number);
   }
 
-  void readWord(const YamlNode* node, const std::string& key, std::optional<std::string>& value) {
+  /// The value of a key that has one.
+  const YamlNode* readWord(const YamlNode& root, const std::string& key) {
+    const YamlNode* node = root.find(key);
     if (node != nullptr && node->text.empty()) {
       error(*node, "experiment.no-word", {key});
-    } else if (node != nullptr) {
-      value = node->text;
+      return nullptr;
     }
+    return node;
   }
 
-  void readName(const YamlNode* node, const std::string& key, const std::vector<std::string>& known,
-                std::optional<std::string>& value) {
-    readWord(node, key, value);
-    if (value && std::find(known.begin(), known.end(), *value) == known.end()) {
-      error(*node, "experiment.unknown-name", {key, *value, base::join(known, ", ")});
+  void readName(const YamlNode& root, const std::string& key,
+                const std::vector<std::string>& known) {
+    const YamlNode* node = readWord(root, key);
+    if (node != nullptr && std::find(known.begin(), known.end(), node->text) == known.end()) {
+      error(*node, "experiment.unknown-name", {key, node->text, base::join(known, ", ")});
+    } else if (node != nullptr) {
+      experiment_.options["--" + key] = node->text;
     }
   }
 

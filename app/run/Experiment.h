@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,7 +17,7 @@ struct Experiment {
   std::vector<std::string> scenarios;      // as written: relative files or names of shipped ones
   std::vector<std::string> scenarioPaths;  // where they lie
   std::vector<long long> seeds;
-  std::optional<std::string> duration, dt, model, robot, planner, metricsProfile;
+  std::map<std::string, std::string> options;  // of `run`: "--dt" -> "0.05"
   std::vector<std::pair<std::string, std::vector<std::string>>> values;  // --set path -> texts
   Record record = Record::Metrics;
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <set>
 #include <string_view>
 #include <tuple>
 #include <utility>
 
-#include "app/run/Bundle.h"
 #include "bt/human/HumanNodes.h"
 #include "bt/human/TreeExport.h"
 #include "bt/tree/TreeXml.h"
@@ -22,6 +22,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+base::Diagnostics errorsOf(const base::Diagnostics& problems) {
+  base::Diagnostics errors;
+  std::copy_if(problems.begin(), problems.end(), std::back_inserter(errors),
+               [](const base::Diagnostic& said) { return said.severity == base::Severity::Error; });
+  return errors;
+}
+
 /// A map that every wrapper reads as it is: its image beside it, thresholds of the original.
 bool isPlainMap(const sim2d::MapDescription& map) {
   return map.mode == sim2d::MapMode::Trinary && !map.negate && map.occupiedThreshold == 0.65 &&
@@ -31,7 +38,7 @@ bool isPlainMap(const sim2d::MapDescription& map) {
 /// Puts the files of one export together.
 class Planner {
  public:
-  Planner(const ExportSource& source, const ExportRequest& request)
+  Planner(const Bundle& source, const ExportRequest& request)
       : source_(source), request_(request), library_(bt::humanNodes()) {}
 
   ExportPlan run() {
@@ -46,7 +53,7 @@ class Planner {
     options.dialect = request_.dialect;
     options.baseName = base_;
     options.mapName = mapName();
-    exported_ = sim2d::exportScenario(source_.scenario, target, options);
+    exported_ = sim2d::exportScenario(*source_.scenario, target, options);
     plan_.startCommand = exported_.startCommand;
     base::append(plan_.report, exported_.report);
     addFile("scenarios/" + base_ + ".yaml", exported_.text);
@@ -70,14 +77,14 @@ class Planner {
       return request_.baseName;
     }
     const std::string stem = fs::path(source_.path).stem().string();
-    return source_.scenario.yamlBaseName.value_or(stem.empty() ? "scenario" : stem);
+    return source_.scenario->yamlBaseName.value_or(stem.empty() ? "scenario" : stem);
   }
 
   std::string mapName() const {
     if (source_.map == nullptr || source_.map->isEmpty()) {
       return {};
     }
-    const std::string named = sim2d::mapBaseName(source_.scenario.map.value_or(""));
+    const std::string named = sim2d::mapBaseName(source_.scenario->map.value_or(""));
     const std::string stem = fs::path(source_.mapPath).stem().string();
     return !named.empty() ? named : !stem.empty() ? stem : base_ + "_map";
   }
@@ -93,19 +100,15 @@ class Planner {
           {std::to_string(source_.comments) + (source_.comments == 1 ? " comment" : " comments")},
           source_.path));
     }
-    for (base::Diagnostic problem : source_.problems) {
+    for (base::Diagnostic problem : source_.remarks) {
       problem.severity = base::Severity::Warning;
       problem.line = problem.column = 0;
       problem.entity = {};
       plan_.report.push_back(std::move(problem));
     }
     const base::Diagnostics meaning = sim2d::checkScenario(
-        source_.scenario, sim2d::makeSurroundings(source_.scenario, {}), source_.path);
-    for (const base::Diagnostic& problem : meaning) {
-      if (problem.severity == base::Severity::Error) {
-        plan_.report.push_back(problem);
-      }
-    }
+        *source_.scenario, sim2d::makeSurroundings(*source_.scenario, {}), source_.path);
+    base::append(plan_.report, errorsOf(meaning));
   }
 
   void addFile(const std::string& name, std::string content) {
@@ -119,15 +122,15 @@ class Planner {
 
   void addTrees() {
     const bt::NodeCatalogue& catalogue = library_.catalogue();
-    for (std::size_t i = 0; i < source_.scenario.humans.size(); ++i) {
-      const sim2d::Human& before = source_.scenario.humans[i];
+    for (std::size_t i = 0; i < source_.scenario->humans.size(); ++i) {
+      const sim2d::Human& before = source_.scenario->humans[i];
       const sim2d::Human& human = exported_.scenario.humans[i];
       if (!human.listed) {
         continue;
       }
       const std::string file = "behavior_trees/" + bt::treeFileName(base_, human.id);
       const auto own = source_.trees.find(before.name);
-      if (own == source_.trees.end()) {
+      if (own == source_.trees.end() || own->second.isGenerated()) {
         addFile(file, bt::makeTreeText(exported_.scenario, human, request_.style, catalogue));
       } else {
         copyTree(file, before, own->second);
@@ -140,15 +143,14 @@ class Planner {
     }
   }
 
-  void copyTree(const std::string& file, const sim2d::Human& human,
-                const ExportSource::Tree& tree) {
-    const base::Result<bt::TreeFile> read = bt::readTreeText(tree.text, tree.path);
+  void copyTree(const std::string& file, const sim2d::Human& human, const bt::TreeSource& tree) {
+    const base::Result<bt::TreeFile> read = bt::readTreeText(*tree.text, tree.path);
     base::append(plan_.report, read.diagnostics());
     if (!read) {
       return;
     }
     int changed = 0;
-    addFile(file, bt::renumbered(*read, tree.text, {exported_.goals, exported_.people},
+    addFile(file, bt::renumbered(*read, *tree.text, {exported_.goals, exported_.people},
                                  library_.catalogue(), changed));
     if (changed > 0) {
       warn(human, base::warning("export.tree-renumbered", {changed}, tree.path));
@@ -161,7 +163,7 @@ class Planner {
     copyIncluded(*read, tree);
   }
 
-  void copyIncluded(const bt::TreeFile& tree, const ExportSource::Tree& source) {
+  void copyIncluded(const bt::TreeFile& tree, const bt::TreeSource& source) {
     for (const bt::Include& include : tree.includes) {
       if (include.path.empty() || include.path == bt::kRegularNavFile || source.path.empty()) {
         continue;
@@ -227,7 +229,7 @@ class Planner {
     }
   }
 
-  const ExportSource& source_;
+  const Bundle& source_;
   const ExportRequest& request_;
   bt::NodeLibrary library_;
   ExportPlan plan_;
@@ -252,7 +254,7 @@ const char* stateName(ExportPlan::State state) {
   return kNames[static_cast<int>(state)];
 }
 
-ExportPlan planExport(const ExportSource& source, const ExportRequest& request) {
+ExportPlan planExport(const Bundle& source, const ExportRequest& request) {
   return Planner(source, request).run();
 }
 
@@ -266,8 +268,7 @@ base::Diagnostics writeExport(const ExportPlan& plan) {
   return base::writeFilesTogether(files);
 }
 
-base::Result<ExportSource> readExportSource(const RunOptions& options,
-                                            const sim2d::ImageLoader& loader) {
+base::Result<Bundle> readExportSource(const RunOptions& options, const sim2d::ImageLoader& loader) {
   Bundle bundle = readBundle(options, {}, loader);
   base::Diagnostics told;
   for (base::Diagnostic remark : std::exchange(bundle.remarks, {})) {
@@ -280,31 +281,22 @@ base::Result<ExportSource> readExportSource(const RunOptions& options,
       told.push_back(std::move(remark));
     }
   }
-  for (const base::Diagnostic& problem : check(bundle, CheckDepth::Meaning).problems) {
-    if (problem.severity == base::Severity::Error) {  // of the rest the export tells its own
-      told.push_back(problem);
-    }
-  }
+  // of the rest the export tells its own
+  base::append(told, errorsOf(check(bundle, CheckDepth::Meaning).problems));
   if (base::hasErrors(told)) {
     return told;
   }
-  ExportSource source;
-  source.path = bundle.path;
-  source.comments = bundle.comments;
-  source.scenario = *bundle.scenario;
-  source.mapPath = bundle.mapPath;
-  source.map = bundle.map;
-  for (const auto& [person, tree] : bundle.trees) {
-    const base::Result<std::string> text =
-        tree.isGenerated() ? base::Result<std::string>("") : base::readTextFile(tree.path);
+  for (auto& [person, tree] : bundle.trees) {
+    if (tree.isGenerated()) {
+      continue;
+    }
+    const base::Result<std::string> text = base::readTextFile(tree.path);
     if (!text) {
       return text.diagnostics();
     }
-    if (!tree.isGenerated()) {
-      source.trees[person] = {*text, tree.path};
-    }
+    tree.text = *text;
   }
-  return {std::move(source), std::move(told)};
+  return {std::move(bundle), std::move(told)};
 }
 
 std::vector<ReportLine> groupedByPeople(const base::Diagnostics& report) {

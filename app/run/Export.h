@@ -1,33 +1,15 @@
 #pragma once
 
-#include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "app/run/RunOptions.h"
+#include "app/run/Bundle.h"
 #include "bt/human/Templates.h"
 #include "sim2d/base/Files.h"
-#include "sim2d/map/MapReader.h"
 #include "sim2d/scenario/Export.h"
 
 namespace app {
-
-/// A scenario that is handed to another simulator, with its map and trees.
-struct ExportSource {
-  sim2d::Scenario scenario;
-  std::string path;                                 // of the scenario file; empty: not saved
-  std::string mapPath;                              // of the map's YAML; empty: none, or only drawn
-  std::shared_ptr<const sim2d::OccupancyGrid> map;  // null or empty: no map
-  struct Tree {
-    std::string text;
-    std::string path;  // for what it includes; empty: not in a file
-  };
-  std::map<std::string, Tree> trees;  // by name of the person; others are generated
-  int comments = 0;                   // in the scenario file, lost
-  base::Diagnostics problems;         // of the map, for the report
-};
 
 struct ExportRequest {
   std::string target = "native";
@@ -53,14 +35,14 @@ struct ExportPlan {
 ExportPlan::State stateOf(const std::string& path, const std::string& content);
 const char* stateName(ExportPlan::State state);  // "written", "replaced", "unchanged"
 
-ExportPlan planExport(const ExportSource& source, const ExportRequest& request);
+/// The scenario of a bundle for another simulator, with its map and trees, whose texts it has.
+ExportPlan planExport(const Bundle& source, const ExportRequest& request);
 /// All files or none.
 base::Diagnostics writeExport(const ExportPlan& plan);
 
 /// The scenario of `options` with what belongs to it. What a check refuses is not handed on, but
 /// for a map that is lost.
-base::Result<ExportSource> readExportSource(const RunOptions& options,
-                                            const sim2d::ImageLoader& loader);
+base::Result<Bundle> readExportSource(const RunOptions& options, const sim2d::ImageLoader& loader);
 
 /// The report as a person reads it: what is said of several people in the same words is one line,
 /// "7 people: start_time is not known there".

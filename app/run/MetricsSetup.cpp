@@ -32,6 +32,15 @@ base::Diagnostics readParameters(const std::vector<std::pair<std::string, double
   return problems;
 }
 
+void takeFile(const base::Result<metrics::MetricsFile>& file, MetricsSetup& setup,
+              base::Diagnostics& problems) {
+  base::append(problems, file.diagnostics());
+  if (file) {
+    setup.selection = file->selection;
+    setup.hasFile = true;
+  }
+}
+
 void addWindowProblem(const metrics::Window& window, const std::string& file,
                       base::Diagnostics& problems) {
   if (std::optional<base::Diagnostic> wrong = metrics::windowProblem(window)) {
@@ -48,14 +57,8 @@ base::Result<MetricsSetup> metricsSetupOf(const sim2d::Scenario& scenario,
   MetricsSetup setup;
   base::Diagnostics problems = readParameters(settings.parameters, setup.parameters, scenarioPath);
   if (settings.file) {
-    namespace fs = std::filesystem;
-    const fs::path path = fs::path(scenarioPath).parent_path() / *settings.file;
-    const base::Result<metrics::MetricsFile> file = metrics::readMetricsFile(path.string());
-    base::append(problems, file.diagnostics());
-    if (file) {
-      setup.selection = file->selection;
-      setup.hasFile = true;
-    }
+    const auto path = std::filesystem::path(scenarioPath).parent_path() / *settings.file;
+    takeFile(metrics::readMetricsFile(path.string()), setup, problems);
   }
   metrics::Selection& selection = setup.selection;
   selection.window.from = settings.from.value_or(selection.window.from);
@@ -75,13 +78,7 @@ base::Diagnostics readMetricsSetup(const sim2d::TraceHeader& header, MetricsSetu
   const sim2d::TraceMetrics& told = header.metrics;
   base::Diagnostics problems = readParameters(told.parameters, setup.parameters, file);
   if (!told.selection.empty()) {
-    const base::Result<metrics::MetricsFile> selection =
-        metrics::parseMetricsFile(told.selection, file);
-    base::append(problems, selection.diagnostics());
-    if (selection) {
-      setup.selection = selection->selection;
-      setup.hasFile = true;
-    }
+    takeFile(metrics::parseMetricsFile(told.selection, file), setup, problems);
   }
   metrics::Selection& selection = setup.selection;
   selection.window = {told.from, told.until, told.frequency};

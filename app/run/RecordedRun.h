@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "app/run/RunFolder.h"
 #include "sim2d/scenario/Scenario.h"
 #include "sim2d/trace/Recording.h"
 
@@ -14,8 +15,9 @@ struct RecordedRun {
   std::string scenario;  // the file that was run; empty: it is gone or has changed since
 };
 
-/// All problems, with their places; warnings tell when the scenario is not there any more.
-base::Result<RecordedRun> readRecordedRun(const std::string& folder);
+/// `hash` gives the SHA-256 of a file. All problems, with their places; warnings tell when the
+/// scenario is not there any more.
+base::Result<RecordedRun> readRecordedRun(const std::string& folder, const FileHash& hash);
 
 /// The scenario of a record: people, robots, walls and doors as far as it tells. With `read`, the
 /// scenario that was run: what its options had made different.

@@ -1,5 +1,6 @@
 #include "app/run/RunFolder.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <type_traits>
@@ -8,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/run/DataPaths.h"
-#include "app/run/Sha256.h"
 #include "bt/tree/TreeXml.h"
 #include "metrics/ReportFiles.h"
 #include "sim2d/base/Text.h"
@@ -22,16 +22,20 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kStatusNames[] = {"finished", "failed", "interrupted"};  // of RunStatus
 
+std::string pathIn(const std::string& folder, const char* name) {
+  return (fs::path(folder) / name).string();
+}
+
 Json programJson() {
   return {{"version", programVersion()}, {"commit", programCommit()}};
 }
 
 /// Files that were read, with their SHA-256.
-Json inputsJson(const std::vector<std::string>& paths) {
+Json inputsJson(const std::vector<std::string>& paths, const FileHash& hashOf) {
   Json inputs = Json::array();
   for (const std::string& path : paths) {
-    const std::optional<std::string> hash = sha256OfFile(path);
-    inputs.push_back({{"path", path}, {"sha256", hash ? Json(*hash) : Json()}});
+    const std::string hash = hashOf(path);
+    inputs.push_back({{"path", path}, {"sha256", hash.empty() ? Json() : Json(hash)}});
   }
   return inputs;
 }
@@ -85,7 +89,7 @@ Json robotJson(const sim2d::TraceRobot& robot) {
 
 /// What it came from, what it was set to, how it ended.
 std::string runManifest(const Bundle& bundle, const FinishedRun& run,
-                        const std::vector<std::string>& commandLine) {
+                        const std::vector<std::string>& commandLine, const FileHash& hash) {
   const sim2d::TraceHeader& header = run.header;
   const sim2d::RunResult& result = run.result;
   const double simulated = static_cast<double>(result.steps) * header.dt;
@@ -95,7 +99,7 @@ std::string runManifest(const Bundle& bundle, const FinishedRun& run,
   json["command_line"] = commandLine;
   json["status"] = kStatusNames[static_cast<int>(result.status)];
   json["reason"] = result.reason;
-  json["inputs"] = inputsJson(allInputs(bundle));
+  json["inputs"] = inputsJson(allInputs(bundle), hash);
   json["seed"] = header.seed;
   json["dt"] = header.dt;
   json["model"] = desktop.model.value_or("sfm");
@@ -124,14 +128,14 @@ class Folder {
  public:
   explicit Folder(const std::string& path) : path_(path) {}
 
-  std::string file(const char* name) const { return (path_ / name).string(); }
+  std::string file(const char* name) const { return pathIn(path_, name); }
   void write(const char* name, const std::string& content) {
     note(base::writeFileAtomically(file(name), content));
   }
   void remove(const std::vector<const char*>& names) {
     for (const char* name : names) {
       std::error_code error;
-      fs::remove(path_ / name, error);  // no error when it is not there
+      fs::remove(file(name), error);  // no error when it is not there
       if (error) {
         note({base::error("file.cannot-remove", {error.message()}, file(name))});
       }
@@ -146,7 +150,7 @@ class Folder {
   const base::Diagnostics& problems() const { return problems_; }
 
  private:
-  fs::path path_;
+  const std::string path_;
   base::Diagnostics problems_;
 };
 
@@ -172,9 +176,149 @@ void writeParts(Folder& folder, const FinishedRun& run, RunWriter& writer) {
 
 }  // namespace
 
+RunWriter::Files::Files(const std::string& path)
+    : folder(path),
+      trajectory(pathIn(folder, "trajectory.csv")),
+      events(pathIn(folder, "events.csv")),
+      trees(pathIn(folder, "trees.csv")) {
+  trajectory.append(sim2d::headLine(sim2d::kTrajectoryColumns));
+  events.append(sim2d::headLine(sim2d::kEventColumns));
+  trees.append(sim2d::headLine(sim2d::kTreeColumns));
+}
+
+std::vector<base::GrowingFile*> RunWriter::files() const {
+  if (!files_) {
+    return {};
+  }
+  std::vector<base::GrowingFile*> all = {&files_->trajectory, &files_->events, &files_->trees};
+  if (files_->inputs) {
+    all.push_back(&*files_->inputs);
+  }
+  return all;
+}
+
+RunWriter::RunWriter(const std::string& folder, const sim2d::World& world,
+                     const metrics::Selection& selection,
+                     const metrics::MetricParameters& parameters)
+    : world_(world),
+      dt_(world.dt()),
+      files_(folder.empty() ? nullptr : std::make_unique<Files>(folder)),
+      evaluation_(world.header(), selection, parameters) {
+  const sim2d::TraceHeader header = world.header();
+  recordEvery_ = header.recordEvery;
+  for (const sim2d::TraceHuman& human : header.humans) {
+    known_.insert(human.id);
+  }
+}
+
+/// Somebody came from a source: the metrics ask who it is.
+void RunWriter::meet(const sim2d::Frame& frame) {
+  const std::vector<int>& ids = frame.humans.id;
+  if (std::all_of(ids.begin(), ids.end(), [this](int id) { return known_.count(id) > 0; })) {
+    return;
+  }
+  const std::vector<sim2d::TraceHuman> humans = world_.header().humans;
+  evaluation_.addHumans(humans);
+  for (const sim2d::TraceHuman& human : humans) {
+    known_.insert(human.id);
+  }
+}
+
+void RunWriter::write(const sim2d::Frame& frame, bool isRecorded) {
+  std::string rows;
+  if (isRecorded) {
+    sim2d::appendTrajectoryRows(rows, frame);
+    files_->trajectory.append(rows);
+  }
+  rows.clear();
+  for (const sim2d::Event& event : frame.events) {
+    sim2d::appendEventRow(rows, frame.step, dt_, event);
+  }
+  files_->events.append(rows);
+  rows.clear();
+  sim2d::appendTreeRows(rows, frame.step, frame.treeChanges);
+  files_->trees.append(rows);
+  if (!frame.inputs.empty() && !files_->inputs) {
+    files_->inputs.emplace(pathIn(files_->folder, "inputs.csv"));
+    files_->inputs->append(sim2d::inputsHead());
+  }
+  for (const sim2d::Input& input : frame.inputs) {
+    rows.clear();
+    sim2d::appendInputRow(rows, frame.step, input);
+    files_->inputs->append(rows);
+  }
+}
+
+void RunWriter::append(const sim2d::Frame& frame) {
+  const bool isRecorded = frame.step % recordEvery_ == 0;
+  for (const sim2d::Event& event : frame.events) {
+    evaluation_.note(static_cast<double>(frame.step) * dt_, event);
+  }
+  if (isRecorded) {
+    meet(frame);
+    evaluation_.append(frame);
+  }
+  if (files_) {
+    write(frame, isRecorded);
+  }
+}
+
+base::Result<metrics::Evaluation> RunWriter::evaluation() {
+  return evaluation_.finish([this](const metrics::MetricInfo& info, const metrics::Series& series) {
+    Column& column = columns_.emplace_back();
+    column.key = info.key;
+    column.kind = series.kind;
+    for (const double value : series.values) {
+      column.values.add(value, &store_);
+    }
+  });
+}
+
+base::Diagnostics RunWriter::writeSteps(const std::string& path, const std::vector<double>& times) {
+  std::vector<metrics::StepColumn> columns;
+  for (const Column& column : columns_) {
+    if (column.values.size() == times.size()) {
+      columns.push_back({column.key, column.kind,
+                         [reader = metrics::StoredNumbersReader(column.values)]() mutable {
+                           return reader.next();
+                         }});
+    }
+  }
+  base::GrowingFile file(path);
+  metrics::writeSteps(times, std::move(columns),
+                      [&file](std::string_view rows) { file.append(rows); });
+  if (store_.hasFailed()) {
+    return {base::error("metrics.series-lost", {}, path)};
+  }
+  return file.finish();
+}
+
+bool RunWriter::hasFailed() const {
+  const std::vector<base::GrowingFile*> all = files();
+  return std::any_of(all.begin(), all.end(),
+                     [](const base::GrowingFile* file) { return file->hasFailed(); });
+}
+
+base::Diagnostics RunWriter::complete() {
+  base::Diagnostics problems;
+  for (base::GrowingFile* file : files()) {
+    base::append(problems, file->complete());
+  }
+  return problems;
+}
+
+base::Diagnostics RunWriter::finish() {
+  base::Diagnostics problems;
+  for (base::GrowingFile* file : files()) {
+    base::append(problems, file->finish());
+  }
+  files_.reset();
+  return problems;
+}
+
 base::Diagnostics writeRunFolder(const std::string& path, const FinishedRun& run, RunWriter& writer,
-                                 const Bundle& bundle,
-                                 const std::vector<std::string>& commandLine) {
+                                 const Bundle& bundle, const std::vector<std::string>& commandLine,
+                                 const FileHash& hash) {
   Folder folder(path);
   folder.note(writer.complete());
   if (folder.isWhole()) {  // until here a former run stays as it is
@@ -187,17 +331,18 @@ base::Diagnostics writeRunFolder(const std::string& path, const FinishedRun& run
     folder.write("trace.json", sim2d::traceJson(run.header));
   }
   if (folder.isWhole()) {
-    folder.write("manifest.json", runManifest(bundle, run, commandLine));
+    folder.write("manifest.json", runManifest(bundle, run, commandLine, hash));
   }
   return folder.problems();
 }
 
-std::string batchManifest(const Experiment& experiment, const BatchRows& rows) {
+std::string batchManifest(const Experiment& experiment, const BatchRows& rows,
+                          const FileHash& hash) {
   const BatchCount count = countOf(rows);
   std::vector<std::string> inputs = {experiment.path};
   inputs.insert(inputs.end(), experiment.scenarioPaths.begin(), experiment.scenarioPaths.end());
   const Json json = {{"program", programJson()},
-                     {"inputs", inputsJson(inputs)},
+                     {"inputs", inputsJson(inputs, hash)},
                      {"status", count.finished == rows.size() ? "finished" : "interrupted"},
                      {"runs", rows.size()},
                      {"finished", count.finished},

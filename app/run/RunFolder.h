@@ -1,17 +1,71 @@
 #pragma once
 
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "app/run/Batch.h"
 #include "app/run/Bundle.h"
-#include "app/run/RunWriter.h"
 #include "metrics/PlanningTime.h"
-#include "metrics/Report.h"
-#include "sim2d/trace/Trace.h"
+#include "metrics/RunningEvaluation.h"
+#include "sim2d/base/Files.h"
+#include "sim2d/trace/Recording.h"
 #include "sim2d/world/Runner.h"
 
 namespace app {
+
+/// SHA-256 of a file in hexadecimal digits, empty when it cannot be read; handed in as Qt has it.
+using FileHash = std::function<std::string(const std::string& path)>;
+
+/// Takes a run while it goes on: trajectory, events and tree changes go into the files of its
+/// folder, the metrics are fed. Of past steps nothing stays in memory but their times.
+class RunWriter : public sim2d::FrameSink {
+ public:
+  /// An empty folder: no files. The world must outlive the writer.
+  RunWriter(const std::string& folder, const sim2d::World& world,
+            const metrics::Selection& selection, const metrics::MetricParameters& parameters);
+  void append(const sim2d::Frame& frame) override;
+
+  /// Once, at the end. Its results have no series: those are for writeSteps().
+  base::Result<metrics::Evaluation> evaluation();
+  /// steps.csv of the evaluation.
+  base::Diagnostics writeSteps(const std::string& path, const std::vector<double>& times);
+  bool hasInputs() const { return files_ && files_->inputs; }  // something came from outside
+  /// A file could not be written: there is no use in going on.
+  bool hasFailed() const;
+  /// All rows are on the disk, in files that are not in their places yet.
+  base::Diagnostics complete();
+  /// Puts the files in their places; nothing of them is there before.
+  base::Diagnostics finish();
+
+ private:
+  struct Files {
+    explicit Files(const std::string& path);
+    const std::string folder;
+    base::GrowingFile trajectory, events, trees;
+    std::optional<base::GrowingFile> inputs;  // once there were some
+  };
+  std::vector<base::GrowingFile*> files() const;  // all that are open
+  void meet(const sim2d::Frame& frame);
+  void write(const sim2d::Frame& frame, bool isRecorded);
+  struct Column {
+    std::string key;
+    metrics::Kind kind = metrics::Kind::Number;
+    metrics::StoredNumbers values;
+  };
+
+  const sim2d::World& world_;
+  double dt_;
+  int recordEvery_ = 1;
+  std::unique_ptr<Files> files_;
+  metrics::FrameEvaluation evaluation_;
+  std::set<int> known_;  // people that the metrics have been told of
+  metrics::NumberStore store_;
+  std::vector<Column> columns_;  // in the store
+};
 
 /// All that is known after a run, beside the files that were written while it went on.
 struct FinishedRun {
@@ -28,10 +82,12 @@ struct FinishedRun {
 /// when this run could not be evaluated. manifest.json and trace.json are taken away first and come
 /// last, only when all others were written: files of two runs never pass for one.
 base::Diagnostics writeRunFolder(const std::string& path, const FinishedRun& run, RunWriter& writer,
-                                 const Bundle& bundle, const std::vector<std::string>& commandLine);
+                                 const Bundle& bundle, const std::vector<std::string>& commandLine,
+                                 const FileHash& hash);
 
 /// manifest.json of a batch; nothing of it depends on the number of jobs or the clock.
-std::string batchManifest(const Experiment& experiment, const BatchRows& rows);
+std::string batchManifest(const Experiment& experiment, const BatchRows& rows,
+                          const FileHash& hash);
 
 /// Makes the folder; an error if it cannot be made or written to.
 base::Diagnostics checkWritableFolder(const std::string& folder);

@@ -86,14 +86,11 @@ class ScriptReader {
     entry.leaf = item.key;
     entry.line = item.keyLine;
     entry.column = item.keyColumn;
-    if (item.isList()) {
-      for (const YamlNode& word : item.items) {
-        readStatus(word, entry);
-      }
-    } else {
-      readStatus(item, entry);
+    const std::vector<YamlNode> words = item.isList() ? item.items : std::vector{item};
+    for (const YamlNode& word : words) {
+      readStatus(word, entry);
     }
-    if (item.isList() && item.items.empty()) {
+    if (words.empty()) {
       error(item, "script.empty-list", {item.key});
     }
     script_.entries.push_back(std::move(entry));
@@ -216,15 +213,11 @@ void noteHalt(bt::LeafContext& leaf) {
   playerOf(leaf).noteHalt(leaf.node());
 }
 
-bool isScripted(const bt::Program& program, int node) {
-  return program.node(node).code == bt::NodeCode::Stateful;
-}
-
 /// Names of the script that no leaf has: most likely a slip.
 base::Diagnostics unusedNames(const bt::Program& program, const LeafScript& script) {
   std::vector<std::string> names;
   for (int node = 0; node < program.nodeCount(); ++node) {
-    if (isScripted(program, node)) {
+    if (program.node(node).code == bt::NodeCode::Stateful) {  // a leaf of the script
       names.push_back(program.label(node));
       names.push_back(program.manifest(node).id);
     }

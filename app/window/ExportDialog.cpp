@@ -60,7 +60,7 @@ QString sentence(const base::Diagnostic& problem, const sim2d::Scenario& scenari
 
 }  // namespace
 
-ExportDialog::ExportDialog(ExportSource source, const QString& folder, const editor::Theme& theme,
+ExportDialog::ExportDialog(Bundle source, const QString& folder, const editor::Theme& theme,
                            QWidget* parent)
     : QDialog(parent),
       source_(std::move(source)),
@@ -204,18 +204,6 @@ void ExportDialog::fillTargets() {
   }
 }
 
-void ExportDialog::setTarget(const QString& name) {
-  for (int row = 0; row < targets_->count(); ++row) {
-    if (targets_->item(row)->data(Qt::UserRole).toString() == name) {
-      targets_->setCurrentRow(row);
-    }
-  }
-}
-
-void ExportDialog::setFolder(const QString& folder) {
-  folder_->setText(folder);
-}
-
 void ExportDialog::browse() {
   const QString chosen =
       QFileDialog::getExistingDirectory(this, tr("Folder for the export"), folder_->text());
@@ -275,7 +263,7 @@ void ExportDialog::showReport() {
       editor::tintedIcon(QStringLiteral("error"), theme_.color(Role::Error))};
   for (const ReportLine& line : lines) {
     auto* item = new QListWidgetItem(icons.at(static_cast<std::size_t>(line.said.severity)),
-                                     sentence(line.said, source_.scenario), report_);
+                                     sentence(line.said, *source_.scenario), report_);
     item->setToolTip(QString::fromStdString(base::join(line.people, ", ")));
   }
   reportTitle_->setText(lines.empty() ? tr("Nothing is lost") : tr("Good to know"));

@@ -19,14 +19,10 @@ namespace app {
 class ExportDialog : public QDialog {
   Q_OBJECT
  public:
-  ExportDialog(ExportSource source, const QString& folder, const editor::Theme& theme,
+  ExportDialog(Bundle source, const QString& folder, const editor::Theme& theme,
                QWidget* parent = nullptr);
-  void setTarget(const QString& name);  // "gazebo-classic"
-  void setFolder(const QString& folder);
   const ExportPlan& plan() const { return plan_; }
   QString folder() const { return folder_->text(); }
-  QTreeWidget& files() const { return *files_; }
-  QListWidget& remarks() const { return *report_; }
 
  private:
   void build();
@@ -39,7 +35,7 @@ class ExportDialog : public QDialog {
   void showReport();
   void browse();
 
-  ExportSource source_;
+  Bundle source_;
   ExportPlan plan_;
   editor::Theme theme_;
   QListWidget* targets_;

@@ -7,12 +7,14 @@
 #include <QRegularExpression>
 #include <QStandardPaths>
 
+#include "app/cli/FileHash.h"
 #include "app/run/RecordedRun.h"
 #include "app/window/MapDialogs.h"
 #include "bt/tree/TreeXml.h"
 #include "editor/canvas/Layers.h"
 #include "editor/document/Autosave.h"
 #include "editor/document/EditCommands.h"
+#include "editor/document/EntityLists.h"
 #include "editor/document/MapEdit.h"
 #include "sim2d/base/Text.h"
 
@@ -20,12 +22,7 @@ namespace app {
 
 FileCommands::FileCommands(Workspace& workspace, editor::IssuesPanel& issues, Memory& memory,
                            QWidget& window)
-    : QObject(&window),
-      workspace_(workspace),
-      issues_(issues),
-      memory_(memory),
-      window_(window),
-      dialogs_(memory, window) {
+    : QObject(&window), workspace_(workspace), issues_(issues), memory_(memory), window_(window) {
   connect(&workspace_.document(), &editor::ScenarioDocument::mapChanged, this, [this] {
     if (mapRefused_) {
       tell({});
@@ -184,18 +181,14 @@ base::Diagnostics FileCommands::applyRunOptions() {
   if (base::hasErrors(problems) || wanted == document.scenario()) {
     return problems;
   }
-  std::vector<editor::Entity> values;
-  values.insert(values.end(), wanted.humans.begin(), wanted.humans.end());
-  values.insert(values.end(), wanted.goals.begin(), wanted.goals.end());
-  values.insert(values.end(), wanted.obstacles.begin(), wanted.obstacles.end());
-  values.insert(values.end(), wanted.doors.begin(), wanted.doors.end());
-  values.insert(values.end(), wanted.areas.begin(), wanted.areas.end());
+  std::vector<editor::Entity> values, newRobots;
+  editor::forEachList(wanted, [&](base::EntityKind /*kind*/, const auto& list) {
+    for (const auto& entity : list) {
+      (document.contains(entity.key) ? values : newRobots).emplace_back(entity);
+    }
+  });
   values.emplace_back(editor::ScenarioSettings{wanted.yamlBaseName, wanted.simulator, wanted.map,
                                                wanted.publishPeople, wanted.desktop});
-  std::vector<editor::Entity> newRobots;
-  for (const sim2d::Robot& robot : wanted.robots) {
-    (document.contains(robot.key) ? values : newRobots).emplace_back(robot);
-  }
   editor::pushEdit(document, std::move(values), tr("Options of the command line"));
   if (!newRobots.empty()) {
     editor::pushAdd(document, std::move(newRobots), tr("Robot of the command line"));
@@ -213,10 +206,16 @@ QString FileCommands::folder() const {
                           : QFileInfo(recent.front()).absolutePath();
 }
 
+QString FileCommands::ask(QFileDialog::FileMode mode, const QString& title, const QString& filter) {
+  QFileDialog dialog(&window_, title, folder(), filter);
+  dialog.setFileMode(mode);
+  return askFile(dialog, memory_);
+}
+
 void FileCommands::askOpen() {
-  const QString path = dialogs_.openFile(
-      tr("Open a scenario or a map"), folder(),
-      tr("Scenarios, maps, images of maps (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)"));
+  const QString path =
+      ask(QFileDialog::ExistingFile, tr("Open a scenario or a map"),
+          tr("Scenarios, maps, images of maps (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)"));
   if (!path.isEmpty() && mayLeave()) {
     openFile(path);
   }
@@ -261,20 +260,15 @@ void FileCommands::newOnMap(std::shared_ptr<const sim2d::OccupancyGrid> map) {
 
 void FileCommands::askNewRoom() {
   RoomDialog dialog(workspace_.theme(), &window_);
-  if (dialog.exec() != QDialog::Accepted || !mayLeave()) {
-    return;
-  }
-  if (dialog.hasWalls()) {
-    newOnMap(editor::emptyRoom(dialog.size().width(), dialog.size().height()));
-  } else {
-    newRoom();
+  if (dialog.exec() == QDialog::Accepted && mayLeave()) {
+    const QSizeF size = dialog.size();
+    dialog.hasWalls() ? newOnMap(editor::emptyRoom(size.width(), size.height())) : newRoom();
   }
 }
 
 void FileCommands::askNewFromMap() {
-  const QString path =
-      dialogs_.openFile(tr("New scenario on a map"), folder(),
-                        tr("Maps and images (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)"));
+  const QString path = ask(QFileDialog::ExistingFile, tr("New scenario on a map"),
+                           tr("Maps and images (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)"));
   if (path.isEmpty()) {
     return;
   }
@@ -304,7 +298,7 @@ void FileCommands::askMapOfImage(const QString& path) {
 
 void FileCommands::askOtherMap() {
   const QString path =
-      dialogs_.openFile(tr("Put a map under the scenario"), folder(), tr("Maps (*.yaml *.yml)"));
+      ask(QFileDialog::ExistingFile, tr("Put a map under the scenario"), tr("Maps (*.yaml *.yml)"));
   if (!path.isEmpty()) {
     putOtherMap(path);
   }
@@ -321,7 +315,7 @@ bool FileCommands::putOtherMap(const QString& path) {
 }
 
 void FileCommands::askOpenRun() {
-  const QString path = dialogs_.openFolder(tr("Open the folder of a run"), folder());
+  const QString path = ask(QFileDialog::Directory, tr("Open the folder of a run"));
   if (!path.isEmpty() && mayLeave()) {
     openFile(path);
   }
@@ -329,7 +323,7 @@ void FileCommands::askOpenRun() {
 
 /// The document is the scenario of the run meanwhile, as far as it is known.
 bool FileCommands::openRun(const QString& path) {
-  const base::Result<RecordedRun> run = readRecordedRun(path.toStdString());
+  const base::Result<RecordedRun> run = readRecordedRun(path.toStdString(), sha256OfFile);
   if (!run) {
     return tell(run.diagnostics());
   }

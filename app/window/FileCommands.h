@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include <QFileDialog>
 #include <QMenu>
 #include <QObject>
 
@@ -37,7 +38,7 @@ class FileCommands : public QObject {
   void newOnMap(std::shared_ptr<const sim2d::OccupancyGrid> map);
   bool saveTo(const QString& path, const editor::TreeAnswers& trees = {});
   void fillRecentMenu(QMenu& menu);
-  ExportSource exportSource() const;
+  Bundle exportSource() const;
   QString exportFolder() const;                                    // what `askExport` proposes
   bool exportPlan(const ExportPlan& plan);                         // writes it
   const base::Diagnostics& problems() const { return problems_; }  // of the last command
@@ -73,6 +74,7 @@ class FileCommands : public QObject {
   bool tell(const base::Diagnostics& problems);
   base::Diagnostics applyRunOptions();
   QString folder() const;
+  QString ask(QFileDialog::FileMode mode, const QString& title, const QString& filter = {});
   Kind kindOf(const QString& path) const;
   bool openScenario(const QString& path);
   bool openRun(const QString& path);
@@ -86,7 +88,6 @@ class FileCommands : public QObject {
   editor::IssuesPanel& issues_;
   Memory& memory_;
   QWidget& window_;
-  FileDialogs dialogs_;
   RunOptions options_;
   sim2d::Compatibility compatibility_;
   base::Diagnostics problems_;

@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHeaderView>
 #include <QSplitter>
@@ -39,16 +38,6 @@ void dress(QFileDialog& dialog, const Memory& memory) {
       list->header()->resizeSection(column, kColumns.at(static_cast<std::size_t>(column)));
     }
   }
-}
-
-QString ask(QFileDialog& dialog, Memory& memory) {
-  const QString folder = dialog.directory().absolutePath();
-  dress(dialog, memory);
-  dialog.setDirectory(folder);  // that of the last time would come back with the state
-  const bool isAccepted = dialog.exec() == QDialog::Accepted;
-  memory.setValue(kStateKey, dialog.saveState());
-  memory.setValue(kSizeKey, dialog.size());
-  return isAccepted ? dialog.selectedFiles().value(0) : QString();
 }
 
 }  // namespace
@@ -94,31 +83,14 @@ QDateTime Memory::noted(const QString& path) const {
   return value(kNotedKey).toMap().value(path).toDateTime();
 }
 
-void Memory::clearRecent() {
-  setValue(kRecentKey, QStringList());
-}
-
-QString FileDialogs::openFile(const QString& title, const QString& folder,
-                              const QString& filter) const {
-  QFileDialog dialog(&window_, title, folder, filter);
-  dialog.setFileMode(QFileDialog::ExistingFile);
-  return ask(dialog, memory_);
-}
-
-QString FileDialogs::openFolder(const QString& title, const QString& folder) const {
-  QFileDialog dialog(&window_, title, folder);
-  dialog.setFileMode(QFileDialog::Directory);
-  return ask(dialog, memory_);
-}
-
-QString FileDialogs::saveFile(const QString& title, const QString& proposed, const QString& filter,
-                              const QString& suffix) const {
-  const QFileInfo file(proposed);
-  QFileDialog dialog(&window_, title, file.absolutePath(), filter);
-  dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setDefaultSuffix(suffix);
-  dialog.selectFile(file.fileName());
-  return ask(dialog, memory_);
+QString askFile(QFileDialog& dialog, Memory& memory) {
+  const QString folder = dialog.directory().absolutePath();
+  dress(dialog, memory);
+  dialog.setDirectory(folder);  // that of the last time would come back with the state
+  const bool isAccepted = dialog.exec() == QDialog::Accepted;
+  memory.setValue(kStateKey, dialog.saveState());
+  memory.setValue(kSizeKey, dialog.size());
+  return isAccepted ? dialog.selectedFiles().value(0) : QString();
 }
 
 }  // namespace app

@@ -3,10 +3,10 @@
 #include <memory>
 
 #include <QDateTime>
+#include <QFileDialog>
 #include <QSettings>
 #include <QStringList>
 #include <QVariant>
-#include <QWidget>
 
 namespace app {
 
@@ -18,7 +18,6 @@ class Memory {
   QStringList recentFiles() const;
   void noteFile(const QString& path);          // opened or saved just now
   QDateTime noted(const QString& path) const;  // when; invalid: not known
-  void clearRecent();
   QVariant value(const char* key) const;
   void setValue(const char* key, const QVariant& value);
 
@@ -26,22 +25,8 @@ class Memory {
   std::unique_ptr<QSettings> store_;
 };
 
-/// Questions for files and folders; empty = cancelled. Large enough for names and dates the first
-/// time, then as they were left.
-class FileDialogs {
- public:
-  FileDialogs(Memory& memory, QWidget& window) : memory_(memory), window_(window) {}
-
-  QString openFile(const QString& title, const QString& folder, const QString& filter) const;
-  QString openFolder(const QString& title, const QString& folder) const;
-  /// `proposed`: a whole path. Asks before a file is replaced; a name without an ending gets
-  /// `suffix`.
-  QString saveFile(const QString& title, const QString& proposed, const QString& filter,
-                   const QString& suffix) const;
-
- private:
-  Memory& memory_;
-  QWidget& window_;
-};
+/// Asks for a file or folder; empty = cancelled. Large enough for names and dates the first time,
+/// then as it was left.
+QString askFile(QFileDialog& dialog, Memory& memory);
 
 }  // namespace app

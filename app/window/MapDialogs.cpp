@@ -259,16 +259,6 @@ QLayout* ImageMapDialog::makeSide() {
   return side;
 }
 
-void ImageMapDialog::setResolution(double metresPerPixel) {
-  byNumber_->setChecked(true);
-  resolution_->setValue(metresPerPixel);
-}
-
-void ImageMapDialog::setFirstPoint(double x, double y) {
-  firstX_->setValue(x);
-  firstY_->setValue(y);
-}
-
 double ImageMapDialog::pixels() const {
   const std::vector<QPointF>& points = view_->points();
   if (points.size() < 2) {
@@ -291,14 +281,6 @@ bool ImageMapDialog::isMeasured() const {
   return byNumber_->isChecked() || (pixels() >= 1.0 && isInRange());
 }
 
-void ImageMapDialog::measure() {
-  if (byPoints_->isChecked() && isMeasured()) {
-    const QSignalBlocker quiet(resolution_);
-    resolution_->setValue(resolution());
-  }
-  showState();
-}
-
 QString ImageMapDialog::hint() const {
   const std::size_t count = view_->points().size();
   if (count < 2) {
@@ -312,7 +294,11 @@ QString ImageMapDialog::hint() const {
                            .arg(kCoarsest);
 }
 
-void ImageMapDialog::showState() {
+void ImageMapDialog::measure() {
+  if (byPoints_->isChecked() && isMeasured()) {
+    const QSignalBlocker quiet(resolution_);
+    resolution_->setValue(resolution());
+  }
   const std::size_t count = view_->points().size();
   const bool points = byPoints_->isChecked();
   distance_->setEnabled(points && count == 2);

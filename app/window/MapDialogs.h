@@ -69,9 +69,6 @@ class ImageMapDialog : public QDialog {
   ImageMapDialog(std::shared_ptr<const sim2d::OccupancyGrid> grid, QImage image,
                  const editor::Theme& theme, QWidget* parent = nullptr);
   ScaleView& view() { return *view_; }
-  void setDistance(double metres) { distance_->setValue(metres); }
-  void setResolution(double metresPerPixel);  // by number from now on
-  void setFirstPoint(double x, double y);
   double resolution() const;  // [m] per pixel, as measured
   bool isMeasured() const;    // enough is said to make a map, and of a size that a map can have
   /// With the resolution and so placed that the first point has its coordinates; without points:
@@ -80,8 +77,7 @@ class ImageMapDialog : public QDialog {
 
  private:
   QLayout* makeSide();
-  void measure();
-  void showState();
+  void measure();          // and shows what comes of it
   double pixels() const;   // between the two points; 0: there are not two
   bool isInRange() const;  // the resolution
   QString hint() const;    // what to do with the points

@@ -1,4 +1,5 @@
 #include <QDir>
+#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 
@@ -110,8 +111,13 @@ QString FileCommands::nameForSaving() const {
 }
 
 bool FileCommands::saveAs() {
-  const QString path = dialogs_.saveFile(tr("Save the scenario"), nameForSaving(),
-                                         tr("Scenarios (*.yaml)"), QStringLiteral("yaml"));
+  const QFileInfo proposed(nameForSaving());
+  QFileDialog dialog(&window_, tr("Save the scenario"), proposed.absolutePath(),
+                     tr("Scenarios (*.yaml)"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix(QStringLiteral("yaml"));
+  dialog.selectFile(proposed.fileName());
+  const QString path = askFile(dialog, memory_);
   return !path.isEmpty() && saveUnder(path);
 }
 
@@ -160,19 +166,19 @@ bool FileCommands::mayLeave() {
 }
 
 /// The document as it is in the window, saved or not.
-ExportSource FileCommands::exportSource() const {
+Bundle FileCommands::exportSource() const {
   const editor::ScenarioDocument& document = workspace_.document();
-  ExportSource source;
-  source.scenario = document.scenario();
+  Bundle source;
+  source.scenario = std::make_shared<const sim2d::Scenario>(document.scenario());
   source.path = document.path().toStdString();
   source.map = document.map();
   const bool isInFile = document.snapshot().mapIsInFile;
   source.mapPath = isInFile ? document.mapPath().toStdString() : std::string();
   source.comments = document.commentCount();
-  source.problems = document.mapState().problems;
-  for (const sim2d::Human& human : source.scenario.humans) {
+  source.remarks = document.mapState().problems;
+  for (const sim2d::Human& human : source.scenario->humans) {
     if (std::optional<std::string> tree = document.treeToRun(human.key)) {
-      source.trees[human.name] = {*std::move(tree), source.path};
+      source.trees[human.name] = {*std::move(tree), source.path, {}};
     }
   }
   return source;

@@ -1,13 +1,20 @@
 #pragma once
 
+#include <algorithm>
+
+#include <QDoubleSpinBox>
 #include <QLabel>
+#include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QtTest>
 
+#include "app/window/ExportDialog.h"
 #include "app/window/MainWindow.h"
+#include "app/window/MapDialogs.h"
 #include "app/window/NoticeBar.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
@@ -58,6 +65,31 @@ inline QString copyOnMap(const QString& file, const char* map) {
   const base::Diagnostics problems =
       base::writeFileAtomically(file.toStdString(), sim2d::writeScenario(demo.scenario));
   return problems.empty() ? file : QString();
+}
+
+/// The field or list of a dialog that screen readers call so.
+template <class Part>
+Part& part(const QWidget& dialog, const char* name) {
+  const QList<Part*> parts = dialog.findChildren<Part*>();
+  return **std::find_if(parts.begin(), parts.end(), [name](const Part* each) {
+    return each->accessibleName() == QString::fromUtf8(name);
+  });
+}
+
+/// Chooses the simulator that an export is for.
+inline void setTarget(const app::ExportDialog& dialog, const char* name) {
+  QListWidget& targets = part<QListWidget>(dialog, "Simulator");
+  for (int row = 0; row < targets.count(); ++row) {
+    if (targets.item(row)->data(Qt::UserRole) == QString::fromUtf8(name)) {
+      targets.setCurrentRow(row);
+    }
+  }
+}
+
+/// Sets the resolution of the image of a map by number.
+inline void setResolution(const app::ImageMapDialog& dialog, double metresPerPixel) {
+  dialog.findChildren<QRadioButton*>().last()->setChecked(true);
+  part<QDoubleSpinBox>(dialog, "Resolution").setValue(metresPerPixel);
 }
 
 /// Without words: it is not told.

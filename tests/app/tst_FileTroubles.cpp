@@ -224,18 +224,19 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
     QVERIFY(!create->isEnabled());  // both on one place
     dialog.view().setPoints({{0.0, 0.0}, {400.0, 200.0}});
     QVERIFY(create->isEnabled());
-    dialog.setDistance(9000.0);
+    QDoubleSpinBox& distance = quiet::part<QDoubleSpinBox>(dialog, "Distance 1 – 2");
+    distance.setValue(9000.0);
     QVERIFY(!create->isEnabled());  // no map has cells as large as that
     QVERIFY(!dialog.isMeasured());
     quiet::shoot(dialog, "image-too-large");
-    dialog.setDistance(0.1);
+    distance.setValue(0.1);
     QVERIFY(!create->isEnabled());
-    dialog.setDistance(7.0);
+    distance.setValue(7.0);
     QVERIFY(create->isEnabled());
     QCOMPARE(dialog.map()->resolution(), 7.0 / std::sqrt(400.0 * 400.0 + 200.0 * 200.0));
     dialog.view().setPoints({});
     QVERIFY(!create->isEnabled());
-    dialog.setResolution(0.1);
+    quiet::setResolution(dialog, 0.1);
     QVERIFY(create->isEnabled());
     QCOMPARE(dialog.map()->resolution(), 0.1);
     quiet::shoot(dialog, "image-number");
@@ -267,7 +268,7 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
         const editor::Theme theme = isDark ? editor::Theme::dark() : editor::Theme::light();
         app::dressApplication(theme);
         app::ExportDialog dialog(window_->files().exportSource(), at("out"), theme);
-        dialog.setTarget(utf8(target));
+        quiet::setTarget(dialog, target);
         dialog.show();
         quiet::shoot(dialog, QByteArray("export-") + target + (isDark ? "-dark" : ""));
         auto* command = dialog.findChild<QPlainTextEdit*>();

@@ -65,10 +65,10 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     const QString file = copyOfDemo();
     QVERIFY(window_->open(file));
     QVERIFY(base::writeFileAtomically(file.toStdString(), "something else").empty());
-    window_->guard().watch().lookNow();
+    window_->guard().lookNow();
     QVERIFY(window_->notices().isTold(QStringLiteral("changed")));
     window_->notices().choose(QStringLiteral("changed"), 1);
-    window_->guard().watch().lookNow();
+    window_->guard().lookNow();
     QVERIFY(window_->notices().notices().empty());
   }
 
@@ -113,7 +113,7 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     QTimer::singleShot(300, this, [&asked] {
       if (auto* dialog = qobject_cast<app::ImageMapDialog*>(QApplication::activeModalWidget())) {
         ++asked;
-        dialog->setResolution(0.02);
+        quiet::setResolution(*dialog, 0.02);
         dialog->accept();
       }
     });
@@ -205,8 +205,9 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
       app::ImageMapDialog dialog(*grid, image, theme);
       dialog.show();
       dialog.view().setPoints({{40.0, 20.0}, {360.0, 20.0}});
-      dialog.setDistance(16.0);
-      dialog.setFirstPoint(1.0, 2.0);
+      quiet::part<QDoubleSpinBox>(dialog, "Distance 1 – 2").setValue(16.0);
+      quiet::part<QDoubleSpinBox>(dialog, "X").setValue(1.0);
+      quiet::part<QDoubleSpinBox>(dialog, "Y").setValue(2.0);
       quiet::shoot(dialog, isDark ? "image-dark" : "image-light");
       QVERIFY(std::abs(dialog.resolution() - 0.05) < 1e-9);
       const auto map = dialog.map();
@@ -248,6 +249,22 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     QVERIFY(!recentRow()->isEnabled());
   }
 
+  void layout_ofTheLastSession_isBack() {
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, at("settings"));
+    app::WindowSetup setup = quiet::setup();
+    setup.remembers = true;
+    quiet::leave(window_);
+    window_ = quiet::shownWindow(setup);
+    const QString file = copyOfDemo();
+    QVERIFY(window_->open(file));
+    window_->docks().dock(QStringLiteral("measure"))->hide();
+    QVERIFY(window_->close());
+    window_ = quiet::shownWindow(setup);
+    QVERIFY(window_->open(file));
+    QVERIFY(window_->docks().dock(QStringLiteral("measure"))->isHidden());
+    QVERIFY(window_->docks().dock(QStringLiteral("properties"))->isVisible());
+  }
+
   void open_anotherScenario_listBeginsAtItsTop() {
     const QString folder = QStringLiteral(GENERATED_MAPS "/realism/");
     QVERIFY(window_->open(folder + QStringLiteral("realism_rimea_12_agents.yaml")));
@@ -283,7 +300,7 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     const QString file = copyOfDemo();
     QVERIFY(window_->open(file));
     QVERIFY(base::writeFileAtomically(file.toStdString(), "something else").empty());
-    window_->guard().watch().lookNow();
+    window_->guard().lookNow();
     window_->notices().tell({QStringLiteral("x"),
                              false,
                              QStringLiteral("The program ended unexpectedly. Unsaved changes to "

@@ -143,8 +143,9 @@ class KeyboardTest : public QObject {
     const editor::Theme theme = editor::Theme::light();
     switch (which) {
       case 0: {
-        app::ExportSource source;
-        source.scenario = sim2d::readScenario(quiet::demoPath().toStdString()).scenario;
+        app::Bundle source;
+        source.scenario = std::make_shared<const sim2d::Scenario>(
+            sim2d::readScenario(quiet::demoPath().toStdString()).scenario);
         return std::make_unique<app::ExportDialog>(source, folder_.path(), theme);
       }
       case 1:

@@ -135,20 +135,22 @@ class SaveWindowTest : public QObject, protected quiet::InFolder {
       const editor::Theme theme = isDark ? editor::Theme::dark() : editor::Theme::light();
       app::dressApplication(theme);
       app::ExportDialog dialog(window_->files().exportSource(), out, theme);
-      dialog.setTarget(QStringLiteral("webots"));
+      quiet::setTarget(dialog, "webots");
+      const auto& list = *dialog.findChild<QTreeWidget*>();
       dialog.show();
       quiet::shoot(dialog, isDark ? "export-dark" : "export-light");
-      QCOMPARE(dialog.files().topLevelItemCount(), static_cast<int>(dialog.plan().files.size()));
+      QCOMPARE(list.topLevelItemCount(), static_cast<int>(dialog.plan().files.size()));
       QVERIFY(dialog.plan().files.size() > 4);
-      const std::string first = dialog.files().topLevelItem(0)->text(1).toStdString();
+      const std::string first = list.topLevelItem(0)->text(1).toStdString();
       QCOMPARE(first.c_str(), isDark ? "stays as it is" : "new");
       QVERIFY(window_->files().exportPlan(dialog.plan()));
     }
     app::dressApplication(editor::Theme::light());
     QVERIFY(QFile::exists(out + QStringLiteral("/scenarios/demo.yaml")));
     app::ExportDialog other(window_->files().exportSource(), out, editor::Theme::light());
-    other.setTarget(QStringLiteral("isaac"));
-    QVERIFY(other.files().topLevelItem(0)->text(1) == QStringLiteral("is replaced"));
+    quiet::setTarget(other, "isaac");
+    QVERIFY(other.findChild<QTreeWidget*>()->topLevelItem(0)->text(1) ==
+            QStringLiteral("is replaced"));
   }
 
   void export_folder_isThatOfTheScenarioUnlessItWasExported() {
@@ -178,7 +180,7 @@ class SaveWindowTest : public QObject, protected quiet::InFolder {
   void exportTo(const QString& target) {
     QTimer::singleShot(100, this, [&target] {
       if (auto* dialog = qobject_cast<app::ExportDialog*>(QApplication::activeModalWidget())) {
-        dialog->setFolder(target);
+        quiet::part<QLineEdit>(*dialog, "Folder").setText(target);
         dialog->accept();
       }
     });

@@ -4,13 +4,13 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <memory>
 #include <thread>
 
 #include <CLI/CLI.hpp>
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/cli/FileHash.h"
 #include "app/run/RunFolder.h"
 #include "editor/document/QtImageLoader.h"
 #include "sim2d/base/Text.h"
@@ -41,14 +41,12 @@ int report(const Experiment& experiment, const BatchRows& rows, const BatchOptio
            const OutputOptions& output) {
   const BatchCount count = countOf(rows);
   const bool complete = count.finished == rows.size();
-  const std::string manifest = batchManifest(experiment, rows);
+  const std::string manifest = batchManifest(experiment, rows, sha256OfFile);
   const fs::path folder = options.output;
   const std::string results = (folder / "results.csv").string();
   base::Diagnostics problems = base::writeFileAtomically(results, resultsCsv(experiment, rows));
   base::append(problems, base::writeFileAtomically((folder / "manifest.json").string(), manifest));
-  if (!printDiagnostics(problems)) {
-    return kBadInput;
-  }
+  requireFine(problems);
   if (output.json) {
     print(manifest);
   } else if (!output.quiet) {
@@ -63,16 +61,12 @@ int report(const Experiment& experiment, const BatchRows& rows, const BatchOptio
 
 int batchCommand(const BatchOptions& options, const OutputOptions& output) {
   const base::Result<Experiment> experiment = readExperiment(options.experiment);
-  if (!printDiagnostics(experiment.diagnostics())) {
-    return kBadInput;
-  }
+  requireFine(experiment.diagnostics());
   base::Diagnostics problems = checkExperiment(*experiment, editor::loadMapImage);
   if (!base::hasErrors(problems)) {  // else nothing will be written
     base::append(problems, checkWritableFolder(options.output));
   }
-  if (!printDiagnostics(problems)) {
-    return kBadInput;
-  }
+  requireFine(problems);
   catchInterrupts();
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const std::string runs = (fs::path(options.output) / "runs").string();
@@ -81,7 +75,7 @@ int batchCommand(const BatchOptions& options, const OutputOptions& output) {
   {
     Progress progress(output.quiet);
     const std::size_t total = experiment->runCount();
-    progress.show(progressText(0, total, 0.0), true);
+    progress.show(progressText(0, total, 0.0));
     BatchJob job;
     job.runsFolder = runs;
     job.jobs = options.jobs > 0 ? options.jobs : cores;
@@ -100,13 +94,11 @@ int batchCommand(const BatchOptions& options, const OutputOptions& output) {
 }  // namespace
 
 void addBatch(CommandRegistry& commands) {
-  const auto options = std::make_shared<BatchOptions>();
-  CLI::App& command = commands.add(
-      "batch", "Many runs: scenarios x values x seeds",
-      [options](const Invocation& given) { return batchCommand(*options, given.output); });
-  command.add_option("experiment", options->experiment, "Experiment file")->required();
-  command.add_option("-o,--output", options->output, "Folder for the results")->required();
-  command.add_option("--jobs", options->jobs, "Processes at a time (number of cores)")
+  const auto [command, options] =
+      commands.add("batch", "Many runs: scenarios x values x seeds", batchCommand);
+  command.add_option("experiment", options.experiment, "Experiment file")->required();
+  command.add_option("-o,--output", options.output, "Folder for the results")->required();
+  command.add_option("--jobs", options.jobs, "Processes at a time (number of cores)")
       ->check(CLI::Range(1, 1024));
 }
 

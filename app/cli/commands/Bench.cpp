@@ -12,7 +12,6 @@
 #include <QFileInfo>
 #include <QTemporaryDir>
 
-#include "app/cli/BenchPicture.h"
 #include "app/cli/BenchScene.h"
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
@@ -296,6 +295,10 @@ int benchCommand(const BenchOptions& options, const OutputOptions& output) {
   return kFine;
 }
 
+Drawing drawingOf(const BenchOptions& options) {
+  return options.picture.empty() ? Drawing::None : Drawing::Widgets;
+}
+
 /// Nothing = fine; otherwise what is wrong.
 std::string isPictureFile(const std::string& path) {
   const QFileInfo file(QString::fromStdString(path));
@@ -309,16 +312,13 @@ std::string isPictureFile(const std::string& path) {
 }  // namespace
 
 void addBench(CommandRegistry& commands) {
-  const auto options = std::make_shared<BenchOptions>();
-  CLI::App& command = commands.add(
-      "bench", "How fast this machine steps crowds",
-      [options](const Invocation& given) { return benchCommand(*options, given.output); },
-      [options] { return options->picture.empty() ? Drawing::None : Drawing::Widgets; });
-  command.add_flag("--quick", options->quick, "Up to 1000 people, in a few seconds");
-  command.add_option("--threads", options->threads, "Number of threads")->check(CLI::Range(1, 256));
-  command.add_option("--format", options->format, "text or csv")
+  const auto [command, options] =
+      commands.add("bench", "How fast this machine steps crowds", benchCommand, drawingOf);
+  command.add_flag("--quick", options.quick, "Up to 1000 people, in a few seconds");
+  command.add_option("--threads", options.threads, "Number of threads")->check(CLI::Range(1, 256));
+  command.add_option("--format", options.format, "text or csv")
       ->check(CLI::IsMember({"text", "csv"}));
-  command.add_option("--picture", options->picture, "Draws the table: FILE.png, .svg or .pdf")
+  command.add_option("--picture", options.picture, "Draws the table: FILE.png, .svg or .pdf")
       ->check(isPictureFile);
 }
 

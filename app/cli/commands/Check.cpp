@@ -1,19 +1,15 @@
-#include <memory>
-
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/run/Bundle.h"
-#include "app/run/DataPaths.h"
 #include "app/run/Experiment.h"
 #include "bt/engine/Program.h"
 #include "bt/human/HumanNodes.h"
 #include "bt/tree/TreeXml.h"
 #include "editor/document/QtImageLoader.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/world/World.h"
 
 namespace app {
 
@@ -21,7 +17,7 @@ namespace {
 
 struct CheckOptions {
   std::vector<std::string> files;
-  std::string map, trees;
+  RunOptions scenario;  // map, trees
 };
 
 enum class FileKind { Scenario, Tree, Map, Experiment };
@@ -40,10 +36,8 @@ FileKind kindOf(const std::string& text) {
 }
 
 base::Diagnostics checkScenarioFile(const std::string& path, const CheckOptions& options) {
-  RunOptions run;
+  RunOptions run = options.scenario;
   run.scenario = path;
-  run.map = options.map;
-  run.trees = options.trees;
   Verdict verdict = check(readBundle(run, {}, editor::loadMapImage));
   base::append(verdict.problems, verdict.worldRemarks);
   return verdict.problems;
@@ -132,13 +126,11 @@ int checkCommand(const CheckOptions& options, const OutputOptions& output) {
 }  // namespace
 
 void addCheck(CommandRegistry& commands) {
-  const auto options = std::make_shared<CheckOptions>();
-  CLI::App& command = commands.add(
-      "check", "Validate scenarios, trees, maps, experiments",
-      [options](const Invocation& given) { return checkCommand(*options, given.output); });
-  command.add_option("files", options->files, "Files")->required();
-  command.add_option("--map", options->map, "Map of the scenarios");
-  command.add_option("--trees", options->trees, "Folder with their trees");
+  const auto [command, options] =
+      commands.add("check", "Validate scenarios, trees, maps, experiments", checkCommand);
+  command.add_option("files", options.files, "Files")->required();
+  command.add_option("--map", options.scenario.map, "Map of the scenarios");
+  command.add_option("--trees", options.scenario.trees, "Folder with their trees");
 }
 
 }  // namespace app

@@ -1,5 +1,3 @@
-#include <memory>
-
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
@@ -62,10 +60,8 @@ void printPlan(const ExportPlan& plan, const base::Diagnostics& report,
 }
 
 int convertCommand(const ConvertOptions& options, const OutputOptions& output) {
-  const base::Result<ExportSource> source = readExportSource(options.source, editor::loadMapImage);
-  if (!printDiagnostics(source.diagnostics(), base::Severity::Warning)) {
-    return kBadInput;
-  }
+  const base::Result<Bundle> source = readExportSource(options.source, editor::loadMapImage);
+  requireFine(source.diagnostics(), kBadInput, base::Severity::Warning);
   ExportRequest request;
   request.target = options.target;
   request.folder = options.output;
@@ -75,14 +71,9 @@ int convertCommand(const ConvertOptions& options, const OutputOptions& output) {
   }
   ExportPlan plan = planExport(*source, request);
   plan.report = notYetTold(source.diagnostics(), plan.report);
-  printDiagnostics(plan.report, output.quiet ? base::Severity::Warning : base::Severity::Info);
-  if (base::hasErrors(plan.report)) {
-    return kBadInput;
-  }
-  const base::Diagnostics problems = writeExport(plan);
-  if (!printDiagnostics(problems)) {
-    return kBadInput;
-  }
+  requireFine(plan.report, kBadInput,
+              output.quiet ? base::Severity::Warning : base::Severity::Info);
+  requireFine(writeExport(plan));
   base::Diagnostics report = source.diagnostics();
   base::append(report, plan.report);
   printPlan(plan, report, options, output);
@@ -92,28 +83,26 @@ int convertCommand(const ConvertOptions& options, const OutputOptions& output) {
 }  // namespace
 
 void addConvert(CommandRegistry& commands) {
-  const auto options = std::make_shared<ConvertOptions>();
-  CLI::App& command = commands.add(
-      "convert", "Write scenario, trees and map for another simulator",
-      [options](const Invocation& given) { return convertCommand(*options, given.output); });
+  const auto [command, options] = commands.add(
+      "convert", "Write scenario, trees and map for another simulator", convertCommand);
   std::vector<std::string> targets;
   for (const sim2d::TargetInfo& target : sim2d::exportTargets()) {
     targets.push_back(target.name);
   }
-  command.add_option("scenario", options->source.scenario, "Scenario file, of any dialect")
+  command.add_option("scenario", options.source.scenario, "Scenario file, of any dialect")
       ->required()
       ->transform(scenarioFile);
-  command.add_option("-o,--output", options->output, "Folder for scenarios, behavior_trees, maps")
+  command.add_option("-o,--output", options.output, "Folder for scenarios, behavior_trees, maps")
       ->required();
-  command.add_option("--target", options->target, "Simulator that is to read it")
+  command.add_option("--target", options.target, "Simulator that is to read it")
       ->required()
       ->check(CLI::IsMember(targets));
-  command.add_option("--dialect", options->dialect, "B or C instead of what the target reads")
+  command.add_option("--dialect", options.dialect, "B or C instead of what the target reads")
       ->check(CLI::IsMember({"B", "C"}));
-  command.add_option("--style", options->style, "Of trees that are missing: corrected or hunav2")
+  command.add_option("--style", options.style, "Of trees that are missing: corrected or hunav2")
       ->check(CLI::IsMember({"corrected", "hunav2"}));
-  command.add_option("--map", options->source.map, "Map to use instead of the scenario's");
-  command.add_option("--trees", options->source.trees, "Folder with the behaviour trees");
+  command.add_option("--map", options.source.map, "Map to use instead of the scenario's");
+  command.add_option("--trees", options.source.trees, "Folder with the behaviour trees");
 }
 
 }  // namespace app

@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <memory>
 
 #include <CLI/CLI.hpp>
 
@@ -57,20 +56,16 @@ base::Diagnostics foreignWords(const EvaluateOptions& options) {
   return wrong;
 }
 
-struct ForeignWords {
-  sim2d::ForeignOptions reading;
-  sim2d::TrackOptions tracks;
-};
-
-base::Result<ForeignWords> foreignOptionsOf(const EvaluateOptions& options) {
-  ForeignWords words;
+/// How a file of another program is read, and made to a run. Returns what is wrong with the words.
+base::Diagnostics readForeignWords(const EvaluateOptions& options, sim2d::ForeignOptions& reading,
+                                   sim2d::TrackOptions& tracks) {
   base::Diagnostics wrong;
-  words.reading.format = options.format;  // checked by the parser
+  reading.format = options.format;  // checked by the parser
   if (!options.columns.empty()) {
     const auto columns = sim2d::parseColumns(options.columns);
     base::append(wrong, columns.diagnostics());
     if (columns) {
-      words.reading.columns = *columns;
+      reading.columns = *columns;
     }
   }
   const auto positive = [&wrong](const std::optional<double>& value, const char* word) {
@@ -79,21 +74,18 @@ base::Result<ForeignWords> foreignOptionsOf(const EvaluateOptions& options) {
     }
     return value.value_or(0.0);
   };
-  words.reading.framesPerSecond = positive(options.framesPerSecond, "--fps");
-  words.tracks.step = positive(options.step, "--dt");
-  words.tracks.robotId = options.robot;
+  reading.framesPerSecond = positive(options.framesPerSecond, "--fps");
+  tracks.step = positive(options.step, "--dt");
+  tracks.robotId = options.robot;
   if (options.robotGoal) {
     const std::optional<std::vector<double>> goal = parseNumbers(*options.robotGoal, 2);
     if (goal) {
-      words.tracks.robotGoal = base::Vec2((*goal)[0], (*goal)[1]);
+      tracks.robotGoal = base::Vec2((*goal)[0], (*goal)[1]);
     } else {
       wrong.push_back(base::error("option.evaluate-goal", {*options.robotGoal}));
     }
   }
-  if (!wrong.empty()) {
-    return wrong;
-  }
-  return words;
+  return wrong;
 }
 
 base::Result<sim2d::Trace> readSource(const std::string& source,
@@ -185,45 +177,34 @@ base::Diagnostics writeResults(const EvaluateOptions& options, const sim2d::Trac
 int evaluateCommand(const EvaluateOptions& options, const OutputOptions& output) {
   base::Diagnostics wrong =
       isRunFolder(options.source) ? foreignWords(options) : base::Diagnostics();
-  const base::Result<ForeignWords> words = foreignOptionsOf(options);
-  base::append(wrong, words.diagnostics());
-  if (!printDiagnostics(wrong)) {
-    return kWrongCommandLine;
-  }
-  base::Result<sim2d::Trace> trace = readSource(options.source, words->reading, words->tracks);
+  sim2d::ForeignOptions reading;
+  sim2d::TrackOptions tracks;
+  base::append(wrong, readForeignWords(options, reading, tracks));
+  requireFine(wrong, kWrongCommandLine);
+  base::Result<sim2d::Trace> trace = readSource(options.source, reading, tracks);
   base::Diagnostics problems = trace.diagnostics();
-  if (trace) {
-    base::append(problems, replaceMap(options, *trace));
-  }
   MetricsSetup setup;
   if (trace) {
+    base::append(problems, replaceMap(options, *trace));
     base::append(problems, readMetricsSetup(trace->header, setup));
   }
   base::append(problems, chooseMetrics({options.metrics, options.metricsProfile}, setup, wrong));
-  if (!printDiagnostics(wrong)) {
-    return kWrongCommandLine;
-  }
+  requireFine(wrong, kWrongCommandLine);
   if (!options.reference.empty()) {
-    const auto reference = readReference(options.reference, words->reading);
+    const auto reference = readReference(options.reference, reading);
     base::append(problems, reference.diagnostics());
     if (reference) {
       setup.selection.reference = *reference;
     }
   }
   base::append(problems, checkWritableFolder(options.output));
-  if (!printDiagnostics(problems, base::Severity::Warning)) {
-    return kBadInput;
-  }
+  requireFine(problems, kBadInput, base::Severity::Warning);
   setup.selection.tag = options.tag.value_or(setup.selection.tag);
   setup.selection.runId = options.runId.value_or(setup.selection.runId);
   const base::Result<metrics::Evaluation> evaluation =
       metrics::evaluate(*trace, setup.selection, setup.parameters);
-  if (!printDiagnostics(evaluation.diagnostics())) {
-    return kBadInput;
-  }
-  if (!printDiagnostics(writeResults(options, *trace, *evaluation))) {
-    return kBadInput;
-  }
+  requireFine(evaluation.diagnostics());
+  requireFine(writeResults(options, *trace, *evaluation));
   if (output.json) {
     print(metrics::toJson(*evaluation));
   } else if (!output.quiet) {
@@ -245,22 +226,19 @@ void addForeignOptions(CLI::App& command, EvaluateOptions& options) {
 }  // namespace
 
 void addEvaluate(CommandRegistry& commands) {
-  const auto options = std::make_shared<EvaluateOptions>();
-  CLI::App& command = commands.add(
-      "evaluate", "Metrics of a recorded run or of a file",
-      [options](const Invocation& given) { return evaluateCommand(*options, given.output); });
-  command.add_option("source", options->source, "Folder of a run, or a trajectory file")
-      ->required();
-  command.add_option("-o,--output", options->output, "Folder for the results")->required();
-  command.add_option("--map", options->map, "Map instead of the recorded; none = open plane");
-  addMetricsOptions(command, options->metrics, options->metricsProfile);
-  command.add_option("--tag", options->tag, "Tag in the result files");
-  command.add_option("--run-id", options->runId, "Number of the run in the result files");
-  command.add_option("--layout", options->layout, "Also the files of HuNavSim's evaluator")
+  const auto [command, options] =
+      commands.add("evaluate", "Metrics of a recorded run or of a file", evaluateCommand);
+  command.add_option("source", options.source, "Folder of a run, or a trajectory file")->required();
+  command.add_option("-o,--output", options.output, "Folder for the results")->required();
+  command.add_option("--map", options.map, "Map instead of the recorded; none = open plane");
+  addMetricsOptions(command, options.metrics, options.metricsProfile);
+  command.add_option("--tag", options.tag, "Tag in the result files");
+  command.add_option("--run-id", options.runId, "Number of the run in the result files");
+  command.add_option("--layout", options.layout, "Also the files of HuNavSim's evaluator")
       ->check(CLI::IsMember({"hunav2", "hunav1"}));
-  command.add_option("--reference", options->reference,
+  command.add_option("--reference", options.reference,
                      "Run to compare the robot's way with: a folder, or a file with one body");
-  addForeignOptions(command, *options);
+  addForeignOptions(command, options);
 }
 
 }  // namespace app

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -197,18 +196,14 @@ int listCommand(const ListOptions& options, const OutputOptions& output) {
 }  // namespace
 
 void addList(CommandRegistry& commands) {
-  const auto options = std::make_shared<ListOptions>();
-  CLI::App& command = commands.add(
-      "list", "What there is to use",
-      [options](const Invocation& given) { return listCommand(*options, given.output); });
+  const auto [command, options] = commands.add("list", "What there is to use", listCommand);
   command
-      .add_option("what", options->what,
-                  "nodes, metrics, models, robots, planners, keys, scenarios")
+      .add_option("what", options.what, "nodes, metrics, models, robots, planners, keys, scenarios")
       ->required()
       ->check(
           CLI::IsMember({"nodes", "metrics", "models", "robots", "planners", "keys", "scenarios"}));
   command
-      .add_option("--format", options->format, "text or json; xml for nodes, markdown for metrics")
+      .add_option("--format", options.format, "text or json; xml for nodes, markdown for metrics")
       ->check(CLI::IsMember({"text", "json", "xml", "markdown"}));
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/cli/FileHash.h"
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
 #include "app/run/RunFolder.h"
@@ -134,17 +135,12 @@ std::string simulatedText(const FinishedRun& run) {
 }
 
 int exitCodeOf(const FinishedRun& run, const std::string& scenario) {
-  switch (run.result.status) {
-    case sim2d::RunStatus::Finished:
-      return kFine;
-    case sim2d::RunStatus::Failed:
-      printDiagnostics({base::error("run.ended", {run.result.reason}, scenario)});
-      return kRunFailed;
-    case sim2d::RunStatus::Interrupted:
-      printError("interrupted after " + simulatedText(run) + ": the part so far is kept");
-      return kRunFailed;
+  if (run.result.status == sim2d::RunStatus::Failed) {
+    printDiagnostics({base::error("run.ended", {run.result.reason}, scenario)});
+  } else if (run.result.status == sim2d::RunStatus::Interrupted) {
+    printError("interrupted after " + simulatedText(run) + ": the part so far is kept");
   }
-  return kRunFailed;
+  return run.result.status == sim2d::RunStatus::Finished ? kFine : kRunFailed;
 }
 
 /// Files and table of a run; returns the exit code.
@@ -152,8 +148,8 @@ int conclude(const RunOptions& options, const OutputOptions& output, const Bundl
              const std::vector<std::string>& commandLine, RunWriter& writer,
              const FinishedRun& run) {
   const bool isWritten =
-      options.output.empty() ||
-      printDiagnostics(writeRunFolder(options.output, run, writer, bundle, commandLine));
+      options.output.empty() || printDiagnostics(writeRunFolder(options.output, run, writer, bundle,
+                                                                commandLine, sha256OfFile));
   show(run, run.header.dt, output);
   if (!isWritten) {
     printError("after " + simulatedText(run) + " of the run: its files are not complete");
@@ -175,14 +171,10 @@ void wantNoMore(const RunOptions& options, const OutputOptions& output,
 int runCommand(const RunOptions& options, const OutputOptions& output,
                const std::vector<std::string>& commandLine) {
   const base::Result<RunSettings> settings = runSettingsOf(options);
-  if (!printDiagnostics(settings.diagnostics())) {
-    return kWrongCommandLine;
-  }
+  requireFine(settings.diagnostics(), kWrongCommandLine);
   const Bundle bundle = readBundle(options, *settings, editor::loadMapImage);
   Verdict verdict = check(bundle);
-  if (!printDiagnostics(verdict.wrongWords)) {
-    return kWrongCommandLine;
-  }
+  requireFine(verdict.wrongWords, kWrongCommandLine);
   if (!options.output.empty() && verdict.ok()) {  // else nothing will be written
     base::append(verdict.problems, checkWritableFolder(options.output));
   }

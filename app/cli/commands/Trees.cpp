@@ -123,17 +123,13 @@ int writeFiles(const std::vector<MadeFile>& files, const std::string& folder,
 
 int generate(const TreesOptions& options, const OutputOptions& output) {
   const sim2d::ScenarioReading reading = sim2d::readScenario(options.scenario);
-  if (!printDiagnostics(reading.diagnostics, base::Severity::Warning)) {
-    return kBadInput;
-  }
+  requireFine(reading.diagnostics, kBadInput, base::Severity::Warning);
   const std::string base =
       reading.scenario.yamlBaseName.value_or(fs::path(options.scenario).stem().string());
   const bt::TreeStyle style =
       options.style == "hunav2" ? bt::TreeStyle::Hunav2 : bt::TreeStyle::Corrected;
   const std::vector<MadeFile> files = makeFiles(reading.scenario, base, style);
-  if (!printDiagnostics(checkNames(base, files, options.scenario))) {
-    return kBadInput;
-  }
+  requireFine(checkNames(base, files, options.scenario));
   if (options.output.empty()) {
     printFiles(files, output);
     return kFine;
@@ -211,15 +207,11 @@ int play(const TreesOptions& options, const OutputOptions& output) {
   setup.seed = static_cast<std::uint64_t>(options.seed);
   if (!options.compat.empty()) {
     const base::Result<sim2d::Compatibility> chosen = sim2d::Compatibility::parse(options.compat);
-    if (!printDiagnostics(chosen.diagnostics())) {
-      return kWrongCommandLine;
-    }
+    requireFine(chosen.diagnostics(), kWrongCommandLine);
     setup.compatibility = *chosen;
   }
   const base::Result<std::unique_ptr<TreePlay>> made = TreePlay::create(setup);
-  if (!printDiagnostics(made.diagnostics(), base::Severity::Warning)) {
-    return kBadInput;
-  }
+  requireFine(made.diagnostics(), kBadInput, base::Severity::Warning);
   const base::Diagnostics fault = tickAll(**made, options, output);
   printDiagnostics(fault);
   return fault.empty() ? kFine : kRunFailed;
@@ -240,28 +232,26 @@ int treesCommand(const TreesOptions& options, const OutputOptions& output) {
 }  // namespace
 
 void addTrees(CommandRegistry& commands) {
-  const auto options = std::make_shared<TreesOptions>();
-  CLI::App& command = commands.add(
-      "trees", "Make people's behaviour trees, or play one",
-      [options](const Invocation& given) { return treesCommand(*options, given.output); });
+  const auto [command, options] =
+      commands.add("trees", "Make people's behaviour trees, or play one", treesCommand);
   CLI::Option* scenario =
-      command.add_option("scenario", options->scenario, "Scenario file")->transform(scenarioFile);
+      command.add_option("scenario", options.scenario, "Scenario file")->transform(scenarioFile);
   CLI::Option* output =
-      command.add_option("-o,--output", options->output, "Folder for the trees; none: print them");
-  CLI::Option* style = command.add_option("--style", options->style, "corrected or hunav2");
+      command.add_option("-o,--output", options.output, "Folder for the trees; none: print them");
+  CLI::Option* style = command.add_option("--style", options.style, "corrected or hunav2");
   style->check(CLI::IsMember({"corrected", "hunav2"}));
-  CLI::Option* play = command.add_option("--play", options->play, "Tree file to tick by itself");
+  CLI::Option* play = command.add_option("--play", options.play, "Tree file to tick by itself");
   play->excludes(scenario)->excludes(output)->excludes(style);
-  command.add_option("--script", options->script, "YAML: leaf -> statuses of its calls")
+  command.add_option("--script", options.script, "YAML: leaf -> statuses of its calls")
       ->needs(play);
-  command.add_option("--ticks", options->ticks, "Number of ticks (10)")
+  command.add_option("--ticks", options.ticks, "Number of ticks (10)")
       ->needs(play)
       ->check(CLI::Range(1, 1000000));
-  command.add_option("--dt", options->dt, "Time step [s] (0.05)")->needs(play);
-  command.add_option("--seed", options->seed, "Seed of the tree's draws (1)")
+  command.add_option("--dt", options.dt, "Time step [s] (0.05)")->needs(play);
+  command.add_option("--seed", options.seed, "Seed of the tree's draws (1)")
       ->needs(play)
       ->check(CLI::NonNegativeNumber);
-  command.add_option("--compat", options->compat, "hunav2, or quirks of the original: Q-20")
+  command.add_option("--compat", options.compat, "hunav2, or quirks of the original: Q-20")
       ->needs(play);
 }
 

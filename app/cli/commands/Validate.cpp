@@ -1,17 +1,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iterator>
 #include <map>
-#include <memory>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
-#include "app/run/Validation.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/world/World.h"
+#include "sim2d/world/realism/RealismTest.h"
 
 namespace app {
 
@@ -21,11 +20,67 @@ struct ValidateOptions {
   std::vector<std::string> names;  // of realism tests; empty: all
   std::vector<std::string> models = {"sfm", "das"};
   std::string output;  // folder, or empty
-  int seeds = 10;
+  int seeds = 10;      // 1 to this, where draws count
 };
 
+using Json = nlohmann::ordered_json;
 using sim2d::Quantity;
 using sim2d::RealismTest;
+
+/// One quantity of one realism test with one model.
+struct Row {
+  std::string test, model;
+  Quantity quantity;
+  double value = 0.0;
+  std::string problem;         // why there is no value
+  std::vector<double> values;  // one per seed
+
+  bool passes() const { return problem.empty() && quantity.passes(value); }
+  const char* result() const { return passes() ? "PASS" : "FAIL"; }
+  const char* summary() const {
+    constexpr const char* kNames[] = {"mean", "smallest", "largest"};  // of Summary
+    return kNames[static_cast<int>(quantity.summary)];
+  }
+};
+
+std::string csvOf(const std::vector<Row>& rows) {
+  std::string text = "test,model,quantity,unit,summary,seeds,value,least,most,result\n";
+  const auto number = [](double value) {
+    return std::isfinite(value) ? base::formatDouble(value) : std::string();
+  };
+  for (const Row& row : rows) {
+    text += base::join({row.test, row.model, "\"" + row.quantity.name + "\"", row.quantity.unit,
+                        row.summary(), std::to_string(row.values.size()), number(row.value),
+                        number(row.quantity.least), number(row.quantity.most), row.result()},
+                       ",") +
+            "\n";
+  }
+  return text;
+}
+
+std::string jsonOf(const std::vector<Row>& rows) {
+  Json all = Json::array();
+  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
+  for (const Row& row : rows) {
+    all.push_back({{"name", row.test},
+                   {"model", row.model},
+                   {"quantity", row.quantity.name},
+                   {"unit", row.quantity.unit},
+                   {"summary", row.summary()},
+                   {"seeds", row.values.size()},
+                   {"value", number(row.value)},
+                   {"least", number(row.quantity.least)},
+                   {"most", number(row.quantity.most)},
+                   {"pass", row.passes()}});
+    for (const double value : row.values) {
+      all.back()["values"].push_back(number(value));
+    }
+    if (!row.problem.empty()) {
+      all.back()["why"] = row.problem;
+    }
+  }
+  return all.dump(2);
+}
 
 std::string rounded(double value) {
   return std::isfinite(value) ? base::formatDouble(std::round(value * 1e4) / 1e4) : "";
@@ -39,23 +94,23 @@ std::string limitText(const Quantity& quantity) {
                                        : "at most " + rounded(quantity.most);
 }
 
-std::vector<std::string> cellsOf(const ValidationRow& row) {
-  const std::string value = rounded(row.value);
-  return {row.passes() ? "PASS" : "FAIL",
-          row.test,
-          row.model,
-          row.quantity.name,
-          value.empty() ? "none" : value,
-          limitText(row.quantity),
-          row.quantity.unit,
-          row.problem};
+void printRows(const std::vector<Row>& rows) {
+  std::vector<std::vector<std::string>> table = {
+      {"", "test", "model", "quantity", "value", "limit", "unit", ""}};
+  for (const Row& row : rows) {
+    const std::string value = rounded(row.value);
+    table.push_back({row.result(), row.test, row.model, row.quantity.name,
+                     value.empty() ? "none" : value, limitText(row.quantity), row.quantity.unit,
+                     row.problem});
+  }
+  printTable(table);
 }
 
-bool choose(const ValidateOptions& options, std::vector<const RealismTest*>& tests,
-            std::vector<std::string>& models) {
+/// The tests that are meant; with unknown names of tests or models the command ends.
+std::vector<const RealismTest*> chosenTests(const ValidateOptions& options) {
   const std::vector<std::string> known = sim2d::programRegistries().models.names();
   bool isFine = true;
-  for (const std::string& model : models) {
+  for (const std::string& model : options.models) {
     if (std::find(known.begin(), known.end(), model) == known.end()) {
       printError("no model '" + model + "' (see hunavsim list models)");
       isFine = false;
@@ -67,6 +122,7 @@ bool choose(const ValidateOptions& options, std::vector<const RealismTest*>& tes
     names.push_back(test.name);
     byName[test.name] = &test;
   }
+  std::vector<const RealismTest*> tests;
   for (const std::string& name : options.names.empty() ? names : options.names) {
     const auto found = byName.find(name);
     if (found == byName.end()) {
@@ -76,72 +132,100 @@ bool choose(const ValidateOptions& options, std::vector<const RealismTest*>& tes
       tests.push_back(found->second);
     }
   }
-  return isFine;
+  if (!isFine) {
+    throw CommandEnd{kWrongCommandLine};
+  }
+  return tests;
 }
 
-/// Tells how far it is.
-Validation play(ValidationJob job, bool quiet) {
+/// Tells how far it is. False: it was interrupted.
+bool play(const std::vector<const RealismTest*>& tests, const ValidateOptions& options, bool quiet,
+          std::vector<Row>& rows) {
+  const auto seedsOf = [&options](const RealismTest& test) {
+    return test.isSeeded ? options.seeds : 1;
+  };
+  std::size_t done = 0, all = 0;
+  for (const RealismTest* test : tests) {
+    all += options.models.size() * static_cast<std::size_t>(seedsOf(*test));
+  }
   Progress progress(quiet);
   const auto begin = std::chrono::steady_clock::now();
-  job.onProgress = [&](std::size_t done, std::size_t all, const std::string& next) {
+  const auto tell = [&](const std::string& next) {
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
     const double left = spent.count() / static_cast<double>(done) * static_cast<double>(all - done);
     progress.show(std::to_string(done) + "/" + std::to_string(all) + " " + next +
                   (done > 0 ? ", " + durationText(left) + " left" : ""));
   };
-  return runValidation(job);
+  // False: it was interrupted.
+  const auto playOne = [&](const RealismTest& test, const std::string& model) {
+    std::vector<std::vector<double>> values(test.quantities.size());
+    std::string problem;
+    for (int seed = 1; seed <= seedsOf(test) && problem.empty(); ++seed) {
+      tell(test.name + ", " + model + ", seed " + std::to_string(seed));
+      const base::Result<std::vector<double>> measured =
+          test.measure({model, seed, wasInterrupted});
+      if (wasInterrupted()) {
+        return false;
+      }
+      ++done;
+      if (!measured) {
+        problem = measured.diagnostics().front().message;
+      }
+      for (std::size_t i = 0; measured && i < values.size(); ++i) {
+        values[i].push_back((*measured)[i]);
+      }
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const Quantity& quantity = test.quantities[i];
+      rows.push_back(
+          {test.name, model, quantity, quantity.summaryOf(values[i]), problem, values[i]});
+    }
+    return true;
+  };
+  return std::all_of(tests.begin(), tests.end(), [&](const RealismTest* test) {
+    return std::all_of(options.models.begin(), options.models.end(),
+                       [&](const std::string& model) { return playOne(*test, model); });
+  });
 }
 
 int validateCommand(const ValidateOptions& options, const OutputOptions& output) {
-  ValidationJob job;
-  job.models = options.models;
-  job.seeds = options.seeds;
-  job.wantsStop = wasInterrupted;
-  if (!choose(options, job.tests, job.models)) {
-    return kWrongCommandLine;
-  }
+  const std::vector<const RealismTest*> tests = chosenTests(options);
   catchInterrupts();
-  const Validation validation = play(std::move(job), output.quiet);
-  const std::vector<ValidationRow>& rows = validation.rows;
+  std::vector<Row> rows;
+  const bool isComplete = play(tests, options, output.quiet, rows);
   if (output.json) {
-    printLine(validationJson(rows));
+    printLine(jsonOf(rows));
   } else if (!output.quiet) {
-    std::vector<std::vector<std::string>> table = {
-        {"", "test", "model", "quantity", "value", "limit", "unit", ""}};
-    std::transform(rows.begin(), rows.end(), std::back_inserter(table), cellsOf);
-    printTable(table);
+    printRows(rows);
   }
   if (!options.output.empty()) {
-    const base::Diagnostics problems = writeValidation(options.output, rows);
-    if (!printDiagnostics(problems)) {
-      return kBadInput;
-    }
+    const std::string file = options.output + "/validation";
+    base::Diagnostics problems = base::writeFileAtomically(file + ".csv", csvOf(rows));
+    base::append(problems, base::writeFileAtomically(file + ".json", jsonOf(rows) + "\n"));
+    requireFine(problems);
   }
-  const auto failed = std::count_if(rows.begin(), rows.end(),
-                                    [](const ValidationRow& row) { return !row.passes(); });
-  if (!validation.isComplete) {
+  if (!isComplete) {
     printError("interrupted: " + std::to_string(rows.size()) + " rows are complete");
     return kRunFailed;
   }
+  const auto passed =
+      std::count_if(rows.begin(), rows.end(), [](const Row& row) { return row.passes(); });
   if (!output.json && !output.quiet) {
-    printLine(std::to_string(rows.size() - static_cast<std::size_t>(failed)) + " of " +
-              std::to_string(rows.size()) + " within the limits");
+    printLine(std::to_string(passed) + " of " + std::to_string(rows.size()) + " within the limits");
   }
-  return failed > 0 ? kRunFailed : kFine;
+  return static_cast<std::size_t>(passed) < rows.size() ? kRunFailed : kFine;
 }
 
 }  // namespace
 
 void addValidate(CommandRegistry& commands) {
-  const auto options = std::make_shared<ValidateOptions>();
-  CLI::App& command = commands.add(
-      "validate", "Realism tests: people of the models against real ones",
-      [options](const Invocation& given) { return validateCommand(*options, given.output); });
-  command.add_option("names", options->names, "Realism tests (all)");
-  command.add_option("-o,--output", options->output, "Folder for the results");
-  command.add_option("--seeds", options->seeds, "Runs with seeds 1 to N (10)")
+  const auto [command, options] = commands.add(
+      "validate", "Realism tests: people of the models against real ones", validateCommand);
+  command.add_option("names", options.names, "Realism tests (all)");
+  command.add_option("-o,--output", options.output, "Folder for the results");
+  command.add_option("--seeds", options.seeds, "Runs with seeds 1 to N (10)")
       ->check(CLI::Range(1, 10000));
-  command.add_option("--model", options->models, "Models to test (sfm and das)")
+  command.add_option("--model", options.models, "Models to test (sfm and das)")
       ->allow_extra_args(false);
 }
 
