@@ -86,24 +86,20 @@ Docks::Docks(QMainWindow& window, Workspace& workspace, const editor::PanelRegis
     add(entry);
   }
   addTimeline();
-  connect(&workspace_.runner(), &editor::SimulationRunner::stateChanged, this,
-          [this](editor::SimulationRunner::State state) {
-            if (state != editor::SimulationRunner::State::Editing) {
-              grow();
-            }
-          });
+  connect(&workspace_.runner(), &editor::SimulationRunner::stateChanged, this, &Docks::grow);
   resetLayout();
 }
 
 void Docks::addTimeline() {
-  timeline_ = new editor::TimelineBar(workspace_.document(), workspace_.events(),
-                                      workspace_.runner(), workspace_.theme());
+  auto* timeline = new editor::TimelineBar(workspace_.document(), workspace_.events(),
+                                           workspace_.runner(), workspace_.theme());
+  connect(&context_, &editor::PanelContext::themeChanged, timeline, &editor::TimelineBar::setTheme);
   timelineBar_ = new QToolBar(tr("Timeline"), &window_);
   timelineBar_->setObjectName(QStringLiteral("timeline"));
   timelineBar_->setMovable(false);
   timelineBar_->toggleViewAction()->setEnabled(false);  // always seen
   editor::describe(*timelineBar_->toggleViewAction(), tr("Always seen"));
-  timelineBar_->addWidget(timeline_);
+  timelineBar_->addWidget(timeline);
   window_.addToolBar(Qt::BottomToolBarArea, timelineBar_);
 }
 
@@ -167,18 +163,19 @@ void Docks::resetLayout() {
 }
 
 void Docks::placeFirst() {
-  window_.resizeDocks({dock(QStringLiteral("scenario")), dock(QStringLiteral("properties"))},
-                      {kLeftWidth, kRightWidth}, Qt::Horizontal);
-  window_.resizeDocks({dock(QStringLiteral("issues"))}, {grown_ ? kBottomRunning : kBottomEditing},
-                      Qt::Vertical);
-  window_.resizeDocks({dock(QStringLiteral("scenario")), dock(QStringLiteral("measure"))},
+  QDockWidget* const scenario = dock(QStringLiteral("scenario"));
+  QDockWidget* const properties = dock(QStringLiteral("properties"));
+  QDockWidget* const issues = dock(QStringLiteral("issues"));
+  window_.resizeDocks({scenario, properties}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
+  window_.resizeDocks({issues}, {grown_ ? kBottomRunning : kBottomEditing}, Qt::Vertical);
+  window_.resizeDocks({scenario, dock(QStringLiteral("measure"))},
                       {100 * kScenarioShare, 100 * kMeasureShare}, Qt::Vertical);
-  dock(QStringLiteral("properties"))->raise();
-  dock(grown_ ? QStringLiteral("metrics") : QStringLiteral("issues"))->raise();
+  properties->raise();
+  (grown_ ? dock(QStringLiteral("metrics")) : issues)->raise();
 }
 
-void Docks::grow() {
-  if (!grown_) {
+void Docks::grow(editor::SimulationRunner::State state) {
+  if (!grown_ && state != editor::SimulationRunner::State::Editing) {
     grown_ = true;
     QDockWidget* metrics = dock(QStringLiteral("metrics"));
     metrics->raise();
@@ -194,11 +191,6 @@ void Docks::showCount(const QWidget* panel, int count) {
       dock->toggleViewAction()->setText(title);
     }
   }
-}
-
-void Docks::setTheme(const editor::Theme& theme) {
-  Q_EMIT context_.themeChanged(theme);
-  timeline_->setTheme(theme);
 }
 
 void Docks::setShown(bool shown) {

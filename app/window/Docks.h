@@ -10,10 +10,6 @@
 #include "app/window/Workspace.h"
 #include "editor/panels/PanelRegistry.h"
 
-namespace editor {
-class TimelineBar;
-}  // namespace editor
-
 namespace app {
 
 /// The panels around the canvas: those of a registry, and the timeline over the whole width.
@@ -28,8 +24,7 @@ class Docks : public QObject {
   const std::vector<QDockWidget*>& all() const { return docks_; }
   void show(const QStringList& names);  // exactly these
   void resetLayout();
-  void placeFirst();  // sizes, once the window has its own
-  void setTheme(const editor::Theme& theme);
+  void placeFirst();          // sizes, once the window has its own
   void setShown(bool shown);  // all of them, for the start page and the full screen
   template <class T>
   T& panel() const {
@@ -40,7 +35,7 @@ class Docks : public QObject {
   void add(const editor::PanelRegistry::Entry& entry);
   void addTimeline();
   void showCount(const QWidget* panel, int count);
-  void grow();
+  void grow(editor::SimulationRunner::State state);  // at the first run
 
   QMainWindow& window_;
   Workspace& workspace_;
@@ -48,7 +43,6 @@ class Docks : public QObject {
   std::vector<QDockWidget*> docks_;
   std::map<QDockWidget*, bool> shownBefore_;  // while all are hidden
   QByteArray layoutBefore_;                   // with their sizes, once the window is seen
-  editor::TimelineBar* timeline_;
   QToolBar* timelineBar_;
   bool grown_ = false;
 };

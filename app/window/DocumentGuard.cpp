@@ -35,8 +35,16 @@ QString namesOf(const QStringList& files) {
   return files.size() == 1 ? first : QObject::tr("%1 and %2 more").arg(first).arg(files.size() - 1);
 }
 
+base::Diagnostics errorsOf(const base::Diagnostics& problems) {
+  base::Diagnostics errors;
+  std::copy_if(problems.begin(), problems.end(), std::back_inserter(errors),
+               [](const base::Diagnostic& said) { return said.severity == base::Severity::Error; });
+  return errors;
+}
+
 /// "No space left on device", with the file when it is one among others that could be written.
-QString reasonOf(const base::Diagnostics& errors, const QString& saved) {
+QString reasonOf(const base::Diagnostics& problems, const QString& saved) {
+  const base::Diagnostics errors = errorsOf(problems);
   const QString file = QFileInfo(QString::fromStdString(errors.front().file)).fileName();
   const std::string why = errors.front().value("reason");
   const QString reason = QString::fromStdString(why.empty() ? errors.front().message : why);
@@ -45,21 +53,10 @@ QString reasonOf(const base::Diagnostics& errors, const QString& saved) {
              : QStringLiteral("%1: %2").arg(file, reason);
 }
 
-base::Diagnostics errorsOf(const base::Diagnostics& problems) {
-  base::Diagnostics errors;
-  std::copy_if(problems.begin(), problems.end(), std::back_inserter(errors),
-               [](const base::Diagnostic& said) { return said.severity == base::Severity::Error; });
-  return errors;
-}
-
-base::Diagnostic firstError(const base::Diagnostics& problems) {
-  return errorsOf(problems).front();
-}
-
 /// Which map is not there, or what is wrong with it.
 QString mapWords(const editor::ScenarioDocument& document) {
   const sim2d::Scenario& scenario = document.scenario();
-  const base::Diagnostic problem = firstError(document.mapState().problems);
+  const base::Diagnostic problem = errorsOf(document.mapState().problems).front();
   const QString file = QString::fromStdString(problem.file);
   if (!file.isEmpty() && file != document.path()) {
     return QObject::tr("Map file %1 cannot be used, so there are no walls: %2.")
@@ -77,22 +74,49 @@ QString mapWords(const editor::ScenarioDocument& document) {
 
 }  // namespace
 
-FileWatch::FileWatch(editor::ScenarioDocument& document, QObject* parent)
-    : QObject(parent), document_(document) {
+DocumentGuard::DocumentGuard(Workspace& workspace, FileCommands& files, NoticeBar& notices,
+                             const QString& recoveryFolder, QObject* parent)
+    : QObject(parent),
+      workspace_(workspace),
+      document_(workspace.document()),
+      files_(files),
+      notices_(notices),
+      recoveryFolder_(recoveryFolder) {
   pause_.setSingleShot(true);
   pause_.setInterval(kPauseMs);
   connect(&watcher_, &QFileSystemWatcher::fileChanged, &pause_, qOverload<>(&QTimer::start));
   connect(&watcher_, &QFileSystemWatcher::directoryChanged, &pause_, qOverload<>(&QTimer::start));
-  connect(&pause_, &QTimer::timeout, this, &FileWatch::lookNow);
+  connect(&pause_, &QTimer::timeout, this, &DocumentGuard::lookNow);
   connect(&document_, &editor::ScenarioDocument::pathChanged, this, [this] {
     isThere_ = true;
-    watch();
+    watchFiles();
+    for (const QLatin1String& id : {kChanged, kGone, kNotSaved, kUnread, kExport}) {
+      notices_.drop(id);
+    }
+    tellReadOnly();
   });
-  connect(&document_, &editor::ScenarioDocument::mapChanged, this, &FileWatch::watch);
+  connect(&document_, &editor::ScenarioDocument::mapChanged, this, [this] {
+    watchFiles();
+    tellMap();
+  });
+  connect(&files_, &FileCommands::notSaved, this, &DocumentGuard::tellNotSaved);
+  connect(&files_, &FileCommands::exported, this, &DocumentGuard::tellExported);
+  connect(&files_, &FileCommands::notExported, this, &DocumentGuard::tellNotExported);
+  if (recoveryFolder.isEmpty()) {
+    return;
+  }
+  autosave_ = std::make_unique<editor::Autosave>(document_, recoveryFolder);
+  connect(autosave_.get(), &editor::Autosave::failed, this,
+          [this](const base::Diagnostics& problems) {
+            notices_.warn(QStringLiteral("autosave"),
+                          tr("No copy for a crash can be kept: %1")
+                              .arg(QString::fromStdString(problems.front().text())));
+          });
+  offerRecovery();
 }
 
 /// Folders too: a file that is replaced by renaming is another one for the system.
-void FileWatch::watch() {
+void DocumentGuard::watchFiles() {
   const QStringList before = watcher_.files() + watcher_.directories();
   if (!before.isEmpty()) {
     watcher_.removePaths(before);
@@ -110,73 +134,36 @@ void FileWatch::watch() {
   }
 }
 
-void FileWatch::lookNow() {
+void DocumentGuard::lookNow() {
   const QStringList changed = document_.changedOnDisk();
-  watch();
-  const bool isThere = document_.path().isEmpty() || QFileInfo::exists(document_.path());
+  watchFiles();
+  const bool isThere = !files_.isLost();
   if (std::exchange(isThere_, isThere) != isThere) {
-    Q_EMIT scenarioThere(isThere);
+    tellGone();
+    Q_EMIT scenarioThere();
   }
   if (!changed.isEmpty()) {
-    Q_EMIT changedOnDisk(changed);
+    tellChanged(changed);
   }
-}
-
-DocumentGuard::DocumentGuard(Workspace& workspace, FileCommands& files, NoticeBar& notices,
-                             const QString& recoveryFolder, QObject* parent)
-    : QObject(parent),
-      workspace_(workspace),
-      document_(workspace.document()),
-      files_(files),
-      notices_(notices),
-      recoveryFolder_(recoveryFolder),
-      watch_(workspace.document()) {
-  connect(&watch_, &FileWatch::changedOnDisk, this, &DocumentGuard::tellChanged);
-  connect(&watch_, &FileWatch::scenarioThere, this, &DocumentGuard::tellGone);
-  connect(&document_, &editor::ScenarioDocument::pathChanged, this, [this] {
-    for (const QLatin1String& id : {kChanged, kGone, kNotSaved, kUnread, kExport}) {
-      notices_.drop(id);
-    }
-    tellReadOnly();
-  });
-  connect(&document_, &editor::ScenarioDocument::mapChanged, this, &DocumentGuard::tellMap);
-  connect(&files_, &FileCommands::notSaved, this, &DocumentGuard::tellNotSaved);
-  connect(&files_, &FileCommands::exported, this, &DocumentGuard::tellExported);
-  connect(&files_, &FileCommands::notExported, this, &DocumentGuard::tellNotExported);
-  if (recoveryFolder.isEmpty()) {
-    return;
-  }
-  autosave_ = std::make_unique<editor::Autosave>(document_, recoveryFolder);
-  connect(autosave_.get(), &editor::Autosave::failed, this,
-          [this](const base::Diagnostics& problems) {
-            notices_.tell({QStringLiteral("autosave"),
-                           true,
-                           tr("No copy for a crash can be kept: %1")
-                               .arg(QString::fromStdString(problems.front().text())),
-                           {}});
-          });
-  offerRecovery();
 }
 
 void DocumentGuard::offerRecovery() {
   for (const QString& folder : editor::Autosave::leftBehind(recoveryFolder_)) {
     const base::Result<editor::DocumentSnapshot> copy = editor::readSnapshot(folder);
+    const Notice::Choice discard = {tr("Discard"), [folder] { editor::Autosave::discard(folder); }};
     if (!copy) {
-      notices_.tell({folder,
-                     true,
-                     tr("Unsaved work of an earlier session cannot be read: %1")
-                         .arg(QString::fromStdString(copy.diagnostics().front().text())),
-                     {{tr("Discard"), [folder] { editor::Autosave::discard(folder); }}}});
+      notices_.warn(folder,
+                    tr("Unsaved work of an earlier session cannot be read: %1")
+                        .arg(QString::fromStdString(copy.diagnostics().front().text())),
+                    {discard});
       continue;
     }
     const QString name =
         copy->path.isEmpty() ? tr("an unnamed scenario") : QFileInfo(copy->path).fileName();
-    notices_.tell({folder,
-                   false,
-                   tr("The program ended unexpectedly. Unsaved changes to %1 were kept (%2).")
-                       .arg(name, agoText(copy->when.toLocalTime(), QDateTime::currentDateTime())),
-                   {{tr("Restore"), [this, folder] { restore(folder); }},
-                    {tr("Discard"), [folder] { editor::Autosave::discard(folder); }}}});
+    notices_.inform(folder,
+                    tr("The program ended unexpectedly. Unsaved changes to %1 were kept (%2).")
+                        .arg(name, agoText(copy->when.toLocalTime(), QDateTime::currentDateTime())),
+                    {{tr("Restore"), [this, folder] { restore(folder); }}, discard});
   }
 }
 
@@ -191,30 +178,27 @@ void DocumentGuard::restore(const QString& folder) {
 }
 
 void DocumentGuard::tellChanged(const QStringList& changed) {
-  const QString names = namesOf(changed);
-  notices_.tell({kChanged,
-                 true,
-                 document_.isDirty()
+  notices_.warn(kChanged,
+                (document_.isDirty()
                      ? tr("%1 was changed by another program. Reloading loses what is not saved "
                           "here.")
-                           .arg(names)
-                     : tr("%1 was changed by another program.").arg(names),
-                 {{tr("Reload"), [this] { files_.reload(); }},
-                  {tr("Keep mine"), [this] { document_.acceptDisk(); }}}});
+                     : tr("%1 was changed by another program."))
+                    .arg(namesOf(changed)),
+                {{tr("Reload"), [this] { files_.reload(); }},
+                 {tr("Keep mine"), [this] { document_.acceptDisk(); }}});
 }
 
-void DocumentGuard::tellGone(bool isThere) {
-  if (isThere) {
+void DocumentGuard::tellGone() {
+  if (isThere_) {
     notices_.drop(kGone);
     return;
   }
-  notices_.tell({kGone,
-                 true,
-                 tr("%1 is no longer in its folder: another program has moved or removed it. It is "
-                    "still open here.")
-                     .arg(document_.displayName()),
-                 {{tr("Save it again"), [this] { files_.save(); }},
-                  {tr("Save as…"), [this] { files_.saveAs(); }}}});
+  notices_.warn(kGone,
+                tr("%1 is no longer in its folder: another program has moved or removed it. It is "
+                   "still open here.")
+                    .arg(document_.displayName()),
+                {{tr("Save it again"), [this] { files_.save(); }},
+                 {tr("Save as…"), [this] { files_.saveAs(); }}});
 }
 
 void DocumentGuard::tellReadOnly() {
@@ -222,17 +206,17 @@ void DocumentGuard::tellReadOnly() {
     notices_.drop(kReadOnly);
     return;
   }
-  notices_.tell(
-      {kReadOnly,
-       true,
-       (editor::isBlank(document_.scenario())
-            ? tr("%1 is damaged: nothing of it could be read. It will not be overwritten.")
-            : tr("%1 is damaged and shown as far as it could be read. It will not be overwritten."))
-           .arg(document_.displayName()),
-       {{tr("Save as…"), [this] {
-           files_.saveAs();
-           tellReadOnly();  // when it was not saved after all
-         }}}});
+  const auto saveAs = [this] {
+    files_.saveAs();
+    tellReadOnly();  // when it was not saved after all
+  };
+  notices_.warn(
+      kReadOnly,
+      (editor::isBlank(document_.scenario())
+           ? tr("%1 is damaged: nothing of it could be read. It will not be overwritten.")
+           : tr("%1 is damaged and shown as far as it could be read. It will not be overwritten."))
+          .arg(document_.displayName()),
+      {{tr("Save as…"), saveAs}});
 }
 
 /// Once more when no map was chosen after all.
@@ -241,59 +225,53 @@ void DocumentGuard::tellMap() {
     notices_.drop(kMap);
     return;
   }
-  notices_.tell({kMap,
-                 true,
-                 mapWords(document_),
-                 {{tr("Choose map…"),
-                   [this] {
-                     files_.askOtherMap();
-                     tellMap();
-                   }},
-                  {tr("Open plane"), [this] {
-                     workspace_.runner().reset();
-                     editor::pushOpenPlane(document_);
-                   }}}});
+  const auto choose = [this] {
+    files_.askOtherMap();
+    tellMap();
+  };
+  const auto clear = [this] {
+    workspace_.runner().reset();
+    editor::pushOpenPlane(document_);
+  };
+  notices_.warn(kMap, mapWords(document_),
+                {{tr("Choose map…"), choose}, {tr("Open plane"), clear}});
 }
 
 void DocumentGuard::tellExported(const QString& folder, int files) {
-  notices_.tell({kExport,
-                 false,
-                 tr("%1 were exported to %2.")
-                     .arg(editor::counted(static_cast<std::size_t>(files), tr("file"), tr("files")),
-                          QDir::toNativeSeparators(folder)),
-                 {{tr("Show the folder"),
-                   [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); }}}});
+  const auto show = [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); };
+  notices_.inform(
+      kExport,
+      tr("%1 were exported to %2.")
+          .arg(editor::counted(static_cast<std::size_t>(files), tr("file"), tr("files")),
+               QDir::toNativeSeparators(folder)),
+      {{tr("Show the folder"), show}});
 }
 
 void DocumentGuard::tellNotExported(const base::Diagnostics& problems) {
-  notices_.tell({kExport,
-                 true,
-                 tr("Nothing was exported: %1.").arg(reasonOf(errorsOf(problems), {})),
-                 {{tr("Export…"), [this] { files_.askExport(); }}}});
+  notices_.warn(kExport, tr("Nothing was exported: %1.").arg(reasonOf(problems, {})),
+                {{tr("Export…"), [this] { files_.askExport(); }}});
 }
 
 void DocumentGuard::tellNotSaved(const QString& name, const base::Diagnostics& problems) {
-  notices_.tell({kNotSaved,
-                 true,
-                 tr("%1 was not saved: %2. Your changes are still here.")
-                     .arg(name, reasonOf(errorsOf(problems), name)),
-                 {{tr("Save as…"), [this, name, problems] {
-                     if (!files_.saveAs() && !notices_.isTold(kNotSaved)) {
-                       tellNotSaved(name, problems);
-                     }
-                   }}}});
+  const auto saveAs = [this, name, problems] {
+    if (!files_.saveAs() && !notices_.isTold(kNotSaved)) {
+      tellNotSaved(name, problems);
+    }
+  };
+  notices_.warn(
+      kNotSaved,
+      tr("%1 was not saved: %2. Your changes are still here.").arg(name, reasonOf(problems, name)),
+      {{tr("Save as…"), saveAs}});
 }
 
 void DocumentGuard::tellUnread(const base::Diagnostics& problems) {
-  const base::Diagnostic problem = firstError(problems);
+  const base::Diagnostic problem = errorsOf(problems).front();
   const QString reason = QString::fromStdString(problem.message);
-  notices_.tell({kUnread,
-                 true,
-                 problem.file.empty()
-                     ? tr("The file cannot be opened: %1").arg(reason)
-                     : tr("%1 cannot be opened: %2")
-                           .arg(QFileInfo(QString::fromStdString(problem.file)).fileName(), reason),
-                 {}});
+  notices_.warn(kUnread,
+                problem.file.empty()
+                    ? tr("The file cannot be opened: %1").arg(reason)
+                    : tr("%1 cannot be opened: %2")
+                          .arg(QFileInfo(QString::fromStdString(problem.file)).fileName(), reason));
 }
 
 }  // namespace app

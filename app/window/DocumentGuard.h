@@ -11,28 +11,9 @@
 
 namespace app {
 
-/// Notices when another program changes a file of the document; the program's own saving is none.
-class FileWatch : public QObject {
-  Q_OBJECT
- public:
-  explicit FileWatch(editor::ScenarioDocument& document, QObject* parent = nullptr);
-  void lookNow();
-
- Q_SIGNALS:
-  void changedOnDisk(const QStringList& files);
-  void scenarioThere(bool isThere);  // its file has gone, or is back
-
- private:
-  void watch();
-
-  editor::ScenarioDocument& document_;
-  QFileSystemWatcher watcher_;
-  bool isThere_ = true;
-  QTimer pause_;  // until a program that writes several files is through
-};
-
-/// Keeps work from being lost: copies for a crash, what another program does to the files, files
-/// that could be read only in part or not be written, maps that are not there. Tells by notices.
+/// Keeps work from being lost: copies for a crash, what another program does to the files (the
+/// program's own saving is nothing to tell), files that could be read only in part or not be
+/// written, maps that are not there. Tells by notices.
 class DocumentGuard : public QObject {
   Q_OBJECT
  public:
@@ -40,14 +21,18 @@ class DocumentGuard : public QObject {
   DocumentGuard(Workspace& workspace, FileCommands& files, NoticeBar& notices,
                 const QString& recoveryFolder, QObject* parent = nullptr);
   editor::Autosave* autosave() const { return autosave_.get(); }
-  FileWatch& watch() { return watch_; }
+  void lookNow();                                      // what has become of the files
   void tellUnread(const base::Diagnostics& problems);  // of a file that was to be opened
 
+ Q_SIGNALS:
+  void scenarioThere();  // the file of the scenario has gone, or is back
+
  private:
+  void watchFiles();
   void offerRecovery();
   void restore(const QString& folder);
   void tellChanged(const QStringList& changed);
-  void tellGone(bool isThere);
+  void tellGone();
   void tellReadOnly();
   void tellMap();
   void tellExported(const QString& folder, int files);
@@ -59,7 +44,9 @@ class DocumentGuard : public QObject {
   FileCommands& files_;
   NoticeBar& notices_;
   QString recoveryFolder_;
-  FileWatch watch_;
+  QFileSystemWatcher watcher_;
+  QTimer pause_;         // until a program that writes several files is through
+  bool isThere_ = true;  // the file of the scenario
   std::unique_ptr<editor::Autosave> autosave_;
 };
 

@@ -77,7 +77,7 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   connectRun();
   restoreGeometry(memory_.value(kGeometryKey).toByteArray());
   guard_ = new DocumentGuard(workspace_, *files_, *notices_, setup.recoveryFolder, this);
-  connect(&guard_->watch(), &FileWatch::scenarioThere, this, &MainWindow::showTitle);
+  connect(guard_, &DocumentGuard::scenarioThere, this, &MainWindow::showTitle);
   showStart(true);
   showTitle();
 }
@@ -248,7 +248,7 @@ void MainWindow::showStart(bool start) {
   if (!start) {
     workspace_.view().setFocus();
     if (!std::exchange(placed_, true) &&  // when the docks are first seen: as they were last time
-        !restoreState(memory_.value(kStateKey).toByteArray(), kLayoutVersion)) {
+        !restoreState(memory_.value(kWindowStateKey).toByteArray(), kLayoutVersion)) {
       docks_->placeFirst();
     }
   }
@@ -281,7 +281,7 @@ void MainWindow::setTheme(const editor::Theme& theme) {
   dressApplication(theme);
   workspace_.setTheme(theme);
   actions_->setTheme(theme);
-  docks_->setTheme(theme);
+  Q_EMIT docks_->context().themeChanged(theme);
   startPage_->setTheme(theme);
   notices_->setTheme(theme);
   status_->setTheme();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include <QFrame>
@@ -28,6 +29,13 @@ class NoticeBar : public QWidget {
  public:
   explicit NoticeBar(const editor::Theme& theme, QWidget* parent = nullptr);
   void tell(Notice notice);
+  using Choices = std::vector<Notice::Choice>;
+  void inform(const QString& id, const QString& text, Choices choices) {
+    tell({id, false, text, std::move(choices)});
+  }
+  void warn(const QString& id, const QString& text, Choices choices = {}) {
+    tell({id, true, text, std::move(choices)});
+  }
   void drop(const QString& id);
   bool isTold(const QString& id) { return find(id) != notices_.end(); }
   const std::vector<Notice>& notices() const { return notices_; }

@@ -104,7 +104,6 @@ ActionCard::ActionCard(Words words, const editor::Theme& theme, QWidget* parent)
     : StartCard(theme, parent), words_(std::move(words)) {
   setAccessibleName(words_.title);
   setToolTip(words_.shortcut);
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
 void ActionCard::paintEvent(QPaintEvent*) {
@@ -146,7 +145,6 @@ RecentRow::RecentRow(QString path, const QDateTime& used, const editor::Theme& t
   setToolTip(path_);
   setAccessibleName(QFileInfo(path_).fileName());
   setAccessibleDescription(exists_ ? when_ : tr("File not found"));
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setEnabled(exists_);
 }
 
@@ -185,7 +183,6 @@ void RecentRow::paintEvent(QPaintEvent*) {
 DemoCard::DemoCard(QString name, const editor::Theme& theme, QWidget* parent)
     : StartCard(theme, parent), name_(std::move(name)) {
   setAccessibleName(name_);
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
 void DemoCard::setPicture(const QPixmap& picture, int people) {
@@ -249,8 +246,7 @@ StartPage::StartPage(Workspace& workspace, WindowActions& actions, Memory& memor
   column_->setContentsMargins(0, 48, 0, 24);
   column_->setSpacing(0);
   const editor::Theme& theme = workspace.theme();
-  title_ = heading(tr("Start"), theme.font(21.0, QFont::DemiBold));
-  column_->addWidget(title_);
+  column_->addWidget(heading(tr("Start"), theme.font(21.0, QFont::DemiBold)));
   column_->addSpacing(8);
   auto* line = editor::secondaryLabel(
       tr("Draw people and a robot on a map, press Space, and watch them live."));
@@ -360,27 +356,21 @@ void StartPage::showEvent(QShowEvent* event) {
 }
 
 void StartPage::paintThumbnails() {
-  unpainted_.clear();
-  for (std::size_t i = 0; i < thumbnails_.size(); ++i) {
-    unpainted_.push_back(i);
-  }
+  painted_ = 0;
   QTimer::singleShot(0, this, &StartPage::paintNextThumbnail);
 }
 
 /// One at a time, so that the page is there at once.
 void StartPage::paintNextThumbnail() {
-  if (unpainted_.empty()) {
+  if (painted_ == thumbnails_.size()) {
     return;
   }
-  const auto& [demo, path] = thumbnails_[unpainted_.front()];
-  unpainted_.pop_front();
+  const auto& [demo, path] = thumbnails_[painted_++];
   int people = -1;
   const QPixmap picture =
       thumbnailOf(path, workspace_.theme(), demo->pictureSize(), devicePixelRatioF(), people);
   demo->setPicture(picture, people);
-  if (!unpainted_.empty()) {
-    QTimer::singleShot(0, this, &StartPage::paintNextThumbnail);
-  }
+  QTimer::singleShot(0, this, &StartPage::paintNextThumbnail);
 }
 
 }  // namespace app

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <deque>
 #include <utility>
 #include <vector>
 
@@ -23,6 +22,7 @@ class StartCard : public QAbstractButton {
   StartCard(const editor::Theme& theme, QWidget* parent) : QAbstractButton(parent), theme_(theme) {
     setCursor(Qt::PointingHandCursor);
     setAttribute(Qt::WA_Hover);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   }
   void setTheme(const editor::Theme& theme) {
     theme_ = theme;
@@ -121,10 +121,9 @@ class StartPage : public QScrollArea {
   QWidget* page_;
   QVBoxLayout* column_;
   QVBoxLayout* recent_;
-  QLabel* title_;
   std::vector<StartCard*> cards_;
   std::vector<std::pair<DemoCard*, QString>> thumbnails_;
-  std::deque<std::size_t> unpainted_;
+  std::size_t painted_ = 0;  // of them
 };
 
 }  // namespace app

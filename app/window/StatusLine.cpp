@@ -53,6 +53,7 @@ StatusLine::StatusLine(QStatusBar& bar, Workspace& workspace)
   zoom_ = addRight(64);
   seed_ = addRight(56);
   speed_ = addRight(88);
+  const SimulationRunner& runner = workspace_.runner();
   connect(&workspace_.view(), &editor::MapView::cursorMoved, this, &StatusLine::showPlace);
   connect(&workspace_.view(), &editor::MapView::zoomChanged, this, [this] {
     if (workspace_.view().viewport()->underMouse()) {  // the ground moves, the mouse rests
@@ -67,10 +68,9 @@ StatusLine::StatusLine(QStatusBar& bar, Workspace& workspace)
               QTimer::singleShot(0, this, &StatusLine::showPlaceOfMouse);  // once it is fitted in
             }
           });
-  connect(&workspace_.runner(), &SimulationRunner::stateChanged, this, &StatusLine::showState);
-  connect(&workspace_.runner(), &SimulationRunner::lookingBackChanged, this,
-          &StatusLine::showState);
-  connect(&workspace_.runner(), &SimulationRunner::speedMeasured, this, &StatusLine::showNumbers);
+  connect(&runner, &SimulationRunner::stateChanged, this, &StatusLine::showState);
+  connect(&runner, &SimulationRunner::lookingBackChanged, this, &StatusLine::showState);
+  connect(&runner, &SimulationRunner::speedMeasured, this, &StatusLine::showNumbers);
   connect(&workspace_.tools(), &editor::ToolManager::statusTextChanged, this,
           &StatusLine::showState);
   connect(&workspace_.document(), &editor::ScenarioDocument::settled, this,

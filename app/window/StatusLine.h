@@ -14,8 +14,6 @@ class StatusLine : public QObject {
   StatusLine(QStatusBar& bar, Workspace& workspace);
   void setTheme() { showState(); }
   void setIdle(bool idle);  // nothing is open
-  /// The words of the state, as shown.
-  QString stateText() const { return state_->text(); }
 
  protected:
   /// What a menu entry does is said in the place of what a click does; nothing moves.

@@ -25,10 +25,13 @@ void takeToolIcons(Workspace& workspace) {
   }
 }
 
-/// QWidget takes lists of Qt.
-void addAll(QWidget& to, const std::vector<QAction*>& actions) {
-  for (QAction* action : actions) {
-    to.addAction(action);
+/// With a line before each group but the first of the menu.
+void addGroups(QMenu& menu, const std::vector<QList<QAction*>>& groups) {
+  for (const QList<QAction*>& group : groups) {
+    if (!menu.isEmpty()) {
+      menu.addSeparator();
+    }
+    menu.addActions(group);
   }
 }
 
@@ -39,7 +42,7 @@ QWidget* spacer(int width, QWidget* parent) {
 }
 
 /// Several tools on one button: it shows the one used last, its arrow opens the list.
-QToolButton* makeToolGroup(const std::vector<QAction*>& actions, QWidget* parent) {
+QToolButton* makeToolGroup(const QList<QAction*>& actions, QWidget* parent) {
   auto* button = new QToolButton(parent);
   button->setPopupMode(QToolButton::MenuButtonPopup);
   auto* menu = new QMenu(button);
@@ -58,12 +61,12 @@ QToolButton* makeToolGroup(const std::vector<QAction*>& actions, QWidget* parent
 
 /// Tools of one kind share a button, at the place of the first of them.
 void addTools(QToolBar& bar, Workspace& workspace) {
-  std::map<QString, std::vector<QAction*>> buttons;
+  std::map<QString, QList<QAction*>> buttons;
   for (const editor::ToolManager::Entry& entry : workspace.tools().entries()) {
     buttons[entry.info.button].push_back(entry.action);
   }
   for (const editor::ToolManager::Entry& entry : workspace.tools().entries()) {
-    const std::vector<QAction*>& shared = buttons[entry.info.button];
+    const QList<QAction*>& shared = buttons[entry.info.button];
     if (entry.info.button.isEmpty()) {
       bar.addAction(entry.action);
     } else if (entry.action == shared.front()) {
@@ -79,9 +82,7 @@ QToolButton* makeLayersButton(const WindowActions& actions, QWidget* parent) {
   button->setToolTip(QObject::tr("Layers\nWhat the map shows"));
   button->setAccessibleName(QObject::tr("Layers"));
   auto* menu = new QMenu(button);
-  addAll(*menu, actions.layers);
-  menu->addSeparator();
-  addAll(*menu, actions.overlays);
+  addGroups(*menu, {actions.layers, actions.overlays});
   button->setMenu(menu);
   return button;
 }
@@ -156,48 +157,39 @@ QToolBar* makeToolBar(QMainWindow& window, Workspace& workspace, WindowActions& 
 
 QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actions, Docks& docks) {
   QMenuBar& bar = *window.menuBar();
-  QMenu* file = bar.addMenu(QObject::tr("&File"));
-  file->addActions(
-      {actions.newRoom, actions.newWalledRoom, actions.newFromMap, actions.open, actions.openRun});
-  QMenu* recent = file->addMenu(QObject::tr("Open recen&t"));
-  file->addSeparator();
-  file->addActions({actions.save, actions.saveAs, actions.exportTo});
-  file->addSeparator();
-  file->addActions({actions.close, actions.quit});
+  QMenu& file = *bar.addMenu(QObject::tr("&File"));
+  addGroups(file, {{actions.newRoom, actions.newWalledRoom, actions.newFromMap, actions.open,
+                    actions.openRun}});
+  QMenu* recent = file.addMenu(QObject::tr("Open recen&t"));
+  addGroups(file,
+            {{actions.save, actions.saveAs, actions.exportTo}, {actions.close, actions.quit}});
 
-  QMenu* edit = bar.addMenu(QObject::tr("&Edit"));
-  edit->addActions({actions.undo, actions.redo});
-  edit->addSeparator();
-  edit->addActions({actions.cut, actions.copy, actions.paste, actions.duplicate, actions.rename,
-                    actions.remove});
-  edit->addSeparator();
-  edit->addActions({actions.selectAll, actions.deselect, actions.next, actions.previous});
-  actions.fillArrangeMenu(*edit->addMenu(QObject::tr("Arran&ge")));
-  edit->addSeparator();
-  addAll(*edit, actions.snapping);
+  QMenu& edit = *bar.addMenu(QObject::tr("&Edit"));
+  addGroups(edit, {{actions.undo, actions.redo},
+                   {actions.cut, actions.copy, actions.paste, actions.duplicate, actions.rename,
+                    actions.remove},
+                   {actions.selectAll, actions.deselect, actions.next, actions.previous}});
+  actions.fillArrangeMenu(*edit.addMenu(QObject::tr("Arran&ge")));
+  addGroups(edit, {actions.snapping});
 
-  QMenu* view = bar.addMenu(QObject::tr("&View"));
-  view->addActions({actions.zoomIn, actions.zoomOut, actions.zoomFit});
-  view->addSeparator();
-  addAll(*view, actions.overlays);
-  addAll(*view->addMenu(QObject::tr("&Layers")), actions.layers);
-  view->addSeparator();
+  QMenu& view = *bar.addMenu(QObject::tr("&View"));
+  addGroups(view, {{actions.zoomIn, actions.zoomOut, actions.zoomFit}, actions.overlays});
+  view.addMenu(QObject::tr("&Layers"))->addActions(actions.layers);
+  QList<QAction*> panels;
   for (QDockWidget* dock : docks.all()) {
-    view->addAction(dock->toggleViewAction());
+    panels << dock->toggleViewAction();
   }
-  view->addAction(actions.resetLayout);
-  view->addSeparator();
-  view->addActions({actions.switchTheme, actions.systemTheme, actions.fullScreen});
+  addGroups(view, {panels << actions.resetLayout,
+                   {actions.switchTheme, actions.systemTheme, actions.fullScreen}});
 
-  QMenu* scenario = bar.addMenu(QObject::tr("&Scenario"));
-  scenario->addActions(workspace.tools().actions().actions());
-  scenario->addSeparator();
-  scenario->addActions({actions.assignGoals, actions.openMap, actions.settings});
+  addGroups(*bar.addMenu(QObject::tr("&Scenario")),
+            {workspace.tools().actions().actions(),
+             {actions.assignGoals, actions.openMap, actions.settings}});
 
-  QMenu* run = bar.addMenu(QObject::tr("&Run"));
-  run->addActions({workspace.playback().playPause(), workspace.playback().step(),
-                   workspace.playback().stepBack(), workspace.playback().newest(),
-                   workspace.playback().reset()});
+  const editor::PlaybackActions& playback = workspace.playback();
+  bar.addMenu(QObject::tr("&Run"))
+      ->addActions({playback.playPause(), playback.step(), playback.stepBack(), playback.newest(),
+                    playback.reset()});
   addBehaviorMenu(bar, workspace);
   bar.addMenu(QObject::tr("&Help"))->addAction(actions.about);
   return recent;
@@ -221,14 +213,11 @@ void connectCanvasMenu(Workspace& workspace, const WindowActions& actions, const
     if (id) {
       docks.panel<editor::ScenarioPanel>().fillMenu(*menu, id);
       actions.fillArrangeMenu(*menu->addMenu(QObject::tr("Arrange")));
-      menu->addSeparator();
-      menu->addActions({actions.cut, actions.copy, actions.duplicate, actions.remove});
+      addGroups(*menu, {{actions.cut, actions.copy, actions.duplicate, actions.remove}});
     } else {
-      menu->addActions({actions.paste, actions.selectAll});
-      menu->addSeparator();
-      menu->addActions({actions.zoomFit, actions.grid, actions.names, actions.routes});
-      menu->addSeparator();
-      menu->addActions({actions.settings});
+      addGroups(*menu, {{actions.paste, actions.selectAll},
+                        {actions.zoomFit, actions.grid, actions.names, actions.routes},
+                        {actions.settings}});
     }
     menu->popup(view.viewport()->mapToGlobal(at));
   };

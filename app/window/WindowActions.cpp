@@ -27,45 +27,41 @@ WindowActions::WindowActions(Workspace& workspace, QObject* parent)
   followSelection();
 }
 
-QAction* WindowActions::make(const QString& text, const QString& icon, const QKeySequence& shortcut,
-                             const QString& says) {
+QAction* WindowActions::make(const QString& text, const QString& says, const QKeySequence& shortcut,
+                             const char* icon) {
   auto* action = new QAction(text, this);
   action->setShortcut(shortcut);
   editor::describe(*action, says);
-  if (!icon.isEmpty()) {
+  if (icon != nullptr) {
     icons_.emplace_back(action, icon);
   }
   return action;
 }
 
 void WindowActions::makeFileActions() {
-  newRoom = make(tr("&New open plane"), QStringLiteral("file-new"), QKeySequence::New,
-                 tr("A new scenario without a map"));
-  newWalledRoom = make(tr("New empty &room…"), QStringLiteral("start-room"),
-                       QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_N),
-                       tr("A new scenario in a room of a given size"));
-  newFromMap = make(tr("New from a &map…"), QStringLiteral("start-map"),
-                    QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
-                    tr("A new scenario on a map of the navigation stack"));
-  open = make(tr("&Open…"), QStringLiteral("file-open"), QKeySequence::Open,
-              tr("Open a scenario or a map"));
-  openRun = make(tr("Open r&un…"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O),
-                 tr("Look at a recorded run: the folder that `run` has written"));
-  save = make(tr("&Save"), QStringLiteral("file-save"), QKeySequence::Save,
-              tr("Save the scenario and its behaviour trees"));
-  saveAs = make(tr("Save &as…"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
-                tr("Save under another name"));
-  exportTo = make(tr("&Export…"), {}, QKeySequence(Qt::CTRL | Qt::Key_E),
-                  tr("Write scenario, trees and map for another simulator"));
-  close = make(tr("&Close"), {}, QKeySequence(Qt::CTRL | Qt::Key_W), tr("Back to the start page"));
-  quit = make(tr("&Quit"), {}, QKeySequence(Qt::CTRL | Qt::Key_Q), tr("Leave the program"));
-  openMap = make(tr("Change &map…"), QStringLiteral("start-map"), {},
-                 tr("Put another map under the scenario"));
-  assignGoals = make(tr("Assign &goals…"), {}, QKeySequence(Qt::CTRL | Qt::Key_G),
-                     tr("Which people visit which goals, in which order"));
-  settings = make(tr("Scenario &settings"), {}, QKeySequence(Qt::CTRL | Qt::Key_Comma),
-                  tr("Seed, duration and what belongs to the whole scenario"));
-  about = make(tr("&About"), {}, {}, tr("Version and licence"));
+  newRoom = make(tr("&New open plane"), tr("A new scenario without a map"), QKeySequence::New,
+                 "file-new");
+  newWalledRoom = make(tr("New empty &room…"), tr("A new scenario in a room of a given size"),
+                       Qt::CTRL | Qt::ALT | Qt::Key_N, "start-room");
+  newFromMap = make(tr("New from a &map…"), tr("A new scenario on a map of the navigation stack"),
+                    Qt::CTRL | Qt::SHIFT | Qt::Key_N, "start-map");
+  open = make(tr("&Open…"), tr("Open a scenario or a map"), QKeySequence::Open, "file-open");
+  openRun = make(tr("Open r&un…"), tr("Look at a recorded run: the folder that `run` has written"),
+                 Qt::CTRL | Qt::SHIFT | Qt::Key_O);
+  save = make(tr("&Save"), tr("Save the scenario and its behaviour trees"), QKeySequence::Save,
+              "file-save");
+  saveAs = make(tr("Save &as…"), tr("Save under another name"), Qt::CTRL | Qt::SHIFT | Qt::Key_S);
+  exportTo = make(tr("&Export…"), tr("Write scenario, trees and map for another simulator"),
+                  Qt::CTRL | Qt::Key_E);
+  close = make(tr("&Close"), tr("Back to the start page"), Qt::CTRL | Qt::Key_W);
+  quit = make(tr("&Quit"), tr("Leave the program"), Qt::CTRL | Qt::Key_Q);
+  openMap = make(tr("Change &map…"), tr("Put another map under the scenario"), {}, "start-map");
+  assignGoals = make(tr("Assign &goals…"), tr("Which people visit which goals, in which order"),
+                     Qt::CTRL | Qt::Key_G);
+  settings =
+      make(tr("Scenario &settings"), tr("Seed, duration and what belongs to the whole scenario"),
+           Qt::CTRL | Qt::Key_Comma);
+  about = make(tr("&About"), tr("Version and licence"));
 }
 
 void WindowActions::makeEditActions() {
@@ -73,42 +69,43 @@ void WindowActions::makeEditActions() {
   undo = stack.createUndoAction(this, tr("&Undo"));
   undo->setShortcut(QKeySequence::Undo);
   redo = stack.createRedoAction(this, tr("&Redo"));
-  redo->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
+  redo->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_Z);
   const auto tell = [this] {  // the names say what would be taken back
     editor::describe(*undo, tr("Take the last change back"));
     editor::describe(*redo, tr("Make the change again that was taken back"));
   };
   connect(&stack, &QUndoStack::indexChanged, this, tell);
   tell();
-  icons_.emplace_back(undo, QStringLiteral("edit-undo"));
-  icons_.emplace_back(redo, QStringLiteral("edit-redo"));
-  cut = make(tr("Cu&t"), {}, QKeySequence::Cut, tr("Copy what is selected and remove it"));
-  copy = make(tr("&Copy"), {}, QKeySequence::Copy, tr("Copy what is selected, as YAML text"));
-  paste = make(tr("&Paste"), {}, QKeySequence::Paste, tr("Add what was copied beside it"));
-  duplicate = make(tr("Dup&licate"), QStringLiteral("edit-duplicate"),
-                   QKeySequence(Qt::CTRL | Qt::Key_D), tr("A copy of what is selected"));
-  rename = make(tr("Rena&me"), {}, QKeySequence(Qt::Key_F2),
-                tr("Another name for what is selected; what refers to it follows"));
-  remove = make(tr("&Delete"), QStringLiteral("edit-delete"), QKeySequence::Delete,
-                tr("Remove what is selected; routes follow"));
-  selectAll = make(tr("Select &all"), {}, QKeySequence::SelectAll, tr("Everything on the map"));
-  deselect = make(tr("Select &nothing"), {}, QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A),
-                  tr("Clear the selection"));
-  next = make(tr("N&ext"), {}, QKeySequence(Qt::Key_PageDown),
-              tr("The next person, or the next of the kind that is selected"));
-  previous = make(tr("Pre&vious"), {}, QKeySequence(Qt::Key_PageUp),
-                  tr("The previous person, or the previous of the kind that is selected"));
+  icons_.emplace_back(undo, "edit-undo");
+  icons_.emplace_back(redo, "edit-redo");
+  cut = make(tr("Cu&t"), tr("Copy what is selected and remove it"), QKeySequence::Cut);
+  copy = make(tr("&Copy"), tr("Copy what is selected, as YAML text"), QKeySequence::Copy);
+  paste = make(tr("&Paste"), tr("Add what was copied beside it"), QKeySequence::Paste);
+  duplicate = make(tr("Dup&licate"), tr("A copy of what is selected"), Qt::CTRL | Qt::Key_D,
+                   "edit-duplicate");
+  rename = make(tr("Rena&me"), tr("Another name for what is selected; what refers to it follows"),
+                Qt::Key_F2);
+  remove = make(tr("&Delete"), tr("Remove what is selected; routes follow"), QKeySequence::Delete,
+                "edit-delete");
+  selectAll = make(tr("Select &all"), tr("Everything on the map"), QKeySequence::SelectAll);
+  deselect =
+      make(tr("Select &nothing"), tr("Clear the selection"), Qt::CTRL | Qt::SHIFT | Qt::Key_A);
+  next = make(tr("N&ext"), tr("The next person, or the next of the kind that is selected"),
+              Qt::Key_PageDown);
+  previous =
+      make(tr("Pre&vious"), tr("The previous person, or the previous of the kind that is selected"),
+           Qt::Key_PageUp);
   for (QAction* action : {next, previous}) {  // lists scroll by the same keys
     action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     workspace_.view().addAction(action);
   }
 }
 
-QAction* WindowActions::toggle(const QString& text, const QString& icon,
-                               const QKeySequence& shortcut, bool CanvasOptions::*option,
+QAction* WindowActions::toggle(const QString& text, bool CanvasOptions::*option,
+                               const QKeySequence& shortcut, const char* icon,
                                const QString& says) {
   QAction* action =
-      make(text, icon, shortcut, says.isEmpty() ? tr("Show or hide on the map") : says);
+      make(text, says.isEmpty() ? tr("Show or hide on the map") : says, shortcut, icon);
   action->setCheckable(true);
   editor::MapScene& scene = workspace_.scene();
   action->setChecked(scene.options().*option);
@@ -123,30 +120,26 @@ QAction* WindowActions::toggle(const QString& text, const QString& icon,
 }
 
 void WindowActions::makeViewActions() {
-  zoomIn = make(tr("Zoom &in"), QStringLiteral("add"), QKeySequence::ZoomIn, tr("Nearer"));
-  zoomOut = make(tr("Zoom &out"), QStringLiteral("remove"), QKeySequence::ZoomOut, tr("Farther"));
-  zoomFit = make(tr("&Fit"), QStringLiteral("view-fit"), QKeySequence(Qt::Key_F),
-                 tr("The whole map in the window"));
-  fullScreen = make(tr("Full scr&een"), {}, QKeySequence(Qt::Key_F11), tr("Only the map"));
+  zoomIn = make(tr("Zoom &in"), tr("Nearer"), QKeySequence::ZoomIn, "add");
+  zoomOut = make(tr("Zoom &out"), tr("Farther"), QKeySequence::ZoomOut, "remove");
+  zoomFit = make(tr("&Fit"), tr("The whole map in the window"), Qt::Key_F, "view-fit");
+  fullScreen = make(tr("Full scr&een"), tr("Only the map"), Qt::Key_F11);
   fullScreen->setCheckable(true);
-  resetLayout = make(tr("Reset the la&yout"), {}, {}, tr("Docks as they were at first"));
-  switchTheme = make(tr("Light or dar&k"), QStringLiteral("view-theme"),
-                     QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T), tr("Switch the colours"));
-  systemTheme = make(tr("Colours of the &system"), {}, {}, tr("Follow the desktop's colours"));
+  resetLayout = make(tr("Reset the la&yout"), tr("Docks as they were at first"));
+  switchTheme = make(tr("Light or dar&k"), tr("Switch the colours"),
+                     Qt::CTRL | Qt::SHIFT | Qt::Key_T, "view-theme");
+  systemTheme = make(tr("Colours of the &system"), tr("Follow the desktop's colours"));
   systemTheme->setCheckable(true);
-  names = toggle(tr("&Names"), QStringLiteral("view-names"), QKeySequence(Qt::Key_N),
-                 &CanvasOptions::names);
-  routes = toggle(tr("&Routes"), QStringLiteral("tool-route"), QKeySequence(Qt::SHIFT | Qt::Key_R),
-                  &CanvasOptions::routes);
-  grid = toggle(tr("&Grid"), QStringLiteral("view-grid"), QKeySequence(Qt::SHIFT | Qt::Key_G),
-                &CanvasOptions::grid);
-  rulers = toggle(tr("R&ulers"), {}, {}, &CanvasOptions::rulers);
-  trails = toggle(tr("&Trails"), QStringLiteral("view-trails"), QKeySequence(Qt::Key_T),
-                  &CanvasOptions::trails, tr("Where people have been, in a run"));
-  rings = toggle(tr("&Personal spaces"), QStringLiteral("view-rings"), QKeySequence(Qt::Key_X),
-                 &CanvasOptions::proxemics, tr("Rings around the people that are selected"));
-  forces = toggle(tr("For&ces"), QStringLiteral("view-forces"), QKeySequence(Qt::SHIFT | Qt::Key_F),
-                  &CanvasOptions::forces, tr("What moves the people that are selected, in a run"));
+  names = toggle(tr("&Names"), &CanvasOptions::names, Qt::Key_N, "view-names");
+  routes = toggle(tr("&Routes"), &CanvasOptions::routes, Qt::SHIFT | Qt::Key_R, "tool-route");
+  grid = toggle(tr("&Grid"), &CanvasOptions::grid, Qt::SHIFT | Qt::Key_G, "view-grid");
+  rulers = toggle(tr("R&ulers"), &CanvasOptions::rulers);
+  trails = toggle(tr("&Trails"), &CanvasOptions::trails, Qt::Key_T, "view-trails",
+                  tr("Where people have been, in a run"));
+  rings = toggle(tr("&Personal spaces"), &CanvasOptions::proxemics, Qt::Key_X, "view-rings",
+                 tr("Rings around the people that are selected"));
+  forces = toggle(tr("For&ces"), &CanvasOptions::forces, Qt::SHIFT | Qt::Key_F, "view-forces",
+                  tr("What moves the people that are selected, in a run"));
   overlays = {names, routes, grid, rulers, trails, rings, forces};
   editor::MapView& view = workspace_.view();
   connect(zoomIn, &QAction::triggered, &view, &editor::MapView::zoomIn);
@@ -155,21 +148,20 @@ void WindowActions::makeViewActions() {
 }
 
 void WindowActions::makeLayers() {
-  layers = {toggle(tr("&Map"), {}, {}, &CanvasOptions::map),
-            toggle(tr("&People"), {}, {}, &CanvasOptions::people),
-            toggle(tr("&Robots"), {}, {}, &CanvasOptions::robots),
-            toggle(tr("&Goals"), {}, {}, &CanvasOptions::goals),
-            toggle(tr("&Obstacles and doors"), {}, {}, &CanvasOptions::obstacles),
-            toggle(tr("&Areas"), {}, {}, &CanvasOptions::areas),
-            toggle(tr("Gro&ups"), {}, {}, &CanvasOptions::groups)};
-  snapToPoints = toggle(tr("Snap to p&oints"), QStringLiteral("snap"), QKeySequence(Qt::Key_S),
-                        &CanvasOptions::snapToPoints,
+  layers = {toggle(tr("&Map"), &CanvasOptions::map),
+            toggle(tr("&People"), &CanvasOptions::people),
+            toggle(tr("&Robots"), &CanvasOptions::robots),
+            toggle(tr("&Goals"), &CanvasOptions::goals),
+            toggle(tr("&Obstacles and doors"), &CanvasOptions::obstacles),
+            toggle(tr("&Areas"), &CanvasOptions::areas),
+            toggle(tr("Gro&ups"), &CanvasOptions::groups)};
+  snapToPoints = toggle(tr("Snap to p&oints"), &CanvasOptions::snapToPoints, Qt::Key_S, "snap",
                         tr("Corners, ends and centres of other things hold what is drawn"));
   snapping = {snapToPoints,
-              toggle(tr("Snap to &walls"), {}, {}, &CanvasOptions::snapToWalls,
+              toggle(tr("Snap to &walls"), &CanvasOptions::snapToWalls, {}, nullptr,
                      tr("Corners and edges of the map's walls hold what is drawn")),
-              toggle(tr("Snap to the gr&id"), {}, QKeySequence(Qt::SHIFT | Qt::Key_S),
-                     &CanvasOptions::snapToGrid, tr("What is drawn lies on half metres"))};
+              toggle(tr("Snap to the gr&id"), &CanvasOptions::snapToGrid, Qt::SHIFT | Qt::Key_S,
+                     nullptr, tr("What is drawn lies on half metres"))};
 }
 
 void WindowActions::makeArranging() {
@@ -178,7 +170,7 @@ void WindowActions::makeArranging() {
   editor::ScenarioDocument& document = workspace_.document();
   const auto add = [this](const QString& text, const QString& says, std::size_t least,
                           const std::function<void()>& work) {
-    QAction* action = make(text, {}, {}, says);
+    QAction* action = make(text, says);
     connect(action, &QAction::triggered, this, work);
     arranging_.emplace_back(action, least);
   };
@@ -227,8 +219,9 @@ void WindowActions::connectEditing() {
   connect(remove, &QAction::triggered, this,
           [&document] { editor::pushRemove(document, document.selection()); });
   connect(selectAll, &QAction::triggered, this, [&document] { editor::selectAll(document); });
-  connect(deselect, &QAction::triggered, this, [&document] { document.setSelection({}); });
-  connect(settings, &QAction::triggered, this, [&document] { document.setSelection({}); });
+  for (const QAction* action : {deselect, settings}) {
+    connect(action, &QAction::triggered, this, [&document] { document.setSelection({}); });
+  }
   connect(next, &QAction::triggered, this, [this] { selectNext(1); });
   connect(previous, &QAction::triggered, this, [this] { selectNext(-1); });
   connect(&document, &editor::ScenarioDocument::selectionChanged, this,
@@ -286,16 +279,16 @@ void WindowActions::copySelection() {
 
 void WindowActions::followSelection() {
   const bool editing = workspace_.runner().state() == editor::SimulationRunner::State::Editing;
-  const bool any = !workspace_.document().selection().empty();
+  const std::size_t count = workspace_.document().selection().size();
+  const bool any = count > 0;
   cut->setEnabled(any && editing);
   copy->setEnabled(any);
   duplicate->setEnabled(any && editing);
-  rename->setEnabled(editing && workspace_.document().selection().size() == 1);
+  rename->setEnabled(editing && count == 1);
   remove->setEnabled(any && editing);
   paste->setEnabled(editing && editor::canPaste(QGuiApplication::clipboard()->mimeData()));
   openMap->setEnabled(editing);
   assignGoals->setEnabled(editing);
-  const std::size_t count = workspace_.document().selection().size();
   for (const auto& [action, least] : arranging_) {
     action->setEnabled(editing && count >= least);
   }
@@ -303,7 +296,7 @@ void WindowActions::followSelection() {
 
 void WindowActions::setTheme(const editor::Theme& theme) {
   for (const auto& [action, icon] : icons_) {
-    action->setIcon(editor::themedIcon(icon, theme));
+    action->setIcon(editor::themedIcon(QString::fromLatin1(icon), theme));
   }
 }
 

@@ -26,14 +26,15 @@ class WindowActions : public QObject {
   QAction *openMap, *assignGoals, *settings, *about;
   QAction *names, *routes, *grid, *rulers, *trails, *rings, *forces, *snapToPoints;
   /// What the canvas shows and what drawing snaps to, checkable.
-  std::vector<QAction*> overlays, layers, snapping;
+  QList<QAction*> overlays, layers, snapping;
   void fillArrangeMenu(QMenu& menu) const;
 
  private:
-  QAction* make(const QString& text, const QString& icon, const QKeySequence& shortcut,
-                const QString& says);
-  QAction* toggle(const QString& text, const QString& icon, const QKeySequence& shortcut,
-                  bool editor::CanvasOptions::*option, const QString& says = {});
+  QAction* make(const QString& text, const QString& says, const QKeySequence& shortcut = {},
+                const char* icon = nullptr);
+  QAction* toggle(const QString& text, bool editor::CanvasOptions::*option,
+                  const QKeySequence& shortcut = {}, const char* icon = nullptr,
+                  const QString& says = {});
   void makeFileActions();
   void makeEditActions();
   void makeViewActions();
@@ -46,7 +47,7 @@ class WindowActions : public QObject {
   void selectNext(int by);
 
   Workspace& workspace_;
-  std::vector<std::pair<QAction*, QString>> icons_;
+  std::vector<std::pair<QAction*, const char*>> icons_;
   std::vector<std::pair<QAction*, std::size_t>> arranging_;  // and how many things it needs
   int pastes_ = 0;  // of the same copy: each lands beside the one before
 };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <clocale>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <memory>
 
@@ -62,32 +61,25 @@ void prepareScreen(const WindowOptions& options) {
 
 base::Diagnostics checkWords(const WindowOptions& options) {
   base::Diagnostics problems;
-  if (!options.size.empty() && !sizeFromText(options.size)) {
-    problems.push_back(base::error("option.size"));
-  }
-  if (!(options.scale >= 0.5 && options.scale <= 8.0)) {
-    problems.push_back(base::error("option.scale"));
-  }
-  if (!(options.at >= 0.0 && options.at <= 86400.0)) {
-    problems.push_back(base::error("option.at"));
-  }
-  const bool isPicture = !options.screenshot.empty();
-  if (isPicture && !QString::fromStdString(options.screenshot).endsWith(QLatin1String(".png"))) {
-    problems.push_back(base::error("option.screenshot"));
-  }
-  if (!options.theme.empty() && options.theme != "light" && options.theme != "dark") {
-    problems.push_back(base::error("option.theme"));
-  }
+  const auto want = [&problems](bool isFine, const char* code) {
+    if (!isFine) {
+      problems.push_back(base::error(code));
+    }
+  };
+  const QString picture = QString::fromStdString(options.screenshot);
+  want(options.size.empty() || sizeFromText(options.size), "option.size");
+  want(options.scale >= 0.5 && options.scale <= 8.0, "option.scale");
+  want(options.at >= 0.0 && options.at <= 86400.0, "option.at");
+  want(picture.isEmpty() || picture.endsWith(QLatin1String(".png")), "option.screenshot");
+  want(options.theme.empty() || options.theme == "light" || options.theme == "dark",
+       "option.theme");
   return problems;
 }
 
-editor::Theme themeOf(const WindowOptions& options, bool& followsSystem) {
-  followsSystem = options.theme.empty();
-  if (options.theme == "dark") {
-    return editor::Theme::dark();
-  }
-  return followsSystem ? editor::Theme::fromSystem(QApplication::palette())
-                       : editor::Theme::light();
+editor::Theme themeOf(const WindowOptions& options) {
+  return options.theme.empty()     ? editor::Theme::fromSystem(QApplication::palette())
+         : options.theme == "dark" ? editor::Theme::dark()
+                                   : editor::Theme::light();
 }
 
 QString titleOf(std::string name) {
@@ -117,9 +109,8 @@ std::vector<Demo> demos() {
   return result;
 }
 
-base::Diagnostics checkDocks(const MainWindow& window, const std::vector<std::string>& wanted) {
+base::Diagnostics checkDocks(const QStringList& known, const std::vector<std::string>& wanted) {
   base::Diagnostics problems;
-  const QStringList known = const_cast<MainWindow&>(window).docks().names();
   for (const std::string& name : wanted) {
     if (!known.contains(QString::fromStdString(name).toLower())) {
       problems.push_back(base::error("option.unknown-dock",
@@ -169,10 +160,8 @@ base::Diagnostics playTo(Workspace& workspace, double time) {
   const std::size_t index = recording.indexAtTime(time);
   showStates(workspace, recording, index);
   runner.seek(recording.stepOf(index));
-  if (!waitFor([&] { return workspace.feed().isCurrent(); })) {
-    return {base::error("run.not-measured")};
-  }
-  return {};
+  const bool isMeasured = waitFor([&] { return workspace.feed().isCurrent(); });
+  return isMeasured ? base::Diagnostics() : base::Diagnostics{base::error("run.not-measured")};
 }
 
 /// Exactly so many steps, as fast as possible; then paused at that moment.
@@ -251,11 +240,12 @@ int windowCommand(int argc, char** argv, const RunOptions& run, const WindowOpti
   if (const int code = report(wrongWords, kWrongCommandLine)) {
     return code;
   }
-  if (!run.scenario.empty() && !QFileInfo::exists(QString::fromStdString(run.scenario))) {
+  const QString scenario = QString::fromStdString(run.scenario);
+  if (!scenario.isEmpty() && !QFileInfo::exists(scenario)) {
     return report({base::error("file.not-there", {}, run.scenario)}, kBadInput);
   }
   const bool picture = !options.screenshot.empty();
-  if (picture && FileCommands::isImage(QString::fromStdString(run.scenario))) {
+  if (picture && FileCommands::isImage(scenario)) {
     return report({base::error("option.picture-of-image", {}, run.scenario)}, kBadInput);
   }
   prepareScreen(options);
@@ -264,7 +254,8 @@ int windowCommand(int argc, char** argv, const RunOptions& run, const WindowOpti
   QApplication::setApplicationName(QStringLiteral("HuNavSim Desktop"));
   QApplication::setApplicationVersion(QString::fromStdString(programVersion()));
   WindowSetup setup;
-  setup.theme = themeOf(options, setup.followsSystem);
+  setup.theme = themeOf(options);
+  setup.followsSystem = options.theme.empty();
   setup.remembers = !picture;
   setup.shippedMaps = QString::fromStdString(shippedMapsFolder());
   setup.demos = demos();
@@ -276,46 +267,31 @@ int windowCommand(int argc, char** argv, const RunOptions& run, const WindowOpti
   }
   dressApplication(setup.theme);
   MainWindow window(setup);
-  if (const int code = report(checkDocks(window, options.docks), kWrongCommandLine)) {
+  if (const int code =
+          report(checkDocks(window.docks().names(), options.docks), kWrongCommandLine)) {
     return code;
   }
-  if (const std::optional<QSize> size = sizeFromText(options.size)) {
-    window.resize(*size);
-  } else if (picture) {
-    window.resize(MainWindow::usualSize());  // whatever the screen
+  if (picture || !options.size.empty()) {  // whatever the screen
+    window.resize(sizeFromText(options.size).value_or(MainWindow::usualSize()));
   }
   window.show();
-  bool opened = true;
-  if (!run.scenario.empty()) {
-    opened = window.open(QString::fromStdString(run.scenario));
-  }
-  const bool isFolder = QFileInfo(QString::fromStdString(run.scenario)).isDir();
-  if (!opened && (picture || isFolder)) {  // broken scenarios are for the window
+  const bool isOpened = scenario.isEmpty() || window.open(scenario);
+  if (!isOpened && (picture || QFileInfo(scenario).isDir())) {  // broken ones are for the window
     return report(whyNotOpened(window), kBadInput);
   }
-  if (!picture) {
-    return QApplication::exec();
-  }
-  return report(takeScreenshot(window, options), kBadInput);
+  return picture ? report(takeScreenshot(window, options), kBadInput) : QApplication::exec();
 }
-
-/// All words of the window.
-struct WindowWords {
-  RunOptions run;
-  WindowOptions window;
-};
 
 /// `--dock issues events FILE`: all words behind the option are names of docks to it. The last is
 /// the scenario when there is none yet, and it names one.
-void takeScenarioFromDocks(WindowWords& words) {
-  std::vector<std::string>& docks = words.window.docks;
-  if (docks.size() < 2 || !words.run.scenario.empty()) {
+void takeScenarioFromDocks(std::vector<std::string>& docks, std::string& scenario) {
+  if (docks.size() < 2 || !scenario.empty()) {
     return;
   }
   const std::string file = scenarioFile(docks.back());
   if (QFileInfo(QString::fromStdString(file)).isFile()) {
     docks.pop_back();
-    words.run.scenario = file;
+    scenario = file;
   }
 }
 
@@ -331,30 +307,29 @@ std::optional<QSize> sizeFromText(const std::string& text) {
   const auto fits = [](const std::optional<long long>& side) {
     return side && *side >= 200 && *side <= 10000;
   };
-  if (!fits(width) || !fits(height)) {
-    return std::nullopt;
-  }
-  return QSize(static_cast<int>(*width), static_cast<int>(*height));
+  return fits(width) && fits(height)
+             ? std::make_optional<QSize>(static_cast<int>(*width), static_cast<int>(*height))
+             : std::nullopt;
 }
 
 void addWindow(CommandRegistry& commands) {
-  const auto words = std::make_shared<WindowWords>();
-  commands.setDefault([words](const Invocation& given) {
-    takeScenarioFromDocks(*words);
-    return windowCommand(given.argc, given.argv, words->run, words->window);
+  const auto run = std::make_shared<RunOptions>();
+  const auto window = std::make_shared<WindowOptions>();
+  commands.setDefault([run, window](const Invocation& given) {
+    takeScenarioFromDocks(window->docks, run->scenario);
+    return windowCommand(given.argc, given.argv, *run, *window);
   });
   CLI::App& root = commands.root();
-  root.add_option("scenario", words->run.scenario, "Scenario to open in the window")
+  root.add_option("scenario", run->scenario, "Scenario to open in the window")
       ->transform(scenarioFile);
-  addRunOptions(root, words->run);
-  WindowOptions& window = words->window;
-  root.add_option("--screenshot", window.screenshot, "Save a picture of the window and leave");
-  root.add_option("--at", window.at, "Simulated time of the picture [s]");
-  root.add_option("--size", window.size, "Size of the window, WxH");
-  root.add_option("--scale", window.scale, "Pixels per point");
-  root.add_option("--theme", window.theme, "light or dark")
+  addRunOptions(root, *run);
+  root.add_option("--screenshot", window->screenshot, "Save a picture of the window and leave");
+  root.add_option("--at", window->at, "Simulated time of the picture [s]");
+  root.add_option("--size", window->size, "Size of the window, WxH");
+  root.add_option("--scale", window->scale, "Pixels per point");
+  root.add_option("--theme", window->theme, "light or dark")
       ->check(CLI::IsMember({"light", "dark"}));
-  root.add_option("--dock", window.docks, "Docks to show, by their names in the View menu");
+  root.add_option("--dock", window->docks, "Docks to show, by their names in the View menu");
 }
 
 }  // namespace app

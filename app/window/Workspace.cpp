@@ -41,8 +41,6 @@ Workspace::Workspace(const editor::Theme& theme, const editor::ToolRegistry& too
           });
 }
 
-Workspace::~Workspace() = default;
-
 void Workspace::openRecorded(editor::RecordingPtr recording, const QString& name) {
   recordedName_ = name;
   runner_.openRecorded(std::move(recording));

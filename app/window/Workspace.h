@@ -22,7 +22,6 @@ class Workspace : public QObject {
   explicit Workspace(const editor::Theme& theme,
                      const editor::ToolRegistry& tools = editor::standardTools(),
                      QObject* parent = nullptr);
-  ~Workspace() override;
 
   editor::ScenarioDocument& document() { return document_; }
   editor::MapScene& scene() { return scene_; }

@@ -146,7 +146,7 @@ class WindowStaysTest : public QObject, protected quiet::InFolder {
     QVERIFY(window_->open(file));
     QVERIFY(isSaid(utf8("Saved")));
     QVERIFY(QFile::remove(file));
-    window_->guard().watch().lookNow();
+    window_->guard().lookNow();
     QVERIFY(isSaid(utf8("Not saved")));
     QVERIFY(window_->isWindowModified());
     answerBox(QMessageBox::Cancel);
