@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include "app/window/MainWindow.h"
+#include "editor/canvas/FrameLayer.h"
 #include "editor/document/EditCommands.h"
 #include "editor/panels/IssuesPanel.h"
 #include "sim2d/base/Text.h"
@@ -132,7 +133,9 @@ class ExtremesTest : public QObject {
   static void run(MainWindow& window) {
     editor::SimulationRunner& runner = window.workspace().runner();
     QTest::keyClick(&window.workspace().view(), Qt::Key_Space);
-    const auto shows = [&window] { return window.workspace().scene().frame() != nullptr; };
+    const auto shows = [&window] {
+      return window.workspace().scene().frameLayer().frame() != nullptr;
+    };
     const auto says = [&window] { return window.docks().panel<editor::IssuesPanel>().hasErrors(); };
     QTRY_VERIFY_WITH_TIMEOUT(shows() || says(), 60000);
     runner.reset();

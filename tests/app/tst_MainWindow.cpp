@@ -11,6 +11,7 @@
 #include "app/window/MainWindow.h"
 #include "app/window/StartPage.h"
 #include "app/window/WindowCommand.h"
+#include "editor/canvas/FrameLayer.h"
 #include "editor/document/EditCommands.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/PropertyPanel.h"
@@ -201,7 +202,7 @@ class MainWindowTest : public QObject {
     QTest::keyClick(&view, Qt::Key_Space);
     QCOMPARE(state(), editor::SimulationRunner::State::Running);
     const auto steps = [this] {
-      const sim2d::Frame* frame = window_->workspace().scene().frame();
+      const sim2d::Frame* frame = window_->workspace().scene().frameLayer().frame();
       return frame == nullptr ? 0 : static_cast<int>(frame->step);
     };
     QTRY_VERIFY_WITH_TIMEOUT(steps() > 10, 20000);
