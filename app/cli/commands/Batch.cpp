@@ -10,6 +10,7 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/cli/FileHash.h"
 #include "app/run/RunFolder.h"
 #include "editor/document/QtImageLoader.h"
 #include "sim2d/base/Text.h"
@@ -40,7 +41,7 @@ int report(const Experiment& experiment, const BatchRows& rows, const BatchOptio
            const OutputOptions& output) {
   const BatchCount count = countOf(rows);
   const bool complete = count.finished == rows.size();
-  const std::string manifest = batchManifest(experiment, rows);
+  const std::string manifest = batchManifest(experiment, rows, sha256OfFile);
   const fs::path folder = options.output;
   const std::string results = (folder / "results.csv").string();
   base::Diagnostics problems = base::writeFileAtomically(results, resultsCsv(experiment, rows));
