@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/run/Sha256.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/Defaults.h"
 
@@ -17,8 +18,7 @@ using base::EntityKind;
 using sim2d::Vec2;
 
 /// The first input of the manifest; a path is from where the run was started, or beside the folder.
-std::string findScenario(const fs::path& folder, const FileHash& hash,
-                         base::Diagnostics& problems) {
+std::string findScenario(const fs::path& folder, base::Diagnostics& problems) {
   const fs::path manifest = folder / "manifest.json";
   std::error_code none;
   if (!fs::exists(manifest, none)) {
@@ -37,8 +37,8 @@ std::string findScenario(const fs::path& folder, const FileHash& hash,
   }
   const fs::path named = inputs->front()["path"].get<std::string>();
   for (const fs::path& path : {named, folder / named, folder / ".." / named}) {
-    const std::string found = hash(path.string());
-    if (!found.empty() && inputs->front().value("sha256", nlohmann::json()) == found) {
+    const std::optional<std::string> found = sha256OfFile(path.string());
+    if (found && inputs->front().value("sha256", nlohmann::json()) == *found) {
       return fs::weakly_canonical(path, none).string();
     }
   }
@@ -207,7 +207,7 @@ class ScenarioMaker {
 
 }  // namespace
 
-base::Result<RecordedRun> readRecordedRun(const std::string& folder, const FileHash& hash) {
+base::Result<RecordedRun> readRecordedRun(const std::string& folder) {
   std::error_code none;
   if (!fs::exists(fs::path(folder) / "trace.json", none)) {
     const bool isCut = fs::exists(fs::path(folder) / "trajectory.csv", none);
@@ -219,7 +219,7 @@ base::Result<RecordedRun> readRecordedRun(const std::string& folder, const FileH
     problems.push_back(base::error("trace.no-states", {}, folder));
   }
   RecordedRun run;
-  run.scenario = findScenario(folder, hash, problems);
+  run.scenario = findScenario(folder, problems);
   if (base::hasErrors(problems)) {
     return problems;
   }

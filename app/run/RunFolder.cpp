@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/run/DataPaths.h"
+#include "app/run/Sha256.h"
 #include "bt/tree/TreeXml.h"
 #include "metrics/ReportFiles.h"
 #include "sim2d/base/Text.h"
@@ -31,11 +32,11 @@ Json programJson() {
 }
 
 /// Files that were read, with their SHA-256.
-Json inputsJson(const std::vector<std::string>& paths, const FileHash& hashOf) {
+Json inputsJson(const std::vector<std::string>& paths) {
   Json inputs = Json::array();
   for (const std::string& path : paths) {
-    const std::string hash = hashOf(path);
-    inputs.push_back({{"path", path}, {"sha256", hash.empty() ? Json() : Json(hash)}});
+    const std::optional<std::string> hash = sha256OfFile(path);
+    inputs.push_back({{"path", path}, {"sha256", hash ? Json(*hash) : Json()}});
   }
   return inputs;
 }
@@ -89,7 +90,7 @@ Json robotJson(const sim2d::TraceRobot& robot) {
 
 /// What it came from, what it was set to, how it ended.
 std::string runManifest(const Bundle& bundle, const FinishedRun& run,
-                        const std::vector<std::string>& commandLine, const FileHash& hash) {
+                        const std::vector<std::string>& commandLine) {
   const sim2d::TraceHeader& header = run.header;
   const sim2d::RunResult& result = run.result;
   const double simulated = static_cast<double>(result.steps) * header.dt;
@@ -99,7 +100,7 @@ std::string runManifest(const Bundle& bundle, const FinishedRun& run,
   json["command_line"] = commandLine;
   json["status"] = kStatusNames[static_cast<int>(result.status)];
   json["reason"] = result.reason;
-  json["inputs"] = inputsJson(allInputs(bundle), hash);
+  json["inputs"] = inputsJson(allInputs(bundle));
   json["seed"] = header.seed;
   json["dt"] = header.dt;
   json["model"] = desktop.model.value_or("sfm");
@@ -317,8 +318,8 @@ base::Diagnostics RunWriter::finish() {
 }
 
 base::Diagnostics writeRunFolder(const std::string& path, const FinishedRun& run, RunWriter& writer,
-                                 const Bundle& bundle, const std::vector<std::string>& commandLine,
-                                 const FileHash& hash) {
+                                 const Bundle& bundle,
+                                 const std::vector<std::string>& commandLine) {
   Folder folder(path);
   folder.note(writer.complete());
   if (folder.isWhole()) {  // until here a former run stays as it is
@@ -331,18 +332,17 @@ base::Diagnostics writeRunFolder(const std::string& path, const FinishedRun& run
     folder.write("trace.json", sim2d::traceJson(run.header));
   }
   if (folder.isWhole()) {
-    folder.write("manifest.json", runManifest(bundle, run, commandLine, hash));
+    folder.write("manifest.json", runManifest(bundle, run, commandLine));
   }
   return folder.problems();
 }
 
-std::string batchManifest(const Experiment& experiment, const BatchRows& rows,
-                          const FileHash& hash) {
+std::string batchManifest(const Experiment& experiment, const BatchRows& rows) {
   const BatchCount count = countOf(rows);
   std::vector<std::string> inputs = {experiment.path};
   inputs.insert(inputs.end(), experiment.scenarioPaths.begin(), experiment.scenarioPaths.end());
   const Json json = {{"program", programJson()},
-                     {"inputs", inputsJson(inputs, hash)},
+                     {"inputs", inputsJson(inputs)},
                      {"status", count.finished == rows.size() ? "finished" : "interrupted"},
                      {"runs", rows.size()},
                      {"finished", count.finished},

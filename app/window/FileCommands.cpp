@@ -7,7 +7,6 @@
 #include <QRegularExpression>
 #include <QStandardPaths>
 
-#include "app/cli/FileHash.h"
 #include "app/run/RecordedRun.h"
 #include "app/window/MapDialogs.h"
 #include "bt/tree/TreeXml.h"
@@ -323,7 +322,7 @@ void FileCommands::askOpenRun() {
 
 /// The document is the scenario of the run meanwhile, as far as it is known.
 bool FileCommands::openRun(const QString& path) {
-  const base::Result<RecordedRun> run = readRecordedRun(path.toStdString(), sha256OfFile);
+  const base::Result<RecordedRun> run = readRecordedRun(path.toStdString());
   if (!run) {
     return tell(run.diagnostics());
   }

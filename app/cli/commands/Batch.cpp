@@ -10,7 +10,6 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
-#include "app/cli/FileHash.h"
 #include "app/run/RunFolder.h"
 #include "editor/document/QtImageLoader.h"
 #include "sim2d/base/Text.h"
@@ -41,7 +40,7 @@ int report(const Experiment& experiment, const BatchRows& rows, const BatchOptio
            const OutputOptions& output) {
   const BatchCount count = countOf(rows);
   const bool complete = count.finished == rows.size();
-  const std::string manifest = batchManifest(experiment, rows, sha256OfFile);
+  const std::string manifest = batchManifest(experiment, rows);
   const fs::path folder = options.output;
   const std::string results = (folder / "results.csv").string();
   base::Diagnostics problems = base::writeFileAtomically(results, resultsCsv(experiment, rows));

@@ -5,7 +5,6 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
-#include "app/cli/FileHash.h"
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
 #include "app/run/RunFolder.h"
@@ -148,8 +147,8 @@ int conclude(const RunOptions& options, const OutputOptions& output, const Bundl
              const std::vector<std::string>& commandLine, RunWriter& writer,
              const FinishedRun& run) {
   const bool isWritten =
-      options.output.empty() || printDiagnostics(writeRunFolder(options.output, run, writer, bundle,
-                                                                commandLine, sha256OfFile));
+      options.output.empty() ||
+      printDiagnostics(writeRunFolder(options.output, run, writer, bundle, commandLine));
   show(run, run.header.dt, output);
   if (!isWritten) {
     printError("after " + simulatedText(run) + " of the run: its files are not complete");
