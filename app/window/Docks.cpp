@@ -6,7 +6,7 @@
 #include <QPainter>
 #include <QToolBar>
 
-#include "editor/look/ActionText.h"
+#include "editor/look/Form.h"
 #include "editor/panels/TimelineBar.h"
 
 namespace app {

@@ -9,7 +9,7 @@
 
 #include "editor/document/BehaviorValues.h"
 #include "editor/document/EditCommands.h"
-#include "editor/look/ActionText.h"
+#include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/ScenarioPanel.h"
 

@@ -6,7 +6,7 @@
 
 #include "editor/canvas/Tool.h"
 #include "editor/document/EditCommands.h"
-#include "editor/look/ActionText.h"
+#include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "editor/tools/SelectionActions.h"
 

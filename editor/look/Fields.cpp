@@ -166,12 +166,8 @@ QValidator::State NumberField::validate(QString& text, int&) const {
   const bool finite = number && std::isfinite(*number);
   const bool valid = finite && *number >= minimum() && *number <= maximum() &&
                      (!range_.above || *number > range_.minimum);
-  noteValidity(valid);
-  return valid ? QValidator::Acceptable : QValidator::Intermediate;
-}
-
-void NumberField::noteValidity(bool valid) const {
   setInvalid(const_cast<NumberField&>(*this), !valid);
+  return valid ? QValidator::Acceptable : QValidator::Intermediate;
 }
 
 QString NumberField::textFromValue(double value) const {
@@ -257,14 +253,11 @@ LinkedSlider::LinkedSlider(NumberField& field, double maximum, QWidget* parent)
     setValue(static_cast<int>(std::lround(std::clamp(part, 0.0, 1.0) * kSliderSteps)));
   };
   connect(&field_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, follow);
-  connect(this, &QSlider::valueChanged, this,
-          [this](int position) { field_.setValue(valueAt(position)); });
+  connect(this, &QSlider::valueChanged, this, [this](int position) {
+    field_.setValue(rounded(minimum_ + (maximum_ - minimum_) * position / kSliderSteps,
+                            std::min(field_.shownDecimals(), 2)));
+  });
   follow(field_.value());
-}
-
-double LinkedSlider::valueAt(int position) const {
-  return rounded(minimum_ + (maximum_ - minimum_) * position / kSliderSteps,
-                 std::min(field_.shownDecimals(), 2));
 }
 
 ChoiceField::ChoiceField(QWidget* parent) : QComboBox(parent) {

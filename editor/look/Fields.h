@@ -54,7 +54,6 @@ class NumberField : public QDoubleSpinBox {
 
  private:
   void take(double value);
-  void noteValidity(bool valid) const;
   void setPale(bool pale);
   QString bare(const QString& text) const;
   void showUnit();
@@ -78,7 +77,6 @@ class LinkedSlider : public QSlider {
   void wheelEvent(QWheelEvent* event) override { event->ignore(); }
 
  private:
-  double valueAt(int position) const;
   NumberField& field_;
   double minimum_, maximum_;
 };

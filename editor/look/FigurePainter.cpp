@@ -139,24 +139,24 @@ QPainterPath textOutline(const QPointF& baseline, const QFont& font, const QStri
 
 void FigurePainter::person(QPainter& painter, const PersonFigure& figure) const {
   const double r = figure.radiusPx;
+  const QPen outline = outlinePen(theme_.outline(figure.look), r);
   painter.save();
   painter.rotate(-figure.headingDeg);
-  painter.setPen(outlinePen(theme_.outline(figure.look), r));
-  if (figure.kind == sim2d::PersonKind::Wheelchair) {
-    chair(painter, figure);
-  } else {
-    feet(painter, figure);
+  if (figure.kind != sim2d::PersonKind::Wheelchair && std::abs(figure.stride) >= 0.05) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme_.feet(figure.look));
+    for (const double side : {-1.0, 1.0}) {
+      const QPointF foot(side * figure.stride * 0.42 * r, side * 0.4 * r);
+      painter.drawEllipse(foot, 0.3 * r, 0.17 * r);
+    }
   }
-  if (figure.kind == sim2d::PersonKind::Luggage) {
-    suitcase(painter, figure);
-  } else if (figure.kind == sim2d::PersonKind::Elderly) {
-    stick(painter, figure);
-  }
-  painter.setPen(outlinePen(theme_.outline(figure.look), r));
+  painter.setPen(outline);
+  belongings(painter, figure);
+  painter.setPen(outline);
   painter.setBrush(theme_.outline(figure.look));
   painter.drawPath(nosePath(r));
   painter.setBrush(theme_.fill(figure.look));
-  const double half = 0.5 * painter.pen().widthF();  // the outline stays inside the body
+  const double half = 0.5 * outline.widthF();  // the outline stays inside the body
   painter.drawEllipse(QPointF(), kDepth * r - half, r - half);
   painter.setBrush(theme_.head(figure.look));
   const double head = figure.kind == sim2d::PersonKind::Child ? 1.2 * kHead : kHead;
@@ -164,51 +164,26 @@ void FigurePainter::person(QPainter& painter, const PersonFigure& figure) const 
   painter.restore();
 }
 
-void FigurePainter::feet(QPainter& painter, const PersonFigure& figure) const {
-  if (std::abs(figure.stride) < 0.05) {
-    return;
+/// Chair, suitcase or stick.
+void FigurePainter::belongings(QPainter& painter, const PersonFigure& figure) const {
+  const double r = figure.radiusPx;
+  if (figure.kind == sim2d::PersonKind::Wheelchair) {
+    painter.setBrush(theme_.color(Role::ObstacleFill));
+    painter.drawRoundedRect(QRectF(-0.78 * r, -0.7 * r, 1.5 * r, 1.4 * r), 0.2 * r, 0.2 * r);
+    painter.setBrush(theme_.outline(figure.look));
+    for (const double side : {-1.0, 1.0}) {
+      painter.drawRoundedRect(QRectF(-0.7 * r, side * 0.92 * r - 0.08 * r, 1.1 * r, 0.16 * r),
+                              0.08 * r, 0.08 * r);
+    }
+  } else if (figure.kind == sim2d::PersonKind::Luggage) {
+    painter.drawLine(QPointF(-0.2 * r, 0.7 * r), QPointF(-0.75 * r, 0.7 * r));
+    painter.setBrush(theme_.color(Role::ObstacleFill));
+    painter.drawRoundedRect(QRectF(-1.35 * r, 0.36 * r, 0.62 * r, 0.68 * r), 0.1 * r, 0.1 * r);
+  } else if (figure.kind == sim2d::PersonKind::Elderly) {
+    painter.setPen(
+        QPen(theme_.outline(figure.look), std::max(1.2, 0.1 * r), Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(QPointF(0.3 * r, 0.72 * r), QPointF(0.95 * r, 0.86 * r));
   }
-  const double r = figure.radiusPx;
-  painter.save();
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(theme_.feet(figure.look));
-  for (const double side : {-1.0, 1.0}) {
-    painter.drawEllipse(QPointF(side * figure.stride * 0.42 * r, side * 0.4 * r), 0.3 * r,
-                        0.17 * r);
-  }
-  painter.restore();
-}
-
-void FigurePainter::chair(QPainter& painter, const PersonFigure& figure) const {
-  const double r = figure.radiusPx;
-  painter.save();
-  painter.setBrush(theme_.color(Role::ObstacleFill));
-  painter.drawRoundedRect(QRectF(-0.78 * r, -0.7 * r, 1.5 * r, 1.4 * r), 0.2 * r, 0.2 * r);
-  painter.setBrush(theme_.outline(figure.look));
-  for (const double side : {-1.0, 1.0}) {
-    painter.drawRoundedRect(QRectF(-0.7 * r, side * 0.92 * r - 0.08 * r, 1.1 * r, 0.16 * r),
-                            0.08 * r, 0.08 * r);
-  }
-  painter.restore();
-}
-
-void FigurePainter::suitcase(QPainter& painter, const PersonFigure& figure) const {
-  const double r = figure.radiusPx;
-  painter.save();
-  painter.drawLine(QPointF(-0.2 * r, 0.7 * r), QPointF(-0.75 * r, 0.7 * r));
-  painter.setBrush(theme_.color(Role::ObstacleFill));
-  painter.drawRoundedRect(QRectF(-1.35 * r, 0.36 * r, 0.62 * r, 0.68 * r), 0.1 * r, 0.1 * r);
-  painter.restore();
-}
-
-void FigurePainter::stick(QPainter& painter, const PersonFigure& figure) const {
-  const double r = figure.radiusPx;
-  painter.save();
-  QPen pen(theme_.outline(figure.look), std::max(1.2, 0.1 * r));
-  pen.setCapStyle(Qt::RoundCap);
-  painter.setPen(pen);
-  painter.drawLine(QPointF(0.3 * r, 0.72 * r), QPointF(0.95 * r, 0.86 * r));
-  painter.restore();
 }
 
 void FigurePainter::robot(QPainter& painter, const RobotFigure& figure) const {

@@ -51,10 +51,7 @@ class FigurePainter {
   QIcon robotIcon(int sizePx = 24) const;
 
  private:
-  void feet(QPainter& painter, const PersonFigure& figure) const;
-  void chair(QPainter& painter, const PersonFigure& figure) const;
-  void suitcase(QPainter& painter, const PersonFigure& figure) const;
-  void stick(QPainter& painter, const PersonFigure& figure) const;
+  void belongings(QPainter& painter, const PersonFigure& figure) const;
   const Theme& theme_;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QAction>
 #include <QGridLayout>
 #include <QLabel>
 #include <QScrollArea>
@@ -48,5 +49,9 @@ QWidget* dividerLine(QWidget* parent = nullptr);
 QString counted(std::size_t count, const QString& one, const QString& many);
 /// A centred sentence that says what to do when a panel has nothing to show.
 QLabel* emptyState(const QString& text, QWidget* parent = nullptr);
+
+/// What a command says of itself: the sentence in the status bar, and in its tooltip below its name
+/// and its key. Call it again when one of them changes.
+void describe(QAction& action, const QString& says);
 
 }  // namespace editor

@@ -23,28 +23,6 @@ constexpr int kTabHeight = 32;
 constexpr int kToolButton = 32;
 constexpr int kComboFrame = 34;  // what stands around the text of a combo box
 
-void drawRadioButton(QPainter& painter, const QStyleOption& option, const Theme& theme) {
-  const bool enabled = option.state.testFlag(QStyle::State_Enabled);
-  const bool hovered = enabled && option.state.testFlag(QStyle::State_MouseOver);
-  const bool chosen = option.state.testFlag(QStyle::State_On);
-  QColor fill = theme.color(chosen ? Role::Accent : Role::Field);
-  QColor edge = theme.color(chosen || hovered ? Role::Accent : Role::ObstacleEdge);
-  if (!enabled) {
-    fill.setAlphaF(0.4);
-    edge.setAlphaF(0.4);
-  }
-  const QPointF middle = QRectF(option.rect).center();
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(edge, 1.4));  // a round edge is paler than a straight one
-  painter.setBrush(fill);
-  painter.drawEllipse(middle, 6.4, 6.4);
-  if (chosen) {
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(theme.color(Role::Field));
-    painter.drawEllipse(middle, 2.5, 2.5);
-  }
-}
-
 struct OwnIcon {
   const char* name;
   Role color;
@@ -218,13 +196,12 @@ bool HouseStyle::drawSimple(PrimitiveElement element, const QStyleOption& option
     case PE_Frame:
     case PE_PanelTipLabel:
     case PE_FrameFocusRect:
-      return drawFrame(element, option, painter, widget);
-    case PE_IndicatorRadioButton:
-      drawRadioButton(painter, option, theme_);
+      drawFrame(element, option, painter, widget);
       return true;
+    case PE_IndicatorRadioButton:
     case PE_IndicatorCheckBox:
     case PE_IndicatorItemViewItemCheck:
-      drawCheckBox(painter, option);
+      drawIndicator(painter, option, element == PE_IndicatorRadioButton);
       return true;
     case PE_PanelItemViewItem:
       drawRow(painter, option, widget);
@@ -284,7 +261,9 @@ void HouseStyle::drawControl(ControlElement element, const QStyleOption* option,
       drawTab(*painter, *option);
       break;
     case CE_ComboBoxLabel:
-      drawComboLabel(*painter, *option, widget);
+      if (const auto* combo = qstyleoption_cast<const QStyleOptionComboBox*>(option)) {
+        drawComboLabel(*painter, *combo, widget);
+      }
       break;
     case CE_ToolBar:
     case CE_MenuBarEmptyArea:
@@ -334,27 +313,25 @@ void HouseStyle::drawControl(ControlElement element, const QStyleOption* option,
 
 void HouseStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
                                     QPainter* painter, const QWidget* widget) const {
+  const auto* spin = qstyleoption_cast<const QStyleOptionSpinBox*>(option);
+  const auto* combo = qstyleoption_cast<const QStyleOptionComboBox*>(option);
+  const auto* slider = qstyleoption_cast<const QStyleOptionSlider*>(option);
+  const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);
   bool drawn = true;
-  switch (control) {
-    case CC_SpinBox:
-      drawSpinBox(*painter, *option, widget);
-      break;
-    case CC_ComboBox:
-      drawComboBox(*painter, *option, widget);
-      break;
-    case CC_Slider:
-      drawSlider(*painter, *option, widget);
-      break;
-    case CC_ToolButton:
-      drawToolButton(*painter, *option, widget);
-      break;
-    case CC_ScrollBar:
-      drawScrollBar(*painter, *option, widget);
-      break;
-    default:
-      drawn = false;
+  if (control == CC_SpinBox && spin != nullptr) {
+    drawSpinBox(*painter, *spin, widget);
+  } else if (control == CC_ComboBox && combo != nullptr) {
+    drawComboBox(*painter, *combo, widget);
+  } else if (control == CC_Slider && slider != nullptr) {
+    drawSlider(*painter, *slider, widget);
+  } else if (control == CC_ScrollBar && slider != nullptr) {
+    drawScrollBar(*painter, *slider, widget);
+  } else if (control == CC_ToolButton && button != nullptr) {
+    drawToolButton(*painter, *button, widget);
+  } else {
+    drawn = false;
   }
   painter->restore();
   if (!drawn) {

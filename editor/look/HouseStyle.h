@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QProxyStyle>
+#include <QStyleOption>
 
 #include "editor/look/Theme.h"
 
@@ -39,24 +40,24 @@ class HouseStyle : public QProxyStyle {
   void drawFieldFrame(QPainter& painter, const QStyleOption& option, const QWidget* widget) const;
   /// Around what has the focus, while the keyboard is used.
   void drawFocusRing(QPainter& painter, const QStyleOption& option, const QRectF& rect) const;
-  bool drawFrame(PrimitiveElement element, const QStyleOption& option, QPainter& painter,
+  void drawFrame(PrimitiveElement element, const QStyleOption& option, QPainter& painter,
                  const QWidget* widget) const;
   void drawChevron(QPainter& painter, const QRectF& rect, int quarterTurns, bool enabled) const;
-  void drawCheckBox(QPainter& painter, const QStyleOption& option) const;
+  void drawIndicator(QPainter& painter, const QStyleOption& option, bool isRadio) const;
   void drawButton(QPainter& painter, const QStyleOption& option) const;
   void drawTab(QPainter& painter, const QStyleOption& option) const;
   void drawRow(QPainter& painter, const QStyleOption& option, const QWidget* widget) const;
-  void drawComboLabel(QPainter& painter, const QStyleOption& option, const QWidget* widget) const;
   bool drawSimple(PrimitiveElement element, const QStyleOption& option, QPainter& painter,
                   const QWidget* widget) const;
-  void drawSpinBox(QPainter& painter, const QStyleOption& option, const QWidget* widget) const;
-  void drawComboBox(QPainter& painter, const QStyleOption& option, const QWidget* widget) const;
-  void drawSlider(QPainter& painter, const QStyleOptionComplex& option,
-                  const QWidget* widget) const;
-  void drawToolButton(QPainter& painter, const QStyleOptionComplex& option,
+  void drawComboLabel(QPainter& painter, const QStyleOptionComboBox& combo,
                       const QWidget* widget) const;
-  void drawScrollBar(QPainter& painter, const QStyleOptionComplex& option,
-                     const QWidget* widget) const;
+  void drawSpinBox(QPainter& painter, const QStyleOptionSpinBox& spin, const QWidget* widget) const;
+  void drawComboBox(QPainter& painter, const QStyleOptionComboBox& combo,
+                    const QWidget* widget) const;
+  void drawSlider(QPainter& painter, const QStyleOptionSlider& slider, const QWidget* widget) const;
+  void drawToolButton(QPainter& painter, const QStyleOptionToolButton& button,
+                      const QWidget* widget) const;
+  void drawScrollBar(QPainter& painter, const QStyleOptionSlider& bar, const QWidget* widget) const;
 
   Theme theme_;
 };

@@ -33,24 +33,28 @@ bool isHovered(const QStyleOption& option) {
   return isEnabled(option) && option.state.testFlag(QStyle::State_MouseOver);
 }
 
+/// With round corners.
+void drawBox(QPainter& painter, const QRectF& rect, double radius, const QBrush& fill,
+             const QPen& edge = QPen(Qt::NoPen)) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(edge);
+  painter.setBrush(fill);
+  painter.drawRoundedRect(rect, radius, radius);
+}
+
 }  // namespace
 
 void HouseStyle::drawFieldFrame(QPainter& painter, const QStyleOption& option,
                                 const QWidget* widget) const {
   const bool invalid = widget != nullptr && widget->property(kInvalidProperty).toBool();
   const bool focused = option.state.testFlag(State_HasFocus) && isEnabled(option);
-  QColor edge = theme_.color(Role::FieldEdge);
-  if (invalid) {
-    edge = theme_.color(Role::Error);
-  } else if (focused) {
-    edge = theme_.color(Role::Accent);
-  } else if (isHovered(option)) {
-    edge = theme_.color(Role::ObstacleEdge);
-  }
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(edge, focused || invalid ? 1.5 : 1.0));
-  painter.setBrush(theme_.color(isEnabled(option) ? Role::Field : Role::Window));
-  painter.drawRoundedRect(onPixels(option.rect), kFieldRadius, kFieldRadius);
+  const Role edge = invalid             ? Role::Error
+                    : focused           ? Role::Accent
+                    : isHovered(option) ? Role::ObstacleEdge
+                                        : Role::FieldEdge;
+  drawBox(painter, onPixels(option.rect), kFieldRadius,
+          theme_.color(isEnabled(option) ? Role::Field : Role::Window),
+          QPen(theme_.color(edge), focused || invalid ? 1.5 : 1.0));
 }
 
 void HouseStyle::drawChevron(QPainter& painter, const QRectF& rect, int quarterTurns,
@@ -66,24 +70,32 @@ void HouseStyle::drawChevron(QPainter& painter, const QRectF& rect, int quarterT
   painter.restore();
 }
 
-void HouseStyle::drawCheckBox(QPainter& painter, const QStyleOption& option) const {
-  QRect square(0, 0, 14, 14);
-  square.moveCenter(option.rect.center());
+void HouseStyle::drawIndicator(QPainter& painter, const QStyleOption& option, bool isRadio) const {
   const bool filled = !option.state.testFlag(State_Off);
-  painter.setRenderHint(QPainter::Antialiasing);
   QColor fill = theme_.color(filled ? Role::Accent : Role::Field);
-  QColor edge = theme_.color(filled ? Role::Accent : Role::ObstacleEdge);
+  QColor edge = theme_.color(filled || isHovered(option) ? Role::Accent : Role::ObstacleEdge);
   if (!isEnabled(option)) {
     fill.setAlphaF(0.4);
     edge.setAlphaF(0.4);
-  } else if (isHovered(option) && !filled) {
-    edge = theme_.color(Role::Accent);
   }
-  painter.setPen(QPen(edge, 1.0));
-  painter.setBrush(fill);
-  painter.drawRoundedRect(onPixels(square), 3.0, 3.0);
-  painter.setPen(QPen(theme_.color(Role::Field), 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.setBrush(Qt::NoBrush);
+  const QColor mark = theme_.color(Role::Field);
+  if (isRadio) {
+    const QPointF middle = QRectF(option.rect).center();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(edge, 1.4));  // a round edge is paler than a straight one
+    painter.setBrush(fill);
+    painter.drawEllipse(middle, 6.4, 6.4);
+    if (filled) {
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(mark);
+      painter.drawEllipse(middle, 2.5, 2.5);
+    }
+    return;
+  }
+  QRect square(0, 0, 14, 14);
+  square.moveCenter(option.rect.center());
+  drawBox(painter, onPixels(square), 3.0, fill, QPen(edge, 1.0));
+  painter.setPen(QPen(mark, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.translate(square.topLeft());
   if (option.state.testFlag(State_On)) {
     painter.drawPolyline(QPolygonF({{3.6, 7.2}, {6.0, 9.8}, {10.6, 4.6}}));
@@ -97,31 +109,29 @@ void HouseStyle::drawButton(QPainter& painter, const QStyleOption& option) const
   const bool isDefault = button != nullptr && isEnabled(option) &&
                          button->features.testFlag(QStyleOptionButton::DefaultButton);
   const bool down = option.state & (State_Sunken | State_On);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(theme_.color(isDefault || down ? Role::Accent : Role::FieldEdge), 1.0));
-  painter.setBrush(theme_.color(down || isDefault   ? Role::RowSelected
-                                : isHovered(option) ? Role::RowHover
-                                                    : Role::Field));
-  painter.drawRoundedRect(onPixels(option.rect), kFieldRadius, kFieldRadius);
+  const Role fill = down || isDefault   ? Role::RowSelected
+                    : isHovered(option) ? Role::RowHover
+                                        : Role::Field;
+  drawBox(painter, onPixels(option.rect), kFieldRadius, theme_.color(fill),
+          QPen(theme_.color(isDefault || down ? Role::Accent : Role::FieldEdge), 1.0));
   drawFocusRing(painter, option, QRectF(option.rect).adjusted(-1.0, -1.0, 1.0, 1.0));
 }
 
-void HouseStyle::drawComboLabel(QPainter& painter, const QStyleOption& option,
+void HouseStyle::drawComboLabel(QPainter& painter, const QStyleOptionComboBox& combo,
                                 const QWidget* widget) const {
-  const auto* combo = qstyleoption_cast<const QStyleOptionComboBox*>(&option);
-  if (combo == nullptr || combo->editable) {
+  if (combo.editable) {
     return;
   }
-  QRect text = subControlRect(CC_ComboBox, combo, SC_ComboBoxEditField, widget);
-  if (!combo->currentIcon.isNull()) {
+  QRect text = subControlRect(CC_ComboBox, &combo, SC_ComboBoxEditField, widget);
+  if (!combo.currentIcon.isNull()) {
     const QRect place(text.left(), text.center().y() - 7, 16, 16);
-    combo->currentIcon.paint(&painter, place, Qt::AlignCenter,
-                             isEnabled(option) ? QIcon::Normal : QIcon::Disabled);
+    combo.currentIcon.paint(&painter, place, Qt::AlignCenter,
+                            isEnabled(combo) ? QIcon::Normal : QIcon::Disabled);
     text.setLeft(place.right() + 6);
   }
-  drawItemText(&painter, text, Qt::AlignVCenter | Qt::AlignLeft | Qt::TextSingleLine,
-               combo->palette, isEnabled(option),
-               combo->fontMetrics.elidedText(combo->currentText, Qt::ElideRight, text.width()),
+  drawItemText(&painter, text, Qt::AlignVCenter | Qt::AlignLeft | Qt::TextSingleLine, combo.palette,
+               isEnabled(combo),
+               combo.fontMetrics.elidedText(combo.currentText, Qt::ElideRight, text.width()),
                QPalette::Text);
 }
 
@@ -159,95 +169,78 @@ QRect HouseStyle::subControlRect(ComplexControl control, const QStyleOptionCompl
   return QProxyStyle::subControlRect(control, option, sub, widget);
 }
 
-void HouseStyle::drawSpinBox(QPainter& painter, const QStyleOption& option,
+void HouseStyle::drawSpinBox(QPainter& painter, const QStyleOptionSpinBox& spin,
                              const QWidget* widget) const {
-  const auto* spin = qstyleoption_cast<const QStyleOptionSpinBox*>(&option);
-  if (spin == nullptr) {
+  if (spin.frame) {
+    drawFieldFrame(painter, spin, widget);
+  }
+  if (spin.buttonSymbols == QAbstractSpinBox::NoButtons) {
     return;
   }
-  if (spin->frame) {
-    drawFieldFrame(painter, option, widget);
-  }
-  if (spin->buttonSymbols == QAbstractSpinBox::NoButtons) {
-    return;
-  }
-  const QRectF up = subControlRect(CC_SpinBox, spin, SC_SpinBoxUp, widget);
-  const QRectF down = subControlRect(CC_SpinBox, spin, SC_SpinBoxDown, widget);
-  const bool enabled = isEnabled(option);
+  const QRectF up = subControlRect(CC_SpinBox, &spin, SC_SpinBoxUp, widget);
+  const QRectF down = subControlRect(CC_SpinBox, &spin, SC_SpinBoxDown, widget);
+  const bool enabled = isEnabled(spin);
   drawChevron(painter, up.translated(-1.0, 1.0), 2,
-              enabled && spin->stepEnabled.testFlag(QAbstractSpinBox::StepUpEnabled));
+              enabled && spin.stepEnabled.testFlag(QAbstractSpinBox::StepUpEnabled));
   drawChevron(painter, down.translated(-1.0, -1.0), 0,
-              enabled && spin->stepEnabled.testFlag(QAbstractSpinBox::StepDownEnabled));
+              enabled && spin.stepEnabled.testFlag(QAbstractSpinBox::StepDownEnabled));
 }
 
-void HouseStyle::drawComboBox(QPainter& painter, const QStyleOption& option,
+void HouseStyle::drawComboBox(QPainter& painter, const QStyleOptionComboBox& combo,
                               const QWidget* widget) const {
-  const auto* combo = qstyleoption_cast<const QStyleOptionComboBox*>(&option);
-  if (combo == nullptr) {
-    return;
-  }
-  drawFieldFrame(painter, option, widget);
-  drawChevron(painter, subControlRect(CC_ComboBox, combo, SC_ComboBoxArrow, widget), 0,
-              isEnabled(option));
+  drawFieldFrame(painter, combo, widget);
+  drawChevron(painter, subControlRect(CC_ComboBox, &combo, SC_ComboBoxArrow, widget), 0,
+              isEnabled(combo));
 }
 
-void HouseStyle::drawSlider(QPainter& painter, const QStyleOptionComplex& option,
+void HouseStyle::drawSlider(QPainter& painter, const QStyleOptionSlider& slider,
                             const QWidget* widget) const {
-  const auto* slider = qstyleoption_cast<const QStyleOptionSlider*>(&option);
-  if (slider == nullptr) {
-    return;
-  }
-  const QRectF handle = subControlRect(CC_Slider, slider, SC_SliderHandle, widget);
-  const double y = option.rect.center().y() + 0.5;
-  const double alpha = isEnabled(option) ? 1.0 : 0.4;
-  const double left = option.rect.left() + 1.0;
-  const double right = option.rect.right();
+  const QRectF handle = subControlRect(CC_Slider, &slider, SC_SliderHandle, widget);
+  const double y = slider.rect.center().y() + 0.5;
+  const double alpha = isEnabled(slider) ? 1.0 : 0.4;
+  const double left = slider.rect.left() + 1.0;
+  const double right = slider.rect.right();
   painter.setPen(QPen(theme_.color(Role::Line, alpha), 3.0, Qt::SolidLine, Qt::RoundCap));
   painter.drawLine(QPointF(left, y), QPointF(right, y));
   painter.setPen(QPen(theme_.color(Role::Accent, alpha), 3.0, Qt::SolidLine, Qt::RoundCap));
   painter.drawLine(QPointF(left, y), QPointF(handle.center().x(), y));
   painter.setPen(QPen(theme_.color(Role::Accent, alpha), 2.0));
-  painter.setBrush(theme_.color(isHovered(option) ? Role::RowSelected : Role::Field));
+  painter.setBrush(theme_.color(isHovered(slider) ? Role::RowSelected : Role::Field));
   painter.drawEllipse(QPointF(handle.center().x(), y), 5.5, 5.5);
-  drawFocusRing(painter, option, QRectF(option.rect));
+  drawFocusRing(painter, slider, QRectF(slider.rect));
 }
 
-void HouseStyle::drawToolButton(QPainter& painter, const QStyleOptionComplex& option,
+void HouseStyle::drawToolButton(QPainter& painter, const QStyleOptionToolButton& button,
                                 const QWidget* widget) const {
-  const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(&option);
-  if (button == nullptr) {
-    return;
-  }
-  drawFocusRing(painter, option, QRectF(option.rect));
+  drawFocusRing(painter, button, QRectF(button.rect));
   const bool link = widget != nullptr && widget->property(kLinkProperty).toBool();
-  const bool on = option.state & (State_On | State_Sunken);
-  if (!link && (on || isHovered(option))) {
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(theme_.color(on ? Role::RowSelected : Role::RowHover));
-    painter.drawRoundedRect(QRectF(option.rect), kButtonRadius, kButtonRadius);
+  const bool on = button.state & (State_On | State_Sunken);
+  if (!link && (on || isHovered(button))) {
+    drawBox(painter, QRectF(button.rect), kButtonRadius,
+            theme_.color(on ? Role::RowSelected : Role::RowHover));
   }
-  QStyleOptionToolButton label = *button;
+  QStyleOptionToolButton label = button;
   label.state &= ~(State_Sunken | State_Raised);
   if (link) {
-    QFont font = button->font;
-    font.setUnderline(isHovered(option));
+    QFont font = button.font;
+    font.setUnderline(isHovered(button));
     painter.setFont(font);
-    painter.setPen(isEnabled(option) ? theme_.color(Role::AccentText)
+    painter.setPen(isEnabled(button) ? theme_.color(Role::AccentText)
                                      : theme_.palette().color(QPalette::Disabled, QPalette::Text));
-    painter.drawText(option.rect, Qt::AlignCenter, button->text);
+    painter.drawText(button.rect, Qt::AlignCenter, button.text);
     return;
   }
-  if (button->features.testFlag(QStyleOptionToolButton::HasMenu) &&
-      button->toolButtonStyle != Qt::ToolButtonIconOnly) {
+  if (button.features.testFlag(QStyleOptionToolButton::HasMenu) &&
+      button.toolButtonStyle != Qt::ToolButtonIconOnly) {
     label.rect.setRight(label.rect.right() - 16);
     drawChevron(painter,
-                QRectF(option.rect.right() - 18, option.rect.top(), 14, option.rect.height()), 0,
-                isEnabled(option));
+                QRectF(button.rect.right() - 18, button.rect.top(), 14, button.rect.height()), 0,
+                isEnabled(button));
   }
-  if (button->features.testFlag(QStyleOptionToolButton::MenuButtonPopup)) {
-    const QRect arrow = subControlRect(CC_ToolButton, button, SC_ToolButtonMenu, widget);
+  if (button.features.testFlag(QStyleOptionToolButton::MenuButtonPopup)) {
+    const QRect arrow = subControlRect(CC_ToolButton, &button, SC_ToolButtonMenu, widget);
     label.rect.setRight(arrow.left());
-    drawChevron(painter, QRectF(arrow).adjusted(-2.0, 1.0, -2.0, 1.0), 0, isEnabled(option));
+    drawChevron(painter, QRectF(arrow).adjusted(-2.0, 1.0, -2.0, 1.0), 0, isEnabled(button));
   }
   drawControl(CE_ToolButtonLabel, &label, &painter, widget);
 }
@@ -296,20 +289,19 @@ QRect HouseStyle::subElementRect(SubElement element, const QStyleOption* option,
   }
 }
 
-bool HouseStyle::drawFrame(PrimitiveElement element, const QStyleOption& option, QPainter& painter,
+void HouseStyle::drawFrame(PrimitiveElement element, const QStyleOption& option, QPainter& painter,
                            const QWidget* widget) const {
   if (element == PE_FrameFocusRect) {
     if (qobject_cast<const QAbstractItemView*>(widget) == nullptr) {  // rows are tinted instead
       drawFocusRing(painter, option, QRectF(option.rect));
     }
-    return true;
+    return;
   }
   const bool isTip = element == PE_PanelTipLabel;  // else a list or a text
   painter.setPen(theme_.color(Role::FieldEdge));
   painter.setBrush(isTip ? QBrush(theme_.color(Role::Panel)) : option.palette.base());
   painter.setRenderHint(QPainter::Antialiasing);  // whole at 1.25 pixels per point, too
-  painter.drawRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5));
-  return true;
+  painter.drawRect(onPixels(option.rect));
 }
 
 void HouseStyle::drawFocusRing(QPainter& painter, const QStyleOption& option,
@@ -318,11 +310,8 @@ void HouseStyle::drawFocusRing(QPainter& painter, const QStyleOption& option,
     return;
   }
   if (option.state.testFlag(State_KeyboardFocusChange)) {
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(theme_.color(Role::Accent), kFocusRingPx));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawRoundedRect(rect.adjusted(kFocusRingPx, kFocusRingPx, -kFocusRingPx, -kFocusRingPx),
-                            kRowRadius, kRowRadius);
+    drawBox(painter, rect.adjusted(kFocusRingPx, kFocusRingPx, -kFocusRingPx, -kFocusRingPx),
+            kRowRadius, Qt::NoBrush, QPen(theme_.color(Role::Accent), kFocusRingPx));
   }
 }
 
@@ -331,12 +320,10 @@ void HouseStyle::drawTab(QPainter& painter, const QStyleOption& option) const {
   const QRect bottom(option.rect.left(), option.rect.bottom(), option.rect.width(), 1);
   painter.fillRect(bottom, theme_.color(Role::Line));
   if (option.state.testFlag(State_Selected)) {
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(theme_.color(Role::Accent));
-    painter.drawRoundedRect(
+    drawBox(
+        painter,
         QRectF(option.rect.left() + 10, option.rect.bottom() - 1.5, option.rect.width() - 20, 2.5),
-        1.2, 1.2);
+        1.2, theme_.color(Role::Accent));
   } else if (isHovered(option)) {
     painter.fillRect(option.rect.adjusted(0, 0, 0, -1), theme_.color(Role::RowHover));
   }
@@ -364,25 +351,20 @@ void HouseStyle::drawRow(QPainter& painter, const QStyleOption& option,
   }
   painter.setClipRect(band);
   band.adjust(first ? 4.0 : -8.0, 0.0, last ? -4.0 : 8.0, 0.0);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(theme_.color(selected ? Role::RowSelected : Role::RowHover));
-  painter.drawRoundedRect(band, kRowRadius, kRowRadius);
+  drawBox(painter, band, kRowRadius, theme_.color(selected ? Role::RowSelected : Role::RowHover));
 }
 
-void HouseStyle::drawScrollBar(QPainter& painter, const QStyleOptionComplex& option,
+void HouseStyle::drawScrollBar(QPainter& painter, const QStyleOptionSlider& bar,
                                const QWidget* widget) const {
-  const auto* bar = qstyleoption_cast<const QStyleOptionSlider*>(&option);
-  if (bar == nullptr || bar->minimum == bar->maximum) {
+  if (bar.minimum == bar.maximum) {
     return;
   }
-  QRectF handle = subControlRect(CC_ScrollBar, bar, SC_ScrollBarSlider, widget);
+  QRectF handle = subControlRect(CC_ScrollBar, &bar, SC_ScrollBarSlider, widget);
   const double inset = 2.5;
   handle.adjust(inset, inset, -inset, -inset);
   const double radius = std::min(handle.width(), handle.height()) / 2.0;
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(theme_.color(isHovered(option) ? Role::ObstacleEdge : Role::FieldEdge));
-  painter.drawRoundedRect(handle, radius, radius);
+  drawBox(painter, handle, radius,
+          theme_.color(isHovered(bar) ? Role::ObstacleEdge : Role::FieldEdge));
 }
 
 }  // namespace editor

@@ -64,11 +64,8 @@ std::size_t index(Look look) {
 }  // namespace
 
 Look lookOf(sim2d::BehaviorType type) {
-  static constexpr std::array<Look, 7> kLooks = {Look::Regular,  // there is no type 0
-                                                 Look::Regular, Look::Impassive, Look::Surprised,
-                                                 Look::Scared,  Look::Curious,   Look::Threatening};
-  const auto at = static_cast<std::size_t>(type);
-  return at < kLooks.size() ? kLooks[at] : Look::Regular;
+  const int number = static_cast<int>(type);  // from 1, in the same order
+  return number >= 1 && number < kLookCount ? static_cast<Look>(number - 1) : Look::Regular;
 }
 
 QString lookName(Look look) {

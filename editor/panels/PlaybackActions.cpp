@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "editor/look/ActionText.h"
+#include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 
 namespace editor {

@@ -14,7 +14,6 @@
 
 #include "editor/document/EditCommands.h"
 #include "editor/document/Groups.h"
-#include "editor/look/ActionText.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/PanelRegistry.h"

@@ -6,7 +6,7 @@
 #include <QGuiApplication>
 #include <QKeyEvent>
 
-#include "editor/look/ActionText.h"
+#include "editor/look/Form.h"
 
 namespace editor {
 
