@@ -166,7 +166,7 @@ void DocumentGuard::offerRecovery() {
                      true,
                      tr("Unsaved work of an earlier session cannot be read: %1")
                          .arg(QString::fromStdString(copy.diagnostics().front().text())),
-                     {{tr("Discard"), [folder] { editor::Autosave::discard(folder); }}}});
+                     {{tr("Discard"), [folder] { QDir(folder).removeRecursively(); }}}});
       continue;
     }
     const QString name =
@@ -176,7 +176,7 @@ void DocumentGuard::offerRecovery() {
                    tr("The program ended unexpectedly. Unsaved changes to %1 were kept (%2).")
                        .arg(name, agoText(copy->when.toLocalTime(), QDateTime::currentDateTime())),
                    {{tr("Restore"), [this, folder] { restore(folder); }},
-                    {tr("Discard"), [folder] { editor::Autosave::discard(folder); }}}});
+                    {tr("Discard"), [folder] { QDir(folder).removeRecursively(); }}}});
   }
 }
 
@@ -187,7 +187,7 @@ void DocumentGuard::restore(const QString& folder) {
     return;
   }
   autosave_->writeNow();
-  editor::Autosave::discard(folder);
+  QDir(folder).removeRecursively();
 }
 
 void DocumentGuard::tellChanged(const QStringList& changed) {

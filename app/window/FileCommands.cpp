@@ -169,11 +169,11 @@ bool FileCommands::giveTree(const QString& path, editor::EntityId under) {
   if (!tell(problems)) {
     return false;
   }
-  document.undoStack().beginMacro(tr("Give a tree"));
+  std::vector<editor::TreeEdit> edits;
   for (const editor::EntityId id : people) {
-    document.undoStack().push(new editor::EditTree(document, id, *text, tr("Give a tree")));
+    edits.push_back({id, *text});
   }
-  document.undoStack().endMacro();
+  editor::pushTrees(document, std::move(edits), tr("Give a tree"));
   return true;
 }
 
@@ -190,8 +190,7 @@ base::Diagnostics FileCommands::applyRunOptions() {
   values.insert(values.end(), wanted.obstacles.begin(), wanted.obstacles.end());
   values.insert(values.end(), wanted.doors.begin(), wanted.doors.end());
   values.insert(values.end(), wanted.areas.begin(), wanted.areas.end());
-  values.emplace_back(editor::ScenarioSettings{wanted.yamlBaseName, wanted.simulator, wanted.map,
-                                               wanted.publishPeople, wanted.desktop});
+  values.emplace_back(static_cast<const sim2d::ScenarioSettings&>(wanted));
   std::vector<editor::Entity> newRobots;
   for (const sim2d::Robot& robot : wanted.robots) {
     (document.contains(robot.key) ? values : newRobots).emplace_back(robot);

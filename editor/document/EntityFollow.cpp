@@ -58,7 +58,7 @@ void EntityModel::followGroup(int group, const std::set<EntityId>& changed) {
                        index(runs.back().second, ColumnCount - 1, parentIndex));
   }
   if (before != fresh.size()) {
-    Q_EMIT dataChanged(parentIndex, parentIndex, {CountRole});
+    Q_EMIT dataChanged(parentIndex, parentIndex, {Qt::DisplayRole});
   }
 }
 

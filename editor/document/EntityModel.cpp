@@ -14,9 +14,7 @@ namespace editor {
 
 namespace {
 
-QString dragType() {
-  return QStringLiteral("application/x-hunavsim-entities");
-}
+constexpr QLatin1String kDragType("application/x-hunavsim-entities");
 
 struct Group {
   const char* title;
@@ -158,9 +156,6 @@ QVariant EntityModel::data(const QModelIndex& at, int role) const {
 QVariant EntityModel::groupData(int group, int column, int role) const {
   const auto number = static_cast<std::size_t>(group);
   const int count = static_cast<int>(rows_[number].size());
-  if (role == CountRole) {
-    return count;
-  }
   if (role == Qt::DisplayRole && column == NameColumn) {
     return tr(groups()[number].title);
   }
@@ -237,13 +232,6 @@ QVariant EntityModel::entityData(EntityId id, int column, int role) const {
       return isListed(*entity);
     case IdKindRole:
       return static_cast<int>(id.kind);
-    case IdKeyRole:
-      return id.key;
-    case LookRole:
-      if (const auto* human = std::get_if<sim2d::Human>(&*entity)) {
-        return static_cast<int>(lookOfPerson(document_, *human));
-      }
-      return {};
     default:
       return {};
   }
@@ -283,7 +271,7 @@ QVariant EntityModel::headerData(int section, Qt::Orientation orientation, int r
 }
 
 QStringList EntityModel::mimeTypes() const {
-  return {dragType()};
+  return {kDragType};
 }
 
 QMimeData* EntityModel::mimeData(const QModelIndexList& indexes) const {
@@ -296,13 +284,13 @@ QMimeData* EntityModel::mimeData(const QModelIndexList& indexes) const {
     }
   }
   auto* data = new QMimeData;
-  data->setData(dragType(), bytes);
+  data->setData(kDragType, bytes);
   return data;
 }
 
 std::vector<EntityId> EntityModel::dragged(const QMimeData& data) const {
   std::vector<EntityId> ids;
-  QDataStream from(data.data(dragType()));
+  QDataStream from(data.data(kDragType));
   while (!from.atEnd()) {
     int kind = 0;
     int key = 0;
@@ -360,7 +348,7 @@ QVariant EntityFilter::data(const QModelIndex& at, int role) const {
   const bool isCount = at.isValid() && !at.parent().isValid() &&
                        at.column() == EntityModel::BehaviorColumn && role == Qt::DisplayRole;
   const int seen = isCount && !text_.isEmpty() ? rowCount(at.siblingAtColumn(0)) : -1;
-  const int all = seen < 0 ? 0 : at.data(EntityModel::CountRole).toInt();
+  const int all = seen < 0 ? 0 : model_.rowCount(mapToSource(at.siblingAtColumn(0)));
   return seen >= 0 && seen < all ? QVariant(tr("%1 of %2").arg(seen).arg(all))
                                  : QSortFilterProxyModel::data(at, role);
 }

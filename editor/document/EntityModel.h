@@ -22,7 +22,7 @@ class EntityModel : public QAbstractItemModel {
   Q_OBJECT
  public:
   enum Column { NameColumn, KindColumn, BehaviorColumn, ColumnCount };
-  enum DataRole { IdKindRole = Qt::UserRole + 1, IdKeyRole, LookRole, CountRole, ListedRole };
+  enum DataRole { IdKindRole = Qt::UserRole + 1, ListedRole };
 
   EntityModel(ScenarioDocument& document, const Theme& theme, QObject* parent = nullptr);
   void setTheme(const Theme& theme);

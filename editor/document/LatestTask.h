@@ -11,13 +11,6 @@
 
 namespace editor {
 
-/// The calling thread gives way to all others of its process from now on; Linux weighs each thread
-/// by itself. Where that is not allowed it goes on as it was.
-inline void yieldToTheWindow() {
-  constexpr int kPatience = 10;  // as of `nice`
-  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kPatience);
-}
-
 /// Work beside the GUI thread where only the newest request counts: requests that come while one is
 /// being worked on replace each other. The work runs in a thread of its own, behind the window's,
 /// and holds copies of all that it needs; the result is handed over in the GUI thread. Destruction
@@ -27,7 +20,8 @@ class LatestTask {
  public:
   explicit LatestTask(std::function<void(T)> deliver) : deliver_(std::move(deliver)) {
     poll_.setInterval(kPollMs);
-    QObject::connect(&poll_, &QTimer::timeout, &poll_, [this] { poll(); });
+    QObject::connect(&poll_, &QTimer::timeout, &poll_,
+                     [this] { finishWithin(std::chrono::milliseconds(0)); });
   }
 
   void start(std::function<T()> work) {
@@ -36,7 +30,9 @@ class LatestTask {
       return;
     }
     running_ = std::async(std::launch::async, [work = std::move(work)] {
-      yieldToTheWindow();
+      // The thread gives way to the window's; where that is not allowed it goes on as it was.
+      constexpr int kPatience = 10;  // as of `nice`, which Linux weighs thread by thread
+      ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kPatience);
       return work();
     });
     poll_.start();
@@ -60,13 +56,6 @@ class LatestTask {
 
  private:
   static constexpr int kPollMs = 8;
-
-  void poll() {
-    if (running_.valid() &&
-        running_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-      take();
-    }
-  }
 
   void take() {
     T result = running_.get();

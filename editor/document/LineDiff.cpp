@@ -1,6 +1,7 @@
 #include "editor/document/LineDiff.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "sim2d/base/Text.h"
 
@@ -20,95 +21,63 @@ Lines linesOf(const std::string& text) {
 }
 
 /// Length of the longest common subsequence of the lines from (i, j) on, for all i, j.
-class CommonLengths {
- public:
-  CommonLengths(const Lines& left, const Lines& right)
-      : columns_(right.size() + 1), lengths_((left.size() + 1) * columns_, 0) {
-    for (std::size_t i = left.size(); i-- > 0;) {
-      for (std::size_t j = right.size(); j-- > 0;) {
-        lengths_[i * columns_ + j] =
-            left[i] == right[j] ? at(i + 1, j + 1) + 1 : std::max(at(i + 1, j), at(i, j + 1));
-      }
+std::vector<std::vector<int>> commonLengths(const Lines& left, const Lines& right) {
+  std::vector<std::vector<int>> lengths(left.size() + 1, std::vector<int>(right.size() + 1));
+  for (std::size_t i = left.size(); i-- > 0;) {
+    for (std::size_t j = right.size(); j-- > 0;) {
+      lengths[i][j] = left[i] == right[j] ? lengths[i + 1][j + 1] + 1
+                                          : std::max(lengths[i + 1][j], lengths[i][j + 1]);
     }
   }
-  int at(std::size_t i, std::size_t j) const { return lengths_[i * columns_ + j]; }
+  return lengths;
+}
 
- private:
-  std::size_t columns_;
-  std::vector<int> lengths_;
-};
-
-/// Walks along both texts.
-struct Walk {
-  const Lines& left;
-  const Lines& right;
-  std::size_t i = 0, j = 0;
-  std::vector<DiffLine> lines = {};
-
-  void same() {
-    lines.push_back(
-        {DiffLine::Kind::Same, static_cast<int>(i) + 1, static_cast<int>(j) + 1, left[i]});
-    ++i;
-    ++j;
+/// How to get from one to the other; texts that are too large are exchanged as a whole.
+std::vector<DiffLine::Kind> stepsBetween(const Lines& left, const Lines& right) {
+  const bool isSmall = (left.size() + 1) * (right.size() + 1) <= kMostPairs;
+  const auto common = isSmall ? commonLengths(left, right) : std::vector<std::vector<int>>();
+  std::vector<DiffLine::Kind> steps;
+  std::size_t i = 0;
+  std::size_t j = 0;
+  while (isSmall && i < left.size() && j < right.size()) {
+    const bool isSame = left[i] == right[j];
+    const bool isGone = !isSame && common[i + 1][j] >= common[i][j + 1];
+    steps.push_back(isSame   ? DiffLine::Kind::Same
+                    : isGone ? DiffLine::Kind::Removed
+                             : DiffLine::Kind::Added);
+    i += isSame || isGone ? 1 : 0;
+    j += isSame || !isGone ? 1 : 0;
   }
-  void removed() {
-    lines.push_back({DiffLine::Kind::Removed, static_cast<int>(i) + 1, 0, left[i]});
-    ++i;
-  }
-  void added() {
-    lines.push_back({DiffLine::Kind::Added, 0, static_cast<int>(j) + 1, right[j]});
-    ++j;
-  }
-};
+  steps.insert(steps.end(), left.size() - i, DiffLine::Kind::Removed);
+  steps.insert(steps.end(), right.size() - j, DiffLine::Kind::Added);
+  return steps;
+}
 
 }  // namespace
 
 std::vector<DiffLine> lineDiff(const std::string& left, const std::string& right) {
   const Lines a = linesOf(left);
   const Lines b = linesOf(right);
-  std::size_t begin = 0;
-  while (begin < a.size() && begin < b.size() && a[begin] == b[begin]) {
-    ++begin;
+  const auto begin = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+  const auto end = std::mismatch(a.rbegin(), std::make_reverse_iterator(begin.first), b.rbegin(),
+                                 std::make_reverse_iterator(begin.second));
+  std::vector<DiffLine::Kind> steps(static_cast<std::size_t>(begin.first - a.begin()));
+  const auto middle =
+      stepsBetween(Lines(begin.first, end.first.base()), Lines(begin.second, end.second.base()));
+  steps.insert(steps.end(), middle.begin(), middle.end());
+  steps.resize(steps.size() + static_cast<std::size_t>(end.first - a.rbegin()));
+
+  std::vector<DiffLine> lines;
+  std::size_t i = 0;  // lines of each text that have been told
+  std::size_t j = 0;
+  for (const DiffLine::Kind kind : steps) {
+    i += kind == DiffLine::Kind::Added ? 0 : 1;
+    j += kind == DiffLine::Kind::Removed ? 0 : 1;
+    lines.push_back({kind, kind == DiffLine::Kind::Added ? 0 : static_cast<int>(i),
+                     kind == DiffLine::Kind::Removed ? 0 : static_cast<int>(j),
+                     kind == DiffLine::Kind::Added ? b[j - 1] : a[i - 1]});
   }
-  std::size_t end = 0;
-  while (end < a.size() - begin && end < b.size() - begin &&
-         a[a.size() - 1 - end] == b[b.size() - 1 - end]) {
-    ++end;
-  }
-  const auto middleOf = [&](const Lines& lines) {
-    return Lines(lines.begin() + static_cast<std::ptrdiff_t>(begin),
-                 lines.end() - static_cast<std::ptrdiff_t>(end));
-  };
-  const Lines middleA = middleOf(a);
-  const Lines middleB = middleOf(b);
-  Walk walk{a, b};
-  while (walk.i < begin) {
-    walk.same();
-  }
-  if ((middleA.size() + 1) * (middleB.size() + 1) <= kMostPairs) {
-    const CommonLengths common(middleA, middleB);
-    while (walk.i < begin + middleA.size() && walk.j < begin + middleB.size()) {
-      const std::size_t i = walk.i - begin;
-      const std::size_t j = walk.j - begin;
-      if (middleA[i] == middleB[j]) {
-        walk.same();
-      } else if (common.at(i + 1, j) >= common.at(i, j + 1)) {
-        walk.removed();
-      } else {
-        walk.added();
-      }
-    }
-  }
-  while (walk.i < begin + middleA.size()) {
-    walk.removed();
-  }
-  while (walk.j < begin + middleB.size()) {
-    walk.added();
-  }
-  while (walk.i < a.size()) {
-    walk.same();
-  }
-  return std::move(walk.lines);
+  return lines;
 }
 
 }  // namespace editor

@@ -132,12 +132,16 @@ bool operator==(const DesktopSettings& a, const DesktopSettings& b) {
   return haveSameValues(a, b) && a.metrics == b.metrics && a.unknown == b.unknown;
 }
 
+bool operator==(const ScenarioSettings& a, const ScenarioSettings& b) {
+  return haveSameValues(a, b) && a.desktop == b.desktop;
+}
+
 bool operator==(const Scenario& a, const Scenario& b) {
   const auto rest = [](const Scenario& v) {
-    return std::tie(v.goals, v.humans, v.robots, v.obstacles, v.doors, v.areas, v.desktop,
-                    v.unknown, v.otherNodes);
+    return std::tie(v.goals, v.humans, v.robots, v.obstacles, v.doors, v.areas, v.unknown,
+                    v.otherNodes);
   };
-  return haveSameValues<Environment>(a, b) && rest(a) == rest(b);
+  return static_cast<const ScenarioSettings&>(a) == b && rest(a) == rest(b);
 }
 
 }  // namespace sim2d

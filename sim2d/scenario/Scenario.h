@@ -180,16 +180,20 @@ struct DesktopSettings {
   UnknownKeys unknown;
 };
 
-/// A scenario but for its people: all that a running world keeps of it.
-struct Environment {
+/// What belongs to the scenario as a whole.
+struct ScenarioSettings {
   std::optional<std::string> yamlBaseName, simulator, map;
   std::optional<bool> publishPeople;
+  DesktopSettings desktop;
+};
+
+/// A scenario but for its people: all that a running world keeps of it.
+struct Environment : ScenarioSettings {
   std::vector<GlobalGoal> goals;    // in file order
   std::vector<Robot> robots;        // listed ones first; ids -1, -2 … over them
   std::vector<Obstacle> obstacles;  // idem
   std::vector<Door> doors;
   std::vector<Area> areas;
-  DesktopSettings desktop;
   UnknownKeys unknown;     // beside the known global keys of hunav_loader
   UnknownKeys otherNodes;  // further nodes of the file
 };
@@ -209,6 +213,7 @@ bool operator==(const PersonExtension& a, const PersonExtension& b);
 bool operator==(const RobotGoal& a, const RobotGoal& b);
 bool operator==(const MetricsSettings& a, const MetricsSettings& b);
 bool operator==(const DesktopSettings& a, const DesktopSettings& b);
+bool operator==(const ScenarioSettings& a, const ScenarioSettings& b);
 bool operator==(const Behavior& a, const Behavior& b);
 bool operator==(const GlobalGoal& a, const GlobalGoal& b);
 bool operator==(const Human& a, const Human& b);
