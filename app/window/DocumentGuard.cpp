@@ -174,7 +174,7 @@ void DocumentGuard::restore(const QString& folder) {
     return;
   }
   autosave_->writeNow();
-  editor::Autosave::discard(folder);
+  QDir(folder).removeRecursively();
 }
 
 void DocumentGuard::tellChanged(const QStringList& changed) {

@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 
 #include "editor/document/EditCommands.h"
+#include "editor/document/FreeNames.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "sim2d/base/Text.h"
@@ -52,7 +53,7 @@ QString onTwoLines(const std::string& command) {
 /// With a capital, unless it begins with a name.
 QString sentence(const base::Diagnostic& problem, const sim2d::Scenario& scenario) {
   QString text = QString::fromStdString(problem.message);
-  if (!text.isEmpty() && !editor::isNameTaken(scenario, problem.value("where"))) {
+  if (!text.isEmpty() && !editor::FreeNames(scenario).isTaken(problem.value("where"))) {
     text[0] = text[0].toUpper();
   }
   return text;

@@ -165,11 +165,11 @@ bool FileCommands::giveTree(const QString& path, editor::EntityId under) {
   if (!tell(problems)) {
     return false;
   }
-  document.undoStack().beginMacro(tr("Give a tree"));
+  std::vector<editor::TreeEdit> edits;
   for (const editor::EntityId id : people) {
-    document.undoStack().push(new editor::EditTree(document, id, *text, tr("Give a tree")));
+    edits.push_back({id, *text});
   }
-  document.undoStack().endMacro();
+  editor::pushTrees(document, std::move(edits), tr("Give a tree"));
   return true;
 }
 
@@ -181,13 +181,12 @@ base::Diagnostics FileCommands::applyRunOptions() {
     return problems;
   }
   std::vector<editor::Entity> values, newRobots;
-  editor::forEachList(wanted, [&](base::EntityKind /*kind*/, const auto& list) {
+  sim2d::forEachList(wanted, [&](base::EntityKind /*kind*/, const auto& list) {
     for (const auto& entity : list) {
       (document.contains(entity.key) ? values : newRobots).emplace_back(entity);
     }
   });
-  values.emplace_back(editor::ScenarioSettings{wanted.yamlBaseName, wanted.simulator, wanted.map,
-                                               wanted.publishPeople, wanted.desktop});
+  values.emplace_back(static_cast<const sim2d::ScenarioSettings&>(wanted));
   editor::pushEdit(document, std::move(values), tr("Options of the command line"));
   if (!newRobots.empty()) {
     editor::pushAdd(document, std::move(newRobots), tr("Robot of the command line"));

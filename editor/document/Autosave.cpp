@@ -19,23 +19,19 @@ namespace {
 
 constexpr const char* kScenarioFile = "scenario.yaml";
 constexpr const char* kMapFile = "map.yaml";
-
+constexpr const char* kNotesFile = "recovery.json";  // a folder with it holds a snapshot
 constexpr const char* kLockFile = "lock";
 
 QString lockOf(const QString& folder) {
   return QDir(folder).filePath(QString::fromLatin1(kLockFile));
 }
 
-std::string in(const QString& folder, const QString& name) {
-  return QDir(folder).filePath(name).toStdString();
+std::string in(const QString& folder, const std::string& name) {
+  return QDir(folder).filePath(QString::fromStdString(name)).toStdString();
 }
 
-std::string in(const QString& folder, const char* name) {
-  return in(folder, QString::fromLatin1(name));
-}
-
-QString treeFile(int number) {
-  return QStringLiteral("tree_%1.xml").arg(number);
+std::string treeFile(int number) {
+  return "tree_" + std::to_string(number) + ".xml";
 }
 
 /// In the order in which a file holds them.
@@ -237,10 +233,6 @@ QStringList Autosave::leftBehind(const QString& root) {
     }
   }
   return found;
-}
-
-void Autosave::discard(const QString& folder) {
-  QDir(folder).removeRecursively();
 }
 
 }  // namespace editor

@@ -26,9 +26,6 @@ struct DocumentSnapshot {
   QDateTime when;
 };
 
-/// What a snapshot holds beside the scenario; a folder with it holds one.
-constexpr const char* kNotesFile = "recovery.json";
-
 /// The files of a snapshot in a folder: scenario.yaml, tree_<number>.xml, map.yaml, map.pgm and
 /// recovery.json.
 std::vector<base::FileContent> snapshotFiles(const DocumentSnapshot& snapshot,
@@ -53,7 +50,6 @@ class Autosave : public QObject {
 
   /// Folders of copies whose program has died.
   static QStringList leftBehind(const QString& root);
-  static void discard(const QString& folder);
 
  Q_SIGNALS:
   void failed(const base::Diagnostics& problems);

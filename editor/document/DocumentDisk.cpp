@@ -9,34 +9,14 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include "editor/document/EntityLists.h"
+#include "editor/document/QtImageLoader.h"
 #include "editor/document/TreeFiles.h"
 #include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/map/MapReader.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
 namespace editor {
-
-namespace {
-
-QByteArray hashOf(const std::string& content) {
-  QCryptographicHash hash(QCryptographicHash::Sha1);
-  hash.addData(content.data(), static_cast<int>(content.size()));
-  return hash.result();
-}
-
-template <class T>
-void addLines(const std::vector<T>& list, const std::vector<T>& asRead,
-              const std::map<EntityId, int>& lines, std::map<EntityId, int>& result) {
-  for (std::size_t i = 0; i < list.size() && i < asRead.size(); ++i) {
-    const auto found = lines.find(asRead[i].key);
-    if (found != lines.end()) {
-      result[list[i].key] = found->second;
-    }
-  }
-}
-
-}  // namespace
 
 QByteArray hashOfFile(const QString& file) {
   QFile opened(file);
@@ -45,25 +25,27 @@ QByteArray hashOfFile(const QString& file) {
 }
 
 void DocumentDisk::note(const QString& file, const std::string& content) {
-  hashes[QFileInfo(file).absoluteFilePath()] = hashOf(content);
+  hashes[QFileInfo(file).absoluteFilePath()] =
+      QCryptographicHash::hash(QByteArray::fromStdString(content), QCryptographicHash::Sha1);
 }
 
 void DocumentDisk::noteFile(const QString& file) {
   hashes[QFileInfo(file).absoluteFilePath()] = hashOfFile(file);
 }
 
-void DocumentDisk::forgetFiles() {
-  trees.clear();
-  unreadTrees.clear();
-  bases.clear();
-  hashes.clear();
-  maps.clear();
-  mapImage.clear();
-  mapFile.reset();
-  lines.clear();
-  readCount = 0;
-  readOnly = false;
-  isBeginning = false;
+base::Result<MapState> DocumentDisk::readMap(const QString& yamlPath, sim2d::MapRule rule) {
+  const QString path = QFileInfo(yamlPath).absoluteFilePath();
+  base::Result<sim2d::MapFile> map = sim2d::readMap(path.toStdString(), loadMapImage, rule);
+  if (!map) {
+    return map.diagnostics();
+  }
+  MapState state{std::make_shared<sim2d::OccupancyGrid>(std::move(map->grid)), path, false,
+                 map.diagnostics()};
+  maps[path] = state.grid;
+  mapImage = QFileInfo(QString::fromStdString(map->imagePath)).absoluteFilePath();
+  noteFile(path);
+  noteFile(mapImage);
+  return {std::move(state), map.diagnostics()};
 }
 
 const KnownTree* DocumentDisk::known(EntityId human) const {
@@ -119,13 +101,16 @@ std::map<EntityId, int> linesOf(const sim2d::Scenario& scenario,
   if (settings != reading.lines.end()) {
     result.insert(*settings);
   }
-  const sim2d::Scenario& asRead = reading.scenario;
-  addLines(scenario.humans, asRead.humans, reading.lines, result);
-  addLines(scenario.goals, asRead.goals, reading.lines, result);
-  addLines(scenario.robots, asRead.robots, reading.lines, result);
-  addLines(scenario.obstacles, asRead.obstacles, reading.lines, result);
-  addLines(scenario.doors, asRead.doors, reading.lines, result);
-  addLines(scenario.areas, asRead.areas, reading.lines, result);
+  forEachList(scenario, [&](EntityKind /*kind*/, const auto& list) {
+    using Value = typename std::decay_t<decltype(list)>::value_type;
+    const std::vector<Value>& asRead = listOf<Value>(reading.scenario);
+    for (std::size_t i = 0; i < list.size() && i < asRead.size(); ++i) {
+      const auto found = reading.lines.find(asRead[i].key);
+      if (found != reading.lines.end()) {
+        result[list[i].key] = found->second;
+      }
+    }
+  });
   return result;
 }
 
@@ -198,7 +183,7 @@ std::string treePathOf(const SavePlan& plan, const sim2d::Human& human) {
   const fs::path scenario = plan.path.toStdString();
   const fs::path file = human.ours.tree ? scenario.parent_path() / *human.ours.tree
                                         : fs::path(treeFolderOf(scenario.string())) /
-                                              treeFileName(stemOf(plan), human.id);
+                                              bt::treeFileName(stemOf(plan), human.id);
   return file.lexically_normal().string();
 }
 
@@ -216,7 +201,7 @@ bool isUnreadable(const std::string& path) {
 /// The person of the scenario file that is there now: its generated trees are nobody's work.
 bool isGeneratedForDisk(const std::string& xml, const sim2d::Scenario& onDisk, int humanId) {
   const sim2d::Human* human = onDisk.humanById(humanId);
-  return human != nullptr && isGeneratedTree(xml, onDisk, *human);
+  return human != nullptr && generatedStyle(xml, onDisk, *human).has_value();
 }
 
 }  // namespace
@@ -226,12 +211,12 @@ std::optional<std::string> textAt(const std::string& path) {
   return text ? std::make_optional(*std::move(text)) : std::nullopt;
 }
 
-void SavePlanner::placeMap(SavePlan& plan) const {
+void ScenarioDocument::placeMap(SavePlan& plan) const {
   if (map_.isMissing) {
     return;
   }
-  const bool isInFile = disk_.holds(map_);
-  if (isInFile && disk_.isOtherMapWanted(document_.scenario())) {
+  const bool isInFile = disk_->holds(map_);
+  if (isInFile && disk_->isOtherMapWanted(scenario_)) {
     return;
   }
   if (!map_.grid->isEmpty() && !isInFile) {  // drawn here: it gets files of its own
@@ -246,7 +231,7 @@ void SavePlanner::placeMap(SavePlan& plan) const {
     plan.scenario.map = name;
   }
   const bool isPlanned = !plan.mapFiles.empty();
-  const sim2d::FilePlaces places{plan.path.toStdString(), {}, {}, shippedMaps_.toStdString()};
+  const sim2d::FilePlaces places{plan.path.toStdString(), {}, {}, search_.shippedMaps};
   for (const bool withFile : {true, false}) {
     if (!withFile) {
       plan.scenario.desktop.mapFile.reset();
@@ -262,10 +247,10 @@ void SavePlanner::placeMap(SavePlan& plan) const {
       map_.grid->isEmpty() ? "none" : relativeTo(plan.path, plan.mapPath);
 }
 
-void SavePlanner::planTrees(SavePlan& plan) const {
+void ScenarioDocument::planTrees(SavePlan& plan) const {
   for (sim2d::Human& human : plan.scenario.humans) {
     const bool isNamedOnly =
-        human.ours.tree && !document_.tree(human.key) && disk_.known(human.key) == nullptr;
+        human.ours.tree && !tree(human.key) && disk_->known(human.key) == nullptr;
     if (!human.listed || isNamedOnly) {
       continue;
     }
@@ -278,8 +263,7 @@ void SavePlanner::planTrees(SavePlan& plan) const {
       same = plannedAt(plan, path);
     }
     if (isUnreadable(path)) {
-      const auto severity =
-          document_.tree(human.key) ? base::Severity::Error : base::Severity::Warning;
+      const auto severity = tree(human.key) ? base::Severity::Error : base::Severity::Warning;
       plan.problems.push_back(
           base::within(human.name, base::problem(severity, "document.tree-unreadable", {}, path)));
       plan.unreadTrees.insert(human.key);
@@ -292,12 +276,12 @@ void SavePlanner::planTrees(SavePlan& plan) const {
   }
 }
 
-std::string SavePlanner::wantedTree(const sim2d::Scenario& scenario,
-                                    const sim2d::Human& human) const {
-  if (std::optional<std::string> own = document_.tree(human.key)) {
+std::string ScenarioDocument::wantedTree(const sim2d::Scenario& scenario,
+                                         const sim2d::Human& human) const {
+  if (std::optional<std::string> own = tree(human.key)) {
     return *std::move(own);
   }
-  const KnownTree* known = disk_.known(human.key);
+  const KnownTree* known = disk_->known(human.key);
   std::string generated = generatedTree(scenario, human);
   if (known == nullptr || !known->style) {
     return generated;
@@ -309,17 +293,17 @@ std::string SavePlanner::wantedTree(const sim2d::Scenario& scenario,
                                                    : generatedTree(scenario, human, *known->style);
 }
 
-SavePlan SavePlanner::plan(const QString& path) const {
+SavePlan ScenarioDocument::planSave(const QString& path) const {
   SavePlan plan;
   plan.path = QFileInfo(path).absoluteFilePath();
-  plan.scenario = document_.scenario();
+  plan.scenario = scenario_;
   plan.mapPath = map_.path;
-  if (document_.isReadOnly() && plan.path == document_.path()) {
+  if (isReadOnly() && plan.path == path_) {
     plan.problems.push_back(base::error("document.read-in-part", {}, path.toStdString()));
     return plan;
   }
-  moveRelativePaths(plan.scenario, document_.path(), plan.path);
-  if (plan.path != document_.path()) {
+  moveRelativePaths(plan.scenario, path_, plan.path);
+  if (plan.path != path_) {
     plan.scenario.yamlBaseName = baseNameOf(plan.path);
   }
   placeMap(plan);
@@ -327,15 +311,14 @@ SavePlan SavePlanner::plan(const QString& path) const {
   return plan;
 }
 
-std::vector<TreeQuestion> SavePlanner::questions(const QString& path) const {
-  const SavePlan plan = this->plan(path);
+std::vector<TreeQuestion> ScenarioDocument::treeQuestions(const QString& path) const {
+  const SavePlan plan = planSave(path);
   std::vector<TreeQuestion> questions;
   std::optional<sim2d::ScenarioReading> there;
   for (const PlannedTree& planned : plan.trees) {
-    const auto& human =
-        plan.scenario.humans[static_cast<std::size_t>(document_.indexOf(planned.human))];
+    const auto& human = plan.scenario.humans[static_cast<std::size_t>(indexOf(planned.human))];
     const std::optional<std::string> onDisk = textAt(planned.path);
-    const KnownTree* known = disk_.known(planned.human);
+    const KnownTree* known = disk_->known(planned.human);
     const bool wasRead = known != nullptr && known->path == planned.path;
     const bool isKnown = wasRead && onDisk == known->content;
     TreeQuestion question{human.key, human.name, planned.path, {}, planned.content};
@@ -344,16 +327,16 @@ std::vector<TreeQuestion> SavePlanner::questions(const QString& path) const {
         there = sim2d::readScenario(plan.path.toStdString());
       }
       // A file that was read and has changed since was changed by somebody, if only a comment.
-      if (wasRead || (!isGeneratedTree(*onDisk, plan.scenario, human) &&
+      if (wasRead || (!generatedStyle(*onDisk, plan.scenario, human) &&
                       !isGeneratedForDisk(*onDisk, there->scenario, human.id))) {
         question.mine = *onDisk;
         questions.push_back(std::move(question));
         continue;
       }
     }
-    const auto basis = disk_.bases.find(planned.human);
+    const auto basis = disk_->bases.find(planned.human);
     std::string generated = generatedTree(plan.scenario, human);
-    if (document_.tree(planned.human) && basis != disk_.bases.end() && basis->second != generated) {
+    if (tree(planned.human) && basis != disk_->bases.end() && basis->second != generated) {
       question.mine = planned.content;
       question.replacement = std::move(generated);
       question.why = TreeQuestion::Why::BehaviourChanged;

@@ -15,7 +15,7 @@
 #include "bt/human/TreeBehavior.h"
 #include "editor/document/ScenarioDocument.h"
 #include "sim2d/base/Files.h"
-#include "sim2d/scenario/ScenarioCheck.h"
+#include "sim2d/map/MapReader.h"
 
 /// What a document knows of its files on the disk, and what saving it writes where. Private to this
 /// folder.
@@ -55,17 +55,13 @@ struct DocumentDisk {
   std::optional<std::string> mapFile;  // of the scenario when it was read: an edited one counts
                                        // from the next opening and is saved as it is
   std::map<EntityId, int> lines;       // of entities in the scenario file
-  std::string mapOption, treesOption;
   bool readOnly = false;
   bool isBeginning = false;   // of a damaged file
   std::size_t readCount = 0;  // load problems, the first ones, that are of the scenario file itself
 
-  sim2d::FilePlaces places(const QString& scenario, const QString& shippedMaps) const {
-    return {scenario.toStdString(), mapOption, treesOption, shippedMaps.toStdString()};
-  }
   void note(const QString& file, const std::string& content);
-  void noteFile(const QString& file);  // as it is now
-  void forgetFiles();                  // of the document before
+  void noteFile(const QString& file);                                            // as it is now
+  base::Result<MapState> readMap(const QString& yamlPath, sim2d::MapRule rule);  // and notes it
   const KnownTree* known(EntityId human) const;
   bool holds(const MapState& map) const;  // the cells are those of its file
   /// Somebody has written the name of another file into the settings.
@@ -73,31 +69,6 @@ struct DocumentDisk {
   void noteMapFiles(const SavePlan& plan, const DocumentDisk& before);
   void noteTree(const PlannedTree& written, bool isOwn, std::string generated,
                 const KnownTree* before);
-};
-
-/// Finds out what saving a document would write and what is to be asked before. Looks at the disk,
-/// changes nothing.
-class SavePlanner {
- public:
-  SavePlanner(const ScenarioDocument& document, const DocumentDisk& disk, QString shippedMaps)
-      : document_(document),
-        disk_(disk),
-        map_(document.mapState()),
-        shippedMaps_(std::move(shippedMaps)) {}
-
-  SavePlan plan(const QString& path) const;
-  std::vector<TreeQuestion> questions(const QString& path) const;
-  /// The tree that is saved for a person, and run: the own one, that of the file or the generated.
-  std::string wantedTree(const sim2d::Scenario& scenario, const sim2d::Human& human) const;
-
- private:
-  void placeMap(SavePlan& plan) const;
-  void planTrees(SavePlan& plan) const;
-
-  const ScenarioDocument& document_;
-  const DocumentDisk& disk_;
-  MapState map_;
-  QString shippedMaps_;
 };
 
 /// Where the entities of a document stand in a file that holds it; the two may differ in keys.

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <filesystem>
+#include <utility>
 
 #include <QFileInfo>
 
@@ -9,7 +9,6 @@
 #include "editor/document/EditCommands.h"
 #include "editor/document/EntityLists.h"
 #include "editor/document/MapEdit.h"
-#include "editor/document/QtImageLoader.h"
 #include "editor/document/TreeFiles.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"
@@ -38,6 +37,18 @@ void replaceFirst(base::Diagnostics& problems, std::size_t count, const base::Di
 }
 
 }  // namespace
+
+void ScenarioDocument::tellOfFile() {
+  Q_EMIT pathChanged();
+  Q_EMIT dirtyChanged(isDirty());
+  Q_EMIT issuesChanged(issues());
+}
+
+sim2d::FilePlaces ScenarioDocument::places() const {
+  sim2d::FilePlaces places = search_;
+  places.scenarioPath = path_.toStdString();
+  return places;
+}
 
 base::Diagnostics ScenarioDocument::open(const QString& path) {
   sim2d::ScenarioReading reading = sim2d::readScenario(path.toStdString());
@@ -69,23 +80,20 @@ base::Diagnostics ScenarioDocument::open(const QString& path) {
   base::append(loadDiagnostics_, loadTrees());
   base::Diagnostics told = loadDiagnostics_;
   // without its map a scenario can still be edited; one that was asked for must be there
-  base::append(told, disk_->mapOption.empty() ? asWarnings(mapProblems_) : mapProblems_);
+  base::append(told, search_.mapOption.empty() ? asWarnings(map_.problems) : map_.problems);
   replaced();
-  Q_EMIT pathChanged();
-  Q_EMIT dirtyChanged(false);
-  Q_EMIT issuesChanged(issues());
+  tellOfFile();
   return told;
 }
 
 /// Also tells what keeps it from being there, as `check` does.
 void ScenarioDocument::loadMap() {
-  const base::Result<std::string> found =
-      sim2d::findMap(scenario_, disk_->places(path_, shippedMaps_));
+  const base::Result<std::string> found = sim2d::findMap(scenario_, places());
   MapState map{std::make_shared<sim2d::OccupancyGrid>(), {}, !found, found.diagnostics()};
   sim2d::addPlaceOfMap(map.problems, path_.toStdString());
   if (found && !found->empty()) {
     base::Result<MapState> read =
-        readMapFile(QString::fromStdString(*found), *disk_, mapRuleOf(scenario_));
+        disk_->readMap(QString::fromStdString(*found), mapRuleOf(scenario_));
     if (read) {
       map = *std::move(read);
     } else {
@@ -97,7 +105,7 @@ void ScenarioDocument::loadMap() {
 }
 
 base::Diagnostics ScenarioDocument::openMap(const QString& yamlPath) {
-  base::Result<MapState> map = readMapFile(yamlPath, *disk_, mapRuleOf(scenario_));
+  base::Result<MapState> map = disk_->readMap(yamlPath, mapRuleOf(scenario_));
   const base::Diagnostics problems = map.diagnostics();
   if (map) {
     putMap(*std::move(map));
@@ -107,13 +115,11 @@ base::Diagnostics ScenarioDocument::openMap(const QString& yamlPath) {
 
 base::Diagnostics ScenarioDocument::newOnMap(const QString& yamlPath) {
   DocumentDisk read;
-  base::Result<MapState> map = readMapFile(yamlPath, read, sim2d::MapRule::Humble);
+  base::Result<MapState> map = read.readMap(yamlPath, sim2d::MapRule::Humble);
   const base::Diagnostics problems = map.diagnostics();
   if (map) {
     clear();
-    disk_->maps = std::move(read.maps);
-    disk_->hashes = std::move(read.hashes);
-    disk_->mapImage = read.mapImage;
+    *disk_ = std::move(read);
     putMap(*std::move(map));
   }
   return problems;
@@ -133,13 +139,9 @@ void ScenarioDocument::setMap(std::shared_ptr<const sim2d::OccupancyGrid> map,
 
 MapState ScenarioDocument::exchangeMap(MapState map) {
   Q_ASSERT(map.grid != nullptr);
-  MapState old = mapState();
-  map_ = std::move(map.grid);
-  mapPath_ = map.path;
-  mapIsMissing_ = map.isMissing;
-  mapProblems_ = std::move(map.problems);
+  MapState old = std::exchange(map_, std::move(map));
   Q_EMIT mapChanged();
-  if (!mapProblems_.empty() || !old.problems.empty()) {
+  if (!map_.problems.empty() || !old.problems.empty()) {
     Q_EMIT issuesChanged(issues());
   }
   return old;
@@ -147,9 +149,8 @@ MapState ScenarioDocument::exchangeMap(MapState map) {
 
 base::Diagnostics ScenarioDocument::loadTrees() {
   base::Diagnostics problems;
-  const sim2d::FilePlaces places = disk_->places(path_, shippedMaps_);
   for (const sim2d::Human& human : scenario_.humans) {
-    const std::string file = sim2d::findTree(scenario_, human, places);
+    const std::string file = sim2d::findTree(scenario_, human, places());
     if (file.empty()) {
       continue;
     }
@@ -177,10 +178,9 @@ DocumentSnapshot ScenarioDocument::snapshot() const {
   DocumentSnapshot result;
   result.scenario = scenario_;
   result.trees = trees_;
-  result.map = mapState();
-  const auto onDisk = disk_->maps.find(mapPath_);
-  result.mapIsInFile = map_->isEmpty() || (onDisk != disk_->maps.end() &&
-                                           (onDisk->second == map_ || *onDisk->second == *map_));
+  result.map = map_;
+  result.mapIsInFile =
+      map_.grid->isEmpty() || (disk_->maps.count(map_.path) > 0 && disk_->holds(map_));
   result.path = path_;
   result.readOnly = isReadOnly();
   result.when = QDateTime::currentDateTimeUtc();
@@ -196,10 +196,9 @@ void ScenarioDocument::restoreMap(const DocumentSnapshot& snapshot) {
   if (snapshot.map.path.isEmpty()) {
     return;
   }
-  base::Result<MapState> onDisk = readMapFile(snapshot.map.path, *disk_, mapRuleOf(scenario_));
+  base::Result<MapState> onDisk = disk_->readMap(snapshot.map.path, mapRuleOf(scenario_));
   if (!snapshot.mapIsInFile) {
-    mapPath_ =
-        onDisk ? mapPath_ : QString();  // what was under the paint is gone: a file of its own
+    map_.path = onDisk ? map_.path : QString();  // what was under the paint is gone: its own file
   } else if (onDisk) {
     exchangeMap(*std::move(onDisk));
   } else {
@@ -224,17 +223,7 @@ void ScenarioDocument::restore(DocumentSnapshot snapshot, bool isSaved) {
     }
   }
   replaced();
-  Q_EMIT pathChanged();
-  Q_EMIT dirtyChanged(!isSaved);
-  Q_EMIT issuesChanged(issues());
-}
-
-SavePlanner ScenarioDocument::planner() const {
-  return {*this, *disk_, shippedMaps_};
-}
-
-std::vector<TreeQuestion> ScenarioDocument::treeQuestions(const QString& path) const {
-  return planner().questions(path);
+  tellOfFile();
 }
 
 /// What is decided about trees can be undone like any other edit.
@@ -243,20 +232,19 @@ void ScenarioDocument::answerTrees(const QString& path, const TreeAnswers& answe
     const auto answer = answers.find(question.human);
     const bool keeps = answer == answers.end() || answer->second == TreeAnswer::KeepMine;
     if (question.why == TreeQuestion::Why::ChangedOnDisk && keeps) {
-      undoStack_.push(new EditTree(*this, question.human, question.mine,
-                                   tr("Keep the tree of %1 that is in its file")
-                                       .arg(QString::fromStdString(question.name))));
+      pushTrees(
+          *this, {{question.human, question.mine}},
+          tr("Keep the tree of %1 that is in its file").arg(QString::fromStdString(question.name)));
     } else if (question.why == TreeQuestion::Why::BehaviourChanged && !keeps) {
-      undoStack_.push(new EditTree(
-          *this, question.human, std::nullopt,
-          tr("Take the generated tree of %1").arg(QString::fromStdString(question.name))));
+      pushTrees(*this, {{question.human, std::nullopt}},
+                tr("Take the generated tree of %1").arg(QString::fromStdString(question.name)));
     }
   }
 }
 
 base::Diagnostics ScenarioDocument::save(const QString& path, const TreeAnswers& answers) {
   answerTrees(path, answers);
-  SavePlan plan = planner().plan(path);
+  SavePlan plan = planSave(path);
   if (base::hasErrors(plan.problems)) {
     return plan.problems;
   }
@@ -284,14 +272,13 @@ base::Diagnostics ScenarioDocument::save(const QString& path, const TreeAnswers&
 
 void ScenarioDocument::takeSaved(SavePlan plan) {
   const bool isChanged = !(plan.scenario == scenario_);
-  const bool keepsMapFile = disk_->holds(mapState()) && disk_->isOtherMapWanted(scenario_);
+  const bool keepsMapFile = disk_->holds(map_) && disk_->isOtherMapWanted(scenario_);
   scenario_ = std::move(plan.scenario);
   path_ = plan.path;
-  mapPath_ = plan.mapPath;
+  map_.path = plan.mapPath;
   neverSaved_ = false;
   commentCount_ = 0;
-  const DocumentDisk before = *disk_;
-  disk_->forgetFiles();
+  const DocumentDisk before = std::exchange(*disk_, {});
   disk_->mapFile = keepsMapFile ? before.mapFile : scenario_.desktop.mapFile;
   const std::string text = sim2d::writeScenario(scenario_);
   disk_->note(path_, text);
@@ -299,8 +286,8 @@ void ScenarioDocument::takeSaved(SavePlan plan) {
   disk_->lines = linesOf(scenario_, reading);
   replaceFirst(loadDiagnostics_, before.readCount, reading.diagnostics);
   disk_->readCount = reading.diagnostics.size();
-  if (!mapPath_.isEmpty()) {
-    disk_->maps[mapPath_] = map_;
+  if (!map_.path.isEmpty()) {
+    disk_->maps[map_.path] = map_.grid;
   }
   disk_->noteMapFiles(plan, before);
   for (const PlannedTree& written : plan.trees) {
@@ -309,15 +296,13 @@ void ScenarioDocument::takeSaved(SavePlan plan) {
   }
   disk_->unreadTrees = plan.unreadTrees;
   undoStack_.setClean();
-  if (mapIsMissing_) {
+  if (map_.isMissing) {
     loadMap();  // it may be beside the new place, and lines have moved
   }
   if (isChanged) {
     replaced();
   }
-  Q_EMIT pathChanged();
-  Q_EMIT dirtyChanged(false);
-  Q_EMIT issuesChanged(issues());
+  tellOfFile();
   checkTimer_.start();
 }
 
@@ -331,7 +316,7 @@ std::optional<std::string> ScenarioDocument::treeToRun(EntityId id) const {
   if (*known->style == bt::TreeStyle::Corrected) {
     return std::nullopt;  // means the same as the generator's
   }
-  return planner().wantedTree(scenario_, *person);
+  return wantedTree(scenario_, *person);
 }
 
 app::Bundle ScenarioDocument::bundle() const {
@@ -340,7 +325,7 @@ app::Bundle ScenarioDocument::bundle() const {
   bundle.scenario = std::make_shared<const sim2d::Scenario>(scenario_);
   bundle.isWhole = !disk_->readOnly;
   bundle.isBeginning = disk_->isBeginning;
-  bundle.map = mapIsMissing_ ? nullptr : map_;
+  bundle.map = map_.isMissing ? nullptr : map_.grid;
   bundle.known = surroundings_;
   bundle.lines = disk_->lines;
   bundle.remarks = loadDiagnostics_;
@@ -349,21 +334,20 @@ app::Bundle ScenarioDocument::bundle() const {
     bundle.remarks.push_back(base::error("document.run-in-part", {}, bundle.path));
   }
   const std::string folder = path_.isEmpty() ? std::string() : treeFolderOf(bundle.path);
-  const sim2d::FilePlaces places = disk_->places(path_, shippedMaps_);
   for (const sim2d::Human& human : scenario_.humans) {
     const KnownTree* known = disk_->known(human.key);
     if (std::optional<std::string> text = treeToRun(human.key)) {
       bundle.trees[human.name] = {*std::move(text), known ? known->path : std::string(), folder};
     } else if (known == nullptr && (human.ours.tree || disk_->unreadTrees.count(human.key) > 0)) {
-      bundle.trees[human.name] = sim2d::findTree(scenario_, human, places);
+      bundle.trees[human.name] = sim2d::findTree(scenario_, human, places());
     }
   }
   return bundle;
 }
 
 void ScenarioDocument::setSearch(const QString& map, const QString& trees) {
-  disk_->mapOption = map.toStdString();
-  disk_->treesOption = trees.toStdString();
+  search_.mapOption = map.toStdString();
+  search_.treesOption = trees.toStdString();
 }
 
 bool ScenarioDocument::isReadOnly() const {

@@ -3,27 +3,72 @@
 #include <algorithm>
 #include <iterator>
 
-#include "editor/document/EditDraft.h"
+#include <QUndoCommand>
+
 #include "editor/document/FreeNames.h"
+#include "editor/document/PersonTree.h"
 #include "editor/document/RoutePlan.h"
 
 namespace editor {
 
-bool isListed(const Entity& entity) {
-  return std::visit(
-      [](const auto& value) {
-        if constexpr (kIsNamed<std::decay_t<decltype(value)>>) {
-          return value.listed;
-        } else {
-          return true;
-        }
-      },
-      entity);
-}
-
 namespace {
 
 constexpr int kEditEntity = 1;
+
+/// The one command: redo and undo swap values and trees with the document. Several entities are
+/// swapped in order, and back in the opposite order; dropped when everything is back where it
+/// began.
+class EditEntities : public QUndoCommand {
+ public:
+  EditEntities(ScenarioDocument& document, std::vector<EntityEdit> edits,
+               std::vector<TreeEdit> trees, const QString& text, Merge merge)
+      : QUndoCommand(text),
+        document_(document),
+        edits_(std::move(edits)),
+        trees_(std::move(trees)),
+        mayMerge_(merge == Merge::WithPrevious && trees_.empty()) {}
+
+  void redo() override {
+    const ScenarioDocument::Step step(document_);
+    std::for_each(edits_.begin(), edits_.end(), [this](EntityEdit& edit) { swap(edit); });
+    swapTrees();
+  }
+
+  void undo() override {
+    const ScenarioDocument::Step step(document_);
+    swapTrees();
+    std::for_each(edits_.rbegin(), edits_.rend(), [this](EntityEdit& edit) { swap(edit); });
+  }
+
+  int id() const override { return mayMerge_ ? kEditEntity : -1; }
+
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto* next = static_cast<const EditEntities*>(other);
+    const bool same =
+        next->text() == text() &&
+        std::equal(edits_.begin(), edits_.end(), next->edits_.begin(), next->edits_.end(),
+                   [](const EntityEdit& a, const EntityEdit& b) { return a.entity == b.entity; });
+    if (same) {  // what is kept here are the values before the first of the merged edits
+      setObsolete(std::all_of(edits_.begin(), edits_.end(), [this](const EntityEdit& edit) {
+        return edit.slot.value == document_.entity(edit.entity);
+      }));
+    }
+    return same;
+  }
+
+ private:
+  void swap(EntityEdit& edit) { edit.slot = document_.exchange(edit.entity, std::move(edit.slot)); }
+  void swapTrees() {
+    for (TreeEdit& edit : trees_) {
+      edit.xml = document_.exchangeTree(edit.human, std::move(edit.xml));
+    }
+  }
+
+  ScenarioDocument& document_;
+  std::vector<EntityEdit> edits_;
+  std::vector<TreeEdit> trees_;
+  bool mayMerge_;
+};
 
 QString textFor(const QString& verb, const std::vector<Entity>& values) {
   if (values.size() == 1) {
@@ -83,55 +128,38 @@ void renamePerson(Draft& draft, const std::string& from, const std::optional<std
 
 }  // namespace
 
-EditEntity::EditEntity(ScenarioDocument& document, std::vector<EntityEdit> edits,
-                       const QString& text, Merge merge)
-    : QUndoCommand(text), document_(document), edits_(std::move(edits)), merge_(merge) {}
+void Draft::set(Entity value, int index) {
+  const EntityId id = idOf(value);
+  slotOf(id) = {std::move(value), index};
+}
 
-void EditEntity::redo() {
-  const ScenarioDocument::Step step(document_);
-  for (EntityEdit& edit : edits_) {
-    edit.slot = document_.exchange(edit.entity, std::move(edit.slot));
+void Draft::setTree(EntityId human, std::optional<std::string> xml) {
+  trees_.push_back({human, std::move(xml)});
+}
+
+EntitySlot& Draft::slotOf(EntityId id) {
+  const auto [place, isNew] = places_.emplace(id, edits_.size());
+  if (isNew) {
+    edits_.push_back({id, {}});
   }
+  return edits_[place->second].slot;
 }
 
-void EditEntity::undo() {
-  const ScenarioDocument::Step step(document_);
-  for (auto edit = edits_.rbegin(); edit != edits_.rend(); ++edit) {
-    edit->slot = document_.exchange(edit->entity, std::move(edit->slot));
+void Draft::push(const QString& text, Merge merge) {
+  const auto isIdle = [this](const EntityEdit& edit) {
+    return edit.slot.value == document_.entity(edit.entity) &&
+           (edit.slot.index < 0 || edit.slot.index == document_.indexOf(edit.entity));
+  };
+  edits_.erase(std::remove_if(edits_.begin(), edits_.end(), isIdle), edits_.end());
+  for (const EntityEdit& edit : edits_) {
+    const auto* human = edit.slot.value ? std::get_if<sim2d::Human>(&*edit.slot.value) : nullptr;
+    if (std::optional<std::string> xml = human ? followedTree(document_, *human) : std::nullopt) {
+      setTree(edit.entity, std::move(xml));
+    }
   }
-}
-
-int EditEntity::id() const {
-  return merge_ == Merge::WithPrevious ? kEditEntity : -1;
-}
-
-bool EditEntity::mergeWith(const QUndoCommand* other) {
-  const auto* next = static_cast<const EditEntity*>(other);
-  const bool same =
-      next->text() == text() &&
-      std::equal(edits_.begin(), edits_.end(), next->edits_.begin(), next->edits_.end(),
-                 [](const EntityEdit& a, const EntityEdit& b) { return a.entity == b.entity; });
-  if (!same) {
-    return false;
-  }
-  // What is kept here are the values before the first of the merged edits.
-  setObsolete(std::all_of(edits_.begin(), edits_.end(), [this](const EntityEdit& edit) {
-    return edit.slot.value == document_.entity(edit.entity);
-  }));
-  return true;
-}
-
-EditTree::EditTree(ScenarioDocument& document, std::vector<TreeEdit> edits, const QString& text)
-    : QUndoCommand(text), document_(document), edits_(std::move(edits)) {}
-
-EditTree::EditTree(ScenarioDocument& document, EntityId human, std::optional<std::string> xml,
-                   const QString& text)
-    : EditTree(document, {{human, std::move(xml)}}, text) {}
-
-void EditTree::swap() {
-  const ScenarioDocument::Step step(document_);
-  for (TreeEdit& edit : edits_) {
-    edit.xml = document_.exchangeTree(edit.human, std::move(edit.xml));
+  if (!edits_.empty() || !trees_.empty()) {
+    document_.undoStack().push(
+        new EditEntities(document_, std::move(edits_), std::move(trees_), text, merge));
   }
 }
 
@@ -144,33 +172,33 @@ void pushEdit(ScenarioDocument& document, std::vector<Entity> values, const QStr
     if (!old) {
       continue;
     }
-    const int index = isListed(*old) == isListed(value) ? -1 : places.ofSwitched(value);
+    const int index = isListed(*old) == isListed(value) ? -1 : places.of(value);
     draft.set(std::move(value), index);
   }
-  draft.push(document, text, merge);
+  draft.push(text, merge);
 }
 
 std::vector<EntityId> pushAdd(ScenarioDocument& document, std::vector<Entity> values,
-                              const QString& text) {
+                              const QString& text,
+                              const std::map<std::size_t, std::string>& trees) {
   FreeNames names(document.scenario());
   std::vector<EntityId> ids;
-  std::vector<EntityEdit> edits;
   for (Entity& value : values) {
-    const EntityId id = document.newId(kindOf(value));
-    setId(value, id);
+    ids.push_back(document.newId(kindOf(value)));
+    setId(value, ids.back());
     names.give(value);
-    ids.push_back(id);
   }
   const QString fullText = text.isEmpty() ? textFor(QStringLiteral("Add"), values) : text;
+  Draft draft(document);
   Places places(document.scenario());
   for (Entity& value : values) {
-    const int index = places.ofNew(value);
-    const EntityId id = idOf(value);
-    edits.push_back({id, {std::move(value), index}});
+    const int index = places.of(value);
+    draft.set(std::move(value), index);
   }
-  if (!edits.empty()) {
-    document.undoStack().push(new EditEntity(document, std::move(edits), fullText));
+  for (const auto& [place, xml] : trees) {
+    draft.setTree(ids[place], xml);
   }
+  draft.push(fullText);
   return ids;
 }
 
@@ -193,18 +221,13 @@ void pushRemove(ScenarioDocument& document, const std::vector<EntityId>& ids) {
       renamePerson(draft, human->name, std::nullopt);
     }
   }
-  draft.push(document, textFor(QStringLiteral("Remove"), values));
+  draft.push(textFor(QStringLiteral("Remove"), values));
 }
 
 void pushMove(ScenarioDocument& document, const std::vector<EntityId>& ids, const Vec2& delta,
               Merge merge) {
   pushEach(document, ids, QStringLiteral("Move"), merge,
            [&delta](Entity value) { return moved(std::move(value), delta); });
-}
-
-void pushTurn(ScenarioDocument& document, const std::vector<EntityId>& ids, double heading) {
-  pushEach(document, ids, QStringLiteral("Turn"), Merge::Never,
-           [heading](Entity value) { return turned(std::move(value), heading); });
 }
 
 std::vector<EntityId> pushDuplicate(ScenarioDocument& document, const std::vector<EntityId>& ids,
@@ -214,33 +237,20 @@ std::vector<EntityId> pushDuplicate(ScenarioDocument& document, const std::vecto
       std::remove_if(values.begin(), values.end(),
                      [](const Entity& value) { return kindOf(value) == EntityKind::Scenario; }),
       values.end());
-  if (values.empty()) {
-    return {};
-  }
   const QString text = textFor(QStringLiteral("Duplicate"), values);
-  std::vector<std::optional<std::string>> trees;
-  for (Entity& value : values) {
-    trees.push_back(document.tree(idOf(value)));
-    value = moved(std::move(value), delta, true);
-  }
-  document.undoStack().beginMacro(text);
-  std::vector<EntityId> copies = pushAdd(document, std::move(values), text);
-  std::vector<TreeEdit> edits;
-  for (std::size_t i = 0; i < copies.size(); ++i) {
-    if (trees[i]) {
-      edits.push_back({copies[i], std::move(trees[i])});
+  std::map<std::size_t, std::string> trees;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::optional<std::string> xml = document.tree(idOf(values[i]))) {
+      trees[i] = *std::move(xml);
     }
+    values[i] = moved(std::move(values[i]), delta, true);
   }
-  if (!edits.empty()) {
-    document.undoStack().push(new EditTree(document, std::move(edits), text));
-  }
-  document.undoStack().endMacro();
-  return copies;
+  return pushAdd(document, std::move(values), text, trees);
 }
 
 bool pushRename(ScenarioDocument& document, EntityId id, const std::string& name) {
   std::optional<Entity> value = document.entity(id);
-  if (!value || name.empty() || isNameTaken(document.scenario(), name)) {
+  if (!value || name.empty() || FreeNames(document.scenario()).isTaken(name)) {
     return false;
   }
   const std::string old = nameOf(*value);
@@ -250,7 +260,7 @@ bool pushRename(ScenarioDocument& document, EntityId id, const std::string& name
   }
   setName(*value, name);
   draft.set(*std::move(value));
-  draft.push(document, QStringLiteral("Rename %1").arg(QString::fromStdString(old)));
+  draft.push(QStringLiteral("Rename %1").arg(QString::fromStdString(old)));
   return true;
 }
 
@@ -261,15 +271,11 @@ bool pushGoalNumber(ScenarioDocument& document, EntityId id, int number) {
   }
   const int old = goal->id;
   Draft draft(document);
-  const auto renumber = [old, number](std::vector<int>& goals) {
-    std::replace(goals.begin(), goals.end(), old, number);
-  };
-  draft.forEach<sim2d::Human>([&](sim2d::Human& human) { renumber(human.goals); });
-  draft.forEach<sim2d::Robot>([&](sim2d::Robot& robot) { renumber(robot.goal.goals); });
+  draft.forEachGoalOfRoutes([old, number](int& each) { each = each == old ? number : each; });
   sim2d::GlobalGoal changed = *goal;
   changed.id = number;
   draft.set(changed);
-  draft.push(document, QStringLiteral("Number goal %1").arg(old));
+  draft.push(QStringLiteral("Number goal %1").arg(old));
   return true;
 }
 
@@ -289,15 +295,6 @@ void pushRoute(ScenarioDocument& document, const std::vector<EntityId>& humans,
   }
   const QString text = textFor(QStringLiteral("Route of"), values);
   pushEdit(document, std::move(values), text);
-}
-
-void pushReorder(ScenarioDocument& document, EntityId id, int index) {
-  if (std::optional<Entity> value = document.entity(id)) {
-    Draft draft(document);
-    const QString text = textFor(QStringLiteral("Reorder"), {*value});
-    draft.set(*std::move(value), index);
-    draft.push(document, text);
-  }
 }
 
 void pushReorder(ScenarioDocument& document, const std::vector<EntityId>& ids, int index) {
@@ -320,21 +317,23 @@ void pushReorder(ScenarioDocument& document, const std::vector<EntityId>& ids, i
   for (std::size_t i = 0; i < order.size(); ++i) {  // in order, so that each lands in its place
     draft.set(*document.entity(order[i]), static_cast<int>(i));
   }
-  draft.push(document, textFor(QStringLiteral("Reorder"), valuesOf(document, moving)));
+  draft.push(textFor(QStringLiteral("Reorder"), valuesOf(document, moving)));
 }
 
 void pushListed(ScenarioDocument& document, const std::vector<EntityId>& ids, bool listed) {
   const QString verb = listed ? QStringLiteral("Switch on") : QStringLiteral("Switch off");
   pushEach(document, ids, verb, Merge::Never, [listed](Entity value) {
-    std::visit(
-        [listed](auto& each) {
-          if constexpr (kIsNamed<std::decay_t<decltype(each)>>) {
-            each.listed = listed;
-          }
-        },
-        value);
+    setListed(value, listed);
     return value;
   });
+}
+
+void pushTrees(ScenarioDocument& document, std::vector<TreeEdit> edits, const QString& text) {
+  Draft draft(document);
+  for (TreeEdit& edit : edits) {
+    draft.setTree(edit.human, std::move(edit.xml));
+  }
+  draft.push(text);
 }
 
 }  // namespace editor

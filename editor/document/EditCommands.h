@@ -1,39 +1,15 @@
 #pragma once
 
+#include <map>
 #include <utility>
 #include <vector>
 
-#include <QUndoCommand>
-
+#include "editor/document/EntityLists.h"
 #include "editor/document/ScenarioDocument.h"
 
 namespace editor {
 
 enum class Merge { Never, WithPrevious };  // nudges and spin boxes merge
-
-/// One entity and what it becomes; no value = removed.
-struct EntityEdit {
-  EntityId entity;
-  EntitySlot slot;
-};
-
-/// The one command: redo and undo swap values with the document. Several entities in one command
-/// are swapped in order, and back in the opposite order. Merges with a command of the same text on
-/// the same entities; dropped when everything is back where it began.
-class EditEntity : public QUndoCommand {
- public:
-  EditEntity(ScenarioDocument& document, std::vector<EntityEdit> edits, const QString& text,
-             Merge merge = Merge::Never);
-  void redo() override;
-  void undo() override;
-  int id() const override;
-  bool mergeWith(const QUndoCommand* other) override;
-
- private:
-  ScenarioDocument& document_;
-  std::vector<EntityEdit> edits_;
-  Merge merge_;
-};
 
 /// A person and the own tree to be (XML text); none = the generated one.
 struct TreeEdit {
@@ -41,34 +17,19 @@ struct TreeEdit {
   std::optional<std::string> xml;
 };
 
-/// Swaps the trees of people, each of whom is named once.
-class EditTree : public QUndoCommand {
- public:
-  EditTree(ScenarioDocument& document, std::vector<TreeEdit> edits, const QString& text);
-  EditTree(ScenarioDocument& document, EntityId human, std::optional<std::string> xml,
-           const QString& text);
-  void redo() override { swap(); }
-  void undo() override { swap(); }
-
- private:
-  void swap();
-  ScenarioDocument& document_;
-  std::vector<TreeEdit> edits_;
-};
-
 /// Each function pushes at most one command; nothing is pushed when nothing would change.
 void pushEdit(ScenarioDocument& document, std::vector<Entity> values, const QString& text,
               Merge merge = Merge::Never);
 /// Gives the entities fresh keys, and names and numbers that are free where theirs are empty or
-/// taken. Returns their ids.
+/// taken. `trees`: own ones of people, by place among the entities. Returns their ids.
 std::vector<EntityId> pushAdd(ScenarioDocument& document, std::vector<Entity> values,
-                              const QString& text);
+                              const QString& text,
+                              const std::map<std::size_t, std::string>& trees = {});
 EntityId pushAdd(ScenarioDocument& document, Entity value);
 /// Routes and sources that name what is removed are put right in the same command.
 void pushRemove(ScenarioDocument& document, const std::vector<EntityId>& ids);
 void pushMove(ScenarioDocument& document, const std::vector<EntityId>& ids, const Vec2& delta,
               Merge merge = Merge::Never);
-void pushTurn(ScenarioDocument& document, const std::vector<EntityId>& ids, double heading);
 /// Copies beside the originals, selected by the caller. Goals of a copied person stay shared.
 std::vector<EntityId> pushDuplicate(ScenarioDocument& document, const std::vector<EntityId>& ids,
                                     const Vec2& delta);
@@ -78,14 +39,13 @@ bool pushRename(ScenarioDocument& document, EntityId id, const std::string& name
 bool pushGoalNumber(ScenarioDocument& document, EntityId goal, int number);
 void pushRoute(ScenarioDocument& document, const std::vector<EntityId>& humans,
                const std::vector<int>& goals);
-/// Move an entity to another place in its list.
-void pushReorder(ScenarioDocument& document, EntityId id, int index);
 /// Several of one kind, together and in their order, to before what stands at `index` now; those
 /// that are switched off stay behind the others.
 void pushReorder(ScenarioDocument& document, const std::vector<EntityId>& ids, int index);
-bool isListed(const Entity& entity);  // takes part; goals and settings always do
 /// Switches them on or off.
 void pushListed(ScenarioDocument& document, const std::vector<EntityId>& ids, bool listed);
+/// Also where nothing changes. Each person is named once.
+void pushTrees(ScenarioDocument& document, std::vector<TreeEdit> edits, const QString& text);
 
 /// pushChange<sim2d::Human>(document, id, tr("Speed"), [](sim2d::Human& h) { h.maxVel = 1.2; });
 template <class T, class Change>
@@ -99,10 +59,60 @@ void pushChange(ScenarioDocument& document, EntityId id, const QString& text, Ch
   pushEdit(document, {std::move(*value)}, text, merge);
 }
 
-/// Names and numbers that are free.
-std::string freeName(const sim2d::Scenario& scenario, const std::string& stem);
-int freeGoalId(const sim2d::Scenario& scenario);
-int freeHumanId(const sim2d::Scenario& scenario);
-bool isNameTaken(const sim2d::Scenario& scenario, const std::string& name);
+/// One entity and what it becomes; no value = removed.
+struct EntityEdit {
+  EntityId entity;
+  EntitySlot slot;
+};
+
+/// What a command will change while it is being put together: values by entity, which are the
+/// document's unless edited before, and own trees of people.
+class Draft {
+ public:
+  explicit Draft(ScenarioDocument& document) : document_(document) {}
+
+  void set(Entity value, int index = -1);
+  void remove(EntityId id) { slotOf(id) = {}; }
+  void setTree(EntityId human, std::optional<std::string> xml);
+
+  /// Calls `change` for every entity of type T in the document that is not removed by the draft.
+  template <class T, class Change>
+  void forEach(Change&& change) {
+    for (const T& original : listOf<T>(document_.scenario())) {
+      const auto found = places_.find(original.key);
+      const EntitySlot* slot = found == places_.end() ? nullptr : &edits_[found->second].slot;
+      if (slot != nullptr && !slot->value) {
+        continue;
+      }
+      T value = slot == nullptr ? original : std::get<T>(*slot->value);
+      change(value);
+      if (!(value == original)) {
+        set(std::move(value));
+      }
+    }
+  }
+  /// Calls `change` for the number of every goal in the routes of people and robots.
+  template <class Change>
+  void forEachGoalOfRoutes(Change&& change) {
+    forEach<sim2d::Human>([&](sim2d::Human& human) {
+      std::for_each(human.goals.begin(), human.goals.end(), change);
+    });
+    forEach<sim2d::Robot>([&](sim2d::Robot& robot) {
+      std::for_each(robot.goal.goals.begin(), robot.goal.goals.end(), change);
+    });
+  }
+
+  /// At most one command, which merges with a command of the same text on the same entities when
+  /// it may. Trees with blocks keep up with the behaviour and the goals of their people.
+  void push(const QString& text, Merge merge = Merge::Never);
+
+ private:
+  EntitySlot& slotOf(EntityId id);
+
+  ScenarioDocument& document_;
+  std::vector<EntityEdit> edits_;
+  std::map<EntityId, std::size_t> places_;  // in edits_
+  std::vector<TreeEdit> trees_;
+};
 
 }  // namespace editor

@@ -1,7 +1,5 @@
 #include "editor/document/Entity.h"
 
-#include <tuple>
-
 #include "editor/document/Geometry.h"
 
 namespace editor {
@@ -15,37 +13,29 @@ struct Overloaded : F... {
 template <class... F>
 Overloaded(F...) -> Overloaded<F...>;
 
-Vec2 centreOf(const std::vector<Vec2>& points) {
-  if (points.empty()) {
-    return Vec2::Zero();
-  }
-  Vec2 low = points.front();
-  Vec2 high = points.front();
-  for (const Vec2& point : points) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  return 0.5 * (low + high);
+/// Null: it has none.
+double* headingIn(Entity& entity) {
+  return std::visit(Overloaded{[](sim2d::Human& human) { return &human.initPose.heading; },
+                               [](sim2d::Robot& robot) { return &robot.start.heading; },
+                               [](sim2d::Obstacle& obstacle) {
+                                 const bool isBox = obstacle.kind == sim2d::ObstacleKind::Box;
+                                 return isBox ? &obstacle.pose.heading : nullptr;
+                               },
+                               [](auto&) { return static_cast<double*>(nullptr); }},
+                    entity);
 }
 
-void shift(std::vector<Vec2>& points, const Vec2& delta) {
-  for (Vec2& point : points) {
-    point = rounded(point + delta);
+template <class Change>
+void changePoints(Entity& entity, Change&& change) {
+  for (Vec2* point : pointsIn(entity)) {
+    *point = rounded(change(*point));
   }
-}
-
-bool hasPoints(sim2d::ObstacleKind kind) {
-  return kind == sim2d::ObstacleKind::Polygon || kind == sim2d::ObstacleKind::Wall;
+  if (auto* human = std::get_if<sim2d::Human>(&entity)) {
+    human->hasInitPose = true;
+  }
 }
 
 }  // namespace
-
-bool operator==(const ScenarioSettings& a, const ScenarioSettings& b) {
-  const auto all = [](const ScenarioSettings& v) {
-    return std::tie(v.yamlBaseName, v.simulator, v.map, v.publishPeople, v.desktop);
-  };
-  return all(a) == all(b);
-}
 
 EntityKind kindOf(const Entity& entity) {
   static constexpr EntityKind kKinds[] = {EntityKind::Human,    EntityKind::Robot, EntityKind::Goal,
@@ -70,6 +60,25 @@ std::string nameOf(const Entity& entity) {
                  [](const sim2d::GlobalGoal& goal) { return std::to_string(goal.id); },
                  [](const auto& value) { return value.name; }},
       entity);
+}
+
+void setName(Entity& entity, const std::string& name) {
+  std::visit(Overloaded{[](ScenarioSettings&) {}, [](sim2d::GlobalGoal&) {},
+                        [&name](auto& value) { value.name = name; }},
+             entity);
+}
+
+bool isListed(const Entity& entity) {
+  return std::visit(Overloaded{[](const ScenarioSettings&) { return true; },
+                               [](const sim2d::GlobalGoal&) { return true; },
+                               [](const auto& value) { return value.listed; }},
+                    entity);
+}
+
+void setListed(Entity& entity, bool listed) {
+  std::visit(Overloaded{[](ScenarioSettings&) {}, [](sim2d::GlobalGoal&) {},
+                        [listed](auto& value) { value.listed = listed; }},
+             entity);
 }
 
 QString displayName(const Entity& entity) {
@@ -100,76 +109,68 @@ QString areaKindName(sim2d::AreaKind kind) {
   return QString::fromLatin1(kWords[static_cast<int>(kind)]);
 }
 
-std::optional<Vec2> positionOf(const Entity& entity) {
-  using Position = std::optional<Vec2>;
+std::vector<Vec2*> pointsIn(Entity& entity) {
+  using Points = std::vector<Vec2*>;
+  if (std::vector<Vec2>* corners = cornersOf(entity)) {
+    Points points;
+    for (Vec2& corner : *corners) {
+      points.push_back(&corner);
+    }
+    return points;
+  }
   return std::visit(
-      Overloaded{[](const sim2d::Human& human) { return Position(human.initPose.position); },
-                 [](const sim2d::Robot& robot) { return Position(robot.start.position); },
-                 [](const sim2d::GlobalGoal& goal) { return Position(goal.position); },
-                 [](const sim2d::Obstacle& obstacle) {
-                   return Position(hasPoints(obstacle.kind) ? centreOf(obstacle.points)
-                                                            : obstacle.pose.position);
+      Overloaded{[](sim2d::Human& human) { return Points{&human.initPose.position}; },
+                 [](sim2d::Robot& robot) { return Points{&robot.start.position}; },
+                 [](sim2d::GlobalGoal& goal) { return Points{&goal.position}; },
+                 [](sim2d::Obstacle& obstacle) { return Points{&obstacle.pose.position}; },
+                 [](sim2d::Door& door) {
+                   return Points{&door.from, &door.to};
                  },
-                 [](const sim2d::Door& door) { return Position(0.5 * (door.from + door.to)); },
-                 [](const sim2d::Area& area) { return Position(centreOf(area.points)); },
-                 [](const ScenarioSettings&) { return Position(); }},
+                 [](auto&) { return Points(); }},
       entity);
+}
+
+std::optional<Vec2> positionOf(const Entity& entity) {
+  if (kindOf(entity) == EntityKind::Scenario) {
+    return std::nullopt;
+  }
+  const std::vector<Vec2*> points = pointsIn(const_cast<Entity&>(entity));
+  if (points.empty()) {
+    return Vec2::Zero();
+  }
+  Extent extent{*points.front(), *points.front()};
+  for (const Vec2* point : points) {
+    extent.include({*point, *point});
+  }
+  return extent.centre();
 }
 
 std::optional<double> headingOf(const Entity& entity) {
-  using Heading = std::optional<double>;
-  return std::visit(
-      Overloaded{[](const sim2d::Human& human) { return Heading(human.initPose.heading); },
-                 [](const sim2d::Robot& robot) { return Heading(robot.start.heading); },
-                 [](const sim2d::Obstacle& obstacle) {
-                   return obstacle.kind == sim2d::ObstacleKind::Box ? Heading(obstacle.pose.heading)
-                                                                    : Heading();
-                 },
-                 [](const auto&) { return Heading(); }},
-      entity);
+  const double* heading = headingIn(const_cast<Entity&>(entity));
+  return heading == nullptr ? std::nullopt : std::optional(*heading);
 }
 
 Entity moved(Entity entity, const Vec2& delta, bool withGoal) {
-  std::visit(
-      Overloaded{[&](sim2d::Human& human) {
-                   human.initPose.position = rounded(human.initPose.position + delta);
-                   human.hasInitPose = true;
-                 },
-                 [&](sim2d::Robot& robot) {
-                   robot.start.position = rounded(robot.start.position + delta);
-                   if (withGoal && robot.goal.point) {
-                     *robot.goal.point = rounded(*robot.goal.point + delta);
-                   }
-                 },
-                 [&](sim2d::GlobalGoal& goal) { goal.position = rounded(goal.position + delta); },
-                 [&](sim2d::Obstacle& obstacle) {
-                   if (hasPoints(obstacle.kind)) {
-                     shift(obstacle.points, delta);
-                   } else {
-                     obstacle.pose.position = rounded(obstacle.pose.position + delta);
-                   }
-                 },
-                 [&](sim2d::Door& door) {
-                   door.from = rounded(door.from + delta);
-                   door.to = rounded(door.to + delta);
-                 },
-                 [&](sim2d::Area& area) { shift(area.points, delta); }, [](ScenarioSettings&) {}},
-      entity);
+  changePoints(entity, [&delta](const Vec2& point) -> Vec2 { return point + delta; });
+  auto* robot = std::get_if<sim2d::Robot>(&entity);
+  if (robot != nullptr && withGoal && robot->goal.point) {
+    *robot->goal.point = rounded(*robot->goal.point + delta);
+  }
   return entity;
 }
 
 Entity turned(Entity entity, double heading) {
-  const double wrapped = base::wrapToPi(heading);
-  std::visit(Overloaded{[&](sim2d::Human& human) { human.initPose.heading = wrapped; },
-                        [&](sim2d::Robot& robot) { robot.start.heading = wrapped; },
-                        [&](sim2d::Obstacle& obstacle) {
-                          if (obstacle.kind == sim2d::ObstacleKind::Box) {
-                            obstacle.pose.heading = wrapped;
-                          }
-                        },
-                        [](auto&) {}},
-             entity);
+  if (double* own = headingIn(entity)) {
+    *own = base::wrapToPi(heading);
+  }
   return entity;
+}
+
+Entity rotated(Entity entity, const Vec2& centre, double angle) {
+  const Pose2 turn{centre, angle};
+  changePoints(entity, [&](const Vec2& point) { return turn.toWorld(point - centre); });
+  const std::optional<double> heading = headingOf(entity);
+  return heading ? turned(std::move(entity), *heading + angle) : entity;
 }
 
 }  // namespace editor

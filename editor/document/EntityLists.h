@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -9,33 +10,18 @@
 
 namespace editor {
 
-/// Has a name and can be switched off; goals have numbers and always take part.
-template <class T>
-constexpr bool kIsNamed =
-    !std::is_same_v<T, sim2d::GlobalGoal> && !std::is_same_v<T, ScenarioSettings>;
-
 /// The list of a scenario that holds the entities of type T.
 template <class T, class S>
 auto& listOf(S& scenario) {
-  if constexpr (std::is_same_v<T, sim2d::Human>) {
-    return scenario.humans;
-  } else if constexpr (std::is_same_v<T, sim2d::Robot>) {
-    return scenario.robots;
-  } else if constexpr (std::is_same_v<T, sim2d::GlobalGoal>) {
-    return scenario.goals;
-  } else if constexpr (std::is_same_v<T, sim2d::Obstacle>) {
-    return scenario.obstacles;
-  } else if constexpr (std::is_same_v<T, sim2d::Door>) {
-    return scenario.doors;
-  } else {
-    static_assert(std::is_same_v<T, sim2d::Area>);
-    return scenario.areas;
-  }
+  using List = std::conditional_t<std::is_const_v<S>, const std::vector<T>, std::vector<T>>;
+  return std::get<List&>(std::tie(scenario.humans, scenario.goals, scenario.robots,
+                                  scenario.obstacles, scenario.doors, scenario.areas));
 }
 
 /// Calls `visitor` with the list of that kind; `otherwise` is returned for kinds without a list.
-template <class S, class Visitor, class R>
-R withList(S& scenario, EntityKind kind, Visitor&& visitor, R otherwise) {
+template <class S, class Visitor,
+          class R = std::invoke_result_t<Visitor, decltype((std::declval<S&>().humans))>>
+R withList(S& scenario, EntityKind kind, Visitor&& visitor, R otherwise = R()) {
   forEachList(scenario, [&](EntityKind each, auto& list) {
     if (each == kind) {
       otherwise = visitor(list);

@@ -1,13 +1,17 @@
 #include "editor/document/Fixes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <memory>
 #include <string_view>
 
 #include "editor/document/BehaviorValues.h"
 #include "editor/document/EditCommands.h"
-#include "editor/document/FixEdits.h"
+#include "editor/document/FreeNames.h"
 #include "editor/document/MapEdit.h"
+#include "editor/document/RoutePlan.h"
+#include "sim2d/map/PathPlanner.h"
 #include "sim2d/scenario/Defaults.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 
@@ -17,210 +21,329 @@ namespace {
 
 using base::Diagnostic;
 
-QString tr(const char* text) {
-  return QObject::tr(text);
+/// Mends a problem by one step of that name.
+using Action = std::function<void(ScenarioDocument&, const Diagnostic&, const QString& text)>;
+
+/// Changes what the problem is about.
+template <class T, class Change>
+Action edit(Change change) {
+  return [change](ScenarioDocument& document, const Diagnostic& problem, const QString& text) {
+    pushChange<T>(document, problem.entity, text, change);
+  };
 }
 
-/// A step on one entity of that type.
-template <class T, class Edit>
-Fix edit(const QString& words, EntityId id, Edit change) {
-  return {words, [words, id, change](ScenarioDocument& document) {
-            pushChange<T>(document, id, words, change);
-          }};
+constexpr double kFarthest = 30.0;  // [m]
+constexpr double kMargin = 0.05;    // beside the radius, so that the place holds [m]
+
+/// Rings of growing size round `centre`, in steps of a metre.
+std::vector<Vec2> probes(const Vec2& centre) {
+  std::vector<Vec2> points = {centre};
+  for (double ring = 1.0; ring <= kFarthest; ring += 1.0) {
+    const int count = std::max(8, static_cast<int>(std::lround(base::kPi * ring)));
+    for (int i = 0; i < count; ++i) {
+      points.emplace_back(centre + ring * base::directionOf(2.0 * base::kPi * i / count));
+    }
+  }
+  return points;
 }
 
-/// A step that gets the words of its button.
-template <class Edit>
-Fix step(const QString& words, Edit change) {
-  return {words, [words, change](ScenarioDocument& document) { change(document, words); }};
+double widestVisitor(const sim2d::Scenario& scenario, int goal) {
+  double radius = 0.0;
+  const auto visits = [goal](const std::vector<int>& goals) {
+    return std::find(goals.begin(), goals.end(), goal) != goals.end();
+  };
+  for (const sim2d::Human& human : scenario.humans) {
+    if (human.listed && visits(human.goals)) {
+      radius = std::max(radius, sim2d::resolveHuman(scenario, human, 0).radius);
+    }
+  }
+  for (const sim2d::Robot& robot : scenario.robots) {
+    if (robot.listed && visits(robot.goal.goals)) {
+      radius = std::max(radius, sim2d::resolveRobot(scenario, robot, -1).radius);
+    }
+  }
+  return radius;
 }
 
-Fix intoFreePlace(const ScenarioDocument&, EntityId id, const Diagnostic& problem) {
-  const bool robotGoal = id.kind == EntityKind::Robot && problem.value("place") == "goal";
-  return step(tr("Move it out of the wall"),
-              [id, robotGoal](ScenarioDocument& document, const QString& words) {
-                moveToFreePlace(document, id, robotGoal, words);
-              });
+struct Stand {
+  Vec2 point = Vec2::Zero();
+  double radius = 0.0;
+};
+
+Stand standOf(const sim2d::Scenario& scenario, const Entity& entity, bool robotGoal) {
+  if (const auto* human = std::get_if<sim2d::Human>(&entity)) {
+    return {human->initPose.position, sim2d::resolveHuman(scenario, *human, 0).radius};
+  }
+  if (const auto* robot = std::get_if<sim2d::Robot>(&entity)) {
+    const Vec2 at = robotGoal && robot->goal.point ? *robot->goal.point : robot->start.position;
+    return {at, sim2d::resolveRobot(scenario, *robot, -1).radius};
+  }
+  const auto& goal = std::get<sim2d::GlobalGoal>(entity);
+  return {goal.position, widestVisitor(scenario, goal.id)};
 }
 
-Fix numberPeople(const ScenarioDocument&, EntityId, const Diagnostic&) {
-  return step(tr("Renumber people"), renumberPeople);
+/// The nearest place within 30 m where a body fits between walls and obstacles, `near` itself when
+/// it does; nothing when there is none.
+std::optional<Vec2> freePlace(const ScenarioDocument& document, const Vec2& near, double radius) {
+  const sim2d::Scenario& scenario = document.scenario();
+  const sim2d::Surroundings around = sim2d::makeSurroundings(scenario, *document.map());
+  const std::vector<Vec2> points = probes(near);
+  const auto field = std::make_shared<sim2d::DistanceField>(around.grid, around.obstacles, points);
+  for (const double margin : {kMargin, 0.0}) {
+    const sim2d::PathPlanner planner(field, radius + margin);
+    for (const Vec2& point : points) {
+      if (const std::optional<Vec2> fit = planner.nearestFit(point)) {
+        return fit;
+      }
+    }
+  }
+  return std::nullopt;
 }
 
-Fix numberGoals(const ScenarioDocument&, EntityId, const Diagnostic&) {
-  return step(tr("Renumber goals"), renumberGoals);
+/// A person's or robot's start, a robot's own goal point, or a goal (for the widest who visit it).
+void moveToFreePlace(ScenarioDocument& document, const Diagnostic& problem, const QString& text) {
+  std::optional<Entity> value = document.entity(problem.entity);
+  if (!value) {
+    return;
+  }
+  const bool robotGoal = problem.value("place") == "goal";
+  const Stand stand = standOf(document.scenario(), *value, robotGoal);
+  const std::optional<Vec2> place = freePlace(document, stand.point, stand.radius);
+  if (!place) {
+    return;
+  }
+  if (auto* robot = std::get_if<sim2d::Robot>(&*value)) {
+    (robotGoal ? robot->goal.point.emplace() : robot->start.position) = *place;
+  } else {
+    value = moved(*std::move(value), *place - stand.point);
+  }
+  pushEdit(document, {*std::move(value)}, text);
 }
 
-Fix withoutGoal(const ScenarioDocument&, EntityId id, const Diagnostic& problem) {
+/// 1, 2, 3 … in the order of the list, those that are switched off last.
+void renumberPeople(ScenarioDocument& document, const Diagnostic&, const QString& text) {
+  std::vector<Entity> people;
+  int next = 1;
+  for (const bool listed : {true, false}) {
+    for (sim2d::Human human : document.scenario().humans) {
+      if (human.listed == listed) {
+        human.id = next++;
+        people.emplace_back(std::move(human));
+      }
+    }
+  }
+  pushEdit(document, std::move(people), text);
+}
+
+/// 1, 2, 3 … in the order of the numbers; routes follow.
+void renumberGoals(ScenarioDocument& document, const Diagnostic&, const QString& text) {
+  std::vector<sim2d::GlobalGoal> goals = document.scenario().goals;
+  std::stable_sort(goals.begin(), goals.end(),
+                   [](const auto& a, const auto& b) { return a.id < b.id; });
+  std::map<int, int> numbers;  // a number that is there twice stays with the first
+  Draft draft(document);
+  int next = 1;
+  for (sim2d::GlobalGoal& goal : goals) {
+    numbers.emplace(goal.id, next);
+    goal.id = next++;
+    draft.set(std::move(goal));
+  }
+  draft.forEachGoalOfRoutes([&numbers](int& goal) {
+    const auto found = numbers.find(goal);
+    goal = found == numbers.end() ? goal : found->second;
+  });
+  draft.push(text);
+}
+
+void leaveOutGoal(ScenarioDocument& document, const Diagnostic& problem, const QString& text) {
+  std::optional<Entity> value = document.entity(problem.entity);
   const int goal = std::stoi(problem.value("goal"));
-  return step(tr("Remove goal %1 from the route").arg(goal),
-              [id, goal](ScenarioDocument& document, const QString& words) {
-                dropGoal(document, id, goal, words);
-              });
+  const auto without = [goal](std::vector<int> goals) {
+    goals.erase(std::remove(goals.begin(), goals.end(), goal), goals.end());
+    return goals;
+  };
+  if (auto* human = value ? std::get_if<sim2d::Human>(&*value) : nullptr) {
+    setGoals(*human, without(human->goals));
+  } else if (auto* robot = value ? std::get_if<sim2d::Robot>(&*value) : nullptr) {
+    robot->goal.goals = without(robot->goal.goals);
+  } else {
+    return;
+  }
+  pushEdit(document, {*std::move(value)}, text);
 }
 
-Fix withoutRobotGoal(const ScenarioDocument&, EntityId id, const Diagnostic&) {
-  return edit<sim2d::Robot>(tr("Remove the goal"), id,
-                            [](sim2d::Robot& robot) { robot.goal.point.reset(); });
+void giveFreeName(ScenarioDocument& document, const Diagnostic& problem, const QString& text) {
+  std::optional<Entity> value = document.entity(problem.entity);
+  if (!value) {
+    return;
+  }
+  const std::string stem = allowedName(*value);
+  FreeNames names(document.scenario());
+  const bool usable = stem != nameOf(*value) && !names.isTaken(stem);
+  setName(*value, usable ? stem : names.name(stem));
+  pushEdit(document, {*std::move(value)}, text);
 }
 
-Fix otherName(const ScenarioDocument&, EntityId id, const Diagnostic&) {
-  return step(tr("Give another name"), [id](ScenarioDocument& document, const QString& words) {
-    giveFreeName(document, id, words);
-  });
+/// In a free place near the people, its goal on their other side.
+void addRobot(ScenarioDocument& document, const Diagnostic&, const QString&) {
+  Vec2 centre = Vec2::Zero();
+  int count = 0;
+  for (const sim2d::Human& human : document.scenario().humans) {
+    centre += human.initPose.position;
+    ++count;
+  }
+  centre /= std::max(count, 1);
+  const double radius = sim2d::resolveRobot({}, {}, -1).radius;
+  sim2d::Robot robot;
+  const Vec2 start = centre + Vec2(-2.0, 0.0);
+  const Vec2 goal = centre + Vec2(2.0, 0.0);
+  robot.start.position = freePlace(document, start, radius).value_or(start);
+  robot.goal.point = freePlace(document, goal, radius).value_or(goal);
+  robot.start.heading = base::headingOf(*robot.goal.point - robot.start.position);
+  document.setSelection({pushAdd(document, robot)});
 }
 
-Fix clampNumbers(const ScenarioDocument&, EntityId id, const Diagnostic&) {
-  return edit<sim2d::Human>(tr("Clamp to the range"), id, [](sim2d::Human& human) {
-    const auto clamp = [](std::optional<double>& value, double low, double high) {
-      value = value ? std::optional(std::clamp(*value, low, high)) : std::nullopt;
-    };
-    sim2d::Behavior& behavior = human.behavior;
-    if (behavior.configuration != sim2d::Configuration::Custom) {
-      clamp(behavior.goalForceFactor, 2.0, 5.0);
-      clamp(behavior.obstacleForceFactor, 2.0, 50.0);
-      clamp(behavior.socialForceFactor, 5.0, 20.0);
-      clamp(behavior.otherForceFactor, 0.0, 25.0);
-    }
-    if (behavior.vel) {
-      behavior.vel = std::min(*behavior.vel, 1.8);
-    }
-  });
+void clampNumbers(sim2d::Human& human) {
+  const auto clamp = [](std::optional<double>& value, double low, double high) {
+    value = value ? std::optional(std::clamp(*value, low, high)) : std::nullopt;
+  };
+  sim2d::Behavior& behavior = human.behavior;
+  if (behavior.configuration != sim2d::Configuration::Custom) {
+    clamp(behavior.goalForceFactor, 2.0, 5.0);
+    clamp(behavior.obstacleForceFactor, 2.0, 50.0);
+    clamp(behavior.socialForceFactor, 5.0, 20.0);
+    clamp(behavior.otherForceFactor, 0.0, 25.0);
+  }
+  if (behavior.vel) {
+    behavior.vel = std::min(*behavior.vel, 1.8);
+  }
 }
 
-Fix clampSkin(const ScenarioDocument& document, EntityId id, const Diagnostic&) {
+void clampSkin(ScenarioDocument& document, const Diagnostic& problem, const QString& text) {
   const int most = sim2d::largestSkin(document.scenario().simulator.value_or(std::string()));
-  return edit<sim2d::Human>(tr("Clamp to the range"), id, [most](sim2d::Human& human) {
+  pushChange<sim2d::Human>(document, problem.entity, text, [most](sim2d::Human& human) {
     human.skin = std::clamp(human.skin.value_or(0), 0, most);
   });
 }
 
-Fix wholeReaction(const ScenarioDocument& document, EntityId id, const Diagnostic&) {
-  const sim2d::Human* human = document.human(id);
-  sim2d::Human whole = human == nullptr ? sim2d::Human() : *human;
-  completeReaction(document.scenario(), whole);
-  return edit<sim2d::Human>(
-      tr("Write these values"), id,
-      [behavior = whole.behavior](sim2d::Human& person) { person.behavior = behavior; });
-}
-
-Fix writePose(const ScenarioDocument&, EntityId id, const Diagnostic&) {
-  return edit<sim2d::Human>(tr("Write the start 0, 0"), id,
-                            [](sim2d::Human& human) { human.hasInitPose = true; });
-}
-
-Fix fitWaits(const ScenarioDocument&, EntityId id, const Diagnostic&) {
-  return edit<sim2d::Human>(tr("One wait for each goal"), id, [](sim2d::Human& human) {
-    human.ours.wait.resize(human.goals.size(), 0.0);
+void writeWholeReaction(ScenarioDocument& document, const Diagnostic& problem,
+                        const QString& text) {
+  pushChange<sim2d::Human>(document, problem.entity, text, [&document](sim2d::Human& human) {
+    completeReaction(document.scenario(), human);
   });
 }
 
-Fix giveGoals(const ScenarioDocument&, EntityId, const Diagnostic&) {
-  return {tr("Give goals…"), {}, true};
-}
-
 /// "did you mean": what was meant, else the default.
-Fix knownWord(const ScenarioDocument&, EntityId id, const Diagnostic& problem) {
+void useKnownWord(ScenarioDocument& document, const Diagnostic& problem, const QString& text) {
   const std::string nearest = problem.value("nearest");
   const std::optional<std::string> word = nearest.empty() ? std::nullopt : std::optional(nearest);
-  const QString words =
-      word ? tr("Use '%1'").arg(QString::fromStdString(nearest)) : tr("Use the default");
-  if (id.kind == EntityKind::Human) {
-    return edit<sim2d::Human>(words, id, [word](sim2d::Human& human) { human.ours.model = word; });
-  }
-  if (id.kind == EntityKind::Robot) {
-    const bool type = problem.value("key") == "type";
-    return edit<sim2d::Robot>(words, id, [word, type](sim2d::Robot& robot) {
-      (type ? robot.type : robot.planner) = word;
-    });
-  }
-  return edit<ScenarioSettings>(
-      words, id, [word](ScenarioSettings& settings) { settings.desktop.model = word; });
+  const EntityId id = problem.entity;
+  pushChange<sim2d::Human>(document, id, text,
+                           [&](sim2d::Human& human) { human.ours.model = word; });
+  pushChange<sim2d::Robot>(document, id, text, [&](sim2d::Robot& robot) {
+    (problem.value("key") == "type" ? robot.type : robot.planner) = word;
+  });
+  pushChange<ScenarioSettings>(document, id, text,
+                               [&](ScenarioSettings& settings) { settings.desktop.model = word; });
 }
 
-Fix copySomebody(const ScenarioDocument& document, EntityId id, const Diagnostic&) {
+/// The one who is copied by a source that names nobody.
+std::string firstPerson(const ScenarioDocument& document, const Diagnostic&) {
   const std::vector<sim2d::Human>& people = document.scenario().humans;
-  if (people.empty()) {
-    return {};
-  }
-  const std::string name = people.front().name;
-  return edit<sim2d::Area>(tr("Copy %1").arg(QString::fromStdString(name)), id,
-                           [name](sim2d::Area& area) { area.like = name; });
+  return people.empty() ? std::string() : people.front().name;
 }
 
-Fix giveRate(const ScenarioDocument&, EntityId id, const Diagnostic&) {
-  return edit<sim2d::Area>(tr("One every 10 s"), id, [](sim2d::Area& area) { area.rate = 0.1; });
+void copyFirstPerson(ScenarioDocument& document, const Diagnostic& problem, const QString& text) {
+  pushChange<sim2d::Area>(document, problem.entity, text,
+                          [&](sim2d::Area& area) { area.like = firstPerson(document, problem); });
 }
 
-Fix swapTimes(const ScenarioDocument&, EntityId id, const Diagnostic&) {
-  return edit<sim2d::Area>(tr("Swap the times"), id,
-                           [](sim2d::Area& area) { std::swap(area.from, area.until); });
+std::string plainMapName(const ScenarioDocument& document, const Diagnostic&) {
+  return sim2d::mapBaseName(document.scenario().map.value_or(std::string()));
 }
 
-Fix removeIt(const ScenarioDocument&, EntityId id, const Diagnostic&) {
-  return {tr("Remove it"), [id](ScenarioDocument& document) { pushRemove(document, {id}); }};
+void writeMapName(ScenarioDocument& document, const Diagnostic& problem, const QString& text) {
+  pushChange<ScenarioSettings>(document, kSettingsId, text, [&](ScenarioSettings& settings) {
+    settings.map = plainMapName(document, problem);
+  });
 }
 
-Fix plainMapName(const ScenarioDocument& document, EntityId, const Diagnostic&) {
-  const std::string name = sim2d::mapBaseName(document.scenario().map.value_or(std::string()));
-  return edit<ScenarioSettings>(tr("Write '%1'").arg(QString::fromStdString(name)), kSettingsId,
-                                [name](ScenarioSettings& settings) { settings.map = name; });
+void openPlane(ScenarioDocument& document, const Diagnostic&, const QString&) {
+  pushOpenPlane(document);
 }
 
-Fix aRobot(const ScenarioDocument&, EntityId, const Diagnostic&) {
-  return {tr("Add a robot"), [](ScenarioDocument& document) { addRobot(document); }};
+void removeIt(ScenarioDocument& document, const Diagnostic& problem, const QString&) {
+  pushRemove(document, {problem.entity});
 }
 
-Fix openPlane(const ScenarioDocument&, EntityId, const Diagnostic&) {
-  return {tr("Open plane"), pushOpenPlane};
+std::string goalOf(const ScenarioDocument&, const Diagnostic& problem) {
+  return problem.value("goal");
+}
+
+std::string nearestWord(const ScenarioDocument&, const Diagnostic& problem) {
+  return problem.value("nearest");
 }
 
 /// What the command line names, the scenario cannot mend.
-Fix openPlaneForFile(const ScenarioDocument& document, EntityId id, const Diagnostic& problem) {
-  return problem.value("key") == "map_file" ? openPlane(document, id, problem) : Fix();
+std::string ownMapFile(const ScenarioDocument&, const Diagnostic& problem) {
+  return problem.value("key") == "map_file" ? "map_file" : std::string();
 }
 
-using Maker = Fix (*)(const ScenarioDocument&, EntityId, const Diagnostic&);
+struct Rule {
+  std::vector<std::string_view> codes;
+  const char* words;
+  Action mend;  // none: it needs a hand
+  /// What fills the hole of the words; where it is empty the rule does not hold.
+  std::string (*value)(const ScenarioDocument&, const Diagnostic&) = nullptr;
+};
 
-Maker makerFor(std::string_view code) {
-  static const std::map<std::string_view, Maker> kMakers = {
-      {"places.moved", intoFreePlace},
-      {"places.no-place", intoFreePlace},
-      {"scenario.ids-not-in-order", numberPeople},
-      {"scenario.id-twice", numberPeople},
-      {"scenario.id-negative", numberPeople},
-      {"scenario.goal-missing", numberGoals},
-      {"scenario.goal-below-one", numberGoals},
-      {"scenario.goal-twice", numberGoals},
-      {"scenario.goal-undefined", withoutGoal},
-      {"places.no-way", withoutGoal},
-      {"places.no-way-to-point", withoutRobotGoal},
-      {"scenario.name-twice", otherName},
-      {"scenario.bad-person-name", otherName},
-      {"person.name-is-key", otherName},
-      {"scenario.bad-name", otherName},
-      {"person.out-of-range", clampNumbers},
-      {"person.vel-too-high", clampNumbers},
-      {"person.skin-unknown", clampSkin},
-      {"person.behavior-incomplete", wholeReaction},
-      {"person.no-init-pose", writePose},
-      {"person.wait-count", fitWaits},
-      {"person.no-goals", giveGoals},
-      {"scenario.unknown-word", knownWord},
-      {"source.no-like", copySomebody},
-      {"source.like-unknown", copySomebody},
-      {"source.no-rate", giveRate},
-      {"source.until-before-from", swapTimes},
-      {"shape.door-without-length", removeIt},
-      {"scenario.map-name", plainMapName},
-      {"map.not-found", openPlane},
-      {"map.not-there", openPlaneForFile},
-      {"map.is-folder", openPlaneForFile},
-      {"map.not-named", openPlane},
-      {"scenario.no-robot", aRobot},
+std::vector<Rule> rules() {
+  return {
+      {{"places.moved", "places.no-place"}, "Move it out of the wall", moveToFreePlace},
+      {{"scenario.ids-not-in-order", "scenario.id-twice", "scenario.id-negative"},
+       "Renumber people",
+       renumberPeople},
+      {{"scenario.goal-missing", "scenario.goal-below-one", "scenario.goal-twice"},
+       "Renumber goals",
+       renumberGoals},
+      {{"scenario.goal-undefined", "places.no-way"},
+       "Remove goal %1 from the route",
+       leaveOutGoal,
+       goalOf},
+      {{"places.no-way-to-point"}, "Remove the goal", edit<sim2d::Robot>([](sim2d::Robot& robot) {
+         robot.goal.point.reset();
+       })},
+      {{"scenario.name-twice", "scenario.bad-person-name", "person.name-is-key",
+        "scenario.bad-name"},
+       "Give another name",
+       giveFreeName},
+      {{"person.out-of-range", "person.vel-too-high"},
+       "Clamp to the range",
+       edit<sim2d::Human>(clampNumbers)},
+      {{"person.skin-unknown"}, "Clamp to the range", clampSkin},
+      {{"person.behavior-incomplete"}, "Write these values", writeWholeReaction},
+      {{"person.no-init-pose"}, "Write the start 0, 0", edit<sim2d::Human>([](sim2d::Human& human) {
+         human.hasInitPose = true;
+       })},
+      {{"person.wait-count"}, "One wait for each goal", edit<sim2d::Human>([](sim2d::Human& human) {
+         human.ours.wait.resize(human.goals.size(), 0.0);
+       })},
+      {{"person.no-goals"}, "Give goals…", {}},
+      {{"scenario.unknown-word"}, "Use '%1'", useKnownWord, nearestWord},
+      {{"scenario.unknown-word"}, "Use the default", useKnownWord},
+      {{"source.no-like", "source.like-unknown"}, "Copy %1", copyFirstPerson, firstPerson},
+      {{"source.no-rate"}, "One every 10 s", edit<sim2d::Area>([](sim2d::Area& area) {
+         area.rate = 0.1;
+       })},
+      {{"source.until-before-from"}, "Swap the times", edit<sim2d::Area>([](sim2d::Area& area) {
+         std::swap(area.from, area.until);
+       })},
+      {{"shape.door-without-length"}, "Remove it", removeIt},
+      {{"scenario.map-name"}, "Write '%1'", writeMapName, plainMapName},
+      {{"map.not-found", "map.not-named"}, "Open plane", openPlane},
+      {{"map.not-there", "map.is-folder"}, "Open plane", openPlane, ownMapFile},
+      {{"scenario.no-robot"}, "Add a robot", addRobot},
   };
-  const auto found = kMakers.find(code);
-  return found == kMakers.end() ? nullptr : found->second;
 }
 
 }  // namespace
@@ -229,9 +352,23 @@ std::optional<Fix> fixFor(const ScenarioDocument& document, const base::Diagnost
   if (!problem.entity || !document.contains(problem.entity)) {
     return std::nullopt;
   }
-  const Maker make = makerFor(problem.code);
-  Fix fix = make == nullptr ? Fix() : make(document, problem.entity, problem);
-  return fix.words.isEmpty() ? std::nullopt : std::optional(std::move(fix));
+  static const std::vector<Rule> kRules = rules();
+  for (const Rule& rule : kRules) {
+    const bool isMeant = std::count(rule.codes.begin(), rule.codes.end(), problem.code) > 0;
+    const std::string value = isMeant && rule.value ? rule.value(document, problem) : std::string();
+    if (!isMeant || (rule.value && value.empty())) {
+      continue;
+    }
+    QString words = QObject::tr(rule.words);
+    words.replace(QStringLiteral("%1"), QString::fromStdString(value));
+    if (!rule.mend) {
+      return Fix{words, {}, true};
+    }
+    return Fix{words, [mend = rule.mend, problem, words](ScenarioDocument& edited) {
+                 mend(edited, problem, words);
+               }};
+  }
+  return std::nullopt;
 }
 
 void applyToAll(ScenarioDocument& document, const base::Diagnostics& problems,

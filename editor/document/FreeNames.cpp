@@ -23,6 +23,17 @@ std::string withoutNumber(const std::string& name) {
 
 }  // namespace
 
+std::string allowedName(const Entity& entity) {
+  std::string stem;
+  for (const char letter : nameOf(entity)) {
+    const bool fine = (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+                      (letter >= '0' && letter <= '9') || letter == '_';
+    stem += fine ? letter : '_';
+  }
+  const bool startsWell = !stem.empty() && (stem[0] < '0' || stem[0] > '9') && stem[0] != '_';
+  return startsWell ? stem : kindName(kindOf(entity)).toStdString() + stem;
+}
+
 FreeNames::FreeNames(const sim2d::Scenario& scenario) {
   forEachList(scenario, [this](EntityKind /*kind*/, const auto& list) {
     for (const auto& value : list) {
@@ -72,77 +83,34 @@ void FreeNames::give(Entity& value) {
 Places::Places(const sim2d::Scenario& scenario) {
   forEachList(scenario, [this](EntityKind kind, const auto& list) {
     for (const auto& value : list) {
+      Row row{value.key, true, 0};
       if constexpr (kIsNamed<std::decay_t<decltype(value)>>) {
-        ++countOf(kind, value.listed);
-      } else {
-        ++countOf(kind, true);
+        row.listed = value.listed;
       }
+      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, sim2d::Human>) {
+        row.number = value.id;
+      }
+      rows_[kind].push_back(row);
     }
   });
-  for (const sim2d::Human& human : scenario.humans) {
-    if (human.listed) {
-      people_.push_back(human.id);
-    }
-  }
 }
 
-int Places::ofNew(const Entity& value) {
+int Places::of(const Entity& value) {
+  std::vector<Row>& rows = rows_[kindOf(value)];
   const auto* human = std::get_if<sim2d::Human>(&value);
-  if (human != nullptr && human->listed) {
-    people_.push_back(human->id);
+  const Row row{idOf(value), isListed(value), human == nullptr ? 0 : human->id};
+  const auto old =
+      std::find_if(rows.begin(), rows.end(), [&](const Row& other) { return other.id == row.id; });
+  const bool isBack = human != nullptr && row.listed && old != rows.end();
+  if (old != rows.end()) {
+    rows.erase(old);
   }
-  return place(kindOf(value), isListed(value));
-}
-
-int Places::ofSwitched(const Entity& value) {
-  --countOf(kindOf(value), !isListed(value));
-  const int last = place(kindOf(value), isListed(value));
-  const auto* human = std::get_if<sim2d::Human>(&value);
-  return human == nullptr ? last : placeOfPerson(human->id, human->listed).value_or(last);
-}
-
-std::optional<int> Places::placeOfPerson(int number, bool listed) {
-  if (!listed) {
-    people_.erase(std::remove(people_.begin(), people_.end(), number), people_.end());
-    return std::nullopt;
-  }
-  const auto next =
-      std::find_if(people_.begin(), people_.end(), [number](int each) { return each > number; });
-  const auto index = static_cast<int>(next - people_.begin());
-  people_.insert(next, number);
+  const auto place = std::find_if(rows.begin(), rows.end(), [&](const Row& other) {
+    return row.listed && (!other.listed || (isBack && other.number > row.number));
+  });
+  const auto index = static_cast<int>(place - rows.begin());
+  rows.insert(place, row);
   return index;
-}
-
-int Places::place(EntityKind kind, bool listed) {
-  const int before = countOf(kind, true) + (listed ? 0 : countOf(kind, false));
-  ++countOf(kind, listed);
-  return before;
-}
-
-void setName(Entity& entity, const std::string& name) {
-  std::visit(
-      [&name](auto& value) {
-        if constexpr (kIsNamed<std::decay_t<decltype(value)>>) {
-          value.name = name;
-        }
-      },
-      entity);
-}
-
-std::string freeName(const sim2d::Scenario& scenario, const std::string& stem) {
-  return FreeNames(scenario).name(stem);
-}
-
-int freeGoalId(const sim2d::Scenario& scenario) {
-  return FreeNames(scenario).nextGoal();
-}
-
-int freeHumanId(const sim2d::Scenario& scenario) {
-  return FreeNames(scenario).nextHuman();
-}
-
-bool isNameTaken(const sim2d::Scenario& scenario, const std::string& name) {
-  return FreeNames(scenario).isTaken(name);
 }
 
 }  // namespace editor

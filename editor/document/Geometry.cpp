@@ -5,33 +5,27 @@
 #include <cmath>
 
 #include "sim2d/map/Outlines.h"
+#include "sim2d/map/Segments.h"
 
 namespace editor {
 
 namespace {
 
-Extent extentOfPoints(const std::vector<Vec2>& points) {
-  Extent extent{points.front(), points.front()};
-  for (const Vec2& point : points) {
-    extent.include({point, point});
+/// What spans the place that an entity takes.
+std::vector<Vec2> outlineOf(const Entity& entity) {
+  const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity);
+  if (obstacle != nullptr && obstacle->kind == sim2d::ObstacleKind::Box) {
+    return sim2d::boxOutline(obstacle->pose, obstacle->length, obstacle->width).points;
   }
-  return extent;
-}
-
-bool isByCorners(const sim2d::Obstacle& obstacle) {
-  return obstacle.kind == sim2d::ObstacleKind::Polygon ||
-         obstacle.kind == sim2d::ObstacleKind::Wall;
-}
-
-std::vector<Vec2> outlineOf(const sim2d::Obstacle& obstacle) {
-  if (isByCorners(obstacle)) {
-    return obstacle.points;
+  if (obstacle != nullptr && obstacle->kind == sim2d::ObstacleKind::Circle) {
+    const Vec2 reach = Vec2::Constant(obstacle->radius);
+    return {obstacle->pose.position - reach, obstacle->pose.position + reach};
   }
-  if (obstacle.kind == sim2d::ObstacleKind::Box) {
-    return sim2d::boxOutline(obstacle.pose, obstacle.length, obstacle.width).points;
+  std::vector<Vec2> points;
+  for (const Vec2* point : pointsIn(const_cast<Entity&>(entity))) {
+    points.push_back(*point);
   }
-  const Vec2 reach = Vec2::Constant(obstacle.radius);
-  return {obstacle.pose.position - reach, obstacle.pose.position + reach};
+  return points;
 }
 
 }  // namespace
@@ -46,7 +40,9 @@ std::vector<Vec2>* cornersOf(Entity& entity) {
     return &area->points;
   }
   auto* obstacle = std::get_if<sim2d::Obstacle>(&entity);
-  return obstacle != nullptr && isByCorners(*obstacle) ? &obstacle->points : nullptr;
+  const bool isByCorners = obstacle != nullptr && (obstacle->kind == sim2d::ObstacleKind::Polygon ||
+                                                   obstacle->kind == sim2d::ObstacleKind::Wall);
+  return isByCorners ? &obstacle->points : nullptr;
 }
 
 const std::vector<Vec2>* cornersOf(const Entity& entity) {
@@ -70,12 +66,8 @@ std::optional<std::size_t> edgeNear(const Entity& entity, const Vec2& point, dou
   std::optional<std::size_t> found;
   const std::size_t count = hasOpenLine(entity) ? corners->size() - 1 : corners->size();
   for (std::size_t i = 0; i < count; ++i) {
-    const Vec2& a = (*corners)[i];
-    const Vec2 along = (*corners)[(i + 1) % corners->size()] - a;
-    const double length2 = along.squaredNorm();
-    const double part =
-        length2 > 0.0 ? std::clamp((point - a).dot(along) / length2, 0.0, 1.0) : 0.0;
-    const double distance = (point - a - part * along).norm();
+    const sim2d::Segment edge{(*corners)[i], (*corners)[(i + 1) % corners->size()]};
+    const double distance = sim2d::distanceToSegment(edge, point);
     if (distance <= reach) {
       reach = distance;
       found = i;
@@ -85,39 +77,15 @@ std::optional<std::size_t> edgeNear(const Entity& entity, const Vec2& point, dou
 }
 
 std::optional<Extent> extentOf(const Entity& entity) {
-  if (const std::vector<Vec2>* corners = cornersOf(entity); corners != nullptr) {
-    return corners->empty() ? std::nullopt : std::optional<Extent>(extentOfPoints(*corners));
+  const std::vector<Vec2> outline = outlineOf(entity);
+  if (outline.empty()) {
+    return std::nullopt;
   }
-  if (const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity)) {
-    return extentOfPoints(outlineOf(*obstacle));
+  Extent extent{outline.front(), outline.front()};
+  for (const Vec2& point : outline) {
+    extent.include({point, point});
   }
-  if (const auto* door = std::get_if<sim2d::Door>(&entity)) {
-    return extentOfPoints({door->from, door->to});
-  }
-  const std::optional<Vec2> at = positionOf(entity);
-  return at ? std::optional<Extent>({*at, *at}) : std::nullopt;
-}
-
-Entity rotated(Entity entity, const Vec2& centre, double angle) {
-  const Pose2 turn{centre, angle};
-  const auto at = [&](const Vec2& point) { return rounded(turn.toWorld(point - centre)); };
-  if (std::vector<Vec2>* corners = cornersOf(entity)) {
-    for (Vec2& corner : *corners) {
-      corner = at(corner);
-    }
-    return entity;
-  }
-  if (auto* door = std::get_if<sim2d::Door>(&entity)) {
-    door->from = at(door->from);
-    door->to = at(door->to);
-    return entity;
-  }
-  const std::optional<Vec2> place = positionOf(entity);
-  const std::optional<double> heading = headingOf(entity);
-  if (place) {
-    entity = moved(std::move(entity), at(*place) - *place);
-  }
-  return heading ? turned(std::move(entity), *heading + angle) : entity;
+  return extent;
 }
 
 double rounded(double metres) {
@@ -152,27 +120,6 @@ void addCorners(std::vector<Handle>& handles, const Pose2& pose, const Vec2& hal
   }
 }
 
-void addVertices(std::vector<Handle>& handles, const std::vector<Vec2>& points) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    handles.push_back({Handle::Kind::Vertex, static_cast<int>(i), points[i]});
-  }
-}
-
-void addObstacle(std::vector<Handle>& handles, const sim2d::Obstacle& obstacle) {
-  switch (obstacle.kind) {
-    case sim2d::ObstacleKind::Box:
-      addCorners(handles, obstacle.pose, {0.5 * obstacle.length, 0.5 * obstacle.width});
-      break;
-    case sim2d::ObstacleKind::Circle:
-      addCorners(handles, {obstacle.pose.position, 0.0}, {obstacle.radius, obstacle.radius});
-      break;
-    case sim2d::ObstacleKind::Polygon:
-    case sim2d::ObstacleKind::Wall:
-      addVertices(handles, obstacle.points);
-      break;
-  }
-}
-
 /// The corner opposite to the pulled one stays where it is.
 void resizeBox(sim2d::Obstacle& box, int corner, const Vec2& to, bool fine) {
   const Vec2 sign = cornerSign(corner);
@@ -184,10 +131,9 @@ void resizeBox(sim2d::Obstacle& box, int corner, const Vec2& to, bool fine) {
       Pose2{fixed, box.pose.heading}.toWorld(0.5 * sign.cwiseProduct(Vec2(box.length, box.width)));
 }
 
-/// What has no heading of its own is turned by a handle above it.
-bool turnsAsAWhole(const Entity& entity) {
-  return (cornersOf(entity) != nullptr || kindOf(entity) == EntityKind::Door) &&
-         extentOf(entity).has_value();
+/// Each of its points can be pulled, and a handle above it turns the whole.
+bool isMadeOfPoints(const Entity& entity) {
+  return cornersOf(entity) != nullptr || kindOf(entity) == EntityKind::Door;
 }
 
 void resize(Entity& entity, int corner, const Vec2& to, bool fine) {
@@ -205,17 +151,6 @@ void resize(Entity& entity, int corner, const Vec2& to, bool fine) {
   }
 }
 
-void moveVertex(Entity& entity, int index, const Vec2& to) {
-  if (auto* door = std::get_if<sim2d::Door>(&entity)) {
-    (index == 0 ? door->from : door->to) = to;
-    return;
-  }
-  std::vector<Vec2>* points = cornersOf(entity);
-  if (points != nullptr && index < static_cast<int>(points->size())) {
-    (*points)[static_cast<std::size_t>(index)] = to;
-  }
-}
-
 }  // namespace
 
 std::vector<Handle> handlesOf(const Entity& entity, const HandleSizes& sizes) {
@@ -223,12 +158,16 @@ std::vector<Handle> handlesOf(const Entity& entity, const HandleSizes& sizes) {
   if (const auto* human = std::get_if<sim2d::Human>(&entity)) {
     const double half = kFrame * sizes.bodyRadius;
     addCorners(handles, {human->initPose.position, 0.0}, {half, half});
+  } else if (isMadeOfPoints(entity)) {
+    for (const Vec2& point : outlineOf(entity)) {
+      handles.push_back({Handle::Kind::Vertex, static_cast<int>(handles.size()), point});
+    }
   } else if (const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity)) {
-    addObstacle(handles, *obstacle);
-  } else if (const auto* area = std::get_if<sim2d::Area>(&entity)) {
-    addVertices(handles, area->points);
-  } else if (const auto* door = std::get_if<sim2d::Door>(&entity)) {
-    addVertices(handles, {door->from, door->to});
+    if (obstacle->kind == sim2d::ObstacleKind::Box) {
+      addCorners(handles, obstacle->pose, {0.5 * obstacle->length, 0.5 * obstacle->width});
+    } else {
+      addCorners(handles, {obstacle->pose.position, 0.0}, {obstacle->radius, obstacle->radius});
+    }
   } else if (const auto* robot = std::get_if<sim2d::Robot>(&entity)) {
     if (robot->goal.point) {
       handles.push_back({Handle::Kind::RobotGoal, 0, *robot->goal.point});
@@ -241,9 +180,8 @@ std::vector<Handle> handlesOf(const Entity& entity, const HandleSizes& sizes) {
     }
     const Pose2 pose{*positionOf(entity), *heading};
     handles.push_back({Handle::Kind::Turn, 0, pose.ahead(distance)});
-  } else if (turnsAsAWhole(entity)) {
-    const Extent extent = *extentOf(entity);
-    const Vec2 top(extent.centre().x(), extent.high.y() + sizes.turnDistance);
+  } else if (const auto extent = extentOf(entity); extent && isMadeOfPoints(entity)) {
+    const Vec2 top(extent->centre().x(), extent->high.y() + sizes.turnDistance);
     handles.push_back({Handle::Kind::Turn, 0, top});
   }
   return handles;
@@ -264,7 +202,9 @@ Entity pulled(const Entity& entity, const Handle& handle, const Vec2& to, bool f
       resize(result, handle.index, to, fine);
       break;
     case Handle::Kind::Vertex:
-      moveVertex(result, handle.index, to);
+      if (const auto points = pointsIn(result); handle.index < static_cast<int>(points.size())) {
+        *points[static_cast<std::size_t>(handle.index)] = to;
+      }
       break;
     case Handle::Kind::RobotGoal:
       if (auto* robot = std::get_if<sim2d::Robot>(&result)) {

@@ -16,8 +16,6 @@ struct Extent {
 
 /// Of the outline; people and robots by their place alone. Nothing for the settings.
 std::optional<Extent> extentOf(const Entity& entity);
-/// Turned about a point by an angle [rad]: place, outline and heading.
-Entity rotated(Entity entity, const Vec2& centre, double angle);
 /// The corners of an obstacle, area, or a wall's line; null for what has none.
 std::vector<Vec2>* cornersOf(Entity& entity);
 const std::vector<Vec2>* cornersOf(const Entity& entity);

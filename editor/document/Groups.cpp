@@ -4,7 +4,6 @@
 #include <array>
 
 #include "editor/document/EditCommands.h"
-#include "editor/document/EditDraft.h"
 
 namespace editor {
 
@@ -94,7 +93,7 @@ void pushDissolve(ScenarioDocument& document, int group) {
   auto settings = std::get<ScenarioSettings>(*document.entity(kSettingsId));
   setNameOf(settings.desktop.groups, group, {});
   draft.set(settings);
-  draft.push(document, QObject::tr("Dissolve group %1").arg(group));
+  draft.push(QObject::tr("Dissolve group %1").arg(group));
 }
 
 void pushGroupName(ScenarioDocument& document, int group, const std::string& name) {

@@ -2,27 +2,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <unordered_map>
 
-#include <QFileInfo>
+#include <QUndoCommand>
 
-#include "editor/document/DocumentDisk.h"
 #include "editor/document/QtImageLoader.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/Pgm.h"
+#include "sim2d/map/Segments.h"
 
 namespace editor {
 
 namespace {
 
-/// Squared distance of `point` from the way between two points.
-double squaredDistance(const Vec2& point, const Vec2& from, const Vec2& to) {
-  const Vec2 way = to - from;
-  const double length = way.squaredNorm();
-  const double along = length > 0.0 ? std::clamp((point - from).dot(way) / length, 0.0, 1.0) : 0.0;
-  const Vec2 nearest = from + along * way;
-  return (point - nearest).squaredNorm();
-}
+/// Redo and undo do the same: what is there changes places with what is kept.
+class SwapCommand : public QUndoCommand {
+ public:
+  SwapCommand(const QString& text, std::function<void()> swap)
+      : QUndoCommand(text), swap_(std::move(swap)) {}
+  void redo() override { swap_(); }
+  void undo() override { swap_(); }
+
+ private:
+  std::function<void()> swap_;
+};
 
 /// Other cells on the ground of a grid.
 std::shared_ptr<const sim2d::OccupancyGrid> withCells(const sim2d::OccupancyGrid& grid,
@@ -62,7 +66,8 @@ void MapStroke::paint(const Vec2& from, const Vec2& to, double radius, MapPaint 
     for (int column = bound(std::min(start.x(), end.x()) - reach);
          column <= bound(std::max(start.x(), end.x()) + reach); ++column) {
       const Vec2 centre(column + 0.5, row + 0.5);
-      if (squaredDistance(centre, start, end) <= reach * reach) {
+      const Vec2 nearest = sim2d::closestOnSegment({start, end}, centre);
+      if ((centre - nearest).squaredNorm() <= reach * reach) {
         set({column, row}, paint);
       }
     }
@@ -86,44 +91,14 @@ std::shared_ptr<const sim2d::OccupancyGrid> MapStroke::grid() const {
   return withCells(*before_, cells_);
 }
 
-EditMap::EditMap(ScenarioDocument& document, MapState map, ScenarioSettings settings,
-                 const QString& text)
-    : QUndoCommand(text), document_(document), map_(std::move(map)) {
-  settings_.value = Entity(std::move(settings));
-}
-
-void EditMap::swap() {
-  settings_ = document_.exchange(kSettingsId, std::move(settings_));
-  map_ = document_.exchangeMap(std::move(map_));  // who hears of it reads the settings
-}
-
-PaintMap::PaintMap(ScenarioDocument& document, const MapStroke& stroke, const QString& text)
-    : QUndoCommand(text), document_(document) {
-  std::unordered_map<std::size_t, std::int8_t> last;
-  for (const MapStroke::CellChange& change : stroke.changes()) {
-    last[change.index] = change.value;
-  }
-  for (const auto& [index, value] : last) {
-    if (document.map()->cells()[index] != value) {
-      cells_.push_back({index, value});
-    }
-  }
-  setObsolete(cells_.empty());
-}
-
-void PaintMap::swap() {
-  MapState state = document_.mapState();
-  std::vector<std::int8_t> cells = state.grid->cells();
-  for (MapStroke::CellChange& change : cells_) {
-    std::swap(cells[change.index], change.value);
-  }
-  state.grid = withCells(*state.grid, std::move(cells));
-  document_.exchangeMap(std::move(state));
-}
-
 void pushMap(ScenarioDocument& document, MapState map, ScenarioSettings settings,
              const QString& text) {
-  document.undoStack().push(new EditMap(document, std::move(map), std::move(settings), text));
+  EntitySlot slot{Entity(std::move(settings)), -1};
+  const auto swap = [&document, map = std::move(map), slot = std::move(slot)]() mutable {
+    slot = document.exchange(kSettingsId, std::move(slot));
+    map = document.exchangeMap(std::move(map));  // who hears of it reads the settings
+  };
+  document.undoStack().push(new SwapCommand(text, swap));
 }
 
 void pushOpenPlane(ScenarioDocument& document) {
@@ -134,10 +109,29 @@ void pushOpenPlane(ScenarioDocument& document) {
 }
 
 void pushStroke(ScenarioDocument& document, const MapStroke& stroke, const QString& text) {
-  auto command = std::make_unique<PaintMap>(document, stroke, text);
-  if (!command->isObsolete()) {
-    document.undoStack().push(command.release());
+  std::unordered_map<std::size_t, std::int8_t> last;
+  for (const MapStroke::CellChange& change : stroke.changes()) {
+    last[change.index] = change.value;
   }
+  std::vector<MapStroke::CellChange> changes;  // each cell once
+  for (const auto& [index, value] : last) {
+    if (document.map()->cells()[index] != value) {
+      changes.push_back({index, value});
+    }
+  }
+  if (changes.empty()) {
+    return;
+  }
+  const auto swap = [&document, changes = std::move(changes)]() mutable {
+    MapState state = document.mapState();
+    std::vector<std::int8_t> cells = state.grid->cells();
+    for (MapStroke::CellChange& change : changes) {
+      std::swap(cells[change.index], change.value);
+    }
+    state.grid = withCells(*state.grid, std::move(cells));
+    document.exchangeMap(std::move(state));
+  };
+  document.undoStack().push(new SwapCommand(text, swap));
 }
 
 std::shared_ptr<const sim2d::OccupancyGrid> emptyRoom(double width, double height,
@@ -160,43 +154,23 @@ std::shared_ptr<const sim2d::OccupancyGrid> rescaled(const sim2d::OccupancyGrid&
                                                 grid.cells());
 }
 
-base::Result<MapState> readMapFile(const QString& yamlPath, DocumentDisk& disk,
-                                   sim2d::MapRule rule) {
-  const QString path = QFileInfo(yamlPath).absoluteFilePath();
-  base::Result<sim2d::MapFile> map = sim2d::readMap(path.toStdString(), loadMapImage, rule);
-  if (!map) {
-    return map.diagnostics();
-  }
-  MapState state{std::make_shared<sim2d::OccupancyGrid>(std::move(map->grid)), path, false,
-                 map.diagnostics()};
-  disk.maps[path] = state.grid;
-  disk.mapImage = QFileInfo(QString::fromStdString(map->imagePath)).absoluteFilePath();
-  disk.noteFile(path);
-  disk.noteFile(disk.mapImage);
-  return {std::move(state), map.diagnostics()};
-}
-
 base::Result<std::shared_ptr<const sim2d::OccupancyGrid>> gridOfImage(const QString& imagePath,
                                                                       double resolution) {
   sim2d::MapDescription description;
   description.resolution = resolution;
-  const auto shared = [](sim2d::OccupancyGrid grid) {
-    return std::make_shared<const sim2d::OccupancyGrid>(std::move(grid));
-  };
-  if (imagePath.endsWith(QLatin1String(".pgm"), Qt::CaseInsensitive)) {
-    const base::Result<sim2d::PgmImage> image = sim2d::readPgm(imagePath.toStdString());
+  using Grid = base::Result<std::shared_ptr<const sim2d::OccupancyGrid>>;
+  const auto made = [&](const auto& image, auto&& gridOf) -> Grid {
     if (!image) {
       return image.diagnostics();
     }
-    return {shared(sim2d::gridFromPgm(*image, description, sim2d::MapRule::Humble)),
+    return {std::make_shared<const sim2d::OccupancyGrid>(
+                gridOf(*image, description, sim2d::MapRule::Humble)),
             image.diagnostics()};
-  }
-  const base::Result<sim2d::MapImage> image = loadMapImage(imagePath.toStdString());
-  if (!image) {
-    return image.diagnostics();
-  }
-  return {shared(sim2d::gridFromImage(*image, description, sim2d::MapRule::Humble)),
-          image.diagnostics()};
+  };
+  const std::string path = imagePath.toStdString();
+  return imagePath.endsWith(QLatin1String(".pgm"), Qt::CaseInsensitive)
+             ? made(sim2d::readPgm(path), sim2d::gridFromPgm)
+             : made(loadMapImage(path), sim2d::gridFromImage);
 }
 
 }  // namespace editor

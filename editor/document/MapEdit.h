@@ -3,15 +3,11 @@
 #include <memory>
 #include <vector>
 
-#include <QUndoCommand>
-
 #include "editor/document/ScenarioDocument.h"
 #include "sim2d/map/MapReader.h"
 
 /// Changing the map under the scenario, undoably.
 namespace editor {
-
-struct DocumentDisk;
 
 /// What a brush leaves behind, as values of cells.
 enum class MapPaint { Free = 0, Occupied = 100, Unknown = -1 };
@@ -42,33 +38,7 @@ class MapStroke {
   std::vector<CellChange> changed_;
 };
 
-/// Swaps the map, with the settings that name it.
-class EditMap : public QUndoCommand {
- public:
-  EditMap(ScenarioDocument& document, MapState map, ScenarioSettings settings, const QString& text);
-  void redo() override { swap(); }
-  void undo() override { swap(); }
-
- private:
-  void swap();
-  ScenarioDocument& document_;
-  MapState map_;
-  EntitySlot settings_;
-};
-
-/// Swaps values of cells; keeps only these.
-class PaintMap : public QUndoCommand {
- public:
-  PaintMap(ScenarioDocument& document, const MapStroke& stroke, const QString& text);
-  void redo() override { swap(); }
-  void undo() override { swap(); }
-
- private:
-  void swap();
-  ScenarioDocument& document_;
-  std::vector<MapStroke::CellChange> cells_;  // each once
-};
-
+/// Another map, with the settings that name it.
 void pushMap(ScenarioDocument& document, MapState map, ScenarioSettings settings,
              const QString& text);
 /// No map any more, and the scenario says so.
@@ -84,9 +54,6 @@ std::shared_ptr<const sim2d::OccupancyGrid> emptyRoom(double width, double heigh
 std::shared_ptr<const sim2d::OccupancyGrid> rescaled(const sim2d::OccupancyGrid& grid,
                                                      double resolution, const Pose2& origin);
 
-/// A map file, read and noted as being on the disk.
-base::Result<MapState> readMapFile(const QString& yamlPath, DocumentDisk& disk,
-                                   sim2d::MapRule rule);
 /// An image without a YAML file: dark is occupied, bright is free, as nav2 reads it; `resolution`
 /// [m], lower left corner at (0, 0).
 base::Result<std::shared_ptr<const sim2d::OccupancyGrid>> gridOfImage(const QString& imagePath,

@@ -73,46 +73,32 @@ void pushFile(ScenarioDocument& document, EntityId person, const bt::TreeFile& f
   pushTreeText(document, person, ownText(document, person, file), text);
 }
 
-class Outline {
- public:
-  explicit Outline(const PersonTree& tree) : tree_(tree) {}
+OutlineNode rootOf(const PersonTree& tree, const bt::TreeTable::Entry& entry, int parent) {
+  return {&entry.tree.root, parent, entry.tree.id, {}, tree.file.find(entry.tree.id) != nullptr};
+}
 
-  std::vector<OutlineNode> take() {
-    const bt::TreeTable::Entry* main = tree_.table.find(tree_.table.mainTree);
-    if (main != nullptr && !main->tree.root.id.empty()) {
-      add({&main->tree.root, -1, main->tree.id, {}, isOwnTree(main->tree.id)}, 0);
-    }
-    return std::move(nodes_);
+/// A node with all that is below it.
+void addNode(std::vector<OutlineNode>& nodes, const PersonTree& tree, const OutlineNode& node,
+             int depth) {
+  constexpr int kDeepest = 64;
+  constexpr std::size_t kMost = 5000;
+  if (depth > kDeepest || nodes.size() >= kMost) {
+    return;
   }
-
- private:
-  static constexpr int kDeepest = 64;
-  static constexpr std::size_t kMost = 5000;
-
-  bool isOwnTree(const std::string& id) const { return tree_.file.find(id) != nullptr; }
-
-  void add(const OutlineNode& node, int depth) {
-    if (depth > kDeepest || nodes_.size() >= kMost) {
-      return;
+  const int self = static_cast<int>(nodes.size());
+  nodes.push_back(node);
+  if (node.node->isSubTree()) {
+    if (const bt::TreeTable::Entry* entry = tree.table.find(node.node->subTree)) {
+      addNode(nodes, tree, rootOf(tree, *entry, self), depth + 1);
     }
-    const int self = static_cast<int>(nodes_.size());
-    nodes_.push_back(node);
-    if (node.node->isSubTree()) {
-      if (const bt::TreeTable::Entry* entry = tree_.table.find(node.node->subTree)) {
-        add({&entry->tree.root, self, entry->tree.id, {}, isOwnTree(entry->tree.id)}, depth + 1);
-      }
-      return;
-    }
-    for (std::size_t i = 0; i < node.node->children.size(); ++i) {
-      OutlineNode child{&node.node->children[i], self, node.tree, node.path, node.isEditable};
-      child.path.push_back(static_cast<int>(i));
-      add(child, depth + 1);
-    }
+    return;
   }
-
-  const PersonTree& tree_;
-  std::vector<OutlineNode> nodes_;
-};
+  for (std::size_t i = 0; i < node.node->children.size(); ++i) {
+    OutlineNode child{&node.node->children[i], self, node.tree, node.path, node.isEditable};
+    child.path.push_back(static_cast<int>(i));
+    addNode(nodes, tree, child, depth + 1);
+  }
+}
 
 }  // namespace
 
@@ -155,7 +141,12 @@ PersonTree personTree(const ScenarioDocument& document, EntityId person) {
 }
 
 std::vector<OutlineNode> outlineOf(const PersonTree& tree) {
-  return Outline(tree).take();
+  std::vector<OutlineNode> nodes;
+  const bt::TreeTable::Entry* main = tree.table.find(tree.table.mainTree);
+  if (main != nullptr && !main->tree.root.id.empty()) {
+    addNode(nodes, tree, rootOf(tree, *main, -1), 0);
+  }
+  return nodes;
 }
 
 std::vector<std::string> recordedNames(const std::vector<OutlineNode>& nodes) {
@@ -179,7 +170,7 @@ std::vector<std::string> recordedNames(const std::vector<OutlineNode>& nodes) {
 void pushTreeText(ScenarioDocument& document, EntityId person, std::optional<std::string> xml,
                   const QString& text) {
   if (document.tree(person) != xml) {
-    document.undoStack().push(new EditTree(document, person, std::move(xml), text));
+    pushTrees(document, {{person, std::move(xml)}}, text);
   }
 }
 
@@ -222,11 +213,8 @@ void pushAddBlock(ScenarioDocument& document, const std::vector<EntityId>& peopl
       }
     }
   }
-  if (!edits.empty()) {
-    document.undoStack().push(
-        new EditTree(document, std::move(edits),
-                     QObject::tr("Add block %1").arg(QString::fromStdString(kind->title))));
-  }
+  pushTrees(document, std::move(edits),
+            QObject::tr("Add block %1").arg(QString::fromStdString(kind->title)));
 }
 
 void pushGoalsOfRoute(ScenarioDocument& document, EntityId person) {
@@ -241,10 +229,8 @@ void pushGoalsOfRoute(ScenarioDocument& document, EntityId person) {
 std::string treeText(const ScenarioDocument& document, EntityId person) {
   const std::optional<std::string> own = document.tree(person);
   const sim2d::Human* human = document.human(person);
-  if (own || human == nullptr) {
-    return own.value_or(std::string());
-  }
-  return generatedTree(document.scenario(), *human);
+  return own || human == nullptr ? own.value_or(std::string())
+                                 : generatedTree(document.scenario(), *human);
 }
 
 std::optional<std::string> followedTree(const ScenarioDocument& document,

@@ -21,12 +21,9 @@ sim2d::MapImage toMapImage(const QImage& image) {
   result.rgba.reserve(static_cast<std::size_t>(wide.width()) *
                       static_cast<std::size_t>(wide.height()) * 4);
   for (int row = 0; row < wide.height(); ++row) {
-    const auto* pixels = reinterpret_cast<const QRgba64*>(wide.constScanLine(row));
-    for (int column = 0; column < wide.width(); ++column) {
-      const QRgba64 pixel = pixels[column];
-      for (const quint16 channel : {pixel.red(), pixel.green(), pixel.blue(), pixel.alpha()}) {
-        result.rgba.push_back(static_cast<std::uint16_t>(channel >> shift));
-      }
+    const auto* channels = reinterpret_cast<const quint16*>(wide.constScanLine(row));
+    for (int i = 0; i < 4 * wide.width(); ++i) {
+      result.rgba.push_back(static_cast<std::uint16_t>(channels[i] >> shift));
     }
   }
   return result;

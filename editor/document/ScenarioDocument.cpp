@@ -23,15 +23,14 @@ EntitySlot exchangeIn(List& list, EntityId id, EntitySlot slot) {
   using Value = typename List::value_type;
   EntitySlot old;
   const int at = positionIn(list, id);
-  const bool stays = slot.index < 0 || slot.index == at;
-  if (at >= 0 && slot.value && stays) {
-    Value& place = list[static_cast<std::size_t>(at)];
-    old = {Entity(std::exchange(place, std::get<Value>(*std::move(slot.value)))), at};
-    return old;
-  }
   if (at >= 0) {
-    old = {Entity(std::move(list[static_cast<std::size_t>(at)])), at};
-    list.erase(list.begin() + at);
+    const auto place = list.begin() + at;
+    old = {Entity(std::move(*place)), at};
+    if (slot.value && (slot.index < 0 || slot.index == at)) {
+      *place = std::get<Value>(*std::move(slot.value));
+      return old;
+    }
+    list.erase(place);
   }
   if (slot.value) {
     const int size = static_cast<int>(list.size());
@@ -48,24 +47,10 @@ const typename List::value_type* findIn(const List& list, EntityId id) {
   return at < 0 ? nullptr : &list[static_cast<std::size_t>(at)];
 }
 
-ScenarioSettings settingsOf(const sim2d::Scenario& scenario) {
-  return {scenario.yamlBaseName, scenario.simulator, scenario.map, scenario.publishPeople,
-          scenario.desktop};
-}
-
-void setSettings(sim2d::Scenario& scenario, ScenarioSettings settings) {
-  scenario.yamlBaseName = std::move(settings.yamlBaseName);
-  scenario.simulator = std::move(settings.simulator);
-  scenario.map = std::move(settings.map);
-  scenario.publishPeople = settings.publishPeople;
-  scenario.desktop = std::move(settings.desktop);
-}
-
 }  // namespace
 
 ScenarioDocument::ScenarioDocument(QObject* parent)
     : QObject(parent),
-      map_(std::make_shared<sim2d::OccupancyGrid>()),
       surroundings_(std::make_shared<app::KnownSurroundings>()),
       liveCheck_(std::make_unique<LatestTask<base::Diagnostics>>([this](base::Diagnostics found) {
         checkIssues_ = std::move(found);
@@ -88,15 +73,12 @@ ScenarioDocument::~ScenarioDocument() {
 
 std::optional<Entity> ScenarioDocument::entity(EntityId id) const {
   if (id == kSettingsId) {
-    return Entity(settingsOf(scenario_));
+    return Entity(static_cast<const ScenarioSettings&>(scenario_));
   }
-  return withList(
-      scenario_, id.kind,
-      [id](const auto& list) {
-        const auto* found = findIn(list, id);
-        return found == nullptr ? std::optional<Entity>() : std::optional<Entity>(*found);
-      },
-      std::optional<Entity>());
+  return withList(scenario_, id.kind, [id](const auto& list) {
+    const auto* found = findIn(list, id);
+    return found == nullptr ? std::nullopt : std::optional<Entity>(*found);
+  });
 }
 
 bool ScenarioDocument::contains(EntityId id) const {
@@ -104,17 +86,13 @@ bool ScenarioDocument::contains(EntityId id) const {
 }
 
 std::vector<EntityId> ScenarioDocument::entities(EntityKind kind) const {
-  return withList(
-      scenario_, kind,
-      [](const auto& list) {
-        std::vector<EntityId> ids;
-        ids.reserve(list.size());
-        for (const auto& value : list) {
-          ids.push_back(value.key);
-        }
-        return ids;
-      },
-      std::vector<EntityId>());
+  return withList(scenario_, kind, [](const auto& list) {
+    std::vector<EntityId> ids;
+    for (const auto& value : list) {
+      ids.push_back(value.key);
+    }
+    return ids;
+  });
 }
 
 const sim2d::Human* ScenarioDocument::human(EntityId id) const {
@@ -145,12 +123,11 @@ EntitySlot ScenarioDocument::exchange(EntityId id, EntitySlot slot) {
   EntitySlot old;
   if (id == kSettingsId) {
     Q_ASSERT(after);
-    old.value = settingsOf(scenario_);
-    setSettings(scenario_, std::get<ScenarioSettings>(*std::move(slot.value)));
+    old.value = std::exchange(static_cast<ScenarioSettings&>(scenario_),
+                              std::get<ScenarioSettings>(*std::move(slot.value)));
   } else {
-    old = withList(
-        scenario_, id.kind, [&](auto& list) { return exchangeIn(list, id, std::move(slot)); },
-        EntitySlot());
+    old = withList(scenario_, id.kind,
+                   [&](auto& list) { return exchangeIn(list, id, std::move(slot)); });
   }
   if (const auto lost = std::find(selection_.begin(), selection_.end(), id);
       !after && lost != selection_.end()) {
@@ -233,7 +210,7 @@ QString ScenarioDocument::displayName() const {
 base::Diagnostics ScenarioDocument::mapProblemsToTell() const {
   // in a file that was read in part the map may be named further on
   const bool isScenario = !disk_->readOnly || (!disk_->isBeginning && !scenario_.humans.empty());
-  return isScenario ? mapProblems_ : base::Diagnostics();
+  return isScenario ? map_.problems : base::Diagnostics();
 }
 
 base::Diagnostics ScenarioDocument::issues() const {
@@ -269,7 +246,7 @@ void ScenarioDocument::replaceAll(sim2d::Scenario scenario) {
   scenario_ = std::move(scenario);
   nextKey_ = std::max(nextKey_, scenario_.nextKey());
   trees_.clear();
-  disk_->forgetFiles();
+  *disk_ = DocumentDisk();
   loadDiagnostics_.clear();
   checkIssues_.clear();
   commentCount_ = 0;

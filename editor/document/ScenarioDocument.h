@@ -14,6 +14,7 @@
 #include "editor/document/Entity.h"
 #include "sim2d/base/Result.h"
 #include "sim2d/map/OccupancyGrid.h"
+#include "sim2d/scenario/ScenarioCheck.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
 namespace app {
@@ -25,7 +26,6 @@ namespace editor {
 
 template <class T>
 class LatestTask;
-class SavePlanner;
 struct DocumentDisk;
 struct DocumentSnapshot;
 struct SavePlan;
@@ -106,10 +106,10 @@ class ScenarioDocument : public QObject {
   app::Bundle bundle() const;
 
   // map; never null, an empty grid is the open plane
-  std::shared_ptr<const sim2d::OccupancyGrid> map() const { return map_; }
-  QString mapPath() const { return mapPath_; }  // of the YAML; empty: none, or not from a file
+  std::shared_ptr<const sim2d::OccupancyGrid> map() const { return map_.grid; }
+  QString mapPath() const { return map_.path; }  // of the YAML; empty: none, or not from a file
   void setMap(std::shared_ptr<const sim2d::OccupancyGrid> map, const QString& path = {});
-  MapState mapState() const { return {map_, mapPath_, mapIsMissing_, mapProblems_}; }
+  const MapState& mapState() const { return map_; }
   MapState exchangeMap(MapState map);
 
   // undo
@@ -147,7 +147,7 @@ class ScenarioDocument : public QObject {
   base::Diagnostics openMap(const QString& yamlPath);
   /// A new scenario on it; with errors the document has not changed.
   base::Diagnostics newOnMap(const QString& yamlPath);
-  void setShippedMaps(const QString& folder) { shippedMaps_ = folder; }
+  void setShippedMaps(const QString& folder) { search_.shippedMaps = folder.toStdString(); }
   /// Files that were read or written, and those of them that someone else has changed since.
   QStringList files() const;
   QStringList changedOnDisk() const;
@@ -175,23 +175,31 @@ class ScenarioDocument : public QObject {
   base::Diagnostics mapProblemsToTell() const;
   void replaceAll(sim2d::Scenario scenario);
   void replaced();  // by another file or nothing: tells of everything
+  void tellOfFile();
+  sim2d::FilePlaces places() const;
   void endStep();
   void loadMap();
   void putMap(MapState map);
   void restoreMap(const DocumentSnapshot& snapshot);
   base::Diagnostics loadTrees();
   void startCheck();
-  SavePlanner planner() const;
+  /// What saving there would do; looks at the disk, changes nothing.
+  SavePlan planSave(const QString& path) const;
+  void placeMap(SavePlan& plan) const;
+  void planTrees(SavePlan& plan) const;
+  /// The tree that is saved for a person, and run: the own one, that of the file or the generated.
+  std::string wantedTree(const sim2d::Scenario& scenario, const sim2d::Human& human) const;
   void answerTrees(const QString& path, const TreeAnswers& answers);
   void takeSaved(SavePlan plan);
 
   sim2d::Scenario scenario_;
-  std::shared_ptr<const sim2d::OccupancyGrid> map_;
+  MapState map_{std::make_shared<sim2d::OccupancyGrid>(), {}, false, {}};
   std::map<EntityId, std::string> trees_;
   QUndoStack undoStack_;
   std::vector<EntityId> selection_;
-  QString path_, mapPath_, shippedMaps_;
-  base::Diagnostics loadDiagnostics_, mapProblems_, checkIssues_;
+  QString path_;
+  sim2d::FilePlaces search_;  // but for the path
+  base::Diagnostics loadDiagnostics_, checkIssues_;
   QTimer checkTimer_;
   const std::shared_ptr<app::KnownSurroundings> surroundings_;
   std::unique_ptr<LatestTask<base::Diagnostics>> liveCheck_;
@@ -201,7 +209,6 @@ class ScenarioDocument : public QObject {
   int commentCount_ = 0;
   bool lostSelected_ = false;  // in the step that has not ended
   bool neverSaved_ = false;
-  bool mapIsMissing_ = false;
 };
 
 }  // namespace editor

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "bt/human/HumanNodes.h"
-#include "bt/human/Templates.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Text.h"
 
@@ -51,10 +50,6 @@ std::string treeFolderOf(const std::string& scenarioPath) {
   const std::filesystem::path folder = std::filesystem::path(scenarioPath).parent_path();
   return folder.filename() == "scenarios" ? (folder.parent_path() / "behavior_trees").string()
                                           : folder.string();
-}
-
-std::string treeFileName(const std::string& base, int humanId) {
-  return bt::treeFileName(base, humanId);
 }
 
 std::string generatedTree(const sim2d::Scenario& scenario, const sim2d::Human& human,

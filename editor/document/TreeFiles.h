@@ -15,8 +15,6 @@ const bt::NodeCatalogue& treeCatalogue();
 
 /// Folder for the trees of a scenario file: ../behavior_trees when its own is called scenarios.
 std::string treeFolderOf(const std::string& scenarioPath);
-/// "cafe__agent_3_bt.xml"
-std::string treeFileName(const std::string& base, int humanId);
 
 /// XML of the tree that the behaviour and goals of a person make.
 std::string generatedTree(const sim2d::Scenario& scenario, const sim2d::Human& human,
@@ -28,10 +26,6 @@ bool hasOwnComments(const std::string& xml, const sim2d::Scenario& scenario,
 /// has all of its comments.
 std::optional<bt::TreeStyle> generatedStyle(const std::string& xml, const sim2d::Scenario& scenario,
                                             const sim2d::Human& human);
-inline bool isGeneratedTree(const std::string& xml, const sim2d::Scenario& scenario,
-                            const sim2d::Human& human) {
-  return generatedStyle(xml, scenario, human).has_value();
-}
 /// The fixed tree that generated ones include; none when the folder has one already.
 std::optional<base::FileContent> missingIncludedTree(const std::string& folder);
 base::Diagnostics writeIncludedTrees(const std::string& folder);

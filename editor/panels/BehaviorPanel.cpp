@@ -295,7 +295,7 @@ void BehaviorPanel::askForTree() {
 void BehaviorPanel::askForFile() {
   const sim2d::Human* human = document_.human(person_);
   const QString name = QString::fromStdString(
-      treeFileName(document_.scenario().yamlBaseName.value_or("scenario"), human->id));
+      bt::treeFileName(document_.scenario().yamlBaseName.value_or("scenario"), human->id));
   const QString path = QFileDialog::getSaveFileName(
       window(), tr("Save the behaviour tree"),
       QFileInfo(document_.path()).absoluteDir().filePath(name), tr("Behaviour trees (*.xml)"));

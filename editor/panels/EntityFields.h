@@ -83,28 +83,8 @@ decltype(auto) partOf(AnyEntity& entity) {
     return (std::get<ScenarioSettings>(entity).desktop);
   } else if constexpr (std::is_same_v<T, sim2d::MetricsSettings>) {
     return (std::get<ScenarioSettings>(entity).desktop.metrics);
-  } else if constexpr (std::is_same_v<T, sim2d::Environment>) {
-    const auto& from = std::get<ScenarioSettings>(entity);
-    sim2d::Environment head;
-    head.yamlBaseName = from.yamlBaseName;
-    head.simulator = from.simulator;
-    head.map = from.map;
-    head.publishPeople = from.publishPeople;
-    return head;
   } else {
     return (std::get<T>(entity));
-  }
-}
-
-template <class T>
-void assign(Entity& entity, const sim2d::Field<T>& field, const base::ParameterValue& value) {
-  if constexpr (std::is_same_v<T, sim2d::Environment>) {
-    sim2d::Environment head = partOf<T>(entity);
-    field.assign(head, value);
-    auto& to = std::get<ScenarioSettings>(entity);
-    to = {head.yamlBaseName, head.simulator, head.map, head.publishPeople, to.desktop};
-  } else {
-    field.assign(partOf<T>(entity), value);
   }
 }
 
@@ -118,7 +98,7 @@ EntityField entityField(const sim2d::Field<T>& field, const ScenarioDocument& do
   result.isWide = field.isWide;
   result.get = [&field](const Entity& entity) { return field.value(partOf<T>(entity)); };
   result.set = [&field](Entity& entity, const base::ParameterValue& value) {
-    assign(entity, field, value);
+    field.assign(partOf<T>(entity), value);
   };
   result.belongs = [&field](const Entity& entity) { return field.belongsTo(partOf<T>(entity)); };
   result.fallback = [&field, &document, seed = std::move(seed)](const Entity& entity) {

@@ -4,6 +4,8 @@
 
 #include <QRegularExpression>
 
+#include "editor/document/FreeNames.h"
+
 namespace editor {
 
 namespace {
@@ -136,8 +138,8 @@ QString PropertyPage::nameProblem(const QString& name) const {
   if (!kName.match(name).hasMatch()) {
     return tr("A name begins with a letter and has only letters, digits and _");
   }
-  return isNameTaken(document_.scenario(), name.toStdString()) ? tr("This name is taken")
-                                                               : QString();
+  return FreeNames(document_.scenario()).isTaken(name.toStdString()) ? tr("This name is taken")
+                                                                     : QString();
 }
 
 void PropertyPage::addName(FormSection* section) {

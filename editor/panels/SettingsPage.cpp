@@ -98,7 +98,7 @@ SettingsPage::SettingsPage(ScenarioDocument& document, const sim2d::Registries& 
   addFileSection();
   addNewFields<Desktop>();
   addNewFields<Metrics>();
-  addNewFields<sim2d::Environment>({"yaml_base_name"});
+  addNewFields<ScenarioSettings>({"yaml_base_name"});
   finish();
 }
 
@@ -177,10 +177,10 @@ void SettingsPage::addMeasureSection() {
 
 void SettingsPage::addFileSection() {
   FormSection* section = addSection(tr("Simulator and map"));
-  addField<sim2d::Environment>(
+  addField<ScenarioSettings>(
       section, "simulator",
       oneOf({"Gazebo Classic", "Gazebo Fortress", "Isaac Sim", "Webots"}, tr("not said")));
-  addField<sim2d::Environment>(section, "map", emptyAs(tr("none")));
+  addField<ScenarioSettings>(section, "map", emptyAs(tr("none")));
   auto* worlds = secondaryLabel({}, this);
   worlds->setWordWrap(true);
   section->addRow(tr("Its worlds"), worlds);
@@ -192,7 +192,7 @@ void SettingsPage::addFileSection() {
   });
   addField<Desktop>(section, "map_file", emptyAs(tr("looked for")));
   addField<Desktop>(section, "map_rule", inWords({tr("humble (default)"), QStringLiteral("main")}));
-  addField<sim2d::Environment>(section, "publish_people", inWords({tr("Publish people")}));
+  addField<ScenarioSettings>(section, "publish_people", inWords({tr("Publish people")}));
 }
 
 }  // namespace editor

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "editor/document/EditCommands.h"
+#include "editor/document/FreeNames.h"
 #include "editor/look/Fields.h"
 #include "editor/tools/Crowd.h"
 #include "editor/tools/CrowdOptions.h"
@@ -103,7 +104,7 @@ class AreaTool : public CornerDrawing {
       return;
     }
     sim2d::Human visitor = newPerson();
-    visitor.name = freeName(document().scenario(), "visitor");
+    visitor.name = FreeNames(document().scenario()).name("visitor");
     visitor.id = kPatternId;
     visitor.listed = false;
     visitor.cyclicGoals = false;
@@ -112,7 +113,7 @@ class AreaTool : public CornerDrawing {
       visitor.goals = {document().scenario().goals.front().id};
     }
     area.like = visitor.name;
-    area.name = freeName(document().scenario(), "source");
+    area.name = FreeNames(document().scenario()).name("source");
     const std::vector<EntityId> ids =
         pushAdd(document(), std::vector<Entity>{visitor, area}, tr("Add source"));
     document().setSelection({ids.back()});

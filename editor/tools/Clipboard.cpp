@@ -178,27 +178,23 @@ bool paste(ScenarioDocument& document, const QMimeData& data, const Vec2& delta)
     return false;
   }
   const QJsonObject trees = QJsonDocument::fromJson(data.data(QLatin1String(kTrees))).object();
-  const QString text = QObject::tr("Paste");
-  document.undoStack().beginMacro(text);
-  const std::vector<EntityId> ids = pushAdd(document, renaming.values, text);
-  std::vector<EntityId> chosen;
-  std::vector<TreeEdit> edits;
+  std::map<std::size_t, std::string> own;
   std::size_t person = 0;
+  for (std::size_t i = 0; i < renaming.values.size(); ++i) {
+    if (kindOf(renaming.values[i]) == EntityKind::Human) {
+      const QString owner = QString::fromStdString(renaming.treeOwners[person++]);
+      if (trees.contains(owner)) {
+        own[i] = trees[owner].toString().toStdString();
+      }
+    }
+  }
+  const std::vector<EntityId> ids = pushAdd(document, renaming.values, QObject::tr("Paste"), own);
+  std::vector<EntityId> chosen;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (renaming.isChosen[i]) {
       chosen.push_back(ids[i]);
     }
-    if (ids[i].kind == EntityKind::Human) {
-      const QString owner = QString::fromStdString(renaming.treeOwners[person++]);
-      if (trees.contains(owner)) {
-        edits.push_back({ids[i], trees[owner].toString().toStdString()});
-      }
-    }
   }
-  if (!edits.empty()) {
-    document.undoStack().push(new EditTree(document, std::move(edits), text));
-  }
-  document.undoStack().endMacro();
   document.setSelection(std::move(chosen));
   return true;
 }

@@ -29,7 +29,7 @@ void addDrawn(ScenarioDocument& document, Entity value) {
   const QString kind = obstacle != nullptr ? obstacleKindName(obstacle->kind)
                        : area != nullptr   ? areaKindName(area->kind)
                                            : kindName(kindOf(value));
-  setName(value, freeName(document.scenario(), kind.toStdString()));
+  setName(value, FreeNames(document.scenario()).name(kind.toStdString()));
   document.setSelection(
       pushAdd(document, std::vector<Entity>{std::move(value)}, QObject::tr("Add %1").arg(kind)));
 }

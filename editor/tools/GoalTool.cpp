@@ -1,4 +1,5 @@
 #include "editor/document/EditCommands.h"
+#include "editor/document/FreeNames.h"
 #include "editor/tools/ToolRegistry.h"
 
 namespace editor {
@@ -37,7 +38,7 @@ class GoalTool : public Tool {
     } else {
       held_ = sim2d::GlobalGoal();
       held_->key = kGhost;
-      held_->id = freeGoalId(document().scenario());
+      held_->id = FreeNames(document().scenario()).nextGoal();
       preview(placeOf(mouse));
     }
     Q_EMIT statusTextChanged();

@@ -77,7 +77,7 @@ KeyTable tableOf(std::string title, std::string path, const FieldTables& tables)
 }  // namespace
 
 const FieldTables& fieldTables() {
-  static const FieldTables kTables(environmentFields(), humanFields(), behaviorFields(),
+  static const FieldTables kTables(scenarioFields(), humanFields(), behaviorFields(),
                                    personFields(), robotFields(), obstacleFields(), doorFields(),
                                    areaFields(), settingsFields(), metricsFields());
   return kTables;
@@ -121,7 +121,7 @@ void writeValue(YamlNode& tree, const ParameterSpec& spec, const ParameterValue&
 }
 
 const std::set<std::string>& loaderKeys() {
-  static const std::set<std::string> kKeys = keysWith<Environment>({"global_goals", "agents"});
+  static const std::set<std::string> kKeys = keysWith<ScenarioSettings>({"global_goals", "agents"});
   return kKeys;
 }
 
@@ -140,7 +140,7 @@ bool isEntityName(const std::string& name) {
 }
 
 std::vector<KeyTable> keyTables(const FieldTables& tables) {
-  return {tableOf<Environment>("The scenario", "", tables),
+  return {tableOf<ScenarioSettings>("The scenario", "", tables),
           tableOf<Human>("A person", "PERSON.", tables),
           tableOf<Behavior>("The `behavior` of a person", "PERSON.behavior.", tables),
           tableOf<DesktopSettings>("The run", "", tables),

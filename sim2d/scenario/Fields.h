@@ -72,7 +72,7 @@ using Fields = std::vector<Field<T>>;
 
 /// A table for each kind of thing, in canonical order.
 struct FieldTables
-    : std::tuple<Fields<Environment>, Fields<Human>, Fields<Behavior>, Fields<PersonExtension>,
+    : std::tuple<Fields<ScenarioSettings>, Fields<Human>, Fields<Behavior>, Fields<PersonExtension>,
                  Fields<Robot>, Fields<Obstacle>, Fields<Door>, Fields<Area>,
                  Fields<DesktopSettings>, Fields<MetricsSettings>> {
   using tuple::tuple;

@@ -25,7 +25,7 @@ bool haveSameKeys(const GlobalGoal& /*a*/, const GlobalGoal& /*b*/) {
   return true;
 }
 bool haveSameKeys(const Scenario& a, const Scenario& b) {
-  return haveSameKeys<Environment>(a, b);
+  return haveSameKeys<ScenarioSettings>(a, b);
 }
 
 /// What is compared beside the keys.
@@ -114,6 +114,9 @@ int Scenario::nextKey() const {
 template <class T>
 auto operator==(const T& a, const T& b) -> decltype(a.unknown == b.unknown) {
   return haveSameKeys(a, b) && restOf(a) == restOf(b) && a.unknown == b.unknown;
+}
+bool operator==(const ScenarioSettings& a, const ScenarioSettings& b) {
+  return haveSameKeys(a, b) && a.desktop == b.desktop;
 }
 template bool operator==(const GlobalGoal&, const GlobalGoal&);
 template bool operator==(const Behavior&, const Behavior&);

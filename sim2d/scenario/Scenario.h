@@ -171,16 +171,20 @@ struct DesktopSettings {
   UnknownKeys unknown;
 };
 
-/// A scenario but for its people: all that a running world keeps of it.
-struct Environment {
+/// What belongs to the scenario as a whole.
+struct ScenarioSettings {
   std::optional<std::string> yamlBaseName, simulator, map;
   std::optional<bool> publishPeople;
+  DesktopSettings desktop;
+};
+
+/// A scenario but for its people: all that a running world keeps of it.
+struct Environment : ScenarioSettings {
   std::vector<GlobalGoal> goals;    // in file order
   std::vector<Robot> robots;        // listed ones first; ids -1, -2 … over them
   std::vector<Obstacle> obstacles;  // idem
   std::vector<Door> doors;
   std::vector<Area> areas;
-  DesktopSettings desktop;
   UnknownKeys unknown;     // beside the known global keys of hunav_loader
   UnknownKeys otherNodes;  // further nodes of the file
 };
@@ -225,6 +229,7 @@ void forEachListed(const std::vector<T>& all, Visit visit) {
 /// Comparison by content, of all that may have unknown keys.
 template <class T>
 auto operator==(const T& a, const T& b) -> decltype(a.unknown == b.unknown);
+bool operator==(const ScenarioSettings& a, const ScenarioSettings& b);
 template <class T>
 auto operator!=(const T& a, const T& b) -> decltype(a.unknown == b.unknown) {
   return !(a == b);

@@ -79,7 +79,7 @@ class FileReader {
   void readLoader(const YamlNode& parameters) {
     YamlMap view(&parameters, "", {base::EntityKind::Scenario, 0}, report_);
     report_.lines[view.entity()] = parameters.keyLine;
-    readFields<Environment>(view, scenario(), loader_.tables);
+    readFields<ScenarioSettings>(view, scenario(), loader_.tables);
     readGlobalGoals(view);
     readAgents(view);
     scenario().unknown = view.takeUnknown();

@@ -28,7 +28,7 @@ constexpr const char* kParameters = "ros__parameters";
 constexpr int kBlockFormat = 1;
 
 // The tables, one function each, and reading and writing by them.
-Fields<Environment> environmentFields();
+Fields<ScenarioSettings> scenarioFields();
 Fields<Human> humanFields();
 Fields<Behavior> behaviorFields();
 Fields<PersonExtension> personFields();

@@ -270,7 +270,7 @@ Scenario withoutDefaults(Scenario scenario, const FieldTables& tables) {
 
 YamlNode fileTree(const Scenario& scenario, const FieldTables& tables) {
   YamlNode loader;
-  writeFields<Environment>(loader, scenario, tables);
+  writeFields<ScenarioSettings>(loader, scenario, tables);
   if (!scenario.goals.empty()) {
     setChild(loader, "global_goals", goalsTree(scenario.goals));
   }
@@ -285,7 +285,7 @@ std::string writeScenario(const Scenario& scenario) {
 std::string writeScenarioB(const Scenario& scenario, base::Diagnostics& losses) {
   YamlNode loader;
   for (const char* key : {"map", "publish_people"}) {
-    const Field<Environment>& field = *fieldOf<Environment>(key);
+    const Field<ScenarioSettings>& field = *fieldOf<ScenarioSettings>(key);
     writeValue(loader, field.spec, field.value(scenario), field.digits);
   }
   setPeople(loader, scenario,

@@ -113,15 +113,16 @@ const std::vector<std::string>& routeWords() {
   return kWords;
 }
 
-Fields<Environment> environmentFields() {
-  return {
-      field("yaml_base_name", &Environment::yamlBaseName, "The file's name; trees are found by it"),
-      field("simulator", &Environment::simulator, "The simulator that HuNavSim runs the file in",
-            {"Simulator"}),
-      field("map", &Environment::map, "Name of the map, no folder, no extension", {"Map name"}),
-      field("publish_people", &Environment::publishPeople, "Publish people as ROS topics",
-            {"ROS topics"})
-          .orElse(true)};
+Fields<ScenarioSettings> scenarioFields() {
+  return {field("yaml_base_name", &ScenarioSettings::yamlBaseName,
+                "The file's name; trees are found by it"),
+          field("simulator", &ScenarioSettings::simulator,
+                "The simulator that HuNavSim runs the file in", {"Simulator"}),
+          field("map", &ScenarioSettings::map, "Name of the map, no folder, no extension",
+                {"Map name"}),
+          field("publish_people", &ScenarioSettings::publishPeople, "Publish people as ROS topics",
+                {"ROS topics"})
+              .orElse(true)};
 }
 
 Fields<DesktopSettings> settingsFields() {

@@ -149,8 +149,7 @@ class RecordedRunTest : public QObject {
     QVERIFY(!window->actions().save->isEnabled() && !window->actions().exportTo->isEnabled());
     const sim2d::Scenario shown = workspace.document().scenario();
     const base::EntityId person = shown.humans.front().key;
-    workspace.document().undoStack().push(
-        new editor::EditTree(workspace.document(), person, std::string("<root/>"), text("tree")));
+    editor::pushTrees(workspace.document(), {{person, std::string("<root/>")}}, text("tree"));
     QTRY_VERIFY(!workspace.document().undoStack().canUndo());
     workspace.view().setFocus();
     QTest::keyClick(workspace.view().viewport(), Qt::Key_Space);

@@ -88,8 +88,7 @@ class SaveWindowTest : public QObject, protected quiet::InFolder {
     const QString file = copyOfDemo();
     QVERIFY(window_->open(file));
     const editor::EntityId person = document().scenario().humanById(1)->key;
-    document().undoStack().push(
-        new editor::EditTree(document(), person, kTree, QStringLiteral("Tree")));
+    editor::pushTrees(document(), {{person, kTree}}, QStringLiteral("Tree"));
     QVERIFY(window_->files().saveTo(file));
     editor::pushChange<sim2d::Human>(
         document(), person, QStringLiteral("Type"),

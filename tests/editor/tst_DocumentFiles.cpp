@@ -54,7 +54,7 @@ class DocumentFilesTest : public QObject {
         "<root BTCPP_format=\"4\" main_tree_to_execute=\"Mine\">\n  <BehaviorTree ID=\"Mine\">\n"
         "    <Sequence name=\"nothing else\">\n      <AlwaysSuccess/>\n    </Sequence>\n"
         "  </BehaviorTree>\n</root>\n";
-    document.undoStack().push(new EditTree(document, ana, xml, QStringLiteral("Tree")));
+    pushTrees(document, {{ana, xml}}, QStringLiteral("Tree"));
     check(document.save(path));
     ScenarioDocument again;
     check(again.open(path));
@@ -204,7 +204,7 @@ class DocumentFilesTest : public QObject {
     check(document.save(path));
     pushMove(document, {{EntityKind::Human, 1}}, Vec2(0.5, 0.0));
     const EntityId ben{EntityKind::Human, 2};
-    document.undoStack().push(new EditTree(document, ben, kOwnTree, QStringLiteral("Tree")));
+    pushTrees(document, {{ben, kOwnTree}}, QStringLiteral("Tree"));
     MapStroke stroke(document.map());
     stroke.paint({6.0, 4.2}, {6.0, 4.8}, 0.1, MapPaint::Occupied);
     pushStroke(document, stroke, QStringLiteral("Paint"));

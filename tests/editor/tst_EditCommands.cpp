@@ -97,8 +97,7 @@ class EditCommandsTest : public QObject {
   }
 
   void pushDuplicate_withOwnTree_copiesIt() {
-    document_.undoStack().push(
-        new EditTree(document_, human(1), std::string("<root/>"), QStringLiteral("Tree")));
+    pushTrees(document_, {{human(1), std::string("<root/>")}}, QStringLiteral("Tree"));
     const std::vector<EntityId> copies = pushDuplicate(document_, {human(1)}, Vec2(1.0, 0.0));
     QCOMPARE(copies.size(), std::size_t{1});
     QVERIFY(document_.tree(copies.front()) == std::string("<root/>"));
@@ -110,7 +109,7 @@ class EditCommandsTest : public QObject {
   }
 
   void pushReorder_person_movesInTheList() {
-    pushReorder(document_, human(5), 0);
+    pushReorder(document_, {human(5)}, 0);
     QVERIFY(document_.scenario().humans.front().name == "Farid");
     undoAll();
     QVERIFY(document_.scenario() == small::scenario());
@@ -196,7 +195,7 @@ class EditCommandsTest : public QObject {
         pushGoalNumber(document_, anyOf(EntityKind::Goal, draw(6)), static_cast<int>(i) + 100);
         break;
       case 7:
-        pushReorder(document_, id, static_cast<int>(draw(6) * 6.0));
+        pushReorder(document_, {id}, static_cast<int>(draw(6) * 6.0));
         break;
       default:
         if (const sim2d::GlobalGoal* goal = document_.goal(anyOf(EntityKind::Goal, draw(6)))) {

@@ -33,7 +33,7 @@ class EntityModelTest : public QObject {
     const QPersistentModelIndex greta = model.indexOf({EntityKind::Human, 6});
     pushAdd(document_, sim2d::Human());
     pushRemove(document_, {{EntityKind::Human, 2}, {EntityKind::Goal, 12}});
-    pushReorder(document_, {EntityKind::Human, 6}, 0);
+    pushReorder(document_, {{EntityKind::Human, 6}}, 0);
     QCOMPARE(greta.row(), 0);
     while (document_.undoStack().canUndo()) {
       document_.undoStack().undo();

@@ -27,7 +27,8 @@ struct Case {
 
 template <class T>
 EntityKind kindOfKeys() {
-  using Settings = std::tuple<sim2d::Environment, sim2d::DesktopSettings, sim2d::MetricsSettings>;
+  using Settings =
+      std::tuple<sim2d::ScenarioSettings, sim2d::DesktopSettings, sim2d::MetricsSettings>;
   if constexpr (std::is_same_v<T, sim2d::Robot>) {
     return EntityKind::Robot;
   } else if constexpr (std::is_same_v<T, sim2d::Obstacle>) {
@@ -79,9 +80,9 @@ void addCases(std::vector<Case>& cases) {
     for (const double value : samples(field.spec, field.isWide)) {
       cases.push_back(
           {kindOfKeys<T>(), field.spec.key, value, [&field, value, isInteger](Entity& e) {
-             editor::assign<T>(e, field,
-                               isInteger ? base::ParameterValue(static_cast<long long>(value))
-                                         : base::ParameterValue(value));
+             field.assign(editor::partOf<T>(e),
+                          isInteger ? base::ParameterValue(static_cast<long long>(value))
+                                    : base::ParameterValue(value));
            }});
     }
   }
@@ -199,7 +200,7 @@ class FieldFormsTest : public QObject {
   void key_ofATable_hasARowWithItsHelp() {
     QStringList missing;
     QStringList withoutHelp;
-    findRows<sim2d::Environment>(missing, withoutHelp);
+    findRows<sim2d::ScenarioSettings>(missing, withoutHelp);
     findRows<sim2d::Human>(missing, withoutHelp);
     findRows<sim2d::Behavior>(missing, withoutHelp);
     findRows<sim2d::PersonExtension>(missing, withoutHelp);

@@ -55,8 +55,8 @@ class OwnTreesTest : public QObject {
     QVERIFY(document.treeQuestions(room.path).empty());
     check(document.save(room.path));
     QVERIFY(room.treeText(1) != before);
-    QVERIFY(isGeneratedTree(room.treeText(1), document.scenario(),
-                            *document.human({EntityKind::Human, 1})));
+    QVERIFY(editor::generatedStyle(room.treeText(1), document.scenario(),
+                                   *document.human({EntityKind::Human, 1})));
   }
 
   void save_treeOfTheOriginalsStyle_staysInItsStyle() {
@@ -92,7 +92,7 @@ class OwnTreesTest : public QObject {
     Room room;
     ScenarioDocument& document = room.document;
     const EntityId ana{EntityKind::Human, 1};
-    document.undoStack().push(new EditTree(document, ana, kOwnTree, QStringLiteral("Tree")));
+    pushTrees(document, {{ana, kOwnTree}}, QStringLiteral("Tree"));
     QVERIFY(document.treeQuestions(room.path).empty());
     check(document.save(room.path));
     pushRoute(document, {ana}, {3});
@@ -127,8 +127,8 @@ class OwnTreesTest : public QObject {
     QVERIFY(document.tree({EntityKind::Human, 1}) == kOwnTree);
     document.undoStack().undo();
     check(document.save(room.path, {{{EntityKind::Human, 1}, TreeAnswer::TakeReplacement}}));
-    QVERIFY(isGeneratedTree(room.treeText(1), document.scenario(),
-                            *document.human({EntityKind::Human, 1})));
+    QVERIFY(editor::generatedStyle(room.treeText(1), document.scenario(),
+                                   *document.human({EntityKind::Human, 1})));
   }
 
   void treeQuestions_onlyACommentAddedByAnotherProgram_asksAndKeepsIt() {
@@ -268,7 +268,7 @@ class OwnTreesTest : public QObject {
     check(document.open(room.path));
     const std::vector<EntityId> people = document.entities(EntityKind::Human);
     const std::string changed = std::string(kOwnTree) + "<!-- more -->\n";
-    document.undoStack().push(new EditTree(document, people[1], changed, QStringLiteral("Tree")));
+    pushTrees(document, {{people[1], changed}}, QStringLiteral("Tree"));
     check(document.save(room.path));
     ScenarioDocument again;
     check(again.open(room.path));
@@ -289,8 +289,8 @@ class OwnTreesTest : public QObject {
     QVERIFY(again.treeQuestions(room.path).empty());
     for (const bool isOwn : {false, true}) {
       if (isOwn) {  // nothing may pass for saved that is not
-        again.undoStack().push(new EditTree(again, again.entities(EntityKind::Human)[0], kOwnTree,
-                                            QStringLiteral("Tree")));
+        pushTrees(again, {{again.entities(EntityKind::Human)[0], kOwnTree}},
+                  QStringLiteral("Tree"));
       }
       const base::Diagnostics told = again.save(room.path);
       QCOMPARE(told.size(), std::size_t(1));

@@ -52,7 +52,7 @@ class RandomUser {
         return pushMove(document_, some(), {number(), number()},
                         whole(0, 1) == 0 ? Merge::Never : Merge::WithPrevious);
       case 3:
-        return pushTurn(document_, some(), number());
+        return turn();
       case 4:
       case 5:
         return pushRemove(document_, some());
@@ -70,7 +70,7 @@ class RandomUser {
       case 9:
         return pushRoute(document_, some(), {whole(1, 12), whole(1, 12)});
       case 10:
-        return pushReorder(document_, any(), whole(0, 5));
+        return pushReorder(document_, {any()}, whole(0, 5));
       case 11:
         return change();
       case 12:
@@ -227,6 +227,15 @@ class RandomUser {
     }
   }
 
+  void turn() {
+    std::vector<Entity> values;
+    const double heading = number();
+    for (const EntityId id : some()) {
+      values.push_back(turned(*document_.entity(id), heading));
+    }
+    pushEdit(document_, std::move(values), QStringLiteral("Turn"));
+  }
+
   void otherMap() {
     pushMap(document_, {emptyRoom(6.0 + whole(0, 4), 5.0, 0.2), {}, false, {}},
             std::get<ScenarioSettings>(*document_.entity(kSettingsId)), QStringLiteral("Map"));
@@ -241,7 +250,7 @@ class RandomUser {
     if (whole(0, 2) != 0) {
       xml = "<root BTCPP_format=\"4\"><!-- " + std::to_string(whole(0, 9)) + " --></root>";
     }
-    document_.undoStack().push(new EditTree(document_, person, xml, QStringLiteral("Tree")));
+    pushTrees(document_, {{person, xml}}, QStringLiteral("Tree"));
   }
 
   void paint() {

@@ -251,8 +251,7 @@ void ShapeEditingTest::clipboard_otherWindow_bringsGoalsTreesAndSources() {
   source.like = "Ana";
   source.rate = 0.3;
   const EntityId gate = pushAdd(document_, source);
-  document_.undoStack().push(
-      new EditTree(document_, person(1), std::string("<root/>"), QStringLiteral("Tree")));
+  pushTrees(document_, {{person(1), std::string("<root/>")}}, QStringLiteral("Tree"));
   document_.setSelection({person(1), gate});
   const std::unique_ptr<QMimeData> data = copiedSelection(document_);
 

@@ -95,7 +95,7 @@ class FaultRows {
 std::map<std::string, Fault> allFaults(const Scenario& scenario) {
   std::map<std::string, Fault> rows;
   const Human& anna = scenario.humans.front();
-  FaultRows(rows, kLoaderNode, {}).addAll<Environment>(scenario);
+  FaultRows(rows, kLoaderNode, {}).addAll<ScenarioSettings>(scenario);
   FaultRows(rows, kLoaderNode, {anna.name}).addAll(anna);
   FaultRows(rows, kLoaderNode, {anna.name, "behavior"}).addAll(anna.behavior);
   FaultRows(rows, kBlockNode, {}).addAll(scenario.desktop);
