@@ -255,7 +255,7 @@ void Physics::setPartEnabled(int part, bool enabled) {
   }
 }
 
-int Physics::addBody(const BodySpec& spec, bool present) {
+int Physics::addBody(const BodySpec& spec) {
   const int index = static_cast<int>(bodies_.size());
   b2BodyDef definition;
   definition.type = b2_dynamicBody;
@@ -272,7 +272,6 @@ int Physics::addBody(const BodySpec& spec, bool present) {
   body.mass = static_cast<float>(spec.mass);
   body.isPerson = spec.keepsHeading && spec.footprint.empty();
   body.passesItsKind = spec.passesItsKind;
-  body.present = present;
   body.lonely = spec.lonely;
   if (!body.isPerson) {
     spec.footprint.empty() ? addDisc(*body.body, body.radius, body.passesItsKind)

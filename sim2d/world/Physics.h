@@ -59,7 +59,7 @@ class Physics {
   void setPartEnabled(int part, bool enabled);
 
   void reserve(std::size_t bodies) { bodies_.reserve(bodies); }
-  int addBody(const BodySpec& spec, bool present);
+  int addBody(const BodySpec& spec);
   void setPresent(int body, bool present);
   void place(int body, const Pose2& pose);
   /// What a body should do in the next step; people (`keepsHeading`) have omega 0.

@@ -171,17 +171,16 @@ Vec2 RouteFollower::besideCorner(const Request& request, const NavigationMap& na
   return Vec2::Zero();
 }
 
-bool RouteFollower::hasPassed(const Vec2& position) const {
-  return (path_[next_] - position).norm() < kPassed ||
-         (path_[next_] + beside_ - position).norm() < kPassed;
-}
-
 void RouteFollower::passWayPoints(const Request& request, const NavigationMap& navigation,
                                   bool looks) {
-  while (next_ + 1 < path_.size() &&
-         (hasPassed(request.position) ||
-          (looks && !isRound_ &&
-           navigation.isClear(request.radius, request.position, path_[next_ + 1])))) {
+  const auto hasPassed = [&] {
+    return (path_[next_] - request.position).norm() < kPassed ||
+           (path_[next_] + beside_ - request.position).norm() < kPassed;
+  };
+  while (
+      next_ + 1 < path_.size() &&
+      (hasPassed() || (looks && !isRound_ &&
+                       navigation.isClear(request.radius, request.position, path_[next_ + 1])))) {
     ++next_;
     isRound_ = false;
     beside_ = Vec2::Zero();

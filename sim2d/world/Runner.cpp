@@ -1,7 +1,6 @@
 #include "sim2d/world/Runner.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace sim2d {
@@ -51,15 +50,14 @@ StopRule stopRuleOf(const Environment& scenario) {
 RunResult run(World& world, const StopRule& rule, FrameSink& sink,
               const std::function<bool(const Frame&)>& wantsStop,
               const std::function<StepInputs()>& takeInputs) {
-  using Clock = std::chrono::steady_clock;
   RunResult result;
   Frame last = world.frame();
   result.reason = reasonToStop(world, rule, wantsStop);
   while (result.reason.empty()) {
     const StepInputs inputs = takeInputs ? takeInputs() : StepInputs();
-    const Clock::time_point begin = Clock::now();
+    const double begin = secondsBy(StepClock::Wall);
     const bool isFine = world.step(inputs);
-    result.steppingSeconds += std::chrono::duration<double>(Clock::now() - begin).count();
+    result.steppingSeconds += secondsBy(StepClock::Wall) - begin;
     if (!isFine) {
       result.status = RunStatus::Failed;
       result.reason = world.failure();

@@ -74,10 +74,8 @@ void RunningWorld::addRobotBodies() {
     start.pose = robot.start;
     start.pose.heading = base::wrapToPi(robot.start.heading);
     state_.robots.push_back(start);
-    const int body =
-        physics_.addBody({start.pose, robot.radius, robot.mass, robot.footprint}, false);
-    physics_.setLonely(body, true);  // until it comes near something
-    physics_.setPresent(body, true);
+    // Lonely until it comes near something.
+    physics_.addBody({start.pose, robot.radius, robot.mass, robot.footprint, false, false, true});
     robotReaches_.push_back(reachOf(robot));
   }
 }
@@ -147,10 +145,9 @@ void RunningWorld::enter(std::size_t human) {
   motion_.enter(human);
   goals_.enter(human);
   if (bodies_[human] < 0) {
-    BodySpec body{start, person.constants.radius, person.constants.mass, {}, true};
-    body.passesItsKind = model_.peoplePass;
-    body.lonely = model_.people.size() > kSmallWorld;
-    bodies_[human] = physics_.addBody(body, true);
+    bodies_[human] = physics_.addBody({start, person.constants.radius, person.constants.mass,
+                                       std::vector<Vec2>(), true, model_.peoplePass,
+                                       model_.people.size() > kSmallWorld});
     humans_.push_back(human);
   } else {
     physics_.place(bodies_[human], start);

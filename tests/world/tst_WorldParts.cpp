@@ -115,7 +115,7 @@ void WorldPartsTest::keepApart_slidingAlong_losesNothing() {
 
 void WorldPartsTest::physics_untouched_movesInDouble() {
   Physics physics(Vec2(100.0, -50.0));
-  const int body = physics.addBody({{Vec2(101.1, -50.3), 0.0}, 0.4, 80.0, {}, true}, true);
+  const int body = physics.addBody({{Vec2(101.1, -50.3), 0.0}, 0.4, 80.0, {}, true});
   Vec2 exact(101.1, -50.3);
   for (int i = 0; i < 1000; ++i) {
     const Vec2 velocity(1.3 * std::cos(0.01 * i), 1.3 * std::sin(0.01 * i));
@@ -130,7 +130,7 @@ void WorldPartsTest::physics_untouched_movesInDouble() {
 void WorldPartsTest::physics_pressedIntoAWall_staysOutside() {
   Physics physics(Vec2::Zero());
   physics.addPart({boxOutline({Vec2(2.0, 0.0), 0.0}, 1.0, 6.0)}, true);
-  const int body = physics.addBody({{Vec2(0.5, 0.0), 0.0}, 0.4, 80.0, {}, true}, true);
+  const int body = physics.addBody({{Vec2(0.5, 0.0), 0.0}, 0.4, 80.0, {}, true});
   for (int i = 0; i < 200; ++i) {
     physics.setVelocity(body, Vec2(1.0, 0.5), 0.0);
     physics.step(0.02);
@@ -142,7 +142,7 @@ void WorldPartsTest::physics_pressedIntoAWall_staysOutside() {
 void WorldPartsTest::physics_touches_beginAndLast() {
   Physics physics(Vec2::Zero());
   physics.addPart({boxOutline({Vec2(2.0, 0.0), 0.0}, 1.0, 6.0)}, true);
-  const int body = physics.addBody({{Vec2(0.9, 0.0), 0.0}, 0.4, 80.0, {}, true}, true);
+  const int body = physics.addBody({{Vec2(0.9, 0.0), 0.0}, 0.4, 80.0, {}, true});
   std::vector<Touch> none;
   std::vector<Touch> touches;
   physics.setVelocity(body, Vec2(1.0, 0.0), 0.0);

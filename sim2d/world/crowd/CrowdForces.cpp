@@ -258,7 +258,9 @@ void CrowdForces::addToBatch(const CrowdState& crowd, std::size_t slot, Scratch&
   const CrowdReach::Disc disc = reaches_[shape].discOf(speed);
   const bool looks = !law.goesThroughWalls && crowd.room[person] < disc.ahead + disc.radius;
   Batch& batch = scratch.batch;
-  if (batch.slots.size() == kBatch || looks != batch.law.looksForWalls || shape != batch.shape) {
+  const bool fits =
+      batch.slots.size() < kBatch && looks == batch.law.looksForWalls && shape == batch.shape;
+  if (!fits && !batch.slots.empty()) {
     computeBatch(crowd, scratch);
   }
   const float ahead = speed > 0.0F ? static_cast<float>(disc.ahead) / speed : 0.0F;  // [s]
