@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/canvas/PixelFrame.h"
+#include "editor/canvas/SpriteAtlas.h"
 #include "editor/document/Groups.h"
 #include "sim2d/scenario/Defaults.h"
 
@@ -14,6 +16,31 @@ constexpr double kTrailSeconds = 6.0;
 constexpr double kTrailStep = 0.05;      // [m] between two points
 constexpr double kStandingSpeed = 0.05;  // [m/s]
 constexpr std::size_t kMostNames = 120;
+constexpr double kStrideMetres = 1.4;  // both feet once
+constexpr double kSpeechSeconds = 4.0;
+constexpr double kSpeechFade = 0.6;  // [s] at its end
+constexpr int kTrailParts = 10;
+constexpr double kBubbleWidthPx = 220.0;
+constexpr int kBubbleText = int{Qt::TextWordWrap} | int{Qt::AlignCenter};
+
+void paintTrail(QPainter& painter, const std::deque<std::pair<double, Vec2>>& points,
+                QColor color) {
+  const std::size_t count = points.size();
+  for (int part = 0; part < kTrailParts; ++part) {
+    const std::size_t from = count * static_cast<std::size_t>(part) / kTrailParts;
+    const std::size_t to =
+        std::min(count - 1, count * static_cast<std::size_t>(part + 1) / kTrailParts);
+    QPolygonF line;
+    for (std::size_t i = from; i <= to; ++i) {
+      line << toScene(points[i].second);
+    }
+    color.setAlphaF(0.5 * (part + 1) / kTrailParts);
+    QPen pen(color, 4.0, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+    makeCosmetic(pen, painter);
+    painter.setPen(pen);
+    painter.drawPolyline(line);
+  }
+}
 
 }  // namespace
 
@@ -178,6 +205,180 @@ std::vector<Label> FrameLayer::labels() const {
     }
   }
   return labels;
+}
+
+void FrameLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+  if (frame_ == nullptr) {
+    return;
+  }
+  painter->setRenderHint(QPainter::Antialiasing);
+  for (const Body& body : bodies_) {
+    if (options().proxemics && !body.isRobot() && isChosen(body)) {
+      paintSpaces(*painter, body.pose.position, theme().fill(body.agent->look));
+    }
+  }
+  if (options().trails) {
+    paintTrails(*painter);
+  }
+  if (options().robotPath) {
+    paintRobotPaths(*painter);
+  }
+  if (options().people) {
+    paintPeople(*painter);
+  }
+  for (const Body& body : bodies_) {
+    if (options().robots && body.isRobot()) {
+      paintRobot(*painter, body);
+    }
+  }
+  for (const Body& body : bodies_) {
+    if (options().forces && isChosen(body)) {
+      paintForces(*painter, body);
+    }
+  }
+  if (options().speech) {
+    paintSpeech(*painter);
+  }
+}
+
+PersonFigure FrameLayer::figureOf(const Body& person, double pixelsPerMetre) const {
+  PersonFigure figure;
+  figure.look = person.agent->look;
+  figure.kind = person.agent->kind;
+  figure.radiusPx = std::max(person.agent->radius * pixelsPerMetre, kLeastFigurePx);
+  figure.headingDeg = degrees(person.pose.heading);
+  if (person.isMoving) {
+    figure.stride = std::sin(2.0 * base::kPi * trails_.at(person.id).walked / kStrideMetres);
+  }
+  return figure;
+}
+
+void FrameLayer::paintPeople(QPainter& painter) const {
+  const double pixelsPerMetre = pixelsPerMetreOf(painter);
+  std::vector<std::pair<QPointF, PersonFigure>> figures;
+  figures.reserve(bodies_.size());
+  const PixelFrame frame(painter, {});
+  for (const Body& body : bodies_) {
+    if (body.isRobot()) {
+      continue;
+    }
+    const QPointF at = toScene(body.pose.position) * pixelsPerMetre;
+    figures.emplace_back(at, figureOf(body, pixelsPerMetre));
+    if (isChosen(body)) {
+      paintRing(painter, QPen(theme().color(Role::Accent), 2.0),
+                figures.back().second.radiusPx + 4.0, at);
+    }
+  }
+  mapScene().sprites().draw(painter, theme(), figures);
+}
+
+void FrameLayer::paintRobot(QPainter& painter, const Body& robot) const {
+  const RobotFigure figure = robotFigure(robot.agent->radius, robot.agent->footprint,
+                                         robot.pose.heading, pixelsPerMetreOf(painter));
+  const PixelFrame frame(painter, toScene(robot.pose.position));
+  if (isChosen(robot)) {
+    paintRing(painter, QPen(theme().color(Role::Accent), 2.0), figure.radiusPx + 5.0);
+  }
+  FigurePainter(theme()).robot(painter, figure);
+}
+
+void FrameLayer::paintRobotPaths(QPainter& painter) const {
+  QPen pen(theme().color(Role::RobotLine), 2.0, Qt::CustomDashLine, Qt::FlatCap);
+  pen.setDashPattern({3.5, 2.5});
+  makeCosmetic(pen, painter);
+  for (const std::vector<Vec2>& points : frame_->robotPaths) {
+    const QPainterPath path = softPath(points, 0.3);
+    setInk(painter, pen);
+    painter.drawPath(path);
+    paintArrowHeads(painter, path, 1.5, 8.0, theme());
+  }
+  for (const sim2d::Robot& robot : document().scenario().robots) {
+    if (robot.listed && robot.goal.point) {
+      paintRobotGoal(painter, theme(), *robot.goal.point);
+    }
+  }
+}
+
+std::vector<ForceArrow> forcesOn(const sim2d::Frame& frame, int humanId) {
+  const auto found = std::find(frame.humans.id.begin(), frame.humans.id.end(), humanId);
+  const auto i = static_cast<std::size_t>(found - frame.humans.id.begin());
+  const sim2d::ForceColumns& forces = frame.forces;
+  const bool isComplete = i < forces.goal.size() && i < forces.social.size() &&
+                          i < forces.obstacle.size() && i < forces.group.size();
+  if (found == frame.humans.id.end() || !isComplete) {
+    return {};
+  }
+  const Vec2 total = forces.goal[i] + forces.social[i] + forces.obstacle[i] + forces.group[i];
+  return {{QStringLiteral("Goal"), Role::ForceGoal, forces.goal[i]},
+          {QStringLiteral("People"), Role::ForceSocial, forces.social[i]},
+          {QStringLiteral("Obstacles"), Role::ForceObstacle, forces.obstacle[i]},
+          {QStringLiteral("Group"), Role::ForceGroup, forces.group[i]},
+          {QStringLiteral("Total"), Role::ForceTotal, total}};
+}
+
+void FrameLayer::paintTrails(QPainter& painter) const {
+  for (const auto& [id, trail] : trails_) {
+    if (trail.points.size() > 1) {
+      paintTrail(painter, trail.points,
+                 id < 0 ? theme().color(Role::RobotLine) : theme().line(agent(id).look));
+    }
+  }
+}
+
+void FrameLayer::paintForces(QPainter& painter, const Body& person) const {
+  const double pixelsPerMetre = pixelsPerMetreOf(painter);
+  const PixelFrame frame(painter, toScene(person.pose.position));
+  const double ring = person.agent->radius * pixelsPerMetre + 7.0;
+  for (const ForceArrow& arrow : forcesOn(*frame_, person.id)) {
+    const double length = arrow.force.norm() * kMetresPerForce * pixelsPerMetre;
+    if (length < 2.0) {
+      continue;
+    }
+    const double heading = base::headingOf(arrow.force);
+    const QPointF along(std::cos(heading), -std::sin(heading));
+    const QPointF tip = (ring + length) * along;
+    painter.setPen(QPen(theme().color(arrow.color), 2.2, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(ring * along, tip);
+    FigurePainter(theme()).arrowHead(painter, tip, degrees(heading), 7.0);
+  }
+}
+
+void FrameLayer::paintBubble(QPainter& painter, const Body& speaker, const Speech& speech) const {
+  const double left = speech.since + kSpeechSeconds - frame_->time;
+  const double radiusPx = speaker.agent->radius * pixelsPerMetreOf(painter);
+  const PixelFrame frame(painter, toScene(speaker.pose.position));
+  painter.setOpacity(std::clamp(left / kSpeechFade, 0.0, 1.0));
+  const QFont font = theme().font(9.0);
+  const QRectF text = QFontMetricsF(font).boundingRect(QRectF(0.0, 0.0, kBubbleWidthPx, 200.0),
+                                                       kBubbleText, speech.text);
+  QRectF box(QPointF(), text.size() + QSizeF(20.0, 12.0));
+  box.moveBottomLeft(QPointF(-14.0, -radiusPx - 12.0));
+  QPainterPath bubble;
+  bubble.addRoundedRect(box, 6.0, 6.0);
+  QPainterPath tail;
+  tail.addPolygon(QPolygonF({QPointF(-6.0, box.bottom() - 1.0), QPointF(8.0, box.bottom() - 1.0),
+                             QPointF(0.0, -radiusPx - 3.0)}));
+  tail.closeSubpath();
+  setInk(painter, QPen(theme().color(Role::FieldEdge), 1.0),
+         theme().color(theme().isDark() ? Role::Text : Role::Panel));
+  painter.drawPath(bubble.united(tail));
+  painter.setFont(font);
+  painter.setPen(theme().color(theme().isDark() ? Role::Window : Role::Text));
+  painter.drawText(box, kBubbleText, speech.text);
+}
+
+void FrameLayer::paintSpeech(QPainter& painter) const {
+  std::map<int, const Speech*> latest;  // a person's newest words take the place of older ones
+  for (const Speech& speech : speeches_) {
+    if (speech.since <= frame_->time && frame_->time < speech.since + kSpeechSeconds) {
+      latest[speech.id] = &speech;
+    }
+  }
+  for (const auto& [id, speech] : latest) {
+    if (const Body* speaker = body(id)) {
+      paintBubble(painter, *speaker, *speech);
+    }
+  }
 }
 
 }  // namespace editor

@@ -1,11 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
-#include <utility>
-
-#include <QPainterPath>
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/Overlays.h"

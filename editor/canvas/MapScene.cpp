@@ -10,7 +10,6 @@
 #include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/SpriteAtlas.h"
 #include "editor/document/EntityLists.h"
-#include "sim2d/scenario/Defaults.h"
 
 namespace editor {
 

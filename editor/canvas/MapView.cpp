@@ -19,7 +19,6 @@ namespace {
 constexpr double kClosest = 800.0;  // [px/m]
 constexpr double kFarthest = 0.25;
 constexpr double kWheelFactor = 1.0015;  // per eighth of a degree
-constexpr double kKeyFactor = 1.25;
 constexpr int kFitMs = 120;
 constexpr int kFitMarginPx = 32;
 constexpr int kSettleMs = 120;  // after the last movement of the view
@@ -149,26 +148,6 @@ void MapView::zoomBy(double factor, const QPointF& viewportPoint) {
   const QPointF centre = mapToScene(viewport()->rect().center());
   const QPointF fixed = mapToScene(viewportPoint.toPoint());
   applyView(fixed + (centre - fixed) * pixelsPerMetre() / scale, scale);
-}
-
-void MapView::zoomIn() {
-  zoomBy(kKeyFactor, viewport()->rect().center());
-}
-
-void MapView::zoomOut() {
-  zoomBy(1.0 / kKeyFactor, viewport()->rect().center());
-}
-
-void MapView::setPixelsPerMetre(double value) {
-  zoomBy(value / pixelsPerMetre(), viewport()->rect().center());
-}
-
-Vec2 MapView::worldAt(const QPoint& viewportPoint) const {
-  return toWorld(mapToScene(viewportPoint));
-}
-
-QPoint MapView::viewportFrom(const Vec2& world) const {
-  return mapFromScene(toScene(world));
 }
 
 void MapView::setCanvasState(CanvasState state) {

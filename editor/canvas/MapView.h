@@ -48,12 +48,13 @@ class MapView : public QGraphicsView {
   void fitAll(bool animated = true);
   void centerOnEntity(EntityId id);
   void zoomBy(double factor, const QPointF& viewportPoint);
-  void zoomIn();
-  void zoomOut();
-  void setPixelsPerMetre(double value);
+  void zoomBy(double factor) { zoomBy(factor, viewport()->rect().center()); }
+  void zoomIn() { zoomBy(1.25); }
+  void zoomOut() { zoomBy(1.0 / 1.25); }
+  void setPixelsPerMetre(double value) { zoomBy(value / pixelsPerMetre()); }
   double pixelsPerMetre() const { return transform().m11(); }
-  Vec2 worldAt(const QPoint& viewportPoint) const;
-  QPoint viewportFrom(const Vec2& world) const;
+  Vec2 worldAt(const QPoint& viewportPoint) const { return toWorld(mapToScene(viewportPoint)); }
+  QPoint viewportFrom(const Vec2& world) const { return mapFromScene(toScene(world)); }
   void setCanvasState(CanvasState state);
   void setHandPan(bool on);  // the left button pans as well
   MapScene& mapScene() const { return scene_; }

@@ -5,7 +5,6 @@
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/PixelFrame.h"
 #include "editor/document/Groups.h"
-#include "editor/look/FigurePainter.h"
 
 namespace editor {
 

@@ -3,7 +3,6 @@
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/PixelFrame.h"
-#include "editor/look/FigurePainter.h"
 #include "sim2d/map/Outlines.h"
 #include "sim2d/map/Segments.h"
 

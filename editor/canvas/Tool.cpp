@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "sim2d/map/Outlines.h"
 
@@ -55,32 +54,11 @@ std::optional<Vec2> pointNear(const MapScene& scene, const CanvasMouse& mouse,
 constexpr double kMostCells = 40.0;  // to each side, however far the view is away
 constexpr int kLeg = 3;              // cells that the edges of a corner are long at least
 
-/// Borders between wall and no wall around one point; lattice points are the corners of cells.
-class Borders {
- public:
-  Borders(const sim2d::OccupancyGrid& grid, const Vec2& world, double reach)
-      : grid_(grid),
-        at_(grid.worldToCorner(world)),
-        reach_(std::min(reach / grid.resolution(), kMostCells)) {}
+/// Borders between wall and no wall; lattice points are the corners of cells.
+struct Borders {
+  const sim2d::OccupancyGrid& grid;
 
-  std::optional<Vec2> nearest() {
-    const auto low = [this](double value) { return static_cast<int>(std::floor(value - reach_)); };
-    const auto high = [this](double value) { return static_cast<int>(std::ceil(value + reach_)); };
-    for (int row = low(at_.y()); row <= high(at_.y()); ++row) {
-      for (int column = low(at_.x()); column <= high(at_.x()); ++column) {
-        offerPoint(column, row);
-      }
-    }
-    return corner_.place ? corner_.place : edge_.place;
-  }
-
- private:
-  struct Best {
-    std::optional<Vec2> place;  // world
-    double distance = 0.0;      // [cells]
-  };
-
-  bool isWall(int column, int row) const { return grid_.isWall({column, row}); }
+  bool isWall(int column, int row) const { return grid.isWall({column, row}); }
   /// The border from a lattice point to the next one on the right, or above.
   bool goesRight(int column, int row) const {
     return isWall(column, row - 1) != isWall(column, row);
@@ -103,32 +81,21 @@ class Borders {
     }
     return true;
   }
+};
 
-  void offer(Best& best, const Vec2& place) const {
-    const double distance = (place - at_).norm();
-    if (distance <= reach_ && (!best.place || distance < best.distance)) {
-      best = {grid_.cornerToWorld(place.x(), place.y()), distance};
+/// The first of the nearest places that were offered, all in cells.
+struct NearestPlace {
+  Vec2 at = Vec2::Zero();
+  double reach = 0.0;
+  std::optional<Vec2> place;
+
+  void offer(const Vec2& candidate) {
+    const double distance = (candidate - at).norm();
+    if (place ? distance < reach : distance <= reach) {
+      place = candidate;
+      reach = distance;
     }
   }
-
-  void offerPoint(int column, int row) {
-    const double x = column;
-    const double y = row;
-    if (goesRight(column, row)) {
-      offer(edge_, {std::clamp(at_.x(), x, x + 1.0), y});
-    }
-    if (goesUp(column, row)) {
-      offer(edge_, {x, std::clamp(at_.y(), y, y + 1.0)});
-    }
-    if (isCorner(column, row)) {
-      offer(corner_, {x, y});
-    }
-  }
-
-  const sim2d::OccupancyGrid& grid_;
-  Vec2 at_;       // [cells]
-  double reach_;  // [cells]
-  Best corner_, edge_;
 };
 
 }  // namespace
@@ -172,7 +139,32 @@ QString legText(const Vec2& from, const Vec2& to) {
 
 std::optional<Vec2> nearestOnWalls(const sim2d::OccupancyGrid& grid, const Vec2& world,
                                    double reach) {
-  return grid.isEmpty() ? std::nullopt : Borders(grid, world, reach).nearest();
+  if (grid.isEmpty()) {
+    return std::nullopt;
+  }
+  const Borders borders{grid};
+  const Vec2 at = grid.worldToCorner(world);
+  const double cells = std::min(reach / grid.resolution(), kMostCells);
+  const auto low = [cells](double value) { return static_cast<int>(std::floor(value - cells)); };
+  const auto high = [cells](double value) { return static_cast<int>(std::ceil(value + cells)); };
+  NearestPlace corner{at, cells, {}};
+  NearestPlace edge = corner;
+  for (int row = low(at.y()); row <= high(at.y()); ++row) {
+    for (int column = low(at.x()); column <= high(at.x()); ++column) {
+      const Vec2 point(column, row);
+      if (borders.goesRight(column, row)) {
+        edge.offer({std::clamp(at.x(), point.x(), point.x() + 1.0), point.y()});
+      }
+      if (borders.goesUp(column, row)) {
+        edge.offer({point.x(), std::clamp(at.y(), point.y(), point.y() + 1.0)});
+      }
+      if (borders.isCorner(column, row)) {
+        corner.offer(point);
+      }
+    }
+  }
+  const std::optional<Vec2> best = corner.place ? corner.place : edge.place;
+  return best ? std::optional<Vec2>(grid.cornerToWorld(best->x(), best->y())) : std::nullopt;
 }
 
 double snappedAngle(double heading, double step) {

@@ -32,21 +32,17 @@ class MapPaintTool : public Tool {
   }
 
   bool keyPress(const QKeyEvent& event) override {
-    switch (event.key()) {
-      case Qt::Key_1:
-      case Qt::Key_2:
-      case Qt::Key_3:
-        setPaint(event.key() - Qt::Key_1);
-        return true;
-      case Qt::Key_BracketLeft:
-        setWidth(width_ - (width_ > 0.2 ? 0.1 : 0.05));
-        return true;
-      case Qt::Key_BracketRight:
-        setWidth(width_ + (width_ < 0.2 ? 0.05 : 0.1));
-        return true;
-      default:
-        return false;
+    const int paint = event.key() - Qt::Key_1;
+    if (paint >= 0 && paint < static_cast<int>(kPaints.size())) {
+      setPaint(paint);
+    } else if (event.key() == Qt::Key_BracketLeft) {
+      setWidth(width_ - (width_ > 0.2 ? 0.1 : 0.05));
+    } else if (event.key() == Qt::Key_BracketRight) {
+      setWidth(width_ + (width_ < 0.2 ? 0.05 : 0.1));
+    } else {
+      return false;
     }
+    return true;
   }
 
   QWidget* makeOptions(QWidget* parent) override {

@@ -74,20 +74,17 @@ class RouteTool : public Tool {
   }
 
   bool keyPress(const QKeyEvent& event) override {
-    switch (event.key()) {
-      case Qt::Key_Return:
-      case Qt::Key_Enter:
-        commit();
-        return true;
-      case Qt::Key_Backspace:
-        if (!goals_.empty()) {
-          goals_.pop_back();
-          preview();
-        }
-        return true;
-      default:
-        return false;
+    if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) {
+      commit();
+    } else if (event.key() == Qt::Key_Backspace) {
+      if (!goals_.empty()) {
+        goals_.pop_back();
+        preview();
+      }
+    } else {
+      return false;
     }
+    return true;
   }
 
  private:

@@ -53,22 +53,12 @@ Extent wholeOf(const std::vector<Piece>& pieces) {
   return whole;
 }
 
-Vec2 offsetFor(Align how, const Extent& piece, const Extent& whole) {
-  switch (how) {
-    case Align::Left:
-      return {whole.low.x() - piece.low.x(), 0.0};
-    case Align::CentreX:
-      return {whole.centre().x() - piece.centre().x(), 0.0};
-    case Align::Right:
-      return {whole.high.x() - piece.high.x(), 0.0};
-    case Align::Top:
-      return {0.0, whole.high.y() - piece.high.y()};
-    case Align::CentreY:
-      return {0.0, whole.centre().y() - piece.centre().y()};
-    case Align::Bottom:
-      break;
+/// The corner or middle by which pieces are aligned.
+Vec2 placeOf(const Extent& extent, Align how) {
+  if (how == Align::CentreX || how == Align::CentreY) {
+    return extent.centre();
   }
-  return {0.0, whole.low.y() - piece.low.y()};
+  return how == Align::Right || how == Align::Top ? extent.high : extent.low;
 }
 
 }  // namespace
@@ -81,7 +71,9 @@ void alignSelection(ScenarioDocument& document, Align how) {
   const Extent whole = wholeOf(pieces);
   std::vector<Entity> values;
   for (const Piece& piece : pieces) {
-    values.push_back(moved(piece.value, offsetFor(how, piece.extent, whole)));
+    Vec2 offset = placeOf(whole, how) - placeOf(piece.extent, how);
+    offset(how < Align::Top ? 1 : 0) = 0.0;  // along one axis
+    values.push_back(moved(piece.value, offset));
   }
   pushEdit(document, std::move(values), QObject::tr("Align"));
 }
