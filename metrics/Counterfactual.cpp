@@ -148,8 +148,7 @@ std::vector<MetricResult> effectSums(const std::vector<PersonEffect>& effects) {
     for (const PersonEffect& effect : effects) {
       sum += effect.*kColumns[results.size()].member;
     }
-    results.push_back(
-        {info, effects.empty() ? undefinedValue("nobody is in both runs") : numberValue(sum)});
+    results.push_back({info, effects.empty() ? undefinedValue("nobody is in both runs") : sum});
   }
   return results;
 }

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 
-#include "metrics/ExpressionNames.h"
 #include "sim2d/base/Lexer.h"
 #include "sim2d/base/Text.h"
 
@@ -70,6 +69,26 @@ const base::LexerRules& formulaWords() {
       false,
       true};
   return kRules;
+}
+
+/// The one of this name; null: there is none.
+template <class Entry>
+const Entry* find(const std::vector<Entry>& entries, const std::string& name) {
+  const auto found = std::find_if(entries.begin(), entries.end(),
+                                  [&name](const Entry& entry) { return entry.name == name; });
+  return found == entries.end() ? nullptr : &*found;
+}
+
+template <class... Lists>
+std::vector<std::string> namesOf(const Lists&... lists) {
+  std::vector<std::string> names;
+  const auto add = [&names](const auto& list) {
+    for (const auto& entry : list) {
+      names.push_back(entry.name);
+    }
+  };
+  (add(lists), ...);
+  return names;
 }
 
 }  // namespace
@@ -200,18 +219,13 @@ class ExpressionParser {
     if (take("(")) {
       return parseCall(name, begin, depth + 1);
     }
-    for (const VariableName& variable : variableNames()) {
-      if (variable.name == name) {
-        expression_.needs_.robot |= variable.needsRobot;
-        expression_.needs_.people |= variable.needsPeople;
-        return {variable.value, variable.scope, variable.isOfEnd};
-      }
+    if (const VariableName* variable = find(variableNames(), name)) {
+      expression_.needs_.robot |= variable->needsRobot;
+      expression_.needs_.people |= variable->needsPeople;
+      return {variable->value, variable->scope, variable->isOfEnd};
     }
-    std::vector<std::string> known;
-    for (const VariableName& variable : variableNames()) {
-      known.push_back(variable.name);
-    }
-    return fail(begin, "formula.unknown-name", {name, base::nearestName(name, known)});
+    return fail(begin, "formula.unknown-name",
+                {name, base::nearestName(name, namesOf(variableNames()))});
   }
 
   std::vector<Part> parseArguments(int depth) {
@@ -230,25 +244,16 @@ class ExpressionParser {
     if (hasFailed()) {
       return arguments.front();
     }
-    std::vector<std::string> known;
-    for (const FunctionName& function : functionNames()) {
-      if (function.name == name) {
-        return callOf(function, arguments, begin);
-      }
-      known.push_back(function.name);
+    if (const FunctionName* function = find(functionNames(), name)) {
+      return callOf(*function, arguments, begin);
     }
-    for (const TotalName& total : totalNames()) {
-      if (total.name == name) {
-        return totalOf(total, arguments, begin);
-      }
-      known.push_back(total.name);
+    if (const TotalName* total = find(totalNames(), name)) {
+      return totalOf(*total, arguments, begin);
     }
-    for (const TotalName& total : peopleTotalNames()) {
-      if (total.name == name) {
-        return peopleTotalOf(total, arguments, begin);
-      }
-      known.push_back(total.name);
+    if (const TotalName* total = find(peopleTotalNames(), name)) {
+      return peopleTotalOf(*total, arguments, begin);
     }
+    const auto known = namesOf(functionNames(), totalNames(), peopleTotalNames());
     return fail(begin, "formula.unknown-function", {name, base::nearestName(name, known)});
   }
 

@@ -3,26 +3,27 @@
 #include <utility>
 #include <vector>
 
-#include "metrics/MetricParameters.h"
 #include "metrics/NumberStore.h"
 #include "metrics/Samples.h"
 
 namespace metrics {
 
-/// Of one sample alone; NaN = undefined there.
-using Term = double (*)(const Sample& sample, const MetricParameters& parameters);
+struct Instant;
 
-/// The terms of one sample, each worked out once for all metrics that ask.
+/// Of one instant alone; NaN = undefined there.
+using Term = double (*)(const Instant& at);
+
+/// The terms of one instant, each worked out once for all metrics that ask.
 class TermMemory {
  public:
   void forget() { known_.clear(); }
-  double of(Term term, const Sample& sample, const MetricParameters& parameters) {
+  double of(Term term, const Instant& at) {
     for (const auto& [known, value] : known_) {
       if (known == term) {
         return value;
       }
     }
-    return known_.emplace_back(term, term(sample, parameters)).second;
+    return known_.emplace_back(term, term(at)).second;
   }
 
  private:
@@ -36,6 +37,7 @@ struct Instant {
   const MetricParameters& parameters;
   const Sample& now;             // with a robot, Person::pair is known
   const Sample* before;          // null at the first sample
+  const Sample* earlier;         // the one before that, null at the first two
   std::size_t index = 0;         // of now, from 0
   double begin = 0.0;            // time of the first sample [s]
   bool keepsSeries = true;       // somebody wants one value per sample
@@ -46,7 +48,7 @@ struct Instant {
   double elapsed() const { return now.time - begin; }                     // T at the end [s]
   double step() const { return before ? now.time - before->time : 0.0; }  // since the last [s]
   double term(Term which) const {
-    return memory != nullptr ? memory->of(which, now, parameters) : which(now, parameters);
+    return memory != nullptr ? memory->of(which, *this) : which(*this);
   }
   bool isOriginal() const { return parameters.profile == Profile::Hunav2; }
 };

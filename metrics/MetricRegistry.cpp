@@ -36,30 +36,25 @@ std::string needsText(const Needs& needs) {
   return text.empty() ? "nothing" : text;
 }
 
-MetricValue numberValue(double value) {
-  if (std::isnan(value)) {
-    return undefinedValue("not a number");
+MetricValue::MetricValue(double number) {
+  if (std::isnan(number)) {
+    why = "not a number";
+    return;
   }
-  if (std::isinf(value)) {
-    return infiniteValue("grows without limit");
-  }
-  return {value, "", Kind::Number, std::nullopt};
-}
-
-MetricValue countValue(double value) {
-  return {value, "", Kind::Count, std::nullopt};
-}
-
-MetricValue booleanValue(bool value) {
-  return {value ? 1.0 : 0.0, "", Kind::Boolean, std::nullopt};
+  value = number;
+  why = std::isinf(number) ? "grows without limit" : "";
 }
 
 MetricValue undefinedValue(std::string why) {
-  return {std::nullopt, std::move(why), Kind::Number, std::nullopt};
+  MetricValue value;
+  value.why = std::move(why);
+  return value;
 }
 
 MetricValue infiniteValue(std::string why) {
-  return {HUGE_VAL, std::move(why), Kind::Number, std::nullopt};
+  MetricValue value = HUGE_VAL;
+  value.why = std::move(why);
+  return value;
 }
 
 MetricValue withSeries(MetricValue value, std::vector<double> series, Kind kind) {
@@ -67,9 +62,12 @@ MetricValue withSeries(MetricValue value, std::vector<double> series, Kind kind)
   return value;
 }
 
+MetricValue withTerms(const SeriesSum& sum, Kind kind) {
+  return withSeries(sum.sum(), sum.terms(), kind);
+}
+
 MetricValue meanOver(MetricValue sum, std::size_t samples) {
   sum.series.reset();
-  sum.kind = Kind::Number;
   if (sum.value) {
     *sum.value /= static_cast<double>(samples);
   }
@@ -100,20 +98,7 @@ Stream streamOfLast(MetricValue (*read)(const Instant& last)) {
 
 void MetricRegistry::add(MetricInfo info, Stream stream) {
   assert(find(info.key) == nullptr);
-  entries_.push_back({std::move(info), std::move(stream), {}, ""});
-}
-
-void MetricRegistry::addFunction(MetricInfo info, MetricFunction compute) {
-  assert(find(info.key) == nullptr);
-  entries_.push_back({std::move(info), {}, std::move(compute), ""});
-}
-
-void MetricRegistry::setRateBound(const std::string& key, double bound) {
-  const auto entry =
-      std::find_if(entries_.begin(), entries_.end(),
-                   [&key](const MetricEntry& candidate) { return candidate.info.key == key; });
-  assert(entry != entries_.end());
-  entry->info.rateBound = bound;
+  entries_.push_back({std::move(info), std::move(stream), ""});
 }
 
 void MetricRegistry::addSum(MetricInfo info, Stream stream) {
@@ -129,7 +114,7 @@ void MetricRegistry::addSum(MetricInfo info, Stream stream) {
   info.partOf = key;
   info.rateBound = MetricInfo{}.rateBound;
   assert(find(info.key) == nullptr);
-  entries_.push_back({std::move(info), {}, {}, key});
+  entries_.push_back({std::move(info), {}, key});
 }
 
 void MetricRegistry::sort() {

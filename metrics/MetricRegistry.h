@@ -55,33 +55,24 @@ struct Series {
 };
 
 struct MetricValue {
+  MetricValue() = default;
+  MetricValue(double number);  // NaN becomes undefined
+
   std::optional<double> value;  // may be infinite, never NaN; Boolean: 0 or 1
   std::string why;              // when undefined or infinite
-  Kind kind = Kind::Number;
   std::optional<Series> series;
 };
 
-MetricValue numberValue(double value);  // NaN becomes undefined
-MetricValue countValue(double value);
-MetricValue booleanValue(bool value);
 MetricValue undefinedValue(std::string why);
 MetricValue infiniteValue(std::string why);
 MetricValue withSeries(MetricValue value, std::vector<double> series, Kind kind = Kind::Number);
+MetricValue withTerms(const SeriesSum& sum, Kind kind = Kind::Number);
 MetricValue meanOver(MetricValue sum, std::size_t samples);  // divided, without series
-
-/// A metric that wants the whole record at once, which is kept for it to the end. Sees at least one
-/// sample, and a robot if it needs one.
-using MetricFunction = std::function<MetricValue(const SampledRun&, const MetricParameters&)>;
 
 /// A metric worked out sample by sample, without the samples that are past. What it holds must not
 /// grow with them, but for series.
 class Accumulator {
  public:
-  Accumulator() = default;
-  Accumulator(const Accumulator&) = delete;
-  Accumulator& operator=(const Accumulator&) = delete;
-  Accumulator(Accumulator&&) = delete;
-  Accumulator& operator=(Accumulator&&) = delete;
   virtual ~Accumulator() = default;
   /// Once for each sample, in order.
   virtual void add(const Instant& /*at*/) {}
@@ -101,9 +92,8 @@ struct Stream {
 
 struct MetricEntry {
   MetricInfo info;
-  Stream stream;           // nothing to make: one of the others
-  MetricFunction compute;  // of the whole record
-  std::string meanOf;      // key of the sum that this one divides by N
+  Stream stream;       // nothing to make: a mean
+  std::string meanOf;  // key of the sum that this one divides by N
 };
 
 /// All metrics that a program knows. Writers, tables and panels walk over it and know no metric by
@@ -112,10 +102,8 @@ class MetricRegistry {
  public:
   /// Keys are unique: adding one twice is a bug.
   void add(MetricInfo info, Stream stream);
-  void addFunction(MetricInfo info, MetricFunction compute);
   /// A sum over samples, and `<key>_mean` = value / number of samples, selected with its key.
   void addSum(MetricInfo info, Stream stream);
-  void setRateBound(const std::string& key, double bound);
   /// HuNavSim's keys by number, then ours as they were added.
   void sort();
   const std::vector<MetricEntry>& entries() const { return entries_; }
@@ -128,13 +116,43 @@ class MetricRegistry {
   std::vector<MetricEntry> entries_;
 };
 
+/// Metrics with most of their description in common.
+struct MetricFamily {
+  MetricRegistry& to;
+  Category category;
+  Better better;
+  Needs needs;
+  std::string source;
+  std::string range = "[0, inf)";
+  Kind kind = Kind::Number;
+  double rateBound = MetricInfo{}.rateBound;
+
+  /// `hunav`: number among HuNavSim's keys.
+  void add(const char* key, const char* name, const char* unit, const char* formula, Stream stream,
+           int hunav = 0) const {
+    to.add(infoOf(key, name, unit, formula, hunav), std::move(stream));
+  }
+  void addSum(const char* key, const char* name, const char* unit, const char* formula,
+              Stream stream, int hunav) const {
+    to.addSum(infoOf(key, name, unit, formula, hunav), std::move(stream));
+  }
+
+ private:
+  MetricInfo infoOf(const char* key, const char* name, const char* unit, const char* formula,
+                    int hunav) const {
+    return {key,    name,  unit, category, better, needs,    formula,
+            source, range, kind, hunav,    "",     rateBound};
+  }
+};
+
 template <class Sum>
 inline constexpr char kSumTag = 0;  // its address tells classes apart
 
 /// A stream of accumulators of one class, made from the parameters or from nothing, which all
-/// metrics read from it share. `read`: a member or a function of the accumulator and the Instant.
+/// metrics read from it share. `read`: a member or function of the accumulator, of the Instant as
+/// well if it likes; `why`: what is said where it is undefined.
 template <class Sum, class Read>
-Stream streamOf(Read read) {
+Stream streamOf(Read read, const char* why = nullptr) {
   return {[](const MetricParameters& parameters) -> std::unique_ptr<Accumulator> {
             if constexpr (std::is_constructible_v<Sum, const MetricParameters&>) {
               return std::make_unique<Sum>(parameters);
@@ -142,8 +160,16 @@ Stream streamOf(Read read) {
               return std::make_unique<Sum>();
             }
           },
-          [read](const Accumulator& sum, const Instant& last) {
-            return std::invoke(read, static_cast<const Sum&>(sum), last);
+          [read, why](const Accumulator& accumulator, const Instant& last) {
+            const auto& sum = static_cast<const Sum&>(accumulator);
+            MetricValue value;
+            if constexpr (std::is_invocable_v<Read, const Sum&, const Instant&>) {
+              value = std::invoke(read, sum, last);
+            } else {
+              value = std::invoke(read, sum);
+            }
+            value.why = value.value || why == nullptr ? value.why : why;
+            return value;
           },
           std::to_string(reinterpret_cast<std::uintptr_t>(&kSumTag<Sum>))};
 }

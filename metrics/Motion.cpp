@@ -25,13 +25,6 @@ double distanceToGoals(const RunContext& context, const Vec2& position) {
   return nearest;
 }
 
-std::vector<Vec2> shortestPath(const RunContext& context, const Vec2& from, const Vec2& to) {
-  if (context.routes) {
-    return context.routes->shortest(from, to);
-  }
-  return {from, to};
-}
-
 void RobotWay::add(const Instant& at) {
   const Robot& robot = at.now.robot;
   if (at.before == nullptr) {
@@ -42,24 +35,6 @@ void RobotWay::add(const Instant& at) {
   }
   length_ += distance(robot, at.before->robot);
   turns_.add(at, std::fabs(base::angleDiff(robot.heading, at.before->robot.heading)));
-}
-
-void SpeedChanges::add(const Instant& at) {
-  ++count_;
-  if (at.before == nullptr) {
-    return;
-  }
-  const double formerInterval = interval_;
-  const double former = acceleration_;
-  const double change = at.now.robot.speed - at.before->robot.speed;
-  interval_ = at.step();
-  acceleration_ = interval_ > 0.0 ? change / interval_ : 0.0;
-  jerk_.reset();
-  if (isInner() && formerInterval > 0.0 && interval_ > 0.0) {
-    const double span = at.now.time - timeBefore_;
-    jerk_ = (acceleration_ - former) / (span / 2.0);
-  }
-  timeBefore_ = at.before->time;
 }
 
 namespace {
@@ -76,7 +51,7 @@ bool isWithin(const Robot& robot, const Person& person, double limit) {
 }  // namespace
 
 /// The velocities before the sample, as the contact may have stopped the bodies already.
-void ContactEvents::addEntry(const Instant& at, const Person& person, Culprits& to) {
+void Contacts::addEntry(const Instant& at, const Person& person, Culprits& to) {
   const Robot& robot = at.now.robot;
   const Person* personBefore = at.before != nullptr ? findPerson(*at.before, person.id) : nullptr;
   const Vec2 between = person.position - robot.position;
@@ -90,7 +65,7 @@ void ContactEvents::addEntry(const Instant& at, const Person& person, Culprits& 
   to.person += byPerson > byRobot - kEqualSpeeds ? 1.0 : 0.0;
 }
 
-void ContactEvents::add(const Instant& at) {
+void Contacts::add(const Instant& at) {
   Culprits culprits;
   touchingNow_.clear();
   for (const Person& person : at.now.people) {

@@ -26,10 +26,9 @@ std::vector<MetricResult> PlanningTime::results() const {
     results.push_back({std::move(info), undefinedValue("no robot decided anything")});
   }
   if (steps_ > 0) {
-    results[0].value = numberValue(mean_);
-    results[1].value = steps_ > 1
-                           ? numberValue(std::sqrt(squares_ / static_cast<double>(steps_ - 1)))
-                           : undefinedValue("needs two steps");
+    results[0].value = mean_;
+    results[1].value = steps_ > 1 ? std::sqrt(squares_ / static_cast<double>(steps_ - 1))
+                                  : undefinedValue("needs two steps");
   }
   return results;
 }

@@ -21,9 +21,9 @@ Json valueJson(const MetricResult& result) {
   Json json;
   if (!value.value || std::isinf(*value.value)) {
     json["value"] = nullptr;
-  } else if (value.kind == Kind::Boolean) {
+  } else if (result.info.kind == Kind::Boolean) {
     json["value"] = *value.value > 0.0;
-  } else if (value.kind == Kind::Count) {
+  } else if (result.info.kind == Kind::Count) {
     json["value"] = std::llround(*value.value);
   } else {
     json["value"] = *value.value;
@@ -89,6 +89,11 @@ std::string stepsText(const std::vector<double>& times, std::vector<StepColumn> 
   return text;
 }
 
+std::string valueCell(const MetricResult& result) {
+  const std::optional<double>& value = result.value.value;
+  return value ? evaluatorNumber(*value, result.info.kind) : "";
+}
+
 std::vector<std::string> headerCells(const std::vector<MetricResult>& results) {
   std::vector<std::string> cells = {"experiment_tag", "run_id"};
   for (const MetricResult& result : results) {
@@ -101,7 +106,7 @@ std::vector<std::string> valueCells(const Evaluation& evaluation,
                                     const std::vector<MetricResult>& results) {
   std::vector<std::string> cells = {evaluation.tag, std::to_string(evaluation.runId)};
   for (const MetricResult& result : results) {
-    cells.push_back(evaluatorCell(result.value));
+    cells.push_back(valueCell(result));
   }
   return cells;
 }
@@ -237,10 +242,6 @@ std::string evaluatorNumber(double value, Kind kind) {
   return kind == Kind::Count ? std::to_string(std::llround(value)) : floatText(value);
 }
 
-std::string evaluatorCell(const MetricValue& value) {
-  return value.value ? evaluatorNumber(*value.value, value.kind) : "";
-}
-
 std::string toJson(const Evaluation& evaluation) {
   Json root;
   root["profile"] = profileName(evaluation.parameters.profile);
@@ -292,7 +293,7 @@ std::string tableText(const Evaluation& evaluation) {
   std::size_t valueWidth = 5;
   std::vector<std::string> values;
   for (const MetricResult& result : evaluation.results) {
-    const std::string value = evaluatorCell(result.value);
+    const std::string value = valueCell(result);
     values.push_back(value.empty() ? "-" : value);
     keyWidth = std::max(keyWidth, result.info.key.size());
     valueWidth = std::max(valueWidth, values.back().size());

@@ -31,7 +31,6 @@ void writeSteps(const std::vector<double>& times, std::vector<StepColumn> column
 /// A number as the evaluator writes it: "4.0", "0.30000000000000004", "1e-07"; counts plain,
 /// booleans True and False, infinity "inf", undefined "".
 std::string evaluatorNumber(double value, Kind kind);
-std::string evaluatorCell(const MetricValue& value);
 
 /// Name, value and unit of each metric in columns; undefined ones with the reason.
 std::string tableText(const Evaluation& evaluation);

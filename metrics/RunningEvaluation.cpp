@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "metrics/Interaction.h"
 #include "sim2d/base/Problems.h"
 
 namespace metrics {
@@ -97,16 +96,20 @@ void SampleFeed::addItem(MetricEntry entry, Among among) {
     item.sum = sum.get();
   }
   needsMap_ = needsMap_ || info.needs.map;
-  if (item.entry.compute && !whole_) {
-    whole_ = std::make_unique<SampledRun>();
-    static_cast<RunContext&>(*whole_) = *context_;
-  }
   items_.push_back(std::move(item));
 }
 
 Instant SampleFeed::newestInstant(TermMemory* memory) const {
-  return {*context_,    parameters_,  now_,  count_ > 1 ? &before_ : nullptr, count_ - 1, begin_,
-          keepsSeries_, store_.get(), memory};
+  return {*context_,
+          parameters_,
+          now_,
+          count_ > 1 ? &before_ : nullptr,
+          count_ > 2 ? &earlier_ : nullptr,
+          count_ - 1,
+          begin_,
+          keepsSeries_,
+          store_.get(),
+          memory};
 }
 
 /// Those since the beginning; what was noted too early waits for the next sample.
@@ -125,6 +128,7 @@ void SampleFeed::takeEvents() {
 }
 
 void SampleFeed::add(Sample sample) {
+  earlier_ = std::move(before_);
   before_ = std::move(now_);
   now_ = std::move(sample);
   begin_ = count_ == 0 ? now_.time : begin_;
@@ -138,9 +142,6 @@ void SampleFeed::add(Sample sample) {
   for (const auto& [shared, sum] : sums_) {
     sum->add(newest);
   }
-  if (whole_) {
-    whole_->samples.push_back(now_);
-  }
 }
 
 MetricValue SampleFeed::valueOf(const Item& item, const Instant& last,
@@ -149,13 +150,8 @@ MetricValue SampleFeed::valueOf(const Item& item, const Instant& last,
   if (entry.info.needs.robot && !context_->hasRobot) {
     return undefinedValue("there is no robot");
   }
-  if (item.sum != nullptr) {
-    return entry.stream.read(*item.sum, last);
-  }
-  if (const MetricResult* sum = findResult(before, entry.meanOf)) {
-    return meanOver(sum->value, last.count());
-  }
-  return entry.compute(*whole_, parameters_);
+  return item.sum != nullptr ? entry.stream.read(*item.sum, last)
+                             : meanOver(findResult(before, entry.meanOf)->value, last.count());
 }
 
 std::vector<MetricResult> SampleFeed::values(const std::vector<MetricResult>* all,

@@ -17,8 +17,8 @@ using SeriesSink = std::function<void(const MetricInfo& info, const Series& seri
 /// Whose metrics are summed up.
 enum class Among { All, SomePeople };  // SomePeople: only what looks at people
 
-/// A run that goes on and the metrics of a selection. Of its samples the newest two are kept,
-/// unless a metric wants them all. One thread at a time.
+/// A run that goes on and the metrics of a selection. Of its samples the newest three
+/// are kept. One thread at a time.
 class SampleFeed {
  public:
   SampleFeed(std::shared_ptr<const RunContext> context, const Selection& selection,
@@ -55,12 +55,11 @@ class SampleFeed {
   std::vector<Item> items_;
   std::map<std::string, std::unique_ptr<Accumulator>> sums_;  // by Stream::shared
   bool needsMap_ = false;
-  Sample now_, before_;
+  Sample now_, before_, earlier_;
   std::size_t count_ = 0;
   double begin_ = 0.0;  // [s]
   TermMemory terms_;
   std::vector<std::pair<double, sim2d::Event>> noted_;  // since the newest sample
-  std::unique_ptr<SampledRun> whole_;                   // null: no metric wants it
 };
 
 /// An evaluation that is fed while the record is made: the same results as evaluate() of the whole

@@ -21,17 +21,6 @@ double gap(const Robot& robot, const Person& person) {
   return distance(robot, person) - robot.radius - person.radius;
 }
 
-std::optional<double> closestGap(const Sample& sample) {
-  std::optional<double> closest;
-  for (const Person& person : sample.people) {
-    const double gapToPerson = std::max(gap(sample.robot, person), 0.0);
-    if (!closest || gapToPerson < *closest) {
-      closest = gapToPerson;
-    }
-  }
-  return closest;
-}
-
 const Person* findPerson(const Sample& sample, int id) {
   for (const Person& person : sample.people) {
     if (person.id == id) {
@@ -76,6 +65,39 @@ const sim2d::TraceRobot* robotOf(const sim2d::TraceHeader& header, int id) {
 }
 
 }  // namespace
+
+/// Shortest ways of the robot. The planner is made at the first question that needs it.
+class Routes {
+ public:
+  /// `obstacles` hold the walls of the map too.
+  Routes(sim2d::OccupancyGrid map, sim2d::Obstacles obstacles, double robotRadius)
+      : map_(std::move(map)), obstacles_(std::move(obstacles)), robotRadius_(robotRadius) {}
+
+  sim2d::Path shortest(const Vec2& from, const Vec2& to) {
+    if (obstacles_.isVisible(from, to)) {
+      return {{from, to}};
+    }
+    if (!planner_) {
+      const std::vector<Vec2> bounds = {from, to};
+      planner_ = std::make_unique<sim2d::PathPlanner>(
+          std::make_shared<const sim2d::DistanceField>(map_, obstacles_, bounds), robotRadius_);
+    }
+    // The field of distances is kept per goal, and it is the start that stays the same.
+    sim2d::Path path = planner_->plan(to, from);
+    std::reverse(path.points.begin(), path.points.end());
+    return path.points.empty() ? sim2d::Path{{from, to}} : path;
+  }
+
+ private:
+  sim2d::OccupancyGrid map_;
+  sim2d::Obstacles obstacles_;
+  double robotRadius_;
+  std::unique_ptr<sim2d::PathPlanner> planner_;
+};
+
+sim2d::Path shortestPath(const RunContext& context, const Vec2& from, const Vec2& to) {
+  return context.routes ? context.routes->shortest(from, to) : sim2d::Path{{from, to}};
+}
 
 SampleBuilder::SampleBuilder(const sim2d::TraceHeader& header, int robotId)
     : robotId_(robotId), header_(header) {

@@ -10,8 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "metrics/Routes.h"
+#include "metrics/MetricParameters.h"
 #include "sim2d/map/Obstacles.h"
+#include "sim2d/map/PathPlanner.h"
 #include "sim2d/trace/Trace.h"
 
 namespace metrics {
@@ -41,7 +42,7 @@ struct Body {
 
 enum class Sight { Free, Blocked, OutsideMap };  // OutsideMap: hunav2 only
 
-/// What holds between the robot and a person at one instant. Worked out once (Interaction.h), for
+/// What holds between the robot and a person at one instant. Worked out once (workOutPairs), for
 /// all metrics that ask and again for those among the people of one type.
 struct Pair {
   bool isKnown = false;
@@ -75,10 +76,17 @@ struct Sample {
   std::vector<Person> people;
 };
 
+/// Fills in the pairs of a sample with a robot that are not known yet; the sight when `map` is
+/// given.
+void workOutPairs(Sample& sample, const sim2d::OccupancyGrid* map,
+                  const MetricParameters& parameters);
+
 struct Goal {
   Vec2 position = Vec2::Zero();
   double radius = 0.2;
 };
+
+class Routes;
 
 /// What holds for a whole run, one robot at most.
 struct RunContext {
@@ -131,6 +139,10 @@ class SampleBuilder {
   std::vector<sim2d::Obstacles::Point> buffer_;
 };
 
+/// Corner points from end to end: a straight line where the robot can see along it, where the
+/// context has no routes and where none leads there, else the way round the walls. Not thread safe.
+sim2d::Path shortestPath(const RunContext& context, const Vec2& from, const Vec2& to);
+
 SampledRun sampledRunOf(const sim2d::Trace& trace, int robotId = -1);
 
 /// The part that a window selects; the events stay.
@@ -168,7 +180,6 @@ double lengthOf(const Vec2& vector);  // rounded correctly, unlike a root of squ
 double distance(const Body& a, const Body& b);
 double distance(const Robot& robot, const Person& person);  // of the same sample
 double gap(const Robot& robot, const Person& person);       // surface to surface, < 0: they overlap
-std::optional<double> closestGap(const Sample& sample);     // clamped at 0; none without people
 const Person* findPerson(const Sample& sample, int id);
 /// The entry for which `is` holds; quick when entries are asked for in their order. `next` = where
 /// to look first, 0 at the beginning.

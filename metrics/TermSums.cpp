@@ -1,5 +1,7 @@
 #include "metrics/TermSums.h"
 
+#include <algorithm>
+
 namespace metrics {
 
 void Figures::take(const Instant& at, double term) {
@@ -8,7 +10,6 @@ void Figures::take(const Instant& at, double term) {
     time_ += at.step();
   }
   before_ = term;
-  series_.add(at, term);
   if (std::isnan(term)) {
     return;
   }
@@ -18,13 +19,18 @@ void Figures::take(const Instant& at, double term) {
   largest_ = term <= largest_ ? largest_ : term;
 }
 
-double closestGapTerm(const Sample& sample, const MetricParameters& /*parameters*/) {
-  return closestGap(sample).value_or(kNaN);
+double closestGapTerm(const Instant& at) {
+  double closest = kNaN;
+  for (const Person& person : at.now.people) {
+    const double space = std::max(gap(at.now.robot, person), 0.0);
+    closest = space >= closest ? closest : space;
+  }
+  return closest;
 }
 
-double collisionTerm(const Sample& sample, const MetricParameters& /*parameters*/) {
+double collisionTerm(const Instant& at) {
   double soonest = kNaN;
-  for (const Person& person : sample.people) {
+  for (const Person& person : at.now.people) {
     const double time = person.pair.timeToCollision;
     if (!std::isinf(time) && !(time >= soonest)) {
       soonest = time;
@@ -69,7 +75,7 @@ void PersonCosts::add(const Instant& at) {
 MetricValue PersonCosts::value(std::size_t cost, const Instant& last) const {
   const Totals& totals = columns_[cost];
   if (!last.isOriginal()) {
-    return withSeries(numberValue(totals.samples.sum()), totals.samples.terms());
+    return withTerms(totals.samples);
   }
   if (failed_) {
     return undefinedValue("IndexError: more people than at first, or a place outside the map");
@@ -78,7 +84,7 @@ MetricValue PersonCosts::value(std::size_t cost, const Instant& last) const {
   for (const double place : totals.places) {
     sum += place;
   }
-  return withSeries(numberValue(sum), totals.places);
+  return withSeries(sum, totals.places);
 }
 
 }  // namespace metrics

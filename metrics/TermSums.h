@@ -8,66 +8,92 @@
 /// so that metrics of the same term share one), over costs of the people.
 namespace metrics {
 
-double closestGapTerm(const Sample& sample, const MetricParameters& parameters);  // NaN: nobody
-/// Soonest collision with anybody [s]; NaN: on no collision course.
-double collisionTerm(const Sample& sample, const MetricParameters& parameters);
+constexpr char kNobody[] = "nobody in the record";
 
-/// Figures of the samples where a term is defined.
+double closestGapTerm(const Instant& at);  // [m], clamped at 0; NaN: nobody
+/// Soonest collision with anybody [s]; NaN: on no collision course.
+double collisionTerm(const Instant& at);
+
+/// Figures of the samples where a term is defined; NaN where it never is.
 class Figures : public Accumulator {
  public:
   double sum() const { return sum_; }
   double count() const { return count_; }
-  double least() const { return least_; }      // NaN: nowhere defined
-  double largest() const { return largest_; }  // NaN: nowhere defined
-  /// Weighted with the time after each sample; NaN: no time.
-  double timeMean() const { return time_ > 0.0 ? integral_ / time_ : kNaN; }
+  double mean() const { return count_ > 0.0 ? sum_ / count_ : kNaN; }
+  double least() const { return least_; }
+  double largest() const { return largest_; }
   double integral() const { return integral_; }
   double time() const { return time_; }  // [s] with the term
+  /// Weighted with the time after each sample; NaN: no time.
+  double timeMean() const { return time_ > 0.0 ? integral_ / time_ : kNaN; }
+  /// Empty unless the figures are those of seriesFiguresOf.
   std::vector<double> series() const { return series_.values(); }
+  MetricValue meanWithSeries() const { return withSeries(mean(), series()); }
 
  protected:
   void take(const Instant& at, double term);
+  SeriesColumn series_;
 
  private:
   double sum_ = 0.0, count_ = 0.0, least_ = kNaN, largest_ = kNaN;
   double integral_ = 0.0, time_ = 0.0;
   double before_ = kNaN;  // term of the sample before
-  SeriesColumn series_;
 };
 
-template <Term kTerm>
+template <Term kTerm, bool kKeepsSeries>
 class FiguresOf : public Figures {
  public:
-  void add(const Instant& at) override { take(at, at.term(kTerm)); }
+  void add(const Instant& at) override {
+    take(at, at.term(kTerm));
+    if (kKeepsSeries) {
+      series_.add(at, at.term(kTerm));
+    }
+  }
 };
 
-/// A stream that reads the figures of a term.
-template <Term kTerm>
-Stream figuresOf(MetricValue (*read)(const Figures& figures, const Instant& last)) {
-  return streamOf<FiguresOf<kTerm>>(
-      [read](const Figures& figures, const Instant& last) { return read(figures, last); });
+/// Streams that read the figures of a term.
+template <Term kTerm, class Read>
+Stream figuresOf(Read read, const char* why = nullptr) {
+  return streamOf<FiguresOf<kTerm, false>>(read, why);
+}
+template <Term kTerm, class Read>
+Stream seriesFiguresOf(Read read, const char* why = nullptr) {
+  return streamOf<FiguresOf<kTerm, true>>(read, why);
 }
 
-using TermTest = bool (*)(double term, const MetricParameters& parameters);
-
-/// Where a test of the term holds: for how many samples and how long.
-template <Term kTerm, TermTest kTest>
-class WhereTerm : public Accumulator {
+/// How long and at how many samples something holds.
+class Times : public Accumulator {
  public:
-  void add(const Instant& at) override {
-    const bool holds = kTest(at.term(kTerm), at.parameters);
+  double time() const { return time_.value(); }  // [s]
+  double percentOfTime(const Instant& last) const { return time_.percentOf(last.elapsed()); }
+  double percentOfSamples(const Instant& last) const {
+    return 100.0 * samples_ / static_cast<double>(last.count());
+  }
+
+ protected:
+  void take(const Instant& at, bool holds) {
     samples_ += holds ? 1.0 : 0.0;
     time_.add(at, holds);
-  }
-  MetricValue time(const Instant& /*last*/) const { return numberValue(time_.value()); }
-  MetricValue percent(const Instant& last) const {
-    return numberValue(100.0 * samples_ / static_cast<double>(last.count()));
   }
 
  private:
   double samples_ = 0.0;
   HeldTime time_;
 };
+
+using InstantTest = bool (*)(const Instant& at);
+
+template <InstantTest kTest>
+class TimesOf : public Times {
+ public:
+  void add(const Instant& at) override { take(at, kTest(at)); }
+};
+
+/// A stream that reads how long a test holds.
+template <InstantTest kTest, class Read>
+Stream timesOf(Read read) {
+  return streamOf<TimesOf<kTest>>(read);
+}
 
 /// Sums over samples and people of several costs at once. The series is per sample; the original's
 /// is one total per place in the list of people of the first sample, and fails when there are more

@@ -30,7 +30,7 @@ QString metricText(const metrics::MetricResult& result) {
   if (std::isinf(*value.value)) {
     return *value.value > 0.0 ? QStringLiteral("∞") : QStringLiteral("−∞");
   }
-  switch (value.kind) {
+  switch (result.info.kind) {
     case metrics::Kind::Boolean:
       return *value.value != 0.0 ? QStringLiteral("yes") : QStringLiteral("no");
     case metrics::Kind::Count:

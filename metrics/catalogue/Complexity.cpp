@@ -27,7 +27,7 @@ class Winding : public Accumulator {
     keepLost();
   }
 
-  MetricValue value(const Instant& /*last*/) const {
+  double turns() const {
     double sum = 0.0;
     for (const auto& [id, angle] : lost_) {
       sum += std::fabs(angle) / (2.0 * base::kPi);
@@ -35,7 +35,7 @@ class Winding : public Accumulator {
     for (const Turned& one : now_) {
       sum += std::fabs(one.angle) / (2.0 * base::kPi);
     }
-    return numberValue(sum);
+    return sum;
   }
 
  private:
@@ -69,12 +69,11 @@ class Winding : public Accumulator {
 
 class Replans : public Accumulator {
  public:
-  void add(const Instant& /*at*/) override {}
   void note(const RunContext& context, double /*elapsed*/, const sim2d::Event& event) override {
     const bool isOurs = event.hasId && event.id == context.robotId;
     count_ += isOurs && event.kind == sim2d::EventKind::Replan ? 1.0 : 0.0;
   }
-  MetricValue value(const Instant& /*last*/) const { return countValue(count_); }
+  double count() const { return count_; }
 
  private:
   double count_ = 0.0;
@@ -83,18 +82,17 @@ class Replans : public Accumulator {
 /// First arrival of each.
 class Arrivals : public Accumulator {
  public:
-  void add(const Instant& /*at*/) override {}
   void note(const RunContext& /*context*/, double elapsed, const sim2d::Event& event) override {
     if (event.kind == sim2d::EventKind::Arrived && event.hasId) {
       times_.emplace(event.id, elapsed);
     }
   }
-  MetricValue sum(const Instant& /*last*/) const {
-    double sum = 0.0;
+  double sum() const {
+    double sum = times_.empty() ? kNaN : 0.0;
     for (const auto& [id, time] : times_) {
       sum += time;
     }
-    return times_.empty() ? undefinedValue("nobody arrived") : numberValue(sum);
+    return sum;
   }
 
  private:
@@ -123,7 +121,7 @@ class StoppedDistance : public Accumulator {
     if (last.context.goals.empty()) {
       return undefinedValue("there is no goal");
     }
-    return count_ > 0.0 ? numberValue(sum_ / count_) : undefinedValue("the robot never stops");
+    return count_ > 0.0 ? sum_ / count_ : undefinedValue("the robot never stops");
   }
 
  private:
@@ -138,14 +136,14 @@ void addComplexity(MetricRegistry& to) {
           Better::Neutral, Needs{true, true},
           "sum over a of |sum over i of wrap(change of the bearing of a from the robot)| / 2 pi",
           "Mavrogiannis and Knepper 2019"},
-         streamOf<Winding>(&Winding::value));
+         streamOf<Winding>(&Winding::turns));
   to.add({"replanning_count", "New plans of the robot", "", Category::Navigation, Better::Lower,
           Needs{}, "number of events replan of the robot", "Arena; MRPB", "0, 1, ...", Kind::Count},
-         streamOf<Replans>(&Replans::value));
+         streamOf<Replans>(&Replans::count));
   to.add({"aggregated_time", "Aggregated time to the goals", "s", Category::Navigation,
           Better::Lower, Needs{false}, "sum of the times of first arrival of people and robot",
           "Francis et al. 2025"},
-         streamOf<Arrivals>(&Arrivals::sum));
+         streamOf<Arrivals>(&Arrivals::sum, "nobody arrived"));
   to.add({"mean_dist_to_target_not_moving", "Mean distance to the goal while stopped", "m",
           Category::Navigation, Better::Lower, Needs{true, false, false, false, true},
           "mean of the distance to the nearest goal over the samples with |p(t) - p(t - "

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "metrics/CrowdCells.h"
-#include "metrics/MetricRegistry.h"
+#include "metrics/TermSums.h"
 
 /// The people as a crowd, with or without a robot.
 namespace metrics {
@@ -140,14 +140,10 @@ class CrowdLooks : public Accumulator {
 
   /// Mean over the looks where the measure is defined. Its series holds between the looks.
   MetricValue mean(std::size_t measure) const {
-    return withSeries(counts_[measure] > 0.0 ? numberValue(sums_[measure] / counts_[measure])
-                                             : undefinedValue("nobody in the record"),
+    return withSeries(counts_[measure] > 0.0 ? sums_[measure] / counts_[measure] : kNaN,
                       series_[measure].values());
   }
-  MetricValue largest(std::size_t measure) const {
-    return counts_[measure] > 0.0 ? numberValue(largest_[measure])
-                                  : undefinedValue("nobody in the record");
-  }
+  double largestVoronoiDensity() const { return largest_; }
 
  private:
   void look(const Sample& sample, const MetricParameters& parameters) {
@@ -157,9 +153,9 @@ class CrowdLooks : public Accumulator {
       measures_[kPolarisation] = polarisation(sample);
       measures_[kLaneOrder] = laneOrder(sample, parameters.laneWidth);
     }
+    largest_ = std::fmax(largest_, measures_[kVoronoiDensity]);
     for (std::size_t k = 0; k < kMeasures; ++k) {
       if (!std::isnan(measures_[k])) {
-        largest_[k] = counts_[k] > 0.0 ? std::max(largest_[k], measures_[k]) : measures_[k];
         sums_[k] += measures_[k];
         counts_[k] += 1.0;
       }
@@ -168,58 +164,46 @@ class CrowdLooks : public Accumulator {
 
   CellAreas areas_;
   double last_ = -std::numeric_limits<double>::infinity();  // [s]
-  Measures measures_{}, sums_{}, counts_{}, largest_{};
+  Measures measures_{}, sums_{}, counts_{};
+  double largest_ = kNaN;  // Voronoi density [1/m^2]
   std::array<SeriesColumn, kMeasures> series_;
 };
 
-struct Entry {
-  const char *key, *name, *unit;
-  const char *formula, *source;
-  const char* range = "[0, inf)";
-};
-
-void addEntry(MetricRegistry& to, const Entry& entry, std::size_t measure,
-              MetricValue (CrowdLooks::*read)(std::size_t) const = &CrowdLooks::mean) {
-  to.add({entry.key, entry.name, entry.unit, Category::Social, Better::Neutral, Needs{false, true},
-          entry.formula, entry.source, entry.range},
-         streamOf<CrowdLooks>([read, measure](const CrowdLooks& looks, const Instant& /*last*/) {
-           return (looks.*read)(measure);
-         }));
+Stream meanOf(std::size_t measure) {
+  return streamOf<CrowdLooks>([measure](const CrowdLooks& looks) { return looks.mean(measure); },
+                              kNobody);
 }
 
 }  // namespace
 
 void addCrowd(MetricRegistry& to) {
-  addEntry(to,
-           {"crowd_density", "Density around people", "1/m²",
-            "mean over looks (crowd_interval apart) and people of the number within crowd_radius, "
-            "themselves included, / (pi crowd_radius^2)",
-            "Steffen and Seyfried 2010"},
-           kDensity);
-  addEntry(to,
-           {"crowd_voronoi_density", "Voronoi density", "1/m²",
-            "mean over looks and people of 1/area of their cell, cut at crowd_radius",
-            "Steffen and Seyfried 2010"},
-           kVoronoiDensity);
-  addEntry(to,
-           {"crowd_voronoi_density_max", "Voronoi density, largest look", "1/m²",
-            "max over looks of the mean over people of the same", "Steffen and Seyfried 2010"},
-           kVoronoiDensity, &CrowdLooks::largest);
-  addEntry(to,
-           {"crowd_specific_flow", "Flow per metre of width", "1/(m s)",
-            "mean over looks and people of Voronoi density * |u_a| (fundamental diagram)",
-            "Seyfried et al. 2005"},
-           kSpecificFlow);
-  addEntry(to,
-           {"crowd_polarisation", "Common direction of the crowd", "",
-            "mean over looks of |mean of u_a/|u_a|| of who walks", "Vicsek et al. 1995", "[0, 1]"},
-           kPolarisation);
-  addEntry(to,
-           {"crowd_lane_order", "Lanes of the crowd", "",
-            "mean over looks and walking people of ((same - opposite)/(same + opposite))^2 within "
-            "lane_width to each side of the main axis of walking",
-            "Rex and Loewen 2007", "[0, 1]"},
-           kLaneOrder);
+  const Needs needs{false, true};
+  const char steffen[] = "Steffen and Seyfried 2010";
+  const MetricFamily densities{to, Category::Social, Better::Neutral, needs, steffen};
+  densities.add("crowd_density", "Density around people", "1/m²",
+                "mean over looks (crowd_interval apart) and people of the number within "
+                "crowd_radius, themselves included, / (pi crowd_radius^2)",
+                meanOf(kDensity));
+  densities.add("crowd_voronoi_density", "Voronoi density", "1/m²",
+                "mean over looks and people of 1/area of their cell, cut at crowd_radius",
+                meanOf(kVoronoiDensity));
+  densities.add("crowd_voronoi_density_max", "Voronoi density, largest look", "1/m²",
+                "max over looks of the mean over people of the same",
+                streamOf<CrowdLooks>(&CrowdLooks::largestVoronoiDensity, kNobody));
+  to.add({"crowd_specific_flow", "Flow per metre of width", "1/(m s)", Category::Social,
+          Better::Neutral, needs,
+          "mean over looks and people of Voronoi density * |u_a| (fundamental diagram)",
+          "Seyfried et al. 2005"},
+         meanOf(kSpecificFlow));
+  to.add({"crowd_polarisation", "Common direction of the crowd", "", Category::Social,
+          Better::Neutral, needs, "mean over looks of |mean of u_a/|u_a|| of who walks",
+          "Vicsek et al. 1995", "[0, 1]"},
+         meanOf(kPolarisation));
+  to.add({"crowd_lane_order", "Lanes of the crowd", "", Category::Social, Better::Neutral, needs,
+          "mean over looks and walking people of ((same - opposite)/(same + opposite))^2 within "
+          "lane_width to each side of the main axis of walking",
+          "Rex and Loewen 2007", "[0, 1]"},
+         meanOf(kLaneOrder));
 }
 
 }  // namespace metrics

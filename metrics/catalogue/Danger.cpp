@@ -1,10 +1,48 @@
-#include "metrics/Interaction.h"
-#include "metrics/MetricRegistry.h"
+#include <algorithm>
+#include <cmath>
+
 #include "metrics/TermSums.h"
 
 namespace metrics {
 
 namespace {
+
+constexpr double kSmallAngle = 1e-6;  // [rad] a smaller one is noise around 0
+
+/// 1 / time to collision, capped; 0 without a collision course.
+double fearCost(const Body& robot, const Person& person, const MetricParameters& parameters) {
+  if (parameters.profile == Profile::Hunav2) {
+    const Vec2 centres = person.position - robot.position;
+    const Vec2 closing = robot.velocity - person.velocity;
+    return centres.dot(closing) > 0.0 ? lengthOf(closing) / lengthOf(centres) : 0.0;
+  }
+  const double time = person.pair.timeToCollision;
+  return time * parameters.fearCap <= 1.0 ? parameters.fearCap : 1.0 / time;
+}
+
+/// Of approaching pairs that will narrowly miss each other.
+double panicCost(const Body& robot, const Body& person, const MetricParameters& parameters) {
+  const Vec2 centres = person.position - robot.position;
+  const Vec2 closing = robot.velocity - person.velocity;
+  const double radii = robot.radius + person.radius;
+  const double along = centres.dot(closing);
+  if (along <= 0.0) {
+    return 0.0;
+  }
+  if (parameters.profile == Profile::Hunav2) {
+    const double speed = lengthOf(closing);
+    const double separation = lengthOf(centres);
+    const double sine = std::fabs(base::cross(centres, closing)) / (separation * speed);
+    const double miss = separation * sine;
+    return miss > radii && sine > kSmallAngle ? speed / ((miss - radii) * sine) : 0.0;
+  }
+  // In this order of operations the last digits are those of the published reference values.
+  const double speed2 = closing.squaredNorm();
+  const double squared = centres.squaredNorm();
+  const double aside = std::sqrt(std::max(speed2 * squared - along * along, 0.0));  // g
+  const double margin = aside - std::sqrt(speed2) * radii;  // not above 0 on a collision course
+  return margin > parameters.panicEpsilon ? std::sqrt(speed2 / squared) * aside / margin : 0.0;
+}
 
 class DangerSum : public PersonCosts {
  public:
@@ -21,17 +59,15 @@ class DangerSum : public PersonCosts {
 }  // namespace
 
 void addDanger(MetricRegistry& to) {
-  const Needs needs{true, true};
   const char source[] = "Singamaneni, Favier, Alami, RO-MAN 2023";
-  to.addSum({"danger_fear_cost", "Danger: fear", "1/s", Category::DangerSurprise, Better::Lower,
-             needs, "sum over i, a of min(1/ttc, fear_cap), 0 without a collision course", source,
-             "[0, inf)", Kind::Number, 30},
-            streamOfPart<DangerSum>(0));
-  to.addSum(
-      {"danger_panic_cost", "Danger: panic", "1/s", Category::DangerSurprise, Better::Lower, needs,
-       "sum over i, a of near misses: (|V|/d) * m/(m - R), m = miss distance of the centres",
-       source, "[0, inf)", Kind::Number, 31},
-      streamOfPart<DangerSum>(1));
+  const MetricFamily danger{to, Category::DangerSurprise, Better::Lower, {true, true}, source};
+  danger.addSum("danger_fear_cost", "Danger: fear", "1/s",
+                "sum over i, a of min(1/ttc, fear_cap), 0 without a collision course",
+                streamOfPart<DangerSum>(0), 30);
+  danger.addSum(
+      "danger_panic_cost", "Danger: panic", "1/s",
+      "sum over i, a of near misses: (|V|/d) * m/(m - R), m = miss distance of the centres",
+      streamOfPart<DangerSum>(1), 31);
 }
 
 }  // namespace metrics

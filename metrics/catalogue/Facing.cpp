@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "metrics/TermSums.h"
 
@@ -16,70 +14,67 @@ double angleTo(const Body& viewer, const Body& target) {
   return std::fabs(base::wrapToPi(std::atan2(towards.y(), towards.x()) - viewer.heading));
 }
 
-constexpr double kNobody = std::numeric_limits<double>::infinity();
-
 /// Smallest angle at which the robot heads at somebody: of the one with the largest cosine.
-double robotFaces(const Sample& sample, const MetricParameters& /*parameters*/) {
-  const Vec2 ahead(std::cos(sample.robot.heading), std::sin(sample.robot.heading));
+double robotFaces(const Instant& at) {
+  const Robot& robot = at.now.robot;
+  const Vec2 ahead(std::cos(robot.heading), std::sin(robot.heading));
   const Person* faced = nullptr;
   double best = -2.0;
-  for (const Person& person : sample.people) {
-    const double separation = distance(sample.robot, person);
-    const double along = ahead.dot(person.position - sample.robot.position);
+  for (const Person& person : at.now.people) {
+    const double separation = distance(robot, person);
+    const double along = ahead.dot(person.position - robot.position);
     const double cosine = separation > 0.0 ? along / separation : 1.0;
     if (cosine > best) {
       best = cosine;
       faced = &person;
     }
   }
-  return faced != nullptr ? angleTo(sample.robot, *faced) : kNobody;
+  return faced != nullptr ? angleTo(robot, *faced) : kNaN;
 }
 
 /// Smallest angle at which somebody looks at the robot.
-double personSees(const Sample& sample, const MetricParameters& /*parameters*/) {
-  double smallest = kNobody;
-  for (const Person& person : sample.people) {
-    smallest = std::min(smallest, person.pair.viewAngle);
+double personSees(const Instant& at) {
+  double smallest = kNaN;
+  for (const Person& person : at.now.people) {
+    smallest = std::fmin(smallest, person.pair.viewAngle);
   }
   return smallest;
 }
 
-bool isNarrow(double angle, const MetricParameters& parameters) {
-  return angle <= parameters.facingHalfAngle;
+template <Term kAngle>
+bool isNarrow(const Instant& at) {
+  return at.term(kAngle) <= at.parameters.facingHalfAngle;
 }
 
-bool isWide(double angle, const MetricParameters& /*parameters*/) {
-  return angle <= kWideHalfAngle;
-}
-
-template <Term kTerm, TermTest kTest>
-Stream timeWithin() {
-  return streamOf<WhereTerm<kTerm, kTest>>(&WhereTerm<kTerm, kTest>::time);
+template <Term kAngle>
+bool isWide(const Instant& at) {
+  return at.term(kAngle) <= kWideHalfAngle;
 }
 
 }  // namespace
 
 void addFacing(MetricRegistry& to) {
-  const Needs needs{true, true};
-  const Category social = Category::Social;
-  to.add({"time_facing_people", "Time heading at people", "s", social, Better::Lower, needs,
-          "sum of dt_i with a person within facing_half_angle of the robot's heading", "Arena",
-          "[0, T]"},
-         timeWithin<robotFaces, isNarrow>());
-  to.add({"time_seen_by_people", "Time looked at", "s", social, Better::Neutral, needs,
-          "sum of dt_i with the robot within facing_half_angle of a person's heading", "Arena",
-          "[0, T]"},
-         timeWithin<personSees, isNarrow>());
-  to.add({"time_facing_people_60", "Time heading towards people", "s", social, Better::Lower, needs,
-          "the same within 60 degrees to each side", "Arena, wider cone", "[0, T]"},
-         timeWithin<robotFaces, isWide>());
-  to.add({"time_seen_by_people_60", "Time in somebody's view", "s", social, Better::Neutral, needs,
-          "the same within 60 degrees to each side", "Arena, wider cone", "[0, T]"},
-         timeWithin<personSees, isWide>());
-  for (const char* key : {"time_facing_people", "time_seen_by_people", "time_facing_people_60",
-                          "time_seen_by_people_60"}) {
-    to.setRateBound(key, 0.05);  // begins and ends on samples
-  }
+  constexpr double kBound = 0.05;  // begins and ends on samples
+  const auto family = [&to](Better better, const char* source) {
+    const Needs needs{true, true};
+    return MetricFamily{to,     Category::Social, better,       needs,
+                        source, "[0, T]",         Kind::Number, kBound};
+  };
+  const char wide[] = "Arena, wider cone";
+  family(Better::Lower, "Arena")
+      .add("time_facing_people", "Time heading at people", "s",
+           "sum of dt_i with a person within facing_half_angle of the robot's heading",
+           timesOf<isNarrow<robotFaces>>(&Times::time));
+  family(Better::Neutral, "Arena")
+      .add("time_seen_by_people", "Time looked at", "s",
+           "sum of dt_i with the robot within facing_half_angle of a person's heading",
+           timesOf<isNarrow<personSees>>(&Times::time));
+  family(Better::Lower, wide)
+      .add("time_facing_people_60", "Time heading towards people", "s",
+           "the same within 60 degrees to each side", timesOf<isWide<robotFaces>>(&Times::time));
+  family(Better::Neutral, wide)
+      .add("time_seen_by_people_60", "Time in somebody's view", "s",
+           "the same within 60 degrees to each side", timesOf<isWide<personSees>>(&Times::time));
 }
 
 }  // namespace metrics

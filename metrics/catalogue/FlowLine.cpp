@@ -42,16 +42,15 @@ class LineCrossings : public Accumulator {
     }
   }
 
-  MetricValue count(const Instant& /*last*/) const {
-    return isSet() ? countValue(count_) : undefinedValue("no line is set (flow_line_x1 ...)");
+  MetricValue count() const {
+    return isSet() ? count_ : undefinedValue("no line is set (flow_line_x1 ...)");
   }
   MetricValue flow(const Instant& last) const {
     if (!isSet()) {
-      return count(last);
+      return count();
     }
-    return last.elapsed() > 0.0
-               ? numberValue(count_ / last.elapsed() / lengthOf(line_.to - line_.from))
-               : undefinedValue("the record has no duration");
+    return last.elapsed() > 0.0 ? count_ / last.elapsed() / lengthOf(line_.to - line_.from)
+                                : undefinedValue("the record has no duration");
   }
 
  private:

@@ -17,18 +17,17 @@ std::vector<double> inPercent(std::vector<double> values) {
   return values;
 }
 
-MetricValue percentOf(double share) {
-  return std::isnan(share) ? undefinedValue("nobody in the record") : numberValue(100.0 * share);
-}
-
-MetricValue largest(const Figures& shares, const Instant& /*last*/) {
-  return percentOf(shares.largest());
+double largest(const Figures& shares) {
+  return 100.0 * shares.largest();
 }
 
 /// Weighted with time; 0 where there never is a share.
-MetricValue average(const Figures& shares, const Instant& /*last*/) {
-  const double mean = shares.timeMean();
-  return numberValue(std::isnan(mean) ? 0.0 : 100.0 * mean);
+double average(const Figures& shares) {
+  return std::fmax(100.0 * shares.timeMean(), 0.0);
+}
+
+MetricValue averageWithSeries(const Figures& shares) {
+  return withSeries(average(shares), inPercent(shares.series()));
 }
 
 /// How far outside the space of a person the robot stands, 0 at its centre: the negative exponent
@@ -50,23 +49,24 @@ double leastOutsideness(const Person& person, const Robot& robot) {
 }
 
 /// Deepest intrusion of a sample; NaN without people.
-double deepestInPerson(const Sample& sample, const MetricParameters& /*parameters*/) {
+double deepestInPerson(const Instant& at) {
+  const Robot& robot = at.now.robot;
   double least = std::numeric_limits<double>::infinity();
-  for (const Person& person : sample.people) {
-    if (leastOutsideness(person, sample.robot) < least) {
-      least = std::min(least, outsideness(person, sample.robot));
+  for (const Person& person : at.now.people) {
+    if (leastOutsideness(person, robot) < least) {
+      least = std::min(least, outsideness(person, robot));
     }
   }
-  return sample.people.empty() ? kNaN : std::exp(-least);
+  return at.now.people.empty() ? kNaN : std::exp(-least);
 }
 
-MetricValue averageInPerson(const Figures& depths, const Instant& /*last*/) {
+MetricValue averageInPerson(const Figures& depths) {
   const double mean = depths.time() > 0.0 ? 100.0 * depths.integral() / depths.time() : 0.0;
-  return withSeries(numberValue(mean), inPercent(depths.series()));
+  return withSeries(mean, inPercent(depths.series()));
 }
 
-MetricValue smallest(const Figures& depths, const Instant& /*last*/) {
-  return percentOf(depths.least());
+double smallest(const Figures& depths) {
+  return 100.0 * depths.least();
 }
 
 /// Share of the time with people.
@@ -77,43 +77,37 @@ class DeepTime : public Accumulator {
     peopled_.add(at, !std::isnan(depth));
     deep_.add(at, depth > at.parameters.gaussianThreshold);
   }
-  MetricValue share(const Instant& /*last*/) const {
-    return numberValue(deep_.percentOf(peopled_.value()));
-  }
+  double share() const { return deep_.percentOf(peopled_.value()); }
 
  private:
   HeldTime peopled_, deep_;
 };
 
 void addGaussianSpace(MetricRegistry& to) {
-  const Needs needs{true, true};
   const char source[] = "SRPB (Kirby's model)";
-  const std::string key = "personal_space_intrusion_gaussian";
-  const std::string name = "Intrusion into the Gaussian personal space";
-  to.add({key, name, "%", Category::Social, Better::Lower, needs,
+  const MetricFamily own{to, Category::Social, Better::Lower, {true, true}, source, "[0, 100]"};
+  own.add("personal_space_intrusion_gaussian", "Intrusion into the Gaussian personal space", "%",
           "time-weighted mean of max over a of exp(-(x^2/2Vx + y^2/2Vs)); Vf = max(2 |u|, 0.5), "
           "Vs = 2/3 Vf, Vx = Vf ahead and Vf/2 behind",
-          source, "[0, 100]"},
-         figuresOf<deepestInPerson>(averageInPerson));
-  to.add({key + "_min", name + ", smallest", "%", Category::Social, Better::Lower, needs,
-          "min over samples with people", source, "[0, 100]"},
-         figuresOf<deepestInPerson>(smallest));
-  to.add({key + "_max", name + ", largest", "%", Category::Social, Better::Lower, needs,
-          "max over samples with people", source, "[0, 100]"},
-         figuresOf<deepestInPerson>(largest));
-  to.add({key + "_above", "Time inside the Gaussian personal space", "%", Category::Social,
-          Better::Lower, needs, "share of the time with people above gaussian_threshold", source,
-          "[0, 100]"},
-         streamOf<DeepTime>(&DeepTime::share));
+          seriesFiguresOf<deepestInPerson>(averageInPerson));
+  own.add("personal_space_intrusion_gaussian_min",
+          "Intrusion into the Gaussian personal space, smallest", "%",
+          "min over samples with people", figuresOf<deepestInPerson>(smallest, kNobody));
+  own.add("personal_space_intrusion_gaussian_max",
+          "Intrusion into the Gaussian personal space, largest", "%",
+          "max over samples with people", figuresOf<deepestInPerson>(largest, kNobody));
+  own.add("personal_space_intrusion_gaussian_above", "Time inside the Gaussian personal space", "%",
+          "share of the time with people above gaussian_threshold",
+          streamOf<DeepTime>(&DeepTime::share));
 }
 
 using Members = std::vector<const Person*>;
 
 /// Calls visit(id, members) for the groups with enough members, by id.
 template <class Visit>
-void forEachGroup(const Sample& sample, const MetricParameters& parameters, Visit visit) {
+void forEachGroup(const Instant& at, Visit visit) {
   Members all;
-  for (const Person& person : sample.people) {
+  for (const Person& person : at.now.people) {
     if (person.group != -1) {
       all.push_back(&person);
     }
@@ -122,14 +116,15 @@ void forEachGroup(const Sample& sample, const MetricParameters& parameters, Visi
     return a->group != b->group ? a->group < b->group : a < b;
   });
   Members members;
-  for (auto at = all.begin(); at != all.end();) {
-    const auto end = std::find_if(
-        at, all.end(), [at](const Person* person) { return person->group != (*at)->group; });
-    members.assign(at, end);
-    if (static_cast<double>(members.size()) >= parameters.groupMinimumMembers) {
+  for (auto first = all.begin(); first != all.end();) {
+    const auto end = std::find_if(first, all.end(), [first](const Person* person) {
+      return person->group != (*first)->group;
+    });
+    members.assign(first, end);
+    if (static_cast<double>(members.size()) >= at.parameters.groupMinimumMembers) {
       visit(members.front()->group, members);
     }
-    at = end;
+    first = end;
   }
 }
 
@@ -168,17 +163,17 @@ double groupIntrusion(const Members& members, const Vec2& position) {
   return std::exp(-(u * u + w * w) / 2.0);
 }
 
-double deepestInGroup(const Sample& sample, const MetricParameters& parameters) {
+double deepestInGroup(const Instant& at) {
   double value = kNaN;
-  forEachGroup(sample, parameters, [&](int /*group*/, const Members& members) {
-    const double one = groupIntrusion(members, sample.robot.position);
+  forEachGroup(at, [&](int /*group*/, const Members& members) {
+    const double one = groupIntrusion(members, at.now.robot.position);
     value = one <= value ? value : one;
   });
   return value;
 }
 
-MetricValue largestInGroup(const Figures& depths, const Instant& /*last*/) {
-  return numberValue(std::isnan(depths.largest()) ? 0.0 : 100.0 * depths.largest());
+double largestInGroup(const Figures& depths) {
+  return std::fmax(100.0 * depths.largest(), 0.0);
 }
 
 /// Left (> 0) or right of the line from a to b.
@@ -240,14 +235,14 @@ bool isCrossing(const Sample* before, const Sample& now, const Members& members)
 class GroupCrossings : public Accumulator {
  public:
   void add(const Instant& at) override {
-    forEachGroup(at.now, at.parameters, [&](int group, const Members& members) {
+    forEachGroup(at, [&](int group, const Members& members) {
       const bool now = isCrossing(at.before, at.now, members);
       bool& crossed = crossed_[group];
       count_ += now && !crossed ? 1.0 : 0.0;
       crossed = now;
     });
   }
-  MetricValue value(const Instant& /*last*/) const { return countValue(count_); }
+  double count() const { return count_; }
 
  private:
   std::map<int, bool> crossed_;
@@ -256,21 +251,18 @@ class GroupCrossings : public Accumulator {
 
 void addGroupSpace(MetricRegistry& to) {
   const Needs needs{true, true, true};
-  to.add(
-      {"formation_space_intrusion", "Intrusion into the space of groups", "%", Category::Social,
-       Better::Lower, needs,
-       "time-weighted mean of max over groups of exp(-(u^2/2Vu + w^2/2Vw)), u, w = robot along the "
-       "axes of the arrangement of the members, V = (span of the members with their bodies/4)^2",
-       "SRPB", "[0, 100]"},
+  const MetricFamily space{to, Category::Social, Better::Lower, needs, "SRPB", "[0, 100]"};
+  space.add(
+      "formation_space_intrusion", "Intrusion into the space of groups", "%",
+      "time-weighted mean of max over groups of exp(-(u^2/2Vu + w^2/2Vw)), u, w = robot along the "
+      "axes of the arrangement of the members, V = (span of the members with their bodies/4)^2",
       figuresOf<deepestInGroup>(average));
-  to.add(
-      {"formation_space_intrusion_max", "Intrusion into the space of groups, largest", "%",
-       Category::Social, Better::Lower, needs, "max over samples of the same", "SRPB", "[0, 100]"},
-      figuresOf<deepestInGroup>(largestInGroup));
+  space.add("formation_space_intrusion_max", "Intrusion into the space of groups, largest", "%",
+            "max over samples of the same", figuresOf<deepestInGroup>(largestInGroup));
   to.add({"group_crossings", "Groups crossed", "", Category::Social, Better::Lower, needs,
           "number of times the robot gets inside the hull of a group or between two of its members",
           "Katyal et al. 2022; Okal and Arras 2016", "0, 1, ...", Kind::Count},
-         streamOf<GroupCrossings>(&GroupCrossings::value));
+         streamOf<GroupCrossings>(&GroupCrossings::count));
 }
 
 double gaussian(double x, double sigma) {
@@ -303,36 +295,29 @@ double disturbance(const Person& person, const Robot& robot, const Vec2& heading
          gaussian(base::headingOf(place), parameters.disturbanceFieldOfView / 4.0);
 }
 
-double worst(const Sample& sample, const MetricParameters& parameters) {
-  double value = sample.people.empty() ? kNaN : 0.0;
-  const Vec2 heading = base::directionOf(sample.robot.heading);
-  for (const Person& person : sample.people) {
-    const double most = presence(person, sample.robot, parameters);
+double worst(const Instant& at) {
+  const Robot& robot = at.now.robot;
+  double value = at.now.people.empty() ? kNaN : 0.0;
+  const Vec2 heading = base::directionOf(robot.heading);
+  for (const Person& person : at.now.people) {
+    const double most = presence(person, robot, at.parameters);
     if (most > value) {
-      value = std::fmax(value, most * disturbance(person, sample.robot, heading, parameters));
+      value = std::fmax(value, most * disturbance(person, robot, heading, at.parameters));
     }
   }
   return value;
 }
 
-MetricValue averageDisturbance(const Figures& figures, const Instant& last) {
-  return withSeries(average(figures, last), inPercent(figures.series()));
-}
-
 void addHeadingDisturbance(MetricRegistry& to) {
-  const Needs needs{true, true};
-  const char formula[] =
-      "time-weighted mean of max over a of G(offset; disturbance_radius/2) * G(bearing; "
-      "disturbance_field_of_view/4) * min(s/disturbance_speed, 1) * min((r_r + "
-      "disturbance_radius)/d, 1); offset: where the line of the robot's heading meets the line "
-      "across the person, bearing: of the robot in the person's view, G(x; s) = exp(-x^2/2s^2)";
-  to.add({"heading_direction_disturbance", "Disturbance by the robot's heading", "%",
-          Category::Social, Better::Lower, needs, formula, "SRPB", "[0, 100]"},
-         figuresOf<worst>(averageDisturbance));
-  to.add(
-      {"heading_direction_disturbance_max", "Disturbance by the robot's heading, largest", "%",
-       Category::Social, Better::Lower, needs, "max over samples of the same", "SRPB", "[0, 100]"},
-      figuresOf<worst>(largest));
+  const MetricFamily own{to, Category::Social, Better::Lower, {true, true}, "SRPB", "[0, 100]"};
+  own.add("heading_direction_disturbance", "Disturbance by the robot's heading", "%",
+          "time-weighted mean of max over a of G(offset; disturbance_radius/2) * G(bearing; "
+          "disturbance_field_of_view/4) * min(s/disturbance_speed, 1) * min((r_r + "
+          "disturbance_radius)/d, 1); offset: where the line of the robot's heading meets the line "
+          "across the person, bearing: of the robot in the person's view, G(x; s) = exp(-x^2/2s^2)",
+          seriesFiguresOf<worst>(averageWithSeries));
+  own.add("heading_direction_disturbance_max", "Disturbance by the robot's heading, largest", "%",
+          "max over samples of the same", figuresOf<worst>(largest, kNobody));
 }
 
 }  // namespace

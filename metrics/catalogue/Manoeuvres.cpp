@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "metrics/MetricRegistry.h"
+#include "metrics/TermSums.h"
 
 namespace metrics {
 
@@ -11,59 +11,39 @@ Vec2 bodyVelocity(const Robot& robot) {
   return base::Pose2{Vec2(0.0, 0.0), robot.heading}.toLocal(robot.velocity);
 }
 
-bool oscillates(const Robot& robot, const MetricParameters& parameters) {
+bool oscillates(const Instant& at) {
+  const Robot& robot = at.now.robot;
   const Vec2 velocity = bodyVelocity(robot);
-  const double limit = parameters.oscillationSpeed;
+  const double limit = at.parameters.oscillationSpeed;
   return std::fabs(velocity.x()) < limit && std::fabs(velocity.y()) < limit &&
-         robot.speed < limit && std::fabs(robot.omega) < parameters.oscillationAngularSpeed;
+         robot.speed < limit && std::fabs(robot.omega) < at.parameters.oscillationAngularSpeed;
 }
 
-bool backsUp(const Robot& robot, const MetricParameters& parameters) {
-  return bodyVelocity(robot).x() < -parameters.backwardSpeed;
+bool backsUp(const Instant& at) {
+  return bodyVelocity(at.now.robot).x() < -at.parameters.backwardSpeed;
 }
 
-bool turnsInPlace(const Robot& robot, const MetricParameters& parameters) {
-  const Vec2 velocity = bodyVelocity(robot);
-  return std::fabs(velocity.x()) < parameters.inplaceSpeed &&
-         std::fabs(velocity.y()) < parameters.inplaceSpeed &&
-         std::fabs(robot.omega) >= parameters.inplaceAngularSpeed;
-}
-
-using Test = bool (*)(const Robot&, const MetricParameters&);
-
-template <Test kTest>
-class ShareOfTime : public Accumulator {
- public:
-  void add(const Instant& at) override { time_.add(at, kTest(at.now.robot, at.parameters)); }
-  MetricValue value(const Instant& last) const {
-    return numberValue(time_.percentOf(last.elapsed()));
-  }
-
- private:
-  HeldTime time_;
-};
-
-template <Test kTest>
-Stream shareOfTime() {
-  return streamOf<ShareOfTime<kTest>>(&ShareOfTime<kTest>::value);
+bool turnsInPlace(const Instant& at) {
+  const Vec2 velocity = bodyVelocity(at.now.robot);
+  return std::fabs(velocity.x()) < at.parameters.inplaceSpeed &&
+         std::fabs(velocity.y()) < at.parameters.inplaceSpeed &&
+         std::fabs(at.now.robot.omega) >= at.parameters.inplaceAngularSpeed;
 }
 
 }  // namespace
 
 void addManoeuvres(MetricRegistry& to) {
-  const Category motion = Category::Motion;
-  to.add({"oscillations", "Hardly moving", "%", motion, Better::Lower, Needs{},
-          "share of time with |vx|, |vy|, |v| < oscillation_speed and |w| < "
-          "oscillation_angular_speed (robot frame)",
-          "SRPB", "[0, 100]"},
-         shareOfTime<oscillates>());
-  to.add({"backward_movements", "Driving backwards", "%", motion, Better::Lower, Needs{},
-          "share of time with vx < -backward_speed (robot frame)", "SRPB", "[0, 100]"},
-         shareOfTime<backsUp>());
-  to.add({"inplace_rotations", "Turning in place", "%", motion, Better::Lower, Needs{},
-          "share of time with |vx|, |vy| < inplace_speed and |w| >= inplace_angular_speed", "SRPB",
-          "[0, 100]"},
-         shareOfTime<turnsInPlace>());
+  const MetricFamily shares{to, Category::Motion, Better::Lower, {}, "SRPB", "[0, 100]"};
+  shares.add("oscillations", "Hardly moving", "%",
+             "share of time with |vx|, |vy|, |v| < oscillation_speed and |w| < "
+             "oscillation_angular_speed (robot frame)",
+             timesOf<oscillates>(&Times::percentOfTime));
+  shares.add("backward_movements", "Driving backwards", "%",
+             "share of time with vx < -backward_speed (robot frame)",
+             timesOf<backsUp>(&Times::percentOfTime));
+  shares.add("inplace_rotations", "Turning in place", "%",
+             "share of time with |vx|, |vy| < inplace_speed and |w| >= inplace_angular_speed",
+             timesOf<turnsInPlace>(&Times::percentOfTime));
 }
 
 }  // namespace metrics

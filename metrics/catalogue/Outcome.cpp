@@ -25,109 +25,88 @@ Blame originalBlame(const Robot& robot, const Person& person) {
   return {(toRobot < toPerson && differ) || tie, (toRobot > toPerson && differ) || tie};
 }
 
-/// Of the original: per sample and person in contact; the series is 0 or 1.
-class OriginalContacts {
- public:
-  void add(const Instant& at) {
-    const Sample& sample = at.now;
-    bool byRobot = false;
-    bool byPerson = false;
-    for (const Person& person : sample.people) {
-      if (gap(sample.robot, person) < at.parameters.contactDistance) {
-        const Blame blame = originalBlame(sample.robot, person);
-        robot_ += blame.robot ? 1.0 : 0.0;
-        person_ += blame.person ? 1.0 : 0.0;
-        byRobot = byRobot || blame.robot;
-        byPerson = byPerson || blame.person;
-      }
-    }
-    robotSeries_.add(at, byRobot ? 1.0 : 0.0);
-    personSeries_.add(at, byPerson ? 1.0 : 0.0);
-  }
-  MetricValue value(bool ofRobot) const {
-    return withSeries(countValue(ofRobot ? robot_ : person_),
-                      (ofRobot ? robotSeries_ : personSeries_).values(), Kind::Count);
-  }
-
- private:
-  double robot_ = 0.0, person_ = 0.0;
-  SeriesColumn robotSeries_, personSeries_;
-};
-
-class Contacts : public Accumulator {
- public:
-  explicit Contacts(const MetricParameters& parameters) : events_(parameters.contactDistance) {}
-
-  void add(const Instant& at) override {
-    if (at.isOriginal()) {
-      original_.add(at);
-    } else {
-      events_.add(at);
-    }
-  }
-  MetricValue byRobot(const Instant& last) const { return value(true, last); }
-  MetricValue byPerson(const Instant& last) const { return value(false, last); }
-
- private:
-  MetricValue value(bool ofRobot, const Instant& last) const {
-    if (last.isOriginal()) {
-      return original_.value(ofRobot);
-    }
-    const SeriesSum& sum = ofRobot ? events_.byRobot() : events_.byPerson();
-    return withSeries(countValue(sum.sum()), sum.terms(), Kind::Count);
-  }
-
-  ContactEvents events_;
-  OriginalContacts original_;
-};
-
-void addContacts(MetricRegistry& to) {
-  const Needs needs{true, true};
-  const char source[] = "Tsoi et al., SEAN 2.0, RA-L 2022";
-  to.add(
-      {"robot_on_person_collision", "Robot runs into a person", "", Category::Safety, Better::Lower,
-       needs, "contacts (gap < contact_distance begins) in which the robot closes in faster",
-       source, "0, 1, ...", Kind::Count, 16},
-      streamOf<Contacts>(&Contacts::byRobot));
-  to.add({"person_on_robot_collision", "Person runs into the robot", "", Category::Safety,
-          Better::Lower, needs,
-          "contacts (gap < contact_distance begins) in which the person closes in faster", source,
-          "0, 1, ...", Kind::Count, 17},
-         streamOf<Contacts>(&Contacts::byPerson));
-}
-
 bool isTimeout(const Instant& last) {
   return last.elapsed() >= last.parameters.timeLimit;
 }
 
-class Collisions : public Accumulator {
+/// Contacts with people and obstacles. The original counts a person at each sample in contact; its
+/// series is 0 or 1.
+class Collisions : public ContactsWithin<&MetricParameters::contactDistance> {
  public:
-  explicit Collisions(const MetricParameters& parameters) : people_(parameters.contactDistance) {}
+  using ContactsWithin::ContactsWithin;
+
   void add(const Instant& at) override {
-    people_.add(at);
+    ContactsWithin::add(at);
     const Robot& robot = at.now.robot;
     const bool touches = robot.obstacleDistance && *robot.obstacleDistance - robot.radius <= 0.0;
     obstacles_ += touches && !touches_ ? 1.0 : 0.0;
     touches_ = touches;
+    if (at.isOriginal()) {
+      addOriginal(at);
+    }
   }
-  MetricValue success(const Instant& last) const {
-    const bool touched = people_.count() > 0.0 || obstacles_ > 0.0;
-    return booleanValue(isCompleted(last) && !touched && !isTimeout(last));
+  MetricValue ofRobot(const Instant& last) const {
+    return last.isOriginal() ? valueOf(originalOfRobot_) : byRobot();
   }
-  MetricValue obstacles(const Instant& /*last*/) const { return countValue(obstacles_); }
+  MetricValue ofPerson(const Instant& last) const {
+    return last.isOriginal() ? valueOf(originalOfPerson_) : byPerson();
+  }
+  double success(const Instant& last) const {
+    const bool touched = count() > 0.0 || obstacles_ > 0.0;
+    return isCompleted(last) && !touched && !isTimeout(last) ? 1.0 : 0.0;
+  }
+  double obstacles() const { return obstacles_; }
 
  private:
-  ContactEvents people_;
+  struct Original {
+    double contacts = 0.0;
+    SeriesColumn series;
+  };
+  static MetricValue valueOf(const Original& original) {
+    return withSeries(original.contacts, original.series.values(), Kind::Count);
+  }
+
+  void addOriginal(const Instant& at) {
+    Blame any;
+    for (const Person& person : at.now.people) {
+      if (gap(at.now.robot, person) < at.parameters.contactDistance) {
+        const Blame blame = originalBlame(at.now.robot, person);
+        originalOfRobot_.contacts += blame.robot ? 1.0 : 0.0;
+        originalOfPerson_.contacts += blame.person ? 1.0 : 0.0;
+        any = {any.robot || blame.robot, any.person || blame.person};
+      }
+    }
+    originalOfRobot_.series.add(at, any.robot ? 1.0 : 0.0);
+    originalOfPerson_.series.add(at, any.person ? 1.0 : 0.0);
+  }
+
+  Original originalOfRobot_, originalOfPerson_;
   double obstacles_ = 0.0;
   bool touches_ = false;  // an obstacle at the newest sample
 };
 
 MetricValue totalTime(const Instant& last) {
-  return numberValue(last.elapsed());
+  return last.elapsed();
 }
 
 MetricValue timeout(const Instant& last) {
-  return booleanValue(isTimeout(last));
+  return isTimeout(last) ? 1.0 : 0.0;
+}
+
+void addContacts(MetricRegistry& to) {
+  const MetricFamily contacts{to,
+                              Category::Safety,
+                              Better::Lower,
+                              {true, true},
+                              "Tsoi et al., SEAN 2.0, RA-L 2022",
+                              "0, 1, ...",
+                              Kind::Count};
+  contacts.add("robot_on_person_collision", "Robot runs into a person", "",
+               "contacts (gap < contact_distance begins) in which the robot closes in faster",
+               streamOf<Collisions>(&Collisions::ofRobot), 16);
+  contacts.add("person_on_robot_collision", "Person runs into the robot", "",
+               "contacts (gap < contact_distance begins) in which the person closes in faster",
+               streamOf<Collisions>(&Collisions::ofPerson), 17);
 }
 
 void addOwnOutcome(MetricRegistry& to) {

@@ -1,7 +1,5 @@
-#include <algorithm>
-#include <limits>
-
 #include "metrics/Motion.h"
+#include "metrics/TermSums.h"
 
 /// On the way to the goals.
 namespace metrics {
@@ -20,12 +18,12 @@ class GoalStay : public Accumulator {
   }
   MetricValue time(const Instant& last) const {
     if (last.isOriginal()) {
-      return numberValue(last.elapsed());
+      return last.elapsed();
     }
     if (last.context.goals.empty()) {
       return undefinedValue(kNoGoal);
     }
-    return since_ ? numberValue(*since_) : undefinedValue("the goal was not reached");
+    return since_ ? *since_ : undefinedValue("the goal was not reached");
   }
 
  private:
@@ -33,29 +31,26 @@ class GoalStay : public Accumulator {
 };
 
 MetricValue completed(const Instant& last) {
-  return booleanValue(isCompleted(last));
+  return isCompleted(last) ? 1.0 : 0.0;
 }
 
 MetricValue goalDistance(double distance, const Instant& last) {
   if (!last.context.goals.empty()) {
-    return numberValue(distance);
+    return distance;
   }
   return last.isOriginal() ? infiniteValue(kNoGoal) : undefinedValue(kNoGoal);
 }
 
-class NearestGoal : public Accumulator {
- public:
-  void add(const Instant& at) override {
-    nearest_ = std::min(nearest_, distanceToGoals(at.context, at.now.robot.position));
-  }
-  MetricValue value(const Instant& last) const { return goalDistance(nearest_, last); }
+double toNearestGoal(const Instant& at) {
+  return distanceToGoals(at.context, at.now.robot.position);
+}
 
- private:
-  double nearest_ = std::numeric_limits<double>::infinity();  // [m]
-};
+MetricValue smallestDistance(const Figures& distances, const Instant& last) {
+  return goalDistance(distances.least(), last);
+}
 
 MetricValue finalDistance(const Instant& last) {
-  return goalDistance(distanceToGoals(last.context, last.now.robot.position), last);
+  return goalDistance(toNearestGoal(last), last);
 }
 
 void addGoals(MetricRegistry& to) {
@@ -71,7 +66,7 @@ void addGoals(MetricRegistry& to) {
          streamOfLast(completed));
   to.add({"minimum_distance_to_target", "Smallest distance to the goal", "m", Category::Navigation,
           Better::Lower, needs, "min over i, g of |p_i - g|", sean, "[0, inf)", Kind::Number, 14},
-         streamOf<NearestGoal>(&NearestGoal::value));
+         figuresOf<toNearestGoal>(smallestDistance));
   to.add({"final_distance_to_target", "Final distance to the goal", "m", Category::Navigation,
           Better::Lower, needs, "min over g of |p_(N-1) - g|", sean, "[0, inf)", Kind::Number, 15},
          streamOfLast(finalDistance));
@@ -92,15 +87,12 @@ class GoalProgress : public Accumulator {
     worse_ += at.before != nullptr && isWorse ? 1.0 : 0.0;
     before_ = now;
   }
-  MetricValue failures(const Instant& last) const {
-    return last.context.goals.empty() ? undefinedValue(kNoGoal) : countValue(worse_);
-  }
+  double failures(const Instant& last) const { return last.context.goals.empty() ? kNaN : worse_; }
   MetricValue ratioLeft(const Instant& last) const {
     if (last.context.goals.empty()) {
       return undefinedValue(kNoGoal);
     }
-    return first_ > kSamePlace ? numberValue(before_ / first_)
-                               : undefinedValue("the robot starts at its goal");
+    return first_ > kSamePlace ? before_ / first_ : undefinedValue("the robot starts at its goal");
   }
 
  private:
@@ -108,23 +100,15 @@ class GoalProgress : public Accumulator {
   double worse_ = 0.0;
 };
 
-class StalledTime : public Accumulator {
- public:
-  void add(const Instant& at) override {
-    time_.add(at, lengthOf(at.now.robot.velocity) < at.parameters.stallSpeed);
-  }
-  MetricValue value(const Instant& /*last*/) const { return numberValue(time_.value()); }
-
- private:
-  HeldTime time_;
-};
+bool isStalled(const Instant& at) {
+  return lengthOf(at.now.robot.velocity) < at.parameters.stallSpeed;
+}
 
 MetricValue finalDistanceOverLength(const RobotWay& way, const Instant& last) {
   if (last.context.goals.empty()) {
     return undefinedValue(kNoGoal);
   }
-  const double distance = distanceToGoals(last.context, last.now.robot.position);
-  return way.length() > 0.0 ? numberValue(distance / way.length())
+  return way.length() > 0.0 ? toNearestGoal(last) / way.length()
                             : undefinedValue("the robot did not move");
 }
 
@@ -133,18 +117,17 @@ void addOwnProgress(MetricRegistry& to) {
   to.add(
       {"failure_to_progress", "Steps away from the goal", "", Category::Navigation, Better::Lower,
        goal, "number of i with |p_i - g| > |p_(i-1) - g| + progress_tolerance, g = first goal",
-       "Francis et al. 2025; SocNavGym", "0, 1, ...", Kind::Count},
-      streamOf<GoalProgress>(&GoalProgress::failures));
+       "Francis et al. 2025; SocNavGym", "0, 1, ...", Kind::Count, 0, "", 0.51},  // counts samples
+      streamOf<GoalProgress>(&GoalProgress::failures, kNoGoal));
   to.add({"stalled_time", "Time stalled", "s", Category::Navigation, Better::Lower, Needs{},
           "sum of dt_i with |v_i| < stall_speed", "Francis et al. 2025; SocNavGym", "[0, T]"},
-         streamOf<StalledTime>(&StalledTime::value));
+         timesOf<isStalled>(&Times::time));
   to.add({"goal_traversal_ratio", "Share of the distance left", "", Category::Navigation,
           Better::Lower, goal, "|p_(N-1) - g| / |p_0 - g|, g = first goal", "SocNavBench"},
          streamOf<GoalProgress>(&GoalProgress::ratioLeft));
   to.add({"targ_dist_norm", "Final distance per path length", "", Category::Navigation,
           Better::Lower, goal, "final_distance_to_target / L", "SEAN 2.0"},
          streamOf<RobotWay>(finalDistanceOverLength));
-  to.setRateBound("failure_to_progress", 0.51);  // counts samples
 }
 
 }  // namespace

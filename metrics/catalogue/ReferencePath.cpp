@@ -14,10 +14,6 @@ namespace {
 constexpr char kNoReference[] = "there is no goal and no reference";
 constexpr std::size_t kMostPoints = 800;  // of a comparison of all with all, the last aside
 
-bool hasReference(const RunContext& context) {
-  return !context.reference.empty() || !context.goals.empty();
-}
-
 /// Empty without reference. `first`: the sample with which the run begins.
 std::vector<Vec2> referencePath(const RunContext& context, const Sample& first) {
   std::vector<Vec2> path;
@@ -25,7 +21,7 @@ std::vector<Vec2> referencePath(const RunContext& context, const Sample& first) 
     path.push_back(place);
   }
   if (path.empty() && !context.goals.empty()) {
-    path = shortestPath(context, first.robot.position, context.goals.front().position);
+    path = shortestPath(context, first.robot.position, context.goals.front().position).points;
   }
   return path;
 }
@@ -54,39 +50,6 @@ Vec2 recordedPlace(const std::vector<std::pair<double, Vec2>>& reference, double
   return from + (time - begin) / (after->first - begin) * (after->second - from);
 }
 
-MetricValue meanOf(const SeriesSum& sum, const Instant& last) {
-  return hasReference(last.context)
-             ? withSeries(numberValue(sum.sum() / static_cast<double>(last.count())), sum.terms())
-             : undefinedValue(kNoReference);
-}
-
-/// From the place where the reference is at the same time.
-class Displacement : public Accumulator {
- public:
-  void add(const Instant& at) override {
-    if (at.before == nullptr) {
-      path_ = referencePath(at.context, at.now);
-    }
-    if (path_.empty()) {
-      return;
-    }
-    const Vec2 place = at.context.reference.empty()
-                           ? pointAt(path_, at.context.robotMaxSpeed * at.elapsed())
-                           : recordedPlace(at.context.reference, at.elapsed());
-    newest_ = lengthOf(at.now.robot.position - place);
-    sum_.add(at, newest_);
-  }
-  MetricValue mean(const Instant& last) const { return meanOf(sum_, last); }
-  MetricValue final(const Instant& last) const {
-    return hasReference(last.context) ? numberValue(newest_) : undefinedValue(kNoReference);
-  }
-
- private:
-  std::vector<Vec2> path_;
-  double newest_ = 0.0;  // [m]
-  SeriesSum sum_;
-};
-
 double distanceToPath(const std::vector<Vec2>& path, const Vec2& point) {
   double nearest = lengthOf(point - path.front());
   for (std::size_t k = 1; k < path.size(); ++k) {
@@ -99,26 +62,9 @@ double distanceToPath(const std::vector<Vec2>& path, const Vec2& point) {
   return nearest;
 }
 
-class Deviation : public Accumulator {
- public:
-  void add(const Instant& at) override {
-    if (at.before == nullptr) {
-      path_ = referencePath(at.context, at.now);
-    }
-    if (!path_.empty()) {
-      sum_.add(at, distanceToPath(path_, at.now.robot.position));
-    }
-  }
-  MetricValue mean(const Instant& last) const { return meanOf(sum_, last); }
-
- private:
-  std::vector<Vec2> path_;
-  SeriesSum sum_;
-};
-
 /// Evenly along the way, both ends included.
 std::vector<Vec2> spread(const std::vector<Vec2>& path, std::size_t count) {
-  const double length = lengthOf(path);
+  const double length = sim2d::Path{path}.length();
   std::vector<Vec2> points;
   for (std::size_t k = 0; k < count; ++k) {
     const double share = count > 1 ? static_cast<double>(k) / static_cast<double>(count - 1) : 0.0;
@@ -174,24 +120,45 @@ class ThinnedWay {
   bool isNewestIn_ = false;
 };
 
-class Warping : public Accumulator {
+class Comparison : public Accumulator {
  public:
   void add(const Instant& at) override {
     if (at.before == nullptr) {
       path_ = referencePath(at.context, at.now);
     }
-    way_.add(at.index, at.now.robot.position);
-  }
-  MetricValue value(const Instant& last) const {
     if (path_.empty()) {
-      return undefinedValue(kNoReference);
+      return;
+    }
+    const Vec2& driven = at.now.robot.position;
+    const Vec2 place = at.context.reference.empty()
+                           ? pointAt(path_, at.context.robotMaxSpeed * at.elapsed())
+                           : recordedPlace(at.context.reference, at.elapsed());
+    displacement_ = lengthOf(driven - place);
+    displacements_.add(at, displacement_);
+    deviations_.add(at, distanceToPath(path_, driven));
+    way_.add(at.index, driven);
+  }
+  /// From the place where the reference is at the same time.
+  MetricValue meanDisplacement(const Instant& last) const { return meanOf(displacements_, last); }
+  double finalDisplacement() const { return displacement_; }
+  MetricValue meanDeviation(const Instant& last) const { return meanOf(deviations_, last); }
+  double warping(const Instant& last) const {
+    if (path_.empty()) {
+      return kNaN;
     }
     const std::vector<Vec2> driven = way_.upTo(last.now.robot.position);
-    return numberValue(warped(driven, spread(path_, driven.size())));
+    return warped(driven, spread(path_, driven.size()));
   }
 
  private:
+  MetricValue meanOf(const SeriesSum& sum, const Instant& last) const {
+    return path_.empty() ? kNaN
+                         : withSeries(sum.sum() / static_cast<double>(last.count()), sum.terms());
+  }
+
   std::vector<Vec2> path_;
+  double displacement_ = kNaN;  // newest [m]
+  SeriesSum displacements_, deviations_;
   ThinnedWay way_;
 };
 
@@ -199,26 +166,21 @@ class Warping : public Accumulator {
 
 void addReferencePath(MetricRegistry& to) {
   const Needs needs{true, false, false, false, true};
-  const char source[] = "Gao and Huang 2022";
-  to.add({"ade", "Mean displacement from the reference", "m", Category::Navigation, Better::Lower,
-          needs,
+  const MetricFamily own{to, Category::Navigation, Better::Lower, needs, "Gao and Huang 2022"};
+  own.add("ade", "Mean displacement from the reference", "m",
           "mean of |p_i - b_i|, b_i = point of the recorded reference at t_i, else of the shortest "
           "way to the first goal after v_max t_i",
-          source},
-         streamOf<Displacement>(&Displacement::mean));
-  to.add({"fde", "Final displacement from the reference", "m", Category::Navigation, Better::Lower,
-          needs, "|p_(N-1) - b_(N-1)|", source},
-         streamOf<Displacement>(&Displacement::final));
-  to.add(
-      {"dtw", "Warped distance from the reference", "m", Category::Navigation, Better::Lower, needs,
-       "dynamic time warping of the positions and as many points spread over the way of the "
-       "reference, per position; above 800 samples of every 2nd (4th ...) one and the last",
-       source},
-      streamOf<Warping>(&Warping::value));
+          streamOf<Comparison>(&Comparison::meanDisplacement, kNoReference));
+  own.add("fde", "Final displacement from the reference", "m", "|p_(N-1) - b_(N-1)|",
+          streamOf<Comparison>(&Comparison::finalDisplacement, kNoReference));
+  own.add("dtw", "Warped distance from the reference", "m",
+          "dynamic time warping of the positions and as many points spread over the way of the "
+          "reference, per position; above 800 samples of every 2nd (4th ...) one and the last",
+          streamOf<Comparison>(&Comparison::warping, kNoReference));
   to.add(
       {"path_deviation", "Mean distance from the way of the reference", "m", Category::Navigation,
        Better::Lower, needs, "mean of the distance from p_i to the way of the reference", "ours"},
-      streamOf<Deviation>(&Deviation::mean));
+      streamOf<Comparison>(&Comparison::meanDeviation, kNoReference));
 }
 
 }  // namespace metrics

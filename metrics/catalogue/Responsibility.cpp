@@ -48,14 +48,10 @@ class Resolution : public Accumulator {
     time_ += isBusy ? at.step() : 0.0;
   }
 
-  MetricValue share(const Instant& /*last*/) const {
-    return byRobot_ + byPeople_ > 0.0 ? numberValue(100.0 * byRobot_ / (byRobot_ + byPeople_))
-                                      : undefinedValue("no conflict was resolved");
+  double share() const {
+    return byRobot_ + byPeople_ > 0.0 ? 100.0 * byRobot_ / (byRobot_ + byPeople_) : kNaN;
   }
-  MetricValue engagement(const Instant& /*last*/) const {
-    return time_ > 0.0 ? numberValue(byRobot_ / time_)
-                       : undefinedValue("no conflict with a person");
-  }
+  double engagement() const { return time_ > 0.0 ? byRobot_ / time_ : kNaN; }
 
  private:
   bool addPair(const Instant& at, const Person& person, const Person& personAfter) {
@@ -93,11 +89,11 @@ void addResponsibility(MetricRegistry& to) {
        "share of the robot in the widening of the passing distance of conflicts (closest approach "
        "within conflict_horizon, nearer than R + conflict_margin) by changes of velocity",
        source, "[0, 100]"},
-      streamOf<Resolution>(&Resolution::share));
+      streamOf<Resolution>(&Resolution::share, "no conflict was resolved"));
   to.add(
       {"engagement", "Engagement of the robot", "m/s", Category::Social, Better::Higher, needs,
        "widening of the passing distance of conflicts by the robot / time with a conflict", source},
-      streamOf<Resolution>(&Resolution::engagement));
+      streamOf<Resolution>(&Resolution::engagement, "no conflict with a person"));
 }
 
 }  // namespace metrics

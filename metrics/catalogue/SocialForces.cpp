@@ -1,19 +1,37 @@
 #include <array>
+#include <cmath>
 
-#include "metrics/Interaction.h"
 #include "metrics/MetricRegistry.h"
 
 namespace metrics {
 
 namespace {
 
-MetricValue valueOf(const SeriesSum& sum) {
-  return withSeries(numberValue(sum.sum()), sum.terms());
-}
-
 /// The original leaves out pairs with equal ids.
 bool counts(const Sample& sample, const Person& person, const MetricParameters& parameters) {
   return parameters.profile == Profile::Corrected || person.id != sample.robot.id;
+}
+
+constexpr double kSmall = 1e-9;  // [m]
+
+/// Mean of the repulsions by the obstacle points of the body (Helbing and Molnar 1995).
+Vec2 obstacleForce(const Body& body, const MetricParameters& parameters) {
+  Vec2 sum = Vec2::Zero();
+  for (const ObstaclePoint& point : body.obstacles) {
+    const Vec2 away = body.position - point.position;
+    const double length = lengthOf(away);
+    if (length < kSmall) {
+      continue;  // no direction
+    }
+    const double side = point.inside ? -1.0 : 1.0;
+    const double strength = parameters.obstacleFactor *
+                            std::exp(-(side * length - body.radius) / parameters.obstacleSigma);
+    sum += side * strength / length * away;
+  }
+  if (!body.obstacles.empty()) {
+    sum /= static_cast<double>(body.obstacles.size());
+  }
+  return sum;
 }
 
 // Places of the sums.
@@ -44,7 +62,9 @@ class RobotForces : public Accumulator {
     sums_[kWork].add(at, lengthOf(total) + obstacles + onPeople);
     sums_[kObstaclesOnRobot].add(at, obstacles);
   }
-  MetricValue value(std::size_t sum, const Instant& /*last*/) const { return valueOf(sums_[sum]); }
+  MetricValue value(std::size_t sum, const Instant& /*last*/) const {
+    return withTerms(sums_[sum]);
+  }
 
  private:
   std::array<SeriesSum, kForceSums> sums_;
@@ -65,7 +85,7 @@ class PeopleObstacles : public Accumulator {
   MetricValue value(const Instant& last) const {
     return last.isOriginal() && empty_
                ? undefinedValue("ZeroDivisionError: a sample without people")
-               : valueOf(sum_);
+               : withTerms(sum_);
   }
 
  private:
@@ -76,31 +96,28 @@ class PeopleObstacles : public Accumulator {
 }  // namespace
 
 void addSocialForces(MetricRegistry& to) {
-  const Needs people{true, true};
   const char source[] = "Helbing and Molnar 1995; Moussaid et al. 2009; lightsfm";
+  const auto forces = [&](const Needs& needs) {
+    return MetricFamily{to, Category::Forces, Better::Lower, needs, source};
+  };
   const char unit[] = "m/s²";
-  to.addSum(
-      {"social_force_on_agents", "Social force of the robot on people", unit, Category::Forces,
-       Better::Lower, people, "sum over i, a of |F(robot -> a)| with a's own factor", source,
-       "[0, inf)", Kind::Number, 25},
-      streamOfPart<RobotForces>(kOnPeople));
-  to.addSum({"social_force_on_robot", "Social force of people on the robot", unit, Category::Forces,
-             Better::Lower, people, "sum over i, a of |F(a -> robot)|", source, "[0, inf)",
-             Kind::Number, 26},
-            streamOfPart<RobotForces>(kOnRobot));
-  to.addSum({"social_work", "Social work", unit, Category::Forces, Better::Lower,
-             Needs{true, true, false, true},
-             "sum over i of |sum_a F(a -> robot)| + |O(robot)| + sum_a |F(robot -> a)|", source,
-             "[0, inf)", Kind::Number, 27},
-            streamOfPart<RobotForces>(kWork));
-  to.addSum({"obstacle_force_on_robot", "Obstacle force on the robot", unit, Category::Forces,
-             Better::Lower, Needs{true, false, false, true}, "sum over i of |O(robot)|", source,
-             "[0, inf)", Kind::Number, 28},
-            streamOfPart<RobotForces>(kObstaclesOnRobot));
-  to.addSum({"obstacle_force_on_agents", "Obstacle force on people", unit, Category::Forces,
-             Better::Lower, Needs{false, true, false, true}, "sum over i of mean over a of |O(a)|",
-             source, "[0, inf)", Kind::Number, 29},
-            streamOf<PeopleObstacles>(&PeopleObstacles::value));
+  const MetricFamily people = forces({true, true});
+  people.addSum("social_force_on_agents", "Social force of the robot on people", unit,
+                "sum over i, a of |F(robot -> a)| with a's own factor",
+                streamOfPart<RobotForces>(kOnPeople), 25);
+  people.addSum("social_force_on_robot", "Social force of people on the robot", unit,
+                "sum over i, a of |F(a -> robot)|", streamOfPart<RobotForces>(kOnRobot), 26);
+  forces({true, true, false, true})
+      .addSum("social_work", "Social work", unit,
+              "sum over i of |sum_a F(a -> robot)| + |O(robot)| + sum_a |F(robot -> a)|",
+              streamOfPart<RobotForces>(kWork), 27);
+  forces({true, false, false, true})
+      .addSum("obstacle_force_on_robot", "Obstacle force on the robot", unit,
+              "sum over i of |O(robot)|", streamOfPart<RobotForces>(kObstaclesOnRobot), 28);
+  forces({false, true, false, true})
+      .addSum("obstacle_force_on_agents", "Obstacle force on people", unit,
+              "sum over i of mean over a of |O(a)|",
+              streamOf<PeopleObstacles>(&PeopleObstacles::value), 29);
 }
 
 }  // namespace metrics

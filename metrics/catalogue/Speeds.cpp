@@ -1,8 +1,6 @@
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "metrics/Motion.h"
 #include "metrics/TermSums.h"
 
 /// Speeds, accelerations and jerks of the robot, speeds of people.
@@ -24,7 +22,7 @@ class StandingTime : public Accumulator {
     const double time = last.isOriginal()
                             ? last.elapsed() / static_cast<double>(last.count()) * samples_.sum()
                             : time_.value();
-    return withSeries(numberValue(time), samples_.terms(), Kind::Count);
+    return withSeries(time, samples_.terms(), Kind::Count);
   }
 
  private:
@@ -32,195 +30,129 @@ class StandingTime : public Accumulator {
   HeldTime time_;
 };
 
-class LinearSpeed : public Accumulator {
- public:
-  void add(const Instant& at) override { speeds_.add(at, at.now.robot.speed); }
-  MetricValue mean(const Instant& last) const {
-    return withSeries(numberValue(speeds_.sum() / static_cast<double>(last.count())),
-                      speeds_.terms());
+double drivenSpeed(const Instant& at) {
+  return at.now.robot.speed;
+}
+
+double turningSpeed(const Instant& at) {
+  return at.now.robot.omega;
+}
+
+constexpr char kNeedsTwo[] = "needs two samples at different times";
+constexpr char kNeedsThree[] = "needs three samples at different times";
+
+/// Of the interval that ends here [m/s^2], if time passes in it.
+double acceleration(const Instant& at) {
+  return at.step() > 0.0 ? (at.now.robot.speed - at.before->robot.speed) / at.step() : kNaN;
+}
+
+/// Around the sample before [m/s^3], if time passes on both sides of it.
+double jerk(const Instant& at) {
+  const double former = at.earlier != nullptr ? at.before->time - at.earlier->time : 0.0;
+  if (!(former > 0.0) || !(at.step() > 0.0)) {
+    return kNaN;
   }
+  const double accelerationBefore = (at.before->robot.speed - at.earlier->robot.speed) / former;
+  const double span = at.now.time - at.earlier->time;
+  return (at.term(acceleration) - accelerationBefore) / (span / 2.0);
+}
 
- private:
-  SeriesSum speeds_;
-};
+/// The jerk; the original divides the acceleration by the time once more.
+double overacceleration(const Instant& at) {
+  return at.isOriginal() ? at.term(acceleration) / at.step() : at.term(jerk);
+}
 
-/// Mean size of what the series has with its sign; the original divides by the samples.
+/// Mean size of a term that the series has with its sign, 0 where it is undefined; the original
+/// divides by the samples.
+template <Term kTerm>
 class MeanSize : public Accumulator {
  public:
+  void add(const Instant& at) override {
+    const double value = at.term(kTerm);
+    const bool isKnown = !std::isnan(value);
+    sum_ += isKnown ? std::fabs(value) : 0.0;
+    count_ += isKnown ? 1 : 0;
+    series_.add(at, isKnown ? value : 0.0);
+  }
   MetricValue mean(const Instant& last) const {
     const std::size_t divisor = last.isOriginal() ? last.count() : count_;
-    return withSeries(
-        divisor == 0 ? undefinedValue(needs_) : numberValue(sum_ / static_cast<double>(divisor)),
-        series_.values());
-  }
-
- protected:
-  explicit MeanSize(const char* needs = "") : needs_(needs) {}
-  void take(const Instant& at, double value, bool counts) {
-    sum_ += std::fabs(value);
-    count_ += counts ? 1 : 0;
-    series_.add(at, value);
+    return withSeries(divisor > 0 ? sum_ / static_cast<double>(divisor) : kNaN, series_.values());
   }
 
  private:
-  const char* needs_;
   double sum_ = 0.0;
   std::size_t count_ = 0;
   SeriesColumn series_;
 };
 
-class AngularSpeed : public MeanSize {
- public:
-  void add(const Instant& at) override { take(at, at.now.robot.omega, true); }
-};
-
-/// Of the intervals in which time passes.
-class Acceleration : public MeanSize {
- public:
-  Acceleration() : MeanSize("needs two samples at different times") {}
-  void add(const Instant& at) override {
-    changes_.add(at);
-    take(at, changes_.hasAcceleration() ? changes_.acceleration() : 0.0, changes_.interval() > 0.0);
-  }
-
- private:
-  SpeedChanges changes_;
-};
-
-/// Of the jerks; the original divides the accelerations by the time once more.
-class Overacceleration : public MeanSize {
- public:
-  Overacceleration() : MeanSize("needs three samples at different times") {}
-  void add(const Instant& at) override {
-    changes_.add(at);
-    const double dt = changes_.interval();
-    if (at.isOriginal()) {
-      take(at, dt > 0.0 ? changes_.acceleration() / dt : 0.0, false);
-    } else {
-      const std::optional<double> jerk = changes_.isInner() ? changes_.jerk() : std::nullopt;
-      take(at, jerk.value_or(0.0), jerk.has_value());
-    }
-  }
-
- private:
-  SpeedChanges changes_;
-};
+template <Term kTerm>
+Stream meanSizeOf(const char* why = nullptr) {
+  return streamOf<MeanSize<kTerm>>(&MeanSize<kTerm>::mean, why);
+}
 
 void addRobotMotion(MetricRegistry& to) {
-  const char source[] = "Biswas et al., SocNavBench, THRI 2022";
   to.add({"time_not_moving", "Time standing still", "s", Category::Navigation, Better::Lower,
           Needs{}, "sum of dt_i with |s_i| < stop_linear_speed and |w_i| < stop_angular_speed",
           "Tsoi et al., SEAN 2.0, RA-L 2022", "[0, T]", Kind::Number, 18},
          streamOf<StandingTime>(&StandingTime::value));
-  to.add({"avg_robot_linear_speed", "Mean speed of the robot", "m/s", Category::Motion,
-          Better::Neutral, Needs{}, "mean of s_i", source, "[0, inf)", Kind::Number, 19},
-         streamOf<LinearSpeed>(&LinearSpeed::mean));
-  to.add({"avg_robot_angular_speed", "Mean turning speed of the robot", "rad/s", Category::Motion,
-          Better::Neutral, Needs{}, "mean of |w_i|", source, "[0, inf)", Kind::Number, 20},
-         streamOf<AngularSpeed>(&AngularSpeed::mean));
-  to.add({"avg_acceleration", "Mean acceleration of the robot", "m/s²", Category::Motion,
-          Better::Lower, Needs{}, "mean of |a_i|, a_i = (s_(i+1) - s_i)/dt_i", source, "[0, inf)",
-          Kind::Number, 21},
-         streamOf<Acceleration>(&Acceleration::mean));
-  to.add({"avg_overacceleration", "Mean jerk of the robot", "m/s³", Category::Motion, Better::Lower,
-          Needs{}, "mean of |jerk_i|, jerk_i = (a_i - a_(i-1))/((t_(i+1) - t_(i-1))/2)", source,
-          "[0, inf)", Kind::Number, 22},
-         streamOf<Overacceleration>(&Overacceleration::mean));
+  const char source[] = "Biswas et al., SocNavBench, THRI 2022";
+  const MetricFamily means{to, Category::Motion, Better::Neutral, {}, source};
+  means.add("avg_robot_linear_speed", "Mean speed of the robot", "m/s", "mean of s_i",
+            seriesFiguresOf<drivenSpeed>(&Figures::meanWithSeries), 19);
+  means.add("avg_robot_angular_speed", "Mean turning speed of the robot", "rad/s", "mean of |w_i|",
+            meanSizeOf<turningSpeed>(), 20);
+  const MetricFamily changes{to, Category::Motion, Better::Lower, {}, source};
+  changes.add("avg_acceleration", "Mean acceleration of the robot", "m/s²",
+              "mean of |a_i|, a_i = (s_(i+1) - s_i)/dt_i", meanSizeOf<acceleration>(kNeedsTwo), 21);
+  changes.add("avg_overacceleration", "Mean jerk of the robot", "m/s³",
+              "mean of |jerk_i|, jerk_i = (a_i - a_(i-1))/((t_(i+1) - t_(i-1))/2)",
+              meanSizeOf<overacceleration>(kNeedsThree), 22);
 }
 
-class SpeedRange : public Accumulator {
- public:
-  void add(const Instant& at) override {
-    const double speed = lengthOf(at.now.robot.velocity);
-    slowest_ = std::min(slowest_, speed);
-    fastest_ = std::max(fastest_, speed);
-  }
-  MetricValue slowest(const Instant& /*last*/) const { return numberValue(slowest_); }
-  MetricValue fastest(const Instant& /*last*/) const { return numberValue(fastest_); }
+double speed(const Instant& at) {
+  return lengthOf(at.now.robot.velocity);
+}
 
- private:
-  double slowest_ = std::numeric_limits<double>::infinity(), fastest_ = 0.0;  // [m/s]
-};
+double accelerationSize(const Instant& at) {
+  return std::fabs(at.term(acceleration));
+}
 
-class LargestChanges : public Accumulator {
- public:
-  void add(const Instant& at) override {
-    changes_.add(at);
-    if (changes_.interval() > 0.0) {
-      acceleration_ = std::max(acceleration_.value_or(0.0), std::fabs(changes_.acceleration()));
-    }
-    if (changes_.jerk()) {
-      jerk_ = std::max(jerk_.value_or(0.0), std::fabs(*changes_.jerk()));
-    }
-  }
-  MetricValue acceleration(const Instant& /*last*/) const {
-    return acceleration_ ? numberValue(*acceleration_)
-                         : undefinedValue("needs two samples at different times");
-  }
-  MetricValue jerk(const Instant& /*last*/) const {
-    return jerk_ ? numberValue(*jerk_) : undefinedValue("needs three samples at different times");
-  }
+double jerkSize(const Instant& at) {
+  return std::fabs(at.term(jerk));
+}
 
- private:
-  SpeedChanges changes_;
-  std::optional<double> acceleration_, jerk_;
-};
+double turningAcceleration(const Instant& at) {
+  return at.step() > 0.0 ? std::fabs(at.now.robot.omega - at.before->robot.omega) / at.step()
+                         : kNaN;
+}
 
-class HeadingSmoothness : public Accumulator {
- public:
-  void add(const Instant& at) override {
-    const double dt = at.step();
-    if (dt > 0.0) {
-      sum_ += std::fabs(at.now.robot.omega - at.before->robot.omega) / dt;
-      count_ += 1.0;
-    }
+double energy(const Instant& at) {
+  if (!(at.step() > 0.0)) {
+    return kNaN;
   }
-  MetricValue mean(const Instant& /*last*/) const {
-    return count_ > 0.0 ? numberValue(sum_ / count_)
-                        : undefinedValue("needs two samples at different times");
-  }
-
- private:
-  double sum_ = 0.0, count_ = 0.0;
-};
-
-class MotionEnergy : public Accumulator {
- public:
-  void add(const Instant& at) override {
-    const double dt = at.step();
-    if (dt > 0.0) {
-      const double speed = distance(at.now.robot, at.before->robot) / dt;
-      sum_ += speed * speed;
-    }
-  }
-  MetricValue value(const Instant& /*last*/) const { return numberValue(sum_); }
-
- private:
-  double sum_ = 0.0;
-};
+  const double travelled = distance(at.now.robot, at.before->robot) / at.step();
+  return travelled * travelled;
+}
 
 void addSpeedExtremes(MetricRegistry& to) {
   const char francis[] = "Francis et al. 2025; SocNavGym";
-  const Category motion = Category::Motion;
-  to.add({"min_robot_linear_speed", "Smallest speed of the robot", "m/s", motion, Better::Neutral,
-          Needs{}, "min of |v_i|", francis},
-         streamOf<SpeedRange>(&SpeedRange::slowest));
-  to.add({"max_robot_linear_speed", "Largest speed of the robot", "m/s", motion, Better::Neutral,
-          Needs{}, "max of |v_i|", francis},
-         streamOf<SpeedRange>(&SpeedRange::fastest));
-  to.add({"max_acceleration", "Largest acceleration of the robot", "m/s²", motion, Better::Lower,
-          Needs{}, "max of |a_i|", francis},
-         streamOf<LargestChanges>(&LargestChanges::acceleration));
-  to.add({"max_jerk", "Largest jerk of the robot", "m/s³", motion, Better::Lower, Needs{},
-          "max of |jerk_i|", francis},
-         streamOf<LargestChanges>(&LargestChanges::jerk));
-  to.add({"heading_change_smoothness", "Mean turning acceleration", "rad/s²", motion, Better::Lower,
-          Needs{}, "mean of |w_(i+1) - w_i|/dt_i", "SRPB"},
-         streamOf<HeadingSmoothness>(&HeadingSmoothness::mean));
-  to.add({"motion_energy", "Motion energy", "m²/s²", motion, Better::Lower, Needs{},
-          "sum of (|p_(i+1) - p_i|/dt_i)^2", "SocNavBench"},
-         streamOf<MotionEnergy>(&MotionEnergy::value));
-  to.setRateBound("motion_energy", 0.51);  // a sum over samples
+  const MetricFamily speeds{to, Category::Motion, Better::Neutral, {}, francis};
+  speeds.add("min_robot_linear_speed", "Smallest speed of the robot", "m/s", "min of |v_i|",
+             figuresOf<speed>(&Figures::least));
+  speeds.add("max_robot_linear_speed", "Largest speed of the robot", "m/s", "max of |v_i|",
+             figuresOf<speed>(&Figures::largest));
+  const MetricFamily changes{to, Category::Motion, Better::Lower, {}, francis};
+  changes.add("max_acceleration", "Largest acceleration of the robot", "m/s²", "max of |a_i|",
+              figuresOf<accelerationSize>(&Figures::largest, kNeedsTwo));
+  changes.add("max_jerk", "Largest jerk of the robot", "m/s³", "max of |jerk_i|",
+              figuresOf<jerkSize>(&Figures::largest, kNeedsThree));
+  to.add({"heading_change_smoothness", "Mean turning acceleration", "rad/s²", Category::Motion,
+          Better::Lower, Needs{}, "mean of |w_(i+1) - w_i|/dt_i", "SRPB"},
+         figuresOf<turningAcceleration>(&Figures::mean, kNeedsTwo));
+  to.add({"motion_energy", "Motion energy", "m²/s²", Category::Motion, Better::Lower, Needs{},
+          "sum of (|p_(i+1) - p_i|/dt_i)^2", "SocNavBench", "[0, inf)", Kind::Number, 0, "",
+          0.51},  // a sum over samples
+         figuresOf<energy>(&Figures::sum));
 }
 
 class SpeedSum : public Accumulator {
@@ -244,8 +176,7 @@ class SpeedSum : public Accumulator {
     if (divisor == 0 && last.isOriginal()) {
       return undefinedValue("ZeroDivisionError: nobody at the first sample");
     }
-    return withSeries(divisor == 0 ? undefinedValue("nobody in the record")
-                                   : numberValue(sum_ / static_cast<double>(divisor)),
+    return withSeries(divisor > 0 ? sum_ / static_cast<double>(divisor) : undefinedValue(kNobody),
                       series_.values());
   }
 
@@ -257,24 +188,18 @@ class SpeedSum : public Accumulator {
 };
 
 /// Speed of the closest person; nobody there: NaN, in the original 0.
-double closestSpeed(const Sample& sample, const MetricParameters& parameters) {
-  const bool original = parameters.profile == Profile::Hunav2;
-  double speed = original ? 0.0 : kNaN;
+double closestSpeed(const Instant& at) {
+  const Robot& robot = at.now.robot;
+  double speed = at.isOriginal() ? 0.0 : kNaN;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Person& person : sample.people) {
-    const double value = original ? distance(sample.robot, person) : gap(sample.robot, person);
+  for (const Person& person : at.now.people) {
+    const double value = at.isOriginal() ? distance(robot, person) : gap(robot, person);
     if (value < nearest) {
       nearest = value;
       speed = person.speed;
     }
   }
   return speed;
-}
-
-MetricValue averageClosestSpeed(const Figures& speeds, const Instant& /*last*/) {
-  return withSeries(speeds.count() > 0.0 ? numberValue(speeds.sum() / speeds.count())
-                                         : undefinedValue("nobody in the record"),
-                    speeds.series());
 }
 
 void addPedestrianSpeeds(MetricRegistry& to) {
@@ -287,7 +212,7 @@ void addPedestrianSpeeds(MetricRegistry& to) {
           Category::Social, Better::Neutral, Needs{true, true},
           "mean of |u_a| of the person with the smallest gap, over the samples with people", source,
           "[0, inf)", Kind::Number, 24},
-         figuresOf<closestSpeed>(averageClosestSpeed));
+         seriesFiguresOf<closestSpeed>(&Figures::meanWithSeries, kNobody));
 }
 
 }  // namespace

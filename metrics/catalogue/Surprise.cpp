@@ -2,8 +2,6 @@
 #include <cmath>
 #include <utility>
 
-#include "metrics/Interaction.h"
-#include "metrics/MetricRegistry.h"
 #include "metrics/TermSums.h"
 
 namespace metrics {
@@ -117,19 +115,16 @@ class SurpriseSum : public PersonCosts {
 void addSurprise(MetricRegistry& to) {
   const Needs needs{true, true, false, false, false, true};
   const char source[] = "Singamaneni, Favier, Alami, RO-MAN 2023";
-  to.addSum({"surprise_visibility_cost", "Surprise: visibility", "", Category::DangerSurprise,
-             Better::Lower, needs,
-             "sum over i and a who sees the robot of (d_prox/D) * theta/half field of view", source,
-             "[0, inf)", Kind::Number, 32},
-            streamOfPart<SurpriseSum>(kVisibility));
-  to.addSum({"surprise_shock_cost", "Surprise: shock", "", Category::DangerSurprise, Better::Lower,
-             needs, "sum of max((d_prox/D) * (1 - 4 SR), 0), SR = min(time seen/0.6 s, 1)", source,
-             "[0, inf)", Kind::Number, 33},
-            streamOfPart<SurpriseSum>(kShock));
-  to.addSum({"surprise_react_cost", "Surprise: reaction", "", Category::DangerSurprise,
-             Better::Lower, needs, "sum of (d_prox/D) * (1 - SR), SR = min(time seen/0.6 s, 1)",
-             source, "[0, inf)", Kind::Number, 34},
-            streamOfPart<SurpriseSum>(kReact));
+  const MetricFamily surprise{to, Category::DangerSurprise, Better::Lower, needs, source};
+  surprise.addSum("surprise_visibility_cost", "Surprise: visibility", "",
+                  "sum over i and a who sees the robot of (d_prox/D) * theta/half field of view",
+                  streamOfPart<SurpriseSum>(kVisibility), 32);
+  surprise.addSum("surprise_shock_cost", "Surprise: shock", "",
+                  "sum of max((d_prox/D) * (1 - 4 SR), 0), SR = min(time seen/0.6 s, 1)",
+                  streamOfPart<SurpriseSum>(kShock), 33);
+  surprise.addSum("surprise_react_cost", "Surprise: reaction", "",
+                  "sum of (d_prox/D) * (1 - SR), SR = min(time seen/0.6 s, 1)",
+                  streamOfPart<SurpriseSum>(kReact), 34);
 }
 
 }  // namespace metrics

@@ -9,29 +9,18 @@ namespace metrics {
 
 namespace {
 
-MetricValue average(const Figures& times, const Instant& /*last*/) {
-  return times.count() > 0.0 ? withSeries(numberValue(times.sum() / times.count()), times.series())
-                             : undefinedValue("never on a collision course");
+MetricValue average(const Figures& times) {
+  return times.count() > 0.0 ? times.meanWithSeries() : kNaN;
 }
 
-bool isThreat(double time, const MetricParameters& parameters) {
-  return time < parameters.collisionHorizon;
+bool isThreat(const Instant& at) {
+  return at.term(collisionTerm) < at.parameters.collisionHorizon;
 }
 
-/// How far the time to collision stays below the horizon, over time.
-class Threat : public Accumulator {
- public:
-  void add(const Instant& at) override {
-    integral_ += deficit_ * at.step();
-    const double time = at.term(collisionTerm);
-    deficit_ = isThreat(time, at.parameters) ? at.parameters.collisionHorizon - time : 0.0;
-  }
-  MetricValue value(const Instant& /*last*/) const { return numberValue(integral_); }
-
- private:
-  double integral_ = 0.0;  // [s^2]
-  double deficit_ = 0.0;   // at the sample before [s]
-};
+/// How far the time to collision stays below the horizon.
+double threat(const Instant& at) {
+  return isThreat(at) ? at.parameters.collisionHorizon - at.term(collisionTerm) : 0.0;
+}
 
 /// The smallest gap of each person who comes near.
 class PassingDistance : public Accumulator {
@@ -52,14 +41,14 @@ class PassingDistance : public Accumulator {
     }
   }
 
-  MetricValue value(const Instant& /*last*/) const {
+  double mean() const {
     double sum = 0.0;
     double count = 0.0;
     for (const auto& [id, space] : closest_) {
       sum += space < limit_ ? space : 0.0;
       count += space < limit_ ? 1.0 : 0.0;
     }
-    return count > 0.0 ? numberValue(sum / count) : undefinedValue("nobody was passed");
+    return count > 0.0 ? sum / count : kNaN;
   }
 
  private:
@@ -68,65 +57,64 @@ class PassingDistance : public Accumulator {
 };
 
 /// Speed at which the closest person and the robot near each other, of samples in personal space.
-double approach(const Sample& sample, const MetricParameters& parameters) {
+double approach(const Instant& at) {
+  const Robot& robot = at.now.robot;
   double closest = std::numeric_limits<double>::infinity();
   double value = kNaN;
-  for (const Person& person : sample.people) {
-    const double space = gap(sample.robot, person);
-    const Vec2 between = person.position - sample.robot.position;
+  for (const Person& person : at.now.people) {
+    const double space = gap(robot, person);
+    const Vec2 between = person.position - robot.position;
     const double separation = lengthOf(between);
-    if (space < closest && space < parameters.personalDistance && separation > 0.0) {
+    if (space < closest && space < at.parameters.personalDistance && separation > 0.0) {
       closest = space;
-      value = between.dot(sample.robot.velocity - person.velocity) / separation;
+      value = between.dot(robot.velocity - person.velocity) / separation;
     }
   }
   return value;
 }
 
-MetricValue fastest(const Figures& speeds, const Instant& /*last*/) {
-  return speeds.count() > 0.0 ? numberValue(std::fmax(speeds.largest(), 0.0))
-                              : undefinedValue("nobody in personal space");
+double fastest(const Figures& speeds) {
+  return speeds.count() > 0.0 ? std::fmax(speeds.largest(), 0.0) : kNaN;
 }
 
-double sideways(const Sample& sample, const MetricParameters& /*parameters*/) {
-  return std::fabs(sample.robot.speed * sample.robot.omega);
+double sideways(const Instant& at) {
+  return std::fabs(at.now.robot.speed * at.now.robot.omega);
 }
 
-MetricValue largest(const Figures& figures, const Instant& /*last*/) {
-  return withSeries(numberValue(figures.largest()), figures.series());
+MetricValue largest(const Figures& figures) {
+  return withSeries(figures.largest(), figures.series());
 }
 
 }  // namespace
 
 void addTimeToCollision(MetricRegistry& to) {
   const Needs needs{true, true};
-  const char source[] = "Minderhoud and Bovy 2001";
   to.add({"avg_time_to_collision", "Mean time to collision", "s", Category::Safety, Better::Higher,
           needs, "mean over the samples on a collision course of min over a of ttc",
           "Francis et al. 2025; SocNavGym"},
-         figuresOf<collisionTerm>(average));
-  using Exposure = WhereTerm<collisionTerm, isThreat>;
+         seriesFiguresOf<collisionTerm>(average, "never on a collision course"));
+  const char source[] = "Minderhoud and Bovy 2001";
   to.add({"time_exposed_to_collision", "Time with a collision ahead", "s", Category::Safety,
           Better::Lower, needs, "sum of dt_i with min over a of ttc < collision_horizon", source,
           "[0, T]"},
-         streamOf<Exposure>(&Exposure::time));
+         timesOf<isThreat>(&Times::time));
   to.add({"time_integrated_to_collision", "Threat of collisions", "s²", Category::Safety,
           Better::Lower, needs,
           "sum of (collision_horizon - ttc) dt_i where ttc < collision_horizon", source},
-         streamOf<Threat>(&Threat::value));
+         figuresOf<threat>(&Figures::integral));
   to.add({"avg_passing_distance", "Mean passing distance", "m", Category::Social, Better::Higher,
           needs, "mean over people of their smallest gap, of those with it < social_distance",
           "Pacchierotti et al. 2006", "(-inf, social_distance)"},
-         streamOf<PassingDistance>(&PassingDistance::value));
+         streamOf<PassingDistance>(&PassingDistance::mean, "nobody was passed"));
   to.add(
       {"max_approach_speed", "Largest speed of approach", "m/s", Category::Social, Better::Lower,
        needs,
        "max of the closing speed with the closest person, of samples with gap < personal_distance",
        "Butler and Agah 2001"},
-      figuresOf<approach>(fastest));
+      figuresOf<approach>(fastest, "nobody in personal space"));
   to.add({"max_lateral_acceleration", "Largest sideways acceleration", "m/s²", Category::Motion,
           Better::Lower, Needs{}, "max of |s_i w_i|", "ISO 2631, comfort of rides"},
-         figuresOf<sideways>(largest));
+         seriesFiguresOf<sideways>(largest));
 }
 
 }  // namespace metrics

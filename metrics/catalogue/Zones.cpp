@@ -40,7 +40,7 @@ class BandCounts : public Accumulator {
  public:
   MetricValue value(std::size_t band, const Instant& last) const {
     const double share = 100.0 / static_cast<double>(last.count()) * counts_[band].sum();
-    return withSeries(numberValue(share), counts_[band].terms(), Kind::Count);
+    return withSeries(share, counts_[band].terms(), Kind::Count);
   }
 
  protected:
@@ -103,7 +103,7 @@ class GroupDistances : public BandCounts {
 
   MetricValue value(std::size_t band, const Instant& last) const {
     if (last.isOriginal() && groups_.empty()) {
-      return numberValue(0.0);
+      return 0.0;
     }
     return failure_.empty() ? BandCounts::value(band, last) : undefinedValue(failure_);
   }
@@ -157,41 +157,31 @@ void addBand(MetricRegistry& to, std::size_t index) {
          streamOfPart<GroupDistances>(index));
 }
 
-void addProxemics(MetricRegistry& to) {
-  for (std::size_t band = 0; band < kBandCount; ++band) {
-    addBand(to, band);
-  }
-}
-
 template <double MetricParameters::*kLimit>
 void addZone(MetricRegistry& to, const std::string& zone) {
-  using Contacts = ContactsWithin<kLimit>;
-  const Needs needs{true, true};
-  const std::string source = "SEAN 2.0 (distance violations)";
-  const std::string formula = "number of times a person's gap falls below " + zone + "_distance";
-  to.add({zone + "_zone_entries", "Entries into the " + zone + " zone", "", Category::Social,
-          Better::Lower, needs, formula, source, "0, 1, ...", Kind::Count},
-         streamOf<Contacts>(&Contacts::all));
-  to.add({zone + "_zone_entries_by_robot", "Entries of the robot into the " + zone + " zone", "",
-          Category::Social, Better::Lower, needs, formula + ", the robot closing in faster", source,
-          "0, 1, ...", Kind::Count},
-         streamOf<Contacts>(&Contacts::byRobot));
-  to.add({zone + "_zone_entries_by_person", "Entries of people into the " + zone + " zone", "",
-          Category::Social, Better::Lower, needs, formula + ", the person closing in faster",
-          source, "0, 1, ...", Kind::Count},
-         streamOf<Contacts>(&Contacts::byPerson));
-}
-
-void addZoneEntries(MetricRegistry& to) {
-  addZone<&MetricParameters::intimateDistance>(to, "intimate");
-  addZone<&MetricParameters::personalDistance>(to, "personal");
+  const auto add = [&](const char* part, const std::string& who, const char* how, Stream stream) {
+    to.add({zone + "_zone_entries" + part, "Entries " + who + "into the " + zone + " zone", "",
+            Category::Social, Better::Lower, Needs{true, true},
+            "number of times a person's gap falls below " + zone + "_distance" + how,
+            "SEAN 2.0 (distance violations)", "0, 1, ...", Kind::Count},
+           std::move(stream));
+  };
+  using Entries = ContactsWithin<kLimit>;
+  add("", "", "", streamOf<Entries>(&Contacts::count));
+  add("_by_robot", "of the robot ", ", the robot closing in faster",
+      streamOf<Entries>(&Contacts::byRobot));
+  add("_by_person", "of people ", ", the person closing in faster",
+      streamOf<Entries>(&Contacts::byPerson));
 }
 
 }  // namespace
 
 void addZones(MetricRegistry& to) {
-  addProxemics(to);
-  addZoneEntries(to);
+  for (std::size_t band = 0; band < kBandCount; ++band) {
+    addBand(to, band);
+  }
+  addZone<&MetricParameters::intimateDistance>(to, "intimate");
+  addZone<&MetricParameters::personalDistance>(to, "personal");
 }
 
 }  // namespace metrics

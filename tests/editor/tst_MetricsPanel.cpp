@@ -153,13 +153,15 @@ class MetricsPanelTest : public QObject {
   void text_ofValues_hasSteadyDecimals() {
     metrics::MetricResult result;
     result.info.unit = "m";
-    result.value = metrics::numberValue(1.0);
+    result.value = 1.0;
     QCOMPARE(editor::metricText(result), QStringLiteral("1.00"));
     result.value = metrics::undefinedValue("nobody");
     QCOMPARE(editor::metricText(result), QStringLiteral("–"));
-    result.value = metrics::countValue(3.0);
+    result.value = 3.0;
+    result.info.kind = metrics::Kind::Count;
     QCOMPARE(editor::metricText(result), QStringLiteral("3"));
-    result.value = metrics::booleanValue(true);
+    result.value = 1.0;
+    result.info.kind = metrics::Kind::Boolean;
     QCOMPARE(editor::metricText(result), QStringLiteral("yes"));
   }
 

@@ -2,7 +2,6 @@
 
 #include "MetricCases.h"
 #include "metrics/Expression.h"
-#include "metrics/Interaction.h"
 #include "metrics/RunningEvaluation.h"
 
 using namespace metrics;
@@ -35,6 +34,9 @@ SampledRun threeSamples() {
   second.radius = 0.25;
   second.speed = 1.5;
   recording.samples[2].people.push_back(second);
+  for (Sample& sample : recording.samples) {
+    workOutPairs(sample, nullptr, MetricParameters{});
+  }
   return recording;
 }
 

@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include "MetricCases.h"
+#include "metrics/Expression.h"
 #include "metrics/ReportFiles.h"
 #include "sim2d/base/Text.h"
 
@@ -15,21 +16,16 @@ namespace {
 class CrowdSize : public Accumulator {
  public:
   void add(const Instant& at) override { sum_.add(at, static_cast<double>(at.now.people.size())); }
-  MetricValue value(const Instant& /*last*/) const {
-    return withSeries(countValue(sum_.sum()), sum_.terms(), Kind::Count);
-  }
+  MetricValue value() const { return withTerms(sum_, Kind::Count); }
 
  private:
   SeriesSum sum_;
 };
 
 /// The same, of the whole record.
-MetricValue crowdSize(const SampledRun& recording, const MetricParameters& /*parameters*/) {
-  double sum = 0.0;
-  for (const Sample& sample : recording.samples) {
-    sum += static_cast<double>(sample.people.size());
-  }
-  return countValue(sum);
+Stream ofWholeRecord() {
+  const Expression formula = *Expression::parse("sum(people + 0 * duration)");
+  return formula.needsRecord() ? formula.stream() : Stream{};
 }
 
 void addCrowdSize(MetricRegistry& to) {
@@ -47,7 +43,7 @@ void addCrowdSize(MetricRegistry& to) {
                   ""};
   to.add(info, streamOf<CrowdSize>(&CrowdSize::value));
   info.key = "crowd_size_of_all";
-  to.addFunction(info, crowdSize);
+  to.add(info, ofWholeRecord());
 }
 
 const MetricRegistry& extended() {

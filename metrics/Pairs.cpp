@@ -1,7 +1,8 @@
-#include "metrics/Interaction.h"
-
+// What holds between the robot and each person: forces, collision courses, sight.
 #include <algorithm>
 #include <cmath>
+
+#include "metrics/Samples.h"
 
 namespace metrics {
 
@@ -66,28 +67,9 @@ Vec2 socialForceOf(const Meeting& pair, double factor, const MetricParameters& p
   return factor * (along * pair.direction + aside * Vec2(-pair.direction.y(), pair.direction.x()));
 }
 
-}  // namespace
-
-Vec2 obstacleForce(const Body& body, const MetricParameters& parameters) {
-  Vec2 sum = Vec2::Zero();
-  for (const ObstaclePoint& point : body.obstacles) {
-    const Vec2 away = body.position - point.position;
-    const double length = lengthOf(away);
-    if (length < kSmall) {
-      continue;  // no direction
-    }
-    const double side = point.inside ? -1.0 : 1.0;
-    const double strength = parameters.obstacleFactor *
-                            std::exp(-(side * length - body.radius) / parameters.obstacleSigma);
-    sum += side * strength / length * away;
-  }
-  if (!body.obstacles.empty()) {
-    sum /= static_cast<double>(body.obstacles.size());
-  }
-  return sum;
-}
-
-std::optional<double> timeToCollision(const Body& robot, const Body& person) {
+/// Straight on with both velocities: time until the discs touch, 0 when they do; infinite if never
+/// (Singamaneni et al. 2023).
+double timeToCollision(const Body& robot, const Body& person) {
   const Vec2 centres = person.position - robot.position;  // C
   const Vec2 closing = robot.velocity - person.velocity;  // V
   const double radii = robot.radius + person.radius;      // R
@@ -99,56 +81,10 @@ std::optional<double> timeToCollision(const Body& robot, const Body& person) {
   const double speed2 = closing.squaredNorm();
   const double discriminant = along * along - speed2 * (squared - radii * radii);
   if (along <= 0.0 || discriminant <= 0.0) {
-    return std::nullopt;
+    return HUGE_VAL;
   }
   return (along - std::sqrt(discriminant)) / speed2;
 }
-
-double fearCost(const Body& robot, const Person& person, const MetricParameters& parameters) {
-  if (parameters.profile == Profile::Hunav2) {
-    const Vec2 centres = person.position - robot.position;
-    const Vec2 closing = robot.velocity - person.velocity;
-    return centres.dot(closing) > 0.0 ? lengthOf(closing) / lengthOf(centres) : 0.0;
-  }
-  const double time = person.pair.timeToCollision;
-  return time * parameters.fearCap <= 1.0 ? parameters.fearCap : 1.0 / time;
-}
-
-double panicCost(const Body& robot, const Body& person, const MetricParameters& parameters) {
-  const Vec2 centres = person.position - robot.position;
-  const Vec2 closing = robot.velocity - person.velocity;
-  const double radii = robot.radius + person.radius;
-  const double along = centres.dot(closing);
-  if (along <= 0.0) {
-    return 0.0;
-  }
-  if (parameters.profile == Profile::Hunav2) {
-    const double speed = lengthOf(closing);
-    const double separation = lengthOf(centres);
-    const double sine = std::fabs(base::cross(centres, closing)) / (separation * speed);
-    const double miss = separation * sine;
-    return miss > radii && sine > kSmallAngle ? speed / ((miss - radii) * sine) : 0.0;
-  }
-  // In this order of operations the last digits are those of the published reference values.
-  const double speed2 = closing.squaredNorm();
-  const double squared = centres.squaredNorm();
-  const double aside = std::sqrt(std::max(speed2 * squared - along * along, 0.0));  // g
-  const double margin = aside - std::sqrt(speed2) * radii;  // not above 0 on a collision course
-  return margin > parameters.panicEpsilon ? std::sqrt(speed2 / squared) * aside / margin : 0.0;
-}
-
-double viewAngle(const Person& person, const Body& robot) {
-  const Vec2 towards = robot.position - person.position;
-  const double length = lengthOf(towards);
-  if (length <= 0.0) {
-    return 0.0;
-  }
-  const double along =
-      towards.x() * std::cos(person.heading) + towards.y() * std::sin(person.heading);
-  return std::acos(std::clamp(along / length, -1.0, 1.0));
-}
-
-namespace {
 
 /// Calls `isFree(cell)` for the cells of a Bresenham line until one is not; both ends included.
 template <class IsFree>
@@ -242,7 +178,7 @@ void workOutPair(Person& person, const Robot& robot, const MetricParameters& par
   pair.viewAngle = pair.distance > 0.0
                        ? std::acos(std::clamp(pair.ahead.dot(towards) / pair.distance, -1.0, 1.0))
                        : 0.0;
-  pair.timeToCollision = timeToCollision(robot, person).value_or(HUGE_VAL);
+  pair.timeToCollision = timeToCollision(robot, person);
   const Meeting meeting(person, robot, parameters);
   pair.forceOnRobot = socialForceOf(meeting, parameters.socialFactor, parameters);
   pair.forceOnPerson =

@@ -1,10 +1,9 @@
-#include "metrics/ExpressionNames.h"
-
 #include <algorithm>
 #include <cmath>
 
-#include "metrics/Interaction.h"
+#include "metrics/Expression.h"
 #include "metrics/Motion.h"
+#include "metrics/TermSums.h"
 
 namespace metrics {
 
@@ -46,7 +45,7 @@ void addRunNames(std::vector<VariableName>& to) {
 
 void addSampleNames(std::vector<VariableName>& to) {
   const auto people = [](const Place& p) { return static_cast<double>(sampleAt(p).people.size()); };
-  const auto gap = [](const Place& p) { return closestGap(sampleAt(p)).value_or(kNaN); };
+  const auto gap = [](const Place& p) { return closestGapTerm(p.at); };
   const auto goal = [](const Place& p) {
     const double distance = distanceToGoals(p.at.context, p.at.now.robot.position);
     return std::isinf(distance) ? kNaN : distance;
@@ -89,14 +88,12 @@ void addPersonNames(std::vector<VariableName>& to) {
        ofPerson("p.state", [](const Person& a) { return static_cast<double>(a.state); }),
        ofPair("p.gap", [](const Robot& r, const Person& a) { return gap(r, a); }),
        ofPair("p.distance", [](const Robot& r, const Person& a) { return distance(r, a); }),
-       ofPair("p.view", [](const Robot& r, const Person& a) { return viewAngle(a, r); }),
+       ofPair("p.view", [](const Robot&, const Person& a) { return a.pair.viewAngle; }),
        ofPair("p.bearing",
               [](const Robot& r, const Person& a) {
                 return base::angleDiff(base::headingOf(a.position - r.position), r.heading);
               }),
-       ofPair("p.ttc", [](const Robot& r, const Person& a) {
-         return timeToCollision(r, a).value_or(HUGE_VAL);
-       })});
+       ofPair("p.ttc", [](const Robot&, const Person& a) { return a.pair.timeToCollision; })});
 }
 
 double meanOf(const Collected& all) {
@@ -181,6 +178,121 @@ const std::vector<TotalName>& peopleTotalNames() {
       {"any", [](const Collected& all) { return all.holding > 0.0 ? 1.0 : 0.0; }},
       {"all", [](const Collected& all) { return all.holding == all.count ? 1.0 : 0.0; }}};
   return kNames;
+}
+
+MetricValue Expression::valueOf(const Instant& last, const std::vector<double>& totals) const {
+  const double value = result_({last, last, 0.0, totals});
+  if (std::isnan(value)) {
+    return undefinedValue("the formula is undefined here");
+  }
+  return std::isinf(value) ? infiniteValue("the formula has no finite value") : value;
+}
+
+MetricValue Expression::evaluate(const SampledRun& recording,
+                                 const MetricParameters& parameters) const {
+  const std::vector<Sample>& samples = recording.samples;
+  const auto instantAt = [&](std::size_t i) {
+    return Instant{recording, parameters, samples[i], nullptr, nullptr, i, samples.front().time};
+  };
+  const Instant last = instantAt(samples.size() - 1);
+  std::vector<double> totals;
+  for (const Total& total : totals_) {
+    Collected collected;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const double dt = i + 1 < samples.size() ? samples[i + 1].time - samples[i].time : 0.0;
+      collected.take(total.term({instantAt(i), last, dt, totals}), dt);
+    }
+    totals.push_back(total.result(collected));
+  }
+  return valueOf(last, totals);
+}
+
+/// Each sample is taken when the next one tells how long it lasted.
+class Expression::Sums : public Accumulator {
+ public:
+  explicit Sums(const Expression& expression)
+      : expression_(expression), collected_(expression.totals_.size()) {}
+
+  void add(const Instant& at) override {
+    if (at.before != nullptr) {
+      const Instant then{at.context, at.parameters, *at.before, nullptr,
+                         nullptr,    at.index - 1,  at.begin};
+      take(then, at.step(), collected_);
+    }
+  }
+  MetricValue value(const Instant& last) const {
+    std::vector<Collected> collected = collected_;
+    take(last, 0.0, collected);
+    std::vector<double> totals;
+    for (std::size_t k = 0; k < collected.size(); ++k) {
+      totals.push_back(expression_.totals_[k].result(collected[k]));
+    }
+    return expression_.valueOf(last, totals);
+  }
+
+ private:
+  void take(const Instant& at, double dt, std::vector<Collected>& to) const {
+    static const std::vector<double> kNoTotals;
+    for (std::size_t k = 0; k < to.size(); ++k) {
+      to[k].take(expression_.totals_[k].term({at, at, dt, kNoTotals}), dt);
+    }
+  }
+
+  Expression expression_;
+  std::vector<Collected> collected_;
+};
+
+namespace {
+
+/// For the formulas that look at all samples when the run is over.
+class WholeRecord : public Accumulator {
+ public:
+  void add(const Instant& at) override {
+    if (at.before == nullptr) {
+      static_cast<RunContext&>(run_) = at.context;
+    }
+    run_.samples.push_back(at.now);
+  }
+  const SampledRun& run() const { return run_; }
+
+ private:
+  SampledRun run_;
+};
+
+}  // namespace
+
+Stream Expression::stream() const {
+  if (needsRecord_) {
+    return streamOf<WholeRecord>(
+        [expression = *this](const WholeRecord& record, const Instant& last) {
+          return expression.evaluate(record.run(), last.parameters);
+        });
+  }
+  return {[expression = *this](const MetricParameters& /*parameters*/) {
+            return std::make_unique<Sums>(expression);
+          },
+          [](const Accumulator& sums, const Instant& last) {
+            return static_cast<const Sums&>(sums).value(last);
+          },
+          ""};
+}
+
+base::Result<MetricEntry> entryOf(const UserMetric& metric) {
+  const base::Result<Expression> expression = Expression::parse(metric.expression);
+  if (!expression) {
+    return expression.diagnostics();
+  }
+  MetricEntry entry;
+  entry.info = {metric.key,        metric.name.empty() ? metric.key : metric.name,
+                metric.unit,       Category::Navigation,
+                metric.better,     expression->needs(),
+                metric.expression, "own",
+                "(-inf, inf)"};
+  entry.stream = expression->stream();
+  if (!expression->needsRecord()) {
+    entry.stream.shared = "formula " + metric.key;
+  }
+  return entry;
 }
 
 }  // namespace metrics
