@@ -17,8 +17,8 @@ class Expression {
   static base::Result<Expression> parse(const std::string& text);
 
   /// Undefined where the formula is (0/0, nobody there). Sees at least one sample.
-  MetricValue evaluate(const SampledRun& recording, const MetricParameters& parameters) const;
-  /// Sample by sample, with the same values. Not for those that need the record.
+  MetricValue evaluate(const std::vector<Sample>& samples, const Instant& last) const;
+  /// With the same values. Keeps no samples, but for those that need the record.
   Stream stream() const;
   const Needs& needs() const { return needs_; }
   /// A sum over time is of what is known at the end: another sum, `duration`, `samples`.

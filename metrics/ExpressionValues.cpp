@@ -188,13 +188,10 @@ MetricValue Expression::valueOf(const Instant& last, const std::vector<double>& 
   return std::isinf(value) ? infiniteValue("the formula has no finite value") : value;
 }
 
-MetricValue Expression::evaluate(const SampledRun& recording,
-                                 const MetricParameters& parameters) const {
-  const std::vector<Sample>& samples = recording.samples;
+MetricValue Expression::evaluate(const std::vector<Sample>& samples, const Instant& last) const {
   const auto instantAt = [&](std::size_t i) {
-    return Instant{recording, parameters, samples[i], nullptr, nullptr, i, samples.front().time};
+    return Instant{last.context, last.parameters, samples[i], nullptr, nullptr, i, last.begin};
   };
-  const Instant last = instantAt(samples.size() - 1);
   std::vector<double> totals;
   for (const Total& total : totals_) {
     Collected collected;
@@ -245,18 +242,10 @@ class Expression::Sums : public Accumulator {
 namespace {
 
 /// For the formulas that look at all samples when the run is over.
-class WholeRecord : public Accumulator {
- public:
-  void add(const Instant& at) override {
-    if (at.before == nullptr) {
-      static_cast<RunContext&>(run_) = at.context;
-    }
-    run_.samples.push_back(at.now);
-  }
-  const SampledRun& run() const { return run_; }
+struct WholeRecord : Accumulator {
+  void add(const Instant& at) override { samples.push_back(at.now); }
 
- private:
-  SampledRun run_;
+  std::vector<Sample> samples;
 };
 
 }  // namespace
@@ -265,7 +254,7 @@ Stream Expression::stream() const {
   if (needsRecord_) {
     return streamOf<WholeRecord>(
         [expression = *this](const WholeRecord& record, const Instant& last) {
-          return expression.evaluate(record.run(), last.parameters);
+          return expression.evaluate(record.samples, last);
         });
   }
   return {[expression = *this](const MetricParameters& /*parameters*/) {

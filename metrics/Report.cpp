@@ -40,64 +40,24 @@ const MetricResult* findResult(const std::vector<MetricResult>& results, std::st
   return nullptr;
 }
 
-namespace {
-
-/// Feeds the events up to a time; `next` = the first one that was not fed.
-template <class Evaluation, class Event, class TimeOf>
-void noteUntil(double time, const std::vector<Event>& events, std::size_t& next, TimeOf timeOf,
-               Evaluation& to) {
-  for (; next < events.size() && timeOf(events[next]) <= time + kTimeSlack; ++next) {
-    to.note(timeOf(events[next]), events[next].second);
-  }
-}
-
-double timeOfEvent(const std::pair<double, sim2d::Event>& event) {
-  return event.first;
-}
-
-}  // namespace
-
-MetricValue valueOf(const MetricEntry& entry, const SampledRun& recording,
-                    const MetricParameters& parameters, const MetricRegistry& registry) {
-  Selection selection;
-  if (const MetricEntry* sum = registry.find(entry.meanOf)) {
-    selection.own.push_back(*sum);
-  }
-  selection.own.push_back(entry);
-  SampleFeed feed(std::make_shared<const RunContext>(recording), selection, parameters, {});
-  std::size_t next = 0;
-  for (const Sample& sample : recording.samples) {
-    noteUntil(sample.time, recording.events, next, timeOfEvent, feed);
-    feed.add(sample);
-  }
-  return feed.values().back().value;
-}
-
-base::Result<Evaluation> evaluate(const SampledRun& recording, const Selection& selection,
-                                  const MetricParameters& parameters,
-                                  const MetricRegistry& registry) {
-  RunningEvaluation evaluation(recording, selection, parameters, registry);
-  std::size_t next = 0;
-  for (const Sample& sample : recording.samples) {
-    noteUntil(sample.time, recording.events, next, timeOfEvent, evaluation);
-    evaluation.add(sample);
-  }
-  noteUntil(HUGE_VAL, recording.events, next, timeOfEvent, evaluation);
-  return evaluation.finish();
-}
-
 base::Result<Evaluation> evaluate(const sim2d::Trace& trace, const Selection& selection,
                                   const MetricParameters& parameters) {
   FrameEvaluation evaluation(trace.header, selection, parameters);
-  std::size_t next = 0;
-  const auto timeOf = [&trace](const auto& event) {
-    return static_cast<double>(event.first) * trace.header.dt;
+  auto event = trace.events.begin();
+  const auto noteUntil = [&](double time) {
+    for (; event != trace.events.end(); ++event) {
+      const double itsTime = static_cast<double>(event->first) * trace.header.dt;
+      if (itsTime > time + kTimeSlack) {
+        return;
+      }
+      evaluation.note(itsTime, event->second);
+    }
   };
   for (const sim2d::Frame& frame : trace.frames) {
-    noteUntil(frame.time, trace.events, next, timeOf, evaluation);
+    noteUntil(frame.time);
     evaluation.append(frame);
   }
-  noteUntil(HUGE_VAL, trace.events, next, timeOf, evaluation);
+  noteUntil(HUGE_VAL);
   return evaluation.finish();
 }
 

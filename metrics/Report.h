@@ -23,7 +23,7 @@ struct Selection {
   std::string tag = "exp_1";
   int runId = 0;
   int robotId = -1;
-  std::vector<std::pair<double, Vec2>> reference;  // SampledRun::reference; empty = shortest way
+  std::vector<std::pair<double, Vec2>> reference;  // RunContext::reference; empty = shortest way
 
   bool series = true;          // results have their series
   bool seriesOnDisk = false;   // meanwhile in a temporary file
@@ -81,16 +81,8 @@ struct Evaluation {
   const MetricResult* find(std::string_view key) const;
 };
 
-/// One metric of a record with samples.
-MetricValue valueOf(const MetricEntry& entry, const SampledRun& recording,
-                    const MetricParameters& parameters,
-                    const MetricRegistry& registry = standardRegistry());
-
 /// Error when the record or the window holds no sample.
 base::Result<Evaluation> evaluate(const sim2d::Trace& trace, const Selection& selection,
                                   const MetricParameters& parameters);
-base::Result<Evaluation> evaluate(const SampledRun& recording, const Selection& selection,
-                                  const MetricParameters& parameters,
-                                  const MetricRegistry& registry = standardRegistry());
 
 }  // namespace metrics

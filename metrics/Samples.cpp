@@ -206,18 +206,4 @@ Sample SampleBuilder::sampleOf(const sim2d::Frame& frame) {
   return sample;
 }
 
-SampledRun sampledRunOf(const sim2d::Trace& trace, int robotId) {
-  SampleBuilder builder(trace.header, robotId);
-  SampledRun recording;
-  static_cast<RunContext&>(recording) = builder.context();
-  recording.samples.reserve(trace.frames.size());
-  for (const sim2d::Frame& frame : trace.frames) {
-    recording.samples.push_back(builder.sampleOf(frame));
-  }
-  for (const auto& [step, event] : trace.events) {
-    recording.events.emplace_back(static_cast<double>(step) * trace.header.dt, event);
-  }
-  return recording;
-}
-
 }  // namespace metrics

@@ -72,7 +72,7 @@ struct Robot : Body {
 /// All bodies at one time.
 struct Sample {
   double time = 0.0;  // [s]
-  Robot robot;        // meaningful when SampledRun::hasRobot
+  Robot robot;        // meaningful when RunContext::hasRobot
   std::vector<Person> people;
 };
 
@@ -99,14 +99,6 @@ struct RunContext {
   std::shared_ptr<Routes> routes;  // shortest ways; null = straight lines
   /// A run to compare with, instead of the shortest way: time from its start [s], place.
   std::vector<std::pair<double, Vec2>> reference;
-};
-
-/// A run with all its samples, in time order.
-struct SampledRun : RunContext {
-  std::vector<Sample> samples;
-  std::vector<std::pair<double, sim2d::Event>> events;  // time [s], all events of the run
-
-  std::size_t size() const { return samples.size(); }
 };
 
 /// Turns frames into samples: radii and behaviours from the header, obstacle points from its
@@ -142,8 +134,6 @@ class SampleBuilder {
 /// Corner points from end to end: a straight line where the robot can see along it, where the
 /// context has no routes and where none leads there, else the way round the walls. Not thread safe.
 sim2d::Path shortestPath(const RunContext& context, const Vec2& from, const Vec2& to);
-
-SampledRun sampledRunOf(const sim2d::Trace& trace, int robotId = -1);
 
 /// The part that a window selects; the events stay.
 struct Window {

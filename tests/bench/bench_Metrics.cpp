@@ -6,6 +6,7 @@
 
 #include "metrics/ReportFiles.h"
 #include "tests/metrics/MetricCases.h"
+#include "tests/metrics/SampledRun.h"
 
 using namespace metrics;
 

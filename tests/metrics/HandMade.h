@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "metrics/Report.h"
+#include "SampledRun.h"
 
 /// Small records by hand, for values that were worked out by hand.
 namespace handmade {

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "metrics/Samples.h"
+#include "SampledRun.h"
 
 /// Test vectors of metrics: inputs and expected values as JSON.
 namespace vectors {

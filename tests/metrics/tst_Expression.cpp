@@ -1,8 +1,8 @@
 #include <QtTest>
 
 #include "MetricCases.h"
+#include "SampledRun.h"
 #include "metrics/Expression.h"
-#include "metrics/RunningEvaluation.h"
 
 using namespace metrics;
 
@@ -38,6 +38,13 @@ SampledRun threeSamples() {
     workOutPairs(sample, nullptr, MetricParameters{});
   }
   return recording;
+}
+
+MetricValue evaluated(const Expression& formula, const SampledRun& recording,
+                      const MetricParameters& parameters = {}) {
+  const std::vector<Sample>& samples = recording.samples;
+  return formula.evaluate(samples, {recording, parameters, samples.back(), nullptr, nullptr,
+                                    samples.size() - 1, samples.front().time});
 }
 
 std::string problemOf(const char* text) {
@@ -109,20 +116,20 @@ void ExpressionTest::evaluate_formula_givesNumber() {
   QFETCH(double, expected);
   const base::Result<Expression> expression = Expression::parse(formula.toStdString());
   QVERIFY2(expression, expression ? "" : expression.diagnostics()[0].text().c_str());
-  const MetricValue value = expression->evaluate(threeSamples(), MetricParameters{});
+  const MetricValue value = evaluated(*expression, threeSamples());
   QVERIFY(value.value);
   QVERIFY2(std::fabs(*value.value - expected) < 1e-12, std::to_string(*value.value).c_str());
 }
 
 void ExpressionTest::evaluate_undefined_hasNoValue() {
   for (const char* text : {"0 / 0", "1 / 0", "mean(clearance)", "sqrt(-1)"}) {
-    const MetricValue value = Expression::parse(text)->evaluate(threeSamples(), MetricParameters{});
+    const MetricValue value = evaluated(*Expression::parse(text), threeSamples());
     QVERIFY2(!value.value && !value.why.empty(), text);
   }
   // Samples without a value are passed over.
   SampledRun recording = threeSamples();
   recording.samples[0].robot.obstacleDistance = 1.25;
-  QCOMPARE(*Expression::parse("mean(clearance)")->evaluate(recording, {}).value, 1.0);
+  QCOMPARE(*evaluated(*Expression::parse("mean(clearance)"), recording).value, 1.0);
 }
 
 void ExpressionTest::parse_mistake_isToldWithItsColumn_data() {
@@ -235,7 +242,7 @@ void ExpressionTest::stream_formula_equalsTheWholeRecord() {
   for (Sample& sample : recording.samples) {
     workOutPairs(sample, nullptr, parameters);
   }
-  const MetricValue whole = formula.evaluate(recording, parameters);
+  const MetricValue whole = evaluated(formula, recording, parameters);
   const MetricValue streamed = valueOf(entry, recording, parameters);
   QVERIFY(whole.value && streamed.value);
   QCOMPARE(*streamed.value, *whole.value);

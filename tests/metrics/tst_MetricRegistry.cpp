@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include "MetricCases.h"
+#include "SampledRun.h"
 #include "metrics/Expression.h"
 #include "metrics/ReportFiles.h"
 #include "sim2d/base/Text.h"
