@@ -288,6 +288,26 @@ const char* boolText(bool value) {
 
 }  // namespace
 
+bool Selection::selects(const MetricInfo& info) const {
+  if (!keys) {
+    return true;
+  }
+  const std::string& key = info.partOf.empty() ? info.key : info.partOf;
+  const bool isHunav = info.hunav > 0 || !info.partOf.empty();
+  return isHunav ? keys->off.count(key) == 0 : keys->on.count(key) > 0;
+}
+
+std::vector<MetricEntry> Selection::entries(const MetricRegistry& registry) const {
+  std::vector<MetricEntry> selected;
+  for (const MetricEntry& entry : registry.entries()) {
+    if (selects(entry.info)) {
+      selected.push_back(entry);
+    }
+  }
+  selected.insert(selected.end(), own.begin(), own.end());
+  return selected;
+}
+
 base::Result<Selection> selectionOfKeys(const std::vector<std::string>& keys,
                                         const MetricRegistry& registry) {
   Selection selection;

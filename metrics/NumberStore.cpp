@@ -1,5 +1,6 @@
 #include "metrics/NumberStore.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace metrics {
@@ -35,13 +36,9 @@ void StoredNumbers::add(double number, NumberStore* store) {
 }
 
 std::vector<double> StoredNumbers::all() const {
-  std::vector<double> numbers(stored_, std::numeric_limits<double>::quiet_NaN());
-  std::size_t at = 0;
-  for (const NumberStore::Place& block : blocks_) {
-    store_->get(block, numbers.data() + at);
-    at += block.size / sizeof(double);
-  }
-  numbers.insert(numbers.end(), newest_.begin(), newest_.end());
+  std::vector<double> numbers(size());
+  StoredNumbersReader reader(*this);
+  std::generate(numbers.begin(), numbers.end(), [&reader] { return reader.next(); });
   return numbers;
 }
 

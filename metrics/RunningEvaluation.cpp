@@ -274,4 +274,38 @@ FrameEvaluation::FrameEvaluation(const sim2d::TraceHeader& header, const Selecti
                                  const MetricParameters& parameters)
     : builder_(header, selection.robotId), evaluation_(builder_.context(), selection, parameters) {}
 
+const MetricResult* Evaluation::find(std::string_view key) const {
+  return findResult(results, key);
+}
+
+const MetricResult* findResult(const std::vector<MetricResult>& results, std::string_view key) {
+  for (const MetricResult& result : results) {
+    if (result.info.key == key) {
+      return &result;
+    }
+  }
+  return nullptr;
+}
+
+base::Result<Evaluation> evaluate(const sim2d::Trace& trace, const Selection& selection,
+                                  const MetricParameters& parameters) {
+  FrameEvaluation evaluation(trace.header, selection, parameters);
+  auto event = trace.events.begin();
+  const auto noteUntil = [&](double time) {
+    for (; event != trace.events.end(); ++event) {
+      const double itsTime = static_cast<double>(event->first) * trace.header.dt;
+      if (itsTime > time + kTimeSlack) {
+        return;
+      }
+      evaluation.note(itsTime, event->second);
+    }
+  };
+  for (const sim2d::Frame& frame : trace.frames) {
+    noteUntil(frame.time);
+    evaluation.append(frame);
+  }
+  noteUntil(HUGE_VAL);
+  return evaluation.finish();
+}
+
 }  // namespace metrics

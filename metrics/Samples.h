@@ -171,13 +171,13 @@ double distance(const Body& a, const Body& b);
 double distance(const Robot& robot, const Person& person);  // of the same sample
 double gap(const Robot& robot, const Person& person);       // surface to surface, < 0: they overlap
 const Person* findPerson(const Sample& sample, int id);
-/// The entry for which `is` holds; quick when entries are asked for in their order. `next` = where
-/// to look first, 0 at the beginning.
-template <class Entry, class Is>
-const Entry* findInOrder(const std::vector<Entry>& entries, std::size_t& next, Is is) {
+/// The entry with this id; quick when entries are asked for in their order. `next` = where to look
+/// first, 0 at the beginning.
+template <class Entry>
+const Entry* findInOrder(const std::vector<Entry>& entries, std::size_t& next, int id) {
   for (std::size_t k = 0; k < entries.size(); ++k) {
     const std::size_t at = next + k < entries.size() ? next + k : next + k - entries.size();
-    if (is(entries[at])) {
+    if (entries[at].id == id) {
       next = at + 1 < entries.size() ? at + 1 : 0;
       return &entries[at];
     }

@@ -44,9 +44,10 @@ template <Term kTerm, bool kKeepsSeries>
 class FiguresOf : public Figures {
  public:
   void add(const Instant& at) override {
-    take(at, at.term(kTerm));
+    const double term = at.term(kTerm);
+    take(at, term);
     if (kKeepsSeries) {
-      series_.add(at, at.term(kTerm));
+      series_.add(at, term);
     }
   }
 };

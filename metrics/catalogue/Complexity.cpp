@@ -18,8 +18,7 @@ class Winding : public Accumulator {
     std::size_t next = 0;
     for (const Person& person : at.now.people) {
       const double bearing = person.pair.bearing;
-      const auto* then =
-          findInOrder(before_, next, [&person](const Turned& one) { return one.id == person.id; });
+      const Turned* then = findInOrder(before_, next, person.id);
       Turned turned{person.id, bearing, then != nullptr ? then->angle : angleOf(person.id)};
       turned.angle += then != nullptr ? base::angleDiff(bearing, then->bearing) : 0.0;
       now_.push_back(turned);
@@ -56,8 +55,7 @@ class Winding : public Accumulator {
   void keepLost() {
     std::size_t next = 0;
     for (const Turned& one : before_) {
-      if (findInOrder(now_, next, [&one](const Turned& other) { return other.id == one.id; }) ==
-          nullptr) {
+      if (findInOrder(now_, next, one.id) == nullptr) {
         lost_[one.id] = one.angle;
       }
     }

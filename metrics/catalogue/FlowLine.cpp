@@ -36,8 +36,7 @@ class LineCrossings : public Accumulator {
     const std::vector<Person>& before = at.before->people;
     std::size_t next = 0;
     for (const Person& person : at.now.people) {
-      const Person* then =
-          findInOrder(before, next, [&](const Person& other) { return other.id == person.id; });
+      const Person* then = findInOrder(before, next, person.id);
       count_ += then != nullptr && crosses(then->position, person.position, line_) ? 1.0 : 0.0;
     }
   }

@@ -94,19 +94,16 @@ MetricValue timeout(const Instant& last) {
 }
 
 void addContacts(MetricRegistry& to) {
-  const MetricFamily contacts{to,
-                              Category::Safety,
-                              Better::Lower,
-                              {true, true},
-                              "Tsoi et al., SEAN 2.0, RA-L 2022",
-                              "0, 1, ...",
-                              Kind::Count};
-  contacts.add("robot_on_person_collision", "Robot runs into a person", "",
-               "contacts (gap < contact_distance begins) in which the robot closes in faster",
-               streamOf<Collisions>(&Collisions::ofRobot), 16);
-  contacts.add("person_on_robot_collision", "Person runs into the robot", "",
-               "contacts (gap < contact_distance begins) in which the person closes in faster",
-               streamOf<Collisions>(&Collisions::ofPerson), 17);
+  const Needs needs{true, true};
+  const char sean[] = "Tsoi et al., SEAN 2.0, RA-L 2022";
+  const MetricFamily own{to,   Category::Safety, Better::Lower, needs,
+                         sean, "0, 1, ...",      Kind::Count};
+  own.add("robot_on_person_collision", "Robot runs into a person", "",
+          "contacts (gap < contact_distance begins) in which the robot closes in faster",
+          streamOf<Collisions>(&Collisions::ofRobot), 16);
+  own.add("person_on_robot_collision", "Person runs into the robot", "",
+          "contacts (gap < contact_distance begins) in which the person closes in faster",
+          streamOf<Collisions>(&Collisions::ofPerson), 17);
 }
 
 void addOwnOutcome(MetricRegistry& to) {

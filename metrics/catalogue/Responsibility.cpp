@@ -39,8 +39,7 @@ class Resolution : public Accumulator {
     std::size_t next = 0;
     bool isBusy = false;
     for (const Person& person : at.before->people) {
-      const Person* const after = findInOrder(
-          at.now.people, next, [&person](const Person& other) { return other.id == person.id; });
+      const Person* const after = findInOrder(at.now.people, next, person.id);
       if (after != nullptr) {
         isBusy = addPair(at, person, *after) || isBusy;
       }

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "metrics/TermSums.h"
 
@@ -99,15 +98,17 @@ class SurpriseSum : public PersonCosts {
 
   /// Begin of the uninterrupted sight; notes that it goes on.
   double seenSince(int id, double now) {
-    const auto* found =
-        findInOrder(seenBefore_, next_, [id](const auto& entry) { return entry.first == id; });
-    const double since = found != nullptr ? found->second : now;
-    seen_.emplace_back(id, since);
-    return since;
+    const Seen* found = findInOrder(seenBefore_, next_, id);
+    seen_.push_back({id, found != nullptr ? found->since : now});
+    return seen_.back().since;
   }
 
-  std::vector<std::pair<int, double>> seen_, seenBefore_;  // id, begin of the sight [s]
-  std::size_t next_ = 0;                                   // in seenBefore_
+  struct Seen {
+    int id = 0;
+    double since = 0.0;  // [s]
+  };
+  std::vector<Seen> seen_, seenBefore_;
+  std::size_t next_ = 0;  // in seenBefore_
 };
 
 }  // namespace
