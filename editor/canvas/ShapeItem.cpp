@@ -5,7 +5,6 @@
 #include "editor/canvas/PixelFrame.h"
 #include "editor/look/FigurePainter.h"
 #include "sim2d/map/Outlines.h"
-#include "sim2d/map/Segments.h"
 
 namespace editor {
 

@@ -9,7 +9,7 @@
 #include "editor/document/DocumentDisk.h"
 #include "editor/document/QtImageLoader.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/map/Pgm.h"
+#include "sim2d/map/MapReader.h"
 
 namespace editor {
 
@@ -180,22 +180,14 @@ base::Result<std::shared_ptr<const sim2d::OccupancyGrid>> gridOfImage(const QStr
                                                                       double resolution) {
   sim2d::MapDescription description;
   description.resolution = resolution;
-  const auto shared = [](sim2d::OccupancyGrid grid) {
-    return std::make_shared<const sim2d::OccupancyGrid>(std::move(grid));
-  };
-  if (imagePath.endsWith(QLatin1String(".pgm"), Qt::CaseInsensitive)) {
-    const base::Result<sim2d::PgmImage> image = sim2d::readPgm(imagePath.toStdString());
-    if (!image) {
-      return image.diagnostics();
-    }
-    return {shared(sim2d::gridFromPgm(*image, description, sim2d::MapRule::Humble)),
-            image.diagnostics()};
-  }
-  const base::Result<sim2d::MapImage> image = loadMapImage(imagePath.toStdString());
+  const bool isPgm = imagePath.endsWith(QLatin1String(".pgm"), Qt::CaseInsensitive);
+  const std::string path = imagePath.toStdString();
+  const base::Result<sim2d::MapImage> image = isPgm ? sim2d::readPgm(path) : loadMapImage(path);
   if (!image) {
     return image.diagnostics();
   }
-  return {shared(sim2d::gridFromImage(*image, description, sim2d::MapRule::Humble)),
+  return {std::make_shared<const sim2d::OccupancyGrid>(
+              sim2d::gridFromImage(*image, description, sim2d::MapRule::Humble)),
           image.diagnostics()};
 }
 
