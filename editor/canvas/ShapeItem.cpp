@@ -4,7 +4,6 @@
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/PixelFrame.h"
 #include "sim2d/map/Outlines.h"
-#include "sim2d/map/Segments.h"
 
 namespace editor {
 

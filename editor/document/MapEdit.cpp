@@ -9,8 +9,7 @@
 
 #include "editor/document/QtImageLoader.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/map/Pgm.h"
-#include "sim2d/map/Segments.h"
+#include "sim2d/map/MapReader.h"
 
 namespace editor {
 
@@ -158,19 +157,15 @@ base::Result<std::shared_ptr<const sim2d::OccupancyGrid>> gridOfImage(const QStr
                                                                       double resolution) {
   sim2d::MapDescription description;
   description.resolution = resolution;
-  using Grid = base::Result<std::shared_ptr<const sim2d::OccupancyGrid>>;
-  const auto made = [&](const auto& image, auto&& gridOf) -> Grid {
-    if (!image) {
-      return image.diagnostics();
-    }
-    return {std::make_shared<const sim2d::OccupancyGrid>(
-                gridOf(*image, description, sim2d::MapRule::Humble)),
-            image.diagnostics()};
-  };
+  const bool isPgm = imagePath.endsWith(QLatin1String(".pgm"), Qt::CaseInsensitive);
   const std::string path = imagePath.toStdString();
-  return imagePath.endsWith(QLatin1String(".pgm"), Qt::CaseInsensitive)
-             ? made(sim2d::readPgm(path), sim2d::gridFromPgm)
-             : made(loadMapImage(path), sim2d::gridFromImage);
+  const base::Result<sim2d::MapImage> image = isPgm ? sim2d::readPgm(path) : loadMapImage(path);
+  if (!image) {
+    return image.diagnostics();
+  }
+  return {std::make_shared<const sim2d::OccupancyGrid>(
+              sim2d::gridFromImage(*image, description, sim2d::MapRule::Humble)),
+          image.diagnostics()};
 }
 
 }  // namespace editor

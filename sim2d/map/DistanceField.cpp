@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "sim2d/map/DistanceTransform.h"
-
 namespace sim2d {
 
 namespace {

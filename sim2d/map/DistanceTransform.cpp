@@ -1,10 +1,10 @@
-#include "sim2d/map/DistanceTransform.h"
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+
+#include "sim2d/map/DistanceField.h"
 
 namespace sim2d {
 

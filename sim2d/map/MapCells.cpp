@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "sim2d/base/Text.h"
-#include "sim2d/map/Pgm.h"
+#include "sim2d/map/MapReader.h"
 
 namespace sim2d {
 
@@ -131,14 +131,12 @@ std::string pgmText(const OccupancyGrid& grid) {
 
 OccupancyGrid gridFromImage(const MapImage& image, const MapDescription& description,
                             MapRule rule) {
-  assert(image.rgba.size() % 4 == 0);
   const PixelRule pixels(image.maximum, image.hasAlpha, description, rule);
-  return gridOf(image.width, image.height, image.rgba.size() / 4, description,
-                [&](std::size_t pixel) { return pixels.cellOf(image.rgba.data() + 4 * pixel); });
-}
-
-OccupancyGrid gridFromPgm(const PgmImage& image, const MapDescription& description, MapRule rule) {
-  const PixelRule pixels(image.maximum, false, description, rule);
+  if (image.shades.empty()) {
+    assert(image.rgba.size() % 4 == 0);
+    return gridOf(image.width, image.height, image.rgba.size() / 4, description,
+                  [&](std::size_t pixel) { return pixels.cellOf(image.rgba.data() + 4 * pixel); });
+  }
   std::vector<std::int8_t> cellOf;  // by shade
   for (int value = 0; value <= image.maximum; ++value) {
     const auto shade = static_cast<std::uint16_t>(value);

@@ -13,8 +13,7 @@
 
 #include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/base/yaml/YamlTree.h"
-#include "sim2d/map/Pgm.h"
+#include "sim2d/base/yaml/YamlMap.h"
 
 namespace sim2d {
 
@@ -35,11 +34,11 @@ const std::vector<std::string>& mapKeys() {
 /// The keys of one YAML text with all that is wrong with them.
 class DescriptionReader {
  public:
-  explicit DescriptionReader(std::string file) : file_(std::move(file)) {}
+  explicit DescriptionReader(std::string file) { report_.file = std::move(file); }
 
   void read(const std::string& text) {
     base::Diagnostics problems;
-    root_ = base::parseYaml(text, file_, problems);
+    root_ = base::parseYaml(text, report_.file, problems);
     takeProblems(problems);
     if (!isReadable_) {
       return;
@@ -66,25 +65,18 @@ class DescriptionReader {
   }
 
   const MapDescription& description() const { return description_; }
-  const base::Diagnostics& diagnostics() const { return diagnostics_; }
-  /// With the place of the image's name.
-  base::Diagnostic atImage(base::Diagnostic problem, const std::string& image) const {
-    return base::within("image '" + image + "'", located(std::move(problem), imagePlace_));
+  const base::Diagnostics& diagnostics() const { return report_.diagnostics; }
+  /// Of the image, with the place of its name.
+  void add(const base::Diagnostic& problem, const std::string& image) {
+    report_.add(imagePlace_, base::within("image '" + image + "'", problem));
   }
 
  private:
-  base::Diagnostic located(base::Diagnostic diagnostic, const YamlNode& at) const {
-    diagnostic.file = file_;
-    diagnostic.line = at.line;
-    diagnostic.column = at.column;
-    return diagnostic;
-  }
-
   void error(std::string_view code, base::ProblemValues values, const YamlNode& at) {
-    diagnostics_.push_back(located(base::error(code, std::move(values)), at));
+    report_.add(at, base::error(code, std::move(values)));
   }
   void warning(std::string_view code, base::ProblemValues values, const YamlNode& at) {
-    diagnostics_.push_back(located(base::warning(code, std::move(values)), at));
+    report_.add(at, base::warning(code, std::move(values)));
   }
 
   /// What is wrong with the text, in the words of map files. A second document is not read.
@@ -135,8 +127,7 @@ class DescriptionReader {
   }
 
   void readImage(const YamlNode& node) {
-    imagePlace_.line = node.line;
-    imagePlace_.column = node.column;
+    imagePlace_ = node;
     if (!node.isScalar() || node.text.empty()) {
       error("map.no-image-name", {}, node);
       return;
@@ -218,13 +209,12 @@ class DescriptionReader {
     }
   }
 
-  std::string file_;
+  base::ReadReport report_;
   YamlNode root_;
   YamlNode imagePlace_;
   std::optional<double> high_;  // of the thresholds
   bool isReadable_ = true;
   MapDescription description_;
-  base::Diagnostics diagnostics_;
 };
 
 bool isPgm(const fs::path& path) {
@@ -267,13 +257,8 @@ base::Result<OccupancyGrid> readCells(const fs::path& path, const ImageLoader& l
   if (fs::file_size(path, code) == 0 && !code) {
     return base::error("image.file-empty");
   }
-  if (isPgm(path) || base::lowered(path.extension().string()) == ".pgm") {
-    const base::Result<PgmImage> image = readPgm(path.string());
-    return image ? base::Result<OccupancyGrid>(gridFromPgm(*image, description, rule),
-                                               image.diagnostics())
-                 : image.diagnostics();
-  }
-  const base::Result<MapImage> image = loadImage(path, loader);
+  const bool isGrey = isPgm(path) || base::lowered(path.extension().string()) == ".pgm";
+  const base::Result<MapImage> image = isGrey ? readPgm(path.string()) : loadImage(path, loader);
   return image ? base::Result<OccupancyGrid>(gridFromImage(*image, description, rule),
                                              image.diagnostics())
                : image.diagnostics();
@@ -305,22 +290,21 @@ base::Result<MapFile> readMap(const std::string& yamlPath, const ImageLoader& lo
   }
   DescriptionReader reader(map.path);
   reader.read(*text);
-  base::Diagnostics diagnostics = reader.diagnostics();
   map.description = reader.description();
   if (map.description.image.empty()) {
-    return diagnostics;
+    return reader.diagnostics();
   }
   const fs::path imagePath = fs::path(map.path).parent_path() / map.description.image;
   map.imagePath = imagePath.lexically_normal().string();
   base::Result<OccupancyGrid> grid = readCells(map.imagePath, loader, map.description, rule);
   for (const base::Diagnostic& problem : grid.diagnostics()) {
-    diagnostics.push_back(reader.atImage(problem, map.imagePath));
+    reader.add(problem, map.imagePath);
   }
-  if (base::hasErrors(diagnostics)) {
-    return diagnostics;
+  if (base::hasErrors(reader.diagnostics())) {
+    return reader.diagnostics();
   }
   map.grid = *std::move(grid);
-  return {std::move(map), std::move(diagnostics)};
+  return {std::move(map), reader.diagnostics()};
 }
 
 }  // namespace sim2d

@@ -14,9 +14,12 @@ namespace sim2d {
 struct MapImage {
   int width = 0, height = 0;
   bool hasAlpha = false;
-  int maximum = 255;                // value of full white or opaque, 1..65535
-  std::vector<std::uint16_t> rgba;  // 4 values per pixel
+  int maximum = 255;                  // value of full white or opaque, 1..65535
+  std::vector<std::uint16_t> rgba;    // 4 values per pixel
+  std::vector<std::uint16_t> shades;  // instead, where all is grey: one per pixel
 };
+/// A PGM image (P2 and P5, 8 and 16 bit, comments) as shades.
+base::Result<MapImage> readPgm(const std::string& path);
 /// Reads what the reader itself does not (all but PGM): PNG, BMP …
 using ImageLoader = std::function<base::Result<MapImage>(const std::string& path)>;
 

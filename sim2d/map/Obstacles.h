@@ -3,7 +3,6 @@
 #include <optional>
 #include <vector>
 
-#include "sim2d/map/Outlines.h"
 #include "sim2d/map/SegmentGrid.h"
 
 namespace sim2d {

@@ -184,11 +184,9 @@ struct PathPlanner::Search {
 };
 
 PathPlanner::PathPlanner(std::shared_ptr<const DistanceField> field, double radius)
-    : search_(std::make_unique<Search>(std::move(field), radius)) {
+    : search_(std::make_shared<Search>(std::move(field), radius)) {
   assert(radius >= 0.0);
 }
-
-PathPlanner::~PathPlanner() = default;
 
 double PathPlanner::radius() const {
   return search_->space.radius();

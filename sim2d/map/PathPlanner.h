@@ -26,11 +26,6 @@ struct Path {
 class PathPlanner {
  public:
   PathPlanner(std::shared_ptr<const DistanceField> field, double radius);
-  ~PathPlanner();
-  PathPlanner(const PathPlanner&) = delete;
-  PathPlanner& operator=(const PathPlanner&) = delete;
-  PathPlanner(PathPlanner&&) = delete;
-  PathPlanner& operator=(PathPlanner&&) = delete;
 
   /// A start or goal in a closed cell is moved to the nearest open one within 1 m first.
   Path plan(const Vec2& start, const Vec2& goal);
@@ -43,7 +38,7 @@ class PathPlanner {
 
  private:
   struct Search;
-  std::unique_ptr<Search> search_;
+  std::shared_ptr<Search> search_;  // copies share it
 };
 
 }  // namespace sim2d

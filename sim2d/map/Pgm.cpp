@@ -1,5 +1,3 @@
-#include "sim2d/map/Pgm.h"
-
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
@@ -10,6 +8,8 @@
 #include <system_error>
 #include <utility>
 
+#include "sim2d/map/MapReader.h"
+
 namespace sim2d {
 
 namespace {
@@ -19,7 +19,7 @@ class PgmReader {
  public:
   explicit PgmReader(const std::string& path) : path_(path), input_(path, std::ios::binary) {}
 
-  base::Result<PgmImage> read() {
+  base::Result<MapImage> read() {
     std::error_code code;
     const auto size = std::filesystem::file_size(path_, code);
     if (code || !input_) {
@@ -32,10 +32,11 @@ class PgmReader {
       return problem_;
     }
     const auto left = static_cast<std::int64_t>(size) - static_cast<std::int64_t>(input_.tellg());
-    const std::int64_t pixels = std::int64_t{width_} * height_;
-    const std::int64_t needed = isText_ ? 2 * pixels - 1 : pixels * (maximum_ > 255 ? 2 : 1);
+    const std::int64_t pixels = std::int64_t{image_.width} * image_.height;
+    const std::int64_t needed = isText_ ? 2 * pixels - 1 : pixels * (image_.maximum > 255 ? 2 : 1);
     if (left < needed) {
-      return base::error("image.cut", {width_, height_, needed, std::max<std::int64_t>(left, 0)},
+      return base::error("image.cut",
+                         {image_.width, image_.height, needed, std::max<std::int64_t>(left, 0)},
                          path_);
     }
     return readPixels();
@@ -69,9 +70,9 @@ class PgmReader {
     if (std::int64_t{*width} * *height > kMostMapCells) {
       return fail("image.size-too-large", {*width, *height});
     }
-    width_ = *width;
-    height_ = *height;
-    maximum_ = *maximum;
+    image_.width = *width;
+    image_.height = *height;
+    image_.maximum = *maximum;
     return true;
   }
 
@@ -109,26 +110,23 @@ class PgmReader {
     return any && ends ? std::optional<int>(value) : std::nullopt;
   }
 
-  base::Result<PgmImage> readPixels() {
-    PgmImage image;
-    image.width = width_;
-    image.height = height_;
-    image.maximum = maximum_;
-    image.shades.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-    const std::size_t read = isText_ ? readText(image.shades) : readBinary(image.shades);
-    if (read < image.shades.size()) {
-      return base::error("image.pixel-missing", {read + 1, image.shades.size()}, path_);
+  base::Result<MapImage> readPixels() {
+    std::vector<std::uint16_t>& shades = image_.shades;
+    shades.resize(static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(image_.height));
+    const std::size_t read = isText_ ? readText(shades) : readBinary(shades);
+    if (read < shades.size()) {
+      return base::error("image.pixel-missing", {read + 1, shades.size()}, path_);
     }
     base::Diagnostics warnings;
     if (isAbove_) {
-      warnings.push_back(base::warning("image.too-bright", {maximum_}, path_));
+      warnings.push_back(base::warning("image.too-bright", {image_.maximum}, path_));
     }
-    return {std::move(image), std::move(warnings)};
+    return {std::move(image_), std::move(warnings)};
   }
 
   std::uint16_t shadeOf(int value) {
-    isAbove_ = isAbove_ || value > maximum_;
-    return static_cast<std::uint16_t>(std::min(value, maximum_));
+    isAbove_ = isAbove_ || value > image_.maximum;
+    return static_cast<std::uint16_t>(std::min(value, image_.maximum));
   }
 
   /// How many could be read.
@@ -144,8 +142,8 @@ class PgmReader {
   }
 
   std::size_t readBinary(std::vector<std::uint16_t>& shades) {
-    const std::size_t bytes = maximum_ > 255 ? 2 : 1;
-    std::vector<char> row(static_cast<std::size_t>(width_) * bytes);
+    const std::size_t bytes = image_.maximum > 255 ? 2 : 1;
+    std::vector<char> row(static_cast<std::size_t>(image_.width) * bytes);
     std::size_t at = 0;
     while (at < shades.size()) {
       const auto got = static_cast<std::size_t>(
@@ -169,12 +167,12 @@ class PgmReader {
   base::Diagnostic problem_;
   bool isText_ = false;
   bool isAbove_ = false;  // some pixels, of the maximum
-  int width_ = 0, height_ = 0, maximum_ = 0;
+  MapImage image_;
 };
 
 }  // namespace
 
-base::Result<PgmImage> readPgm(const std::string& path) {
+base::Result<MapImage> readPgm(const std::string& path) {
   std::error_code code;
   const auto status = std::filesystem::status(path, code);
   if (!std::filesystem::exists(status)) {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "sim2d/map/Segments.h"
+#include "sim2d/map/Outlines.h"
 
 namespace sim2d {
 
@@ -14,10 +14,7 @@ namespace sim2d {
 /// Immutable after build; safe to share between threads.
 class SegmentGrid {
  public:
-  struct Bucket {
-    int column = 0, row = 0;
-    friend bool operator==(Bucket a, Bucket b) { return a.column == b.column && a.row == b.row; }
-  };
+  using Bucket = Cell;
   struct Items {
     const int* first = nullptr;
     const int* last = nullptr;

@@ -90,27 +90,24 @@ void CsvTable::error(const CsvField& field, std::string_view code, base::Problem
 }
 
 bool CsvTable::readColumns(const std::string& columns) {
-  CsvRow names;
   std::string found;
-  if (reader_.next(names)) {
-    for (const CsvField& name : names) {
+  if (reader_.next(names_)) {
+    for (const CsvField& name : names_) {
       found += (found.empty() ? "" : ",") + name.text;
     }
   }
   if (found != columns) {
     problems_.push_back(base::error("trace.first-line", {columns}, file_, 1, 1));
-    return false;
   }
-  width_ = names.size();
-  return true;
+  return found == columns;
 }
 
-bool CsvTable::next(CsvRow& row) {
-  while (reader_.next(row)) {
+bool CsvTable::next() {
+  while (reader_.next(row_)) {
     if (reader_.isTruncated()) {
-      error(row.back(), "trace.cut-line");
-    } else if (row.size() != width_) {
-      error(row.back(), "trace.field-count", {row.size(), width_});
+      error(row_.back(), "trace.cut-line");
+    } else if (row_.size() != names_.size()) {
+      error(row_.back(), "trace.field-count", {row_.size(), names_.size()});
     } else {
       return true;
     }
@@ -118,10 +115,10 @@ bool CsvTable::next(CsvRow& row) {
   return false;
 }
 
-bool CsvTable::readFinite(const CsvField& field, const char* name, double& value) {
-  const std::optional<double> parsed = base::parseDouble(field.text);
+bool CsvTable::readNumber(std::size_t column, double& value) {
+  const std::optional<double> parsed = base::parseDouble(row_[column].text);
   if (!parsed || !std::isfinite(*parsed)) {
-    error(field, "trace.not-finite", {name, field.text});
+    error(column, "trace.not-finite", {names_[column].text, row_[column].text});
     return false;
   }
   value = *parsed;

@@ -46,35 +46,47 @@ class CsvReader {
   bool truncated_ = false;
 };
 
-/// One of our own CSV files: rows, typed fields, problems with their place.
+/// One of our own CSV files: rows, numbers by column, problems with their place.
 class CsvTable {
  public:
   CsvTable(const std::string& text, std::string file, base::Diagnostics& problems)
       : reader_(text), file_(std::move(file)), problems_(problems) {}
 
-  void error(const CsvField& field, std::string_view code, base::ProblemValues values = {});
   /// False when the first line is not the one of this file.
   bool readColumns(const std::string& columns);
   /// The next row with the right number of fields; rows with another number are noted and left out.
-  bool next(CsvRow& row);
-  bool readFinite(const CsvField& field, const char* name, double& value);
+  bool next();
+  const CsvField& operator[](std::size_t column) const { return row_[column]; }
+  void error(std::size_t column, std::string_view code, base::ProblemValues values = {}) {
+    error(row_[column], code, std::move(values));
+  }
+  void error(const CsvField& field, std::string_view code, base::ProblemValues values = {});
+  /// The numbers from a column on; false when one is none, or no finite one.
+  template <class... Numbers>
+  bool read(std::size_t column, Numbers&... numbers) {
+    bool isGood = true;
+    ((isGood = readNumber(column++, numbers) && isGood), ...);
+    return isGood;
+  }
+
+ private:
+  bool readNumber(std::size_t column, double& value);
   template <class Integer>
-  bool readInt(const CsvField& field, const char* name, Integer& value) {
-    const std::optional<long long> parsed = base::parseInt(field.text);
+  bool readNumber(std::size_t column, Integer& value) {
+    const std::optional<long long> parsed = base::parseInt(row_[column].text);
     if (!parsed || *parsed < std::numeric_limits<Integer>::min() ||
         *parsed > std::numeric_limits<Integer>::max()) {
-      error(field, "trace.not-whole", {name, field.text});
+      error(column, "trace.not-whole", {names_[column].text, row_[column].text});
       return false;
     }
     value = static_cast<Integer>(*parsed);
     return true;
   }
 
- private:
   CsvReader reader_;
   std::string file_;
   base::Diagnostics& problems_;
-  std::size_t width_ = 0;
+  CsvRow names_, row_;
 };
 
 }  // namespace sim2d

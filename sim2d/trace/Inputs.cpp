@@ -23,28 +23,28 @@ auto numbersOf(AnyInput& input) {
                     &input.desiredVelocity.x(), &input.desiredVelocity.y()};
 }
 
-void readRow(CsvTable& table, const CsvRow& row, RecordedInputs& inputs) {
+void readRow(CsvTable& row, RecordedInputs& inputs) {
   Input input;
   std::int64_t step = 0;
-  table.readInt(row[0], "step", step);
+  row.read(0, step);
   const auto kind = std::find(kNames.begin(), kNames.end(), row[1].text);
   if (kind == kNames.end()) {
-    table.error(row[1], "trace.unknown-input", {row[1].text});
+    row.error(1, "trace.unknown-input", {row[1].text});
   }
   input.kind = static_cast<InputKind>(kind - kNames.begin());
-  table.readInt(row[2], "id", input.id);
+  row.read(2, input.id);
   input.name = row[3].text;
   std::size_t column = kFirstNumber;
   for (double* const number : numbersOf(input)) {
     const std::optional<double> value = base::parseDouble(row[column].text);
     if (!value || !std::isfinite(*value)) {
-      table.error(row[column], "trace.no-finite-number", {row[column].text});
+      row.error(column, "trace.no-finite-number", {row[column].text});
     }
     *number = value.value_or(0.0);
     ++column;
   }
   if (!inputs.empty() && step < inputs.back().first) {
-    table.error(row[0], "trace.steps-backwards");
+    row.error(0, "trace.steps-backwards");
   }
   inputs.emplace_back(step, std::move(input));
 }
@@ -74,8 +74,8 @@ base::Result<RecordedInputs> parseInputs(const std::string& text, const std::str
   RecordedInputs inputs;
   CsvTable table(text, file, problems);
   if (table.readColumns(kInputColumns)) {
-    for (CsvRow row; table.next(row);) {
-      readRow(table, row, inputs);
+    while (table.next()) {
+      readRow(table, inputs);
     }
   }
   if (base::hasErrors(problems)) {

@@ -11,35 +11,6 @@ namespace {
 
 constexpr char kEqual = 0, kOther = 1;
 
-/// Calls take(column, the key's) for all of a fixed number.
-template <class AnyFrame, class Take>
-void forEachColumn(AnyFrame& frame, const Frame& key, Take take) {
-  const auto body = [&take](auto& columns, const BodyColumns& keys) {
-    take(columns.id, keys.id);
-    take(columns.x, keys.x);
-    take(columns.y, keys.y);
-    take(columns.heading, keys.heading);
-    take(columns.vx, keys.vx);
-    take(columns.vy, keys.vy);
-    take(columns.omega, keys.omega);
-    take(columns.goal, keys.goal);
-  };
-  body(frame.humans, key.humans);
-  body(frame.robots, key.robots);
-  take(frame.humans.group, key.humans.group);
-  take(frame.humans.state, key.humans.state);
-  take(frame.forces.goal, key.forces.goal);
-  take(frame.forces.social, key.forces.social);
-  take(frame.forces.obstacle, key.forces.obstacle);
-  take(frame.forces.group, key.forces.group);
-  take(frame.doorOpen, key.doorOpen);
-}
-
-const std::vector<Vec2>& pathOf(const Frame& frame, std::size_t robot) {
-  static const std::vector<Vec2> kNone;
-  return robot < frame.robotPaths.size() ? frame.robotPaths[robot] : kNone;
-}
-
 class Packer {
  public:
   template <class T>
@@ -58,6 +29,10 @@ class Packer {
     value(kOther);
     value(column.size());
     bytes(column.data(), size);
+  }
+  std::size_t sizeOf(const std::vector<std::vector<Vec2>>& paths) {
+    value(paths.size());
+    return paths.size();
   }
   std::string take() { return std::move(bytes_); }
 
@@ -88,6 +63,12 @@ class Unpacker {
     column.resize(size);
     bytes(column.data(), size * sizeof(T));
   }
+  std::size_t sizeOf(std::vector<std::vector<Vec2>>& paths) {
+    std::size_t size = 0;
+    value(size);
+    paths.resize(size);
+    return size;
+  }
 
  private:
   void bytes(void* to, std::size_t size) {
@@ -99,33 +80,48 @@ class Unpacker {
   std::string_view bytes_;
 };
 
-/// The state of a frame (no events, inputs and tree changes) as bytes: its columns, those left out
-/// that equal the key's bit by bit. For this process only: no format of files.
-std::string packFrame(const Frame& frame, const Frame& key) {
-  Packer packer;
+/// The state of a frame (no events, inputs and tree changes) to or from bytes: its columns, those
+/// left out that equal the key's bit by bit. For this process only: no format of files.
+template <class AnyPacker, class AnyFrame>
+void pass(AnyPacker& packer, AnyFrame& frame, const Frame& key) {
   packer.value(frame.step);
   packer.value(frame.time);
-  forEachColumn(frame, key,
-                [&](const auto& column, const auto& its) { packer.column(column, its); });
-  packer.value(frame.robotPaths.size());
-  for (std::size_t k = 0; k < frame.robotPaths.size(); ++k) {
-    packer.column(frame.robotPaths[k], pathOf(key, k));
+  const auto body = [&packer](auto& columns, const BodyColumns& keys) {
+    packer.column(columns.id, keys.id);
+    packer.column(columns.x, keys.x);
+    packer.column(columns.y, keys.y);
+    packer.column(columns.heading, keys.heading);
+    packer.column(columns.vx, keys.vx);
+    packer.column(columns.vy, keys.vy);
+    packer.column(columns.omega, keys.omega);
+    packer.column(columns.goal, keys.goal);
+  };
+  body(frame.humans, key.humans);
+  body(frame.robots, key.robots);
+  packer.column(frame.humans.group, key.humans.group);
+  packer.column(frame.humans.state, key.humans.state);
+  packer.column(frame.forces.goal, key.forces.goal);
+  packer.column(frame.forces.social, key.forces.social);
+  packer.column(frame.forces.obstacle, key.forces.obstacle);
+  packer.column(frame.forces.group, key.forces.group);
+  packer.column(frame.doorOpen, key.doorOpen);
+  static const std::vector<Vec2> kNoPath;
+  const std::size_t paths = packer.sizeOf(frame.robotPaths);
+  for (std::size_t k = 0; k < paths; ++k) {
+    packer.column(frame.robotPaths[k], k < key.robotPaths.size() ? key.robotPaths[k] : kNoPath);
   }
+}
+
+std::string packFrame(const Frame& frame, const Frame& key) {
+  Packer packer;
+  pass(packer, frame, key);
   return packer.take();
 }
 
 Frame unpackFrame(std::string_view bytes, const Frame& key) {
   Frame frame;
   Unpacker unpacker(bytes);
-  unpacker.value(frame.step);
-  unpacker.value(frame.time);
-  forEachColumn(frame, key, [&](auto& column, const auto& its) { unpacker.column(column, its); });
-  std::size_t paths = 0;
-  unpacker.value(paths);
-  frame.robotPaths.resize(paths);
-  for (std::size_t k = 0; k < paths; ++k) {
-    unpacker.column(frame.robotPaths[k], pathOf(key, k));
-  }
+  pass(unpacker, frame, key);
   return frame;
 }
 
@@ -260,40 +256,23 @@ std::shared_ptr<const TraceHeader> Recording::header() const {
   return count > 0 ? headers_[count - 1] : std::make_shared<const TraceHeader>();
 }
 
-template <class Begin, class Change>
-void Recording::replayTrees(std::int64_t step, Begin begin, Change change) const {
+TreeState Recording::treeAt(int person, std::int64_t step) const {
   const std::size_t end = trees_.count([step](const TreeStep& each) { return each.step <= step; });
   if (end == 0) {
-    return;
+    return {};
   }
   std::size_t from = end - 1;
   while (!trees_[from].before) {
     --from;
   }
-  begin(*trees_[from].before);
-  for (; from < end; ++from) {
-    change(trees_[from].changes);
+  TreeStates trees;
+  const TreeStates& before = *trees_[from].before;
+  if (const auto found = before.find(person); found != before.end()) {
+    trees.insert(*found);
   }
-}
-
-std::map<int, TreeState> Recording::treesAt(std::int64_t step) const {
-  TreeStates trees;
-  replayTrees(
-      step, [&](const TreeStates& before) { trees = before; },
-      [&](const TreeChanges& changes) { apply(changes, trees); });
-  return trees;
-}
-
-TreeState Recording::treeAt(int person, std::int64_t step) const {
-  TreeStates trees;
-  replayTrees(
-      step,
-      [&](const TreeStates& before) {
-        if (const auto found = before.find(person); found != before.end()) {
-          trees.insert(*found);
-        }
-      },
-      [&](const TreeChanges& changes) { apply(changes, trees, person); });
+  for (; from < end; ++from) {
+    apply(trees_[from].changes, trees, person);
+  }
   return trees[person];
 }
 

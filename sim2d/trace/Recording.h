@@ -18,11 +18,6 @@ using StepEvent = std::pair<std::int64_t, Event>;  // with its step
 /// Takes a run while it goes on: every step once, in rising order.
 class FrameSink {
  public:
-  FrameSink() = default;
-  FrameSink(const FrameSink&) = delete;
-  FrameSink& operator=(const FrameSink&) = delete;
-  FrameSink(FrameSink&&) = delete;
-  FrameSink& operator=(FrameSink&&) = delete;
   virtual ~FrameSink() = default;
   virtual void append(const Frame& frame) = 0;
 };
@@ -64,7 +59,6 @@ class Recording final : public FrameSink {
   std::shared_ptr<const TraceHeader> header() const;  // the newest; never null
   /// What the nodes returned last at that step, recorded or not.
   TreeState treeAt(int person, std::int64_t step) const;
-  std::map<int, TreeState> treesAt(std::int64_t step) const;
 
   // all of it
   Trace trace() const { return trace(*header()); }
@@ -85,9 +79,6 @@ class Recording final : public FrameSink {
     std::shared_ptr<const TreeStates> before;  // now and then: where reading may begin
   };
   Frame unpack(std::size_t index, const Frame& key) const;
-  /// Calls begin(states) with states before the step and change(changes) for those up to it.
-  template <class Begin, class Change>
-  void replayTrees(std::int64_t step, Begin begin, Change change) const;
 
   const int recordEvery_;
   SharedLog<State> states_;

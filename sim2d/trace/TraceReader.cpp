@@ -49,58 +49,49 @@ class TrajectoryReader {
     if (!table_.readColumns(kTrajectoryColumns)) {
       return;
     }
-    CsvRow fields;
     Row row;
-    while (table_.next(fields)) {
-      if (parse(fields, row) && isPlaced(fields, row)) {
+    while (table_.next()) {
+      if (parse(row) && isPlaced(row)) {
         append(row);
       }
-      last_ = fields.front();
+      last_ = table_[0];
     }
     checkRobots(last_);
   }
 
  private:
-  bool parse(const CsvRow& fields, Row& row) {
-    static constexpr std::array<const char*, 6> kMotion = {"x",  "y",  "heading",
-                                                           "vx", "vy", "omega"};
-    bool good = table_.readInt(fields[0], "step", row.step);
-    good = table_.readFinite(fields[1], "time", row.time) && good;
-    good = table_.readInt(fields[2], "id", row.id) && good;
-    row.isRobot = fields[3].text == "robot";
-    if (!row.isRobot && fields[3].text != "human") {
-      table_.error(fields[3], "trace.bad-kind", {fields[3].text});
+  bool parse(Row& row) {
+    bool good = table_.read(0, row.step, row.time, row.id);
+    row.isRobot = table_[3].text == "robot";
+    if (!row.isRobot && table_[3].text != "human") {
+      table_.error(3, "trace.bad-kind", {table_[3].text});
       good = false;
     }
-    const std::array<double*, 6> numbers = {&row.pose.position.x(), &row.pose.position.y(),
-                                            &row.pose.heading,      &row.velocity.x(),
-                                            &row.velocity.y(),      &row.omega};
-    for (std::size_t k = 0; k < kMotion.size(); ++k) {
-      good = table_.readFinite(fields[4 + k], kMotion[k], *numbers[k]) && good;
-    }
-    good = table_.readInt(fields[10], "group", row.group) && good;
-    good = table_.readInt(fields[11], "state", row.state) && good;
+    Vec2& place = row.pose.position;
+    good = table_.read(4, place.x(), place.y(), row.pose.heading, row.velocity.x(),
+                       row.velocity.y(), row.omega, row.group, row.state) &&
+           good;
     row.goal = kNoGoal;
-    return (fields[12].text.empty() || table_.readInt(fields[12], "goal", row.goal)) && good;
+    return (table_[12].text.empty() || table_.read(12, row.goal)) && good;
   }
 
   /// Checks the row against the rows before and the header.
-  bool isPlaced(const CsvRow& fields, const Row& row) {
+  bool isPlaced(const Row& row) {
     const TraceHeader& header = trace_.header;
     const std::int64_t before = trace_.frames.empty() ? -1 : trace_.frames.back().step;
     const double time = static_cast<double>(row.step) * header.dt;
     if (row.step < std::max<std::int64_t>(before, 0)) {
-      table_.error(fields[0], "trace.backwards");
+      table_.error(0, "trace.backwards");
     } else if (row.step % header.recordEvery != 0) {
-      table_.error(fields[0], "trace.off-step");
+      table_.error(0, "trace.off-step");
     } else if (std::fabs(row.time - time) > 1e-9 * std::max(1.0, time)) {
-      table_.error(fields[1], "trace.time-off-step");
+      table_.error(1, "trace.time-off-step");
     } else if (const auto& ids = row.isRobot ? robotIds_ : humanIds_; ids.count(row.id) == 0) {
-      table_.error(fields[2], "trace.unknown-id", {row.id});
+      table_.error(2, "trace.unknown-id", {row.id});
     } else if (row.step == before && !isInOrder(row)) {
-      table_.error(fields[2], "trace.bad-order");
+      table_.error(2, "trace.bad-order");
     } else {
-      return fillGap(fields, row.step, before);
+      return fillGap(row.step, before);
     }
     return false;
   }
@@ -114,16 +105,16 @@ class TrajectoryReader {
   }
 
   /// An instant without anybody has no row; with a robot in the record there is none.
-  bool fillGap(const CsvRow& fields, std::int64_t step, std::int64_t before) {
+  bool fillGap(std::int64_t step, std::int64_t before) {
     const std::int64_t expected = before < 0 ? 0 : before + trace_.header.recordEvery;
     if (step == before) {
       return true;
     }
     checkRobots(last_);
     if (step > expected && !robotIds_.empty()) {
-      table_.error(fields[0], "trace.rows-missing", {expected});
+      table_.error(0, "trace.rows-missing", {expected});
     } else if ((step - expected) / trace_.header.recordEvery > kLongestGap) {
-      table_.error(fields[0], "trace.gap");
+      table_.error(0, "trace.gap");
       return false;
     }
     for (std::int64_t k = robotIds_.empty() ? expected : step; k <= step;
@@ -160,26 +151,24 @@ void readEvents(CsvTable& table, Trace& trace) {
   if (!table.readColumns(kEventColumns)) {
     return;
   }
-  CsvRow fields;
-  while (table.next(fields)) {
+  while (table.next()) {
     std::int64_t step = 0;
     double time = 0.0;
     Event event;
-    bool good = table.readInt(fields[0], "step", step);
-    good = table.readFinite(fields[1], "time", time) && good;
-    const std::optional<EventKind> kind = eventKindOf(fields[2].text);
+    bool good = table.read(0, step, time);
+    const std::optional<EventKind> kind = eventKindOf(table[2].text);
     if (!kind) {
-      table.error(fields[2], "trace.unknown-event", {fields[2].text});
+      table.error(2, "trace.unknown-event", {table[2].text});
       continue;
     }
     event.kind = *kind;
-    event.hasId = !fields[3].text.empty();
-    good = (!event.hasId || table.readInt(fields[3], "id", event.id)) && good;
-    event.hasOther = !fields[4].text.empty();
-    good = (!event.hasOther || table.readInt(fields[4], "other", event.other)) && good;
-    event.text = fields[5].text;
+    event.hasId = !table[3].text.empty();
+    good = (!event.hasId || table.read(3, event.id)) && good;
+    event.hasOther = !table[4].text.empty();
+    good = (!event.hasOther || table.read(4, event.other)) && good;
+    event.text = table[5].text;
     if (good && step < (trace.events.empty() ? 0 : trace.events.back().first)) {
-      table.error(fields[0], "trace.backwards");
+      table.error(0, "trace.backwards");
     } else if (good) {
       trace.events.emplace_back(step, std::move(event));
     }
@@ -225,9 +214,8 @@ class TreesReader {
     if (!table_.readColumns(kTreeColumns)) {
       return;
     }
-    CsvRow fields;
-    while (table_.next(fields)) {
-      readRow(fields);
+    while (table_.next()) {
+      readRow();
     }
     std::map<int, TreeChanges::Paths> paths;
     for (auto& [id, tree] : trees_) {
@@ -254,23 +242,22 @@ class TreesReader {
     std::vector<std::string> paths;
   };
 
-  void readRow(const CsvRow& fields) {
+  void readRow() {
     Change row;
-    bool isGood = table_.readInt(fields[0], "step", row.step);
-    isGood = table_.readInt(fields[1], "id", row.id) && isGood;
+    const bool isGood = table_.read(0, row.step, row.id);
     const auto* const status = std::find_if(
         kStatuses.begin(), kStatuses.end(),
-        [&](base::NodeStatus each) { return fields[3].text == base::nodeStatusName(each); });
+        [&](base::NodeStatus each) { return table_[3].text == base::nodeStatusName(each); });
     if (status == kStatuses.end()) {
-      table_.error(fields[3], "trace.unknown-status", {fields[3].text});
+      table_.error(3, "trace.unknown-status", {table_[3].text});
     } else if (isGood && row.step < (rows_.empty() ? 0 : rows_.back().step)) {
-      table_.error(fields[0], "trace.step-backwards");
+      table_.error(0, "trace.step-backwards");
     } else if (isGood) {
       Tree& tree = trees_[row.id];
       const auto [node, isNew] =
-          tree.numbers.emplace(fields[2].text, static_cast<int>(tree.paths.size()));
+          tree.numbers.emplace(table_[2].text, static_cast<int>(tree.paths.size()));
       if (isNew) {
-        tree.paths.push_back(fields[2].text);
+        tree.paths.push_back(table_[2].text);
       }
       row.node = node->second;
       row.status = *status;

@@ -77,20 +77,10 @@ void appendTrajectoryRows(std::string& to, const Frame& frame) {
 }
 
 void appendEventRow(std::string& to, std::int64_t step, double dt, const Event& event) {
-  appendInt(to, step);
-  to += ',';
-  to += base::formatDouble(static_cast<double>(step) * dt);
-  to += ',';
-  to += eventKindName(event.kind);
-  to += ',';
-  if (event.hasId) {
-    appendInt(to, event.id);
-  }
-  to += ',';
-  if (event.hasOther) {
-    appendInt(to, event.other);
-  }
-  to += ',';
+  const auto idText = [](bool isThere, int id) { return isThere ? std::to_string(id) : ""; };
+  to += std::to_string(step) + ',' + base::formatDouble(static_cast<double>(step) * dt) + ',' +
+        eventKindName(event.kind) + ',' + idText(event.hasId, event.id) + ',' +
+        idText(event.hasOther, event.other) + ',';
   appendCsvField(to, event.text);
   to += '\n';
 }

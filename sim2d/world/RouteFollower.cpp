@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim2d/map/Segments.h"
+#include "sim2d/map/Outlines.h"
 
 namespace sim2d {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim2d/map/Segments.h"
+#include "sim2d/map/Outlines.h"
 
 namespace sim2d {
 

@@ -4,7 +4,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "sim2d/map/Pgm.h"
+#include "sim2d/map/MapReader.h"
 #include "tests/fuzz/Require.h"
 
 /// Any bytes as the description of a map, a line of `---`, and its image.
@@ -40,7 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   const MemoryFile file(all.substr(border + std::string(kBorder).size()));
-  const base::Result<sim2d::PgmImage> image = sim2d::readPgm(file.path());
+  const base::Result<sim2d::MapImage> image = sim2d::readPgm(file.path());
   if (!image) {
     return 0;
   }
@@ -49,7 +49,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require(image->shades.size() == pixels, "an image has one value per pixel");
   if (description) {
     for (const sim2d::MapRule rule : {sim2d::MapRule::Humble, sim2d::MapRule::Main}) {
-      const sim2d::OccupancyGrid grid = sim2d::gridFromPgm(*image, *description, rule);
+      const sim2d::OccupancyGrid grid = sim2d::gridFromImage(*image, *description, rule);
       require(grid.width() == image->width && grid.height() == image->height,
               "a grid has the size of its image");
     }

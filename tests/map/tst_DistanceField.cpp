@@ -5,7 +5,6 @@
 #include <QtTest>
 
 #include "sim2d/map/DistanceField.h"
-#include "sim2d/map/DistanceTransform.h"
 
 using namespace sim2d;
 

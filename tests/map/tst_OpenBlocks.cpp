@@ -2,7 +2,7 @@
 
 #include <QtTest>
 
-#include "sim2d/map/OpenBlocks.h"
+#include "sim2d/map/NavigationMap.h"
 #include "tests/map/MapSketch.h"
 
 using namespace sketch;

@@ -5,7 +5,6 @@
 #include <QtTest>
 
 #include "sim2d/map/Outlines.h"
-#include "sim2d/map/Segments.h"
 
 using namespace sim2d;
 

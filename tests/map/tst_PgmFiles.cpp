@@ -1,6 +1,6 @@
 #include <QtTest>
 
-#include "sim2d/map/Pgm.h"
+#include "sim2d/map/MapReader.h"
 #include "tests/map/WrittenFiles.h"
 
 using namespace sim2d;
@@ -10,7 +10,7 @@ using written::textOf;
 /// Reading of PGM images, plain and raw.
 namespace {
 
-MapImage asMapImage(const PgmImage& grey) {
+MapImage asMapImage(const MapImage& grey) {
   MapImage image;
   image.width = grey.width;
   image.height = grey.height;
@@ -136,7 +136,8 @@ void PgmFilesTest::gridFromPgm_everyShade_isAsOfTheImage() {
         MapDescription description;
         description.mode = mode;
         description.negate = negate;
-        QVERIFY(gridFromPgm(*shades, description, rule) == gridFromImage(image, description, rule));
+        QVERIFY(gridFromImage(*shades, description, rule) ==
+                gridFromImage(image, description, rule));
       }
     }
   }

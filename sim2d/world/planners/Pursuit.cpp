@@ -3,7 +3,7 @@
 
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Problems.h"
-#include "sim2d/map/Segments.h"
+#include "sim2d/map/Outlines.h"
 #include "sim2d/world/planners/RobotController.h"
 
 namespace sim2d {
