@@ -150,7 +150,7 @@ void DocumentGuard::lookNow() {
 void DocumentGuard::offerRecovery() {
   for (const QString& folder : editor::Autosave::leftBehind(recoveryFolder_)) {
     const base::Result<editor::DocumentSnapshot> copy = editor::readSnapshot(folder);
-    const Notice::Choice discard = {tr("Discard"), [folder] { editor::Autosave::discard(folder); }};
+    const Notice::Choice discard = {tr("Discard"), [folder] { QDir(folder).removeRecursively(); }};
     if (!copy) {
       notices_.warn(folder,
                     tr("Unsaved work of an earlier session cannot be read: %1")

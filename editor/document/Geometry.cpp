@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "sim2d/map/Outlines.h"
-#include "sim2d/map/Segments.h"
 
 namespace editor {
 
