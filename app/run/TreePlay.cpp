@@ -217,7 +217,7 @@ void noteHalt(bt::LeafContext& leaf) {
 base::Diagnostics unusedNames(const bt::Program& program, const LeafScript& script) {
   std::vector<std::string> names;
   for (int node = 0; node < program.nodeCount(); ++node) {
-    if (program.node(node).code == bt::NodeCode::Stateful) {  // a leaf of the script
+    if (program.node(node).isStateful) {  // a leaf of the script
       names.push_back(program.label(node));
       names.push_back(program.manifest(node).id);
     }

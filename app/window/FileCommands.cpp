@@ -181,7 +181,7 @@ base::Diagnostics FileCommands::applyRunOptions() {
     return problems;
   }
   std::vector<editor::Entity> values, newRobots;
-  editor::forEachList(wanted, [&](base::EntityKind /*kind*/, const auto& list) {
+  sim2d::forEachList(wanted, [&](base::EntityKind /*kind*/, const auto& list) {
     for (const auto& entity : list) {
       (document.contains(entity.key) ? values : newRobots).emplace_back(entity);
     }

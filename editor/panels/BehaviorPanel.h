@@ -58,7 +58,7 @@ class BehaviorPanel : public QWidget {
   EntityId person_;
   PersonTree tree_;
   std::vector<bt::Block> blocks_;  // of its main tree
-  bool stale_ = false;  // the document has changed while this was hidden
+  bool stale_ = false;             // the document has changed while this was hidden
   QStackedLayout* stack_;
   QLabel *name_, *about_, *problem_;
   QToolButton *add_, *template_, *anew_, *takeRoute_, *earlier_, *later_;

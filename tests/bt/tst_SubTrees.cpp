@@ -167,10 +167,8 @@ void SubTreesTest::entries_list_hasPathsOfSubTrees() {
   probe::Run run(trees("<Sequence><Script code='a := 1.5'/><SubTree ID='Sub' name='s'/></Sequence>",
                        "<Script code=\"b := 'text'\"/>"));
   run.tick();
-  const std::vector<bt::TreeState::EntryText> entries = run.state->entries();
-  QCOMPARE(entries.size(), std::size_t(2));
-  QVERIFY(entries[0].key == "a" && entries[0].text == "1.5");
-  QVERIFY(entries[1].key == "Sequence/s/b" && entries[1].text == "text");
+  using Entries = std::vector<std::pair<std::string, std::string>>;
+  QVERIFY((run.state->entries() == Entries{{"a", "1.5"}, {"Sequence/s/b", "text"}}));
 }
 
 void SubTreesTest::compile_tooManySubTrees_isRefused() {
