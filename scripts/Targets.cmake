@@ -43,7 +43,7 @@ function(hunav_library target)
   set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX)
   target_link_libraries(${target} PUBLIC hunav_flags ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   hunav_precompile(${target} ${ARG_PUBLIC} ${ARG_PRIVATE})
-  if(HUNAV_FAST)
+  if(HUNAV_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
     if(CMAKE_CXX_CLANG_TIDY)  # looked for from where a unit lies; a unit includes sources, of course
@@ -56,9 +56,10 @@ function(hunav_library target)
   endif()
 endfunction()
 
-# Headers that nearly every file reads, parsed once per target, and eight files of a folder as one
-# unit: a quarter of the time of a cold build. A file that forgets an include is told by
-# layering.standard_includes, and by the preset without HUNAV_FAST (debug).
+# Headers that nearly every file reads, parsed once per target: with units of eight files a quarter of
+# the time of a cold build. A file that forgets a standard header is told by
+# layering.standard_includes; one that lives on names of its neighbours in a unit by asan, whose
+# preset has no units.
 function(hunav_precompile target)
   if(NOT HUNAV_FAST)
     return()
