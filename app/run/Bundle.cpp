@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include "app/run/DataPaths.h"
 #include "sim2d/base/Text.h"
@@ -137,6 +138,13 @@ base::Result<sim2d::MapFile> readMapFile(const std::string& path, const std::str
                                          const sim2d::ImageLoader& loader) {
   return sim2d::readMap(path, loader,
                         rule == "main" ? sim2d::MapRule::Main : sim2d::MapRule::Humble);
+}
+
+base::Diagnostics errorsOf(const base::Diagnostics& problems) {
+  base::Diagnostics errors;
+  std::copy_if(problems.begin(), problems.end(), std::back_inserter(errors),
+               [](const base::Diagnostic& said) { return said.severity == base::Severity::Error; });
+  return errors;
 }
 
 Bundle readBundle(const RunOptions& options, const RunSettings& settings,
