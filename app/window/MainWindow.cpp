@@ -17,6 +17,7 @@
 #include "app/window/NoticeBar.h"
 #include "app/window/StatusLine.h"
 #include "app/window/ToolBars.h"
+#include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/GoalAssignment.h"
 #include "editor/panels/IssuesPanel.h"
@@ -96,11 +97,7 @@ void MainWindow::placeParts(const WindowSetup& setup) {
   workspace_.view().setAcceptDrops(false);  // files fall through to the window
   setAcceptDrops(true);
   auto* middle = new QWidget(this);
-  auto* rows = new QVBoxLayout(middle);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(0);
-  rows->addWidget(notices_);
-  rows->addWidget(centre_, 1);
+  editor::arranged(new QVBoxLayout(middle), {}, 0, {notices_})->addWidget(centre_, 1);
   middle->setMinimumHeight(kLeastMiddle);
   connect(notices_, &NoticeBar::keyboardFree, this,
           [this] { centre_->currentWidget()->setFocus(); });
