@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <utility>
 
 #include "app/run/DataPaths.h"
 #include "sim2d/base/Text.h"
