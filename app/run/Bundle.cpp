@@ -100,13 +100,6 @@ base::Diagnostics withPlaces(base::Diagnostics found, const Bundle& bundle) {
   return found;
 }
 
-/// What the file says wrongly, and what the scenario then means.
-base::Diagnostics checkMeaning(const Bundle& bundle, const sim2d::Surroundings& surroundings) {
-  return withPlaces(sim2d::checkScenario(*bundle.scenario, surroundings, bundle.path,
-                                         sim2d::knownNames(sim2d::programRegistries())),
-                    bundle);
-}
-
 void checkMetrics(const Bundle& bundle, Verdict& verdict) {
   const base::Result<MetricsSetup> setup = metricsSetupOf(*bundle.scenario, bundle.path);
   base::append(verdict.problems, setup.diagnostics());
@@ -182,7 +175,10 @@ Verdict check(const Bundle& bundle, CheckDepth depth) {
   }
   sim2d::WorldSetup setup;
   setup.surroundings = surroundingsOf(bundle);
-  base::append(verdict.problems, checkMeaning(bundle, *setup.surroundings));
+  const base::Diagnostics meaning =
+      sim2d::checkScenario(*bundle.scenario, *setup.surroundings, bundle.path,
+                           sim2d::knownNames(sim2d::programRegistries()));
+  base::append(verdict.problems, withPlaces(meaning, bundle));
   setup.behavior = bt::makeTreeBehavior(*bundle.scenario, bundle.trees, verdict.problems,
                                         bundle.settings.compatibility);
   checkMetrics(bundle, verdict);

@@ -160,7 +160,10 @@ QWidget* ExportDialog::makeStart() {
   heading->addStretch(1);
   copy_ = new QPushButton(tr("Co&py"), start);
   copy_->setAutoDefault(false);
-  connect(copy_, &QPushButton::clicked, this, &ExportDialog::copyStart);
+  connect(copy_, &QPushButton::clicked, this, [this] {
+    QGuiApplication::clipboard()->setText(QString::fromStdString(plan_.startCommand));
+    copy_->setText(tr("Copied"));
+  });
   heading->addWidget(copy_);
   rows->addLayout(heading);
   command_->setReadOnly(true);
@@ -173,11 +176,6 @@ QWidget* ExportDialog::makeStart() {
   command_->setFixedHeight(3 * line + 2 * (margin + command_->frameWidth()));
   rows->addWidget(command_);
   return start;
-}
-
-void ExportDialog::copyStart() {
-  QGuiApplication::clipboard()->setText(QString::fromStdString(plan_.startCommand));
-  copy_->setText(tr("Copied"));
 }
 
 void ExportDialog::fillTargets() {

@@ -28,7 +28,6 @@ class ExportDialog : public QDialog {
   void build();
   QLayout* makeForm();
   QWidget* makeStart();
-  void copyStart();
   void fillTargets();
   void replan();
   void showFiles();

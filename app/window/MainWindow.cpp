@@ -119,10 +119,6 @@ MainWindow::~MainWindow() {
   delete actions_;
 }
 
-bool MainWindow::isOnStartPage() const {
-  return centre_->currentWidget() == startPage_;
-}
-
 void MainWindow::connectFiles() {
   FileCommands* files = files_;
   connect(actions_->newRoom, &QAction::triggered, this, [files] {
@@ -288,15 +284,13 @@ void MainWindow::setTheme(const editor::Theme& theme) {
 }
 
 void MainWindow::showFullScreenMap(bool on) {
-  if (isOnStartPage()) {
-    on ? showFullScreen() : showNormal();
-    return;
+  if (!isOnStartPage()) {
+    menuBar()->setVisible(!on);
+    docks_->setShown(!on);  // first: it remembers the tool bar as well
+    toolBar_->setVisible(!on);
+    statusBar()->setVisible(!on);
+    addAction(actions_->fullScreen);  // its key works without the menu bar
   }
-  menuBar()->setVisible(!on);
-  docks_->setShown(!on);  // first: it remembers the tool bar as well
-  toolBar_->setVisible(!on);
-  statusBar()->setVisible(!on);
-  addAction(actions_->fullScreen);  // its key works without the menu bar
   on ? showFullScreen() : showNormal();
 }
 

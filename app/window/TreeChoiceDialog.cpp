@@ -211,10 +211,9 @@ TreeChoiceDialog::TreeChoiceDialog(std::vector<TreeQuestion> questions, const ed
 }
 
 void TreeChoiceDialog::build() {
-  auto* rows = editor::arranged(new QVBoxLayout(this), {16, 16, 16, 12}, 8);
   auto* title = new QLabel(tr("Saving would replace what somebody wrote"), this);
   title->setFont(theme_.font(12.0, QFont::DemiBold));
-  rows->addWidget(title);
+  auto* rows = editor::arranged(new QVBoxLayout(this), {16, 16, 16, 12}, 8, {title});
   auto* columns = editor::arranged(new QHBoxLayout, {}, 16, {list_});
   list_->setFixedWidth(kListWidth);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
