@@ -134,7 +134,13 @@ QLayout* ExportDialog::makeForm() {
   place->addWidget(folder_, 1);
   auto* choose = new QPushButton(tr("C&hoose…"), this);
   choose->setAutoDefault(false);
-  connect(choose, &QPushButton::clicked, this, &ExportDialog::browse);
+  connect(choose, &QPushButton::clicked, this, [this] {
+    const QString chosen =
+        QFileDialog::getExistingDirectory(this, tr("Folder for the export"), folder_->text());
+    if (!chosen.isEmpty()) {
+      folder_->setText(chosen);
+    }
+  });
   place->addWidget(choose);
   setTabOrder(folder_, choose);
   setTabOrder(choose, dialect_);
@@ -186,14 +192,6 @@ void ExportDialog::fillTargets() {
     item->setToolTip(target.package.empty()
                          ? tr("The layout of HuNavSim, for any simulator")
                          : tr("For %1").arg(QString::fromStdString(target.package)));
-  }
-}
-
-void ExportDialog::browse() {
-  const QString chosen =
-      QFileDialog::getExistingDirectory(this, tr("Folder for the export"), folder_->text());
-  if (!chosen.isEmpty()) {
-    folder_->setText(chosen);
   }
 }
 

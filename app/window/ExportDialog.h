@@ -32,7 +32,6 @@ class ExportDialog : public QDialog {
   void replan();
   void showFiles();
   void showReport();
-  void browse();
 
   Bundle source_;
   ExportPlan plan_;
