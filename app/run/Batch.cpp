@@ -6,7 +6,6 @@
 #include <csignal>
 #include <fcntl.h>
 #include <filesystem>
-#include <iterator>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -308,9 +307,7 @@ base::Diagnostics checkExperiment(const Experiment& experiment, const sim2d::Ima
       diagnostic.file = diagnostic.file.empty() ? experiment.path : diagnostic.file;
       problems.push_back(std::move(diagnostic));
     }
-    std::copy_if(
-        verdict.problems.begin(), verdict.problems.end(), std::back_inserter(problems),
-        [](const base::Diagnostic& said) { return said.severity == base::Severity::Error; });
+    base::append(problems, errorsOf(verdict.problems));
   }
   return problems;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include "app/run/DataPaths.h"
 #include "sim2d/base/Text.h"
@@ -99,13 +100,6 @@ base::Diagnostics withPlaces(base::Diagnostics found, const Bundle& bundle) {
   return found;
 }
 
-/// What the file says wrongly, and what the scenario then means.
-base::Diagnostics checkMeaning(const Bundle& bundle, const sim2d::Surroundings& surroundings) {
-  return withPlaces(sim2d::checkScenario(*bundle.scenario, surroundings, bundle.path,
-                                         sim2d::knownNames(sim2d::programRegistries())),
-                    bundle);
-}
-
 void checkMetrics(const Bundle& bundle, Verdict& verdict) {
   const base::Result<MetricsSetup> setup = metricsSetupOf(*bundle.scenario, bundle.path);
   base::append(verdict.problems, setup.diagnostics());
@@ -137,6 +131,13 @@ base::Result<sim2d::MapFile> readMapFile(const std::string& path, const std::str
                                          const sim2d::ImageLoader& loader) {
   return sim2d::readMap(path, loader,
                         rule == "main" ? sim2d::MapRule::Main : sim2d::MapRule::Humble);
+}
+
+base::Diagnostics errorsOf(const base::Diagnostics& problems) {
+  base::Diagnostics errors;
+  std::copy_if(problems.begin(), problems.end(), std::back_inserter(errors),
+               [](const base::Diagnostic& said) { return said.severity == base::Severity::Error; });
+  return errors;
 }
 
 Bundle readBundle(const RunOptions& options, const RunSettings& settings,
@@ -174,7 +175,10 @@ Verdict check(const Bundle& bundle, CheckDepth depth) {
   }
   sim2d::WorldSetup setup;
   setup.surroundings = surroundingsOf(bundle);
-  base::append(verdict.problems, checkMeaning(bundle, *setup.surroundings));
+  const base::Diagnostics meaning =
+      sim2d::checkScenario(*bundle.scenario, *setup.surroundings, bundle.path,
+                           sim2d::knownNames(sim2d::programRegistries()));
+  base::append(verdict.problems, withPlaces(meaning, bundle));
   setup.behavior = bt::makeTreeBehavior(*bundle.scenario, bundle.trees, verdict.problems,
                                         bundle.settings.compatibility);
   checkMetrics(bundle, verdict);

@@ -74,6 +74,9 @@ enum class CheckDepth { Meaning, World };
 /// and what trees in files hold.
 Verdict check(const Bundle& bundle, CheckDepth depth = CheckDepth::World);
 
+/// Those that are errors.
+base::Diagnostics errorsOf(const base::Diagnostics& problems);
+
 /// The map at `path` by the rule of nav2 of this name.
 base::Result<sim2d::MapFile> readMapFile(const std::string& path, const std::string& rule,
                                          const sim2d::ImageLoader& loader);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <utility>
 
 #include "app/run/DataPaths.h"
 #include "sim2d/base/Text.h"
@@ -240,16 +239,13 @@ class Reader {
   }
 
   void readRecord(const YamlNode* node) {
-    if (node == nullptr || node->text == "metrics") {
-      return;
-    }
-    if (node->text == "failed") {
-      experiment_.record = Experiment::Record::Failed;
-    } else if (node->text == "all") {
-      experiment_.record = Experiment::Record::All;
-    } else {
+    const std::string word = node != nullptr ? node->text : "metrics";
+    if (word != "metrics" && word != "failed" && word != "all") {
       error(*node, "experiment.bad-record");
     }
+    experiment_.record = word == "failed" ? Experiment::Record::Failed
+                         : word == "all"  ? Experiment::Record::All
+                                          : Experiment::Record::Metrics;
   }
 
   Experiment experiment_;

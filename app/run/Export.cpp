@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <set>
 #include <string_view>
 #include <tuple>
@@ -11,7 +10,6 @@
 #include "bt/human/HumanNodes.h"
 #include "bt/human/TreeExport.h"
 #include "bt/tree/TreeXml.h"
-#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"
 #include "sim2d/scenario/ScenarioCheck.h"
@@ -21,13 +19,6 @@ namespace app {
 namespace {
 
 namespace fs = std::filesystem;
-
-base::Diagnostics errorsOf(const base::Diagnostics& problems) {
-  base::Diagnostics errors;
-  std::copy_if(problems.begin(), problems.end(), std::back_inserter(errors),
-               [](const base::Diagnostic& said) { return said.severity == base::Severity::Error; });
-  return errors;
-}
 
 /// A map that every wrapper reads as it is: its image beside it, thresholds of the original.
 bool isPlainMap(const sim2d::MapDescription& map) {

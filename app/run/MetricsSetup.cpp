@@ -2,7 +2,6 @@
 
 #include <filesystem>
 
-#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 
 namespace app {

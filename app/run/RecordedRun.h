@@ -3,7 +3,6 @@
 #include <memory>
 #include <string>
 
-#include "app/run/RunFolder.h"
 #include "sim2d/scenario/Scenario.h"
 #include "sim2d/trace/Recording.h"
 

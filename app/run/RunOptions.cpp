@@ -72,9 +72,7 @@ base::Diagnostics applyRobot(sim2d::Scenario& scenario, const RunOptions& option
 
 std::optional<std::vector<double>> parseNumbers(const std::string& text, std::size_t count) {
   std::string spaced = text;
-  for (char& letter : spaced) {
-    letter = letter == ',' ? ' ' : letter;
-  }
+  std::replace(spaced.begin(), spaced.end(), ',', ' ');
   std::istringstream words(spaced);
   std::vector<double> values;
   for (std::string word; words >> word;) {

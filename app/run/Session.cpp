@@ -78,10 +78,6 @@ class Session::Feed : public sim2d::FrameSink {
   std::int64_t newest_ = -1;
 };
 
-void Session::keepHistory(int recordEvery) {
-  history_ = std::make_shared<sim2d::Recording>(recordEvery);
-}
-
 sim2d::RunResult Session::run(sim2d::World& world, sim2d::FrameSink* sink, const Watcher& watch) {
   Feed feed(*this, world, sink);
   const auto wantsStop = [&](const sim2d::Frame& frame) {

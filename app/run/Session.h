@@ -38,7 +38,7 @@ class Session {
   // the thread that runs
   /// From now on the past can be looked at: each state is recorded as soon as it is there, and the
   /// newest one is news.
-  void keepHistory(int recordEvery);
+  void keepHistory(int recordEvery) { history_ = std::make_shared<sim2d::Recording>(recordEvery); }
   /// Null without; complete when the run is over.
   RecordingPtr history() const { return history_; }
   /// Once. `watch` sees each state before the next step and may give orders; `sink` gets all of

@@ -7,7 +7,6 @@
 #include "bt/human/HumanContext.h"
 #include "bt/human/HumanNodes.h"
 #include "bt/tree/TreeXml.h"
-#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/world/HumanBehavior.h"

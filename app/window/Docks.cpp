@@ -4,7 +4,6 @@
 #include <utility>
 
 #include <QPainter>
-#include <QToolBar>
 
 #include "editor/look/Form.h"
 #include "editor/panels/Playback.h"

@@ -1,7 +1,5 @@
 #include "app/window/DocumentGuard.h"
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include <QDesktopServices>
@@ -33,13 +31,6 @@ constexpr QLatin1String kUnread("unread");
 QString namesOf(const QStringList& files) {
   const QString first = QFileInfo(files.front()).fileName();
   return files.size() == 1 ? first : QObject::tr("%1 and %2 more").arg(first).arg(files.size() - 1);
-}
-
-base::Diagnostics errorsOf(const base::Diagnostics& problems) {
-  base::Diagnostics errors;
-  std::copy_if(problems.begin(), problems.end(), std::back_inserter(errors),
-               [](const base::Diagnostic& said) { return said.severity == base::Severity::Error; });
-  return errors;
 }
 
 /// "No space left on device", with the file when it is one among others that could be written.

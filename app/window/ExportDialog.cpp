@@ -30,15 +30,9 @@ constexpr int kTargetWidth = 168;
 constexpr int kFileRow = 24;
 
 QString stateText(ExportPlan::State state) {
-  switch (state) {
-    case ExportPlan::State::New:
-      return QObject::tr("new");
-    case ExportPlan::State::Replaced:
-      return QObject::tr("is replaced");
-    case ExportPlan::State::Unchanged:
-      break;
-  }
-  return QObject::tr("stays as it is");
+  return state == ExportPlan::State::New        ? QObject::tr("new")
+         : state == ExportPlan::State::Replaced ? QObject::tr("is replaced")
+                                                : QObject::tr("stays as it is");
 }
 
 /// What is started, then its arguments: as a shell takes it.
@@ -87,18 +81,13 @@ ExportDialog::ExportDialog(Bundle source, const QString& folder, const editor::T
 
 void ExportDialog::build() {
   resize(820, 620);
-  auto* rows = new QVBoxLayout(this);
-  rows->setContentsMargins(16, 16, 16, 12);
-  rows->setSpacing(8);
-  auto* columns = new QHBoxLayout;
-  columns->setSpacing(16);
+  auto* rows = editor::arranged(new QVBoxLayout(this), {16, 16, 16, 12}, 8);
+  auto* columns = editor::arranged(new QHBoxLayout, {}, 16, {targets_});
   targets_->setFixedWidth(kTargetWidth);
   targets_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   targets_->setIconSize(QSize(16, 16));
   targets_->setAccessibleName(tr("Simulator"));
-  columns->addWidget(targets_);
-  auto* right = new QVBoxLayout;
-  right->setSpacing(8);
+  auto* right = editor::arranged(new QVBoxLayout, {}, 8);
   right->addLayout(makeForm());
   right->addSpacing(4);
   right->addWidget(summary_);
@@ -140,13 +129,18 @@ QLayout* ExportDialog::makeForm() {
   form->setLabelAlignment(Qt::AlignRight);
   form->setHorizontalSpacing(8);
   form->setVerticalSpacing(4);
-  auto* place = new QHBoxLayout;
-  place->setSpacing(8);
+  auto* place = editor::arranged(new QHBoxLayout, {}, 8);
   folder_->setAccessibleName(tr("Folder"));
   place->addWidget(folder_, 1);
   auto* choose = new QPushButton(tr("C&hoose…"), this);
   choose->setAutoDefault(false);
-  connect(choose, &QPushButton::clicked, this, &ExportDialog::browse);
+  connect(choose, &QPushButton::clicked, this, [this] {
+    const QString chosen =
+        QFileDialog::getExistingDirectory(this, tr("Folder for the export"), folder_->text());
+    if (!chosen.isEmpty()) {
+      folder_->setText(chosen);
+    }
+  });
   place->addWidget(choose);
   setTabOrder(folder_, choose);
   setTabOrder(choose, dialect_);
@@ -164,9 +158,7 @@ QLayout* ExportDialog::makeForm() {
 /// The whole command is seen, and can be taken along.
 QWidget* ExportDialog::makeStart() {
   auto* start = new QWidget(this);
-  auto* rows = new QVBoxLayout(start);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(4);
+  auto* rows = editor::arranged(new QVBoxLayout(start), {}, 4);
   auto* heading = new QHBoxLayout;
   auto* title = new QLabel(tr("Start it there with"), start);
   title->setFont(theme_.font(9.5, QFont::DemiBold));
@@ -174,7 +166,10 @@ QWidget* ExportDialog::makeStart() {
   heading->addStretch(1);
   copy_ = new QPushButton(tr("Co&py"), start);
   copy_->setAutoDefault(false);
-  connect(copy_, &QPushButton::clicked, this, &ExportDialog::copyStart);
+  connect(copy_, &QPushButton::clicked, this, [this] {
+    QGuiApplication::clipboard()->setText(QString::fromStdString(plan_.startCommand));
+    copy_->setText(tr("Copied"));
+  });
   heading->addWidget(copy_);
   rows->addLayout(heading);
   command_->setReadOnly(true);
@@ -189,11 +184,6 @@ QWidget* ExportDialog::makeStart() {
   return start;
 }
 
-void ExportDialog::copyStart() {
-  QGuiApplication::clipboard()->setText(QString::fromStdString(plan_.startCommand));
-  copy_->setText(tr("Copied"));
-}
-
 void ExportDialog::fillTargets() {
   for (const sim2d::TargetInfo& target : sim2d::exportTargets()) {
     auto* item = new QListWidgetItem(QString::fromStdString(target.title), targets_);
@@ -202,14 +192,6 @@ void ExportDialog::fillTargets() {
     item->setToolTip(target.package.empty()
                          ? tr("The layout of HuNavSim, for any simulator")
                          : tr("For %1").arg(QString::fromStdString(target.package)));
-  }
-}
-
-void ExportDialog::browse() {
-  const QString chosen =
-      QFileDialog::getExistingDirectory(this, tr("Folder for the export"), folder_->text());
-  if (!chosen.isEmpty()) {
-    folder_->setText(chosen);
   }
 }
 

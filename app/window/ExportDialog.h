@@ -28,12 +28,10 @@ class ExportDialog : public QDialog {
   void build();
   QLayout* makeForm();
   QWidget* makeStart();
-  void copyStart();
   void fillTargets();
   void replan();
   void showFiles();
   void showReport();
-  void browse();
 
   Bundle source_;
   ExportPlan plan_;

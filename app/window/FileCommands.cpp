@@ -117,10 +117,6 @@ bool FileCommands::openScenario(const QString& path) {
   return isFine;
 }
 
-bool FileCommands::reload() {
-  return openScenario(workspace_.document().path());
-}
-
 bool FileCommands::restore(const QString& folder) {
   if (!mayLeave()) {
     return false;

@@ -30,7 +30,8 @@ class FileCommands : public QObject {
   static bool isImage(const QString& path);  // by its name; opening it asks for its scale
   /// The same for a file that was dropped onto `under` (nothing = beside everything).
   bool dropFile(const QString& path, editor::EntityId under);
-  bool reload();                        // the file of the document, as it is on the disk now
+  /// The file of the document, as it is on the disk now.
+  bool reload() { return openScenario(workspace_.document().path()); }
   bool restore(const QString& folder);  // a copy of an earlier session that has crashed
   bool openNewFromMap(const QString& mapYaml);
   bool putOtherMap(const QString& mapYaml);  // under the scenario that is open

@@ -17,6 +17,7 @@
 #include "app/window/NoticeBar.h"
 #include "app/window/StatusLine.h"
 #include "app/window/ToolBars.h"
+#include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/GoalAssignment.h"
 #include "editor/panels/IssuesPanel.h"
@@ -96,11 +97,7 @@ void MainWindow::placeParts(const WindowSetup& setup) {
   workspace_.view().setAcceptDrops(false);  // files fall through to the window
   setAcceptDrops(true);
   auto* middle = new QWidget(this);
-  auto* rows = new QVBoxLayout(middle);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(0);
-  rows->addWidget(notices_);
-  rows->addWidget(centre_, 1);
+  editor::arranged(new QVBoxLayout(middle), {}, 0, {notices_})->addWidget(centre_, 1);
   middle->setMinimumHeight(kLeastMiddle);
   connect(notices_, &NoticeBar::keyboardFree, this,
           [this] { centre_->currentWidget()->setFocus(); });
@@ -120,10 +117,6 @@ MainWindow::~MainWindow() {
   delete takeCentralWidget();
   delete docks_;
   delete actions_;
-}
-
-bool MainWindow::isOnStartPage() const {
-  return centre_->currentWidget() == startPage_;
 }
 
 void MainWindow::connectFiles() {
@@ -291,15 +284,13 @@ void MainWindow::setTheme(const editor::Theme& theme) {
 }
 
 void MainWindow::showFullScreenMap(bool on) {
-  if (isOnStartPage()) {
-    on ? showFullScreen() : showNormal();
-    return;
+  if (!isOnStartPage()) {
+    menuBar()->setVisible(!on);
+    docks_->setShown(!on);  // first: it remembers the tool bar as well
+    toolBar_->setVisible(!on);
+    statusBar()->setVisible(!on);
+    addAction(actions_->fullScreen);  // its key works without the menu bar
   }
-  menuBar()->setVisible(!on);
-  docks_->setShown(!on);  // first: it remembers the tool bar as well
-  toolBar_->setVisible(!on);
-  statusBar()->setVisible(!on);
-  addAction(actions_->fullScreen);  // its key works without the menu bar
   on ? showFullScreen() : showNormal();
 }
 

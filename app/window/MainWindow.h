@@ -55,7 +55,7 @@ class MainWindow : public QMainWindow {
   DocumentGuard& guard() { return *guard_; }
   bool open(const QString& path) { return files_->openFile(path); }
   void setTheme(const editor::Theme& theme);
-  bool isOnStartPage() const;
+  bool isOnStartPage() const { return centre_->currentWidget() == startPage_; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;

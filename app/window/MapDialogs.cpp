@@ -60,13 +60,9 @@ RoomDialog::RoomDialog(const editor::Theme& theme, QWidget* parent)
       height_(metres(9.0, 1.0, 500.0, this)) {
   setWindowTitle(tr("New empty room"));
   setMinimumWidth(300);
-  auto* rows = new QVBoxLayout(this);
-  rows->setContentsMargins(16, 16, 16, 12);
-  rows->setSpacing(8);
   auto* title = new QLabel(tr("New empty room"), this);
   title->setFont(theme.font(12.0, QFont::DemiBold));
-  rows->addWidget(title);
-  rows->addWidget(walls_);
+  auto* rows = editor::arranged(new QVBoxLayout(this), {16, 16, 16, 12}, 8, {title, walls_});
   auto* form = new QFormLayout;
   form->setLabelAlignment(Qt::AlignRight);
   form->setHorizontalSpacing(8);
@@ -85,10 +81,6 @@ RoomDialog::RoomDialog(const editor::Theme& theme, QWidget* parent)
   height_->setAccessibleName(tr("Height"));
   width_->setFocus();
   width_->selectAll();
-}
-
-QSizeF RoomDialog::size() const {
-  return {width_->value(), height_->value()};
 }
 
 ScaleView::ScaleView(QImage image, const editor::Theme& theme, QWidget* parent)
@@ -200,11 +192,8 @@ ImageMapDialog::ImageMapDialog(std::shared_ptr<const sim2d::OccupancyGrid> grid,
   resolution_->setSingleStep(0.01);
   resolution_->setSuffix(tr(" m per pixel"));
   byPoints_->setChecked(true);
-  auto* rows = new QVBoxLayout(this);
-  rows->setContentsMargins(16, 16, 16, 12);
-  rows->setSpacing(12);
-  auto* columns = new QHBoxLayout;
-  columns->setSpacing(16);
+  auto* rows = editor::arranged(new QVBoxLayout(this), {16, 16, 16, 12}, 12);
+  auto* columns = editor::arranged(new QHBoxLayout, {}, 16);
   columns->addWidget(view_, 1);
   columns->addLayout(makeSide());
   rows->addLayout(columns, 1);
@@ -219,11 +208,9 @@ ImageMapDialog::ImageMapDialog(std::shared_ptr<const sim2d::OccupancyGrid> grid,
 }
 
 QLayout* ImageMapDialog::makeSide() {
-  auto* side = new QVBoxLayout;
-  side->setSpacing(8);
   auto* title = new QLabel(tr("How large is it?"), this);
   title->setFont(theme_.font(12.0, QFont::DemiBold));
-  side->addWidget(title);
+  auto* side = editor::arranged(new QVBoxLayout, {}, 8, {title, byPoints_});
   const auto addFields = [&](const std::vector<std::pair<QString, QDoubleSpinBox*>>& fields) {
     auto* form = new QGridLayout;
     form->setHorizontalSpacing(8);
@@ -239,7 +226,6 @@ QLayout* ImageMapDialog::makeSide() {
     }
     side->addLayout(form);
   };
-  side->addWidget(byPoints_);
   hint_->setWordWrap(true);
   hint_->setFixedWidth(kSideWidth);
   hint_->setMinimumHeight(2 * hint_->fontMetrics().lineSpacing());  // nothing moves with its words

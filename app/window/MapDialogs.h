@@ -21,7 +21,7 @@ class RoomDialog : public QDialog {
   Q_OBJECT
  public:
   explicit RoomDialog(const editor::Theme& theme, QWidget* parent = nullptr);
-  QSizeF size() const;  // of the free ground [m]
+  QSizeF size() const { return {width_->value(), height_->value()}; }  // of the free ground [m]
   bool hasWalls() const { return walls_->isChecked(); }
 
  private:

@@ -31,9 +31,7 @@ class NoticeRow : public QWidget {
     grid_->setHorizontalSpacing(8);
     grid_->setVerticalSpacing(4);
     grid_->setColumnStretch(kWordsColumn, 1);
-    buttons_ = new QHBoxLayout(&choices_);
-    buttons_->setContentsMargins(0, 0, 0, 0);
-    buttons_->setSpacing(8);
+    buttons_ = editor::arranged(new QHBoxLayout(&choices_), {}, 8);
     grid_->addWidget(&choices_, 0, kChoicesColumn);
   }
 
@@ -64,9 +62,7 @@ class NoticeRow : public QWidget {
 }  // namespace
 
 NoticeBar::NoticeBar(const editor::Theme& theme, QWidget* parent)
-    : QWidget(parent), theme_(theme), rows_(new QVBoxLayout(this)) {
-  rows_->setContentsMargins(0, 0, 0, 0);
-  rows_->setSpacing(0);
+    : QWidget(parent), theme_(theme), rows_(editor::arranged(new QVBoxLayout(this), {}, 0)) {
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   hide();
 }

@@ -243,10 +243,9 @@ StartPage::StartPage(Workspace& workspace, WindowActions& actions, Memory& memor
   sides->addStretch(1);
   sides->addWidget(middle, 1000);
   sides->addStretch(1);
-  column_->setContentsMargins(0, 48, 0, 24);
-  column_->setSpacing(0);
   const editor::Theme& theme = workspace.theme();
-  column_->addWidget(heading(tr("Start"), theme.font(21.0, QFont::DemiBold)));
+  editor::arranged(column_, {0, 48, 0, 24}, 0,
+                   {heading(tr("Start"), theme.font(21.0, QFont::DemiBold))});
   column_->addSpacing(8);
   auto* line = editor::secondaryLabel(
       tr("Draw people and a robot on a map, press Space, and watch them live."));
@@ -265,8 +264,7 @@ StartPage::StartPage(Workspace& workspace, WindowActions& actions, Memory& memor
 }
 
 void StartPage::addActions(WindowActions& actions) {
-  auto* row = new QHBoxLayout;
-  row->setSpacing(kGap);
+  auto* row = editor::arranged(new QHBoxLayout, {}, kGap);
   const auto add = [&](QAction* action, const QString& icon, const QString& title,
                        const QString& says) {
     auto* card =
@@ -286,19 +284,15 @@ void StartPage::addActions(WindowActions& actions) {
 
 void StartPage::addDemos(const std::vector<Demo>& demos) {
   const QFont bold = workspace_.theme().font(12.0, QFont::DemiBold);
-  auto* both = new QHBoxLayout;  // thirds, with the gaps of the cards above
-  both->setSpacing(0);
-  auto* left = new QVBoxLayout;
-  left->setSpacing(0);
-  left->setContentsMargins(0, 0, 2 * kGap / 3, 0);
-  left->addWidget(heading(tr("Recent"), bold));
+  // thirds, with the gaps of the cards above
+  auto* both = editor::arranged(new QHBoxLayout, {}, 0);
+  auto* left =
+      editor::arranged(new QVBoxLayout, {0, 0, 2 * kGap / 3, 0}, 0, {heading(tr("Recent"), bold)});
   left->addSpacing(8);
   left->addLayout(recent_);
   left->addStretch();
   both->addLayout(left, 1);
-  auto* right = new QVBoxLayout;
-  right->setSpacing(0);
-  right->setContentsMargins(kGap / 3, 0, 0, 0);
+  auto* right = editor::arranged(new QVBoxLayout, {kGap / 3, 0, 0, 0}, 0);
   if (!demos.empty()) {
     right->addWidget(heading(tr("Demos"), bold));
     right->addSpacing(12);

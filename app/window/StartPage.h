@@ -5,7 +5,6 @@
 
 #include <QAbstractButton>
 #include <QDateTime>
-#include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
 

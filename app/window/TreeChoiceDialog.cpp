@@ -211,23 +211,16 @@ TreeChoiceDialog::TreeChoiceDialog(std::vector<TreeQuestion> questions, const ed
 }
 
 void TreeChoiceDialog::build() {
-  auto* rows = new QVBoxLayout(this);
-  rows->setContentsMargins(16, 16, 16, 12);
-  rows->setSpacing(8);
   auto* title = new QLabel(tr("Saving would replace what somebody wrote"), this);
   title->setFont(theme_.font(12.0, QFont::DemiBold));
-  rows->addWidget(title);
-  auto* columns = new QHBoxLayout;
-  columns->setSpacing(16);
+  auto* rows = editor::arranged(new QVBoxLayout(this), {16, 16, 16, 12}, 8, {title});
+  auto* columns = editor::arranged(new QHBoxLayout, {}, 16, {list_});
   list_->setFixedWidth(kListWidth);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setIconSize(QSize(16, 16));
   list_->setVisible(questions_.size() > 1);
-  columns->addWidget(list_);
-  auto* right = new QVBoxLayout;
-  right->setSpacing(4);
+  auto* right = editor::arranged(new QVBoxLayout, {}, 4, {why_});
   why_->setWordWrap(true);
-  right->addWidget(why_);
   right->addSpacing(4);
   right->addWidget(keep_);
   right->addWidget(replace_);

@@ -93,16 +93,14 @@ void printJson(const base::Diagnostics& diagnostics) {
 }
 
 std::string summary(std::size_t files, const base::Diagnostics& diagnostics) {
-  std::size_t errors = 0;
   std::size_t warnings = 0;
   for (const base::Diagnostic& diagnostic : diagnostics) {
-    errors += diagnostic.severity == base::Severity::Error ? 1 : 0;
     warnings += diagnostic.severity == base::Severity::Warning ? 1 : 0;
   }
   const auto count = [](std::size_t number, const std::string& noun) {
     return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
   };
-  return count(files, "file") + " checked: " + count(errors, "error") + ", " +
+  return count(files, "file") + " checked: " + count(errorsOf(diagnostics).size(), "error") + ", " +
          count(warnings, "warning");
 }
 

@@ -98,8 +98,8 @@ base::Diagnostics compareWithoutRobots(const Bundle& bundle, const Session& sess
   return alone.diagnostics();
 }
 
-std::string lastLine(const FinishedRun& run, double dt) {
-  const double simulated = static_cast<double>(run.result.steps) * dt;
+std::string lastLine(const FinishedRun& run) {
+  const double simulated = static_cast<double>(run.result.steps) * run.header.dt;
   const double wall = run.result.steppingSeconds;
   const std::string factor =
       wall > 0.0 ? base::formatDecimals(std::round(simulated / wall), 0) + "x real time" : "-";
@@ -118,14 +118,14 @@ metrics::Evaluation withPlanningTime(const FinishedRun& run) {
   return evaluation;
 }
 
-void show(const FinishedRun& run, double dt, const OutputOptions& output) {
+void show(const FinishedRun& run, const OutputOptions& output) {
   if (output.json && run.evaluation) {
     print(metrics::toJson(*run.evaluation));
   } else if (!output.quiet && !output.json) {
     if (run.evaluation) {
       print(metrics::tableText(withPlanningTime(run)));
     }
-    printLine(lastLine(run, dt));
+    printLine(lastLine(run));
   }
 }
 
@@ -149,7 +149,7 @@ int conclude(const RunOptions& options, const OutputOptions& output, const Bundl
   const bool isWritten =
       options.output.empty() ||
       printDiagnostics(writeRunFolder(options.output, run, writer, bundle, commandLine));
-  show(run, run.header.dt, output);
+  show(run, output);
   if (!isWritten) {
     printError("after " + simulatedText(run) + " of the run: its files are not complete");
     return kBadInput;
