@@ -28,14 +28,10 @@ void writeReaction(const sim2d::ResolvedHuman& counts, sim2d::Behavior& to, bool
   }
 }
 
-bool hasReaction(BehaviorType type) {
-  return type != BehaviorType::Regular && type != BehaviorType::Impassive;
-}
-
 }  // namespace
 
 void completeReaction(const sim2d::Scenario& scenario, sim2d::Human& human) {
-  if (!hasReaction(human.behavior.type.value_or(BehaviorType::Regular))) {
+  if (!reactsToRobot(human.behavior.type.value_or(BehaviorType::Regular))) {
     return;
   }
   const sim2d::ResolvedHuman counts = sim2d::resolveHuman(scenario, human, 0);
@@ -62,7 +58,7 @@ sim2d::Behavior frozenBehavior(const sim2d::Scenario& scenario, const sim2d::Hum
   frozen.obstacleForceFactor = drawn.obstacleFactor;
   frozen.socialForceFactor = drawn.socialFactor;
   frozen.otherForceFactor = drawn.otherFactor;
-  if (hasReaction(drawn.behavior)) {
+  if (reactsToRobot(drawn.behavior)) {
     writeReaction(drawn, frozen, true);
   }
   return frozen;

@@ -27,7 +27,6 @@ class FormSection : public QWidget {
   /// Moves the row added last to the place after that of `field`; null: to the top.
   void moveLastRow(const QWidget* field);
   void setRowVisible(const QWidget* field, bool visible);
-  bool isOpen() const { return open_; }
   void setOpen(bool open);
 
  private:

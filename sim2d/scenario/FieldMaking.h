@@ -22,19 +22,19 @@ struct Stored<std::optional<M>> {
   using Value = M;
 };
 template <class V>
-constexpr bool isInteger = std::is_integral_v<V> && !std::is_same_v<V, bool>;
+constexpr bool kIsInteger = std::is_integral_v<V> && !std::is_same_v<V, bool>;
 template <class V>
-constexpr bool isList =
+constexpr bool kIsList =
     std::is_same_v<V, std::vector<double>> || std::is_same_v<V, std::vector<int>>;
 
 template <class V>
 constexpr ParameterType parameterType() {
   using Type = ParameterType;
-  if constexpr (isList<V>) {
+  if constexpr (kIsList<V>) {
     return std::is_same_v<V, std::vector<int>> ? Type::Integers : Type::Numbers;
   } else if constexpr (std::is_enum_v<V>) {
     return Type::Choice;
-  } else if constexpr (isInteger<V>) {
+  } else if constexpr (kIsInteger<V>) {
     return Type::Integer;
   } else if constexpr (std::is_same_v<V, double>) {
     return Type::Number;
@@ -48,9 +48,9 @@ template <class V>
 ParameterValue valueFrom(const V& value, const ParameterSpec& spec) {
   if constexpr (std::is_enum_v<V>) {
     return spec.choices.at(static_cast<std::size_t>(value));
-  } else if constexpr (isInteger<V>) {
+  } else if constexpr (kIsInteger<V>) {
     return static_cast<long long>(value);
-  } else if constexpr (isList<V>) {
+  } else if constexpr (kIsList<V>) {
     return value.empty() ? ParameterValue() : ParameterValue(value);
   } else {
     return value;
@@ -66,7 +66,7 @@ ParameterValue valueFrom(const std::optional<V>& value, const ParameterSpec& spe
 template <class V>
 std::optional<V> valueTo(const ParameterValue& value, const ParameterSpec& spec) {
   using Given = std::conditional_t<std::is_enum_v<V>, std::string,
-                                   std::conditional_t<isInteger<V>, long long, V>>;
+                                   std::conditional_t<kIsInteger<V>, long long, V>>;
   const auto* given = std::get_if<Given>(&value);
   if (given == nullptr) {
     return std::nullopt;
