@@ -256,7 +256,7 @@ std::shared_ptr<const TraceHeader> Recording::header() const {
   return count > 0 ? headers_[count - 1] : std::make_shared<const TraceHeader>();
 }
 
-TreeState Recording::treeAt(int person, std::int64_t step) const {
+std::map<int, TreeState> Recording::treesAt(std::int64_t step, std::optional<int> only) const {
   const std::size_t end = trees_.count([step](const TreeStep& each) { return each.step <= step; });
   if (end == 0) {
     return {};
@@ -267,13 +267,15 @@ TreeState Recording::treeAt(int person, std::int64_t step) const {
   }
   TreeStates trees;
   const TreeStates& before = *trees_[from].before;
-  if (const auto found = before.find(person); found != before.end()) {
+  if (!only) {
+    trees = before;
+  } else if (const auto found = before.find(*only); found != before.end()) {
     trees.insert(*found);
   }
   for (; from < end; ++from) {
-    apply(trees_[from].changes, trees, person);
+    apply(trees_[from].changes, trees, only);
   }
-  return trees[person];
+  return trees;
 }
 
 Trace Recording::trace(TraceHeader header) const {

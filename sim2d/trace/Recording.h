@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,7 +59,8 @@ class Recording final : public FrameSink {
   const SharedLog<std::pair<std::int64_t, Input>>& inputs() const { return inputs_; }
   std::shared_ptr<const TraceHeader> header() const;  // the newest; never null
   /// What the nodes returned last at that step, recorded or not.
-  TreeState treeAt(int person, std::int64_t step) const;
+  TreeState treeAt(int person, std::int64_t step) const { return treesAt(step, person)[person]; }
+  std::map<int, TreeState> treesAt(std::int64_t step, std::optional<int> only = {}) const;
 
   // all of it
   Trace trace() const { return trace(*header()); }

@@ -8,7 +8,11 @@ if(TARGET hunavsim)
       LABELS app SKIP_RETURN_CODE 77 TIMEOUT 240 ENVIRONMENT "${test_environment}")
   endforeach()
 endif()
-set_tests_properties(app.tst_Extremes PROPERTIES TIMEOUT 1800 COST 100)
-# Cuts long runs short, which then write what they have.
-set_tests_properties(app.tst_BrokenRuns PROPERTIES TIMEOUT 1800 COST 100)
+set(long 300)
+if(HUNAV_SANITIZE)
+  set(long 1800)
+endif()
+# tst_BrokenRuns cuts long runs short, which then write what they have.
+set_tests_properties(app.tst_Extremes app.tst_BrokenRuns PROPERTIES TIMEOUT ${long} COST 100)
+# With HUNAV_ALL_TESTS it opens a window on every broken scenario.
 set_tests_properties(app.tst_OneVerdict PROPERTIES TIMEOUT 1800 COST 100)

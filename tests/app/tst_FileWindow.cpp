@@ -219,11 +219,7 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
   }
 
   void recent_fileGoesAndComesBack_rowSaysSo() {
-    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, at("settings"));
-    app::WindowSetup setup = quiet::setup();
-    setup.remembers = true;
-    quiet::leave(window_);
-    window_ = quiet::shownWindow(setup);
+    restartRemembering();
     const QString file = copyOfDemo();
     QFile handle(file);
     QVERIFY(handle.open(QIODevice::ReadWrite));
@@ -250,16 +246,12 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
   }
 
   void layout_ofTheLastSession_isBack() {
-    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, at("settings"));
-    app::WindowSetup setup = quiet::setup();
-    setup.remembers = true;
-    quiet::leave(window_);
-    window_ = quiet::shownWindow(setup);
+    restartRemembering();
     const QString file = copyOfDemo();
     QVERIFY(window_->open(file));
     window_->docks().dock(QStringLiteral("measure"))->hide();
     QVERIFY(window_->close());
-    window_ = quiet::shownWindow(setup);
+    restartRemembering();
     QVERIFY(window_->open(file));
     QVERIFY(window_->docks().dock(QStringLiteral("measure"))->isHidden());
     QVERIFY(window_->docks().dock(QStringLiteral("properties"))->isVisible());
@@ -312,6 +304,14 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
   }
 
  private:
+  void restartRemembering() {
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, at("settings"));
+    app::WindowSetup setup = quiet::setup();
+    setup.remembers = true;
+    quiet::leave(window_);
+    window_ = quiet::shownWindow(setup);
+  }
+
   app::RecentRow* recentRow() const {
     const QList<app::RecentRow*> rows = window_->findChildren<app::RecentRow*>();
     return rows.size() == 1 ? rows.front() : nullptr;

@@ -46,12 +46,10 @@ QByteArray hashOf(const QImage& picture) {
 /// What the nodes returned, by person and name; those not ticked yet are left out.
 std::map<std::string, base::NodeStatus> treesAt(MainWindow& window, std::int64_t step) {
   std::map<std::string, base::NodeStatus> statuses;
-  const auto recording = window.workspace().runner().recording();
-  for (const sim2d::TraceHuman& human : recording->header()->humans) {
-    const sim2d::TreeState tree = recording->treeAt(human.id, step);
+  for (const auto& [person, tree] : window.workspace().runner().recording()->treesAt(step)) {
     for (std::size_t k = 0; k < tree.statuses.size(); ++k) {
       if (tree.statuses[k] != base::NodeStatus::Idle) {
-        statuses[std::to_string(human.id) + "/" + (*tree.paths)[k]] = tree.statuses[k];
+        statuses[std::to_string(person) + "/" + (*tree.paths)[k]] = tree.statuses[k];
       }
     }
   }

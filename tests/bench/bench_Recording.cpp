@@ -73,7 +73,7 @@ void RecordingBench::jump() {
   for (std::size_t index = 0; jumps < 2000; index = (index + 7919) % recording.size(), ++jumps) {
     const std::clock_t begin = std::clock();
     people += recording.frame(index)->humans.size();
-    people += recording.treeAt(1, recording.stepOf(index)).statuses.size();
+    people += recording.treesAt(recording.stepOf(index)).size();
     const double taken = 1000.0 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     slowest = std::max(slowest, taken);
     total += taken;

@@ -79,7 +79,7 @@ class RecordingTest : public QObject {
   void treesCsv_nodesWithCommas_areQuoted();
   void frame_anyStep_isWhatWasAppended_data();
   void frame_anyStep_isWhatWasAppended();
-  void treeAt_anyStep_isWhatTheChangesMake();
+  void treesAt_anyStep_isWhatTheChangesMake();
   void read_whileItIsWritten_seesWholeSteps();
   void readRecording_folder_isWhatWasRecorded();
   void csvReader_quotedFields_giveTextAndPlace();
@@ -153,7 +153,7 @@ void RecordingTest::frame_anyStep_isWhatWasAppended() {
   QVERIFY(isSameState(trace.frames[131], crowdAt(262, 9)));
 }
 
-void RecordingTest::treeAt_anyStep_isWhatTheChangesMake() {
+void RecordingTest::treesAt_anyStep_isWhatTheChangesMake() {
   constexpr int kPeople = 5, kNodes = 9, kSteps = 3000;
   Recording recording;
   const TreeChanges::Paths names = nodeNames(kNodes);
@@ -179,9 +179,12 @@ void RecordingTest::treeAt_anyStep_isWhatTheChangesMake() {
     expected.push_back(now);
   }
   for (const int step : {2, 17, 1999, 2, 2999, 1000}) {
+    const std::map<int, TreeState> trees = recording.treesAt(step);
+    QCOMPARE(trees.size(), std::size_t{kPeople});
     for (int person = 0; person < kPeople; ++person) {
       const auto& statuses =
           expected[static_cast<std::size_t>(step)][static_cast<std::size_t>(person)];
+      QVERIFY(trees.at(person).statuses == statuses);
       QVERIFY(recording.treeAt(person, step).statuses == statuses);
     }
   }
