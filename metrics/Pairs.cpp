@@ -156,7 +156,7 @@ Sight lineOfSight(const Person& person, const Body& robot, const sim2d::Occupanc
   }
   const bool free = allOnLine(map.worldToCell(person.position), map.worldToCell(robot.position),
                               [&map](sim2d::Cell cell) {
-                                const int value = map.valueAt(cell);
+                                const std::int8_t value = map.valueAt(cell);
                                 return value >= 0 && value <= kHighestFree;
                               });
   return free ? Sight::Free : Sight::Blocked;

@@ -268,7 +268,7 @@ std::string stepsCsv(const Evaluation& evaluation) {
   return stepsText(evaluation.times, columnsOf(evaluation.results, evaluation.times.size()));
 }
 
-void writeSteps(const std::vector<double>& times, std::vector<StepColumn> columns,
+void writeSteps(const std::vector<double>& times, const std::vector<StepColumn>& columns,
                 const TextSink& to) {
   std::string text;
   std::vector<std::string> cells = {"time_stamps"};
@@ -278,7 +278,7 @@ void writeSteps(const std::vector<double>& times, std::vector<StepColumn> column
   appendRow(text, cells);
   for (const double time : times) {
     cells = {evaluatorNumber(time, Kind::Number)};
-    for (StepColumn& column : columns) {
+    for (const StepColumn& column : columns) {
       cells.push_back(evaluatorNumber(column.next(), column.kind));
     }
     to(text);

@@ -25,7 +25,7 @@ struct StepColumn {
 };
 /// The same in pieces, for a file that is written while they come.
 using TextSink = std::function<void(std::string_view piece)>;
-void writeSteps(const std::vector<double>& times, std::vector<StepColumn> columns,
+void writeSteps(const std::vector<double>& times, const std::vector<StepColumn>& columns,
                 const TextSink& to);
 
 /// A number as the evaluator writes it: "4.0", "0.30000000000000004", "1e-07"; counts plain,

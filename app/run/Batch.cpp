@@ -122,6 +122,7 @@ struct Child {
 /// process -1: there is none.
 Child startChild(std::size_t run, std::vector<std::string> words) {
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (std::string& word : words) {
     pointers.push_back(word.data());
   }

@@ -41,7 +41,8 @@ void tellGenerated(Bundle& bundle, const std::vector<std::string>& names) {
     return;
   }
   constexpr std::size_t kNamed = 3;
-  std::vector<std::string> first(names.begin(), names.begin() + std::min(kNamed, names.size()));
+  std::vector<std::string> first = names;
+  first.resize(std::min(kNamed, names.size()));
   const std::string more = names.size() > kNamed ? " …" : "";
   const char* const people = names.size() == 1 ? " person" : " people";
   base::Diagnostics told = {base::warning(

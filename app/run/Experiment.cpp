@@ -118,7 +118,7 @@ class Reader {
     if (fs::is_regular_file(beside, ignored)) {
       return beside.lexically_normal().string();
     }
-    const std::string shipped = scenarioFile(name);
+    std::string shipped = scenarioFile(name);
     if (shipped != name) {
       return shipped;
     }

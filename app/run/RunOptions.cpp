@@ -45,7 +45,7 @@ base::Diagnostics applyRobot(sim2d::Scenario& scenario, const RunOptions& option
   if (present == nullptr && !options.robotStart) {
     return {base::error("option.no-robot", {}, options.scenario)};
   }
-  const base::Diagnostics wrong = checkOptions(options);
+  base::Diagnostics wrong = checkOptions(options);
   if (!wrong.empty()) {
     return wrong;
   }

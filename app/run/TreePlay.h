@@ -33,6 +33,8 @@ class TreePlay {
   /// Loads and compiles; every problem of tree and script, also names that no leaf has (warnings).
   static base::Result<std::unique_ptr<TreePlay>> create(const PlaySetup& setup);
   ~TreePlay();
+  TreePlay(const TreePlay&) = delete;
+  TreePlay& operator=(const TreePlay&) = delete;
 
   /// One step, the first one is number 1.
   base::NodeStatus tick();

@@ -105,6 +105,7 @@ std::vector<Problem> problemsOf(const NodeSpec& node, const NodeManifest& manife
 
 std::string listText(const std::vector<int>& ids) {
   std::vector<std::string> words;
+  words.reserve(ids.size());
   for (const int id : ids) {
     words.push_back(std::to_string(id));
   }

@@ -93,6 +93,7 @@ std::optional<std::vector<NodeSpec>> withoutOnce(const std::vector<NodeSpec>& ch
     const NodeSpec& only = children.front().children.front();
     if (children.size() > 1 || only.id != "ForceFailure") {  // as the wizard does
       std::vector<NodeSpec> bare;
+      bare.reserve(children.size());
       for (const NodeSpec& child : children) {
         bare.push_back(child.children.front());
       }

@@ -108,6 +108,7 @@ void TreeBehavior::enter(int human, const WorldView& view) {
     who.program = programs_.find(view.constants(view.copiedFrom(human)));
   }
   Mind& mind = society_.minds[static_cast<std::size_t>(human)];
+  const int visit = mind.visit + 1;
   if (who.tree && who.isTicking && !who.isFaulty) {
     retired_.push_back({human, *std::move(who.tree), std::move(mind)});
   }
@@ -121,7 +122,6 @@ void TreeBehavior::enter(int human, const WorldView& view) {
   who.isTicking = false;
   who.hasEnded = false;
   who.isFaulty = false;
-  const int visit = mind.visit + 1;
   mind = Mind{};
   mind.visit = visit;
   society_.speech.forget(human);

@@ -96,7 +96,7 @@ constexpr std::array<PortWord, 14> kPortWords = {
 /// Cuts off the first word; empty at the end.
 std::string takeWord(std::string_view& text) {
   text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
-  const std::string word(text.substr(0, text.find(' ')));
+  std::string word(text.substr(0, text.find(' ')));
   text.remove_prefix(word.size());
   return word;
 }

@@ -150,7 +150,7 @@ void TreeOutline::showTree(const PersonTree& tree) {
   selectNode(current);
 }
 
-void TreeOutline::showStatus(const sim2d::TreeState& state) {
+void TreeOutline::showStatus(const sim2d::TreeStatuses& state) {
   const std::vector<NodeStatus> before = std::exchange(statuses_, statusesOf(state));
   for (std::size_t node = 0; node < nodes_.size(); ++node) {
     if (before.size() != statuses_.size() || (!before.empty() && before[node] != statuses_[node])) {
@@ -160,7 +160,7 @@ void TreeOutline::showStatus(const sim2d::TreeState& state) {
 }
 
 /// A record of a file names those only that were ticked. Empty: it is of another tree.
-std::vector<NodeStatus> TreeOutline::statusesOf(const sim2d::TreeState& state) const {
+std::vector<NodeStatus> TreeOutline::statusesOf(const sim2d::TreeStatuses& state) const {
   if (state.paths == nullptr || *state.paths == names_) {
     return state.statuses;
   }

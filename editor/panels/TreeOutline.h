@@ -21,7 +21,7 @@ class TreeOutline : public QTreeWidget {
 
   void showTree(const PersonTree& tree);
   /// By the names of the nodes; without nodes: no run is shown.
-  void showStatus(const sim2d::TreeState& state);
+  void showStatus(const sim2d::TreeStatuses& state);
   const OutlineNode* current() const;  // null = none
   void selectNode(int node);
   const std::vector<OutlineNode>& nodes() const { return nodes_; }
@@ -30,7 +30,7 @@ class TreeOutline : public QTreeWidget {
  private:
   int currentNode() const;  // place in nodes(), -1 = none
   void paintRow(std::size_t node);
-  std::vector<base::NodeStatus> statusesOf(const sim2d::TreeState& state) const;
+  std::vector<base::NodeStatus> statusesOf(const sim2d::TreeStatuses& state) const;
 
   Theme theme_;
   PersonTree tree_;  // keeps what the nodes point to

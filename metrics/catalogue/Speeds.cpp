@@ -48,7 +48,10 @@ double acceleration(const Instant& at) {
 
 /// Around the sample before [m/s^3], if time passes on both sides of it.
 double jerk(const Instant& at) {
-  const double former = at.earlier != nullptr ? at.before->time - at.earlier->time : 0.0;
+  if (at.earlier == nullptr) {
+    return kNaN;
+  }
+  const double former = at.before->time - at.earlier->time;
   if (!(former > 0.0) || !(at.step() > 0.0)) {
     return kNaN;
   }

@@ -120,7 +120,7 @@ std::optional<int> behaviorNumber(const std::string& text) {
                                                 : std::nullopt;
 }
 
-void readBehaviorMap(YamlMap view, Human& human, LoaderReading& reading) {
+void readBehaviorMap(YamlMap& view, Human& human, LoaderReading& reading) {
   readThing(view, human.behavior, reading.tables);
   const YamlNode* type = view.node().find("type");
   if (type != nullptr && behaviorNumber(type->text)) {
@@ -135,7 +135,8 @@ void readBehavior(YamlMap& agent, Human& human, LoaderReading& reading) {
     return;
   }
   if (!node->isScalar()) {
-    readBehaviorMap({node, agent.pathOf("behavior"), human.key, reading.report}, human, reading);
+    YamlMap behavior(node, agent.pathOf("behavior"), human.key, reading.report);
+    readBehaviorMap(behavior, human, reading);
     return;
   }
   setBehaviorType(human.behavior, node->text);

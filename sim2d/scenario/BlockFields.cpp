@@ -71,17 +71,13 @@ void readFootprint(YamlMap& view, Robot& robot) {
 }
 
 /// Limits and body are the type's; those of another type than the usual one are not known here.
-FieldOf<Robot> limit(std::string key, std::optional<double> Robot::*member,
-                     double ResolvedRobot::*resolved, std::string help, base::FormHints form,
-                     std::string unit, Range range = kPositive) {
+FieldOf<Robot> limit(FieldOf<Robot> field, double ResolvedRobot::*resolved) {
   const auto ofUsualType = [resolved](const Robot& robot, const DesktopSettings& /*desktop*/) {
     const ResolvedRobot usual;
     return robot.type.value_or(usual.type) == usual.type ? ParameterValue(usual.*resolved)
                                                          : ParameterValue();
   };
-  return field(std::move(key), member, std::move(help), std::move(form), std::move(unit), range)
-      .resolvedTo(resolved)
-      .with(&Field<Robot>::fallbackOf, ofUsualType);
+  return std::move(field).resolvedTo(resolved).with(&Field<Robot>::fallbackOf, ofUsualType);
 }
 
 template <class T>
@@ -184,17 +180,23 @@ Fields<Robot> robotFields() {
       field("start_time", &Robot::startTime, "When it sets off", {"Sets off at", 1, 1.0}, "s",
             kNotNegative)
           .resolvedTo(&Resolved::startTime),
-      limit("radius", &Robot::radius, &Resolved::radius, "Of the disc that the robot is",
-            {"Radius", 2, 0.01, 1.0}, "m", kBodyRadius),
-      limit("mass", &Robot::mass, &Resolved::mass, "Of the robot", {"Mass", 1, 1.0}, "kg"),
-      limit("max_vel", &Robot::maxVel, &Resolved::maxVel, "Its speed at the most",
-            {"Top speed", 2, 0.05, 2.0}, "m/s", kSpeed),
-      limit("max_acc", &Robot::maxAcc, &Resolved::maxAcc, "How fast its speed changes",
-            {"Acceleration", 2, 0.1, 3.0}, "m/s²"),
-      limit("max_omega", &Robot::maxOmega, &Resolved::maxOmega, "Its turn rate at the most",
-            {"Turn speed"}, "rad/s"),
-      limit("max_alpha", &Robot::maxAlpha, &Resolved::maxAlpha, "How fast its turn rate changes",
-            {"Turn accel."}, "rad/s²"),
+      limit(field("radius", &Robot::radius, "Of the disc that the robot is",
+                  {"Radius", 2, 0.01, 1.0}, "m", kBodyRadius),
+            &Resolved::radius),
+      limit(field("mass", &Robot::mass, "Of the robot", {"Mass", 1, 1.0}, "kg", kPositive),
+            &Resolved::mass),
+      limit(field("max_vel", &Robot::maxVel, "Its speed at the most", {"Top speed", 2, 0.05, 2.0},
+                  "m/s", kSpeed),
+            &Resolved::maxVel),
+      limit(field("max_acc", &Robot::maxAcc, "How fast its speed changes",
+                  {"Acceleration", 2, 0.1, 3.0}, "m/s²", kPositive),
+            &Resolved::maxAcc),
+      limit(field("max_omega", &Robot::maxOmega, "Its turn rate at the most", {"Turn speed"},
+                  "rad/s", kPositive),
+            &Resolved::maxOmega),
+      limit(field("max_alpha", &Robot::maxAlpha, "How fast its turn rate changes", {"Turn accel."},
+                  "rad/s²", kPositive),
+            &Resolved::maxAlpha),
       field("footprint_x", &Robot::footprintX,
             "Corners in the robot's frame, instead of the disc: their x", {"Footprint"}, "m"),
       field("footprint_y", &Robot::footprintY, "Their y, as many", {}, "m")

@@ -193,7 +193,7 @@ class Exporter {
   void rename() {
     const std::map<std::string, std::string> names = safeNames(scenario());
     for (Human& human : scenario().humans) {
-      const std::string name = names.at(human.name);
+      const std::string& name = names.at(human.name);
       if (name != human.name) {
         noteChange(human.key, "export.renamed", {human.name, name});
         human.name = name;

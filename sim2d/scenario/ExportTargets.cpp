@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "sim2d/base/Text.h"
@@ -25,22 +26,24 @@ std::string shellWord(const std::string& text) {
   return quoted + "'";
 }
 
-TargetInfo wrapper(ExportTarget target, const char* name, const char* simulator,
-                   const char* package, Dialect dialect, double startHeight,
-                   std::vector<std::string> worlds) {
-  return {target, name, simulator, simulator, package, dialect, startHeight, std::move(worlds)};
+TargetInfo wrapper(ExportTarget target, const std::array<std::string, 3>& nameTitlePackage,
+                   Dialect dialect, double startHeight, std::vector<std::string> worlds) {
+  const auto& [name, title, package] = nameTitlePackage;
+  return {target, name, title, title, package, dialect, startHeight, std::move(worlds)};
 }
 }  // namespace
 
 const std::vector<TargetInfo>& exportTargets() {
   static const std::vector<TargetInfo> kTargets = {
-      wrapper(ExportTarget::GazeboClassic, "gazebo-classic", "Gazebo Classic",
-              "hunav_gazebo_wrapper", Dialect::C, 1.25, {"cafe", "house", "warehouse"}),
-      wrapper(ExportTarget::GazeboFortress, "gazebo-fortress", "Gazebo Fortress",
-              "hunav_gazebo_fortress_wrapper", Dialect::B, 0.03, {"cafe"}),
-      wrapper(ExportTarget::Isaac, "isaac", "Isaac Sim", "hunav_isaac_wrapper", Dialect::C, 0.0,
+      wrapper(ExportTarget::GazeboClassic,
+              {"gazebo-classic", "Gazebo Classic", "hunav_gazebo_wrapper"}, Dialect::C, 1.25,
+              {"cafe", "house", "warehouse"}),
+      wrapper(ExportTarget::GazeboFortress,
+              {"gazebo-fortress", "Gazebo Fortress", "hunav_gazebo_fortress_wrapper"}, Dialect::B,
+              0.03, {"cafe"}),
+      wrapper(ExportTarget::Isaac, {"isaac", "Isaac Sim", "hunav_isaac_wrapper"}, Dialect::C, 0.0,
               {"warehouse", "hospital", "office", "empty_world"}),
-      wrapper(ExportTarget::Webots, "webots", "Webots", "hunav_webots_wrapper", Dialect::B, 0.01,
+      wrapper(ExportTarget::Webots, {"webots", "Webots", "hunav_webots_wrapper"}, Dialect::B, 0.01,
               {"factory", "hall", "office"}),
       {ExportTarget::Native, "native", "HuNavSim 2.0", "", "", Dialect::C, std::nullopt, {}}};
   return kTargets;

@@ -156,9 +156,9 @@ class FieldOf {
     };
     return std::move(*this).with(&Field<T>::read, read).with(&Field<T>::write, write);
   }
-  FieldOf&& words(std::vector<std::string> words) && {
+  FieldOf&& words(const std::vector<std::string>& words) && {
     field_.spec.type = ParameterType::Choice;
-    field_.spec.choices = std::move(words);
+    field_.spec.choices = words;
     return std::move(*this);
   }
   template <class V>

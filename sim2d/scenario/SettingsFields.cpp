@@ -80,7 +80,7 @@ std::optional<std::string> readMoment(YamlMap& view, const std::string& key,
   return std::nullopt;
 }
 
-FieldOf<MetricsSettings> moment(std::string key,
+FieldOf<MetricsSettings> moment(const std::string& key,
                                 std::optional<std::string> MetricsSettings::*member,
                                 const std::vector<std::string>& words, std::string help,
                                 std::string label) {

@@ -135,6 +135,7 @@ std::vector<std::string> TrackFormats::names() const {
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const TrackFormat& a, const TrackFormat& b) { return a.order < b.order; });
   std::vector<std::string> names;
+  names.reserve(sorted.size());
   for (const TrackFormat& format : sorted) {
     names.push_back(format.name);
   }

@@ -130,10 +130,10 @@ constexpr std::size_t kChangesPerNode = 4;    // between two keys of the trees
 constexpr std::size_t kFewestChanges = 1000;  // idem
 
 /// To all trees, or to that of one person.
-void apply(const TreeChanges& changes, std::map<int, TreeState>& trees,
+void apply(const TreeChanges& changes, std::map<int, TreeStatuses>& trees,
            std::optional<int> only = std::nullopt) {
   int last = 0;
-  TreeState* tree = nullptr;
+  TreeStatuses* tree = nullptr;
   changes.forEach([&](int id, const TreeChanges::Paths& paths, int node, base::NodeStatus status) {
     if (only && id != *only) {
       return;
@@ -256,7 +256,7 @@ std::shared_ptr<const TraceHeader> Recording::header() const {
   return count > 0 ? headers_[count - 1] : std::make_shared<const TraceHeader>();
 }
 
-std::map<int, TreeState> Recording::treesAt(std::int64_t step, std::optional<int> only) const {
+std::map<int, TreeStatuses> Recording::treesAt(std::int64_t step, std::optional<int> only) const {
   const std::size_t end = trees_.count([step](const TreeStep& each) { return each.step <= step; });
   if (end == 0) {
     return {};

@@ -24,7 +24,7 @@ class FrameSink {
 };
 
 /// What the nodes of a person's tree returned last.
-struct TreeState {
+struct TreeStatuses {
   TreeChanges::Paths paths;                // of the nodes; null: nothing is known
   std::vector<base::NodeStatus> statuses;  // by number of the node
 };
@@ -59,8 +59,8 @@ class Recording final : public FrameSink {
   const SharedLog<std::pair<std::int64_t, Input>>& inputs() const { return inputs_; }
   std::shared_ptr<const TraceHeader> header() const;  // the newest; never null
   /// What the nodes returned last at that step, recorded or not.
-  TreeState treeAt(int person, std::int64_t step) const { return treesAt(step, person)[person]; }
-  std::map<int, TreeState> treesAt(std::int64_t step, std::optional<int> only = {}) const;
+  TreeStatuses treeAt(int person, std::int64_t step) const { return treesAt(step, person)[person]; }
+  std::map<int, TreeStatuses> treesAt(std::int64_t step, std::optional<int> only = {}) const;
 
   // all of it
   Trace trace() const { return trace(*header()); }
@@ -74,7 +74,7 @@ class Recording final : public FrameSink {
     std::string bytes;  // empty: in the file
     base::ScratchFile::Piece piece;
   };
-  using TreeStates = std::map<int, TreeState>;
+  using TreeStates = std::map<int, TreeStatuses>;
   struct TreeStep {
     std::int64_t step = 0;
     TreeChanges changes;

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim2d/base/Problems.h"
+#include "sim2d/base/Text.h"
 #include "sim2d/trace/Trace.h"
 
 namespace sim2d {
@@ -159,7 +160,8 @@ class JsonReader {
       double number = std::numeric_limits<double>::infinity();
       if (value == "inf" || value == "-inf") {
         to.emplace_back(key, value == "inf" ? number : -number);
-      } else if (expect(finite(value, number), where + "." + key, "trace.no-parameter")) {
+      } else if (expect(finite(value, number), base::join({where, key}, "."),
+                        "trace.no-parameter")) {
         to.emplace_back(key, number);
       }
     }

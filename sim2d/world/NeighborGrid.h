@@ -23,7 +23,8 @@ class NeighborGrid {
     const Span span = spanOf(centre, range);
     for (int row = span.row0; row <= span.row1; ++row) {
       for (int column = span.column0; column <= span.column1; ++column) {
-        const auto cell = static_cast<std::size_t>(row * width_ + column);
+        const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
+                          static_cast<std::size_t>(column);
         const auto last = static_cast<std::size_t>(start_[cell + 1]);
         for (auto item = static_cast<std::size_t>(start_[cell]); item < last; ++item) {
           if ((points_[item] - centre).squaredNorm() <= range * range) {

@@ -125,7 +125,8 @@ class PlacedStarts {
 /// The nearest free place that can be seen from the start, on rings round it.
 std::optional<Vec2> nearestFree(const PlacedStarts& placed, const Start& start,
                                 const NavigationMap& navigation) {
-  for (double distance = kRing; distance <= kReach; distance += kRing) {
+  double distance = kRing;
+  while (distance <= kReach) {
     for (int k = 0; k < kPlacesOnRing; ++k) {
       const double angle = 2.0 * base::kPi * k / kPlacesOnRing;
       const Vec2 place = *start.position + distance * Vec2(base::cos(angle), base::sin(angle));
@@ -134,6 +135,7 @@ std::optional<Vec2> nearestFree(const PlacedStarts& placed, const Start& start,
         return place;
       }
     }
+    distance += kRing;
   }
   return std::nullopt;
 }

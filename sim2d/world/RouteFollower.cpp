@@ -161,7 +161,7 @@ Vec2 RouteFollower::besideCorner(const Request& request, const NavigationMap& na
     return Vec2::Zero();
   }
   for (const double share : {1.0, 0.5, 0.25}) {
-    const Vec2 beside = share * request.spread / turn * outside;
+    Vec2 beside = share * request.spread / turn * outside;
     const Vec2 place = corner + beside;
     if (navigation.isClear(request.radius, corner, place) &&
         navigation.isClear(request.radius, request.position, place)) {

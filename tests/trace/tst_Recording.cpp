@@ -179,7 +179,7 @@ void RecordingTest::treesAt_anyStep_isWhatTheChangesMake() {
     expected.push_back(now);
   }
   for (const int step : {2, 17, 1999, 2, 2999, 1000}) {
-    const std::map<int, TreeState> trees = recording.treesAt(step);
+    const std::map<int, TreeStatuses> trees = recording.treesAt(step);
     QCOMPARE(trees.size(), std::size_t{kPeople});
     for (int person = 0; person < kPeople; ++person) {
       const auto& statuses =

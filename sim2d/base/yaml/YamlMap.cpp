@@ -242,7 +242,7 @@ std::vector<std::string> YamlMap::names(const std::string& key) {
 
 std::optional<std::string> YamlMap::choice(const std::string& key,
                                            const std::vector<std::string>& words) {
-  const auto word = text(key);
+  auto word = text(key);
   if (!word || std::find(words.begin(), words.end(), *word) != words.end()) {
     return word;
   }

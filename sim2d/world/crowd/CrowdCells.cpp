@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <emmintrin.h>
+
+#include <xsimd/xsimd.hpp>
 
 #include "sim2d/world/StepBuffers.h"
 
@@ -15,7 +16,8 @@ namespace {
 constexpr double kCellWidth = 1.0;   // [m]
 constexpr double kCellHeight = 5.0;  // [m]
 
-constexpr int kRowsAtOnce = 4;  // a register of floats
+using Rows = xsimd::batch<float, xsimd::sse2>;
+constexpr int kRowsAtOnce = Rows::size;
 
 constexpr std::size_t kSlice = 512;  // people a thread sorts before it asks for more
 
@@ -123,26 +125,24 @@ CrowdSpan* CrowdCells::writeSpans(float x, float y, float radius, CrowdSpan* to,
   const auto perWidth = static_cast<float>(1.0 / cell_.x());
   const int bottom = clampedCell((up - reach) / height, height_);
   const int top = clampedCell((up + reach) / height, height_);
-  const __m128 middle = _mm_set1_ps(right * perWidth);
-  const __m128 lastColumn = _mm_set1_ps(static_cast<float>(width_ - 1));
-  const __m128 steps = _mm_mul_ps(_mm_set_ps(3.0F, 2.0F, 1.0F, 0.0F), _mm_set1_ps(height));
+  const Rows middle(right * perWidth);
+  const Rows lastColumn(static_cast<float>(width_ - 1));
+  const Rows zero(0.0F);
+  const Rows steps = Rows{0.0F, 1.0F, 2.0F, 3.0F} * Rows(height);
   const CrowdSpan* const begin = to;
   for (int row = bottom; row <= top; row += kRowsAtOnce) {
     // From the disc's middle to the lower edge of the row, and to the row.
-    const __m128 low = _mm_add_ps(_mm_set1_ps(static_cast<float>(row) * height - up), steps);
-    const __m128 gap =
-        _mm_max_ps(_mm_max_ps(_mm_setzero_ps(), low),
-                   _mm_sub_ps(_mm_sub_ps(_mm_setzero_ps(), low), _mm_set1_ps(height)));
-    const __m128 half2 = _mm_sub_ps(_mm_set1_ps(reach * reach), _mm_mul_ps(gap, gap));
-    const __m128 half =
-        _mm_mul_ps(_mm_sqrt_ps(_mm_max_ps(_mm_setzero_ps(), half2)), _mm_set1_ps(perWidth));
-    const auto column = [&](__m128 place) {
-      return _mm_cvttps_epi32(_mm_max_ps(_mm_setzero_ps(), _mm_min_ps(place, lastColumn)));
+    const Rows low = Rows(static_cast<float>(row) * height - up) + steps;
+    const Rows gap = xsimd::max(xsimd::max(zero, low), zero - low - Rows(height));
+    const Rows half2 = Rows(reach * reach) - gap * gap;
+    const Rows half = xsimd::sqrt(xsimd::max(zero, half2)) * Rows(perWidth);
+    const auto write = [&](const Rows& place, int* columns) {
+      xsimd::to_int(xsimd::max(zero, xsimd::min(place, lastColumn))).store_aligned(columns);
     };
     alignas(16) int first[kRowsAtOnce];
     alignas(16) int last[kRowsAtOnce];
-    _mm_store_si128(reinterpret_cast<__m128i*>(first), column(_mm_sub_ps(middle, half)));
-    _mm_store_si128(reinterpret_cast<__m128i*>(last), column(_mm_add_ps(middle, half)));
+    write(middle - half, first);
+    write(middle + half, last);
     for (int i = 0; i < kRowsAtOnce && row + i <= top; ++i) {
       const int* const start = start_.data() + static_cast<std::ptrdiff_t>(row + i) * width_;
       const CrowdSpan span{start[first[i]], start[last[i] + 1]};

@@ -140,7 +140,7 @@ constexpr double kTogether = 2.0;  // [m] along the way; farther apart a group h
 /// The places of `count` groups of three neighbours, then all others.
 std::vector<Vec2> placesByThrees(std::vector<Vec2> places, int count) {
   for (int group = 0; group < count; ++group) {
-    const auto first = places.begin() + 3 * group;
+    const auto first = places.begin() + std::ptrdiff_t{3} * group;
     const Vec2 middle = *first;
     std::sort(first + 1, places.end(), [&middle](const Vec2& a, const Vec2& b) {
       return (a - middle).squaredNorm() < (b - middle).squaredNorm();
