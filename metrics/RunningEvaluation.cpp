@@ -151,7 +151,7 @@ MetricValue SampleFeed::valueOf(const Item& item, const Instant& last,
     return undefinedValue("there is no robot");
   }
   return item.sum != nullptr ? entry.stream.read(*item.sum, last)
-                             : meanOver(findResult(before, entry.meanOf)->value, last.count());
+                             : meanOver(findResult(before, entry.info.partOf)->value, last.count());
 }
 
 std::vector<MetricResult> SampleFeed::values(const std::vector<MetricResult>* all,
