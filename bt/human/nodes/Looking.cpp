@@ -9,10 +9,6 @@ using base::Vec2;
 
 namespace {
 
-bool isVisible(HumanContext& context, Person human, double distance) {
-  return isRobotVisible(context.view(), human, distance);
-}
-
 struct Look {
   int human;
   int target;        // person, or none
@@ -138,7 +134,7 @@ target_id int needed suggest 2|Id of the person who should look.
 
 void addLooking(NodeLibrary& to) {
   const NodeCatalogue nodes = humanManifests(kNodes);
-  to.addCondition(*nodes.find("IsRobotVisible"), withPorts<isVisible, 0, 1>);
+  to.addCondition(*nodes.find("IsRobotVisible"), withPorts<isRobotVisible, 0, 1>);
   to.addStateful<Look>(*nodes.find("LookAtPoint"),
                        {withPorts<startAtPoint, 0, 1, 4>, whilePresent<Look, lookAtPoint>});
   to.addStateful<Look>(*nodes.find("LookAtAgent"),
