@@ -196,14 +196,6 @@ const MetricEntry* MetricRegistry::find(std::string_view key) const {
   return nullptr;
 }
 
-std::vector<std::string> MetricRegistry::keys() const {
-  std::vector<std::string> keys;
-  for (const MetricEntry& entry : entries_) {
-    keys.push_back(entry.info.key);
-  }
-  return keys;
-}
-
 std::vector<base::ParameterSpec> MetricRegistry::parametersOf(const MetricInfo& info) const {
   if (const MetricEntry* sum = find(info.partOf)) {
     return parametersOf(sum->info);

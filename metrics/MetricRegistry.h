@@ -114,7 +114,6 @@ class MetricRegistry {
   void sort();
   const std::vector<MetricEntry>& entries() const { return entries_; }
   const MetricEntry* find(std::string_view key) const;
-  std::vector<std::string> keys() const;
   /// Those that the value of a metric depends on.
   std::vector<base::ParameterSpec> parametersOf(const MetricInfo& info) const;
 

@@ -8,7 +8,7 @@ namespace metrics {
 
 bool isInGoalRegion(const RunContext& context, const Vec2& position,
                     const MetricParameters& parameters) {
-  return std::any_of(context.goals.begin(), context.goals.end(), [&](const Goal& goal) {
+  return std::any_of(context.goals.begin(), context.goals.end(), [&](const sim2d::TraceGoal& goal) {
     return lengthOf(position - goal.position) - goal.radius < parameters.goalTolerance;
   });
 }
@@ -19,7 +19,7 @@ bool isCompleted(const Instant& last) {
 
 double distanceToGoals(const RunContext& context, const Vec2& position) {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Goal& goal : context.goals) {
+  for (const sim2d::TraceGoal& goal : context.goals) {
     nearest = std::min(nearest, lengthOf(position - goal.position));
   }
   return nearest;

@@ -51,7 +51,7 @@ Sample takePeople(Sample& sample, int behavior, std::size_t count) {
   part.robot = sample.robot;
   for (Person& person : sample.people) {
     if (person.behavior == behavior) {
-      std::vector<ObstaclePoint> points = std::move(person.obstacles);
+      std::vector<sim2d::Obstacles::Point> points = std::move(person.obstacles);
       person.obstacles.clear();
       part.people.push_back(person);
       part.people.back().obstacles = std::move(points);

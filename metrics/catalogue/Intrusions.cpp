@@ -74,13 +74,13 @@ class DeepTime : public Accumulator {
  public:
   void add(const Instant& at) override {
     const double depth = at.term(deepestInPerson);
-    peopled_.add(at, !std::isnan(depth));
-    deep_.add(at, depth > at.parameters.gaussianThreshold);
+    peopled_.take(at, !std::isnan(depth));
+    deep_.take(at, depth > at.parameters.gaussianThreshold);
   }
-  double share() const { return deep_.percentOf(peopled_.value()); }
+  double share() const { return deep_.percentOf(peopled_.time()); }
 
  private:
-  HeldTime peopled_, deep_;
+  Times peopled_, deep_;
 };
 
 using Members = std::vector<const Person*>;

@@ -17,7 +17,7 @@ constexpr double kSmall = 1e-9;  // [m]
 /// Mean of the repulsions by the obstacle points of the body (Helbing and Molnar 1995).
 Vec2 obstacleForce(const Body& body, const MetricParameters& parameters) {
   Vec2 sum = Vec2::Zero();
-  for (const ObstaclePoint& point : body.obstacles) {
+  for (const sim2d::Obstacles::Point& point : body.obstacles) {
     const Vec2 away = body.position - point.position;
     const double length = lengthOf(away);
     if (length < kSmall) {

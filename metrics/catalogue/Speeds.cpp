@@ -16,18 +16,18 @@ class StandingTime : public Accumulator {
     const bool stands = std::fabs(robot.speed) < at.parameters.stopLinearSpeed &&
                         turning < at.parameters.stopAngularSpeed;
     samples_.add(at, stands ? 1.0 : 0.0);
-    time_.add(at, stands);
+    time_.take(at, stands);
   }
   MetricValue value(const Instant& last) const {
     const double time = last.isOriginal()
                             ? last.elapsed() / static_cast<double>(last.count()) * samples_.sum()
-                            : time_.value();
+                            : time_.time();
     return withSeries(time, samples_.terms(), Kind::Count);
   }
 
  private:
   SeriesSum samples_;  // 0 or 1
-  HeldTime time_;
+  Times time_;
 };
 
 double drivenSpeed(const Instant& at) {
