@@ -1,5 +1,6 @@
 #include "bt/human/Templates.h"
 
+#include <map>
 #include <utility>
 
 #include "bt/human/TemplateNodes.h"
@@ -16,26 +17,15 @@ namespace {
 
 constexpr const char* kRegularTree = "RegularNavTree";
 
-/// Name of the Sequence with the reaction; nullptr = there is none.
-const char* reactionName(BehaviorType type) {
-  switch (type) {
-    case BehaviorType::Surprised:
-      return "SurNav";
-    case BehaviorType::Scared:
-      return "ScaNav";
-    case BehaviorType::Curious:
-      return "CurNav";
-    case BehaviorType::Threatening:
-      return "ThreadNav";
-    case BehaviorType::Regular:
-    case BehaviorType::Impassive:
-      break;
-  }
-  return nullptr;
-}
+/// Names of the Sequences with the reactions; the others have none.
+const std::map<BehaviorType, const char*> kReactions = {{BehaviorType::Surprised, "SurNav"},
+                                                        {BehaviorType::Scared, "ScaNav"},
+                                                        {BehaviorType::Curious, "CurNav"},
+                                                        {BehaviorType::Threatening, "ThreadNav"}};
 
 std::string treeName(BehaviorType type) {
-  return reactionName(type) ? std::string(sim2d::behaviorName(type)) + "NavTree" : kRegularTree;
+  return kReactions.count(type) > 0 ? std::string(sim2d::behaviorName(type)) + "NavTree"
+                                    : kRegularTree;
 }
 
 /// The lasting action of scared, curious and threatening people.
@@ -57,7 +47,7 @@ NodeSpec reactionLeaf(const ResolvedHuman& human) {
 NodeSpec reactionBlock(const ResolvedHuman& human, const Compatibility& quirks) {
   NodeSpec visible =
       nodeFrom("IsRobotVisible agent_id={id} distance=" + shortNumber(human.noticeDistance));
-  NodeSpec block = branchNode("Sequence", reactionName(human.behavior), {});
+  NodeSpec block = branchNode("Sequence", kReactions.at(human.behavior), {});
   if (human.behavior == BehaviorType::Surprised) {
     const std::string timer =
         "Inverter>TimeExpiredCondition seconds=" + shortNumber(human.reactionDuration) +
@@ -113,7 +103,7 @@ std::vector<NodeSpec> goalBlocks(const std::vector<int>& goals, const Compatibil
 TreeSpec treeOf(const ResolvedHuman& human, const std::vector<int>& goals,
                 const Compatibility& quirks) {
   std::vector<NodeSpec> first = goalBlocks(goals, quirks);
-  if (!reactionName(human.behavior)) {
+  if (kReactions.count(human.behavior) == 0) {
     return regularTree(std::move(first));
   }
   TreeSpec tree;
