@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
+#include "metrics/Motion.h"
 #include "metrics/TermSums.h"
 
 /// Threat and comfort: collisions ahead, passing, sideways acceleration.
@@ -25,35 +27,27 @@ double threat(const Instant& at) {
 /// The smallest gap of each person who comes near.
 class PassingDistance : public Accumulator {
  public:
-  explicit PassingDistance(const MetricParameters& parameters)
-      : limit_(parameters.socialDistance) {}
-
   void add(const Instant& at) override {
     const Sample& now = at.now;
     for (const Person& person : now.people) {
-      const double reach = limit_ + now.robot.radius + person.radius + 1e-6;
-      if ((person.position - now.robot.position).squaredNorm() > reach * reach) {
-        continue;
+      if (isWithin(now.robot, person, at.parameters.socialDistance)) {
+        const double space = gap(now.robot, person);
+        double& closest = closest_.emplace(person.id, space).first->second;
+        closest = std::min(closest, space);
       }
-      const double space = gap(now.robot, person);
-      const auto [found, isNew] = closest_.emplace(person.id, space);
-      found->second = space < found->second ? space : found->second;
     }
   }
 
   double mean() const {
     double sum = 0.0;
-    double count = 0.0;
     for (const auto& [id, space] : closest_) {
-      sum += space < limit_ ? space : 0.0;
-      count += space < limit_ ? 1.0 : 0.0;
+      sum += space;
     }
-    return count > 0.0 ? sum / count : kNaN;
+    return closest_.empty() ? kNaN : sum / static_cast<double>(closest_.size());
   }
 
  private:
-  double limit_;
-  std::map<int, double> closest_;
+  std::map<int, double> closest_;  // smallest gap [m], by id
 };
 
 /// Speed at which the closest person and the robot near each other, of samples in personal space.
