@@ -145,11 +145,6 @@ std::vector<MetricInfo> infosOf(const char* table) {
 
 }  // namespace
 
-Stream streamOfLast(MetricValue (*read)(const Instant& last)) {
-  return streamOf<Accumulator>(
-      [read](const Accumulator& /*sum*/, const Instant& last) { return read(last); });
-}
-
 void MetricRegistry::add(MetricInfo info, Stream stream) {
   assert(find(info.key) == nullptr);
   entries_.push_back({std::move(info), std::move(stream)});

@@ -158,7 +158,11 @@ Stream streamOfPart(std::size_t part) {
 }
 
 /// Needs no more than the last sample.
-Stream streamOfLast(MetricValue (*read)(const Instant& last));
+template <class Read>
+Stream streamOfLast(Read read) {
+  return streamOf<Accumulator>(
+      [read](const Accumulator& /*none*/, const Instant& last) { return std::invoke(read, last); });
+}
 
 /// Written by the build: calls add<File>() of every file in metrics/catalogue.
 void addAllMetrics(MetricRegistry& to);

@@ -33,8 +33,13 @@ template <class T>
 std::optional<T> argument(LeafContext& leaf, int port) {
   return leaf.require<T>(port);
 }
+/// Instead of a port: it may be anybody, index -1.
+constexpr int kAnybody = -1;
 template <>
 inline std::optional<Person> argument(LeafContext& leaf, int port) {
+  if (port == kAnybody) {
+    return Person{-1};
+  }
   const std::optional<int> index = humanOf(leaf).person(leaf, port);
   return index ? std::optional<Person>({*index}) : std::nullopt;
 }

@@ -77,18 +77,6 @@ NodeSpec regularNavCall() {
                      nodeFrom("SetBlackboard output_key=timestep value={dt}"), std::move(call)});
 }
 
-/// What comes first, then to the goals, in order.
-TreeSpec regularTree(std::vector<NodeSpec> first) {
-  TreeSpec tree;
-  tree.id = kRegularTree;
-  tree.root = branchNode("Fallback", "RegularNavFallback", std::move(first));
-  tree.root.children.push_back(branchNode("Sequence", "RegularNavigation",
-                                          {nodeFrom("Inverter>IsGoalReached agent_id={id}"),
-                                           nodeFrom("RegularNav agent_id={id} time_step={dt}")}));
-  tree.root.children.push_back(nodeFrom("UpdateGoal agent_id={id}"));
-  return tree;
-}
-
 std::vector<NodeSpec> goalBlocks(const std::vector<int>& goals, const Compatibility& quirks) {
   if (!goals.empty()) {
     return {setGoalsBlock(goals)};
@@ -104,7 +92,7 @@ TreeSpec treeOf(const ResolvedHuman& human, const std::vector<int>& goals,
                 const Compatibility& quirks) {
   std::vector<NodeSpec> first = goalBlocks(goals, quirks);
   if (kReactions.count(human.behavior) == 0) {
-    return regularTree(std::move(first));
+    return regularNavTree(std::move(first));
   }
   TreeSpec tree;
   tree.id = treeName(human.behavior);
@@ -147,8 +135,15 @@ TreeFile makeBareTree(const sim2d::Scenario& scenario, const sim2d::Human& human
 
 }  // namespace
 
-TreeSpec regularNavTree() {
-  return regularTree({});
+TreeSpec regularNavTree(std::vector<NodeSpec> first) {
+  TreeSpec tree;
+  tree.id = kRegularTree;
+  tree.root = branchNode("Fallback", "RegularNavFallback", std::move(first));
+  tree.root.children.push_back(branchNode("Sequence", "RegularNavigation",
+                                          {nodeFrom("Inverter>IsGoalReached agent_id={id}"),
+                                           nodeFrom("RegularNav agent_id={id} time_step={dt}")}));
+  tree.root.children.push_back(nodeFrom("UpdateGoal agent_id={id}"));
+  return tree;
 }
 
 TreeFile makeTree(const sim2d::Scenario& scenario, const sim2d::Human& human,
@@ -166,7 +161,7 @@ TreeTable makeTable(const sim2d::Scenario& scenario, const sim2d::Human& human,
   table.file = treeFileName(scenario.yamlBaseName.value_or("scenario"), human.id);
   table.mainTree = file.mainTree;
   if (!file.find(kRegularTree)) {
-    table.entries[kRegularTree] = {regularTree({}), kRegularNavFile};
+    table.entries[kRegularTree] = {regularNavTree(), kRegularNavFile};
   }
   for (TreeSpec& tree : file.trees) {
     const std::string id = tree.id;
@@ -193,7 +188,7 @@ std::string regularNavText(const NodeCatalogue& catalogue) {
   TreeFile file;
   file.mainTree = kRegularTree;
   file.model = modelBlock(catalogue, {"RegularNav", "UpdateGoal", "IsGoalReached"});
-  file.trees = {regularTree({})};
+  file.trees = {regularNavTree()};
   file.order = {FilePart::Model, FilePart::Tree};
   return writeTree(file, catalogue);
 }

@@ -85,14 +85,6 @@ class Collisions : public ContactsWithin<&MetricParameters::contactDistance> {
   bool touches_ = false;  // an obstacle at the newest sample
 };
 
-MetricValue totalTime(const Instant& last) {
-  return last.elapsed();
-}
-
-MetricValue timeout(const Instant& last) {
-  return isTimeout(last) ? 1.0 : 0.0;
-}
-
 constexpr char kMetrics[] = R"(
 = Safety & Collisions|lower|robot, people|Tsoi et al., SEAN 2.0, RA-L 2022
 16 robot_on_person_collision|Robot runs into a person||0, 1, ...|contacts (gap < contact_distance begins) in which the robot closes in faster
@@ -113,8 +105,8 @@ void addOutcome(MetricRegistry& to) {
   to.add(kMetrics, {{"robot_on_person_collision", streamOf<Collisions>(&Collisions::ofRobot)},
                     {"person_on_robot_collision", streamOf<Collisions>(&Collisions::ofPerson)},
                     {"success", streamOf<Collisions>(&Collisions::success)},
-                    {"total_time", streamOfLast(totalTime)},
-                    {"timeout", streamOfLast(timeout)},
+                    {"total_time", streamOfLast(&Instant::elapsed)},
+                    {"timeout", streamOfLast(isTimeout)},
                     {"obstacle_collisions", streamOf<Collisions>(&Collisions::obstacles)}});
 }
 

@@ -30,10 +30,6 @@ class GoalStay : public Accumulator {
   std::optional<double> since_;  // [s]
 };
 
-MetricValue completed(const Instant& last) {
-  return isCompleted(last) ? 1.0 : 0.0;
-}
-
 MetricValue goalDistance(double distance, const Instant& last) {
   if (!last.context.goals.empty()) {
     return distance;
@@ -117,7 +113,7 @@ targ_dist_norm|Final distance per path length||[0, inf)|final_distance_to_target
 void addProgress(MetricRegistry& to) {
   to.add(kMetrics,
          {{"time_to_reach_goal", streamOf<GoalStay>(&GoalStay::time)},
-          {"completed", streamOfLast(completed)},
+          {"completed", streamOfLast(isCompleted)},
           {"minimum_distance_to_target", figuresOf<toNearestGoal>(smallestDistance)},
           {"final_distance_to_target", streamOfLast(finalDistance)},
           {"failure_to_progress", streamOf<GoalProgress>(&GoalProgress::failures, kNoGoal)},
