@@ -82,20 +82,4 @@ class SeriesSum {
   SeriesColumn terms_;
 };
 
-/// Sum of the intervals after the samples for which something holds; the last counts for none.
-class HeldTime {
- public:
-  /// Once for each sample.
-  void add(const Instant& at, bool holds) {
-    time_ += held_ ? at.step() : 0.0;
-    held_ = holds;
-  }
-  double value() const { return time_; }  // [s]
-  double percentOf(double total) const { return total > 0.0 ? 100.0 * time_ / total : 0.0; }
-
- private:
-  double time_ = 0.0;
-  bool held_ = false;  // at the sample before
-};
-
 }  // namespace metrics

@@ -15,25 +15,30 @@ const char* categoryName(Category category) {
   static constexpr std::array<const char*, kCategories> kNames = {
       "Navigation Performance", "Social Behavior", "Motion Analysis",
       "Safety & Collisions",    "Social Forces",   "Danger & Surprise Metrics"};
-  return kNames[static_cast<std::size_t>(category)];
+  return kNames.at(static_cast<std::size_t>(category));
 }
 
 const char* betterName(Better better) {
   static constexpr std::array<const char*, 3> kNames = {"lower", "higher", "neutral"};
-  return kNames[static_cast<std::size_t>(better)];
+  return kNames.at(static_cast<std::size_t>(better));
 }
 
+namespace {
+
+constexpr std::pair<bool Needs::*, const char*> kNeeds[] = {
+    {&Needs::robot, "robot"},         {&Needs::people, "people"}, {&Needs::groups, "groups"},
+    {&Needs::obstacles, "obstacles"}, {&Needs::goal, "goal"},     {&Needs::map, "map"}};
+
+}  // namespace
+
 std::string needsText(const Needs& needs) {
-  constexpr std::pair<bool Needs::*, const char*> kNames[] = {
-      {&Needs::robot, "robot"},         {&Needs::people, "people"}, {&Needs::groups, "groups"},
-      {&Needs::obstacles, "obstacles"}, {&Needs::goal, "goal"},     {&Needs::map, "map"}};
-  std::string text;
-  for (const auto& [needed, name] : kNames) {
+  std::vector<std::string> names;
+  for (const auto& [needed, name] : kNeeds) {
     if (needs.*needed) {
-      text += (text.empty() ? "" : ", ") + std::string(name);
+      names.emplace_back(name);
     }
   }
-  return text.empty() ? "nothing" : text;
+  return names.empty() ? "nothing" : base::join(names, ", ");
 }
 
 MetricValue::MetricValue(double number) {
@@ -89,32 +94,84 @@ bool hasWord(const std::string& text, const std::string& word) {
   return false;
 }
 
-}  // namespace
-
-Stream streamOfLast(MetricValue (*read)(const Instant& last)) {
-  return streamOf<Accumulator>(
-      [read](const Accumulator& /*sum*/, const Instant& last) { return read(last); });
+/// The enumerator of this name.
+template <class Enum>
+Enum named(const std::string& name, const char* (*nameOf)(Enum)) {
+  int value = 0;
+  while (name != nameOf(static_cast<Enum>(value))) {
+    ++value;
+  }
+  return static_cast<Enum>(value);
 }
+
+/// What the metrics below a heading have in common.
+MetricInfo headingOf(const std::vector<std::string>& fields) {
+  MetricInfo info;
+  info.category = named(fields.at(0).substr(2), categoryName);
+  info.better = named(fields.at(1), betterName);
+  for (const auto& [needed, name] : kNeeds) {
+    info.needs.*needed = hasWord(fields.at(2), name);
+  }
+  info.source = fields.at(3);
+  info.rateBound = fields.size() > 4 ? base::parseDouble(fields[4]).value() : info.rateBound;
+  return info;
+}
+
+std::vector<MetricInfo> infosOf(const char* table) {
+  std::vector<MetricInfo> infos;
+  MetricInfo info;
+  for (const std::string& line : base::split(table, '\n')) {
+    const std::vector<std::string> fields = base::split(line, '|');
+    if (line[0] == ' ') {
+      infos.back().formula += line.substr(1);
+    } else if (line[0] == '=') {
+      info = headingOf(fields);
+    } else if (!line.empty()) {
+      const std::vector<std::string> words = base::split(fields[0], ' ');
+      info.hunav = static_cast<int>(base::parseInt(words.front()).value_or(0));
+      info.key = words.back();
+      info.name = fields.at(1);
+      info.unit = fields.at(2);
+      info.range = fields.at(3);
+      info.kind = info.range == "0 or 1"      ? Kind::Boolean
+                  : info.range == "0, 1, ..." ? Kind::Count
+                                              : Kind::Number;
+      info.formula = base::join({fields.begin() + 4, fields.end()}, "|");  // bars: |v|
+      infos.push_back(info);
+    }
+  }
+  return infos;
+}
+
+}  // namespace
 
 void MetricRegistry::add(MetricInfo info, Stream stream) {
   assert(find(info.key) == nullptr);
-  entries_.push_back({std::move(info), std::move(stream), ""});
+  entries_.push_back({std::move(info), std::move(stream)});
 }
 
-void MetricRegistry::addSum(MetricInfo info, Stream stream) {
-  const std::string key = info.key;
-  info.rateBound = 0.51;  // twice the samples, twice the sum
-  add(info, std::move(stream));
-  info.key += "_mean";
-  info.name += ", mean per sample";
-  info.formula = key + " / N";
-  info.source = "ours";
-  info.kind = Kind::Number;
-  info.hunav = 0;
-  info.partOf = key;
-  info.rateBound = MetricInfo{}.rateBound;
-  assert(find(info.key) == nullptr);
-  entries_.push_back({std::move(info), {}, key});
+void MetricRegistry::add(const char* table, const std::map<std::string, Stream>& streams) {
+  for (MetricInfo& info : infosOf(table)) {
+    const Stream& stream = streams.at(info.key);
+    add(std::move(info), stream);
+  }
+}
+
+void MetricRegistry::addSums(const char* table, const std::map<std::string, Stream>& streams) {
+  for (MetricInfo& info : infosOf(table)) {
+    const std::string key = info.key;
+    info.rateBound = 0.51;  // twice the samples, twice the sum
+    add(info, streams.at(key));
+    info.key += "_mean";
+    info.name += ", mean per sample";
+    info.formula = key + " / N";
+    info.source = "ours";
+    info.kind = Kind::Number;
+    info.hunav = 0;
+    info.partOf = key;
+    info.rateBound = MetricInfo{}.rateBound;
+    add(std::move(info), {});
+  }
 }
 
 void MetricRegistry::sort() {
@@ -132,14 +189,6 @@ const MetricEntry* MetricRegistry::find(std::string_view key) const {
     }
   }
   return nullptr;
-}
-
-std::vector<std::string> MetricRegistry::keys() const {
-  std::vector<std::string> keys;
-  for (const MetricEntry& entry : entries_) {
-    keys.push_back(entry.info.key);
-  }
-  return keys;
 }
 
 std::vector<base::ParameterSpec> MetricRegistry::parametersOf(const MetricInfo& info) const {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -92,8 +93,7 @@ struct Stream {
 
 struct MetricEntry {
   MetricInfo info;
-  Stream stream;       // nothing to make: a mean
-  std::string meanOf;  // key of the sum that this one divides by N
+  Stream stream;  // nothing to make: the sum `info.partOf` divided by N
 };
 
 /// All metrics that a program knows. Writers, tables and panels walk over it and know no metric by
@@ -102,47 +102,23 @@ class MetricRegistry {
  public:
   /// Keys are unique: adding one twice is a bug.
   void add(MetricInfo info, Stream stream);
-  /// A sum over samples, and `<key>_mean` = value / number of samples, selected with its key.
-  void addSum(MetricInfo info, Stream stream);
+  /// The metrics of a table, worked out by the streams of their keys. A heading
+  /// "= category|better|needs|source", with "|rate bound" if it is not the usual one, stands above
+  /// lines "key|name|unit|range|formula", HuNavSim's with "number " in front; a line that begins
+  /// with a blank goes on with the formula. The range tells the kind.
+  void add(const char* table, const std::map<std::string, Stream>& streams);
+  /// The same of sums over samples, each with `<key>_mean` = value / number of samples, selected
+  /// with its key.
+  void addSums(const char* table, const std::map<std::string, Stream>& streams);
   /// HuNavSim's keys by number, then ours as they were added.
   void sort();
   const std::vector<MetricEntry>& entries() const { return entries_; }
   const MetricEntry* find(std::string_view key) const;
-  std::vector<std::string> keys() const;
   /// Those that the value of a metric depends on.
   std::vector<base::ParameterSpec> parametersOf(const MetricInfo& info) const;
 
  private:
   std::vector<MetricEntry> entries_;
-};
-
-/// Metrics with most of their description in common.
-struct MetricFamily {
-  MetricRegistry& to;
-  Category category;
-  Better better;
-  Needs needs;
-  std::string source;
-  std::string range = "[0, inf)";
-  Kind kind = Kind::Number;
-  double rateBound = MetricInfo{}.rateBound;
-
-  /// `hunav`: number among HuNavSim's keys.
-  void add(const char* key, const char* name, const char* unit, const char* formula, Stream stream,
-           int hunav = 0) const {
-    to.add(infoOf(key, name, unit, formula, hunav), std::move(stream));
-  }
-  void addSum(const char* key, const char* name, const char* unit, const char* formula,
-              Stream stream, int hunav) const {
-    to.addSum(infoOf(key, name, unit, formula, hunav), std::move(stream));
-  }
-
- private:
-  MetricInfo infoOf(const char* key, const char* name, const char* unit, const char* formula,
-                    int hunav) const {
-    return {key,    name,  unit, category, better, needs,    formula,
-            source, range, kind, hunav,    "",     rateBound};
-  }
 };
 
 template <class Sum>
@@ -182,7 +158,11 @@ Stream streamOfPart(std::size_t part) {
 }
 
 /// Needs no more than the last sample.
-Stream streamOfLast(MetricValue (*read)(const Instant& last));
+template <class Read>
+Stream streamOfLast(Read read) {
+  return streamOf<Accumulator>(
+      [read](const Accumulator& /*none*/, const Instant& last) { return std::invoke(read, last); });
+}
 
 /// Written by the build: calls add<File>() of every file in metrics/catalogue.
 void addAllMetrics(MetricRegistry& to);

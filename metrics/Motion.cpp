@@ -8,7 +8,7 @@ namespace metrics {
 
 bool isInGoalRegion(const RunContext& context, const Vec2& position,
                     const MetricParameters& parameters) {
-  return std::any_of(context.goals.begin(), context.goals.end(), [&](const Goal& goal) {
+  return std::any_of(context.goals.begin(), context.goals.end(), [&](const sim2d::TraceGoal& goal) {
     return lengthOf(position - goal.position) - goal.radius < parameters.goalTolerance;
   });
 }
@@ -19,7 +19,7 @@ bool isCompleted(const Instant& last) {
 
 double distanceToGoals(const RunContext& context, const Vec2& position) {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Goal& goal : context.goals) {
+  for (const sim2d::TraceGoal& goal : context.goals) {
     nearest = std::min(nearest, lengthOf(position - goal.position));
   }
   return nearest;
@@ -37,21 +37,15 @@ void RobotWay::add(const Instant& at) {
   turns_.add(at, std::fabs(base::angleDiff(robot.heading, at.before->robot.heading)));
 }
 
-namespace {
-
-constexpr double kEqualSpeeds = 1e-6;  // [m/s]
-
-/// gap < limit; the squares settle it for whoever is clearly farther away.
 bool isWithin(const Robot& robot, const Person& person, double limit) {
   const double reach = limit + robot.radius + person.radius + 1e-6;
   return (robot.position - person.position).squaredNorm() <= reach * reach &&
          gap(robot, person) < limit;
 }
 
-}  // namespace
-
 /// The velocities before the sample, as the contact may have stopped the bodies already.
 void Contacts::addEntry(const Instant& at, const Person& person, Culprits& to) {
+  constexpr double kEqualSpeeds = 1e-6;  // [m/s]
   const Robot& robot = at.now.robot;
   const Person* personBefore = at.before != nullptr ? findPerson(*at.before, person.id) : nullptr;
   const Vec2 between = person.position - robot.position;

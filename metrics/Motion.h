@@ -15,6 +15,9 @@ bool isInGoalRegion(const RunContext& context, const Vec2& position,
 bool isCompleted(const Instant& last);
 double distanceToGoals(const RunContext& context, const Vec2& position);  // nearest goal; inf: none
 
+/// gap < limit; quick for whoever is clearly farther away.
+bool isWithin(const Robot& robot, const Person& person, double limit);
+
 /// The way that the robot made.
 class RobotWay : public Accumulator {
  public:

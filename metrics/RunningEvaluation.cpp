@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim2d/base/Problems.h"
-
 namespace metrics {
 
 namespace {
@@ -26,32 +24,22 @@ Selection amongSome(Selection selection) {
   return selection;
 }
 
-/// How many people there are of each type.
-template <std::size_t kCount>
-std::array<std::size_t, kCount> countBehaviors(const Sample& sample) {
-  std::array<std::size_t, kCount> counts{};
-  for (const Person& person : sample.people) {
-    if (person.behavior >= 1 && person.behavior <= static_cast<int>(kCount)) {
-      ++counts[static_cast<std::size_t>(person.behavior) - 1];
-    }
-  }
-  return counts;
-}
-
 bool isActive(const Sample& sample) {
   return std::any_of(sample.people.begin(), sample.people.end(),
                      [](const Person& person) { return person.state != 0; });
 }
 
 /// Without the people of other types. The obstacle points go along and are not left behind.
-Sample takePeople(Sample& sample, int behavior, std::size_t count) {
+Sample takePeople(Sample& sample, int behavior) {
+  const auto isOne = [behavior](const Person& person) { return person.behavior == behavior; };
   Sample part;
-  part.people.reserve(count);
+  part.people.reserve(
+      static_cast<std::size_t>(std::count_if(sample.people.begin(), sample.people.end(), isOne)));
   part.time = sample.time;
   part.robot = sample.robot;
   for (Person& person : sample.people) {
-    if (person.behavior == behavior) {
-      std::vector<ObstaclePoint> points = std::move(person.obstacles);
+    if (isOne(person)) {
+      std::vector<sim2d::Obstacles::Point> points = std::move(person.obstacles);
       person.obstacles.clear();
       part.people.push_back(person);
       part.people.back().obstacles = std::move(points);
@@ -151,7 +139,7 @@ MetricValue SampleFeed::valueOf(const Item& item, const Instant& last,
     return undefinedValue("there is no robot");
   }
   return item.sum != nullptr ? entry.stream.read(*item.sum, last)
-                             : meanOver(findResult(before, entry.meanOf)->value, last.count());
+                             : meanOver(findResult(before, entry.info.partOf)->value, last.count());
 }
 
 std::vector<MetricResult> SampleFeed::values(const std::vector<MetricResult>* all,
@@ -197,18 +185,18 @@ void RunningEvaluation::note(double time, const sim2d::Event& event) {
 
 void RunningEvaluation::addToBehaviors(Sample& sample) {
   const bool anyActive = isActive(sample);
-  const std::array<std::size_t, kBehaviors> counts = countBehaviors<kBehaviors>(sample);
   for (std::size_t k = 0; k < kBehaviors; ++k) {
     Behavior& behavior = behaviors_[k];
-    behavior.isMet = behavior.isMet || counts[k] > 0;
-    // The original leaves out types that are missing at any sample.
-    if (isOriginal() && counts[k] == 0) {
-      behavior.feed.reset();
-    }
     if (!behavior.feed) {
       continue;
     }
-    Sample part = takePeople(sample, static_cast<int>(k) + 1, counts[k]);
+    Sample part = takePeople(sample, static_cast<int>(k) + 1);
+    behavior.isMet = behavior.isMet || !part.people.empty();
+    // The original leaves out types that are missing at any sample.
+    if (isOriginal() && part.people.empty()) {
+      behavior.feed.reset();
+      continue;
+    }
     if (selection_.behaviorSeries) {
       // Of the people of this type; the original looks at everybody.
       behavior.active.push_back((isOriginal() ? anyActive : isActive(part)) ? 1.0 : 0.0);

@@ -137,9 +137,7 @@ RunContext SampleBuilder::context() const {
   context.robotId = robotId_;
   context.robotStartTime = robot->startTime;
   context.robotMaxSpeed = robot->maxVel;
-  for (const sim2d::TraceGoal& goal : robot->goals) {
-    context.goals.push_back({goal.position, goal.radius});
-  }
+  context.goals = robot->goals;
   sim2d::Obstacles standing = all_;
   for (const Door& door : doors_) {
     standing.setEnabled(door.part, false);
@@ -165,10 +163,7 @@ void SampleBuilder::addObstaclePoints(Body& body) {
   } else {
     all_.boundaryPoints(body.position, buffer_);
   }
-  body.obstacles.reserve(buffer_.size());
-  for (const sim2d::Obstacles::Point& point : buffer_) {
-    body.obstacles.push_back({point.position, point.inside});
-  }
+  body.obstacles = buffer_;
 }
 
 Sample SampleBuilder::sampleOf(const sim2d::Frame& frame) {

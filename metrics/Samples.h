@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <map>
 #include <memory>
@@ -22,12 +21,6 @@ using base::Vec2;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kTimeSlack = 1e-9;  // [s] times are reached this much early
 
-/// Where an obstacle acts on a body.
-struct ObstaclePoint {
-  Vec2 position = Vec2::Zero();
-  bool inside = false;  // the body is inside the obstacle
-};
-
 /// A robot or a person at one instant. World frame, SI, radians.
 struct Body {
   int id = 0;
@@ -37,7 +30,7 @@ struct Body {
   double speed = 0.0;  // |velocity|
   double omega = 0.0;
   double radius = 0.35;
-  std::vector<ObstaclePoint> obstacles;
+  std::vector<sim2d::Obstacles::Point> obstacles;  // where they act on it
 };
 
 enum class Sight { Free, Blocked, OutsideMap };  // OutsideMap: hunav2 only
@@ -81,22 +74,17 @@ struct Sample {
 void workOutPairs(Sample& sample, const sim2d::OccupancyGrid* map,
                   const MetricParameters& parameters);
 
-struct Goal {
-  Vec2 position = Vec2::Zero();
-  double radius = 0.2;
-};
-
 class Routes;
 
 /// What holds for a whole run, one robot at most.
 struct RunContext {
   bool hasRobot = false;
   int robotId = -1;
-  double robotStartTime = 0.0;     // it sets off then [s]
-  double robotMaxSpeed = 1.0;      // v_max [m/s]
-  std::vector<Goal> goals;         // of the robot
-  sim2d::OccupancyGrid map;        // empty = none
-  std::shared_ptr<Routes> routes;  // shortest ways; null = straight lines
+  double robotStartTime = 0.0;          // it sets off then [s]
+  double robotMaxSpeed = 1.0;           // v_max [m/s]
+  std::vector<sim2d::TraceGoal> goals;  // of the robot
+  sim2d::OccupancyGrid map;             // empty = none
+  std::shared_ptr<Routes> routes;       // shortest ways; null = straight lines
   /// A run to compare with, instead of the shortest way: time from its start [s], place.
   std::vector<std::pair<double, Vec2>> reference;
 };

@@ -62,30 +62,33 @@ Stream seriesFiguresOf(Read read, const char* why = nullptr) {
   return streamOf<FiguresOf<kTerm, true>>(read, why);
 }
 
-/// How long and at how many samples something holds.
-class Times : public Accumulator {
+/// How long and at how many samples something holds: the intervals after them count, the last
+/// sample for none.
+class Times {
  public:
-  double time() const { return time_.value(); }  // [s]
-  double percentOfTime(const Instant& last) const { return time_.percentOf(last.elapsed()); }
+  /// Once for each sample.
+  void take(const Instant& at, bool holds) {
+    samples_ += holds ? 1.0 : 0.0;
+    time_ += held_ ? at.step() : 0.0;
+    held_ = holds;
+  }
+  double time() const { return time_; }  // [s]
+  double percentOf(double total) const { return total > 0.0 ? 100.0 * time_ / total : 0.0; }
+  double percentOfTime(const Instant& last) const { return percentOf(last.elapsed()); }
   double percentOfSamples(const Instant& last) const {
     return 100.0 * samples_ / static_cast<double>(last.count());
   }
 
- protected:
-  void take(const Instant& at, bool holds) {
-    samples_ += holds ? 1.0 : 0.0;
-    time_.add(at, holds);
-  }
-
  private:
   double samples_ = 0.0;
-  HeldTime time_;
+  double time_ = 0.0;
+  bool held_ = false;  // at the sample before
 };
 
 using InstantTest = bool (*)(const Instant& at);
 
 template <InstantTest kTest>
-class TimesOf : public Times {
+class TimesOf : public Accumulator, public Times {
  public:
   void add(const Instant& at) override { take(at, kTest(at)); }
 };

@@ -276,7 +276,8 @@ class Batch {
 /// Keys of the selection, in the order of the registry; every finished run has the same.
 std::vector<std::string> metricColumns(const BatchRows& rows) {
   std::vector<std::string> columns;
-  for (const std::string& key : metrics::standardRegistry().keys()) {
+  for (const metrics::MetricEntry& entry : metrics::standardRegistry().entries()) {
+    const std::string& key = entry.info.key;
     if (std::any_of(rows.begin(), rows.end(), [&key](const std::optional<BatchRow>& row) {
           return row && row->metrics.count(key) != 0;
         })) {

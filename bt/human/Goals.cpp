@@ -14,7 +14,7 @@ constexpr double kSmallRadius = 0.1;  // [m]
 
 }  // namespace
 
-bool isGoalReached(HumanContext& context, int human) {
+bool isGoalReached(HumanContext& context, Person human) {
   const std::vector<GoalItem>& goals = context.control(human).goals;
   if (goals.empty()) {
     return false;
@@ -23,7 +23,7 @@ bool isGoalReached(HumanContext& context, int human) {
   return distance <= goals.front().radius + kGoalTolerance;
 }
 
-bool advanceGoal(HumanContext& context, int human) {
+bool advanceGoal(HumanContext& context, Person human) {
   std::vector<GoalItem>& goals = context.control(human).goals;
   if (goals.empty()) {
     return false;
@@ -44,7 +44,7 @@ bool advanceGoal(HumanContext& context, int human) {
   return true;
 }
 
-void addGoal(HumanContext& context, int human, GoalItem goal) {
+void addGoal(HumanContext& context, Person human, GoalItem goal) {
   std::vector<GoalItem>& goals = context.control(human).goals;
   const double radius = context.view().constants(human).goalRadius;
   const bool isOriginal = context.isOriginal(9);
@@ -86,7 +86,7 @@ void restoreAllGoals(LeafContext& leaf) {
   context.dropNotes(leaf);
 }
 
-void setGroup(HumanContext& context, int human, int group) {
+void setGroup(HumanContext& context, Person human, int group) {
   int& present = context.control(human).group;
   if (present != group) {
     present = group;

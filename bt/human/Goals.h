@@ -12,13 +12,13 @@ namespace bt {
 constexpr double kGoalTolerance = 0.1;
 
 /// The front goal is within its radius + 0.1 m; false without goals.
-bool isGoalReached(HumanContext& context, int human);
+bool isGoalReached(HumanContext& context, Person human);
 /// The front goal goes to the end, or away on a one-way list. One that was reached is told by the
 /// events `goal` and, for the last of a one-way list, `arrived`. False without goals.
-bool advanceGoal(HumanContext& context, int human);
+bool advanceGoal(HumanContext& context, Person human);
 /// As SetGoal: in the first tick of the person's own tree the goals of the scenario make way;
 /// later goals are appended unless that point is in the list. Radius = the person's.
-void addGoal(HumanContext& context, int human, sim2d::GoalItem goal);
+void addGoal(HumanContext& context, Person human, sim2d::GoalItem goal);
 
 /// Goals and group as they are now.
 SavedPerson savePerson(HumanContext& context, int human);
@@ -28,7 +28,7 @@ void restoreGoals(HumanContext& context, const SavedPerson& saved);
 /// Restores the goals of all in the node's notes, and drops those.
 void restoreAllGoals(LeafContext& leaf);
 /// Tells the change by the event `group`.
-void setGroup(HumanContext& context, int human, int group);
+void setGroup(HumanContext& context, Person human, int group);
 
 /// The main person of port 0 and the others, in order, nobody twice. Nothing when somebody does not
 /// exist or is not in the world (the node fails) or the list is no list (the tree is faulty).

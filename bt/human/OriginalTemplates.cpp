@@ -1,3 +1,4 @@
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -46,28 +47,20 @@ std::string onceSeen(const std::string& name, const std::string& node) {
          "            </Sequence>\n";
 }
 
-/// Elements of the panel's reaction; empty = regular navigation.
-std::string panelReaction(BehaviorType type) {
-  switch (type) {
-    case BehaviorType::Surprised:
-      return kSurprised;
-    case BehaviorType::Scared:
-      return onceSeen("ScaNav", R"(AvoidRobot agent_id="{id}" time_step="{dt}" )"
-                                R"(runaway_vel="{maxvel}" safe_distance="{safe_distance}" )"
-                                R"(duration="{duration}")");
-    case BehaviorType::Curious:
-      return onceSeen("CurNav", R"(ApproachRobot agent_id="{id}" time_step="{dt}" )"
-                                R"(closest_dist="{stopdist}" max_vel="{maxvel}" )"
-                                R"(duration="{duration}")");
-    case BehaviorType::Threatening:
-      return onceSeen("ThreadNav", R"(BlockRobot agent_id="{id}" time_step="{dt}" )"
-                                   R"(front_dist="{frontdist}" duration="{duration}")");
-    case BehaviorType::Regular:
-    case BehaviorType::Impassive:
-      break;
-  }
-  return {};
-}
+/// XML by behaviour; who is not in it walks regularly.
+using Reactions = std::map<BehaviorType, std::string>;
+
+const Reactions kPanelReactions = {
+    {BehaviorType::Surprised, kSurprised},
+    {BehaviorType::Scared,
+     onceSeen("ScaNav", R"(AvoidRobot agent_id="{id}" time_step="{dt}" runaway_vel="{maxvel}" )"
+                        R"(safe_distance="{safe_distance}" duration="{duration}")")},
+    {BehaviorType::Curious,
+     onceSeen("CurNav", R"(ApproachRobot agent_id="{id}" time_step="{dt}" )"
+                        R"(closest_dist="{stopdist}" max_vel="{maxvel}" duration="{duration}")")},
+    {BehaviorType::Threatening,
+     onceSeen("ThreadNav", R"(BlockRobot agent_id="{id}" time_step="{dt}" )"
+                           R"(front_dist="{frontdist}" duration="{duration}")")}};
 
 /// RunOnce around SetGoal for each goal; the last one fails once, so that the fallback goes on in
 /// the first tick. Without goals they ask for goal 1 and forget the inverter.
@@ -166,35 +159,27 @@ std::string timedReaction(const std::string& name, const std::string& node) {
          node + "/>\n    </Sequence>\n";
 }
 
-std::string reactionOf(BehaviorType type) {
-  switch (type) {
-    case BehaviorType::Surprised:
-      return timedReaction("SurNav", R"(SurprisedNav agent_id="{id}" time_step="{dt}")");
-    case BehaviorType::Scared:
-      return timedReaction("ScaNav",
-                           R"(ScaredNav agent_id="{id}" time_step="{dt}" )"
-                           R"(runaway_vel="{maxvel}" scary_force_factor="{forcefactor}")");
-    case BehaviorType::Curious:
-      return timedReaction("CurNav", R"(CuriousNav agent_id="{id}" time_step="{dt}" )"
-                                     R"(stop_distance="{stopdist}" agent_vel="{maxvel}")");
-    case BehaviorType::Threatening:
-      return kWrapperThreatening;
-    case BehaviorType::Regular:
-    case BehaviorType::Impassive:
-      break;
-  }
-  return {};
-}
+const Reactions kWrapperReactions = {
+    {BehaviorType::Surprised,
+     timedReaction("SurNav", R"(SurprisedNav agent_id="{id}" time_step="{dt}")")},
+    {BehaviorType::Scared,
+     timedReaction("ScaNav", R"(ScaredNav agent_id="{id}" time_step="{dt}" )"
+                             R"(runaway_vel="{maxvel}" scary_force_factor="{forcefactor}")")},
+    {BehaviorType::Curious,
+     timedReaction("CurNav", R"(CuriousNav agent_id="{id}" time_step="{dt}" )"
+                             R"(stop_distance="{stopdist}" agent_vel="{maxvel}")")},
+    {BehaviorType::Threatening, kWrapperThreatening}};
 
 std::string panelTreeText(const sim2d::Human& human, const std::string& modelFile) {
   const BehaviorType type = human.behavior.type.value_or(BehaviorType::Regular);
-  const std::string reaction = panelReaction(type);
-  const bool isRegular = reaction.empty();
+  const auto reaction = kPanelReactions.find(type);
+  const bool isRegular = reaction == kPanelReactions.end();
   const std::string name = isRegular ? "Regular" : sim2d::behaviorName(type);
-  std::string body =
-      "    <BehaviorTree ID=\"" + name + "NavTree\">\n        <Fallback name=\"" + name +
-      (isRegular ? "Nav" : "") + "Fallback\">\n            {GOAL_SEQUENCE}\n" + reaction +
-      (isRegular ? kRegular : kRegularCall) + "        </Fallback>\n    </BehaviorTree>\n</root>\n";
+  std::string body = "    <BehaviorTree ID=\"" + name + "NavTree\">\n        <Fallback name=\"" +
+                     name + (isRegular ? "Nav" : "") +
+                     "Fallback\">\n            {GOAL_SEQUENCE}\n" +
+                     (isRegular ? kRegular : reaction->second + kRegularCall) +
+                     "        </Fallback>\n    </BehaviorTree>\n</root>\n";
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<root main_tree_to_execute=\"" + name +
          "NavTree\" BTCPP_format=\"4\">\n\n  " + modelElement(modelFile) +
          "\n  <include path=\"BTRegularNav.xml\" />\n\n" + fillPlaceholders(std::move(body), human);
@@ -203,8 +188,8 @@ std::string panelTreeText(const sim2d::Human& human, const std::string& modelFil
 std::string wrapperTreeText(const sim2d::Human& human, const std::string& modelFile) {
   const BehaviorType type = human.behavior.type.value_or(BehaviorType::Regular);
   const std::string name = sim2d::behaviorName(type);
-  const std::string reaction = reactionOf(type);
-  const bool reacts = !reaction.empty();
+  const auto reaction = kWrapperReactions.find(type);
+  const bool reacts = reaction != kWrapperReactions.end();
   std::string body = "\n<include path=\"BTRegularNav.xml\" />\n\n\n";
   if (reacts) {
     body += "<!--<BehaviorTree ID=\"" + name + "NavTree\">-->\n";
@@ -213,7 +198,7 @@ std::string wrapperTreeText(const sim2d::Human& human, const std::string& modelF
           (reacts ? name + "Fallback" : "MainFallback") + "\">\n" +
           "    <!-- Goal setting Sequence -->\n    <Sequence name=\"SetGoals\">\n" +
           goalNodes(human.goals, std::string(8, ' '), "  ") + "\n    </Sequence>\n" +
-          (reacts ? reaction + kWrapperRegularCall : kWrapperRegular) +
+          (reacts ? reaction->second + kWrapperRegularCall : kWrapperRegular) +
           "  </Fallback>\n</BehaviorTree>\n\n\n\n</root>\n\n";
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
          "<root main_tree_to_execute=\"DefaultTree\" BTCPP_format=\"4\">\n  " +

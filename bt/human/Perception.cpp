@@ -36,18 +36,18 @@ bool isVisible(const WorldView& view, int observer, const Vec2& place, double di
 
 }  // namespace
 
-bool isRobotVisible(const WorldView& view, int human, double distance) {
+bool isRobotVisible(const WorldView& view, Person human, double distance) {
   const int robot = view.nearestRobot(human);
   return robot >= 0 &&
          isVisible(view, human, view.robotPose(robot).position, distance, kNaturalHalfView);
 }
 
-bool isPersonVisible(const WorldView& view, int observer, int target, double distance,
+bool isPersonVisible(const WorldView& view, Person observer, Person target, double distance,
                      double halfView) {
   return isVisible(view, observer, view.pose(target).position, distance, halfView);
 }
 
-bool isRobotFacing(const WorldView& view, int human) {
+bool isRobotFacing(const WorldView& view, Person human) {
   const int robot = view.nearestRobot(human);
   return robot >= 0 &&
          std::fabs(bearingOf(view.pose(human).position, view.robotPose(robot))) < kFacingAngle;

@@ -10,6 +10,7 @@
 
 #include "bt/engine/NodeLibrary.h"
 #include "bt/human/HumanContext.h"
+#include "bt/human/Perception.h"
 
 /// What the ports of people's nodes take, and leaves as functions of them.
 namespace bt {
@@ -27,19 +28,18 @@ bool isPersonPort(std::string_view name);
 /// duration of an action, goal_id target_x target_y (a place) and non_main_agent_ids.
 NodeCatalogue humanManifests(std::string_view text);
 
-/// A person in the world.
-struct Person {
-  int index;
-  operator int() const { return index; }  // NOLINT: meant to convert
-};
-
 /// What a port gives to a function; nothing = the node fails. A missing port makes the tree faulty.
 template <class T>
 std::optional<T> argument(LeafContext& leaf, int port) {
   return leaf.require<T>(port);
 }
+/// Instead of a port: it may be anybody, index -1.
+constexpr int kAnybody = -1;
 template <>
 inline std::optional<Person> argument(LeafContext& leaf, int port) {
+  if (port == kAnybody) {
+    return Person{-1};
+  }
   const std::optional<int> index = humanOf(leaf).person(leaf, port);
   return index ? std::optional<Person>({*index}) : std::nullopt;
 }
@@ -52,6 +52,8 @@ template <class Context>
 Context& contextOf(LeafContext& leaf) {
   if constexpr (std::is_same_v<Context, HumanContext>) {
     return humanOf(leaf);
+  } else if constexpr (std::is_same_v<Context, const sim2d::WorldView>) {
+    return humanOf(leaf).view();
   } else {
     return leaf;
   }
@@ -79,8 +81,9 @@ NodeStatus callWithPorts(LeafContext& leaf, Result (*function)(Context&, Argumen
   return std::apply(call, arguments);
 }
 
-/// A leaf that calls `function` with these ports, read in this order. It takes the HumanContext or
-/// the LeafContext before them and gives a status, or true for SUCCESS, or nothing (SUCCESS).
+/// A leaf that calls `function` with these ports, read in this order. It takes the HumanContext,
+/// its view or the LeafContext before them and gives a status, or true for SUCCESS, or nothing
+/// (SUCCESS).
 template <auto function, int... ports>
 NodeStatus withPorts(LeafContext& leaf) {
   return callWithPorts(leaf, function, std::integer_sequence<int, ports...>());

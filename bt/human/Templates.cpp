@@ -1,5 +1,6 @@
 #include "bt/human/Templates.h"
 
+#include <map>
 #include <utility>
 
 #include "bt/human/TemplateNodes.h"
@@ -16,26 +17,15 @@ namespace {
 
 constexpr const char* kRegularTree = "RegularNavTree";
 
-/// Name of the Sequence with the reaction; nullptr = there is none.
-const char* reactionName(BehaviorType type) {
-  switch (type) {
-    case BehaviorType::Surprised:
-      return "SurNav";
-    case BehaviorType::Scared:
-      return "ScaNav";
-    case BehaviorType::Curious:
-      return "CurNav";
-    case BehaviorType::Threatening:
-      return "ThreadNav";
-    case BehaviorType::Regular:
-    case BehaviorType::Impassive:
-      break;
-  }
-  return nullptr;
-}
+/// Names of the Sequences with the reactions; the others have none.
+const std::map<BehaviorType, const char*> kReactions = {{BehaviorType::Surprised, "SurNav"},
+                                                        {BehaviorType::Scared, "ScaNav"},
+                                                        {BehaviorType::Curious, "CurNav"},
+                                                        {BehaviorType::Threatening, "ThreadNav"}};
 
 std::string treeName(BehaviorType type) {
-  return reactionName(type) ? std::string(sim2d::behaviorName(type)) + "NavTree" : kRegularTree;
+  return kReactions.count(type) > 0 ? std::string(sim2d::behaviorName(type)) + "NavTree"
+                                    : kRegularTree;
 }
 
 /// The lasting action of scared, curious and threatening people.
@@ -57,7 +47,7 @@ NodeSpec reactionLeaf(const ResolvedHuman& human) {
 NodeSpec reactionBlock(const ResolvedHuman& human, const Compatibility& quirks) {
   NodeSpec visible =
       nodeFrom("IsRobotVisible agent_id={id} distance=" + shortNumber(human.noticeDistance));
-  NodeSpec block = branchNode("Sequence", reactionName(human.behavior), {});
+  NodeSpec block = branchNode("Sequence", kReactions.at(human.behavior), {});
   if (human.behavior == BehaviorType::Surprised) {
     const std::string timer =
         "Inverter>TimeExpiredCondition seconds=" + shortNumber(human.reactionDuration) +
@@ -87,18 +77,6 @@ NodeSpec regularNavCall() {
                      nodeFrom("SetBlackboard output_key=timestep value={dt}"), std::move(call)});
 }
 
-/// What comes first, then to the goals, in order.
-TreeSpec regularTree(std::vector<NodeSpec> first) {
-  TreeSpec tree;
-  tree.id = kRegularTree;
-  tree.root = branchNode("Fallback", "RegularNavFallback", std::move(first));
-  tree.root.children.push_back(branchNode("Sequence", "RegularNavigation",
-                                          {nodeFrom("Inverter>IsGoalReached agent_id={id}"),
-                                           nodeFrom("RegularNav agent_id={id} time_step={dt}")}));
-  tree.root.children.push_back(nodeFrom("UpdateGoal agent_id={id}"));
-  return tree;
-}
-
 std::vector<NodeSpec> goalBlocks(const std::vector<int>& goals, const Compatibility& quirks) {
   if (!goals.empty()) {
     return {setGoalsBlock(goals)};
@@ -113,8 +91,8 @@ std::vector<NodeSpec> goalBlocks(const std::vector<int>& goals, const Compatibil
 TreeSpec treeOf(const ResolvedHuman& human, const std::vector<int>& goals,
                 const Compatibility& quirks) {
   std::vector<NodeSpec> first = goalBlocks(goals, quirks);
-  if (!reactionName(human.behavior)) {
-    return regularTree(std::move(first));
+  if (kReactions.count(human.behavior) == 0) {
+    return regularNavTree(std::move(first));
   }
   TreeSpec tree;
   tree.id = treeName(human.behavior);
@@ -157,8 +135,15 @@ TreeFile makeBareTree(const sim2d::Scenario& scenario, const sim2d::Human& human
 
 }  // namespace
 
-TreeSpec regularNavTree() {
-  return regularTree({});
+TreeSpec regularNavTree(std::vector<NodeSpec> first) {
+  TreeSpec tree;
+  tree.id = kRegularTree;
+  tree.root = branchNode("Fallback", "RegularNavFallback", std::move(first));
+  tree.root.children.push_back(branchNode("Sequence", "RegularNavigation",
+                                          {nodeFrom("Inverter>IsGoalReached agent_id={id}"),
+                                           nodeFrom("RegularNav agent_id={id} time_step={dt}")}));
+  tree.root.children.push_back(nodeFrom("UpdateGoal agent_id={id}"));
+  return tree;
 }
 
 TreeFile makeTree(const sim2d::Scenario& scenario, const sim2d::Human& human,
@@ -176,7 +161,7 @@ TreeTable makeTable(const sim2d::Scenario& scenario, const sim2d::Human& human,
   table.file = treeFileName(scenario.yamlBaseName.value_or("scenario"), human.id);
   table.mainTree = file.mainTree;
   if (!file.find(kRegularTree)) {
-    table.entries[kRegularTree] = {regularTree({}), kRegularNavFile};
+    table.entries[kRegularTree] = {regularNavTree(), kRegularNavFile};
   }
   for (TreeSpec& tree : file.trees) {
     const std::string id = tree.id;
@@ -203,7 +188,7 @@ std::string regularNavText(const NodeCatalogue& catalogue) {
   TreeFile file;
   file.mainTree = kRegularTree;
   file.model = modelBlock(catalogue, {"RegularNav", "UpdateGoal", "IsGoalReached"});
-  file.trees = {regularTree({})};
+  file.trees = {regularNavTree()};
   file.order = {FilePart::Model, FilePart::Tree};
   return writeTree(file, catalogue);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "bt/tree/NodeCatalogue.h"
 #include "bt/tree/TreeSpec.h"
@@ -32,7 +33,8 @@ std::string makeTreeText(const sim2d::Scenario& scenario, const sim2d::Human& hu
 std::string treeFileName(const std::string& base, int agentId);
 /// Name and text of the file that every generated tree includes; it lies beside them.
 constexpr const char* kRegularNavFile = "BTRegularNav.xml";
-TreeSpec regularNavTree();
+/// What comes first, then to the goals, in order.
+TreeSpec regularNavTree(std::vector<NodeSpec> first = {});
 std::string regularNavText(const NodeCatalogue& catalogue);
 
 }  // namespace bt

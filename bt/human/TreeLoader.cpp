@@ -9,7 +9,6 @@
 #include "bt/human/HumanNodes.h"
 #include "bt/human/Templates.h"
 #include "bt/tree/TreeXml.h"
-#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 
 namespace bt {
@@ -100,11 +99,11 @@ TreeState PersonProgram::start(const ResolvedHuman& human) const {
 
 const PersonProgram* PersonPrograms::find(const ResolvedHuman& person) const {
   if (const auto own = ofPeople.find(person.id); own != ofPeople.end()) {
-    return programs[own->second].get();
+    return own->second.get();
   }
   // Names of people from a source end in "_" and a number.
   const auto source = ofSources.find(person.name.substr(0, person.name.rfind('_')));
-  return source != ofSources.end() ? programs[source->second].get() : nullptr;
+  return source != ofSources.end() ? source->second.get() : nullptr;
 }
 
 base::Result<TreeTable> loadPersonTrees(base::Result<TreeFile> file) {
@@ -208,20 +207,10 @@ const TreeLoader::Loaded& TreeLoader::look(const std::string& text, const std::s
 
 PersonPrograms TreeLoader::loadAll(const TreeFiles& files, Diagnostics& diagnostics) {
   PersonPrograms result;
-  std::map<std::shared_ptr<const PersonProgram>, std::size_t> known;
-  const auto loadOne = [&](const sim2d::Human& human) {
-    const auto file = files.find(human.name);
-    const auto [place, isNew] = known.emplace(
-        load(human, file == files.end() ? TreeSource() : file->second, diagnostics), known.size());
-    if (isNew) {
-      result.programs.push_back(place->first);
-    }
-    return place->second;
-  };
-  std::map<std::string, std::size_t> patterns;  // of sources, by name
+  std::map<std::string, std::shared_ptr<const PersonProgram>> patterns;  // of sources, by name
   for (const sim2d::Area& area : scenario_.areas) {
     if (const sim2d::Human* like = prototypeOf(scenario_, area)) {
-      patterns.emplace(like->name, 0);
+      patterns.emplace(like->name, nullptr);
     }
   }
   for (const sim2d::Human& human : scenario_.humans) {
@@ -229,10 +218,11 @@ PersonPrograms TreeLoader::loadAll(const TreeFiles& files, Diagnostics& diagnost
     if (!human.listed && pattern == patterns.end()) {
       continue;
     }
-    const std::size_t program = loadOne(human);
+    const auto file = files.find(human.name);
+    const auto program =
+        load(human, file == files.end() ? TreeSource() : file->second, diagnostics);
     if (human.listed) {
-      std::size_t& own = result.ofPeople.emplace(human.id, program).first->second;
-      own = std::min(own, program);
+      result.ofPeople.emplace(human.id, program);
     }
     if (pattern != patterns.end()) {
       pattern->second = program;

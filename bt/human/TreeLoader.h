@@ -26,9 +26,8 @@ struct PersonProgram {
 
 /// Who runs which program.
 struct PersonPrograms {
-  std::vector<std::shared_ptr<const PersonProgram>> programs;  // each once
-  std::map<int, std::size_t> ofPeople;                         // by id
-  std::map<std::string, std::size_t> ofSources;                // by the name of the area
+  std::map<int, std::shared_ptr<const PersonProgram>> ofPeople;           // by id
+  std::map<std::string, std::shared_ptr<const PersonProgram>> ofSources;  // by name of the area
 
   /// Null when nothing is said of the person.
   const PersonProgram* find(const sim2d::ResolvedHuman& person) const;

@@ -15,21 +15,20 @@ bool isTooClose(const Instant& at) {
   return at.term(clearance) < at.parameters.safetyDistance;
 }
 
+constexpr char kMetrics[] = R"(
+= Safety & Collisions|higher|robot, obstacles|Francis et al. 2025; SocNavGym; bench-mr
+clearing_distance_min|Smallest clearance|m|(-inf, inf)|min over samples with an obstacle in reach of (its distance - r_r)
+clearing_distance_avg|Mean clearance|m|(-inf, inf)|mean over samples with an obstacle in reach of (its distance - r_r)
+= Safety & Collisions|lower|robot, obstacles|MRPB; SRPB
+obstacle_safety|Time too close to obstacles|%|[0, 100]|share of time with clearance < safety_distance
+)";
+
 }  // namespace
 
 void addClearance(MetricRegistry& to) {
-  const Needs needs{true, false, false, true};
-  const char source[] = "Francis et al. 2025; SocNavGym; bench-mr";
-  const MetricFamily own{to, Category::Safety, Better::Higher, needs, source, "(-inf, inf)"};
-  own.add("clearing_distance_min", "Smallest clearance", "m",
-          "min over samples with an obstacle in reach of (its distance - r_r)",
-          figuresOf<clearance>(&Figures::least, kNoObstacle));
-  own.add("clearing_distance_avg", "Mean clearance", "m",
-          "mean over samples with an obstacle in reach of (its distance - r_r)",
-          figuresOf<clearance>(&Figures::mean, kNoObstacle));
-  to.add({"obstacle_safety", "Time too close to obstacles", "%", Category::Safety, Better::Lower,
-          needs, "share of time with clearance < safety_distance", "MRPB; SRPB", "[0, 100]"},
-         timesOf<isTooClose>(&Times::percentOfTime));
+  to.add(kMetrics, {{"clearing_distance_min", figuresOf<clearance>(&Figures::least, kNoObstacle)},
+                    {"clearing_distance_avg", figuresOf<clearance>(&Figures::mean, kNoObstacle)},
+                    {"obstacle_safety", timesOf<isTooClose>(&Times::percentOfTime)}});
 }
 
 }  // namespace metrics

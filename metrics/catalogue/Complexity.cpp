@@ -127,27 +127,26 @@ class StoppedDistance : public Accumulator {
   double sum_ = 0.0, count_ = 0.0;
 };
 
+constexpr char kMetrics[] = R"(
+= Social Behavior|neutral|robot, people|Mavrogiannis and Knepper 2019
+topological_complexity|Winding around people|turns|[0, inf)|sum over a of |sum over i of wrap(change of the bearing of a from the robot)| / 2 pi
+= Navigation Performance|lower|robot|Arena; MRPB
+replanning_count|New plans of the robot||0, 1, ...|number of events replan of the robot
+= Navigation Performance|lower|nothing|Francis et al. 2025
+aggregated_time|Aggregated time to the goals|s|[0, inf)|sum of the times of first arrival of people and robot
+= Navigation Performance|lower|robot, goal|SEAN 2.0
+mean_dist_to_target_not_moving|Mean distance to the goal while stopped|m|[0, inf)|mean of the distance to the nearest goal over the samples with
+  |p(t) - p(t - stopped_window)| < stopped_distance
+)";
+
 }  // namespace
 
 void addComplexity(MetricRegistry& to) {
-  to.add({"topological_complexity", "Winding around people", "turns", Category::Social,
-          Better::Neutral, Needs{true, true},
-          "sum over a of |sum over i of wrap(change of the bearing of a from the robot)| / 2 pi",
-          "Mavrogiannis and Knepper 2019"},
-         streamOf<Winding>(&Winding::turns));
-  to.add({"replanning_count", "New plans of the robot", "", Category::Navigation, Better::Lower,
-          Needs{}, "number of events replan of the robot", "Arena; MRPB", "0, 1, ...", Kind::Count},
-         streamOf<Replans>(&Replans::count));
-  to.add({"aggregated_time", "Aggregated time to the goals", "s", Category::Navigation,
-          Better::Lower, Needs{false}, "sum of the times of first arrival of people and robot",
-          "Francis et al. 2025"},
-         streamOf<Arrivals>(&Arrivals::sum, "nobody arrived"));
-  to.add({"mean_dist_to_target_not_moving", "Mean distance to the goal while stopped", "m",
-          Category::Navigation, Better::Lower, Needs{true, false, false, false, true},
-          "mean of the distance to the nearest goal over the samples with |p(t) - p(t - "
-          "stopped_window)| < stopped_distance",
-          "SEAN 2.0"},
-         streamOf<StoppedDistance>(&StoppedDistance::mean));
+  to.add(kMetrics,
+         {{"topological_complexity", streamOf<Winding>(&Winding::turns)},
+          {"replanning_count", streamOf<Replans>(&Replans::count)},
+          {"aggregated_time", streamOf<Arrivals>(&Arrivals::sum, "nobody arrived")},
+          {"mean_dist_to_target_not_moving", streamOf<StoppedDistance>(&StoppedDistance::mean)}});
 }
 
 }  // namespace metrics

@@ -174,36 +174,31 @@ Stream meanOf(std::size_t measure) {
                               kNobody);
 }
 
+constexpr char kMetrics[] = R"(
+= Social Behavior|neutral|people|Steffen and Seyfried 2010
+crowd_density|Density around people|1/m²|[0, inf)|mean over looks (crowd_interval apart) and people of the number within crowd_radius, themselves
+  included, / (pi crowd_radius^2)
+crowd_voronoi_density|Voronoi density|1/m²|[0, inf)|mean over looks and people of 1/area of their cell, cut at crowd_radius
+crowd_voronoi_density_max|Voronoi density, largest look|1/m²|[0, inf)|max over looks of the mean over people of the same
+= Social Behavior|neutral|people|Seyfried et al. 2005
+crowd_specific_flow|Flow per metre of width|1/(m s)|[0, inf)|mean over looks and people of Voronoi density * |u_a| (fundamental diagram)
+= Social Behavior|neutral|people|Vicsek et al. 1995
+crowd_polarisation|Common direction of the crowd||[0, 1]|mean over looks of |mean of u_a/|u_a|| of who walks
+= Social Behavior|neutral|people|Rex and Loewen 2007
+crowd_lane_order|Lanes of the crowd||[0, 1]|mean over looks and walking people of ((same - opposite)/(same + opposite))^2 within lane_width to each
+  side of the main axis of walking
+)";
+
 }  // namespace
 
 void addCrowd(MetricRegistry& to) {
-  const Needs needs{false, true};
-  const char steffen[] = "Steffen and Seyfried 2010";
-  const MetricFamily densities{to, Category::Social, Better::Neutral, needs, steffen};
-  densities.add("crowd_density", "Density around people", "1/m²",
-                "mean over looks (crowd_interval apart) and people of the number within "
-                "crowd_radius, themselves included, / (pi crowd_radius^2)",
-                meanOf(kDensity));
-  densities.add("crowd_voronoi_density", "Voronoi density", "1/m²",
-                "mean over looks and people of 1/area of their cell, cut at crowd_radius",
-                meanOf(kVoronoiDensity));
-  densities.add("crowd_voronoi_density_max", "Voronoi density, largest look", "1/m²",
-                "max over looks of the mean over people of the same",
-                streamOf<CrowdLooks>(&CrowdLooks::largestVoronoiDensity, kNobody));
-  to.add({"crowd_specific_flow", "Flow per metre of width", "1/(m s)", Category::Social,
-          Better::Neutral, needs,
-          "mean over looks and people of Voronoi density * |u_a| (fundamental diagram)",
-          "Seyfried et al. 2005"},
-         meanOf(kSpecificFlow));
-  to.add({"crowd_polarisation", "Common direction of the crowd", "", Category::Social,
-          Better::Neutral, needs, "mean over looks of |mean of u_a/|u_a|| of who walks",
-          "Vicsek et al. 1995", "[0, 1]"},
-         meanOf(kPolarisation));
-  to.add({"crowd_lane_order", "Lanes of the crowd", "", Category::Social, Better::Neutral, needs,
-          "mean over looks and walking people of ((same - opposite)/(same + opposite))^2 within "
-          "lane_width to each side of the main axis of walking",
-          "Rex and Loewen 2007", "[0, 1]"},
-         meanOf(kLaneOrder));
+  to.add(kMetrics, {{"crowd_density", meanOf(kDensity)},
+                    {"crowd_voronoi_density", meanOf(kVoronoiDensity)},
+                    {"crowd_voronoi_density_max",
+                     streamOf<CrowdLooks>(&CrowdLooks::largestVoronoiDensity, kNobody)},
+                    {"crowd_specific_flow", meanOf(kSpecificFlow)},
+                    {"crowd_polarisation", meanOf(kPolarisation)},
+                    {"crowd_lane_order", meanOf(kLaneOrder)}});
 }
 
 }  // namespace metrics

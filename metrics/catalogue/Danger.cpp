@@ -56,18 +56,17 @@ class DangerSum : public PersonCosts {
   }
 };
 
+constexpr char kMetrics[] = R"(
+= Danger & Surprise Metrics|lower|robot, people|Singamaneni, Favier, Alami, RO-MAN 2023
+30 danger_fear_cost|Danger: fear|1/s|[0, inf)|sum over i, a of min(1/ttc, fear_cap), 0 without a collision course
+31 danger_panic_cost|Danger: panic|1/s|[0, inf)|sum over i, a of near misses: (|V|/d) * m/(m - R), m = miss distance of the centres
+)";
+
 }  // namespace
 
 void addDanger(MetricRegistry& to) {
-  const char source[] = "Singamaneni, Favier, Alami, RO-MAN 2023";
-  const MetricFamily danger{to, Category::DangerSurprise, Better::Lower, {true, true}, source};
-  danger.addSum("danger_fear_cost", "Danger: fear", "1/s",
-                "sum over i, a of min(1/ttc, fear_cap), 0 without a collision course",
-                streamOfPart<DangerSum>(0), 30);
-  danger.addSum(
-      "danger_panic_cost", "Danger: panic", "1/s",
-      "sum over i, a of near misses: (|V|/d) * m/(m - R), m = miss distance of the centres",
-      streamOfPart<DangerSum>(1), 31);
+  to.addSums(kMetrics, {{"danger_fear_cost", streamOfPart<DangerSum>(0)},
+                        {"danger_panic_cost", streamOfPart<DangerSum>(1)}});
 }
 
 }  // namespace metrics

@@ -51,30 +51,25 @@ bool isWide(const Instant& at) {
   return at.term(kAngle) <= kWideHalfAngle;
 }
 
+/// Times begin and end on samples: the rate bound is 0.05.
+constexpr char kMetrics[] = R"(
+= Social Behavior|lower|robot, people|Arena|0.05
+time_facing_people|Time heading at people|s|[0, T]|sum of dt_i with a person within facing_half_angle of the robot's heading
+= Social Behavior|neutral|robot, people|Arena|0.05
+time_seen_by_people|Time looked at|s|[0, T]|sum of dt_i with the robot within facing_half_angle of a person's heading
+= Social Behavior|lower|robot, people|Arena, wider cone|0.05
+time_facing_people_60|Time heading towards people|s|[0, T]|the same within 60 degrees to each side
+= Social Behavior|neutral|robot, people|Arena, wider cone|0.05
+time_seen_by_people_60|Time in somebody's view|s|[0, T]|the same within 60 degrees to each side
+)";
+
 }  // namespace
 
 void addFacing(MetricRegistry& to) {
-  constexpr double kBound = 0.05;  // begins and ends on samples
-  const auto family = [&to](Better better, const char* source) {
-    const Needs needs{true, true};
-    return MetricFamily{to,     Category::Social, better,       needs,
-                        source, "[0, T]",         Kind::Number, kBound};
-  };
-  const char wide[] = "Arena, wider cone";
-  family(Better::Lower, "Arena")
-      .add("time_facing_people", "Time heading at people", "s",
-           "sum of dt_i with a person within facing_half_angle of the robot's heading",
-           timesOf<isNarrow<robotFaces>>(&Times::time));
-  family(Better::Neutral, "Arena")
-      .add("time_seen_by_people", "Time looked at", "s",
-           "sum of dt_i with the robot within facing_half_angle of a person's heading",
-           timesOf<isNarrow<personSees>>(&Times::time));
-  family(Better::Lower, wide)
-      .add("time_facing_people_60", "Time heading towards people", "s",
-           "the same within 60 degrees to each side", timesOf<isWide<robotFaces>>(&Times::time));
-  family(Better::Neutral, wide)
-      .add("time_seen_by_people_60", "Time in somebody's view", "s",
-           "the same within 60 degrees to each side", timesOf<isWide<personSees>>(&Times::time));
+  to.add(kMetrics, {{"time_facing_people", timesOf<isNarrow<robotFaces>>(&Times::time)},
+                    {"time_seen_by_people", timesOf<isNarrow<personSees>>(&Times::time)},
+                    {"time_facing_people_60", timesOf<isWide<robotFaces>>(&Times::time)},
+                    {"time_seen_by_people_60", timesOf<isWide<personSees>>(&Times::time)}});
 }
 
 }  // namespace metrics

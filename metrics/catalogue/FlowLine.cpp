@@ -59,18 +59,17 @@ class LineCrossings : public Accumulator {
   double count_ = 0.0;
 };
 
+constexpr char kMetrics[] = R"(
+= Social Behavior|neutral|people|Seyfried et al. 2005
+line_crossings|People through the line||0, 1, ...|number of steps of people that cross the line (flow_line_x1 ...), both ways
+line_flow|Flow through the line|1/(m s)|[0, inf)|line_crossings / T / length of the line
+)";
+
 }  // namespace
 
 void addFlowLine(MetricRegistry& to) {
-  const Needs needs{false, true};
-  const char source[] = "Seyfried et al. 2005";
-  to.add({"line_crossings", "People through the line", "", Category::Social, Better::Neutral, needs,
-          "number of steps of people that cross the line (flow_line_x1 ...), both ways", source,
-          "0, 1, ...", Kind::Count},
-         streamOf<LineCrossings>(&LineCrossings::count));
-  to.add({"line_flow", "Flow through the line", "1/(m s)", Category::Social, Better::Neutral, needs,
-          "line_crossings / T / length of the line", source},
-         streamOf<LineCrossings>(&LineCrossings::flow));
+  to.add(kMetrics, {{"line_crossings", streamOf<LineCrossings>(&LineCrossings::count)},
+                    {"line_flow", streamOf<LineCrossings>(&LineCrossings::flow)}});
 }
 
 }  // namespace metrics

@@ -74,32 +74,14 @@ class DeepTime : public Accumulator {
  public:
   void add(const Instant& at) override {
     const double depth = at.term(deepestInPerson);
-    peopled_.add(at, !std::isnan(depth));
-    deep_.add(at, depth > at.parameters.gaussianThreshold);
+    peopled_.take(at, !std::isnan(depth));
+    deep_.take(at, depth > at.parameters.gaussianThreshold);
   }
-  double share() const { return deep_.percentOf(peopled_.value()); }
+  double share() const { return deep_.percentOf(peopled_.time()); }
 
  private:
-  HeldTime peopled_, deep_;
+  Times peopled_, deep_;
 };
-
-void addGaussianSpace(MetricRegistry& to) {
-  const char source[] = "SRPB (Kirby's model)";
-  const MetricFamily own{to, Category::Social, Better::Lower, {true, true}, source, "[0, 100]"};
-  own.add("personal_space_intrusion_gaussian", "Intrusion into the Gaussian personal space", "%",
-          "time-weighted mean of max over a of exp(-(x^2/2Vx + y^2/2Vs)); Vf = max(2 |u|, 0.5), "
-          "Vs = 2/3 Vf, Vx = Vf ahead and Vf/2 behind",
-          seriesFiguresOf<deepestInPerson>(averageInPerson));
-  own.add("personal_space_intrusion_gaussian_min",
-          "Intrusion into the Gaussian personal space, smallest", "%",
-          "min over samples with people", figuresOf<deepestInPerson>(smallest, kNobody));
-  own.add("personal_space_intrusion_gaussian_max",
-          "Intrusion into the Gaussian personal space, largest", "%",
-          "max over samples with people", figuresOf<deepestInPerson>(largest, kNobody));
-  own.add("personal_space_intrusion_gaussian_above", "Time inside the Gaussian personal space", "%",
-          "share of the time with people above gaussian_threshold",
-          streamOf<DeepTime>(&DeepTime::share));
-}
 
 using Members = std::vector<const Person*>;
 
@@ -249,22 +231,6 @@ class GroupCrossings : public Accumulator {
   double count_ = 0.0;
 };
 
-void addGroupSpace(MetricRegistry& to) {
-  const Needs needs{true, true, true};
-  const MetricFamily space{to, Category::Social, Better::Lower, needs, "SRPB", "[0, 100]"};
-  space.add(
-      "formation_space_intrusion", "Intrusion into the space of groups", "%",
-      "time-weighted mean of max over groups of exp(-(u^2/2Vu + w^2/2Vw)), u, w = robot along the "
-      "axes of the arrangement of the members, V = (span of the members with their bodies/4)^2",
-      figuresOf<deepestInGroup>(average));
-  space.add("formation_space_intrusion_max", "Intrusion into the space of groups, largest", "%",
-            "max over samples of the same", figuresOf<deepestInGroup>(largestInGroup));
-  to.add({"group_crossings", "Groups crossed", "", Category::Social, Better::Lower, needs,
-          "number of times the robot gets inside the hull of a group or between two of its members",
-          "Katyal et al. 2022; Okal and Arras 2016", "0, 1, ...", Kind::Count},
-         streamOf<GroupCrossings>(&GroupCrossings::count));
-}
-
 double gaussian(double x, double sigma) {
   return std::exp(-x * x / (2.0 * sigma * sigma));
 }
@@ -308,24 +274,39 @@ double worst(const Instant& at) {
   return value;
 }
 
-void addHeadingDisturbance(MetricRegistry& to) {
-  const MetricFamily own{to, Category::Social, Better::Lower, {true, true}, "SRPB", "[0, 100]"};
-  own.add("heading_direction_disturbance", "Disturbance by the robot's heading", "%",
-          "time-weighted mean of max over a of G(offset; disturbance_radius/2) * G(bearing; "
-          "disturbance_field_of_view/4) * min(s/disturbance_speed, 1) * min((r_r + "
-          "disturbance_radius)/d, 1); offset: where the line of the robot's heading meets the line "
-          "across the person, bearing: of the robot in the person's view, G(x; s) = exp(-x^2/2s^2)",
-          seriesFiguresOf<worst>(averageWithSeries));
-  own.add("heading_direction_disturbance_max", "Disturbance by the robot's heading, largest", "%",
-          "max over samples of the same", figuresOf<worst>(largest, kNobody));
-}
+constexpr char kMetrics[] = R"(
+= Social Behavior|lower|robot, people|SRPB (Kirby's model)
+personal_space_intrusion_gaussian|Intrusion into the Gaussian personal space|%|[0, 100]|time-weighted mean of max over a of exp(-(x^2/2Vx +
+  y^2/2Vs)); Vf = max(2 |u|, 0.5), Vs = 2/3 Vf, Vx = Vf ahead and Vf/2 behind
+personal_space_intrusion_gaussian_min|Intrusion into the Gaussian personal space, smallest|%|[0, 100]|min over samples with people
+personal_space_intrusion_gaussian_max|Intrusion into the Gaussian personal space, largest|%|[0, 100]|max over samples with people
+personal_space_intrusion_gaussian_above|Time inside the Gaussian personal space|%|[0, 100]|share of the time with people above gaussian_threshold
+= Social Behavior|lower|robot, people, groups|SRPB
+formation_space_intrusion|Intrusion into the space of groups|%|[0, 100]|time-weighted mean of max over groups of exp(-(u^2/2Vu + w^2/2Vw)), u, w =
+  robot along the axes of the arrangement of the members, V = (span of the members with their bodies/4)^2
+formation_space_intrusion_max|Intrusion into the space of groups, largest|%|[0, 100]|max over samples of the same
+= Social Behavior|lower|robot, people, groups|Katyal et al. 2022; Okal and Arras 2016
+group_crossings|Groups crossed||0, 1, ...|number of times the robot gets inside the hull of a group or between two of its members
+= Social Behavior|lower|robot, people|SRPB
+heading_direction_disturbance|Disturbance by the robot's heading|%|[0, 100]|time-weighted mean of max over a of G(offset; disturbance_radius/2) *
+  G(bearing; disturbance_field_of_view/4) * min(s/disturbance_speed, 1) * min((r_r + disturbance_radius)/d, 1); offset: where the line of the robot's
+  heading meets the line across the person, bearing: of the robot in the person's view, G(x; s) = exp(-x^2/2s^2)
+heading_direction_disturbance_max|Disturbance by the robot's heading, largest|%|[0, 100]|max over samples of the same
+)";
 
 }  // namespace
 
 void addIntrusions(MetricRegistry& to) {
-  addGaussianSpace(to);
-  addGroupSpace(to);
-  addHeadingDisturbance(to);
+  to.add(kMetrics,
+         {{"personal_space_intrusion_gaussian", seriesFiguresOf<deepestInPerson>(averageInPerson)},
+          {"personal_space_intrusion_gaussian_min", figuresOf<deepestInPerson>(smallest, kNobody)},
+          {"personal_space_intrusion_gaussian_max", figuresOf<deepestInPerson>(largest, kNobody)},
+          {"personal_space_intrusion_gaussian_above", streamOf<DeepTime>(&DeepTime::share)},
+          {"formation_space_intrusion", figuresOf<deepestInGroup>(average)},
+          {"formation_space_intrusion_max", figuresOf<deepestInGroup>(largestInGroup)},
+          {"group_crossings", streamOf<GroupCrossings>(&GroupCrossings::count)},
+          {"heading_direction_disturbance", seriesFiguresOf<worst>(averageWithSeries)},
+          {"heading_direction_disturbance_max", figuresOf<worst>(largest, kNobody)}});
 }
 
 }  // namespace metrics

@@ -30,20 +30,19 @@ bool turnsInPlace(const Instant& at) {
          std::fabs(at.now.robot.omega) >= at.parameters.inplaceAngularSpeed;
 }
 
+constexpr char kMetrics[] = R"(
+= Motion Analysis|lower|robot|SRPB
+oscillations|Hardly moving|%|[0, 100]|share of time with |vx|, |vy|, |v| < oscillation_speed and |w| < oscillation_angular_speed (robot frame)
+backward_movements|Driving backwards|%|[0, 100]|share of time with vx < -backward_speed (robot frame)
+inplace_rotations|Turning in place|%|[0, 100]|share of time with |vx|, |vy| < inplace_speed and |w| >= inplace_angular_speed
+)";
+
 }  // namespace
 
 void addManoeuvres(MetricRegistry& to) {
-  const MetricFamily shares{to, Category::Motion, Better::Lower, {}, "SRPB", "[0, 100]"};
-  shares.add("oscillations", "Hardly moving", "%",
-             "share of time with |vx|, |vy|, |v| < oscillation_speed and |w| < "
-             "oscillation_angular_speed (robot frame)",
-             timesOf<oscillates>(&Times::percentOfTime));
-  shares.add("backward_movements", "Driving backwards", "%",
-             "share of time with vx < -backward_speed (robot frame)",
-             timesOf<backsUp>(&Times::percentOfTime));
-  shares.add("inplace_rotations", "Turning in place", "%",
-             "share of time with |vx|, |vy| < inplace_speed and |w| >= inplace_angular_speed",
-             timesOf<turnsInPlace>(&Times::percentOfTime));
+  to.add(kMetrics, {{"oscillations", timesOf<oscillates>(&Times::percentOfTime)},
+                    {"backward_movements", timesOf<backsUp>(&Times::percentOfTime)},
+                    {"inplace_rotations", timesOf<turnsInPlace>(&Times::percentOfTime)}});
 }
 
 }  // namespace metrics

@@ -85,51 +85,29 @@ class Collisions : public ContactsWithin<&MetricParameters::contactDistance> {
   bool touches_ = false;  // an obstacle at the newest sample
 };
 
-MetricValue totalTime(const Instant& last) {
-  return last.elapsed();
-}
-
-MetricValue timeout(const Instant& last) {
-  return isTimeout(last) ? 1.0 : 0.0;
-}
-
-void addContacts(MetricRegistry& to) {
-  const Needs needs{true, true};
-  const char sean[] = "Tsoi et al., SEAN 2.0, RA-L 2022";
-  const MetricFamily own{to,   Category::Safety, Better::Lower, needs,
-                         sean, "0, 1, ...",      Kind::Count};
-  own.add("robot_on_person_collision", "Robot runs into a person", "",
-          "contacts (gap < contact_distance begins) in which the robot closes in faster",
-          streamOf<Collisions>(&Collisions::ofRobot), 16);
-  own.add("person_on_robot_collision", "Person runs into the robot", "",
-          "contacts (gap < contact_distance begins) in which the person closes in faster",
-          streamOf<Collisions>(&Collisions::ofPerson), 17);
-}
-
-void addOwnOutcome(MetricRegistry& to) {
-  to.add({"success", "Success", "", Category::Navigation, Better::Higher,
-          Needs{true, true, false, true, true},
-          "completed, no contact with a person or an obstacle, no timeout",
-          "Francis et al. 2025; SocNavBench; CrowdNav; Arena", "0 or 1", Kind::Boolean},
-         streamOf<Collisions>(&Collisions::success));
-  to.add({"total_time", "Duration of the record", "s", Category::Navigation, Better::Lower,
-          Needs{false}, "T = t_(N-1) - t_0", "all benchmarks"},
-         streamOfLast(totalTime));
-  to.add({"timeout", "Timeout", "", Category::Navigation, Better::Lower, Needs{false},
-          "T >= time_limit", "Arena; CrowdNav", "0 or 1", Kind::Boolean},
-         streamOfLast(timeout));
-  to.add({"obstacle_collisions", "Robot runs into an obstacle", "", Category::Safety, Better::Lower,
-          Needs{true, false, false, true},
-          "number of times the clearance of the robot falls to 0 or below",
-          "SEAN 2.0; SocNavBench; Arena", "0, 1, ...", Kind::Count},
-         streamOf<Collisions>(&Collisions::obstacles));
-}
+constexpr char kMetrics[] = R"(
+= Safety & Collisions|lower|robot, people|Tsoi et al., SEAN 2.0, RA-L 2022
+16 robot_on_person_collision|Robot runs into a person||0, 1, ...|contacts (gap < contact_distance begins) in which the robot closes in faster
+17 person_on_robot_collision|Person runs into the robot||0, 1, ...|contacts (gap < contact_distance begins) in which the person closes in faster
+= Navigation Performance|higher|robot, people, obstacles, goal|Francis et al. 2025; SocNavBench; CrowdNav; Arena
+success|Success||0 or 1|completed, no contact with a person or an obstacle, no timeout
+= Navigation Performance|lower|nothing|all benchmarks
+total_time|Duration of the record|s|[0, inf)|T = t_(N-1) - t_0
+= Navigation Performance|lower|nothing|Arena; CrowdNav
+timeout|Timeout||0 or 1|T >= time_limit
+= Safety & Collisions|lower|robot, obstacles|SEAN 2.0; SocNavBench; Arena
+obstacle_collisions|Robot runs into an obstacle||0, 1, ...|number of times the clearance of the robot falls to 0 or below
+)";
 
 }  // namespace
 
 void addOutcome(MetricRegistry& to) {
-  addContacts(to);
-  addOwnOutcome(to);
+  to.add(kMetrics, {{"robot_on_person_collision", streamOf<Collisions>(&Collisions::ofRobot)},
+                    {"person_on_robot_collision", streamOf<Collisions>(&Collisions::ofPerson)},
+                    {"success", streamOf<Collisions>(&Collisions::success)},
+                    {"total_time", streamOfLast(&Instant::elapsed)},
+                    {"timeout", streamOfLast(isTimeout)},
+                    {"obstacle_collisions", streamOf<Collisions>(&Collisions::obstacles)}});
 }
 
 }  // namespace metrics

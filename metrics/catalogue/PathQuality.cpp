@@ -105,47 +105,39 @@ double roughness(const Instant& at) {
   return span > 0.0 ? bend.twiceArea() / (span * span) : 0.0;
 }
 
-void addShapes(MetricRegistry& to) {
-  const MetricFamily shapes{to, Category::Motion, Better::Lower, {}, "Arena; bench-mr"};
-  shapes.add("angle_over_length", "Turning per metre", "rad/m", "cumulative_heading_changes / L",
-             streamOf<RobotWay>(angleOverLength, kNoWay));
-  shapes.add("curvature_avg", "Mean curvature", "1/m",
-             "mean over triples of positions of 4A/(d01 d12 d20)",
-             figuresOf<curvature>(&Figures::mean, kNoTriple));
-  shapes.add("curvature_max", "Largest curvature", "1/m",
-             "max over triples of positions of 4A/(d01 d12 d20)",
-             figuresOf<curvature>(&Figures::largest, kNoTriple));
-  shapes.add("roughness_avg", "Mean roughness", "", "mean over triples of positions of 2A/d20^2",
-             figuresOf<roughness>(&Figures::mean, kNoTriple));
-}
+constexpr char kMetrics[] = R"(
+= Navigation Performance|lower|robot|Perez-Higueras, Caballero, Merino, IJSR 2018
+2 path_length|Path length|m|[0, inf)|sum of |p_(i+1) - p_i|
+= Motion Analysis|lower|robot|Perez-Higueras, Caballero, Merino, IJSR 2018
+3 cumulative_heading_changes|Cumulative heading changes|rad|[0, inf)|sum of |wrap(psi_(i+1) - psi_i)|
+= Navigation Performance|higher|robot, goal|Anderson et al. 2018; Francis et al. 2025
+spl|Success weighted by path length||[0, 1]|completed ? L*/max(L, L*) : 0, L* = shortest way to the goal
+= Navigation Performance|higher|robot, goal|SocNavGym
+stl|Success weighted by time||[0, 1]|completed ? T*/max(T, T*) : 0, T* = L*/v_max
+= Navigation Performance|higher|robot|SEAN 2.0; Arena
+path_efficiency|Path efficiency||[0, 1]|shortest way from start to final position / L
+= Navigation Performance|lower|robot|Guzzi et al. 2013; SocNavBench; SEAN 2.0
+path_irregularity|Path irregularity|rad/m|[0, inf)|max(0, cumulative_heading_changes - turning of the shortest way)/L
+= Motion Analysis|lower|robot|Arena; bench-mr
+angle_over_length|Turning per metre|rad/m|[0, inf)|cumulative_heading_changes / L
+curvature_avg|Mean curvature|1/m|[0, inf)|mean over triples of positions of 4A/(d01 d12 d20)
+curvature_max|Largest curvature|1/m|[0, inf)|max over triples of positions of 4A/(d01 d12 d20)
+roughness_avg|Mean roughness||[0, inf)|mean over triples of positions of 2A/d20^2
+)";
 
 }  // namespace
 
 void addPathQuality(MetricRegistry& to) {
-  const char source[] = "Perez-Higueras, Caballero, Merino, IJSR 2018";
-  to.add({"path_length", "Path length", "m", Category::Navigation, Better::Lower, Needs{},
-          "sum of |p_(i+1) - p_i|", source, "[0, inf)", Kind::Number, 2},
-         streamOf<RobotWay>(&RobotWay::length));
-  to.add({"cumulative_heading_changes", "Cumulative heading changes", "rad", Category::Motion,
-          Better::Lower, Needs{}, "sum of |wrap(psi_(i+1) - psi_i)|", source, "[0, inf)",
-          Kind::Number, 3},
-         streamOf<RobotWay>(&RobotWay::headingChanges));
-  const Needs goal{true, false, false, false, true};
-  to.add({"spl", "Success weighted by path length", "", Category::Navigation, Better::Higher, goal,
-          "completed ? L*/max(L, L*) : 0, L* = shortest way to the goal",
-          "Anderson et al. 2018; Francis et al. 2025", "[0, 1]"},
-         streamOf<RobotWay>(successByLength, kNoGoal));
-  to.add({"stl", "Success weighted by time", "", Category::Navigation, Better::Higher, goal,
-          "completed ? T*/max(T, T*) : 0, T* = L*/v_max", "SocNavGym", "[0, 1]"},
-         streamOf<RobotWay>(successByTime));
-  to.add({"path_efficiency", "Path efficiency", "", Category::Navigation, Better::Higher, Needs{},
-          "shortest way from start to final position / L", "SEAN 2.0; Arena", "[0, 1]"},
-         streamOf<RobotWay>(pathEfficiency, kNoWay));
-  to.add({"path_irregularity", "Path irregularity", "rad/m", Category::Navigation, Better::Lower,
-          Needs{}, "max(0, cumulative_heading_changes - turning of the shortest way)/L",
-          "Guzzi et al. 2013; SocNavBench; SEAN 2.0"},
-         streamOf<RobotWay>(pathIrregularity, kNoWay));
-  addShapes(to);
+  to.add(kMetrics, {{"path_length", streamOf<RobotWay>(&RobotWay::length)},
+                    {"cumulative_heading_changes", streamOf<RobotWay>(&RobotWay::headingChanges)},
+                    {"spl", streamOf<RobotWay>(successByLength, kNoGoal)},
+                    {"stl", streamOf<RobotWay>(successByTime)},
+                    {"path_efficiency", streamOf<RobotWay>(pathEfficiency, kNoWay)},
+                    {"path_irregularity", streamOf<RobotWay>(pathIrregularity, kNoWay)},
+                    {"angle_over_length", streamOf<RobotWay>(angleOverLength, kNoWay)},
+                    {"curvature_avg", figuresOf<curvature>(&Figures::mean, kNoTriple)},
+                    {"curvature_max", figuresOf<curvature>(&Figures::largest, kNoTriple)},
+                    {"roughness_avg", figuresOf<roughness>(&Figures::mean, kNoTriple)}});
 }
 
 }  // namespace metrics

@@ -42,20 +42,6 @@ MetricValue maximumDistance(const Figures& farthest, const Instant& last) {
   return amongPeople(last.isOriginal() ? largest : std::max(largest, 0.0), last);
 }
 
-void addPeopleDistances(MetricRegistry& to) {
-  const char source[] = "Perez-Higueras, Caballero, Merino, IJSR 2018";
-  const MetricFamily own{to, Category::Social, Better::Higher, {true, true}, source};
-  own.add("avg_distance_to_closest_person", "Mean distance to the closest person", "m",
-          "mean of c_i over the samples with people; c_i = min over a of max(gap(i,a), 0)",
-          seriesFiguresOf<closestGapTerm>(averageDistance, kNobody), 4);
-  own.add("minimum_distance_to_people", "Smallest distance to people", "m",
-          "min over i, a of max(gap(i,a), 0)", figuresOf<closestGapTerm>(minimumDistance), 5);
-  to.add({"maximum_distance_to_people", "Largest distance to people", "m", Category::Navigation,
-          Better::Neutral, Needs{true, true}, "max over i, a of max(gap(i,a), 0)", source,
-          "[0, inf)", Kind::Number, 6},
-         figuresOf<farthestGap>(maximumDistance));
-}
-
 MetricValue minimumTimeToCollision(const Figures& times) {
   return times.count() > 0.0 ? times.least() : infiniteValue("never on a collision course");
 }
@@ -97,44 +83,43 @@ double largestOrZero(const Figures& speeds) {
   return std::fmax(speeds.largest(), 0.0);
 }
 
-void addTimesAndSpeeds(MetricRegistry& to) {
-  const Needs needs{true, true};
-  to.add({"time_in_personal_space", "Time in somebody's personal space", "s", Category::Social,
-          Better::Lower, needs,
-          "sum of dt_i with a person's centre within personal_radius of the robot's", "Arena",
-          "[0, T]"},
-         timesOf<isInPersonalSpace>(&Times::time));
-  const MetricFamily speeds{to, Category::Social, Better::Lower, needs, "Arena"};
-  speeds.add("avg_speed_in_personal_space", "Mean speed in personal space", "m/s",
-             "mean of |v_i| over those samples, 0 if none",
-             figuresOf<speedInPersonalSpace>(meanOrZero));
-  speeds.add("max_speed_in_intimate_space", "Largest speed in intimate space", "m/s",
-             "max of |v_i| where the smallest gap < intimate_distance, 0 if none",
-             figuresOf<speedInIntimateSpace>(largestOrZero));
-}
+constexpr char kMetrics[] = R"(
+= Social Behavior|higher|robot, people|Perez-Higueras, Caballero, Merino, IJSR 2018
+4 avg_distance_to_closest_person|Mean distance to the closest person|m|[0, inf)|mean of c_i over the samples with people; c_i = min over a of
+  max(gap(i,a), 0)
+5 minimum_distance_to_people|Smallest distance to people|m|[0, inf)|min over i, a of max(gap(i,a), 0)
+= Navigation Performance|neutral|robot, people|Perez-Higueras, Caballero, Merino, IJSR 2018
+6 maximum_distance_to_people|Largest distance to people|m|[0, inf)|max over i, a of max(gap(i,a), 0)
+= Safety & Collisions|higher|robot, people|Francis et al. 2025; SocNavBench; SocNavGym
+min_time_to_collision|Smallest time to collision|s|[0, inf]|min over i, a of ttc, infinite if never on a collision course
+= Social Behavior|higher|robot, people|Francis et al. 2025; SocNavGym
+space_compliance|Personal space kept|%|[0, 100]|share of samples with the smallest gap >= compliance_distance or nobody there
+= Social Behavior|lower|robot, people|CrowdNav
+discomfort_frequency|Uncomfortably close|%|[0, 100]|share of samples with the smallest gap < discomfort_distance
+= Social Behavior|higher|robot, people|CrowdNav
+discomfort_distance_avg|Mean distance when uncomfortably close|m|[0, inf)|mean of the smallest gap over the samples with it < discomfort_distance
+= Social Behavior|lower|robot, people|Arena
+time_in_personal_space|Time in somebody's personal space|s|[0, T]|sum of dt_i with a person's centre within personal_radius of the robot's
+avg_speed_in_personal_space|Mean speed in personal space|m/s|[0, inf)|mean of |v_i| over those samples, 0 if none
+max_speed_in_intimate_space|Largest speed in intimate space|m/s|[0, inf)|max of |v_i| where the smallest gap < intimate_distance, 0 if none
+)";
 
 }  // namespace
 
 void addPersonalSpace(MetricRegistry& to) {
-  addPeopleDistances(to);
-  const Needs needs{true, true};
-  to.add({"min_time_to_collision", "Smallest time to collision", "s", Category::Safety,
-          Better::Higher, needs, "min over i, a of ttc, infinite if never on a collision course",
-          "Francis et al. 2025; SocNavBench; SocNavGym", "[0, inf]"},
-         figuresOf<collisionTerm>(minimumTimeToCollision));
-  to.add({"space_compliance", "Personal space kept", "%", Category::Social, Better::Higher, needs,
-          "share of samples with the smallest gap >= compliance_distance or nobody there",
-          "Francis et al. 2025; SocNavGym", "[0, 100]"},
-         timesOf<complies>(&Times::percentOfSamples));
-  to.add(
-      {"discomfort_frequency", "Uncomfortably close", "%", Category::Social, Better::Lower, needs,
-       "share of samples with the smallest gap < discomfort_distance", "CrowdNav", "[0, 100]"},
-      timesOf<isUncomfortable>(&Times::percentOfSamples));
-  to.add({"discomfort_distance_avg", "Mean distance when uncomfortably close", "m",
-          Category::Social, Better::Higher, needs,
-          "mean of the smallest gap over the samples with it < discomfort_distance", "CrowdNav"},
-         figuresOf<uncomfortableGap>(&Figures::mean, "nobody came that close"));
-  addTimesAndSpeeds(to);
+  to.add(kMetrics,
+         {{"avg_distance_to_closest_person",
+           seriesFiguresOf<closestGapTerm>(averageDistance, kNobody)},
+          {"minimum_distance_to_people", figuresOf<closestGapTerm>(minimumDistance)},
+          {"maximum_distance_to_people", figuresOf<farthestGap>(maximumDistance)},
+          {"min_time_to_collision", figuresOf<collisionTerm>(minimumTimeToCollision)},
+          {"space_compliance", timesOf<complies>(&Times::percentOfSamples)},
+          {"discomfort_frequency", timesOf<isUncomfortable>(&Times::percentOfSamples)},
+          {"discomfort_distance_avg",
+           figuresOf<uncomfortableGap>(&Figures::mean, "nobody came that close")},
+          {"time_in_personal_space", timesOf<isInPersonalSpace>(&Times::time)},
+          {"avg_speed_in_personal_space", figuresOf<speedInPersonalSpace>(meanOrZero)},
+          {"max_speed_in_intimate_space", figuresOf<speedInIntimateSpace>(largestOrZero)}});
 }
 
 }  // namespace metrics

@@ -30,10 +30,6 @@ class GoalStay : public Accumulator {
   std::optional<double> since_;  // [s]
 };
 
-MetricValue completed(const Instant& last) {
-  return isCompleted(last) ? 1.0 : 0.0;
-}
-
 MetricValue goalDistance(double distance, const Instant& last) {
   if (!last.context.goals.empty()) {
     return distance;
@@ -51,25 +47,6 @@ MetricValue smallestDistance(const Figures& distances, const Instant& last) {
 
 MetricValue finalDistance(const Instant& last) {
   return goalDistance(toNearestGoal(last), last);
-}
-
-void addGoals(MetricRegistry& to) {
-  const Needs needs{true, false, false, false, true};
-  const char sean[] = "Tsoi et al., SEAN 2.0, RA-L 2022";
-  to.add({"time_to_reach_goal", "Time to reach the goal", "s", Category::Navigation, Better::Lower,
-          needs, "t_k - t_0, k = first sample of the last stay inside the goal region",
-          "Perez-Higueras, Caballero, Merino, IJSR 2018", "[0, inf)", Kind::Number, 1},
-         streamOf<GoalStay>(&GoalStay::time));
-  to.add({"completed", "Goal reached", "", Category::Navigation, Better::Higher, needs,
-          "some goal g: |p_(N-1) - g| - goal radius < goal_tolerance", sean, "0 or 1",
-          Kind::Boolean, 13},
-         streamOfLast(completed));
-  to.add({"minimum_distance_to_target", "Smallest distance to the goal", "m", Category::Navigation,
-          Better::Lower, needs, "min over i, g of |p_i - g|", sean, "[0, inf)", Kind::Number, 14},
-         figuresOf<toNearestGoal>(smallestDistance));
-  to.add({"final_distance_to_target", "Final distance to the goal", "m", Category::Navigation,
-          Better::Lower, needs, "min over g of |p_(N-1) - g|", sean, "[0, inf)", Kind::Number, 15},
-         streamOfLast(finalDistance));
 }
 
 constexpr double kSamePlace = 1e-9;  // [m]
@@ -112,29 +89,37 @@ MetricValue finalDistanceOverLength(const RobotWay& way, const Instant& last) {
                             : undefinedValue("the robot did not move");
 }
 
-void addOwnProgress(MetricRegistry& to) {
-  const Needs goal{true, false, false, false, true};
-  to.add(
-      {"failure_to_progress", "Steps away from the goal", "", Category::Navigation, Better::Lower,
-       goal, "number of i with |p_i - g| > |p_(i-1) - g| + progress_tolerance, g = first goal",
-       "Francis et al. 2025; SocNavGym", "0, 1, ...", Kind::Count, 0, "", 0.51},  // counts samples
-      streamOf<GoalProgress>(&GoalProgress::failures, kNoGoal));
-  to.add({"stalled_time", "Time stalled", "s", Category::Navigation, Better::Lower, Needs{},
-          "sum of dt_i with |v_i| < stall_speed", "Francis et al. 2025; SocNavGym", "[0, T]"},
-         timesOf<isStalled>(&Times::time));
-  to.add({"goal_traversal_ratio", "Share of the distance left", "", Category::Navigation,
-          Better::Lower, goal, "|p_(N-1) - g| / |p_0 - g|, g = first goal", "SocNavBench"},
-         streamOf<GoalProgress>(&GoalProgress::ratioLeft));
-  to.add({"targ_dist_norm", "Final distance per path length", "", Category::Navigation,
-          Better::Lower, goal, "final_distance_to_target / L", "SEAN 2.0"},
-         streamOf<RobotWay>(finalDistanceOverLength));
-}
+/// failure_to_progress counts samples: twice as many, twice the value.
+constexpr char kMetrics[] = R"(
+= Navigation Performance|lower|robot, goal|Perez-Higueras, Caballero, Merino, IJSR 2018
+1 time_to_reach_goal|Time to reach the goal|s|[0, inf)|t_k - t_0, k = first sample of the last stay inside the goal region
+= Navigation Performance|higher|robot, goal|Tsoi et al., SEAN 2.0, RA-L 2022
+13 completed|Goal reached||0 or 1|some goal g: |p_(N-1) - g| - goal radius < goal_tolerance
+= Navigation Performance|lower|robot, goal|Tsoi et al., SEAN 2.0, RA-L 2022
+14 minimum_distance_to_target|Smallest distance to the goal|m|[0, inf)|min over i, g of |p_i - g|
+15 final_distance_to_target|Final distance to the goal|m|[0, inf)|min over g of |p_(N-1) - g|
+= Navigation Performance|lower|robot, goal|Francis et al. 2025; SocNavGym|0.51
+failure_to_progress|Steps away from the goal||0, 1, ...|number of i with |p_i - g| > |p_(i-1) - g| + progress_tolerance, g = first goal
+= Navigation Performance|lower|robot|Francis et al. 2025; SocNavGym
+stalled_time|Time stalled|s|[0, T]|sum of dt_i with |v_i| < stall_speed
+= Navigation Performance|lower|robot, goal|SocNavBench
+goal_traversal_ratio|Share of the distance left||[0, inf)||p_(N-1) - g| / |p_0 - g|, g = first goal
+= Navigation Performance|lower|robot, goal|SEAN 2.0
+targ_dist_norm|Final distance per path length||[0, inf)|final_distance_to_target / L
+)";
 
 }  // namespace
 
 void addProgress(MetricRegistry& to) {
-  addGoals(to);
-  addOwnProgress(to);
+  to.add(kMetrics,
+         {{"time_to_reach_goal", streamOf<GoalStay>(&GoalStay::time)},
+          {"completed", streamOfLast(isCompleted)},
+          {"minimum_distance_to_target", figuresOf<toNearestGoal>(smallestDistance)},
+          {"final_distance_to_target", streamOfLast(finalDistance)},
+          {"failure_to_progress", streamOf<GoalProgress>(&GoalProgress::failures, kNoGoal)},
+          {"stalled_time", timesOf<isStalled>(&Times::time)},
+          {"goal_traversal_ratio", streamOf<GoalProgress>(&GoalProgress::ratioLeft)},
+          {"targ_dist_norm", streamOf<RobotWay>(finalDistanceOverLength)}});
 }
 
 }  // namespace metrics

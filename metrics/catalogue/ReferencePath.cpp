@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 
@@ -162,25 +161,25 @@ class Comparison : public Accumulator {
   ThinnedWay way_;
 };
 
+constexpr char kMetrics[] = R"(
+= Navigation Performance|lower|robot, goal|Gao and Huang 2022
+ade|Mean displacement from the reference|m|[0, inf)|mean of |p_i - b_i|, b_i = point of the recorded reference at t_i, else of the shortest way to
+  the first goal after v_max t_i
+fde|Final displacement from the reference|m|[0, inf)||p_(N-1) - b_(N-1)|
+dtw|Warped distance from the reference|m|[0, inf)|dynamic time warping of the positions and as many points spread over the way of the reference, per
+  position; above 800 samples of every 2nd (4th ...) one and the last
+= Navigation Performance|lower|robot, goal|ours
+path_deviation|Mean distance from the way of the reference|m|[0, inf)|mean of the distance from p_i to the way of the reference
+)";
+
 }  // namespace
 
 void addReferencePath(MetricRegistry& to) {
-  const Needs needs{true, false, false, false, true};
-  const MetricFamily own{to, Category::Navigation, Better::Lower, needs, "Gao and Huang 2022"};
-  own.add("ade", "Mean displacement from the reference", "m",
-          "mean of |p_i - b_i|, b_i = point of the recorded reference at t_i, else of the shortest "
-          "way to the first goal after v_max t_i",
-          streamOf<Comparison>(&Comparison::meanDisplacement, kNoReference));
-  own.add("fde", "Final displacement from the reference", "m", "|p_(N-1) - b_(N-1)|",
-          streamOf<Comparison>(&Comparison::finalDisplacement, kNoReference));
-  own.add("dtw", "Warped distance from the reference", "m",
-          "dynamic time warping of the positions and as many points spread over the way of the "
-          "reference, per position; above 800 samples of every 2nd (4th ...) one and the last",
-          streamOf<Comparison>(&Comparison::warping, kNoReference));
-  to.add(
-      {"path_deviation", "Mean distance from the way of the reference", "m", Category::Navigation,
-       Better::Lower, needs, "mean of the distance from p_i to the way of the reference", "ours"},
-      streamOf<Comparison>(&Comparison::meanDeviation, kNoReference));
+  to.add(kMetrics,
+         {{"ade", streamOf<Comparison>(&Comparison::meanDisplacement, kNoReference)},
+          {"fde", streamOf<Comparison>(&Comparison::finalDisplacement, kNoReference)},
+          {"dtw", streamOf<Comparison>(&Comparison::warping, kNoReference)},
+          {"path_deviation", streamOf<Comparison>(&Comparison::meanDeviation, kNoReference)}});
 }
 
 }  // namespace metrics

@@ -77,22 +77,21 @@ class Resolution : public Accumulator {
   double time_ = 0.0;                      // with a conflict [s]
 };
 
+constexpr char kMetrics[] = R"(
+= Social Behavior|neutral|robot, people|after Wenzel and Probst 2025
+responsibility|Responsibility of the robot|%|[0, 100]|share of the robot in the widening of the passing distance of conflicts (closest approach
+  within conflict_horizon, nearer than R + conflict_margin) by changes of velocity
+= Social Behavior|higher|robot, people|after Wenzel and Probst 2025
+engagement|Engagement of the robot|m/s|[0, inf)|widening of the passing distance of conflicts by the robot / time with a conflict
+)";
+
 }  // namespace
 
 void addResponsibility(MetricRegistry& to) {
-  const Needs needs{true, true};
-  const char source[] = "after Wenzel and Probst 2025";
   to.add(
-      {"responsibility", "Responsibility of the robot", "%", Category::Social, Better::Neutral,
-       needs,
-       "share of the robot in the widening of the passing distance of conflicts (closest approach "
-       "within conflict_horizon, nearer than R + conflict_margin) by changes of velocity",
-       source, "[0, 100]"},
-      streamOf<Resolution>(&Resolution::share, "no conflict was resolved"));
-  to.add(
-      {"engagement", "Engagement of the robot", "m/s", Category::Social, Better::Higher, needs,
-       "widening of the passing distance of conflicts by the robot / time with a conflict", source},
-      streamOf<Resolution>(&Resolution::engagement, "no conflict with a person"));
+      kMetrics,
+      {{"responsibility", streamOf<Resolution>(&Resolution::share, "no conflict was resolved")},
+       {"engagement", streamOf<Resolution>(&Resolution::engagement, "no conflict with a person")}});
 }
 
 }  // namespace metrics

@@ -17,7 +17,7 @@ constexpr double kSmall = 1e-9;  // [m]
 /// Mean of the repulsions by the obstacle points of the body (Helbing and Molnar 1995).
 Vec2 obstacleForce(const Body& body, const MetricParameters& parameters) {
   Vec2 sum = Vec2::Zero();
-  for (const ObstaclePoint& point : body.obstacles) {
+  for (const sim2d::Obstacles::Point& point : body.obstacles) {
     const Vec2 away = body.position - point.position;
     const double length = lengthOf(away);
     if (length < kSmall) {
@@ -93,31 +93,27 @@ class PeopleObstacles : public Accumulator {
   bool empty_ = false;
 };
 
+constexpr char kMetrics[] = R"(
+= Social Forces|lower|robot, people|Helbing and Molnar 1995; Moussaid et al. 2009; lightsfm
+25 social_force_on_agents|Social force of the robot on people|m/s²|[0, inf)|sum over i, a of |F(robot -> a)| with a's own factor
+26 social_force_on_robot|Social force of people on the robot|m/s²|[0, inf)|sum over i, a of |F(a -> robot)|
+= Social Forces|lower|robot, people, obstacles|Helbing and Molnar 1995; Moussaid et al. 2009; lightsfm
+27 social_work|Social work|m/s²|[0, inf)|sum over i of |sum_a F(a -> robot)| + |O(robot)| + sum_a |F(robot -> a)|
+= Social Forces|lower|robot, obstacles|Helbing and Molnar 1995; Moussaid et al. 2009; lightsfm
+28 obstacle_force_on_robot|Obstacle force on the robot|m/s²|[0, inf)|sum over i of |O(robot)|
+= Social Forces|lower|people, obstacles|Helbing and Molnar 1995; Moussaid et al. 2009; lightsfm
+29 obstacle_force_on_agents|Obstacle force on people|m/s²|[0, inf)|sum over i of mean over a of |O(a)|
+)";
+
 }  // namespace
 
 void addSocialForces(MetricRegistry& to) {
-  const char source[] = "Helbing and Molnar 1995; Moussaid et al. 2009; lightsfm";
-  const auto forces = [&](const Needs& needs) {
-    return MetricFamily{to, Category::Forces, Better::Lower, needs, source};
-  };
-  const char unit[] = "m/s²";
-  const MetricFamily people = forces({true, true});
-  people.addSum("social_force_on_agents", "Social force of the robot on people", unit,
-                "sum over i, a of |F(robot -> a)| with a's own factor",
-                streamOfPart<RobotForces>(kOnPeople), 25);
-  people.addSum("social_force_on_robot", "Social force of people on the robot", unit,
-                "sum over i, a of |F(a -> robot)|", streamOfPart<RobotForces>(kOnRobot), 26);
-  forces({true, true, false, true})
-      .addSum("social_work", "Social work", unit,
-              "sum over i of |sum_a F(a -> robot)| + |O(robot)| + sum_a |F(robot -> a)|",
-              streamOfPart<RobotForces>(kWork), 27);
-  forces({true, false, false, true})
-      .addSum("obstacle_force_on_robot", "Obstacle force on the robot", unit,
-              "sum over i of |O(robot)|", streamOfPart<RobotForces>(kObstaclesOnRobot), 28);
-  forces({false, true, false, true})
-      .addSum("obstacle_force_on_agents", "Obstacle force on people", unit,
-              "sum over i of mean over a of |O(a)|",
-              streamOf<PeopleObstacles>(&PeopleObstacles::value), 29);
+  to.addSums(kMetrics,
+             {{"social_force_on_agents", streamOfPart<RobotForces>(kOnPeople)},
+              {"social_force_on_robot", streamOfPart<RobotForces>(kOnRobot)},
+              {"social_work", streamOfPart<RobotForces>(kWork)},
+              {"obstacle_force_on_robot", streamOfPart<RobotForces>(kObstaclesOnRobot)},
+              {"obstacle_force_on_agents", streamOf<PeopleObstacles>(&PeopleObstacles::value)}});
 }
 
 }  // namespace metrics

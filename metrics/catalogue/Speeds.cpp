@@ -16,18 +16,18 @@ class StandingTime : public Accumulator {
     const bool stands = std::fabs(robot.speed) < at.parameters.stopLinearSpeed &&
                         turning < at.parameters.stopAngularSpeed;
     samples_.add(at, stands ? 1.0 : 0.0);
-    time_.add(at, stands);
+    time_.take(at, stands);
   }
   MetricValue value(const Instant& last) const {
     const double time = last.isOriginal()
                             ? last.elapsed() / static_cast<double>(last.count()) * samples_.sum()
-                            : time_.value();
+                            : time_.time();
     return withSeries(time, samples_.terms(), Kind::Count);
   }
 
  private:
   SeriesSum samples_;  // 0 or 1
-  HeldTime time_;
+  Times time_;
 };
 
 double drivenSpeed(const Instant& at) {
@@ -93,25 +93,6 @@ Stream meanSizeOf(const char* why = nullptr) {
   return streamOf<MeanSize<kTerm>>(&MeanSize<kTerm>::mean, why);
 }
 
-void addRobotMotion(MetricRegistry& to) {
-  to.add({"time_not_moving", "Time standing still", "s", Category::Navigation, Better::Lower,
-          Needs{}, "sum of dt_i with |s_i| < stop_linear_speed and |w_i| < stop_angular_speed",
-          "Tsoi et al., SEAN 2.0, RA-L 2022", "[0, T]", Kind::Number, 18},
-         streamOf<StandingTime>(&StandingTime::value));
-  const char source[] = "Biswas et al., SocNavBench, THRI 2022";
-  const MetricFamily means{to, Category::Motion, Better::Neutral, {}, source};
-  means.add("avg_robot_linear_speed", "Mean speed of the robot", "m/s", "mean of s_i",
-            seriesFiguresOf<drivenSpeed>(&Figures::meanWithSeries), 19);
-  means.add("avg_robot_angular_speed", "Mean turning speed of the robot", "rad/s", "mean of |w_i|",
-            meanSizeOf<turningSpeed>(), 20);
-  const MetricFamily changes{to, Category::Motion, Better::Lower, {}, source};
-  changes.add("avg_acceleration", "Mean acceleration of the robot", "m/s²",
-              "mean of |a_i|, a_i = (s_(i+1) - s_i)/dt_i", meanSizeOf<acceleration>(kNeedsTwo), 21);
-  changes.add("avg_overacceleration", "Mean jerk of the robot", "m/s³",
-              "mean of |jerk_i|, jerk_i = (a_i - a_(i-1))/((t_(i+1) - t_(i-1))/2)",
-              meanSizeOf<overacceleration>(kNeedsThree), 22);
-}
-
 double speed(const Instant& at) {
   return lengthOf(at.now.robot.velocity);
 }
@@ -135,27 +116,6 @@ double energy(const Instant& at) {
   }
   const double travelled = distance(at.now.robot, at.before->robot) / at.step();
   return travelled * travelled;
-}
-
-void addSpeedExtremes(MetricRegistry& to) {
-  const char francis[] = "Francis et al. 2025; SocNavGym";
-  const MetricFamily speeds{to, Category::Motion, Better::Neutral, {}, francis};
-  speeds.add("min_robot_linear_speed", "Smallest speed of the robot", "m/s", "min of |v_i|",
-             figuresOf<speed>(&Figures::least));
-  speeds.add("max_robot_linear_speed", "Largest speed of the robot", "m/s", "max of |v_i|",
-             figuresOf<speed>(&Figures::largest));
-  const MetricFamily changes{to, Category::Motion, Better::Lower, {}, francis};
-  changes.add("max_acceleration", "Largest acceleration of the robot", "m/s²", "max of |a_i|",
-              figuresOf<accelerationSize>(&Figures::largest, kNeedsTwo));
-  changes.add("max_jerk", "Largest jerk of the robot", "m/s³", "max of |jerk_i|",
-              figuresOf<jerkSize>(&Figures::largest, kNeedsThree));
-  to.add({"heading_change_smoothness", "Mean turning acceleration", "rad/s²", Category::Motion,
-          Better::Lower, Needs{}, "mean of |w_(i+1) - w_i|/dt_i", "SRPB"},
-         figuresOf<turningAcceleration>(&Figures::mean, kNeedsTwo));
-  to.add({"motion_energy", "Motion energy", "m²/s²", Category::Motion, Better::Lower, Needs{},
-          "sum of (|p_(i+1) - p_i|/dt_i)^2", "SocNavBench", "[0, inf)", Kind::Number, 0, "",
-          0.51},  // a sum over samples
-         figuresOf<energy>(&Figures::sum));
 }
 
 class SpeedSum : public Accumulator {
@@ -205,25 +165,51 @@ double closestSpeed(const Instant& at) {
   return speed;
 }
 
-void addPedestrianSpeeds(MetricRegistry& to) {
-  const char source[] = "Katyal et al., IROS 2022";
-  to.add({"avg_pedestrian_velocity", "Mean speed of people", "m/s", Category::Social,
-          Better::Neutral, Needs{false, true}, "mean of |u_a| over all samples and people", source,
-          "[0, inf)", Kind::Number, 23},
-         streamOf<SpeedSum>(&SpeedSum::mean));
-  to.add({"avg_closest_pedestrian_velocity", "Mean speed of the closest person", "m/s",
-          Category::Social, Better::Neutral, Needs{true, true},
-          "mean of |u_a| of the person with the smallest gap, over the samples with people", source,
-          "[0, inf)", Kind::Number, 24},
-         seriesFiguresOf<closestSpeed>(&Figures::meanWithSeries, kNobody));
-}
+/// motion_energy is a sum over samples: twice as many, twice the value.
+constexpr char kMetrics[] = R"(
+= Navigation Performance|lower|robot|Tsoi et al., SEAN 2.0, RA-L 2022
+18 time_not_moving|Time standing still|s|[0, T]|sum of dt_i with |s_i| < stop_linear_speed and |w_i| < stop_angular_speed
+= Motion Analysis|neutral|robot|Biswas et al., SocNavBench, THRI 2022
+19 avg_robot_linear_speed|Mean speed of the robot|m/s|[0, inf)|mean of s_i
+20 avg_robot_angular_speed|Mean turning speed of the robot|rad/s|[0, inf)|mean of |w_i|
+= Motion Analysis|lower|robot|Biswas et al., SocNavBench, THRI 2022
+21 avg_acceleration|Mean acceleration of the robot|m/s²|[0, inf)|mean of |a_i|, a_i = (s_(i+1) - s_i)/dt_i
+22 avg_overacceleration|Mean jerk of the robot|m/s³|[0, inf)|mean of |jerk_i|, jerk_i = (a_i - a_(i-1))/((t_(i+1) - t_(i-1))/2)
+= Social Behavior|neutral|people|Katyal et al., IROS 2022
+23 avg_pedestrian_velocity|Mean speed of people|m/s|[0, inf)|mean of |u_a| over all samples and people
+= Social Behavior|neutral|robot, people|Katyal et al., IROS 2022
+24 avg_closest_pedestrian_velocity|Mean speed of the closest person|m/s|[0, inf)|mean of |u_a| of the person with the smallest gap, over the samples
+  with people
+= Motion Analysis|neutral|robot|Francis et al. 2025; SocNavGym
+min_robot_linear_speed|Smallest speed of the robot|m/s|[0, inf)|min of |v_i|
+max_robot_linear_speed|Largest speed of the robot|m/s|[0, inf)|max of |v_i|
+= Motion Analysis|lower|robot|Francis et al. 2025; SocNavGym
+max_acceleration|Largest acceleration of the robot|m/s²|[0, inf)|max of |a_i|
+max_jerk|Largest jerk of the robot|m/s³|[0, inf)|max of |jerk_i|
+= Motion Analysis|lower|robot|SRPB
+heading_change_smoothness|Mean turning acceleration|rad/s²|[0, inf)|mean of |w_(i+1) - w_i|/dt_i
+= Motion Analysis|lower|robot|SocNavBench|0.51
+motion_energy|Motion energy|m²/s²|[0, inf)|sum of (|p_(i+1) - p_i|/dt_i)^2
+)";
 
 }  // namespace
 
 void addSpeeds(MetricRegistry& to) {
-  addRobotMotion(to);
-  addPedestrianSpeeds(to);
-  addSpeedExtremes(to);
+  to.add(kMetrics,
+         {{"time_not_moving", streamOf<StandingTime>(&StandingTime::value)},
+          {"avg_robot_linear_speed", seriesFiguresOf<drivenSpeed>(&Figures::meanWithSeries)},
+          {"avg_robot_angular_speed", meanSizeOf<turningSpeed>()},
+          {"avg_acceleration", meanSizeOf<acceleration>(kNeedsTwo)},
+          {"avg_overacceleration", meanSizeOf<overacceleration>(kNeedsThree)},
+          {"avg_pedestrian_velocity", streamOf<SpeedSum>(&SpeedSum::mean)},
+          {"avg_closest_pedestrian_velocity",
+           seriesFiguresOf<closestSpeed>(&Figures::meanWithSeries, kNobody)},
+          {"min_robot_linear_speed", figuresOf<speed>(&Figures::least)},
+          {"max_robot_linear_speed", figuresOf<speed>(&Figures::largest)},
+          {"max_acceleration", figuresOf<accelerationSize>(&Figures::largest, kNeedsTwo)},
+          {"max_jerk", figuresOf<jerkSize>(&Figures::largest, kNeedsThree)},
+          {"heading_change_smoothness", figuresOf<turningAcceleration>(&Figures::mean, kNeedsTwo)},
+          {"motion_energy", figuresOf<energy>(&Figures::sum)}});
 }
 
 }  // namespace metrics

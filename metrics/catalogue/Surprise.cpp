@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "metrics/TermSums.h"
 
@@ -111,21 +110,19 @@ class SurpriseSum : public PersonCosts {
   std::size_t next_ = 0;  // in seenBefore_
 };
 
+constexpr char kMetrics[] = R"(
+= Danger & Surprise Metrics|lower|robot, people, map|Singamaneni, Favier, Alami, RO-MAN 2023
+32 surprise_visibility_cost|Surprise: visibility||[0, inf)|sum over i and a who sees the robot of (d_prox/D) * theta/half field of view
+33 surprise_shock_cost|Surprise: shock||[0, inf)|sum of max((d_prox/D) * (1 - 4 SR), 0), SR = min(time seen/0.6 s, 1)
+34 surprise_react_cost|Surprise: reaction||[0, inf)|sum of (d_prox/D) * (1 - SR), SR = min(time seen/0.6 s, 1)
+)";
+
 }  // namespace
 
 void addSurprise(MetricRegistry& to) {
-  const Needs needs{true, true, false, false, false, true};
-  const char source[] = "Singamaneni, Favier, Alami, RO-MAN 2023";
-  const MetricFamily surprise{to, Category::DangerSurprise, Better::Lower, needs, source};
-  surprise.addSum("surprise_visibility_cost", "Surprise: visibility", "",
-                  "sum over i and a who sees the robot of (d_prox/D) * theta/half field of view",
-                  streamOfPart<SurpriseSum>(kVisibility), 32);
-  surprise.addSum("surprise_shock_cost", "Surprise: shock", "",
-                  "sum of max((d_prox/D) * (1 - 4 SR), 0), SR = min(time seen/0.6 s, 1)",
-                  streamOfPart<SurpriseSum>(kShock), 33);
-  surprise.addSum("surprise_react_cost", "Surprise: reaction", "",
-                  "sum of (d_prox/D) * (1 - SR), SR = min(time seen/0.6 s, 1)",
-                  streamOfPart<SurpriseSum>(kReact), 34);
+  to.addSums(kMetrics, {{"surprise_visibility_cost", streamOfPart<SurpriseSum>(kVisibility)},
+                        {"surprise_shock_cost", streamOfPart<SurpriseSum>(kShock)},
+                        {"surprise_react_cost", streamOfPart<SurpriseSum>(kReact)}});
 }
 
 }  // namespace metrics

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
+#include "metrics/Motion.h"
 #include "metrics/TermSums.h"
 
 /// Threat and comfort: collisions ahead, passing, sideways acceleration.
@@ -25,35 +27,27 @@ double threat(const Instant& at) {
 /// The smallest gap of each person who comes near.
 class PassingDistance : public Accumulator {
  public:
-  explicit PassingDistance(const MetricParameters& parameters)
-      : limit_(parameters.socialDistance) {}
-
   void add(const Instant& at) override {
     const Sample& now = at.now;
     for (const Person& person : now.people) {
-      const double reach = limit_ + now.robot.radius + person.radius + 1e-6;
-      if ((person.position - now.robot.position).squaredNorm() > reach * reach) {
-        continue;
+      if (isWithin(now.robot, person, at.parameters.socialDistance)) {
+        const double space = gap(now.robot, person);
+        double& closest = closest_.emplace(person.id, space).first->second;
+        closest = std::min(closest, space);
       }
-      const double space = gap(now.robot, person);
-      const auto [found, isNew] = closest_.emplace(person.id, space);
-      found->second = space < found->second ? space : found->second;
     }
   }
 
   double mean() const {
     double sum = 0.0;
-    double count = 0.0;
     for (const auto& [id, space] : closest_) {
-      sum += space < limit_ ? space : 0.0;
-      count += space < limit_ ? 1.0 : 0.0;
+      sum += space;
     }
-    return count > 0.0 ? sum / count : kNaN;
+    return closest_.empty() ? kNaN : sum / static_cast<double>(closest_.size());
   }
 
  private:
-  double limit_;
-  std::map<int, double> closest_;
+  std::map<int, double> closest_;  // smallest gap [m], by id
 };
 
 /// Speed at which the closest person and the robot near each other, of samples in personal space.
@@ -85,36 +79,32 @@ MetricValue largest(const Figures& figures) {
   return withSeries(figures.largest(), figures.series());
 }
 
+constexpr char kMetrics[] = R"(
+= Safety & Collisions|higher|robot, people|Francis et al. 2025; SocNavGym
+avg_time_to_collision|Mean time to collision|s|[0, inf)|mean over the samples on a collision course of min over a of ttc
+= Safety & Collisions|lower|robot, people|Minderhoud and Bovy 2001
+time_exposed_to_collision|Time with a collision ahead|s|[0, T]|sum of dt_i with min over a of ttc < collision_horizon
+time_integrated_to_collision|Threat of collisions|s²|[0, inf)|sum of (collision_horizon - ttc) dt_i where ttc < collision_horizon
+= Social Behavior|higher|robot, people|Pacchierotti et al. 2006
+avg_passing_distance|Mean passing distance|m|(-inf, social_distance)|mean over people of their smallest gap, of those with it < social_distance
+= Social Behavior|lower|robot, people|Butler and Agah 2001
+max_approach_speed|Largest speed of approach|m/s|[0, inf)|max of the closing speed with the closest person, of samples with gap < personal_distance
+= Motion Analysis|lower|robot|ISO 2631, comfort of rides
+max_lateral_acceleration|Largest sideways acceleration|m/s²|[0, inf)|max of |s_i w_i|
+)";
+
 }  // namespace
 
 void addTimeToCollision(MetricRegistry& to) {
-  const Needs needs{true, true};
-  to.add({"avg_time_to_collision", "Mean time to collision", "s", Category::Safety, Better::Higher,
-          needs, "mean over the samples on a collision course of min over a of ttc",
-          "Francis et al. 2025; SocNavGym"},
-         seriesFiguresOf<collisionTerm>(average, "never on a collision course"));
-  const char source[] = "Minderhoud and Bovy 2001";
-  to.add({"time_exposed_to_collision", "Time with a collision ahead", "s", Category::Safety,
-          Better::Lower, needs, "sum of dt_i with min over a of ttc < collision_horizon", source,
-          "[0, T]"},
-         timesOf<isThreat>(&Times::time));
-  to.add({"time_integrated_to_collision", "Threat of collisions", "s²", Category::Safety,
-          Better::Lower, needs,
-          "sum of (collision_horizon - ttc) dt_i where ttc < collision_horizon", source},
-         figuresOf<threat>(&Figures::integral));
-  to.add({"avg_passing_distance", "Mean passing distance", "m", Category::Social, Better::Higher,
-          needs, "mean over people of their smallest gap, of those with it < social_distance",
-          "Pacchierotti et al. 2006", "(-inf, social_distance)"},
-         streamOf<PassingDistance>(&PassingDistance::mean, "nobody was passed"));
-  to.add(
-      {"max_approach_speed", "Largest speed of approach", "m/s", Category::Social, Better::Lower,
-       needs,
-       "max of the closing speed with the closest person, of samples with gap < personal_distance",
-       "Butler and Agah 2001"},
-      figuresOf<approach>(fastest, "nobody in personal space"));
-  to.add({"max_lateral_acceleration", "Largest sideways acceleration", "m/s²", Category::Motion,
-          Better::Lower, Needs{}, "max of |s_i w_i|", "ISO 2631, comfort of rides"},
-         seriesFiguresOf<sideways>(largest));
+  to.add(kMetrics,
+         {{"avg_time_to_collision",
+           seriesFiguresOf<collisionTerm>(average, "never on a collision course")},
+          {"time_exposed_to_collision", timesOf<isThreat>(&Times::time)},
+          {"time_integrated_to_collision", figuresOf<threat>(&Figures::integral)},
+          {"avg_passing_distance",
+           streamOf<PassingDistance>(&PassingDistance::mean, "nobody was passed")},
+          {"max_approach_speed", figuresOf<approach>(fastest, "nobody in personal space")},
+          {"max_lateral_acceleration", seriesFiguresOf<sideways>(largest)}});
 }
 
 }  // namespace metrics

@@ -16,17 +16,14 @@ namespace {
 
 /// A band of Hall's proxemics: inner edge included, outer edge not.
 struct Band {
-  const char* name;
   double MetricParameters::*inner;  // null: from 0 on
   double MetricParameters::*outer;
-  int hunav;       // number of the metric of persons
-  int hunavGroup;  // and of groups
 };
 
 constexpr Band kBands[] = {
-    {"intimate", nullptr, &MetricParameters::intimateDistance, 7, 10},
-    {"personal", &MetricParameters::intimateDistance, &MetricParameters::personalDistance, 8, 11},
-    {"social", &MetricParameters::personalDistance, &MetricParameters::socialDistance, 9, 12},
+    {nullptr, &MetricParameters::intimateDistance},
+    {&MetricParameters::intimateDistance, &MetricParameters::personalDistance},
+    {&MetricParameters::personalDistance, &MetricParameters::socialDistance},
 };
 constexpr std::size_t kBandCount = std::size(kBands);
 
@@ -139,49 +136,50 @@ class GroupDistances : public BandCounts {
   std::string failure_;
 };
 
-void addBand(MetricRegistry& to, std::size_t index) {
-  const Band& band = kBands[index];
-  const std::string name = band.name;
-  to.add(
-      {name + "_space_intrusions", "Intrusions into the " + name + " space", "%", Category::Social,
-       Better::Lower, Needs{true, true}, "100/N * samples with c_i in the " + name + " band",
-       "Perez-Higueras, Caballero, Merino, IJSR 2018; Hall 1966", "[0, 100]", Kind::Number,
-       band.hunav},
-      streamOfPart<GapBands>(index));
-  to.add({"group_" + name + "_space_intrusions", "Intrusions into the " + name + " space of groups",
-          "%", Category::Social, Better::Lower, Needs{true, true, true},
-          "100/N * samples with x_i in the " + name +
-              " band; x_i = max(0, min over groups of |p_i - centre| - r_r)",
-          "Perez-Higueras, Caballero, Merino, IJSR 2018, after Okal and Arras 2016", "[0, 100]",
-          Kind::Number, band.hunavGroup},
-         streamOfPart<GroupDistances>(index));
-}
+using IntimateEntries = ContactsWithin<&MetricParameters::intimateDistance>;
+using PersonalEntries = ContactsWithin<&MetricParameters::personalDistance>;
 
-template <double MetricParameters::*kLimit>
-void addZone(MetricRegistry& to, const std::string& zone) {
-  const auto add = [&](const char* part, const std::string& who, const char* how, Stream stream) {
-    to.add({zone + "_zone_entries" + part, "Entries " + who + "into the " + zone + " zone", "",
-            Category::Social, Better::Lower, Needs{true, true},
-            "number of times a person's gap falls below " + zone + "_distance" + how,
-            "SEAN 2.0 (distance violations)", "0, 1, ...", Kind::Count},
-           std::move(stream));
-  };
-  using Entries = ContactsWithin<kLimit>;
-  add("", "", "", streamOf<Entries>(&Contacts::count));
-  add("_by_robot", "of the robot ", ", the robot closing in faster",
-      streamOf<Entries>(&Contacts::byRobot));
-  add("_by_person", "of people ", ", the person closing in faster",
-      streamOf<Entries>(&Contacts::byPerson));
-}
+constexpr char kMetrics[] = R"(
+= Social Behavior|lower|robot, people|Perez-Higueras, Caballero, Merino, IJSR 2018; Hall 1966
+7 intimate_space_intrusions|Intrusions into the intimate space|%|[0, 100]|100/N * samples with c_i in the intimate band
+8 personal_space_intrusions|Intrusions into the personal space|%|[0, 100]|100/N * samples with c_i in the personal band
+9 social_space_intrusions|Intrusions into the social space|%|[0, 100]|100/N * samples with c_i in the social band
+= Social Behavior|lower|robot, people, groups|Perez-Higueras, Caballero, Merino, IJSR 2018, after Okal and Arras 2016
+10 group_intimate_space_intrusions|Intrusions into the intimate space of groups|%|[0, 100]|100/N * samples with x_i in the intimate band; x_i =
+  max(0, min over groups of |p_i - centre| - r_r)
+11 group_personal_space_intrusions|Intrusions into the personal space of groups|%|[0, 100]|100/N * samples with x_i in the personal band; x_i =
+  max(0, min over groups of |p_i - centre| - r_r)
+12 group_social_space_intrusions|Intrusions into the social space of groups|%|[0, 100]|100/N * samples with x_i in the social band; x_i = max(0, min
+  over groups of |p_i - centre| - r_r)
+= Social Behavior|lower|robot, people|SEAN 2.0 (distance violations)
+intimate_zone_entries|Entries into the intimate zone||0, 1, ...|number of times a person's gap falls below intimate_distance
+intimate_zone_entries_by_robot|Entries of the robot into the intimate zone||0, 1, ...|number of times a person's gap falls below intimate_distance,
+  the robot closing in faster
+intimate_zone_entries_by_person|Entries of people into the intimate zone||0, 1, ...|number of times a person's gap falls below intimate_distance, the
+  person closing in faster
+personal_zone_entries|Entries into the personal zone||0, 1, ...|number of times a person's gap falls below personal_distance
+personal_zone_entries_by_robot|Entries of the robot into the personal zone||0, 1, ...|number of times a person's gap falls below personal_distance,
+  the robot closing in faster
+personal_zone_entries_by_person|Entries of people into the personal zone||0, 1, ...|number of times a person's gap falls below personal_distance, the
+  person closing in faster
+)";
 
 }  // namespace
 
 void addZones(MetricRegistry& to) {
-  for (std::size_t band = 0; band < kBandCount; ++band) {
-    addBand(to, band);
-  }
-  addZone<&MetricParameters::intimateDistance>(to, "intimate");
-  addZone<&MetricParameters::personalDistance>(to, "personal");
+  to.add(kMetrics,
+         {{"intimate_space_intrusions", streamOfPart<GapBands>(0)},
+          {"group_intimate_space_intrusions", streamOfPart<GroupDistances>(0)},
+          {"personal_space_intrusions", streamOfPart<GapBands>(1)},
+          {"group_personal_space_intrusions", streamOfPart<GroupDistances>(1)},
+          {"social_space_intrusions", streamOfPart<GapBands>(2)},
+          {"group_social_space_intrusions", streamOfPart<GroupDistances>(2)},
+          {"intimate_zone_entries", streamOf<IntimateEntries>(&Contacts::count)},
+          {"intimate_zone_entries_by_robot", streamOf<IntimateEntries>(&Contacts::byRobot)},
+          {"intimate_zone_entries_by_person", streamOf<IntimateEntries>(&Contacts::byPerson)},
+          {"personal_zone_entries", streamOf<PersonalEntries>(&Contacts::count)},
+          {"personal_zone_entries_by_robot", streamOf<PersonalEntries>(&Contacts::byRobot)},
+          {"personal_zone_entries_by_person", streamOf<PersonalEntries>(&Contacts::byPerson)}});
 }
 
 }  // namespace metrics

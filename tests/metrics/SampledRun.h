@@ -51,7 +51,7 @@ inline MetricValue valueOf(const MetricEntry& entry, const SampledRun& recording
                            const MetricParameters& parameters) {
   Selection selection;
   selection.behaviors = false;
-  if (const MetricEntry* sum = standardRegistry().find(entry.meanOf)) {
+  if (const MetricEntry* sum = standardRegistry().find(entry.info.partOf)) {
     selection.own.push_back(*sum);
   }
   selection.own.push_back(entry);

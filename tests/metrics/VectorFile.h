@@ -32,7 +32,7 @@ inline void readBody(const Json& json, metrics::Body& body) {
   body.omega = json["angular_vel"].get<double>();
   body.radius = json["radius"].get<double>();
   for (const Json& point : json["closest_obs"]) {
-    body.obstacles.push_back({pointOf(point), false});
+    body.obstacles.push_back({pointOf(point), 0.0, false});
   }
 }
 
@@ -57,7 +57,7 @@ inline metrics::Sample sampleOf(const Json& step) {
   metrics::Sample sample;
   sample.time = step["t"].get<double>();
   readBody(step["robot"], sample.robot);
-  for (const metrics::ObstaclePoint& point : sample.robot.obstacles) {
+  for (const sim2d::Obstacles::Point& point : sample.robot.obstacles) {
     const double distance = (point.position - sample.robot.position).norm();
     sample.robot.obstacleDistance =
         std::min(sample.robot.obstacleDistance.value_or(distance), distance);
@@ -82,7 +82,7 @@ inline metrics::SampledRun sampledRunOf(const Json& file) {
   }
   const Json& robot = file["steps"].back()["robot"];
   for (const Json& goal : robot["goals"]) {
-    recording.goals.push_back({pointOf(goal), robot["goal_radius"].get<double>()});
+    recording.goals.push_back({0, pointOf(goal), robot["goal_radius"].get<double>()});
   }
   return recording;
 }

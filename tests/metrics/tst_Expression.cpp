@@ -12,7 +12,7 @@ namespace {
 SampledRun threeSamples() {
   SampledRun recording;
   recording.hasRobot = true;
-  recording.goals = {{Vec2(5.0, 0.0), 0.2}};
+  recording.goals = {{0, Vec2(5.0, 0.0), 0.2}};
   for (const double t : {0.0, 1.0, 3.0}) {
     Sample sample;
     sample.time = 10.0 + t;

@@ -132,7 +132,7 @@ void HandCasesTest::obstacles_contactsAndTimeTooClose() {
 void HandCasesTest::finalDistance_perMetreDriven() {
   SampledRun recording =
       recordingOfSamples({sampleAt(0, 0, 0), sampleAt(1, 3, 0), sampleAt(2, 3, 4)});
-  recording.goals = {{Vec2(3, 6), 0.2}};
+  recording.goals = {{0, Vec2(3, 6), 0.2}};
   QVERIFY(isNear(valueOf(recording, "targ_dist_norm"), 2.0 / 7.0));
 }
 

@@ -109,7 +109,7 @@ void MoreMetricsTest::reference_besideTheStraightWay() {
   // To (2, 0) at 1 m/s; the robot is 0.3 beside the way, the last second late.
   SampledRun recording = recordingOfSamples(
       {sampleAt(0, 0, 0), sampleAt(1, 1, 0.3), sampleAt(2, 1, 0.3), sampleAt(3, 2, 0)});
-  recording.goals = {{Vec2(2, 0), 0.2}};
+  recording.goals = {{0, Vec2(2, 0), 0.2}};
   const double late = std::sqrt(1.0 + 0.09);
   QVERIFY(isNear(valueOf(recording, "ade"), (0.0 + 0.3 + late + 0.0) / 4.0));
   QVERIFY(isNear(valueOf(recording, "fde"), 0.0));
@@ -189,7 +189,7 @@ void MoreMetricsTest::events_replansAndArrivals_areCounted() {
 void MoreMetricsTest::stoppedDistance_standing_isDistance() {
   SampledRun recording = recordingOfSamples(
       {sampleAt(0, 0, 0), sampleAt(1, 1, 0), sampleAt(2, 1.02, 0), sampleAt(3, 2, 0)});
-  recording.goals = {{Vec2(5, 0), 0.2}};
+  recording.goals = {{0, Vec2(5, 0), 0.2}};
   QVERIFY(isNear(valueOf(recording, "mean_dist_to_target_not_moving"), 3.98));
   recording.samples.erase(recording.samples.begin() + 2);
   QVERIFY(std::isnan(valueOf(recording, "mean_dist_to_target_not_moving")));

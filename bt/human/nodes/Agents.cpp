@@ -62,11 +62,6 @@ sim2d::Intent blocking(HumanContext& context, const Memory& memory, const Target
   return blockPerson(context, memory.human, target, memory.distance);
 }
 
-bool isVisible(HumanContext& context, Person observer, Person target, double distance,
-               double halfView) {
-  return isPersonVisible(context.view(), observer, target, distance, halfView);
-}
-
 bool isClose(HumanContext& context, Person observer, Person target, double threshold) {
   return personDistance(context.view(), observer, target) < threshold;
 }
@@ -104,7 +99,7 @@ void addAgents(NodeLibrary& to) {
                          {start<true>, whilePresent<Memory, step<following>>});
   to.addStateful<Memory>(*nodes.find("BlockAgent"),
                          {start<false>, whilePresent<Memory, step<blocking>>});
-  to.addCondition(*nodes.find("IsAgentVisible"), withPorts<isVisible, 0, 1, 2, 3>);
+  to.addCondition(*nodes.find("IsAgentVisible"), withPorts<isPersonVisible, 0, 1, 2, 3>);
   to.addCondition(*nodes.find("IsAgentClose"), withPorts<isClose, 0, 1, 2>);
 }
 

@@ -48,20 +48,8 @@ NodeStatus run(LeafContext& leaf) {
   return NodeStatus::Running;
 }
 
-bool updateGoal(HumanContext& context, Person human) {
-  return advanceGoal(context, human);
-}
-
-void setGoal(HumanContext& context, Person human, const GoalItem& place) {
-  addGoal(context, human, place);
-}
-
 void regularNav(HumanContext& context, Person human) {
   context.move(human, regularWalk(context, human));
-}
-
-bool isReached(HumanContext& context, Person human) {
-  return isGoalReached(context, human);
 }
 
 bool isAtPosition(HumanContext& context, Person human, const GoalItem& place, double tolerance) {
@@ -93,10 +81,10 @@ tolerance length default 0.1|At most so far from the goal.
 void addGoalNodes(NodeLibrary& to) {
   const NodeCatalogue nodes = humanManifests(kNodes);
   to.addStateful<Memory>(*nodes.find("GoTo"), {withPorts<start, 0, 1, 5>, run, restoreAllGoals});
-  to.addAction(*nodes.find("UpdateGoal"), withPorts<updateGoal, 0>);
-  to.addAction(*nodes.find("SetGoal"), withPorts<setGoal, 0, 1>);
+  to.addAction(*nodes.find("UpdateGoal"), withPorts<advanceGoal, 0>);
+  to.addAction(*nodes.find("SetGoal"), withPorts<addGoal, 0, 1>);
   to.addAction(*nodes.find("RegularNav"), withPorts<regularNav, 0>);
-  to.addCondition(*nodes.find("IsGoalReached"), withPorts<isReached, 0>);
+  to.addCondition(*nodes.find("IsGoalReached"), withPorts<isGoalReached, 0>);
   to.addCondition(*nodes.find("IsAtPosition"), withPorts<isAtPosition, 0, 1, 4>);
 }
 

@@ -5,10 +5,6 @@ namespace bt {
 
 namespace {
 
-void setGroupId(HumanContext& context, Person human, int group) {
-  setGroup(context, human, group);
-}
-
 struct Memory {
   std::int64_t startStep;
   int main;
@@ -79,7 +75,7 @@ non_main_agent_ids time_step duration
 
 void addGroupActions(NodeLibrary& to) {
   const NodeCatalogue nodes = humanManifests(kNodes);
-  to.addAction(*nodes.find("SetGroupId"), withPorts<setGroupId, 0, 1>);
+  to.addAction(*nodes.find("SetGroupId"), withPorts<setGroup, 0, 1>);
   to.addStateful<Memory>(*nodes.find("SetGroupWalk"), {withPorts<start, 1, 3>, run, disband});
 }
 

@@ -9,10 +9,6 @@ using base::Vec2;
 
 namespace {
 
-bool isVisible(HumanContext& context, Person human, double distance) {
-  return isRobotVisible(context.view(), human, distance);
-}
-
 struct Look {
   int human;
   int target;        // person, or none
@@ -76,14 +72,9 @@ struct Watch {
   double duration;  // [s]
 };
 
-NodeStatus startOne(LeafContext& leaf, Person target, Person human, double distance, double angle,
-                    double duration) {
+NodeStatus startWatch(LeafContext& leaf, Person target, Person human, double distance, double angle,
+                      double duration) {
   return begin(leaf, Watch{leaf.step(), human, target, distance, angle, duration});
-}
-
-NodeStatus startAnyone(LeafContext& leaf, Person human, double distance, double angle,
-                       double duration) {
-  return startOne(leaf, Person{-1}, human, distance, angle, duration);
 }
 
 NodeStatus watchAnyone(LeafContext& leaf) {
@@ -138,7 +129,7 @@ target_id int needed suggest 2|Id of the person who should look.
 
 void addLooking(NodeLibrary& to) {
   const NodeCatalogue nodes = humanManifests(kNodes);
-  to.addCondition(*nodes.find("IsRobotVisible"), withPorts<isVisible, 0, 1>);
+  to.addCondition(*nodes.find("IsRobotVisible"), withPorts<isRobotVisible, 0, 1>);
   to.addStateful<Look>(*nodes.find("LookAtPoint"),
                        {withPorts<startAtPoint, 0, 1, 4>, whilePresent<Look, lookAtPoint>});
   to.addStateful<Look>(*nodes.find("LookAtAgent"),
@@ -146,9 +137,9 @@ void addLooking(NodeLibrary& to) {
   to.addStateful<Look>(*nodes.find("LookAtRobot"),
                        {withPorts<startAtRobot, 0, 1>, whilePresent<Look, lookAtRobot>});
   to.addStateful<Watch>(*nodes.find("IsAnyoneLookingAtMe"),
-                        {withPorts<startAnyone, 0, 2, 3, 4>, watchAnyone});
+                        {withPorts<startWatch, kAnybody, 0, 2, 3, 4>, watchAnyone});
   to.addStateful<Watch>(*nodes.find("IsLookingAtMe"),
-                        {withPorts<startOne, 5, 0, 2, 3, 4>, watchOne});
+                        {withPorts<startWatch, 5, 0, 2, 3, 4>, watchOne});
 }
 
 }  // namespace bt

@@ -98,10 +98,6 @@ bool isClose(HumanContext& context, Person human, double threshold) {
   return robotDistance(context.view(), human) < threshold;
 }
 
-bool isFacing(HumanContext& context, Person human) {
-  return isRobotFacing(context.view(), human);
-}
-
 constexpr const char* kNodes = R"(
 Action SurprisedNav|Reactions|Stands and turns to the robot.
 agent_id time_step
@@ -155,7 +151,7 @@ void addRobotNodes(NodeLibrary& to) {
   to.addStateful<Memory>(*nodes.find("BlockRobot"),
                          {withPorts<startBlock, 0, 2, 3>, whilePresent<Memory, step<blocking>>});
   to.addCondition(*nodes.find("IsRobotClose"), withPorts<isClose, 0, 1>);
-  to.addCondition(*nodes.find("IsRobotFacingAgent"), withPorts<isFacing, 0>);
+  to.addCondition(*nodes.find("IsRobotFacingAgent"), withPorts<isRobotFacing, 0>);
 }
 
 }  // namespace bt

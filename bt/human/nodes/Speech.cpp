@@ -16,14 +16,9 @@ struct Memory {
   double duration;  // [s]
 };
 
-NodeStatus startOne(LeafContext& leaf, Person target, Person human, double distance,
-                    double duration) {
+NodeStatus start(LeafContext& leaf, Person target, Person human, double distance, double duration) {
   const std::int64_t lastHeard = leaf.memory<Memory>().lastHeard;
   return begin(leaf, Memory{leaf.step(), lastHeard, human, target, distance, duration});
-}
-
-NodeStatus startAnyone(LeafContext& leaf, Person human, double distance, double duration) {
-  return startOne(leaf, Person{-1}, human, distance, duration);
 }
 
 bool isNews(const LeafContext& leaf, const Memory& memory, const Utterance& words) {
@@ -94,8 +89,9 @@ target_id int needed suggest 2|Id of the person to listen to.
 void addSpeech(NodeLibrary& to) {
   const NodeCatalogue nodes = humanManifests(kNodes);
   to.addAction(*nodes.find("SaySomething"), withPorts<say, 0, 1>);
-  to.addStateful<Memory>(*nodes.find("IsAnyoneSpeaking"), {withPorts<startAnyone, 0, 2, 3>, run});
-  to.addStateful<Memory>(*nodes.find("IsSpeaking"), {withPorts<startOne, 4, 0, 2, 3>, run});
+  to.addStateful<Memory>(*nodes.find("IsAnyoneSpeaking"),
+                         {withPorts<start, kAnybody, 0, 2, 3>, run});
+  to.addStateful<Memory>(*nodes.find("IsSpeaking"), {withPorts<start, 4, 0, 2, 3>, run});
 }
 
 }  // namespace bt
