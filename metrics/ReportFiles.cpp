@@ -83,9 +83,9 @@ std::vector<StepColumn> columnsOf(const std::vector<MetricResult>& results, std:
   return columns;
 }
 
-std::string stepsText(const std::vector<double>& times, std::vector<StepColumn> columns) {
+std::string stepsText(const std::vector<double>& times, const std::vector<StepColumn>& columns) {
   std::string text;
-  writeSteps(times, std::move(columns), [&text](std::string_view piece) { text += piece; });
+  writeSteps(times, columns, [&text](std::string_view piece) { text += piece; });
   return text;
 }
 
@@ -171,7 +171,7 @@ class FileSet {
           {"behavior_active", Kind::Count, [next = active->begin()]() mutable { return *next++; }});
     }
     put(base_ + part + "_steps_" + safeName(run) + extension(),
-        separated(stepsText(evaluation_.times, std::move(columns))));
+        separated(stepsText(evaluation_.times, columns)));
   }
 
   /// Adds the row to the first file of this name that has these columns or does not exist.

@@ -261,9 +261,6 @@ struct TreePlay::Inside {
   bt::TreeState state;
 };
 
-TreePlay::TreePlay(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
-TreePlay::~TreePlay() = default;
-
 base::Result<std::unique_ptr<TreePlay>> TreePlay::create(const PlaySetup& setup) {
   base::Result<bt::TreeTable> table = bt::loadTrees(setup.tree);
   base::Diagnostics problems = table.diagnostics();
@@ -282,7 +279,7 @@ base::Result<std::unique_ptr<TreePlay>> TreePlay::create(const PlaySetup& setup)
     return problems;
   }
   base::append(problems, unusedNames(**program, *script));
-  auto inside = std::make_unique<Inside>(setup, *std::move(table), *std::move(script), *program);
+  auto inside = std::make_shared<Inside>(setup, *std::move(table), *std::move(script), *program);
   return {std::unique_ptr<TreePlay>(new TreePlay(std::move(inside))), std::move(problems)};
 }
 

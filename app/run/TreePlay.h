@@ -32,9 +32,6 @@ class TreePlay {
  public:
   /// Loads and compiles; every problem of tree and script, also names that no leaf has (warnings).
   static base::Result<std::unique_ptr<TreePlay>> create(const PlaySetup& setup);
-  ~TreePlay();
-  TreePlay(const TreePlay&) = delete;
-  TreePlay& operator=(const TreePlay&) = delete;
 
   /// One step, the first one is number 1.
   base::NodeStatus tick();
@@ -45,8 +42,8 @@ class TreePlay {
 
  private:
   struct Inside;
-  explicit TreePlay(std::unique_ptr<Inside> inside);
-  std::unique_ptr<Inside> inside_;
+  explicit TreePlay(std::shared_ptr<Inside> inside) : inside_(std::move(inside)) {}
+  std::shared_ptr<Inside> inside_;
 };
 
 }  // namespace app

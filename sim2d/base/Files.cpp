@@ -203,6 +203,31 @@ Diagnostics writeFileAtomically(const std::string& path, std::string_view conten
   return writeFilesTogether({{path, std::string(content)}});
 }
 
+/// All or none of them, as far as the disk lets us.
+Diagnostics GrowingFile::putTogether(const std::vector<FileContent>& files,
+                                     const std::vector<std::unique_ptr<GrowingFile>>& made) {
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    std::error_code error;
+    if (i + 1 < made.size()) {  // nothing can go wrong any more after the last one
+      error = made[i]->keepOld();
+    }
+    if (!error) {
+      error = made[i]->putInPlace();
+    }
+    if (!error) {
+      continue;
+    }
+    Diagnostics problems = {fileError("file.cannot-write", files[i].path, error)};
+    for (std::size_t done = i; done-- > 0;) {
+      if (const std::error_code lost = made[done]->takeBack()) {
+        problems.push_back(fileError("file.cannot-restore", files[done].path, lost));
+      }
+    }
+    return problems;
+  }
+  return {};
+}
+
 Diagnostics writeFilesTogether(const std::vector<FileContent>& files) {
   Diagnostics problems;
   std::vector<std::unique_ptr<GrowingFile>> made;
@@ -216,28 +241,7 @@ Diagnostics writeFilesTogether(const std::vector<FileContent>& files) {
       }
     }
   }
-  if (!problems.empty()) {
-    return problems;
-  }
-  for (std::size_t i = 0; i < made.size(); ++i) {
-    std::error_code error;
-    if (i + 1 < made.size()) {  // nothing can go wrong any more after the last one
-      error = made[i]->keepOld();
-    }
-    if (!error) {
-      error = made[i]->putInPlace();
-    }
-    if (error) {
-      problems.push_back(fileError("file.cannot-write", files[i].path, error));
-      for (std::size_t done = i; done-- > 0;) {
-        if (const std::error_code lost = made[done]->takeBack()) {
-          problems.push_back(fileError("file.cannot-restore", files[done].path, lost));
-        }
-      }
-      break;
-    }
-  }
-  return problems;
+  return problems.empty() ? GrowingFile::putTogether(files, made) : problems;
 }
 
 std::optional<ScratchFile::Piece> ScratchFile::append(std::string_view bytes) {

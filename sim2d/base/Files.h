@@ -48,6 +48,8 @@ class GrowingFile {
  private:
   friend Diagnostics writeFilesTogether(const std::vector<FileContent>& files);
 
+  static Diagnostics putTogether(const std::vector<FileContent>& files,
+                                 const std::vector<std::unique_ptr<GrowingFile>>& made);
   bool isOpen() const { return problems_.empty() && descriptor_ >= 0; }
   void note(const std::error_code& error);
   std::error_code open();
