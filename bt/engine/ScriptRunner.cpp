@@ -7,6 +7,8 @@
 namespace bt {
 namespace {
 
+using Kind = ScriptExpression::Kind;
+
 void setNumber(Value& value, double number) {
   value.type = ValueType::Double;
   value.real = number;
@@ -87,7 +89,6 @@ std::optional<bool> ScriptRunner::truth() const {
 }
 
 bool ScriptRunner::evaluate(const ScriptExpression& expression, Value& result) {
-  using Kind = ScriptExpression::Kind;
   switch (expression.kind) {
     case Kind::Number:
       setNumber(result, expression.number);
