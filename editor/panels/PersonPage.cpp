@@ -49,7 +49,6 @@ PersonPage::PersonPage(ScenarioDocument& document, const Theme& theme)
   addNewFields<sim2d::Behavior>();
   addNewFields<PersonExtension>();
   addRefresh([this](const std::vector<Entity>& shown) { showBehavior(shown); });
-  finish();
   setTheme(theme);
 }
 

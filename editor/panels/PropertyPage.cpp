@@ -1,7 +1,5 @@
 #include "editor/panels/PropertyPage.h"
 
-#include <algorithm>
-
 #include <QRegularExpression>
 
 #include "editor/document/FreeNames.h"
@@ -72,7 +70,9 @@ QString listProblem(const base::Range& range, const QString& text) {
 }  // namespace
 
 PropertyPage::PropertyPage(ScenarioDocument& document, const sim2d::FieldTables& tables)
-    : document_(document), tables_(tables), layout_(arranged(new QVBoxLayout(this), {}, 0)) {}
+    : document_(document), tables_(tables), layout_(arranged(new QVBoxLayout(this), {}, 0)) {
+  layout_->addStretch();
+}
 
 void PropertyPage::setTargets(const std::vector<EntityId>& targets) {
   targets_ = targets;
@@ -113,13 +113,9 @@ void PropertyPage::addRefresh(std::function<void(const std::vector<Entity>&)> re
 
 FormSection* PropertyPage::addSection(const QString& title) {
   auto* section = new FormSection(title, this);
-  layout_->addWidget(section);
+  layout_->insertWidget(layout_->count() - 1, section);
   sections_.push_back(section);
   return section;
-}
-
-void PropertyPage::finish() {
-  layout_->addStretch();
 }
 
 long long PropertyPage::seed() const {

@@ -118,7 +118,6 @@ class PropertyPage : public QWidget {
   /// The name of the entity; only for one at a time, checked for being free.
   void addName(FormSection* section);
   void addRefresh(std::function<void(const std::vector<Entity>&)> refresh);
-  void finish();  // after the last section
 
  private:
   struct Place {
