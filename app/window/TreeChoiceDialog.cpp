@@ -186,7 +186,8 @@ TreeChoiceDialog::TreeChoiceDialog(std::vector<TreeQuestion> questions, const ed
       keep_(new QRadioButton(this)),
       replace_(new QRadioButton(this)),
       all_(new QCheckBox(tr("The same for all %1").arg(questions_.size()), this)),
-      differences_(editor::linkButton(QString(), this)),
+      differences_(
+          editor::linkButton({}, {}, this, [this] { showDifferences(diff_->isHidden()); })),
       legend_(editor::secondaryLabel(QString(), this)),
       diff_(new DiffView(theme, this)) {
   setWindowTitle(tr("Trees written by hand"));
@@ -204,8 +205,6 @@ TreeChoiceDialog::TreeChoiceDialog(std::vector<TreeQuestion> questions, const ed
       take(replace_->isChecked() ? TreeAnswer::TakeReplacement : TreeAnswer::KeepMine);
     }
   });
-  connect(differences_, &QToolButton::clicked, this,
-          [this] { showDifferences(diff_->isHidden()); });
   list_->setCurrentRow(0);
   showDifferences(false);
 }

@@ -2,7 +2,6 @@
 
 #include <QHBoxLayout>
 #include <QVBoxLayout>
-#include <QVariant>
 
 #include "editor/look/HouseStyle.h"
 
@@ -23,19 +22,14 @@ QLabel* secondaryLabel(const QString& text, QWidget* parent) {
   return label;
 }
 
-QToolButton* linkButton(const QString& text, QWidget* parent) {
+QToolButton* linkButton(const QString& text, const QString& says, QWidget* parent,
+                        const std::function<void()>& action) {
   auto* button = new QToolButton(parent);
   button->setText(text);
   button->setProperty(kLinkProperty, true);
   button->setCursor(Qt::PointingHandCursor);
   button->setToolButtonStyle(Qt::ToolButtonTextOnly);
   button->setAutoRaise(true);
-  return button;
-}
-
-QToolButton* linkButton(const QString& text, const QString& says, QWidget* parent,
-                        const std::function<void()>& action) {
-  QToolButton* button = linkButton(text, parent);
   button->setToolTip(says);
   QObject::connect(button, &QToolButton::clicked, parent, action);
   return button;
@@ -110,9 +104,7 @@ FormSection::FormSection(const QString& title, QWidget* parent)
   grid_->setColumnMinimumWidth(0, kLabelEnd - 12);
   grid_->setColumnStretch(1, 1);
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = arranged(new QVBoxLayout(this), {}, 0);
   layout->addLayout(top);
   layout->addWidget(body_);
   layout->addWidget(dividerLine(this));
@@ -135,9 +127,7 @@ void FormSection::addRow(const QString& label, QWidget* field) {
 
 void FormSection::addRow(const QString& label, QWidget* left, QWidget* right) {
   auto* both = new QWidget(body_);
-  auto* line = new QHBoxLayout(both);
-  line->setContentsMargins(0, 0, 0, 0);
-  line->setSpacing(8);
+  auto* line = arranged(new QHBoxLayout(both), {}, 8);
   for (QWidget* part : {left, right}) {
     part->setMinimumWidth(kHalfField - 2);
     part->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);

@@ -41,9 +41,7 @@ class FormSection : public QWidget {
 
 /// A text in the secondary colour of the palette.
 QLabel* secondaryLabel(const QString& text, QWidget* parent = nullptr);
-/// A button of words that looks like a link.
-QToolButton* linkButton(const QString& text, QWidget* parent = nullptr);
-/// The same with a tooltip and with what it does.
+/// A button of words that looks like a link, with a tooltip and with what it does.
 QToolButton* linkButton(const QString& text, const QString& says, QWidget* parent,
                         const std::function<void()>& action);
 /// Lets what is too high for its panel be scrolled; both show the ground of the panel.
