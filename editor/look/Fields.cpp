@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
-#include <QAbstractItemView>
 #include <QContextMenuEvent>
-#include <QLineEdit>
 #include <QMenu>
-#include <QStyle>
 
 #include "editor/look/HouseStyle.h"
 #include "sim2d/base/Text.h"

@@ -6,7 +6,6 @@
 #include <QAbstractScrollArea>
 #include <QListView>
 #include <QPainter>
-#include <QStyleOption>
 #include <QStyleOptionComboBox>
 #include <QToolBar>
 #include <QTransform>

@@ -7,7 +7,6 @@
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QSplitter>
-#include <QVBoxLayout>
 
 #include "bt/tree/TreeXml.h"
 #include "editor/document/BehaviorValues.h"

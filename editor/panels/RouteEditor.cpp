@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <QContextMenuEvent>
 #include <QMenu>
 #include <QPainter>
 #include <QToolButton>
