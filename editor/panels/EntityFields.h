@@ -33,8 +33,6 @@ EntityField numberField(const QString& label, const QString& unit,
 EntityField textField(const QString& label, const QString& help,
                       std::function<QString(const Entity&)> get,
                       std::function<void(Entity&, const QString&)> set);
-/// A coordinate [m], where it is; it cannot be left out.
-EntityField coordinateField(const QString& label, std::function<double&(Entity&)> place);
 /// Position on the map and heading, for all kinds that have them.
 EntityField positionField(const QString& label, int axis);
 EntityField headingField();

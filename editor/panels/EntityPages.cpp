@@ -185,8 +185,13 @@ class DoorPage : public PropertyPage {
     addName(section);
     addListed(section);
     const auto end = [](const QString& label, Vec2 Door::*point, int axis) {
-      return coordinateField(
-          label, [=](Entity& entity) -> double& { return (std::get<Door>(entity).*point)(axis); });
+      return numberField(
+          label, QStringLiteral("m"),
+          [=](const Entity& door) { return std::optional((std::get<Door>(door).*point)(axis)); },
+          [=](Entity& door, std::optional<double> value) {
+            double& at = (std::get<Door>(door).*point)(axis);
+            at = value.value_or(at);  // it cannot be left out
+          });
     };
     addNumberPair(section, tr("From"), end(tr("From X"), &Door::from, 0),
                   end(tr("From Y"), &Door::from, 1));
