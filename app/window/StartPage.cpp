@@ -272,7 +272,6 @@ void StartPage::addActions(WindowActions& actions) {
                        workspace_.theme(), page_);
     connect(card, &QAbstractButton::clicked, action, &QAction::trigger);
     row->addWidget(card, 1);
-    cards_.push_back(card);
   };
   add(actions.newFromMap, QStringLiteral("start-map"), tr("New from a map"),
       tr("nav2 map or image of a floor plan"));
@@ -307,7 +306,6 @@ void StartPage::addDemos(const std::vector<Demo>& demos) {
     connect(card, &QAbstractButton::clicked, this,
             [this, path = demo.path] { Q_EMIT fileWanted(path); });
     grid->addWidget(card, i / 2, i % 2);
-    cards_.push_back(card);
     thumbnails_.emplace_back(card, demo.path);
   }
   grid->setColumnStretch(0, 1);
@@ -333,10 +331,8 @@ void StartPage::fillRecent() {
   }
 }
 
-void StartPage::setTheme(const editor::Theme& theme) {
-  for (StartCard* card : cards_) {
-    card->setTheme(theme);
-  }
+void StartPage::showTheme() {
+  page_->update();
   fillRecent();
   if (isVisible()) {
     paintThumbnails();
