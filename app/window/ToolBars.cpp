@@ -188,8 +188,8 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
 
   const editor::PlaybackActions& playback = workspace.playback();
   bar.addMenu(QObject::tr("&Run"))
-      ->addActions({playback.playPause(), playback.step(), playback.stepBack(), playback.newest(),
-                    playback.reset()});
+      ->addActions(
+          {playback.playPause, playback.step, playback.stepBack, playback.newest, playback.reset});
   addBehaviorMenu(bar, workspace);
   bar.addMenu(QObject::tr("&Help"))->addAction(actions.about);
   return recent;
