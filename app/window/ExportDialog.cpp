@@ -46,11 +46,9 @@ QString onTwoLines(const std::string& command) {
 
 /// With a capital, unless it begins with a name.
 QString sentence(const base::Diagnostic& problem, const sim2d::Scenario& scenario) {
-  QString text = QString::fromStdString(problem.message);
-  if (!text.isEmpty() && !editor::FreeNames(scenario).isTaken(problem.value("where"))) {
-    text[0] = text[0].toUpper();
-  }
-  return text;
+  const QString text = QString::fromStdString(problem.message);
+  return editor::FreeNames(scenario).isTaken(problem.value("where")) ? text
+                                                                     : editor::capitalized(text);
 }
 
 }  // namespace

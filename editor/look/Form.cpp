@@ -58,6 +58,13 @@ QString counted(std::size_t count, const QString& one, const QString& many) {
   return QStringLiteral("%1 %2").arg(count).arg(count == 1 ? one : many);
 }
 
+QString capitalized(QString text) {
+  if (!text.isEmpty()) {
+    text[0] = text[0].toUpper();
+  }
+  return text;
+}
+
 QLabel* emptyState(const QString& text, QWidget* parent) {
   QLabel* label = secondaryLabel(text, parent);
   label->setAlignment(Qt::AlignCenter);

@@ -50,6 +50,8 @@ QScrollArea* scrollArea(QWidget* content, QWidget* parent);
 QWidget* dividerLine(QWidget* parent = nullptr);
 /// "1 person", "3 people".
 QString counted(std::size_t count, const QString& one, const QString& many);
+/// "no tree" -> "No tree"
+QString capitalized(QString text);
 /// A centred sentence that says what to do when a panel has nothing to show.
 QLabel* emptyState(const QString& text, QWidget* parent = nullptr);
 /// A layout with these margins and this space between its parts [px], of which these are the first.

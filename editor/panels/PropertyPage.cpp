@@ -60,6 +60,12 @@ ParameterValue valueFromText(ParameterType type, const QString& text) {
              : ParameterValue(std::vector<int>(numbers.begin(), numbers.end()));
 }
 
+/// What an entity has itself, else what counts without.
+ParameterValue valueInForce(const EntityField& field, const Entity& entity) {
+  ParameterValue own = field.get(entity);
+  return own == ParameterValue() && field.fallback ? field.fallback(entity) : own;
+}
+
 QString listProblem(const base::Range& range, const QString& text) {
   const auto values = listFromText(text);
   const bool fits = values && std::all_of(values->begin(), values->end(),
@@ -178,9 +184,7 @@ QString labelOf(const base::ParameterSpec& spec) {
   if (!spec.form.label.empty()) {
     return QString::fromStdString(spec.form.label);
   }
-  QString label = QString::fromStdString(spec.key).replace(QLatin1Char('_'), QLatin1Char(' '));
-  label[0] = label[0].toUpper();
-  return label;
+  return capitalized(QString::fromStdString(spec.key).replace(QLatin1Char('_'), QLatin1Char(' ')));
 }
 
 QString helpOf(const base::ParameterSpec& spec) {
@@ -298,10 +302,8 @@ QWidget* PropertyPage::makeChoice(const EntityField& field, const FieldLook& loo
   });
   addRefresh([=](const std::vector<Entity>& shown) {
     const auto index = commonValue(shown, [&](const Entity& entity) {
-      const ParameterValue own = field.get(entity);
-      const bool isOwn = own != ParameterValue() || hasNone || !field.fallback;
-      const auto found =
-          std::find(values.begin(), values.end(), isOwn ? own : field.fallback(entity));
+      const auto found = std::find(values.begin(), values.end(),
+                                   hasNone ? field.get(entity) : valueInForce(field, entity));
       return found == values.end() ? 0 : static_cast<int>(found - values.begin());
     });
     box->setCurrentIndex(index.value_or(-1));
@@ -314,11 +316,8 @@ QWidget* PropertyPage::makeSwitch(const EntityField& field, const FieldLook& loo
   box->setToolTip(helpOf(field.spec));
   connect(box, &QCheckBox::clicked, this, [=](bool on) { change(field, on); });
   addRefresh([=](const std::vector<Entity>& shown) {
-    const std::optional<bool> on = commonValue(shown, [&](const Entity& entity) {
-      const ParameterValue own = field.get(entity);
-      return valueOr(own == ParameterValue() && field.fallback ? field.fallback(entity) : own,
-                     false);
-    });
+    const std::optional<bool> on = commonValue(
+        shown, [&](const Entity& entity) { return valueOr(valueInForce(field, entity), false); });
     box->setTristate(!on);
     box->setCheckState(!on ? Qt::PartiallyChecked : *on ? Qt::Checked : Qt::Unchecked);
   });

@@ -49,9 +49,7 @@ QString aboutOne(const sim2d::Scenario& scenario, const Entity& entity) {
     return QObject::tr("Robot · %1")
         .arg(QString::fromStdString(robot->planner.value_or("pursuit")));
   }
-  QString kind = kindName(kindOf(entity));
-  kind[0] = kind[0].toUpper();
-  return kind;
+  return capitalized(kindName(kindOf(entity)));
 }
 
 }  // namespace

@@ -93,8 +93,7 @@ QString modeWords(const std::string& mode) {
       {"specific", QT_TR_NOOP("Somebody by name")},
       {"robot", QT_TR_NOOP("The robot")}};
   const auto known = kWords.find(mode);
-  const QString word = qt(mode);
-  return known == kWords.end() ? word.left(1).toUpper() + word.mid(1) : QObject::tr(known->second);
+  return known == kWords.end() ? capitalized(qt(mode)) : QObject::tr(known->second);
 }
 
 ValueRow repeatRow(const bt::Block& block) {
