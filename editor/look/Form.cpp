@@ -149,10 +149,8 @@ int FormSection::rowOf(const QWidget* field) const {
     const int index = grid_->indexOf(const_cast<QWidget*>(widget));
     if (index >= 0) {
       int row = 0;
-      int column = 0;
-      int rowSpan = 0;
-      int columnSpan = 0;
-      grid_->getItemPosition(index, &row, &column, &rowSpan, &columnSpan);
+      int other = 0;
+      grid_->getItemPosition(index, &row, &other, &other, &other);
       return row;
     }
   }
