@@ -134,26 +134,6 @@ EntityField headingField() {
   return field;
 }
 
-EntityField listedField() {
-  EntityField field;
-  field.spec.type = base::ParameterType::Boolean;
-  field.spec.form.label = "Takes part";
-  field.spec.help = "Off: kept in the file, but not in the run";
-  field.get = isListed;
-  field.set = [](Entity& entity, const base::ParameterValue& on) {
-    std::visit(
-        [&on](auto& value) {
-          using Value = std::decay_t<decltype(value)>;
-          if constexpr (!std::is_same_v<Value, sim2d::GlobalGoal> &&
-                        !std::is_same_v<Value, ScenarioSettings>) {
-            value.listed = std::get<bool>(on);
-          }
-        },
-        entity);
-  };
-  return field;
-}
-
 EntityField parameterField(const ParameterOwner& owner, const std::string& name,
                            const base::ParameterSpec& spec) {
   EntityField field;

@@ -36,8 +36,6 @@ EntityField textField(const QString& label, const QString& help,
 /// Position on the map and heading, for all kinds that have them.
 EntityField positionField(const QString& label, int axis);
 EntityField headingField();
-/// Whether an entity takes part in the run, for all kinds that can be switched off.
-EntityField listedField();
 
 /// What is chosen by name and has parameters of its own: the planner of a robot, the model of
 /// people.

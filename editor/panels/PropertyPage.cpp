@@ -234,8 +234,25 @@ void PropertyPage::addParameterRows(FormSection* section, const ParameterOwner& 
   others->setObjectName(QStringLiteral("other_parameters"));
 }
 
+/// Whether an entity takes part in the run, for all kinds that can be switched off.
 void PropertyPage::addListed(FormSection* section) {
-  addRow(section, listedField(), inWords({tr("In the scenario")}));
+  EntityField field;
+  field.spec.type = ParameterType::Boolean;
+  field.spec.form.label = "Takes part";
+  field.spec.help = "Off: kept in the file, but not in the run";
+  field.get = isListed;
+  field.set = [](Entity& entity, const ParameterValue& on) {
+    std::visit(
+        [&on](auto& value) {
+          using Value = std::decay_t<decltype(value)>;
+          if constexpr (!std::is_same_v<Value, sim2d::GlobalGoal> &&
+                        !std::is_same_v<Value, ScenarioSettings>) {
+            value.listed = std::get<bool>(on);
+          }
+        },
+        entity);
+  };
+  addRow(section, field, inWords({tr("In the scenario")}));
 }
 
 void PropertyPage::addPosition(FormSection* section) {
