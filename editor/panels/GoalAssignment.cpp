@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "editor/document/EntityModel.h"
 #include "editor/document/Groups.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Form.h"
@@ -147,10 +148,7 @@ void GoalAssignment::fillPeople() {
 
 void GoalAssignment::fillGoals() {
   for (const sim2d::GlobalGoal& goal : document_.scenario().goals) {
-    goals_->addGoal(&goal, goal.id,
-                    QStringLiteral("%1, %2 m")
-                        .arg(goal.position.x(), 0, 'f', 1)
-                        .arg(goal.position.y(), 0, 'f', 1));
+    goals_->addGoal(&goal, goal.id, placeOf(goal));
   }
 }
 
