@@ -68,12 +68,6 @@ QString homeRelative(const QString& folder) {
                                                     : folder;
 }
 
-QLabel* heading(const QString& text, const QFont& font) {
-  auto* label = new QLabel(text);
-  label->setFont(font);
-  return label;
-}
-
 }  // namespace
 
 QString agoText(const QDateTime& then, const QDateTime& now) {
@@ -245,7 +239,7 @@ StartPage::StartPage(Workspace& workspace, WindowActions& actions, Memory& memor
   sides->addStretch(1);
   const editor::Theme& theme = workspace.theme();
   editor::arranged(column_, {0, 48, 0, 24}, 0,
-                   {heading(tr("Start"), theme.font(21.0, QFont::DemiBold))});
+                   {editor::headingLabel(tr("Start"), theme.font(21.0, QFont::DemiBold))});
   column_->addSpacing(8);
   auto* line = editor::secondaryLabel(
       tr("Draw people and a robot on a map, press Space, and watch them live."));
@@ -285,15 +279,15 @@ void StartPage::addDemos(const std::vector<Demo>& demos) {
   const QFont bold = workspace_.theme().font(12.0, QFont::DemiBold);
   // thirds, with the gaps of the cards above
   auto* both = editor::arranged(new QHBoxLayout, {}, 0);
-  auto* left =
-      editor::arranged(new QVBoxLayout, {0, 0, 2 * kGap / 3, 0}, 0, {heading(tr("Recent"), bold)});
+  auto* left = editor::arranged(new QVBoxLayout, {0, 0, 2 * kGap / 3, 0}, 0,
+                                {editor::headingLabel(tr("Recent"), bold)});
   left->addSpacing(8);
   left->addLayout(recent_);
   left->addStretch();
   both->addLayout(left, 1);
   auto* right = editor::arranged(new QVBoxLayout, {kGap / 3, 0, 0, 0}, 0);
   if (!demos.empty()) {
-    right->addWidget(heading(tr("Demos"), bold));
+    right->addWidget(editor::headingLabel(tr("Demos"), bold));
     right->addSpacing(12);
   }
   auto* grid = new QGridLayout;

@@ -22,6 +22,12 @@ QLabel* secondaryLabel(const QString& text, QWidget* parent) {
   return label;
 }
 
+QLabel* headingLabel(const QString& text, const QFont& font, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setFont(font);
+  return label;
+}
+
 QToolButton* linkButton(const QString& text, const QString& says, QWidget* parent,
                         const std::function<void()>& action) {
   auto* button = new QToolButton(parent);

@@ -41,6 +41,8 @@ class FormSection : public QWidget {
 
 /// A text in the secondary colour of the palette.
 QLabel* secondaryLabel(const QString& text, QWidget* parent = nullptr);
+/// A text in another font.
+QLabel* headingLabel(const QString& text, const QFont& font, QWidget* parent = nullptr);
 /// A button of words that looks like a link, with a tooltip and with what it does.
 QToolButton* linkButton(const QString& text, const QString& says, QWidget* parent,
                         const std::function<void()>& action);

@@ -43,7 +43,7 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
       theme_(theme),
       runner_(runner),
       stack_(new QStackedLayout(this)),
-      name_(new QLabel),
+      name_(headingLabel({}, theme.font(12.0, QFont::DemiBold))),
       about_(secondaryLabel({})),
       problem_(new QLabel),
       outline_(new TreeOutline(theme)),
@@ -73,7 +73,6 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
 QWidget* BehaviorPanel::makePage() {
   auto* page = new QWidget(this);
   auto* layout = arranged(new QVBoxLayout(page), {0, 12, 0, 0}, 4, {name_, about_, problem_});
-  name_->setFont(theme_.font(12.0, QFont::DemiBold));
   for (QLabel* label : {name_, about_, problem_}) {
     label->setContentsMargins(12, 0, 12, 0);
     label->setTextFormat(Qt::PlainText);

@@ -37,7 +37,7 @@ GoalAssignment::GoalAssignment(ScenarioDocument& document, const Theme& theme, Q
       people_(new HintList(theme, tr("People"), this)),
       goals_(new GoalList(theme, tr("Goals"), this)),
       route_(new RouteList(theme, tr("Route"), this)),
-      whose_(new QLabel(this)),
+      whose_(headingLabel({}, theme.font(9.5, QFont::DemiBold), this)),
       repeat_(new QCheckBox(tr("Start again after the last"), this)) {
   setWindowTitle(tr("Assign goals"));
   resize(780, 480);
@@ -111,7 +111,6 @@ QWidget* GoalAssignment::makeRouteColumn() {
   clear_ = new QPushButton(tr("Clear"), this);
   clear_->setToolTip(tr("Empty the route of the people that are chosen"));
   clear_->setAutoDefault(false);
-  whose_->setFont(theme_.font(9.5, QFont::DemiBold));
   whose_->setTextFormat(Qt::PlainText);
   whose_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   auto* foot = new QHBoxLayout;
