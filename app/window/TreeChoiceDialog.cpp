@@ -210,8 +210,8 @@ TreeChoiceDialog::TreeChoiceDialog(std::vector<TreeQuestion> questions, const ed
 }
 
 void TreeChoiceDialog::build() {
-  auto* title = new QLabel(tr("Saving would replace what somebody wrote"), this);
-  title->setFont(theme_.font(12.0, QFont::DemiBold));
+  QLabel* title = editor::headingLabel(tr("Saving would replace what somebody wrote"),
+                                       theme_.font(12.0, QFont::DemiBold), this);
   auto* rows = editor::arranged(new QVBoxLayout(this), {16, 16, 16, 12}, 8, {title});
   auto* columns = editor::arranged(new QHBoxLayout, {}, 16, {list_});
   list_->setFixedWidth(kListWidth);
@@ -257,8 +257,7 @@ void TreeChoiceDialog::showQuestion(int index) {
   replace_->setText(isOnDisk(question) ? tr("Replace it with the tree of this window")
                                        : tr("Take the generated one"));
   const bool keeps = answers_[static_cast<std::size_t>(index)] == TreeAnswer::KeepMine;
-  keep_->setChecked(keeps);
-  replace_->setChecked(!keeps);
+  (keeps ? keep_ : replace_)->setChecked(true);
   diff_->setTexts(question.mine, question.replacement);
   legend_->setText(isOnDisk(question) ? tr("− in the file   + in this window")
                                       : tr("− mine   + generated"));
@@ -302,8 +301,7 @@ void TreeChoiceDialog::choose(int question, TreeAnswer answer) {
   answers_[static_cast<std::size_t>(question)] = answer;
   updateRow(question);
   if (question == list_->currentRow()) {
-    keep_->setChecked(answer == TreeAnswer::KeepMine);
-    replace_->setChecked(answer != TreeAnswer::KeepMine);
+    (answer == TreeAnswer::KeepMine ? keep_ : replace_)->setChecked(true);
   }
 }
 

@@ -143,17 +143,14 @@ void TimelineBar::setTheme(const Theme& theme) {
   update();
 }
 
-double TimelineBar::plannedLength() const {
-  const sim2d::Scenario& scenario = document_.scenario();
-  const double step = scenario.desktop.dt.value_or(0.05);
-  return static_cast<double>(sim2d::stopRuleOf(scenario).maximumSteps) * step;
-}
-
 double TimelineBar::length() const {
   if (runner_.isFinished()) {
     return std::max(newestTime(), 1.0);
   }
-  return std::max({plannedLength(), newestTime(), 1.0});
+  const sim2d::Scenario& scenario = document_.scenario();
+  const double planned = static_cast<double>(sim2d::stopRuleOf(scenario).maximumSteps) *
+                         scenario.desktop.dt.value_or(0.05);
+  return std::max({planned, newestTime(), 1.0});
 }
 
 double TimelineBar::xOf(double time) const {

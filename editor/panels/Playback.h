@@ -51,7 +51,6 @@ class TimelineBar : public QWidget {
 
  private:
   void seekTo(double x);
-  double plannedLength() const;
   double newestTime() const { return timeOf(runner_.newestFrame()); }
   double shownTime() const { return timeOf(runner_.shownFrame()); }
   static double timeOf(const FramePtr& frame) { return frame ? frame->time : 0.0; }

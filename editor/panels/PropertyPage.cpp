@@ -135,18 +135,15 @@ void PropertyPage::change(const EntityField& field, const base::ParameterValue& 
         [&](Entity& entity) { field.set(entity, value); });
 }
 
-QString PropertyPage::nameProblem(const QString& name) const {
-  static const QRegularExpression kName(QStringLiteral("^[A-Za-z][A-Za-z0-9_]*$"));
-  if (!kName.match(name).hasMatch()) {
-    return tr("A name begins with a letter and has only letters, digits and _");
-  }
-  return FreeNames(document_.scenario()).isTaken(name.toStdString()) ? tr("This name is taken")
-                                                                     : QString();
-}
-
 void PropertyPage::addName(FormSection* section) {
   auto* field = new TextField(this);
-  field->setCheck([this](const QString& name) { return nameProblem(name); });
+  field->setCheck([this](const QString& name) {
+    static const QRegularExpression kName(QStringLiteral("^[A-Za-z][A-Za-z0-9_]*$"));
+    return !kName.match(name).hasMatch()
+               ? tr("A name begins with a letter and has only letters, digits and _")
+           : FreeNames(document_.scenario()).isTaken(name.toStdString()) ? tr("This name is taken")
+                                                                         : QString();
+  });
   connect(field, &TextField::edited, this, [this](const QString& name) {
     if (targets_.size() == 1) {
       pushRename(document_, targets_.front(), name.toStdString());

@@ -129,7 +129,6 @@ class PropertyPage : public QWidget {
   QWidget* makeSwitch(const EntityField& field, const FieldLook& look);
   QWidget* makeText(const EntityField& field, const FieldLook& look);
   void change(const EntityField& field, const base::ParameterValue& value);
-  QString nameProblem(const QString& name) const;
 
   ScenarioDocument& document_;
   const sim2d::FieldTables& tables_;
