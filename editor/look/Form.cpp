@@ -123,18 +123,14 @@ FormSection::FormSection(const QString& title, QWidget* parent)
   layout->addWidget(dividerLine(this));
 }
 
-QLabel* FormSection::makeLabel(const QString& text, QWidget* buddy) {
-  QLabel* label = secondaryLabel(text, body_);
-  label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  label->setBuddy(buddy);
-  buddy->setAccessibleName(text);
-  return label;
-}
-
 void FormSection::addRow(const QString& label, QWidget* field) {
   const int row = grid_->rowCount();
   grid_->setRowMinimumHeight(row, kFormRowHeight);
-  grid_->addWidget(makeLabel(label, field), row, 0);
+  QLabel* words = secondaryLabel(label, body_);
+  words->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  words->setBuddy(field);
+  field->setAccessibleName(label);
+  grid_->addWidget(words, row, 0);
   grid_->addWidget(field, row, 1, Qt::AlignVCenter);
 }
 

@@ -30,7 +30,6 @@ class FormSection : public QWidget {
   void setOpen(bool open);
 
  private:
-  QLabel* makeLabel(const QString& text, QWidget* buddy);
   int rowOf(const QWidget* field) const;  // -1 = none
   QToolButton* heading_;
   QLabel* note_;

@@ -62,8 +62,7 @@ GoalAssignment::GoalAssignment(ScenarioDocument& document, const Theme& theme, Q
   layout->addLayout(below);
   people_->setHint(tr("No people yet: press P and drag on the map"));
   goals_->setHint(tr("No goals yet: press G and click on the map"));
-  fillPeople();
-  fillGoals();
+  fillLists();
   connect(people_, &QListWidget::itemSelectionChanged, this, &GoalAssignment::showRoute);
   takeSelection();
   showRoute();
@@ -134,7 +133,7 @@ QWidget* GoalAssignment::makeRouteColumn() {
   return box;
 }
 
-void GoalAssignment::fillPeople() {
+void GoalAssignment::fillLists() {
   const FigurePainter painter(theme_);
   for (const EntityId person : plan_.people()) {
     const sim2d::Human* human = document_.human(person);
@@ -143,9 +142,6 @@ void GoalAssignment::fillPeople() {
     item->setSelected(document_.isSelected(person));
   }
   showPeople();
-}
-
-void GoalAssignment::fillGoals() {
   for (const sim2d::GlobalGoal& goal : document_.scenario().goals) {
     goals_->addGoal(&goal, goal.id, placeOf(goal));
   }
