@@ -92,7 +92,10 @@ DocumentGuard::DocumentGuard(Workspace& workspace, FileCommands& files, NoticeBa
   });
   connect(&files_, &FileCommands::notSaved, this, &DocumentGuard::tellNotSaved);
   connect(&files_, &FileCommands::exported, this, &DocumentGuard::tellExported);
-  connect(&files_, &FileCommands::notExported, this, &DocumentGuard::tellNotExported);
+  connect(&files_, &FileCommands::notExported, this, [this](const base::Diagnostics& problems) {
+    notices_.warn(kExport, tr("Nothing was exported: %1.").arg(reasonOf(problems, {})),
+                  {{tr("Export…"), [this] { files_.askExport(); }}});
+  });
   if (recoveryFolder.isEmpty()) {
     return;
   }
@@ -236,11 +239,6 @@ void DocumentGuard::tellExported(const QString& folder, int files) {
           .arg(editor::counted(static_cast<std::size_t>(files), tr("file"), tr("files")),
                QDir::toNativeSeparators(folder)),
       {{tr("Show the folder"), show}});
-}
-
-void DocumentGuard::tellNotExported(const base::Diagnostics& problems) {
-  notices_.warn(kExport, tr("Nothing was exported: %1.").arg(reasonOf(problems, {})),
-                {{tr("Export…"), [this] { files_.askExport(); }}});
 }
 
 void DocumentGuard::tellNotSaved(const QString& name, const base::Diagnostics& problems) {

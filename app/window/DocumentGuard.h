@@ -36,7 +36,6 @@ class DocumentGuard : public QObject {
   void tellReadOnly();
   void tellMap();
   void tellExported(const QString& folder, int files);
-  void tellNotExported(const base::Diagnostics& problems);
   void tellNotSaved(const QString& name, const base::Diagnostics& problems);
 
   Workspace& workspace_;

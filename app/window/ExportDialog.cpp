@@ -14,7 +14,6 @@
 #include <QHeaderView>
 #include <QVBoxLayout>
 
-#include "editor/document/EditCommands.h"
 #include "editor/document/FreeNames.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
@@ -46,11 +45,9 @@ QString onTwoLines(const std::string& command) {
 
 /// With a capital, unless it begins with a name.
 QString sentence(const base::Diagnostic& problem, const sim2d::Scenario& scenario) {
-  QString text = QString::fromStdString(problem.message);
-  if (!text.isEmpty() && !editor::FreeNames(scenario).isTaken(problem.value("where"))) {
-    text[0] = text[0].toUpper();
-  }
-  return text;
+  const QString text = QString::fromStdString(problem.message);
+  return editor::FreeNames(scenario).isTaken(problem.value("where")) ? text
+                                                                     : editor::capitalized(text);
 }
 
 }  // namespace
@@ -66,7 +63,7 @@ ExportDialog::ExportDialog(Bundle source, const QString& folder, const editor::T
       style_(new QComboBox(this)),
       summary_(editor::secondaryLabel(QString(), this)),
       files_(new QTreeWidget(this)),
-      reportTitle_(new QLabel(this)),
+      reportTitle_(editor::headingLabel({}, theme.font(9.5, QFont::DemiBold), this)),
       report_(new QListWidget(this)),
       command_(new QPlainTextEdit(this)) {
   setWindowTitle(tr("Export"));
@@ -101,7 +98,6 @@ void ExportDialog::build() {
   files_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   files_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   right->addWidget(files_, 3);
-  reportTitle_->setFont(theme_.font(9.5, QFont::DemiBold));
   right->addWidget(reportTitle_);
   report_->setWordWrap(true);
   report_->setSpacing(2);
@@ -160,9 +156,8 @@ QWidget* ExportDialog::makeStart() {
   auto* start = new QWidget(this);
   auto* rows = editor::arranged(new QVBoxLayout(start), {}, 4);
   auto* heading = new QHBoxLayout;
-  auto* title = new QLabel(tr("Start it there with"), start);
-  title->setFont(theme_.font(9.5, QFont::DemiBold));
-  heading->addWidget(title);
+  heading->addWidget(
+      editor::headingLabel(tr("Start it there with"), theme_.font(9.5, QFont::DemiBold), start));
   heading->addStretch(1);
   copy_ = new QPushButton(tr("Co&py"), start);
   copy_->setAutoDefault(false);

@@ -206,13 +206,16 @@ QString FileCommands::ask(QFileDialog::FileMode mode, const QString& title, cons
   return askFile(dialog, memory_);
 }
 
-void FileCommands::askOpen() {
-  const QString path =
-      ask(QFileDialog::ExistingFile, tr("Open a scenario or a map"),
-          tr("Scenarios, maps, images of maps (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)"));
+void FileCommands::openIfWanted(const QString& path) {
   if (!path.isEmpty() && mayLeave()) {
     openFile(path);
   }
+}
+
+void FileCommands::askOpen() {
+  openIfWanted(
+      ask(QFileDialog::ExistingFile, tr("Open a scenario or a map"),
+          tr("Scenarios, maps, images of maps (*.yaml *.yml *.png *.pgm *.bmp *.jpg *.jpeg)")));
 }
 
 void FileCommands::fillRecentMenu(QMenu& menu) {
@@ -222,11 +225,7 @@ void FileCommands::fillRecentMenu(QMenu& menu) {
     action->setStatusTip(path);
     action->setToolTip(path);
     action->setEnabled(QFileInfo::exists(path));
-    connect(action, &QAction::triggered, this, [this, path] {
-      if (mayLeave()) {
-        openFile(path);
-      }
-    });
+    connect(action, &QAction::triggered, this, [this, path] { openIfWanted(path); });
   }
   menu.setEnabled(!menu.isEmpty());
 }
@@ -309,10 +308,7 @@ bool FileCommands::putOtherMap(const QString& path) {
 }
 
 void FileCommands::askOpenRun() {
-  const QString path = ask(QFileDialog::Directory, tr("Open the folder of a run"));
-  if (!path.isEmpty() && mayLeave()) {
-    openFile(path);
-  }
+  openIfWanted(ask(QFileDialog::Directory, tr("Open the folder of a run")));
 }
 
 /// The document is the scenario of the run meanwhile, as far as it is known.

@@ -75,6 +75,7 @@ class FileCommands : public QObject {
   bool tell(const base::Diagnostics& problems);
   base::Diagnostics applyRunOptions();
   QString folder() const;
+  void openIfWanted(const QString& path);  // empty: nothing was chosen
   QString ask(QFileDialog::FileMode mode, const QString& title, const QString& filter = {});
   Kind kindOf(const QString& path) const;
   bool openScenario(const QString& path);

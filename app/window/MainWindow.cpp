@@ -275,7 +275,7 @@ void MainWindow::setTheme(const editor::Theme& theme) {
   workspace_.setTheme(theme);
   actions_->setTheme(theme);
   Q_EMIT docks_->context().themeChanged(theme);
-  startPage_->setTheme(theme);
+  startPage_->showTheme();
   notices_->setTheme(theme);
   status_->setTheme();
   if (viewer_ != nullptr) {

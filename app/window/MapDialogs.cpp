@@ -60,8 +60,8 @@ RoomDialog::RoomDialog(const editor::Theme& theme, QWidget* parent)
       height_(metres(9.0, 1.0, 500.0, this)) {
   setWindowTitle(tr("New empty room"));
   setMinimumWidth(300);
-  auto* title = new QLabel(tr("New empty room"), this);
-  title->setFont(theme.font(12.0, QFont::DemiBold));
+  QLabel* title =
+      editor::headingLabel(tr("New empty room"), theme.font(12.0, QFont::DemiBold), this);
   auto* rows = editor::arranged(new QVBoxLayout(this), {16, 16, 16, 12}, 8, {title, walls_});
   auto* form = new QFormLayout;
   form->setLabelAlignment(Qt::AlignRight);
@@ -184,7 +184,7 @@ ImageMapDialog::ImageMapDialog(std::shared_ptr<const sim2d::OccupancyGrid> grid,
       firstX_(metres(0.0, -100000.0, 100000.0, this)),
       firstY_(metres(0.0, -100000.0, 100000.0, this)),
       hint_(editor::secondaryLabel(QString(), this)),
-      place_(new QLabel(this)),
+      place_(editor::headingLabel({}, theme.font(9.5, QFont::DemiBold), this)),
       size_(editor::secondaryLabel(QString(), this)) {
   setWindowTitle(tr("Map from an image"));
   resize(900, 560);
@@ -208,8 +208,8 @@ ImageMapDialog::ImageMapDialog(std::shared_ptr<const sim2d::OccupancyGrid> grid,
 }
 
 QLayout* ImageMapDialog::makeSide() {
-  auto* title = new QLabel(tr("How large is it?"), this);
-  title->setFont(theme_.font(12.0, QFont::DemiBold));
+  QLabel* title =
+      editor::headingLabel(tr("How large is it?"), theme_.font(12.0, QFont::DemiBold), this);
   auto* side = editor::arranged(new QVBoxLayout, {}, 8, {title, byPoints_});
   const auto addFields = [&](const std::vector<std::pair<QString, QDoubleSpinBox*>>& fields) {
     auto* form = new QGridLayout;
@@ -236,7 +236,6 @@ QLayout* ImageMapDialog::makeSide() {
   side->addWidget(byNumber_);
   addFields({{tr("Resolution"), resolution_}});
   side->addSpacing(8);
-  place_->setFont(theme_.font(9.5, QFont::DemiBold));
   side->addWidget(place_);
   addFields({{tr("X"), firstX_}, {tr("Y"), firstY_}});
   side->addSpacing(8);

@@ -68,12 +68,6 @@ QString homeRelative(const QString& folder) {
                                                     : folder;
 }
 
-QLabel* heading(const QString& text, const QFont& font) {
-  auto* label = new QLabel(text);
-  label->setFont(font);
-  return label;
-}
-
 }  // namespace
 
 QString agoText(const QDateTime& then, const QDateTime& now) {
@@ -245,7 +239,7 @@ StartPage::StartPage(Workspace& workspace, WindowActions& actions, Memory& memor
   sides->addStretch(1);
   const editor::Theme& theme = workspace.theme();
   editor::arranged(column_, {0, 48, 0, 24}, 0,
-                   {heading(tr("Start"), theme.font(21.0, QFont::DemiBold))});
+                   {editor::headingLabel(tr("Start"), theme.font(21.0, QFont::DemiBold))});
   column_->addSpacing(8);
   auto* line = editor::secondaryLabel(
       tr("Draw people and a robot on a map, press Space, and watch them live."));
@@ -272,7 +266,6 @@ void StartPage::addActions(WindowActions& actions) {
                        workspace_.theme(), page_);
     connect(card, &QAbstractButton::clicked, action, &QAction::trigger);
     row->addWidget(card, 1);
-    cards_.push_back(card);
   };
   add(actions.newFromMap, QStringLiteral("start-map"), tr("New from a map"),
       tr("nav2 map or image of a floor plan"));
@@ -286,15 +279,15 @@ void StartPage::addDemos(const std::vector<Demo>& demos) {
   const QFont bold = workspace_.theme().font(12.0, QFont::DemiBold);
   // thirds, with the gaps of the cards above
   auto* both = editor::arranged(new QHBoxLayout, {}, 0);
-  auto* left =
-      editor::arranged(new QVBoxLayout, {0, 0, 2 * kGap / 3, 0}, 0, {heading(tr("Recent"), bold)});
+  auto* left = editor::arranged(new QVBoxLayout, {0, 0, 2 * kGap / 3, 0}, 0,
+                                {editor::headingLabel(tr("Recent"), bold)});
   left->addSpacing(8);
   left->addLayout(recent_);
   left->addStretch();
   both->addLayout(left, 1);
   auto* right = editor::arranged(new QVBoxLayout, {kGap / 3, 0, 0, 0}, 0);
   if (!demos.empty()) {
-    right->addWidget(heading(tr("Demos"), bold));
+    right->addWidget(editor::headingLabel(tr("Demos"), bold));
     right->addSpacing(12);
   }
   auto* grid = new QGridLayout;
@@ -307,7 +300,6 @@ void StartPage::addDemos(const std::vector<Demo>& demos) {
     connect(card, &QAbstractButton::clicked, this,
             [this, path = demo.path] { Q_EMIT fileWanted(path); });
     grid->addWidget(card, i / 2, i % 2);
-    cards_.push_back(card);
     thumbnails_.emplace_back(card, demo.path);
   }
   grid->setColumnStretch(0, 1);
@@ -333,10 +325,8 @@ void StartPage::fillRecent() {
   }
 }
 
-void StartPage::setTheme(const editor::Theme& theme) {
-  for (StartCard* card : cards_) {
-    card->setTheme(theme);
-  }
+void StartPage::showTheme() {
+  page_->update();
   fillRecent();
   if (isVisible()) {
     paintThumbnails();

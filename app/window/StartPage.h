@@ -23,14 +23,10 @@ class StartCard : public QAbstractButton {
     setAttribute(Qt::WA_Hover);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   }
-  void setTheme(const editor::Theme& theme) {
-    theme_ = theme;
-    update();
-  }
 
  protected:
   bool isLit() const { return underMouse() || hasFocus(); }
-  editor::Theme theme_;
+  const editor::Theme& theme_;  // of the workspace, which changes it
 };
 
 /// Icon, title, one line, shortcut.
@@ -100,7 +96,7 @@ class StartPage : public QScrollArea {
  public:
   StartPage(Workspace& workspace, WindowActions& actions, Memory& memory,
             const std::vector<Demo>& demos, QWidget* parent = nullptr);
-  void setTheme(const editor::Theme& theme);
+  void showTheme();  // that has changed
   void fillRecent();
 
  Q_SIGNALS:
@@ -120,7 +116,6 @@ class StartPage : public QScrollArea {
   QWidget* page_;
   QVBoxLayout* column_;
   QVBoxLayout* recent_;
-  std::vector<StartCard*> cards_;
   std::vector<std::pair<DemoCard*, QString>> thumbnails_;
   std::size_t painted_ = 0;  // of them
 };

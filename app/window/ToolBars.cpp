@@ -19,12 +19,6 @@ namespace {
 
 constexpr int kToolBarHeight = 44;
 
-void takeToolIcons(Workspace& workspace) {
-  for (QAction* action : workspace.tools().actions().actions()) {
-    action->setIcon(editor::themedIcon(action->data().toString(), workspace.theme()));
-  }
-}
-
 /// With a line before each group but the first of the menu.
 void addGroups(QMenu& menu, const std::vector<QList<QAction*>>& groups) {
   for (const QList<QAction*>& group : groups) {
@@ -147,7 +141,9 @@ QToolBar* makeToolBar(QMainWindow& window, Workspace& workspace, WindowActions& 
   bar->addActions({actions.rings, actions.forces, actions.grid, actions.snapToPoints,
                    actions.zoomFit, actions.switchTheme});
   const auto takeIcons = [&workspace, layers] {
-    takeToolIcons(workspace);
+    for (QAction* action : workspace.tools().actions().actions()) {
+      action->setIcon(editor::themedIcon(action->data().toString(), workspace.theme()));
+    }
     layers->setIcon(editor::themedIcon(QStringLiteral("view-layers"), workspace.theme()));
   };
   takeIcons();
@@ -188,8 +184,8 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
 
   const editor::PlaybackActions& playback = workspace.playback();
   bar.addMenu(QObject::tr("&Run"))
-      ->addActions({playback.playPause(), playback.step(), playback.stepBack(), playback.newest(),
-                    playback.reset()});
+      ->addActions(
+          {playback.playPause, playback.step, playback.stepBack, playback.newest, playback.reset});
   addBehaviorMenu(bar, workspace);
   bar.addMenu(QObject::tr("&Help"))->addAction(actions.about);
   return recent;

@@ -186,7 +186,8 @@ TreeChoiceDialog::TreeChoiceDialog(std::vector<TreeQuestion> questions, const ed
       keep_(new QRadioButton(this)),
       replace_(new QRadioButton(this)),
       all_(new QCheckBox(tr("The same for all %1").arg(questions_.size()), this)),
-      differences_(editor::linkButton(QString(), this)),
+      differences_(
+          editor::linkButton({}, {}, this, [this] { showDifferences(diff_->isHidden()); })),
       legend_(editor::secondaryLabel(QString(), this)),
       diff_(new DiffView(theme, this)) {
   setWindowTitle(tr("Trees written by hand"));
@@ -204,15 +205,13 @@ TreeChoiceDialog::TreeChoiceDialog(std::vector<TreeQuestion> questions, const ed
       take(replace_->isChecked() ? TreeAnswer::TakeReplacement : TreeAnswer::KeepMine);
     }
   });
-  connect(differences_, &QToolButton::clicked, this,
-          [this] { showDifferences(diff_->isHidden()); });
   list_->setCurrentRow(0);
   showDifferences(false);
 }
 
 void TreeChoiceDialog::build() {
-  auto* title = new QLabel(tr("Saving would replace what somebody wrote"), this);
-  title->setFont(theme_.font(12.0, QFont::DemiBold));
+  QLabel* title = editor::headingLabel(tr("Saving would replace what somebody wrote"),
+                                       theme_.font(12.0, QFont::DemiBold), this);
   auto* rows = editor::arranged(new QVBoxLayout(this), {16, 16, 16, 12}, 8, {title});
   auto* columns = editor::arranged(new QHBoxLayout, {}, 16, {list_});
   list_->setFixedWidth(kListWidth);
@@ -258,8 +257,7 @@ void TreeChoiceDialog::showQuestion(int index) {
   replace_->setText(isOnDisk(question) ? tr("Replace it with the tree of this window")
                                        : tr("Take the generated one"));
   const bool keeps = answers_[static_cast<std::size_t>(index)] == TreeAnswer::KeepMine;
-  keep_->setChecked(keeps);
-  replace_->setChecked(!keeps);
+  (keeps ? keep_ : replace_)->setChecked(true);
   diff_->setTexts(question.mine, question.replacement);
   legend_->setText(isOnDisk(question) ? tr("− in the file   + in this window")
                                       : tr("− mine   + generated"));
@@ -303,8 +301,7 @@ void TreeChoiceDialog::choose(int question, TreeAnswer answer) {
   answers_[static_cast<std::size_t>(question)] = answer;
   updateRow(question);
   if (question == list_->currentRow()) {
-    keep_->setChecked(answer == TreeAnswer::KeepMine);
-    replace_->setChecked(answer != TreeAnswer::KeepMine);
+    (answer == TreeAnswer::KeepMine ? keep_ : replace_)->setChecked(true);
   }
 }
 

@@ -168,34 +168,27 @@ void WindowActions::makeArranging() {
   using editor::Align;
   using editor::Distribute;
   editor::ScenarioDocument& document = workspace_.document();
-  const auto add = [this](const QString& text, const QString& says, std::size_t least,
-                          const std::function<void()>& work) {
-    QAction* action = make(text, says);
-    connect(action, &QAction::triggered, this, work);
-    arranging_.emplace_back(action, least);
+  const auto add = [&](const auto& ways, const QString& says, std::size_t least, auto arrange) {
+    for (const auto& [text, way] : ways) {
+      QAction* action = make(text, says);
+      connect(action, &QAction::triggered, this,
+              [&document, arrange, how = way] { arrange(document, how); });
+      arranging_.emplace_back(action, least);
+    }
   };
   const std::pair<QString, Align> sides[] = {
       {tr("Align &left"), Align::Left},       {tr("Align &centres across"), Align::CentreX},
       {tr("Align &right"), Align::Right},     {tr("Align &tops"), Align::Top},
       {tr("Align &middles"), Align::CentreY}, {tr("Align &bottoms"), Align::Bottom}};
-  for (const auto& [text, side] : sides) {
-    add(text, tr("Move what is selected onto one line"), 2,
-        [&document, how = side] { editor::alignSelection(document, how); });
-  }
-  const std::pair<QString, Distribute> ways[] = {{tr("Distribute &across"), Distribute::Across},
+  add(sides, tr("Move what is selected onto one line"), 2, editor::alignSelection);
+  const std::pair<QString, Distribute> gaps[] = {{tr("Distribute &across"), Distribute::Across},
                                                  {tr("Distribute &up"), Distribute::Up}};
-  for (const auto& [text, way] : ways) {
-    add(text, tr("Equal gaps between what is selected"), 3,
-        [&document, how = way] { editor::distributeSelection(document, how); });
-  }
+  add(gaps, tr("Equal gaps between what is selected"), 3, editor::distributeSelection);
   const std::pair<QString, double> turns[] = {{tr("Rotate 15° left\t["), editor::kSnapAngle},
                                               {tr("Rotate 15° right\t]"), -editor::kSnapAngle},
                                               {tr("Rotate 90° left"), 0.5 * base::kPi},
                                               {tr("Rotate 90° right"), -0.5 * base::kPi}};
-  for (const auto& [text, angle] : turns) {
-    add(text, tr("Turn what is selected about its middle"), 1,
-        [&document, by = angle] { editor::rotateSelection(document, by); });
-  }
+  add(turns, tr("Turn what is selected about its middle"), 1, editor::rotateSelection);
 }
 
 void WindowActions::fillArrangeMenu(QMenu& menu) const {

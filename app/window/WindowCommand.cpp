@@ -20,6 +20,7 @@
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
 #include "app/window/MainWindow.h"
+#include "editor/look/Form.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -82,14 +83,9 @@ editor::Theme themeOf(const WindowOptions& options) {
                                    : editor::Theme::light();
 }
 
-QString titleOf(std::string name) {
-  QString title = QString::fromStdString(name);
-  title.remove(QStringLiteral("_agents"));
-  title.replace(QLatin1Char('_'), QLatin1Char(' '));
-  if (!title.isEmpty()) {
-    title[0] = title[0].toUpper();
-  }
-  return title;
+QString titleOf(const std::string& name) {
+  QString title = QString::fromStdString(name).remove(QStringLiteral("_agents"));
+  return editor::capitalized(title.replace(QLatin1Char('_'), QLatin1Char(' ')));
 }
 
 /// For the start page: whole scenes first, then one per reaction; none of the many of the realism

@@ -30,7 +30,7 @@ Workspace::Workspace(const editor::Theme& theme, const editor::ToolRegistry& too
   connect(&runner_, &SimulationRunner::stateChanged, this, &Workspace::followRecorded);
   connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &Workspace::refuseEdits,
           Qt::QueuedConnection);
-  connect(view_, &editor::MapView::spaceTapped, playback_.playPause(), &QAction::trigger);
+  connect(view_, &editor::MapView::spaceTapped, playback_.playPause, &QAction::trigger);
   connect(&document_, &editor::ScenarioDocument::changed, this,
           [this](const editor::Change& change) {
             if (change.what == editor::Change::What::Everything) {

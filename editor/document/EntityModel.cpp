@@ -39,13 +39,13 @@ int groupOf(EntityKind kind) {
   return found == groups().end() ? -1 : static_cast<int>(found - groups().begin());
 }
 
+}  // namespace
+
 QString placeOf(const Entity& entity) {
   const std::optional<Vec2> at = positionOf(entity);
   return at ? QStringLiteral("%1, %2 m").arg(at->x(), 0, 'f', 1).arg(at->y(), 0, 'f', 1)
             : QString();
 }
-
-}  // namespace
 
 QString shapeIcon(const Entity& entity) {
   const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity);

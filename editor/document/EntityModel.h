@@ -14,6 +14,8 @@ namespace editor {
 
 /// Name of the icon of an obstacle's shape, or of a door.
 QString shapeIcon(const Entity& entity);
+/// "1.5, 2.0 m"; empty for what has no position.
+QString placeOf(const Entity& entity);
 
 /// The scenario as a tree: People, Goals, Robots, Obstacles (with doors), Areas. Columns: name,
 /// kind, behaviour or place. Names are editable, and rows can be dragged to another place among

@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
-#include <QAbstractItemView>
 #include <QContextMenuEvent>
-#include <QLineEdit>
 #include <QMenu>
-#include <QStyle>
 
 #include "editor/look/HouseStyle.h"
 #include "sim2d/base/Text.h"
@@ -125,16 +121,13 @@ void NumberField::show(double value, bool isDefault) {
       lineEdit()->setText(textFromValue(value) + suffix());
     }
   }
-  showUnit();
+  const bool isOne = this->value() == 1.0 && !unitOfOne_.isEmpty();
+  const QString unit = spaced(isOne ? unitOfOne_ : unit_);
+  if (suffix() != unit) {
+    setSuffix(unit);
+  }
   setPale(isDefault);
   showing_ = false;
-}
-
-void NumberField::showUnit() {
-  const QString wanted = spaced(value() == 1.0 && !unitOfOne_.isEmpty() ? unitOfOne_ : unit_);
-  if (suffix() != wanted) {
-    setSuffix(wanted);
-  }
 }
 
 void NumberField::showMixed() {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <utility>
 
 #include <QComboBox>
@@ -56,7 +55,6 @@ class NumberField : public QDoubleSpinBox {
   void take(double value);
   void setPale(bool pale);
   QString bare(const QString& text) const;
-  void showUnit();
   QString rangeText() const;
   const Range range_;
   QString unit_, unitOfOne_;

@@ -2,7 +2,6 @@
 
 #include <QHBoxLayout>
 #include <QVBoxLayout>
-#include <QVariant>
 
 #include "editor/look/HouseStyle.h"
 
@@ -23,19 +22,20 @@ QLabel* secondaryLabel(const QString& text, QWidget* parent) {
   return label;
 }
 
-QToolButton* linkButton(const QString& text, QWidget* parent) {
+QLabel* headingLabel(const QString& text, const QFont& font, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setFont(font);
+  return label;
+}
+
+QToolButton* linkButton(const QString& text, const QString& says, QWidget* parent,
+                        const std::function<void()>& action) {
   auto* button = new QToolButton(parent);
   button->setText(text);
   button->setProperty(kLinkProperty, true);
   button->setCursor(Qt::PointingHandCursor);
   button->setToolButtonStyle(Qt::ToolButtonTextOnly);
   button->setAutoRaise(true);
-  return button;
-}
-
-QToolButton* linkButton(const QString& text, const QString& says, QWidget* parent,
-                        const std::function<void()>& action) {
-  QToolButton* button = linkButton(text, parent);
   button->setToolTip(says);
   QObject::connect(button, &QToolButton::clicked, parent, action);
   return button;
@@ -62,6 +62,13 @@ QWidget* dividerLine(QWidget* parent) {
 
 QString counted(std::size_t count, const QString& one, const QString& many) {
   return QStringLiteral("%1 %2").arg(count).arg(count == 1 ? one : many);
+}
+
+QString capitalized(QString text) {
+  if (!text.isEmpty()) {
+    text[0] = text[0].toUpper();
+  }
+  return text;
 }
 
 QLabel* emptyState(const QString& text, QWidget* parent) {
@@ -110,34 +117,26 @@ FormSection::FormSection(const QString& title, QWidget* parent)
   grid_->setColumnMinimumWidth(0, kLabelEnd - 12);
   grid_->setColumnStretch(1, 1);
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
+  auto* layout = arranged(new QVBoxLayout(this), {}, 0);
   layout->addLayout(top);
   layout->addWidget(body_);
   layout->addWidget(dividerLine(this));
 }
 
-QLabel* FormSection::makeLabel(const QString& text, QWidget* buddy) {
-  QLabel* label = secondaryLabel(text, body_);
-  label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  label->setBuddy(buddy);
-  buddy->setAccessibleName(text);
-  return label;
-}
-
 void FormSection::addRow(const QString& label, QWidget* field) {
   const int row = grid_->rowCount();
   grid_->setRowMinimumHeight(row, kFormRowHeight);
-  grid_->addWidget(makeLabel(label, field), row, 0);
+  QLabel* words = secondaryLabel(label, body_);
+  words->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  words->setBuddy(field);
+  field->setAccessibleName(label);
+  grid_->addWidget(words, row, 0);
   grid_->addWidget(field, row, 1, Qt::AlignVCenter);
 }
 
 void FormSection::addRow(const QString& label, QWidget* left, QWidget* right) {
   auto* both = new QWidget(body_);
-  auto* line = new QHBoxLayout(both);
-  line->setContentsMargins(0, 0, 0, 0);
-  line->setSpacing(8);
+  auto* line = arranged(new QHBoxLayout(both), {}, 8);
   for (QWidget* part : {left, right}) {
     part->setMinimumWidth(kHalfField - 2);
     part->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -152,10 +151,8 @@ int FormSection::rowOf(const QWidget* field) const {
     const int index = grid_->indexOf(const_cast<QWidget*>(widget));
     if (index >= 0) {
       int row = 0;
-      int column = 0;
-      int rowSpan = 0;
-      int columnSpan = 0;
-      grid_->getItemPosition(index, &row, &column, &rowSpan, &columnSpan);
+      int other = 0;
+      grid_->getItemPosition(index, &row, &other, &other, &other);
       return row;
     }
   }

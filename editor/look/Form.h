@@ -30,7 +30,6 @@ class FormSection : public QWidget {
   void setOpen(bool open);
 
  private:
-  QLabel* makeLabel(const QString& text, QWidget* buddy);
   int rowOf(const QWidget* field) const;  // -1 = none
   QToolButton* heading_;
   QLabel* note_;
@@ -41,9 +40,9 @@ class FormSection : public QWidget {
 
 /// A text in the secondary colour of the palette.
 QLabel* secondaryLabel(const QString& text, QWidget* parent = nullptr);
-/// A button of words that looks like a link.
-QToolButton* linkButton(const QString& text, QWidget* parent = nullptr);
-/// The same with a tooltip and with what it does.
+/// A text in another font.
+QLabel* headingLabel(const QString& text, const QFont& font, QWidget* parent = nullptr);
+/// A button of words that looks like a link, with a tooltip and with what it does.
 QToolButton* linkButton(const QString& text, const QString& says, QWidget* parent,
                         const std::function<void()>& action);
 /// Lets what is too high for its panel be scrolled; both show the ground of the panel.
@@ -52,6 +51,8 @@ QScrollArea* scrollArea(QWidget* content, QWidget* parent);
 QWidget* dividerLine(QWidget* parent = nullptr);
 /// "1 person", "3 people".
 QString counted(std::size_t count, const QString& one, const QString& many);
+/// "no tree" -> "No tree"
+QString capitalized(QString text);
 /// A centred sentence that says what to do when a panel has nothing to show.
 QLabel* emptyState(const QString& text, QWidget* parent = nullptr);
 /// A layout with these margins and this space between its parts [px], of which these are the first.

@@ -6,7 +6,6 @@
 #include <QAbstractScrollArea>
 #include <QListView>
 #include <QPainter>
-#include <QStyleOption>
 #include <QStyleOptionComboBox>
 #include <QToolBar>
 #include <QTransform>
@@ -22,30 +21,6 @@ constexpr int kRowHeight = 24;
 constexpr int kTabHeight = 32;
 constexpr int kToolButton = 32;
 constexpr int kComboFrame = 34;  // what stands around the text of a combo box
-
-struct OwnIcon {
-  const char* name;
-  Role color;
-};
-
-/// Message boxes and file dialogs speak the language of the rest.
-const std::map<QStyle::StandardPixmap, OwnIcon>& ownIcons() {
-  static const std::map<QStyle::StandardPixmap, OwnIcon> kIcons = {
-      {QStyle::SP_MessageBoxQuestion, {"info", Role::Accent}},
-      {QStyle::SP_MessageBoxInformation, {"info", Role::Accent}},
-      {QStyle::SP_MessageBoxWarning, {"warning", Role::WarningMark}},
-      {QStyle::SP_MessageBoxCritical, {"error", Role::Error}},
-      {QStyle::SP_DirIcon, {"file-open", Role::TextSecondary}},
-      {QStyle::SP_DirClosedIcon, {"file-open", Role::TextSecondary}},
-      {QStyle::SP_DirOpenIcon, {"file-open", Role::TextSecondary}},
-      {QStyle::SP_DirHomeIcon, {"file-open", Role::TextSecondary}},
-      {QStyle::SP_FileIcon, {"file", Role::TextSecondary}},
-      {QStyle::SP_FileDialogNewFolder, {"add", Role::Text}},
-      {QStyle::SP_FileDialogToParent, {"chevron-up", Role::Text}},
-      {QStyle::SP_ArrowForward, {"chevron-right", Role::Text}},
-      {QStyle::SP_ArrowBack, {"chevron-right", Role::Text}}};
-  return kIcons;
-}
 
 /// Left and right exchanged.
 QIcon mirrored(const QIcon& icon) {
@@ -172,14 +147,29 @@ QSize HouseStyle::sizeFromContents(ContentsType type, const QStyleOption* option
   return result;
 }
 
+/// Message boxes and file dialogs speak the language of the rest.
 QIcon HouseStyle::standardIcon(StandardPixmap which, const QStyleOption* option,
                                const QWidget* widget) const {
-  const auto found = ownIcons().find(which);
-  if (found == ownIcons().end()) {
+  static const std::map<StandardPixmap, std::pair<const char*, Role>> kOwn = {
+      {SP_MessageBoxQuestion, {"info", Role::Accent}},
+      {SP_MessageBoxInformation, {"info", Role::Accent}},
+      {SP_MessageBoxWarning, {"warning", Role::WarningMark}},
+      {SP_MessageBoxCritical, {"error", Role::Error}},
+      {SP_DirIcon, {"file-open", Role::TextSecondary}},
+      {SP_DirClosedIcon, {"file-open", Role::TextSecondary}},
+      {SP_DirOpenIcon, {"file-open", Role::TextSecondary}},
+      {SP_DirHomeIcon, {"file-open", Role::TextSecondary}},
+      {SP_FileIcon, {"file", Role::TextSecondary}},
+      {SP_FileDialogNewFolder, {"add", Role::Text}},
+      {SP_FileDialogToParent, {"chevron-up", Role::Text}},
+      {SP_ArrowForward, {"chevron-right", Role::Text}},
+      {SP_ArrowBack, {"chevron-right", Role::Text}}};
+  const auto own = kOwn.find(which);
+  if (own == kOwn.end()) {
     return QProxyStyle::standardIcon(which, option, widget);
   }
-  const QIcon icon =
-      tintedIcon(QString::fromLatin1(found->second.name), theme_.color(found->second.color));
+  const auto& [name, color] = own->second;
+  const QIcon icon = tintedIcon(QString::fromLatin1(name), theme_.color(color));
   return which == SP_ArrowBack ? mirrored(icon) : icon;
 }
 
@@ -323,7 +313,9 @@ void HouseStyle::drawComplexControl(ComplexControl control, const QStyleOptionCo
   if (control == CC_SpinBox && spin != nullptr) {
     drawSpinBox(*painter, *spin, widget);
   } else if (control == CC_ComboBox && combo != nullptr) {
-    drawComboBox(*painter, *combo, widget);
+    drawFieldFrame(*painter, *combo, widget);
+    drawChevron(*painter, subControlRect(control, combo, SC_ComboBoxArrow, widget), 0,
+                combo->state.testFlag(State_Enabled));
   } else if (control == CC_Slider && slider != nullptr) {
     drawSlider(*painter, *slider, widget);
   } else if (control == CC_ScrollBar && slider != nullptr) {

@@ -52,8 +52,6 @@ class HouseStyle : public QProxyStyle {
   void drawComboLabel(QPainter& painter, const QStyleOptionComboBox& combo,
                       const QWidget* widget) const;
   void drawSpinBox(QPainter& painter, const QStyleOptionSpinBox& spin, const QWidget* widget) const;
-  void drawComboBox(QPainter& painter, const QStyleOptionComboBox& combo,
-                    const QWidget* widget) const;
   void drawSlider(QPainter& painter, const QStyleOptionSlider& slider, const QWidget* widget) const;
   void drawToolButton(QPainter& painter, const QStyleOptionToolButton& button,
                       const QWidget* widget) const;

@@ -186,13 +186,6 @@ void HouseStyle::drawSpinBox(QPainter& painter, const QStyleOptionSpinBox& spin,
               enabled && spin.stepEnabled.testFlag(QAbstractSpinBox::StepDownEnabled));
 }
 
-void HouseStyle::drawComboBox(QPainter& painter, const QStyleOptionComboBox& combo,
-                              const QWidget* widget) const {
-  drawFieldFrame(painter, combo, widget);
-  drawChevron(painter, subControlRect(CC_ComboBox, &combo, SC_ComboBoxArrow, widget), 0,
-              isEnabled(combo));
-}
-
 void HouseStyle::drawSlider(QPainter& painter, const QStyleOptionSlider& slider,
                             const QWidget* widget) const {
   const QRectF handle = subControlRect(CC_Slider, &slider, SC_SliderHandle, widget);

@@ -23,12 +23,6 @@ struct IconColors {
   QColor stroke, accent, disabled, on;
 };
 
-QByteArray readIcon(const QString& name) {
-  initResources();
-  QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
-  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 class SvgIconEngine : public QIconEngine {
  public:
   SvgIconEngine(QString name, QByteArray svg, const IconColors& colors)
@@ -85,8 +79,10 @@ class SvgIconEngine : public QIconEngine {
 };
 
 QIcon makeIcon(const QString& name, const IconColors& colors) {
-  QByteArray svg = readIcon(name);
-  return svg.isEmpty() ? QIcon() : QIcon(new SvgIconEngine(name, std::move(svg), colors));
+  initResources();
+  QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
+  return file.open(QIODevice::ReadOnly) ? QIcon(new SvgIconEngine(name, file.readAll(), colors))
+                                        : QIcon();
 }
 
 }  // namespace

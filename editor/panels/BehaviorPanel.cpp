@@ -7,7 +7,6 @@
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QSplitter>
-#include <QVBoxLayout>
 
 #include "bt/tree/TreeXml.h"
 #include "editor/document/BehaviorValues.h"
@@ -44,24 +43,25 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
       theme_(theme),
       runner_(runner),
       stack_(new QStackedLayout(this)),
-      name_(new QLabel),
+      name_(headingLabel({}, theme.font(12.0, QFont::DemiBold))),
       about_(secondaryLabel({})),
       problem_(new QLabel),
       outline_(new TreeOutline(theme)),
       blockLinks_(new QWidget),
-      blockForm_(new BlockForm(document)),
-      portForm_(new PortForm),
+      blockForm_(new ValueForm),
+      portForm_(new ValueForm),
       hint_(emptyState(tr("Select a node above to see what it takes."), this)) {
   setMinimumWidth(300);
   stack_->addWidget(emptyState(tr("Select a person to see the behaviour tree."), this));
   stack_->addWidget(makePage());
   connect(outline_, &QTreeWidget::currentItemChanged, this, &BehaviorPanel::showNode);
-  connect(blockForm_, &BlockForm::edited, this, &BehaviorPanel::editBlock);
-  connect(portForm_, &PortForm::edited, this, [this](const QString& port, const QString& text) {
-    if (const OutlineNode* node = outline_->current()) {
-      pushPort(document_, person_, *node, port.toStdString(), text.toStdString());
-    }
-  });
+  connect(blockForm_, &ValueForm::edited, this, &BehaviorPanel::editBlock);
+  connect(portForm_, &ValueForm::edited, this,
+          [this](const std::string& port, const QString& text) {
+            if (const OutlineNode* node = outline_->current()) {
+              pushPort(document_, person_, *node, port, text.toStdString());
+            }
+          });
   connect(&runner, &SimulationRunner::frameShown, this, &BehaviorPanel::showStatus);
   connect(&document_, &ScenarioDocument::selectionChanged, this, &BehaviorPanel::follow);
   connect(&document_, &ScenarioDocument::settled, this,
@@ -73,7 +73,6 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
 QWidget* BehaviorPanel::makePage() {
   auto* page = new QWidget(this);
   auto* layout = arranged(new QVBoxLayout(page), {0, 12, 0, 0}, 4, {name_, about_, problem_});
-  name_->setFont(theme_.font(12.0, QFont::DemiBold));
   for (QLabel* label : {name_, about_, problem_}) {
     label->setContentsMargins(12, 0, 12, 0);
     label->setTextFormat(Qt::PlainText);
@@ -205,20 +204,21 @@ void BehaviorPanel::showNode() {
   portForm_->setVisible(node != nullptr && block < 0);
   hint_->setVisible(node == nullptr);
   if (block >= 0) {
-    blockForm_->show(blocks_[static_cast<std::size_t>(block)]);
+    blockForm_->show(blockRows(blocks_[static_cast<std::size_t>(block)], document_));
     earlier_->setEnabled(block > 0);
     later_->setEnabled(block + 1 < static_cast<int>(blocks_.size()));
   } else if (node != nullptr) {
-    portForm_->show(*node->node, node->isEditable);
+    portForm_->show(portRows(*node->node, node->isEditable));
   }
 }
 
-void BehaviorPanel::editBlock(const bt::Block& block) {
+void BehaviorPanel::editBlock(const std::string& key, const QString& text) {
   const int place = currentBlock();
   if (place >= 0) {
-    std::vector<bt::Block> blocks = blocks_;
-    blocks[static_cast<std::size_t>(place)] = block;
-    pushBlocks(document_, person_, blocks);
+    bt::Block& block = blocks_[static_cast<std::size_t>(place)];
+    setValue(block, key, text);
+    blockForm_->show(blockRows(block, document_));
+    pushBlocks(document_, person_, std::vector<bt::Block>(blocks_));  // which are read anew then
   }
 }
 

@@ -12,8 +12,7 @@
 
 namespace editor {
 
-class BlockForm;
-class PortForm;
+class ValueForm;
 
 /// The right dock's second tab: the behaviour tree of the person who is selected, as an outline,
 /// with the values of the node or block that is chosen below it. Follows a run.
@@ -48,7 +47,7 @@ class BehaviorPanel : public QWidget {
   void offerTemplates();
   void askForTree();
   void askForFile();
-  void editBlock(const bt::Block& block);
+  void editBlock(const std::string& key, const QString& text);
   void moveBlock(int by);    // 0 = remove it
   int currentBlock() const;  // place among the blocks, -1 = another node
 
@@ -64,8 +63,7 @@ class BehaviorPanel : public QWidget {
   QToolButton *add_, *template_, *anew_, *takeRoute_, *earlier_, *later_;
   TreeOutline* outline_;
   QWidget* blockLinks_;
-  BlockForm* blockForm_;
-  PortForm* portForm_;
+  ValueForm *blockForm_, *portForm_;
   QLabel* hint_;  // while no node is chosen
 };
 

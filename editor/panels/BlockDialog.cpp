@@ -30,7 +30,7 @@ BlockDialog::BlockDialog(ScenarioDocument& document, const Theme& theme, QWidget
       kinds_(new HintList(theme, tr("Blocks"), this)),
       people_(new HintList(theme, tr("People"), this)),
       about_(secondaryLabel({}, this)),
-      form_(new BlockForm(document, this)) {
+      form_(new ValueForm(this)) {
   setWindowTitle(tr("Add a block of behaviour"));
   resize(780, 480);
   kinds_->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -42,11 +42,7 @@ BlockDialog::BlockDialog(ScenarioDocument& document, const Theme& theme, QWidget
   }
   addPeople(*people_, document, theme);
   auto* middle = new QWidget(this);
-  auto* words = new QVBoxLayout(middle);
-  words->setContentsMargins({});
-  words->addWidget(about_);
-  words->addWidget(form_);
-  words->addStretch(1);
+  arranged(new QVBoxLayout(middle), {}, -1, {about_, form_})->addStretch(1);
   QScrollArea* area = scrollArea(middle, this);
   area->setMinimumWidth(330);
   auto* columns = arranged(new QHBoxLayout, {}, 16);
@@ -62,6 +58,10 @@ BlockDialog::BlockDialog(ScenarioDocument& document, const Theme& theme, QWidget
   layout->addLayout(columns, 1);
   layout->addWidget(buttons);
   connect(kinds_, &QListWidget::currentRowChanged, this, &BlockDialog::showKind);
+  connect(form_, &ValueForm::edited, this, [this](const std::string& key, const QString& text) {
+    setValue(block_, key, text);
+    showBlock();
+  });
   const auto judge = [this] { add_->setEnabled(!chosen().empty()); };
   connect(people_, &QListWidget::itemChanged, this, judge);
   kinds_->setCurrentRow(0);
@@ -75,7 +75,8 @@ void BlockDialog::showKind() {
   }
   const bt::BlockKind& kind = bt::blockKinds()[static_cast<std::size_t>(row)];
   about_->setText(QString::fromStdString(kind.description) + QLatin1Char('.'));
-  form_->show({kind.id, {}});
+  block_ = {kind.id, {}};
+  showBlock();
 }
 
 std::vector<EntityId> BlockDialog::chosen() const {
@@ -89,7 +90,7 @@ std::vector<EntityId> BlockDialog::chosen() const {
 }
 
 void BlockDialog::accept() {
-  pushAddBlock(document_, chosen(), form_->block());
+  pushAddBlock(document_, chosen(), block_);
   QDialog::accept();
 }
 

@@ -23,12 +23,14 @@ class BlockDialog : public QDialog {
 
  private:
   void showKind();
+  void showBlock() { form_->show(blockRows(block_, document_)); }
   std::vector<EntityId> chosen() const;
 
   ScenarioDocument& document_;
   HintList *kinds_, *people_;
   QLabel* about_;
-  BlockForm* form_;
+  ValueForm* form_;
+  bt::Block block_;
   QPushButton* add_ = nullptr;
 };
 

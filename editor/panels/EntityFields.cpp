@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <QStringList>
 
@@ -24,6 +23,24 @@ QString joined(const std::vector<Item>& items, const QString& between, const ToT
     words << QString::fromStdString(toText(item));
   }
   return words.join(between);
+}
+
+/// Nothing when a part is none.
+template <class Item, class Parse>
+std::optional<std::vector<Item>> parsed(const QString& text, char between, const Parse& parse) {
+  std::vector<Item> items;
+  for (const QString& part : text.split(QLatin1Char(between), Qt::SkipEmptyParts)) {
+    std::optional<Item> item = parse(part);
+    if (!item) {
+      return std::nullopt;
+    }
+    items.push_back(*std::move(item));
+  }
+  return items;
+}
+
+std::optional<double> numberOf(const QString& word) {
+  return base::parseDouble(word.trimmed().toStdString());
 }
 
 /// Digits enough for the default, steps no larger than its first digit: 0.005 is no 0.01.
@@ -85,19 +102,6 @@ EntityField textField(const QString& label, const QString& help,
   return field;
 }
 
-EntityField coordinateField(const QString& label, std::function<double&(Entity&)> place) {
-  return numberField(
-      label, QStringLiteral("m"),
-      [place](const Entity& entity) {
-        Entity copy = entity;
-        return std::optional(place(copy));
-      },
-      [place](Entity& entity, std::optional<double> value) {
-        double& at = place(entity);
-        at = value.value_or(at);
-      });
-}
-
 EntityField positionField(const QString& label, int axis) {
   return numberField(
       label, QStringLiteral("m"),
@@ -127,26 +131,6 @@ EntityField headingField() {
   field.spec.range = {-180.0, 180.0};
   field.spec.form = {"Heading", 1, 5.0};
   field.spec.help = "Counter-clockwise from the right";
-  return field;
-}
-
-EntityField listedField() {
-  EntityField field;
-  field.spec.type = base::ParameterType::Boolean;
-  field.spec.form.label = "Takes part";
-  field.spec.help = "Off: kept in the file, but not in the run";
-  field.get = isListed;
-  field.set = [](Entity& entity, const base::ParameterValue& on) {
-    std::visit(
-        [&on](auto& value) {
-          using Value = std::decay_t<decltype(value)>;
-          if constexpr (!std::is_same_v<Value, sim2d::GlobalGoal> &&
-                        !std::is_same_v<Value, ScenarioSettings>) {
-            value.listed = std::get<bool>(on);
-          }
-        },
-        entity);
-  };
   return field;
 }
 
@@ -217,15 +201,7 @@ QString listText(const std::vector<double>& values) {
 }
 
 std::optional<std::vector<double>> listFromText(const QString& text) {
-  std::vector<double> values;
-  for (const QString& word : text.split(QLatin1Char(','), Qt::SkipEmptyParts)) {
-    const std::optional<double> value = base::parseDouble(word.trimmed().toStdString());
-    if (!value) {
-      return std::nullopt;
-    }
-    values.push_back(*value);
-  }
-  return values;
+  return parsed<double>(text, ',', numberOf);
 }
 
 QString pairsText(const std::vector<std::pair<std::string, std::string>>& pairs) {
@@ -234,17 +210,14 @@ QString pairsText(const std::vector<std::pair<std::string, std::string>>& pairs)
 }
 
 std::optional<std::vector<std::pair<std::string, std::string>>> pairsFromText(const QString& text) {
-  std::vector<std::pair<std::string, std::string>> pairs;
-  for (const QString& part : text.split(QLatin1Char(','), Qt::SkipEmptyParts)) {
-    const int sign = part.indexOf(QLatin1Char('='));
-    const QString name = part.left(std::max(sign, 0)).trimmed();
-    const QString value = part.mid(sign + 1).trimmed();
-    if (sign < 0 || name.isEmpty() || value.isEmpty()) {
-      return std::nullopt;
-    }
-    pairs.emplace_back(name.toStdString(), value.toStdString());
-  }
-  return pairs;
+  using Pair = std::pair<std::string, std::string>;
+  return parsed<Pair>(text, ',', [](const QString& part) {
+    const QString name = part.section(QLatin1Char('='), 0, 0).trimmed();
+    const QString value = part.section(QLatin1Char('='), 1).trimmed();
+    return name.isEmpty() || value.isEmpty()
+               ? std::nullopt
+               : std::optional(Pair(name.toStdString(), value.toStdString()));
+  });
 }
 
 QString pointsText(const std::vector<Vec2>& points) {
@@ -254,20 +227,11 @@ QString pointsText(const std::vector<Vec2>& points) {
 }
 
 std::optional<std::vector<Vec2>> pointsFromText(const QString& text) {
-  std::vector<Vec2> points;
-  for (const QString& part : text.split(QLatin1Char(';'), Qt::SkipEmptyParts)) {
-    const QStringList words = part.simplified().split(QLatin1Char(' '), Qt::SkipEmptyParts);
-    if (words.size() != 2) {
-      return std::nullopt;
-    }
-    const std::optional<double> x = base::parseDouble(words[0].toStdString());
-    const std::optional<double> y = base::parseDouble(words[1].toStdString());
-    if (!x || !y) {
-      return std::nullopt;
-    }
-    points.emplace_back(*x, *y);
-  }
-  return points;
+  return parsed<Vec2>(text, ';', [](const QString& part) {
+    const auto place = parsed<double>(part.simplified(), ' ', numberOf);
+    return place && place->size() == 2 ? std::optional(Vec2((*place)[0], (*place)[1]))
+                                       : std::nullopt;
+  });
 }
 
 }  // namespace editor

@@ -33,13 +33,9 @@ EntityField numberField(const QString& label, const QString& unit,
 EntityField textField(const QString& label, const QString& help,
                       std::function<QString(const Entity&)> get,
                       std::function<void(Entity&, const QString&)> set);
-/// A coordinate [m], where it is; it cannot be left out.
-EntityField coordinateField(const QString& label, std::function<double&(Entity&)> place);
 /// Position on the map and heading, for all kinds that have them.
 EntityField positionField(const QString& label, int axis);
 EntityField headingField();
-/// Whether an entity takes part in the run, for all kinds that can be switched off.
-EntityField listedField();
 
 /// What is chosen by name and has parameters of its own: the planner of a robot, the model of
 /// people.

@@ -129,7 +129,6 @@ class GoalPage : public PropertyPage {
       users->setText(shown.size() == 1 ? visitorsOf(std::get<sim2d::GlobalGoal>(shown.front()).id)
                                        : tr("several goals are selected"));
     });
-    finish();
   }
 
  private:
@@ -176,7 +175,6 @@ class ObstaclePage : public PropertyPage {
       const ObstacleKind first = std::get<Obstacle>(shown.front()).kind;
       section->setNote(areOf(shown, {first}) ? obstacleKindName(first) : tr("several shapes"));
     });
-    finish();
   }
 };
 
@@ -187,8 +185,13 @@ class DoorPage : public PropertyPage {
     addName(section);
     addListed(section);
     const auto end = [](const QString& label, Vec2 Door::*point, int axis) {
-      return coordinateField(
-          label, [=](Entity& entity) -> double& { return (std::get<Door>(entity).*point)(axis); });
+      return numberField(
+          label, QStringLiteral("m"),
+          [=](const Entity& door) { return std::optional((std::get<Door>(door).*point)(axis)); },
+          [=](Entity& door, std::optional<double> value) {
+            double& at = (std::get<Door>(door).*point)(axis);
+            at = value.value_or(at);  // it cannot be left out
+          });
     };
     addNumberPair(section, tr("From"), end(tr("From X"), &Door::from, 0),
                   end(tr("From Y"), &Door::from, 1));
@@ -203,7 +206,6 @@ class DoorPage : public PropertyPage {
           return fine ? QString() : tr("Times in seconds, ascending, with commas between them");
         }));
     addNewFields<Door>({"x1", "y1", "x2", "y2"});
-    finish();
   }
 };
 
@@ -242,7 +244,6 @@ class AreaPage : public PropertyPage {
         return std::get<Area>(each).kind == sim2d::AreaKind::Source;
       }));
     });
-    finish();
   }
 };
 
@@ -270,7 +271,6 @@ RobotPage::RobotPage(ScenarioDocument& document, const sim2d::FieldTables& table
   }
   addRow(body, footprintField(), emptyAs(tr("a disc of the radius"), footprintProblem));
   addNewFields<Robot>({"goals", "footprint_x", "footprint_y"});
-  finish();
 }
 
 void RobotPage::addGoalSection() {

@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "editor/document/EntityModel.h"
 #include "editor/document/Groups.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Form.h"
@@ -36,7 +37,7 @@ GoalAssignment::GoalAssignment(ScenarioDocument& document, const Theme& theme, Q
       people_(new HintList(theme, tr("People"), this)),
       goals_(new GoalList(theme, tr("Goals"), this)),
       route_(new RouteList(theme, tr("Route"), this)),
-      whose_(new QLabel(this)),
+      whose_(headingLabel({}, theme.font(9.5, QFont::DemiBold), this)),
       repeat_(new QCheckBox(tr("Start again after the last"), this)) {
   setWindowTitle(tr("Assign goals"));
   resize(780, 480);
@@ -61,8 +62,7 @@ GoalAssignment::GoalAssignment(ScenarioDocument& document, const Theme& theme, Q
   layout->addLayout(below);
   people_->setHint(tr("No people yet: press P and drag on the map"));
   goals_->setHint(tr("No goals yet: press G and click on the map"));
-  fillPeople();
-  fillGoals();
+  fillLists();
   connect(people_, &QListWidget::itemSelectionChanged, this, &GoalAssignment::showRoute);
   takeSelection();
   showRoute();
@@ -110,7 +110,6 @@ QWidget* GoalAssignment::makeRouteColumn() {
   clear_ = new QPushButton(tr("Clear"), this);
   clear_->setToolTip(tr("Empty the route of the people that are chosen"));
   clear_->setAutoDefault(false);
-  whose_->setFont(theme_.font(9.5, QFont::DemiBold));
   whose_->setTextFormat(Qt::PlainText);
   whose_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   auto* foot = new QHBoxLayout;
@@ -134,7 +133,7 @@ QWidget* GoalAssignment::makeRouteColumn() {
   return box;
 }
 
-void GoalAssignment::fillPeople() {
+void GoalAssignment::fillLists() {
   const FigurePainter painter(theme_);
   for (const EntityId person : plan_.people()) {
     const sim2d::Human* human = document_.human(person);
@@ -143,14 +142,8 @@ void GoalAssignment::fillPeople() {
     item->setSelected(document_.isSelected(person));
   }
   showPeople();
-}
-
-void GoalAssignment::fillGoals() {
   for (const sim2d::GlobalGoal& goal : document_.scenario().goals) {
-    goals_->addGoal(&goal, goal.id,
-                    QStringLiteral("%1, %2 m")
-                        .arg(goal.position.x(), 0, 'f', 1)
-                        .arg(goal.position.y(), 0, 'f', 1));
+    goals_->addGoal(&goal, goal.id, placeOf(goal));
   }
 }
 

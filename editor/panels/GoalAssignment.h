@@ -28,8 +28,7 @@ class GoalAssignment : public QDialog {
  private:
   QWidget* makeMiddle();
   QWidget* makeRouteColumn();
-  void fillPeople();
-  void fillGoals();
+  void fillLists();
   void takeSelection();
   void showRoute();
   void showPeople();

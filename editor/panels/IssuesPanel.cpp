@@ -40,7 +40,7 @@ QString placeOf(const base::Diagnostic& issue, const QString& ownFile) {
 }  // namespace
 
 QString issueSentence(const base::Diagnostic& issue) {
-  QString text = QString::fromStdString(issue.message);
+  const QString text = QString::fromStdString(issue.message);
   const EntityKind about = issue.entity.kind;
   const bool isNamed =
       about != EntityKind::None && about != EntityKind::Scenario && about != EntityKind::Goal;
@@ -48,10 +48,7 @@ QString issueSentence(const base::Diagnostic& issue) {
   const QString first = text.section(QLatin1Char(' '), 0, 0);
   const bool isWord =
       std::all_of(first.begin(), first.end(), [](QChar each) { return each.isLower(); });
-  if (!isNamed && !first.isEmpty() && isWord) {
-    text[0] = text[0].toUpper();
-  }
-  return text;
+  return !isNamed && !first.isEmpty() && isWord ? capitalized(text) : text;
 }
 
 IssuesPanel::IssuesPanel(ScenarioDocument& document, const Theme& theme)

@@ -90,7 +90,6 @@ struct MetricsFeed::Work {
       take(recording, times.size());
     }
     MetricSnapshot snapshot;
-    snapshot.time = times.empty() ? 0.0 : times.back();
     snapshot.frames = times.size();
     snapshot.results = live->values();
     for (const metrics::MetricResult& result : snapshot.results) {

@@ -23,7 +23,6 @@ struct MetricCurve {
 
 /// What is known at one moment of the run.
 struct MetricSnapshot {
-  double time = 0.0;  // [s] of the newest frame that counts
   std::size_t frames = 0;
   std::vector<metrics::MetricResult> results;
   std::map<std::string, MetricCurve> curves;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 #include <random>
 
 #include <QHBoxLayout>
@@ -29,6 +30,11 @@ BehaviorType behaviorOf(const Entity& entity) {
   return personOf(entity).behavior.type.value_or(BehaviorType::Regular);
 }
 
+bool isAnyDrawn(const std::vector<Entity>& shown) {
+  return std::any_of(shown.begin(), shown.end(),
+                     [](const Entity& each) { return isDrawn(personOf(each)); });
+}
+
 }  // namespace
 
 PersonPage::PersonPage(ScenarioDocument& document, const Theme& theme)
@@ -49,7 +55,6 @@ PersonPage::PersonPage(ScenarioDocument& document, const Theme& theme)
   addNewFields<sim2d::Behavior>();
   addNewFields<PersonExtension>();
   addRefresh([this](const std::vector<Entity>& shown) { showBehavior(shown); });
-  finish();
   setTheme(theme);
 }
 
@@ -119,8 +124,7 @@ void PersonPage::showBehavior(const std::vector<Entity>& shown) {
                                        QT_TR_NOOP("Drawn by the seed"),
                                        QT_TR_NOOP("Drawn by the seed")};
   forces_->setNote(tr(kNotes[static_cast<std::size_t>(mode)]));
-  const bool drawn = std::any_of(shown.begin(), shown.end(),
-                                 [](const Entity& each) { return isDrawn(personOf(each)); });
+  const bool drawn = isAnyDrawn(shown);
   forces_->setRowVisible(seed_, drawn);
   forces_->setRowVisible(drawLinks_, drawn);
   seed_->show(static_cast<double>(seed()), !ownSeed_);
@@ -141,10 +145,7 @@ void PersonPage::addReactionSection() {
   reaction_ = addSection(tr("Reaction to the robot"));
   FieldLook drawn;  // a number that a random mix draws
   drawn.counts = [](const Entity& entity) { return !isDrawn(personOf(entity)); };
-  drawn.enabled = [](const std::vector<Entity>& shown) {
-    return std::none_of(shown.begin(), shown.end(),
-                        [](const Entity& each) { return isDrawn(personOf(each)); });
-  };
+  drawn.enabled = std::not_fn(isAnyDrawn);
   const auto add = [this](const char* key, std::vector<BehaviorType> types, FieldLook look) {
     look.visible = [types = std::move(types)](const std::vector<Entity>& shown) {
       return std::count(types.begin(), types.end(), behaviorOf(shown.front())) > 0;

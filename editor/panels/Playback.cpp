@@ -60,24 +60,24 @@ QString clockText(double seconds) {
 }
 
 PlaybackActions::PlaybackActions(SimulationRunner& runner, const Theme& theme)
-    : runner_(runner),
-      theme_(theme),
-      reset_(makeAction(tr("Reset"), QKeySequence(Qt::CTRL | Qt::Key_R),
-                        tr("End the run and go back to editing"), this)),
-      stepBack_(makeAction(tr("Step back"), QKeySequence(Qt::Key_Comma),
-                           tr("Look one recorded step back"), this)),
-      playPause_(makeAction(tr("Play"), QKeySequence(Qt::CTRL | Qt::Key_Space),
-                            tr("Run or pause the simulation; Space on the map does the same"),
-                            this)),
-      step_(makeAction(tr("Step"), QKeySequence(Qt::Key_Period), tr("One step forward, then pause"),
-                       this)),
-      newest_(makeAction(tr("Back to now"), QKeySequence(Qt::Key_End),
-                         tr("Leave the past and show the newest step"), this)) {
-  connect(reset_, &QAction::triggered, &runner_, &SimulationRunner::reset);
-  connect(stepBack_, &QAction::triggered, &runner_, &SimulationRunner::stepBack);
-  connect(step_, &QAction::triggered, &runner_, &SimulationRunner::stepOnce);
-  connect(newest_, &QAction::triggered, &runner_, &SimulationRunner::seekNewest);
-  connect(playPause_, &QAction::triggered, this, [this] {
+    : reset(makeAction(tr("Reset"), QKeySequence(Qt::CTRL | Qt::Key_R),
+                       tr("End the run and go back to editing"), this)),
+      stepBack(makeAction(tr("Step back"), QKeySequence(Qt::Key_Comma),
+                          tr("Look one recorded step back"), this)),
+      playPause(makeAction(tr("Play"), QKeySequence(Qt::CTRL | Qt::Key_Space),
+                           tr("Run or pause the simulation; Space on the map does the same"),
+                           this)),
+      step(makeAction(tr("Step"), QKeySequence(Qt::Key_Period), tr("One step forward, then pause"),
+                      this)),
+      newest(makeAction(tr("Back to now"), QKeySequence(Qt::Key_End),
+                        tr("Leave the past and show the newest step"), this)),
+      runner_(runner),
+      theme_(theme) {
+  connect(reset, &QAction::triggered, &runner_, &SimulationRunner::reset);
+  connect(stepBack, &QAction::triggered, &runner_, &SimulationRunner::stepBack);
+  connect(step, &QAction::triggered, &runner_, &SimulationRunner::stepOnce);
+  connect(newest, &QAction::triggered, &runner_, &SimulationRunner::seekNewest);
+  connect(playPause, &QAction::triggered, this, [this] {
     runner_.state() == SimulationRunner::State::Running ? runner_.pause() : runner_.play();
   });
   connect(&runner_, &SimulationRunner::stateChanged, this, &PlaybackActions::follow);
@@ -87,9 +87,9 @@ PlaybackActions::PlaybackActions(SimulationRunner& runner, const Theme& theme)
 
 void PlaybackActions::setTheme(const Theme& theme) {
   theme_ = theme;
-  reset_->setIcon(themedIcon(QStringLiteral("run-reset"), theme));
-  stepBack_->setIcon(themedIcon(QStringLiteral("run-step-back"), theme));
-  step_->setIcon(themedIcon(QStringLiteral("run-step"), theme));
+  reset->setIcon(themedIcon(QStringLiteral("run-reset"), theme));
+  stepBack->setIcon(themedIcon(QStringLiteral("run-step-back"), theme));
+  step->setIcon(themedIcon(QStringLiteral("run-step"), theme));
   follow();
 }
 
@@ -97,15 +97,15 @@ void PlaybackActions::follow() {
   const auto state = runner_.state();
   const bool running = state == SimulationRunner::State::Running;
   const bool editing = state == SimulationRunner::State::Editing;
-  playPause_->setText(running ? tr("Pause") : tr("Play"));
-  describe(*playPause_, tr("Run or pause the simulation; Space on the map does the same"));
-  playPause_->setCheckable(true);
-  playPause_->setChecked(running);
-  playPause_->setIcon(
+  playPause->setText(running ? tr("Pause") : tr("Play"));
+  describe(*playPause, tr("Run or pause the simulation; Space on the map does the same"));
+  playPause->setCheckable(true);
+  playPause->setChecked(running);
+  playPause->setIcon(
       themedIcon(running ? QStringLiteral("run-pause") : QStringLiteral("run-play"), theme_));
-  reset_->setEnabled(!editing);
-  stepBack_->setEnabled(!editing);
-  newest_->setEnabled(runner_.isLookingBack());
+  reset->setEnabled(!editing);
+  stepBack->setEnabled(!editing);
+  newest->setEnabled(runner_.isLookingBack());
 }
 
 QComboBox* PlaybackActions::makeSpeedBox(QWidget* parent) {
@@ -143,17 +143,14 @@ void TimelineBar::setTheme(const Theme& theme) {
   update();
 }
 
-double TimelineBar::plannedLength() const {
-  const sim2d::Scenario& scenario = document_.scenario();
-  const double step = scenario.desktop.dt.value_or(0.05);
-  return static_cast<double>(sim2d::stopRuleOf(scenario).maximumSteps) * step;
-}
-
 double TimelineBar::length() const {
   if (runner_.isFinished()) {
     return std::max(newestTime(), 1.0);
   }
-  return std::max({plannedLength(), newestTime(), 1.0});
+  const sim2d::Scenario& scenario = document_.scenario();
+  const double planned = static_cast<double>(sim2d::stopRuleOf(scenario).maximumSteps) *
+                         scenario.desktop.dt.value_or(0.05);
+  return std::max({planned, newestTime(), 1.0});
 }
 
 double TimelineBar::xOf(double time) const {

@@ -15,12 +15,8 @@ class PlaybackActions : public QObject {
   PlaybackActions(SimulationRunner& runner, const Theme& theme);
   void setTheme(const Theme& theme);
 
-  QAction* reset() const { return reset_; }
-  QAction* stepBack() const { return stepBack_; }
-  QAction* playPause() const { return playPause_; }
-  QAction* step() const { return step_; }
-  QAction* newest() const { return newest_; }
-  QList<QAction*> all() const { return {reset_, stepBack_, playPause_, step_}; }
+  QAction *reset, *stepBack, *playPause, *step, *newest;
+  QList<QAction*> all() const { return {reset, stepBack, playPause, step}; }
   /// A combo box of speeds, for a tool bar that takes it.
   QComboBox* makeSpeedBox(QWidget* parent);
 
@@ -28,7 +24,6 @@ class PlaybackActions : public QObject {
   void follow();
   SimulationRunner& runner_;
   Theme theme_;
-  QAction *reset_, *stepBack_, *playPause_, *step_, *newest_;
 };
 
 /// "0:12.4"
@@ -56,7 +51,6 @@ class TimelineBar : public QWidget {
 
  private:
   void seekTo(double x);
-  double plannedLength() const;
   double newestTime() const { return timeOf(runner_.newestFrame()); }
   double shownTime() const { return timeOf(runner_.shownFrame()); }
   static double timeOf(const FramePtr& frame) { return frame ? frame->time : 0.0; }

@@ -1,7 +1,5 @@
 #include "editor/panels/PropertyPage.h"
 
-#include <algorithm>
-
 #include <QRegularExpression>
 
 #include "editor/document/FreeNames.h"
@@ -62,6 +60,12 @@ ParameterValue valueFromText(ParameterType type, const QString& text) {
              : ParameterValue(std::vector<int>(numbers.begin(), numbers.end()));
 }
 
+/// What an entity has itself, else what counts without.
+ParameterValue valueInForce(const EntityField& field, const Entity& entity) {
+  ParameterValue own = field.get(entity);
+  return own == ParameterValue() && field.fallback ? field.fallback(entity) : own;
+}
+
 QString listProblem(const base::Range& range, const QString& text) {
   const auto values = listFromText(text);
   const bool fits = values && std::all_of(values->begin(), values->end(),
@@ -72,7 +76,9 @@ QString listProblem(const base::Range& range, const QString& text) {
 }  // namespace
 
 PropertyPage::PropertyPage(ScenarioDocument& document, const sim2d::FieldTables& tables)
-    : document_(document), tables_(tables), layout_(arranged(new QVBoxLayout(this), {}, 0)) {}
+    : document_(document), tables_(tables), layout_(arranged(new QVBoxLayout(this), {}, 0)) {
+  layout_->addStretch();
+}
 
 void PropertyPage::setTargets(const std::vector<EntityId>& targets) {
   targets_ = targets;
@@ -113,13 +119,9 @@ void PropertyPage::addRefresh(std::function<void(const std::vector<Entity>&)> re
 
 FormSection* PropertyPage::addSection(const QString& title) {
   auto* section = new FormSection(title, this);
-  layout_->addWidget(section);
+  layout_->insertWidget(layout_->count() - 1, section);
   sections_.push_back(section);
   return section;
-}
-
-void PropertyPage::finish() {
-  layout_->addStretch();
 }
 
 long long PropertyPage::seed() const {
@@ -133,18 +135,15 @@ void PropertyPage::change(const EntityField& field, const base::ParameterValue& 
         [&](Entity& entity) { field.set(entity, value); });
 }
 
-QString PropertyPage::nameProblem(const QString& name) const {
-  static const QRegularExpression kName(QStringLiteral("^[A-Za-z][A-Za-z0-9_]*$"));
-  if (!kName.match(name).hasMatch()) {
-    return tr("A name begins with a letter and has only letters, digits and _");
-  }
-  return FreeNames(document_.scenario()).isTaken(name.toStdString()) ? tr("This name is taken")
-                                                                     : QString();
-}
-
 void PropertyPage::addName(FormSection* section) {
   auto* field = new TextField(this);
-  field->setCheck([this](const QString& name) { return nameProblem(name); });
+  field->setCheck([this](const QString& name) {
+    static const QRegularExpression kName(QStringLiteral("^[A-Za-z][A-Za-z0-9_]*$"));
+    return !kName.match(name).hasMatch()
+               ? tr("A name begins with a letter and has only letters, digits and _")
+           : FreeNames(document_.scenario()).isTaken(name.toStdString()) ? tr("This name is taken")
+                                                                         : QString();
+  });
   connect(field, &TextField::edited, this, [this](const QString& name) {
     if (targets_.size() == 1) {
       pushRename(document_, targets_.front(), name.toStdString());
@@ -182,9 +181,7 @@ QString labelOf(const base::ParameterSpec& spec) {
   if (!spec.form.label.empty()) {
     return QString::fromStdString(spec.form.label);
   }
-  QString label = QString::fromStdString(spec.key).replace(QLatin1Char('_'), QLatin1Char(' '));
-  label[0] = label[0].toUpper();
-  return label;
+  return capitalized(QString::fromStdString(spec.key).replace(QLatin1Char('_'), QLatin1Char(' ')));
 }
 
 QString helpOf(const base::ParameterSpec& spec) {
@@ -234,8 +231,25 @@ void PropertyPage::addParameterRows(FormSection* section, const ParameterOwner& 
   others->setObjectName(QStringLiteral("other_parameters"));
 }
 
+/// Whether an entity takes part in the run, for all kinds that can be switched off.
 void PropertyPage::addListed(FormSection* section) {
-  addRow(section, listedField(), inWords({tr("In the scenario")}));
+  EntityField field;
+  field.spec.type = ParameterType::Boolean;
+  field.spec.form.label = "Takes part";
+  field.spec.help = "Off: kept in the file, but not in the run";
+  field.get = isListed;
+  field.set = [](Entity& entity, const ParameterValue& on) {
+    std::visit(
+        [&on](auto& value) {
+          using Value = std::decay_t<decltype(value)>;
+          if constexpr (!std::is_same_v<Value, sim2d::GlobalGoal> &&
+                        !std::is_same_v<Value, ScenarioSettings>) {
+            value.listed = std::get<bool>(on);
+          }
+        },
+        entity);
+  };
+  addRow(section, field, inWords({tr("In the scenario")}));
 }
 
 void PropertyPage::addPosition(FormSection* section) {
@@ -302,10 +316,8 @@ QWidget* PropertyPage::makeChoice(const EntityField& field, const FieldLook& loo
   });
   addRefresh([=](const std::vector<Entity>& shown) {
     const auto index = commonValue(shown, [&](const Entity& entity) {
-      const ParameterValue own = field.get(entity);
-      const bool isOwn = own != ParameterValue() || hasNone || !field.fallback;
-      const auto found =
-          std::find(values.begin(), values.end(), isOwn ? own : field.fallback(entity));
+      const auto found = std::find(values.begin(), values.end(),
+                                   hasNone ? field.get(entity) : valueInForce(field, entity));
       return found == values.end() ? 0 : static_cast<int>(found - values.begin());
     });
     box->setCurrentIndex(index.value_or(-1));
@@ -318,11 +330,8 @@ QWidget* PropertyPage::makeSwitch(const EntityField& field, const FieldLook& loo
   box->setToolTip(helpOf(field.spec));
   connect(box, &QCheckBox::clicked, this, [=](bool on) { change(field, on); });
   addRefresh([=](const std::vector<Entity>& shown) {
-    const std::optional<bool> on = commonValue(shown, [&](const Entity& entity) {
-      const ParameterValue own = field.get(entity);
-      return valueOr(own == ParameterValue() && field.fallback ? field.fallback(entity) : own,
-                     false);
-    });
+    const std::optional<bool> on = commonValue(
+        shown, [&](const Entity& entity) { return valueOr(valueInForce(field, entity), false); });
     box->setTristate(!on);
     box->setCheckState(!on ? Qt::PartiallyChecked : *on ? Qt::Checked : Qt::Unchecked);
   });

@@ -118,7 +118,6 @@ class PropertyPage : public QWidget {
   /// The name of the entity; only for one at a time, checked for being free.
   void addName(FormSection* section);
   void addRefresh(std::function<void(const std::vector<Entity>&)> refresh);
-  void finish();  // after the last section
 
  private:
   struct Place {
@@ -130,7 +129,6 @@ class PropertyPage : public QWidget {
   QWidget* makeSwitch(const EntityField& field, const FieldLook& look);
   QWidget* makeText(const EntityField& field, const FieldLook& look);
   void change(const EntityField& field, const base::ParameterValue& value);
-  QString nameProblem(const QString& name) const;
 
   ScenarioDocument& document_;
   const sim2d::FieldTables& tables_;

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "editor/document/EntityModel.h"
+#include "editor/document/Groups.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/EntityPages.h"
@@ -48,9 +49,7 @@ QString aboutOne(const sim2d::Scenario& scenario, const Entity& entity) {
     return QObject::tr("Robot · %1")
         .arg(QString::fromStdString(robot->planner.value_or("pursuit")));
   }
-  QString kind = kindName(kindOf(entity));
-  kind[0] = kind[0].toUpper();
-  return kind;
+  return capitalized(kindName(kindOf(entity)));
 }
 
 }  // namespace
@@ -238,13 +237,9 @@ QPixmap PropertyPanel::picture(const Entity& entity) const {
   const QSize size(kPictureSize, kPictureSize);
   const auto icon = [&] {
     switch (kindOf(entity)) {
-      case EntityKind::Human: {
-        const auto type = std::get<sim2d::Human>(entity).behavior.type;
-        return painter.personIcon(document_.tree(idOf(entity))
-                                      ? Look::CustomTree
-                                      : lookOf(type.value_or(sim2d::BehaviorType::Regular)),
+      case EntityKind::Human:
+        return painter.personIcon(lookOfPerson(document_, std::get<sim2d::Human>(entity)),
                                   kPictureSize);
-      }
       case EntityKind::Robot:
         return painter.robotIcon(kPictureSize);
       case EntityKind::Goal:

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include <QContextMenuEvent>
 #include <QMenu>
 #include <QPainter>
 #include <QToolButton>
 
+#include "editor/document/EntityModel.h"
 #include "editor/look/Form.h"
 
 namespace editor {
@@ -126,10 +126,8 @@ void RouteEditor::offerGoals(QWidget* button) {
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   for (const sim2d::GlobalGoal& goal : document_.scenario().goals) {
-    const QString place = QStringLiteral("   %1, %2 m")
-                              .arg(goal.position.x(), 0, 'f', 1)
-                              .arg(goal.position.y(), 0, 'f', 1);
-    menu->addAction(tr("Goal %1").arg(goal.id) + place, this, [this, id = goal.id] {
+    const QString words = tr("Goal %1").arg(goal.id) + QStringLiteral("   ") + placeOf(goal);
+    menu->addAction(words, this, [this, id = goal.id] {
       std::vector<int> route = goals_;
       route.push_back(id);
       Q_EMIT edited(route);

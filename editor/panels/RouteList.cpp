@@ -26,8 +26,7 @@ QString dragType() {
 }  // namespace
 
 QVBoxLayout* titledColumn(const QString& title, const Theme& theme, QWidget* content) {
-  auto* heading = new QLabel(title);
-  heading->setFont(theme.font(9.5, QFont::DemiBold));
+  QLabel* heading = headingLabel(title, theme.font(9.5, QFont::DemiBold));
   heading->setBuddy(content);
   auto* column = arranged(new QVBoxLayout, {}, 4, {heading, content});
   column->setStretchFactor(content, 1);
@@ -185,14 +184,6 @@ void RouteList::moveRows(const std::vector<int>& rows, int before) {
   setCurrentRow(first, QItemSelectionModel::NoUpdate);
 }
 
-int RouteList::rowAt(const QPoint& position) const {
-  const QModelIndex index = indexAt(position);
-  if (!index.isValid()) {
-    return count();
-  }
-  return index.row() + (position.y() > visualRect(index).center().y() ? 1 : 0);
-}
-
 /// The rows are moved here, not by the list itself: a copy tells the source to keep its own.
 void RouteList::dropEvent(QDropEvent* event) {
   quint64 source = 0;
@@ -207,7 +198,9 @@ void RouteList::dropEvent(QDropEvent* event) {
     rows.push_back(row);
     goals.push_back(goal);
   }
-  const int before = rowAt(event->pos());
+  const QModelIndex under = indexAt(event->pos());
+  const bool isBelow = event->pos().y() > visualRect(under).center().y();
+  const int before = under.isValid() ? under.row() + (isBelow ? 1 : 0) : count();
   event->setDropAction(Qt::CopyAction);
   event->accept();
   if (source == static_cast<quint64>(reinterpret_cast<quintptr>(static_cast<GoalList*>(this)))) {

@@ -68,7 +68,6 @@ class RouteList : public GoalList {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  int rowAt(const QPoint& position) const;
   void moveRows(const std::vector<int>& rows, int before);
 };
 

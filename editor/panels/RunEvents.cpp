@@ -37,12 +37,6 @@ const Telling& tellingOf(EventKind kind) {
   return kTellings.at(kind);
 }
 
-void fillShape(QPainter& painter, const QPainterPath& path, const QColor& color) {
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(color);
-  painter.drawPath(path);
-}
-
 QPainterPath pinPath() {
   QPainterPath path(QPointF(0.0, 6.0));
   path.cubicTo(-1.5, 3.0, -4.0, 1.5, -4.0, -1.0);
@@ -123,21 +117,26 @@ void paintEventMark(QPainter& painter, EventMark mark, const QPointF& centre, co
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.translate(centre);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme.color(Role::TextSecondary));
   QPainterPath path;
   switch (mark) {
     case EventMark::Pin:
-      fillShape(painter, pinPath(), theme.color(Role::Ok));
+      painter.setBrush(theme.color(Role::Ok));
+      painter.drawPath(pinPath());
       break;
     case EventMark::Bubble:
-      fillShape(painter, bubblePath(), theme.color(Role::TextSecondary));
+      painter.drawPath(bubblePath());
       break;
     case EventMark::Diamond:
       path.addPolygon(QPolygonF({{0.0, -5.0}, {5.0, 0.0}, {0.0, 5.0}, {-5.0, 0.0}}));
-      fillShape(painter, path, theme.line(Look::Curious));
+      painter.setBrush(theme.line(Look::Curious));
+      painter.drawPath(path);
       break;
     case EventMark::Triangle:
       path.addPolygon(QPolygonF({{0.0, -5.0}, {5.0, 4.0}, {-5.0, 4.0}}));
-      fillShape(painter, path, theme.color(Role::WarningMark));
+      painter.setBrush(theme.color(Role::WarningMark));
+      painter.drawPath(path);
       break;
     case EventMark::Cross:
       painter.setPen(QPen(theme.color(Role::Error), 2.4, Qt::SolidLine, Qt::RoundCap));
@@ -150,8 +149,6 @@ void paintEventMark(QPainter& painter, EventMark mark, const QPointF& centre, co
       painter.drawEllipse(QPointF(), 3.5, 3.5);
       break;
     case EventMark::None:
-      painter.setPen(Qt::NoPen);
-      painter.setBrush(theme.color(Role::TextSecondary));
       painter.drawEllipse(QPointF(), 1.8, 1.8);
       break;
   }

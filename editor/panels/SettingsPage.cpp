@@ -99,7 +99,6 @@ SettingsPage::SettingsPage(ScenarioDocument& document, const sim2d::Registries& 
   addNewFields<Desktop>();
   addNewFields<Metrics>();
   addNewFields<ScenarioSettings>({"yaml_base_name"});
-  finish();
 }
 
 void SettingsPage::addRunSection() {

@@ -93,8 +93,7 @@ QString modeWords(const std::string& mode) {
       {"specific", QT_TR_NOOP("Somebody by name")},
       {"robot", QT_TR_NOOP("The robot")}};
   const auto known = kWords.find(mode);
-  const QString word = qt(mode);
-  return known == kWords.end() ? word.left(1).toUpper() + word.mid(1) : QObject::tr(known->second);
+  return known == kWords.end() ? capitalized(qt(mode)) : QObject::tr(known->second);
 }
 
 ValueRow repeatRow(const bt::Block& block) {
@@ -121,15 +120,87 @@ ValueRow chanceRow(const bt::Block& block) {
   return row;
 }
 
+ValueRow rowOf(const bt::BlockParameter& parameter, const bt::Block& block,
+               const ScenarioDocument& document) {
+  using Of = bt::BlockParameter::Kind;
+  ValueRow row;
+  row.kind = parameter.kind == Of::Number   ? Kind::Number
+             : parameter.kind == Of::Text   ? Kind::Text
+             : parameter.kind == Of::People ? Kind::Choices
+                                            : Kind::Choice;
+  row.key = parameter.key;
+  row.label = qt(parameter.label);
+  row.text = block.value(parameter.key);
+  row.isVisible = parameter.mode.empty() || block.value("mode") == parameter.mode;
+  row.unit = qt(parameter.unit);
+  row.range = {parameter.min, parameter.max, 2, parameter.max - parameter.min > 30.0 ? 5.0 : 0.1};
+  if (parameter.kind == Of::Text) {
+    row.check = [](const QString& text) {
+      return text.trimmed().isEmpty() ? QObject::tr("Say something") : QString();
+    };
+  } else if (parameter.kind == Of::Goal) {
+    for (const sim2d::GlobalGoal& goal : document.scenario().goals) {
+      row.choices.emplace_back(QString::number(goal.id), QObject::tr("Goal %1").arg(goal.id));
+    }
+  } else if (parameter.kind == Of::Choice) {
+    for (const std::string& choice : parameter.choices) {
+      row.choices.emplace_back(qt(choice), modeWords(choice));
+    }
+  } else if (parameter.kind != Of::Number) {
+    for (const sim2d::Human& human : document.scenario().humans) {
+      row.choices.emplace_back(QString::number(human.id), qt(human.name));
+    }
+  }
+  if (parameter.kind == Of::People) {
+    row.help = QObject::tr("Choosing a person adds or takes them off");
+  }
+  return row;
+}
+
 }  // namespace
+
+ValueRows portRows(const bt::NodeSpec& node, bool isEditable) {
+  const bt::NodeManifest* manifest = treeCatalogue().find(node.id);
+  std::vector<ValueRow> rows;
+  if (manifest != nullptr) {
+    for (const bt::PortSpec& port : manifest->ports) {
+      rows.push_back(rowOf(port, node));
+    }
+  }
+  const QString note = manifest == nullptr ? QObject::tr("unknown node")
+                       : rows.empty()      ? QObject::tr("nothing to set")
+                       : isEditable        ? QString()
+                                           : QObject::tr("in an included file");
+  return {qt(node.id), qt(node.label()), note, std::move(rows), isEditable};
+}
+
+ValueRows blockRows(const bt::Block& block, const ScenarioDocument& document) {
+  const bt::BlockKind& kind = *bt::blockKind(block.id);
+  std::vector<ValueRow> rows;
+  for (const bt::BlockParameter& parameter : kind.parameters) {
+    rows.push_back(rowOf(parameter, block, document));
+  }
+  rows.push_back(repeatRow(block));
+  rows.push_back(chanceRow(block));
+  return {qt(kind.id), qt(kind.title), {}, std::move(rows)};
+}
+
+void setValue(bt::Block& block, const std::string& key, const QString& text) {
+  if (key == kRepeatKey) {
+    block.repeat = static_cast<bt::BlockRepeat>(text.toInt());
+  } else if (key == kChanceKey) {
+    block.probability = base::parseDouble(text.toStdString()).value_or(0.0);
+  } else {
+    block.values[key] = text.toStdString();
+  }
+}
 
 ValueForm::ValueForm(QWidget* parent)
     : QWidget(parent), layout_(arranged(new QVBoxLayout(this), {}, 0)) {}
 
-void ValueForm::showRows(const QString& name, const QString& title, const QString& note,
-                         bool isEditable, std::vector<ValueRow> rows) {
-  rows_ = std::move(rows);
-  QString shape = isEditable ? name + QLatin1Char('+') : name;
+void ValueForm::show(ValueRows what) {
+  rows_ = std::move(what.rows);
+  QString shape = what.isEditable ? what.name + QLatin1Char('+') : what.name;
   for (const ValueRow& row : rows_) {
     shape += QString::number(static_cast<int>(row.kind));
   }
@@ -139,12 +210,12 @@ void ValueForm::showRows(const QString& name, const QString& title, const QStrin
       section_->hide();
       section_->deleteLater();
     }
-    section_ = new FormSection(title, this);
-    section_->setNote(note);
+    section_ = new FormSection(what.title, this);
+    section_->setNote(what.note);
     fields_.clear();
     for (const ValueRow& row : rows_) {
       fields_.push_back(makeField(row, fields_.size()));
-      fields_.back()->setEnabled(isEditable);
+      fields_.back()->setEnabled(what.isEditable);
       section_->addRow(row.label, fields_.back());
     }
     layout_->addWidget(section_);
@@ -156,7 +227,7 @@ void ValueForm::showRows(const QString& name, const QString& title, const QStrin
 }
 
 QWidget* ValueForm::makeField(const ValueRow& row, std::size_t index) {
-  const auto change = [this, key = row.key](const QString& text) { take(key, text); };
+  const auto change = [this, key = row.key](const QString& text) { Q_EMIT edited(key, text); };
   if (row.kind == Kind::Number) {
     auto* field = new NumberField(row.range, row.unit, section_);
     if (!row.help.isEmpty()) {
@@ -203,85 +274,6 @@ void ValueForm::showRow(const ValueRow& row, QWidget* widget) {
     field.clear();
     row.kind == Kind::Choice ? showChoice(field, row) : showChoices(field, row);
   }
-}
-
-void PortForm::show(const bt::NodeSpec& node, bool editable) {
-  const bt::NodeManifest* manifest = treeCatalogue().find(node.id);
-  std::vector<ValueRow> rows;
-  if (manifest != nullptr) {
-    for (const bt::PortSpec& port : manifest->ports) {
-      rows.push_back(editor::rowOf(port, node));
-    }
-  }
-  const QString note = manifest == nullptr ? tr("unknown node")
-                       : rows.empty()      ? tr("nothing to set")
-                       : editable          ? QString()
-                                           : tr("in an included file");
-  showRows(qt(node.id), qt(node.label()), note, editable, std::move(rows));
-}
-
-void PortForm::take(const std::string& key, const QString& text) {
-  Q_EMIT edited(qt(key), text);
-}
-
-void BlockForm::show(const bt::Block& block) {
-  block_ = block;
-  const bt::BlockKind& kind = *bt::blockKind(block.id);
-  std::vector<ValueRow> rows;
-  for (const bt::BlockParameter& parameter : kind.parameters) {
-    rows.push_back(rowOf(parameter));
-  }
-  rows.push_back(repeatRow(block));
-  rows.push_back(chanceRow(block));
-  showRows(qt(kind.id), qt(kind.title), {}, true, std::move(rows));
-}
-
-ValueRow BlockForm::rowOf(const bt::BlockParameter& parameter) const {
-  using Of = bt::BlockParameter::Kind;
-  ValueRow row;
-  row.kind = parameter.kind == Of::Number   ? Kind::Number
-             : parameter.kind == Of::Text   ? Kind::Text
-             : parameter.kind == Of::People ? Kind::Choices
-                                            : Kind::Choice;
-  row.key = parameter.key;
-  row.label = qt(parameter.label);
-  row.text = block_.value(parameter.key);
-  row.isVisible = parameter.mode.empty() || block_.value("mode") == parameter.mode;
-  row.unit = qt(parameter.unit);
-  row.range = {parameter.min, parameter.max, 2, parameter.max - parameter.min > 30.0 ? 5.0 : 0.1};
-  if (parameter.kind == Of::Text) {
-    row.check = [](const QString& text) {
-      return text.trimmed().isEmpty() ? tr("Say something") : QString();
-    };
-  } else if (parameter.kind == Of::Goal) {
-    for (const sim2d::GlobalGoal& goal : document_.scenario().goals) {
-      row.choices.emplace_back(QString::number(goal.id), tr("Goal %1").arg(goal.id));
-    }
-  } else if (parameter.kind == Of::Choice) {
-    for (const std::string& choice : parameter.choices) {
-      row.choices.emplace_back(qt(choice), modeWords(choice));
-    }
-  } else if (parameter.kind != Of::Number) {
-    for (const sim2d::Human& human : document_.scenario().humans) {
-      row.choices.emplace_back(QString::number(human.id), qt(human.name));
-    }
-  }
-  if (parameter.kind == Of::People) {
-    row.help = tr("Choosing a person adds or takes them off");
-  }
-  return row;
-}
-
-void BlockForm::take(const std::string& key, const QString& text) {
-  if (key == kRepeatKey) {
-    block_.repeat = static_cast<bt::BlockRepeat>(text.toInt());
-  } else if (key == kChanceKey) {
-    block_.probability = base::parseDouble(text.toStdString()).value_or(0.0);
-  } else {
-    block_.values[key] = text.toStdString();
-  }
-  show(bt::Block(block_));
-  Q_EMIT edited(block_);
 }
 
 }  // namespace editor

@@ -30,16 +30,31 @@ struct ValueRow {
   bool isVisible = true;
 };
 
-/// Rows for one thing after another; made anew when the next one has others.
-class ValueForm : public QWidget {
- public:
-  explicit ValueForm(QWidget* parent);
+/// Rows for one thing.
+struct ValueRows {
+  QString name;  // the same for things whose rows are of the same meaning
+  QString title, note;
+  std::vector<ValueRow> rows;
+  bool isEditable = true;
+};
 
- protected:
-  /// `name`: the same for things whose rows are of the same meaning.
-  void showRows(const QString& name, const QString& title, const QString& note, bool isEditable,
-                std::vector<ValueRow> rows);
-  virtual void take(const std::string& key, const QString& text) = 0;
+/// The ports of one node: numbers with unit and range, words, or "{key}" of the blackboard. An
+/// empty text leaves the port out.
+ValueRows portRows(const bt::NodeSpec& node, bool isEditable);
+/// The parameters of a block of behaviour, with units and ranges.
+ValueRows blockRows(const bt::Block& block, const ScenarioDocument& document);
+/// What was edited in such a row.
+void setValue(bt::Block& block, const std::string& key, const QString& text);
+
+/// Shows one thing after another; its fields are made anew when the next one has others.
+class ValueForm : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ValueForm(QWidget* parent = nullptr);
+  void show(ValueRows what);  // without `edited`
+
+ Q_SIGNALS:
+  void edited(const std::string& key, const QString& text);
 
  private:
   QWidget* makeField(const ValueRow& row, std::size_t index);
@@ -50,42 +65,6 @@ class ValueForm : public QWidget {
   QString shape_;
   std::vector<ValueRow> rows_;
   std::vector<QWidget*> fields_;
-};
-
-/// The ports of one node: numbers with unit and range, words, or "{key}" of the blackboard.
-class PortForm : public ValueForm {
-  Q_OBJECT
- public:
-  PortForm() : ValueForm(nullptr) {}
-  void show(const bt::NodeSpec& node, bool editable);
-
- Q_SIGNALS:
-  void edited(const QString& port, const QString& text);  // an empty text leaves the port out
-
- protected:
-  void take(const std::string& key, const QString& text) override;
-};
-
-/// The parameters of a block of behaviour, with units and ranges.
-class BlockForm : public ValueForm {
-  Q_OBJECT
- public:
-  explicit BlockForm(const ScenarioDocument& document, QWidget* parent = nullptr)
-      : ValueForm(parent), document_(document) {}
-  void show(const bt::Block& block);  // without `edited`
-  const bt::Block& block() const { return block_; }
-
- Q_SIGNALS:
-  void edited(const bt::Block& block);
-
- protected:
-  void take(const std::string& key, const QString& text) override;
-
- private:
-  ValueRow rowOf(const bt::BlockParameter& parameter) const;
-
-  const ScenarioDocument& document_;
-  bt::Block block_;
 };
 
 }  // namespace editor

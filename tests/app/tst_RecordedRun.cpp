@@ -157,7 +157,7 @@ class RecordedRunTest : public QObject {
     QCOMPARE(workspace.runner().state(), editor::SimulationRunner::State::Running);
     QTest::keyClick(workspace.view().viewport(), Qt::Key_Space);
     QCOMPARE(workspace.runner().state(), editor::SimulationRunner::State::Paused);
-    workspace.playback().reset()->trigger();
+    workspace.playback().reset->trigger();
     QCOMPARE(workspace.document().path(), before);
     QVERIFY(!workspace.document().isDirty() && window->actions().save->isEnabled());
     QVERIFY(workspace.runner().recording() == nullptr);
