@@ -176,12 +176,7 @@ sim2d::Human drawnPerson(const CrowdRecipe& recipe, int index,
 
 std::vector<sim2d::Human> fillCrowd(const std::vector<Vec2>& polygon, std::size_t count,
                                     const CrowdRecipe& recipe, const ScenarioDocument& document) {
-  Vec2 low = polygon.front();
-  Vec2 high = low;
-  for (const Vec2& point : polygon) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
+  const auto [low, high] = *extentOf(polygon);
   FreeGround ground(document);
   std::vector<sim2d::Human> people;
   const int first = nextDraw(document);

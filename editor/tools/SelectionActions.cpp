@@ -46,11 +46,11 @@ std::vector<Piece> piecesOf(const ScenarioDocument& document) {
 }
 
 Extent wholeOf(const std::vector<Piece>& pieces) {
-  Extent whole = pieces.front().extent;
+  std::vector<Vec2> corners;
   for (const Piece& piece : pieces) {
-    whole.include(piece.extent);
+    corners.insert(corners.end(), {piece.extent.low, piece.extent.high});
   }
-  return whole;
+  return *extentOf(corners);
 }
 
 /// The corner or middle by which pieces are aligned.
