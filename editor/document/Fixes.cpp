@@ -156,20 +156,16 @@ void renumberGoals(ScenarioDocument& document, const Diagnostic&, const QString&
 }
 
 void leaveOutGoal(ScenarioDocument& document, const Diagnostic& problem, const QString& text) {
-  std::optional<Entity> value = document.entity(problem.entity);
   const int goal = std::stoi(problem.value("goal"));
   const auto without = [goal](std::vector<int> goals) {
     goals.erase(std::remove(goals.begin(), goals.end(), goal), goals.end());
     return goals;
   };
-  if (auto* human = value ? std::get_if<sim2d::Human>(&*value) : nullptr) {
-    setGoals(*human, without(human->goals));
-  } else if (auto* robot = value ? std::get_if<sim2d::Robot>(&*value) : nullptr) {
-    robot->goal.goals = without(robot->goal.goals);
-  } else {
-    return;
-  }
-  pushEdit(document, {*std::move(value)}, text);
+  pushChange<sim2d::Human>(document, problem.entity, text,
+                           [&](sim2d::Human& human) { setGoals(human, without(human.goals)); });
+  pushChange<sim2d::Robot>(document, problem.entity, text, [&](sim2d::Robot& robot) {
+    robot.goal.goals = without(robot.goal.goals);
+  });
 }
 
 void giveFreeName(ScenarioDocument& document, const Diagnostic& problem, const QString& text) {
@@ -186,13 +182,12 @@ void giveFreeName(ScenarioDocument& document, const Diagnostic& problem, const Q
 
 /// In a free place near the people, its goal on their other side.
 void addRobot(ScenarioDocument& document, const Diagnostic&, const QString&) {
+  const std::vector<sim2d::Human>& people = document.scenario().humans;
   Vec2 centre = Vec2::Zero();
-  int count = 0;
-  for (const sim2d::Human& human : document.scenario().humans) {
+  for (const sim2d::Human& human : people) {
     centre += human.initPose.position;
-    ++count;
   }
-  centre /= std::max(count, 1);
+  centre /= std::max(static_cast<int>(people.size()), 1);
   const double radius = sim2d::resolveRobot({}, {}, -1).radius;
   sim2d::Robot robot;
   const Vec2 start = centre + Vec2(-2.0, 0.0);
@@ -361,12 +356,13 @@ std::optional<Fix> fixFor(const ScenarioDocument& document, const base::Diagnost
     }
     QString words = QObject::tr(rule.words);
     words.replace(QStringLiteral("%1"), QString::fromStdString(value));
-    if (!rule.mend) {
-      return Fix{words, {}, true};
+    Fix fix{words, {}};
+    if (rule.mend) {
+      fix.apply = [mend = rule.mend, problem, words](ScenarioDocument& edited) {
+        mend(edited, problem, words);
+      };
     }
-    return Fix{words, [mend = rule.mend, problem, words](ScenarioDocument& edited) {
-                 mend(edited, problem, words);
-               }};
+    return fix;
   }
   return std::nullopt;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <unordered_map>
 
 #include <QUndoCommand>
 
@@ -40,14 +39,8 @@ MapStroke::MapStroke(std::shared_ptr<const sim2d::OccupancyGrid> before)
     : before_(std::move(before)), cells_(before_->cells()) {}
 
 void MapStroke::set(sim2d::Cell cell, MapPaint paint) {
-  if (!before_->contains(cell)) {
-    return;
-  }
-  const std::size_t index = before_->indexOf(cell);
-  const auto value = static_cast<std::int8_t>(paint);
-  if (cells_[index] != value) {
-    cells_[index] = value;
-    changed_.push_back({index, value});
+  if (before_->contains(cell)) {
+    cells_[before_->indexOf(cell)] = static_cast<std::int8_t>(paint);
   }
 }
 
@@ -90,6 +83,16 @@ std::shared_ptr<const sim2d::OccupancyGrid> MapStroke::grid() const {
   return withCells(*before_, cells_);
 }
 
+std::vector<MapStroke::CellChange> MapStroke::changes() const {
+  std::vector<CellChange> changes;
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    if (cells_[i] != before_->cells()[i]) {
+      changes.push_back({i, cells_[i]});
+    }
+  }
+  return changes;
+}
+
 void pushMap(ScenarioDocument& document, MapState map, ScenarioSettings settings,
              const QString& text) {
   EntitySlot slot{Entity(std::move(settings)), -1};
@@ -108,16 +111,7 @@ void pushOpenPlane(ScenarioDocument& document) {
 }
 
 void pushStroke(ScenarioDocument& document, const MapStroke& stroke, const QString& text) {
-  std::unordered_map<std::size_t, std::int8_t> last;
-  for (const MapStroke::CellChange& change : stroke.changes()) {
-    last[change.index] = change.value;
-  }
-  std::vector<MapStroke::CellChange> changes;  // each cell once
-  for (const auto& [index, value] : last) {
-    if (document.map()->cells()[index] != value) {
-      changes.push_back({index, value});
-    }
-  }
+  std::vector<MapStroke::CellChange> changes = stroke.changes();
   if (changes.empty()) {
     return;
   }

@@ -20,7 +20,6 @@ class MapStroke {
   void paint(const Vec2& from, const Vec2& to, double radius, MapPaint paint);
   /// All cells whose centres lie in the rectangle (map axes) between two corners [m].
   void fill(const Vec2& corner, const Vec2& opposite, MapPaint paint);
-  bool isEmpty() const { return changed_.empty(); }
   /// The map with all that was painted so far; what the next `paint` changes is not in it.
   std::shared_ptr<const sim2d::OccupancyGrid> grid() const;
 
@@ -28,14 +27,13 @@ class MapStroke {
     std::size_t index;
     std::int8_t value;
   };
-  const std::vector<CellChange>& changes() const { return changed_; }  // in order of painting
+  std::vector<CellChange> changes() const;
 
  private:
   void set(sim2d::Cell cell, MapPaint paint);
 
   std::shared_ptr<const sim2d::OccupancyGrid> before_;
   std::vector<std::int8_t> cells_;
-  std::vector<CellChange> changed_;
 };
 
 /// Another map, with the settings that name it.

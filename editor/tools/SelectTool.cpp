@@ -259,11 +259,9 @@ class SelectTool : public Tool {
 
   void previewMove(const CanvasMouse& mouse) {
     const Vec2 delta = deltaFor(mouse);
-    std::vector<Entity> values;
-    for (const EntityId id : document().selection()) {
-      if (const std::optional<Entity> value = document().entity(id)) {
-        values.push_back(moved(*value, delta));
-      }
+    std::vector<Entity> values = valuesOf(document(), document().selection());
+    for (Entity& value : values) {
+      value = moved(std::move(value), delta);
     }
     scene().setPreview(values);
     if (const std::optional<Entity> value = scene().shown(grabbed_)) {

@@ -35,11 +35,9 @@ struct Piece {
 
 std::vector<Piece> piecesOf(const ScenarioDocument& document) {
   std::vector<Piece> pieces;
-  for (const EntityId id : document.selection()) {
-    const std::optional<Entity> value = document.entity(id);
-    const std::optional<Extent> extent = value ? extentOf(*value) : std::nullopt;
-    if (extent) {
-      pieces.push_back({*value, *extent});
+  for (Entity& value : valuesOf(document, document.selection())) {
+    if (const std::optional<Extent> extent = extentOf(value)) {
+      pieces.push_back({std::move(value), *extent});
     }
   }
   return pieces;
