@@ -183,14 +183,10 @@ void Draft::push(const QString& text, Merge merge) {
 void pushEdit(ScenarioDocument& document, std::vector<Entity> values, const QString& text,
               Merge merge) {
   Draft draft(document);
-  Places places(document.scenario());
   for (Entity& value : values) {
-    const std::optional<Entity> old = document.entity(idOf(value));
-    if (!old) {
-      continue;
+    if (document.contains(idOf(value))) {
+      draft.set(std::move(value));
     }
-    const int index = isListed(*old) == isListed(value) ? -1 : places.of(value);
-    draft.set(std::move(value), index);
   }
   draft.push(text, merge);
 }
@@ -207,10 +203,8 @@ std::vector<EntityId> pushAdd(ScenarioDocument& document, std::vector<Entity> va
   }
   const QString fullText = text.isEmpty() ? textFor(QStringLiteral("Add"), values) : text;
   Draft draft(document);
-  Places places(document.scenario());
   for (Entity& value : values) {
-    const int index = places.of(value);
-    draft.set(std::move(value), index);
+    draft.set(std::move(value));
   }
   for (const auto& [place, xml] : trees) {
     draft.setTree(ids[place], xml);

@@ -30,8 +30,8 @@ struct DocumentDisk;
 struct DocumentSnapshot;
 struct SavePlan;
 
-/// A value at its place in its list. Without a value: not there. index -1 = where it was, else at
-/// the end.
+/// A value at its place in its list. Without a value: not there. index -1 = where it was; what is
+/// new, or switched on or off: where it belongs.
 struct EntitySlot {
   std::optional<Entity> value;
   int index = -1;
