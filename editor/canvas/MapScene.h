@@ -98,7 +98,6 @@ class MapScene : public QGraphicsScene {
   /// Run mode: people and robots are drawn from frames; an empty pointer ends it.
   void showFrame(std::shared_ptr<const sim2d::Frame> frame);
   bool isRunMode() const;
-  EntityId agentEntityAt(const Vec2& world) const;
   FrameLayer& frameLayer() const { return *frameLayer_; }
   RouteModel& routes() const { return *routes_; }
   ToolMarks& marks();  // to be changed: they are painted anew

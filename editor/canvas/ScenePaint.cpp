@@ -158,10 +158,6 @@ std::pair<EntityId, Handle> MapScene::handleAt(const Vec2& world) const {
   return selectionLayer_->handleAt(world);
 }
 
-EntityId MapScene::agentEntityAt(const Vec2& world) const {
-  return frameLayer_->entityAt(world);
-}
-
 bool MapScene::isRunMode() const {
   return frameLayer_->frame() != nullptr;
 }

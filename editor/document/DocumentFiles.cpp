@@ -18,10 +18,6 @@ namespace editor {
 
 namespace {
 
-sim2d::MapRule mapRuleOf(const sim2d::Scenario& scenario) {
-  return scenario.desktop.mapRule == "main" ? sim2d::MapRule::Main : sim2d::MapRule::Humble;
-}
-
 /// By its name, of one that is there.
 bool isYaml(const QString& path) {
   const QString suffix = QFileInfo(path).suffix().toLower();
@@ -93,7 +89,7 @@ void ScenarioDocument::loadMap() {
   sim2d::addPlaceOfMap(map.problems, path_.toStdString());
   if (found && !found->empty()) {
     base::Result<MapState> read =
-        disk_->readMap(QString::fromStdString(*found), mapRuleOf(scenario_));
+        disk_->readMap(QString::fromStdString(*found), scenario_.desktop.mapRule);
     if (read) {
       map = *std::move(read);
     } else {
@@ -105,7 +101,7 @@ void ScenarioDocument::loadMap() {
 }
 
 base::Diagnostics ScenarioDocument::openMap(const QString& yamlPath) {
-  base::Result<MapState> map = disk_->readMap(yamlPath, mapRuleOf(scenario_));
+  base::Result<MapState> map = disk_->readMap(yamlPath, scenario_.desktop.mapRule);
   const base::Diagnostics problems = map.diagnostics();
   if (map) {
     putMap(*std::move(map));
@@ -115,7 +111,7 @@ base::Diagnostics ScenarioDocument::openMap(const QString& yamlPath) {
 
 base::Diagnostics ScenarioDocument::newOnMap(const QString& yamlPath) {
   DocumentDisk read;
-  base::Result<MapState> map = read.readMap(yamlPath, sim2d::MapRule::Humble);
+  base::Result<MapState> map = read.readMap(yamlPath, {});
   const base::Diagnostics problems = map.diagnostics();
   if (map) {
     clear();
@@ -175,16 +171,10 @@ base::Diagnostics ScenarioDocument::loadTrees() {
 }
 
 DocumentSnapshot ScenarioDocument::snapshot() const {
-  DocumentSnapshot result;
-  result.scenario = scenario_;
-  result.trees = trees_;
-  result.map = map_;
-  result.mapIsInFile =
+  const bool mapIsInFile =
       map_.grid->isEmpty() || (disk_->maps.count(map_.path) > 0 && disk_->holds(map_));
-  result.path = path_;
-  result.readOnly = isReadOnly();
-  result.when = QDateTime::currentDateTimeUtc();
-  return result;
+  return {
+      scenario_, trees_, map_, mapIsInFile, path_, isReadOnly(), QDateTime::currentDateTimeUtc()};
 }
 
 void ScenarioDocument::restoreMap(const DocumentSnapshot& snapshot) {
@@ -196,7 +186,7 @@ void ScenarioDocument::restoreMap(const DocumentSnapshot& snapshot) {
   if (snapshot.map.path.isEmpty()) {
     return;
   }
-  base::Result<MapState> onDisk = disk_->readMap(snapshot.map.path, mapRuleOf(scenario_));
+  base::Result<MapState> onDisk = disk_->readMap(snapshot.map.path, scenario_.desktop.mapRule);
   if (!snapshot.mapIsInFile) {
     map_.path = onDisk ? map_.path : QString();  // what was under the paint is gone: its own file
   } else if (onDisk) {

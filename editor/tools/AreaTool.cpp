@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "editor/document/EditCommands.h"
 #include "editor/document/FreeNames.h"
 #include "editor/look/Fields.h"

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 
+#include "editor/canvas/FrameLayer.h"
 #include "editor/document/EditCommands.h"
 #include "editor/tools/SelectionActions.h"
 #include "editor/tools/ToolRegistry.h"
@@ -62,7 +63,7 @@ class SelectTool : public Tool {
     from_ = mouse.world;
     deselectOnRelease_ = false;
     if (scene().isRunMode()) {
-      const EntityId hit = scene().agentEntityAt(mouse.world);
+      const EntityId hit = scene().frameLayer().entityAt(mouse.world);
       document().setSelection(hit ? std::vector<EntityId>{hit} : std::vector<EntityId>{});
       return;
     }
@@ -183,7 +184,8 @@ class SelectTool : public Tool {
   enum class Gesture { None, Pressed, Moving, Handle, Band };
   void hover(const CanvasMouse& mouse) {
     if (scene().isRunMode()) {
-      cursor_ = scene().agentEntityAt(mouse.world) ? Qt::PointingHandCursor : Qt::ArrowCursor;
+      cursor_ =
+          scene().frameLayer().entityAt(mouse.world) ? Qt::PointingHandCursor : Qt::ArrowCursor;
       return;
     }
     const Handle handle = scene().handleAt(mouse.world).second;
