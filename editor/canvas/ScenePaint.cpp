@@ -2,6 +2,8 @@
 
 #include <QGraphicsSceneMouseEvent>
 #include <QKeyEvent>
+#include <QPainter>
+#include <QStyleOptionGraphicsItem>
 
 #include "editor/canvas/FrameLayer.h"
 #include "sim2d/scenario/Defaults.h"
