@@ -297,16 +297,12 @@ void ScenarioDocument::takeSaved(SavePlan plan) {
 }
 
 std::optional<std::string> ScenarioDocument::treeToRun(EntityId id) const {
-  std::optional<std::string> own = tree(id);
+  constexpr auto kOurs =
+      bt::TreeStyle::Corrected;  // in a file it means the same as the generator's
   const KnownTree* known = disk_->known(id);
   const sim2d::Human* person = human(id);
-  if (own || person == nullptr || known == nullptr || !known->style) {
-    return own;
-  }
-  if (*known->style == bt::TreeStyle::Corrected) {
-    return std::nullopt;  // means the same as the generator's
-  }
-  return wantedTree(scenario_, *person);
+  const bool isOther = known != nullptr && known->style.value_or(kOurs) != kOurs;
+  return person != nullptr && isOther ? wantedTree(scenario_, *person) : tree(id);
 }
 
 app::Bundle ScenarioDocument::bundle() const {

@@ -271,17 +271,16 @@ void removeIt(ScenarioDocument& document, const Diagnostic& problem, const QStri
   pushRemove(document, {problem.entity});
 }
 
-std::string goalOf(const ScenarioDocument&, const Diagnostic& problem) {
-  return problem.value("goal");
-}
-
-std::string nearestWord(const ScenarioDocument&, const Diagnostic& problem) {
-  return problem.value("nearest");
-}
-
 /// What the command line names, the scenario cannot mend.
 std::string ownMapFile(const ScenarioDocument&, const Diagnostic& problem) {
   return problem.value("key") == "map_file" ? "map_file" : std::string();
+}
+
+using Value = std::function<std::string(const ScenarioDocument&, const Diagnostic&)>;
+
+/// What the problem itself says.
+Value said(const char* key) {
+  return [key](const ScenarioDocument&, const Diagnostic& problem) { return problem.value(key); };
 }
 
 struct Rule {
@@ -289,7 +288,7 @@ struct Rule {
   const char* words;
   Action mend;  // none: it needs a hand
   /// What fills the hole of the words; where it is empty the rule does not hold.
-  std::string (*value)(const ScenarioDocument&, const Diagnostic&) = nullptr;
+  Value value = nullptr;
 };
 
 std::vector<Rule> rules() {
@@ -304,7 +303,7 @@ std::vector<Rule> rules() {
       {{"scenario.goal-undefined", "places.no-way"},
        "Remove goal %1 from the route",
        leaveOutGoal,
-       goalOf},
+       said("goal")},
       {{"places.no-way-to-point"}, "Remove the goal", edit<sim2d::Robot>([](sim2d::Robot& robot) {
          robot.goal.point.reset();
        })},
@@ -324,7 +323,7 @@ std::vector<Rule> rules() {
          human.ours.wait.resize(human.goals.size(), 0.0);
        })},
       {{"person.no-goals"}, "Give goals…", {}},
-      {{"scenario.unknown-word"}, "Use '%1'", useKnownWord, nearestWord},
+      {{"scenario.unknown-word"}, "Use '%1'", useKnownWord, said("nearest")},
       {{"scenario.unknown-word"}, "Use the default", useKnownWord},
       {{"source.no-like", "source.like-unknown"}, "Copy %1", copyFirstPerson, firstPerson},
       {{"source.no-rate"}, "One every 10 s", edit<sim2d::Area>([](sim2d::Area& area) {

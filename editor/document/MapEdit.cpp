@@ -24,13 +24,6 @@ class SwapCommand : public QUndoCommand {
   std::function<void()> swap_;
 };
 
-/// Other cells on the ground of a grid.
-std::shared_ptr<const sim2d::OccupancyGrid> withCells(const sim2d::OccupancyGrid& grid,
-                                                      std::vector<std::int8_t> cells) {
-  return std::make_shared<sim2d::OccupancyGrid>(grid.width(), grid.height(), grid.resolution(),
-                                                grid.origin(), std::move(cells));
-}
-
 }  // namespace
 
 MapStroke::MapStroke(std::shared_ptr<const sim2d::OccupancyGrid> before)
@@ -77,10 +70,6 @@ void MapStroke::fill(const Vec2& corner, const Vec2& opposite, MapPaint paint) {
   }
 }
 
-std::shared_ptr<const sim2d::OccupancyGrid> MapStroke::grid() const {
-  return withCells(*before_, cells_);
-}
-
 std::vector<MapStroke::CellChange> MapStroke::changes() const {
   std::vector<CellChange> changes;
   for (std::size_t i = 0; i < cells_.size(); ++i) {
@@ -119,7 +108,9 @@ void pushStroke(ScenarioDocument& document, const MapStroke& stroke, const QStri
     for (MapStroke::CellChange& change : changes) {
       std::swap(cells[change.index], change.value);
     }
-    state.grid = withCells(*state.grid, std::move(cells));
+    const sim2d::OccupancyGrid& grid = *state.grid;
+    state.grid = std::make_shared<sim2d::OccupancyGrid>(
+        grid.width(), grid.height(), grid.resolution(), grid.origin(), std::move(cells));
     document.exchangeMap(std::move(state));
   };
   document.undoStack().push(new SwapCommand(text, swap));

@@ -12,7 +12,7 @@ namespace editor {
 /// What a brush leaves behind, as values of cells.
 enum class MapPaint { Free = 0, Occupied = 100, Unknown = -1 };
 
-/// Cells that were painted and what they become; a grid of its own until pushed.
+/// Cells that were painted and what they become; apart from the map until pushed.
 class MapStroke {
  public:
   explicit MapStroke(std::shared_ptr<const sim2d::OccupancyGrid> before);
@@ -20,9 +20,6 @@ class MapStroke {
   void paint(const Vec2& from, const Vec2& to, double radius, MapPaint paint);
   /// All cells whose centres lie in the rectangle (map axes) between two corners [m].
   void fill(const Vec2& corner, const Vec2& opposite, MapPaint paint);
-  /// The map with all that was painted so far; what the next `paint` changes is not in it.
-  std::shared_ptr<const sim2d::OccupancyGrid> grid() const;
-
   struct CellChange {
     std::size_t index;
     std::int8_t value;
