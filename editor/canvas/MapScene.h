@@ -99,6 +99,7 @@ class MapScene : public QGraphicsScene {
   void showFrame(std::shared_ptr<const sim2d::Frame> frame);
   bool isRunMode() const;
   FrameLayer& frameLayer() const { return *frameLayer_; }
+  const SelectionLayer& selectionLayer() const { return *selectionLayer_; }
   RouteModel& routes() const { return *routes_; }
   ToolMarks& marks();  // to be changed: they are painted anew
 
@@ -120,7 +121,6 @@ class MapScene : public QGraphicsScene {
   double bodyRadius(const Entity& entity) const;                // people and robots [m]
   std::vector<Label> labels() const;
   std::vector<QRectF> solidParts() const;  // what labels keep off, scene
-  std::pair<EntityId, Handle> handleAt(const Vec2& world) const;
 
  Q_SIGNALS:
   void optionsChanged();

@@ -156,10 +156,6 @@ std::vector<QRectF> MapScene::solidParts() const {
   return all;
 }
 
-std::pair<EntityId, Handle> MapScene::handleAt(const Vec2& world) const {
-  return selectionLayer_->handleAt(world);
-}
-
 bool MapScene::isRunMode() const {
   return frameLayer_->frame() != nullptr;
 }

@@ -130,12 +130,6 @@ std::shared_ptr<const sim2d::OccupancyGrid> emptyRoom(double width, double heigh
       columns, rows, resolution, Pose2{Vec2(-resolution, -resolution), 0.0}, std::move(cells));
 }
 
-std::shared_ptr<const sim2d::OccupancyGrid> rescaled(const sim2d::OccupancyGrid& grid,
-                                                     double resolution, const Pose2& origin) {
-  return std::make_shared<sim2d::OccupancyGrid>(grid.width(), grid.height(), resolution, origin,
-                                                grid.cells());
-}
-
 base::Result<std::shared_ptr<const sim2d::OccupancyGrid>> gridOfImage(const QString& imagePath,
                                                                       double resolution) {
   sim2d::MapDescription description;

@@ -45,10 +45,6 @@ void pushStroke(ScenarioDocument& document, const MapStroke& stroke, const QStri
 /// the free ground at (0, 0).
 std::shared_ptr<const sim2d::OccupancyGrid> emptyRoom(double width, double height,
                                                       double resolution = 0.05);
-/// The same cells with another size and place: `resolution` [m], origin of the lower left corner.
-std::shared_ptr<const sim2d::OccupancyGrid> rescaled(const sim2d::OccupancyGrid& grid,
-                                                     double resolution, const Pose2& origin);
-
 /// An image without a YAML file: dark is occupied, bright is free, as nav2 reads it; `resolution`
 /// [m], lower left corner at (0, 0).
 base::Result<std::shared_ptr<const sim2d::OccupancyGrid>> gridOfImage(const QString& imagePath,

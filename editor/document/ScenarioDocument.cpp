@@ -140,10 +140,6 @@ int ScenarioDocument::indexOf(EntityId id) const {
       scenario_, id.kind, [id](const auto& list) { return positionIn(list, id); }, -1);
 }
 
-EntityId ScenarioDocument::newId(EntityKind kind) {
-  return {kind, nextKey_++};
-}
-
 EntitySlot ScenarioDocument::exchange(EntityId id, EntitySlot slot) {
   const Step step(*this);
   const bool after = slot.value.has_value();

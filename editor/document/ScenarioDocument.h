@@ -79,9 +79,9 @@ class ScenarioDocument : public QObject {
   /// The entity as its own type; null when it is not there. Valid until the next edit.
   const sim2d::Human* human(EntityId id) const;
   const sim2d::GlobalGoal* goal(EntityId id) const;
-  EntityId goalKey(int goalId) const;  // of the goal with this number
-  int indexOf(EntityId id) const;      // in its list, -1 = not there
-  EntityId newId(EntityKind kind);     // never given before in this document
+  EntityId goalKey(int goalId) const;                             // of the goal with this number
+  int indexOf(EntityId id) const;                                 // in its list, -1 = not there
+  EntityId newId(EntityKind kind) { return {kind, nextKey_++}; }  // never given before here
   EntitySlot exchange(EntityId id, EntitySlot slot);
   /// What is exchanged while it lives is one step, steps within it included: `changed` tells of
   /// each thing, `settled` and `selectionChanged` of all at once when the outermost ends.

@@ -133,7 +133,7 @@ class SelectTool : public Tool {
     if (corners == nullptr) {
       return;
     }
-    const auto [owner, handle] = scene().handleAt(mouse.world);
+    const auto [owner, handle] = scene().selectionLayer().handleAt(mouse.world);
     if (handle.kind == Handle::Kind::Vertex) {
       end();
       if (corners->size() > fewestCorners(*value)) {
@@ -188,7 +188,7 @@ class SelectTool : public Tool {
           scene().frameLayer().entityAt(mouse.world) ? Qt::PointingHandCursor : Qt::ArrowCursor;
       return;
     }
-    const Handle handle = scene().handleAt(mouse.world).second;
+    const Handle handle = scene().selectionLayer().handleAt(mouse.world).second;
     const EntityId id =
         handle.kind == Handle::Kind::None ? scene().entityAt(mouse.world) : EntityId{};
     scene().setHovered(id);
@@ -211,7 +211,7 @@ class SelectTool : public Tool {
   }
 
   bool grabHandle(const CanvasMouse& mouse) {
-    const auto [id, handle] = scene().handleAt(mouse.world);
+    const auto [id, handle] = scene().selectionLayer().handleAt(mouse.world);
     if (handle.kind == Handle::Kind::None) {
       return false;
     }
