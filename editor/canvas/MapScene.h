@@ -74,8 +74,8 @@ class MapScene : public QGraphicsScene {
   void setTool(Tool* tool);
   Tool* tool() const { return tool_; }
 
-  /// The topmost entity within `reachPx` screen pixels; none if there is none.
-  EntityId entityAt(const Vec2& world, double reachPx = 6.0) const;
+  /// The topmost entity within 6 screen pixels; none if there is none.
+  EntityId entityAt(const Vec2& world) const;
   std::vector<EntityId> entitiesIn(const Vec2& corner, const Vec2& opposite) const;
   EntityItem* item(EntityId id) const;
   void setHovered(EntityId id);

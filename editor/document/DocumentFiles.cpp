@@ -128,11 +128,6 @@ void ScenarioDocument::putMap(MapState map) {
   pushMap(*this, std::move(map), std::move(settings), tr("Change map"));
 }
 
-void ScenarioDocument::setMap(std::shared_ptr<const sim2d::OccupancyGrid> map,
-                              const QString& path) {
-  exchangeMap({std::move(map), path, false, {}});
-}
-
 MapState ScenarioDocument::exchangeMap(MapState map) {
   Q_ASSERT(map.grid != nullptr);
   MapState old = std::exchange(map_, std::move(map));

@@ -131,17 +131,16 @@ bool isMadeOfPoints(const Entity& entity) {
 }
 
 void resize(Entity& entity, int corner, const Vec2& to, bool fine) {
+  auto* obstacle = std::get_if<sim2d::Obstacle>(&entity);
+  if (obstacle != nullptr && obstacle->kind == sim2d::ObstacleKind::Box) {
+    resizeBox(*obstacle, corner, to, fine);
+    return;
+  }
+  const double reach = (to - *positionOf(entity)).cwiseAbs().maxCoeff();
   if (auto* human = std::get_if<sim2d::Human>(&entity)) {
-    const Vec2 offset = (to - human->initPose.position).cwiseAbs();
-    human->radius =
-        std::clamp(onCentimetres(offset.maxCoeff() / kFrame, fine), kSmallest, kLargestBody);
-  } else if (auto* obstacle = std::get_if<sim2d::Obstacle>(&entity)) {
-    if (obstacle->kind == sim2d::ObstacleKind::Box) {
-      resizeBox(*obstacle, corner, to, fine);
-    } else {
-      const Vec2 offset = (to - obstacle->pose.position).cwiseAbs();
-      obstacle->radius = std::max(kSmallest, onCentimetres(offset.maxCoeff(), fine));
-    }
+    human->radius = std::clamp(onCentimetres(reach / kFrame, fine), kSmallest, kLargestBody);
+  } else if (obstacle != nullptr) {
+    obstacle->radius = std::max(kSmallest, onCentimetres(reach, fine));
   }
 }
 

@@ -108,7 +108,9 @@ class ScenarioDocument : public QObject {
   // map; never null, an empty grid is the open plane
   std::shared_ptr<const sim2d::OccupancyGrid> map() const { return map_.grid; }
   QString mapPath() const { return map_.path; }  // of the YAML; empty: none, or not from a file
-  void setMap(std::shared_ptr<const sim2d::OccupancyGrid> map, const QString& path = {});
+  void setMap(std::shared_ptr<const sim2d::OccupancyGrid> map) {
+    exchangeMap({std::move(map), {}, false, {}});
+  }
   const MapState& mapState() const { return map_; }
   MapState exchangeMap(MapState map);
 
