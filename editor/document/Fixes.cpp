@@ -276,10 +276,10 @@ std::string ownMapFile(const ScenarioDocument&, const Diagnostic& problem) {
   return problem.value("key") == "map_file" ? "map_file" : std::string();
 }
 
-using Value = std::function<std::string(const ScenarioDocument&, const Diagnostic&)>;
+using Filling = std::function<std::string(const ScenarioDocument&, const Diagnostic&)>;
 
 /// What the problem itself says.
-Value said(const char* key) {
+Filling said(const char* key) {
   return [key](const ScenarioDocument&, const Diagnostic& problem) { return problem.value(key); };
 }
 
@@ -288,7 +288,7 @@ struct Rule {
   const char* words;
   Action mend;  // none: it needs a hand
   /// What fills the hole of the words; where it is empty the rule does not hold.
-  Value value = nullptr;
+  Filling value = nullptr;
 };
 
 std::vector<Rule> rules() {
