@@ -303,7 +303,8 @@ std::shared_ptr<const sim2d::OccupancyGrid> ImageMapDialog::map() const {
   const QPointF first = view_->points().empty() ? QPointF(0.0, 0.0) : view_->points().front();
   const base::Vec2 origin(firstX_->value() - first.x() * metresPerPixel,
                           firstY_->value() - first.y() * metresPerPixel);
-  return editor::rescaled(*grid_, metresPerPixel, {origin, 0.0});
+  return std::make_shared<sim2d::OccupancyGrid>(grid_->width(), grid_->height(), metresPerPixel,
+                                                base::Pose2{origin, 0.0}, grid_->cells());
 }
 
 }  // namespace app

@@ -51,7 +51,8 @@ Layer* addLayer(MapScene& scene, Depth depth) {
   return layer;
 }
 
-constexpr double kFaded = 0.2;  // opacity
+constexpr double kFaded = 0.2;    // opacity
+constexpr double kReachPx = 6.0;  // from the mouse
 
 /// Puts a value in the place of the one with its id, or at the end of its list.
 void putInto(sim2d::Scenario& scenario, const Entity& value) {
@@ -201,8 +202,8 @@ EntityItem* MapScene::item(EntityId id) const {
   return found == items_.end() ? nullptr : found->second;
 }
 
-EntityId MapScene::entityAt(const Vec2& world, double reachPx) const {
-  const double reach = reachPx / pixelsPerMetre_;
+EntityId MapScene::entityAt(const Vec2& world) const {
+  const double reach = kReachPx / pixelsPerMetre_;
   EntityId best;
   double bestDepth = -1.0;
   double bestDistance = std::numeric_limits<double>::max();

@@ -74,8 +74,8 @@ class MapScene : public QGraphicsScene {
   void setTool(Tool* tool);
   Tool* tool() const { return tool_; }
 
-  /// The topmost entity within `reachPx` screen pixels; none if there is none.
-  EntityId entityAt(const Vec2& world, double reachPx = 6.0) const;
+  /// The topmost entity within 6 screen pixels; none if there is none.
+  EntityId entityAt(const Vec2& world) const;
   std::vector<EntityId> entitiesIn(const Vec2& corner, const Vec2& opposite) const;
   EntityItem* item(EntityId id) const;
   void setHovered(EntityId id);
@@ -98,8 +98,8 @@ class MapScene : public QGraphicsScene {
   /// Run mode: people and robots are drawn from frames; an empty pointer ends it.
   void showFrame(std::shared_ptr<const sim2d::Frame> frame);
   bool isRunMode() const;
-  EntityId agentEntityAt(const Vec2& world) const;
   FrameLayer& frameLayer() const { return *frameLayer_; }
+  const SelectionLayer& selectionLayer() const { return *selectionLayer_; }
   RouteModel& routes() const { return *routes_; }
   ToolMarks& marks();  // to be changed: they are painted anew
 
@@ -121,7 +121,6 @@ class MapScene : public QGraphicsScene {
   double bodyRadius(const Entity& entity) const;                // people and robots [m]
   std::vector<Label> labels() const;
   std::vector<QRectF> solidParts() const;  // what labels keep off, scene
-  std::pair<EntityId, Handle> handleAt(const Vec2& world) const;
 
  Q_SIGNALS:
   void optionsChanged();

@@ -2,6 +2,8 @@
 
 #include <QGraphicsSceneMouseEvent>
 #include <QKeyEvent>
+#include <QPainter>
+#include <QStyleOptionGraphicsItem>
 
 #include "editor/canvas/FrameLayer.h"
 #include "sim2d/scenario/Defaults.h"
@@ -152,14 +154,6 @@ std::vector<QRectF> MapScene::solidParts() const {
   }
   append(all, isRunMode() ? frameLayer_->solidParts() : selectionLayer_->solidParts());
   return all;
-}
-
-std::pair<EntityId, Handle> MapScene::handleAt(const Vec2& world) const {
-  return selectionLayer_->handleAt(world);
-}
-
-EntityId MapScene::agentEntityAt(const Vec2& world) const {
-  return frameLayer_->entityAt(world);
 }
 
 bool MapScene::isRunMode() const {

@@ -3,32 +3,16 @@
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/PixelFrame.h"
-#include "sim2d/map/Outlines.h"
+#include "sim2d/scenario/ScenarioCheck.h"
 
 namespace editor {
 
 namespace {
 
-constexpr double kDefaultWall = 0.1;   // [m]
-constexpr double kDefaultDoor = 0.05;  // [m]
 constexpr double kSignPx = 16.0;       // of what an area does
 constexpr double kSignInsetPx = 14.0;  // its middle from the corner
 constexpr double kLabelGapPx = 6.0;    // of the name from the edges
 constexpr double kLeastSignPx = 12.0;  // areas that are smaller on the screen show none
-
-std::vector<sim2d::Outline> outlinesOf(const sim2d::Obstacle& obstacle) {
-  switch (obstacle.kind) {
-    case sim2d::ObstacleKind::Box:
-      return {sim2d::boxOutline(obstacle.pose, obstacle.length, obstacle.width)};
-    case sim2d::ObstacleKind::Circle:
-      return {sim2d::circleOutline(obstacle.pose.position, obstacle.radius)};
-    case sim2d::ObstacleKind::Polygon:
-      return {sim2d::polygonOutline(obstacle.points)};
-    case sim2d::ObstacleKind::Wall:
-      break;
-  }
-  return sim2d::wallOutlines(obstacle.points, obstacle.thickness.value_or(kDefaultWall));
-}
 
 double distanceToOutline(const Vec2& point, const sim2d::Outline& outline) {
   double nearest = std::numeric_limits<double>::max();
@@ -100,10 +84,9 @@ class ShapeItem : public EntityItem {
     value_ = value;
     outlines_.clear();
     if (const auto* obstacle = std::get_if<sim2d::Obstacle>(&value_)) {
-      outlines_ = outlinesOf(*obstacle);
+      outlines_ = sim2d::outlinesOf(*obstacle);
     } else if (const auto* door = std::get_if<sim2d::Door>(&value_)) {
-      outlines_ =
-          sim2d::wallOutlines({door->from, door->to}, door->thickness.value_or(kDefaultDoor));
+      outlines_ = sim2d::outlinesOf(*door);
     } else if (const auto* area = std::get_if<sim2d::Area>(&value_)) {
       outlines_ = {sim2d::polygonOutline(area->points)};
     }

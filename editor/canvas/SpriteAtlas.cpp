@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include <QPaintDevice>
-
 namespace editor {
 
 namespace {

@@ -172,35 +172,20 @@ double snappedAngle(double heading, double step) {
 }
 
 std::vector<Vec2> snapPointsOf(const Entity& entity) {
-  if (const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity)) {
-    if (obstacle->kind == sim2d::ObstacleKind::Circle) {
-      return {obstacle->pose.position};
-    }
-    if (obstacle->kind != sim2d::ObstacleKind::Box) {
-      return obstacle->points;
-    }
-    std::vector<Vec2> points =
-        sim2d::boxOutline(obstacle->pose, obstacle->length, obstacle->width).points;
-    points.push_back(obstacle->pose.position);
-    return points;
+  if (kindOf(entity) == EntityKind::Human) {
+    return {};
   }
-  if (const auto* door = std::get_if<sim2d::Door>(&entity)) {
-    return {door->from, door->to};
+  std::vector<Vec2> points = pointsOf(entity);
+  const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity);
+  if (obstacle != nullptr && obstacle->kind == sim2d::ObstacleKind::Box) {
+    const auto corners = sim2d::boxOutline(obstacle->pose, obstacle->length, obstacle->width);
+    points.insert(points.begin(), corners.points.begin(), corners.points.end());
   }
-  if (const auto* area = std::get_if<sim2d::Area>(&entity)) {
-    return area->points;
+  const auto* robot = std::get_if<sim2d::Robot>(&entity);
+  if (robot != nullptr && robot->goal.point) {
+    points.push_back(*robot->goal.point);
   }
-  if (const auto* goal = std::get_if<sim2d::GlobalGoal>(&entity)) {
-    return {goal->position};
-  }
-  if (const auto* robot = std::get_if<sim2d::Robot>(&entity)) {
-    std::vector<Vec2> points = {robot->start.position};
-    if (robot->goal.point) {
-      points.push_back(*robot->goal.point);
-    }
-    return points;
-  }
-  return {};
+  return points;
 }
 
 Snapped snapped(const MapScene& scene, const CanvasMouse& mouse, const SnapWish& wish) {

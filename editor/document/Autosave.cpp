@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -110,13 +109,14 @@ base::Result<DocumentSnapshot> readSnapshot(const QString& folder) {
       base::append(problems, asWarnings({found}));
     }
   }
-  DocumentSnapshot result;
-  result.scenario = std::move(reading.scenario);
-  result.map = *std::move(map);
-  result.mapIsInFile = notes[QStringLiteral("map_is_in_file")].toBool(true);
-  result.path = notes[QStringLiteral("path")].toString();
-  result.readOnly = notes[QStringLiteral("read_only")].toBool();
-  result.when = QDateTime::fromString(notes[QStringLiteral("when")].toString(), Qt::ISODateWithMs);
+  const auto note = [&notes](const char* key) { return notes[QLatin1String(key)]; };
+  DocumentSnapshot result{std::move(reading.scenario),
+                          {},
+                          *std::move(map),
+                          note("map_is_in_file").toBool(true),
+                          note("path").toString(),
+                          note("read_only").toBool(),
+                          QDateTime::fromString(note("when").toString(), Qt::ISODateWithMs)};
   for (const QJsonValue& value : notes[QStringLiteral("trees")].toArray()) {
     const int number = value.toInt(-1);
     base::Result<std::string> tree = base::readTextFile(in(folder, treeFile(number)));

@@ -9,10 +9,10 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include "app/run/Bundle.h"
 #include "editor/document/EntityLists.h"
 #include "editor/document/QtImageLoader.h"
 #include "editor/document/TreeFiles.h"
-#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
@@ -33,9 +33,11 @@ void DocumentDisk::noteFile(const QString& file) {
   hashes[QFileInfo(file).absoluteFilePath()] = hashOfFile(file);
 }
 
-base::Result<MapState> DocumentDisk::readMap(const QString& yamlPath, sim2d::MapRule rule) {
+base::Result<MapState> DocumentDisk::readMap(const QString& yamlPath,
+                                             const std::optional<std::string>& rule) {
   const QString path = QFileInfo(yamlPath).absoluteFilePath();
-  base::Result<sim2d::MapFile> map = sim2d::readMap(path.toStdString(), loadMapImage, rule);
+  base::Result<sim2d::MapFile> map =
+      app::readMapFile(path.toStdString(), rule.value_or(std::string()), loadMapImage);
   if (!map) {
     return map.diagnostics();
   }

@@ -5,7 +5,6 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <QByteArray>
@@ -60,8 +59,9 @@ struct DocumentDisk {
   std::size_t readCount = 0;  // load problems, the first ones, that are of the scenario file itself
 
   void note(const QString& file, const std::string& content);
-  void noteFile(const QString& file);                                            // as it is now
-  base::Result<MapState> readMap(const QString& yamlPath, sim2d::MapRule rule);  // and notes it
+  void noteFile(const QString& file);  // as it is now
+  /// By the rule of that name, and notes it.
+  base::Result<MapState> readMap(const QString& yamlPath, const std::optional<std::string>& rule);
   const KnownTree* known(EntityId human) const;
   bool holds(const MapState& map) const;  // the cells are those of its file
   /// Somebody has written the name of another file into the settings.

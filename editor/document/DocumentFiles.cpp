@@ -18,10 +18,6 @@ namespace editor {
 
 namespace {
 
-sim2d::MapRule mapRuleOf(const sim2d::Scenario& scenario) {
-  return scenario.desktop.mapRule == "main" ? sim2d::MapRule::Main : sim2d::MapRule::Humble;
-}
-
 /// By its name, of one that is there.
 bool isYaml(const QString& path) {
   const QString suffix = QFileInfo(path).suffix().toLower();
@@ -93,7 +89,7 @@ void ScenarioDocument::loadMap() {
   sim2d::addPlaceOfMap(map.problems, path_.toStdString());
   if (found && !found->empty()) {
     base::Result<MapState> read =
-        disk_->readMap(QString::fromStdString(*found), mapRuleOf(scenario_));
+        disk_->readMap(QString::fromStdString(*found), scenario_.desktop.mapRule);
     if (read) {
       map = *std::move(read);
     } else {
@@ -105,7 +101,7 @@ void ScenarioDocument::loadMap() {
 }
 
 base::Diagnostics ScenarioDocument::openMap(const QString& yamlPath) {
-  base::Result<MapState> map = disk_->readMap(yamlPath, mapRuleOf(scenario_));
+  base::Result<MapState> map = disk_->readMap(yamlPath, scenario_.desktop.mapRule);
   const base::Diagnostics problems = map.diagnostics();
   if (map) {
     putMap(*std::move(map));
@@ -115,7 +111,7 @@ base::Diagnostics ScenarioDocument::openMap(const QString& yamlPath) {
 
 base::Diagnostics ScenarioDocument::newOnMap(const QString& yamlPath) {
   DocumentDisk read;
-  base::Result<MapState> map = read.readMap(yamlPath, sim2d::MapRule::Humble);
+  base::Result<MapState> map = read.readMap(yamlPath, {});
   const base::Diagnostics problems = map.diagnostics();
   if (map) {
     clear();
@@ -130,11 +126,6 @@ void ScenarioDocument::putMap(MapState map) {
   settings.map = baseNameOf(map.path);
   settings.desktop.mapFile.reset();
   pushMap(*this, std::move(map), std::move(settings), tr("Change map"));
-}
-
-void ScenarioDocument::setMap(std::shared_ptr<const sim2d::OccupancyGrid> map,
-                              const QString& path) {
-  exchangeMap({std::move(map), path, false, {}});
 }
 
 MapState ScenarioDocument::exchangeMap(MapState map) {
@@ -175,16 +166,10 @@ base::Diagnostics ScenarioDocument::loadTrees() {
 }
 
 DocumentSnapshot ScenarioDocument::snapshot() const {
-  DocumentSnapshot result;
-  result.scenario = scenario_;
-  result.trees = trees_;
-  result.map = map_;
-  result.mapIsInFile =
+  const bool mapIsInFile =
       map_.grid->isEmpty() || (disk_->maps.count(map_.path) > 0 && disk_->holds(map_));
-  result.path = path_;
-  result.readOnly = isReadOnly();
-  result.when = QDateTime::currentDateTimeUtc();
-  return result;
+  return {
+      scenario_, trees_, map_, mapIsInFile, path_, isReadOnly(), QDateTime::currentDateTimeUtc()};
 }
 
 void ScenarioDocument::restoreMap(const DocumentSnapshot& snapshot) {
@@ -196,7 +181,7 @@ void ScenarioDocument::restoreMap(const DocumentSnapshot& snapshot) {
   if (snapshot.map.path.isEmpty()) {
     return;
   }
-  base::Result<MapState> onDisk = disk_->readMap(snapshot.map.path, mapRuleOf(scenario_));
+  base::Result<MapState> onDisk = disk_->readMap(snapshot.map.path, scenario_.desktop.mapRule);
   if (!snapshot.mapIsInFile) {
     map_.path = onDisk ? map_.path : QString();  // what was under the paint is gone: its own file
   } else if (onDisk) {
@@ -307,16 +292,12 @@ void ScenarioDocument::takeSaved(SavePlan plan) {
 }
 
 std::optional<std::string> ScenarioDocument::treeToRun(EntityId id) const {
-  std::optional<std::string> own = tree(id);
+  constexpr auto kOurs =
+      bt::TreeStyle::Corrected;  // in a file it means the same as the generator's
   const KnownTree* known = disk_->known(id);
   const sim2d::Human* person = human(id);
-  if (own || person == nullptr || known == nullptr || !known->style) {
-    return own;
-  }
-  if (*known->style == bt::TreeStyle::Corrected) {
-    return std::nullopt;  // means the same as the generator's
-  }
-  return wantedTree(scenario_, *person);
+  const bool isOther = known != nullptr && known->style.value_or(kOurs) != kOurs;
+  return person != nullptr && isOther ? wantedTree(scenario_, *person) : tree(id);
 }
 
 app::Bundle ScenarioDocument::bundle() const {

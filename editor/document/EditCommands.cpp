@@ -77,16 +77,6 @@ QString textFor(const QString& verb, const std::vector<Entity>& values) {
   return QStringLiteral("%1 %2 things").arg(verb).arg(values.size());
 }
 
-std::vector<Entity> valuesOf(const ScenarioDocument& document, const std::vector<EntityId>& ids) {
-  std::vector<Entity> values;
-  for (const EntityId id : ids) {
-    if (std::optional<Entity> value = document.entity(id)) {
-      values.push_back(*std::move(value));
-    }
-  }
-  return values;
-}
-
 /// What `change` makes of each, in one step.
 template <class Change>
 void pushEach(ScenarioDocument& document, const std::vector<EntityId>& ids, const QString& verb,
@@ -128,6 +118,33 @@ void renamePerson(Draft& draft, const std::string& from, const std::optional<std
 
 }  // namespace
 
+std::vector<Entity> valuesOf(const ScenarioDocument& document, const std::vector<EntityId>& ids) {
+  std::vector<Entity> values;
+  for (const EntityId id : ids) {
+    if (std::optional<Entity> value = document.entity(id)) {
+      values.push_back(*std::move(value));
+    }
+  }
+  return values;
+}
+
+std::vector<Entity> withRoute(const ScenarioDocument& document, const std::vector<EntityId>& ids,
+                              const std::vector<int>& goals) {
+  std::vector<Entity> values;
+  for (Entity& value : valuesOf(document, ids)) {
+    if (auto* human = std::get_if<sim2d::Human>(&value)) {
+      setGoals(*human, goals);
+    } else if (auto* robot = std::get_if<sim2d::Robot>(&value)) {
+      robot->goal.point.reset();
+      robot->goal.goals = goals;
+    } else {
+      continue;
+    }
+    values.push_back(std::move(value));
+  }
+  return values;
+}
+
 void Draft::set(Entity value, int index) {
   const EntityId id = idOf(value);
   slotOf(id) = {std::move(value), index};
@@ -166,14 +183,10 @@ void Draft::push(const QString& text, Merge merge) {
 void pushEdit(ScenarioDocument& document, std::vector<Entity> values, const QString& text,
               Merge merge) {
   Draft draft(document);
-  Places places(document.scenario());
   for (Entity& value : values) {
-    const std::optional<Entity> old = document.entity(idOf(value));
-    if (!old) {
-      continue;
+    if (document.contains(idOf(value))) {
+      draft.set(std::move(value));
     }
-    const int index = isListed(*old) == isListed(value) ? -1 : places.of(value);
-    draft.set(std::move(value), index);
   }
   draft.push(text, merge);
 }
@@ -190,10 +203,8 @@ std::vector<EntityId> pushAdd(ScenarioDocument& document, std::vector<Entity> va
   }
   const QString fullText = text.isEmpty() ? textFor(QStringLiteral("Add"), values) : text;
   Draft draft(document);
-  Places places(document.scenario());
   for (Entity& value : values) {
-    const int index = places.of(value);
-    draft.set(std::move(value), index);
+    draft.set(std::move(value));
   }
   for (const auto& [place, xml] : trees) {
     draft.setTree(ids[place], xml);
@@ -281,18 +292,7 @@ bool pushGoalNumber(ScenarioDocument& document, EntityId id, int number) {
 
 void pushRoute(ScenarioDocument& document, const std::vector<EntityId>& humans,
                const std::vector<int>& goals) {
-  std::vector<Entity> values;
-  for (Entity& value : valuesOf(document, humans)) {
-    if (auto* human = std::get_if<sim2d::Human>(&value)) {
-      setGoals(*human, goals);
-    } else if (auto* robot = std::get_if<sim2d::Robot>(&value)) {
-      robot->goal.point.reset();
-      robot->goal.goals = goals;
-    } else {
-      continue;
-    }
-    values.push_back(std::move(value));
-  }
+  std::vector<Entity> values = withRoute(document, humans, goals);
   const QString text = textFor(QStringLiteral("Route of"), values);
   pushEdit(document, std::move(values), text);
 }

@@ -17,6 +17,12 @@ struct TreeEdit {
   std::optional<std::string> xml;
 };
 
+/// Those of them that are there.
+std::vector<Entity> valuesOf(const ScenarioDocument& document, const std::vector<EntityId>& ids);
+/// The people and robots among them, with that route.
+std::vector<Entity> withRoute(const ScenarioDocument& document, const std::vector<EntityId>& ids,
+                              const std::vector<int>& goals);
+
 /// Each function pushes at most one command; nothing is pushed when nothing would change.
 void pushEdit(ScenarioDocument& document, std::vector<Entity> values, const QString& text,
               Merge merge = Merge::Never);

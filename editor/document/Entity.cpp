@@ -130,19 +130,20 @@ std::vector<Vec2*> pointsIn(Entity& entity) {
       entity);
 }
 
+std::vector<Vec2> pointsOf(const Entity& entity) {
+  std::vector<Vec2> points;
+  for (const Vec2* point : pointsIn(const_cast<Entity&>(entity))) {
+    points.push_back(*point);
+  }
+  return points;
+}
+
 std::optional<Vec2> positionOf(const Entity& entity) {
   if (kindOf(entity) == EntityKind::Scenario) {
     return std::nullopt;
   }
-  const std::vector<Vec2*> points = pointsIn(const_cast<Entity&>(entity));
-  if (points.empty()) {
-    return Vec2::Zero();
-  }
-  Extent extent{*points.front(), *points.front()};
-  for (const Vec2* point : points) {
-    extent.include({*point, *point});
-  }
-  return extent.centre();
+  const std::optional<Extent> extent = extentOf(pointsOf(entity));
+  return extent ? extent->centre() : Vec2(Vec2::Zero());
 }
 
 std::optional<double> headingOf(const Entity& entity) {

@@ -53,6 +53,7 @@ QString areaKindName(sim2d::AreaKind kind);          // "source", "waiting" …
 /// The points that say where it is, or what its outline runs through; none for the settings. A
 /// robot's own goal point is not among them.
 std::vector<Vec2*> pointsIn(Entity& entity);
+std::vector<Vec2> pointsOf(const Entity& entity);
 /// Where it is on the map (centre of its points); nothing for the settings.
 std::optional<Vec2> positionOf(const Entity& entity);
 std::optional<double> headingOf(const Entity& entity);  // people, robots, boxes

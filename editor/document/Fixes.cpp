@@ -156,20 +156,16 @@ void renumberGoals(ScenarioDocument& document, const Diagnostic&, const QString&
 }
 
 void leaveOutGoal(ScenarioDocument& document, const Diagnostic& problem, const QString& text) {
-  std::optional<Entity> value = document.entity(problem.entity);
   const int goal = std::stoi(problem.value("goal"));
   const auto without = [goal](std::vector<int> goals) {
     goals.erase(std::remove(goals.begin(), goals.end(), goal), goals.end());
     return goals;
   };
-  if (auto* human = value ? std::get_if<sim2d::Human>(&*value) : nullptr) {
-    setGoals(*human, without(human->goals));
-  } else if (auto* robot = value ? std::get_if<sim2d::Robot>(&*value) : nullptr) {
-    robot->goal.goals = without(robot->goal.goals);
-  } else {
-    return;
-  }
-  pushEdit(document, {*std::move(value)}, text);
+  pushChange<sim2d::Human>(document, problem.entity, text,
+                           [&](sim2d::Human& human) { setGoals(human, without(human.goals)); });
+  pushChange<sim2d::Robot>(document, problem.entity, text, [&](sim2d::Robot& robot) {
+    robot.goal.goals = without(robot.goal.goals);
+  });
 }
 
 void giveFreeName(ScenarioDocument& document, const Diagnostic& problem, const QString& text) {
@@ -186,13 +182,12 @@ void giveFreeName(ScenarioDocument& document, const Diagnostic& problem, const Q
 
 /// In a free place near the people, its goal on their other side.
 void addRobot(ScenarioDocument& document, const Diagnostic&, const QString&) {
+  const std::vector<sim2d::Human>& people = document.scenario().humans;
   Vec2 centre = Vec2::Zero();
-  int count = 0;
-  for (const sim2d::Human& human : document.scenario().humans) {
+  for (const sim2d::Human& human : people) {
     centre += human.initPose.position;
-    ++count;
   }
-  centre /= std::max(count, 1);
+  centre /= std::max(static_cast<int>(people.size()), 1);
   const double radius = sim2d::resolveRobot({}, {}, -1).radius;
   sim2d::Robot robot;
   const Vec2 start = centre + Vec2(-2.0, 0.0);
@@ -276,17 +271,16 @@ void removeIt(ScenarioDocument& document, const Diagnostic& problem, const QStri
   pushRemove(document, {problem.entity});
 }
 
-std::string goalOf(const ScenarioDocument&, const Diagnostic& problem) {
-  return problem.value("goal");
-}
-
-std::string nearestWord(const ScenarioDocument&, const Diagnostic& problem) {
-  return problem.value("nearest");
-}
-
 /// What the command line names, the scenario cannot mend.
 std::string ownMapFile(const ScenarioDocument&, const Diagnostic& problem) {
   return problem.value("key") == "map_file" ? "map_file" : std::string();
+}
+
+using Filling = std::function<std::string(const ScenarioDocument&, const Diagnostic&)>;
+
+/// What the problem itself says.
+Filling said(const char* key) {
+  return [key](const ScenarioDocument&, const Diagnostic& problem) { return problem.value(key); };
 }
 
 struct Rule {
@@ -294,7 +288,7 @@ struct Rule {
   const char* words;
   Action mend;  // none: it needs a hand
   /// What fills the hole of the words; where it is empty the rule does not hold.
-  std::string (*value)(const ScenarioDocument&, const Diagnostic&) = nullptr;
+  Filling value = nullptr;
 };
 
 std::vector<Rule> rules() {
@@ -309,7 +303,7 @@ std::vector<Rule> rules() {
       {{"scenario.goal-undefined", "places.no-way"},
        "Remove goal %1 from the route",
        leaveOutGoal,
-       goalOf},
+       said("goal")},
       {{"places.no-way-to-point"}, "Remove the goal", edit<sim2d::Robot>([](sim2d::Robot& robot) {
          robot.goal.point.reset();
        })},
@@ -329,7 +323,7 @@ std::vector<Rule> rules() {
          human.ours.wait.resize(human.goals.size(), 0.0);
        })},
       {{"person.no-goals"}, "Give goals…", {}},
-      {{"scenario.unknown-word"}, "Use '%1'", useKnownWord, nearestWord},
+      {{"scenario.unknown-word"}, "Use '%1'", useKnownWord, said("nearest")},
       {{"scenario.unknown-word"}, "Use the default", useKnownWord},
       {{"source.no-like", "source.like-unknown"}, "Copy %1", copyFirstPerson, firstPerson},
       {{"source.no-rate"}, "One every 10 s", edit<sim2d::Area>([](sim2d::Area& area) {
@@ -361,12 +355,13 @@ std::optional<Fix> fixFor(const ScenarioDocument& document, const base::Diagnost
     }
     QString words = QObject::tr(rule.words);
     words.replace(QStringLiteral("%1"), QString::fromStdString(value));
-    if (!rule.mend) {
-      return Fix{words, {}, true};
+    Fix fix{words, {}};
+    if (rule.mend) {
+      fix.apply = [mend = rule.mend, problem, words](ScenarioDocument& edited) {
+        mend(edited, problem, words);
+      };
     }
-    return Fix{words, [mend = rule.mend, problem, words](ScenarioDocument& edited) {
-                 mend(edited, problem, words);
-               }};
+    return fix;
   }
   return std::nullopt;
 }

@@ -10,11 +10,10 @@
 namespace editor {
 
 /// A way to mend a problem: the words of its button and one undoable step. Without `apply` it needs
-/// a hand: `asksForGoals` opens the assignment of goals.
+/// a hand: the button opens the assignment of goals.
 struct Fix {
   QString words;
   std::function<void(ScenarioDocument&)> apply;
-  bool asksForGoals = false;
 };
 
 /// How to mend a problem that checkScenario() told of this document; nothing for those that only a

@@ -1,11 +1,8 @@
 #include "editor/document/FreeNames.h"
 
-#include <algorithm>
 #include <type_traits>
 
-#include "editor/document/EditCommands.h"
 #include "editor/document/EntityLists.h"
-#include "sim2d/base/Text.h"
 
 namespace editor {
 
@@ -78,39 +75,6 @@ void FreeNames::give(Entity& value) {
   } else {
     names_.insert(wanted);
   }
-}
-
-Places::Places(const sim2d::Scenario& scenario) {
-  forEachList(scenario, [this](EntityKind kind, const auto& list) {
-    for (const auto& value : list) {
-      Row row{value.key, true, 0};
-      if constexpr (kIsNamed<std::decay_t<decltype(value)>>) {
-        row.listed = value.listed;
-      }
-      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, sim2d::Human>) {
-        row.number = value.id;
-      }
-      rows_[kind].push_back(row);
-    }
-  });
-}
-
-int Places::of(const Entity& value) {
-  std::vector<Row>& rows = rows_[kindOf(value)];
-  const auto* human = std::get_if<sim2d::Human>(&value);
-  const Row row{idOf(value), isListed(value), human == nullptr ? 0 : human->id};
-  const auto old =
-      std::find_if(rows.begin(), rows.end(), [&](const Row& other) { return other.id == row.id; });
-  const bool isBack = human != nullptr && row.listed && old != rows.end();
-  if (old != rows.end()) {
-    rows.erase(old);
-  }
-  const auto place = std::find_if(rows.begin(), rows.end(), [&](const Row& other) {
-    return row.listed && (!other.listed || (isBack && other.number > row.number));
-  });
-  const auto index = static_cast<int>(place - rows.begin());
-  rows.insert(place, row);
-  return index;
 }
 
 }  // namespace editor

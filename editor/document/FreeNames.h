@@ -3,7 +3,6 @@
 #include <map>
 #include <set>
 #include <string>
-#include <vector>
 
 #include "editor/document/Entity.h"
 
@@ -29,22 +28,5 @@ class FreeNames {
 
 /// The name with the letters that files allow.
 std::string allowedName(const Entity& entity);
-
-/// Where things land in their lists, one after the other: those that are switched off stand behind
-/// the others, as in the file. People who are switched on come back before those of higher numbers.
-class Places {
- public:
-  explicit Places(const sim2d::Scenario& scenario);
-  /// Of one that is new or has been switched on or off; in a list without it.
-  int of(const Entity& value);
-
- private:
-  struct Row {
-    EntityId id;
-    bool listed;
-    int number;  // of people
-  };
-  std::map<EntityKind, std::vector<Row>> rows_;
-};
 
 }  // namespace editor

@@ -20,19 +20,10 @@ std::vector<Vec2> outlineOf(const Entity& entity) {
     const Vec2 reach = Vec2::Constant(obstacle->radius);
     return {obstacle->pose.position - reach, obstacle->pose.position + reach};
   }
-  std::vector<Vec2> points;
-  for (const Vec2* point : pointsIn(const_cast<Entity&>(entity))) {
-    points.push_back(*point);
-  }
-  return points;
+  return pointsOf(entity);
 }
 
 }  // namespace
-
-void Extent::include(const Extent& other) {
-  low = low.cwiseMin(other.low);
-  high = high.cwiseMax(other.high);
-}
 
 std::vector<Vec2>* cornersOf(Entity& entity) {
   if (auto* area = std::get_if<sim2d::Area>(&entity)) {
@@ -75,16 +66,20 @@ std::optional<std::size_t> edgeNear(const Entity& entity, const Vec2& point, dou
   return found;
 }
 
-std::optional<Extent> extentOf(const Entity& entity) {
-  const std::vector<Vec2> outline = outlineOf(entity);
-  if (outline.empty()) {
+std::optional<Extent> extentOf(const std::vector<Vec2>& points) {
+  if (points.empty()) {
     return std::nullopt;
   }
-  Extent extent{outline.front(), outline.front()};
-  for (const Vec2& point : outline) {
-    extent.include({point, point});
+  Extent extent{points.front(), points.front()};
+  for (const Vec2& point : points) {
+    extent.low = extent.low.cwiseMin(point);
+    extent.high = extent.high.cwiseMax(point);
   }
   return extent;
+}
+
+std::optional<Extent> extentOf(const Entity& entity) {
+  return extentOf(outlineOf(entity));
 }
 
 double rounded(double metres) {
@@ -136,17 +131,16 @@ bool isMadeOfPoints(const Entity& entity) {
 }
 
 void resize(Entity& entity, int corner, const Vec2& to, bool fine) {
+  auto* obstacle = std::get_if<sim2d::Obstacle>(&entity);
+  if (obstacle != nullptr && obstacle->kind == sim2d::ObstacleKind::Box) {
+    resizeBox(*obstacle, corner, to, fine);
+    return;
+  }
+  const double reach = (to - *positionOf(entity)).cwiseAbs().maxCoeff();
   if (auto* human = std::get_if<sim2d::Human>(&entity)) {
-    const Vec2 offset = (to - human->initPose.position).cwiseAbs();
-    human->radius =
-        std::clamp(onCentimetres(offset.maxCoeff() / kFrame, fine), kSmallest, kLargestBody);
-  } else if (auto* obstacle = std::get_if<sim2d::Obstacle>(&entity)) {
-    if (obstacle->kind == sim2d::ObstacleKind::Box) {
-      resizeBox(*obstacle, corner, to, fine);
-    } else {
-      const Vec2 offset = (to - obstacle->pose.position).cwiseAbs();
-      obstacle->radius = std::max(kSmallest, onCentimetres(offset.maxCoeff(), fine));
-    }
+    human->radius = std::clamp(onCentimetres(reach / kFrame, fine), kSmallest, kLargestBody);
+  } else if (obstacle != nullptr) {
+    obstacle->radius = std::max(kSmallest, onCentimetres(reach, fine));
   }
 }
 

@@ -11,9 +11,10 @@ struct Extent {
   Vec2 low = Vec2::Zero();
   Vec2 high = Vec2::Zero();
   Vec2 centre() const { return 0.5 * (low + high); }
-  void include(const Extent& other);
 };
 
+/// Nothing for no points.
+std::optional<Extent> extentOf(const std::vector<Vec2>& points);
 /// Of the outline; people and robots by their place alone. Nothing for the settings.
 std::optional<Extent> extentOf(const Entity& entity);
 /// The corners of an obstacle, area, or a wall's line; null for what has none.

@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <unordered_map>
 
 #include <QUndoCommand>
 
 #include "editor/document/QtImageLoader.h"
-#include "sim2d/base/Text.h"
-#include "sim2d/map/MapReader.h"
 
 namespace editor {
 
@@ -27,27 +24,14 @@ class SwapCommand : public QUndoCommand {
   std::function<void()> swap_;
 };
 
-/// Other cells on the ground of a grid.
-std::shared_ptr<const sim2d::OccupancyGrid> withCells(const sim2d::OccupancyGrid& grid,
-                                                      std::vector<std::int8_t> cells) {
-  return std::make_shared<sim2d::OccupancyGrid>(grid.width(), grid.height(), grid.resolution(),
-                                                grid.origin(), std::move(cells));
-}
-
 }  // namespace
 
 MapStroke::MapStroke(std::shared_ptr<const sim2d::OccupancyGrid> before)
     : before_(std::move(before)), cells_(before_->cells()) {}
 
 void MapStroke::set(sim2d::Cell cell, MapPaint paint) {
-  if (!before_->contains(cell)) {
-    return;
-  }
-  const std::size_t index = before_->indexOf(cell);
-  const auto value = static_cast<std::int8_t>(paint);
-  if (cells_[index] != value) {
-    cells_[index] = value;
-    changed_.push_back({index, value});
+  if (before_->contains(cell)) {
+    cells_[before_->indexOf(cell)] = static_cast<std::int8_t>(paint);
   }
 }
 
@@ -86,8 +70,14 @@ void MapStroke::fill(const Vec2& corner, const Vec2& opposite, MapPaint paint) {
   }
 }
 
-std::shared_ptr<const sim2d::OccupancyGrid> MapStroke::grid() const {
-  return withCells(*before_, cells_);
+std::vector<MapStroke::CellChange> MapStroke::changes() const {
+  std::vector<CellChange> changes;
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    if (cells_[i] != before_->cells()[i]) {
+      changes.push_back({i, cells_[i]});
+    }
+  }
+  return changes;
 }
 
 void pushMap(ScenarioDocument& document, MapState map, ScenarioSettings settings,
@@ -108,16 +98,7 @@ void pushOpenPlane(ScenarioDocument& document) {
 }
 
 void pushStroke(ScenarioDocument& document, const MapStroke& stroke, const QString& text) {
-  std::unordered_map<std::size_t, std::int8_t> last;
-  for (const MapStroke::CellChange& change : stroke.changes()) {
-    last[change.index] = change.value;
-  }
-  std::vector<MapStroke::CellChange> changes;  // each cell once
-  for (const auto& [index, value] : last) {
-    if (document.map()->cells()[index] != value) {
-      changes.push_back({index, value});
-    }
-  }
+  std::vector<MapStroke::CellChange> changes = stroke.changes();
   if (changes.empty()) {
     return;
   }
@@ -127,7 +108,9 @@ void pushStroke(ScenarioDocument& document, const MapStroke& stroke, const QStri
     for (MapStroke::CellChange& change : changes) {
       std::swap(cells[change.index], change.value);
     }
-    state.grid = withCells(*state.grid, std::move(cells));
+    const sim2d::OccupancyGrid& grid = *state.grid;
+    state.grid = std::make_shared<sim2d::OccupancyGrid>(
+        grid.width(), grid.height(), grid.resolution(), grid.origin(), std::move(cells));
     document.exchangeMap(std::move(state));
   };
   document.undoStack().push(new SwapCommand(text, swap));
@@ -145,12 +128,6 @@ std::shared_ptr<const sim2d::OccupancyGrid> emptyRoom(double width, double heigh
   }
   return std::make_shared<sim2d::OccupancyGrid>(
       columns, rows, resolution, Pose2{Vec2(-resolution, -resolution), 0.0}, std::move(cells));
-}
-
-std::shared_ptr<const sim2d::OccupancyGrid> rescaled(const sim2d::OccupancyGrid& grid,
-                                                     double resolution, const Pose2& origin) {
-  return std::make_shared<sim2d::OccupancyGrid>(grid.width(), grid.height(), resolution, origin,
-                                                grid.cells());
 }
 
 base::Result<std::shared_ptr<const sim2d::OccupancyGrid>> gridOfImage(const QString& imagePath,

@@ -12,7 +12,7 @@ namespace editor {
 /// What a brush leaves behind, as values of cells.
 enum class MapPaint { Free = 0, Occupied = 100, Unknown = -1 };
 
-/// Cells that were painted and what they become; a grid of its own until pushed.
+/// Cells that were painted and what they become; apart from the map until pushed.
 class MapStroke {
  public:
   explicit MapStroke(std::shared_ptr<const sim2d::OccupancyGrid> before);
@@ -20,22 +20,17 @@ class MapStroke {
   void paint(const Vec2& from, const Vec2& to, double radius, MapPaint paint);
   /// All cells whose centres lie in the rectangle (map axes) between two corners [m].
   void fill(const Vec2& corner, const Vec2& opposite, MapPaint paint);
-  bool isEmpty() const { return changed_.empty(); }
-  /// The map with all that was painted so far; what the next `paint` changes is not in it.
-  std::shared_ptr<const sim2d::OccupancyGrid> grid() const;
-
   struct CellChange {
     std::size_t index;
     std::int8_t value;
   };
-  const std::vector<CellChange>& changes() const { return changed_; }  // in order of painting
+  std::vector<CellChange> changes() const;
 
  private:
   void set(sim2d::Cell cell, MapPaint paint);
 
   std::shared_ptr<const sim2d::OccupancyGrid> before_;
   std::vector<std::int8_t> cells_;
-  std::vector<CellChange> changed_;
 };
 
 /// Another map, with the settings that name it.
@@ -50,10 +45,6 @@ void pushStroke(ScenarioDocument& document, const MapStroke& stroke, const QStri
 /// the free ground at (0, 0).
 std::shared_ptr<const sim2d::OccupancyGrid> emptyRoom(double width, double height,
                                                       double resolution = 0.05);
-/// The same cells with another size and place: `resolution` [m], origin of the lower left corner.
-std::shared_ptr<const sim2d::OccupancyGrid> rescaled(const sim2d::OccupancyGrid& grid,
-                                                     double resolution, const Pose2& origin);
-
 /// An image without a YAML file: dark is occupied, bright is free, as nav2 reads it; `resolution`
 /// [m], lower left corner at (0, 0).
 base::Result<std::shared_ptr<const sim2d::OccupancyGrid>> gridOfImage(const QString& imagePath,

@@ -55,9 +55,10 @@ bt::TreeSpec* mainTreeOf(bt::TreeFile& file) {
 }
 
 bool isMadeWithBlocks(const ScenarioDocument& document, const sim2d::Human& human,
-                      bt::TreeFile file) {
+                      const std::string& own, bt::TreeFile file) {
   bt::TreeSpec* tree = mainTreeOf(file);
-  return tree != nullptr && bt::setBlocks(*tree, {}) && sameTrees(file, madeTree(document, human));
+  return !hasCommentsBeyond(own, generatedTree(document.scenario(), human)) && tree != nullptr &&
+         bt::setBlocks(*tree, {}) && sameTrees(file, madeTree(document, human));
 }
 
 /// Nothing when it is what behaviour and goals make.
@@ -130,8 +131,7 @@ PersonTree personTree(const ScenarioDocument& document, EntityId person) {
   }
   result.file = *read;
   result.table = tableOf(document, result.file);
-  result.isMadeWithBlocks = !hasOwnComments(*own, document.scenario(), *human) &&
-                            isMadeWithBlocks(document, *human, result.file);
+  result.isMadeWithBlocks = isMadeWithBlocks(document, *human, *own, result.file);
   base::append(result.problems, bt::diagnosticsOf(bt::checkTrees(result.table, treeCatalogue())));
   base::append(result.problems,
                bt::checkAgentTree(result.table, *human, document.scenario(), treeCatalogue()));
@@ -241,8 +241,7 @@ std::optional<std::string> followedTree(const ScenarioDocument& document,
     return std::nullopt;
   }
   const base::Result<bt::TreeFile> file = bt::readTreeText(*own);
-  if (!file || hasOwnComments(*own, document.scenario(), *before) ||
-      !isMadeWithBlocks(document, *before, *file)) {
+  if (!file || !isMadeWithBlocks(document, *before, *own, *file)) {
     return std::nullopt;
   }
   bt::TreeFile old = *file;

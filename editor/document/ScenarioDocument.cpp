@@ -18,24 +18,51 @@ namespace {
 constexpr int kCheckDelayMs = 200;
 constexpr std::chrono::milliseconds kCheckPatience(80);
 
+template <class Value>
+bool takesPart(const Value& value) {
+  if constexpr (kIsNamed<Value>) {
+    return value.listed;
+  } else {
+    return true;
+  }
+}
+
+/// Where something new, or switched on or off, lands: those that are switched off stand behind the
+/// others, as in the file. People who are switched on come back before those of higher numbers.
+template <class List>
+auto placeFor(const List& list, const typename List::value_type& value, bool isBack) {
+  using Value = typename List::value_type;
+  return std::find_if(list.begin(), list.end(), [&](const Value& other) {
+    bool isBefore = !takesPart(other);
+    if constexpr (std::is_same_v<Value, sim2d::Human>) {
+      isBefore = isBefore || (isBack && other.id > value.id);
+    }
+    return takesPart(value) && isBefore;
+  });
+}
+
 template <class List>
 EntitySlot exchangeIn(List& list, EntityId id, EntitySlot slot) {
   using Value = typename List::value_type;
   EntitySlot old;
+  auto* const value = slot.value ? &std::get<Value>(*slot.value) : nullptr;
   const int at = positionIn(list, id);
   if (at >= 0) {
     const auto place = list.begin() + at;
+    const bool stays = value != nullptr &&
+                       (slot.index < 0 ? takesPart(*place) == takesPart(*value) : slot.index == at);
     old = {Entity(std::move(*place)), at};
-    if (slot.value && (slot.index < 0 || slot.index == at)) {
-      *place = std::get<Value>(*std::move(slot.value));
+    if (stays) {
+      *place = std::move(*value);
       return old;
     }
     list.erase(place);
   }
-  if (slot.value) {
+  if (value != nullptr) {
     const int size = static_cast<int>(list.size());
-    const int wanted = slot.index >= 0 ? slot.index : size;
-    list.insert(list.begin() + std::min(wanted, size), std::get<Value>(*std::move(slot.value)));
+    const auto place = slot.index < 0 ? placeFor(list, *value, at >= 0)
+                                      : list.cbegin() + std::min(slot.index, size);
+    list.insert(place, std::move(*value));
   }
   return old;
 }
@@ -111,10 +138,6 @@ EntityId ScenarioDocument::goalKey(int goalId) const {
 int ScenarioDocument::indexOf(EntityId id) const {
   return withList(
       scenario_, id.kind, [id](const auto& list) { return positionIn(list, id); }, -1);
-}
-
-EntityId ScenarioDocument::newId(EntityKind kind) {
-  return {kind, nextKey_++};
 }
 
 EntitySlot ScenarioDocument::exchange(EntityId id, EntitySlot slot) {

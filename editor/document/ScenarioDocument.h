@@ -30,8 +30,8 @@ struct DocumentDisk;
 struct DocumentSnapshot;
 struct SavePlan;
 
-/// A value at its place in its list. Without a value: not there. index -1 = where it was, else at
-/// the end.
+/// A value at its place in its list. Without a value: not there. index -1 = where it was; what is
+/// new, or switched on or off: where it belongs.
 struct EntitySlot {
   std::optional<Entity> value;
   int index = -1;
@@ -79,9 +79,9 @@ class ScenarioDocument : public QObject {
   /// The entity as its own type; null when it is not there. Valid until the next edit.
   const sim2d::Human* human(EntityId id) const;
   const sim2d::GlobalGoal* goal(EntityId id) const;
-  EntityId goalKey(int goalId) const;  // of the goal with this number
-  int indexOf(EntityId id) const;      // in its list, -1 = not there
-  EntityId newId(EntityKind kind);     // never given before in this document
+  EntityId goalKey(int goalId) const;                             // of the goal with this number
+  int indexOf(EntityId id) const;                                 // in its list, -1 = not there
+  EntityId newId(EntityKind kind) { return {kind, nextKey_++}; }  // never given before here
   EntitySlot exchange(EntityId id, EntitySlot slot);
   /// What is exchanged while it lives is one step, steps within it included: `changed` tells of
   /// each thing, `settled` and `selectionChanged` of all at once when the outermost ends.
@@ -108,7 +108,9 @@ class ScenarioDocument : public QObject {
   // map; never null, an empty grid is the open plane
   std::shared_ptr<const sim2d::OccupancyGrid> map() const { return map_.grid; }
   QString mapPath() const { return map_.path; }  // of the YAML; empty: none, or not from a file
-  void setMap(std::shared_ptr<const sim2d::OccupancyGrid> map, const QString& path = {});
+  void setMap(std::shared_ptr<const sim2d::OccupancyGrid> map) {
+    exchangeMap({std::move(map), {}, false, {}});
+  }
   const MapState& mapState() const { return map_; }
   MapState exchangeMap(MapState map);
 

@@ -7,7 +7,6 @@
 
 #include "bt/human/HumanNodes.h"
 #include "bt/tree/TreeXml.h"
-#include "sim2d/base/Text.h"
 
 namespace editor {
 
@@ -33,12 +32,6 @@ std::vector<std::string> commentsIn(std::string_view xml) {
   return comments;
 }
 
-bool hasCommentsBeyond(std::string_view xml, std::string_view made) {
-  const std::vector<std::string> known = commentsIn(made);
-  const std::vector<std::string> found = commentsIn(xml);
-  return !std::includes(known.begin(), known.end(), found.begin(), found.end());
-}
-
 }  // namespace
 
 const bt::NodeCatalogue& treeCatalogue() {
@@ -57,9 +50,10 @@ std::string generatedTree(const sim2d::Scenario& scenario, const sim2d::Human& h
   return bt::makeTreeText(scenario, human, style, treeCatalogue());
 }
 
-bool hasOwnComments(const std::string& xml, const sim2d::Scenario& scenario,
-                    const sim2d::Human& human) {
-  return hasCommentsBeyond(xml, generatedTree(scenario, human));
+bool hasCommentsBeyond(const std::string& xml, const std::string& made) {
+  const std::vector<std::string> known = commentsIn(made);
+  const std::vector<std::string> found = commentsIn(xml);
+  return !std::includes(known.begin(), known.end(), found.begin(), found.end());
 }
 
 std::optional<bt::TreeStyle> generatedStyle(const std::string& xml, const sim2d::Scenario& scenario,
@@ -84,11 +78,6 @@ std::optional<base::FileContent> missingIncludedTree(const std::string& folder) 
     return std::nullopt;
   }
   return base::FileContent{path, bt::regularNavText(treeCatalogue())};
-}
-
-base::Diagnostics writeIncludedTrees(const std::string& folder) {
-  const std::optional<base::FileContent> file = missingIncludedTree(folder);
-  return file ? base::writeFilesTogether({*file}) : base::Diagnostics();
 }
 
 }  // namespace editor

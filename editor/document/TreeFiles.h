@@ -19,15 +19,14 @@ std::string treeFolderOf(const std::string& scenarioPath);
 /// XML of the tree that the behaviour and goals of a person make.
 std::string generatedTree(const sim2d::Scenario& scenario, const sim2d::Human& human,
                           bt::TreeStyle style = bt::TreeStyle::Corrected);
-/// Whether somebody wrote comments into the tree; the parsed tree does not have them.
-bool hasOwnComments(const std::string& xml, const sim2d::Scenario& scenario,
-                    const sim2d::Human& human);
+/// Whether somebody wrote comments into a tree that was made like that; the parsed tree does not
+/// have them.
+bool hasCommentsBeyond(const std::string& xml, const std::string& made);
 /// The generator (ours or the original's) whose tree of this person means the same as the text and
 /// has all of its comments.
 std::optional<bt::TreeStyle> generatedStyle(const std::string& xml, const sim2d::Scenario& scenario,
                                             const sim2d::Human& human);
 /// The fixed tree that generated ones include; none when the folder has one already.
 std::optional<base::FileContent> missingIncludedTree(const std::string& folder);
-base::Diagnostics writeIncludedTrees(const std::string& folder);
 
 }  // namespace editor

@@ -279,7 +279,9 @@ base::Diagnostics BehaviorPanel::takeTreeFrom(const QString& path) {
 base::Diagnostics BehaviorPanel::saveTreeTo(const QString& path) const {
   base::Diagnostics problems =
       base::writeFileAtomically(path.toStdString(), treeText(document_, person_));
-  base::append(problems, writeIncludedTrees(QFileInfo(path).absolutePath().toStdString()));
+  if (auto included = missingIncludedTree(QFileInfo(path).absolutePath().toStdString())) {
+    base::append(problems, base::writeFilesTogether({*std::move(included)}));
+  }
   return problems;
 }
 

@@ -117,7 +117,7 @@ void IssuesPanel::mend(const base::Diagnostic& issue) {
   if (document_.contains(issue.entity)) {
     document_.setSelection({issue.entity});
   }
-  if (fix->asksForGoals) {
+  if (!fix->apply) {
     Q_EMIT goalsWanted();
     return;
   }

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "editor/document/EditCommands.h"
 #include "editor/document/FreeNames.h"
 #include "editor/look/Fields.h"
@@ -59,14 +57,19 @@ class AreaTool : public CornerDrawing {
     return tr("Drag an exit that people flee to, or click the corners");
   }
 
-  void preview(const Corners& corners) override { scene().setPreview({areaOf(corners)}); }
+  Entity shapeOf(const Corners& corners) const override {
+    sim2d::Area area;
+    area.key = ghostOf(EntityKind::Area);
+    area.kind = kind_;
+    area.points = sim2d::polygonOutline(corners).points;
+    return area;
+  }
 
   void make(const Corners& corners) override {
-    sim2d::Area area = areaOf(corners);
     if (kind_ == sim2d::AreaKind::Source) {
-      makeSource(std::move(area));
+      makeSource(std::get<sim2d::Area>(shapeOf(corners)));
     } else {
-      addDrawn(document(), std::move(area));
+      CornerDrawing::make(corners);
     }
   }
 
@@ -76,14 +79,6 @@ class AreaTool : public CornerDrawing {
       kind_ = kind;
       Q_EMIT statusTextChanged();
     }
-  }
-
-  sim2d::Area areaOf(const Corners& corners) const {
-    sim2d::Area area;
-    area.key = ghostOf(EntityKind::Area);
-    area.kind = kind_;
-    area.points = sim2d::polygonOutline(corners).points;
-    return area;
   }
 
   const sim2d::Human* pattern() const {

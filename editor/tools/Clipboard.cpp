@@ -58,8 +58,11 @@ std::set<int> goalsAlong(const QString& text) {
 /// Makes names and numbers free in the document before the command does, so that what names others
 /// can follow.
 struct Renaming {
-  Renaming(const ScenarioDocument& document, const Vec2& shift)
-      : present(document.scenario()), names(document.scenario()), delta(shift) {}
+  Renaming(const ScenarioDocument& document, const Vec2& shift, QJsonObject treesOfNames)
+      : present(document.scenario()),
+        names(document.scenario()),
+        delta(shift),
+        trees(std::move(treesOfNames)) {}
 
   void takeGoals(const sim2d::Scenario& copied, const std::set<int>& along) {
     for (const sim2d::GlobalGoal& goal : copied.goals) {
@@ -76,13 +79,15 @@ struct Renaming {
 
   void takePeople(const sim2d::Scenario& copied) {
     for (sim2d::Human human : copied.humans) {
-      const std::string old = human.name;
+      const QString old = QString::fromStdString(human.name);
       follow(human.goals);
       // A number of another scenario would leave a gap before it.
       human.id = std::min(human.id, names.nextHuman());
       add(moved(human, delta));
-      people[old] = nameOf(values.back());
-      treeOwners.push_back(old);
+      people[old.toStdString()] = nameOf(values.back());
+      if (trees.contains(old)) {
+        own[values.size() - 1] = trees[old].toString().toStdString();
+      }
     }
   }
 
@@ -105,9 +110,11 @@ struct Renaming {
     }
   }
 
-  void add(Entity value, bool chosen = true) {
+  void add(Entity value, bool isChosen = true) {
     names.give(value);
-    isChosen.push_back(chosen);
+    if (isChosen) {
+      chosen.push_back(values.size());
+    }
     values.push_back(std::move(value));
   }
   void follow(std::vector<int>& route) const {
@@ -121,8 +128,9 @@ struct Renaming {
   FreeNames names;
   Vec2 delta;
   std::vector<Entity> values;
-  std::vector<bool> isChosen;           // beside the values: to be selected
-  std::vector<std::string> treeOwners;  // names in the text of the people, in their order
+  std::vector<std::size_t> chosen;         // places of the values to be selected
+  QJsonObject trees;                       // own ones, by names in the text
+  std::map<std::size_t, std::string> own;  // and by places of the values
   std::map<int, int> goals;
   std::map<std::string, std::string> people;
 };
@@ -170,30 +178,19 @@ bool paste(ScenarioDocument& document, const QMimeData& data, const Vec2& delta)
   if (!reading.ok()) {
     return false;
   }
-  Renaming renaming(document, delta);
+  Renaming renaming(document, delta,
+                    QJsonDocument::fromJson(data.data(QLatin1String(kTrees))).object());
   renaming.takeGoals(reading.scenario, goalsAlong(data.text()));
   renaming.takePeople(reading.scenario);
   renaming.takeRest(reading.scenario);
   if (renaming.values.empty()) {
     return false;
   }
-  const QJsonObject trees = QJsonDocument::fromJson(data.data(QLatin1String(kTrees))).object();
-  std::map<std::size_t, std::string> own;
-  std::size_t person = 0;
-  for (std::size_t i = 0; i < renaming.values.size(); ++i) {
-    if (kindOf(renaming.values[i]) == EntityKind::Human) {
-      const QString owner = QString::fromStdString(renaming.treeOwners[person++]);
-      if (trees.contains(owner)) {
-        own[i] = trees[owner].toString().toStdString();
-      }
-    }
-  }
-  const std::vector<EntityId> ids = pushAdd(document, renaming.values, QObject::tr("Paste"), own);
+  const std::vector<EntityId> ids =
+      pushAdd(document, renaming.values, QObject::tr("Paste"), renaming.own);
   std::vector<EntityId> chosen;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    if (renaming.isChosen[i]) {
-      chosen.push_back(ids[i]);
-    }
+  for (const std::size_t place : renaming.chosen) {
+    chosen.push_back(ids[place]);
   }
   document.setSelection(std::move(chosen));
   return true;

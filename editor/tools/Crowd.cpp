@@ -153,8 +153,7 @@ int nextDraw(const ScenarioDocument& document) {
   return static_cast<int>(document.scenario().humans.size());
 }
 
-sim2d::Human drawnPerson(const CrowdRecipe& recipe, int index,
-                         const std::vector<sim2d::GlobalGoal>& goals) {
+sim2d::Human drawnPerson(const CrowdRecipe& recipe, int index, const sim2d::Scenario& scenario) {
   const AgentRng rng(static_cast<std::uint64_t>(recipe.seed), index);
   sim2d::Human human = newPerson();
   human.behavior.type = static_cast<sim2d::BehaviorType>(
@@ -169,25 +168,20 @@ sim2d::Human drawnPerson(const CrowdRecipe& recipe, int index,
   human.initPose.heading =
       toCentimetres(rng.uniform(-base::kPi, base::kPi, Draw::Placement, HeadingChoice));
   if (recipe.walks) {
-    human.goals = drawnRoute(goals, rng);
+    human.goals = drawnRoute(scenario.goals, rng);
   }
+  completeReaction(scenario, human);
   return human;
 }
 
 std::vector<sim2d::Human> fillCrowd(const std::vector<Vec2>& polygon, std::size_t count,
                                     const CrowdRecipe& recipe, const ScenarioDocument& document) {
-  Vec2 low = polygon.front();
-  Vec2 high = low;
-  for (const Vec2& point : polygon) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
+  const auto [low, high] = *extentOf(polygon);
   FreeGround ground(document);
   std::vector<sim2d::Human> people;
   const int first = nextDraw(document);
   for (int index = first; index < first + static_cast<int>(count); ++index) {
-    sim2d::Human human = drawnPerson(recipe, index, document.scenario().goals);
-    completeReaction(document.scenario(), human);
+    sim2d::Human human = drawnPerson(recipe, index, document.scenario());
     const AgentRng rng(static_cast<std::uint64_t>(recipe.seed), kPlaces,
                        static_cast<std::uint64_t>(index));
     for (std::uint32_t trial = 0; trial < kTrials; ++trial) {

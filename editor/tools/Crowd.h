@@ -43,8 +43,7 @@ class FreeGround {
 int nextDraw(const ScenarioDocument& document);
 /// Number `index` of a crowd: kind, body, speed, behaviour and route drawn by the recipe, at the
 /// origin. Names and ids are left to the document.
-sim2d::Human drawnPerson(const CrowdRecipe& recipe, int index,
-                         const std::vector<sim2d::GlobalGoal>& goals);
+sim2d::Human drawnPerson(const CrowdRecipe& recipe, int index, const sim2d::Scenario& scenario);
 /// Up to `count` people at random places inside the polygon, looking anywhere; fewer when there is
 /// no more room.
 std::vector<sim2d::Human> fillCrowd(const std::vector<Vec2>& polygon, std::size_t count,

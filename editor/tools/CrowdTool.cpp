@@ -1,6 +1,5 @@
 #include "editor/tools/CrowdTool.h"
 
-#include "editor/document/BehaviorValues.h"
 #include "editor/tools/CrowdOptions.h"
 #include "editor/tools/ToolRegistry.h"
 #include "sim2d/base/Rng.h"
@@ -30,8 +29,7 @@ QWidget* BrushTool::makeOptions(QWidget* parent) {
 
 void BrushTool::lay(const Vec2& at, double heading) {
   const int index = nextDraw(document()) + drawn_;
-  sim2d::Human human = drawnPerson(recipe_, index, document().scenario().goals);
-  completeReaction(document().scenario(), human);
+  sim2d::Human human = drawnPerson(recipe_, index, document().scenario());
   const base::AgentRng rng(static_cast<std::uint64_t>(recipe_.seed), kSideways,
                            static_cast<std::uint64_t>(index));
   ++drawn_;
@@ -60,7 +58,7 @@ void BrushTool::press(const CanvasMouse& mouse) {
   cancel();
   ground_.emplace(document());
   last_ = mouse.world;
-  lay(last_, drawnPerson(recipe_, nextDraw(document()), {}).initPose.heading);
+  lay(last_, drawnPerson(recipe_, nextDraw(document()), document().scenario()).initPose.heading);
   show();
 }
 
@@ -89,8 +87,7 @@ void BrushTool::cancel() {
   ground_.reset();
   people_.clear();
   drawn_ = 0;
-  marks() = {};
-  Q_EMIT statusTextChanged();
+  clearMarks();
 }
 
 QString FillTool::idleText() const {

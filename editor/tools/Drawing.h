@@ -33,10 +33,12 @@ class CornerDrawing : public Tool {
   virtual bool isClosed() const { return true; }
   /// What keeps the corners from becoming a shape; empty = nothing.
   virtual QString problemOf(const Corners& corners) const;
-  /// Shows what the corners would make; `problemOf` has found nothing.
-  virtual void preview(const Corners& corners) = 0;
+  /// What the corners make, where that is one thing; `problemOf` has found nothing.
+  virtual Entity shapeOf(const Corners&) const { return {}; }
+  /// Shows what the corners would make.
+  virtual void preview(const Corners& corners) { scene().setPreview({shapeOf(corners)}); }
   /// Makes it: one command. Preview and corners are gone by then.
-  virtual void make(const Corners& corners) = 0;
+  virtual void make(const Corners& corners) { addDrawn(document(), shapeOf(corners)); }
   /// What a drag makes: a rectangle, for lines the line itself.
   virtual Corners dragged(const Vec2& from, const Vec2& to) const;
 

@@ -55,8 +55,7 @@ class MeasureTool : public Tool {
   void cancel() override {
     span_.reset();
     pressed_ = false;
-    marks() = {};
-    Q_EMIT statusTextChanged();
+    clearMarks();
   }
 
  private:

@@ -34,12 +34,15 @@ class PlacingTool : public Tool {
   void release(const CanvasMouse& mouse) override {
     if (placing_) {
       const Entity value = isDrag(from_, mouse) ? turned(*placing_, headingTo(mouse)) : *placing_;
-      endGesture();
+      cancel();
       place(value);
     }
   }
 
-  void cancel() override { endGesture(); }
+  void cancel() override {
+    placing_.reset();
+    clearMarks();
+  }
 
  protected:
   virtual Entity somebodyAt(const Vec2& place, const CanvasMouse& mouse) const = 0;
@@ -50,10 +53,6 @@ class PlacingTool : public Tool {
 
   bool isPlacing() const { return placing_.has_value(); }
   const Vec2& from() const { return from_; }
-  void endGesture() {
-    placing_.reset();
-    clearMarks();
-  }
 
  private:
   std::optional<Entity> placing_;
@@ -130,7 +129,7 @@ class RobotTool : public PlacingTool {
 
   void cancel() override {
     waitsForGoal_ = {};
-    endGesture();
+    PlacingTool::cancel();
   }
 
  protected:
@@ -162,8 +161,7 @@ class RobotTool : public PlacingTool {
   void setGoal(const CanvasMouse& mouse) {
     const EntityId robot = waitsForGoal_;
     const sim2d::GlobalGoal* goal = document().goal(scene().entityAt(mouse.world));
-    waitsForGoal_ = {};
-    endGesture();
+    cancel();
     if (goal != nullptr) {
       pushRoute(document(), {robot}, {goal->id});
     } else {

@@ -97,21 +97,8 @@ class RouteTool : public Tool {
   }
 
   void preview() {
-    std::vector<Entity> values;
-    for (const EntityId id : walkers()) {
-      std::optional<Entity> value = document().entity(id);
-      if (!value || goals_.empty()) {
-        continue;
-      }
-      if (auto* human = std::get_if<sim2d::Human>(&*value)) {
-        human->goals = goals_;
-      } else if (auto* robot = std::get_if<sim2d::Robot>(&*value)) {
-        robot->goal.point.reset();
-        robot->goal.goals = goals_;
-      }
-      values.push_back(*std::move(value));
-    }
-    scene().setPreview(values);
+    scene().setPreview(goals_.empty() ? std::vector<Entity>()
+                                      : withRoute(document(), walkers(), goals_));
     marks() = {};
     Q_EMIT statusTextChanged();
   }

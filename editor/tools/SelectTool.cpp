@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 
+#include "editor/canvas/FrameLayer.h"
 #include "editor/document/EditCommands.h"
 #include "editor/tools/SelectionActions.h"
 #include "editor/tools/ToolRegistry.h"
@@ -62,7 +63,7 @@ class SelectTool : public Tool {
     from_ = mouse.world;
     deselectOnRelease_ = false;
     if (scene().isRunMode()) {
-      const EntityId hit = scene().agentEntityAt(mouse.world);
+      const EntityId hit = scene().frameLayer().entityAt(mouse.world);
       document().setSelection(hit ? std::vector<EntityId>{hit} : std::vector<EntityId>{});
       return;
     }
@@ -132,7 +133,7 @@ class SelectTool : public Tool {
     if (corners == nullptr) {
       return;
     }
-    const auto [owner, handle] = scene().handleAt(mouse.world);
+    const auto [owner, handle] = scene().selectionLayer().handleAt(mouse.world);
     if (handle.kind == Handle::Kind::Vertex) {
       end();
       if (corners->size() > fewestCorners(*value)) {
@@ -183,10 +184,11 @@ class SelectTool : public Tool {
   enum class Gesture { None, Pressed, Moving, Handle, Band };
   void hover(const CanvasMouse& mouse) {
     if (scene().isRunMode()) {
-      cursor_ = scene().agentEntityAt(mouse.world) ? Qt::PointingHandCursor : Qt::ArrowCursor;
+      cursor_ =
+          scene().frameLayer().entityAt(mouse.world) ? Qt::PointingHandCursor : Qt::ArrowCursor;
       return;
     }
-    const Handle handle = scene().handleAt(mouse.world).second;
+    const Handle handle = scene().selectionLayer().handleAt(mouse.world).second;
     const EntityId id =
         handle.kind == Handle::Kind::None ? scene().entityAt(mouse.world) : EntityId{};
     scene().setHovered(id);
@@ -209,7 +211,7 @@ class SelectTool : public Tool {
   }
 
   bool grabHandle(const CanvasMouse& mouse) {
-    const auto [id, handle] = scene().handleAt(mouse.world);
+    const auto [id, handle] = scene().selectionLayer().handleAt(mouse.world);
     if (handle.kind == Handle::Kind::None) {
       return false;
     }
@@ -259,11 +261,9 @@ class SelectTool : public Tool {
 
   void previewMove(const CanvasMouse& mouse) {
     const Vec2 delta = deltaFor(mouse);
-    std::vector<Entity> values;
-    for (const EntityId id : document().selection()) {
-      if (const std::optional<Entity> value = document().entity(id)) {
-        values.push_back(moved(*value, delta));
-      }
+    std::vector<Entity> values = valuesOf(document(), document().selection());
+    for (Entity& value : values) {
+      value = moved(std::move(value), delta);
     }
     scene().setPreview(values);
     if (const std::optional<Entity> value = scene().shown(grabbed_)) {

@@ -35,22 +35,20 @@ struct Piece {
 
 std::vector<Piece> piecesOf(const ScenarioDocument& document) {
   std::vector<Piece> pieces;
-  for (const EntityId id : document.selection()) {
-    const std::optional<Entity> value = document.entity(id);
-    const std::optional<Extent> extent = value ? extentOf(*value) : std::nullopt;
-    if (extent) {
-      pieces.push_back({*value, *extent});
+  for (Entity& value : valuesOf(document, document.selection())) {
+    if (const std::optional<Extent> extent = extentOf(value)) {
+      pieces.push_back({std::move(value), *extent});
     }
   }
   return pieces;
 }
 
 Extent wholeOf(const std::vector<Piece>& pieces) {
-  Extent whole = pieces.front().extent;
+  std::vector<Vec2> corners;
   for (const Piece& piece : pieces) {
-    whole.include(piece.extent);
+    corners.insert(corners.end(), {piece.extent.low, piece.extent.high});
   }
-  return whole;
+  return *extentOf(corners);
 }
 
 /// The corner or middle by which pieces are aligned.

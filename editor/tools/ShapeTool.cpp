@@ -20,10 +20,6 @@ sim2d::Obstacle obstacleOf(sim2d::ObstacleKind kind, std::vector<Vec2> points = 
   return obstacle;
 }
 
-sim2d::Obstacle wallAlong(const std::vector<Vec2>& corners) {
-  return obstacleOf(sim2d::ObstacleKind::Wall, corners);
-}
-
 /// Walls as polylines, 0.1 m thick; a drag makes one straight wall.
 class WallTool : public CornerDrawing {
  public:
@@ -44,14 +40,11 @@ class WallTool : public CornerDrawing {
     }
     return length < kLeastLength ? tr("Too short") : QString();
   }
-  void preview(const Corners& corners) override { scene().setPreview({wallAlong(corners)}); }
-  void make(const Corners& corners) override { addDrawn(document(), wallAlong(corners)); }
+  Entity shapeOf(const Corners& corners) const override {
+    return obstacleOf(sim2d::ObstacleKind::Wall, corners);
+  }
   Corners dragged(const Vec2& from, const Vec2& to) const override { return {from, to}; }
 };
-
-sim2d::Obstacle polygonOf(const std::vector<Vec2>& corners) {
-  return obstacleOf(sim2d::ObstacleKind::Polygon, sim2d::polygonOutline(corners).points);
-}
 
 /// Obstacles of any outline; a drag makes a rectangle along the axes.
 class PolygonTool : public CornerDrawing {
@@ -62,8 +55,9 @@ class PolygonTool : public CornerDrawing {
   QString idleText() const override {
     return tr("Click the corners of an obstacle; the first one again closes it");
   }
-  void preview(const Corners& corners) override { scene().setPreview({polygonOf(corners)}); }
-  void make(const Corners& corners) override { addDrawn(document(), polygonOf(corners)); }
+  Entity shapeOf(const Corners& corners) const override {
+    return obstacleOf(sim2d::ObstacleKind::Polygon, sim2d::polygonOutline(corners).points);
+  }
 };
 
 /// Makes something from one point to another by a drag. A click without a drag makes nothing,

@@ -38,6 +38,10 @@ struct Surroundings {
 };
 Surroundings makeSurroundings(const Scenario& scenario, OccupancyGrid grid);
 
+/// The borders of what is drawn, with the usual thickness where none is written.
+std::vector<Outline> outlinesOf(const Obstacle& obstacle);
+std::vector<Outline> outlinesOf(const Door& door);
+
 /// What a scenario may name; who knows more (the world's lists) hands it in.
 struct KnownNames {
   std::vector<std::string> models = {"sfm", "sfm-hunav2", "das", "orca"};

@@ -10,30 +10,10 @@
 namespace sim2d {
 namespace {
 
-std::vector<Outline> outlinesOf(const Obstacle& obstacle) {
-  switch (obstacle.kind) {
-    case ObstacleKind::Box:
-      return {boxOutline(obstacle.pose, obstacle.length, obstacle.width)};
-    case ObstacleKind::Circle:
-      return {circleOutline(obstacle.pose.position, obstacle.radius)};
-    case ObstacleKind::Polygon:
-      if (obstacle.points.size() < 3) {
-        return {};  // the reader has told
-      }
-      return {polygonOutline(obstacle.points)};
-    case ObstacleKind::Wall:
-      break;
-  }
-  return obstacle.points.size() < 2
-             ? std::vector<Outline>()
-             : wallOutlines(obstacle.points, obstacle.thickness.value_or(0.1));
-}
-
-std::vector<Outline> outlinesOf(const Door& door) {
-  if (door.from == door.to) {
-    return {};
-  }
-  return wallOutlines({door.from, door.to}, door.thickness.value_or(0.05));
+/// Fewer points are no obstacle; the reader has told.
+bool hasEnoughPoints(const Obstacle& obstacle) {
+  const bool isLine = obstacle.kind == ObstacleKind::Wall;
+  return obstacle.points.size() >= (isLine ? 2 : obstacle.kind == ObstacleKind::Polygon ? 3 : 0);
 }
 
 namespace fs = std::filesystem;
@@ -80,15 +60,35 @@ std::string treeName(const Scenario& scenario, const Human& human, const FilePla
 
 }  // namespace
 
+std::vector<Outline> outlinesOf(const Obstacle& obstacle) {
+  switch (obstacle.kind) {
+    case ObstacleKind::Box:
+      return {boxOutline(obstacle.pose, obstacle.length, obstacle.width)};
+    case ObstacleKind::Circle:
+      return {circleOutline(obstacle.pose.position, obstacle.radius)};
+    case ObstacleKind::Polygon:
+      return {polygonOutline(obstacle.points)};
+    case ObstacleKind::Wall:
+      break;
+  }
+  return wallOutlines(obstacle.points, obstacle.thickness.value_or(0.1));
+}
+
+std::vector<Outline> outlinesOf(const Door& door) {
+  return wallOutlines({door.from, door.to}, door.thickness.value_or(0.05));
+}
+
 Surroundings makeSurroundings(const Scenario& scenario, OccupancyGrid grid) {
   Surroundings result;
   result.obstacles.add(traceOutlines(grid));
   result.grid = std::move(grid);
-  forEachListed(scenario.obstacles,
-                [&](const Obstacle& obstacle) { result.obstacles.add(outlinesOf(obstacle)); });
+  const std::vector<Outline> none;
+  forEachListed(scenario.obstacles, [&](const Obstacle& obstacle) {
+    result.obstacles.add(hasEnoughPoints(obstacle) ? outlinesOf(obstacle) : none);
+  });
   result.firstDoorPart = result.obstacles.partCount();
   forEachListed(scenario.doors, [&](const Door& door) {
-    result.obstacles.add(outlinesOf(door), !door.open.value_or(true));
+    result.obstacles.add(door.from == door.to ? none : outlinesOf(door), !door.open.value_or(true));
   });
   result.obstacles.build();
   return result;
