@@ -84,10 +84,7 @@ void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, Wor
   crowd_.computeForces(workers_);
   workspaces_.resize(workers_.threadCount());
   walls_.resize(world.navigation.isOpenPlane() ? 0 : wanted_.size());
-  for (std::vector<Vec2>* column :
-       {&forces.goal, &forces.social, &forces.obstacle, &forces.group}) {
-    column->resize(wanted_.size());
-  }
+  forEachColumn(forces, [this](std::vector<Vec2>& column) { column.resize(wanted_.size()); });
   for (Workspace& workspace : workspaces_) {
     workspace.isSound = true;
   }
