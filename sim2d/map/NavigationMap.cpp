@@ -146,8 +146,7 @@ void NavigationMap::update(const OccupancyGrid& map, const Obstacles& obstacles)
 }
 
 std::vector<Vec2> NavigationMap::plan(double radius, const Vec2& start, const Vec2& goal) const {
-  return isOpenPlane() ? std::vector<Vec2>{start, goal}
-                       : plannerFor(radius).plan(start, goal).points;
+  return isOpenPlane() ? std::vector<Vec2>{start, goal} : plannerFor(radius).plan(start, goal);
 }
 
 bool NavigationMap::isReachable(double radius, const Vec2& start, const Vec2& goal) const {
@@ -159,7 +158,7 @@ bool NavigationMap::isClear(double radius, const Vec2& from, const Vec2& to) con
 }
 
 std::optional<Vec2> NavigationMap::nearestFit(double radius, const Vec2& point) const {
-  return isOpenPlane() ? std::optional<Vec2>(point) : plannerFor(radius).nearestFit(point);
+  return isOpenPlane() ? std::optional<Vec2>(point) : plannerFor(radius).space().nearestFit(point);
 }
 
 double NavigationMap::clearance(const Vec2& point) const {
