@@ -30,8 +30,7 @@ void appendPerson(const WorldModel& model, const WorldState& state, std::size_t 
                   HumanColumns& humans) {
   const HumanControl& control = state.controls[i];
   const bool hasGoal = !control.goals.empty() && control.goals.front().id > 0;
-  humans.add(model.people[i].constants.id, {{state.x[i], state.y[i]}, state.heading[i]},
-             {state.vx[i], state.vy[i]}, state.omega[i],
+  humans.add(model.people[i].constants.id, state.pose(i), state.velocity(i), state.omega[i],
              hasGoal ? control.goals.front().id : kNoGoal);
   humans.group.push_back(control.group >= 0 ? control.group : -1);
   humans.state.push_back(static_cast<std::uint8_t>(state.active[i]));
