@@ -59,12 +59,7 @@ void Obstacles::build() {
 }
 
 void Obstacles::addOutline(const Outline& outline, int part) {
-  std::vector<Vec2> points;
-  for (const Vec2& point : outline.points) {
-    if (points.empty() || (point - points.back()).norm() > 1e-9) {
-      points.push_back(point);
-    }
-  }
+  std::vector<Vec2> points = withoutRepeats(outline.points);
   while (points.size() > 1 && (points.front() - points.back()).norm() <= 1e-9) {
     points.pop_back();
   }
