@@ -34,14 +34,6 @@ void appendBodies(std::string& to, const std::string& stamp, const BodyColumns& 
   }
 }
 
-std::uint64_t fnv1a(const std::string& bytes, std::uint64_t hash) {
-  for (const char byte : bytes) {
-    hash ^= static_cast<unsigned char>(byte);
-    hash *= 0x100000001b3ULL;
-  }
-  return hash;
-}
-
 }  // namespace
 
 const char* eventKindName(EventKind kind) {
@@ -103,11 +95,6 @@ std::string eventsCsv(const Trace& trace) {
     appendEventRow(text, step, trace.header.dt, event);
   }
   return text;
-}
-
-std::uint64_t hashOf(const Trace& trace) {
-  constexpr std::uint64_t kOffset = 0xcbf29ce484222325ULL;
-  return fnv1a(eventsCsv(trace), fnv1a(trajectoryCsv(trace), kOffset));
 }
 
 }  // namespace sim2d
