@@ -78,14 +78,6 @@ void Obstacles::addOutline(const Outline& outline, int part) {
   }
 }
 
-void Obstacles::setEnabled(int part, bool enabled) {
-  enabled_.at(static_cast<std::size_t>(part)) = enabled ? 1 : 0;
-}
-
-const std::vector<Outline>& Obstacles::outlines(int part) const {
-  return parts_.at(static_cast<std::size_t>(part));
-}
-
 bool Obstacles::isOn(int edge) const {
   const int part = edges_[static_cast<std::size_t>(edge)].part;
   return enabled_[static_cast<std::size_t>(part)] != 0;
@@ -229,10 +221,6 @@ double Obstacles::clearance(const Vec2& position, double limit) const {
     return isInside(position) ? -limit : limit;
   }
   return nearest->inside ? -nearest->distance : nearest->distance;
-}
-
-bool Obstacles::isInside(const Vec2& position) const {
-  return solidPartAt(position) >= 0;
 }
 
 Obstacles::Hit Obstacles::firstHit(const Vec2& from, const Vec2& direction, double range) const {

@@ -179,14 +179,6 @@ void Recording::addState(const Frame& frame) {
   states_.append(std::move(state));
 }
 
-void Recording::addEvent(std::int64_t step, Event event) {
-  events_.append({step, std::move(event)});
-}
-
-void Recording::addInput(std::int64_t step, Input input) {
-  inputs_.append({step, std::move(input)});
-}
-
 void Recording::addTreeChanges(std::int64_t step, const TreeChanges& changes) {
   TreeStep entry{step, changes, nullptr};
   const std::size_t most = kFewestChanges + kChangesPerNode * nodes_;

@@ -11,17 +11,13 @@ namespace {
 
 constexpr double kWalkingSpeed = 0.05;  // [m/s] slower tells no direction
 
-Vec2 slope(const TrackPoint& from, const TrackPoint& to) {
-  return (to.position - from.position) / (to.time - from.time);
-}
-
 Vec2 estimatedVelocity(const TrackPoint* begin, const TrackPoint* end, const TrackPoint* point) {
   if (end - begin < 2) {
     return Vec2::Zero();
   }
   const TrackPoint* before = point == begin ? point : point - 1;
   const TrackPoint* after = point + 1 == end ? point : point + 1;
-  return slope(*before, *after);
+  return (after->position - before->position) / (after->time - before->time);
 }
 
 /// A body at one instant, every quantity filled in.

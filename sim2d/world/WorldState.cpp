@@ -30,10 +30,6 @@ void WorldState::append(const Person& person) {
   controls.push_back(std::move(control));
 }
 
-void WorldState::emit(EventKind kind, int id, std::string text) {
-  events.push_back({kind, id, true, 0, false, std::move(text)});
-}
-
 ResolvedHuman resolvePerson(const WorldModel& world, const Human& human) {
   const Environment& scenario = *world.environment;
   const bool isOriginal = world.compatibility.hunav2();

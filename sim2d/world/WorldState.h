@@ -106,7 +106,9 @@ struct WorldState {
   Pose2 pose(std::size_t human) const { return {position(human), heading[human]}; }
   /// One more person, not present yet.
   void append(const Person& person);
-  void emit(EventKind kind, int id, std::string text = {});
+  void emit(EventKind kind, int id, std::string text = {}) {
+    events.push_back({kind, id, true, 0, false, std::move(text)});
+  }
 };
 
 /// The world as it is while people decide and move: nothing of it changes then but the headings of
