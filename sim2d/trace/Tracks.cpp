@@ -135,7 +135,8 @@ class TraceMaker {
     if (base::hasErrors(problems_) || !makeGrid()) {
       return problems_;
     }
-    fillHeader();
+    trace_.header.scenario = std::filesystem::path(file_.file).filename().string();
+    trace_.header.dt = step_;
     std::vector<const Track*> tracks;
     for (const Track& track : file_.tracks) {
       if (&track != robot_ && !track.points.empty()) {
@@ -325,12 +326,6 @@ class TraceMaker {
       robot.goals.push_back({0, *options_.robotGoal, 0.2});
     }
     trace_.header.robots.push_back(std::move(robot));
-  }
-
-  void fillHeader() {
-    trace_.header.scenario = std::filesystem::path(file_.file).filename().string();
-    trace_.header.dt = step_;
-    trace_.header.recordEvery = 1;
   }
 
   const TrackFile& file_;
