@@ -48,7 +48,7 @@ void WaysOnMapsTest::plan_randomMaps_neverCrossWalls() {
         const Vec2 from(place(random), place(random));
         const Vec2 to(place(random), place(random));
         const std::vector<Vec2> path = planner.plan(from, to);
-        const bool startFits = planner.nearestFit(from) == from;
+        const bool startFits = planner.space().nearestFit(from) == from;
         if (path.empty() || !startFits) {
           continue;
         }
@@ -110,14 +110,14 @@ void WaysOnMapsTest::isReachable_randomMaps_agreesWithPlan() {
 void WaysOnMapsTest::nearestFit_cases() {
   const Scene scene = sceneOf(MapSketch(10.0, 10.0).fill({4.0, 0.0}, {4.1, 10.0}).grid());
   const PathPlanner planner(scene.field, 0.35);
-  QVERIFY(planner.nearestFit({2.0, 2.0}) == Vec2(2.0, 2.0));
-  const auto left = planner.nearestFit({3.95, 5.0});
+  QVERIFY(planner.space().nearestFit({2.0, 2.0}) == Vec2(2.0, 2.0));
+  const auto left = planner.space().nearestFit({3.95, 5.0});
   QVERIFY(left && left->x() < 3.66 && left->x() > 3.6);
-  const auto right = planner.nearestFit({4.13, 5.0});
+  const auto right = planner.space().nearestFit({4.13, 5.0});
   QVERIFY(right && right->x() > 4.44 && right->x() < 4.5);
   const Scene solid = sceneOf(MapSketch(5.0, 5.0).fill({0.0, 0.0}, {5.0, 5.0}).grid());
-  QVERIFY(!PathPlanner(solid.field, 0.35).nearestFit({2.0, 2.0}));
-  QVERIFY(!planner.nearestFit({20.0, 2.0}));
+  QVERIFY(!PathPlanner(solid.field, 0.35).space().nearestFit({2.0, 2.0}));
+  QVERIFY(!planner.space().nearestFit({20.0, 2.0}));
 }
 
 void WaysOnMapsTest::isClear_cases() {
