@@ -28,10 +28,6 @@ WalkSpace::WalkSpace(std::shared_ptr<const DistanceField> field, double radius)
   toUnknown_ = distancesToMarked(grid().width(), grid().height(), marks);
 }
 
-bool WalkSpace::isInWorld(const Vec2& point) const {
-  return field_->isOpenPlane() ? point.allFinite() : grid().contains(grid().worldToCell(point));
-}
-
 bool WalkSpace::fits(const Vec2& point) const {
   return isInWorld(point) && field_->distanceAt(point) >= bodyRadius_ - kClearanceSlack;
 }

@@ -43,7 +43,9 @@ class WalkSpace {
   std::optional<Anchor> anchorOf(const Vec2& point) const;
 
  private:
-  bool isInWorld(const Vec2& point) const;
+  bool isInWorld(const Vec2& point) const {
+    return field_->isOpenPlane() ? point.allFinite() : grid().contains(grid().worldToCell(point));
+  }
   double unknownDistance(const Vec2& point) const;
   template <class Accept>
   std::optional<Cell> nearestOpenCell(const Vec2& point, Accept accept) const;
