@@ -73,9 +73,9 @@ class Routes {
   Routes(sim2d::OccupancyGrid map, sim2d::Obstacles obstacles, double robotRadius)
       : map_(std::move(map)), obstacles_(std::move(obstacles)), robotRadius_(robotRadius) {}
 
-  sim2d::Path shortest(const Vec2& from, const Vec2& to) {
+  std::vector<Vec2> shortest(const Vec2& from, const Vec2& to) {
     if (obstacles_.isVisible(from, to)) {
-      return {{from, to}};
+      return {from, to};
     }
     if (!planner_) {
       const std::vector<Vec2> bounds = {from, to};
@@ -83,9 +83,9 @@ class Routes {
           std::make_shared<const sim2d::DistanceField>(map_, obstacles_, bounds), robotRadius_);
     }
     // The field of distances is kept per goal, and it is the start that stays the same.
-    sim2d::Path path = planner_->plan(to, from);
-    std::reverse(path.points.begin(), path.points.end());
-    return path.points.empty() ? sim2d::Path{{from, to}} : path;
+    std::vector<Vec2> path = planner_->plan(to, from);
+    std::reverse(path.begin(), path.end());
+    return path.empty() ? std::vector<Vec2>{from, to} : path;
   }
 
  private:
@@ -95,8 +95,8 @@ class Routes {
   std::unique_ptr<sim2d::PathPlanner> planner_;
 };
 
-sim2d::Path shortestPath(const RunContext& context, const Vec2& from, const Vec2& to) {
-  return context.routes ? context.routes->shortest(from, to) : sim2d::Path{{from, to}};
+std::vector<Vec2> shortestPath(const RunContext& context, const Vec2& from, const Vec2& to) {
+  return context.routes ? context.routes->shortest(from, to) : std::vector<Vec2>{from, to};
 }
 
 SampleBuilder::SampleBuilder(const sim2d::TraceHeader& header, int robotId)

@@ -121,7 +121,7 @@ class SampleBuilder {
 
 /// Corner points from end to end: a straight line where the robot can see along it, where the
 /// context has no routes and where none leads there, else the way round the walls. Not thread safe.
-sim2d::Path shortestPath(const RunContext& context, const Vec2& from, const Vec2& to);
+std::vector<Vec2> shortestPath(const RunContext& context, const Vec2& from, const Vec2& to);
 
 /// The part that a window selects; the events stay.
 struct Window {

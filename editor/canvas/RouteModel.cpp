@@ -129,11 +129,9 @@ struct RouteModel::Planning {
     if (key.radiusCm < 0) {
       return {{from, to}, true};
     }
-    sim2d::Path path = plannerFor(key.radiusCm).plan(from, to);
-    if (path.points.empty()) {
-      return {{from, to}, false};
-    }
-    return {std::move(path.points), true};
+    std::vector<Vec2> way = plannerFor(key.radiusCm).plan(from, to);
+    const bool isThere = !way.empty();
+    return {isThere ? std::move(way) : std::vector<Vec2>{from, to}, isThere};
   }
 
   /// Plans the legs that are not known, until the time is over, and forgets those that nobody

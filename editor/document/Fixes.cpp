@@ -11,7 +11,7 @@
 #include "editor/document/FreeNames.h"
 #include "editor/document/MapEdit.h"
 #include "editor/document/RoutePlan.h"
-#include "sim2d/map/PathPlanner.h"
+#include "sim2d/map/WalkSpace.h"
 #include "sim2d/scenario/Defaults.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 
@@ -90,9 +90,9 @@ std::optional<Vec2> freePlace(const ScenarioDocument& document, const Vec2& near
   const std::vector<Vec2> points = probes(near);
   const auto field = std::make_shared<sim2d::DistanceField>(around.grid, around.obstacles, points);
   for (const double margin : {kMargin, 0.0}) {
-    const sim2d::PathPlanner planner(field, radius + margin);
+    const sim2d::WalkSpace space(field, radius + margin);
     for (const Vec2& point : points) {
-      if (const std::optional<Vec2> fit = planner.nearestFit(point)) {
+      if (const std::optional<Vec2> fit = space.nearestFit(point)) {
         return fit;
       }
     }

@@ -20,7 +20,8 @@ double ratioToBest(double best, double actual) {
 }
 
 double shortestToGoal(const RobotWay& way, const Instant& last) {
-  return shortestPath(last.context, way.start(), last.context.goals.front().position).length();
+  return sim2d::lengthOfWay(
+      shortestPath(last.context, way.start(), last.context.goals.front().position));
 }
 
 double successByLength(const RobotWay& way, const Instant& last) {
@@ -41,12 +42,12 @@ MetricValue successByTime(const RobotWay& way, const Instant& last) {
   return isCompleted(last) ? ratioToBest(shortestToGoal(way, last) / fastest, last.elapsed()) : 0.0;
 }
 
-sim2d::Path shortestToEnd(const RobotWay& way, const Instant& last) {
+std::vector<Vec2> shortestToEnd(const RobotWay& way, const Instant& last) {
   return shortestPath(last.context, way.start(), last.now.robot.position);
 }
 
 double pathEfficiency(const RobotWay& way, const Instant& last) {
-  return way.length() > 0.0 ? shortestToEnd(way, last).length() / way.length() : kNaN;
+  return way.length() > 0.0 ? sim2d::lengthOfWay(shortestToEnd(way, last)) / way.length() : kNaN;
 }
 
 /// Turning along a path, the first alignment included.
@@ -68,7 +69,7 @@ double pathIrregularity(const RobotWay& way, const Instant& last) {
   if (way.length() <= 0.0) {
     return kNaN;
   }
-  const double needed = neededTurning(shortestToEnd(way, last).points, way.startHeading());
+  const double needed = neededTurning(shortestToEnd(way, last), way.startHeading());
   return std::max(way.turning() - needed, 0.0) / way.length();
 }
 

@@ -20,7 +20,7 @@ std::vector<Vec2> referencePath(const RunContext& context, const Sample& first) 
     path.push_back(place);
   }
   if (path.empty() && !context.goals.empty()) {
-    path = shortestPath(context, first.robot.position, context.goals.front().position).points;
+    path = shortestPath(context, first.robot.position, context.goals.front().position);
   }
   return path;
 }
@@ -63,7 +63,7 @@ double distanceToPath(const std::vector<Vec2>& path, const Vec2& point) {
 
 /// Evenly along the way, both ends included.
 std::vector<Vec2> spread(const std::vector<Vec2>& path, std::size_t count) {
-  const double length = sim2d::Path{path}.length();
+  const double length = sim2d::lengthOfWay(path);
   std::vector<Vec2> points;
   for (std::size_t k = 0; k < count; ++k) {
     const double share = count > 1 ? static_cast<double>(k) / static_cast<double>(count - 1) : 0.0;

@@ -164,9 +164,4 @@ base::Result<std::vector<base::FileContent>> mapFileContents(const OccupancyGrid
                                         {yamlPath, text}};
 }
 
-base::Diagnostics writeMap(const OccupancyGrid& grid, const std::string& yamlPath) {
-  const base::Result<std::vector<base::FileContent>> files = mapFileContents(grid, yamlPath);
-  return files ? base::writeFilesTogether(*files) : files.diagnostics();
-}
-
 }  // namespace sim2d

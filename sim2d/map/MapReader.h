@@ -57,10 +57,8 @@ base::Result<MapDescription> parseMapDescription(const std::string& text, const 
 /// The image must hold width * height > 0 pixels. First row on top becomes the last row of cells.
 OccupancyGrid gridFromImage(const MapImage& image, const MapDescription& description, MapRule rule);
 
-/// Writes `<path>.yaml`-style text, and the image as PGM (P5: 254 free, 0 occupied, 205 unknown;
-/// thresholds 0.65 and 0.196, trinary). Empty = written.
-base::Diagnostics writeMap(const OccupancyGrid& grid, const std::string& yamlPath);
-/// What writeMap would write: the image, then the YAML. An error for the open plane.
+/// A map as files: the image as PGM (P5: 254 free, 0 occupied, 205 unknown; thresholds 0.65 and
+/// 0.196, trinary), then the YAML. An error for the open plane.
 base::Result<std::vector<base::FileContent>> mapFileContents(const OccupancyGrid& grid,
                                                              const std::string& yamlPath);
 

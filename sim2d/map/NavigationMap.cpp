@@ -65,14 +65,13 @@ int OpenBlocks::wallsBelow(int column, int row) const {
                 static_cast<std::size_t>(column)];
 }
 
-bool OpenBlocks::covers(const Vec2& place) const {
-  return place.x() >= 0.0 && place.y() >= 0.0 && place.x() < width_ && place.y() < height_;
-}
-
 bool OpenBlocks::areFree(const Vec2& from, const Vec2& to) const {
   const Vec2 a = perCell_ * field_->grid().worldToCorner(from);
   const Vec2 b = perCell_ * field_->grid().worldToCorner(to);
-  if (!covers(a) || !covers(b)) {
+  const auto isCovered = [this](const Vec2& place) {
+    return place.x() >= 0.0 && place.y() >= 0.0 && place.x() < width_ && place.y() < height_;
+  };
+  if (!isCovered(a) || !isCovered(b)) {
     return false;
   }
   const Vec2 low = a.cwiseMin(b);
@@ -146,20 +145,11 @@ void NavigationMap::update(const OccupancyGrid& map, const Obstacles& obstacles)
 }
 
 std::vector<Vec2> NavigationMap::plan(double radius, const Vec2& start, const Vec2& goal) const {
-  return isOpenPlane() ? std::vector<Vec2>{start, goal}
-                       : plannerFor(radius).plan(start, goal).points;
-}
-
-bool NavigationMap::isReachable(double radius, const Vec2& start, const Vec2& goal) const {
-  return isOpenPlane() || plannerFor(radius).isReachable(start, goal);
-}
-
-bool NavigationMap::isClear(double radius, const Vec2& from, const Vec2& to) const {
-  return isOpenPlane() || plannerFor(radius).isClear(from, to);
+  return isOpenPlane() ? std::vector<Vec2>{start, goal} : plannerFor(radius).plan(start, goal);
 }
 
 std::optional<Vec2> NavigationMap::nearestFit(double radius, const Vec2& point) const {
-  return isOpenPlane() ? std::optional<Vec2>(point) : plannerFor(radius).nearestFit(point);
+  return isOpenPlane() ? std::optional<Vec2>(point) : plannerFor(radius).space().nearestFit(point);
 }
 
 double NavigationMap::clearance(const Vec2& point) const {

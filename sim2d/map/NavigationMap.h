@@ -21,7 +21,6 @@ class OpenBlocks {
   bool areFree(const Vec2& from, const Vec2& to) const;
 
  private:
-  bool covers(const Vec2& place) const;  // in blocks
   int wallsBelow(int column, int row) const;
 
   std::shared_ptr<const DistanceField> field_;
@@ -79,8 +78,12 @@ class NavigationMap {
 
   /// From start to goal; empty when there is none.
   std::vector<Vec2> plan(double radius, const Vec2& start, const Vec2& goal) const;
-  bool isReachable(double radius, const Vec2& start, const Vec2& goal) const;
-  bool isClear(double radius, const Vec2& from, const Vec2& to) const;
+  bool isReachable(double radius, const Vec2& start, const Vec2& goal) const {
+    return isOpenPlane() || plannerFor(radius).isReachable(start, goal);
+  }
+  bool isClear(double radius, const Vec2& from, const Vec2& to) const {
+    return isOpenPlane() || plannerFor(radius).isClear(from, to);
+  }
   std::optional<Vec2> nearestFit(double radius, const Vec2& point) const;
   /// At least this much room to the next wall [m], by the grid; large where nothing stands.
   double clearance(const Vec2& point) const;

@@ -59,12 +59,7 @@ void Obstacles::build() {
 }
 
 void Obstacles::addOutline(const Outline& outline, int part) {
-  std::vector<Vec2> points;
-  for (const Vec2& point : outline.points) {
-    if (points.empty() || (point - points.back()).norm() > 1e-9) {
-      points.push_back(point);
-    }
-  }
+  std::vector<Vec2> points = withoutRepeats(outline.points);
   while (points.size() > 1 && (points.front() - points.back()).norm() <= 1e-9) {
     points.pop_back();
   }
@@ -81,14 +76,6 @@ void Obstacles::addOutline(const Outline& outline, int part) {
     edges_.push_back({part, first + (i + count - 1) % count, first + (i + 1) % count,
                       Vec2((to - from) / length), length});
   }
-}
-
-void Obstacles::setEnabled(int part, bool enabled) {
-  enabled_.at(static_cast<std::size_t>(part)) = enabled ? 1 : 0;
-}
-
-const std::vector<Outline>& Obstacles::outlines(int part) const {
-  return parts_.at(static_cast<std::size_t>(part));
 }
 
 bool Obstacles::isOn(int edge) const {
@@ -234,10 +221,6 @@ double Obstacles::clearance(const Vec2& position, double limit) const {
     return isInside(position) ? -limit : limit;
   }
   return nearest->inside ? -nearest->distance : nearest->distance;
-}
-
-bool Obstacles::isInside(const Vec2& position) const {
-  return solidPartAt(position) >= 0;
 }
 
 Obstacles::Hit Obstacles::firstHit(const Vec2& from, const Vec2& direction, double range) const {

@@ -15,10 +15,14 @@ class Obstacles {
   /// Returns the number of the part; all its outlines are switched together.
   int add(std::vector<Outline> outlines, bool enabled = true);
   void build();  // after the last add
-  void setEnabled(int part, bool enabled);
+  void setEnabled(int part, bool enabled) {
+    enabled_.at(static_cast<std::size_t>(part)) = enabled ? 1 : 0;
+  }
   bool isEnabled(int part) const { return enabled_.at(static_cast<std::size_t>(part)) != 0; }
   int partCount() const { return static_cast<int>(parts_.size()); }
-  const std::vector<Outline>& outlines(int part) const;
+  const std::vector<Outline>& outlines(int part) const {
+    return parts_.at(static_cast<std::size_t>(part));
+  }
 
   /// Points by which obstacles act on a body at `position` (rule "boundary"): on each outline the
   /// local minima of distance nearer than `range` whose outward side faces the position; of points
@@ -40,7 +44,7 @@ class Obstacles {
   std::optional<Point> nearestPoint(const Vec2& position, double range) const;
   /// Distance to the nearest boundary [m], negative inside, `limit` when nothing is nearer.
   double clearance(const Vec2& position, double limit = 5.0) const;
-  bool isInside(const Vec2& position) const;
+  bool isInside(const Vec2& position) const { return solidPartAt(position) >= 0; }
   /// Nothing solid between the points: line of sight, way of sound.
   bool isVisible(const Vec2& from, const Vec2& to) const;
   /// Distance along the unit vector to the first hit, `range` if there is none, 0 inside.

@@ -48,10 +48,6 @@ Cell OccupancyGrid::worldToCell(const Vec2& point) const {
   return {floorToInt(corner.x()), floorToInt(corner.y())};
 }
 
-Vec2 OccupancyGrid::cellToWorld(Cell cell) const {
-  return cornerToWorld(cell.column + 0.5, cell.row + 0.5);
-}
-
 Vec2 OccupancyGrid::cornerToWorld(double column, double row) const {
   const Vec2 left(-axis_.y(), axis_.x());
   return origin_.position + column * resolution_ * axis_ + row * resolution_ * left;

@@ -58,7 +58,9 @@ class OccupancyGrid {
 
   Cell worldToCell(const Vec2& point) const;    // floor; may lie outside; NaN: (-1, -1)
   Vec2 worldToCorner(const Vec2& point) const;  // the same without floor: inverse of cornerToWorld
-  Vec2 cellToWorld(Cell cell) const;            // centre
+  Vec2 cellToWorld(Cell cell) const {           // centre
+    return cornerToWorld(cell.column + 0.5, cell.row + 0.5);
+  }
   Vec2 cornerToWorld(double column, double row) const;  // cell coordinates -> world
 
   friend bool operator==(const OccupancyGrid& a, const OccupancyGrid& b);

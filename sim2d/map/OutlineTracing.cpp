@@ -73,15 +73,12 @@ class BorderWalk {
   std::vector<bool> visited_;  // lower edges of wall cells
 };
 
-int runLength(const Corner& from, const Corner& to) {
-  return std::abs(to.column - from.column) + std::abs(to.row - from.row);
-}
-
 /// A side of one cell between a left and a right turn: part of a staircase, a slanted wall.
 bool isStep(const Ring& ring, std::size_t index) {
   const Corner& from = ring[index];
   const Corner& to = ring[(index + 1) % ring.size()];
-  return from.left != to.left && runLength(from, to) == 1;
+  return from.left != to.left &&
+         std::abs(to.column - from.column) + std::abs(to.row - from.row) == 1;
 }
 
 Vec2 pointOf(const Corner& corner) {

@@ -36,16 +36,6 @@ Outline boxAlong(const Vec2& from, const Vec2& to, double thickness, const Vec2&
   return {{from - side, to - side, to + side, from + side}};
 }
 
-std::vector<Vec2> withoutRepeats(const std::vector<Vec2>& line) {
-  std::vector<Vec2> points;
-  for (const Vec2& point : line) {
-    if (points.empty() || (point - points.back()).norm() > 1e-9) {
-      points.push_back(point);
-    }
-  }
-  return points;
-}
-
 /// Offset of a joint of two legs to the left by half the thickness, as a mitre; none where the
 /// mitre would grow longer than twice that.
 std::optional<Vec2> mitre(const Vec2& before, const Vec2& at, const Vec2& after, double half) {
@@ -112,6 +102,16 @@ std::vector<Outline> mitredStrip(const std::vector<Vec2>& line, bool closed, dou
 }
 
 }  // namespace
+
+std::vector<Vec2> withoutRepeats(const std::vector<Vec2>& line) {
+  std::vector<Vec2> points;
+  for (const Vec2& point : line) {
+    if (points.empty() || (point - points.back()).norm() > 1e-9) {
+      points.push_back(point);
+    }
+  }
+  return points;
+}
 
 Vec2 closestOnSegment(const Segment& segment, const Vec2& point) {
   const Vec2 along = segment.b - segment.a;

@@ -14,6 +14,9 @@ struct Segment {
   Vec2 b = Vec2::Zero();
 };
 
+/// Without points that lie on the one before, to a nanometre.
+std::vector<Vec2> withoutRepeats(const std::vector<Vec2>& line);
+
 Vec2 closestOnSegment(const Segment& segment, const Vec2& point);
 double distanceToSegment(const Segment& segment, const Vec2& point);  // [m]
 

@@ -2,12 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstdint>
-#include <memory>
-#include <mutex>
 #include <utility>
-
-#include "sim2d/map/WalkSpace.h"
 
 namespace sim2d {
 
@@ -85,155 +80,125 @@ class CellWay {
   std::vector<int> unknownUpTo_;   // unknown places among those up to each
 };
 
-/// Which open cells of a terrain hang together: ways exist within a part and nowhere else. A
-/// diagonal step passes two open cells, so cells hang together by their sides.
-class OpenParts {
- public:
-  explicit OpenParts(const Terrain& terrain) : parts_(terrain.size(), 0) {
-    std::int32_t part = 0;
-    for (Terrain::Index index = 0; index < static_cast<Terrain::Index>(parts_.size()); ++index) {
-      if (terrain.isOpen(index) && partOf(index) == 0) {
-        fill(terrain, index, ++part);
-      }
+/// A number of the part that each cell of a terrain is in, 0 for closed cells. Ways exist within a
+/// part and nowhere else. A diagonal step passes two open cells, so cells hang together by their
+/// sides.
+std::vector<std::int32_t> openParts(const Terrain& terrain) {
+  std::vector<std::int32_t> parts(terrain.size(), 0);
+  std::vector<Terrain::Index> waiting;
+  std::int32_t part = 0;
+  const auto enter = [&](Terrain::Index index) {
+    std::int32_t& its = parts[static_cast<std::size_t>(index)];
+    if (terrain.isOpen(index) && its == 0) {
+      its = part;
+      waiting.push_back(index);
     }
-  }
-  /// The part of a cell, from 1; 0 for closed cells.
-  std::int32_t partOf(Terrain::Index index) const {
-    return parts_[static_cast<std::size_t>(index)];
-  }
-
- private:
-  /// The closed cells all round a terrain keep the search inside.
-  void fill(const Terrain& terrain, Terrain::Index from, std::int32_t part) {
-    std::vector<Terrain::Index> waiting{from};
-    parts_[static_cast<std::size_t>(from)] = part;
-    while (!waiting.empty()) {
+  };
+  for (Terrain::Index index = 0; index < static_cast<Terrain::Index>(parts.size()); ++index) {
+    ++part;
+    enter(index);
+    while (!waiting.empty()) {  // the closed cells all round a terrain keep the search inside
       const Terrain::Index at = waiting.back();
       waiting.pop_back();
-      for (const Terrain::Index next :
-           {at - 1, at + 1, at - terrain.stride(), at + terrain.stride()}) {
-        if (terrain.isOpen(next) && partOf(next) == 0) {
-          parts_[static_cast<std::size_t>(next)] = part;
-          waiting.push_back(next);
-        }
+      for (const Terrain::Index side : {-1, 1, -terrain.stride(), terrain.stride()}) {
+        enter(at + side);
       }
     }
   }
-
-  std::vector<std::int32_t> parts_;
-};
+  return parts;
+}
 
 }  // namespace
 
-double Path::length() const {
-  double sum = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    sum += (points[i] - points[i - 1]).norm();
-  }
-  return sum;
+double lengthOfWay(const std::vector<Vec2>& way) {
+  return way.empty() ? 0.0 : lengthOfWay(way.front(), way, 1);
 }
 
-struct PathPlanner::Search {
-  Search(std::shared_ptr<const DistanceField> field, double radius)
-      : space(std::move(field), radius) {}
-
-  /// The field of an open goal cell; the least recently used one makes room.
-  GoalField& fieldOf(Cell goal) {
-    const Terrain& terrain = space.terrain();
-    const Terrain::Index index = terrain.indexOf(goal);
-    const auto found = std::find_if(fields.begin(), fields.end(),
-                                    [&](const auto& entry) { return entry->goal() == index; });
-    if (found != fields.end()) {
-      std::rotate(fields.begin(), found, found + 1);
-      return *fields.front();
-    }
-    const std::size_t bytes = sizeof(std::uint32_t) * terrain.size();
-    const std::size_t most = std::clamp<std::size_t>(kCacheBytes / bytes, 2, kMostFields);
-    if (fields.size() >= most) {
-      fields.pop_back();
-    }
-    fields.insert(fields.begin(), std::make_unique<GoalField>(terrain, index));
-    return *fields.front();
+double lengthOfWay(const Vec2& from, const std::vector<Vec2>& way, std::size_t first) {
+  double length = 0.0;
+  Vec2 at = from;
+  for (std::size_t i = first; i < way.size(); ++i) {
+    length += (way[i] - at).norm();
+    at = way[i];
   }
-
-  std::vector<Vec2> walk(const WalkSpace::Anchor& start, const WalkSpace::Anchor& goal,
-                         const GoalField& field) const {
-    CellWay way(space);
-    way.append(start.place);
-    way.append(space.grid().cellToWorld(start.cell));
-    for (Terrain::Index at = space.terrain().indexOf(start.cell); at != field.goal();) {
-      at = field.next(at);
-      way.append(space.grid().cellToWorld(space.terrain().cellOf(at)));
-    }
-    way.append(goal.place);
-    return way.pulled();
-  }
-
-  /// Made once; answers for all pairs of places without a search.
-  const OpenParts& openParts() {
-    if (parts == nullptr) {
-      parts = std::make_unique<OpenParts>(space.terrain());
-    }
-    return *parts;
-  }
-
-  WalkSpace space;
-  std::mutex mutex;                                // of what follows
-  std::vector<std::unique_ptr<GoalField>> fields;  // last used first
-  std::unique_ptr<OpenParts> parts;
-};
+  return length;
+}
 
 PathPlanner::PathPlanner(std::shared_ptr<const DistanceField> field, double radius)
-    : search_(std::make_shared<Search>(std::move(field), radius)) {
+    : space_(std::move(field), radius) {
   assert(radius >= 0.0);
 }
 
-double PathPlanner::radius() const {
-  return search_->space.radius();
+/// The field of an open goal cell; the least recently used one makes room.
+GoalField& PathPlanner::fieldOf(Cell goal) {
+  const Terrain& terrain = space_.terrain();
+  const Terrain::Index index = terrain.indexOf(goal);
+  const auto found = std::find_if(fields_.begin(), fields_.end(),
+                                  [&](const auto& entry) { return entry->goal() == index; });
+  if (found != fields_.end()) {
+    std::rotate(fields_.begin(), found, found + 1);
+    return *fields_.front();
+  }
+  const std::size_t bytes = sizeof(std::uint32_t) * terrain.size();
+  const std::size_t most = std::clamp<std::size_t>(kCacheBytes / bytes, 2, kMostFields);
+  if (fields_.size() >= most) {
+    fields_.pop_back();
+  }
+  fields_.insert(fields_.begin(), std::make_unique<GoalField>(terrain, index));
+  return *fields_.front();
 }
 
-Path PathPlanner::plan(const Vec2& start, const Vec2& goal) {
-  const WalkSpace& space = search_->space;
-  const std::optional<WalkSpace::Anchor> from = space.anchorOf(start);
-  const std::optional<WalkSpace::Anchor> to = space.anchorOf(goal);
+std::vector<Vec2> PathPlanner::walk(const WalkSpace::Anchor& start, const WalkSpace::Anchor& goal,
+                                    const GoalField& field) const {
+  CellWay way(space_);
+  way.append(start.place);
+  way.append(space_.grid().cellToWorld(start.cell));
+  for (Terrain::Index at = space_.terrain().indexOf(start.cell); at != field.goal();) {
+    at = field.next(at);
+    way.append(space_.grid().cellToWorld(space_.terrain().cellOf(at)));
+  }
+  way.append(goal.place);
+  return way.pulled();
+}
+
+std::vector<Vec2> PathPlanner::plan(const Vec2& start, const Vec2& goal) {
+  const std::optional<WalkSpace::Anchor> from = space_.anchorOf(start);
+  const std::optional<WalkSpace::Anchor> to = space_.anchorOf(goal);
   if (!from || !to) {
     return {};
   }
-  Path path;
-  const double comfortable = space.bodyRadius() + kWantedClearance;
-  if (space.lineKeeps(from->place, to->place, comfortable, false)) {
-    path.points = {from->place, to->place};
+  std::vector<Vec2> way;
+  const double comfortable = space_.bodyRadius() + kWantedClearance;
+  if (space_.lineKeeps(from->place, to->place, comfortable, false)) {
+    way = {from->place, to->place};
   } else {
-    const std::lock_guard<std::mutex> lock(search_->mutex);
-    GoalField& field = search_->fieldOf(to->cell);
-    if (!field.reach(space.terrain().indexOf(from->cell))) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    GoalField& field = fieldOf(to->cell);
+    if (!field.reach(space_.terrain().indexOf(from->cell))) {
       return {};
     }
-    path.points = search_->walk(*from, *to, field);
+    way = walk(*from, *to, field);
   }
-  if (from->place != start && space.leadsOut(start, from->place)) {
-    path.points.insert(path.points.begin(), start);
+  if (from->place != start && space_.leadsOut(start, from->place)) {
+    way.insert(way.begin(), start);
   }
-  return path;
+  return way;
 }
 
 bool PathPlanner::isReachable(const Vec2& start, const Vec2& goal) {
-  const WalkSpace& space = search_->space;
-  const std::optional<WalkSpace::Anchor> from = space.anchorOf(start);
-  const std::optional<WalkSpace::Anchor> to = space.anchorOf(goal);
-  const std::lock_guard<std::mutex> lock(search_->mutex);
-  const auto partOf = [this, &space](const WalkSpace::Anchor& anchor) {
-    return search_->openParts().partOf(space.terrain().indexOf(anchor.cell));
+  const std::optional<WalkSpace::Anchor> from = space_.anchorOf(start);
+  const std::optional<WalkSpace::Anchor> to = space_.anchorOf(goal);
+  if (!from || !to) {
+    return false;
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (parts_.empty()) {  // made once; answers for all pairs of places without a search
+    parts_ = openParts(space_.terrain());
+  }
+  const auto partOf = [this](Cell cell) {
+    return parts_[static_cast<std::size_t>(space_.terrain().indexOf(cell))];
   };
-  return from && to && partOf(*from) == partOf(*to);
-}
-
-bool PathPlanner::isClear(const Vec2& from, const Vec2& to) const {
-  return search_->space.lineKeeps(from, to, search_->space.bodyRadius(), true);
-}
-
-std::optional<Vec2> PathPlanner::nearestFit(const Vec2& point) const {
-  return search_->space.nearestFit(point);
+  return partOf(from->cell) == partOf(to->cell);
 }
 
 }  // namespace sim2d

@@ -1,20 +1,18 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
-#include "sim2d/map/DistanceField.h"
+#include "sim2d/map/WalkSpace.h"
 
 namespace sim2d {
 
-/// A path of straight legs, start and goal included; empty = there is none. A goal that had to be
-/// moved ends it where it was moved to; a start that had to be moved is followed by its new place
-/// (and left out if a wall lies between). Start and goal alike: two equal points.
-struct Path {
-  std::vector<Vec2> points;
-  double length() const;
-};
+/// Of all legs of a way [m]; 0 for none.
+double lengthOfWay(const std::vector<Vec2>& way);
+/// From a place to the point with number `first` of a way and on to its end [m].
+double lengthOfWay(const Vec2& from, const std::vector<Vec2>& way, std::size_t first);
 
 /// Ways round walls for bodies of one radius. One planner per (obstacles, radius class), shared by
 /// all bodies of that radius; distance-to-goal fields are kept per goal cell (bounded cache), so
@@ -27,18 +25,27 @@ class PathPlanner {
  public:
   PathPlanner(std::shared_ptr<const DistanceField> field, double radius);
 
-  /// A start or goal in a closed cell is moved to the nearest open one within 1 m first.
-  Path plan(const Vec2& start, const Vec2& goal);
+  /// Straight legs, start and goal included; empty: there is no way. A start or goal in a closed
+  /// cell is moved to the nearest open one within 1 m first. A goal that had to be moved ends the
+  /// way where it was moved to; a start that had to be moved is followed by its new place (and left
+  /// out if a wall lies between). Start and goal alike: two equal points.
+  std::vector<Vec2> plan(const Vec2& start, const Vec2& goal);
   bool isReachable(const Vec2& start, const Vec2& goal);
   /// The straight line keeps the clearance all along.
-  bool isClear(const Vec2& from, const Vec2& to) const;
-  /// `point` if a body of this radius fits, else the nearest place within 1 m where it does.
-  std::optional<Vec2> nearestFit(const Vec2& point) const;
-  double radius() const;
+  bool isClear(const Vec2& from, const Vec2& to) const {
+    return space_.lineKeeps(from, to, space_.bodyRadius(), true);
+  }
+  const WalkSpace& space() const { return space_; }
 
  private:
-  struct Search;
-  std::shared_ptr<Search> search_;  // copies share it
+  GoalField& fieldOf(Cell goal);
+  std::vector<Vec2> walk(const WalkSpace::Anchor& start, const WalkSpace::Anchor& goal,
+                         const GoalField& field) const;
+
+  WalkSpace space_;
+  std::mutex mutex_;                                // of what follows
+  std::vector<std::unique_ptr<GoalField>> fields_;  // last used first
+  std::vector<std::int32_t> parts_;                 // as of openParts(); empty: not asked for yet
 };
 
 }  // namespace sim2d

@@ -49,17 +49,9 @@ void SegmentGrid::build(const std::vector<Segment>& segments, double bucketSize)
   width_ = toBucket(extent.x() / size_) + 1;
   height_ = toBucket(extent.y() / size_) + 1;
   start_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) + 1, 0);
-  const auto forEachBucket = [&](const Segment& segment, auto visit) {
-    const Span rows = rowsOf(segment);
-    for (int row = rows.first; row <= rows.last; ++row) {
-      const Span columns = columnsIn(row, segment);
-      for (int column = columns.first; column <= columns.last; ++column) {
-        visit(static_cast<std::size_t>(indexOf({column, row})));
-      }
-    }
-  };
+  const auto numberOf = [this](Bucket bucket) { return static_cast<std::size_t>(indexOf(bucket)); };
   for (const Segment& segment : segments) {
-    forEachBucket(segment, [&](std::size_t bucket) { ++start_[bucket + 1]; });
+    forEachBucketAlong(segment, [&](Bucket bucket) { ++start_[numberOf(bucket) + 1]; });
   }
   for (std::size_t i = 1; i < start_.size(); ++i) {
     start_[i] += start_[i - 1];
@@ -67,8 +59,8 @@ void SegmentGrid::build(const std::vector<Segment>& segments, double bucketSize)
   items_.resize(static_cast<std::size_t>(start_.back()));
   std::vector<int> fill(start_.begin(), start_.end() - 1);
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    forEachBucket(segments[i], [&](std::size_t bucket) {
-      items_[static_cast<std::size_t>(fill[bucket]++)] = static_cast<int>(i);
+    forEachBucketAlong(segments[i], [&](Bucket bucket) {
+      items_[static_cast<std::size_t>(fill[numberOf(bucket)]++)] = static_cast<int>(i);
     });
   }
 }

@@ -67,6 +67,8 @@ class SegmentGrid {
 
   template <class Visit>
   void visitBuckets(Bucket low, Bucket high, Visit& visit) const;
+  template <class Visit>
+  void forEachBucketAlong(const Segment& segment, Visit visit) const;
 
   Vec2 origin_ = Vec2::Zero();
   double size_ = 1.0;
@@ -88,6 +90,17 @@ void SegmentGrid::visitBuckets(Bucket low, Bucket high, Visit& visit) const {
 }
 
 template <class Visit>
+void SegmentGrid::forEachBucketAlong(const Segment& segment, Visit visit) const {
+  const Span rows = rowsOf(segment);
+  for (int row = rows.first; row <= rows.last; ++row) {
+    const Span columns = columnsIn(row, segment);
+    for (int column = columns.first; column <= columns.last; ++column) {
+      visit(Bucket{column, row});
+    }
+  }
+}
+
+template <class Visit>
 void SegmentGrid::visitBox(const Vec2& low, const Vec2& high, Visit visit) const {
   if (!isEmpty()) {
     visitBuckets(bucketAt(low), bucketAt(high), visit);
@@ -96,15 +109,11 @@ void SegmentGrid::visitBox(const Vec2& low, const Vec2& high, Visit visit) const
 
 template <class Visit>
 void SegmentGrid::visitAlong(const Segment& segment, Visit visit) const {
-  if (isEmpty()) {
-    return;
-  }
-  auto visitItem = [&](Bucket, int item) { visit(item); };
-  const Span rows = rowsOf(segment);
-  for (int row = rows.first; row <= rows.last; ++row) {
-    const Span columns = columnsIn(row, segment);
-    visitBuckets({columns.first, row}, {columns.last, row}, visitItem);
-  }
+  forEachBucketAlong(segment, [&](Bucket bucket) {
+    for (const int item : items(bucket)) {
+      visit(item);
+    }
+  });
 }
 
 template <class Visit>

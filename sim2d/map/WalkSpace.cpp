@@ -28,18 +28,6 @@ WalkSpace::WalkSpace(std::shared_ptr<const DistanceField> field, double radius)
   toUnknown_ = distancesToMarked(grid().width(), grid().height(), marks);
 }
 
-bool WalkSpace::isOpen(Cell cell) const {
-  return grid().contains(cell) && terrain_.isOpen(terrain_.indexOf(cell));
-}
-
-bool WalkSpace::isUnknown(const Vec2& point) const {
-  return grid().isUnknown(grid().worldToCell(point));
-}
-
-bool WalkSpace::isInWorld(const Vec2& point) const {
-  return field_->isOpenPlane() ? point.allFinite() : grid().contains(grid().worldToCell(point));
-}
-
 bool WalkSpace::fits(const Vec2& point) const {
   return isInWorld(point) && field_->distanceAt(point) >= bodyRadius_ - kClearanceSlack;
 }

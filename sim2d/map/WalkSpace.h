@@ -26,8 +26,10 @@ class WalkSpace {
   /// The radius, but no less than what keeps lines from slipping through walls of one cell [m].
   double bodyRadius() const { return bodyRadius_; }
 
-  bool isOpen(Cell cell) const;
-  bool isUnknown(const Vec2& point) const;
+  bool isOpen(Cell cell) const {
+    return grid().contains(cell) && terrain_.isOpen(terrain_.indexOf(cell));
+  }
+  bool isUnknown(const Vec2& point) const { return grid().isUnknown(grid().worldToCell(point)); }
   bool fits(const Vec2& point) const;
   /// All of the line keeps `clearance` [m], to a millimetre, and stays in the world; unless the
   /// last is set, also off unknown cells.
@@ -41,7 +43,9 @@ class WalkSpace {
   std::optional<Anchor> anchorOf(const Vec2& point) const;
 
  private:
-  bool isInWorld(const Vec2& point) const;
+  bool isInWorld(const Vec2& point) const {
+    return field_->isOpenPlane() ? point.allFinite() : grid().contains(grid().worldToCell(point));
+  }
   double unknownDistance(const Vec2& point) const;
   template <class Accept>
   std::optional<Cell> nearestOpenCell(const Vec2& point, Accept accept) const;

@@ -35,9 +35,10 @@ struct BodyColumns {
     omega.push_back(turning);
     goal.push_back(itsGoal);
   }
+  auto columns() { return std::tie(id, x, y, heading, vx, vy, omega, goal); }
+  auto columns() const { return std::tie(id, x, y, heading, vx, vy, omega, goal); }
   friend bool operator==(const BodyColumns& a, const BodyColumns& b) {
-    return std::tie(a.id, a.x, a.y, a.heading, a.vx, a.vy, a.omega, a.goal) ==
-           std::tie(b.id, b.x, b.y, b.heading, b.vx, b.vy, b.omega, b.goal);
+    return a.columns() == b.columns();
   }
 };
 using RobotColumns = BodyColumns;
@@ -45,9 +46,11 @@ using RobotColumns = BodyColumns;
 struct HumanColumns : BodyColumns {
   std::vector<int> group;           // -1 = none
   std::vector<std::uint8_t> state;  // 1 while a reaction or social action runs
+
+  auto columns() { return std::tuple_cat(BodyColumns::columns(), std::tie(group, state)); }
+  auto columns() const { return std::tuple_cat(BodyColumns::columns(), std::tie(group, state)); }
   friend bool operator==(const HumanColumns& a, const HumanColumns& b) {
-    const BodyColumns& body = a;
-    return body == b && std::tie(a.group, a.state) == std::tie(b.group, b.state);
+    return a.columns() == b.columns();
   }
 };
 
@@ -55,7 +58,16 @@ struct HumanColumns : BodyColumns {
 /// terms is what moved the person. Empty in step 0 and after a step that failed.
 struct ForceColumns {
   std::vector<Vec2> goal, social, obstacle, group;
+
+  auto columns() { return std::tie(goal, social, obstacle, group); }
+  auto columns() const { return std::tie(goal, social, obstacle, group); }
 };
+
+/// Calls visit(column) for each of the columns.
+template <class Columns, class Visit>
+void forEachColumn(Columns& columns, Visit visit) {
+  std::apply([&visit](auto&... column) { (visit(column), ...); }, columns.columns());
+}
 
 enum class EventKind {  // in the order of the file
   Enter,

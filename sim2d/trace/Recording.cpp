@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstring>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
 namespace sim2d {
@@ -86,25 +85,15 @@ template <class AnyPacker, class AnyFrame>
 void pass(AnyPacker& packer, AnyFrame& frame, const Frame& key) {
   packer.value(frame.step);
   packer.value(frame.time);
-  const auto body = [&packer](auto& columns, const BodyColumns& keys) {
-    packer.column(columns.id, keys.id);
-    packer.column(columns.x, keys.x);
-    packer.column(columns.y, keys.y);
-    packer.column(columns.heading, keys.heading);
-    packer.column(columns.vx, keys.vx);
-    packer.column(columns.vy, keys.vy);
-    packer.column(columns.omega, keys.omega);
-    packer.column(columns.goal, keys.goal);
+  const auto columns = [](auto& each) {
+    return std::tuple_cat(each.humans.columns(), each.robots.columns(), each.forces.columns(),
+                          std::tie(each.doorOpen));
   };
-  body(frame.humans, key.humans);
-  body(frame.robots, key.robots);
-  packer.column(frame.humans.group, key.humans.group);
-  packer.column(frame.humans.state, key.humans.state);
-  packer.column(frame.forces.goal, key.forces.goal);
-  packer.column(frame.forces.social, key.forces.social);
-  packer.column(frame.forces.obstacle, key.forces.obstacle);
-  packer.column(frame.forces.group, key.forces.group);
-  packer.column(frame.doorOpen, key.doorOpen);
+  std::apply(
+      [&](auto&... column) {
+        std::apply([&](auto&... keys) { (packer.column(column, keys), ...); }, columns(key));
+      },
+      columns(frame));
   static const std::vector<Vec2> kNoPath;
   const std::size_t paths = packer.sizeOf(frame.robotPaths);
   for (std::size_t k = 0; k < paths; ++k) {
@@ -188,14 +177,6 @@ void Recording::addState(const Frame& frame) {
   }
   memoryLeft_ -= std::min(memoryLeft_, state.bytes.size());
   states_.append(std::move(state));
-}
-
-void Recording::addEvent(std::int64_t step, Event event) {
-  events_.append({step, std::move(event)});
-}
-
-void Recording::addInput(std::int64_t step, Input input) {
-  inputs_.append({step, std::move(input)});
 }
 
 void Recording::addTreeChanges(std::int64_t step, const TreeChanges& changes) {

@@ -40,8 +40,8 @@ class Recording final : public FrameSink {
   // the writer; steps rise within frames, events and tree changes
   void append(const Frame& frame) override;  // its parts, as far as they are recorded
   void addState(const Frame& frame);
-  void addEvent(std::int64_t step, Event event);
-  void addInput(std::int64_t step, Input input);
+  void addEvent(std::int64_t step, Event event) { events_.append({step, std::move(event)}); }
+  void addInput(std::int64_t step, Input input) { inputs_.append({step, std::move(input)}); }
   void addTreeChanges(std::int64_t step, const TreeChanges& changes);
   /// Before the first state with somebody who is not in the header so far.
   void setHeader(TraceHeader header);

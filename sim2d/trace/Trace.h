@@ -156,8 +156,6 @@ std::string traceJson(const TraceHeader& header);
 base::Result<TraceHeader> parseTraceJson(const std::string& text, const std::string& file);
 /// Reads trajectory.csv, events.csv and trace.json of a run folder.
 base::Result<Trace> readTrace(const std::string& directory);
-/// FNV-1a over the bytes of trajectory.csv and events.csv.
-std::uint64_t hashOf(const Trace& trace);
 
 // The same row by row, for records that are written while they are made.
 /// First lines of the files.

@@ -270,31 +270,6 @@ class TreesReader {
   std::vector<Change> rows_;
 };
 
-/// Which doors are open after the events so far.
-class Doors {
- public:
-  explicit Doors(const TraceHeader& header) {
-    for (const TraceObstacle& obstacle : header.obstacles) {
-      if (obstacle.isDoor) {
-        names_.push_back(obstacle.name);
-        open_.push_back(obstacle.open ? 1 : 0);
-      }
-    }
-  }
-  void take(const Event& event) {
-    for (std::size_t k = 0; event.kind == EventKind::Door && k < names_.size(); ++k) {
-      if (event.text == names_[k] + " open" || event.text == names_[k] + " closed") {
-        open_[k] = event.text == names_[k] + " open" ? 1 : 0;
-      }
-    }
-  }
-  const std::vector<char>& open() const { return open_; }
-
- private:
-  std::vector<std::string> names_;
-  std::vector<char> open_;
-};
-
 }  // namespace
 
 base::Result<Trace> readTrace(const std::string& directory) {
@@ -332,13 +307,24 @@ base::Result<Trace> readTrace(const std::string& directory) {
 std::shared_ptr<Recording> recordingOf(Trace trace) {
   auto recording = std::make_shared<Recording>(trace.header.recordEvery);
   recording->setHeader(trace.header);
-  Doors doors(trace.header);
+  std::vector<std::string> doors;
+  std::vector<char> isOpen;  // of each door, after the events so far
+  for (const TraceObstacle& obstacle : trace.header.obstacles) {
+    if (obstacle.isDoor) {
+      doors.push_back(obstacle.name);
+      isOpen.push_back(obstacle.open ? 1 : 0);
+    }
+  }
   auto event = trace.events.begin();
   for (Frame& frame : trace.frames) {
     for (; event != trace.events.end() && event->first <= frame.step; ++event) {
-      doors.take(event->second);
+      const std::string& text = event->second.text;
+      for (std::size_t k = 0; event->second.kind == EventKind::Door && k < doors.size(); ++k) {
+        const bool opens = text == doors[k] + " open";
+        isOpen[k] = opens || text == doors[k] + " closed" ? char{opens} : isOpen[k];
+      }
     }
-    frame.doorOpen = doors.open();
+    frame.doorOpen = isOpen;
     recording->addState(frame);
     frame = Frame();  // long runs need not be there twice
   }

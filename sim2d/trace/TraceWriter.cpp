@@ -13,17 +13,13 @@ constexpr std::array<const char*, kEventKinds> kEventNames = {
     "enter",  "leave",      "goal",  "arrived", "contact", "say",  "heard",
     "action", "action_end", "group", "replan",  "stuck",   "door", "stop"};
 
-void appendInt(std::string& to, long long value) {
-  to += std::to_string(value);
-}
-
 /// `ofPerson`: writes the group and state of a row.
 template <class OfPerson>
 void appendBodies(std::string& to, const std::string& stamp, const BodyColumns& bodies,
                   const char* kind, OfPerson ofPerson) {
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     to += stamp;
-    appendInt(to, bodies.id[k]);
+    to += std::to_string(bodies.id[k]);
     to += kind;
     for (const double value : {bodies.x[k], bodies.y[k], bodies.heading[k], bodies.vx[k],
                                bodies.vy[k], bodies.omega[k]}) {
@@ -32,18 +28,10 @@ void appendBodies(std::string& to, const std::string& stamp, const BodyColumns& 
     }
     ofPerson(k);
     if (bodies.goal[k] != kNoGoal) {
-      appendInt(to, bodies.goal[k]);
+      to += std::to_string(bodies.goal[k]);
     }
     to += '\n';
   }
-}
-
-std::uint64_t fnv1a(const std::string& bytes, std::uint64_t hash) {
-  for (const char byte : bytes) {
-    hash ^= static_cast<unsigned char>(byte);
-    hash *= 0x100000001b3ULL;
-  }
-  return hash;
 }
 
 }  // namespace
@@ -53,12 +41,10 @@ const char* eventKindName(EventKind kind) {
 }
 
 std::optional<EventKind> eventKindOf(std::string_view name) {
-  for (std::size_t k = 0; k < kEventNames.size(); ++k) {
-    if (name == kEventNames[k]) {
-      return static_cast<EventKind>(k);
-    }
-  }
-  return std::nullopt;
+  const auto* const found = std::find(kEventNames.begin(), kEventNames.end(), name);
+  return found == kEventNames.end()
+             ? std::nullopt
+             : std::optional(static_cast<EventKind>(found - kEventNames.begin()));
 }
 
 std::string headLine(const char* columns) {
@@ -68,10 +54,7 @@ std::string headLine(const char* columns) {
 void appendTrajectoryRows(std::string& to, const Frame& frame) {
   const std::string stamp = std::to_string(frame.step) + ',' + base::formatDouble(frame.time) + ',';
   appendBodies(to, stamp, frame.humans, ",human,", [&](std::size_t k) {
-    appendInt(to, frame.humans.group[k]);
-    to += ',';
-    appendInt(to, frame.humans.state[k]);
-    to += ',';
+    to += std::to_string(frame.humans.group[k]) + ',' + std::to_string(frame.humans.state[k]) + ',';
   });
   appendBodies(to, stamp, frame.robots, ",robot,", [&](std::size_t) { to += "-1,0,"; });
 }
@@ -89,7 +72,7 @@ void appendTreeRows(std::string& to, std::int64_t step, const TreeChanges& chang
   const std::string stamp = std::to_string(step) + ',';
   changes.forEach([&](int id, const TreeChanges::Paths& paths, int node, base::NodeStatus status) {
     to += stamp;
-    appendInt(to, id);
+    to += std::to_string(id);
     to += ',';
     appendCsvField(to, paths->at(static_cast<std::size_t>(node)));
     to += ',';
@@ -112,11 +95,6 @@ std::string eventsCsv(const Trace& trace) {
     appendEventRow(text, step, trace.header.dt, event);
   }
   return text;
-}
-
-std::uint64_t hashOf(const Trace& trace) {
-  constexpr std::uint64_t kOffset = 0xcbf29ce484222325ULL;
-  return fnv1a(eventsCsv(trace), fnv1a(trajectoryCsv(trace), kOffset));
 }
 
 }  // namespace sim2d

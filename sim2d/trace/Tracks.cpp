@@ -11,17 +11,13 @@ namespace {
 
 constexpr double kWalkingSpeed = 0.05;  // [m/s] slower tells no direction
 
-Vec2 slope(const TrackPoint& from, const TrackPoint& to) {
-  return (to.position - from.position) / (to.time - from.time);
-}
-
 Vec2 estimatedVelocity(const TrackPoint* begin, const TrackPoint* end, const TrackPoint* point) {
   if (end - begin < 2) {
     return Vec2::Zero();
   }
   const TrackPoint* before = point == begin ? point : point - 1;
   const TrackPoint* after = point + 1 == end ? point : point + 1;
-  return slope(*before, *after);
+  return (after->position - before->position) / (after->time - before->time);
 }
 
 /// A body at one instant, every quantity filled in.
@@ -139,7 +135,8 @@ class TraceMaker {
     if (base::hasErrors(problems_) || !makeGrid()) {
       return problems_;
     }
-    fillHeader();
+    trace_.header.scenario = std::filesystem::path(file_.file).filename().string();
+    trace_.header.dt = step_;
     std::vector<const Track*> tracks;
     for (const Track& track : file_.tracks) {
       if (&track != robot_ && !track.points.empty()) {
@@ -329,12 +326,6 @@ class TraceMaker {
       robot.goals.push_back({0, *options_.robotGoal, 0.2});
     }
     trace_.header.robots.push_back(std::move(robot));
-  }
-
-  void fillHeader() {
-    trace_.header.scenario = std::filesystem::path(file_.file).filename().string();
-    trace_.header.dt = step_;
-    trace_.header.recordEvery = 1;
   }
 
   const TrackFile& file_;

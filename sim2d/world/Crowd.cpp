@@ -47,17 +47,15 @@ void Crowd::update(const FrozenWorld& world, const StepPlans& plans, WorkerPool&
                         look(i, summaries_[thread]);
                       }
                     });
-  Summary all;
+  all_ = {};
   for (const Summary& summary : summaries_) {
-    all.count += summary.count;
-    all.fastest = std::max(all.fastest, summary.fastest);
-    all.hasGroups = all.hasGroups || summary.hasGroups;
+    all_.count += summary.count;
+    all_.fastest = std::max(all_.fastest, summary.fastest);
+    all_.hasGroups = all_.hasGroups || summary.hasGroups;
   }
-  count_ = all.count;
-  fastest_ = all.fastest;
   isAtOnce_ = false;
   groups_.clear();
-  if (all.hasGroups) {
+  if (all_.hasGroups) {
     findGroups();
   }
   robots_.clear();
@@ -128,7 +126,7 @@ void Crowd::expect(std::size_t human) const {
 }
 
 bool Crowd::isSmall() const {
-  return world_->model.exact || count_ <= kSmallCrowd;
+  return world_->model.exact || all_.count <= kSmallCrowd;
 }
 
 void Crowd::computeForces(WorkerPool& workers) {
@@ -220,7 +218,7 @@ void Crowd::addOthers(std::size_t human, Situation& situation) const {
     }
     return;
   }
-  const double range = traits_[human].model->range(fastest_, situation.self.velocity.norm());
+  const double range = traits_[human].model->range(all_.fastest, situation.self.velocity.norm());
   const Ring& ring = world_->model.ring;
   ring.forEachImage(situation.self.position, [&](const Vec2& centre) {
     world_->grid.forEachNear(centre, range, [&](int other) {

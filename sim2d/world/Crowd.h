@@ -95,8 +95,7 @@ class Crowd {
   std::vector<double> room_;            // of each person to the next wall [m]
   std::vector<Walker> robots_;
   std::vector<std::pair<int, std::size_t>> groups_;  // members by group
-  std::size_t count_ = 0;
-  double fastest_ = 0.0;            // [m/s]
+  Summary all_;
   std::vector<Summary> summaries_;  // by thread
   CrowdForces forces_;
   bool isAtOnce_ = false;        // `forces_` are those of this step

@@ -181,12 +181,6 @@ struct Bound {
   HalfPlane plane() const { return {most * towards, Vec2(-towards.y(), towards.x())}; }
 };
 
-/// What keeps bodies apart, and what of them should part beyond that, where it can.
-struct Bounds {
-  std::vector<Bound> contacts;
-  std::vector<Bound> givingWay;
-};
-
 /// The one who sees more of the other ahead gives way.
 bool givesWay(const Pedestrian& self, const Pedestrian& other, const Vec2& apart) {
   const double ofOther = self.desired.direction.dot(apart);
@@ -197,8 +191,10 @@ bool givesWay(const Pedestrian& self, const Pedestrian& other, const Vec2& apart
   return ofOther > ofSelf;
 }
 
+/// What keeps bodies apart, and what of them should part beyond that, where it can.
 void boundByPeople(const DensityParameters& parameters, const Pedestrian& self,
-                   const std::vector<Pedestrian>& others, double look, Bounds& bounds) {
+                   const std::vector<Pedestrian>& others, double look, std::vector<Bound>& contacts,
+                   std::vector<Bound>& givingWay) {
   for (const Pedestrian& other : others) {
     const Vec2 apart = other.body.position - self.body.position;
     const double distance = apart.norm();
@@ -207,17 +203,17 @@ void boundByPeople(const DensityParameters& parameters, const Pedestrian& self,
       continue;
     }
     const Vec2 towards = apart / distance;
-    bounds.contacts.push_back({towards, std::max(gap / (2.0 * look), kPartingSpeed)});
+    contacts.push_back({towards, std::max(gap / (2.0 * look), kPartingSpeed)});
     if (gap < parameters.yieldGap && givesWay(self, other, apart)) {
       const double closeness = 1.0 - std::max(0.0, gap) / parameters.yieldGap;
       const double leaving = std::max(0.0, other.body.velocity.dot(towards));
-      bounds.givingWay.push_back({towards, leaving - parameters.yieldSpeed * closeness});
+      givingWay.push_back({towards, leaving - parameters.yieldSpeed * closeness});
     }
   }
 }
 
 void boundByWalls(const Pedestrian& self, const std::vector<Obstacles::Point>& points, double look,
-                  Bounds& bounds) {
+                  std::vector<Bound>& contacts) {
   for (const Obstacles::Point& point : points) {
     const Vec2 apart = point.position - self.body.position;
     const double distance = apart.norm();
@@ -226,7 +222,7 @@ void boundByWalls(const Pedestrian& self, const std::vector<Obstacles::Point>& p
     }
     const double side = point.inside ? -1.0 : 1.0;
     const double room = side * distance - self.body.radius;
-    bounds.contacts.push_back({side * apart / distance, std::max(room / look, kPartingSpeed)});
+    contacts.push_back({side * apart / distance, std::max(room / look, kPartingSpeed)});
   }
 }
 
@@ -308,20 +304,20 @@ Vec2 guardContacts(const DensityParameters& parameters, const Pedestrian& self,
                    const std::vector<Pedestrian>& others,
                    const std::vector<Obstacles::Point>& points, const Vec2& velocity, double dt) {
   const double look = std::max(dt, kShortestLook);
-  Bounds bounds;
-  boundByWalls(self, points, look, bounds);
-  boundByPeople(parameters, self, others, look, bounds);
+  std::vector<Bound> contacts, givingWay;
+  boundByWalls(self, points, look, contacts);
+  boundByPeople(parameters, self, others, look, contacts, givingWay);
   std::vector<HalfPlane> planes;
-  planes.reserve(bounds.contacts.size() + bounds.givingWay.size());
-  for (const std::vector<Bound>* part : {&bounds.contacts, &bounds.givingWay}) {
+  planes.reserve(contacts.size() + givingWay.size());
+  for (const std::vector<Bound>* part : {&contacts, &givingWay}) {
     for (const Bound& bound : *part) {
       planes.push_back(bound.plane());
     }
   }
   const Vec2 allowed =
-      nearestAllowed(planes, bounds.contacts.size(), velocity, velocity.norm() + kGivingWay);
+      nearestAllowed(planes, contacts.size(), velocity, velocity.norm() + kGivingWay);
   double share = 1.0;  // of it, where bodies overlap and cannot part
-  for (const Bound& bound : bounds.contacts) {
+  for (const Bound& bound : contacts) {
     const double approach = allowed.dot(bound.towards);
     const double most = std::max(0.0, bound.most);
     if (approach > most + kTolerance) {

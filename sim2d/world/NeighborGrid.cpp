@@ -17,18 +17,16 @@ int clampedCell(double value, int count) {
 
 }  // namespace
 
-void NeighborGrid::rebuild(const std::vector<double>& x, const std::vector<double>& y,
-                           const std::vector<char>& present) {
+void NeighborGrid::rebuild(const std::vector<Vec2>& points, const std::vector<char>& present) {
   Vec2 low = Vec2::Zero();
   Vec2 high = Vec2::Zero();
   std::size_t count = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
     if (present[i] == 0) {
       continue;
     }
-    const Vec2 point(x[i], y[i]);
-    low = count == 0 ? point : Vec2(low.cwiseMin(point));
-    high = count == 0 ? point : Vec2(high.cwiseMax(point));
+    low = count == 0 ? points[i] : Vec2(low.cwiseMin(points[i]));
+    high = count == 0 ? points[i] : Vec2(high.cwiseMax(points[i]));
     ++count;
   }
   const Vec2 size = high - low;
@@ -37,19 +35,18 @@ void NeighborGrid::rebuild(const std::vector<double>& x, const std::vector<doubl
   origin_ = low;
   width_ = count == 0 ? 0 : static_cast<int>(size.x() / cell_) + 1;
   height_ = count == 0 ? 0 : static_cast<int>(size.y() / cell_) + 1;
-  cellOf_.assign(x.size(), -1);
-  for (std::size_t i = 0; i < x.size(); ++i) {
+  cellOf_.assign(points.size(), -1);
+  for (std::size_t i = 0; i < points.size(); ++i) {
     if (present[i] != 0) {
-      cellOf_[i] = clampedCell((y[i] - low.y()) / cell_, height_) * width_ +
-                   clampedCell((x[i] - low.x()) / cell_, width_);
+      cellOf_[i] = clampedCell((points[i].y() - low.y()) / cell_, height_) * width_ +
+                   clampedCell((points[i].x() - low.x()) / cell_, width_);
     }
   }
   sortByCell(cellOf_, static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), start_,
              next_, items_);
   points_.resize(count, Vec2::Zero());
   for (std::size_t slot = 0; slot < count; ++slot) {
-    const auto item = static_cast<std::size_t>(items_[slot]);
-    points_[slot] = Vec2(x[item], y[item]);
+    points_[slot] = points[static_cast<std::size_t>(items_[slot])];
   }
 }
 

@@ -14,8 +14,7 @@ using base::Vec2;
 class NeighborGrid {
  public:
   /// Only points with `present` != 0 count.
-  void rebuild(const std::vector<double>& x, const std::vector<double>& y,
-               const std::vector<char>& present);
+  void rebuild(const std::vector<Vec2>& points, const std::vector<char>& present);
 
   /// Calls visit(index) for every point within `range` [m] of `centre`.
   template <class Visit>

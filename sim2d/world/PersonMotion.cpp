@@ -84,10 +84,7 @@ void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, Wor
   crowd_.computeForces(workers_);
   workspaces_.resize(workers_.threadCount());
   walls_.resize(world.navigation.isOpenPlane() ? 0 : wanted_.size());
-  for (std::vector<Vec2>* column :
-       {&forces.goal, &forces.social, &forces.obstacle, &forces.group}) {
-    column->resize(wanted_.size());
-  }
+  forEachColumn(forces, [this](std::vector<Vec2>& column) { column.resize(wanted_.size()); });
   for (Workspace& workspace : workspaces_) {
     workspace.isSound = true;
   }
@@ -151,9 +148,13 @@ void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents, 
                                          control.frozen ? 0.0 : intent.speed,
                                          state.time,
                                          spreadOf(world, human)};
-    const RouteFollower::Leg leg = person.route == Route::Direct
-                                       ? RouteFollower::straight(request)
-                                       : plannedLeg(human, request, world);
+    if (routes_[human] == nullptr && person.route != Route::Direct) {
+      routes_[human] = std::make_unique<RouteFollower>();
+    }
+    const RouteFollower::Leg leg =
+        person.route == Route::Direct
+            ? RouteFollower::straight(request)
+            : routes_[human]->follow(request, world.navigation, world.obstacles);
     plans_.directions[human] = leg.direction;
     plan.changes = wasOnTheWay == leg.direction.isZero(0.0);
     writeNew(plans_.steps[human], plan);
@@ -165,15 +166,6 @@ void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents, 
       routes_[human]->goRound(request, standingNear(world, human), world.navigation);
     }
   }
-}
-
-RouteFollower::Leg PersonMotion::plannedLeg(std::size_t human,
-                                            const RouteFollower::Request& request,
-                                            const FrozenWorld& world) {
-  if (routes_[human] == nullptr) {
-    routes_[human] = std::make_unique<RouteFollower>();
-  }
-  return routes_[human]->follow(request, world.navigation, world.obstacles);
 }
 
 void PersonMotion::findWalls(std::size_t human, const FrozenWorld& world) {

@@ -46,8 +46,6 @@ class PersonMotion {
   ForceTerms move(std::size_t human, const FrozenWorld& world, const Intents& intents,
                   Situation& situation);
   void findWalls(std::size_t human, const FrozenWorld& world);
-  RouteFollower::Leg plannedLeg(std::size_t human, const RouteFollower::Request& request,
-                                const FrozenWorld& world);
 
   WorkerPool workers_;
   Crowd crowd_;

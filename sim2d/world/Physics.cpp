@@ -49,21 +49,20 @@ bool isEar(const std::vector<Vec2>& points, std::size_t at) {
   return true;
 }
 
-/// Of friction zero, part of a body.
-b2FixtureDef partOfBody(const b2Shape& shape, bool passesItsKind) {
+/// Of friction zero.
+void addShape(b2Body& body, const b2Shape& shape, bool passesItsKind) {
   b2FixtureDef definition;
   definition.friction = 0.0F;
   definition.density = 1.0F;
   definition.filter.groupIndex = passesItsKind ? -1 : 0;
   definition.shape = &shape;
-  return definition;
+  body.CreateFixture(&definition);
 }
 
 void addDisc(b2Body& body, float radius, bool passesItsKind) {
   b2CircleShape circle;
   circle.m_radius = radius;
-  const b2FixtureDef definition = partOfBody(circle, passesItsKind);
-  body.CreateFixture(&definition);
+  addShape(body, circle, passesItsKind);
 }
 
 void addFootprint(b2Body& body, const BodySpec& spec) {
@@ -75,8 +74,7 @@ void addFootprint(b2Body& body, const BodySpec& spec) {
     }
     b2PolygonShape polygon;
     polygon.Set(corners.data(), static_cast<int32>(corners.size()));
-    const b2FixtureDef definition = partOfBody(polygon, spec.passesItsKind);
-    body.CreateFixture(&definition);
+    addShape(body, polygon, spec.passesItsKind);
   }
 }
 

@@ -28,8 +28,7 @@ Vec2 drawnPlace(const Area& area, const base::AgentRng& rng, std::uint32_t index
           rng.uniform(low.y(), high.y(), base::Draw::Placement, index + 1)};
 }
 
-}  // namespace
-
+/// A body of this radius at `place` overlaps nobody present, people and robots.
 bool isFree(const WorldModel& model, const WorldState& state, const Vec2& place, double radius) {
   for (std::size_t i = 0; i < state.present.size(); ++i) {
     const double apart = radius + model.people[i].constants.radius;
@@ -45,6 +44,8 @@ bool isFree(const WorldModel& model, const WorldState& state, const Vec2& place,
   }
   return true;
 }
+
+}  // namespace
 
 std::vector<GoalItem> goalItems(const WorldModel& model, const std::vector<int>& ids,
                                 double radius) {

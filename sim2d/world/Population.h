@@ -36,8 +36,6 @@ class Population {
   std::vector<std::size_t> waiting_;
 };
 
-/// A body of this radius at `place` overlaps nobody present, people and robots.
-bool isFree(const WorldModel& model, const WorldState& state, const Vec2& place, double radius);
 /// Goals by their ids, without those that nobody knows.
 std::vector<GoalItem> goalItems(const WorldModel& model, const std::vector<int>& ids,
                                 double radius);

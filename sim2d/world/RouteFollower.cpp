@@ -100,10 +100,11 @@ RouteFollower::Leg RouteFollower::follow(const Request& request, const Navigatio
     clearAt_ = progressAt_ = request.time;
     bestRest_ = 1e300;
   } else if (!path_.empty() && request.target.position != target_) {
-    const double before = restLength(request.position);
+    const double before = lengthOfWay(request.position, path_, next_);
     path_.back() = request.target.position;
     target_ = request.target.position;
-    bestRest_ += restLength(request.position) - before;  // progress is what the person walks
+    bestRest_ +=
+        lengthOfWay(request.position, path_, next_) - before;  // progress is what the person walks
   }
   const bool looks = request.time - lookedAt_ >= kBetweenLooks - 1e-9;
   lookedAt_ = looks ? request.time : lookedAt_;
@@ -204,7 +205,7 @@ bool RouteFollower::isLost(const Request& request, const NavigationMap& navigati
 }
 
 bool RouteFollower::isStuck(const Request& request) {
-  const double rest = restLength(request.position);
+  const double rest = lengthOfWay(request.position, path_, next_);
   if (rest < bestRest_ - kProgress || request.speed < kWalkingSpeed) {
     bestRest_ = std::min(bestRest_, rest);
     progressAt_ = request.time;
@@ -216,16 +217,6 @@ bool RouteFollower::isStuck(const Request& request) {
   progressAt_ = request.time;
   bestRest_ = 1e300;
   return true;
-}
-
-double RouteFollower::restLength(const Vec2& position) const {
-  double length = 0.0;
-  Vec2 from = position;
-  for (std::size_t i = next_; i < path_.size(); ++i) {
-    length += (path_[i] - from).norm();
-    from = path_[i];
-  }
-  return length;
 }
 
 }  // namespace sim2d

@@ -53,7 +53,6 @@ class RouteFollower {
   bool isLost(const Request& request, const NavigationMap& navigation, const Obstacles& obstacles);
   bool isStuck(const Request& request);
   Vec2 besideCorner(const Request& request, const NavigationMap& navigation) const;
-  double restLength(const Vec2& position) const;
 
   std::vector<Vec2> path_;
   std::size_t next_ = 0;

@@ -14,26 +14,17 @@ bool moves(const Robot& robot) {
   return robot.listed && (robot.goal.point || !robot.goal.goals.empty());
 }
 
-bool hasArrived(const World& world) {
-  const std::optional<double> since = world.arrivedAt();
-  return since && world.time() >= *since + kAfterArrival - 1e-9;
-}
-
 /// Why the run ends with this state; empty: it goes on.
 std::string reasonToStop(const World& world, const StopRule& rule,
                          const std::function<bool(const Frame&)>& wantsStop) {
-  if (rule.stopOnArrival && hasArrived(world)) {
+  const std::optional<double> arrivedAt = world.arrivedAt();
+  if (rule.stopOnArrival && arrivedAt && world.time() >= *arrivedAt + kAfterArrival - 1e-9) {
     return "arrived";
   }
   if (world.stepIndex() >= rule.maximumSteps) {
     return "duration";
   }
   return wantsStop && wantsStop(world.frame()) ? "interrupted" : "";
-}
-
-void appendLast(Frame frame, const std::string& reason, FrameSink& sink) {
-  frame.events.push_back({EventKind::Stop, 0, false, 0, false, reason});
-  sink.append(frame);
 }
 
 }  // namespace
@@ -71,7 +62,8 @@ RunResult run(World& world, const StopRule& rule, FrameSink& sink,
     result.status = RunStatus::Interrupted;
   }
   result.steps = world.stepIndex();
-  appendLast(std::move(last), result.reason, sink);
+  last.events.push_back({EventKind::Stop, 0, false, 0, false, result.reason});
+  sink.append(last);
   return result;
 }
 

@@ -54,10 +54,11 @@ RunningWorld::RunningWorld(WorldParts parts, std::unique_ptr<HumanBehavior> mind
   humans_.reserve(model_.people.size());
   physics_.reserve(model_.robots.size() + model_.people.size());
   addRobotBodies();
-  for (std::vector<double>* column :
-       {&state_.x, &state_.y, &state_.vx, &state_.vy, &state_.heading, &state_.omega}) {
+  for (std::vector<Vec2>* column : {&state_.positions, &state_.velocities}) {
     column->reserve(model_.people.size());
   }
+  state_.heading.reserve(model_.people.size());
+  state_.omega.reserve(model_.people.size());
   state_.controls.reserve(model_.people.size());
   state_.events.reserve(model_.people.size());
   for (const Person& person : model_.people) {
@@ -116,7 +117,7 @@ void RunningWorld::applyInputs(StepWatch& watch) {
   place(due);
   intents_.reset();
   watch.lap(StepPhase::Goals);
-  grid_.rebuild(state_.x, state_.y, state_.present);
+  grid_.rebuild(state_.positions, state_.present);
   watch.lap(StepPhase::Grid);
   for (const std::size_t human : due) {
     behavior_->enter(static_cast<int>(human), view_);
@@ -136,10 +137,10 @@ void RunningWorld::enter(std::size_t human) {
   const Person& person = model_.people[human];
   const Pose2 start{person.constants.start.position,
                     base::wrapToPi(person.constants.start.heading)};
-  state_.x[human] = start.position.x();
-  state_.y[human] = start.position.y();
+  state_.positions[human] = start.position;
   state_.heading[human] = start.heading;
-  state_.vx[human] = state_.vy[human] = state_.omega[human] = 0.0;
+  state_.velocities[human] = Vec2::Zero();
+  state_.omega[human] = 0.0;
   state_.active[human] = 0;
   state_.controls[human] = HumanControl{person.plan->goals, false, person.constants.groupId};
   motion_.enter(human);

@@ -258,11 +258,8 @@ void RunningWorld::readPeople() {
       continue;
     }
     const Vec2 velocity = physics_.velocity(bodyOf(i));
-    const Vec2 position = aroundTheRing(i, physics_.pose(bodyOf(i)));
-    state_.x[i] = position.x();
-    state_.y[i] = position.y();
-    state_.vx[i] = velocity.x();
-    state_.vy[i] = velocity.y();
+    state_.positions[i] = aroundTheRing(i, physics_.pose(bodyOf(i)));
+    state_.velocities[i] = velocity;
     if (isWalking(intents_.of(static_cast<int>(i)).motion)) {
       state_.heading[i] = headingAfter(state_.heading[i], velocity, model_.dt);
     }

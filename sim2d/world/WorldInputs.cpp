@@ -36,7 +36,7 @@ void RunningWorld::take(const StepInputs& inputs) {
     }
   }
   updateNavigation();
-  grid_.rebuild(state_.x, state_.y, state_.present);
+  grid_.rebuild(state_.positions, state_.present);
   for (const std::size_t human : newcomers_) {
     behavior_->enter(static_cast<int>(human), view_);
   }
@@ -117,11 +117,9 @@ std::string RunningWorld::addCopy(Input& input) {
 /// Somewhere else; the body has the velocity when others look.
 void RunningWorld::put(std::size_t human, const Pose2& pose, const Vec2& velocity) {
   const Vec2 inside = model_.ring.inside(pose.position);
-  state_.x[human] = inside.x();
-  state_.y[human] = inside.y();
+  state_.positions[human] = inside;
   state_.heading[human] = base::wrapToPi(pose.heading);
-  state_.vx[human] = velocity.x();
-  state_.vy[human] = velocity.y();
+  state_.velocities[human] = velocity;
   physics_.place(bodyOf(human), {inside, state_.heading[human]});
 }
 

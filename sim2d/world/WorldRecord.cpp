@@ -10,21 +10,6 @@ bool precedes(const Event& a, const Event& b) {
   return std::make_tuple(a.kind, a.hasId ? a.id : 0) < std::make_tuple(b.kind, b.hasId ? b.id : 0);
 }
 
-auto columnsOf(HumanColumns& humans) {
-  return std::tie(humans.id, humans.x, humans.y, humans.heading, humans.vx, humans.vy, humans.omega,
-                  humans.group, humans.state, humans.goal);
-}
-
-auto columnsOf(RobotColumns& robots) {
-  return std::tie(robots.id, robots.x, robots.y, robots.heading, robots.vx, robots.vy, robots.omega,
-                  robots.goal);
-}
-
-template <class Columns>
-void clear(Columns& columns) {
-  std::apply([](auto&... column) { (column.clear(), ...); }, columnsOf(columns));
-}
-
 /// Leaves those of people who are present; who came in after the step has none yet.
 void keepPresent(const std::vector<char>& present, std::vector<Vec2>& column) {
   column.resize(present.size(), Vec2::Zero());
@@ -45,8 +30,7 @@ void appendPerson(const WorldModel& model, const WorldState& state, std::size_t 
                   HumanColumns& humans) {
   const HumanControl& control = state.controls[i];
   const bool hasGoal = !control.goals.empty() && control.goals.front().id > 0;
-  humans.add(model.people[i].constants.id, {{state.x[i], state.y[i]}, state.heading[i]},
-             {state.vx[i], state.vy[i]}, state.omega[i],
+  humans.add(model.people[i].constants.id, state.pose(i), state.velocity(i), state.omega[i],
              hasGoal ? control.goals.front().id : kNoGoal);
   humans.group.push_back(control.group >= 0 ? control.group : -1);
   humans.state.push_back(static_cast<std::uint8_t>(state.active[i]));
@@ -132,12 +116,11 @@ TraceMetrics traceMetrics(const MetricsSettings& settings) {
 void fillFrame(const WorldModel& model, WorldState& state, Frame& frame) {
   frame.step = state.step;
   frame.time = state.time;
-  clear(frame.humans);
-  clear(frame.robots);
+  forEachColumn(frame.humans, [](auto& column) { column.clear(); });
+  forEachColumn(frame.robots, [](auto& column) { column.clear(); });
   if (frame.humans.id.capacity() == 0) {
     // Growing up by doubling would need three times the memory.
-    std::apply([&](auto&... column) { (column.reserve(model.people.size()), ...); },
-               columnsOf(frame.humans));
+    forEachColumn(frame.humans, [&](auto& column) { column.reserve(model.people.size()); });
   }
   for (std::size_t i = 0; i < model.people.size(); ++i) {
     if (state.present[i] != 0) {
@@ -145,11 +128,8 @@ void fillFrame(const WorldModel& model, WorldState& state, Frame& frame) {
     }
   }
   if (state.step > 0) {
-    ForceColumns& forces = frame.forces;
-    for (std::vector<Vec2>* column :
-         {&forces.goal, &forces.social, &forces.obstacle, &forces.group}) {
-      keepPresent(state.present, *column);
-    }
+    forEachColumn(frame.forces,
+                  [&](std::vector<Vec2>& column) { keepPresent(state.present, column); });
   }
   for (std::size_t i = 0; i < state.robots.size(); ++i) {
     appendRobot(model.robots[i], state.robots[i], frame.robots);

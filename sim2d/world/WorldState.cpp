@@ -19,10 +19,8 @@ Vec2 Ring::shift(const Vec2& place, const Vec2& seenFrom) const {
 
 void WorldState::append(const Person& person) {
   present.push_back(0);
-  x.push_back(person.constants.start.position.x());
-  y.push_back(person.constants.start.position.y());
-  vx.push_back(0.0);
-  vy.push_back(0.0);
+  positions.push_back(person.constants.start.position);
+  velocities.emplace_back(0.0, 0.0);
   heading.push_back(person.constants.start.heading);
   omega.push_back(0.0);
   active.push_back(0);
@@ -30,10 +28,6 @@ void WorldState::append(const Person& person) {
   control.goals = person.plan->goals;
   control.group = person.constants.groupId;
   controls.push_back(std::move(control));
-}
-
-void WorldState::emit(EventKind kind, int id, std::string text) {
-  events.push_back({kind, id, true, 0, false, std::move(text)});
 }
 
 ResolvedHuman resolvePerson(const WorldModel& world, const Human& human) {

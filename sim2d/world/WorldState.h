@@ -93,19 +93,22 @@ struct WorldState {
   std::int64_t step = 0;
   double time = 0.0;  // step * dt [s]
   std::vector<char> present;
-  std::vector<double> x, y, vx, vy, heading, omega;
+  std::vector<Vec2> positions, velocities;  // [m], [m/s]
+  std::vector<double> heading, omega;
   std::vector<HumanControl> controls;
   std::vector<char> active;  // column `state` of the record
   std::vector<RobotState> robots;
   std::vector<char> doorOpen;
   std::vector<Event> events;  // of the current step, in no order
 
-  Vec2 position(std::size_t human) const { return {x[human], y[human]}; }
-  Vec2 velocity(std::size_t human) const { return {vx[human], vy[human]}; }
+  Vec2 position(std::size_t human) const { return positions[human]; }
+  Vec2 velocity(std::size_t human) const { return velocities[human]; }
   Pose2 pose(std::size_t human) const { return {position(human), heading[human]}; }
   /// One more person, not present yet.
   void append(const Person& person);
-  void emit(EventKind kind, int id, std::string text = {});
+  void emit(EventKind kind, int id, std::string text = {}) {
+    events.push_back({kind, id, true, 0, false, std::move(text)});
+  }
 };
 
 /// The world as it is while people decide and move: nothing of it changes then but the headings of

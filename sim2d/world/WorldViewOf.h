@@ -97,8 +97,9 @@ class WorldViewOf : public WorldView {
     if (person.route == Route::Direct) {
       return (point - state_.position(at(human))).norm();
     }
-    const Path path{world_.navigation.plan(person.radius, state_.position(at(human)), point)};
-    return path.points.empty() ? std::nullopt : std::optional<double>(path.length());
+    const std::vector<Vec2> way =
+        world_.navigation.plan(person.radius, state_.position(at(human)), point);
+    return way.empty() ? std::nullopt : std::optional<double>(lengthOfWay(way));
   }
 
  private:

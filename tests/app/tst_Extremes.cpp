@@ -8,8 +8,8 @@
 #include "editor/document/EditCommands.h"
 #include "editor/panels/IssuesPanel.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/map/MapReader.h"
 #include "sim2d/scenario/ScenarioFile.h"
+#include "tests/support/WrittenMap.h"
 
 using app::MainWindow;
 

@@ -10,7 +10,7 @@
 #include "editor/canvas/RouteModel.h"
 #include "editor/tools/ToolManager.h"
 #include "sim2d/base/Rng.h"
-#include "sim2d/map/MapReader.h"
+#include "tests/support/WrittenMap.h"
 
 using namespace editor;
 

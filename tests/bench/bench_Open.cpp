@@ -6,7 +6,7 @@
 
 #include "app/window/MainWindow.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/map/MapReader.h"
+#include "tests/support/WrittenMap.h"
 
 using app::MainWindow;
 

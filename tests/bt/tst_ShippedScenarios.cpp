@@ -6,6 +6,7 @@
 
 #include "tests/bt/ShippedScenario.h"
 #include "tests/support/Sanitizers.h"
+#include "tests/support/TraceHash.h"
 
 using namespace shipped;
 namespace fs = std::filesystem;

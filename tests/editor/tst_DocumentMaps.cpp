@@ -8,6 +8,7 @@
 #include "editor/document/MapEdit.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"
+#include "tests/support/WrittenMap.h"
 
 using namespace editor;
 using small::check;

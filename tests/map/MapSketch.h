@@ -59,13 +59,13 @@ class MapSketch {
   std::vector<std::int8_t> cells_;
 };
 
-inline double lowestClearance(const Scene& scene, const Path& path) {
+inline double lowestClearance(const Scene& scene, const std::vector<Vec2>& path) {
   double lowest = 1e9;
-  for (std::size_t i = 1; i < path.points.size(); ++i) {
-    const Vec2 leg = path.points[i] - path.points[i - 1];
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Vec2 leg = path[i] - path[i - 1];
     const int steps = static_cast<int>(leg.norm() / 0.01) + 1;
     for (int n = 0; n <= steps; ++n) {
-      const Vec2 point = path.points[i - 1] + static_cast<double>(n) / steps * leg;
+      const Vec2 point = path[i - 1] + static_cast<double>(n) / steps * leg;
       lowest = std::min(lowest, scene.obstacles.clearance(point, 0.7));
     }
   }

@@ -9,6 +9,7 @@
 #include "sim2d/map/MapReader.h"
 #include "tests/map/WrittenFiles.h"
 #include "tests/support/Interop.h"
+#include "tests/support/WrittenMap.h"
 
 using namespace sim2d;
 using written::contains;

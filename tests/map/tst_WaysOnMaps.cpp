@@ -47,9 +47,9 @@ void WaysOnMapsTest::plan_randomMaps_neverCrossWalls() {
       for (int i = 0; i < 8; ++i) {
         const Vec2 from(place(random), place(random));
         const Vec2 to(place(random), place(random));
-        const Path path = planner.plan(from, to);
-        const bool startFits = planner.nearestFit(from) == from;
-        if (path.points.empty() || !startFits) {
+        const std::vector<Vec2> path = planner.plan(from, to);
+        const bool startFits = planner.space().nearestFit(from) == from;
+        if (path.empty() || !startFits) {
           continue;
         }
         ++found;
@@ -73,7 +73,7 @@ void WaysOnMapsTest::plan_otherCallsBefore_isTheSame() {
       const Vec2 from(place(random), place(random));
       const Vec2 to(i % 2 == 0 ? Vec2(5.0, 5.0) : Vec2(place(random), place(random)));
       PathPlanner fresh(scene.field, 0.2);
-      QVERIFY(busy.plan(from, to).points == fresh.plan(from, to).points);
+      QVERIFY(busy.plan(from, to) == fresh.plan(from, to));
     }
   }
 }
@@ -85,11 +85,11 @@ void WaysOnMapsTest::plan_manyGoals_staysBounded() {
   PathPlanner planner(scene.field, 0.35);
   double first = 0.0;
   for (int i = 0; i < 200; ++i) {
-    const Path path = planner.plan({2.0, 1.0}, {8.0, 1.0 + 0.03 * i});
-    QVERIFY(!path.points.empty());
-    first = i == 0 ? path.length() : first;
+    const std::vector<Vec2> path = planner.plan({2.0, 1.0}, {8.0, 1.0 + 0.03 * i});
+    QVERIFY(!path.empty());
+    first = i == 0 ? lengthOfWay(path) : first;
   }
-  QCOMPARE(planner.plan({2.0, 1.0}, {8.0, 1.0}).length(), first);  // searched anew
+  QCOMPARE(lengthOfWay(planner.plan({2.0, 1.0}, {8.0, 1.0})), first);  // searched anew
 }
 
 void WaysOnMapsTest::isReachable_randomMaps_agreesWithPlan() {
@@ -101,7 +101,7 @@ void WaysOnMapsTest::isReachable_randomMaps_agreesWithPlan() {
     for (int i = 0; i < 20; ++i) {
       const Vec2 from(place(random), place(random));
       const Vec2 to(place(random), place(random));
-      QCOMPARE(planner.isReachable(from, to), !planner.plan(from, to).points.empty());
+      QCOMPARE(planner.isReachable(from, to), !planner.plan(from, to).empty());
       QCOMPARE(planner.isReachable(from, to), planner.isReachable(to, from));
     }
   }
@@ -110,14 +110,14 @@ void WaysOnMapsTest::isReachable_randomMaps_agreesWithPlan() {
 void WaysOnMapsTest::nearestFit_cases() {
   const Scene scene = sceneOf(MapSketch(10.0, 10.0).fill({4.0, 0.0}, {4.1, 10.0}).grid());
   const PathPlanner planner(scene.field, 0.35);
-  QVERIFY(planner.nearestFit({2.0, 2.0}) == Vec2(2.0, 2.0));
-  const auto left = planner.nearestFit({3.95, 5.0});
+  QVERIFY(planner.space().nearestFit({2.0, 2.0}) == Vec2(2.0, 2.0));
+  const auto left = planner.space().nearestFit({3.95, 5.0});
   QVERIFY(left && left->x() < 3.66 && left->x() > 3.6);
-  const auto right = planner.nearestFit({4.13, 5.0});
+  const auto right = planner.space().nearestFit({4.13, 5.0});
   QVERIFY(right && right->x() > 4.44 && right->x() < 4.5);
   const Scene solid = sceneOf(MapSketch(5.0, 5.0).fill({0.0, 0.0}, {5.0, 5.0}).grid());
-  QVERIFY(!PathPlanner(solid.field, 0.35).nearestFit({2.0, 2.0}));
-  QVERIFY(!planner.nearestFit({20.0, 2.0}));
+  QVERIFY(!PathPlanner(solid.field, 0.35).space().nearestFit({2.0, 2.0}));
+  QVERIFY(!planner.space().nearestFit({20.0, 2.0}));
 }
 
 void WaysOnMapsTest::isClear_cases() {
@@ -128,7 +128,7 @@ void WaysOnMapsTest::isClear_cases() {
   QVERIFY(!planner.isClear({1.0, 5.0}, {9.0, 5.0}));
   QVERIFY(planner.isClear({1.0, 3.6}, {9.0, 3.6}));
   QVERIFY(!planner.isClear({1.0, 3.7}, {9.0, 3.7}));
-  QCOMPARE(planner.radius(), 0.35);
+  QCOMPARE(planner.space().radius(), 0.35);
 }
 
 QTEST_APPLESS_MAIN(WaysOnMapsTest)

@@ -4,6 +4,7 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Recording.h"
 #include "sim2d/trace/Trace.h"
+#include "tests/support/TraceHash.h"
 
 using namespace sim2d;
 

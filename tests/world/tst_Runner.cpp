@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include "sim2d/world/Runner.h"
+#include "tests/support/TraceHash.h"
 #include "tests/world/TestWorld.h"
 
 using namespace testworld;

@@ -50,15 +50,14 @@ MovingDisc disc(const Vec2& position, const Vec2& velocity) {
 }  // namespace
 
 void WorldPartsTest::neighborGrid_anyPlace_findsWhomAFullSearchFinds() {
-  std::vector<double> x, y;
+  std::vector<Vec2> points;
   std::vector<char> present;
   for (int i = 0; i < 300; ++i) {
-    x.push_back(20.0 * std::sin(1.7 * i));
-    y.push_back(9.0 * std::cos(2.9 * i));
+    points.emplace_back(20.0 * std::sin(1.7 * i), 9.0 * std::cos(2.9 * i));
     present.push_back(i % 7 == 0 ? 0 : 1);
   }
   NeighborGrid grid;
-  grid.rebuild(x, y, present);
+  grid.rebuild(points, present);
   for (int i = 0; i < 60; ++i) {
     const Vec2 centre(25.0 * std::sin(0.9 * i), 15.0 * std::cos(1.1 * i));
     const double range = 0.5 + 0.3 * i;
@@ -66,8 +65,8 @@ void WorldPartsTest::neighborGrid_anyPlace_findsWhomAFullSearchFinds() {
     grid.forEachNear(centre, range, [&](int index) { found.push_back(index); });
     std::sort(found.begin(), found.end());
     std::vector<int> expected;
-    for (std::size_t k = 0; k < x.size(); ++k) {
-      if (present[k] != 0 && (Vec2(x[k], y[k]) - centre).norm() <= range) {
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if (present[k] != 0 && (points[k] - centre).norm() <= range) {
         expected.push_back(static_cast<int>(k));
       }
     }
@@ -77,7 +76,7 @@ void WorldPartsTest::neighborGrid_anyPlace_findsWhomAFullSearchFinds() {
 
 void WorldPartsTest::neighborGrid_nobody_findsNobody() {
   NeighborGrid grid;
-  grid.rebuild({1.0}, {1.0}, {0});
+  grid.rebuild({Vec2(1.0, 1.0)}, {0});
   grid.forEachNear(Vec2(1.0, 1.0), 10.0, [](int) { QFAIL("somebody"); });
 }
 

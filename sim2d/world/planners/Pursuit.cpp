@@ -120,14 +120,7 @@ class Pursuit : public RobotController {
   }
 
   double restLength(const Vec2& position) const {
-    const Foot foot = footOf(position);
-    double length = 0.0;
-    Vec2 from = position;
-    for (std::size_t i = foot.leg + 1; i < path_.size(); ++i) {
-      length += (path_[i] - from).norm();
-      from = path_[i];
-    }
-    return length;
+    return lengthOfWay(position, path_, footOf(position).leg + 1);
   }
 
   /// Fast enough to get round, slow enough to stop there.
