@@ -21,6 +21,8 @@ std::string formatDouble(double value);
 /// The same without exponent and with at least `decimals` digits after the point: 1.5 -> "1.500".
 std::string formatDecimals(double value, int decimals);
 
+std::string pointText(const Vec2& point);  // "(1.5, -2)", to the millimetre
+
 /// The candidate closest to `word` by edit distance (case ignored), if it is close enough to be
 /// meant: at most one edit in three letters.
 std::optional<std::string> nearestName(std::string_view word,
