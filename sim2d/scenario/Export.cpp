@@ -1,9 +1,7 @@
 #include "sim2d/scenario/Export.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <set>
-#include <string_view>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioCheck.h"
@@ -34,17 +32,6 @@ std::string ownKeysOf(const Human& human) {
     }
   }
   return base::join(keys, ", ");
-}
-
-/// Fills these keys with the values that count, where they are absent.
-template <class T>
-void fill(T& to, const ResolvedHuman& counts, std::initializer_list<std::string_view> keys) {
-  for (const std::string_view key : keys) {
-    const Field<T>& field = *fieldOf<T>(key);
-    if (field.value(to) == ParameterValue()) {
-      field.assign(to, field.resolved(counts, field.spec));
-    }
-  }
 }
 
 /// Old name -> one that is safe and free.
@@ -146,7 +133,7 @@ class Exporter {
   void complete(Human& human) {
     const ResolvedHuman counts =
         resolveHuman(scenario(), human, scenario().desktop.seed.value_or(1));
-    fill(human, counts, {"group_id", "max_vel", "radius", "goal_radius", "cyclic_goals"});
+    fillFields(human, counts, {"group_id", "max_vel", "radius", "goal_radius", "cyclic_goals"});
     human.hasInitPose = true;
     human.initZ = target_.startHeight;
     const int largest = largestSkin(target_.simulator);
@@ -160,11 +147,9 @@ class Exporter {
     Behavior& behavior = human.behavior;
     behavior.type = counts.behavior;
     behavior.configuration = counts.configuration;
-    fill(behavior, counts,
-         {"goal_force_factor", "obstacle_force_factor", "social_force_factor",
-          "other_force_factor"});
+    fillFields(behavior, counts, factorKeys());
     if (reactsToRobot(counts.behavior)) {
-      fill(behavior, counts, {"dist", "duration", "once", "vel"});
+      fillFields(behavior, counts, {"dist", "duration", "once", "vel"});
     }
     if (target_.target == ExportTarget::Isaac && counts.configuration == Configuration::Custom) {
       checkFactor(human, "goal_force_factor", *behavior.goalForceFactor, {5.0, 10.0});
