@@ -77,7 +77,7 @@ class Exporter {
       for (Human& human : scenario().humans) {
         complete(human);
       }
-      scenario().simulator = target_.simulator;
+      scenario().simulator = target_.title;
       scenario().publishPeople = scenario().publishPeople.value_or(true);
       checkWorld();
     } else {
@@ -136,7 +136,7 @@ class Exporter {
     fillFields(human, counts, {"group_id", "max_vel", "radius", "goal_radius", "cyclic_goals"});
     human.hasInitPose = true;
     human.initZ = target_.startHeight;
-    const int largest = largestSkin(target_.simulator);
+    const int largest = largestSkin(target_.title);
     const int skin = human.skin.value_or(0);
     human.skin = skin;
     if (skin < 0 || skin > largest) {
@@ -290,10 +290,8 @@ ExportedScenario exportScenario(const Scenario& scenario, const TargetInfo& targ
 std::string safeName(const std::string& name) {
   std::string safe;
   for (const char letter : name) {
-    const bool isDigit = letter >= '0' && letter <= '9';
-    const bool isLetter = (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z');
     const bool isTail = (static_cast<unsigned char>(letter) & 0xC0U) == 0x80U;  // inside UTF-8
-    if (isLetter || isDigit || letter == '_') {
+    if (base::isLetter(letter) || base::isDigit(letter) || letter == '_') {
       safe += letter;
     } else if (!isTail) {
       safe += '_';
