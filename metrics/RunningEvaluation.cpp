@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim2d/base/Problems.h"
-
 namespace metrics {
 
 namespace {

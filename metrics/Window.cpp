@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "metrics/Samples.h"
-#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 
 namespace metrics {

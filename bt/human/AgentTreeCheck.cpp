@@ -7,7 +7,6 @@
 
 #include "bt/human/Ports.h"
 #include "bt/tree/TextValue.h"
-#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 
 namespace bt {

@@ -1,7 +1,5 @@
 #include "bt/human/HumanContext.h"
 
-#include "sim2d/base/Problems.h"
-
 namespace bt {
 
 using sim2d::EventKind;

@@ -10,7 +10,6 @@
 
 #include "bt/human/HumanContext.h"
 #include "bt/human/TreeLoader.h"
-#include "sim2d/base/Problems.h"
 #include "sim2d/world/StepBuffers.h"
 
 namespace bt {

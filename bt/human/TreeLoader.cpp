@@ -9,7 +9,6 @@
 #include "bt/human/HumanNodes.h"
 #include "bt/human/Templates.h"
 #include "bt/tree/TreeXml.h"
-#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 
 namespace bt {

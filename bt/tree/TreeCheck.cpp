@@ -6,7 +6,6 @@
 #include "bt/tree/TextValue.h"
 #include "bt/tree/TreeSpec.h"
 #include "bt/tree/XmlText.h"
-#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 
 namespace bt {

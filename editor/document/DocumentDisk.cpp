@@ -12,7 +12,6 @@
 #include "editor/document/EntityLists.h"
 #include "editor/document/QtImageLoader.h"
 #include "editor/document/TreeFiles.h"
-#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
 

@@ -1,7 +1,6 @@
 #include "editor/document/Groups.h"
 
 #include <algorithm>
-#include <array>
 
 #include "editor/document/EditCommands.h"
 

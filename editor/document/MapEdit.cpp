@@ -8,7 +8,6 @@
 #include <QUndoCommand>
 
 #include "editor/document/QtImageLoader.h"
-#include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"
 
 namespace editor {

@@ -7,7 +7,6 @@
 
 #include "bt/human/HumanNodes.h"
 #include "bt/tree/TreeXml.h"
-#include "sim2d/base/Text.h"
 
 namespace editor {
 

@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include "editor/document/EditCommands.h"
 #include "editor/document/FreeNames.h"

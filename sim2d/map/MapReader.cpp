@@ -11,7 +11,6 @@
 #include <system_error>
 #include <utility>
 
-#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlMap.h"
 
