@@ -69,7 +69,10 @@ class PlacesCheck {
   }
 
   void check() {
-    const std::vector<Round> rounds = allRounds();
+    std::vector<Round> rounds;
+    const auto add = [&](const auto& body) { rounds.push_back(roundOf(body)); };
+    forEachListed(scenario_.humans, add);
+    forEachListed(scenario_.robots, add);
     std::vector<Vec2> points;
     for (const Round& round : rounds) {
       points.push_back(round.start.point);
@@ -128,13 +131,6 @@ class PlacesCheck {
     return true;
   }
 
-  std::vector<Round> allRounds() const {
-    std::vector<Round> rounds;
-    forEachListed(scenario_.humans, [&](const Human& human) { rounds.push_back(roundOf(human)); });
-    forEachListed(scenario_.robots, [&](const Robot& robot) { rounds.push_back(roundOf(robot)); });
-    return rounds;
-  }
-
   template <class Body, class Resolved>
   Round roundOf(const Body& body, const Resolved& resolved, const char* start,
                 const std::vector<int>& goals) const {
@@ -155,12 +151,12 @@ class PlacesCheck {
   }
 
   Round roundOf(const Robot& robot) const {
-    const ResolvedRobot resolved = resolveRobot(scenario_, robot, -1);
-    if (!robot.goal.point) {
-      return roundOf(robot, resolved, "start", robot.goal.goals);
+    const std::optional<Vec2>& point = robot.goal.point;
+    Round round = roundOf(robot, resolveRobot(scenario_, robot, -1), "start",
+                          point ? std::vector<int>() : robot.goal.goals);
+    if (point) {
+      round.goals.push_back({*point, "goal", robot});
     }
-    Round round = roundOf(robot, resolved, "start", {});
-    round.goals.push_back({*robot.goal.point, "goal", robot});
     return round;
   }
 
