@@ -1,6 +1,5 @@
 #include "metrics/NumberStore.h"
 
-#include <algorithm>
 #include <limits>
 
 namespace metrics {

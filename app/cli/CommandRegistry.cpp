@@ -1,7 +1,6 @@
 #include "app/cli/CommandRegistry.h"
 
 #include <clocale>
-#include <cstdio>
 
 #include <CLI/CLI.hpp>
 

@@ -76,17 +76,10 @@ void findTrees(Bundle& bundle, const sim2d::FilePlaces& places) {
 }
 
 std::shared_ptr<const sim2d::Surroundings> surroundingsOf(const Bundle& bundle) {
-  if (bundle.surroundings != nullptr) {
-    return bundle.surroundings;
-  }
-  if (bundle.known != nullptr && bundle.map && bundle.isWhole) {
-    return bundle.known->of(bundle);
-  }
   // Without the map, and for places that were wrong in the file and stand somewhere else now, there
   // are no walls to be in.
-  return std::make_shared<const sim2d::Surroundings>(
-      bundle.map && bundle.isWhole ? sim2d::makeSurroundings(*bundle.scenario, *bundle.map)
-                                   : sim2d::Surroundings());
+  return bundle.map && bundle.isWhole ? bundle.known->of(bundle)
+                                      : std::make_shared<const sim2d::Surroundings>();
 }
 
 /// Tells where in the file of the scenario they stand.
@@ -162,7 +155,6 @@ Bundle readBundle(const RunOptions& options, const RunSettings& settings,
                                    shippedMapsFolder()};
     readMapOf(bundle, places, loader);
     findTrees(bundle, places);
-    bundle.surroundings = surroundingsOf(bundle);
   }
   return bundle;
 }

@@ -36,11 +36,9 @@ struct Bundle {
   bool isWhole = true;       // false: the file could be read in part only
   bool isBeginning = false;  // of a damaged file: what that means alone would mislead
   std::shared_ptr<const sim2d::OccupancyGrid> map;  // null: there should be one; empty: open plane
-  std::shared_ptr<const sim2d::Surroundings>
-      surroundings;                          // of both; null: each check makes its own
-  std::shared_ptr<KnownSurroundings> known;  // or takes them from here
-  std::string mapPath;                       // of the map's YAML; empty: in none
-  int comments = 0;                          // in the scenario file
+  std::shared_ptr<KnownSurroundings> known = std::make_shared<KnownSurroundings>();  // of both
+  std::string mapPath;  // of the map's YAML; empty: in none
+  int comments = 0;     // in the scenario file
   bt::TreeFiles trees;
   MetricsWords metrics;
   RunSettings settings;

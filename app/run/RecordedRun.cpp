@@ -78,7 +78,11 @@ class ScenarioMaker {
   }
 
  private:
-  base::EntityId newKey(EntityKind kind) { return {kind, key_++}; }
+  template <class T>
+  T& add(std::vector<T>& list, EntityKind kind) {
+    list.emplace_back().key = {kind, key_++};
+    return list.back();
+  }
 
   void addHuman(const sim2d::TraceHuman& recorded) {
     const auto there =
@@ -89,13 +93,12 @@ class ScenarioMaker {
         there->radius = recorded.radius;
       }
     } else if (isMadeAnew_) {  // else from a source
-      scenario_.humans.push_back(humanOf(recorded));
+      addNew(recorded);
     }
   }
 
-  sim2d::Human humanOf(const sim2d::TraceHuman& recorded) {
-    sim2d::Human human;
-    human.key = newKey(EntityKind::Human);
+  void addNew(const sim2d::TraceHuman& recorded) {
+    sim2d::Human& human = add(scenario_.humans, EntityKind::Human);
     human.name = recorded.name;
     human.id = recorded.id;
     human.radius = recorded.radius;
@@ -116,18 +119,15 @@ class ScenarioMaker {
       addGoal(human, goal);
     }
     placeAtStart(recording_.frame(0)->humans, recorded.id, human.initPose);
-    return human;
   }
 
   void addGoal(sim2d::Human& human, const sim2d::TraceGoal& recorded) {
     human.goalRadius = recorded.radius;
     human.goals.push_back(recorded.id);
     if (scenario_.goal(recorded.id) == nullptr) {
-      sim2d::GlobalGoal goal;
-      goal.key = newKey(EntityKind::Goal);
+      sim2d::GlobalGoal& goal = add(scenario_.goals, EntityKind::Goal);
       goal.id = recorded.id;
       goal.position = recorded.position;
-      scenario_.goals.push_back(goal);
     }
   }
 
@@ -144,14 +144,12 @@ class ScenarioMaker {
   void setRobot(std::size_t place) {
     const sim2d::TraceRobot& recorded = header_.robots[place];
     if (place == scenario_.robots.size()) {
-      sim2d::Robot robot;
-      robot.key = newKey(EntityKind::Robot);
+      sim2d::Robot& robot = add(scenario_.robots, EntityKind::Robot);
       robot.name = recorded.name;
       placeAtStart(recording_.frame(0)->robots, recorded.id, robot.start);
       if (!recorded.goals.empty()) {
         robot.goal.point = recorded.goals.front().position;
       }
-      scenario_.robots.push_back(std::move(robot));
     }
     sim2d::Robot& robot = scenario_.robots[place];
     const sim2d::ResolvedRobot now = sim2d::resolveRobot(scenario_, robot, recorded.id);
@@ -170,24 +168,21 @@ class ScenarioMaker {
 
   void addObstacle(const sim2d::TraceObstacle& recorded) {
     for (const sim2d::Outline& outline : recorded.outlines) {
-      sim2d::Obstacle obstacle;
-      obstacle.key = newKey(EntityKind::Obstacle);
+      sim2d::Obstacle& obstacle = add(scenario_.obstacles, EntityKind::Obstacle);
       obstacle.name = recorded.name;
       obstacle.kind = sim2d::ObstacleKind::Polygon;
       obstacle.points = outline.points;
-      scenario_.obstacles.push_back(std::move(obstacle));
     }
   }
 
   void addDoor(const sim2d::TraceObstacle& recorded) {
-    sim2d::Door door;
-    door.key = newKey(EntityKind::Door);
-    door.name = recorded.name;
-    door.open = recorded.open;
-    door.toggles = recorded.toggles;
     if (recorded.outlines.empty() || recorded.outlines.front().points.size() != 4) {
       return;
     }
+    sim2d::Door& door = add(scenario_.doors, EntityKind::Door);
+    door.name = recorded.name;
+    door.open = recorded.open;
+    door.toggles = recorded.toggles;
     const std::vector<Vec2>& corners = recorded.outlines.front().points;
     const bool isAlong = (corners[1] - corners[0]).norm() >= (corners[2] - corners[1]).norm();
     const std::size_t first = isAlong ? 0 : 1;  // of a long side
@@ -195,7 +190,6 @@ class ScenarioMaker {
     door.from = 0.5 * (corner(0) + corner(3));
     door.to = 0.5 * (corner(1) + corner(2));
     door.thickness = (corner(3) - corner(0)).norm();
-    scenario_.doors.push_back(std::move(door));
   }
 
   const sim2d::Recording& recording_;

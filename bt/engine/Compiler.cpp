@@ -4,8 +4,6 @@
 
 #include "bt/engine/Ticker.h"
 #include "bt/tree/TreeXml.h"
-#include "sim2d/base/Problems.h"
-#include "sim2d/base/Text.h"
 
 namespace bt {
 

@@ -23,11 +23,10 @@ std::string withoutNumber(const std::string& name) {
 std::string allowedName(const Entity& entity) {
   std::string stem;
   for (const char letter : nameOf(entity)) {
-    const bool fine = (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
-                      (letter >= '0' && letter <= '9') || letter == '_';
+    const bool fine = base::isLetter(letter) || base::isDigit(letter) || letter == '_';
     stem += fine ? letter : '_';
   }
-  const bool startsWell = !stem.empty() && (stem[0] < '0' || stem[0] > '9') && stem[0] != '_';
+  const bool startsWell = !stem.empty() && base::isLetter(stem[0]);
   return startsWell ? stem : kindName(kindOf(entity)).toStdString() + stem;
 }
 

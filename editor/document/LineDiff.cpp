@@ -1,7 +1,6 @@
 #include "editor/document/LineDiff.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "sim2d/base/Text.h"
 

@@ -13,12 +13,6 @@ namespace {
 
 using Kind = Token::Kind;
 
-bool isDigit(char c) {
-  return c >= '0' && c <= '9';
-}
-bool isLetter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
 bool isOneOf(char c, std::string_view set) {
   return set.find(c) != std::string_view::npos;
 }
@@ -41,7 +35,7 @@ class Lexer {
 
  private:
   char at(std::size_t index) const { return index < source_.size() ? source_[index] : '\0'; }
-  bool startsName(char c) const { return isLetter(c) || isOneOf(c, rules_.nameStarts); }
+  bool startsName(char c) const { return isLetter(c) || c == '_' || isOneOf(c, rules_.nameStarts); }
 
   void push(Kind kind, std::size_t length, double number = 0.0) {
     const std::string_view text = source_.substr(position_, length);
@@ -117,7 +111,8 @@ class Lexer {
 
   void readName() {
     std::size_t end = position_ + 1;
-    while (isLetter(at(end)) || isDigit(at(end)) || isOneOf(at(end), rules_.nameParts)) {
+    while (isLetter(at(end)) || isDigit(at(end)) || at(end) == '_' ||
+           isOneOf(at(end), rules_.nameParts)) {
       ++end;
     }
     push(Kind::Name, end - position_);

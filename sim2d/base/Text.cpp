@@ -100,6 +100,13 @@ std::string formatDecimals(double value, int decimals) {
   return text;
 }
 
+std::string pointText(const Vec2& point) {
+  const auto rounded = [](double value) {
+    return formatDouble(std::round(value * 1000.0) / 1000.0);
+  };
+  return "(" + rounded(point.x()) + ", " + rounded(point.y()) + ")";
+}
+
 std::optional<std::string> nearestName(std::string_view word,
                                        const std::vector<std::string>& candidates) {
   const std::string wanted = lowered(word);

@@ -21,6 +21,8 @@ std::string formatDouble(double value);
 /// The same without exponent and with at least `decimals` digits after the point: 1.5 -> "1.500".
 std::string formatDecimals(double value, int decimals);
 
+std::string pointText(const Vec2& point);  // "(1.5, -2)", to the millimetre
+
 /// The candidate closest to `word` by edit distance (case ignored), if it is close enough to be
 /// meant: at most one edit in three letters.
 std::optional<std::string> nearestName(std::string_view word,
@@ -36,5 +38,11 @@ std::string trimmed(std::string_view text);
 std::vector<std::string> split(std::string_view text, char separator);
 std::string join(const std::vector<std::string>& parts, const std::string& separator);
 std::string lowered(std::string_view text);  // ASCII
+inline bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+inline bool isLetter(char c) {  // ASCII
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
 
 }  // namespace base

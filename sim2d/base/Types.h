@@ -9,6 +9,7 @@ namespace base {
 using Vec2 = Eigen::Vector2d;  // [m] or [m/s]; start values with Vec2::Zero(), Vec2{} is not set
 
 constexpr double kPi = 3.14159265358979323846;
+constexpr double kFarthest = 1e6;  // [m]; places lie no farther out
 
 /// The angle in (-pi, pi] that differs from `angle` by whole turns. Not finite in, NaN out.
 double wrapToPi(double angle);

@@ -11,7 +11,6 @@
 #include <system_error>
 #include <utility>
 
-#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlMap.h"
 
@@ -20,7 +19,6 @@ namespace sim2d {
 namespace {
 
 constexpr double kFinest = 0.001, kCoarsest = 10.0;  // [m/pixel]
-constexpr double kFarthest = 1e6;                    // [m]
 
 namespace fs = std::filesystem;
 using base::YamlNode;
@@ -159,7 +157,7 @@ class DescriptionReader {
       }
       values[i] = *value;
     }
-    if (std::fabs(values[0]) > kFarthest || std::fabs(values[1]) > kFarthest) {
+    if (std::fabs(values[0]) > base::kFarthest || std::fabs(values[1]) > base::kFarthest) {
       error("map.origin-too-far", {}, node);
       return;
     }

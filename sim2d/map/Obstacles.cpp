@@ -1,8 +1,6 @@
 #include "sim2d/map/Obstacles.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 #include "sim2d/base/Math.h"

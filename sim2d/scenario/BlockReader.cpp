@@ -2,7 +2,6 @@
 #include <map>
 #include <type_traits>
 
-#include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioTree.h"
 
 namespace sim2d {

@@ -169,13 +169,35 @@ ResolvedHuman resolveHuman(const Environment& scenario, const Human& human, long
       human.ours.route ? *human.ours.route : scenario.desktop.route.value_or(Route::Planned);
   takeFactors(result, human.behavior,
               scenario.desktop.obstaclePoints.value_or(ObstaclePoints::Boundary));
-  if (result.configuration == Configuration::Normal ||
-      result.configuration == Configuration::Uniform) {
+  if (isDrawn(result.configuration)) {
     const Sampler sampler(seed, human.id, result.configuration);
     drawFactors(result, sampler);
     drawReaction(result, sampler);
   }
   return result;
+}
+
+std::vector<std::string_view> reactionKeys(BehaviorType type) {
+  switch (type) {
+    case BehaviorType::Surprised:
+      return {"dist", "duration", "once"};
+    case BehaviorType::Scared:
+      return {"dist", "duration", "once", "vel", "safe_distance"};
+    case BehaviorType::Curious:
+      return {"dist", "duration", "once", "vel", "stop_dist"};
+    case BehaviorType::Threatening:
+      return {"dist", "duration", "once", "front_dist"};
+    case BehaviorType::Regular:
+    case BehaviorType::Impassive:
+      break;
+  }
+  return {};
+}
+
+const std::vector<std::string_view>& factorKeys() {
+  static const std::vector<std::string_view> kKeys = {"goal_force_factor", "obstacle_force_factor",
+                                                      "social_force_factor", "other_force_factor"};
+  return kKeys;
 }
 
 ResolvedRobot resolveRobot(const Scenario& scenario, const Robot& robot, int id) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "sim2d/scenario/Scenario.h"
 
 namespace sim2d {
@@ -52,6 +54,10 @@ struct ResolvedRobot {
 /// parameter): the same on every machine.
 ResolvedHuman resolveHuman(const Environment& scenario, const Human& human, long long seed);
 ResolvedRobot resolveRobot(const Scenario& scenario, const Robot& robot, int id);
+
+/// Keys of `behavior` that a reaction of this type needs; none without a reaction.
+std::vector<std::string_view> reactionKeys(BehaviorType type);
+const std::vector<std::string_view>& factorKeys();  // idem, of every behaviour
 
 /// The numbers that the scenario gives for a pedestrian model.
 std::vector<std::pair<std::string, double>> modelParametersOf(const Environment& scenario,

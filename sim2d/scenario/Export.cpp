@@ -1,9 +1,7 @@
 #include "sim2d/scenario/Export.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <set>
-#include <string_view>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioCheck.h"
@@ -34,17 +32,6 @@ std::string ownKeysOf(const Human& human) {
     }
   }
   return base::join(keys, ", ");
-}
-
-/// Fills these keys with the values that count, where they are absent.
-template <class T>
-void fill(T& to, const ResolvedHuman& counts, std::initializer_list<std::string_view> keys) {
-  for (const std::string_view key : keys) {
-    const Field<T>& field = *fieldOf<T>(key);
-    if (field.value(to) == ParameterValue()) {
-      field.assign(to, field.resolved(counts, field.spec));
-    }
-  }
 }
 
 /// Old name -> one that is safe and free.
@@ -90,7 +77,7 @@ class Exporter {
       for (Human& human : scenario().humans) {
         complete(human);
       }
-      scenario().simulator = target_.simulator;
+      scenario().simulator = target_.title;
       scenario().publishPeople = scenario().publishPeople.value_or(true);
       checkWorld();
     } else {
@@ -146,10 +133,10 @@ class Exporter {
   void complete(Human& human) {
     const ResolvedHuman counts =
         resolveHuman(scenario(), human, scenario().desktop.seed.value_or(1));
-    fill(human, counts, {"group_id", "max_vel", "radius", "goal_radius", "cyclic_goals"});
+    fillFields(human, counts, {"group_id", "max_vel", "radius", "goal_radius", "cyclic_goals"});
     human.hasInitPose = true;
     human.initZ = target_.startHeight;
-    const int largest = largestSkin(target_.simulator);
+    const int largest = largestSkin(target_.title);
     const int skin = human.skin.value_or(0);
     human.skin = skin;
     if (skin < 0 || skin > largest) {
@@ -160,11 +147,9 @@ class Exporter {
     Behavior& behavior = human.behavior;
     behavior.type = counts.behavior;
     behavior.configuration = counts.configuration;
-    fill(behavior, counts,
-         {"goal_force_factor", "obstacle_force_factor", "social_force_factor",
-          "other_force_factor"});
+    fillFields(behavior, counts, factorKeys());
     if (reactsToRobot(counts.behavior)) {
-      fill(behavior, counts, {"dist", "duration", "once", "vel"});
+      fillFields(behavior, counts, {"dist", "duration", "once", "vel"});
     }
     if (target_.target == ExportTarget::Isaac && counts.configuration == Configuration::Custom) {
       checkFactor(human, "goal_force_factor", *behavior.goalForceFactor, {5.0, 10.0});
@@ -305,10 +290,8 @@ ExportedScenario exportScenario(const Scenario& scenario, const TargetInfo& targ
 std::string safeName(const std::string& name) {
   std::string safe;
   for (const char letter : name) {
-    const bool isDigit = letter >= '0' && letter <= '9';
-    const bool isLetter = (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z');
     const bool isTail = (static_cast<unsigned char>(letter) & 0xC0U) == 0x80U;  // inside UTF-8
-    if (isLetter || isDigit || letter == '_') {
+    if (base::isLetter(letter) || base::isDigit(letter) || letter == '_') {
       safe += letter;
     } else if (!isTail) {
       safe += '_';

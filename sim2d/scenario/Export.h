@@ -15,10 +15,10 @@ enum class ExportTarget { GazeboClassic, GazeboFortress, Isaac, Webots, Native }
 /// What a simulator's wrapper package expects.
 struct TargetInfo {
   ExportTarget target = ExportTarget::Native;
-  std::string name;       // on the command line: "gazebo-classic"
-  std::string title;      // for people: "Gazebo Classic"
-  std::string simulator;  // value of the key; empty: left as it is
-  std::string package;    // of ROS
+  std::string name;     // on the command line: "gazebo-classic"
+  std::string title;    // for people, and value of the key `simulator`: "Gazebo Classic"
+  std::string package;  // of ROS; empty for native
+  std::string launch;   // its file that starts a world; empty: another program does
   Dialect dialect = Dialect::C;
   std::optional<double> startHeight;  // z of init_pose [m]
   std::vector<std::string> worlds;    // 3-D worlds that come with it

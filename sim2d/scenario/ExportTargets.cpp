@@ -26,25 +26,28 @@ std::string shellWord(const std::string& text) {
   return quoted + "'";
 }
 
-TargetInfo wrapper(ExportTarget target, const std::array<std::string, 3>& nameTitlePackage,
-                   Dialect dialect, double startHeight, std::vector<std::string> worlds) {
-  const auto& [name, title, package] = nameTitlePackage;
-  return {target, name, title, title, package, dialect, startHeight, std::move(worlds)};
+TargetInfo wrapper(ExportTarget target, const std::array<std::string, 4>& words, Dialect dialect,
+                   double startHeight, std::vector<std::string> worlds) {
+  const auto& [name, title, package, launch] = words;
+  return {target, name, title, package, launch, dialect, startHeight, std::move(worlds)};
 }
+
 }  // namespace
 
 const std::vector<TargetInfo>& exportTargets() {
   static const std::vector<TargetInfo> kTargets = {
       wrapper(ExportTarget::GazeboClassic,
-              {"gazebo-classic", "Gazebo Classic", "hunav_gazebo_wrapper"}, Dialect::C, 1.25,
-              {"cafe", "house", "warehouse"}),
+              {"gazebo-classic", "Gazebo Classic", "hunav_gazebo_wrapper", "simulation.launch.py"},
+              Dialect::C, 1.25, {"cafe", "house", "warehouse"}),
       wrapper(ExportTarget::GazeboFortress,
-              {"gazebo-fortress", "Gazebo Fortress", "hunav_gazebo_fortress_wrapper"}, Dialect::B,
-              0.03, {"cafe"}),
-      wrapper(ExportTarget::Isaac, {"isaac", "Isaac Sim", "hunav_isaac_wrapper"}, Dialect::C, 0.0,
-              {"warehouse", "hospital", "office", "empty_world"}),
-      wrapper(ExportTarget::Webots, {"webots", "Webots", "hunav_webots_wrapper"}, Dialect::B, 0.01,
-              {"factory", "hall", "office"}),
+              {"gazebo-fortress", "Gazebo Fortress", "hunav_gazebo_fortress_wrapper",
+               "cafe_fortress_test.launch.py"},
+              Dialect::B, 0.03, {"cafe"}),
+      wrapper(ExportTarget::Isaac, {"isaac", "Isaac Sim", "hunav_isaac_wrapper", ""}, Dialect::C,
+              0.0, {"warehouse", "hospital", "office", kIsaacPlane}),
+      wrapper(ExportTarget::Webots,
+              {"webots", "Webots", "hunav_webots_wrapper", "hunavsim_webots.launch.py"}, Dialect::B,
+              0.01, {"factory", "hall", "office"}),
       {ExportTarget::Native, "native", "HuNavSim 2.0", "", "", Dialect::C, std::nullopt, {}}};
   return kTargets;
 }
@@ -59,24 +62,15 @@ const TargetInfo* exportTarget(const std::string& name) {
 std::string TargetInfo::startCommand(const Scenario& scenario) const {
   const std::string map = mapBaseName(scenario.map.value_or(""));
   const std::string file = scenario.yamlBaseName.value_or("") + ".yaml";
-  const std::string world =  // without: its usual one
-      map.empty() ? "" : " " + shellWord("environment_name:=" + map);
-  const std::string configuration = " " + shellWord("configuration_file:=" + file);
-  switch (target) {
-    case ExportTarget::GazeboClassic:
-      return "ros2 launch hunav_gazebo_wrapper simulation.launch.py" + world + configuration;
-    case ExportTarget::GazeboFortress:
-      return "ros2 launch hunav_gazebo_fortress_wrapper cafe_fortress_test.launch.py" +
-             configuration;
-    case ExportTarget::Isaac:
-      return "ros2 run hunav_isaac_wrapper hunav_isaac_launcher --config " + shellWord(file) +
-             " --world " + shellWord(map.empty() ? kIsaacPlane : map) + " --batch";
-    case ExportTarget::Webots:
-      return "ros2 launch hunav_webots_wrapper hunavsim_webots.launch.py" + world + configuration;
-    case ExportTarget::Native:
-      break;
+  if (target == ExportTarget::Isaac) {
+    return "ros2 run " + package + " hunav_isaac_launcher --config " + shellWord(file) +
+           " --world " + shellWord(map.empty() ? kIsaacPlane : map) + " --batch";
   }
-  return {};
+  const bool hasChoice = !map.empty() && worlds.size() > 1;  // else its usual world
+  const std::string world = hasChoice ? " " + shellWord("environment_name:=" + map) : "";
+  return launch.empty() ? std::string()
+                        : "ros2 launch " + package + " " + launch + world + " " +
+                              shellWord("configuration_file:=" + file);
 }
 
 base::Diagnostic TargetInfo::worldOfMap(const std::string& map) const {
@@ -100,7 +94,7 @@ std::optional<std::string> suggestedSimulator(const Scenario& scenario) {
   for (const Human& human : scenario.humans) {
     for (const TargetInfo& target : exportTargets()) {
       if (human.initZ && human.initZ == target.startHeight) {
-        return target.simulator;
+        return target.title;
       }
     }
   }

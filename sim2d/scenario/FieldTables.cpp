@@ -133,10 +133,9 @@ const std::set<std::string>& blockKeys() {
 }
 
 bool isEntityName(const std::string& name) {
-  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  return !name.empty() && letter(name.front()) &&
+  return !name.empty() && base::isLetter(name.front()) &&
          std::all_of(name.begin(), name.end(),
-                     [&](char c) { return letter(c) || (c >= '0' && c <= '9') || c == '_'; });
+                     [](char c) { return base::isLetter(c) || base::isDigit(c) || c == '_'; });
 }
 
 std::vector<KeyTable> keyTables(const FieldTables& tables) {

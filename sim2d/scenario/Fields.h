@@ -118,6 +118,18 @@ void resolveFields(const T& from, Resolved<T>& to) {
   }
 }
 
+/// Fills these keys with the values that count: where they are absent, or everywhere.
+template <class T>
+void fillFields(T& to, const Resolved<T>& counts, const std::vector<std::string_view>& keys,
+                bool overwrite = false) {
+  for (const std::string_view key : keys) {
+    const Field<T>& field = *fieldOf<T>(key);
+    if (overwrite || field.value(to) == ParameterValue()) {
+      field.assign(to, field.resolved(counts, field.spec));
+    }
+  }
+}
+
 // The keys as people read about them: `list keys` and FORMAT.md.
 struct KeyRow {
   std::string key;

@@ -13,15 +13,6 @@
 namespace sim2d {
 namespace {
 
-std::string pointText(const Vec2& point) {
-  const auto rounded = [](double value) {
-    return base::formatDouble(std::round(value * 1000.0) / 1000.0);
-  };
-  return "(" + rounded(point.x()) + ", " + rounded(point.y()) + ")";
-}
-
-constexpr double kFarthest = 1e6;  // [m]
-
 void checkPolygon(const std::vector<Vec2>& points, const Subject& subject, CheckReport& report) {
   if (points.size() >= 3 && !isSimple(points)) {
     report.error(subject, "shape.sides-cross");
@@ -32,7 +23,7 @@ void checkPolygon(const std::vector<Vec2>& points, const Subject& subject, Check
 bool checkPoints(const std::vector<Vec2>& points, const Subject& subject, CheckReport& report) {
   bool isGood = true;
   for (const Vec2& point : points) {
-    if (!(std::fabs(point.x()) <= kFarthest && std::fabs(point.y()) <= kFarthest)) {
+    if (!(std::fabs(point.x()) <= base::kFarthest && std::fabs(point.y()) <= base::kFarthest)) {
       report.error(subject, "shape.too-far", {point.x(), point.y()});
       isGood = false;
     }
@@ -42,7 +33,7 @@ bool checkPoints(const std::vector<Vec2>& points, const Subject& subject, CheckR
 
 bool checkPose(const Pose2& pose, const Subject& subject, CheckReport& report) {
   const bool isNear = checkPoints({pose.position}, subject, report);
-  const bool isAngle = std::fabs(pose.heading) <= kFarthest;
+  const bool isAngle = std::fabs(pose.heading) <= base::kFarthest;
   if (!isAngle) {
     report.error(subject, "shape.no-angle", {pose.heading});
   }
@@ -78,7 +69,10 @@ class PlacesCheck {
   }
 
   void check() {
-    const std::vector<Round> rounds = allRounds();
+    std::vector<Round> rounds;
+    const auto add = [&](const auto& body) { rounds.push_back(roundOf(body)); };
+    forEachListed(scenario_.humans, add);
+    forEachListed(scenario_.robots, add);
     std::vector<Vec2> points;
     for (const Round& round : rounds) {
       points.push_back(round.start.point);
@@ -137,13 +131,6 @@ class PlacesCheck {
     return true;
   }
 
-  std::vector<Round> allRounds() const {
-    std::vector<Round> rounds;
-    forEachListed(scenario_.humans, [&](const Human& human) { rounds.push_back(roundOf(human)); });
-    forEachListed(scenario_.robots, [&](const Robot& robot) { rounds.push_back(roundOf(robot)); });
-    return rounds;
-  }
-
   template <class Body, class Resolved>
   Round roundOf(const Body& body, const Resolved& resolved, const char* start,
                 const std::vector<int>& goals) const {
@@ -164,12 +151,12 @@ class PlacesCheck {
   }
 
   Round roundOf(const Robot& robot) const {
-    const ResolvedRobot resolved = resolveRobot(scenario_, robot, -1);
-    if (!robot.goal.point) {
-      return roundOf(robot, resolved, "start", robot.goal.goals);
+    const std::optional<Vec2>& point = robot.goal.point;
+    Round round = roundOf(robot, resolveRobot(scenario_, robot, -1), "start",
+                          point ? std::vector<int>() : robot.goal.goals);
+    if (point) {
+      round.goals.push_back({*point, "goal", robot});
     }
-    Round round = roundOf(robot, resolved, "start", {});
-    round.goals.push_back({*robot.goal.point, "goal", robot});
     return round;
   }
 
@@ -180,13 +167,13 @@ class PlacesCheck {
       return taken;
     }
     const auto tell = [&](base::Severity severity, const char* code, base::ProblemValues values) {
-      values.insert(values.begin(), {place.what, pointText(place.point)});
+      values.insert(values.begin(), {place.what, base::pointText(place.point)});
       report_.add(severity, place.owner, code, std::move(values));
     };
     if (!taken) {
       tell(base::Severity::Error, "places.no-place", {radius});
     } else if (*taken != place.point) {
-      tell(base::Severity::Warning, "places.moved", {radius, pointText(*taken)});
+      tell(base::Severity::Warning, "places.moved", {radius, base::pointText(*taken)});
     } else if (!grid_.isEmpty() && grid_.isUnknown(grid_.worldToCell(place.point))) {
       tell(base::Severity::Warning, "places.unknown-ground", {});
     }
@@ -219,7 +206,7 @@ class PlacesCheck {
   }
 
   void tellUnreachable(const Round& round, const Place& goal) {
-    const std::string point = pointText(goal.point);
+    const std::string point = base::pointText(goal.point);
     if (goal.goal) {
       report_.warning(round.who, "places.no-way", {*goal.goal, point});
     } else {

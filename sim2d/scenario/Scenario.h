@@ -30,6 +30,10 @@ std::optional<BehaviorType> behaviorFromName(const std::string& word);  // any c
 inline bool reactsToRobot(BehaviorType type) {
   return type != BehaviorType::Regular && type != BehaviorType::Impassive;
 }
+/// The numbers that a person's behaviour uses are drawn.
+inline bool isDrawn(Configuration configuration) {
+  return configuration == Configuration::Normal || configuration == Configuration::Uniform;
+}
 
 /// What has a name and a block of its own in the file.
 struct Named {

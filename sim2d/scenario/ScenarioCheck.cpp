@@ -175,21 +175,14 @@ void checkLimits(const Human& human, CheckReport& report) {
 
 /// Keys that a reaction needs and the file leaves out, with the value that counts.
 void checkReaction(const Scenario& scenario, const Human& human, CheckReport& report) {
-  static const std::map<BehaviorType, std::vector<std::string_view>> kNeeded = {
-      {BehaviorType::Surprised, {"dist", "duration", "once"}},
-      {BehaviorType::Scared, {"dist", "duration", "once", "vel", "safe_distance"}},
-      {BehaviorType::Curious, {"dist", "duration", "once", "vel", "stop_dist"}},
-      {BehaviorType::Threatening, {"dist", "duration", "once", "front_dist"}}};
   const Behavior& behavior = human.behavior;
-  const auto needed = kNeeded.find(behavior.type.value_or(BehaviorType::Regular));
-  if (needed == kNeeded.end()) {
+  if (!behavior.type || !reactsToRobot(*behavior.type)) {
     return;
   }
   const ResolvedHuman counts = resolveHuman(scenario, human, 0);
-  const bool drawn = behavior.configuration == Configuration::Normal ||
-                     behavior.configuration == Configuration::Uniform;
+  const bool drawn = isDrawn(counts.configuration);
   std::vector<std::string> missing;
-  for (const std::string_view key : needed->second) {
+  for (const std::string_view key : reactionKeys(counts.behavior)) {
     const Field<Behavior>& field = *fieldOf<Behavior>(key);
     const ParameterValue used = field.resolved(counts, field.spec);
     const double* number = std::get_if<double>(&used);

@@ -9,7 +9,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Trace.h"
 

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 
 #include "sim2d/base/Text.h"

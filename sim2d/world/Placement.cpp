@@ -20,23 +20,17 @@ constexpr double kRing = 0.05;      // [m] between the places tried
 constexpr int kPlacesOnRing = 24;
 
 bool isNearEnough(const Vec2& point) {
-  return point.allFinite() && point.cwiseAbs().maxCoeff() <= kFarthest;
-}
-
-/// "(1.5, -2)", to the millimetre.
-std::string shown(const Vec2& point) {
-  return "(" + base::formatDouble(std::round(point.x() * 1000.0) / 1000.0) + ", " +
-         base::formatDouble(std::round(point.y() * 1000.0) / 1000.0) + ")";
+  return point.allFinite() && point.cwiseAbs().maxCoeff() <= base::kFarthest;
 }
 
 /// Moves the point where a body of this radius fits; `what` names it in messages.
 void fit(Vec2& point, double radius, const std::string& what, EntityId entity,
          const NavigationMap& navigation, base::Diagnostics& problems) {
   const std::optional<Vec2> place = navigation.nearestFit(radius, point);
-  ProblemsOf found(entity, what + " " + shown(point), problems);
+  ProblemsOf found(entity, what + " " + base::pointText(point), problems);
   found.need(place.has_value(), "world.body-does-not-fit");
   if (place && (*place - point).norm() > kNotMoved) {
-    found.add(base::warning("world.body-moved", {shown(*place)}));
+    found.add(base::warning("world.body-moved", {base::pointText(*place)}));
     point = *place;
   }
 }
@@ -143,11 +137,11 @@ std::optional<Vec2> nearestFree(const PlacedStarts& placed, const Start& start,
 void put(PlacedStarts& placed, const Start& start, const NavigationMap& navigation,
          base::Diagnostics& problems) {
   if (!placed.isFree(start, *start.position)) {
-    const std::string place = "start of '" + start.name + "' " + shown(*start.position);
+    const std::string place = "start of '" + start.name + "' " + base::pointText(*start.position);
     ProblemsOf found(start.key, {}, problems);
     if (const std::optional<Vec2> taken = nearestFree(placed, start, navigation)) {
       *start.position = *taken;
-      found.add(base::warning("world.start-taken", {place, shown(*taken)}));
+      found.add(base::warning("world.start-taken", {place, base::pointText(*taken)}));
     } else {
       found.add(base::warning("world.start-crowded", {place}));
     }
@@ -284,7 +278,7 @@ void leaveOutUnreachable(WorldModel& model, const NavigationMap& navigation,
         goals.push_back(robot.goals[i]);
         ids.push_back(robot.goalIds[i]);
       } else {
-        found.add(base::warning("world.point-out-of-reach", {shown(robot.goals[i])}));
+        found.add(base::warning("world.point-out-of-reach", {base::pointText(robot.goals[i])}));
       }
     }
     robot.goals = std::move(goals);

@@ -11,7 +11,7 @@ bool isUsable(const Input& input) {
   const auto isSmall = [](const Vec2& value, double most) {
     return value.allFinite() && value.cwiseAbs().maxCoeff() <= most;
   };
-  return isSmall(input.pose.position, kFarthest) && std::isfinite(input.pose.heading) &&
+  return isSmall(input.pose.position, base::kFarthest) && std::isfinite(input.pose.heading) &&
          isSmall(input.velocity, kFastest) && isSmall(input.desiredVelocity, kFastest) &&
          std::fabs(input.omega) <= kFastest;
 }

@@ -12,9 +12,8 @@
 
 namespace sim2d {
 
-constexpr double kTick = 1e-9;     // [s]; a time has come so much early, rounding does not delay it
-constexpr double kFarthest = 1e6;  // [m]; places lie no farther out
-constexpr double kFastest = 1e3;   // [m/s]; beyond it a run has diverged
+constexpr double kTick = 1e-9;    // [s]; a time has come so much early, rounding does not delay it
+constexpr double kFastest = 1e3;  // [m/s]; beyond it a run has diverged
 
 /// A corridor along x whose ends are joined: who passes one comes in at the other.
 struct Ring {

@@ -1,5 +1,4 @@
 #include "bt/human/Motions.h"
-#include "bt/human/Perception.h"
 #include "bt/human/Ports.h"
 
 namespace bt {

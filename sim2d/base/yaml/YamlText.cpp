@@ -7,10 +7,6 @@
 namespace base {
 namespace {
 
-bool isDigit(char c) {
-  return c >= '0' && c <= '9';
-}
-
 /// Words that YAML 1.1 takes for null, true, false, merge or value.
 bool isReservedWord(std::string_view text) {
   static constexpr std::array<std::string_view, 12> kWords = {

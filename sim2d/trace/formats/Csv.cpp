@@ -1,8 +1,6 @@
 #include "sim2d/trace/Csv.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <utility>
 
 #include "sim2d/base/Text.h"

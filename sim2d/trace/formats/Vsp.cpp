@@ -1,5 +1,4 @@
 #include <array>
-#include <cmath>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/ForeignReaders.h"

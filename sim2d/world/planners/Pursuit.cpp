@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "sim2d/base/Math.h"
-#include "sim2d/base/Problems.h"
 #include "sim2d/map/Outlines.h"
 #include "sim2d/world/planners/RobotController.h"
 
