@@ -1,6 +1,7 @@
 #include "metrics/TermSums.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace metrics {
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-
 #include "metrics/MetricRegistry.h"
 
 /// Accumulators that several metrics are made of: over a term of the samples (a template per term,

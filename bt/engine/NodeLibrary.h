@@ -6,7 +6,6 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 #include "bt/engine/LeafContext.h"
 #include "bt/tree/NodeCatalogue.h"

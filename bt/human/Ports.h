@@ -5,7 +5,6 @@
 #include <string_view>
 #include <tuple>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "bt/engine/NodeLibrary.h"

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <functional>
 #include <random>
 
 #include <QHBoxLayout>

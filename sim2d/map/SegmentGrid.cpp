@@ -1,6 +1,7 @@
 #include "sim2d/map/SegmentGrid.h"
 
 #include <cassert>
+#include <cmath>
 
 namespace sim2d {
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "sim2d/base/Text.h"
