@@ -99,7 +99,9 @@ TreeState PersonProgram::start(const ResolvedHuman& human) const {
 }
 
 const PersonProgram* PersonPrograms::find(const ResolvedHuman& person) const {
-  if (const auto own = ofPeople.find(person.id); own != ofPeople.end()) {
+  const auto own =
+      std::lower_bound(ofPeople.begin(), ofPeople.end(), std::pair<int, std::size_t>(person.id, 0));
+  if (own != ofPeople.end() && own->first == person.id) {
     return programs[own->second].get();
   }
   // Names of people from a source end in "_" and a number.
@@ -224,6 +226,7 @@ PersonPrograms TreeLoader::loadAll(const TreeFiles& files, Diagnostics& diagnost
       patterns.emplace(like->name, 0);
     }
   }
+  result.ofPeople.reserve(scenario_.humans.size());
   for (const sim2d::Human& human : scenario_.humans) {
     const auto pattern = patterns.find(human.name);
     if (!human.listed && pattern == patterns.end()) {
@@ -231,13 +234,13 @@ PersonPrograms TreeLoader::loadAll(const TreeFiles& files, Diagnostics& diagnost
     }
     const std::size_t program = loadOne(human);
     if (human.listed) {
-      std::size_t& own = result.ofPeople.emplace(human.id, program).first->second;
-      own = std::min(own, program);
+      result.ofPeople.emplace_back(human.id, program);
     }
     if (pattern != patterns.end()) {
       pattern->second = program;
     }
   }
+  std::sort(result.ofPeople.begin(), result.ofPeople.end());
   for (const sim2d::Area& area : scenario_.areas) {
     if (const sim2d::Human* like = prototypeOf(scenario_, area)) {
       result.ofSources[area.name] = patterns.at(like->name);

@@ -27,7 +27,7 @@ struct PersonProgram {
 /// Who runs which program.
 struct PersonPrograms {
   std::vector<std::shared_ptr<const PersonProgram>> programs;  // each once
-  std::map<int, std::size_t> ofPeople;                         // by id
+  std::vector<std::pair<int, std::size_t>> ofPeople;           // by ascending id
   std::map<std::string, std::size_t> ofSources;                // by the name of the area
 
   /// Null when nothing is said of the person.
