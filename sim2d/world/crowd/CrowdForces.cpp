@@ -135,7 +135,8 @@ CrowdReach::Disc CrowdReach::discOver(double low, double high) const {
 }
 
 void CrowdForces::Scratch::resize(std::size_t candidates, std::size_t rows) {
-  const std::size_t padded = candidates + (kBatch + rows) * static_cast<std::size_t>(kCrowdSpare);
+  const auto padded = static_cast<Eigen::Index>(
+      candidates + (kBatch + rows) * static_cast<std::size_t>(kCrowdSpare));
   batch.slots.reserve(kBatch);
   batch.receivers.reserve(kBatch);
   batch.results.resize(kBatch);
@@ -143,10 +144,10 @@ void CrowdForces::Scratch::resize(std::size_t candidates, std::size_t rows) {
   if (padded <= x.size()) {
     return;
   }
-  for (std::vector<float>* column : {&x, &y, &vx, &vy, &fx, &fy}) {
+  for (Eigen::ArrayXf* column : {&x, &y, &vx, &vy, &fx, &fy}) {
     column->resize(padded);
   }
-  for (std::vector<int>* column : {&word, &wordAt, &slot, &touching, &doubtful}) {
+  for (Eigen::ArrayXi* column : {&word, &wordAt, &slot, &touching, &doubtful}) {
     column->resize(padded);
   }
 }

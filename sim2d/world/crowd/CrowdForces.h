@@ -92,8 +92,9 @@ class CrowdForces {
     int spanCount = 0, candidates = 0;
   };
   struct alignas(64) Scratch {  // of one thread
-    std::vector<float> x, y, vx, vy, fx, fy;
-    std::vector<int> word, wordAt, slot, touching, doubtful;
+    // Not written before they are used, as most of them never are: that takes no memory.
+    Eigen::ArrayXf x, y, vx, vy, fx, fy;
+    Eigen::ArrayXi word, wordAt, slot, touching, doubtful;
     Batch batch;
     void resize(std::size_t candidates, std::size_t rows);
     CrowdPairs pairs();
