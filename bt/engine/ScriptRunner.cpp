@@ -241,7 +241,9 @@ bool ScriptRunner::compare(const ScriptExpression& expression, Value& result) {
     const std::optional<bool> holds = compareValues(expression.signs[i], result, next);
     isComparable = isComparable && holds;
     all = all && holds.value_or(false);
-    result = std::move(next);
+    if (i + 1 < expression.signs.size()) {
+      result = std::move(next);
+    }
   }
   if (!isComparable) {
     return fail("text that is no number is compared with a number");
