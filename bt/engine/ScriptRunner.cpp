@@ -108,8 +108,12 @@ bool ScriptRunner::evaluate(const ScriptExpression& expression, Value& result) {
     case Kind::Choose:
       return choose(expression, result);
     case Kind::Combine:
-      break;
+      return chain(expression, result);
   }
+  return false;
+}
+
+bool ScriptRunner::chain(const ScriptExpression& expression, Value& result) {
   bool isFine = evaluate(expression.parts.front(), result);
   for (std::size_t i = 0; isFine && i < expression.signs.size(); ++i) {
     Value right;
