@@ -90,17 +90,18 @@ void Ticker::resetOthers(int node, int kept) {
   }
 }
 
-/// A number of children; negative ones count from all. Nothing = a fault was noted.
-std::optional<int> Ticker::threshold(int node, int port) {
-  std::optional<int> value = need<int>(node, port);
-  const int children = program_.node(node).children;
-  if (value && *value < 0) {
-    value = std::max(children + *value + 1, 0);
+/// A number of children; negative ones count from all. Below 0 = a fault was noted.
+int Ticker::threshold(int node, int port) {
+  const std::optional<int> given = need<int>(node, port);
+  if (!given) {
+    return -1;
   }
-  if (value && *value > children) {
+  const int children = program_.node(node).children;
+  const int value = *given < 0 ? std::max(children + *given + 1, 0) : *given;
+  if (value > children) {
     fault(node, "port '" + program_.manifest(node).ports[static_cast<std::size_t>(port)].name +
                     "' is larger than the number of children");
-    return std::nullopt;
+    return -1;
   }
   return value;
 }
@@ -109,16 +110,16 @@ std::optional<int> Ticker::threshold(int node, int port) {
 base::NodeStatus Ticker::decideParallel(int node, int skipped) {
   const auto& own = memory<ParallelMemory>(node);
   const int children = program_.node(node).children;
-  const std::optional<int> needed = threshold(node, 0);
-  const std::optional<int> allowed = needed ? threshold(node, 1) : std::nullopt;
-  if (!allowed) {
+  const int needed = threshold(node, 0);
+  const int allowed = needed < 0 ? needed : threshold(node, 1);
+  if (allowed < 0) {
     return kFault;
   }
   const bool countsSkipped = *need<int>(node, 0) < 0;
-  if (own.successes >= *needed || (countsSkipped && own.successes + skipped >= *needed)) {
+  if (own.successes >= needed || (countsSkipped && own.successes + skipped >= needed)) {
     return Status::Success;
   }
-  const bool hasFailed = children - own.failures < *needed || own.failures == *allowed;
+  const bool hasFailed = children - own.failures < needed || own.failures == allowed;
   return hasFailed ? Status::Failure : Status::Idle;
 }
 
@@ -167,8 +168,8 @@ base::NodeStatus Ticker::parallel(int node) {
 }
 
 base::NodeStatus Ticker::parallelAll(int node) {
-  const std::optional<int> allowed = threshold(node, 0);
-  if (!allowed) {
+  const int allowed = threshold(node, 0);
+  if (allowed < 0) {
     return kFault;
   }
   stored(node) = Status::Running;
@@ -185,7 +186,7 @@ base::NodeStatus Ticker::parallelAll(int node) {
     return Status::Running;
   }
   haltParallel(*this, node);
-  return own.failures >= *allowed ? Status::Failure : Status::Success;
+  return own.failures >= allowed ? Status::Failure : Status::Success;
 }
 
 base::NodeStatus Ticker::customControl(int node) {

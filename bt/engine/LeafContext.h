@@ -159,6 +159,8 @@ T LeafContext::require(int port) {
     return value.type == ValueType::Int ? static_cast<int>(value.integer) : requireSlowly<T>(port);
   } else if constexpr (std::is_same_v<T, double>) {
     return value.type == ValueType::Double ? value.real : requireSlowly<T>(port);
+  } else if constexpr (std::is_same_v<T, bool>) {
+    return value.type == ValueType::Bool ? value.integer != 0 : requireSlowly<T>(port);
   } else {
     return requireSlowly<T>(port);
   }

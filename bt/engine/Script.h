@@ -86,6 +86,7 @@ class ScriptRunner {
 
  private:
   bool evaluate(const ScriptExpression& expression, Value& result);
+  bool chain(const ScriptExpression& expression, Value& result);
   bool load(const Value& value, Value& result);
   bool assign(Slot& slot, ScriptSign sign, Value& value);
   bool combine(ScriptSign sign, Value& left, const Value& right);

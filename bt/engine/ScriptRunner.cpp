@@ -109,8 +109,12 @@ bool ScriptRunner::evaluate(const ScriptExpression& expression, Value& result) {
     case Kind::Choose:
       return choose(expression, result);
     case Kind::Combine:
-      break;
+      return chain(expression, result);
   }
+  return false;
+}
+
+bool ScriptRunner::chain(const ScriptExpression& expression, Value& result) {
   bool isFine = evaluate(expression.parts.front(), result);
   for (std::size_t i = 0; isFine && i < expression.signs.size(); ++i) {
     Value right;
@@ -242,7 +246,9 @@ bool ScriptRunner::compare(const ScriptExpression& expression, Value& result) {
     const std::optional<bool> holds = compareValues(expression.signs[i], result, next);
     isComparable = isComparable && holds;
     all = all && holds.value_or(false);
-    result = std::move(next);
+    if (i + 1 < expression.signs.size()) {
+      result = std::move(next);
+    }
   }
   if (!isComparable) {
     return fail("text that is no number is compared with a number");

@@ -99,7 +99,7 @@ class Ticker {
   Status parallelAll(int node);
   Status tickParallelChildren(int node, int& skipped, bool untilDecided);
   Status decideParallel(int node, int skipped);
-  std::optional<int> threshold(int node, int port);
+  int threshold(int node, int port);
   Status ifThenElse(int node);
   Status whileDoElse(int node);
   Status switchCase(int node);
@@ -190,7 +190,11 @@ class Ticker {
 
   /// Ports of nodes that the engine runs; nothing = a fault was noted.
   template <class T>
-  std::optional<T> need(int node, int port);
+  [[gnu::always_inline]] std::optional<T> need(int node, int port) {
+    leaf_.moveTo(nodes_[node]);
+    const T value = leaf_.require<T>(port);
+    return isFaulty() ? std::nullopt : std::optional<T>(value);
+  }
   const Value* portValue(int node, int port) const;
   bool hasElapsed(const TimerMemory& timer, std::int64_t milliseconds) const;
 
@@ -201,14 +205,7 @@ class Ticker {
   Status* stored_;
   Status* returned_;
   bool isFaulty_;
-  LeafContext leaf_;  // of the synchronous leaf that is ticked
+  LeafContext leaf_;  // of the synchronous leaf that is ticked, or the node whose ports are read
 };
-
-template <class T>
-std::optional<T> Ticker::need(int node, int port) {
-  LeafContext context(*this, input_, node);
-  const T value = context.require<T>(port);
-  return isFaulty() ? std::nullopt : std::optional<T>(value);
-}
 
 }  // namespace bt

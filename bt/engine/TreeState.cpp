@@ -13,7 +13,7 @@ namespace {
 std::size_t roomForEvents(const Program& program) {
   const auto count = std::count_if(
       program.nodes().begin(), program.nodes().end(),
-      [](const Program::Node& node) { return node.children == 0 && !node.isInstant; });
+      [](const Program::Node& node) { return node.children == 0 && node.halt != nullptr; });
   return 2 * static_cast<std::size_t>(count) + 1;
 }
 

@@ -6,13 +6,17 @@ using sim2d::EventKind;
 using sim2d::GoalItem;
 using sim2d::Intent;
 
-std::optional<int> HumanContext::knownById(LeafContext& leaf, int id) {
+int HumanContext::knownById(LeafContext& leaf, int id) {
   const int human = id == idOf(self_) ? self_ : view_.indexOf(id);
-  if (human < 0) {
+  if (human == kNobody) {
     warn(leaf, "tree.runs-without-person", {id});
-    return std::nullopt;
   }
   return human;
+}
+
+int HumanContext::knownAt(LeafContext& leaf, int port) {
+  const int id = leaf.require<int>(port);  // 0 when it is missing
+  return id != 0 || leaf.get<int>(port) ? knownById(leaf, id) : kNobody;
 }
 
 Notes& HumanContext::notes(const LeafContext& leaf) {
@@ -26,23 +30,6 @@ Notes& HumanContext::notes(const LeafContext& leaf) {
 
 void HumanContext::dropNotes(const LeafContext& leaf) {
   mind().notes.remove_if([&leaf](const auto& entry) { return entry.first == leaf.node(); });
-}
-
-std::optional<int> HumanContext::knownPerson(LeafContext& leaf, int port) {
-  const std::optional<int> id = leaf.get<int>(port);
-  if (!id) {
-    leaf.require<int>(port);
-    return std::nullopt;
-  }
-  return knownById(leaf, *id);
-}
-
-std::optional<int> HumanContext::personById(LeafContext& leaf, int id) {
-  return ifPresent(knownById(leaf, id));
-}
-
-std::optional<int> HumanContext::person(LeafContext& leaf, int port) {
-  return ifPresent(knownPerson(leaf, port));
 }
 
 std::optional<GoalItem> HumanContext::place(LeafContext& leaf, int goalPort) {

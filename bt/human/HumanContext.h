@@ -91,11 +91,17 @@ class HumanContext {
 
   /// The person named by an id: nothing, and one warning, when nobody has it; nothing for people
   /// who are not in the world now.
-  std::optional<int> personById(LeafContext& leaf, int id);
+  std::optional<int> personById(LeafContext& leaf, int id) {
+    return unlessNobody(ifPresent(knownById(leaf, id)));
+  }
   /// The same for an input port; a missing port makes the tree faulty.
-  std::optional<int> person(LeafContext& leaf, int port);
+  std::optional<int> person(LeafContext& leaf, int port) {
+    return unlessNobody(ifPresent(knownAt(leaf, port)));
+  }
   /// The same, also for people who are not in the world now.
-  std::optional<int> knownPerson(LeafContext& leaf, int port);
+  std::optional<int> knownPerson(LeafContext& leaf, int port) {
+    return unlessNobody(knownAt(leaf, port));
+  }
   /// A global goal by its port, else the two ports after it as coordinates (older files): nothing
   /// and one warning for an unknown goal. The radius is not set.
   std::optional<sim2d::GoalItem> place(LeafContext& leaf, int goalPort);
@@ -117,9 +123,15 @@ class HumanContext {
   void emit(sim2d::EventKind kind, int human, std::string text, int other = -1);
 
  private:
-  std::optional<int> knownById(LeafContext& leaf, int id);
-  std::optional<int> ifPresent(std::optional<int> human) const {
-    return human && view_.isPresent(*human) ? human : std::nullopt;
+  // Plain indices, as nearly every leaf asks: an optional is slow to hand from call to call.
+  static constexpr int kNobody = -1;
+  int knownById(LeafContext& leaf, int id);
+  int knownAt(LeafContext& leaf, int port);
+  int ifPresent(int human) const {
+    return human != kNobody && view_.isPresent(human) ? human : kNobody;
+  }
+  static std::optional<int> unlessNobody(int human) {
+    return human != kNobody ? std::optional<int>(human) : std::nullopt;
   }
 
   Society& society_;

@@ -98,7 +98,9 @@ TreeState PersonProgram::start(const ResolvedHuman& human) const {
 }
 
 const PersonProgram* PersonPrograms::find(const ResolvedHuman& person) const {
-  if (const auto own = ofPeople.find(person.id); own != ofPeople.end()) {
+  const auto own = std::lower_bound(ofPeople.begin(), ofPeople.end(), person.id,
+                                    [](const auto& each, int id) { return each.first < id; });
+  if (own != ofPeople.end() && own->first == person.id) {
     return own->second.get();
   }
   // Names of people from a source end in "_" and a number.
@@ -213,6 +215,7 @@ PersonPrograms TreeLoader::loadAll(const TreeFiles& files, Diagnostics& diagnost
       patterns.emplace(like->name, nullptr);
     }
   }
+  result.ofPeople.reserve(scenario_.humans.size());
   for (const sim2d::Human& human : scenario_.humans) {
     const auto pattern = patterns.find(human.name);
     if (!human.listed && pattern == patterns.end()) {
@@ -222,12 +225,14 @@ PersonPrograms TreeLoader::loadAll(const TreeFiles& files, Diagnostics& diagnost
     const auto program =
         load(human, file == files.end() ? TreeSource() : file->second, diagnostics);
     if (human.listed) {
-      result.ofPeople.emplace(human.id, program);
+      result.ofPeople.emplace_back(human.id, program);
     }
     if (pattern != patterns.end()) {
       pattern->second = program;
     }
   }
+  std::stable_sort(result.ofPeople.begin(), result.ofPeople.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const sim2d::Area& area : scenario_.areas) {
     if (const sim2d::Human* like = prototypeOf(scenario_, area)) {
       result.ofSources[area.name] = patterns.at(like->name);

@@ -26,7 +26,7 @@ struct PersonProgram {
 
 /// Who runs which program.
 struct PersonPrograms {
-  std::map<int, std::shared_ptr<const PersonProgram>> ofPeople;           // by id
+  std::vector<std::pair<int, std::shared_ptr<const PersonProgram>>> ofPeople;  // by ascending id
   std::map<std::string, std::shared_ptr<const PersonProgram>> ofSources;  // by name of the area
 
   /// Null when nothing is said of the person.

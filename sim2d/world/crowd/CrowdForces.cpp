@@ -140,20 +140,21 @@ void CrowdForces::Scratch::resize(std::size_t candidates, std::size_t rows) {
   batch.receivers.reserve(kBatch);
   batch.results.resize(kBatch);
   batch.spans.resize(std::max(batch.spans.size(), kBatch * rows));
-  if (padded <= x.size()) {
+  if (padded <= size) {
     return;
   }
-  for (std::vector<float>* column : {&x, &y, &vx, &vy, &fx, &fy}) {
-    column->resize(padded);
+  size = padded;
+  for (std::unique_ptr<float[]>* column : {&x, &y, &vx, &vy, &fx, &fy}) {
+    column->reset(new float[size]);
   }
-  for (std::vector<int>* column : {&word, &wordAt, &slot, &touching, &doubtful}) {
-    column->resize(padded);
+  for (std::unique_ptr<int[]>* column : {&word, &wordAt, &slot, &touching, &doubtful}) {
+    column->reset(new int[size]);
   }
 }
 
 CrowdPairs CrowdForces::Scratch::pairs() {
-  return {word.data(), wordAt.data(), x.data(),  y.data(),        vx.data(),      vy.data(),
-          slot.data(), fx.data(),     fy.data(), touching.data(), doubtful.data()};
+  return {word.get(), wordAt.get(), x.get(),  y.get(),        vx.get(),      vy.get(),
+          slot.get(), fx.get(),     fy.get(), touching.get(), doubtful.get()};
 }
 
 CrowdForces::CrowdForces(VectorPath path) : kernel_(kernelOf(path)), cutOff_(cutOff(kLeftOut)) {}

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "sim2d/world/SocialForce.h"
@@ -92,8 +93,10 @@ class CrowdForces {
     int spanCount = 0, candidates = 0;
   };
   struct alignas(64) Scratch {  // of one thread
-    std::vector<float> x, y, vx, vy, fx, fy;
-    std::vector<int> word, wordAt, slot, touching, doubtful;
+    // Not written before they are used, as most of them never are: that takes no memory.
+    std::unique_ptr<float[]> x, y, vx, vy, fx, fy;
+    std::unique_ptr<int[]> word, wordAt, slot, touching, doubtful;
+    std::size_t size = 0;  // of these
     Batch batch;
     void resize(std::size_t candidates, std::size_t rows);
     CrowdPairs pairs();

@@ -42,8 +42,8 @@ class Sfm : public PedestrianModel {
   }
 
   Vec2 velocity(const Situation& situation, const ForceTerms& forces) const override {
-    return isOriginal_ ? velocityAfter(situation, forces, situation.dt)
-                       : velocityAfter(situation, forces, situation.pushTime, kStandingSpeed);
+    return velocityAfter(situation, forces, isOriginal_ ? situation.dt : situation.pushTime,
+                         isOriginal_ ? 0.0 : kStandingSpeed);
   }
 
   SocialLaw socialLaw() const override { return {&parameters_, isOriginal_}; }
