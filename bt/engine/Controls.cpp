@@ -5,6 +5,10 @@
 /// Control nodes, after BehaviorTree.CPP 4.10.
 namespace bt {
 
+template <base::NodeStatus stop>
+constexpr base::NodeStatus kPasses =
+    stop == base::NodeStatus::Failure ? base::NodeStatus::Success : base::NodeStatus::Failure;
+
 /// Sequence (`stop` = FAILURE) and Fallback (SUCCESS). `yields`: at most one child that completes
 /// at once per tick. `remembers`: the next round goes on at the child that stopped it.
 template <base::NodeStatus stop, bool yields, bool remembers>
@@ -15,7 +19,7 @@ base::NodeStatus Ticker::sequence(int node) {
   }
   stored(node) = Status::Running;
   const int end = endOf(node);
-  int child = own.next != 0 ? own.next : node + 1;
+  int child = std::max(own.next, node + 1);  // 0: at the first
   while (child < end) {
     const Status before = stored(child);
     const Status status = tickChild(child);
@@ -25,11 +29,7 @@ base::NodeStatus Ticker::sequence(int node) {
     }
     if (status == stop) {
       own.next = remembers ? child : 0;
-      if (remembers) {
-        resetFrom(child, node);
-      } else {
-        resetChildren(node);
-      }
+      resetFrom(remembers ? child : node + 1, node);
       return status;
     }
     if (!isDone(status) && status != Status::Skipped) {
@@ -46,22 +46,18 @@ base::NodeStatus Ticker::sequence(int node) {
   const bool allSkipped = own.skipped == program_.node(node).children;
   resetChildren(node);
   own = SequenceMemory();
-  if (allSkipped) {
-    return Status::Skipped;
-  }
-  return stop == Status::Failure ? Status::Success : Status::Failure;
+  return allSkipped ? Status::Skipped : kPasses<stop>;
 }
 
 /// Starts at the first child in every tick.
 template <base::NodeStatus stop>
 base::NodeStatus Ticker::reactive(int node) {
-  constexpr Status kPasses = stop == Status::Failure ? Status::Success : Status::Failure;
   stored(node) = Status::Running;
   const int end = endOf(node);
   bool allSkipped = true;
   for (int child = node + 1; child < end; child = endOf(child)) {
     const Status status = tickChild(child);
-    if (status == kPasses) {
+    if (status == kPasses<stop>) {
       allSkipped = false;
       continue;
     }
@@ -79,7 +75,7 @@ base::NodeStatus Ticker::reactive(int node) {
     resetChild(child);
   }
   resetChildren(node);
-  return allSkipped ? Status::Skipped : kPasses;
+  return allSkipped ? Status::Skipped : kPasses<stop>;
 }
 
 void Ticker::resetOthers(int node, int kept) {

@@ -20,6 +20,24 @@ base::NodeStatus Ticker::force(int node) {
   return isDone(status) ? result : status;
 }
 
+/// The child once more, which may go on when it returns `again`.
+template <base::NodeStatus again>
+base::NodeStatus Ticker::tickRound(int child, std::int32_t& count) {
+  const Status status = tickNode(child);
+  if (status == Status::Running) {
+    return status;
+  }
+  if (isDone(status) && status != again) {
+    count = 0;
+    return status;
+  }
+  if (!isDone(status) && status != Status::Skipped) {
+    return unexpected(child, status);
+  }
+  resetChild(child);
+  return status;
+}
+
 /// Repeat (`again` = SUCCESS) and RetryUntilSuccessful (FAILURE): the child as often as it ends so.
 template <base::NodeStatus again>
 base::NodeStatus Ticker::repeat(int node) {
@@ -33,19 +51,8 @@ base::NodeStatus Ticker::repeat(int node) {
   stored(node) = Status::Running;
   while (limit && (count < *limit || *limit == -1)) {
     const Status before = stored(child);
-    const Status status = tickNode(child);
-    if (status == Status::Running) {
-      return status;
-    }
-    if (isDone(status) && status != again) {
-      count = 0;
-      return status;
-    }
-    if (!isDone(status) && status != Status::Skipped) {
-      return unexpected(child, status);
-    }
-    resetChild(child);
-    if (status == Status::Skipped) {
+    const Status status = tickRound<again>(child, count);
+    if (status != again) {
       return status;
     }
     limit = kIsRetry ? need<int>(node, 0) : limit;  // the child may have changed it

@@ -5,7 +5,7 @@
 
 namespace bt {
 
-const BuiltinNode* Ticker::builtin(std::string_view id) {
+std::pair<const BuiltinNode*, const BuiltinNode*> Ticker::builtins() {
   constexpr Status kFails = Status::Failure;
   constexpr Status kSucceeds = Status::Success;
   constexpr NodeHalter kForgetSequence = &forget<SequenceMemory>;
@@ -65,10 +65,14 @@ const BuiltinNode* Ticker::builtin(std::string_view id) {
       {"Sleep", sizeof(TimerMemory), &call<&Ticker::sleep>, &noteHalt},
       {"WasEntryUpdated", sizeof(UpdateMemory), &call<&Ticker::wasEntryUpdated>, nullptr, nullptr,
        nullptr, "entry"}};
+  return {std::begin(kNodes), std::end(kNodes)};
+}
+
+const BuiltinNode* Ticker::builtin(std::string_view id) {
+  const auto [begin, end] = builtins();
   const BuiltinNode* const place =
-      std::find_if(std::begin(kNodes), std::end(kNodes),
-                   [id](const BuiltinNode& node) { return node.id == id; });
-  return place == std::end(kNodes) ? nullptr : place;
+      std::find_if(begin, end, [id](const BuiltinNode& node) { return node.id == id; });
+  return place == end ? nullptr : place;
 }
 
 BuiltinNode Ticker::libraryNode(const NodeFunctions& functions) {

@@ -45,6 +45,9 @@ class Program {
   Program() = default;
   Program(const Program&) = delete;  // nodes point into it
   Program& operator=(const Program&) = delete;
+  Program(Program&&) = delete;
+  Program& operator=(Program&&) = delete;
+  ~Program() = default;
 
   struct alignas(64) Node : NodeHead {  // a cache line
     bool isInstant = false;             // always done within the tick, see Instants.cpp

@@ -70,13 +70,13 @@ void Ticker::resetChild(int node) {
 }
 
 void Ticker::resetChildren(int node) {
-  if (nodes_[node].hasOnlyInstants) {
-    return;
-  }
   resetFrom(node + 1, node);
 }
 
 void Ticker::resetFrom(int first, int node) {
+  if (nodes_[node].hasOnlyInstants) {
+    return;
+  }
   const int end = endOf(node);
   for (int child = first; child < end; child = endOf(child)) {
     resetChild(child);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "bt/engine/NodeCodes.h"
 #include "bt/engine/TreeState.h"
@@ -42,6 +43,7 @@ class Ticker {
 
  private:
   using Status = base::NodeStatus;
+  static std::pair<const BuiltinNode*, const BuiltinNode*> builtins();  // begin and end
   template <class T>
   T& memory(int node) {
     return *static_cast<T*>(memoryOf(node));
@@ -113,6 +115,8 @@ class Ticker {
   Status inverter(int node);
   template <Status result>
   Status force(int node);
+  template <Status again>
+  Status tickRound(int child, std::int32_t& count);
   template <Status again>
   Status repeat(int node);
   Status keepRunning(int node);

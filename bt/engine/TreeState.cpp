@@ -24,7 +24,7 @@ TreeState::TreeState(std::shared_ptr<const Program> program) : program_(std::mov
   const std::size_t statusWords =
       (2 * nodeCount() + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t);
   memory_.reset(new std::uint64_t[memoryWords() + statusWords]);
-  slots_.reset(new Slot[program_->initialSlots().size()]);
+  slots_ = std::make_unique<Slot[]>(program_->initialSlots().size());
   events_.reserve(roomForEvents(*program_));
   reset();
 }
