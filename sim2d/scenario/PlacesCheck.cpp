@@ -162,7 +162,7 @@ class PlacesCheck {
 
   /// Where the body will stand; told once per place and radius.
   std::optional<Vec2> fit(const Place& place, double radius) {
-    std::optional<Vec2> taken = layer_->plannerFor(radius).nearestFit(place.point);
+    std::optional<Vec2> taken = layer_->plannerFor(radius).space().nearestFit(place.point);
     if (!told_.insert(std::make_tuple(place.owner.entity, place.what, radius)).second) {
       return taken;
     }
