@@ -136,7 +136,9 @@ std::vector<MetricInfo> infosOf(const char* table) {
       info.kind = info.range == "0 or 1"      ? Kind::Boolean
                   : info.range == "0, 1, ..." ? Kind::Count
                                               : Kind::Number;
-      info.formula = base::join({fields.begin() + 4, fields.end()}, "|");  // bars: |v|
+      const std::size_t before =
+          fields[0].size() + fields[1].size() + fields[2].size() + fields[3].size();
+      info.formula = line.substr(before + 4);  // may hold bars: |v|
       infos.push_back(info);
     }
   }
