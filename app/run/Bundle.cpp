@@ -78,7 +78,7 @@ void findTrees(Bundle& bundle, const sim2d::FilePlaces& places) {
 std::shared_ptr<const sim2d::Surroundings> surroundingsOf(const Bundle& bundle) {
   // Without the map, and for places that were wrong in the file and stand somewhere else now, there
   // are no walls to be in.
-  return bundle.map && bundle.isWhole ? bundle.known->of(bundle)
+  return bundle.map && bundle.isWhole ? bundle.known->of(*bundle.scenario, bundle.map)
                                       : std::make_shared<const sim2d::Surroundings>();
 }
 
@@ -107,16 +107,17 @@ void checkMetrics(const Bundle& bundle, Verdict& verdict) {
 
 }  // namespace
 
-std::shared_ptr<const sim2d::Surroundings> KnownSurroundings::of(const Bundle& bundle) {
+std::shared_ptr<const sim2d::Surroundings> KnownSurroundings::of(
+    const sim2d::Scenario& scenario, const std::shared_ptr<const sim2d::OccupancyGrid>& map) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const bool isKnown = surroundings_ != nullptr && map_ == bundle.map &&
-                       scenario_->obstacles == bundle.scenario->obstacles &&
-                       scenario_->doors == bundle.scenario->doors;
+  const bool isKnown = surroundings_ != nullptr && map_ == map &&
+                       obstacles_ == scenario.obstacles && doors_ == scenario.doors;
   if (!isKnown) {
-    surroundings_ = std::make_shared<const sim2d::Surroundings>(
-        sim2d::makeSurroundings(*bundle.scenario, *bundle.map));
-    map_ = bundle.map;
-    scenario_ = bundle.scenario;
+    surroundings_ =
+        std::make_shared<const sim2d::Surroundings>(sim2d::makeSurroundings(scenario, *map));
+    map_ = map;
+    obstacles_ = scenario.obstacles;
+    doors_ = scenario.doors;
   }
   return surroundings_;
 }

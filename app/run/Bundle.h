@@ -14,18 +14,18 @@
 
 namespace app {
 
-struct Bundle;
-
-/// Surroundings of the bundles of one document, worked out anew only when map, obstacles or doors
+/// Surroundings in one document, worked out anew only when map, obstacles or doors
 /// are others. Thread: any.
 class KnownSurroundings {
  public:
-  std::shared_ptr<const sim2d::Surroundings> of(const Bundle& bundle);
+  std::shared_ptr<const sim2d::Surroundings> of(
+      const sim2d::Scenario& scenario, const std::shared_ptr<const sim2d::OccupancyGrid>& map);
 
  private:
   std::mutex mutex_;
   std::shared_ptr<const sim2d::OccupancyGrid> map_;
-  std::shared_ptr<const sim2d::Scenario> scenario_;
+  std::vector<sim2d::Obstacle> obstacles_;
+  std::vector<sim2d::Door> doors_;
   std::shared_ptr<const sim2d::Surroundings> surroundings_;
 };
 

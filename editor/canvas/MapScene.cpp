@@ -325,7 +325,7 @@ void MapScene::planRoutes() {
     return;
   }
   routes_->request([this] {
-    RouteModel::Input input{document_.scenario(), document_.map()};
+    RouteModel::Input input{document_.scenario(), document_.map(), document_.surroundings()};
     for (const auto& [id, value] : preview_) {
       putInto(input.scenario, value);
     }

@@ -3,11 +3,11 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <tuple>
 
-#include "sim2d/map/DistanceField.h"
-#include "sim2d/map/PathPlanner.h"
+#include "app/run/Bundle.h"
 #include "sim2d/scenario/Defaults.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 
@@ -86,41 +86,24 @@ Legs legsOf(const sim2d::Scenario& scenario) {
 
 }  // namespace
 
-/// Fields and planners as long as the walls stay the same.
+/// What is planned on, and the ways, as long as the walls stay the same.
 struct RouteModel::Planning {
-  std::shared_ptr<const sim2d::OccupancyGrid> map;
-  std::vector<sim2d::Obstacle> obstacles;
-  std::vector<sim2d::Door> doors;
-  std::vector<Vec2> places;  // only of an open plane, whose field has to span them
-  std::shared_ptr<const sim2d::DistanceField> field;
-  std::map<int, std::unique_ptr<sim2d::PathPlanner>> planners;  // by radius in centimetres
-  std::map<LegKey, RouteLeg> legs;                              // of the last time
+  std::shared_ptr<const sim2d::Surroundings> surroundings;
+  std::vector<Vec2> places;
+  std::optional<sim2d::NavigationMap> navigation;
+  std::map<LegKey, RouteLeg> legs;  // of the last time
 
-  void prepare(const sim2d::Scenario& scenario,
-               const std::shared_ptr<const sim2d::OccupancyGrid>& newMap) {
-    const std::vector<Vec2> newPlaces = newMap->isEmpty() ? placesOf(scenario) : places;
-    const bool isSame = field != nullptr && map == newMap && obstacles == scenario.obstacles &&
-                        doors == scenario.doors && (!newMap->isEmpty() || places == newPlaces);
-    if (isSame) {
+  void prepare(const Input& input) {
+    const auto newSurroundings = input.known->of(input.scenario, input.map);
+    const std::vector<Vec2> newPlaces = placesOf(input.scenario);
+    // Places count on an open plane only, where the planner's field has to span them.
+    if (surroundings == newSurroundings && (!input.map->isEmpty() || places == newPlaces)) {
       return;
     }
-    map = newMap;
-    obstacles = scenario.obstacles;
-    doors = scenario.doors;
+    surroundings = newSurroundings;
     places = newPlaces;
-    planners.clear();
+    navigation.emplace(surroundings->grid, surroundings->obstacles, places, surroundings->layers);
     legs.clear();
-    const sim2d::Surroundings surroundings = sim2d::makeSurroundings(scenario, *map);
-    field = std::make_shared<sim2d::DistanceField>(surroundings.grid, surroundings.obstacles,
-                                                   placesOf(scenario));
-  }
-
-  sim2d::PathPlanner& plannerFor(int radiusCm) {
-    std::unique_ptr<sim2d::PathPlanner>& planner = planners[radiusCm];
-    if (planner == nullptr) {
-      planner = std::make_unique<sim2d::PathPlanner>(field, 0.01 * radiusCm);
-    }
-    return *planner;
   }
 
   RouteLeg planned(const LegKey& key) {
@@ -129,7 +112,7 @@ struct RouteModel::Planning {
     if (key.radiusCm < 0) {
       return {{from, to}, true};
     }
-    std::vector<Vec2> way = plannerFor(key.radiusCm).plan(from, to);
+    std::vector<Vec2> way = navigation->plan(0.01 * key.radiusCm, from, to);
     const bool isThere = !way.empty();
     return {isThere ? std::move(way) : std::vector<Vec2>{from, to}, isThere};
   }
@@ -202,7 +185,7 @@ void RouteModel::start() {
   }
   auto input = std::make_shared<const Input>(input_());
   task_.start([input, planning = planning_] {
-    planning->prepare(input->scenario, input->map);
+    planning->prepare(*input);
     return planning->routesOf(legsOf(input->scenario));
   });
 }

@@ -12,6 +12,10 @@
 #include "editor/document/LatestTask.h"
 #include "sim2d/map/OccupancyGrid.h"
 
+namespace app {
+class KnownSurroundings;
+}
+
 namespace editor {
 
 /// One leg of a route, from a start or goal to the next goal.
@@ -37,6 +41,7 @@ class RouteModel : public QObject {
   struct Input {
     sim2d::Scenario scenario;
     std::shared_ptr<const sim2d::OccupancyGrid> map;
+    std::shared_ptr<app::KnownSurroundings> known;
   };
   /// Soon asks `input` for what there is to plan, once for many requests. Ways that stay the same
   /// are not planned anew.

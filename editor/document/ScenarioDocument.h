@@ -104,6 +104,7 @@ class ScenarioDocument : public QObject {
 
   /// All that a run takes, as it is now, saved or not.
   app::Bundle bundle() const;
+  const std::shared_ptr<app::KnownSurroundings>& surroundings() const { return surroundings_; }
 
   // map; never null, an empty grid is the open plane
   std::shared_ptr<const sim2d::OccupancyGrid> map() const { return map_.grid; }
