@@ -285,8 +285,7 @@ base::Diagnostics RunWriter::writeSteps(const std::string& path, const std::vect
     }
   }
   base::GrowingFile file(path);
-  metrics::writeSteps(times, std::move(columns),
-                      [&file](std::string_view rows) { file.append(rows); });
+  metrics::writeSteps(times, columns, [&file](std::string_view rows) { file.append(rows); });
   if (store_.hasFailed()) {
     return {base::error("metrics.series-lost", {}, path)};
   }

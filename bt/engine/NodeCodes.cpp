@@ -8,20 +8,17 @@ namespace bt {
 std::pair<const BuiltinNode*, const BuiltinNode*> Ticker::builtins() {
   constexpr Status kFails = Status::Failure;
   constexpr Status kSucceeds = Status::Success;
-  constexpr NodeHalter kForgetSequence = &forget<SequenceMemory>;
   constexpr NodeHalter kForgetBranch = &forget<std::int32_t>;  // or a count
-  constexpr NodeHalter kForgetTimer = &forget<TimerMemory>;
   constexpr NodeHalter kStopLoop = &stopChild<LoopMemory>;
-  constexpr NodeHalter kStopUpdate = &stopChild<UpdateMemory>;
   static constexpr BuiltinNode kNodes[] = {
-      {"Sequence", sizeof(SequenceMemory), &call<&Ticker::sequence<kFails>>, kForgetSequence,
-       &instants<kFails>},
-      {"Fallback", sizeof(SequenceMemory), &call<&Ticker::sequence<kSucceeds>>, kForgetSequence,
-       &instants<kSucceeds>},
+      {"Sequence", sizeof(SequenceMemory), &call<&Ticker::sequence<kFails>>,
+       &forget<SequenceMemory>, &instants<kFails>},
+      {"Fallback", sizeof(SequenceMemory), &call<&Ticker::sequence<kSucceeds>>,
+       &forget<SequenceMemory>, &instants<kSucceeds>},
       {"AsyncSequence", sizeof(SequenceMemory), &call<&Ticker::sequence<kFails, true>>,
-       kForgetSequence},
+       &forget<SequenceMemory>},
       {"AsyncFallback", sizeof(SequenceMemory), &call<&Ticker::sequence<kSucceeds, true>>,
-       kForgetSequence},
+       &forget<SequenceMemory>},
       {"SequenceWithMemory", sizeof(SequenceMemory), &call<&Ticker::sequence<kFails, true, true>>},
       {"ReactiveSequence", 0, &call<&Ticker::reactive<kFails>>, nullptr, &instants<kFails>},
       {"ReactiveFallback", 0, &call<&Ticker::reactive<kSucceeds>>, nullptr, &instants<kSucceeds>},
@@ -43,8 +40,8 @@ std::pair<const BuiltinNode*, const BuiltinNode*> Ticker::builtins() {
       {"Repeat", sizeof(std::int32_t), &call<&Ticker::repeat<kSucceeds>>, kForgetBranch},
       {"RetryUntilSuccessful", sizeof(std::int32_t), &call<&Ticker::repeat<kFails>>, kForgetBranch},
       {"KeepRunningUntilFailure", 0, &call<&Ticker::keepRunning>},
-      {"Delay", sizeof(TimerMemory), &call<&Ticker::timer<false>>, kForgetTimer},
-      {"Timeout", sizeof(TimerMemory), &call<&Ticker::timer<true>>, kForgetTimer},
+      {"Delay", sizeof(TimerMemory), &call<&Ticker::timer<false>>, &forget<TimerMemory>},
+      {"Timeout", sizeof(TimerMemory), &call<&Ticker::timer<true>>, &forget<TimerMemory>},
       {"RunOnce", sizeof(Status), &call<&Ticker::runOnce>},
       {"Precondition", sizeof(bool), &call<&Ticker::precondition>, &forget<bool>, nullptr, "if"},
       {"LoopInt", sizeof(LoopMemory), &call<&Ticker::loop>, kStopLoop},
@@ -52,9 +49,9 @@ std::pair<const BuiltinNode*, const BuiltinNode*> Ticker::builtins() {
       {"LoopDouble", sizeof(LoopMemory), &call<&Ticker::loop>, kStopLoop},
       {"LoopString", sizeof(LoopMemory), &call<&Ticker::loop>, kStopLoop},
       {"SkipUnlessUpdated", sizeof(UpdateMemory), &call<&Ticker::ifUpdated<Status::Skipped>>,
-       kStopUpdate, nullptr, nullptr, "entry"},
+       &stopChild<UpdateMemory>, nullptr, nullptr, "entry"},
       {"WaitValueUpdate", sizeof(UpdateMemory), &call<&Ticker::ifUpdated<Status::Running>>,
-       kStopUpdate, nullptr, nullptr, "entry"},
+       &stopChild<UpdateMemory>, nullptr, nullptr, "entry"},
       {"SubTree", 0, &call<&Ticker::subTree>},
       {"AlwaysSuccess", 0, &always<kSucceeds>},
       {"AlwaysFailure", 0, &always<kFails>},

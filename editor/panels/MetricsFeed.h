@@ -34,6 +34,7 @@ class MetricsFeed : public QObject {
  public:
   MetricsFeed(const ScenarioDocument& document, SimulationRunner& runner);
   ~MetricsFeed() override;
+  Q_DISABLE_COPY_MOVE(MetricsFeed)
 
   const MetricSnapshot& snapshot() const { return snapshot_; }
   /// Which metrics, instead of those of the scenario's settings; counts from the next frame on.

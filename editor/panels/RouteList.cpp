@@ -95,6 +95,7 @@ std::vector<int> GoalList::selectedGoals() const {
 
 std::vector<int> GoalList::goals() const {
   std::vector<int> result;
+  result.reserve(static_cast<std::size_t>(count()));
   for (int row = 0; row < count(); ++row) {
     result.push_back(item(row)->data(kGoalRole).toInt());
   }

@@ -120,6 +120,26 @@ ValueRow chanceRow(const bt::Block& block) {
   return row;
 }
 
+decltype(ValueRow::choices) choicesOf(const bt::BlockParameter& parameter,
+                                      const sim2d::Scenario& scenario) {
+  using Of = bt::BlockParameter::Kind;
+  decltype(ValueRow::choices) choices;
+  if (parameter.kind == Of::Goal) {
+    for (const sim2d::GlobalGoal& goal : scenario.goals) {
+      choices.emplace_back(QString::number(goal.id), QObject::tr("Goal %1").arg(goal.id));
+    }
+  } else if (parameter.kind == Of::Choice) {
+    for (const std::string& choice : parameter.choices) {
+      choices.emplace_back(qt(choice), modeWords(choice));
+    }
+  } else if (parameter.kind != Of::Number && parameter.kind != Of::Text) {
+    for (const sim2d::Human& human : scenario.humans) {
+      choices.emplace_back(QString::number(human.id), qt(human.name));
+    }
+  }
+  return choices;
+}
+
 ValueRow rowOf(const bt::BlockParameter& parameter, const bt::Block& block,
                const ScenarioDocument& document) {
   using Of = bt::BlockParameter::Kind;
@@ -138,19 +158,8 @@ ValueRow rowOf(const bt::BlockParameter& parameter, const bt::Block& block,
     row.check = [](const QString& text) {
       return text.trimmed().isEmpty() ? QObject::tr("Say something") : QString();
     };
-  } else if (parameter.kind == Of::Goal) {
-    for (const sim2d::GlobalGoal& goal : document.scenario().goals) {
-      row.choices.emplace_back(QString::number(goal.id), QObject::tr("Goal %1").arg(goal.id));
-    }
-  } else if (parameter.kind == Of::Choice) {
-    for (const std::string& choice : parameter.choices) {
-      row.choices.emplace_back(qt(choice), modeWords(choice));
-    }
-  } else if (parameter.kind != Of::Number) {
-    for (const sim2d::Human& human : document.scenario().humans) {
-      row.choices.emplace_back(QString::number(human.id), qt(human.name));
-    }
   }
+  row.choices = choicesOf(parameter, document.scenario());
   if (parameter.kind == Of::People) {
     row.help = QObject::tr("Choosing a person adds or takes them off");
   }

@@ -43,6 +43,7 @@ int weighted(const std::array<int, N>& weights, double uniform) {
 
 std::vector<int> drawnRoute(const std::vector<sim2d::GlobalGoal>& goals, const AgentRng& rng) {
   std::vector<int> route;
+  route.reserve(goals.size());
   for (const sim2d::GlobalGoal& goal : goals) {
     route.push_back(goal.id);
   }
@@ -201,6 +202,7 @@ std::vector<sim2d::Human> fillCrowd(const std::vector<Vec2>& polygon, std::size_
 
 void showCrowd(MapScene& scene, const std::vector<sim2d::Human>& people) {
   std::vector<ToolDot> dots;
+  dots.reserve(people.size());
   for (const sim2d::Human& human : people) {
     dots.push_back({human.initPose.position, *human.radius,
                     scene.theme().line(lookOf(*human.behavior.type)), human.initPose.heading});

@@ -164,14 +164,15 @@ void CornerDrawing::show() {
   Q_EMIT statusTextChanged();
 }
 
-void CornerDrawing::finish(Corners corners) {
+void CornerDrawing::finish(const Corners& corners) {
   if (corners.empty()) {
     return;
   }
   problem_ = problemOf(corners);
   if (problem_.isEmpty()) {
+    const Corners drawn(corners.begin(), corners.end());  // cancel() clears corners_
     cancel();
-    make(corners);
+    make(drawn);
   } else if (corners_.size() < 3) {
     cancel();  // a click or two in one place: nothing was meant
   } else {

@@ -46,7 +46,7 @@ class CornerDrawing : public Tool {
   Vec2 cursorFor(const CanvasMouse& mouse) const;
   void addCorner(const Vec2& point);
   void show();
-  void finish(Corners corners);
+  void finish(const Corners& corners);
 
   Corners corners_;
   Vec2 cursor_ = Vec2::Zero();

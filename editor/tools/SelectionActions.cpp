@@ -109,6 +109,7 @@ void rotateSelection(ScenarioDocument& document, double angle) {
   }
   const Vec2 centre = wholeOf(pieces).centre();
   std::vector<Entity> values;
+  values.reserve(pieces.size());
   for (const Piece& piece : pieces) {
     values.push_back(rotated(piece.value, centre, angle));
   }

@@ -321,7 +321,7 @@ std::shared_ptr<Recording> recordingOf(Trace trace) {
       const std::string& text = event->second.text;
       for (std::size_t k = 0; event->second.kind == EventKind::Door && k < doors.size(); ++k) {
         const bool opens = text == doors[k] + " open";
-        isOpen[k] = opens || text == doors[k] + " closed" ? char{opens} : isOpen[k];
+        isOpen[k] = opens || text == doors[k] + " closed" ? static_cast<char>(opens) : isOpen[k];
       }
     }
     frame.doorOpen = isOpen;
