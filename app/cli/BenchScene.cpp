@@ -118,7 +118,8 @@ Scenario makeBenchScenario(const BenchScene& scene) {
   scenario.humans.reserve(static_cast<std::size_t>(people));
   for (int i = 0; i < people; ++i) {
     const double x = (i % side + 0.25 + 0.5 * jitter.next()) * gap;
-    const double y = (i / side + 0.25 + 0.5 * jitter.next()) * gap;
+    const int row = i / side;
+    const double y = (row + 0.25 + 0.5 * jitter.next()) * gap;
     const bool isRight = jitter.next() < 0.5;
     if ((Vec2(x, y) - middle).norm() > kRoomForRobot) {
       addPerson(scenario, i, Vec2(x, y), goalAt(y, isRight));

@@ -45,7 +45,7 @@ int tellExtras(const CLI::App& root, const std::string& firstWord) {
   }
   printError(text);
   printError("see hunavsim" + (given.empty() ? "" : " " + given.front()->get_name()) + " --help");
-  return kWrongCommandLine;
+  return ExitWrongCommandLine;
 }
 
 /// What image libraries grumble is told by our own messages, with the file's name.
@@ -144,7 +144,7 @@ int runProgram(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
   } catch (const CLI::ExtrasError&) {
     return tellExtras(root, argv[1]);
   } catch (const CLI::ParseError& problem) {
-    return root.exit(problem) == 0 ? kFine : kWrongCommandLine;
+    return root.exit(problem) == 0 ? ExitFine : ExitWrongCommandLine;
   }
   return commands.start({argc, argv, {}});
 }

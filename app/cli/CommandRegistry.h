@@ -9,14 +9,14 @@
 
 #include "app/run/RunOptions.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): as the library is called
 class App;
 }
 
 namespace app {
 
 /// Exit codes of the program.
-enum ExitCode { kFine = 0, kRunFailed = 1, kBadInput = 2, kWrongCommandLine = 64 };
+enum ExitCode { ExitFine = 0, ExitRunFailed = 1, ExitBadInput = 2, ExitWrongCommandLine = 64 };
 
 /// Where results go and how they are shown; of every command.
 struct OutputOptions {
@@ -34,7 +34,7 @@ struct CommandEnd {
 };
 /// Prints the problems of `least` severity and above; the command ends with `code` when an error is
 /// among them.
-void requireFine(const base::Diagnostics& problems, ExitCode code = kBadInput,
+void requireFine(const base::Diagnostics& problems, ExitCode code = ExitBadInput,
                  base::Severity least = base::Severity::Info);
 
 /// The words that the program was started with.

@@ -36,6 +36,8 @@ class Progress {
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
+  Progress(Progress&&) = delete;
+  Progress& operator=(Progress&&) = delete;
   /// At most ten times a second.
   void show(const std::string& text);
   /// True when the next show would be drawn: spare the work of making the text otherwise.

@@ -233,16 +233,16 @@ int windowCommand(int argc, char** argv, const RunOptions& run, const WindowOpti
   base::Diagnostics wrongWords = checkWords(options);
   const base::Result<RunSettings> settings = runSettingsOf(run);
   base::append(wrongWords, settings.diagnostics());
-  if (const int code = report(wrongWords, kWrongCommandLine)) {
+  if (const int code = report(wrongWords, ExitWrongCommandLine)) {
     return code;
   }
   const QString scenario = QString::fromStdString(run.scenario);
   if (!scenario.isEmpty() && !QFileInfo::exists(scenario)) {
-    return report({base::error("file.not-there", {}, run.scenario)}, kBadInput);
+    return report({base::error("file.not-there", {}, run.scenario)}, ExitBadInput);
   }
   const bool picture = !options.screenshot.empty();
   if (picture && FileCommands::isImage(scenario)) {
-    return report({base::error("option.picture-of-image", {}, run.scenario)}, kBadInput);
+    return report({base::error("option.picture-of-image", {}, run.scenario)}, ExitBadInput);
   }
   prepareScreen(options);
   QApplication application(argc, argv);
@@ -264,7 +264,7 @@ int windowCommand(int argc, char** argv, const RunOptions& run, const WindowOpti
   dressApplication(setup.theme);
   MainWindow window(setup);
   if (const int code =
-          report(checkDocks(window.docks().names(), options.docks), kWrongCommandLine)) {
+          report(checkDocks(window.docks().names(), options.docks), ExitWrongCommandLine)) {
     return code;
   }
   if (picture || !options.size.empty()) {  // whatever the screen
@@ -273,9 +273,9 @@ int windowCommand(int argc, char** argv, const RunOptions& run, const WindowOpti
   window.show();
   const bool isOpened = scenario.isEmpty() || window.open(scenario);
   if (!isOpened && (picture || QFileInfo(scenario).isDir())) {  // broken ones are for the window
-    return report(whyNotOpened(window), kBadInput);
+    return report(whyNotOpened(window), ExitBadInput);
   }
-  return picture ? report(takeScreenshot(window, options), kBadInput) : QApplication::exec();
+  return picture ? report(takeScreenshot(window, options), ExitBadInput) : QApplication::exec();
 }
 
 /// `--dock issues events FILE`: all words behind the option are names of docks to it. The last is

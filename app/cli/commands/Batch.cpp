@@ -55,7 +55,7 @@ int report(const Experiment& experiment, const BatchRows& rows, const BatchOptio
   if (!complete) {
     printError("interrupted: the finished runs are kept");
   }
-  return complete && count.failed == 0 ? kFine : kRunFailed;
+  return complete && count.failed == 0 ? ExitFine : ExitRunFailed;
 }
 
 int batchCommand(const BatchOptions& options, const OutputOptions& output) {

@@ -266,7 +266,7 @@ int benchCommand(const BenchOptions& options, const OutputOptions& output) {
   const std::string tree = folder.filePath(QStringLiteral("walker.xml")).toStdString();
   if (!(std::ofstream(tree) << benchTreeText()).flush()) {
     printError("cannot write " + tree);
-    return kRunFailed;
+    return ExitRunFailed;
   }
   const bool isCsv = options.format == "csv";
   if (isCsv) {
@@ -277,7 +277,7 @@ int benchCommand(const BenchOptions& options, const OutputOptions& output) {
   }
   const std::optional<std::vector<BenchPoint>> points = measureSizes(options, tree);
   if (!points) {
-    return kRunFailed;
+    return ExitRunFailed;
   }
   if (!isCsv && !output.quiet) {
     printLine(
@@ -290,9 +290,9 @@ int benchCommand(const BenchOptions& options, const OutputOptions& output) {
   const QString picture = QString::fromStdString(options.picture);
   if (!picture.isEmpty() && !drawBench(*points, QString::fromStdString(machineName()), picture)) {
     printError("cannot write " + options.picture);
-    return kRunFailed;
+    return ExitRunFailed;
   }
-  return kFine;
+  return ExitFine;
 }
 
 Drawing drawingOf(const BenchOptions& options) {

@@ -118,7 +118,7 @@ int checkCommand(const CheckOptions& options, const OutputOptions& output) {
   } else if (!output.quiet) {
     printLine(summary(options.files.size(), all));
   }
-  return base::hasErrors(all) ? kBadInput : kFine;
+  return base::hasErrors(all) ? ExitBadInput : ExitFine;
 }
 
 }  // namespace

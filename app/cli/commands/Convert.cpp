@@ -61,7 +61,7 @@ void printPlan(const ExportPlan& plan, const base::Diagnostics& report,
 
 int convertCommand(const ConvertOptions& options, const OutputOptions& output) {
   const base::Result<Bundle> source = readExportSource(options.source, editor::loadMapImage);
-  requireFine(source.diagnostics(), kBadInput, base::Severity::Warning);
+  requireFine(source.diagnostics(), ExitBadInput, base::Severity::Warning);
   ExportRequest request;
   request.target = options.target;
   request.folder = options.output;
@@ -71,13 +71,13 @@ int convertCommand(const ConvertOptions& options, const OutputOptions& output) {
   }
   ExportPlan plan = planExport(*source, request);
   plan.report = notYetTold(source.diagnostics(), plan.report);
-  requireFine(plan.report, kBadInput,
+  requireFine(plan.report, ExitBadInput,
               output.quiet ? base::Severity::Warning : base::Severity::Info);
   requireFine(writeExport(plan));
   base::Diagnostics report = source.diagnostics();
   base::append(report, plan.report);
   printPlan(plan, report, options, output);
-  return kFine;
+  return ExitFine;
 }
 
 }  // namespace

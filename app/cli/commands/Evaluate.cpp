@@ -180,7 +180,7 @@ int evaluateCommand(const EvaluateOptions& options, const OutputOptions& output)
   sim2d::ForeignOptions reading;
   sim2d::TrackOptions tracks;
   base::append(wrong, readForeignWords(options, reading, tracks));
-  requireFine(wrong, kWrongCommandLine);
+  requireFine(wrong, ExitWrongCommandLine);
   base::Result<sim2d::Trace> trace = readSource(options.source, reading, tracks);
   base::Diagnostics problems = trace.diagnostics();
   MetricsSetup setup;
@@ -189,7 +189,7 @@ int evaluateCommand(const EvaluateOptions& options, const OutputOptions& output)
     base::append(problems, readMetricsSetup(trace->header, setup));
   }
   base::append(problems, chooseMetrics({options.metrics, options.metricsProfile}, setup, wrong));
-  requireFine(wrong, kWrongCommandLine);
+  requireFine(wrong, ExitWrongCommandLine);
   if (!options.reference.empty()) {
     const auto reference = readReference(options.reference, reading);
     base::append(problems, reference.diagnostics());
@@ -198,7 +198,7 @@ int evaluateCommand(const EvaluateOptions& options, const OutputOptions& output)
     }
   }
   base::append(problems, checkWritableFolder(options.output));
-  requireFine(problems, kBadInput, base::Severity::Warning);
+  requireFine(problems, ExitBadInput, base::Severity::Warning);
   setup.selection.tag = options.tag.value_or(setup.selection.tag);
   setup.selection.runId = options.runId.value_or(setup.selection.runId);
   const base::Result<metrics::Evaluation> evaluation =
@@ -210,7 +210,7 @@ int evaluateCommand(const EvaluateOptions& options, const OutputOptions& output)
   } else if (!output.quiet) {
     print(metrics::tableText(*evaluation));
   }
-  return kFine;
+  return ExitFine;
 }
 
 void addForeignOptions(CLI::App& command, EvaluateOptions& options) {

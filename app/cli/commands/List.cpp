@@ -174,23 +174,23 @@ int listCommand(const ListOptions& options, const OutputOptions& output) {
   if (options.format == "xml") {
     if (options.what != "nodes") {
       printError("--format xml is for nodes alone (text and json are for all)");
-      return kWrongCommandLine;
+      return ExitWrongCommandLine;
     }
     print(bt::writeModel(bt::humanNodes().catalogue()));
-    return kFine;
+    return ExitFine;
   }
   if (options.format == "markdown") {
     if (options.what != "metrics" && options.what != "keys") {
       printError("--format markdown is for metrics and keys alone (text and json are for all)");
-      return kWrongCommandLine;
+      return ExitWrongCommandLine;
     }
     print(options.what == "keys" ? sim2d::keysMarkdown()
                                  : metrics::metricsMarkdown(metrics::standardRegistry()));
-    return kFine;
+    return ExitFine;
   }
   const std::vector<Entry> entries = entriesOf(options.what);
   output.json || options.format == "json" ? printJson(entries) : printText(entries);
-  return kFine;
+  return ExitFine;
 }
 
 }  // namespace

@@ -356,7 +356,7 @@ int renderCommand(const RenderOptions& options, const OutputOptions& output) {
   const std::string ending = base::lowered(fs::path(options.output).extension().string());
   if (ending != ".png") {
     printError(base::error("option.picture-format", {ending}, options.output).text());
-    return kWrongCommandLine;
+    return ExitWrongCommandLine;
   }
   const base::Result<sim2d::Trace> trace = sim2d::readTrace(options.run);
   requireFine(trace.diagnostics());
@@ -369,7 +369,7 @@ int renderCommand(const RenderOptions& options, const OutputOptions& output) {
   if (!output.quiet) {
     printLine(options.output);
   }
-  return kFine;
+  return ExitFine;
 }
 
 Drawing drawingOf(const RenderOptions& /*options*/) {

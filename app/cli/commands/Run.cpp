@@ -139,7 +139,7 @@ int exitCodeOf(const FinishedRun& run, const std::string& scenario) {
   } else if (run.result.status == sim2d::RunStatus::Interrupted) {
     printError("interrupted after " + simulatedText(run) + ": the part so far is kept");
   }
-  return run.result.status == sim2d::RunStatus::Finished ? kFine : kRunFailed;
+  return run.result.status == sim2d::RunStatus::Finished ? ExitFine : ExitRunFailed;
 }
 
 /// Files and table of a run; returns the exit code.
@@ -152,7 +152,7 @@ int conclude(const RunOptions& options, const OutputOptions& output, const Bundl
   show(run, output);
   if (!isWritten) {
     printError("after " + simulatedText(run) + " of the run: its files are not complete");
-    return kBadInput;
+    return ExitBadInput;
   }
   return exitCodeOf(run, options.scenario);
 }
@@ -170,17 +170,17 @@ void wantNoMore(const RunOptions& options, const OutputOptions& output,
 int runCommand(const RunOptions& options, const OutputOptions& output,
                const std::vector<std::string>& commandLine) {
   const base::Result<RunSettings> settings = runSettingsOf(options);
-  requireFine(settings.diagnostics(), kWrongCommandLine);
+  requireFine(settings.diagnostics(), ExitWrongCommandLine);
   const Bundle bundle = readBundle(options, *settings, editor::loadMapImage);
   Verdict verdict = check(bundle);
-  requireFine(verdict.wrongWords, kWrongCommandLine);
+  requireFine(verdict.wrongWords, ExitWrongCommandLine);
   if (!options.output.empty() && verdict.ok()) {  // else nothing will be written
     base::append(verdict.problems, checkWritableFolder(options.output));
   }
   printDiagnostics(verdict.problems, base::Severity::Warning);  // hints are for check
   printDiagnostics(verdict.worldRemarks);
   if (!verdict.ok()) {
-    return kBadInput;
+    return ExitBadInput;
   }
   sim2d::World& world = *verdict.world;
   catchInterrupts();
@@ -204,7 +204,7 @@ int runCommand(const RunOptions& options, const OutputOptions& output,
     isCompared = printDiagnostics(compareWithoutRobots(bundle, session, run));
   }
   const int code = conclude(options, output, bundle, commandLine, writer, run);
-  return code == kFine && !isCompared ? kRunFailed : code;
+  return code == ExitFine && !isCompared ? ExitRunFailed : code;
 }
 
 }  // namespace

@@ -118,12 +118,12 @@ int writeFiles(const std::vector<MadeFile>& files, const std::string& folder,
   if (output.json) {
     printLine(all.dump(2, ' ', false, kReplaceBadText));
   }
-  return printDiagnostics(problems) ? kFine : kBadInput;
+  return printDiagnostics(problems) ? ExitFine : ExitBadInput;
 }
 
 int generate(const TreesOptions& options, const OutputOptions& output) {
   const sim2d::ScenarioReading reading = sim2d::readScenario(options.scenario);
-  requireFine(reading.diagnostics, kBadInput, base::Severity::Warning);
+  requireFine(reading.diagnostics, ExitBadInput, base::Severity::Warning);
   const std::string base =
       reading.scenario.yamlBaseName.value_or(fs::path(options.scenario).stem().string());
   const bt::TreeStyle style =
@@ -132,7 +132,7 @@ int generate(const TreesOptions& options, const OutputOptions& output) {
   requireFine(checkNames(base, files, options.scenario));
   if (options.output.empty()) {
     printFiles(files, output);
-    return kFine;
+    return ExitFine;
   }
   return writeFiles(files, options.output, output);
 }
@@ -207,24 +207,24 @@ int play(const TreesOptions& options, const OutputOptions& output) {
   setup.seed = static_cast<std::uint64_t>(options.seed);
   if (!options.compat.empty()) {
     const base::Result<sim2d::Compatibility> chosen = sim2d::Compatibility::parse(options.compat);
-    requireFine(chosen.diagnostics(), kWrongCommandLine);
+    requireFine(chosen.diagnostics(), ExitWrongCommandLine);
     setup.compatibility = *chosen;
   }
   const base::Result<std::unique_ptr<TreePlay>> made = TreePlay::create(setup);
-  requireFine(made.diagnostics(), kBadInput, base::Severity::Warning);
+  requireFine(made.diagnostics(), ExitBadInput, base::Severity::Warning);
   const base::Diagnostics fault = tickAll(**made, options, output);
   printDiagnostics(fault);
-  return fault.empty() ? kFine : kRunFailed;
+  return fault.empty() ? ExitFine : ExitRunFailed;
 }
 
 int treesCommand(const TreesOptions& options, const OutputOptions& output) {
   if (options.scenario.empty() == options.play.empty()) {
     printError("trees needs a scenario, or a tree to play: --play FILE");
-    return kWrongCommandLine;
+    return ExitWrongCommandLine;
   }
   if (!std::isfinite(options.dt) || options.dt <= 0.0 || options.dt > 10.0) {
     printError("--dt is a number of seconds above 0, 10 at most");
-    return kWrongCommandLine;
+    return ExitWrongCommandLine;
   }
   return options.play.empty() ? generate(options, output) : play(options, output);
 }

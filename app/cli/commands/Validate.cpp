@@ -133,7 +133,7 @@ std::vector<const RealismTest*> chosenTests(const ValidateOptions& options) {
     }
   }
   if (!isFine) {
-    throw CommandEnd{kWrongCommandLine};
+    throw CommandEnd{ExitWrongCommandLine};
   }
   return tests;
 }
@@ -206,14 +206,14 @@ int validateCommand(const ValidateOptions& options, const OutputOptions& output)
   }
   if (!isComplete) {
     printError("interrupted: " + std::to_string(rows.size()) + " rows are complete");
-    return kRunFailed;
+    return ExitRunFailed;
   }
   const auto passed =
       std::count_if(rows.begin(), rows.end(), [](const Row& row) { return row.passes(); });
   if (!output.json && !output.quiet) {
     printLine(std::to_string(passed) + " of " + std::to_string(rows.size()) + " within the limits");
   }
-  return static_cast<std::size_t>(passed) < rows.size() ? kRunFailed : kFine;
+  return static_cast<std::size_t>(passed) < rows.size() ? ExitRunFailed : ExitFine;
 }
 
 }  // namespace
