@@ -42,6 +42,7 @@ void prepare(FakeWorld& world, TreeBench& bench) {
 
 std::vector<sim2d::HumanControl> controlsOf(const FakeWorld& world, TreeBench& bench) {
   std::vector<sim2d::HumanControl> controls;
+  controls.reserve(static_cast<std::size_t>(world.humanCount()));
   for (int human = 0; human < world.humanCount(); ++human) {
     controls.push_back(bench.control(human));
   }
@@ -85,7 +86,8 @@ class HumanHaltTest : public QObject {
   void halt_whileRunning_leavesNothingBehind_data() {
     QTest::addColumn<QByteArray>("body");
     for (const auto& [id, ports] : bodies()) {
-      QTest::newRow(id.c_str()) << QByteArray(("<" + id + " " + ports).c_str());
+      QTest::newRow(id.c_str())
+          << QByteArray("<").append(id.c_str()).append(' ').append(ports.c_str());
     }
   }
   void halt_whileRunning_leavesNothingBehind() {

@@ -10,7 +10,7 @@ using namespace sim2d;
 
 namespace {
 
-OccupancyGrid emptyGrid(int width, int height, double resolution, Pose2 origin = {}) {
+OccupancyGrid emptyGrid(int width, int height, double resolution, const Pose2& origin = {}) {
   const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   return OccupancyGrid(width, height, resolution, origin, std::vector<std::int8_t>(count, 0));
 }

@@ -206,6 +206,7 @@ void ObstaclesTest::boundaryPoints_finerCut_isTheSame() {
   for (int round = 0; round < 20; ++round) {
     const auto shapes = randomShapes(random, 12);
     std::vector<Outline> finer;
+    finer.reserve(shapes.size());
     for (const Outline& shape : shapes) {
       finer.push_back(cutFiner(shape, random));
     }

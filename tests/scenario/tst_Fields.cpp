@@ -19,7 +19,7 @@ struct Fault {
   bool isAtMap = false;           // told at the map that lacks the key
 };
 
-YamlNode at(const YamlNode& from, std::vector<std::string> path) {
+YamlNode at(const YamlNode& from, const std::vector<std::string>& path) {
   YamlNode node = from;
   for (const std::string& key : path) {
     const YamlNode* found = node.find(key);

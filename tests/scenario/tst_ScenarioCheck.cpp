@@ -12,11 +12,11 @@ namespace {
 /// 10 m x 10 m in cells of 0.1 m with a wall of 0.2 m along x = 5 that has no gap, and a strip of
 /// unknown cells at the right edge.
 OccupancyGrid dividedRoom(bool gap) {
-  std::vector<std::int8_t> cells(100 * 100, 0);
+  std::vector<std::int8_t> cells(std::size_t{100} * 100, 0);
   for (std::size_t row = 0; row < 100; ++row) {
     for (std::size_t column = 0; column < 100; ++column) {
       const bool wall = (column == 50 || column == 51) && !(gap && row < 20);
-      cells[row * 100 + column] = wall ? 100 : column >= 90 ? -1 : 0;
+      cells[row * 100 + column] = static_cast<std::int8_t>(wall ? 100 : column >= 90 ? -1 : 0);
     }
   }
   return {100, 100, 0.1, Pose2{}, std::move(cells)};
@@ -117,8 +117,8 @@ class ScenarioCheckTest : public QObject {
   }
 
   void check_noPlaceWithinAMetre_isError() {
-    std::vector<std::int8_t> cells(100 * 100, 0);
-    for (std::size_t i = 0; i < 100 * 60; ++i) {
+    std::vector<std::int8_t> cells(std::size_t{100} * 100, 0);
+    for (std::size_t i = 0; i < std::size_t{100} * 60; ++i) {
       cells[i] = 100;  // the lower 6 m are solid
     }
     const OccupancyGrid grid(100, 100, 0.1, Pose2{}, std::move(cells));

@@ -174,7 +174,7 @@ void ForeignCsvTest::csv_wrongColumnNames_haveHints() {
   const auto trace =
       traceOf(files.add("a.csv", "t,ped,px,py\n0,1,0,0\n"), withColumns("time=t,id=pad,x=px,y=yy"));
   QVERIFY(!trace);
-  const base::Diagnostics problems = trace.diagnostics();
+  const base::Diagnostics& problems = trace.diagnostics();
   QCOMPARE(problems.size(), std::size_t{2});
   QVERIFY(problems[0].message == "there is no column 'pad' (did you mean 'ped'?)");
   QVERIFY(problems[1].message.find("there is no column 'yy'") == 0);

@@ -48,7 +48,8 @@ Frame crowdAt(std::int64_t step, int people) {
   frame.robots.x = frame.robots.y = frame.robots.heading = {0.001 * static_cast<double>(step)};
   frame.robots.vx = frame.robots.vy = frame.robots.omega = {1.0};
   frame.robots.goal = {kNoGoal};
-  frame.robotPaths = {{Vec2(0.0, 0.0), Vec2(1.0, static_cast<double>(step / 70))}};
+  const std::int64_t plans = step / 70;
+  frame.robotPaths = {{Vec2(0.0, 0.0), Vec2(1.0, static_cast<double>(plans))}};
   frame.doorOpen = {static_cast<char>(step < 60 ? 1 : 0)};
   return frame;
 }
@@ -67,6 +68,41 @@ TreeChanges::Paths nodeNames(int count) {
     names.push_back("Main/Go[" + std::to_string(node) + "]");
   }
   return std::make_shared<const std::vector<std::string>>(std::move(names));
+}
+
+/// A door that closes at step 60, a push at 61, a tree that changes.
+void recordDoor(Recording& recording) {
+  TraceHeader header;
+  header.humans.resize(2);
+  header.humans[0].id = 1;
+  header.humans[1].id = 2;
+  header.robots.resize(1);
+  TraceObstacle door;
+  door.name = "front";
+  door.isDoor = door.open = true;
+  header.obstacles = {door};
+  recording.setHeader(header);
+  const TreeChanges::Paths names = nodeNames(4);
+  for (std::int64_t step = 0; step <= 100; ++step) {
+    Frame frame = crowdAt(step, 2);
+    if (step == 60) {
+      Event closes = makeEvent(EventKind::Door, 0);
+      closes.hasId = false;
+      closes.text = "front closed";
+      frame.events = {closes};
+    }
+    if (step == 61) {
+      Input push;
+      push.kind = InputKind::Push;
+      push.id = 2;
+      push.velocity = Vec2(0.5, 0.0);
+      frame.inputs = {push};
+    }
+    if (step % 10 == 1) {
+      frame.treeChanges.add(1, names, static_cast<int>(step / 10 % 4), base::NodeStatus::Running);
+    }
+    recording.append(frame);
+  }
 }
 
 }  // namespace
@@ -139,7 +175,7 @@ void RecordingTest::frame_anyStep_isWhatWasAppended() {
     recording.append(crowdAt(step, 7 + static_cast<int>(step / 100)));
   }
   QCOMPARE(recording.size(), std::size_t{200});
-  for (const std::size_t index : {0, 199, 64, 63, 65, 128, 100, 1}) {
+  for (const std::size_t index : std::vector<std::size_t>{0, 199, 64, 63, 65, 128, 100, 1}) {
     const auto step = static_cast<std::int64_t>(2 * index);
     QVERIFY(isSameState(*recording.frame(index), crowdAt(step, 7 + static_cast<int>(step / 100))));
     QCOMPARE(recording.stepOf(index), step);
@@ -224,37 +260,7 @@ void RecordingTest::read_whileItIsWritten_seesWholeSteps() {
 
 void RecordingTest::readRecording_folder_isWhatWasRecorded() {
   Recording recording;
-  TraceHeader header;
-  header.humans.resize(2);
-  header.humans[0].id = 1;
-  header.humans[1].id = 2;
-  header.robots.resize(1);
-  TraceObstacle door;
-  door.name = "front";
-  door.isDoor = door.open = true;
-  header.obstacles = {door};
-  recording.setHeader(header);
-  const TreeChanges::Paths names = nodeNames(4);
-  for (std::int64_t step = 0; step <= 100; ++step) {
-    Frame frame = crowdAt(step, 2);
-    if (step == 60) {
-      Event closes = makeEvent(EventKind::Door, 0);
-      closes.hasId = false;
-      closes.text = "front closed";
-      frame.events = {closes};
-    }
-    if (step == 61) {
-      Input push;
-      push.kind = InputKind::Push;
-      push.id = 2;
-      push.velocity = Vec2(0.5, 0.0);
-      frame.inputs = {push};
-    }
-    if (step % 10 == 1) {
-      frame.treeChanges.add(1, names, static_cast<int>(step / 10 % 4), base::NodeStatus::Running);
-    }
-    recording.append(frame);
-  }
+  recordDoor(recording);
   QTemporaryDir folder;
   const std::string path = folder.path().toStdString() + "/";
   const Trace trace = recording.trace();
@@ -270,7 +276,7 @@ void RecordingTest::readRecording_folder_isWhatWasRecorded() {
   const auto read = readRecording(path);
   QVERIFY(read);
   QCOMPARE((*read)->size(), recording.size());
-  for (const std::size_t index : {0, 59, 60, 100}) {
+  for (const std::size_t index : std::vector<std::size_t>{0, 59, 60, 100}) {
     const FramePtr frame = (*read)->frame(index);
     QVERIFY(frame->humans == recording.frame(index)->humans);
     QVERIFY(frame->robots == recording.frame(index)->robots);

@@ -162,7 +162,7 @@ void TraceTest::readTrace_instantsWithoutAnybody_areKept() {
   Trace trace = sampleTrace();
   trace.header.robots.clear();
   trace.events.erase(trace.events.begin());  // the contact of the robot
-  for (const std::size_t empty : {0, 1, 3, 4}) {
+  for (const std::size_t empty : std::vector<std::size_t>{0, 1, 3, 4}) {
     trace.frames[empty].humans = {};
   }
   for (Frame& frame : trace.frames) {

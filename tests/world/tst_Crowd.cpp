@@ -14,7 +14,8 @@ Scenario hall(int people) {
   addWall(scenario, {{10.0, -5.0}, {10.0, 8.0}});
   addWall(scenario, {{10.0, 12.0}, {10.0, 25.0}});
   for (int i = 0; i < people; ++i) {
-    const Vec2 place(1.3 * (i % 15) + (i % 15 > 7 ? 1.0 : 0.0) - 0.7, 1.3 * (i / 15));
+    const int row = i / 15;
+    const Vec2 place(1.3 * (i % 15) + (i % 15 > 7 ? 1.0 : 0.0) - 0.7, 1.3 * row);
     addPerson(scenario, i, place, {i % 2 + 1}).radius = 0.3;
   }
   return scenario;

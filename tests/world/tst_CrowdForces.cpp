@@ -41,8 +41,9 @@ struct Crowd {
     for (int i = 0; i < count; ++i) {
       Walker walker;
       walker.id = i;
+      const int row = i / side;
       walker.position = Vec2((i % side + draws.between(0.25, 0.75)) * gap,
-                             (i / side + draws.between(0.25, 0.75)) * gap);
+                             (row + draws.between(0.25, 0.75)) * gap);
       walker.velocity = Vec2(draws.between(0.0, 1.0) < 0.5 ? 1.3 : -1.3, draws.between(-0.2, 0.2));
       walkers.push_back(walker);
     }

@@ -55,6 +55,7 @@ std::vector<Crowd> crowdsOf(const TrackFile& file) {
     }
   }
   std::vector<Crowd> crowds;
+  crowds.reserve(byStart.size());
   for (auto& [start, crowd] : byStart) {
     crowds.push_back(std::move(crowd));
   }

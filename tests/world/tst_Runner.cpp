@@ -136,7 +136,8 @@ void RunnerTest::run_threads_giveEqualTraces() {
   addGoal(scenario, 2, -40.0, 0.0);
   addWall(scenario, {Vec2(-30.0, 12.0), Vec2(30.0, 12.0)});
   for (int i = 0; i < 240; ++i) {
-    addPerson(scenario, i, Vec2(-24.0 + 2.0 * (i % 24), -10.0 + 2.0 * (i / 24)), {i % 2 + 1});
+    const int row = i / 24;
+    addPerson(scenario, i, Vec2(-24.0 + 2.0 * (i % 24), -10.0 + 2.0 * row), {i % 2 + 1});
   }
   std::vector<std::uint64_t> hashes;
   for (const int threads : {1, 2, 8}) {

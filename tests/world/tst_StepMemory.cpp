@@ -29,7 +29,8 @@ Scenario streams(int people) {
   robot.startTime = 1000.0;
   for (int i = 0; i < people; ++i) {
     const bool isLeft = i % 20 < 10;
-    const Vec2 place(1.1 * (i % 20) + (isLeft ? -10.0 : 10.0), 1.1 * (i / 20) - 2.0);
+    const int row = i / 20;
+    const Vec2 place(1.1 * (i % 20) + (isLeft ? -10.0 : 10.0), 1.1 * row - 2.0);
     Human& human = addPerson(scenario, i + 1, place, {isLeft ? 1 : 2});
     human.radius = 0.25;
     human.ours.route = Route::Direct;

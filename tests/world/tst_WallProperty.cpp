@@ -94,6 +94,7 @@ void WallPropertyTest::millionAgentSteps_inEachMap_neverPassAWall() {
       map);
   QVERIFY(world);
   std::vector<Vec2> before;
+  before.reserve(static_cast<std::size_t>(people));
   for (int i = 0; i < people; ++i) {
     before.push_back(positionOf((*world)->frame(), static_cast<std::size_t>(i)));
   }

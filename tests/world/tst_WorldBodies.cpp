@@ -70,7 +70,8 @@ void WorldBodiesTest::people_inARoomCrossing_neverOverlap() {
             4.5 * std::sin(i * base::kPi / 6.0));
   }
   for (int i = 0; i < 36; ++i) {
-    const Vec2 start(-5.0 + 2.0 * (i % 6), -5.0 + 2.0 * (i / 6));
+    const int row = i / 6;
+    const Vec2 start(-5.0 + 2.0 * (i % 6), -5.0 + 2.0 * row);
     addPerson(scenario, i, start, {(i * 5) % 12 + 1, (i * 7 + 6) % 12 + 1}).cyclicGoals = true;
   }
   const std::unique_ptr<World> world = make(scenario);
@@ -91,7 +92,8 @@ void WorldBodiesTest::people_walkingAtRandom_stayOutOfWalls() {
   addRoom(scenario, Vec2(-6.0, -6.0), Vec2(6.0, 6.0));
   addWall(scenario, {Vec2(-3.0, 0.0), Vec2(3.0, 0.0), Vec2(3.0, 3.0)}, 0.1);
   for (int i = 0; i < 25; ++i) {
-    makeBlind(addPerson(scenario, i, Vec2(-4.4 + 2.2 * (i % 5), -5.0 + 2.45 * (i / 5))));
+    const int row = i / 5;
+    makeBlind(addPerson(scenario, i, Vec2(-4.4 + 2.2 * (i % 5), -5.0 + 2.45 * row)));
     scenario.humans.back().maxVel = 2.0;
     scenario.humans.back().ours.route = Route::Direct;
   }
@@ -148,7 +150,8 @@ void WorldBodiesTest::people_pressedIntoACorner_doNotOverlap() {
   addRoom(scenario, Vec2(-6.0, -6.0), Vec2(6.0, 6.0));
   addGoal(scenario, 1, 5.4, 5.4);
   for (int i = 0; i < 20; ++i) {
-    makeBlind(addPerson(scenario, i, Vec2(-5.0 + 2.0 * (i % 5), -4.0 + 2.0 * (i / 5)), {1}));
+    const int row = i / 5;
+    makeBlind(addPerson(scenario, i, Vec2(-5.0 + 2.0 * (i % 5), -4.0 + 2.0 * row), {1}));
     scenario.humans.back().goalRadius = 0.05;
   }
   const std::unique_ptr<World> world = make(scenario);

@@ -12,7 +12,8 @@ Scenario crowd(int people) {
   addGoal(scenario, 1, 6.0, 0.3);
   addGoal(scenario, 2, -6.0, 0.1);
   for (int k = 0; k < people; ++k) {
-    Human& human = addPerson(scenario, k + 1, Vec2(1.1 * (k % 6) - 3.0, 1.1 * (k / 6) - 3.0),
+    const int row = k / 6;
+    Human& human = addPerson(scenario, k + 1, Vec2(1.1 * (k % 6) - 3.0, 1.1 * row - 3.0),
                              k % 2 == 0 ? std::vector<int>{1, 2} : std::vector<int>{2, 1});
     human.cyclicGoals = true;
     human.groupId = k % 5 == 0 ? 1 : -1;

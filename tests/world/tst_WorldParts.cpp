@@ -92,6 +92,7 @@ void WorldPartsTest::keepApart_headOn_leavesTheGap() {
 
 void WorldPartsTest::keepApart_chainAtAWall_stopsAll() {
   std::vector<MovingDisc> discs;
+  discs.reserve(3);
   for (int i = 0; i < 3; ++i) {
     discs.push_back(disc({0.8 * i, 0.0}, {1.5, 0.0}));
   }
@@ -164,6 +165,7 @@ void WorldPartsTest::physics_touches_beginAndLast() {
 
 void WorldPartsTest::convexPieces_polygon_coverItsArea() {
   std::vector<Vec2> star;
+  star.reserve(20);
   for (int i = 0; i < 20; ++i) {
     star.push_back((i % 2 == 0 ? 1.0 : 0.5) *
                    base::directionOf(base::wrapToPi(i * 0.1 * base::kPi)));
