@@ -71,7 +71,7 @@ std::map<std::string, std::string> readGolden() {
 bool writeGolden(const std::map<std::string, std::string>& hashes) {
   std::string text;
   for (const auto& [name, hash] : hashes) {
-    text += name + " " + hash + "\n";
+    text.append(name).append(" ").append(hash).append("\n");
   }
   return base::writeFileAtomically(goldenPath(), text).empty();
 }

@@ -175,8 +175,8 @@ void SubTreesTest::compile_tooManySubTrees_isRefused() {
   std::string xml = "<root BTCPP_format='4' main_tree_to_execute='T0'>";
   for (int i = 0; i < 40; ++i) {  // 2^40 nodes
     const std::string call = "<SubTree ID='T" + std::to_string(i + 1) + "'/>";
-    xml += "<BehaviorTree ID='T" + std::to_string(i) + "'><Sequence>" + call + call +
-           "</Sequence></BehaviorTree>";
+    xml += "<BehaviorTree ID='T" + std::to_string(i) + "'><Sequence>";
+    xml.append(call).append(call).append("</Sequence></BehaviorTree>");
   }
   xml += "<BehaviorTree ID='T40'><AlwaysSuccess/></BehaviorTree></root>";
   const auto program = probe::compiled(xml);

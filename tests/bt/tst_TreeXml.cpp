@@ -55,7 +55,7 @@ bt::TreeFile parsed(const std::string& xml) {
 class Files {
  public:
   std::string write(const char* name, const std::string& text) {
-    const std::string path = (folder_.path() + QLatin1Char('/')).toStdString() + name;
+    std::string path = (folder_.path() + QLatin1Char('/')).toStdString() + name;
     const base::Diagnostics problems = base::writeFileAtomically(path, text);
     if (!problems.empty()) {
       qFatal("%s", textOf(problems).c_str());

@@ -55,7 +55,7 @@ inline sim2d::TraceHeader header(int people, double dt) {
   robot.name = "robot1";
   robot.goals = {{0, base::Vec2(0.5 * 6.0, 0.0), 0.2}};
   made.robots = {robot};
-  std::vector<std::int8_t> cells(200 * 80, 0);
+  std::vector<std::int8_t> cells(std::size_t{200} * 80, 0);
   for (std::size_t row = 10; row < 14; ++row) {
     for (std::size_t column = 40; column < 60; ++column) {
       cells[row * 200 + column] = 100;

@@ -42,10 +42,12 @@ inline sim2d::OccupancyGrid mapOf(const Json& json) {
   }
   const int width = json["width"].get<int>();
   const int height = json["height"].get<int>();
-  std::vector<std::int8_t> cells(static_cast<std::size_t>(width * height), 0);
+  std::vector<std::int8_t> cells(static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
+                                 0);
   const auto fill = [&](const char* key, std::int8_t value) {
     for (const Json& cell : json[key]) {
-      cells[static_cast<std::size_t>(cell[1].get<int>() * width + cell[0].get<int>())] = value;
+      const auto place = cell[1].get<std::size_t>() * static_cast<std::size_t>(width);
+      cells[place + cell[0].get<std::size_t>()] = value;
     }
   };
   fill("occupied_cells", 100);

@@ -76,7 +76,9 @@ std::string resultsProblem(const std::vector<MetricResult>& results, const Json&
     const Json wanted = value.is_object() ? value : Json{{"value", value}};
     const std::string problem =
         found == results.end() ? "is not computed" : valueProblem(found->value, wanted);
-    problems += problem.empty() ? "" : key + " " + problem + "\n";
+    if (!problem.empty()) {
+      problems.append(key).append(" ").append(problem).append("\n");
+    }
   }
   return problems;
 }

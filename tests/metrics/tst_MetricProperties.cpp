@@ -30,8 +30,8 @@ sim2d::OccupancyGrid quarterTurned(const sim2d::OccupancyGrid& map) {
   for (int row = 0; row < map.height(); ++row) {
     for (int column = 0; column < map.width(); ++column) {
       const int newColumn = map.height() - 1 - row;
-      cells[static_cast<std::size_t>(column * width + newColumn)] =
-          map.isWall({column, row}) ? 100 : 0;
+      cells[static_cast<std::size_t>(column) * static_cast<std::size_t>(width) +
+            static_cast<std::size_t>(newColumn)] = map.isWall({column, row}) ? 100 : 0;
     }
   }
   const Vec2 corner = map.origin().position;

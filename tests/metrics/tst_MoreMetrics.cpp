@@ -224,10 +224,10 @@ void MoreMetricsTest::crowd_gridOfPeople_handCase() {
   SampledRun recording;
   Sample sample;
   for (int k = 0; k < 441; ++k) {
-    sample.people.push_back(personAt(k, k % 21, k / 21, 0.5));
+    const int row = k / 21;
+    sample.people.push_back(personAt(k, k % 21, row, 0.5));
   }
   recording.samples = {sample};
-  MetricParameters parameters;
   double classic = 0.0;
   for (const Person& person : sample.people) {
     for (const Person& other : sample.people) {
