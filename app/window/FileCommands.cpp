@@ -73,7 +73,7 @@ bool FileCommands::openFile(const QString& path) {
     case Kind::Map:
       return openNewFromMap(path);
     case Kind::Image:
-      Q_EMIT imageWanted(path);
+      askMapOfImage(path);
       return true;
     case Kind::Tree:
       return giveTree(path, {});
