@@ -71,13 +71,14 @@ CLI::App& CommandRegistry::add(const std::string& name, const std::string& help,
 
 void CommandRegistry::addOutputOptions() {
   for (CLI::App* command : root_.get_subcommands(nullptr)) {
-    command->add_flag("--quiet", output_.quiet, "No progress and no table");
-    command->add_flag("--json", output_.json, "Machine-readable standard output");
+    command->add_flag("--quiet", quiet_, "No progress and no table");
+    command->add_flag("--json", json_, "Machine-readable standard output");
   }
 }
 
 int CommandRegistry::start(Invocation given) const {
-  given.output = output_;
+  given.quiet = quiet_;
+  given.json = json_;
   const std::vector<CLI::App*> chosen = root_.get_subcommands();
   if (chosen.empty()) {
     return default_(given);
@@ -146,7 +147,7 @@ int runProgram(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
   } catch (const CLI::ParseError& problem) {
     return root.exit(problem) == 0 ? ExitFine : ExitWrongCommandLine;
   }
-  return commands.start({argc, argv, {}});
+  return commands.start({argc, argv});
 }
 
 }  // namespace app

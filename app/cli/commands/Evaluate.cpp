@@ -174,7 +174,7 @@ base::Diagnostics writeResults(const EvaluateOptions& options, const sim2d::Trac
   return problems;
 }
 
-int evaluateCommand(const EvaluateOptions& options, const OutputOptions& output) {
+int evaluateCommand(const EvaluateOptions& options, const Invocation& given) {
   base::Diagnostics wrong =
       isRunFolder(options.source) ? foreignWords(options) : base::Diagnostics();
   sim2d::ForeignOptions reading;
@@ -205,9 +205,9 @@ int evaluateCommand(const EvaluateOptions& options, const OutputOptions& output)
       metrics::evaluate(*trace, setup.selection, setup.parameters);
   requireFine(evaluation.diagnostics());
   requireFine(writeResults(options, *trace, *evaluation));
-  if (output.json) {
+  if (given.json) {
     print(metrics::toJson(*evaluation));
-  } else if (!output.quiet) {
+  } else if (!given.quiet) {
     print(metrics::tableText(*evaluation));
   }
   return ExitFine;
