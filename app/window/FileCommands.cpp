@@ -13,7 +13,6 @@
 #include "editor/canvas/Layers.h"
 #include "editor/document/Autosave.h"
 #include "editor/document/EditCommands.h"
-#include "editor/document/EntityLists.h"
 #include "editor/document/MapEdit.h"
 #include "sim2d/base/Text.h"
 

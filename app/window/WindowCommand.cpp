@@ -83,14 +83,14 @@ editor::Theme themeOf(const WindowOptions& options) {
                                    : editor::Theme::light();
 }
 
-QString titleOf(const std::string& name) {
+std::string titleOf(const std::string& name) {
   QString title = QString::fromStdString(name).remove(QStringLiteral("_agents"));
-  return editor::capitalized(title.replace(QLatin1Char('_'), QLatin1Char(' ')));
+  return editor::capitalized(title.replace(QLatin1Char('_'), QLatin1Char(' '))).toStdString();
 }
 
 /// For the start page: whole scenes first, then one per reaction; none of the many of the realism
 /// tests.
-std::vector<Demo> demos() {
+std::vector<ShippedScenario> demos() {
   std::vector<ShippedScenario> scenarios = shippedScenarios();
   const auto begins = [](const char* with) {
     return [with](const ShippedScenario& one) { return one.name.rfind(with, 0) == 0; };
@@ -98,11 +98,10 @@ std::vector<Demo> demos() {
   scenarios.erase(std::remove_if(scenarios.begin(), scenarios.end(), begins("realism_")),
                   scenarios.end());
   std::stable_partition(scenarios.begin(), scenarios.end(), std::not_fn(begins("reaction_")));
-  std::vector<Demo> result;
-  for (const ShippedScenario& scenario : scenarios) {
-    result.push_back({titleOf(scenario.name), QString::fromStdString(scenario.path)});
+  for (ShippedScenario& scenario : scenarios) {
+    scenario.name = titleOf(scenario.name);
   }
-  return result;
+  return scenarios;
 }
 
 base::Diagnostics checkDocks(const QStringList& known, const std::vector<std::string>& wanted) {
