@@ -99,9 +99,9 @@ int CommandRegistry::start(Invocation given) const {
   return within<QCoreApplication>(given, command.action);
 }
 
-void addMetricsOptions(CLI::App& command, std::string& metrics, std::string& profile) {
-  command.add_option("--metrics", metrics, "Selection: a metrics.yaml, or keys with commas");
-  command.add_option("--metrics-profile", profile, "corrected or hunav2")
+void addMetricsOptions(CLI::App& command, MetricsWords& words) {
+  command.add_option("--metrics", words.metrics, "Selection: a metrics.yaml, or keys with commas");
+  command.add_option("--metrics-profile", words.profile, "corrected or hunav2")
       ->check(CLI::IsMember({"corrected", "hunav2"}));
 }
 
@@ -121,7 +121,7 @@ void addRunOptions(CLI::App& command, RunOptions& options) {
   command.add_option("--robot-goal", options.robotGoal, "\"X Y\" (m)");
   command.add_option("--planner", options.planner, "How the robot plans: see list planners");
   command.add_option("--threads", options.threads, "Number of threads; results stay the same");
-  addMetricsOptions(command, options.metrics, options.metricsProfile);
+  addMetricsOptions(command, options.metrics);
   command.add_option("--record-every", options.recordEvery, "Record every N-th step");
   command.add_option("--set", options.set, "PATH=VALUE: any value of the scenario")
       ->allow_extra_args(false);

@@ -86,7 +86,7 @@ class CommandRegistry {
 /// The options of `run`, which the window has too.
 void addRunOptions(CLI::App& command, RunOptions& options);
 /// Those of them that choose metrics.
-void addMetricsOptions(CLI::App& command, std::string& metrics, std::string& profile);
+void addMetricsOptions(CLI::App& command, MetricsWords& words);
 
 /// Reads the words and does what they say. `addWindow` adds what is done without a command.
 int runProgram(int argc, char** argv, void (*addWindow)(CommandRegistry&));

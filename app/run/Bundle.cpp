@@ -127,7 +127,7 @@ Bundle readBundle(const RunOptions& options, const RunSettings& settings,
                   const sim2d::ImageLoader& loader) {
   Bundle bundle;
   bundle.path = options.scenario;
-  bundle.metrics = {options.metrics, options.metricsProfile};
+  bundle.metrics = options.metrics;
   bundle.settings = settings;
   bundle.inputs.push_back(options.scenario);
   sim2d::ScenarioReading reading = sim2d::readScenario(options.scenario);
