@@ -24,11 +24,7 @@ template <class Application>
 int within(Invocation& given, const CommandRegistry::Action& action) {
   Application application(given.argc, given.argv);
   std::setlocale(LC_NUMERIC, "C");
-  try {
-    return action(given);
-  } catch (const CommandEnd& end) {
-    return end.code;
-  }
+  return action(given);
 }
 
 /// Words that no option takes; the library tells them last first.
@@ -142,12 +138,14 @@ int runProgram(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
   commands.addOutputOptions();
   try {
     root.parse(argc, argv);
+    return commands.start({argc, argv});
+  } catch (const CommandEnd& end) {
+    return end.code;
   } catch (const CLI::ExtrasError&) {
     return tellExtras(root, argv[1]);
   } catch (const CLI::ParseError& problem) {
     return root.exit(problem) == 0 ? ExitFine : ExitWrongCommandLine;
   }
-  return commands.start({argc, argv});
 }
 
 }  // namespace app
