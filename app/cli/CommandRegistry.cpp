@@ -24,11 +24,7 @@ template <class Application>
 int within(Invocation& given, const CommandRegistry::Action& action) {
   Application application(given.argc, given.argv);
   std::setlocale(LC_NUMERIC, "C");
-  try {
-    return action(given);
-  } catch (const CommandEnd& end) {
-    return end.code;
-  }
+  return action(given);
 }
 
 /// Words that no option takes; the library tells them last first.
@@ -71,13 +67,14 @@ CLI::App& CommandRegistry::add(const std::string& name, const std::string& help,
 
 void CommandRegistry::addOutputOptions() {
   for (CLI::App* command : root_.get_subcommands(nullptr)) {
-    command->add_flag("--quiet", output_.quiet, "No progress and no table");
-    command->add_flag("--json", output_.json, "Machine-readable standard output");
+    command->add_flag("--quiet", quiet_, "No progress and no table");
+    command->add_flag("--json", json_, "Machine-readable standard output");
   }
 }
 
 int CommandRegistry::start(Invocation given) const {
-  given.output = output_;
+  given.quiet = quiet_;
+  given.json = json_;
   const std::vector<CLI::App*> chosen = root_.get_subcommands();
   if (chosen.empty()) {
     return default_(given);
@@ -98,9 +95,9 @@ int CommandRegistry::start(Invocation given) const {
   return within<QCoreApplication>(given, command.action);
 }
 
-void addMetricsOptions(CLI::App& command, std::string& metrics, std::string& profile) {
-  command.add_option("--metrics", metrics, "Selection: a metrics.yaml, or keys with commas");
-  command.add_option("--metrics-profile", profile, "corrected or hunav2")
+void addMetricsOptions(CLI::App& command, MetricsWords& words) {
+  command.add_option("--metrics", words.metrics, "Selection: a metrics.yaml, or keys with commas");
+  command.add_option("--metrics-profile", words.profile, "corrected or hunav2")
       ->check(CLI::IsMember({"corrected", "hunav2"}));
 }
 
@@ -120,7 +117,7 @@ void addRunOptions(CLI::App& command, RunOptions& options) {
   command.add_option("--robot-goal", options.robotGoal, "\"X Y\" (m)");
   command.add_option("--planner", options.planner, "How the robot plans: see list planners");
   command.add_option("--threads", options.threads, "Number of threads; results stay the same");
-  addMetricsOptions(command, options.metrics, options.metricsProfile);
+  addMetricsOptions(command, options.metrics);
   command.add_option("--record-every", options.recordEvery, "Record every N-th step");
   command.add_option("--set", options.set, "PATH=VALUE: any value of the scenario")
       ->allow_extra_args(false);
@@ -141,12 +138,14 @@ int runProgram(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
   commands.addOutputOptions();
   try {
     root.parse(argc, argv);
+    return commands.start({argc, argv});
+  } catch (const CommandEnd& end) {
+    return end.code;
   } catch (const CLI::ExtrasError&) {
     return tellExtras(root, argv[1]);
   } catch (const CLI::ParseError& problem) {
     return root.exit(problem) == 0 ? ExitFine : ExitWrongCommandLine;
   }
-  return commands.start({argc, argv, {}});
 }
 
 }  // namespace app

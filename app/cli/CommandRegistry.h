@@ -18,12 +18,6 @@ namespace app {
 /// Exit codes of the program.
 enum ExitCode { ExitFine = 0, ExitRunFailed = 1, ExitBadInput = 2, ExitWrongCommandLine = 64 };
 
-/// Where results go and how they are shown; of every command.
-struct OutputOptions {
-  bool quiet = false;  // no progress, no table
-  bool json = false;   // machine-readable standard output
-};
-
 /// What Qt a command needs: none but its core, pictures, or pictures of widgets. Pictures need no
 /// display.
 enum class Drawing { None, Pictures, Widgets };
@@ -37,11 +31,12 @@ struct CommandEnd {
 void requireFine(const base::Diagnostics& problems, ExitCode code = ExitBadInput,
                  base::Severity least = base::Severity::Info);
 
-/// The words that the program was started with.
+/// The words that the program was started with, and the options of every command among them.
 struct Invocation {
   int argc = 0;
   char** argv = nullptr;
-  OutputOptions output;
+  bool quiet = false;  // no progress, no table
+  bool json = false;   // machine-readable standard output
   std::vector<std::string> words() const { return {argv, argv + argc}; }
 };
 
@@ -61,10 +56,10 @@ class CommandRegistry {
   /// The same with options that live as long as the registry.
   template <class Options>
   std::pair<CLI::App&, Options&> add(const std::string& name, const std::string& help,
-                                     int (*work)(const Options&, const OutputOptions&),
+                                     int (*work)(const Options&, const Invocation&),
                                      Drawing (*drawing)(const Options&) = nullptr) {
     const auto options = std::make_shared<Options>();
-    const Action action = [=](const Invocation& given) { return work(*options, given.output); };
+    const Action action = [=](const Invocation& given) { return work(*options, given); };
     return {add(name, help, action,
                 [=] { return drawing != nullptr ? drawing(*options) : Drawing::None; }),
             *options};
@@ -85,13 +80,13 @@ class CommandRegistry {
   CLI::App& root_;
   std::map<std::string, Command> commands_;
   Action default_;
-  OutputOptions output_;
+  bool quiet_ = false, json_ = false;
 };
 
 /// The options of `run`, which the window has too.
 void addRunOptions(CLI::App& command, RunOptions& options);
 /// Those of them that choose metrics.
-void addMetricsOptions(CLI::App& command, std::string& metrics, std::string& profile);
+void addMetricsOptions(CLI::App& command, MetricsWords& words);
 
 /// Reads the words and does what they say. `addWindow` adds what is done without a command.
 int runProgram(int argc, char** argv, void (*addWindow)(CommandRegistry&));

@@ -169,7 +169,7 @@ class Batch {
   BatchRows run() {
     startMore();
     while (!children_.empty()) {
-      if (!stopping_ && job_.wantsStop && job_.wantsStop()) {
+      if (!stopping_ && job_.wantsStop()) {
         stopping_ = true;
         deadline_ = Clock::now() + kPatience;
         signalAll(SIGTERM);
@@ -259,9 +259,7 @@ class Batch {
     }
     rows_[run] = std::move(row);
     ++finished_;
-    if (job_.onProgress) {
-      job_.onProgress(finished_);
-    }
+    job_.onProgress(finished_);
   }
 
   const Experiment& experiment_;

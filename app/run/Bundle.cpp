@@ -82,18 +82,6 @@ std::shared_ptr<const sim2d::Surroundings> surroundingsOf(const Bundle& bundle) 
                                       : std::make_shared<const sim2d::Surroundings>();
 }
 
-/// Tells where in the file of the scenario they stand.
-base::Diagnostics withPlaces(base::Diagnostics found, const Bundle& bundle) {
-  sim2d::addLines(found, bundle.lines);
-  for (base::Diagnostic& diagnostic : found) {
-    if (diagnostic.line > 0) {
-      diagnostic.file = bundle.path;
-    }
-  }
-  sim2d::addColumns(found, bundle.path);
-  return found;
-}
-
 void checkMetrics(const Bundle& bundle, Verdict& verdict) {
   const base::Result<MetricsSetup> setup = metricsSetupOf(*bundle.scenario, bundle.path);
   base::append(verdict.problems, setup.diagnostics());
@@ -139,7 +127,7 @@ Bundle readBundle(const RunOptions& options, const RunSettings& settings,
                   const sim2d::ImageLoader& loader) {
   Bundle bundle;
   bundle.path = options.scenario;
-  bundle.metrics = {options.metrics, options.metricsProfile};
+  bundle.metrics = options.metrics;
   bundle.settings = settings;
   bundle.inputs.push_back(options.scenario);
   sim2d::ScenarioReading reading = sim2d::readScenario(options.scenario);
@@ -169,10 +157,11 @@ Verdict check(const Bundle& bundle, CheckDepth depth) {
   }
   sim2d::WorldSetup setup;
   setup.surroundings = surroundingsOf(bundle);
-  const base::Diagnostics meaning =
+  base::Diagnostics meaning =
       sim2d::checkScenario(*bundle.scenario, *setup.surroundings, bundle.path,
                            sim2d::knownNames(sim2d::programRegistries()));
-  base::append(verdict.problems, withPlaces(meaning, bundle));
+  sim2d::addPlaces(meaning, bundle.lines, bundle.path);
+  base::append(verdict.problems, meaning);
   setup.behavior = bt::makeTreeBehavior(*bundle.scenario, bundle.trees, verdict.problems,
                                         bundle.settings.compatibility);
   checkMetrics(bundle, verdict);
@@ -184,8 +173,9 @@ Verdict check(const Bundle& bundle, CheckDepth depth) {
   setup.threads = bundle.settings.threads;
   setup.exact = bundle.settings.exact;
   base::Result<std::unique_ptr<sim2d::World>> world = sim2d::World::create(std::move(setup));
-  base::append(world ? verdict.worldRemarks : verdict.problems,
-               withPlaces(world.diagnostics(), bundle));
+  base::Diagnostics ofWorld = world.diagnostics();
+  sim2d::addPlaces(ofWorld, bundle.lines, bundle.path);
+  base::append(world ? verdict.worldRemarks : verdict.problems, ofWorld);
   if (world) {
     verdict.world = *std::move(world);
   }

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "app/run/MetricsSetup.h"
 #include "app/run/RunOptions.h"
 #include "bt/human/TreeBehavior.h"
 #include "sim2d/map/MapReader.h"

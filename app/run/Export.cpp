@@ -64,9 +64,6 @@ class Planner {
   }
 
   std::string baseName() const {
-    if (!request_.baseName.empty()) {
-      return request_.baseName;
-    }
     const std::string stem = fs::path(source_.path).stem().string();
     return source_.scenario->yamlBaseName.value_or(stem.empty() ? "scenario" : stem);
   }

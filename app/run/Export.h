@@ -16,7 +16,6 @@ struct ExportRequest {
   std::optional<sim2d::Dialect> dialect;
   bt::TreeStyle style = bt::TreeStyle::Corrected;  // of trees that are generated
   std::string folder;
-  std::string baseName;  // empty: the scenario's
 };
 
 /// What an export would write; nothing is written yet.

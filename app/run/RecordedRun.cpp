@@ -27,18 +27,15 @@ std::string findScenario(const fs::path& folder, base::Diagnostics& problems) {
   const base::Result<std::string> text = base::readTextFile(manifest.string());
   base::append(problems, text.diagnostics());
   const auto json = nlohmann::json::parse(text ? *text : "", nullptr, false);
-  const auto inputs = json.is_object() ? json.find("inputs") : json.end();
-  const bool isWhole = json.is_object() && inputs != json.end() && inputs->is_array() &&
-                       !inputs->empty() && inputs->front().is_object() &&
-                       inputs->front().value("path", nlohmann::json()).is_string();
-  if (!isWhole) {
+  const nlohmann::json::json_pointer first("/inputs/0/path");
+  if (!json.contains(first) || !json[first].is_string()) {
     problems.push_back(base::error("trace.bad-manifest", {}, manifest.string()));
     return {};
   }
-  const fs::path named = inputs->front()["path"].get<std::string>();
+  const fs::path named = json[first].get<std::string>();
   for (const fs::path& path : {named, folder / named, folder / ".." / named}) {
     const std::optional<std::string> found = sha256OfFile(path.string());
-    if (found && inputs->front().value("sha256", nlohmann::json()) == *found) {
+    if (found && json[first.parent_pointer()].value("sha256", nlohmann::json()) == *found) {
       return fs::weakly_canonical(path, none).string();
     }
   }

@@ -176,25 +176,9 @@ void writeParts(Folder& folder, const FinishedRun& run, RunWriter& writer) {
 
 }  // namespace
 
-RunWriter::Files::Files(const std::string& path)
-    : folder(path),
-      trajectory(pathIn(folder, "trajectory.csv")),
-      events(pathIn(folder, "events.csv")),
-      trees(pathIn(folder, "trees.csv")) {
-  trajectory.append(sim2d::headLine(sim2d::kTrajectoryColumns));
-  events.append(sim2d::headLine(sim2d::kEventColumns));
-  trees.append(sim2d::headLine(sim2d::kTreeColumns));
-}
-
-std::vector<base::GrowingFile*> RunWriter::files() const {
-  if (!files_) {
-    return {};
-  }
-  std::vector<base::GrowingFile*> all = {&files_->trajectory, &files_->events, &files_->trees};
-  if (files_->inputs) {
-    all.push_back(&*files_->inputs);
-  }
-  return all;
+void RunWriter::begin(File file, std::string_view head) {
+  constexpr const char* kNames[] = {"trajectory.csv", "events.csv", "trees.csv", "inputs.csv"};
+  files_[file].emplace(pathIn(folder_, kNames[file])).append(head);
 }
 
 RunWriter::RunWriter(const std::string& folder, const sim2d::World& world,
@@ -202,12 +186,17 @@ RunWriter::RunWriter(const std::string& folder, const sim2d::World& world,
                      const metrics::MetricParameters& parameters)
     : world_(world),
       dt_(world.dt()),
-      files_(folder.empty() ? nullptr : std::make_unique<Files>(folder)),
+      folder_(folder),
       evaluation_(world.header(), selection, parameters) {
   const sim2d::TraceHeader header = world.header();
   recordEvery_ = header.recordEvery;
   for (const sim2d::TraceHuman& human : header.humans) {
     known_.insert(human.id);
+  }
+  if (!folder_.empty()) {
+    begin(Trajectory, sim2d::headLine(sim2d::kTrajectoryColumns));
+    begin(Events, sim2d::headLine(sim2d::kEventColumns));
+    begin(Trees, sim2d::headLine(sim2d::kTreeColumns));
   }
 }
 
@@ -228,24 +217,23 @@ void RunWriter::write(const sim2d::Frame& frame, bool isRecorded) {
   std::string rows;
   if (isRecorded) {
     sim2d::appendTrajectoryRows(rows, frame);
-    files_->trajectory.append(rows);
+    files_[Trajectory]->append(rows);
   }
   rows.clear();
   for (const sim2d::Event& event : frame.events) {
     sim2d::appendEventRow(rows, frame.step, dt_, event);
   }
-  files_->events.append(rows);
+  files_[Events]->append(rows);
   rows.clear();
   sim2d::appendTreeRows(rows, frame.step, frame.treeChanges);
-  files_->trees.append(rows);
-  if (!frame.inputs.empty() && !files_->inputs) {
-    files_->inputs.emplace(pathIn(files_->folder, "inputs.csv"));
-    files_->inputs->append(sim2d::inputsHead());
+  files_[Trees]->append(rows);
+  if (!frame.inputs.empty() && !hasInputs()) {
+    begin(Inputs, sim2d::inputsHead());
   }
   for (const sim2d::Input& input : frame.inputs) {
     rows.clear();
     sim2d::appendInputRow(rows, frame.step, input);
-    files_->inputs->append(rows);
+    files_[Inputs]->append(rows);
   }
 }
 
@@ -258,7 +246,7 @@ void RunWriter::append(const sim2d::Frame& frame) {
     meet(frame);
     evaluation_.append(frame);
   }
-  if (files_) {
+  if (files_[Trajectory]) {
     write(frame, isRecorded);
   }
 }
@@ -293,25 +281,24 @@ base::Diagnostics RunWriter::writeSteps(const std::string& path, const std::vect
 }
 
 bool RunWriter::hasFailed() const {
-  const std::vector<base::GrowingFile*> all = files();
-  return std::any_of(all.begin(), all.end(),
-                     [](const base::GrowingFile* file) { return file->hasFailed(); });
+  return std::any_of(files_.begin(), files_.end(),
+                     [](const auto& file) { return file && file->hasFailed(); });
 }
 
 base::Diagnostics RunWriter::complete() {
   base::Diagnostics problems;
-  for (base::GrowingFile* file : files()) {
-    base::append(problems, file->complete());
+  for (std::optional<base::GrowingFile>& file : files_) {
+    base::append(problems, file ? file->complete() : base::Diagnostics());
   }
   return problems;
 }
 
 base::Diagnostics RunWriter::finish() {
   base::Diagnostics problems;
-  for (base::GrowingFile* file : files()) {
-    base::append(problems, file->finish());
+  for (std::optional<base::GrowingFile>& file : files_) {
+    base::append(problems, file ? file->finish() : base::Diagnostics());
+    file.reset();
   }
-  files_.reset();
   return problems;
 }
 

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <memory>
+#include <array>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/run/Batch.h"
@@ -29,7 +30,7 @@ class RunWriter : public sim2d::FrameSink {
   base::Result<metrics::Evaluation> evaluation();
   /// steps.csv of the evaluation.
   base::Diagnostics writeSteps(const std::string& path, const std::vector<double>& times);
-  bool hasInputs() const { return files_ && files_->inputs; }  // something came from outside
+  bool hasInputs() const { return files_[Inputs].has_value(); }  // something came from outside
   /// A file could not be written: there is no use in going on.
   bool hasFailed() const;
   /// All rows are on the disk, in files that are not in their places yet.
@@ -38,13 +39,8 @@ class RunWriter : public sim2d::FrameSink {
   base::Diagnostics finish();
 
  private:
-  struct Files {
-    explicit Files(const std::string& path);
-    const std::string folder;
-    base::GrowingFile trajectory, events, trees;
-    std::optional<base::GrowingFile> inputs;  // once there were some
-  };
-  std::vector<base::GrowingFile*> files() const;  // all that are open
+  enum File { Trajectory, Events, Trees, Inputs };
+  void begin(File file, std::string_view head);
   void meet(const sim2d::Frame& frame);
   void write(const sim2d::Frame& frame, bool isRecorded);
   struct Column {
@@ -56,7 +52,8 @@ class RunWriter : public sim2d::FrameSink {
   const sim2d::World& world_;
   double dt_;
   int recordEvery_ = 1;
-  std::unique_ptr<Files> files_;
+  const std::string folder_;
+  std::array<std::optional<base::GrowingFile>, 4> files_;  // inputs once there were some
   metrics::FrameEvaluation evaluation_;
   std::set<int> known_;  // people that the metrics have been told of
   metrics::NumberStore store_;

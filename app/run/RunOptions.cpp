@@ -37,6 +37,46 @@ sim2d::Robot& addRobot(sim2d::Scenario& scenario) {
   return *scenario.robots.insert(scenario.robots.begin(), robot);
 }
 
+base::Diagnostics checkNames(const RunOptions& options) {
+  base::Diagnostics wrong;
+  const auto check = [&wrong](const char* option, const std::optional<std::string>& name,
+                              const std::vector<std::string>& known) {
+    if (name && std::find(known.begin(), known.end(), *name) == known.end()) {
+      wrong.push_back(base::error("option.unknown-name", {option, *name, base::join(known, ", ")}));
+    }
+  };
+  const sim2d::Registries registries = sim2d::programRegistries();
+  check("--model", options.model, registries.models.names());
+  check("--planner", options.planner, registries.planners.names());
+  check("--robot", options.robot, registries.robotTypes.names());
+  return wrong;
+}
+
+/// What is wrong with the words of the command line (exit code 64).
+base::Diagnostics checkOptions(const RunOptions& options) {
+  base::Diagnostics wrong = checkNames(options);
+  const auto want = [&wrong](bool isFine, const char* code, base::ProblemValues values = {}) {
+    if (!isFine) {
+      wrong.push_back(base::error(code, std::move(values)));
+    }
+  };
+  const std::string start = options.robotStart.value_or("0 0 0");
+  const std::string goal = options.robotGoal.value_or("0 0");
+  const double duration = options.duration.value_or(1.0), dt = options.dt.value_or(0.05);
+  want(parseNumbers(start, 3).has_value(), "option.robot-start", {start});
+  want(parseNumbers(goal, 2).has_value(), "option.robot-goal", {goal});
+  want(options.seed.value_or(0) >= 0, "option.seed");
+  want(duration > 0.0 && duration <= 1e6, "option.duration");
+  want(dt >= 0.001 && dt <= 0.1, "option.dt");
+  want(options.recordEvery.value_or(1) >= 1, "option.record-every");
+  want(options.threads >= 1 && options.threads <= 256, "option.threads");
+  for (const std::string& pair : options.set) {
+    const std::size_t equals = pair.find('=');
+    want(equals != std::string::npos && equals != 0, "option.set", {pair});
+  }
+  return wrong;
+}
+
 base::Diagnostics applyRobot(sim2d::Scenario& scenario, const RunOptions& options) {
   if (!options.robotStart && !options.robotGoal && !options.robot && !options.planner) {
     return {};
@@ -83,45 +123,6 @@ std::optional<std::vector<double>> parseNumbers(const std::string& text, std::si
     values.push_back(*value);
   }
   return values.size() == count ? std::make_optional(values) : std::nullopt;
-}
-
-base::Diagnostics checkNames(const RunOptions& options) {
-  base::Diagnostics wrong;
-  const auto check = [&wrong](const char* option, const std::optional<std::string>& name,
-                              const std::vector<std::string>& known) {
-    if (name && std::find(known.begin(), known.end(), *name) == known.end()) {
-      wrong.push_back(base::error("option.unknown-name", {option, *name, base::join(known, ", ")}));
-    }
-  };
-  const sim2d::Registries registries = sim2d::programRegistries();
-  check("--model", options.model, registries.models.names());
-  check("--planner", options.planner, registries.planners.names());
-  check("--robot", options.robot, registries.robotTypes.names());
-  return wrong;
-}
-
-base::Diagnostics checkOptions(const RunOptions& options) {
-  base::Diagnostics wrong = checkNames(options);
-  const auto want = [&wrong](bool isFine, const char* code, base::ProblemValues values = {}) {
-    if (!isFine) {
-      wrong.push_back(base::error(code, std::move(values)));
-    }
-  };
-  const std::string start = options.robotStart.value_or("0 0 0");
-  const std::string goal = options.robotGoal.value_or("0 0");
-  const double duration = options.duration.value_or(1.0), dt = options.dt.value_or(0.05);
-  want(parseNumbers(start, 3).has_value(), "option.robot-start", {start});
-  want(parseNumbers(goal, 2).has_value(), "option.robot-goal", {goal});
-  want(options.seed.value_or(0) >= 0, "option.seed");
-  want(duration > 0.0 && duration <= 1e6, "option.duration");
-  want(dt >= 0.001 && dt <= 0.1, "option.dt");
-  want(options.recordEvery.value_or(1) >= 1, "option.record-every");
-  want(options.threads >= 1 && options.threads <= 256, "option.threads");
-  for (const std::string& pair : options.set) {
-    const std::size_t equals = pair.find('=');
-    want(equals != std::string::npos && equals != 0, "option.set", {pair});
-  }
-  return wrong;
 }
 
 base::Result<RunSettings> runSettingsOf(const RunOptions& options) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/run/MetricsSetup.h"
 #include "sim2d/base/Result.h"
 #include "sim2d/scenario/Scenario.h"
 #include "sim2d/world/Compatibility.h"
@@ -19,8 +20,7 @@ struct RunOptions {
   std::optional<double> duration, dt;
   std::optional<std::string> model, robot, robotStart, robotGoal, planner;
   int threads = 1;
-  std::string metrics;  // file or comma list; empty = all
-  std::string metricsProfile = "corrected";
+  MetricsWords metrics;
   std::optional<int> recordEvery;
   std::vector<std::string> set;  // PATH=VALUE
   bool exact = false;
@@ -40,9 +40,6 @@ base::Result<RunSettings> runSettingsOf(const RunOptions& options);
 
 /// "X Y HEADING": exactly `count` numbers between blanks (commas are taken too).
 std::optional<std::vector<double>> parseNumbers(const std::string& text, std::size_t count);
-
-/// What is wrong with the words of the command line (exit code 64).
-base::Diagnostics checkOptions(const RunOptions& options);
 
 /// Writes the options into the scenario: first `--set`, then the options of their own, which win.
 base::Diagnostics applyOptions(sim2d::Scenario& scenario, const RunOptions& options,

@@ -165,15 +165,12 @@ class PlayView final : public sim2d::WorldView {
 /// a person, which it is.
 class TreePlayer : public bt::HumanContext {
  public:
-  TreePlayer(bt::Society& society, const PlayView& view, sim2d::Intents& intents)
-      : HumanContext(society, view, intents, 0) {}
-
-  void prepare(const bt::Program& program, const LeafScript& script) {
-    answers_.resize(static_cast<std::size_t>(program.nodeCount()));
+  TreePlayer(bt::Society& society, const PlayView& view, sim2d::Intents& intents,
+             const bt::Program& program, LeafScript script)
+      : HumanContext(society, view, intents, 0), script_(std::move(script)) {
     for (int node = 0; node < program.nodeCount(); ++node) {
-      const LeafScript::Entry* named = script.find(program.label(node));
-      answers_[static_cast<std::size_t>(node)].entry =
-          named ? named : script.find(program.manifest(node).id);
+      const LeafScript::Entry* named = script_.find(program.label(node));
+      answers_.push_back({named ? named : script_.find(program.manifest(node).id)});
     }
   }
   void beginStep() { calls_.clear(); }
@@ -196,6 +193,7 @@ class TreePlayer : public bt::HumanContext {
     const LeafScript::Entry* entry = nullptr;
     std::size_t calls = 0;
   };
+  const LeafScript script_;
   std::vector<Answer> answers_;  // by node
   std::vector<LeafCall> calls_;
 };
@@ -232,34 +230,54 @@ base::Diagnostics unusedNames(const bt::Program& program, const LeafScript& scri
   return found;
 }
 
-}  // namespace
-
-struct TreePlay::Inside {
-  Inside(const PlaySetup& setup, bt::TreeTable files, LeafScript answers,
-         std::shared_ptr<const bt::Program> program)
-      : table(std::move(files)),
-        script(std::move(answers)),
-        view(setup.dt, setup.seed, setup.compatibility),
-        controls(1),
-        intents(controls),
-        player(society, view, intents),
-        state(std::move(program)) {
-    society.minds.resize(1);
-    society.groups.assign(1, -1);
-    player.prepare(state.program(), script);
-    state.set(state.program().hostSlot(0), view.constants(0).id);
-    state.set(state.program().hostSlot(1), setup.dt);
+class ScriptedPlay final : public TreePlay {
+ public:
+  ScriptedPlay(const PlaySetup& setup, bt::TreeTable files, LeafScript script,
+               std::shared_ptr<const bt::Program> program)
+      : table_(std::move(files)),
+        view_(setup.dt, setup.seed, setup.compatibility),
+        controls_(1),
+        intents_(controls_),
+        player_(society_, view_, intents_, *program, std::move(script)),
+        state_(std::move(program)) {
+    society_.minds.resize(1);
+    society_.groups.assign(1, -1);
+    state_.set(state_.program().hostSlot(0), view_.constants(0).id);
+    state_.set(state_.program().hostSlot(1), setup.dt);
   }
 
-  bt::TreeTable table;
-  LeafScript script;
-  PlayView view;
-  bt::Society society;
-  std::vector<sim2d::HumanControl> controls;
-  sim2d::Intents intents;
-  TreePlayer player;
-  bt::TreeState state;
+  NodeStatus tick() override {
+    view_.beginStep();
+    player_.beginStep();
+    // As its base: that is what the nodes take the host for.
+    bt::HumanContext* const host = &player_;
+    return state_.tickOnce({view_.step(), view_.dt(), host});
+  }
+  const std::vector<LeafCall>& calls() const override { return player_.calls(); }
+  const bt::Program& program() const override { return state_.program(); }
+
+  base::Diagnostics fault() const override {
+    const bt::TreeFault* const fault = state_.fault();
+    if (fault == nullptr) {
+      return {};
+    }
+    const bt::TreeTable::Entry* tree = table_.find(program().treeOf(fault->node));
+    return {base::within(fault->path, base::error("run.tree-stops", {fault->message},
+                                                  tree ? tree->file : std::string(),
+                                                  program().lineOf(fault->node)))};
+  }
+
+ private:
+  bt::TreeTable table_;
+  PlayView view_;
+  bt::Society society_;
+  std::vector<sim2d::HumanControl> controls_;
+  sim2d::Intents intents_;
+  TreePlayer player_;
+  bt::TreeState state_;
 };
+
+}  // namespace
 
 base::Result<std::unique_ptr<TreePlay>> TreePlay::create(const PlaySetup& setup) {
   base::Result<bt::TreeTable> table = bt::loadTrees(setup.tree);
@@ -279,35 +297,8 @@ base::Result<std::unique_ptr<TreePlay>> TreePlay::create(const PlaySetup& setup)
     return problems;
   }
   base::append(problems, unusedNames(**program, *script));
-  auto inside = std::make_shared<Inside>(setup, *std::move(table), *std::move(script), *program);
-  return {std::unique_ptr<TreePlay>(new TreePlay(std::move(inside))), std::move(problems)};
-}
-
-NodeStatus TreePlay::tick() {
-  inside_->view.beginStep();
-  inside_->player.beginStep();
-  // As its base: that is what the nodes take the host for.
-  bt::HumanContext* const host = &inside_->player;
-  return inside_->state.tickOnce({inside_->view.step(), inside_->view.dt(), host});
-}
-
-const std::vector<LeafCall>& TreePlay::calls() const {
-  return inside_->player.calls();
-}
-
-const bt::Program& TreePlay::program() const {
-  return inside_->state.program();
-}
-
-base::Diagnostics TreePlay::fault() const {
-  const bt::TreeFault* const fault = inside_->state.fault();
-  if (fault == nullptr) {
-    return {};
-  }
-  const bt::TreeTable::Entry* tree = inside_->table.find(program().treeOf(fault->node));
-  return {base::within(
-      fault->path, base::error("run.tree-stops", {fault->message},
-                               tree ? tree->file : std::string(), program().lineOf(fault->node)))};
+  return {std::make_unique<ScriptedPlay>(setup, *std::move(table), *std::move(script), *program),
+          std::move(problems)};
 }
 
 }  // namespace app

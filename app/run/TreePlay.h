@@ -30,20 +30,16 @@ struct LeafCall {
 
 class TreePlay {
  public:
+  virtual ~TreePlay() = default;
   /// Loads and compiles; every problem of tree and script, also names that no leaf has (warnings).
   static base::Result<std::unique_ptr<TreePlay>> create(const PlaySetup& setup);
 
   /// One step, the first one is number 1.
-  base::NodeStatus tick();
-  const std::vector<LeafCall>& calls() const;  // of the last tick, in order
+  virtual base::NodeStatus tick() = 0;
+  virtual const std::vector<LeafCall>& calls() const = 0;  // of the last tick, in order
   /// What stopped the tree for good (a failing script of the tree …); none = it goes on.
-  base::Diagnostics fault() const;
-  const bt::Program& program() const;
-
- private:
-  struct Inside;
-  explicit TreePlay(std::shared_ptr<Inside> inside) : inside_(std::move(inside)) {}
-  std::shared_ptr<Inside> inside_;
+  virtual base::Diagnostics fault() const = 0;
+  virtual const bt::Program& program() const = 0;
 };
 
 }  // namespace app

@@ -4,16 +4,13 @@
 #include <array>
 
 #include <QClipboard>
-#include <QDialogButtonBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QFontDatabase>
-#include <QFormLayout>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QVBoxLayout>
 
+#include "app/window/FileDialogs.h"
 #include "editor/document/FreeNames.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
@@ -112,19 +109,11 @@ void ExportDialog::build() {
   columns->addLayout(right, 1);
   rows->addLayout(columns, 1);
   rows->addSpacing(4);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-  export_ = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
-  export_->setDefault(true);
-  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  rows->addWidget(buttons);
+  export_ = addButtons(this, *rows, tr("Export"));
 }
 
 QLayout* ExportDialog::makeForm() {
-  auto* form = new QFormLayout;
-  form->setLabelAlignment(Qt::AlignRight);
-  form->setHorizontalSpacing(8);
-  form->setVerticalSpacing(4);
+  QFormLayout* form = formRows();
   auto* place = editor::arranged(new QHBoxLayout, {}, 8);
   folder_->setAccessibleName(tr("Folder"));
   place->addWidget(folder_, 1);

@@ -13,7 +13,6 @@
 #include "editor/canvas/Layers.h"
 #include "editor/document/Autosave.h"
 #include "editor/document/EditCommands.h"
-#include "editor/document/EntityLists.h"
 #include "editor/document/MapEdit.h"
 #include "sim2d/base/Text.h"
 
@@ -73,7 +72,7 @@ bool FileCommands::openFile(const QString& path) {
     case Kind::Map:
       return openNewFromMap(path);
     case Kind::Image:
-      Q_EMIT imageWanted(path);
+      askMapOfImage(path);
       return true;
     case Kind::Tree:
       return giveTree(path, {});

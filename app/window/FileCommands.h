@@ -68,7 +68,6 @@ class FileCommands : public QObject {
   void exported(const QString& folder, int files);
   void notExported(const base::Diagnostics& problems);
   void notSaved(const QString& name, const base::Diagnostics& problems);  // nothing was written
-  void imageWanted(const QString& path);  // a picture to make a map of
 
  private:
   enum class Kind { Scenario, Map, Image, Tree, Run };

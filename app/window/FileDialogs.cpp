@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QHeaderView>
 #include <QSplitter>
@@ -91,6 +92,24 @@ QString askFile(QFileDialog& dialog, Memory& memory) {
   memory.setValue(kStateKey, dialog.saveState());
   memory.setValue(kSizeKey, dialog.size());
   return isAccepted ? dialog.selectedFiles().value(0) : QString();
+}
+
+QFormLayout* formRows() {
+  auto* form = new QFormLayout;
+  form->setLabelAlignment(Qt::AlignRight);
+  form->setHorizontalSpacing(8);
+  form->setVerticalSpacing(4);
+  return form;
+}
+
+QPushButton* addButtons(QDialog* dialog, QVBoxLayout& rows, const QString& accept) {
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, dialog);
+  QPushButton* button = buttons->addButton(accept, QDialogButtonBox::AcceptRole);
+  button->setDefault(true);
+  QObject::connect(buttons, &QDialogButtonBox::accepted, dialog, &QDialog::accept);
+  QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+  rows.addWidget(buttons);
+  return button;
 }
 
 }  // namespace app

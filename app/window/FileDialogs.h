@@ -4,8 +4,11 @@
 
 #include <QDateTime>
 #include <QFileDialog>
+#include <QFormLayout>
+#include <QPushButton>
 #include <QSettings>
 #include <QStringList>
+#include <QVBoxLayout>
 #include <QVariant>
 
 namespace app {
@@ -28,5 +31,10 @@ class Memory {
 /// Asks for a file or folder; empty = cancelled. Large enough for names and dates the first time,
 /// then as it was left.
 QString askFile(QFileDialog& dialog, Memory& memory);
+
+/// Labels right-aligned beside their fields.
+QFormLayout* formRows();
+/// The button that accepts and one that cancels, below all the rest. Returns the former.
+QPushButton* addButtons(QDialog* dialog, QVBoxLayout& rows, const QString& accept);
 
 }  // namespace app

@@ -134,7 +134,6 @@ void MainWindow::connectFiles() {
   connect(actions_->saveAs, &QAction::triggered, files, &FileCommands::saveAs);
   connect(actions_->exportTo, &QAction::triggered, files, &FileCommands::askExport);
   connect(actions_->newWalledRoom, &QAction::triggered, files, &FileCommands::askNewRoom);
-  connect(files, &FileCommands::imageWanted, files, &FileCommands::askMapOfImage);
   connect(actions_->close, &QAction::triggered, this, [this] {
     if (files_->mayLeave()) {
       workspace_.document().clear();

@@ -28,7 +28,7 @@ struct WindowSetup {
   bool followsSystem = true;  // its colours
   bool remembers = true;      // layout and recent files; not for pictures and tests
   QString shippedMaps;
-  std::vector<Demo> demos;
+  std::vector<ShippedScenario> demos;  // by their titles
   RunOptions options;
   sim2d::Compatibility compatibility;  // of the options
   editor::ToolRegistry tools = editor::standardTools();

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QDialogButtonBox>
-#include <QFormLayout>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 
+#include "app/window/FileDialogs.h"
 #include "editor/document/MapEdit.h"
 #include "editor/look/Form.h"
 
@@ -39,17 +37,6 @@ QDoubleSpinBox* metres(double value, double least, double most, QWidget* parent)
   return box;
 }
 
-/// The one that accepts, below all the rest.
-QPushButton* addButtons(QDialog* dialog, QVBoxLayout& rows, const QString& accept) {
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, dialog);
-  QPushButton* button = buttons->addButton(accept, QDialogButtonBox::AcceptRole);
-  button->setDefault(true);
-  QObject::connect(buttons, &QDialogButtonBox::accepted, dialog, &QDialog::accept);
-  QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
-  rows.addWidget(buttons);
-  return button;
-}
-
 }  // namespace
 
 RoomDialog::RoomDialog(const editor::Theme& theme, QWidget* parent)
@@ -63,10 +50,7 @@ RoomDialog::RoomDialog(const editor::Theme& theme, QWidget* parent)
   QLabel* title =
       editor::headingLabel(tr("New empty room"), theme.font(12.0, QFont::DemiBold), this);
   auto* rows = editor::arranged(new QVBoxLayout(this), {16, 16, 16, 12}, 8, {title, walls_});
-  auto* form = new QFormLayout;
-  form->setLabelAlignment(Qt::AlignRight);
-  form->setHorizontalSpacing(8);
-  form->setVerticalSpacing(4);
+  QFormLayout* form = formRows();
   form->setContentsMargins(24, 0, 0, 4);
   form->addRow(tr("Width"), width_);
   form->addRow(tr("Height"), height_);

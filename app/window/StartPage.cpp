@@ -216,7 +216,7 @@ void DemoCard::paintEvent(QPaintEvent*) {
 }
 
 StartPage::StartPage(Workspace& workspace, WindowActions& actions, Memory& memory,
-                     const std::vector<Demo>& demos, QWidget* parent)
+                     const std::vector<ShippedScenario>& demos, QWidget* parent)
     : QScrollArea(parent),
       workspace_(workspace),
       memory_(memory),
@@ -275,7 +275,7 @@ void StartPage::addActions(WindowActions& actions) {
   column_->addLayout(row);
 }
 
-void StartPage::addDemos(const std::vector<Demo>& demos) {
+void StartPage::addDemos(const std::vector<ShippedScenario>& demos) {
   const QFont bold = workspace_.theme().font(12.0, QFont::DemiBold);
   // thirds, with the gaps of the cards above
   auto* both = editor::arranged(new QHBoxLayout, {}, 0);
@@ -294,13 +294,13 @@ void StartPage::addDemos(const std::vector<Demo>& demos) {
   grid->setHorizontalSpacing(kGap);
   grid->setVerticalSpacing(16);
   for (int i = 0; i < static_cast<int>(demos.size()); ++i) {
-    const Demo& demo = demos[static_cast<std::size_t>(i)];
-    auto* card = new DemoCard(demo.name, workspace_.theme(), page_);
-    card->setToolTip(demo.path);
-    connect(card, &QAbstractButton::clicked, this,
-            [this, path = demo.path] { Q_EMIT fileWanted(path); });
+    const ShippedScenario& demo = demos[static_cast<std::size_t>(i)];
+    const QString path = QString::fromStdString(demo.path);
+    auto* card = new DemoCard(QString::fromStdString(demo.name), workspace_.theme(), page_);
+    card->setToolTip(path);
+    connect(card, &QAbstractButton::clicked, this, [this, path] { Q_EMIT fileWanted(path); });
     grid->addWidget(card, i / 2, i % 2);
-    thumbnails_.emplace_back(card, demo.path);
+    thumbnails_.emplace_back(card, path);
   }
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(1, 1);

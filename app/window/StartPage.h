@@ -8,6 +8,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "app/run/DataPaths.h"
 #include "app/window/FileCommands.h"
 #include "app/window/WindowActions.h"
 #include "editor/look/Theme.h"
@@ -84,18 +85,13 @@ class DemoCard : public StartCard {
 /// "2 min ago", "Yesterday", "12 Nov"
 QString agoText(const QDateTime& then, const QDateTime& now);
 
-/// A scenario of the collection as a picture with its name.
-struct Demo {
-  QString name, path;
-};
-
 /// What stands in the place of the canvas while nothing is open: three actions, recent files, demo
 /// scenarios.
 class StartPage : public QScrollArea {
   Q_OBJECT
  public:
   StartPage(Workspace& workspace, WindowActions& actions, Memory& memory,
-            const std::vector<Demo>& demos, QWidget* parent = nullptr);
+            const std::vector<ShippedScenario>& demos, QWidget* parent = nullptr);
   void showTheme();  // that has changed
   void fillRecent();
 
@@ -107,7 +103,7 @@ class StartPage : public QScrollArea {
 
  private:
   void addActions(WindowActions& actions);
-  void addDemos(const std::vector<Demo>& demos);
+  void addDemos(const std::vector<ShippedScenario>& demos);
   void paintThumbnails();
   void paintNextThumbnail();
 

@@ -16,7 +16,6 @@
 #include <QStandardPaths>
 #include <QTimer>
 
-#include "app/cli/Console.h"
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
 #include "app/window/MainWindow.h"
@@ -32,11 +31,6 @@ using editor::SimulationRunner;
 constexpr int kPatienceMs = 10 * 60 * 1000;
 constexpr double kDefaultStep = 0.05;  // [s]
 constexpr int kSettleMs = 250;         // animations and routes
-
-int report(const base::Diagnostics& problems, int code) {
-  printDiagnostics(problems, base::Severity::Warning);
-  return base::hasErrors(problems) ? code : 0;
-}
 
 /// Before the application exists. Pictures depend on no screen: 96 dots per inch, and as many
 /// pixels per point as wanted.
@@ -83,14 +77,14 @@ editor::Theme themeOf(const WindowOptions& options) {
                                    : editor::Theme::light();
 }
 
-QString titleOf(const std::string& name) {
+std::string titleOf(const std::string& name) {
   QString title = QString::fromStdString(name).remove(QStringLiteral("_agents"));
-  return editor::capitalized(title.replace(QLatin1Char('_'), QLatin1Char(' ')));
+  return editor::capitalized(title.replace(QLatin1Char('_'), QLatin1Char(' '))).toStdString();
 }
 
 /// For the start page: whole scenes first, then one per reaction; none of the many of the realism
 /// tests.
-std::vector<Demo> demos() {
+std::vector<ShippedScenario> demos() {
   std::vector<ShippedScenario> scenarios = shippedScenarios();
   const auto begins = [](const char* with) {
     return [with](const ShippedScenario& one) { return one.name.rfind(with, 0) == 0; };
@@ -98,11 +92,10 @@ std::vector<Demo> demos() {
   scenarios.erase(std::remove_if(scenarios.begin(), scenarios.end(), begins("realism_")),
                   scenarios.end());
   std::stable_partition(scenarios.begin(), scenarios.end(), std::not_fn(begins("reaction_")));
-  std::vector<Demo> result;
-  for (const ShippedScenario& scenario : scenarios) {
-    result.push_back({titleOf(scenario.name), QString::fromStdString(scenario.path)});
+  for (ShippedScenario& scenario : scenarios) {
+    scenario.name = titleOf(scenario.name);
   }
-  return result;
+  return scenarios;
 }
 
 base::Diagnostics checkDocks(const QStringList& known, const std::vector<std::string>& wanted) {
@@ -233,16 +226,14 @@ int windowCommand(int argc, char** argv, const RunOptions& run, const WindowOpti
   base::Diagnostics wrongWords = checkWords(options);
   const base::Result<RunSettings> settings = runSettingsOf(run);
   base::append(wrongWords, settings.diagnostics());
-  if (const int code = report(wrongWords, ExitWrongCommandLine)) {
-    return code;
-  }
+  requireFine(wrongWords, ExitWrongCommandLine, base::Severity::Warning);
   const QString scenario = QString::fromStdString(run.scenario);
   if (!scenario.isEmpty() && !QFileInfo::exists(scenario)) {
-    return report({base::error("file.not-there", {}, run.scenario)}, ExitBadInput);
+    requireFine({base::error("file.not-there", {}, run.scenario)});
   }
   const bool picture = !options.screenshot.empty();
   if (picture && FileCommands::isImage(scenario)) {
-    return report({base::error("option.picture-of-image", {}, run.scenario)}, ExitBadInput);
+    requireFine({base::error("option.picture-of-image", {}, run.scenario)});
   }
   prepareScreen(options);
   QApplication application(argc, argv);
@@ -263,19 +254,21 @@ int windowCommand(int argc, char** argv, const RunOptions& run, const WindowOpti
   }
   dressApplication(setup.theme);
   MainWindow window(setup);
-  if (const int code =
-          report(checkDocks(window.docks().names(), options.docks), ExitWrongCommandLine)) {
-    return code;
-  }
+  requireFine(checkDocks(window.docks().names(), options.docks), ExitWrongCommandLine);
   if (picture || !options.size.empty()) {  // whatever the screen
     window.resize(sizeFromText(options.size).value_or(MainWindow::usualSize()));
   }
   window.show();
   const bool isOpened = scenario.isEmpty() || window.open(scenario);
   if (!isOpened && (picture || QFileInfo(scenario).isDir())) {  // broken ones are for the window
-    return report(whyNotOpened(window), ExitBadInput);
+    requireFine(whyNotOpened(window), ExitBadInput, base::Severity::Warning);
+    return ExitFine;
   }
-  return picture ? report(takeScreenshot(window, options), ExitBadInput) : QApplication::exec();
+  if (!picture) {
+    return QApplication::exec();
+  }
+  requireFine(takeScreenshot(window, options), ExitBadInput, base::Severity::Warning);
+  return ExitFine;
 }
 
 /// `--dock issues events FILE`: all words behind the option are names of docks to it. The last is

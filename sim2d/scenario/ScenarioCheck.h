@@ -53,7 +53,7 @@ struct KnownNames {
 
 /// Meaning: starts and goals in walls, unreachable goals, ids and names twice, models, planners and
 /// references that do not exist, what HuNavSim itself would refuse. `file` names the scenario in
-/// messages; addLines() gives them lines. Walls are those of `surroundings`; doors that will open
+/// messages; addPlaces() gives them lines. Walls are those of `surroundings`; doors that will open
 /// do not count.
 base::Diagnostics checkScenario(const Scenario& scenario, const Surroundings& surroundings,
                                 const std::string& file, const KnownNames& names = {});

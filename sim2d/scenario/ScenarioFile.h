@@ -30,11 +30,10 @@ ScenarioReading readScenarioText(const std::string& text, const std::string& fil
 /// and what stands before that place. Never to be run or written over the file.
 ScenarioReading readBeginning(const std::string& path);
 
-/// Gives diagnostics about an entity that have no line the line of its block.
-void addLines(base::Diagnostics& diagnostics, const std::map<EntityId, int>& lines);
-
-/// Gives what is said about lines of the file `path` the column at which the line's key begins.
-void addColumns(base::Diagnostics& diagnostics, const std::string& path);
+/// Gives diagnostics about an entity that have no line the line of its block, and those with a line
+/// the file `path` and the column at which the line's key begins there.
+void addPlaces(base::Diagnostics& diagnostics, const std::map<EntityId, int>& lines,
+               const std::string& path);
 
 /// Gives what is said about the file `path` without a line the place of the first of these keys
 /// that is there, dotted from the top: "hunav_loader.ros__parameters.map".

@@ -310,25 +310,19 @@ ScenarioReading readBeginning(const std::string& path) {
   return reading;
 }
 
-void addLines(base::Diagnostics& diagnostics, const std::map<EntityId, int>& lines) {
-  for (base::Diagnostic& diagnostic : diagnostics) {
-    const auto found = lines.find(diagnostic.entity);
-    if (diagnostic.line == 0 && diagnostic.entity && found != lines.end()) {
-      diagnostic.line = found->second;
-    }
-  }
-}
-
-void addColumns(base::Diagnostics& diagnostics, const std::string& path) {
-  const base::Result<std::string> text = base::readTextFile(path);
-  if (!text) {
-    return;  // who reads the file says why
-  }
-  const std::vector<std::string> lines = base::split(*text, '\n');
+void addPlaces(base::Diagnostics& diagnostics, const std::map<EntityId, int>& lines,
+               const std::string& path) {
+  const base::Result<std::string> text = base::readTextFile(path);  // its reader says why it fails
+  const std::vector<std::string> texts = base::split(text ? *text : std::string(), '\n');
   for (base::Diagnostic& said : diagnostics) {
+    const auto found = lines.find(said.entity);
+    if (said.line == 0 && said.entity && found != lines.end()) {
+      said.line = found->second;
+    }
+    said.file = said.line > 0 ? path : said.file;
     const auto line = static_cast<std::size_t>(said.line);
-    if (said.file == path && said.column == 0 && said.line > 0 && line <= lines.size()) {
-      said.column = columnOfKey(lines[line - 1]);
+    if (text && said.column == 0 && said.line > 0 && line <= texts.size()) {
+      said.column = columnOfKey(texts[line - 1]);
     }
   }
 }

@@ -16,7 +16,7 @@ void addGreet(app::CommandRegistry& commands, Greeting& greeting) {
   CLI::App& command =
       commands.add("greet", "Says hello", [&greeting](const app::Invocation& given) {
         greeting.said = "hello " + greeting.name;
-        greeting.asJson = given.output.json;
+        greeting.asJson = given.json;
         return 7;
       });
   command.add_option("name", greeting.name, "Who")->required();

@@ -36,8 +36,8 @@ class WindowLookTest : public QObject {
 
   void start_demosStandInTheColumnsOfTheActions() {
     WindowSetup setup = quiet::setup();
-    setup.demos = {{QStringLiteral("One"), quiet::demoPath()},
-                   {QStringLiteral("Two"), quiet::demoPath()}};
+    setup.demos = {{"One", quiet::demoPath().toStdString()},
+                   {"Two", quiet::demoPath().toStdString()}};
     MainWindow window(setup);
     window.resize(1280, 800);
     window.show();

@@ -46,7 +46,7 @@ class ScenarioErrorsTest : public QObject {
       base::append(said,
                    checkScenario(reading.scenario, surroundings, name.toStdString(), knownNames()));
     }
-    addLines(said, reading.lines);
+    addPlaces(said, reading.lines, name.toStdString());
     const QString expected =
         QString::fromStdString(path).replace(QStringLiteral(".yaml"), QStringLiteral(".txt"));
     QCOMPARE(shown(said), QString::fromStdString(textOf(expected.toStdString())));

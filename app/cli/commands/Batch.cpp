@@ -37,7 +37,7 @@ std::string progressText(std::size_t finished, std::size_t total, double seconds
 }
 
 int report(const Experiment& experiment, const BatchRows& rows, const BatchOptions& options,
-           const OutputOptions& output) {
+           const Invocation& given) {
   const BatchCount count = countOf(rows);
   const bool complete = count.finished == rows.size();
   const std::string manifest = batchManifest(experiment, rows);
@@ -46,9 +46,9 @@ int report(const Experiment& experiment, const BatchRows& rows, const BatchOptio
   base::Diagnostics problems = base::writeFileAtomically(results, resultsCsv(experiment, rows));
   base::append(problems, base::writeFileAtomically((folder / "manifest.json").string(), manifest));
   requireFine(problems);
-  if (output.json) {
+  if (given.json) {
     print(manifest);
-  } else if (!output.quiet) {
+  } else if (!given.quiet) {
     printLine(std::to_string(count.finished) + " of " + std::to_string(rows.size()) +
               " runs finished, " + std::to_string(count.failed) + " failed: " + results);
   }
@@ -58,7 +58,7 @@ int report(const Experiment& experiment, const BatchRows& rows, const BatchOptio
   return complete && count.failed == 0 ? ExitFine : ExitRunFailed;
 }
 
-int batchCommand(const BatchOptions& options, const OutputOptions& output) {
+int batchCommand(const BatchOptions& options, const Invocation& given) {
   const base::Result<Experiment> experiment = readExperiment(options.experiment);
   requireFine(experiment.diagnostics());
   base::Diagnostics problems = checkExperiment(*experiment, editor::loadMapImage);
@@ -72,7 +72,7 @@ int batchCommand(const BatchOptions& options, const OutputOptions& output) {
   const auto start = std::chrono::steady_clock::now();
   BatchRows rows;
   {
-    Progress progress(output.quiet);
+    Progress progress(given.quiet);
     const std::size_t total = experiment->runCount();
     progress.show(progressText(0, total, 0.0));
     BatchJob job;
@@ -87,7 +87,7 @@ int batchCommand(const BatchOptions& options, const OutputOptions& output) {
   }
   std::error_code ignored;  // the folder stays when runs are kept in it
   fs::remove(runs, ignored);
-  return report(*experiment, rows, options, output);
+  return report(*experiment, rows, options, given);
 }
 
 }  // namespace

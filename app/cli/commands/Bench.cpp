@@ -259,7 +259,7 @@ std::optional<std::vector<BenchPoint>> measureSizes(const BenchOptions& options,
   return points;
 }
 
-int benchCommand(const BenchOptions& options, const OutputOptions& output) {
+int benchCommand(const BenchOptions& options, const Invocation& given) {
   // What is freed goes back to the system: scenes before leave no holes to be filled for nothing.
   mallopt(M_MMAP_THRESHOLD, 128 * 1024);
   QTemporaryDir folder;
@@ -279,7 +279,7 @@ int benchCommand(const BenchOptions& options, const OutputOptions& output) {
   if (!points) {
     return ExitRunFailed;
   }
-  if (!isCsv && !output.quiet) {
+  if (!isCsv && !given.quiet) {
     printLine(
         "Phases in ms per step of 0.05 s, in the fastest of 5 rounds; with one thread in time of "
         "the processor. sensing: a scan of 360 beams. plain: the same forces over all pairs in "

@@ -104,18 +104,18 @@ std::string summary(std::size_t files, const base::Diagnostics& diagnostics) {
          count(warnings, "warning");
 }
 
-int checkCommand(const CheckOptions& options, const OutputOptions& output) {
+int checkCommand(const CheckOptions& options, const Invocation& given) {
   base::Diagnostics all;
   for (const std::string& file : options.files) {
     const base::Diagnostics found = checkFile(file, options);
-    if (!output.json) {
+    if (!given.json) {
       printDiagnostics(found);
     }
     base::append(all, found);
   }
-  if (output.json) {
+  if (given.json) {
     printJson(all);
-  } else if (!output.quiet) {
+  } else if (!given.quiet) {
     printLine(summary(options.files.size(), all));
   }
   return base::hasErrors(all) ? ExitBadInput : ExitFine;

@@ -33,8 +33,8 @@ Json reportJson(const base::Diagnostics& report) {
 }
 
 void printPlan(const ExportPlan& plan, const base::Diagnostics& report,
-               const ConvertOptions& options, const OutputOptions& output) {
-  if (output.json) {
+               const ConvertOptions& options, const Invocation& given) {
+  if (given.json) {
     Json files = Json::array();
     for (const ExportPlan::File& file : plan.files) {
       files.push_back({{"file", file.content.path}, {"state", stateName(file.state)}});
@@ -46,7 +46,7 @@ void printPlan(const ExportPlan& plan, const base::Diagnostics& report,
     printLine(json.dump(2, ' ', false, Json::error_handler_t::replace));
     return;
   }
-  if (output.quiet) {
+  if (given.quiet) {
     return;
   }
   for (const ExportPlan::File& file : plan.files) {
@@ -59,7 +59,7 @@ void printPlan(const ExportPlan& plan, const base::Diagnostics& report,
   }
 }
 
-int convertCommand(const ConvertOptions& options, const OutputOptions& output) {
+int convertCommand(const ConvertOptions& options, const Invocation& given) {
   const base::Result<Bundle> source = readExportSource(options.source, editor::loadMapImage);
   requireFine(source.diagnostics(), ExitBadInput, base::Severity::Warning);
   ExportRequest request;
@@ -72,11 +72,11 @@ int convertCommand(const ConvertOptions& options, const OutputOptions& output) {
   ExportPlan plan = planExport(*source, request);
   plan.report = notYetTold(source.diagnostics(), plan.report);
   requireFine(plan.report, ExitBadInput,
-              output.quiet ? base::Severity::Warning : base::Severity::Info);
+              given.quiet ? base::Severity::Warning : base::Severity::Info);
   requireFine(writeExport(plan));
   base::Diagnostics report = source.diagnostics();
   base::append(report, plan.report);
-  printPlan(plan, report, options, output);
+  printPlan(plan, report, options, given);
   return ExitFine;
 }
 

@@ -20,7 +20,7 @@ struct EvaluateOptions {
   std::string source;  // folder of a run, or a file of another program
   std::string output;
   std::string map;  // instead of the record's; "none" = open plane
-  std::string metrics, metricsProfile = "corrected";
+  MetricsWords metrics;
   std::optional<std::string> tag;
   std::optional<int> runId;
   std::string layout;     // hunav2 (v2), hunav1 (v1): the evaluator's own files too
@@ -174,7 +174,7 @@ base::Diagnostics writeResults(const EvaluateOptions& options, const sim2d::Trac
   return problems;
 }
 
-int evaluateCommand(const EvaluateOptions& options, const OutputOptions& output) {
+int evaluateCommand(const EvaluateOptions& options, const Invocation& given) {
   base::Diagnostics wrong =
       isRunFolder(options.source) ? foreignWords(options) : base::Diagnostics();
   sim2d::ForeignOptions reading;
@@ -188,7 +188,7 @@ int evaluateCommand(const EvaluateOptions& options, const OutputOptions& output)
     base::append(problems, replaceMap(options, *trace));
     base::append(problems, readMetricsSetup(trace->header, setup));
   }
-  base::append(problems, chooseMetrics({options.metrics, options.metricsProfile}, setup, wrong));
+  base::append(problems, chooseMetrics(options.metrics, setup, wrong));
   requireFine(wrong, ExitWrongCommandLine);
   if (!options.reference.empty()) {
     const auto reference = readReference(options.reference, reading);
@@ -205,9 +205,9 @@ int evaluateCommand(const EvaluateOptions& options, const OutputOptions& output)
       metrics::evaluate(*trace, setup.selection, setup.parameters);
   requireFine(evaluation.diagnostics());
   requireFine(writeResults(options, *trace, *evaluation));
-  if (output.json) {
+  if (given.json) {
     print(metrics::toJson(*evaluation));
-  } else if (!output.quiet) {
+  } else if (!given.quiet) {
     print(metrics::tableText(*evaluation));
   }
   return ExitFine;
@@ -231,7 +231,7 @@ void addEvaluate(CommandRegistry& commands) {
   command.add_option("source", options.source, "Folder of a run, or a trajectory file")->required();
   command.add_option("-o,--output", options.output, "Folder for the results")->required();
   command.add_option("--map", options.map, "Map instead of the recorded; none = open plane");
-  addMetricsOptions(command, options.metrics, options.metricsProfile);
+  addMetricsOptions(command, options.metrics);
   command.add_option("--tag", options.tag, "Tag in the result files");
   command.add_option("--run-id", options.runId, "Number of the run in the result files");
   command.add_option("--layout", options.layout, "Also the files of HuNavSim's evaluator")

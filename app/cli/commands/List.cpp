@@ -170,7 +170,7 @@ void printJson(const std::vector<Entry>& entries) {
   printLine(all.dump(2));
 }
 
-int listCommand(const ListOptions& options, const OutputOptions& output) {
+int listCommand(const ListOptions& options, const Invocation& given) {
   if (options.format == "xml") {
     if (options.what != "nodes") {
       printError("--format xml is for nodes alone (text and json are for all)");
@@ -189,7 +189,7 @@ int listCommand(const ListOptions& options, const OutputOptions& output) {
     return ExitFine;
   }
   const std::vector<Entry> entries = entriesOf(options.what);
-  output.json || options.format == "json" ? printJson(entries) : printText(entries);
+  given.json || options.format == "json" ? printJson(entries) : printText(entries);
   return ExitFine;
 }
 

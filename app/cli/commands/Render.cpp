@@ -352,7 +352,7 @@ base::Diagnostics saveImage(const QImage& image, const std::string& path) {
   return {};
 }
 
-int renderCommand(const RenderOptions& options, const OutputOptions& output) {
+int renderCommand(const RenderOptions& options, const Invocation& given) {
   const std::string ending = base::lowered(fs::path(options.output).extension().string());
   if (ending != ".png") {
     printError(base::error("option.picture-format", {ending}, options.output).text());
@@ -366,7 +366,7 @@ int renderCommand(const RenderOptions& options, const OutputOptions& output) {
   RunPainter(*trace, painter).paint();
   painter.end();
   requireFine(saveImage(image, options.output));
-  if (!output.quiet) {
+  if (!given.quiet) {
     printLine(options.output);
   }
   return ExitFine;

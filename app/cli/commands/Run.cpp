@@ -23,7 +23,7 @@ std::string oneDecimal(double value) {
 }
 
 FinishedRun simulate(Session& session, sim2d::World& world, const MetricsSetup& scenarioSetup,
-                     RunWriter& writer, const OutputOptions& output) {
+                     RunWriter& writer, const Invocation& given) {
   const double end = static_cast<double>(session.rule().maximumSteps) * world.dt();
   sim2d::StepTimes times;
   metrics::PlanningTime planning;
@@ -33,7 +33,7 @@ FinishedRun simulate(Session& session, sim2d::World& world, const MetricsSetup& 
   }
   sim2d::RunResult result;
   {
-    Progress progress(output.quiet);
+    Progress progress(given.quiet);
     result = session.run(world, &writer, [&](const sim2d::Frame& frame) {
       const double now = times.seconds[static_cast<std::size_t>(sim2d::StepPhase::Robots)];
       if (times.steps > planning.steps()) {
@@ -118,10 +118,10 @@ metrics::Evaluation withPlanningTime(const FinishedRun& run) {
   return evaluation;
 }
 
-void show(const FinishedRun& run, const OutputOptions& output) {
-  if (output.json && run.evaluation) {
+void show(const FinishedRun& run, const Invocation& given) {
+  if (given.json && run.evaluation) {
     print(metrics::toJson(*run.evaluation));
-  } else if (!output.quiet && !output.json) {
+  } else if (!given.quiet && !given.json) {
     if (run.evaluation) {
       print(metrics::tableText(withPlanningTime(run)));
     }
@@ -143,13 +143,12 @@ int exitCodeOf(const FinishedRun& run, const std::string& scenario) {
 }
 
 /// Files and table of a run; returns the exit code.
-int conclude(const RunOptions& options, const OutputOptions& output, const Bundle& bundle,
-             const std::vector<std::string>& commandLine, RunWriter& writer,
-             const FinishedRun& run) {
+int conclude(const RunOptions& options, const Invocation& given, const Bundle& bundle,
+             RunWriter& writer, const FinishedRun& run) {
   const bool isWritten =
       options.output.empty() ||
-      printDiagnostics(writeRunFolder(options.output, run, writer, bundle, commandLine));
-  show(run, output);
+      printDiagnostics(writeRunFolder(options.output, run, writer, bundle, given.words()));
+  show(run, given);
   if (!isWritten) {
     printError("after " + simulatedText(run) + " of the run: its files are not complete");
     return ExitBadInput;
@@ -159,16 +158,14 @@ int conclude(const RunOptions& options, const OutputOptions& output, const Bundl
 
 /// Of the metrics what nobody will read is not worked out: per sample only for the files, per
 /// behaviour type for them and for JSON.
-void wantNoMore(const RunOptions& options, const OutputOptions& output,
-                metrics::Selection& selection) {
+void wantNoMore(const RunOptions& options, const Invocation& given, metrics::Selection& selection) {
   const bool hasFiles = !options.totals && !options.output.empty();
   selection.series = selection.seriesOnDisk = hasFiles;
-  selection.behaviors = !options.totals && (hasFiles || output.json);
+  selection.behaviors = !options.totals && (hasFiles || given.json);
   selection.behaviorSeries = false;  // in none of the files
 }
 
-int runCommand(const RunOptions& options, const OutputOptions& output,
-               const std::vector<std::string>& commandLine) {
+int runCommand(const RunOptions& options, const Invocation& given) {
   const base::Result<RunSettings> settings = runSettingsOf(options);
   requireFine(settings.diagnostics(), ExitWrongCommandLine);
   const Bundle bundle = readBundle(options, *settings, editor::loadMapImage);
@@ -184,14 +181,14 @@ int runCommand(const RunOptions& options, const OutputOptions& output,
   }
   sim2d::World& world = *verdict.world;
   catchInterrupts();
-  wantNoMore(options, output, verdict.metrics.selection);
+  wantNoMore(options, given, verdict.metrics.selection);
   RunWriter writer(options.totals ? std::string() : options.output, world,
                    verdict.metrics.selection, verdict.metrics.parameters);
   Session session(sim2d::stopRuleOf(*bundle.scenario));
   if (options.counterfactual) {
     session.keepHistory(bundle.scenario->desktop.recordEvery.value_or(1));
   }
-  FinishedRun run = simulate(session, world, verdict.scenarioMetrics, writer, output);
+  FinishedRun run = simulate(session, world, verdict.scenarioMetrics, writer, given);
   run.totalsOnly = options.totals;
   base::Diagnostics troubles;
   world.behavior().takeDiagnostics(troubles);
@@ -203,27 +200,23 @@ int runCommand(const RunOptions& options, const OutputOptions& output,
   if (options.counterfactual && run.result.status == sim2d::RunStatus::Finished) {
     isCompared = printDiagnostics(compareWithoutRobots(bundle, session, run));
   }
-  const int code = conclude(options, output, bundle, commandLine, writer, run);
+  const int code = conclude(options, given, bundle, writer, run);
   return code == ExitFine && !isCompared ? ExitRunFailed : code;
 }
 
 }  // namespace
 
 void addRun(CommandRegistry& commands) {
-  const auto options = std::make_shared<RunOptions>();
-  CLI::App& command = commands.add("run", "Simulate one scenario without a window",
-                                   [options](const Invocation& given) {
-                                     return runCommand(*options, given.output, given.words());
-                                   });
-  command
-      .add_option("scenario", options->scenario, "Scenario: a file, or a name of list scenarios")
+  const auto [command, options] =
+      commands.add("run", "Simulate one scenario without a window", runCommand);
+  command.add_option("scenario", options.scenario, "Scenario: a file, or a name of list scenarios")
       ->required()
       ->transform(scenarioFile);
-  command.add_option("-o,--output", options->output, "Folder for the files of the run");
-  addRunOptions(command, *options);
-  command.add_flag("--counterfactual", options->counterfactual,
+  command.add_option("-o,--output", options.output, "Folder for the files of the run");
+  addRunOptions(command, options);
+  command.add_flag("--counterfactual", options.counterfactual,
                    "The same seed again without robots: what they did to people");
-  command.add_flag("--totals", options->totals,
+  command.add_flag("--totals", options.totals,
                    "Only manifest.json and the totals of metrics.json, for many long runs");
 }
 

@@ -79,23 +79,23 @@ Json agentJson(const MadeFile& file) {
   return file.agent ? Json(*file.agent) : Json();
 }
 
-void printFiles(const std::vector<MadeFile>& files, const OutputOptions& output) {
+void printFiles(const std::vector<MadeFile>& files, const Invocation& given) {
   Json all = Json::array();
   for (const MadeFile& file : files) {
-    if (output.json) {
+    if (given.json) {
       all.push_back({{"file", file.name}, {"agent", agentJson(file)}, {"text", file.text}});
     } else {
       print("==> " + file.name + " <==\n" + file.text + (file.agent ? "\n" : ""));
     }
   }
-  if (output.json) {
+  if (given.json) {
     printLine(all.dump(2, ' ', false, kReplaceBadText));
   }
 }
 
 /// Each file beside itself, then renamed; says for each what became of it.
 int writeFiles(const std::vector<MadeFile>& files, const std::string& folder,
-               const OutputOptions& output) {
+               const Invocation& given) {
   Json all = Json::array();
   base::Diagnostics problems;
   for (const MadeFile& file : files) {
@@ -109,19 +109,19 @@ int writeFiles(const std::vector<MadeFile>& files, const std::string& folder,
       continue;
     }
     all.push_back({{"file", path}, {"agent", agentJson(file)}, {"state", stateName(state)}});
-    if (!output.json && !output.quiet) {
+    if (!given.json && !given.quiet) {
       std::string line = stateName(state);
       line.resize(10, ' ');
       printLine(line + path);
     }
   }
-  if (output.json) {
+  if (given.json) {
     printLine(all.dump(2, ' ', false, kReplaceBadText));
   }
   return printDiagnostics(problems) ? ExitFine : ExitBadInput;
 }
 
-int generate(const TreesOptions& options, const OutputOptions& output) {
+int generate(const TreesOptions& options, const Invocation& given) {
   const sim2d::ScenarioReading reading = sim2d::readScenario(options.scenario);
   requireFine(reading.diagnostics, ExitBadInput, base::Severity::Warning);
   const std::string base =
@@ -131,10 +131,10 @@ int generate(const TreesOptions& options, const OutputOptions& output) {
   const std::vector<MadeFile> files = makeFiles(reading.scenario, base, style);
   requireFine(checkNames(base, files, options.scenario));
   if (options.output.empty()) {
-    printFiles(files, output);
+    printFiles(files, given);
     return ExitFine;
   }
-  return writeFiles(files, options.output, output);
+  return writeFiles(files, options.output, given);
 }
 
 const char* statusText(const LeafCall& call) {
@@ -170,9 +170,8 @@ std::string leavesText(const TreePlay& play) {
 }
 
 /// Ticks it and shows each tick, as a table or, at the end, as JSON; returns what stopped it.
-base::Diagnostics tickAll(TreePlay& tree, const TreesOptions& options,
-                          const OutputOptions& output) {
-  const bool isTable = !output.json && !output.quiet;
+base::Diagnostics tickAll(TreePlay& tree, const TreesOptions& options, const Invocation& given) {
+  const bool isTable = !given.json && !given.quiet;
   const std::size_t width = std::max<std::size_t>(4, std::to_string(options.ticks).size());
   const auto printRow = [width](const std::string& tick, const char* root,
                                 const std::string& leaves) {
@@ -186,20 +185,20 @@ base::Diagnostics tickAll(TreePlay& tree, const TreesOptions& options,
   base::Diagnostics fault;
   for (int tick = 1; tick <= options.ticks && fault.empty(); ++tick) {
     const base::NodeStatus root = tree.tick();
-    if (output.json) {
+    if (given.json) {
       ticks.push_back(jsonOf(tree, tick, options.dt, root));
     } else if (isTable) {
       printRow(std::to_string(tick), base::nodeStatusName(root), leavesText(tree));
     }
     fault = tree.fault();
   }
-  if (output.json) {
+  if (given.json) {
     printLine(ticks.dump(2, ' ', false, kReplaceBadText));
   }
   return fault;
 }
 
-int play(const TreesOptions& options, const OutputOptions& output) {
+int play(const TreesOptions& options, const Invocation& given) {
   PlaySetup setup;
   setup.tree = options.play;
   setup.script = options.script;
@@ -212,12 +211,12 @@ int play(const TreesOptions& options, const OutputOptions& output) {
   }
   const base::Result<std::unique_ptr<TreePlay>> made = TreePlay::create(setup);
   requireFine(made.diagnostics(), ExitBadInput, base::Severity::Warning);
-  const base::Diagnostics fault = tickAll(**made, options, output);
+  const base::Diagnostics fault = tickAll(**made, options, given);
   printDiagnostics(fault);
   return fault.empty() ? ExitFine : ExitRunFailed;
 }
 
-int treesCommand(const TreesOptions& options, const OutputOptions& output) {
+int treesCommand(const TreesOptions& options, const Invocation& given) {
   if (options.scenario.empty() == options.play.empty()) {
     printError("trees needs a scenario, or a tree to play: --play FILE");
     return ExitWrongCommandLine;
@@ -226,7 +225,7 @@ int treesCommand(const TreesOptions& options, const OutputOptions& output) {
     printError("--dt is a number of seconds above 0, 10 at most");
     return ExitWrongCommandLine;
   }
-  return options.play.empty() ? generate(options, output) : play(options, output);
+  return options.play.empty() ? generate(options, given) : play(options, given);
 }
 
 }  // namespace

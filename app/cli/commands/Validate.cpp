@@ -188,14 +188,14 @@ bool play(const std::vector<const RealismTest*>& tests, const ValidateOptions& o
   });
 }
 
-int validateCommand(const ValidateOptions& options, const OutputOptions& output) {
+int validateCommand(const ValidateOptions& options, const Invocation& given) {
   const std::vector<const RealismTest*> tests = chosenTests(options);
   catchInterrupts();
   std::vector<Row> rows;
-  const bool isComplete = play(tests, options, output.quiet, rows);
-  if (output.json) {
+  const bool isComplete = play(tests, options, given.quiet, rows);
+  if (given.json) {
     printLine(jsonOf(rows));
-  } else if (!output.quiet) {
+  } else if (!given.quiet) {
     printRows(rows);
   }
   if (!options.output.empty()) {
@@ -210,7 +210,7 @@ int validateCommand(const ValidateOptions& options, const OutputOptions& output)
   }
   const auto passed =
       std::count_if(rows.begin(), rows.end(), [](const Row& row) { return row.passes(); });
-  if (!output.json && !output.quiet) {
+  if (!given.json && !given.quiet) {
     printLine(std::to_string(passed) + " of " + std::to_string(rows.size()) + " within the limits");
   }
   return static_cast<std::size_t>(passed) < rows.size() ? ExitRunFailed : ExitFine;
