@@ -127,7 +127,7 @@ void StreamMemoryTest::series_onDisk_growByTheTimesAlone() {
   selection.behaviors = false;
   selection.seriesOnDisk = true;
   const Held held = heldBy(selection, Profile::Corrected);
-  constexpr long kTimes = 2 * 9000 * static_cast<long>(sizeof(double));
+  constexpr long kTimes = 2L * 9000 * static_cast<long>(sizeof(double));
   QVERIFY2(held.many - held.few < kTimes + 100000, std::to_string(held.many - held.few).c_str());
 }
 
