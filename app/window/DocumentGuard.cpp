@@ -20,13 +20,13 @@ namespace {
 constexpr int kPauseMs = 400;
 
 // Notices of these take each other's place.
-constexpr QLatin1String kChanged("changed");
-constexpr QLatin1String kGone("gone");
-constexpr QLatin1String kReadOnly("read-only");
-constexpr QLatin1String kMap("map");
-constexpr QLatin1String kNotSaved("not-saved");
-constexpr QLatin1String kExport("export");
-constexpr QLatin1String kUnread("unread");
+const QLatin1String kChanged("changed");
+const QLatin1String kGone("gone");
+const QLatin1String kReadOnly("read-only");
+const QLatin1String kMap("map");
+const QLatin1String kNotSaved("not-saved");
+const QLatin1String kExport("export");
+const QLatin1String kUnread("unread");
 
 QString namesOf(const QStringList& files) {
   const QString first = QFileInfo(files.front()).fileName();

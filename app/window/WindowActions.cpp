@@ -15,6 +15,9 @@ namespace app {
 using editor::CanvasOptions;
 using editor::EntityId;
 
+constexpr int kCtrl = Qt::CTRL;
+constexpr int kShift = Qt::SHIFT;
+
 WindowActions::WindowActions(Workspace& workspace, QObject* parent)
     : QObject(parent), workspace_(workspace) {
   makeFileActions();
@@ -52,15 +55,15 @@ void WindowActions::makeFileActions() {
               "file-save");
   saveAs = make(tr("Save &as…"), tr("Save under another name"), Qt::CTRL | Qt::SHIFT | Qt::Key_S);
   exportTo = make(tr("&Export…"), tr("Write scenario, trees and map for another simulator"),
-                  Qt::CTRL | Qt::Key_E);
-  close = make(tr("&Close"), tr("Back to the start page"), Qt::CTRL | Qt::Key_W);
-  quit = make(tr("&Quit"), tr("Leave the program"), Qt::CTRL | Qt::Key_Q);
+                  kCtrl | Qt::Key_E);
+  close = make(tr("&Close"), tr("Back to the start page"), kCtrl | Qt::Key_W);
+  quit = make(tr("&Quit"), tr("Leave the program"), kCtrl | Qt::Key_Q);
   openMap = make(tr("Change &map…"), tr("Put another map under the scenario"), {}, "start-map");
   assignGoals = make(tr("Assign &goals…"), tr("Which people visit which goals, in which order"),
-                     Qt::CTRL | Qt::Key_G);
+                     kCtrl | Qt::Key_G);
   settings =
       make(tr("Scenario &settings"), tr("Seed, duration and what belongs to the whole scenario"),
-           Qt::CTRL | Qt::Key_Comma);
+           kCtrl | Qt::Key_Comma);
   about = make(tr("&About"), tr("Version and licence"));
 }
 
@@ -81,8 +84,8 @@ void WindowActions::makeEditActions() {
   cut = make(tr("Cu&t"), tr("Copy what is selected and remove it"), QKeySequence::Cut);
   copy = make(tr("&Copy"), tr("Copy what is selected, as YAML text"), QKeySequence::Copy);
   paste = make(tr("&Paste"), tr("Add what was copied beside it"), QKeySequence::Paste);
-  duplicate = make(tr("Dup&licate"), tr("A copy of what is selected"), Qt::CTRL | Qt::Key_D,
-                   "edit-duplicate");
+  duplicate =
+      make(tr("Dup&licate"), tr("A copy of what is selected"), kCtrl | Qt::Key_D, "edit-duplicate");
   rename = make(tr("Rena&me"), tr("Another name for what is selected; what refers to it follows"),
                 Qt::Key_F2);
   remove = make(tr("&Delete"), tr("Remove what is selected; routes follow"), QKeySequence::Delete,
@@ -131,14 +134,14 @@ void WindowActions::makeViewActions() {
   systemTheme = make(tr("Colours of the &system"), tr("Follow the desktop's colours"));
   systemTheme->setCheckable(true);
   names = toggle(tr("&Names"), &CanvasOptions::names, Qt::Key_N, "view-names");
-  routes = toggle(tr("&Routes"), &CanvasOptions::routes, Qt::SHIFT | Qt::Key_R, "tool-route");
-  grid = toggle(tr("&Grid"), &CanvasOptions::grid, Qt::SHIFT | Qt::Key_G, "view-grid");
+  routes = toggle(tr("&Routes"), &CanvasOptions::routes, kShift | Qt::Key_R, "tool-route");
+  grid = toggle(tr("&Grid"), &CanvasOptions::grid, kShift | Qt::Key_G, "view-grid");
   rulers = toggle(tr("R&ulers"), &CanvasOptions::rulers);
   trails = toggle(tr("&Trails"), &CanvasOptions::trails, Qt::Key_T, "view-trails",
                   tr("Where people have been, in a run"));
   rings = toggle(tr("&Personal spaces"), &CanvasOptions::proxemics, Qt::Key_X, "view-rings",
                  tr("Rings around the people that are selected"));
-  forces = toggle(tr("For&ces"), &CanvasOptions::forces, Qt::SHIFT | Qt::Key_F, "view-forces",
+  forces = toggle(tr("For&ces"), &CanvasOptions::forces, kShift | Qt::Key_F, "view-forces",
                   tr("What moves the people that are selected, in a run"));
   overlays = {names, routes, grid, rulers, trails, rings, forces};
   editor::MapView& view = workspace_.view();
@@ -160,7 +163,7 @@ void WindowActions::makeLayers() {
   snapping = {snapToPoints,
               toggle(tr("Snap to &walls"), &CanvasOptions::snapToWalls, {}, nullptr,
                      tr("Corners and edges of the map's walls hold what is drawn")),
-              toggle(tr("Snap to the gr&id"), &CanvasOptions::snapToGrid, Qt::SHIFT | Qt::Key_S,
+              toggle(tr("Snap to the gr&id"), &CanvasOptions::snapToGrid, kShift | Qt::Key_S,
                      nullptr, tr("What is drawn lies on half metres"))};
 }
 

@@ -14,7 +14,7 @@ namespace editor {
 
 namespace {
 
-constexpr QLatin1String kDragType("application/x-hunavsim-entities");
+const QLatin1String kDragType("application/x-hunavsim-entities");
 
 struct Group {
   const char* title;

@@ -78,8 +78,8 @@ bool hasCourse(const MetricCurve& curve) {
                      [](double value) { return std::isfinite(value) && value != 0.0; });
 }
 
-Qt::Alignment alignmentOf(int column) {
-  return (column == NowColumn ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter;
+int alignmentOf(int column) {
+  return int{column == NowColumn ? Qt::AlignRight : Qt::AlignLeft} | Qt::AlignVCenter;
 }
 
 QString tooltipOf(const metrics::MetricResult& result) {

@@ -60,11 +60,11 @@ QString clockText(double seconds) {
 }
 
 PlaybackActions::PlaybackActions(SimulationRunner& runner, const Theme& theme)
-    : reset(makeAction(tr("Reset"), QKeySequence(Qt::CTRL + Qt::Key_R),
+    : reset(makeAction(tr("Reset"), QKeySequence(int{Qt::CTRL} | Qt::Key_R),
                        tr("End the run and go back to editing"), this)),
       stepBack(makeAction(tr("Step back"), QKeySequence(Qt::Key_Comma),
                           tr("Look one recorded step back"), this)),
-      playPause(makeAction(tr("Play"), QKeySequence(Qt::CTRL + Qt::Key_Space),
+      playPause(makeAction(tr("Play"), QKeySequence(int{Qt::CTRL} | Qt::Key_Space),
                            tr("Run or pause the simulation; Space on the map does the same"),
                            this)),
       step(makeAction(tr("Step"), QKeySequence(Qt::Key_Period), tr("One step forward, then pause"),

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -142,13 +144,15 @@ std::vector<Entry> scenarioEntries() {
 
 std::vector<Entry> entriesOf(const std::string& what) {
   const sim2d::Registries& known = sim2d::programRegistries();
-  return what == "nodes"      ? nodeEntries(bt::humanNodes().catalogue())
-         : what == "metrics"  ? metricEntries()
-         : what == "keys"     ? keyEntries()
-         : what == "models"   ? registeredEntries(known.models)
-         : what == "robots"   ? registeredEntries(known.robotTypes)
-         : what == "planners" ? registeredEntries(known.planners)
-                              : scenarioEntries();
+  const std::map<std::string, std::function<std::vector<Entry>()>> lists = {
+      {"nodes", [] { return nodeEntries(bt::humanNodes().catalogue()); }},
+      {"metrics", metricEntries},
+      {"keys", keyEntries},
+      {"models", [&known] { return registeredEntries(known.models); }},
+      {"robots", [&known] { return registeredEntries(known.robotTypes); }},
+      {"planners", [&known] { return registeredEntries(known.planners); }},
+      {"scenarios", scenarioEntries}};
+  return lists.at(what)();
 }
 
 void printText(const std::vector<Entry>& entries) {
