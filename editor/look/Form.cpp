@@ -106,9 +106,7 @@ FormSection::FormSection(const QString& title, QWidget* parent)
   connect(heading_, &QToolButton::clicked, this,
           [this] { setOpen(heading_->arrowType() == Qt::RightArrow); });
 
-  auto* top = new QHBoxLayout;
-  top->setContentsMargins(8, 0, 12, 0);
-  top->addWidget(heading_);
+  auto* top = arranged(new QHBoxLayout, {8, 0, 12, 0}, -1, {heading_});
   top->addStretch();
   top->addWidget(note_);
 
