@@ -37,7 +37,7 @@ class FileCommands : public QObject {
   bool putOtherMap(const QString& mapYaml);  // under the scenario that is open
   void newRoom();                            // an open plane
   void newOnMap(std::shared_ptr<const sim2d::OccupancyGrid> map);
-  bool saveTo(const QString& path, const editor::TreeAnswers& trees = {});
+  bool saveTo(const QString& path, const editor::TreesToReplace& trees = {});
   void fillRecentMenu(QMenu& menu);
   Bundle exportSource() const;
   QString exportFolder() const;                                    // what `askExport` proposes

@@ -42,7 +42,7 @@ bool isMapYaml(const QString& path) {
 
 }  // namespace
 
-bool FileCommands::saveTo(const QString& path, const editor::TreeAnswers& trees) {
+bool FileCommands::saveTo(const QString& path, const editor::TreesToReplace& trees) {
   const base::Diagnostics problems = workspace_.document().save(path, trees);
   if (base::hasErrors(problems)) {
     problems_ = problems;
@@ -81,7 +81,7 @@ bool FileCommands::mayWriteOver() {
 }
 
 bool FileCommands::saveAsking(const QString& path) {
-  const std::optional<editor::TreeAnswers> trees = TreeChoiceDialog::ask(
+  const std::optional<editor::TreesToReplace> trees = TreeChoiceDialog::ask(
       workspace_.document().treeQuestions(path), workspace_.theme(), &window_);
   return trees && saveTo(path, *trees);
 }

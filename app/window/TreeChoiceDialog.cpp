@@ -21,7 +21,6 @@ namespace app {
 
 using editor::DiffLine;
 using editor::Role;
-using editor::TreeAnswer;
 using editor::TreeQuestion;
 
 namespace {
@@ -179,7 +178,6 @@ TreeChoiceDialog::TreeChoiceDialog(std::vector<TreeQuestion> questions, const ed
                                    QWidget* parent)
     : QDialog(parent),
       questions_(std::move(questions)),
-      answers_(questions_.size(), TreeAnswer::KeepMine),
       theme_(theme),
       list_(new QListWidget(this)),
       why_(new QLabel(this)),
@@ -198,11 +196,11 @@ TreeChoiceDialog::TreeChoiceDialog(std::vector<TreeQuestion> questions, const ed
     updateRow(i);
   }
   connect(list_, &QListWidget::currentRowChanged, this, &TreeChoiceDialog::showQuestion);
-  connect(keep_, &QRadioButton::clicked, this, [this] { take(TreeAnswer::KeepMine); });
-  connect(replace_, &QRadioButton::clicked, this, [this] { take(TreeAnswer::TakeReplacement); });
+  connect(keep_, &QRadioButton::clicked, this, [this] { take(false); });
+  connect(replace_, &QRadioButton::clicked, this, [this] { take(true); });
   connect(all_, &QCheckBox::toggled, this, [this](bool on) {
     if (on) {
-      take(replace_->isChecked() ? TreeAnswer::TakeReplacement : TreeAnswer::KeepMine);
+      take(replace_->isChecked());
     }
   });
   list_->setCurrentRow(0);
@@ -256,8 +254,7 @@ void TreeChoiceDialog::showQuestion(int index) {
   keep_->setText(isOnDisk(question) ? tr("Keep what is in the file") : tr("Keep mine"));
   replace_->setText(isOnDisk(question) ? tr("Replace it with the tree of this window")
                                        : tr("Take the generated one"));
-  const bool keeps = answers_[static_cast<std::size_t>(index)] == TreeAnswer::KeepMine;
-  (keeps ? keep_ : replace_)->setChecked(true);
+  (replaced_.count(question.human) == 0 ? keep_ : replace_)->setChecked(true);
   diff_->setTexts(question.mine, question.replacement);
   legend_->setText(isOnDisk(question) ? tr("− in the file   + in this window")
                                       : tr("− mine   + generated"));
@@ -289,46 +286,39 @@ void TreeChoiceDialog::moveOnScreen(const QPoint& corner) {
        std::clamp(corner.y(), room.top(), std::max(room.top(), room.bottom() - height())));
 }
 
-void TreeChoiceDialog::take(TreeAnswer answer) {
+void TreeChoiceDialog::take(bool isReplaced) {
   for (int i = 0; i < static_cast<int>(questions_.size()); ++i) {
     if (all_->isChecked() || i == list_->currentRow()) {
-      choose(i, answer);
+      choose(i, isReplaced);
     }
   }
 }
 
-void TreeChoiceDialog::choose(int question, TreeAnswer answer) {
-  answers_[static_cast<std::size_t>(question)] = answer;
+void TreeChoiceDialog::choose(int question, bool isReplaced) {
+  const editor::EntityId human = questions_[static_cast<std::size_t>(question)].human;
+  isReplaced ? (void)replaced_.insert(human) : (void)replaced_.erase(human);
   updateRow(question);
   if (question == list_->currentRow()) {
-    (answer == TreeAnswer::KeepMine ? keep_ : replace_)->setChecked(true);
+    (isReplaced ? replace_ : keep_)->setChecked(true);
   }
 }
 
 void TreeChoiceDialog::updateRow(int index) {
-  const bool keeps = answers_[static_cast<std::size_t>(index)] == TreeAnswer::KeepMine;
+  const bool keeps = replaced_.count(questions_[static_cast<std::size_t>(index)].human) == 0;
   list_->item(index)->setIcon(
       editor::tintedIcon(keeps ? QStringLiteral("tree") : QStringLiteral("file-save"),
                          theme_.color(keeps ? Role::TextSecondary : Role::WarningMark)));
   list_->item(index)->setToolTip(keeps ? tr("is kept") : tr("is replaced"));
 }
 
-editor::TreeAnswers TreeChoiceDialog::answers() const {
-  editor::TreeAnswers result;
-  for (std::size_t i = 0; i < questions_.size(); ++i) {
-    result[questions_[i].human] = answers_[i];
-  }
-  return result;
-}
-
-std::optional<editor::TreeAnswers> TreeChoiceDialog::ask(std::vector<TreeQuestion> questions,
-                                                         const editor::Theme& theme,
-                                                         QWidget* parent) {
+std::optional<editor::TreesToReplace> TreeChoiceDialog::ask(std::vector<TreeQuestion> questions,
+                                                            const editor::Theme& theme,
+                                                            QWidget* parent) {
   if (questions.empty()) {
-    return editor::TreeAnswers();
+    return editor::TreesToReplace();
   }
   TreeChoiceDialog dialog(std::move(questions), theme, parent);
-  return dialog.exec() == QDialog::Accepted ? std::make_optional(dialog.answers()) : std::nullopt;
+  return dialog.exec() == QDialog::Accepted ? std::make_optional(dialog.replaced()) : std::nullopt;
 }
 
 }  // namespace app

@@ -24,23 +24,23 @@ class TreeChoiceDialog : public QDialog {
  public:
   TreeChoiceDialog(std::vector<editor::TreeQuestion> questions, const editor::Theme& theme,
                    QWidget* parent = nullptr);
-  editor::TreeAnswers answers() const;
-  void choose(int question, editor::TreeAnswer answer);
+  const editor::TreesToReplace& replaced() const { return replaced_; }
+  void choose(int question, bool isReplaced);
   void showDifferences(bool on);
   void moveOnScreen(const QPoint& corner);
 
   /// Nothing when cancelled.
-  static std::optional<editor::TreeAnswers> ask(std::vector<editor::TreeQuestion> questions,
-                                                const editor::Theme& theme, QWidget* parent);
+  static std::optional<editor::TreesToReplace> ask(std::vector<editor::TreeQuestion> questions,
+                                                   const editor::Theme& theme, QWidget* parent);
 
  private:
   void build();
   void showQuestion(int index);
-  void take(editor::TreeAnswer answer);
+  void take(bool isReplaced);
   void updateRow(int index);
 
   std::vector<editor::TreeQuestion> questions_;
-  std::vector<editor::TreeAnswer> answers_;
+  editor::TreesToReplace replaced_;
   editor::Theme theme_;
   QListWidget* list_;
   QLabel* why_;

@@ -252,7 +252,7 @@ void WindowActions::connectClipboard() {
   connect(cut, &QAction::triggered, this, [this, &document] {
     copySelection();
     pastes_ = -1;  // the first paste puts it back where it was
-    editor::removeSelection(document);
+    editor::pushRemove(document, document.selection());
   });
   connect(paste, &QAction::triggered, this, [this, &document] {
     const QMimeData* data = QGuiApplication::clipboard()->mimeData();

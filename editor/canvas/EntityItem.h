@@ -15,11 +15,12 @@ struct Label {
   QString text;
   std::optional<Look> mark;
   QPointF centre;            // scene
-  double clearancePx = 0.0;  // from the centre
-  int priority = 0;
-  bool isAbove = false;
-  bool isOfHover = false;  // shown while the mouse is over it and not otherwise
-  bool isNeeded = false;   // covers bodies rather than being left out
+  double clearancePx = 0.0;  // from the centre to the edge of the label
+  int priority = 0;          // higher ones choose first
+  bool isAbove = false;      // would rather stand above than below
+  bool isOfHover = false;    // shown while the mouse is over it and not otherwise
+  bool isNeeded = false;     // covers bodies rather than being left out
+  QSizeF size = {};          // [px], once its picture is there
 };
 
 /// What is drawn on the canvas, in scene coordinates (the item itself stays at the origin); what

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "editor/canvas/PixelFrame.h"
 #include "editor/canvas/SpriteAtlas.h"
@@ -147,15 +148,13 @@ std::optional<Vec2> FrameLayer::positionOf(int id) const {
 
 EntityId FrameLayer::entityAt(const Vec2& world) const {
   EntityId best;
-  double nearest = 0.0;
-  bool isFound = false;
+  double nearest = std::numeric_limits<double>::max();
   for (const Body& body : bodies_) {
     const double distance =
         (world - body.pose.position).norm() - std::max(body.agent->radius, metres(8.0));
-    if (distance <= 0.0 && (!isFound || distance < nearest)) {
+    if (distance <= 0.0 && distance < nearest) {
       best = body.agent->entity;
       nearest = distance;
-      isFound = true;
     }
   }
   return best;

@@ -18,17 +18,17 @@ double movedInto(double begin, double length, double low, double high) {
   return high - low < length ? begin : std::clamp(begin, low, high - length);
 }
 
-Places placesFor(const LabelWish& wish, const QRectF& window) {
-  const double width = wish.size.width();
-  const double height = wish.size.height();
-  const QPointF c = wish.centre;
+Places placesFor(const Label& label, const QRectF& window) {
+  const double width = label.size.width();
+  const double height = label.size.height();
+  const QPointF c = label.centre;
   const double middle = movedInto(c.x() - 0.5 * width, width, window.left(), window.right());
-  const double below = c.y() + wish.clearance;
-  const double above = c.y() - wish.clearance - height;
-  const double right = c.x() + wish.clearance;
-  const double left = c.x() - wish.clearance - width;
-  const double first = wish.isAbove ? above : below;
-  const double second = wish.isAbove ? below : above;
+  const double below = c.y() + label.clearancePx;
+  const double above = c.y() - label.clearancePx - height;
+  const double right = c.x() + label.clearancePx;
+  const double left = c.x() - label.clearancePx - width;
+  const double first = label.isAbove ? above : below;
+  const double second = label.isAbove ? below : above;
   const double beside = movedInto(c.y() - 0.5 * height, height, window.top(), window.bottom());
   return {QRectF(middle, first, width, height), QRectF(middle, second, width, height),
           QRectF(right, beside, width, height), QRectF(left, beside, width, height),
@@ -112,34 +112,34 @@ void paintLabel(QPainter& painter, const Theme& theme, const QRectF& box, const 
 
 }  // namespace
 
-std::vector<QRectF> layoutLabels(const std::vector<LabelWish>& wishes,
-                                 const std::vector<QRectF>& taken, const QRectF& window) {
-  std::vector<std::size_t> order(wishes.size());
+std::vector<QRectF> layoutLabels(const std::vector<Label>& labels, const std::vector<QRectF>& taken,
+                                 const QRectF& window) {
+  std::vector<std::size_t> order(labels.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return wishes[a].priority > wishes[b].priority;
+    return labels[a].priority > labels[b].priority;
   });
-  Occupied bodies, labels;
+  Occupied bodies, placed;
   for (const QRectF& part : taken) {
     bodies.add(part);
   }
-  std::vector<QRectF> result(wishes.size());
+  std::vector<QRectF> result(labels.size());
   for (const std::size_t i : order) {
-    const Places places = placesFor(wishes[i], window);
+    const Places places = placesFor(labels[i], window);
     // What a label has to touch, so that it is seen whose name it is.
-    const QRectF near = around(wishes[i].centre, wishes[i].clearance + 1.0);
+    const QRectF near = around(labels[i].centre, labels[i].clearancePx + 1.0);
     const auto isOffLabels = [&](const QRectF& place) {
-      return window.contains(place) && near.intersects(place) && labels.isFree(place);
+      return window.contains(place) && near.intersects(place) && placed.isFree(place);
     };
     const auto* found = std::find_if(places.begin(), places.end(), [&](const QRectF& place) {
       return isOffLabels(place) && bodies.isFree(place);
     });
-    if (found == places.end() && wishes[i].isNeeded) {
+    if (found == places.end() && labels[i].isNeeded) {
       found = std::find_if(places.begin(), places.end(), isOffLabels);
     }
     if (found != places.end()) {
       result[i] = *found;
-      labels.add(*found);
+      placed.add(*found);
     }
   }
   return result;
@@ -177,18 +177,18 @@ void LabelLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option
   const double ratio = painter->device()->devicePixelRatioF();
   const QTransform toPixels = QTransform::fromScale(pixelsPerMetre, pixelsPerMetre);
   const QRectF window = toPixels.mapRect(shownRect(*painter, *option, widget));
-  std::vector<LabelWish> wishes;
+  std::vector<Label> labels;
   std::vector<const Picture*> pictures;
-  for (const Label& label : mapScene().labels()) {
-    const QPointF centre = toPixels.map(label.centre);
+  for (Label& label : mapScene().labels()) {
+    label.centre = toPixels.map(label.centre);
     const double reach = label.clearancePx;  // who is partly seen is named too
-    if (window.adjusted(-reach, -reach, reach, reach).contains(centre)) {
+    if (window.adjusted(-reach, -reach, reach, reach).contains(label.centre)) {
       pictures.push_back(&pictureOf(label, ratio));
-      wishes.push_back({centre, label.clearancePx, pictures.back()->size, label.priority,
-                        label.isAbove, label.isNeeded});
+      label.size = pictures.back()->size;
+      labels.push_back(std::move(label));
     }
   }
-  if (wishes.empty()) {
+  if (labels.empty()) {
     return;
   }
   std::vector<QRectF> taken = overlayBoxes({mapScene(), window, toPixels, pixelsPerMetre});
@@ -199,9 +199,9 @@ void LabelLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option
     }
   }
   const std::vector<QRectF> places =
-      layoutLabels(wishes, taken, window.adjusted(kEdgePx, kEdgePx, -kEdgePx, -kEdgePx));
+      layoutLabels(labels, taken, window.adjusted(kEdgePx, kEdgePx, -kEdgePx, -kEdgePx));
   const PixelFrame frame(*painter, {});
-  for (std::size_t i = 0; i < wishes.size(); ++i) {
+  for (std::size_t i = 0; i < labels.size(); ++i) {
     if (!places[i].isNull()) {
       // On whole pixels: letters stay sharp.
       const QTransform toDevice = painter->worldTransform();

@@ -212,10 +212,9 @@ void ScenarioDocument::restore(DocumentSnapshot snapshot, bool isSaved) {
 }
 
 /// What is decided about trees can be undone like any other edit.
-void ScenarioDocument::answerTrees(const QString& path, const TreeAnswers& answers) {
+void ScenarioDocument::answerTrees(const QString& path, const TreesToReplace& replaced) {
   for (const TreeQuestion& question : treeQuestions(path)) {
-    const auto answer = answers.find(question.human);
-    const bool keeps = answer == answers.end() || answer->second == TreeAnswer::KeepMine;
+    const bool keeps = replaced.count(question.human) == 0;
     if (question.why == TreeQuestion::Why::ChangedOnDisk && keeps) {
       pushTrees(
           *this, {{question.human, question.mine}},
@@ -227,8 +226,8 @@ void ScenarioDocument::answerTrees(const QString& path, const TreeAnswers& answe
   }
 }
 
-base::Diagnostics ScenarioDocument::save(const QString& path, const TreeAnswers& answers) {
-  answerTrees(path, answers);
+base::Diagnostics ScenarioDocument::save(const QString& path, const TreesToReplace& replaced) {
+  answerTrees(path, replaced);
   SavePlan plan = planSave(path);
   if (base::hasErrors(plan.problems)) {
     return plan.problems;

@@ -69,10 +69,7 @@ void setName(Entity& entity, const std::string& name) {
 }
 
 bool isListed(const Entity& entity) {
-  return std::visit(Overloaded{[](const ScenarioSettings&) { return true; },
-                               [](const sim2d::GlobalGoal&) { return true; },
-                               [](const auto& value) { return value.listed; }},
-                    entity);
+  return std::visit([](const auto& value) { return takesPart(value); }, entity);
 }
 
 void setListed(Entity& entity, bool listed) {

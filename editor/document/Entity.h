@@ -39,6 +39,15 @@ template <class T>
 constexpr bool kIsNamed =
     !std::is_same_v<T, sim2d::GlobalGoal> && !std::is_same_v<T, ScenarioSettings>;
 
+template <class T>
+bool takesPart(const T& value) {
+  if constexpr (kIsNamed<T>) {
+    return value.listed;
+  } else {
+    return true;
+  }
+}
+
 EntityKind kindOf(const Entity& entity);
 EntityId idOf(const Entity& entity);
 void setId(Entity& entity, EntityId id);

@@ -29,12 +29,6 @@ class SwapCommand : public QUndoCommand {
 MapStroke::MapStroke(std::shared_ptr<const sim2d::OccupancyGrid> before)
     : before_(std::move(before)), cells_(before_->cells()) {}
 
-void MapStroke::set(sim2d::Cell cell, MapPaint paint) {
-  if (before_->contains(cell)) {
-    cells_[before_->indexOf(cell)] = static_cast<std::int8_t>(paint);
-  }
-}
-
 void MapStroke::paint(const Vec2& from, const Vec2& to, double radius, MapPaint paint) {
   // cell coordinates, where the map may be turned but squares stay squares
   const Vec2 start = before_->worldToCorner(from);
@@ -50,22 +44,10 @@ void MapStroke::paint(const Vec2& from, const Vec2& to, double radius, MapPaint 
          column <= bound(std::max(start.x(), end.x()) + reach); ++column) {
       const Vec2 centre(column + 0.5, row + 0.5);
       const Vec2 nearest = sim2d::closestOnSegment({start, end}, centre);
-      if ((centre - nearest).squaredNorm() <= reach * reach) {
-        set({column, row}, paint);
+      const sim2d::Cell cell{column, row};
+      if ((centre - nearest).squaredNorm() <= reach * reach && before_->contains(cell)) {
+        cells_[before_->indexOf(cell)] = static_cast<std::int8_t>(paint);
       }
-    }
-  }
-}
-
-void MapStroke::fill(const Vec2& corner, const Vec2& opposite, MapPaint paint) {
-  const Vec2 a = before_->worldToCorner(corner);
-  const Vec2 b = before_->worldToCorner(opposite);
-  const int left = std::max(0, static_cast<int>(std::ceil(std::min(a.x(), b.x()) - 0.5)));
-  const int bottom = std::max(0, static_cast<int>(std::ceil(std::min(a.y(), b.y()) - 0.5)));
-  for (int row = bottom; row < before_->height() && row + 0.5 <= std::max(a.y(), b.y()); ++row) {
-    for (int column = left; column < before_->width() && column + 0.5 <= std::max(a.x(), b.x());
-         ++column) {
-      set({column, row}, paint);
     }
   }
 }

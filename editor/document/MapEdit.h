@@ -18,8 +18,6 @@ class MapStroke {
   explicit MapStroke(std::shared_ptr<const sim2d::OccupancyGrid> before);
   /// All cells whose centres lie within `radius` of the way from `from` to `to` [m].
   void paint(const Vec2& from, const Vec2& to, double radius, MapPaint paint);
-  /// All cells whose centres lie in the rectangle (map axes) between two corners [m].
-  void fill(const Vec2& corner, const Vec2& opposite, MapPaint paint);
   struct CellChange {
     std::size_t index;
     std::int8_t value;
@@ -27,8 +25,6 @@ class MapStroke {
   std::vector<CellChange> changes() const;
 
  private:
-  void set(sim2d::Cell cell, MapPaint paint);
-
   std::shared_ptr<const sim2d::OccupancyGrid> before_;
   std::vector<std::int8_t> cells_;
 };

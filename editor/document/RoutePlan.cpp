@@ -70,7 +70,7 @@ void RoutePlan::setRepeat(const std::vector<EntityId>& people, bool repeat) {
   }
 }
 
-std::vector<Entity> RoutePlan::editedPeople(const ScenarioDocument& document) const {
+void RoutePlan::push(ScenarioDocument& document) const {
   std::vector<Entity> edited;
   for (const EntityId person : people_) {
     const sim2d::Human* before = document.human(person);
@@ -89,15 +89,6 @@ std::vector<Entity> RoutePlan::editedPeople(const ScenarioDocument& document) co
       edited.emplace_back(std::move(after));
     }
   }
-  return edited;
-}
-
-bool RoutePlan::isChanged(const ScenarioDocument& document) const {
-  return !editedPeople(document).empty();
-}
-
-void RoutePlan::push(ScenarioDocument& document) const {
-  std::vector<Entity> edited = editedPeople(document);
   const QString text = edited.size() == 1
                            ? QObject::tr("Assign goals to %1").arg(displayName(edited.front()))
                            : QObject::tr("Assign goals to %1 people").arg(edited.size());

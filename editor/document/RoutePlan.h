@@ -24,7 +24,6 @@ class RoutePlan {
   void append(const std::vector<EntityId>& people, const std::vector<int>& goals);
   void setRepeat(const std::vector<EntityId>& people, bool repeat);
 
-  bool isChanged(const ScenarioDocument& document) const;
   /// All of it as one command; waiting times stay with their goals.
   void push(ScenarioDocument& document) const;
 
@@ -35,7 +34,6 @@ class RoutePlan {
   };
   template <class T>
   std::optional<T> common(const std::vector<EntityId>& people, T Round::*part) const;
-  std::vector<Entity> editedPeople(const ScenarioDocument& document) const;
 
   std::vector<EntityId> people_;
   std::map<EntityId, Round> rounds_;

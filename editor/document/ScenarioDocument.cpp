@@ -18,15 +18,6 @@ namespace {
 constexpr int kCheckDelayMs = 200;
 constexpr std::chrono::milliseconds kCheckPatience(80);
 
-template <class Value>
-bool takesPart(const Value& value) {
-  if constexpr (kIsNamed<Value>) {
-    return value.listed;
-  } else {
-    return true;
-  }
-}
-
 /// Where something new, or switched on or off, lands: those that are switched off stand behind the
 /// others, as in the file. People who are switched on come back before those of higher numbers.
 template <class List>

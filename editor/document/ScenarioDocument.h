@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -59,8 +60,8 @@ struct TreeQuestion {
   Why why = Why::ChangedOnDisk;
 };
 
-enum class TreeAnswer { KeepMine, TakeReplacement };
-using TreeAnswers = std::map<EntityId, TreeAnswer>;
+/// The people whose tree is to be replaced; those of others are kept.
+using TreesToReplace = std::set<EntityId>;
 
 /// The scenario being edited, with its map, trees, undo stack and selection. GUI thread.
 /// Only commands (EditCommands.h, MapEdit.h) write: the functions `exchange…` are for them.
@@ -141,7 +142,7 @@ class ScenarioDocument : public QObject {
   /// Canonical YAML and one tree per person: in ../behavior_trees when the folder is called
   /// scenarios, else beside. A new file name becomes yaml_base_name and the stem of the trees. All
   /// files are written or none; with errors nothing has changed on the disk.
-  base::Diagnostics save(const QString& path, const TreeAnswers& answers = {});
+  base::Diagnostics save(const QString& path, const TreesToReplace& replaced = {});
   /// What must be decided before saving there; without an answer the tree that is there is kept.
   std::vector<TreeQuestion> treeQuestions(const QString& path) const;
   /// Comments in the file that was opened; saving over it loses them.
@@ -192,7 +193,7 @@ class ScenarioDocument : public QObject {
   void planTrees(SavePlan& plan) const;
   /// The tree that is saved for a person, and run: the own one, that of the file or the generated.
   std::string wantedTree(const sim2d::Scenario& scenario, const sim2d::Human& human) const;
-  void answerTrees(const QString& path, const TreeAnswers& answers);
+  void answerTrees(const QString& path, const TreesToReplace& replaced);
   void takeSaved(SavePlan plan);
 
   sim2d::Scenario scenario_;

@@ -103,11 +103,10 @@ FormSection::FormSection(const QString& title, QWidget* parent)
   QFont bold = heading_->font();
   bold.setWeight(QFont::DemiBold);
   heading_->setFont(bold);
-  connect(heading_, &QToolButton::clicked, this, [this] { setOpen(!open_); });
+  connect(heading_, &QToolButton::clicked, this,
+          [this] { setOpen(heading_->arrowType() == Qt::RightArrow); });
 
-  auto* top = new QHBoxLayout;
-  top->setContentsMargins(8, 0, 12, 0);
-  top->addWidget(heading_);
+  auto* top = arranged(new QHBoxLayout, {8, 0, 12, 0}, -1, {heading_});
   top->addStretch();
   top->addWidget(note_);
 
@@ -193,7 +192,6 @@ void FormSection::setRowVisible(const QWidget* field, bool visible) {
 }
 
 void FormSection::setOpen(bool open) {
-  open_ = open;
   body_->setVisible(open);
   heading_->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
 }

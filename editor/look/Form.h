@@ -35,7 +35,6 @@ class FormSection : public QWidget {
   QLabel* note_;
   QWidget* body_;
   QGridLayout* grid_;
-  bool open_ = true;
 };
 
 /// A text in the secondary colour of the palette.

@@ -1,6 +1,7 @@
 #include "editor/look/Theme.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -32,8 +33,18 @@ constexpr std::array<RoleColors, static_cast<std::size_t>(Role::Count)> kRoles =
     {Role::Past, 0xFF2F6FDE, 0xFF6EA0FF},          {Role::ForceGoal, 0xFF2E8540, 0xFF58B36B},
     {Role::ForceSocial, 0xFFB35C8D, 0xFFDB96BC},   {Role::ForceObstacle, 0xFFB57A00, 0xFFE69F00},
     {Role::ForceGroup, 0xFF2389C4, 0xFF7CCBF5},    {Role::ForceTotal, 0xFF1B1F23, 0xFFFFFFFF},
-    {Role::LaserHit, 0xFFA88A00, 0xFFF0E442},
 }};
+
+constexpr bool isInOrder() {
+  std::size_t place = 0;
+  for (const RoleColors& entry : kRoles) {
+    if (static_cast<std::size_t>(entry.role) != place++) {
+      return false;
+    }
+  }
+  return true;
+}
+static_assert(isInOrder(), "the colour of a role is found by its number");
 
 constexpr std::array<QRgb, kLookCount> kFills = {0xFF0072B2, 0xFF7F7F7F, 0xFFE69F00, 0xFFCC79A7,
                                                  0xFF56B4E9, 0xFFD55E00, 0xFF009E73};
@@ -81,22 +92,21 @@ Mark markOf(Look look) {
   return kMarks[index(look)];
 }
 
-Theme Theme::ofKind(Kind kind) {
-  Theme theme;
-  theme.kind_ = kind;
-  for (const RoleColors& entry : kRoles) {
-    theme.roles_[static_cast<std::size_t>(entry.role)] =
-        QColor(theme.isDark() ? entry.dark : entry.light);
-  }
-  std::copy(kFills.begin(), kFills.end(), theme.fills_.begin());
-  const auto& lines = theme.isDark() ? kDarkLines : kLightLines;
-  std::copy(lines.begin(), lines.end(), theme.lines_.begin());
-  return theme;
+Theme Theme::fromSystem(const QPalette& system) {
+  return Theme(luminance(system.color(QPalette::Window)) < 0.2);
 }
 
-Theme Theme::fromSystem(const QPalette& system) {
-  const bool dark = luminance(system.color(QPalette::Window)) < 0.2;
-  return ofKind(dark ? Kind::Dark : Kind::Light);
+QColor Theme::color(Role role) const {
+  const RoleColors& colors = kRoles[static_cast<std::size_t>(role)];
+  return isDark_ ? colors.dark : colors.light;
+}
+
+QColor Theme::fill(Look look) const {
+  return kFills[index(look)];
+}
+
+QColor Theme::line(Look look) const {
+  return (isDark_ ? kDarkLines : kLightLines)[index(look)];
 }
 
 QColor Theme::color(Role role, double alpha) const {

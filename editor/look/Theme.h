@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include <QColor>
 #include <QFont>
 #include <QPalette>
@@ -45,7 +43,6 @@ enum class Role {
   ForceObstacle,
   ForceGroup,
   ForceTotal,
-  LaserHit,
   Count
 };
 
@@ -62,19 +59,17 @@ Mark markOf(Look look);
 /// setTheme to recolour at once; nothing is kept globally.
 class Theme {
  public:
-  enum class Kind { Light, Dark };
-  static Theme ofKind(Kind kind);
-  static Theme light() { return ofKind(Kind::Light); }
-  static Theme dark() { return ofKind(Kind::Dark); }
+  explicit Theme(bool isDark = false) : isDark_(isDark) {}
+  static Theme light() { return Theme(false); }
+  static Theme dark() { return Theme(true); }
   /// The one that fits the palette of the desktop.
   static Theme fromSystem(const QPalette& system);
 
-  Kind kind() const { return kind_; }
-  bool isDark() const { return kind_ == Kind::Dark; }
-  QColor color(Role role) const { return roles_[static_cast<std::size_t>(role)]; }
+  bool isDark() const { return isDark_; }
+  QColor color(Role role) const;
   QColor color(Role role, double alpha) const;
-  QColor fill(Look look) const { return fills_[static_cast<std::size_t>(look)]; }
-  QColor line(Look look) const { return lines_[static_cast<std::size_t>(look)]; }
+  QColor fill(Look look) const;
+  QColor line(Look look) const;
   QColor outline(Look look) const;  // of a figure: darker on light, lighter on dark
   QColor head(Look look) const;     // light tint of the fill
   QColor feet(Look look) const;     // darker than the body
@@ -84,9 +79,7 @@ class Theme {
   QFont figureFont(double points = 9.0) const;  // tabular digits where the font has them
 
  private:
-  Kind kind_ = Kind::Light;
-  std::array<QColor, static_cast<std::size_t>(Role::Count)> roles_;
-  std::array<QColor, kLookCount> fills_, lines_;
+  bool isDark_;
 };
 
 /// WCAG contrast ratio, 1 … 21.

@@ -98,8 +98,7 @@ MetricPlot::MetricPlot(const Theme& theme)
       curve_(new QwtPlotCurve),
       cursor_(new QwtPlotMarker) {
   title_->setWordWrap(true);
-  auto* top = new QHBoxLayout;
-  top->setContentsMargins(12, 6, 12, 0);
+  auto* top = arranged(new QHBoxLayout, {12, 6, 12, 0}, -1);
   top->addWidget(title_, 1);
   top->addWidget(unit_, 0, Qt::AlignTop);
   auto* layout = arranged(new QVBoxLayout(this), {0, 0, 0, 4}, 0);

@@ -85,16 +85,6 @@ void PropertyPage::setTargets(const std::vector<EntityId>& targets) {
   refresh();
 }
 
-std::vector<Entity> PropertyPage::values() const {
-  std::vector<Entity> result;
-  for (const EntityId id : targets_) {
-    if (std::optional<Entity> value = document_.entity(id)) {
-      result.push_back(std::move(*value));
-    }
-  }
-  return result;
-}
-
 void PropertyPage::refresh() {
   const std::vector<Entity> shown = values();
   if (shown.empty()) {
@@ -239,15 +229,7 @@ void PropertyPage::addListed(FormSection* section) {
   field.spec.help = "Off: kept in the file, but not in the run";
   field.get = isListed;
   field.set = [](Entity& entity, const ParameterValue& on) {
-    std::visit(
-        [&on](auto& value) {
-          using Value = std::decay_t<decltype(value)>;
-          if constexpr (!std::is_same_v<Value, sim2d::GlobalGoal> &&
-                        !std::is_same_v<Value, ScenarioSettings>) {
-            value.listed = std::get<bool>(on);
-          }
-        },
-        entity);
+    setListed(entity, std::get<bool>(on));
   };
   addRow(section, field, inWords({tr("In the scenario")}));
 }

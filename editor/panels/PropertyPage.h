@@ -68,7 +68,7 @@ class PropertyPage : public QWidget {
  protected:
   ScenarioDocument& document() const { return document_; }
   virtual long long seed() const;  // whose draws are shown
-  std::vector<Entity> values() const;
+  std::vector<Entity> values() const { return valuesOf(document_, targets_); }
   void apply(const QString& text, const std::function<void(Entity&)>& edit);
 
   FormSection* addSection(const QString& title);

@@ -10,6 +10,7 @@
 #include <QItemSelectionModel>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QScopedValueRollback>
 #include <QVBoxLayout>
 
 #include "editor/document/EditCommands.h"
@@ -212,16 +213,15 @@ void ScenarioPanel::giveSelection() {
       ids.push_back(id);
     }
   }
-  syncing_ = true;
+  const QScopedValueRollback<bool> syncing(syncing_, true);
   document_.setSelection(std::move(ids));
-  syncing_ = false;
 }
 
 void ScenarioPanel::takeSelection() {
   if (syncing_) {
     return;
   }
-  syncing_ = true;
+  const QScopedValueRollback<bool> syncing(syncing_, true);
   QModelIndexList chosen;
   for (const EntityId id : document_.selection()) {
     const QModelIndex index = filter_->indexOf(id);
@@ -237,7 +237,6 @@ void ScenarioPanel::takeSelection() {
     tree_->selectionModel()->setCurrentIndex(last, QItemSelectionModel::NoUpdate);
     tree_->scrollTo(last);
   }
-  syncing_ = false;
 }
 
 /// In its row, which has to be seen for that.

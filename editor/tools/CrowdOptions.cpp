@@ -111,10 +111,8 @@ class MixButton : public QToolButton {
 
 }  // namespace
 
-OptionsRow::OptionsRow(QWidget* parent) : QWidget(parent), layout_(new QHBoxLayout(this)) {
-  layout_->setContentsMargins(0, 0, 0, 0);
-  layout_->setSpacing(8);
-}
+OptionsRow::OptionsRow(QWidget* parent)
+    : QWidget(parent), layout_(arranged(new QHBoxLayout(this), {}, 8)) {}
 
 void OptionsRow::add(const QString& label, QWidget* field) {
   if (!label.isEmpty()) {

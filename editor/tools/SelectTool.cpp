@@ -167,7 +167,7 @@ class SelectTool : public Tool {
       return false;
     }
     if (event.matches(QKeySequence::Delete) || event.key() == Qt::Key_Backspace) {
-      removeSelection(document());
+      pushRemove(document(), document().selection());
     } else if (event.matches(QKeySequence::SelectAll)) {
       selectAll(document());
     } else if (event.key() == Qt::Key_BracketLeft || event.key() == Qt::Key_BracketRight) {

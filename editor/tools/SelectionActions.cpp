@@ -7,11 +7,6 @@
 
 namespace editor {
 
-void removeSelection(ScenarioDocument& document) {
-  const std::vector<EntityId> ids = document.selection();
-  pushRemove(document, ids);
-}
-
 void duplicateSelection(ScenarioDocument& document) {
   document.setSelection(pushDuplicate(document, document.selection(), Vec2(0.8, -0.8)));
 }

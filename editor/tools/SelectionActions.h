@@ -7,7 +7,6 @@
 namespace editor {
 
 /// What menus and keys do with the selection; one command each.
-void removeSelection(ScenarioDocument& document);
 void duplicateSelection(ScenarioDocument& document);  // the copies are selected
 void selectAll(ScenarioDocument& document);
 

@@ -98,7 +98,7 @@ class SaveWindowTest : public QObject, protected quiet::InFolder {
       auto* dialog = qobject_cast<app::TreeChoiceDialog*>(QApplication::activeModalWidget());
       if (dialog != nullptr) {
         ++asked;
-        dialog->choose(0, editor::TreeAnswer::TakeReplacement);
+        dialog->choose(0, true);
         dialog->accept();
       }
     });
@@ -117,12 +117,9 @@ class SaveWindowTest : public QObject, protected quiet::InFolder {
       dialog.show();
       quiet::shoot(dialog, isDark ? "trees-short-dark" : "trees-short-light");
       dialog.showDifferences(true);
-      dialog.choose(1, editor::TreeAnswer::TakeReplacement);
+      dialog.choose(1, true);
       quiet::shoot(dialog, isDark ? "trees-dark" : "trees-light");
-      const editor::TreeAnswers answers = dialog.answers();
-      QCOMPARE(answers.size(), questions.size());
-      QVERIFY(answers.at(questions[0].human) == editor::TreeAnswer::KeepMine);
-      QVERIFY(answers.at(questions[1].human) == editor::TreeAnswer::TakeReplacement);
+      QVERIFY(dialog.replaced() == editor::TreesToReplace{questions[1].human});
     }
     app::dressApplication(editor::Theme::light());
   }

@@ -16,6 +16,15 @@ namespace {
 
 const QRectF kEverywhere(-1e4, -1e4, 2e4, 2e4);
 
+Label labelAt(const QPointF& centre, double clearance, const QSizeF& size, int priority) {
+  Label label;
+  label.centre = centre;
+  label.clearancePx = clearance;
+  label.size = size;
+  label.priority = priority;
+  return label;
+}
+
 sim2d::Frame frameOf(const sim2d::Scenario& scenario, double time) {
   sim2d::Frame frame;
   frame.time = time;
@@ -146,12 +155,12 @@ class CanvasTest : public QObject {
   }
 
   void layoutLabels_crowded_neverOverlap() {
-    std::vector<LabelWish> wishes;
+    std::vector<Label> labels;
     for (int i = 0; i < 30; ++i) {
-      wishes.push_back({QPointF(i * 9.0, (i % 3) * 7.0), 10.0, QSizeF(40.0, 12.0), i % 2, false});
+      labels.push_back(labelAt({i * 9.0, (i % 3) * 7.0}, 10.0, {40.0, 12.0}, i % 2));
     }
     const std::vector<QRectF> places =
-        layoutLabels(wishes, {QRectF(0.0, 0.0, 20.0, 60.0)}, kEverywhere);
+        layoutLabels(labels, {QRectF(0.0, 0.0, 20.0, 60.0)}, kEverywhere);
     int shown = 0;
     for (std::size_t a = 0; a < places.size(); ++a) {
       shown += places[a].isNull() ? 0 : 1;
@@ -178,9 +187,9 @@ class CanvasTest : public QObject {
   void layoutLabels_atTheEdge_staysWithinAndBeside() {
     QFETCH(QPointF, centre);
     const QRectF window(0.0, 0.0, 300.0, 200.0);
-    LabelWish wish{centre, 12.0, QSizeF(60.0, 14.0), 1};
-    wish.isNeeded = true;
-    const QRectF place = layoutLabels({wish}, {}, window).front();
+    Label label = labelAt(centre, 12.0, {60.0, 14.0}, 1);
+    label.isNeeded = true;
+    const QRectF place = layoutLabels({label}, {}, window).front();
     QTEST(!place.isNull(), "hasRoom");
     if (!place.isNull()) {
       QVERIFY(window.contains(place));
@@ -191,10 +200,10 @@ class CanvasTest : public QObject {
 
   void layoutLabels_noRoom_onlyTheNeededOneCoversBodies() {
     const QRectF body(-200.0, -200.0, 400.0, 400.0);
-    LabelWish wish{QPointF(0.0, 0.0), 10.0, QSizeF(40.0, 12.0), 1, false};
-    LabelWish needed = wish;
+    const Label label = labelAt({0.0, 0.0}, 10.0, {40.0, 12.0}, 1);
+    Label needed = label;
     needed.isNeeded = true;
-    const std::vector<QRectF> places = layoutLabels({wish, needed, needed}, {body}, kEverywhere);
+    const std::vector<QRectF> places = layoutLabels({label, needed, needed}, {body}, kEverywhere);
     QVERIFY(places[0].isNull());
     QVERIFY(!places[1].isNull() && !places[2].isNull());
     QVERIFY(!places[1].intersects(places[2]));

@@ -147,7 +147,7 @@ class ManyAtOnceTest : public QObject {
         duplicateSelection(document_);
         break;
       default:
-        removeSelection(document_);
+        pushRemove(document_, document_.selection());
     }
   }
 };

@@ -102,8 +102,7 @@ class OwnTreesTest : public QObject {
     QVERIFY(questions[0].why == TreeQuestion::Why::BehaviourChanged);
     QVERIFY(questions[0].mine == kOwnTree);
     QVERIFY(questions[0].replacement == generatedTree(document.scenario(), *document.human(ana)));
-    check(document.save(room.path,
-                        {{ana, keeps ? TreeAnswer::KeepMine : TreeAnswer::TakeReplacement}}));
+    check(document.save(room.path, keeps ? TreesToReplace() : TreesToReplace{ana}));
     QVERIFY((room.treeText(1) == kOwnTree) == keeps);
     QVERIFY(document.tree(ana).has_value() == keeps);
     QVERIFY(document.treeQuestions(room.path).empty());  // asked once per change
@@ -126,7 +125,7 @@ class OwnTreesTest : public QObject {
     QVERIFY(room.treeText(1) == kOwnTree);
     QVERIFY(document.tree({EntityKind::Human, 1}) == kOwnTree);
     document.undoStack().undo();
-    check(document.save(room.path, {{{EntityKind::Human, 1}, TreeAnswer::TakeReplacement}}));
+    check(document.save(room.path, {EntityId{EntityKind::Human, 1}}));
     QVERIFY(editor::generatedStyle(room.treeText(1), document.scenario(),
                                    *document.human({EntityKind::Human, 1})));
   }
