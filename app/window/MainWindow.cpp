@@ -81,6 +81,12 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   connect(guard_, &DocumentGuard::scenarioThere, this, &MainWindow::showTitle);
   showStart(true);
   showTitle();
+  const QString theme = memory_.value(kThemeKey).toString();
+  const bool isDark = theme == QLatin1String("dark");
+  if (followsSystem_ && (isDark || theme == QLatin1String("light"))) {
+    actions_->systemTheme->setChecked(false);
+    setTheme(isDark ? editor::Theme::dark() : editor::Theme::light());
+  }
 }
 
 void MainWindow::placeParts(const WindowSetup& setup) {

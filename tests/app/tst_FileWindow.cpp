@@ -257,6 +257,18 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     QVERIFY(window_->docks().dock(QStringLiteral("properties"))->isVisible());
   }
 
+  void theme_chosen_isBackNextTime() {
+    restartRemembering();
+    QVERIFY(window_->actions().systemTheme->isChecked());
+    const bool wasDark = window_->workspace().theme().isDark();
+    window_->actions().switchTheme->trigger();
+    QVERIFY(window_->close());
+    restartRemembering();
+    QVERIFY(window_->workspace().theme().isDark() != wasDark);
+    QVERIFY(!window_->actions().systemTheme->isChecked());
+    app::dressApplication(editor::Theme::light());
+  }
+
   void open_anotherScenario_listBeginsAtItsTop() {
     const QString folder = QStringLiteral(GENERATED_MAPS "/realism/");
     QVERIFY(window_->open(folder + QStringLiteral("realism_rimea_12_agents.yaml")));
@@ -308,6 +320,7 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, at("settings"));
     app::WindowSetup setup = quiet::setup();
     setup.remembers = true;
+    setup.followsSystem = true;
     quiet::leave(window_);
     window_ = quiet::shownWindow(setup);
   }
