@@ -86,20 +86,20 @@ void Compiler::bindPorts(const NodeSpec& spec, const Place& place) {
   const BuiltinNode* const builtin = Ticker::builtin(spec.id);
   const char* const keyPort = builtin ? builtin->keyPort : nullptr;
   for (const PortSpec& port : manifest.ports) {
-    const bool isKey = keyPort && port.name == keyPort;  // slotOfKeyPort() reads its text
-    const PortBinding none = {0, PortBinding::Kind::Missing, false, port.type};
+    const bool isKey = keyPort && port.key == keyPort;  // slotOfKeyPort() reads its text
+    const PortBinding none = {0, PortBinding::Kind::Missing, false, port.portType};
     program_->bindings_.push_back(isKey ? none : bindPort(spec, port, place));
   }
 }
 
 PortBinding Compiler::bindPort(const NodeSpec& spec, const PortSpec& port, const Place& place) {
-  const std::string* const given = findText(spec.ports, port.name);
-  const PortBinding missing = {0, PortBinding::Kind::Missing, false, port.type};
-  if (!given && !port.defaultText) {
+  const std::string* const given = findText(spec.ports, port.key);
+  const PortBinding missing = {0, PortBinding::Kind::Missing, false, port.portType};
+  if (!given && !port.fallbackText()) {
     return missing;
   }
-  const std::string& text = given ? *given : *port.defaultText;
-  if (const std::optional<std::string> key = referencedKey(text, port.name)) {
+  const std::string& text = given ? *given : *port.fallbackText();
+  if (const std::optional<std::string> key = referencedKey(text, port.key)) {
     PortBinding entry = missing;
     entry.kind = PortBinding::Kind::Entry;
     entry.isDefault = !given;
@@ -109,7 +109,7 @@ PortBinding Compiler::bindPort(const NodeSpec& spec, const PortSpec& port, const
   if (port.direction == PortDirection::Output) {
     return missing;
   }
-  return constantPort(text, port.type, !given);
+  return constantPort(text, port.portType, !given);
 }
 
 PortBinding Compiler::constantPort(const std::string& text, PortType type, bool isDefault) {
@@ -155,15 +155,15 @@ int Compiler::bindEntry(const NodeSpec& spec, const PortSpec& port, const std::s
     entry.exists = true;
   }
   const bool typed = entry.type != PortType::Any;
-  if (port.type == PortType::Any || (typed && entry.type == PortType::String)) {
+  if (port.portType == PortType::Any || (typed && entry.type == PortType::String)) {
     return slot;
   }
   if (!typed) {
-    entry.type = port.type;
-    use.firstTyped = spec.label() + "." + port.name;
-  } else if (entry.type != port.type && !adaptLiteral(slot, port.type)) {
+    entry.type = port.portType;
+    use.firstTyped = spec.label() + "." + port.key;
+  } else if (entry.type != port.portType && !adaptLiteral(slot, port.portType)) {
     error(spec, place,
-          base::error("tree.key-type", {port.name, shownType(port.type), "{" + key + "}",
+          base::error("tree.key-type", {port.key, shownType(port.portType), "{" + key + "}",
                                         shownType(entry.type), use.firstTyped}));
   }
   return slot;
@@ -239,7 +239,7 @@ void Compiler::checkQueue(const NodeSpec& spec, const Place& place) {
   if (!text || text->empty() || referencedKey(*text, "queue")) {
     return;
   }
-  const PortType type = manifest.port("value")->type;
+  const PortType type = manifest.port("value")->portType;
   for (const std::string& element : base::split(*text, ';')) {
     if (!isConvertible(element, type)) {
       error(spec, place, base::error("tree.queue-element", {element, portTypeName(type)}));

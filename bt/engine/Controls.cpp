@@ -95,7 +95,7 @@ int Ticker::threshold(int node, int port) {
   const int children = program_.node(node).children;
   const int value = *given < 0 ? std::max(children + *given + 1, 0) : *given;
   if (value > children) {
-    fault(node, "port '" + program_.manifest(node).ports[static_cast<std::size_t>(port)].name +
+    fault(node, "port '" + program_.manifest(node).ports[static_cast<std::size_t>(port)].key +
                     "' is larger than the number of children");
     return -1;
   }

@@ -52,7 +52,7 @@ void* LeafContext::memoryBytes() {
 
 void LeafContext::faultOfPort(int port) {
   const std::string& name =
-      ticker_->program().manifest(head_->index).ports[static_cast<std::size_t>(port)].name;
+      ticker_->program().manifest(head_->index).ports[static_cast<std::size_t>(port)].key;
   const Value* const value = valueOf(port);
   ticker_->fault(head_->index, value ? "input '" + name + "' is '" + value->toText() +
                                            "', which does not fit its type"

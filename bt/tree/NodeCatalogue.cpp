@@ -41,7 +41,7 @@ const char* nodeOriginName(NodeOrigin origin) {
 
 const PortSpec* NodeManifest::port(std::string_view name) const {
   const auto place = std::find_if(ports.begin(), ports.end(),
-                                  [name](const PortSpec& port) { return port.name == name; });
+                                  [name](const PortSpec& port) { return port.key == name; });
   return place == ports.end() ? nullptr : &*place;
 }
 
@@ -75,7 +75,7 @@ struct PortWord {
   std::string_view word;
   PortType type;
   const char* unit = "";
-  std::optional<double> min = {}, max = {};
+  base::Range range = {};
 };
 constexpr std::array<PortWord, 14> kPortWords = {
     {{"int", PortType::Int},
@@ -88,10 +88,10 @@ constexpr std::array<PortWord, 14> kPortWords = {
      {"milliseconds", PortType::Unsigned, "ms"},
      {"seconds", PortType::Double, "s"},
      {"metres", PortType::Double, "m"},
-     {"length", PortType::Double, "m", 0.0, 1000.0},
-     {"speed", PortType::Double, "m/s", 0.0, 10.0},
-     {"duration", PortType::Double, "s", 0.0, 36000.0},
-     {"angle", PortType::Double, "rad", 0.0, base::kPi}}};
+     {"length", PortType::Double, "m", {0.0, 1000.0}},
+     {"speed", PortType::Double, "m/s", {0.0, 10.0}},
+     {"duration", PortType::Double, "s", {0.0, 36000.0}},
+     {"angle", PortType::Double, "rad", {0.0, base::kPi}}}};
 
 /// Cuts off the first word; empty at the end.
 std::string takeWord(std::string_view& text) {
@@ -110,15 +110,14 @@ void applyMark(PortSpec& port, const std::string& mark, std::string_view& rest) 
     port.required = true;
   } else if (mark == "default") {
     port.suggested = takeWord(rest);
-    port.defaultText = port.suggested;
+    port.fallback = port.suggested;
   } else if (mark == "unit") {
     port.unit = takeWord(rest);
   } else if (mark == "range") {
-    port.min = takeNumber(rest);
-    port.max = takeNumber(rest);
+    port.range.low = takeNumber(rest);
+    port.range.high = takeNumber(rest);
   } else if (mark == "atMost") {
-    port.min.reset();
-    port.max = takeNumber(rest);
+    port.range = {base::kAnyNumber.low, takeNumber(rest)};
   } else if (mark == "unless") {
     port.replacedBy = {takeWord(rest), takeWord(rest)};
   } else if (mark == "output" || mark == "inout") {
@@ -130,21 +129,35 @@ void applyMark(PortSpec& port, const std::string& mark, std::string_view& rest) 
   }
 }
 
+base::ParameterType parameterTypeOf(PortType type) {
+  switch (type) {
+    case PortType::Int:
+    case PortType::Unsigned:
+      return base::ParameterType::Integer;
+    case PortType::Double:
+      return base::ParameterType::Number;
+    case PortType::Bool:
+      return base::ParameterType::Boolean;
+    default:
+      return base::ParameterType::Text;
+  }
+}
+
 PortSpec portOf(const std::string& line) {
   const std::size_t bar = line.find('|');
   std::string_view rest = std::string_view(line).substr(0, bar);
   PortSpec port;
-  port.name = takeWord(rest);
+  port.key = takeWord(rest);
   const std::string word = takeWord(rest);
   const auto* const kind =
       std::find_if(kPortWords.begin(), kPortWords.end(),
                    [&word](const PortWord& known) { return known.word == word; });
   assert(kind != kPortWords.end());
-  port.type = kind->type;
+  port.type = parameterTypeOf(kind->type);
+  port.portType = kind->type;
   port.unit = kind->unit;
-  port.min = kind->min;
-  port.max = kind->max;
-  port.description = line.substr(bar + 1);
+  port.range = kind->range;
+  port.help = line.substr(bar + 1);
   for (std::string mark = takeWord(rest); !mark.empty(); mark = takeWord(rest)) {
     applyMark(port, mark, rest);
   }
@@ -194,8 +207,8 @@ NodeCatalogue nodesOf(std::string_view text, NodeOrigin origin) {
     std::string_view names = line;
     if (line.find('|') != std::string::npos) {
       PortSpec port = portOf(line);
-      names = names.substr(0, port.name.size());
-      known[port.name] = std::move(port);
+      names = names.substr(0, port.key.size());
+      known[port.key] = std::move(port);
     }
     for (std::string name = takeWord(names); !nodes.empty() && !name.empty();
          name = takeWord(names)) {

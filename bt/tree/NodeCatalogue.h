@@ -5,7 +5,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
+
+#include "sim2d/base/ParameterSpec.h"
 
 /// What is known about every kind of node: for the palette, the checks and the compiler.
 /// Sources: BehaviorTree.CPP 4.10 (controls, decorators, its leaves), HuNavSim 2.0 (nodes for
@@ -24,17 +27,16 @@ const char* portDirectionTag(PortDirection direction);  // "input_port", "output
 const char* portTypeName(PortType type);  // "int", "double", "std::string" …; Any: ""
 const char* nodeOriginName(NodeOrigin origin);
 
-struct PortSpec {
-  std::string name;
-  PortType type = PortType::Any;
+/// A parameter of a node: its key is the attribute, its range what is sensible, its fallback the
+/// text that is taken when the attribute is absent.
+struct PortSpec : base::ParameterSpec {
+  PortType portType = PortType::Any;
   PortDirection direction = PortDirection::Input;
-  std::optional<std::string> defaultText;  // taken when the attribute is absent
-  bool required = false;                   // absent and no default: an error as soon as it is read
-  std::vector<std::string> replacedBy;     // absent is fine when all of these ports are given
-  std::string unit;                        // "m", "s", "rad", "m/s"; empty = none
-  std::optional<double> min, max;          // sensible range of numbers, both ends included
-  std::string suggested;                   // text that an editor writes into a new node
-  std::string description;                 // one sentence for people
+  bool required = false;                // absent and no fallback: an error as soon as it is read
+  std::vector<std::string> replacedBy;  // absent is fine when all of these ports are given
+  std::string suggested;                // text that an editor writes into a new node
+
+  const std::string* fallbackText() const { return std::get_if<std::string>(&fallback); }
 };
 
 struct NodeManifest {

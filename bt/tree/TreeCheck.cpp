@@ -161,22 +161,21 @@ void Checker::checkPorts(const NodeSpec& node, const NodeManifest& manifest) {
     }
     std::vector<std::string> names;
     for (const PortSpec& port : manifest.ports) {
-      names.push_back(port.name);
+      names.push_back(port.key);
     }
     warn(node, "tree.unknown-port", {node.id, given.name, base::nearestName(given.name, names)});
   }
   for (const PortSpec& port : manifest.ports) {
     if (isLacking(node, port)) {
       warn(node, "tree.port-missing",
-           {port.name, node.id,
-            port.suggested.empty() ? port.description : "e.g. " + port.suggested});
+           {port.key, node.id, port.suggested.empty() ? port.help : "e.g. " + port.suggested});
     }
   }
 }
 
 /// A port that has to be given, unless others stand in for it.
 bool Checker::isLacking(const NodeSpec& node, const PortSpec& port) {
-  if (port.defaultText || findText(node.ports, port.name)) {
+  if (port.fallbackText() || findText(node.ports, port.key)) {
     return false;
   }
   const auto isAbsent = [&node](const std::string& other) { return !findText(node.ports, other); };
@@ -184,34 +183,34 @@ bool Checker::isLacking(const NodeSpec& node, const PortSpec& port) {
 }
 
 void Checker::checkPort(const NodeSpec& node, const Attribute& given, const PortSpec& port) {
-  if (referencedKey(given.text, port.name)) {
+  if (referencedKey(given.text, port.key)) {
     return;
   }
   if (port.direction == PortDirection::Output) {
     warn(node, "tree.output-not-key", {given.name, given.text, "{key}"});
     return;
   }
-  if (!isConvertible(given.text, port.type)) {
-    error(node, "tree.port-type", {given.name, given.text, portTypeName(port.type)});
+  if (!isConvertible(given.text, port.portType)) {
+    error(node, "tree.port-type", {given.name, given.text, portTypeName(port.portType)});
     return;
   }
-  if (const std::optional<double> read = cutNumber(given.text, port.type)) {
+  if (const std::optional<double> read = cutNumber(given.text, port.portType)) {
     warn(node, "tree.number-cut", {given.name, given.text, *read});
   }
   checkRange(node, given, port);
 }
 
 void Checker::checkRange(const NodeSpec& node, const Attribute& given, const PortSpec& port) {
-  const bool isNumber = port.type == PortType::Double || port.type == PortType::Int ||
-                        port.type == PortType::Unsigned;
+  const bool isNumber = port.portType == PortType::Double || port.portType == PortType::Int ||
+                        port.portType == PortType::Unsigned;
   if (!isNumber) {
     return;
   }
   const double value = *doubleFromText(given.text);
-  if (port.min && value < *port.min) {
-    warn(node, "tree.port-too-low", {given.name, given.text, *port.min});
-  } else if (port.max && value > *port.max) {
-    warn(node, "tree.port-too-high", {given.name, given.text, *port.max});
+  if (value < port.range.low) {
+    warn(node, "tree.port-too-low", {given.name, given.text, port.range.low});
+  } else if (value > port.range.high) {
+    warn(node, "tree.port-too-high", {given.name, given.text, port.range.high});
   }
 }
 

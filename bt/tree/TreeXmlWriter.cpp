@@ -118,15 +118,15 @@ std::vector<XmlBlock> partsOf(const TreeFile& file, const NodeCatalogue& catalog
 XmlBlock modelOfPort(const PortSpec& port) {
   XmlBlock block;
   block.tag = portDirectionTag(port.direction);
-  block.attributes.push_back({"name", port.name});
-  const std::string type = portTypeName(port.type);
+  block.attributes.push_back({"name", port.key});
+  const std::string type = portTypeName(port.portType);
   if (!type.empty()) {
     block.attributes.push_back({"type", type});
   }
-  if (port.defaultText) {
-    block.attributes.push_back({"default", *port.defaultText});
+  if (port.fallbackText()) {
+    block.attributes.push_back({"default", *port.fallbackText()});
   }
-  block.text = port.description;
+  block.text = port.help;
   return block;
 }
 

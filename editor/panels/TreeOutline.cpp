@@ -87,11 +87,11 @@ QString nodeValues(const bt::NodeSpec& node) {
       continue;
     }
     const bt::PortSpec* port = manifest == nullptr ? nullptr : manifest->port(attribute.name);
-    if (port != nullptr && port->type == bt::PortType::Bool) {
+    if (port != nullptr && port->portType == bt::PortType::Bool) {
       continue;  // says nothing without its name
     }
     const QString text = QString::fromStdString(attribute.text);
-    const bool words = port != nullptr && port->type == bt::PortType::String;
+    const bool words = port != nullptr && port->portType == bt::PortType::String;
     values << (words ? QStringLiteral("“%1”").arg(text)
                      : text + (port == nullptr ? QString() : unitOf(*port)));
   }

@@ -48,28 +48,33 @@ void showChoices(ChoiceField& field, const ValueRow& row) {
   field.setCurrentIndex(-1);
 }
 
+std::string usualOf(const bt::PortSpec& port) {
+  return port.fallbackText() != nullptr ? *port.fallbackText() : std::string();
+}
+
 /// A constant is shown as a number, also that which counts without a text.
 bool takesNumber(const bt::PortSpec& port, const std::string& text) {
-  const bool isNumber = port.type == bt::PortType::Double || port.type == bt::PortType::Int ||
-                        port.type == bt::PortType::Unsigned;
-  const std::string shown = text.empty() ? port.defaultText.value_or("") : text;
+  const bool isNumber = port.portType == bt::PortType::Double ||
+                        port.portType == bt::PortType::Int ||
+                        port.portType == bt::PortType::Unsigned;
+  const std::string shown = text.empty() ? usualOf(port) : text;
   return isNumber && base::parseDouble(shown).has_value();
 }
 
 NumberField::Range rangeOf(const bt::PortSpec& port) {
-  const bool whole = port.type != bt::PortType::Double;
-  return {port.min.value_or(whole ? -1000000.0 : -10000.0), port.max.value_or(1000000.0),
-          whole ? 0 : 2, whole ? 1.0 : 0.1};
+  const bool whole = port.portType != bt::PortType::Double;
+  return {std::max(port.range.low, whole ? -1000000.0 : -10000.0),
+          std::min(port.range.high, 1000000.0), whole ? 0 : 2, whole ? 1.0 : 0.1};
 }
 
 ValueRow rowOf(const bt::PortSpec& port, const bt::NodeSpec& node) {
-  const std::string* text = bt::findText(node.ports, port.name);
+  const std::string* text = bt::findText(node.ports, port.key);
   ValueRow row;
-  row.key = port.name;
-  row.label = qt(port.name);
+  row.key = port.key;
+  row.label = qt(port.key);
   row.text = text == nullptr ? std::string() : *text;
-  row.help = qt(port.description);
-  row.usual = port.defaultText.value_or("");
+  row.help = qt(port.help);
+  row.usual = usualOf(port);
   if (takesNumber(port, row.text)) {
     row.kind = Kind::Number;
     row.help += QStringLiteral("\n%1");
@@ -78,11 +83,11 @@ ValueRow rowOf(const bt::PortSpec& port, const bt::NodeSpec& node) {
   }
   row.check = [port](const QString& typed) {
     const std::string word = typed.toStdString();
-    const bool fine = (word.empty() && !port.required) || bt::referencedKey(word, port.name) ||
-                      (!word.empty() && bt::isConvertible(word, port.type));
+    const bool fine = (word.empty() && !port.required) || bt::referencedKey(word, port.key) ||
+                      (!word.empty() && bt::isConvertible(word, port.portType));
     return fine ? QString()
                 : QObject::tr("A value (%1) or the name of an entry in braces, such as {id}")
-                      .arg(QString::fromLatin1(bt::portTypeName(port.type)));
+                      .arg(QString::fromLatin1(bt::portTypeName(port.portType)));
   };
   return row;
 }

@@ -39,14 +39,14 @@ inline bt::NodeManifest manifest(const char* id, std::vector<bt::PortSpec> ports
 
 inline bt::PortSpec port(const char* name, bt::PortType type) {
   bt::PortSpec result;
-  result.name = name;
-  result.type = type;
+  result.key = name;
+  result.portType = type;
   return result;
 }
 
 inline bt::PortSpec port(const char* name, bt::PortType type, const char* defaultText) {
   bt::PortSpec result = port(name, type);
-  result.defaultText = defaultText;
+  result.fallback = std::string(defaultText);
   return result;
 }
 

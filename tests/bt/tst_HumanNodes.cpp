@@ -406,7 +406,7 @@ class HumanNodesTest : public QObject {
       QVERIFY2(!manifest.description.empty(), manifest.id.c_str());
       QVERIFY2(!manifest.category.empty(), manifest.id.c_str());
       for (const bt::PortSpec& port : manifest.ports) {
-        QVERIFY2(!port.description.empty(), (manifest.id + "." + port.name).c_str());
+        QVERIFY2(!port.help.empty(), (manifest.id + "." + port.key).c_str());
       }
     }
     QCOMPARE(count, 39);

@@ -138,10 +138,9 @@ void TreeSpecTest::checkTree_range_isWarned() {
   bt::NodeManifest manifest;
   manifest.id = "Go";
   bt::PortSpec speed;
-  speed.name = "speed";
-  speed.type = bt::PortType::Double;
-  speed.min = 0.0;
-  speed.max = 3.0;
+  speed.key = "speed";
+  speed.portType = bt::PortType::Double;
+  speed.range = {0.0, 3.0};
   manifest.ports = {speed};
   catalogue.add(manifest);
   bt::TreeSpec tree;
@@ -169,7 +168,7 @@ void TreeSpecTest::catalogue_find_nearest() {
     QVERIFY2(!manifest.description.empty(), manifest.id.c_str());
     QVERIFY2(!manifest.category.empty(), manifest.id.c_str());
     for (const bt::PortSpec& port : manifest.ports) {
-      QVERIFY2(!port.description.empty(), (manifest.id + "." + port.name).c_str());
+      QVERIFY2(!port.help.empty(), (manifest.id + "." + port.key).c_str());
     }
   }
 }

@@ -18,8 +18,8 @@ struct Countdown {
 
 bt::PortSpec port(const char* name, bt::PortType type, bt::PortDirection direction) {
   bt::PortSpec result;
-  result.name = name;
-  result.type = type;
+  result.key = name;
+  result.portType = type;
   result.direction = direction;
   return result;
 }

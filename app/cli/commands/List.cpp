@@ -37,14 +37,17 @@ struct Entry {
   Json details = Json::object();
 };
 
+Json boundJson(double value) {
+  return std::isfinite(value) ? Json(value) : Json();
+}
+
 Json parameterJson(const base::ParameterSpec& spec) {
   const double* const fallback = std::get_if<double>(&spec.fallback);
-  const auto end = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
   return {{"name", spec.key},
           {"default", fallback != nullptr ? Json(*fallback) : Json()},
           {"unit", spec.unit},
-          {"minimum", end(spec.range.low)},
-          {"maximum", end(spec.range.high)},
+          {"minimum", boundJson(spec.range.low)},
+          {"maximum", boundJson(spec.range.high)},
           {"description", spec.help},
           {"source", spec.source}};
 }
@@ -65,16 +68,15 @@ std::vector<Entry> registeredEntries(const sim2d::Registry<Maker>& registry) {
 }
 
 Json portJson(const bt::PortSpec& port) {
-  const auto known = [](const auto& value) { return value ? Json(*value) : Json(); };
-  return {{"name", port.name},
+  return {{"name", port.key},
           {"direction", bt::portDirectionTag(port.direction)},
-          {"type", bt::portTypeName(port.type)},
+          {"type", bt::portTypeName(port.portType)},
           {"required", port.required},
-          {"default", known(port.defaultText)},
+          {"default", port.fallbackText() ? Json(*port.fallbackText()) : Json()},
           {"unit", port.unit},
-          {"minimum", known(port.min)},
-          {"maximum", known(port.max)},
-          {"description", port.description}};
+          {"minimum", boundJson(port.range.low)},
+          {"maximum", boundJson(port.range.high)},
+          {"description", port.help}};
 }
 
 std::vector<Entry> nodeEntries(const bt::NodeCatalogue& catalogue) {
@@ -83,7 +85,7 @@ std::vector<Entry> nodeEntries(const bt::NodeCatalogue& catalogue) {
     std::vector<std::string> names;
     Json ports = Json::array();
     for (const bt::PortSpec& port : node.ports) {
-      names.push_back(port.name);
+      names.push_back(port.key);
       ports.push_back(portJson(port));
     }
     entries.push_back({node.id,
