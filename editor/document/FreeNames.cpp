@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include "editor/document/EntityLists.h"
+#include "sim2d/base/Text.h"
 
 namespace editor {
 
