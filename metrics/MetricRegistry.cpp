@@ -153,14 +153,18 @@ void MetricRegistry::add(MetricInfo info, Stream stream) {
 }
 
 void MetricRegistry::add(const char* table, const std::map<std::string, Stream>& streams) {
-  for (MetricInfo& info : infosOf(table)) {
+  std::vector<MetricInfo> infos = infosOf(table);
+  assert(infos.size() == streams.size());  // each stream has its line
+  for (MetricInfo& info : infos) {
     const Stream& stream = streams.at(info.key);
     add(std::move(info), stream);
   }
 }
 
 void MetricRegistry::addSums(const char* table, const std::map<std::string, Stream>& streams) {
-  for (MetricInfo& info : infosOf(table)) {
+  std::vector<MetricInfo> infos = infosOf(table);
+  assert(infos.size() == streams.size());
+  for (MetricInfo& info : infos) {
     const std::string key = info.key;
     info.rateBound = 0.51;  // twice the samples, twice the sum
     add(info, streams.at(key));

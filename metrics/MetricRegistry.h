@@ -107,8 +107,8 @@ class MetricRegistry {
   /// lines "key|name|unit|range|formula", HuNavSim's with "number " in front; a line that begins
   /// with a blank goes on with the formula. The range tells the kind.
   void add(const char* table, const std::map<std::string, Stream>& streams);
-  /// The same of sums over samples, each with `<key>_mean` = value / number of samples, selected
-  /// with its key.
+  /// The same of sums over samples, whose rate bound is that of sums, each with `<key>_mean` =
+  /// value / number of samples, selected with its key.
   void addSums(const char* table, const std::map<std::string, Stream>& streams);
   /// HuNavSim's keys by number, then ours as they were added.
   void sort();

@@ -1,6 +1,7 @@
 // What holds between the robot and each person: forces, collision courses, sight.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "metrics/Samples.h"
 

@@ -23,7 +23,7 @@ struct StepColumn {
   Kind kind = Kind::Number;
   std::function<double()> next;
 };
-/// The same in pieces, for a file that is written while they come.
+/// The same in pieces, for a file that is written while they come; uses the columns up.
 using TextSink = std::function<void(std::string_view piece)>;
 void writeSteps(const std::vector<double>& times, const std::vector<StepColumn>& columns,
                 const TextSink& to);

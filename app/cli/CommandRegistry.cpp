@@ -1,6 +1,7 @@
 #include "app/cli/CommandRegistry.h"
 
 #include <clocale>
+#include <cstdio>
 
 #include <CLI/CLI.hpp>
 

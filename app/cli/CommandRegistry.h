@@ -69,7 +69,7 @@ class CommandRegistry {
 
   /// --quiet and --json behind the options of each command.
   void addOutputOptions();
-  /// Does what was given.
+  /// Does what was given: returns its exit code or throws CommandEnd.
   int start(Invocation given) const;
 
  private:

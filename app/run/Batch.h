@@ -28,7 +28,7 @@ struct BatchJob {
   std::string runsFolder;  // each run writes into <runsFolder>/<run>; which of them stay is up to
                            // the experiment
   int jobs = 1;            // processes at a time
-  std::function<bool()> wantsStop;
+  std::function<bool()> wantsStop;  // this and the next are always called
   std::function<void(std::size_t finished)> onProgress;
 };
 

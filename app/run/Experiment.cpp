@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "app/run/DataPaths.h"
 #include "sim2d/base/Text.h"

@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QUrl>
 
+#include "app/run/Bundle.h"
 #include "app/window/StartPage.h"
 #include "editor/document/EntityLists.h"
 #include "editor/document/MapEdit.h"

@@ -84,8 +84,8 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   const QString theme = memory_.value(kThemeKey).toString();
   const bool isDark = theme == QLatin1String("dark");
   if (followsSystem_ && (isDark || theme == QLatin1String("light"))) {
-    actions_->systemTheme->setChecked(false);
     setTheme(isDark ? editor::Theme::dark() : editor::Theme::light());
+    actions_->systemTheme->setChecked(false);
   }
 }
 
@@ -188,12 +188,14 @@ void MainWindow::connectView() {
   connect(actions_->switchTheme, &QAction::triggered, this, [this] {
     actions_->systemTheme->setChecked(false);
     setTheme(workspace_.theme().isDark() ? editor::Theme::light() : editor::Theme::dark());
+    rememberTheme();
   });
   connect(actions_->systemTheme, &QAction::toggled, this, [this](bool on) {
     followsSystem_ = on;
     if (on) {
       setTheme(editor::Theme::fromSystem(QApplication::style()->standardPalette()));
     }
+    rememberTheme();
   });
   connect(actions_->rename, &QAction::triggered, this, [this] {
     docks_->panel<editor::ScenarioPanel>().rename(workspace_.document().selection().front());
@@ -325,6 +327,10 @@ void MainWindow::remember() {
   if (!isOnStartPage()) {
     memory_.setValue(kWindowStateKey, saveState(kLayoutVersion));
   }
+}
+
+/// What is chosen in the window; not a theme given to one start of the program.
+void MainWindow::rememberTheme() {
   memory_.setValue(kThemeKey, followsSystem_                ? QStringLiteral("system")
                               : workspace_.theme().isDark() ? QStringLiteral("dark")
                                                             : QStringLiteral("light"));

@@ -28,7 +28,7 @@ struct WindowSetup {
   bool followsSystem = true;  // its colours
   bool remembers = true;      // layout and recent files; not for pictures and tests
   QString shippedMaps;
-  std::vector<ShippedScenario> demos;  // by their titles
+  std::vector<ShippedScenario> demos;
   RunOptions options;
   sim2d::Compatibility compatibility;  // of the options
   editor::ToolRegistry tools = editor::standardTools();
@@ -76,6 +76,7 @@ class MainWindow : public QMainWindow {
   void tellAbout();
   void showFile(const QString& file, int line);
   void remember();
+  void rememberTheme();
 
   Workspace workspace_;
   Memory memory_;

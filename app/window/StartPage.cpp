@@ -68,6 +68,12 @@ QString homeRelative(const QString& folder) {
                                                     : folder;
 }
 
+/// Of a shipped scenario, by the name of its file.
+QString titleOf(const std::string& name) {
+  QString title = QString::fromStdString(name).remove(QStringLiteral("_agents"));
+  return editor::capitalized(title.replace(QLatin1Char('_'), QLatin1Char(' ')));
+}
+
 }  // namespace
 
 QString agoText(const QDateTime& then, const QDateTime& now) {
@@ -296,7 +302,7 @@ void StartPage::addDemos(const std::vector<ShippedScenario>& demos) {
   for (int i = 0; i < static_cast<int>(demos.size()); ++i) {
     const ShippedScenario& demo = demos[static_cast<std::size_t>(i)];
     const QString path = QString::fromStdString(demo.path);
-    auto* card = new DemoCard(QString::fromStdString(demo.name), workspace_.theme(), page_);
+    auto* card = new DemoCard(titleOf(demo.name), workspace_.theme(), page_);
     card->setToolTip(path);
     connect(card, &QAbstractButton::clicked, this, [this, path] { Q_EMIT fileWanted(path); });
     grid->addWidget(card, i / 2, i % 2);

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include <QAbstractScrollArea>
-#include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QFontDatabase>
 #include <QHBoxLayout>
@@ -234,11 +233,7 @@ void TreeChoiceDialog::build() {
   columns->addLayout(right, 1);
   rows->addLayout(columns, 1);
   rows->addSpacing(4);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this);
-  buttons->button(QDialogButtonBox::Save)->setDefault(true);
-  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  rows->addWidget(buttons);
+  addButtons(this, *rows, tr("&Save"));
 }
 
 void TreeChoiceDialog::showQuestion(int index) {

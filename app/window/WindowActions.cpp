@@ -15,6 +15,7 @@ namespace app {
 using editor::CanvasOptions;
 using editor::EntityId;
 
+// Numbers: keys and modifiers are enums that do not mix.
 constexpr int kCtrl = Qt::CTRL;
 constexpr int kShift = Qt::SHIFT;
 
@@ -45,15 +46,15 @@ void WindowActions::makeFileActions() {
   newRoom = make(tr("&New open plane"), tr("A new scenario without a map"), QKeySequence::New,
                  "file-new");
   newWalledRoom = make(tr("New empty &room…"), tr("A new scenario in a room of a given size"),
-                       Qt::CTRL | Qt::ALT | Qt::Key_N, "start-room");
+                       kCtrl | Qt::ALT | Qt::Key_N, "start-room");
   newFromMap = make(tr("New from a &map…"), tr("A new scenario on a map of the navigation stack"),
-                    Qt::CTRL | Qt::SHIFT | Qt::Key_N, "start-map");
+                    kCtrl | kShift | Qt::Key_N, "start-map");
   open = make(tr("&Open…"), tr("Open a scenario or a map"), QKeySequence::Open, "file-open");
   openRun = make(tr("Open r&un…"), tr("Look at a recorded run: the folder that `run` has written"),
-                 Qt::CTRL | Qt::SHIFT | Qt::Key_O);
+                 kCtrl | kShift | Qt::Key_O);
   save = make(tr("&Save"), tr("Save the scenario and its behaviour trees"), QKeySequence::Save,
               "file-save");
-  saveAs = make(tr("Save &as…"), tr("Save under another name"), Qt::CTRL | Qt::SHIFT | Qt::Key_S);
+  saveAs = make(tr("Save &as…"), tr("Save under another name"), kCtrl | kShift | Qt::Key_S);
   exportTo = make(tr("&Export…"), tr("Write scenario, trees and map for another simulator"),
                   kCtrl | Qt::Key_E);
   close = make(tr("&Close"), tr("Back to the start page"), kCtrl | Qt::Key_W);
@@ -72,7 +73,7 @@ void WindowActions::makeEditActions() {
   undo = stack.createUndoAction(this, tr("&Undo"));
   undo->setShortcut(QKeySequence::Undo);
   redo = stack.createRedoAction(this, tr("&Redo"));
-  redo->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_Z);
+  redo->setShortcut(kCtrl | kShift | Qt::Key_Z);
   const auto tell = [this] {  // the names say what would be taken back
     editor::describe(*undo, tr("Take the last change back"));
     editor::describe(*redo, tr("Make the change again that was taken back"));
@@ -91,8 +92,7 @@ void WindowActions::makeEditActions() {
   remove = make(tr("&Delete"), tr("Remove what is selected; routes follow"), QKeySequence::Delete,
                 "edit-delete");
   selectAll = make(tr("Select &all"), tr("Everything on the map"), QKeySequence::SelectAll);
-  deselect =
-      make(tr("Select &nothing"), tr("Clear the selection"), Qt::CTRL | Qt::SHIFT | Qt::Key_A);
+  deselect = make(tr("Select &nothing"), tr("Clear the selection"), kCtrl | kShift | Qt::Key_A);
   next = make(tr("N&ext"), tr("The next person, or the next of the kind that is selected"),
               Qt::Key_PageDown);
   previous =
@@ -129,8 +129,8 @@ void WindowActions::makeViewActions() {
   fullScreen = make(tr("Full scr&een"), tr("Only the map"), Qt::Key_F11);
   fullScreen->setCheckable(true);
   resetLayout = make(tr("Reset the la&yout"), tr("Docks as they were at first"));
-  switchTheme = make(tr("Light or dar&k"), tr("Switch the colours"),
-                     Qt::CTRL | Qt::SHIFT | Qt::Key_T, "view-theme");
+  switchTheme = make(tr("Light or dar&k"), tr("Switch the colours"), kCtrl | kShift | Qt::Key_T,
+                     "view-theme");
   systemTheme = make(tr("Colours of the &system"), tr("Follow the desktop's colours"));
   systemTheme->setCheckable(true);
   names = toggle(tr("&Names"), &CanvasOptions::names, Qt::Key_N, "view-names");

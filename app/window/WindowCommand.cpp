@@ -77,11 +77,6 @@ editor::Theme themeOf(const WindowOptions& options) {
                                    : editor::Theme::light();
 }
 
-std::string titleOf(const std::string& name) {
-  QString title = QString::fromStdString(name).remove(QStringLiteral("_agents"));
-  return editor::capitalized(title.replace(QLatin1Char('_'), QLatin1Char(' '))).toStdString();
-}
-
 /// For the start page: whole scenes first, then one per reaction; none of the many of the realism
 /// tests.
 std::vector<ShippedScenario> demos() {
@@ -92,9 +87,6 @@ std::vector<ShippedScenario> demos() {
   scenarios.erase(std::remove_if(scenarios.begin(), scenarios.end(), begins("realism_")),
                   scenarios.end());
   std::stable_partition(scenarios.begin(), scenarios.end(), std::not_fn(begins("reaction_")));
-  for (ShippedScenario& scenario : scenarios) {
-    scenario.name = titleOf(scenario.name);
-  }
   return scenarios;
 }
 

@@ -5,10 +5,6 @@
 /// Control nodes, after BehaviorTree.CPP 4.10.
 namespace bt {
 
-template <base::NodeStatus stop>
-constexpr base::NodeStatus kPasses =
-    stop == base::NodeStatus::Failure ? base::NodeStatus::Success : base::NodeStatus::Failure;
-
 /// Sequence (`stop` = FAILURE) and Fallback (SUCCESS). `yields`: at most one child that completes
 /// at once per tick. `remembers`: the next round goes on at the child that stopped it.
 template <base::NodeStatus stop, bool yields, bool remembers>

@@ -9,7 +9,6 @@ namespace bt {
 /// Sequences (`stop` = FAILURE) and fallbacks (SUCCESS), reactive or not.
 template <base::NodeStatus stop>
 base::NodeStatus Ticker::instants(Ticker& ticker, int node) {
-  constexpr Status kPasses = stop == Status::Failure ? Status::Success : Status::Failure;
   Status* const returned = ticker.returned_;
   const Program::Node* here = ticker.nodes_ + node + 1;
   const Program::Node* const end = ticker.nodes_ + ticker.nodes_[node].end;
@@ -18,7 +17,7 @@ base::NodeStatus Ticker::instants(Ticker& ticker, int node) {
     if (here->tick) {
       ticker.leaf_.moveTo(*here);
       status = here->tick(ticker.leaf_);
-      if (status == kPasses && !ticker.isFaulty_) {
+      if (status == kPasses<stop> && !ticker.isFaulty_) {
         returned[here->index] = status;
         ++here;
         continue;
@@ -38,7 +37,7 @@ base::NodeStatus Ticker::instants(Ticker& ticker, int node) {
     }
     here = ticker.nodes_ + here->end;
   }
-  return kPasses;
+  return kPasses<stop>;
 }
 
 base::NodeStatus Ticker::instantInverter(Ticker& ticker, int node) {

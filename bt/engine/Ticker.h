@@ -93,6 +93,8 @@ class Ticker {
     return status == Status::Idle ? unexpected(node + 1, status) : status;
   }
 
+  template <Status stop>  // what a child returns so that its parent goes on
+  static constexpr Status kPasses = stop == Status::Failure ? Status::Success : Status::Failure;
   template <Status stop, bool yields = false, bool remembers = false>
   Status sequence(int node);
   template <Status stop>

@@ -14,7 +14,7 @@ namespace editor {
 struct Label {
   QString text;
   std::optional<Look> mark;
-  QPointF centre;            // scene
+  QPointF centre;            // scene; for layoutLabels() [px]
   double clearancePx = 0.0;  // from the centre to the edge of the label
   int priority = 0;          // higher ones choose first
   bool isAbove = false;      // would rather stand above than below

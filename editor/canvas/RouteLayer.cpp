@@ -56,9 +56,11 @@ std::vector<std::pair<QPointF, double>> arrowHeads(const QPainterPath& scenePath
   std::vector<std::pair<QPointF, double>> heads;
   const double first = std::max(0.5 * gap, 0.55);
   const double last = scenePath.length() - 0.3;
-  for (double at = first; at < last; at += gap) {
+  double at = first;
+  while (at < last) {
     const double part = scenePath.percentAtLength(at);
     heads.emplace_back(scenePath.pointAtPercent(part), scenePath.angleAtPercent(part));
+    at += gap;
   }
   return heads;
 }

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "app/run/Bundle.h"
+#include "sim2d/map/NavigationMap.h"
 #include "sim2d/scenario/Defaults.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 
@@ -102,7 +103,9 @@ struct RouteModel::Planning {
     }
     surroundings = newSurroundings;
     places = newPlaces;
-    navigation.emplace(surroundings->grid, surroundings->obstacles, places, surroundings->layers);
+    // On an open plane layers are of places, which come and go while somebody is dragged.
+    navigation.emplace(surroundings->grid, surroundings->obstacles, places,
+                       input.map->isEmpty() ? nullptr : surroundings->layers);
     legs.clear();
   }
 

@@ -41,7 +41,7 @@ class RouteModel : public QObject {
   struct Input {
     sim2d::Scenario scenario;
     std::shared_ptr<const sim2d::OccupancyGrid> map;
-    std::shared_ptr<app::KnownSurroundings> known;
+    std::shared_ptr<app::KnownSurroundings> known;  // never null
   };
   /// Soon asks `input` for what there is to plan, once for many requests. Ways that stay the same
   /// are not planned anew.

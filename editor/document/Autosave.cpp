@@ -117,7 +117,7 @@ base::Result<DocumentSnapshot> readSnapshot(const QString& folder) {
                           note("path").toString(),
                           note("read_only").toBool(),
                           QDateTime::fromString(note("when").toString(), Qt::ISODateWithMs)};
-  for (const QJsonValue& value : notes[QStringLiteral("trees")].toArray()) {
+  for (const auto& value : notes[QStringLiteral("trees")].toArray()) {
     const int number = value.toInt(-1);
     base::Result<std::string> tree = base::readTextFile(in(folder, treeFile(number)));
     if (!tree || number < 0 || number >= static_cast<int>(result.scenario.humans.size())) {
@@ -131,14 +131,15 @@ base::Result<DocumentSnapshot> readSnapshot(const QString& folder) {
 
 Autosave::Autosave(ScenarioDocument& document, QString root, QObject* parent)
     : QObject(parent), document_(document), root_(std::move(root)) {
-  task_ = std::make_unique<LatestTask<base::Diagnostics>>([this](base::Diagnostics problems) {
-    if (base::hasErrors(problems)) {
-      Q_EMIT failed(problems);
-    }
-    if (!document_.isDirty()) {
-      removeCopy();  // saved while it was being written
-    }
-  });
+  task_ =
+      std::make_unique<LatestTask<base::Diagnostics>>([this](const base::Diagnostics& problems) {
+        if (base::hasErrors(problems)) {
+          Q_EMIT failed(problems);
+        }
+        if (!document_.isDirty()) {
+          removeCopy();  // saved while it was being written
+        }
+      });
   timer_.setSingleShot(true);
   timer_.setInterval(kAutosaveMs);
   connect(&timer_, &QTimer::timeout, this, &Autosave::write);

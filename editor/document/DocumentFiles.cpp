@@ -102,7 +102,7 @@ void ScenarioDocument::loadMap() {
 
 base::Diagnostics ScenarioDocument::openMap(const QString& yamlPath) {
   base::Result<MapState> map = disk_->readMap(yamlPath, scenario_.desktop.mapRule);
-  const base::Diagnostics problems = map.diagnostics();
+  base::Diagnostics problems = map.diagnostics();
   if (map) {
     putMap(*std::move(map));
   }
@@ -112,7 +112,7 @@ base::Diagnostics ScenarioDocument::openMap(const QString& yamlPath) {
 base::Diagnostics ScenarioDocument::newOnMap(const QString& yamlPath) {
   DocumentDisk read;
   base::Result<MapState> map = read.readMap(yamlPath, {});
-  const base::Diagnostics problems = map.diagnostics();
+  base::Diagnostics problems = map.diagnostics();
   if (map) {
     clear();
     *disk_ = std::move(read);
@@ -247,7 +247,7 @@ base::Diagnostics ScenarioDocument::save(const QString& path, const TreesToRepla
                   [](const base::FileContent& file) { return textAt(file.path) == file.content; }),
               files.end());
   base::append(plan.problems, base::writeFilesTogether(files));
-  const base::Diagnostics problems = plan.problems;
+  base::Diagnostics problems = plan.problems;
   if (!base::hasErrors(problems)) {
     takeSaved(std::move(plan));
   }

@@ -79,7 +79,7 @@ void setListed(Entity& entity, bool listed) {
 }
 
 QString displayName(const Entity& entity) {
-  const QString name = QString::fromStdString(nameOf(entity));
+  QString name = QString::fromStdString(nameOf(entity));
   switch (kindOf(entity)) {
     case EntityKind::Scenario:
       return QStringLiteral("Scenario");

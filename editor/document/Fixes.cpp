@@ -32,13 +32,13 @@ Action edit(Change change) {
   };
 }
 
-constexpr double kFarthest = 30.0;  // [m]
-constexpr double kMargin = 0.05;    // beside the radius, so that the place holds [m]
+constexpr int kFarthest = 30;     // [m]
+constexpr double kMargin = 0.05;  // beside the radius, so that the place holds [m]
 
 /// Rings of growing size round `centre`, in steps of a metre.
 std::vector<Vec2> probes(const Vec2& centre) {
   std::vector<Vec2> points = {centre};
-  for (double ring = 1.0; ring <= kFarthest; ring += 1.0) {
+  for (int ring = 1; ring <= kFarthest; ++ring) {
     const int count = std::max(8, static_cast<int>(std::lround(base::kPi * ring)));
     for (int i = 0; i < count; ++i) {
       points.emplace_back(centre + ring * base::directionOf(2.0 * base::kPi * i / count));
@@ -92,7 +92,7 @@ std::optional<Vec2> freePlace(const ScenarioDocument& document, const Vec2& near
   for (const double margin : {kMargin, 0.0}) {
     const sim2d::WalkSpace space(field, radius + margin);
     for (const Vec2& point : points) {
-      if (const std::optional<Vec2> fit = space.nearestFit(point)) {
+      if (std::optional<Vec2> fit = space.nearestFit(point)) {
         return fit;
       }
     }

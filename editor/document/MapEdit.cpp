@@ -81,7 +81,7 @@ void pushOpenPlane(ScenarioDocument& document) {
 
 void pushStroke(ScenarioDocument& document, const MapStroke& stroke, const QString& text) {
   std::vector<MapStroke::CellChange> changes = stroke.changes();
-  if (changes.empty()) {
+  if (changes.empty() || !stroke.isOf(document.map().get())) {
     return;
   }
   const auto swap = [&document, changes = std::move(changes)]() mutable {

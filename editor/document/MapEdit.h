@@ -23,6 +23,7 @@ class MapStroke {
     std::int8_t value;
   };
   std::vector<CellChange> changes() const;
+  bool isOf(const sim2d::OccupancyGrid* map) const { return before_.get() == map; }
 
  private:
   std::shared_ptr<const sim2d::OccupancyGrid> before_;
@@ -34,7 +35,7 @@ void pushMap(ScenarioDocument& document, MapState map, ScenarioSettings settings
              const QString& text);
 /// No map any more, and the scenario says so.
 void pushOpenPlane(ScenarioDocument& document);
-/// Nothing is pushed when no cell would change.
+/// Nothing is pushed when no cell would change, or the map has changed under the brush.
 void pushStroke(ScenarioDocument& document, const MapStroke& stroke, const QString& text);
 
 /// A room with walls one cell thick around width x height of free ground [m], lower left corner of

@@ -1,5 +1,6 @@
 #include "editor/document/ScenarioDocument.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -106,6 +107,7 @@ bool ScenarioDocument::contains(EntityId id) const {
 std::vector<EntityId> ScenarioDocument::entities(EntityKind kind) const {
   return withList(scenario_, kind, [](const auto& list) {
     std::vector<EntityId> ids;
+    ids.reserve(list.size());
     for (const auto& value : list) {
       ids.push_back(value.key);
     }

@@ -215,10 +215,11 @@ void BehaviorPanel::showNode() {
 void BehaviorPanel::editBlock(const std::string& key, const QString& text) {
   const int place = currentBlock();
   if (place >= 0) {
-    bt::Block& block = blocks_[static_cast<std::size_t>(place)];
+    std::vector<bt::Block> blocks = blocks_;  // which are read anew when the edit is taken
+    bt::Block& block = blocks[static_cast<std::size_t>(place)];
     setValue(block, key, text);
     blockForm_->show(blockRows(block, document_));
-    pushBlocks(document_, person_, std::vector<bt::Block>(blocks_));  // which are read anew then
+    pushBlocks(document_, person_, blocks);
   }
 }
 

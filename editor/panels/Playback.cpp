@@ -189,7 +189,9 @@ void TimelineBar::paintClock(QPainter& painter) const {
 void TimelineBar::paintTicks(QPainter& painter) const {
   painter.setFont(theme_.font(8.0));
   const double step = tickStep(length(), width() - kLeft - kRight);
-  for (double time = 0.0; time <= length() + 1e-9; time += step) {
+  const int last = static_cast<int>((length() + 1e-9) / step);
+  for (int tick = 0; tick <= last; ++tick) {
+    const double time = tick * step;
     const double x = xOf(time);
     painter.fillRect(QRectF(std::floor(x), 25.0, 1.0, 4.0), theme_.color(Role::FieldEdge));
     painter.setPen(theme_.color(Role::TextSecondary));

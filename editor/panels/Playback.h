@@ -15,7 +15,7 @@ class PlaybackActions : public QObject {
   PlaybackActions(SimulationRunner& runner, const Theme& theme);
   void setTheme(const Theme& theme);
 
-  QAction *reset, *stepBack, *playPause, *step, *newest;
+  QAction *const reset, *const stepBack, *const playPause, *const step, *const newest;
   QList<QAction*> all() const { return {reset, stepBack, playPause, step}; }
   /// A combo box of speeds, for a tool bar that takes it.
   QComboBox* makeSpeedBox(QWidget* parent);

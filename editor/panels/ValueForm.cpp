@@ -1,5 +1,6 @@
 #include "editor/panels/ValueForm.h"
 
+#include <cmath>
 #include <map>
 
 #include "bt/tree/TextValue.h"
@@ -63,8 +64,10 @@ bool takesNumber(const bt::PortSpec& port, const std::string& text) {
 
 NumberField::Range rangeOf(const bt::PortSpec& port) {
   const bool whole = port.portType != bt::PortType::Double;
-  return {std::max(port.range.low, whole ? -1000000.0 : -10000.0),
-          std::min(port.range.high, 1000000.0), whole ? 0 : 2, whole ? 1.0 : 0.1};
+  const base::Range usual = {whole ? -1000000.0 : -10000.0, 1000000.0};
+  return {std::isfinite(port.range.low) ? port.range.low : usual.low,
+          std::isfinite(port.range.high) ? port.range.high : usual.high, whole ? 0 : 2,
+          whole ? 1.0 : 0.1};
 }
 
 ValueRow rowOf(const bt::PortSpec& port, const bt::NodeSpec& node) {

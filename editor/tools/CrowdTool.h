@@ -53,6 +53,7 @@ class FillTool : public CornerDrawing {
 
  protected:
   QString idleText() const override;
+  Entity shapeOf(const Corners& /*many*/) const override { return {}; }
   void preview(const Corners& corners) override;
   void make(const Corners& corners) override;
 

@@ -92,7 +92,7 @@ void CornerDrawing::press(const CanvasMouse& mouse) {
     if (!isClosed()) {
       closed.push_back(corners_.front());
     }
-    finish(std::move(closed));
+    finish(closed);
     return;
   }
   pressed_ = true;

@@ -33,8 +33,9 @@ class CornerDrawing : public Tool {
   virtual bool isClosed() const { return true; }
   /// What keeps the corners from becoming a shape; empty = nothing.
   virtual QString problemOf(const Corners& corners) const;
-  /// What the corners make, where that is one thing; `problemOf` has found nothing.
-  virtual Entity shapeOf(const Corners&) const { return {}; }
+  /// What the corners make; `problemOf` has found nothing. Who makes more than one thing has its
+  /// own `preview` and `make` instead.
+  virtual Entity shapeOf(const Corners& corners) const = 0;
   /// Shows what the corners would make.
   virtual void preview(const Corners& corners) { scene().setPreview({shapeOf(corners)}); }
   /// Makes it: one command. Preview and corners are gone by then.

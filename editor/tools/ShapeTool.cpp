@@ -144,7 +144,7 @@ class BoxTool : public DragDrawing {
   }
 
   Vec2 endFor(const Vec2& from, const CanvasMouse& mouse) const override {
-    const Vec2 to = snap(mouse, {});
+    Vec2 to = snap(mouse, {});
     if (!mouse.modifiers.testFlag(Qt::ShiftModifier)) {
       return to;
     }

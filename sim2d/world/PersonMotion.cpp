@@ -148,13 +148,9 @@ void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents, 
                                          control.frozen ? 0.0 : intent.speed,
                                          state.time,
                                          spreadOf(world, human)};
-    if (routes_[human] == nullptr && person.route != Route::Direct) {
-      routes_[human] = std::make_unique<RouteFollower>();
-    }
-    const RouteFollower::Leg leg =
-        person.route == Route::Direct
-            ? RouteFollower::straight(request)
-            : routes_[human]->follow(request, world.navigation, world.obstacles);
+    const RouteFollower::Leg leg = person.route == Route::Direct
+                                       ? RouteFollower::straight(request)
+                                       : plannedLeg(human, request, world);
     plans_.directions[human] = leg.direction;
     plan.changes = wasOnTheWay == leg.direction.isZero(0.0);
     writeNew(plans_.steps[human], plan);
@@ -166,6 +162,15 @@ void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents, 
       routes_[human]->goRound(request, standingNear(world, human), world.navigation);
     }
   }
+}
+
+RouteFollower::Leg PersonMotion::plannedLeg(std::size_t human,
+                                            const RouteFollower::Request& request,
+                                            const FrozenWorld& world) {
+  if (routes_[human] == nullptr) {
+    routes_[human] = std::make_unique<RouteFollower>();
+  }
+  return routes_[human]->follow(request, world.navigation, world.obstacles);
 }
 
 void PersonMotion::findWalls(std::size_t human, const FrozenWorld& world) {

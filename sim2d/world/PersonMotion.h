@@ -45,6 +45,8 @@ class PersonMotion {
 
   ForceTerms move(std::size_t human, const FrozenWorld& world, const Intents& intents,
                   Situation& situation);
+  RouteFollower::Leg plannedLeg(std::size_t human, const RouteFollower::Request& request,
+                                const FrozenWorld& world);
   void findWalls(std::size_t human, const FrozenWorld& world);
 
   WorkerPool workers_;

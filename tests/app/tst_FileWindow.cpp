@@ -26,7 +26,10 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
  private Q_SLOTS:
   void initTestCase() { app::dressApplication(editor::Theme::light()); }
   void init() { begin(); }
-  void cleanup() { end(); }
+  void cleanup() {
+    end();
+    app::dressApplication(editor::Theme::light());
+  }
 
   void open_damagedFile_isShownWithANoticeAndRefusesToBeSaved() {
     const QString file = copyOfDemo();
@@ -266,7 +269,23 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     restartRemembering();
     QVERIFY(window_->workspace().theme().isDark() != wasDark);
     QVERIFY(!window_->actions().systemTheme->isChecked());
-    app::dressApplication(editor::Theme::light());
+  }
+
+  void theme_givenAtTheStart_isForOnce() {
+    restartRemembering();
+    const bool wasDark = window_->workspace().theme().isDark();
+    window_->actions().switchTheme->trigger();
+    QVERIFY(window_->close());
+    restartRemembering(false);  // whose theme is that of the application
+    app::dressApplication(wasDark ? editor::Theme::dark() : editor::Theme::light());
+    window_->setTheme(wasDark ? editor::Theme::dark() : editor::Theme::light());
+    QVERIFY(window_->close());
+    restartRemembering();
+    QVERIFY(window_->workspace().theme().isDark() != wasDark);
+    window_->actions().systemTheme->setChecked(true);
+    QVERIFY(window_->close());
+    restartRemembering();
+    QVERIFY(window_->actions().systemTheme->isChecked());
   }
 
   void open_anotherScenario_listBeginsAtItsTop() {
@@ -316,11 +335,11 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
   }
 
  private:
-  void restartRemembering() {
+  void restartRemembering(bool followsSystem = true) {
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, at("settings"));
     app::WindowSetup setup = quiet::setup();
     setup.remembers = true;
-    setup.followsSystem = true;
+    setup.followsSystem = followsSystem;
     quiet::leave(window_);
     window_ = quiet::shownWindow(setup);
   }

@@ -437,7 +437,6 @@ class OneVerdictTest : public QObject {
     QVERIFY(!QDir(out).exists());
   }
 
-  /// But for a map that is lost: without it a scenario can still be handed on.
   /// Without its map a scenario is still converted: what is wrong with the map is a warning then.
   void convert_ofEachBroken_refusesTheSame() {
     for (const Row& row : someBroken(rows_.size())) {

@@ -61,6 +61,15 @@ const char* const kStepsOfSecond =
     "LookAtSecondRack, GoToThirdRack, LookAtThirdRack, LookAtWorker1, IsWorker1Looking, Talk, "
     "say Follow me, GoToExit";
 
+/// Of the steps from the first time on and before the second.
+std::vector<double> timesOf(double from, double until) {
+  std::vector<double> times;
+  for (int step = 0; from + step * kStep < until; ++step) {
+    times.push_back(from + step * kStep);
+  }
+  return times;
+}
+
 double timeOf(const std::vector<Frame>& frames, EventKind kind, int id, const std::string& text) {
   for (const Frame& frame : frames) {
     for (const Event& event : frame.events) {
@@ -106,7 +115,7 @@ const Frame& ShippedTwoWorkersTest::at(double time) const {
 }
 
 bool ShippedTwoWorkersTest::standsStill(std::size_t row, double from, double until) const {
-  for (double time = from; time < until; time += kStep) {
+  for (const double time : timesOf(from, until)) {
     if ((placeOf(at(time), row) - placeOf(at(from), row)).norm() > kTiny) {
       return false;
     }
@@ -192,7 +201,7 @@ void ShippedTwoWorkersTest::worker2_approachesTheRobot_forEightSeconds() {
     return (placeOf(at(time), kSecond) - robotPoseOf(at(time)).position).norm();
   };
   QVERIFY(distance(from) > 2.0);
-  for (double time = from; time < until; time += kStep) {
+  for (const double time : timesOf(from, until)) {
     QVERIFY(distance(time) > 1.2 - 1.0 * kStep);  // one step at no more than 1 m/s
   }
   QVERIFY(distance(until) < 1.21);
@@ -214,7 +223,7 @@ void ShippedTwoWorkersTest::worker2_startsToTalk_onceWorker1LooksBack() {
     return angleOff(poseOf(at(time), kFirst), placeOf(at(time), kSecond));
   };
   QVERIFY(angle(answered - kStep) <= 0.2);
-  for (double time = begin(2, "IsWorker1Looking"); time < answered - 1.5 * kStep; time += kStep) {
+  for (const double time : timesOf(begin(2, "IsWorker1Looking"), answered - 1.5 * kStep)) {
     QVERIFY(angle(time) > 0.2);
   }
   QVERIFY(std::fabs(begin(2, "Talk") - answered) < kStep + kTiny);
@@ -247,7 +256,7 @@ void ShippedTwoWorkersTest::worker1_follows_onceAskedTo() {
   const double follows = begin(1, "FollowWorker2");
   QVERIFY(follows >= heard);
   QVERIFY(standsStill(kFirst, end(2, "Talk") - 6.0, follows - kStep));
-  for (double time = follows + 5.0; time < end(2, "GoToExit"); time += kStep) {
+  for (const double time : timesOf(follows + 5.0, end(2, "GoToExit"))) {
     const double apart = (placeOf(at(time), kFirst) - placeOf(at(time), kSecond)).norm();
     QVERIFY2(std::fabs(apart - 1.5) < 0.3, std::to_string(apart).c_str());
   }

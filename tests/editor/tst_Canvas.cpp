@@ -268,7 +268,8 @@ class CanvasTest : public QObject {
     CanvasOptions options;
     options.forces = true;
     scene_.setOptions(options);
-    for (double time = 0.0; time < 1.5; time += 0.05) {
+    for (int step = 0; step < 30; ++step) {
+      const double time = 0.05 * step;
       scene_.showFrame(std::make_shared<const sim2d::Frame>(frameOf(document_.scenario(), time)));
     }
     sim2d::Event say;

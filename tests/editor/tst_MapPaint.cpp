@@ -24,8 +24,8 @@ class MapPaintTest : public QObject {
     drag(tool, {1.0, 2.0}, {5.0, 2.0});
     QCOMPARE(document.undoStack().count(), 1);
     const sim2d::OccupancyGrid& map = *document.map();
-    for (double x = 0.95; x < 5.05; x += 0.01) {
-      QVERIFY(map.isWall(map.worldToCell({x, 2.0})));
+    for (int i = 95; i <= 505; ++i) {
+      QVERIFY(map.isWall(map.worldToCell({0.01 * i, 2.0})));
     }
     QVERIFY(map.isWall(map.worldToCell({3.0, 2.07})));
     QVERIFY(!map.isWall(map.worldToCell({3.0, 2.16})));
@@ -47,6 +47,17 @@ class MapPaintTest : public QObject {
     tool.cancel();
     tool.release(mouse({2.0, 1.0}));
     QCOMPARE(document.undoStack().count(), 0);
+  }
+
+  void stroke_mapIsAnotherMeanwhile_isDropped() {
+    ScenarioDocument document;
+    document.setMap(emptyRoom(6.0, 4.0));
+    MapStroke stroke(document.map());
+    stroke.paint({5.0, 1.0}, {5.0, 3.0}, 0.1, MapPaint::Occupied);
+    pushMap(document, {emptyRoom(1.0, 1.0), {}, false, {}}, {}, QStringLiteral("Room"));
+    pushStroke(document, stroke, QStringLiteral("Paint"));
+    QCOMPARE(document.undoStack().count(), 1);
+    QVERIFY(*document.map() == *emptyRoom(1.0, 1.0));
   }
 
   void paint_freeAndUnknown_byKeysAndShift() {

@@ -141,7 +141,9 @@ class PersonPageTest : public QObject {
     const sim2d::ResolvedHuman drawn =
         sim2d::resolveHuman(seeded, human(person), *seeded.desktop.seed);
     QCOMPARE(field<NumberField>(QStringLiteral("Obstacles"))->value(), drawn.obstacleFactor);
+    const auto once = human(person).behavior.once;  // is not drawn
     click(QStringLiteral("Freeze"));
+    QVERIFY(human(person).behavior.once == once);
     const sim2d::ResolvedHuman frozen =
         sim2d::resolveHuman(document_->scenario(), human(person), 1);
     QCOMPARE(frozen.configuration, sim2d::Configuration::Custom);

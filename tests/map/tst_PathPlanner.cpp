@@ -156,8 +156,8 @@ void PathPlannerTest::plan_unknown_isAvoided() {
   const std::vector<Vec2> path = planner.plan({2.0, 8.0}, {18.0, 8.0});
   QVERIFY(path.size() > 2);
   for (std::size_t i = 1; i < path.size(); ++i) {
-    for (double t = 0.0; t <= 1.0; t += 0.01) {
-      const Vec2 point = path[i - 1] + t * (path[i] - path[i - 1]);
+    for (int part = 0; part <= 100; ++part) {
+      const Vec2 point = path[i - 1] + 0.01 * part * (path[i] - path[i - 1]);
       QVERIFY(point.y() < 2.03 || point.x() < 4.03 || point.x() > 15.97);
     }
   }
@@ -201,7 +201,8 @@ void PathPlannerTest::plan_oneCellWall_isNotCrossed() {
   MapSketch straight(6.0, 6.0);
   straight.fill({3.0, 0.0}, {3.05, 6.0});
   MapSketch slanted(6.0, 6.0);
-  for (double x = 0.0; x < 5.99; x += 0.05) {
+  for (int i = 0; i < 120; ++i) {
+    const double x = 0.05 * i;
     slanted.fill({x, 5.95 - x}, {x + 0.05, 6.0 - x});
   }
   for (const MapSketch& sketch : {straight, slanted}) {

@@ -73,6 +73,7 @@ class MetricRegistryTest : public QObject {
   void standardRegistry_everyEntry_isDescribed();
   void addedMetric_appearsEverywhere();
   void addedMetric_isOnOnlyWhenListed();
+  void addedTable_tellsWhatTheMetricsAre();
   void parameterInfos_names_areUniqueAndFindable();
   void parametersOf_metricThatChanges_namesTheParameter();
   void metricsMarkdown_isWhatIsCommitted();
@@ -123,6 +124,34 @@ void MetricRegistryTest::addedMetric_isOnOnlyWhenListed() {
   const Selection listed = file("metrics: {crowd_size: true}");
   QVERIFY(listed.selects(info));
   QVERIFY(contains(writeMetricsFile({listed, "r", true}, extended()), "crowd_size: true"));
+}
+
+void MetricRegistryTest::addedTable_tellsWhatTheMetricsAre() {
+  MetricRegistry registry;
+  registry.add(R"(
+= Social Behavior|lower|robot, map|this test|0.05
+7 bends|Bends|m|0, 1, ...|sum of |v|, from 0 to
+  the end
+met|Met||0 or 1|x
+= Motion Analysis|higher|people|this test
+rush|Rush|m/s|[0, inf)|y
+)",
+               {{"bends", {}}, {"met", {}}, {"rush", {}}});
+  const MetricInfo& bends = registry.find("bends")->info;
+  QVERIFY(bends.kind == Kind::Count);
+  QCOMPARE(bends.hunav, 7);
+  QCOMPARE(bends.formula, std::string("sum of |v|, from 0 to the end"));
+  QCOMPARE(bends.unit, std::string("m"));
+  QCOMPARE(bends.rateBound, 0.05);
+  QCOMPARE(needsText(bends.needs), std::string("robot, map"));
+  const MetricInfo& met = registry.find("met")->info;
+  QVERIFY(met.kind == Kind::Boolean);
+  QCOMPARE(met.hunav, 0);
+  const MetricInfo& rush = registry.find("rush")->info;
+  QVERIFY(rush.kind == Kind::Number);
+  QVERIFY(rush.category == Category::Motion);
+  QVERIFY(rush.better == Better::Higher);
+  QCOMPARE(rush.rateBound, MetricInfo{}.rateBound);
 }
 
 void MetricRegistryTest::parameterInfos_names_areUniqueAndFindable() {

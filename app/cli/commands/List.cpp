@@ -144,17 +144,16 @@ std::vector<Entry> scenarioEntries() {
   return entries;
 }
 
-std::vector<Entry> entriesOf(const std::string& what) {
+/// What can be listed, by its name on the command line.
+std::map<std::string, std::function<std::vector<Entry>()>> lists() {
   const sim2d::Registries& known = sim2d::programRegistries();
-  const std::map<std::string, std::function<std::vector<Entry>()>> lists = {
-      {"nodes", [] { return nodeEntries(bt::humanNodes().catalogue()); }},
-      {"metrics", metricEntries},
-      {"keys", keyEntries},
-      {"models", [&known] { return registeredEntries(known.models); }},
-      {"robots", [&known] { return registeredEntries(known.robotTypes); }},
-      {"planners", [&known] { return registeredEntries(known.planners); }},
-      {"scenarios", scenarioEntries}};
-  return lists.at(what)();
+  return {{"nodes", [] { return nodeEntries(bt::humanNodes().catalogue()); }},
+          {"metrics", metricEntries},
+          {"keys", keyEntries},
+          {"models", [&known] { return registeredEntries(known.models); }},
+          {"robots", [&known] { return registeredEntries(known.robotTypes); }},
+          {"planners", [&known] { return registeredEntries(known.planners); }},
+          {"scenarios", scenarioEntries}};
 }
 
 void printText(const std::vector<Entry>& entries) {
@@ -194,7 +193,7 @@ int listCommand(const ListOptions& options, const Invocation& given) {
                                  : metrics::metricsMarkdown(metrics::standardRegistry()));
     return ExitFine;
   }
-  const std::vector<Entry> entries = entriesOf(options.what);
+  const std::vector<Entry> entries = lists().at(options.what)();
   given.json || options.format == "json" ? printJson(entries) : printText(entries);
   return ExitFine;
 }
@@ -203,11 +202,13 @@ int listCommand(const ListOptions& options, const Invocation& given) {
 
 void addList(CommandRegistry& commands) {
   const auto [command, options] = commands.add("list", "What there is to use", listCommand);
-  command
-      .add_option("what", options.what, "nodes, metrics, models, robots, planners, keys, scenarios")
+  std::vector<std::string> names;
+  for (const auto& [name, entries] : lists()) {
+    names.push_back(name);
+  }
+  command.add_option("what", options.what, base::join(names, ", "))
       ->required()
-      ->check(
-          CLI::IsMember({"nodes", "metrics", "models", "robots", "planners", "keys", "scenarios"}));
+      ->check(CLI::IsMember(names));
   command
       .add_option("--format", options.format, "text or json; xml for nodes, markdown for metrics")
       ->check(CLI::IsMember({"text", "json", "xml", "markdown"}));
