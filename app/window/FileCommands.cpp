@@ -161,6 +161,7 @@ bool FileCommands::giveTree(const QString& path, editor::EntityId under) {
     return false;
   }
   std::vector<editor::TreeEdit> edits;
+  edits.reserve(people.size());
   for (const editor::EntityId id : people) {
     edits.push_back({id, *text});
   }

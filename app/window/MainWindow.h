@@ -43,6 +43,7 @@ class MainWindow : public QMainWindow {
  public:
   explicit MainWindow(const WindowSetup& setup, QWidget* parent = nullptr);
   ~MainWindow() override;
+  Q_DISABLE_COPY_MOVE(MainWindow)
   /// Of the first start where the screen has room for it, and of pictures.
   static QSize usualSize() { return {1280, 800}; }
 

@@ -30,12 +30,12 @@ class NoticeRow : public QWidget {
     grid_->setContentsMargins(12, 4, 8, 4);
     grid_->setHorizontalSpacing(8);
     grid_->setVerticalSpacing(4);
-    grid_->setColumnStretch(kWordsColumn, 1);
+    grid_->setColumnStretch(WordsColumn, 1);
     buttons_ = editor::arranged(new QHBoxLayout(&choices_), {}, 8);
-    grid_->addWidget(&choices_, 0, kChoicesColumn);
+    grid_->addWidget(&choices_, 0, ChoicesColumn);
   }
 
-  enum Column { kIconColumn, kWordsColumn, kChoicesColumn, kCrossColumn };
+  enum Column { IconColumn, WordsColumn, ChoicesColumn, CrossColumn };
   void add(QWidget* part, Column column) { grid_->addWidget(part, 0, column); }
   void addChoice(QWidget* button) { buttons_->addWidget(button); }
 
@@ -48,8 +48,8 @@ class NoticeRow : public QWidget {
     }
     isNarrow_ = isNarrow;
     grid_->removeWidget(&choices_);
-    isNarrow ? grid_->addWidget(&choices_, 1, kWordsColumn, Qt::AlignLeft)
-             : grid_->addWidget(&choices_, 0, kChoicesColumn);
+    isNarrow ? grid_->addWidget(&choices_, 1, WordsColumn, Qt::AlignLeft)
+             : grid_->addWidget(&choices_, 0, ChoicesColumn);
   }
 
  private:
@@ -134,12 +134,12 @@ QWidget* NoticeBar::rowOf(const Notice& notice) {
   icon->setPixmap(editor::tintedIcon(
                       notice.isWarning ? QStringLiteral("warning") : QStringLiteral("info"), tint)
                       .pixmap(kIcon, kIcon));
-  row->add(icon, NoticeRow::kIconColumn);
+  row->add(icon, NoticeRow::IconColumn);
   auto* text = new QLabel(notice.text, row);
   text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   text->setWordWrap(true);
-  row->add(text, NoticeRow::kWordsColumn);
+  row->add(text, NoticeRow::WordsColumn);
   for (std::size_t i = 0; i < notice.choices.size(); ++i) {
     auto* button = new QPushButton(notice.choices[i].text, row);
     connect(button, &QPushButton::clicked, this,
@@ -152,7 +152,7 @@ QWidget* NoticeBar::rowOf(const Notice& notice) {
   close->setToolTip(tr("Later"));
   close->setAccessibleName(tr("Later"));
   connect(close, &QToolButton::clicked, this, [this, id = notice.id] { drop(id); });
-  row->add(close, NoticeRow::kCrossColumn);
+  row->add(close, NoticeRow::CrossColumn);
   return row;
 }
 

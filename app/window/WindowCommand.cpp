@@ -196,8 +196,7 @@ base::Diagnostics takeScreenshot(MainWindow& window, const WindowOptions& option
   window.workspace().document().checkNow();  // the issues are those of the file
   pass(kSettleMs);
   if (!window.isOnStartPage() && options.at > 0.0) {
-    if (const base::Diagnostics problems = runTo(window.workspace(), options.at);
-        !problems.empty()) {
+    if (base::Diagnostics problems = runTo(window.workspace(), options.at); !problems.empty()) {
       return problems;
     }
   }

@@ -11,7 +11,6 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QScopedValueRollback>
-#include <QTimer>
 #include <QVBoxLayout>
 
 #include "editor/document/EditCommands.h"
@@ -177,7 +176,7 @@ ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme)
   connect(&document_, &ScenarioDocument::changed, this, [this](const Change& change) {
     if (change.what == Change::What::Everything) {
       // of another scenario, once its rows are there
-      QTimer::singleShot(0, tree_, &QTreeView::scrollToTop);
+      QMetaObject::invokeMethod(tree_, "scrollToTop", Qt::QueuedConnection);
     }
   });
   setTheme(theme);

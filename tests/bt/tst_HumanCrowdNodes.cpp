@@ -25,6 +25,7 @@ std::vector<int> choices(const std::string& weights, int personId, int rounds) {
     return {};
   }
   std::vector<int> chosen;
+  chosen.reserve(static_cast<std::size_t>(rounds));
   for (int i = 0; i < rounds; ++i) {
     chosen.push_back(bench.stepsUntil(NodeStatus::Success, 5) - 2);
   }
