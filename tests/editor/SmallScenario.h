@@ -15,7 +15,8 @@ inline std::shared_ptr<const sim2d::OccupancyGrid> room() {
   const auto wall = [&](int left, int bottom, int right, int top) {
     for (int row = bottom; row < top; ++row) {
       for (int column = left; column < right; ++column) {
-        cells[static_cast<std::size_t>(row * kWidth + column)] = 100;
+        const int cell = row * kWidth + column;
+        cells[static_cast<std::size_t>(cell)] = 100;
       }
     }
   };
@@ -29,7 +30,7 @@ inline std::shared_ptr<const sim2d::OccupancyGrid> room() {
                                                 std::move(cells));
 }
 
-inline sim2d::Human person(int key, const char* name, sim2d::Vec2 at, double heading,
+inline sim2d::Human person(int key, const char* name, const sim2d::Vec2& at, double heading,
                            sim2d::BehaviorType type, std::vector<int> goals) {
   sim2d::Human human;
   human.key = {base::EntityKind::Human, key};
@@ -41,7 +42,7 @@ inline sim2d::Human person(int key, const char* name, sim2d::Vec2 at, double hea
   return human;
 }
 
-inline sim2d::GlobalGoal goal(int key, int id, sim2d::Vec2 at) {
+inline sim2d::GlobalGoal goal(int key, int id, const sim2d::Vec2& at) {
   sim2d::GlobalGoal value;
   value.key = {base::EntityKind::Goal, key};
   value.id = id;

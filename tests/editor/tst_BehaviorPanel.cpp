@@ -5,11 +5,11 @@
 #include "bt/human/Blocks.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/TreeFiles.h"
-#include "editor/look/HouseStyle.h"
 #include "editor/panels/BehaviorPanel.h"
 #include "editor/panels/BlockDialog.h"
 #include "editor/panels/RowDelegate.h"
 #include "editor/run/SimulationRunner.h"
+#include "tests/editor/LightLook.h"
 
 using editor::BehaviorPanel;
 using editor::EntityId;
@@ -68,10 +68,7 @@ class BehaviorPanelTest : public QObject {
   }
 
  private Q_SLOTS:
-  void initTestCase() {
-    QApplication::setStyle(new editor::HouseStyle(editor::Theme::light()));
-    QApplication::setPalette(editor::Theme::light().palette());
-  }
+  void initTestCase() { look::wearLight(); }
   void init() {
     document_ = std::make_unique<ScenarioDocument>();
     document_->load(small::scenario());

@@ -156,6 +156,7 @@ class CanvasTest : public QObject {
 
   void layoutLabels_crowded_neverOverlap() {
     std::vector<Label> labels;
+    labels.reserve(30);
     for (int i = 0; i < 30; ++i) {
       labels.push_back(labelAt({i * 9.0, (i % 3) * 7.0}, 10.0, {40.0, 12.0}, i % 2));
     }

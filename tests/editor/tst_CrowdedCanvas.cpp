@@ -14,7 +14,8 @@ sim2d::Scenario crowd() {
   scenario.humans.clear();
   for (int i = 0; i < 240; ++i) {
     const double x = 0.7 + 0.45 * (i % 24);
-    const Vec2 at(x > 5.6 ? x + 0.6 : x, 0.7 + 0.8 * (i / 24));
+    const int row = i / 24;
+    const Vec2 at(x > 5.6 ? x + 0.6 : x, 0.7 + 0.8 * row);
     scenario.humans.push_back(small::person(100 + i, ("p" + std::to_string(i)).c_str(), at, 0.1 * i,
                                             sim2d::BehaviorType::Threatening, {1 + i % 3}));
     scenario.humans.back().radius = 0.15;

@@ -4,8 +4,8 @@
 #include "SmallScenario.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/Groups.h"
-#include "editor/look/HouseStyle.h"
 #include "editor/panels/ScenarioPanel.h"
+#include "tests/editor/LightLook.h"
 
 using editor::EntityId;
 using editor::EntityKind;
@@ -33,10 +33,7 @@ class ScenarioPanelTest : public QObject {
     return result;
   }
  private Q_SLOTS:
-  void initTestCase() {
-    QApplication::setStyle(new editor::HouseStyle(editor::Theme::light()));
-    QApplication::setPalette(editor::Theme::light().palette());
-  }
+  void initTestCase() { look::wearLight(); }
   void init() {
     document_ = std::make_unique<ScenarioDocument>();
     document_->load(small::scenario());
