@@ -23,7 +23,8 @@ sim2d::Scenario crowd() {
     human.key = {EntityKind::Human, i + 2};
     human.id = i + 1;
     human.name = "p" + std::to_string(i + 1);
-    human.initPose.position = Vec2(0.8 * (i % 20), 0.8 * (i / 20));
+    const int row = i / 20;
+    human.initPose.position = Vec2(0.8 * (i % 20), 0.8 * row);
     human.goals = {1};
     scenario.humans.push_back(human);
   }

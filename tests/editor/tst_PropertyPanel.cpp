@@ -102,7 +102,9 @@ class PropertyPanelTest : public QObject {
     for (QLabel* label : panel_->findChildren<QLabel*>()) {
       heading = heading == nullptr ? dynamic_cast<editor::ElidedLabel*>(label) : heading;
     }
-    QVERIFY(heading != nullptr);
+    if (heading == nullptr) {
+      QFAIL("no heading");
+    }
     QCOMPARE(heading->shownWords(), QStringLiteral("Ana"));
     const QString name =
         QStringLiteral("Ana ") + QString(200, QLatin1Char('n')) + QStringLiteral(" Z");

@@ -292,7 +292,7 @@ class RandomEditsTest : public QObject {
     ScenarioDocument document;
     document.load(small::scenario());
     document.setMap(std::make_shared<sim2d::OccupancyGrid>(60, 45, 0.2, sim2d::Pose2{},
-                                                           std::vector<std::int8_t>(60 * 45, 0)));
+                                                           std::vector<std::int8_t>(2700, 0)));
     const Whole before(document);
     RandomUser user(document, seed);
     int commands = 0;
