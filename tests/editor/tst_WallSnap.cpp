@@ -13,7 +13,8 @@ sim2d::OccupancyGrid stairs(const Pose2& origin) {
   std::vector<std::int8_t> cells(static_cast<std::size_t>(kSide) * kSide, 0);
   for (int row = 0; row < kSide; ++row) {
     for (int column = row + 1; column < kSide; ++column) {
-      cells[static_cast<std::size_t>(row * kSide + column)] = 100;
+      const int cell = row * kSide + column;
+      cells[static_cast<std::size_t>(cell)] = 100;
     }
   }
   return {kSide, kSide, 0.1, origin, std::move(cells)};
