@@ -25,8 +25,7 @@ class Group {
       process_.waitForFinished();
     }
   }
-  Group(const Group&) = delete;
-  Group& operator=(const Group&) = delete;
+  Q_DISABLE_COPY_MOVE(Group)
 
   pid_t pid() const { return static_cast<pid_t>(process_.processId()); }
   bool isRunning() const { return process_.state() == QProcess::Running; }
@@ -74,7 +73,7 @@ class BrokenRunsTest : public QObject {
  private:
   static QString program() { return text(HUNAVSIM_PROGRAM); }
   static QString longExperiment(const QTemporaryDir& folder) {
-    const QString path = folder.filePath(text("long.yaml"));
+    QString path = folder.filePath(text("long.yaml"));
     outside::writeText(path,
                        "hunavsim_experiment: 1\n"
                        "scenarios: [corner_cafe_agents]\n"

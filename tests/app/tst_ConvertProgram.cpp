@@ -272,7 +272,7 @@ void ConvertProgramTest::convert_whatOnlyWeHave_isListed() {
   QVERIFY2(found.exitCode == 0, qPrintable(found.err));
   const QJsonObject json = QJsonDocument::fromJson(found.out.toUtf8()).object();
   QString report;
-  for (const QJsonValue& line : json[QStringLiteral("report")].toArray()) {
+  for (const auto& line : json[QStringLiteral("report")].toArray()) {
     report += line.toObject()[QStringLiteral("message")].toString() + QLatin1Char('\n');
   }
   for (const char* word : {"robot1", "start_time", "comment"}) {
@@ -421,7 +421,7 @@ void ConvertProgramTest::run_convertedScenario_manifestListsIncludedTrees() {
           .object();
   int included = 0;
   int trees = 0;
-  for (const QJsonValue& input : manifest[QStringLiteral("inputs")].toArray()) {
+  for (const auto& input : manifest[QStringLiteral("inputs")].toArray()) {
     const QString path = input.toObject()[QStringLiteral("path")].toString();
     included += path.endsWith(QStringLiteral("BTRegularNav.xml")) ? 1 : 0;
     trees += path.contains(QStringLiteral("__agent_")) ? 1 : 0;

@@ -40,7 +40,7 @@ class CounterfactualTest : public QObject {
 
   /// A corridor 3 m wide: a person walks from left to right, a robot stands where it is put.
   QString corridor(const char* name, const char* robot) {
-    const QString file = path(name);
+    QString file = path(name);
     const QByteArray content =
         QByteArray(
             "hunav_loader:\n  ros__parameters:\n    agents: [walker]\n    walker:\n"
@@ -65,8 +65,9 @@ class CounterfactualTest : public QObject {
     QByteArray names;
     QByteArray bodies;
     for (int k = 0; k < people; ++k) {
+      const int row = k / 6;
       names += (k > 0 ? ", walker" : "walker") + QByteArray::number(k + 1);
-      bodies += personText(k + 1, 1.1 * (k % 6) - 3.0, 1.1 * (k / 6) - 3.0, 1 + k % 6,
+      bodies += personText(k + 1, 1.1 * (k % 6) - 3.0, 1.1 * row - 3.0, 1 + k % 6,
                            k % 2 == 0 ? "[1, 2]" : "[2, 1]");
     }
     const QByteArray content =

@@ -29,7 +29,8 @@ sim2d::Scenario crowd(int people) {
     sim2d::Human human;
     human.id = i + 1;
     human.name = "p" + std::to_string(i + 1);
-    human.initPose.position = {1.0 + 0.8 * (i % 50), 1.0 + 0.8 * (i / 50)};
+    const int row = i / 50;
+    human.initPose.position = {1.0 + 0.8 * (i % 50), 1.0 + 0.8 * row};
     human.behavior.type = static_cast<sim2d::BehaviorType>(i % 6 + 1);
     human.goals = {1};
     scenario.humans.push_back(human);

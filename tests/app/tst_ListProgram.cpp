@@ -113,8 +113,8 @@ class ListProgramTest : public QObject {
     const QByteArray committed = outside::bytesOf(QStringLiteral(SOURCE_DIR "/metrics/METRICS.md"));
     QJsonObject lanes;
     std::set<QString> names;
-    for (const QJsonValue& metric : QJsonDocument::fromJson(listed.out.toUtf8()).array()) {
-      for (const QJsonValue& value : metric.toObject()[QStringLiteral("parameters")].toArray()) {
+    for (const auto& metric : QJsonDocument::fromJson(listed.out.toUtf8()).array()) {
+      for (const auto& value : metric.toObject()[QStringLiteral("parameters")].toArray()) {
         const QJsonObject parameter = value.toObject();
         names.insert(parameter[QStringLiteral("name")].toString());
         lanes =

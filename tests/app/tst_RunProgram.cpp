@@ -47,7 +47,7 @@ struct Run {
                   .value(QStringLiteral("metrics"))
                   .toObject();
     const QJsonObject header = readJson(folder + QStringLiteral("/trace.json"));
-    for (const QJsonValue& value : header[QStringLiteral("humans")].toArray()) {
+    for (const auto& value : header[QStringLiteral("humans")].toArray()) {
       const QJsonObject human = value.toObject();
       radius[human[QStringLiteral("id")].toInt()] = human[QStringLiteral("radius")].toDouble();
     }

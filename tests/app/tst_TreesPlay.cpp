@@ -63,10 +63,10 @@ struct Play {
 /// "a:SUCCESS b:RUNNING -> RUNNING" per tick, of --json.
 QStringList traceOf(const Finished& finished) {
   QStringList ticks;
-  for (const QJsonValue& value : QJsonDocument::fromJson(finished.out.toUtf8()).array()) {
+  for (const auto& value : QJsonDocument::fromJson(finished.out.toUtf8()).array()) {
     const QJsonObject tick = value.toObject();
     QString line;
-    for (const QJsonValue& called : tick[QStringLiteral("leaves")].toArray()) {
+    for (const auto& called : tick[QStringLiteral("leaves")].toArray()) {
       const QJsonObject object = called.toObject();
       line += object[QStringLiteral("name")].toString() + QLatin1Char(':') +
               object[QStringLiteral("status")].toString().left(1) + QLatin1Char(' ');

@@ -133,7 +133,7 @@ void TreesProgramTest::make_again_saysWhatBecameOfEachFile() {
   QCOMPARE(outside::bytesOf(folder.filePath(QStringLiteral("mine.xml"))), QByteArray("mine"));
   words << QStringLiteral("--json");
   const Finished json = outside::runProgram(words);
-  for (const QJsonValue& file : QJsonDocument::fromJson(json.out.toUtf8()).array()) {
+  for (const auto& file : QJsonDocument::fromJson(json.out.toUtf8()).array()) {
     QCOMPARE(file.toObject()[QStringLiteral("state")].toString(), utf8("unchanged"));
   }
 }
