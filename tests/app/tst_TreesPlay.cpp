@@ -38,7 +38,7 @@ QByteArray leaf(const QByteArray& name) {
   return "<RegularNav name='" + name + "' agent_id='{id}' time_step='{dt}'/>";
 }
 
-QByteArray fileOf(QByteArray body) {
+QByteArray fileOf(const QByteArray& body) {
   static const QRegularExpression letter(QStringLiteral("<([a-zA-Z][a-zA-Z0-9]?|Vis|nav)/>"));
   QString text = QString::fromUtf8(body);
   text.replace(letter, QString::fromUtf8(leaf("\\1")));
