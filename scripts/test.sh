@@ -20,7 +20,7 @@ check_format() {
   say "checking the format"
   (
     cd "$root"
-    find app editor sim2d bt metrics tests \( -name '*.h' -o -name '*.cpp' \) -print0 |
+    find app editor sim2d bt metrics maps tests \( -name '*.h' -o -name '*.cpp' \) -print0 |
       xargs -0 -r -n 20 -P "$jobs" clang-format-14 --dry-run --Werror
   ) || fail "format differs; mend it with clang-format-14 -i FILE"
 }

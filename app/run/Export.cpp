@@ -13,6 +13,7 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"
 #include "sim2d/scenario/ScenarioCheck.h"
+#include "sim2d/world/Registries.h"
 
 namespace app {
 
@@ -94,8 +95,9 @@ class Planner {
       problem.entity = {};
       plan_.report.push_back(std::move(problem));
     }
-    const base::Diagnostics meaning = sim2d::checkScenario(
-        *source_.scenario, sim2d::makeSurroundings(*source_.scenario, {}), source_.path);
+    const base::Diagnostics meaning =
+        sim2d::checkScenario(*source_.scenario, sim2d::makeSurroundings(*source_.scenario, {}),
+                             source_.path, sim2d::knownNames(sim2d::programRegistries()));
     base::append(plan_.report, errorsOf(meaning));
   }
 

@@ -255,8 +255,7 @@ RobotPage::RobotPage(ScenarioDocument& document, const sim2d::FieldTables& table
   FormSection* section = addSection(tr("Robot"));
   addName(section);
   addListed(section);
-  addField<Robot>(section, "type",
-                  oneOf(sim2d::programRegistries().robotTypes.names(), tr("generic (default)")));
+  addField<Robot>(section, "type", oneOf(registries.robotTypes.names(), tr("generic (default)")));
   addField<Robot>(section, "planner", oneOf(registries.planners.names(), tr("pursuit (default)")));
   addParameterRows(section, plannersOf(registries),
                    tr("Parameters that the planner does not have or that are no numbers"));

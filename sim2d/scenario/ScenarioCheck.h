@@ -42,11 +42,9 @@ Surroundings makeSurroundings(const Scenario& scenario, OccupancyGrid grid);
 std::vector<Outline> outlinesOf(const Obstacle& obstacle);
 std::vector<Outline> outlinesOf(const Door& door);
 
-/// What a scenario may name; who knows more (the world's lists) hands it in.
+/// What a scenario may name: knownNames() of sim2d/world makes it of what is registered.
 struct KnownNames {
-  std::vector<std::string> models = {"sfm", "sfm-hunav2", "das", "orca"};
-  std::vector<std::string> planners = {"pursuit"};
-  std::vector<std::string> robotTypes = {"generic"};
+  std::vector<std::string> models, planners, robotTypes;
   std::map<std::string, std::vector<base::ParameterSpec>> modelParameters;    // by model
   std::map<std::string, std::vector<base::ParameterSpec>> plannerParameters;  // by planner
 };
@@ -56,7 +54,7 @@ struct KnownNames {
 /// messages; addPlaces() gives them lines. Walls are those of `surroundings`; doors that will open
 /// do not count.
 base::Diagnostics checkScenario(const Scenario& scenario, const Surroundings& surroundings,
-                                const std::string& file, const KnownNames& names = {});
+                                const std::string& file, const KnownNames& names);
 
 /// The largest skin number of a simulator ("Webots": 3); 11 for one we do not know.
 int largestSkin(const std::string& simulator);

@@ -6,7 +6,7 @@
 
 #include "sim2d/trace/Tracks.h"
 
-/// Trajectories that other programs and data sets hold (FORMATS of the README).
+/// Trajectories that other programs and data sets hold ("Formats of others" in the README).
 namespace sim2d {
 
 class TrackFormats;

@@ -43,11 +43,16 @@ class MadeUpPanelTest : public QObject {
   void cleanup() { quiet::leave(window_); }
 
   void panel_ofARegistry_isADockWithANameAndAMenuEntry() {
-    QCOMPARE(window_->docks().names().indexOf(QStringLiteral("headcount")), 4);
+    const auto placeOf = [this](const char* name) {
+      return window_->docks().names().indexOf(QString::fromUtf8(name));
+    };
+    QVERIFY(placeOf("behaviour") < placeOf("headcount"));
+    QVERIFY(placeOf("headcount") < placeOf("issues"));
     QDockWidget* dock = window_->docks().dock(QStringLiteral("Headcount"));
     QVERIFY(dock != nullptr);
     QCOMPARE(window_->dockWidgetArea(dock), Qt::RightDockWidgetArea);
-    QCOMPARE(window_->tabifiedDockWidgets(dock).size(), 2);
+    QVERIFY(window_->tabifiedDockWidgets(dock).contains(
+        window_->docks().dock(QStringLiteral("Behaviour"))));
     window_->docks().show({QStringLiteral("headcount")});  // as --dock does
     QVERIFY(dock->isVisible());
     QVERIFY(!window_->docks().panel<editor::IssuesPanel>().isVisible());

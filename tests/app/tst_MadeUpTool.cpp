@@ -39,6 +39,15 @@ class MadeUpToolTest : public QObject {
  private:
   std::unique_ptr<app::MainWindow> window_;
 
+  QAction* tool(const char* text) const {
+    for (QAction* action : window_->workspace().tools().actions().actions()) {
+      if (action->text() == QString::fromUtf8(text)) {
+        return action;
+      }
+    }
+    return nullptr;
+  }
+
  private Q_SLOTS:
   void init() {
     app::WindowSetup setup = quiet::setup();
@@ -50,25 +59,24 @@ class MadeUpToolTest : public QObject {
 
   void tool_ofARegistry_standsInMenuAndBarAtItsPlace() {
     const QList<QAction*> tools = window_->workspace().tools().actions().actions();
-    QCOMPARE(tools.at(0)->text(), QStringLiteral("Select"));
-    QCOMPARE(tools.at(1)->text(), QStringLiteral("Flag"));
-    QCOMPARE(tools.at(2)->text(), QStringLiteral("Person"));
-    QVERIFY(tools.at(1)->toolTip().contains(QStringLiteral("F9")));
+    QVERIFY(tools.indexOf(tool("Select")) < tools.indexOf(tool("Flag")));
+    QVERIFY(tools.indexOf(tool("Flag")) < tools.indexOf(tool("Person")));
+    QVERIFY(tool("Flag")->toolTip().contains(QStringLiteral("F9")));
     QMenu* menu = nullptr;
     for (QAction* each : window_->menuBar()->actions()) {
       menu = each->text() == QStringLiteral("&Scenario") ? each->menu() : menu;
     }
-    QVERIFY(menu != nullptr && menu->actions().contains(tools.at(1)));
+    QVERIFY(menu != nullptr && menu->actions().contains(tool("Flag")));
     bool isShared = false;  // its button, with brush and fill
     for (const QToolButton* button : window_->findChildren<QToolButton*>()) {
-      isShared |= button->menu() != nullptr && button->menu()->actions().size() == 3 &&
-                  button->menu()->actions().front() == tools.at(1);
+      isShared |= button->menu() != nullptr && button->menu()->actions().contains(tool("Flag")) &&
+                  button->menu()->actions().contains(tool("Brush"));
     }
     QVERIFY(isShared);
   }
 
   void tool_chosenAndClicked_works() {
-    QAction* flag = window_->workspace().tools().actions().actions().at(1);
+    QAction* flag = tool("Flag");
     flag->trigger();
     QCOMPARE(window_->workspace().tools().current()->statusText(),
              QStringLiteral("Click where the flag stands"));

@@ -12,6 +12,7 @@
 #include "sim2d/map/MapReader.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 #include "sim2d/scenario/ScenarioFile.h"
+#include "sim2d/world/Registries.h"
 #include "sim2d/world/Runner.h"
 
 /// Scenarios that come with the program, loaded as `hunavsim run` does.
@@ -49,9 +50,10 @@ inline Loaded load(const std::string& path) {
   if (map) {
     loaded.map = std::move(map->grid);
   }
-  base::append(loaded.diagnostics,
-               sim2d::checkScenario(*loaded.scenario,
-                                    sim2d::makeSurroundings(*loaded.scenario, loaded.map), path));
+  base::append(
+      loaded.diagnostics,
+      sim2d::checkScenario(*loaded.scenario, sim2d::makeSurroundings(*loaded.scenario, loaded.map),
+                           path, sim2d::knownNames(sim2d::programRegistries())));
   for (const sim2d::Human& human : loaded.scenario->humans) {
     loaded.trees[human.name] = sim2d::findTree(*loaded.scenario, human, places);
   }

@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/scenario/ScenarioCheck.h"
 #include "sim2d/scenario/ScenarioFile.h"
 #include "tests/support/Interop.h"
 
@@ -13,6 +14,11 @@ namespace scenariotest {
 
 inline std::string dataFile(const std::string& name) {
   return std::string(TEST_DATA_DIR) + "/scenario/" + name;
+}
+
+/// What every build of the program has.
+inline sim2d::KnownNames usualNames() {
+  return {{"sfm", "sfm-hunav2", "das", "orca"}, {"pursuit"}, {"generic"}, {}, {}};
 }
 
 inline std::string textOf(const std::string& path) {

@@ -46,7 +46,8 @@ Scenario oneWalker(const Vec2& start, const Vec2& goal) {
 }
 
 base::Diagnostics check(const Scenario& scenario, OccupancyGrid grid = {}) {
-  return checkScenario(scenario, makeSurroundings(scenario, std::move(grid)), "room.yaml");
+  return checkScenario(scenario, makeSurroundings(scenario, std::move(grid)), "room.yaml",
+                       usualNames());
 }
 
 void touch(const QTemporaryDir& folder, const char* name) {
@@ -190,7 +191,7 @@ class ScenarioCheckTest : public QObject {
     Scenario scenario = oneWalker({0.0, 0.0}, {5.0, 0.0});
     scenario.desktop.model = "mine";
     const Surroundings surroundings = makeSurroundings(scenario, {});
-    KnownNames names;
+    KnownNames names = usualNames();
     QVERIFY(base::hasErrors(checkScenario(scenario, surroundings, "room.yaml", names)));
     names.models.push_back("mine");
     QVERIFY(checkScenario(scenario, surroundings, "room.yaml", names).empty());
@@ -366,8 +367,9 @@ class ScenarioCheckTest : public QObject {
     }
     QCOMPARE(occupied, notFree);
     // the whole check copes with the real maps
-    const auto said = checkScenario(reading.scenario,
-                                    makeSurroundings(reading.scenario, read->grid), "file.yaml");
+    const auto said =
+        checkScenario(reading.scenario, makeSurroundings(reading.scenario, read->grid), "file.yaml",
+                      usualNames());
     QVERIFY2(!base::hasErrors(said), qPrintable(shown(said)));
   }
 };

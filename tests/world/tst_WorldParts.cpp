@@ -213,12 +213,14 @@ void WorldPartsTest::compatibility_parse_knowsWhatCanBeSwitched() {
 }
 
 void WorldPartsTest::names_forLists_areThere() {
-  const std::vector<std::string> models = programRegistries().models.names();
+  const auto has = [](const std::vector<std::string>& names, const char* name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
   for (const char* name : {"das", "orca", "sfm", "sfm-hunav2"}) {
-    QVERIFY2(std::find(models.begin(), models.end(), name) != models.end(), name);
+    QVERIFY2(has(programRegistries().models.names(), name), name);
   }
-  QVERIFY(programRegistries().planners.names() == std::vector<std::string>{"pursuit"});
-  QVERIFY(programRegistries().robotTypes.names() == std::vector<std::string>{"generic"});
+  QVERIFY(has(programRegistries().planners.names(), "pursuit"));
+  QVERIFY(has(programRegistries().robotTypes.names(), "generic"));
 }
 
 QTEST_APPLESS_MAIN(WorldPartsTest)

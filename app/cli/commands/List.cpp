@@ -25,7 +25,7 @@ namespace {
 
 struct ListOptions {
   std::string what;             // nodes, metrics, models, robots, planners, keys, scenarios
-  std::string format = "text";  // text, json; xml for nodes, markdown for metrics
+  std::string format = "text";  // text, json; xml for nodes, markdown for metrics and keys
 };
 
 using Json = nlohmann::ordered_json;
@@ -210,7 +210,8 @@ void addList(CommandRegistry& commands) {
       ->required()
       ->check(CLI::IsMember(names));
   command
-      .add_option("--format", options.format, "text or json; xml for nodes, markdown for metrics")
+      .add_option("--format", options.format,
+                  "text or json; xml for nodes, markdown for metrics and keys")
       ->check(CLI::IsMember({"text", "json", "xml", "markdown"}));
 }
 
