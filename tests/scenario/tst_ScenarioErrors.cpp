@@ -10,7 +10,7 @@ namespace {
 
 /// The scenario knows no planners; the world hands in what they declare.
 KnownNames knownNames() {
-  KnownNames names;
+  KnownNames names = usualNames();
   for (const char* key : {"lookahead", "slow_distance", "stop_distance"}) {
     base::ParameterSpec spec;
     spec.key = key;
