@@ -12,6 +12,7 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 
+#include "app/window/FileDialogs.h"
 #include "editor/document/LineDiff.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
