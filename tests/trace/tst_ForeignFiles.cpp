@@ -75,7 +75,8 @@ void ForeignFilesTest::vsp_splines_areCornersInMetres() {
   const base::Result<TrackFile> file = sim2d::readForeign(path, {});
   QVERIFY(file);
   const Track* track = trackOf(*file, 1);
-  QVERIFY(track != nullptr && track->points.size() == 2);
+  QVERIFY(track != nullptr);
+  QCOMPARE(track->points.size(), std::size_t{2});
   QVERIFY(isNear(track->points[0].position.x(), 0.01 * (360 - 60)));
   QVERIFY(isNear(track->points[0].position.y(), 0.02 * (288 - 88)));
   QVERIFY(isNear(track->points[1].time, 0.8));  // 25 frames a second
