@@ -11,7 +11,7 @@ namespace look {
 
 inline void wearLight() {
   auto style = std::make_unique<editor::HouseStyle>(editor::Theme::light());
-  QApplication::setStyle(style.release());
+  QApplication::setStyle(style.release());  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks)
   QApplication::setPalette(editor::Theme::light().palette());
 }
 
