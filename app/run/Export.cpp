@@ -28,9 +28,9 @@ bool isPlainMap(const sim2d::MapDescription& map) {
 }
 
 /// Puts the files of one export together.
-class Planner {
+class PlanMaker {
  public:
-  Planner(const Bundle& source, const ExportRequest& request)
+  PlanMaker(const Bundle& source, const ExportRequest& request)
       : source_(source), request_(request), library_(bt::humanNodes()) {}
 
   ExportPlan run() {
@@ -245,7 +245,7 @@ const char* stateName(ExportPlan::State state) {
 }
 
 ExportPlan planExport(const Bundle& source, const ExportRequest& request) {
-  return Planner(source, request).run();
+  return PlanMaker(source, request).run();
 }
 
 base::Diagnostics writeExport(const ExportPlan& plan) {

@@ -18,6 +18,7 @@
 #include "app/window/StatusLine.h"
 #include "app/window/ToolBars.h"
 #include "editor/look/Form.h"
+#include "editor/look/HouseStyle.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/GoalAssignment.h"
 #include "editor/panels/IssuesPanel.h"
@@ -40,16 +41,6 @@ constexpr int kMessageMs = 8000;
 constexpr int kLeastMiddle = 160;  // whatever notices want: the canvas gives up room, no panel does
 
 }  // namespace
-
-void dressApplication(const editor::Theme& theme) {
-  if (auto* style = qobject_cast<editor::HouseStyle*>(QApplication::style())) {
-    style->setTheme(theme);
-  } else {
-    QApplication::setStyle(new editor::HouseStyle(theme));
-  }
-  QApplication::setFont(theme.font());
-  QApplication::setPalette(theme.palette());
-}
 
 MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
     : QMainWindow(parent),
@@ -85,7 +76,7 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   const bool isDark = theme == QLatin1String("dark");
   if (followsSystem_ && (isDark || theme == QLatin1String("light"))) {
     setTheme(isDark ? editor::Theme::dark() : editor::Theme::light());
-    actions_->systemTheme->setChecked(false);
+    actions_->systemTheme->setChecked(false);  // remembers the theme: it is there by now
   }
 }
 
@@ -278,7 +269,7 @@ void MainWindow::showTitle() {
 }
 
 void MainWindow::setTheme(const editor::Theme& theme) {
-  dressApplication(theme);
+  editor::dressApplication(theme);
   workspace_.setTheme(theme);
   actions_->setTheme(theme);
   Q_EMIT docks_->context().themeChanged(theme);

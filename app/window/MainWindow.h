@@ -11,7 +11,6 @@
 #include "app/window/StartPage.h"
 #include "app/window/WindowActions.h"
 #include "app/window/Workspace.h"
-#include "editor/look/HouseStyle.h"
 
 namespace editor {
 class TextViewer;
@@ -96,8 +95,5 @@ class MainWindow : public QMainWindow {
   QLabel* saved_;
   editor::TextViewer* viewer_ = nullptr;
 };
-
-/// Gives the application style, palette and font of the theme.
-void dressApplication(const editor::Theme& theme);
 
 }  // namespace app

@@ -20,6 +20,7 @@
 #include "app/run/DataPaths.h"
 #include "app/window/MainWindow.h"
 #include "editor/look/Form.h"
+#include "editor/look/HouseStyle.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -243,7 +244,7 @@ int windowCommand(int argc, char** argv, const RunOptions& run, const WindowOpti
     setup.recoveryFolder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
                            QStringLiteral("/recovery");
   }
-  dressApplication(setup.theme);
+  editor::dressApplication(setup.theme);
   MainWindow window(setup);
   requireFine(checkDocks(window.docks().names(), options.docks), ExitWrongCommandLine);
   if (picture || !options.size.empty()) {  // whatever the screen

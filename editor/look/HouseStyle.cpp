@@ -4,6 +4,7 @@
 #include <map>
 
 #include <QAbstractScrollArea>
+#include <QApplication>
 #include <QListView>
 #include <QPainter>
 #include <QStyleOptionComboBox>
@@ -34,6 +35,16 @@ QIcon mirrored(const QIcon& icon) {
 }
 
 }  // namespace
+
+void dressApplication(const Theme& theme) {
+  if (auto* style = qobject_cast<HouseStyle*>(QApplication::style())) {
+    style->setTheme(theme);
+  } else {
+    QApplication::setStyle(new HouseStyle(theme));
+  }
+  QApplication::setFont(theme.font());
+  QApplication::setPalette(theme.palette());
+}
 
 HouseStyle::HouseStyle(const Theme& theme) : QProxyStyle(QStringLiteral("Fusion")), theme_(theme) {}
 

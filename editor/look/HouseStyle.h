@@ -60,6 +60,9 @@ class HouseStyle : public QProxyStyle {
   Theme theme_;
 };
 
+/// Gives the application style, palette and font of the theme.
+void dressApplication(const Theme& theme);
+
 constexpr int kTableInset = 8;  // before the first column of tables and after the last [px]
 constexpr int kListInset = 6;   // of the rows of lists [px]
 /// Whether an item of a view is the last of its row in a table.

@@ -11,6 +11,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QScopedValueRollback>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "editor/document/EditCommands.h"
@@ -176,7 +177,7 @@ ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme)
   connect(&document_, &ScenarioDocument::changed, this, [this](const Change& change) {
     if (change.what == Change::What::Everything) {
       // of another scenario, once its rows are there
-      QMetaObject::invokeMethod(tree_, "scrollToTop", Qt::QueuedConnection);
+      QTimer::singleShot(0, tree_, [this] { tree_->scrollToTop(); });
     }
   });
   setTheme(theme);

@@ -18,9 +18,9 @@ constexpr double kSourceRate = 0.5;  // people per second of a new source
 /// Areas: sources, sinks, waiting areas and exits. A drag makes a rectangle, clicks any polygon;
 /// 1 to 4 choose the kind. A source needs somebody whom its people are like: the selected person,
 /// else the first one; without people it brings a pattern of its own that takes no part itself.
-class AreaTool : public CornerDrawing {
+class AreaTool : public ShapeDrawing {
  public:
-  using CornerDrawing::CornerDrawing;
+  using ShapeDrawing::ShapeDrawing;
 
   bool keyPress(const QKeyEvent& event) override {
     const int index = event.key() - Qt::Key_1;
@@ -28,7 +28,7 @@ class AreaTool : public CornerDrawing {
       setKind(static_cast<sim2d::AreaKind>(index));
       return true;
     }
-    return CornerDrawing::keyPress(event);
+    return ShapeDrawing::keyPress(event);
   }
 
   QWidget* makeOptions(QWidget* parent) override {
@@ -69,7 +69,7 @@ class AreaTool : public CornerDrawing {
     if (kind_ == sim2d::AreaKind::Source) {
       makeSource(std::get<sim2d::Area>(shapeOf(corners)));
     } else {
-      CornerDrawing::make(corners);
+      ShapeDrawing::make(corners);
     }
   }
 

@@ -53,7 +53,6 @@ class FillTool : public CornerDrawing {
 
  protected:
   QString idleText() const override;
-  Entity shapeOf(const Corners& /*many*/) const override { return {}; }
   void preview(const Corners& corners) override;
   void make(const Corners& corners) override;
 

@@ -33,13 +33,10 @@ class CornerDrawing : public Tool {
   virtual bool isClosed() const { return true; }
   /// What keeps the corners from becoming a shape; empty = nothing.
   virtual QString problemOf(const Corners& corners) const;
-  /// What the corners make; `problemOf` has found nothing. Who makes more than one thing has its
-  /// own `preview` and `make` instead.
-  virtual Entity shapeOf(const Corners& corners) const = 0;
-  /// Shows what the corners would make.
-  virtual void preview(const Corners& corners) { scene().setPreview({shapeOf(corners)}); }
+  /// Shows what the corners would make; `problemOf` has found nothing.
+  virtual void preview(const Corners& corners) = 0;
   /// Makes it: one command. Preview and corners are gone by then.
-  virtual void make(const Corners& corners) { addDrawn(document(), shapeOf(corners)); }
+  virtual void make(const Corners& corners) = 0;
   /// What a drag makes: a rectangle, for lines the line itself.
   virtual Corners dragged(const Vec2& from, const Vec2& to) const;
 
@@ -54,6 +51,19 @@ class CornerDrawing : public Tool {
   Vec2 pressedAt_ = Vec2::Zero();
   QString problem_;  // of the attempt to end
   bool pressed_ = false;
+};
+
+/// Base of those that draw one thing.
+class ShapeDrawing : public CornerDrawing {
+  Q_OBJECT
+ public:
+  using CornerDrawing::CornerDrawing;
+
+ protected:
+  /// What the corners make, without a name.
+  virtual Entity shapeOf(const Corners& corners) const = 0;
+  void preview(const Corners& corners) override { scene().setPreview({shapeOf(corners)}); }
+  void make(const Corners& corners) override { addDrawn(document(), shapeOf(corners)); }
 };
 
 }  // namespace editor

@@ -21,9 +21,9 @@ sim2d::Obstacle obstacleOf(sim2d::ObstacleKind kind, std::vector<Vec2> points = 
 }
 
 /// Walls as polylines, 0.1 m thick; a drag makes one straight wall.
-class WallTool : public CornerDrawing {
+class WallTool : public ShapeDrawing {
  public:
-  using CornerDrawing::CornerDrawing;
+  using ShapeDrawing::ShapeDrawing;
 
  protected:
   QString idleText() const override {
@@ -47,9 +47,9 @@ class WallTool : public CornerDrawing {
 };
 
 /// Obstacles of any outline; a drag makes a rectangle along the axes.
-class PolygonTool : public CornerDrawing {
+class PolygonTool : public ShapeDrawing {
  public:
-  using CornerDrawing::CornerDrawing;
+  using ShapeDrawing::ShapeDrawing;
 
  protected:
   QString idleText() const override {

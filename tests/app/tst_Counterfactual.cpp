@@ -28,6 +28,27 @@ QByteArray personText(int id, double x, double y, int behavior, const QByteArray
          goals + "\n";
 }
 
+/// When the first goal was reached; -1: none was.
+double goalTime(const QString& folder) {
+  for (const auto& event : outside::readCsv(folder + text("/events.csv"))) {
+    if (event.at(text("kind")) == text("goal")) {
+      return event.at(text("time")).toDouble();
+    }
+  }
+  return -1.0;
+}
+
+/// Of the first person's way until the end [m].
+double length(const std::vector<outside::Sample>& samples, double end) {
+  double sum = 0.0;
+  for (std::size_t k = 1; k < samples.size() && samples[k].time < end + 1e-6; ++k) {
+    const outside::Body& a = samples[k - 1].people.at(0);
+    const outside::Body& b = samples[k].people.at(0);
+    sum += std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
+  }
+  return sum;
+}
+
 }  // namespace
 
 /// `hunavsim run --counterfactual` from outside.
@@ -137,26 +158,9 @@ class CounterfactualTest : public QObject {
     QCOMPARE(runProgram({text("run"), alone, text("-o"), path("alone")}).exitCode, 0);
     const auto row = outside::readCsv(path("block/counterfactual.csv")).at(0);
     const auto told = [&row](const char* column) { return row.at(text(column)).toDouble(); };
-    const auto goalTime = [](const QString& folder) {
-      for (const auto& event : outside::readCsv(folder + text("/events.csv"))) {
-        if (event.at(text("kind")) == text("goal")) {
-          return event.at(text("time")).toDouble();
-        }
-      }
-      return -1.0;
-    };
     const auto with = outside::readTrajectory(path("block/trajectory.csv"));
     const auto bare = outside::readTrajectory(path("alone/trajectory.csv"));
     QCOMPARE(with.size(), bare.size());
-    const auto length = [](const std::vector<outside::Sample>& samples, double end) {
-      double sum = 0.0;
-      for (std::size_t k = 1; k < samples.size() && samples[k].time < end + 1e-6; ++k) {
-        const outside::Body& a = samples[k - 1].people.at(0);
-        const outside::Body& b = samples[k].people.at(0);
-        sum += std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
-      }
-      return sum;
-    };
     const double end = goalTime(path("block"));
     const double endAlone = goalTime(path("alone"));
     QVERIFY(end > 0.0 && endAlone > 0.0);

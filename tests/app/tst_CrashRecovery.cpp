@@ -10,6 +10,7 @@
 #include "app/window/MainWindow.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
+#include "editor/look/HouseStyle.h"
 #include "sim2d/base/Text.h"
 
 using app::MainWindow;
@@ -32,7 +33,7 @@ WindowSetup setupWith(const QString& recoveryFolder) {
 /// into the seed and tells them.
 int editForEver(int argc, char** argv) {
   QApplication application(argc, argv);
-  app::dressApplication(editor::Theme::light());
+  editor::dressApplication(editor::Theme::light());
   MainWindow window(setupWith(QString::fromLocal8Bit(argv[2])));
   if (!window.open(QString::fromLocal8Bit(argv[3]))) {
     return 1;
@@ -59,7 +60,7 @@ class CrashRecoveryTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { app::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
   void init() { folder_ = std::make_unique<QTemporaryDir>(); }
 
   void kill_inTheMiddleOfEditing_losesAtMostTenSeconds() {

@@ -6,6 +6,7 @@
 #include "app/window/MainWindow.h"
 #include "editor/canvas/FrameLayer.h"
 #include "editor/document/EditCommands.h"
+#include "editor/look/HouseStyle.h"
 #include "editor/panels/IssuesPanel.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
@@ -46,7 +47,7 @@ class ExtremesTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { app::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
 
   void scenario_anySize_isOpenedEditedAndRun_data() {
     QTest::addColumn<int>("people");

@@ -12,6 +12,7 @@
 #include "app/window/MapDialogs.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
+#include "editor/look/HouseStyle.h"
 #include "editor/panels/IssuesPanel.h"
 #include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
@@ -32,7 +33,7 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { app::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
   void init() { begin(); }
   void cleanup() { end(); }
 
@@ -266,7 +267,7 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
     for (const char* target : {"gazebo-classic", "isaac", "native"}) {
       for (const bool isDark : {false, true}) {
         const editor::Theme theme = isDark ? editor::Theme::dark() : editor::Theme::light();
-        app::dressApplication(theme);
+        editor::dressApplication(theme);
         app::ExportDialog dialog(window_->files().exportSource(), at("out"), theme);
         quiet::setTarget(dialog, target);
         dialog.show();
@@ -291,7 +292,7 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
       }
     }
     QVERIFY(commands > 0);
-    app::dressApplication(editor::Theme::light());
+    editor::dressApplication(editor::Theme::light());
   }
 };
 

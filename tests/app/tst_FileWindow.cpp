@@ -12,6 +12,7 @@
 #include "app/window/StartPage.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
+#include "editor/look/HouseStyle.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/ScenarioPanel.h"
 #include "sim2d/base/Text.h"
@@ -24,11 +25,11 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { app::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
   void init() { begin(); }
   void cleanup() {
     end();
-    app::dressApplication(editor::Theme::light());
+    editor::dressApplication(editor::Theme::light());
   }
 
   void open_damagedFile_isShownWithANoticeAndRefusesToBeSaved() {
@@ -204,7 +205,7 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     QVERIFY(bool(grid));
     for (const bool isDark : {false, true}) {
       const editor::Theme theme = isDark ? editor::Theme::dark() : editor::Theme::light();
-      app::dressApplication(theme);
+      editor::dressApplication(theme);
       app::ImageMapDialog dialog(*grid, image, theme);
       dialog.show();
       dialog.view().setPoints({{40.0, 20.0}, {360.0, 20.0}});
@@ -218,7 +219,7 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
       QVERIFY(map->isWall(map->worldToCell({5.0, 2.0 - 0.05 * 0.5})) ||
               map->isWall(map->worldToCell({5.0, 1.9})));
     }
-    app::dressApplication(editor::Theme::light());
+    editor::dressApplication(editor::Theme::light());
   }
 
   void recent_fileGoesAndComesBack_rowSaysSo() {
@@ -277,7 +278,7 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     window_->actions().switchTheme->trigger();
     QVERIFY(window_->close());
     restartRemembering(false);  // whose theme is that of the application
-    app::dressApplication(wasDark ? editor::Theme::dark() : editor::Theme::light());
+    editor::dressApplication(wasDark ? editor::Theme::dark() : editor::Theme::light());
     window_->setTheme(wasDark ? editor::Theme::dark() : editor::Theme::light());
     QVERIFY(window_->close());
     restartRemembering();
@@ -308,14 +309,14 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
   void roomDialog_looks() {
     for (const bool isDark : {false, true}) {
       const editor::Theme theme = isDark ? editor::Theme::dark() : editor::Theme::light();
-      app::dressApplication(theme);
+      editor::dressApplication(theme);
       app::RoomDialog dialog(theme);
       dialog.show();
       quiet::shoot(dialog, isDark ? "room-dark" : "room-light");
       QVERIFY(dialog.hasWalls());
       QCOMPARE(dialog.size(), QSizeF(12.0, 9.0));
     }
-    app::dressApplication(editor::Theme::light());
+    editor::dressApplication(editor::Theme::light());
   }
 
   void notices_dark_looks() {

@@ -11,6 +11,7 @@
 #include "app/window/MapDialogs.h"
 #include "app/window/TreeChoiceDialog.h"
 #include "editor/document/MapEdit.h"
+#include "editor/look/HouseStyle.h"
 #include "tests/app/QuietWindow.h"
 
 namespace {
@@ -76,7 +77,7 @@ class KeyboardTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { app::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
 
   void menus_lettersAreUnique() {
     app::MainWindow window(quiet::setup());

@@ -13,6 +13,7 @@
 #include "app/window/WindowCommand.h"
 #include "editor/canvas/FrameLayer.h"
 #include "editor/document/EditCommands.h"
+#include "editor/look/HouseStyle.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/PropertyPanel.h"
 #include "sim2d/scenario/ScenarioFile.h"
@@ -52,7 +53,7 @@ class MainWindowTest : public QObject {
   }
 
  private Q_SLOTS:
-  void initTestCase() { app::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
   void init() { window_ = quiet::shownWindow(); }
   void cleanup() { quiet::leave(window_); }
 

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <optional>
 
 #include <QImage>
 #include <QJsonArray>
@@ -83,6 +85,43 @@ struct Run {
   }
 };
 
+double distanceToGroups(const Run& run, const Sample& sample) {
+  std::map<int, std::vector<Body>> groups;
+  for (const Body& person : sample.people) {
+    if (person.group != -1) {
+      groups[person.group].push_back(person);
+    }
+  }
+  double least = 1e300;
+  for (const auto& [id, members] : groups) {
+    if (members.size() < 2) {
+      continue;
+    }
+    double x = 0, y = 0;
+    for (const Body& member : members) {
+      x += member.x + 1.5 * std::cos(member.heading);
+      y += member.y + 1.5 * std::sin(member.heading);
+    }
+    const double n = static_cast<double>(members.size());
+    const double distance = hypot2(sample.robot->x - x / n, sample.robot->y - y / n);
+    least = std::min(least, std::max(0.0, distance - run.robotRadius));
+  }
+  return least;
+}
+
+/// Seconds until the robot was in its goal and stayed there.
+std::optional<double> timeToGoal(const Run& run) {
+  const auto isInside = [&run](const Sample& s) { return run.toGoal(s) - run.goalRadius < 0.3; };
+  if (!isInside(run.samples.back())) {
+    return std::nullopt;
+  }
+  std::size_t first = run.samples.size() - 1;
+  while (first > 0 && isInside(run.samples[first - 1])) {
+    --first;
+  }
+  return run.samples[first].time - run.samples[0].time;
+}
+
 /// Keys 1 to 15 by the written formulas of the corrected profile.
 std::map<QString, double> recompute(const Run& run) {
   std::map<QString, double> value;
@@ -102,13 +141,9 @@ std::map<QString, double> recompute(const Run& run) {
       turning += std::fabs(outside::turn(robot.heading - before.heading));
     }
     nearestGoal = std::min(nearestGoal, run.toGoal(sample));
-    std::map<int, std::vector<Body>> groups;
     for (const Body& person : sample.people) {
       least = std::min(least, std::max(0.0, run.gap(sample, person)));
       most = std::max(most, run.gap(sample, person));
-      if (person.group != -1) {
-        groups[person.group].push_back(person);
-      }
     }
     if (!sample.people.empty()) {
       const double closest = run.closest(sample);
@@ -118,33 +153,15 @@ std::map<QString, double> recompute(const Run& run) {
         bands[band] += closest >= edges[band] && closest < edges[band + 1] ? 1 : 0;
       }
     }
-    double groupDistance = 1e300;
-    for (const auto& [id, members] : groups) {
-      if (members.size() < 2) {
-        continue;
-      }
-      double x = 0, y = 0;
-      for (const Body& member : members) {
-        x += member.x + 1.5 * std::cos(member.heading);
-        y += member.y + 1.5 * std::sin(member.heading);
-      }
-      const double n = static_cast<double>(members.size());
-      const double distance = hypot2(robot.x - x / n, robot.y - y / n) - run.robotRadius;
-      groupDistance = std::min(groupDistance, std::max(0.0, distance));
-    }
+    const double groupDistance = distanceToGroups(run, sample);
     for (int band = 0; band < 3; ++band) {
       groupBands[band] += groupDistance >= edges[band] && groupDistance < edges[band + 1] ? 1 : 0;
     }
   }
   const double n = static_cast<double>(count);
-  const auto isInside = [&run](const Sample& s) { return run.toGoal(s) - run.goalRadius < 0.3; };
-  const bool completed = isInside(run.samples.back());
-  if (completed) {
-    std::size_t first = count - 1;
-    while (first > 0 && isInside(run.samples[first - 1])) {
-      --first;
-    }
-    set("time_to_reach_goal", run.samples[first].time - run.samples[0].time);
+  const std::optional<double> reached = timeToGoal(run);
+  if (reached) {
+    set("time_to_reach_goal", *reached);
   }
   set("path_length", length);
   set("cumulative_heading_changes", turning);
@@ -159,7 +176,7 @@ std::map<QString, double> recompute(const Run& run) {
                    QStringLiteral("_space_intrusions")),
         100.0 * groupBands[band] / n);
   }
-  set("completed", completed ? 1 : 0);
+  set("completed", reached ? 1 : 0);
   set("minimum_distance_to_target", nearestGoal);
   set("final_distance_to_target", run.toGoal(run.samples.back()));
   return value;

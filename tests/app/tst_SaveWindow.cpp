@@ -8,6 +8,7 @@
 #include "app/window/TreeChoiceDialog.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/TreeFiles.h"
+#include "editor/look/HouseStyle.h"
 #include "sim2d/base/Text.h"
 #include "tests/app/QuietWindow.h"
 
@@ -18,7 +19,7 @@ class SaveWindowTest : public QObject, protected quiet::InFolder {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { app::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
   void init() { begin(); }
   void cleanup() { end(); }
 
@@ -112,7 +113,7 @@ class SaveWindowTest : public QObject, protected quiet::InFolder {
     const std::vector<editor::TreeQuestion> questions = questionsOfDemo();
     for (const bool isDark : {false, true}) {
       const editor::Theme theme = isDark ? editor::Theme::dark() : editor::Theme::light();
-      app::dressApplication(theme);
+      editor::dressApplication(theme);
       app::TreeChoiceDialog dialog(questions, theme);
       dialog.show();
       quiet::shoot(dialog, isDark ? "trees-short-dark" : "trees-short-light");
@@ -121,7 +122,7 @@ class SaveWindowTest : public QObject, protected quiet::InFolder {
       quiet::shoot(dialog, isDark ? "trees-dark" : "trees-light");
       QVERIFY(dialog.replaced() == editor::TreesToReplace{questions[1].human});
     }
-    app::dressApplication(editor::Theme::light());
+    editor::dressApplication(editor::Theme::light());
   }
 
   void exportDialog_target_listsTheFilesAndWritesThem() {
@@ -129,7 +130,7 @@ class SaveWindowTest : public QObject, protected quiet::InFolder {
     const QString out = at("out");
     for (const bool isDark : {false, true}) {
       const editor::Theme theme = isDark ? editor::Theme::dark() : editor::Theme::light();
-      app::dressApplication(theme);
+      editor::dressApplication(theme);
       app::ExportDialog dialog(window_->files().exportSource(), out, theme);
       quiet::setTarget(dialog, "webots");
       const auto& list = *dialog.findChild<QTreeWidget*>();
@@ -141,7 +142,7 @@ class SaveWindowTest : public QObject, protected quiet::InFolder {
       QCOMPARE(first.c_str(), isDark ? "stays as it is" : "new");
       QVERIFY(window_->files().exportPlan(dialog.plan()));
     }
-    app::dressApplication(editor::Theme::light());
+    editor::dressApplication(editor::Theme::light());
     QVERIFY(QFile::exists(out + QStringLiteral("/scenarios/demo.yaml")));
     app::ExportDialog other(window_->files().exportSource(), out, editor::Theme::light());
     quiet::setTarget(other, "isaac");

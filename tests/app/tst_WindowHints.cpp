@@ -6,6 +6,7 @@
 #include <QToolButton>
 #include <QtTest>
 
+#include "editor/look/HouseStyle.h"
 #include "tests/app/QuietWindow.h"
 
 using app::MainWindow;
@@ -33,7 +34,7 @@ class WindowHintsTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    app::dressApplication(editor::Theme::light());
+    editor::dressApplication(editor::Theme::light());
     window_ = std::make_unique<MainWindow>(quiet::setup());
     window_->show();
     QVERIFY(window_->open(quiet::demoPath()));

@@ -10,6 +10,7 @@
 
 #include "app/window/MainWindow.h"
 #include "app/window/StartPage.h"
+#include "editor/look/HouseStyle.h"
 #include "editor/tools/ToolOptionsBar.h"
 #include "tests/app/QuietWindow.h"
 
@@ -25,7 +26,7 @@ class WindowLookTest : public QObject {
   editor::MapView& view() { return window_->workspace().view(); }
 
  private Q_SLOTS:
-  void initTestCase() { app::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
   void init() {
     window_ = std::make_unique<MainWindow>(quiet::setup());
     window_->resize(1280, 800);
@@ -60,7 +61,7 @@ class WindowLookTest : public QObject {
 
   void emptyBoxes_inBothThemes_canBeSeen() {
     for (const editor::Theme& theme : {editor::Theme::light(), editor::Theme::dark()}) {
-      app::dressApplication(theme);
+      editor::dressApplication(theme);
       QCheckBox check;
       QRadioButton radio;
       for (QWidget* box : {static_cast<QWidget*>(&check), static_cast<QWidget*>(&radio)}) {
@@ -75,7 +76,7 @@ class WindowLookTest : public QObject {
         QVERIFY2(best >= 3.0, qPrintable(QString::number(best)));
       }
     }
-    app::dressApplication(editor::Theme::light());
+    editor::dressApplication(editor::Theme::light());
   }
 
   void menuEntry_hovered_isExplainedWithoutHidingTheState() {

@@ -7,6 +7,7 @@
 
 #include "app/window/DocumentGuard.h"
 #include "app/window/MainWindow.h"
+#include "editor/look/HouseStyle.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/ScenarioPanel.h"
 #include "sim2d/base/Text.h"
@@ -27,7 +28,7 @@ class WindowStaysTest : public QObject, protected quiet::InFolder {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { app::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
   void init() { begin(); }
   void cleanup() { end(); }
 

@@ -3,6 +3,7 @@
 
 #include "Hands.h"
 #include "editor/look/Fields.h"
+#include "editor/look/HouseStyle.h"
 #include "editor/look/Theme.h"
 #include "editor/panels/GoalAssignment.h"
 #include "editor/panels/IssuesPanel.h"
@@ -87,36 +88,8 @@ class WorkflowTest : public QObject {
     hands_->clickMap(at);
     hands_->chooseInMenu(QStringLiteral("Behaviour"), behavior);
   }
-
- private Q_SLOTS:
-  void initTestCase() {
-    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-    app::dressApplication(editor::Theme::light());
-  }
-  void init() {
-    folder_ = std::make_unique<QTemporaryDir>();
-    QVERIFY(QDir(folder_->path()).mkpath(QStringLiteral("maps")));
-    QVERIFY(QDir(folder_->path()).mkpath(QStringLiteral("scenarios")));
-    for (const char* name : {"hall.yaml", "hall.pgm"}) {
-      QVERIFY(QFile::copy(dataFile(QString::fromLatin1(name)),
-                          path(QStringLiteral("maps/") + QString::fromLatin1(name))));
-    }
-    app::WindowSetup setup;
-    setup.followsSystem = false;
-    setup.remembers = false;
-    window_ = std::make_unique<MainWindow>(setup);
-    window_->resize(1280, 800);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-    hands_ = std::make_unique<Hands>(*window_);
-  }
-  void cleanup() {
-    document().undoStack().setClean();
-    hands_.reset();
-    window_.reset();
-  }
-
-  void scenario_drawnSavedReopenedEdited_filesAreAsExpected() {
+  /// Three people, five goals, who walks where, two behaviours: all by mouse and keys.
+  void drawHall() {
     QVERIFY(window_->isOnStartPage());
     hands_->countFromHere();
     hands_->answerFileDialog(path(QStringLiteral("maps/hall.yaml")));
@@ -144,7 +117,52 @@ class WorkflowTest : public QObject {
     hands_->chooseTool(QStringLiteral("tool-select"));
     makeBehave({5.0, 2.0}, QStringLiteral("Curious"));
     makeBehave({8.0, 6.0}, QStringLiteral("Scared"));
+  }
+  void moveThirdGoal() {
+    hands_->clickMap({8.0, 4.15});  // the pin of goal 3 stands above its place
+    QCOMPARE(document().selection().size(), std::size_t(1));
+    editor::NumberField* y = nullptr;
+    for (auto* field : window_->docks()
+                           .panel<editor::PropertyPanel>()
+                           .currentPage()
+                           ->findChildren<editor::NumberField*>()) {
+      y = field->accessibleName() == QLatin1String("Y") ? field : y;
+    }
+    QVERIFY(y != nullptr);
+    hands_->typeInto(*y, QStringLiteral("3"));
+  }
 
+ private Q_SLOTS:
+  void initTestCase() {
+    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    editor::dressApplication(editor::Theme::light());
+  }
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    QVERIFY(QDir(folder_->path()).mkpath(QStringLiteral("maps")));
+    QVERIFY(QDir(folder_->path()).mkpath(QStringLiteral("scenarios")));
+    for (const char* name : {"hall.yaml", "hall.pgm"}) {
+      QVERIFY(QFile::copy(dataFile(QString::fromLatin1(name)),
+                          path(QStringLiteral("maps/") + QString::fromLatin1(name))));
+    }
+    app::WindowSetup setup;
+    setup.followsSystem = false;
+    setup.remembers = false;
+    window_ = std::make_unique<MainWindow>(setup);
+    window_->resize(1280, 800);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    hands_ = std::make_unique<Hands>(*window_);
+  }
+  void cleanup() {
+    document().undoStack().setClean();
+    hands_.reset();
+    window_.reset();
+  }
+
+  void scenario_drawnSavedReopenedEdited_filesAreAsExpected() {
+    drawHall();
+    QVERIFY(!QTest::currentTestFailed());
     const QString file = path(QStringLiteral("scenarios/hall_agents_demo.yaml"));
     hands_->answerFileDialog(file);
     hands_->press(Qt::Key_S, Qt::ControlModifier);
@@ -171,17 +189,8 @@ class WorkflowTest : public QObject {
     QCOMPARE(document().scenario().humans.size(), std::size_t(3));
     QTest::qWait(300);
     hands_->chooseTool(QStringLiteral("tool-select"));
-    hands_->clickMap({8.0, 4.15});  // the pin of goal 3 stands above its place
-    QCOMPARE(document().selection().size(), std::size_t(1));
-    editor::NumberField* y = nullptr;
-    for (auto* field : window_->docks()
-                           .panel<editor::PropertyPanel>()
-                           .currentPage()
-                           ->findChildren<editor::NumberField*>()) {
-      y = field->accessibleName() == QLatin1String("Y") ? field : y;
-    }
-    QVERIFY(y != nullptr);
-    hands_->typeInto(*y, QStringLiteral("3"));
+    moveThirdGoal();
+    QVERIFY(!QTest::currentTestFailed());
     hands_->clickMap({5.0, 4.15});
     window_->workspace().view().setFocus();
     hands_->press(Qt::Key_Delete);

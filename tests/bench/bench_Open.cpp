@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "app/window/MainWindow.h"
+#include "editor/look/HouseStyle.h"
 #include "sim2d/base/Text.h"
 #include "tests/support/WrittenMap.h"
 
@@ -93,7 +94,7 @@ class OpenBench : public QObject {
     QElapsedTimer clock;
     clock.start();
     const double before = workedSeconds();
-    app::dressApplication(editor::Theme::light());
+    editor::dressApplication(editor::Theme::light());
     app::WindowSetup setup;
     setup.followsSystem = false;
     setup.remembers = false;

@@ -4,6 +4,7 @@
 #include "app/window/MainWindow.h"
 #include "editor/canvas/RouteModel.h"
 #include "editor/document/EditCommands.h"
+#include "editor/look/HouseStyle.h"
 
 using app::MainWindow;
 
@@ -42,7 +43,7 @@ class SelectionBench : public QObject {
 
  private Q_SLOTS:
   void commands_2000selected() {
-    app::dressApplication(editor::Theme::light());
+    editor::dressApplication(editor::Theme::light());
     app::WindowSetup setup;
     setup.followsSystem = false;
     setup.remembers = false;

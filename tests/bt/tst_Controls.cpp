@@ -47,10 +47,7 @@ void checkRow() {
   }
 }
 
-}  // namespace
-
-void ControlsTest::tick_control_givesTrace_data() {
-  columns();
+void rowsOfSequences() {
   row("sequence stops at failure", "<Sequence><S name='a'/><F/><S name='c'/></Sequence>",
       "a F -> FAILURE|a F -> FAILURE");
   row("sequence goes on at the running child",
@@ -100,6 +97,9 @@ void ControlsTest::tick_control_givesTrace_data() {
   row("reactive fallback, an earlier success halts",
       "<ReactiveFallback><TD delay='0.2'><S name='t'/></TD><St runs='9'/></ReactiveFallback>",
       "start -> RUNNING|run1 -> RUNNING|t halt -> SUCCESS|t -> SUCCESS");
+}
+
+void rowsOfParallels() {
   row("parallel needs all", "<Parallel><S name='a'/><St/><S name='c'/></Parallel>",
       "a start c -> RUNNING|run1 -> SUCCESS|a start c -> RUNNING");
   row("parallel, one failure ends it", "<Parallel><St runs='9'/><F/><S name='c'/></Parallel>",
@@ -137,6 +137,9 @@ void ControlsTest::tick_control_givesTrace_data() {
       "-> SKIPPED");
   row("parallel-all, one skipped", "<ParallelAll><AlwaysSuccess _skipIf='1'/><S/></ParallelAll>",
       "S -> SUCCESS");
+}
+
+void rowsOfConditions() {
   row("if, then", "<IfThenElse><S name='c'/><St/><S name='e'/></IfThenElse>",
       "c start -> RUNNING|run1 -> SUCCESS|c start -> RUNNING");
   row("if, else", "<IfThenElse><F name='c'/><S name='t'/><St/></IfThenElse>",
@@ -160,6 +163,9 @@ void ControlsTest::tick_control_givesTrace_data() {
       "start -> RUNNING|run1 -> FAILURE|start -> RUNNING|run1 -> FAILURE");
   row("while, skipped condition", "<WhileDoElse><AlwaysSuccess _skipIf='1'/><S/></WhileDoElse>",
       "!SKIPPED");
+}
+
+void rowsOfSwitchAndTry() {
   row("switch by text",
       "<Sequence><Script code=\"v := 'b'\"/><Switch2 variable='{v}' case_1='a' case_2='b'>"
       "<S name='1'/><S name='2'/><S name='d'/></Switch2></Sequence>",
@@ -197,12 +203,23 @@ void ControlsTest::tick_control_givesTrace_data() {
   row("try, all skipped", "<TryCatch><AlwaysSuccess _skipIf='1'/><S/></TryCatch>", "-> SKIPPED");
 }
 
+}  // namespace
+
+void ControlsTest::tick_control_givesTrace_data() {
+  columns();
+  rowsOfSequences();
+  rowsOfParallels();
+  rowsOfConditions();
+  rowsOfSwitchAndTry();
+}
+
 void ControlsTest::tick_control_givesTrace() {
   checkRow();
 }
 
-void ControlsTest::tick_decorator_givesTrace_data() {
-  columns();
+namespace {
+
+void rowsOfRepetition() {
   row("inverter", "<Inverter><St result='FAILURE'/></Inverter>",
       "start -> RUNNING|run1 -> SUCCESS|start -> RUNNING");
   row("force success", "<ForceSuccess><F/></ForceSuccess>", "F -> SUCCESS");
@@ -234,6 +251,9 @@ void ControlsTest::tick_decorator_givesTrace_data() {
   row("keep running, skipped",
       "<KeepRunningUntilFailure><AlwaysSuccess _skipIf='1'/></KeepRunningUntilFailure>",
       "-> RUNNING|-> RUNNING");
+}
+
+void rowsOfDelays() {
   row("delay", "<Delay delay_msec='200'><S/></Delay>",
       "-> RUNNING|-> RUNNING|S -> SUCCESS|-> RUNNING|-> RUNNING|S -> SUCCESS");
   row("delay of a stateful child", "<Delay delay_msec='100'><St/></Delay>",
@@ -266,6 +286,9 @@ void ControlsTest::tick_decorator_givesTrace_data() {
       "<Sequence><Script code='n := 1' _onSuccess='n := 1'/><Precondition if='n == 1'>"
       "<Sequence><Script code='n := 2'/><St/></Sequence></Precondition></Sequence>",
       "start -> RUNNING|run1 -> SUCCESS|start -> RUNNING");
+}
+
+void rowsOfEntries() {
   row("loop over a constant", "<LoopInt queue='4;5' value='{v}'><ReadInt value='{v}'/></LoopInt>",
       "4 -> RUNNING|5 -> RUNNING|-> SUCCESS|-> SUCCESS");
   row("loop over an entry",
@@ -294,6 +317,15 @@ void ControlsTest::tick_decorator_givesTrace_data() {
   row("custom decorator forgets when halted",
       "<Timeout msec='300'><TD delay='0.1'><St runs='9'/></TD></Timeout>",
       "-> FAILURE|start -> RUNNING|run1 -> RUNNING|run2 -> RUNNING|halt -> FAILURE|-> FAILURE");
+}
+
+}  // namespace
+
+void ControlsTest::tick_decorator_givesTrace_data() {
+  columns();
+  rowsOfRepetition();
+  rowsOfDelays();
+  rowsOfEntries();
 }
 
 void ControlsTest::tick_decorator_givesTrace() {

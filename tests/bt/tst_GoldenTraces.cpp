@@ -19,11 +19,7 @@ QStringList ticks(const char* text) {
   return QString::fromUtf8(text).split(QLatin1Char('|'));
 }
 
-}  // namespace
-
-void GoldenTracesTest::tick_tree_givesTheRecordedTrace_data() {
-  QTest::addColumn<QString>("xml");
-  QTest::addColumn<QStringList>("expected");
+void rowsOfNodes() {
   row("goal block",
       "<Fallback><Sequence><RunOnce><S name='g1'/></RunOnce><Inverter><RunOnce><S name='g2'/>"
       "</RunOnce></Inverter></Sequence><S name='A'/></Fallback>",
@@ -55,6 +51,9 @@ void GoldenTracesTest::tick_tree_givesTheRecordedTrace_data() {
       ticks("F start -> RUNNING|run1 -> RUNNING|run2 -> SUCCESS|F start -> RUNNING"));
   row("reactive fallback", "<ReactiveFallback><F/><St runs='2'/></ReactiveFallback>",
       ticks("F start -> RUNNING|F run1 -> RUNNING|F run2 -> SUCCESS"));
+}
+
+void rowsOfTimeAndTemplates() {
   row("time delay", "<TD><S/></TD>",
       ticks("-> FAILURE|-> FAILURE|-> FAILURE|S -> SUCCESS|S -> SUCCESS"));
   row("time delay of 1 s", "<TD delay='1.0'><S/></TD>",
@@ -90,6 +89,15 @@ void GoldenTracesTest::tick_tree_givesTheRecordedTrace_data() {
       "<Fallback><Sequence><S name='v'/><RunOnce><S name='r'/></RunOnce></Sequence>"
       "<S name='nav'/></Fallback>",
       ticks("v r -> SUCCESS|v -> SUCCESS|v -> SUCCESS"));
+}
+
+}  // namespace
+
+void GoldenTracesTest::tick_tree_givesTheRecordedTrace_data() {
+  QTest::addColumn<QString>("xml");
+  QTest::addColumn<QStringList>("expected");
+  rowsOfNodes();
+  rowsOfTimeAndTemplates();
 }
 
 void GoldenTracesTest::tick_tree_givesTheRecordedTrace() {

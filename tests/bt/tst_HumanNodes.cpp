@@ -36,6 +36,88 @@ void addRow(const char* body, const char* statuses) {
   QTest::newRow(body) << QByteArray(body) << QByteArray(statuses);
 }
 
+void rowsOfInstantNodes() {
+  addRow("<IsRobotVisible agent_id='{id}' distance='2.0'/>", "SS");
+  addRow("<IsRobotVisible agent_id='{id}' distance='1.9'/>", "FF");
+  addRow("<IsRobotVisible agent_id='3' distance='5'/>", "S");
+  addRow("<IsRobotClose agent_id='1' threshold='2.0'/>", "F");
+  addRow("<IsRobotClose agent_id='1' threshold='2.01'/>", "S");
+  addRow("<IsRobotClose agent_id='2'/>", "F");
+  addRow("<IsRobotFacingAgent agent_id='1'/>", "S");
+  addRow("<IsRobotFacingAgent agent_id='2'/>", "F");
+  addRow("<IsAgentVisible observer_id='1' agent_id='2' distance='3' field_of_view='0.1'/>", "S");
+  addRow("<IsAgentVisible observer_id='1' agent_id='3' distance='5' field_of_view='1.5'/>", "F");
+  addRow("<IsAgentVisible observer_id='1' agent_id='3'/>", "S");
+  addRow("<IsAgentClose observer_id='1' target_agent_id='2' threshold='3.0'/>", "F");
+  addRow("<IsAgentClose observer_id='1' target_agent_id='2' threshold='3.1'/>", "S");
+  addRow("<IsAtPosition agent_id='1' goal_id='3'/>", "S");
+  addRow("<IsAtPosition agent_id='1' goal_id='1' tolerance='0.9'/>", "F");
+  addRow("<IsAtPosition agent_id='1' target_x='0.0' target_y='0.1'/>", "S");
+  addRow("<IsGoalReached agent_id='1'/>", "F");
+  addRow("<TimeExpiredCondition seconds='0.3' ts='{dt}' only_once='false'/>", "FFSFFS");
+  addRow("<TimeExpiredCondition seconds='0.3' ts='{dt}' only_once='true'/>", "FFSSSS");
+  addRow("<RandomChanceCondition agent_id='{id}' probability='0.0'/>", "FFF");
+  addRow("<RandomChanceCondition agent_id='{id}' probability='1.0'/>", "SSS");
+  addRow("<UpdateGoal agent_id='1'/>", "F");
+  addRow("<SetGoal agent_id='1' goal_id='2'/>", "S");
+  addRow("<RegularNav agent_id='1' time_step='{dt}'/>", "S");
+  addRow("<SurprisedNav agent_id='1' time_step='{dt}'/>", "S");
+  addRow("<CuriousNav agent_id='1' time_step='{dt}' agent_vel='1.0' stop_distance='0.5'/>", "S");
+  addRow("<ScaredNav agent_id='1' time_step='{dt}' runaway_vel='1.5'/>", "S");
+  addRow("<ThreateningNav agent_id='1' time_step='{dt}' goal_dist='1.0'/>", "S");
+  addRow("<FindNearestAgent agent_id='1' target_agent_id='{target}'/>", "S");
+  addRow("<SaySomething agent_id='1' message='Hello'/>", "S");
+  addRow("<SetGroupId agent_id='1' group_id='4'/>", "S");
+  addRow("<StopMovement agent_id='1'/>", "S");
+  addRow("<ResumeMovement agent_id='1'/>", "S");
+}
+
+/// RUNNING in the first tick, time over in step 1 + duration / dt.
+void rowsOfStatefulNodes() {
+  addRow("<StopAndWaitTimerAction agent_id='1' wait_duration='0.3'/>", "RRRSRRRS");
+  addRow("<GoTo agent_id='1' goal_id='3' time_step='{dt}'/>", "RSRS");
+  addRow(
+      "<ApproachRobot agent_id='1' time_step='{dt}' closest_dist='1.5' max_vel='1.8' "
+      "duration='0.3'/>",
+      "RRRS");
+  addRow(
+      "<AvoidRobot agent_id='1' time_step='{dt}' safe_distance='3' runaway_vel='1' "
+      "duration='0.2'/>",
+      "RRS");
+  addRow("<BlockRobot agent_id='1' time_step='{dt}' front_dist='1' duration='0.1'/>", "RSRS");
+  addRow("<BlockRobot agent_id='1' time_step='{dt}' front_dist='1'/>", "RRRRR");
+  addRow("<ApproachAgent agent_id='1' target_agent_id='2' time_step='{dt}' duration='0.2'/>",
+         "RRS");
+  addRow("<FollowAgent agent_id='1' target_agent_id='2' time_step='{dt}'/>", "RRRRR");
+  addRow(
+      "<BlockAgent agent_id='1' target_agent_id='2' time_step='{dt}' front_dist='1' "
+      "duration='0.2'/>",
+      "RRS");
+  addRow(
+      "<SetGroupWalk main_agent_id='1' non_main_agent_ids='2' time_step='{dt}' "
+      "duration='0.2'/>",
+      "RRS");
+  addRow("<LookAtPoint agent_id='1' goal_id='1'/>", "RSRS");
+  addRow("<LookAtPoint agent_id='1' goal_id='2'/>", "RRRRRS");  // 90 degrees at 18 degrees a step
+  addRow("<LookAtAgent observer_id='1' target_id='3'/>", "RRRRRS");
+  addRow("<LookAtRobot agent_id='3' yaw_tolerance='0.01'/>", "RRRRS");  // 63.4 degrees
+  addRow("<IsLookingAtMe agent_id='1' time_step='{dt}' target_id='2'/>", "RS");
+  addRow("<IsLookingAtMe agent_id='1' time_step='{dt}' target_id='3' duration='0.3'/>", "RRRF");
+  addRow(
+      "<IsLookingAtMe agent_id='1' time_step='{dt}' target_id='2' "
+      "distance_threshold='2.9' duration='0'/>",
+      "RFRF");
+  addRow("<IsAnyoneLookingAtMe agent_id='1' time_step='{dt}' observer_id='{o}'/>", "RS");
+  addRow(
+      "<IsAnyoneLookingAtMe agent_id='3' time_step='{dt}' duration='0.2' "
+      "observer_id='{o}'/>",
+      "RRF");
+  addRow("<IsAnyoneSpeaking agent_id='1' time_step='{dt}' duration='0.2' speaker_id='{s}'/>",
+         "RRF");
+  addRow("<IsSpeaking agent_id='1' time_step='{dt}' target_id='2' duration='0.2'/>", "RRF");
+  addRow("<TimeDelay delay='0.3'><AlwaysSuccess/></TimeDelay>", "FFFSFFFS");
+}
+
 }  // namespace
 
 class HumanNodesTest : public QObject {
@@ -44,82 +126,8 @@ class HumanNodesTest : public QObject {
   void status_ofEachTick_data() {
     QTest::addColumn<QByteArray>("body");
     QTest::addColumn<QByteArray>("statuses");
-    addRow("<IsRobotVisible agent_id='{id}' distance='2.0'/>", "SS");
-    addRow("<IsRobotVisible agent_id='{id}' distance='1.9'/>", "FF");
-    addRow("<IsRobotVisible agent_id='3' distance='5'/>", "S");
-    addRow("<IsRobotClose agent_id='1' threshold='2.0'/>", "F");
-    addRow("<IsRobotClose agent_id='1' threshold='2.01'/>", "S");
-    addRow("<IsRobotClose agent_id='2'/>", "F");
-    addRow("<IsRobotFacingAgent agent_id='1'/>", "S");
-    addRow("<IsRobotFacingAgent agent_id='2'/>", "F");
-    addRow("<IsAgentVisible observer_id='1' agent_id='2' distance='3' field_of_view='0.1'/>", "S");
-    addRow("<IsAgentVisible observer_id='1' agent_id='3' distance='5' field_of_view='1.5'/>", "F");
-    addRow("<IsAgentVisible observer_id='1' agent_id='3'/>", "S");
-    addRow("<IsAgentClose observer_id='1' target_agent_id='2' threshold='3.0'/>", "F");
-    addRow("<IsAgentClose observer_id='1' target_agent_id='2' threshold='3.1'/>", "S");
-    addRow("<IsAtPosition agent_id='1' goal_id='3'/>", "S");
-    addRow("<IsAtPosition agent_id='1' goal_id='1' tolerance='0.9'/>", "F");
-    addRow("<IsAtPosition agent_id='1' target_x='0.0' target_y='0.1'/>", "S");
-    addRow("<IsGoalReached agent_id='1'/>", "F");
-    addRow("<TimeExpiredCondition seconds='0.3' ts='{dt}' only_once='false'/>", "FFSFFS");
-    addRow("<TimeExpiredCondition seconds='0.3' ts='{dt}' only_once='true'/>", "FFSSSS");
-    addRow("<RandomChanceCondition agent_id='{id}' probability='0.0'/>", "FFF");
-    addRow("<RandomChanceCondition agent_id='{id}' probability='1.0'/>", "SSS");
-    addRow("<UpdateGoal agent_id='1'/>", "F");
-    addRow("<SetGoal agent_id='1' goal_id='2'/>", "S");
-    addRow("<RegularNav agent_id='1' time_step='{dt}'/>", "S");
-    addRow("<SurprisedNav agent_id='1' time_step='{dt}'/>", "S");
-    addRow("<CuriousNav agent_id='1' time_step='{dt}' agent_vel='1.0' stop_distance='0.5'/>", "S");
-    addRow("<ScaredNav agent_id='1' time_step='{dt}' runaway_vel='1.5'/>", "S");
-    addRow("<ThreateningNav agent_id='1' time_step='{dt}' goal_dist='1.0'/>", "S");
-    addRow("<FindNearestAgent agent_id='1' target_agent_id='{target}'/>", "S");
-    addRow("<SaySomething agent_id='1' message='Hello'/>", "S");
-    addRow("<SetGroupId agent_id='1' group_id='4'/>", "S");
-    addRow("<StopMovement agent_id='1'/>", "S");
-    addRow("<ResumeMovement agent_id='1'/>", "S");
-    // stateful: RUNNING in the first tick, time over in step 1 + duration / dt
-    addRow("<StopAndWaitTimerAction agent_id='1' wait_duration='0.3'/>", "RRRSRRRS");
-    addRow("<GoTo agent_id='1' goal_id='3' time_step='{dt}'/>", "RSRS");
-    addRow(
-        "<ApproachRobot agent_id='1' time_step='{dt}' closest_dist='1.5' max_vel='1.8' "
-        "duration='0.3'/>",
-        "RRRS");
-    addRow(
-        "<AvoidRobot agent_id='1' time_step='{dt}' safe_distance='3' runaway_vel='1' "
-        "duration='0.2'/>",
-        "RRS");
-    addRow("<BlockRobot agent_id='1' time_step='{dt}' front_dist='1' duration='0.1'/>", "RSRS");
-    addRow("<BlockRobot agent_id='1' time_step='{dt}' front_dist='1'/>", "RRRRR");
-    addRow("<ApproachAgent agent_id='1' target_agent_id='2' time_step='{dt}' duration='0.2'/>",
-           "RRS");
-    addRow("<FollowAgent agent_id='1' target_agent_id='2' time_step='{dt}'/>", "RRRRR");
-    addRow(
-        "<BlockAgent agent_id='1' target_agent_id='2' time_step='{dt}' front_dist='1' "
-        "duration='0.2'/>",
-        "RRS");
-    addRow(
-        "<SetGroupWalk main_agent_id='1' non_main_agent_ids='2' time_step='{dt}' "
-        "duration='0.2'/>",
-        "RRS");
-    addRow("<LookAtPoint agent_id='1' goal_id='1'/>", "RSRS");
-    addRow("<LookAtPoint agent_id='1' goal_id='2'/>", "RRRRRS");  // 90 degrees at 18 degrees a step
-    addRow("<LookAtAgent observer_id='1' target_id='3'/>", "RRRRRS");
-    addRow("<LookAtRobot agent_id='3' yaw_tolerance='0.01'/>", "RRRRS");  // 63.4 degrees
-    addRow("<IsLookingAtMe agent_id='1' time_step='{dt}' target_id='2'/>", "RS");
-    addRow("<IsLookingAtMe agent_id='1' time_step='{dt}' target_id='3' duration='0.3'/>", "RRRF");
-    addRow(
-        "<IsLookingAtMe agent_id='1' time_step='{dt}' target_id='2' "
-        "distance_threshold='2.9' duration='0'/>",
-        "RFRF");
-    addRow("<IsAnyoneLookingAtMe agent_id='1' time_step='{dt}' observer_id='{o}'/>", "RS");
-    addRow(
-        "<IsAnyoneLookingAtMe agent_id='3' time_step='{dt}' duration='0.2' "
-        "observer_id='{o}'/>",
-        "RRF");
-    addRow("<IsAnyoneSpeaking agent_id='1' time_step='{dt}' duration='0.2' speaker_id='{s}'/>",
-           "RRF");
-    addRow("<IsSpeaking agent_id='1' time_step='{dt}' target_id='2' duration='0.2'/>", "RRF");
-    addRow("<TimeDelay delay='0.3'><AlwaysSuccess/></TimeDelay>", "FFFSFFFS");
+    rowsOfInstantNodes();
+    rowsOfStatefulNodes();
   }
   void status_ofEachTick() {
     QFETCH(QByteArray, body);

@@ -28,11 +28,7 @@ void row(const char* name, const std::string& xml, const char* steps) {
   QTest::newRow(name) << QString::fromStdString(xml) << QString::fromUtf8(steps);
 }
 
-}  // namespace
-
-void SubTreesTest::tick_subTree_givesTrace_data() {
-  QTest::addColumn<QString>("xml");
-  QTest::addColumn<QString>("steps");
+void rowsOfEntries() {
   row("mapped down",
       trees("<Sequence><Script code='a := 3'/><SubTree ID='Sub' x='{a}'/></Sequence>",
             "<ReadDouble value='{x}'/>"),
@@ -61,6 +57,9 @@ void SubTreesTest::tick_subTree_givesTrace_data() {
       trees("<Sequence><Script code='x := 3'/><SubTree ID='Sub' x='{=}'/></Sequence>",
             "<ReadDouble value='{x}'/>"),
       "3 -> SUCCESS");
+}
+
+void rowsOfValuesAndCalls() {
   row("literal number", trees("<SubTree ID='Sub' x='7'/>", "<ReadInt value='{x}'/>"),
       "7 -> SUCCESS");
   row("literal whole number for a real",
@@ -91,6 +90,15 @@ void SubTreesTest::tick_subTree_givesTrace_data() {
       trees("<Sequence><Script code='a := 1'/><SubTree ID='Sub' _skipIf='a == 1'/></Sequence>",
             "<S/>"),
       "-> SUCCESS");
+}
+
+}  // namespace
+
+void SubTreesTest::tick_subTree_givesTrace_data() {
+  QTest::addColumn<QString>("xml");
+  QTest::addColumn<QString>("steps");
+  rowsOfEntries();
+  rowsOfValuesAndCalls();
 }
 
 void SubTreesTest::tick_subTree_givesTrace() {

@@ -5,11 +5,11 @@
 #include "bt/human/Blocks.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/TreeFiles.h"
+#include "editor/look/HouseStyle.h"
 #include "editor/panels/BehaviorPanel.h"
 #include "editor/panels/BlockDialog.h"
 #include "editor/panels/RowDelegate.h"
 #include "editor/run/SimulationRunner.h"
-#include "tests/editor/LightLook.h"
 
 using editor::BehaviorPanel;
 using editor::EntityId;
@@ -68,7 +68,7 @@ class BehaviorPanelTest : public QObject {
   }
 
  private Q_SLOTS:
-  void initTestCase() { look::wearLight(); }
+  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
   void init() {
     document_ = std::make_unique<ScenarioDocument>();
     document_->load(small::scenario());

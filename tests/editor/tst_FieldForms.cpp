@@ -1,6 +1,5 @@
 #include <QtTest>
 
-#include "SmallScenario.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/Form.h"
 #include "editor/panels/EntityPages.h"
@@ -150,12 +149,6 @@ editor::EntityId idOfKind(EntityKind kind) {
   }
 }
 
-void openSections(const QWidget& page) {
-  for (editor::FormSection* section : page.findChildren<editor::FormSection*>()) {
-    section->setOpen(true);
-  }
-}
-
 }  // namespace
 
 /// Forms made from the tables of keys.
@@ -181,12 +174,6 @@ class FieldFormsTest : public QObject {
         missing << key;
       }
     }
-  }
-
-  void changeSettings(const std::function<void(sim2d::DesktopSettings&)>& change) {
-    auto settings = std::get<editor::ScenarioSettings>(*document_.entity(editor::kSettingsId));
-    change(settings.desktop);
-    editor::pushEdit(document_, {settings}, QStringLiteral("Change"), editor::Merge::Never);
   }
 
  private Q_SLOTS:
@@ -288,188 +275,6 @@ class FieldFormsTest : public QObject {
     QTest::keyClicks(wheels, QStringLiteral("2.25"));
     QTest::keyClick(wheels, Qt::Key_Tab);
     QCOMPARE(document_.scenario().robots[0].mass, std::optional(1.25));
-  }
-
-  /// A planner that nobody knows declares a parameter: the row, the command line and the check are
-  /// made from its description.
-  void parameter_ofAMadeUpPlanner_isARowOfTheForm() {
-    sim2d::Registries registries = sim2d::programRegistries();
-    base::ParameterSpec spec;
-    spec.key = "tail_wag";
-    spec.unit = "1/s";
-    spec.range = {0.0, 8.0};
-    spec.fallback = 2.5;
-    spec.help = "How often its `tail` goes";
-    registries.planners.add("dog", {spec}, [](const sim2d::ResolvedRobot&) {
-      return base::Result<std::shared_ptr<sim2d::RobotController>>(base::Diagnostics{});
-    });
-    const QString rowName = QStringLiteral("dog.tail_wag");
-    sim2d::Scenario scenario = oneOfEach();
-    document_.load(scenario);
-    editor::RobotPage page(document_, sim2d::fieldTables(), registries);
-    page.setTargets({scenario.robots[0].key});
-    page.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&page));
-    auto* wag = page.findChild<NumberField*>(rowName);
-    auto* ahead = page.findChild<NumberField*>(QStringLiteral("pursuit.lookahead"));
-    QVERIFY(wag != nullptr && ahead != nullptr);
-    QVERIFY(ahead->isVisible() && !wag->isVisible());  // the usual planner is pursuit
-    QCOMPARE(ahead->text(), QStringLiteral("0.60 m"));
-    const auto robot = [this]() -> const sim2d::Robot& { return document_.scenario().robots[0]; };
-    const auto change = [&](const std::function<void(sim2d::Robot&)>& edit) {
-      editor::pushChange<sim2d::Robot>(document_, robot().key, QStringLiteral("Change"), edit);
-      page.refresh();
-    };
-    change([](sim2d::Robot& each) { each.planner = "dog"; });
-    QVERIFY(wag->isVisible() && !ahead->isVisible());
-    QCOMPARE(wag->accessibleName(), QStringLiteral("Tail wag"));
-    QCOMPARE(wag->text(), QStringLiteral("2.50 /s"));
-    QCOMPARE(wag->toolTip(), QStringLiteral("How often its tail goes\n0.00 to 8.00 /s"));
-    const auto type = [wag](const char* digits) {
-      wag->setFocus();
-      wag->selectAll();
-      QTest::keyClicks(wag, QLatin1String(digits));
-      QTest::keyClick(wag, Qt::Key_Return);
-    };
-    type("9");  // out of its range
-    QVERIFY(robot().plannerParameters.empty());
-    type("4.25");
-    using Pairs = std::vector<std::pair<std::string, std::string>>;
-    QVERIFY(robot().plannerParameters == Pairs({{"tail_wag", "4.25"}}));
-    const auto problems = [&] {
-      QStringList texts;
-      for (const auto& each : sim2d::checkScenario(
-               document_.scenario(), sim2d::makeSurroundings(document_.scenario(), {}), {},
-               sim2d::knownNames(registries))) {
-        if (each.message.find("planner_parameters") != std::string::npos) {
-          texts << QString::fromStdString(each.message);
-        }
-      }
-      return texts;
-    };
-    QCOMPARE(problems(), QStringList());
-    sim2d::Scenario set = document_.scenario();
-    QVERIFY(sim2d::setValue(set, "robot.planner_parameters.tail_wag", "1.5").empty());
-    document_.load(set);
-    page.refresh();
-    QCOMPARE(wag->value(), 1.5);
-    auto* others = page.findChild<editor::TextField*>(QStringLiteral("other_parameters"));
-    QVERIFY(others != nullptr && !others->isVisible());
-    change([](sim2d::Robot& each) {
-      each.plannerParameters = {{"tail_wag", "12"}, {"tial_wag", "3"}, {"bark", "yes"}};
-    });
-    QCOMPARE(problems().size(), 3);
-    QVERIFY(others->isVisible());
-    QCOMPARE(others->text(), QStringLiteral("tial_wag=3, bark=yes"));
-    others->setFocus();
-    others->selectAll();
-    QTest::keyClick(others, Qt::Key_Delete);
-    QTest::keyClick(others, Qt::Key_Return);
-    QVERIFY(robot().plannerParameters == Pairs({{"tail_wag", "12"}}));
-    page.refresh();
-    QVERIFY(!others->isVisible());
-    Q_EMIT wag->defaultWanted();
-    QVERIFY(robot().plannerParameters.empty());
-    page.refresh();
-    QCOMPARE(wag->value(), 2.5);
-  }
-
-  /// The same for the pedestrian model of the scenario; another model has other rows.
-  void parameter_ofTheModel_isARowOfTheSettings() {
-    sim2d::Registries registries = sim2d::programRegistries();
-    base::ParameterSpec spec;
-    spec.key = "wing_span";
-    spec.unit = "m";
-    spec.range = {0.0, 3.0};
-    spec.fallback = 1.5;
-    spec.help = "From tip to `tip`";
-    registries.models.add("geese", {spec}, {});
-    document_.load(oneOfEach());
-    editor::SettingsPage page(document_, registries);
-    page.setTargets({editor::kSettingsId});
-    page.show();
-    openSections(page);
-    QVERIFY(QTest::qWaitForWindowExposed(&page));
-    const auto rowOf = [&page](const std::string& model, const std::string& key) {
-      return page.findChild<NumberField*>(QString::fromStdString(model + "." + key));
-    };
-    for (const std::string& chosen : std::vector<std::string>{"sfm", "geese", "das", "orca"}) {
-      if (chosen != "sfm") {  // the usual one
-        changeSettings([&](sim2d::DesktopSettings& to) { to.model = chosen; });
-        page.refresh();
-      }
-      for (const auto& model : registries.models.entries()) {
-        for (const base::ParameterSpec& each : model.parameters) {
-          const NumberField* row = rowOf(model.name, each.key);
-          QVERIFY2(row != nullptr, each.key.c_str());
-          QCOMPARE(row->isVisible(), model.name == chosen);
-          QCOMPARE(row->value(), std::get<double>(each.fallback));
-          const std::string digits = row->text().section(QLatin1Char(' '), 0, 0).toStdString();
-          QCOMPARE(base::parseDouble(digits), std::optional(row->value()));
-          QVERIFY(row->toolTip().startsWith(editor::helpOf(each)));
-        }
-      }
-    }
-    const NumberField* span = rowOf("geese", "wing_span");
-    QCOMPARE(span->accessibleName(), QStringLiteral("Wing span"));
-    QCOMPARE(span->text(), QStringLiteral("1.50 m"));
-    QCOMPARE(span->toolTip(), QStringLiteral("From tip to tip\n0.00 to 3.00 m"));
-  }
-
-  void parameter_ofTheModel_isEdited() {
-    document_.load(oneOfEach());
-    const std::vector<std::pair<std::string, sim2d::ParameterTexts>> before = {
-        {"sfm", {{"gamma", "0.4"}}}};  // of those who have a model of their own
-    auto after = before;
-    after.push_back({"orca", {{"horizon", "3.25"}}});
-    changeSettings([&](sim2d::DesktopSettings& to) {
-      to.model = "orca";
-      to.modelParameters = before;
-    });
-    editor::SettingsPage page(document_);
-    page.setTargets({editor::kSettingsId});
-    page.show();
-    openSections(page);
-    QVERIFY(QTest::qWaitForWindowExposed(&page));
-    auto* horizon = page.findChild<NumberField*>(QStringLiteral("orca.horizon"));
-    auto* others = page.findChild<editor::TextField*>(QStringLiteral("other_parameters"));
-    const auto type = [&](const char* digits) {
-      horizon->setFocus();
-      horizon->selectAll();
-      QTest::keyClicks(horizon, QLatin1String(digits));
-      QTest::keyClick(horizon, Qt::Key_Return);
-      page.refresh();
-    };
-    const auto given = [this] { return document_.scenario().desktop.modelParameters; };
-    const int steps = document_.undoStack().count();
-    type("-1");  // out of its range
-    QVERIFY(given() == before);
-    type("3.25");
-    QVERIFY(given() == after);
-    QCOMPARE(document_.undoStack().count(), steps + 1);
-    document_.undoStack().undo();
-    page.refresh();
-    QVERIFY(given() == before);
-    QCOMPARE(horizon->value(), 2.0);
-    document_.undoStack().redo();
-    page.refresh();
-    QCOMPARE(horizon->value(), 3.25);
-    Q_EMIT horizon->defaultWanted();
-    page.refresh();
-    QVERIFY(given() == before);
-    QCOMPARE(horizon->value(), 2.0);
-    QVERIFY(!others->isVisible());
-    changeSettings([](sim2d::DesktopSettings& to) {
-      to.modelParameters = {{"orca", {{"horizn", "1"}}}};
-    });
-    page.refresh();
-    QVERIFY(others->isVisible());
-    QCOMPARE(others->text(), QStringLiteral("horizn=1"));
-    others->setFocus();
-    others->selectAll();
-    QTest::keyClick(others, Qt::Key_Delete);
-    QTest::keyClick(others, Qt::Key_Return);
-    QVERIFY(given().empty());
   }
 
   void arrows_atAnOpenEnd_stayInside() {

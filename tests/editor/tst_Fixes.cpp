@@ -41,6 +41,106 @@ bool isToldStill(const ScenarioDocument& document, const base::Diagnostic& probl
 
 Q_DECLARE_METATYPE(Damage)
 
+namespace {
+
+void row(const char* name, const char* words, Damage damage) {
+  QTest::newRow(name) << damage << QString::fromUtf8(words);
+}
+
+void rowsOfPlaces() {
+  const char* const out = "Move it out of the wall";
+  row("person in a wall", out, [](Scenario& s) { s.humans[0].initPose.position = {6.0, 1.0}; });
+  row("person outside of the map", out, [](Scenario& s) {
+    s.humans[0].initPose.position = {-9.0, 4.0};
+  });
+  row("goal in a wall", out, [](Scenario& s) { s.goals[0].position = {6.0, 7.0}; });
+  row("robot's start in a table", out, [](Scenario& s) {
+    s.robots[0].start.position = {4.2, 1.4};
+  });
+  row("robot's goal in a wall", out, [](Scenario& s) { s.robots[0].goal.point = {0.05, 4.0}; });
+}
+
+void rowsOfGoals() {
+  row("goal number missing", "Renumber goals", [](Scenario& s) {
+    s.goals[1].id = 8;
+    s.humans[0].goals = {1, 8};
+    s.humans[2].goals = {8};
+    s.humans[5].goals = {8};
+  });
+  row("goal number twice", "Renumber goals", [](Scenario& s) { s.goals[1].id = 1; });
+  row("goal number 0", "Renumber goals", [](Scenario& s) { s.goals[1].id = 0; });
+  row("goal not defined", "Remove goal 9 from the route", [](Scenario& s) {
+    s.humans[0].goals = {1, 9, 2, 9};
+  });
+  row("goal out of reach", "Remove goal 2 from the route", [](Scenario& s) {
+    s.obstacles.resize(4, s.obstacles[0]);
+    for (std::size_t i = 0; i < 4; ++i) {  // four walls round the goal at 2, 7
+      sim2d::Obstacle& wall = s.obstacles[i];
+      const double turn = static_cast<double>(i) * base::kPi / 2.0;
+      wall = sim2d::Obstacle();
+      wall.key = {base::EntityKind::Obstacle, 60 + static_cast<int>(i)};
+      wall.name = "side" + std::to_string(i);
+      wall.pose.position = base::Vec2(2.0, 7.0) + 0.9 * base::directionOf(turn);
+      wall.pose.heading = turn;
+      wall.length = 0.1;
+      wall.width = 1.9;
+    }
+  });
+}
+
+void rowsOfPeople() {
+  row("ids not in order", "Renumber people",
+      [](Scenario& s) { std::swap(s.humans[0].id, s.humans[1].id); });
+  row("id twice", "Renumber people", [](Scenario& s) { s.humans[1].id = 1; });
+  row("id below 0", "Renumber people", [](Scenario& s) { s.humans[1].id = -1; });
+  row("name twice", "Give another name", [](Scenario& s) { s.humans[1].name = "Ana"; });
+  row("name of a key", "Give another name", [](Scenario& s) { s.humans[1].name = "agents"; });
+  row("name with blanks", "Give another name",
+      [](Scenario& s) { s.obstacles[0].name = "my table"; });
+  row("factor out of range", "Clamp to the range",
+      [](Scenario& s) { s.humans[0].behavior.goalForceFactor = 77.0; });
+  row("speed of reaction out of range", "Clamp to the range",
+      [](Scenario& s) { s.humans[0].behavior.vel = 2.5; });
+  row("skin out of range", "Clamp to the range", [](Scenario& s) {
+    s.simulator = "Webots";
+    s.humans[0].skin = 7;
+  });
+  row("reaction incomplete", "Write these values",
+      [](Scenario& s) { s.humans[4].behavior.dist = 3.0; });
+  row("no start", "Write the start 0, 0", [](Scenario& s) { s.humans[0].hasInitPose = false; });
+  row("waits do not fit", "One wait for each goal",
+      [](Scenario& s) { s.humans[0].ours.wait = {1.0}; });
+}
+
+void rowsOfTheRest() {
+  row("model mistyped", "Use 'orca'", [](Scenario& s) { s.desktop.model = "orcs"; });
+  row("model of a person unknown", "Use the default",
+      [](Scenario& s) { s.humans[0].ours.model = "teleport9000"; });
+  row("planner mistyped", "Use 'pursuit'", [](Scenario& s) { s.robots[0].planner = "persuit"; });
+  row("source copies nobody", "Copy Ana",
+      [](Scenario& s) { s.areas[0].kind = sim2d::AreaKind::Source; });
+  row("source copies a stranger", "Copy Ana", [](Scenario& s) {
+    s.areas[0].kind = sim2d::AreaKind::Source;
+    s.areas[0].like = "Zoe";
+  });
+  row("source without rate", "One every 10 s", [](Scenario& s) {
+    s.areas[0].kind = sim2d::AreaKind::Source;
+    s.areas[0].like = "Ana";
+  });
+  row("source ends before it begins", "Swap the times", [](Scenario& s) {
+    s.areas[0].kind = sim2d::AreaKind::Source;
+    s.areas[0].like = "Ana";
+    s.areas[0].rate = 1.0;
+    s.areas[0].from = 9.0;
+    s.areas[0].until = 3.0;
+  });
+  row("door without length", "Remove it", [](Scenario& s) { s.doors[0].to = s.doors[0].from; });
+  row("map with extension", "Write 'cafe'", [](Scenario& s) { s.map = "maps/cafe.yaml"; });
+  row("no robot", "Add a robot", [](Scenario& s) { s.robots.clear(); });
+}
+
+}  // namespace
+
 class FixesTest : public QObject {
   Q_OBJECT
 
@@ -55,89 +155,10 @@ class FixesTest : public QObject {
   void fix_ofEachProblem_mendsItInOneStep_data() {
     QTest::addColumn<Damage>("damage");
     QTest::addColumn<QString>("words");
-    const auto row = [](const char* name, const char* words, Damage damage) {
-      QTest::newRow(name) << damage << QString::fromUtf8(words);
-    };
-    const char* const out = "Move it out of the wall";
-    row("person in a wall", out, [](Scenario& s) { s.humans[0].initPose.position = {6.0, 1.0}; });
-    row("person outside of the map", out, [](Scenario& s) {
-      s.humans[0].initPose.position = {-9.0, 4.0};
-    });
-    row("goal in a wall", out, [](Scenario& s) { s.goals[0].position = {6.0, 7.0}; });
-    row("robot's start in a table", out, [](Scenario& s) {
-      s.robots[0].start.position = {4.2, 1.4};
-    });
-    row("robot's goal in a wall", out, [](Scenario& s) { s.robots[0].goal.point = {0.05, 4.0}; });
-    row("ids not in order", "Renumber people",
-        [](Scenario& s) { std::swap(s.humans[0].id, s.humans[1].id); });
-    row("id twice", "Renumber people", [](Scenario& s) { s.humans[1].id = 1; });
-    row("id below 0", "Renumber people", [](Scenario& s) { s.humans[1].id = -1; });
-    row("goal number missing", "Renumber goals", [](Scenario& s) {
-      s.goals[1].id = 8;
-      s.humans[0].goals = {1, 8};
-      s.humans[2].goals = {8};
-      s.humans[5].goals = {8};
-    });
-    row("goal number twice", "Renumber goals", [](Scenario& s) { s.goals[1].id = 1; });
-    row("goal number 0", "Renumber goals", [](Scenario& s) { s.goals[1].id = 0; });
-    row("goal not defined", "Remove goal 9 from the route", [](Scenario& s) {
-      s.humans[0].goals = {1, 9, 2, 9};
-    });
-    row("goal out of reach", "Remove goal 2 from the route", [](Scenario& s) {
-      s.obstacles.resize(4, s.obstacles[0]);
-      for (std::size_t i = 0; i < 4; ++i) {  // four walls round the goal at 2, 7
-        sim2d::Obstacle& wall = s.obstacles[i];
-        const double turn = static_cast<double>(i) * base::kPi / 2.0;
-        wall = sim2d::Obstacle();
-        wall.key = {base::EntityKind::Obstacle, 60 + static_cast<int>(i)};
-        wall.name = "side" + std::to_string(i);
-        wall.pose.position = base::Vec2(2.0, 7.0) + 0.9 * base::directionOf(turn);
-        wall.pose.heading = turn;
-        wall.length = 0.1;
-        wall.width = 1.9;
-      }
-    });
-    row("name twice", "Give another name", [](Scenario& s) { s.humans[1].name = "Ana"; });
-    row("name of a key", "Give another name", [](Scenario& s) { s.humans[1].name = "agents"; });
-    row("name with blanks", "Give another name",
-        [](Scenario& s) { s.obstacles[0].name = "my table"; });
-    row("factor out of range", "Clamp to the range",
-        [](Scenario& s) { s.humans[0].behavior.goalForceFactor = 77.0; });
-    row("speed of reaction out of range", "Clamp to the range",
-        [](Scenario& s) { s.humans[0].behavior.vel = 2.5; });
-    row("skin out of range", "Clamp to the range", [](Scenario& s) {
-      s.simulator = "Webots";
-      s.humans[0].skin = 7;
-    });
-    row("reaction incomplete", "Write these values",
-        [](Scenario& s) { s.humans[4].behavior.dist = 3.0; });
-    row("no start", "Write the start 0, 0", [](Scenario& s) { s.humans[0].hasInitPose = false; });
-    row("waits do not fit", "One wait for each goal",
-        [](Scenario& s) { s.humans[0].ours.wait = {1.0}; });
-    row("model mistyped", "Use 'orca'", [](Scenario& s) { s.desktop.model = "orcs"; });
-    row("model of a person unknown", "Use the default",
-        [](Scenario& s) { s.humans[0].ours.model = "teleport9000"; });
-    row("planner mistyped", "Use 'pursuit'", [](Scenario& s) { s.robots[0].planner = "persuit"; });
-    row("source copies nobody", "Copy Ana",
-        [](Scenario& s) { s.areas[0].kind = sim2d::AreaKind::Source; });
-    row("source copies a stranger", "Copy Ana", [](Scenario& s) {
-      s.areas[0].kind = sim2d::AreaKind::Source;
-      s.areas[0].like = "Zoe";
-    });
-    row("source without rate", "One every 10 s", [](Scenario& s) {
-      s.areas[0].kind = sim2d::AreaKind::Source;
-      s.areas[0].like = "Ana";
-    });
-    row("source ends before it begins", "Swap the times", [](Scenario& s) {
-      s.areas[0].kind = sim2d::AreaKind::Source;
-      s.areas[0].like = "Ana";
-      s.areas[0].rate = 1.0;
-      s.areas[0].from = 9.0;
-      s.areas[0].until = 3.0;
-    });
-    row("door without length", "Remove it", [](Scenario& s) { s.doors[0].to = s.doors[0].from; });
-    row("map with extension", "Write 'cafe'", [](Scenario& s) { s.map = "maps/cafe.yaml"; });
-    row("no robot", "Add a robot", [](Scenario& s) { s.robots.clear(); });
+    rowsOfPlaces();
+    rowsOfGoals();
+    rowsOfPeople();
+    rowsOfTheRest();
   }
   void fix_ofEachProblem_mendsItInOneStep() {
     QFETCH(Damage, damage);

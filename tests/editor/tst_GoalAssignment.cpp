@@ -3,8 +3,8 @@
 
 #include "Drops.h"
 #include "SmallScenario.h"
+#include "editor/look/HouseStyle.h"
 #include "editor/panels/GoalAssignment.h"
-#include "tests/editor/LightLook.h"
 
 using editor::GoalAssignment;
 using editor::ScenarioDocument;
@@ -61,7 +61,7 @@ class GoalAssignmentTest : public QObject {
   }
 
  private Q_SLOTS:
-  void initTestCase() { look::wearLight(); }
+  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
   void init() {
     document_ = std::make_unique<ScenarioDocument>();
     document_->load(small::scenario());  // Ana 1 2, Ben 3, Chloe 2 1 3, Emma 1, Farid -, Greta 2

@@ -5,12 +5,12 @@
 #include "editor/document/BehaviorValues.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/Fields.h"
+#include "editor/look/HouseStyle.h"
 #include "editor/panels/PropertyPanel.h"
 #include "editor/panels/Skins.h"
 #include "sim2d/scenario/Defaults.h"
 #include "sim2d/scenario/ScenarioFile.h"
 #include "sim2d/world/World.h"
-#include "tests/editor/LightLook.h"
 
 using editor::ChoiceField;
 using editor::EntityId;
@@ -73,7 +73,7 @@ class PersonPageTest : public QObject {
   }
 
  private Q_SLOTS:
-  void initTestCase() { look::wearLight(); }
+  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
   void init() {
     document_ = std::make_unique<ScenarioDocument>();
     document_->load(small::scenario());

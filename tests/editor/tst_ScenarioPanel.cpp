@@ -4,8 +4,8 @@
 #include "SmallScenario.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/Groups.h"
+#include "editor/look/HouseStyle.h"
 #include "editor/panels/ScenarioPanel.h"
-#include "tests/editor/LightLook.h"
 
 using editor::EntityId;
 using editor::EntityKind;
@@ -33,7 +33,7 @@ class ScenarioPanelTest : public QObject {
     return result;
   }
  private Q_SLOTS:
-  void initTestCase() { look::wearLight(); }
+  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
   void init() {
     document_ = std::make_unique<ScenarioDocument>();
     document_->load(small::scenario());
