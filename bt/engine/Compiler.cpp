@@ -180,6 +180,9 @@ void Compiler::takeOver() {
   }
   program_->initialSlots_ = scopes_.slots();
   program_->entries_ = scopes_.entries();
+  if (!program_->keysInEntries_.empty()) {
+    program_->scopes_ = scopes_.take();
+  }
   program_->paths_ = std::make_shared<const std::vector<std::string>>(std::move(paths_));
 }
 
@@ -195,6 +198,28 @@ base::Result<std::shared_ptr<const Program>> Compiler::run(const CompileOptions&
   }
   takeOver();
   return {std::shared_ptr<const Program>(std::move(program_)), std::move(problems_)};
+}
+
+std::optional<int> Program::slotOf(int scope, std::string_view key, bool isOwn) const {
+  if (!key.empty() && key[0] == '@' && !isOwn) {
+    return slotOf(0, key.substr(1), false);
+  }
+  const Scope& blackboard = scopes_[static_cast<std::size_t>(scope)];
+  const auto place = blackboard.slots.find(key);
+  if (place != blackboard.slots.end()) {
+    const std::vector<int>& own = blackboard.own;
+    const bool isIts = std::find(own.begin(), own.end(), place->second) != own.end();
+    return isOwn && !isIts ? std::nullopt : std::optional<int>(place->second);
+  }
+  const auto remapped = blackboard.remaps.find(key);
+  const bool isPrivate = !key.empty() && key[0] == '_';
+  if (isOwn || blackboard.parent < 0) {
+    return std::nullopt;
+  }
+  if (remapped != blackboard.remaps.end()) {
+    return slotOf(blackboard.parent, remapped->second, false);
+  }
+  return blackboard.autoRemap && !isPrivate ? slotOf(blackboard.parent, key, false) : std::nullopt;
 }
 
 base::Result<std::shared_ptr<const Program>> compile(const TreeTable& table,

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bt/engine/NodeCodes.h"
@@ -25,11 +27,19 @@ class Scopes {
   /// Makes the slot when the key is new.
   int slotOf(int scope, const std::string& key);
 
+  /// It is of this blackboard itself.
+  bool isOwn(int scope, int slot) const {
+    const std::vector<int>& own = scopes_[static_cast<std::size_t>(scope)].own;
+    return std::find(own.begin(), own.end(), slot) != own.end();
+  }
+
   /// What is known about a slot beside its first value.
   struct Use {
     bool literal = false;  // a constant of a SubTree: takes the type of its first reader
     bool written = false;
     bool read = false;
+    bool inPort = false;     // a port names it
+    bool loose = false;      // the first port that named it takes any type: so do all then
     std::string firstTyped;  // who fixed the type, for messages
     std::string firstRead;   // "{key}" of the first reader
     std::string file;
@@ -40,18 +50,13 @@ class Scopes {
   const std::vector<Slot>& slots() const { return slots_; }
   const std::vector<Use>& uses() const { return uses_; }
   const std::vector<Program::Entry>& entries() const { return entries_; }
+  std::vector<Program::Scope> take() { return std::move(scopes_); }
 
  private:
-  struct Scope {
-    int parent = -1;
-    bool autoRemap = false;
-    std::string path;
-    std::map<std::string, int> slots;
-    std::map<std::string, std::string> remaps;
-  };
   int addSlot(int scope, const std::string& key);
 
-  std::vector<Scope> scopes_ = std::vector<Scope>(1);  // the first is the root blackboard
+  std::vector<Program::Scope> scopes_ = std::vector<Program::Scope>(1);  // first the root's
+  std::vector<std::string> paths_ = std::vector<std::string>(1);         // shown in lists
   std::vector<Slot> slots_;
   std::vector<Use> uses_;
   std::vector<Program::Entry> entries_;

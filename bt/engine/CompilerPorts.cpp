@@ -17,11 +17,11 @@ const char* shownType(PortType type) {
 
 int Scopes::add(int parent, bool autoRemap, const std::string& path) {
   constexpr std::size_t kShownPath = 300;  // the end of a longer one tells more than its beginning
-  Scope scope;
+  Program::Scope scope;
   scope.parent = parent;
   scope.autoRemap = autoRemap;
-  scope.path = path.size() > kShownPath ? path.substr(path.size() - kShownPath) : path;
   scopes_.push_back(std::move(scope));
+  paths_.push_back(path.size() > kShownPath ? path.substr(path.size() - kShownPath) : path);
   return static_cast<int>(scopes_.size()) - 1;
 }
 
@@ -40,17 +40,20 @@ void Scopes::setConstant(int scope, const std::string& key, const std::string& t
     target.value = Value::of(std::string_view(text));
   }
   target.exists = true;
+  target.version = 1;  // it counts as written
   use(index).literal = true;
   use(index).written = true;
 }
 
 int Scopes::addSlot(int scope, const std::string& key) {
-  Scope& owner = scopes_[static_cast<std::size_t>(scope)];
+  Program::Scope& owner = scopes_[static_cast<std::size_t>(scope)];
+  const std::string& path = paths_[static_cast<std::size_t>(scope)];
   const int index = static_cast<int>(slots_.size());
   owner.slots[key] = index;
+  owner.own.push_back(index);
   slots_.emplace_back();
   uses_.emplace_back();
-  entries_.push_back({owner.path.empty() ? key : owner.path + "/" + key, index});
+  entries_.push_back({path.empty() ? key : path + "/" + key, index});
   return index;
 }
 
@@ -58,7 +61,7 @@ int Scopes::slotOf(int scope, const std::string& key) {
   if (!key.empty() && key[0] == '@') {
     return slotOf(0, key.substr(1));
   }
-  const Scope& own = scopes_[static_cast<std::size_t>(scope)];
+  const Program::Scope& own = scopes_[static_cast<std::size_t>(scope)];
   const auto known = own.slots.find(key);
   if (known != own.slots.end()) {
     return known->second;
@@ -151,9 +154,9 @@ int Compiler::bindEntry(const NodeSpec& spec, const PortSpec& port, const std::s
   if (port.direction != PortDirection::Output) {
     noteRead(slot, spec, key, place);
   }
-  if (spec.id != "SetBlackboard") {
-    entry.exists = true;
-  }
+  entry.exists = true;
+  use.loose = use.loose || (!use.inPort && port.portType == PortType::Any);
+  use.inPort = true;
   const bool typed = entry.type != PortType::Any;
   if (port.portType == PortType::Any || (typed && entry.type == PortType::String)) {
     return slot;
@@ -161,6 +164,8 @@ int Compiler::bindEntry(const NodeSpec& spec, const PortSpec& port, const std::s
   if (!typed) {
     entry.type = port.portType;
     use.firstTyped = spec.label() + "." + port.key;
+  } else if (entry.type != port.portType && use.loose) {
+    entry.type = PortType::Any;
   } else if (entry.type != port.portType && !adaptLiteral(slot, port.portType)) {
     error(spec, place,
           base::error("tree.key-type", {port.key, shownType(port.portType), "{" + key + "}",
@@ -187,6 +192,9 @@ int Compiler::addScript(const NodeSpec& spec, const std::string& source, const P
     error(spec, place, script.diagnostics().front());
     return -1;
   }
+  if (script->cutAt > 0) {
+    error(spec, place, base::warning("tree.script-cut", {source, script->cutAt}));
+  }
   for (const int slot : script->written) {
     scopes_.use(slot).written = true;
   }
@@ -198,6 +206,9 @@ int Compiler::scriptOfPort(const NodeSpec& spec, const char* port, const Place& 
   const std::string* const text = findText(spec.ports, port);
   if (!text) {
     return -1;  // a missing port is a fault when it is reached
+  }
+  if (text->empty()) {
+    return spec.id == "Script" ? kEmptyScript : -1;
   }
   if (referencedKey(*text, port)) {
     error(spec, place, base::error("tree.script-not-constant", {port}));
@@ -219,15 +230,26 @@ int Compiler::bindConditions(const NodeSpec& spec, const Place& place) {
   return static_cast<int>(program_->conditions_.size()) - 1;
 }
 
-/// The slot that a port names, either plainly or as "{key}".
+/// What a port that names an entry stands for: plainly, as "{key}" the same where an entry is
+/// looked at; where one is written or removed, "{key}" is the entry that holds the name.
 int Compiler::slotOfKeyPort(const NodeSpec& spec, const char* port, const Place& place) {
   const std::string* const text = findText(spec.ports, port);
   if (!text || text->empty()) {
     return -1;
   }
-  const std::string key = referencedKey(*text, port).value_or(*text);
-  const int slot = scopes_.slotOf(place.scope, key);
-  if (spec.id == "SetBlackboard") {
+  const bool sets = spec.id == "SetBlackboard";
+  const bool unsets = spec.id == "UnsetBlackboard";
+  const std::optional<std::string> reference = referencedKey(*text, port);
+  const int slot = scopes_.slotOf(place.scope, reference.value_or(*text));
+  if (reference && (sets || unsets)) {
+    noteRead(slot, spec, *reference, place);
+    program_->keysInEntries_.push_back({slot, place.scope});
+    return kFirstKeyInEntry + 1 - static_cast<int>(program_->keysInEntries_.size());
+  }
+  if (unsets && (text->front() == '@' || !scopes_.isOwn(place.scope, slot))) {
+    return kNobodysEntry;
+  }
+  if (sets) {
     scopes_.use(slot).written = true;
   }
   return slot;

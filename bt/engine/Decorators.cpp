@@ -101,8 +101,8 @@ base::NodeStatus Ticker::timer(int node) {
 base::NodeStatus Ticker::runOnce(int node) {
   auto& result = memory<Status>(node);
   if (result != Status::Idle) {
-    const std::optional<bool> skips = need<bool>(node, 0);
-    return !skips ? kFault : (*skips ? Status::Skipped : result);
+    const Value* const skips = portValue(node, 0);
+    return !skips || valueAs<bool>(*skips).value_or(true) ? Status::Skipped : result;
   }
   const Status status = tickOnlyChild(node);
   result = isDone(status) ? status : Status::Idle;
@@ -137,7 +137,7 @@ base::NodeStatus Ticker::precondition(int node) {
       return need<Status>(node, 1).value_or(kFault);
     }
   }
-  const Status status = tickOnlyChild(node);
+  const Status status = tickOnlyChild(node, false);  // it stays IDLE when the child is skipped
   isRunning = status == Status::Running;
   return status;
 }
@@ -156,42 +156,33 @@ bool Ticker::storeElement(int node, std::string_view element) {
   return true;
 }
 
-/// Takes the next element of the list: of a constant by counting, of an entry by cutting it
-/// off. False = there is none, nothing = a fault was noted.
+/// Takes the next element of the list, which stays as it is. False = there is none, nothing = a
+/// fault was noted.
 std::optional<bool> Ticker::takeElement(int node) {
-  const PortBinding& binding = nodes_[node].ports[0];
   const Value* const list = portValue(node, 0);
   if (!list || list->text.empty()) {
     return false;
   }
   auto& own = memory<LoopMemory>(node);
   std::string_view rest = list->text;
-  const bool constant = binding.kind == PortBinding::Kind::Constant;
-  for (int i = 0; constant && i < own.taken; ++i) {
+  for (int i = 0; i < own.taken; ++i) {
     const std::size_t separator = rest.find(';');
     if (separator == std::string_view::npos) {
       return false;
     }
     rest.remove_prefix(separator + 1);
   }
-  const std::size_t length = std::min(rest.find(';'), rest.size());
-  if (!storeElement(node, rest.substr(0, length))) {
+  if (!storeElement(node, rest.substr(0, rest.find(';')))) {
     return std::nullopt;
   }
-  if (constant) {
-    ++own.taken;
-  } else {
-    Slot& slot = boundSlot(slots(), binding);
-    slot.value.text.erase(0, length + 1);
-    ++slot.version;
-  }
+  ++own.taken;
   return true;
 }
 
 base::NodeStatus Ticker::loop(int node) {
   auto& own = memory<LoopMemory>(node);
   if (stored(node) == Status::Idle) {
-    own.running = false;
+    own = {};
   }
   if (!own.running) {
     const std::optional<bool> taken = takeElement(node);

@@ -10,6 +10,9 @@ base::NodeStatus Ticker::librarySynchronous(int node) {
 
 base::NodeStatus Ticker::script(int node) {
   const int script = nodes_[node].detail;
+  if (script == kEmptyScript) {
+    return Status::Success;
+  }
   if (script < 0) {
     return fault(node, "input 'code' is missing");
   }
@@ -80,44 +83,62 @@ base::NodeStatus Ticker::sleep(int node) {
   return Status::Success;
 }
 
+/// The entry that a node works on: its slot, null when it is nobody's; a fault when the name of the
+/// entry is missing.
+std::optional<Slot*> Ticker::target(int node, const char* port, bool isOwn) {
+  int slot = nodes_[node].detail;
+  if (slot <= kFirstKeyInEntry) {
+    const Program::KeyInEntry& key = program_.keyInEntry(slot);
+    const std::string name = state_.get(key.slot).toText();
+    slot = name.empty() ? -1 : program_.slotOf(key.scope, name, isOwn).value_or(kNobodysEntry);
+  }
+  if (slot == -1) {
+    fault(node, std::string("input '") + port + "' is missing");
+    return std::nullopt;
+  }
+  return slot < 0 ? nullptr : slots() + slot;
+}
+
 base::NodeStatus Ticker::setBlackboard(int node) {
-  const int target = program_.node(node).detail;
-  if (target < 0) {
-    return fault(node, "input 'output_key' is missing");
+  const std::optional<Slot*> to = target(node, "output_key", false);
+  if (!to) {
+    return kFault;
   }
   const PortBinding& binding = nodes_[node].ports[0];
   if (binding.kind == PortBinding::Kind::Missing) {
     return fault(node, "input 'value' is missing");
   }
-  Slot& to = state_.slots_[static_cast<std::size_t>(target)];
   const bool copies = binding.kind == PortBinding::Kind::Entry;
-  if (copies) {
-    const Slot& from = boundSlot(slots(), binding);
-    if (!from.exists) {
-      return fault(node, "the entry to copy does not exist");
-    }
-    if (from.value.type == ValueType::Unset) {
-      return Status::Failure;
-    }
-    if (!to.exists && to.type == PortType::Any) {
-      to.type = from.type;
-    }
+  const Slot& from = boundSlot(copies ? slots() : program_.constants().data(), binding);
+  if (copies && !from.exists) {
+    return fault(node, "the entry to copy does not exist");
   }
-  const Value& value = boundSlot(copies ? slots() : program_.constants().data(), binding).value;
-  if (!store(to, value)) {
-    return fault(node, "'" + value.toText() + "' does not fit the type of the entry");
+  if (copies && from.value.type == ValueType::Unset) {
+    return Status::Failure;
+  }
+  if (*to == nullptr) {
+    return Status::Success;  // nobody reads it
+  }
+  if (copies && !(*to)->exists && (*to)->type == PortType::Any) {
+    (*to)->type = from.type;
+  }
+  if (!store(**to, from.value)) {
+    return fault(node, "'" + from.value.toText() + "' does not fit the type of the entry");
   }
   return Status::Success;
 }
 
+/// Entries of other blackboards stay.
 base::NodeStatus Ticker::unsetBlackboard(int node) {
-  const int target = program_.node(node).detail;
-  if (target < 0) {
-    return fault(node, "input 'key' is missing");
+  const std::optional<Slot*> slot = target(node, "key", true);
+  if (!slot) {
+    return kFault;
   }
-  Slot& slot = state_.slots_[static_cast<std::size_t>(target)];
-  slot.value.type = ValueType::Unset;
-  slot.exists = false;
+  if (*slot != nullptr) {
+    (*slot)->value.type = ValueType::Unset;
+    (*slot)->type = PortType::Any;  // the next entry of this name is a new one
+    (*slot)->exists = false;
+  }
   return Status::Success;
 }
 
@@ -127,9 +148,12 @@ bool Ticker::wasUpdated(int node, UpdateMemory& own) {
     fault(node, "input 'entry' is missing");
     return false;
   }
-  const std::uint32_t version = state_.slots_[static_cast<std::size_t>(slot)].version;
-  const bool updated = version != own.version;
-  own.version = version;
+  const Slot& entry = state_.slots_[static_cast<std::size_t>(slot)];
+  if (!entry.exists) {
+    return false;
+  }
+  const bool updated = entry.version != own.version;
+  own.version = entry.version;
   return updated;
 }
 

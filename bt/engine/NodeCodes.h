@@ -52,7 +52,7 @@ struct TimerMemory {
   bool started = false;
 };
 struct LoopMemory {
-  std::int32_t taken = 0;  // elements of a constant list
+  std::int32_t taken = 0;  // elements of the list, since it started
   bool running = false;
 };
 struct UpdateMemory {

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +25,11 @@ namespace bt {
 constexpr int kMaxProgramNodes = 200000;                     // after all SubTrees are put in place
 constexpr int kMaxProgramDepth = 2000;                       // idem
 constexpr std::size_t kMaxPathBytes = std::size_t{1} << 28;  // of all paths together
+
+// What `detail` of a node says beside the number of a script or slot; -1 = it is missing.
+constexpr int kEmptyScript = -2;
+constexpr int kNobodysEntry = -2;
+constexpr int kFirstKeyInEntry = -3;  // this and below: the name of the entry is in an entry
 
 class Ticker;
 /// Runs one node: what is special to its kind, without conditions and book-keeping.
@@ -58,7 +66,7 @@ class Program {
     std::int32_t children = 0;
     std::int32_t memory = 0;       // offset of its bytes in the agent's memory
     std::int32_t conditions = -1;  // in conditions(); -1 = none
-    std::int32_t detail = -1;      // functions of the library, script or slot
+    std::int32_t detail = -1;      // functions of the library, script or slot, or as above
     LeafFunction tick = nullptr;   // of a synchronous leaf without conditions
     NodeRunner run = nullptr;
     NodeHalter halt = nullptr;  // null: its children are all that is to be halted
@@ -70,6 +78,19 @@ class Program {
   struct Entry {
     std::string key;  // "id"; in a SubTree with its path in front: "RegNav/RegularNavTree/x"
     int slot = -1;
+  };
+  /// What the keys of one blackboard mean.
+  struct Scope {
+    int parent = -1;
+    bool autoRemap = false;
+    std::map<std::string, int, std::less<>> slots;           // that nodes use
+    std::map<std::string, std::string, std::less<>> remaps;  // keys of the parent
+    std::vector<int> own;                                    // slots that are not the parent's
+  };
+  /// A key that stands in an entry, of a node in that scope.
+  struct KeyInEntry {
+    int slot = -1;
+    int scope = 0;
   };
 
   int nodeCount() const { return static_cast<int>(nodes_.size()); }
@@ -97,6 +118,11 @@ class Program {
   const std::vector<Entry>& entries() const { return entries_; }  // all scopes, root first
 
   // For the engine.
+  const KeyInEntry& keyInEntry(int detail) const {
+    return keysInEntries_[static_cast<std::size_t>(kFirstKeyInEntry - detail)];
+  }
+  /// `isOwn`: of this blackboard itself. Nothing = no node uses it.
+  std::optional<int> slotOf(int scope, std::string_view key, bool isOwn) const;
   const std::vector<Node>& nodes() const { return nodes_; }
   /// Of the ports, as slots so that both are read in one way; the first is unset.
   const std::vector<Slot>& constants() const { return constants_; }
@@ -129,6 +155,8 @@ class Program {
   std::vector<Origin> origins_;
   std::vector<Entry> entries_;
   std::vector<int> hostSlots_;
+  std::vector<Scope> scopes_;  // only if keys stand in entries
+  std::vector<KeyInEntry> keysInEntries_;
   std::shared_ptr<const std::vector<std::string>> paths_;
   int memoryBytes_ = 0;
 };

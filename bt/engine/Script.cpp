@@ -124,8 +124,13 @@ void ScriptCompiler::statements() {
   }
   while (token().kind != Token::Kind::End) {
     script_.statements.push_back(assignment());
+    const bool isAssigned = assignmentSigns().count(token().text) > 0;
+    if (token().kind == Token::Kind::Sign && isAssigned) {
+      fail("name of an entry expected before '" + token().text + "'");
+    }
     if (token().kind != Token::Kind::End && !isSign(";")) {
-      fail("operator or ';' expected");
+      script_.cutAt = token().column;
+      return;
     }
     while (take(";")) {
     }
@@ -167,7 +172,7 @@ ScriptExpression ScriptCompiler::conditional() {
   ScriptExpression choice;
   choice.kind = Kind::Choose;
   choice.parts.push_back(std::move(test));
-  choice.parts.push_back(nested(&ScriptCompiler::conditional));
+  choice.parts.push_back(nested(&ScriptCompiler::assignment));
   if (!take(":")) {
     fail("':' expected");
   }

@@ -62,6 +62,7 @@ struct Script {
   std::string source;
   std::vector<ScriptExpression> statements;
   std::vector<int> written;  // slots that it assigns
+  int cutAt = 0;             // column after a statement without ';': the rest is not run; 0 = none
 };
 
 /// `slotOf` gives the slot of a blackboard key. The error says what is wrong and at which column.

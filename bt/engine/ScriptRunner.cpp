@@ -43,8 +43,18 @@ bool ordered(ScriptSign sign, const T& left, const T& right) {
 }
 
 std::optional<double> numberOf(const Value& value) {
-  return value.type == ValueType::String ? doubleFromText(value.text)
-                                         : std::optional<double>(value.number());
+  if (value.type != ValueType::String) {
+    return value.number();
+  }
+  const bool isWord = value.text == "true" || value.text == "false";
+  return isWord ? std::optional<double>(value.text == "true" ? 1.0 : 0.0)
+                : doubleFromText(value.text);
+}
+
+/// Nothing = neither true nor false.
+std::optional<bool> truthOf(const Value& value) {
+  const std::optional<double> number = numberOf(value);
+  return number && !std::isnan(*number) ? std::optional<bool>(*number != 0.0) : std::nullopt;
 }
 
 /// Nothing = text that is no number against a number.
@@ -85,7 +95,7 @@ bool ScriptRunner::run() {
 }
 
 std::optional<bool> ScriptRunner::truth() const {
-  return result_.isNumber() ? std::optional<bool>(result_.number() != 0.0) : std::nullopt;
+  return truthOf(result_);
 }
 
 bool ScriptRunner::evaluate(const ScriptExpression& expression, Value& result) {
@@ -132,6 +142,32 @@ bool ScriptRunner::load(const Value& value, Value& result) {
   return true;
 }
 
+namespace {
+
+/// An entry that holds a number takes text as a number; an empty one takes every number, whatever
+/// its type.
+bool put(Slot& slot, const Value& value) {
+  const bool isEmpty = slot.value.type == ValueType::Unset;
+  const bool holdsText = slot.value.type == ValueType::String;
+  const bool givesText = value.type == ValueType::String;
+  if (slot.type == PortType::Any && !isEmpty && holdsText != givesText) {
+    const std::optional<double> number = givesText ? numberOf(value) : std::nullopt;
+    return number && store(slot, *number);
+  }
+  if (store(slot, value)) {
+    return true;
+  }
+  if (!isEmpty || givesText) {
+    return false;
+  }
+  slot.value = value;
+  slot.exists = true;
+  ++slot.version;
+  return true;
+}
+
+}  // namespace
+
 bool ScriptRunner::assign(Slot& slot, ScriptSign sign, Value& value) {
   if (!slot.exists && sign != ScriptSign::Create) {
     return fail("an entry that is assigned does not exist (create it with ':=')");
@@ -147,14 +183,8 @@ bool ScriptRunner::assign(Slot& slot, ScriptSign sign, Value& value) {
     }
     value = changed;
   }
-  const bool holdsText = slot.value.type == ValueType::String;
-  const bool givesText = value.type == ValueType::String;
-  const bool mixed =
-      slot.type == PortType::Any && slot.value.type != ValueType::Unset && holdsText != givesText;
-  if (mixed || !store(slot, value)) {
-    return fail("the value '" + value.toText() + "' does not fit the type of the entry");
-  }
-  return true;
+  return put(slot, value) ||
+         fail("the value '" + value.toText() + "' does not fit the type of the entry");
 }
 
 bool ScriptRunner::combine(ScriptSign sign, Value& left, const Value& right) {
@@ -165,12 +195,12 @@ bool ScriptRunner::combine(ScriptSign sign, Value& left, const Value& right) {
       return true;
     case ScriptSign::And:
     case ScriptSign::Or: {
-      if (!left.isNumber() || !right.isNumber()) {
-        return fail("text is used as a condition");
+      const std::optional<bool> a = left.isNumber() ? truthOf(left) : std::nullopt;
+      const std::optional<bool> b = right.isNumber() ? truthOf(right) : std::nullopt;
+      if (!a || !b) {
+        return fail("'&&' and '||' take numbers");
       }
-      const bool a = left.number() != 0.0;
-      const bool b = right.number() != 0.0;
-      setNumber(left, (sign == ScriptSign::And ? a && b : a || b) ? 1.0 : 0.0);
+      setNumber(left, (sign == ScriptSign::And ? *a && *b : *a || *b) ? 1.0 : 0.0);
       return true;
     }
     case ScriptSign::BitAnd:
@@ -222,38 +252,40 @@ bool ScriptRunner::unary(ScriptSign sign, Value& value) {
   } else if (sign == ScriptSign::Not) {
     setNumber(value, value.number() == 0.0 ? 1.0 : 0.0);
   } else {
-    const std::optional<std::int64_t> number = bitsOf(value);
+    Value whole;
+    setNumber(whole, std::trunc(value.number()));
+    const std::optional<std::int64_t> number = bitsOf(whole);
     if (!number) {
-      return fail("bits of something that is no whole number");
+      return fail("bits of a number that is too large");
     }
     setNumber(value, static_cast<double>(~*number));
   }
   return true;
 }
 
-/// All values are worked out before it is said that two of them cannot be compared.
+/// What stands behind a comparison that does not hold is not looked at.
 bool ScriptRunner::compare(const ScriptExpression& expression, Value& result) {
   if (!evaluate(expression.parts.front(), result)) {
     return false;
   }
-  bool all = true;
-  bool isComparable = true;
   for (std::size_t i = 0; i < expression.signs.size(); ++i) {
     Value next;
     if (!evaluate(expression.parts[i + 1], next)) {
       return false;
     }
     const std::optional<bool> holds = compareValues(expression.signs[i], result, next);
-    isComparable = isComparable && holds;
-    all = all && holds.value_or(false);
+    if (!holds) {
+      return fail("text that is no number is compared with a number");
+    }
+    if (!*holds) {
+      setNumber(result, 0.0);
+      return true;
+    }
     if (i + 1 < expression.signs.size()) {
       result = std::move(next);
     }
   }
-  if (!isComparable) {
-    return fail("text that is no number is compared with a number");
-  }
-  setNumber(result, all ? 1.0 : 0.0);
+  setNumber(result, 1.0);
   return true;
 }
 
@@ -261,10 +293,12 @@ bool ScriptRunner::choose(const ScriptExpression& expression, Value& result) {
   if (!evaluate(expression.parts[0], result)) {
     return false;
   }
-  if (!result.isNumber()) {
-    return fail("text is used as a condition");
+  const bool isText = result.type == ValueType::String;
+  if (isText && result.text.empty()) {
+    return fail("an empty text is used as a condition");
   }
-  return evaluate(expression.parts[result.number() != 0.0 ? 1 : 2], result);
+  const bool holds = isText || result.number() != 0.0;  // any text
+  return evaluate(expression.parts[holds ? 1 : 2], result);
 }
 
 }  // namespace bt

@@ -185,6 +185,7 @@ class Ticker {
   Status scriptCondition(int node);
   Status wasEntryUpdated(int node);
   Status sleep(int node);
+  std::optional<Slot*> target(int node, const char* port, bool isOwn);
   Status setBlackboard(int node);
   Status unsetBlackboard(int node);
   bool wasUpdated(int node, UpdateMemory& memory);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <deque>
 #include <set>
 #include <utility>
 
@@ -62,7 +63,11 @@ bool isSubTreeTag(const std::string& tag) {
 /// Turns the elements of one document into a TreeFile and gathers every problem on the way.
 class TreeReader {
  public:
-  explicit TreeReader(const std::string& fileName) { file_.path = fileName; }
+  /// `pieces`: of the document, the first holds the others.
+  TreeReader(const std::string& fileName, const std::deque<tinyxml2::XMLDocument>& pieces)
+      : pieces_(pieces) {
+    file_.path = fileName;
+  }
 
   void readRoot(const XMLElement& root);
   TreeFile takeFile() { return std::move(file_); }
@@ -82,9 +87,19 @@ class TreeReader {
   void checkName(const XMLElement& element, const std::string& name, const char* what);
   void lookForTemplate(const XMLElement& element);
 
+  const XMLElement& placed(const XMLElement& element) const;
+
+  const std::deque<tinyxml2::XMLDocument>& pieces_;
   TreeFile file_;
   base::Diagnostics problems_;
 };
+
+/// The element that stands for a piece is its root.
+const XMLElement& TreeReader::placed(const XMLElement& element) const {
+  const bool isPiece = pieces_.size() > 1 && std::string(element.Name()) == kPieceTag;
+  const auto piece = isPiece ? static_cast<std::size_t>(element.UnsignedAttribute("n")) : 0;
+  return piece > 0 && piece < pieces_.size() ? *pieces_[piece].RootElement() : element;
+}
 
 void TreeReader::error(const XMLElement& at, std::string_view code, base::ProblemValues values) {
   problems_.push_back(base::error(code, std::move(values), file_.path, at.GetLineNum()));
@@ -219,7 +234,7 @@ NodeSpec TreeReader::readNode(const XMLElement& element, int depth) {
   }
   lookForTemplate(element);
   for (const XMLElement* c = element.FirstChildElement(); c; c = c->NextSiblingElement()) {
-    node.children.push_back(readNode(*c, depth + 1));
+    node.children.push_back(readNode(placed(*c), depth + 1));
   }
   if (file_.format == 3) {
     convertFromVersion3(node, file_.path, problems_);
@@ -296,16 +311,19 @@ base::Result<TreeFile> readTreeText(std::string_view xml, const std::string& fil
   }
   int bareAmpersand = 0;
   const std::string text = withEscapedAmpersands(xml, bareAmpersand);
-  tinyxml2::XMLDocument document;
-  if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
-    return base::error("tree.not-xml", {messageOfXmlError(document.ErrorID())}, fileName,
-                       document.ErrorLineNum());
+  std::deque<tinyxml2::XMLDocument> pieces;  // stay where they are
+  for (const std::string& piece : shallowPieces(text)) {
+    tinyxml2::XMLDocument& document = pieces.emplace_back();
+    if (document.Parse(piece.data(), piece.size()) != tinyxml2::XML_SUCCESS) {
+      return base::error("tree.not-xml", {messageOfXmlError(document.ErrorID())}, fileName,
+                         document.ErrorLineNum());
+    }
+    if (!document.RootElement()) {
+      return base::error("tree.no-element", {}, fileName, 1);
+    }
   }
-  const XMLElement* const root = document.RootElement();
-  if (!root) {
-    return base::error("tree.no-element", {}, fileName, 1);
-  }
-  TreeReader reader(fileName);
+  const XMLElement* const root = pieces.front().RootElement();
+  TreeReader reader(fileName, pieces);
   if (bareAmpersand > 0) {
     reader.problems().push_back(base::warning("tree.bare-ampersand", {}, fileName, bareAmpersand));
   }

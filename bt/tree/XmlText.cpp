@@ -77,7 +77,98 @@ std::size_t verbatimLength(std::string_view text) {
   return 0;
 }
 
+/// Length of the tag at the begin of `text`, quotes in mind.
+std::size_t tagLength(std::string_view text) {
+  char quote = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    if (quote == 0 && c == '>') {
+      return at + 1;
+    }
+    quote = quote == c ? 0 : (quote == 0 && (c == '"' || c == '\'')) ? c : quote;
+  }
+  return text.size();
+}
+
+/// Shares a text out among its pieces while it is read from the begin.
+class Pieces {
+ public:
+  void open(std::string_view tag) {
+    if (places_.back().depth == kMostDeep) {
+      add("<" + std::string(kPieceTag) + " n=\"" + std::to_string(pieces_.size()) + "\"/>");
+      places_.push_back({pieces_.size(), 0});
+      pieces_.emplace_back();
+    }
+    add(tag);
+    places_.back().depth += tag.substr(tag.size() - std::min<std::size_t>(2, tag.size())) != "/>";
+    leave();
+  }
+  void close(std::string_view tag) {
+    add(tag);
+    --places_.back().depth;
+    leave();
+  }
+  /// Empty lines before it make up for what went into other pieces.
+  void add(std::string_view text) {
+    Piece& piece = pieces_[places_.back().piece];
+    piece.text.append(line_ - piece.line, '\n');
+    piece.text += text;
+    line_ += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+    piece.line = line_;
+  }
+  std::vector<std::string> take() {
+    std::vector<std::string> texts;
+    texts.reserve(pieces_.size());
+    for (Piece& piece : pieces_) {
+      texts.push_back(std::move(piece.text));
+    }
+    return texts;
+  }
+
+ private:
+  static constexpr int kMostDeep = 80;
+  struct Piece {
+    std::string text;
+    std::size_t line = 0;  // that were written
+  };
+  struct Place {
+    std::size_t piece = 0;
+    int depth = 0;  // within the piece
+  };
+  void leave() {
+    if (places_.size() > 1 && places_.back().depth <= 0) {
+      places_.pop_back();
+    }
+  }
+
+  std::vector<Piece> pieces_ = std::vector<Piece>(1);
+  std::vector<Place> places_ = std::vector<Place>(1);  // from the first piece to the present one
+  std::size_t line_ = 0;
+};
+
 }  // namespace
+
+std::vector<std::string> shallowPieces(std::string_view text) {
+  Pieces pieces;
+  while (!text.empty()) {
+    const bool isMarkup = text[0] == '<';
+    const std::size_t verbatim = isMarkup ? verbatimLength(text) : 0;
+    const std::size_t length = verbatim > 0 ? verbatim
+                               : isMarkup   ? tagLength(text)
+                                            : std::min(text.find('<'), text.size());
+    const std::string_view part = text.substr(0, length);
+    const char second = part.size() > 1 ? part[1] : 0;
+    if (!isMarkup || verbatim > 0 || second == '?' || second == '!') {
+      pieces.add(part);
+    } else if (second == '/') {
+      pieces.close(part);
+    } else {
+      pieces.open(part);
+    }
+    text.remove_prefix(length);
+  }
+  return pieces.take();
+}
 
 std::string withEscapedAmpersands(std::string_view text, int& firstLine) {
   std::string result;

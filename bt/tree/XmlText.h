@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "bt/tree/TreeSpec.h"
 
@@ -19,6 +20,12 @@ std::optional<base::Diagnostic> problemOfText(std::string_view text, const std::
 /// CDATA; `firstLine` = where the first one stands, 0 = there was none. tinyxml2 keeps such an '&'
 /// in a text of its own, but garbles it behind a reference.
 std::string withEscapedAmpersands(std::string_view text, int& firstLine);
+
+/// tinyxml2 reads elements within each other to a depth of 100. The text in pieces that are less
+/// deep: an element that stands deeper is taken out with all within it, and
+/// <piece-of-this-file n="its number"/> stands in its place. Elements keep their lines.
+std::vector<std::string> shallowPieces(std::string_view text);
+constexpr const char* kPieceTag = "piece-of-this-file";
 
 /// An error number of tinyxml2 in words.
 std::string messageOfXmlError(int errorId);

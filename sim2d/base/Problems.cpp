@@ -160,6 +160,8 @@ constexpr ProblemText kTexts[] = {
     {"tree.key-type", "port '{port}' is {type}, but {entry} is {other}{writer? (by %)}"},
     {"tree.never-written", "nothing writes {entry}, so reading it stops the tree"},
     {"tree.bad-script", "script '{source}': {reason}"},
+    {"tree.script-cut",
+     "script '{source}' ends before column {column}, where a ';' is missing; the rest is not run"},
     {"tree.script-not-read", "script '{source}' cannot be read from column {column} on"},
     {"tree.script-not-constant", "the script in '{port}' must be written out"},
     {"tree.regular-nav-missing",

@@ -290,7 +290,16 @@ void rowsOfDelays() {
 
 void rowsOfEntries() {
   row("loop over a constant", "<LoopInt queue='4;5' value='{v}'><ReadInt value='{v}'/></LoopInt>",
-      "4 -> RUNNING|5 -> RUNNING|-> SUCCESS|-> SUCCESS");
+      "4 -> RUNNING|5 -> RUNNING|-> SUCCESS|4 -> RUNNING|5 -> RUNNING|-> SUCCESS");
+  row("loop, halted",
+      "<Timeout msec='200'><LoopInt queue='4;5;6' value='{v}'><Sequence><ReadInt value='{v}'/>"
+      "<St runs='2'/></Sequence></LoopInt></Timeout>",
+      "4 start -> RUNNING|run1 -> RUNNING|halt -> FAILURE|4 start -> RUNNING");
+  row("loop over an entry, which stays",
+      "<Sequence><RunOnce><Script code=\"q := '1;2'\"/></RunOnce>"
+      "<LoopInt queue='{q}' value='{v}'><ReadInt value='{v}'/></LoopInt>"
+      "<ScriptCondition code=\"q == '1;2'\"/></Sequence>",
+      "1 -> RUNNING|2 -> RUNNING|-> SUCCESS|1 -> RUNNING");
   row("loop over an entry",
       "<Sequence><RunOnce><Script code=\"q := '1.5;2'\"/></RunOnce>"
       "<LoopDouble queue='{q}' value='{v}' if_empty='FAILURE'><ReadDouble "
@@ -300,9 +309,16 @@ void rowsOfEntries() {
   row("loop, text, child fails",
       "<LoopString queue='a;b' value='{v}'><Sequence><ReadText value='{v}'/><F/></Sequence>"
       "</LoopString>",
-      "a F -> FAILURE|b F -> FAILURE|-> SUCCESS");
+      "a F -> FAILURE|a F -> FAILURE");
   row("loop, stateful child", "<LoopBool queue='1;0' value='{v}'><St/></LoopBool>",
-      "start -> RUNNING|run1 -> RUNNING|start -> RUNNING|run1 -> RUNNING|-> SUCCESS");
+      "start -> RUNNING|run1 -> RUNNING|start -> RUNNING|run1 -> RUNNING|-> SUCCESS|start -> "
+      "RUNNING");
+  row("precondition, child is skipped",
+      "<Sequence><Precondition if='1 == 1'><S _skipIf='1 == 1'/></Precondition></Sequence>",
+      "-> SKIPPED|-> SKIPPED");
+  row("run once, port without a value",
+      "<Sequence><RunOnce then_skip='{unset}'><S name='a'/></RunOnce><S name='b'/></Sequence>",
+      "a b -> SUCCESS|b -> SUCCESS");
   row("skip unless updated",
       "<Sequence><RunOnce><SetBlackboard value='1' output_key='k'/></RunOnce>"
       "<SkipUnlessUpdated entry='{k}'><S/></SkipUnlessUpdated></Sequence>",
@@ -339,14 +355,30 @@ void ControlsTest::tick_leaf_givesTrace_data() {
       "<Sequence><SetBlackboard value='5' output_key='k'/><ReadInt value='{k}'/>"
       "</Sequence>",
       "5 -> SUCCESS");
-  row("set, key as reference",
-      "<Sequence><SetBlackboard value='x y' output_key='{k}'/><ReadText value='{k}'/></Sequence>",
-      "x y -> SUCCESS");
+  row("set, the key is in an entry",
+      "<Sequence><SetBlackboard value='other' output_key='k'/>"
+      "<SetBlackboard value='x y' output_key='{k}'/><ReadText value='{other}'/><ReadText "
+      "value='{k}'/></Sequence>",
+      "x y other -> SUCCESS");
+  row("set, the key is in an entry, which nobody uses",
+      "<Sequence><SetBlackboard value='other' output_key='k'/>"
+      "<SetBlackboard value='x y' output_key='{k}'/></Sequence>",
+      "-> SUCCESS");
+  row("set, the key is in an entry without a value",
+      "<SetBlackboard value='x y' output_key='{k}'/>", "!'output_key' is missing");
   row("set copies with the type",
       "<Sequence><Put value='{a}' number='7'/><SetBlackboard value='{a}' output_key='b'/>"
       "<ReadInt value='{b}'/></Sequence>",
       "7 -> SUCCESS");
-  row("set, missing entry", "<SetBlackboard value='{nothing}' output_key='b'/>", "!does not exist");
+  row("set, missing entry", "<SetBlackboard value='{nothing}' output_key='b'/>", "-> FAILURE");
+  row("set, removed entry",
+      "<Sequence><SetBlackboard value='1' output_key='a'/><UnsetBlackboard key='a'/>"
+      "<SetBlackboard value='{a}' output_key='b'/></Sequence>",
+      "!does not exist");
+  row("set, true",
+      "<Sequence><SetBlackboard value='true' output_key='flag'/>"
+      "<ScriptCondition code='flag == true'/></Sequence>",
+      "-> SUCCESS");
   row("set, empty entry",
       "<Sequence><SetBlackboard value='{a}' output_key='b'/><Put value='{a}'/></Sequence>",
       "-> FAILURE");
@@ -358,6 +390,24 @@ void ControlsTest::tick_leaf_givesTrace_data() {
       "<Sequence><SetBlackboard value='5' output_key='k'/><UnsetBlackboard key='k'/>"
       "<ReadInt value='{k}'/></Sequence>",
       "!'value' is missing");
+  row("unset, the next one may have another type",
+      "<Sequence><Put value='{k}' number='7'/><ReadInt value='{k}'/><UnsetBlackboard key='k'/>"
+      "<Script code=\"k := 'abc'\"/><ScriptCondition code=\"k == 'abc'\"/></Sequence>",
+      "7 -> SUCCESS");
+  row("unset, the key is in an entry",
+      "<Sequence><SetBlackboard value='5' output_key='a'/><SetBlackboard value='a' output_key='k'/>"
+      "<UnsetBlackboard key='{k}'/><ReadText value='{k}'/><ReadInt value='{a}'/></Sequence>",
+      "!'value' is missing");
+  row("real to an empty entry for a whole number",
+      "<Sequence><Script code='n := 2.5'/><ScriptCondition code='n == 2.5'/><ReadInt value='{n}'/>"
+      "</Sequence>",
+      "!does not fit");
+  row("empty script", "<Script code=''/>", "-> SUCCESS");
+  row("empty condition", "<ScriptCondition code=''/>", "!'code' is missing");
+  row("condition of text",
+      "<Sequence><ScriptCondition code=\"'1'\"/><ScriptCondition code=\"'0'\"/></Sequence>",
+      "-> FAILURE");
+  row("condition of no number", "<ScriptCondition code='0 / 0'/>", "!true or false");
   row("script",
       "<Sequence><Script code='n := 2; n *= 3'/><ScriptCondition code='n == 6'/>"
       "<ReadDouble value='{n}'/></Sequence>",

@@ -114,6 +114,18 @@ void ScriptsTest::run_script_givesValue_data() {
   row("s += '!'; s", "text!");
   row("x := 1;\n\ny := 2 ;; x + y;", "3");
   row("x := a > 1 ? 'many' : 'few'; x", "many");
+  // As BehaviorTree.CPP 4.10.
+  row("a = '7'; a + 1", "8");   // text to a number
+  row("3 < 2 < unknown", "0");  // a comparison ends with the first that does not hold
+  row("s == 'other' == unknown", "0");
+  row("~2.5", "-3");
+  row("~-2.5", "1");
+  row("flag := 'true'; flag == true", "1");
+  row("'false' == true", "0");
+  row("s ? 1 : 2", "1");  // any text
+  row("a > 1 ? b := 4 : 5; b", "4");
+  row("x := 1 y := 2", "1");  // a ';' is missing: the rest is not run
+  row("1 2", "1");
 }
 
 void ScriptsTest::run_script_givesValue() {
@@ -133,12 +145,13 @@ void ScriptsTest::run_badScript_fails_data() {
   row("s + 1", "arithmetic with text");
   row("s - s", "arithmetic with text");
   row("s -= 'a'", "arithmetic with text");
-  row("1 && 's'", "text is used");
+  row("1 && 's'", "take numbers");
+  row("0 / 0 || 1", "take numbers");
   row("s == 3", "no number");
   row("-s", "a sign before text");
   row("1.5 & 1", "no whole number");
-  row("~1.5", "no whole number");
-  row("s ? 1 : 2", "text is used");
+  row("~1e300", "too large");
+  row("'' ? 1 : 2", "empty text");
   row("a = 'text'", "does not fit");
   row("0 && unknown", "no value");  // both sides are evaluated
 }
@@ -158,11 +171,10 @@ void ScriptsTest::compile_badText_saysColumn_data() {
   row("", "empty");
   row("1 +", "value expected at column 4");
   row("(1", "')' expected at column 3");
-  row("1 2", "operator or ';' expected at column 3");
   row("1 ? 2", "':' expected at column 6");
   row("x := 'a", "from column 6 on");
   row("1 # 2", "from column 3 on");
-  row("5 := 3", "operator or ';' expected at column 3");
+  row("5 := 3", "name of an entry expected before ':=' at column 3");
   row("12abc", "from column 1 on");
   row("{a} == 1", "from column 1 on");
 }

@@ -80,6 +80,22 @@ void rowsOfValuesAndCalls() {
       "start -> RUNNING|run1 -> FAILURE|start -> RUNNING");
   row("halted", trees("<Timeout msec='100'><SubTree ID='Sub'/></Timeout>", "<St runs='9'/>"),
       "start -> RUNNING|halt -> FAILURE");
+  row("literal counts as written",
+      trees("<SubTree ID='Sub' x='7'/>",
+            "<Sequence><WasEntryUpdated entry='x'/><ReadInt value='{x}'/></Sequence>"),
+      "7 -> SUCCESS|-> FAILURE");
+  row("unset removes what is of the SubTree alone",
+      trees("<Sequence><Put value='{a}' number='3'/><SubTree ID='Sub' x='{a}' y='5'/>"
+            "<ReadInt value='{a}'/></Sequence>",
+            "<Sequence><UnsetBlackboard key='x'/><UnsetBlackboard key='@a'/><ReadInt value='{x}'/>"
+            "<UnsetBlackboard key='y'/><Inverter><WasEntryUpdated entry='y'/></Inverter>"
+            "</Sequence>"),
+      "3 3 -> SUCCESS");
+  row("the key of another blackboard is in an entry",
+      trees("<Sequence><Put value='{a}' number='3'/><SubTree ID='Sub' x='{a}' k='x'/>"
+            "<ReadInt value='{a}'/></Sequence>",
+            "<SetBlackboard value='4' output_key='{k}'/>"),
+      "4 -> SUCCESS");
   row("three levels",
       "<root BTCPP_format='4' main_tree_to_execute='A'><BehaviorTree ID='A'><Sequence>"
       "<Script code='k := 1'/><SubTree ID='B' k='{k}'/><ReadDouble value='{k}'/></Sequence>"
@@ -141,6 +157,15 @@ void SubTreesTest::compile_types_data() {
       "port 'value' is double, but {x} is int");
   add("literal number as text", trees("<SubTree ID='Sub' x='7'/>", "<ReadText value='{x}'/>"),
       "port 'value' is std::string, but {x} is int");
+  add("named without a type first",
+      "<Sequence><SetBlackboard value='{n}' output_key='m'/><ReadInt value='{n}'/>"
+      "<ReadDouble value='{n}'/></Sequence>",
+      "");
+  add("named without a type first, by the caller",
+      trees("<Sequence><SetBlackboard value='{n}' output_key='m'/>"
+            "<SubTree ID='Sub' _autoremap='true'/></Sequence>",
+            "<Sequence><ReadInt value='{n}'/><ReadDouble value='{n}'/></Sequence>"),
+      "");
   add("untyped ports fit everything",
       "<Sequence><ReadInt value='{n}'/><SetBlackboard value='{n}' output_key='m'/>"
       "<ReadInt value='{m}'/></Sequence>",

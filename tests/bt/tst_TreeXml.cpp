@@ -27,6 +27,7 @@ class TreeXmlTest : public QObject {
   void read_version3BlackboardChecks_becomePreconditions();
   void read_version4_isNotConverted();
   void read_entityBomb_isNotExpanded();
+  void read_deepNesting_isRead();
   void read_deepNesting_isRefusedSoon();
   void read_hundredThousandNodes_isRead();
   void include_ownDefinition_wins();
@@ -253,6 +254,32 @@ void TreeXmlTest::read_entityBomb_isNotExpanded() {
   } else {
     QVERIFY(base::hasErrors(file.diagnostics()));
   }
+}
+
+void TreeXmlTest::read_deepNesting_isRead() {
+  constexpr int kDeep = 250;
+  QString text = QStringLiteral("<root BTCPP_format='4'>\n<BehaviorTree ID='T'>\n");
+  for (int i = 0; i < kDeep; ++i) {
+    text += QStringLiteral("<Inverter name='i%1'>\n").arg(i);
+  }
+  text += QStringLiteral("<AlwaysSuccess name='a > \"b'/><!-- <x> -->\n");
+  text += QStringLiteral("</Inverter>\n").repeated(kDeep);
+  const QString end = QStringLiteral("</BehaviorTree>\n</root>");
+  const base::Result<bt::TreeFile> file = bt::readTreeText((text + end).toStdString(), "t.xml");
+  QVERIFY2(file, textOf(file.diagnostics()).c_str());
+  const bt::NodeSpec* node = &file->trees[0].root;
+  for (int i = 0; i < kDeep; ++i) {
+    QCOMPARE(node->name, "i" + std::to_string(i));
+    QCOMPARE(node->line, 3 + i);
+    QCOMPARE(node->children.size(), std::size_t(1));
+    node = &node->children[0];
+  }
+  QCOMPARE(node->name, std::string("a > \"b"));
+  // An error behind the pieces has its line.
+  const base::Result<bt::TreeFile> broken =
+      bt::readTreeText((text + QStringLiteral("</x>") + end).toStdString(), "t.xml");
+  QVERIFY(!broken);
+  QCOMPARE(broken.diagnostics().front().line, 4 + 2 * kDeep);
 }
 
 void TreeXmlTest::read_deepNesting_isRefusedSoon() {
