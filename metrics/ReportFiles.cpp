@@ -288,13 +288,31 @@ void writeSteps(const std::vector<double>& times, const std::vector<StepColumn>&
   to(text);
 }
 
+namespace {
+
+/// For people: six digits; "-" when there is none.
+std::string shownValue(const MetricResult& result) {
+  const std::optional<double>& value = result.value.value;
+  if (!value) {
+    return "-";
+  }
+  if (result.info.kind != Kind::Number || !std::isfinite(*value)) {
+    return valueCell(result);
+  }
+  std::array<char, 32> text{};
+  const std::to_chars_result end =
+      std::to_chars(text.begin(), text.end(), *value, std::chars_format::general, 6);
+  return {text.begin(), end.ptr};
+}
+
+}  // namespace
+
 std::string tableText(const Evaluation& evaluation) {
   std::size_t keyWidth = 6;
   std::size_t valueWidth = 5;
   std::vector<std::string> values;
   for (const MetricResult& result : evaluation.results) {
-    const std::string value = valueCell(result);
-    values.push_back(value.empty() ? "-" : value);
+    values.push_back(shownValue(result));
     keyWidth = std::max(keyWidth, result.info.key.size());
     valueWidth = std::max(valueWidth, values.back().size());
   }

@@ -29,14 +29,11 @@ int within(Invocation& given, const CommandRegistry::Action& action) {
 }
 
 /// Words that no option takes; the library tells them last first.
-int tellExtras(const CLI::App& root, const std::string& firstWord) {
+int tellExtras(const CommandRegistry& commands, const std::string& firstWord) {
+  const CLI::App& root = commands.root();
   const std::vector<CLI::App*> given = root.get_subcommands();
   std::string text = "not expected: " + base::join(root.remaining(true), " ");
-  std::vector<std::string> commands;
-  for (const CLI::App* command : root.get_subcommands(nullptr)) {
-    commands.push_back(command->get_name());
-  }
-  const std::optional<std::string> meant = base::nearestName(firstWord, commands);
+  const std::optional<std::string> meant = base::nearestName(firstWord, commands.names());
   if (given.empty() && meant) {
     text += " (did you mean the command '" + *meant + "'?)";
   }
@@ -66,9 +63,17 @@ CLI::App& CommandRegistry::add(const std::string& name, const std::string& help,
   return *root_.add_subcommand(name, help);
 }
 
+std::vector<std::string> CommandRegistry::names() const {
+  std::vector<std::string> names;
+  for (const CLI::App* command : root_.get_subcommands(nullptr)) {
+    names.push_back(command->get_name());
+  }
+  return names;
+}
+
 void CommandRegistry::addOutputOptions() {
   for (CLI::App* command : root_.get_subcommands(nullptr)) {
-    command->add_flag("--quiet", quiet_, "No progress and no table");
+    command->add_flag("-q,--quiet", quiet_, "No progress and no table");
     command->add_flag("--json", json_, "Machine-readable standard output");
   }
 }
@@ -131,8 +136,8 @@ int runProgram(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
   keepAliveWhenFilesAreFull();
   CLI::App root{"HuNavSim Desktop: people and a robot on a map, drawn, simulated, measured"};
   root.name("hunavsim");
-  root.set_version_flag("--version", "hunavsim " + programVersion() + " (" + programCommit() + ")");
-  root.set_help_flag("--help", "Show this text");
+  root.set_version_flag("-V,--version", "hunavsim " + programVersion() + " (" + programCommit() + ")");
+  root.set_help_flag("-h,--help", "Show this text");
   CommandRegistry commands(root);
   addWindow(commands);
   addAllCommands(commands);
@@ -143,7 +148,7 @@ int runProgram(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
   } catch (const CommandEnd& end) {
     return end.code;
   } catch (const CLI::ExtrasError&) {
-    return tellExtras(root, argv[1]);
+    return tellExtras(commands, argv[1]);
   } catch (const CLI::ParseError& problem) {
     return root.exit(problem) == 0 ? ExitFine : ExitWrongCommandLine;
   }

@@ -48,6 +48,7 @@ class CommandRegistry {
 
   explicit CommandRegistry(CLI::App& root) : root_(root) {}
   CLI::App& root() const { return root_; }
+  std::vector<std::string> names() const;  // of the commands
 
   /// `drawing` is asked when the options are known.
   CLI::App& add(

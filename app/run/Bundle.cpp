@@ -131,7 +131,8 @@ Bundle readBundle(const RunOptions& options, const RunSettings& settings,
   bundle.settings = settings;
   bundle.inputs.push_back(options.scenario);
   sim2d::ScenarioReading reading = sim2d::readScenario(options.scenario);
-  bundle.remarks = reading.diagnostics;
+  const std::optional<base::Diagnostic> unknown = unknownScenario(options.scenario);
+  bundle.remarks = unknown ? base::Diagnostics{*unknown} : reading.diagnostics;
   bundle.isWhole = reading.ok();
   bundle.comments = reading.commentCount;
   bundle.lines = std::move(reading.lines);

@@ -57,6 +57,20 @@ std::string scenarioFile(const std::string& fileOrName) {
   return fileOrName;
 }
 
+std::optional<base::Diagnostic> unknownScenario(const std::string& word,
+                                                const std::vector<std::string>& others) {
+  std::error_code ignored;
+  if (word.empty() || word.find('/') != std::string::npos || fs::exists(word, ignored)) {
+    return std::nullopt;
+  }
+  std::vector<std::string> names = others;
+  for (const ShippedScenario& shipped : shippedScenarios()) {
+    names.push_back(shipped.name);
+  }
+  const std::string stem = fs::path(word).stem().string();
+  return base::error("file.unknown-scenario", {base::nearestName(stem, names)}, word);
+}
+
 std::string programVersion() {
   return HUNAVSIM_VERSION;
 }

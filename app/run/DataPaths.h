@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "sim2d/base/Result.h"
 
 namespace app {
 
@@ -16,6 +19,11 @@ struct ShippedScenario {
   std::string path;
 };
 std::vector<ShippedScenario> shippedScenarios();  // by name
+
+/// A word that is neither a file nor a shipped scenario, with the nearest of these and `others`;
+/// nothing for what is a path.
+std::optional<base::Diagnostic> unknownScenario(const std::string& word,
+                                                const std::vector<std::string>& others = {});
 
 /// The path of the shipped scenario of this name, unless there is such a file; else `fileOrName`.
 std::string scenarioFile(const std::string& fileOrName);

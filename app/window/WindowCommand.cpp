@@ -214,21 +214,24 @@ base::Diagnostics takeScreenshot(MainWindow& window, const WindowOptions& option
 
 namespace {
 
-int windowCommand(int argc, char** argv, const RunOptions& run, const WindowOptions& options) {
+int windowCommand(const Invocation& given, const RunOptions& run, const WindowOptions& options,
+                  const std::vector<std::string>& commands) {
   base::Diagnostics wrongWords = checkWords(options);
   const base::Result<RunSettings> settings = runSettingsOf(run);
   base::append(wrongWords, settings.diagnostics());
   requireFine(wrongWords, ExitWrongCommandLine, base::Severity::Warning);
   const QString scenario = QString::fromStdString(run.scenario);
   if (!scenario.isEmpty() && !QFileInfo::exists(scenario)) {
-    requireFine({base::error("file.not-there", {}, run.scenario)});
+    requireFine({unknownScenario(run.scenario, commands)
+                     .value_or(base::error("file.not-there", {}, run.scenario))});
   }
   const bool picture = !options.screenshot.empty();
   if (picture && FileCommands::isImage(scenario)) {
     requireFine({base::error("option.picture-of-image", {}, run.scenario)});
   }
   prepareScreen(options);
-  QApplication application(argc, argv);
+  int argc = given.argc;
+  QApplication application(argc, given.argv);
   std::setlocale(LC_NUMERIC, "C");
   QApplication::setApplicationName(QStringLiteral("HuNavSim Desktop"));
   QApplication::setApplicationVersion(QString::fromStdString(programVersion()));
@@ -296,9 +299,9 @@ std::optional<QSize> sizeFromText(const std::string& text) {
 void addWindow(CommandRegistry& commands) {
   const auto run = std::make_shared<RunOptions>();
   const auto window = std::make_shared<WindowOptions>();
-  commands.setDefault([run, window](const Invocation& given) {
+  commands.setDefault([run, window, &commands](const Invocation& given) {
     takeScenarioFromDocks(window->docks, run->scenario);
-    return windowCommand(given.argc, given.argv, *run, *window);
+    return windowCommand(given, *run, *window, commands.names());
   });
   CLI::App& root = commands.root();
   root.add_option("scenario", run->scenario, "Scenario to open in the window")

@@ -225,7 +225,10 @@ constexpr ProblemText kTexts[] = {
     {"file.cannot-write-picture", "cannot write: {reason}"},
     {"file.cannot-remove", "cannot remove the file: {reason}"},
     {"file.no-permission", "cannot write into the folder (no permission)"},
-    {"file.not-there", "there is no such file, and no command or shipped scenario of this name"},
+    {"file.not-there", "there is no such file"},
+    {"file.unknown-scenario",
+     "there is no such file, and no command or shipped scenario of this name{nearest? (did you "
+     "mean '%'?)}"},
 
     // Images of maps.
     {"image.only-pgm", "this program reads only PGM images (P2, P5)"},

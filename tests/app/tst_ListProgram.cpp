@@ -23,6 +23,34 @@ class ListProgramTest : public QObject {
     QVERIFY2(found_.exitCode == 0, qPrintable(found_.err));
   }
 
+  void shortOptions_areTheLongOnes() {
+    for (const auto& [brief, full] : {std::pair("-h", "--help"), std::pair("-V", "--version")}) {
+      const outside::Finished one = outside::runProgram({QString::fromUtf8(brief)});
+      QCOMPARE(one.exitCode, 0);
+      QVERIFY(!one.out.isEmpty());
+      QCOMPARE(one.out, outside::runProgram({QString::fromUtf8(full)}).out);
+    }
+    const outside::Finished quiet = outside::runProgram(
+        {QStringLiteral("check"), QStringLiteral("-q"),
+         QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml")});
+    QCOMPARE(quiet.exitCode, 0);
+    QVERIFY(quiet.out.isEmpty());
+  }
+
+  void mistypedScenario_namesTheNearest() {
+    for (const QStringList& words : {QStringList{QStringLiteral("run")}, QStringList()}) {
+      const outside::Finished one =
+          outside::runProgram(words + QStringList{QStringLiteral("corner_cafe_agent")});
+      QCOMPARE(one.exitCode, 2);
+      QVERIFY2(one.err.contains(QStringLiteral("(did you mean 'corner_cafe_agents'?)")),
+               qPrintable(one.err));
+    }
+    const outside::Finished command = outside::runProgram({QStringLiteral("chekc")});
+    QCOMPARE(command.exitCode, 2);
+    QVERIFY2(command.err.contains(QStringLiteral("(did you mean 'check'?)")),
+             qPrintable(command.err));
+  }
+
   /// By a reader of the tests' own: well-formed, every node once, with the tag of its kind.
   void xml_nodes_areAllThatAreNotBuiltIn() {
     QXmlStreamReader xml(found_.out);

@@ -50,6 +50,7 @@ class ReportTest : public QObject {
   void evaluatorNumber_formats();
   void evaluate_withoutSamples_isRefused();
   void evaluate_withoutRobot_saysWhy();
+  void tableText_numbers_haveSixDigits();
   void evaluate_oneSampleWithoutPeople_neverFails();
   void evaluate_window_takesThePart_data();
   void evaluate_window_takesThePart();
@@ -106,6 +107,18 @@ void ReportTest::evaluate_withoutRobot_saysWhy() {
   QVERIFY(made.find("path_length")->value.why == "there is no robot");
   QVERIFY(made.find("avg_pedestrian_velocity")->value.value);
   QVERIFY(contains(tableText(made), "there is no robot"));
+}
+
+/// Files have all digits, the table for people six.
+void ReportTest::tableText_numbers_haveSixDigits() {
+  Evaluation made = evaluated(cases::trace(5, 2));
+  for (MetricResult& result : made.results) {
+    if (result.info.key == "path_length") {
+      result.value = MetricValue(2.0 / 3.0 * 1000.0);
+    }
+  }
+  QVERIFY(contains(tableText(made), " 666.667  m\n"));
+  QVERIFY(contains(metricsCsv(made), "666.6666666666666"));
 }
 
 void ReportTest::evaluate_oneSampleWithoutPeople_neverFails() {
