@@ -131,12 +131,13 @@ void addRunOptions(CLI::App& command, RunOptions& options) {
   command.add_option("--compat", options.compat, "hunav2, or quirks of the original: Q-13,Q-20");
 }
 
-int runProgram(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
-  qInstallMessageHandler(withoutLibraryWords);
-  keepAliveWhenFilesAreFull();
+namespace {
+
+int doneBy(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
   CLI::App root{"HuNavSim Desktop: people and a robot on a map, drawn, simulated, measured"};
   root.name("hunavsim");
-  root.set_version_flag("-V,--version", "hunavsim " + programVersion() + " (" + programCommit() + ")");
+  root.set_version_flag("-V,--version",
+                        "hunavsim " + programVersion() + " (" + programCommit() + ")");
   root.set_help_flag("-h,--help", "Show this text");
   CommandRegistry commands(root);
   addWindow(commands);
@@ -152,6 +153,19 @@ int runProgram(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
   } catch (const CLI::ParseError& problem) {
     return root.exit(problem) == 0 ? ExitFine : ExitWrongCommandLine;
   }
+}
+
+}  // namespace
+
+int runProgram(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
+  qInstallMessageHandler(withoutLibraryWords);
+  keepAliveWhenFilesAreFull();
+  const int code = doneBy(argc, argv, addWindow);
+  if (isPrinted() || code != ExitFine) {
+    return code;
+  }
+  printError("error: cannot write to the standard output");
+  return ExitBadInput;
 }
 
 }  // namespace app

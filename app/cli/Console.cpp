@@ -36,6 +36,10 @@ void printError(const std::string& line) {
   std::cerr << line << '\n';
 }
 
+bool isPrinted() {
+  return std::cout.flush().good();
+}
+
 void printTable(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths;
   for (const std::vector<std::string>& row : rows) {

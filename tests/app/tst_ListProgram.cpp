@@ -1,6 +1,7 @@
 #include <set>
 
 #include <QJsonArray>
+#include <QProcess>
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
 #include <QtTest>
@@ -35,6 +36,24 @@ class ListProgramTest : public QObject {
          QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml")});
     QCOMPARE(quiet.exitCode, 0);
     QVERIFY(quiet.out.isEmpty());
+  }
+
+  void fullStandardOutput_isAnError() {
+    const QString scenario = QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
+    const QStringList lines = {QStringLiteral("--help"),
+                               QStringLiteral("list nodes --json"),
+                               QStringLiteral("list metrics"),
+                               QStringLiteral("check ") + scenario,
+                               QStringLiteral("run --duration 0.1 ") + scenario,
+                               QStringLiteral("trees ") + scenario};
+    for (const QString& line : lines) {
+      QProcess program;
+      program.setStandardOutputFile(QStringLiteral("/dev/full"));
+      program.start(QStringLiteral(HUNAVSIM_PROGRAM), line.split(QLatin1Char(' ')));
+      QVERIFY(program.waitForFinished(60000));
+      QVERIFY2(program.exitCode() == 2, qPrintable(line));
+      QVERIFY2(program.readAllStandardError().contains("standard output"), qPrintable(line));
+    }
   }
 
   void mistypedScenario_namesTheNearest() {
