@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Csv.h"
 
@@ -254,7 +255,7 @@ std::string toJson(const Evaluation& evaluation) {
   root["parameters"] = parametersJson(evaluation.parameters);
   root["experiment_tag"] = evaluation.tag;
   root["run_id"] = evaluation.runId;
-  return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return base::jsonText(root) + "\n";
 }
 
 std::string metricsCsv(const Evaluation& evaluation) {

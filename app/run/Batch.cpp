@@ -16,6 +16,7 @@
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
 #include "metrics/MetricRegistry.h"
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Csv.h"
 
@@ -42,7 +43,7 @@ std::string fieldOf(const Json& value) {
   if (value.is_number_float()) {
     return base::formatDouble(value.get<double>());
   }
-  return value.dump();
+  return base::jsonText(value, -1);
 }
 
 Json readJson(const fs::path& path) {

@@ -11,6 +11,7 @@
 #include "app/run/Sha256.h"
 #include "bt/tree/TreeXml.h"
 #include "metrics/ReportFiles.h"
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -121,7 +122,7 @@ std::string runManifest(const Bundle& bundle, const FinishedRun& run,
   for (const sim2d::TraceRobot& robot : header.robots) {
     json["robots"].push_back(robotJson(robot));
   }
-  return json.dump(2) + "\n";
+  return base::jsonText(json) + "\n";
 }
 
 class Folder {
@@ -332,7 +333,7 @@ std::string batchManifest(const Experiment& experiment, const BatchRows& rows) {
                      {"runs", rows.size()},
                      {"finished", count.finished},
                      {"failed", count.failed}};
-  return json.dump(2) + "\n";
+  return base::jsonText(json) + "\n";
 }
 
 base::Diagnostics checkWritableFolder(const std::string& folder) {

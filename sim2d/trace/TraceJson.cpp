@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Trace.h"
 
@@ -313,7 +314,7 @@ Json toJson(const std::vector<T>& values) {
 }
 
 std::string compact(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return base::jsonText(json, -1);
 }
 
 /// One line per member, in lists of objects one line per object.

@@ -9,6 +9,7 @@
 #include "bt/human/HumanNodes.h"
 #include "bt/tree/TreeXml.h"
 #include "editor/document/QtImageLoader.h"
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -89,7 +90,7 @@ void printJson(const base::Diagnostics& diagnostics) {
                    {"code", diagnostic.code},
                    {"message", diagnostic.message}});
   }
-  printLine(all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  printLine(base::jsonText(all));
 }
 
 std::string summary(std::size_t files, const base::Diagnostics& diagnostics) {

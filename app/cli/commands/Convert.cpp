@@ -6,6 +6,7 @@
 #include "app/run/DataPaths.h"
 #include "app/run/Export.h"
 #include "editor/document/QtImageLoader.h"
+#include "sim2d/base/JsonText.h"
 
 namespace app {
 
@@ -43,7 +44,7 @@ void printPlan(const ExportPlan& plan, const base::Diagnostics& report,
                        {"files", files},
                        {"report", reportJson(report)},
                        {"start", plan.startCommand.empty() ? Json() : Json(plan.startCommand)}};
-    printLine(json.dump(2, ' ', false, Json::error_handler_t::replace));
+    printLine(base::jsonText(json));
     return;
   }
   if (given.quiet) {

@@ -15,6 +15,7 @@
 #include "bt/human/HumanNodes.h"
 #include "bt/tree/TreeXml.h"
 #include "metrics/MetricRegistry.h"
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/Fields.h"
 #include "sim2d/world/Registries.h"
@@ -172,7 +173,7 @@ void printJson(const std::vector<Entry>& entries) {
     json.update(entry.details);
     all.push_back(std::move(json));
   }
-  printLine(all.dump(2));
+  printLine(base::jsonText(all));
 }
 
 int listCommand(const ListOptions& options, const Invocation& given) {

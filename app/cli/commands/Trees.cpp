@@ -14,6 +14,7 @@
 #include "app/run/TreePlay.h"
 #include "bt/human/HumanNodes.h"
 #include "bt/human/Templates.h"
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
@@ -35,8 +36,6 @@ struct TreesOptions {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-constexpr auto kReplaceBadText = Json::error_handler_t::replace;
 
 /// A tree file that was made: of a person, or the one that all include.
 struct MadeFile {
@@ -89,7 +88,7 @@ void printFiles(const std::vector<MadeFile>& files, const Invocation& given) {
     }
   }
   if (given.json) {
-    printLine(all.dump(2, ' ', false, kReplaceBadText));
+    printLine(base::jsonText(all));
   }
 }
 
@@ -116,7 +115,7 @@ int writeFiles(const std::vector<MadeFile>& files, const std::string& folder,
     }
   }
   if (given.json) {
-    printLine(all.dump(2, ' ', false, kReplaceBadText));
+    printLine(base::jsonText(all));
   }
   return printDiagnostics(problems) ? ExitFine : ExitBadInput;
 }
@@ -193,7 +192,7 @@ base::Diagnostics tickAll(TreePlay& tree, const TreesOptions& options, const Inv
     fault = tree.fault();
   }
   if (given.json) {
-    printLine(ticks.dump(2, ' ', false, kReplaceBadText));
+    printLine(base::jsonText(ticks));
   }
   return fault;
 }

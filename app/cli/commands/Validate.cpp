@@ -8,6 +8,7 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/world/World.h"
 #include "sim2d/world/realism/RealismTest.h"
@@ -79,7 +80,7 @@ std::string jsonOf(const std::vector<Row>& rows) {
       all.back()["why"] = row.problem;
     }
   }
-  return all.dump(2);
+  return base::jsonText(all);
 }
 
 std::string rounded(double value) {
