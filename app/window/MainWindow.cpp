@@ -14,6 +14,7 @@
 #include <QTimer>
 
 #include "app/window/DocumentGuard.h"
+#include "app/window/KeyRules.h"
 #include "app/window/NoticeBar.h"
 #include "app/window/StatusLine.h"
 #include "app/window/ToolBars.h"
@@ -48,6 +49,7 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
       memory_(setup.remembers),
       followsSystem_(setup.followsSystem),
       actions_(new WindowActions(workspace_, this)),
+      keys_(new KeyRules(*this, workspace_)),
       notices_(new NoticeBar(setup.theme, this)),
       centre_(new QStackedWidget(this)),
       docks_(new Docks(*this, workspace_, setup.panels)),
@@ -357,6 +359,11 @@ void MainWindow::dropEvent(QDropEvent* event) {
                      [this, path = event->mimeData()->urls().front().toLocalFile(), under] {
                        files_->dropFile(path, under);
                      });
+}
+
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  event->ignore();
+  keys_->takeLeft(*event);
 }
 
 void MainWindow::changeEvent(QEvent* event) {

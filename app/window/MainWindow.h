@@ -19,6 +19,7 @@ class TextViewer;
 namespace app {
 
 class DocumentGuard;
+class KeyRules;
 class NoticeBar;
 class StatusLine;
 
@@ -62,6 +63,7 @@ class MainWindow : public QMainWindow {
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void changeEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   void placeParts(const WindowSetup& setup);
@@ -83,6 +85,7 @@ class MainWindow : public QMainWindow {
   bool followsSystem_;
   bool placed_ = false;
   WindowActions* actions_;
+  KeyRules* keys_;
   NoticeBar* notices_;
   QStackedWidget* centre_;
   StartPage* startPage_ = nullptr;

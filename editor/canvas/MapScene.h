@@ -53,8 +53,8 @@ struct CanvasOptions {
   bool snapToGrid = false;
 };
 
-/// Which part of the canvas is being painted: what is previewed (dragged) with the marks of tools
-/// and selection, or all the rest.
+/// Which part of the canvas is being painted: what is previewed (dragged) or walks in a run, with the
+/// marks of tools and selection, or all the rest.
 enum class CanvasPart { All, Resting, Moving };
 
 /// Draws the document: items follow its changes; the mouse goes to the current tool.
@@ -143,6 +143,7 @@ class MapScene : public QGraphicsScene {
   void planRoutes();
   void drop(EntityId id);
   bool isShown(EntityId id) const;
+  bool isMoving(EntityId id) const;
   void takeRoutes();
   void noteChange();
   EntityId onTop() const;

@@ -96,6 +96,9 @@ MapView::MapView(MapScene& scene, QWidget* parent) : QGraphicsView(&scene, paren
   settle_.setSingleShot(true);
   settle_.setInterval(kSettleMs);
   connect(&settle_, &QTimer::timeout, viewport(), qOverload<>(&QWidget::update));
+  // QGraphicsView asks for no further painting until its own paintEvent() has been, which is passed
+  // by while a picture is shown.
+  connect(&scene_, &QGraphicsScene::changed, viewport(), [this] { viewport()->update(); });
   connect(&scene_, &MapScene::optionsChanged, this, [this] { viewport()->update(); });
   connect(&scene_, &MapScene::themeChanged, this, [this] { viewport()->update(); });
   connect(&scene_.document(), &ScenarioDocument::mapChanged, this, [this] { fitAll(false); });
@@ -279,8 +282,7 @@ void MapView::glide() {
 
 void MapView::paintEvent(QPaintEvent* event) {
   const bool glides = settle_.isActive();
-  const bool usesPicture = scene_.isCrowded() && !scene_.isRunMode();
-  if (!usesPicture) {
+  if (!scene_.isCrowded()) {
     picture_.clear();
     QGraphicsView::paintEvent(event);
     return;

@@ -41,7 +41,8 @@ QColor MapScene::groundColor() const {
 }
 
 bool MapScene::isCrowded() const {
-  return items_.size() >= kCrowd;
+  const sim2d::Frame* const frame = frameLayer_->frame();
+  return items_.size() >= kCrowd || (frame != nullptr && frame->humans.size() >= kCrowd);
 }
 
 std::vector<EntityId> MapScene::movingIds() const {
@@ -52,8 +53,14 @@ std::vector<EntityId> MapScene::movingIds() const {
   return ids;
 }
 
+/// Previewed, or walking in a run.
+bool MapScene::isMoving(EntityId id) const {
+  const bool isBody = id.kind == EntityKind::Human || id.kind == EntityKind::Robot;
+  return preview_.count(id) > 0 || (isBody && isRunMode());
+}
+
 bool MapScene::isPainted(EntityId id) const {
-  return part_ == CanvasPart::All || (part_ == CanvasPart::Moving) == (preview_.count(id) > 0);
+  return part_ == CanvasPart::All || (part_ == CanvasPart::Moving) == isMoving(id);
 }
 
 /// What is small is painted once more over the rest while the mouse is over it, so that what rests
@@ -72,7 +79,7 @@ void MapScene::paintPart(QPainter& painter, CanvasPart part, const QRectF& expos
   part_ = part;
   std::vector<QGraphicsItem*> wanted;
   if (part == CanvasPart::Moving) {
-    wanted = {groupLayer_, labelLayer_, selectionLayer_, toolLayer_};
+    wanted = {groupLayer_, frameLayer_, labelLayer_, selectionLayer_, toolLayer_};
     if (preview_.size() <= kMostMovingRoutes) {
       wanted.push_back(routeLayer_);
     }
@@ -86,7 +93,7 @@ void MapScene::paintPart(QPainter& painter, CanvasPart part, const QRectF& expos
   } else {
     for (QGraphicsItem* each : items(Qt::AscendingOrder)) {
       const auto* entityItem = dynamic_cast<EntityItem*>(each);
-      const bool isMark = each == selectionLayer_ || each == toolLayer_;
+      const bool isMark = each == selectionLayer_ || each == toolLayer_ || each == frameLayer_;
       const bool isPartOf = entityItem == nullptr || isPainted(entityItem->id());
       if (isMark ? part == CanvasPart::All : isPartOf) {
         wanted.push_back(each);
@@ -139,7 +146,7 @@ std::vector<Label> MapScene::labels() const {
       }
     }
   }
-  if (isRunMode()) {
+  if (isRunMode() && part_ != CanvasPart::Resting) {
     append(all, frameLayer_->labels());
   }
   return all;
@@ -162,6 +169,8 @@ bool MapScene::isRunMode() const {
 
 void MapScene::showFrame(std::shared_ptr<const sim2d::Frame> frame) {
   const bool wasRunning = isRunMode();
+  const bool turnsDoors = wasRunning && frame != nullptr &&
+                          frame->doorOpen != frameLayer_->frame()->doorOpen;
   if (frame != nullptr) {
     if (!wasRunning) {
       frameLayer_->begin();
@@ -175,7 +184,11 @@ void MapScene::showFrame(std::shared_ptr<const sim2d::Frame> frame) {
     syncItems();
     planRoutes();
   }
-  noteChange();
+  if (turnsDoors) {
+    noteChange();
+  } else {
+    update();
+  }
 }
 
 ToolMarks& MapScene::marks() {

@@ -333,7 +333,16 @@ bool EntityModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int
 EntityFilter::EntityFilter(EntityModel& model, QObject* parent)
     : QSortFilterProxyModel(parent), model_(model) {
   setSourceModel(&model);
-  setRecursiveFilteringEnabled(true);
+  // Whether a group is seen depends on its rows. Qt's own recursive filter loses count of rows that
+  // come into a group which is hidden.
+  const auto look = [this] {
+    if (!text_.isEmpty()) {
+      invalidateFilter();
+    }
+  };
+  connect(&model_, &QAbstractItemModel::rowsInserted, this, look);
+  connect(&model_, &QAbstractItemModel::rowsRemoved, this, look);
+  connect(&model_, &QAbstractItemModel::dataChanged, this, look);
 }
 
 void EntityFilter::setText(const QString& text) {
@@ -357,13 +366,22 @@ bool EntityFilter::filterAcceptsRow(int row, const QModelIndex& parentIndex) con
   if (text_.isEmpty()) {
     return true;
   }
-  for (int column = 0; parentIndex.isValid() && column < model_.columnCount(); ++column) {
-    const QString cell = model_.index(row, column, parentIndex).data().toString();
+  const QModelIndex first = model_.index(row, 0, parentIndex);
+  if (!parentIndex.isValid()) {  // groups are kept for the sake of their rows
+    for (int child = 0; child < model_.rowCount(first); ++child) {
+      if (filterAcceptsRow(child, first)) {
+        return true;
+      }
+    }
+    return false;
+  }
+  for (int column = 0; column < model_.columnCount(); ++column) {
+    const QString cell = first.siblingAtColumn(column).data().toString();
     if (cell.contains(text_, Qt::CaseInsensitive)) {
       return true;
     }
   }
-  return false;  // groups are kept for the sake of their rows
+  return false;
 }
 
 EntityId EntityFilter::idOf(const QModelIndex& at) const {

@@ -55,6 +55,7 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
   stack_->addWidget(emptyState(tr("Select a person to see the behaviour tree."), this));
   stack_->addWidget(makePage());
   connect(outline_, &QTreeWidget::currentItemChanged, this, &BehaviorPanel::showNode);
+  connect(outline_, &TreeOutline::removeWanted, this, [this] { moveBlock(0); });
   connect(blockForm_, &ValueForm::edited, this, &BehaviorPanel::editBlock);
   connect(portForm_, &ValueForm::edited, this,
           [this](const std::string& port, const QString& text) {

@@ -64,15 +64,15 @@ PlaybackActions::PlaybackActions(SimulationRunner& runner, const Theme& theme)
                        tr("End the run and go back to editing"), this)),
       stepBack(makeAction(tr("Step back"), QKeySequence(Qt::Key_Comma),
                           tr("Look one recorded step back"), this)),
-      playPause(makeAction(tr("Play"), QKeySequence(int{Qt::CTRL} | Qt::Key_Space),
-                           tr("Run or pause the simulation; Space on the map does the same"),
-                           this)),
+      playPause(makeAction(tr("Play"), QKeySequence(Qt::Key_Space),
+                           tr("Run or pause the simulation"), this)),
       step(makeAction(tr("Step"), QKeySequence(Qt::Key_Period), tr("One step forward, then pause"),
                       this)),
       newest(makeAction(tr("Back to now"), QKeySequence(Qt::Key_End),
                         tr("Leave the past and show the newest step"), this)),
       runner_(runner),
       theme_(theme) {
+  playPause->setShortcuts({Qt::Key_Space, int{Qt::CTRL} | Qt::Key_Space});  // one while typing
   connect(reset, &QAction::triggered, &runner_, &SimulationRunner::reset);
   connect(stepBack, &QAction::triggered, &runner_, &SimulationRunner::stepBack);
   connect(step, &QAction::triggered, &runner_, &SimulationRunner::stepOnce);
@@ -98,7 +98,7 @@ void PlaybackActions::follow() {
   const bool running = state == SimulationRunner::State::Running;
   const bool editing = state == SimulationRunner::State::Editing;
   playPause->setText(running ? tr("Pause") : tr("Play"));
-  describe(*playPause, tr("Run or pause the simulation; Space on the map does the same"));
+  describe(*playPause, tr("Run or pause the simulation"));
   playPause->setCheckable(true);
   playPause->setChecked(running);
   playPause->setIcon(

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QPainter>
 
 #include "editor/document/TreeFiles.h"
@@ -193,6 +194,14 @@ void TreeOutline::paintRow(std::size_t node) {
   row.setForeground(0, theme_.color(running ? Role::AccentText
                                     : pale  ? Role::TextSecondary
                                             : Role::Text));
+}
+
+void TreeOutline::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace) {
+    Q_EMIT removeWanted();
+    return;
+  }
+  QTreeWidget::keyPressEvent(event);
 }
 
 int TreeOutline::currentNode() const {

@@ -27,6 +27,12 @@ class TreeOutline : public QTreeWidget {
   const std::vector<OutlineNode>& nodes() const { return nodes_; }
   base::NodeStatus statusOf(int node) const;
 
+ Q_SIGNALS:
+  void removeWanted();  // of the current node, by a key
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
  private:
   int currentNode() const;  // place in nodes(), -1 = none
   void paintRow(std::size_t node);

@@ -1,3 +1,4 @@
+#include <QAbstractItemModelTester>
 #include <QtTest>
 
 #include "Drops.h"
@@ -66,6 +67,31 @@ class ScenarioPanelTest : public QObject {
     QCOMPARE(count(), QStringLiteral("1 of 6"));
     panel_->filter().clear();
     QCOMPARE(count(), QStringLiteral("6"));
+  }
+
+  void filter_thatHidesAll_knowsWhatCameMeanwhile() {
+    using Mode = QAbstractItemModelTester::FailureReportingMode;
+    const QAbstractItemModelTester whole(&panel_->model(), Mode::QtTest);
+    const QAbstractItemModelTester seen(panel_->tree().model(), Mode::QtTest);
+    const auto doubleAll = [this] {
+      document_->setSelection(document_->entities(EntityKind::Human));
+      document_->setSelection(
+          pushDuplicate(*document_, document_->selection(), editor::Vec2(0.5, -0.5)));
+    };
+    panel_->filter().setText(QStringLiteral("zzz"));
+    QCOMPARE(panel_->tree().model()->rowCount(), 0);
+    doubleAll();
+    panel_->filter().clear();
+    doubleAll();
+    QCOMPARE(scenario().humans.size(), std::size_t{24});
+    QCOMPARE(panel_->tree().model()->rowCount(panel_->tree().model()->index(0, 0)), 24);
+    panel_->filter().setText(QStringLiteral("scared"));
+    QCOMPARE(panel_->tree().selectionModel()->selectedRows().size(), 2);
+    document_->undoStack().undo();
+    document_->undoStack().undo();
+    QCOMPARE(panel_->tree().model()->rowCount(panel_->tree().model()->index(0, 0)), 1);
+    panel_->filter().clear();
+    QCOMPARE(panel_->tree().model()->rowCount(panel_->tree().model()->index(0, 0)), 6);
   }
 
   void menu_walkAlone_isForThoseInAGroup() {

@@ -1,0 +1,117 @@
+#include "app/window/KeyRules.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+
+#include "editor/panels/ScenarioPanel.h"
+
+namespace app {
+
+namespace {
+
+bool isOnlyClicked(const QWidget& widget) {
+  const auto* box = qobject_cast<const QComboBox*>(&widget);
+  return qobject_cast<const QAbstractButton*>(&widget) != nullptr ||
+         (box != nullptr && !box->isEditable());
+}
+
+/// Null: nothing is typed there.
+QLineEdit* lineOf(QWidget& widget) {
+  if (auto* line = qobject_cast<QLineEdit*>(&widget)) {
+    return line;
+  }
+  const bool hasLine = qobject_cast<QAbstractSpinBox*>(&widget) != nullptr ||
+                       qobject_cast<QComboBox*>(&widget) != nullptr;
+  return hasLine ? widget.findChild<QLineEdit*>() : nullptr;
+}
+
+bool isList(const QWidget& widget) {
+  return qobject_cast<const QAbstractItemView*>(&widget) != nullptr;
+}
+
+bool isInScenarioPanel(const QWidget& widget) {
+  const QWidget* each = &widget;
+  while (each != nullptr && qobject_cast<const editor::ScenarioPanel*>(each) == nullptr) {
+    each = each->parentWidget();
+  }
+  return each != nullptr;
+}
+
+bool isRemoving(const QKeyEvent& event) {
+  return event.key() == Qt::Key_Delete || event.key() == Qt::Key_Backspace;
+}
+
+bool isEnter(const QKeyEvent& event) {
+  return event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
+}
+
+}  // namespace
+
+KeyRules::KeyRules(QMainWindow& window, Workspace& workspace)
+    : QObject(&window), window_(window), workspace_(workspace) {
+  qApp->installEventFilter(this);
+}
+
+/// Whether the widget has a key although it does not say so, and a command waits for it.
+bool KeyRules::isOfWidget(QWidget& focus, const QKeyEvent& event) const {
+  const bool isSpace = event.key() == Qt::Key_Space && event.modifiers() == Qt::NoModifier;
+  if (isSpace) {
+    return isOnlyClicked(focus) || &focus == &workspace_.view();
+  }
+  return isRemoving(event) && isList(focus) && !isInScenarioPanel(focus);
+}
+
+bool KeyRules::eventFilter(QObject* watched, QEvent* event) {
+  auto* widget = qobject_cast<QWidget*>(watched);
+  if (widget == nullptr || widget->window() != &window_) {
+    return false;
+  }
+  if (event->type() == QEvent::Polish && isOnlyClicked(*widget) &&
+      widget->focusPolicy() != Qt::NoFocus) {
+    widget->setFocusPolicy(Qt::TabFocus);
+  }
+  if (event->type() == QEvent::FocusIn) {
+    if (QLineEdit* line = lineOf(*widget)) {
+      line->setModified(false);  // what was typed earlier is undone by the command of the window
+    }
+  }
+  if (event->type() != QEvent::ShortcutOverride) {
+    return false;
+  }
+  auto& key = static_cast<QKeyEvent&>(*event);
+  const QLineEdit* line = lineOf(*widget);
+  if (line != nullptr && key.matches(QKeySequence::Undo) && !line->isModified()) {
+    key.ignore();
+    return true;  // the text would take it and do nothing
+  }
+  if (isOfWidget(*widget, key)) {
+    key.accept();
+    return true;
+  }
+  return false;
+}
+
+void KeyRules::takeLeft(QKeyEvent& event) {
+  QWidget* focus = window_.focusWidget();
+  editor::MapView& view = workspace_.view();
+  if (!view.isVisible() || focus == nullptr || focus == &view) {
+    return;  // the tool has seen it
+  }
+  if (lineOf(*focus) != nullptr) {
+    if (isEnter(event)) {
+      view.setFocus();
+      event.accept();
+    }
+    return;
+  }
+  if (!isRemoving(event) || !isList(*focus)) {
+    QCoreApplication::sendEvent(&view.mapScene(), &event);
+  }
+}
+
+}  // namespace app

@@ -1,0 +1,235 @@
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QtTest>
+
+#include "app/window/MainWindow.h"
+#include "editor/panels/BehaviorPanel.h"
+#include "editor/panels/IssuesPanel.h"
+#include "editor/panels/PropertyPanel.h"
+#include "editor/panels/ScenarioPanel.h"
+#include "editor/tools/ToolOptionsBar.h"
+#include "tests/app/QuietWindow.h"
+
+using base::EntityKind;
+using editor::SimulationRunner;
+
+/// The rule for keys of app/window/KeyRules.h, from every kind of focus.
+class KeyRulesTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() { app::dressApplication(editor::Theme::light()); }
+  void init() {
+    window_ = quiet::shownWindow();
+    QVERIFY(window_->open(quiet::demoPath()));
+    window_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+    person_ = document().entities(EntityKind::Human).front();
+    document().setSelection({person_});
+  }
+  void cleanup() { quiet::leave(window_); }
+
+  void space_fromEveryList_runsAndPauses_data() { everyFocus(); }
+  void space_fromEveryList_runsAndPauses() {
+    QFETCH(QString, where);
+    focus(where);
+    key(Qt::Key_Space);
+    QCOMPARE(window_->workspace().runner().state(), SimulationRunner::State::Running);
+    key(Qt::Key_Space);
+    QCOMPARE(window_->workspace().runner().state(), SimulationRunner::State::Paused);
+    window_->workspace().runner().reset();
+  }
+
+  void tools_fromEveryList_haveTheirLetters_data() { everyFocus(); }
+  void tools_fromEveryList_haveTheirLetters() {
+    QFETCH(QString, where);
+    focus(where);
+    key(Qt::Key_A);
+    const auto& tools = window_->workspace().tools();
+    const auto area = std::find_if(
+        tools.entries().begin(), tools.entries().end(),
+        [](const auto& entry) { return entry.info.icon == QLatin1String("tool-area"); });
+    QVERIFY(tools.current() == area->tool);
+    const QString before = area->tool->statusText();
+    const QVariant kind = areaKind();
+    key(Qt::Key_3);
+    QVERIFY(areaKind() != kind);
+    QCOMPARE(areaKind().toInt(), 2);
+  }
+
+  void delete_inOtherLists_keepsThePerson_data() { everyFocus(); }
+  void delete_inOtherLists_keepsThePerson() {
+    QFETCH(QString, where);
+    QFETCH(bool, isSelection);
+    focus(where);
+    key(Qt::Key_Delete);
+    QCOMPARE(document().contains(person_), !isSelection);
+  }
+
+  void delete_ofABlock_removesIt() {
+    auto& panel = window_->docks().panel<editor::BehaviorPanel>();
+    for (const editor::EntityId id : document().entities(EntityKind::Human)) {
+      document().setSelection({id});
+      const int block = firstBlock(panel.outline());
+      if (block < 0) {
+        continue;
+      }
+      focus(QStringLiteral("tree"));
+      panel.outline().selectNode(block);
+      const std::size_t before = panel.outline().nodes().size();
+      key(Qt::Key_Delete);
+      QVERIFY(panel.outline().nodes().size() < before);
+      QVERIFY(document().contains(id));
+      return;
+    }
+    QFAIL("nobody in the café has a block");
+  }
+
+  void undo_afterEnterInAField_undoesTheChange() {
+    auto* field = someNumber();
+    QVERIFY(field != nullptr);
+    const double before = field->value();
+    field->setFocus();
+    field->selectAll();
+    key(Qt::Key_1);
+    key(Qt::Key_Return);
+    QVERIFY(document().undoStack().canUndo());
+    QVERIFY(QApplication::focusWidget() == &window_->workspace().view());
+    key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(!document().undoStack().canUndo());
+    field = someNumber();
+    QCOMPARE(field->value(), before);
+    field->setFocus();  // back in the field, where nothing has been typed since
+    key(Qt::Key_Y, Qt::ControlModifier);
+    window_->actions().redo->trigger();
+    QVERIFY(document().undoStack().canUndo());
+    key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(!document().undoStack().canUndo());
+  }
+
+  void undo_whileTyping_isOfTheText() {
+    document().undoStack().push(new QUndoCommand(QStringLiteral("something")));
+    auto* field = someNumber();
+    field->setFocus();
+    field->selectAll();
+    key(Qt::Key_7);
+    key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(document().undoStack().canUndo());
+    document().undoStack().undo();
+  }
+
+  void letters_inAText_areTyped() {
+    QLineEdit& filter = window_->docks().panel<editor::ScenarioPanel>().filter();
+    filter.setFocus();
+    key(Qt::Key_A);
+    key(Qt::Key_Space);
+    key(Qt::Key_1);
+    QCOMPARE(filter.text(), QStringLiteral("a 1"));
+    QVERIFY(window_->workspace().tools().isSelecting());
+    QCOMPARE(window_->workspace().runner().state(), SimulationRunner::State::Editing);
+  }
+
+  void buttons_clicked_leaveTheKeyboardWhereItWas() {
+    window_->workspace().view().setFocus();
+    int boxes = 0;
+    for (QWidget* each : window_->findChildren<QWidget*>()) {
+      auto* box = qobject_cast<QComboBox*>(each);
+      const bool isButton = qobject_cast<QAbstractButton*>(each) != nullptr;
+      if (each->isVisible() && (isButton || (box != nullptr && !box->isEditable()))) {
+        QVERIFY2(!(each->focusPolicy() & Qt::ClickFocus), each->metaObject()->className());
+        ++boxes;
+      }
+    }
+    QVERIFY(boxes > 10);
+  }
+
+  void checkBox_reachedByTab_hasItsSpace() {
+    for (QCheckBox* box : window_->findChildren<QCheckBox*>()) {
+      if (!box->isVisible() || !box->isEnabled()) {
+        continue;
+      }
+      box->setFocus(Qt::TabFocusReason);
+      const bool before = box->isChecked();
+      key(Qt::Key_Space);
+      QCOMPARE(box->isChecked(), !before);
+      QCOMPARE(window_->workspace().runner().state(), SimulationRunner::State::Editing);
+      return;
+    }
+    QSKIP("no check box is seen");
+  }
+
+ private:
+  editor::ScenarioDocument& document() { return window_->workspace().document(); }
+  void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::keyClick(window_->windowHandle(), key, modifiers);
+  }
+  static void everyFocus() {
+    QTest::addColumn<QString>("where");
+    QTest::addColumn<bool>("isSelection");
+    QTest::newRow("canvas") << "canvas" << true;
+    QTest::newRow("scenario") << "scenario" << true;
+    QTest::newRow("behaviour tree") << "tree" << false;
+    QTest::newRow("goals of the route") << "Route" << false;
+    QTest::newRow("issues") << "issues" << false;
+    QTest::newRow("time line") << "time line" << true;
+  }
+  void focus(const QString& where) {
+    QWidget* wanted = &window_->workspace().view();
+    if (where == QLatin1String("scenario")) {
+      wanted = &window_->docks().panel<editor::ScenarioPanel>().tree();
+    } else if (where == QLatin1String("tree")) {
+      raise(QStringLiteral("behaviour"));
+      wanted = &window_->docks().panel<editor::BehaviorPanel>().outline();
+    } else if (where == QLatin1String("issues")) {
+      raise(where);
+      wanted = window_->docks().panel<editor::IssuesPanel>().findChild<QAbstractItemView*>();
+    } else if (where == QLatin1String("time line")) {
+      wanted = window_->findChild<editor::TimelineBar*>();
+    } else if (where != QLatin1String("canvas")) {
+      for (QAbstractItemView* list : window_->findChildren<QAbstractItemView*>()) {
+        wanted = list->accessibleName() == where ? list : wanted;
+      }
+    }
+    QVERIFY(wanted != nullptr);
+    wanted->setFocus();
+    QVERIFY2(wanted->hasFocus(), qPrintable(where));
+  }
+  void raise(const QString& dock) {
+    window_->docks().dock(dock)->show();
+    window_->docks().dock(dock)->raise();
+    QCoreApplication::processEvents();
+  }
+  QDoubleSpinBox* someNumber() {
+    for (QDoubleSpinBox* field :
+         window_->docks().panel<editor::PropertyPanel>().findChildren<QDoubleSpinBox*>()) {
+      if (field->isVisible() && field->isEnabled() && field->value() != 1.0 &&
+          field->maximum() >= 1.0) {
+        return field;
+      }
+    }
+    return nullptr;
+  }
+  QVariant areaKind() {
+    for (QComboBox* box : window_->findChildren<QComboBox*>()) {
+      if (box->isVisible() && box->accessibleName() == QLatin1String("Kind")) {
+        return box->currentIndex();
+      }
+    }
+    return {};
+  }
+  static int firstBlock(const editor::TreeOutline& outline) {
+    for (std::size_t i = 0; i < outline.nodes().size(); ++i) {
+      const editor::OutlineNode& node = outline.nodes()[i];
+      if (node.path.size() == 1 && bt::readBlock(*node.node)) {
+        return static_cast<int>(i);
+      }
+    }
+    return -1;
+  }
+
+  std::unique_ptr<app::MainWindow> window_;
+  editor::EntityId person_;
+};
+
+QTEST_MAIN(KeyRulesTest)
+#include "tst_KeyRules.moc"
