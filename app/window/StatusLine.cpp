@@ -123,8 +123,11 @@ void StatusLine::showState() {
     hint = tr("Space plays and pauses · . and , step · Ctrl+R leaves it");
   } else if (runner.isLookingBack()) {
     color = Role::Past;
-    words = tr("Looking back");
-    hint = tr("Space goes on from now · End returns to the newest step");
+    words = state == SimulationRunner::State::Running ? tr("Playing back") : tr("Looking back");
+    hint = state == SimulationRunner::State::Running ? tr("Space pauses · End shows the last step")
+           : runner.isFinished()
+               ? tr("Space plays on from here · Ctrl+R goes back to editing")
+               : tr("Space goes on from now · End returns to the newest step");
   } else if (state == SimulationRunner::State::Running) {
     color = Role::Ok;
     words = tr("Running");
@@ -132,7 +135,7 @@ void StatusLine::showState() {
   } else if (state == SimulationRunner::State::Paused) {
     color = Role::WarningMark;
     words = runner.isFinished() ? tr("Finished") : tr("Paused");
-    hint = runner.isFinished() ? tr("Space starts again · Ctrl+R goes back to editing")
+    hint = runner.isFinished() ? tr("Space plays it again · Ctrl+R goes back to editing")
                                : tr("Space runs on · . steps · Ctrl+R goes back to editing");
   }
   dot_->setPixmap(dotPixmap(workspace_.theme().color(color)));

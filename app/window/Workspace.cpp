@@ -23,7 +23,9 @@ Workspace::Workspace(const editor::Theme& theme, const editor::ToolRegistry& too
   // The tool just chosen hears its keys, wherever the choice was made.
   connect(&tools_.actions(), &QActionGroup::triggered, view_, [this] { view_->setFocus(); });
   runner_.setRequest([this] { return editor::runRequestOf(document_, runSettings_); });
-  connect(&runner_, &SimulationRunner::frameShown, &scene_, &editor::MapScene::showFrame);
+  connect(&runner_, &SimulationRunner::frameShown, this, [this](const editor::FramePtr& frame) {
+    scene_.showFrame(frame, runner_.recording().get());
+  });
   connect(&runner_, &SimulationRunner::stateChanged, this, &Workspace::showState);
   connect(&runner_, &SimulationRunner::lookingBackChanged, this, &Workspace::showState);
   connect(&events_, &editor::RunEvents::added, this, &Workspace::hearEvents);

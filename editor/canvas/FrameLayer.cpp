@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kTrailSeconds = 6.0;
 constexpr double kTrailStep = 0.05;      // [m] between two points
+constexpr double kTrailGap = 0.15;       // [s] between two points of a recording
+constexpr double kFarthestStep = 2.0;    // [m]; beyond: set somewhere else
 constexpr double kStandingSpeed = 0.05;  // [m/s]
 constexpr std::size_t kMostNames = 120;
 constexpr double kStrideMetres = 1.4;  // both feet once
@@ -24,23 +26,9 @@ constexpr int kTrailParts = 10;
 constexpr double kBubbleWidthPx = 220.0;
 constexpr int kBubbleText = int{Qt::TextWordWrap} | int{Qt::AlignCenter};
 
-void paintTrail(QPainter& painter, const std::deque<std::pair<double, Vec2>>& points,
-                QColor color) {
-  const std::size_t count = points.size();
-  for (int part = 0; part < kTrailParts; ++part) {
-    const std::size_t from = count * static_cast<std::size_t>(part) / kTrailParts;
-    const std::size_t to =
-        std::min(count - 1, count * static_cast<std::size_t>(part + 1) / kTrailParts);
-    QPolygonF line;
-    for (std::size_t i = from; i <= to; ++i) {
-      line << toScene(points[i].second);
-    }
-    color.setAlphaF(0.5 * (part + 1) / kTrailParts);
-    QPen pen(color, 4.0, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
-    makeCosmetic(pen, painter);
-    painter.setPen(pen);
-    painter.drawPolyline(line);
-  }
+std::size_t strideOf(const sim2d::Recording& recording) {
+  const double gap = recording.size() > 1 ? recording.timeOf(1) - recording.timeOf(0) : kTrailGap;
+  return gap > 0.0 ? std::max<std::size_t>(1, std::lround(kTrailGap / gap)) : 1;
 }
 
 }  // namespace
@@ -83,38 +71,78 @@ void FrameLayer::begin() {
 void FrameLayer::end() {
   frame_.reset();
   bodies_.clear();
+  places_.clear();
   speeches_.clear();
 }
 
-void FrameLayer::show(std::shared_ptr<const sim2d::Frame> frame) {
-  if (frame_ != nullptr && frame->time < frame_->time) {
+void FrameLayer::show(std::shared_ptr<const sim2d::Frame> frame,
+                      const sim2d::Recording* recording) {
+  const bool goesOn = frame_ != nullptr && frame->time >= frame_->time &&
+                      frame->time <= frame_->time + kTrailSeconds;
+  if (!goesOn) {
     trails_.clear();
   }
+  bool isPoint = true;
+  if (recording != nullptr && recording->size() > 0) {
+    addPassed(*recording, *frame);
+    isPoint = recording->indexAt(frame->step) % strideOf(*recording) == 0;
+  }
   frame_ = std::move(frame);
+  lengthenTrails(*frame_, isPoint);
+  cutTrails(frame_->time);
   bodies_.clear();
+  places_.clear();
   for (const sim2d::BodyColumns* columns :
        {static_cast<const sim2d::BodyColumns*>(&frame_->humans), &frame_->robots}) {
     for (std::size_t i = 0; i < columns->size(); ++i) {
       const int id = columns->id[i];
       const Pose2 pose{Vec2(columns->x[i], columns->y[i]), columns->heading[i]};
       const bool isMoving = std::hypot(columns->vx[i], columns->vy[i]) > kStandingSpeed;
+      places_.emplace(id, bodies_.size());
       bodies_.push_back({id, &agent(id), pose, isMoving});
-      lengthen(trails_[id], pose.position);
     }
   }
 }
 
-void FrameLayer::lengthen(Trail& trail, const Vec2& at) const {
-  const double step = trail.points.empty() ? 0.0 : (at - trail.points.back().second).norm();
-  if (step > 2.0) {  // set somewhere else (restart, periodic corridor)
-    trail.points.clear();
+/// Points of a recording stand at fixed moments, so that a trail does not depend on which frames
+/// were shown.
+void FrameLayer::addPassed(const sim2d::Recording& recording, const sim2d::Frame& frame) {
+  const std::size_t stride = strideOf(recording);
+  const std::size_t end = recording.indexAt(frame.step);
+  std::size_t index = trails_.empty() ? recording.indexAtTime(frame.time - kTrailSeconds)
+                                      : recording.indexAt(frame_->step) + 1;
+  index = (index + stride - 1) / stride * stride;
+  for (; index < end; index += stride) {
+    lengthenTrails(*recording.frame(index), true);
   }
-  if (trail.points.empty() || step >= kTrailStep) {
-    trail.points.emplace_back(frame_->time, at);
-    trail.walked += step;
+}
+
+void FrameLayer::lengthenTrails(const sim2d::Frame& frame, bool isPoint) {
+  for (const sim2d::BodyColumns* columns :
+       {static_cast<const sim2d::BodyColumns*>(&frame.humans), &frame.robots}) {
+    for (std::size_t i = 0; i < columns->size(); ++i) {
+      Trail& trail = trails_[columns->id[i]];
+      const Vec2 at(columns->x[i], columns->y[i]);
+      const double step = trail.last ? (at - *trail.last).norm() : 0.0;
+      if (step > kFarthestStep) {  // restart, periodic corridor
+        trail.points.clear();
+      }
+      trail.walked += step > kFarthestStep ? 0.0 : step;
+      trail.last = at;
+      const bool isApart =
+          trail.points.empty() || (at - trail.points.back().second).norm() >= kTrailStep;
+      if (isPoint && isApart) {
+        trail.points.emplace_back(frame.time, at);
+      }
+    }
   }
-  while (!trail.points.empty() && trail.points.front().first < frame_->time - kTrailSeconds) {
-    trail.points.pop_front();
+}
+
+void FrameLayer::cutTrails(double time) {
+  for (auto& [id, trail] : trails_) {
+    while (!trail.points.empty() && trail.points.front().first < time - kTrailSeconds) {
+      trail.points.pop_front();
+    }
   }
 }
 
@@ -132,9 +160,8 @@ const FrameLayer::Agent& FrameLayer::agent(int id) const {
 }
 
 const FrameLayer::Body* FrameLayer::body(int id) const {
-  const auto found = std::find_if(bodies_.begin(), bodies_.end(),
-                                  [id](const Body& each) { return each.id == id; });
-  return found == bodies_.end() ? nullptr : &*found;
+  const auto found = places_.find(id);
+  return found == places_.end() ? nullptr : &bodies_[found->second];
 }
 
 bool FrameLayer::isChosen(const Body& body) const {
@@ -315,10 +342,31 @@ std::vector<ForceArrow> forcesOn(const sim2d::Frame& frame, int humanId) {
           {QStringLiteral("Total"), Role::ForceTotal, total}};
 }
 
+void FrameLayer::paintTrail(QPainter& painter, const Trail& trail, QColor color) const {
+  const std::size_t count = trail.points.size();
+  for (int part = 0; part < kTrailParts; ++part) {
+    const std::size_t from = count * static_cast<std::size_t>(part) / kTrailParts;
+    const std::size_t to =
+        std::min(count - 1, count * static_cast<std::size_t>(part + 1) / kTrailParts);
+    QPolygonF line;
+    for (std::size_t i = from; i <= to; ++i) {
+      line << toScene(trail.points[i].second);
+    }
+    if (part + 1 == kTrailParts) {
+      line << toScene(*trail.last);
+    }
+    color.setAlphaF(0.5 * (part + 1) / kTrailParts);
+    QPen pen(color, 4.0, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+    makeCosmetic(pen, painter);
+    painter.setPen(pen);
+    painter.drawPolyline(line);
+  }
+}
+
 void FrameLayer::paintTrails(QPainter& painter) const {
   for (const auto& [id, trail] : trails_) {
-    if (trail.points.size() > 1) {
-      paintTrail(painter, trail.points,
+    if (!trail.points.empty()) {
+      paintTrail(painter, trail,
                  id < 0 ? theme().color(Role::RobotLine) : theme().line(agent(id).look));
     }
   }

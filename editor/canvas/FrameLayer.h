@@ -4,9 +4,11 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "editor/canvas/Layers.h"
+#include "sim2d/trace/Recording.h"
 
 namespace editor {
 
@@ -18,7 +20,10 @@ class FrameLayer : public FullLayer {
 
   /// Looks, sizes and names are taken from the document when a run begins.
   void begin();
-  void show(std::shared_ptr<const sim2d::Frame> frame);
+  /// Trails tell of the recording what was passed over since the frame before; without one they
+  /// join what was shown.
+  void show(std::shared_ptr<const sim2d::Frame> frame,
+            const sim2d::Recording* recording = nullptr);
   void end();
   const sim2d::Frame* frame() const { return frame_.get(); }
   /// What was said; shown for some seconds from then on, also when looking back.
@@ -56,9 +61,13 @@ class FrameLayer : public FullLayer {
   };
   struct Trail {
     std::deque<std::pair<double, Vec2>> points;  // time [s], position
+    std::optional<Vec2> last;                    // the newest place, a point or not
     double walked = 0.0;                         // [m], moves the feet
   };
-  void lengthen(Trail& trail, const Vec2& at) const;
+  void lengthenTrails(const sim2d::Frame& frame, bool isPoint);
+  void addPassed(const sim2d::Recording& recording, const sim2d::Frame& frame);
+  void cutTrails(double time);
+  void paintTrail(QPainter& painter, const Trail& trail, QColor color) const;
   const Body* body(int id) const;
   const Agent& agent(int id) const;
   bool isChosen(const Body& body) const;
@@ -73,9 +82,10 @@ class FrameLayer : public FullLayer {
 
   std::shared_ptr<const sim2d::Frame> frame_;
   std::vector<Body> bodies_;  // people, then robots
-  std::map<int, Agent> agents_;
+  std::unordered_map<int, Agent> agents_;
   Agent stranger_;  // people from sources
-  std::map<int, Trail> trails_;
+  std::unordered_map<int, std::size_t> places_;  // in bodies_
+  std::map<int, Trail> trails_;                 // painted in this order
   std::vector<Speech> speeches_;
 };
 

@@ -9,7 +9,7 @@
 #include "editor/document/Geometry.h"
 #include "editor/document/ScenarioDocument.h"
 #include "editor/look/Theme.h"
-#include "sim2d/trace/Frame.h"
+#include "sim2d/trace/Recording.h"
 
 namespace editor {
 
@@ -96,7 +96,9 @@ class MapScene : public QGraphicsScene {
   const QRectF& extent() const { return extent_; }  // all that can be panned to
 
   /// Run mode: people and robots are drawn from frames; an empty pointer ends it.
-  void showFrame(std::shared_ptr<const sim2d::Frame> frame);
+  /// With the recording that it is of, if there is one: trails go through frames passed over.
+  void showFrame(std::shared_ptr<const sim2d::Frame> frame,
+                 const sim2d::Recording* recording = nullptr);
   bool isRunMode() const;
   FrameLayer& frameLayer() const { return *frameLayer_; }
   const SelectionLayer& selectionLayer() const { return *selectionLayer_; }

@@ -167,7 +167,8 @@ bool MapScene::isRunMode() const {
   return frameLayer_->frame() != nullptr;
 }
 
-void MapScene::showFrame(std::shared_ptr<const sim2d::Frame> frame) {
+void MapScene::showFrame(std::shared_ptr<const sim2d::Frame> frame,
+                         const sim2d::Recording* recording) {
   const bool wasRunning = isRunMode();
   const bool turnsDoors = wasRunning && frame != nullptr &&
                           frame->doorOpen != frameLayer_->frame()->doorOpen;
@@ -175,7 +176,7 @@ void MapScene::showFrame(std::shared_ptr<const sim2d::Frame> frame) {
     if (!wasRunning) {
       frameLayer_->begin();
     }
-    frameLayer_->show(std::move(frame));
+    frameLayer_->show(std::move(frame), recording);
   } else {
     frameLayer_->end();
   }

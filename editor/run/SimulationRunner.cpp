@@ -75,17 +75,14 @@ void SimulationRunner::play() {
   if (state_ == State::Running) {
     return;
   }
-  if (isRecorded_) {
+  if (finished_) {
     if (shown_->step == newest_->step) {
-      show(recording_->frame(0), false);
+      show(recording_->frame(0), !isRecorded_);
     }
     startClock();
     timer_.start();
     setState(State::Running);
     return;
-  }
-  if (finished_) {
-    reset();
   }
   if (state_ == State::Editing) {
     start(false);
@@ -98,7 +95,7 @@ void SimulationRunner::play() {
 
 void SimulationRunner::pause() {
   if (state_ == State::Running) {
-    isRecorded_ ? timer_.stop() : session_->setPaused(true);
+    finished_ ? timer_.stop() : session_->setPaused(true);
     setState(State::Paused);
   }
 }
@@ -127,7 +124,7 @@ void SimulationRunner::reset() {
     return;
   }
   stopSession();
-  if (session_ != nullptr) {
+  if (session_ != nullptr && !finished_) {
     poll();  // the last words of the session
   }
   session_.reset();
@@ -141,10 +138,10 @@ void SimulationRunner::reset() {
 void SimulationRunner::setSpeed(double factor) {
   Q_ASSERT(factor > 0.0);
   speed_ = factor;
-  if (session_ != nullptr) {
-    session_->setSpeed(factor);
-  } else if (isRecorded_) {
+  if (finished_) {
     startClock();
+  } else if (session_ != nullptr) {
+    session_->setSpeed(factor);
   }
 }
 
@@ -170,9 +167,10 @@ void SimulationRunner::playOn() {
   const double time = playedFrom_ + passed * measuredSpeed_;
   const std::size_t index = recording_->indexAtTime(time);
   if (recording_->stepOf(index) > shown_->step) {
-    show(recording_->frame(index), false);
+    show(recording_->frame(index), !isRecorded_);
   }
   if (shown_->step == newest_->step) {
+    show(newest_, false);
     pause();
   }
 }
@@ -211,7 +209,7 @@ void SimulationRunner::show(FramePtr frame, bool lookingBack) {
 }
 
 void SimulationRunner::poll() {
-  if (isRecorded_) {
+  if (finished_) {
     playOn();
     return;
   }

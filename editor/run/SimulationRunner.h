@@ -32,8 +32,8 @@ RunRequest runRequestOf(const ScenarioDocument& document, const RunSettings& set
 
 /// A simulation beside the window. Lives in the GUI thread and owns one worker thread with
 /// the session. States come out through its history, which is there to be read while it grows and
-/// equals that of a headless run; a run that was recorded before is played from its recording in
-/// the same way.
+/// equals that of a headless run. A run that is over, or was recorded before, is played from its
+/// recording; nothing is computed twice.
 class SimulationRunner : public QObject {
   Q_OBJECT
  public:
@@ -52,7 +52,7 @@ class SimulationRunner : public QObject {
   double speed() const { return speed_; }
   double measuredSpeed() const { return measuredSpeed_; }  // simulated seconds per wall second
 
-  void play();  // from Editing: makes the world first; after the end: starts again
+  void play();  // from Editing: makes the world first; after the end: plays the recording
   void pause();
   void stepOnce();               // one step, then paused; from the past: one recorded frame forward
   void reset();                  // ends the run, back to Editing
@@ -102,7 +102,7 @@ class SimulationRunner : public QObject {
   FramePtr newest_, shown_;
   RecordingPtr recording_;
   bool isRecorded_ = false;
-  QElapsedTimer playing_;    // a recorded run
+  QElapsedTimer playing_;    // a recording
   double playedFrom_ = 0.0;  // [s], when `playing_` began
 };
 
