@@ -309,7 +309,7 @@ void MetricsDock::takeSnapshot() {
 
 /// Rows stay when values change.
 void MetricsDock::fillRows() {
-  const std::vector<metrics::MetricResult>& results = feed_.snapshot().results;
+  const std::vector<metrics::MetricResult>& results = feed_.shown();
   const int rows = static_cast<int>(results.size());
   if (table_->rowCount() != rows) {
     table_->setRowCount(0);
@@ -346,7 +346,7 @@ void MetricsDock::fitRows() {
 }
 
 int MetricsDock::rowOf(const std::string& key) const {
-  const auto& results = feed_.snapshot().results;
+  const auto& results = feed_.shown();
   const auto found = std::find_if(results.begin(), results.end(),
                                   [&](const auto& result) { return result.info.key == key; });
   return found == results.end() ? -1 : static_cast<int>(found - results.begin());
@@ -371,7 +371,7 @@ std::string MetricsDock::selectedKey() const {
 void MetricsDock::showSelected() {
   const std::string key = selectedKey();
   const int row = rowOf(key);
-  plot_->show(row < 0 ? nullptr : &feed_.snapshot().results[static_cast<std::size_t>(row)],
+  plot_->show(row < 0 ? nullptr : &feed_.shown()[static_cast<std::size_t>(row)],
               curveOf(feed_.snapshot(), key));
 }
 

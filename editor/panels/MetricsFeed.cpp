@@ -47,6 +47,7 @@ struct MetricsFeed::Work {
   std::set<int> known;        // people that the metrics have been told of
   std::size_t events = 0;     // of the recording, that they have been told
   std::vector<double> times;  // of all frames [s]
+  bool hasTracks = true;
   std::map<std::string, MetricCurve> tracks;
   double nextPoint = 0.0;
 
@@ -79,7 +80,7 @@ struct MetricsFeed::Work {
     }
     live->append(*frame);
     times.push_back(frame->time);
-    if (frame->time >= nextPoint - 1e-9) {
+    if (hasTracks && frame->time >= nextPoint - 1e-9) {
       note(frame->time, live->values());
     }
   }
@@ -105,13 +106,15 @@ struct MetricsFeed::Work {
 MetricsFeed::MetricsFeed(const ScenarioDocument& document, SimulationRunner& runner)
     : document_(document),
       runner_(runner),
-      task_([this](MetricSnapshot snapshot) { deliver(std::move(snapshot)); }) {
+      task_([this](MetricSnapshot snapshot) { deliver(std::move(snapshot)); }),
+      pastTask_([this](Past past) { deliverPast(std::move(past)); }) {
   connect(&runner_, &SimulationRunner::frameShown, this, &MetricsFeed::follow);
   connect(&runner_, &SimulationRunner::stateChanged, this, &MetricsFeed::follow);
 }
 
 MetricsFeed::~MetricsFeed() {
   task_.finish();
+  pastTask_.finish();
 }
 
 /// A recorded run tells itself how it is measured.
@@ -144,12 +147,18 @@ void MetricsFeed::setSelection(std::optional<metrics::Selection> selection) {
 }
 
 bool MetricsFeed::isCurrent() const {
-  return !task_.isBusy() && (!work_ || snapshot_.frames == recording_->size());
+  const std::optional<std::size_t> past = pastIndex();
+  const bool isOfShown = !past || (past_ && past_->index == *past);
+  return !task_.isBusy() && !pastTask_.isBusy() &&
+         (!work_ || (snapshot_.frames == recording_->size() && isOfShown));
 }
 
 void MetricsFeed::begin() {
   work_.reset();
   task_.finish();
+  pastTask_.finish();
+  pastWork_.reset();
+  past_.reset();
   snapshot_ = MetricSnapshot();
   Q_EMIT cleared();
   if (recording_ == nullptr) {
@@ -160,13 +169,60 @@ void MetricsFeed::begin() {
     Q_EMIT failed(found.diagnostics());
     return;
   }
-  const std::shared_ptr<const sim2d::TraceHeader> header = recording_->header();
-  work_ = std::make_shared<Work>();
   metrics::Selection wanted = selection();
   wanted.window = {};  // values so far, of everybody
   wanted.behaviors = false;
-  work_->live = std::make_unique<metrics::FrameEvaluation>(*header, wanted, found->parameters);
-  work_->meet(header->humans);
+  makeWork_ = [wanted, header = recording_->header(), parameters = found->parameters] {
+    auto work = std::make_shared<Work>();
+    work->live = std::make_unique<metrics::FrameEvaluation>(*header, wanted, parameters);
+    work->meet(header->humans);
+    return work;
+  };
+  work_ = makeWork_();
+}
+
+/// The state that is shown when it is not the newest one.
+std::optional<std::size_t> MetricsFeed::pastIndex() const {
+  const FramePtr frame = runner_.shownFrame();
+  const bool isPast = runner_.isLookingBack() || runner_.isRecorded();
+  if (!work_ || frame == nullptr || !isPast || frame->step == runner_.newestFrame()->step) {
+    return {};
+  }
+  return recording_->indexAt(frame->step);
+}
+
+const std::vector<metrics::MetricResult>& MetricsFeed::shown() const {
+  return past_ && pastIndex() ? past_->results : snapshot_.results;
+}
+
+void MetricsFeed::lookBack() {
+  const std::optional<std::size_t> index = pastIndex();
+  if (!index) {
+    if (past_) {
+      past_.reset();
+      Q_EMIT updated();
+    }
+    return;
+  }
+  if (past_ && past_->index == *index) {
+    return;
+  }
+  // The work is touched by one task at a time, which begin() waits for.
+  pastTask_.start([this, index = *index, recording = recording_, make = makeWork_] {
+    if (pastWork_ == nullptr || pastWork_->times.size() > index + 1) {
+      pastWork_ = make();
+      pastWork_->hasTracks = false;
+    }
+    while (pastWork_->times.size() <= index) {
+      pastWork_->take(*recording, pastWork_->times.size());
+    }
+    return Past{index, pastWork_->live->values()};
+  });
+}
+
+void MetricsFeed::deliverPast(Past past) {
+  past_ = std::move(past);
+  Q_EMIT updated();
 }
 
 void MetricsFeed::follow() {
@@ -175,6 +231,7 @@ void MetricsFeed::follow() {
     begin();
   }
   pump();
+  lookBack();
 }
 
 void MetricsFeed::pump() {

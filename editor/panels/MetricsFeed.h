@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,10 +39,12 @@ class MetricsFeed : public QObject {
   Q_DISABLE_COPY_MOVE(MetricsFeed)
 
   const MetricSnapshot& snapshot() const { return snapshot_; }
+  /// Values up to the state that is shown, which is not the newest one when looking back.
+  const std::vector<metrics::MetricResult>& shown() const;
   /// Which metrics, instead of those of the scenario's settings; counts from the next frame on.
   void setSelection(std::optional<metrics::Selection> selection);
   metrics::Selection selection() const;
-  /// All frames of the run so far are in the snapshot.
+  /// All frames of the run so far are in the snapshot, and shown() is of what is shown.
   bool isCurrent() const;
 
  Q_SIGNALS:
@@ -50,19 +54,30 @@ class MetricsFeed : public QObject {
 
  private:
   struct Work;
+  struct Past {
+    std::size_t index = 0;  // of the state
+    std::vector<metrics::MetricResult> results;
+  };
   void follow();
   void begin();
   void pump();
   base::Result<app::MetricsSetup> setup() const;
   void deliver(MetricSnapshot snapshot);
+  std::optional<std::size_t> pastIndex() const;
+  void lookBack();
+  void deliverPast(Past past);
 
   const ScenarioDocument& document_;
   SimulationRunner& runner_;
   std::optional<metrics::Selection> selection_;
+  std::function<std::shared_ptr<Work>()> makeWork_;  // of this run, in any thread
   std::shared_ptr<Work> work_;
   RecordingPtr recording_;
   MetricSnapshot snapshot_;
   LatestTask<MetricSnapshot> task_;
+  std::shared_ptr<Work> pastWork_;
+  std::optional<Past> past_;
+  LatestTask<Past> pastTask_;
 };
 
 /// "0.64", "–" when undefined, "∞"; as many decimals as the unit deserves.
