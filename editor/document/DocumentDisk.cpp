@@ -336,11 +336,9 @@ std::vector<TreeQuestion> ScenarioDocument::treeQuestions(const QString& path) c
         continue;
       }
     }
-    const auto basis = disk_->bases.find(planned.human);
-    std::string generated = generatedTree(plan.scenario, human);
-    if (tree(planned.human) && basis != disk_->bases.end() && basis->second != generated) {
+    if (isTreeBehind(planned.human)) {
       question.mine = planned.content;
-      question.replacement = std::move(generated);
+      question.replacement = generatedTree(plan.scenario, human);
       question.why = TreeQuestion::Why::BehaviourChanged;
       questions.push_back(std::move(question));
     }

@@ -299,6 +299,13 @@ std::optional<std::string> ScenarioDocument::treeToRun(EntityId id) const {
   return person != nullptr && isOther ? wantedTree(scenario_, *person) : tree(id);
 }
 
+bool ScenarioDocument::isTreeBehind(EntityId id) const {
+  const sim2d::Human* person = human(id);
+  const auto basis = disk_->bases.find(id);
+  return person != nullptr && tree(id) && basis != disk_->bases.end() &&
+         basis->second != generatedTree(scenario_, *person);
+}
+
 app::Bundle ScenarioDocument::bundle() const {
   app::Bundle bundle;
   bundle.path = path_.toStdString();

@@ -174,6 +174,18 @@ void pushTreeText(ScenarioDocument& document, EntityId person, std::optional<std
   }
 }
 
+void pushTreesAnew(ScenarioDocument& document, const std::vector<EntityId>& people) {
+  std::vector<TreeEdit> edits;
+  for (const EntityId person : people) {
+    if (document.tree(person)) {
+      edits.push_back({person, std::nullopt});
+    }
+  }
+  if (!edits.empty()) {
+    pushTrees(document, std::move(edits), QObject::tr("Make the tree anew"));
+  }
+}
+
 void pushPort(ScenarioDocument& document, EntityId person, const OutlineNode& node,
               const std::string& port, const std::string& text) {
   PersonTree tree = personTree(document, person);

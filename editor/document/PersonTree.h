@@ -51,6 +51,8 @@ void pushGoalsOfRoute(ScenarioDocument& document, EntityId person);
 /// Another text, or none for the tree that is made.
 void pushTreeText(ScenarioDocument& document, EntityId person, std::optional<std::string> xml,
                   const QString& text);
+/// The trees that behaviour and goals make, for all of these people in one command.
+void pushTreesAnew(ScenarioDocument& document, const std::vector<EntityId>& people);
 /// As it is written into the tree file.
 std::string treeText(const ScenarioDocument& document, EntityId person);
 

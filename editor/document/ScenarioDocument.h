@@ -103,6 +103,10 @@ class ScenarioDocument : public QObject {
   /// the person does, else one in the style of the file; none = the generator's.
   std::optional<std::string> treeToRun(EntityId human) const;
 
+  /// The person's own tree does what behaviour and goals said when it was written; they say
+  /// something else now. Saving asks about it.
+  bool isTreeBehind(EntityId human) const;
+
   /// All that a run takes, as it is now, saved or not.
   app::Bundle bundle() const;
   const std::shared_ptr<app::KnownSurroundings>& surroundings() const { return surroundings_; }

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 
+#include <QLabel>
 #include <QToolButton>
 
 #include "editor/panels/PropertyPage.h"
@@ -25,6 +26,8 @@ class PersonPage : public PropertyPage {
   void addGroupSection();
   void addAppearanceSection();
   void addMoreSection();
+  void addTreeRow(FormSection* section);
+  void showTreeRow(FormSection& section);
   void showBehavior(const std::vector<Entity>& shown);
   long long seed() const override;
 
@@ -34,6 +37,8 @@ class PersonPage : public PropertyPage {
   FormSection* forces_ = nullptr;
   NumberField* seed_ = nullptr;
   QWidget* drawLinks_ = nullptr;
+  QLabel* ownTree_ = nullptr;
+  QToolButton* treeAnew_ = nullptr;
   QToolButton* keepSeed_ = nullptr;
   std::optional<long long> ownSeed_;  // tried out here; none = the scenario's
 };
