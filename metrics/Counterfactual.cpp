@@ -42,11 +42,6 @@ std::map<int, Way> waysOf(const sim2d::Trace& trace) {
   return ways;
 }
 
-/// Step of goal number `goal` (from 1), else the last one there.
-std::int64_t stepOfGoal(const Way& way, std::size_t goal) {
-  return goal > 0 && goal <= way.goals.size() ? way.goals[goal - 1] : way.moments.rbegin()->first;
-}
-
 double lengthUntil(const Way& way, std::int64_t step) {
   double length = 0.0;
   const Moment* before = nullptr;
@@ -63,12 +58,17 @@ double lengthUntil(const Way& way, std::int64_t step) {
 PersonEffect effectOf(int id, const Way& with, const Way& without, double dt) {
   PersonEffect effect;
   effect.id = id;
-  const std::size_t common = std::min(with.goals.size(), without.goals.size());
-  const std::size_t goal = with.goals.size() == without.goals.size() ? common : common + 1;
-  const std::int64_t end = stepOfGoal(with, goal);
-  const std::int64_t endWithout = stepOfGoal(without, goal);
+  const std::size_t goals = std::min(with.goals.size(), without.goals.size());
+  std::int64_t end = std::min(with.moments.rbegin()->first, without.moments.rbegin()->first);
+  std::int64_t endWithout = end;
+  if (goals > 0) {
+    end = with.goals[goals - 1];
+    endWithout = without.goals[goals - 1];
+  }
   effect.detour = lengthUntil(with, end) - lengthUntil(without, endWithout);
-  effect.delay = static_cast<double>(end - endWithout) * dt;
+  if (goals > 0 || with.goals.size() == without.goals.size()) {
+    effect.delay = static_cast<double>(end - endWithout) * dt;
+  }
   const Moment* before = nullptr;
   const Moment* beforeWithout = nullptr;
   std::int64_t lastStep = 0;
@@ -104,7 +104,7 @@ struct Column {
   double PersonEffect::*member;
 };
 constexpr Column kColumns[] = {
-    {"detour", "Detours caused by the robot", "m", "path length with - without the robot",
+    {"detour", "Detours caused by the robot", "m", "path length to the last common goal with - without the robot",
      "(-inf, inf)", &PersonEffect::detour},
     {"delay", "Delays caused by the robot", "s", "time of the last common goal with - without",
      "(-inf, inf)", &PersonEffect::delay},
@@ -144,10 +144,15 @@ std::vector<MetricResult> effectSums(const std::vector<PersonEffect>& effects) {
   std::vector<MetricResult> results;
   for (const MetricInfo& info : effectInfos()) {
     double sum = 0.0;
+    bool isKnown = false;
     for (const PersonEffect& effect : effects) {
-      sum += effect.*kColumns[results.size()].member;
+      const double value = effect.*kColumns[results.size()].member;
+      isKnown = isKnown || !std::isnan(value);
+      sum += std::isnan(value) ? 0.0 : value;
     }
-    results.push_back({info, effects.empty() ? undefinedValue("nobody is in both runs") : sum});
+    const char* why =
+        effects.empty() ? "nobody is in both runs" : "nobody reaches the same goal in both runs";
+    results.push_back({info, isKnown ? MetricValue(sum) : undefinedValue(why)});
   }
   return results;
 }
@@ -161,7 +166,8 @@ std::string effectsCsv(const std::vector<PersonEffect>& effects) {
   for (const PersonEffect& effect : effects) {
     text += std::to_string(effect.id);
     for (const Column& column : kColumns) {
-      text += "," + base::formatDouble(effect.*column.member);
+      const double value = effect.*column.member;
+      text += std::isnan(value) ? "," : "," + base::formatDouble(value);
     }
     text += "\n";
   }

@@ -8,13 +8,12 @@
 /// What the robot did to people: a run against the same one without it.
 namespace metrics {
 
-/// With - without, of one person. Lengths and times up to the last goal that both runs have in
-/// common; a goal that only one run reached counts as reached at the end of the other. Then over
-/// the instants that both records have.
+/// With - without, of one person. Detour and delay up to the last goal that was reached in both
+/// runs, without one up to the last instant that both have; the rest over all such instants.
 struct PersonEffect {
   int id = 0;
   double detour = 0.0;       // [m] more walked
-  double delay = 0.0;        // [s] later there
+  double delay = kNaN;       // [s] later there; NaN: a goal was reached in one run alone
   double extraForce = 0.0;   // [m/s] sum of |change of velocity with - without|
   double slowedTime = 0.0;   // [s] slower by more than 0.1 m/s
   double disturbance = 0.0;  // [rad] mean |heading with - without|

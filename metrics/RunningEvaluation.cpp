@@ -77,7 +77,8 @@ void SampleFeed::addItem(MetricEntry entry, Among among) {
   const Stream& stream = item.entry.stream;
   const bool isAsked = among == Among::All || looksAtPeople(info);
   if (stream.make && isAsked && (context_->hasRobot || !info.needs.robot)) {
-    std::unique_ptr<Accumulator>& sum = sums_[stream.shared];
+    Stretch& stretch = info.needs.robot ? way_ : all_;
+    std::unique_ptr<Accumulator>& sum = stretch.sums[stream.shared];
     if (!sum) {
       sum = stream.make(parameters_);
     }
@@ -87,70 +88,106 @@ void SampleFeed::addItem(MetricEntry entry, Among among) {
   items_.push_back(std::move(item));
 }
 
-Instant SampleFeed::newestInstant(TermMemory* memory) const {
+Instant SampleFeed::newestInstant(const Stretch& stretch, TermMemory* memory) const {
   return {*context_,
           parameters_,
-          now_,
-          count_ > 1 ? &before_ : nullptr,
-          count_ > 2 ? &earlier_ : nullptr,
-          count_ - 1,
-          begin_,
+          *stretch.now,
+          stretch.before.get(),
+          stretch.earlier.get(),
+          stretch.count - 1,
+          stretch.begin,
           keepsSeries_,
           store_.get(),
           memory};
 }
 
 /// Those since the beginning; what was noted too early waits for the next sample.
-void SampleFeed::takeEvents() {
-  const double now = now_.time + kTimeSlack;
+void SampleFeed::passEvents(bool isOnWay) {
+  const double now = all_.now->time + kTimeSlack;
   const auto later = std::find_if(noted_.begin(), noted_.end(),
                                   [now](const auto& noted) { return noted.first > now; });
-  for (auto noted = noted_.begin(); noted != later; ++noted) {
-    if (noted->first >= begin_ - kTimeSlack) {
-      for (const auto& [shared, sum] : sums_) {
-        sum->note(*context_, noted->first - begin_, noted->second);
+  const auto pass = [&](const Stretch& stretch) {
+    for (auto noted = noted_.begin(); noted != later; ++noted) {
+      if (noted->first >= stretch.begin - kTimeSlack) {
+        for (const auto& [shared, sum] : stretch.sums) {
+          sum->note(*context_, noted->first - stretch.begin, noted->second);
+        }
       }
     }
+  };
+  pass(all_);
+  if (isOnWay) {
+    pass(way_);
   }
   noted_.erase(noted_.begin(), later);
 }
 
-void SampleFeed::add(Sample sample) {
-  earlier_ = std::move(before_);
-  before_ = std::move(now_);
-  now_ = std::move(sample);
-  begin_ = count_ == 0 ? now_.time : begin_;
-  ++count_;
-  if (context_->hasRobot) {
-    workOutPairs(now_, needsMap_ ? &context_->map : nullptr, parameters_);
+void SampleFeed::lengthen(Stretch& stretch, const std::shared_ptr<Sample>& sample) {
+  stretch.earlier = std::move(stretch.before);
+  stretch.before = std::move(stretch.now);
+  stretch.now = sample;
+  if (stretch.count == 0) {
+    stretch.begin = sample->time;
+    stretch.first = all_.count;
   }
-  takeEvents();
-  terms_.forget();
-  const Instant newest = newestInstant(&terms_);
-  for (const auto& [shared, sum] : sums_) {
-    sum->add(newest);
+  ++stretch.count;
+  stretch.terms.forget();
+}
+
+void SampleFeed::add(Sample sample, bool isOnWay) {
+  const auto newest = std::make_shared<Sample>(std::move(sample));
+  if (isOnWay) {
+    lengthen(way_, newest);
+    workOutPairs(*newest, needsMap_ ? &context_->map : nullptr, parameters_);
+  }
+  lengthen(all_, newest);
+  passEvents(isOnWay);
+  for (Stretch* stretch : {&all_, &way_}) {
+    if (stretch->now == newest) {
+      const Instant instant = newestInstant(*stretch, &stretch->terms);
+      for (const auto& [shared, sum] : stretch->sums) {
+        sum->add(instant);
+      }
+    }
   }
 }
 
-MetricValue SampleFeed::valueOf(const Item& item, const Instant& last,
-                                const std::vector<MetricResult>& before) const {
+MetricValue SampleFeed::valueOf(const Item& item, const std::vector<MetricResult>& before) const {
   const MetricEntry& entry = item.entry;
   if (entry.info.needs.robot && !context_->hasRobot) {
     return undefinedValue("there is no robot");
   }
-  return item.sum != nullptr ? entry.stream.read(*item.sum, last)
-                             : meanOver(findResult(before, entry.info.partOf)->value, last.count());
+  const Stretch& stretch = stretchOf(entry.info);
+  if (stretch.count == 0) {
+    return undefinedValue("the robot does not set off");
+  }
+  return item.sum != nullptr
+             ? entry.stream.read(*item.sum, newestInstant(stretch, nullptr))
+             : meanOver(findResult(before, entry.info.partOf)->value, stretch.count);
+}
+
+/// One value per sample of the run: undefined before the robot sets off and after it has arrived.
+void SampleFeed::alignSeries(const Item& item, std::optional<Series>& series) const {
+  const Stretch& stretch = stretchOf(item.entry.info);
+  if (!series || series->values.size() != stretch.count || stretch.count == all_.count) {
+    return;
+  }
+  std::vector<double>& values = series->values;
+  values.insert(values.begin(), stretch.first, kNaN);
+  values.resize(all_.count, kNaN);
 }
 
 std::vector<MetricResult> SampleFeed::values(const std::vector<MetricResult>* all,
                                              const SeriesSink& sink) const {
-  const Instant last = newestInstant(nullptr);
   std::vector<MetricResult> results;
   for (const Item& item : items_) {
     const bool isSame = all != nullptr && !looksAtPeople(item.entry.info);
     results.push_back(
-        {item.entry.info, isSame ? (*all)[results.size()].value : valueOf(item, last, results)});
+        {item.entry.info, isSame ? (*all)[results.size()].value : valueOf(item, results)});
     std::optional<Series>& series = results.back().value.series;
+    if (!isSame) {
+      alignSeries(item, series);
+    }
     if (sink && series && keepsSeries_) {
       sink(item.entry.info, *series);
     }
@@ -178,12 +215,28 @@ RunningEvaluation::RunningEvaluation(const RunContext& context, const Selection&
 
 void RunningEvaluation::note(double time, const sim2d::Event& event) {
   gate_.note(time, event);
+  const bool isRobot = event.hasId && event.id == context_->robotId;
+  if (event.kind == sim2d::EventKind::Arrived && isRobot && !arrival_) {
+    arrival_ = time;
+  }
   if (!isOver_) {
     all_.note(time, event);
   }
 }
 
-void RunningEvaluation::addToBehaviors(Sample& sample) {
+/// A window that says itself where to begin or to end is heeded.
+bool RunningEvaluation::isOnWay(double time) const {
+  if (!context_->hasRobot || isOriginal()) {
+    return context_->hasRobot;
+  }
+  const bool isEarly =
+      selection_.window.from == "begin" && time < context_->robotStartTime - kTimeSlack;
+  const bool isLate =
+      selection_.window.until == "end" && arrival_ && time > *arrival_ + kTimeSlack;
+  return !isEarly && !isLate;
+}
+
+void RunningEvaluation::addToBehaviors(Sample& sample, bool isOnWay) {
   const bool anyActive = isActive(sample);
   for (std::size_t k = 0; k < kBehaviors; ++k) {
     Behavior& behavior = behaviors_[k];
@@ -201,7 +254,7 @@ void RunningEvaluation::addToBehaviors(Sample& sample) {
       // Of the people of this type; the original looks at everybody.
       behavior.active.push_back((isOriginal() ? anyActive : isActive(part)) ? 1.0 : 0.0);
     }
-    behavior.feed->add(std::move(part));
+    behavior.feed->add(std::move(part), isOnWay);
   }
 }
 
@@ -218,9 +271,10 @@ void RunningEvaluation::add(Sample sample) {
   if (selection_.series) {
     times_.push_back(sample.time - first_);
   }
-  all_.add(std::move(sample));
+  const bool isOnWay = this->isOnWay(sample.time);
+  all_.add(std::move(sample), isOnWay);
   if (selection_.behaviors) {
-    addToBehaviors(all_.newest());
+    addToBehaviors(all_.newest(), isOnWay);
   }
 }
 

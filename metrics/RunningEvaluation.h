@@ -17,8 +17,8 @@ using SeriesSink = std::function<void(const MetricInfo& info, const Series& seri
 /// Whose metrics are summed up.
 enum class Among { All, SomePeople };  // SomePeople: only what looks at people
 
-/// A run that goes on and the metrics of a selection. Of its samples the newest three
-/// are kept. One thread at a time.
+/// A run that goes on and the metrics of a selection. Of its samples the newest three are kept.
+/// Metrics of the robot look at samples of their own: those of its way. One thread at a time.
 class SampleFeed {
  public:
   SampleFeed(std::shared_ptr<const RunContext> context, const Selection& selection,
@@ -28,9 +28,10 @@ class SampleFeed {
   void note(double time, const sim2d::Event& event) { noted_.emplace_back(time, event); }
   /// The run has not begun yet.
   void forgetEvents() { noted_.clear(); }
-  void add(Sample sample);
-  std::size_t size() const { return count_; }
-  Sample& newest() { return now_; }
+  /// `isOnWay`: the robot has set off and has not arrived.
+  void add(Sample sample, bool isOnWay);
+  std::size_t size() const { return all_.count; }
+  Sample& newest() { return *all_.now; }
   /// `all`: results among all people; those that do not look at people are taken over.
   std::vector<MetricResult> values(const std::vector<MetricResult>* all = nullptr,
                                    const SeriesSink& sink = {}) const;
@@ -40,25 +41,32 @@ class SampleFeed {
  private:
   struct Item {
     MetricEntry entry;
-    const Accumulator* sum = nullptr;  // one of sums_
+    const Accumulator* sum = nullptr;  // of the stretch
+  };
+  /// The samples that some of the metrics look at.
+  struct Stretch {
+    std::shared_ptr<Sample> now, before, earlier;
+    std::size_t first = 0;  // of them, among all
+    std::size_t count = 0;
+    double begin = 0.0;  // [s]
+    TermMemory terms;
+    std::map<std::string, std::unique_ptr<Accumulator>> sums;  // by Stream::shared
   };
   void addItem(MetricEntry entry, Among among);
-  void takeEvents();
-  Instant newestInstant(TermMemory* memory) const;
-  MetricValue valueOf(const Item& item, const Instant& last,
-                      const std::vector<MetricResult>& before) const;
+  void lengthen(Stretch& stretch, const std::shared_ptr<Sample>& sample);
+  void passEvents(bool isOnWay);
+  Instant newestInstant(const Stretch& stretch, TermMemory* memory) const;
+  const Stretch& stretchOf(const MetricInfo& info) const { return info.needs.robot ? way_ : all_; }
+  MetricValue valueOf(const Item& item, const std::vector<MetricResult>& before) const;
+  void alignSeries(const Item& item, std::optional<Series>& series) const;
 
   std::shared_ptr<const RunContext> context_;
   MetricParameters parameters_;
   bool keepsSeries_;
   std::unique_ptr<NumberStore> store_;  // null: series stay in memory
   std::vector<Item> items_;
-  std::map<std::string, std::unique_ptr<Accumulator>> sums_;  // by Stream::shared
   bool needsMap_ = false;
-  Sample now_, before_, earlier_;
-  std::size_t count_ = 0;
-  double begin_ = 0.0;  // [s]
-  TermMemory terms_;
+  Stretch all_, way_;
   std::vector<std::pair<double, sim2d::Event>> noted_;  // since the newest sample
 };
 
@@ -85,7 +93,8 @@ class RunningEvaluation {
     bool isMet = false;          // somebody of the type was there
     std::vector<double> active;  // 0/1 per sample
   };
-  void addToBehaviors(Sample& sample);
+  void addToBehaviors(Sample& sample, bool isOnWay);
+  bool isOnWay(double time) const;
   bool isOriginal() const { return parameters_.profile == Profile::Hunav2; }
 
   std::shared_ptr<const RunContext> context_;
@@ -96,6 +105,7 @@ class RunningEvaluation {
   double first_ = 0.0;
   bool hasSamples_ = false;  // of the record, taken or not
   bool isOver_ = false;      // no more samples will be taken
+  std::optional<double> arrival_;  // of the robot [s]
   SampleFeed all_;
   std::array<Behavior, kBehaviors> behaviors_;  // of types 1..6; no feed: not wanted
 };

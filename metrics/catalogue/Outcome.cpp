@@ -93,7 +93,7 @@ constexpr char kMetrics[] = R"(
 success|Success||0 or 1|completed, no contact with a person or an obstacle, no timeout
 = Navigation Performance|lower|nothing|all benchmarks
 total_time|Duration of the record|s|[0, inf)|T = t_(N-1) - t_0
-= Navigation Performance|lower|nothing|Arena; CrowdNav
+= Navigation Performance|lower|robot|Arena; CrowdNav
 timeout|Timeout||0 or 1|T >= time_limit
 = Safety & Collisions|lower|robot, obstacles|SEAN 2.0; SocNavBench; Arena
 obstacle_collisions|Robot runs into an obstacle||0, 1, ...|number of times the clearance of the robot falls to 0 or below
