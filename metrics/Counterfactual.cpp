@@ -42,20 +42,25 @@ std::map<int, Way> waysOf(const sim2d::Trace& trace) {
   return ways;
 }
 
-double lengthUntil(const Way& way, std::int64_t step) {
+double lengthUntil(const Way& way, std::int64_t step, const Seam& seam) {
   double length = 0.0;
   const Moment* before = nullptr;
   for (const auto& [at, moment] : way.moments) {
     if (at > step) {
       break;
     }
-    length += before != nullptr ? lengthOf(moment.position - before->position) : 0.0;
+    if (before != nullptr) {
+      length += lengthOf(seam.nearest(moment.position, before->position) - before->position);
+    }
     before = &moment;
   }
   return length;
 }
 
-PersonEffect effectOf(int id, const Way& with, const Way& without, double dt) {
+PersonEffect effectOf(int id, const Way& with, const Way& without,
+                      const sim2d::TraceHeader& header) {
+  const double dt = header.dt;
+  const Seam seam = seamOf(header);
   PersonEffect effect;
   effect.id = id;
   const std::size_t goals = std::min(with.goals.size(), without.goals.size());
@@ -65,7 +70,7 @@ PersonEffect effectOf(int id, const Way& with, const Way& without, double dt) {
     end = with.goals[goals - 1];
     endWithout = without.goals[goals - 1];
   }
-  effect.detour = lengthUntil(with, end) - lengthUntil(without, endWithout);
+  effect.detour = lengthUntil(with, end, seam) - lengthUntil(without, endWithout, seam);
   if (goals > 0 || with.goals.size() == without.goals.size()) {
     effect.delay = static_cast<double>(end - endWithout) * dt;
   }
@@ -104,8 +109,9 @@ struct Column {
   double PersonEffect::*member;
 };
 constexpr Column kColumns[] = {
-    {"detour", "Detours caused by the robot", "m", "path length to the last common goal with - without the robot",
-     "(-inf, inf)", &PersonEffect::detour},
+    {"detour", "Detours caused by the robot", "m",
+     "path length to the last common goal with - without the robot", "(-inf, inf)",
+     &PersonEffect::detour},
     {"delay", "Delays caused by the robot", "s", "time of the last common goal with - without",
      "(-inf, inf)", &PersonEffect::delay},
     {"extra_force", "Changes of velocity caused by the robot", "m/s",
@@ -124,7 +130,7 @@ std::vector<PersonEffect> personEffects(const sim2d::Trace& with, const sim2d::T
   for (const auto& [id, way] : ways) {
     const auto other = others.find(id);
     if (other != others.end()) {
-      effects.push_back(effectOf(id, way, other->second, with.header.dt));
+      effects.push_back(effectOf(id, way, other->second, with.header));
     }
   }
   return effects;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace metrics {
@@ -18,9 +19,57 @@ struct Placed {
   }
 };
 
+/// Where the ray from the origin meets the line through the segment, as a multiple of the
+/// direction; infinite when it runs beside it.
+double along(const Vec2& direction, const sim2d::Segment& segment) {
+  const double across = base::cross(direction, segment.b - segment.a);
+  return across != 0.0 ? base::cross(segment.a, segment.b - segment.a) / across
+                       : std::numeric_limits<double>::infinity();
+}
+
+/// Where two segments cross each other, if they do.
+std::optional<Vec2> crossing(const sim2d::Segment& first, const sim2d::Segment& second) {
+  const Vec2 a = first.b - first.a;
+  const Vec2 b = second.b - second.a;
+  const double across = base::cross(a, b);
+  if (across == 0.0) {
+    return std::nullopt;
+  }
+  const double s = base::cross(second.a - first.a, b) / across;
+  const double t = base::cross(second.a - first.a, a) / across;
+  return s > 0.0 && s < 1.0 && t > 0.0 && t < 1.0 ? std::optional<Vec2>(first.a + s * a)
+                                                  : std::nullopt;
+}
+
+/// Of the sector from a to b within the circle, with the sign of the turn.
+double sectorArea(const Vec2& a, const Vec2& b, double radius) {
+  return 0.5 * radius * radius * std::atan2(base::cross(a, b), a.dot(b));
+}
+
+/// Of the triangle between the origin and an edge, within the circle, with the sign of the turn.
+double areaAt(const Vec2& a, const Vec2& b, double radius) {
+  const Vec2 edge = b - a;
+  const double squared = edge.squaredNorm();
+  if (squared == 0.0) {
+    return 0.0;
+  }
+  // a + t edge lies on the circle where t^2 squared + 2 t half + rest = 0.
+  const double half = a.dot(edge);
+  const double rest = a.squaredNorm() - radius * radius;
+  const double root = half * half - squared * rest;
+  if (root <= 0.0) {
+    return sectorArea(a, b, radius);
+  }
+  const double from = std::clamp((-half - std::sqrt(root)) / squared, 0.0, 1.0);
+  const double to = std::clamp((-half + std::sqrt(root)) / squared, 0.0, 1.0);
+  const Vec2 in = a + from * edge;
+  const Vec2 out = a + to * edge;
+  return sectorArea(a, in, radius) + 0.5 * base::cross(in, out) + sectorArea(out, b, radius);
+}
+
 }  // namespace
 
-std::vector<std::vector<Vec2>> neighbours(const std::vector<Vec2>& points, double reach) {
+std::vector<std::vector<std::size_t>> neighbours(const std::vector<Vec2>& points, double reach) {
   std::vector<Placed> placed;
   placed.reserve(points.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -28,7 +77,7 @@ std::vector<std::vector<Vec2>> neighbours(const std::vector<Vec2>& points, doubl
                       std::llround(std::floor(points[k].x() / reach)), k});
   }
   std::sort(placed.begin(), placed.end());
-  std::vector<std::vector<Vec2>> result(points.size());
+  std::vector<std::vector<std::size_t>> result(points.size());
   std::array<std::size_t, 3> first{};  // in the rows below, of and above a point: where to look
   for (const Placed& centre : placed) {
     const Vec2& point = points[centre.point];
@@ -43,7 +92,7 @@ std::vector<std::vector<Vec2>> neighbours(const std::vector<Vec2>& points, doubl
            ++i) {
         const Vec2& other = points[placed[i].point];
         if (placed[i].point != centre.point && (other - point).squaredNorm() <= reach * reach) {
-          result[centre.point].push_back(other);
+          result[centre.point].push_back(placed[i].point);
         }
       }
     }
@@ -51,89 +100,133 @@ std::vector<std::vector<Vec2>> neighbours(const std::vector<Vec2>& points, doubl
   return result;
 }
 
-CellAreas::CellAreas(double radius) {
-  constexpr int kCorners = 64;
-  const double turn = 2.0 * base::kPi / kCorners;
-  const double corner = radius * std::sqrt(turn / std::sin(turn));
-  for (int k = 0; k < kCorners; ++k) {
-    circle_.emplace_back(corner * std::cos(k * turn), corner * std::sin(k * turn));
+double areaInCircle(const std::vector<Vec2>& polygon, double radius) {
+  double area = 0.0;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    area += areaAt(polygon[k], polygon[k + 1 < polygon.size() ? k + 1 : 0], radius);
   }
-  square_ = {Vec2(corner, corner), Vec2(-corner, corner), Vec2(-corner, -corner),
-             Vec2(corner, -corner)};
-  inside2_ = (circle_[0] + circle_[1]).squaredNorm() / 4.0;
+  return area;
+}
+
+/// Around the circle.
+void CellAreas::takeSquare() {
+  const double r = radius_;
+  cell_ = {Vec2(r, r), Vec2(-r, r), Vec2(-r, -r), Vec2(r, -r)};
+}
+
+/// What of the square no wall hides from the point. Between two turns one border comes first.
+void CellAreas::takeVisible() {
+  takeSquare();
+  borders_ = walls_;
+  for (std::size_t k = 0; k < 4; ++k) {
+    borders_.push_back({cell_[k], cell_[(k + 1) % 4]});
+  }
+  turns_.clear();
+  const auto turnTo = [this](const Vec2& place) {
+    if (place != Vec2::Zero()) {
+      turns_.push_back(std::atan2(place.y(), place.x()));
+    }
+  };
+  for (std::size_t k = 0; k < borders_.size(); ++k) {
+    turnTo(borders_[k].a);
+    turnTo(borders_[k].b);
+    for (std::size_t other = 0; other < k; ++other) {
+      if (const std::optional<Vec2> place = crossing(borders_[k], borders_[other])) {
+        turnTo(*place);
+      }
+    }
+  }
+  std::sort(turns_.begin(), turns_.end());
+  cell_.clear();
+  for (std::size_t k = 0; k < turns_.size(); ++k) {
+    const bool isLast = k + 1 == turns_.size();
+    addCorners(turns_[k], isLast ? turns_.front() + 2.0 * base::kPi : turns_[k + 1]);
+  }
+}
+
+/// Both ends of what is seen between two directions.
+void CellAreas::addCorners(double from, double to) {
+  constexpr double kLeastTurn = 1e-12;  // [rad]
+  if (to - from < kLeastTurn) {
+    return;
+  }
+  const Vec2 middle = base::directionOf(0.5 * (from + to));
+  const sim2d::Segment* first = nullptr;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const sim2d::Segment& border : borders_) {
+    const double sideA = base::cross(middle, border.a);
+    const double sideB = base::cross(middle, border.b);
+    const double distance = along(middle, border);
+    if ((sideA > 0.0) != (sideB > 0.0) && distance > 0.0 && distance < nearest) {
+      nearest = distance;
+      first = &border;
+    }
+  }
+  if (first != nullptr) {
+    for (const double turn : {from, to}) {
+      const Vec2 direction = base::directionOf(turn);
+      cell_.push_back(along(direction, *first) * direction);
+    }
+  }
 }
 
 /// Leaves the part that is nearer to the origin.
 void CellAreas::cut(const Vec2& other) {
   const double limit = 0.5 * other.squaredNorm();
-  part_.resize(cell_.size() + 1);  // a convex part has one corner more at most
-  reach2_ = 0.0;
-  std::size_t count = 0;
-  const auto keep = [this, &count](const Vec2& corner) {
-    if (count == part_.size()) {  // rounding has made it not quite convex
-      part_.emplace_back();
-    }
-    part_[count++] = corner;
-    reach2_ = std::max(reach2_, corner.squaredNorm());
-  };
+  part_.clear();
   double sideA = cell_.empty() ? 0.0 : other.dot(cell_.front()) - limit;
   for (std::size_t k = 0; k < cell_.size(); ++k) {
     const Vec2& a = cell_[k];
     const Vec2& b = cell_[k + 1 < cell_.size() ? k + 1 : 0];
     const double sideB = other.dot(b) - limit;
     if (sideA <= 0.0) {
-      keep(a);
+      part_.push_back(a);
     }
     if ((sideA < 0.0 && sideB > 0.0) || (sideA > 0.0 && sideB < 0.0)) {
-      keep(a + sideA / (sideA - sideB) * (b - a));
+      part_.push_back(a + sideA / (sideA - sideB) * (b - a));
     }
     sideA = sideB;
   }
-  part_.resize(count);
   cell_.swap(part_);
 }
 
-/// The cell of the origin among the others, cut out of an outline whose first corner lies along the
-/// axis.
-void CellAreas::cutOut(const std::vector<Vec2>& outline, const Vec2& axis) {
-  cell_.clear();
-  reach2_ = 0.0;
-  for (const Vec2& corner : outline) {
-    cell_.emplace_back(axis.x() * corner.x() - axis.y() * corner.y(),
-                       axis.y() * corner.x() + axis.x() * corner.y());
-    reach2_ = std::max(reach2_, corner.squaredNorm());
+void CellAreas::findWalls(const Vec2& point, const RunContext& context) {
+  walls_.clear();
+  if (context.walls == nullptr) {
+    return;
   }
-  for (const auto& [distance2, from] : from_) {
-    if (distance2 > 4.0 * reach2_ * (1.0 + 1e-12)) {
-      break;  // too far to cut anything, like all that follow
+  const double reach = std::sqrt(2.0) * radius_;  // the corners of the square
+  const double turn = context.seam.length;
+  for (const double shift : {0.0, turn, -turn}) {
+    const Vec2 centre = point - Vec2(shift, 0.0);
+    std::vector<sim2d::Segment> found;
+    context.walls->segmentsNear(centre, reach, found);
+    for (const sim2d::Segment& segment : found) {
+      if (sim2d::distanceToSegment(segment, centre) < reach) {
+        walls_.push_back({segment.a - centre, segment.b - centre});
+      }
     }
-    if (distance2 > 0.0) {  // two in one place share it
-      cut(from);
+    if (!context.seam.isThere()) {
+      return;
     }
   }
 }
 
-double CellAreas::areaOf(const Vec2& point, const std::vector<Vec2>& others) {
-  from_.clear();
+double CellAreas::areaOf(const Vec2& point, const std::vector<Vec2>& others,
+                         const RunContext& context) {
+  findWalls(point, context);
+  if (walls_.empty()) {
+    takeSquare();
+  } else {
+    takeVisible();
+  }
   for (const Vec2& other : others) {
-    const Vec2 from = other - point;
-    from_.emplace_back(from.squaredNorm(), from);
+    const bool isSeen = context.walls == nullptr || context.walls->isVisible(point, other);
+    if (other != point && isSeen) {  // two in one place share it
+      cut(other - point);
+    }
   }
-  std::sort(from_.begin(), from_.end(),
-            [](const auto& a, const auto& b) { return a.first < b.first; });
-  // The first corner towards the nearest one: the cell turns along with the people.
-  const Vec2 towards = from_.empty() ? Vec2(0.0, 0.0) : from_.front().second;
-  const double length = lengthOf(towards);
-  const Vec2 axis = length > 0.0 ? Vec2(towards / length) : Vec2(1.0, 0.0);
-  cutOut(square_, axis);
-  if (reach2_ > inside2_) {  // the circle cuts as well
-    cutOut(circle_, axis);
-  }
-  double area = 0.0;
-  for (std::size_t k = 0; k < cell_.size(); ++k) {
-    area += 0.5 * base::cross(cell_[k], cell_[k + 1 < cell_.size() ? k + 1 : 0]);
-  }
-  return area;
+  return areaInCircle(cell_, radius_);
 }
 
 }  // namespace metrics

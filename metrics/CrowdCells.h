@@ -4,30 +4,38 @@
 #include <vector>
 
 #include "metrics/Samples.h"
+#include "sim2d/map/Obstacles.h"
 
 /// Neighbours and cells of points, for the crowd measures.
 namespace metrics {
 
-/// Of each point the others within the distance; squares of that size keep it linear.
-std::vector<std::vector<Vec2>> neighbours(const std::vector<Vec2>& points, double reach);
+/// Of each point the numbers of the others within the distance; squares of that size keep it
+/// linear.
+std::vector<std::vector<std::size_t>> neighbours(const std::vector<Vec2>& points, double reach);
 
-/// Areas of Voronoi cells, each cut by a 64-gon with the area of a circle.
+/// Areas of Voronoi cells among walls: of what is nearer to a point than to any other that it sees,
+/// within a circle around it, and not behind a wall. Exact, but for rounding.
 class CellAreas {
  public:
-  explicit CellAreas(double radius);
-  /// Others at least up to twice the radius.
-  double areaOf(const Vec2& point, const std::vector<Vec2>& others);
+  explicit CellAreas(double radius) : radius_(radius) {}  // of the circle [m]
+  /// Others at least up to twice the radius. Walls, and their images beyond the seam, are those of
+  /// the context.
+  double areaOf(const Vec2& point, const std::vector<Vec2>& others, const RunContext& context);
 
  private:
-  void cutOut(const std::vector<Vec2>& outline, const Vec2& axis);
+  void findWalls(const Vec2& point, const RunContext& context);
+  void takeSquare();
+  void takeVisible();
+  void addCorners(double from, double to);
   void cut(const Vec2& other);
 
-  std::vector<Vec2> circle_;  // corners around the origin, the first on the x axis
-  std::vector<Vec2> square_;  // around the circle: quicker for cells that end inside
-  double inside2_ = 0.0;      // of the largest circle inside the 64-gon, radius squared
-  std::vector<std::pair<double, Vec2>> from_;  // the others from the point, distance squared
-  std::vector<Vec2> cell_, part_;              // corners from the point
-  double reach2_ = 0.0;                        // of the farthest corner, squared
+  double radius_;
+  std::vector<Vec2> cell_, part_;                // corners around the point, which is the origin
+  std::vector<sim2d::Segment> walls_, borders_;  // from the point; borders: with the square
+  std::vector<double> turns_;                    // at which another border may come first
 };
+
+/// Area that a circle around the origin shares with the polygon, whose corners turn to the left.
+double areaInCircle(const std::vector<Vec2>& polygon, double radius);
 
 }  // namespace metrics

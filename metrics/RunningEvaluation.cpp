@@ -89,16 +89,9 @@ void SampleFeed::addItem(MetricEntry entry, Among among) {
 }
 
 Instant SampleFeed::newestInstant(const Stretch& stretch, TermMemory* memory) const {
-  return {*context_,
-          parameters_,
-          *stretch.now,
-          stretch.before.get(),
-          stretch.earlier.get(),
-          stretch.count - 1,
-          stretch.begin,
-          keepsSeries_,
-          store_.get(),
-          memory};
+  return {
+      *context_,         parameters_,   *stretch.now, stretch.before.get(), stretch.earlier.get(),
+      stretch.count - 1, stretch.begin, keepsSeries_, store_.get(),         memory};
 }
 
 /// Those since the beginning; what was noted too early waits for the next sample.
@@ -231,8 +224,7 @@ bool RunningEvaluation::isOnWay(double time) const {
   }
   const bool isEarly =
       selection_.window.from == "begin" && time < context_->robotStartTime - kTimeSlack;
-  const bool isLate =
-      selection_.window.until == "end" && arrival_ && time > *arrival_ + kTimeSlack;
+  const bool isLate = selection_.window.until == "end" && arrival_ && time > *arrival_ + kTimeSlack;
   return !isEarly && !isLate;
 }
 

@@ -103,8 +103,8 @@ class RunningEvaluation {
   WindowGate gate_;
   std::vector<double> times_;  // of the samples taken, from the first [s], with series
   double first_ = 0.0;
-  bool hasSamples_ = false;  // of the record, taken or not
-  bool isOver_ = false;      // no more samples will be taken
+  bool hasSamples_ = false;        // of the record, taken or not
+  bool isOver_ = false;            // no more samples will be taken
   std::optional<double> arrival_;  // of the robot [s]
   SampleFeed all_;
   std::array<Behavior, kBehaviors> behaviors_;  // of types 1..6; no feed: not wanted

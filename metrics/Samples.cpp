@@ -21,6 +21,16 @@ double gap(const Robot& robot, const Person& person) {
   return distance(robot, person) - robot.radius - person.radius;
 }
 
+Vec2 Seam::nearest(const Vec2& place, const Vec2& seenFrom) const {
+  const double turns = isThere() ? std::round((seenFrom.x() - place.x()) / length) : 0.0;
+  return {place.x() + turns * length, place.y()};
+}
+
+Seam seamOf(const sim2d::TraceHeader& header) {
+  return header.wrapX.size() == 2 ? Seam{header.wrapX[0], header.wrapX[1] - header.wrapX[0]}
+                                  : Seam();
+}
+
 const Person* findPerson(const Sample& sample, int id) {
   for (const Person& person : sample.people) {
     if (person.id == id) {
@@ -70,17 +80,18 @@ const sim2d::TraceRobot* robotOf(const sim2d::TraceHeader& header, int id) {
 class Routes {
  public:
   /// `obstacles` hold the walls of the map too.
-  Routes(sim2d::OccupancyGrid map, sim2d::Obstacles obstacles, double robotRadius)
+  Routes(sim2d::OccupancyGrid map, std::shared_ptr<const sim2d::Obstacles> obstacles,
+         double robotRadius)
       : map_(std::move(map)), obstacles_(std::move(obstacles)), robotRadius_(robotRadius) {}
 
   std::vector<Vec2> shortest(const Vec2& from, const Vec2& to) {
-    if (obstacles_.isVisible(from, to)) {
+    if (obstacles_->isVisible(from, to)) {
       return {from, to};
     }
     if (!planner_) {
       const std::vector<Vec2> bounds = {from, to};
       planner_ = std::make_unique<sim2d::PathPlanner>(
-          std::make_shared<const sim2d::DistanceField>(map_, obstacles_, bounds), robotRadius_);
+          std::make_shared<const sim2d::DistanceField>(map_, *obstacles_, bounds), robotRadius_);
     }
     // The field of distances is kept per goal, and it is the start that stays the same.
     std::vector<Vec2> path = planner_->plan(to, from);
@@ -90,7 +101,7 @@ class Routes {
 
  private:
   sim2d::OccupancyGrid map_;
-  sim2d::Obstacles obstacles_;
+  std::shared_ptr<const sim2d::Obstacles> obstacles_;
   double robotRadius_;
   std::unique_ptr<sim2d::PathPlanner> planner_;
 };
@@ -129,6 +140,12 @@ void SampleBuilder::addHumans(const std::vector<sim2d::TraceHuman>& humans) {
 RunContext SampleBuilder::context() const {
   RunContext context;
   context.map = header_.map;
+  context.seam = seamOf(header_);
+  sim2d::Obstacles standing = all_;
+  for (const Door& door : doors_) {
+    standing.setEnabled(door.part, false);
+  }
+  context.walls = std::make_shared<const sim2d::Obstacles>(std::move(standing));
   const sim2d::TraceRobot* robot = robotOf(header_, robotId_);
   if (robot == nullptr) {
     return context;
@@ -138,11 +155,7 @@ RunContext SampleBuilder::context() const {
   context.robotStartTime = robot->startTime;
   context.robotMaxSpeed = robot->maxVel;
   context.goals = robot->goals;
-  sim2d::Obstacles standing = all_;
-  for (const Door& door : doors_) {
-    standing.setEnabled(door.part, false);
-  }
-  context.routes = std::make_shared<Routes>(header_.map, std::move(standing), robot->radius);
+  context.routes = std::make_shared<Routes>(header_.map, context.walls, robot->radius);
   return context;
 }
 

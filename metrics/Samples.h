@@ -75,18 +75,31 @@ void workOutPairs(Sample& sample, const sim2d::OccupancyGrid* map,
 
 class Routes;
 
+/// A corridor whose ends are joined (wrap_x): who leaves at one end comes in at the other.
+struct Seam {
+  double low = 0.0;     // [m]
+  double length = 0.0;  // [m]; 0: there is none
+  bool isThere() const { return length > 0.0; }
+  /// The image of a place that is nearest to where one looks from.
+  Vec2 nearest(const Vec2& place, const Vec2& seenFrom) const;
+};
+
 /// What holds for a whole run, one robot at most.
 struct RunContext {
   bool hasRobot = false;
   int robotId = -1;
-  double robotStartTime = 0.0;          // it sets off then [s]
-  double robotMaxSpeed = 1.0;           // v_max [m/s]
-  std::vector<sim2d::TraceGoal> goals;  // of the robot
-  sim2d::OccupancyGrid map;             // empty = none
-  std::shared_ptr<Routes> routes;       // shortest ways; null = straight lines
+  double robotStartTime = 0.0;                    // it sets off then [s]
+  double robotMaxSpeed = 1.0;                     // v_max [m/s]
+  std::vector<sim2d::TraceGoal> goals;            // of the robot
+  sim2d::OccupancyGrid map;                       // empty = none
+  std::shared_ptr<Routes> routes;                 // shortest ways; null = straight lines
+  std::shared_ptr<const sim2d::Obstacles> walls;  // of map and obstacles, doors open; null: none
+  Seam seam;
   /// A run to compare with, instead of the shortest way: time from its start [s], place.
   std::vector<std::pair<double, Vec2>> reference;
 };
+
+Seam seamOf(const sim2d::TraceHeader& header);
 
 /// Turns frames into samples: radii and behaviours from the header, obstacle points from its
 /// outlines by the function that the world uses.

@@ -22,35 +22,63 @@ constexpr std::size_t kLaneOrder = 4;
 constexpr std::size_t kMeasures = 5;
 using Measures = std::array<double, kMeasures>;  // of one sample; NaN: undefined
 
+/// Where everybody is, then the images beyond the seam of who is near it.
+std::vector<Vec2> withImages(const Sample& sample, const Seam& seam, double reach) {
+  std::vector<Vec2> places;
+  for (const Person& person : sample.people) {
+    places.push_back(person.position);
+  }
+  const std::size_t count = seam.isThere() ? places.size() : 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double from = places[k].x() - seam.low;
+    if (from < reach) {
+      places.emplace_back(places[k].x() + seam.length, places[k].y());
+    }
+    if (from > seam.length - reach) {
+      places.emplace_back(places[k].x() - seam.length, places[k].y());
+    }
+  }
+  return places;
+}
+
+std::vector<std::vector<Vec2>> othersOf(const std::vector<Vec2>& places, double reach) {
+  std::vector<std::vector<Vec2>> others;
+  for (const std::vector<std::size_t>& numbers : neighbours(places, reach)) {
+    std::vector<Vec2>& near = others.emplace_back();
+    for (const std::size_t number : numbers) {
+      near.push_back(places[number]);
+    }
+  }
+  return others;
+}
+
 double classicDensity(const std::vector<std::vector<Vec2>>& others,
-                      const std::vector<Vec2>& positions, double radius) {
+                      const std::vector<Vec2>& positions, std::size_t count, double radius) {
   double sum = 0.0;
-  for (std::size_t k = 0; k < positions.size(); ++k) {
+  for (std::size_t k = 0; k < count; ++k) {
     sum += 1.0;
     for (const Vec2& other : others[k]) {
       sum += (other - positions[k]).squaredNorm() <= radius * radius ? 1.0 : 0.0;
     }
   }
-  return sum / static_cast<double>(positions.size()) / (base::kPi * radius * radius);
+  return sum / static_cast<double>(count) / (base::kPi * radius * radius);
 }
 
 /// Densities and the flow per metre of width, one point of the fundamental diagram.
-void addDensities(const Sample& sample, double radius, CellAreas& areas, Measures& to) {
-  std::vector<Vec2> positions;
-  for (const Person& person : sample.people) {
-    positions.push_back(person.position);
-  }
-  const std::vector<std::vector<Vec2>> others = neighbours(positions, 2.0 * radius);
-  to[kDensity] = classicDensity(others, positions, radius);
+void addDensities(const Sample& sample, const RunContext& context, double radius, CellAreas& areas,
+                  Measures& to) {
+  const std::vector<Vec2> positions = withImages(sample, context.seam, 2.0 * radius);
+  const std::vector<std::vector<Vec2>> others = othersOf(positions, 2.0 * radius);
+  to[kDensity] = classicDensity(others, positions, sample.people.size(), radius);
   double density = 0.0;
   double flow = 0.0;
-  for (std::size_t k = 0; k < positions.size(); ++k) {
-    const double area = areas.areaOf(positions[k], others[k]);
+  for (std::size_t k = 0; k < sample.people.size(); ++k) {
+    const double area = areas.areaOf(positions[k], others[k], context);
     const double own = area > 0.0 ? 1.0 / area : 0.0;
     density += own;
     flow += own * sample.people[k].speed;
   }
-  const double count = static_cast<double>(positions.size());
+  const double count = static_cast<double>(sample.people.size());
   to[kVoronoiDensity] = density / count;
   to[kSpecificFlow] = flow / count;
 }
@@ -131,7 +159,7 @@ class CrowdLooks : public Accumulator {
   void add(const Instant& at) override {
     if (at.now.time - last_ >= at.parameters.crowdInterval - kTimeSlack) {
       last_ = at.now.time;
-      look(at.now, at.parameters);
+      look(at);
     }
     for (std::size_t k = 0; k < kMeasures; ++k) {
       series_[k].add(at, measures_[k]);
@@ -146,12 +174,12 @@ class CrowdLooks : public Accumulator {
   double largestVoronoiDensity() const { return largest_; }
 
  private:
-  void look(const Sample& sample, const MetricParameters& parameters) {
+  void look(const Instant& at) {
     measures_.fill(kNaN);
-    if (!sample.people.empty()) {
-      addDensities(sample, parameters.crowdRadius, areas_, measures_);
-      measures_[kPolarisation] = polarisation(sample);
-      measures_[kLaneOrder] = laneOrder(sample, parameters.laneWidth);
+    if (!at.now.people.empty()) {
+      addDensities(at.now, at.context, at.parameters.crowdRadius, areas_, measures_);
+      measures_[kPolarisation] = polarisation(at.now);
+      measures_[kLaneOrder] = laneOrder(at.now, at.parameters.laneWidth);
     }
     largest_ = std::fmax(largest_, measures_[kVoronoiDensity]);
     for (std::size_t k = 0; k < kMeasures; ++k) {
@@ -178,7 +206,8 @@ constexpr char kMetrics[] = R"(
 = Social Behavior|neutral|people|Steffen and Seyfried 2010
 crowd_density|Density around people|1/m²|[0, inf)|mean over looks (crowd_interval apart) and people of the number within crowd_radius, themselves
   included, / (pi crowd_radius^2)
-crowd_voronoi_density|Voronoi density|1/m²|[0, inf)|mean over looks and people of 1/area of their cell, cut at crowd_radius
+crowd_voronoi_density|Voronoi density|1/m²|[0, inf)|mean over looks and people of 1/area of their cell: nearer to them than to whom they see, within
+  crowd_radius, before walls
 crowd_voronoi_density_max|Voronoi density, largest look|1/m²|[0, inf)|max over looks of the mean over people of the same
 = Social Behavior|neutral|people|Seyfried et al. 2005
 crowd_specific_flow|Flow per metre of width|1/(m s)|[0, inf)|mean over looks and people of Voronoi density * |u_a| (fundamental diagram)

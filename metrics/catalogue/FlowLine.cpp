@@ -37,7 +37,9 @@ class LineCrossings : public Accumulator {
     std::size_t next = 0;
     for (const Person& person : at.now.people) {
       const Person* then = findInOrder(before, next, person.id);
-      count_ += then != nullptr && crosses(then->position, person.position, line_) ? 1.0 : 0.0;
+      count_ += then != nullptr && hasCrossed(then->position, person.position, at.context.seam)
+                    ? 1.0
+                    : 0.0;
     }
   }
 
@@ -54,6 +56,12 @@ class LineCrossings : public Accumulator {
 
  private:
   bool isSet() const { return line_.from != line_.to; }
+  /// Over the seam a step goes on beyond one end and comes from beyond the other.
+  bool hasCrossed(const Vec2& before, const Vec2& now, const Seam& seam) const {
+    const Vec2 goingOn = seam.nearest(now, before);
+    return crosses(before, goingOn, line_) ||
+           (goingOn != now && crosses(before - (goingOn - now), now, line_));
+  }
 
   Line line_;
   double count_ = 0.0;

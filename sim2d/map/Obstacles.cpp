@@ -213,6 +213,22 @@ std::optional<Obstacles::Point> Obstacles::nearestPoint(const Vec2& position, do
   return best;
 }
 
+void Obstacles::segmentsNear(const Vec2& position, double range,
+                             std::vector<Segment>& segments) const {
+  std::vector<int> found;
+  const Vec2 reach(range, range);
+  index_.visitBox(position - reach, position + reach, [&](SegmentGrid::Bucket, int edge) {
+    if (isOn(edge)) {
+      found.push_back(edge);
+    }
+  });
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  for (const int edge : found) {
+    segments.push_back(segments_[static_cast<std::size_t>(edge)]);
+  }
+}
+
 double Obstacles::clearance(const Vec2& position, double limit) const {
   const std::optional<Point> nearest = nearestPoint(position, limit);
   if (!nearest) {

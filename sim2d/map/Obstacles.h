@@ -42,6 +42,8 @@ class Obstacles {
 
   /// The nearest point of any boundary within `range`, covered ones as well.
   std::optional<Point> nearestPoint(const Vec2& position, double range) const;
+  /// Appends each border that may be within the range, and perhaps some that are farther away.
+  void segmentsNear(const Vec2& position, double range, std::vector<Segment>& segments) const;
   /// Distance to the nearest boundary [m], negative inside, `limit` when nothing is nearer.
   double clearance(const Vec2& position, double limit = 5.0) const;
   bool isInside(const Vec2& position) const { return solidPartAt(position) >= 0; }

@@ -125,8 +125,9 @@ struct TraceHeader {
   std::vector<TraceRobot> robots;
   std::vector<TraceObstacle> obstacles;
   std::string obstaclePoints = "boundary";
+  std::vector<double> wrapX;  // where the ends of a corridor are joined [m]; mostly none
   OccupancyGrid map;
-  TraceMetrics metrics;  // absent in the file: as here
+  TraceMetrics metrics;  // this and wrapX absent in the file: as here
 
   static constexpr auto members() {
     using T = TraceHeader;
@@ -134,6 +135,7 @@ struct TraceHeader {
                            std::pair("dt", &T::dt), std::pair("record_every", &T::recordEvery),
                            std::pair("seed", &T::seed),
                            std::pair("obstacle_points", &T::obstaclePoints),
+                           std::pair("wrap_x", &T::wrapX),
                            std::pair("humans", &T::humans), std::pair("robots", &T::robots),
                            std::pair("obstacles", &T::obstacles), std::pair("map", &T::map),
                            std::pair("metrics", &T::metrics));

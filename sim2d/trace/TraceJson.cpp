@@ -20,6 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 1;  // newest known
+constexpr char kWrap[] = "wrap_x";
 
 /// Undoes the run lengths; never grows beyond `count`, whatever the file claims.
 bool expandCells(const Json& json, std::size_t count, std::vector<std::int8_t>& cells) {
@@ -66,13 +67,14 @@ class JsonReader {
     return fits;
   }
 
-  /// Scenarios that say nothing about metrics have no such member; all else must be there.
+  /// Scenarios that say nothing about metrics or joined ends have no such member; all else must be
+  /// there.
   template <class T>
   void readMember(const Json& object, const std::string& path, const char* key, T& value) {
     const auto found = object.find(key);
     if (found != object.end()) {
       read(*found, path + key, value);
-    } else if (!std::is_same_v<T, TraceMetrics>) {
+    } else if (!std::is_same_v<T, TraceMetrics> && std::string_view(key) != kWrap) {
       error(path + key, "trace.missing");
     }
   }
@@ -214,6 +216,9 @@ class JsonReader {
       }
       requirePositive(path + "dt", part.dt);
       requirePositive(path + "record_every", part.recordEvery);
+      const bool isWrap =
+          part.wrapX.empty() || (part.wrapX.size() == 2 && part.wrapX[0] < part.wrapX[1]);
+      expect(isWrap, path + kWrap, "trace.no-list");
     } else if constexpr (std::is_same_v<T, TraceHuman> || std::is_same_v<T, TraceRobot>) {
       requirePositive(path + "radius", part.radius);
     }
@@ -355,6 +360,9 @@ std::string traceJson(const TraceHeader& header) {
   Json root = toJson(header);
   if (header.metrics == TraceMetrics()) {
     root.erase("metrics");
+  }
+  if (header.wrapX.empty()) {
+    root.erase(kWrap);
   }
   std::string text = "{";
   for (const auto& [key, value] : root.items()) {

@@ -166,6 +166,9 @@ TraceHeader makeHeader(const WorldModel& model, const Surroundings& surroundings
     header.obstacles.push_back(std::move(obstacle));
   }
   header.obstaclePoints = model.obstaclePoints == ObstaclePoints::Rays ? "rays" : "boundary";
+  if (model.ring.isClosed()) {
+    header.wrapX = scenario.desktop.wrapX;
+  }
   header.map = surroundings.grid;
   header.metrics = traceMetrics(scenario.desktop.metrics);
   return header;
