@@ -185,7 +185,7 @@ MetricValue Expression::valueOf(const Instant& last, const std::vector<double>& 
   if (std::isnan(value)) {
     return undefinedValue("the formula is undefined here");
   }
-  return std::isinf(value) ? infiniteValue("the formula has no finite value") : value;
+  return std::isinf(value) ? undefinedValue("the formula has no finite value") : value;
 }
 
 MetricValue Expression::evaluate(const std::vector<Sample>& samples, const Instant& last) const {

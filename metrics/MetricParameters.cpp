@@ -97,6 +97,7 @@ constexpr Row kRows[] = {
     {"inplace_angular_speed", &P::inplaceAngularSpeed, "rad/s", "and turning at least this fast"},
     {"safety_distance", &P::safetyDistance, "m", "clearance that obstacle_safety asks for"},
     {"collision_horizon", &P::collisionHorizon, "s", "collisions sooner than this are a threat"},
+    {"collision_cap", &P::collisionCap, "s", "collisions later than this count as at this time"},
     {"stopped_distance", &P::stoppedDistance, "m", "who moved less is stopped"},
     {"stopped_window", &P::stoppedWindow, "s", "in the time up to now of this length"},
     {"disturbance_radius", &P::disturbanceRadius, "m", "space that a person takes",

@@ -64,6 +64,7 @@ struct MetricParameters {
   double inplaceAngularSpeed = 0.15;
   double safetyDistance = 0.3;
   double collisionHorizon = 2.0;
+  double collisionCap = 10.0;
   double stoppedDistance = 0.05;
   double stoppedWindow = 1.0;
   double disturbanceRadius = 0.28;

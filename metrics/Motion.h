@@ -8,6 +8,7 @@
 namespace metrics {
 
 constexpr char kNoGoal[] = "the robot has no goal";
+constexpr char kNoObstacles[] = "the record has no map and no obstacles";
 
 bool isInGoalRegion(const RunContext& context, const Vec2& position,
                     const MetricParameters& parameters);

@@ -141,6 +141,14 @@ RunContext SampleBuilder::context() const {
   RunContext context;
   context.map = header_.map;
   context.seam = seamOf(header_);
+  for (const auto& [id, human] : humans_) {
+    if (!human.goals.empty() && !human.cyclicGoals) {
+      context.peopleWithGoals.insert(id);
+    }
+  }
+  context.hasObstacles = !header_.map.isEmpty() ||
+                         std::any_of(header_.obstacles.begin(), header_.obstacles.end(),
+                                     [](const auto& each) { return !each.outlines.empty(); });
   sim2d::Obstacles standing = all_;
   for (const Door& door : doors_) {
     standing.setEnabled(door.part, false);

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -95,6 +96,8 @@ struct RunContext {
   std::shared_ptr<Routes> routes;                 // shortest ways; null = straight lines
   std::shared_ptr<const sim2d::Obstacles> walls;  // of map and obstacles, doors open; null: none
   Seam seam;
+  std::set<int> peopleWithGoals;  // that they arrive at: not those who go round for ever
+  bool hasObstacles = false;      // or a map
   /// A run to compare with, instead of the shortest way: time from its start [s], place.
   std::vector<std::pair<double, Vec2>> reference;
 };

@@ -1,3 +1,4 @@
+#include "metrics/Motion.h"
 #include "metrics/TermSums.h"
 
 namespace metrics {
@@ -15,6 +16,10 @@ bool isTooClose(const Instant& at) {
   return at.term(clearance) < at.parameters.safetyDistance;
 }
 
+MetricValue timeTooClose(const Times& times, const Instant& last) {
+  return last.context.hasObstacles ? times.percentOfTime(last) : undefinedValue(kNoObstacles);
+}
+
 constexpr char kMetrics[] = R"(
 = Safety & Collisions|higher|robot, obstacles|Francis et al. 2025; SocNavGym; bench-mr
 clearing_distance_min|Smallest clearance|m|(-inf, inf)|min over samples with an obstacle in reach of (its distance - r_r)
@@ -28,7 +33,7 @@ obstacle_safety|Time too close to obstacles|%|[0, 100]|share of time with cleara
 void addClearance(MetricRegistry& to) {
   to.add(kMetrics, {{"clearing_distance_min", figuresOf<clearance>(&Figures::least, kNoObstacle)},
                     {"clearing_distance_avg", figuresOf<clearance>(&Figures::mean, kNoObstacle)},
-                    {"obstacle_safety", timesOf<isTooClose>(&Times::percentOfTime)}});
+                    {"obstacle_safety", timesOf<isTooClose>(timeTooClose)}});
 }
 
 }  // namespace metrics

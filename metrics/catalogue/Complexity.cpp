@@ -1,6 +1,7 @@
 #include <cmath>
 #include <deque>
 #include <map>
+#include <set>
 
 #include "metrics/Motion.h"
 
@@ -77,24 +78,44 @@ class Replans : public Accumulator {
   double count_ = 0.0;
 };
 
-/// First arrival of each.
+/// First arrival of each; who has goals and does not arrive counts with the whole time.
 class Arrivals : public Accumulator {
  public:
+  void add(const Instant& at) override {
+    for (const Person& person : at.now.people) {
+      wanting_.insert(person.id);
+    }
+  }
   void note(const RunContext& /*context*/, double elapsed, const sim2d::Event& event) override {
     if (event.kind == sim2d::EventKind::Arrived && event.hasId) {
       times_.emplace(event.id, elapsed);
     }
   }
-  double sum() const {
-    double sum = times_.empty() ? kNaN : 0.0;
+  MetricValue sum(const Instant& last) const {
+    double sum = 0.0;
+    std::size_t count = times_.size();
     for (const auto& [id, time] : times_) {
       sum += time;
     }
-    return sum;
+    const auto wait = [&](int id) {
+      const bool isLate = times_.count(id) == 0;
+      sum += isLate ? last.elapsed() : 0.0;
+      count += isLate ? 1 : 0;
+    };
+    for (const int id : last.context.peopleWithGoals) {
+      if (wanting_.count(id) > 0) {
+        wait(id);
+      }
+    }
+    if (last.context.hasRobot && !last.context.goals.empty()) {
+      wait(last.context.robotId);
+    }
+    return count > 0 ? MetricValue(sum) : undefinedValue("nobody has a goal to arrive at");
   }
 
  private:
   std::map<int, double> times_;  // [s] from the first sample
+  std::set<int> wanting_;        // who was there
 };
 
 /// Distance to the goals while the robot has hardly moved for a while: of that while its places
@@ -133,7 +154,8 @@ topological_complexity|Winding around people|turns|[0, inf)|sum over a of |sum o
 = Navigation Performance|lower|robot|Arena; MRPB
 replanning_count|New plans of the robot||0, 1, ...|number of events replan of the robot
 = Navigation Performance|lower|nothing|Francis et al. 2025
-aggregated_time|Aggregated time to the goals|s|[0, inf)|sum of the times of first arrival of people and robot
+aggregated_time|Aggregated time to the goals|s|[0, inf)|sum of the times of first arrival of people and robot, T for who has goals and does not arrive; people
+  who go round for ever are left out
 = Navigation Performance|lower|robot, goal|SEAN 2.0
 mean_dist_to_target_not_moving|Mean distance to the goal while stopped|m|[0, inf)|mean of the distance to the nearest goal over the samples with
   |p(t) - p(t - stopped_window)| < stopped_distance
@@ -145,7 +167,7 @@ void addComplexity(MetricRegistry& to) {
   to.add(kMetrics,
          {{"topological_complexity", streamOf<Winding>(&Winding::turns)},
           {"replanning_count", streamOf<Replans>(&Replans::count)},
-          {"aggregated_time", streamOf<Arrivals>(&Arrivals::sum, "nobody arrived")},
+          {"aggregated_time", streamOf<Arrivals>(&Arrivals::sum)},
           {"mean_dist_to_target_not_moving", streamOf<StoppedDistance>(&StoppedDistance::mean)}});
 }
 

@@ -52,10 +52,15 @@ class Collisions : public ContactsWithin<&MetricParameters::contactDistance> {
     return last.isOriginal() ? valueOf(originalOfPerson_) : byPerson();
   }
   double success(const Instant& last) const {
+    if (last.context.goals.empty()) {
+      return kNaN;
+    }
     const bool touched = count() > 0.0 || obstacles_ > 0.0;
     return isCompleted(last) && !touched && !isTimeout(last) ? 1.0 : 0.0;
   }
-  double obstacles() const { return obstacles_; }
+  double obstacles(const Instant& last) const {
+    return last.context.hasObstacles ? obstacles_ : kNaN;
+  }
 
  private:
   struct Original {
@@ -102,12 +107,13 @@ obstacle_collisions|Robot runs into an obstacle||0, 1, ...|number of times the c
 }  // namespace
 
 void addOutcome(MetricRegistry& to) {
-  to.add(kMetrics, {{"robot_on_person_collision", streamOf<Collisions>(&Collisions::ofRobot)},
-                    {"person_on_robot_collision", streamOf<Collisions>(&Collisions::ofPerson)},
-                    {"success", streamOf<Collisions>(&Collisions::success)},
-                    {"total_time", streamOfLast(&Instant::elapsed)},
-                    {"timeout", streamOfLast(isTimeout)},
-                    {"obstacle_collisions", streamOf<Collisions>(&Collisions::obstacles)}});
+  to.add(kMetrics,
+         {{"robot_on_person_collision", streamOf<Collisions>(&Collisions::ofRobot)},
+          {"person_on_robot_collision", streamOf<Collisions>(&Collisions::ofPerson)},
+          {"success", streamOf<Collisions>(&Collisions::success, kNoGoal)},
+          {"total_time", streamOfLast(&Instant::elapsed)},
+          {"timeout", streamOfLast(isTimeout)},
+          {"obstacle_collisions", streamOf<Collisions>(&Collisions::obstacles, kNoObstacles)}});
 }
 
 }  // namespace metrics

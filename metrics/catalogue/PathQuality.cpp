@@ -10,7 +10,7 @@ namespace metrics {
 namespace {
 
 constexpr char kNoWay[] = "the robot did not move";
-constexpr char kNoTriple[] = "needs three samples";
+constexpr char kNoTriple[] = "needs three samples in motion";
 constexpr double kSameplace = 1e-9;  // [m]
 
 /// best / max(best, actual); 1 when both are 0.
@@ -47,7 +47,9 @@ std::vector<Vec2> shortestToEnd(const RobotWay& way, const Instant& last) {
 }
 
 double pathEfficiency(const RobotWay& way, const Instant& last) {
-  return way.length() > 0.0 ? sim2d::lengthOfWay(shortestToEnd(way, last)) / way.length() : kNaN;
+  return way.length() > 0.0
+             ? ratioToBest(sim2d::lengthOfWay(shortestToEnd(way, last)), way.length())
+             : kNaN;
 }
 
 /// Turning along a path, the first alignment included.
@@ -77,6 +79,16 @@ double angleOverLength(const RobotWay& way) {
   return way.length() > 0.0 ? way.turning() / way.length() : kNaN;
 }
 
+/// Whether the robot has moved before and after the middle one of the three newest positions: a
+/// turn on the spot has no curvature.
+bool isMotion(const Instant& at) {
+  const double slowest = at.parameters.stopLinearSpeed;
+  return at.earlier != nullptr && distance(at.now.robot, at.before->robot) >= slowest * at.step() &&
+         at.step() > 0.0 &&
+         distance(at.before->robot, at.earlier->robot) >=
+             slowest * (at.before->time - at.earlier->time);
+}
+
 /// The triangle of the three newest positions.
 struct Triple {
   explicit Triple(const Instant& at)
@@ -88,7 +100,7 @@ struct Triple {
 
 /// After Menger.
 double curvature(const Instant& at) {
-  if (at.earlier == nullptr) {
+  if (!isMotion(at)) {
     return kNaN;
   }
   const Triple bend(at);
@@ -98,7 +110,7 @@ double curvature(const Instant& at) {
 }
 
 double roughness(const Instant& at) {
-  if (at.earlier == nullptr) {
+  if (!isMotion(at)) {
     return kNaN;
   }
   const Triple bend(at);
@@ -116,14 +128,14 @@ spl|Success weighted by path length||[0, 1]|completed ? L*/max(L, L*) : 0, L* = 
 = Navigation Performance|higher|robot, goal|SocNavGym
 stl|Success weighted by time||[0, 1]|completed ? T*/max(T, T*) : 0, T* = L*/v_max
 = Navigation Performance|higher|robot|SEAN 2.0; Arena
-path_efficiency|Path efficiency||[0, 1]|shortest way from start to final position / L
+path_efficiency|Path efficiency||[0, 1]|S/max(S, L), S = shortest way from start to final position
 = Navigation Performance|lower|robot|Guzzi et al. 2013; SocNavBench; SEAN 2.0
 path_irregularity|Path irregularity|rad/m|[0, inf)|max(0, cumulative_heading_changes - turning of the shortest way)/L
 = Motion Analysis|lower|robot|Arena; bench-mr
 angle_over_length|Turning per metre|rad/m|[0, inf)|cumulative_heading_changes / L
-curvature_avg|Mean curvature|1/m|[0, inf)|mean over triples of positions of 4A/(d01 d12 d20)
-curvature_max|Largest curvature|1/m|[0, inf)|max over triples of positions of 4A/(d01 d12 d20)
-roughness_avg|Mean roughness||[0, inf)|mean over triples of positions of 2A/d20^2
+curvature_avg|Mean curvature|1/m|[0, inf)|mean over triples of positions of 4A/(d01 d12 d20), where d01 and d12 >= stop_linear_speed dt
+curvature_max|Largest curvature|1/m|[0, inf)|max over the same triples
+roughness_avg|Mean roughness||[0, inf)|mean over the same triples of 2A/d20^2
 )";
 
 }  // namespace

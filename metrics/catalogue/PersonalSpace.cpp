@@ -8,6 +8,8 @@ namespace metrics {
 
 namespace {
 
+constexpr char kNoCourse[] = "never on a collision course";
+
 MetricValue amongPeople(double value, const Instant& last) {
   const char* why = last.isOriginal() ? "ValueError: nobody in the record" : kNobody;
   return std::isnan(value) ? undefinedValue(why) : value;
@@ -42,8 +44,8 @@ MetricValue maximumDistance(const Figures& farthest, const Instant& last) {
   return amongPeople(last.isOriginal() ? largest : std::max(largest, 0.0), last);
 }
 
-MetricValue minimumTimeToCollision(const Figures& times) {
-  return times.count() > 0.0 ? times.least() : infiniteValue("never on a collision course");
+double minimumTimeToCollision(const Figures& times) {
+  return times.count() > 0.0 ? times.least() : kNaN;
 }
 
 bool complies(const Instant& at) {
@@ -91,17 +93,17 @@ constexpr char kMetrics[] = R"(
 = Navigation Performance|neutral|robot, people|Perez-Higueras, Caballero, Merino, IJSR 2018
 6 maximum_distance_to_people|Largest distance to people|m|[0, inf)|max over i, a of max(gap(i,a), 0)
 = Safety & Collisions|higher|robot, people|Francis et al. 2025; SocNavBench; SocNavGym
-min_time_to_collision|Smallest time to collision|s|[0, inf]|min over i, a of ttc, infinite if never on a collision course
+min_time_to_collision|Smallest time to collision|s|[0, inf)|min over i, a of ttc, where on a collision course
 = Social Behavior|higher|robot, people|Francis et al. 2025; SocNavGym
-space_compliance|Personal space kept|%|[0, 100]|share of samples with the smallest gap >= compliance_distance or nobody there
+space_compliance|Personal space kept|%|[0, 100]|share of samples with the smallest max(gap, 0) >= compliance_distance or nobody there
 = Social Behavior|lower|robot, people|CrowdNav
-discomfort_frequency|Uncomfortably close|%|[0, 100]|share of samples with the smallest gap < discomfort_distance
+discomfort_frequency|Uncomfortably close|%|[0, 100]|share of samples with the smallest max(gap, 0) < discomfort_distance
 = Social Behavior|higher|robot, people|CrowdNav
-discomfort_distance_avg|Mean distance when uncomfortably close|m|[0, inf)|mean of the smallest gap over the samples with it < discomfort_distance
+discomfort_distance_avg|Mean distance when uncomfortably close|m|[0, inf)|mean of the smallest max(gap, 0) over the samples with it < discomfort_distance
 = Social Behavior|lower|robot, people|Arena
 time_in_personal_space|Time in somebody's personal space|s|[0, T]|sum of dt_i with a person's centre within personal_radius of the robot's
 avg_speed_in_personal_space|Mean speed in personal space|m/s|[0, inf)|mean of |v_i| over those samples, 0 if none
-max_speed_in_intimate_space|Largest speed in intimate space|m/s|[0, inf)|max of |v_i| where the smallest gap < intimate_distance, 0 if none
+max_speed_in_intimate_space|Largest speed in intimate space|m/s|[0, inf)|max of |v_i| where the smallest max(gap, 0) < intimate_distance, 0 if none
 )";
 
 }  // namespace
@@ -112,7 +114,7 @@ void addPersonalSpace(MetricRegistry& to) {
            seriesFiguresOf<closestGapTerm>(averageDistance, kNobody)},
           {"minimum_distance_to_people", figuresOf<closestGapTerm>(minimumDistance)},
           {"maximum_distance_to_people", figuresOf<farthestGap>(maximumDistance)},
-          {"min_time_to_collision", figuresOf<collisionTerm>(minimumTimeToCollision)},
+          {"min_time_to_collision", figuresOf<collisionTerm>(minimumTimeToCollision, kNoCourse)},
           {"space_compliance", timesOf<complies>(&Times::percentOfSamples)},
           {"discomfort_frequency", timesOf<isUncomfortable>(&Times::percentOfSamples)},
           {"discomfort_distance_avg",

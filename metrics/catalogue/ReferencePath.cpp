@@ -146,7 +146,14 @@ class Comparison : public Accumulator {
       return kNaN;
     }
     const std::vector<Vec2> driven = way_.upTo(last.now.robot.position);
-    return warped(driven, spread(path_, driven.size()));
+    if (last.context.reference.empty()) {
+      return warped(driven, spread(path_, driven.size()));
+    }
+    ThinnedWay recorded;  // as the driven one: a run with itself is 0
+    for (std::size_t k = 0; k < path_.size(); ++k) {
+      recorded.add(k, path_[k]);
+    }
+    return warped(driven, recorded.upTo(path_.back()));
   }
 
  private:
@@ -166,8 +173,8 @@ constexpr char kMetrics[] = R"(
 ade|Mean displacement from the reference|m|[0, inf)|mean of |p_i - b_i|, b_i = point of the recorded reference at t_i, else of the shortest way to
   the first goal after v_max t_i
 fde|Final displacement from the reference|m|[0, inf)||p_(N-1) - b_(N-1)|
-dtw|Warped distance from the reference|m|[0, inf)|dynamic time warping of the positions and as many points spread over the way of the reference, per
-  position; above 800 samples of every 2nd (4th ...) one and the last
+dtw|Warped distance from the reference|m|[0, inf)|dynamic time warping of the positions and those of the recorded reference, else as many points spread
+  over the shortest way, per position; above 800 samples of every 2nd (4th ...) one and the last
 = Navigation Performance|lower|robot, goal|ours
 path_deviation|Mean distance from the way of the reference|m|[0, inf)|mean of the distance from p_i to the way of the reference
 )";

@@ -8,6 +8,8 @@ namespace metrics {
 
 namespace {
 
+constexpr double kNoise = 1e-3;  // [m/s] slower widening is rounding
+
 /// Two bodies that approach each other on straight courses.
 struct Encounter {
   Vec2 centres = Vec2::Zero();  // from the robot to the person
@@ -68,10 +70,12 @@ class Resolution : public Accumulator {
     const double robotOnly = pair.miss(robotAfter.velocity, u);
     const double personOnly = pair.miss(v, personAfter.velocity);
     const double both = pair.miss(robotAfter.velocity, personAfter.velocity);
-    byRobot_ += std::max(0.5 * ((robotOnly - none) + (both - personOnly)), 0.0);
-    byPeople_ += std::max(0.5 * ((personOnly - none) + (both - robotOnly)), 0.0);
+    byRobot_ += widening(0.5 * ((robotOnly - none) + (both - personOnly)), at.step());
+    byPeople_ += widening(0.5 * ((personOnly - none) + (both - robotOnly)), at.step());
     return true;
   }
+
+  static double widening(double by, double time) { return by > kNoise * time ? by : 0.0; }
 
   double byRobot_ = 0.0, byPeople_ = 0.0;  // [m]
   double time_ = 0.0;                      // with a conflict [s]
@@ -80,7 +84,8 @@ class Resolution : public Accumulator {
 constexpr char kMetrics[] = R"(
 = Social Behavior|neutral|robot, people|after Wenzel and Probst 2025
 responsibility|Responsibility of the robot|%|[0, 100]|share of the robot in the widening of the passing distance of conflicts (closest approach
-  within conflict_horizon, nearer than R + conflict_margin) by changes of velocity
+  within conflict_horizon, nearer than R + conflict_margin) by changes of velocity, slower than
+  1 mm/s for none
 = Social Behavior|higher|robot, people|after Wenzel and Probst 2025
 engagement|Engagement of the robot|m/s|[0, inf)|widening of the passing distance of conflicts by the robot / time with a conflict
 )";

@@ -11,6 +11,12 @@ namespace metrics {
 
 namespace {
 
+/// Times far ahead say nothing and would rule the mean.
+double cappedTime(const Instant& at) {
+  const double time = at.term(collisionTerm);
+  return std::isnan(time) ? kNaN : std::min(time, at.parameters.collisionCap);
+}
+
 MetricValue average(const Figures& times) {
   return times.count() > 0.0 ? times.meanWithSeries() : kNaN;
 }
@@ -81,7 +87,7 @@ MetricValue largest(const Figures& figures) {
 
 constexpr char kMetrics[] = R"(
 = Safety & Collisions|higher|robot, people|Francis et al. 2025; SocNavGym
-avg_time_to_collision|Mean time to collision|s|[0, inf)|mean over the samples on a collision course of min over a of ttc
+avg_time_to_collision|Mean time to collision|s|[0, inf)|mean over the samples on a collision course of min(min over a of ttc, collision_cap)
 = Safety & Collisions|lower|robot, people|Minderhoud and Bovy 2001
 time_exposed_to_collision|Time with a collision ahead|s|[0, T]|sum of dt_i with min over a of ttc < collision_horizon
 time_integrated_to_collision|Threat of collisions|s²|[0, inf)|sum of (collision_horizon - ttc) dt_i where ttc < collision_horizon
@@ -98,7 +104,7 @@ max_lateral_acceleration|Largest sideways acceleration|m/s²|[0, inf)|max of |s_
 void addTimeToCollision(MetricRegistry& to) {
   to.add(kMetrics,
          {{"avg_time_to_collision",
-           seriesFiguresOf<collisionTerm>(average, "never on a collision course")},
+           seriesFiguresOf<cappedTime>(average, "never on a collision course")},
           {"time_exposed_to_collision", timesOf<isThreat>(&Times::time)},
           {"time_integrated_to_collision", figuresOf<threat>(&Figures::integral)},
           {"avg_passing_distance",
