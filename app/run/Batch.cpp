@@ -15,6 +15,7 @@
 
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
+#include "app/run/RunFolder.h"
 #include "metrics/MetricRegistry.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
@@ -187,10 +188,7 @@ class Batch {
     return (fs::path(job_.runsFolder) / std::to_string(run)).string();
   }
 
-  void removeFolder(std::size_t run) const {
-    std::error_code ignored;  // a folder that stays does no harm to the results
-    fs::remove_all(folderOf(run), ignored);
-  }
+  void removeFolder(std::size_t run) const { removeRun(folderOf(run)); }
 
   void startMore() {
     while (!stopping_ && next_ < rows_.size() &&
@@ -309,6 +307,21 @@ base::Diagnostics checkExperiment(const Experiment& experiment, const sim2d::Ima
       problems.push_back(std::move(diagnostic));
     }
     base::append(problems, errorsOf(verdict.problems));
+  }
+  return problems;
+}
+
+base::Diagnostics checkRunFolders(const Experiment& experiment, const std::string& runsFolder) {
+  constexpr std::size_t kMostTold = 5;
+  std::error_code ignored;
+  if (fs::is_symlink(fs::symlink_status(runsFolder, ignored))) {
+    return {base::error("batch.stranger", {}, runsFolder)};
+  }
+  base::Diagnostics problems;
+  for (std::size_t run = 0; run < experiment.runCount() && problems.size() < kMostTold; ++run) {
+    if (const auto stranger = strangerIn((fs::path(runsFolder) / std::to_string(run)).string())) {
+      problems.push_back(base::error("batch.stranger", {}, *stranger));
+    }
   }
   return problems;
 }

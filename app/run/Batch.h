@@ -32,6 +32,9 @@ struct BatchJob {
   std::function<void(std::size_t finished)> onProgress;
 };
 
+/// What lies where the runs will write and is not of an earlier batch.
+base::Diagnostics checkRunFolders(const Experiment& experiment, const std::string& runsFolder);
+
 /// Runs the runs of an experiment as child processes of this program (Box2D keeps process-wide
 /// statics, so worlds in parallel are processes). Returns when all have ended, or `wantsStop` says
 /// so: running children are ended then. Rows are in the order of the runs, whatever the order they

@@ -125,6 +125,19 @@ std::string runManifest(const Bundle& bundle, const FinishedRun& run,
   return base::jsonText(json) + "\n";
 }
 
+/// A file that a run writes, or the beginning of one that was cut short.
+bool isOfRun(const fs::directory_entry& entry) {
+  constexpr const char* kFiles[] = {"trajectory.csv",     "events.csv",   "trees.csv", "inputs.csv",
+                                    "metrics.json",       "metrics.csv",  "steps.csv", "trace.json",
+                                    "counterfactual.csv", "manifest.json"};
+  std::error_code error;
+  const std::string name = entry.path().filename().string();
+  return fs::is_regular_file(entry.symlink_status(error)) &&
+         std::any_of(std::begin(kFiles), std::end(kFiles), [&name](const std::string& file) {
+           return name == file || name.rfind(file + ".new-", 0) == 0;
+         });
+}
+
 class Folder {
  public:
   explicit Folder(const std::string& path) : path_(path) {}
@@ -176,6 +189,36 @@ void writeParts(Folder& folder, const FinishedRun& run, RunWriter& writer) {
 }
 
 }  // namespace
+
+std::optional<std::string> strangerIn(const std::string& runFolder) {
+  std::error_code error;
+  const fs::file_status status = fs::symlink_status(runFolder, error);
+  if (!fs::exists(status)) {
+    return std::nullopt;
+  }
+  if (!fs::is_directory(status)) {
+    return runFolder;
+  }
+  for (const fs::directory_entry& entry : fs::directory_iterator(runFolder, error)) {
+    if (!isOfRun(entry)) {
+      return entry.path().string();
+    }
+  }
+  return std::nullopt;
+}
+
+void removeRun(const std::string& runFolder) {
+  std::error_code ignored;  // what stays does no harm to the results
+  if (!fs::is_directory(fs::symlink_status(runFolder, ignored))) {
+    return;
+  }
+  for (const fs::directory_entry& entry : fs::directory_iterator(runFolder, ignored)) {
+    if (isOfRun(entry)) {
+      fs::remove(entry.path(), ignored);
+    }
+  }
+  fs::remove(runFolder, ignored);  // when it is empty
+}
 
 void RunWriter::begin(File file, std::string_view head) {
   constexpr const char* kNames[] = {"trajectory.csv", "events.csv", "trees.csv", "inputs.csv"};

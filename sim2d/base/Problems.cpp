@@ -225,6 +225,7 @@ constexpr ProblemText kTexts[] = {
     {"file.cannot-write-picture", "cannot write: {reason}"},
     {"file.cannot-remove", "cannot remove the file: {reason}"},
     {"file.no-permission", "cannot write into the folder (no permission)"},
+    {"file.is-read", "this file is read: results would take its place, write elsewhere"},
     {"file.not-there", "there is no such file"},
     {"file.unknown-scenario",
      "there is no such file, and no command or shipped scenario of this name{nearest? (did you "
@@ -469,6 +470,7 @@ constexpr ProblemText kTexts[] = {
     {"script.no-map", "a script is a map: name of a leaf -> list of statuses"},
 
     // Experiments.
+    {"batch.stranger", "this is of no batch and would be lost: move it, or write elsewhere"},
     {"experiment.no-map", "an experiment is a map that begins with hunavsim_experiment: 1"},
     {"experiment.no-format",
      "the key hunavsim_experiment is missing (write hunavsim_experiment: 1)"},

@@ -324,8 +324,29 @@ class TraceMaker {
     robot.maxVel = fastest > 0.0 ? fastest : robot.maxVel;
     if (options_.robotGoal) {
       robot.goals.push_back({0, *options_.robotGoal, 0.2});
+      noteArrival(robot.goals.back());
     }
     trace_.header.robots.push_back(std::move(robot));
+  }
+
+  /// At the first instant of the stay at the goal that lasts to the end.
+  void noteArrival(const TraceGoal& goal) {
+    constexpr double kTolerance = 0.3;  // [m], as the metrics have it
+    std::size_t first = trace_.frames.size();
+    for (std::size_t k = trace_.frames.size(); k-- > 0;) {
+      const RobotColumns& robots = trace_.frames[k].robots;
+      const Vec2 place(robots.x.back(), robots.y.back());
+      if ((place - goal.position).norm() - goal.radius >= kTolerance) {
+        break;
+      }
+      first = k;
+    }
+    if (first < trace_.frames.size()) {
+      Event event;
+      event.kind = EventKind::Arrived;
+      event.id = -1;
+      trace_.events.emplace_back(trace_.frames[first].step, event);
+    }
   }
 
   const TrackFile& file_;

@@ -65,10 +65,11 @@ int batchCommand(const BatchOptions& options, const Invocation& given) {
   if (!base::hasErrors(problems)) {  // else nothing will be written
     base::append(problems, checkWritableFolder(options.output));
   }
+  const std::string runs = (fs::path(options.output) / "runs").string();
+  base::append(problems, checkRunFolders(*experiment, runs));
   requireFine(problems);
   catchInterrupts();
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const std::string runs = (fs::path(options.output) / "runs").string();
   const auto start = std::chrono::steady_clock::now();
   BatchRows rows;
   {

@@ -174,6 +174,26 @@ base::Diagnostics writeResults(const EvaluateOptions& options, const sim2d::Trac
   return problems;
 }
 
+/// Files that are read and would be replaced by results of the same name.
+base::Diagnostics lostInputs(const EvaluateOptions& options) {
+  std::vector<const char*> written = {"metrics.json", "metrics.csv", "steps.csv", "metrics.yaml"};
+  if (!isRunFolder(options.source)) {
+    written.insert(written.end(), {"trajectory.csv", "events.csv", "trace.json"});
+  }
+  base::Diagnostics problems;
+  for (const std::string& read :
+       {options.source, options.reference, options.map, options.metrics.metrics}) {
+    for (const char* name : written) {
+      std::error_code ignored;  // what is not there is not lost
+      const fs::path place = fs::path(options.output) / name;
+      if (fs::is_regular_file(read, ignored) && fs::equivalent(read, place, ignored)) {
+        problems.push_back(base::error("file.is-read", {}, read));
+      }
+    }
+  }
+  return problems;
+}
+
 int evaluateCommand(const EvaluateOptions& options, const Invocation& given) {
   base::Diagnostics wrong =
       isRunFolder(options.source) ? foreignWords(options) : base::Diagnostics();
@@ -197,6 +217,7 @@ int evaluateCommand(const EvaluateOptions& options, const Invocation& given) {
       setup.selection.reference = *reference;
     }
   }
+  base::append(problems, lostInputs(options));
   base::append(problems, checkWritableFolder(options.output));
   requireFine(problems, ExitBadInput, base::Severity::Warning);
   setup.selection.tag = options.tag.value_or(setup.selection.tag);
