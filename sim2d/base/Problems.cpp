@@ -333,6 +333,18 @@ constexpr ProblemText kTexts[] = {
     {"tracks.unknown-quantity", "unknown column '{found}'{nearest}"},
     {"tracks.quantity-twice", "the column '{found}' is given twice"},
     {"tracks.unknown-format", "is in no format that can be read"},
+    {"tracks.other-format", "this looks like '{format}' (--format {format})"},
+    {"tracks.no-rate", "frames become seconds by their rate (--fps F)"},
+    {"tracks.no-scale", "pixels become metres by their size (--unit METRES)"},
+    {"tracks.too-fast",
+     "half of the steps are faster than {speed} m/s: another unit (--unit, --time-unit)?"},
+    {"tracks.rates-differ-by-body",
+     "observed every {least} s to {most} s: all are brought to steps of {step} s"},
+    {"tracks.not-people", "{count} other things were left out ({names})"},
+    {"tracks.no-table", "no line of columns ({columns})"},
+    {"tracks.ids-numbered", "ids are words, these numbers stand for them: {names}"},
+    {"tracks.no-dataset", "no table 'trajectory' with id, frame, x and y in it"},
+    {"tracks.bad-json", "no frames of people: {reason}"},
 
     // Runs.
     {"run.not-played", "{reason}"},

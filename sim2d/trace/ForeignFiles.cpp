@@ -115,8 +115,13 @@ const TrackFormat* TrackFormats::find(const std::string& name) const {
   return found == formats_.end() ? nullptr : &*found;
 }
 
+bool FirstLook::beginsWith(std::string_view words) const {
+  constexpr std::size_t kLooked = 4096;
+  return text.substr(0, kLooked).find(words) != std::string_view::npos;
+}
+
 const TrackFormat* TrackFormats::formatOf(const std::string& path, const std::string& text) const {
-  FirstLook look{path, {}, false};
+  FirstLook look{path, text, {}, false};
   TextRows(text).next(look.row);
   look.isNumbers = isNumberRow(look.row);
   const TrackFormat* best = nullptr;
@@ -164,6 +169,57 @@ base::Result<std::map<std::string, std::string>> parseColumns(const std::string&
   return columns;
 }
 
+namespace {
+
+/// What the user says of the file counts instead of what its format says.
+void applyUnits(const ForeignOptions& options, TrackFile& file) {
+  const double length = options.lengthUnit > 0.0 ? options.lengthUnit / file.lengthUnit : 1.0;
+  const double time = options.timeUnit > 0.0 ? options.timeUnit / file.timeUnit : 1.0;
+  const double angle = options.degrees ? base::kPi / 180.0 : 1.0;
+  file.step *= time;
+  for (Track& track : file.tracks) {
+    track.radius = options.radius > 0.0 ? options.radius : track.radius;
+    for (TrackPoint& point : track.points) {
+      point.time *= time;
+      point.position *= length;
+      if (point.velocity) {
+        *point.velocity *= length / time;
+      }
+      if (point.heading) {
+        *point.heading *= angle;
+      }
+      if (point.angularSpeed) {
+        *point.angularSpeed *= angle / time;
+      }
+    }
+  }
+}
+
+/// Nobody runs that fast: probably a unit is another.
+void warnOfSpeeds(const TrackFile& file, base::Diagnostics& problems) {
+  constexpr double kFastest = 10.0;  // [m/s]
+  std::vector<double> speeds;
+  for (const Track& track : file.tracks) {
+    for (std::size_t k = 1; k < track.points.size(); ++k) {
+      const double time = track.points[k].time - track.points[k - 1].time;
+      if (time > 0.0) {
+        speeds.push_back((track.points[k].position - track.points[k - 1].position).norm() / time);
+      }
+    }
+  }
+  if (speeds.empty()) {
+    return;
+  }
+  const auto middle = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() / 2);
+  std::nth_element(speeds.begin(), middle, speeds.end());
+  if (*middle > kFastest) {
+    problems.push_back(
+        base::warning("tracks.too-fast", {base::formatDouble(std::round(*middle))}, file.file));
+  }
+}
+
+}  // namespace
+
 base::Result<TrackFile> readForeign(const std::string& path, const ForeignOptions& options,
                                     const TrackFormats& formats) {
   const base::Result<std::string> text = base::readTextFile(path);
@@ -181,8 +237,14 @@ base::Result<TrackFile> readForeign(const std::string& path, const ForeignOption
   TrackFile file = format->read(input);
   file.file = path;
   if (base::hasErrors(problems)) {
+    const TrackFormat* looks = formats.formatOf(path, plain);
+    if (looks != nullptr && looks != format && looks->name != "csv") {
+      problems.push_back(base::error("tracks.other-format", {looks->name}, path));
+    }
     return problems;
   }
+  applyUnits(options, file);
+  warnOfSpeeds(file, problems);
   return {std::move(file), std::move(problems)};
 }
 

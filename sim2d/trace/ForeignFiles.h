@@ -19,6 +19,10 @@ struct ForeignOptions {
   std::string format;                          // empty: by name and first line of the file
   std::map<std::string, std::string> columns;  // ours -> name in the file
   double framesPerSecond = 0.0;                // 0: see the README
+  double lengthUnit = 0.0;                     // [m] of positions; 0: that of the format
+  double timeUnit = 0.0;                       // [s] of times; 0: that of the format
+  bool degrees = false;                        // headings and turning speeds
+  double radius = 0.0;                         // [m] of everybody; 0: what the file says
 };
 
 /// "time=t,id=ped"; unknown names of ours and pairs without '=' are errors.

@@ -61,9 +61,12 @@ struct ForeignInput {
 /// What can be told of a file at a glance.
 struct FirstLook {
   const std::string& path;
+  std::string_view text;
   std::vector<Word> row;   // the first that is not empty
   bool isNumbers = false;  // nothing else in it
 
+  /// Its first kilobytes hold these words.
+  bool beginsWith(std::string_view words) const;
   bool endsWith(std::string_view end) const {
     return path.size() >= end.size() &&
            path.compare(path.size() - end.size(), end.size(), end) == 0;

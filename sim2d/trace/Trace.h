@@ -135,10 +135,9 @@ struct TraceHeader {
                            std::pair("dt", &T::dt), std::pair("record_every", &T::recordEvery),
                            std::pair("seed", &T::seed),
                            std::pair("obstacle_points", &T::obstaclePoints),
-                           std::pair("wrap_x", &T::wrapX),
-                           std::pair("humans", &T::humans), std::pair("robots", &T::robots),
-                           std::pair("obstacles", &T::obstacles), std::pair("map", &T::map),
-                           std::pair("metrics", &T::metrics));
+                           std::pair("wrap_x", &T::wrapX), std::pair("humans", &T::humans),
+                           std::pair("robots", &T::robots), std::pair("obstacles", &T::obstacles),
+                           std::pair("map", &T::map), std::pair("metrics", &T::metrics));
   }
 };
 

@@ -6,6 +6,8 @@
 #include <limits>
 #include <map>
 
+#include "sim2d/base/Text.h"
+
 namespace sim2d {
 namespace {
 
@@ -103,7 +105,8 @@ class TrackStay {
   std::vector<TrackState> states_;
 };
 
-constexpr double kAwaySteps = 2.5;  // longer without observation: not there
+constexpr double kAwaySteps = 5.5;  // longer without observation: not there
+constexpr double kOtherRate = 1.5;  // times as often observed as another
 constexpr double kOnGrid = 1e-6;    // of a step
 constexpr double kMostInstants = 2e6;
 constexpr char kMapName[] = "map";
@@ -135,6 +138,7 @@ class TraceMaker {
     if (base::hasErrors(problems_) || !makeGrid()) {
       return problems_;
     }
+    tellOfRates();
     trace_.header.scenario = std::filesystem::path(file_.file).filename().string();
     trace_.header.dt = step_;
     std::vector<const Track*> tracks;
@@ -278,13 +282,33 @@ class TraceMaker {
     }
   }
 
-  double longestGap() const {
-    return file_.isSparse ? std::numeric_limits<double>::infinity() : kAwaySteps * step_;
+  /// Some are observed more seldom than others.
+  double longestGap(const Track& track) const {
+    return file_.isSparse ? std::numeric_limits<double>::infinity()
+                          : kAwaySteps * std::max(step_, medianInterval({track}));
+  }
+
+  /// All are brought onto one grid.
+  void tellOfRates() {
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0.0;
+    for (const Track& track : file_.tracks) {
+      if (const double interval = medianInterval({track}); interval > 0.0) {
+        least = std::min(least, interval);
+        most = std::max(most, interval);
+      }
+    }
+    if (!file_.isSparse && most > kOtherRate * least) {
+      problems_.push_back(base::warning(
+          "tracks.rates-differ-by-body",
+          {base::formatDouble(least), base::formatDouble(most), base::formatDouble(step_)},
+          file_.file));
+    }
   }
 
   void addPerson(const Track& track) {
     bool isThere = false;
-    for (const TrackStay& stay : staysOf(track, longestGap())) {
+    for (const TrackStay& stay : staysOf(track, longestGap(track))) {
       forEachInstant(stay, [&](Frame& frame, const TrackState& state) {
         HumanColumns& humans = frame.humans;
         if (!humans.id.empty() && humans.id.back() == track.id) {

@@ -31,7 +31,8 @@ struct Track {
 struct TrackFile {
   std::string file;  // as the user named it
   std::vector<Track> tracks;
-  double step = 0.0;      // [s] of the time grid; 0 = the median time between two observations
+  double step = 0.0;  // [s] of the time grid; 0 = the median time between two observations
+  double lengthUnit = 1.0, timeUnit = 1.0;  // of the source [m], [s]; the points are in m and s
   bool isSparse = false;  // points are corners of ways: a long time between two is no absence
 };
 
@@ -47,11 +48,12 @@ double medianInterval(const std::vector<Track>& tracks);
 /// A record on an even time grid from 0, which begins at most a step before the first observation
 /// and so that it meets the most of them (with a robot: of the robot's). Between two
 /// observations of a body: straight line, velocities and headings interpolated. A body is away
-/// while nothing was seen of it for longer than 2.5 steps. Velocities that are not told: central
-/// differences of the observations; headings: the direction of walking, kept while standing;
-/// turning speeds: central differences of the headings. With a robot the record spans its presence.
-/// Problems: no observation, time that does not advance, a step that makes too many instants, an
-/// unknown robot.
+/// while nothing was seen of it for longer than 5.5 steps, or 5.5 of its own intervals
+/// where it is observed more seldom than others (which is told). Velocities that are not told:
+/// central differences of the observations; headings: the direction of walking, kept while
+/// standing; turning speeds: central differences of the headings. With a robot the record spans its
+/// presence. Problems: no observation, time that does not advance, a step that makes too many
+/// instants, an unknown robot.
 base::Result<Trace> traceOfTracks(const TrackFile& file, const TrackOptions& options);
 
 /// Replaces the map of a record: cells and outlines.

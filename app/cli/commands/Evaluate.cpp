@@ -27,7 +27,9 @@ struct EvaluateOptions {
   std::string reference;  // run to compare the robot's way with: folder, or a file with one body
   // of files of other programs
   std::string format, columns;
-  std::optional<double> framesPerSecond, step;
+  std::string unit, timeUnit;
+  bool degrees = false;
+  std::optional<double> framesPerSecond, step, radius;
   std::optional<int> robot;
   std::optional<std::string> robotGoal;
 };
@@ -44,6 +46,10 @@ base::Diagnostics foreignWords(const EvaluateOptions& options) {
   const std::pair<const char*, bool> given[] = {{"--format", !options.format.empty()},
                                                 {"--columns", !options.columns.empty()},
                                                 {"--fps", options.framesPerSecond.has_value()},
+                                                {"--unit", !options.unit.empty()},
+                                                {"--time-unit", !options.timeUnit.empty()},
+                                                {"--degrees", options.degrees},
+                                                {"--radius", options.radius.has_value()},
                                                 {"--dt", options.step.has_value()},
                                                 {"--robot", options.robot.has_value()},
                                                 {"--robot-goal", options.robotGoal.has_value()}};
@@ -75,6 +81,18 @@ base::Diagnostics readForeignWords(const EvaluateOptions& options, sim2d::Foreig
     return value.value_or(0.0);
   };
   reading.framesPerSecond = positive(options.framesPerSecond, "--fps");
+  reading.radius = positive(options.radius, "--radius");
+  reading.degrees = options.degrees;
+  static const std::map<std::string, double> kTimes = {
+      {"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}};
+  reading.timeUnit = options.timeUnit.empty() ? 0.0 : kTimes.at(options.timeUnit);
+  if (!options.unit.empty()) {
+    static const std::map<std::string, double> kLengths = {{"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}};
+    const auto named = kLengths.find(options.unit);
+    const std::optional<double> metres =
+        named != kLengths.end() ? named->second : base::parseDouble(options.unit);
+    reading.lengthUnit = positive(metres.value_or(0.0), "--unit");
+  }
   tracks.step = positive(options.step, "--dt");
   tracks.robotId = options.robot;
   if (options.robotGoal) {
@@ -239,6 +257,11 @@ void addForeignOptions(CLI::App& command, EvaluateOptions& options) {
       ->check(CLI::IsMember(sim2d::trackFormatNames()));
   command.add_option("--columns", options.columns, "Names of its columns: time=t,id=ped,x=px");
   command.add_option("--fps", options.framesPerSecond, "Frames per second of its frame numbers");
+  command.add_option("--unit", options.unit, "Of its lengths: mm, cm, m, or metres per pixel");
+  command.add_option("--time-unit", options.timeUnit, "Of its times: s, ms, us, ns")
+      ->check(CLI::IsMember({"s", "ms", "us", "ns"}));
+  command.add_flag("--degrees", options.degrees, "Its headings are in degrees");
+  command.add_option("--radius", options.radius, "Of everybody in it [m]");
   command.add_option("--dt", options.step, "Step of the samples made of it [s]");
   command.add_option("--robot", options.robot, "The person with this id is the robot");
   command.add_option("--robot-goal", options.robotGoal, "\"X Y\" (m)");

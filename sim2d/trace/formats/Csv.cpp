@@ -130,31 +130,45 @@ class CsvTracks {
   void readRow() {
     TrackPoint point;
     Track body;
-    const bool isPlaced = readPlace(point, body);
-    if (!readMotion(point) || !isPlaced || !readBody(body)) {
+    const bool isPlaced = readPlace(point);
+    const bool isKnown = readId(body);
+    if (!readMotion(point) || !isPlaced || !isKnown || !readBody(body)) {
       return;
     }
     if (body.id < 0 && !body.isRobot) {
       words_.error(wordOf(id_), "tracks.negative-person-id");
       return;
     }
-    Track& track = tracks_[{body.isRobot, body.id}];
+    const std::string name(wordOf(id_).text);
+    const auto [place, isNew] = numbers_.try_emplace({body.isRobot, name}, tracks_.size());
+    if (isNew) {
+      tracks_.push_back({name, {}});
+    }
+    Track& track = tracks_[place->second].second;
     body.points = std::move(track.points);
     track = std::move(body);
     track.points.push_back(point);
   }
 
-  bool readPlace(TrackPoint& point, Track& body) {
+  /// A word instead of a number gets one in the end.
+  bool readId(Track& body) {
+    const Word word = wordOf(id_);
+    const bool isWord = !word.text.empty() && !base::parseDouble(word.text);
+    hasWords_ = hasWords_ || isWord;
+    const std::optional<long long> id = isWord ? std::optional(0LL) : words_.whole(word, "the id");
+    body.id = static_cast<int>(id.value_or(0));
+    return id.has_value();
+  }
+
+  bool readPlace(TrackPoint& point) {
     const bool byFrame = frame_ != kNone;
     const Word timeWord = wordOf(byFrame ? frame_ : time_);
-    const std::optional<long long> id = words_.whole(wordOf(id_), "the id");
     const std::optional<double> time = words_.finite(timeWord, byFrame ? "the frame" : "the time");
     const std::optional<double> x = words_.finite(wordOf(x_), "x");
     const std::optional<double> y = words_.finite(wordOf(y_), "y");
-    if (!id || !time || !x || !y) {
+    if (!time || !x || !y) {
       return false;
     }
-    body.id = static_cast<int>(*id);
     point.time = *time;
     point.position = Vec2(*x, *y);
     point.line = timeWord.line;
@@ -203,10 +217,25 @@ class CsvTracks {
 
   TrackFile finish() {
     TrackFile file;
-    for (auto& [key, track] : tracks_) {
+    std::vector<std::string> told;
+    for (auto& [name, track] : tracks_) {
+      if (hasWords_) {
+        track.id = static_cast<int>(file.tracks.size()) + 1;
+        told.push_back(name + " = " + std::to_string(track.id));
+      }
       file.tracks.push_back(std::move(track));
     }
+    if (hasWords_) {
+      constexpr std::size_t kMostTold = 5;
+      const bool isLong = told.size() > kMostTold;
+      told.resize(std::min(told.size(), kMostTold));
+      input_.problems.push_back(base::warning(
+          "tracks.ids-numbered", {base::join(told, ", ") + (isLong ? " …" : "")}, input_.path));
+    }
     if (frame_ != kNone) {
+      if (!(input_.options.framesPerSecond > 0.0)) {
+        input_.problems.push_back(base::error("tracks.no-rate", {}, input_.path, 1, 1));
+      }
       framesToSeconds(file, input_.options.framesPerSecond);
     }
     return file;
@@ -216,7 +245,9 @@ class CsvTracks {
   WordReader words_;
   CsvReader reader_;
   CsvRow row_;
-  std::map<std::pair<bool, int>, Track> tracks_;
+  std::vector<std::pair<std::string, Track>> tracks_;            // with what stands there as id
+  std::map<std::pair<bool, std::string>, std::size_t> numbers_;  // in tracks_, by kind and id
+  bool hasWords_ = false;                                        // among the ids
   std::size_t time_ = kNone, frame_ = kNone, id_ = kNone, x_ = kNone, y_ = kNone, vx_ = kNone,
               vy_ = kNone, heading_ = kNone, omega_ = kNone, group_ = kNone, radius_ = kNone,
               kind_ = kNone;

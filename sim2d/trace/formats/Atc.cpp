@@ -1,0 +1,60 @@
+#include "sim2d/base/Text.h"
+#include "sim2d/trace/ForeignReaders.h"
+
+/// Days of the ATC shopping centre (Brscic et al. 2013): time [s], id, x, y, z [mm], speed [mm/s],
+/// direction of motion and of the body [rad].
+namespace sim2d {
+
+namespace {
+
+constexpr double kMillimetre = 1e-3;  // [m]
+constexpr double kUnixTime = 1e8;     // [s]
+
+TrackFile readDay(const ForeignInput& input) {
+  std::map<int, Track> tracks;
+  double begin = 0.0;
+  forEachRow(input, 8, "time id x y z speed direction facing",
+             [&](WordReader& words, const std::vector<Word>& row) {
+               const std::optional<double> time = words.finite(row[0], "the time");
+               const std::optional<int> id = idOf(words, row[1]);
+               const std::optional<double> x = words.finite(row[2], "x");
+               const std::optional<double> y = words.finite(row[3], "y");
+               const std::optional<double> speed = words.finite(row[5], "the speed");
+               const std::optional<double> way = words.finite(row[6], "the direction");
+               const std::optional<double> facing = words.finite(row[7], "the facing");
+               if (!time || !id || !x || !y || !speed || !way || !facing) {
+                 return;
+               }
+               begin = tracks.empty() ? *time : begin;
+               TrackPoint point;
+               point.time = *time - begin;  // Unix times lose digits
+               point.position = kMillimetre * Vec2(*x, *y);
+               point.velocity = kMillimetre * *speed * base::directionOf(*way);
+               point.heading = *facing;
+               point.line = row[0].line;
+               point.column = row[0].column;
+               Track& track = tracks[*id];
+               track.id = *id;
+               track.points.push_back(point);
+             });
+  TrackFile file;
+  file.lengthUnit = kMillimetre;
+  for (auto& [id, track] : tracks) {
+    file.tracks.push_back(std::move(track));
+  }
+  return file;
+}
+
+Claim claim(const FirstLook& look) {
+  const bool isDay = look.isNumbers && look.row.size() == 8 && look.endsWith(".csv") &&
+                     base::parseDouble(look.row.front().text).value_or(0.0) > kUnixTime;
+  return isDay ? Claim::ByContent : Claim::None;
+}
+
+}  // namespace
+
+void addAtc(TrackFormats& to) {
+  to.add({"atc", 8, claim, readDay});
+}
+
+}  // namespace sim2d

@@ -1,0 +1,79 @@
+#include <nlohmann/json.hpp>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/trace/ForeignReaders.h"
+
+/// Boxes of JRDB (labels_3d): people around a robot that stays at the origin, 15 frames per second.
+namespace sim2d {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double kRate = 15.0;
+
+/// The digits at the end of "pedestrian:12", or before the dot of "000012.pcd".
+std::optional<long long> numberIn(const std::string& text) {
+  const std::size_t end = text.find_last_of("0123456789");
+  if (end == std::string::npos) {
+    return std::nullopt;
+  }
+  const std::size_t before = text.find_last_not_of("0123456789", end);
+  const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+  return base::parseInt(text.substr(begin, end - begin + 1));
+}
+
+class JrdbReader {
+ public:
+  explicit JrdbReader(const ForeignInput& input) : input_(input) {}
+
+  TrackFile read() {
+    try {
+      const Json root = Json::parse(input_.text);
+      for (const auto& [name, boxes] : root.at("labels").items()) {
+        const std::optional<long long> frame = numberIn(name);
+        for (const Json& box : boxes) {
+          if (frame) {
+            addBox(*frame, box);
+          }
+        }
+      }
+    } catch (const Json::exception& problem) {
+      input_.problems.push_back(base::error("tracks.bad-json", {problem.what()}, input_.path));
+      return {};
+    }
+    const double given = input_.options.framesPerSecond;
+    return tracks_.finish(input_.path, given > 0.0 ? given : kRate);
+  }
+
+ private:
+  void addBox(long long frame, const Json& label) {
+    const std::string name = label.at("label_id").get<std::string>();
+    const std::optional<long long> id = numberIn(name);
+    if (name.rfind("pedestrian", 0) != 0 || !id) {
+      return;
+    }
+    const Json& box = label.at("box");
+    const Vec2 place(box.at("cx").get<double>(), box.at("cy").get<double>());
+    TrackPoint& point = tracks_.add(static_cast<int>(*id), frame, place, 0, 0);
+    if (box.contains("rot_z")) {
+      point.heading = box.at("rot_z").get<double>();
+    }
+  }
+
+  const ForeignInput& input_;
+  FrameTracks tracks_;
+};
+
+Claim claim(const FirstLook& look) {
+  const bool isBoxes = look.beginsWith("\"labels\"") && look.beginsWith("label_id");
+  return isBoxes ? Claim::ByContent : Claim::None;
+}
+
+}  // namespace
+
+void addJrdb(TrackFormats& to) {
+  to.add({"jrdb", 10, claim, [](const ForeignInput& input) { return JrdbReader(input).read(); }});
+}
+
+}  // namespace sim2d

@@ -1,0 +1,142 @@
+#include <algorithm>
+#include <cctype>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/trace/Csv.h"
+#include "sim2d/trace/ForeignReaders.h"
+
+/// Recordings of THÖR-MAGNI: lines about the recording, then a table with the columns Frame, Time
+/// and, per body, "Helmet_1 Centroid_X" … in millimetres; empty where a body is not seen.
+namespace sim2d {
+
+namespace {
+
+constexpr double kMillimetre = 1e-3;  // [m]
+constexpr std::string_view kEnd = " Centroid_X";
+
+struct BodyPlace {
+  std::string name;
+  std::size_t x = 0, y = 0;
+};
+
+/// "Helmet_10" -> 10; robots have no number.
+std::optional<int> numberOf(const std::string& name) {
+  const std::size_t line = name.rfind('_');
+  const std::optional<long long> number =
+      line == std::string::npos ? std::nullopt : base::parseInt(name.substr(line + 1));
+  return number && *number >= 0 ? std::optional(static_cast<int>(*number)) : std::nullopt;
+}
+
+bool isRobotName(const std::string& name) {
+  return name.rfind("DARKO", 0) == 0 || name.find("obot") != std::string::npos;
+}
+
+class ThorReader {
+ public:
+  explicit ThorReader(const ForeignInput& input)
+      : input_(input), words_(input.path, input.problems), rows_(input.text) {}
+
+  TrackFile read() {
+    if (!findTable()) {
+      input_.problems.push_back(base::error(
+          "tracks.no-table", {"Frame, Time, NAME Centroid_X, NAME Centroid_Y …"}, input_.path));
+      return {};
+    }
+    while (rows_.next(row_)) {
+      if (row_.size() == width_) {
+        readRow();
+      }
+    }
+    TrackFile file;
+    file.lengthUnit = kMillimetre;
+    for (Track& track : tracks_) {
+      if (!track.points.empty()) {
+        file.tracks.push_back(std::move(track));
+      }
+    }
+    return file;
+  }
+
+ private:
+  bool findTable() {
+    while (rows_.next(row_)) {
+      std::vector<std::string> names;
+      for (const CsvField& field : row_) {
+        names.push_back(base::trimmed(field.text));
+      }
+      const auto time = std::find(names.begin(), names.end(), "Time");
+      if (time == names.end() || names.front() != "Frame") {
+        continue;
+      }
+      time_ = static_cast<std::size_t>(time - names.begin());
+      width_ = names.size();
+      for (std::size_t k = 0; k < names.size(); ++k) {
+        addBody(names, k);
+      }
+      return !bodies_.empty();
+    }
+    return false;
+  }
+
+  void addBody(const std::vector<std::string>& names, std::size_t x) {
+    const std::string& name = names[x];
+    if (name.size() <= kEnd.size() ||
+        name.compare(name.size() - kEnd.size(), kEnd.size(), kEnd) != 0) {
+      return;
+    }
+    const std::string body = name.substr(0, name.size() - kEnd.size());
+    const auto y = std::find(names.begin(), names.end(), body + " Centroid_Y");
+    if (y == names.end()) {
+      return;
+    }
+    bodies_.push_back({body, x, static_cast<std::size_t>(y - names.begin())});
+    Track track;
+    track.isRobot = isRobotName(body);
+    track.id = numberOf(body).value_or(1000 + static_cast<int>(tracks_.size()));
+    tracks_.push_back(std::move(track));
+  }
+
+  Word wordOf(std::size_t column) const {
+    const CsvField& field = row_[column];
+    return {field.text, field.line, field.column};
+  }
+
+  void readRow() {
+    const std::optional<double> time = words_.finite(wordOf(time_), "the time");
+    for (std::size_t k = 0; time && k < bodies_.size(); ++k) {
+      if (base::trimmed(row_[bodies_[k].x].text).empty()) {
+        continue;  // not seen
+      }
+      const std::optional<double> x = words_.finite(wordOf(bodies_[k].x), "x");
+      const std::optional<double> y = words_.finite(wordOf(bodies_[k].y), "y");
+      if (x && y) {
+        TrackPoint point;
+        point.time = *time;
+        point.position = kMillimetre * Vec2(*x, *y);
+        point.line = row_[bodies_[k].x].line;
+        point.column = row_[bodies_[k].x].column;
+        tracks_[k].points.push_back(point);
+      }
+    }
+  }
+
+  const ForeignInput& input_;
+  WordReader words_;
+  CsvReader rows_;
+  CsvRow row_;
+  std::size_t time_ = 0, width_ = 0;
+  std::vector<BodyPlace> bodies_;
+  std::vector<Track> tracks_;  // beside bodies_
+};
+
+Claim claim(const FirstLook& look) {
+  return look.beginsWith(kEnd) ? Claim::ByContent : Claim::None;
+}
+
+}  // namespace
+
+void addThor(TrackFormats& to) {
+  to.add({"thor", 9, claim, [](const ForeignInput& input) { return ThorReader(input).read(); }});
+}
+
+}  // namespace sim2d
