@@ -1,0 +1,266 @@
+#include <hdf5.h>
+
+#include <QtTest>
+
+#include "ForeignTest.h"
+
+using namespace foreign;
+
+namespace {
+
+bool tells(const base::Diagnostics& problems, const char* code) {
+  return std::any_of(problems.begin(), problems.end(),
+                     [code](const base::Diagnostic& each) { return each.code == code; });
+}
+
+base::Result<TrackFile> read(const std::string& path, const ForeignOptions& options = {}) {
+  return sim2d::readForeign(path, options);
+}
+
+}  // namespace
+
+/// Files of other data sets, recognised by what is in them; units, rates and ids of others.
+class OtherDataTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void petrack_rateAndUnit_standInComments() {
+    const std::string metres = files_.add("a.txt",
+                                          "# PeTrack project: hall.pet\n# framerate: 25 fps\n"
+                                          "# <number> <frame> <x> [in m] <y> [in m] <z>\n"
+                                          "1 100 2.5 -1.0 1.7\n1 105 2.7 -1.0 1.7\n");
+    const base::Result<TrackFile> file = read(metres);
+    QVERIFY(file);
+    QVERIFY(isNear(file->tracks[0].points[1].time - file->tracks[0].points[0].time, 0.2));
+    QVERIFY(isNear(file->tracks[0].points[0].position.x(), 2.5));
+    const base::Result<TrackFile> centimetres = read(
+        files_.add("b.txt", "#framerate: 16.00\n#ID FR X/cm Y/cm\n1 0 250 100\n1 1 260 100\n"));
+    QVERIFY(isNear(centimetres->tracks[0].points[0].position.x(), 2.5));
+    QVERIFY(isNear(centimetres->tracks[0].points[1].time, 1.0 / 16.0));
+    ForeignOptions named;
+    named.format = "petrack";
+    QVERIFY(
+        tells(read(files_.add("c.txt", "1 0 250 100\n"), named).diagnostics(), "tracks.no-rate"));
+  }
+
+  void vadere_stepsAndFootsteps() {
+    const base::Result<TrackFile> steps = read(files_.add(
+        "postvis.traj", "timeStep pedestrianId x-PID1 y-PID1\n1 7 1.0 2.0\n2 7 1.4 2.0\n"));
+    QVERIFY(isNear(steps->tracks[0].points[1].time, 0.8));
+    const base::Result<TrackFile> feet =
+        read(files_.add("feet.traj",
+                        "pedestrianId simTime endTime startX-PID1 startY-PID1 endX-PID1 endY-PID1\n"
+                        "3 0.0 0.5 0.0 0.0 0.6 0.0\n3 0.5 1.0 0.6 0.0 1.2 0.0\n"));
+    const Track* person = trackOf(*feet, 3);
+    QVERIFY(person != nullptr);
+    QCOMPARE(person->points.size(), std::size_t{3});
+    QVERIFY(isNear(person->points[2].position.x(), 1.2) && isNear(person->points[2].time, 1.0));
+  }
+
+  void sdd_boxes_areCentresInMetres() {
+    const std::string path =
+        files_.add("annotations.txt",
+                   "4 100 200 120 240 0 0 0 0 \"Pedestrian\"\n"
+                   "4 110 200 130 240 30 0 0 0 \"Pedestrian\"\n"
+                   "4 110 200 130 240 31 1 0 0 \"Pedestrian\"\n5 0 0 9 9 0 0 0 0 \"Car\"\n");
+    QVERIFY(tells(read(path).diagnostics(), "tracks.no-scale"));
+    ForeignOptions scaled;
+    scaled.lengthUnit = 0.05;
+    const base::Result<TrackFile> file = read(path, scaled);
+    QVERIFY(file && tells(file.diagnostics(), "tracks.not-people"));
+    QCOMPARE(file->tracks.size(), std::size_t{1});
+    QCOMPARE(file->tracks[0].points.size(), std::size_t{2});
+    QVERIFY(isNear(file->tracks[0].points[0].position.x(), 5.5));
+    QVERIFY(isNear(file->tracks[0].points[0].position.y(), -11.0));
+    QVERIFY(isNear(file->tracks[0].points[1].time, 1.0));
+  }
+
+  void atc_day_isInMillimetres() {
+    const base::Result<TrackFile> file =
+        read(files_.add("atc.csv",
+                        "1351651345.000,9101700,2000,-3000,1700,1000,0.0,0.5\n"
+                        "1351651345.040,9101700,2040,-3000,1700,1000,0.0,0.5\n"));
+    QVERIFY(file);
+    const Track& person = file->tracks[0];
+    QCOMPARE(person.id, 9101700);
+    QVERIFY((person.points[1].position - base::Vec2(2.04, -3.0)).norm() < 1e-9);
+    QVERIFY(std::fabs(person.points[1].time - 0.04) < 1e-6);
+    QVERIFY((*person.points[0].velocity - base::Vec2(1.0, 0.0)).norm() < 1e-9);
+    QVERIFY(isNear(*person.points[0].heading, 0.5));
+  }
+
+  void thor_table_hasPeopleAndARobot() {
+    const base::Result<TrackFile> file =
+        read(files_.add("thor.csv",
+                        "FILE_ID,THOR-1\nN_FRAMES,2\n"
+                        "Frame,Time,Helmet_2 Centroid_X,Helmet_2 Centroid_Y,Helmet_2 Centroid_Z,"
+                        "DARKO_Robot Centroid_X,DARKO_Robot Centroid_Y\n"
+                        "1,0.00,1000,2000,1700,0,0\n2,0.01,1010,2000,1700,,\n"));
+    QVERIFY(file);
+    const Track* person = trackOf(*file, 2);
+    QVERIFY(person != nullptr && !person->isRobot);
+    QVERIFY(isNear(person->points[1].position.x(), 1.01));
+    QCOMPARE(std::count_if(file->tracks.begin(), file->tracks.end(),
+                           [](const Track& track) { return track.isRobot; }),
+             std::ptrdiff_t{1});
+  }
+
+  void jrdb_boxes_areAroundTheRobot() {
+    const base::Result<TrackFile> file = read(files_.add(
+        "jrdb.json",
+        R"({"labels": {"000000.pcd": [{"label_id": "pedestrian:12", "box": {"cx": 1.0, "cy": -2.0,
+        "cz": 0, "rot_z": 0.5}}, {"label_id": "car:1", "box": {"cx": 0, "cy": 0}}],
+        "000003.pcd": [{"label_id": "pedestrian:12", "box": {"cx": 1.2, "cy": -2.0}}]}})"));
+    QVERIFY(file);
+    QCOMPARE(file->tracks.size(), std::size_t{1});
+    QVERIFY(isNear(file->tracks[0].points[1].time, 0.2));
+    QVERIFY(isNear(*file->tracks[0].points[0].heading, 0.5));
+    QVERIFY(tells(
+        read(files_.add("bad.json", R"({"labels": {"0.pcd": [{"label_id": 1}]}})")).diagnostics(),
+        "tracks.bad-json"));
+  }
+
+  void hdf5_table_isRead() {
+    const std::string path = files_.add("t.h5", "");
+    writeTable(path, 10.0);
+    const base::Result<TrackFile> file = read(path);
+    QVERIFY2(file, file ? "" : file.diagnostics().front().text().c_str());
+    QCOMPARE(file->tracks.size(), std::size_t{2});
+    QVERIFY(isNear(file->tracks[0].points[1].time, 0.1));
+    QVERIFY(isNear(file->tracks[1].points[0].position.y(), 4.0));
+    writeTable(path, 0.0);
+    QVERIFY(tells(read(path).diagnostics(), "tracks.no-rate"));
+  }
+
+  void units_thatAreSaid_count() {
+    const std::string path = files_.add("mm.csv",
+                                        "time,id,x,y,heading,vx,vy\n0,1,1000,2000,90,500,0\n"
+                                        "100,1,1050,2000,90,500,0\n");
+    ForeignOptions options;
+    options.lengthUnit = 1e-3;
+    options.timeUnit = 1e-3;
+    options.degrees = true;
+    options.radius = 0.2;
+    const base::Result<TrackFile> file = read(path, options);
+    QVERIFY(file && file.diagnostics().empty());
+    const Track& person = file->tracks[0];
+    QVERIFY(isNear(person.points[1].time, 0.1) && isNear(person.points[1].position.x(), 1.05));
+    QVERIFY(isNear(*person.points[0].heading, base::kPi / 2.0));
+    QVERIFY(isNear(person.points[0].velocity->x(), 500.0));  // mm/ms are m/s
+    QVERIFY(isNear(person.radius, 0.2));
+    QVERIFY(!tells(read(path).diagnostics(), "tracks.too-fast"));  // 0.5 m/s by chance
+    options.timeUnit = 1.0;
+    options.lengthUnit = 1.0;
+    QVERIFY(!tells(read(path, options).diagnostics(), "tracks.too-fast"));
+    options.timeUnit = 1e-3;
+    QVERIFY(tells(read(path, options).diagnostics(), "tracks.too-fast"));
+  }
+
+  void frames_withoutARate_askForIt() {
+    const std::string path = files_.add("f.csv", "frame,id,x,y\n0,1,0,0\n1,1,0.1,0\n");
+    QVERIFY(tells(read(path).diagnostics(), "tracks.no-rate"));
+    ForeignOptions options;
+    options.framesPerSecond = 25.0;
+    QVERIFY(read(path, options));
+  }
+
+  void ids_thatAreWords_getNumbers() {
+    const base::Result<TrackFile> file =
+        read(files_.add("w.csv", "time,id,x,y\n0,ana,0,0\n0,ben,5,0\n1,ana,1,0\n1,ben,5,1\n"));
+    QVERIFY(file && tells(file.diagnostics(), "tracks.ids-numbered"));
+    QVERIFY(file.diagnostics().front().message.find("ana = 1, ben = 2") != std::string::npos);
+    QVERIFY(isNear(trackOf(*file, 2)->points[1].position.y(), 1.0));
+  }
+
+  void wrongFormat_tellsWhatItLooksLike() {
+    ForeignOptions options;
+    options.format = "eth";
+    const std::string path = files_.add("v.traj", "timeStep pedestrianId x y\n1 7 1.0 2.0\n");
+    const base::Diagnostics told = read(path, options).diagnostics();
+    QVERIFY(tells(told, "tracks.other-format"));
+    QVERIFY(told.back().message.find("vadere") != std::string::npos);
+  }
+
+  /// A robot at 50 Hz passes people at 10 Hz: they are there all the time.
+  void rates_thatDiffer_areOneClock() {
+    std::string text = "time,id,x,y,kind\n";
+    for (int k = 0; k <= 100; ++k) {
+      text += std::to_string(0.02 * k) + ",1," + std::to_string(0.02 * k) + ",0,robot\n";
+      if (k % 5 == 0) {
+        text += std::to_string(0.02 * k) + ",7,3,1,human\n";
+      }
+    }
+    const base::Result<Trace> trace = traceOf(files_.add("rates.csv", text));
+    QVERIFY(trace && tells(trace.diagnostics(), "tracks.rates-differ-by-body"));
+    for (const sim2d::Frame& frame : trace->frames) {
+      QCOMPARE(frame.humans.size(), std::size_t{1});
+    }
+  }
+
+  void gapsOfAFewFrames_areNoAbsence() {
+    std::string text = "time,id,x,y\n";
+    for (int k = 0; k <= 40; ++k) {
+      if (k < 20 || k > 23) {
+        text += std::to_string(0.1 * k) + ",1," + std::to_string(0.1 * k) + ",0\n";
+      }
+    }
+    const base::Result<Trace> trace = traceOf(files_.add("gap.csv", text));
+    QVERIFY(trace);
+    for (const sim2d::Frame& frame : trace->frames) {
+      QCOMPARE(frame.humans.size(), std::size_t{1});
+    }
+  }
+
+  void robotsArrival_isAnEvent() {
+    std::string text = "time,id,x,y,kind\n";
+    for (int k = 0; k <= 20; ++k) {
+      text += std::to_string(k) + ",1," + std::to_string(std::min(k, 10)) + ",0,robot\n";
+    }
+    TrackOptions options;
+    options.robotGoal = base::Vec2(10.0, 0.0);
+    const base::Result<Trace> trace = traceOf(files_.add("arrive.csv", text), {}, options);
+    QVERIFY(trace);
+    QCOMPARE(trace->events.size(), std::size_t{1});
+    QCOMPARE(trace->events[0].first, std::int64_t{10});
+    QVERIFY(trace->events[0].second.kind == sim2d::EventKind::Arrived);
+  }
+
+ private:
+  struct Row {
+    int id, frame;
+    float x, y, z;
+  };
+
+  static void writeTable(const std::string& path, double rate) {
+    const Row rows[] = {{1, 0, 1.F, 2.F, 0.F}, {1, 1, 1.1F, 2.F, 0.F}, {2, 0, 3.F, 4.F, 0.F}};
+    const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(Row));
+    H5Tinsert(type, "id", HOFFSET(Row, id), H5T_NATIVE_INT);
+    H5Tinsert(type, "frame", HOFFSET(Row, frame), H5T_NATIVE_INT);
+    H5Tinsert(type, "x", HOFFSET(Row, x), H5T_NATIVE_FLOAT);
+    H5Tinsert(type, "y", HOFFSET(Row, y), H5T_NATIVE_FLOAT);
+    H5Tinsert(type, "z", HOFFSET(Row, z), H5T_NATIVE_FLOAT);
+    const hsize_t count = 3;
+    const hid_t space = H5Screate_simple(1, &count, nullptr);
+    const hid_t table =
+        H5Dcreate2(file, "trajectory", type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    H5Dwrite(table, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, rows);
+    if (rate > 0.0) {
+      const hid_t one = H5Screate(H5S_SCALAR);
+      const hid_t attribute =
+          H5Acreate2(file, "fps", H5T_NATIVE_DOUBLE, one, H5P_DEFAULT, H5P_DEFAULT);
+      H5Awrite(attribute, H5T_NATIVE_DOUBLE, &rate);
+      H5Aclose(attribute);
+      H5Sclose(one);
+    }
+    H5Dclose(table);
+    H5Sclose(space);
+    H5Tclose(type);
+    H5Fclose(file);
+  }
+
+  Written files_;
+};
+
+QTEST_APPLESS_MAIN(OtherDataTest)
+#include "tst_OtherData.moc"
