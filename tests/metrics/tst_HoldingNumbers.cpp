@@ -3,6 +3,7 @@
 #include "HandMade.h"
 #include "metrics/Counterfactual.h"
 #include "metrics/CrowdCells.h"
+#include "sim2d/base/Rng.h"
 
 using namespace metrics;
 using namespace handmade;
@@ -168,7 +169,6 @@ class HoldingNumbersTest : public QObject {
     sim2d::Obstacles walls;
     sim2d::Outline block;
     block.points = {Vec2(0.5, 0.2), Vec2(2.5, 0.2), Vec2(2.5, 1.5), Vec2(0.5, 1.5)};
-    std::reverse(block.points.begin(), block.points.end());
     walls.add({block});
     walls.build();
     RunContext context;
