@@ -419,6 +419,8 @@ constexpr ProblemText kTexts[] = {
     {"export.person-renumbered", "id {found} becomes {id}"},
     {"export.goal-renumbered", "goal {found} becomes {goal}"},
     {"export.goal-added", "{where} has no goal: goal {goal} at the start is added"},
+    {"export.goals-lost",
+     "goals in nobody's route are lost ({goals}): HuNavSim 1.5 has routes alone, its trees name none"},
     {"export.isaac-world",
      "Isaac's launcher takes the world from the name of the file, which holds none: start it with "
      "--world"},

@@ -77,20 +77,43 @@ class Exporter {
       for (Human& human : scenario().humans) {
         complete(human);
       }
+      if (isOld()) {
+        tellGoalsWithoutRoute();
+      }
       scenario().simulator = target_.title;
       scenario().publishPeople = scenario().publishPeople.value_or(true);
       checkWorld();
     } else {
       keepNumbers();
     }
-    const bool isOld = options_.dialect.value_or(target_.dialect) == Dialect::B;
-    result_.text = isOld ? writeScenarioB(scenario(), result_.report) : writeScenario(scenario());
+    result_.text = isOld() ? writeScenarioB(scenario(), result_.report) : writeScenario(scenario());
     result_.startCommand = target_.startCommand(scenario());
     return std::move(result_);
   }
 
  private:
   Scenario& scenario() { return result_.scenario; }
+  bool isOld() const { return options_.dialect.value_or(target_.dialect) == Dialect::B; }
+
+  /// That format has the goals of each person's route and no others.
+  void tellGoalsWithoutRoute() {
+    std::set<int> lost;
+    for (const GlobalGoal& goal : scenario().goals) {
+      lost.insert(goal.id);
+    }
+    for (const Human& human : scenario().humans) {
+      for (const int goal : human.goals) {
+        lost.erase(goal);
+      }
+    }
+    std::vector<std::string> numbers;
+    for (const int goal : lost) {
+      numbers.push_back(std::to_string(goal));
+    }
+    if (!numbers.empty()) {
+      note(base::warning("export.goals-lost", {base::join(numbers, ", ")}));
+    }
+  }
 
   void note(base::Diagnostic said, EntityId entity = {}) {
     said.entity = entity;

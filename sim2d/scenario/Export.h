@@ -24,6 +24,8 @@ struct TargetInfo {
   std::vector<std::string> worlds;    // 3-D worlds that come with it
 
   std::string startCommand(const Scenario& scenario) const;  // empty for native
+  bool hasWorld(const std::string& map) const;               // among those that come with it
+  std::string robotStart(const Scenario& scenario) const;    // arguments of that command
   /// Which world that command starts when the scenario has no map, or one that is none of its own.
   base::Diagnostic worldWithoutMap() const;
   base::Diagnostic worldOfMap(const std::string& map) const;

@@ -64,13 +64,30 @@ std::string TargetInfo::startCommand(const Scenario& scenario) const {
   const std::string file = scenario.yamlBaseName.value_or("") + ".yaml";
   if (target == ExportTarget::Isaac) {
     return "ros2 run " + package + " hunav_isaac_launcher --config " + shellWord(file) +
-           " --world " + shellWord(map.empty() ? kIsaacPlane : map) + " --batch";
+           " --world " + (hasWorld(map) ? map : std::string(kIsaacPlane)) + " --batch";
   }
   const bool hasChoice = !map.empty() && worlds.size() > 1;  // else its usual world
   const std::string world = hasChoice ? " " + shellWord("environment_name:=" + map) : "";
   return launch.empty() ? std::string()
                         : "ros2 launch " + package + " " + launch + world + " " +
-                              shellWord("configuration_file:=" + file);
+                              shellWord("configuration_file:=" + file) + robotStart(scenario);
+}
+
+bool TargetInfo::hasWorld(const std::string& map) const {
+  return std::find(worlds.begin(), worlds.end(), map) != worlds.end();
+}
+
+/// Gazebo puts its robot where it is told.
+std::string TargetInfo::robotStart(const Scenario& scenario) const {
+  const auto robot = std::find_if(scenario.robots.begin(), scenario.robots.end(),
+                                  [](const Robot& each) { return each.listed; });
+  if (target != ExportTarget::GazeboClassic || robot == scenario.robots.end()) {
+    return {};
+  }
+  const base::Pose2& start = robot->start;
+  return " gzpose_x:=" + base::formatDecimals(start.position.x(), 3) +
+         " gzpose_y:=" + base::formatDecimals(start.position.y(), 3) +
+         " gzpose_Y:=" + base::formatDecimals(start.heading, 3);
 }
 
 base::Diagnostic TargetInfo::worldOfMap(const std::string& map) const {

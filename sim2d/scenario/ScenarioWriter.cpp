@@ -115,15 +115,42 @@ void setOldDistance(YamlNode& tree, const Human& human, base::Diagnostics& losse
   }
 }
 
+/// This format declares a number: another stays, a word cannot.
+long long oldTypeOf(const Human& human, base::Diagnostics& losses) {
+  const Behavior& behavior = human.behavior;
+  const auto type = static_cast<long long>(behavior.type.value_or(BehaviorType::Regular));
+  if (behavior.foreignType.empty()) {
+    return type;
+  }
+  const std::optional<long long> foreign = base::parseInt(behavior.foreignType);
+  if (!foreign) {
+    addLoss(losses, human, "behavior '" + behavior.foreignType + "' is lost, Regular is written");
+  }
+  return foreign.value_or(type);
+}
+
+/// With 0 HuNavSim 1.5 puts numbers of its own in the place of those of a reaction; with 1 it takes
+/// the numbers that are written, which here are the same.
+Configuration oldConfigurationOf(const Behavior& behavior) {
+  const Configuration mode = behavior.configuration.value_or(Configuration::Default);
+  return mode == Configuration::Default ? Configuration::Custom : mode;
+}
+
+/// Of a goal as an older file gave it [rad].
+double headingOf(const GlobalGoal& goal) {
+  for (const UnknownKey& key : goal.unknown) {
+    if (key.key == "h") {
+      return base::parseDouble(base::trimmed(key.yaml)).value_or(0.0);
+    }
+  }
+  return 0.0;
+}
+
 YamlNode behaviorTreeB(const Human& human, base::Diagnostics& losses) {
   const Behavior& behavior = human.behavior;
-  const BehaviorType type = behavior.type.value_or(BehaviorType::Regular);
   YamlNode tree;
-  setChild(tree, "type",
-           behavior.foreignType.empty() ? number(static_cast<int>(type))
-                                        : stringNode(behavior.foreignType));
-  setChild(tree, "configuration",
-           number(static_cast<int>(behavior.configuration.value_or(Configuration::Default))));
+  setChild(tree, "type", number(oldTypeOf(human, losses)));
+  setChild(tree, "configuration", number(static_cast<int>(oldConfigurationOf(behavior))));
   setChild(tree, "duration", decimals(behavior.duration.value_or(40.0)));
   setChild(tree, "once", flag(behavior.once.value_or(false)));
   setChild(tree, "vel", decimals(behavior.vel ? *behavior.vel : human.maxVel.value_or(1.0)));
@@ -151,7 +178,7 @@ YamlNode humanTreeB(const Scenario& scenario, const Human& human, base::Diagnost
     tree.child("goals").items.push_back(stringNode(name));
     YamlNode& place = tree.child(name);
     setPoint(place, goal->position, 3);
-    setChild(place, "h", decimals(0.0, 1));
+    setChild(place, "h", decimals(headingOf(*goal), 3));
   }
   setUnknown(tree, human.unknown);
   return tree;
