@@ -1,5 +1,7 @@
 #include "app/window/Workspace.h"
 
+#include <algorithm>
+
 #include <QActionGroup>
 
 #include "editor/canvas/FrameLayer.h"
@@ -9,6 +11,13 @@ namespace app {
 
 using editor::CanvasState;
 using editor::SimulationRunner;
+
+namespace {
+
+constexpr int kSmoothMs = 16;         // as often as screens show
+constexpr double kLongestStep = 0.5;  // [s] on the wall; a longer one is not walked smoothly
+
+}  // namespace
 
 Workspace::Workspace(const editor::Theme& theme, const editor::ToolRegistry& tools, QObject* parent)
     : QObject(parent),
@@ -23,9 +32,10 @@ Workspace::Workspace(const editor::Theme& theme, const editor::ToolRegistry& too
   // The tool just chosen hears its keys, wherever the choice was made.
   connect(&tools_.actions(), &QActionGroup::triggered, view_, [this] { view_->setFocus(); });
   runner_.setRequest([this] { return editor::runRequestOf(document_, runSettings_); });
-  connect(&runner_, &SimulationRunner::frameShown, this, [this](const editor::FramePtr& frame) {
-    scene_.showFrame(frame, runner_.recording().get());
-  });
+  connect(&runner_, &SimulationRunner::frameShown, this, &Workspace::showFrame);
+  smooth_.setInterval(kSmoothMs);
+  smooth_.setTimerType(Qt::PreciseTimer);
+  connect(&smooth_, &QTimer::timeout, this, &Workspace::showBetween);
   connect(&runner_, &SimulationRunner::stateChanged, this, &Workspace::showState);
   connect(&runner_, &SimulationRunner::lookingBackChanged, this, &Workspace::showState);
   connect(&events_, &editor::RunEvents::added, this, &Workspace::hearEvents);
@@ -65,6 +75,32 @@ void Workspace::refuseEdits() {
   }
 }
 
+/// A frame is shown as the end of a step that begins at the frame before, so that people move as
+/// often as the screen shows them.
+void Workspace::showFrame(const editor::FramePtr& frame) {
+  scene_.showFrame(frame, runner_.recording().get());
+  const double step = frame ? frame->time - shownTime_ : 0.0;
+  shownTime_ = frame ? frame->time : 0.0;
+  period_ = step / runner_.speed();
+  const bool isSmooth = runner_.state() == SimulationRunner::State::Running &&
+                        period_ > 1e-3 * kSmoothMs && period_ < kLongestStep;
+  if (isSmooth) {
+    sinceFrame_.start();
+    scene_.setFrameShare(0.0);
+    smooth_.start();
+  } else {
+    smooth_.stop();
+  }
+}
+
+void Workspace::showBetween() {
+  const double share = 1e-9 * static_cast<double>(sinceFrame_.nsecsElapsed()) / period_;
+  scene_.setFrameShare(std::min(share, 1.0));
+  if (share >= 1.0) {
+    smooth_.stop();
+  }
+}
+
 void Workspace::setTheme(const editor::Theme& theme) {
   theme_ = theme;
   scene_.setTheme(theme);
@@ -74,6 +110,10 @@ void Workspace::setTheme(const editor::Theme& theme) {
 
 void Workspace::showState() {
   const SimulationRunner::State state = runner_.state();
+  if (state != SimulationRunner::State::Running) {
+    smooth_.stop();
+    scene_.setFrameShare(1.0);
+  }
   view_->setCanvasState(state == SimulationRunner::State::Editing   ? CanvasState::Editing
                         : runner_.isLookingBack()                   ? CanvasState::Past
                         : state == SimulationRunner::State::Running ? CanvasState::Running

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
+#include <QTimer>
 
 #include "editor/canvas/MapScene.h"
 #include "editor/canvas/MapView.h"
@@ -45,6 +47,8 @@ class Workspace : public QObject {
 
  private:
   void showState();
+  void showFrame(const editor::FramePtr& frame);
+  void showBetween();
   void hearEvents(int first, int last);
   void followRecorded();
   void refuseEdits();
@@ -61,6 +65,11 @@ class Workspace : public QObject {
   editor::PlaybackActions playback_;
   QString recordedName_;  // of the recorded run that is shown
   bool isReplaced_ = false;
+  // between two frames
+  QTimer smooth_;
+  QElapsedTimer sinceFrame_;
+  double period_ = 0.0;     // [s] on the wall
+  double shownTime_ = 0.0;  // [s] of the frame
 };
 
 }  // namespace app

@@ -71,6 +71,7 @@ void FrameLayer::begin() {
 void FrameLayer::end() {
   frame_.reset();
   bodies_.clear();
+  before_.clear();
   places_.clear();
   speeches_.clear();
 }
@@ -82,6 +83,8 @@ void FrameLayer::show(std::shared_ptr<const sim2d::Frame> frame,
   if (!goesOn) {
     trails_.clear();
   }
+  rememberPlaces();
+  share_ = 1.0;
   bool isPoint = true;
   if (recording != nullptr && recording->size() > 0) {
     addPassed(*recording, *frame);
@@ -99,9 +102,34 @@ void FrameLayer::show(std::shared_ptr<const sim2d::Frame> frame,
       const Pose2 pose{Vec2(columns->x[i], columns->y[i]), columns->heading[i]};
       const bool isMoving = std::hypot(columns->vx[i], columns->vy[i]) > kStandingSpeed;
       places_.emplace(id, bodies_.size());
-      bodies_.push_back({id, &agent(id), pose, isMoving});
+      bodies_.push_back({id, &agent(id), pose, pose, isMoving});
     }
   }
+}
+
+void FrameLayer::rememberPlaces() {
+  before_.clear();
+  for (const Body& body : bodies_) {
+    before_.emplace(body.id, body.at);
+  }
+}
+
+bool FrameLayer::setShare(double share) {
+  if (share == share_ || frame_ == nullptr) {
+    return false;
+  }
+  share_ = share;
+  for (Body& body : bodies_) {
+    const auto from = before_.find(body.id);
+    const bool isStep =
+        from != before_.end() && (body.at.position - from->second.position).norm() <= kFarthestStep;
+    if (isStep) {
+      const Pose2& start = from->second;
+      body.pose.position = start.position + share * (body.at.position - start.position);
+      body.pose.heading = start.heading + share * base::angleDiff(body.at.heading, start.heading);
+    }
+  }
+  return true;
 }
 
 /// Points of a recording stand at fixed moments, so that a trail does not depend on which frames

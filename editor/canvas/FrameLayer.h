@@ -22,8 +22,10 @@ class FrameLayer : public FullLayer {
   void begin();
   /// Trails tell of the recording what was passed over since the frame before; without one they
   /// join what was shown.
-  void show(std::shared_ptr<const sim2d::Frame> frame,
-            const sim2d::Recording* recording = nullptr);
+  void show(std::shared_ptr<const sim2d::Frame> frame, const sim2d::Recording* recording = nullptr);
+  /// Everybody on the way from the frame shown before, where they are after this share of the step;
+  /// 1: as the frame has them. Whether that makes a difference.
+  bool setShare(double share);
   void end();
   const sim2d::Frame* frame() const { return frame_.get(); }
   /// What was said; shown for some seconds from then on, also when looking back.
@@ -51,6 +53,7 @@ class FrameLayer : public FullLayer {
     int id = 0;
     const Agent* agent = nullptr;
     Pose2 pose;
+    Pose2 at;  // in the frame; pose: where it is shown
     bool isMoving = false;
     bool isRobot() const { return id < 0; }
   };
@@ -80,12 +83,15 @@ class FrameLayer : public FullLayer {
   void paintBubble(QPainter& painter, const Body& speaker, const Speech& speech) const;
   void paintForces(QPainter& painter, const Body& person) const;
 
+  void rememberPlaces();
   std::shared_ptr<const sim2d::Frame> frame_;
+  std::unordered_map<int, Pose2> before_;  // in the frame shown before, one step earlier
+  double share_ = 1.0;
   std::vector<Body> bodies_;  // people, then robots
   std::unordered_map<int, Agent> agents_;
-  Agent stranger_;  // people from sources
+  Agent stranger_;                               // people from sources
   std::unordered_map<int, std::size_t> places_;  // in bodies_
-  std::map<int, Trail> trails_;                 // painted in this order
+  std::map<int, Trail> trails_;                  // painted in this order
   std::vector<Speech> speeches_;
 };
 

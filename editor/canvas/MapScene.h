@@ -53,8 +53,8 @@ struct CanvasOptions {
   bool snapToGrid = false;
 };
 
-/// Which part of the canvas is being painted: what is previewed (dragged) or walks in a run, with the
-/// marks of tools and selection, or all the rest.
+/// Which part of the canvas is being painted: what is previewed (dragged) or walks in a run, with
+/// the marks of tools and selection, or all the rest.
 enum class CanvasPart { All, Resting, Moving };
 
 /// Draws the document: items follow its changes; the mouse goes to the current tool.
@@ -99,6 +99,8 @@ class MapScene : public QGraphicsScene {
   /// With the recording that it is of, if there is one: trails go through frames passed over.
   void showFrame(std::shared_ptr<const sim2d::Frame> frame,
                  const sim2d::Recording* recording = nullptr);
+  /// Between the frame shown before and this one, for a smooth picture; 1: as it is.
+  void setFrameShare(double share);
   bool isRunMode() const;
   FrameLayer& frameLayer() const { return *frameLayer_; }
   const SelectionLayer& selectionLayer() const { return *selectionLayer_; }

@@ -170,8 +170,8 @@ bool MapScene::isRunMode() const {
 void MapScene::showFrame(std::shared_ptr<const sim2d::Frame> frame,
                          const sim2d::Recording* recording) {
   const bool wasRunning = isRunMode();
-  const bool turnsDoors = wasRunning && frame != nullptr &&
-                          frame->doorOpen != frameLayer_->frame()->doorOpen;
+  const bool turnsDoors =
+      wasRunning && frame != nullptr && frame->doorOpen != frameLayer_->frame()->doorOpen;
   if (frame != nullptr) {
     if (!wasRunning) {
       frameLayer_->begin();
@@ -188,6 +188,12 @@ void MapScene::showFrame(std::shared_ptr<const sim2d::Frame> frame,
   if (turnsDoors) {
     noteChange();
   } else {
+    update();
+  }
+}
+
+void MapScene::setFrameShare(double share) {
+  if (frameLayer_->setShare(share)) {
     update();
   }
 }
