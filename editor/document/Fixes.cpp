@@ -271,6 +271,21 @@ void removeIt(ScenarioDocument& document, const Diagnostic& problem, const QStri
   pushRemove(document, {problem.entity});
 }
 
+/// A hole in the map as wide as the door, through walls of up to half a metre.
+void openWall(ScenarioDocument& document, const Diagnostic& problem, const QString& words) {
+  constexpr double kReach = 0.3;  // [m] to each side of the door
+  const std::optional<Entity> entity = document.entity(problem.entity);
+  const auto* door = entity ? std::get_if<sim2d::Door>(&*entity) : nullptr;
+  if (door == nullptr) {
+    return;
+  }
+  const Vec2 way = door->to - door->from;
+  const Vec2 inset = std::min(kReach / way.norm(), 0.45) * way;
+  MapStroke stroke(document.map());
+  stroke.paint(door->from + inset, door->to - inset, kReach, MapPaint::Free);
+  pushStroke(document, stroke, words);
+}
+
 /// What the command line names, the scenario cannot mend.
 std::string ownMapFile(const ScenarioDocument&, const Diagnostic& problem) {
   return problem.value("key") == "map_file" ? "map_file" : std::string();
@@ -333,6 +348,7 @@ std::vector<Rule> rules() {
          std::swap(area.from, area.until);
        })},
       {{"shape.door-without-length"}, "Remove it", removeIt},
+      {{"places.door-in-wall"}, "Open the wall", openWall},
       {{"scenario.map-name"}, "Write '%1'", writeMapName, plainMapName},
       {{"map.not-found", "map.not-named"}, "Open plane", openPlane},
       {{"map.not-there", "map.is-folder"}, "Open plane", openPlane, ownMapFile},

@@ -44,6 +44,8 @@ constexpr ProblemText kTexts[] = {
     {"person.name-is-key",
      "a person called '{name}' can have no settings of ours: that is a key of the block"},
     {"shape.sides-cross", "the sides of the polygon cross"},
+    {"places.door-in-wall",
+     "stands in a wall of the map, which stays when it opens: paint the map free there"},
     {"shape.door-without-length", "both ends are the same point"},
     {"shape.too-far", "{x}, {y} is beyond a million metres or no number"},
     {"shape.no-angle", "the heading {found} is no angle"},

@@ -69,6 +69,7 @@ class PlacesCheck {
   }
 
   void check() {
+    checkDoors();
     std::vector<Round> rounds;
     const auto add = [&](const auto& body) { rounds.push_back(roundOf(body)); };
     forEachListed(scenario_.humans, add);
@@ -97,6 +98,21 @@ class PlacesCheck {
         obstacles_.setEnabled(part, false);
       }
       ++part;
+    });
+  }
+
+  /// A door is no hole in the map: where that has a wall, nobody gets through.
+  void checkDoors() {
+    forEachListed(scenario_.doors, [&](const Door& door) {
+      constexpr int kSamples = 20;
+      int walled = 0;
+      for (int k = 1; k < kSamples && !grid_.isEmpty(); ++k) {
+        const Vec2 place = door.from + (static_cast<double>(k) / kSamples) * (door.to - door.from);
+        walled += grid_.isWall(grid_.worldToCell(place)) ? 1 : 0;
+      }
+      if (2 * walled > kSamples) {
+        report_.warning(door, "places.door-in-wall");
+      }
     });
   }
 

@@ -259,7 +259,11 @@ void checkPeople(const Scenario& scenario, CheckReport& report) {
   const auto anyone = [](const auto& all) {
     return std::any_of(all.begin(), all.end(), [](const auto& each) { return each.listed; });
   };
-  if (!anyone(scenario.humans) && !anyone(scenario.robots)) {
+  const bool somebodyComes =
+      std::any_of(scenario.areas.begin(), scenario.areas.end(), [](const Area& area) {
+        return area.listed && area.kind == AreaKind::Source;
+      });
+  if (!anyone(scenario.humans) && !anyone(scenario.robots) && !somebodyComes) {
     report.warning(kScenario, "scenario.nobody");
   }
 }
