@@ -134,6 +134,10 @@ void rowsOfTheRest() {
     s.areas[0].from = 9.0;
     s.areas[0].until = 3.0;
   });
+  row("door in a wall of the map", "Open the wall", [](Scenario& s) {
+    s.doors[0].from = sim2d::Vec2(6.0, 1.0);
+    s.doors[0].to = sim2d::Vec2(6.0, 2.2);
+  });
   row("door without length", "Remove it", [](Scenario& s) { s.doors[0].to = s.doors[0].from; });
   row("map with extension", "Write 'cafe'", [](Scenario& s) { s.map = "maps/cafe.yaml"; });
   row("no robot", "Add a robot", [](Scenario& s) { s.robots.clear(); });
