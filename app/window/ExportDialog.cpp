@@ -121,7 +121,8 @@ QLayout* ExportDialog::makeForm() {
   choose->setAutoDefault(false);
   connect(choose, &QPushButton::clicked, this, [this] {
     const QString chosen =
-        QFileDialog::getExistingDirectory(this, tr("Folder for the export"), folder_->text());
+        QFileDialog::getExistingDirectory(this, tr("Folder for the export"), folder_->text(),
+                                          QFileDialog::ShowDirsOnly | QFileDialog::ReadOnly);
     if (!chosen.isEmpty()) {
       folder_->setText(chosen);
     }

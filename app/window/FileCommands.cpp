@@ -191,13 +191,14 @@ base::Diagnostics FileCommands::applyRunOptions() {
 }
 
 QString FileCommands::folder() const {
-  const QString path = workspace_.document().path();
-  if (!path.isEmpty()) {
-    return QFileInfo(path).absolutePath();
+  QStringList files = memory_.recentFiles();
+  files.prepend(workspace_.document().path());
+  for (const QString& file : files) {
+    if (!file.isEmpty() && !workspace_.document().isShipped(file)) {
+      return QFileInfo(file).absolutePath();
+    }
   }
-  const QStringList recent = memory_.recentFiles();
-  return recent.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
-                          : QFileInfo(recent.front()).absolutePath();
+  return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
 }
 
 QString FileCommands::ask(QFileDialog::FileMode mode, const QString& title, const QString& filter) {

@@ -104,6 +104,9 @@ QString FileCommands::nameForSaving() const {
             : QFileInfo(document.mapPath()).completeBaseName() + QStringLiteral("_agents");
     return QDir(folder()).filePath(name + QStringLiteral(".yaml"));
   }
+  if (document.isShipped(document.path())) {
+    return QDir(folder()).filePath(old.fileName());
+  }
   return document.isReadOnly()
              ? old.dir().filePath(old.completeBaseName() + QStringLiteral("_repaired.yaml"))
              : document.path();

@@ -213,15 +213,23 @@ std::optional<std::string> textAt(const std::string& path) {
   return text ? std::make_optional(*std::move(text)) : std::nullopt;
 }
 
+namespace {
+
+bool isThere(const QString& file) {
+  return file.isEmpty() || QFileInfo::exists(file);
+}
+
+}  // namespace
+
 void ScenarioDocument::placeMap(SavePlan& plan) const {
   if (map_.isMissing) {
     return;
   }
-  const bool isInFile = disk_->holds(map_);
+  const bool isInFile = disk_->holds(map_) && isThere(map_.path) && isThere(disk_->mapImage);
   if (isInFile && disk_->isOtherMapWanted(scenario_)) {
     return;
   }
-  if (!map_.grid->isEmpty() && !isInFile) {  // drawn here: it gets files of its own
+  if (!map_.grid->isEmpty() && !isInFile) {  // drawn here, or its file has gone: it gets its own
     const std::string name = baseNameOf(plan.path) + "_map";
     plan.mapPath = QDir(mapFolderOf(plan.path)).filePath(QString::fromStdString(name + ".yaml"));
     base::Result<std::vector<base::FileContent>> files =

@@ -337,6 +337,12 @@ void ScenarioDocument::setSearch(const QString& map, const QString& trees) {
   search_.treesOption = trees.toStdString();
 }
 
+bool ScenarioDocument::isShipped(const QString& file) const {
+  const QString folder =
+      QFileInfo(QString::fromStdString(search_.shippedMaps)).absoluteFilePath() + QLatin1Char('/');
+  return !search_.shippedMaps.empty() && QFileInfo(file).absoluteFilePath().startsWith(folder);
+}
+
 bool ScenarioDocument::isReadOnly() const {
   return disk_->readOnly;
 }

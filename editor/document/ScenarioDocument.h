@@ -156,6 +156,7 @@ class ScenarioDocument : public QObject {
   /// A new scenario on it; with errors the document has not changed.
   base::Diagnostics newOnMap(const QString& yamlPath);
   void setShippedMaps(const QString& folder) { search_.shippedMaps = folder.toStdString(); }
+  bool isShipped(const QString& file) const;  // lies among the program's own
   /// Files that were read or written, and those of them that someone else has changed since.
   QStringList files() const;
   QStringList changedOnDisk() const;

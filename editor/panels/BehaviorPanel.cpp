@@ -290,7 +290,8 @@ base::Diagnostics BehaviorPanel::saveTreeTo(const QString& path) const {
 void BehaviorPanel::askForTree() {
   const QString path = QFileDialog::getOpenFileName(window(), tr("Take a behaviour tree"),
                                                     QFileInfo(document_.path()).absolutePath(),
-                                                    tr("Behaviour trees (*.xml);;All files (*)"));
+                                                    tr("Behaviour trees (*.xml);;All files (*)"),
+                                                    nullptr, QFileDialog::ReadOnly);
   if (!path.isEmpty()) {
     Q_EMIT told(takeTreeFrom(path));
   }
@@ -302,7 +303,8 @@ void BehaviorPanel::askForFile() {
       bt::treeFileName(document_.scenario().yamlBaseName.value_or("scenario"), human->id));
   const QString path = QFileDialog::getSaveFileName(
       window(), tr("Save the behaviour tree"),
-      QFileInfo(document_.path()).absoluteDir().filePath(name), tr("Behaviour trees (*.xml)"));
+      QFileInfo(document_.path()).absoluteDir().filePath(name), tr("Behaviour trees (*.xml)"),
+      nullptr, QFileDialog::ReadOnly);
   if (!path.isEmpty()) {
     Q_EMIT told(saveTreeTo(path));
   }
