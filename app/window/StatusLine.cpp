@@ -105,6 +105,20 @@ void StatusLine::setIdle(bool idle) {
   showState();
 }
 
+/// Why the run is over, before what can be done now.
+static QString endOf(const SimulationRunner& runner) {
+  if (!runner.result() || runner.newestFrame() == nullptr) {
+    return {};
+  }
+  const QString time = StatusLine::tr("%1 s").arg(runner.newestFrame()->time, 0, 'f', 1);
+  if (runner.result()->reason == "arrived") {
+    return StatusLine::tr("The robot has arrived, %1 · ").arg(time);
+  }
+  return runner.result()->reason == "duration"
+             ? StatusLine::tr("The duration is over, %1 · ").arg(time)
+             : QString();
+}
+
 void StatusLine::showState() {
   const SimulationRunner& runner = workspace_.runner();
   const auto state = runner.state();
@@ -125,9 +139,8 @@ void StatusLine::showState() {
     color = Role::Past;
     words = state == SimulationRunner::State::Running ? tr("Playing back") : tr("Looking back");
     hint = state == SimulationRunner::State::Running ? tr("Space pauses · End shows the last step")
-           : runner.isFinished()
-               ? tr("Space plays on from here · Ctrl+R goes back to editing")
-               : tr("Space goes on from now · End returns to the newest step");
+           : runner.isFinished() ? tr("Space plays on from here · Ctrl+R goes back to editing")
+                                 : tr("Space goes on from now · End returns to the newest step");
   } else if (state == SimulationRunner::State::Running) {
     color = Role::Ok;
     words = tr("Running");
@@ -135,8 +148,9 @@ void StatusLine::showState() {
   } else if (state == SimulationRunner::State::Paused) {
     color = Role::WarningMark;
     words = runner.isFinished() ? tr("Finished") : tr("Paused");
-    hint = runner.isFinished() ? tr("Space plays it again · Ctrl+R goes back to editing")
-                               : tr("Space runs on · . steps · Ctrl+R goes back to editing");
+    hint = runner.isFinished()
+               ? endOf(runner) + tr("Space plays it again · Ctrl+R goes back to editing")
+               : tr("Space runs on · . steps · Ctrl+R goes back to editing");
   }
   dot_->setPixmap(dotPixmap(workspace_.theme().color(color)));
   state_->setText(words);

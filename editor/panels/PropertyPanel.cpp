@@ -38,7 +38,15 @@ QString aboutPerson(const sim2d::Scenario& scenario, const sim2d::Human& human) 
   if (human.goals.empty()) {
     return number + QObject::tr(" · stands still");
   }
-  return number + QObject::tr(" · walks to goal %1").arg(human.goals.front());
+  constexpr std::size_t kMostNamed = 5;
+  QStringList goals;
+  for (std::size_t k = 0; k < std::min(human.goals.size(), kMostNamed); ++k) {
+    goals << QString::number(human.goals[k]);
+  }
+  if (human.goals.size() > kMostNamed) {
+    goals << QStringLiteral("…");
+  }
+  return number + QObject::tr(" · goals %1").arg(goals.join(QStringLiteral(" → ")));
 }
 
 QString aboutOne(const sim2d::Scenario& scenario, const Entity& entity) {

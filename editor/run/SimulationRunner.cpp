@@ -129,6 +129,7 @@ void SimulationRunner::reset() {
   }
   session_.reset();
   finished_ = isRecorded_ = false;
+  result_.reset();
   recording_.reset();
   newest_.reset();
   show(nullptr, false);
@@ -249,6 +250,7 @@ void SimulationRunner::takeEnd(const sim2d::RunResult& result) {
     thread_.join();
   }
   finished_ = true;
+  result_ = result;
   setState(State::Paused);
   if (result.status == sim2d::RunStatus::Failed) {
     Q_EMIT failed(QString::fromStdString(result.reason));

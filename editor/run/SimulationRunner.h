@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include <QElapsedTimer>
@@ -49,6 +50,8 @@ class SimulationRunner : public QObject {
 
   State state() const { return state_; }
   bool isFinished() const { return finished_; }  // the rule has ended the run; state is Paused
+  /// How it ended; none: it has not, or was recorded before.
+  const std::optional<sim2d::RunResult>& result() const { return result_; }
   double speed() const { return speed_; }
   double measuredSpeed() const { return measuredSpeed_; }  // simulated seconds per wall second
 
@@ -102,6 +105,7 @@ class SimulationRunner : public QObject {
   FramePtr newest_, shown_;
   RecordingPtr recording_;
   bool isRecorded_ = false;
+  std::optional<sim2d::RunResult> result_;
   QElapsedTimer playing_;    // a recording
   double playedFrom_ = 0.0;  // [s], when `playing_` began
 };
