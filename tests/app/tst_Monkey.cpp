@@ -1,0 +1,286 @@
+#include <grp.h>
+#include <unistd.h>
+
+#include <QAbstractItemModelTester>
+#include <QComboBox>
+#include <QMenu>
+#include <QScrollBar>
+#include <QtTest>
+
+#include "sim2d/base/Rng.h"
+#include "tests/app/QuietWindow.h"
+
+namespace {
+
+QStringList* heard = nullptr;  // what the libraries complain of
+
+void listen(QtMsgType type, const QMessageLogContext& context, const QString& text) {
+  const bool isOfInterest = type == QtWarningMsg || type == QtCriticalMsg || type == QtFatalMsg;
+  const bool isOfPlatform = QByteArray(context.category).startsWith("qt.qpa") ||
+                            text.contains(QLatin1String("XDG_RUNTIME_DIR")) ||
+                            text.startsWith(QLatin1String("This plugin does not support"));
+  if (heard != nullptr && isOfInterest && !isOfPlatform) {
+    *heard << text;
+  }
+}
+
+int numberIn(const char* variable, int otherwise) {
+  bool isNumber = false;
+  const int number = qEnvironmentVariableIntValue(variable, &isNumber);
+  return isNumber ? number : otherwise;
+}
+
+/// Presses what it finds: mouse, wheel and keys, in the window and in whatever it opens.
+class Monkey : public QObject {
+ public:
+  Monkey(QWidget& window, int seed, int events) : window_(window), rng_(seed, 1), left_(events) {
+    timer_.setInterval(0);
+    connect(&timer_, &QTimer::timeout, this, [this] { step(); });
+  }
+
+  void play() {
+    timer_.start();
+    loop_.exec();
+  }
+
+ private:
+  int draw(int below) {
+    const double share = rng_.uniform01(base::Draw::Test, draws_++);
+    return std::min(static_cast<int>(share * below), below - 1);
+  }
+
+  void step() {
+    if (isBusy_) {
+      return;  // a dialog runs inside of the last event
+    }
+    if (left_-- <= 0) {
+      leave();
+      return;
+    }
+    // What opens a dialog does not come back before it is closed: later, so that the timer goes on.
+    const int what = draw(10);
+    QTimer::singleShot(0, this, [this, what] {
+      if (what < 5) {
+        click();
+      } else if (what < 6) {
+        drag();
+      } else if (what < 7) {
+        turnWheel();
+      } else {
+        type();
+      }
+    });
+  }
+
+  void leave() {
+    if (QWidget* top = topmost(); top != &window_) {
+      top->close();
+      return;
+    }
+    timer_.stop();
+    loop_.quit();
+  }
+
+  /// The popup or dialog that has the input, else the window.
+  QWidget* topmost() {
+    if (QWidget* popup = QApplication::activePopupWidget()) {
+      return popup;
+    }
+    QWidget* modal = QApplication::activeModalWidget();
+    return modal != nullptr ? modal : &window_;
+  }
+
+  /// Something to be seen, more often small parts than their ground.
+  QWidget* target() {
+    QWidget* top = topmost();
+    QList<QWidget*> parts;
+    for (QWidget* part : top->findChildren<QWidget*>()) {
+      if (part->isVisible() && part->isEnabled() && part->window() == top &&
+          !part->size().isEmpty()) {
+        parts << part;
+      }
+    }
+    return parts.isEmpty() || draw(12) == 0 ? top : parts.at(draw(parts.size()));
+  }
+
+  QPoint placeIn(const QWidget& part) { return {draw(part.width()), draw(part.height())}; }
+
+  Qt::KeyboardModifiers modifiers() {
+    static const Qt::KeyboardModifiers kAll[] = {Qt::NoModifier, Qt::NoModifier, Qt::NoModifier,
+                                                 Qt::ShiftModifier, Qt::ControlModifier};
+    return kAll[draw(5)];
+  }
+
+  void send(QWidget& part, QEvent::Type type, const QPoint& at, Qt::MouseButton button,
+            Qt::MouseButtons buttons, Qt::KeyboardModifiers keys) {
+    QMouseEvent event(type, at, part.mapToGlobal(at), button, buttons, keys);
+    QApplication::sendEvent(&part, &event);
+  }
+
+  void click() {
+    const QPointer<QWidget> part = target();
+    const QPoint at = placeIn(*part);
+    const Qt::MouseButton button = draw(6) == 0 ? Qt::RightButton : Qt::LeftButton;
+    const Qt::KeyboardModifiers keys = modifiers();
+    const bool isTwice = draw(8) == 0;
+    send(*part, QEvent::MouseButtonPress, at, button, button, keys);
+    if (part && button == Qt::RightButton) {
+      QContextMenuEvent menu(QContextMenuEvent::Mouse, at, part->mapToGlobal(at));
+      QApplication::sendEvent(part, &menu);
+    }
+    if (part) {
+      send(*part, QEvent::MouseButtonRelease, at, button, {}, keys);
+    }
+    if (part && isTwice) {
+      send(*part, QEvent::MouseButtonDblClick, at, button, button, keys);
+    }
+    if (part && isTwice) {
+      send(*part, QEvent::MouseButtonRelease, at, button, {}, keys);
+    }
+  }
+
+  void drag() {
+    const QPointer<QWidget> part = target();
+    const Qt::KeyboardModifiers keys = modifiers();
+    QPoint at = placeIn(*part);
+    send(*part, QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton, keys);
+    for (int k = 0; k < 4 && part; ++k) {
+      at = placeIn(*part);
+      send(*part, QEvent::MouseMove, at, Qt::NoButton, Qt::LeftButton, keys);
+    }
+    if (part) {
+      send(*part, QEvent::MouseButtonRelease, at, Qt::LeftButton, {}, keys);
+    }
+  }
+
+  void turnWheel() {
+    QWidget* part = target();
+    const QPoint at = placeIn(*part);
+    const QPoint by(0, draw(2) == 0 ? 120 : -120);
+    QWheelEvent event(at, part->mapToGlobal(at), {}, by, Qt::NoButton, modifiers(),
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(part, &event);
+  }
+
+  void type() {
+    struct Key {
+      Qt::Key key;
+      Qt::KeyboardModifiers modifiers;
+    };
+    static const std::vector<Key> kKeys = {{Qt::Key_A, Qt::ControlModifier},
+                                           {Qt::Key_D, Qt::ControlModifier},
+                                           {Qt::Key_Z, Qt::ControlModifier},
+                                           {Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier},
+                                           {Qt::Key_C, Qt::ControlModifier},
+                                           {Qt::Key_V, Qt::ControlModifier},
+                                           {Qt::Key_X, Qt::ControlModifier},
+                                           {Qt::Key_R, Qt::ControlModifier},
+                                           {Qt::Key_G, Qt::ControlModifier},
+                                           {Qt::Key_S, Qt::ControlModifier},
+                                           {Qt::Key_E, Qt::ControlModifier},
+                                           {Qt::Key_N, Qt::ControlModifier},
+                                           {Qt::Key_F2, {}},
+                                           {Qt::Key_Delete, {}},
+                                           {Qt::Key_Backspace, {}},
+                                           {Qt::Key_Escape, {}},
+                                           {Qt::Key_Escape, {}},
+                                           {Qt::Key_Return, {}},
+                                           {Qt::Key_Tab, {}},
+                                           {Qt::Key_Space, {}},
+                                           {Qt::Key_Space, {}},
+                                           {Qt::Key_Left, {}},
+                                           {Qt::Key_Right, {}},
+                                           {Qt::Key_Up, {}},
+                                           {Qt::Key_Down, {}},
+                                           {Qt::Key_Home, {}},
+                                           {Qt::Key_End, {}},
+                                           {Qt::Key_PageDown, {}},
+                                           {Qt::Key_Comma, {}},
+                                           {Qt::Key_Period, {}},
+                                           {Qt::Key_BracketLeft, {}}};
+    Key key{};
+    if (draw(2) == 0) {
+      key = kKeys[static_cast<std::size_t>(draw(static_cast<int>(kKeys.size())))];
+    } else {
+      const int letter = draw(36);
+      key.key = static_cast<Qt::Key>(letter < 26 ? Qt::Key_A + letter : Qt::Key_0 + letter - 26);
+    }
+    QWindow* window = topmost()->windowHandle();
+    if (window != nullptr) {
+      QTest::simulateEvent(window, true, key.key, key.modifiers, {}, false, -1);
+      QTest::simulateEvent(window, false, key.key, key.modifiers, {}, false, -1);
+    }
+  }
+
+  QWidget& window_;
+  const base::AgentRng rng_;
+  std::uint32_t draws_ = 0;
+  int left_;
+  bool isBusy_ = false;
+  QTimer timer_;
+  QEventLoop loop_;
+};
+
+}  // namespace
+
+/// The window under random events: nothing crashes, no model and no library complains.
+class MonkeyTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() { app::dressApplication(editor::Theme::light()); }
+
+  void window_underRandomEvents_stands_data() {
+    QTest::addColumn<int>("seed");
+    const int first = numberIn("HUNAV_MONKEY_FIRST", 1);
+    for (int seed = first; seed < first + numberIn("HUNAV_MONKEY_SEEDS", 2); ++seed) {
+      QTest::newRow(QByteArray::number(seed).constData()) << seed;
+    }
+  }
+  void window_underRandomEvents_stands() {
+    QFETCH(int, seed);
+    QTemporaryDir home;
+    QVERIFY(QDir::setCurrent(home.path()));
+    const QString file = quiet::copyOfDemo(home.filePath(QStringLiteral("demo.yaml")));
+    QStringList complaints;
+    auto window = quiet::shownWindow();
+    QVERIFY(window->open(file));
+    std::vector<std::unique_ptr<QAbstractItemModelTester>> testers;
+    for (QAbstractItemModel* model : window->findChildren<QAbstractItemModel*>()) {
+      testers.push_back(std::make_unique<QAbstractItemModelTester>(
+          model, QAbstractItemModelTester::FailureReportingMode::Warning));
+    }
+    QVERIFY(testers.size() >= 3);
+    heard = &complaints;
+    const QtMessageHandler before = qInstallMessageHandler(listen);
+    Monkey(*window, seed, numberIn("HUNAV_MONKEY_EVENTS", 600)).play();
+    window->workspace().runner().reset();
+    qInstallMessageHandler(before);
+    heard = nullptr;
+    testers.clear();
+    quiet::leave(window);
+    QVERIFY2(complaints.isEmpty(), qPrintable(complaints.join(QLatin1Char('\n'))));
+  }
+};
+
+/// A file dialog reaches the whole machine: nobody in particular presses the keys.
+int main(int argc, char** argv) {
+  QTemporaryDir home(QStringLiteral("/tmp/monkey-XXXXXX"));
+  qputenv("HOME", home.path().toLocal8Bit());
+  for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"}) {
+    qputenv(place, home.path().toLocal8Bit());
+  }
+  constexpr uid_t kNobody = 65534;
+  if (::geteuid() == 0 && ::chown(home.path().toLocal8Bit().constData(), kNobody, kNobody) == 0) {
+    const bool isNobody =
+        ::setgroups(0, nullptr) == 0 && ::setgid(kNobody) == 0 && ::setuid(kNobody) == 0;
+    if (!isNobody) {
+      return 1;
+    }
+  }
+  QApplication app(argc, argv);
+  MonkeyTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "tst_Monkey.moc"
