@@ -27,6 +27,20 @@ QPixmap dotPixmap(const QColor& color) {
   return pixmap;
 }
 
+/// Why the run is over, before what can be done now.
+QString endOf(const SimulationRunner& runner) {
+  if (!runner.result() || runner.newestFrame() == nullptr) {
+    return {};
+  }
+  const QString time = StatusLine::tr("%1 s").arg(runner.newestFrame()->time, 0, 'f', 1);
+  if (runner.result()->reason == "arrived") {
+    return StatusLine::tr("The robot has arrived, %1 · ").arg(time);
+  }
+  return runner.result()->reason == "duration"
+             ? StatusLine::tr("The duration is over, %1 · ").arg(time)
+             : QString();
+}
+
 }  // namespace
 
 StatusLine::StatusLine(QStatusBar& bar, Workspace& workspace)
@@ -103,20 +117,6 @@ void StatusLine::setIdle(bool idle) {
     label->setVisible(!idle);
   }
   showState();
-}
-
-/// Why the run is over, before what can be done now.
-static QString endOf(const SimulationRunner& runner) {
-  if (!runner.result() || runner.newestFrame() == nullptr) {
-    return {};
-  }
-  const QString time = StatusLine::tr("%1 s").arg(runner.newestFrame()->time, 0, 'f', 1);
-  if (runner.result()->reason == "arrived") {
-    return StatusLine::tr("The robot has arrived, %1 · ").arg(time);
-  }
-  return runner.result()->reason == "duration"
-             ? StatusLine::tr("The duration is over, %1 · ").arg(time)
-             : QString();
 }
 
 void StatusLine::showState() {

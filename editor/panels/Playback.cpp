@@ -49,6 +49,21 @@ double tickStep(double length, double width) {
   return 3600.0;
 }
 
+/// The rarer the louder; 0: not shown here.
+int loudnessOf(EventMark mark) {
+  switch (mark) {
+    case EventMark::Cross:
+      return 3;
+    case EventMark::Triangle:
+      return 2;
+    case EventMark::Pin:
+    case EventMark::Bubble:
+      return 1;
+    default:
+      return 0;
+  }
+}
+
 }  // namespace
 
 QString clockText(double seconds) {
@@ -221,17 +236,43 @@ void TimelineBar::paintGroove(QPainter& painter) const {
   painter.drawEllipse(QPointF(x, kGrooveY), 6.0, 6.0);
 }
 
-void TimelineBar::paintMarks(QPainter& painter) const {
-  // The rarer the louder: marks that would lie on one another are left out, contacts never.
-  double lastX = -100.0;
+std::vector<TimelineBar::Cluster> TimelineBar::clusters() const {
+  constexpr double kApart = 13.0;  // [px] between two marks
+  constexpr double kWidest = 48.0;
+  std::vector<Cluster> all;
   for (const RunEvent& event : events_.events()) {
     const EventMark mark = markOfEvent(event.event.kind);
+    const int loudness = loudnessOf(mark);
     const double x = xOf(event.time);
-    const bool loud = mark == EventMark::Cross || mark == EventMark::Triangle;
-    const bool shown = mark == EventMark::Pin || mark == EventMark::Bubble || loud;
-    if (shown && (loud || x - lastX > 11.0)) {
-      paintEventMark(painter, mark, QPointF(x, kMarkY), theme_);
-      lastX = x;
+    if (loudness == 0) {
+      continue;
+    }
+    if (all.empty() || x - all.back().last >= kApart || x - all.back().first >= kWidest) {
+      all.push_back({mark, x, x, 1});
+      continue;
+    }
+    Cluster& last = all.back();
+    last.last = x;
+    if (loudness > loudnessOf(last.mark)) {
+      last.mark = mark;
+      last.count = 1;
+    } else if (loudness == loudnessOf(last.mark)) {
+      ++last.count;
+    }
+  }
+  return all;
+}
+
+/// Many of a kind in one place are one mark with their number.
+void TimelineBar::paintMarks(QPainter& painter) const {
+  painter.setFont(theme_.font(7.5));
+  for (const Cluster& cluster : clusters()) {
+    const QPointF at(0.5 * (cluster.first + cluster.last), kMarkY);
+    paintEventMark(painter, cluster.mark, at, theme_);
+    if (cluster.count > 1) {
+      painter.setPen(theme_.color(Role::TextSecondary));
+      painter.drawText(QRectF(at.x() + 6.0, kMarkY - 7.0, 30.0, 14.0),
+                       Qt::AlignLeft | Qt::AlignVCenter, QString::number(cluster.count));
     }
   }
 }

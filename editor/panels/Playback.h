@@ -58,6 +58,13 @@ class TimelineBar : public QWidget {
   void paintTicks(QPainter& painter) const;
   void paintGroove(QPainter& painter) const;
   void paintMarks(QPainter& painter) const;
+  /// Events that lie on one another: the loudest of them, and how many there are of it.
+  struct Cluster {
+    EventMark mark = EventMark::None;
+    double first = 0.0, last = 0.0;  // x [px]
+    int count = 0;
+  };
+  std::vector<Cluster> clusters() const;
 
   const ScenarioDocument& document_;
   RunEvents& events_;
