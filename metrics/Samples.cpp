@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim2d/map/TautWay.h"
+
 namespace metrics {
 
 double lengthOf(const Vec2& vector) {
@@ -96,7 +98,8 @@ class Routes {
     // The field of distances is kept per goal, and it is the start that stays the same.
     std::vector<Vec2> path = planner_->plan(to, from);
     std::reverse(path.begin(), path.end());
-    return path.empty() ? std::vector<Vec2>{from, to} : path;
+    return path.empty() ? std::vector<Vec2>{from, to}
+                        : sim2d::tautened(path, *obstacles_, robotRadius_);
   }
 
  private:

@@ -1,0 +1,125 @@
+#include "sim2d/map/TautWay.h"
+
+#include <algorithm>
+
+namespace sim2d {
+
+namespace {
+
+constexpr double kSlack = 1e-6;     // [m] touching is no collision
+constexpr double kLeastCut = 1e-3;  // [m]
+constexpr double kLeastLeg = 1e-4;  // [m]
+constexpr int kRounds = 14;         // of cutting corners: the turn at each halves
+constexpr int kBisections = 12;
+
+class Puller {
+ public:
+  Puller(const Obstacles& obstacles, double clearance)
+      : obstacles_(obstacles), clearance_(clearance) {}
+
+  std::vector<Vec2> pull(const std::vector<Vec2>& given) {
+    way_ = given;
+    for (int round = 0; round < kRounds; ++round) {
+      skipPoints();
+      cutCorners();
+    }
+    skipPoints();
+    return way_;
+  }
+
+ private:
+  bool isClear(const Vec2& from, const Vec2& to) {
+    const Vec2 middle = 0.5 * (from + to);
+    near_.clear();
+    obstacles_.segmentsNear(middle, 0.5 * (to - from).norm() + clearance_, near_);
+    return std::all_of(near_.begin(), near_.end(), [&](const Segment& wall) {
+      return distanceBetween({from, to}, wall) >= clearance_ - kSlack;
+    });
+  }
+
+  /// From each point straight on to the last of those ahead that can be reached so.
+  void skipPoints() {
+    constexpr std::size_t kFarthest = 64;  // points ahead
+    std::vector<Vec2> kept = {way_.front()};
+    for (std::size_t at = 0; at + 1 < way_.size();) {
+      std::size_t next = at + 1;
+      for (std::size_t far = std::min(at + kFarthest, way_.size() - 1); far > next; --far) {
+        if (isClear(way_[at], way_[far])) {
+          next = far;
+        }
+      }
+      kept.push_back(way_[next]);
+      at = next;
+    }
+    way_ = std::move(kept);
+  }
+
+  /// Each corner is cut as far as the obstacle inside of it lets.
+  void cutCorners() {
+    std::vector<Vec2> cut = {way_.front()};
+    for (std::size_t k = 1; k + 1 < way_.size(); ++k) {
+      addCorner(cut, way_[k], way_[k + 1]);
+    }
+    cut.push_back(way_.back());
+    way_ = std::move(cut);
+  }
+
+  void addCorner(std::vector<Vec2>& to, const Vec2& corner, const Vec2& after) {
+    const Vec2 back = to.back() - corner;
+    const Vec2 ahead = after - corner;
+    const double longest = 0.5 * std::min(back.norm(), ahead.norm());
+    if (longest < kLeastLeg) {
+      to.push_back(corner);
+      return;
+    }
+    const Vec2 u = back.normalized();
+    const Vec2 v = ahead.normalized();
+    double good = 0.0;
+    double bad = 2.0 * longest;
+    for (int k = 0; k < kBisections; ++k) {
+      const double middle = 0.5 * (good + bad);
+      (isClear(corner + middle * u, corner + middle * v) ? good : bad) = middle;
+    }
+    good = std::min(good, longest);
+    if (good < kLeastCut) {
+      to.push_back(corner);
+      return;
+    }
+    to.push_back(corner + good * u);
+    to.push_back(corner + good * v);
+  }
+
+  const Obstacles& obstacles_;
+  double clearance_;
+  std::vector<Vec2> way_;
+  std::vector<Segment> near_;
+};
+
+}  // namespace
+
+double distanceBetween(const Segment& first, const Segment& second) {
+  if (segmentsTouch(first, second)) {
+    return 0.0;
+  }
+  return std::min({distanceToSegment(second, first.a), distanceToSegment(second, first.b),
+                   distanceToSegment(first, second.a), distanceToSegment(first, second.b)});
+}
+
+std::vector<Vec2> tautened(const std::vector<Vec2>& way, const Obstacles& obstacles,
+                           double clearance) {
+  if (way.size() < 3) {
+    return way;
+  }
+  double most = clearance;
+  for (std::size_t k = 1; k < way.size(); ++k) {  // a grid rounds
+    std::vector<Segment> near;
+    obstacles.segmentsNear(0.5 * (way[k - 1] + way[k]),
+                           0.5 * (way[k] - way[k - 1]).norm() + clearance, near);
+    for (const Segment& wall : near) {
+      most = std::min(most, distanceBetween({way[k - 1], way[k]}, wall));
+    }
+  }
+  return Puller(obstacles, most).pull(way);
+}
+
+}  // namespace sim2d
