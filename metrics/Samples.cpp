@@ -87,7 +87,9 @@ class Routes {
       : map_(std::move(map)), obstacles_(std::move(obstacles)), robotRadius_(robotRadius) {}
 
   std::vector<Vec2> shortest(const Vec2& from, const Vec2& to) {
-    if (obstacles_->isVisible(from, to)) {
+    const double room =
+        std::min({robotRadius_, obstacles_->clearance(from), obstacles_->clearance(to)});
+    if (sim2d::isWayClear(from, to, *obstacles_, std::max(room, 0.0))) {
       return {from, to};
     }
     if (!planner_) {

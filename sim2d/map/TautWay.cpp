@@ -28,13 +28,8 @@ class Puller {
   }
 
  private:
-  bool isClear(const Vec2& from, const Vec2& to) {
-    const Vec2 middle = 0.5 * (from + to);
-    near_.clear();
-    obstacles_.segmentsNear(middle, 0.5 * (to - from).norm() + clearance_, near_);
-    return std::all_of(near_.begin(), near_.end(), [&](const Segment& wall) {
-      return distanceBetween({from, to}, wall) >= clearance_ - kSlack;
-    });
+  bool isClear(const Vec2& from, const Vec2& to) const {
+    return isWayClear(from, to, obstacles_, clearance_);
   }
 
   /// From each point straight on to the last of those ahead that can be reached so.
@@ -92,10 +87,17 @@ class Puller {
   const Obstacles& obstacles_;
   double clearance_;
   std::vector<Vec2> way_;
-  std::vector<Segment> near_;
 };
 
 }  // namespace
+
+bool isWayClear(const Vec2& from, const Vec2& to, const Obstacles& obstacles, double clearance) {
+  std::vector<Segment> near;
+  obstacles.segmentsNear(0.5 * (from + to), 0.5 * (to - from).norm() + clearance, near);
+  return std::all_of(near.begin(), near.end(), [&](const Segment& wall) {
+    return distanceBetween({from, to}, wall) >= clearance - kSlack;
+  });
+}
 
 double distanceBetween(const Segment& first, const Segment& second) {
   if (segmentsTouch(first, second)) {
