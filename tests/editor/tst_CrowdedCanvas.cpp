@@ -57,6 +57,7 @@ class CrowdedCanvasTest : public QObject, private CanvasTester {
   void picture_whileDragging_showsWhoMoves();
   void picture_afterZooming_settlesSharp();
   void layers_switchedOff_areNeitherPaintedNorHit();
+  void run_ofManyPeople_isPainted();
 
  private:
   QImage shot() { return view_.viewport()->grab().toImage().convertToFormat(QImage::Format_RGB32); }
@@ -103,6 +104,41 @@ void CrowdedCanvasTest::picture_afterEveryKindOfChange_isNew() {
   QVERIFY(changes([&] { scene_.setOptions(options); }) > 200);
   QVERIFY(changes([&] { pushRemove(document_, {person(150)}); }) > 20);
   QVERIFY(changes([&] { document_.setMap(std::make_shared<sim2d::OccupancyGrid>()); }) > 1000);
+}
+
+/// While editing the picture was painted past Qt's own painting; a run must be seen all the same.
+void CrowdedCanvasTest::run_ofManyPeople_isPainted() {
+  view_.viewport()->repaint();
+  document_.setSelection({person(130)});  // asks for painting
+  QCoreApplication::processEvents();
+  struct Paints : QObject {
+    int count = 0;
+    bool eventFilter(QObject*, QEvent* event) override {
+      count += event->type() == QEvent::Paint ? 1 : 0;
+      return false;
+    }
+  } paints;
+  view_.viewport()->installEventFilter(&paints);
+  QImage before = shot();
+  for (int step = 1; step <= 3; ++step) {
+    sim2d::Frame frame;
+    frame.step = step;
+    frame.time = 0.05 * step;
+    for (const sim2d::Human& human : document_.scenario().humans) {
+      frame.humans.add(human.id, {human.initPose.position + Vec2(0.05 * step, 0.0), 0.0},
+                       Vec2(1.0, 0.0), 0.0, sim2d::kNoGoal);
+      frame.humans.group.push_back(-1);
+      frame.humans.state.push_back(0);
+    }
+    paints.count = 0;
+    scene_.showFrame(std::make_shared<const sim2d::Frame>(frame));
+    QTRY_VERIFY(paints.count > 0);  // nobody has asked the window itself
+    const QImage after = shot();
+    QVERIFY(differingPixels(before, after, aboveTheScaleBar()) > 500);
+    QCOMPARE(differingPixels(after, plain(), aboveTheScaleBar()), 0);
+    before = after;
+  }
+  scene_.showFrame(nullptr);
 }
 
 void CrowdedCanvasTest::picture_whileDragging_showsWhoMoves() {

@@ -107,6 +107,28 @@ class DocumentMapsTest : public QObject {
     QVERIFY(*document.map() == *small::room());
   }
 
+  /// What was saved is there to be opened, wherever the map has gone.
+  void save_mapsFolderIsGone_writesTheMapAgain() {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("room.yaml"));
+    ScenarioDocument document;
+    document.load(small::scenario());
+    document.setMap(small::room());
+    check(document.save(path));
+    pushMove(document, {{EntityKind::Human, 1}}, Vec2(0.5, 0.0));
+    const QFileInfo map(document.mapPath());
+    QVERIFY(QFile::remove(map.filePath()));
+    for (const QString& image :
+         map.dir().entryList({QStringLiteral("*.pgm"), QStringLiteral("*.png")})) {
+      QVERIFY(QFile::remove(map.dir().filePath(image)));
+    }
+    check(document.save(path));
+    ScenarioDocument again;
+    check(again.open(path));
+    QVERIFY(!again.mapState().isMissing);
+    QVERIFY(*again.map() == *small::room());
+  }
+
   /// Who hears of the map reads in the settings which one it is.
   void editMap_undo_settingsAreThereFirst() {
     const QTemporaryDir folder;

@@ -121,6 +121,37 @@ class MetricsPanelTest : public QObject {
     QVERIFY(!feed.snapshot().curves.at("path_length").times.empty());
   }
 
+  /// "Now" is the moment that is shown, forwards and backwards.
+  void dock_lookingBack_hasTheValuesOfThen() {
+    ScenarioDocument document;
+    document.load(passing());
+    SimulationRunner runner;
+    runner.setRequest([&] { return editor::runRequestOf(document); });
+    MetricsFeed feed(document, runner);
+    MetricsDock dock(feed, runner, editor::Theme::light());
+    runner.setSpeed(std::numeric_limits<double>::infinity());
+    runner.play();
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isFinished() && feed.isCurrent(), 20000);
+    const sim2d::Trace whole = runner.recording()->trace();
+    for (const std::int64_t step : {20, 35, 8}) {
+      runner.seek(step);
+      QTRY_VERIFY_WITH_TIMEOUT(feed.isCurrent(), 20000);
+      sim2d::Trace part = whole;
+      part.frames.resize(static_cast<std::size_t>(step) + 1);
+      part.events.erase(std::remove_if(part.events.begin(), part.events.end(),
+                                       [&](const auto& event) { return event.first > step; }),
+                        part.events.end());
+      const auto expected = metrics::evaluate(part, feed.selection(), {});
+      for (const metrics::MetricResult& result : expected->results) {
+        const int row = rowOf(dock, QString::fromStdString(result.info.key));
+        QCOMPARE(dock.table().model()->index(row, 1).data().toString(), editor::metricText(result));
+      }
+    }
+    runner.seekNewest();
+    QTRY_VERIFY_WITH_TIMEOUT(feed.isCurrent(), 20000);
+    QVERIFY(&feed.shown() == &feed.snapshot().results);
+  }
+
   /// However often the table was told of the run meanwhile.
   void selection_atAMoment_dependsOnTheRunAlone() {
     const auto shownAfter = [](double seconds, bool slowly) {

@@ -73,6 +73,29 @@ class PersonPageTest : public QObject {
   }
 
  private Q_SLOTS:
+  /// A behaviour that a tree of their own does not hear of is told, and mended by a click.
+  void behavior_ofWhoHasATree_tellsAndMakesItAnew() {
+    constexpr char kTree[] =
+        "<root BTCPP_format=\"4\" main_tree_to_execute=\"Mine\">\n  <BehaviorTree ID=\"Mine\">\n"
+        "    <RegularNav agent_id=\"{id}\" time_step=\"{dt}\"/>\n  </BehaviorTree>\n</root>\n";
+    const auto isTold = [this](const QString& words) {
+      const QList<QLabel*> labels = panel_->currentPage()->findChildren<QLabel*>();
+      return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+        return label->isVisibleTo(panel_.get()) && label->text().contains(words);
+      });
+    };
+    select({0});
+    QVERIFY(!isTold(QStringLiteral("A tree of their own")));
+    document_->exchangeTree(human(0).key, std::string(kTree));
+    panel_->currentPage()->refresh();
+    QVERIFY(isTold(QStringLiteral("A tree of their own")));
+    click(QStringLiteral("Make the tree anew"));
+    QVERIFY(!document_->tree(human(0).key));
+    QVERIFY(!isTold(QStringLiteral("A tree of their own")));
+    document_->undoStack().undo();
+    QVERIFY(document_->tree(human(0).key));
+  }
+
   void initTestCase() { editor::dressApplication(editor::Theme::light()); }
   void init() {
     document_ = std::make_unique<ScenarioDocument>();

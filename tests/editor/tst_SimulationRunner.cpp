@@ -79,6 +79,40 @@ class SimulationRunnerTest : public QObject {
     QCOMPARE(runner.recording()->size(), static_cast<std::size_t>(expected.steps) + 1);
   }
 
+  /// A run that is over is played from its recording: nothing is lost, nothing computed twice.
+  void play_afterTheEnd_playsTheSameRun() {
+    SimulationRunner runner;
+    int started = 0;
+    runner.setRequest([&] {
+      ++started;
+      return request(40);
+    });
+    runner.setSpeed(std::numeric_limits<double>::infinity());
+    runner.play();
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isFinished(), 20000);
+    const RecordingPtr recording = runner.recording();
+    runner.seek(10);
+    QVERIFY(runner.isLookingBack());
+    runner.setSpeed(4.0);
+    std::vector<std::int64_t> seen;
+    connect(&runner, &SimulationRunner::frameShown, this,
+            [&](const FramePtr& frame) { seen.push_back(frame->step); });
+    runner.play();
+    QCOMPARE(runner.state(), SimulationRunner::State::Running);
+    QTRY_COMPARE_WITH_TIMEOUT(runner.state(), SimulationRunner::State::Paused, 20000);
+    QCOMPARE(runner.shownFrame()->step, std::int64_t{40});
+    QVERIFY(!runner.isLookingBack());
+    QVERIFY(std::is_sorted(seen.begin(), seen.end()) && seen.front() >= 10);
+    runner.play();  // at the end: from the beginning
+    runner.pause();
+    QVERIFY(runner.shownFrame()->step < 40);
+    QVERIFY(runner.recording() == recording);
+    QCOMPARE(started, 1);
+    QVERIFY(runner.result()->reason == "duration");
+    runner.reset();
+    QVERIFY(!runner.result());
+  }
+
   void stepOnce_fromEditing_makesOneStep() {
     SimulationRunner runner;
     runner.setRequest([] { return request(1000); });
