@@ -159,7 +159,11 @@ std::vector<QRectF> MapScene::solidParts() const {
       append(all, entityItem->solidParts());
     }
   }
-  append(all, isRunMode() ? frameLayer_->solidParts() : selectionLayer_->solidParts());
+  if (!isRunMode()) {
+    append(all, selectionLayer_->solidParts());
+  } else if (part_ != CanvasPart::Resting) {
+    append(all, frameLayer_->solidParts());
+  }
   return all;
 }
 
