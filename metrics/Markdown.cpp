@@ -68,6 +68,11 @@ Profile `corrected` (default) uses the formulas below. Profile `hunav2` gives th
 the public HuNavSim 2.0 evaluator, with its peculiarities. A value that a record does not define is
 empty in CSV and `null` in JSON, with the reason.
 
+Metrics that need a robot are those of its way (`corrected`): N and T count from when it sets off to
+when it arrives; parked it neither stands still nor runs into anybody. `from` and `until` of the
+scenario's metrics, where they say something else than the whole record, are heeded instead. Metrics
+of people alone look at the whole record.
+
 The sums 25-34 grow with the recording rate; each is given a second time divided by N, with `_mean`
 at its key. Column rate: largest change when a record of smooth motion is sampled twice
 as often, from 20 Hz on, as a share of the larger value, which counts as at least 0.1.
