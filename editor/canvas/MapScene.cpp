@@ -54,6 +54,43 @@ Layer* addLayer(MapScene& scene, Depth depth) {
 constexpr double kFaded = 0.2;    // opacity
 constexpr double kReachPx = 6.0;  // from the mouse
 
+constexpr double kRoom = 0.5;  // [m] around entities
+
+/// About the cells that are known, all of it when none is; empty for an open plane.
+QRectF knownGroundOf(const sim2d::OccupancyGrid& grid) {
+  int left = grid.width(), right = -1, bottom = grid.height(), top = -1;
+  for (int row = 0; row < grid.height(); ++row) {
+    const std::int8_t* cells =
+        grid.cells().data() + static_cast<std::ptrdiff_t>(row) * grid.width();
+    const auto* const end = cells + grid.width();
+    const auto isKnown = [](std::int8_t cell) { return cell >= 0; };
+    const auto* const first = std::find_if(cells, end, isKnown);
+    if (first == end) {
+      continue;
+    }
+    left = std::min(left, static_cast<int>(first - cells));
+    int last = grid.width() - 1;
+    while (last > right && cells[last] < 0) {
+      --last;
+    }
+    right = std::max(right, last);
+    bottom = std::min(bottom, row);
+    top = row;
+  }
+  if (right < 0) {
+    left = bottom = 0;
+    right = grid.width() - 1;
+    top = grid.height() - 1;
+  }
+  QPolygonF corners;
+  for (const int column : {left, right + 1}) {
+    for (const int row : {bottom, top + 1}) {
+      corners << toScene(grid.cornerToWorld(Vec2(column, row)));
+    }
+  }
+  return grid.isEmpty() ? QRectF() : corners.boundingRect();
+}
+
 /// Puts a value in the place of the one with its id, or at the end of its list.
 void putInto(sim2d::Scenario& scenario, const Entity& value) {
   forEachList(scenario, [&](EntityKind /*kind*/, auto& list) {
@@ -102,6 +139,7 @@ void MapScene::noteChange() {
 
 void MapScene::takeMap() {
   mapItem_->refresh();
+  knownGround_ = knownGroundOf(*document_.map());
   updateExtent();
   planRoutes();
   noteChange();
@@ -117,9 +155,14 @@ QRectF MapScene::groundRect() const {
 }
 
 QRectF MapScene::contentRect() const {
-  QRectF content = mapItem_->boundingRect();
+  QRectF content = knownGround_;
   for (const auto& [id, entityItem] : items_) {
-    content |= entityItem->boundingRect();
+    const std::optional<Entity> value = shown(id);
+    if (const std::optional<Extent> extent = value ? extentOf(*value) : std::nullopt) {
+      const QPointF low = toScene(extent->first);
+      const QPointF high = toScene(extent->second);
+      content |= QRectF(low, high).normalized().adjusted(-kRoom, -kRoom, kRoom, kRoom);
+    }
   }
   return content.isEmpty() ? QRectF(-8.0, -6.0, 16.0, 12.0) : content;
 }

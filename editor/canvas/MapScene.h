@@ -165,7 +165,7 @@ class MapScene : public QGraphicsScene {
   CanvasPart part_ = CanvasPart::All;
   int restingRevision_ = 0;
   std::unique_ptr<SpriteAtlas> sprites_;
-  QRectF extent_;
+  QRectF extent_, knownGround_;
   MapItem* mapItem_ = nullptr;
   GroupLayer* groupLayer_ = nullptr;
   RouteLayer* routeLayer_ = nullptr;

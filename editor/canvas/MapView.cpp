@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QCoreApplication>
 #include <QPaintEvent>
@@ -101,7 +102,7 @@ MapView::MapView(MapScene& scene, QWidget* parent) : QGraphicsView(&scene, paren
   connect(&scene_, &QGraphicsScene::changed, viewport(), [this] { viewport()->update(); });
   connect(&scene_, &MapScene::optionsChanged, this, [this] { viewport()->update(); });
   connect(&scene_, &MapScene::themeChanged, this, [this] { viewport()->update(); });
-  connect(&scene_.document(), &ScenarioDocument::mapChanged, this, [this] { fitAll(false); });
+  connect(&scene_.document(), &ScenarioDocument::mapChanged, this, &MapView::followMap);
   applyView({}, scene_.pixelsPerMetre());
 }
 
@@ -132,6 +133,14 @@ void MapView::fitAll(bool animated) {
   }
   const double scale = std::min(room.width() / content.width(), room.height() / content.height());
   moveTo({content.center(), std::clamp(scale, kFarthest, 200.0)}, animated);
+}
+
+/// Another map is shown as a whole; who paints on it goes on looking where he paints.
+void MapView::followMap() {
+  const QRectF ground = scene_.groundRect();
+  if (std::exchange(ground_, ground) != ground) {
+    fitAll(false);
+  }
 }
 
 void MapView::centerOnEntity(EntityId id) {

@@ -85,6 +85,7 @@ class MapView : public QGraphicsView {
   };
   void moveTo(const ViewPlace& place, bool animated);
   void applyView(const QPointF& centre, double pixelsPerMetre);
+  void followMap();
   void updateCursor();
   void glide();
   bool startsPan(const QMouseEvent& event) const;
@@ -93,6 +94,7 @@ class MapView : public QGraphicsView {
   QVariantAnimation fitAnimation_;
   ViewPlace animationFrom_, animationTo_;
   RestingPicture picture_;
+  QRectF ground_;  // of the map that was fitted in
   int legendCorner_ = 0;
   QTimer settle_;  // runs while the view moves; then all is painted sharply again
   CanvasState state_ = CanvasState::Editing;
