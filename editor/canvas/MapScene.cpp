@@ -85,7 +85,7 @@ QRectF knownGroundOf(const sim2d::OccupancyGrid& grid) {
   QPolygonF corners;
   for (const int column : {left, right + 1}) {
     for (const int row : {bottom, top + 1}) {
-      corners << toScene(grid.cornerToWorld(Vec2(column, row)));
+      corners << toScene(grid.cornerToWorld(column, row));
     }
   }
   return grid.isEmpty() ? QRectF() : corners.boundingRect();
@@ -159,9 +159,13 @@ QRectF MapScene::contentRect() const {
   for (const auto& [id, entityItem] : items_) {
     const std::optional<Entity> value = shown(id);
     if (const std::optional<Extent> extent = value ? extentOf(*value) : std::nullopt) {
-      const QPointF low = toScene(extent->first);
-      const QPointF high = toScene(extent->second);
+      const QPointF low = toScene(extent->low);
+      const QPointF high = toScene(extent->high);
       content |= QRectF(low, high).normalized().adjusted(-kRoom, -kRoom, kRoom, kRoom);
+    }
+    const auto* robot = value ? std::get_if<sim2d::Robot>(&*value) : nullptr;
+    if (robot != nullptr && robot->goal.point) {
+      content |= around(toScene(*robot->goal.point), kRoom);
     }
   }
   return content.isEmpty() ? QRectF(-8.0, -6.0, 16.0, 12.0) : content;
