@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "app/window/MainWindow.h"
+#include "editor/look/HouseStyle.h"
 #include "editor/panels/BehaviorPanel.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/PropertyPanel.h"
@@ -18,7 +19,7 @@ class KeyRulesTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { app::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
   void init() {
     window_ = quiet::shownWindow();
     QVERIFY(window_->open(quiet::demoPath()));

@@ -228,7 +228,7 @@ class MonkeyTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { app::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
 
   void window_underRandomEvents_stands_data() {
     QTest::addColumn<int>("seed");

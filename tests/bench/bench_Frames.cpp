@@ -53,7 +53,7 @@ class FramesBench : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() { app::dressApplication(editor::Theme::light()); }
+  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
 
   void crowd_walking_isSeen_data() {
     QTest::addColumn<int>("people");
