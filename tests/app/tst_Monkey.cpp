@@ -7,6 +7,7 @@
 #include <QScrollBar>
 #include <QtTest>
 
+#include "editor/look/HouseStyle.h"
 #include "sim2d/base/Rng.h"
 #include "tests/app/QuietWindow.h"
 

@@ -6,6 +6,7 @@
 
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
+#include "editor/look/HouseStyle.h"
 #include "tests/app/QuietWindow.h"
 
 namespace {
