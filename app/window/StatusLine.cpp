@@ -5,6 +5,7 @@
 #include <QStatusTipEvent>
 #include <QTimer>
 
+#include "editor/canvas/FrameLayer.h"
 #include "editor/look/Form.h"
 
 namespace app {
@@ -87,6 +88,7 @@ StatusLine::StatusLine(QStatusBar& bar, Workspace& workspace)
   connect(&runner, &SimulationRunner::speedMeasured, this, &StatusLine::showNumbers);
   connect(&workspace_.tools(), &editor::ToolManager::statusTextChanged, this,
           &StatusLine::showState);
+  connect(&workspace_.scene(), &editor::MapScene::guestChanged, this, &StatusLine::showState);
   connect(&workspace_.document(), &editor::ScenarioDocument::settled, this,
           &StatusLine::showNumbers);
   bar.parentWidget()->installEventFilter(this);
@@ -117,6 +119,18 @@ void StatusLine::setIdle(bool idle) {
     label->setVisible(!idle);
   }
   showState();
+}
+
+/// Whom a run is watched for: the only one that is selected, or somebody from a source.
+QString StatusLine::watched() const {
+  const editor::MapScene& scene = workspace_.scene();
+  const std::vector<editor::EntityId>& selection = workspace_.document().selection();
+  const std::optional<editor::Entity> one =
+      selection.size() == 1 ? workspace_.document().entity(selection.front()) : std::nullopt;
+  const QString name = scene.guest() ? scene.frameLayer().nameOf(*scene.guest())
+                       : one         ? editor::displayName(*one)
+                                     : QString();
+  return name.isEmpty() ? name : name + tr(" · ");
 }
 
 void StatusLine::showState() {
@@ -151,6 +165,9 @@ void StatusLine::showState() {
     hint = runner.isFinished()
                ? endOf(runner) + tr("Space plays it again · Ctrl+R goes back to editing")
                : tr("Space runs on · . steps · Ctrl+R goes back to editing");
+  }
+  if (state != SimulationRunner::State::Editing) {
+    hint.prepend(watched());
   }
   dot_->setPixmap(dotPixmap(workspace_.theme().color(color)));
   state_->setText(words);

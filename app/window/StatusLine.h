@@ -21,6 +21,7 @@ class StatusLine : public QObject {
 
  private:
   void showState();
+  QString watched() const;
   void showPlace(const base::Vec2& world);
   void showPlaceOfMouse();  // none while it is elsewhere
   void showNumbers();

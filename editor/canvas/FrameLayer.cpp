@@ -87,6 +87,7 @@ void FrameLayer::show(std::shared_ptr<const sim2d::Frame> frame,
   share_ = 1.0;
   bool isPoint = true;
   if (recording != nullptr && recording->size() > 0) {
+    meet(*recording->header(), *frame);
     addPassed(*recording, *frame);
     isPoint = recording->indexAt(frame->step) % strideOf(*recording) == 0;
   }
@@ -103,6 +104,24 @@ void FrameLayer::show(std::shared_ptr<const sim2d::Frame> frame,
       const bool isMoving = std::hypot(columns->vx[i], columns->vy[i]) > kStandingSpeed;
       places_.emplace(id, bodies_.size());
       bodies_.push_back({id, &agent(id), pose, pose, isMoving});
+    }
+  }
+}
+
+/// Whoever has come in since.
+void FrameLayer::meet(const sim2d::TraceHeader& header, const sim2d::Frame& frame) {
+  const auto isNew = [this](int id) { return agents_.count(id) == 0; };
+  if (std::none_of(frame.humans.id.begin(), frame.humans.id.end(), isNew)) {
+    return;
+  }
+  for (const sim2d::TraceHuman& human : header.humans) {
+    if (isNew(human.id)) {
+      agents_[human.id] = {QString::fromStdString(human.name),
+                           {},
+                           lookOf(static_cast<sim2d::BehaviorType>(human.behavior)),
+                           stranger_.kind,
+                           human.radius,
+                           {}};
     }
   }
 }
@@ -193,7 +212,8 @@ const FrameLayer::Body* FrameLayer::body(int id) const {
 }
 
 bool FrameLayer::isChosen(const Body& body) const {
-  return body.agent->entity && document().isSelected(body.agent->entity);
+  return body.agent->entity ? document().isSelected(body.agent->entity)
+                            : mapScene().guest() == body.id;
 }
 
 std::optional<Vec2> FrameLayer::positionOf(int id) const {
@@ -201,14 +221,14 @@ std::optional<Vec2> FrameLayer::positionOf(int id) const {
   return found == nullptr ? std::nullopt : std::optional<Vec2>(found->pose.position);
 }
 
-EntityId FrameLayer::entityAt(const Vec2& world) const {
-  EntityId best;
+std::optional<int> FrameLayer::agentAt(const Vec2& world) const {
+  std::optional<int> best;
   double nearest = std::numeric_limits<double>::max();
   for (const Body& body : bodies_) {
     const double distance =
         (world - body.pose.position).norm() - std::max(body.agent->radius, metres(8.0));
     if (distance <= 0.0 && distance < nearest) {
-      best = body.agent->entity;
+      best = body.id;
       nearest = distance;
     }
   }
@@ -253,7 +273,8 @@ std::vector<Label> FrameLayer::labels() const {
     label.mark = body.agent->look;
     label.clearancePx = radiusPx + (chosen ? 9.0 : 4.0);
     label.priority = chosen ? 3 : 1;
-    const bool isShown = chosen || (showAll && 2.0 * radiusPx >= kNameZoomPx);
+    const bool isKnown = showAll && body.agent->entity;  // those who come and go only when chosen
+    const bool isShown = chosen || (isKnown && 2.0 * radiusPx >= kNameZoomPx);
     if (options().people && !label.text.isEmpty() && isShown) {
       labels.push_back(label);
     }

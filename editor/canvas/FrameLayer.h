@@ -31,8 +31,10 @@ class FrameLayer : public FullLayer {
   /// What was said; shown for some seconds from then on, also when looking back.
   void hear(const std::vector<sim2d::Event>& events, double time);
 
-  /// Whose body is under a point, or within 8 px of it; none: nobody's, or made by a source.
-  EntityId entityAt(const Vec2& world) const;
+  /// Whose body is under a point, or within 8 px of it.
+  std::optional<int> agentAt(const Vec2& world) const;
+  EntityId entityOf(int id) const { return agent(id).entity; }  // none: came in by a source
+  QString nameOf(int id) const { return agent(id).name; }
   std::optional<Vec2> positionOf(int agent) const;
   std::vector<Label> labels() const;
   std::vector<QRectF> solidParts() const;
@@ -71,6 +73,7 @@ class FrameLayer : public FullLayer {
   void addPassed(const sim2d::Recording& recording, const sim2d::Frame& frame);
   void cutTrails(double time);
   void paintTrail(QPainter& painter, const Trail& trail, QColor color) const;
+  void meet(const sim2d::TraceHeader& header, const sim2d::Frame& frame);
   const Body* body(int id) const;
   const Agent& agent(int id) const;
   bool isChosen(const Body& body) const;
@@ -89,7 +92,7 @@ class FrameLayer : public FullLayer {
   double share_ = 1.0;
   std::vector<Body> bodies_;  // people, then robots
   std::unordered_map<int, Agent> agents_;
-  Agent stranger_;                               // people from sources
+  Agent stranger_;                               // people from sources of whom nothing is known
   std::unordered_map<int, std::size_t> places_;  // in bodies_
   std::map<int, Trail> trails_;                  // painted in this order
   std::vector<Speech> speeches_;

@@ -122,6 +122,11 @@ MapScene::MapScene(ScenarioDocument& document, const Theme& theme, QObject* pare
   connect(&document_, &ScenarioDocument::changed, this, &MapScene::apply);
   connect(&document_, &ScenarioDocument::mapChanged, this, &MapScene::takeMap);
   connect(&document_, &ScenarioDocument::selectionChanged, this, &MapScene::syncItems);
+  connect(&document_, &ScenarioDocument::selectionChanged, this, [this] {
+    if (!document_.selection().empty()) {
+      setGuest({});  // one thing is looked at
+    }
+  });
   connect(routes_, &RouteModel::routesChanged, this, &MapScene::takeRoutes);
   takeMap();
   rebuildAll();

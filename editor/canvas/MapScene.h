@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QGraphicsScene>
@@ -102,6 +103,9 @@ class MapScene : public QGraphicsScene {
   /// Between the frame shown before and this one, for a smooth picture; 1: as it is.
   void setFrameShare(double share);
   bool isRunMode() const;
+  /// Somebody of the run whom the document does not know, looked at as if selected.
+  std::optional<int> guest() const { return guest_; }
+  void setGuest(std::optional<int> agent);
   FrameLayer& frameLayer() const { return *frameLayer_; }
   const SelectionLayer& selectionLayer() const { return *selectionLayer_; }
   RouteModel& routes() const { return *routes_; }
@@ -129,6 +133,7 @@ class MapScene : public QGraphicsScene {
  Q_SIGNALS:
   void optionsChanged();
   void themeChanged();
+  void guestChanged();
 
  protected:
   void mousePressEvent(QGraphicsSceneMouseEvent* event) override;
@@ -158,6 +163,7 @@ class MapScene : public QGraphicsScene {
   CanvasOptions options_;
   Tool* tool_ = nullptr;
   EntityId hovered_;
+  std::optional<int> guest_;
   double pixelsPerMetre_ = 50.0;
   std::map<EntityId, EntityItem*> items_;
   std::map<EntityId, Entity> preview_;

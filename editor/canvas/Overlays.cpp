@@ -28,27 +28,27 @@ QString lengthText(double metres) {
                       : QStringLiteral("%1 m").arg(metres);
 }
 
-/// The one person of a run that is selected, and the forces on it.
+/// The one person of a run that is looked at, and the forces on it.
 struct Pushed {
-  const sim2d::Human* human = nullptr;
+  QString name;
   std::vector<ForceArrow> forces;
   QRectF legend;
 };
 
 std::optional<Pushed> pushedPerson(const OverlayContext& context) {
-  const ScenarioDocument& document = context.scene.document();
-  const bool isOne = document.selection().size() == 1;
-  const sim2d::Human* human = isOne && context.scene.options().forces && context.scene.isRunMode()
-                                  ? document.human(document.selection().front())
-                                  : nullptr;
-  if (human == nullptr) {
+  const MapScene& scene = context.scene;
+  const std::vector<EntityId>& selection = scene.document().selection();
+  const sim2d::Human* human =
+      selection.size() == 1 ? scene.document().human(selection.front()) : nullptr;
+  const std::optional<int> id = human != nullptr ? std::optional(human->id) : scene.guest();
+  if (!id || !scene.options().forces || !scene.isRunMode()) {
     return std::nullopt;
   }
-  std::vector<ForceArrow> forces = forcesOn(*context.scene.frameLayer().frame(), human->id);
+  std::vector<ForceArrow> forces = forcesOn(*scene.frameLayer().frame(), *id);
   const QRectF box(context.window.right() - kForcesWidthPx - kMarginPx,
                    context.window.top() + kMarginPx, kForcesWidthPx,
                    (static_cast<double>(forces.size()) + 2.0) * kRowPx + 16.0);
-  return Pushed{human, std::move(forces), box};
+  return Pushed{scene.frameLayer().nameOf(*id), std::move(forces), box};
 }
 
 }  // namespace
@@ -168,8 +168,7 @@ void paintForceLegend(QPainter& painter, const OverlayContext& context) {
     row.translate(0.0, kRowPx);
   };
   painter.setFont(theme.font(9.0, QFont::DemiBold));
-  const QString title =
-      QStringLiteral("Forces on %1").arg(QString::fromStdString(pushed->human->name));
+  const QString title = QStringLiteral("Forces on %1").arg(pushed->name);
   write(QFontMetrics(painter.font()).elidedText(title, Qt::ElideRight, int(row.width())), {},
         Role::Text);
   painter.setFont(theme.figureFont(9.0));

@@ -183,6 +183,7 @@ void MapScene::showFrame(std::shared_ptr<const sim2d::Frame> frame,
     frameLayer_->show(std::move(frame), recording);
   } else {
     frameLayer_->end();
+    setGuest({});
   }
   if (isRunMode() != wasRunning) {
     routeLayer_->setVisible(wasRunning);
@@ -193,6 +194,14 @@ void MapScene::showFrame(std::shared_ptr<const sim2d::Frame> frame,
     noteChange();
   } else {
     update();
+  }
+}
+
+void MapScene::setGuest(std::optional<int> agent) {
+  if (agent != guest_) {
+    guest_ = agent;
+    update();
+    Q_EMIT guestChanged();
   }
 }
 

@@ -78,13 +78,17 @@ void setListed(Entity& entity, bool listed) {
              entity);
 }
 
+QString goalName(int number) {
+  return QStringLiteral("Goal %1").arg(number);
+}
+
 QString displayName(const Entity& entity) {
   QString name = QString::fromStdString(nameOf(entity));
   switch (kindOf(entity)) {
     case EntityKind::Scenario:
       return QStringLiteral("Scenario");
     case EntityKind::Goal:
-      return QStringLiteral("Goal ") + name;
+      return goalName(std::get<sim2d::GlobalGoal>(entity).id);
     default:
       return name;
   }

@@ -55,6 +55,7 @@ std::string nameOf(const Entity& entity);  // goals: their number; settings: emp
 void setName(Entity& entity, const std::string& name);
 bool isListed(const Entity& entity);  // takes part
 void setListed(Entity& entity, bool listed);
+QString goalName(int number);                        // "Goal 3", everywhere by its number
 QString displayName(const Entity& entity);           // "Ana", "Goal 3", "Scenario"
 QString kindName(EntityKind kind);                   // "person", "goal" …
 QString obstacleKindName(sim2d::ObstacleKind kind);  // "box" …

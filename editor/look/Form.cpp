@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kLabelEnd = 112;  // from the left edge of the dock [px]
 constexpr int kGap = 12;
-constexpr int kHalfField = 88;
+constexpr int kLeastHalf = 72;
 constexpr int kFormRowHeight = 28;
 
 }  // namespace
@@ -129,6 +129,11 @@ void FormSection::addRow(const QString& label, QWidget* field) {
   words->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   words->setBuddy(field);
   field->setAccessibleName(label);
+  QSizePolicy policy = field->sizePolicy();
+  if ((policy.horizontalPolicy() & QSizePolicy::GrowFlag) != 0) {
+    policy.setHorizontalPolicy(QSizePolicy::Ignored);  // a wide one would widen the page, which
+    field->setSizePolicy(policy);                      // does not scroll sideways, and cut all
+  }
   grid_->addWidget(words, row, 0);
   grid_->addWidget(field, row, 1, Qt::AlignVCenter);
 }
@@ -137,7 +142,7 @@ void FormSection::addRow(const QString& label, QWidget* left, QWidget* right) {
   auto* both = new QWidget(body_);
   auto* line = arranged(new QHBoxLayout(both), {}, 8);
   for (QWidget* part : {left, right}) {
-    part->setMinimumWidth(kHalfField - 2);
+    part->setMinimumWidth(kLeastHalf);
     part->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     line->addWidget(part, 1);
     part->setAccessibleName(label);

@@ -81,16 +81,16 @@ void PersonPage::addPersonSection() {
   addListed(section);
 }
 
-/// Trees that somebody wrote do not hear of behaviour, reaction and goals: it is told, and mended by
-/// a click.
+/// Trees that somebody wrote do not hear of behaviour, reaction and goals: it is told, and mended
+/// by a click.
 void PersonPage::addTreeRow(FormSection* section) {
   ownTree_ = secondaryLabel({}, this);
   ownTree_->setWordWrap(true);
   section->addRow(QString(), ownTree_);
   treeAnew_ = linkButton(
       tr("Make the tree anew"),
-      tr("The tree that behaviour, reaction and goals make; Ctrl+Z brings the other one back"), this,
-      [this] { pushTreesAnew(document(), targets()); });
+      tr("The tree that behaviour, reaction and goals make; Ctrl+Z brings the other one back"),
+      this, [this] { pushTreesAnew(document(), targets()); });
   section->addRow(QString(), treeAnew_);
   addRefresh([this, section](const std::vector<Entity>&) { showTreeRow(*section); });
 }
@@ -105,13 +105,12 @@ void PersonPage::showTreeRow(FormSection& section) {
     }
   }
   const bool isOne = targets().size() == 1;
-  const QString who = isOne ? tr("A tree of their own decides.")
-                            : tr("%1 with trees of their own.")
-                                  .arg(counted(own, tr("person"), tr("people")));
-  ownTree_->setText(behind > 0
-                        ? who + QLatin1Char(' ') + tr("It does not hear of what was changed here.")
-                        : who + QLatin1Char(' ') +
-                              tr("Behaviour, reaction and goals do not reach it."));
+  const QString who =
+      isOne ? tr("A tree of their own decides.")
+            : tr("%1 with trees of their own.").arg(counted(own, tr("person"), tr("people")));
+  ownTree_->setText(
+      behind > 0 ? who + QLatin1Char(' ') + tr("It does not hear of what was changed here.")
+                 : who + QLatin1Char(' ') + tr("Behaviour, reaction and goals do not reach it."));
   section.setRowVisible(ownTree_, own > 0);
   section.setRowVisible(treeAnew_, own > 0);
 }
@@ -134,7 +133,7 @@ void PersonPage::addGoalSection() {
                      : route->size() > 1 ? tr("visited in order")
                                          : QString());
   });
-  addField<Human>(section, "cyclic_goals", inWords({tr("Start again after the last")}));
+  addField<Human>(section, "cyclic_goals", inWords({tr("Again after the last")}));
   addField<Human>(section, "goal_radius");
   addField<PersonExtension>(
       section, "wait", emptyAs(tr("seconds at each goal"), [this](const QString& text) {

@@ -17,12 +17,31 @@
 #include "editor/panels/EntityPages.h"
 #include "editor/panels/PanelRegistry.h"
 #include "sim2d/base/Types.h"
+#include "sim2d/scenario/Defaults.h"
 
 namespace editor {
 
 namespace {
 
 constexpr int kPictureSize = 36;
+constexpr int kLeastPage = 48;
+
+/// "1 → 2 → 3": the first ones.
+QString routeText(const std::vector<int>& goals) {
+  constexpr std::size_t kMostNamed = 5;
+  QStringList words;
+  for (std::size_t k = 0; k < std::min(goals.size(), kMostNamed); ++k) {
+    words << QString::number(goals[k]);
+  }
+  if (goals.size() > kMostNamed) {
+    words << QStringLiteral("…");
+  }
+  return words.join(QStringLiteral(" → "));
+}
+
+QString pointText(const base::Vec2& point) {
+  return QObject::tr("%1, %2 m").arg(point.x(), 0, 'f', 1).arg(point.y(), 0, 'f', 1);
+}
 
 QString aboutPerson(const sim2d::Scenario& scenario, const sim2d::Human& human) {
   const QString number = QObject::tr("Person %1").arg(human.id);
@@ -38,15 +57,30 @@ QString aboutPerson(const sim2d::Scenario& scenario, const sim2d::Human& human) 
   if (human.goals.empty()) {
     return number + QObject::tr(" · stands still");
   }
-  constexpr std::size_t kMostNamed = 5;
-  QStringList goals;
-  for (std::size_t k = 0; k < std::min(human.goals.size(), kMostNamed); ++k) {
-    goals << QString::number(human.goals[k]);
+  return number + QObject::tr(" · goals %1").arg(routeText(human.goals));
+}
+
+QString aboutRobot(const sim2d::Robot& robot) {
+  const QString planner =
+      QObject::tr("Robot · %1").arg(QString::fromStdString(robot.planner.value_or("pursuit")));
+  return robot.goal.point ? planner + QObject::tr(" · to %1").arg(pointText(*robot.goal.point))
+         : robot.goal.goals.empty()
+             ? planner + QObject::tr(" · stands still")
+             : planner + QObject::tr(" · goals %1").arg(routeText(robot.goal.goals));
+}
+
+/// Where it drives in a run: a goal by its number, or the point that it has instead.
+QString goalOfRobot(const sim2d::Robot& robot, int goal, const base::Vec2& at) {
+  const std::optional<base::Vec2>& point = robot.goal.point;
+  if (goal > 0) {
+    return goalName(goal);
   }
-  if (human.goals.size() > kMostNamed) {
-    goals << QStringLiteral("…");
+  if (!point) {
+    return robot.goal.goals.empty() ? QObject::tr("none") : QObject::tr("all visited");
   }
-  return number + QObject::tr(" · goals %1").arg(goals.join(QStringLiteral(" → ")));
+  const double radius = sim2d::resolveRobot({}, robot, -1).goalRadius;
+  return (*point - at).norm() <= radius ? QObject::tr("%1, reached").arg(pointText(*point))
+                                        : pointText(*point);
 }
 
 QString aboutOne(const sim2d::Scenario& scenario, const Entity& entity) {
@@ -54,8 +88,7 @@ QString aboutOne(const sim2d::Scenario& scenario, const Entity& entity) {
     return aboutPerson(scenario, *human);
   }
   if (const auto* robot = std::get_if<sim2d::Robot>(&entity)) {
-    return QObject::tr("Robot · %1")
-        .arg(QString::fromStdString(robot->planner.value_or("pursuit")));
+    return aboutRobot(*robot);
   }
   return capitalized(kindName(kindOf(entity)));
 }
@@ -96,10 +129,10 @@ class NowSection : public FormSection {
     hide();
   }
 
-  /// `agent` as in frames: people by id, robots negative.
-  void show(const sim2d::Frame* frame, std::optional<int> agent) {
+  /// `agent` as in frames: people by id, robots negative; `robot`: what it is then.
+  void show(const sim2d::Frame* frame, std::optional<int> agent, const sim2d::Robot* robot) {
     setVisible(frame != nullptr && agent &&
-               (showPerson(*frame, *agent) || showRobot(*frame, *agent)));
+               (robot != nullptr ? showRobot(*frame, *agent, *robot) : showPerson(*frame, *agent)));
   }
 
  private:
@@ -117,7 +150,7 @@ class NowSection : public FormSection {
         QStringLiteral("%1, %2 m").arg(bodies.x[i], 0, 'f', 2).arg(bodies.y[i], 0, 'f', 2));
     heading_->setText(QStringLiteral("%1°").arg(degrees, 0, 'f', 1));
     speed_->setText(QStringLiteral("%1 m/s").arg(speed, 0, 'f', 2));
-    goal_->setText(bodies.goal[i] == sim2d::kNoGoal ? tr("none") : QString::number(bodies.goal[i]));
+    goal_->setText(bodies.goal[i] == sim2d::kNoGoal ? tr("none") : goalName(bodies.goal[i]));
     return i;
   }
 
@@ -139,10 +172,12 @@ class NowSection : public FormSection {
     return true;
   }
 
-  bool showRobot(const sim2d::Frame& frame, int id) {
-    const std::optional<std::size_t> index = showBody(frame.robots, id);
-    if (index && frame.robots.goal[*index] == 0) {
-      goal_->setText(tr("its point"));
+  bool showRobot(const sim2d::Frame& frame, int id, const sim2d::Robot& robot) {
+    const sim2d::RobotColumns& robots = frame.robots;
+    const std::optional<std::size_t> index = showBody(robots, id);
+    if (index) {
+      const base::Vec2 at(robots.x[*index], robots.y[*index]);
+      goal_->setText(goalOfRobot(robot, robots.goal[*index], at));
     }
     setNote({});
     setRowVisible(robot_, false);
@@ -164,7 +199,10 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme)
       about_(secondaryLabel({}, this)),
       now_(new NowSection(this)),
       later_(secondaryLabel(tr("Changes count from the next start."), this)),
-      stack_(new QStackedWidget(this)) {
+      stack_(new QStackedWidget(this)),
+      guestPage_(emptyState(tr("Came in by a source in this run. To change such people, select the "
+                               "person that the source copies."),
+                            stack_)) {
   setMinimumWidth(300);
   picture_->setFixedSize(kPictureSize, kPictureSize);
   name_->setFont(theme_.font(12.0, QFont::DemiBold));
@@ -181,7 +219,9 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme)
   pages_ = entityPages(document, theme);
   for (const auto& [kind, page] : pages_) {
     stack_->addWidget(scrollArea(page, stack_));
+    stack_->widget(stack_->count() - 1)->setMinimumHeight(kLeastPage);  // low windows scroll here
   }
+  stack_->addWidget(guestPage_);
   connect(&document_, &ScenarioDocument::selectionChanged, this, &PropertyPanel::follow);
   connect(&document_, &ScenarioDocument::pathChanged, this, &PropertyPanel::refresh);
   connect(&document_, &ScenarioDocument::changed, this, [this](const Change& change) {
@@ -192,7 +232,32 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme)
   follow();
 }
 
+void PropertyPanel::setGuest(std::optional<sim2d::TraceHuman> guest) {
+  guest_ = std::move(guest);
+  follow();
+}
+
+void PropertyPanel::showGuest() {
+  const Look look = lookOf(static_cast<sim2d::BehaviorType>(guest_->behavior));
+  std::vector<int> goals;
+  for (const sim2d::TraceGoal& goal : guest_->goals) {
+    goals.push_back(goal.id);
+  }
+  const QString about = tr("Person %1 · %2").arg(guest_->id).arg(lookName(look));
+  name_->setWords(QString::fromStdString(guest_->name));
+  about_->setText(goals.empty() ? about : about + tr(" · goals %1").arg(routeText(goals)));
+  picture_->setPixmap(FigurePainter(theme_)
+                          .personIcon(look, kPictureSize)
+                          .pixmap(window()->windowHandle(), QSize(kPictureSize, kPictureSize)));
+  stack_->setCurrentWidget(guestPage_);
+  showNow();
+}
+
 void PropertyPanel::follow() {
+  if (guest_) {
+    showGuest();
+    return;
+  }
   std::vector<EntityId> ids = document_.selection();
   if (ids.empty()) {
     ids = {kSettingsId};
@@ -210,7 +275,9 @@ void PropertyPanel::follow() {
 
 void PropertyPanel::refresh() {
   current_->refresh();
-  showHeading(current_->targets());
+  if (!guest_) {
+    showHeading(current_->targets());
+  }
 }
 
 void PropertyPanel::showHeading(const std::vector<EntityId>& ids) {
@@ -296,7 +363,14 @@ std::optional<int> PropertyPanel::agentOf(EntityId id) const {
 
 void PropertyPanel::showNow() {
   const std::vector<EntityId>& ids = document_.selection();
-  now_->show(frame_.get(), ids.size() == 1 ? agentOf(ids.front()) : std::nullopt);
+  if (guest_) {
+    now_->show(frame_.get(), guest_->id, nullptr);
+    return;
+  }
+  const std::optional<Entity> one =
+      ids.size() == 1 && frame_ ? document_.entity(ids.front()) : std::nullopt;
+  now_->show(frame_.get(), one ? agentOf(ids.front()) : std::nullopt,
+             one ? std::get_if<sim2d::Robot>(&*one) : nullptr);
 }
 
 void addPropertyPanel(PanelRegistry& to) {
@@ -307,6 +381,14 @@ void addPropertyPanel(PanelRegistry& to) {
                      [panel, &runner = context.runner](const FramePtr& frame) {
                        panel->showFrame(frame, runner.isRecorded());
                      });
+    const MapScene& scene = context.view.mapScene();
+    QObject::connect(
+        &scene, &MapScene::guestChanged, panel, [panel, &scene, &runner = context.runner] {
+          const auto header =
+              runner.recording() && scene.guest() ? runner.recording()->header() : nullptr;
+          const auto* guest = header ? header->human(*scene.guest()) : nullptr;
+          panel->setGuest(guest ? std::optional(*guest) : std::nullopt);
+        });
     return panel;
   });
 }

@@ -35,12 +35,15 @@ class PropertyPanel : public QWidget {
   /// The moment of a run that is shown; none ends it. What is edited then counts from the next
   /// start; of a recorded run nothing can be edited.
   void showFrame(const FramePtr& frame, bool isRecorded = false);
+  /// Somebody whom a source brought into the run, to be looked at instead of the selection.
+  void setGuest(std::optional<sim2d::TraceHuman> guest);
 
  private:
   void follow();
   void refresh();
   void showHeading(const std::vector<EntityId>& ids);
   void showNow();
+  void showGuest();
   std::optional<int> agentOf(EntityId id) const;
   QPixmap picture(const Entity& entity) const;
 
@@ -54,6 +57,8 @@ class PropertyPanel : public QWidget {
   bool isSame_ = true;  // in the step that has not ended nothing came or went
   FramePtr frame_;
   QStackedWidget* stack_;
+  QLabel* guestPage_;
+  std::optional<sim2d::TraceHuman> guest_;
   std::map<EntityKind, PropertyPage*> pages_;
   PropertyPage* current_ = nullptr;
 };

@@ -78,8 +78,8 @@ void RouteEditor::rebuild() {
   for (int i = 0; i < static_cast<int>(goals_.size()); ++i) {
     const int id = goals_[static_cast<std::size_t>(i)];
     auto* chip = new Chip(QString::number(id), i == 0, this);
-    chip->setToolTip(tr("Goal %1\nClick for its choices").arg(id));
-    chip->setAccessibleName(tr("Goal %1").arg(id));
+    chip->setToolTip(goalName(id) + tr("\nClick for its choices"));
+    chip->setAccessibleName(goalName(id));
     connect(chip, &QToolButton::clicked, this, [this, chip, i] { offerMoves(chip, i); });
     parts_.push_back(chip);
   }
@@ -126,7 +126,7 @@ void RouteEditor::offerGoals(QWidget* button) {
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   for (const sim2d::GlobalGoal& goal : document_.scenario().goals) {
-    const QString words = tr("Goal %1").arg(goal.id) + QStringLiteral("   ") + placeOf(goal);
+    const QString words = goalName(goal.id) + QStringLiteral("   ") + placeOf(goal);
     menu->addAction(words, this, [this, id = goal.id] {
       std::vector<int> route = goals_;
       route.push_back(id);

@@ -8,6 +8,7 @@
 #include <QMimeData>
 #include <QPainter>
 
+#include "editor/document/Entity.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Form.h"
 #include "editor/panels/RowDelegate.h"
@@ -80,7 +81,7 @@ void GoalList::addGoal(const sim2d::GlobalGoal* goal, int number, const QString&
   const FigurePainter painter(theme_);
   auto* item = new QListWidgetItem(
       painter.goalIcon(QString::number(number), kPinSize),
-      goal != nullptr ? tr("Goal %1").arg(number) : tr("Goal %1 (missing)").arg(number), this);
+      goal != nullptr ? goalName(number) : tr("%1 (missing)").arg(goalName(number)), this);
   item->setData(kGoalRole, number);
   item->setData(kSideTextRole, sideText);
 }

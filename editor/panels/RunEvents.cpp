@@ -22,7 +22,7 @@ const Telling& tellingOf(EventKind kind) {
   static const std::map<EventKind, Telling> kTellings = {
       {EventKind::Enter, {EventMark::Ring, QT_TR_NOOP("%1 enters")}},
       {EventKind::Leave, {EventMark::Ring, QT_TR_NOOP("%1 leaves")}},
-      {EventKind::Goal, {EventMark::Pin, QT_TR_NOOP("%1 reached goal %2")}},
+      {EventKind::Goal, {EventMark::Pin, QT_TR_NOOP("%1 reached %2")}},
       {EventKind::Arrived, {EventMark::Pin, QT_TR_NOOP("%1 has arrived")}},
       {EventKind::Contact, {EventMark::Cross, QT_TR_NOOP("%1 touches %2")}},
       {EventKind::Say, {EventMark::Bubble, QT_TR_NOOP("%1: “%2”")}},
@@ -90,8 +90,12 @@ QString RunEvents::nameOfAgent(int id) const {
     const bool known = robot < scenario.robots.size() && scenario.robots[robot].listed;
     return known ? QString::fromStdString(scenario.robots[robot].name) : tr("Robot %1").arg(-id);
   }
-  const sim2d::Human* human = scenario.humanById(id);
-  return human != nullptr ? QString::fromStdString(human->name) : tr("Person %1").arg(id);
+  if (const sim2d::Human* human = scenario.humanById(id)) {
+    return QString::fromStdString(human->name);
+  }
+  const std::shared_ptr<const sim2d::TraceHeader> header = recording_->header();
+  const sim2d::TraceHuman* guest = header->human(id);
+  return guest != nullptr ? QString::fromStdString(guest->name) : tr("Person %1").arg(id);
 }
 
 QString RunEvents::textOf(const sim2d::Event& event) const {
@@ -102,7 +106,11 @@ QString RunEvents::textOf(const sim2d::Event& event) const {
     return tr("%1 touches a wall").arg(who);
   }
   const bool isOfTwo = event.kind == EventKind::Contact || event.kind == EventKind::Heard;
-  const QString what = isOfTwo ? other : text;
+  const bool isGoal = event.kind == EventKind::Goal;  // a point of its own has no number
+  const QString what = isOfTwo          ? other
+                       : !isGoal        ? text
+                       : text.isEmpty() ? tr("the goal")
+                                        : goalName(text.toInt());
   const QString words = tr(tellingOf(event.kind).words);
   return !words.contains(QLatin1String("%1"))   ? words.arg(what)
          : !words.contains(QLatin1String("%2")) ? words.arg(who)

@@ -19,7 +19,7 @@ struct RunEvent {
   std::int64_t step = 0;
   double time = 0.0;  // [s]
   sim2d::Event event;
-  QString text;  // "Ana reached goal 3"
+  QString text;  // "Ana reached Goal 3"
 };
 
 /// The events of the run so far; one source for the list, the timeline and the bubbles.

@@ -126,7 +126,7 @@ void SettingsPage::addPeopleSection(const sim2d::Registries& registries) {
                     inWords({tr("Around walls"), tr("Straight, as the original")}));
   addField<Desktop>(section, "obstacle_points",
                     inWords({tr("Nearest points of walls"), tr("Rays, as a laser")}));
-  addField<Desktop>(section, "loop_trees", inWords({tr("Start again when they end")}));
+  addField<Desktop>(section, "loop_trees", inWords({tr("Start over when done")}));
   addField<Desktop>(section, "wrap_x", emptyAs(tr("no ring"), [](const QString& text) {
                       const auto ends = listFromText(text);
                       const bool fine =

@@ -134,7 +134,7 @@ decltype(ValueRow::choices) choicesOf(const bt::BlockParameter& parameter,
   decltype(ValueRow::choices) choices;
   if (parameter.kind == Of::Goal) {
     for (const sim2d::GlobalGoal& goal : scenario.goals) {
-      choices.emplace_back(QString::number(goal.id), QObject::tr("Goal %1").arg(goal.id));
+      choices.emplace_back(QString::number(goal.id), goalName(goal.id));
     }
   } else if (parameter.kind == Of::Choice) {
     for (const std::string& choice : parameter.choices) {

@@ -63,8 +63,7 @@ class SelectTool : public Tool {
     from_ = mouse.world;
     deselectOnRelease_ = false;
     if (scene().isRunMode()) {
-      const EntityId hit = scene().frameLayer().entityAt(mouse.world);
-      document().setSelection(hit ? std::vector<EntityId>{hit} : std::vector<EntityId>{});
+      watch(scene().frameLayer().agentAt(mouse.world));
       return;
     }
     grabbed_ = scene().entityAt(mouse.world);
@@ -156,7 +155,7 @@ class SelectTool : public Tool {
     const bool wasIdle = gesture_ == Gesture::None;
     end();
     if (wasIdle) {
-      document().setSelection({});
+      watch({});
     }
     scene().setHovered({});
     Q_EMIT statusTextChanged();
@@ -182,10 +181,17 @@ class SelectTool : public Tool {
 
  private:
   enum class Gesture { None, Pressed, Moving, Handle, Band };
+  /// In a run. Who came in by a source is nothing of the document, so that nothing is selected
+  /// then.
+  void watch(std::optional<int> agent) {
+    const EntityId known = agent ? scene().frameLayer().entityOf(*agent) : EntityId();
+    document().setSelection(known ? std::vector<EntityId>{known} : std::vector<EntityId>());
+    scene().setGuest(known ? std::nullopt : agent);
+  }
   void hover(const CanvasMouse& mouse) {
     if (scene().isRunMode()) {
       cursor_ =
-          scene().frameLayer().entityAt(mouse.world) ? Qt::PointingHandCursor : Qt::ArrowCursor;
+          scene().frameLayer().agentAt(mouse.world) ? Qt::PointingHandCursor : Qt::ArrowCursor;
       return;
     }
     const Handle handle = scene().selectionLayer().handleAt(mouse.world).second;

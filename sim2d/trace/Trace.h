@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -128,6 +129,13 @@ struct TraceHeader {
   std::vector<double> wrapX;  // where the ends of a corridor are joined [m]; mostly none
   OccupancyGrid map;
   TraceMetrics metrics;  // this and wrapX absent in the file: as here
+
+  /// Null: there is none of that number.
+  const TraceHuman* human(int id) const {
+    const auto found = std::find_if(humans.begin(), humans.end(),
+                                    [id](const TraceHuman& each) { return each.id == id; });
+    return found == humans.end() ? nullptr : &*found;
+  }
 
   static constexpr auto members() {
     using T = TraceHeader;

@@ -224,7 +224,7 @@ class CanvasTest : public QObject {
     const Vec2 ana(frame->humans.x[0], frame->humans.y[0]);
     const QColor head = picture.pixelColor(view_.viewportFrom(ana));
     QVERIFY(std::abs(head.hue() - scene_.theme().head(Look::Regular).hue()) < 12);
-    QVERIFY(scene_.frameLayer().entityAt(ana) == EntityId({EntityKind::Human, 1}));
+    QVERIFY(scene_.frameLayer().agentAt(ana) == 1);
     scene_.showFrame(nullptr);
     QVERIFY(!scene_.isRunMode());
   }

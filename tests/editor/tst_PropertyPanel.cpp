@@ -124,6 +124,26 @@ class PropertyPanelTest : public QObject {
     QVERIFY(heading->shownWords().size() > shown.size());
   }
 
+  /// The panel does not scroll sideways: what is wider than it would be cut at the right.
+  void pages_atTheUsualWidth_areNotCut() {
+    QApplication::setFont(QFont(QStringLiteral("DejaVu Sans"), 9));
+    for (const base::EntityKind kind : {base::EntityKind::Scenario, base::EntityKind::Human}) {
+      document_->setSelection(kind == base::EntityKind::Human ? std::vector<EntityId>{key(0)}
+                                                              : std::vector<EntityId>());
+      QCoreApplication::processEvents();
+      const editor::PropertyPage& page = *panel_->currentPage();
+      QVERIFY2(page.minimumSizeHint().width() <= 300, page.metaObject()->className());
+      for (const QCheckBox* box : page.findChildren<QCheckBox*>()) {
+        QVERIFY2(!box->isVisible() || box->width() >= box->sizeHint().width(),
+                 qPrintable(box->text()));
+      }
+      for (const QWidget* field : page.findChildren<QWidget*>()) {
+        QVERIFY(!field->isVisible() ||
+                field->mapTo(&page, field->rect().topRight()).x() < page.parentWidget()->width());
+      }
+    }
+  }
+
   void page_ofARecordedRun_isReadOnly() {
     document_->setSelection({key(0)});
     auto* speed = field<NumberField>(QStringLiteral("Top speed"));

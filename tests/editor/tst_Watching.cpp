@@ -1,0 +1,104 @@
+#include "CanvasTester.h"
+#include "editor/canvas/FrameLayer.h"
+#include "editor/panels/PropertyPanel.h"
+
+using editor::PropertyPanel;
+
+namespace {
+
+/// A moment with Ana, somebody whom a source brought in, and the robot.
+sim2d::Frame moment(const base::Vec2& robot) {
+  sim2d::Frame frame;
+  frame.humans.add(1, {{2.0, 2.0}, 0.0}, {0.5, 0.0}, 0.0, 2);
+  frame.humans.add(99, {{7.0, 7.0}, 0.0}, {0.0, 0.0}, 0.0, sim2d::kNoGoal);
+  frame.humans.group = {-1, -1};
+  frame.humans.state = {0, 1};
+  frame.robots.add(-1, {robot, 0.0}, {0.0, 0.0}, 0.0, sim2d::kNoGoal);
+  return frame;
+}
+
+}  // namespace
+
+/// Who is looked at in a run: people and robots of the scenario, and those from sources.
+class WatchingTest : public QObject, protected CanvasTester {
+  Q_OBJECT
+
+ private:
+  bool says(const PropertyPanel& panel, const char* words) const {
+    const QList<QLabel*> labels = panel.findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+      return label->text() == QString::fromUtf8(words) && label->isVisibleTo(&panel);
+    });
+  }
+
+ private Q_SLOTS:
+  void init() { start(small::scenario()); }
+  void cleanup() { scene_.showFrame(nullptr); }
+
+  void click_onSomebodyFromASource_looksAtThem() {
+    sim2d::TraceHeader header;
+    header.humans.resize(1);
+    header.humans[0].id = 99;
+    header.humans[0].name = "entrance_1";
+    header.humans[0].behavior = static_cast<int>(sim2d::BehaviorType::Curious);
+    sim2d::Recording recording;
+    recording.setHeader(header);
+    recording.addState(moment({10.0, 3.0}));
+    tools_.setEditingEnabled(false);
+    scene_.showFrame(recording.frame(0), &recording);
+    click({7.0, 7.0});
+    QVERIFY(scene_.guest() == 99);
+    QVERIFY(document_.selection().empty());
+    QCOMPARE(scene_.frameLayer().nameOf(99), QStringLiteral("entrance_1"));
+    click({2.0, 2.0});
+    QVERIFY(!scene_.guest());
+    QVERIFY(document_.isSelected(person(1)));
+    click({7.0, 7.0});
+    QVERIFY(scene_.guest() == 99);
+    scene_.showFrame(nullptr);
+    QVERIFY(!scene_.guest());
+  }
+
+  void page_ofSomebodyFromASource_tellsBehaviourGoalAndState() {
+    PropertyPanel panel(document_, editor::Theme::light());
+    panel.showFrame(std::make_shared<const sim2d::Frame>(moment({10.0, 3.0})));
+    sim2d::TraceHuman guest;
+    guest.id = 99;
+    guest.name = "entrance_1";
+    guest.behavior = static_cast<int>(sim2d::BehaviorType::Curious);
+    guest.goals = {{3, {1.0, 1.0}, 0.3}};
+    panel.setGuest(guest);
+    QVERIFY(says(panel, "entrance_1"));
+    QVERIFY(says(panel, "Person 99 · Curious · goals 3"));
+    QVERIFY(says(panel, "7.00, 7.00 m"));
+    QVERIFY(says(panel, "reacting"));
+    document_.setSelection({person(1)});
+    panel.setGuest(std::nullopt);
+    QVERIFY(says(panel, "Ana") && !says(panel, "entrance_1"));
+  }
+
+  /// As the pin on the map and the list of the scenario have it.
+  void goal_ofAPerson_hasTheNumberOfItsPin() {
+    PropertyPanel panel(document_, editor::Theme::light());
+    document_.setSelection({person(1)});
+    panel.showFrame(std::make_shared<const sim2d::Frame>(moment({10.0, 3.0})));
+    QVERIFY(says(panel, "Goal 2"));
+    QCOMPARE(editor::displayName(*document_.entity(document_.goalKey(2))), editor::goalName(2));
+  }
+
+  void goal_ofARobotThatHasAPoint_isThePoint() {
+    PropertyPanel panel(document_, editor::Theme::light());
+    document_.setSelection(document_.entities(base::EntityKind::Robot));
+    QVERIFY(says(panel, "Robot · pursuit · to 1.5, 1.0 m"));
+    panel.showFrame(std::make_shared<const sim2d::Frame>(moment({10.0, 3.0})));
+    QVERIFY(says(panel, "1.5, 1.0 m"));
+    panel.showFrame(std::make_shared<const sim2d::Frame>(moment({1.5, 1.1})));
+    QVERIFY(says(panel, "1.5, 1.0 m, reached"));
+    editor::pushChange<sim2d::Robot>(document_, document_.selection().front(), QString(),
+                                     [](sim2d::Robot& robot) { robot.goal = {}; });
+    QVERIFY(says(panel, "Robot · pursuit · stands still"));
+  }
+};
+
+QTEST_MAIN(WatchingTest)
+#include "tst_Watching.moc"
