@@ -158,7 +158,9 @@ void StatusLine::showState() {
   } else if (state == SimulationRunner::State::Running) {
     color = Role::Ok;
     words = tr("Running");
+    const QString end = editor::runEndText(workspace_.document().scenario());
     hint = tr("Space pauses · Click a person to watch them · Drag the timeline to look back");
+    hint.prepend(end.isEmpty() ? end : editor::capitalized(end) + tr(" · "));
   } else if (state == SimulationRunner::State::Paused) {
     color = Role::WarningMark;
     words = runner.isFinished() ? tr("Finished") : tr("Paused");

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "editor/panels/RouteEditor.h"
+#include "editor/run/SimulationRunner.h"
 
 namespace editor {
 
@@ -285,10 +286,12 @@ void RobotPage::addGoalSection() {
       robot.goal.goals = goals;
     });
   });
-  addRefresh([route, section](const std::vector<Entity>& shown) {
+  addRefresh([this, route, section](const std::vector<Entity>& shown) {
     const sim2d::RobotGoal& goal = robotOf(shown.front()).goal;
+    const bool drives = goal.point || !goal.goals.empty();
+    const bool isEnd = !runEndText(this->document().scenario()).isEmpty();
     route->show(goal.goals);
-    section->setNote(goal.point || !goal.goals.empty() ? QString() : tr("stands still"));
+    section->setNote(!drives ? tr("stands still") : isEnd ? tr("ends the run") : QString());
   });
   addField<Robot>(section, "goal_radius");
 }

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "editor/panels/EntityPages.h"
+#include "editor/run/SimulationRunner.h"
 #include "metrics/Samples.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/world/Runner.h"
@@ -112,6 +113,14 @@ void SettingsPage::addRunSection() {
     return static_cast<double>(sim2d::stopRuleOf(plain).maximumSteps);
   };
   addField<Desktop>(section, "duration", duration);
+  auto* end = secondaryLabel({}, this);
+  end->setWordWrap(true);
+  section->addRow(QString(), end);
+  addRefresh([this, section, end](const std::vector<Entity>&) {
+    const QString words = runEndText(this->document().scenario());
+    end->setText(capitalized(words));
+    section->setRowVisible(end, !words.isEmpty());
+  });
   addField<Desktop>(section, "dt");
   FieldLook record;
   record.unit = tr("steps");

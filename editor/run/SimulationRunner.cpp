@@ -31,6 +31,14 @@ RunRequest runRequestOf(const ScenarioDocument& document, const RunSettings& set
   return request;
 }
 
+QString runEndText(const sim2d::Scenario& scenario) {
+  const sim2d::StopRule rule = sim2d::stopRuleOf(scenario);
+  const double dt = scenario.desktop.dt.value_or(0.05);
+  return rule.stopOnArrival ? QObject::tr("until the robot arrives, at most %1 s")
+                                  .arg(qRound(static_cast<double>(rule.maximumSteps) * dt))
+                            : QString();
+}
+
 SimulationRunner::SimulationRunner(QObject* parent) : QObject(parent) {
   timer_.setInterval(kDisplayMs);
   timer_.setTimerType(Qt::PreciseTimer);

@@ -31,6 +31,10 @@ struct RunRequest {
 /// refuses does not run.
 RunRequest runRequestOf(const ScenarioDocument& document, const RunSettings& settings = {});
 
+/// What ends a run when the scenario gives no duration and a robot has a goal, which makes the run
+/// longer; else nothing. "until the robot arrives, at most 120 s"
+QString runEndText(const sim2d::Scenario& scenario);
+
 /// A simulation beside the window. Lives in the GUI thread and owns one worker thread with
 /// the session. States come out through its history, which is there to be read while it grows and
 /// equals that of a headless run. A run that is over, or was recorded before, is played from its

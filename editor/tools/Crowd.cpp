@@ -21,6 +21,7 @@ using base::Draw;
 
 constexpr double kBucket = 2.0;        // side [m]; more than two of the largest bodies
 constexpr int kTrials = 80;            // draws for one place
+constexpr int kFull = 40;              // people in a row who found none: the ground is full
 constexpr std::size_t kMostGoals = 3;  // of a drawn route
 constexpr int kPlaces = -1;            // agent number of the draws of places
 constexpr std::array<int, 5> kAges = {70, 10, 12, 3, 5};  // kinds of a mixed crowd, per cent
@@ -181,10 +182,12 @@ std::vector<sim2d::Human> fillCrowd(const std::vector<Vec2>& polygon, std::size_
   FreeGround ground(document);
   std::vector<sim2d::Human> people;
   const int first = nextDraw(document);
-  for (int index = first; index < first + static_cast<int>(count); ++index) {
+  int without = 0;  // place, since the last one who has one
+  for (int index = first; index < first + static_cast<int>(count) && without < kFull; ++index) {
     sim2d::Human human = drawnPerson(recipe, index, document.scenario());
     const AgentRng rng(static_cast<std::uint64_t>(recipe.seed), kPlaces,
                        static_cast<std::uint64_t>(index));
+    ++without;
     for (std::uint32_t trial = 0; trial < kTrials; ++trial) {
       const double x = rng.uniform(low.x(), high.x(), Draw::Placement, 2 * trial);
       const double y = rng.uniform(low.y(), high.y(), Draw::Placement, 2 * trial + 1);
@@ -193,6 +196,7 @@ std::vector<sim2d::Human> fillCrowd(const std::vector<Vec2>& polygon, std::size_
         ground.take(place, *human.radius);
         human.initPose.position = place;
         people.push_back(std::move(human));
+        without = 0;
         break;
       }
     }

@@ -61,6 +61,6 @@ QString peopleText(std::size_t count);  // "1 person", "20 people"
 double toCentimetres(double metres);    // a place that is written shortly
 
 constexpr double kPersonGap = 0.1;   // kept free between bodies [m]
-constexpr int kLargestCrowd = 1000;  // at once
+constexpr int kLargestCrowd = 2000;  // at once
 
 }  // namespace editor

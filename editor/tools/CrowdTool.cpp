@@ -10,11 +10,20 @@ namespace {
 
 constexpr int kSideways = -2;  // agent number of the draws beside the drag
 
+/// Nothing when all had room.
+QString roomText(std::size_t placed, std::size_t wanted) {
+  return placed == wanted ? QString()
+         : placed == 0    ? QObject::tr("There is no room for anybody here")
+                          : QObject::tr("There was room for %1 of %2")
+                             .arg(QString::number(placed), peopleText(wanted));
+}
+
 }  // namespace
 
 QString BrushTool::statusText() const {
-  return ground_ ? tr("%1 · Esc drops them").arg(peopleText(people_.size()))
-                 : tr("Drag to lay people along the way; they look where it goes");
+  return ground_              ? tr("%1 · Esc drops them").arg(peopleText(people_.size()))
+         : !result_.isEmpty() ? result_
+                              : tr("Drag to lay people along the way; they look where it goes");
 }
 
 QWidget* BrushTool::makeOptions(QWidget* parent) {
@@ -73,8 +82,11 @@ void BrushTool::release(const CanvasMouse& mouse) {
   if (ground_) {
     layAlong(mouse.world);
     const std::vector<sim2d::Human> people = std::move(people_);
+    const QString result = roomText(people.size(), static_cast<std::size_t>(drawn_));
     cancel();
     addCrowd(document(), people);
+    result_ = result;
+    Q_EMIT statusTextChanged();
   }
 }
 
@@ -86,6 +98,7 @@ void BrushTool::show() {
 void BrushTool::cancel() {
   ground_.reset();
   people_.clear();
+  result_.clear();
   drawn_ = 0;
   clearMarks();
 }
@@ -114,10 +127,7 @@ void FillTool::preview(const Corners& corners) {
 
 void FillTool::make(const Corners& corners) {
   const std::vector<sim2d::Human> people = fillCrowd(corners, count_, recipe_, document());
-  result_.clear();
-  if (people.size() < count_) {
-    result_ = tr("There was room for %1 of %2").arg(people.size()).arg(peopleText(count_));
-  }
+  result_ = roomText(people.size(), count_);
   addCrowd(document(), people);
   Q_EMIT statusTextChanged();
 }

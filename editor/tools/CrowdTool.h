@@ -36,6 +36,7 @@ class BrushTool : public Tool {
   std::vector<sim2d::Human> people_;
   Vec2 last_ = Vec2::Zero();  // place on the drag of the last one
   int drawn_ = 0;             // people drawn by the recipe so far
+  QString result_;            // of the last drag, when not all had room
 };
 
 /// Fills a polygon with people; as many as fit when there is too little room. The people are shown

@@ -18,6 +18,9 @@ class RouteTool : public Tool {
   using Tool::Tool;
 
   QString statusText() const override {
+    if (!refusal_.isEmpty()) {
+      return refusal_;
+    }
     if (walkers().empty()) {
       return tr("Click the person whose route it is (Shift adds more)");
     }
@@ -41,6 +44,7 @@ class RouteTool : public Tool {
   }
   void press(const CanvasMouse& mouse) override {
     const EntityId hit = scene().entityAt(mouse.world);
+    refusal_.clear();
     if (isWalker(hit)) {
       if (mouse.modifiers.testFlag(Qt::ShiftModifier)) {
         document().toggleSelected(hit);
@@ -48,10 +52,8 @@ class RouteTool : public Tool {
         commit();
         document().setSelection({hit});
       }
-    } else if (const sim2d::GlobalGoal* goal = document().goal(hit)) {
-      if (!walkers().empty() && (goals_.empty() || goals_.back() != goal->id)) {
-        goals_.push_back(goal->id);
-      }
+    } else {
+      addGoal(document().goal(hit));
     }
     preview();
   }
@@ -69,6 +71,7 @@ class RouteTool : public Tool {
   void doubleClick(const CanvasMouse&) override { commit(); }
   void cancel() override {
     goals_.clear();
+    refusal_.clear();
     scene().setHovered({});
     clearMarks();
   }
@@ -96,6 +99,19 @@ class RouteTool : public Tool {
     return ids;
   }
 
+  /// Null: there is none where the mouse was.
+  void addGoal(const sim2d::GlobalGoal* goal) {
+    if (walkers().empty()) {
+      refusal_ = tr("No person is selected: click a person first");
+    } else if (goal == nullptr) {
+      refusal_ = tr("There is no goal here: click the pin of one, G makes more");
+    } else if (!goals_.empty() && goals_.back() == goal->id) {
+      refusal_ = tr("%1 is the last of the route already").arg(goalName(goal->id));
+    } else {
+      goals_.push_back(goal->id);
+    }
+  }
+
   void preview() {
     scene().setPreview(goals_.empty() ? std::vector<Entity>()
                                       : withRoute(document(), walkers(), goals_));
@@ -112,6 +128,7 @@ class RouteTool : public Tool {
   }
 
   std::vector<int> goals_;
+  QString refusal_;  // why the last click did nothing
 };
 
 }  // namespace

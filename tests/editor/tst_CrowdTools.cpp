@@ -32,6 +32,7 @@ class CrowdToolsTest : public QObject, private CanvasTester {
   void fill_sameSeed_givesTheSamePeople();
   void fill_goals_becomeRoutes();
   void fill_tooLittleRoom_saysHowMany();
+  void fill_manyMoreThanFit_areToldToo();
   void fill_escapeOrNoSize_leavesNothing();
   void eraser_click_removesTheTopmost();
   void eraser_sweep_isOneCommandAndSparesAreas();
@@ -84,6 +85,10 @@ void CrowdToolsTest::brush_overWalls_leavesThemOut() {
     QVERIFY(std::abs(human.initPose.position.x() - 6.0) > 0.1 + *human.radius - 0.01);
   }
   QVERIFY(scenario().humans.size() >= 3);
+  QVERIFY(brush().statusText().startsWith(
+      QStringLiteral("There was room for %1 of").arg(scenario().humans.size())));
+  click(Vec2(6.0, 2.0));  // in the wall
+  QCOMPARE(brush().statusText(), QStringLiteral("There is no room for anybody here"));
 }
 
 void CrowdToolsTest::brush_escapeOrRightButton_leavesNothing() {
@@ -184,6 +189,15 @@ void CrowdToolsTest::fill_tooLittleRoom_saysHowMany() {
   QVERIFY(made > 1 && made < 12);
   QVERIFY(fill().statusText().contains(QString::number(made)));
   QVERIFY(fill().statusText().contains(QStringLiteral("50")));
+}
+
+void CrowdToolsTest::fill_manyMoreThanFit_areToldToo() {
+  fill().setCount(std::size_t{editor::kLargestCrowd});
+  use("Fill");
+  drag(Vec2(7.0, 1.0), Vec2(9.0, 2.5));
+  const std::size_t made = scenario().humans.size();
+  QVERIFY(made > 1 && made < 30);
+  QCOMPARE(fill().statusText(), QStringLiteral("There was room for %1 of 2000 people").arg(made));
 }
 
 void CrowdToolsTest::fill_escapeOrNoSize_leavesNothing() {

@@ -144,6 +144,31 @@ class PropertyPanelTest : public QObject {
     }
   }
 
+  /// A goal of the robot makes the run longer: that is told beside the duration.
+  void duration_ofARobotWithAGoal_saysWhatEndsTheRun() {
+    const auto says = [this](const QString& words) {
+      const QList<QLabel*> labels = panel_->findChildren<QLabel*>();
+      return std::any_of(labels.begin(), labels.end(), [&words](const QLabel* label) {
+        return label->isVisible() && label->text() == words;
+      });
+    };
+    const QString words = QStringLiteral("Until the robot arrives, at most 120 s");
+    document_->setSelection({});
+    QVERIFY(!says(words));
+    sim2d::Robot robot;
+    robot.name = "robot1";
+    robot.goal.point = base::Vec2(4.0, 4.0);
+    const EntityId id = editor::pushAdd(*document_, robot);
+    document_->setSelection({id});
+    QVERIFY(says(QStringLiteral("ends the run")));
+    document_->setSelection({});
+    QVERIFY(says(words));
+    editor::pushChange<editor::ScenarioSettings>(
+        *document_, editor::kSettingsId, QString(),
+        [](editor::ScenarioSettings& settings) { settings.desktop.duration = 30.0; });
+    QVERIFY(!says(words));
+  }
+
   void page_ofARecordedRun_isReadOnly() {
     document_->setSelection({key(0)});
     auto* speed = field<NumberField>(QStringLiteral("Top speed"));

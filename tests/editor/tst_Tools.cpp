@@ -183,6 +183,24 @@ class ToolsTest : public QObject, private CanvasTester {
     QCOMPARE(document_.undoStack().count(), 1);
   }
 
+  void route_clickThatDoesNothing_saysWhy() {
+    document_.setSelection({});
+    use("Route");
+    click(Vec2(6.0, 8.0));
+    QCOMPARE(tool("Route")->statusText(),
+             QStringLiteral("No person is selected: click a person first"));
+    click(Vec2(3.2, 3.8));
+    click(Vec2(6.0, 8.0));
+    QVERIFY(tool("Route")->statusText().startsWith(QStringLiteral("There is no goal here")));
+    click(Vec2(10.0, 1.5));
+    QVERIFY(tool("Route")->statusText().startsWith(QStringLiteral("Route 3")));
+    click(Vec2(10.0, 1.5));
+    QCOMPARE(tool("Route")->statusText(),
+             QStringLiteral("Goal 3 is the last of the route already"));
+    key(Qt::Key_Return);
+    QVERIFY((document_.human(person(5))->goals == std::vector<int>{3}));
+  }
+
   void robot_startThenGoal_areTwoCommands() {
     document_.load(sim2d::Scenario());
     document_.setMap(small::room());
