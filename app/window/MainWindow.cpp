@@ -36,6 +36,8 @@ constexpr const char* kGeometryKey = "window/geometry";
 constexpr const char* kWindowStateKey = "window/state";
 constexpr const char* kThemeKey = "window/theme";
 constexpr int kLayoutVersion = 1;
+constexpr QSize kLeastWindow(860, 480);  // fits 1920 x 1080 at 200 %, the time line too
+constexpr QSize kFrame(2, 38);           // what the window manager puts around it, about
 constexpr int kSavedWidth = 120;
 constexpr int kMenuHeight = 28;
 constexpr int kMessageMs = 8000;
@@ -58,8 +60,8 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
       toolBar_(makeToolBar(*this, workspace_, *actions_)),
       saved_(new QLabel(this)) {
   setObjectName(QStringLiteral("window"));
-  setMinimumSize(900, 600);
-  resize(usualSize().boundedTo(screen()->availableGeometry().size()));
+  setMinimumSize(kLeastWindow);
+  resize(usualSize().boundedTo(screen()->availableGeometry().size() - kFrame));
   setContextMenuPolicy(Qt::NoContextMenu);
   setWindowIcon(editor::themedIcon(QStringLiteral("app"), editor::Theme::light()));
   workspace_.document().setShippedMaps(setup.shippedMaps);

@@ -97,6 +97,27 @@ class WindowStaysTest : public QObject, protected quiet::InFolder {
     }
   }
 
+  /// A screen of 1920 x 1080 at 200 % has 960 x 540, of which the frame takes some.
+  void smallScreen_timelineAndPanels_areAllInTheWindow() {
+    QVERIFY(window_->open(quiet::demoPath()));
+    const QSize small(960, 500);
+    window_->resize(small);
+    document().setSelection({document().entities(base::EntityKind::Human).front()});
+    window_->workspace().runner().stepOnce();
+    QTRY_VERIFY(window_->workspace().scene().isRunMode());
+    QCoreApplication::processEvents();
+    QCOMPARE(window_->size(), small);
+    const auto* timeline = window_->findChild<editor::TimelineBar*>();
+    const QRect bar(timeline->mapTo(window_.get(), QPoint()), timeline->size());
+    QVERIFY(window_->rect().contains(bar));
+    QVERIFY(bar.width() > 900);
+    for (const QDockWidget* dock : window_->docks().all()) {
+      QVERIFY2(dock->visibleRegion().isEmpty() || dock->geometry().bottom() < bar.top(),
+               qPrintable(dock->windowTitle()));
+    }
+    quiet::shoot(*window_, "small-screen");
+  }
+
   void closeAndOpen_again_panelsKeepTheirSizes() {
     QVERIFY(window_->open(quiet::demoPath()));
     QCoreApplication::processEvents();
