@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 #include <QClipboard>
 #include <QFileInfo>
@@ -35,6 +36,45 @@ QString placeOf(const base::Diagnostic& issue, const QString& ownFile) {
     return QObject::tr("line %1").arg(issue.line);  // the sentences need the room
   }
   return issue.line > 0 ? file + QStringLiteral(":%1").arg(issue.line) : file;
+}
+
+/// What reading, trees and the beginning of a run say in their words of what the check tells too.
+struct Echo {
+  std::string_view code, of;
+};
+constexpr Echo kEchoes[] = {{"scenario.nobody-listed", "scenario.nobody"},
+                            {"tree.no-goal", "scenario.goal-undefined"},
+                            {"world.body-moved", "places.moved"},
+                            {"world.body-does-not-fit", "places.no-place"},
+                            {"world.goal-out-of-reach", "places.no-way"},
+                            {"world.point-out-of-reach", "places.no-way"},
+                            {"world.point-out-of-reach", "places.no-way-to-point"}};
+
+/// Every problem once: without those that say the same of the same thing, wherever it was found.
+base::Diagnostics toldOnce(const base::Diagnostics& all) {
+  using About = std::tuple<EntityId, std::string_view, std::string>;  // thing, code, goal
+  std::set<About> told;
+  for (const base::Diagnostic& issue : all) {
+    for (const EntityId thing : {issue.entity, EntityId()}) {
+      told.insert({thing, issue.code, issue.value("goal")});
+      told.insert({thing, issue.code, std::string()});
+    }
+  }
+  std::set<std::pair<EntityId, std::string>> said;
+  base::Diagnostics once;
+  for (const base::Diagnostic& issue : all) {
+    const bool isEcho = std::any_of(std::begin(kEchoes), std::end(kEchoes), [&](const Echo& echo) {
+      return echo.code == issue.code &&
+             told.count({issue.entity, echo.of, issue.value("goal")}) > 0;
+    });
+    const std::string place = issue.entity ? std::string()
+                                           : issue.file + ':' + std::to_string(issue.line) + ':' +
+                                                 std::to_string(issue.column) + ':';
+    if (!isEcho && said.insert({issue.entity, place + issue.message}).second) {
+      once.push_back(issue);
+    }
+  }
+  return once;
 }
 
 }  // namespace
@@ -167,21 +207,13 @@ void IssuesPanel::setActionIssues(const base::Diagnostics& issues) {
 }
 
 void IssuesPanel::rebuild() {
-  issues_ = action_;
-  base::Diagnostics live = document_.issues();
-  base::append(live, adviceFor(document_.scenario()));
-  std::set<std::string> said;
-  for (const base::Diagnostic& issue : issues_) {
-    said.insert(issue.text());
-  }
-  for (const base::Diagnostic& issue : live) {
-    if (said.insert(issue.text()).second) {
-      issues_.push_back(issue);
-    }
-  }
-  std::stable_sort(issues_.begin(), issues_.end(), [](const auto& a, const auto& b) {
+  base::Diagnostics all = action_;
+  base::append(all, document_.issues());
+  base::append(all, adviceFor(document_.scenario()));
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
     return static_cast<int>(a.severity) > static_cast<int>(b.severity);
   });
+  issues_ = toldOnce(all);
   const sim2d::Scenario& scenario = document_.scenario();
   calm_->setText(scenario.humans.empty()
                      ? tr("Nothing to complain about.")

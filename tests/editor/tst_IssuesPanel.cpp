@@ -57,6 +57,46 @@ class IssuesPanelTest : public QObject {
     QCOMPARE(editor::issueSentence(base::error("run.failed", {message.toStdString()})), shown);
   }
 
+  /// The check and whoever meets the problem next have different words for it.
+  void issues_sameProblemInOtherWords_isToldOnce_data() {
+    QTest::addColumn<QByteArray>("code");
+    QTest::addColumn<QByteArray>("goal");
+    QTest::addColumn<bool>("isSame");
+    const auto row = [](const char* name, const char* code, const char* goal, bool isSame) {
+      QTest::newRow(name) << QByteArray(code) << QByteArray(goal) << isSame;
+    };
+    row("goal that a tree sets", "tree.no-goal", "7", true);
+    row("another goal of a tree", "tree.no-goal", "8", false);
+    row("another problem", "world.goal-out-of-reach", "7", false);
+  }
+  void issues_sameProblemInOtherWords_isToldOnce() {
+    QFETCH(QByteArray, code);
+    QFETCH(QByteArray, goal);
+    QFETCH(bool, isSame);
+    ScenarioDocument document;
+    document.load(personWithUnknownGoal());
+    IssuesPanel panel(document, editor::Theme::light());
+    document.checkNow();
+    const int before = panel.table().model()->rowCount();
+    base::Diagnostic again = base::warning(code.constData(), {goal.toStdString()});
+    again.entity = document.scenario().humans.front().key;
+    panel.setActionIssues({again});
+    QCOMPARE(panel.table().model()->rowCount(), before + (isSame ? 0 : 1));
+    again.entity = {};  // of nobody that is known
+    panel.setActionIssues({again});
+    QCOMPARE(panel.table().model()->rowCount(), before + (isSame ? 0 : 1));
+  }
+
+  /// Asked for, its map is an error; found missing, a warning: one problem all the same.
+  void issues_sameWordsWithAnotherSeverity_areToldOnce() {
+    ScenarioDocument document;
+    IssuesPanel panel(document, editor::Theme::light());
+    panel.setActionIssues({base::error("map.not-found", {"m"}, "a.yaml", 3),
+                           base::warning("map.not-found", {"m"}, "a.yaml", 3),
+                           base::warning("map.not-found", {"m"}, "b.yaml", 3)});
+    QCOMPARE(panel.table().model()->rowCount(), 2 + static_cast<int>(document.issues().size()));
+  }
+
   void live_unknownGoal_isToldAndSelectsThePerson() {
     ScenarioDocument document;
     document.load(personWithUnknownGoal());
