@@ -79,6 +79,28 @@ QLabel* emptyState(const QString& text, QWidget* parent) {
   return label;
 }
 
+NothingFound::NothingFound(QLineEdit& filter, QWidget& list, QWidget* parent)
+    : QWidget(parent), filter_(filter), list_(list), words_(emptyState({}, this)) {
+  words_->setTextFormat(Qt::PlainText);
+  auto* clear = linkButton(tr("Clear"), tr("Show the whole list again"), this, [this] {
+    filter_.clear();
+    filter_.setFocus();
+  });
+  auto* layout = arranged(new QVBoxLayout(this), {0, 0, 0, 0}, 0, {words_});
+  layout->addWidget(clear, 0, Qt::AlignHCenter);
+  layout->addStretch(1);
+  hide();
+}
+
+void NothingFound::showFor(bool found) {
+  constexpr int kMostNamed = 40;  // letters
+  const QString text = filter_.text().trimmed();
+  const QString named = text.size() > kMostNamed ? text.left(kMostNamed) + QChar(0x2026) : text;
+  words_->setText(tr("Nothing matches '%1'").arg(named));
+  list_.setVisible(found);
+  setVisible(!found);
+}
+
 void describe(QAction& action, const QString& says) {
   QString name = action.text().section(QLatin1Char('\t'), 0, 0);  // a key that a tool hears follows
   name.remove(QLatin1Char('&')).remove(QStringLiteral("…"));

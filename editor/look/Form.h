@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QGridLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QScrollArea>
 #include <QToolButton>
 #include <QWidget>
@@ -52,6 +53,19 @@ QWidget* dividerLine(QWidget* parent = nullptr);
 QString counted(std::size_t count, const QString& one, const QString& many);
 /// "no tree" -> "No tree"
 QString capitalized(QString text);
+/// Takes the place of a list of which a filter leaves nothing: says so, and clears the filter.
+class NothingFound : public QWidget {
+  Q_OBJECT
+ public:
+  NothingFound(QLineEdit& filter, QWidget& list, QWidget* parent);
+  void showFor(bool found);
+
+ private:
+  QLineEdit& filter_;
+  QWidget& list_;
+  QLabel* words_;
+};
+
 /// A centred sentence that says what to do when a panel has nothing to show.
 QLabel* emptyState(const QString& text, QWidget* parent = nullptr);
 /// A layout with these margins and this space between its parts [px], of which these are the first.

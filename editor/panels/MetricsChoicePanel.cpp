@@ -12,7 +12,6 @@
 #include <QVBoxLayout>
 
 #include "editor/document/EditCommands.h"
-#include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/RowDelegate.h"
@@ -113,7 +112,9 @@ MetricsChoicePanel::MetricsChoicePanel(ScenarioDocument& document, MetricsFeed& 
   auto* layout = arranged(new QVBoxLayout(this), {0, 0, 0, 4}, 4);
   layout->addLayout(arranged(new QHBoxLayout, {12, 0, 12, 0}, 0, {search_}));
   layout->addLayout(links);
+  nothing_ = new NothingFound(*search_, *tree_, this);
   layout->addWidget(tree_, 1);
+  layout->addWidget(nothing_, 1);
   build();
   connect(search_, &QLineEdit::textChanged, this, &MetricsChoicePanel::filter);
   connect(tree_, &QTreeWidget::itemChanged, this, &MetricsChoicePanel::giveSelection);
@@ -215,6 +216,8 @@ void MetricsChoicePanel::filter(const QString& text) {
     group->setHidden(!any);
     group->setExpanded(text.isEmpty() ? tree_->indexOfTopLevelItem(group) < 2 : any);
   }
+  nothing_->showFor(
+      std::any_of(shown.begin(), shown.end(), [](const auto& each) { return each.second; }));
 }
 
 void MetricsChoicePanel::showCounts() {

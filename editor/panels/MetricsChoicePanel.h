@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QTreeWidget>
 
+#include "editor/look/Form.h"
 #include "editor/look/Theme.h"
 #include "editor/panels/MetricsFeed.h"
 
@@ -42,6 +43,7 @@ class MetricsChoicePanel : public QWidget {
   QAction* searchMark_;
   QLabel* count_;
   QTreeWidget* tree_ = nullptr;
+  NothingFound* nothing_ = nullptr;
   std::vector<QTreeWidgetItem*> rows_;  // of all groups
 };
 

@@ -16,7 +16,6 @@
 
 #include "editor/document/EditCommands.h"
 #include "editor/document/Groups.h"
-#include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/RowDelegate.h"
@@ -156,13 +155,17 @@ ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme)
   styleTree(*tree_);
   auto* layout = arranged(new QVBoxLayout(this), {0, 0, 0, 0}, 4);
   layout->addLayout(arranged(new QVBoxLayout, {12, 0, 12, 0}, 0, {filterField_}));
-  layout->addWidget(new WholeRows(*tree_, this), 1);
+  auto* rows = new WholeRows(*tree_, this);
+  nothing_ = new NothingFound(*filterField_, *rows, this);
+  layout->addWidget(rows, 1);
+  layout->addWidget(nothing_, 1);
   empty_->setMinimumHeight(kEmptyHeight);
   layout->addWidget(empty_);
   connect(filterField_, &QLineEdit::textChanged, this, [this](const QString& text) {
     filter_->setText(text);
     tree_->setDragEnabled(text.isEmpty());  // rows that are hidden have no place to drag to
     expandGroups();
+    showEmptiness();
   });
   connect(tree_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &ScenarioPanel::giveSelection);
@@ -186,7 +189,10 @@ ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme)
 }
 
 void ScenarioPanel::showEmptiness() {
-  empty_->setVisible(document_.scenario().humans.empty() && document_.scenario().goals.empty());
+  const sim2d::Scenario& scenario = document_.scenario();
+  const bool isFound = filter_->rowCount() > 0;
+  empty_->setVisible(isFound && scenario.humans.empty() && scenario.goals.empty());
+  nothing_->showFor(isFound);
 }
 
 void ScenarioPanel::setTheme(const Theme& theme) {

@@ -6,6 +6,7 @@
 #include <QTreeView>
 
 #include "editor/document/EntityModel.h"
+#include "editor/look/Form.h"
 
 namespace editor {
 
@@ -44,6 +45,7 @@ class ScenarioPanel : public QWidget {
   QTreeView* tree_;
   QAction* searchMark_;
   QLabel* empty_;
+  NothingFound* nothing_ = nullptr;
   bool syncing_ = false;
 };
 

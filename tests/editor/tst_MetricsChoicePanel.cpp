@@ -96,6 +96,12 @@ class MetricsChoicePanelTest : public QObject {
       }
     }
     QVERIFY(shown >= 1 && shown < 5);
+    const auto* nothing = panel.findChild<editor::NothingFound*>();
+    QVERIFY(!nothing->isVisibleTo(&panel));
+    panel.search().setText(QStringLiteral("zzz"));
+    QVERIFY(nothing->isVisibleTo(&panel) && !panel.tree().isVisibleTo(&panel));
+    nothing->findChild<QToolButton*>()->click();
+    QVERIFY(!nothing->isVisibleTo(&panel) && panel.tree().isVisibleTo(&panel));
   }
 
   void saved_choice_isReadAgain() {

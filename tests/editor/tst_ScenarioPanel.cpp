@@ -69,6 +69,17 @@ class ScenarioPanelTest : public QObject {
     QCOMPARE(count(), QStringLiteral("6"));
   }
 
+  void filter_thatFindsNothing_saysSoAndIsClearedByALink() {
+    const auto* nothing = panel_->findChild<editor::NothingFound*>();
+    QVERIFY(!nothing->isVisible() && panel_->tree().isVisible());
+    panel_->filter().setText(QStringLiteral("zzz"));
+    QVERIFY(nothing->isVisible() && !panel_->tree().isVisible());
+    QCOMPARE(nothing->findChild<QLabel*>()->text(), QStringLiteral("Nothing matches 'zzz'"));
+    nothing->findChild<QToolButton*>()->click();
+    QVERIFY(panel_->filter().text().isEmpty());
+    QVERIFY(!nothing->isVisible() && panel_->tree().isVisible());
+  }
+
   void filter_thatHidesAll_knowsWhatCameMeanwhile() {
     using Mode = QAbstractItemModelTester::FailureReportingMode;
     const QAbstractItemModelTester whole(&panel_->model(), Mode::QtTest);
