@@ -57,6 +57,18 @@ KeyRules::KeyRules(QMainWindow& window, Workspace& workspace)
   qApp->installEventFilter(this);
 }
 
+QStringList KeyRules::rules() {
+  return {
+      tr("A text that is being typed has all keys that it uses. Enter finishes it and gives the "
+         "keyboard back to the map; Ctrl+Z is the text's own only while something is typed."),
+      tr("A list has the keys that move in it, and Delete if it has rows to remove. Only from "
+         "the list of the scenario does Delete reach what is selected on the map."),
+      tr("Buttons, check boxes and choices do not take the keyboard from a click. Who goes "
+         "there by Tab uses them with Space and the arrows."),
+      tr("All else belongs to the commands of the window, such as Space to run and pause, then "
+         "to the tool of the map.")};
+}
+
 /// Whether the widget has a key although it does not say so, and a command waits for it.
 bool KeyRules::isOfWidget(QWidget& focus, const QKeyEvent& event) const {
   const bool isSpace = event.key() == Qt::Key_Space && event.modifiers() == Qt::NoModifier;

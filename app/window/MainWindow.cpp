@@ -16,6 +16,7 @@
 #include "app/window/DocumentGuard.h"
 #include "app/window/KeyRules.h"
 #include "app/window/NoticeBar.h"
+#include "app/window/ShortcutsDialog.h"
 #include "app/window/StatusLine.h"
 #include "app/window/ToolBars.h"
 #include "editor/look/Form.h"
@@ -142,6 +143,11 @@ void MainWindow::connectFiles() {
     }
   });
   connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
+  connect(actions_->shortcuts, &QAction::triggered, this, [this] {
+    auto* dialog = new ShortcutsDialog(*menuBar(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->show();  // beside the window, to try the keys out
+  });
   connect(actions_->about, &QAction::triggered, this, &MainWindow::tellAbout);
   connect(recent_->menuAction(), &QAction::hovered, this,
           [this] { files_->fillRecentMenu(*recent_); });

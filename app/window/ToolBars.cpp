@@ -187,7 +187,7 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
       ->addActions(
           {playback.playPause, playback.step, playback.stepBack, playback.newest, playback.reset});
   addBehaviorMenu(bar, workspace);
-  bar.addMenu(QObject::tr("&Help"))->addAction(actions.about);
+  bar.addMenu(QObject::tr("&Help"))->addActions({actions.shortcuts, actions.about});
   return recent;
 }
 

@@ -23,7 +23,7 @@ class WindowActions : public QObject {
   QAction *undo, *redo, *cut, *copy, *paste, *duplicate, *rename, *remove, *selectAll, *deselect;
   QAction *next, *previous;  // person, or thing of the kind that is selected
   QAction *zoomIn, *zoomOut, *zoomFit, *fullScreen, *resetLayout, *switchTheme, *systemTheme;
-  QAction *openMap, *assignGoals, *settings, *about;
+  QAction *openMap, *assignGoals, *settings, *shortcuts, *about;
   QAction *names, *routes, *grid, *rulers, *trails, *rings, *forces, *snapToPoints;
   /// What the canvas shows and what drawing snaps to, checkable.
   QList<QAction*> overlays, layers, snapping;
