@@ -7,10 +7,9 @@
 #include <QMenuBar>
 #include <QToolButton>
 
-#include "editor/document/BehaviorValues.h"
-#include "editor/document/EditCommands.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
+#include "editor/panels/BehaviorMenu.h"
 #include "editor/panels/ScenarioPanel.h"
 
 namespace app {
@@ -83,28 +82,10 @@ QToolButton* makeLayersButton(const WindowActions& actions, QWidget* parent) {
 
 void addBehaviorMenu(QMenuBar& bar, Workspace& workspace) {
   QMenu* menu = bar.addMenu(QObject::tr("&Behaviour"));
-  editor::ScenarioDocument& document = workspace.document();
-  for (int i = 1; i <= 6; ++i) {
-    const auto type = static_cast<sim2d::BehaviorType>(i);
-    const QString name = editor::lookName(editor::lookOf(type));
-    QAction* action = menu->addAction(name);
-    editor::describe(*action,
-                     QObject::tr("Make the people that are selected %1").arg(name.toLower()));
-    QObject::connect(action, &QAction::triggered, &document, [&document, type, name] {
-      std::vector<editor::Entity> people;
-      for (const editor::EntityId id : document.selection()) {
-        if (const sim2d::Human* human = document.human(id)) {
-          people.emplace_back(*human);
-          auto& person = std::get<sim2d::Human>(people.back());
-          person.behavior.type = type;
-          editor::completeReaction(document.scenario(), person);
-        }
-      }
-      editor::pushEdit(document, std::move(people), QObject::tr("Make %1").arg(name.toLower()));
-    });
-  }
-  QObject::connect(menu, &QMenu::aboutToShow, &document, [menu, &workspace] {
-    const std::vector<editor::EntityId>& selection = workspace.document().selection();
+  const editor::ScenarioDocument& document = workspace.document();
+  editor::fillBehaviorMenu(*menu, workspace.document(), workspace.theme(), &bar);
+  QObject::connect(menu, &QMenu::aboutToShow, &document, [menu, &workspace, &document] {
+    const std::vector<editor::EntityId>& selection = document.selection();
     const bool people = std::any_of(selection.begin(), selection.end(), [](editor::EntityId id) {
       return id.kind == base::EntityKind::Human;
     });
@@ -112,6 +93,7 @@ void addBehaviorMenu(QMenuBar& bar, Workspace& workspace) {
     for (QAction* action : menu->actions()) {
       action->setEnabled(people && editing);
     }
+    menu->actions().back()->setEnabled(editing && !document.scenario().humans.empty());  // a mix
   });
 }
 

@@ -8,6 +8,7 @@
 #include "editor/document/Groups.h"
 #include "editor/document/PersonTree.h"
 #include "editor/look/FigurePainter.h"
+#include "editor/panels/BehaviorMenu.h"
 #include "editor/panels/EntityPages.h"
 #include "editor/panels/GoalAssignment.h"
 #include "editor/panels/RouteEditor.h"
@@ -74,6 +75,12 @@ void PersonPage::addPersonSection() {
     looks.push_back(lookName(lookOf(static_cast<BehaviorType>(i))));
   }
   behavior_ = static_cast<ChoiceField*>(addRow(section, behavior, inWords(looks)));
+  auto* mix = linkButton(tr("Mix…"), tr("Shares of behaviours among these people"), this,
+                         [this] { openMix(document(), theme_, this); });
+  section->addRow(QString(), mix);
+  addRefresh([section, mix](const std::vector<Entity>& shown) {
+    section->setRowVisible(mix, shown.size() > 1);
+  });
   addTreeRow(section);
   addField<PersonExtension>(
       section, "kind",

@@ -27,7 +27,7 @@ constexpr int kPictureSize = 36;
 constexpr int kLeastPage = 48;
 
 /// "1 → 2 → 3": the first ones.
-QString routeText(const std::vector<int>& goals) {
+QString firstGoals(const std::vector<int>& goals) {
   constexpr std::size_t kMostNamed = 5;
   QStringList words;
   for (std::size_t k = 0; k < std::min(goals.size(), kMostNamed); ++k) {
@@ -57,7 +57,7 @@ QString aboutPerson(const sim2d::Scenario& scenario, const sim2d::Human& human) 
   if (human.goals.empty()) {
     return number + QObject::tr(" · stands still");
   }
-  return number + QObject::tr(" · goals %1").arg(routeText(human.goals));
+  return number + QObject::tr(" · goals %1").arg(firstGoals(human.goals));
 }
 
 QString aboutRobot(const sim2d::Robot& robot) {
@@ -66,7 +66,7 @@ QString aboutRobot(const sim2d::Robot& robot) {
   return robot.goal.point ? planner + QObject::tr(" · to %1").arg(pointText(*robot.goal.point))
          : robot.goal.goals.empty()
              ? planner + QObject::tr(" · stands still")
-             : planner + QObject::tr(" · goals %1").arg(routeText(robot.goal.goals));
+             : planner + QObject::tr(" · goals %1").arg(firstGoals(robot.goal.goals));
 }
 
 /// Where it drives in a run: a goal by its number, or the point that it has instead.
@@ -245,7 +245,7 @@ void PropertyPanel::showGuest() {
   }
   const QString about = tr("Person %1 · %2").arg(guest_->id).arg(lookName(look));
   name_->setWords(QString::fromStdString(guest_->name));
-  about_->setText(goals.empty() ? about : about + tr(" · goals %1").arg(routeText(goals)));
+  about_->setText(goals.empty() ? about : about + tr(" · goals %1").arg(firstGoals(goals)));
   picture_->setPixmap(FigurePainter(theme_)
                           .personIcon(look, kPictureSize)
                           .pixmap(window()->windowHandle(), QSize(kPictureSize, kPictureSize)));

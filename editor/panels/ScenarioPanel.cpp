@@ -17,6 +17,7 @@
 #include "editor/document/EditCommands.h"
 #include "editor/document/Groups.h"
 #include "editor/look/Icons.h"
+#include "editor/panels/BehaviorMenu.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/RowDelegate.h"
 
@@ -139,6 +140,7 @@ QRect ScenarioPanel::eyeOf(const QRect& row) {
 
 ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme)
     : document_(document),
+      theme_(theme),
       model_(new EntityModel(document, theme, this)),
       filter_(new EntityFilter(*model_, this)),
       filterField_(new QLineEdit(this)),
@@ -196,6 +198,7 @@ void ScenarioPanel::showEmptiness() {
 }
 
 void ScenarioPanel::setTheme(const Theme& theme) {
+  theme_ = theme;
   model_->setTheme(theme);
   searchMark_->setIcon(tintedIcon(QStringLiteral("search"), theme.color(Role::TextSecondary)));
   tree_->viewport()->update();
@@ -330,6 +333,7 @@ void ScenarioPanel::addPeopleActions(QMenu& menu) {
     }
   }
   menu.addSeparator();
+  fillBehaviorMenu(*menu.addMenu(tr("Behaviour")), document_, theme_, this);
   offer(menu, tr("Assign goals…"), tr("Which people visit which goals, in which order"),
         [this] { Q_EMIT goalsWanted(); });
   offer(menu, tr("Walk as a group"),

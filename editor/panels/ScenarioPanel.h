@@ -39,6 +39,7 @@ class ScenarioPanel : public QWidget {
   void switchEye(const QModelIndex& index);
 
   ScenarioDocument& document_;
+  Theme theme_;
   EntityModel* model_;
   EntityFilter* filter_;
   QLineEdit* filterField_;

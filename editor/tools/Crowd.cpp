@@ -24,6 +24,7 @@ constexpr int kTrials = 80;            // draws for one place
 constexpr int kFull = 40;              // people in a row who found none: the ground is full
 constexpr std::size_t kMostGoals = 3;  // of a drawn route
 constexpr int kPlaces = -1;            // agent number of the draws of places
+constexpr int kMixing = -3;            // and of the order of behaviours
 constexpr std::array<int, 5> kAges = {70, 10, 12, 3, 5};  // kinds of a mixed crowd, per cent
 
 /// What a draw of a person is for; the index of the random number.
@@ -202,6 +203,44 @@ std::vector<sim2d::Human> fillCrowd(const std::vector<Vec2>& polygon, std::size_
     }
   }
   return people;
+}
+
+std::vector<sim2d::BehaviorType> mixedBehaviors(const CrowdRecipe& recipe, std::size_t count) {
+  const int sum = std::accumulate(recipe.mix.begin(), recipe.mix.end(), 0);
+  std::array<long long, kBehaviorCount> given = {};
+  std::vector<sim2d::BehaviorType> all;
+  for (std::size_t n = 1; n <= count; ++n) {  // next comes what is farthest behind its share
+    std::size_t next = 0;
+    long long most = 0;
+    for (std::size_t k = 0; k < given.size(); ++k) {
+      const long long behind = static_cast<long long>(n) * recipe.mix[k] - given[k] * sum;
+      if (behind > most) {
+        most = behind;
+        next = k;
+      }
+    }
+    ++given[next];
+    all.push_back(static_cast<sim2d::BehaviorType>(next + 1));
+  }
+  const AgentRng rng(static_cast<std::uint64_t>(recipe.seed), kMixing);
+  for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+    const double part = rng.uniform01(Draw::Placement, static_cast<std::uint32_t>(i));
+    std::swap(all[i], all[i + static_cast<std::size_t>(part * double(all.size() - i))]);
+  }
+  return all;
+}
+
+void pushMix(ScenarioDocument& document, const std::vector<EntityId>& people,
+             const CrowdRecipe& recipe) {
+  const std::vector<sim2d::BehaviorType> behaviors = mixedBehaviors(recipe, people.size());
+  std::vector<Entity> values;
+  for (std::size_t i = 0; i < people.size(); ++i) {
+    sim2d::Human human = *document.human(people[i]);
+    human.behavior.type = behaviors[i];
+    completeReaction(document.scenario(), human);
+    values.emplace_back(std::move(human));
+  }
+  pushEdit(document, std::move(values), QObject::tr("Mix behaviours"));
 }
 
 void showCrowd(MapScene& scene, const std::vector<sim2d::Human>& people) {

@@ -49,6 +49,13 @@ sim2d::Human drawnPerson(const CrowdRecipe& recipe, int index, const sim2d::Scen
 std::vector<sim2d::Human> fillCrowd(const std::vector<Vec2>& polygon, std::size_t count,
                                     const CrowdRecipe& recipe, const ScenarioDocument& document);
 
+/// Behaviours for so many people in the shares of the recipe, as near as whole people come to them,
+/// in an order drawn by its seed.
+std::vector<sim2d::BehaviorType> mixedBehaviors(const CrowdRecipe& recipe, std::size_t count);
+/// Gives them to these people, with what their reactions need: one command.
+void pushMix(ScenarioDocument& document, const std::vector<EntityId>& people,
+             const CrowdRecipe& recipe);
+
 /// A person with the values of a new one, all written out so that other programs read them too.
 sim2d::Human newPerson();
 

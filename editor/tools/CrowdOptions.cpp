@@ -21,9 +21,17 @@ namespace {
 constexpr QSize kBar(72, 16);
 constexpr int kFieldWidth = 64;
 constexpr int kNarrowWidth = 76;
+const QLatin1String kMarkName("mark");
 
 Look lookAt(int index) {
   return lookOf(static_cast<sim2d::BehaviorType>(index + 1));
+}
+
+void showMarks(QWidget& fields, const Theme& theme) {
+  const QList<QLabel*> marks = fields.findChildren<QLabel*>(kMarkName);
+  for (int i = 0; i < marks.size(); ++i) {
+    marks[i]->setPixmap(FigurePainter(theme).markIcon(lookAt(i)).pixmap(16, 16));
+  }
 }
 
 /// A button that shows the shares of the behaviours as a bar and opens fields for them.
@@ -38,54 +46,22 @@ class MixButton : public QToolButton {
     setAccessibleName(toolTip());
     auto* menu = new QMenu(this);
     auto* action = new QWidgetAction(menu);
-    action->setDefaultWidget(makeFields());
+    const auto follow = [this] {
+      showBar();
+      changed_();
+    };
+    QWidget* fields = makeMixFields(recipe, scene.theme(), follow, this);
+    action->setDefaultWidget(fields);
     menu->addAction(action);
     setMenu(menu);
-    connect(&scene, &MapScene::themeChanged, this, &MixButton::showBar);
+    connect(&scene, &MapScene::themeChanged, this, [this, fields] {
+      showMarks(*fields, scene_.theme());
+      showBar();
+    });
     showBar();
   }
 
  private:
-  QWidget* makeFields() {
-    auto* page = new QWidget(this);
-    auto* grid = new QGridLayout(page);
-    grid->setContentsMargins(12, 8, 12, 8);
-    grid->setHorizontalSpacing(8);
-    grid->setVerticalSpacing(4);
-    for (int i = 0; i < kBehaviorCount; ++i) {
-      auto* mark = new QLabel(page);
-      const auto showMark = [this, mark, i] {
-        mark->setPixmap(FigurePainter(scene_.theme()).markIcon(lookAt(i)).pixmap(16, 16));
-      };
-      showMark();
-      connect(&scene_, &MapScene::themeChanged, mark, showMark);
-      grid->addWidget(mark, i, 0);
-      addField(*grid, i, lookName(lookAt(i)), tr("parts"), 100.0,
-               recipe_.mix[static_cast<std::size_t>(i)]);
-    }
-    // Here and not in the row of the tool, which has to fit into a small window.
-    addField(*grid, kBehaviorCount, tr("Seed"), {}, 999999.0, recipe_.seed)
-        ->setToolTip(tr("Another seed draws other people"));
-    return page;
-  }
-
-  NumberField* addField(QGridLayout& grid, int row, const QString& name, const QString& unit,
-                        double most, int& value) {
-    auto* field =
-        new NumberField({0.0, most, 0, unit.isEmpty() ? 1.0 : 5.0}, unit, grid.parentWidget());
-    field->setFixedWidth(kNarrowWidth + 12);
-    field->show(value, false);
-    field->setAccessibleName(name);
-    connect(field, &NumberField::edited, this, [this, &value](double wanted) {
-      value = static_cast<int>(wanted);
-      showBar();
-      changed_();
-    });
-    grid.addWidget(new QLabel(name, grid.parentWidget()), row, 1);
-    grid.addWidget(field, row, 2);
-    return field;
-  }
-
   void showBar() {
     constexpr int kRatio = 2;
     QPixmap bar(kBar * kRatio);
@@ -110,6 +86,41 @@ class MixButton : public QToolButton {
 };
 
 }  // namespace
+
+QWidget* makeMixFields(CrowdRecipe& recipe, const Theme& theme,
+                       const std::function<void()>& changed, QWidget* parent) {
+  auto* page = new QWidget(parent);
+  auto* grid = new QGridLayout(page);
+  grid->setContentsMargins(12, 8, 12, 8);
+  grid->setHorizontalSpacing(8);
+  grid->setVerticalSpacing(4);
+  const auto add = [&](int row, const QString& name, const NumberField::Range& range,
+                       const QString& unit, int& value) {
+    auto* field = new NumberField(range, unit, page);
+    field->setFixedWidth(kNarrowWidth + 12);
+    field->show(value, false);
+    field->setAccessibleName(name);
+    QObject::connect(field, &NumberField::edited, page, [changed, &value](double wanted) {
+      value = static_cast<int>(wanted);
+      changed();
+    });
+    grid->addWidget(new QLabel(name, page), row, 1);
+    grid->addWidget(field, row, 2);
+    return field;
+  };
+  for (int i = 0; i < kBehaviorCount; ++i) {
+    auto* mark = new QLabel(page);
+    mark->setObjectName(kMarkName);
+    grid->addWidget(mark, i, 0);
+    add(i, lookName(lookAt(i)), {0.0, 100.0, 0, 5.0}, QObject::tr("parts"),
+        recipe.mix[static_cast<std::size_t>(i)]);
+  }
+  // Here and not in the row of the tool, which has to fit into a small window.
+  add(kBehaviorCount, QObject::tr("Seed"), {0.0, 999999.0, 0, 1.0}, {}, recipe.seed)
+      ->setToolTip(QObject::tr("Another seed draws other people"));
+  showMarks(*page, theme);
+  return page;
+}
 
 OptionsRow::OptionsRow(QWidget* parent)
     : QWidget(parent), layout_(arranged(new QHBoxLayout(this), {}, 8)) {}

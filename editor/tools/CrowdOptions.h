@@ -24,6 +24,9 @@ class OptionsRow : public QWidget {
 /// Fields for a recipe, which has to outlive them; `changed` is called after each change.
 void addRecipeFields(OptionsRow& row, CrowdRecipe& recipe, const MapScene& scene,
                      const std::function<void()>& changed);
+/// Fields for the shares of the behaviours and the seed of a recipe, one below the other.
+QWidget* makeMixFields(CrowdRecipe& recipe, const Theme& theme,
+                       const std::function<void()>& changed, QWidget* parent);
 /// A choice among words, of which number `at` is the present one.
 ChoiceField* addChoice(OptionsRow& row, const QString& label, const QStringList& words, int at,
                        const std::function<void(int)>& chosen);

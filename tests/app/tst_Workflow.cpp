@@ -1,3 +1,5 @@
+#include <set>
+
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -243,6 +245,27 @@ class WorkflowTest : public QObject {
     QVERIFY2(hands_->actions() <= 40, QByteArray::number(hands_->actions()).constData());
     QCOMPARE(hands_->boxes(), 0);
     qInfo("%d clicks and drags", hands_->actions());
+  }
+
+  void tenPeople_aMixOfBehaviours_takesTwoClicks() {
+    openMap();
+    hands_->chooseTool(QStringLiteral("tool-person"));
+    for (int i = 0; i < 10; ++i) {
+      hands_->clickMap({1.0 + 1.6 * (i % 5), i < 5 ? 1.5 : 6.5}, kSnap);
+    }
+    QCOMPARE(document().scenario().humans.size(), std::size_t(10));
+    document().setSelection({});
+    hands_->countFromHere();
+    hands_->chooseInMenu(QStringLiteral("Behaviour"), QStringLiteral("Mix"));
+    QTRY_VERIFY(hands_->openDialog() != nullptr);
+    QTest::keyClick(hands_->openDialog(), Qt::Key_Return);
+    QTRY_VERIFY(hands_->openDialog() == nullptr);
+    QCOMPARE(hands_->actions(), 2);
+    std::set<sim2d::BehaviorType> types;
+    for (const sim2d::Human& human : document().scenario().humans) {
+      types.insert(*human.behavior.type);
+    }
+    QVERIFY(types.size() >= 4);
   }
 
   void pageKeys_onTheMap_goFromPersonToPerson() {
