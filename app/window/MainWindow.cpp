@@ -143,11 +143,7 @@ void MainWindow::connectFiles() {
     }
   });
   connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
-  connect(actions_->shortcuts, &QAction::triggered, this, [this] {
-    auto* dialog = new ShortcutsDialog(*menuBar(), this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->show();  // beside the window, to try the keys out
-  });
+  connect(actions_->shortcuts, &QAction::triggered, this, &MainWindow::showShortcuts);
   connect(actions_->about, &QAction::triggered, this, &MainWindow::tellAbout);
   connect(recent_->menuAction(), &QAction::hovered, this,
           [this] { files_->fillRecentMenu(*recent_); });
@@ -307,6 +303,12 @@ void MainWindow::tellAbout() {
                      tr("<b>HuNavSim Desktop %1</b><br>Scenarios for human-aware navigation: draw, "
                         "simulate, measure.")
                          .arg(QApplication::applicationVersion()));
+}
+
+void MainWindow::showShortcuts() {
+  auto* dialog = new ShortcutsDialog(*menuBar(), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->show();  // beside the window, to try the keys out
 }
 
 /// A name without a folder is one beside the scenario.

@@ -76,6 +76,7 @@ class MainWindow : public QMainWindow {
   void followState();
   void showFullScreenMap(bool on);
   void tellAbout();
+  void showShortcuts();
   void showFile(const QString& file, int line);
   void remember();
   void rememberTheme();

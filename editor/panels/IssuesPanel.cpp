@@ -67,9 +67,8 @@ base::Diagnostics toldOnce(const base::Diagnostics& all) {
       return echo.code == issue.code &&
              told.count({issue.entity, echo.of, issue.value("goal")}) > 0;
     });
-    const std::string place = issue.entity ? std::string()
-                                           : issue.file + ':' + std::to_string(issue.line) + ':' +
-                                                 std::to_string(issue.column) + ':';
+    const std::string place =
+        issue.file + ':' + std::to_string(issue.line) + ':' + std::to_string(issue.column) + ':';
     if (!isEcho && said.insert({issue.entity, place + issue.message}).second) {
       once.push_back(issue);
     }

@@ -1,8 +1,6 @@
 #include "editor/panels/PropertyPanel.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 #include <QHBoxLayout>
@@ -10,14 +8,14 @@
 #include <QTextDocument>
 #include <QVBoxLayout>
 
+#include "editor/canvas/Tool.h"
 #include "editor/document/EntityModel.h"
 #include "editor/document/Groups.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/EntityPages.h"
+#include "editor/panels/NowSection.h"
 #include "editor/panels/PanelRegistry.h"
-#include "sim2d/base/Types.h"
-#include "sim2d/scenario/Defaults.h"
 
 namespace editor {
 
@@ -37,10 +35,6 @@ QString firstGoals(const std::vector<int>& goals) {
     words << QStringLiteral("…");
   }
   return words.join(QStringLiteral(" → "));
-}
-
-QString pointText(const base::Vec2& point) {
-  return QObject::tr("%1, %2 m").arg(point.x(), 0, 'f', 1).arg(point.y(), 0, 'f', 1);
 }
 
 QString aboutPerson(const sim2d::Scenario& scenario, const sim2d::Human& human) {
@@ -63,24 +57,10 @@ QString aboutPerson(const sim2d::Scenario& scenario, const sim2d::Human& human) 
 QString aboutRobot(const sim2d::Robot& robot) {
   const QString planner =
       QObject::tr("Robot · %1").arg(QString::fromStdString(robot.planner.value_or("pursuit")));
-  return robot.goal.point ? planner + QObject::tr(" · to %1").arg(pointText(*robot.goal.point))
+  return robot.goal.point ? planner + QObject::tr(" · to %1").arg(placeText(*robot.goal.point))
          : robot.goal.goals.empty()
              ? planner + QObject::tr(" · stands still")
              : planner + QObject::tr(" · goals %1").arg(firstGoals(robot.goal.goals));
-}
-
-/// Where it drives in a run: a goal by its number, or the point that it has instead.
-QString goalOfRobot(const sim2d::Robot& robot, int goal, const base::Vec2& at) {
-  const std::optional<base::Vec2>& point = robot.goal.point;
-  if (goal > 0) {
-    return goalName(goal);
-  }
-  if (!point) {
-    return robot.goal.goals.empty() ? QObject::tr("none") : QObject::tr("all visited");
-  }
-  const double radius = sim2d::resolveRobot({}, robot, -1).goalRadius;
-  return (*point - at).norm() <= radius ? QObject::tr("%1, reached").arg(pointText(*point))
-                                        : pointText(*point);
 }
 
 QString aboutOne(const sim2d::Scenario& scenario, const Entity& entity) {
@@ -115,81 +95,6 @@ void ElidedLabel::paintEvent(QPaintEvent* /*event*/) {
   painter.setPen(palette().color(foregroundRole()));
   painter.drawText(contentsRect(), int(alignment()) | Qt::TextSingleLine, shownWords());
 }
-
-/// How a person or robot is doing in the frame that is shown: place, heading, speed, goal and the
-/// distance to the robot. Hidden while there is no run.
-class NowSection : public FormSection {
- public:
-  explicit NowSection(QWidget* parent) : FormSection(tr("Now"), parent) {
-    addRow(tr("Position"), position_);
-    addRow(tr("Heading"), heading_);
-    addRow(tr("Speed"), speed_);
-    addRow(tr("Goal"), goal_);
-    addRow(tr("Robot"), robot_);
-    hide();
-  }
-
-  /// `agent` as in frames: people by id, robots negative; `robot`: what it is then.
-  void show(const sim2d::Frame* frame, std::optional<int> agent, const sim2d::Robot* robot) {
-    setVisible(frame != nullptr && agent &&
-               (robot != nullptr ? showRobot(*frame, *agent, *robot) : showPerson(*frame, *agent)));
-  }
-
- private:
-  /// What people and robots have in common; the place in the columns, none = not in the frame.
-  template <class Columns>
-  std::optional<std::size_t> showBody(const Columns& bodies, int id) {
-    const auto found = std::find(bodies.id.begin(), bodies.id.end(), id);
-    if (found == bodies.id.end()) {
-      return std::nullopt;
-    }
-    const auto i = static_cast<std::size_t>(found - bodies.id.begin());
-    const double speed = std::sqrt(bodies.vx[i] * bodies.vx[i] + bodies.vy[i] * bodies.vy[i]);
-    const double degrees = bodies.heading[i] * 180.0 / base::kPi;
-    position_->setText(
-        QStringLiteral("%1, %2 m").arg(bodies.x[i], 0, 'f', 2).arg(bodies.y[i], 0, 'f', 2));
-    heading_->setText(QStringLiteral("%1°").arg(degrees, 0, 'f', 1));
-    speed_->setText(QStringLiteral("%1 m/s").arg(speed, 0, 'f', 2));
-    goal_->setText(bodies.goal[i] == sim2d::kNoGoal ? tr("none") : goalName(bodies.goal[i]));
-    return i;
-  }
-
-  bool showPerson(const sim2d::Frame& frame, int id) {
-    const sim2d::HumanColumns& people = frame.humans;
-    const std::optional<std::size_t> index = showBody(people, id);
-    if (!index) {
-      return false;
-    }
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < frame.robots.size(); ++i) {
-      const double dx = frame.robots.x[i] - people.x[*index];
-      const double dy = frame.robots.y[i] - people.y[*index];
-      nearest = std::min(nearest, std::sqrt(dx * dx + dy * dy));
-    }
-    setNote(people.state[*index] != 0 ? tr("reacting") : QString());
-    setRowVisible(robot_, frame.robots.size() > 0);
-    robot_->setText(tr("%1 m away").arg(nearest, 0, 'f', 2));
-    return true;
-  }
-
-  bool showRobot(const sim2d::Frame& frame, int id, const sim2d::Robot& robot) {
-    const sim2d::RobotColumns& robots = frame.robots;
-    const std::optional<std::size_t> index = showBody(robots, id);
-    if (index) {
-      const base::Vec2 at(robots.x[*index], robots.y[*index]);
-      goal_->setText(goalOfRobot(robot, robots.goal[*index], at));
-    }
-    setNote({});
-    setRowVisible(robot_, false);
-    return index.has_value();
-  }
-
-  QLabel* position_ = new QLabel(this);
-  QLabel* heading_ = new QLabel(this);
-  QLabel* speed_ = new QLabel(this);
-  QLabel* goal_ = new QLabel(this);
-  QLabel* robot_ = new QLabel(this);
-};
 
 PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme)
     : document_(document),

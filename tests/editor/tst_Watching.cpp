@@ -89,11 +89,11 @@ class WatchingTest : public QObject, protected CanvasTester {
   void goal_ofARobotThatHasAPoint_isThePoint() {
     PropertyPanel panel(document_, editor::Theme::light());
     document_.setSelection(document_.entities(base::EntityKind::Robot));
-    QVERIFY(says(panel, "Robot · pursuit · to 1.5, 1.0 m"));
+    QVERIFY(says(panel, "Robot · pursuit · to 1.50, 1.00 m"));
     panel.showFrame(std::make_shared<const sim2d::Frame>(moment({10.0, 3.0})));
-    QVERIFY(says(panel, "1.5, 1.0 m"));
+    QVERIFY(says(panel, "1.50, 1.00 m"));
     panel.showFrame(std::make_shared<const sim2d::Frame>(moment({1.5, 1.1})));
-    QVERIFY(says(panel, "1.5, 1.0 m, reached"));
+    QVERIFY(says(panel, "1.50, 1.00 m, reached"));
     editor::pushChange<sim2d::Robot>(document_, document_.selection().front(), QString(),
                                      [](sim2d::Robot& robot) { robot.goal = {}; });
     QVERIFY(says(panel, "Robot · pursuit · stands still"));
