@@ -1,10 +1,12 @@
 #include "app/window/FileDialogs.h"
 
+#include <algorithm>
 #include <array>
 
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QHeaderView>
+#include <QScreen>
 #include <QSplitter>
 #include <QTreeView>
 
@@ -28,7 +30,8 @@ void dress(QFileDialog& dialog, const Memory& memory) {
     return;
   }
   const QSize size = memory.value(kSizeKey).toSize();
-  dialog.resize(size.isValid() ? size : kSize);
+  dialog.resize(size.isValid() ? size
+                               : QSize(kSize.width(), heightOnScreen(dialog, kSize.height())));
   if (!dialog.restoreState(memory.value(kStateKey).toByteArray())) {
     dialog.setViewMode(QFileDialog::Detail);
     if (auto* sides = dialog.findChild<QSplitter*>(QStringLiteral("splitter"))) {
@@ -42,6 +45,11 @@ void dress(QFileDialog& dialog, const Memory& memory) {
 }
 
 }  // namespace
+
+int heightOnScreen(const QWidget& window, int wanted) {
+  constexpr int kFrame = 38;  // what a window manager puts around it, about
+  return std::min(wanted, window.screen()->availableGeometry().height() - kFrame);
+}
 
 Memory::Memory(bool remembers) {
   if (remembers) {
@@ -88,7 +96,7 @@ QString askFile(QFileDialog& dialog, Memory& memory) {
   const QString folder = dialog.directory().absolutePath();
   dress(dialog, memory);
   dialog.setOption(QFileDialog::ReadOnly);  // files are chosen here, not deleted or renamed
-  dialog.setDirectory(folder);  // that of the last time would come back with the state
+  dialog.setDirectory(folder);              // that of the last time would come back with the state
   const bool isAccepted = dialog.exec() == QDialog::Accepted;
   memory.setValue(kStateKey, dialog.saveState());
   memory.setValue(kSizeKey, dialog.size());

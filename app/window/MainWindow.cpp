@@ -1,5 +1,6 @@
 #include "app/window/MainWindow.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QApplication>
@@ -14,6 +15,7 @@
 #include <QTimer>
 
 #include "app/window/DocumentGuard.h"
+#include "app/window/FileDialogs.h"
 #include "app/window/KeyRules.h"
 #include "app/window/NoticeBar.h"
 #include "app/window/ShortcutsDialog.h"
@@ -38,7 +40,6 @@ constexpr const char* kWindowStateKey = "window/state";
 constexpr const char* kThemeKey = "window/theme";
 constexpr int kLayoutVersion = 1;
 constexpr QSize kLeastWindow(860, 480);  // fits 1920 x 1080 at 200 %, the time line too
-constexpr QSize kFrame(2, 38);           // what the window manager puts around it, about
 constexpr int kSavedWidth = 120;
 constexpr int kMenuHeight = 28;
 constexpr int kMessageMs = 8000;
@@ -62,7 +63,8 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
       saved_(new QLabel(this)) {
   setObjectName(QStringLiteral("window"));
   setMinimumSize(kLeastWindow);
-  resize(usualSize().boundedTo(screen()->availableGeometry().size() - kFrame));
+  resize(std::min(usualSize().width(), screen()->availableGeometry().width()),
+         heightOnScreen(*this, usualSize().height()));
   setContextMenuPolicy(Qt::NoContextMenu);
   setWindowIcon(editor::themedIcon(QStringLiteral("app"), editor::Theme::light()));
   workspace_.document().setShippedMaps(setup.shippedMaps);
