@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <QDialogButtonBox>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include "editor/document/BehaviorValues.h"
@@ -65,6 +66,7 @@ MixDialog::MixDialog(ScenarioDocument& document, const Theme& theme, QWidget* pa
       result_(secondaryLabel({}, this)) {
   setWindowTitle(tr("Behaviours of %1").arg(peopleText(people_.size())));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+  buttons->button(QDialogButtonBox::Ok)->setDefault(true);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   result_->setWordWrap(true);
