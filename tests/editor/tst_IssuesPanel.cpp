@@ -77,6 +77,7 @@ class IssuesPanelTest : public QObject {
     document.load(personWithUnknownGoal());
     IssuesPanel panel(document, editor::Theme::light());
     document.checkNow();
+    QTRY_VERIFY(panel.hasErrors());
     const int before = panel.table().model()->rowCount();
     base::Diagnostic again = base::warning(code.constData(), {goal.toStdString()});
     again.entity = document.scenario().humans.front().key;
@@ -91,9 +92,9 @@ class IssuesPanelTest : public QObject {
   void issues_sameWordsWithAnotherSeverity_areToldOnce() {
     ScenarioDocument document;
     IssuesPanel panel(document, editor::Theme::light());
-    panel.setActionIssues({base::error("map.not-found", {"m"}, "a.yaml", 3),
-                           base::warning("map.not-found", {"m"}, "a.yaml", 3),
-                           base::warning("map.not-found", {"m"}, "b.yaml", 3)});
+    panel.setActionIssues({base::error("map.not-found", {"m", ""}, "a.yaml", 3),
+                           base::warning("map.not-found", {"m", ""}, "a.yaml", 3),
+                           base::warning("map.not-found", {"m", ""}, "b.yaml", 3)});
     QCOMPARE(panel.table().model()->rowCount(), 2 + static_cast<int>(document.issues().size()));
   }
 
