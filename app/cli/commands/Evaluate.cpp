@@ -273,7 +273,7 @@ void addEvaluate(CommandRegistry& commands) {
   const auto [command, options] =
       commands.add("evaluate", "Metrics of a recorded run or of a file", evaluateCommand);
   command.add_option("source", options.source, "Folder of a run, or a trajectory file")->required();
-  command.add_option("-o,--output", options.output, "Folder for the results")->required();
+  addOutputFolder(command, options.output, "Folder for the results").required();
   command.add_option("--map", options.map, "Map instead of the recorded; none = open plane");
   addMetricsOptions(command, options.metrics);
   command.add_option("--tag", options.tag, "Tag in the result files");
