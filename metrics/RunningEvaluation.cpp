@@ -283,6 +283,7 @@ base::Result<Evaluation> RunningEvaluation::finish(const SeriesSink& sink) const
   Evaluation evaluation;
   evaluation.parameters = parameters_;
   evaluation.tag = selection_.tag;
+  evaluation.robotId = selection_.robotId;
   evaluation.runId = selection_.runId;
   evaluation.isSelection = selection_.keys.has_value();
   evaluation.times = times_;
