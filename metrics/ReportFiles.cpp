@@ -90,16 +90,19 @@ std::string stepsText(const std::vector<double>& times, const std::vector<StepCo
   return text;
 }
 
-using NumberText = std::string (*)(double value, Kind kind);
-
-/// In our own files only numbers that are there; the evaluator's have its "inf".
 std::string finiteNumber(double value, Kind kind) {
   return std::isfinite(value) ? evaluatorNumber(value, kind) : "";
 }
 
-std::string valueCell(const MetricResult& result, NumberText textOf) {
-  const std::optional<double>& value = result.value.value;
-  return value ? textOf(*value, result.info.kind) : "";
+std::string valueCell(const MetricResult& result) {
+  return finiteNumber(result.value.value.value_or(kNaN), result.info.kind);
+}
+
+/// As the evaluator writes its own keys: with "inf".
+std::string evaluatorCell(const MetricResult& result) {
+  return result.info.hunav > 0
+             ? evaluatorNumber(result.value.value.value_or(kNaN), result.info.kind)
+             : valueCell(result);
 }
 
 std::vector<std::string> headerCells(const std::vector<MetricResult>& results) {
@@ -111,10 +114,11 @@ std::vector<std::string> headerCells(const std::vector<MetricResult>& results) {
 }
 
 std::vector<std::string> valueCells(const Evaluation& evaluation,
-                                    const std::vector<MetricResult>& results, NumberText textOf) {
+                                    const std::vector<MetricResult>& results,
+                                    std::string (*cellOf)(const MetricResult&)) {
   std::vector<std::string> cells = {evaluation.tag, std::to_string(evaluation.runId)};
   for (const MetricResult& result : results) {
-    cells.push_back(valueCell(result, textOf));
+    cells.push_back(cellOf(result));
   }
   return cells;
 }
@@ -167,7 +171,7 @@ class FileSet {
                  const std::vector<MetricResult>& all, const std::vector<double>* active) {
     const std::vector<MetricResult> results = evaluatorResults(all, evaluation_.isSelection);
     std::vector<std::string> header = headerCells(results);
-    std::vector<std::string> values = valueCells(evaluation_, results, evaluatorNumber);
+    std::vector<std::string> values = valueCells(evaluation_, results, evaluatorCell);
     if (layout_ == Layout::Hunav1) {  // knows no run id
       header.erase(header.begin() + 1);
       values.erase(values.begin() + 1);
@@ -271,7 +275,7 @@ std::string toJson(const Evaluation& evaluation) {
 std::string metricsCsv(const Evaluation& evaluation) {
   std::string text;
   appendRow(text, headerCells(evaluation.results));
-  appendRow(text, valueCells(evaluation, evaluation.results, finiteNumber));
+  appendRow(text, valueCells(evaluation, evaluation.results, valueCell));
   return text;
 }
 
@@ -308,7 +312,7 @@ std::string shownValue(const MetricResult& result) {
     return "-";
   }
   if (result.info.kind != Kind::Number || !std::isfinite(*value)) {
-    return valueCell(result, evaluatorNumber);
+    return evaluatorNumber(*value, result.info.kind);
   }
   std::array<char, 32> text{};
   const std::to_chars_result end =
