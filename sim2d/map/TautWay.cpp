@@ -1,6 +1,7 @@
 #include "sim2d/map/TautWay.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sim2d {
 
