@@ -66,7 +66,9 @@ D = gap, at least surprise_minimum_distance. ttc = time to collision on straight
 
 Profile `corrected` (default) uses the formulas below. Profile `hunav2` gives the same numbers as
 the public HuNavSim 2.0 evaluator, with its peculiarities. A value that a record does not define is
-empty in CSV and `null` in JSON, with the reason.
+empty in CSV and `null` in JSON, with the reason; so is an infinite one, which only the evaluator's own
+files (`--layout`) have as `inf`. Of several robots the first is measured
+(`evaluate --robot` chooses another).
 
 Metrics that need a robot are those of its way (`corrected`): N and T count from when it sets off to
 when it arrives; parked it neither stands still nor runs into anybody. `from` and `until` of the

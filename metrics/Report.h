@@ -73,6 +73,7 @@ struct Evaluation {
   MetricParameters parameters;
   std::string tag = "exp_1";
   int runId = 0;
+  int robotId = -1;           // whose metrics they are
   bool isSelection = false;   // of keys that the user listed
   std::vector<double> times;  // [s] from the first sample, with series
   std::vector<MetricResult> results;

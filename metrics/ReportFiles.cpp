@@ -90,9 +90,19 @@ std::string stepsText(const std::vector<double>& times, const std::vector<StepCo
   return text;
 }
 
+std::string finiteNumber(double value, Kind kind) {
+  return std::isfinite(value) ? evaluatorNumber(value, kind) : "";
+}
+
 std::string valueCell(const MetricResult& result) {
-  const std::optional<double>& value = result.value.value;
-  return value ? evaluatorNumber(*value, result.info.kind) : "";
+  return finiteNumber(result.value.value.value_or(kNaN), result.info.kind);
+}
+
+/// As the evaluator writes its own keys: with "inf".
+std::string evaluatorCell(const MetricResult& result) {
+  return result.info.hunav > 0
+             ? evaluatorNumber(result.value.value.value_or(kNaN), result.info.kind)
+             : valueCell(result);
 }
 
 std::vector<std::string> headerCells(const std::vector<MetricResult>& results) {
@@ -104,10 +114,11 @@ std::vector<std::string> headerCells(const std::vector<MetricResult>& results) {
 }
 
 std::vector<std::string> valueCells(const Evaluation& evaluation,
-                                    const std::vector<MetricResult>& results) {
+                                    const std::vector<MetricResult>& results,
+                                    std::string (*cellOf)(const MetricResult&)) {
   std::vector<std::string> cells = {evaluation.tag, std::to_string(evaluation.runId)};
   for (const MetricResult& result : results) {
-    cells.push_back(valueCell(result));
+    cells.push_back(cellOf(result));
   }
   return cells;
 }
@@ -160,7 +171,7 @@ class FileSet {
                  const std::vector<MetricResult>& all, const std::vector<double>* active) {
     const std::vector<MetricResult> results = evaluatorResults(all, evaluation_.isSelection);
     std::vector<std::string> header = headerCells(results);
-    std::vector<std::string> values = valueCells(evaluation_, results);
+    std::vector<std::string> values = valueCells(evaluation_, results, evaluatorCell);
     if (layout_ == Layout::Hunav1) {  // knows no run id
       header.erase(header.begin() + 1);
       values.erase(values.begin() + 1);
@@ -255,13 +266,16 @@ std::string toJson(const Evaluation& evaluation) {
   root["parameters"] = parametersJson(evaluation.parameters);
   root["experiment_tag"] = evaluation.tag;
   root["run_id"] = evaluation.runId;
+  if (evaluation.robotId != -1) {  // else the first, as in every run
+    root["robot"] = evaluation.robotId;
+  }
   return base::jsonText(root) + "\n";
 }
 
 std::string metricsCsv(const Evaluation& evaluation) {
   std::string text;
   appendRow(text, headerCells(evaluation.results));
-  appendRow(text, valueCells(evaluation, evaluation.results));
+  appendRow(text, valueCells(evaluation, evaluation.results, valueCell));
   return text;
 }
 
@@ -280,7 +294,7 @@ void writeSteps(const std::vector<double>& times, const std::vector<StepColumn>&
   for (const double time : times) {
     cells = {evaluatorNumber(time, Kind::Number)};
     for (const StepColumn& column : columns) {
-      cells.push_back(evaluatorNumber(column.next(), column.kind));
+      cells.push_back(finiteNumber(column.next(), column.kind));
     }
     to(text);
     text.clear();
@@ -298,7 +312,7 @@ std::string shownValue(const MetricResult& result) {
     return "-";
   }
   if (result.info.kind != Kind::Number || !std::isfinite(*value)) {
-    return valueCell(result);
+    return evaluatorNumber(*value, result.info.kind);
   }
   std::array<char, 32> text{};
   const std::to_chars_result end =

@@ -12,7 +12,8 @@ namespace metrics {
 
 std::string toJson(const Evaluation& evaluation);  // metrics.json
 
-/// experiment_tag, run_id and one column per metric; header line and one row.
+/// experiment_tag, run_id and one column per metric; header line and one row. What is undefined or
+/// infinite is empty, also below.
 std::string metricsCsv(const Evaluation& evaluation);
 /// time_stamps and one column per series; one row per sample.
 std::string stepsCsv(const Evaluation& evaluation);

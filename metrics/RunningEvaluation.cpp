@@ -95,22 +95,22 @@ Instant SampleFeed::newestInstant(const Stretch& stretch, TermMemory* memory) co
 }
 
 /// Those since the beginning; what was noted too early waits for the next sample.
-void SampleFeed::passEvents(bool isOnWay) {
+void SampleFeed::passEvents() {
   const double now = all_.now->time + kTimeSlack;
   const auto later = std::find_if(noted_.begin(), noted_.end(),
-                                  [now](const auto& noted) { return noted.first > now; });
-  const auto pass = [&](const Stretch& stretch) {
-    for (auto noted = noted_.begin(); noted != later; ++noted) {
-      if (noted->first >= stretch.begin - kTimeSlack) {
-        for (const auto& [shared, sum] : stretch.sums) {
-          sum->note(*context_, noted->first - stretch.begin, noted->second);
-        }
+                                  [now](const Noted& noted) { return noted.time > now; });
+  const auto pass = [&](const Stretch& stretch, const Noted& noted) {
+    if (stretch.count > 0 && noted.time >= stretch.begin - kTimeSlack) {
+      for (const auto& [shared, sum] : stretch.sums) {
+        sum->note(*context_, noted.time - stretch.begin, noted.event);
       }
     }
   };
-  pass(all_);
-  if (isOnWay) {
-    pass(way_);
+  for (auto noted = noted_.begin(); noted != later; ++noted) {
+    pass(all_, *noted);
+    if (noted->isOnWay) {  // also between its last sample and the arrival
+      pass(way_, *noted);
+    }
   }
   noted_.erase(noted_.begin(), later);
 }
@@ -134,7 +134,7 @@ void SampleFeed::add(Sample sample, bool isOnWay) {
     workOutPairs(*newest, needsMap_ ? &context_->map : nullptr, parameters_);
   }
   lengthen(all_, newest);
-  passEvents(isOnWay);
+  passEvents();
   for (Stretch* stretch : {&all_, &way_}) {
     if (stretch->now == newest) {
       const Instant instant = newestInstant(*stretch, &stretch->terms);
@@ -213,7 +213,7 @@ void RunningEvaluation::note(double time, const sim2d::Event& event) {
     arrival_ = time;
   }
   if (!isOver_) {
-    all_.note(time, event);
+    all_.note(time, event, isOnWay(time));
   }
 }
 
@@ -283,6 +283,7 @@ base::Result<Evaluation> RunningEvaluation::finish(const SeriesSink& sink) const
   Evaluation evaluation;
   evaluation.parameters = parameters_;
   evaluation.tag = selection_.tag;
+  evaluation.robotId = selection_.robotId;
   evaluation.runId = selection_.runId;
   evaluation.isSelection = selection_.keys.has_value();
   evaluation.times = times_;

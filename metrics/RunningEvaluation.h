@@ -25,7 +25,9 @@ class SampleFeed {
              const MetricParameters& parameters, const MetricRegistry& registry,
              Among among = Among::All);
   /// Events before the sample of their time, in order.
-  void note(double time, const sim2d::Event& event) { noted_.emplace_back(time, event); }
+  void note(double time, const sim2d::Event& event, bool isOnWay) {
+    noted_.push_back({time, event, isOnWay});
+  }
   /// The run has not begun yet.
   void forgetEvents() { noted_.clear(); }
   /// `isOnWay`: the robot has set off and has not arrived.
@@ -43,6 +45,11 @@ class SampleFeed {
     MetricEntry entry;
     const Accumulator* sum = nullptr;  // of the stretch
   };
+  struct Noted {
+    double time = 0.0;  // [s]
+    sim2d::Event event;
+    bool isOnWay = false;
+  };
   /// The samples that some of the metrics look at.
   struct Stretch {
     std::shared_ptr<Sample> now, before, earlier;
@@ -54,7 +61,7 @@ class SampleFeed {
   };
   void addItem(MetricEntry entry, Among among);
   void lengthen(Stretch& stretch, const std::shared_ptr<Sample>& sample);
-  void passEvents(bool isOnWay);
+  void passEvents();
   Instant newestInstant(const Stretch& stretch, TermMemory* memory) const;
   const Stretch& stretchOf(const MetricInfo& info) const { return info.needs.robot ? way_ : all_; }
   MetricValue valueOf(const Item& item, const std::vector<MetricResult>& before) const;
@@ -67,7 +74,7 @@ class SampleFeed {
   std::vector<Item> items_;
   bool needsMap_ = false;
   Stretch all_, way_;
-  std::vector<std::pair<double, sim2d::Event>> noted_;  // since the newest sample
+  std::vector<Noted> noted_;  // since the newest sample
 };
 
 /// An evaluation that is fed while the record is made: the same results as evaluate() of the whole

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Checks the format, builds (dev) and runs every test. Usage: scripts/test.sh [--all]
-# --all adds the sanitizers, clang-tidy and the benchmarks.
+# --all adds the sanitizers, a long play with the window, clang-tidy and the benchmarks.
 set -euo pipefail
 # shellcheck source=scripts/common.sh
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/common.sh"
@@ -68,11 +68,22 @@ without_randomisation() {
   fi
 }
 
+# The window of the asan build under a real X server: what is random in tst_Monkey, for long. It has
+# a home of its own and gives up root, so the server asks nobody for a key (-ac).
+play_monkey() {
+  say "pressing everything (asan)"
+  logged "$logs/monkey.log" xvfb-run -a -s "-ac -nolisten tcp -screen 0 1600x1200x24" \
+    env QT_QPA_PLATFORM=xcb QTEST_FUNCTION_TIMEOUT=3600000 UBSAN_OPTIONS=print_stacktrace=1 \
+    LSAN_OPTIONS="suppressions=$root/tests/lsan.supp" \
+    HUNAV_MONKEY_SEEDS=20 HUNAV_MONKEY_EVENTS=3000 "$build/asan/tests/tst_Monkey"
+}
+
 check_everything_else() {
   unset HUNAV_ALL_TESTS  # the long ones ran in dev; under a sanitizer they would take hours
   need_packages "${packages_to_tidy[@]}"
   build_preset asan
   run_tests asan
+  play_monkey
   without_randomisation  # the build runs a program of its own as well
   build_preset tsan core_tests thread_tests
   run_tests tsan -L '^(core|threads)$'

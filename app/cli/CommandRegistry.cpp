@@ -53,7 +53,7 @@ void withoutLibraryWords(QtMsgType type, const QMessageLogContext& context, cons
 
 void requireFine(const base::Diagnostics& problems, ExitCode code, base::Severity least) {
   if (!printDiagnostics(problems, least)) {
-    throw CommandEnd{code};
+    throw CommandEnd{code, problems};
   }
 }
 
@@ -99,6 +99,13 @@ int CommandRegistry::start(Invocation given) const {
       break;
   }
   return within<QCoreApplication>(given, command.action);
+}
+
+CLI::Option& addOutputFolder(CLI::App& command, std::string& folder, const std::string& help) {
+  return *command.add_option("-o,--output", folder, help)->check([](const std::string& word) {
+    return word == "-" ? std::string("a folder is wanted (./- for one of the name -)")
+                       : std::string();
+  });
 }
 
 void addMetricsOptions(CLI::App& command, MetricsWords& words) {
@@ -147,6 +154,9 @@ int doneBy(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
     root.parse(argc, argv);
     return commands.start({argc, argv});
   } catch (const CommandEnd& end) {
+    if (commands.wantsJson()) {
+      printJson(end.problems);
+    }
     return end.code;
   } catch (const CLI::ExtrasError&) {
     return tellExtras(commands, argv[1]);

@@ -11,7 +11,8 @@
 
 namespace CLI {  // NOLINT(readability-identifier-naming): as the library is called
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace app {
 
@@ -25,9 +26,10 @@ enum class Drawing { None, Pictures, Widgets };
 /// Thrown by a command that ends before its last line.
 struct CommandEnd {
   ExitCode code;
+  base::Diagnostics problems{};  // why; with --json the standard output lists them
 };
 /// Prints the problems of `least` severity and above; the command ends with `code` when an error is
-/// among them.
+/// among them. Not after the command's own JSON.
 void requireFine(const base::Diagnostics& problems, ExitCode code = ExitBadInput,
                  base::Severity least = base::Severity::Info);
 
@@ -70,6 +72,7 @@ class CommandRegistry {
 
   /// --quiet and --json behind the options of each command.
   void addOutputOptions();
+  bool wantsJson() const { return json_; }
   /// Does what was given: returns its exit code or throws CommandEnd.
   int start(Invocation given) const;
 
@@ -84,6 +87,8 @@ class CommandRegistry {
   bool quiet_ = false, json_ = false;
 };
 
+/// -o, --output for a folder. "-" is none: it means the standard output, which takes one file.
+CLI::Option& addOutputFolder(CLI::App& command, std::string& folder, const std::string& help);
 /// The options of `run`, which the window has too.
 void addRunOptions(CLI::App& command, RunOptions& options);
 /// Those of them that choose metrics.

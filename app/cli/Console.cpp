@@ -7,6 +7,10 @@
 #include <iterator>
 #include <unistd.h>
 
+#include <nlohmann/json.hpp>
+
+#include "sim2d/base/JsonText.h"
+
 namespace app {
 
 namespace {
@@ -64,6 +68,22 @@ bool printDiagnostics(const base::Diagnostics& diagnostics, base::Severity least
     }
   }
   return !base::hasErrors(diagnostics);
+}
+
+void printJson(const base::Diagnostics& diagnostics) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const base::Diagnostic& diagnostic : diagnostics) {
+    const auto known = [](int number) {
+      return number > 0 ? nlohmann::ordered_json(number) : nlohmann::ordered_json();
+    };
+    all.push_back({{"file", diagnostic.file},
+                   {"line", known(diagnostic.line)},
+                   {"column", known(diagnostic.column)},
+                   {"severity", base::severityName(diagnostic.severity)},
+                   {"code", diagnostic.code},
+                   {"message", diagnostic.message}});
+  }
+  printLine(base::jsonText(all));
 }
 
 base::Diagnostics notYetTold(const base::Diagnostics& told, const base::Diagnostics& more) {

@@ -20,6 +20,9 @@ void printTable(const std::vector<std::vector<std::string>>& rows);
 bool printDiagnostics(const base::Diagnostics& diagnostics,
                       base::Severity least = base::Severity::Info);
 
+/// The same as an array of objects, all of it to standard output.
+void printJson(const base::Diagnostics& diagnostics);
+
 /// Those of `more` whose lines are not among the `told`.
 base::Diagnostics notYetTold(const base::Diagnostics& told, const base::Diagnostics& more);
 

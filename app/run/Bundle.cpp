@@ -35,8 +35,9 @@ void readMapOf(Bundle& bundle, const sim2d::FilePlaces& places, const sim2d::Ima
   }
 }
 
-/// People without a tree file get that of their behaviour; the reader is told.
-void tellGenerated(Bundle& bundle, const std::vector<std::string>& names) {
+/// People without a tree file get that of their behaviour; the reader is told. Beside a scenario of
+/// HuNavSim's there should be files; one of ours can do without any.
+void tellGenerated(Bundle& bundle, const std::vector<std::string>& names, bool isUsual) {
   if (names.empty()) {
     return;
   }
@@ -45,14 +46,15 @@ void tellGenerated(Bundle& bundle, const std::vector<std::string>& names) {
   first.resize(std::min(kNamed, names.size()));
   const std::string more = names.size() > kNamed ? " …" : "";
   const char* const people = names.size() == 1 ? " person" : " people";
-  base::Diagnostics told = {base::warning(
-      "run.no-tree-files", {std::to_string(names.size()) + people, base::join(first, ", ") + more},
-      bundle.path)};
+  base::Diagnostics told = {base::problem(
+      isUsual ? base::Severity::Info : base::Severity::Warning, "run.no-tree-files",
+      {std::to_string(names.size()) + people, base::join(first, ", ") + more}, bundle.path)};
   sim2d::addPlaceOfKey(told, bundle.path, {"hunav_loader.ros__parameters.agents"});
   base::append(bundle.remarks, told);
 }
 
-void findTrees(Bundle& bundle, const sim2d::FilePlaces& places) {
+void findTrees(Bundle& bundle, const sim2d::FilePlaces& places, bool isOurs) {
+  bool hasFiles = false;
   std::vector<std::string> generated;
   for (const sim2d::Human& human : bundle.scenario->humans) {
     if (!human.listed) {
@@ -63,13 +65,14 @@ void findTrees(Bundle& bundle, const sim2d::FilePlaces& places) {
     if (path.empty()) {
       generated.push_back(human.name);
     } else {
+      hasFiles = true;
       bundle.inputs.push_back(path);
     }
   }
   std::error_code ignored;
   const std::string& folder = places.treesOption;
   if (folder.empty() || std::filesystem::is_directory(folder, ignored)) {
-    tellGenerated(bundle, generated);
+    tellGenerated(bundle, generated, isOurs && !hasFiles && folder.empty());
   } else {
     bundle.remarks.push_back(base::error("option.no-trees-folder", {}, folder));
   }
@@ -82,7 +85,24 @@ std::shared_ptr<const sim2d::Surroundings> surroundingsOf(const Bundle& bundle) 
                                       : std::make_shared<const sim2d::Surroundings>();
 }
 
+/// Metrics are those of the first robot: worth telling when there are more.
+void tellRobot(const Bundle& bundle, Verdict& verdict) {
+  std::vector<std::string> names;
+  base::EntityId first;
+  sim2d::forEachListed(bundle.scenario->robots, [&](const sim2d::Robot& robot) {
+    first = names.empty() ? robot.key : first;
+    names.push_back(robot.name);
+  });
+  base::Diagnostics told = tellMeasuredRobot(names, bundle.path);
+  for (base::Diagnostic& said : told) {
+    said.entity = first;
+  }
+  sim2d::addPlaces(told, bundle.lines, bundle.path);
+  base::append(verdict.problems, told);
+}
+
 void checkMetrics(const Bundle& bundle, Verdict& verdict) {
+  tellRobot(bundle, verdict);
   const base::Result<MetricsSetup> setup = metricsSetupOf(*bundle.scenario, bundle.path);
   base::append(verdict.problems, setup.diagnostics());
   if (setup) {
@@ -144,7 +164,7 @@ Bundle readBundle(const RunOptions& options, const RunSettings& settings,
     const sim2d::FilePlaces places{options.scenario, options.map, options.trees,
                                    shippedMapsFolder()};
     readMapOf(bundle, places, loader);
-    findTrees(bundle, places);
+    findTrees(bundle, places, reading.hasBlock);
   }
   return bundle;
 }

@@ -97,6 +97,27 @@ void noteMetricsFile(const MetricsSetup& setup, sim2d::TraceHeader& header) {
   header.metrics.runId = setup.selection.runId;
 }
 
+base::Diagnostics tellMeasuredRobot(const std::vector<std::string>& robots,
+                                    const std::string& file) {
+  if (robots.size() < 2) {
+    return {};
+  }
+  return {base::warning("metrics.one-robot", {robots.front(), robots.size()}, file)};
+}
+
+base::Result<int> robotOfWord(const sim2d::TraceHeader& header, const std::string& word) {
+  const std::optional<long long> number = base::parseInt(word);
+  std::vector<std::string> names;
+  for (const sim2d::TraceRobot& robot : header.robots) {
+    if (word == robot.name || (number && (*number == robot.id || *number == -robot.id))) {
+      return robot.id;
+    }
+    names.push_back(robot.name);
+  }
+  const std::string known = names.empty() ? "none" : base::join(names, ", ");
+  return base::error("option.unknown-name", {"--robot", word, known});
+}
+
 base::Diagnostics chooseMetrics(const MetricsWords& words, MetricsSetup& setup,
                                 base::Diagnostics& wrongWords) {
   setup.parameters.profile = *metrics::profileOf(words.profile);

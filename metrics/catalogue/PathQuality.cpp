@@ -10,7 +10,7 @@ namespace metrics {
 namespace {
 
 constexpr char kNoWay[] = "the robot did not move";
-constexpr char kNoTriple[] = "needs three samples in motion";
+constexpr char kNoTriple[] = "needs three samples";
 constexpr double kSameplace = 1e-9;  // [m]
 
 /// best / max(best, actual); 1 when both are 0.
@@ -109,6 +109,12 @@ double curvature(const Instant& at) {
   return sides > 0.0 ? 2.0 * bend.twiceArea() / sides : 0.0;
 }
 
+/// Who never moves bends nowhere.
+template <double (Figures::*kRead)() const>
+double bend(const Figures& bends, const Instant& last) {
+  return bends.count() > 0.0 || last.count() < 3 ? (bends.*kRead)() : 0.0;
+}
+
 double roughness(const Instant& at) {
   if (!isMotion(at)) {
     return kNaN;
@@ -133,7 +139,8 @@ path_efficiency|Path efficiency||[0, 1]|S/max(S, L), S = shortest way from start
 path_irregularity|Path irregularity|rad/m|[0, inf)|max(0, cumulative_heading_changes - turning of the shortest way)/L
 = Motion Analysis|lower|robot|Arena; bench-mr
 angle_over_length|Turning per metre|rad/m|[0, inf)|cumulative_heading_changes / L
-curvature_avg|Mean curvature|1/m|[0, inf)|mean over triples of positions of 4A/(d01 d12 d20), where d01 and d12 >= stop_linear_speed dt
+curvature_avg|Mean curvature|1/m|[0, inf)|mean over triples of positions of 4A/(d01 d12 d20), where d01 and d12 >= stop_linear_speed dt;
+  0 if it never moves so
 curvature_max|Largest curvature|1/m|[0, inf)|max over the same triples
 roughness_avg|Mean roughness||[0, inf)|mean over the same triples of 2A/d20^2
 )";
@@ -148,9 +155,9 @@ void addPathQuality(MetricRegistry& to) {
                     {"path_efficiency", streamOf<RobotWay>(pathEfficiency, kNoWay)},
                     {"path_irregularity", streamOf<RobotWay>(pathIrregularity, kNoWay)},
                     {"angle_over_length", streamOf<RobotWay>(angleOverLength, kNoWay)},
-                    {"curvature_avg", figuresOf<curvature>(&Figures::mean, kNoTriple)},
-                    {"curvature_max", figuresOf<curvature>(&Figures::largest, kNoTriple)},
-                    {"roughness_avg", figuresOf<roughness>(&Figures::mean, kNoTriple)}});
+                    {"curvature_avg", figuresOf<curvature>(bend<&Figures::mean>, kNoTriple)},
+                    {"curvature_max", figuresOf<curvature>(bend<&Figures::largest>, kNoTriple)},
+                    {"roughness_avg", figuresOf<roughness>(bend<&Figures::mean>, kNoTriple)}});
 }
 
 }  // namespace metrics

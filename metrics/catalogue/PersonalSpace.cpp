@@ -8,8 +8,6 @@ namespace metrics {
 
 namespace {
 
-constexpr char kNoCourse[] = "never on a collision course";
-
 MetricValue amongPeople(double value, const Instant& last) {
   const char* why = last.isOriginal() ? "ValueError: nobody in the record" : kNobody;
   return std::isnan(value) ? undefinedValue(why) : value;
@@ -44,8 +42,8 @@ MetricValue maximumDistance(const Figures& farthest, const Instant& last) {
   return amongPeople(last.isOriginal() ? largest : std::max(largest, 0.0), last);
 }
 
-double minimumTimeToCollision(const Figures& times) {
-  return times.count() > 0.0 ? times.least() : kNaN;
+MetricValue minimumTimeToCollision(const Figures& times) {
+  return times.count() > 0.0 ? times.least() : infiniteValue("never on a collision course");
 }
 
 bool complies(const Instant& at) {
@@ -93,7 +91,7 @@ constexpr char kMetrics[] = R"(
 = Navigation Performance|neutral|robot, people|Perez-Higueras, Caballero, Merino, IJSR 2018
 6 maximum_distance_to_people|Largest distance to people|m|[0, inf)|max over i, a of max(gap(i,a), 0)
 = Safety & Collisions|higher|robot, people|Francis et al. 2025; SocNavBench; SocNavGym
-min_time_to_collision|Smallest time to collision|s|[0, inf)|min over i, a of ttc, where on a collision course
+min_time_to_collision|Smallest time to collision|s|[0, inf]|min over i, a of ttc, infinite if never on a collision course
 = Social Behavior|higher|robot, people|Francis et al. 2025; SocNavGym
 space_compliance|Personal space kept|%|[0, 100]|share of samples with the smallest max(gap, 0) >= compliance_distance or nobody there
 = Social Behavior|lower|robot, people|CrowdNav
@@ -114,7 +112,7 @@ void addPersonalSpace(MetricRegistry& to) {
            seriesFiguresOf<closestGapTerm>(averageDistance, kNobody)},
           {"minimum_distance_to_people", figuresOf<closestGapTerm>(minimumDistance)},
           {"maximum_distance_to_people", figuresOf<farthestGap>(maximumDistance)},
-          {"min_time_to_collision", figuresOf<collisionTerm>(minimumTimeToCollision, kNoCourse)},
+          {"min_time_to_collision", figuresOf<collisionTerm>(minimumTimeToCollision)},
           {"space_compliance", timesOf<complies>(&Times::percentOfSamples)},
           {"discomfort_frequency", timesOf<isUncomfortable>(&Times::percentOfSamples)},
           {"discomfort_distance_avg",

@@ -2,8 +2,6 @@
 
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 namespace base {
 
 /// JSON for a file or for people, two blanks deep; `indent` -1: on one line. Bytes that are no

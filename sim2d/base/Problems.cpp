@@ -386,6 +386,9 @@ constexpr ProblemText kTexts[] = {
     {"metrics.negative-frequency", "frequency must be 0 or greater"},
     {"metrics.no-samples", "the record has no samples, so there is nothing to measure"},
     {"metrics.empty-window", "no sample lies between '{from}' and '{until}'"},
+    {"metrics.one-robot",
+     "metrics are those of {robot}, the first of {count} robots (evaluate --robot NAME measures "
+     "another)"},
     {"metrics.series-lost", "series in a temporary file could not be read back"},
     {"formula.too-long", "the formula is too long"},
     {"formula.left-over", "something is left over: '{found}'"},
@@ -422,7 +425,8 @@ constexpr ProblemText kTexts[] = {
     {"export.goal-renumbered", "goal {found} becomes {goal}"},
     {"export.goal-added", "{where} has no goal: goal {goal} at the start is added"},
     {"export.goals-lost",
-     "goals in nobody's route are lost ({goals}): HuNavSim 1.5 has routes alone, its trees name none"},
+     "goals in nobody's route are lost ({goals}): HuNavSim 1.5 has routes alone, its trees name "
+     "none"},
     {"export.isaac-world",
      "Isaac's launcher takes the world from the name of the file, which holds none: start it with "
      "--world"},
@@ -460,6 +464,7 @@ constexpr ProblemText kTexts[] = {
     {"option.picture-format", "cannot draw '{found}' files (use a name that ends in .png)"},
     {"option.only-foreign", "{option} is for files of other programs, not for the folder of a run"},
     {"option.not-positive", "{option} takes a number above 0"},
+    {"option.evaluate-robot", "--robot takes the id of somebody in the file, not '{found}'"},
     {"option.evaluate-goal", "--robot-goal takes two numbers: \"X Y\" (m), not \"{found}\""},
     {"option.reference-people", "a reference has a robot or one body, not several people"},
     {"option.reference-empty", "there is no robot in the reference"},

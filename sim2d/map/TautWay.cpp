@@ -1,15 +1,17 @@
 #include "sim2d/map/TautWay.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace sim2d {
 
 namespace {
 
-constexpr double kSlack = 1e-6;     // [m] touching is no collision
-constexpr double kLeastCut = 1e-3;  // [m]
-constexpr double kLeastLeg = 1e-4;  // [m]
-constexpr int kRounds = 14;         // of cutting corners: the turn at each halves
+constexpr double kSlack = 1e-6;      // [m] touching is no collision
+constexpr double kLeastRoom = 5e-4;  // [m] of points too: else crossing a wall were touching it
+constexpr double kLeastCut = 1e-3;   // [m]
+constexpr double kLeastLeg = 1e-4;   // [m]
+constexpr int kRounds = 14;          // of cutting corners: the turn at each halves
 constexpr int kBisections = 12;
 
 class Puller {
@@ -92,10 +94,11 @@ class Puller {
 }  // namespace
 
 bool isWayClear(const Vec2& from, const Vec2& to, const Obstacles& obstacles, double clearance) {
+  const double room = std::max(clearance, kLeastRoom);
   std::vector<Segment> near;
-  obstacles.segmentsNear(0.5 * (from + to), 0.5 * (to - from).norm() + clearance, near);
+  obstacles.segmentsNear(0.5 * (from + to), 0.5 * (to - from).norm() + room, near);
   return std::all_of(near.begin(), near.end(), [&](const Segment& wall) {
-    return distanceBetween({from, to}, wall) >= clearance - kSlack;
+    return distanceBetween({from, to}, wall) >= room - kSlack;
   });
 }
 

@@ -13,7 +13,8 @@ namespace sim2d {
 std::vector<Vec2> tautened(const std::vector<Vec2>& way, const Obstacles& obstacles,
                            double clearance);
 
-/// Whether a disc gets straight from one point to the other with `clearance` [m] to all borders.
+/// Whether a disc gets straight from one point to the other with `clearance` [m] to all borders;
+/// half a millimetre at least.
 bool isWayClear(const Vec2& from, const Vec2& to, const Obstacles& obstacles, double clearance);
 
 /// Smallest distance between the points of two segments [m].

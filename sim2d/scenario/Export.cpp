@@ -78,7 +78,7 @@ class Exporter {
         complete(human);
       }
       if (isOld()) {
-        tellGoalsWithoutRoute();
+        countGoalsOfRoutes();
       }
       scenario().simulator = target_.title;
       scenario().publishPeople = scenario().publishPeople.value_or(true);
@@ -95,24 +95,54 @@ class Exporter {
   Scenario& scenario() { return result_.scenario; }
   bool isOld() const { return options_.dialect.value_or(target_.dialect) == Dialect::B; }
 
-  /// That format has the goals of each person's route and no others.
-  void tellGoalsWithoutRoute() {
-    std::set<int> lost;
-    for (const GlobalGoal& goal : scenario().goals) {
-      lost.insert(goal.id);
-    }
-    for (const Human& human : scenario().humans) {
+  /// That format has the goals of each person's route and no others, and no numbers: whoever reads
+  /// it counts them, route after route. Ours are made the same.
+  void countGoalsOfRoutes() {
+    std::map<int, int> counted;  // goal -> its first place
+    int next = 1;
+    const auto count = [&](const Human& human) {
       for (const int goal : human.goals) {
-        lost.erase(goal);
+        counted.emplace(goal, next++);
+      }
+    };
+    forEachListed(scenario().humans, count);
+    for (const Human& human : scenario().humans) {
+      if (!human.listed) {
+        count(human);
       }
     }
+    tellLostGoals(counted);
+    for (Robot& robot : scenario().robots) {
+      keepCounted(robot.goal, counted);
+    }
+    for (GlobalGoal& goal : scenario().goals) {
+      goal.id = counted.emplace(goal.id, next++).first->second;
+    }
+    applyNumbers(counted);
+    for (auto& [old, now] : result_.goals) {
+      now = counted.at(now);
+    }
+  }
+
+  void tellLostGoals(const std::map<int, int>& counted) {
     std::vector<std::string> numbers;
-    for (const int goal : lost) {
-      numbers.push_back(std::to_string(goal));
+    for (const auto& [old, now] : result_.goals) {
+      if (counted.count(now) == 0) {
+        numbers.push_back(std::to_string(old));
+      }
     }
     if (!numbers.empty()) {
       note(base::warning("export.goals-lost", {base::join(numbers, ", ")}));
     }
+  }
+
+  /// A lost goal that is the only one of a robot becomes a point.
+  void keepCounted(RobotGoal& way, const std::map<int, int>& counted) {
+    const auto isLost = [&](int goal) { return counted.count(goal) == 0; };
+    if (way.goals.size() == 1 && isLost(way.goals[0])) {
+      way.point = scenario().goal(way.goals[0])->position;
+    }
+    way.goals.erase(std::remove_if(way.goals.begin(), way.goals.end(), isLost), way.goals.end());
   }
 
   void note(base::Diagnostic said, EntityId entity = {}) {
@@ -235,15 +265,20 @@ class Exporter {
     int next = 1;
     for (GlobalGoal& goal : goals) {
       result_.goals[goal.id] = next;
-      if (goal.id != next) {
+      if (goal.id != next && !isOld()) {
         noteChange(goal.key, "export.goal-renumbered", {goal.id, next});
       }
       goal.id = next++;
     }
-    const auto renumber = [this](std::vector<int>& list) {
+    applyNumbers(result_.goals);
+  }
+
+  /// Gives the goals of people and robots their new numbers.
+  void applyNumbers(const std::map<int, int>& numbers) {
+    const auto renumber = [&](std::vector<int>& list) {
       for (int& goal : list) {
-        const auto found = result_.goals.find(goal);
-        goal = found == result_.goals.end() ? goal : found->second;
+        const auto found = numbers.find(goal);
+        goal = found == numbers.end() ? goal : found->second;
       }
     };
     for (Human& human : scenario().humans) {

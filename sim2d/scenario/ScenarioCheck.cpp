@@ -260,9 +260,8 @@ void checkPeople(const Scenario& scenario, CheckReport& report) {
     return std::any_of(all.begin(), all.end(), [](const auto& each) { return each.listed; });
   };
   const bool somebodyComes =
-      std::any_of(scenario.areas.begin(), scenario.areas.end(), [](const Area& area) {
-        return area.listed && area.kind == AreaKind::Source;
-      });
+      std::any_of(scenario.areas.begin(), scenario.areas.end(),
+                  [](const Area& area) { return area.listed && area.kind == AreaKind::Source; });
   if (!anyone(scenario.humans) && !anyone(scenario.robots) && !somebodyComes) {
     report.warning(kScenario, "scenario.nobody");
   }

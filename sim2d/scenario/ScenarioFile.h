@@ -19,6 +19,7 @@ struct ScenarioReading {
   Scenario scenario;
   base::Diagnostics diagnostics;
   Dialect dialect = Dialect::C;
+  bool hasBlock = false;          // hunavsim_desktop: this program knows the scenario
   int commentCount = 0;           // lost when saved over
   std::map<EntityId, int> lines;  // where each entity's block begins
   bool ok() const { return !base::hasErrors(diagnostics); }

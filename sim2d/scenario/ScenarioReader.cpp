@@ -194,6 +194,7 @@ class FileReader {
 
   void readOurs() {
     const YamlNode* node = root_.find(kBlockNode);
+    result_.file.hasBlock = node != nullptr;
     if (node == nullptr) {  // so that a hint can name a key of ours
       YamlNode block;
       setChild(block, "format", number(kBlockFormat));

@@ -76,6 +76,28 @@ class BatchProgramTest : public QObject {
              QStringList({QStringLiteral("manifest.json"), QStringLiteral("metrics.json")}));
   }
 
+  /// A run that is too short for its goal: what is undefined is empty.
+  void batch_undefinedMetrics_areEmptyFields() {
+    QTemporaryDir folder;
+    const QString experiment = folder.filePath(QStringLiteral("short.yaml"));
+    outside::writeText(experiment,
+                       "hunavsim_experiment: 1\n"
+                       "scenarios: [corner_cafe_agents]\n"
+                       "seeds: 1\n"
+                       "duration: 0.1\n");
+    const QString out = folder.filePath(QStringLiteral("out"));
+    QCOMPARE(batch(experiment, out, 1).exitCode, 0);
+    const auto rows = outside::readCsv(out + QStringLiteral("/results.csv"));
+    QCOMPARE(rows.size(), std::size_t{1});
+    QCOMPARE(rows[0].at(QStringLiteral("time_to_reach_goal")), QString());
+    QCOMPARE(rows[0].at(QStringLiteral("completed")), QStringLiteral("False"));
+    for (const auto& [column, field] : rows[0]) {
+      for (const char* word : {"nan", "inf", "-inf", "null"}) {
+        QVERIFY2(field.toLower() != QLatin1String(word), qPrintable(column));
+      }
+    }
+  }
+
   void batch_failedRun_isARowWithItsReason() {
     QTemporaryDir folder;
     const QString experiment = folder.filePath(QStringLiteral("walls.yaml"));

@@ -294,7 +294,8 @@ void ConvertProgramTest::convert_withoutMap_startsAWorldThatIsThere_data() {
   QTest::newRow("classic") << QByteArray("gazebo-classic")
                            << utf8(
                                   "ros2 launch hunav_gazebo_wrapper simulation.launch.py "
-                                  "configuration_file:=odd.yaml")
+                                  "configuration_file:=odd.yaml gzpose_x:=1.000 gzpose_y:=1.000 "
+                                  "gzpose_Y:=0.000")
                            << utf8("'cafe'");
   QTest::newRow("webots") << QByteArray("webots")
                           << utf8(

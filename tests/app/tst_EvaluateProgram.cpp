@@ -131,6 +131,68 @@ class EvaluateProgramTest : public QObject {
     QCOMPARE(valueOf(metricsOf(path("layout-again")), text("path_length")), 2.0);
   }
 
+  /// Two robots on the open plane, with ways of other lengths.
+  void evaluate_robot_isMeasured() {
+    outside::writeText(path("pair.yaml"),
+                       "hunav_loader:\n  ros__parameters:\n    agents: []\n"
+                       "hunavsim_desktop:\n  ros__parameters:\n    format: 1\n"
+                       "    map_file: none\n    duration: 8.0\n    robots: [near, far]\n"
+                       "    near: {start: {x: 0.0, y: 0.0, h: 0.0}, goal: {x: 2.0, y: 0.0}}\n"
+                       "    far: {start: {x: 0.0, y: 9.0, h: 0.0}, goal: {x: 5.0, y: 9.0}}\n");
+    const Finished made = runProgram({text("run"), path("pair.yaml"), text("-o"), path("pair")});
+    QVERIFY2(made.exitCode == 0, qPrintable(made.err));
+    const QString told = text("warning: metrics are those of near, the first of 2 robots");
+    QVERIFY2(made.err.contains(told), qPrintable(made.err));
+    const auto lengthOf = [this](const QString& id) {  // until it arrived, by code of this test
+      int end = 0;
+      for (const auto& row : outside::readCsv(path("pair/events.csv"))) {
+        const bool isIts = row.at(text("id")) == id && row.at(text("kind")) == text("arrived");
+        end = isIts ? row.at(text("step")).toInt() : end;
+      }
+      double length = 0.0;
+      double before = 0.0;
+      for (const auto& row : outside::readCsv(path("pair/trajectory.csv"))) {
+        if (row.at(text("id")) == id && row.at(text("step")).toInt() <= end) {
+          length += row.at(text("x")).toDouble() - before;
+          before = row.at(text("x")).toDouble();
+        }
+      }
+      return length;
+    };
+    const auto isMeasured = [&](const char* word, const char* id) {
+      QStringList words{text("evaluate"), path("pair"), text("-o"), path("pair-again")};
+      words << (*word == '\0' ? QStringList() : QStringList{text("--robot"), text(word)});
+      const Finished finished = runProgram(words);
+      const double length = valueOf(metricsOf(path("pair-again")), text("path_length"));
+      return finished.exitCode == 0 && finished.err.contains(told) == (*word == '\0') &&
+             std::fabs(length - lengthOf(text(id))) < 1e-6;
+    };
+    QVERIFY(lengthOf(text("-2")) > lengthOf(text("-1")) + 2.0);
+    QVERIFY(isMeasured("", "-1"));
+    QVERIFY(isMeasured("near", "-1"));
+    for (const char* word : {"far", "2", "-2"}) {
+      QVERIFY2(isMeasured(word, "-2"), word);
+    }
+    const Finished wrong = runProgram(
+        {text("evaluate"), path("pair"), text("-o"), path("none"), text("--robot"), text("3")});
+    QCOMPARE(wrong.exitCode, 64);
+    QVERIFY2(wrong.err.contains(text("there is no '3' (known: near, far)")), qPrintable(wrong.err));
+  }
+
+  /// Of several robots in a file one is chosen by its id; the others are people then.
+  void evaluate_fileOfTwoRobots_wantsAnId() {
+    outside::writeText(path("robots.csv"),
+                       "time,id,kind,x,y\n0,1,robot,0,0\n0,2,robot,0,5\n"
+                       "1,1,robot,1,0\n1,2,robot,3,5\n");
+    const QStringList words{text("evaluate"), path("robots.csv"), text("-o"), path("chosen")};
+    const Finished unsaid = runProgram(words);
+    QCOMPARE(unsaid.exitCode, 2);
+    QVERIFY2(unsaid.err.contains(text("a second robot")), qPrintable(unsaid.err));
+    const Finished chosen = runProgram(words + QStringList{text("--robot"), text("2")});
+    QVERIFY2(chosen.exitCode == 0, qPrintable(chosen.err));
+    QCOMPARE(valueOf(metricsOf(path("chosen")), text("path_length")), 3.0);
+  }
+
   void evaluate_reference_isTheRecordedWay() {
     outside::writeText(path("two.csv"), "time,id,x,y\n0,1,0,0\n1,1,1,0.5\n2,1,2,0\n");
     outside::writeText(path("way.csv"), "time,id,x,y\n5,7,0,0\n6,7,1,0\n7,7,2,0\n");
@@ -205,7 +267,8 @@ class EvaluateProgramTest : public QObject {
     row("goal", "good.csv", {text("--robot-goal"), text("1")}, 64, "--robot-goal");
     row("format", "good.csv", {text("--format"), text("xls")}, 64, "--format");
     row("key", "good.csv", {text("--metrics"), text("path_lenght")}, 64, "path_length");
-    row("foreign words", "empty", {text("--robot"), text("1")}, 64, "--robot");
+    row("foreign words", "empty", {text("--fps"), text("1")}, 64, "--fps");
+    row("no id", "good.csv", {text("--robot"), text("anna")}, 64, "--robot");
     row("one sample", "good.csv", {text("--robot"), text("1"), text("--dt"), text("5")}, 0, "");
   }
   void evaluate_badInput_isTold() {

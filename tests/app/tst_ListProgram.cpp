@@ -70,6 +70,41 @@ class ListProgramTest : public QObject {
              qPrintable(command.err));
   }
 
+  void everyList_namesWhatThereIs_data() {
+    QTest::addColumn<QString>("what");
+    QTest::addColumn<QStringList>("known");
+    const auto row = [](const char* what, const QStringList& known) {
+      QTest::newRow(what) << QString::fromUtf8(what) << known;
+    };
+    row("nodes", {QStringLiteral("Sequence"), QStringLiteral("IsRobotVisible")});
+    row("metrics", {QStringLiteral("path_length"), QStringLiteral("spl")});
+    row("keys", {QStringLiteral("ROBOT.planner"), QStringLiteral("seed")});
+    row("models", {QStringLiteral("sfm"), QStringLiteral("das"), QStringLiteral("orca")});
+    row("robots", {QStringLiteral("generic")});
+    row("planners", {QStringLiteral("pursuit")});
+    row("scenarios", {QStringLiteral("corner_cafe_agents"), QStringLiteral("two_workers_agents")});
+  }
+  void everyList_namesWhatThereIs() {
+    QFETCH(QString, what);
+    QFETCH(QStringList, known);
+    const outside::Finished plain = outside::runProgram({QStringLiteral("list"), what});
+    QVERIFY2(plain.exitCode == 0, qPrintable(plain.err));
+    QStringList first;
+    for (const QString& line : plain.out.split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
+      first << line.section(QLatin1Char(' '), 0, 0);
+    }
+    QStringList named;
+    const outside::Finished json =
+        outside::runProgram({QStringLiteral("list"), what, QStringLiteral("--json")});
+    for (const auto& each : QJsonDocument::fromJson(json.out.toUtf8()).array()) {
+      named << each.toObject()[QStringLiteral("name")].toString();
+    }
+    QCOMPARE(first, named);
+    for (const QString& name : known) {
+      QVERIFY2(named.contains(name), qPrintable(named.join(QLatin1Char(' '))));
+    }
+  }
+
   /// By a reader of the tests' own: well-formed, every node once, with the tag of its kind.
   void xml_nodes_areAllThatAreNotBuiltIn() {
     QXmlStreamReader xml(found_.out);

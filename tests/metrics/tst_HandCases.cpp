@@ -122,7 +122,8 @@ void HandCasesTest::obstacles_contactsAndTimeTooClose() {
   samples[1].robot.obstacleDistance = 0.5;
   samples[2].robot.obstacleDistance = 0.25;
   samples[4].robot.obstacleDistance = 0.2;
-  const SampledRun recording = recordingOfSamples(samples);
+  SampledRun recording = recordingOfSamples(samples);
+  recording.hasObstacles = true;
   QCOMPARE(valueOf(recording, "obstacle_safety"), 40.0);
   QCOMPARE(valueOf(recording, "obstacle_collisions"), 2.0);
   QVERIFY(isNear(valueOf(recording, "clearing_distance_min"), -0.05));

@@ -97,7 +97,7 @@ void addBatch(CommandRegistry& commands) {
   const auto [command, options] =
       commands.add("batch", "Many runs: scenarios x values x seeds", batchCommand);
   command.add_option("experiment", options.experiment, "Experiment file")->required();
-  command.add_option("-o,--output", options.output, "Folder for the results")->required();
+  addOutputFolder(command, options.output, "Folder for the results").required();
   command.add_option("--jobs", options.jobs, "Processes at a time (number of cores)")
       ->check(CLI::Range(1, 1024));
 }

@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
@@ -9,7 +8,6 @@
 #include "bt/human/HumanNodes.h"
 #include "bt/tree/TreeXml.h"
 #include "editor/document/QtImageLoader.h"
-#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -75,22 +73,6 @@ base::Diagnostics checkFile(const std::string& path, const CheckOptions& options
       break;
   }
   return checkScenarioFile(path, options);
-}
-
-void printJson(const base::Diagnostics& diagnostics) {
-  nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const base::Diagnostic& diagnostic : diagnostics) {
-    const auto known = [](int number) {
-      return number > 0 ? nlohmann::ordered_json(number) : nlohmann::ordered_json();
-    };
-    all.push_back({{"file", diagnostic.file},
-                   {"line", known(diagnostic.line)},
-                   {"column", known(diagnostic.column)},
-                   {"severity", base::severityName(diagnostic.severity)},
-                   {"code", diagnostic.code},
-                   {"message", diagnostic.message}});
-  }
-  printLine(base::jsonText(all));
 }
 
 std::string summary(std::size_t files, const base::Diagnostics& diagnostics) {

@@ -93,8 +93,7 @@ void addConvert(CommandRegistry& commands) {
   command.add_option("scenario", options.source.scenario, "Scenario file, of any dialect")
       ->required()
       ->transform(scenarioFile);
-  command.add_option("-o,--output", options.output, "Folder for scenarios, behavior_trees, maps")
-      ->required();
+  addOutputFolder(command, options.output, "Folder for scenarios, behavior_trees, maps").required();
   command.add_option("--target", options.target, "Simulator that is to read it")
       ->required()
       ->check(CLI::IsMember(targets));

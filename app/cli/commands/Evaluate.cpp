@@ -30,7 +30,7 @@ struct EvaluateOptions {
   std::string unit, timeUnit;
   bool degrees = false;
   std::optional<double> framesPerSecond, step, radius;
-  std::optional<int> robot;
+  std::string robot;  // of a run: its robot; of a file: the id of who is the robot
   std::optional<std::string> robotGoal;
 };
 
@@ -43,16 +43,12 @@ bool isRunFolder(const std::string& source) {
 
 /// Words that only mean something for files of other programs.
 base::Diagnostics foreignWords(const EvaluateOptions& options) {
-  const std::pair<const char*, bool> given[] = {{"--format", !options.format.empty()},
-                                                {"--columns", !options.columns.empty()},
-                                                {"--fps", options.framesPerSecond.has_value()},
-                                                {"--unit", !options.unit.empty()},
-                                                {"--time-unit", !options.timeUnit.empty()},
-                                                {"--degrees", options.degrees},
-                                                {"--radius", options.radius.has_value()},
-                                                {"--dt", options.step.has_value()},
-                                                {"--robot", options.robot.has_value()},
-                                                {"--robot-goal", options.robotGoal.has_value()}};
+  const std::pair<const char*, bool> given[] = {
+      {"--format", !options.format.empty()},          {"--columns", !options.columns.empty()},
+      {"--fps", options.framesPerSecond.has_value()}, {"--unit", !options.unit.empty()},
+      {"--time-unit", !options.timeUnit.empty()},     {"--degrees", options.degrees},
+      {"--radius", options.radius.has_value()},       {"--dt", options.step.has_value()},
+      {"--robot-goal", options.robotGoal.has_value()}};
   base::Diagnostics wrong;
   for (const auto& [word, isGiven] : given) {
     if (isGiven) {
@@ -60,6 +56,19 @@ base::Diagnostics foreignWords(const EvaluateOptions& options) {
     }
   }
   return wrong;
+}
+
+/// Who is the robot in a file of another program; nothing: the file tells.
+std::optional<int> idOfRobot(const EvaluateOptions& options, base::Diagnostics& wrong) {
+  if (options.robot.empty() || isRunFolder(options.source)) {
+    return std::nullopt;
+  }
+  const std::optional<long long> id = base::parseInt(options.robot);
+  if (!id || *id != static_cast<int>(*id)) {
+    wrong.push_back(base::error("option.evaluate-robot", {options.robot}));
+    return std::nullopt;
+  }
+  return static_cast<int>(*id);
 }
 
 /// How a file of another program is read, and made to a run. Returns what is wrong with the words.
@@ -94,7 +103,7 @@ base::Diagnostics readForeignWords(const EvaluateOptions& options, sim2d::Foreig
     reading.lengthUnit = positive(metres.value_or(0.0), "--unit");
   }
   tracks.step = positive(options.step, "--dt");
-  tracks.robotId = options.robot;
+  tracks.robotId = idOfRobot(options, wrong);
   if (options.robotGoal) {
     const std::optional<std::vector<double>> goal = parseNumbers(*options.robotGoal, 2);
     if (goal) {
@@ -120,6 +129,24 @@ base::Result<sim2d::Trace> readSource(const std::string& source,
   const base::Result<sim2d::TrackFile> file = sim2d::readForeign(source, reading);
   return file ? sim2d::traceOfTracks(*file, tracks)
               : base::Result<sim2d::Trace>(file.diagnostics());
+}
+
+/// Which robot of a run is measured. Returns what is worth telling; a wrong word is `wrong`.
+base::Diagnostics chooseRobot(const EvaluateOptions& options, const sim2d::TraceHeader& header,
+                              metrics::Selection& selection, base::Diagnostics& wrong) {
+  if (options.robot.empty()) {
+    std::vector<std::string> names;
+    for (const sim2d::TraceRobot& robot : header.robots) {
+      names.push_back(robot.name);
+    }
+    return tellMeasuredRobot(names, options.source);
+  }
+  if (isRunFolder(options.source)) {
+    const base::Result<int> robot = robotOfWord(header, options.robot);
+    base::append(wrong, robot.diagnostics());
+    selection.robotId = robot ? *robot : selection.robotId;
+  }
+  return {};
 }
 
 base::Diagnostics replaceMap(const EvaluateOptions& options, sim2d::Trace& trace) {
@@ -225,6 +252,7 @@ int evaluateCommand(const EvaluateOptions& options, const Invocation& given) {
   if (trace) {
     base::append(problems, replaceMap(options, *trace));
     base::append(problems, readMetricsSetup(trace->header, setup));
+    base::append(problems, chooseRobot(options, trace->header, setup.selection, wrong));
   }
   base::append(problems, chooseMetrics(options.metrics, setup, wrong));
   requireFine(wrong, ExitWrongCommandLine);
@@ -263,7 +291,9 @@ void addForeignOptions(CLI::App& command, EvaluateOptions& options) {
   command.add_flag("--degrees", options.degrees, "Its headings are in degrees");
   command.add_option("--radius", options.radius, "Of everybody in it [m]");
   command.add_option("--dt", options.step, "Step of the samples made of it [s]");
-  command.add_option("--robot", options.robot, "The person with this id is the robot");
+  command.add_option("--robot", options.robot,
+                     "Of a run: name or number of the robot to measure; else the id of the person "
+                     "who is the robot");
   command.add_option("--robot-goal", options.robotGoal, "\"X Y\" (m)");
 }
 
@@ -273,7 +303,7 @@ void addEvaluate(CommandRegistry& commands) {
   const auto [command, options] =
       commands.add("evaluate", "Metrics of a recorded run or of a file", evaluateCommand);
   command.add_option("source", options.source, "Folder of a run, or a trajectory file")->required();
-  command.add_option("-o,--output", options.output, "Folder for the results")->required();
+  addOutputFolder(command, options.output, "Folder for the results").required();
   command.add_option("--map", options.map, "Map instead of the recorded; none = open plane");
   addMetricsOptions(command, options.metrics);
   command.add_option("--tag", options.tag, "Tag in the result files");

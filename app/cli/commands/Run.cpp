@@ -174,11 +174,8 @@ int runCommand(const RunOptions& options, const Invocation& given) {
   if (!options.output.empty() && verdict.ok()) {  // else nothing will be written
     base::append(verdict.problems, checkWritableFolder(options.output));
   }
-  printDiagnostics(verdict.problems, base::Severity::Warning);  // hints are for check
+  requireFine(verdict.problems, ExitBadInput, base::Severity::Warning);  // hints are for check
   printDiagnostics(verdict.worldRemarks);
-  if (!verdict.ok()) {
-    return ExitBadInput;
-  }
   sim2d::World& world = *verdict.world;
   catchInterrupts();
   wantNoMore(options, given, verdict.metrics.selection);
@@ -212,7 +209,7 @@ void addRun(CommandRegistry& commands) {
   command.add_option("scenario", options.scenario, "Scenario: a file, or a name of list scenarios")
       ->required()
       ->transform(scenarioFile);
-  command.add_option("-o,--output", options.output, "Folder for the files of the run");
+  addOutputFolder(command, options.output, "Folder for the files of the run");
   addRunOptions(command, options);
   command.add_flag("--counterfactual", options.counterfactual,
                    "The same seed again without robots: what they did to people");

@@ -235,7 +235,7 @@ void addTrees(CommandRegistry& commands) {
   CLI::Option* scenario =
       command.add_option("scenario", options.scenario, "Scenario file")->transform(scenarioFile);
   CLI::Option* output =
-      command.add_option("-o,--output", options.output, "Folder for the trees; none: print them");
+      &addOutputFolder(command, options.output, "Folder for the trees; none: print them");
   CLI::Option* style = command.add_option("--style", options.style, "corrected or hunav2");
   style->check(CLI::IsMember({"corrected", "hunav2"}));
   CLI::Option* play = command.add_option("--play", options.play, "Tree file to tick by itself");

@@ -203,7 +203,9 @@ int validateCommand(const ValidateOptions& options, const Invocation& given) {
     const std::string file = options.output + "/validation";
     base::Diagnostics problems = base::writeFileAtomically(file + ".csv", csvOf(rows));
     base::append(problems, base::writeFileAtomically(file + ".json", jsonOf(rows) + "\n"));
-    requireFine(problems);
+    if (!printDiagnostics(problems)) {
+      return ExitBadInput;
+    }
   }
   if (!isComplete) {
     printError("interrupted: " + std::to_string(rows.size()) + " rows are complete");
@@ -223,7 +225,7 @@ void addValidate(CommandRegistry& commands) {
   const auto [command, options] = commands.add(
       "validate", "Realism tests: people of the models against real ones", validateCommand);
   command.add_option("names", options.names, "Realism tests (all)");
-  command.add_option("-o,--output", options.output, "Folder for the results");
+  addOutputFolder(command, options.output, "Folder for the results");
   command.add_option("--seeds", options.seeds, "Runs with seeds 1 to N (10)")
       ->check(CLI::Range(1, 10000));
   command.add_option("--model", options.models, "Models to test (sfm and das)")

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/ForeignReaders.h"
 

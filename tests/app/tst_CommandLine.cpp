@@ -1,0 +1,115 @@
+#include <QJsonArray>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "tests/app/RunFiles.h"
+
+using outside::Finished;
+using outside::runProgram;
+using outside::text;
+
+namespace {
+
+QString demo() {
+  return QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
+}
+
+}  // namespace
+
+/// What all commands do alike.
+class CommandLineTest : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir folder_;
+  QString path(const char* name) const { return folder_.filePath(text(name)); }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    outside::writeText(path("walk.csv"), "time,id,x,y\n0,1,0,0\n1,1,1,0\n2,1,2,0\n");
+    outside::writeText(path("few.yaml"), "hunavsim_experiment: 1\nscenarios: [" + demo().toUtf8() +
+                                             "]\nseeds: 1\nduration: 0.1\n");
+  }
+
+  /// A folder cannot be the standard output: nothing is made, not even a folder of this name.
+  void dash_isNoFolder_data() {
+    QTest::addColumn<QStringList>("words");
+    const auto row = [](const char* command, const QStringList& more) {
+      QTest::newRow(command) << (QStringList{text(command)} + more +
+                                 QStringList{text("-o"), text("-")});
+    };
+    row("run", {demo(), text("--duration"), text("0.1")});
+    row("batch", {path("few.yaml")});
+    row("evaluate", {path("walk.csv")});
+    row("convert", {demo(), text("--target"), text("isaac")});
+    row("trees", {demo()});
+    row("validate", {text("rimea-1"), text("--seeds"), text("1")});
+  }
+  void dash_isNoFolder() {
+    QFETCH(QStringList, words);
+    const QString where = path("dash");
+    QVERIFY(QDir().mkpath(where));
+    const Finished finished = runProgram(words, where);
+    QCOMPARE(finished.exitCode, 64);
+    QVERIFY2(finished.err.contains(text("a folder is wanted")), qPrintable(finished.err));
+    QVERIFY(QDir(where).isEmpty());
+  }
+
+  void json_badInput_isListedOnStandardOutput_data() {
+    QTest::addColumn<QStringList>("words");
+    outside::writeText(path("bad.yaml"), "hunav_loader:\n  ros__parameters:\n    agents: [a, \n");
+    outside::writeText(path("bad.csv"), "time,id,x,y\n0,1,nan,0\n");
+    const auto row = [](const char* command, const QStringList& more) {
+      QTest::newRow(command) << (QStringList{text(command)} + more);
+    };
+    row("check", {path("bad.yaml")});
+    row("run", {path("bad.yaml")});
+    row("batch", {path("bad.yaml"), text("-o"), path("out")});
+    row("evaluate", {path("bad.csv"), text("-o"), path("out")});
+    row("convert", {path("bad.yaml"), text("--target"), text("isaac"), text("-o"), path("out")});
+    row("trees", {path("bad.yaml")});
+  }
+  void json_badInput_isListedOnStandardOutput() {
+    QFETCH(QStringList, words);
+    const Finished finished = runProgram(words + QStringList{text("--json")});
+    QCOMPARE(finished.exitCode, 2);
+    const QJsonArray all = QJsonDocument::fromJson(finished.out.toUtf8()).array();
+    QVERIFY2(!all.isEmpty(), qPrintable(finished.out));
+    const QJsonObject first = all[0].toObject();
+    QCOMPARE(first[text("severity")].toString(), text("error"));
+    QVERIFY(first[text("file")].toString().contains(text("bad.")));
+    QVERIFY(first[text("line")].toInt() > 0);
+    QVERIFY(!first[text("message")].toString().isEmpty());
+  }
+
+  void fullStandardOutput_everyCommand_isAnError_data() {
+    QTest::addColumn<QStringList>("words");
+    const auto row = [](const char* command, const QStringList& more) {
+      QTest::newRow(command) << (QStringList{text(command)} + more);
+    };
+    row("--version", {});
+    row("batch", {path("few.yaml"), text("-o"), path("full/batch")});
+    row("evaluate", {path("walk.csv"), text("-o"), path("full/walk")});
+    row("convert", {demo(), text("--target"), text("isaac"), text("-o"), path("full/isaac")});
+    row("validate", {text("rimea-1"), text("--model"), text("sfm"), text("--seeds"), text("1")});
+  }
+  void fullStandardOutput_everyCommand_isAnError() {
+    QFETCH(QStringList, words);
+    QProcess program;
+    program.setStandardOutputFile(text("/dev/full"));
+    program.start(QStringLiteral(HUNAVSIM_PROGRAM), words);
+    QVERIFY(program.waitForFinished(55000));
+    const QString said = QString::fromUtf8(program.readAllStandardError());
+    QVERIFY2(program.exitCode() != 0, qPrintable(said));
+  }
+
+  void mistypedCommand_namesTheNearest() {
+    const Finished finished = runProgram({text("evalute"), path("walk.csv"), text("x")});
+    QCOMPARE(finished.exitCode, 64);
+    QVERIFY2(finished.err.contains(text("'evaluate'")), qPrintable(finished.err));
+  }
+};
+
+QTEST_GUILESS_MAIN(CommandLineTest)
+#include "tst_CommandLine.moc"
