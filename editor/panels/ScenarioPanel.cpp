@@ -177,7 +177,7 @@ ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme)
   connect(&document_, &ScenarioDocument::changed, this, [this](const Change& change) {
     if (change.what == Change::What::Everything) {
       // of another scenario, once its rows are there
-      QTimer::singleShot(0, tree_, [this] { tree_->scrollToTop(); });
+      QTimer::singleShot(0, tree_, &QAbstractItemView::scrollToTop);
     }
   });
   setTheme(theme);
