@@ -146,13 +146,12 @@ std::vector<Entry> scenarioEntries() {
 
 /// What can be listed, by its name on the command line.
 std::map<std::string, std::function<std::vector<Entry>()>> lists() {
-  const sim2d::Registries& known = sim2d::programRegistries();
   return {{"nodes", [] { return nodeEntries(bt::humanNodes().catalogue()); }},
           {"metrics", metricEntries},
           {"keys", keyEntries},
-          {"models", [&known] { return registeredEntries(known.models); }},
-          {"robots", [&known] { return registeredEntries(known.robotTypes); }},
-          {"planners", [&known] { return registeredEntries(known.planners); }},
+          {"models", [] { return registeredEntries(sim2d::programRegistries().models); }},
+          {"robots", [] { return registeredEntries(sim2d::programRegistries().robotTypes); }},
+          {"planners", [] { return registeredEntries(sim2d::programRegistries().planners); }},
           {"scenarios", scenarioEntries}};
 }
 
