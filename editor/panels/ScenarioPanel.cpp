@@ -179,10 +179,12 @@ ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme)
   connect(tree_, &QTreeView::customContextMenuRequested, this, &ScenarioPanel::offerMenu);
   connect(&document_, &ScenarioDocument::selectionChanged, this, &ScenarioPanel::takeSelection);
   connect(&document_, &ScenarioDocument::settled, this, &ScenarioPanel::showEmptiness);
-  connect(&document_, &ScenarioDocument::changed, this, [this](const Change& change) {
+  auto* scroll = new QTimer(this);  // to the top of another scenario, once its rows are there
+  scroll->setSingleShot(true);
+  connect(scroll, &QTimer::timeout, tree_, &QTreeView::scrollToTop);
+  connect(&document_, &ScenarioDocument::changed, scroll, [scroll](const Change& change) {
     if (change.what == Change::What::Everything) {
-      // of another scenario, once its rows are there
-      QTimer::singleShot(0, tree_, [this] { tree_->scrollToTop(); });
+      scroll->start(0);
     }
   });
   setTheme(theme);

@@ -9,10 +9,9 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QTimer>
 #include <QtTest>
 
-#include "app/window/MainWindow.h"
+#include "tests/app/QuietWindow.h"
 
 /// The hands of a user: real events of mouse and keyboard, counted. Message boxes that come up
 /// meanwhile are counted as well.
@@ -107,7 +106,11 @@ class Hands : public QObject {
   }
   /// What a file dialog that opens next is told.
   void answerFileDialog(const QString& path) {
-    QTimer::singleShot(100, qApp, [this, path] { answerNow(path, 50); });
+    quiet::answerDialog<QFileDialog>([path](QFileDialog& dialog) {
+      auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+      name->setText(path);
+      QTest::keyClick(name, Qt::Key_Return);
+    });
   }
   QDialog* openDialog() const {
     for (QDialog* dialog : window_.findChildren<QDialog*>()) {
@@ -132,18 +135,6 @@ class Hands : public QObject {
                       view().viewport()->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, modifiers);
     QCoreApplication::sendEvent(view().viewport(), &event);
     QCoreApplication::processEvents();
-  }
-  void answerNow(const QString& path, int patience) {
-    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-    if (dialog == nullptr) {
-      if (patience > 0) {
-        QTimer::singleShot(100, qApp, [this, path, patience] { answerNow(path, patience - 1); });
-      }
-      return;
-    }
-    auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-    name->setText(path);
-    QTest::keyClick(name, Qt::Key_Return);
   }
 
   app::MainWindow& window_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -102,14 +103,30 @@ inline app::Notice noticeOf(app::MainWindow& window, const char* id) {
   return {};
 }
 
+/// What is done with the next dialog of a kind that opens within five seconds.
+template <class Dialog>
+void answerDialog(const std::function<void(Dialog&)>& answer) {
+  constexpr int kEvery = 50;  // [ms]
+  auto* timer = new QTimer(qApp);
+  QObject::connect(timer, &QTimer::timeout, timer, [timer, answer, left = 100]() mutable {
+    auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
+    if (dialog != nullptr || --left == 0) {
+      timer->stop();
+      timer->deleteLater();
+    }
+    if (dialog != nullptr) {
+      answer(*dialog);
+    }
+  });
+  timer->start(kEvery);
+}
+
 /// The next message box is answered so, and its text is kept.
 inline void answerBox(QMessageBox::StandardButton button, QString& text) {
   text.clear();
-  QTimer::singleShot(100, qApp, [button, &text] {
-    if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
-      text = box->text();
-      box->button(button)->click();
-    }
+  answerDialog<QMessageBox>([button, &text](QMessageBox& box) {
+    text = box.text();
+    box.button(button)->click();
   });
 }
 

@@ -49,11 +49,7 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
     quiet::shoot(*window_, "map-lost-dark");
     window_->setTheme(editor::Theme::light());
     // a dialog that is cancelled leaves it as it was
-    QTimer::singleShot(100, this, [] {
-      if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
-        dialog->reject();
-      }
-    });
+    quiet::answerDialog<QDialog>([](QDialog& dialog) { dialog.reject(); });
     window_->notices().choose(utf8("map"), 0);
     QVERIFY(window_->notices().isTold(utf8("map")));
     window_->notices().choose(utf8("map"), 1);

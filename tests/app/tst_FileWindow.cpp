@@ -114,12 +114,10 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     QCOMPARE(document().mapPath(), map);
     document().undoStack().setClean();
     int asked = 0;
-    QTimer::singleShot(300, this, [&asked] {
-      if (auto* dialog = qobject_cast<app::ImageMapDialog*>(QApplication::activeModalWidget())) {
-        ++asked;
-        quiet::setResolution(*dialog, 0.02);
-        dialog->accept();
-      }
+    quiet::answerDialog<app::ImageMapDialog>([&asked](app::ImageMapDialog& dialog) {
+      ++asked;
+      quiet::setResolution(dialog, 0.02);
+      dialog.accept();
     });
     dropOnWindow(at("other.pgm"));
     QTRY_COMPARE(asked, 1);

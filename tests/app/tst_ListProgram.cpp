@@ -94,8 +94,8 @@ class ListProgramTest : public QObject {
       first << line.section(QLatin1Char(' '), 0, 0);
     }
     QStringList named;
-    const outside::Finished json =
-        outside::runProgram({QStringLiteral("list"), what, QStringLiteral("--json")});
+    const outside::Finished json = outside::runProgram(
+        {QStringLiteral("list"), what, QStringLiteral("--format"), QStringLiteral("json")});
     for (const auto& each : QJsonDocument::fromJson(json.out.toUtf8()).array()) {
       named << each.toObject()[QStringLiteral("name")].toString();
     }
@@ -103,6 +103,22 @@ class ListProgramTest : public QObject {
     for (const QString& name : known) {
       QVERIFY2(named.contains(name), qPrintable(named.join(QLatin1Char(' '))));
     }
+  }
+
+  void parameters_ofAPlanner_areTold() {
+    const outside::Finished json =
+        outside::runProgram({QStringLiteral("list"), QStringLiteral("planners"),
+                             QStringLiteral("--format"), QStringLiteral("json")});
+    const QJsonObject pursuit = QJsonDocument::fromJson(json.out.toUtf8()).array()[0].toObject();
+    for (const auto& each : pursuit[QStringLiteral("parameters")].toArray()) {
+      const QJsonObject parameter = each.toObject();
+      if (parameter[QStringLiteral("name")] == QStringLiteral("lookahead")) {
+        QCOMPARE(parameter[QStringLiteral("unit")].toString(), QStringLiteral("m"));
+        QCOMPARE(parameter[QStringLiteral("default")].toDouble(), 0.6);
+        return;
+      }
+    }
+    QFAIL(qPrintable(json.out));
   }
 
   /// By a reader of the tests' own: well-formed, every node once, with the tag of its kind.
@@ -172,8 +188,9 @@ class ListProgramTest : public QObject {
     const QByteArray committed = outside::bytesOf(QStringLiteral(SOURCE_DIR "/metrics/METRICS.md"));
     QVERIFY(!committed.isEmpty() && written.out.toUtf8() == committed);
     // The same metrics in both, with all their columns.
-    const outside::Finished listed = outside::runProgram(
-        {QStringLiteral("list"), QStringLiteral("metrics"), QStringLiteral("--json")});
+    const outside::Finished listed =
+        outside::runProgram({QStringLiteral("list"), QStringLiteral("metrics"),
+                             QStringLiteral("--format"), QStringLiteral("json")});
     const QJsonArray metrics = QJsonDocument::fromJson(listed.out.toUtf8()).array();
     QVERIFY(metrics.size() > 64);
     QCOMPARE(committed.count("\n|  | `") + 34, metrics.size());
@@ -221,8 +238,9 @@ class ListProgramTest : public QObject {
     const QByteArray committed =
         outside::bytesOf(QStringLiteral(SOURCE_DIR "/sim2d/scenario/FORMAT.md"));
     QVERIFY(committed.contains("markdown -->\n" + written.out.toUtf8() + "<!-- end -->"));
-    const outside::Finished listed = outside::runProgram(
-        {QStringLiteral("list"), QStringLiteral("keys"), QStringLiteral("--json")});
+    const outside::Finished listed =
+        outside::runProgram({QStringLiteral("list"), QStringLiteral("keys"),
+                             QStringLiteral("--format"), QStringLiteral("json")});
     const QJsonArray keys = QJsonDocument::fromJson(listed.out.toUtf8()).array();
     QCOMPARE(written.out.count(QStringLiteral("\n| `")), keys.size());
   }

@@ -51,8 +51,13 @@ class MadeUpPanelTest : public QObject {
     QDockWidget* dock = window_->docks().dock(QStringLiteral("Headcount"));
     QVERIFY(dock != nullptr);
     QCOMPARE(window_->dockWidgetArea(dock), Qt::RightDockWidgetArea);
-    QVERIFY(window_->tabifiedDockWidgets(dock).contains(
-        window_->docks().dock(QStringLiteral("Behaviour"))));
+    const QList<QDockWidget*> tabs = window_->tabifiedDockWidgets(dock);
+    for (const char* name : {"Properties", "Behaviour"}) {
+      QVERIFY2(tabs.contains(window_->docks().dock(QString::fromUtf8(name))), name);
+    }
+    for (QDockWidget* each : tabs) {
+      QCOMPARE(window_->dockWidgetArea(each), Qt::RightDockWidgetArea);
+    }
     window_->docks().show({QStringLiteral("headcount")});  // as --dock does
     QVERIFY(dock->isVisible());
     QVERIFY(!window_->docks().panel<editor::IssuesPanel>().isVisible());

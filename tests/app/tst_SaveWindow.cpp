@@ -95,13 +95,10 @@ class SaveWindowTest : public QObject, protected quiet::InFolder {
         document(), person, QStringLiteral("Type"),
         [](sim2d::Human& human) { human.behavior.type = sim2d::BehaviorType::Scared; });
     int asked = 0;
-    QTimer::singleShot(0, this, [&asked] {
-      auto* dialog = qobject_cast<app::TreeChoiceDialog*>(QApplication::activeModalWidget());
-      if (dialog != nullptr) {
-        ++asked;
-        dialog->choose(0, true);
-        dialog->accept();
-      }
+    quiet::answerDialog<app::TreeChoiceDialog>([&asked](app::TreeChoiceDialog& dialog) {
+      ++asked;
+      dialog.choose(0, true);
+      dialog.accept();
     });
     QVERIFY(window_->files().save());
     QCOMPARE(asked, 1);
@@ -175,11 +172,9 @@ class SaveWindowTest : public QObject, protected quiet::InFolder {
 
  private:
   void exportTo(const QString& target) {
-    QTimer::singleShot(100, this, [&target] {
-      if (auto* dialog = qobject_cast<app::ExportDialog*>(QApplication::activeModalWidget())) {
-        quiet::part<QLineEdit>(*dialog, "Folder").setText(target);
-        dialog->accept();
-      }
+    quiet::answerDialog<app::ExportDialog>([&target](app::ExportDialog& dialog) {
+      quiet::part<QLineEdit>(dialog, "Folder").setText(target);
+      dialog.accept();
     });
     window_->files().askExport();
   }
