@@ -214,11 +214,11 @@ bool reachBeyond(const OccupancyGrid& grid, const Obstacles& obstacles) {
 class ObstaclePass {
  public:
   ObstaclePass(const OccupancyGrid& grid, const Obstacles& obstacles,
-               const std::vector<char>& cells)
+               const std::vector<char>& cells, bool isLarge)
       : grid_(grid),
         obstacles_(obstacles),
         cells_(cells),
-        toCovered_(distancesToMarked(grid.width(), grid.height(), cells)),
+        toCovered_(grid.width(), grid.height(), cells, 1.0F, isLarge),
         size_(static_cast<float>(grid.resolution())),
         limit_(kExactRange + 2.0 * grid.resolution()),
         // What stands beyond the grid acts on the cells near its edge.
@@ -226,7 +226,7 @@ class ObstaclePass {
 
   float lowered(Cell cell, float distance) const {
     const std::size_t i = grid_.indexOf(cell);
-    const float rough = size_ * toCovered_[i];  // covered cells reach up to a cell too far
+    const float rough = size_ * toCovered_.at(i);  // covered cells reach up to a cell too far
     const bool isNearEdge = std::min({cell.column, grid_.width() - 1 - cell.column, cell.row,
                                       grid_.height() - 1 - cell.row}) < edge_;
     if (rough >= distance && !isNearEdge) {
@@ -248,62 +248,127 @@ class ObstaclePass {
   const OccupancyGrid& grid_;
   const Obstacles& obstacles_;
   const std::vector<char>& cells_;
-  std::vector<float> toCovered_;  // [cells]
+  CellDistances toCovered_;  // [cells]
   float size_;
   double limit_;
   int edge_;  // [cells]
 };
 
 /// Distances [m] to map walls and obstacles together. `cells` are those of the obstacles.
-std::vector<float> combinedDistances(const OccupancyGrid& grid, const Obstacles& obstacles,
-                                     const std::vector<char>& cells) {
-  std::vector<float> distance = distancesToMarked(grid.width(), grid.height(), cellsOfWalls(grid));
-  for (float& value : distance) {
-    value *= static_cast<float>(grid.resolution());
-  }
+CellDistances combinedDistances(const OccupancyGrid& grid, const Obstacles& obstacles,
+                                const std::vector<char>& cells, bool isLarge) {
+  CellDistances distance(grid.width(), grid.height(), cellsOfWalls(grid),
+                         static_cast<float>(grid.resolution()), isLarge);
   const bool isCovered = std::find(cells.begin(), cells.end(), char{1}) != cells.end();
   if (!isCovered && !reachBeyond(grid, obstacles)) {
     return distance;
   }
-  const ObstaclePass pass(grid, obstacles, cells);
+  const ObstaclePass pass(grid, obstacles, cells, isLarge);
   for (int row = 0; row < grid.height(); ++row) {
     for (int column = 0; column < grid.width(); ++column) {
-      float& value = distance[grid.indexOf({column, row})];
-      value = pass.lowered({column, row}, value);
+      const std::size_t index = grid.indexOf({column, row});
+      const float before = distance.at(index);
+      const float after = pass.lowered({column, row}, before);
+      if (after != before) {
+        distance.set(index, after);
+      }
     }
   }
   // All or none are infinite, so that values can be mixed: where only what stands beyond the grid
   // is felt, the cells far from its edge take the range within which it was looked for.
-  const auto isFinite = [](float value) { return std::isfinite(value); };
-  if (std::any_of(distance.begin(), distance.end(), isFinite)) {
-    std::replace(distance.begin(), distance.end(), std::numeric_limits<float>::infinity(),
-                 static_cast<float>(kExactRange));
-  }
+  distance.replaceInfinite(static_cast<float>(kExactRange));
   return distance;
+}
+
+/// The cells with all that stands on them as walls.
+OccupancyGrid withObstacles(const OccupancyGrid& grid, const std::vector<char>& cells) {
+  std::vector<std::int8_t> values = grid.cells();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = cells[i] != 0 ? std::int8_t{100} : values[i];
+  }
+  return OccupancyGrid(grid.width(), grid.height(), grid.resolution(), grid.origin(),
+                       std::move(values));
+}
+
+constexpr int kBlock = 16;  // [cells] along the side of those that unknown cells are looked up by
+
+int blocksOf(int cells) {
+  return (cells + kBlock - 1) / kBlock;
 }
 
 }  // namespace
 
 DistanceField::DistanceField(const OccupancyGrid& grid, const Obstacles& obstacles,
-                             const std::vector<Vec2>& bounds)
-    : grid_(grid.isEmpty() ? gridOver(obstacles, bounds) : grid), isOpenPlane_(grid.isEmpty()) {
+                             const std::vector<Vec2>& bounds, double mostCells)
+    : grid_(grid.isEmpty() ? gridOver(obstacles, bounds) : grid),
+      isOpenPlane_(grid.isEmpty()),
+      isLarge_(!isOpenPlane_ && static_cast<double>(grid_.cells().size()) > mostCells) {
   const std::vector<char> cells = cellsOfObstacles(grid_, obstacles);
-  distance_ = combinedDistances(grid_, obstacles, cells);
-  std::vector<std::int8_t> values = grid_.cells();
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = cells[i] != 0 ? std::int8_t{100} : values[i];
+  distance_ = combinedDistances(grid_, obstacles, cells, isLarge_);
+  if (!isLarge_ && std::find(cells.begin(), cells.end(), char{1}) != cells.end()) {
+    grid_ = withObstacles(grid_, cells);
   }
-  grid_ = OccupancyGrid(grid_.width(), grid_.height(), grid_.resolution(), grid_.origin(),
-                        std::move(values));
+  findBorder();
+  measureUnknown();
+}
+
+bool DistanceField::isSolid(Cell cell) const {
+  return grid_.isWall(cell) ||
+         (isLarge_ && grid_.contains(cell) && distance_.at(grid_.indexOf(cell)) == 0.0F);
+}
+
+void DistanceField::findBorder() {
   for (int row = 0; row < grid_.height(); ++row) {
     for (int column = 0; column < grid_.width(); ++column) {
-      const bool isBorder = !grid_.isWall({column - 1, row}) || !grid_.isWall({column + 1, row}) ||
-                            !grid_.isWall({column, row - 1}) || !grid_.isWall({column, row + 1});
-      if (isBorder && grid_.isWall({column, row})) {
+      const bool isBorder =
+          isSolid({column, row}) && (!isSolid({column - 1, row}) || !isSolid({column + 1, row}) ||
+                                     !isSolid({column, row - 1}) || !isSolid({column, row + 1}));
+      if (isBorder) {
         border_.push_back({column, row});
       }
     }
   }
+}
+
+/// Of a large map by blocks of cells: a line that keeps off what is unknown may then have to be
+/// tested at more places, with the same answer.
+void DistanceField::measureUnknown() {
+  const std::vector<std::int8_t>& cells = grid_.cells();
+  if (std::none_of(cells.begin(), cells.end(), [](std::int8_t value) { return value < 0; })) {
+    return;
+  }
+  const int block = isLarge_ ? kBlock : 1;
+  const int width = isLarge_ ? blocksOf(grid_.width()) : grid_.width();
+  const int height = isLarge_ ? blocksOf(grid_.height()) : grid_.height();
+  std::vector<char> marks(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
+  for (int row = 0; row < grid_.height(); ++row) {
+    for (int column = 0; column < grid_.width(); ++column) {
+      if (grid_.isUnknown({column, row})) {
+        marks[static_cast<std::size_t>(row / block) * static_cast<std::size_t>(width) +
+              static_cast<std::size_t>(column / block)] = 1;
+      }
+    }
+  }
+  toUnknown_ = distancesToMarked(width, height, marks);
+}
+
+double DistanceField::unknownDistance(Cell cell) const {
+  if (toUnknown_.empty() || !grid_.contains(cell)) {
+    return std::numeric_limits<double>::infinity();
+  }
+  if (!isLarge_) {
+    return static_cast<double>(toUnknown_[grid_.indexOf(cell)]);
+  }
+  constexpr double kHalfDiagonal = 0.7072;  // [blocks]
+  const int blocks = blocksOf(grid_.width());
+  const auto block = static_cast<std::size_t>(cell.row / kBlock * blocks + cell.column / kBlock);
+  const double least = kBlock * (static_cast<double>(toUnknown_[block]) - kHalfDiagonal);
+  return grid_.isUnknown(cell) ? 0.0 : std::max(1.0, least);
+}
+
+std::size_t DistanceField::bytes() const {
+  return distance_.bytes() + sizeof(float) * toUnknown_.capacity() +
+         sizeof(Cell) * border_.capacity();
 }
 
 double DistanceField::outsideDistance(const Vec2& corner) const {
@@ -317,12 +382,12 @@ double DistanceField::outsideDistance(const Vec2& corner) const {
 }
 
 double DistanceField::distanceAt(Cell cell) const {
-  return grid_.contains(cell) ? static_cast<double>(distance_[grid_.indexOf(cell)])
+  return grid_.contains(cell) ? static_cast<double>(distance_.at(grid_.indexOf(cell)))
                               : outsideDistance(Vec2(cell.column + 0.5, cell.row + 0.5));
 }
 
 double DistanceField::distanceAt(const Vec2& point) const {
-  if (std::isinf(distance_.front())) {
+  if (std::isinf(distance_.at(0))) {
     return std::numeric_limits<double>::infinity();
   }
   const Vec2 corner = grid_.worldToCorner(point);
@@ -340,7 +405,7 @@ double DistanceField::distanceAt(const Vec2& point) const {
   const double tx = x - low.column;
   const double ty = y - low.row;
   const auto value = [&](std::size_t offset) {
-    return static_cast<double>(distance_[first + offset]);
+    return static_cast<double>(distance_.at(first + offset));
   };
   return (1.0 - ty) * ((1.0 - tx) * value(0) + tx * value(right)) +
          ty * ((1.0 - tx) * value(up) + tx * value(up + right));
