@@ -11,7 +11,7 @@ namespace {
 using Index = BlockGraph::Index;
 using Pair = std::pair<Index, Index>;
 
-constexpr int kLeastSide = 12;      // [cells]
+constexpr int kLeastSide = 12;       // [cells]
 constexpr double kMostBlocks = 1e5;  // a search over them takes about 10 ms
 constexpr Index kNone = -1;
 
@@ -90,6 +90,7 @@ class BlockGraph::Builder {
   void build() {
     below_.assign(static_cast<std::size_t>(grid_.width()) + 2, kNone);
     for (int row = 0; row < grid_.height(); row += graph_.side_) {
+      graph_.field_.stopFlag().check();
       addRow(row);
     }
     graph_.firstNode_.push_back(static_cast<Index>(graph_.nodes_.size()));

@@ -214,11 +214,11 @@ bool reachBeyond(const OccupancyGrid& grid, const Obstacles& obstacles) {
 class ObstaclePass {
  public:
   ObstaclePass(const OccupancyGrid& grid, const Obstacles& obstacles,
-               const std::vector<char>& cells, bool isLarge)
+               const std::vector<char>& cells, bool isLarge, const base::StopFlag& stop)
       : grid_(grid),
         obstacles_(obstacles),
         cells_(cells),
-        toCovered_(grid.width(), grid.height(), cells, 1.0F, isLarge),
+        toCovered_(grid.width(), grid.height(), cells, 1.0F, isLarge, stop),
         size_(static_cast<float>(grid.resolution())),
         limit_(kExactRange + 2.0 * grid.resolution()),
         // What stands beyond the grid acts on the cells near its edge.
@@ -256,15 +256,17 @@ class ObstaclePass {
 
 /// Distances [m] to map walls and obstacles together. `cells` are those of the obstacles.
 CellDistances combinedDistances(const OccupancyGrid& grid, const Obstacles& obstacles,
-                                const std::vector<char>& cells, bool isLarge) {
+                                const std::vector<char>& cells, bool isLarge,
+                                const base::StopFlag& stop) {
   CellDistances distance(grid.width(), grid.height(), cellsOfWalls(grid),
-                         static_cast<float>(grid.resolution()), isLarge);
+                         static_cast<float>(grid.resolution()), isLarge, stop);
   const bool isCovered = std::find(cells.begin(), cells.end(), char{1}) != cells.end();
   if (!isCovered && !reachBeyond(grid, obstacles)) {
     return distance;
   }
-  const ObstaclePass pass(grid, obstacles, cells, isLarge);
+  const ObstaclePass pass(grid, obstacles, cells, isLarge, stop);
   for (int row = 0; row < grid.height(); ++row) {
+    stop.check();
     for (int column = 0; column < grid.width(); ++column) {
       const std::size_t index = grid.indexOf({column, row});
       const float before = distance.at(index);
@@ -299,12 +301,15 @@ int blocksOf(int cells) {
 }  // namespace
 
 DistanceField::DistanceField(const OccupancyGrid& grid, const Obstacles& obstacles,
-                             const std::vector<Vec2>& bounds, double mostCells)
-    : grid_(grid.isEmpty() ? gridOver(obstacles, bounds) : grid),
+                             const std::vector<Vec2>& bounds, double mostCells,
+                             base::StopFlagPtr stop)
+    : stop_(std::move(stop)),
+      grid_(grid.isEmpty() ? gridOver(obstacles, bounds) : grid),
       isOpenPlane_(grid.isEmpty()),
       isLarge_(!isOpenPlane_ && static_cast<double>(grid_.cells().size()) > mostCells) {
+  stop_->check();
   const std::vector<char> cells = cellsOfObstacles(grid_, obstacles);
-  distance_ = combinedDistances(grid_, obstacles, cells, isLarge_);
+  distance_ = combinedDistances(grid_, obstacles, cells, isLarge_, *stop_);
   if (!isLarge_ && std::find(cells.begin(), cells.end(), char{1}) != cells.end()) {
     grid_ = withObstacles(grid_, cells);
   }
@@ -319,6 +324,7 @@ bool DistanceField::isSolid(Cell cell) const {
 
 void DistanceField::findBorder() {
   for (int row = 0; row < grid_.height(); ++row) {
+    stop_->check();
     for (int column = 0; column < grid_.width(); ++column) {
       const bool isBorder =
           isSolid({column, row}) && (!isSolid({column - 1, row}) || !isSolid({column + 1, row}) ||

@@ -19,7 +19,8 @@ class DistanceField {
   /// `obstacles` are built; parts may repeat the outlines of the map. Parts switched off are free.
   /// Maps of more than `mostCells` are large.
   DistanceField(const OccupancyGrid& grid, const Obstacles& obstacles,
-                const std::vector<Vec2>& bounds = {}, double mostCells = kMostCells);
+                const std::vector<Vec2>& bounds = {}, double mostCells = kMostCells,
+                base::StopFlagPtr stop = std::make_shared<const base::StopFlag>());
 
   static constexpr double kMostCells = 4e6;
 
@@ -33,6 +34,8 @@ class DistanceField {
   /// a large map, from any point of the cell and at least so much.
   double unknownDistance(Cell cell) const;
   bool hasUnknown() const { return !toUnknown_.empty(); }
+  /// For all that is worked out from it, as for itself.
+  const base::StopFlag& stopFlag() const { return *stop_; }
   /// Memory taken, but for the cells of the map.
   std::size_t bytes() const;
 
@@ -42,6 +45,7 @@ class DistanceField {
   void measureUnknown();
   double outsideDistance(const Vec2& corner) const;
 
+  base::StopFlagPtr stop_;
   OccupancyGrid grid_;
   bool isOpenPlane_ = false;
   bool isLarge_ = false;

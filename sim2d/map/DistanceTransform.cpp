@@ -106,7 +106,8 @@ class RowPass {
 
 }  // namespace
 
-std::vector<float> distancesToMarked(int width, int height, const std::vector<char>& marked) {
+std::vector<float> distancesToMarked(int width, int height, const std::vector<char>& marked,
+                                     const base::StopFlag& stop) {
   assert(width > 0 && height > 0);
   const auto columns = static_cast<std::size_t>(width);
   const auto rows = static_cast<std::size_t>(height);
@@ -114,12 +115,14 @@ std::vector<float> distancesToMarked(int width, int height, const std::vector<ch
   std::vector<float> distance = columnDistances(columns, rows, marked, kNone);
   RowPass pass(columns);
   for (std::size_t row = 0; row < rows; ++row) {
+    stop.check();
     pass.run(distance.data() + row * columns);
   }
   return distance;
 }
 
-std::vector<std::uint16_t> stepsToMarked(int width, int height, const std::vector<char>& marked) {
+std::vector<std::uint16_t> stepsToMarked(int width, int height, const std::vector<char>& marked,
+                                         const base::StopFlag& stop) {
   assert(width > 0 && height > 0);
   const auto columns = static_cast<std::size_t>(width);
   const auto rows = static_cast<std::size_t>(height);
@@ -127,6 +130,7 @@ std::vector<std::uint16_t> stepsToMarked(int width, int height, const std::vecto
   RowPass pass(columns);
   std::vector<float> cells(columns);
   for (std::size_t row = 0; row < rows; ++row) {
+    stop.check();
     std::uint16_t* const of = steps.data() + row * columns;
     std::transform(of, of + columns, cells.begin(), [](std::uint16_t value) {
       return value == kMostSteps ? kNone : static_cast<float>(value) / kStepsPerCell;
@@ -139,15 +143,15 @@ std::vector<std::uint16_t> stepsToMarked(int width, int height, const std::vecto
 }
 
 CellDistances::CellDistances(int width, int height, const std::vector<char>& marked, float cell,
-                             bool isSmall)
+                             bool isSmall, const base::StopFlag& stop)
     : step_(cell / kStepsPerCell) {
   if (isSmall) {
     const bool isAny = std::find(marked.begin(), marked.end(), char{1}) != marked.end();
     beyond_ = isAny ? static_cast<float>(kMostSteps) * step_ : kNone;
-    steps_ = stepsToMarked(width, height, marked);
+    steps_ = stepsToMarked(width, height, marked, stop);
     return;
   }
-  exact_ = distancesToMarked(width, height, marked);
+  exact_ = distancesToMarked(width, height, marked, stop);
   for (float& value : exact_) {
     value *= cell;
   }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "sim2d/map/PathPlanner.h"
@@ -35,7 +36,7 @@ class NavigationLayer {
  public:
   /// `places`: starts and goals; they bound the plane where there is no map.
   NavigationLayer(const OccupancyGrid& map, const Obstacles& obstacles,
-                  const std::vector<Vec2>& places);
+                  const std::vector<Vec2>& places, base::StopFlagPtr stop);
 
   const DistanceField* field() const { return field_.get(); }  // null: nothing stands anywhere
   const OpenBlocks* blocks() const { return blocks_.get(); }   // idem
@@ -52,6 +53,9 @@ class NavigationLayer {
 /// Thread: any.
 class NavigationLayers {
  public:
+  /// `stop`: ends the work on layers, by `base::Stopped`.
+  explicit NavigationLayers(base::StopFlagPtr stop = std::make_shared<const base::StopFlag>())
+      : stop_(std::move(stop)) {}
   std::shared_ptr<const NavigationLayer> of(const OccupancyGrid& map, const Obstacles& obstacles,
                                             const std::vector<Vec2>& places);
 
@@ -61,6 +65,7 @@ class NavigationLayers {
     std::vector<Vec2> places;   // without a map
     std::shared_ptr<const NavigationLayer> layer;
   };
+  const base::StopFlagPtr stop_;
   std::mutex mutex_;
   std::list<Entry> entries_;  // last used first
 };

@@ -98,12 +98,16 @@ PathPlanner::PathPlanner(std::shared_ptr<const DistanceField> field, double radi
   assert(radius >= 0.0);
 }
 
-/// Made when first asked for: bodies of many radii walk straight.
-WayFinder& PathPlanner::finder() {
+/// Made when first asked for: bodies of many radii walk straight. Null: nobody waits any more; the
+/// people of a run ask in threads that nothing may be thrown in.
+WayFinder* PathPlanner::finder() {
   if (finder_ == nullptr) {
-    finder_ = makeWayFinder(space_);
+    try {
+      finder_ = makeWayFinder(space_);
+    } catch (const base::Stopped&) {
+    }
   }
-  return *finder_;
+  return finder_.get();
 }
 
 /// Empty: there is no way.
@@ -112,7 +116,8 @@ std::vector<Vec2> PathPlanner::planRound(const WalkSpace::Anchor& from,
   std::vector<Cell> cells;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    cells = finder().way(from.cell, to.cell);
+    WayFinder* const ways = finder();
+    cells = ways != nullptr ? ways->way(from.cell, to.cell) : cells;
   }
   if (cells.empty()) {
     return {};
@@ -155,7 +160,8 @@ bool PathPlanner::isReachable(const Vec2& start, const Vec2& goal) {
     return false;
   }
   const std::lock_guard<std::mutex> lock(mutex_);
-  return finder().isReachable(from->cell, to->cell);
+  WayFinder* const ways = finder();
+  return ways != nullptr && ways->isReachable(from->cell, to->cell);
 }
 
 int PathPlanner::searches() const {

@@ -45,7 +45,7 @@ class PathPlanner {
   std::size_t bytes() const;
 
  private:
-  WayFinder& finder();
+  WayFinder* finder();
   std::vector<Vec2> planRound(const WalkSpace::Anchor& from, const WalkSpace::Anchor& to);
 
   WalkSpace space_;
