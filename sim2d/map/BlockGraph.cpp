@@ -12,7 +12,7 @@ using Index = BlockGraph::Index;
 using Pair = std::pair<Index, Index>;
 
 constexpr int kLeastSide = 12;       // [cells]
-constexpr double kMostBlocks = 1e5;  // a search over them takes about 10 ms
+constexpr double kMostBlocks = 6e4;  // a search over them takes about 7 ms
 constexpr Index kNone = -1;
 
 int sideFor(const OccupancyGrid& grid) {

@@ -254,12 +254,17 @@ class ObstaclePass {
   int edge_;  // [cells]
 };
 
-/// Distances [m] to map walls and obstacles together. `cells` are those of the obstacles.
+CellDistances distancesToWalls(const OccupancyGrid& grid, bool isLarge,
+                               const base::StopFlag& stop) {
+  return CellDistances(grid.width(), grid.height(), cellsOfWalls(grid),
+                       static_cast<float>(grid.resolution()), isLarge, stop);
+}
+
+/// Distances [m] to map walls and obstacles together, from those to walls. `cells` are those of the
+/// obstacles.
 CellDistances combinedDistances(const OccupancyGrid& grid, const Obstacles& obstacles,
                                 const std::vector<char>& cells, bool isLarge,
-                                const base::StopFlag& stop) {
-  CellDistances distance(grid.width(), grid.height(), cellsOfWalls(grid),
-                         static_cast<float>(grid.resolution()), isLarge, stop);
+                                const base::StopFlag& stop, CellDistances distance) {
   const bool isCovered = std::find(cells.begin(), cells.end(), char{1}) != cells.end();
   if (!isCovered && !reachBeyond(grid, obstacles)) {
     return distance;
@@ -300,16 +305,24 @@ int blocksOf(int cells) {
 
 }  // namespace
 
+std::shared_ptr<const CellDistances> DistanceField::wallsOf(const OccupancyGrid& grid, bool isLarge,
+                                                            const base::StopFlag& stop) {
+  return std::make_shared<const CellDistances>(distancesToWalls(grid, isLarge, stop));
+}
+
 DistanceField::DistanceField(const OccupancyGrid& grid, const Obstacles& obstacles,
                              const std::vector<Vec2>& bounds, double mostCells,
-                             base::StopFlagPtr stop)
+                             base::StopFlagPtr stop,
+                             const std::shared_ptr<const CellDistances>& walls)
     : stop_(std::move(stop)),
       grid_(grid.isEmpty() ? gridOver(obstacles, bounds) : grid),
       isOpenPlane_(grid.isEmpty()),
       isLarge_(!isOpenPlane_ && static_cast<double>(grid_.cells().size()) > mostCells) {
   stop_->check();
   const std::vector<char> cells = cellsOfObstacles(grid_, obstacles);
-  distance_ = combinedDistances(grid_, obstacles, cells, isLarge_, *stop_);
+  distance_ =
+      combinedDistances(grid_, obstacles, cells, isLarge_, *stop_,
+                        walls != nullptr ? *walls : distancesToWalls(grid_, isLarge_, *stop_));
   if (!isLarge_ && std::find(cells.begin(), cells.end(), char{1}) != cells.end()) {
     grid_ = withObstacles(grid_, cells);
   }

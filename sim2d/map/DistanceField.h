@@ -17,10 +17,14 @@ class DistanceField {
  public:
   /// `bounds` are points that must lie inside when the map is the open plane (starts, goals …).
   /// `obstacles` are built; parts may repeat the outlines of the map. Parts switched off are free.
-  /// Maps of more than `mostCells` are large.
+  /// Maps of more than `mostCells` are large. `walls`: as of `wallsOf`, null: they are worked out.
   DistanceField(const OccupancyGrid& grid, const Obstacles& obstacles,
                 const std::vector<Vec2>& bounds = {}, double mostCells = kMostCells,
-                base::StopFlagPtr stop = std::make_shared<const base::StopFlag>());
+                base::StopFlagPtr stop = std::make_shared<const base::StopFlag>(),
+                const std::shared_ptr<const CellDistances>& walls = nullptr);
+  /// The share of the walls of a map in its fields, whatever else stands there.
+  static std::shared_ptr<const CellDistances> wallsOf(const OccupancyGrid& grid, bool isLarge,
+                                                      const base::StopFlag& stop);
 
   static constexpr double kMostCells = 4e6;
 

@@ -87,10 +87,11 @@ bool OpenBlocks::areFree(const Vec2& from, const Vec2& to) const {
 }
 
 NavigationLayer::NavigationLayer(const OccupancyGrid& map, const Obstacles& obstacles,
-                                 const std::vector<Vec2>& places, base::StopFlagPtr stop)
+                                 const std::vector<Vec2>& places, base::StopFlagPtr stop,
+                                 const std::shared_ptr<const CellDistances>& walls)
     : field_(standsAnything(map, obstacles)
-                 ? std::make_shared<const DistanceField>(map, obstacles, places,
-                                                         DistanceField::kMostCells, std::move(stop))
+                 ? std::make_shared<const DistanceField>(
+                       map, obstacles, places, DistanceField::kMostCells, std::move(stop), walls)
                  : nullptr),
       blocks_(field_ != nullptr ? std::make_unique<const OpenBlocks>(field_) : nullptr) {}
 
@@ -121,7 +122,11 @@ std::shared_ptr<const NavigationLayer> NavigationLayers::of(const OccupancyGrid&
     entries_.splice(entries_.begin(), entries_, found);
     return entries_.front().layer;
   }
-  wanted.layer = std::make_shared<const NavigationLayer>(map, obstacles, places, stop_);
+  if (walls_ == nullptr && !map.isEmpty() &&
+      static_cast<double>(map.cells().size()) <= DistanceField::kMostCells) {
+    walls_ = DistanceField::wallsOf(map, false, *stop_);
+  }
+  wanted.layer = std::make_shared<const NavigationLayer>(map, obstacles, places, stop_, walls_);
   const DistanceField* const field = wanted.layer->field();
   const auto cells = static_cast<double>(field != nullptr ? field->grid().cells().size() : 1);
   const auto kept = static_cast<std::size_t>(
