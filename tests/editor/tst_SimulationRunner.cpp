@@ -137,8 +137,11 @@ class SimulationRunnerTest : public QObject {
     QVERIFY(runner.isLookingBack());
     runner.setSpeed(4.0);
     std::vector<std::int64_t> seen;
-    connect(&runner, &SimulationRunner::frameShown, this,
-            [&](const FramePtr& frame) { seen.push_back(frame->step); });
+    connect(&runner, &SimulationRunner::frameShown, this, [&](const FramePtr& frame) {
+      if (frame != nullptr) {  // null: left
+        seen.push_back(frame->step);
+      }
+    });
     runner.play();
     QCOMPARE(runner.state(), SimulationRunner::State::Running);
     QTRY_COMPARE_WITH_TIMEOUT(runner.state(), SimulationRunner::State::Paused, 20000);
