@@ -163,6 +163,7 @@ Verdict check(const Bundle& bundle, CheckDepth depth) {
   base::Diagnostics meaning =
       sim2d::checkScenario(*bundle.scenario, *setup.surroundings, bundle.path,
                            sim2d::knownNames(sim2d::programRegistries()));
+  bundle.stop->check();  // else what was stopped would be told as places out of reach
   sim2d::addPlaces(meaning, bundle.lines, bundle.path);
   base::append(verdict.problems, meaning);
   setup.behavior = bt::makeTreeBehavior(*bundle.scenario, bundle.trees, verdict.problems,
@@ -178,7 +179,7 @@ Verdict check(const Bundle& bundle, CheckDepth depth) {
   base::Result<std::unique_ptr<sim2d::World>> world = sim2d::World::create(std::move(setup));
   base::Diagnostics ofWorld = world.diagnostics();
   sim2d::addPlaces(ofWorld, bundle.lines, bundle.path);
-  bundle.stop->check();  // what was said of a map that is no more
+  bundle.stop->check();
   base::append(world ? verdict.worldRemarks : verdict.problems, ofWorld);
   if (world) {
     verdict.world = *std::move(world);
