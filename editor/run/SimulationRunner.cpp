@@ -11,7 +11,7 @@ namespace editor {
 namespace {
 
 constexpr int kDisplayMs = 16;
-constexpr double kFastest = 64.0;                   // at which a recorded run is played
+constexpr double kFastest = 64.0;                    // at which a recorded run is played
 constexpr std::chrono::milliseconds kPatience(100);  // with a run that is to end
 
 bool isOver(const std::future<void>& thread, std::chrono::milliseconds patience) {
