@@ -81,7 +81,7 @@ void findTrees(Bundle& bundle, const sim2d::FilePlaces& places, bool isOurs) {
 std::shared_ptr<const sim2d::Surroundings> surroundingsOf(const Bundle& bundle) {
   // Without the map, and for places that were wrong in the file and stand somewhere else now, there
   // are no walls to be in.
-  return bundle.map && bundle.isWhole ? bundle.known->of(*bundle.scenario, bundle.map)
+  return bundle.map && bundle.isWhole ? bundle.known->of(*bundle.scenario, bundle.map, bundle.stop)
                                       : std::make_shared<const sim2d::Surroundings>();
 }
 
@@ -116,13 +116,15 @@ void checkMetrics(const Bundle& bundle, Verdict& verdict) {
 }  // namespace
 
 std::shared_ptr<const sim2d::Surroundings> KnownSurroundings::of(
-    const sim2d::Scenario& scenario, const std::shared_ptr<const sim2d::OccupancyGrid>& map) {
+    const sim2d::Scenario& scenario, const std::shared_ptr<const sim2d::OccupancyGrid>& map,
+    const base::StopFlagPtr& stop) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const bool isKnown = surroundings_ != nullptr && map_ == map &&
+  const bool isKnown = surroundings_ != nullptr && map_ == map && stop_ == stop &&
                        obstacles_ == scenario.obstacles && doors_ == scenario.doors;
   if (!isKnown) {
     surroundings_ =
-        std::make_shared<const sim2d::Surroundings>(sim2d::makeSurroundings(scenario, *map));
+        std::make_shared<const sim2d::Surroundings>(sim2d::makeSurroundings(scenario, *map, stop));
+    stop_ = stop;
     map_ = map;
     obstacles_ = scenario.obstacles;
     doors_ = scenario.doors;
@@ -181,6 +183,7 @@ Verdict check(const Bundle& bundle, CheckDepth depth) {
   base::Diagnostics meaning =
       sim2d::checkScenario(*bundle.scenario, *setup.surroundings, bundle.path,
                            sim2d::knownNames(sim2d::programRegistries()));
+  bundle.stop->check();  // else what was stopped would be told as places out of reach
   sim2d::addPlaces(meaning, bundle.lines, bundle.path);
   base::append(verdict.problems, meaning);
   setup.behavior = bt::makeTreeBehavior(*bundle.scenario, bundle.trees, verdict.problems,
@@ -196,6 +199,7 @@ Verdict check(const Bundle& bundle, CheckDepth depth) {
   base::Result<std::unique_ptr<sim2d::World>> world = sim2d::World::create(std::move(setup));
   base::Diagnostics ofWorld = world.diagnostics();
   sim2d::addPlaces(ofWorld, bundle.lines, bundle.path);
+  bundle.stop->check();
   base::append(world ? verdict.worldRemarks : verdict.problems, ofWorld);
   if (world) {
     verdict.world = *std::move(world);

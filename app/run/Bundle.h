@@ -13,18 +13,20 @@
 
 namespace app {
 
-/// Surroundings in one document, worked out anew only when map, obstacles or doors
-/// are others. Thread: any.
+/// Surroundings in one document, worked out anew only when map, obstacles, doors or the flag that
+/// ends the work are others. Thread: any.
 class KnownSurroundings {
  public:
   std::shared_ptr<const sim2d::Surroundings> of(
-      const sim2d::Scenario& scenario, const std::shared_ptr<const sim2d::OccupancyGrid>& map);
+      const sim2d::Scenario& scenario, const std::shared_ptr<const sim2d::OccupancyGrid>& map,
+      const base::StopFlagPtr& stop);
 
  private:
   std::mutex mutex_;
   std::shared_ptr<const sim2d::OccupancyGrid> map_;
   std::vector<sim2d::Obstacle> obstacles_;
   std::vector<sim2d::Door> doors_;
+  base::StopFlagPtr stop_;
   std::shared_ptr<const sim2d::Surroundings> surroundings_;
 };
 
@@ -36,6 +38,7 @@ struct Bundle {
   bool isBeginning = false;  // of a damaged file: what that means alone would mislead
   std::shared_ptr<const sim2d::OccupancyGrid> map;  // null: there should be one; empty: open plane
   std::shared_ptr<KnownSurroundings> known = std::make_shared<KnownSurroundings>();  // of both
+  base::StopFlagPtr stop = std::make_shared<const base::StopFlag>();  // of the work on the map
   std::string mapPath;  // of the map's YAML; empty: in none
   int comments = 0;     // in the scenario file
   bt::TreeFiles trees;
@@ -68,7 +71,7 @@ enum class CheckDepth { Meaning, World };
 
 /// Meaning of the scenario, trees, metrics; at last the world, when nothing is wrong until then.
 /// Every way to run, and every list of problems, comes from here. Any thread; reads metrics files
-/// and what trees in files hold.
+/// and what trees in files hold. Throws `base::Stopped` when the bundle's flag says so.
 Verdict check(const Bundle& bundle, CheckDepth depth = CheckDepth::World);
 
 /// Those that are errors.

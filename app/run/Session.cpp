@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "sim2d/base/Stop.h"
+
 namespace app {
 
 namespace {
@@ -94,7 +96,13 @@ sim2d::RunResult Session::run(sim2d::World& world, sim2d::FrameSink* sink, const
 }
 
 void Session::run(const WorldMaker& makeWorld) {
-  const base::Result<std::unique_ptr<sim2d::World>> made = makeWorld();
+  try {
+    runMade(makeWorld());
+  } catch (const base::Stopped&) {
+  }
+}
+
+void Session::runMade(const base::Result<std::unique_ptr<sim2d::World>>& made) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     news_.remarks = made.diagnostics();

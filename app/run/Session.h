@@ -45,7 +45,8 @@ class Session {
   /// them, the last with the event `stop`.
   sim2d::RunResult run(sim2d::World& world, sim2d::FrameSink* sink = nullptr,
                        const Watcher& watch = {});
-  /// The same with a world that is made first; all that comes of it is news.
+  /// The same with a world that is made first; all that comes of it is news. Nothing comes of work
+  /// on a map that was stopped.
   void run(const WorldMaker& makeWorld);
 
   // any thread
@@ -58,6 +59,7 @@ class Session {
 
  private:
   class Feed;
+  void runMade(const base::Result<std::unique_ptr<sim2d::World>>& made);
   using Clock = std::chrono::steady_clock;
   template <class Change>
   void order(Change change);

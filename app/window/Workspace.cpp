@@ -101,6 +101,10 @@ void Workspace::showBetween() {
   }
 }
 
+Workspace::~Workspace() {
+  document_.stopMapWork();
+}
+
 void Workspace::setTheme(const editor::Theme& theme) {
   theme_ = theme;
   scene_.setTheme(theme);

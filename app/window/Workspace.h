@@ -23,6 +23,8 @@ class Workspace : public QObject {
   explicit Workspace(const editor::Theme& theme,
                      const editor::ToolRegistry& tools = editor::standardTools(),
                      QObject* parent = nullptr);
+  ~Workspace() override;  // does not wait for work on the map
+  Q_DISABLE_COPY_MOVE(Workspace)
 
   editor::ScenarioDocument& document() { return document_; }
   editor::MapScene& scene() { return scene_; }

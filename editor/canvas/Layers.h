@@ -24,20 +24,30 @@ class FullLayer : public CanvasItem {
 };
 
 /// The map in the colours of the theme: cells with sharp edges when near, smaller copies of it when
-/// far so that thin walls stay visible.
+/// far so that thin walls stay visible. Large maps are painted in tiles, of which few are kept.
 class MapItem : public CanvasItem {
  public:
-  using CanvasItem::CanvasItem;
+  explicit MapItem(const MapScene& scene) : CanvasItem(scene) {
+    setFlag(QGraphicsItem::ItemUsesExtendedStyleOption);
+  }
   void refresh();  // another map, or other colours
   QRectF boundingRect() const override { return bounds_; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
+  qint64 bytes() const;  // of its pictures
+
  private:
-  const QPixmap& levelOf(int side);
+  struct Tile {
+    QPixmap picture;
+    int seen = 0;  // in which paint
+  };
+  const QPixmap& tile(int side, const QRect& pixels);
+  void forgetTiles();
 
   QRectF bounds_;
   QTransform sceneFromPixel_;
-  std::map<int, QPixmap> levels_;  // by the cells along the side of a pixel
+  std::map<std::tuple<int, int, int>, Tile> tiles_;  // by cells per pixel, left and top pixel
+  int paints_ = 0;
 };
 
 /// An image with one pixel per cell; also for thumbnails.

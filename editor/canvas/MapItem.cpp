@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <numeric>
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/PixelFrame.h"
@@ -30,21 +32,23 @@ struct Shades {
   QColor free, wall, unknown;
 };
 
-/// One pixel for each square of `side` cells; those of the last row and column may hold fewer.
-QImage meanImage(const sim2d::OccupancyGrid& grid, const Theme& theme, int side) {
+/// The `pixels` of a picture with one pixel for each square of `side` cells; those of its last row
+/// and column may hold fewer.
+QImage meanImage(const sim2d::OccupancyGrid& grid, const Theme& theme, int side,
+                 const QRect& pixels) {
   const Shades shades(theme);
   const int width = grid.width();
-  const int height = grid.height();
-  QImage image((width + side - 1) / side, (height + side - 1) / side, QImage::Format_RGB32);
+  QImage image(pixels.size(), QImage::Format_RGB32);
   for (int row = 0; row < image.height(); ++row) {
-    const int top = height - 1 - row * side;
+    const int top = grid.height() - 1 - (pixels.top() + row) * side;
     auto* line = reinterpret_cast<QRgb*>(image.scanLine(row));
     for (int column = 0; column < image.width(); ++column) {
-      const int end = std::min((column + 1) * side, width);
+      const int first = (pixels.left() + column) * side;
+      const int end = std::min(first + side, width);
       int count = 0, unknowns = 0, sum = 0;
       for (int y = std::max(0, top - side + 1); y <= top; ++y) {
         const std::int8_t* cells = grid.cells().data() + static_cast<std::ptrdiff_t>(y) * width;
-        for (int x = column * side; x < end; ++x, ++count) {
+        for (int x = first; x < end; ++x, ++count) {
           sum += std::max<int>(cells[x], 0);
           unknowns += cells[x] < 0 ? 1 : 0;
         }
@@ -55,30 +59,44 @@ QImage meanImage(const sim2d::OccupancyGrid& grid, const Theme& theme, int side)
   return image;
 }
 
-}  // namespace
-
-QImage mapImage(const sim2d::OccupancyGrid& grid, const Theme& theme) {
+/// The same for `side` 1.
+QImage cellImage(const sim2d::OccupancyGrid& grid, const Theme& theme, const QRect& pixels) {
   const Shades shades(theme);
   std::array<QRgb, 256> colors{};  // by the bits of the value
   for (int value = -128; value <= 127; ++value) {
     colors[static_cast<std::uint8_t>(value)] =
         shades.mean(1, value < 0 ? 1 : 0, std::clamp(value, 0, 100));
   }
-  QImage image(grid.width(), grid.height(), QImage::Format_RGB32);
-  const auto width = static_cast<std::size_t>(grid.width());
-  for (int row = 0; row < grid.height(); ++row) {
-    auto* line = reinterpret_cast<QRgb*>(image.scanLine(grid.height() - 1 - row));
-    const std::int8_t* cells = grid.cells().data() + static_cast<std::size_t>(row) * width;
-    for (std::size_t column = 0; column < width; ++column) {
-      line[column] = colors[static_cast<std::uint8_t>(cells[column])];
-    }
+  QImage image(pixels.size(), QImage::Format_RGB32);
+  for (int row = 0; row < image.height(); ++row) {
+    auto* line = reinterpret_cast<QRgb*>(image.scanLine(row));
+    const std::ptrdiff_t below = grid.height() - 1 - pixels.top() - row;
+    const std::int8_t* cells = grid.cells().data() + below * grid.width() + pixels.left();
+    std::transform(cells, cells + image.width(), line,
+                   [&](std::int8_t cell) { return colors[static_cast<std::uint8_t>(cell)]; });
   }
   return image;
 }
 
+/// [pixels] along the side of the pictures that a map is painted in.
+int tileSide(const sim2d::OccupancyGrid& grid) {
+  constexpr double kMostCells = 4e6;  // larger maps are painted in pieces
+  constexpr int kTile = 512;
+  const double cells = static_cast<double>(grid.width()) * grid.height();
+  return cells > kMostCells ? kTile : std::max(grid.width(), grid.height());
+}
+
+constexpr std::size_t kMostTiles = 32;  // kept beyond those that are seen
+
+}  // namespace
+
+QImage mapImage(const sim2d::OccupancyGrid& grid, const Theme& theme) {
+  return cellImage(grid, theme, QRect(0, 0, grid.width(), grid.height()));
+}
+
 void MapItem::refresh() {
   prepareGeometryChange();
-  levels_.clear();
+  tiles_.clear();
   bounds_ = QRectF();
   if (mapScene().isOpenPlane()) {
     return;
@@ -96,17 +114,32 @@ void MapItem::refresh() {
 }
 
 /// Made when it is first seen: one cell per pixel takes much memory and time for a large map.
-const QPixmap& MapItem::levelOf(int side) {
-  const auto [level, isNew] = levels_.try_emplace(side);
-  if (isNew) {
+const QPixmap& MapItem::tile(int side, const QRect& pixels) {
+  Tile& tile = tiles_[{side, pixels.left(), pixels.top()}];
+  if (tile.picture.isNull()) {
     const sim2d::OccupancyGrid& grid = *document().map();
-    level->second =
-        QPixmap::fromImage(side == 1 ? mapImage(grid, theme()) : meanImage(grid, theme(), side));
+    tile.picture = QPixmap::fromImage(side == 1 ? cellImage(grid, theme(), pixels)
+                                                : meanImage(grid, theme(), side, pixels));
   }
-  return level->second;
+  tile.seen = paints_;
+  return tile.picture;
 }
 
-void MapItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+/// Keeps those that have just been seen, and others as long as there are few.
+void MapItem::forgetTiles() {
+  for (auto tile = tiles_.begin(); tile != tiles_.end() && tiles_.size() > kMostTiles;) {
+    tile = tile->second.seen == paints_ ? std::next(tile) : tiles_.erase(tile);
+  }
+}
+
+qint64 MapItem::bytes() const {
+  return std::accumulate(tiles_.begin(), tiles_.end(), qint64{0}, [](qint64 sum, const auto& tile) {
+    const QPixmap& picture = tile.second.picture;
+    return sum + qint64{picture.width()} * picture.height() * picture.depth() / 8;
+  });
+}
+
+void MapItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) {
   if (mapScene().isOpenPlane()) {
     return;
   }
@@ -116,14 +149,25 @@ void MapItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*
   while (pixelsPerCell * side < 0.5 && side < std::max(grid.width(), grid.height())) {
     side *= 2;
   }
-  const QPixmap& level = levelOf(side);
+  const QRect whole(0, 0, (grid.width() + side - 1) / side, (grid.height() + side - 1) / side);
+  const QRectF shown = sceneFromPixel_.inverted().mapRect(shownRect(*painter, *option, widget));
+  const QRect seen =
+      QRectF(shown.topLeft() / side, shown.size() / side).toAlignedRect().intersected(whole);
+  const int step = tileSide(grid);
+  ++paints_;
   painter->save();
   painter->setRenderHint(QPainter::SmoothPixmapTransform, pixelsPerCell < 1.0);
   painter->setRenderHint(QPainter::Antialiasing, false);
   painter->setTransform(sceneFromPixel_, true);
-  const QRectF whole(QPointF(), QSizeF(level.size()));
-  painter->drawPixmap(QRectF(QPointF(), whole.size() * side), level, whole);
+  for (int top = seen.top() / step * step; top <= seen.bottom(); top += step) {
+    for (int left = seen.left() / step * step; left <= seen.right(); left += step) {
+      const QRect pixels = QRect(left, top, step, step).intersected(whole);
+      painter->drawPixmap(QRectF(QPointF(pixels.topLeft()) * side, QSizeF(pixels.size()) * side),
+                          tile(side, pixels), QRectF(QPointF(), QSizeF(pixels.size())));
+    }
+  }
   painter->restore();
+  forgetTiles();
 }
 
 }  // namespace editor

@@ -377,7 +377,8 @@ void MapScene::planRoutes() {
     return;
   }
   routes_->request([this] {
-    RouteModel::Input input{document_.scenario(), document_.map(), document_.surroundings()};
+    RouteModel::Input input{document_.scenario(), document_.map(), document_.surroundings(),
+                            document_.mapWork()};
     for (const auto& [id, value] : preview_) {
       putInto(input.scenario, value);
     }

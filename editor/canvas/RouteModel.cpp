@@ -95,18 +95,19 @@ struct RouteModel::Planning {
   std::map<LegKey, RouteLeg> legs;  // of the last time
 
   void prepare(const Input& input) {
-    const auto newSurroundings = input.known->of(input.scenario, input.map);
+    const auto newSurroundings = input.known->of(input.scenario, input.map, input.stop);
     const std::vector<Vec2> newPlaces = placesOf(input.scenario);
     // Places count on an open plane only, where the planner's field has to span them.
     if (surroundings == newSurroundings && (!input.map->isEmpty() || places == newPlaces)) {
       return;
     }
+    surroundings.reset();  // until what follows is done: it may be stopped
+    legs.clear();
+    // On an open plane layers are of places, which come and go while somebody is dragged.
+    navigation.emplace(newSurroundings->grid, newSurroundings->obstacles, newPlaces,
+                       input.map->isEmpty() ? nullptr : newSurroundings->layers);
     surroundings = newSurroundings;
     places = newPlaces;
-    // On an open plane layers are of places, which come and go while somebody is dragged.
-    navigation.emplace(surroundings->grid, surroundings->obstacles, places,
-                       input.map->isEmpty() ? nullptr : surroundings->layers);
-    legs.clear();
   }
 
   RouteLeg planned(const LegKey& key) {
@@ -189,7 +190,9 @@ void RouteModel::start() {
   auto input = std::make_shared<const Input>(input_());
   task_.start([input, planning = planning_] {
     planning->prepare(*input);
-    return planning->routesOf(legsOf(input->scenario));
+    Planned planned = planning->routesOf(legsOf(input->scenario));
+    input->stop->check();
+    return planned;
   });
 }
 

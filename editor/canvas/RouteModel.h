@@ -10,6 +10,7 @@
 
 #include "editor/document/Entity.h"
 #include "editor/document/LatestTask.h"
+#include "sim2d/base/Stop.h"
 #include "sim2d/map/OccupancyGrid.h"
 
 namespace app {
@@ -42,6 +43,7 @@ class RouteModel : public QObject {
     sim2d::Scenario scenario;
     std::shared_ptr<const sim2d::OccupancyGrid> map;
     std::shared_ptr<app::KnownSurroundings> known;  // never null
+    base::StopFlagPtr stop;                         // idem
   };
   /// Soon asks `input` for what there is to plan, once for many requests. Ways that stay the same
   /// are not planned anew.

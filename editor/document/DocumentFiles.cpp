@@ -131,6 +131,9 @@ void ScenarioDocument::putMap(MapState map) {
 MapState ScenarioDocument::exchangeMap(MapState map) {
   Q_ASSERT(map.grid != nullptr);
   MapState old = std::exchange(map_, std::move(map));
+  if (map_.grid != old.grid) {
+    stopMapWork();
+  }
   Q_EMIT mapChanged();
   if (!map_.problems.empty() || !old.problems.empty()) {
     Q_EMIT issuesChanged(issues());
@@ -314,6 +317,7 @@ app::Bundle ScenarioDocument::bundle() const {
   bundle.isBeginning = disk_->isBeginning;
   bundle.map = map_.isMissing ? nullptr : map_.grid;
   bundle.known = surroundings_;
+  bundle.stop = mapWork_;
   bundle.lines = disk_->lines;
   bundle.remarks = loadDiagnostics_;
   base::append(bundle.remarks, mapProblemsToTell());

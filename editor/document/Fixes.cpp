@@ -6,12 +6,12 @@
 #include <memory>
 #include <string_view>
 
+#include "app/run/Bundle.h"
 #include "editor/document/BehaviorValues.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/FreeNames.h"
 #include "editor/document/MapEdit.h"
 #include "editor/document/RoutePlan.h"
-#include "sim2d/map/WalkSpace.h"
 #include "sim2d/scenario/Defaults.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 
@@ -85,14 +85,15 @@ Stand standOf(const sim2d::Scenario& scenario, const Entity& entity, bool robotG
 /// The nearest place within 30 m where a body fits between walls and obstacles, `near` itself when
 /// it does; nothing when there is none.
 std::optional<Vec2> freePlace(const ScenarioDocument& document, const Vec2& near, double radius) {
-  const sim2d::Scenario& scenario = document.scenario();
-  const sim2d::Surroundings around = sim2d::makeSurroundings(scenario, *document.map());
+  const auto around =
+      document.surroundings()->of(document.scenario(), document.map(), document.mapWork());
   const std::vector<Vec2> points = probes(near);
-  const auto field = std::make_shared<sim2d::DistanceField>(around.grid, around.obstacles, points);
+  const bool isPlane = document.map()->isEmpty();  // layers are of places there
+  const sim2d::NavigationMap navigation(around->grid, around->obstacles, points,
+                                        isPlane ? nullptr : around->layers);
   for (const double margin : {kMargin, 0.0}) {
-    const sim2d::WalkSpace space(field, radius + margin);
     for (const Vec2& point : points) {
-      if (std::optional<Vec2> fit = space.nearestFit(point)) {
+      if (std::optional<Vec2> fit = navigation.nearestFit(radius + margin, point)) {
         return fit;
       }
     }

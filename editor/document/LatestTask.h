@@ -3,18 +3,21 @@
 #include <chrono>
 #include <functional>
 #include <future>
+#include <optional>
 #include <sys/resource.h>
 #include <unistd.h>
 #include <utility>
 
 #include <QTimer>
 
+#include "sim2d/base/Stop.h"
+
 namespace editor {
 
 /// Work beside the GUI thread where only the newest request counts: requests that come while one is
 /// being worked on replace each other. The work runs in a thread of its own, behind the window's,
 /// and holds copies of all that it needs; the result is handed over in the GUI thread. Destruction
-/// waits for the work.
+/// waits for the work. What ends by `base::Stopped` delivers nothing.
 template <class T>
 class LatestTask {
  public:
@@ -58,12 +61,18 @@ class LatestTask {
   static constexpr int kPollMs = 8;
 
   void take() {
-    T result = running_.get();
+    std::optional<T> result;
+    try {
+      result.emplace(running_.get());
+    } catch (const base::Stopped&) {
+    }
     poll_.stop();
     if (waiting_) {  // the result is out of date already; still better than an older one
       start(std::exchange(waiting_, nullptr));
     }
-    deliver_(std::move(result));
+    if (result) {
+      deliver_(*std::move(result));
+    }
   }
 
   std::function<void(T)> deliver_;

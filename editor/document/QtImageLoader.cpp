@@ -9,6 +9,13 @@ namespace {
 
 constexpr qint64 kMaximumPixels = 100'000'000;
 
+/// All is grey and opaque, by the format alone.
+bool isGrey(const QImage& image) {
+  return image.format() == QImage::Format_Grayscale8 ||
+         image.format() == QImage::Format_Grayscale16;
+}
+
+/// Row by row: a wide copy of a large image would take a gigabyte.
 sim2d::MapImage toMapImage(const QImage& image) {
   sim2d::MapImage result;
   result.width = image.width();
@@ -17,13 +24,15 @@ sim2d::MapImage toMapImage(const QImage& image) {
   const bool deep = image.depth() > 32 || image.format() == QImage::Format_Grayscale16;
   result.maximum = deep ? 65535 : 255;
   const int shift = deep ? 0 : 8;
-  const QImage wide = image.convertToFormat(QImage::Format_RGBA64);
-  result.rgba.reserve(static_cast<std::size_t>(wide.width()) *
-                      static_cast<std::size_t>(wide.height()) * 4);
-  for (int row = 0; row < wide.height(); ++row) {
-    const auto* channels = reinterpret_cast<const quint16*>(wide.constScanLine(row));
-    for (int i = 0; i < 4 * wide.width(); ++i) {
-      result.rgba.push_back(static_cast<std::uint16_t>(channels[i] >> shift));
+  const int step = isGrey(image) ? 4 : 1;  // of the channels only the first
+  std::vector<std::uint16_t>& values = isGrey(image) ? result.shades : result.rgba;
+  values.reserve(static_cast<std::size_t>(image.width()) *
+                 static_cast<std::size_t>(image.height()) * static_cast<std::size_t>(4 / step));
+  for (int row = 0; row < image.height(); ++row) {
+    const QImage wide = image.copy(0, row, image.width(), 1).convertToFormat(QImage::Format_RGBA64);
+    const auto* channels = reinterpret_cast<const quint16*>(wide.constScanLine(0));
+    for (int i = 0; i < 4 * wide.width(); i += step) {
+      values.push_back(static_cast<std::uint16_t>(channels[i] >> shift));
     }
   }
   return result;

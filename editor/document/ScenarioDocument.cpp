@@ -88,6 +88,12 @@ ScenarioDocument::ScenarioDocument(QObject* parent)
 ScenarioDocument::~ScenarioDocument() {
   // Clearing the stack may still announce itself; nobody is to hear it any more.
   undoStack_.disconnect(this);
+  stopMapWork();
+}
+
+void ScenarioDocument::stopMapWork() {
+  mapWork_->stop();
+  mapWork_ = std::make_shared<base::StopFlag>();
 }
 
 std::optional<Entity> ScenarioDocument::entity(EntityId id) const {

@@ -14,6 +14,7 @@
 
 #include "editor/document/Entity.h"
 #include "sim2d/base/Result.h"
+#include "sim2d/base/Stop.h"
 #include "sim2d/map/OccupancyGrid.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 #include "sim2d/scenario/ScenarioFile.h"
@@ -110,6 +111,9 @@ class ScenarioDocument : public QObject {
   /// All that a run takes, as it is now, saved or not.
   app::Bundle bundle() const;
   const std::shared_ptr<app::KnownSurroundings>& surroundings() const { return surroundings_; }
+  /// Ends work on the map as it is now, wherever it goes on.
+  base::StopFlagPtr mapWork() const { return mapWork_; }
+  void stopMapWork();
 
   // map; never null, an empty grid is the open plane
   std::shared_ptr<const sim2d::OccupancyGrid> map() const { return map_.grid; }
@@ -211,6 +215,7 @@ class ScenarioDocument : public QObject {
   base::Diagnostics loadDiagnostics_, checkIssues_;
   QTimer checkTimer_;
   const std::shared_ptr<app::KnownSurroundings> surroundings_;
+  std::shared_ptr<base::StopFlag> mapWork_ = std::make_shared<base::StopFlag>();
   std::unique_ptr<LatestTask<base::Diagnostics>> liveCheck_;
   std::unique_ptr<DocumentDisk> disk_;
   int nextKey_ = 1;

@@ -1,6 +1,7 @@
 #include "editor/run/SimulationRunner.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "app/run/Bundle.h"
@@ -10,7 +11,12 @@ namespace editor {
 namespace {
 
 constexpr int kDisplayMs = 16;
-constexpr double kFastest = 64.0;  // at which a recorded run is played
+constexpr double kFastest = 64.0;                    // at which a recorded run is played
+constexpr std::chrono::milliseconds kPatience(100);  // with a run that is to end
+
+bool isOver(const std::future<void>& thread, std::chrono::milliseconds patience) {
+  return !thread.valid() || thread.wait_for(patience) == std::future_status::ready;
+}
 
 }  // namespace
 
@@ -47,6 +53,9 @@ SimulationRunner::SimulationRunner(QObject* parent) : QObject(parent) {
 
 SimulationRunner::~SimulationRunner() {
   stopSession();
+  for (Ending& ending : endings_) {
+    ending.thread.wait();
+  }
 }
 
 void SimulationRunner::setState(State state) {
@@ -64,19 +73,30 @@ void SimulationRunner::start(bool paused) {
   session_->keepHistory(request.recordEvery);
   session_->setPaused(paused);
   session_->setSpeed(speed_);
-  thread_ = std::thread([session = session_.get(), makeWorld = std::move(request.makeWorld)] {
+  const auto run = [session = session_.get(), makeWorld = std::move(request.makeWorld)] {
     session->run(makeWorld);
-  });
+  };
+  thread_ = std::async(std::launch::async, run);
   timer_.start();
   setState(paused ? State::Paused : State::Running);
 }
 
-void SimulationRunner::stopSession() {
+/// Whether it is over. A world on a large map may take seconds to be made; the session is kept
+/// until then.
+bool SimulationRunner::stopSession() {
   timer_.stop();
-  if (thread_.joinable()) {
+  endings_.erase(std::remove_if(endings_.begin(), endings_.end(),
+                                [](const Ending& each) { return isOver(each.thread, {}); }),
+                 endings_.end());
+  if (session_ != nullptr) {
     session_->stop();
-    thread_.join();
   }
+  if (isOver(thread_, kPatience)) {
+    thread_ = {};
+    return true;
+  }
+  endings_.push_back({std::move(session_), std::move(thread_)});
+  return false;
 }
 
 void SimulationRunner::play() {
@@ -131,8 +151,7 @@ void SimulationRunner::reset() {
   if (state_ == State::Editing) {
     return;
   }
-  stopSession();
-  if (session_ != nullptr && !finished_) {
+  if (stopSession() && session_ != nullptr && !finished_) {
     poll();  // the last words of the session
   }
   session_.reset();
@@ -254,8 +273,9 @@ void SimulationRunner::poll() {
 
 void SimulationRunner::takeEnd(const sim2d::RunResult& result) {
   timer_.stop();
-  if (thread_.joinable()) {
-    thread_.join();
+  if (thread_.valid()) {
+    thread_.wait();
+    thread_ = {};
   }
   finished_ = true;
   result_ = result;

@@ -2,9 +2,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
-#include <thread>
+#include <vector>
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -61,8 +62,9 @@ class SimulationRunner : public QObject {
 
   void play();  // from Editing: makes the world first; after the end: plays the recording
   void pause();
-  void stepOnce();               // one step, then paused; from the past: one recorded frame forward
-  void reset();                  // ends the run, back to Editing
+  void stepOnce();  // one step, then paused; from the past: one recorded frame forward
+  /// Ends the run, back to Editing. Does not wait for a world that is still being made.
+  void reset();
   void setSpeed(double factor);  // > 0; infinity = as fast as possible
 
   /// Shows a recorded run from its beginning; it holds states. reset() leaves it.
@@ -95,13 +97,18 @@ class SimulationRunner : public QObject {
   void takeEnd(const sim2d::RunResult& result);
   void setState(State state);
   void show(FramePtr frame, bool lookingBack);
-  void stopSession();
+  bool stopSession();
   void playOn();
   void startClock();
 
   std::function<RunRequest()> request_;
   std::unique_ptr<app::Session> session_;
-  std::thread thread_;
+  std::future<void> thread_;  // of the session
+  struct Ending {
+    std::unique_ptr<app::Session> session;
+    std::future<void> thread;
+  };
+  std::vector<Ending> endings_;  // runs that were left while their world was being made
   QTimer timer_;
   State state_ = State::Editing;
   bool finished_ = false, lookingBack_ = false;

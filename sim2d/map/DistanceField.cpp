@@ -5,153 +5,13 @@
 #include <limits>
 #include <utility>
 
+#include "sim2d/map/ObstacleCells.h"
+
 namespace sim2d {
 
 namespace {
 
 constexpr double kExactRange = 1.2;  // [m]
-constexpr double kCellSlack = 1e-9;  // [cells]
-
-/// Marks cells in the grid's own coordinates.
-class Rasteriser {
- public:
-  explicit Rasteriser(const OccupancyGrid& grid)
-      : grid_(grid), marks_(grid.cells().size(), char{0}) {}
-
-  void add(const std::vector<Outline>& outlines) {
-    crossings_.clear();
-    background_ = 0;
-    double area = 0.0;
-    for (const Outline& outline : outlines) {
-      area += signedArea(outline.points);
-      for (std::size_t i = 0; i < outline.points.size(); ++i) {
-        const Vec2 a = grid_.worldToCorner(outline.points[i]);
-        const Vec2 b = grid_.worldToCorner(outline.points[(i + 1) % outline.points.size()]);
-        markAlong(a, b);
-        addCrossings(a, b);
-      }
-    }
-    background_ = area < 0.0 ? 1 : 0;
-    fill();
-  }
-
-  std::vector<char> takeMarks() { return std::move(marks_); }
-
- private:
-  struct Crossing {
-    int row = 0;
-    double column = 0.0;
-    int sense = 0;
-  };
-
-  static int cellOf(double value) {
-    return static_cast<int>(std::floor(std::clamp(value, -1e8, 1e8)));
-  }
-
-  void mark(Cell cell) {
-    if (grid_.contains(cell)) {
-      marks_[grid_.indexOf(cell)] = 1;
-    }
-  }
-
-  bool isBesideMapWall(Cell cell) const {
-    for (int row = cell.row - 1; row <= cell.row + 1; ++row) {
-      for (int column = cell.column - 1; column <= cell.column + 1; ++column) {
-        if (grid_.isWall({column, row})) {
-          return true;
-        }
-      }
-    }
-    return false;
-  }
-
-  void markAlong(const Vec2& a, const Vec2& b) {
-    const double lowY = std::min(a.y(), b.y());
-    const double highY = std::max(a.y(), b.y());
-    const int firstRow = cellOf(lowY + kCellSlack);
-    const int lastRow =
-        std::min(std::max(cellOf(highY - kCellSlack), firstRow), grid_.height() - 1);
-    for (int row = std::max(firstRow, 0); row <= lastRow; ++row) {
-      double x[2] = {a.x(), b.x()};
-      if (highY - lowY > kCellSlack) {
-        const double slope = (b.x() - a.x()) / (b.y() - a.y());
-        for (int end = 0; end < 2; ++end) {
-          x[end] =
-              a.x() + slope * (std::clamp(static_cast<double>(row + end), lowY, highY) - a.y());
-        }
-      }
-      const int first = cellOf(std::min(x[0], x[1]) + kCellSlack);
-      const int last = std::max(cellOf(std::max(x[0], x[1]) - kCellSlack), first);
-      for (int column = std::max(first, 0); column <= std::min(last, grid_.width() - 1); ++column) {
-        if (!isBesideMapWall({column, row})) {
-          mark({column, row});
-        }
-      }
-    }
-  }
-
-  /// Of an edge with the lines through the centres of the rows.
-  void addCrossings(const Vec2& a, const Vec2& b) {
-    const double low = std::min(a.y(), b.y());
-    const double high = std::max(a.y(), b.y());
-    const int first = std::max(cellOf(std::ceil(low - 0.5)), 0);
-    for (int row = first; row < grid_.height() && row + 0.5 < high; ++row) {
-      const double t = (row + 0.5 - a.y()) / (b.y() - a.y());
-      crossings_.push_back({row, a.x() + t * (b.x() - a.x()), b.y() > a.y() ? 1 : -1});
-    }
-  }
-
-  /// The solid lies to the left of a rising edge: a scan from +x counts rising edges up.
-  void fill() {
-    std::sort(crossings_.begin(), crossings_.end(), [](const Crossing& a, const Crossing& b) {
-      return a.row != b.row ? a.row < b.row : a.column > b.column;
-    });
-    std::size_t at = 0;
-    for (int row = 0; row < grid_.height(); ++row) {
-      int winding = background_;
-      int end = grid_.width();  // columns below are not yet decided
-      for (; at < crossings_.size() && crossings_[at].row == row; ++at) {
-        const int begin = std::clamp(cellOf(crossings_[at].column - 0.5) + 1, 0, grid_.width());
-        markRow(row, begin, winding > 0 ? end : begin);
-        end = std::min(end, begin);
-        winding += crossings_[at].sense;
-      }
-      markRow(row, 0, winding > 0 ? end : 0);
-    }
-  }
-
-  void markRow(int row, int begin, int end) {
-    for (int column = begin; column < end; ++column) {
-      mark({column, row});
-    }
-  }
-
-  const OccupancyGrid& grid_;
-  std::vector<char> marks_;
-  std::vector<Crossing> crossings_;
-  int background_ = 0;
-};
-
-/// Marks of the cells of `grid` (row-major, 1 = marked) that enabled obstacles cover: those whose
-/// centre is solid, and those an outline runs through unless they lie beside a wall of the map (so
-/// that the map's own outlines do not thicken its walls).
-std::vector<char> cellsOfObstacles(const OccupancyGrid& grid, const Obstacles& obstacles) {
-  Rasteriser rasteriser(grid);
-  for (int part = 0; part < obstacles.partCount(); ++part) {
-    if (obstacles.isEnabled(part)) {
-      rasteriser.add(obstacles.outlines(part));
-    }
-  }
-  return rasteriser.takeMarks();
-}
-
-/// Marks of the wall cells of the map itself.
-std::vector<char> cellsOfWalls(const OccupancyGrid& grid) {
-  std::vector<char> marks(grid.cells().size());
-  std::transform(grid.cells().begin(), grid.cells().end(), marks.begin(),
-                 [](std::int8_t value) { return value > 50 ? char{1} : char{0}; });
-  return marks;
-}
 
 /// A free grid over the points and all outlines, with a margin of 3 m.
 OccupancyGrid gridOver(const Obstacles& obstacles, const std::vector<Vec2>& points) {
@@ -214,11 +74,11 @@ bool reachBeyond(const OccupancyGrid& grid, const Obstacles& obstacles) {
 class ObstaclePass {
  public:
   ObstaclePass(const OccupancyGrid& grid, const Obstacles& obstacles,
-               const std::vector<char>& cells)
+               const std::vector<char>& cells, bool isLarge, const base::StopFlag& stop)
       : grid_(grid),
         obstacles_(obstacles),
         cells_(cells),
-        toCovered_(distancesToMarked(grid.width(), grid.height(), cells)),
+        toCovered_(grid.width(), grid.height(), cells, 1.0F, isLarge, stop),
         size_(static_cast<float>(grid.resolution())),
         limit_(kExactRange + 2.0 * grid.resolution()),
         // What stands beyond the grid acts on the cells near its edge.
@@ -226,7 +86,7 @@ class ObstaclePass {
 
   float lowered(Cell cell, float distance) const {
     const std::size_t i = grid_.indexOf(cell);
-    const float rough = size_ * toCovered_[i];  // covered cells reach up to a cell too far
+    const float rough = size_ * toCovered_.at(i);  // covered cells reach up to a cell too far
     const bool isNearEdge = std::min({cell.column, grid_.width() - 1 - cell.column, cell.row,
                                       grid_.height() - 1 - cell.row}) < edge_;
     if (rough >= distance && !isNearEdge) {
@@ -248,62 +108,145 @@ class ObstaclePass {
   const OccupancyGrid& grid_;
   const Obstacles& obstacles_;
   const std::vector<char>& cells_;
-  std::vector<float> toCovered_;  // [cells]
+  CellDistances toCovered_;  // [cells]
   float size_;
   double limit_;
   int edge_;  // [cells]
 };
 
-/// Distances [m] to map walls and obstacles together. `cells` are those of the obstacles.
-std::vector<float> combinedDistances(const OccupancyGrid& grid, const Obstacles& obstacles,
-                                     const std::vector<char>& cells) {
-  std::vector<float> distance = distancesToMarked(grid.width(), grid.height(), cellsOfWalls(grid));
-  for (float& value : distance) {
-    value *= static_cast<float>(grid.resolution());
-  }
-  const bool isCovered = std::find(cells.begin(), cells.end(), char{1}) != cells.end();
+CellDistances distancesToWalls(const OccupancyGrid& grid, bool isLarge,
+                               const base::StopFlag& stop) {
+  return CellDistances(grid.width(), grid.height(), cellsOfWalls(grid),
+                       static_cast<float>(grid.resolution()), isLarge, stop);
+}
+
+/// From distances [m] to the walls of the map to those to walls and obstacles together. `cells` are
+/// those of the obstacles.
+void lowerDistances(const OccupancyGrid& grid, const Obstacles& obstacles,
+                    const std::vector<char>& cells, bool isLarge, const base::StopFlag& stop,
+                    CellDistances& distance) {
+  // Of a large map the cells alone count, not its outlines, which are off them by half a cell.
+  const bool isCovered = isLarge ? coverMoreThanWalls(grid, cells)
+                                 : std::find(cells.begin(), cells.end(), char{1}) != cells.end();
   if (!isCovered && !reachBeyond(grid, obstacles)) {
-    return distance;
+    return;
   }
-  const ObstaclePass pass(grid, obstacles, cells);
+  const ObstaclePass pass(grid, obstacles, cells, isLarge, stop);
   for (int row = 0; row < grid.height(); ++row) {
+    stop.check();
     for (int column = 0; column < grid.width(); ++column) {
-      float& value = distance[grid.indexOf({column, row})];
-      value = pass.lowered({column, row}, value);
+      const std::size_t index = grid.indexOf({column, row});
+      const float before = distance.at(index);
+      const float after = pass.lowered({column, row}, before);
+      if (after != before) {
+        distance.set(index, after);
+      }
     }
   }
   // All or none are infinite, so that values can be mixed: where only what stands beyond the grid
   // is felt, the cells far from its edge take the range within which it was looked for.
-  const auto isFinite = [](float value) { return std::isfinite(value); };
-  if (std::any_of(distance.begin(), distance.end(), isFinite)) {
-    std::replace(distance.begin(), distance.end(), std::numeric_limits<float>::infinity(),
-                 static_cast<float>(kExactRange));
+  distance.replaceInfinite(static_cast<float>(kExactRange));
+}
+
+/// The cells with all that stands on them as walls.
+OccupancyGrid withObstacles(const OccupancyGrid& grid, const std::vector<char>& cells) {
+  std::vector<std::int8_t> values = grid.cells();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = cells[i] != 0 ? std::int8_t{100} : values[i];
   }
-  return distance;
+  return OccupancyGrid(grid.width(), grid.height(), grid.resolution(), grid.origin(),
+                       std::move(values));
+}
+
+constexpr int kBlock = 16;  // [cells] along the side of those that unknown cells are looked up by
+
+int blocksOf(int cells) {
+  return (cells + kBlock - 1) / kBlock;
 }
 
 }  // namespace
 
+std::shared_ptr<const CellDistances> DistanceField::wallsOf(const OccupancyGrid& grid, bool isLarge,
+                                                            const base::StopFlag& stop) {
+  return std::make_shared<const CellDistances>(distancesToWalls(grid, isLarge, stop));
+}
+
 DistanceField::DistanceField(const OccupancyGrid& grid, const Obstacles& obstacles,
-                             const std::vector<Vec2>& bounds)
-    : grid_(grid.isEmpty() ? gridOver(obstacles, bounds) : grid), isOpenPlane_(grid.isEmpty()) {
+                             const std::vector<Vec2>& bounds, double mostCells,
+                             base::StopFlagPtr stop,
+                             const std::shared_ptr<const CellDistances>& walls)
+    : stop_(std::move(stop)),
+      grid_(grid.isEmpty() ? gridOver(obstacles, bounds) : grid),
+      isOpenPlane_(grid.isEmpty()),
+      isLarge_(!isOpenPlane_ && static_cast<double>(grid_.cells().size()) > mostCells) {
+  distance_ = walls != nullptr ? *walls : distancesToWalls(grid_, isLarge_, *stop_);
   const std::vector<char> cells = cellsOfObstacles(grid_, obstacles);
-  distance_ = combinedDistances(grid_, obstacles, cells);
-  std::vector<std::int8_t> values = grid_.cells();
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = cells[i] != 0 ? std::int8_t{100} : values[i];
+  lowerDistances(grid_, obstacles, cells, isLarge_, *stop_, distance_);
+  if (!isLarge_ && std::find(cells.begin(), cells.end(), char{1}) != cells.end()) {
+    grid_ = withObstacles(grid_, cells);
   }
-  grid_ = OccupancyGrid(grid_.width(), grid_.height(), grid_.resolution(), grid_.origin(),
-                        std::move(values));
+  findBorder();
+  measureUnknown();
+}
+
+bool DistanceField::isSolid(Cell cell) const {
+  return grid_.isWall(cell) ||
+         (isLarge_ && grid_.contains(cell) && distance_.at(grid_.indexOf(cell)) == 0.0F);
+}
+
+void DistanceField::findBorder() {
   for (int row = 0; row < grid_.height(); ++row) {
+    stop_->check();
     for (int column = 0; column < grid_.width(); ++column) {
-      const bool isBorder = !grid_.isWall({column - 1, row}) || !grid_.isWall({column + 1, row}) ||
-                            !grid_.isWall({column, row - 1}) || !grid_.isWall({column, row + 1});
-      if (isBorder && grid_.isWall({column, row})) {
+      const bool isBorder =
+          isSolid({column, row}) && (!isSolid({column - 1, row}) || !isSolid({column + 1, row}) ||
+                                     !isSolid({column, row - 1}) || !isSolid({column, row + 1}));
+      if (isBorder) {
         border_.push_back({column, row});
       }
     }
   }
+}
+
+/// Of a large map by blocks of cells: a line that keeps off what is unknown may then have to be
+/// tested at more places, with the same answer.
+void DistanceField::measureUnknown() {
+  const std::vector<std::int8_t>& cells = grid_.cells();
+  if (std::none_of(cells.begin(), cells.end(), [](std::int8_t value) { return value < 0; })) {
+    return;
+  }
+  const int block = isLarge_ ? kBlock : 1;
+  const int width = isLarge_ ? blocksOf(grid_.width()) : grid_.width();
+  const int height = isLarge_ ? blocksOf(grid_.height()) : grid_.height();
+  std::vector<char> marks(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
+  for (int row = 0; row < grid_.height(); ++row) {
+    for (int column = 0; column < grid_.width(); ++column) {
+      if (grid_.isUnknown({column, row})) {
+        marks[static_cast<std::size_t>(row / block) * static_cast<std::size_t>(width) +
+              static_cast<std::size_t>(column / block)] = 1;
+      }
+    }
+  }
+  toUnknown_ = distancesToMarked(width, height, marks);
+}
+
+double DistanceField::unknownDistance(Cell cell) const {
+  if (toUnknown_.empty() || !grid_.contains(cell)) {
+    return std::numeric_limits<double>::infinity();
+  }
+  if (!isLarge_) {
+    return static_cast<double>(toUnknown_[grid_.indexOf(cell)]);
+  }
+  constexpr double kHalfDiagonal = 0.7072;  // [blocks]
+  const int blocks = blocksOf(grid_.width());
+  const auto block = static_cast<std::size_t>(cell.row / kBlock * blocks + cell.column / kBlock);
+  const double least = kBlock * (static_cast<double>(toUnknown_[block]) - kHalfDiagonal);
+  return grid_.isUnknown(cell) ? 0.0 : std::max(1.0, least);
+}
+
+std::size_t DistanceField::bytes() const {
+  return distance_.bytes() + sizeof(float) * toUnknown_.capacity() +
+         sizeof(Cell) * border_.capacity();
 }
 
 double DistanceField::outsideDistance(const Vec2& corner) const {
@@ -317,12 +260,12 @@ double DistanceField::outsideDistance(const Vec2& corner) const {
 }
 
 double DistanceField::distanceAt(Cell cell) const {
-  return grid_.contains(cell) ? static_cast<double>(distance_[grid_.indexOf(cell)])
+  return grid_.contains(cell) ? static_cast<double>(distance_.at(grid_.indexOf(cell)))
                               : outsideDistance(Vec2(cell.column + 0.5, cell.row + 0.5));
 }
 
 double DistanceField::distanceAt(const Vec2& point) const {
-  if (std::isinf(distance_.front())) {
+  if (std::isinf(distance_.at(0))) {
     return std::numeric_limits<double>::infinity();
   }
   const Vec2 corner = grid_.worldToCorner(point);
@@ -340,7 +283,7 @@ double DistanceField::distanceAt(const Vec2& point) const {
   const double tx = x - low.column;
   const double ty = y - low.row;
   const auto value = [&](std::size_t offset) {
-    return static_cast<double>(distance_[first + offset]);
+    return static_cast<double>(distance_.at(first + offset));
   };
   return (1.0 - ty) * ((1.0 - tx) * value(0) + tx * value(right)) +
          ty * ((1.0 - tx) * value(up) + tx * value(up + right));

@@ -2,40 +2,60 @@
 
 #include <vector>
 
+#include "sim2d/map/CellDistances.h"
 #include "sim2d/map/Obstacles.h"
 
 namespace sim2d {
-
-/// Exact Euclidean distance, in cells, from the centre of each cell of a row-major grid to the
-/// nearest square of a marked cell: 0 in marked cells, 0.5 beside them, infinity when none is
-/// marked. Linear in the number of cells (Felzenszwalb and Huttenlocher 2012, lower envelope of
-/// parabolas, here over the borders of cells).
-std::vector<float> distancesToMarked(int width, int height, const std::vector<char>& marked);
 
 /// Clearance of every cell of a regular grid over the world: the map's own cells, or 0.1 m cells
 /// (coarser beyond 4 million) over the obstacles' bounds plus a margin when there is no map.
 /// Euclidean distance from the cell centre to the nearest wall [m]: exact for the cells of the map
 /// and within 1.2 m of enabled obstacles, farther ones to one cell; 0 inside walls, infinite when
 /// there is no wall. Immutable; safe to share between threads.
+/// Large maps are kept in two bytes per cell: rounded down to 1/256 cell, 255 cells at most.
 class DistanceField {
  public:
   /// `bounds` are points that must lie inside when the map is the open plane (starts, goals …).
   /// `obstacles` are built; parts may repeat the outlines of the map. Parts switched off are free.
+  /// Maps of more than `mostCells` are large. `walls`: as of `wallsOf`, null: they are worked out.
   DistanceField(const OccupancyGrid& grid, const Obstacles& obstacles,
-                const std::vector<Vec2>& bounds = {});
+                const std::vector<Vec2>& bounds = {}, double mostCells = kMostCells,
+                base::StopFlagPtr stop = std::make_shared<const base::StopFlag>(),
+                const std::shared_ptr<const CellDistances>& walls = nullptr);
+  /// The share of the walls of a map in its fields, whatever else stands there.
+  static std::shared_ptr<const CellDistances> wallsOf(const OccupancyGrid& grid, bool isLarge,
+                                                      const base::StopFlag& stop);
 
-  const OccupancyGrid& grid() const { return grid_; }  // wall = map wall or obstacle
-  bool isOpenPlane() const { return isOpenPlane_; }    // there was no map: free beyond the grid
+  static constexpr double kMostCells = 4e6;
+
+  /// Wall = map wall or obstacle; of a large map the map itself, whose cells are shared.
+  const OccupancyGrid& grid() const { return grid_; }
+  bool isLarge() const { return isLarge_; }
+  bool isOpenPlane() const { return isOpenPlane_; }  // there was no map: free beyond the grid
   double distanceAt(Cell cell) const;          // outside the grid: to the nearest wall of the grid
   double distanceAt(const Vec2& point) const;  // bilinear
+  /// [cells] from the centre to the nearest unknown cell: 0 inside, infinite when all is known. Of
+  /// a large map, from any point of the cell and at least so much.
+  double unknownDistance(Cell cell) const;
+  bool hasUnknown() const { return !toUnknown_.empty(); }
+  /// For all that is worked out from it, as for itself.
+  const base::StopFlag& stopFlag() const { return *stop_; }
+  /// Memory taken, but for the cells of the map.
+  std::size_t bytes() const;
 
  private:
+  bool isSolid(Cell cell) const;
+  void findBorder();
+  void measureUnknown();
   double outsideDistance(const Vec2& corner) const;
 
+  base::StopFlagPtr stop_;
   OccupancyGrid grid_;
   bool isOpenPlane_ = false;
-  std::vector<float> distance_;
-  std::vector<Cell> border_;  // wall cells beside free ones, for places outside the grid
+  bool isLarge_ = false;
+  CellDistances distance_;        // [m]
+  std::vector<float> toUnknown_;  // [cells] by cell, [blocks] by block of a large map
+  std::vector<Cell> border_;      // wall cells beside free ones, for places outside the grid
 };
 
 }  // namespace sim2d

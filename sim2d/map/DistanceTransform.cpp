@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "sim2d/map/DistanceField.h"
+#include "sim2d/map/CellDistances.h"
 
 namespace sim2d {
 
@@ -16,12 +16,23 @@ float stepFrom(float neighbour) {
   return neighbour == 0.0F ? 0.5F : neighbour + 1.0F;
 }
 
+std::uint16_t stepFrom(std::uint16_t neighbour) {
+  constexpr int kCell = static_cast<int>(kStepsPerCell);
+  const int far = neighbour == 0 ? kCell / 2 : neighbour + kCell;
+  return static_cast<std::uint16_t>(std::min<int>(far, kMostSteps));
+}
+
+std::uint16_t stepsOf(float steps) {
+  return static_cast<std::uint16_t>(std::min(steps, static_cast<float>(kMostSteps)));
+}
+
 /// Distances within each column.
-std::vector<float> columnDistances(std::size_t width, std::size_t height,
-                                   const std::vector<char>& marked) {
-  std::vector<float> distance(marked.size());
+template <class Value>
+std::vector<Value> columnDistances(std::size_t width, std::size_t height,
+                                   const std::vector<char>& marked, Value none) {
+  std::vector<Value> distance(marked.size());
   for (std::size_t i = 0; i < marked.size(); ++i) {
-    distance[i] = marked[i] != 0 ? 0.0F : (i < width ? kNone : stepFrom(distance[i - width]));
+    distance[i] = marked[i] != 0 ? Value{0} : (i < width ? none : stepFrom(distance[i - width]));
   }
   for (std::size_t i = (height - 1) * width; i-- > 0;) {
     distance[i] = std::min(distance[i], stepFrom(distance[i + width]));
@@ -95,17 +106,74 @@ class RowPass {
 
 }  // namespace
 
-std::vector<float> distancesToMarked(int width, int height, const std::vector<char>& marked) {
+std::vector<float> distancesToMarked(int width, int height, const std::vector<char>& marked,
+                                     const base::StopFlag& stop) {
   assert(width > 0 && height > 0);
   const auto columns = static_cast<std::size_t>(width);
   const auto rows = static_cast<std::size_t>(height);
   assert(marked.size() == columns * rows);
-  std::vector<float> distance = columnDistances(columns, rows, marked);
+  std::vector<float> distance = columnDistances(columns, rows, marked, kNone);
   RowPass pass(columns);
   for (std::size_t row = 0; row < rows; ++row) {
+    stop.check();
     pass.run(distance.data() + row * columns);
   }
   return distance;
+}
+
+std::vector<std::uint16_t> stepsToMarked(int width, int height, const std::vector<char>& marked,
+                                         const base::StopFlag& stop) {
+  assert(width > 0 && height > 0);
+  const auto columns = static_cast<std::size_t>(width);
+  const auto rows = static_cast<std::size_t>(height);
+  std::vector<std::uint16_t> steps = columnDistances(columns, rows, marked, kMostSteps);
+  RowPass pass(columns);
+  std::vector<float> cells(columns);
+  for (std::size_t row = 0; row < rows; ++row) {
+    stop.check();
+    std::uint16_t* const of = steps.data() + row * columns;
+    std::transform(of, of + columns, cells.begin(), [](std::uint16_t value) {
+      return value == kMostSteps ? kNone : static_cast<float>(value) / kStepsPerCell;
+    });
+    pass.run(cells.data());
+    std::transform(cells.begin(), cells.end(), of,
+                   [](float value) { return stepsOf(value * kStepsPerCell); });
+  }
+  return steps;
+}
+
+CellDistances::CellDistances(int width, int height, const std::vector<char>& marked, float cell,
+                             bool isSmall, const base::StopFlag& stop)
+    : step_(cell / kStepsPerCell) {
+  if (isSmall) {
+    const bool isAny = std::find(marked.begin(), marked.end(), char{1}) != marked.end();
+    beyond_ = isAny ? static_cast<float>(kMostSteps) * step_ : kNone;
+    steps_ = stepsToMarked(width, height, marked, stop);
+    return;
+  }
+  exact_ = distancesToMarked(width, height, marked, stop);
+  for (float& value : exact_) {
+    value *= cell;
+  }
+}
+
+void CellDistances::set(std::size_t index, float distance) {
+  if (steps_.empty()) {
+    exact_[index] = distance;
+  } else {
+    steps_[index] = stepsOf(distance / step_);
+  }
+}
+
+void CellDistances::replaceInfinite(float distance) {
+  const auto isFinite = [](float value) { return std::isfinite(value); };
+  if (std::any_of(exact_.begin(), exact_.end(), isFinite)) {
+    std::replace(exact_.begin(), exact_.end(), kNone, distance);
+  }
+  const auto isNear = [](std::uint16_t value) { return value < kMostSteps; };
+  if (std::isinf(beyond_) && std::any_of(steps_.begin(), steps_.end(), isNear)) {
+    beyond_ = distance;
+  }
 }
 
 }  // namespace sim2d

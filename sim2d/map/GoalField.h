@@ -9,36 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "sim2d/map/DistanceField.h"
+#include "sim2d/map/Terrain.h"
 
 namespace sim2d {
-
-constexpr double kWantedClearance = 0.3;  // [m] beyond the radius
-
-/// What a body of one radius may walk on: the cells of a distance field with their price, and one
-/// closed cell all round them.
-class Terrain {
- public:
-  using Index = std::int32_t;
-
-  Terrain(const DistanceField& field, double radius);
-
-  bool isOpen(Index index) const { return price_[static_cast<std::size_t>(index)] != 0; }
-  bool isUnknown(Index index) const { return unknown_[static_cast<std::size_t>(index)] != 0; }
-  bool hasUnknown() const { return hasUnknown_; }
-  /// 6 where there is clearance enough, up to 12 where the body just fits.
-  std::uint32_t price(Index index) const { return price_[static_cast<std::size_t>(index)]; }
-  Index indexOf(Cell cell) const { return (cell.row + 1) * stride_ + cell.column + 1; }
-  Cell cellOf(Index index) const { return {index % stride_ - 1, index / stride_ - 1}; }
-  Index stride() const { return stride_; }
-  std::size_t size() const { return price_.size(); }
-
- private:
-  Index stride_;
-  bool hasUnknown_ = false;
-  std::vector<std::uint8_t> price_;  // 0: closed
-  std::vector<char> unknown_;
-};
 
 /// One number per cell, in tiles that exist only where something was written: a search that ends
 /// early leaves most of a large map without any.
@@ -112,45 +85,97 @@ class RadixHeap {
   std::size_t size_ = 0;
 };
 
-/// Cheapest ways from all cells to one goal (Dijkstra over eight neighbours), searched only as far
-/// as somebody has asked for. Unknown cells are entered when all that is known has been searched.
-class GoalField {
+/// Cheapest ways from all places of a ground (cells of a `Terrain`, nodes of a `BlockGraph`) to one
+/// goal, by Dijkstra, searched only as far as somebody has asked for. What is unknown is entered
+/// when all that is known has been searched. `Ground` gives size(), isUnknown(place) and
+/// forEachStep(place, visit(place, cost)), whose steps go both ways.
+template <class Ground>
+class GoalSearch {
  public:
-  using Index = Terrain::Index;
+  using Index = typename Ground::Index;
 
-  GoalField(const Terrain& terrain, Index goal);
+  GoalSearch(const Ground& ground, Index goal)
+      : ground_(ground), goal_(goal), cost_(ground.size()) {
+    relax(goal, 0);
+  }
 
   Index goal() const { return goal_; }
-  /// Extends the search to the open cell `from`; false when no way leads there.
-  bool reach(Index from);
-  /// The next cell on the way from a cell that has been reached; the goal is its own.
-  Index next(Index from) const;
+  /// Extends the search to the open place `from`; false when no way leads there.
+  bool reach(Index from) {
+    while (cost_.at(from) > frontier_) {
+      if (heap_.isEmpty() && (inUnknown_ || !enterUnknown())) {
+        return false;
+      }
+      const auto [cost, place] = heap_.pop();
+      if (cost == cost_.at(place)) {
+        frontier_ = cost;
+        expand(place);
+      }
+    }
+    return true;
+  }
+  /// The next place on the way from one that has been reached; the goal is its own.
+  Index next(Index from) const {
+    const std::uint32_t here = cost_.at(from);
+    Index best = from;
+    std::uint32_t lowest = kNoWay;
+    ground_.forEachStep(from, [&](Index to, std::uint32_t step) {
+      const std::uint32_t there = cost_.at(to);
+      if (there < here && step < kNoWay - there && there + step < lowest) {
+        lowest = there + step;
+        best = to;
+      }
+    });
+    assert(best != from || from == goal_);
+    return best;
+  }
 
  private:
-  struct Neighbour {
-    Index offset = 0;
-    std::uint32_t length = 0;
-    Index first = 0, second = 0;  // cells that a diagonal step passes; 0 for straight ones
-  };
-  struct Seed {
-    Index cell = 0;
-    std::uint32_t cost = 0;
-  };
+  static constexpr std::uint32_t kNoWay = CellCosts::kNone;
 
-  bool canStep(Index from, const Neighbour& neighbour) const;
-  std::uint32_t stepCost(Index from, const Neighbour& neighbour) const;
-  void relax(Index cell, std::uint32_t cost);
-  void expand(Index cell);
-  bool enterUnknown();
+  void relax(Index place, std::uint32_t cost) {
+    if (cost < cost_.at(place)) {
+      cost_.set(place, cost);
+      heap_.push(cost, place);
+    }
+  }
 
-  const Terrain& terrain_;
+  void expand(Index place) {
+    const std::uint32_t cost = cost_.at(place);
+    ground_.forEachStep(place, [&](Index to, std::uint32_t step) {
+      if (step >= kNoWay - cost) {
+        return;  // beyond what can be counted
+      }
+      if (ground_.isUnknown(to) && !inUnknown_) {
+        seeds_.push_back({cost + step, to});
+      } else {
+        relax(to, cost + step);
+      }
+    });
+  }
+
+  /// All costs from here on lie above those of the first search, so that what it found stays.
+  bool enterUnknown() {
+    const std::uint32_t above = frontier_ + 1;
+    inUnknown_ = true;
+    for (const RadixHeap::Entry& seed : seeds_) {
+      if (seed.first < kNoWay - above) {
+        relax(seed.second, above + seed.first);
+      }
+    }
+    seeds_ = {};
+    return !heap_.isEmpty();
+  }
+
+  const Ground& ground_;
   Index goal_;
-  std::array<Neighbour, 8> neighbours_;
   CellCosts cost_;
   RadixHeap heap_;
-  std::uint32_t frontier_ = 0;  // costs up to here are final
-  std::vector<Seed> seeds_;     // unknown cells beside the known ones
+  std::uint32_t frontier_ = 0;           // costs up to here are final
+  std::vector<RadixHeap::Entry> seeds_;  // unknown places beside the known ones
   bool inUnknown_ = false;
 };
+
+using GoalField = GoalSearch<Terrain>;
 
 }  // namespace sim2d

@@ -1,5 +1,6 @@
 #include "sim2d/map/MapReader.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -234,8 +235,10 @@ base::Result<MapImage> loadImage(const fs::path& path, const ImageLoader& loader
   if (pixels > kMostMapCells) {
     return base::error("image.too-large");
   }
-  if (pixels <= 0 || image->maximum < 1 ||
-      image->rgba.size() != 4 * static_cast<std::size_t>(pixels)) {
+  const auto needed = static_cast<std::size_t>(std::max<std::int64_t>(pixels, 0));
+  const bool isWhole =
+      image->shades.empty() ? image->rgba.size() == 4 * needed : image->shades.size() == needed;
+  if (needed == 0 || image->maximum < 1 || !isWhole) {
     return base::error("image.no-pixels");
   }
   return image;

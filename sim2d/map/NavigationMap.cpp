@@ -46,6 +46,7 @@ OpenBlocks::OpenBlocks(std::shared_ptr<const DistanceField> field) : field_(std:
   below_.assign(stride * (static_cast<std::size_t>(height_) + 1), 0);
   const double near = kNearWall * grid.resolution();
   for (int row = 0; row < grid.height(); ++row) {
+    field_->stopFlag().check();
     int* const ofRow = &below_[(static_cast<std::size_t>(row / cells) + 1) * stride + 1];
     for (int column = 0; column < grid.width(); ++column) {
       if (field_->distanceAt(Cell{column, row}) <= near) {
@@ -86,9 +87,11 @@ bool OpenBlocks::areFree(const Vec2& from, const Vec2& to) const {
 }
 
 NavigationLayer::NavigationLayer(const OccupancyGrid& map, const Obstacles& obstacles,
-                                 const std::vector<Vec2>& places)
+                                 const std::vector<Vec2>& places, base::StopFlagPtr stop,
+                                 const std::shared_ptr<const CellDistances>& walls)
     : field_(standsAnything(map, obstacles)
-                 ? std::make_shared<const DistanceField>(map, obstacles, places)
+                 ? std::make_shared<const DistanceField>(
+                       map, obstacles, places, DistanceField::kMostCells, std::move(stop), walls)
                  : nullptr),
       blocks_(field_ != nullptr ? std::make_unique<const OpenBlocks>(field_) : nullptr) {}
 
@@ -119,7 +122,11 @@ std::shared_ptr<const NavigationLayer> NavigationLayers::of(const OccupancyGrid&
     entries_.splice(entries_.begin(), entries_, found);
     return entries_.front().layer;
   }
-  wanted.layer = std::make_shared<const NavigationLayer>(map, obstacles, places);
+  if (walls_ == nullptr && !map.isEmpty() &&
+      static_cast<double>(map.cells().size()) <= DistanceField::kMostCells) {
+    walls_ = DistanceField::wallsOf(map, false, *stop_);
+  }
+  wanted.layer = std::make_shared<const NavigationLayer>(map, obstacles, places, stop_, walls_);
   const DistanceField* const field = wanted.layer->field();
   const auto cells = static_cast<double>(field != nullptr ? field->grid().cells().size() : 1);
   const auto kept = static_cast<std::size_t>(

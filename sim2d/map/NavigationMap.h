@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "sim2d/map/PathPlanner.h"
@@ -35,7 +36,8 @@ class NavigationLayer {
  public:
   /// `places`: starts and goals; they bound the plane where there is no map.
   NavigationLayer(const OccupancyGrid& map, const Obstacles& obstacles,
-                  const std::vector<Vec2>& places);
+                  const std::vector<Vec2>& places, base::StopFlagPtr stop,
+                  const std::shared_ptr<const CellDistances>& walls);
 
   const DistanceField* field() const { return field_.get(); }  // null: nothing stands anywhere
   const OpenBlocks* blocks() const { return blocks_.get(); }   // idem
@@ -48,10 +50,14 @@ class NavigationLayer {
   mutable std::map<double, std::unique_ptr<PathPlanner>> planners_;  // by radius [m]
 };
 
-/// The layers of one map and what stands on it, by the state of the doors; the last ones are kept.
+/// The layers of one map and what stands on it, by the state of the doors; the last ones are kept,
+/// and of ordinary maps the distances to walls, which no door alters.
 /// Thread: any.
 class NavigationLayers {
  public:
+  /// `stop`: ends the work on layers, by `base::Stopped`.
+  explicit NavigationLayers(base::StopFlagPtr stop = std::make_shared<const base::StopFlag>())
+      : stop_(std::move(stop)) {}
   std::shared_ptr<const NavigationLayer> of(const OccupancyGrid& map, const Obstacles& obstacles,
                                             const std::vector<Vec2>& places);
 
@@ -61,8 +67,10 @@ class NavigationLayers {
     std::vector<Vec2> places;   // without a map
     std::shared_ptr<const NavigationLayer> layer;
   };
+  const base::StopFlagPtr stop_;
   std::mutex mutex_;
-  std::list<Entry> entries_;  // last used first
+  std::shared_ptr<const CellDistances> walls_;  // of an ordinary map, for all layers
+  std::list<Entry> entries_;                    // last used first
 };
 
 /// Routes round walls for bodies of every radius, over what stands now. Thread: one at a time.

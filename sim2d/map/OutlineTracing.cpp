@@ -24,12 +24,13 @@ constexpr std::array<Cell, 4> kStep = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 /// count as joined, so nothing slips between them.
 class BorderWalk {
  public:
-  explicit BorderWalk(const OccupancyGrid& grid)
-      : grid_(grid), visited_(grid.cells().size(), false) {}
+  BorderWalk(const OccupancyGrid& grid, const base::StopFlag& stop)
+      : grid_(grid), stop_(stop), visited_(grid.cells().size(), false) {}
 
   std::vector<Ring> rings() {
     std::vector<Ring> all;
     for (int row = 0; row < grid_.height(); ++row) {
+      stop_.check();
       for (int column = 0; column < grid_.width(); ++column) {
         const Cell cell{column, row};
         if (grid_.isWall(cell) && !grid_.isWall({column, row - 1}) &&
@@ -70,6 +71,7 @@ class BorderWalk {
   }
 
   const OccupancyGrid& grid_;
+  const base::StopFlag& stop_;
   std::vector<bool> visited_;  // lower edges of wall cells
 };
 
@@ -259,17 +261,19 @@ std::vector<std::size_t> conflicts(const std::vector<std::vector<Vec2>>& rings) 
 
 }  // namespace
 
-std::vector<Outline> traceOutlines(const OccupancyGrid& grid) {
-  const std::vector<Ring> rings = BorderWalk(grid).rings();
+std::vector<Outline> traceOutlines(const OccupancyGrid& grid, const base::StopFlag& stop) {
+  const std::vector<Ring> rings = BorderWalk(grid, stop).rings();
   std::vector<std::vector<Vec2>> shapes;
   shapes.reserve(rings.size());
   for (const Ring& ring : rings) {
+    stop.check();
     shapes.push_back(simplifiedRing(ring));
   }
   std::vector<bool> exact(rings.size(), false);
   // Exact rings never touch, so this ends.
   for (bool changed = true; changed;) {
     changed = false;
+    stop.check();
     for (const std::size_t ring : conflicts(shapes)) {
       changed = changed || !exact[ring];
       shapes[ring] = exactRing(rings[ring]);

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim2d/base/Stop.h"
 #include "sim2d/map/OccupancyGrid.h"
 
 namespace sim2d {
@@ -38,7 +39,7 @@ struct Outline {
 };
 
 /// Borders of the wall cells of a map, simplified to within half a cell, still closed and simple.
-std::vector<Outline> traceOutlines(const OccupancyGrid& grid);
+std::vector<Outline> traceOutlines(const OccupancyGrid& grid, const base::StopFlag& stop = {});
 
 /// Border of drawn shapes (desktop-block: box, circle, polygon, wall, door), solid on the left.
 Outline boxOutline(const Pose2& centre, double length, double width);

@@ -8,9 +8,6 @@ namespace sim2d {
 
 namespace {
 
-constexpr std::size_t kCacheBytes = std::size_t{128} << 20U;
-constexpr std::size_t kMostFields = 64;
-
 /// The places of a way over cells, to be pulled straight.
 class CellWay {
  public:
@@ -80,34 +77,6 @@ class CellWay {
   std::vector<int> unknownUpTo_;   // unknown places among those up to each
 };
 
-/// A number of the part that each cell of a terrain is in, 0 for closed cells. Ways exist within a
-/// part and nowhere else. A diagonal step passes two open cells, so cells hang together by their
-/// sides.
-std::vector<std::int32_t> openParts(const Terrain& terrain) {
-  std::vector<std::int32_t> parts(terrain.size(), 0);
-  std::vector<Terrain::Index> waiting;
-  std::int32_t part = 0;
-  const auto enter = [&](Terrain::Index index) {
-    std::int32_t& its = parts[static_cast<std::size_t>(index)];
-    if (terrain.isOpen(index) && its == 0) {
-      its = part;
-      waiting.push_back(index);
-    }
-  };
-  for (Terrain::Index index = 0; index < static_cast<Terrain::Index>(parts.size()); ++index) {
-    ++part;
-    enter(index);
-    while (!waiting.empty()) {  // the closed cells all round a terrain keep the search inside
-      const Terrain::Index at = waiting.back();
-      waiting.pop_back();
-      for (const Terrain::Index side : {-1, 1, -terrain.stride(), terrain.stride()}) {
-        enter(at + side);
-      }
-    }
-  }
-  return parts;
-}
-
 }  // namespace
 
 double lengthOfWay(const std::vector<Vec2>& way) {
@@ -129,35 +98,36 @@ PathPlanner::PathPlanner(std::shared_ptr<const DistanceField> field, double radi
   assert(radius >= 0.0);
 }
 
-/// The field of an open goal cell; the least recently used one makes room.
-GoalField& PathPlanner::fieldOf(Cell goal) {
-  const Terrain& terrain = space_.terrain();
-  const Terrain::Index index = terrain.indexOf(goal);
-  const auto found = std::find_if(fields_.begin(), fields_.end(),
-                                  [&](const auto& entry) { return entry->goal() == index; });
-  if (found != fields_.end()) {
-    std::rotate(fields_.begin(), found, found + 1);
-    return *fields_.front();
+/// Made when first asked for: bodies of many radii walk straight. Null: nobody waits any more; the
+/// people of a run ask in threads that nothing may be thrown in.
+WayFinder* PathPlanner::finder() {
+  if (finder_ == nullptr) {
+    try {
+      finder_ = makeWayFinder(space_);
+    } catch (const base::Stopped&) {
+    }
   }
-  const std::size_t bytes = sizeof(std::uint32_t) * terrain.size();
-  const std::size_t most = std::clamp<std::size_t>(kCacheBytes / bytes, 2, kMostFields);
-  if (fields_.size() >= most) {
-    fields_.pop_back();
-  }
-  fields_.insert(fields_.begin(), std::make_unique<GoalField>(terrain, index));
-  return *fields_.front();
+  return finder_.get();
 }
 
-std::vector<Vec2> PathPlanner::walk(const WalkSpace::Anchor& start, const WalkSpace::Anchor& goal,
-                                    const GoalField& field) const {
-  CellWay way(space_);
-  way.append(start.place);
-  way.append(space_.grid().cellToWorld(start.cell));
-  for (Terrain::Index at = space_.terrain().indexOf(start.cell); at != field.goal();) {
-    at = field.next(at);
-    way.append(space_.grid().cellToWorld(space_.terrain().cellOf(at)));
+/// Empty: there is no way.
+std::vector<Vec2> PathPlanner::planRound(const WalkSpace::Anchor& from,
+                                         const WalkSpace::Anchor& to) {
+  std::vector<Cell> cells;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    WayFinder* const ways = finder();
+    cells = ways != nullptr ? ways->way(from.cell, to.cell) : cells;
   }
-  way.append(goal.place);
+  if (cells.empty()) {
+    return {};
+  }
+  CellWay way(space_);
+  way.append(from.place);
+  for (const Cell cell : cells) {
+    way.append(space_.grid().cellToWorld(cell));
+  }
+  way.append(to.place);
   return way.pulled();
 }
 
@@ -172,12 +142,10 @@ std::vector<Vec2> PathPlanner::plan(const Vec2& start, const Vec2& goal) {
   if (space_.lineKeeps(from->place, to->place, comfortable, false)) {
     way = {from->place, to->place};
   } else {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    GoalField& field = fieldOf(to->cell);
-    if (!field.reach(space_.terrain().indexOf(from->cell))) {
+    way = planRound(*from, *to);
+    if (way.empty()) {
       return {};
     }
-    way = walk(*from, *to, field);
   }
   if (from->place != start && space_.leadsOut(start, from->place)) {
     way.insert(way.begin(), start);
@@ -192,13 +160,18 @@ bool PathPlanner::isReachable(const Vec2& start, const Vec2& goal) {
     return false;
   }
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (parts_.empty()) {  // made once; answers for all pairs of places without a search
-    parts_ = openParts(space_.terrain());
-  }
-  const auto partOf = [this](Cell cell) {
-    return parts_[static_cast<std::size_t>(space_.terrain().indexOf(cell))];
-  };
-  return partOf(from->cell) == partOf(to->cell);
+  WayFinder* const ways = finder();
+  return ways != nullptr && ways->isReachable(from->cell, to->cell);
+}
+
+int PathPlanner::searches() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return finder_ == nullptr ? 0 : finder_->searches();
+}
+
+std::size_t PathPlanner::bytes() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return finder_ == nullptr ? 0 : finder_->bytes();
 }
 
 }  // namespace sim2d

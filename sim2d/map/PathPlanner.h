@@ -4,7 +4,7 @@
 #include <mutex>
 #include <vector>
 
-#include "sim2d/map/WalkSpace.h"
+#include "sim2d/map/WayFinder.h"
 
 namespace sim2d {
 
@@ -18,8 +18,11 @@ double lengthOfWay(const Vec2& from, const std::vector<Vec2>& way, std::size_t f
 /// many people with one goal cost one search. Cells with less clearance than the radius are closed;
 /// wider clearance is preferred up to 0.3 m more; unknown cells are entered only where there is no
 /// other way. Paths are pulled straight where the line keeps the clearance, which holds to a
-/// centimetre. Beyond a map nothing is open; beyond the grid of an open plane all is. The result
-/// depends on the arguments alone, not on earlier calls. Thread: any.
+/// centimetre. Beyond a map nothing is open; beyond the grid of an open plane all is. On a large
+/// map
+/// (`DistanceField::isLarge`) the way is chosen among blocks of cells, with lengths rough by about
+/// a block, so that it may be a little longer than the best one; it exists where one does and keeps
+/// its clearance. The result depends on the arguments alone, not on earlier calls. Thread: any.
 class PathPlanner {
  public:
   PathPlanner(std::shared_ptr<const DistanceField> field, double radius);
@@ -36,15 +39,18 @@ class PathPlanner {
   }
   const WalkSpace& space() const { return space_; }
 
+  /// Goals from which has been searched so far, those forgotten included.
+  int searches() const;
+  /// Memory taken, but for the field.
+  std::size_t bytes() const;
+
  private:
-  GoalField& fieldOf(Cell goal);
-  std::vector<Vec2> walk(const WalkSpace::Anchor& start, const WalkSpace::Anchor& goal,
-                         const GoalField& field) const;
+  WayFinder* finder();
+  std::vector<Vec2> planRound(const WalkSpace::Anchor& from, const WalkSpace::Anchor& to);
 
   WalkSpace space_;
-  std::mutex mutex_;                                // of what follows
-  std::vector<std::unique_ptr<GoalField>> fields_;  // last used first
-  std::vector<std::int32_t> parts_;                 // as of openParts(); empty: not asked for yet
+  mutable std::mutex mutex_;  // of what follows
+  std::unique_ptr<WayFinder> finder_;
 };
 
 }  // namespace sim2d

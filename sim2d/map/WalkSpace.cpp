@@ -12,21 +12,26 @@ namespace {
 constexpr double kMoveLimit = 1.0;        // [m] from a closed start or goal to an open cell
 constexpr double kClearanceSlack = 1e-3;  // [m] of the clearance between centres of cells
 
+bool hasOpenUnknown(const DistanceField& field, double radius) {
+  const OccupancyGrid& grid = field.grid();
+  for (int row = 0; field.hasUnknown() && row < grid.height(); ++row) {
+    for (int column = 0; column < grid.width(); ++column) {
+      const Cell cell{column, row};
+      if (grid.isUnknown(cell) && priceOf(field, radius, cell) != 0) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 WalkSpace::WalkSpace(std::shared_ptr<const DistanceField> field, double radius)
     : field_(std::move(field)),
       radius_(radius),
       bodyRadius_(std::max(radius, 0.5 * field_->grid().resolution())),
-      terrain_(*field_, radius) {
-  if (!terrain_.hasUnknown()) {
-    return;
-  }
-  std::vector<char> marks(grid().cells().size());
-  std::transform(grid().cells().begin(), grid().cells().end(), marks.begin(),
-                 [](std::int8_t value) { return value < 0 ? char{1} : char{0}; });
-  toUnknown_ = distancesToMarked(grid().width(), grid().height(), marks);
-}
+      hasUnknown_(hasOpenUnknown(*field_, radius)) {}
 
 bool WalkSpace::fits(const Vec2& point) const {
   return isInWorld(point) && field_->distanceAt(point) >= bodyRadius_ - kClearanceSlack;
@@ -34,11 +39,8 @@ bool WalkSpace::fits(const Vec2& point) const {
 
 /// [m] to the nearest unknown cell, to one cell; 0 inside, infinite where there is none.
 double WalkSpace::unknownDistance(const Vec2& point) const {
-  const Cell cell = grid().worldToCell(point);
-  if (toUnknown_.empty() || !grid().contains(cell)) {
-    return std::numeric_limits<double>::infinity();
-  }
-  return static_cast<double>(toUnknown_[grid().indexOf(cell)]) * grid().resolution();
+  return hasUnknown_ ? field_->unknownDistance(grid().worldToCell(point)) * grid().resolution()
+                     : std::numeric_limits<double>::infinity();
 }
 
 bool WalkSpace::lineKeeps(const Vec2& from, const Vec2& to, double clearance,

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim2d/map/GoalField.h"
+#include "sim2d/map/Terrain.h"
 
 namespace sim2d {
 
@@ -21,13 +21,12 @@ class WalkSpace {
 
   const DistanceField& field() const { return *field_; }
   const OccupancyGrid& grid() const { return field_->grid(); }
-  const Terrain& terrain() const { return terrain_; }
   double radius() const { return radius_; }
   /// The radius, but no less than what keeps lines from slipping through walls of one cell [m].
   double bodyRadius() const { return bodyRadius_; }
 
   bool isOpen(Cell cell) const {
-    return grid().contains(cell) && terrain_.isOpen(terrain_.indexOf(cell));
+    return grid().contains(cell) && priceOf(*field_, radius_, cell) != 0;
   }
   bool isUnknown(const Vec2& point) const { return grid().isUnknown(grid().worldToCell(point)); }
   bool fits(const Vec2& point) const;
@@ -53,8 +52,7 @@ class WalkSpace {
   std::shared_ptr<const DistanceField> field_;
   double radius_;
   double bodyRadius_;
-  Terrain terrain_;
-  std::vector<float> toUnknown_;  // [cells]; empty when all is known
+  bool hasUnknown_;  // among the open cells
 };
 
 }  // namespace sim2d

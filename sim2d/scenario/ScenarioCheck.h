@@ -36,7 +36,10 @@ struct Surroundings {
   int firstObstaclePart = 1;
   int firstDoorPart = 1;
 };
-Surroundings makeSurroundings(const Scenario& scenario, OccupancyGrid grid);
+/// `stop` ends this, and later the work on routes, by `base::Stopped`.
+Surroundings makeSurroundings(
+    const Scenario& scenario, OccupancyGrid grid,
+    const base::StopFlagPtr& stop = std::make_shared<const base::StopFlag>());
 
 /// The borders of what is drawn, with the usual thickness where none is written.
 std::vector<Outline> outlinesOf(const Obstacle& obstacle);

@@ -78,9 +78,11 @@ std::vector<Outline> outlinesOf(const Door& door) {
   return wallOutlines({door.from, door.to}, door.thickness.value_or(0.05));
 }
 
-Surroundings makeSurroundings(const Scenario& scenario, OccupancyGrid grid) {
+Surroundings makeSurroundings(const Scenario& scenario, OccupancyGrid grid,
+                              const base::StopFlagPtr& stop) {
   Surroundings result;
-  result.obstacles.add(traceOutlines(grid));
+  result.layers = std::make_shared<NavigationLayers>(stop);
+  result.obstacles.add(traceOutlines(grid, *stop));
   result.grid = std::move(grid);
   const std::vector<Outline> none;
   forEachListed(scenario.obstacles, [&](const Obstacle& obstacle) {

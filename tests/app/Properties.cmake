@@ -16,3 +16,5 @@ endif()
 set_tests_properties(app.tst_Extremes app.tst_BrokenRuns PROPERTIES TIMEOUT ${long} COST 100)
 # With HUNAV_ALL_TESTS it opens a window on every broken scenario.
 set_tests_properties(app.tst_OneVerdict PROPERTIES TIMEOUT 1800 COST 100)
+# With HUNAV_ALL_TESTS it writes and opens a map of 81 million cells.
+set_tests_properties(app.tst_LargeMapMemory PROPERTIES TIMEOUT ${long})

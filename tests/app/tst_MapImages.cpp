@@ -70,6 +70,35 @@ class MapImagesTest : public QObject {
     QCOMPARE(valueOf(palette, "humble"), 100);
   }
 
+  /// A colour image takes four values per pixel, a grey one a quarter of that; rows stay in order.
+  void loadMapImage_rows_areInOrder() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("rows.png"));
+    for (const auto format : {QImage::Format_RGB32, QImage::Format_Grayscale8}) {
+      QImage image(3, 4, format);
+      for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 3; ++column) {
+          const int shade = 10 + 20 * row + column;
+          if (format == QImage::Format_Grayscale8) {
+            image.scanLine(row)[column] = static_cast<uchar>(shade);
+          } else {
+            image.setPixel(column, row, qRgb(shade, 7, 200));
+          }
+        }
+      }
+      QVERIFY(image.save(path));
+      const auto read = editor::loadMapImage(path.toStdString());
+      QVERIFY(read);
+      const bool isGrey = !read->shades.empty();
+      QCOMPARE(isGrey, format == QImage::Format_Grayscale8);
+      QCOMPARE(read->shades.size() + read->rgba.size(), std::size_t{isGrey ? 12U : 48U});
+      for (std::size_t i = 0; i < 12; ++i) {
+        const int value = isGrey ? read->shades[i] : read->rgba[4 * i];
+        QCOMPARE(value, static_cast<int>(10 + 20 * (i / 3) + i % 3));
+      }
+    }
+  }
+
   void isaacWarehouse_countsAndFreePoints() {
     const QString root =
         qEnvironmentVariable("HUNAV_INTEROP_DIR", QStringLiteral(SOURCE_DIR "/../shared/interop")) +

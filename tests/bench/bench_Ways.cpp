@@ -11,6 +11,7 @@ class WaysBench : public QObject {
 
  private Q_SLOTS:
   void plan_warehouse();
+  void plan_largeHall_manyGoals();
 };
 
 namespace {
@@ -51,6 +52,35 @@ void WaysBench::plan_warehouse() {
   const double later = millisecondsOf(timer) / kWays;
   qInfo("first way %.2f ms, a later one %.3f ms, ratio %.0f", first, later, first / later);
   QTest::setBenchmarkResult(later, QTest::WalltimeMilliseconds);
+}
+
+/// A hundred people with twenty goals on 4000 x 4000 cells, beside the clearance of all cells,
+/// which is worked out before.
+void WaysBench::plan_largeHall_manyGoals() {
+  constexpr double kSide = 200.0;  // [m]
+  MapSketch sketch(kSide, kSide);
+  for (int row = 0; row < 19; ++row) {
+    for (int shelf = 0; shelf < 7; ++shelf) {
+      const Vec2 low(5.0 + 27.0 * shelf, 6.0 + 10.0 * row);
+      sketch.fill(low, low + Vec2(20.0, 0.4));
+    }
+  }
+  const OccupancyGrid grid = sketch.grid();
+  QElapsedTimer timer;
+  timer.start();
+  const Scene scene = sceneOf(grid);
+  const double before = millisecondsOf(timer);
+  timer.restart();
+  PathPlanner planner(scene.field, 0.35);
+  for (int i = 0; i < 100; ++i) {
+    const Vec2 start(2.0, 1.0 + 1.97 * i);
+    const Vec2 goal(198.0 - 9.0 * (i % 20), 1.0 + 9.9 * (i * 7 % 20));
+    QVERIFY(!planner.plan(start, goal).empty());
+  }
+  const double ways = millisecondsOf(timer);
+  qInfo("clearance %.0f ms, %d searches for 100 ways %.0f ms, ratio %.2f", before,
+        planner.searches(), ways, ways / before);
+  QTest::setBenchmarkResult(ways, QTest::WalltimeMilliseconds);
 }
 
 QTEST_APPLESS_MAIN(WaysBench)

@@ -18,6 +18,24 @@ class DocumentMapsTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void setMap_another_endsTheWorkOnTheFirst() {
+    ScenarioDocument document;
+    document.load(small::scenario());
+    document.setMap(small::room());
+    const base::StopFlagPtr first = document.mapWork();
+    first->check();
+    document.checkNow();
+    const base::Diagnostics issues = document.issues();
+    pushMap(document, {std::make_shared<sim2d::OccupancyGrid>(), {}, false, {}},
+            std::get<ScenarioSettings>(*document.entity(kSettingsId)), QStringLiteral("plane"));
+    QVERIFY_EXCEPTION_THROWN(first->check(), base::Stopped);
+    document.mapWork()->check();
+    document.undoStack().undo();  // what was worked out for the room is bound to the first flag
+    document.checkNow();
+    QCOMPARE(document.issues().size(), issues.size());
+    QVERIFY(!base::hasErrors(document.issues()));
+  }
+
   void newOnMap_brokenMap_changesNothing() {
     const QTemporaryDir folder;
     const QString map = folder.filePath(QStringLiteral("flat.yaml"));

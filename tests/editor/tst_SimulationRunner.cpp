@@ -1,3 +1,4 @@
+#include <future>
 #include <limits>
 
 #include <QSignalSpy>
@@ -49,6 +50,47 @@ class SimulationRunnerTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  /// Were it to wait, this test would not end.
+  void reset_whileTheWorldIsMade_doesNotWait() {
+    std::promise<void> gate;
+    const std::shared_future<void> opened = gate.get_future().share();
+    SimulationRunner runner;
+    runner.setRequest([opened] {
+      RunRequest result = request(5);
+      result.makeWorld = [opened] {
+        opened.wait();
+        return makeWorld();
+      };
+      return result;
+    });
+    QSignalSpy finished(&runner, &SimulationRunner::finished);
+    runner.setSpeed(std::numeric_limits<double>::infinity());
+    runner.play();
+    runner.reset();
+    QCOMPARE(runner.state(), SimulationRunner::State::Editing);
+    runner.play();
+    gate.set_value();
+    QTRY_COMPARE(finished.count(), 1);  // the second run; nobody hears of the first
+    QCOMPARE(runner.newestFrame()->step, std::int64_t{5});
+  }
+
+  void play_workOnTheMapIsStopped_endsWithoutNews() {
+    SimulationRunner runner;
+    runner.setRequest([] {
+      RunRequest result = request(5);
+      result.makeWorld = []() -> base::Result<std::unique_ptr<sim2d::World>> {
+        throw base::Stopped();
+      };
+      return result;
+    });
+    QSignalSpy refused(&runner, &SimulationRunner::notStarted);
+    runner.play();
+    QTest::qWait(100);
+    QCOMPARE(refused.count(), 0);
+    runner.reset();
+    QCOMPARE(runner.state(), SimulationRunner::State::Editing);
+  }
+
   void record_asFastAsPossible_equalsTheHeadlessRun() {
     auto world = makeWorld();
     QVERIFY(bool(world));
@@ -95,8 +137,11 @@ class SimulationRunnerTest : public QObject {
     QVERIFY(runner.isLookingBack());
     runner.setSpeed(4.0);
     std::vector<std::int64_t> seen;
-    connect(&runner, &SimulationRunner::frameShown, this,
-            [&](const FramePtr& frame) { seen.push_back(frame->step); });
+    connect(&runner, &SimulationRunner::frameShown, this, [&](const FramePtr& frame) {
+      if (frame != nullptr) {  // null: left
+        seen.push_back(frame->step);
+      }
+    });
     runner.play();
     QCOMPARE(runner.state(), SimulationRunner::State::Running);
     QTRY_COMPARE_WITH_TIMEOUT(runner.state(), SimulationRunner::State::Paused, 20000);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <random>
 #include <vector>
 
 #include "sim2d/map/PathPlanner.h"
@@ -18,14 +19,15 @@ struct Scene {
 };
 
 inline Scene sceneOf(const OccupancyGrid& grid, const std::vector<std::vector<Outline>>& parts = {},
-                     const std::vector<Vec2>& bounds = {}) {
+                     const std::vector<Vec2>& bounds = {},
+                     double mostCells = DistanceField::kMostCells) {
   Scene scene;
   scene.obstacles.add(traceOutlines(grid));
   for (const auto& part : parts) {
     scene.obstacles.add(part);
   }
   scene.obstacles.build();
-  scene.field = std::make_shared<const DistanceField>(grid, scene.obstacles, bounds);
+  scene.field = std::make_shared<const DistanceField>(grid, scene.obstacles, bounds, mostCells);
   return scene;
 }
 
@@ -58,6 +60,20 @@ class MapSketch {
   double resolution_;
   std::vector<std::int8_t> cells_;
 };
+
+/// 10 m x 10 m with walls of one or two cells and some unknown ground.
+inline OccupancyGrid randomMap(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> place(0.0, 9.0);
+  std::uniform_real_distribution<double> size(0.05, 2.5);
+  MapSketch sketch(10.0, 10.0);
+  for (int i = 0; i < 22; ++i) {
+    const Vec2 low(place(random), place(random));
+    const Vec2 extent = i % 2 == 0 ? Vec2(size(random), 0.1) : Vec2(0.05, size(random));
+    sketch.fill(low, (low + extent).cwiseMin(Vec2(10.0, 10.0)), i % 7 == 6 ? -1 : 100);
+  }
+  return sketch.grid();
+}
 
 inline double lowestClearance(const Scene& scene, const std::vector<Vec2>& path) {
   double lowest = 1e9;

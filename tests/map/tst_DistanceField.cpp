@@ -54,6 +54,7 @@ class DistanceFieldTest : public QObject {
   void openPlane_coversBounds();
   void openPlane_huge_staysBounded();
   void construct_largeMap_findsTheNearestWall();
+  void construct_wallsGiven_takesThem();
 };
 
 void DistanceFieldTest::distancesToMarked_random_agrees() {
@@ -248,6 +249,27 @@ void DistanceFieldTest::construct_largeMap_findsTheNearestWall() {
       QVERIFY2(std::fabs(found - nearest) < 0.036, QByteArray::number(found - nearest).constData());
     }
   }
+}
+
+/// Those of the same map give the same field; those of another one show that they are not worked
+/// out again.
+void DistanceFieldTest::construct_wallsGiven_takesThem() {
+  std::vector<std::int8_t> cells(100 * 100, 0);
+  std::fill(cells.begin(), cells.begin() + 100, std::int8_t{100});
+  const OccupancyGrid grid(100, 100, 0.05, {}, cells);
+  const Obstacles obstacles = obstaclesOf({circleOutline({2.5, 3.0}, 0.4)});
+  const auto stop = std::make_shared<const base::StopFlag>();
+  const auto fieldWith = [&](const OccupancyGrid& walls) {
+    return DistanceField(grid, obstacles, {}, DistanceField::kMostCells, stop,
+                         DistanceField::wallsOf(walls, false, *stop));
+  };
+  const DistanceField fresh(grid, obstacles);
+  const DistanceField same = fieldWith(grid);
+  const DistanceField other = fieldWith(emptyGrid(100, 100, 0.05));
+  for (int row = 0; row < 100; ++row) {
+    QCOMPARE(same.distanceAt(Cell{50, row}), fresh.distanceAt(Cell{50, row}));
+  }
+  QVERIFY(other.distanceAt(Cell{50, 5}) > fresh.distanceAt(Cell{50, 5}) + 1.0);
 }
 
 QTEST_APPLESS_MAIN(DistanceFieldTest)

@@ -7,23 +7,6 @@
 
 using namespace sketch;
 
-namespace {
-
-OccupancyGrid randomMap(unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> place(0.0, 9.0);
-  std::uniform_real_distribution<double> size(0.05, 2.5);
-  MapSketch sketch(10.0, 10.0);
-  for (int i = 0; i < 22; ++i) {
-    const Vec2 low(place(random), place(random));
-    const Vec2 extent = i % 2 == 0 ? Vec2(size(random), 0.1) : Vec2(0.05, size(random));
-    sketch.fill(low, (low + extent).cwiseMin(Vec2(10.0, 10.0)), i % 7 == 6 ? -1 : 100);
-  }
-  return sketch.grid();
-}
-
-}  // namespace
-
 /// What holds for ways on any map, and which places a body fits in.
 class WaysOnMapsTest : public QObject {
   Q_OBJECT

@@ -1,0 +1,55 @@
+#include "sim2d/map/Terrain.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sim2d {
+
+namespace {
+
+constexpr std::uint32_t kDiagonal = 17;  // 17 / 12 is the root of two to 0.2 %
+constexpr double kCheapest = 6.0;
+
+}  // namespace
+
+std::uint8_t priceOf(const DistanceField& field, double radius, Cell cell) {
+  const OccupancyGrid& grid = field.grid();
+  // Beside a wall a body of any size is closed out, else it could slip through where an obstacle
+  // fills less than a cell.
+  const double least = std::max(radius, 0.72 * grid.resolution()) - 1e-6;
+  const double clearance = field.distanceAt(cell);
+  if (clearance < least || grid.isWall(cell)) {
+    return 0;
+  }
+  const double lack = std::clamp(1.0 - (clearance - radius) / kWantedClearance, 0.0, 1.0);
+  return static_cast<std::uint8_t>(std::lround(kCheapest * (1.0 + lack * lack)));
+}
+
+Terrain::Terrain(const DistanceField& field, double radius)
+    : Terrain(field, radius, {0, 0}, {field.grid().width() - 1, field.grid().height() - 1}) {}
+
+Terrain::Terrain(const DistanceField& field, double radius, Cell low, Cell high)
+    : low_(low),
+      stride_(high.column - low.column + 3),
+      price_(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(high.row - low.row + 3),
+             0) {
+  const Index up = stride_;
+  neighbours_ = {{{1, kCellLength, 0, 0},
+                  {up, kCellLength, 0, 0},
+                  {-1, kCellLength, 0, 0},
+                  {-up, kCellLength, 0, 0},
+                  {up + 1, kDiagonal, 1, up},
+                  {up - 1, kDiagonal, -1, up},
+                  {-up - 1, kDiagonal, -1, -up},
+                  {1 - up, kDiagonal, 1, -up}}};
+  for (int row = low.row; row <= high.row; ++row) {
+    auto index = static_cast<std::size_t>(indexOf({low.column, row}));
+    for (int column = low.column; column <= high.column; ++column, ++index) {
+      const std::uint32_t price = priceOf(field, radius, {column, row});
+      const bool isUnknown = price != 0 && field.grid().isUnknown({column, row});
+      price_[index] = static_cast<std::uint8_t>(isUnknown ? price | kUnknown : price);
+    }
+  }
+}
+
+}  // namespace sim2d

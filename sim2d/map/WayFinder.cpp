@@ -1,0 +1,192 @@
+#include "sim2d/map/WayFinder.h"
+
+#include <algorithm>
+
+#include "sim2d/map/BlockGraph.h"
+#include "sim2d/map/GoalField.h"
+
+namespace sim2d {
+
+namespace {
+
+constexpr std::size_t kCacheBytes = std::size_t{128} << 20U;
+constexpr std::size_t kMostFields = 512;
+
+/// Searches by their goals; the least recently used one makes room.
+template <class Ground>
+class Searches {
+ public:
+  explicit Searches(const Ground& ground) : ground_(ground) {}
+
+  GoalSearch<Ground>& to(typename Ground::Index goal) {
+    const auto found = std::find_if(kept_.begin(), kept_.end(),
+                                    [&](const auto& search) { return search->goal() == goal; });
+    if (found != kept_.end()) {
+      std::rotate(kept_.begin(), found, found + 1);
+      return *kept_.front();
+    }
+    const std::size_t bytes = sizeof(std::uint32_t) * std::max<std::size_t>(ground_.size(), 1);
+    if (kept_.size() >= std::clamp<std::size_t>(kCacheBytes / bytes, 2, kMostFields)) {
+      kept_.pop_back();
+    }
+    ++made_;
+    kept_.insert(kept_.begin(), std::make_unique<GoalSearch<Ground>>(ground_, goal));
+    return *kept_.front();
+  }
+  int made() const { return made_; }
+  std::size_t bytes() const { return kept_.size() * sizeof(std::uint32_t) * ground_.size(); }
+
+ private:
+  const Ground& ground_;
+  std::vector<std::unique_ptr<GoalSearch<Ground>>> kept_;  // last used first
+  int made_ = 0;
+};
+
+/// A number of the part that each cell of a terrain is in, 0 for closed cells. Ways exist within a
+/// part and nowhere else. A diagonal step passes two open cells, so cells hang together by their
+/// sides.
+std::vector<std::int32_t> openParts(const Terrain& terrain) {
+  std::vector<std::int32_t> parts(terrain.size(), 0);
+  std::vector<Terrain::Index> waiting;
+  std::int32_t part = 0;
+  const auto enter = [&](Terrain::Index index) {
+    std::int32_t& its = parts[static_cast<std::size_t>(index)];
+    if (terrain.isOpen(index) && its == 0) {
+      its = part;
+      waiting.push_back(index);
+    }
+  };
+  for (Terrain::Index index = 0; index < static_cast<Terrain::Index>(parts.size()); ++index) {
+    ++part;
+    enter(index);
+    while (!waiting.empty()) {  // the closed cells all round a terrain keep the search inside
+      const Terrain::Index at = waiting.back();
+      waiting.pop_back();
+      for (const Terrain::Index side : {-1, 1, -terrain.stride(), terrain.stride()}) {
+        enter(at + side);
+      }
+    }
+  }
+  return parts;
+}
+
+void appendWay(const Terrain& terrain, GoalField& field, Cell from, std::vector<Cell>& way) {
+  for (Terrain::Index at = terrain.indexOf(from); at != field.goal();) {
+    at = field.next(at);
+    way.push_back(terrain.cellOf(at));
+  }
+}
+
+class CellWays : public WayFinder {
+ public:
+  explicit CellWays(const WalkSpace& space)
+      : terrain_(space.field(), space.radius()), searches_(terrain_) {}
+
+  bool isReachable(Cell from, Cell to) override {
+    if (parts_.empty()) {  // made once; answers for all pairs of places without a search
+      parts_ = openParts(terrain_);
+    }
+    return partOf(from) == partOf(to);
+  }
+
+  std::vector<Cell> way(Cell from, Cell to) override {
+    GoalField& field = searches_.to(terrain_.indexOf(to));
+    if (!field.reach(terrain_.indexOf(from))) {
+      return {};
+    }
+    std::vector<Cell> way = {from};
+    appendWay(terrain_, field, from, way);
+    return way;
+  }
+
+  int searches() const override { return searches_.made(); }
+  std::size_t bytes() const override {
+    return terrain_.size() + sizeof(std::int32_t) * parts_.size() + searches_.bytes();
+  }
+
+ private:
+  std::int32_t partOf(Cell cell) const {
+    return parts_[static_cast<std::size_t>(terrain_.indexOf(cell))];
+  }
+
+  Terrain terrain_;
+  Searches<Terrain> searches_;
+  std::vector<std::int32_t> parts_;
+};
+
+/// Which blocks to pass comes from the graph, with lengths that are rough by about a block; how to
+/// pass them from the cells, so that ways keep their clearance and exist where they do by cells.
+class BlockWays : public WayFinder {
+ public:
+  explicit BlockWays(const WalkSpace& space)
+      : space_(space), graph_(space.field(), space.radius()), searches_(graph_) {}
+
+  bool isReachable(Cell from, Cell to) override {
+    return graph_.part(graph_.nodeOf(from)) == graph_.part(graph_.nodeOf(to));
+  }
+
+  std::vector<Cell> way(Cell from, Cell to) override {
+    BlockGraph::Index node = graph_.nodeOf(from);
+    GoalSearch<BlockGraph>& search = searches_.to(graph_.nodeOf(to));
+    if (!search.reach(node)) {
+      return {};
+    }
+    std::vector<Cell> way = {from};
+    while (node != search.goal()) {
+      node = search.next(node);
+      appendLeg(node == search.goal() ? to : graph_.anchor(node), way);
+    }
+    if (way.back() != to) {  // both in one block
+      appendLeg(to, way);
+    }
+    return way;
+  }
+
+  int searches() const override { return searches_.made(); }
+  std::size_t bytes() const override { return graph_.bytes() + searches_.bytes(); }
+
+ private:
+  /// Straight where that keeps the clearance of the worse end, to one cell, else cell by cell
+  /// within the blocks of both ends, which hold a way between them.
+  void appendLeg(Cell to, std::vector<Cell>& way) const {
+    const Cell from = way.back();
+    const DistanceField& field = space_.field();
+    const double lowest = std::min({field.distanceAt(from), field.distanceAt(to),
+                                    space_.radius() + kWantedClearance}) -
+                          field.grid().resolution();
+    const bool isUnknown = field.grid().isUnknown(from) && field.grid().isUnknown(to);
+    if (space_.lineKeeps(field.grid().cellToWorld(from), field.grid().cellToWorld(to),
+                         std::max(space_.bodyRadius(), lowest), isUnknown)) {
+      way.push_back(to);
+      return;
+    }
+    const int side = graph_.blockSide();
+    const auto first = [side](int a, int b) { return std::min(a, b) / side * side; };
+    const auto last = [side](int a, int b, int size) {
+      return std::min((std::max(a, b) / side + 1) * side, size) - 1;
+    };
+    const OccupancyGrid& grid = field.grid();
+    const Terrain blocks(
+        field, space_.radius(), {first(from.column, to.column), first(from.row, to.row)},
+        {last(from.column, to.column, grid.width()), last(from.row, to.row, grid.height())});
+    GoalField search(blocks, blocks.indexOf(to));
+    if (search.reach(blocks.indexOf(from))) {
+      appendWay(blocks, search, from, way);
+    }
+  }
+
+  const WalkSpace& space_;
+  BlockGraph graph_;
+  Searches<BlockGraph> searches_;
+};
+
+}  // namespace
+
+std::unique_ptr<WayFinder> makeWayFinder(const WalkSpace& space) {
+  if (space.field().isLarge()) {
+    return std::make_unique<BlockWays>(space);
+  }
+  return std::make_unique<CellWays>(space);
+}
+
+}  // namespace sim2d
