@@ -19,6 +19,7 @@
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
 #include "app/window/MainWindow.h"
+#include "editor/canvas/RouteModel.h"
 #include "editor/look/Form.h"
 #include "editor/look/HouseStyle.h"
 #include "sim2d/base/Text.h"
@@ -208,6 +209,7 @@ base::Diagnostics takeScreenshot(MainWindow& window, const WindowOptions& option
     }
     window.docks().show(names);
   }
+  window.workspace().scene().routes().finish();  // on a busy machine they may take longer
   pass(kSettleMs);
   return save(window.grab(), options.screenshot);
 }

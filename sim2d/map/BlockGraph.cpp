@@ -11,13 +11,13 @@ namespace {
 using Index = BlockGraph::Index;
 using Pair = std::pair<Index, Index>;
 
-constexpr int kLeastSide = 12;       // [cells]
-constexpr double kMostBlocks = 6e4;  // a search over them takes about 7 ms
-constexpr Index kNone = -1;
+constexpr int kLeastSide = 12;        // [cells]
+constexpr double kMostInGraph = 6e4;  // a search over them takes about 7 ms
+constexpr Index kNoLabel = -1;
 
 int sideFor(const OccupancyGrid& grid) {
   const double cells = static_cast<double>(grid.width()) * grid.height();
-  return std::max(kLeastSide, static_cast<int>(std::ceil(std::sqrt(cells / kMostBlocks))));
+  return std::max(kLeastSide, static_cast<int>(std::ceil(std::sqrt(cells / kMostInGraph))));
 }
 
 /// Gives the cells from `first` that hang together within the rectangle the same label.
@@ -27,7 +27,7 @@ void spread(const Terrain& terrain, Terrain::Index first, Cell low, Cell high, I
   const bool isUnknown = terrain.isUnknown(first);
   const auto enter = [&](Terrain::Index index) {
     Index& its = labels[static_cast<std::size_t>(index)];
-    if (its == kNone && terrain.isOpen(index) && terrain.isUnknown(index) == isUnknown) {
+    if (its == kNoLabel && terrain.isOpen(index) && terrain.isUnknown(index) == isUnknown) {
       its = label;
       waiting.push_back(index);
     }
@@ -68,7 +68,7 @@ void forEachCell(const Terrain& terrain, Cell low, Cell high, Visit visit) {
 Index labelPieces(const Terrain& terrain, Cell low, Cell high, Index label,
                   std::vector<Index>& labels) {
   forEachCell(terrain, low, high, [&](Terrain::Index index) {
-    if (terrain.isOpen(index) && labels[static_cast<std::size_t>(index)] == kNone) {
+    if (terrain.isOpen(index) && labels[static_cast<std::size_t>(index)] == kNoLabel) {
       spread(terrain, index, low, high, label++, labels);
     }
   });
@@ -88,7 +88,7 @@ class BlockGraph::Builder {
   explicit Builder(BlockGraph& graph) : graph_(graph), grid_(graph.field_.grid()) {}
 
   void build() {
-    below_.assign(static_cast<std::size_t>(grid_.width()) + 2, kNone);
+    below_.assign(static_cast<std::size_t>(grid_.width()) + 2, kNoLabel);
     for (int row = 0; row < grid_.height(); row += graph_.side_) {
       graph_.field_.stopFlag().check();
       addRow(row);
@@ -103,7 +103,7 @@ class BlockGraph::Builder {
     const Cell low{0, row};
     const Cell high{grid_.width() - 1, std::min(row + graph_.side_, grid_.height()) - 1};
     const Terrain terrain(graph_.field_, graph_.radius_, low, high);
-    labels_.assign(terrain.size(), kNone);
+    labels_.assign(terrain.size(), kNoLabel);
     for (int column = 0; column < grid_.width(); column += graph_.side_) {
       const int last = std::min(column + graph_.side_, grid_.width()) - 1;
       addBlock(terrain, {column, row}, {last, high.row});
@@ -122,7 +122,7 @@ class BlockGraph::Builder {
     std::vector<double> nearest(at(end - first), 0.0);
     forEachCell(terrain, low, high, [&](Terrain::Index index) {
       const Index label = labels_[static_cast<std::size_t>(index)];
-      if (label == kNone) {
+      if (label == kNoLabel) {
         return;
       }
       Node& node = graph_.nodes_[at(label)];
@@ -141,7 +141,8 @@ class BlockGraph::Builder {
   void addTouching(const Terrain& terrain, Cell low, Cell high) {
     std::vector<Pair> found;
     const auto note = [&found](Index a, Index b) {
-      if (a != b && a != kNone && b != kNone && (found.empty() || found.back() != Pair(a, b))) {
+      if (a != b && a != kNoLabel && b != kNoLabel &&
+          (found.empty() || found.back() != Pair(a, b))) {
         found.emplace_back(a, b);
       }
     };
@@ -230,10 +231,10 @@ std::uint32_t BlockGraph::costBetween(const Node& a, const Node& b) const {
 }
 
 void BlockGraph::numberParts() {
-  part_.assign(size(), kNone);
+  part_.assign(size(), kNoLabel);
   std::vector<Index> waiting;
   for (Index node = 0; node < static_cast<Index>(size()); ++node) {
-    if (part_[at(node)] != kNone) {
+    if (part_[at(node)] != kNoLabel) {
       continue;
     }
     part_[at(node)] = node;
@@ -242,7 +243,7 @@ void BlockGraph::numberParts() {
       const Index from = waiting.back();
       waiting.pop_back();
       forEachStep(from, [&](Index to, std::uint32_t) {
-        if (part_[at(to)] == kNone) {
+        if (part_[at(to)] == kNoLabel) {
           part_[at(to)] = node;
           waiting.push_back(to);
         }
@@ -262,7 +263,7 @@ Index BlockGraph::nodeOf(Cell cell) const {
   const Cell high{std::min(low.column + side_, grid.width()) - 1,
                   std::min(low.row + side_, grid.height()) - 1};
   const Terrain terrain(field_, radius_, low, high);
-  std::vector<Index> labels(terrain.size(), kNone);
+  std::vector<Index> labels(terrain.size(), kNoLabel);
   labelPieces(terrain, low, high, first, labels);
   return labels[static_cast<std::size_t>(terrain.indexOf(cell))];
 }

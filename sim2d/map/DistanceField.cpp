@@ -158,10 +158,10 @@ OccupancyGrid withObstacles(const OccupancyGrid& grid, const std::vector<char>& 
                        std::move(values));
 }
 
-constexpr int kBlock = 16;  // [cells] along the side of those that unknown cells are looked up by
+constexpr int kLookup = 16;  // [cells] along the side of those that unknown cells are looked up by
 
 int blocksOf(int cells) {
-  return (cells + kBlock - 1) / kBlock;
+  return (cells + kLookup - 1) / kLookup;
 }
 
 }  // namespace
@@ -215,7 +215,7 @@ void DistanceField::measureUnknown() {
   if (std::none_of(cells.begin(), cells.end(), [](std::int8_t value) { return value < 0; })) {
     return;
   }
-  const int block = isLarge_ ? kBlock : 1;
+  const int block = isLarge_ ? kLookup : 1;
   const int width = isLarge_ ? blocksOf(grid_.width()) : grid_.width();
   const int height = isLarge_ ? blocksOf(grid_.height()) : grid_.height();
   std::vector<char> marks(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
@@ -239,8 +239,8 @@ double DistanceField::unknownDistance(Cell cell) const {
   }
   constexpr double kHalfDiagonal = 0.7072;  // [blocks]
   const int blocks = blocksOf(grid_.width());
-  const auto block = static_cast<std::size_t>(cell.row / kBlock * blocks + cell.column / kBlock);
-  const double least = kBlock * (static_cast<double>(toUnknown_[block]) - kHalfDiagonal);
+  const auto block = static_cast<std::size_t>(cell.row / kLookup * blocks + cell.column / kLookup);
+  const double least = kLookup * (static_cast<double>(toUnknown_[block]) - kHalfDiagonal);
   return grid_.isUnknown(cell) ? 0.0 : std::max(1.0, least);
 }
 

@@ -10,7 +10,7 @@ namespace sim2d {
 
 namespace {
 
-constexpr float kNone = std::numeric_limits<float>::infinity();
+constexpr float kNowhere = std::numeric_limits<float>::infinity();
 
 float stepFrom(float neighbour) {
   return neighbour == 0.0F ? 0.5F : neighbour + 1.0F;
@@ -112,7 +112,7 @@ std::vector<float> distancesToMarked(int width, int height, const std::vector<ch
   const auto columns = static_cast<std::size_t>(width);
   const auto rows = static_cast<std::size_t>(height);
   assert(marked.size() == columns * rows);
-  std::vector<float> distance = columnDistances(columns, rows, marked, kNone);
+  std::vector<float> distance = columnDistances(columns, rows, marked, kNowhere);
   RowPass pass(columns);
   for (std::size_t row = 0; row < rows; ++row) {
     stop.check();
@@ -133,7 +133,7 @@ std::vector<std::uint16_t> stepsToMarked(int width, int height, const std::vecto
     stop.check();
     std::uint16_t* const of = steps.data() + row * columns;
     std::transform(of, of + columns, cells.begin(), [](std::uint16_t value) {
-      return value == kMostSteps ? kNone : static_cast<float>(value) / kStepsPerCell;
+      return value == kMostSteps ? kNowhere : static_cast<float>(value) / kStepsPerCell;
     });
     pass.run(cells.data());
     std::transform(cells.begin(), cells.end(), of,
@@ -147,7 +147,7 @@ CellDistances::CellDistances(int width, int height, const std::vector<char>& mar
     : step_(cell / kStepsPerCell) {
   if (isSmall) {
     const bool isAny = std::find(marked.begin(), marked.end(), char{1}) != marked.end();
-    beyond_ = isAny ? static_cast<float>(kMostSteps) * step_ : kNone;
+    beyond_ = isAny ? static_cast<float>(kMostSteps) * step_ : kNowhere;
     steps_ = stepsToMarked(width, height, marked, stop);
     return;
   }
@@ -168,7 +168,7 @@ void CellDistances::set(std::size_t index, float distance) {
 void CellDistances::replaceInfinite(float distance) {
   const auto isFinite = [](float value) { return std::isfinite(value); };
   if (std::any_of(exact_.begin(), exact_.end(), isFinite)) {
-    std::replace(exact_.begin(), exact_.end(), kNone, distance);
+    std::replace(exact_.begin(), exact_.end(), kNowhere, distance);
   }
   const auto isNear = [](std::uint16_t value) { return value < kMostSteps; };
   if (std::isinf(beyond_) && std::any_of(steps_.begin(), steps_.end(), isNear)) {
