@@ -1,7 +1,7 @@
 #include <array>
 #include <cmath>
 
-#include "metrics/MetricRegistry.h"
+#include "metrics/Motion.h"
 
 namespace metrics {
 
@@ -34,6 +34,10 @@ Vec2 obstacleForce(const Body& body, const MetricParameters& parameters) {
   return sum;
 }
 
+bool lacksObstacles(const Instant& last) {
+  return !last.context.hasObstacles && !last.isOriginal();
+}
+
 // Places of the sums.
 constexpr std::size_t kOnPeople = 0;
 constexpr std::size_t kOnRobot = 1;
@@ -62,8 +66,9 @@ class RobotForces : public Accumulator {
     sums_[kWork].add(at, lengthOf(total) + obstacles + onPeople);
     sums_[kObstaclesOnRobot].add(at, obstacles);
   }
-  MetricValue value(std::size_t sum, const Instant& /*last*/) const {
-    return withTerms(sums_[sum]);
+  MetricValue value(std::size_t sum, const Instant& last) const {
+    const bool isUnknown = sum == kObstaclesOnRobot && lacksObstacles(last);
+    return isUnknown ? undefinedValue(kNoObstacles) : withTerms(sums_[sum]);
   }
 
  private:
@@ -83,6 +88,9 @@ class PeopleObstacles : public Accumulator {
     empty_ = empty_ || people.empty();
   }
   MetricValue value(const Instant& last) const {
+    if (lacksObstacles(last)) {
+      return undefinedValue(kNoObstacles);
+    }
     return last.isOriginal() && empty_
                ? undefinedValue("ZeroDivisionError: a sample without people")
                : withTerms(sum_);

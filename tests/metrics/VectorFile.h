@@ -78,6 +78,7 @@ inline metrics::Sample sampleOf(const Json& step) {
 inline metrics::SampledRun sampledRunOf(const Json& file) {
   metrics::SampledRun recording;
   recording.hasRobot = true;
+  recording.hasObstacles = true;  // every sample brings the points near it
   recording.map = mapOf(file["map"]);
   for (const Json& step : file["steps"]) {
     recording.samples.push_back(sampleOf(step));

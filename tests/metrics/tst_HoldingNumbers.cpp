@@ -196,7 +196,8 @@ class HoldingNumbersTest : public QObject {
 
   void obstacles_withoutAny_areUndefined() {
     SampledRun run = parkedRun(5);
-    for (const char* key : {"obstacle_collisions", "obstacle_safety", "clearing_distance_min"}) {
+    for (const char* key : {"obstacle_collisions", "obstacle_safety", "obstacle_force_on_robot",
+                            "obstacle_force_on_agents", "clearing_distance_min"}) {
       QVERIFY2(std::isnan(valueOf(run, key)), key);
     }
     run.hasObstacles = true;
