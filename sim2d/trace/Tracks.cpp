@@ -7,122 +7,16 @@
 #include <map>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/trace/TrackStay.h"
 
 namespace sim2d {
 namespace {
-
-constexpr double kWalkingSpeed = 0.05;  // [m/s] slower tells no direction
-
-Vec2 estimatedVelocity(const TrackPoint* begin, const TrackPoint* end, const TrackPoint* point) {
-  if (end - begin < 2) {
-    return Vec2::Zero();
-  }
-  const TrackPoint* before = point == begin ? point : point - 1;
-  const TrackPoint* after = point + 1 == end ? point : point + 1;
-  return (after->position - before->position) / (after->time - before->time);
-}
-
-/// A body at one instant, every quantity filled in.
-struct TrackState {
-  Vec2 position = Vec2::Zero();
-  Vec2 velocity = Vec2::Zero();
-  double heading = 0.0, omega = 0.0;
-};
-
-/// A part of a track without absence, at least one observation; estimates what is not told.
-class TrackStay {
- public:
-  TrackStay(const TrackPoint* begin, const TrackPoint* end) {
-    for (const TrackPoint* point = begin; point != end; ++point) {
-      times_.push_back(point->time);
-      TrackState state;
-      state.position = point->position;
-      state.velocity = point->velocity ? *point->velocity : estimatedVelocity(begin, end, point);
-      states_.push_back(state);
-    }
-    fillHeadings(begin);
-    fillTurning(begin);
-  }
-  double begin() const { return times_.front(); }
-  double end() const { return times_.back(); }
-  /// Within `slack` of an observation: that one, unchanged. Outside: the nearest.
-  TrackState at(double time, double slack) const {
-    const auto next = static_cast<std::size_t>(
-        std::upper_bound(times_.begin(), times_.end(), time + slack) - times_.begin());
-    if (next == 0) {
-      return states_.front();
-    }
-    if (next == states_.size() || time - times_[next - 1] <= slack) {
-      return states_[next - 1];
-    }
-    const TrackState& a = states_[next - 1];
-    const TrackState& b = states_[next];
-    const double share = (time - times_[next - 1]) / (times_[next] - times_[next - 1]);
-    TrackState state;
-    state.position = a.position + share * (b.position - a.position);
-    state.velocity = a.velocity + share * (b.velocity - a.velocity);
-    state.heading = base::wrapToPi(a.heading + share * base::angleDiff(b.heading, a.heading));
-    state.omega = a.omega + share * (b.omega - a.omega);
-    return state;
-  }
-
- private:
-  /// Told headings, else the direction of walking; who stands keeps the last, or takes the next.
-  void fillHeadings(const TrackPoint* points) {
-    std::vector<std::optional<double>> headings;
-    for (std::size_t k = 0; k < states_.size(); ++k) {
-      const Vec2& velocity = states_[k].velocity;
-      headings.push_back(points[k].heading);
-      if (!headings.back() && velocity.norm() > kWalkingSpeed) {
-        headings.back() = base::headingOf(velocity);
-      } else if (!headings.back() && k > 0) {
-        headings.back() = headings[k - 1];
-      }
-    }
-    const auto known = std::find_if(headings.begin(), headings.end(),
-                                    [](const std::optional<double>& h) { return h.has_value(); });
-    const double first = known == headings.end() ? 0.0 : **known;
-    for (std::size_t k = 0; k < states_.size(); ++k) {
-      states_[k].heading = base::wrapToPi(headings[k].value_or(first));
-    }
-  }
-
-  void fillTurning(const TrackPoint* points) {
-    for (std::size_t k = 0; k < states_.size(); ++k) {
-      const std::size_t before = k == 0 ? 0 : k - 1;
-      const std::size_t after = std::min(k + 1, states_.size() - 1);
-      if (points[k].angularSpeed) {
-        states_[k].omega = *points[k].angularSpeed;
-      } else if (after > before) {
-        const double turn = base::angleDiff(states_[k].heading, states_[before].heading) +
-                            base::angleDiff(states_[after].heading, states_[k].heading);
-        states_[k].omega = turn / (times_[after] - times_[before]);
-      }
-    }
-  }
-
-  std::vector<double> times_;
-  std::vector<TrackState> states_;
-};
 
 constexpr double kAwaySteps = 5.5;  // longer without observation: not there
 constexpr double kOtherRate = 1.5;  // times as often observed as another
 constexpr double kOnGrid = 1e-6;    // of a step
 constexpr double kMostInstants = 2e6;
 constexpr char kMapName[] = "map";
-
-std::vector<TrackStay> staysOf(const Track& track, double longest) {
-  std::vector<TrackStay> stays;
-  const TrackPoint* begin = track.points.data();
-  const TrackPoint* const end = begin + track.points.size();
-  for (const TrackPoint* point = begin; point != end; ++point) {
-    if (point + 1 == end || (point + 1)->time - point->time > longest) {
-      stays.emplace_back(begin, point + 1);
-      begin = point + 1;
-    }
-  }
-  return stays;
-}
 
 void appendState(BodyColumns& columns, int id, const TrackState& state) {
   columns.add(id, {state.position, state.heading}, state.velocity, state.omega, kNoGoal);
