@@ -60,14 +60,62 @@ bool isSubTreeTag(const std::string& tag) {
   return tag == "SubTree" || tag == "SubTreePlus";
 }
 
+/// A piece of a file, read.
+struct ReadPiece {
+  XmlPiece source;
+  tinyxml2::XMLDocument document;
+  std::vector<const XMLElement*> elements;
+  const ReadPiece* next = nullptr;
+};
+
+const ReadPiece& pieceOf(const tinyxml2::XMLNode& node) {
+  return *static_cast<const ReadPiece*>(node.GetDocument()->GetUserData());
+}
+
+int lineOf(const tinyxml2::XMLNode& node) {
+  return pieceOf(node).source.lineInFile(node.GetLineNum());
+}
+
+/// What was taken out where an element stands for it.
+const XMLElement& placed(const XMLElement& element) {
+  const ReadPiece* const next = pieceOf(element).next;
+  if (next == nullptr || std::string(element.Name()) != kPieceTag) {
+    return element;
+  }
+  const std::size_t number = element.UnsignedAttribute("n");
+  return number < next->elements.size() ? *next->elements[number] : element;
+}
+
+/// Returns what is wrong.
+std::optional<base::Diagnostic> readPieces(std::string_view text, const std::string& fileName,
+                                           std::deque<ReadPiece>& pieces) {
+  for (XmlPiece& source : shallowPieces(text)) {
+    ReadPiece& piece = pieces.emplace_back();
+    piece.source = std::move(source);
+    tinyxml2::XMLDocument& document = piece.document;
+    document.SetUserData(&piece);
+    const std::string& its = piece.source.text;
+    if (document.Parse(its.data(), its.size()) != tinyxml2::XML_SUCCESS) {
+      return base::error("tree.not-xml", {messageOfXmlError(document.ErrorID())}, fileName,
+                         piece.source.lineInFile(document.ErrorLineNum()));
+    }
+    if (!document.RootElement()) {
+      return base::error("tree.no-element", {}, fileName, 1);
+    }
+    for (const XMLElement* e = document.RootElement(); e; e = e->NextSiblingElement()) {
+      piece.elements.push_back(e);
+    }
+    if (pieces.size() > 1) {
+      pieces[pieces.size() - 2].next = &piece;
+    }
+  }
+  return std::nullopt;
+}
+
 /// Turns the elements of one document into a TreeFile and gathers every problem on the way.
 class TreeReader {
  public:
-  /// `pieces`: of the document, the first holds the others.
-  TreeReader(const std::string& fileName, const std::deque<tinyxml2::XMLDocument>& pieces)
-      : pieces_(pieces) {
-    file_.path = fileName;
-  }
+  explicit TreeReader(const std::string& fileName) { file_.path = fileName; }
 
   void readRoot(const XMLElement& root);
   TreeFile takeFile() { return std::move(file_); }
@@ -87,26 +135,16 @@ class TreeReader {
   void checkName(const XMLElement& element, const std::string& name, const char* what);
   void lookForTemplate(const XMLElement& element);
 
-  const XMLElement& placed(const XMLElement& element) const;
-
-  const std::deque<tinyxml2::XMLDocument>& pieces_;
   TreeFile file_;
   base::Diagnostics problems_;
 };
 
-/// The element that stands for a piece is its root.
-const XMLElement& TreeReader::placed(const XMLElement& element) const {
-  const bool isPiece = pieces_.size() > 1 && std::string(element.Name()) == kPieceTag;
-  const auto piece = isPiece ? static_cast<std::size_t>(element.UnsignedAttribute("n")) : 0;
-  return piece > 0 && piece < pieces_.size() ? *pieces_[piece].RootElement() : element;
-}
-
 void TreeReader::error(const XMLElement& at, std::string_view code, base::ProblemValues values) {
-  problems_.push_back(base::error(code, std::move(values), file_.path, at.GetLineNum()));
+  problems_.push_back(base::error(code, std::move(values), file_.path, lineOf(at)));
 }
 
 void TreeReader::warn(const XMLElement& at, std::string_view code, base::ProblemValues values) {
-  problems_.push_back(base::warning(code, std::move(values), file_.path, at.GetLineNum()));
+  problems_.push_back(base::warning(code, std::move(values), file_.path, lineOf(at)));
 }
 
 void TreeReader::readRoot(const XMLElement& root) {
@@ -167,7 +205,7 @@ void TreeReader::readPart(const XMLElement& element, bool needsId) {
 void TreeReader::readInclude(const XMLElement& element) {
   checkAttributes(element);
   Include include;
-  include.line = element.GetLineNum();
+  include.line = lineOf(element);
   if (const char* const path = element.Attribute("path")) {
     include.path = path;
   }
@@ -183,7 +221,7 @@ void TreeReader::readInclude(const XMLElement& element) {
 void TreeReader::readTree(const XMLElement& element, bool needsId) {
   checkAttributes(element);
   TreeSpec tree;
-  tree.line = element.GetLineNum();
+  tree.line = lineOf(element);
   tree.others = attributesOf(element);
   if (const std::string* const id = findText(tree.others, "ID")) {
     tree.id = *id;
@@ -215,14 +253,14 @@ void TreeReader::lookForTemplate(const XMLElement& element) {
     const tinyxml2::XMLText* const text = n->ToText();
     if (text && file_.templateLine == 0 &&
         std::string(text->Value()).find(kTemplateText) != std::string::npos) {
-      file_.templateLine = text->GetLineNum();
+      file_.templateLine = lineOf(*text);
     }
   }
 }
 
 NodeSpec TreeReader::readNode(const XMLElement& element, int depth) {
   NodeSpec node;
-  node.line = element.GetLineNum();
+  node.line = lineOf(element);
   if (depth > kMaxNesting) {
     error(element, "tree.too-nested", {kMaxNesting});
     return node;
@@ -311,26 +349,19 @@ base::Result<TreeFile> readTreeText(std::string_view xml, const std::string& fil
   }
   int bareAmpersand = 0;
   const std::string text = withEscapedAmpersands(xml, bareAmpersand);
-  std::deque<tinyxml2::XMLDocument> pieces;  // stay where they are
-  for (const std::string& piece : shallowPieces(text)) {
-    tinyxml2::XMLDocument& document = pieces.emplace_back();
-    if (document.Parse(piece.data(), piece.size()) != tinyxml2::XML_SUCCESS) {
-      return base::error("tree.not-xml", {messageOfXmlError(document.ErrorID())}, fileName,
-                         document.ErrorLineNum());
-    }
-    if (!document.RootElement()) {
-      return base::error("tree.no-element", {}, fileName, 1);
-    }
+  std::deque<ReadPiece> pieces;  // stay where they are
+  if (const std::optional<base::Diagnostic> bad = readPieces(text, fileName, pieces)) {
+    return *bad;
   }
-  const XMLElement* const root = pieces.front().RootElement();
-  TreeReader reader(fileName, pieces);
+  const XMLElement* const root = pieces.front().document.RootElement();
+  TreeReader reader(fileName);
   if (bareAmpersand > 0) {
     reader.problems().push_back(base::warning("tree.bare-ampersand", {}, fileName, bareAmpersand));
   }
   reader.readRoot(*root);
   if (const XMLElement* const second = root->NextSiblingElement()) {
     reader.problems().push_back(
-        base::error("tree.second-root", {second->Name()}, fileName, second->GetLineNum()));
+        base::error("tree.second-root", {second->Name()}, fileName, lineOf(*second)));
   }
   if (base::hasErrors(reader.problems())) {
     return reader.problems();

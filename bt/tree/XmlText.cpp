@@ -94,61 +94,73 @@ std::size_t tagLength(std::string_view text) {
 class Pieces {
  public:
   void open(std::string_view tag) {
-    if (places_.back().depth == kMostDeep) {
-      add("<" + std::string(kPieceTag) + " n=\"" + std::to_string(pieces_.size()) + "\"/>");
-      places_.push_back({pieces_.size(), 0});
-      pieces_.emplace_back();
+    if (depths_.back() == kMostDeep) {
+      if (depths_.size() == writers_.size()) {
+        writers_.emplace_back();
+      }
+      const std::size_t number = writers_[depths_.size()].elements++;
+      add("<" + std::string(kPieceTag) + " n=\"" + std::to_string(number) + "\"/>");
+      depths_.push_back(0);
     }
     add(tag);
-    places_.back().depth += tag.substr(tag.size() - std::min<std::size_t>(2, tag.size())) != "/>";
+    depths_.back() += tag.substr(tag.size() - std::min<std::size_t>(2, tag.size())) != "/>";
     leave();
   }
   void close(std::string_view tag) {
     add(tag);
-    --places_.back().depth;
+    --depths_.back();
     leave();
   }
-  /// Empty lines before it make up for what went into other pieces.
+  /// Begins a line of its own where something went into another piece.
   void add(std::string_view text) {
-    Piece& piece = pieces_[places_.back().piece];
-    piece.text.append(line_ - piece.line, '\n');
-    piece.text += text;
-    line_ += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-    piece.line = line_;
-  }
-  std::vector<std::string> take() {
-    std::vector<std::string> texts;
-    texts.reserve(pieces_.size());
-    for (Piece& piece : pieces_) {
-      texts.push_back(std::move(piece.text));
+    Writer& to = writers_[depths_.size() - 1];
+    if (to.source != line_) {
+      to.piece.text += '\n';
+      to.piece.places.emplace_back(++to.line, line_);
     }
-    return texts;
+    to.piece.text += text;
+    const auto lines = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+    line_ += lines;
+    to.line += lines;
+    to.source = line_;
+  }
+  std::vector<XmlPiece> take() {
+    std::vector<XmlPiece> pieces;
+    pieces.reserve(writers_.size());
+    for (Writer& writer : writers_) {
+      pieces.push_back(std::move(writer.piece));
+    }
+    return pieces;
   }
 
  private:
   static constexpr int kMostDeep = 80;
-  struct Piece {
-    std::string text;
-    std::size_t line = 0;  // that were written
-  };
-  struct Place {
-    std::size_t piece = 0;
-    int depth = 0;  // within the piece
+  struct Writer {
+    XmlPiece piece;
+    std::size_t elements = 0;  // that lie side by side in it
+    int line = 1;              // that is written
+    int source = 0;            // the same in the file; 0 = nothing yet
   };
   void leave() {
-    if (places_.size() > 1 && places_.back().depth <= 0) {
-      places_.pop_back();
+    if (depths_.size() > 1 && depths_.back() <= 0) {
+      depths_.pop_back();
     }
   }
 
-  std::vector<Piece> pieces_ = std::vector<Piece>(1);
-  std::vector<Place> places_ = std::vector<Place>(1);  // from the first piece to the present one
-  std::size_t line_ = 0;
+  std::vector<Writer> writers_ = std::vector<Writer>(1);
+  std::vector<int> depths_ = std::vector<int>(1);  // within each piece down to the present one
+  int line_ = 1;
 };
 
 }  // namespace
 
-std::vector<std::string> shallowPieces(std::string_view text) {
+int XmlPiece::lineInFile(int line) const {
+  const auto next = std::upper_bound(places.begin(), places.end(), line,
+                                     [](int a, const auto& place) { return a < place.first; });
+  return next == places.begin() ? line : line - (next - 1)->first + (next - 1)->second;
+}
+
+std::vector<XmlPiece> shallowPieces(std::string_view text) {
   Pieces pieces;
   while (!text.empty()) {
     const bool isMarkup = text[0] == '<';

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bt/tree/TreeSpec.h"
@@ -21,10 +22,17 @@ std::optional<base::Diagnostic> problemOfText(std::string_view text, const std::
 /// in a text of its own, but garbles it behind a reference.
 std::string withEscapedAmpersands(std::string_view text, int& firstLine);
 
+struct XmlPiece {
+  std::string text;
+  std::vector<std::pair<int, int>> places;  // lines of it that begin elsewhere in the file: there
+
+  int lineInFile(int line) const;
+};
+
 /// tinyxml2 reads elements within each other to a depth of 100. The text in pieces that are less
-/// deep: an element that stands deeper is taken out with all within it, and
-/// <piece-of-this-file n="its number"/> stands in its place. Elements keep their lines.
-std::vector<std::string> shallowPieces(std::string_view text);
+/// deep: elements that stand deeper are taken out with all within them and lie side by side in the
+/// next piece; <piece-of-this-file n="its number there"/> stands in the place of each.
+std::vector<XmlPiece> shallowPieces(std::string_view text);
 constexpr const char* kPieceTag = "piece-of-this-file";
 
 /// An error number of tinyxml2 in words.

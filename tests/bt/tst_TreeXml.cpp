@@ -29,6 +29,7 @@ class TreeXmlTest : public QObject {
   void read_entityBomb_isNotExpanded();
   void read_deepNesting_isRead();
   void read_deepNesting_isRefusedSoon();
+  void read_manyDeepSiblings_takeLittle();
   void read_hundredThousandNodes_isRead();
   void include_ownDefinition_wins();
   void include_laterFile_winsOverEarlier();
@@ -280,6 +281,33 @@ void TreeXmlTest::read_deepNesting_isRead() {
       bt::readTreeText((text + QStringLiteral("<x a=/>") + end).toStdString(), "t.xml");
   QVERIFY(!broken);
   QCOMPARE(broken.diagnostics().front().line, 4 + 2 * kDeep);
+}
+
+/// 100 000 siblings, each on a line of its own, at a depth where the file is cut.
+void TreeXmlTest::read_manyDeepSiblings_takeLittle() {
+  constexpr int kDeep = 78;  // below root and BehaviorTree
+  constexpr int kMany = 100000;
+  std::string text = "<root BTCPP_format='4'>\n<BehaviorTree ID='T'>\n";
+  for (int i = 0; i < kDeep; ++i) {
+    text += i + 1 < kDeep ? "<Inverter>\n" : "<Sequence>\n";
+  }
+  for (int i = 0; i < kMany; ++i) {
+    text += "<AlwaysSuccess/>\n";
+  }
+  text += "</Sequence>\n";
+  for (int i = 1; i < kDeep; ++i) {
+    text += "</Inverter>\n";
+  }
+  const base::Result<bt::TreeFile> file =
+      bt::readTreeText(text + "</BehaviorTree>\n</root>", "t.xml");
+  QVERIFY2(file, textOf(file.diagnostics()).c_str());
+  const bt::NodeSpec* node = &file->trees[0].root;
+  while (node->children.size() == 1) {
+    node = &node->children[0];
+  }
+  QCOMPARE(node->children.size(), std::size_t{kMany});
+  QCOMPARE(node->children.front().line, 3 + kDeep);
+  QCOMPARE(node->children.back().line, 2 + kDeep + kMany);
 }
 
 void TreeXmlTest::read_deepNesting_isRefusedSoon() {
