@@ -60,7 +60,8 @@ std::string scenarioFile(const std::string& fileOrName) {
 std::optional<base::Diagnostic> unknownScenario(const std::string& word,
                                                 const std::vector<std::string>& others) {
   std::error_code ignored;
-  if (word.empty() || word.find('/') != std::string::npos || fs::exists(word, ignored)) {
+  if (word.empty() || word == "-" || word.find('/') != std::string::npos ||
+      fs::exists(word, ignored)) {
     return std::nullopt;
   }
   std::vector<std::string> names = others;

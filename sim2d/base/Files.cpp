@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <set>
 #include <sys/stat.h>
@@ -184,7 +185,21 @@ void GrowingFile::removeRest() {
   }
 }
 
+namespace {
+
+/// Read once: the files of a run are looked at more than once.
+const std::string& standardInput() {
+  static const std::string kText{std::istreambuf_iterator<char>(std::cin),
+                                 std::istreambuf_iterator<char>()};
+  return kText;
+}
+
+}  // namespace
+
 Result<std::string> readTextFile(const std::string& path) {
+  if (path == "-") {
+    return standardInput();
+  }
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   std::error_code why = errorUnless(stream.is_open());

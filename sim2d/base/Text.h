@@ -28,8 +28,8 @@ std::string pointText(const Vec2& point);  // "(1.5, -2)", to the millimetre
 std::optional<std::string> nearestName(std::string_view word,
                                        const std::vector<std::string>& candidates);
 
-Result<std::string> readTextFile(
-    const std::string& path);  // a directory or missing file is an error
+/// "-" is the standard input, read once. A directory or missing file is an error.
+Result<std::string> readTextFile(const std::string& path);
 /// Writes beside the file, then renames, so a reader sees the old or the new content, never half.
 /// Folders are made, the permissions of a replaced file and symbolic links stay. Empty = written.
 Diagnostics writeFileAtomically(const std::string& path, std::string_view content);
