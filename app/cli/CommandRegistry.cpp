@@ -2,6 +2,7 @@
 
 #include <clocale>
 #include <cstdio>
+#include <exception>
 
 #include <CLI/CLI.hpp>
 
@@ -162,6 +163,9 @@ int doneBy(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
     return tellExtras(commands, argv[1]);
   } catch (const CLI::ParseError& problem) {
     return root.exit(problem) == 0 ? ExitFine : ExitWrongCommandLine;
+  } catch (const std::exception& problem) {  // no memory, a file that nobody foresaw
+    printError(std::string("error: ") + problem.what());
+    return ExitBadInput;
   }
 }
 

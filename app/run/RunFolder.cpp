@@ -199,9 +199,9 @@ std::optional<std::string> strangerIn(const std::string& runFolder) {
   if (!fs::is_directory(status)) {
     return runFolder;
   }
-  for (const fs::directory_entry& entry : fs::directory_iterator(runFolder, error)) {
-    if (!isOfRun(entry)) {
-      return entry.path().string();
+  for (fs::directory_iterator at(runFolder, error), end; !error && at != end; at.increment(error)) {
+    if (!isOfRun(*at)) {
+      return at->path().string();
     }
   }
   return std::nullopt;
@@ -212,9 +212,10 @@ void removeRun(const std::string& runFolder) {
   if (!fs::is_directory(fs::symlink_status(runFolder, ignored))) {
     return;
   }
-  for (const fs::directory_entry& entry : fs::directory_iterator(runFolder, ignored)) {
-    if (isOfRun(entry)) {
-      fs::remove(entry.path(), ignored);
+  std::error_code error;
+  for (fs::directory_iterator at(runFolder, error), end; !error && at != end; at.increment(error)) {
+    if (isOfRun(*at)) {
+      fs::remove(at->path(), ignored);
     }
   }
   fs::remove(runFolder, ignored);  // when it is empty

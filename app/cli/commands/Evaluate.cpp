@@ -58,17 +58,16 @@ base::Diagnostics foreignWords(const EvaluateOptions& options) {
   return wrong;
 }
 
-/// Who is the robot in a file of another program; nothing: the file tells.
-std::optional<int> idOfRobot(const EvaluateOptions& options, base::Diagnostics& wrong) {
-  if (options.robot.empty() || isRunFolder(options.source)) {
-    return std::nullopt;
+/// Who is the robot in a file of another program: a word of it, or an id.
+void readRobot(const EvaluateOptions& options, sim2d::TrackOptions& tracks) {
+  if (isRunFolder(options.source)) {
+    return;
   }
+  tracks.robotName = options.robot;
   const std::optional<long long> id = base::parseInt(options.robot);
-  if (!id || *id != static_cast<int>(*id)) {
-    wrong.push_back(base::error("option.evaluate-robot", {options.robot}));
-    return std::nullopt;
+  if (id && *id == static_cast<int>(*id)) {
+    tracks.robotId = static_cast<int>(*id);
   }
-  return static_cast<int>(*id);
 }
 
 /// How a file of another program is read, and made to a run. Returns what is wrong with the words.
@@ -103,7 +102,7 @@ base::Diagnostics readForeignWords(const EvaluateOptions& options, sim2d::Foreig
     reading.lengthUnit = positive(metres.value_or(0.0), "--unit");
   }
   tracks.step = positive(options.step, "--dt");
-  tracks.robotId = idOfRobot(options, wrong);
+  readRobot(options, tracks);
   if (options.robotGoal) {
     const std::optional<std::vector<double>> goal = parseNumbers(*options.robotGoal, 2);
     if (goal) {
@@ -219,13 +218,18 @@ base::Diagnostics writeResults(const EvaluateOptions& options, const sim2d::Trac
   return problems;
 }
 
-/// Files that are read and would be replaced by results of the same name.
+/// Files that are read and would be replaced by results of the same name; the run of a folder.
 base::Diagnostics lostInputs(const EvaluateOptions& options) {
   std::vector<const char*> written = {"metrics.json", "metrics.csv", "steps.csv", "metrics.yaml"};
   if (!isRunFolder(options.source)) {
     written.insert(written.end(), {"trajectory.csv", "events.csv", "trace.json"});
   }
   base::Diagnostics problems;
+  std::error_code none;  // what is not there is not lost
+  const fs::path run = fs::path(options.output) / "manifest.json";
+  if (fs::exists(run, none) && !fs::equivalent(options.source, options.output, none)) {
+    problems.push_back(base::error("file.other-run", {}, options.output));
+  }
   for (const std::string& read :
        {options.source, options.reference, options.map, options.metrics.metrics}) {
     for (const char* name : written) {
@@ -292,8 +296,8 @@ void addForeignOptions(CLI::App& command, EvaluateOptions& options) {
   command.add_option("--radius", options.radius, "Of everybody in it [m]");
   command.add_option("--dt", options.step, "Step of the samples made of it [s]");
   command.add_option("--robot", options.robot,
-                     "Of a run: name or number of the robot to measure; else the id of the person "
-                     "who is the robot");
+                     "Of a run: name or number of the robot to measure; else the id or word of the "
+                     "person who is the robot");
   command.add_option("--robot-goal", options.robotGoal, "\"X Y\" (m)");
 }
 
@@ -302,7 +306,10 @@ void addForeignOptions(CLI::App& command, EvaluateOptions& options) {
 void addEvaluate(CommandRegistry& commands) {
   const auto [command, options] =
       commands.add("evaluate", "Metrics of a recorded run or of a file", evaluateCommand);
-  command.add_option("source", options.source, "Folder of a run, or a trajectory file")->required();
+  command
+      .add_option("source", options.source,
+                  "Folder of a run, or a trajectory file (-: standard input)")
+      ->required();
   addOutputFolder(command, options.output, "Folder for the results").required();
   command.add_option("--map", options.map, "Map instead of the recorded; none = open plane");
   addMetricsOptions(command, options.metrics);
