@@ -228,6 +228,7 @@ constexpr ProblemText kTexts[] = {
     {"file.cannot-remove", "cannot remove the file: {reason}"},
     {"file.no-permission", "cannot write into the folder (no permission)"},
     {"file.is-read", "this file is read: results would take its place, write elsewhere"},
+    {"file.other-run", "holds a run or a batch: results would take the place of its files"},
     {"file.not-there", "there is no such file"},
     {"file.unknown-scenario",
      "there is no such file, and no command or shipped scenario of this name{nearest? (did you "
@@ -303,6 +304,7 @@ constexpr ProblemText kTexts[] = {
 
     // Recordings of others.
     {"tracks.backwards", "time does not advance for id {id}"},
+    {"tracks.same-id", "somebody else has the id {id} too"},
     {"tracks.empty", "holds no positions"},
     {"tracks.second-robot", "a second robot (choose one by its id)"},
     {"tracks.nobody", "nobody has the id {id} of the robot"},
@@ -342,9 +344,18 @@ constexpr ProblemText kTexts[] = {
      "half of the steps are faster than {speed} m/s: another unit (--unit, --time-unit)?"},
     {"tracks.rates-differ-by-body",
      "observed every {least} s to {most} s: all are brought to steps of {step} s"},
+    {"tracks.off-grid",
+     "{count} observations lie between the steps of {step} s: straight lines to them (--dt)"},
+    {"tracks.robot-gap",
+     "the robot was not seen for {seconds} s from here on: a straight line stands for its way"},
+    {"tracks.time-unit-of-frames",
+     "its times are frames: --fps says how many per second, not --time-unit"},
+    {"tracks.around-robot",
+     "places are seen from the robot: when it moves, its own motion is in all speeds"},
     {"tracks.not-people", "{count} other things were left out ({names})"},
     {"tracks.no-table", "no line of columns ({columns})"},
     {"tracks.ids-numbered", "ids are words, these numbers stand for them: {names}"},
+    {"tracks.needs-file", "HDF5 is not read from the standard input: name the file"},
     {"tracks.no-dataset", "no table 'trajectory' with id, frame, x and y in it"},
     {"tracks.bad-json", "no frames of people: {reason}"},
 
@@ -464,7 +475,6 @@ constexpr ProblemText kTexts[] = {
     {"option.picture-format", "cannot draw '{found}' files (use a name that ends in .png)"},
     {"option.only-foreign", "{option} is for files of other programs, not for the folder of a run"},
     {"option.not-positive", "{option} takes a number above 0"},
-    {"option.evaluate-robot", "--robot takes the id of somebody in the file, not '{found}'"},
     {"option.evaluate-goal", "--robot-goal takes two numbers: \"X Y\" (m), not \"{found}\""},
     {"option.reference-people", "a reference has a robot or one body, not several people"},
     {"option.reference-empty", "there is no robot in the reference"},

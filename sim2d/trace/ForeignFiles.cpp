@@ -202,8 +202,9 @@ void warnOfSpeeds(const TrackFile& file, base::Diagnostics& problems) {
   for (const Track& track : file.tracks) {
     for (std::size_t k = 1; k < track.points.size(); ++k) {
       const double time = track.points[k].time - track.points[k - 1].time;
-      if (time > 0.0) {
-        speeds.push_back((track.points[k].position - track.points[k - 1].position).norm() / time);
+      const double way = (track.points[k].position - track.points[k - 1].position).norm();
+      if (time > 0.0 && way > 0.0) {  // who stands does so in every unit
+        speeds.push_back(way / time);
       }
     }
   }
@@ -242,6 +243,9 @@ base::Result<TrackFile> readForeign(const std::string& path, const ForeignOption
       problems.push_back(base::error("tracks.other-format", {looks->name}, path));
     }
     return problems;
+  }
+  if (options.timeUnit > 0.0 && file.isByFrames) {
+    return base::error("tracks.time-unit-of-frames", {}, path);
   }
   applyUnits(options, file);
   warnOfSpeeds(file, problems);
@@ -291,6 +295,7 @@ TrackFile FrameTracks::finish(const std::string& path, double framesPerSecond) {
 void framesToSeconds(TrackFile& file, double framesPerSecond) {
   const double median = medianInterval(file.tracks);
   const double step = median > 0.0 ? median : 1.0;
+  file.isByFrames = true;
   file.step = framesPerSecond > 0.0 ? step / framesPerSecond : kAnnotationStep;
   for (Track& track : file.tracks) {
     for (TrackPoint& point : track.points) {

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/trace/TrackCheck.h"
 #include "sim2d/trace/TrackStay.h"
 
 namespace sim2d {
@@ -15,11 +16,31 @@ namespace {
 constexpr double kAwaySteps = 5.5;  // longer without observation: not there
 constexpr double kOtherRate = 1.5;  // times as often observed as another
 constexpr double kOnGrid = 1e-6;    // of a step
+constexpr double kOffGrid = 0.01;   // of a step: worth telling
 constexpr double kMostInstants = 2e6;
+constexpr double kMostSteps = 1e15;  // of the times told: whole numbers beyond are not exact
 constexpr char kMapName[] = "map";
 
 void appendState(BodyColumns& columns, int id, const TrackState& state) {
   columns.add(id, {state.position, state.heading}, state.velocity, state.omega, kNoGoal);
+}
+
+void appendIntervals(const Track& track, std::vector<double>& intervals) {
+  for (std::size_t k = 1; k < track.points.size(); ++k) {
+    intervals.push_back(track.points[k].time - track.points[k - 1].time);
+  }
+}
+
+/// 0 when there are none.
+double medianOf(std::vector<double> intervals) {
+  if (intervals.empty()) {
+    return 0.0;
+  }
+  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
+  std::nth_element(intervals.begin(), middle, intervals.end());
+  constexpr double kDigits = 1e9;  // differences of decimal times end in noise
+  const double rounded = std::round(*middle * kDigits) / kDigits;
+  return rounded > 0.0 && std::isfinite(rounded) ? rounded : *middle;
 }
 
 class TraceMaker {
@@ -27,12 +48,11 @@ class TraceMaker {
   TraceMaker(const TrackFile& file, const TrackOptions& options) : file_(file), options_(options) {}
 
   base::Result<Trace> make() {
-    checkTimes();
-    chooseRobot();
+    robot_ = checkTracks(file_, options_, problems_);
     if (base::hasErrors(problems_) || !makeGrid()) {
       return problems_;
     }
-    tellOfRates();
+    tellOfGrid();
     trace_.header.scenario = std::filesystem::path(file_.file).filename().string();
     trace_.header.dt = step_;
     std::vector<const Track*> tracks;
@@ -53,40 +73,10 @@ class TraceMaker {
   }
 
  private:
-  void error(const TrackPoint& point, std::string_view code, base::ProblemValues values = {}) {
-    problems_.push_back(base::error(code, std::move(values), file_.file, point.line, point.column));
-  }
-
-  void checkTimes() {
-    bool isEmpty = true;
-    for (const Track& track : file_.tracks) {
-      isEmpty = isEmpty && track.points.empty();
-      for (std::size_t k = 1; k < track.points.size(); ++k) {
-        if (track.points[k].time <= track.points[k - 1].time) {
-          error(track.points[k], "tracks.backwards", {track.id});
-        }
-      }
-    }
-    if (isEmpty) {
-      problems_.push_back(base::error("tracks.empty", {}, file_.file));
-    }
-  }
-
-  void chooseRobot() {
-    for (const Track& track : file_.tracks) {
-      const bool chosen = options_.robotId ? track.id == *options_.robotId : track.isRobot;
-      if (chosen && robot_ == nullptr && !track.points.empty()) {
-        robot_ = &track;
-      } else if (chosen && robot_ != nullptr) {
-        error(track.points.front(), "tracks.second-robot");
-      }
-    }
-    if (options_.robotId && robot_ == nullptr) {
-      problems_.push_back(base::error("tracks.nobody", {*options_.robotId}, file_.file));
-    }
-    if (options_.robotGoal && robot_ == nullptr && !options_.robotId) {
-      problems_.push_back(base::error("tracks.goal-without-robot", {}, file_.file));
-    }
+  bool refuseLength() {
+    problems_.push_back(
+        base::error("tracks.too-long", {static_cast<int>(kMostInstants)}, file_.file));
+    return false;
   }
 
   /// Step, start and number of instants.
@@ -102,6 +92,9 @@ class TraceMaker {
     const double told = options_.step > 0.0 ? options_.step : file_.step;
     const double median = told > 0.0 ? told : medianInterval(file_.tracks);
     step_ = median > 0.0 ? median : 1.0;  // single positions: the step says nothing
+    if (!((end - begin) / step_ <= kMostSteps)) {
+      return refuseLength();
+    }
     start_ = begin + commonPhase(begin);
     first_ = 0;
     double last = std::floor((end - begin) / step_ + kOnGrid);
@@ -111,9 +104,7 @@ class TraceMaker {
       last = std::max(last, static_cast<double>(first_));  // seen between two instants only
     }
     if (!(last <= kMostInstants)) {
-      problems_.push_back(
-          base::error("tracks.too-long", {static_cast<int>(kMostInstants)}, file_.file));
-      return false;
+      return refuseLength();
     }
     const auto count = static_cast<std::size_t>(last) - first_ + 1;
     trace_.frames.resize(count);
@@ -165,7 +156,8 @@ class TraceMaker {
       takeAt(from, stay, take);
       return;
     }
-    for (std::size_t k = from; timeOf(k) <= stay.end() + slack; ++k) {
+    const std::size_t past = first_ + trace_.frames.size();
+    for (std::size_t k = std::max(from, first_); k < past && timeOf(k) <= stay.end() + slack; ++k) {
       takeAt(k, stay, take);
     }
   }
@@ -179,25 +171,42 @@ class TraceMaker {
   /// Some are observed more seldom than others.
   double longestGap(const Track& track) const {
     return file_.isSparse ? std::numeric_limits<double>::infinity()
-                          : kAwaySteps * std::max(step_, medianInterval({track}));
+                          : kAwaySteps * std::max(step_, medianInterval(track));
   }
 
   /// All are brought onto one grid.
-  void tellOfRates() {
+  void tellOfGrid() {
     double least = std::numeric_limits<double>::infinity();
     double most = 0.0;
     for (const Track& track : file_.tracks) {
-      if (const double interval = medianInterval({track}); interval > 0.0) {
+      if (const double interval = medianInterval(track); interval > 0.0) {
         least = std::min(least, interval);
         most = std::max(most, interval);
       }
     }
-    if (!file_.isSparse && most > kOtherRate * least) {
-      problems_.push_back(base::warning(
-          "tracks.rates-differ-by-body",
-          {base::formatDouble(least), base::formatDouble(most), base::formatDouble(step_)},
-          file_.file));
+    if (file_.isSparse) {
+      return;
     }
+    const std::string step = base::formatDouble(step_);
+    if (most > kOtherRate * least) {
+      problems_.push_back(base::warning("tracks.rates-differ-by-body",
+                                        {base::formatDouble(least), base::formatDouble(most), step},
+                                        file_.file));
+    } else if (const std::size_t count = countOffGrid(); count > 0 && !(options_.step > 0.0)) {
+      problems_.push_back(base::warning("tracks.off-grid", {count, step}, file_.file));
+    }
+  }
+
+  /// Observations between two instants of the record.
+  std::size_t countOffGrid() const {
+    std::size_t count = 0;
+    for (const Track& track : file_.tracks) {
+      for (const TrackPoint& point : track.points) {
+        const double steps = (point.time - start_) / step_;
+        count += std::fabs(steps - std::round(steps)) > kOffGrid ? 1U : 0U;
+      }
+    }
+    return count;
   }
 
   void addPerson(const Track& track) {
@@ -226,7 +235,25 @@ class TraceMaker {
     }
   }
 
+  /// A record has its robot all the time: what was not seen of its way is a straight line.
+  void tellOfGap() {
+    const std::vector<TrackPoint>& points = robot_->points;
+    const TrackPoint* before = nullptr;
+    double longest = longestGap(*robot_);
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      if (const double gap = points[k].time - points[k - 1].time; gap > longest) {
+        longest = gap;
+        before = &points[k - 1];
+      }
+    }
+    if (before != nullptr) {
+      problems_.push_back(base::warning("tracks.robot-gap", {base::formatDouble(longest)},
+                                        file_.file, before->line, before->column));
+    }
+  }
+
   void addRobot() {
+    tellOfGap();
     const TrackStay stay(robot_->points.data(), robot_->points.data() + robot_->points.size());
     double fastest = 0.0;
     for (std::size_t k = 0; k < trace_.frames.size(); ++k) {
@@ -281,18 +308,15 @@ class TraceMaker {
 double medianInterval(const std::vector<Track>& tracks) {
   std::vector<double> intervals;
   for (const Track& track : tracks) {
-    for (std::size_t k = 1; k < track.points.size(); ++k) {
-      intervals.push_back(track.points[k].time - track.points[k - 1].time);
-    }
+    appendIntervals(track, intervals);
   }
-  if (intervals.empty()) {
-    return 0.0;
-  }
-  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-  std::nth_element(intervals.begin(), middle, intervals.end());
-  constexpr double kDigits = 1e9;  // differences of decimal times end in noise
-  const double rounded = std::round(*middle * kDigits) / kDigits;
-  return rounded > 0.0 ? rounded : *middle;
+  return medianOf(std::move(intervals));
+}
+
+double medianInterval(const Track& track) {
+  std::vector<double> intervals;
+  appendIntervals(track, intervals);
+  return medianOf(std::move(intervals));
 }
 
 base::Result<Trace> traceOfTracks(const TrackFile& file, const TrackOptions& options) {

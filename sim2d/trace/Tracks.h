@@ -21,6 +21,7 @@ struct TrackPoint {
 /// The way of one body, in time order.
 struct Track {
   int id = 0;
+  std::string name;  // the word that the source has for an id, if it is none
   bool isRobot = false;
   double radius = 0.35;  // [m]
   int group = -1;
@@ -33,17 +34,20 @@ struct TrackFile {
   std::vector<Track> tracks;
   double step = 0.0;  // [s] of the time grid; 0 = the median time between two observations
   double lengthUnit = 1.0, timeUnit = 1.0;  // of the source [m], [s]; the points are in m and s
+  bool isByFrames = false;                  // the source counts frames: no unit of time
   bool isSparse = false;  // points are corners of ways: a long time between two is no absence
 };
 
 struct TrackOptions {
   std::optional<int> robotId;  // this person becomes the robot
+  std::string robotName;       // the same by its Track::name; robotId counts where nobody has it
   std::optional<Vec2> robotGoal;
   double step = 0.0;  // [s], 0 = the file's
 };
 
 /// Median time between two observations of a body; 0 when there are no two.
 double medianInterval(const std::vector<Track>& tracks);
+double medianInterval(const Track& track);
 
 /// A record on an even time grid from 0, which begins at most a step before the first observation
 /// and so that it meets the most of them (with a robot: of the robot's). Between two
@@ -53,7 +57,8 @@ double medianInterval(const std::vector<Track>& tracks);
 /// central differences of the observations; headings: the direction of walking, kept while
 /// standing; turning speeds: central differences of the headings. With a robot the record spans its
 /// presence. Problems: no observation, time that does not advance, a step that makes too many
-/// instants, an unknown robot.
+/// instants, an unknown robot, two people of one id; told are observations between the instants and
+/// gaps in the robot's way, which are straight lines too.
 base::Result<Trace> traceOfTracks(const TrackFile& file, const TrackOptions& options);
 
 /// Replaces the map of a record: cells and outlines.

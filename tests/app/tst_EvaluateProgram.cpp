@@ -193,6 +193,79 @@ class EvaluateProgramTest : public QObject {
     QCOMPARE(valueOf(metricsOf(path("chosen")), text("path_length")), 3.0);
   }
 
+  /// A way of 2000 mm in 2000 ms, towards 90 degrees, by somebody of 0.2 m.
+  void evaluate_units_count() {
+    outside::writeText(path("units.csv"),
+                       "time,id,x,y,heading\n0,anna,0,0,90\n1000,anna,1000,0,90\n"
+                       "2000,anna,2000,0,90\n0,ben,0,5000,90\n1000,ben,0,5000,90\n"
+                       "2000,ben,0,5000,90\n");
+    const Finished finished =
+        runProgram({text("evaluate"), path("units.csv"), text("-o"), path("units"), text("--unit"),
+                    text("mm"), text("--time-unit"), text("ms"), text("--degrees"),
+                    text("--radius"), text("0.2"), text("--robot"), text("anna")});
+    QVERIFY2(finished.exitCode == 0, qPrintable(finished.err));
+    QCOMPARE(valueOf(metricsOf(path("units")), text("path_length")), 2.0);
+    const auto rows = outside::readCsv(path("units/trajectory.csv"));
+    QCOMPARE(rows.back().at(text("time")).toDouble(), 2.0);
+    QVERIFY(std::fabs(rows.back().at(text("heading")).toDouble() - 1.5707963267948966) < 1e-12);
+    QVERIFY(bytesOf(path("units/trace.json")).contains("0.2"));
+  }
+
+  /// The folder of a run stays one run.
+  void evaluate_intoAnotherRun_isRefused() {
+    outside::writeText(path("w.csv"), "time,id,x,y\n0,1,0,0\n1,1,1,0\n");
+    outside::writeText(path("other/manifest.json"), "{}");
+    outside::writeText(path("other/trajectory.csv"), "mine");
+    const Finished finished =
+        runProgram({text("evaluate"), path("w.csv"), text("-o"), path("other")});
+    QCOMPARE(finished.exitCode, 2);
+    QVERIFY2(finished.err.contains(text("holds a run")), qPrintable(finished.err));
+    QCOMPARE(bytesOf(path("other/trajectory.csv")), QByteArray("mine"));
+  }
+
+  void evaluate_resultOverItsInput_isRefused() {
+    outside::writeText(path("same/steps.csv"), "time,id,x,y\n0,1,0,0\n1,1,1,0\n");
+    const Finished finished =
+        runProgram({text("evaluate"), path("same/steps.csv"), text("-o"), path("same")});
+    QCOMPARE(finished.exitCode, 2);
+    QVERIFY2(finished.err.contains(text("this file is read")), qPrintable(finished.err));
+    QVERIFY(bytesOf(path("same/steps.csv")).startsWith("time,id,x,y"));
+  }
+
+  void standardInput_isRead() {
+    const auto through = [](const QByteArray& input, const QStringList& words) {
+      QProcess process;
+      process.start(text(HUNAVSIM_PROGRAM), words);
+      process.write(input);
+      process.closeWriteChannel();
+      const bool isDone = process.waitForFinished(55000);
+      return Finished{isDone ? process.exitCode() : -1,
+                      QString::fromUtf8(process.readAllStandardOutput()),
+                      QString::fromUtf8(process.readAllStandardError())};
+    };
+    const Finished way =
+        through("time,id,x,y\n0,1,0,0\n1,1,3,4\n",
+                {text("evaluate"), text("-"), text("-o"), path("in"), text("--robot"), text("1")});
+    QVERIFY2(way.exitCode == 0, qPrintable(way.err));
+    QCOMPARE(valueOf(metricsOf(path("in")), text("path_length")), 5.0);
+    const Finished table =
+        through("\x89HDF\r\n", {text("evaluate"), text("-"), text("-o"), path("h5")});
+    QCOMPARE(table.exitCode, 2);
+    QVERIFY2(table.err.contains(text("HDF5 is not read")), qPrintable(table.err));
+    const QByteArray scenario =
+        "hunav_loader:\n  ros__parameters:\n    agents: []\n"
+        "hunavsim_desktop:\n  ros__parameters:\n    format: 1\n    map_file: none\n"
+        "    robots: [near]\n"
+        "    near: {start: {x: 0.0, y: 0.0, h: 0.0}, goal: {x: 2.0, y: 0.0}}\n";
+    const Finished checked = through(scenario, {text("check"), text("-")});
+    QVERIFY2(checked.exitCode == 0, qPrintable(checked.err));
+    const Finished run = through(scenario, {text("run"), text("-"), text("--duration"), text("1")});
+    QVERIFY2(run.exitCode == 0, qPrintable(run.err));
+    const Finished converted = through(scenario, {text("convert"), text("-"), text("-o"),
+                                                  path("conv"), text("--target"), text("native")});
+    QVERIFY2(converted.exitCode == 0, qPrintable(converted.err));
+  }
+
   void evaluate_reference_isTheRecordedWay() {
     outside::writeText(path("two.csv"), "time,id,x,y\n0,1,0,0\n1,1,1,0.5\n2,1,2,0\n");
     outside::writeText(path("way.csv"), "time,id,x,y\n5,7,0,0\n6,7,1,0\n7,7,2,0\n");
@@ -268,7 +341,7 @@ class EvaluateProgramTest : public QObject {
     row("format", "good.csv", {text("--format"), text("xls")}, 64, "--format");
     row("key", "good.csv", {text("--metrics"), text("path_lenght")}, 64, "path_length");
     row("foreign words", "empty", {text("--fps"), text("1")}, 64, "--fps");
-    row("no id", "good.csv", {text("--robot"), text("anna")}, 64, "--robot");
+    row("no id", "good.csv", {text("--robot"), text("anna")}, 2, "nobody has the id anna");
     row("one sample", "good.csv", {text("--robot"), text("1"), text("--dt"), text("5")}, 0, "");
   }
   void evaluate_badInput_isTold() {

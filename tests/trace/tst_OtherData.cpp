@@ -118,6 +118,102 @@ class OtherDataTest : public QObject {
     QVERIFY(tells(
         read(files_.add("bad.json", R"({"labels": {"0.pcd": [{"label_id": 1}]}})")).diagnostics(),
         "tracks.bad-json"));
+    QVERIFY(tells(file.diagnostics(), "tracks.not-people"));  // the car
+    QVERIFY(tells(file.diagnostics(), "tracks.around-robot"));
+  }
+
+  void jrdb_frames_goByNumber() {
+    const auto trace = traceOf(files_.add(
+        "order.json",
+        R"({"labels": {"10.pcd": [{"label_id": "pedestrian:1", "box": {"cx": 2, "cy": 0}}],
+        "9.pcd": [{"label_id": "pedestrian:1", "box": {"cx": 1, "cy": 0}}]}})"));
+    QVERIFY2(trace, trace ? "" : trace.diagnostics().front().text().c_str());
+    QCOMPARE(trace->frames[0].humans.x[0], 1.0);
+    QCOMPARE(trace->frames[1].humans.x[0], 2.0);
+  }
+
+  void thor_objects_areLeftOut() {
+    const base::Result<TrackFile> file =
+        read(files_.add("things.csv",
+                        "Frame,Time,Helmet_2 Centroid_X,Helmet_2 Centroid_Y,LO_2 Centroid_X,"
+                        "LO_2 Centroid_Y\n1,0.00,1000,2000,0,0\n\n"));
+    QVERIFY(file && tells(file.diagnostics(), "tracks.not-people"));
+    QCOMPARE(file->tracks.size(), std::size_t{1});
+  }
+
+  void sdd_badRows_haveTheirPlace() {
+    ForeignOptions scaled;
+    scaled.lengthUnit = 0.05;
+    const base::Diagnostics told =
+        read(files_.add("rows.txt",
+                        "4 0 0 9 9 0 0 0 0 \"Biker\"\n4 b 0 9 9 1 0 0 0 \"Biker\"\n4 0 0\n"),
+             scaled)
+            .diagnostics();
+    QCOMPARE(told.size(), std::size_t{2});
+    QVERIFY(told[0].line == 2 && told[0].column == 3);
+    QVERIFY(told[1].line == 3 && told[1].column == 5);
+  }
+
+  void unitOfTime_ofFrames_isRefused() {
+    ForeignOptions options;
+    options.timeUnit = 1e-3;
+    QVERIFY(tells(read(files_.add("u.txt", "0 1 0 0\n10 1 1 0\n"), options).diagnostics(),
+                  "tracks.time-unit-of-frames"));
+    QVERIFY(tells(
+        read(files_.add("u.traj", "timeStep pedestrianId x y\n1 7 1 2\n"), options).diagnostics(),
+        "tracks.time-unit-of-frames"));
+  }
+
+  /// Two of three people stand: the third one is too fast all the same.
+  void speeds_ofWhoMoves_areLookedAt() {
+    QVERIFY(tells(read(files_.add("stand.csv",
+                                  "time,id,x,y\n0,1,0,0\n1,1,0,0\n0,2,5,0\n1,2,5,0\n0,3,0,0\n"
+                                  "1,3,900,0\n"))
+                      .diagnostics(),
+                  "tracks.too-fast"));
+  }
+
+  void numbersOfIds_countByValue() {
+    const base::Result<TrackFile> file =
+        read(files_.add("value.csv", "time,id,x,y\n0,1,0,0\n1,1.0,1,0\n2,1e0,2,0\n"));
+    QVERIFY(file);
+    QCOMPARE(file->tracks.size(), std::size_t{1});
+    QCOMPARE(file->tracks[0].points.size(), std::size_t{3});
+  }
+
+  void robot_ofAWord_isFound() {
+    const std::string path =
+        files_.add("names.csv", "time,id,x,y\n0,2,0,0\n0,anna,5,0\n1,2,1,0\n1,anna,5,3\n");
+    TrackOptions options;
+    options.robotName = "anna";
+    const base::Result<Trace> anna = traceOf(path, {}, options);
+    QVERIFY(anna);
+    QCOMPARE(anna->frames[1].robots.y[0], 3.0);
+    options.robotName = "2";  // the word of the file, not the number that stands for anna
+    options.robotId = 2;
+    QCOMPARE(traceOf(path, {}, options)->frames[1].robots.x[0], 1.0);
+    options.robotName = "ben";
+    options.robotId.reset();
+    QVERIFY(tells(traceOf(path, {}, options).diagnostics(), "tracks.nobody"));
+  }
+
+  void robot_longUnseen_isTold() {
+    const std::string walk = "time,id,kind,x,y\n0,1,robot,0,0\n1,1,robot,1,0\n2,1,robot,2,0\n";
+    const auto gap = traceOf(files_.add("gap9.csv", walk + "11,1,robot,3,0\n12,1,robot,4,0\n"));
+    QVERIFY(gap && tells(gap.diagnostics(), "tracks.robot-gap"));
+    QCOMPARE(gap.diagnostics().front().line, 4);
+    QVERIFY(gap.diagnostics().front().message.find("9 s") != std::string::npos);
+    const auto none = traceOf(files_.add("gap5.csv", walk + "7,1,robot,3,0\n8,1,robot,4,0\n"));
+    QVERIFY(none && none.diagnostics().empty());
+  }
+
+  void observations_offTheGrid_areTold() {
+    const auto off = traceOf(files_.add(
+        "off.csv", "time,id,x,y\n0,1,0,0\n1,1,1,0\n2.2,1,2,0\n3,1,3,0\n4,1,4,0\n5,1,5,0\n"));
+    QVERIFY(off && tells(off.diagnostics(), "tracks.off-grid"));
+    QVERIFY(off.diagnostics().front().message.find("1 observations") == 0);
+    const auto on = traceOf(files_.add("on.csv", "time,id,x,y\n0,1,0,0\n1,1,1,0\n2.005,1,2,0\n"));
+    QVERIFY(on && on.diagnostics().empty());
   }
 
   void hdf5_table_isRead() {
@@ -130,6 +226,31 @@ class OtherDataTest : public QObject {
     QVERIFY(isNear(file->tracks[1].points[0].position.y(), 4.0));
     writeTable(path, 0.0);
     QVERIFY(tells(read(path).diagnostics(), "tracks.no-rate"));
+    writeTable(path, 10.0, 3);  // several rates are none
+    QVERIFY(tells(read(path).diagnostics(), "tracks.no-rate"));
+    writeTable(path, 10.0, 1, 1LL << 32U);
+    QVERIFY(tells(read(path).diagnostics(), "tracks.out-of-range"));
+  }
+
+  /// Rows that the file claims without having them.
+  void hdf5_hugeTable_isRefused() {
+    const std::string path = files_.add("huge.h5", "");
+    const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t type = rowType();
+    const hsize_t count = hsize_t{1} << 50U;
+    const hsize_t chunk = 1024;
+    const hid_t space = H5Screate_simple(1, &count, nullptr);
+    const hid_t chunked = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_chunk(chunked, 1, &chunk);
+    const hid_t table =
+        H5Dcreate2(file, "trajectory", type, space, H5P_DEFAULT, chunked, H5P_DEFAULT);
+    QVERIFY(table >= 0);
+    H5Dclose(table);
+    H5Pclose(chunked);
+    H5Sclose(space);
+    H5Tclose(type);
+    H5Fclose(file);
+    QVERIFY(tells(read(path).diagnostics(), "tracks.no-dataset"));
   }
 
   void units_thatAreSaid_count() {
@@ -186,14 +307,16 @@ class OtherDataTest : public QObject {
     std::string text = "time,id,x,y,kind\n";
     for (int k = 0; k <= 100; ++k) {
       text += std::to_string(0.02 * k) + ",1," + std::to_string(0.02 * k) + ",0,robot\n";
-      if (k % 5 == 0) {
-        text += std::to_string(0.02 * k) + ",7,3,1,human\n";
+      if (k % 5 == 0) {  // walks at 1 m/s
+        text += std::to_string(0.02 * k) + ",7," + std::to_string(3.0 + 0.02 * k) + ",1,human\n";
       }
     }
     const base::Result<Trace> trace = traceOf(files_.add("rates.csv", text));
     QVERIFY(trace && tells(trace.diagnostics(), "tracks.rates-differ-by-body"));
     for (const sim2d::Frame& frame : trace->frames) {
       QCOMPARE(frame.humans.size(), std::size_t{1});
+      QVERIFY(std::fabs(frame.humans.x[0] - 3.0 - frame.time) < 1e-5);
+      QVERIFY(std::fabs(frame.humans.vx[0] - 1.0) < 1e-5);
     }
   }
 
@@ -227,29 +350,37 @@ class OtherDataTest : public QObject {
 
  private:
   struct Row {
-    int id, frame;
+    long long id;
+    int frame;
     float x, y, z;
   };
 
-  static void writeTable(const std::string& path, double rate) {
-    const Row rows[] = {{1, 0, 1.F, 2.F, 0.F}, {1, 1, 1.1F, 2.F, 0.F}, {2, 0, 3.F, 4.F, 0.F}};
-    const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  static hid_t rowType() {
     const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(Row));
-    H5Tinsert(type, "id", HOFFSET(Row, id), H5T_NATIVE_INT);
+    H5Tinsert(type, "id", HOFFSET(Row, id), H5T_NATIVE_LLONG);
     H5Tinsert(type, "frame", HOFFSET(Row, frame), H5T_NATIVE_INT);
     H5Tinsert(type, "x", HOFFSET(Row, x), H5T_NATIVE_FLOAT);
     H5Tinsert(type, "y", HOFFSET(Row, y), H5T_NATIVE_FLOAT);
     H5Tinsert(type, "z", HOFFSET(Row, z), H5T_NATIVE_FLOAT);
+    return type;
+  }
+
+  static void writeTable(const std::string& path, double rate, hsize_t rates = 1,
+                         long long firstId = 1) {
+    const Row rows[] = {{firstId, 0, 1.F, 2.F, 0.F}, {1, 1, 1.1F, 2.F, 0.F}, {2, 0, 3.F, 4.F, 0.F}};
+    const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t type = rowType();
     const hsize_t count = 3;
     const hid_t space = H5Screate_simple(1, &count, nullptr);
     const hid_t table =
         H5Dcreate2(file, "trajectory", type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     H5Dwrite(table, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, rows);
     if (rate > 0.0) {
-      const hid_t one = H5Screate(H5S_SCALAR);
+      const std::vector<double> values(rates, rate);
+      const hid_t one = rates == 1 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &rates, nullptr);
       const hid_t attribute =
           H5Acreate2(file, "fps", H5T_NATIVE_DOUBLE, one, H5P_DEFAULT, H5P_DEFAULT);
-      H5Awrite(attribute, H5T_NATIVE_DOUBLE, &rate);
+      H5Awrite(attribute, H5T_NATIVE_DOUBLE, values.data());
       H5Aclose(attribute);
       H5Sclose(one);
     }

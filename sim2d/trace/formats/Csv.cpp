@@ -140,7 +140,9 @@ class CsvTracks {
       return;
     }
     const std::string name(wordOf(id_).text);
-    const auto [place, isNew] = numbers_.try_emplace({body.isRobot, name}, tracks_.size());
+    const std::optional<double> number = base::parseDouble(name);
+    const std::string id = number ? base::formatDouble(*number) : name;  // "1.0" is 1
+    const auto [place, isNew] = numbers_.try_emplace({body.isRobot, id}, tracks_.size());
     if (isNew) {
       tracks_.push_back({name, {}});
     }
@@ -221,6 +223,7 @@ class CsvTracks {
     for (auto& [name, track] : tracks_) {
       if (hasWords_) {
         track.id = static_cast<int>(file.tracks.size()) + 1;
+        track.name = name;
         told.push_back(name + " = " + std::to_string(track.id));
       }
       file.tracks.push_back(std::move(track));

@@ -1,4 +1,5 @@
 #include <hdf5.h>
+#include <limits>
 
 #include "sim2d/trace/ForeignReaders.h"
 
@@ -33,10 +34,22 @@ struct Row {
   double x = 0.0, y = 0.0;
 };
 
+constexpr hsize_t kMostRows = 50000000;
+
+/// One column of rows, not more than there is memory for, whatever the file claims.
+std::optional<std::size_t> countRows(hid_t table) {
+  const Handle space(H5Dget_space(table), H5Sclose);
+  hsize_t count = 0;
+  const bool isColumn = space.isGood() && H5Sget_simple_extent_ndims(space) == 1 &&
+                        H5Sget_simple_extent_dims(space, &count, nullptr) == 1;
+  return isColumn && count <= kMostRows ? std::optional<std::size_t>(count) : std::nullopt;
+}
+
 /// The library finds the members by name and converts their numbers.
 bool readRows(hid_t file, std::vector<Row>& rows) {
   const Handle table(H5Dopen2(file, "trajectory", H5P_DEFAULT), H5Dclose);
-  if (!table.isGood()) {
+  const std::optional<std::size_t> count = table.isGood() ? countRows(table) : std::nullopt;
+  if (!count) {
     return false;
   }
   const Handle type(H5Dget_type(table), H5Tclose);
@@ -50,9 +63,7 @@ bool readRows(hid_t file, std::vector<Row>& rows) {
   H5Tinsert(row, "frame", HOFFSET(Row, frame), H5T_NATIVE_LLONG);
   H5Tinsert(row, "x", HOFFSET(Row, x), H5T_NATIVE_DOUBLE);
   H5Tinsert(row, "y", HOFFSET(Row, y), H5T_NATIVE_DOUBLE);
-  const Handle space(H5Dget_space(table), H5Sclose);
-  const hssize_t count = H5Sget_simple_extent_npoints(space);
-  rows.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+  rows.resize(*count);
   return H5Dread(table, row, H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()) >= 0;
 }
 
@@ -61,11 +72,17 @@ double toldRate(hid_t file) {
   const Handle attribute(H5Aexists(file, "fps") > 0 ? H5Aopen(file, "fps", H5P_DEFAULT) : -1,
                          H5Aclose);
   double rate = 0.0;
-  const bool isRead = attribute.isGood() && H5Aread(attribute, H5T_NATIVE_DOUBLE, &rate) >= 0;
+  const Handle space(attribute.isGood() ? H5Aget_space(attribute) : -1, H5Sclose);
+  const bool isOne = space.isGood() && H5Sget_simple_extent_npoints(space) == 1;
+  const bool isRead = isOne && H5Aread(attribute, H5T_NATIVE_DOUBLE, &rate) >= 0;
   return isRead ? rate : 0.0;
 }
 
 TrackFile readHdf5(const ForeignInput& input) {
+  if (input.path == "-") {
+    input.problems.push_back(base::error("tracks.needs-file", {}, input.path));
+    return {};
+  }
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // what fails is told here
   const Handle file(H5Fopen(input.path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   std::vector<Row> rows;
@@ -82,7 +99,7 @@ TrackFile readHdf5(const ForeignInput& input) {
   FrameTracks tracks;
   for (const Row& row : rows) {
     const Vec2 place(row.x, row.y);
-    if (!place.allFinite() || row.id < 0) {
+    if (!place.allFinite() || row.id < 0 || row.id > std::numeric_limits<int>::max()) {
       input.problems.push_back(base::error("tracks.out-of-range", {}, input.path));
       return {};
     }

@@ -1,3 +1,6 @@
+#include <limits>
+#include <set>
+
 #include <nlohmann/json.hpp>
 
 #include "sim2d/base/Text.h"
@@ -30,27 +33,52 @@ class JrdbReader {
   TrackFile read() {
     try {
       const Json root = Json::parse(input_.text);
+      std::multimap<long long, const Json*> frames;  // "10" comes after "9"
       for (const auto& [name, boxes] : root.at("labels").items()) {
-        const std::optional<long long> frame = numberIn(name);
-        for (const Json& box : boxes) {
-          if (frame) {
-            addBox(*frame, box);
-          }
+        if (const std::optional<long long> frame = numberIn(name)) {
+          frames.emplace(*frame, &boxes);
+        } else {
+          wrong("no number in the frame '" + name + "'");
+        }
+      }
+      for (const auto& [frame, boxes] : frames) {
+        for (const Json& box : *boxes) {
+          addBox(frame, box);
         }
       }
     } catch (const Json::exception& problem) {
       input_.problems.push_back(base::error("tracks.bad-json", {problem.what()}, input_.path));
       return {};
     }
+    tell();
     const double given = input_.options.framesPerSecond;
     return tracks_.finish(input_.path, given > 0.0 ? given : kRate);
   }
 
  private:
+  void wrong(const std::string& reason) {
+    input_.problems.push_back(base::error("tracks.bad-json", {reason}, input_.path));
+  }
+
+  void tell() {
+    if (!left_.empty()) {
+      const std::vector<std::string> names(others_.begin(), others_.end());
+      input_.problems.push_back(
+          base::warning("tracks.not-people", {left_.size(), base::join(names, ", ")}, input_.path));
+    }
+    input_.problems.push_back(base::warning("tracks.around-robot", {}, input_.path));
+  }
+
   void addBox(long long frame, const Json& label) {
     const std::string name = label.at("label_id").get<std::string>();
+    if (name.rfind("pedestrian", 0) != 0) {
+      left_.insert(name);
+      others_.insert(name.substr(0, name.find(':')));
+      return;
+    }
     const std::optional<long long> id = numberIn(name);
-    if (name.rfind("pedestrian", 0) != 0 || !id) {
+    if (!id || *id > std::numeric_limits<int>::max()) {
+      wrong("no number that fits in '" + name + "'");
       return;
     }
     const Json& box = label.at("box");
@@ -63,6 +91,7 @@ class JrdbReader {
 
   const ForeignInput& input_;
   FrameTracks tracks_;
+  std::set<std::string> left_, others_;  // who is no person, and what they are
 };
 
 Claim claim(const FirstLook& look) {

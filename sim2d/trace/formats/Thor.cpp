@@ -6,12 +6,14 @@
 #include "sim2d/trace/ForeignReaders.h"
 
 /// Recordings of THÖR-MAGNI: lines about the recording, then a table with the columns Frame, Time
-/// and, per body, "Helmet_1 Centroid_X" … in millimetres; empty where a body is not seen.
+/// and, per body, "Helmet_1 Centroid_X" … in millimetres; empty where a body is not seen. People
+/// wear the helmets; of the other bodies robots are taken.
 namespace sim2d {
 
 namespace {
 
 constexpr double kMillimetre = 1e-3;  // [m]
+constexpr long long kLargestId = 2000000000;
 constexpr std::string_view kEnd = " Centroid_X";
 
 struct BodyPlace {
@@ -24,7 +26,8 @@ std::optional<int> numberOf(const std::string& name) {
   const std::size_t line = name.rfind('_');
   const std::optional<long long> number =
       line == std::string::npos ? std::nullopt : base::parseInt(name.substr(line + 1));
-  return number && *number >= 0 ? std::optional(static_cast<int>(*number)) : std::nullopt;
+  return number && *number >= 0 && *number <= kLargestId ? std::optional(static_cast<int>(*number))
+                                                         : std::nullopt;
 }
 
 bool isRobotName(const std::string& name) {
@@ -43,9 +46,16 @@ class ThorReader {
       return {};
     }
     while (rows_.next(row_)) {
-      if (row_.size() == width_) {
+      const bool isEmpty = row_.size() == 1 && base::trimmed(row_.front().text).empty();
+      if (!isEmpty && row_.size() != width_) {
+        words_.error(wordOf(row_.size() - 1), "trace.field-count", {row_.size(), width_});
+      } else if (!isEmpty) {
         readRow();
       }
+    }
+    if (!others_.empty()) {
+      input_.problems.push_back(base::warning(
+          "tracks.not-people", {others_.size(), base::join(others_, ", ")}, input_.path));
     }
     TrackFile file;
     file.lengthUnit = kMillimetre;
@@ -73,7 +83,7 @@ class ThorReader {
       for (std::size_t k = 0; k < names.size(); ++k) {
         addBody(names, k);
       }
-      return !bodies_.empty();
+      return !bodies_.empty() || !others_.empty();
     }
     return false;
   }
@@ -87,6 +97,10 @@ class ThorReader {
     const std::string body = name.substr(0, name.size() - kEnd.size());
     const auto y = std::find(names.begin(), names.end(), body + " Centroid_Y");
     if (y == names.end()) {
+      return;
+    }
+    if (body.rfind("Helmet_", 0) != 0 && !isRobotName(body)) {
+      others_.push_back(body);
       return;
     }
     bodies_.push_back({body, x, static_cast<std::size_t>(y - names.begin())});
@@ -126,7 +140,8 @@ class ThorReader {
   CsvRow row_;
   std::size_t time_ = 0, width_ = 0;
   std::vector<BodyPlace> bodies_;
-  std::vector<Track> tracks_;  // beside bodies_
+  std::vector<Track> tracks_;        // beside bodies_
+  std::vector<std::string> others_;  // bodies that are no people
 };
 
 Claim claim(const FirstLook& look) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "sim2d/trace/ForeignReaders.h"
 
@@ -9,6 +10,7 @@ namespace sim2d {
 namespace {
 
 constexpr double kUsualStep = 0.4;  // [s] of a time step of Vadere
+constexpr double kSameTime = 1e-6;  // [s] a footstep begins when the one before ends
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 class VadereReader {
@@ -77,8 +79,10 @@ class VadereReader {
       point.position = Vec2(values[k + 1], values[k + 2]);
       point.line = row.front().line;
       point.column = row.front().column;
-      if (track.points.empty() || point.time > track.points.back().time) {
-        track.points.push_back(point);  // a step ends where the next begins
+      const bool isSame = !isStepwise && !track.points.empty() &&
+                          std::fabs(point.time - track.points.back().time) < kSameTime;
+      if (!isSame) {
+        track.points.push_back(point);
       }
     }
   }
@@ -91,6 +95,7 @@ class VadereReader {
   TrackFile finish(bool isStepwise) {
     TrackFile file;
     file.step = isStepwise ? step() : kUsualStep;
+    file.isByFrames = isStepwise;
     file.isSparse = !isStepwise;
     for (auto& [id, track] : tracks_) {
       file.tracks.push_back(std::move(track));

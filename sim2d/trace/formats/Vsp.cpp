@@ -65,6 +65,7 @@ class VspReader {
   TrackFile read() {
     TrackFile file;
     file.step = kAnnotationStep;
+    file.isByFrames = true;
     file.isSparse = true;
     const std::optional<long long> count = readCount("the number of splines");
     for (long long k = 1; count && k <= *count; ++k) {

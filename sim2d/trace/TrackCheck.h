@@ -1,0 +1,11 @@
+#pragma once
+
+#include "sim2d/trace/Tracks.h"
+
+namespace sim2d {
+
+/// Adds what is wrong with times, ids and the choice of the robot. Returns the robot; null = none.
+const Track* checkTracks(const TrackFile& file, const TrackOptions& options,
+                         base::Diagnostics& problems);
+
+}  // namespace sim2d
