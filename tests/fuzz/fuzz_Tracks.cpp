@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <unistd.h>
 
@@ -11,10 +13,12 @@
 #include "sim2d/trace/ForeignReaders.h"
 #include "tests/fuzz/Require.h"
 
-/// Any bytes as ways of people; the first line names the format. Read, put on a time grid and
-/// measured with the first person as the robot.
+/// Any bytes as ways of people; the first line names the format, or the file (by which the format
+/// is found). Read, put on a time grid and measured with the first person as the robot.
 namespace {
 
+constexpr const char* kNames[] = {"ways.csv",  "ways.vsp", "ways.ndjson", "ways.traj",
+                                  "ways.json", "ways.txt", "ways.h5"};
 constexpr std::size_t kMostFrames = 2000;  // more of the same costs time
 
 /// A folder for one file, with the matrix that the format vsp wants beside it.
@@ -31,8 +35,8 @@ class Folder {
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
 
-  std::string write(const std::string& bytes) const {
-    const std::string path = (path_ / "ways").string();
+  std::string write(const std::string& name, const std::string& bytes) const {
+    const std::string path = (path_ / name).string();
     std::ofstream file(path, std::ios::binary);
     file << bytes;
     file.close();
@@ -68,9 +72,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   sim2d::ForeignOptions reading;
   const std::string format = all.substr(0, line);
   reading.format = sim2d::standardTrackFormats().find(format) != nullptr ? format : "";
+  reading.lengthUnit = format == "sdd" ? 0.05 : 0.0;
+  const bool isName = std::find(std::begin(kNames), std::end(kNames), format) != std::end(kNames);
   static const Folder kFolder;
   const base::Result<sim2d::TrackFile> tracks =
-      sim2d::readForeign(kFolder.write(all.substr(line + 1)), reading);
+      sim2d::readForeign(kFolder.write(isName ? format : "ways", all.substr(line + 1)), reading);
   if (!tracks) {
     require(base::hasErrors(tracks.diagnostics()), "what is not read has an error");
     return 0;
