@@ -139,6 +139,53 @@ class BatchProgramTest : public QObject {
     QVERIFY(failed.at(QStringLiteral("path_length")).isEmpty());
   }
 
+  /// Files that are of no batch stay, and stop it.
+  void batch_strangersInRuns_areKept() {
+    QTemporaryDir folder;
+    const QString experiment = folder.filePath(QStringLiteral("e.yaml"));
+    const QString out = folder.filePath(QStringLiteral("out"));
+    outside::writeText(experiment,
+                       "hunavsim_experiment: 1\nscenarios: [corner_cafe_agents]\nduration: 0.5\n");
+    const auto tried = [&] {
+      return outside::runProgram({QStringLiteral("batch"), experiment, QStringLiteral("-o"), out});
+    };
+    outside::writeText(out + QStringLiteral("/runs/0/notes.txt"), "mine");
+    outside::Finished finished = tried();
+    QCOMPARE(finished.exitCode, 2);
+    QVERIFY2(finished.err.contains(QStringLiteral("notes.txt: error: this is of no batch")),
+             qPrintable(finished.err));
+    QCOMPARE(outside::bytesOf(out + QStringLiteral("/runs/0/notes.txt")), QByteArray("mine"));
+    // Leftovers of a run are no strangers: they are removed.
+    QVERIFY(QFile::remove(out + QStringLiteral("/runs/0/notes.txt")));
+    outside::writeText(out + QStringLiteral("/runs/0/trajectory.csv.new-1"), "cut");
+    finished = tried();
+    QVERIFY2(finished.exitCode == 0, qPrintable(finished.err));
+    QVERIFY(!QFile::exists(out + QStringLiteral("/runs/0/trajectory.csv.new-1")));
+  }
+
+  /// What a link points at is not of this folder.
+  void batch_linkInPlaceOfRuns_isRefused() {
+    QTemporaryDir folder;
+    const QString experiment = folder.filePath(QStringLiteral("e.yaml"));
+    const QString out = folder.filePath(QStringLiteral("out"));
+    const QString elsewhere = folder.filePath(QStringLiteral("elsewhere"));
+    outside::writeText(experiment,
+                       "hunavsim_experiment: 1\nscenarios: [corner_cafe_agents]\nduration: 0.5\n");
+    outside::writeText(elsewhere + QStringLiteral("/trajectory.csv"), "mine");
+    for (const char* link : {"/runs/0", "/runs"}) {
+      QDir(out).removeRecursively();
+      const QString place = out + QString::fromLatin1(link);
+      QVERIFY(QDir().mkpath(QFileInfo(place).absolutePath()));
+      QVERIFY(QFile::link(elsewhere, place));
+      const outside::Finished finished =
+          outside::runProgram({QStringLiteral("batch"), experiment, QStringLiteral("-o"), out});
+      QCOMPARE(finished.exitCode, 2);
+      QVERIFY2(finished.err.contains(QStringLiteral("this is of no batch")),
+               qPrintable(finished.err));
+      QCOMPARE(outside::bytesOf(elsewhere + QStringLiteral("/trajectory.csv")), QByteArray("mine"));
+    }
+  }
+
   void batch_wrongExperiment_saysEveryProblem() {
     QTemporaryDir folder;
     const QString experiment = folder.filePath(QStringLiteral("bad.yaml"));

@@ -1,3 +1,5 @@
+#include <stdexcept>
+
 #include <CLI/CLI.hpp>
 
 #include <QtTest>
@@ -43,6 +45,18 @@ class MadeUpCommandTest : public QObject {
     QCOMPARE(commands.start({4, words, {}}), 7);
     QCOMPARE(greeting.said, std::string("hello anna"));
     QVERIFY(greeting.asJson);
+  }
+
+  void failure_thatNobodyForesaw_isBadInput() {
+    char program[] = "hunavsim";
+    char* words[] = {program, nullptr};
+    QCOMPARE(app::runProgram(1, words,
+                             [](app::CommandRegistry& to) {
+                               to.setDefault([](const app::Invocation&) -> int {
+                                 throw std::length_error("too long");
+                               });
+                             }),
+             int{app::ExitBadInput});
   }
 
   void noCommand_doesTheDefault() {

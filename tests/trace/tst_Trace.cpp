@@ -126,6 +126,7 @@ class TraceTest : public QObject {
   void readTrace_badFile_namesPlace_data();
   void readTrace_badFile_namesPlace();
   void readTrace_missingFiles_areAllNamed();
+  void wrap_isInTheHeader_whereThereIsOne();
   void hashOf_otherPosition_differs();
 };
 
@@ -212,6 +213,12 @@ void TraceTest::readTrace_badFile_namesPlace_data() {
   QTest::newRow("JSON type") << QByteArray("trace.json") << QByteArray("\"dt\": 0.1")
                              << QByteArray("\"dt\": \"0.1\"")
                              << QByteArray("trace.json: error: dt: must be a finite number");
+  QTest::newRow("wrap of one number")
+      << QByteArray("trace.json") << QByteArray("\"dt\": 0.1")
+      << QByteArray("\"dt\": 0.1, \"wrap_x\": [1]") << QByteArray("trace.json: error: wrap_x");
+  QTest::newRow("wrap backwards") << QByteArray("trace.json") << QByteArray("\"dt\": 0.1")
+                                  << QByteArray("\"dt\": 0.1, \"wrap_x\": [3, 1]")
+                                  << QByteArray("trace.json: error: wrap_x");
   QTest::newRow("cells") << QByteArray("trace.json") << QByteArray("[0,2,100,2,")
                          << QByteArray("[0,2,100,99,") << QByteArray("map.cells: must be pairs");
 }
@@ -243,6 +250,18 @@ void TraceTest::readTrace_missingFiles_areAllNamed() {
   const base::Result<Trace> read = readTrace(folder.path().toStdString());
   QVERIFY(!read);
   QCOMPARE(read.diagnostics().size(), std::size_t{3});
+}
+
+void TraceTest::wrap_isInTheHeader_whereThereIsOne() {
+  QTemporaryDir folder;
+  const std::string path = folder.path().toStdString();
+  Trace trace = sampleTrace();
+  writeRun(trace, path);
+  QVERIFY(base::readTextFile(path + "/trace.json")->find("wrap_x") == std::string::npos);
+  QVERIFY(readTrace(path)->header.wrapX.empty());
+  trace.header.wrapX = {-2.0, 3.5};
+  writeRun(trace, path);
+  QVERIFY((readTrace(path)->header.wrapX == std::vector<double>{-2.0, 3.5}));
 }
 
 void TraceTest::hashOf_otherPosition_differs() {
