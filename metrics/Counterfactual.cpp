@@ -20,8 +20,8 @@ struct Moment {
 
 /// A person's way in one record.
 struct Way {
-  std::map<std::int64_t, Moment> moments;  // by step
-  std::vector<std::int64_t> goals;         // steps at which goals were reached
+  std::map<std::int64_t, Moment> moments;                   // by step
+  std::vector<std::pair<std::int64_t, std::string>> goals;  // reached: at which step, which one
 };
 
 std::map<int, Way> waysOf(const sim2d::Trace& trace) {
@@ -36,7 +36,7 @@ std::map<int, Way> waysOf(const sim2d::Trace& trace) {
   for (const auto& [step, event] : trace.events) {
     const auto way = ways.find(event.id);
     if (event.kind == sim2d::EventKind::Goal && event.hasId && way != ways.end()) {
-      way->second.goals.push_back(step);
+      way->second.goals.emplace_back(step, event.text);
     }
   }
   return ways;
@@ -57,21 +57,29 @@ double lengthUntil(const Way& way, std::int64_t step, const Seam& seam) {
   return length;
 }
 
+/// So many goals, from the first on, are the same.
+std::size_t commonGoals(const Way& with, const Way& without) {
+  const auto differ = std::mismatch(
+      with.goals.begin(), with.goals.end(), without.goals.begin(), without.goals.end(),
+      [](const auto& a, const auto& b) { return a.second == b.second; });
+  return static_cast<std::size_t>(differ.first - with.goals.begin());
+}
+
 PersonEffect effectOf(int id, const Way& with, const Way& without,
                       const sim2d::TraceHeader& header) {
   const double dt = header.dt;
   const Seam seam = seamOf(header);
   PersonEffect effect;
   effect.id = id;
-  const std::size_t goals = std::min(with.goals.size(), without.goals.size());
+  const std::size_t goals = commonGoals(with, without);
   std::int64_t end = std::min(with.moments.rbegin()->first, without.moments.rbegin()->first);
   std::int64_t endWithout = end;
   if (goals > 0) {
-    end = with.goals[goals - 1];
-    endWithout = without.goals[goals - 1];
+    end = with.goals[goals - 1].first;
+    endWithout = without.goals[goals - 1].first;
   }
   effect.detour = lengthUntil(with, end, seam) - lengthUntil(without, endWithout, seam);
-  if (goals > 0 || with.goals.size() == without.goals.size()) {
+  if (goals > 0 || (with.goals.empty() && without.goals.empty())) {
     effect.delay = static_cast<double>(end - endWithout) * dt;
   }
   const Moment* before = nullptr;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <optional>
 #include <tuple>
 
 namespace metrics {
@@ -25,6 +27,24 @@ double along(const Vec2& direction, const sim2d::Segment& segment) {
   const double across = base::cross(direction, segment.b - segment.a);
   return across != 0.0 ? base::cross(segment.a, segment.b - segment.a) / across
                        : std::numeric_limits<double>::infinity();
+}
+
+/// The part of a wall between the ends of the corridor; all of it where they are not joined.
+std::optional<sim2d::Segment> within(const Seam& seam, const sim2d::Segment& wall) {
+  const double low = seam.low;
+  const double high = seam.low + seam.length;
+  if (!seam.isThere()) {
+    return wall;
+  }
+  if (std::max(wall.a.x(), wall.b.x()) < low || std::min(wall.a.x(), wall.b.x()) > high) {
+    return std::nullopt;
+  }
+  const auto cut = [&](const Vec2& end) -> Vec2 {
+    const double x = std::clamp(end.x(), low, high);
+    const Vec2 whole = wall.b - wall.a;
+    return x == end.x() ? end : Vec2(wall.a + (x - wall.a.x()) / whole.x() * whole);
+  };
+  return sim2d::Segment{cut(wall.a), cut(wall.b)};
 }
 
 /// Where two segments cross each other, if they do.
@@ -117,7 +137,14 @@ void CellAreas::takeSquare() {
 /// What of the square no wall hides from the point. Between two turns one border comes first.
 void CellAreas::takeVisible() {
   takeSquare();
-  borders_ = walls_;
+  borders_.clear();
+  std::copy_if(walls_.begin(), walls_.end(), std::back_inserter(borders_),
+               [this](const sim2d::Segment& wall) {
+                 return sim2d::distanceToSegment(wall, Vec2::Zero()) < std::sqrt(2.0) * radius_;
+               });
+  if (borders_.empty()) {
+    return;
+  }
   for (std::size_t k = 0; k < 4; ++k) {
     borders_.push_back({cell_[k], cell_[(k + 1) % 4]});
   }
@@ -195,15 +222,16 @@ void CellAreas::findWalls(const Vec2& point, const RunContext& context) {
   if (context.walls == nullptr) {
     return;
   }
-  const double reach = std::sqrt(2.0) * radius_;  // the corners of the square
+  const double reach = 2.0 * radius_;  // of the others who take a share
   const double turn = context.seam.length;
   for (const double shift : {0.0, turn, -turn}) {
     const Vec2 centre = point - Vec2(shift, 0.0);
     std::vector<sim2d::Segment> found;
     context.walls->segmentsNear(centre, reach, found);
     for (const sim2d::Segment& segment : found) {
-      if (sim2d::distanceToSegment(segment, centre) < reach) {
-        walls_.push_back({segment.a - centre, segment.b - centre});
+      const std::optional<sim2d::Segment> wall = within(context.seam, segment);
+      if (wall && sim2d::distanceToSegment(*wall, centre) < reach) {
+        walls_.push_back({wall->a - centre, wall->b - centre});
       }
     }
     if (!context.seam.isThere()) {
@@ -212,17 +240,22 @@ void CellAreas::findWalls(const Vec2& point, const RunContext& context) {
   }
 }
 
+/// No wall, nor the image of one, between the point and the place.
+bool CellAreas::isSeen(const Vec2& place) const {
+  return std::none_of(walls_.begin(), walls_.end(), [&](const sim2d::Segment& wall) {
+    const double sideA = base::cross(place, wall.a);
+    const double sideB = base::cross(place, wall.b);
+    const double share = along(place, wall);
+    return (sideA > 0.0) != (sideB > 0.0) && share > 0.0 && share < 1.0;
+  });
+}
+
 double CellAreas::areaOf(const Vec2& point, const std::vector<Vec2>& others,
                          const RunContext& context) {
   findWalls(point, context);
-  if (walls_.empty()) {
-    takeSquare();
-  } else {
-    takeVisible();
-  }
+  takeVisible();
   for (const Vec2& other : others) {
-    const bool isSeen = context.walls == nullptr || context.walls->isVisible(point, other);
-    if (other != point && isSeen) {  // two in one place share it
+    if (other != point && isSeen(other - point)) {  // two in one place share it
       cut(other - point);
     }
   }

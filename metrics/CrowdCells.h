@@ -14,7 +14,7 @@ namespace metrics {
 std::vector<std::vector<std::size_t>> neighbours(const std::vector<Vec2>& points, double reach);
 
 /// Areas of Voronoi cells among walls: of what is nearer to a point than to any other that it sees,
-/// within a circle around it, and not behind a wall. Exact, but for rounding.
+/// within a circle around it, and not behind a wall; doors count as open. Exact, but for rounding.
 class CellAreas {
  public:
   explicit CellAreas(double radius) : radius_(radius) {}  // of the circle [m]
@@ -26,6 +26,7 @@ class CellAreas {
   void findWalls(const Vec2& point, const RunContext& context);
   void takeSquare();
   void takeVisible();
+  bool isSeen(const Vec2& place) const;
   void addCorners(double from, double to);
   void cut(const Vec2& other);
 

@@ -71,9 +71,10 @@ files (`--layout`) have as `inf`. Of several robots the first is measured
 (`evaluate --robot` chooses another).
 
 Metrics that need a robot are those of its way (`corrected`): N and T count from when it sets off to
-when it arrives; parked it neither stands still nor runs into anybody. `from` and `until` of the
-scenario's metrics, where they say something else than the whole record, are heeded instead. Metrics
-of people alone look at the whole record.
+when it arrives, between two samples to the second; parked it neither stands still nor runs into
+anybody. `from` and `until` of the scenario's metrics, where one of them says something else than the
+whole record, are heeded instead of both. Metrics of people alone look at the whole record. A
+recorded reference is that part of its run, of the same robot, or of its first.
 
 The sums 25-34 grow with the recording rate; each is given a second time divided by N, with `_mean`
 at its key. Column rate: largest change when a record of smooth motion is sampled twice

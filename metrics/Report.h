@@ -23,7 +23,7 @@ struct Selection {
   std::string tag = "exp_1";
   int runId = 0;
   int robotId = -1;
-  std::vector<std::pair<double, Vec2>> reference;  // RunContext::reference; empty = shortest way
+  TimedWay reference;  // RunContext::reference; empty = shortest way
 
   bool series = true;          // results have their series
   bool seriesOnDisk = false;   // meanwhile in a temporary file
@@ -81,6 +81,11 @@ struct Evaluation {
 
   const MetricResult* find(std::string_view key) const;
 };
+
+/// The part of the robot's way that its metrics look at, times from its begin; empty: none is. If
+/// the record has no robot of the selection's id: its first.
+TimedWay wayOf(const sim2d::Trace& trace, const Selection& selection,
+               const MetricParameters& parameters);
 
 /// Error when the record or the window holds no sample.
 base::Result<Evaluation> evaluate(const sim2d::Trace& trace, const Selection& selection,

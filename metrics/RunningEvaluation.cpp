@@ -57,6 +57,16 @@ void fillLeftOvers(std::vector<MetricResult>& results, const std::vector<MetricR
   }
 }
 
+/// Puts down where the robot is.
+class Places : public Accumulator {
+ public:
+  explicit Places(TimedWay& to) : to_(to) {}
+  void add(const Instant& at) override { to_.emplace_back(at.elapsed(), at.now.robot.position); }
+
+ private:
+  TimedWay& to_;
+};
+
 }  // namespace
 
 SampleFeed::SampleFeed(std::shared_ptr<const RunContext> context, const Selection& selection,
@@ -212,20 +222,36 @@ void RunningEvaluation::note(double time, const sim2d::Event& event) {
   if (event.kind == sim2d::EventKind::Arrived && isRobot && !arrival_) {
     arrival_ = time;
   }
+  if (event.kind == sim2d::EventKind::Enter && event.hasId) {
+    entered_.insert(event.id);
+  }
   if (!isOver_) {
     all_.note(time, event, isOnWay(time));
   }
 }
 
-/// A window that says itself where to begin or to end is heeded.
+/// A window that says itself where to begin or to end is heeded instead.
 bool RunningEvaluation::isOnWay(double time) const {
-  if (!context_->hasRobot || isOriginal()) {
+  const Window& window = selection_.window;
+  if (!context_->hasRobot || isOriginal() || window.from != "begin" || window.until != "end") {
     return context_->hasRobot;
   }
-  const bool isEarly =
-      selection_.window.from == "begin" && time < context_->robotStartTime - kTimeSlack;
-  const bool isLate = selection_.window.until == "end" && arrival_ && time > *arrival_ + kTimeSlack;
-  return !isEarly && !isLate;
+  const bool isLate = arrival_ && time > *arrival_ + kTimeSlack;
+  return time >= context_->robotStartTime - kTimeSlack && !isLate;
+}
+
+/// Of an arrival between two samples the second is the end of the way.
+bool RunningEvaluation::takesOnWay(double time) {
+  const bool takes = isOnWay(arrival_ && !isAtGoal_ ? std::min(time, *arrival_) : time);
+  isAtGoal_ = isAtGoal_ || (arrival_ && time >= *arrival_ - kTimeSlack);
+  return takes;
+}
+
+void RunningEvaluation::markNew(Sample& sample) {
+  for (Person& person : sample.people) {
+    person.isNew = entered_.count(person.id) > 0;
+  }
+  entered_.clear();
 }
 
 void RunningEvaluation::addToBehaviors(Sample& sample, bool isOnWay) {
@@ -263,7 +289,8 @@ void RunningEvaluation::add(Sample sample) {
   if (selection_.series) {
     times_.push_back(sample.time - first_);
   }
-  const bool isOnWay = this->isOnWay(sample.time);
+  const bool isOnWay = takesOnWay(sample.time);
+  markNew(sample);
   all_.add(std::move(sample), isOnWay);
   if (selection_.behaviors) {
     addToBehaviors(all_.newest(), isOnWay);
@@ -320,6 +347,28 @@ const MetricResult* findResult(const std::vector<MetricResult>& results, std::st
     }
   }
   return nullptr;
+}
+
+TimedWay wayOf(const sim2d::Trace& trace, const Selection& selection,
+               const MetricParameters& parameters) {
+  TimedWay way;
+  MetricEntry places;
+  places.info.key = "way";
+  places.stream.make = [&way](const MetricParameters&) { return std::make_unique<Places>(way); };
+  places.stream.read = [](const Accumulator&, const Instant&) { return MetricValue(); };
+  Selection only = *selectionOfKeys({});
+  only.own = {places};
+  only.window = selection.window;
+  only.robotId = selection.robotId;
+  only.behaviors = false;
+  const std::vector<sim2d::TraceRobot>& robots = trace.header.robots;
+  const bool isThere = std::any_of(robots.begin(), robots.end(), [&](const auto& robot) {
+    return robot.id == selection.robotId;
+  });
+  if (!isThere && !robots.empty()) {
+    only.robotId = robots.front().id;
+  }
+  return evaluate(trace, only, parameters) ? way : TimedWay();
 }
 
 base::Result<Evaluation> evaluate(const sim2d::Trace& trace, const Selection& selection,

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -101,7 +102,9 @@ class RunningEvaluation {
     std::vector<double> active;  // 0/1 per sample
   };
   void addToBehaviors(Sample& sample, bool isOnWay);
+  void markNew(Sample& sample);
   bool isOnWay(double time) const;
+  bool takesOnWay(double time);
   bool isOriginal() const { return parameters_.profile == Profile::Hunav2; }
 
   std::shared_ptr<const RunContext> context_;
@@ -113,6 +116,8 @@ class RunningEvaluation {
   bool hasSamples_ = false;        // of the record, taken or not
   bool isOver_ = false;            // no more samples will be taken
   std::optional<double> arrival_;  // of the robot [s]
+  bool isAtGoal_ = false;          // a sample at or after the arrival was taken
+  std::set<int> entered_;          // people, since the newest sample that was taken
   SampleFeed all_;
   std::array<Behavior, kBehaviors> behaviors_;  // of types 1..6; no feed: not wanted
 };

@@ -146,11 +146,6 @@ RunContext SampleBuilder::context() const {
   RunContext context;
   context.map = header_.map;
   context.seam = seamOf(header_);
-  for (const auto& [id, human] : humans_) {
-    if (!human.goals.empty() && !human.cyclicGoals) {
-      context.peopleWithGoals.insert(id);
-    }
-  }
   context.hasObstacles = !header_.map.isEmpty() ||
                          std::any_of(header_.obstacles.begin(), header_.obstacles.end(),
                                      [](const auto& each) { return !each.outlines.empty(); });
@@ -219,6 +214,7 @@ Sample SampleBuilder::sampleOf(const sim2d::Frame& frame) {
       person.radius = found->second.radius;
       person.behavior = found->second.behavior;
       person.socialFactor = socialFactorOf(found->second);
+      person.wantsToArrive = !found->second.goals.empty() && !found->second.cyclicGoals;
     }
     addObstaclePoints(person);
     person.screened =

@@ -4,7 +4,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,6 +53,8 @@ struct Person : Body {
   int behavior = 1;                    // 1..6
   int state = 0;                       // != 0: a reaction runs
   std::optional<double> socialFactor;  // own; else the parameters'
+  bool wantsToArrive = false;          // has goals and does not go round them for ever
+  bool isNew = false;                  // came since the sample before, did not walk from there
   bool screened = false;  // a drawn obstacle or closed door hides the robot (map walls: apart)
   Pair pair;
 };
@@ -73,6 +74,8 @@ struct Sample {
 /// given.
 void workOutPairs(Sample& sample, const sim2d::OccupancyGrid* map,
                   const MetricParameters& parameters);
+
+using TimedWay = std::vector<std::pair<double, Vec2>>;  // time [s], place
 
 class Routes;
 
@@ -96,10 +99,9 @@ struct RunContext {
   std::shared_ptr<Routes> routes;                 // shortest ways; null = straight lines
   std::shared_ptr<const sim2d::Obstacles> walls;  // of map and obstacles, doors open; null: none
   Seam seam;
-  std::set<int> peopleWithGoals;  // that they arrive at: not those who go round for ever
-  bool hasObstacles = false;      // or a map
-  /// A run to compare with, instead of the shortest way: time from its start [s], place.
-  std::vector<std::pair<double, Vec2>> reference;
+  bool hasObstacles = false;  // or a map
+  /// A run to compare with, instead of the shortest way; times from its start.
+  TimedWay reference;
 };
 
 Seam seamOf(const sim2d::TraceHeader& header);
@@ -158,12 +160,14 @@ class WindowGate {
 
  private:
   void begin(double time);
+  bool isPast(double time) const;
   bool ends(const sim2d::Event& event) const;
 
   Window window_;
   int robotId_;
   std::optional<double> begin_, end_;  // [s]
   std::optional<double> lastEnding_;   // newest event that would end it [s]
+  double newest_;                      // that was taken [s]
   double first_ = 0.0, next_;          // of the grid of `frequency` [s]
   long long taken_ = 0;
 };

@@ -68,6 +68,7 @@ WindowGate::WindowGate(Window window, const RunContext& context)
       robotId_(context.robotId),
       begin_(toldTime(window_.from)),
       end_(toldTime(window_.until)),
+      newest_(-kNever),
       next_(-kNever) {
   if (window_.from == "begin") {
     begin_ = -kNever;
@@ -106,19 +107,25 @@ void WindowGate::note(double time, const sim2d::Event& event) {
   }
 }
 
+/// Of an arrival between two samples the second is the last.
+bool WindowGate::isPast(double time) const {
+  const bool isMet = end_ && (window_.until != "arrival" || newest_ >= *end_ - kTimeSlack);
+  return isMet && time > *end_ + kTimeSlack;
+}
+
 bool WindowGate::isOver(double time) const {
-  return begin_ && end_ && time > *end_ + kTimeSlack;
+  return begin_ && isPast(time);
 }
 
 bool WindowGate::takes(const Sample& sample) {
   if (window_.from == "motion" && sample.robot.speed > kMotionSpeed) {
     begin(sample.time);
   }
-  const bool isInside = begin_ && sample.time >= *begin_ - kTimeSlack &&
-                        sample.time <= end_.value_or(kNever) + kTimeSlack;
+  const bool isInside = begin_ && sample.time >= *begin_ - kTimeSlack && !isPast(sample.time);
   if (!isInside || sample.time < next_ - kTimeSlack) {
     return false;
   }
+  newest_ = sample.time;
   if (window_.frequency > 0.0) {
     // The grid starts at the first sample and does not drift when steps do not fit it.
     first_ = taken_ == 0 ? sample.time : first_;

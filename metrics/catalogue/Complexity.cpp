@@ -83,11 +83,14 @@ class Arrivals : public Accumulator {
  public:
   void add(const Instant& at) override {
     for (const Person& person : at.now.people) {
-      wanting_.insert(person.id);
+      if (person.wantsToArrive) {
+        wanting_.insert(person.id);
+      }
     }
   }
-  void note(const RunContext& /*context*/, double elapsed, const sim2d::Event& event) override {
-    if (event.kind == sim2d::EventKind::Arrived && event.hasId) {
+  void note(const RunContext& context, double elapsed, const sim2d::Event& event) override {
+    const bool isOtherRobot = event.id < 0 && event.id != context.robotId;
+    if (event.kind == sim2d::EventKind::Arrived && event.hasId && !isOtherRobot) {
       times_.emplace(event.id, elapsed);
     }
   }
@@ -102,10 +105,8 @@ class Arrivals : public Accumulator {
       sum += isLate ? last.elapsed() : 0.0;
       count += isLate ? 1 : 0;
     };
-    for (const int id : last.context.peopleWithGoals) {
-      if (wanting_.count(id) > 0) {
-        wait(id);
-      }
+    for (const int id : wanting_) {
+      wait(id);
     }
     if (last.context.hasRobot && !last.context.goals.empty()) {
       wait(last.context.robotId);
@@ -115,7 +116,7 @@ class Arrivals : public Accumulator {
 
  private:
   std::map<int, double> times_;  // [s] from the first sample
-  std::set<int> wanting_;        // who was there
+  std::set<int> wanting_;        // people that were there
 };
 
 /// Distance to the goals while the robot has hardly moved for a while: of that while its places

@@ -207,7 +207,7 @@ constexpr char kMetrics[] = R"(
 crowd_density|Density around people|1/m²|[0, inf)|mean over looks (crowd_interval apart) and people of the number within crowd_radius, themselves
   included, / (pi crowd_radius^2)
 crowd_voronoi_density|Voronoi density|1/m²|[0, inf)|mean over looks and people of 1/area of their cell: nearer to them than to whom they see, within
-  crowd_radius, before walls
+  crowd_radius, before walls; doors count as open
 crowd_voronoi_density_max|Voronoi density, largest look|1/m²|[0, inf)|max over looks of the mean over people of the same
 = Social Behavior|neutral|people|Seyfried et al. 2005
 crowd_specific_flow|Flow per metre of width|1/(m s)|[0, inf)|mean over looks and people of Voronoi density * |u_a| (fundamental diagram)

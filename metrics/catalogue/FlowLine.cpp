@@ -37,9 +37,9 @@ class LineCrossings : public Accumulator {
     std::size_t next = 0;
     for (const Person& person : at.now.people) {
       const Person* then = findInOrder(before, next, person.id);
-      count_ += then != nullptr && hasCrossed(then->position, person.position, at.context.seam)
-                    ? 1.0
-                    : 0.0;
+      const bool hasWalked = then != nullptr && !person.isNew;
+      count_ +=
+          hasWalked && hasCrossed(then->position, person.position, at.context.seam) ? 1.0 : 0.0;
     }
   }
 

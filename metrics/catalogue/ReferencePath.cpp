@@ -38,7 +38,7 @@ Vec2 pointAt(const std::vector<Vec2>& path, double length) {
 }
 
 /// Where the recorded run was; its ends before and after.
-Vec2 recordedPlace(const std::vector<std::pair<double, Vec2>>& reference, double time) {
+Vec2 recordedPlace(const TimedWay& reference, double time) {
   const auto after =
       std::upper_bound(reference.begin(), reference.end(), time,
                        [](double wanted, const auto& point) { return wanted < point.first; });

@@ -274,14 +274,13 @@ class TraceMaker {
     trace_.header.robots.push_back(std::move(robot));
   }
 
-  /// At the first instant of the stay at the goal that lasts to the end.
+  /// At the first instant of the stay inside the goal, as the world has it, that lasts to the end.
   void noteArrival(const TraceGoal& goal) {
-    constexpr double kTolerance = 0.3;  // [m], as the metrics have it
     std::size_t first = trace_.frames.size();
     for (std::size_t k = trace_.frames.size(); k-- > 0;) {
       const RobotColumns& robots = trace_.frames[k].robots;
       const Vec2 place(robots.x.back(), robots.y.back());
-      if ((place - goal.position).norm() - goal.radius >= kTolerance) {
+      if ((place - goal.position).norm() > goal.radius) {
         break;
       }
       first = k;

@@ -20,6 +20,24 @@ QString demo() {
   return QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
 }
 
+/// Who comes in later walks 10 m, which takes longer than the run.
+void writeSource(const QString& file) {
+  outside::writeText(
+      file,
+      "hunav_loader:\n  ros__parameters:\n    agents: [walker]\n    walker:\n"
+      "      id: 1\n      skin: 0\n      group_id: -1\n      max_vel: 1.2\n"
+      "      radius: 0.3\n      init_pose: {x: 0.0, y: 0.0, z: 1.0, h: 0.0}\n"
+      "      behavior: {type: 1, configuration: 0, duration: 40.0, once: true, "
+      "vel: 0.6, dist: 2.5, goal_force_factor: 2.0, obstacle_force_factor: 10.0, "
+      "social_force_factor: 5.0, other_force_factor: 20.0}\n"
+      "      goal_radius: 0.3\n      cyclic_goals: false\n      goals: [1]\n"
+      "    global_goals:\n      1: {x: 10.0, y: 0.0, h: 0.0}\n"
+      "hunavsim_desktop:\n  ros__parameters:\n    format: 1\n    map_file: none\n"
+      "    duration: 8.0\n    areas: [entry]\n"
+      "    entry: {kind: source, xs: [0.0, 3.0, 3.0, 0.0], ys: [2.0, 2.0, 5.0, 5.0], "
+      "like: walker, rate: 1.0}\n");
+}
+
 }  // namespace
 
 /// `hunavsim evaluate` from outside.
@@ -50,6 +68,8 @@ class EvaluateProgramTest : public QObject {
                                           text("--robot-goal"),
                                           text("2 1")}
                            << QStringList();
+    writeSource(path("source.yaml"));
+    QTest::newRow("source") << QStringList{path("source.yaml")} << QStringList();
   }
   void evaluate_runFolder_equalsRun() {
     QFETCH(QStringList, scenario);
@@ -173,6 +193,14 @@ class EvaluateProgramTest : public QObject {
     for (const char* word : {"far", "2", "-2"}) {
       QVERIFY2(isMeasured(word, "-2"), word);
     }
+    // Beside itself it is nowhere else, though it is parked at the end and not the first robot.
+    const Finished itself =
+        runProgram({text("evaluate"), path("pair"), text("-o"), path("pair-itself"),
+                    text("--robot"), text("far"), text("--reference"), path("pair")});
+    QVERIFY2(itself.exitCode == 0, qPrintable(itself.err));
+    for (const char* key : {"ade", "fde", "dtw", "path_deviation"}) {
+      QCOMPARE(valueOf(metricsOf(path("pair-itself")), text(key)), 0.0);
+    }
     const Finished wrong = runProgram(
         {text("evaluate"), path("pair"), text("-o"), path("none"), text("--robot"), text("3")});
     QCOMPARE(wrong.exitCode, 64);
@@ -289,6 +317,22 @@ class EvaluateProgramTest : public QObject {
                     text("1"), text("--reference"), path("both.csv")});
     QCOMPARE(wrong.exitCode, 2);
     QVERIFY2(wrong.err.contains(text("both.csv: error: a reference")), qPrintable(wrong.err));
+  }
+
+  /// What the reader of a file has to say, of a reference too.
+  void evaluate_warningsOfTheReader_areTold() {
+    outside::writeText(path("words.csv"), "time,id,x,y\n0,anna,0,0\n1,anna,1,0\n");
+    const QString told = text("ids are words, these numbers stand for them: anna = 1");
+    const Finished words =
+        runProgram({text("evaluate"), path("words.csv"), text("-o"), path("words")});
+    QVERIFY2(words.exitCode == 0, qPrintable(words.err));
+    QVERIFY2(words.err.contains(text("words.csv: warning: ") + told), qPrintable(words.err));
+    outside::writeText(path("number.csv"), "time,id,x,y\n0,1,0,0\n1,1,1,0\n");
+    const Finished reference =
+        runProgram({text("evaluate"), path("number.csv"), text("-o"), path("number"),
+                    text("--robot"), text("1"), text("--reference"), path("words.csv")});
+    QVERIFY2(reference.exitCode == 0, qPrintable(reference.err));
+    QVERIFY2(reference.err.contains(told), qPrintable(reference.err));
   }
 
   void evaluate_brokenRunFolder_isTold_data() {

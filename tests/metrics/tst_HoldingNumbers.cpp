@@ -44,6 +44,45 @@ std::shared_ptr<const sim2d::Obstacles> wallsAlong(std::initializer_list<double>
   return std::make_shared<const sim2d::Obstacles>(std::move(walls));
 }
 
+/// A strip 1 m wide along x with a wall across it.
+std::shared_ptr<const sim2d::Obstacles> stripWith(double left, double right) {
+  const auto box = [](double x1, double y1, double x2, double y2) {
+    sim2d::Outline outline;
+    outline.points = {Vec2(x1, y1), Vec2(x2, y1), Vec2(x2, y2), Vec2(x1, y2)};
+    return outline;
+  };
+  sim2d::Obstacles walls;
+  walls.add({box(-50.0, -0.7, 50.0, -0.5)});
+  walls.add({box(-50.0, 0.5, 50.0, 0.7)});
+  walls.add({box(left, -0.6, right, 0.6)});
+  walls.build();
+  return std::make_shared<const sim2d::Obstacles>(std::move(walls));
+}
+
+/// A person's record on a straight line: heights by seconds, steps at which goals were reached.
+sim2d::Trace walk(const std::vector<double>& ys, const std::vector<int>& goals,
+                  const std::vector<std::string>& names = {}) {
+  sim2d::Trace trace;
+  trace.header.dt = 1.0;
+  for (std::size_t k = 0; k < ys.size(); ++k) {
+    sim2d::Frame frame;
+    frame.step = static_cast<std::int64_t>(k);
+    frame.time = static_cast<double>(k);
+    frame.humans.add(1, {Vec2(static_cast<double>(k), ys[k]), 0.0}, Vec2::Zero(), 0.0, 0);
+    frame.humans.group.push_back(-1);
+    frame.humans.state.push_back(0);
+    trace.frames.push_back(frame);
+  }
+  for (std::size_t k = 0; k < goals.size(); ++k) {
+    sim2d::Event event;
+    event.kind = sim2d::EventKind::Goal;
+    event.id = 1;
+    event.text = k < names.size() ? names[k] : "";
+    trace.events.emplace_back(goals[k], event);
+  }
+  return trace;
+}
+
 }  // namespace
 
 /// Numbers that hold when somebody recomputes them: expected values by hand or by another method.
@@ -59,7 +98,7 @@ class HoldingNumbersTest : public QObject {
       QCOMPARE(valueOf(later, key), valueOf(atOnce, key));
     }
     QCOMPARE(valueOf(later, "total_time"), 200.0);
-    QCOMPARE(valueOf(later, "timeout"), 0.0);  // T >= 180 s is that of the record
+    QCOMPARE(valueOf(later, "timeout"), 0.0);  // of its way: 5 s, not 180 s
     QVERIFY(isNear(valueOf(atOnce, "avg_robot_linear_speed"), 5.0 / 6.0));
   }
 
@@ -122,6 +161,32 @@ class HoldingNumbersTest : public QObject {
     QCOMPARE(valueOf(run, "line_crossings", parameters), 1.0);
   }
 
+  /// Over the line once; then back at the start between two samples, without walking there.
+  void lineCrossings_ofWhoComesAgain_countTheWalk() {
+    MetricParameters parameters;
+    parameters.flowLineX1 = parameters.flowLineX2 = 5.0;
+    parameters.flowLineY1 = -1.0;
+    parameters.flowLineY2 = 1.0;
+    SampledRun run =
+        recordingOfSamples({sampleAt(0, 0, 50), sampleAt(5, 0, 50), sampleAt(10, 0, 50)});
+    const double places[] = {1.0, 9.0, 1.5};
+    for (std::size_t k = 0; k < 3; ++k) {
+      run.samples[k].people = {personAt(1, places[k], 0.0)};
+    }
+    QCOMPARE(valueOf(run, "line_crossings", parameters), 2.0);  // there and back
+    sim2d::Event enter;
+    enter.kind = sim2d::EventKind::Enter;
+    enter.id = 1;
+    run.events = {{0.0, enter}, {9.5, enter}};
+    QCOMPARE(valueOf(run, "line_crossings", parameters), 1.0);
+    Selection selection;
+    selection.behaviors = true;
+    const base::Result<Evaluation> all = evaluate(run, selection, parameters);
+    QCOMPARE(all->behaviors.size(), std::size_t{1});
+    const MetricResult* ofRegular = findResult(all->behaviors[0].results, "line_crossings");
+    QCOMPARE(*ofRegular->value.value, 1.0);
+  }
+
   void areaInCircle_knownShapes_isExact() {
     const std::vector<Vec2> large = {Vec2(9, 9), Vec2(-9, 9), Vec2(-9, -9), Vec2(9, -9)};
     QVERIFY(isNear(areaInCircle(large, 2.0), 4.0 * kPi));
@@ -162,6 +227,32 @@ class HoldingNumbersTest : public QObject {
       run.samples[0].people.push_back(personAt(k + 1, 0.5 + k, 0.0));
     }
     QVERIFY(isNear(valueOf(run, "crowd_voronoi_density"), 1.0));
+  }
+
+  /// Somebody at 0.5 m, somebody at 3.2 m, a wall across the strip from 3.6 m to 3.7 m: over the
+  /// seam they do not see each other.
+  void voronoi_wallAtTheSeam_hides() {
+    RunContext context;
+    context.seam = {0.0, 4.0};
+    context.walls = stripWith(3.6, 3.7);
+    CellAreas areas(2.0);
+    // From the image of the wall, -0.3 m, to the middle, 1.85 m; from there to the wall.
+    const double first = areas.areaOf(Vec2(0.5, 0), {Vec2(3.2, 0), Vec2(-0.8, 0)}, context);
+    QVERIFY2(isNear(first, 2.15), std::to_string(first).c_str());
+    const double second = areas.areaOf(Vec2(3.2, 0), {Vec2(0.5, 0), Vec2(4.5, 0)}, context);
+    QVERIFY2(isNear(second, 1.75), std::to_string(second).c_str());
+  }
+
+  /// Beyond the ends there is nothing, so that it has no image within.
+  void voronoi_wallBeyondTheSeam_doesNotCount() {
+    RunContext context;
+    context.seam = {0.0, 4.0};
+    context.walls = stripWith(4.3, 4.4);
+    CellAreas areas(2.0);
+    const double first = areas.areaOf(Vec2(0.5, 0), {Vec2(1.5, 0), Vec2(-0.5, 0)}, context);
+    QVERIFY2(isNear(first, 1.0), std::to_string(first).c_str());
+    const double last = areas.areaOf(Vec2(3.5, 0), {Vec2(2.5, 0), Vec2(4.5, 0)}, context);
+    QVERIFY2(isNear(last, 1.0), std::to_string(last).c_str());
   }
 
   /// By darts: what is nearer, in the circle, and seen round the corner of a wall.
@@ -247,12 +338,17 @@ class HoldingNumbersTest : public QObject {
 
   void aggregatedTime_whoNeverArrives_countsAll() {
     SampledRun run = parkedRun(20);
-    run.peopleWithGoals = {1};
+    for (Sample& sample : run.samples) {
+      sample.people[0].wantsToArrive = true;
+    }
     QCOMPARE(valueOf(run, "aggregated_time"), 25.0);  // 5 s of the robot, 20 s of the person
     sim2d::Event arrived;
     arrived.kind = sim2d::EventKind::Arrived;
     arrived.id = 1;
     run.events.insert(run.events.begin(), {4.0, arrived});
+    QCOMPARE(valueOf(run, "aggregated_time"), 9.0);
+    arrived.id = -2;  // a robot that is not measured
+    run.events.insert(run.events.begin(), {3.0, arrived});
     QCOMPARE(valueOf(run, "aggregated_time"), 9.0);
   }
 
@@ -278,26 +374,6 @@ class HoldingNumbersTest : public QObject {
 
   /// With the robot the person goes round by a metre and reaches two goals, without it three.
   void counterfactual_oneGoalLess_comparesToTheLastCommon() {
-    const auto walk = [](const std::vector<double>& ys, const std::vector<int>& goals) {
-      sim2d::Trace trace;
-      trace.header.dt = 1.0;
-      for (std::size_t k = 0; k < ys.size(); ++k) {
-        sim2d::Frame frame;
-        frame.step = static_cast<std::int64_t>(k);
-        frame.time = static_cast<double>(k);
-        frame.humans.add(1, {Vec2(static_cast<double>(k), ys[k]), 0.0}, Vec2::Zero(), 0.0, 0);
-        frame.humans.group.push_back(-1);
-        frame.humans.state.push_back(0);
-        trace.frames.push_back(frame);
-      }
-      for (const int step : goals) {
-        sim2d::Event event;
-        event.kind = sim2d::EventKind::Goal;
-        event.id = 1;
-        trace.events.emplace_back(step, event);
-      }
-      return trace;
-    };
     const sim2d::Trace with = walk({0, 1, 1, 0, 0, 0, 0, 0}, {2, 5});
     const sim2d::Trace without = walk({0, 0, 0, 0, 0, 0, 0, 0}, {2, 4, 6});
     const PersonEffect effect = personEffects(with, without).front();
@@ -307,6 +383,17 @@ class HoldingNumbersTest : public QObject {
     const PersonEffect never = personEffects(walk({0, 1, 0}, {}), walk({0, 0, 0}, {2})).front();
     QVERIFY(std::isnan(never.delay));
     QVERIFY(isNear(never.detour, 2.0 * diagonal - 2.0));
+  }
+
+  /// Goal 2 is left out beside the robot: what comes after it is not compared.
+  void counterfactual_otherGoals_comparesToTheLastSame() {
+    const std::vector<double> straight(8, 0.0);
+    const sim2d::Trace without = walk(straight, {3, 4, 6}, {"1", "2", "3"});
+    const PersonEffect effect = personEffects(walk(straight, {2, 5}, {"1", "3"}), without).front();
+    QVERIFY(isNear(effect.delay, -1.0));   // 2 s, not 3 s
+    QVERIFY(isNear(effect.detour, -1.0));  // at 1 m/s
+    const PersonEffect none = personEffects(walk(straight, {2, 5, 7}, {"2", "1", "3"}), without)[0];
+    QVERIFY(std::isnan(none.delay));
   }
 };
 

@@ -57,6 +57,7 @@ class ReportTest : public QObject {
   void evaluate_behaviors_onlyThosePresent();
   void evaluate_ownForceFactor_countsInCorrectedOnly();
   void toJson_undefinedAndInfinite_areNullWithReason();
+  void toJson_otherRobot_isNamed();
   void parseMetricsFile_missingKeys_areOn();
   void parseMetricsFile_problems_haveTheirPlace();
   void writeMetricsFile_readBack_isEqual();
@@ -199,6 +200,14 @@ void ReportTest::toJson_undefinedAndInfinite_areNullWithReason() {
   QVERIFY(contains(text, "\"completed\": {\n      \"value\": false,"));
   QVERIFY(contains(text, "\"robot_on_person_collision\": {\n      \"value\": 0,"));
   QVERIFY(!contains(text, "NaN") && !contains(text, "inf,"));
+}
+
+/// The first is not named.
+void ReportTest::toJson_otherRobot_isNamed() {
+  Evaluation made = evaluated(cases::trace(4, 0));
+  QVERIFY(!contains(toJson(made), "\"robot\""));
+  made.robotId = -2;
+  QVERIFY(contains(toJson(made), "\"robot\": -2"));
 }
 
 void ReportTest::parseMetricsFile_missingKeys_areOn() {

@@ -348,6 +348,24 @@ class OtherDataTest : public QObject {
     QVERIFY(trace->events[0].second.kind == sim2d::EventKind::Arrived);
   }
 
+  /// A sample every 1/8 m: 0.2 m before the goal is between 9.75 m and 9.875 m.
+  void robotsArrival_isInsideTheGoal() {
+    const auto eventsOf = [this](double end) {
+      std::string text = "time,id,x,y,kind\n";
+      for (int k = 0; k <= 100; ++k) {
+        text += base::formatDouble(k / 8.0) + ",1," + base::formatDouble(std::min(k / 8.0, end)) +
+                ",0,robot\n";
+      }
+      TrackOptions options;
+      options.robotGoal = base::Vec2(10.0, 0.0);
+      const base::Result<Trace> trace = traceOf(files_.add("inside.csv", text), {}, options);
+      return trace ? trace->events : decltype(trace->events)();
+    };
+    QCOMPARE(eventsOf(10.0).size(), std::size_t{1});
+    QCOMPARE(eventsOf(10.0)[0].first, std::int64_t{79});
+    QVERIFY(eventsOf(9.625).empty());  // it stays 0.175 m before the border
+  }
+
  private:
   struct Row {
     long long id;

@@ -126,8 +126,14 @@ base::Result<sim2d::Trace> readSource(const std::string& source,
     return sim2d::readTrace(source);
   }
   const base::Result<sim2d::TrackFile> file = sim2d::readForeign(source, reading);
-  return file ? sim2d::traceOfTracks(*file, tracks)
-              : base::Result<sim2d::Trace>(file.diagnostics());
+  if (!file) {
+    return file.diagnostics();
+  }
+  base::Result<sim2d::Trace> trace = sim2d::traceOfTracks(*file, tracks);
+  base::Diagnostics told = file.diagnostics();
+  base::append(told, trace.diagnostics());
+  return trace ? base::Result<sim2d::Trace>(*std::move(trace), std::move(told))
+               : base::Result<sim2d::Trace>(std::move(told));
 }
 
 /// Which robot of a run is measured. Returns what is worth telling; a wrong word is `wrong`.
@@ -163,32 +169,53 @@ base::Diagnostics replaceMap(const EvaluateOptions& options, sim2d::Trace& trace
   return file.diagnostics();
 }
 
-/// The way of the robot in a recorded run, from its first instant.
-base::Result<std::vector<std::pair<double, base::Vec2>>> readReference(
-    const std::string& source, const sim2d::ForeignOptions& reading) {
-  const base::Result<sim2d::Trace> trace = readSource(source, reading, {});
+/// Of a file whose only body is taken for a robot, with the goal and the step of the source.
+base::Result<sim2d::Trace> readReferenceRun(const std::string& source,
+                                            const sim2d::ForeignOptions& reading,
+                                            sim2d::TrackOptions tracks) {
+  base::Result<sim2d::Trace> trace = readSource(source, reading, {});
+  const bool hasRobot = trace && !trace->header.robots.empty();
+  const bool isAlone = trace && !hasRobot && trace->header.humans.size() == 1;
+  if (isRunFolder(source) || (!hasRobot && !isAlone)) {
+    return trace;
+  }
+  tracks.robotId = isAlone ? std::optional(trace->header.humans.front().id) : std::nullopt;
+  return readSource(source, reading, tracks);
+}
+
+/// The way of a lone person, from the first instant; nothing when there are others.
+std::optional<metrics::TimedWay> wayOfLonePerson(const sim2d::Trace& trace) {
+  metrics::TimedWay way;
+  double begin = 0.0;
+  for (const sim2d::Frame& frame : trace.frames) {
+    const sim2d::HumanColumns& humans = frame.humans;
+    if (humans.size() > 1) {
+      return std::nullopt;
+    }
+    begin = way.empty() ? frame.time : begin;
+    if (humans.size() == 1) {
+      way.emplace_back(frame.time - begin, base::Vec2(humans.x[0], humans.y[0]));
+    }
+  }
+  return way;
+}
+
+/// The way of the robot in another run, measured as that of the source is.
+base::Result<metrics::TimedWay> readReference(const std::string& source,
+                                              const sim2d::ForeignOptions& reading,
+                                              const sim2d::TrackOptions& tracks,
+                                              const MetricsSetup& setup) {
+  const base::Result<sim2d::Trace> trace = readReferenceRun(source, reading, tracks);
   if (!trace) {
     return trace.diagnostics();
   }
-  std::vector<std::pair<double, base::Vec2>> way;
-  for (const sim2d::Frame& frame : trace->frames) {
-    const sim2d::RobotColumns& robots = frame.robots;
-    const sim2d::HumanColumns& humans = frame.humans;
-    if (robots.size() > 0) {
-      way.emplace_back(frame.time, base::Vec2(robots.x[0], robots.y[0]));
-    } else if (humans.size() == 1) {
-      way.emplace_back(frame.time, base::Vec2(humans.x[0], humans.y[0]));
-    } else if (humans.size() > 1) {
-      return base::error("option.reference-people", {}, source);
-    }
+  const std::optional<metrics::TimedWay> way =
+      trace->header.robots.empty() ? wayOfLonePerson(*trace)
+                                   : metrics::wayOf(*trace, setup.selection, setup.parameters);
+  if (!way || way->empty()) {
+    return base::error(way ? "option.reference-empty" : "option.reference-people", {}, source);
   }
-  if (way.empty()) {
-    return base::error("option.reference-empty", {}, source);
-  }
-  for (std::size_t k = way.size(); k > 0; --k) {
-    way[k - 1].first -= way.front().first;
-  }
-  return way;
+  return {*way, trace.diagnostics()};
 }
 
 base::Diagnostics writeResults(const EvaluateOptions& options, const sim2d::Trace& trace,
@@ -261,7 +288,7 @@ int evaluateCommand(const EvaluateOptions& options, const Invocation& given) {
   base::append(problems, chooseMetrics(options.metrics, setup, wrong));
   requireFine(wrong, ExitWrongCommandLine);
   if (!options.reference.empty()) {
-    const auto reference = readReference(options.reference, reading);
+    const auto reference = readReference(options.reference, reading, tracks, setup);
     base::append(problems, reference.diagnostics());
     if (reference) {
       setup.selection.reference = *reference;
