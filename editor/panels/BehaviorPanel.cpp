@@ -111,9 +111,8 @@ void BehaviorPanel::makeLinks(QVBoxLayout& layout) {
   QToolButton* save = link(tr("Save…"), tr("Write the tree into a file"), [this] { askForFile(); });
   template_ =
       link(tr("Template…"), tr("Begin from the tree of a behaviour"), [this] { offerTemplates(); });
-  anew_ = link(tr("Make anew"), tr("Back to the tree that behaviour and goals make"), [this] {
-    pushTreeText(document_, person_, std::nullopt, tr("Make the tree anew"));
-  });
+  anew_ = link(tr("Make anew"), tr("Back to the tree that behaviour and goals make"),
+               [this] { pushTreesAnew(document_, {person_}); });
   takeRoute_ = link(tr("Put the route into the tree"), tr("Put the route into the tree"),
                     [this] { pushGoalsOfRoute(document_, person_); });
   earlier_ = link(tr("Earlier"), tr("Before the block above"), [this] { moveBlock(-1); });
@@ -288,10 +287,9 @@ base::Diagnostics BehaviorPanel::saveTreeTo(const QString& path) const {
 }
 
 void BehaviorPanel::askForTree() {
-  const QString path = QFileDialog::getOpenFileName(window(), tr("Take a behaviour tree"),
-                                                    QFileInfo(document_.path()).absolutePath(),
-                                                    tr("Behaviour trees (*.xml);;All files (*)"),
-                                                    nullptr, QFileDialog::ReadOnly);
+  const QString path = QFileDialog::getOpenFileName(
+      window(), tr("Take a behaviour tree"), QFileInfo(document_.path()).absolutePath(),
+      tr("Behaviour trees (*.xml);;All files (*)"), nullptr, QFileDialog::ReadOnly);
   if (!path.isEmpty()) {
     Q_EMIT told(takeTreeFrom(path));
   }
@@ -303,8 +301,7 @@ void BehaviorPanel::askForFile() {
       bt::treeFileName(document_.scenario().yamlBaseName.value_or("scenario"), human->id));
   const QString path = QFileDialog::getSaveFileName(
       window(), tr("Save the behaviour tree"),
-      QFileInfo(document_.path()).absoluteDir().filePath(name), tr("Behaviour trees (*.xml)"),
-      nullptr, QFileDialog::ReadOnly);
+      QFileInfo(document_.path()).absoluteDir().filePath(name), tr("Behaviour trees (*.xml)"));
   if (!path.isEmpty()) {
     Q_EMIT told(saveTreeTo(path));
   }
