@@ -72,9 +72,11 @@ class WatchingTest : public QObject, protected CanvasTester {
     QVERIFY(says(panel, "Person 99 · Curious · goals 3"));
     QVERIFY(says(panel, "7.00, 7.00 m"));
     QVERIFY(says(panel, "reacting"));
+    QVERIFY(!says(panel, "Changes count from the next start."));
     document_.setSelection({person(1)});
     panel.setGuest(std::nullopt);
     QVERIFY(says(panel, "Ana") && !says(panel, "entrance_1"));
+    QVERIFY(says(panel, "Changes count from the next start."));
   }
 
   /// As the pin on the map and the list of the scenario have it.
