@@ -94,6 +94,15 @@ class KeyRulesTest : public QObject {
     QCOMPARE(window_->workspace().runner().state(), SimulationRunner::State::Editing);
   }
 
+  void startPage_hasNothingToRun() {
+    const editor::PlaybackActions& playback = window_->workspace().playback();
+    QVERIFY(playback.playPause->isEnabled() && playback.step->isEnabled());
+    document().undoStack().setClean();
+    window_->actions().close->trigger();
+    QVERIFY(window_->isOnStartPage());
+    QVERIFY(!playback.playPause->isEnabled() && !playback.step->isEnabled());
+  }
+
   void delete_inAPanelThatFloats_keepsThePerson() {
     QDockWidget* dock = window_->docks().dock(QStringLiteral("issues"));
     dock->setFloating(true);
