@@ -158,6 +158,7 @@ void MainWindow::connectFiles() {
     showStart(false);
     workspace_.view().fitAll(false);
   });
+  docks_->context().folder = [files] { return files->folder(); };
   connect(files, &FileCommands::closed, this, [this] { showStart(true); });
   connect(files, &FileCommands::issuesRaised, this, [this] {
     if (isOnStartPage()) {
