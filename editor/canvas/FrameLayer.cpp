@@ -393,7 +393,9 @@ std::vector<ForceArrow> forcesOn(const sim2d::Frame& frame, int humanId) {
 
 void FrameLayer::paintTrail(QPainter& painter, const Trail& trail, const Vec2& end,
                             QColor color) const {
-  const std::size_t count = trail.points.size();
+  const bool isAhead =  // the body is still on its way to the newest point
+      frame_ != nullptr && trail.points.size() > 1 && trail.points.back().first >= frame_->time;
+  const std::size_t count = trail.points.size() - (isAhead ? 1 : 0);
   for (int part = 0; part < kTrailParts; ++part) {
     const std::size_t from = count * static_cast<std::size_t>(part) / kTrailParts;
     const std::size_t to =
