@@ -52,10 +52,6 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
   }
 
   void run_whoseScenarioIsEdited_keepsItsWords() {
-    const base::EntityId robot = document().entities(base::EntityKind::Robot).front();
-    editor::pushChange<sim2d::Robot>(document(), robot, QString(), [](sim2d::Robot& each) {
-      each.goal.point = base::Vec2(1.0, 1.0);
-    });
     setDuration(std::nullopt);
     runner().play();
     QVERIFY(isHinted("Until the robot arrives, at most 120 s"));
