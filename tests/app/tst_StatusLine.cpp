@@ -42,7 +42,8 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
     QVERIFY(isHinted("The duration is over, 2.0 s · Space plays it again"));
     QVERIFY(isSaid(QStringLiteral("Finished")));
     runner().setSpeed(1.0);
-    window_->workspace().playback().playPause->trigger();
+    window_->workspace().view().setFocus();
+    QTest::keyClick(window_->workspace().view().viewport(), Qt::Key_Space);
     QCOMPARE(runner().state(), SimulationRunner::State::Running);
     QVERIFY(isSaid(QStringLiteral("Playing back")));
     QVERIFY(isHinted("Space pauses · End shows the last step"));
